@@ -1,0 +1,29 @@
+// From sheets to files: composing (layout, label placement), and the PDF and SVG writers.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drawings/picture.h"
+
+namespace epure::drawings {
+
+// One document, a page a sheet; bare sheets get pages of their cropped size. Bytes depend on the sheets alone.
+// Throws std::invalid_argument naming the mark when a coordinate is not finite or far outside the paper.
+std::string pdf(const std::vector<Sheet>& sheets, const std::string& document_title);
+std::string svg(const Sheet& sheet);
+
+// Where labels had to overlap something, in words; empty when every label found room. For tests and reviews.
+std::vector<std::string> overlaps(const Sheet& sheet);
+
+struct CannotWrite : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+// The whole file or none: written beside `path` under a temporary name, synced, renamed. An older file stays until
+// the new one is complete. "-" is standard output. Throws CannotWrite with path and reason.
+void write_whole(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace epure::drawings
