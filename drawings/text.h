@@ -1,0 +1,22 @@
+// Rich text (see Label in picture.h), measured with the shipped font through Pango.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drawings/page.h"
+
+namespace epure::drawings {
+
+struct TextSize {
+  double width = 0, ascent = 0, descent = 0;  // mm: advance width; ink above and below the baseline
+};
+TextSize measure(const std::string& rich_text, double size, Weight weight = Weight::regular);
+
+// Broken at spaces (never inside $...$) so that no line is wider than `width` mm where that is possible.
+std::vector<std::string> wrap(const std::string& rich_text, double size, double width, Weight weight = Weight::regular);
+
+// The text without markup, for search, <desc> and reading aloud: "$\vec{v}_{BA}$" becomes "v_BA".
+std::string plain(const std::string& rich_text);
+
+}  // namespace epure::drawings
