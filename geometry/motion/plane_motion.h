@@ -65,8 +65,8 @@ struct PlaneMotion {
     return {w * X.x + n.x, w * X.y + n.y, w};
   }
 
-  // Centre of curvature of the path of X. At infinity when X lies on the inflection circle; X itself at the pole,
-  // where the path has a cusp, if the acceleration does not vanish there too.
+  // Centre of curvature of the path of X. At infinity when X lies on the inflection circle; undefined (0, 0, 0) when
+  // X is the pole, where the path has a cusp.
   // Euler-Savary: (distance X to pole)² = (X to centre) (X to X'), all on one ray and directed from X.
   ProjectivePoint<T> centre_of_curvature(const Point<T>& X) const {
     const Vector<T> v = velocity(X);
