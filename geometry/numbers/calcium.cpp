@@ -1,0 +1,169 @@
+#include "geometry/numbers/calcium.h"
+
+#include "geometry/numbers/calcium_bridge.h"
+#include "geometry/numbers/turn.h"
+
+#include <CGAL/FPU.h>
+
+#include <cassert>
+#include <utility>
+
+namespace epure::geometry {
+
+namespace {
+
+thread_local epure_calcium_context* innermost = nullptr;
+
+// The number theory below Calcium uses doubles in places, meant for rounding to nearest.
+struct RoundToNearest : CGAL::Protect_FPU_rounding<true> {
+  RoundToNearest() : CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST) {}
+};
+
+epure_calcium_context* current() {
+  assert(innermost && "Calcium is used without an Arithmetic<Calcium> scope");
+  return innermost;
+}
+
+}  // namespace
+
+Arithmetic<Calcium>::Arithmetic()
+    : context_(epure_calcium_open()), outer_(std::exchange(innermost, context_)) {}
+
+Arithmetic<Calcium>::~Arithmetic() {
+  innermost = outer_;
+  epure_calcium_close(context_);
+}
+
+Calcium::Calcium() : context_(current()), number_(epure_calcium_new(context_)) {}
+Calcium::Calcium(int value) : Calcium(Rational(value)) {}
+Calcium::Calcium(const Rational& value) : Calcium() { epure_calcium_set_rational(number_, value.mpq(), context_); }
+Calcium::Calcium(const Calcium& other) : context_(other.context_), number_(epure_calcium_new(context_)) {
+  epure_calcium_set(number_, other.number_, context_);
+}
+Calcium::Calcium(Calcium&& other) noexcept
+    : context_(other.context_), number_(std::exchange(other.number_, nullptr)) {}
+Calcium& Calcium::operator=(Calcium other) noexcept {
+  std::swap(context_, other.context_);
+  std::swap(number_, other.number_);
+  return *this;
+}
+Calcium::~Calcium() {
+  if (number_) epure_calcium_free(number_, context_);
+}
+
+Calcium operator+(const Calcium& a, const Calcium& b) {
+  const RoundToNearest rounding;
+  assert(a.context_ == b.context_ && "numbers of two Arithmetic<Calcium> scopes");
+  Calcium result;
+  epure_calcium_add(result.number_, a.number_, b.number_, a.context_);
+  return result;
+}
+
+Calcium operator-(const Calcium& a, const Calcium& b) {
+  const RoundToNearest rounding;
+  assert(a.context_ == b.context_ && "numbers of two Arithmetic<Calcium> scopes");
+  Calcium result;
+  epure_calcium_subtract(result.number_, a.number_, b.number_, a.context_);
+  return result;
+}
+
+Calcium operator*(const Calcium& a, const Calcium& b) {
+  const RoundToNearest rounding;
+  assert(a.context_ == b.context_ && "numbers of two Arithmetic<Calcium> scopes");
+  Calcium result;
+  epure_calcium_multiply(result.number_, a.number_, b.number_, a.context_);
+  return result;
+}
+
+Calcium operator/(const Calcium& a, const Calcium& b) {
+  const RoundToNearest rounding;
+  assert(a.context_ == b.context_ && "numbers of two Arithmetic<Calcium> scopes");
+  const Sign divisor = sign(b);
+  if (divisor == Sign::zero) throw Undecided("division by a quantity that is proved to be zero");
+  if (divisor == Sign::undecided) throw Undecided("division by a quantity that may be zero");
+  Calcium result;
+  epure_calcium_divide(result.number_, a.number_, b.number_, a.context_);
+  return result;
+}
+
+Calcium Calcium::operator-() const {
+  const RoundToNearest rounding;
+  Calcium result;
+  epure_calcium_negate(result.number_, number_, context_);
+  return result;
+}
+
+Deep to_deep(const Calcium& x) {
+  const RoundToNearest rounding;
+  struct Ball {
+    arb_t value;
+    Ball() { arb_init(value); }
+    ~Ball() { arb_clear(value); }
+  } ball;
+  epure_calcium_enclose(ball.value, x.number_, Arithmetic<Deep>::bits(), x.context_);
+  return Deep::from_ball(ball.value);
+}
+
+namespace {
+
+// What balls of up to so many bits say; a number without bounds counts as undecided.
+Sign sign_by_balls(const Calcium& x, long from_bits, long to_bits) {
+  for (long bits = from_bits; bits <= to_bits; bits *= 2) {
+    const Arithmetic<Deep> scope(bits);
+    try {
+      if (const Sign found = sign(to_deep(x)); found == Sign::positive || found == Sign::negative) return found;
+    } catch (const Undecided&) {
+      // a wider ball than the doubling can help with yet: the next precision may bound it
+    }
+  }
+  return Sign::undecided;
+}
+
+}  // namespace
+
+// Every number here is real (made from rationals, real roots, cosines and pi), so the real part carries the sign. A
+// ball answers most questions in microseconds; the proof of zero is asked only when it does not.
+Sign sign(const Calcium& x) {
+  const RoundToNearest rounding;
+  if (const Sign found = sign_by_balls(x, 64, 128); found != Sign::undecided) return found;
+  switch (epure_calcium_is_zero(x.number_, x.context_)) {
+    case EPURE_CALCIUM_YES: return Sign::zero;
+    case EPURE_CALCIUM_NO: return sign_by_balls(x, 256, 16384);
+    default: return Sign::undecided;
+  }
+}
+
+Calcium root(const Calcium& x) {
+  const RoundToNearest rounding;
+  assert(sign(x) != Sign::negative && "root of a number proved negative");
+  Calcium result;
+  epure_calcium_root(result.number_, x.number_, x.context_);
+  return result;
+}
+
+Calcium Calcium::pi() {
+  Calcium result;
+  epure_calcium_set_pi(result.number_, result.context_);
+  return result;
+}
+
+Calcium Calcium::cosine(const Turn& turn) {
+  const RoundToNearest rounding;
+  if (const auto known = rational_cosine(turn)) return Calcium(*known);
+  const Rational half_turns = Rational(2) * within_one_turn(turn).fraction;
+  Calcium result;
+  epure_calcium_set_cosine(result.number_, half_turns.mpq(), result.context_);
+  return result;
+}
+
+template <>
+Calcium cosine<Calcium>(const Turn& turn) {
+  return Calcium::cosine(turn);
+}
+
+template <>
+Calcium sine<Calcium>(const Turn& turn) {
+  return Calcium::cosine(turn_for_sine(turn));
+}
+
+}  // namespace epure::geometry

@@ -1,0 +1,53 @@
+/* The functions of the Calcium library that Calcium (calcium.h) is made of. Calcium's own headers are not valid C++,
+   so only calcium_bridge.c includes them. Every function is safe to call with any number of the given context. */
+#ifndef EPURE_GEOMETRY_NUMBERS_CALCIUM_BRIDGE_H
+#define EPURE_GEOMETRY_NUMBERS_CALCIUM_BRIDGE_H
+
+#include <arb.h>
+#include <gmp.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct epure_calcium_context epure_calcium_context;
+typedef struct epure_calcium_number epure_calcium_number;
+
+/* Calcium's own truth_t has true as 0. */
+typedef enum { EPURE_CALCIUM_NO, EPURE_CALCIUM_YES, EPURE_CALCIUM_UNKNOWN } epure_calcium_truth;
+
+epure_calcium_context* epure_calcium_open(void);
+void epure_calcium_close(epure_calcium_context* context);
+
+/* A new number, 0. To be freed before its context is closed. */
+epure_calcium_number* epure_calcium_new(epure_calcium_context* context);
+void epure_calcium_free(epure_calcium_number* x, epure_calcium_context* context);
+
+void epure_calcium_set(epure_calcium_number* result, const epure_calcium_number* x, epure_calcium_context* context);
+void epure_calcium_set_rational(epure_calcium_number* result, mpq_srcptr value, epure_calcium_context* context);
+void epure_calcium_set_pi(epure_calcium_number* result, epure_calcium_context* context);
+/* cos(pi * half_turns), made from the root of unity exp(i pi half_turns). */
+void epure_calcium_set_cosine(epure_calcium_number* result, mpq_srcptr half_turns, epure_calcium_context* context);
+
+void epure_calcium_add(epure_calcium_number* result, const epure_calcium_number* a, const epure_calcium_number* b,
+                       epure_calcium_context* context);
+void epure_calcium_subtract(epure_calcium_number* result, const epure_calcium_number* a,
+                            const epure_calcium_number* b, epure_calcium_context* context);
+void epure_calcium_multiply(epure_calcium_number* result, const epure_calcium_number* a,
+                            const epure_calcium_number* b, epure_calcium_context* context);
+/* b must be proved nonzero before. */
+void epure_calcium_divide(epure_calcium_number* result, const epure_calcium_number* a, const epure_calcium_number* b,
+                          epure_calcium_context* context);
+void epure_calcium_negate(epure_calcium_number* result, const epure_calcium_number* x,
+                          epure_calcium_context* context);
+void epure_calcium_root(epure_calcium_number* result, const epure_calcium_number* x, epure_calcium_context* context);
+
+epure_calcium_truth epure_calcium_is_zero(const epure_calcium_number* x, epure_calcium_context* context);
+/* A ball around the real part. */
+void epure_calcium_enclose(arb_t result, const epure_calcium_number* x, slong bits, epure_calcium_context* context);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,76 @@
+#include "geometry/numbers/enclosure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace epure::geometry {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double largest = std::numeric_limits<double>::max();
+
+// Bits to which an end of a ball is rounded outwards before it becomes a double: so many more than a double has that
+// the first rounding hardly ever changes the second.
+constexpr long end_bits = 128;
+
+struct Ends {
+  arf_t lower, upper;
+  explicit Ends(const Deep& x) {
+    arf_init(lower);
+    arf_init(upper);
+    arb_get_lbound_arf(lower, x.ball(), end_bits);
+    arb_get_ubound_arf(upper, x.ball(), end_bits);
+  }
+  Ends(const Ends&) = delete;
+  Ends& operator=(const Ends&) = delete;
+  ~Ends() {
+    arf_clear(lower);
+    arf_clear(upper);
+  }
+};
+
+double without_sign_of_zero(double x) { return x == 0 ? 0.0 : x; }
+
+// Halves before adding, so that no finite interval overflows.
+double midpoint(double lower, double upper) {
+  if (lower == upper) return lower;
+  if (std::isinf(lower) && std::isinf(upper)) return 0;
+  if (std::isinf(lower)) return upper;
+  if (std::isinf(upper)) return lower;
+  return std::clamp(lower / 2 + upper / 2, lower, upper);
+}
+
+}  // namespace
+
+Enclosure enclosure(const Bounded& x) {
+  const double lower = std::isnan(x.inf()) ? -infinity : without_sign_of_zero(x.inf());
+  const double upper = std::isnan(x.sup()) ? infinity : without_sign_of_zero(x.sup());
+  return {lower, midpoint(lower, upper), upper};
+}
+
+Bounded to_bounded(const Deep& x) {
+  const Ends ends(x);
+  // A magnitude beyond the doubles lies between the largest double and infinity.
+  const double lower = std::min(arf_get_d(ends.lower, ARF_RND_FLOOR), largest);
+  const double upper = std::max(arf_get_d(ends.upper, ARF_RND_CEIL), -largest);
+  return {without_sign_of_zero(lower), without_sign_of_zero(upper)};
+}
+
+Enclosure enclosure(const Deep& x) {
+  Enclosure result = enclosure(to_bounded(x));
+  const double nearest = certain_double(x).value_or(arf_get_d(arb_midref(x.ball()), ARF_RND_NEAR));
+  result.value = std::clamp(without_sign_of_zero(nearest), result.lower, result.upper);
+  return result;
+}
+
+std::optional<double> certain_double(const Deep& x) {
+  const Ends ends(x);
+  const double lower = arf_get_d(ends.lower, ARF_RND_NEAR);
+  const double upper = arf_get_d(ends.upper, ARF_RND_NEAR);
+  if (lower != upper || std::isinf(lower)) return std::nullopt;
+  return without_sign_of_zero(lower);
+}
+
+}  // namespace epure::geometry
