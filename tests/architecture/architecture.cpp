@@ -1,0 +1,260 @@
+// Who may include whom. Arrows go exercises -> geometry and exercises -> drawings, and nowhere else; the analytic
+// route shares no code with the constructions it checks; one file sees Cairo; CGAL is used only where it is LGPL.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = EPURE_SOURCE_DIR;
+
+bool starts_with_any(std::string_view text, std::initializer_list<std::string_view> beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](auto beginning) { return text.starts_with(beginning); });
+}
+
+// "exercises/gear-pair/figure.cpp" is in the folder "gear-pair" of exercises; "exercises/main.cpp" in none, "".
+std::string exercise_folder(std::string_view path) {
+  constexpr std::string_view room = "exercises/";
+  if (!path.starts_with(room)) return "";
+  path.remove_prefix(room.size());
+  const auto slash = path.find('/');
+  return slash == path.npos ? "" : std::string(path.substr(0, slash));
+}
+
+bool is_cairo(std::string_view header) { return starts_with_any(header, {"cairo", "pango/pangocairo"}); }
+
+// Why `file` may not include `header`, both as paths from the root where they are ours; empty when it may.
+std::string objection(std::string_view file, std::string_view header) {
+  if (header.starts_with("CGAL/Circular_kernel_2")) return "CGAL's circular kernel is GPL";
+
+  if (file.starts_with("geometry/")) {
+    if (starts_with_any(header, {"drawings/", "exercises/"})) return "geometry knows neither drawings nor exercises";
+    if (is_cairo(header) || starts_with_any(header, {"pango/", "fontconfig/", "CLI/", "nlohmann/"}))
+      return "geometry draws nothing and reads no files";
+    if (header == "fstream" || header == "filesystem") return "geometry reads and writes no files";
+  }
+  // Whatever may be included from both routes (numbers) must not lead from one to the other.
+  if (file.starts_with("geometry/numbers/") && header.starts_with("geometry/") &&
+      !header.starts_with("geometry/numbers/"))
+    return "numbers stand below everything else in geometry";
+  if (file.starts_with("geometry/analytic/") && header.starts_with("geometry/") &&
+      !starts_with_any(header, {"geometry/numbers/", "geometry/analytic/"}))
+    return "the analytic route shares nothing but numbers with the constructions";
+  if (file.starts_with("geometry/") && !file.starts_with("geometry/analytic/") &&
+      header.starts_with("geometry/analytic/"))
+    return "the constructions share nothing with the analytic route";
+
+  if (file.starts_with("drawings/")) {
+    if (starts_with_any(header, {"geometry/", "exercises/"})) return "drawings know neither geometry nor exercises";
+    if (starts_with_any(header, {"CGAL/", "Eigen/", "flint", "arb", "arf", "acb", "mag.h", "fmp", "antic/",
+                                 "calcium/", "ca.h", "gmp", "mpfr"}))
+      return "drawings are plain data: no exact numbers, no linear algebra";
+  }
+
+  if (const auto from = exercise_folder(file); !from.empty()) {
+    const auto to = exercise_folder(header);
+    if (!to.empty() && to != from && to != "kit") return "an exercise includes no other; what they share is in kit";
+  }
+  return "";
+}
+
+std::string contents(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) FAIL("cannot read " << path);
+  return text.str();
+}
+
+// The headers of a text, in order, as written between quotes or angle brackets.
+std::vector<std::string> included(const std::string& text) {
+  std::vector<std::string> headers;
+  std::istringstream lines(text);
+  const auto skip_blanks = [](std::string_view& rest) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+  };
+  for (std::string line; std::getline(lines, line);) {
+    std::string_view rest = line;
+    skip_blanks(rest);
+    if (!rest.starts_with('#')) continue;
+    rest.remove_prefix(1);
+    skip_blanks(rest);
+    if (!rest.starts_with("include")) continue;
+    rest.remove_prefix(std::string_view("include").size());
+    skip_blanks(rest);
+    if (rest.empty() || (rest.front() != '"' && rest.front() != '<')) continue;
+    const auto end = rest.find(rest.front() == '"' ? '"' : '>', 1);
+    if (end != rest.npos) headers.emplace_back(rest.substr(1, end - 1));
+  }
+  return headers;
+}
+
+struct Include {
+  std::string file, header;
+};
+
+std::string from_root(const fs::path& path) { return path.lexically_relative(root).generic_string(); }
+
+std::vector<fs::path> sources(const std::string& room) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::recursive_directory_iterator(root / room)) {
+    const auto extension = entry.path().extension();
+    if (entry.is_regular_file() && (extension == ".h" || extension == ".cpp" || extension == ".c"))
+      found.push_back(entry.path());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// Every include of a room. A header named relative to its file ("../analytic/x.h") is given from the root.
+std::vector<Include> includes(const std::string& room) {
+  std::vector<Include> all;
+  for (const auto& path : sources(room))
+    for (const auto& header : included(contents(path))) {
+      const auto beside = (path.parent_path() / header).lexically_normal();
+      all.push_back({from_root(path), fs::exists(beside) ? from_root(beside) : header});
+    }
+  return all;
+}
+
+// The first of the words left behind for later that stands alone in the text, or nothing.
+std::string reminder(const std::string& text) {
+  const auto in_word = [&](std::size_t i) {
+    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
+  };
+  for (const std::string word : {"TO"
+                                 "DO",
+                                 "FIX"
+                                 "ME",
+                                 "XX"
+                                 "X"})
+    for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1))
+      if (!in_word(at - 1) && !in_word(at + word.size())) return word;
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("includes follow the arrows between the rooms") {
+  for (const std::string room : {"geometry", "drawings", "exercises", "tests"}) {
+    const auto all = includes(room);
+    {
+      INFO(room << " reads nearly empty");
+      REQUIRE(all.size() >= 5);
+    }
+    for (const auto& [file, header] : all) {
+      INFO(file << " includes " << header);
+      CHECK(objection(file, header) == "");
+    }
+  }
+}
+
+TEST_CASE("one file includes Cairo") {
+  std::vector<std::string> files;
+  for (const std::string room : {"geometry", "drawings", "exercises"})
+    for (const auto& [file, header] : includes(room))
+      if (is_cairo(header) && (files.empty() || files.back() != file)) files.push_back(file);
+  CAPTURE(files);
+  CHECK(files.size() == 1);
+}
+
+TEST_CASE("every CGAL header in use is under the LGPL") {
+  int seen = 0;
+  for (const std::string room : {"geometry", "drawings", "exercises", "tests"})
+    for (const auto& [file, header] : includes(room)) {
+      if (!header.starts_with("CGAL/")) continue;
+      ++seen;
+      INFO(file << " includes " << header);
+      CHECK(contents(fs::path(CGAL_HEADERS) / header).find("SPDX-License-Identifier: LGPL") != std::string::npos);
+    }
+  CHECK(seen > 0);
+}
+
+TEST_CASE("nothing is left for later") {
+  int seen = 0;
+  for (auto entry = fs::recursive_directory_iterator(root); entry != fs::recursive_directory_iterator(); ++entry) {
+    const auto name = entry->path().filename().string();
+    const bool top = entry.depth() == 0;
+    if (top && (name == ".git" || name == "out" || name.starts_with("build"))) {
+      entry.disable_recursion_pending();
+      continue;
+    }
+    if (!entry->is_regular_file()) continue;
+    const auto text = contents(entry->path());
+    if (text.find('\0') != text.npos) continue;  // a font, a picture
+    ++seen;
+    INFO(from_root(entry->path()));
+    CHECK(reminder(text) == "");
+  }
+  CHECK(seen >= 20);
+}
+
+TEST_CASE("each rule objects to what it forbids and to nothing else") {
+  struct Example {
+    std::string file, header;
+    bool allowed;
+  };
+  const std::vector<Example> examples = {
+      {"geometry/motion/pole.h", "geometry/constructions/line.h", true},
+      {"geometry/motion/pole.h", "CGAL/Interval_nt.h", true},
+      {"geometry/motion/pole.h", "drawings/picture.h", false},
+      {"geometry/motion/pole.h", "exercises/kit/quantity.h", false},
+      {"geometry/motion/pole.h", "cairo.h", false},
+      {"geometry/motion/pole.h", "fstream", false},
+      {"geometry/numbers/number.h", "geometry/numbers/given.h", true},
+      {"geometry/numbers/number.h", "geometry/constructions/line.h", false},
+      {"geometry/analytic/linkage.cpp", "geometry/analytic/newton.h", true},
+      {"geometry/analytic/linkage.cpp", "geometry/numbers/number.h", true},
+      {"geometry/analytic/linkage.cpp", "geometry/constructions/line.h", false},
+      {"geometry/analytic/linkage.cpp", "geometry/motion/pole.h", false},
+      {"geometry/analytic/linkage.cpp", "geometry/curves/trace.h", false},
+      {"geometry/constructions/line.h", "geometry/analytic/newton.h", false},
+      {"geometry/motion/pole.h", "geometry/analytic/newton.h", false},
+      {"geometry/curves/trace.cpp", "geometry/analytic/newton.h", false},
+      {"drawings/pdf.cpp", "cairo-pdf.h", true},
+      {"drawings/pdf.cpp", "drawings/page.h", true},
+      {"drawings/pdf.cpp", "geometry/numbers/number.h", false},
+      {"drawings/pdf.cpp", "exercises/kit/quantity.h", false},
+      {"drawings/pdf.cpp", "CGAL/Gmpq.h", false},
+      {"drawings/pdf.cpp", "arb.h", false},
+      {"drawings/pdf.cpp", "flint/arb.h", false},
+      {"drawings/pdf.cpp", "calcium/ca.h", false},
+      {"drawings/pdf.cpp", "Eigen/Dense", false},
+      {"exercises/four-bar/figure.cpp", "exercises/four-bar/givens.h", true},
+      {"exercises/four-bar/figure.cpp", "exercises/kit/quantity.h", true},
+      {"exercises/four-bar/figure.cpp", "geometry/analytic/newton.h", true},
+      {"exercises/four-bar/figure.cpp", "drawings/picture.h", true},
+      {"exercises/four-bar/figure.cpp", "exercises/slider-crank/givens.h", false},
+      {"exercises/kit/quantity.h", "exercises/slider-crank/givens.h", false},
+      {"exercises/main.cpp", "exercises/cli.h", true},
+      {"tests/geometry/pole.cpp", "CGAL/Circular_kernel_2.h", false},
+      {"geometry/constructions/circle.h", "CGAL/Circular_kernel_2/Circle_2.h", false},
+  };
+  for (const auto& [file, header, allowed] : examples) {
+    INFO(file << " includes " << header);
+    CHECK(objection(file, header).empty() == allowed);
+  }
+  CHECK(included("#include <a>\n  #  include \"b/c.h\"  // why\n// #include <d>\nint include;\n#include<e>") ==
+        std::vector<std::string>{"a", "b/c.h", "e"});
+  CHECK(reminder("// TO"
+                 "DO: more") ==
+        "TO"
+        "DO");
+  CHECK(reminder("FIX"
+                 "ME") ==
+        "FIX"
+        "ME");
+  CHECK(reminder("/tmp/XX"
+                 "XXXX and TO"
+                 "DOS") == "");
+}

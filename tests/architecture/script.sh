@@ -1,0 +1,127 @@
+#!/bin/sh
+# The script at the top of the repository, tried on a checkout that holds nothing but itself, with a stand-in for the
+# program and for every tool that it would call to install or build.
+#   sh script.sh PATH/TO/epure
+set -u
+script=$1
+place=$(mktemp -d) || exit 1
+trap 'rm -rf "$place"' EXIT
+checkout="$place/a check out"
+tools="$place/tools"
+calls="$place/calls" # one line for each call of a stand-in tool
+failures=0
+
+mkdir -p "$checkout/build/bin" "$checkout/geometry" "$checkout/drawings" "$checkout/exercises" "$tools" "$place/else where"
+cp "$script" "$checkout/epure"
+touch "$checkout/CMakeLists.txt" "$checkout/CMakePresets.json" "$checkout/drawings/picture.h"
+
+cat > "$checkout/build/bin/epure" << 'END'
+#!/bin/sh
+[ "${1-}" = exit ] && exit "$2"
+pwd
+printf '[%s]' "$@"
+END
+chmod +x "$checkout/build/bin/epure"
+
+stand_in() { # stand_in NAME COMMAND: notes its call, then does COMMAND
+  printf '#!/bin/sh\nprintf "%%s\\n" "%s $*" >> "%s"\n%s\n' "$1" "$calls" "$2" > "$tools/$1"
+  chmod +x "$tools/$1"
+}
+# shellcheck disable=SC2016  # the stand-in expands it
+everything_installed='case $2 in *Status*) ;; *) exit ;; esac
+for p; do case $p in -*) ;; *) printf "%s=installed " "$p" ;; esac; done'
+stand_in dpkg-query "$everything_installed"
+stand_in cmake 'echo noise; echo noise >&2'
+stand_in ctest 'echo 100% tests passed'
+stand_in apt-get ''
+stand_in sudo 'exec "$@"'
+stand_in id 'echo 1000'
+PATH="$tools:$PATH"
+export PATH
+
+expect() { # expect WHAT EXPECTED ACTUAL
+  if [ "$2" != "$3" ]; then
+    printf 'FAILED: %s\n  expected: %s\n  actual:   %s\n' "$1" "$2" "$3"
+    failures=$((failures + 1))
+  fi
+}
+forget_calls() { : > "$calls"; }
+forget_calls
+
+cd "$place/else where" || exit 1
+here=$(pwd)
+up_to_date() { printf '%s\n' "$checkout" > "$checkout/build/epure-built"; }
+
+# Everything in place: straight to the program.
+up_to_date
+expect 'arguments and working directory reach the program' \
+  "$here
+[draw][two words][][*][it's][--set][r=1/5 m]" "$("$checkout/epure" draw 'two words' '' '*' "it's" --set 'r=1/5 m' 2>&1)"
+"$checkout/epure" exit 3
+expect 'the exit code is that of the program' 3 $?
+ln -s "$checkout/epure" link
+expect 'it works through a link' "$here
+[list]" "$(./link list 2>&1)"
+expect 'it works when a shell is given its name' "$checkout
+[list]" "$(cd "$checkout" && sh epure list 2>&1)"
+expect 'no tool is called when everything is in place' '' "$(cat "$calls")"
+
+# Something changed: build, and keep standard output for the program.
+for change in "$checkout/drawings/picture.h" "$checkout/exercises/new.cpp" "$checkout/CMakeLists.txt"; do
+  forget_calls
+  up_to_date
+  sleep 0.02 # longer than a tick of the file system's clock
+  touch "$change"
+  expect "standard output is the program's own" "$here
+[check]" "$("$checkout/epure" check 2> messages)"
+  expect "a change of $change is built" 2 "$(grep -c '^cmake' "$calls")"
+  expect 'a build that succeeds says one line' 'epure: building' "$(cat messages)"
+  forget_calls
+  "$checkout/epure" check > /dev/null 2>&1
+  expect 'and is not repeated' '' "$(cat "$calls")"
+done
+sleep 0.02
+rm "$checkout/exercises/new.cpp"
+"$checkout/epure" check > /dev/null 2>&1
+expect 'a deleted file is noticed' 2 "$(grep -c '^cmake' "$calls")"
+forget_calls
+printf '/another/checkout\n' > "$checkout/build/epure-built"
+"$checkout/epure" check > /dev/null 2>&1
+expect 'a build made elsewhere is not trusted' 2 "$(grep -c '^cmake' "$calls")"
+
+# Failures.
+stand_in cmake 'echo what went wrong; exit 1'
+rm "$checkout/build/epure-built"
+expect 'a failing build says why, and the program does not run' 'epure: building (a few minutes the first time)
+what went wrong
+epure: configuring failed, see above' "$("$checkout/epure" check 2>&1 < /dev/null)"
+"$checkout/epure" check > /dev/null 2>&1
+expect 'a failing build exits with 2' 2 $?
+stand_in cmake ''
+
+# Packages.
+stand_in dpkg-query "$everything_installed | sed 's/catch2=installed/catch2=config-files/; s/libfmt-dev=installed//'"
+forget_calls
+"$checkout/epure" check > /dev/null 2>&1
+expect 'what is missing is installed, and only that' 'libfmt-dev catch2' \
+  "$(sed -n 's/^apt-get .*install -y --no-install-recommends //p' "$calls")"
+expect 'with sudo' 2 "$(grep -c '^sudo' "$calls")"
+stand_in apt-get 'exit 100'
+rm -f "$checkout/build/epure-built"
+"$checkout/epure" check > messages 2>&1
+expect 'a failing installation exits with 2' 2 $?
+expect 'and names the packages' 'epure: apt-get could not install: libfmt-dev catch2' "$(tail -n 1 messages)"
+
+# Tests.
+stand_in dpkg-query "$everything_installed"
+forget_calls
+"$checkout/epure" test -R 'a name' > messages 2>&1
+expect 'passing tests exit with 0' 0 $?
+expect 'test builds everything' 1 "$(grep -c '^cmake --build .* --target all' "$calls")"
+expect 'test hands its options to ctest' 1 "$(grep -c '^ctest .* -R a name$' "$calls")"
+stand_in ctest 'exit 8'
+"$checkout/epure" test > messages 2>&1
+expect 'failing tests exit with 1' 1 $?
+
+[ "$failures" -eq 0 ] && echo 'the script does what it says'
+exit "$failures"
