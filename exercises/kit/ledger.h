@@ -1,0 +1,126 @@
+// Where a construction writes down what it found: quantity by quantity, each under the route that found it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exercises/kit/exercise.h"
+#include "geometry/constructions/cycle.h"
+#include "geometry/numbers/numbers.h"
+
+namespace epure {
+
+// The exact numbers are asked for signs only, so they need no roots and no angles.
+template <class T>
+inline constexpr bool signs_only = std::is_same_v<T, geometry::Exact> || std::is_same_v<T, geometry::Calcium>;
+
+// |v|; for signs, its square, which is zero when the length is.
+template <class T>
+T size(const geometry::Vector<T>& v) {
+  if constexpr (signs_only<T>) {
+    return geometry::length_squared(v);
+  } else {
+    return geometry::length(v);
+  }
+}
+
+// The angle of the direction v in (-pi, pi), for v.x > 0; for signs, its tangent.
+template <class T>
+T slope_angle(const geometry::Vector<T>& v) {
+  if constexpr (signs_only<T>) {
+    return geometry::quotient(v.y, v.x);
+  } else {
+    return geometry::arc_tangent(v.y, v.x);
+  }
+}
+
+template <class T>
+class Ledger {
+ public:
+  explicit Ledger(std::string route) : route_(std::move(route)) {}
+
+  void route(std::string name) { route_ = std::move(name); }
+
+  // Writes down what `find` returns. What it cannot decide stays undecided; what does not exist is absent.
+  void put(const std::string& quantity, const std::function<T()>& find) {
+    keys_.push_back({quantity, route_});
+    readings_.push_back(read(find));
+  }
+  void put(const std::string& quantity, const T& value) {
+    put(quantity, [&] { return value; });
+  }
+  void vector(const std::string& name, const geometry::Vector<T>& v) {
+    put(name + "_x", v.x);
+    put(name + "_y", v.y);
+    put(name, [&] { return size(v); });
+  }
+  void point(const std::string& name, const geometry::Point<T>& P) {
+    put(name + "_x", P.x);
+    put(name + "_y", P.y);
+  }
+  // Coordinates of a point that may be at infinity, which `at_infinity` then says.
+  void point(const std::string& name, const geometry::ProjectivePoint<T>& P, const std::string& at_infinity) {
+    put(name + "_x", [&] { return ratio(P.x, P.w, at_infinity); });
+    put(name + "_y", [&] { return ratio(P.y, P.w, at_infinity); });
+  }
+  // The distance from P, which may be at infinity, to X.
+  void distance(const std::string& name, const geometry::ProjectivePoint<T>& P, const geometry::Point<T>& X,
+                const std::string& at_infinity) {
+    put(name, [&] {
+      const geometry::Vector<T> d{X.x * P.w - P.x, X.y * P.w - P.y};
+      if constexpr (signs_only<T>) {
+        return ratio(size(d), geometry::square(P.w), at_infinity);
+      } else {
+        return ratio(size(d), geometry::magnitude(P.w), at_infinity);
+      }
+    });
+  }
+
+  // numerator / denominator; absent, for the reason given, when the denominator is proved zero.
+  static T ratio(const T& numerator, const T& denominator, const std::string& when_zero) {
+    switch (geometry::sign(denominator)) {
+      case geometry::Sign::zero: throw geometry::Impossible(when_zero);
+      case geometry::Sign::undecided: throw geometry::Undecided("whether " + when_zero);
+      default: return geometry::quotient(numerator, denominator);
+    }
+  }
+
+  const std::vector<std::pair<std::string, std::string>>& keys() const { return keys_; }
+  const std::vector<geometry::Reading<T>>& readings() const { return readings_; }
+
+ private:
+  static geometry::Reading<T> read(const std::function<T()>& find) {
+    try {
+      return geometry::Reading<T>::of(find());
+    } catch (const geometry::Impossible& reason) {
+      return geometry::Reading<T>::absent(reason.what());
+    } catch (const geometry::Undecided& reason) {
+      return geometry::Reading<T>::undecided(reason.what());
+    }
+  }
+
+  std::string route_;
+  std::vector<std::pair<std::string, std::string>> keys_;
+  std::vector<geometry::Reading<T>> readings_;
+};
+
+// Runs `write<T>()`, which returns a Ledger<T> with the same keys for every T, up the numbers as `rung` says.
+template <class Write>
+std::vector<RouteValue> settle(const Write& write, Rung rung) {
+  std::vector<std::pair<std::string, std::string>> keys;
+  const auto scene = [&]<class T>() {
+    const Ledger<T> ledger = write.template operator()<T>();
+    keys = ledger.keys();
+    return ledger.readings();
+  };
+  const std::vector<geometry::Settled> settled = rung == Rung::fast      ? geometry::only_fast(scene)
+                                                 : rung == Rung::bounded ? geometry::only_bounded(scene)
+                                                                         : geometry::climb(scene);
+  std::vector<RouteValue> values;
+  for (std::size_t i = 0; i < settled.size(); ++i) values.push_back({keys[i].first, keys[i].second, settled[i]});
+  return values;
+}
+
+}  // namespace epure

@@ -1,0 +1,92 @@
+#include "exercises/kit/plot.h"
+
+#include <cmath>
+
+namespace epure {
+namespace {
+
+double direction(drawings::Point from, drawings::Point to) { return std::atan2(to.y - from.y, to.x - from.x); }
+
+}  // namespace
+
+void Plot::segment(const Place& P, const Place& Q, Meaning meaning, const std::string& name) {
+  mark(drawings::Line{drawings::segment(at(P), at(Q)), meaning, name});
+}
+
+void Plot::long_segment(const Place& P, const Place& Q, double beyond, Meaning meaning) {
+  const drawings::Point p = at(P), q = at(Q);
+  const double length = std::hypot(q.x - p.x, q.y - p.y);
+  if (length == 0) return;
+  const double dx = (q.x - p.x) / length * beyond, dy = (q.y - p.y) / length * beyond;
+  mark(drawings::Line{drawings::segment({p.x - dx, p.y - dy}, {q.x + dx, q.y + dy}), meaning, {}});
+}
+
+void Plot::polygon(const std::vector<Place>& corners, Meaning meaning) {
+  std::vector<drawings::Point> on_paper;
+  for (const Place& P : corners) on_paper.push_back(at(P));
+  mark(drawings::Line{drawings::polyline(on_paper, true), meaning, {}});
+}
+
+void Plot::area(const std::vector<Place>& corners, Meaning meaning) {
+  std::vector<drawings::Point> on_paper;
+  for (const Place& P : corners) on_paper.push_back(at(P));
+  mark(drawings::Area{drawings::polyline(on_paper, true), meaning, {}});
+}
+
+void Plot::circle(const Place& centre, double radius, Meaning meaning, const std::string& name) {
+  mark(drawings::Line{drawings::circle(at(centre), radius * scale_.mm_per_unit), meaning, name});
+}
+
+void Plot::dot(const Place& P, Meaning meaning) { mark(drawings::Dot{at(P), meaning, {}}); }
+void Plot::cross(const Place& P, Meaning meaning) { mark(drawings::Cross{at(P), meaning, {}}); }
+void Plot::hinge(const Place& P) { mark(drawings::Hinge{at(P)}); }
+
+void Plot::right_angle(const Place& P, const Place& Q, const Place& R) {
+  const drawings::Point p = at(P), q = at(Q), r = at(R);
+  if (std::hypot(q.x - p.x, q.y - p.y) < 3 || std::hypot(r.x - p.x, r.y - p.y) < 3) return;  // no room for the mark
+  mark(drawings::RightAngle{p, direction(p, q), direction(p, r)});
+}
+
+void Plot::side(const std::string& name, const Place& from, const Place& to, Meaning meaning,
+                const std::string& label, std::optional<Place> away_from) {
+  mark(drawings::Arrow{at(from), at(to), meaning, name});
+  if (!label.empty()) {
+    drawings::Label beside{.text = label, .at = at(from), .to = at(to), .ink = meaning};
+    if (away_from) beside.away_from = at(*away_from);
+    onto_.sheet.figure.labels.push_back(beside);
+  }
+  if (!name.empty()) measures(name, from, to);
+}
+
+Place Plot::tip(const Place& from, const Arrow2& v) const {
+  const double units = vectors_.mm_per_unit / scale_.mm_per_unit;
+  return {from.x + units * v.x, from.y + units * v.y};
+}
+
+void Plot::vector_on(const std::string& name, const Place& from, const Arrow2& v, Meaning meaning,
+                     const std::string& label) {
+  const Place to = tip(from, v);
+  mark(drawings::Arrow{at(from), at(to), meaning, name});
+  onto_.sheet.figure.labels.push_back({.text = label, .at = at(from), .to = at(to), .ink = meaning});
+  onto_.measurements.push_back({name, at(from), at(to), 1 / vectors_.mm_per_unit, Measurement::length});
+}
+
+void Plot::label(const std::string& text, const Place& P, std::optional<Place> away_from, Meaning ink) {
+  drawings::Label label{.text = text, .at = at(P), .ink = ink};
+  if (away_from) label.away_from = at(*away_from);
+  onto_.sheet.figure.labels.push_back(label);
+}
+
+void Plot::step(int number, const Place& P) { onto_.sheet.figure.steps.push_back({number, at(P)}); }
+
+void Plot::measures(const std::string& name, const Place& P, const Place& Q) {
+  onto_.measurements.push_back({name, at(P), at(Q), 1 / scale_.mm_per_unit, Measurement::length});
+}
+
+void Plot::measures_coordinates(const std::string& name, const Place& P, const Place& origin) {
+  for (const auto& [suffix, kind] : {std::pair{"_x", Measurement::along_x}, std::pair{"_y", Measurement::along_y}}) {
+    onto_.measurements.push_back({name + suffix, at(origin), at(P), 1 / scale_.mm_per_unit, kind});
+  }
+}
+
+}  // namespace epure
