@@ -1,0 +1,105 @@
+#include "drawings/canvas.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "drawings/clip.h"
+#include "drawings/flatten.h"
+#include "drawings/text.h"
+#include "drawings/vectors.h"
+
+namespace epure::drawings {
+
+namespace {
+
+// 10 km of paper: nothing anyone means, and still exact to a nanometre in a double.
+constexpr double absurd = 1e7;
+
+}  // namespace
+
+Canvas::Canvas(Box area) : clip_(area), obstacles_(area) {}
+
+void Canvas::require(double value) const {
+  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("{} is not a number on paper", value));
+  if (std::abs(value) > absurd) throw std::invalid_argument(fmt::format("{} mm is far off the paper", value));
+}
+
+void Canvas::require(Point p) const {
+  require(p.x);
+  require(p.y);
+}
+
+void Canvas::require(const Path& path) const {
+  require(path.start);
+  for (const Piece& piece : path.pieces) {
+    require(piece.end);
+    if (piece.straight) continue;
+    require(piece.first_control);
+    require(piece.second_control);
+  }
+}
+
+void Canvas::put(Primitive primitive) { (raised_ ? above_ : below_).push_back(std::move(primitive)); }
+
+void Canvas::remember(const Path& path, double width) {
+  const std::vector<Point> points = flatten(path);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto inside = clip_segment(points[i - 1], points[i], clip_);
+    if (inside) obstacles_.add({inside->first, inside->second, width / 2, width > fine});
+  }
+}
+
+void Canvas::stroke(const Path& path, const LineStyle& style, const std::string& name) {
+  require(path);
+  const ClippedPath clipped = clip_path(path, clip_);
+  bool first = true;
+  for (const Path& run : clipped.runs) {
+    const std::vector<double> dashes =
+        style.dashes.empty() ? style.dashes : fitted_dashes(style.dashes, path_length(run), run.closed);
+    Stroke stroke{run, style.width, dashes, style.colour, {}, first ? name : std::string{}};
+    if (clipped.overhangs) stroke.clip = clip_;
+    put(std::move(stroke));
+    remember(run, style.width);
+    first = false;
+  }
+}
+
+void Canvas::area(const Path& path, Colour colour, const std::string& name) {
+  require(path);
+  const Box box = bounds(path);
+  if (apart(box, clip_)) return;
+  if (contains(clip_, box)) {
+    put(Fill{path, colour, {}, name});
+    return;
+  }
+  const std::vector<Point> inside = clip_polygon(flatten(path, 0.005), clip_);
+  if (inside.size() >= 3) put(Fill{polyline(inside, true), colour, {}, name});
+}
+
+void Canvas::fill(const Path& path, Colour colour, const std::string& name) {
+  area(path, colour, name);
+  remember(path, 0.2);
+}
+
+void Canvas::tint(const Path& path, Colour colour, const std::string& name) { area(path, colour, name); }
+
+void Canvas::text(const PlacedText& text) {
+  require(text.baseline);
+  const TextSize size = measure(text.text, text.size, text.weight);
+  const Point b = text.baseline;
+  const Box box{{b.x, b.y - size.descent}, {b.x + size.width, b.y + size.ascent}};
+  if (!contains(clip_, middle(box))) return;
+  put(text);
+  // Its outline with a diagonal: whatever lies inside the box meets one of them or fills it.
+  remember(polyline({box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}, box.low, box.high}, false),
+           wide);
+}
+
+std::vector<Primitive> Canvas::take() {
+  below_.insert(below_.end(), above_.begin(), above_.end());
+  above_.clear();
+  return std::move(below_);
+}
+
+}  // namespace epure::drawings

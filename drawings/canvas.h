@@ -1,0 +1,51 @@
+// Where symbols are drawn: collects primitives in drawing order, cuts them to the part of the paper their mark
+// belongs to, checks every number, and remembers what labels must keep clear of.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drawings/obstacles.h"
+#include "drawings/page.h"
+#include "drawings/style.h"
+
+namespace epure::drawings {
+
+class Canvas {
+ public:
+  explicit Canvas(Box area);
+
+  // Where the marks drawn from now on may show.
+  void clip_to(Box clip) { clip_ = clip; }
+  Box clip() const { return clip_; }
+
+  // Throws std::invalid_argument unless the number is finite and within 10 km; compose() adds the mark's name.
+  void require(Point p) const;
+  void require(double value) const;
+
+  void stroke(const Path& path, const LineStyle& style, const std::string& name = {});
+  // Solid areas (arrow heads, points, blocks) keep labels away; light ones (plates) do not.
+  void fill(const Path& path, Colour colour, const std::string& name = {});
+  void tint(const Path& path, Colour colour, const std::string& name = {});
+  void text(const PlacedText& text);
+
+  // From now on on top of everything drawn before `lower` is called: hinges and points.
+  void raise() { raised_ = true; }
+  void lower() { raised_ = false; }
+
+  const Obstacles& obstacles() const { return obstacles_; }
+  std::vector<Primitive> take();
+
+ private:
+  void require(const Path& path) const;
+  void put(Primitive primitive);
+  void remember(const Path& path, double width);
+  void area(const Path& path, Colour colour, const std::string& name);
+
+  Box clip_;
+  bool raised_ = false;
+  Obstacles obstacles_;
+  std::vector<Primitive> below_, above_;
+};
+
+}  // namespace epure::drawings

@@ -1,0 +1,176 @@
+#include "drawings/labels.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "drawings/candidates.h"
+#include "drawings/vectors.h"
+
+namespace epure::drawings {
+
+namespace {
+
+// Greedy from the most constrained label on, then improved until no single move, and no move that pushes its
+// neighbours aside, makes the whole cheaper.
+class Placement {
+ public:
+  Placement(const std::vector<LabelBox>& labels, const Obstacles& obstacles, Box area) : labels_(labels) {
+    for (const LabelBox& label : labels) options_.push_back(candidates(label, obstacles, area));
+    for (std::size_t i = 0; i < labels.size(); ++i) add_strangers(i);
+    for (auto& options : options_) sort_by_cost(options);
+    chosen_.assign(labels.size(), none);
+  }
+
+  std::vector<Place> run() {
+    for (const std::size_t i : most_constrained_first()) chosen_[i] = best_option(i);
+    improve();
+    for (int round = 0; round < 4 && push_aside(); ++round) improve();
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < labels_.size(); ++i) places.push_back(place(i));
+    return places;
+  }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  static void sort_by_cost(std::vector<Candidate>& options) {
+    std::stable_sort(options.begin(), options.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  }
+
+  // A label must not seem to name a point that another label names.
+  void add_strangers(std::size_t i) {
+    for (Candidate& option : options_[i]) {
+      if (option.leader || labels_[i].to) continue;
+      const double own = distance(labels_[i].at, nearest_in(option.box, labels_[i].at));
+      for (std::size_t j = 0; j < labels_.size(); ++j) {
+        if (j == i || labels_[j].to || distance(labels_[i].at, labels_[j].at) < 0.5) continue;
+        if (distance(labels_[j].at, nearest_in(option.box, labels_[j].at)) < own + 0.3) option.cost += price::stranger;
+      }
+    }
+  }
+
+  std::vector<std::size_t> most_constrained_first() const {
+    std::vector<std::size_t> order(labels_.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto freedom = [&](std::size_t i) {
+      return std::count_if(options_[i].begin(), options_[i].end(),
+                           [](const Candidate& c) { return !c.blocked && !c.leader; });
+    };
+    std::vector<std::ptrdiff_t> free(labels_.size());
+    for (std::size_t i = 0; i < labels_.size(); ++i) free[i] = freedom(i);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return free[a] < free[b]; });
+    return order;
+  }
+
+  static bool leader_meets(const Candidate& a, const Candidate& b) {
+    return (a.leader && gap(b.box, a.leader->first, a.leader->second) < 0.3) ||
+           (b.leader && gap(a.box, b.leader->first, b.leader->second) < 0.3);
+  }
+
+  static double together(const Candidate& a, const Candidate& b) {
+    double cost = 0;
+    if (leader_meets(a, b)) cost += price::leader_through;
+    const double d = gap(a.box, b.box);
+    if (d >= label_clearance) return cost;
+    const double lack = 1 - d / label_clearance;
+    cost += price::crowded * lack * lack;
+    if (d > 0) return cost;
+    const Box common = intersection(a.box, b.box);
+    return cost + price::overlap + price::inside * common.width() * common.height();
+  }
+
+  // What option `o` of label i costs beside the others as they stand; gives up once worse than `limit`.
+  double total(std::size_t i, std::size_t o, double limit = INFINITY) const {
+    const Candidate& option = options_[i][o];
+    double cost = option.cost;
+    for (std::size_t j = 0; j < labels_.size() && cost < limit; ++j)
+      if (j != i && chosen_[j] != none) cost += together(option, options_[j][chosen_[j]]);
+    return cost;
+  }
+
+  std::size_t best_option(std::size_t i) const {
+    std::size_t best = chosen_[i];
+    double least = best == none ? INFINITY : total(i, best);
+    for (std::size_t o = 0; o < options_[i].size() && options_[i][o].cost < least; ++o) {
+      const double cost = total(i, o, least);
+      if (cost < least - 1e-9) {
+        least = cost;
+        best = o;
+      }
+    }
+    return best;
+  }
+
+  void improve() {
+    for (int round = 0; round < 20; ++round) {
+      bool moved = false;
+      for (std::size_t i = 0; i < labels_.size(); ++i) {
+        const std::size_t best = best_option(i);
+        moved = moved || best != chosen_[i];
+        chosen_[i] = best;
+      }
+      if (!moved) return;
+    }
+  }
+
+  double whole() const {
+    double cost = 0;
+    for (std::size_t i = 0; i < labels_.size(); ++i) {
+      if (chosen_[i] == none) continue;
+      const Candidate& option = options_[i][chosen_[i]];
+      cost += option.cost;
+      for (std::size_t j = i + 1; j < labels_.size(); ++j)
+        if (chosen_[j] != none) cost += together(option, options_[j][chosen_[j]]);
+    }
+    return cost;
+  }
+
+  // For labels that stand badly: take a place of their own liking and let those in the way move. True if it helped.
+  bool push_aside() {
+    constexpr std::size_t tries = 24;
+    bool helped = false;
+    for (std::size_t i = 0; i < labels_.size(); ++i) {
+      if (chosen_[i] == none || total(i, chosen_[i]) < price::leader) continue;
+      for (std::size_t o = 0; o < std::min(tries, options_[i].size()); ++o) helped = try_pushing(i, o) || helped;
+    }
+    return helped;
+  }
+
+  bool try_pushing(std::size_t i, std::size_t o) {
+    const Candidate& wanted = options_[i][o];
+    if (wanted.cost >= total(i, chosen_[i])) return false;
+    const std::vector<std::size_t> before = chosen_;
+    const double cost_before = whole();
+    chosen_[i] = o;
+    for (std::size_t j = 0; j < labels_.size(); ++j)
+      if (j != i && before[j] != none && together(wanted, options_[j][before[j]]) > 0) chosen_[j] = best_option(j);
+    if (whole() < cost_before - 1e-9) return true;
+    chosen_ = before;
+    return false;
+  }
+
+  Place place(std::size_t i) const {
+    if (chosen_[i] == none) return {};
+    const Candidate& option = options_[i][chosen_[i]];
+    Place result{option.box, option.leader, true, option.blocked, {}};
+    for (std::size_t j = 0; j < labels_.size(); ++j) {
+      if (j == i || chosen_[j] == none) continue;
+      const Candidate& other = options_[j][chosen_[j]];
+      if (gap(option.box, other.box) <= 0 || leader_meets(option, other)) result.touches.push_back(j);
+    }
+    return result;
+  }
+
+  const std::vector<LabelBox>& labels_;
+  std::vector<std::vector<Candidate>> options_;
+  std::vector<std::size_t> chosen_;
+};
+
+}  // namespace
+
+std::vector<Place> place_labels(const std::vector<LabelBox>& labels, const Obstacles& obstacles, Box area) {
+  return Placement(labels, obstacles, area).run();
+}
+
+}  // namespace epure::drawings

@@ -1,0 +1,29 @@
+// The one table from meaning to line type, width and colour (ISO 128, line group 0.5).
+#pragma once
+
+#include <vector>
+
+#include "drawings/page.h"
+
+namespace epure::drawings {
+
+struct LineStyle {
+  double width = 0.25;              // mm
+  std::vector<double> dashes = {};  // mm; empty: continuous
+  Colour colour = {};
+};
+
+LineStyle line_style(Meaning meaning);
+Colour ink(Meaning meaning);   // letters, arrow heads and points of this meaning
+Colour tint(Meaning meaning);  // the light fill of an area
+
+// The pattern stretched a little, so that the line begins and ends with a full dash (a closed one meets itself
+// between dashes); continuous when the line is too short to show its pattern.
+std::vector<double> fitted_dashes(const std::vector<double>& pattern, double length, bool closed);
+
+inline constexpr Colour black{0, 0, 0, 1};
+inline constexpr Colour white{1, 1, 1, 1};
+inline constexpr Colour grey{0.42, 0.42, 0.42, 1};
+inline constexpr double wide = 0.5, medium = 0.35, narrow = 0.25, fine = 0.18;  // mm
+
+}  // namespace epure::drawings
