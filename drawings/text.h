@@ -1,4 +1,4 @@
-// Rich text (see Label in picture.h), measured with the shipped font through Pango.
+// Rich text (see Label in picture.h), measured in the shipped fonts.
 #pragma once
 
 #include <string>
@@ -11,12 +11,15 @@ namespace epure::drawings {
 struct TextSize {
   double width = 0, ascent = 0, descent = 0;  // mm: advance width; ink above and below the baseline
 };
+// Throws std::invalid_argument, like everything here, for text that is not well formed or holds a character that
+// the shipped fonts cannot write.
 TextSize measure(const std::string& rich_text, double size, Weight weight = Weight::regular);
 
-// Broken at spaces (never inside $...$) so that no line is wider than `width` mm where that is possible.
+// Broken at spaces and line breaks (never inside $...$) so that no line is wider than `width` mm where possible.
 std::vector<std::string> wrap(const std::string& rich_text, double size, double width, Weight weight = Weight::regular);
 
-// The text without markup, for search, <desc> and reading aloud: "$\vec{v}_{BA}$" becomes "v_BA".
+// The text without markup, for search, <desc> and reading aloud: "$\vec{v}_{BA}$" becomes "v_BA", "$a^{n}_{BA}$"
+// "a_BA^n".
 std::string plain(const std::string& rich_text);
 
 }  // namespace epure::drawings

@@ -1,0 +1,206 @@
+// Pages to PDF. The only file that knows Cairo.
+#include <cairo-ft.h>
+#include <cairo-pdf.h>
+#include <cairo.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "drawings/check_page.h"
+#include "drawings/grid.h"
+#include "drawings/page.h"
+#include "drawings/typeset.h"
+#include "drawings/vectors.h"
+
+namespace epure::drawings {
+namespace {
+
+template <auto release>
+struct Releaser {
+  template <class T>
+  void operator()(T* what) const { release(what); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Releaser<cairo_surface_destroy>>;
+using Context = std::unique_ptr<cairo_t, Releaser<cairo_destroy>>;
+using FontFace = std::unique_ptr<cairo_font_face_t, Releaser<cairo_font_face_destroy>>;
+
+void demand(cairo_status_t status) {
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error(fmt::format("Cairo: {}", cairo_status_to_string(status)));
+}
+
+// Where Cairo puts the document. Cairo 1.16 reports success even after its stream has failed, so the flag is ours.
+struct Memory {
+  std::string bytes;
+  bool failed = false;
+};
+cairo_status_t keep(void* memory, const unsigned char* data, unsigned length) {
+  auto& kept = *static_cast<Memory*>(memory);
+  try {
+    kept.bytes.append(reinterpret_cast<const char*>(data), length);
+  } catch (const std::bad_alloc&) {
+    kept.failed = true;
+    return CAIRO_STATUS_WRITE_ERROR;
+  }
+  return CAIRO_STATUS_SUCCESS;
+}
+
+// Cairo's coordinates: points, y downwards, origin in the upper left corner of the page. The corner is moved to the
+// grid, by at most half a step, so that rounding does not depend on which part of the paper is shown.
+class Painter {
+ public:
+  Painter(cairo_t* context, const Box& extent)
+      : context_(context), left_(on_grid_in_points(extent.low.x)), top_(on_grid_in_points(extent.high.y)) {}
+
+  void operator()(const Stroke& stroke) {
+    cairo_save(context_);
+    clip(stroke.clip);
+    trace(stroke.path);
+    ink(stroke.colour);
+    cairo_set_line_width(context_, stroke.width * points_per_mm);
+    std::vector<double> dashes = stroke.dashes;
+    for (double& dash : dashes) dash *= points_per_mm;
+    cairo_set_dash(context_, dashes.data(), static_cast<int>(dashes.size()), 0);
+    cairo_stroke(context_);
+    cairo_restore(context_);
+  }
+
+  void operator()(const Fill& fill) {
+    cairo_save(context_);
+    clip(fill.clip);
+    trace(fill.path);
+    ink(fill.colour);
+    cairo_fill(context_);
+    cairo_restore(context_);
+  }
+
+  void operator()(const PlacedText& text) {
+    const SetText set = typeset(text.text, text.size, text.weight);
+    ink(text.colour);
+    for (const GlyphRun& run : set.runs) show(run, text.baseline);
+    for (const Path& arrow : set.arrows) {
+      cairo_new_path(context_);
+      add(arrow, [&](Point p) { return unrounded(text.baseline + p); });
+      cairo_fill(context_);
+    }
+  }
+
+ private:
+  Point rounded(Point p) const { return {on_grid_in_points(p.x) - left_, top_ - on_grid_in_points(p.y)}; }
+  Point unrounded(Point p) const { return {p.x * points_per_mm - left_, top_ - p.y * points_per_mm}; }
+
+  void ink(const Colour& c) { cairo_set_source_rgba(context_, c.red, c.green, c.blue, c.opacity); }
+
+  void trace(const Path& path) {
+    cairo_new_path(context_);
+    add(path, [this](Point p) { return rounded(p); });
+  }
+
+  template <class ToPage>
+  void add(const Path& path, ToPage to_page) {
+    const Point start = to_page(path.start);
+    cairo_move_to(context_, start.x, start.y);
+    for (const Piece& piece : path.pieces) {
+      const Point end = to_page(piece.end);
+      if (piece.straight) {
+        cairo_line_to(context_, end.x, end.y);
+      } else {
+        const Point a = to_page(piece.first_control), b = to_page(piece.second_control);
+        cairo_curve_to(context_, a.x, a.y, b.x, b.y, end.x, end.y);
+      }
+    }
+    if (path.closed) cairo_close_path(context_);
+  }
+
+  void clip(const std::optional<Box>& box) {
+    if (!box) return;
+    trace(polyline({box->low, {box->high.x, box->low.y}, box->high, {box->low.x, box->high.y}}, true));
+    cairo_clip(context_);
+  }
+
+  // As text, with the characters each glyph stands for, so that the document can be searched.
+  void show(const GlyphRun& run, Point baseline) {
+    cairo_set_font_face(context_, face(run.face));
+    cairo_set_font_size(context_, run.size * points_per_mm);
+    std::vector<cairo_glyph_t> glyphs;
+    std::vector<cairo_text_cluster_t> clusters;
+    std::string letters;
+    for (const SetGlyph& glyph : run.glyphs) {
+      const Point at = unrounded(baseline + glyph.at);
+      glyphs.push_back({glyph.index, at.x, at.y});
+      if (glyph.text.empty() && !clusters.empty())
+        ++clusters.back().num_glyphs;
+      else
+        clusters.push_back({static_cast<int>(glyph.text.size()), 1});
+      letters += glyph.text;
+    }
+    cairo_show_text_glyphs(context_, letters.data(), static_cast<int>(letters.size()), glyphs.data(),
+                           static_cast<int>(glyphs.size()), clusters.data(), static_cast<int>(clusters.size()),
+                           cairo_text_cluster_flags_t{});
+  }
+
+  cairo_font_face_t* face(Face wanted) {
+    FontFace& kept = faces_.at(static_cast<std::size_t>(wanted));
+    if (!kept) kept.reset(cairo_ft_font_face_create_for_ft_face(freetype_face(wanted), 0));
+    return kept.get();
+  }
+
+  cairo_t* context_;
+  double left_, top_;
+  std::array<FontFace, 4> faces_;
+};
+
+// Metrics as designed, at every size.
+void set_letters_unhinted(cairo_t* context) {
+  const std::unique_ptr<cairo_font_options_t, Releaser<cairo_font_options_destroy>> options(
+      cairo_font_options_create());
+  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+  cairo_set_font_options(context, options.get());
+}
+
+void paint(cairo_surface_t* surface, const Page& page) {
+  cairo_pdf_surface_set_size(surface, page.extent.width() * points_per_mm, page.extent.height() * points_per_mm);
+  const Context context(cairo_create(surface));
+  set_letters_unhinted(context.get());
+  cairo_set_tolerance(context.get(), 0.01);  // pt; the default leaves arcs up to 35 µm off where Cairo flattens
+  cairo_set_line_cap(context.get(), CAIRO_LINE_CAP_BUTT);
+  cairo_set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
+  Painter painter(context.get(), page.extent);
+  for (const Primitive& primitive : page.primitives) std::visit(painter, primitive);
+  cairo_show_page(context.get());
+  demand(cairo_status(context.get()));
+}
+
+void set_metadata(cairo_surface_t* surface, const std::string& title) {
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, title.c_str());
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "epure " EPURE_VERSION);
+  // Cairo writes the present time unless it is given a date; one it cannot read makes it write none. The same
+  // drawing is then the same file.
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "none");
+}
+
+}  // namespace
+
+std::string write_pdf(const std::vector<Page>& pages, const std::string& document_title) {
+  if (pages.empty()) throw std::invalid_argument("a document needs at least one page");
+  check_plain_text(document_title, "the title of the document");
+  for (const Page& page : pages) check(page);
+
+  Memory memory;
+  const Surface surface(cairo_pdf_surface_create_for_stream(keep, &memory, 72, 72));
+  demand(cairo_surface_status(surface.get()));
+  set_metadata(surface.get(), document_title);
+  for (const Page& page : pages) paint(surface.get(), page);
+  cairo_surface_finish(surface.get());
+  demand(cairo_surface_status(surface.get()));
+  if (memory.failed) throw std::bad_alloc();
+  return std::move(memory.bytes);
+}
+
+}  // namespace epure::drawings

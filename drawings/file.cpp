@@ -1,0 +1,184 @@
+// Whole files or none.
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "drawings/output.h"
+
+namespace epure::drawings {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& where, const std::string& why) {
+  throw CannotWrite(fmt::format("cannot write {}: {}", where, why));
+}
+[[noreturn]] void fail(const std::string& where, int error) { fail(where, std::string(std::strerror(error))); }
+
+// A broken pipe and a file too large come as signals that would end the program; here they are to be errors.
+class SignalsAsErrors {
+ public:
+  SignalsAsErrors() {
+    struct sigaction ignore = {};
+    ignore.sa_handler = SIG_IGN;
+    sigaction(SIGPIPE, &ignore, &pipe_);
+    sigaction(SIGXFSZ, &ignore, &size_);
+  }
+  ~SignalsAsErrors() {
+    sigaction(SIGPIPE, &pipe_, nullptr);
+    sigaction(SIGXFSZ, &size_, nullptr);
+  }
+  SignalsAsErrors(const SignalsAsErrors&) = delete;
+  SignalsAsErrors& operator=(const SignalsAsErrors&) = delete;
+
+ private:
+  struct sigaction pipe_ = {}, size_ = {};
+};
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+  // Some file systems report only here that the bytes did not fit.
+  bool close() { return ::close(std::exchange(number_, -1)) == 0; }
+
+ private:
+  int number_;
+};
+
+// False, with errno set, when not all bytes could be written.
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written == 0) errno = ENOSPC;
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+// Pipes, devices and a few file systems cannot sync; that is no failure.
+bool sync(int descriptor) {
+  return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP || errno == EROFS;
+}
+
+// The file behind symbolic links, also when it does not exist yet.
+fs::path behind_links(fs::path path) {
+  std::error_code error;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(path, error)); ++links) {
+    if (links == 40) fail(path.string(), ELOOP);
+    const fs::path target = fs::read_symlink(path, error);
+    if (error) fail(path.string(), error.message());
+    path = target.is_absolute() ? target : path.parent_path() / target;
+  }
+  return path;
+}
+
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+void make_folder(const fs::path& folder, const std::string& shown) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  // A link to a folder counts as an error for some library versions; what matters is that there is a folder.
+  std::error_code ignored;
+  if (error && !fs::is_directory(folder, ignored)) fail(shown, fmt::format("folder {}: {}", folder.string(), error.message()));
+}
+
+// Opened by its path, standard output would be written from its beginning, over what `>>` should keep.
+bool is_standard_output(const fs::path& path) {
+  return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
+void write_in_place(const fs::path& path, std::string_view bytes, const std::string& shown) {
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+  if (file.number() < 0) fail(shown, errno);
+  if (!write_all(file.number(), bytes) || !sync(file.number()) || !file.close()) fail(shown, errno);
+}
+
+// A new file beside the wanted one. It is removed again unless it was kept by renaming.
+class Draft {
+ public:
+  Draft(const fs::path& folder, const std::string& shown) : shown_(shown), file_(create(folder)) {}
+  ~Draft() {
+    if (!kept_) ::unlink(path_.c_str());
+  }
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+
+  void fill(std::string_view bytes, const struct stat* old) {
+    const bool done = write_all(file_.number(), bytes) &&
+                      (!old || ::fchmod(file_.number(), old->st_mode & 0777) == 0) && sync(file_.number()) &&
+                      file_.close();
+    if (!done) fail(shown_, errno);
+  }
+  void keep_as(const fs::path& path) {
+    if (::rename(path_.c_str(), path.c_str()) != 0) fail(shown_, errno);
+    kept_ = true;
+  }
+
+ private:
+  // Its mode is what the user's umask leaves of 0666. The number tells apart drafts of one process.
+  int create(const fs::path& folder) {
+    static std::atomic<unsigned> count = 0;
+    for (int attempt = 0; attempt < 1000; ++attempt) {
+      path_ = folder / fmt::format(".epure-{}-{}.part", ::getpid(), ++count);
+      const int opened = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
+      if (opened >= 0) return opened;
+      if (errno != EEXIST) break;
+    }
+    fail(shown_, errno);
+  }
+
+  std::string shown_;
+  fs::path path_;
+  Descriptor file_;
+  bool kept_ = false;
+};
+
+// So that the new name survives a power cut. Best effort: the file itself is already safe.
+void sync_folder(const fs::path& folder) {
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.number() >= 0) sync(opened.number());
+}
+
+}  // namespace
+
+void write_whole(const fs::path& path, std::string_view bytes) {
+  const SignalsAsErrors guard;
+  if (is_standard_output(path)) {
+    if (!write_all(STDOUT_FILENO, bytes) || !sync(STDOUT_FILENO)) fail("to standard output", errno);
+    return;
+  }
+  const std::string shown = path.string();
+  if (path.empty()) fail("a file", "its name is empty");
+  struct stat old = {};
+  const bool exists = ::stat(path.c_str(), &old) == 0;
+  if (!exists && errno != ENOENT) fail(shown, errno);
+  if (exists ? S_ISDIR(old.st_mode) : !path.has_filename()) fail(shown, EISDIR);
+  if (exists && !S_ISREG(old.st_mode)) return write_in_place(path, bytes, shown);
+  // Renaming would replace a file that its owner has protected against writing.
+  if (exists && ::access(path.c_str(), W_OK) != 0) fail(shown, errno);
+
+  const fs::path target = behind_links(path), folder = folder_of(target);
+  make_folder(folder, shown);
+  Draft draft(folder, shown);
+  draft.fill(bytes, exists ? &old : nullptr);
+  draft.keep_as(target);
+  sync_folder(folder);
+}
+
+}  // namespace epure::drawings

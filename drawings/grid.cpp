@@ -1,0 +1,13 @@
+#include "drawings/grid.h"
+
+#include <cmath>
+
+namespace epure::drawings {
+
+// Ties cannot matter: both neighbours are equally far.
+double on_grid_in_points(double mm) { return std::floor(mm * points_per_mm * 256 + 0.5) / 256; }
+double on_grid(double mm) { return on_grid_in_points(mm) / points_per_mm; }
+
+Point as_filed(Point p, Paper) { return {on_grid(p.x), on_grid(p.y)}; }
+
+}  // namespace epure::drawings
