@@ -8,7 +8,12 @@
 namespace epure::geometry {
 
 template <>
-class Arithmetic<Fast> {};
+class Arithmetic<Fast> {
+ public:
+  Arithmetic() {}  // user-provided, so that a scope nobody reads does not count as an unused variable
+  Arithmetic(const Arithmetic&) = delete;
+  Arithmetic& operator=(const Arithmetic&) = delete;
+};
 
 // The double nearest to the rational (ties to even), also under another rounding mode.
 template <>

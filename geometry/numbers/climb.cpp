@@ -1,0 +1,134 @@
+#include "geometry/numbers/climb.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+namespace epure::geometry::climbing {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool contains_zero(const Enclosure& x) { return x.lower <= 0 && x.upper >= 0; }
+
+Settled certain_point(double value, const std::string& rung) {
+  return {Settled::Kind::certain, {value, value, value}, "", rung};
+}
+
+Settled without_value(const Finding& finding, const std::string& rung) {
+  const auto kind = finding.kind == Finding::Kind::absent ? Settled::Kind::absent : Settled::Kind::undecided;
+  return {kind, {}, finding.reason, rung};
+}
+
+}  // namespace
+
+// False when the run says nothing. The first run that does fixes how many quantities there are.
+bool Ledger::accept(const std::string& rung, const Run& run) {
+  if (run.failure) {
+    failure_ = *run.failure;
+    for (Entry& entry : entries_)
+      if (!entry.is_final) entry.settled.reason = rung + ": " + failure_;
+    return false;
+  }
+  if (!has_run_) entries_.resize(run.findings.size());
+  has_run_ = true;
+  assert(entries_.size() == run.findings.size() && "a scene reports the same quantities on every number");
+  return true;
+}
+
+void Ledger::take_enclosures(const std::string& rung, const Run& run) {
+  if (!accept(rung, run)) return;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    Entry& entry = entries_[i];
+    const Finding& finding = run.findings[i];
+    if (entry.is_final) continue;
+    if (finding.kind == Finding::Kind::value) {
+      narrow(entry, rung, finding);
+    } else if (finding.kind == Finding::Kind::absent) {
+      entry = {without_value(finding, rung), true, false};
+    } else if (!entry.has_enclosure) {
+      entry.settled = without_value(finding, rung);
+    }
+  }
+}
+
+// Both enclosures contain the true value, hence also what they have in common.
+void Ledger::narrow(Entry& entry, const std::string& rung, const Finding& finding) {
+  Enclosure& known = entry.settled.enclosure;
+  const double lower = entry.has_enclosure ? std::max(known.lower, finding.enclosure.lower) : finding.enclosure.lower;
+  const double upper = entry.has_enclosure ? std::min(known.upper, finding.enclosure.upper) : finding.enclosure.upper;
+  assert(lower <= upper && "two enclosures of one quantity have nothing in common");
+  const bool is_narrower = !entry.has_enclosure || lower > known.lower || upper < known.upper;
+  if (is_narrower || finding.certain) entry.settled.rung = rung;
+  known = {lower, std::clamp(finding.certain.value_or(finding.enclosure.value), lower, upper), upper};
+  entry.has_enclosure = true;
+  entry.is_final = finding.certain.has_value();
+  entry.settled.kind = entry.is_final ? Settled::Kind::certain : Settled::Kind::enclosed;
+  entry.settled.reason = entry.is_final ? "" : "the nearest double is not certain from the enclosure";
+}
+
+void Ledger::take_proofs(const std::string& rung, const Run& run) {
+  if (!accept(rung, run)) return;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (!needs_proof(i)) continue;
+    const Finding& finding = run.findings[i];
+    if (finding.proved_zero) {
+      entries_[i] = {certain_point(0, rung), true, true};
+    } else if (finding.kind == Finding::Kind::absent) {
+      entries_[i] = {without_value(finding, rung), true, false};
+    } else if (!entries_[i].has_enclosure && entries_[i].settled.reason.empty()) {
+      entries_[i].settled.reason = failure_;
+    }
+  }
+}
+
+bool Ledger::is_settled() const {
+  return has_run_ && std::all_of(entries_.begin(), entries_.end(), [](const Entry& e) { return e.is_final; });
+}
+
+bool Ledger::needs_proof(std::size_t i) const {
+  if (!has_run_) return true;
+  const Entry& entry = entries_.at(i);
+  return !entry.is_final && (!entry.has_enclosure || contains_zero(entry.settled.enclosure));
+}
+
+bool Ledger::needs_proof() const {
+  if (!has_run_) return true;
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    if (needs_proof(i)) return true;
+  return false;
+}
+
+std::vector<Settled> Ledger::result() const {
+  if (!has_run_) throw Undecided(failure_);
+  std::vector<Settled> result;
+  for (const Entry& entry : entries_) result.push_back(entry.settled);
+  return result;
+}
+
+std::vector<Settled> settle_fast(const std::vector<Finding>& findings) {
+  std::vector<Settled> result;
+  for (const Finding& finding : findings) {
+    if (finding.kind == Finding::Kind::value)
+      result.push_back({Settled::Kind::unbounded, {-infinity, finding.enclosure.value, infinity}, "", "Fast"});
+    else
+      result.push_back(without_value(finding, "Fast"));
+  }
+  return result;
+}
+
+std::vector<Settled> settle_bounded(const std::vector<Finding>& findings) {
+  std::vector<Settled> result;
+  for (const Finding& finding : findings) {
+    if (finding.kind != Finding::Kind::value)
+      result.push_back(without_value(finding, "Bounded"));
+    else if (finding.certain)
+      result.push_back(certain_point(*finding.certain, "Bounded"));
+    else
+      result.push_back({Settled::Kind::enclosed, finding.enclosure, "", "Bounded"});
+  }
+  return result;
+}
+
+}  // namespace epure::geometry::climbing

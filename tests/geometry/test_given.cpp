@@ -1,0 +1,171 @@
+// Givens are read exactly or refused in one sentence.
+#include "geometry/numbers/given.h"
+
+#include <catch2/catch.hpp>
+
+using namespace epure::geometry;
+
+TEST_CASE("Good givens, read as the rational they say") {
+  struct Row {
+    const char* text;
+    const char* unit;
+    const char* value;
+  };
+  const Row rows[] = {
+      {"0.20", "m", "1/5"},
+      {"0.20", "mm", "1/5"},
+      {"-1.5e-3", "m", "-3/2000"},
+      {"+3", "1", "3"},
+      {".5", "1", "1/2"},
+      {"5.", "1", "5"},
+      {"007", "1", "7"},
+      {"0.1", "1", "1/10"},
+      {"1/72", "s", "1/72"},
+      {"1/72s", "s", "1/72"},
+      {"-3/4", "1", "-3/4"},
+      {"3/-4", "1", "-3/4"},
+      {"1.5/2.5e1", "1", "3/50"},
+      {"-0", "m", "0"},
+      {"0/5", "m", "0"},
+      {"360rpm", "rpm", "360"},
+      {"360 rpm", "rpm", "360"},
+      {"  360\trpm ", "rpm", "360"},
+      {"360giri/min", "rpm", "360"},
+      {"360 1/min", "rpm", "360"},
+      {"6Hz", "rpm", "360"},
+      {"6turn/s", "rpm", "360"},
+      {"6 1/s", "rpm", "360"},
+      {"360rpm", "Hz", "6"},
+      {"0.25m", "m", "1/4"},
+      {"25cm", "m", "1/4"},
+      {"250mm", "m", "1/4"},
+      {"250mm", "cm", "25"},
+      {"1km", "m", "1000"},
+      {"30deg", "turn", "1/12"},
+      {"30deg", "deg", "30"},
+      {"30°", "deg", "30"},
+      {"1/12turn", "deg", "30"},
+      {"2ms", "s", "1/500"},
+      {"1.5min", "s", "90"},
+      {"2rad/s^2", "rad/s^2", "2"},
+      {"3.6km/h", "m/s", "1"},
+      {"120cm/s", "m/s", "6/5"},
+      {"9.81m/s^2", "m/s^2", "981/100"},
+      {"9810 mm/s^2", "m/s^2", "981/100"},
+      {"2kN", "N", "2000"},
+      {"1.5Nm", "Nm", "3/2"},
+      {"1e2", "", "100"},
+      {"2E3", "1", "2000"},
+      {"1e-2m", "cm", "1"},
+  };
+  for (const Row& row : rows) {
+    CAPTURE(row.text, row.unit);
+    CHECK(to_text(parse_given(row.text, row.unit)) == row.value);
+  }
+}
+
+TEST_CASE("Large and small exponents are exact") {
+  CHECK(to_text(parse_given("1e308", "m")) == "1" + std::string(308, '0'));
+  CHECK(to_text(parse_given("1e-400", "m")) == "1/1" + std::string(400, '0'));
+  CHECK(parse_given("123456789012345678901234567890.5", "1") * Rational(2) ==
+        Rational(CGAL::Gmpz("246913578024691357802469135781"), CGAL::Gmpz(1)));
+}
+
+TEST_CASE("Bad givens are refused: the text, what is wrong, what would be accepted") {
+  struct Row {
+    const char* text;
+    const char* unit;
+    const char* complaint;
+    const char* accepted;
+  };
+  const Row rows[] = {
+      {"", "m", "is empty", "0.25m"},
+      {"   ", "m", "is empty", "0.25m"},
+      {"0,25", "m", "decimal comma", "decimal point"},
+      {",25", "m", "decimal comma", "decimal point"},
+      {"1.000,5", "m", "decimal comma", "decimal point"},
+      {"1/2,5", "m", "decimal comma", "decimal point"},
+      {"1e3,5", "m", "decimal comma", "decimal point"},
+      {"nan", "m", "finite number", "0.25m"},
+      {"NaN", "m", "finite number", "0.25m"},
+      {"inf", "m", "finite number", "0.25m"},
+      {"-inf", "m", "finite number", "0.25m"},
+      {"m", "m", "finite number", "0.25m"},
+      {".", "m", "finite number", "0.25m"},
+      {"-", "m", "finite number", "0.25m"},
+      {"+-1", "m", "finite number", "0.25m"},
+      {"1/0", "m", "divides by zero", "1/4m"},
+      {"1/0.0e5", "m", "divides by zero", "1/4m"},
+      {"1e401", "m", "exponent", "0.25m"},
+      {"1e-401", "m", "exponent", "0.25m"},
+      {"1e999999999", "m", "exponent", "0.25m"},
+      {"1e99999999999999999999999", "m", "exponent", "0.25m"},
+      {"1e", "m", "exponent without digits", "0.25m"},
+      {"1e+", "m", "exponent without digits", "0.25m"},
+      {"0x10", "m", "no unit", "m, cm, mm, km"},
+      {"1.2.3", "m", "no unit", "m, cm, mm, km"},
+      {"1 000", "m", "no unit", "m, cm, mm, km"},
+      {"1'000", "m", "no unit", "m, cm, mm, km"},
+      {"3m3", "m", "no unit", "m, cm, mm, km"},
+      {"3 m m", "m", "no unit", "m, cm, mm, km"},
+      {"1/2/3", "m", "no unit", "m, cm, mm, km"},
+      {"1/", "m", "no unit", "m, cm, mm, km"},
+      {"5furlong", "m", "no unit", "m, cm, mm, km"},
+      {"5 M", "m", "no unit", "m, cm, mm, km"},
+      {"360rpm", "m", "turns per time where a length", "m, cm, mm, km"},
+      {"5m", "s", "length where a time", "s, ms, min"},
+      {"5m", "1", "length where a pure number", "without a unit"},
+      {"1m/s", "m", "velocity where a length", "m, cm, mm, km"},
+      {"37.7rad/s", "rpm", "radians", "rpm"},
+      {"30deg", "rpm", "angle where a turns per time", "rpm"},
+  };
+  for (const Row& row : rows) {
+    CAPTURE(row.text, row.unit);
+    try {
+      parse_given(row.text, row.unit);
+      FAIL_CHECK("accepted");
+    } catch (const BadGiven& refusal) {
+      const std::string message = refusal.what();
+      CHECK_THAT(message, Catch::StartsWith("\"" + std::string(row.text) + "\""));
+      CHECK_THAT(message, Catch::Contains(row.complaint));
+      CHECK_THAT(message.substr(message.rfind("; write")), Catch::Contains(row.accepted));
+      CHECK(message.find('\n') == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("Hostile givens stay short in the message and small in memory") {
+  const std::string endless(2'000'000, '9');
+  CHECK_THROWS_AS(parse_given(endless, "m"), BadGiven);
+  try {
+    parse_given(endless, "m");
+  } catch (const BadGiven& refusal) {
+    CHECK(std::string(refusal.what()).size() < 300);
+  }
+  CHECK_THROWS_AS(parse_given(std::string("1\0m", 3), "m"), BadGiven);
+  try {
+    parse_given("1\nm\x1b[31m", "m");
+    FAIL_CHECK("accepted");
+  } catch (const BadGiven& refusal) {
+    CHECK(std::string(refusal.what()).find('\x1b') == std::string::npos);
+    CHECK(std::string(refusal.what()).find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("Units of one dimension convert exactly, there and back") {
+  REQUIRE(known_units().size() > 20);
+  for (const Unit& a : known_units())
+    for (const Unit& b : known_units()) {
+      if (a.dimension != b.dimension) continue;
+      CAPTURE(a.symbol, b.symbol);
+      CHECK(conversion(a.symbol, b.symbol) * conversion(b.symbol, a.symbol) == 1);
+      CHECK(parse_given("1" + std::string(a.symbol == "1" ? "" : " " + a.symbol), b.symbol) ==
+            conversion(a.symbol, b.symbol));
+    }
+  CHECK(conversion("rpm", "Hz") == Rational(1, 60));
+  CHECK_FALSE(find_unit("ell"));
+}
+
+TEST_CASE("A rational as text reads back as itself") {
+  for (const char* text : {"1/5", "360", "-3", "0", "-22/7"}) CHECK(to_text(parse_given(text, "1")) == text);
+}
