@@ -1,0 +1,31 @@
+// A number in a sentence for the user: six significant digits with a point, whatever the locale. Not for reporting:
+// reported numbers are enclosures.
+#pragma once
+
+#include "geometry/numbers/enclosure.h"
+#include "geometry/numbers/numbers.h"
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace epure::geometry::analytic {
+
+inline std::string digits(Fast x) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 6);
+  return {text.data(), end.ptr};
+}
+
+inline std::string digits(const Bounded& x) { return digits(enclosure(x).value); }
+inline std::string digits(const Deep& x) { return digits(enclosure(x).value); }
+
+// Exact and Calcium have no double of their own: their ball at 64 bits has.
+template <class T>
+  requires requires(const T x) { to_deep(x); }
+std::string digits(const T& x) {
+  const Arithmetic<Deep> scope(64);
+  return digits(to_deep(x));
+}
+
+}  // namespace epure::geometry::analytic

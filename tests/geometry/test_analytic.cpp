@@ -1,0 +1,292 @@
+// The analytic route against references that were differentiated numerically from positions (tests/corpus).
+#include "tests/geometry/corpus.h"
+#include "tests/geometry/slider_crank_answers.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace epure::tests {
+namespace {
+
+const std::vector<CorpusCase>& corpus() {
+  static const std::vector<CorpusCase> cases = read_corpus(EPURE_CORPUS "/slider_crank.txt");
+  return cases;
+}
+
+// A printed reference of 40 digits is off by at most half a unit of its last digit.
+Rational reference_error(const Rational& reference) {
+  return abs(reference) * exact_decimal("5e-40");
+}
+
+bool overlaps(const Enclosure& x, const Rational& reference) {
+  const Rational error = reference_error(reference);
+  const bool above = std::isinf(x.lower) || Rational(x.lower) <= reference + error;
+  return above && (std::isinf(x.upper) || Rational(x.upper) >= reference - error);
+}
+
+// With the whole ball, not its doubles.
+bool overlaps(const Deep& x, const Rational& reference) {
+  const Deep difference = x - from_rational<Deep>(reference), error = from_rational<Deep>(reference_error(reference));
+  return sign(difference + error) != Sign::negative && sign(difference - error) != Sign::positive;
+}
+
+// Narrower than the 40 digits of the reference, so that agreement means agreement in all of them.
+bool narrow(const Deep& x) {
+  const Deep radius_times = from_rational<Deep>(exact_decimal("1e38"));
+  arb_t radius;
+  arb_init(radius);
+  arb_get_rad_arb(radius, x.ball());
+  const Deep r = Deep::from_ball(radius);
+  arb_clear(radius);
+  return sign(r) == Sign::zero || sign(root(square(x)) - radius_times * r) == Sign::positive;
+}
+
+enum class Kind { value, infinite, undefined, undecided };
+
+template <class T>
+struct Outcome {
+  Kind kind;
+  std::optional<T> value;
+};
+
+template <class T>
+Outcome<T> ask(const Answers<T>& answers, const std::string& name) {
+  INFO(name);
+  REQUIRE(answers.count(name) == 1);
+  try {
+    const std::optional<T> value = answers.at(name)();
+    return {value ? Kind::value : Kind::infinite, value};
+  } catch (const Impossible&) {
+    return {Kind::undefined, {}};
+  } catch (const Undecided&) {
+    return {Kind::undecided, {}};
+  }
+}
+
+Kind expected_kind(const std::string& reference) {
+  if (reference == "infinite") return Kind::infinite;
+  return reference == "undefined" ? Kind::undefined : Kind::value;
+}
+
+bool closes(const CorpusCase& c) { return c.reference("closure_gap").empty(); }
+
+}  // namespace
+
+TEST_CASE("corpus: it reads, and an empty or missing one does not", "[analytic]") {
+  CHECK(corpus().size() >= 50);
+  CHECK_THROWS(read_corpus("/dev/null"));
+  CHECK_THROWS(read_corpus(EPURE_CORPUS "/no_such_file.txt"));
+  CHECK(exact_decimal("-0.0125e2") == Rational(-5, 4));
+  CHECK_THROWS(exact_decimal("12x"));
+}
+
+TEST_CASE("slider-crank: 512 bits agree with all 40 digits of every reference", "[analytic]") {
+  // 256 would do, but for one centre of curvature that is 1e-88 m off the guide.
+  const Arithmetic<Deep> scope(512);
+  for (const CorpusCase& c : corpus()) {
+    if (!closes(c)) continue;
+    const Answers<Deep> answers = answers_of<Deep>(c);
+    for (const Reference& r : c.references) {
+      CAPTURE(c.name, c.why, r.name, r.value);
+      const Outcome<Deep> found = ask(answers, r.name);
+      // l = r: α₃ = 0 by cancellation, which no ball can tell from a small number. Exact and Calcium do, below.
+      if (c.givens.at("l") == c.givens.at("r") && r.name.rfind("stationarity", 0) == 0 && found.kind == Kind::undecided)
+        continue;
+      REQUIRE(found.kind == expected_kind(r.value));
+      if (found.kind != Kind::value) continue;
+      CHECK(overlaps(*found.value, exact_decimal(r.value)));
+      if (r.value != "0") CHECK(narrow(*found.value));
+    }
+  }
+}
+
+TEST_CASE("slider-crank: intervals contain every reference or say undecided", "[analytic]") {
+  const Arithmetic<Bounded> scope;
+  int answered = 0, undecided = 0;
+  for (const CorpusCase& c : corpus()) {
+    if (!closes(c)) continue;
+    Answers<Bounded> answers;
+    try {
+      answers = answers_of<Bounded>(c);
+    } catch (const Undecided&) {
+      undecided += static_cast<int>(c.references.size());
+      continue;
+    }
+    for (const Reference& r : c.references) {
+      CAPTURE(c.name, r.name, r.value);
+      const Outcome<Bounded> found = ask(answers, r.name);
+      if (found.kind == Kind::undecided) {
+        ++undecided;
+        CHECK(c.name != "source");
+        continue;
+      }
+      ++answered;
+      REQUIRE(found.kind == expected_kind(r.value));
+      if (found.kind == Kind::value) CHECK(overlaps(enclosure(*found.value), exact_decimal(r.value)));
+    }
+  }
+  std::printf("slider-crank, Bounded: %d answers contain the reference, %d undecided\n", answered, undecided);
+  CHECK(answered > 40 * undecided);
+}
+
+TEST_CASE("slider-crank: intervals of the source's case are narrower than 1e-12", "[analytic]") {
+  const Arithmetic<Bounded> scope;
+  const Answers<Bounded> answers = answers_of<Bounded>(corpus().front());
+  for (const Reference& r : corpus().front().references) {
+    const Enclosure e = enclosure(*ask(answers, r.name).value);
+    CAPTURE(r.name, e.lower, e.upper);
+    CHECK(e.upper - e.lower <= 1e-12 * std::max(std::abs(e.value), 1.0));
+  }
+}
+
+// Where a component is the small difference of large ones (beside a dead centre, beside the upright crank) it has no
+// correct digit left: that is what the intervals are for, so only the source's own case is a promise.
+TEST_CASE("slider-crank: what double costs", "[analytic]") {
+  for (const CorpusCase& c : corpus()) {
+    if (!closes(c)) continue;
+    const Answers<Fast> answers = answers_of<Fast>(c);
+    double worst = 0;
+    std::string where = "nothing";
+    for (const Reference& r : c.references) {
+      const Outcome<Fast> found = ask(answers, r.name);
+      if (found.kind != Kind::value || expected_kind(r.value) != Kind::value || r.value == "0") continue;
+      const double reference = std::stod(r.value), error = std::abs(*found.value / reference - 1);
+      if (error > worst) worst = error, where = r.name;
+    }
+    std::printf("slider-crank, Fast: %-28s worst relative error %.1e (%s)\n", c.name.c_str(), worst, where.c_str());
+    if (c.name == "source") CHECK(worst < 1e-13);
+  }
+}
+
+TEST_CASE("slider-crank: exact numbers decide every case of a constructible crank", "[analytic]") {
+  int decided = 0;
+  for (const CorpusCase& c : corpus()) {
+    // Lengths and decisions do not depend on the speed when α₂ = 0: no π is needed.
+    if (!closes(c) || c.givens.at("alpha_2") != 0 || (turn_of(c).fraction * 24).denominator() != 1) continue;
+    const Arithmetic<Deep> scope(256);
+    for (const Reference& r : c.references) {
+      CAPTURE(c.name, r.name, r.value);
+      const Arithmetic<Exact> tower;  // one for each answer: all the lengths of a scene together are too many roots
+      const Answers<Exact> answers = answers_without_angles<Exact>(c, Exact(1));
+      if (answers.count(r.name) == 0) continue;
+      const Outcome<Exact> found = ask(answers, r.name);
+      REQUIRE(found.kind == expected_kind(r.value));
+      const bool moves = r.name.rfind("omega", 0) == 0 || r.name.rfind("alpha", 0) == 0 || r.name[1] == '_';
+      const bool place = r.name.size() == 3 && (r.name[2] == 'x' || r.name[2] == 'y');
+      if (found.kind == Kind::value && r.value == "0") CHECK(sign(*found.value) == Sign::zero);
+      if (found.kind == Kind::value && (!moves || place))
+        CHECK(overlaps(to_deep(*found.value), exact_decimal(r.value)));
+      ++decided;
+    }
+  }
+  CHECK(decided > 1000);
+}
+
+TEST_CASE("slider-crank: Calcium proves that equal lengths turn the coupler steadily", "[analytic]") {
+  const Arithmetic<Calcium> scope;
+  for (const CorpusCase& c : corpus()) {
+    if (c.name != "equal_lengths") continue;
+    const Scene<Calcium> s = scene_of<Calcium>(c, Calcium(1));
+    CHECK(sign(s.motion().omega_3 + Calcium(1)) == Sign::zero);
+    CHECK(sign(s.motion().alpha_3) == Sign::zero);
+    CHECK_FALSE(s.coupler().stationarity_circle());
+    return;
+  }
+  FAIL("no such case");
+}
+
+TEST_CASE("slider-crank: a linkage that does not close says by how much", "[analytic]") {
+  int open = 0;
+  for (const CorpusCase& c : corpus()) {
+    if (closes(c)) continue;
+    ++open;
+    const double gap = std::stod(c.reference("closure_gap"));
+    const auto complains = [&](const auto& position) {
+      try {
+        position();
+        FAIL(c.name + " closes");
+      } catch (const Impossible& refusal) {
+        const std::string text = refusal.what();
+        const auto at = text.find("short by ");
+        REQUIRE(at != std::string::npos);
+        CAPTURE(c.name, text);
+        CHECK(std::abs(std::stod(text.substr(at + 9)) / gap - 1) < 1e-5);
+      }
+    };
+    complains([&] {
+      const Arithmetic<Deep> scope(128);
+      scene_of<Deep>(c, Deep(1));
+    });
+    if (c.name == "short_coupler_open") {  // short by 0.2 m exactly
+      complains([&] { scene_of<Fast>(c, 1.0); });
+      complains([&] {
+        const Arithmetic<Bounded> scope;
+        scene_of<Bounded>(c, Bounded(1));
+      });
+      complains([&] {
+        const Arithmetic<Exact> tower;
+        scene_of<Exact>(c, Exact(1));
+      });
+    }
+  }
+  CHECK(open >= 3);
+}
+
+TEST_CASE("slider-crank: sides that close no plate are refused", "[analytic]") {
+  using analytic::plate_point;
+  CHECK_THROWS_AS(plate_point<Fast>({{1, 5}, {1, 2}, {1, 10}, {3, 10}}), Impossible);
+  CHECK_THROWS_AS(plate_point<Fast>({{1, 5}, {1, 2}, {9, 10}, {3, 10}}), Impossible);
+  const auto flat = plate_point<Fast>({{1, 10}, {3, 10}, {1, 10}, {1, 5}});
+  CHECK(flat.im == 0.0);
+}
+
+TEST_CASE("polodes and coupler curves: closed forms lie on their implicit curves", "[analytic]") {
+  const Arithmetic<Deep> scope(512);
+  const auto vanishes = [](const Deep& residual, const Deep& scale) {
+    const Deep tiny = from_rational<Deep>(exact_decimal("1e-120")) * scale;
+    return sign(residual - tiny) == Sign::negative && sign(residual + tiny) == Sign::positive;
+  };
+  int polodes = 0, curves = 0;
+  for (const CorpusCase& c : corpus()) {
+    if (!closes(c) || c.reference("omega_3") == "undefined") continue;
+    CAPTURE(c.name);
+    const Scene<Deep> s = scene_of<Deep>(c, Deep(1));
+    const Deep l = from_rational<Deep>(s.linkage.l);
+    const auto fixed = analytic::fixed_polode(s.crank, s.place);
+    const auto moving = analytic::moving_polode(s.linkage, s.crank, s.place);
+    const auto pole = s.coupler().pole();
+    REQUIRE(fixed.has_value() == pole.has_value());
+    REQUIRE(moving.has_value() == pole.has_value());
+    if (pole) {
+      const Deep size = square(l) + squared_modulus(*pole);
+      const Complex<Deep> frame{s.place.cos_theta, s.place.sin_theta};
+      CHECK(vanishes(squared_modulus(*fixed - *pole), size));
+      CHECK(vanishes(squared_modulus(s.place.A + *moving * frame - *pole), size));
+      const Deep size6 = size * size * size;
+      CHECK(vanishes(analytic::fixed_polode_residual(s.linkage, *fixed), size6));
+      CHECK(vanishes(analytic::moving_polode_residual(s.linkage, *moving), size6));
+      // Beside the curve they do not vanish, however far away the pole is.
+      const Complex<Deep> aside{l / Deep(8), l / Deep(5)};
+      CHECK(sign(analytic::fixed_polode_residual(s.linkage, *fixed + aside)) != Sign::zero);
+      CHECK(!vanishes(analytic::fixed_polode_residual(s.linkage, *fixed + aside), size6));
+      CHECK(!vanishes(analytic::moving_polode_residual(s.linkage, *moving + aside), size6));
+      ++polodes;
+    }
+    const Complex<Deep> w = analytic::plate_point<Deep>(s.linkage);
+    const Complex<Deep> to_M{from_rational<Deep>(s.linkage.l / 2), Deep(0)};
+    const Deep l2 = square(l), size6 = l2 * l2 * l2 + l2 * square(squared_modulus(w));
+    for (const auto& [at, z] : {std::pair{w, s.place.C}, std::pair{to_M, s.place.M}}) {
+      CHECK(vanishes(squared_modulus(analytic::coupler_curve(s.place, at) - z), l2));
+      CHECK(vanishes(analytic::coupler_curve_residual(s.linkage, at, z), size6));
+      const Complex<Deep> off = z + Complex<Deep>{l / Deep(7), l / Deep(9)};
+      CHECK(!vanishes(analytic::coupler_curve_residual(s.linkage, at, off), size6));
+      ++curves;
+    }
+  }
+  CHECK(polodes > 30);
+  CHECK(curves > 80);
+}
+
+}  // namespace epure::tests
