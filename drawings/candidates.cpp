@@ -13,6 +13,7 @@ constexpr int directions = 16;
 constexpr std::array near_gaps{1.3, 1.8, 2.4, 3.1, 4.0, 5.0};    // mm from a point to the box
 constexpr std::array side_gaps{1.15, 1.6, 2.3, 3.2};             // mm from a segment to the box
 constexpr std::array far_gaps{7.0, 9.0, 11.5, 14.5, 18.0, 22.0, 27.0};
+constexpr double shortest_with_sides = 6;  // mm
 constexpr std::array along{0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82};
 // Upper right is where one looks first when nothing else is asked for.
 const Point usual = direction(std::numbers::pi / 4);
@@ -46,11 +47,14 @@ class Judge {
     obstacles_.near(candidate.box, label_clearance + 0.5, [&](const Obstacle& o) {
       const double d = gap(candidate.box, o.from, o.to) - o.half_width;
       nearest = std::min(nearest, d);
-      if (d > 0) return;
+      if (d > 0) return true;
       if (!candidate.blocked || o.heavy) candidate.cost = std::max(candidate.cost, touch(o));
       candidate.blocked = true;
       candidate.cost += price::inside * length_inside(candidate.box, o.from, o.to);
+      return !candidate.leader;
     });
+    // Touching something far away is no better than touching something near: such places are not kept.
+    if (candidate.leader && candidate.blocked) return;
     const double lack = 1 - std::max(nearest, 0.0) / label_clearance;
     candidate.cost += price::crowded * lack * lack;
     if (candidate.leader) candidate.cost += price::leader_crossing * crossings(*candidate.leader);
@@ -62,12 +66,9 @@ class Judge {
   int crossings(const Segment& leader) const {
     int count = 0;
     const Box box = include(include(nothing(), leader.first), leader.second);
-    const Point d = leader.second - leader.first;
-    const auto side = [](Point base, Point along_line, Point p) { return dot(left_of(along_line), p - base) > 0; };
     obstacles_.near(box, 0, [&](const Obstacle& o) {
-      if (side(leader.first, d, o.from) != side(leader.first, d, o.to) &&
-          side(o.from, o.to - o.from, leader.first) != side(o.from, o.to - o.from, leader.second))
-        ++count;
+      count += cross(leader, {o.from, o.to}) ? 1 : 0;
+      return true;
     });
     return count;
   }
@@ -82,13 +83,13 @@ Segment leader_between(Box box, Point anchor) {
   return {start, anchor - 0.9 * unit(start, anchor)};
 }
 
-void around_point(const LabelBox& label, const Judge& judge, std::vector<Candidate>& found) {
+void around_point(const LabelBox& label, Point at, const Judge& judge, std::vector<Candidate>& found) {
   for (const double gap : near_gaps)
     for (int i = 0; i < directions; ++i) {
       const Point u = direction(2 * std::numbers::pi * i / directions);
-      Candidate candidate{box_beside(label.at, u, gap, label)};
+      Candidate candidate{box_beside(at, u, gap, label)};
       if (!judge.allows(candidate.box)) continue;
-      candidate.cost = (gap - near_gaps.front()) + side_cost(u, label, label.at);
+      candidate.cost = (gap - near_gaps.front()) + side_cost(u, label, at);
       judge.judge(candidate);
       found.push_back(candidate);
     }
@@ -120,24 +121,33 @@ void with_leader(const LabelBox& label, Point anchor, const Judge& judge, std::v
       candidate.leader = leader_between(candidate.box, anchor);
       candidate.cost = price::leader + gap - near_gaps.front() + side_cost(u, label, anchor);
       judge.judge(candidate);
-      found.push_back(candidate);
+      if (!candidate.blocked) found.push_back(candidate);
     }
 }
 
 }  // namespace
 
+bool cross(const Segment& first, const Segment& second) {
+  // Each has its ends on different sides of the other.
+  const auto parted = [](const Segment& line, const Segment& ends) {
+    const Point normal = left_of(line.second - line.first);
+    return (dot(normal, ends.first - line.first) > 0) != (dot(normal, ends.second - line.first) > 0);
+  };
+  return parted(first, second) && parted(second, first);
+}
+
 std::vector<Candidate> candidates(const LabelBox& label, const Obstacles& obstacles, Box area) {
   const Judge judge(obstacles, area);
   std::vector<Candidate> found;
-  if (label.to && distance(label.at, *label.to) > 0.1) {
-    const auto shown = clip_segment(label.at, *label.to, area);
-    if (!shown) return found;
+  const auto shown = clip_segment(label.at, label.to.value_or(label.at), grown(area, 0.5));
+  if (!shown) return found;
+  const Point anchor = between(shown->first, shown->second, 0.5);
+  // A short segment has no sides worth the name: its label goes around its middle.
+  if (distance(shown->first, shown->second) > shortest_with_sides)
     beside_segment(label, shown->first, shown->second, judge, found);
-    with_leader(label, between(shown->first, shown->second, 0.5), judge, found);
-  } else if (contains(grown(area, 0.5), label.at)) {
-    around_point(label, judge, found);
-    with_leader(label, label.at, judge, found);
-  }
+  else
+    around_point(label, anchor, judge, found);
+  with_leader(label, anchor, judge, found);
   return found;
 }
 

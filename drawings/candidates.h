@@ -30,7 +30,10 @@ inline constexpr double touch_thin = 45, touch_heavy = 70, inside = 6;  // then 
 inline constexpr double stranger = 5;      // nearer to another label's point than to its own
 inline constexpr double overlap = 120;     // of two labels
 inline constexpr double leader_through = 60;  // a leader through another label
+inline constexpr double leaders_crossed = 10;
 }  // namespace price
+
+bool cross(const Segment& first, const Segment& second);
 
 // Inside `area` only; near places first, then far ones with leaders.
 std::vector<Candidate> candidates(const LabelBox& label, const Obstacles& obstacles, Box area);

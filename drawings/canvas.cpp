@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <stdexcept>
 
 #include "drawings/clip.h"
@@ -18,7 +19,7 @@ constexpr double absurd = 1e7;
 
 }  // namespace
 
-Canvas::Canvas(Box area) : clip_(area), obstacles_(area) {}
+Canvas::Canvas(Box area) : clip_(area), drawn_(area) {}
 
 void Canvas::require(double value) const {
   if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("{} is not a number on paper", value));
@@ -46,7 +47,7 @@ void Canvas::remember(const Path& path, double width) {
   const std::vector<Point> points = flatten(path);
   for (std::size_t i = 1; i < points.size(); ++i) {
     const auto inside = clip_segment(points[i - 1], points[i], clip_);
-    if (inside) obstacles_.add({inside->first, inside->second, width / 2, width > fine});
+    if (inside) drawn_.add({inside->first, inside->second, width / 2, width > fine});
   }
 }
 
@@ -91,9 +92,33 @@ void Canvas::text(const PlacedText& text) {
   const Box box{{b.x, b.y - size.descent}, {b.x + size.width, b.y + size.ascent}};
   if (!contains(clip_, middle(box))) return;
   put(text);
-  // Its outline with a diagonal: whatever lies inside the box meets one of them or fills it.
-  remember(polyline({box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}, box.low, box.high}, false),
-           wide);
+  texts_.emplace_back(text.text, box);
+}
+
+std::vector<std::string> Canvas::crossed_texts() const {
+  std::vector<std::string> crossed;
+  for (std::size_t i = 0; i < texts_.size(); ++i) {
+    bool touched = false;
+    drawn_.near(texts_[i].second, 0, [&](const Obstacle& o) {
+      touched = gap(texts_[i].second, o.from, o.to) <= o.half_width;
+      return !touched;
+    });
+    for (std::size_t j = 0; j < texts_.size(); ++j)
+      touched = touched || (i != j && gap(texts_[i].second, texts_[j].second) <= 0);
+    if (touched) crossed.push_back(texts_[i].first);
+  }
+  return crossed;
+}
+
+Obstacles Canvas::obstacles() const {
+  Obstacles all = drawn_;
+  for (const auto& [text, box] : texts_) {
+    // The outline with a diagonal: whatever meets the box meets one of them, or lies inside and is itself met.
+    const Point lower_right{box.high.x, box.low.y}, upper_left{box.low.x, box.high.y};
+    const std::array corners{box.low, lower_right, box.high, upper_left, box.low, box.high};
+    for (std::size_t i = 1; i < corners.size(); ++i) all.add({corners[i - 1], corners[i], 0, true});
+  }
+  return all;
 }
 
 std::vector<Primitive> Canvas::take() {

@@ -27,13 +27,17 @@ class Canvas {
   // Solid areas (arrow heads, points, blocks) keep labels away; light ones (plates) do not.
   void fill(const Path& path, Colour colour, const std::string& name = {});
   void tint(const Path& path, Colour colour, const std::string& name = {});
+  // Letters whose place their mark decides (scale bars). Labels keep away from them too.
   void text(const PlacedText& text);
 
   // From now on on top of everything drawn before `lower` is called: hinges and points.
   void raise() { raised_ = true; }
   void lower() { raised_ = false; }
 
-  const Obstacles& obstacles() const { return obstacles_; }
+  // Call when all marks are drawn: which of those letters a line or symbol runs through.
+  std::vector<std::string> crossed_texts() const;
+  // What labels must keep clear of.
+  Obstacles obstacles() const;
   std::vector<Primitive> take();
 
  private:
@@ -44,7 +48,8 @@ class Canvas {
 
   Box clip_;
   bool raised_ = false;
-  Obstacles obstacles_;
+  Obstacles drawn_;
+  std::vector<std::pair<std::string, Box>> texts_;
   std::vector<Primitive> below_, above_;
 };
 

@@ -114,7 +114,11 @@ std::vector<Primitive> figure_ink(const Figure& figure, Box area, std::vector<st
     boxes.push_back(item.box);
   }
   const std::vector<Place> places = place_labels(boxes, canvas.obstacles(), area);
-  if (conflicts) report(*conflicts, items, places);
+  if (conflicts) {
+    for (const std::string& text : canvas.crossed_texts())
+      conflicts->push_back(fmt::format("'{}' of a scale bar touches a line, a symbol or other letters", plain(text)));
+    report(*conflicts, items, places);
+  }
   std::vector<Primitive> ink = canvas.take();
   for (std::size_t i = 0; i < items.size(); ++i)
     if (places[i].found) draw_placed(ink, items[i], places[i]);

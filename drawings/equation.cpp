@@ -59,20 +59,21 @@ void set_block(Galley& galley, const VectorEquation& equation, Language language
   const double row = 1.5 * size;
   galley.down(0.2 * size * galley.air());
   const double first = galley.top() - std::max(tallest(equation, size), 0.76 * size);
-  const double rule = first - 0.55 * size, second = rule - 1.1 * size, third = second - row;
+  const double rule = first - 0.6 * size, second = rule - 1.15 * size, third = second - row;
   if (named) {
     galley.text(direction, {galley.left(), second}, small, Weight::regular, grey);
     galley.text(magnitude, {galley.left(), third}, small, Weight::regular, grey);
   }
   const double room = galley.width() - (named ? captions : 0);
   double x = galley.right() - room + std::max(0.0, (room - columns.width()) / 2);
+  // One rule for the whole line: short ones would turn vectors and directions into fractions.
+  galley.rule(rule, named ? galley.left() : x, named ? galley.right() : x + columns.width(), fine);
   for (std::size_t i = 0; i < equation.terms.size(); ++i) {
     const Term& term = equation.terms[i];
     centred(galley, term.before, x + columns.operators[i] / 2, first, size);
     x += columns.operators[i] + (columns.operators[i] > 0 ? columns.gap : 0);
     const double middle = x + columns.terms[i] / 2;
     centred(galley, term.vector, middle, first, size);
-    galley.rule(rule, x, x + columns.terms[i], fine);
     centred(galley, term.direction, middle, second, size);
     centred(galley, term.magnitude, middle, third, size);
     x += columns.terms[i] + columns.gap;

@@ -63,6 +63,10 @@ class Placement {
     return order;
   }
 
+  static bool leaders_cross(const Candidate& a, const Candidate& b) {
+    return a.leader && b.leader && cross(*a.leader, *b.leader);
+  }
+
   static bool leader_meets(const Candidate& a, const Candidate& b) {
     return (a.leader && gap(b.box, a.leader->first, a.leader->second) < 0.3) ||
            (b.leader && gap(a.box, b.leader->first, b.leader->second) < 0.3);
@@ -71,6 +75,7 @@ class Placement {
   static double together(const Candidate& a, const Candidate& b) {
     double cost = 0;
     if (leader_meets(a, b)) cost += price::leader_through;
+    if (leaders_cross(a, b)) cost += price::leaders_crossed;
     const double d = gap(a.box, b.box);
     if (d >= label_clearance) return cost;
     const double lack = 1 - d / label_clearance;

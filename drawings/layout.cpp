@@ -26,7 +26,7 @@ Layout layout(Paper paper, double title_block_height) {
   const double left = frame.high.x - title_block_width(paper);
   result.title_block = {{left, frame.low.y}, {frame.high.x, frame.low.y + title_block_height}};
   result.drawing = {{frame.low.x + air, frame.low.y + air}, {left - between_parts, frame.high.y - air}};
-  result.column = {{left + 1, result.title_block.high.y + air}, {frame.high.x - 4, frame.high.y - air}};
+  result.column = {{left + inset, result.title_block.high.y + air}, {frame.high.x - inset, frame.high.y - air}};
   return result;
 }
 

@@ -1,6 +1,7 @@
 // What letters must keep clear of: the chords of everything drawn, in a uniform grid over the drawing area.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -26,7 +27,8 @@ class Obstacles {
   explicit Obstacles(Box area);
 
   void add(const Obstacle& obstacle);
-  // Calls `visit(obstacle)` once for each piece of an obstacle that may lie within `reach` of the box.
+  // Calls `visit(obstacle)` once for each piece of an obstacle whose own box lies within `reach` of the box, until
+  // it returns false.
   template <typename Visit>
   void near(Box box, double reach, Visit visit) const;
 
@@ -50,13 +52,18 @@ class Obstacles {
 template <typename Visit>
 void Obstacles::near(Box box, double reach, Visit visit) const {
   ++query_;
-  const Span s = span({{box.low.x - reach, box.low.y - reach}, {box.high.x + reach, box.high.y + reach}});
+  const Box around{{box.low.x - reach, box.low.y - reach}, {box.high.x + reach, box.high.y + reach}};
+  const Span s = span(around);
   for (int y = s.low_y; y <= s.high_y; ++y)
     for (int x = s.low_x; x <= s.high_x; ++x)
       for (const std::uint32_t index : cell(x, y)) {
         if (seen_[index] == query_) continue;
         seen_[index] = query_;
-        visit(pieces_[index]);
+        const Obstacle& o = pieces_[index];
+        if (std::max(o.from.x, o.to.x) < around.low.x || std::min(o.from.x, o.to.x) > around.high.x ||
+            std::max(o.from.y, o.to.y) < around.low.y || std::min(o.from.y, o.to.y) > around.high.y)
+          continue;
+        if (!visit(o)) return;
       }
 }
 

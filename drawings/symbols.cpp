@@ -66,7 +66,9 @@ void draw_mark(Canvas& canvas, const Arrow& arrow) {
   const double head = std::min(head_length, total / 3);
   // The shaft ends inside the head, where it is wider than the shaft: its square end must not blunt the tip.
   const Point neck = arrow.to - 0.8 * head * unit(arrow.from, arrow.to);
-  canvas.stroke(segment(arrow.from, neck), {style.width, {}, style.colour}, arrow.name);
+  // Beside a small head the shaft grows thinner too, or the arrow would look like a pencil.
+  const double width = style.width * std::max(0.5, head / head_length);
+  canvas.stroke(segment(arrow.from, neck), {width, {}, style.colour}, arrow.name);
   const std::string head_name = arrow.name.empty() ? std::string{} : arrow.name + "_head";
   canvas.fill(arrow_head(arrow.to, arrow.to - arrow.from, head), style.colour, head_name);
 }

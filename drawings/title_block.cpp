@@ -13,7 +13,6 @@ namespace epure::drawings {
 
 namespace {
 
-constexpr double inset = 2;                                         // mm from a rule to letters
 constexpr double title_size = 5, text_size = 3, caption_size = 2.2;  // mm
 constexpr double field_height = 8.2, bar_height = 6.2;
 
@@ -51,7 +50,7 @@ class TitleInk {
   // A small caption with its value below, between `left` and `right`, under the rule at `top`.
   void field(double left, double right, double top, const std::string& name, const std::string& value) {
     caption(name, {left + inset, top - 2.7});
-    const double room = right - left - 1.5 * inset, width = value.empty() ? 0 : measure(value, text_size).width;
+    const double room = right - left - 1.4 * inset, width = value.empty() ? 0 : measure(value, text_size).width;
     // Long values are set smaller rather than over the next rule.
     const double size = width > room ? std::max(2.2, text_size * room / width) : text_size;
     if (conflicts_ && width * size > room * text_size * (1 + 1e-9))
@@ -118,7 +117,7 @@ std::vector<Primitive> set_title_block(const Sheet& sheet, Box box, std::vector<
   block.rule({box.low.x, box.low.y}, {box.low.x, box.high.y}, wide);
   block.rule({box.low.x - wide / 2, box.high.y}, {box.high.x, box.high.y}, wide);
   const double top = set_titles(block, title_lines(sheet), w.source), bottom = top - field_height;
-  const double sheet_left = box.high.x - 17, paper_left = sheet_left - 15;
+  const double sheet_left = box.high.x - 17, paper_left = sheet_left - 16;
   block.rule({box.low.x, top}, {box.high.x, top}, fine);
   block.rule({box.low.x, bottom}, {box.high.x, bottom}, fine);
   block.rule({paper_left, top}, {paper_left, bottom}, fine);
