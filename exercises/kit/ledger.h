@@ -8,7 +8,7 @@
 
 #include "exercises/kit/exercise.h"
 #include "geometry/constructions/cycle.h"
-#include "geometry/numbers/numbers.h"
+#include "geometry/numbers/climb.h"
 
 namespace epure {
 
@@ -26,11 +26,11 @@ T size(const geometry::Vector<T>& v) {
   }
 }
 
-// The angle of the direction v in (-pi, pi), for v.x > 0; for signs, its tangent.
+// The angle of the direction v in [-pi/2, pi/2], for v.x >= 0; for signs, v.y, which has the sign of the angle.
 template <class T>
 T slope_angle(const geometry::Vector<T>& v) {
   if constexpr (signs_only<T>) {
-    return geometry::quotient(v.y, v.x);
+    return v.y;
   } else {
     return geometry::arc_tangent(v.y, v.x);
   }
@@ -46,7 +46,7 @@ class Ledger {
   // Writes down what `find` returns. What it cannot decide stays undecided; what does not exist is absent.
   void put(const std::string& quantity, const std::function<T()>& find) {
     keys_.push_back({quantity, route_});
-    readings_.push_back(read(find));
+    readings_.push_back(geometry::Reading<T>::from(find));
   }
   void put(const std::string& quantity, const T& value) {
     put(quantity, [&] { return value; });
@@ -91,16 +91,6 @@ class Ledger {
   const std::vector<geometry::Reading<T>>& readings() const { return readings_; }
 
  private:
-  static geometry::Reading<T> read(const std::function<T()>& find) {
-    try {
-      return geometry::Reading<T>::of(find());
-    } catch (const geometry::Impossible& reason) {
-      return geometry::Reading<T>::absent(reason.what());
-    } catch (const geometry::Undecided& reason) {
-      return geometry::Reading<T>::undecided(reason.what());
-    }
-  }
-
   std::string route_;
   std::vector<std::pair<std::string, std::string>> keys_;
   std::vector<geometry::Reading<T>> readings_;

@@ -64,6 +64,7 @@ std::vector<GivenSpec> slider_crank_givens(bool with_alpha_2) {
 SliderCrankInstant slider_crank_instant(const Givens& givens) {
   SliderCrankInstant at{.lengths = {givens["r"], givens["l"], givens["AC"], givens["BC"]},
                         .turns_per_second = givens["n"] / 60,
+                        .t1 = givens["t1"],
                         .crank = {givens["n"] / 60 * givens["t1"]}};
   for (const GivenSpec& spec : givens.specs()) {
     if (spec.symbol == "alpha_2") at.alpha_2 = givens["alpha_2"];

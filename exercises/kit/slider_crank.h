@@ -12,7 +12,7 @@ std::vector<GivenSpec> slider_crank_givens(bool with_alpha_2);
 
 struct SliderCrankInstant {
   geometry::SliderCrankLengths lengths;
-  Rational turns_per_second;
+  Rational turns_per_second, t1;
   geometry::Turn crank;  // n t1, from the outer dead centre
   Rational alpha_2{0};
 

@@ -1,0 +1,35 @@
+// What a ruler reads off a sheet, and two methods held against each other.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "exercises/kit/exercise.h"
+
+namespace epure {
+
+// The quantity as the marks of the file show it: end points as filed, length (or component) times scale.
+double as_measured(const Measurement& measurement, drawings::Paper paper);
+
+// Every quantity a sheet shows; of one shown twice, the first.
+class Readings {
+ public:
+  explicit Readings(const DrawnSheet& drawn);
+  bool has(const std::string& quantity) const { return values_.contains(quantity); }
+  double operator[](const std::string& quantity) const { return values_.at(quantity); }
+
+ private:
+  std::map<std::string, double> values_;
+};
+
+struct Comparison {
+  std::string quantity;  // rich text with its unit
+  double first, second;
+};
+
+// quantity | first | second | difference in percent of the first
+drawings::Table comparison_table(const std::vector<Comparison>& rows, const Words& first, const Words& second,
+                                 Language language);
+
+}  // namespace epure

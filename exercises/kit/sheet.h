@@ -1,0 +1,22 @@
+// The empty sheet an exercise starts from, and the phrases sheets share.
+#pragma once
+
+#include <string>
+
+#include "exercises/kit/exercise.h"
+
+namespace epure {
+
+// Names, title block, language and paper filled in; figure and column empty.
+DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const SheetRequest& request);
+
+// The part of the drawing area above the strip in which the scale bars stand.
+drawings::Box room_above_scale_bars(const SheetRequest& request);
+
+// Puts the bars side by side at the foot of the drawing area, and their captions into the title block.
+void add_scale_bars(DrawnSheet& onto, const std::vector<struct Scale>& scales, const SheetRequest& request);
+
+// A number as the sheet writes it, with `figures` significant figures.
+std::string figures(double value, int figures, Language language);
+
+}  // namespace epure

@@ -1,0 +1,142 @@
+// Sheet 2: the vector equation v_B = v_A + v_BA closed as a polygon, the images of C and M, and the two methods compared.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exercises/kit/compare.h"
+#include "exercises/kit/fit.h"
+#include "exercises/kit/sheet.h"
+#include "exercises/slider-crank-velocity/exercise.h"
+
+namespace epure::slider_crank_velocity {
+namespace {
+
+constexpr double mechanism_share = 0.40;  // of the room's height; the polygon needs the larger part
+
+Place tip(const Arrow2& v) { return {v.x, v.y}; }
+
+void draw_mechanism(DrawnSheet& onto, const Drawn& f, const drawings::Box& room, const SheetRequest& request) {
+  const double reach = std::abs(f.at.B.x) + std::hypot(f.at.A.x, f.at.A.y);
+  const Fit fit = fit_lengths(room, request, 1000 / reach, [&](const Scale& scale) {
+    Extent extent;
+    include_slider_crank(extent, scale, f.at);
+    return extent.box();
+  });
+  Plot plot(onto, fit.origin, fit.scale);
+  draw_slider_crank(plot, f.at, CGAL::to_double(f.instant.turns_per_second));
+  onto.sheet.title_block.scales.push_back(fit.scale.caption);
+}
+
+void draw_polygon(Plot& plot, const Drawn& f) {
+  const Place O{0, 0}, a = tip(f.v_A), b = tip(f.v_B), c = tip(f.v_C), m = tip(f.v_M);
+  const Place inside{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  plot.long_segment(O, b, 12, Meaning::construction);
+  plot.long_segment(a, b, 12, Meaning::construction);
+  plot.long_segment(b, c, 5, Meaning::construction);
+  plot.side("v_A", O, a, Meaning::velocity, "$\\vec{v}_{A}$", inside);
+  plot.side("v_BA", a, b, Meaning::velocity, "$\\vec{v}_{BA}$", O);
+  plot.side("v_B", O, b, Meaning::velocity, "$\\vec{v}_{B}$", a);
+  plot.side("v_CA", a, c, Meaning::velocity, "$\\vec{v}_{CA}$", inside);
+  plot.side("v_C", O, c, Meaning::velocity, "$\\vec{v}_{C}$", inside);
+  plot.side("v_M", O, m, Meaning::velocity, "$\\vec{v}_{M}$", c);
+  plot.measures("v_MA", a, m);
+  for (const auto& [name, X] : {std::pair{"v_B", b}, std::pair{"v_C", c}, std::pair{"v_M", m}}) {
+    plot.measures_coordinates(name, X, O);
+  }
+  for (const Place& X : {O, m}) plot.dot(X, Meaning::velocity);
+  plot.label("$O_{v}$", O, inside, Meaning::velocity);
+  for (const auto& [name, X] : {std::pair{"$a'$", a}, std::pair{"$b'$", b}, std::pair{"$c'$", c}, std::pair{"$m'$", m}}) {
+    plot.label(name, X, O, Meaning::velocity);
+  }
+  plot.step(1, {a.x * 0.6, a.y * 0.6});
+  plot.step(2, {a.x + 0.3 * (b.x - a.x), a.y + 0.3 * (b.y - a.y)});
+  plot.step(3, {b.x * 0.6, b.y * 0.6});
+  plot.step(4, c);
+  plot.step(5, m);
+}
+
+drawings::Box polygon_extent(const Drawn& f, const Scale& scale) {
+  Extent extent;
+  for (const Place& X : {Place{0, 0}, tip(f.v_A), tip(f.v_B), tip(f.v_C), tip(f.v_M)}) extent.include(scale, X, 11);
+  return extent.box();
+}
+
+drawings::VectorEquation equation_of_B() {
+  return {{{"$\\vec{v}_{B}$", "∥ $A_{0}B$", "?", ""},
+           {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "$ω_{2}$·$A_{0}A$", "="},
+           {"$\\vec{v}_{BA}$", "⊥ $BA$", "?", "+"}}};
+}
+
+drawings::VectorEquation equation_of_C() {
+  return {{{"$\\vec{v}_{C}$", "?", "?", ""},
+           {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "$ω_{2}$·$A_{0}A$", "="},
+           {"$\\vec{v}_{CA}$", "⊥ $CA$", "$ω_{3}$·$CA$", "+"}}};
+}
+
+drawings::Steps steps(Language language) {
+  if (language == Language::english) {
+    return {{"From $O_{v}$ the known $\\vec{v}_{A}$, square to the crank.",
+             "Through $a'$ the line square to $AB$: it carries $\\vec{v}_{BA}$.",
+             "Through $O_{v}$ the line parallel to the guide. The two meet in $b'$; $ω_{3}$ = $v_{BA}$ / $AB$.",
+             "$c'$: square to $AC$ through $a'$, square to $BC$ through $b'$. The triangle $a'b'c'$ is the image of $ABC$.",
+             "$m'$ halves $a'b'$, as $M$ halves $AB$."}};
+  }
+  return {{"Da $O_{v}$ la $\\vec{v}_{A}$ nota, normale alla manovella.",
+           "Per $a'$ la normale ad $AB$: porta la $\\vec{v}_{BA}$.",
+           "Per $O_{v}$ la parallela alla guida. Le due si incontrano in $b'$; $ω_{3}$ = $v_{BA}$ / $AB$.",
+           "$c'$: normale ad $AC$ per $a'$, normale a $BC$ per $b'$. Il triangolo $a'b'c'$ è l'immagine di $ABC$.",
+           "$m'$ dimezza $a'b'$, come $M$ dimezza $AB$."}};
+}
+
+// Both methods as read from their own drawings; ω₃ from the lengths read.
+std::vector<Comparison> comparisons(const DrawnSheet& polar, const Drawn& f, const SheetRequest& request) {
+  const Readings diagram(polar);
+  DrawnSheet other;
+  other.sheet.paper = request.paper;
+  draw_poles(other, f, request);
+  const Readings poles(other);
+  const double AB = CGAL::to_double(f.instant.lengths.l);
+  std::vector<Comparison> rows;
+  const double v_A = std::hypot(f.v_A.x, f.v_A.y);
+  if (!poles.has("P0A")) return rows;
+  const double omega_3 = v_A / poles["P0A"];
+  for (const char* X : {"B", "C", "M"}) {
+    rows.push_back({fmt::format("$v_{{{}}}$ (m/s)", X), omega_3 * poles[fmt::format("P0{}", X)],
+                    diagram[fmt::format("v_{}", X)]});
+  }
+  rows.push_back({"$ω_{3}$ (rad/s)", omega_3, diagram["v_BA"] / AB});
+  return rows;
+}
+
+}  // namespace
+
+void draw_polar_diagram(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
+  const drawings::Box room = room_above_scale_bars(request);
+  const double divide = room.high.y - mechanism_share * room.height();
+  SheetRequest mechanism = request;
+  mechanism.scale.reset();  // --scale names the scale of the space diagram alone, and it must fit the upper part
+  if (request.scale) mechanism.scale = request.scale;
+  draw_mechanism(onto, f, {{room.low.x, divide}, room.high}, mechanism);
+  double greatest = 0;
+  for (const Arrow2& v : {f.v_A, f.v_B, f.v_C, f.v_M}) greatest = std::max(greatest, std::hypot(v.x, v.y));
+  const Fit fit = fit_vectors({room.low, {room.high.x, divide}}, "m/s", request.language, room.width() / greatest,
+                              [&](const Scale& scale) { return polygon_extent(f, scale); });
+  Plot plot(onto, fit.origin, fit.scale);
+  draw_polygon(plot, f);
+  add_scale_bars(onto, {plot.scale()}, request);
+
+  const bool english = request.language == Language::english;
+  auto& column = onto.sheet.column;
+  column.push_back(equation_of_B());
+  column.push_back(equation_of_C());
+  column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
+  column.push_back(steps(request.language));
+  column.push_back(drawings::Heading{english ? "The two methods, as measured" : "I due metodi, come misurati"});
+  column.push_back(comparison_table(comparisons(onto, f, request), {"poles", "poli"}, {"diagram", "diagramma"}, request.language));
+  onto.sheet.description = fmt::format("v_A = {:.4g} m/s, v_BA = {:.4g} m/s, v_B = {:.4g} m/s, v_C = {:.4g} m/s, v_M = {:.4g} m/s",
+                                       std::hypot(f.v_A.x, f.v_A.y), std::hypot(f.v_BA.x, f.v_BA.y), std::hypot(f.v_B.x, f.v_B.y),
+                                       std::hypot(f.v_C.x, f.v_C.y), std::hypot(f.v_M.x, f.v_M.y));
+}
+
+}  // namespace epure::slider_crank_velocity

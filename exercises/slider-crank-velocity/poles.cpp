@@ -1,0 +1,152 @@
+// Sheet 1: the mechanism at t1, its pole by two lines, and the velocities square to their rays.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exercises/kit/fit.h"
+#include "exercises/kit/sheet.h"
+#include "exercises/slider-crank-velocity/exercise.h"
+
+namespace epure::slider_crank_velocity {
+namespace {
+
+struct Named {
+  const char *point, *symbol, *distance, *velocity;
+  Place at;
+  Arrow2 v;
+};
+
+std::vector<Named> points(const Drawn& f) {
+  return {{"$A$", "A", "P0A", "v_A", f.at.A, f.v_A},
+          {"$B$", "B", "P0B", "v_B", f.at.B, f.v_B},
+          {"$C$", "C", "P0C", "v_C", f.at.C, f.v_C},
+          {"$M$", "M", "P0M", "v_M", f.at.M, f.v_M}};
+}
+
+double greatest_speed(const Drawn& f) {
+  double greatest = 0;
+  for (const Named& X : points(f)) greatest = std::max(greatest, std::hypot(X.v.x, X.v.y));
+  return greatest;
+}
+
+// The pole is drawn when it lies no farther away than the figure can bear; else its lines leave the frame.
+bool shows_pole(const Drawn& f) {
+  const double size = std::hypot(f.at.A.x, f.at.A.y) + std::hypot(f.at.B.x - f.at.A.x, f.at.B.y - f.at.A.y);
+  return f.P0 && std::abs(f.P0->y) <= size;
+}
+
+drawings::Box extent(const Drawn& f, const Scale& lengths, const Scale& velocities) {
+  Extent extent;
+  include_slider_crank(extent, lengths, f.at);
+  if (shows_pole(f)) extent.include(lengths, *f.P0, 14);
+  for (const Named& X : points(f)) {
+    const double x = lengths.mm_per_unit * X.at.x + velocities.mm_per_unit * X.v.x;
+    const double y = lengths.mm_per_unit * X.at.y + velocities.mm_per_unit * X.v.y;
+    extent.include(x - 7, y - 7);
+    extent.include(x + 7, y + 7);
+  }
+  return extent.box();
+}
+
+void draw_pole(Plot& plot, const Drawn& f) {
+  const Place P0 = *f.P0;
+  plot.long_segment(f.at.A0, P0, 6, Meaning::construction);
+  plot.long_segment(f.at.B, P0, 6, Meaning::construction);
+  plot.segment(f.at.C, P0, Meaning::construction);
+  plot.segment(f.at.M, P0, Meaning::construction);
+  plot.right_angle(f.at.B, P0, f.at.A0);
+  plot.cross(P0);
+  plot.label("$P_{0}$", P0, f.at.M, Meaning::locus);
+  const double sense = f.omega_3 > 0 ? 1 : -1;
+  const double down = std::atan2(f.at.M.y - P0.y, f.at.M.x - P0.x);
+  plot.mark(drawings::Rotation{plot.at(P0), 8, down - 2.2 * sense, down - 1.0 * sense});
+  plot.measures_coordinates("P0", P0, f.at.A0);
+  for (const Named& X : points(f)) plot.measures(X.distance, P0, X.at);
+}
+
+// Two parallel lines: they leave the sheet towards P₀.
+void draw_far_pole(Plot& plot, const Drawn& f) {
+  const double far = 3000 / plot.scale().mm_per_unit;
+  const double up = f.P0 && f.P0->y < 0 ? -1 : 1;
+  const auto away = [&](const Place& X) -> Place {
+    if (!f.P0) return {X.x, X.y + up * far};
+    const double d = std::hypot(f.P0->x - X.x, f.P0->y - X.y), share = std::min(1.0, far / d);
+    return {X.x + share * (f.P0->x - X.x), X.y + share * (f.P0->y - X.y)};
+  };
+  for (const Named& X : points(f)) plot.segment(X.at, away(X.at), Meaning::construction);
+}
+
+void write_column(DrawnSheet& onto, const Drawn& f, Language language) {
+  const bool english = language == Language::english;
+  const auto num = [&](double x) { return figures(x, 4, language); };
+  const double phi = 360 * CGAL::to_double(f.instant.crank.fraction);
+  auto& column = onto.sheet.column;
+  column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
+  if (english) {
+    column.push_back(drawings::Steps{
+        {fmt::format("Crank at $φ$ = {}°. $A$ on its circle, $B$ on the guide by the arc of radius $l$ about $A$.", num(phi)),
+         "$C$ by the arcs $AC$ and $BC$, on the left of $AB$. $M$ halves $AB$.",
+         "$A$ moves square to the crank: $P_{0}$ lies on the line $A_{0}A$.",
+         f.P0 ? "$B$ moves along the guide: $P_{0}$ lies on the perpendicular to it through $B$."
+              : "The perpendicular to the guide through $B$ is parallel to it: $P_{0}$ is at infinity, the coupler "
+                "translates.",
+         "$v_{A}$ = $ω_{2}$·$A_{0}A$, $ω_{3}$ = $v_{A}$ / $P_{0}A$.",
+         "$v_{X}$ = $ω_{3}$·$P_{0}X$, square to the ray $P_{0}X$."}});
+  } else {
+    column.push_back(drawings::Steps{
+        {fmt::format("Manovella a $φ$ = {}°. $A$ sulla sua circonferenza, $B$ sulla guida con l'arco di raggio $l$ da $A$.", num(phi)),
+         "$C$ con gli archi $AC$ e $BC$, a sinistra di $AB$. $M$ dimezza $AB$.",
+         "$A$ si muove normalmente alla manovella: $P_{0}$ sta sulla retta $A_{0}A$.",
+         f.P0 ? "$B$ si muove lungo la guida: $P_{0}$ sta sulla normale alla guida per $B$."
+              : "La normale alla guida per $B$ le è parallela: $P_{0}$ è all'infinito, la biella trasla.",
+         "$v_{A}$ = $ω_{2}$·$A_{0}A$, $ω_{3}$ = $v_{A}$ / $P_{0}A$.",
+         "$v_{X}$ = $ω_{3}$·$P_{0}X$, normale al raggio $P_{0}X$."}});
+  }
+  column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
+  const double omega_2 = 2 * M_PI * CGAL::to_double(f.instant.turns_per_second);
+  column.push_back(drawings::Paragraph{fmt::format("$ω_{{2}}$ = {} rad/s,  $ω_{{3}}$ = {} rad/s", num(omega_2), num(f.omega_3))});
+  drawings::Table table{{"$X$", "$P_{0}X$ (m)", "$v_{X}$ (m/s)"}, {}};
+  for (const Named& X : points(f)) {
+    const double d = f.P0 ? std::hypot(f.P0->x - X.at.x, f.P0->y - X.at.y) : 0;
+    table.rows.push_back({X.point, f.P0 ? num(d) : "∞", num(std::hypot(X.v.x, X.v.y))});
+  }
+  column.push_back(table);
+}
+
+}  // namespace
+
+void draw_poles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
+  constexpr double longest_vector = 32;  // mm: reads well and stays clear of the other points
+  const Scale velocities = largest_vector_scale(longest_vector / greatest_speed(f), "m/s", request.language);
+  const double reach = std::abs(f.at.B.x) + std::hypot(f.at.A.x, f.at.A.y);
+  const Fit fit = fit_lengths(room_above_scale_bars(request), request, 1000 / reach,
+                              [&](const Scale& lengths) { return extent(f, lengths, velocities); });
+  Plot plot(onto, fit.origin, fit.scale);
+  plot.vectors_at(velocities);
+  shows_pole(f) ? draw_pole(plot, f) : draw_far_pole(plot, f);
+  draw_slider_crank(plot, f.at, CGAL::to_double(f.instant.turns_per_second));
+  for (const Named& X : points(f)) {
+    plot.vector_on(X.velocity, X.at, X.v, Meaning::velocity, fmt::format("$\\vec{{v}}_{{{}}}$", X.symbol));
+    plot.measures_coordinates(X.symbol, X.at, f.at.A0);
+    if (shows_pole(f) && X.symbol[0] != 'B') plot.right_angle(X.at, *f.P0, plot.tip(X.at, X.v));
+  }
+  plot.step(1, f.at.A);
+  plot.step(2, f.at.C);
+  if (shows_pole(f)) {
+    const auto between = [](const Place& P, const Place& Q) { return Place{(P.x + 2 * Q.x) / 3, (P.y + 2 * Q.y) / 3}; };
+    plot.step(3, between(f.at.A, *f.P0));
+    plot.step(4, between(f.at.B, *f.P0));
+    plot.step(5, *f.P0);
+    plot.step(6, plot.tip(f.at.C, f.v_C));
+  }
+  add_scale_bars(onto, {plot.scale(), velocities}, request);
+  write_column(onto, f, request.language);
+  onto.sheet.description = fmt::format("ω₂ and φ = {:.4g}°, ω₃ = {:.4g} rad/s, v_A = {:.4g} m/s, v_B = {:.4g} m/s, v_C = {:.4g} m/s, "
+                                       "v_M = {:.4g} m/s",
+                                       360 * CGAL::to_double(f.instant.crank.fraction), f.omega_3,
+                                       std::hypot(f.v_A.x, f.v_A.y), std::hypot(f.v_B.x, f.v_B.y),
+                                       std::hypot(f.v_C.x, f.v_C.y), std::hypot(f.v_M.x, f.v_M.y));
+}
+
+}  // namespace epure::slider_crank_velocity
