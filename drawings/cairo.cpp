@@ -13,20 +13,16 @@
 #include "drawings/check_page.h"
 #include "drawings/grid.h"
 #include "drawings/page.h"
+#include "drawings/release.h"
 #include "drawings/typeset.h"
 #include "drawings/vectors.h"
 
 namespace epure::drawings {
 namespace {
 
-template <auto release>
-struct Releaser {
-  template <class T>
-  void operator()(T* what) const { release(what); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, Releaser<cairo_surface_destroy>>;
-using Context = std::unique_ptr<cairo_t, Releaser<cairo_destroy>>;
-using FontFace = std::unique_ptr<cairo_font_face_t, Releaser<cairo_font_face_destroy>>;
+using Surface = Held<cairo_surface_t, cairo_surface_destroy>;
+using Context = Held<cairo_t, cairo_destroy>;
+using FontFace = Held<cairo_font_face_t, cairo_font_face_destroy>;
 
 void demand(cairo_status_t status) {
   if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
@@ -157,8 +153,7 @@ class Painter {
 
 // Metrics as designed, at every size.
 void set_letters_unhinted(cairo_t* context) {
-  const std::unique_ptr<cairo_font_options_t, Releaser<cairo_font_options_destroy>> options(
-      cairo_font_options_create());
+  const Held<cairo_font_options_t, cairo_font_options_destroy> options(cairo_font_options_create());
   cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
   cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
   cairo_set_font_options(context, options.get());

@@ -11,11 +11,12 @@
 namespace epure::drawings {
 namespace {
 
-constexpr double largest_page = 2000;  // mm, either side
+constexpr double largest_page = 2000;                                           // mm, either side
 constexpr double widest_line = 50, longest_dash = 1000, largest_letters = 100;  // mm
 
 bool is_plain(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '-';
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
+         c == '-';
 }
 bool starts_id(char c) { return is_plain(c) && c != '.' && c != '-'; }
 // What may stand in an id, in a CSS selector (after its prefix) and in a file name.
@@ -63,8 +64,10 @@ class Checker {
   }
   void name(const std::string& name) const {
     if (!name.empty() && !is_id(name))
-      throw std::invalid_argument(fmt::format("{}: a name holds only letters, digits, _ . and - and starts with a "
-                                              "letter, a digit or _", who_));
+      throw std::invalid_argument(
+          fmt::format("{}: a name holds only letters, digits, _ . and - and starts with a "
+                      "letter, a digit or _",
+                      who_));
   }
 
   void operator()(const Stroke& stroke) const {
@@ -98,8 +101,12 @@ class Checker {
 };
 
 struct Describe {
-  std::string operator()(const Stroke& s) const { return s.name.empty() ? "a line" : fmt::format("line '{}'", s.name); }
-  std::string operator()(const Fill& f) const { return f.name.empty() ? "an area" : fmt::format("area '{}'", f.name); }
+  std::string operator()(const Stroke& s) const {
+    return s.name.empty() ? "a line" : fmt::format("line '{}'", s.name);
+  }
+  std::string operator()(const Fill& f) const {
+    return f.name.empty() ? "an area" : fmt::format("area '{}'", f.name);
+  }
   std::string operator()(const PlacedText& t) const { return fmt::format("text \"{}\"", t.text); }
 };
 

@@ -95,7 +95,8 @@ void make_folder(const fs::path& folder, const std::string& shown) {
   fs::create_directories(folder, error);
   // A link to a folder counts as an error for some library versions; what matters is that there is a folder.
   std::error_code ignored;
-  if (error && !fs::is_directory(folder, ignored)) fail(shown, fmt::format("folder {}: {}", folder.string(), error.message()));
+  if (error && !fs::is_directory(folder, ignored))
+    fail(shown, fmt::format("folder {}: {}", folder.string(), error.message()));
 }
 
 // Opened by its path, standard output would be written from its beginning, over what `>>` should keep.

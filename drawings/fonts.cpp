@@ -12,6 +12,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "drawings/release.h"
 #include "drawings/unicode.h"
 #include "drawings/vectors.h"
 
@@ -36,18 +37,16 @@ extern const char epure_font_mathematics[], epure_font_mathematics_end[];
 namespace epure::drawings {
 namespace {
 
-template <auto release>
-struct Releaser {
-  template <class T>
-  void operator()(T* what) const { release(what); }
-};
-
 std::span<const char> embedded(Face face) {
   switch (face) {
-    case Face::regular: return {epure_font_regular, epure_font_regular_end};
-    case Face::italic: return {epure_font_italic, epure_font_italic_end};
-    case Face::bold: return {epure_font_bold, epure_font_bold_end};
-    case Face::mathematics: return {epure_font_mathematics, epure_font_mathematics_end};
+    case Face::regular:
+      return {epure_font_regular, epure_font_regular_end};
+    case Face::italic:
+      return {epure_font_italic, epure_font_italic_end};
+    case Face::bold:
+      return {epure_font_bold, epure_font_bold_end};
+    case Face::mathematics:
+      return {epure_font_mathematics, epure_font_mathematics_end};
   }
   throw std::logic_error("no such face");
 }
@@ -56,7 +55,7 @@ FT_Library freetype() {
   static const auto library = [] {
     FT_Library opened = nullptr;
     if (FT_Init_FreeType(&opened)) throw std::runtime_error("FreeType does not start");
-    return std::unique_ptr<std::remove_pointer_t<FT_Library>, Releaser<FT_Done_FreeType>>(opened);
+    return Held<std::remove_pointer_t<FT_Library>, FT_Done_FreeType>(opened);
   }();
   return library.get();
 }
@@ -72,9 +71,9 @@ class Font {
     drawn_.reset(opened);
     if (drawn_->units_per_EM != static_cast<FT_UShort>(units_per_em))
       throw std::logic_error("a shipped font has other units than the rest");
-    std::unique_ptr<hb_blob_t, Releaser<hb_blob_destroy>> blob(hb_blob_create(
-        file.data(), static_cast<unsigned>(file.size()), HB_MEMORY_MODE_READONLY, nullptr, nullptr));
-    std::unique_ptr<hb_face_t, Releaser<hb_face_destroy>> face(hb_face_create(blob.get(), 0));
+    Held<hb_blob_t, hb_blob_destroy> blob(
+        hb_blob_create(file.data(), static_cast<unsigned>(file.size()), HB_MEMORY_MODE_READONLY, nullptr, nullptr));
+    Held<hb_face_t, hb_face_destroy> face(hb_face_create(blob.get(), 0));
     set_.reset(hb_font_create(face.get()));  // its scale is units_per_em, so metrics come out as they were designed
   }
 
@@ -91,8 +90,8 @@ class Font {
   std::map<unsigned, Box> inks;  // found so far
 
  private:
-  std::unique_ptr<FT_FaceRec, Releaser<FT_Done_Face>> drawn_;
-  std::unique_ptr<hb_font_t, Releaser<hb_font_destroy>> set_;
+  Held<FT_FaceRec, FT_Done_Face> drawn_;
+  Held<hb_font_t, hb_font_destroy> set_;
 };
 
 Font& font(Face face) {
@@ -135,7 +134,7 @@ bool has_glyph(Face face, char32_t character) {
 }
 
 ShapedLetters shape(Face face, std::string_view letters) {
-  const std::unique_ptr<hb_buffer_t, Releaser<hb_buffer_destroy>> buffer(hb_buffer_create());
+  const Held<hb_buffer_t, hb_buffer_destroy> buffer(hb_buffer_create());
   hb_buffer_add_utf8(buffer.get(), letters.data(), static_cast<int>(letters.size()), 0, -1);
   // Set, not guessed: a guess would look at the language of the machine.
   hb_buffer_set_direction(buffer.get(), HB_DIRECTION_LTR);

@@ -19,8 +19,8 @@ inline constexpr double units_per_em = 1000;
 
 struct ShapedGlyph {
   unsigned index = 0;
-  Point at;           // font units, from the start of the letters
-  std::string text;   // the characters it stands for, UTF-8 (several for a ligature); may be empty
+  Point at;          // font units, from the start of the letters
+  std::string text;  // the characters it stands for, UTF-8 (several for a ligature); may be empty
 };
 struct ShapedLetters {
   std::vector<ShapedGlyph> glyphs;

@@ -86,7 +86,7 @@ class Parser {
     }
   }
 
-  void give_script(std::vector<Node>& nodes, std::vector<Node> Node::* where, int depth) {
+  void give_script(std::vector<Node>& nodes, std::vector<Node> Node::*where, int depth) {
     if (nodes.empty()) nodes.emplace_back();  // it follows text outside: "m/s$^{2}$"
     leave_last_letter_alone(nodes);
     auto& script = nodes.back().*where;
@@ -113,8 +113,8 @@ class Parser {
   }
 
   static void append(std::vector<Node>& nodes, char32_t c, bool italic) {
-    const bool joins = !nodes.empty() && is_bare(nodes.back()) && !nodes.back().letters.empty() &&
-                       nodes.back().italic == italic;
+    const bool joins =
+        !nodes.empty() && is_bare(nodes.back()) && !nodes.back().letters.empty() && nodes.back().italic == italic;
     if (joins)
       nodes.back().letters += utf8(c);
     else

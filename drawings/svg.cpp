@@ -169,8 +169,8 @@ class Writer {
     const double scale = run.size / units_per_em;
     const Point start = run.glyphs.front().at;
     pugi::xml_node group = add(parent, "g");
-    set(group, "transform", fmt::format("translate({}) scale({:.7g} {:.7g})", pair(unrounded(baseline + start)),
-                                        scale, -scale));
+    set(group, "transform",
+        fmt::format("translate({}) scale({:.7g} {:.7g})", pair(unrounded(baseline + start)), scale, -scale));
     std::string letters;
     for (const SetGlyph& glyph : run.glyphs) {
       letters += glyph.text;

@@ -16,7 +16,8 @@ struct TextSize {
 TextSize measure(const std::string& rich_text, double size, Weight weight = Weight::regular);
 
 // Broken at spaces and line breaks (never inside $...$) so that no line is wider than `width` mm where possible.
-std::vector<std::string> wrap(const std::string& rich_text, double size, double width, Weight weight = Weight::regular);
+std::vector<std::string> wrap(const std::string& rich_text, double size, double width,
+                              Weight weight = Weight::regular);
 
 // The text without markup, for search, <desc> and reading aloud: "$\vec{v}_{BA}$" becomes "v_BA", "$a^{n}_{BA}$"
 // "a_BA^n".

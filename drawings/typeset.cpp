@@ -19,8 +19,8 @@ constexpr double lowered = 0.19;           // a subscript alone
 constexpr double lowered_in_stack = 0.25;  // with a superscript above it
 constexpr double raised = 0.38;
 constexpr double before_script = 0.02, after_script = 0.05;
-constexpr double least_script_gap = 0.1;   // between the two scripts of a stack
-constexpr double arrow_gap = 0.1;          // above the ink of the letters
+constexpr double least_script_gap = 0.1;  // between the two scripts of a stack
+constexpr double arrow_gap = 0.1;         // above the ink of the letters
 constexpr double arrow_least_length = 0.42;
 constexpr double arrow_thickness = 0.045;
 constexpr double arrow_head_length = 0.17, arrow_head_half_width = 0.085;
@@ -123,8 +123,14 @@ class Setter {
     const double head = arrow_head_half_width * size, thin = arrow_thickness * size / 2;
     const double y = ink_.high.y + arrow_gap * size + head;
     const double left = middle - half, right = middle + half, neck = right - arrow_head_length * size;
-    text_.arrows.push_back(polyline({{left, y - thin}, {neck, y - thin}, {neck, y - head}, {right, y},
-                                     {neck, y + head}, {neck, y + thin}, {left, y + thin}}, true));
+    text_.arrows.push_back(polyline({{left, y - thin},
+                                     {neck, y - thin},
+                                     {neck, y - head},
+                                     {right, y},
+                                     {neck, y + head},
+                                     {neck, y + thin},
+                                     {left, y + thin}},
+                                    true));
     ink_ = include(ink_, Box{{left, y - head}, {right, y + head}});
   }
 

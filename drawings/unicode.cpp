@@ -10,7 +10,7 @@ namespace {
 struct Lead {
   std::size_t length = 0;  // of the whole sequence, 0: not a first byte
   char32_t bits = 0;
-  char32_t least = 0;      // smaller values have a shorter form and must use it
+  char32_t least = 0;  // smaller values have a shorter form and must use it
 };
 
 Lead lead_of(unsigned char byte) {
@@ -34,8 +34,8 @@ char32_t next(std::string_view text, std::size_t& at) {
     c = (c << 6) | (byte & 0x3Fu);
   }
   if (!sound || c < lead.least || c > 0x10FFFF || is_surrogate(c))
-    throw std::invalid_argument(fmt::format("text is not UTF-8: byte 0x{:02X} at position {}",
-                                            static_cast<unsigned char>(text[at]), at));
+    throw std::invalid_argument(
+        fmt::format("text is not UTF-8: byte 0x{:02X} at position {}", static_cast<unsigned char>(text[at]), at));
   at += lead.length;
   return c;
 }

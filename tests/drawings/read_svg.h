@@ -1,0 +1,31 @@
+// An SVG file read back, by what it says and not by how it was made.
+#pragma once
+
+#include <map>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "drawings/picture.h"
+
+namespace epure::drawings {
+
+class SvgFile {
+ public:
+  explicit SvgFile(const std::string& bytes);
+
+  const pugi::xml_document& xml() const { return xml_; }
+  pugi::xml_node root() const { return xml_.child("svg"); }
+  std::vector<std::string> ids() const;                 // all, in document order
+  std::vector<std::string> references() const;          // what href and url(#..) point to
+  pugi::xml_node element(const std::string& id) const;  // fails the test when there is none
+  // The numbers of the path as points, in mm of the page.
+  std::vector<Point> points(const std::string& id) const;
+  // Between the first and the last point of the path.
+  double length(const std::string& id) const;
+
+ private:
+  pugi::xml_document xml_;
+};
+
+}  // namespace epure::drawings

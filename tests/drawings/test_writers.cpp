@@ -1,0 +1,351 @@
+#include <poppler-font.h>
+#include <poppler-page.h>
+
+#include <catch2/catch.hpp>
+#include <clocale>
+#include <locale>
+#include <random>
+#include <set>
+
+#include "drawings/grid.h"
+#include "drawings/page.h"
+#include "drawings/text.h"
+#include "drawings/vectors.h"
+#include "read_pdf.h"
+#include "read_svg.h"
+
+using namespace epure::drawings;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const Colour blue{0, 0x72 / 255.0, 0xB2 / 255.0, 1};
+
+Page page(std::vector<Primitive> primitives, Box extent = {{0, 0}, {297, 210}}) {
+  return {"demo", "Velocities: è ω <&\">", "Crank & rocker, v_B = 2.45 m/s",
+          extent, Language::english,       std::move(primitives)};
+}
+Stroke line(Point from, Point to, std::string name = {}) {
+  return {segment(from, to), 0.25, {}, blue, {}, std::move(name)};
+}
+PlacedText text(std::string rich, Point at) { return {std::move(rich), at, 3.5, {}, Weight::regular}; }
+Fill square(Point corner, double side, Colour colour, std::string name = {}) {
+  return {polyline({corner, corner + Point{side, 0}, corner + Point{side, side}, corner + Point{0, side}}, true),
+          colour,
+          {},
+          std::move(name)};
+}
+
+Page rich_page(const std::string& id = "demo") {
+  Page all = page({line({20, 30}, {120, 90}, "v_B"), line({20, 30}, {60, 10}, "v_A"),
+                   square({40, 40}, 20, {0, 0, 0, 0.06}, "plate"), text("$\\vec{v}_{BA}$ ⊥ BA", {30, 100}),
+                   text("1 cm ≙ 2.5 m/s", {30, 110}), text("$v_{B}$ = 2.45 m/s, $ω_3$ = $-13.2$ rad/s", {30, 120})});
+  all.id = id;
+  Stroke dashed{circle({100, 60}, 30), 0.18, {6, 1, 0.5, 1}, {}, Box{{80, 40}, {200, 80}}, "path_A"};
+  all.primitives.push_back(dashed);
+  all.primitives.push_back(PlacedText{"Slider-crank", {30, 150}, 5, blue, Weight::bold});
+  return all;
+}
+
+std::string complaint(const Page& bad) {
+  std::string message;
+  try {
+    write_svg(bad);
+  } catch (const std::invalid_argument& error) {
+    message = error.what();
+  }
+  // Both writers refuse the same things.
+  if (!message.empty()) CHECK_THROWS_WITH(write_pdf({bad}, "t"), message);
+  return message;
+}
+
+Point in_points_from_top(Point filed, Box extent) {
+  return {filed.x * points_per_mm - on_grid_in_points(extent.low.x),
+          on_grid_in_points(extent.high.y) - filed.y * points_per_mm};
+}
+
+}  // namespace
+
+TEST_CASE("a drawn length is found in the SVG by its name, as long as it was asked for") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> x(0, 297), y(0, 210);
+  double worst = 0;
+  for (int round = 0; round < 300; ++round) {
+    const Point a{x(random), y(random)}, b{x(random), y(random)};
+    const SvgFile svg(write_svg(page({line({1, 1}, {2, 2}), line(a, b, "v_B"), square(b, 3, blue)})));
+    const double found = svg.length("demo-v_B");
+    const double filed = distance(as_filed(a, Paper::a4), as_filed(b, Paper::a4));
+    CHECK(std::abs(found - filed) < 2e-5);  // the decimals of the file
+    CHECK(std::abs(found - distance(a, b)) < file_resolution * std::sqrt(2) + 2e-5);
+    worst = std::max(worst, std::abs(found - distance(a, b)));
+  }
+  CHECK(worst > file_resolution / 10);  // rounding is really there, and as_filed tells it
+}
+
+TEST_CASE("PDF and SVG hold each position where as_filed says, on whole pages and crops") {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> x(60, 180), y(40, 150);
+  for (const Box extent : {Box{{0, 0}, {297, 210}}, Box{{0, 0}, {420, 297}}, Box{{50.123, 33.333}, {200.777, 160.1}}})
+    for (int round = 0; round < 50; ++round) {
+      const Point a{x(random), y(random)}, b{x(random), y(random)};
+      const Page drawn = page({line(a, b, "v")}, extent);
+      const Point a_filed = as_filed(a, Paper::a4), b_filed = as_filed(b, Paper::a4);
+
+      const auto lines = drawn_lines(commands_of(write_pdf({drawn}, "t")));
+      REQUIRE(lines.size() == 1);
+      // Three decimals of a point are printed.
+      CHECK(distance(lines[0].from, in_points_from_top(a_filed, extent)) < 0.0005 * std::sqrt(2) + 1e-9);
+      CHECK(distance(lines[0].to, in_points_from_top(b_filed, extent)) < 0.0005 * std::sqrt(2) + 1e-9);
+
+      const auto corners = SvgFile(write_svg(drawn)).points("demo-v");
+      const Point corner{on_grid(extent.low.x), on_grid(extent.high.y)};
+      CHECK(corners[0].x == Approx(a_filed.x - corner.x).margin(1e-5));
+      CHECK(corners[0].y == Approx(corner.y - a_filed.y).margin(1e-5));
+      CHECK(corners[1].x == Approx(b_filed.x - corner.x).margin(1e-5));
+      CHECK(corners[1].y == Approx(corner.y - b_filed.y).margin(1e-5));
+    }
+}
+
+TEST_CASE("as_filed moves a point by at most half a step and then leaves it") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> x(-500, 500);
+  for (int round = 0; round < 1000; ++round) {
+    const Point p{x(random), x(random)}, once = as_filed(p, Paper::a3);
+    CHECK(std::abs(once.x - p.x) <= file_resolution / 2 * (1 + 1e-9));
+    CHECK(std::abs(once.y - p.y) <= file_resolution / 2 * (1 + 1e-9));
+    const Point twice = as_filed(once, Paper::a3);
+    CHECK((twice.x == once.x && twice.y == once.y));
+  }
+}
+
+TEST_CASE("the PDF has pages of the right size, its title, no author and no dates") {
+  const std::string bytes =
+      write_pdf({page({line({1, 1}, {9, 9})}), page({}, {{10, 20}, {110, 70}}), page({}, {{0, 0}, {420, 297}})},
+                "Slider-crank – è <title>");
+  const auto document = open_pdf(bytes);
+  REQUIRE(document->pages() == 3);
+  const double sizes[3][2] = {{297, 210}, {100, 50}, {420, 297}};
+  for (int i = 0; i < 3; ++i) {
+    const std::unique_ptr<poppler::page> opened(document->create_page(i));
+    CHECK(opened->page_rect().width() == Approx(sizes[i][0] / 25.4 * 72).margin(1e-3));
+    CHECK(opened->page_rect().height() == Approx(sizes[i][1] / 25.4 * 72).margin(1e-3));
+  }
+  const poppler::byte_array title = document->info_key("Title").to_utf8();
+  CHECK(std::string(title.begin(), title.end()) == "Slider-crank – è <title>");
+  CHECK_THAT(document->info_key("Creator").to_latin1(), Catch::StartsWith("epure "));
+  CHECK(document->info_key("Author").empty());
+  CHECK(bytes.find("CreationDate") == bytes.npos);
+  CHECK(bytes.find("ModDate") == bytes.npos);
+}
+
+TEST_CASE("the text of a PDF can be searched and copied") {
+  const auto document = open_pdf(write_pdf({rich_page()}, "t"));
+  const std::string found = text_of(*document, 0);
+  CHECK_THAT(found, Contains("v_BA ⊥ BA"));
+  CHECK_THAT(found, Contains("1 cm ≙ 2.5 m/s"));
+  CHECK_THAT(found, Contains("v_B = 2.45 m/s, ω_3 = −13.2 rad/s"));
+  CHECK_THAT(found, Contains("Slider-crank"));
+  CHECK_THAT(text_of(*open_pdf(write_pdf({page({text("affine efficiency", {20, 20})})}, "t")), 0),
+             Contains("affine efficiency"));
+}
+
+TEST_CASE("the PDF carries its fonts and no pixels") {
+  const std::string bytes = write_pdf({rich_page()}, "t");
+  const auto document = open_pdf(bytes);
+  const auto fonts = document->fonts();
+  CHECK(fonts.size() >= 3);
+  for (const poppler::font_info& font : fonts) {
+    CHECK(font.is_embedded());
+    CHECK_THAT(font.name(), Contains("STIXTwo"));
+  }
+  CHECK(bytes.find("/Image") == bytes.npos);
+}
+
+TEST_CASE("a page looks as it was composed: y upwards, colours, clips, order") {
+  Fill clipped = square({200, 50}, 40, {1, 0, 0, 1});
+  clipped.clip = Box{{200, 50}, {220, 90}};
+  Stroke arc{segment({10, 100}, {110, 100}), 2, {}, {0, 0.5, 0, 1}, Box{{50, 90}, {80, 110}}, ""};
+  const Page drawn = page({square({10, 180}, 20, blue), square({15, 185}, 10, {1, 1, 1, 1}), clipped, arc,
+                           square({100, 10}, 20, {0, 0, 0, 0.5})});
+  const auto document = open_pdf(write_pdf({drawn}, "t"));
+  const Picture seen(*document, 0, 4);
+  const auto looks = [&](double x, double y, Colour c) {
+    const Colour found = seen.at(x, 210 - y);
+    return std::abs(found.red - c.red) + std::abs(found.green - c.green) + std::abs(found.blue - c.blue) < 0.02;
+  };
+  CHECK(looks(12, 195, blue));
+  CHECK(looks(20, 190, {1, 1, 1}));  // drawn over it
+  CHECK(looks(12, 15, {1, 1, 1}));   // and not upside down
+  CHECK(looks(210, 70, {1, 0, 0}));
+  CHECK(looks(230, 70, {1, 1, 1}));  // clipped away
+  CHECK(looks(60, 100, {0, 0.5, 0}));
+  CHECK(looks(40, 100, {1, 1, 1}));
+  CHECK(looks(100.5, 100, {1, 1, 1}));
+  CHECK(looks(60, 100.9, {0, 0.5, 0}));  // 2 mm wide
+  CHECK(looks(60, 101.2, {1, 1, 1}));
+  CHECK(looks(110, 20, {0.5, 0.5, 0.5}));
+}
+
+TEST_CASE("the SVG has its size in millimetres and says what it shows") {
+  Page drawn = rich_page();
+  drawn.language = Language::italian;
+  const SvgFile svg(write_svg(drawn));
+  const pugi::xml_node root = svg.root();
+  CHECK(root.attribute("width").value() == std::string("297mm"));
+  CHECK(root.attribute("height").value() == std::string("210mm"));
+  CHECK(root.attribute("viewBox").value() == std::string("0 0 297 210"));
+  CHECK(root.attribute("role").value() == std::string("img"));
+  CHECK(root.attribute("lang").value() == std::string("it"));
+  CHECK(root.attribute("xml:lang").value() == std::string("it"));
+  CHECK(root.child("title").text().get() == drawn.title);
+  CHECK(root.child("desc").text().get() == drawn.description);
+  std::istringstream labels(root.attribute("aria-labelledby").value());
+  std::string title, description;
+  labels >> title >> description;
+  CHECK(svg.element(title) == root.child("title"));
+  CHECK(svg.element(description) == root.child("desc"));
+  const SvgFile english(write_svg(page({}, {{10.5, 20.25}, {110.5, 70}})));
+  CHECK(english.root().attribute("lang").value() == std::string("en"));
+  CHECK(english.root().attribute("viewBox").value() == std::string("0 0 100 49.75"));
+}
+
+TEST_CASE("a named mark is one element; a name given again is counted") {
+  Stroke outline = line({0, 0}, {10, 0}, "plate");
+  outline.dashes = {3, 1};
+  outline.clip = Box{{1, 2}, {4, 8}};
+  const SvgFile svg(
+      write_svg(page({square({0, 0}, 10, {0, 0, 0, 0.06}, "plate"), outline, line({0, 0}, {20, 0}, "plate-2"),
+                      line({0, 0}, {30, 0}, "plate"), line({0, 0}, {40, 0})})));
+  CHECK(svg.element("demo-plate").attribute("fill-opacity").value() == std::string("0.06"));
+  CHECK(svg.length("demo-plate-2") == Approx(10).margin(2e-3));
+  CHECK(svg.length("demo-plate-2-2") == Approx(20).margin(2e-3));
+  CHECK(svg.length("demo-plate-3") == Approx(30).margin(2e-3));
+  const pugi::xml_node dashed = svg.element("demo-plate-2");
+  CHECK(dashed.attribute("stroke").value() == std::string("#0072b2"));
+  CHECK(dashed.attribute("stroke-width").value() == std::string("0.25"));
+  CHECK(dashed.attribute("stroke-dasharray").value() == std::string("3 1"));
+  const std::string clip = dashed.attribute("clip-path").value();
+  const pugi::xml_node window = svg.element(clip.substr(5, clip.size() - 6)).child("rect");
+  CHECK(window.attribute("x").as_double() == Approx(1).margin(2e-3));
+  CHECK(window.attribute("y").as_double() == Approx(202).margin(2e-3));
+  CHECK(window.attribute("width").as_double() == Approx(3).margin(3e-3));
+  CHECK(window.attribute("height").as_double() == Approx(6).margin(3e-3));
+}
+
+TEST_CASE("ids are unique, begin with the drawing's, and every reference finds its element") {
+  const SvgFile one(write_svg(rich_page("one"))), two(write_svg(rich_page("two")));
+  const auto ids = one.ids();
+  CHECK(ids.size() > 20);
+  const std::set<std::string> distinct(ids.begin(), ids.end());
+  CHECK(distinct.size() == ids.size());
+  for (const std::string& id : ids) CHECK((id == "one" || id.starts_with("one-")));
+  for (const std::string& id : two.ids()) CHECK_FALSE(distinct.contains(id));
+  const auto references = one.references();
+  CHECK(references.size() > 50);
+  for (const std::string& reference : references) CHECK(distinct.contains(reference));
+}
+
+TEST_CASE("unseen letters lie over the outlines of the SVG") {
+  const SvgFile svg(write_svg(page({text("$\\vec{v}_{BA}$ < & ⊥ BA", {30, 100}), text("   ", {0, 0})})));
+  const auto found = svg.xml().select_nodes("//text");
+  REQUIRE(found.size() == 1);
+  const pugi::xml_node words = found.first().node();
+  CHECK(words.text().get() == std::string("v_BA < & ⊥ BA"));
+  CHECK(words.parent().attribute("fill-opacity").value() == std::string("0"));
+  CHECK(words.attribute("x").as_double() == Approx(30).margin(1e-3));
+  CHECK(words.attribute("y").as_double() == Approx(110).margin(1e-3));
+  CHECK(words.attribute("font-size").as_double() == 3.5);
+  CHECK(words.attribute("textLength").as_double() == Approx(measure("$\\vec{v}_{BA}$ < & ⊥ BA", 3.5).width));
+  CHECK(svg.xml().select_nodes("//use").size() == 8);  // v, B, A, <, &, ⊥, B, A; spaces draw nothing
+}
+
+TEST_CASE("the same page is the same file, whatever was drawn before and in whatever locale") {
+  const std::string pdf = write_pdf({rich_page()}, "Title"), svg = write_svg(rich_page());
+  CHECK(write_pdf({rich_page()}, "Title") == pdf);
+  CHECK(write_svg(rich_page()) == svg);
+  for (int i = 0; i < 5; ++i) {
+    write_svg(rich_page("other"));
+    write_pdf({rich_page("other"), page({text("αβγ ①", {20, 20})})}, "Other");
+  }
+  CHECK(write_pdf({rich_page()}, "Title") == pdf);
+  CHECK(write_svg(rich_page()) == svg);
+
+  struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+  const char* taken = std::setlocale(LC_ALL, "it_IT.UTF-8");
+  if (!taken) taken = std::setlocale(LC_ALL, "de_DE.UTF-8");
+  const std::string pdf_comma = write_pdf({rich_page()}, "Title"), svg_comma = write_svg(rich_page());
+  std::setlocale(LC_ALL, "C");
+  std::locale::global(before);
+  CHECK(pdf_comma == pdf);
+  CHECK(svg_comma == svg);
+  if (!taken) WARN("no C locale with a decimal comma on this machine: only the C++ locale was changed");
+}
+
+TEST_CASE("numbers that no file should hold are refused by name") {
+  const double inf = INFINITY, nan = NAN;
+  CHECK_THAT(complaint(page({line({0, 0}, {nan, 1}, "v_B")})), Contains("'v_B'") && Contains("nan"));
+  CHECK_THAT(complaint(page({line({-inf, 0}, {1, 1}, "v_B")})), Contains("'v_B'") && Contains("inf"));
+  CHECK_THAT(complaint(page({line({0, 1e9}, {1, 1}, "v_B")})), Contains("'v_B'"));
+  CHECK_THAT(complaint(page({Stroke{circle({0, 0}, 20000), 0.2, {}, {}, {}, "big"}})), Contains("'big'"));
+  Stroke bad = line({0, 0}, {1, 1}, "k");
+  for (const double width : {nan, 0.0, -1.0, 1e6}) {
+    bad.width = width;
+    CHECK_THAT(complaint(page({bad})), Contains("'k'") && Contains("width"));
+  }
+  bad.width = 0.2;
+  for (const auto& dashes : std::vector<std::vector<double>>{{nan}, {-1, 2}, {0, 0}, {1e-9, 1e-9}, {1e9}}) {
+    bad.dashes = dashes;
+    CHECK_THAT(complaint(page({bad})), Contains("'k'") && Contains("dash"));
+  }
+  bad.dashes = {};
+  bad.colour.red = 1.5;
+  CHECK_THAT(complaint(page({bad})), Contains("'k'") && Contains("red"));
+  bad.colour = {0, 0, 0, nan};
+  CHECK_THAT(complaint(page({bad})), Contains("opacity"));
+  bad.colour = {};
+  bad.clip = Box{{5, 5}, {1, nan}};
+  CHECK_THAT(complaint(page({bad})), Contains("'k'") && Contains("clip"));
+  Fill area = square({0, 0}, nan, blue, "plate");
+  CHECK_THAT(complaint(page({area})), Contains("'plate'"));
+  Path curve = circle({50, 50}, 10);
+  curve.pieces[3].first_control.x = nan;
+  CHECK_THAT(complaint(page({Stroke{curve, 0.2, {}, {}, {}, "c"}})), Contains("'c'"));
+  PlacedText label = text("$P_0$", {nan, 0});
+  CHECK_THAT(complaint(page({label})), Contains("$P_0$"));
+  label = text("$P_0$", {1, 1});
+  label.size = 1e4;
+  CHECK_THAT(complaint(page({label})), Contains("$P_0$") && Contains("size"));
+  CHECK_THAT(complaint(page({text("$P_0", {1, 1})})), Contains("$P_0"));
+  CHECK_THAT(complaint(page({}, {{0, 0}, {nan, 10}})), Contains("demo"));
+  CHECK_THAT(complaint(page({}, {{0, 0}, {0, 10}})), Contains("demo"));
+  CHECK_THAT(complaint(page({}, {{0, 0}, {1e5, 10}})), Contains("demo"));
+}
+
+TEST_CASE("names and titles that would break a file are refused") {
+  for (const std::string name : {"v B", "a\"b", "è", "-v", "a#b", "<x>"})
+    CHECK_THAT(complaint(page({line({0, 0}, {1, 1}, name)})), Contains("name"));
+  Page bad = page({});
+  bad.id = "";
+  CHECK_THAT(complaint(bad), Contains("id"));
+  bad.id = "a b";
+  CHECK_THAT(complaint(bad), Contains("a b"));
+  bad = page({});
+  bad.title = "a\x01z";
+  CHECK_THAT(complaint(bad), Contains("title"));
+  bad = page({});
+  bad.description = "\xFF";
+  CHECK_THAT(complaint(bad), Contains("description"));
+  CHECK_THROWS_AS(write_pdf({page({})}, "\xFF"), std::invalid_argument);
+  CHECK_THROWS_AS(write_pdf({}, "t"), std::invalid_argument);
+}
+
+TEST_CASE("the largest dashed circle that is accepted stays cheap") {
+  const Stroke large{circle({0, 0}, 9990), 0.18, {1, 0.5}, {}, Box{{0, 0}, {297, 210}}, "c"};
+  CHECK(write_pdf({page({large})}, "t").size() < 20000);
+  CHECK(write_svg(page({large})).size() < 20000);
+}
