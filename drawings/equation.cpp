@@ -78,7 +78,7 @@ void set_block(Galley& galley, const VectorEquation& equation, Language language
     centred(galley, term.magnitude, middle, third, size);
     x += columns.terms[i] + columns.gap;
   }
-  galley.down(galley.top() - third + (0.45 + 0.5 * galley.air()) * size);
+  galley.down(galley.top() - third + (0.5 + 0.75 * galley.air()) * size);
 }
 
 }  // namespace epure::drawings

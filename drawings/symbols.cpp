@@ -186,6 +186,7 @@ void draw_mark(Canvas& canvas, const Dimension& dimension) {
 }
 
 void centred_text(Canvas& canvas, const std::string& text, Point baseline_middle, double size) {
+  if (text.empty()) return;
   const double width = measure(text, size).width;
   canvas.text({text, baseline_middle - Point{width / 2, 0}, size, black, Weight::regular});
 }

@@ -1,0 +1,224 @@
+// Labels touch neither lines nor each other; where that is impossible, it is said.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <random>
+
+#include "drawings/labels.h"
+#include "drawings/output.h"
+#include "drawings/page.h"
+#include "tests/drawings/probe.h"
+
+using namespace epure::drawings;
+
+namespace {
+
+const Box area = drawing_area(Paper::a4);
+
+Sheet bare(Figure figure) {
+  Sheet sheet;
+  sheet.id = "crowd";
+  sheet.bare = true;
+  sheet.figure = std::move(figure);
+  return sheet;
+}
+
+unsigned seed() {
+  const char* given = std::getenv("EPURE_SEED");
+  return given ? static_cast<unsigned>(std::strtoul(given, nullptr, 10)) : std::random_device{}();
+}
+
+Figure star(int rays) {
+  Figure figure;
+  const Point centre = middle(area);
+  for (int i = 0; i < rays; ++i) {
+    const Point tip = centre + 40 * direction(2 * std::numbers::pi * i / rays);
+    figure.marks.push_back(Arrow{centre, tip});
+    figure.labels.push_back({"$v_{" + std::to_string(i) + "}$", centre, tip, Meaning::velocity});
+    figure.labels.push_back({"$P_{" + std::to_string(i) + "}$", tip});
+  }
+  return figure;
+}
+
+Figure four_bar_with_circles() {
+  Figure figure;
+  const Point a0 = area.low + Point{40, 40}, a = a0 + Point{20, 35}, b = a0 + Point{85, 55}, b0 = a0 + Point{90, 0};
+  figure.marks = {Line{segment(a0, b0), Meaning::axis}, Line{polyline({a0, a, b, b0}, false), Meaning::link},
+                  Line{circle(a0, distance(a0, a)), Meaning::axis}, Line{circle(b0, distance(b0, b)), Meaning::axis},
+                  FixedHinge{a0}, FixedHinge{b0}, Hinge{a}, Hinge{b},
+                  Line{segment(a0, a0 + 4.2 * (a - a0)), Meaning::construction},
+                  Line{segment(b0, b0 + 2.2 * (b - b0)), Meaning::construction},
+                  Arrow{a, a + Point{-17, 10}}, Arrow{b, b + Point{-20, -2}}};
+  figure.labels = {{"$A_{0}$", a0}, {"$B_{0}$", b0}, {"A", a}, {"B", b},
+                   {"$\\vec{v}_{A}$", a, a + Point{-17, 10}, Meaning::velocity},
+                   {"$\\vec{v}_{B}$", b, b + Point{-20, -2}, Meaning::velocity},
+                   {"2", a0, a}, {"3", a, b}, {"4", b0, b}, {"1", a0, b0}};
+  figure.steps = {{1, a}, {2, b}, {3, between(a0, a, 0.5)}, {12, between(b0, b, 0.5)}};
+  return figure;
+}
+
+Figure random_figure(std::mt19937& random, int lines, int points) {
+  std::uniform_real_distribution<double> x(area.low.x + 8, area.high.x - 8), y(area.low.y + 8, area.high.y - 8);
+  std::uniform_real_distribution<double> radius(5, 45), turn(-4, 4);
+  const auto any = [&] { return Point{x(random), y(random)}; };
+  Figure figure;
+  for (int i = 0; i < lines; ++i) {
+    figure.marks.push_back(Line{segment(any(), any()), i % 2 ? Meaning::link : Meaning::construction});
+    if (i % 4 == 0) figure.marks.push_back(Line{circle(any(), radius(random)), Meaning::locus});
+    if (i % 5 == 0) figure.marks.push_back(FixedHinge{any(), turn(random)});
+  }
+  for (int i = 0; i < points; ++i) {
+    const Point p = any(), tip = p + 25 * direction(turn(random));
+    figure.marks.push_back(Dot{p});
+    figure.labels.push_back({"$P_{" + std::to_string(i) + "}$", p, {}, Meaning::text, any()});
+    if (i % 3 == 0) {
+      figure.marks.push_back(Arrow{p, tip});
+      figure.labels.push_back({"$\\vec{v}_{" + std::to_string(i) + "}$", p, tip, Meaning::velocity});
+    }
+    if (i % 4 == 0) figure.steps.push_back({i + 1, any()});
+  }
+  return figure;
+}
+
+void require_undisturbed(const Figure& figure) {
+  std::vector<std::string> conflicts;
+  const Page page = compose(bare(figure), &conflicts);
+  CHECK(conflicts == std::vector<std::string>{});
+  CHECK(probe::disturbed(page, area) == std::vector<std::string>{});
+  CHECK(probe::all<PlacedText>(page).size() == figure.labels.size() + figure.steps.size());
+}
+
+bool mentions(const std::vector<std::string>& conflicts, const std::string& text) {
+  for (const std::string& conflict : conflicts)
+    if (conflict.find("'" + text + "'") != std::string::npos || conflict.find("step " + text) != std::string::npos)
+      return true;
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("labels of crowded figures touch nothing") {
+  SECTION("a four-bar linkage with its circles, velocities and steps") { require_undisturbed(four_bar_with_circles()); }
+  SECTION("twelve vectors from one point") { require_undisturbed(star(12)); }
+  SECTION("twenty points in a row, four millimetres apart") {
+    Figure figure;
+    for (int i = 0; i < 20; ++i) {
+      const Point p = area.low + Point{50 + 4.0 * i, 80};
+      figure.marks.push_back(Dot{p});
+      figure.labels.push_back({"$P_{" + std::to_string(i) + "}$", p});
+    }
+    figure.marks.push_back(Line{segment(area.low + Point{45, 80}, area.low + Point{135, 80}), Meaning::link});
+    require_undisturbed(figure);
+  }
+  SECTION("twelve points on the border of the drawing area") {
+    Figure figure;
+    for (int i = 0; i < 12; ++i) {
+      const Point p = i < 6 ? Point{area.low.x, area.low.y + 25.0 * i} : Point{area.low.x + 25.0 * (i - 6), area.high.y};
+      figure.marks.push_back(Dot{p});
+      figure.labels.push_back({"$Q_{" + std::to_string(i) + "}$", p});
+    }
+    require_undisturbed(figure);
+  }
+}
+
+TEST_CASE("a label finds the side it was asked for when that side is free") {
+  const Point p = middle(area);
+  for (int i = 0; i < 8; ++i) {
+    const Point u = direction(i * std::numbers::pi / 4);
+    Figure figure;
+    figure.marks = {Dot{p}};
+    figure.labels = {{"A", p, {}, Meaning::text, p - 10 * u}};
+    const auto texts = probe::all<PlacedText>(compose(bare(figure)));
+    REQUIRE(texts.size() == 1);
+    const Point centre = middle(probe::text_box(texts[0]));
+    CHECK(dot(unit(p, centre), u) > 0.9);
+    CHECK(distance(p, nearest_in(probe::text_box(texts[0]), p)) < 2);
+  }
+}
+
+TEST_CASE("a vector's label stands beside its middle, on the outer side") {
+  const Point from = middle(area), to = from + Point{30, 12};
+  for (const double side : {1.0, -1.0}) {
+    Figure figure;
+    figure.marks = {Arrow{from, to}};
+    const Point inner = between(from, to, 0.5) - side * 20 * left_of(unit(from, to));
+    figure.labels = {{"$\\vec{v}$", from, to, Meaning::velocity, inner}};
+    const auto texts = probe::all<PlacedText>(compose(bare(figure)));
+    REQUIRE(texts.size() == 1);
+    const Point centre = middle(probe::text_box(texts[0]));
+    CHECK(side * dot(left_of(unit(from, to)), centre - from) > 0);
+    CHECK(distance(centre, between(from, to, 0.5)) < 6);
+  }
+}
+
+TEST_CASE("random figures: what is not free is reported, and little is not free") {
+  const unsigned start = seed();
+  std::mt19937 random(start);
+  INFO("EPURE_SEED=" << start);
+  std::size_t labels = 0, reported = 0;
+  for (int round = 0; round < 25; ++round) {
+    const Figure figure = random_figure(random, 6 + round, 8 + round / 2);
+    std::vector<std::string> conflicts;
+    const Page page = compose(bare(figure), &conflicts);
+    for (const std::string& text : probe::disturbed(page, area)) CHECK(mentions(conflicts, text));
+    for (const PlacedText& text : probe::all<PlacedText>(page)) CHECK(contains(grown(area, 1e-9), probe::text_box(text)));
+    labels += figure.labels.size() + figure.steps.size();
+    reported += conflicts.size();
+  }
+  // Observed: none in 33,720 labels from 60 seeds.
+  CHECK(static_cast<double>(reported) < 0.005 * static_cast<double>(labels));
+}
+
+TEST_CASE("a crowd too dense is reported, label by label") {
+  Figure figure;
+  for (double y = area.low.y; y < area.high.y; y += 1.5)
+    figure.marks.push_back(Line{segment({area.low.x, y}, {area.high.x, y}), Meaning::construction});
+  figure.labels = {{"A", middle(area)}, {"B", middle(area) + Point{20, 0}}, {"C", middle(area), area.low}};
+  figure.steps = {{7, middle(area)}};
+  const std::vector<std::string> conflicts = overlaps(bare(figure));
+  for (const std::string name : {"A", "B", "C", "7"}) {
+    INFO(name);
+    CHECK(mentions(conflicts, name));
+  }
+}
+
+TEST_CASE("labels that must overlap each other are reported") {
+  // A space for two labels at most, and five to place: the machine itself, without a sheet around it.
+  const Box room{{0, 0}, {14, 6}};
+  const std::vector<LabelBox> labels(5, LabelBox{5, 4, {7, 3}});
+  const auto places = place_labels(labels, Obstacles(room), room);
+  std::size_t touching = 0;
+  for (const Place& place : places) {
+    REQUIRE(place.found);
+    CHECK(contains(room, place.box));
+    touching += place.touches.size();
+  }
+  CHECK(touching > 0);
+}
+
+TEST_CASE("labels of things off the drawing are left out and reported") {
+  Figure figure;
+  figure.labels = {{"far", {500, 500}}, {"near", middle(area)}};
+  std::vector<std::string> conflicts;
+  const Page page = compose(bare(figure), &conflicts);
+  CHECK(probe::all<PlacedText>(page).size() == 1);
+  REQUIRE(conflicts.size() == 1);
+  CHECK(conflicts[0] == "label 'far' has no place inside the drawing area");
+}
+
+TEST_CASE("distances between boxes and segments agree with sampling") {
+  const unsigned start = seed();
+  std::mt19937 random(start);
+  INFO("EPURE_SEED=" << start);
+  std::uniform_real_distribution<double> number(-10, 10);
+  for (int round = 0; round < 2000; ++round) {
+    const Point p{number(random), number(random)}, q{number(random), number(random)};
+    const Box box = include(include(nothing(), p), q);
+    const Point a{number(random), number(random)}, b{number(random), number(random)};
+    double least = INFINITY;
+    for (int i = 0; i <= 4000; ++i) {
+      const Point on = between(a, b, i / 4000.0);
+      least = std::min(least, distance(on, nearest_in(box, on)));
+    }
+    CHECK(gap(box, a, b) == Approx(least).margin(0.01));
+  }
+}
