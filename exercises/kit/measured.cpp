@@ -1,0 +1,57 @@
+// Numbers a reader measured with a ruler.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "exercises/kit/checked.h"
+#include "exercises/kit/decimal.h"
+
+namespace epure {
+namespace {
+
+// Of several sheets the one with the smallest scale: nobody says which one was measured.
+const OnSheet* coarsest(const CheckedQuantity& quantity) {
+  const auto found = std::max_element(quantity.on_sheets.begin(), quantity.on_sheets.end(),
+                                      [](const OnSheet& a, const OnSheet& b) { return a.per_mm < b.per_mm; });
+  return found == quantity.on_sheets.end() ? nullptr : &*found;
+}
+
+struct Allowance {
+  Rational size;
+  std::string by;
+};
+Allowance allowance(const CheckedQuantity& quantity, const Decimal& number, const Rational& reading) {
+  if (const OnSheet* shown = coarsest(quantity))
+    return {reading * Rational(shown->per_mm),
+            fmt::format("{} mm on sheet {}", CGAL::to_double(reading), shown->sheet)};
+  return {number.half_unit, "half a unit of its last digit, as no sheet shows it"};
+}
+
+}  // namespace
+
+void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std::string& text,
+                  const Rational& reading) {
+  const Decimal number = read_decimal(text, quantity.spec.unit);
+  const Allowance allowed = allowance(quantity, number, reading);
+  Measured measured{.text = text,
+                    .value = CGAL::to_double(number.value),
+                    .allowed = CGAL::to_double(allowed.size),
+                    .allowed_by = allowed.by};
+  if (has_value(quantity.settled)) {
+    const double value = quantity.settled.enclosure.value;
+    const Rational more = excess(number, value);
+    measured.difference = CGAL::to_double(more);
+    measured.difference_percent = percent(more, value);
+    measured.within = CGAL::abs(more) <= allowed.size;
+    if (!measured.within)
+      checked.failures.push_back(fmt::format("{}: measured {} is beyond reading: {:.3g} off, {:.3g} allowed ({})",
+                                             quantity.spec.name, text, CGAL::to_double(CGAL::abs(more)),
+                                             measured.allowed, measured.allowed_by));
+  } else {
+    checked.failures.push_back(fmt::format("{}: measured {}, but there is no value to compare with ({})",
+                                           quantity.spec.name, text, quantity.settled.reason));
+  }
+  quantity.measured.push_back(std::move(measured));
+}
+
+}  // namespace epure

@@ -1,0 +1,16 @@
+// What to say when a name is not known.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace epure {
+
+// "did you mean omega_3?" for the known names nearest to `wrong` (at most three); when none is near, "known are: "
+// and the names, or the first of them when there are many. No full stop and no capital: the end of a sentence.
+std::string did_you_mean(const std::string& wrong, const std::vector<std::string>& known);
+
+// "a, b or c".
+std::string alternatives(const std::vector<std::string>& names);
+
+}  // namespace epure
