@@ -1,0 +1,124 @@
+#include "exercises/cli/catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "exercises/kit/suggest.h"
+
+namespace epure {
+namespace {
+
+void demand_sheet(const Exercise& exercise, const std::string& sheet) {
+  std::vector<std::string> names;
+  for (const SheetSpec& spec : exercise.about().sheets) names.push_back(spec.name);
+  if (std::find(names.begin(), names.end(), sheet) == names.end())
+    throw WrongUsage(
+        fmt::format("{} has no sheet \"{}\"; {}", exercise.about().id, sheet, did_you_mean(sheet, names)));
+}
+
+Target find_target(const Catalogue& exercises, const std::string& name) {
+  const auto slash = name.find('/');
+  Target target{&find_exercise(exercises, name.substr(0, slash))};
+  if (slash == std::string::npos) return target;
+  target.sheet = name.substr(slash + 1);
+  demand_sheet(*target.exercise, target.sheet);
+  return target;
+}
+
+bool has_symbol(const Exercise& exercise, const std::string& symbol) {
+  const auto& givens = exercise.about().givens;
+  return std::any_of(givens.begin(), givens.end(), [&](const GivenSpec& given) { return given.symbol == symbol; });
+}
+
+std::string symbol_of(const std::string& assignment) { return assignment.substr(0, assignment.find('=')); }
+
+void refuse_repetitions(const std::vector<std::string>& assignments) {
+  std::set<std::string> seen;
+  for (const std::string& assignment : assignments)
+    if (!seen.insert(symbol_of(assignment)).second)
+      throw WrongUsage(fmt::format("{} is set twice; which value is meant?", symbol_of(assignment)));
+}
+
+// Among several exercises a symbol may be unknown to some, but not to all.
+void demand_an_owner(const std::vector<const Exercise*>& exercises, const std::string& assignment) {
+  const std::string symbol = symbol_of(assignment);
+  if (std::any_of(exercises.begin(), exercises.end(), [&](auto exercise) { return has_symbol(*exercise, symbol); }))
+    return;
+  std::vector<std::string> known;
+  for (const Exercise* exercise : exercises)
+    for (const GivenSpec& given : exercise->about().givens)
+      if (std::find(known.begin(), known.end(), given.symbol) == known.end()) known.push_back(given.symbol);
+  throw WrongUsage(fmt::format("\"{}\" is no given of any exercise named; {}", symbol, did_you_mean(symbol, known)));
+}
+
+}  // namespace
+
+const Exercise& find_exercise(const Catalogue& exercises, const std::string& id) {
+  std::vector<std::string> ids;
+  for (const auto& exercise : exercises) {
+    if (exercise->about().id == id) return *exercise;
+    ids.push_back(exercise->about().id);
+  }
+  throw WrongUsage(fmt::format("there is no exercise \"{}\"; {}", id, did_you_mean(id, ids)));
+}
+
+std::vector<Target> find_targets(const Catalogue& exercises, const std::vector<std::string>& names) {
+  std::vector<Target> targets;
+  const auto add = [&](const Target& added) {
+    if (std::none_of(targets.begin(), targets.end(), [&](const Target& target) {
+          return target.exercise == added.exercise && target.sheet == added.sheet;
+        }))
+      targets.push_back(added);
+  };
+  for (const std::string& name : names) {
+    if (name != "all") {
+      add(find_target(exercises, name));
+      continue;
+    }
+    for (const auto& exercise : exercises) add({exercise.get()});
+  }
+  if (targets.empty()) throw WrongUsage("no exercise named; name one, or say all (epure list shows them)");
+  return targets;
+}
+
+std::vector<const Exercise*> find_exercises(const Catalogue& exercises, const std::vector<std::string>& ids) {
+  std::vector<const Exercise*> found;
+  for (const Target& target : find_targets(exercises, ids)) {
+    if (!target.sheet.empty())
+      throw WrongUsage(fmt::format("\"{}/{}\" is a sheet; only whole exercises can be checked",
+                                   target.exercise->about().id, target.sheet));
+    found.push_back(target.exercise);
+  }
+  return found;
+}
+
+std::vector<std::string> Target::sheets() const {
+  if (!sheet.empty()) return {sheet};
+  std::vector<std::string> names;
+  for (const SheetSpec& spec : exercise->about().sheets) names.push_back(spec.name);
+  return names;
+}
+
+std::string Target::file_stem() const { return exercise->about().id + (sheet.empty() ? "" : "-" + sheet); }
+
+std::vector<Givens> set_givens(const std::vector<const Exercise*>& exercises,
+                               const std::vector<std::string>& assignments) {
+  refuse_repetitions(assignments);
+  if (exercises.size() > 1)  // of a single exercise Givens knows better what to say
+    for (const std::string& assignment : assignments)
+      if (assignment.find('=') != std::string::npos) demand_an_owner(exercises, assignment);
+  std::vector<Givens> all;
+  for (const Exercise* exercise : exercises) {
+    all.emplace_back(exercise->about().givens);
+    for (const std::string& assignment : assignments) {
+      const bool well_formed = assignment.find('=') != std::string::npos;
+      if (!well_formed || exercises.size() == 1 || has_symbol(*exercise, symbol_of(assignment)))
+        all.back().set(assignment);
+    }
+  }
+  return all;
+}
+
+}  // namespace epure

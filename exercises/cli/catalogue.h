@@ -1,0 +1,39 @@
+// Finding exercises and sheets by the names a user types.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "exercises/kit/exercise.h"
+
+namespace epure {
+
+using Catalogue = std::vector<std::unique_ptr<Exercise>>;
+
+// The user asked for something that does not exist; the message is one sentence (exit code 2).
+struct WrongUsage : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+const Exercise& find_exercise(const Catalogue& exercises, const std::string& id);
+
+// The exercises named, each once, in the order named; "all" stands for all of them.
+std::vector<const Exercise*> find_exercises(const Catalogue& exercises, const std::vector<std::string>& ids);
+
+// What to draw of an exercise: one sheet, or all of them.
+struct Target {
+  const Exercise* exercise;
+  std::string sheet = {};  // empty: all
+  std::vector<std::string> sheets() const;
+  std::string file_stem() const;  // "ID" or "ID-SHEET"
+};
+// The same for ID and ID/SHEET.
+std::vector<Target> find_targets(const Catalogue& exercises, const std::vector<std::string>& names);
+
+// The givens of each exercise, with the assignments that apply to it. Throws WrongUsage for an assignment that
+// applies to none of them, or is made twice; BadGivens as Givens does.
+std::vector<Givens> set_givens(const std::vector<const Exercise*>& exercises,
+                               const std::vector<std::string>& assignments);
+
+}  // namespace epure

@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "exercises/cli/report.h"
+#include "exercises/cli/verbs.h"
+#include "exercises/kit/suggest.h"
+#include "geometry/numbers/given.h"
+
+namespace epure {
+namespace {
+
+Rung rung(const Options& options) {
+  if (options.arithmetic == "fast") return Rung::fast;
+  if (options.arithmetic == "bounded") return Rung::bounded;
+  if (options.arithmetic == "exact") return Rung::climb;
+  throw WrongUsage(
+      fmt::format("\"{}\" is no arithmetic of epure; choose fast, bounded or exact", options.arithmetic));
+}
+
+// In millimetres of paper.
+Rational reading(const Options& options) {
+  Rational length;
+  try {
+    length = geometry::parse_given(options.reading, "mm");
+  } catch (const geometry::BadGiven& unreadable) {
+    throw WrongUsage(fmt::format("--reading: {}", unreadable.what()));
+  }
+  if (length <= 0 || length > 1000)
+    throw WrongUsage(fmt::format("--reading {}: must be positive and at most 1000 mm", options.reading));
+  return length;
+}
+
+// "v_B=5.25m/s", taken apart.
+struct MeasuredText {
+  std::string name, value;
+};
+std::vector<MeasuredText> measured_texts(const Options& options) {
+  std::vector<MeasuredText> texts;
+  for (const std::string& typed : options.measured) {
+    const auto equals = typed.find('=');
+    if (equals == 0 || equals == std::string::npos)
+      throw WrongUsage(fmt::format("\"{}\" is no measured number; write name=value, such as omega_3=13", typed));
+    texts.push_back({typed.substr(0, equals), typed.substr(equals + 1)});
+  }
+  return texts;
+}
+
+void demand_known(const std::vector<const Exercise*>& exercises, const std::vector<MeasuredText>& texts) {
+  std::vector<std::string> known;
+  for (const Exercise* exercise : exercises)
+    for (const QuantitySpec& spec : exercise->about().quantities)
+      if (std::find(known.begin(), known.end(), spec.name) == known.end()) known.push_back(spec.name);
+  for (const MeasuredText& text : texts)
+    if (std::find(known.begin(), known.end(), text.name) == known.end())
+      throw WrongUsage(
+          fmt::format("--measured: there is no quantity \"{}\"; {}", text.name, did_you_mean(text.name, known)));
+}
+
+void add_all_measured(CheckedExercise& checked, const std::vector<MeasuredText>& texts, const Rational& reading_mm) {
+  for (const MeasuredText& text : texts)
+    for (CheckedQuantity& quantity : checked.quantities) {
+      if (quantity.spec.name != text.name) continue;
+      try {
+        add_measured(checked, quantity, text.value, reading_mm);
+      } catch (const geometry::BadGiven& unreadable) {
+        throw WrongUsage(fmt::format("--measured {}: {}", text.name, unreadable.what()));
+      }
+    }
+}
+
+}  // namespace
+
+CheckOutcome check(const Catalogue& exercises, const Options& options) {
+  const std::vector<const Exercise*> chosen = find_exercises(exercises, options.names);
+  const Rung number = rung(options);
+  const Rational reading_mm = reading(options);
+  const std::vector<MeasuredText> texts = measured_texts(options);
+  demand_known(chosen, texts);
+  const std::vector<Givens> givens = set_givens(chosen, options.assignments);
+
+  std::vector<CheckedExercise> checked;
+  CheckOutcome outcome;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    checked.push_back(check(*chosen[i], givens[i], number));
+    add_all_measured(checked.back(), texts, reading_mm);
+    outcome.passed = outcome.passed && checked.back().passed();
+    if (!options.json) outcome.report += (i == 0 ? "" : "\n") + text_report(checked.back());
+  }
+  if (options.json) outcome.report = json_report(checked);
+  return outcome;
+}
+
+}  // namespace epure

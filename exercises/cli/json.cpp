@@ -1,0 +1,84 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "exercises/cli/report.h"
+#include "exercises/cli/symbol.h"
+#include "geometry/numbers/given.h"
+
+namespace epure {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using geometry::Settled;
+
+// Numbers are written with the fewest digits that read back as the same double; what is not finite is null.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+void add_value(Json& json, const Settled& settled) {
+  const bool has_number = has_value(settled);
+  const bool has_bounds = has_number && settled.kind != Settled::Kind::unbounded;
+  json["value"] = has_number ? number(settled.enclosure.value) : Json(nullptr);
+  json["lower"] = has_bounds ? number(settled.enclosure.lower) : Json(nullptr);
+  json["upper"] = has_bounds ? number(settled.enclosure.upper) : Json(nullptr);
+  if (settled.kind == Settled::Kind::absent) json["absent"] = settled.reason;
+  if (settled.kind == Settled::Kind::undecided) json["absent"] = "undecided";
+}
+
+Json printed(const PrintedVerdict& verdict) {
+  Json json = {{"text", verdict.text},
+               {"route", verdict.route},
+               {"difference_percent", number(verdict.difference_percent)},
+               {"verdict", name(verdict.verdict)}};
+  if (verdict.explanation) json["explanation"] = verdict.explanation->in(Language::english);
+  return json;
+}
+
+Json measured(const Measured& number_read) {
+  return {{"text", number_read.text},
+          {"value", number(number_read.value)},
+          {"difference", number(number_read.difference)},
+          {"difference_percent", number(number_read.difference_percent)},
+          {"allowed", number(number_read.allowed)},
+          {"allowed_by", number_read.allowed_by},
+          {"verdict", verdict(number_read)}};
+}
+
+Json quantity(const CheckedQuantity& checked) {
+  Json json = {
+      {"name", checked.spec.name}, {"symbol", unicode_symbol(checked.spec.symbol)}, {"unit", checked.spec.unit}};
+  add_value(json, checked.settled);
+  json["routes"] = Json::array();
+  for (const RouteValue& value : checked.routes) {
+    json["routes"].push_back({{"route", value.route}});
+    add_value(json["routes"].back(), value.settled);
+  }
+  if (const OnSheet* shown = farthest_on_sheet(checked))
+    json["on_sheet"] = {{"value", number(shown->value)}, {"resolution", number(shown->resolution)}};
+  for (const PrintedVerdict& each : checked.printed) json["printed"].push_back(printed(each));
+  for (const Measured& each : checked.measured) json["measured"].push_back(measured(each));
+  return json;
+}
+
+Json exercise(const CheckedExercise& checked) {
+  Json json = {{"id", checked.about.id},
+               {"source", {{"document", checked.about.document}, {"item", checked.about.item}}},
+               {"givens", Json::array()},
+               {"quantities", Json::array()}};
+  for (const GivenSpec& given : checked.givens.specs())
+    json["givens"].push_back(
+        {{"symbol", given.symbol}, {"value", geometry::to_text(checked.givens[given.symbol])}, {"unit", given.unit}});
+  for (const CheckedQuantity& each : checked.quantities) json["quantities"].push_back(quantity(each));
+  json["passed"] = checked.passed();
+  return json;
+}
+
+}  // namespace
+
+std::string json_report(const std::vector<CheckedExercise>& all) {
+  Json json = {{"schema", "epure.check/1"}, {"exercises", Json::array()}};
+  for (const CheckedExercise& checked : all) json["exercises"].push_back(exercise(checked));
+  return json.dump(1) + "\n";
+}
+
+}  // namespace epure

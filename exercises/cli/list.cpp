@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include "drawings/text.h"
+#include "exercises/cli/columns.h"
+#include "exercises/cli/symbol.h"
+#include "exercises/cli/verbs.h"
+
+namespace epure {
+namespace {
+
+std::string one_line_each(const Catalogue& exercises, Language language) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& exercise : exercises) {
+    const Description& about = exercise->about();
+    rows.push_back(
+        {about.id, drawings::plain(about.title.in(language)), fmt::format("({}, {})", about.document, about.item)});
+  }
+  return columns(rows);
+}
+
+std::string heading(const Words& words, Language language) { return "\n" + words.in(language) + "\n"; }
+
+std::string sheets(const Description& about, Language language) {
+  std::vector<std::vector<std::string>> rows;
+  for (const SheetSpec& sheet : about.sheets)
+    rows.push_back({about.id + "/" + sheet.name, drawings::plain(sheet.title.in(language))});
+  return heading({"Sheets", "Tavole"}, language) + columns(rows, 2);
+}
+
+std::string givens(const Description& about, Language language) {
+  std::vector<std::vector<std::string>> rows;
+  for (const GivenSpec& given : about.givens)
+    rows.push_back({given.symbol, given.stated, given.unit, drawings::plain(given.meaning.in(language))});
+  return heading({"Givens (--set SYMBOL=VALUE[UNIT])", "Dati (--set SYMBOL=VALUE[UNIT])"}, language) +
+         columns(rows, 2);
+}
+
+std::string quantities(const Description& about, Language language) {
+  std::vector<std::vector<std::string>> rows;
+  for (const QuantitySpec& quantity : about.quantities)
+    rows.push_back({quantity.name, unicode_symbol(quantity.symbol), quantity.unit,
+                    drawings::plain(quantity.meaning.in(language))});
+  return heading({"Quantities", "Grandezze"}, language) + columns(rows, 2);
+}
+
+}  // namespace
+
+std::string list(const Catalogue& exercises, const Options& options) {
+  const Language chosen = language(options);
+  if (options.names.empty()) return one_line_each(exercises, chosen);
+  if (options.names.size() > 1) throw WrongUsage("list shows one exercise at a time; name one, or none for all");
+  const Description& about = find_exercise(exercises, options.names.front()).about();
+  return about.id + ": " + drawings::plain(about.title.in(chosen)) + "\n" + drawings::plain(about.source.in(chosen)) +
+         "\n" + sheets(about, chosen) + givens(about, chosen) + quantities(about, chosen);
+}
+
+Language language(const Options& options) {
+  if (options.language == "en") return Language::english;
+  if (options.language == "it") return Language::italian;
+  throw WrongUsage(fmt::format("\"{}\" is no language of epure; choose en or it", options.language));
+}
+
+}  // namespace epure

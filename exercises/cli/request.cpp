@@ -1,0 +1,94 @@
+#include "exercises/cli/request.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "exercises/cli/verbs.h"
+#include "geometry/numbers/given.h"
+
+namespace epure {
+namespace {
+
+std::optional<Format> format_named(const std::string& name) {
+  if (name == "pdf") return Format::pdf;
+  if (name == "svg") return Format::svg;
+  return std::nullopt;
+}
+
+drawings::Paper paper(const Options& options) {
+  if (options.paper == "a4") return drawings::Paper::a4;
+  if (options.paper == "a3") return drawings::Paper::a3;
+  throw WrongUsage(fmt::format("\"{}\" is no paper of epure; choose a4 or a3", options.paper));
+}
+
+// "1:5" and "1/5" are one fifth, "2:1" is two.
+Rational scale(std::string text) {
+  const std::string typed = text;
+  if (const auto colon = text.find(':'); colon != std::string::npos) text[colon] = '/';
+  try {
+    const Rational ratio = geometry::parse_given(text, "1");
+    if (ratio > 0) return ratio;
+  } catch (const geometry::BadGiven&) {
+    // the sentence below says what a scale looks like
+  }
+  throw WrongUsage(fmt::format("\"{}\" is no scale; write 1:5, 1/5 or 2:1", typed));
+}
+
+std::optional<Format> format_by_ending(const Options& options) {
+  const std::string ending = std::filesystem::path(*options.file).extension().string();
+  return ending.empty() ? std::nullopt : format_named(ending.substr(1));
+}
+
+}  // namespace
+
+std::vector<Format> formats_of(const Options& options) {
+  if (!options.format) return {Format::pdf, Format::svg};
+  std::vector<Format> formats;
+  std::string rest = *options.format + ",";
+  for (auto comma = rest.find(','); comma != std::string::npos; comma = rest.find(',')) {
+    const auto format = format_named(rest.substr(0, comma));
+    if (!format)
+      throw WrongUsage(fmt::format("\"{}\" is no format of epure; choose pdf, svg or pdf,svg", *options.format));
+    if (std::find(formats.begin(), formats.end(), *format) == formats.end()) formats.push_back(*format);
+    rest.erase(0, comma + 1);
+  }
+  return formats;
+}
+
+bool is_standard_output(const Options& options) {
+  return options.file == "-" || options.file == "/dev/stdout" || options.file == "/dev/fd/1";
+}
+
+Format format_of_file(const Options& options) {
+  const auto by_ending = format_by_ending(options);
+  if (!options.format) {
+    if (by_ending) return *by_ending;
+    if (is_standard_output(options)) return Format::pdf;
+    throw WrongUsage(fmt::format("\"{}\" tells no format; end it in .pdf or .svg, or add --format", *options.file));
+  }
+  const std::vector<Format> asked = formats_of(options);
+  if (asked.size() != 1) throw WrongUsage("-o writes one file; choose --format pdf or --format svg");
+  if (by_ending && *by_ending != asked.front())
+    throw WrongUsage(fmt::format("\"{}\" is not the ending of --format {}", *options.file, *options.format));
+  return asked.front();
+}
+
+void demand_sensible_output(const Options& options) {
+  if (!options.file) {
+    formats_of(options);
+    return;
+  }
+  if (options.folder) throw WrongUsage("-o names one file and --out a folder; choose one of them");
+  format_of_file(options);
+}
+
+SheetRequest sheet_request(const Options& options) {
+  SheetRequest request{.paper = paper(options), .language = language(options), .bare = options.bare};
+  if (options.scale) request.scale = scale(*options.scale);
+  return request;
+}
+
+}  // namespace epure

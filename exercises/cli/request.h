@@ -1,0 +1,27 @@
+// The options of `draw`, understood. All throw WrongUsage.
+#pragma once
+
+#include <vector>
+
+#include "exercises/cli/catalogue.h"
+#include "exercises/cli/options.h"
+
+namespace epure {
+
+enum class Format { pdf, svg };
+
+// What --format asks for, each once; both when it says nothing.
+std::vector<Format> formats_of(const Options& options);
+
+// The format of the one file -o names: from its ending, else from --format, else (standard output only) PDF.
+Format format_of_file(const Options& options);
+
+// -o - and its other names.
+bool is_standard_output(const Options& options);
+
+// --out and -o exclude each other, and the formats must be clear, before anything is drawn.
+void demand_sensible_output(const Options& options);
+
+SheetRequest sheet_request(const Options& options);
+
+}  // namespace epure
