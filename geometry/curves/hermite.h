@@ -1,0 +1,29 @@
+// The cubic Bezier arc with the values and derivatives of a curve at two parameters, and how far it may be from it.
+#pragma once
+
+#include "geometry/curves/trace.h"
+
+namespace epure::geometry {
+
+// The curve at one parameter, enclosed, and the double that is drawn for it.
+struct Knot {
+  double t;
+  Point<Bounded> position;
+  Vector<Bounded> derivative;  // by t
+  Point<double> drawn;
+};
+
+Knot knot(double t, const Point<BoundedTangent>& at);
+
+struct FittedArc {
+  BezierArc arc;
+  // The two parts of the bound on |arc - curve| at equal parameters: what a cubic misses, which falls with the fourth
+  // power of the length of the piece, and what doubles for the control points miss.
+  double interpolation, rounding;
+  double deviation() const;
+};
+
+// `over` encloses the curve from a.t to b.t. Needs an Arithmetic<Bounded> scope, for the bounds too.
+FittedArc fit(const Knot& a, const Knot& b, const Point<BoundedSeries>& over);
+
+}  // namespace epure::geometry
