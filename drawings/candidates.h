@@ -23,7 +23,7 @@ namespace price {
 inline constexpr double wrong_side = 4;    // at worst, when a side was asked for
 inline constexpr double usual_side = 0.8;  // at worst, when none was
 inline constexpr double off_middle = 5;    // from the middle of a segment to its end
-inline constexpr double crowded = 6;       // as near to a line as possible without touching
+inline constexpr double crowded = 8;       // as near to a line as possible without touching
 inline constexpr double leader = 14;       // more than any bad choice of side
 inline constexpr double leader_crossing = 1.5;  // a line under the leader
 inline constexpr double touch_thin = 45, touch_heavy = 70, inside = 6;  // then a millimetre of line under it

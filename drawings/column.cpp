@@ -45,17 +45,17 @@ Galley set_all(const std::vector<Block>& blocks, Box room, Language language, Se
 
 std::vector<Primitive> set_column(const std::vector<Block>& blocks, Box room, Language language,
                                   std::vector<std::string>* conflicts) {
-  constexpr std::array settings{Setting{column_size, 1},    Setting{column_size, 0.7}, Setting{column_size, 0.4},
-                                Setting{3.0, 0.4},          Setting{2.8, 0.4},         Setting{2.6, 0.4},
-                                Setting{2.4, 0.4},          Setting{smallest_size, 0.4}};
-  for (const Setting& setting : settings) {
-    Galley galley = set_all(blocks, room, language, setting);
-    const bool last = setting.size == smallest_size;
-    if ((galley.overflows() || !galley.complaints.empty()) && !last) continue;
-    if (conflicts && galley.overflows()) conflicts->push_back("the column does not fit beside the figure");
-    if (conflicts) conflicts->insert(conflicts->end(), galley.complaints.begin(), galley.complaints.end());
-    return galley.take();
-  }
+  constexpr std::array sizes{column_size, 3.0, 2.8, 2.6, 2.4, smallest_size};
+  constexpr std::array airs{1.0, 0.7, 0.4};
+  for (const double size : sizes)
+    for (const double air : airs) {
+      Galley galley = set_all(blocks, room, language, {size, air});
+      const bool last = size == sizes.back() && air == airs.back();
+      if ((galley.overflows() || !galley.complaints.empty()) && !last) continue;
+      if (conflicts && galley.overflows()) conflicts->push_back("the column does not fit beside the figure");
+      if (conflicts) conflicts->insert(conflicts->end(), galley.complaints.begin(), galley.complaints.end());
+      return galley.take();
+    }
   return {};
 }
 

@@ -119,24 +119,21 @@ class Placement {
     }
   }
 
-  double whole() const {
-    double cost = 0;
-    for (std::size_t i = 0; i < labels_.size(); ++i) {
-      if (chosen_[i] == none) continue;
-      const Candidate& option = options_[i][chosen_[i]];
-      cost += option.cost;
-      for (std::size_t j = i + 1; j < labels_.size(); ++j)
-        if (chosen_[j] != none) cost += together(option, options_[j][chosen_[j]]);
-    }
-    return cost;
+  // Moves label i and returns by how much the whole grows dearer.
+  double move(std::size_t i, std::size_t to) {
+    const double before = total(i, chosen_[i]);
+    chosen_[i] = to;
+    return total(i, to) - before;
   }
 
-  // For labels that stand badly: take a place of their own liking and let those in the way move. True if it helped.
+  // For labels that could stand better: take a place of their own liking and let those in the way move. True if it
+  // helped.
   bool push_aside() {
     constexpr std::size_t tries = 24;
+    constexpr double content = 1.5;
     bool helped = false;
     for (std::size_t i = 0; i < labels_.size(); ++i) {
-      if (chosen_[i] == none || total(i, chosen_[i]) < price::leader) continue;
+      if (chosen_[i] == none || total(i, chosen_[i]) < content) continue;
       for (std::size_t o = 0; o < std::min(tries, options_[i].size()); ++o) helped = try_pushing(i, o) || helped;
     }
     return helped;
@@ -146,11 +143,10 @@ class Placement {
     const Candidate& wanted = options_[i][o];
     if (wanted.cost >= total(i, chosen_[i])) return false;
     const std::vector<std::size_t> before = chosen_;
-    const double cost_before = whole();
-    chosen_[i] = o;
+    double change = move(i, o);
     for (std::size_t j = 0; j < labels_.size(); ++j)
-      if (j != i && before[j] != none && together(wanted, options_[j][before[j]]) > 0) chosen_[j] = best_option(j);
-    if (whole() < cost_before - 1e-9) return true;
+      if (j != i && before[j] != none && together(wanted, options_[j][before[j]]) > 0) change += move(j, best_option(j));
+    if (change < -1e-9) return true;
     chosen_ = before;
     return false;
   }
