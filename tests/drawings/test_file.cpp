@@ -1,5 +1,6 @@
 // What is on the disk after a write, above all after one that failed.
 #include <fcntl.h>
+#include <grp.h>
 #include <sched.h>
 #include <signal.h>
 #include <sys/mount.h>
@@ -126,6 +127,16 @@ std::string in_child(const std::function<std::string()>& work) {
   return said;
 }
 
+// Devices of the machine are at stake where the program goes wrong: renaming over /dev/null must then be beyond it.
+std::string unprivileged(const std::function<std::string()>& work) {
+  return in_child([&]() -> std::string {
+    constexpr uid_t nobody = 65534;
+    if (geteuid() == 0 && (setgroups(0, nullptr) != 0 || setgid(nobody) != 0 || setuid(nobody) != 0))
+      return "cannot change the user";
+    return work();
+  });
+}
+
 const std::string old_bytes = "the old drawing", new_bytes(300'000, 'n');
 
 }  // namespace
@@ -201,9 +212,10 @@ TEST_CASE("what cannot be a file is refused with its path and the reason") {
 }
 
 TEST_CASE("a full device is reported, and stays a device") {
-  CHECK_THAT(refusal("/dev/full", new_bytes), Contains("/dev/full") && Contains("No space left on device"));
+  CHECK_THAT(unprivileged([] { return refusal("/dev/full", new_bytes); }),
+             Contains("/dev/full") && Contains("No space left on device"));
   CHECK(fs::is_character_file("/dev/full"));
-  CHECK(refusal("/dev/null", new_bytes).empty());
+  CHECK(unprivileged([] { return refusal("/dev/null", new_bytes); }) == "");
   CHECK(fs::is_character_file("/dev/null"));
 }
 
@@ -267,6 +279,20 @@ TEST_CASE("killed in the middle of writing, the old file is whole") {
   CHECK(contents(folder / "drawing.pdf") == new_bytes);
 }
 
+TEST_CASE("a file that happens to have the temporary name is not touched") {
+  const Folder folder;
+  constexpr int traps = 900;
+  CHECK(in_child([&] {
+          for (int i = 1; i <= traps; ++i)
+            put(folder / (".epure-" + std::to_string(getpid()) + "-" + std::to_string(i) + ".part"), "precious");
+          return refusal(folder / "drawing.pdf", new_bytes);
+        }) == "");
+  CHECK(contents(folder / "drawing.pdf") == new_bytes);
+  CHECK(folder.entries() == traps + 1);
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    if (entry.path().filename() != "drawing.pdf" && contents(entry.path()) != "precious") FAIL(entry.path());
+}
+
 TEST_CASE("a limit on the size of files is an error, not the end of the program") {
   const Folder folder;
   put(folder / "drawing.pdf", old_bytes);
@@ -316,11 +342,7 @@ TEST_CASE("folders and files protected against writing stay as they are") {
   REQUIRE(chmod((folder / "protected").c_str(), 0555) == 0);
   for (const auto& path : {folder / "protected" / "drawing.pdf", folder / "protected" / "new" / "drawing.pdf",
                            folder / "own" / "drawing.pdf"})
-    CHECK_THAT(in_child([&]() -> std::string {
-                 constexpr uid_t nobody = 65534;
-                 if (geteuid() == 0 && (setgid(nobody) != 0 || setuid(nobody) != 0)) return "cannot change the user";
-                 return refusal(path, new_bytes);
-               }),
+    CHECK_THAT(unprivileged([&] { return refusal(path, new_bytes); }),
                Contains(path.string()) && Contains("Permission denied"));
   CHECK(contents(folder / "protected" / "drawing.pdf") == old_bytes);
   CHECK(contents(folder / "own" / "drawing.pdf") == old_bytes);
@@ -330,11 +352,14 @@ TEST_CASE("folders and files protected against writing stay as they are") {
 TEST_CASE("standard output takes everything or says why not") {
   const Folder folder;
   const auto with_output = [](const fs::path& output, int flags, const fs::path& target) {
-    return in_child([&]() -> std::string {
-      const int opened = open(output.c_str(), flags | O_WRONLY | O_CREAT, 0644);
-      if (opened < 0 || dup2(opened, STDOUT_FILENO) < 0) return "cannot open";
+    const int opened = open(output.c_str(), flags | O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+    REQUIRE(opened >= 0);
+    const std::string said = unprivileged([&]() -> std::string {
+      if (dup2(opened, STDOUT_FILENO) < 0) return "cannot redirect";
       return refusal(target, new_bytes);
     });
+    ::close(opened);
+    return said;
   };
   for (const std::string name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
     CAPTURE(name);
@@ -357,6 +382,14 @@ TEST_CASE("standard output takes everything or says why not") {
                return refusal("-", new_bytes);
              }),
              Contains("standard output") && Contains("Broken pipe"));
+  put(folder / "out", "");
+  CHECK_THAT(in_child([&]() -> std::string {
+               const int opened = open((folder / "out").c_str(), O_WRONLY);
+               if (opened < 0 || dup2(opened, STDOUT_FILENO) < 0) return "cannot open";
+               fault = {"fsync", 0, EIO};
+               return refusal("-", "x");
+             }),
+             Contains("standard output") && Contains("Input/output error"));
   // A slow reader gets every byte.
   int ends[2];
   REQUIRE(pipe(ends) == 0);

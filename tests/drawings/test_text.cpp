@@ -61,7 +61,7 @@ TEST_CASE("plain text says what is set") {
 TEST_CASE("glyphs carry the plain text, and nothing is read as markup of another kind") {
   for (const std::string text :
        {"$\\vec{v}_{BA}$ ⊥ BA", "$a^{n}_{BA}$ = $ω_3^2$", "<b>affine</b> &amp; efficiency", "1 cm ≙ 2.5 m/s", "%s {}",
-        "Perché è così", "$\\vec{AB}$ → $Ω_C$", "①②⑫", "$a_{P_{0}}$"}) {
+        "Perché è così", "$\\vec{AB}$ → $Ω_C$", "①②⑫", "$a_{P_{0}}$", "q\u0301v"}) {
     CAPTURE(text);
     CHECK(told(set(text)) == plain(text));
   }
@@ -97,6 +97,11 @@ TEST_CASE("scripts are small, lowered or raised, and stack") {
   CHECK(std::abs(below.glyphs[0].at.x - above.glyphs[0].at.x) < 1);  // one above the other
   CHECK(ink_of(above).low.y > ink_of(below).high.y);
   CHECK(ink_of(above).low.x >= ink_of(letter).high.x);
+  const SetText slanted = set("$f^{2}$");
+  CHECK(ink_of(slanted.runs[0]).high.x > measure("$f$", 10).width);  // f reaches over its advance
+  CHECK(ink_of(slanted.runs[1]).low.x >= ink_of(slanted.runs[0]).high.x);
+  const SetText tall = set("$a_{\\vec{F}^{\\vec{F}}}^{n}$");  // the superscript makes way for what is below it
+  CHECK(ink_of(tall.runs[3]).low.y > tall.arrows[1].start.y);
   // The order in which they are written does not matter; braces around one character neither.
   CHECK(set("$a_{BA}^n$").extent.width == both.extent.width);
   // What follows stands clear of the longer script, on the line.
@@ -162,6 +167,7 @@ TEST_CASE("text that cannot be set is refused, and quoted") {
   for (const std::string broken :
        {"\xC3", "\xC3(", "\xED\xA0\x80", "\xC0\xAF", "\xF5\x80\x80\x80", "\x80", "\xE2\x82"})
     CHECK_THAT(complaint("v" + broken), Contains("not UTF-8"));
+  CHECK_THROWS_AS(shape(Face::italic, "v≙"), std::invalid_argument);
   CHECK_THROWS_AS(measure("v", 0), std::invalid_argument);
   CHECK_THROWS_AS(measure("v", NAN), std::invalid_argument);
 }
@@ -207,5 +213,6 @@ TEST_CASE("lines are broken at spaces, never inside mathematics") {
   CHECK(wrap("incomprehensibilities are", 5, 10) == std::vector<std::string>{"incomprehensibilities", "are"});
   CHECK(wrap("one\ntwo", 5, 100) == std::vector<std::string>{"one two"});
   CHECK(wrap("\\$ 5 \\$ 6", 5, 1) == std::vector<std::string>{"\\$", "5", "\\$", "6"});
+  CHECK(wrap("$a\\\\$ b", 5, 1) == std::vector<std::string>{"$a\\\\$", "b"});
   CHECK(wrap("", 5, 10).empty());
 }

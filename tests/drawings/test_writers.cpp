@@ -9,7 +9,7 @@
 
 #include "drawings/grid.h"
 #include "drawings/page.h"
-#include "drawings/text.h"
+#include "drawings/typeset.h"
 #include "drawings/vectors.h"
 #include "read_pdf.h"
 #include "read_svg.h"
@@ -186,6 +186,28 @@ TEST_CASE("a page looks as it was composed: y upwards, colours, clips, order") {
   CHECK(looks(110, 20, {0.5, 0.5, 0.5}));
 }
 
+TEST_CASE("the PDF shows dashes in millimetres, and arrows over vectors") {
+  Stroke dashed = line({10, 100}, {110, 100});
+  dashed.width = 2;
+  dashed.dashes = {10, 5};
+  const PlacedText vector{"$\\vec{v}$", {150, 50}, 60, {}, Weight::regular};
+  const SetText set = typeset(vector.text, vector.size, vector.weight);
+  REQUIRE(set.arrows.size() == 1);
+  const auto document = open_pdf(write_pdf({page({dashed, vector})}, "t"));
+  const Picture seen(*document, 0, 4);
+  const auto is_inked = [&](Point p) { return seen.at(p.x, 210 - p.y).red < 0.5; };
+  for (int i = 0; i < 6; ++i) {
+    CHECK(is_inked({10.0 + 15 * i + 0.5, 100}));
+    CHECK(is_inked({10.0 + 15 * i + 9.5, 100}));
+    CHECK_FALSE(is_inked({10.0 + 15 * i + 10.5, 100}));
+    CHECK_FALSE(is_inked({10.0 + 15 * i + 14.5, 100}));
+  }
+  const Point tail = set.arrows[0].start;  // the lower left corner of its shaft
+  CHECK(is_inked(vector.baseline + tail + Point{1, 1}));
+  CHECK_FALSE(is_inked(vector.baseline + tail + Point{1, -1}));
+  CHECK_FALSE(is_inked(vector.baseline + tail + Point{-1, 1}));
+}
+
 TEST_CASE("the SVG has its size in millimetres and says what it shows") {
   Page drawn = rich_page();
   drawn.language = Language::italian;
@@ -257,6 +279,24 @@ TEST_CASE("unseen letters lie over the outlines of the SVG") {
   CHECK(words.attribute("font-size").as_double() == 3.5);
   CHECK(words.attribute("textLength").as_double() == Approx(measure("$\\vec{v}_{BA}$ < & ⊥ BA", 3.5).width));
   CHECK(svg.xml().select_nodes("//use").size() == 8);  // v, B, A, <, &, ⊥, B, A; spaces draw nothing
+}
+
+TEST_CASE("each font has its own outlines in the SVG, drawn once") {
+  const auto glyphs = [](std::vector<Primitive> texts) {
+    const SvgFile svg(write_svg(page(std::move(texts))));
+    std::set<std::string> outlines;
+    for (const auto& path : svg.xml().select_nodes("//defs/path"))
+      outlines.insert(path.node().attribute("d").value());
+    CHECK(outlines.size() == svg.xml().select_nodes("//defs/path").size());
+    return outlines.size();
+  };
+  const PlacedText bold{"AA", {20, 20}, 5, {}, Weight::bold}, larger{"A", {20, 40}, 9, {}, Weight::regular};
+  // A has the same number in both fonts.
+  CHECK(shape(Face::regular, "A").glyphs[0].index == shape(Face::bold, "A").glyphs[0].index);
+  CHECK(glyphs({text("AA", {10, 10})}) == 1);
+  CHECK(glyphs({text("AA", {10, 10}), bold, larger}) == 2);
+  const SvgFile vector(write_svg(page({text("$\\vec{v}$", {10, 10})})));
+  CHECK(vector.xml().select_nodes("/svg/g/g/path").size() == 1);  // its arrow
 }
 
 TEST_CASE("the same page is the same file, whatever was drawn before and in whatever locale") {
