@@ -267,6 +267,7 @@ def cases():
     yield Case("short_coupler_closes", "l < r at 20 degrees: closes, the crank cannot turn fully", turn="1/18", **short)
     yield Case("short_coupler_left", "l < r at 170 degrees: closes again on the far side", turn="17/36", **short)
     yield Case("short_coupler_open", "l < r at 90 degrees: does not close, short by r - l", turn="1/4", **short)
+    yield Case("short_coupler_open_below", "the same below the guide", turn="3/4", **short)
     yield Case("short_coupler_open_40", "l < r at 40 degrees: does not close by a little", turn="1/9", **short)
     yield Case("short_coupler_touches", "r = 2 l at 30 degrees: coupler square to the guide, velocity undefined",
                turn="1/12", **short)
