@@ -10,8 +10,8 @@ namespace epure::drawings {
 namespace {
 
 constexpr int directions = 16;
-constexpr std::array near_gaps{1.3, 1.8, 2.4, 3.1, 4.0, 5.0};    // mm from a point to the box
-constexpr std::array side_gaps{1.15, 1.6, 2.3, 3.2};             // mm from a segment to the box
+constexpr std::array near_gaps{1.3, 1.8, 2.4, 3.1, 4.0, 5.0};  // mm from a point to the box
+constexpr std::array side_gaps{1.15, 1.6, 2.3, 3.2};           // mm from a segment to the box
 constexpr std::array far_gaps{7.0, 9.0, 11.5, 14.5, 18.0, 22.0, 27.0};
 constexpr double shortest_with_sides = 6;  // mm
 constexpr std::array along{0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82};

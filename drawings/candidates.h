@@ -20,15 +20,15 @@ struct Candidate {
 
 // The prices of bad places, in one currency: a millimetre away from what the label names costs 1.
 namespace price {
-inline constexpr double wrong_side = 4;    // at worst, when a side was asked for
-inline constexpr double usual_side = 0.8;  // at worst, when none was
-inline constexpr double off_middle = 5;    // from the middle of a segment to its end
-inline constexpr double crowded = 8;       // as near to a line as possible without touching
-inline constexpr double leader = 14;       // more than any bad choice of side
+inline constexpr double wrong_side = 4;         // at worst, when a side was asked for
+inline constexpr double usual_side = 0.8;       // at worst, when none was
+inline constexpr double off_middle = 5;         // from the middle of a segment to its end
+inline constexpr double crowded = 8;            // as near to a line as possible without touching
+inline constexpr double leader = 14;            // more than any bad choice of side
 inline constexpr double leader_crossing = 1.5;  // a line under the leader
 inline constexpr double touch_thin = 45, touch_heavy = 70, inside = 6;  // then a millimetre of line under it
-inline constexpr double stranger = 5;      // nearer to another label's point than to its own
-inline constexpr double overlap = 120;     // of two labels
+inline constexpr double stranger = 5;         // nearer to another label's point than to its own
+inline constexpr double overlap = 120;        // of two labels
 inline constexpr double leader_through = 60;  // a leader through another label
 inline constexpr double leaders_crossed = 10;
 }  // namespace price

@@ -14,8 +14,8 @@ namespace epure::drawings {
 std::optional<std::pair<Point, Point>> clip_segment(Point from, Point to, Box box);
 
 struct ClippedPath {
-  std::vector<Path> runs;   // what may show, in order
-  bool overhangs = false;   // a curve of `runs` still reaches outside: the writer must clip
+  std::vector<Path> runs;  // what may show, in order
+  bool overhangs = false;  // a curve of `runs` still reaches outside: the writer must clip
 };
 // Straight pieces are cut exactly at the border. Curves are halved until each part is outside (and dropped),
 // inside, or not much longer than the box.

@@ -36,8 +36,7 @@ void set_block(Galley& galley, const Steps& steps, Language) {
 
 Galley set_all(const std::vector<Block>& blocks, Box room, Language language, Setting setting) {
   Galley galley(room, setting);
-  for (const Block& block : blocks)
-    std::visit([&](const auto& b) { set_block(galley, b, language); }, block);
+  for (const Block& block : blocks) std::visit([&](const auto& b) { set_block(galley, b, language); }, block);
   return galley;
 }
 

@@ -46,7 +46,9 @@ struct Placeable {
   double size = 0, descent = 0;
   Colour colour;
   int step = 0;
-  std::string name() const { return text.empty() ? fmt::format("step {}", step) : fmt::format("label '{}'", plain(text)); }
+  std::string name() const {
+    return text.empty() ? fmt::format("step {}", step) : fmt::format("label '{}'", plain(text));
+  }
 };
 
 Placeable placeable(const Label& label) {
@@ -90,12 +92,13 @@ void draw_placed(std::vector<Primitive>& ink, const Placeable& item, const Place
     const auto circled = circled_number(middle(place.box), item.step, step_diameter, item.colour);
     ink.insert(ink.end(), circled.begin(), circled.end());
   } else {
-    ink.push_back(PlacedText{item.text, {place.box.low.x, place.box.low.y + item.descent}, item.size, item.colour,
-                             Weight::regular});
+    ink.push_back(PlacedText{
+        item.text, {place.box.low.x, place.box.low.y + item.descent}, item.size, item.colour, Weight::regular});
   }
 }
 
-void report(std::vector<std::string>& conflicts, const std::vector<Placeable>& items, const std::vector<Place>& places) {
+void report(std::vector<std::string>& conflicts, const std::vector<Placeable>& items,
+            const std::vector<Place>& places) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (!places[i].found) conflicts.push_back(items[i].name() + " has no place inside the drawing area");
     if (places[i].touches_drawing) conflicts.push_back(items[i].name() + " touches a line or symbol");
@@ -130,8 +133,12 @@ void append(std::vector<Primitive>& to, std::vector<Primitive> more) {
 }
 
 Stroke frame_line(Box frame) {
-  return {polyline({frame.low, {frame.high.x, frame.low.y}, frame.high, {frame.low.x, frame.high.y}}, true), wide, {},
-          black, {}, {}};
+  return {polyline({frame.low, {frame.high.x, frame.low.y}, frame.high, {frame.low.x, frame.high.y}}, true),
+          wide,
+          {},
+          black,
+          {},
+          {}};
 }
 
 }  // namespace

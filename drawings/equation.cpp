@@ -14,8 +14,8 @@ using Term = VectorEquation::Term;
 
 struct EquationColumns {
   std::vector<double> operators, terms;  // widths
-  double gap = 0;   // on both sides of an operator, between terms
-  double gaps = 0;  // how many of them
+  double gap = 0;                        // on both sides of an operator, between terms
+  double gaps = 0;                       // how many of them
   double width() const {
     return std::accumulate(terms.begin(), terms.end(), 0.0) +
            std::accumulate(operators.begin(), operators.end(), 0.0) + gap * gaps;

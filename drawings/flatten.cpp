@@ -14,7 +14,8 @@ Box bounds(const Path& path) {
 }
 
 Halves halve(Point start, const Piece& piece) {
-  const Point a = between(start, piece.first_control, 0.5), b = between(piece.first_control, piece.second_control, 0.5),
+  const Point a = between(start, piece.first_control, 0.5),
+              b = between(piece.first_control, piece.second_control, 0.5),
               c = between(piece.second_control, piece.end, 0.5), ab = between(a, b, 0.5), bc = between(b, c, 0.5),
               centre = between(ab, bc, 0.5);
   return {{false, a, ab, centre}, {false, bc, c, piece.end}};

@@ -45,7 +45,8 @@ class Placement {
       const double own = distance(labels_[i].at, nearest_in(option.box, labels_[i].at));
       for (std::size_t j = 0; j < labels_.size(); ++j) {
         if (j == i || labels_[j].to || distance(labels_[i].at, labels_[j].at) < 0.5) continue;
-        if (distance(labels_[j].at, nearest_in(option.box, labels_[j].at)) < own + 0.3) option.cost += price::stranger;
+        if (distance(labels_[j].at, nearest_in(option.box, labels_[j].at)) < own + 0.3)
+          option.cost += price::stranger;
       }
     }
   }
@@ -145,7 +146,8 @@ class Placement {
     const std::vector<std::size_t> before = chosen_;
     double change = move(i, o);
     for (std::size_t j = 0; j < labels_.size(); ++j)
-      if (j != i && before[j] != none && together(wanted, options_[j][before[j]]) > 0) change += move(j, best_option(j));
+      if (j != i && before[j] != none && together(wanted, options_[j][before[j]]) > 0)
+        change += move(j, best_option(j));
     if (change < -1e-9) return true;
     chosen_ = before;
     return false;

@@ -22,7 +22,7 @@ struct LabelBox {
 struct Place {
   Box box;
   std::optional<std::pair<Point, Point>> leader = {};  // from the box to what it names
-  bool found = false;    // false: what it belongs to lies outside the area, or the area is too small for it
+  bool found = false;  // false: what it belongs to lies outside the area, or the area is too small for it
   bool touches_drawing = false;
   std::vector<std::size_t> touches = {};  // other labels
 };

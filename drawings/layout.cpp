@@ -6,14 +6,12 @@ namespace epure::drawings {
 
 namespace {
 
-constexpr double air = 3;          // mm between the frame and what stands inside
+constexpr double air = 3;            // mm between the frame and what stands inside
 constexpr double between_parts = 5;  // mm between drawing area and column
 
 }  // namespace
 
-Box paper_box(Paper paper) {
-  return paper == Paper::a4 ? Box{{0, 0}, {297, 210}} : Box{{0, 0}, {420, 297}};
-}
+Box paper_box(Paper paper) { return paper == Paper::a4 ? Box{{0, 0}, {297, 210}} : Box{{0, 0}, {420, 297}}; }
 
 // A third of A4. On A3 letters stay as they are, so the column needs little more and the figure gets the room.
 double title_block_width(Paper paper) { return paper == Paper::a4 ? 92 : 112; }

@@ -16,6 +16,7 @@ double title_block_width(Paper paper);
 Box paper_box(Paper paper);
 
 inline constexpr double margin = 10;  // mm from the paper's edge to the frame
-inline constexpr double inset = 2.5;  // mm from the title block's rules to its letters; the column keeps the same edges
+inline constexpr double inset =
+    2.5;  // mm from the title block's rules to its letters; the column keeps the same edges
 
 }  // namespace epure::drawings

@@ -22,19 +22,32 @@ std::vector<double> dashed(double d) { return {7 * d, 3 * d}; }
 
 LineStyle line_style(Meaning meaning) {
   switch (meaning) {
-    case Meaning::link: return {wide, {}, black};
-    case Meaning::ground: return {wide, {}, black};
-    case Meaning::plate: return {narrow, {}, black};
-    case Meaning::axis: return {fine, long_dash_dot(narrow), black};
-    case Meaning::construction: return {fine, {}, grey};
-    case Meaning::alternative: return {narrow, dashed(narrow), grey};
-    case Meaning::locus: return {medium, {}, green};
-    case Meaning::second_locus: return {medium, dashed(medium), dark_green};
-    case Meaning::velocity: return {medium, {}, blue};
-    case Meaning::acceleration: return {medium, {}, vermilion};
-    case Meaning::force: return {medium, {}, purple};
-    case Meaning::dimension: return {fine, {}, black};
-    case Meaning::text: return {narrow, {}, black};
+    case Meaning::link:
+      return {wide, {}, black};
+    case Meaning::ground:
+      return {wide, {}, black};
+    case Meaning::plate:
+      return {narrow, {}, black};
+    case Meaning::axis:
+      return {fine, long_dash_dot(narrow), black};
+    case Meaning::construction:
+      return {fine, {}, grey};
+    case Meaning::alternative:
+      return {narrow, dashed(narrow), grey};
+    case Meaning::locus:
+      return {medium, {}, green};
+    case Meaning::second_locus:
+      return {medium, dashed(medium), dark_green};
+    case Meaning::velocity:
+      return {medium, {}, blue};
+    case Meaning::acceleration:
+      return {medium, {}, vermilion};
+    case Meaning::force:
+      return {medium, {}, purple};
+    case Meaning::dimension:
+      return {fine, {}, black};
+    case Meaning::text:
+      return {narrow, {}, black};
   }
   return {};
 }

@@ -45,9 +45,7 @@ void hinge_circle(Canvas& canvas, Point at) {
   canvas.lower();
 }
 
-void draw_mark(Canvas& canvas, const Line& line) {
-  canvas.stroke(line.path, line_style(line.meaning), line.name);
-}
+void draw_mark(Canvas& canvas, const Line& line) { canvas.stroke(line.path, line_style(line.meaning), line.name); }
 
 void draw_mark(Canvas& canvas, const Area& area) { canvas.tint(area.path, tint(area.meaning), area.name); }
 
@@ -174,8 +172,9 @@ void draw_mark(Canvas& canvas, const Dimension& dimension) {
   const auto [from, to] = dimension_line(dimension);
   const double away = std::abs(dimension.offset);
   if (away > off_point) {
-    canvas.stroke(segment(between(dimension.from, from, off_point / away), between(dimension.from, from, 1 + beyond / away)),
-                  style);
+    canvas.stroke(
+        segment(between(dimension.from, from, off_point / away), between(dimension.from, from, 1 + beyond / away)),
+        style);
     canvas.stroke(segment(between(dimension.to, to, off_point / away), between(dimension.to, to, 1 + beyond / away)),
                   style);
   }
@@ -203,10 +202,10 @@ void draw_mark(Canvas& canvas, const ScaleBar& bar) {
     return polyline({low, low + Point{part, 0}, low + Point{part, height}, low + Point{0, height}}, true);
   };
   for (int i = 0; i < bar.divisions; i += 2) canvas.fill(piece(i), black);
-  canvas.stroke(polyline({bar.at, bar.at + Point{bar.length, 0}, bar.at + Point{bar.length, height},
-                          bar.at + Point{0, height}},
-                         true),
-                symbol_detail);
+  canvas.stroke(
+      polyline({bar.at, bar.at + Point{bar.length, 0}, bar.at + Point{bar.length, height}, bar.at + Point{0, height}},
+               true),
+      symbol_detail);
   for (std::size_t i = 0; i < bar.ticks.size(); ++i) {
     const Point tick = bar.at + Point{static_cast<double>(i) * part, 0};
     centred_text(canvas, bar.ticks[i], tick - Point{0, 1.1 + 0.68 * tick_size}, tick_size);
@@ -215,9 +214,9 @@ void draw_mark(Canvas& canvas, const ScaleBar& bar) {
     canvas.text({bar.caption, bar.at + Point{0, height + 1.4}, caption_size, black, Weight::regular});
 }
 
-constexpr std::array kinds{"line",       "area",         "arrow",       "dot",           "cross",
-                           "hinge",      "fixed hinge",  "slider",      "guide",         "rotation",
-                           "right angle", "parallel mark", "angle mark", "dimension",     "scale bar"};
+constexpr std::array kinds{"line",        "area",          "arrow",      "dot",       "cross",
+                           "hinge",       "fixed hinge",   "slider",     "guide",     "rotation",
+                           "right angle", "parallel mark", "angle mark", "dimension", "scale bar"};
 static_assert(kinds.size() == std::variant_size_v<Mark>);
 
 }  // namespace
@@ -257,7 +256,8 @@ std::string describe(const Mark& mark, std::size_t index) {
       },
       mark);
   const std::string kind = kinds[mark.index()];
-  return name.empty() ? fmt::format("{} (mark {})", kind, index) : fmt::format("{} '{}' (mark {})", kind, name, index);
+  return name.empty() ? fmt::format("{} (mark {})", kind, index)
+                      : fmt::format("{} '{}' (mark {})", kind, name, index);
 }
 
 }  // namespace epure::drawings

@@ -7,12 +7,12 @@
 
 namespace epure::drawings {
 
-inline constexpr double head_length = 3;                 // mm; never more than a third of the vector
-inline constexpr double head_angle = 20;                 // degrees, between the two sides
-inline constexpr double hinge_radius = 1.2;              // mm
-inline constexpr double dot_radius = 0.6;                // mm
+inline constexpr double head_length = 3;                      // mm; never more than a third of the vector
+inline constexpr double head_angle = 20;                      // degrees, between the two sides
+inline constexpr double hinge_radius = 1.2;                   // mm
+inline constexpr double dot_radius = 0.6;                     // mm
 inline constexpr double block_length = 10, block_height = 6;  // mm: a slider
-inline constexpr double step_diameter = 4;               // mm: the circle around a step's number
+inline constexpr double step_diameter = 4;                    // mm: the circle around a step's number
 
 // The filled triangle of an arrow: tip exactly at `tip`, `length` mm long.
 Path arrow_head(Point tip, Point towards, double length);

@@ -24,7 +24,9 @@ std::optional<Numeral> as_numeral(const std::string& cell) {
     i = minus.size();
   else if (!text.empty() && (text[0] == '-' || text[0] == '+'))
     i = 1;
-  const auto digit = [&](std::size_t k) { return k < text.size() && std::isdigit(static_cast<unsigned char>(text[k])); };
+  const auto digit = [&](std::size_t k) {
+    return k < text.size() && std::isdigit(static_cast<unsigned char>(text[k]));
+  };
   if (!digit(i)) return std::nullopt;
   while (digit(i)) ++i;
   // Inside mathematics only the digits before the sign can be measured apart from the rest.
@@ -67,7 +69,8 @@ void break_head(TableColumn& column, const std::string& head, double size, doubl
 }
 
 double total_width(const std::vector<TableColumn>& columns) {
-  return std::accumulate(columns.begin(), columns.end(), 0.0, [](double sum, const auto& c) { return sum + c.width; });
+  return std::accumulate(columns.begin(), columns.end(), 0.0,
+                         [](double sum, const auto& c) { return sum + c.width; });
 }
 
 std::vector<TableColumn> measure_columns(const Table& table, double size, double room) {
@@ -116,7 +119,8 @@ void set_head(Galley& galley, const std::vector<TableColumn>& columns, double ga
   galley.down(0.25 * size);
 }
 
-void set_row(Galley& galley, const std::vector<std::string>& row, const std::vector<TableColumn>& columns, double gap) {
+void set_row(Galley& galley, const std::vector<std::string>& row, const std::vector<TableColumn>& columns,
+             double gap) {
   const double size = galley.size();
   double above = 0;
   for (const std::string& cell : row)

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 
+#include "drawings/clip.h"
 #include "drawings/column.h"
 #include "drawings/ink.h"
 #include "drawings/layout.h"
@@ -25,17 +26,24 @@ Sheet example(Paper paper, Language language) {
   sheet.language = language;
   const Box area = drawing_area(paper);
   const Point a0 = area.low + Point{40, 50}, a = a0 + Point{30, 17}, b = a0 + Point{120, 0};
-  sheet.figure.marks = {Area{polyline({a0, a, b}, true)}, Guide{b - Point{15, 0}, b + Point{15, 0}}, FixedHinge{a0},
-                        Slider{b}, Line{polyline({a0, a, b}, false), Meaning::link, "links"}, Hinge{a}, Hinge{b},
+  sheet.figure.marks = {Area{polyline({a0, a, b}, true)},
+                        Guide{b - Point{15, 0}, b + Point{15, 0}},
+                        FixedHinge{a0},
+                        Slider{b},
+                        Line{polyline({a0, a, b}, false), Meaning::link, "links"},
+                        Hinge{a},
+                        Hinge{b},
                         Arrow{a, a + Point{-10, 17}, Meaning::velocity, "v_A"},
                         ScaleBar{area.low + Point{3, 6}, 40, 4, "1 : 5", {"0", "", "0.1", "", "0.2 m"}}};
   sheet.figure.labels = {{"$A_{0}$", a0}, {"A", a}, {"B", b}, {"$\\vec{v}_{A}$", a, a + Point{-10, 17}}};
   sheet.figure.steps = {{1, a}, {2, b}};
-  sheet.column = {Heading{"Construction"}, Steps{{"Draw the crank.", "Draw the coupler, long enough to need two lines here."}},
+  sheet.column = {Heading{"Construction"},
+                  Steps{{"Draw the crank.", "Draw the coupler, long enough to need two lines here."}},
                   VectorEquation{{{"$\\vec{v}_{B}$", "∥ $A_{0}B$", "?", ""},
                                   {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "$ω_{2}·A_{0}A$", "="},
                                   {"$\\vec{v}_{BA}$", "⊥ BA", "?", "+"}}},
-                  Table{{"quantity", "value", "printed"}, {{"$v_{B}$ (m/s)", "5.103", "5.33"}, {"$ω_{3}$ (rad/s)", "13.33", "13"}}},
+                  Table{{"quantity", "value", "printed"},
+                        {{"$v_{B}$ (m/s)", "5.103", "5.33"}, {"$ω_{3}$ (rad/s)", "13.33", "13"}}},
                   Paragraph{"A remark."}};
   sheet.title_block = {"Slider-crank", "Velocities", "A source", {"1 : 5", "1 cm ≙ 2.5 m/s"}, 1, 2};
   return sheet;
@@ -56,7 +64,8 @@ TEST_CASE("everything stands inside the frame, and nothing in the column or titl
       const Page page = compose(example(paper, language), &conflicts);
       CHECK(conflicts == std::vector<std::string>{});
       const Box frame = grown(paper_box(paper), -10);
-      for (const Primitive& primitive : page.primitives) CHECK(contains(grown(frame, 0.25 + 1e-9), ink_box(primitive)));
+      for (const Primitive& primitive : page.primitives)
+        CHECK(contains(grown(frame, 0.25 + 1e-9), ink_box(primitive)));
       CHECK(page.extent.width() == (paper == Paper::a4 ? 297 : 420));
       CHECK(page.extent.height() == (paper == Paper::a4 ? 210 : 297));
       CHECK(probe::disturbed(page, frame) == std::vector<std::string>{});
@@ -76,13 +85,14 @@ TEST_CASE("figure, column and title block do not share paper") {
 TEST_CASE("the title block says what the sheet is, in its language") {
   Sheet sheet = example(Paper::a3, Language::italian);
   const Page page = compose(sheet);
-  for (const std::string part : {"Slider-crank", "Velocities", "A source", "1 : 5", "2.5 m/s", "A3", "1/2", "formato", "foglio",
-                                 "fonte", "epure ", "100 %", "direzione", "modulo"}) {
+  for (const std::string part : {"Slider-crank", "Velocities", "A source", "1 : 5", "2.5 m/s", "A3", "1/2", "formato",
+                                 "foglio", "fonte", "epure ", "100 %", "direzione", "modulo"}) {
     INFO(part);
     CHECK(has_text(page, part));
   }
   sheet.language = Language::english;
-  for (const std::string part : {"paper", "sheet", "source", "direction", "magnitude"}) CHECK(has_text(compose(sheet), part));
+  for (const std::string part : {"paper", "sheet", "source", "direction", "magnitude"})
+    CHECK(has_text(compose(sheet), part));
 }
 
 TEST_CASE("the check bar is 50 mm long") {
@@ -110,6 +120,17 @@ TEST_CASE("a bare sheet is cropped to its ink and 2 mm") {
       top = std::max(top, p.y);
     }
   CHECK(page.extent.high.y < top + 8);
+}
+
+TEST_CASE("the crop counts the width of lines") {
+  const Point p = middle(drawing_area(Paper::a4));
+  Sheet sheet;
+  sheet.id = "crop";
+  sheet.bare = true;
+  sheet.figure.marks = {Line{circle(p, 20), Meaning::link}};
+  const Page page = compose(sheet);
+  CHECK(page.extent.low.x == Approx(p.x - 20 - 0.25 - 2).margin(0.01));
+  CHECK(page.extent.high.y == Approx(p.y + 20 + 0.25 + 2).margin(0.01));
 }
 
 TEST_CASE("composing twice gives the same page") {
@@ -165,7 +186,8 @@ TEST_CASE("far geometry is cut to the drawing area and costs no time") {
   sheet.bare = true;
   for (int i = 0; i < 20; ++i) {
     sheet.figure.marks.push_back(Line{circle(centre + Point{1e6, 3.0 * i}, 1e6), Meaning::axis, "arc"});
-    sheet.figure.marks.push_back(Line{segment(centre - Point{1e6, 1e5 * i}, centre + Point{1e6, 1e5 * i}), Meaning::axis});
+    sheet.figure.marks.push_back(
+        Line{segment(centre - Point{1e6, 1e5 * i}, centre + Point{1e6, 1e5 * i}), Meaning::axis});
     sheet.figure.marks.push_back(Guide{centre - Point{1e6, 0}, centre + Point{1e6, 0}});
   }
   sheet.figure.marks.push_back(Area{circle(centre - Point{1e6, 0}, 1e6)});
@@ -218,11 +240,28 @@ TEST_CASE("an uncut line keeps its end points bit by bit") {
   CHECK(lines[0].path.pieces[0].end.y == b.y);
 }
 
+TEST_CASE("a line cut at one end keeps the other bit by bit") {
+  const Box box{{0, 0}, {1, 1}};
+  for (int i = 1; i < 200; ++i) {
+    const Point inside{i / 201.0, 0.1 + i / 301.0}, outside{1.7 + i * 0.013, 3.1 - i * 0.031};
+    const auto leaving = clip_segment(inside, outside, box), entering = clip_segment(outside, inside, box);
+    REQUIRE(leaving);
+    REQUIRE(entering);
+    CHECK(leaving->first.x == inside.x);
+    CHECK(leaving->first.y == inside.y);
+    CHECK(entering->second.x == inside.x);
+    CHECK(entering->second.y == inside.y);
+    CHECK(contains(box, leaving->second));
+    CHECK(contains(box, entering->first));
+  }
+}
+
 TEST_CASE("a long column is set smaller, and one too long is reported") {
   const auto column_of = [](int steps) {
     Sheet sheet = example(Paper::a4, Language::english);
     Steps many;
-    for (int i = 0; i < steps; ++i) many.lines.push_back("One more step of the construction, in a line of usual length.");
+    for (int i = 0; i < steps; ++i)
+      many.lines.push_back("One more step of the construction, in a line of usual length.");
     sheet.column = {many};
     return sheet;
   };

@@ -42,16 +42,28 @@ Figure star(int rays) {
 Figure four_bar_with_circles() {
   Figure figure;
   const Point a0 = area.low + Point{40, 40}, a = a0 + Point{20, 35}, b = a0 + Point{85, 55}, b0 = a0 + Point{90, 0};
-  figure.marks = {Line{segment(a0, b0), Meaning::axis}, Line{polyline({a0, a, b, b0}, false), Meaning::link},
-                  Line{circle(a0, distance(a0, a)), Meaning::axis}, Line{circle(b0, distance(b0, b)), Meaning::axis},
-                  FixedHinge{a0}, FixedHinge{b0}, Hinge{a}, Hinge{b},
+  figure.marks = {Line{segment(a0, b0), Meaning::axis},
+                  Line{polyline({a0, a, b, b0}, false), Meaning::link},
+                  Line{circle(a0, distance(a0, a)), Meaning::axis},
+                  Line{circle(b0, distance(b0, b)), Meaning::axis},
+                  FixedHinge{a0},
+                  FixedHinge{b0},
+                  Hinge{a},
+                  Hinge{b},
                   Line{segment(a0, a0 + 4.2 * (a - a0)), Meaning::construction},
                   Line{segment(b0, b0 + 2.2 * (b - b0)), Meaning::construction},
-                  Arrow{a, a + Point{-17, 10}}, Arrow{b, b + Point{-20, -2}}};
-  figure.labels = {{"$A_{0}$", a0}, {"$B_{0}$", b0}, {"A", a}, {"B", b},
+                  Arrow{a, a + Point{-17, 10}},
+                  Arrow{b, b + Point{-20, -2}}};
+  figure.labels = {{"$A_{0}$", a0},
+                   {"$B_{0}$", b0},
+                   {"A", a},
+                   {"B", b},
                    {"$\\vec{v}_{A}$", a, a + Point{-17, 10}, Meaning::velocity},
                    {"$\\vec{v}_{B}$", b, b + Point{-20, -2}, Meaning::velocity},
-                   {"2", a0, a}, {"3", a, b}, {"4", b0, b}, {"1", a0, b0}};
+                   {"2", a0, a},
+                   {"3", a, b},
+                   {"4", b0, b},
+                   {"1", a0, b0}};
   figure.steps = {{1, a}, {2, b}, {3, between(a0, a, 0.5)}, {12, between(b0, b, 0.5)}};
   return figure;
 }
@@ -97,7 +109,9 @@ bool mentions(const std::vector<std::string>& conflicts, const std::string& text
 }  // namespace
 
 TEST_CASE("labels of crowded figures touch nothing") {
-  SECTION("a four-bar linkage with its circles, velocities and steps") { require_undisturbed(four_bar_with_circles()); }
+  SECTION("a four-bar linkage with its circles, velocities and steps") {
+    require_undisturbed(four_bar_with_circles());
+  }
   SECTION("twelve vectors from one point") { require_undisturbed(star(12)); }
   SECTION("twenty points in a row, four millimetres apart") {
     Figure figure;
@@ -112,7 +126,8 @@ TEST_CASE("labels of crowded figures touch nothing") {
   SECTION("twelve points on the border of the drawing area") {
     Figure figure;
     for (int i = 0; i < 12; ++i) {
-      const Point p = i < 6 ? Point{area.low.x, area.low.y + 25.0 * i} : Point{area.low.x + 25.0 * (i - 6), area.high.y};
+      const Point p =
+          i < 6 ? Point{area.low.x, area.low.y + 25.0 * i} : Point{area.low.x + 25.0 * (i - 6), area.high.y};
       figure.marks.push_back(Dot{p});
       figure.labels.push_back({"$Q_{" + std::to_string(i) + "}$", p});
     }
@@ -160,7 +175,8 @@ TEST_CASE("random figures: what is not free is reported, and little is not free"
     std::vector<std::string> conflicts;
     const Page page = compose(bare(figure), &conflicts);
     for (const std::string& text : probe::disturbed(page, area)) CHECK(mentions(conflicts, text));
-    for (const PlacedText& text : probe::all<PlacedText>(page)) CHECK(contains(grown(area, 1e-9), probe::text_box(text)));
+    for (const PlacedText& text : probe::all<PlacedText>(page))
+      CHECK(contains(grown(area, 1e-9), probe::text_box(text)));
     labels += figure.labels.size() + figure.steps.size();
     reported += conflicts.size();
   }

@@ -56,7 +56,8 @@ TEST_CASE("a vector shorter than its head is a dot at its tip") {
     CHECK(probe::all<Stroke>(page).empty());
     const auto dots = probe::named<Fill>(page, "v");
     REQUIRE(dots.size() == 1);
-    for (const Point p : probe::samples(dots[0].path, 0.05)) CHECK(distance(p, to) == Approx(dot_radius).epsilon(1e-4));
+    for (const Point p : probe::samples(dots[0].path, 0.05))
+      CHECK(distance(p, to) == Approx(dot_radius).epsilon(1e-4));
   }
 }
 
