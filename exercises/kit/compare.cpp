@@ -2,23 +2,13 @@
 
 #include <cmath>
 
+#include "exercises/kit/checked.h"
 #include "exercises/kit/sheet.h"
 
 namespace epure {
 
-double as_measured(const Measurement& measurement, drawings::Paper paper) {
-  const drawings::Point from = drawings::as_filed(measurement.from, paper);
-  const drawings::Point to = drawings::as_filed(measurement.to, paper);
-  switch (measurement.kind) {
-    case Measurement::along_x: return (to.x - from.x) * measurement.per_mm;
-    case Measurement::along_y: return (to.y - from.y) * measurement.per_mm;
-    case Measurement::length: break;
-  }
-  return std::hypot(to.x - from.x, to.y - from.y) * measurement.per_mm;
-}
-
 Readings::Readings(const DrawnSheet& drawn) {
-  for (const Measurement& m : drawn.measurements) values_.emplace(m.quantity, as_measured(m, drawn.sheet.paper));
+  for (const Measurement& m : drawn.measurements) values_.emplace(m.quantity, measure(m, {}, drawn.sheet.paper).value);
 }
 
 drawings::Table comparison_table(const std::vector<Comparison>& rows, const Words& first, const Words& second,

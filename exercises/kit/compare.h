@@ -9,9 +9,6 @@
 
 namespace epure {
 
-// The quantity as the marks of the file show it: end points as filed, length (or component) times scale.
-double as_measured(const Measurement& measurement, drawings::Paper paper);
-
 // Every quantity a sheet shows; of one shown twice, the first.
 class Readings {
  public:

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "exercises/kit/drawn.h"
+
 namespace epure {
 namespace {
 
@@ -35,6 +37,52 @@ void Plot::area(const std::vector<Place>& corners, Meaning meaning) {
 
 void Plot::circle(const Place& centre, double radius, Meaning meaning, const std::string& name) {
   mark(drawings::Line{drawings::circle(at(centre), radius * scale_.mm_per_unit), meaning, name});
+}
+
+namespace {
+
+constexpr double farthest = 1000;  // mm: more than any way across the paper
+
+// Around the point of the circle that is nearest to `middle`, as far as the paper reaches. Written from that point, not
+// from the centre, so that a centre kilometres away costs no digits.
+drawings::Path arc_near(drawings::Point centre, double radius, drawings::Point middle) {
+  const double toward = direction(centre, middle);
+  const drawings::Point nearest{centre.x + radius * std::cos(toward), centre.y + radius * std::sin(toward)};
+  const double half = farthest / radius;
+  constexpr int pieces = 8;
+  const auto at = [&](double turn) -> drawings::Point {
+    const double across = 2 * std::sin(turn / 2);  // the chord from `nearest`, over the radius
+    return {nearest.x - radius * across * std::sin(toward + turn / 2),
+            nearest.y + radius * across * std::cos(toward + turn / 2)};
+  };
+  drawings::Path path{at(-half), {}, false};
+  const double step = 2 * half / pieces, handle = 4.0 / 3 * std::tan(step / 4) * radius;
+  for (int i = 0; i < pieces; ++i) {
+    const double from = -half + i * step, to = from + step;
+    const drawings::Point p = at(from), q = at(to);
+    path.pieces.push_back({false,
+                           {p.x - handle * std::sin(toward + from), p.y + handle * std::cos(toward + from)},
+                           {q.x + handle * std::sin(toward + to), q.y - handle * std::cos(toward + to)},
+                           q});
+  }
+  return path;
+}
+
+}  // namespace
+
+void Plot::cycle(const DrawnCycle& cycle, Meaning meaning, const std::string& name) {
+  const drawings::Box area = drawings::drawing_area(onto_.sheet.paper);
+  const drawings::Point middle{(area.low.x + area.high.x) / 2, (area.low.y + area.high.y) / 2};
+  if (cycle.centre) {
+    const double radius = cycle.radius * scale_.mm_per_unit;
+    if (radius < farthest) return circle(*cycle.centre, cycle.radius, meaning, name);
+    return mark(drawings::Line{arc_near(at(*cycle.centre), radius, middle), meaning, name});
+  }
+  if (!cycle.on_line) return;
+  const drawings::Point foot = at(*cycle.on_line);
+  const double length = std::hypot(cycle.along.x, cycle.along.y);
+  const double dx = cycle.along.x / length * farthest, dy = cycle.along.y / length * farthest;
+  mark(drawings::Line{drawings::segment({foot.x - dx, foot.y - dy}, {foot.x + dx, foot.y + dy}), meaning, name});
 }
 
 void Plot::dot(const Place& P, Meaning meaning) { mark(drawings::Dot{at(P), meaning, {}}); }
@@ -75,6 +123,11 @@ void Plot::label(const std::string& text, const Place& P, std::optional<Place> a
   drawings::Label label{.text = text, .at = at(P), .ink = ink};
   if (away_from) label.away_from = at(*away_from);
   onto_.sheet.figure.labels.push_back(label);
+}
+
+void Plot::small_label(const std::string& text, const Place& P, const Place& away_from) {
+  constexpr double small = 2.5;
+  onto_.sheet.figure.labels.push_back({.text = text, .at = at(P), .away_from = at(away_from), .size = small});
 }
 
 void Plot::step(int number, const Place& P) { onto_.sheet.figure.steps.push_back({number, at(P)}); }

@@ -15,6 +15,8 @@ using Place = geometry::Point<double>;   // metres, or the unit of the plane of 
 using Arrow2 = geometry::Vector<double>;
 using drawings::Meaning;
 
+struct DrawnCycle;
+
 class Plot {
  public:
   // `origin`: where on the paper (0, 0) lies.
@@ -39,6 +41,8 @@ class Plot {
   void polygon(const std::vector<Place>& corners, Meaning meaning);
   void area(const std::vector<Place>& corners, Meaning meaning);
   void circle(const Place& centre, double radius, Meaning meaning, const std::string& name = {});
+  // A circle, or the line it has become, as far as it crosses the drawing area.
+  void cycle(const DrawnCycle& cycle, Meaning meaning, const std::string& name = {});
   void dot(const Place& P, Meaning meaning = Meaning::construction);
   void cross(const Place& P, Meaning meaning = Meaning::locus);
   void hinge(const Place& P);
@@ -55,6 +59,8 @@ class Plot {
 
   void label(const std::string& text, const Place& P, std::optional<Place> away_from = {},
              Meaning ink = Meaning::text);
+  // A number or name in the smaller letters of a crowd of positions.
+  void small_label(const std::string& text, const Place& P, const Place& away_from);
   void step(int number, const Place& P);
 
   // The sheet shows quantity `name` as the distance PQ.

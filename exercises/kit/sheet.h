@@ -4,6 +4,7 @@
 #include <string>
 
 #include "exercises/kit/exercise.h"
+#include "exercises/kit/scale.h"
 
 namespace epure {
 
@@ -14,7 +15,7 @@ DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const
 drawings::Box room_above_scale_bars(const SheetRequest& request);
 
 // Puts the bars side by side at the foot of the drawing area, and their captions into the title block.
-void add_scale_bars(DrawnSheet& onto, const std::vector<struct Scale>& scales, const SheetRequest& request);
+void add_scale_bars(DrawnSheet& onto, const std::vector<Scale>& scales, const SheetRequest& request);
 
 // A number as the sheet writes it, with `figures` significant figures.
 std::string figures(double value, int figures, Language language);

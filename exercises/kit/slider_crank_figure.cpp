@@ -4,15 +4,10 @@
 #include <numbers>
 
 #include "exercises/kit/fit.h"
-#include "geometry/numbers/enclosure.h"
 
 namespace epure {
 
 using geometry::Deep;
-
-double to_double(const Deep& x) { return geometry::enclosure(x).value; }
-Place to_double(const geometry::Point<Deep>& P) { return {to_double(P.x), to_double(P.y)}; }
-Arrow2 to_double(const geometry::Vector<Deep>& v) { return {to_double(v.x), to_double(v.y)}; }
 
 DrawnSliderCrank drawn_position(const SliderCrankInstant& at) {
   return deeply([&]() -> DrawnSliderCrank {
@@ -56,6 +51,19 @@ void draw_slider_crank(Plot& plot, const DrawnSliderCrank& at, double turns_per_
     plot.label(name, P, inside);
   }
   plot.label("$M$", at.M, at.C);
+}
+
+void draw_small_slider_crank(DrawnSheet& onto, const DrawnSliderCrank& at, const SliderCrankInstant& instant,
+                             const drawings::Box& room, const SheetRequest& request) {
+  const double reach = std::abs(at.B.x) + std::hypot(at.A.x, at.A.y);
+  const Fit fit = fit_lengths(room, request, 1000 / reach, [&](const Scale& scale) {
+    Extent extent;
+    include_slider_crank(extent, scale, at);
+    return extent.box();
+  });
+  Plot plot(onto, fit.origin, fit.scale);
+  draw_slider_crank(plot, at, CGAL::to_double(instant.turns_per_second));
+  onto.sheet.title_block.scales.push_back(fit.scale.caption);
 }
 
 void include_slider_crank(Extent& extent, const Scale& scale, const DrawnSliderCrank& at) {

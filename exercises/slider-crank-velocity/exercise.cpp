@@ -90,7 +90,7 @@ Drawn drawn(const SliderCrankInstant& instant) {
     const auto diagram = geometry::velocity_diagram(at, instant.omega_2<Deep>());
     const auto v_CA = diagram.relative(at.C - at.A), v_MA = diagram.relative(at.M - at.A);
     Drawn figure{.instant = instant, .at = drawn_position(instant)};
-    if (!instant.pole_at_infinity) figure.P0 = to_double(geometry::finite(at.pole()));
+    figure.P0 = to_double(at.pole());
     figure.omega_3 = to_double(diagram.omega_3);
     figure.v_A = to_double(diagram.v_A);
     figure.v_B = to_double(diagram.v_B);

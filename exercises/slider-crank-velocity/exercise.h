@@ -14,9 +14,9 @@ std::vector<Printed> printed_by_the_source();
 struct Drawn {
   SliderCrankInstant instant;
   DrawnSliderCrank at;
-  std::optional<Place> P0;  // none when at infinity
+  std::optional<Place> P0 = {};  // none when at infinity
   double omega_3 = 0;
-  Arrow2 v_A, v_B, v_C, v_M, v_BA, v_CA, v_MA;
+  Arrow2 v_A = {}, v_B = {}, v_C = {}, v_M = {}, v_BA = {}, v_CA = {}, v_MA = {};
 };
 Drawn drawn(const SliderCrankInstant& instant);
 

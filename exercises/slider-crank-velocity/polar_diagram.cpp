@@ -16,18 +16,6 @@ constexpr double mechanism_share = 0.40;  // of the room's height; the polygon n
 
 Place tip(const Arrow2& v) { return {v.x, v.y}; }
 
-void draw_mechanism(DrawnSheet& onto, const Drawn& f, const drawings::Box& room, const SheetRequest& request) {
-  const double reach = std::abs(f.at.B.x) + std::hypot(f.at.A.x, f.at.A.y);
-  const Fit fit = fit_lengths(room, request, 1000 / reach, [&](const Scale& scale) {
-    Extent extent;
-    include_slider_crank(extent, scale, f.at);
-    return extent.box();
-  });
-  Plot plot(onto, fit.origin, fit.scale);
-  draw_slider_crank(plot, f.at, CGAL::to_double(f.instant.turns_per_second));
-  onto.sheet.title_block.scales.push_back(fit.scale.caption);
-}
-
 void draw_polygon(Plot& plot, const Drawn& f) {
   const Place O{0, 0}, a = tip(f.v_A), b = tip(f.v_B), c = tip(f.v_C), m = tip(f.v_M);
   const Place inside{(a.x + b.x) / 2, (a.y + b.y) / 2};
@@ -114,10 +102,7 @@ std::vector<Comparison> comparisons(const DrawnSheet& polar, const Drawn& f, con
 void draw_polar_diagram(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   const drawings::Box room = room_above_scale_bars(request);
   const double divide = room.high.y - mechanism_share * room.height();
-  SheetRequest mechanism = request;
-  mechanism.scale.reset();  // --scale names the scale of the space diagram alone, and it must fit the upper part
-  if (request.scale) mechanism.scale = request.scale;
-  draw_mechanism(onto, f, {{room.low.x, divide}, room.high}, mechanism);
+  draw_small_slider_crank(onto, f.at, f.instant, {{room.low.x, divide}, room.high}, request);
   double greatest = 0;
   for (const Arrow2& v : {f.v_A, f.v_B, f.v_C, f.v_M}) greatest = std::max(greatest, std::hypot(v.x, v.y));
   const Fit fit = fit_vectors({room.low, {room.high.x, divide}}, "m/s", request.language, room.width() / greatest,

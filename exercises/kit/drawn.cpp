@@ -1,0 +1,36 @@
+#include "exercises/kit/drawn.h"
+
+#include "geometry/numbers/enclosure.h"
+
+namespace epure {
+
+using geometry::Deep;
+using geometry::Sign;
+
+namespace {
+
+bool is_nonzero(const Deep& x) {
+  const Sign s = geometry::sign(x);
+  return s == Sign::positive || s == Sign::negative;
+}
+
+}  // namespace
+
+double to_double(const Deep& x) { return geometry::enclosure(x).value; }
+Place to_double(const geometry::Point<Deep>& P) { return {to_double(P.x), to_double(P.y)}; }
+Arrow2 to_double(const geometry::Vector<Deep>& v) { return {to_double(v.x), to_double(v.y)}; }
+
+std::optional<Place> to_double(const geometry::ProjectivePoint<Deep>& P) {
+  if (!is_nonzero(P.w)) return {};
+  return to_double(geometry::finite(P));
+}
+
+DrawnCycle to_double(const geometry::Cycle<Deep>& cycle) {
+  if (is_nonzero(cycle.k)) return {.centre = to_double(cycle.centre()), .radius = to_double(cycle.radius())};
+  if (!is_nonzero(geometry::square(cycle.l) + geometry::square(cycle.m))) return {};
+  const auto line = cycle.straight();
+  const geometry::Point<Deep> origin{Deep(0), Deep(0)};
+  return {.on_line = to_double(geometry::foot(origin, line)), .along = to_double(line.direction())};
+}
+
+}  // namespace epure

@@ -1,0 +1,81 @@
+// Sheet 4: the path of C by the transport method: the triangle ABC of the instant carried onto the AB of each position.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "exercises/kit/curve.h"
+#include "exercises/kit/fit.h"
+#include "exercises/kit/sheet.h"
+#include "exercises/slider-crank-velocity/loci.h"
+
+namespace epure::slider_crank_velocity {
+namespace {
+
+drawings::Box extent(const Drawn& f, const std::vector<Position>& all, const Scale& scale) {
+  Extent extent;
+  const double r = std::hypot(f.at.A.x, f.at.A.y);
+  extent.include(scale, {-r, -r}, 1);
+  extent.include(scale, {r, r}, 4);
+  for (const Position& at : all) {
+    extent.include(scale, at.B, 1);
+    extent.include(scale, at.C, 7);
+  }
+  extent.include(scale, f.at.B, 8);
+  extent.include(scale, f.at.C, 8);
+  return extent.box();
+}
+
+void draw_positions(Plot& plot, const Drawn& f, const std::vector<Position>& all) {
+  for (const Position& at : all) {
+    plot.polygon({at.A, at.B, at.C}, Meaning::alternative);
+    plot.dot(at.A, Meaning::construction);
+    plot.dot(at.C, Meaning::locus);
+    plot.small_label(std::to_string(at.number), at.A, f.at.A0);
+    plot.small_label(std::to_string(at.number), at.C, Place{(at.A.x + at.B.x) / 2, (at.A.y + at.B.y) / 2});
+  }
+}
+
+drawings::Steps steps(Language language) {
+  if (language == Language::english) {
+    return {{fmt::format("The crank's circle in {} parts, numbered from the outer dead centre: positions of $A$.", positions),
+             "The slider: each $B$ on the guide by the arc of radius $l$ about its $A$.",
+             "The triangle $ABC$ on tracing paper, carried forth until its $AB$ covers that of each position: $C$ marks a point.",
+             "The curve through the points: the path of $C$."}};
+  }
+  return {{fmt::format("La circonferenza di manovella in {} parti, numerate dal punto morto esterno: le posizioni di $A$.", positions),
+           "Il piede di biella: ogni $B$ sulla guida con l'arco di raggio $l$ dal suo $A$.",
+           "Il triangolo $ABC$ su carta da lucido, portato finché il suo $AB$ copre quello di ogni posizione: $C$ segna un punto.",
+           "La curva per i punti: la traiettoria di $C$."}};
+}
+
+}  // namespace
+
+void draw_coupler_curve(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
+  const drawings::Box room = room_above_scale_bars(request);
+  const std::vector<Position> all = divided_positions(f.instant);
+  const double size = std::hypot(f.at.A.x, f.at.A.y) + CGAL::to_double(f.instant.lengths.l);
+  const Fit fit = fit_lengths(room, request, 1000 / size, [&](const Scale& scale) { return extent(f, all, scale); });
+  Plot plot(onto, fit.origin, fit.scale);
+  draw_positions(plot, f, all);
+  const geometry::Arithmetic<geometry::Bounded> scope;
+  const geometry::CouplerCurve<geometry::Bounded> curve{loop_of<geometry::Bounded>(f.instant),
+                                                        reference_of<geometry::Bounded>(f.instant),
+                                                        f.instant.position<geometry::Bounded>().C};
+  const geometry::Trace path = draw_locus(plot, curve, room, Meaning::locus, "path_of_C");
+  draw_slider_crank(plot, f.at, CGAL::to_double(f.instant.turns_per_second));
+  plot.measures_coordinates("C", f.at.C, f.at.A0);
+  add_scale_bars(onto, {fit.scale}, request);
+
+  const bool english = request.language == Language::english;
+  auto& column = onto.sheet.column;
+  column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
+  column.push_back(steps(request.language));
+  column.push_back(drawings::Heading{english ? "The curve" : "La curva"});
+  column.push_back(drawings::Paragraph{fmt::format(
+      fmt::runtime(english ? "{} Bezier arcs, at most {} mm on this sheet from the true path."
+                           : "{} archi di Bézier, su questo foglio a non più di {} mm dalla traiettoria vera."),
+      path.arcs(), figures(path.deviation() * fit.scale.mm_per_unit, 1, request.language))});
+  onto.sheet.description = fmt::format("path of C: {} arcs through {} constructed positions", path.arcs(), all.size());
+}
+
+}  // namespace epure::slider_crank_velocity
