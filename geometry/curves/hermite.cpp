@@ -25,9 +25,9 @@ struct Miss {
   }
 };
 
-Miss interpolation_miss(const Bounded& h, const Point<BoundedSeries>& over) {
-  const double h4 = square(square(h)).sup() / 16;
-  return {h4 * magnitude_bound(over.x.c[4]), h4 * magnitude_bound(over.y.c[4])};
+Miss interpolation_miss(const Bounded& h, const Vector<Bounded>& fourth) {
+  const double share = square(square(h)).sup() / 16;
+  return {share * magnitude_bound(fourth.x), share * magnitude_bound(fourth.y)};
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ Knot knot(double t, const Point<BoundedTangent>& at) {
 
 double FittedArc::deviation() const { return interpolation + rounding; }
 
-FittedArc fit(const Knot& a, const Knot& b, const Point<BoundedSeries>& over) {
+FittedArc fit(const Knot& a, const Knot& b, const Vector<Bounded>& fourth) {
   const Bounded h = Bounded(b.t) - Bounded(a.t), third = h / Bounded(3);
   const Point<Bounded> first = a.position + third * a.derivative, second = b.position + (-third) * b.derivative;
   const BezierArc arc{a.drawn, middle(first), middle(second), b.drawn};
@@ -48,7 +48,12 @@ FittedArc fit(const Knot& a, const Knot& b, const Point<BoundedSeries>& over) {
   rounding.cover(first, arc.first_control);
   rounding.cover(second, arc.second_control);
   rounding.cover(b.position, arc.end);
-  return {arc, interpolation_miss(h, over).length(), rounding.length()};
+  return {arc, interpolation_miss(h, fourth).length(), rounding.length()};
+}
+
+Bounded fourth_coefficient(const BoundedSeries& over, const BoundedSeries& middle, const Bounded& t, double m) {
+  const Bounded by_mean_value = middle.c[4] + Bounded(5) * over.c[5] * (t - Bounded(m));
+  return {std::max(over.c[4].inf(), by_mean_value.inf()), std::min(over.c[4].sup(), by_mean_value.sup())};
 }
 
 }  // namespace epure::geometry

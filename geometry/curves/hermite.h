@@ -23,7 +23,13 @@ struct FittedArc {
   double deviation() const;
 };
 
-// `over` encloses the curve from a.t to b.t. Needs an Arithmetic<Bounded> scope, for the bounds too.
-FittedArc fit(const Knot& a, const Knot& b, const Point<BoundedSeries>& over);
+// `fourth` encloses the fourth Taylor coefficient of the curve from a.t to b.t. Needs an Arithmetic<Bounded> scope,
+// for the bounds too.
+FittedArc fit(const Knot& a, const Knot& b, const Vector<Bounded>& fourth);
+
+// c[4] over an interval of parameters, narrowed by the mean value theorem: c[4] = c[4] at m + 5 c[5] somewhere
+// between times (t - m), intersected with c[4] of `over`. `over` and `middle` are one series over `t` and at its
+// middle m.
+Bounded fourth_coefficient(const BoundedSeries& over, const BoundedSeries& middle, const Bounded& t, double m);
 
 }  // namespace epure::geometry

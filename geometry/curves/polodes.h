@@ -14,11 +14,12 @@
 namespace epure::geometry {
 
 // The link whose direction is given: the crank A₀A, or the coupler A -> B. Of these the shorter can turn fully, and a
-// locus is then one closed branch (seen projectively); driven by the longer, the linkage closes for part of the turn only.
+// locus is then one closed branch (seen projectively); driven by the longer, the linkage closes for part of the turn
+// only.
 enum class Driver { crank, coupler };
 
-// The other pin is found on the guide (B), or on the parallel to the guide through it (A): ahead of or behind the foot.
-// `ahead` with the crank as driver is the slider_crank of mechanisms/.
+// The other pin is found on the guide (B), or on the parallel to the guide through it (A): ahead of or behind the
+// foot. `ahead` with the crank as driver is the slider_crank of mechanisms/.
 template <class T>
 struct SliderCrankLoop {
   T r, l;  // A₀A, AB
@@ -76,11 +77,17 @@ std::vector<Vector<T>> directions_of_divided_circle(int n) {
 // The loci. Made of plain numbers T and called with X: T itself, or a series over T (see trace.h).
 
 template <class X, class T>
-Point<X> lifted(const Point<T>& P) { return {X(P.x), X(P.y)}; }
+Point<X> lifted(const Point<T>& P) {
+  return {X(P.x), X(P.y)};
+}
 template <class X, class T>
-ProjectivePoint<X> lifted(const ProjectivePoint<T>& P) { return {X(P.x), X(P.y), X(P.w)}; }
+ProjectivePoint<X> lifted(const ProjectivePoint<T>& P) {
+  return {X(P.x), X(P.y), X(P.w)};
+}
 template <class X, class T>
-SliderCrankLoop<X> lifted(const SliderCrankLoop<T>& loop) { return {X(loop.r), X(loop.l), loop.driver, loop.closure}; }
+SliderCrankLoop<X> lifted(const SliderCrankLoop<T>& loop) {
+  return {X(loop.r), X(loop.l), loop.driver, loop.closure};
+}
 template <class X, class T>
 CouplerPosition<X> lifted(const CouplerPosition<T>& p) {
   return {lifted<X>(p.A), lifted<X>(p.B), lifted<X>(p.P0)};

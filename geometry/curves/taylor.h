@@ -1,11 +1,11 @@
 // A truncated Taylor series as a number: a construction that runs on it yields its derivatives along with its result.
 //
-// c[k] is the k-th derivative by the parameter divided by k!, for k = 0..N. When T encloses (Bounded) and the parameter
-// is an interval, c[k] contains that quotient at every parameter of the interval: each rule below is the exact rule for
-// the coefficients at one parameter, carried out in T.
+// c[k] is the k-th derivative by the parameter divided by k!, for k = 0..N. When T encloses (Bounded) and the
+// parameter is an interval, c[k] contains that quotient at every parameter of the interval: each rule below is the
+// exact rule for the coefficients at one parameter, carried out in T.
 //
-// The sign of a series is the sign of c[0], the value itself: a construction decides by values, not by slopes. Over an
-// interval the decision, once taken, holds at every parameter of it, so one formula is valid throughout and may be
+// The sign of a series is the sign of c[0], the value itself: a construction decides by values, not by slopes. Over
+// an interval the decision, once taken, holds at every parameter of it, so one formula is valid throughout and may be
 // differentiated. In particular `zero` says that the value vanishes identically.
 //
 // from_rational is there for the series named at the end; constants of a turn are made in T and lifted by the
@@ -106,10 +106,11 @@ struct Taylor {
   T middle_square(std::size_t k) const { return k % 2 == 0 ? square(c[k / 2]) : T(0); }
 };
 
-// What the tracer runs on: the cubic's remainder needs the fourth derivative, its end points the first.
-using BoundedSeries = Taylor<Bounded, 4>;
+// What the tracer runs on: what a cubic misses needs the fourth derivative, and to enclose that narrowly the fifth;
+// its end points need the first.
+using BoundedSeries = Taylor<Bounded, 5>;
 using BoundedTangent = Taylor<Bounded, 1>;
-using FastSeries = Taylor<Fast, 4>;
+using FastSeries = Taylor<Fast, 5>;
 
 template <>
 inline BoundedSeries from_rational<BoundedSeries>(const Rational& value) {

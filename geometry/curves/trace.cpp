@@ -14,15 +14,16 @@ namespace epure::geometry {
 
 namespace {
 
-// The shortest piece of an arc of the turn (t from -1 to 1) that is tried before a gap is stated. Beside a point where a
-// root vanishes the curve is missed by about the root of this, 1e-6 of its size, which no drawing shows; and pieces of a
-// millionth of it can still be told apart in doubles.
+// The shortest piece of an arc of the turn (t from -1 to 1) that is tried before a gap is stated. Beside a point
+// where a root vanishes the curve is missed by about the root of this, 1e-6 of its size, which no drawing shows; and
+// pieces of a millionth of it can still be told apart in doubles.
 constexpr double shortest = 0x1p-40;
 
 constexpr double first_try = 0.25;
 
-// Where noise drowns the curve, pieces settle here and there by luck. Such a scrap between two undecided gaps, shorter
-// than this (radians: a locus of 200 mm on paper moves by some hundredths of a millimetre), is left out with them.
+// Where noise drowns the curve, pieces settle here and there by luck. Such a scrap between two undecided gaps,
+// shorter than this (radians: a locus of 200 mm on paper moves by some hundredths of a millimetre), is left out with
+// them.
 constexpr double least_scrap = 0x1p-12;
 
 // What is known of the locus over one piece.
@@ -45,9 +46,13 @@ struct Hole {
 };
 
 template <class Stretch>
-bool begins_the_turn(const Stretch& s) { return s.from.arc == 0 && s.from.t == -1; }
+bool begins_the_turn(const Stretch& s) {
+  return s.from.arc == 0 && s.from.t == -1;
+}
 template <class Stretch>
-bool ends_the_turn(const Stretch& s) { return s.to.arc == turn_arcs - 1 && s.to.t == 1; }
+bool ends_the_turn(const Stretch& s) {
+  return s.to.arc == turn_arcs - 1 && s.to.t == 1;
+}
 
 // How much longer the next piece may be so that the fourth power of its length still keeps to the tolerance; a little
 // less, because c[4] is not constant. At most doubled, because far ahead the prediction is worth little.
@@ -62,7 +67,9 @@ bool is_bounded(const Taylor<Bounded, N>& x) {
                      [](const Bounded& c) { return std::isfinite(c.inf()) && std::isfinite(c.sup()); });
 }
 template <std::size_t N>
-bool is_bounded(const Point<Taylor<Bounded, N>>& P) { return is_bounded(P.x) && is_bounded(P.y); }
+bool is_bounded(const Point<Taylor<Bounded, N>>& P) {
+  return is_bounded(P.x) && is_bounded(P.y);
+}
 
 class Tracer {
  public:
@@ -109,12 +116,16 @@ class Tracer {
 
   Piece look(double t, double end) {
     try {
-      return judge(t, end, locus_.over(direction_on_turn(arc_, BoundedSeries::parameter(Bounded(t, end)))));
+      return judge(t, end, series(Bounded(t, end)));
     } catch (const Impossible&) {
       return {Piece::Kind::absent};
     } catch (const Undecided&) {
       return {Piece::Kind::unsettled};
     }
+  }
+
+  ProjectivePoint<BoundedSeries> series(const Bounded& t) const {
+    return locus_.over(direction_on_turn(arc_, BoundedSeries::parameter(t)));
   }
 
   Piece judge(double t, double end, const ProjectivePoint<BoundedSeries>& P) {
@@ -123,16 +134,22 @@ class Tracer {
     if (!is_bounded(over) || !view_.is_near({over.x.c[0], over.y.c[0]})) return {Piece::Kind::unsettled};
     Piece piece{Piece::Kind::drawn, {}, knot_at(end)};
     if (closes_the_turn(end)) piece.end.drawn = runs_.front().arcs.front().start;
-    piece.fitted = fit(start_at(t), piece.end, over);
+    piece.fitted = fit(start_at(t), piece.end, fourth_coefficients(t, end, over));
     // Half of the tolerance at most for what doubles miss: a shorter piece would not help.
     if (!(piece.fitted.rounding <= tolerance_ / 2)) return {Piece::Kind::unsettled};
     if (!(piece.fitted.deviation() <= tolerance_)) piece.kind = Piece::Kind::coarse;
     return piece;
   }
 
+  Vector<Bounded> fourth_coefficients(double t, double end, const Point<BoundedSeries>& over) const {
+    const double m = t + (end - t) / 2;
+    const Point<BoundedSeries> middle = finite(series(Bounded(m)));
+    const Bounded all(t, end);
+    return {fourth_coefficient(over.x, middle.x, all, m), fourth_coefficient(over.y, middle.y, all, m)};
+  }
+
   Knot knot_at(double t) const {
-    const Point<BoundedTangent> P =
-        finite(locus_.at(direction_on_turn(arc_, BoundedTangent::parameter(Bounded(t)))));
+    const Point<BoundedTangent> P = finite(locus_.at(direction_on_turn(arc_, BoundedTangent::parameter(Bounded(t)))));
     if (!is_bounded(P)) throw Undecided("a point too far for doubles");
     return knot(t, P);
   }
@@ -181,8 +198,8 @@ class Tracer {
   }
 
   // Resumes where a piece as long as the stride is settled again: by doubled steps, the last of them searched by
-  // bisection, so that a wide unsettled stretch costs no more than a narrow one. The stride is the shortest piece, and
-  // longer from gap to gap until the curve is clear again.
+  // bisection, so that a wide unsettled stretch costs no more than a narrow one. The stride is the shortest piece,
+  // and longer from gap to gap until the curve is clear again.
   double leave_out_unsettled(double t) {
     lift_the_pen();
     double unsettled = t, resumed = t + stride_;

@@ -2,15 +2,15 @@
 //
 // A locus is anything callable as
 //   template <class X> ProjectivePoint<X> operator()(const Vector<X>& direction) const
-// the point that belongs to a unit vector turning once around: the crank, for what a crank drives. trace and asymptotes
-// call it with X = BoundedSeries and BoundedTangent, sample with X = Fast.
+// the point that belongs to a unit vector turning once around: the crank, for what a crank drives. trace and
+// asymptotes call it with X = BoundedSeries and BoundedTangent, sample with X = Fast.
 //
-// The bound. On a piece of the turn of parameter length h the cubic takes the values and derivatives of the curve at the
-// ends. At equal parameters a component f is then missed by at most max|f⁗| h⁴/384 over the piece, (t-a)²(t-b)²/4! being
-// at most (h/2)⁴/24; and c[4] = f⁗/24 is enclosed over the whole piece, which leaves h⁴ max|c[4]|/16. To it is added how
-// far the control points, rounded to doubles, may be from the true ones: the cubic is their convex combination. What is
-// bounded at equal parameters bounds the distance from every point of the curve to the arc, and from every point of the
-// arc to the curve.
+// The bound. On a piece of the turn of parameter length h the cubic takes the values and derivatives of the curve at
+// the ends. At equal parameters a component f is then missed by at most max|f⁗| h⁴/384 over the piece,
+// (t-a)²(t-b)²/4! being at most (h/2)⁴/24; and c[4] = f⁗/24 is enclosed over the whole piece, which leaves h⁴
+// max|c[4]|/16. To it is added how far the control points, rounded to doubles, may be from the true ones: the cubic
+// is their convex combination. What is bounded at equal parameters bounds the distance from every point of the curve
+// to the arc, and from every point of the arc to the curve.
 //
 // Lengths in the unit of the locus throughout. On paper 0.01 mm at 1:10 is a tolerance of 1e-4 m.
 #pragma once
@@ -18,8 +18,8 @@
 #include <functional>
 #include <vector>
 
-#include "geometry/curves/taylor.h"
 #include "geometry/constructions/plane.h"
+#include "geometry/curves/taylor.h"
 
 namespace epure::geometry {
 
@@ -64,10 +64,11 @@ struct TracedLocus {
   std::function<ProjectivePoint<BoundedTangent>(const Vector<BoundedTangent>&)> at;
 };
 
-// Every branch deviates by at most `tolerance`. A piece of the curve is left out only when it is proved to lie outside
-// the frame (a point at infinity does), or when it is stated as a gap. What is drawn reaches at most one width or height
-// of the frame beyond it. Where the locus begins or ceases to exist the undecided gap is about 1e-12 of a turn wide.
-// A frame without an inside, or a tolerance that is not positive, is a caller's mistake.
+// Every branch deviates by at most `tolerance`. A piece of the curve is left out only when it is proved to lie
+// outside the frame (a point at infinity does), or when it is stated as a gap. What is drawn reaches at most one
+// width or height of the frame beyond it. Where a root vanishes and the locus ends, the undecided gap is some 1e-12
+// radians wide; where the linkage folds (l = r) noise takes more, some 1e-6, the more the finer the tolerance. A
+// frame without an inside, or a tolerance that is not positive, is a caller's mistake.
 Trace trace(const TracedLocus& locus, const Frame& frame, double tolerance);
 
 template <class Locus>
@@ -81,8 +82,8 @@ struct Sample {
   ProjectivePoint<Fast> point;
 };
 
-// The locus at n equal parts of the turn, from the direction (1, 0): for the eye, for tests and benches; proves nothing.
-// Directions at which the construction finds that the point does not exist, or cannot tell, are passed over.
+// The locus at n equal parts of the turn, from the direction (1, 0): for the eye, for tests and benches; proves
+// nothing. Directions at which the construction finds that the point does not exist, or cannot tell, are passed over.
 template <class Locus>
 std::vector<Sample> sample(const Locus& locus, int n) {
   std::vector<Sample> samples;

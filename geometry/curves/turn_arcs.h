@@ -2,8 +2,8 @@
 //
 // Four arcs, centred on +x, +y, -x, -y. On each, with t from -1 to 1, the direction is the centre turned by
 // 2 arctan(t/m):  ((m² - t²)/(m² + t²), 2mt/(m² + t²)),  m = 2 on the x axis, m = 3 on the y axis.
-// They meet exactly, without overlap, at the directions (±3/5, ±4/5) of the 3-4-5 triangle; and as they lie evenly about
-// both axes, mirroring in an axis only changes the sign of t or swaps two arcs. A binary fraction t is exact.
+// They meet exactly, without overlap, at the directions (±3/5, ±4/5) of the 3-4-5 triangle; and as they lie evenly
+// about both axes, mirroring in an axis only changes the sign of t or swaps two arcs. A binary fraction t is exact.
 #pragma once
 
 #include <cmath>
