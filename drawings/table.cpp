@@ -95,7 +95,7 @@ double cell_left(const TableColumn& column, const std::string& cell, double x, d
   return right - cell_width(cell, size);
 }
 
-void set_head(Galley& galley, const std::vector<TableColumn>& columns, double gap) {
+void set_head(Galley& galley, const std::vector<TableColumn>& columns, double gap, double right) {
   std::size_t lines = 0;
   for (const TableColumn& column : columns) lines = std::max(lines, column.head.size());
   if (lines == 0) return;
@@ -115,7 +115,7 @@ void set_head(Galley& galley, const std::vector<TableColumn>& columns, double ga
     galley.down(1.2 * size);
   }
   galley.down(0.1 * size);
-  galley.rule(galley.top(), galley.left(), galley.right(), fine);
+  galley.rule(galley.top(), galley.left(), right, fine);
   galley.down(0.25 * size);
 }
 
@@ -146,13 +146,15 @@ void set_block(Galley& galley, const Table& table, Language) {
   if (spare < size * gaps)
     galley.complaints.push_back("a table is wider than the column: " +
                                 (table.head.empty() ? std::string{} : plain(table.head.front())));
-  const double gap = gaps > 0 ? std::max(spare / gaps, 0.5 * size) : 0;
+  // As wide as the column, but never so wide that the eye loses the row on its way.
+  const double gap = gaps > 0 ? std::clamp(spare / gaps, 0.5 * size, 5 * size) : 0;
+  const double right = galley.left() + total_width(columns) + gap * gaps;
   galley.down(0.3 * size * galley.air());
-  galley.rule(galley.top(), galley.left(), galley.right(), narrow);
+  galley.rule(galley.top(), galley.left(), right, narrow);
   galley.down(0.25 * size);
-  set_head(galley, columns, gap);
+  set_head(galley, columns, gap, right);
   for (const auto& row : table.rows) set_row(galley, row, columns, gap);
-  galley.rule(galley.top(), galley.left(), galley.right(), narrow);
+  galley.rule(galley.top(), galley.left(), right, narrow);
   galley.down(0.7 * size * galley.air());
 }
 
