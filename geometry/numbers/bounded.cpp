@@ -16,9 +16,7 @@ constexpr long bits = 80;
 
 Bounded angle(double y, double x) { return to_bounded(arc_tangent(Deep::from_double(y), Deep::from_double(x))); }
 
-Bounded hull(const Bounded& a, const Bounded& b) {
-  return {std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
-}
+Bounded hull(const Bounded& a, const Bounded& b) { return {std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup())}; }
 
 }  // namespace
 
@@ -56,8 +54,8 @@ Bounded arc_tangent(const Bounded& y, const Bounded& x) {
     throw Undecided("direction that may be a zero vector or lie on either side of 180 degrees");
   for (const double end : {y.inf(), y.sup(), x.inf(), x.sup()})
     if (!std::isfinite(end)) throw Undecided("direction of a vector without bounds");
-  // Along a side of the box one coordinate is constant and the angle is monotone, and inside the angle has no extremum:
-  // so the corners bound it.
+  // Along a side of the box one coordinate is constant and the angle is monotone, and inside the angle has no
+  // extremum: so the corners bound it.
   const Arithmetic<Deep> scope(bits);
   return hull(hull(angle(y.inf(), x.inf()), angle(y.inf(), x.sup())),
               hull(angle(y.sup(), x.inf()), angle(y.sup(), x.sup())));

@@ -1,5 +1,5 @@
-// Bounded: interval of doubles. Every result contains the true value; ends may be infinite after an overflow, never NaN
-// as long as divisions that may meet zero go through quotient.
+// Bounded: interval of doubles. Every result contains the true value; ends may be infinite after an overflow, never
+// NaN as long as divisions that may meet zero go through quotient.
 #pragma once
 
 #include "geometry/numbers/number.h"

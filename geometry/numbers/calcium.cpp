@@ -14,7 +14,7 @@ namespace {
 
 thread_local epure_calcium_context* innermost = nullptr;
 
-// The number theory below Calcium uses doubles in places, meant for rounding to nearest.
+// The number theory below Calcium uses doubles in places, meant for rounding to nearest. (Caution, as in deep.cpp.)
 struct RoundToNearest : CGAL::Protect_FPU_rounding<true> {
   RoundToNearest() : CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST) {}
 };
@@ -26,8 +26,7 @@ epure_calcium_context* current() {
 
 }  // namespace
 
-Arithmetic<Calcium>::Arithmetic()
-    : context_(epure_calcium_open()), outer_(std::exchange(innermost, context_)) {}
+Arithmetic<Calcium>::Arithmetic() : context_(epure_calcium_open()), outer_(std::exchange(innermost, context_)) {}
 
 Arithmetic<Calcium>::~Arithmetic() {
   innermost = outer_;
@@ -127,9 +126,12 @@ Sign sign(const Calcium& x) {
   const RoundToNearest rounding;
   if (const Sign found = sign_by_balls(x, 64, 128); found != Sign::undecided) return found;
   switch (epure_calcium_is_zero(x.number_, x.context_)) {
-    case EPURE_CALCIUM_YES: return Sign::zero;
-    case EPURE_CALCIUM_NO: return sign_by_balls(x, 256, 16384);
-    default: return Sign::undecided;
+    case EPURE_CALCIUM_YES:
+      return Sign::zero;
+    case EPURE_CALCIUM_NO:
+      return sign_by_balls(x, 256, 16384);
+    default:
+      return Sign::undecided;
   }
 }
 

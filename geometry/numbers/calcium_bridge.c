@@ -107,9 +107,12 @@ void epure_calcium_root(epure_calcium_number* result, const epure_calcium_number
 
 epure_calcium_truth epure_calcium_is_zero(const epure_calcium_number* x, epure_calcium_context* context) {
   switch (ca_check_is_zero(x->value, context->calcium)) {
-    case T_TRUE: return EPURE_CALCIUM_YES;
-    case T_FALSE: return EPURE_CALCIUM_NO;
-    default: return EPURE_CALCIUM_UNKNOWN;
+    case T_TRUE:
+      return EPURE_CALCIUM_YES;
+    case T_FALSE:
+      return EPURE_CALCIUM_NO;
+    default:
+      return EPURE_CALCIUM_UNKNOWN;
   }
 }
 

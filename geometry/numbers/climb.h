@@ -2,13 +2,14 @@
 //
 // A scene is a construction that can run on any number:
 //   const auto scene = [&]<class T>() -> std::vector<Reading<T>> { ... };
-// It returns the same quantities in the same order for every T, and may throw Undecided (nothing of it can be said with
-// this number), LeavesTheTower (Exact only) or Impossible (which goes through to the caller of the climb).
+// It returns the same quantities in the same order for every T, and may throw Undecided (nothing of it can be said
+// with this number), LeavesTheTower (Exact only) or Impossible (which goes through to the caller of the climb).
 //
 // The rungs:
 //   Bounded                       settles what comes out as a point, and what is proved absent
 //   Deep 128, 256, ... 2048       each settles what has become certain, and narrows the rest
-//   Exact, or Calcium if the scene leaves the tower: once, after Deep 256, when a quantity may still be zero or has no
+//   Exact, or Calcium if the scene leaves the tower: once, after Deep 256, when a quantity may still be zero or has
+//   no
 //     enclosure. Of this run only two things are used: that a quantity is zero, and that it is absent. A scene may
 //     therefore run on Exact and Calcium with other units than on Bounded and Deep (unit crank speed, so that π stays
 //     out), as long as zeros and absences are the same.
@@ -71,7 +72,8 @@ struct Settled {
   Kind kind = Kind::undecided;
   Enclosure enclosure = {};  // of certain, enclosed; for unbounded the ends are infinite
   std::string reason = {};
-  std::string rung = {};  // which number settled or last narrowed it: "Fast", "Bounded", "Deep 128", ..., "Exact", "Calcium"
+  std::string rung =
+      {};  // which number settled or last narrowed it: "Fast", "Bounded", "Deep 128", ..., "Exact", "Calcium"
 };
 
 // Throws Undecided when no number could run the scene at all.
@@ -84,8 +86,8 @@ std::vector<Settled> only_fast(const Scene& scene);
 template <class Scene>
 std::vector<Settled> only_bounded(const Scene& scene);
 
-// The sign of one quantity. Rungs: Bounded, Deep 128, Deep 256, Exact, Deep 512, 1024, 2048, Calcium. (More bits before
-// Calcium because they cost microseconds where Calcium may take a second.)
+// The sign of one quantity. Rungs: Bounded, Deep 128, Deep 256, Exact, Deep 512, 1024, 2048, Calcium. (More bits
+// before Calcium because they cost microseconds where Calcium may take a second.)
 struct Decision {
   Sign sign = Sign::undecided;
   std::string rung = {};    // which number answered; empty when none did
@@ -113,10 +115,10 @@ namespace climbing {
 struct Finding {
   enum class Kind { value, absent, undecided };
   Kind kind = Kind::undecided;
-  Enclosure enclosure = {};       // of a value, from an enclosing number
+  Enclosure enclosure = {};            // of a value, from an enclosing number
   std::optional<double> certain = {};  // the double nearest to the value, when that is certain
-  bool proved_zero = false;       // from an exact number
-  std::string reason = {};        // of absent, undecided
+  bool proved_zero = false;            // from an exact number
+  std::string reason = {};             // of absent, undecided
 };
 
 // A whole run: the findings, or why there are none.

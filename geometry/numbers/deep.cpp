@@ -12,8 +12,8 @@ namespace {
 
 thread_local long working_bits = 0;  // 0: no scope is open
 
-// Arb's + - * / and root are integer arithmetic, but the elementary functions and number theory below them use doubles
-// in places and are tested by their authors to nearest only.
+// Arb's + - * / are integer arithmetic, but functions below the others use doubles in places, and their authors
+// tested them rounding to nearest. (No test of ours has seen a difference: this is caution.)
 struct RoundToNearest : CGAL::Protect_FPU_rounding<true> {
   RoundToNearest() : CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST) {}
 };
@@ -113,16 +113,12 @@ Deep compute(const Function& function) {
   return Deep::from_ball(result.value);
 }
 
-// cos of a turn whose cosine is irrational, hence not zero: more bits until enough of them are right.
-void irrational_cosine(arb_t result, const Rational& half_turns, long bits) {
+// Arb reduces the angle exactly before it computes, so the accuracy is relative also next to a right angle.
+void cosine_of_half_turns(arb_t result, const Rational& half_turns) {
   fmpq_t multiple_of_pi;
   fmpq_init(multiple_of_pi);
   fmpq_set_mpq(multiple_of_pi, half_turns.mpq());
-  long working = bits + 8;
-  do {
-    arb_cos_pi_fmpq(result, multiple_of_pi, working);
-    working *= 2;
-  } while (arb_rel_accuracy_bits(result) < bits);
+  arb_cos_pi_fmpq(result, multiple_of_pi, Arithmetic<Deep>::bits());
   fmpq_clear(multiple_of_pi);
 }
 
@@ -169,7 +165,7 @@ template <>
 Deep cosine<Deep>(const Turn& turn) {
   if (const auto known = rational_cosine(turn)) return from_rational<Deep>(*known);
   const Rational half_turns = Rational(2) * within_one_turn(turn).fraction;
-  return compute([&](arb_t result) { irrational_cosine(result, half_turns, Arithmetic<Deep>::bits()); });
+  return compute([&](arb_t result) { cosine_of_half_turns(result, half_turns); });
 }
 
 template <>

@@ -69,7 +69,7 @@ template <>
 Deep from_rational<Deep>(const Rational& value);
 template <>
 Deep pi<Deep>();
-// Relative accuracy of at least as many bits as the scope has, also where the value is nearly zero.
+// Relative accuracy of as many bits as the scope has but a few, also where the value is nearly zero.
 template <>
 Deep cosine<Deep>(const Turn& turn);
 template <>

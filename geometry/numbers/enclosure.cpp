@@ -11,9 +11,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
 
-// Bits to which an end of a ball is rounded outwards before it becomes a double: so many more than a double has that
-// the first rounding hardly ever changes the second.
-constexpr long end_bits = 128;
+// Bits to which an end of a ball is rounded outwards before it becomes a double. More than the deepest rung of the
+// climb has, so that the first rounding takes nothing from what the ball says: a value close to the middle of two
+// doubles is certain only beyond that many bits. (The bits an end does not need cost nothing.)
+constexpr long end_bits = 4096;
 
 struct Ends {
   arf_t lower, upper;

@@ -19,8 +19,8 @@ struct Enclosure {
 // without bounds on both sides has the value 0.
 Enclosure enclosure(const Bounded& x);
 
-// The ball rounded outwards to doubles. The value is certain_double where there is one, else the double nearest to the
-// midpoint of the ball.
+// The ball rounded outwards to doubles. The value is certain_double where there is one, else the double nearest to
+// the midpoint of the ball.
 Enclosure enclosure(const Deep& x);
 
 // The double nearest to the true value, when both ends of the ball round to the same finite double (to nearest, ties

@@ -68,11 +68,17 @@ namespace {
 // The cosine of a multiple of 15° between 0 and 90°.
 Exact cosine_in_quadrant(int fifteens) {
   switch (fifteens) {
-    case 1: return root(Exact(2)) * (root(Exact(3)) + 1) / 4;
-    case 2: return root(Exact(3)) / 2;
-    case 3: return root(Exact(2)) / 2;
-    case 5: return root(Exact(2)) * (root(Exact(3)) - 1) / 4;
-    default: assert(false && "the rational cosines are known before"); return 0;
+    case 1:
+      return root(Exact(2)) * (root(Exact(3)) + 1) / 4;
+    case 2:
+      return root(Exact(3)) / 2;
+    case 3:
+      return root(Exact(2)) / 2;
+    case 5:
+      return root(Exact(2)) * (root(Exact(3)) - 1) / 4;
+    default:
+      assert(false && "the rational cosines are known before");
+      return 0;
   }
 }
 

@@ -8,8 +8,8 @@
 // The sign of a nonzero number is read from a ball around it, narrowed until it leaves zero: that ends, because the
 // number is not zero.
 //
-// CGAL::Sqrt_extension nested five deep would store 3^5 rationals in every number and repeat the radicands in each; here
-// a number holds the 2^k coefficients of the lowest storey it lives on, and the tower holds the radicands once.
+// CGAL::Sqrt_extension nested five deep would store 3^5 rationals in every number and repeat the radicands in each;
+// here a number holds the 2^k coefficients of the lowest storey it lives on, and the tower holds the radicands once.
 #pragma once
 
 #include "geometry/numbers/deep.h"
@@ -73,10 +73,10 @@ class Arithmetic<Exact> {
   Tower* outer_;
 };
 
-Sign sign(const Exact& x);                        // never undecided
-Exact root(const Exact& x);                       // throws LeavesTheTower when it would be the sixth storey
+Sign sign(const Exact& x);   // never undecided
+Exact root(const Exact& x);  // throws LeavesTheTower when it would be the sixth storey
 inline Exact square(const Exact& x) { return x * x; }
-Exact quotient(const Exact& a, const Exact& b);   // throws Undecided when b is (proved) zero
+Exact quotient(const Exact& a, const Exact& b);  // throws Undecided when b is (proved) zero
 
 // A ball around the number, in the precision of the Deep scope.
 Deep to_deep(const Exact& x);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <charconv>
+#include <cstdlib>
 #include <sstream>
 #include <string_view>
 
@@ -124,8 +125,7 @@ class Reader {
   }
 
   void refuse_comma() const {
-    if (!rest_.empty() && rest_.front() == ',')
-      refuse("has a decimal comma", "a decimal point, such as 0.25");
+    if (!rest_.empty() && rest_.front() == ',') refuse("has a decimal comma", "a decimal point, such as 0.25");
   }
 
   // Two decimals with a slash, or one. "1/s" is no fraction: a slash counts only before a digit, point or sign.

@@ -5,8 +5,9 @@
 //
 // Every number is taken as the exact rational it says: "0.20" is 1/5. Refused, with one sentence that names the text,
 // what is wrong and what would be accepted: a decimal comma, a thousands separator, a word where a number should be
-// (nan, inf), a denominator of zero, an exponent beyond ±400, more than 1000 characters, anything left over, an unknown
-// unit, a unit of another dimension, and rad/s where turns are counted (2π is irrational: state the speed in rpm).
+// (nan, inf), a denominator of zero, an exponent beyond ±400, more than 1000 characters, anything left over, an
+// unknown unit, a unit of another dimension, and rad/s where turns are counted (2π is irrational: state the speed in
+// rpm).
 #pragma once
 
 #include "geometry/numbers/number.h"

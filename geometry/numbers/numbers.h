@@ -1,5 +1,5 @@
-// All five numbers. A template on the number must see the functions of all of them (double and CGAL's interval live in
-// other namespaces, so their functions are found only when declared before the template).
+// All five numbers. A template on the number must see the functions of all of them (double and CGAL's interval live
+// in other namespaces, so their functions are found only when declared before the template).
 #pragma once
 
 #include "geometry/numbers/bounded.h"
@@ -15,10 +15,11 @@ namespace epure::geometry {
 
 // What a construction may ask of a number (see number.h).
 template <class T>
-concept Number = std::constructible_from<T, int> && requires(const T a, const T b, const Turn turn, const Rational q) {
+concept Number = std::constructible_from<T, int> &&
+    requires(const T a, const T b, const Turn turn, const Rational q) {
   { a + b } -> std::convertible_to<T>;
   { a - b } -> std::convertible_to<T>;
-  { a * b } -> std::convertible_to<T>;
+  { a* b } -> std::convertible_to<T>;
   { a / b } -> std::convertible_to<T>;
   { -a } -> std::convertible_to<T>;
   { quotient(a, b) } -> std::same_as<T>;

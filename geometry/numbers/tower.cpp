@@ -94,8 +94,8 @@ Exact Tower::multiply(const Exact& a, const Exact& b) const {
   if (a1.is_zero()) return join(multiply(a0, b0), multiply(a0, b1), storey);
   if (b1.is_zero()) return join(multiply(a0, b0), multiply(a1, b0), storey);
   const Exact& radicand = radicands_[static_cast<std::size_t>(storey - 1)];
-  return join(add(multiply(a0, b0), multiply(multiply(a1, b1), radicand)),
-              add(multiply(a0, b1), multiply(a1, b0)), storey);
+  return join(add(multiply(a0, b0), multiply(multiply(a1, b1), radicand)), add(multiply(a0, b1), multiply(a1, b0)),
+              storey);
 }
 
 // 1/(a + b√d) = (a - b√d)/(a² - b²d); the norm is not zero because d has no root on the storey below.
@@ -113,7 +113,7 @@ Exact Tower::inverse(const Exact& x) const {
 // Decides x = y² for y in the field of this storey, by descent to rational numbers.
 std::optional<Exact> Tower::root_within(const Exact& x, int storey) const {
   if (x.is_zero()) return x;
-  if (sign(x) == Sign::negative) return std::nullopt;
+  if (sign(x) == Sign::negative) return std::nullopt;  // no square in a real field: saves the descent
   if (storey == 0) {
     const auto found = rational_root(x.rational());
     return found ? std::optional(Exact(*found)) : std::nullopt;
@@ -155,7 +155,8 @@ Deep Tower::to_deep(const Exact& x) const {
   require_ours(x);
   if (x.is_rational()) return from_rational<Deep>(x.rational());
   const auto [a, b] = halves(x, x.storey());
-  return to_deep(a) + to_deep(b) * epure::geometry::root(to_deep(radicands_[static_cast<std::size_t>(x.storey() - 1)]));
+  const Deep radicand = to_deep(radicands_[static_cast<std::size_t>(x.storey() - 1)]);
+  return to_deep(a) + to_deep(b) * epure::geometry::root(radicand);
 }
 
 }  // namespace epure::geometry

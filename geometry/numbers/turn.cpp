@@ -18,12 +18,21 @@ std::optional<Rational> rational_cosine(const Turn& turn) {
   const Rational twelfths = Rational(12) * within_one_turn(turn).fraction;
   if (twelfths.denominator() != 1) return std::nullopt;
   switch (static_cast<int>(twelfths.to_double())) {
-    case 0: return Rational(1);
-    case 2: case 10: return Rational(1, 2);
-    case 3: case 9: return Rational(0);
-    case 4: case 8: return Rational(-1, 2);
-    case 6: return Rational(-1);
-    default: return std::nullopt;
+    case 0:
+      return Rational(1);
+    case 2:
+    case 10:
+      return Rational(1, 2);
+    case 3:
+    case 9:
+      return Rational(0);
+    case 4:
+    case 8:
+      return Rational(-1, 2);
+    case 6:
+      return Rational(-1);
+    default:
+      return std::nullopt;
   }
 }
 

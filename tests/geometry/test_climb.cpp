@@ -63,18 +63,22 @@ TEST_CASE("An irrational number is certain with 128 bits") {
   // mpmath, 50 digits: sqrt(2) = 1.4142135623730950488016887242096980785696718753769
   require_tight(climb_one([]<class T>() { return root(T(2)); }), 1.4142135623730950488, "Deep 128");
   // mpmath: cos(2*pi/7) = 0.62348980185873353052500488400423981063227473089641
-  require_tight(climb_one([]<class T>() { return cosine<T>(Turn{Rational(1, 7)}); }), 0.62348980185873353053, "Deep 128");
+  require_tight(climb_one([]<class T>() { return cosine<T>(Turn{Rational(1, 7)}); }), 0.62348980185873353053,
+                "Deep 128");
   require_tight(climb_one([]<class T>() { return from_rational<T>(Rational(1, 3)); }), 1.0 / 3.0, "Deep 128");
 }
 
 TEST_CASE("Cancellation calls for the precision it needs, and no exact number") {
-  // sqrt(1 + 2^-k) - 1 = 2^-(k+1) - 2^-(2k+3) + ...: with k = 300 the terms after the first are far below half an ulp.
+  // sqrt(1 + 2^-k) - 1 = 2^-(k+1) - 2^-(2k+3) + ...: with k = 300 the terms after the first are far below half an
+  // ulp.
   const auto small = []<class T>(int k) {
     T step(1);
     for (int i = 0; i < k; ++i) step = step * from_rational<T>(Rational(1, 2));
     return T(root(1 + step) - 1);
   };
-  const auto at = [&](int k) { return climb_one([&small, k]<class T>() { return small.template operator()<T>(k); }); };
+  const auto at = [&](int k) {
+    return climb_one([&small, k]<class T>() { return small.template operator()<T>(k); });
+  };
   // The root must be right to 2^-(k+1) times half an ulp of a double: k + 55 bits and a few for rounding.
   require_tight(at(60), std::ldexp(1.0, -61), "Deep 128");
   require_tight(at(100), std::ldexp(1.0, -101), "Deep 256");
@@ -122,6 +126,18 @@ TEST_CASE("An exact proof is not asked for when nothing may be zero") {
   };
   climb(scene);
   CHECK(exact_runs == 0);
+
+  // Almost half way between two doubles: open after 256 bits, but not because it may be zero.
+  const auto nearly_a_tie = [&]<class T>() -> std::vector<Reading<T>> {
+    if constexpr (is_exact<T>) ++exact_runs;
+    const T half_an_ulp = from_rational<T>(Rational(std::ldexp(1.0, -53)));
+    const T more = from_rational<T>(Rational(std::ldexp(1.0, -300)));
+    return {Reading<T>::of(1 + half_an_ulp + more * root(T(2)))};
+  };
+  const auto settled = climb(nearly_a_tie);
+  REQUIRE(settled.size() == 1);
+  require_tight(settled[0], std::nextafter(1.0, 2.0), "Deep 512");
+  CHECK(exact_runs == 0);
 }
 
 TEST_CASE("The exact run happens once, and after 256 bits") {
@@ -145,9 +161,12 @@ TEST_CASE("What is proved absent is absent, with its reason, on the rung that pr
     return [slope]<class T>() {
       const T m = slope.template operator()<T>();
       switch (sign(m)) {
-        case Sign::zero: throw Impossible("the lines are parallel");
-        case Sign::undecided: throw Undecided("whether the lines are parallel");
-        default: return quotient(1, m);
+        case Sign::zero:
+          throw Impossible("the lines are parallel");
+        case Sign::undecided:
+          throw Undecided("whether the lines are parallel");
+        default:
+          return quotient(1, m);
       }
     };
   };
@@ -202,6 +221,20 @@ TEST_CASE("What stays open is enclosed, with a reason") {
   CHECK_FALSE(settled[0].reason.empty());
 }
 
+TEST_CASE("Rungs that enclose a quantity differently together enclose what they share") {
+  const auto scene = []<class T>() -> std::vector<Reading<T>> {
+    if constexpr (std::is_same_v<T, Bounded>) return {Reading<T>::of(Bounded(1, 3))};
+    if constexpr (std::is_same_v<T, Deep>) return {Reading<T>::of(Deep::from_bounded(Bounded(2, 4)))};
+    return {Reading<T>::undecided("not asked")};
+  };
+  const auto settled = climb(scene);
+  REQUIRE(settled.size() == 1);
+  CHECK(settled[0].kind == Kind::enclosed);
+  CHECK(settled[0].enclosure.lower == Approx(2));
+  CHECK(settled[0].enclosure.upper == 3);
+  CHECK(settled[0].rung == "Deep 128");
+}
+
 TEST_CASE("A quantity beyond the doubles is enclosed, not infinite and certain") {
   const auto huge = []<class T>() -> std::vector<Reading<T>> {
     T x = from_rational<T>(Rational(10));
@@ -248,9 +281,8 @@ TEST_CASE("Decisions: which rung answers") {
   answer(Sign::positive, "Bounded",
          decide([]<class T>() { return T(from_rational<T>(Rational(665857, 470832)) - root(T(2))); }));
   // ... the square of that fraction's step, 9e-25, is not.
-  answer(Sign::positive, "Deep 128", decide([]<class T>() {
-           return T(from_rational<T>(Rational(886731088897, 627013566048)) - root(T(2)));
-         }));
+  answer(Sign::positive, "Deep 128",
+         decide([]<class T>() { return T(from_rational<T>(Rational(886731088897, 627013566048)) - root(T(2))); }));
   answer(Sign::zero, "Exact", decide([]<class T>() { return T(root(T(12)) - 2 * root(T(3))); }));
   answer(Sign::zero, "Calcium", decide([]<class T>() {
            const T c = cosine<T>(Turn{Rational(1, 5)});

@@ -23,17 +23,25 @@ T small_rational(Random& random) {
   return from_rational<T>(Rational(up_to(random, 19) - 9, 1 + up_to(random, 9)));
 }
 
-// A step from two numbers to a third. Divisors and radicands are positive by their form, so that no step needs a sign.
+// A step from two numbers to a third. Divisors and radicands are positive by their form, so that no step needs a
+// sign.
 template <class T>
 T step(Random& random, const T& x, const T& y) {
   switch (random() % 7) {
-    case 0: return x + y;
-    case 1: return x - y;
-    case 2: return x * y;
-    case 3: return x / T(square(y) + 1);
-    case 4: return root(T(square(x) + square(y)));  // the length of a vector
-    case 5: return root(T(square(x) + 1));
-    default: return T(x + y) / 2;
+    case 0:
+      return x + y;
+    case 1:
+      return x - y;
+    case 2:
+      return x * y;
+    case 3:
+      return x / T(square(y) + 1);
+    case 4:
+      return root(T(square(x) + square(y)));  // the length of a vector
+    case 5:
+      return root(T(square(x) + 1));
+    default:
+      return T(x + y) / 2;
   }
 }
 
@@ -55,11 +63,16 @@ template <class T>
 T identity(Random& random, const T& x, const T& y) {
   const T a = square(x) + 1, b = square(y) + 2;
   switch (random() % 5) {
-    case 0: return root(a) * root(b) - root(T(a * b));
-    case 1: return root(T(a + b + 2 * root(T(a * b)))) - root(a) - root(b);
-    case 2: return T(x + y) / a - x / a - y / a;
-    case 3: return root(T(square(x) * b)) * root(T(square(x) * b)) - square(x) * b;
-    default: return (root(b) - x) * (root(b) + x) - (b - square(x));
+    case 0:
+      return root(a) * root(b) - root(T(a * b));
+    case 1:
+      return root(T(a + b + 2 * root(T(a * b)))) - root(a) - root(b);
+    case 2:
+      return T(x + y) / a - x / a - y / a;
+    case 3:
+      return root(T(square(x) * b)) * root(T(square(x) * b)) - square(x) * b;
+    default:
+      return (root(b) - x) * (root(b) + x) - (b - square(x));
   }
 }
 
