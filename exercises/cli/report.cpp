@@ -98,27 +98,51 @@ std::string on(const std::string& sheet, const CheckedQuantity& quantity) {
   return "-";
 }
 
-// The source's comparison of its methods, with each drawing measured as its file holds it.
+// How far the sheets' readings of one quantity lie from each other.
+std::string apart(const CheckedQuantity& quantity) {
+  if (quantity.on_sheets.size() < 2 || !has_value(quantity.settled) || quantity.settled.enclosure.value == 0)
+    return "-";
+  const auto [least, most] =
+      std::minmax_element(quantity.on_sheets.begin(), quantity.on_sheets.end(),
+                          [](const OnSheet& a, const OnSheet& b) { return std::abs(a.value) < std::abs(b.value); });
+  const double range = std::abs(most->value) - std::abs(least->value);
+  return fmt::format("{:.2g} %", range / std::abs(quantity.settled.enclosure.value) * 100);
+}
+
+// The source's comparison of its graphical methods, each measured as its file holds it.
 std::string methods(const CheckedExercise& checked) {
   const std::vector<std::string> sheets = measuring_sheets(checked);
   if (sheets.empty()) return "";
-  Rows rows = {{"measured on", "value"}};
+  Rows rows = {{"quantity", "value"}};
   rows[0].insert(rows[0].end(), sheets.begin(), sheets.end());
+  if (sheets.size() > 1) rows[0].emplace_back("apart");
   for (const CheckedQuantity& quantity : checked.quantities) {
     if (quantity.on_sheets.empty()) continue;
     std::vector<std::string>& row = rows.emplace_back(std::vector{quantity.spec.name, value(quantity)});
     for (const std::string& sheet : sheets) row.push_back(on(sheet, quantity));
+    if (sheets.size() > 1) row.push_back(apart(quantity));
   }
-  return "\n" + columns(rows, 2);
+  return "\n  Measured on the sheets, as the files hold them (difference from the value):\n\n" + columns(rows, 2);
 }
 
+// One slip often explains several numbers.
 std::string explanations(const CheckedExercise& checked) {
-  std::string text;
+  std::vector<std::pair<std::string, std::string>> numbers_by_slip;
   for (const CheckedQuantity& quantity : checked.quantities)
-    for (const PrintedVerdict& each : quantity.printed)
-      if (each.explanation)
-        text += fmt::format("\n  {} printed {} by {}: {}\n", quantity.spec.name, each.text, each.route,
-                            drawings::plain(each.explanation->in(Language::english)));
+    for (const PrintedVerdict& each : quantity.printed) {
+      if (!each.explanation) continue;
+      const std::string& slip = each.explanation->in(Language::english);
+      const std::string number = quantity.spec.name + " printed " + each.text;
+      const auto known = std::find_if(numbers_by_slip.begin(), numbers_by_slip.end(),
+                                      [&](const auto& entry) { return entry.first == slip; });
+      if (known == numbers_by_slip.end())
+        numbers_by_slip.emplace_back(slip, number);
+      else
+        known->second += ", " + number;
+    }
+  std::string text = numbers_by_slip.empty() ? "" : "\n";
+  for (const auto& [slip, numbers] : numbers_by_slip)
+    text += fmt::format("  {}: {}\n", numbers, drawings::plain(slip));
   return text;
 }
 
@@ -126,11 +150,11 @@ std::string measured(const CheckedExercise& checked) {
   std::string text;
   for (const CheckedQuantity& quantity : checked.quantities)
     for (const Measured& each : quantity.measured)
-      text += fmt::format("\n  {} measured {}: computed {}, difference {} ({}), allowed {:.3g} ({}): {}\n",
+      text += fmt::format("  {} measured {}: computed {}, difference {} ({}), allowed {:.3g} ({}): {}\n",
                           quantity.spec.name, each.text, value(quantity),
                           each.difference ? fmt::format("{:+.3g}", *each.difference) : "-",
                           percent(each.difference_percent), each.allowed, each.allowed_by, verdict(each));
-  return text;
+  return text.empty() ? "" : "\n" + text;
 }
 
 std::string givens(const Givens& givens) {

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "geometry/numbers/fast.h"
 #include "geometry/numbers/given.h"
 
 namespace epure {
@@ -81,8 +82,10 @@ Rational excess(const Decimal& number, double value) {
   return number.value - (number.signed_text ? exact : CGAL::abs(exact));
 }
 
+double nearest(const Rational& value) { return geometry::from_rational<geometry::Fast>(value); }
+
 std::optional<double> percent(const Rational& difference, double of_value) {
-  if (of_value != 0) return CGAL::to_double(difference / CGAL::abs(Rational(of_value)) * 100);
+  if (of_value != 0) return nearest(difference / CGAL::abs(Rational(of_value)) * 100);
   return difference == 0 ? std::optional(0.0) : std::nullopt;
 }
 

@@ -21,6 +21,9 @@ Decimal read_decimal(const std::string& text, const std::string& unit);
 // Text minus value; minus the value's magnitude when the text bears no sign.
 geometry::Rational excess(const Decimal& number, double value);
 
+// The double nearest to a rational. (CGAL::to_double cuts off instead: 13/25 would come out below 0.52.)
+double nearest(const geometry::Rational& value);
+
 // A difference in hundredths of the value's magnitude; none when only the value is zero.
 std::optional<double> percent(const geometry::Rational& difference, double of_value);
 

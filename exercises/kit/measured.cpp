@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "exercises/kit/checked.h"
 #include "exercises/kit/decimal.h"
@@ -22,8 +23,7 @@ struct Allowance {
 };
 Allowance allowance(const CheckedQuantity& quantity, const Decimal& number, const Rational& reading) {
   if (const OnSheet* shown = coarsest(quantity))
-    return {reading * Rational(shown->per_mm),
-            fmt::format("{} mm on sheet {}", CGAL::to_double(reading), shown->sheet)};
+    return {reading * Rational(shown->per_mm), fmt::format("{} mm on sheet {}", nearest(reading), shown->sheet)};
   return {number.half_unit, "half a unit of its last digit, as no sheet shows it"};
 }
 
@@ -33,19 +33,17 @@ void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std
                   const Rational& reading) {
   const Decimal number = read_decimal(text, quantity.spec.unit);
   const Allowance allowed = allowance(quantity, number, reading);
-  Measured measured{.text = text,
-                    .value = CGAL::to_double(number.value),
-                    .allowed = CGAL::to_double(allowed.size),
-                    .allowed_by = allowed.by};
+  Measured measured{
+      .text = text, .value = nearest(number.value), .allowed = nearest(allowed.size), .allowed_by = allowed.by};
   if (has_value(quantity.settled)) {
     const double value = quantity.settled.enclosure.value;
-    const Rational more = excess(number, value);
-    measured.difference = CGAL::to_double(more);
-    measured.difference_percent = percent(more, value);
-    measured.within = CGAL::abs(more) <= allowed.size;
+    measured.within = CGAL::abs(excess(number, value)) <= allowed.size;
+    // Told in doubles: that 0.3 as typed is 1e-17 off the double 0.3 is nobody's error.
+    measured.difference = measured.value - (number.signed_text ? value : std::abs(value));
+    measured.difference_percent = percent(Rational(*measured.difference), value);
     if (!measured.within)
       checked.failures.push_back(fmt::format("{}: measured {} is beyond reading: {:.3g} off, {:.3g} allowed ({})",
-                                             quantity.spec.name, text, CGAL::to_double(CGAL::abs(more)),
+                                             quantity.spec.name, text, std::abs(*measured.difference),
                                              measured.allowed, measured.allowed_by));
   } else {
     checked.failures.push_back(fmt::format("{}: measured {}, but there is no value to compare with ({})",

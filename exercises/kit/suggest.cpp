@@ -37,12 +37,12 @@ std::string join(const std::vector<std::string>& names, const std::string& befor
   return text;
 }
 
-// A third of the letters may be wrong; a word of one or two letters is a guess anyway.
+// Half of the letters may be wrong: two exchanged letters of a short word count twice.
 std::vector<std::string> near_names(const std::string& wrong, const std::vector<std::string>& known) {
   std::vector<std::pair<std::size_t, std::string>> found;
   for (const std::string& name : known) {
     const std::size_t apart = distance(lower_case(wrong), lower_case(name));
-    if (apart <= std::max(wrong.size(), name.size()) / 3) found.emplace_back(apart, name);
+    if (apart <= std::max(wrong.size(), name.size()) / 2) found.emplace_back(apart, name);
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> names;

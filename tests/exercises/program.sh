@@ -1,0 +1,49 @@
+#!/bin/sh
+# The program as a shell runs it: what only a process has, its standard streams, its exit code and its locale.
+#   sh program.sh PATH/TO/epure
+set -u
+epure=$1
+place=$(mktemp -d) || exit 1
+trap 'rm -rf "$place"' EXIT
+cd "$place" || exit 1
+failures=0
+
+expect() { # expect WHAT EXPECTED ACTUAL
+  if [ "$2" != "$3" ]; then
+    printf 'FAILED: %s\n  expected: %s\n  actual:   %s\n' "$1" "$2" "$3"
+    failures=$((failures + 1))
+  fi
+}
+
+first=$("$epure" list | sed -n '1s/ .*//p')
+[ -n "$first" ] || { echo 'FAILED: list shows no exercise'; exit 1; }
+
+for arguments in "list" "list $first" "check $first" "check $first --json" "draw $first -o -" "--help" "--version"; do
+  # shellcheck disable=SC2086  # a list of words
+  "$epure" $arguments > /dev/full 2> said
+  expect "a full standard output is exit 3: $arguments" 3 $?
+  expect "and said in one line: $arguments" 1 "$(grep -c '^epure: ' said)"
+  # shellcheck disable=SC2086
+  "$epure" $arguments >&- 2> said
+  expect "a closed standard output is exit 3: $arguments" 3 $?
+done
+expect 'no file is left behind' said "$(ls)"
+
+"$epure" draw "$first" -o - 2> said | head -c 5 > head
+expect 'a reader that has enough gets what it reads' '%PDF-' "$(cat head)"
+expect 'and nobody complains' '' "$(cat said)"
+
+"$epure" draw "$first" --out one > written
+expect 'drawing exits with 0' 0 $?
+expect 'every file named is there' '' "$(while read -r file; do [ -s "$file" ] || echo "$file"; done < written)"
+expect 'every file there is named' "$(sort written)" "$(find one -type f | sort)"
+LC_ALL=it_IT.UTF-8 "$epure" draw "$first" --out two > /dev/null
+expect 'two runs write the same bytes, whatever the locale' '' "$(diff -r one two 2>&1)"
+
+"$epure" check "$first" --json > report
+expect 'checking exits with 0' 0 $?
+LC_ALL=it_IT.UTF-8 "$epure" check "$first" --json > report2
+expect 'the report is the same in every locale' '' "$(cmp report report2 2>&1)"
+
+[ "$failures" -eq 0 ] && echo 'the program does what it says'
+[ "$failures" -eq 0 ]

@@ -1,0 +1,362 @@
+// Every verb, every exit code.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <sstream>
+
+#include "tests/exercises/run.h"
+
+using namespace epure;
+
+namespace {
+
+using Typed = std::vector<std::string>;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// Refused with one sentence that says `part`, on standard error alone.
+void refused(const Typed& words, const std::string& part, int exit = 2) {
+  const Ran ran = run(words);
+  CAPTURE(words, ran.err);
+  CHECK(ran.exit == exit);
+  CHECK(ran.out.empty());
+  CHECK(ran.err.starts_with("epure: "));
+  CHECK(std::count(ran.err.begin(), ran.err.end(), '\n') == 1);
+  CHECK(ran.err.ends_with('\n'));
+  CHECK(contains(ran.err, part));
+}
+
+}  // namespace
+
+TEST_CASE("help and version") {
+  const Ran version = run({"--version"});
+  CHECK(version.exit == 0);
+  CHECK(version.out.starts_with("epure "));
+  for (const Typed& words : {Typed{"--help"}, {"list", "--help"}, {"draw", "--help"}, {"check", "-h"}}) {
+    const Ran help = run(words);
+    CAPTURE(words);
+    CHECK(help.exit == 0);
+    CHECK(help.err.empty());
+    CHECK(contains(help.out, "Examples:"));
+    CHECK(contains(help.out, "  epure " + (words.size() == 1 ? std::string("list") : words[0])));
+  }
+  const std::string draw = run({"draw", "--help"}).out, check = run({"check", "--help"}).out;
+  for (const std::string option : {"--format", "--out", "-o", "--set", "--paper", "--scale", "--lang", "--bare"})
+    CHECK(contains(draw, "  " + option));
+  for (const std::string option : {"--set", "--measured", "--reading", "--json", "--arithmetic"})
+    CHECK(contains(check, "  " + option));
+}
+
+TEST_CASE("what is no command is refused in one sentence") {
+  refused({}, "list, draw or check");
+  refused({"chek"}, "did you mean check?");
+  refused({"frobnicate", "triangle"}, "known are: list, draw, check");
+  refused({"--frob"}, "--frob");
+  refused({"list", "--frob"}, "--frob");
+  refused({"draw", "triangle", "--set"}, "--set");
+  refused({"check", "triangle", "--lang", "it"}, "--lang");
+  refused({"list", "triangle", "triangle"}, "one exercise at a time");
+  refused({"draw"}, "no exercise named");
+  refused({"check"}, "no exercise named");
+  refused({"check", "tri\nangle"}, "tri?angle");
+}
+
+TEST_CASE("unknown names are refused with a suggestion") {
+  refused({"list", "triangel"}, "did you mean triangle?");
+  refused({"draw", "triangel"}, "did you mean triangle?");
+  refused({"check", "triangel"}, "did you mean triangle?");
+  refused({"draw", "triangle/side"}, "did you mean sides?");
+  refused({"draw", "triangle/"}, "has no sheet \"\"");
+  refused({"check", "triangle/sides"}, "is a sheet");
+  refused({"draw", "triangle", "--format", "png"}, "\"png\" is no format");
+  refused({"draw", "triangle", "--format", "pdf,"}, "is no format");
+  refused({"draw", "triangle", "--paper", "a5"}, "\"a5\" is no paper");
+  refused({"draw", "triangle", "--lang", "fr"}, "\"fr\" is no language");
+  refused({"list", "--lang", "fr"}, "\"fr\" is no language");
+  refused({"check", "triangle", "--arithmetic", "magic"}, "\"magic\" is no arithmetic");
+}
+
+TEST_CASE("nothing to check is no success") {
+  std::ostringstream out, err;
+  CHECK(run_cli({}, {"check", "all"}, out, err) == 2);
+  CHECK(run_cli({}, {"draw", "all"}, out, err) == 2);
+}
+
+TEST_CASE("impossible givens are refused by every verb that takes them") {
+  const Scratch scratch;
+  for (const std::string verb : {"draw", "check"}) {
+    refused({verb, "triangle", "--set", "a=-1"}, "a = -1: must be positive");
+    refused({verb, "triangle", "--set", "a=0"}, "must be positive");
+    refused({verb, "triangle", "--set", "a=nan"}, "\"nan\"");
+    refused({verb, "triangle", "--set", "a=inf"}, "\"inf\"");
+    refused({verb, "triangle", "--set", "a=1e308"}, "must lie between 1e-12 and 1e12 m");
+    refused({verb, "triangle", "--set", "a=0,25"}, "decimal comma");
+    refused({verb, "triangle", "--set", "a="}, "a: \"\" is empty");
+    refused({verb, "triangle", "--set", "=3"}, "no symbol");
+    refused({verb, "triangle", "--set", "a"}, "write symbol=value");
+    refused({verb, "triangle", "--set", "a=3s"}, "time where a length");
+    refused({verb, "triangle", "--set", "x=3"}, "\"x\" is no given");
+    refused({verb, "triangle", "--set", "a=1", "--set", "a=2"}, "a is set twice");
+    refused({verb, "triangle", "--set", "a=100"}, "does not fit");
+  }
+  CHECK(scratch.files().empty());
+}
+
+TEST_CASE("a given applies to the exercises that have it, and to at least one") {
+  CHECK(run_on_two({"check", "all", "--set", "k=2"}).exit == 0);
+  CHECK(run_on_two({"check", "other", "triangle", "--set", "k=2"}).exit == 0);
+  const Ran unknown = run_on_two({"check", "all", "--set", "q=2"});
+  CHECK(unknown.exit == 2);
+  CHECK(contains(unknown.err, "\"q\" is no given of any exercise named; known are: a, b, load, shift, k"));
+  CHECK(run_on_two({"check", "triangle", "--set", "k=2"}).exit == 2);
+  CHECK(run_on_two({"check", "all", "--set", "k"}).exit == 2);
+  CHECK(run_on_two({"check", "all", "--set", "a=-2"}).exit == 2);
+}
+
+TEST_CASE("list shows the exercises, and one exercise") {
+  const Ran all = run_on_two({"list"});
+  CHECK(all.exit == 0);
+  CHECK(all.out ==
+        "other     A right triangle  (euclid, I.47)\n"
+        "triangle  A right triangle  (euclid, I.47)\n");
+  CHECK(contains(run({"list", "--lang", "it"}).out, "Un triangolo rettangolo"));
+  const std::string one = run({"list", "triangle"}).out;
+  CHECK(contains(one, "  triangle/sides  The sides\n"));
+  CHECK(contains(one, "  load   0     N  load\n"));
+  CHECK(contains(one, "  c      c₀    m      hypotenuse\n"));
+  CHECK(contains(one, "  c_x    c_AB  m      its abscissa\n"));
+  CHECK(contains(one, "  c_y    c₃₁   m      its ordinate\n"));
+  CHECK(contains(run({"list", "triangle", "--lang", "it"}).out, "Grandezze\n"));
+}
+
+TEST_CASE("draw writes a document an exercise and a picture a sheet, and says so") {
+  const Scratch scratch;
+  const Ran ran = run({"draw", "triangle"});
+  CHECK(ran.exit == 0);
+  CHECK(ran.err.empty());
+  CHECK(ran.out == "out/triangle.pdf\nout/triangle-sides.svg\nout/triangle-small.svg\n");
+  CHECK(scratch.files() == Typed{"out/triangle-sides.svg", "out/triangle-small.svg", "out/triangle.pdf"});
+  CHECK(contents("out/triangle.pdf").starts_with("%PDF-"));
+  CHECK(contains(contents("out/triangle-small.svg"), "<svg"));
+}
+
+TEST_CASE("draw ID/SHEET writes that sheet alone in both formats") {
+  const Scratch scratch;
+  CHECK(run({"draw", "triangle/small", "--out", "deep/er"}).out ==
+        "deep/er/triangle-small.pdf\ndeep/er/triangle-small.svg\n");
+  CHECK(scratch.files() == Typed{"deep/er/triangle-small.pdf", "deep/er/triangle-small.svg"});
+}
+
+TEST_CASE("a file asked for twice is made once") {
+  const Scratch scratch;
+  CHECK(run({"draw", "triangle", "triangle/small", "all"}).out ==
+        "out/triangle.pdf\nout/triangle-sides.svg\nout/triangle-small.svg\nout/triangle-small.pdf\n");
+  CHECK(run({"draw", "triangle", "triangle", "--format", "svg,svg"}).out ==
+        "out/triangle-sides.svg\nout/triangle-small.svg\n");
+}
+
+TEST_CASE("draw all draws all, each in its files") {
+  const Scratch scratch;
+  CHECK(run_on_two({"draw", "all", "--format", "pdf", "--set", "k=3"}).out == "out/other.pdf\nout/triangle.pdf\n");
+}
+
+TEST_CASE("-o writes one file, in the format of its ending or of --format") {
+  const Scratch scratch;
+  CHECK(run({"draw", "triangle", "-o", "t.pdf"}).out == "t.pdf\n");
+  CHECK(run({"draw", "triangle/small", "-o", "t.svg"}).out == "t.svg\n");
+  CHECK(run({"draw", "triangle", "--format", "pdf", "-o", "plain"}).exit == 0);
+  CHECK(contents("plain") == contents("t.pdf"));
+  CHECK(scratch.files() == Typed{"plain", "t.pdf", "t.svg"});
+  refused({"draw", "triangle", "-o", "t2.svg"},
+          "holds one sheet, and 2 are asked for; name one, such as triangle/sides");
+  refused({"draw", "triangle", "-o", "t2"}, "tells no format");
+  refused({"draw", "triangle", "-o", "t2.png"}, "tells no format");
+  refused({"draw", "triangle", "-o", "t2.pdf", "--format", "svg"}, "is not the ending");
+  refused({"draw", "triangle", "-o", "t2", "--format", "pdf,svg"}, "choose --format");
+  refused({"draw", "triangle", "-o", "t2.pdf", "--out", "x"}, "choose one of them");
+  refused({"draw", "triangle", "-o", ""}, "tells no format");
+  CHECK(scratch.files().size() == 3);
+}
+
+TEST_CASE("-o - writes the bytes of the file to standard output, and nothing else") {
+  const Scratch scratch;
+  run({"draw", "triangle/small", "-o", "t.pdf"});
+  run({"draw", "triangle/small", "-o", "t.svg"});
+  CHECK(run({"draw", "triangle/small", "-o", "-"}).out == contents("t.pdf"));
+  CHECK(run({"draw", "triangle/small", "-o", "-", "--format", "svg"}).out == contents("t.svg"));
+  CHECK(run({"draw", "triangle/small", "-o", "/dev/stdout"}).out == contents("t.pdf"));
+  refused({"draw", "triangle", "-o", "-", "--format", "svg"}, "holds one sheet");
+  CHECK(scratch.files().size() == 2);
+}
+
+TEST_CASE("two runs write the same bytes, also after other drawings") {
+  const Scratch scratch;
+  run_on_two({"draw", "triangle", "--out", "a"});
+  run_on_two({"draw", "all", "--out", "b", "--lang", "it"});
+  run_on_two({"draw", "triangle", "--out", "c"});
+  for (const std::string file : {"triangle.pdf", "triangle-sides.svg", "triangle-small.svg"}) {
+    CHECK(contents("a/" + file) == contents("c/" + file));
+    CHECK_FALSE(contents("a/" + file).empty());
+  }
+  CHECK(contents("a/triangle.pdf") != contents("b/triangle.pdf"));  // the language is in it
+}
+
+TEST_CASE("a scale is one number over another, and reaches the sheet") {
+  const Scratch scratch;
+  const auto svg = [](const std::string& scale) {
+    return run({"draw", "triangle/sides", "-o", "-", "--format", "svg", "--scale", scale}).out;
+  };
+  CHECK(svg("1:10") == svg("1/10"));
+  CHECK(svg("1:10") == svg("0.1"));
+  CHECK(svg("1:10") != svg("1:20"));
+  CHECK_FALSE(svg("1:10").empty());
+  refused({"draw", "triangle", "--scale", "2:1"}, "does not fit");
+  for (const std::string bad : {"0", "-1:5", "1:0", "big", "1:5:2", "", "1,5"})
+    refused({"draw", "triangle", "--scale", bad}, "\"" + bad + "\" is no scale; write 1:5");
+}
+
+TEST_CASE("paper, language and bareness reach the sheet") {
+  Triangle triangle;
+  std::vector<SheetRequest> seen;
+  triangle.spoil_sheet = [&](DrawnSheet& drawn) {
+    seen.push_back({drawn.sheet.paper, drawn.sheet.language, drawn.sheet.bare});
+  };
+  run_on(triangle, {"draw", "triangle/sides", "-o", "-"});
+  run_on(triangle, {"draw", "triangle/sides", "-o", "-", "--paper", "a3", "--lang", "it", "--bare"});
+  REQUIRE(seen.size() == 2);
+  CHECK(seen[0].paper == drawings::Paper::a4);
+  CHECK(seen[0].language == Language::english);
+  CHECK_FALSE(seen[0].bare);
+  CHECK(seen[1].paper == drawings::Paper::a3);
+  CHECK(seen[1].language == Language::italian);
+  CHECK(seen[1].bare);
+}
+
+TEST_CASE("what cannot be written is said, and nothing is left behind") {
+  const Scratch scratch;
+  std::ofstream("file") << "old";
+  refused({"draw", "triangle", "-o", "/dev/full", "--format", "pdf"}, "No space left on device", 3);
+  refused({"draw", "triangle", "--out", "file"}, "file", 3);
+  refused({"draw", "triangle", "-o", "file/t.pdf"}, "file/t.pdf", 3);
+  refused({"draw", "triangle", "--out", "/proc/nowhere"}, "/proc/nowhere", 3);
+  CHECK(scratch.files() == Typed{"file"});
+  CHECK(contents("file") == "old");
+}
+
+TEST_CASE("an older file survives a drawing that fails") {
+  const Scratch scratch;
+  CHECK(run({"draw", "triangle", "-o", "t.pdf"}).exit == 0);
+  const std::string before = contents("t.pdf");
+  refused({"draw", "triangle", "-o", "t.pdf", "--set", "a=100"}, "does not fit");
+  // The second of two sheets cannot be drawn: the first is not written either.
+  Triangle broken;
+  int drawn_sheets = 0;
+  broken.spoil_sheet = [&](DrawnSheet&) {
+    if (++drawn_sheets == 2) throw BadGivens("no room");
+  };
+  CHECK(run_on(broken, {"draw", "triangle"}).exit == 2);
+  // A sheet no file can hold.
+  Triangle wild;
+  wild.spoil_sheet = [](DrawnSheet& drawn) {
+    drawn.sheet.figure.marks.push_back(drawings::Dot{{1e300, 0}, drawings::Meaning::link, "far"});
+  };
+  const Ran ran = run_on(wild, {"draw", "triangle", "-o", "t.pdf"});
+  CHECK(ran.exit == 2);
+  CHECK(ran.err.starts_with("epure: "));
+  CHECK(contents("t.pdf") == before);
+  CHECK(scratch.files() == Typed{"t.pdf"});
+}
+
+TEST_CASE("a full standard output is exit 3 for every verb") {
+  for (const Typed& words : {Typed{"list"},
+                             {"list", "triangle"},
+                             {"check", "triangle"},
+                             {"check", "triangle", "--json"},
+                             {"draw", "triangle", "-o", "-"},
+                             {"--help"},
+                             {"--version"}}) {
+    CAPTURE(words);
+    std::ofstream full("/dev/full");
+    REQUIRE(full);
+    std::ostringstream err;
+    Catalogue catalogue;
+    catalogue.push_back(std::make_unique<Triangle>());
+    CHECK(run_cli(catalogue, words, full, err) == 3);
+    CHECK(err.str() == "epure: cannot write to standard output: No space left on device\n");
+  }
+}
+
+TEST_CASE("check prints a table and ends with one line") {
+  const Ran ran = run({"check", "triangle"});
+  CHECK(ran.exit == 0);
+  CHECK(ran.out.ends_with("\ntriangle: 5 quantities, 2 routes, passed\n"));
+  CHECK(contains(ran.out, "a = 3/10 m, b = 2/5 m, load = 0 N, shift = 0 m"));
+  CHECK(contains(ran.out, "0.5 m       ruler, analytic"));
+  CHECK(contains(ran.out, "0.51 by ruler: reading (+2 %)"));
+  CHECK(contains(ran.out, "0.7 by adding: disagrees (+75 %)"));
+  CHECK(contains(ran.out, "c_y printed 0.7: the catheti were added"));
+  CHECK(contains(ran.out, "quantity  value   sides"));
+  CHECK(contains(ran.out, "apart\n"));
+  const std::string both = run_on_two({"check", "all"}).out;
+  CHECK(contains(both, "\nother: 4 quantities, 2 routes, passed\n"));
+  CHECK(contains(both, "\ntriangle: 5 quantities, 2 routes, passed\n"));
+}
+
+TEST_CASE("a check that fails says why, and exits with 1") {
+  Triangle wrong;
+  wrong.spoil_values = [](auto& values) { value_of(values, "c", "analytic") = certain(0.6); };
+  const Ran ran = run_on(wrong, {"check", "triangle"});
+  CHECK(ran.exit == 1);
+  CHECK(ran.err.empty());
+  CHECK(contains(ran.out, "FAILED c: in [0.5, 0.5] by ruler, but in [0.6, 0.6] by analytic"));
+  CHECK(ran.out.ends_with("\ntriangle: 5 quantities, 2 routes, FAILED\n"));
+}
+
+TEST_CASE("one of several exercises that fails makes the whole check fail") {
+  const auto spoilt = [](const std::string& id) {
+    auto triangle = std::make_unique<Triangle>();
+    triangle->description.id = id;
+    if (id == "wrong")
+      triangle->spoil_values = [](auto& values) { value_of(values, "c", "analytic") = certain(0.6); };
+    return triangle;
+  };
+  for (const Typed& order : {Typed{"right", "wrong"}, Typed{"wrong", "right"}}) {
+    Catalogue catalogue;
+    for (const std::string& id : order) catalogue.push_back(spoilt(id));
+    std::ostringstream out, err;
+    CHECK(run_cli(catalogue, {"check", "all"}, out, err) == 1);
+  }
+}
+
+TEST_CASE("a rung that can say nothing fails in one sentence") {
+  Triangle open;
+  open.spoil_values = [](auto&) { throw geometry::Undecided("whether it closes"); };
+  const Ran ran = run_on(open, {"check", "triangle", "--arithmetic", "bounded"});
+  CHECK(ran.exit == 1);
+  CHECK(ran.err == "epure: whether it closes\n");
+}
+
+TEST_CASE("measured numbers decide the exit code") {
+  CHECK(run({"check", "triangle", "--measured", "c=0.51m"}).exit == 0);
+  const Ran beyond = run({"check", "triangle", "--measured", "c=0.52", "--measured", "c_x=300mm"});
+  CHECK(beyond.exit == 1);
+  CHECK(contains(beyond.out,
+                 "c measured 0.52: computed 0.5 m, difference +0.02 (+4 %), allowed 0.01 (0.5 mm on sheet small): "
+                 "beyond reading"));
+  CHECK(contains(beyond.out, "c_x measured 300mm: computed 0.3 m, difference +0 (+0 %)"));
+  CHECK(run({"check", "triangle", "--measured", "c=0.52", "--reading", "1mm"}).exit == 0);
+  CHECK(run({"check", "triangle", "--measured", "c=0.52", "--reading", "1"}).exit == 0);
+  CHECK(run({"check", "triangle", "--measured", "omega=-2.5rad/s"}).exit == 0);
+  CHECK(run({"check", "triangle", "--measured", "omega=+2.5"}).exit == 1);
+  CHECK(run({"check", "triangle", "--measured", "angle=0.8rad"}).exit == 0);
+  CHECK(run({"check", "triangle", "--set", "a=0.2", "--measured", "c_x=0.2"}).exit == 0);
+  CHECK(run_on_two({"check", "all", "--measured", "omega=2.5"}).exit == 0);  // one of the two has it
+  refused({"check", "triangle", "--measured", "omga=1"}, "did you mean omega?");
+  refused({"check", "triangle", "--measured", "omega"}, "write name=value");
+  refused({"check", "triangle", "--measured", "=1"}, "write name=value");
+  refused({"check", "triangle", "--measured", "c=0,5"}, "decimal comma");
+  refused({"check", "triangle", "--measured", "c="}, "--measured c: \"\" is empty");
+  refused({"check", "triangle", "--measured", "c=1s"}, "time where a length");
+  for (const std::string bad : {"0", "-1mm", "1s", "2m", "x", ""})
+    refused({"check", "triangle", "--reading", bad}, "--reading");
+}
