@@ -8,16 +8,17 @@
 namespace epure {
 
 Readings::Readings(const DrawnSheet& drawn) {
-  for (const Measurement& m : drawn.measurements) values_.emplace(m.quantity, measure(m, {}, drawn.sheet.paper).value);
+  for (const Measurement& m : drawn.measurements)
+    values_.emplace(m.quantity, measure(m, {}, drawn.sheet.paper).value);
 }
 
 drawings::Table comparison_table(const std::vector<Comparison>& rows, const Words& first, const Words& second,
                                  Language language) {
   drawings::Table table{{"", first.in(language), second.in(language), "Δ %"}, {}};
   for (const Comparison& row : rows) {
-    const double percent = row.first == 0 ? 0 : 100 * std::abs(row.second - row.first) / std::abs(row.first);
+    const double difference = row.first == 0 ? 0 : 100 * std::abs(row.second - row.first) / std::abs(row.first);
     table.rows.push_back({row.quantity, figures(row.first, 5, language), figures(row.second, 5, language),
-                          percent == 0 ? "0" : figures(percent, 1, language)});
+                          percent(difference, language)});
   }
   return table;
 }

@@ -16,7 +16,11 @@ bool is_nonzero(const Deep& x) {
 
 }  // namespace
 
-double to_double(const Deep& x) { return geometry::enclosure(x).value; }
+double to_double(const Deep& x) {
+  const geometry::Enclosure ends = geometry::enclosure(x);
+  const bool may_be_zero = ends.lower <= 0 && ends.upper >= 0;
+  return may_be_zero ? 0 : ends.value;
+}
 Place to_double(const geometry::Point<Deep>& P) { return {to_double(P.x), to_double(P.y)}; }
 Arrow2 to_double(const geometry::Vector<Deep>& v) { return {to_double(v.x), to_double(v.y)}; }
 

@@ -8,6 +8,7 @@
 
 namespace epure {
 
+// A double inside the ball: zero when it may be zero, else the nearest to the middle.
 double to_double(const geometry::Deep& x);
 Place to_double(const geometry::Point<geometry::Deep>& P);
 Arrow2 to_double(const geometry::Vector<geometry::Deep>& v);

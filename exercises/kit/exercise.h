@@ -63,8 +63,8 @@ struct RouteValue {
 // A quantity as drawn: two points of the sheet, and what a millimetre between them is worth.
 struct Measurement {
   std::string quantity;
-  drawings::Point from, to;  // mm
-  double per_mm = 1;         // SI per mm of paper
+  drawings::Point from, to;                              // mm
+  double per_mm = 1;                                     // SI per mm of paper
   enum Kind { length, along_x, along_y } kind = length;  // along_*: signed, from -> to
 };
 

@@ -51,10 +51,10 @@ Fit fit_lengths(const drawings::Box& room, const SheetRequest& request, double a
   const Scale asked = length_scale(*request.scale);
   const drawings::Box extent = extent_at(asked);
   if (!fits(extent, room)) {
-    throw BadGivens(fmt::format("at scale {} the figure takes {:.0f} x {:.0f} mm, but this sheet has {:.0f} x {:.0f} mm "
-                                "for it; {} would fit",
-                                asked.caption, extent.width(), extent.height(), room.width(), room.height(),
-                                largest.scale.caption));
+    throw BadGivens(fmt::format(
+        "at scale {} the figure takes {:.0f} x {:.0f} mm, but this sheet has {:.0f} x {:.0f} mm "
+        "for it; {} would fit",
+        asked.caption, extent.width(), extent.height(), room.width(), room.height(), largest.scale.caption));
   }
   return placed(asked, extent, room);
 }

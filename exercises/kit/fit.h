@@ -26,8 +26,8 @@ struct Fit {
   drawings::Point origin;  // paper mm of the plane's origin: the picture stands in the middle of the room
 };
 
-// `extent_at` says how much paper the picture takes at a scale of lengths. `at_most` (mm per metre) bounds the search.
-// Throws BadGivens when a requested scale does not fit, naming the room and what would fit.
+// `extent_at` says how much paper the picture takes at a scale of lengths. `at_most` (mm per metre) bounds the
+// search. Throws BadGivens when a requested scale does not fit, naming the room and what would fit.
 Fit fit_lengths(const drawings::Box& room, const SheetRequest& request, double at_most,
                 const std::function<drawings::Box(const Scale&)>& extent_at);
 

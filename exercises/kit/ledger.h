@@ -81,9 +81,12 @@ class Ledger {
   // numerator / denominator; absent, for the reason given, when the denominator is proved zero.
   static T ratio(const T& numerator, const T& denominator, const std::string& when_zero) {
     switch (geometry::sign(denominator)) {
-      case geometry::Sign::zero: throw geometry::Impossible(when_zero);
-      case geometry::Sign::undecided: throw geometry::Undecided("whether " + when_zero);
-      default: return geometry::quotient(numerator, denominator);
+      case geometry::Sign::zero:
+        throw geometry::Impossible(when_zero);
+      case geometry::Sign::undecided:
+        throw geometry::Undecided("whether " + when_zero);
+      default:
+        return geometry::quotient(numerator, denominator);
     }
   }
 

@@ -43,8 +43,8 @@ namespace {
 
 constexpr double farthest = 1000;  // mm: more than any way across the paper
 
-// Around the point of the circle that is nearest to `middle`, as far as the paper reaches. Written from that point, not
-// from the centre, so that a centre kilometres away costs no digits.
+// Around the point of the circle that is nearest to `middle`, as far as the paper reaches. Written from that point,
+// not from the centre, so that a centre kilometres away costs no digits.
 drawings::Path arc_near(drawings::Point centre, double radius, drawings::Point middle) {
   const double toward = direction(centre, middle);
   const drawings::Point nearest{centre.x + radius * std::cos(toward), centre.y + radius * std::sin(toward)};
@@ -134,6 +134,10 @@ void Plot::step(int number, const Place& P) { onto_.sheet.figure.steps.push_back
 
 void Plot::measures(const std::string& name, const Place& P, const Place& Q) {
   onto_.measurements.push_back({name, at(P), at(Q), 1 / scale_.mm_per_unit, Measurement::length});
+}
+
+void Plot::measures_abscissa(const std::string& name, const Place& P, const Place& origin) {
+  onto_.measurements.push_back({name, at(origin), at(P), 1 / scale_.mm_per_unit, Measurement::along_x});
 }
 
 void Plot::measures_coordinates(const std::string& name, const Place& P, const Place& origin) {

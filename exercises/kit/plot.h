@@ -11,7 +11,7 @@
 
 namespace epure {
 
-using Place = geometry::Point<double>;   // metres, or the unit of the plane of vectors
+using Place = geometry::Point<double>;  // metres, or the unit of the plane of vectors
 using Arrow2 = geometry::Vector<double>;
 using drawings::Meaning;
 
@@ -66,6 +66,7 @@ class Plot {
   // The sheet shows quantity `name` as the distance PQ.
   void measures(const std::string& name, const Place& P, const Place& Q);
   // ... and the coordinates of P, as name_x and name_y, from `origin`.
+  void measures_abscissa(const std::string& name, const Place& P, const Place& origin);
   void measures_coordinates(const std::string& name, const Place& P, const Place& origin);
 
  private:

@@ -19,8 +19,11 @@ double largest_below(double x, const std::array<double, N>& ascending_steps) {
   return best;
 }
 
-// As few figures as the number has: 2.5, 0.2, 10.
+}  // namespace
+
 std::string short_number(double x, Language language) {
+  if (x == 0) return "0";
+  if (x < 0) return "−" + short_number(-x, language);
   for (int figures = 1; figures < 6; ++figures) {
     const double grain = std::pow(10.0, std::floor(std::log10(x)) - figures + 1);
     if (std::abs(std::round(x / grain) * grain - x) > 1e-9 * x) continue;
@@ -28,13 +31,10 @@ std::string short_number(double x, Language language) {
     std::string text = std::to_string(static_cast<long long>(std::llround(x * std::pow(10.0, decimals))));
     if (decimals == 0) return text;
     while (static_cast<int>(text.size()) <= decimals) text.insert(0, "0");
-    return text.insert(text.size() - static_cast<std::size_t>(decimals),
-                       language == Language::italian ? "," : ".");
+    return text.insert(text.size() - static_cast<std::size_t>(decimals), language == Language::italian ? "," : ".");
   }
   return drawings::number(x, 6, language);
 }
-
-}  // namespace
 
 Scale length_scale(const Rational& ratio) {
   const double paper_over_nature = CGAL::to_double(ratio);
@@ -57,9 +57,8 @@ Scale largest_vector_scale(double mm_per_unit, const std::string& unit, Language
   for (const double step : {5.0, 2.5, 2.0, 1.0}) {
     if (step * decade >= per_cm) chosen = step * decade;
   }
-  return {.mm_per_unit = 10 / chosen,
-          .caption = "1 cm ≙ " + short_number(chosen, language) + " " + unit,
-          .unit = unit};
+  return {
+      .mm_per_unit = 10 / chosen, .caption = "1 cm ≙ " + short_number(chosen, language) + " " + unit, .unit = unit};
 }
 
 drawings::ScaleBar bar(const Scale& scale, drawings::Point at, Language language) {
@@ -67,8 +66,8 @@ drawings::ScaleBar bar(const Scale& scale, drawings::Point at, Language language
   const double whole = largest_below(longest_bar / scale.mm_per_unit, std::array{1.0, 2.0, 4.0, 5.0});
   const double leading = whole / std::pow(10.0, std::floor(std::log10(whole) + 1e-9));
   const int divisions = leading > 4.5 ? 5 : leading > 1.5 ? 4 : 5;
-  drawings::ScaleBar mark{.at = at, .length = whole * scale.mm_per_unit, .divisions = divisions,
-                          .caption = scale.caption, .ticks = {}};
+  drawings::ScaleBar mark{
+      .at = at, .length = whole * scale.mm_per_unit, .divisions = divisions, .caption = scale.caption, .ticks = {}};
   for (int i = 0; i <= divisions; ++i) {
     const bool labelled = i == 0 || i == divisions || (divisions == 4 && i == 2);
     std::string tick = i == 0 ? "0" : labelled ? short_number(whole * i / divisions, language) : "";

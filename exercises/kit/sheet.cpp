@@ -1,5 +1,7 @@
 #include "exercises/kit/sheet.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
 
 #include "drawings/words.h"
@@ -36,8 +38,8 @@ DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const
 
 drawings::Box room_above_scale_bars(const SheetRequest& request) {
   drawings::Box room = drawings::drawing_area(request.paper);
-  room.low = {room.low.x + 3, room.low.y + bar_strip};
-  room.high = {room.high.x - 3, room.high.y - 3};
+  room.low = {room.low.x + 1, room.low.y + bar_strip};
+  room.high = {room.high.x - 1, room.high.y - 1};
   return room;
 }
 
@@ -52,5 +54,24 @@ void add_scale_bars(DrawnSheet& onto, const std::vector<Scale>& scales, const Sh
 }
 
 std::string figures(double value, int count, Language language) { return drawings::number(value, count, language); }
+
+std::string percent(double value, Language language) {
+  std::string text = fmt::format("{:.3f}", value);
+  if (language == Language::italian) text.replace(text.find('.'), 1, ",");
+  return text;
+}
+
+std::string in_words(const Words& sentence, const std::vector<Value>& values, Language language) {
+  std::string text = sentence.in(language);
+  const char* before = ": ";
+  for (const Value& v : values) {
+    std::string number = fmt::format("{:.4g}", v.value);
+    if (const auto point = number.find('.'); language == Language::italian && point != std::string::npos)
+      number[point] = ',';
+    text += before + v.name + " = " + number + (v.unit.empty() ? "" : " " + v.unit);
+    before = "; ";
+  }
+  return text + ".";
+}
 
 }  // namespace epure

@@ -20,4 +20,15 @@ void add_scale_bars(DrawnSheet& onto, const std::vector<Scale>& scales, const Sh
 // A number as the sheet writes it, with `figures` significant figures.
 std::string figures(double value, int figures, Language language);
 
+// To a thousandth, which is about what a file's resolution leaves of a difference.
+std::string percent(double value, Language language);
+
+// What a reader who does not see the sheet is told: a sentence, then the values. Plain text.
+struct Value {
+  std::string name;
+  double value;
+  std::string unit;
+};
+std::string in_words(const Words& sentence, const std::vector<Value>& values, Language language);
+
 }  // namespace epure

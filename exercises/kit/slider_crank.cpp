@@ -14,8 +14,9 @@ double number(const Rational& q) { return CGAL::to_double(q); }
 void require_plate(const geometry::SliderCrankLengths& of) {
   const auto longer = [](const char* long_name, const Rational& longest, const char* sum, const Rational& others) {
     if (longest > others) {
-      throw BadGivens(fmt::format("the plate ABC does not close: {} = {:.6g} m is longer than {} = {:.6g} m by {:.3g} m",
-                                  long_name, number(longest), sum, number(others), number(longest - others)));
+      throw BadGivens(
+          fmt::format("the plate ABC does not close: {} = {:.6g} m is longer than {} = {:.6g} m by {:.3g} m",
+                      long_name, number(longest), sum, number(others), number(longest - others)));
     }
   };
   longer("AB", of.l, "AC + BC", of.AC + of.BC);
@@ -25,20 +26,23 @@ void require_plate(const geometry::SliderCrankLengths& of) {
 
 void require_closure(const SliderCrankInstant& at) {
   const Sign reach = geometry::decide([&]<class T>() {
-    const T A_y = geometry::from_rational<T>(at.lengths.r) * geometry::sine<T>(at.crank);
-    return geometry::square(geometry::from_rational<T>(at.lengths.l)) - geometry::square(A_y);
-  }).sign;
+                       const T A_y = geometry::from_rational<T>(at.lengths.r) * geometry::sine<T>(at.crank);
+                       return geometry::square(geometry::from_rational<T>(at.lengths.l)) - geometry::square(A_y);
+                     }).sign;
   if (reach == Sign::positive) return;
   const double phi = 360 * number(at.crank.fraction);
   const double A_y = std::abs(number(at.lengths.r) * geometry::sine<geometry::Fast>(at.crank));
   const double l = number(at.lengths.l);
   if (reach == Sign::negative) {
-    throw BadGivens(fmt::format("the linkage does not close: at crank angle {:.6g}° the pin A is {:.6g} m from the "
-                                "guide, and the coupler AB = {:.6g} m is too short by {:.3g} m",
-                                phi, A_y, l, A_y - l));
+    throw BadGivens(
+        fmt::format("the linkage does not close: at crank angle {:.6g}° the pin A is {:.6g} m from the "
+                    "guide, and the coupler AB = {:.6g} m is too short by {:.3g} m",
+                    phi, A_y, l, A_y - l));
   }
-  throw BadGivens(fmt::format("at crank angle {:.6g}° the coupler AB = {:.6g} m stands square to the guide, where the "
-                              "crank cannot drive the slider: its velocity does not exist", phi, l));
+  throw BadGivens(
+      fmt::format("at crank angle {:.6g}° the coupler AB = {:.6g} m stands square to the guide, where the "
+                  "crank cannot drive the slider: its velocity does not exist",
+                  phi, l));
 }
 
 }  // namespace
@@ -50,13 +54,18 @@ std::vector<GivenSpec> slider_crank_givens(bool with_alpha_2) {
       {"BC", {"side BC of the coupler plate", "lato BC della biella"}, "m", "0.40", Range::positive},
       {"AC", {"side AC of the coupler plate", "lato AC della biella"}, "m", "0.30", Range::positive},
       {"n", {"crank speed, counter-clockwise", "velocità della manovella, antioraria"}, "rpm", "360", Range::any},
-      {"t1", {"instant, counted from the outer dead centre", "istante, dal punto morto esterno"}, "s", "1/72",
+      {"t1",
+       {"instant, counted from the outer dead centre", "istante, dal punto morto esterno"},
+       "s",
+       "1/72",
        Range::not_negative},
   };
   if (with_alpha_2) {
     givens.push_back({"alpha_2",
                       {"angular acceleration of the crank at t1", "accelerazione angolare della manovella a t1"},
-                      "rad/s^2", "0", Range::any});
+                      "rad/s^2",
+                      "0",
+                      Range::any});
   }
   return givens;
 }

@@ -20,7 +20,8 @@ struct SliderCrankInstant {
   bool pole_at_infinity = false;  // the crank is square to the guide
   bool dead_centre = false;       // crank and coupler in line: the pole is B
 
-  // 2 π n. The exact numbers work with unit crank speed where nothing but signs is asked and α₂ = 0, which keeps π out.
+  // 2 π n. The exact numbers work with unit crank speed where nothing but signs is asked and α₂ = 0, which keeps π
+  // out.
   template <class T>
   T omega_2() const {
     constexpr bool exact = std::is_same_v<T, geometry::Exact> || std::is_same_v<T, geometry::Calcium>;

@@ -12,8 +12,8 @@ using geometry::Deep;
 DrawnSliderCrank drawn_position(const SliderCrankInstant& at) {
   return deeply([&]() -> DrawnSliderCrank {
     const auto exact = at.position<Deep>();
-    return {to_double(exact.A0), to_double(exact.A), to_double(exact.B), to_double(exact.C), to_double(exact.M),
-            geometry::guide_of_slider_crank<double>()};
+    return {to_double(exact.A0), to_double(exact.A), to_double(exact.B),
+            to_double(exact.C),  to_double(exact.M), geometry::guide_of_slider_crank<double>()};
   });
 }
 
@@ -26,11 +26,11 @@ void draw_plate(Plot& plot, const DrawnSliderCrank& at) {
 
 void draw_slider_crank(Plot& plot, const DrawnSliderCrank& at, double turns_per_second) {
   const double r = std::hypot(at.A.x, at.A.y);
-  const Place left{std::min({-r, at.B.x - r}), 0}, right{at.B.x, 0};
-  plot.long_segment(left, right, 18, Meaning::axis);
+  const Place left{std::min(-r, at.B.x), 0}, right{std::max(r, at.B.x), 0};
+  plot.long_segment(left, right, 8, Meaning::axis);
   plot.circle(at.A0, r, Meaning::axis);
   const drawings::Point b = plot.at(at.B);
-  plot.mark(drawings::Guide{{b.x - 16, b.y}, {b.x + 14, b.y}});
+  plot.mark(drawings::Guide{{b.x - 14, b.y}, {b.x + 10, b.y}});
   draw_plate(plot, at);
   plot.segment(at.A0, at.A, Meaning::link);
   plot.mark(drawings::Slider{b, 0});
@@ -53,8 +53,21 @@ void draw_slider_crank(Plot& plot, const DrawnSliderCrank& at, double turns_per_
   plot.label("$M$", at.M, at.C);
 }
 
-void draw_small_slider_crank(DrawnSheet& onto, const DrawnSliderCrank& at, const SliderCrankInstant& instant,
-                             const drawings::Box& room, const SheetRequest& request) {
+void sketch_slider_crank(Plot& plot, const DrawnSliderCrank& at) {
+  const double r = std::hypot(at.A.x, at.A.y);
+  plot.long_segment({std::min(-r, at.B.x), 0}, {std::max(r, at.B.x), 0}, 3, Meaning::axis);
+  draw_plate(plot, at);
+  plot.segment(at.A0, at.A, Meaning::link);
+  const Place inside{(at.A.x + at.B.x + at.C.x) / 3, (at.A.y + at.B.y + at.C.y) / 3};
+  for (const auto& [name, P] :
+       {std::pair{"$A_{0}$", at.A0}, std::pair{"$A$", at.A}, std::pair{"$B$", at.B}, std::pair{"$C$", at.C}}) {
+    plot.dot(P, Meaning::link);
+    plot.label(name, P, inside);
+  }
+}
+
+Scale draw_small_slider_crank(DrawnSheet& onto, const DrawnSliderCrank& at, const SliderCrankInstant& instant,
+                              const drawings::Box& room, const SheetRequest& request) {
   const double reach = std::abs(at.B.x) + std::hypot(at.A.x, at.A.y);
   const Fit fit = fit_lengths(room, request, 1000 / reach, [&](const Scale& scale) {
     Extent extent;
@@ -63,14 +76,17 @@ void draw_small_slider_crank(DrawnSheet& onto, const DrawnSliderCrank& at, const
   });
   Plot plot(onto, fit.origin, fit.scale);
   draw_slider_crank(plot, at, CGAL::to_double(instant.turns_per_second));
-  onto.sheet.title_block.scales.push_back(fit.scale.caption);
+  return fit.scale;
 }
 
 void include_slider_crank(Extent& extent, const Scale& scale, const DrawnSliderCrank& at) {
   const double r = std::hypot(at.A.x, at.A.y);
-  extent.include(scale, {-r, -r}, 6);
-  extent.include(scale, {r, r}, 6);
-  for (const Place& P : {at.B, at.C}) extent.include(scale, P, 12);
+  extent.include(scale, {-r, -r}, 2);
+  extent.include(scale, {r, r}, 2);
+  extent.include(scale, at.C, 8);
+  const drawings::Point b{scale.mm_per_unit * at.B.x, scale.mm_per_unit * at.B.y};
+  extent.include(b.x - 14, b.y - 6);
+  extent.include(b.x + 10, b.y + 6);
 }
 
 }  // namespace epure

@@ -15,9 +15,13 @@ DrawnSliderCrank drawn_position(const SliderCrankInstant& at);
 // Guide and its axis, crank with the circle of A, coupler plate ABC, slider, hinges, and the letters.
 void draw_slider_crank(Plot& plot, const DrawnSliderCrank& at, double turns_per_second);
 
-// The mechanism alone, as large as the room allows, beside a diagram that takes its directions from it.
-void draw_small_slider_crank(DrawnSheet& onto, const DrawnSliderCrank& at, const SliderCrankInstant& instant,
-                             const drawings::Box& room, const SheetRequest& request);
+// The mechanism alone, as large as the room allows, beside a diagram that takes its directions from it. Returns its
+// scale, for the bars.
+Scale draw_small_slider_crank(DrawnSheet& onto, const DrawnSliderCrank& at, const SliderCrankInstant& instant,
+                              const drawings::Box& room, const SheetRequest& request);
+
+// Links, plate and points without symbols, for a picture in which the mechanism is small.
+void sketch_slider_crank(Plot& plot, const DrawnSliderCrank& at);
 
 // The plate ABC and its sides only.
 void draw_plate(Plot& plot, const DrawnSliderCrank& at);

@@ -11,9 +11,7 @@ using drawings::Language;
 
 struct Words {
   std::string english, italian;
-  const std::string& in(Language language) const {
-    return language == Language::english ? english : italian;
-  }
+  const std::string& in(Language language) const { return language == Language::english ? english : italian; }
 };
 
 }  // namespace epure

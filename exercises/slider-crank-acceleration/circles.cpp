@@ -13,21 +13,19 @@ namespace {
 // A circle larger than this many times the mechanism is shown as an arc that leaves the frame.
 constexpr double whole_circle_limit = 8;
 
-double mechanism_size(const Drawn& f) {
-  return std::abs(f.at.B.x) + std::hypot(f.at.A.x, f.at.A.y);
-}
+double mechanism_size(const Drawn& f) { return std::abs(f.at.B.x) + std::hypot(f.at.A.x, f.at.A.y); }
 
 void include_circle(Extent& extent, const Scale& scale, const DrawnCycle& cycle, double size) {
   if (!cycle.centre || 2 * cycle.radius > whole_circle_limit * size) return;
   const auto& [x, y] = *cycle.centre;
   const double r = cycle.radius;
-  extent.include(scale, {x - r, y - r}, 6);
-  extent.include(scale, {x + r, y + r}, 6);
+  extent.include(scale, {x - r, y - r}, 5);
+  extent.include(scale, {x + r, y + r}, 5);
 }
 
 drawings::Box extent(const Drawn& f, const Scale& scale) {
   Extent extent;
-  include_slider_crank(extent, scale, f.at);
+  for (const Place& P : {f.at.A0, f.at.A, f.at.B, f.at.C}) extent.include(scale, P, 6);
   const double size = mechanism_size(f);
   include_circle(extent, scale, f.inflection, size);
   include_circle(extent, scale, f.stationarity, size);
@@ -103,19 +101,25 @@ drawings::Steps steps(const Drawn& f, Language language) {
                                       "Le due rette si incontrano in $K$."}};
   }
   if (english) {
-    return {{"$A'$ on the ray $P_{0}A$: $P_{0}A^{2}$ = $A_{0}A$·$A'A$, on the side of $A_{0}$.",
-             "Inflection circle through $P_{0}$, $A'$ and $B$, whose path is straight. Diameter $P_{0}J$.",
-             "Stationarity circle: through $P_{0}$, its diameter square to $P_{0}J$, and (for $α_{2}$ = 0) through $A$, "
-             "whose acceleration is all normal.",
-             "$K$, where the circles meet again: the foot of the perpendicular from $P_{0}$ on the line that joins the ends "
-             "of the two diameters."}};
+    return {
+        {"$A'$ on the ray $P_{0}A$: $P_{0}A^{2}$ = $A_{0}A$·$A'A$, on the side of $A_{0}$.",
+         "Inflection circle through $P_{0}$, $A'$ and $B$, whose path is straight. Centre $F$, diameter $P_{0}J$.",
+         "Stationarity circle: through $P_{0}$, its centre $S$ on the square to $P_{0}J$, and (for $α_{2}$ = 0) "
+         "through $A$, "
+         "whose acceleration is all normal.",
+         "$K$, where the circles meet again: the foot of the perpendicular from $P_{0}$ on the line that joins the "
+         "ends "
+         "of the two diameters."}};
   }
-  return {{"$A'$ sul raggio $P_{0}A$: $P_{0}A^{2}$ = $A_{0}A$·$A'A$, dalla parte di $A_{0}$.",
-           "Circonferenza dei flessi per $P_{0}$, $A'$ e $B$, la cui traiettoria è retta. Diametro $P_{0}J$.",
-           "Circonferenza di stazionarietà: per $P_{0}$, col diametro normale a $P_{0}J$, e (per $α_{2}$ = 0) per $A$, la cui "
-           "accelerazione è tutta normale.",
-           "$K$, dove le due si incontrano ancora: il piede della normale da $P_{0}$ alla retta che unisce gli estremi dei due "
-           "diametri."}};
+  return {
+      {"$A'$ sul raggio $P_{0}A$: $P_{0}A^{2}$ = $A_{0}A$·$A'A$, dalla parte di $A_{0}$.",
+       "Circonferenza dei flessi per $P_{0}$, $A'$ e $B$, la cui traiettoria è retta. Centro $F$, diametro $P_{0}J$.",
+       "Circonferenza di stazionarietà: per $P_{0}$, col centro $S$ sulla normale a $P_{0}J$, e (per $α_{2}$ = 0) "
+       "per $A$, la cui "
+       "accelerazione è tutta normale.",
+       "$K$, dove le due si incontrano ancora: il piede della normale da $P_{0}$ alla retta che unisce gli estremi "
+       "dei due "
+       "diametri."}};
 }
 
 drawings::Table results(const Drawn& f, Language language) {
@@ -140,7 +144,7 @@ void draw_circles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
   Plot plot(onto, fit.origin, fit.scale);
   draw_inflection_circle(plot, f);
   draw_stationarity_circle(plot, f);
-  draw_slider_crank(plot, f.at, f.omega_2);
+  sketch_slider_crank(plot, f.at);
   draw_poles_of_motion(plot, f);
   add_scale_bars(onto, {plot.scale()}, request);
   auto& column = onto.sheet.column;
@@ -149,10 +153,20 @@ void draw_circles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   column.push_back(results(f, language));
   if (f.inflection.centre) {
-    column.push_back(drawings::Paragraph{fmt::format("$δ_{{F}}$ = {} m", figures(2 * f.inflection.radius, 4, language)) +
-                                         (f.stationarity.centre ? fmt::format(",  $δ_{{S}}$ = {} m", figures(2 * f.stationarity.radius, 4, language)) : "")});
+    column.push_back(drawings::Paragraph{
+        fmt::format("$δ_{{F}}$ = {} m", figures(2 * f.inflection.radius, 4, language)) +
+        (f.stationarity.centre ? fmt::format(",  $δ_{{S}}$ = {} m", figures(2 * f.stationarity.radius, 4, language))
+                               : "")});
   }
-  onto.sheet.description = f.K ? fmt::format("K = ({:.4g}, {:.4g}) m", f.K->x, f.K->y) : "";
+  std::vector<Value> values;
+  for (const auto& [name, P] : {std::pair{"P0", f.P0}, std::pair{"J", f.J}, std::pair{"K", f.K}}) {
+    if (P)
+      values.insert(values.end(), {{fmt::format("x_{}", name), P->x, "m"}, {fmt::format("y_{}", name), P->y, "m"}});
+  }
+  onto.sheet.description =
+      in_words({"Inflection and stationarity circle of the coupler, which meet in P₀ and K",
+                "Circonferenze dei flessi e di stazionarietà della biella, che si incontrano in P₀ e K"},
+               values, language);
 }
 
 }  // namespace epure::slider_crank_acceleration

@@ -11,7 +11,7 @@
 namespace epure::slider_crank_acceleration {
 namespace {
 
-constexpr double overview_share = 0.47;  // of the room's height
+constexpr double overview_share = 0.53;  // of the room's height
 
 struct Traced {
   std::string symbol;
@@ -29,8 +29,7 @@ bool is_near(const Drawn& f, const std::optional<Place>& P, double times) {
 
 void draw_overview(Plot& plot, const Drawn& f) {
   plot.cycle(f.inflection, Meaning::locus);
-  plot.polygon({f.at.A, f.at.B, f.at.C}, Meaning::link);
-  plot.segment(f.at.A0, f.at.A, Meaning::link);
+  sketch_slider_crank(plot, f.at);
   for (const Traced& X : traced(f)) {
     if (!f.P0 || !is_near(f, X.curvature.on_circle, 6)) continue;
     plot.segment(*f.P0, *X.curvature.on_circle, Meaning::construction);
@@ -94,11 +93,15 @@ drawings::Steps steps(Language language) {
   if (language == Language::english) {
     return {{"The ray $P_{0}C$ meets the inflection circle again in $C'$.", "Likewise $M'$ on the ray $P_{0}M$.",
              "Euler-Savary: $P_{0}C^{2}$ = $Ω_{C}C$·$C'C$ gives $Ω_{C}$ on the ray, on the same side of $C$ as $C'$.",
-             "Likewise $Ω_{M}$: $P_{0}M^{2}$ = $Ω_{M}M$·$M'M$. The thin circles are the osculating circles of the two paths."}};
+             "Likewise $Ω_{M}$: $P_{0}M^{2}$ = $Ω_{M}M$·$M'M$. The thin circles are the osculating circles of the "
+             "two paths."}};
   }
-  return {{"Il raggio $P_{0}C$ incontra ancora la circonferenza dei flessi in $C'$.", "Così $M'$ sul raggio $P_{0}M$.",
-           "Euler-Savary: $P_{0}C^{2}$ = $Ω_{C}C$·$C'C$ dà $Ω_{C}$ sul raggio, dalla stessa parte di $C'$ rispetto a $C$.",
-           "Così $Ω_{M}$: $P_{0}M^{2}$ = $Ω_{M}M$·$M'M$. I cerchi sottili sono i cerchi osculatori delle due traiettorie."}};
+  return {{"Il raggio $P_{0}C$ incontra ancora la circonferenza dei flessi in $C'$.",
+           "Così $M'$ sul raggio $P_{0}M$.",
+           "Euler-Savary: $P_{0}C^{2}$ = $Ω_{C}C$·$C'C$ dà $Ω_{C}$ sul raggio, dalla stessa parte di $C'$ rispetto a "
+           "$C$.",
+           "Così $Ω_{M}$: $P_{0}M^{2}$ = $Ω_{M}M$·$M'M$. I cerchi sottili sono i cerchi osculatori delle due "
+           "traiettorie."}};
 }
 
 drawings::Table results(const Drawn& f, Language language) {
@@ -133,17 +136,22 @@ void draw_curvature(DrawnSheet& onto, const Drawn& f, const SheetRequest& reques
   onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 0);
   draw_detail(near, f);
   onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 1);
-  add_scale_bars(onto, {detail.scale, overview.scale}, request);
+  add_scale_bars(onto, {overview.scale, detail.scale}, request);
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(steps(language));
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   column.push_back(results(f, language));
+  std::vector<Value> values;
   for (const Traced& X : traced(f)) {
     if (!X.curvature.centre) continue;
-    onto.sheet.description += fmt::format("ρ_{} = {:.4g} m. ", X.symbol,
-                                          std::hypot(X.curvature.centre->x - X.at.x, X.curvature.centre->y - X.at.y));
+    values.push_back(
+        {"ρ_" + X.symbol, std::hypot(X.curvature.centre->x - X.at.x, X.curvature.centre->y - X.at.y), "m"});
   }
+  onto.sheet.description =
+      in_words({"Centres of curvature of the paths of C and M by Euler-Savary, with their osculating circles",
+                "Centri di curvatura delle traiettorie di C e M con Euler-Savary, con i cerchi osculatori"},
+               values, language);
 }
 
 }  // namespace epure::slider_crank_acceleration

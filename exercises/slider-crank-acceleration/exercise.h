@@ -23,7 +23,8 @@ struct Drawn {
   double omega_2 = 0, omega_3 = 0, alpha_3 = 0;
   std::optional<Place> P0 = {}, J = {}, K = {};  // none when at infinity
   DrawnCycle inflection = {}, stationarity = {};
-  Arrow2 a_A_n = {}, a_A_t = {}, a_A = {}, a_B = {}, a_C = {}, a_M = {}, a_BA_n = {}, a_BA_t = {}, a_CA = {}, a_MA = {};
+  Arrow2 a_A_n = {}, a_A_t = {}, a_A = {}, a_B = {}, a_C = {}, a_M = {}, a_BA_n = {}, a_BA_t = {}, a_CA = {},
+         a_MA = {};
   Curvature C = {}, M = {};
 };
 Drawn drawn(const SliderCrankInstant& instant);

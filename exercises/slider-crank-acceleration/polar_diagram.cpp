@@ -10,7 +10,7 @@
 namespace epure::slider_crank_acceleration {
 namespace {
 
-constexpr double mechanism_share = 0.34;  // of the room's height; the polygon needs the larger part
+constexpr double mechanism_share = 0.42;  // of the room's height; the polygon needs the larger part
 
 Place tip(const Arrow2& a) { return {a.x, a.y}; }
 Place after(const Place& P, const Arrow2& a) { return {P.x + a.x, P.y + a.y}; }
@@ -32,7 +32,7 @@ void draw_sides(Plot& plot, const Drawn& f) {
   plot.side("a_BA_t", n, b, Meaning::acceleration, "$\\vec{a}^{t}_{BA}$", inside);
   plot.side("a_BA", a, b, Meaning::acceleration, "$\\vec{a}_{BA}$", n);
   plot.side("a_B", O, b, Meaning::acceleration, "$\\vec{a}_{B}$", a);
-  plot.side("a_CA", a, c, Meaning::acceleration, "$\\vec{a}_{CA}$", b);
+  plot.side("a_CA", a, c, Meaning::acceleration, "$\\vec{a}_{CA}$", Place{2 * n.x - c.x, 2 * n.y - c.y});
   plot.side("a_C", O, c, Meaning::acceleration, "$\\vec{a}_{C}$", a);
   plot.side("a_M", O, m, Meaning::acceleration, "$\\vec{a}_{M}$", a);
   plot.measures("a_MA", a, m);
@@ -41,12 +41,13 @@ void draw_sides(Plot& plot, const Drawn& f) {
 
 void draw_names(Plot& plot, const Drawn& f) {
   const Place O{0, 0}, a = tip(f.a_A), n = after(a, f.a_BA_n), b = tip(f.a_B), c = tip(f.a_C), m = tip(f.a_M);
-  for (const auto& [name, X] : {std::pair{"a_B", b}, std::pair{"a_C", c}, std::pair{"a_M", m}}) {
-    plot.measures_coordinates(name, X, O);
-  }
+  plot.measures_abscissa("a_B_x", b, O);
+  plot.measures_coordinates("a_C", c, O);
+  plot.measures_coordinates("a_M", m, O);
   for (const Place& X : {O, m}) plot.dot(X, Meaning::acceleration);
   plot.label("$O_{a}$", O, b, Meaning::acceleration);
-  for (const auto& [name, X] : {std::pair{"$a'$", a}, std::pair{"$b'$", b}, std::pair{"$c'$", c}, std::pair{"$m'$", m}}) {
+  for (const auto& [name, X] :
+       {std::pair{"$a'$", a}, std::pair{"$b'$", b}, std::pair{"$c'$", c}, std::pair{"$m'$", m}}) {
     plot.label(name, X, O, Meaning::acceleration);
   }
   const auto along = [](const Place& P, const Place& Q, double t) {
@@ -80,19 +81,24 @@ drawings::VectorEquation equation_of_B(const Drawn& f) {
 
 drawings::Steps steps(Language language) {
   if (language == Language::english) {
-    return {{"From $O_{a}$ the known $\\vec{a}_{A}$, from $A$ towards $A_{0}$ (and its tangential part, when $α_{2}$ is not zero).",
-             "From $a'$ the normal part $ω^{2}_{3}$·$AB$, from $B$ towards $A$; $ω_{3}$ from the velocities.",
-             "The line square to $AB$: it carries $\\vec{a}^{t}_{BA}$.",
-             "Through $O_{a}$ the line parallel to the guide. The two meet in $b'$; $α_{3}$ = $a^{t}_{BA}$ / $AB$.",
-             "$c'$: the triangle $a'b'c'$ is similar to $ABC$, in the same sense: $a_{CA}$ : $a_{BA}$ = $AC$ : $AB$, turned by the same $γ$.",
-             "$m'$ halves $a'b'$, as $M$ halves $AB$."}};
+    return {
+        {"From $O_{a}$ the known $\\vec{a}_{A}$, from $A$ towards $A_{0}$ (and its tangential part, when $α_{2}$ is "
+         "not zero).",
+         "From $a'$ the normal part $ω^{2}_{3}$·$AB$, from $B$ towards $A$; $ω_{3}$ from the velocities.",
+         "The line square to $AB$: it carries $\\vec{a}^{t}_{BA}$.",
+         "Through $O_{a}$ the line parallel to the guide. The two meet in $b'$; $α_{3}$ = $a^{t}_{BA}$ / $AB$.",
+         "$c'$: the triangle $a'b'c'$ is similar to $ABC$, in the same sense: $a_{CA}$ : $a_{BA}$ = $AC$ : $AB$, "
+         "turned by the same $γ$.",
+         "$m'$ halves $a'b'$, as $M$ halves $AB$."}};
   }
-  return {{"Da $O_{a}$ la $\\vec{a}_{A}$ nota, da $A$ verso $A_{0}$ (e la parte tangenziale, se $α_{2}$ non è nulla).",
-           "Da $a'$ la parte normale $ω^{2}_{3}$·$AB$, da $B$ verso $A$; $ω_{3}$ dalle velocità.",
-           "La normale ad $AB$: porta la $\\vec{a}^{t}_{BA}$.",
-           "Per $O_{a}$ la parallela alla guida. Le due si incontrano in $b'$; $α_{3}$ = $a^{t}_{BA}$ / $AB$.",
-           "$c'$: il triangolo $a'b'c'$ è simile ad $ABC$, nello stesso verso: $a_{CA}$ : $a_{BA}$ = $AC$ : $AB$, ruotata dello stesso $γ$.",
-           "$m'$ dimezza $a'b'$, come $M$ dimezza $AB$."}};
+  return {
+      {"Da $O_{a}$ la $\\vec{a}_{A}$ nota, da $A$ verso $A_{0}$ (e la parte tangenziale, se $α_{2}$ non è nulla).",
+       "Da $a'$ la parte normale $ω^{2}_{3}$·$AB$, da $B$ verso $A$; $ω_{3}$ dalle velocità.",
+       "La normale ad $AB$: porta la $\\vec{a}^{t}_{BA}$.",
+       "Per $O_{a}$ la parallela alla guida. Le due si incontrano in $b'$; $α_{3}$ = $a^{t}_{BA}$ / $AB$.",
+       "$c'$: il triangolo $a'b'c'$ è simile ad $ABC$, nello stesso verso: $a_{CA}$ : $a_{BA}$ = $AC$ : $AB$, "
+       "ruotata dello stesso $γ$.",
+       "$m'$ dimezza $a'b'$, come $M$ dimezza $AB$."}};
 }
 
 drawings::Table results(const Drawn& f, Language language) {
@@ -107,14 +113,14 @@ drawings::Table results(const Drawn& f, Language language) {
 void draw_polar_diagram(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   const drawings::Box room = room_above_scale_bars(request);
   const double divide = room.high.y - mechanism_share * room.height();
-  draw_small_slider_crank(onto, f.at, f.instant, {{room.low.x, divide}, room.high}, request);
+  const Scale lengths = draw_small_slider_crank(onto, f.at, f.instant, {{room.low.x, divide}, room.high}, request);
   const Fit fit = fit_vectors({room.low, {room.high.x, divide}}, "m/s²", request.language,
                               room.width() / greatest_acceleration(f),
                               [&](const Scale& scale) { return polygon_extent(f, scale); });
   Plot plot(onto, fit.origin, fit.scale);
   draw_sides(plot, f);
   draw_names(plot, f);
-  add_scale_bars(onto, {plot.scale()}, request);
+  add_scale_bars(onto, {lengths, plot.scale()}, request);
 
   const Language language = request.language;
   const bool english = language == Language::english;
@@ -123,13 +129,16 @@ void draw_polar_diagram(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(steps(language));
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
-  column.push_back(drawings::Paragraph{fmt::format("$ω_{{3}}$ = {} rad/s,  $α_{{3}}$ = {} rad/s²", figures(f.omega_3, 4, language),
-                                                   figures(f.alpha_3, 4, language))});
+  column.push_back(
+      drawings::Paragraph{fmt::format("$ω_{{3}}$ = {} rad/s,  $α_{{3}}$ = {} rad/s²", figures(f.omega_3, 4, language),
+                                      figures(f.alpha_3, 4, language))});
   column.push_back(results(f, language));
+  std::vector<Value> values{{"α₃", f.alpha_3, "rad/s²"}};
+  for (const Followed& X : followed(f)) values.push_back({X.acceleration, std::hypot(X.a.x, X.a.y), "m/s²"});
   onto.sheet.description =
-      fmt::format("a_A = {:.4g} m/s², a_B = {:.4g} m/s², a_C = {:.4g} m/s², a_M = {:.4g} m/s², α₃ = {:.4g} rad/s²",
-                  std::hypot(f.a_A.x, f.a_A.y), std::hypot(f.a_B.x, f.a_B.y), std::hypot(f.a_C.x, f.a_C.y),
-                  std::hypot(f.a_M.x, f.a_M.y), f.alpha_3);
+      in_words({"The polygon of the accelerations of the slider-crank, with the images of C and M",
+                "Il poligono delle accelerazioni del manovellismo, con le immagini di C e M"},
+               values, language);
 }
 
 }  // namespace epure::slider_crank_acceleration

@@ -47,7 +47,8 @@ void mark_gamma(Plot& plot, const Drawn& f) {
   const double ray = std::atan2(k.y - c.y, k.x - c.x), vector = std::atan2(tip.y - c.y, tip.x - c.x);
   const double turn = std::remainder(vector - ray, 2 * M_PI);
   constexpr double radius = 13;
-  plot.mark(drawings::AngleMark{c, radius, turn > 0 ? ray : ray + turn, turn > 0 ? ray + turn : ray, Meaning::dimension});
+  plot.mark(
+      drawings::AngleMark{c, radius, turn > 0 ? ray : ray + turn, turn > 0 ? ray + turn : ray, Meaning::dimension});
   const double middle = ray + turn / 2;
   plot.label("$γ$", plot.from_paper({c.x + radius * std::cos(middle), c.y + radius * std::sin(middle)}), f.at.C);
 }
@@ -57,7 +58,7 @@ drawings::Steps steps(Language language) {
     return {{"$K$ from the two circles (sheet 2). At $K$ the acceleration is zero.",
              "$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), known: the factor is $a_{A}$ / $KA$.",
              "$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ for every point $X$ of the coupler.",
-             "All are inclined to their rays $XK$ by the same $γ$, tan $γ$ = $α_{3}$ / $ω^{2}_{3}$."}};
+             "All are inclined to their rays $XK$ by the same $γ$, tan $γ$ = $α_{3}$ / $ω^{2}_{3}$."}};
   }
   return {{"$K$ dalle due circonferenze (foglio 2). In $K$ l'accelerazione è nulla.",
            "$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), nota: il fattore è $a_{A}$ / $KA$.",
@@ -69,8 +70,8 @@ drawings::Table results(const Drawn& f, Language language) {
   drawings::Table table{{"$X$", "$KX$ (m)", "$a_{X}$ (m/s²)"}, {}};
   for (const Followed& X : followed(f)) {
     const double KX = f.K ? std::hypot(f.K->x - X.at.x, f.K->y - X.at.y) : 0;
-    table.rows.push_back({"$" + X.symbol + "$", f.K ? figures(KX, 4, language) : "∞",
-                          figures(std::hypot(X.a.x, X.a.y), 4, language)});
+    table.rows.push_back(
+        {"$" + X.symbol + "$", f.K ? figures(KX, 4, language) : "∞", figures(std::hypot(X.a.x, X.a.y), 4, language)});
   }
   return table;
 }
@@ -126,9 +127,12 @@ void draw_poles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
     column.push_back(drawings::Heading{english ? "The two methods, as measured" : "I due metodi, come misurati"});
     column.push_back(comparison_table(rows, {"poles", "poli"}, {"diagram", "diagramma"}, language));
   }
-  onto.sheet.description = fmt::format("a_A = {:.4g} m/s², a_B = {:.4g} m/s², a_C = {:.4g} m/s², a_M = {:.4g} m/s²",
-                                       std::hypot(f.a_A.x, f.a_A.y), std::hypot(f.a_B.x, f.a_B.y),
-                                       std::hypot(f.a_C.x, f.a_C.y), std::hypot(f.a_M.x, f.a_M.y));
+  std::vector<Value> values;
+  for (const Followed& X : followed(f)) values.push_back({X.acceleration, std::hypot(X.a.x, X.a.y), "m/s²"});
+  onto.sheet.description =
+      in_words({"Accelerations of A, B, C and M, proportional to their distances from the acceleration pole K",
+                "Accelerazioni di A, B, C e M, proporzionali alle distanze dal polo delle accelerazioni K"},
+               values, language);
 }
 
 }  // namespace epure::slider_crank_acceleration

@@ -1,8 +1,8 @@
 // What the source printed, and why it is off where it is.
 //
 // Reading errors. Acceleration polygon: 4 cm for a_A, so 71.06 m/s² a cm; half a millimetre for each length read and
-// 0.05/4 of each for a_A laid off; ω₃ = 13 ± 0.47 comes in from exercise N.1 through a_BA^n = ω₃² AB. Method of poles:
-// half a millimetre at 1 : 10 for each of the two lengths of a ratio; 5 mm for a length by itself.
+// 0.05/4 of each for a_A laid off; ω₃ = 13 ± 0.47 comes in from exercise N.1 through a_BA^n = ω₃² AB. Method of
+// poles: half a millimetre at 1 : 10 for each of the two lengths of a ratio; 5 mm for a length by itself.
 #include <cmath>
 
 #include "exercises/slider-crank-acceleration/exercise.h"
@@ -22,8 +22,10 @@ const Drawn& source_figure() {
 double distance(const Place& P, const Place& Q) { return std::hypot(Q.x - P.x, Q.y - P.y); }
 
 Explanation reduced_figure(std::function<double(const Drawn&)> true_length) {
-  return {{"read off a figure reduced to about 0.795 of its scale, as are all lengths of this exercise: 0.795 times the true length",
-           "letta su una figura ridotta a circa 0.795 della sua scala, come tutte le lunghezze di questa esercitazione: 0.795 volte "
+  return {{"read off a figure reduced to about 0.795 of its scale, as are all lengths of this exercise: 0.795 times "
+           "the true length",
+           "letta su una figura ridotta a circa 0.795 della sua scala, come tutte le lunghezze di questa "
+           "esercitazione: 0.795 volte "
            "la lunghezza vera"},
           [true_length = std::move(true_length)] { return shrunk * true_length(source_figure()); }};
 }
@@ -44,11 +46,14 @@ double on_the_circle_of_the_printed_K(const Drawn& f, const Place& X) {
 }
 
 Explanation circle_of_the_printed_K(std::function<Place(const Drawn&)> X) {
-  return {{"the same figure at 0.795, its inflection circle through P₀, B and the K of the printed polygon (KA = AB·284.26/153.36, "
-           "KB = AB·305.30/153.36)",
-           "la stessa figura a 0.795, con la circonferenza dei flessi per P₀, B e il K del poligono stampato (KA = AB·284.26/153.36, "
-           "KB = AB·305.30/153.36)"},
-          [X = std::move(X)] { return shrunk * on_the_circle_of_the_printed_K(source_figure(), X(source_figure())); }};
+  return {
+      {"the same figure at 0.795, its inflection circle through P₀, B and the K of the printed polygon (KA = "
+       "AB·284.26/153.36, "
+       "KB = AB·305.30/153.36)",
+       "la stessa figura a 0.795, con la circonferenza dei flessi per P₀, B e il K del poligono stampato (KA = "
+       "AB·284.26/153.36, "
+       "KB = AB·305.30/153.36)"},
+      [X = std::move(X)] { return shrunk * on_the_circle_of_the_printed_K(source_figure(), X(source_figure())); }};
 }
 
 }  // namespace
@@ -63,7 +68,8 @@ std::vector<Printed> printed_by_the_source() {
   constexpr double ruler = 0.005;  // m: half a millimetre at 1 : 10
   return {
       {"a_A", "284.26", "analytic", 0,
-       Explanation{{"ω₂ rounded to 37.7 rad/s before it is squared: 37.7²·0.20", "ω₂ arrotondata a 37.7 rad/s prima del quadrato: 37.7²·0.20"},
+       Explanation{{"ω₂ rounded to 37.7 rad/s before it is squared: 37.7²·0.20",
+                    "ω₂ arrotondata a 37.7 rad/s prima del quadrato: 37.7²·0.20"},
                    [] { return 37.7 * 37.7 * 0.20; }}},
       {"a_BA_n", "84.50", "polar diagram", 6.31},
       {"a_BA_t", "127.80", "polar diagram", 6.42},
@@ -86,10 +92,12 @@ std::vector<Printed> printed_by_the_source() {
       {"Cprime_C", "1.65", "poles", ruler, circle_of_the_printed_K([](const Drawn& f) { return f.at.C; })},
       {"Mprime_M", "1.02", "poles", ruler, circle_of_the_printed_K([](const Drawn& f) { return f.at.M; })},
       {"rho_C", "0.03", "poles", 0,
-       Explanation{{"P₀C²/C'C with the two lengths of the reduced figure: 0.22²/1.65", "P₀C²/C'C con le due lunghezze della figura ridotta: 0.22²/1.65"},
+       Explanation{{"P₀C²/C'C with the two lengths of the reduced figure: 0.22²/1.65",
+                    "P₀C²/C'C con le due lunghezze della figura ridotta: 0.22²/1.65"},
                    [] { return 0.22 * 0.22 / 1.65; }}},
       {"rho_M", "0.11", "poles", 0,
-       Explanation{{"P₀M²/M'M with the two lengths of the reduced figure: 0.33²/1.02", "P₀M²/M'M con le due lunghezze della figura ridotta: 0.33²/1.02"},
+       Explanation{{"P₀M²/M'M with the two lengths of the reduced figure: 0.33²/1.02",
+                    "P₀M²/M'M con le due lunghezze della figura ridotta: 0.33²/1.02"},
                    [] { return 0.33 * 0.33 / 1.02; }}},
   };
 }

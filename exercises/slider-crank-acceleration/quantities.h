@@ -1,4 +1,5 @@
-// The slider-crank's accelerations, circles and centres of curvature, found by polar diagram, by poles and by analysis.
+// The slider-crank's accelerations, circles and centres of curvature, found by polar diagram, by poles and by
+// analysis.
 #pragma once
 
 #include "exercises/kit/slider_crank_routes.h"
@@ -7,11 +8,11 @@ namespace epure::slider_crank_acceleration {
 
 inline constexpr const char* no_inflection_circle =
     "the inflection circle is a line: the crank is square to the guide and the pole at infinity";
-inline constexpr const char* no_stationarity_circle =
-    "the stationarity circle is a line: ω₃ or α₃ is zero";
+inline constexpr const char* no_stationarity_circle = "the stationarity circle is a line: ω₃ or α₃ is zero";
 inline constexpr const char* no_acceleration_pole = "the acceleration pole K is at infinity: ω₃ and α₃ are zero";
 inline constexpr const char* no_point_on_ray = "the ray from the pole meets the inflection circle at infinity";
-inline constexpr const char* no_curvature = "the path is straight to the second order: the point lies on the inflection circle";
+inline constexpr const char* no_curvature =
+    "the path is straight to the second order: the point lies on the inflection circle";
 
 template <class T>
 void circle(Ledger<T>& ledger, const std::string& name, const geometry::Cycle<T>& cycle, const char* when_line) {
@@ -75,8 +76,8 @@ geometry::PlaneMotion<T> motion_by_polar_diagram(const SliderCrankInstant& insta
                                                  const geometry::SliderCrank<T>& at) {
   const T omega_2 = instant.omega_2<T>();
   const auto velocities = geometry::velocity_diagram(at, omega_2);
-  const auto accelerations = geometry::acceleration_diagram(
-      at, omega_2, geometry::from_rational<T>(instant.alpha_2), velocities.omega_3);
+  const auto accelerations =
+      geometry::acceleration_diagram(at, omega_2, geometry::from_rational<T>(instant.alpha_2), velocities.omega_3);
   return {at.A, velocities.v_A, accelerations.a_A, velocities.omega_3, accelerations.alpha_3};
 }
 

@@ -1,4 +1,5 @@
-// Sheet 4: the path of C by the transport method: the triangle ABC of the instant carried onto the AB of each position.
+// Sheet 4: the path of C by the transport method: the triangle ABC of the instant carried onto the AB of each
+// position.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -37,14 +38,19 @@ void draw_positions(Plot& plot, const Drawn& f, const std::vector<Position>& all
 
 drawings::Steps steps(Language language) {
   if (language == Language::english) {
-    return {{fmt::format("The crank's circle in {} parts, numbered from the outer dead centre: positions of $A$.", positions),
+    return {{fmt::format("The crank's circle in {} parts, numbered from the outer dead centre: positions of $A$.",
+                         positions),
              "The slider: each $B$ on the guide by the arc of radius $l$ about its $A$.",
-             "The triangle $ABC$ on tracing paper, carried forth until its $AB$ covers that of each position: $C$ marks a point.",
+             "The triangle $ABC$ on tracing paper, carried forth until its $AB$ covers that of each position: $C$ "
+             "marks a point.",
              "The curve through the points: the path of $C$."}};
   }
-  return {{fmt::format("La circonferenza di manovella in {} parti, numerate dal punto morto esterno: le posizioni di $A$.", positions),
+  return {{fmt::format(
+               "La circonferenza di manovella in {} parti, numerate dal punto morto esterno: le posizioni di $A$.",
+               positions),
            "Il piede di biella: ogni $B$ sulla guida con l'arco di raggio $l$ dal suo $A$.",
-           "Il triangolo $ABC$ su carta da lucido, portato finché il suo $AB$ copre quello di ogni posizione: $C$ segna un punto.",
+           "Il triangolo $ABC$ su carta da lucido, portato finché il suo $AB$ copre quello di ogni posizione: $C$ "
+           "segna un punto.",
            "La curva per i punti: la traiettoria di $C$."}};
 }
 
@@ -75,7 +81,10 @@ void draw_coupler_curve(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
       fmt::runtime(english ? "{} Bezier arcs, at most {} mm on this sheet from the true path."
                            : "{} archi di Bézier, su questo foglio a non più di {} mm dalla traiettoria vera."),
       path.arcs(), figures(path.deviation() * fit.scale.mm_per_unit, 1, request.language))});
-  onto.sheet.description = fmt::format("path of C: {} arcs through {} constructed positions", path.arcs(), all.size());
+  onto.sheet.description =
+      in_words({"The path of the coupler point C by the transport method, in twelve positions; C now",
+                "La traiettoria del punto di biella C col metodo del trasporto, in dodici posizioni; C ora"},
+               {{"x_C", f.at.C.x, "m"}, {"y_C", f.at.C.y, "m"}}, request.language);
 }
 
 }  // namespace epure::slider_crank_velocity

@@ -1,5 +1,5 @@
-// N.1 of the Sapienza sheets: velocities of the centred slider-crank by poles and by the polar diagram, polodes, and the
-// path of a coupler point.
+// N.1 of the Sapienza sheets: velocities of the centred slider-crank by poles and by the polar diagram, polodes, and
+// the path of a coupler point.
 #pragma once
 
 #include "exercises/kit/exercise.h"

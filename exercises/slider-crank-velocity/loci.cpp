@@ -14,8 +14,8 @@ std::vector<Position> divided_positions(const SliderCrankInstant& instant) {
       try {
         const auto here = geometry::coupler_position(loop, directions[static_cast<std::size_t>(k)]);
         const geometry::TransportedPosition<Deep> paper(reference, here);
-        found.push_back({k, to_double(here.A), to_double(here.B), to_double(here.P0), to_double(paper.P0_on_coupler()),
-                         to_double(paper.forth(C))});
+        found.push_back({k, to_double(here.A), to_double(here.B), to_double(here.P0),
+                         to_double(paper.P0_on_coupler()), to_double(paper.forth(C))});
       } catch (const geometry::Impossible&) {
         // Links of equal length touch at the square position: that division has no coupler to carry.
       } catch (const geometry::Undecided&) {

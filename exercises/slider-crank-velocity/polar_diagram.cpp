@@ -1,4 +1,5 @@
-// Sheet 2: the vector equation v_B = v_A + v_BA closed as a polygon, the images of C and M, and the two methods compared.
+// Sheet 2: the vector equation v_B = v_A + v_BA closed as a polygon, the images of C and M, and the two methods
+// compared.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace epure::slider_crank_velocity {
 namespace {
 
-constexpr double mechanism_share = 0.40;  // of the room's height; the polygon needs the larger part
+constexpr double mechanism_share = 0.43;  // of the room's height; the polygon needs the larger part
 
 Place tip(const Arrow2& v) { return {v.x, v.y}; }
 
@@ -29,12 +30,13 @@ void draw_polygon(Plot& plot, const Drawn& f) {
   plot.side("v_C", O, c, Meaning::velocity, "$\\vec{v}_{C}$", inside);
   plot.side("v_M", O, m, Meaning::velocity, "$\\vec{v}_{M}$", c);
   plot.measures("v_MA", a, m);
-  for (const auto& [name, X] : {std::pair{"v_B", b}, std::pair{"v_C", c}, std::pair{"v_M", m}}) {
-    plot.measures_coordinates(name, X, O);
-  }
+  plot.measures_abscissa("v_B_x", b, O);
+  plot.measures_coordinates("v_C", c, O);
+  plot.measures_coordinates("v_M", m, O);
   for (const Place& X : {O, m}) plot.dot(X, Meaning::velocity);
   plot.label("$O_{v}$", O, inside, Meaning::velocity);
-  for (const auto& [name, X] : {std::pair{"$a'$", a}, std::pair{"$b'$", b}, std::pair{"$c'$", c}, std::pair{"$m'$", m}}) {
+  for (const auto& [name, X] :
+       {std::pair{"$a'$", a}, std::pair{"$b'$", b}, std::pair{"$c'$", c}, std::pair{"$m'$", m}}) {
     plot.label(name, X, O, Meaning::velocity);
   }
   plot.step(1, {a.x * 0.6, a.y * 0.6});
@@ -67,7 +69,8 @@ drawings::Steps steps(Language language) {
     return {{"From $O_{v}$ the known $\\vec{v}_{A}$, square to the crank.",
              "Through $a'$ the line square to $AB$: it carries $\\vec{v}_{BA}$.",
              "Through $O_{v}$ the line parallel to the guide. The two meet in $b'$; $ω_{3}$ = $v_{BA}$ / $AB$.",
-             "$c'$: square to $AC$ through $a'$, square to $BC$ through $b'$. The triangle $a'b'c'$ is the image of $ABC$.",
+             "$c'$: square to $AC$ through $a'$, square to $BC$ through $b'$. The triangle $a'b'c'$ is the image of "
+             "$ABC$.",
              "$m'$ halves $a'b'$, as $M$ halves $AB$."}};
   }
   return {{"Da $O_{v}$ la $\\vec{v}_{A}$ nota, normale alla manovella.",
@@ -102,14 +105,14 @@ std::vector<Comparison> comparisons(const DrawnSheet& polar, const Drawn& f, con
 void draw_polar_diagram(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   const drawings::Box room = room_above_scale_bars(request);
   const double divide = room.high.y - mechanism_share * room.height();
-  draw_small_slider_crank(onto, f.at, f.instant, {{room.low.x, divide}, room.high}, request);
+  const Scale lengths = draw_small_slider_crank(onto, f.at, f.instant, {{room.low.x, divide}, room.high}, request);
   double greatest = 0;
   for (const Arrow2& v : {f.v_A, f.v_B, f.v_C, f.v_M}) greatest = std::max(greatest, std::hypot(v.x, v.y));
   const Fit fit = fit_vectors({room.low, {room.high.x, divide}}, "m/s", request.language, room.width() / greatest,
                               [&](const Scale& scale) { return polygon_extent(f, scale); });
   Plot plot(onto, fit.origin, fit.scale);
   draw_polygon(plot, f);
-  add_scale_bars(onto, {plot.scale()}, request);
+  add_scale_bars(onto, {lengths, plot.scale()}, request);
 
   const bool english = request.language == Language::english;
   auto& column = onto.sheet.column;
@@ -118,10 +121,17 @@ void draw_polar_diagram(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(steps(request.language));
   column.push_back(drawings::Heading{english ? "The two methods, as measured" : "I due metodi, come misurati"});
-  column.push_back(comparison_table(comparisons(onto, f, request), {"poles", "poli"}, {"diagram", "diagramma"}, request.language));
-  onto.sheet.description = fmt::format("v_A = {:.4g} m/s, v_BA = {:.4g} m/s, v_B = {:.4g} m/s, v_C = {:.4g} m/s, v_M = {:.4g} m/s",
-                                       std::hypot(f.v_A.x, f.v_A.y), std::hypot(f.v_BA.x, f.v_BA.y), std::hypot(f.v_B.x, f.v_B.y),
-                                       std::hypot(f.v_C.x, f.v_C.y), std::hypot(f.v_M.x, f.v_M.y));
+  column.push_back(
+      comparison_table(comparisons(onto, f, request), {"poles", "poli"}, {"diagram", "diagramma"}, request.language));
+  const auto magnitude = [](const Arrow2& v) { return std::hypot(v.x, v.y); };
+  onto.sheet.description = in_words({"The polygon of the velocities of the slider-crank, with the images of C and M",
+                                     "Il poligono delle velocità del manovellismo, con le immagini di C e M"},
+                                    {{"v_A", magnitude(f.v_A), "m/s"},
+                                     {"v_BA", magnitude(f.v_BA), "m/s"},
+                                     {"v_B", magnitude(f.v_B), "m/s"},
+                                     {"v_C", magnitude(f.v_C), "m/s"},
+                                     {"v_M", magnitude(f.v_M), "m/s"}},
+                                    request.language);
 }
 
 }  // namespace epure::slider_crank_velocity

@@ -39,12 +39,12 @@ bool shows_pole(const Drawn& f) {
 drawings::Box extent(const Drawn& f, const Scale& lengths, const Scale& velocities) {
   Extent extent;
   include_slider_crank(extent, lengths, f.at);
-  if (shows_pole(f)) extent.include(lengths, *f.P0, 14);
+  if (shows_pole(f)) extent.include(lengths, *f.P0, 11);
   for (const Named& X : points(f)) {
     const double x = lengths.mm_per_unit * X.at.x + velocities.mm_per_unit * X.v.x;
     const double y = lengths.mm_per_unit * X.at.y + velocities.mm_per_unit * X.v.y;
-    extent.include(x - 7, y - 7);
-    extent.include(x + 7, y + 7);
+    extent.include(x - 4, y - 6);
+    extent.include(x + 4, y + 6);
   }
   return extent.box();
 }
@@ -61,6 +61,8 @@ void draw_pole(Plot& plot, const Drawn& f) {
   const double sense = f.omega_3 > 0 ? 1 : -1;
   const double down = std::atan2(f.at.M.y - P0.y, f.at.M.x - P0.x);
   plot.mark(drawings::Rotation{plot.at(P0), 8, down - 2.2 * sense, down - 1.0 * sense});
+  const double middle = down - 1.6 * sense, out = 9 / plot.scale().mm_per_unit;
+  plot.label("$ω_{3}$", {P0.x + out * std::cos(middle), P0.y + out * std::sin(middle)}, P0);
   plot.measures_coordinates("P0", P0, f.at.A0);
   for (const Named& X : points(f)) plot.measures(X.distance, P0, X.at);
 }
@@ -85,7 +87,8 @@ void write_column(DrawnSheet& onto, const Drawn& f, Language language) {
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   if (english) {
     column.push_back(drawings::Steps{
-        {fmt::format("Crank at $φ$ = {}°. $A$ on its circle, $B$ on the guide by the arc of radius $l$ about $A$.", num(phi)),
+        {fmt::format("Crank at $φ$ = {}°. $A$ on its circle, $B$ on the guide by the arc of radius $l$ about $A$.",
+                     short_number(phi, language)),
          "$C$ by the arcs $AC$ and $BC$, on the left of $AB$. $M$ halves $AB$.",
          "$A$ moves square to the crank: $P_{0}$ lies on the line $A_{0}A$.",
          f.P0 ? "$B$ moves along the guide: $P_{0}$ lies on the perpendicular to it through $B$."
@@ -95,7 +98,9 @@ void write_column(DrawnSheet& onto, const Drawn& f, Language language) {
          "$v_{X}$ = $ω_{3}$·$P_{0}X$, square to the ray $P_{0}X$."}});
   } else {
     column.push_back(drawings::Steps{
-        {fmt::format("Manovella a $φ$ = {}°. $A$ sulla sua circonferenza, $B$ sulla guida con l'arco di raggio $l$ da $A$.", num(phi)),
+        {fmt::format(
+             "Manovella a $φ$ = {}°. $A$ sulla sua circonferenza, $B$ sulla guida con l'arco di raggio $l$ da $A$.",
+             short_number(phi, language)),
          "$C$ con gli archi $AC$ e $BC$, a sinistra di $AB$. $M$ dimezza $AB$.",
          "$A$ si muove normalmente alla manovella: $P_{0}$ sta sulla retta $A_{0}A$.",
          f.P0 ? "$B$ si muove lungo la guida: $P_{0}$ sta sulla normale alla guida per $B$."
@@ -105,7 +110,8 @@ void write_column(DrawnSheet& onto, const Drawn& f, Language language) {
   }
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   const double omega_2 = 2 * M_PI * CGAL::to_double(f.instant.turns_per_second);
-  column.push_back(drawings::Paragraph{fmt::format("$ω_{{2}}$ = {} rad/s,  $ω_{{3}}$ = {} rad/s", num(omega_2), num(f.omega_3))});
+  column.push_back(
+      drawings::Paragraph{fmt::format("$ω_{{2}}$ = {} rad/s,  $ω_{{3}}$ = {} rad/s", num(omega_2), num(f.omega_3))});
   drawings::Table table{{"$X$", "$P_{0}X$ (m)", "$v_{X}$ (m/s)"}, {}};
   for (const Named& X : points(f)) {
     const double d = f.P0 ? std::hypot(f.P0->x - X.at.x, f.P0->y - X.at.y) : 0;
@@ -134,7 +140,9 @@ void draw_poles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   plot.step(1, f.at.A);
   plot.step(2, f.at.C);
   if (shows_pole(f)) {
-    const auto between = [](const Place& P, const Place& Q) { return Place{(P.x + 2 * Q.x) / 3, (P.y + 2 * Q.y) / 3}; };
+    const auto between = [](const Place& P, const Place& Q) {
+      return Place{(P.x + 2 * Q.x) / 3, (P.y + 2 * Q.y) / 3};
+    };
     plot.step(3, between(f.at.A, *f.P0));
     plot.step(4, between(f.at.B, *f.P0));
     plot.step(5, *f.P0);
@@ -142,11 +150,13 @@ void draw_poles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   }
   add_scale_bars(onto, {plot.scale(), velocities}, request);
   write_column(onto, f, request.language);
-  onto.sheet.description = fmt::format("ω₂ and φ = {:.4g}°, ω₃ = {:.4g} rad/s, v_A = {:.4g} m/s, v_B = {:.4g} m/s, v_C = {:.4g} m/s, "
-                                       "v_M = {:.4g} m/s",
-                                       360 * CGAL::to_double(f.instant.crank.fraction), f.omega_3,
-                                       std::hypot(f.v_A.x, f.v_A.y), std::hypot(f.v_B.x, f.v_B.y),
-                                       std::hypot(f.v_C.x, f.v_C.y), std::hypot(f.v_M.x, f.v_M.y));
+  std::vector<Value> values{{"φ", 360 * CGAL::to_double(f.instant.crank.fraction), "°"}, {"ω₃", f.omega_3, "rad/s"}};
+  if (f.P0) values.insert(values.end(), {{"x_P0", f.P0->x, "m"}, {"y_P0", f.P0->y, "m"}});
+  for (const Named& X : points(f)) values.push_back({X.velocity, std::hypot(X.v.x, X.v.y), "m/s"});
+  onto.sheet.description = in_words(
+      {"The slider-crank, its pole P₀ by two lines, and the velocities of A, B, C and M square to their rays",
+       "Il manovellismo, il polo P₀ con due rette, e le velocità di A, B, C e M normali ai loro raggi"},
+      values, request.language);
 }
 
 }  // namespace epure::slider_crank_velocity

@@ -1,5 +1,5 @@
-// Sheet 3: the polodes by the transport method. Each position's triangle A B P₀ stands where it is found (P₀ draws the
-// fixed polode) and is carried back onto the AB of the instant (P₀ then draws the moving polode).
+// Sheet 3: the polodes by the transport method. Each position's triangle A B P₀ stands where it is found (P₀ draws
+// the fixed polode) and is carried back onto the AB of the instant (P₀ then draws the moving polode).
 #include <fmt/format.h>
 
 #include <cmath>
@@ -55,19 +55,27 @@ std::optional<Place> middle_of(const geometry::Trace& trace, const Plot& plot, c
 
 drawings::Steps steps(Language language) {
   if (language == Language::english) {
-    return {{fmt::format("The crank's circle in {} parts. In each position $P_{{0}}$ on $A_{{0}}A$ and square to the guide through $B$: "
-                         "the points of the fixed polode $p$.", positions),
-             "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the $AB$ of $t_{1}$: its $P_{0}$ marks a "
-             "point of the moving polode $π$.",
-             "The curves through the points. They touch in the $P_{0}$ of $t_{1}$ and roll on each other.",
-             "Where the crank is square to the guide $P_{0}$ goes to infinity: the dash-dot lines are the asymptotes."}};
+    return {
+        {fmt::format("The crank's circle in {} parts. In each position $P_{{0}}$ on $A_{{0}}A$ and square to the "
+                     "guide through $B$: "
+                     "the points of the fixed polode $p$.",
+                     positions),
+         "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the $AB$ of $t_{1}$: its "
+         "$P_{0}$ marks a "
+         "point of the moving polode $π$.",
+         "The curves through the points. They touch in the $P_{0}$ of $t_{1}$ and roll on each other.",
+         "Where the crank is square to the guide $P_{0}$ goes to infinity: the dash-dot lines are the asymptotes."}};
   }
-  return {{fmt::format("La circonferenza di manovella in {} parti. In ogni posizione $P_{{0}}$ su $A_{{0}}A$ e sulla normale alla guida "
-                       "per $B$: i punti della polare fissa $p$.", positions),
-           "Ogni triangolo $ABP_{0}$ su carta da lucido, riportato finché il suo $AB$ copre l'$AB$ di $t_{1}$: il suo $P_{0}$ segna un "
+  return {{fmt::format("La circonferenza di manovella in {} parti. In ogni posizione $P_{{0}}$ su $A_{{0}}A$ e sulla "
+                       "normale alla guida "
+                       "per $B$: i punti della polare fissa $p$.",
+                       positions),
+           "Ogni triangolo $ABP_{0}$ su carta da lucido, riportato finché il suo $AB$ copre l'$AB$ di $t_{1}$: il "
+           "suo $P_{0}$ segna un "
            "punto della polare mobile $π$.",
            "Le curve per i punti. Si toccano nel $P_{0}$ di $t_{1}$ e rotolano l'una sull'altra.",
-           "Dove la manovella è normale alla guida $P_{0}$ va all'infinito: le rette a tratto e punto sono gli asintoti."}};
+           "Dove la manovella è normale alla guida $P_{0}$ va all'infinito: le rette a tratto e punto sono gli "
+           "asintoti."}};
 }
 
 }  // namespace
@@ -75,7 +83,8 @@ drawings::Steps steps(Language language) {
 void draw_polodes(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   const drawings::Box room = room_above_scale_bars(request);
   const double size = std::hypot(f.at.A.x, f.at.A.y) + CGAL::to_double(f.instant.lengths.l);
-  const Scale scale = request.scale ? length_scale(*request.scale) : largest_length_scale(room.width() / (widths * size));
+  const Scale scale =
+      request.scale ? length_scale(*request.scale) : largest_length_scale(room.width() / (widths * size));
   // The middle of the mechanism's reach in the middle of the room.
   const drawings::Point centre{(room.low.x + room.high.x) / 2, (room.low.y + room.high.y) / 2};
   Plot plot(onto, {centre.x - scale.mm_per_unit * 0.45 * size, centre.y}, scale);
@@ -107,12 +116,19 @@ void draw_polodes(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(steps(request.language));
   column.push_back(drawings::Heading{english ? "The curves" : "Le curve"});
-  const auto in_mm = [&](const geometry::Trace& t) { return figures(t.deviation() * scale.mm_per_unit, 1, request.language); };
-  column.push_back(drawings::Paragraph{
-      fmt::format(fmt::runtime(english ? "$p$: {} Bezier arcs, at most {} mm from the true curve. $π$: {} arcs, at most {} mm."
-                                       : "$p$: {} archi di Bézier, a non più di {} mm dalla curva vera. $π$: {} archi, a non più di {} mm."),
-                  p.arcs(), in_mm(p), pi.arcs(), in_mm(pi))});
-  onto.sheet.description = fmt::format("fixed polode: {} arcs, moving polode: {} arcs", p.arcs(), pi.arcs());
+  const auto in_mm = [&](const geometry::Trace& t) {
+    return figures(t.deviation() * scale.mm_per_unit, 1, request.language);
+  };
+  column.push_back(drawings::Paragraph{fmt::format(
+      fmt::runtime(
+          english
+              ? "$p$: {} Bezier arcs, at most {} mm from the true curve. $π$: {} arcs, at most {} mm."
+              : "$p$: {} archi di Bézier, a non più di {} mm dalla curva vera. $π$: {} archi, a non più di {} mm."),
+      p.arcs(), in_mm(p), pi.arcs(), in_mm(pi))});
+  onto.sheet.description = in_words(
+      {"Fixed and moving polode of the coupler by the transport method, in twelve positions, with their asymptotes",
+       "Polare fissa e polare mobile della biella col metodo del trasporto, in dodici posizioni, con gli asintoti"},
+      {}, request.language);
 }
 
 }  // namespace epure::slider_crank_velocity

@@ -23,9 +23,12 @@ struct Cycle {
 template <class T>
 T magnitude(const T& x) {
   switch (sign(x)) {
-    case Sign::negative: return -x;
-    case Sign::undecided: throw Undecided("the sign of a length");
-    default: return x;
+    case Sign::negative:
+      return -x;
+    case Sign::undecided:
+      throw Undecided("the sign of a length");
+    default:
+      return x;
   }
 }
 

@@ -19,37 +19,61 @@ struct Point {
 };
 
 template <class T>
-Vector<T> operator+(const Vector<T>& u, const Vector<T>& v) { return {u.x + v.x, u.y + v.y}; }
+Vector<T> operator+(const Vector<T>& u, const Vector<T>& v) {
+  return {u.x + v.x, u.y + v.y};
+}
 template <class T>
-Vector<T> operator-(const Vector<T>& u, const Vector<T>& v) { return {u.x - v.x, u.y - v.y}; }
+Vector<T> operator-(const Vector<T>& u, const Vector<T>& v) {
+  return {u.x - v.x, u.y - v.y};
+}
 template <class T>
-Vector<T> operator-(const Vector<T>& v) { return {-v.x, -v.y}; }
+Vector<T> operator-(const Vector<T>& v) {
+  return {-v.x, -v.y};
+}
 template <class T>
-Vector<T> operator*(const T& s, const Vector<T>& v) { return {s * v.x, s * v.y}; }
+Vector<T> operator*(const T& s, const Vector<T>& v) {
+  return {s * v.x, s * v.y};
+}
 template <class T>
-Vector<T> operator-(const Point<T>& P, const Point<T>& Q) { return {P.x - Q.x, P.y - Q.y}; }
+Vector<T> operator-(const Point<T>& P, const Point<T>& Q) {
+  return {P.x - Q.x, P.y - Q.y};
+}
 template <class T>
-Point<T> operator+(const Point<T>& P, const Vector<T>& v) { return {P.x + v.x, P.y + v.y}; }
+Point<T> operator+(const Point<T>& P, const Vector<T>& v) {
+  return {P.x + v.x, P.y + v.y};
+}
 
 template <class T>
-T dot(const Vector<T>& u, const Vector<T>& v) { return u.x * v.x + u.y * v.y; }
+T dot(const Vector<T>& u, const Vector<T>& v) {
+  return u.x * v.x + u.y * v.y;
+}
 
 // The z component of u x v: positive when v lies counter-clockwise of u.
 template <class T>
-T cross(const Vector<T>& u, const Vector<T>& v) { return u.x * v.y - u.y * v.x; }
+T cross(const Vector<T>& u, const Vector<T>& v) {
+  return u.x * v.y - u.y * v.x;
+}
 
 // `v` turned by 90° counter-clockwise: k x v.
 template <class T>
-Vector<T> quarter_turn(const Vector<T>& v) { return {-v.y, v.x}; }
+Vector<T> quarter_turn(const Vector<T>& v) {
+  return {-v.y, v.x};
+}
 
 template <class T>
-T length_squared(const Vector<T>& v) { return square(v.x) + square(v.y); }
+T length_squared(const Vector<T>& v) {
+  return square(v.x) + square(v.y);
+}
 
 template <class T>
-T length(const Vector<T>& v) { return root(length_squared(v)); }
+T length(const Vector<T>& v) {
+  return root(length_squared(v));
+}
 
 template <class T>
-T distance(const Point<T>& P, const Point<T>& Q) { return length(Q - P); }
+T distance(const Point<T>& P, const Point<T>& Q) {
+  return length(Q - P);
+}
 
 // The middle of PQ.
 template <class T>
@@ -65,11 +89,15 @@ struct ProjectivePoint {
 };
 
 template <class T>
-ProjectivePoint<T> projective(const Point<T>& P) { return {P.x, P.y, T(1)}; }
+ProjectivePoint<T> projective(const Point<T>& P) {
+  return {P.x, P.y, T(1)};
+}
 
 // The finite point. Throws Undecided unless w is proved different from zero.
 template <class T>
-Point<T> finite(const ProjectivePoint<T>& P) { return {quotient(P.x, P.w), quotient(P.y, P.w)}; }
+Point<T> finite(const ProjectivePoint<T>& P) {
+  return {quotient(P.x, P.w), quotient(P.y, P.w)};
+}
 
 // The line a x + b y + c = 0, directed along (b, -a): the left of the direction is where a x + b y + c < 0.
 template <class T>
@@ -86,14 +114,20 @@ Line<T> line(const Point<T>& P, const Vector<T>& along) {
 
 // Through P towards Q.
 template <class T>
-Line<T> line(const Point<T>& P, const Point<T>& Q) { return line(P, Q - P); }
+Line<T> line(const Point<T>& P, const Point<T>& Q) {
+  return line(P, Q - P);
+}
 
 template <class T>
-Line<T> parallel(const Line<T>& l, const Point<T>& P) { return line(P, l.direction()); }
+Line<T> parallel(const Line<T>& l, const Point<T>& P) {
+  return line(P, l.direction());
+}
 
 // Through P, directed 90° counter-clockwise from l.
 template <class T>
-Line<T> perpendicular(const Line<T>& l, const Point<T>& P) { return line(P, quarter_turn(l.direction())); }
+Line<T> perpendicular(const Line<T>& l, const Point<T>& P) {
+  return line(P, quarter_turn(l.direction()));
+}
 
 // Where l and m meet; parallel lines meet in their direction (w = 0); coincident lines give (0, 0, 0).
 template <class T>
@@ -103,10 +137,14 @@ ProjectivePoint<T> meet(const Line<T>& l, const Line<T>& m) {
 
 // The foot of the perpendicular from P on l. Divides by the squared length of l's direction.
 template <class T>
-Point<T> foot(const Point<T>& P, const Line<T>& l) { return finite(meet(l, perpendicular(l, P))); }
+Point<T> foot(const Point<T>& P, const Line<T>& l) {
+  return finite(meet(l, perpendicular(l, P)));
+}
 
 // Positive when P lies on the left of l (looking along its direction), negative on the right, zero on it.
 template <class T>
-Sign side(const Point<T>& P, const Line<T>& l) { return sign(-(l.a * P.x + l.b * P.y + l.c)); }
+Sign side(const Point<T>& P, const Line<T>& l) {
+  return sign(-(l.a * P.x + l.b * P.y + l.c));
+}
 
 }  // namespace epure::geometry

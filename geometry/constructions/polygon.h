@@ -25,6 +25,8 @@ TwoMagnitudes<T> close_polygon(const Vector<T>& known, const Vector<T>& u, const
 
 // One vector unknown: what closes   known + ? = sum.
 template <class T>
-Vector<T> closing_side(const Vector<T>& known, const Vector<T>& sum) { return sum - known; }
+Vector<T> closing_side(const Vector<T>& known, const Vector<T>& sum) {
+  return sum - known;
+}
 
 }  // namespace epure::geometry

@@ -1,8 +1,8 @@
 // The centred slider-crank: crank A₀A turning about the origin, coupler AB, slider B on the guide y = 0, a point C
 // carried by the coupler on the left of A -> B, and M in the middle of AB.
 //
-// Metres, radians, seconds; counter-clockwise positive. B is the closure that lies ahead (towards +x) of the foot of A
-// on the guide: the one that passes the outer dead centre B = r + l.
+// Metres, radians, seconds; counter-clockwise positive. B is the closure that lies ahead (towards +x) of the foot of
+// A on the guide: the one that passes the outer dead centre B = r + l.
 #pragma once
 
 #include "geometry/constructions/circle.h"
@@ -72,9 +72,7 @@ struct AccelerationDiagram {
   Vector<T> a_A_n, a_A_t, a_A, a_BA_n, a_BA_t, a_B;
   T omega_3, alpha_3;
   // a_XA: AX turned and scaled like AB in the diagram.
-  Vector<T> relative(const Vector<T>& AX) const {
-    return alpha_3 * quarter_turn(AX) - square(omega_3) * AX;
-  }
+  Vector<T> relative(const Vector<T>& AX) const { return alpha_3 * quarter_turn(AX) - square(omega_3) * AX; }
 };
 template <class T>
 AccelerationDiagram<T> acceleration_diagram(const SliderCrank<T>& at, const T& omega_2, const T& alpha_2,

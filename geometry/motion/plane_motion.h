@@ -43,8 +43,7 @@ struct PlaneMotion {
 
   // Where v and a are square (v . a = 0): points whose speed is stationary.
   Cycle<T> stationarity_circle() const {
-    const Vector<T> linear =
-        -(alpha * quarter_turn(v_A)) - square(omega) * v_A - omega * quarter_turn(a_A);
+    const Vector<T> linear = -(alpha * quarter_turn(v_A)) - square(omega) * v_A - omega * quarter_turn(a_A);
     return cycle_about(A, omega * alpha, linear, dot(v_A, a_A));
   }
 
