@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace epure::geometry {
 
@@ -14,7 +15,11 @@ Point<double> middle(const Point<Bounded>& P) { return {middle(P.x), middle(P.y)
 // negative are upper bounds, and so is a single difference.
 double magnitude_bound(const Bounded& x) { return std::max(std::fabs(x.inf()), std::fabs(x.sup())); }
 
-double farthest(const Bounded& x, double drawn) { return std::max(x.sup() - drawn, drawn - x.inf()); }
+// Infinite when x has no bounds: its middle may then be infinite too, or not a number.
+double farthest(const Bounded& x, double drawn) {
+  if (!std::isfinite(x.inf()) || !std::isfinite(x.sup())) return std::numeric_limits<double>::infinity();
+  return std::max(x.sup() - drawn, drawn - x.inf());
+}
 
 struct Miss {
   double x = 0, y = 0;

@@ -20,7 +20,7 @@ struct FittedArc {
   // The two parts of the bound on |arc - curve| at equal parameters: what a cubic misses, which falls with the fourth
   // power of the length of the piece, and what doubles for the control points miss.
   double interpolation, rounding;
-  double deviation() const;
+  double deviation() const;  // infinite when the curve is not bounded
 };
 
 // `fourth` encloses the fourth Taylor coefficient of the curve from a.t to b.t. Needs an Arithmetic<Bounded> scope,

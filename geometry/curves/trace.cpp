@@ -60,17 +60,6 @@ double growth(const FittedArc& fitted, double tolerance) {
   return 0.95 * std::min(2.0, std::pow((tolerance - fitted.rounding) / fitted.interpolation, 0.25));
 }
 
-// Numbers too large for doubles have ends that are infinite, or not numbers.
-template <std::size_t N>
-bool is_bounded(const Taylor<Bounded, N>& x) {
-  return std::all_of(x.c.begin(), x.c.end(),
-                     [](const Bounded& c) { return std::isfinite(c.inf()) && std::isfinite(c.sup()); });
-}
-template <std::size_t N>
-bool is_bounded(const Point<Taylor<Bounded, N>>& P) {
-  return is_bounded(P.x) && is_bounded(P.y);
-}
-
 class Tracer {
  public:
   Tracer(const TracedLocus& locus, const Frame& frame, double tolerance)
@@ -131,7 +120,7 @@ class Tracer {
   Piece judge(double t, double end, const ProjectivePoint<BoundedSeries>& P) {
     if (view_.is_outside({P.x.c[0], P.y.c[0], P.w.c[0]})) return {Piece::Kind::outside};
     const Point<BoundedSeries> over = finite(P);
-    if (!is_bounded(over) || !view_.is_near({over.x.c[0], over.y.c[0]})) return {Piece::Kind::unsettled};
+    if (!view_.is_near({over.x.c[0], over.y.c[0]})) return {Piece::Kind::unsettled};
     Piece piece{Piece::Kind::drawn, {}, knot_at(end)};
     if (closes_the_turn(end)) piece.end.drawn = runs_.front().arcs.front().start;
     piece.fitted = fit(start_at(t), piece.end, fourth_coefficients(t, end, over));
@@ -149,9 +138,7 @@ class Tracer {
   }
 
   Knot knot_at(double t) const {
-    const Point<BoundedTangent> P = finite(locus_.at(direction_on_turn(arc_, BoundedTangent::parameter(Bounded(t)))));
-    if (!is_bounded(P)) throw Undecided("a point too far for doubles");
-    return knot(t, P);
+    return knot(t, finite(locus_.at(direction_on_turn(arc_, BoundedTangent::parameter(Bounded(t))))));
   }
 
   // Where the pen is down, it draws on from the very double it stopped at.

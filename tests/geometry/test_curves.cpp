@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <limits>
 
 #include "geometry/curves/asymptotes.h"
 #include "geometry/curves/hermite.h"
@@ -204,6 +205,67 @@ TEST_CASE("fit: the rounding of the control points is in the bound", "[curves]")
   CHECK(fitted.deviation() < 0.250001);
 }
 
+TEST_CASE("fit: so is the rounding of inner control points between ends that are exact", "[curves]") {
+  const Arithmetic<Bounded> scope;
+  // t(t-1)/3 from 0 to 1: the ends are 0, the inner control points both -1/9.
+  const auto curve = []<class X>(const X& t) { return Point<X>{t * (t - X(1)) / X(3), t}; };
+  const auto knot_at = [&](double t) { return knot(t, curve(BoundedTangent::parameter(Bounded(t)))); };
+  const FittedArc fitted = fit(knot_at(0), knot_at(1), {Bounded(0), Bounded(0)});
+  CHECK(fitted.arc.start.x == 0);
+  CHECK(fitted.arc.end.x == 0);
+  for (const double control : {fitted.arc.first_control.x, fitted.arc.second_control.x}) {
+    const Rational missed = Rational(control) + Rational(1, 9);
+    CHECK(missed != Rational(0));
+    CHECK(Rational(fitted.deviation()) * Rational(fitted.deviation()) >= missed * missed);
+  }
+}
+
+TEST_CASE("fit: each component and each control point has its part in the bound", "[curves]") {
+  const Arithmetic<Bounded> scope;
+  const Bounded wide(-1, 3), point(0);
+  const auto bound = [](const Vector<Bounded>& d0, const Vector<Bounded>& d1, const Vector<Bounded>& fourth) {
+    const Knot a{0, {Bounded(0), Bounded(0)}, d0, {0, 0}}, b{3, {Bounded(0), Bounded(0)}, d1, {0, 0}};
+    return fit(a, b, fourth).deviation();
+  };
+  // The widths of a third of h = 3 times the derivative are those of the derivative: 2 to each side of the middle.
+  CHECK(bound({wide, point}, {point, point}, {point, point}) == 2);
+  CHECK(bound({point, wide}, {point, point}, {point, point}) == 2);
+  CHECK(bound({point, point}, {wide, point}, {point, point}) == 2);
+  CHECK(bound({point, point}, {point, wide}, {point, point}) == 2);
+  CHECK(bound({point, point}, {point, point}, {wide, point}) == 81 * 3 / 16.0);
+  CHECK(bound({point, point}, {point, point}, {point, wide}) == 81 * 3 / 16.0);
+}
+
+TEST_CASE("fit: without bounds there is no promise", "[curves]") {
+  const Arithmetic<Bounded> scope;
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Point<Bounded> at{Bounded(0), Bounded(0)};
+  const Vector<Bounded> calm{Bounded(1), Bounded(0)};
+  for (const Bounded& wild : {Bounded(-infinity, infinity), Bounded(1, infinity), Bounded(-infinity, 0)}) {
+    const Knot a{0, at, calm, {0, 0}}, end{1, at, calm, {0, 0}}, b{1, at, {Bounded(0), wild}, {0, 0}};
+    CHECK(fit(a, b, calm).deviation() == infinity);
+    CHECK(fit(a, end, {Bounded(0), wild}).deviation() == infinity);
+  }
+}
+
+TEST_CASE("fit: the mean value theorem narrows the fourth coefficient and keeps what is true", "[curves]") {
+  const Arithmetic<Bounded> scope;
+  const Bounded t(1, 1.5);
+  const auto fifth_power = []<class X>(const X& x) { return square(square(x)) * x; };  // c[4] = 5 t
+  const Bounded true_range = fourth_coefficient(fifth_power(BoundedSeries::parameter(t)),
+                                                fifth_power(BoundedSeries::parameter(Bounded(1.25))), t, 1.25);
+  CHECK(true_range.inf() == 5);
+  CHECK(true_range.sup() == 7.5);
+  const auto bell = []<class X>(const X& x) { return quotient(X(1), X(1) + square(x)); };
+  const Bounded piece(1, 1.0625);
+  const BoundedSeries over = bell(BoundedSeries::parameter(piece));
+  const double middle = 1.03125;
+  const Bounded narrow = fourth_coefficient(over, bell(BoundedSeries::parameter(Bounded(middle))), piece, middle);
+  CHECK(narrow.sup() - narrow.inf() < (over.c[4].sup() - over.c[4].inf()) / 2);
+  for (const double x : {1.0, 1.015625, middle, 1.046875, 1.0625})
+    CHECK(narrow.do_overlap(bell(BoundedSeries::parameter(Bounded(x))).c[4]));
+}
+
 TEST_CASE("trace: the promised deviation holds against dense samples, and is not silly", "[curves]") {
   const Arithmetic<Bounded> scope;
   const double tolerance = GENERATE(1e-3, 1e-4, 1e-5);
@@ -243,6 +305,13 @@ TEST_CASE("trace: the fixed polode leaves the frame and comes back, and is not j
     CHECK(branch.arcs.front().start.y * branch.arcs.back().end.y < 0);
     CHECK(branch.from.x * branch.to.x > 0);  // the crank does not pass ±90° on the way
   }
+}
+
+TEST_CASE("trace: however coarse the tolerance, nothing reaches farther than a frame beside the frame", "[curves]") {
+  const Arithmetic<Bounded> scope;
+  const Loci<Bounded> loci(exercise);
+  check_reach(trace(loci.fixed, frame, 1e3));
+  check_reach(trace(loci.moving, frame, 1e3));
 }
 
 TEST_CASE("trace: the coupler curve is one closed branch, also with the crank longer", "[curves]") {
@@ -325,6 +394,18 @@ TEST_CASE("trace: what doubles cannot follow is a stated gap, never a number tha
   REQUIRE(huge.gaps.size() == 1);
   CHECK(huge.gaps.front().width == Approx(2 * M_PI));
 
+  // On the way there: derivatives overflow before positions do.
+  for (double scale = 1e60; scale < 1e160; scale *= 10) {
+    const SliderCrankLoop<Bounded> loop{Bounded(scale * 0.25), Bounded(scale * 0.5)};
+    const Trace large = trace(FixedPolode<Bounded>{loop}, {-scale, -scale, scale, scale}, scale * 1e-4);
+    for (const Branch& branch : large.branches) {
+      CHECK(branch.deviation <= scale * 1e-4);
+      for (const BezierArc& arc : branch.arcs)
+        CHECK(
+            (std::isfinite(arc.first_control.x) && std::isfinite(arc.second_control.y) && std::isfinite(arc.end.x)));
+    }
+  }
+
   const Locus nowhere{[]<class X>(const Vector<X>&) -> ProjectivePoint<X> { throw Undecided("always"); }};
   const Trace nothing = trace(nowhere, frame, 1e-4);
   CHECK(nothing.branches.empty());
@@ -404,6 +485,14 @@ TEST_CASE("asymptotes: at a joint of the turn found once; a touching zero is lef
   CHECK(open.lines.empty());
   REQUIRE(open.open.size() == 2);
   for (const Gap& gap : open.open) CHECK(gap.width < 1e-6);
+  // Intervals find this wider than it is: pieces beside a zero seem to have one, until the signs at their ends tell.
+  const Locus wide{[]<class X>(const Vector<X>& d) {
+    return ProjectivePoint<X>{d.x, d.y, d.y * (square(d.x) + square(d.y)) - X(13) / X(16)};
+  }};
+  const Asymptotes both = asymptotes(wide);
+  REQUIRE(both.lines.size() == 2);
+  CHECK(both.open.empty());
+  for (const Asymptote& asymptote : both.lines) CHECK(asymptote.direction.y.do_overlap(Bounded(0.8125)));
   CHECK(asymptotes(Loci<Bounded>(exercise).coupler).lines.empty());
 }
 
