@@ -89,6 +89,20 @@ drawings::Box detail_extent(const Drawn& f, const Scale& scale) {
   return extent.box();
 }
 
+// With the pole at infinity C' and M' are there too, and only the last two steps are left.
+drawings::Steps steps_without_pole(Language language) {
+  if (language == Language::english) {
+    return {{"$P_{0}$ is at infinity, and $C'$ with it. $Ω_{C}$ on the normal to $\\vec{v}_{C}$, at $ρ_{C}$ = "
+             "$v^{2}_{C}$ / $a^{n}_{C}$.",
+             "Likewise $Ω_{M}$. The thin circles are the osculating circles of the two paths."},
+            3};
+  }
+  return {{"$P_{0}$ è all'infinito, e $C'$ con lui. $Ω_{C}$ sulla normale a $\\vec{v}_{C}$, a $ρ_{C}$ = $v^{2}_{C}$ "
+           "/ $a^{n}_{C}$.",
+           "Così $Ω_{M}$. I cerchi sottili sono i cerchi osculatori delle due traiettorie."},
+          3};
+}
+
 drawings::Steps steps(Language language) {
   if (language == Language::english) {
     return {{"The ray $P_{0}C$ meets the inflection circle again in $C'$.", "Likewise $M'$ on the ray $P_{0}M$.",
@@ -139,7 +153,7 @@ void draw_curvature(DrawnSheet& onto, const Drawn& f, const SheetRequest& reques
   add_scale_bars(onto, {overview.scale, detail.scale}, request);
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
-  column.push_back(steps(language));
+  column.push_back(f.P0 ? steps(language) : steps_without_pole(language));
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   column.push_back(results(f, language));
   std::vector<Value> values;

@@ -46,7 +46,8 @@ void mark_gamma(Plot& plot, const Drawn& f) {
   const drawings::Point c = plot.at(f.at.C), k = plot.at(*f.K), tip = plot.at(plot.tip(f.at.C, f.a_C));
   const double ray = std::atan2(k.y - c.y, k.x - c.x), vector = std::atan2(tip.y - c.y, tip.x - c.x);
   const double turn = std::remainder(vector - ray, 2 * M_PI);
-  constexpr double radius = 13;
+  constexpr double radius = 13, shortest_arc = 2;      // mm
+  if (std::abs(turn) * radius < shortest_arc) return;  // no arc to see: at a dead centre γ = 0
   plot.mark(
       drawings::AngleMark{c, radius, turn > 0 ? ray : ray + turn, turn > 0 ? ray + turn : ray, Meaning::dimension});
   const double middle = ray + turn / 2;

@@ -120,9 +120,10 @@ void draw_polar_diagram(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
   column.push_back(equation_of_C());
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(steps(request.language));
-  column.push_back(drawings::Heading{english ? "The two methods, as measured" : "I due metodi, come misurati"});
-  column.push_back(
-      comparison_table(comparisons(onto, f, request), {"poles", "poli"}, {"diagram", "diagramma"}, request.language));
+  if (const auto rows = comparisons(onto, f, request); !rows.empty()) {
+    column.push_back(drawings::Heading{english ? "The two methods, as measured" : "I due metodi, come misurati"});
+    column.push_back(comparison_table(rows, {"poles", "poli"}, {"diagram", "diagramma"}, request.language));
+  }
   const auto magnitude = [](const Arrow2& v) { return std::hypot(v.x, v.y); };
   onto.sheet.description = in_words({"The polygon of the velocities of the slider-crank, with the images of C and M",
                                      "Il poligono delle velocità del manovellismo, con le immagini di C e M"},

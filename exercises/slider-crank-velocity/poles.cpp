@@ -79,35 +79,42 @@ void draw_far_pole(Plot& plot, const Drawn& f) {
   for (const Named& X : points(f)) plot.segment(X.at, away(X.at), Meaning::construction);
 }
 
+drawings::Steps steps(const Drawn& f, Language language) {
+  const std::string phi = short_number(360 * CGAL::to_double(f.instant.crank.fraction), language);
+  const std::vector<Words> lines{
+      {fmt::format("Crank at $φ$ = {}°. $A$ on its circle, $B$ on the guide by the arc of radius $l$ about $A$.",
+                   phi),
+       fmt::format(
+           "Manovella a $φ$ = {}°. $A$ sulla sua circonferenza, $B$ sulla guida con l'arco di raggio $l$ da $A$.",
+           phi)},
+      {"$C$ by the arcs $AC$ and $BC$, on the left of $AB$. $M$ halves $AB$.",
+       "$C$ con gli archi $AC$ e $BC$, a sinistra di $AB$. $M$ dimezza $AB$."},
+      {"$A$ moves square to the crank: $P_{0}$ lies on the line $A_{0}A$.",
+       "$A$ si muove normalmente alla manovella: $P_{0}$ sta sulla retta $A_{0}A$."}};
+  const std::vector<Words> finite_pole{
+      {"$B$ moves along the guide: $P_{0}$ lies on the perpendicular to it through $B$.",
+       "$B$ si muove lungo la guida: $P_{0}$ sta sulla normale alla guida per $B$."},
+      {"$v_{A}$ = $ω_{2}$·$A_{0}A$, $ω_{3}$ = $v_{A}$ / $P_{0}A$.",
+       "$v_{A}$ = $ω_{2}$·$A_{0}A$, $ω_{3}$ = $v_{A}$ / $P_{0}A$."},
+      {"$v_{X}$ = $ω_{3}$·$P_{0}X$, square to the ray $P_{0}X$.",
+       "$v_{X}$ = $ω_{3}$·$P_{0}X$, normale al raggio $P_{0}X$."}};
+  const std::vector<Words> pole_at_infinity{
+      {"The perpendicular to the guide through $B$ is parallel to it: $P_{0}$ is at infinity.",
+       "La normale alla guida per $B$ le è parallela: $P_{0}$ è all'infinito."},
+      {"The coupler translates: $ω_{3}$ = 0, and every point has the velocity of $A$.",
+       "La biella trasla: $ω_{3}$ = 0, e ogni punto ha la velocità di $A$."}};
+  drawings::Steps all;
+  for (const Words& line : lines) all.lines.push_back(line.in(language));
+  for (const Words& line : f.P0 ? finite_pole : pole_at_infinity) all.lines.push_back(line.in(language));
+  return all;
+}
+
 void write_column(DrawnSheet& onto, const Drawn& f, Language language) {
   const bool english = language == Language::english;
   const auto num = [&](double x) { return figures(x, 4, language); };
-  const double phi = 360 * CGAL::to_double(f.instant.crank.fraction);
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
-  if (english) {
-    column.push_back(drawings::Steps{
-        {fmt::format("Crank at $φ$ = {}°. $A$ on its circle, $B$ on the guide by the arc of radius $l$ about $A$.",
-                     short_number(phi, language)),
-         "$C$ by the arcs $AC$ and $BC$, on the left of $AB$. $M$ halves $AB$.",
-         "$A$ moves square to the crank: $P_{0}$ lies on the line $A_{0}A$.",
-         f.P0 ? "$B$ moves along the guide: $P_{0}$ lies on the perpendicular to it through $B$."
-              : "The perpendicular to the guide through $B$ is parallel to it: $P_{0}$ is at infinity, the coupler "
-                "translates.",
-         "$v_{A}$ = $ω_{2}$·$A_{0}A$, $ω_{3}$ = $v_{A}$ / $P_{0}A$.",
-         "$v_{X}$ = $ω_{3}$·$P_{0}X$, square to the ray $P_{0}X$."}});
-  } else {
-    column.push_back(drawings::Steps{
-        {fmt::format(
-             "Manovella a $φ$ = {}°. $A$ sulla sua circonferenza, $B$ sulla guida con l'arco di raggio $l$ da $A$.",
-             short_number(phi, language)),
-         "$C$ con gli archi $AC$ e $BC$, a sinistra di $AB$. $M$ dimezza $AB$.",
-         "$A$ si muove normalmente alla manovella: $P_{0}$ sta sulla retta $A_{0}A$.",
-         f.P0 ? "$B$ si muove lungo la guida: $P_{0}$ sta sulla normale alla guida per $B$."
-              : "La normale alla guida per $B$ le è parallela: $P_{0}$ è all'infinito, la biella trasla.",
-         "$v_{A}$ = $ω_{2}$·$A_{0}A$, $ω_{3}$ = $v_{A}$ / $P_{0}A$.",
-         "$v_{X}$ = $ω_{3}$·$P_{0}X$, normale al raggio $P_{0}X$."}});
-  }
+  column.push_back(steps(f, language));
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   const double omega_2 = 2 * M_PI * CGAL::to_double(f.instant.turns_per_second);
   column.push_back(
