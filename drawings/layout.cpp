@@ -13,7 +13,8 @@ constexpr double between_parts = 5;  // mm between drawing area and column
 
 Box paper_box(Paper paper) { return paper == Paper::a4 ? Box{{0, 0}, {297, 210}} : Box{{0, 0}, {420, 297}}; }
 
-// Well under a third of A4: the rest takes a metre at 1 : 5 with its symbols. On A3 letters stay as they are, so the column needs little more and the figure gets the room.
+// Well under a third of A4: the rest takes a metre at 1 : 5 with its symbols. On A3 letters stay as they are, so the
+// column needs little more and the figure gets the room.
 double title_block_width(Paper paper) { return paper == Paper::a4 ? 80 : 112; }
 
 Layout layout(Paper paper, double title_block_height) {

@@ -16,11 +16,11 @@ struct Colour {
 };
 struct Stroke {
   Path path;
-  double width = 0.25;            // mm
+  double width = 0.25;              // mm
   std::vector<double> dashes = {};  // mm, empty: continuous
   Colour colour;
   std::optional<Box> clip = {};
-  std::string name = {};          // id, or empty
+  std::string name = {};  // id, or empty
 };
 struct Fill {
   Path path;

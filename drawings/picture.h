@@ -35,7 +35,7 @@ enum class Meaning {
   acceleration,
   force,
   dimension,
-  text,          // letters without a colour of their own
+  text,  // letters without a colour of their own
 };
 
 // A run of straight pieces and cubic Bezier arcs.
@@ -127,8 +127,8 @@ struct ScaleBar {  // a graduated bar: `length` mm long in `divisions` parts; ca
   Point at;        // left end
   double length = 40;
   int divisions = 4;
-  std::string caption;            // above: "1 : 5", "1 cm ≙ 2.5 m/s"
-  std::vector<std::string> ticks; // divisions + 1 numbers below the ticks, unit in the last
+  std::string caption;             // above: "1 : 5", "1 cm ≙ 2.5 m/s"
+  std::vector<std::string> ticks;  // divisions + 1 numbers below the ticks, unit in the last
 };
 
 using Mark = std::variant<Line, Area, Arrow, Dot, Cross, Hinge, FixedHinge, Slider, Guide, Rotation, RightAngle,
@@ -139,8 +139,8 @@ using Mark = std::variant<Line, Area, Arrow, Dot, Cross, Hinge, FixedHinge, Slid
 // "$\vec{v}_{BA}$ ⊥ BA", "$P_{0}$", "$ω_{3}$".
 struct Label {
   std::string text;
-  Point at;                       // what the label belongs to: a point ...
-  std::optional<Point> to = {};   // ... or the segment at-to, whose middle the label stands beside
+  Point at;                      // what the label belongs to: a point ...
+  std::optional<Point> to = {};  // ... or the segment at-to, whose middle the label stands beside
   Meaning ink = Meaning::text;
   std::optional<Point> away_from = {};  // prefer the side that points away from here
   double size = 3.5;                    // mm, height of the letters' body (nominal size)
@@ -198,7 +198,7 @@ struct Sheet {
   std::string description;  // plain text: what is seen, with the values; SVG <desc>
   Paper paper = Paper::a4;
   Language language = Language::english;
-  bool bare = false;        // no frame, column or title block; cropped to the figure
+  bool bare = false;  // no frame, column or title block; cropped to the figure
   Figure figure;
   std::vector<Block> column;
   TitleBlock title_block;

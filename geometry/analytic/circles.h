@@ -22,9 +22,9 @@ struct TwoMagnitudes {
   T first, second;
 };
 
-// A polygon of vectors with two unknown magnitudes along the directions u and v, by Cramer's rule on real and imaginary
-// part. The factors are signed and multiply u and v as given (unit vectors make them magnitudes). Empty when u and v
-// are parallel or one is zero: then there is no solution or a line of them.
+// A polygon of vectors with two unknown magnitudes along the directions u and v, by Cramer's rule on real and
+// imaginary part. The factors are signed and multiply u and v as given (unit vectors make them magnitudes). Empty
+// when u and v are parallel or one is zero: then there is no solution or a line of them.
 template <class T>
 std::optional<TwoMagnitudes<T>> close_polygon(const Complex<T>& known, const Complex<T>& u, const Complex<T>& v) {
   const T determinant = cross(u, v);
@@ -32,8 +32,8 @@ std::optional<TwoMagnitudes<T>> close_polygon(const Complex<T>& known, const Com
   return TwoMagnitudes<T>{-quotient(cross(known, v), determinant), -quotient(cross(u, known), determinant)};
 }
 
-// Meet of the line through p with direction u and the line through q with direction v, by Cramer's rule. Empty when they
-// are parallel or the same.
+// Meet of the line through p with direction u and the line through q with direction v, by Cramer's rule. Empty when
+// they are parallel or the same.
 template <class T>
 std::optional<Complex<T>> meet_of_lines(const Complex<T>& p, const Complex<T>& u, const Complex<T>& q,
                                         const Complex<T>& v) {
@@ -48,11 +48,11 @@ struct Crossings {
   Complex<T> entering, leaving;  // in the order in which the line's direction meets them
 };
 
-// Line through p with direction u (not zero) and the circle about `centre` with the given radius >= 0, by the quadratic
-// formula for |p + t u - centre|² = radius². Empty when the line misses.
+// Line through p with direction u (not zero) and the circle about `centre` with the given radius >= 0, by the
+// quadratic formula for |p + t u - centre|² = radius². Empty when the line misses.
 template <class T>
-std::optional<Crossings<T>> meet_of_line_and_circle(const Complex<T>& p, const Complex<T>& u, const Complex<T>& centre,
-                                                    const T& radius) {
+std::optional<Crossings<T>> meet_of_line_and_circle(const Complex<T>& p, const Complex<T>& u,
+                                                    const Complex<T>& centre, const T& radius) {
   const Complex<T> from = p - centre;
   const T a = squared_modulus(u), half_b = dot(u, from), c = squared_modulus(from) - square(radius);
   const T discriminant = square(half_b) - a * c;
@@ -68,14 +68,15 @@ struct CirclesMeet {
   Complex<T> left, right;
 };
 
-// Circles about p and q with radii >= 0: along pq by the radical line, square to it by Heron's formula for the triangle
-// of both radii and the distance. Empty when they do not meet. Throws Impossible when the centres coincide.
+// Circles about p and q with radii >= 0: along pq by the radical line, square to it by Heron's formula for the
+// triangle of both radii and the distance. Empty when they do not meet. Throws Impossible when the centres coincide.
 template <class T>
 std::optional<CirclesMeet<T>> meet_of_circles(const Complex<T>& p, const T& p_radius, const Complex<T>& q,
                                               const T& q_radius) {
   const Complex<T> d = q - p;
   const T d2 = squared_modulus(d);
-  if (is_zero(d2, "whether the circles are concentric")) throw Impossible("concentric circles: no meets, or all points");
+  if (is_zero(d2, "whether the circles are concentric"))
+    throw Impossible("concentric circles: no meets, or all points");
   // 16 area² = (d² - (R - r)²) ((R + r)² - d²)
   const T sixteen_areas_squared = (d2 - square(p_radius - q_radius)) * (square(p_radius + q_radius) - d2);
   if (decided_sign(sixteen_areas_squared, "whether the circles meet") == Sign::negative) return {};

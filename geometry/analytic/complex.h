@@ -1,6 +1,6 @@
-// Complex numbers, the language of the second route: a point z = x + i y, a quarter turn counter-clockwise is a factor
-// i, a velocity is the derivative of a product of exponentials. Plane vectors of the constructions are not used here,
-// so that the two routes share nothing but the numbers.
+// Complex numbers, the language of the second route: a point z = x + i y, a quarter turn counter-clockwise is a
+// factor i, a velocity is the derivative of a product of exponentials. Plane vectors of the constructions are not
+// used here, so that the two routes share nothing but the numbers.
 #pragma once
 
 #include "geometry/numbers/numbers.h"

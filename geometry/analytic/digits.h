@@ -22,7 +22,7 @@ inline std::string digits(const Deep& x) { return digits(enclosure(x).value); }
 
 // Exact and Calcium have no double of their own: their ball at 64 bits has.
 template <class T>
-  requires requires(const T x) { to_deep(x); }
+requires requires(const T x) { to_deep(x); }
 std::string digits(const T& x) {
   const Arithmetic<Deep> scope(64);
   return digits(to_deep(x));

@@ -32,9 +32,7 @@ struct PlaneMotion {
   T omega, alpha;
 
   Complex<T> velocity(const Complex<T>& z) const { return v_A + omega * times_i(z - z_A); }
-  Complex<T> acceleration(const Complex<T>& z) const {
-    return a_A + Complex<T>{-square(omega), alpha} * (z - z_A);
-  }
+  Complex<T> acceleration(const Complex<T>& z) const { return a_A + Complex<T>{-square(omega), alpha} * (z - z_A); }
 
   bool turns() const { return !is_zero(omega, "whether the plane turns"); }
 
@@ -63,8 +61,8 @@ struct PlaneMotion {
     return *pole() + divided(*acceleration_at_pole(), square(omega));
   }
 
-  // The points with v x a = 0. For z = P + ρ this is ω² |ρ|² = Re(conj(ρ) a_P): the circle over the diameter from P to
-  // P + a_P/ω². Diameter 0 when the pole stands still. Empty when ω = 0: see inflection_line.
+  // The points with v x a = 0. For z = P + ρ this is ω² |ρ|² = Re(conj(ρ) a_P): the circle over the diameter from P
+  // to P + a_P/ω². Diameter 0 when the pole stands still. Empty when ω = 0: see inflection_line.
   std::optional<Circle<T>> inflection_circle() const {
     if (!turns()) return {};
     const Complex<T> across = divided(*acceleration_at_pole(), square(omega));
@@ -95,8 +93,8 @@ struct PlaneMotion {
   }
 
   // Where the ray from the pole through z meets the inflection circle again: P + ρ Re(conj(ρ) a_P)/(ω² |ρ|²).
-  // The pole itself when that circle is a point or tangent to the ray. Empty when ω = 0. Throws Impossible when z is the
-  // pole.
+  // The pole itself when that circle is a point or tangent to the ray. Empty when ω = 0. Throws Impossible when z is
+  // the pole.
   std::optional<Complex<T>> on_inflection_circle(const Complex<T>& z) const {
     if (!turns()) return {};
     const Complex<T> rho = z - *pole();

@@ -1,8 +1,8 @@
 // Curves of the centred slider-crank in closed form: both polodes of the coupler against the frame, and the paths of
 // the coupler's points. r = A0A, l = AB in metres; frame and names as in slider_crank.h.
 //
-// Each residual below is a polynomial that vanishes on its curve. It may vanish elsewhere too: squaring also admits the
-// branch with B behind A (cos θ < 0), so a zero residual is necessary, not sufficient.
+// Each residual below is a polynomial that vanishes on its curve. It may vanish elsewhere too: squaring also admits
+// the branch with B behind A (cos θ < 0), so a zero residual is necessary, not sufficient.
 #pragma once
 
 #include "geometry/analytic/slider_crank.h"

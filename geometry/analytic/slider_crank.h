@@ -49,7 +49,8 @@ struct SliderCrankMotion {
   Complex<T> a_A, a_B, a_C, a_M;
 };
 
-// Coordinate of C in the coupler frame (origin A, real axis along AB): real part by the law of cosines, imaginary part
+// Coordinate of C in the coupler frame (origin A, real axis along AB): real part by the law of cosines, imaginary
+// part
 // >= 0 by Heron's formula. The decision is on rationals, so a flat plate (AC + BC = AB) has height exactly 0.
 // Throws Impossible when the three sides close no triangle.
 template <class T>
@@ -73,8 +74,8 @@ SliderCrankPosition<T> position(const SliderCrank& g, const CrankState<T>& crank
   if (decided_sign(cos2, "whether the coupler reaches the guide") == Sign::negative) {
     const T height = from_rational<T>(g.r) * root(square(crank.sine));
     throw Impossible("the slider-crank does not close: A is " + digits(height) + " m away from the guide and AB is " +
-                     digits(from_rational<T>(g.l)) + " m long, short by " +
-                     digits(height - from_rational<T>(g.l)) + " m");
+                     digits(from_rational<T>(g.l)) + " m long, short by " + digits(height - from_rational<T>(g.l)) +
+                     " m");
   }
   const T r = from_rational<T>(g.r), l = from_rational<T>(g.l);
   const Complex<T> theta{root(cos2), -lambda_sine};
@@ -94,8 +95,9 @@ SliderCrankMotion<T> motion(const SliderCrank& g, const CrankState<T>& crank, co
   SliderCrankMotion<T> m;
   // First derivative: r ω₂ cos φ + l ω₃ cos θ = 0. Second: its derivative, solved for α₃ likewise.
   m.omega_3 = -quotient(r * omega_2 * crank.cosine, l * p.cos_theta);
-  m.alpha_3 = quotient(r * (square(omega_2) * crank.sine - alpha_2 * crank.cosine) + l * square(m.omega_3) * p.sin_theta,
-                       l * p.cos_theta);
+  m.alpha_3 =
+      quotient(r * (square(omega_2) * crank.sine - alpha_2 * crank.cosine) + l * square(m.omega_3) * p.sin_theta,
+               l * p.cos_theta);
   // (i ω) and (i α - ω²) are what d/dt and d²/dt² make of e^{iφ}.
   const Complex<T> first_2{T(0), omega_2}, second_2{-square(omega_2), alpha_2};
   const Complex<T> first_3{T(0), m.omega_3}, second_3{-square(m.omega_3), m.alpha_3};

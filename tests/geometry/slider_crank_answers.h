@@ -1,5 +1,5 @@
-// What the analytic route answers for a case of the slider-crank corpus, under the corpus' names. Every answer is asked
-// for on its own, so that an undecided one does not hide the others.
+// What the analytic route answers for a case of the slider-crank corpus, under the corpus' names. Every answer is
+// asked for on its own, so that an undecided one does not hide the others.
 #pragma once
 
 #include "geometry/analytic/polodes.h"
@@ -72,8 +72,8 @@ void add_distance(Answers<T>& answers, const std::string& name, const Ask& ask, 
 
 template <class T>
 void add_positions(Answers<T>& answers, const Scene<T>& s) {
-  for (const auto& [name, point] : {std::pair<std::string, Complex<T>>{"A", s.place.A}, {"B", s.place.B},
-                                    {"C", s.place.C}, {"M", s.place.M}})
+  for (const auto& [name, point] :
+       {std::pair<std::string, Complex<T>>{"A", s.place.A}, {"B", s.place.B}, {"C", s.place.C}, {"M", s.place.M}})
     add_point(answers, name, [z = point] { return std::optional(z); });
 }
 
@@ -109,14 +109,16 @@ void add_velocities_and_accelerations(Answers<T>& answers, const Scene<T>& s) {
   // v_A and a_A belong to the crank: they exist where the coupler's motion does not.
   answers["v_A"] = [s] { return std::optional<T>(root(square(s.crank.omega)) * from_rational<T>(s.linkage.r)); };
   answers["a_A"] = [s] {
-    return std::optional<T>(from_rational<T>(s.linkage.r) * root(square(square(s.crank.omega)) + square(s.crank.alpha)));
+    return std::optional<T>(from_rational<T>(s.linkage.r) *
+                            root(square(square(s.crank.omega)) + square(s.crank.alpha)));
   };
   answers["omega_2"] = [s] { return std::optional<T>(s.crank.omega); };
 }
 
 // Both coefficients that a line normalised as in the corpus has: a² + b² = 1, the first that is not zero positive.
 template <class T>
-void add_line(Answers<T>& answers, const std::string& name, const std::function<std::optional<analytic::Line<T>>()>& ask) {
+void add_line(Answers<T>& answers, const std::string& name,
+              const std::function<std::optional<analytic::Line<T>>()>& ask) {
   const auto scaled = [ask](auto part) {
     return [ask, part]() -> std::optional<T> {
       const auto line = ask();
@@ -159,16 +161,18 @@ void add_poles_and_circles(Answers<T>& answers, const Scene<T>& s) {
   const auto K = [s] { return s.coupler().acceleration_pole(); };
   add_point(answers, "P0", pole);
   add_point(answers, "K", K);
-  for (const auto& [name, point] : {std::pair<std::string, Complex<T>>{"A", s.place.A}, {"B", s.place.B},
-                                    {"C", s.place.C}, {"M", s.place.M}}) {
+  for (const auto& [name, point] :
+       {std::pair<std::string, Complex<T>>{"A", s.place.A}, {"B", s.place.B}, {"C", s.place.C}, {"M", s.place.M}}) {
     add_distance(answers, "P0" + name, pole, point);
     add_distance(answers, "K" + name, K, point);
   }
   add_point(answers, "inflection_pole", [s] { return s.coupler().inflection_pole(); });
-  add_circle<T>(answers, "inflection", [s] { return s.coupler().inflection_circle(); },
-                [s] { return s.coupler().inflection_line(); });
-  add_circle<T>(answers, "stationarity", [s] { return s.coupler().stationarity_circle(); },
-                [s] { return s.coupler().stationarity_line(); });
+  add_circle<T>(
+      answers, "inflection", [s] { return s.coupler().inflection_circle(); },
+      [s] { return s.coupler().inflection_line(); });
+  add_circle<T>(
+      answers, "stationarity", [s] { return s.coupler().stationarity_circle(); },
+      [s] { return s.coupler().stationarity_line(); });
   for (const auto& [name, point] : {std::pair<std::string, Complex<T>>{"C", s.place.C}, {"M", s.place.M}}) {
     const auto prime = [s, z = point] { return s.coupler().on_inflection_circle(z); };
     add_point(answers, name + "prime", prime);

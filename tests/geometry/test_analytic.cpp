@@ -16,9 +16,7 @@ const std::vector<CorpusCase>& corpus() {
 }
 
 // A printed reference of 40 digits is off by at most half a unit of its last digit.
-Rational reference_error(const Rational& reference) {
-  return abs(reference) * exact_decimal("5e-40");
-}
+Rational reference_error(const Rational& reference) { return abs(reference) * exact_decimal("5e-40"); }
 
 bool overlaps(const Enclosure& x, const Rational& reference) {
   const Rational error = reference_error(reference);
@@ -92,7 +90,8 @@ TEST_CASE("slider-crank: 512 bits agree with all 40 digits of every reference", 
       CAPTURE(c.name, c.why, r.name, r.value);
       const Outcome<Deep> found = ask(answers, r.name);
       // l = r: α₃ = 0 by cancellation, which no ball can tell from a small number. Exact and Calcium do, below.
-      if (c.givens.at("l") == c.givens.at("r") && r.name.rfind("stationarity", 0) == 0 && found.kind == Kind::undecided)
+      if (c.givens.at("l") == c.givens.at("r") && r.name.rfind("stationarity", 0) == 0 &&
+          found.kind == Kind::undecided)
         continue;
       REQUIRE(found.kind == expected_kind(r.value));
       if (found.kind != Kind::value) continue;

@@ -95,13 +95,13 @@ TEST_CASE("plane motion: a wheel rolling on the real axis", "[analytic]") {
   CHECK(equal(*wheel.centre_of_curvature({0, 2}), {0, -2}));
   CHECK(equal(wheel.curvature({0, 2}), ratio(-1, 4)));
   CHECK(equal(*wheel.on_inflection_circle({0, 2}), {0, 1}));
-  CHECK_FALSE(wheel.radius_of_curvature({0, 1}));   // the hub runs straight
+  CHECK_FALSE(wheel.radius_of_curvature({0, 1}));  // the hub runs straight
   CHECK_FALSE(wheel.centre_of_curvature({0, 1}));
   CHECK(equal(wheel.curvature({0, 1}), Exact(0)));
   CHECK_THROWS_AS(wheel.curvature({0, 0}), Impossible);  // the contact point is at rest
   CHECK_THROWS_AS(wheel.on_inflection_circle({0, 0}), Impossible);
   CHECK_FALSE(wheel.stationarity_circle());
-  CHECK(wheel.stationarity_line());                 // the vertical through the contact
+  CHECK(wheel.stationarity_line());  // the vertical through the contact
   CHECK_FALSE(wheel.inflection_line());
 }
 
