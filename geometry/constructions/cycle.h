@@ -5,6 +5,19 @@
 
 namespace epure::geometry {
 
+// |x|. Throws Undecided when the sign is.
+template <class T>
+T magnitude(const T& x) {
+  switch (sign(x)) {
+    case Sign::negative:
+      return -x;
+    case Sign::undecided:
+      throw Undecided("the sign of a length");
+    default:
+      return x;
+  }
+}
+
 template <class T>
 struct Cycle {
   T k, l, m, n;
@@ -18,19 +31,6 @@ struct Cycle {
   // Zero when P lies on the cycle.
   T power(const Point<T>& P) const { return k * (square(P.x) + square(P.y)) + l * P.x + m * P.y + n; }
 };
-
-// |x|. Throws Undecided when the sign is.
-template <class T>
-T magnitude(const T& x) {
-  switch (sign(x)) {
-    case Sign::negative:
-      return -x;
-    case Sign::undecided:
-      throw Undecided("the sign of a length");
-    default:
-      return x;
-  }
-}
 
 // The cycle k|X - A|² + linear . (X - A) + constant = 0 written for the origin.
 template <class T>

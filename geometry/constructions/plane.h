@@ -99,7 +99,7 @@ Point<T> finite(const ProjectivePoint<T>& P) {
   return {quotient(P.x, P.w), quotient(P.y, P.w)};
 }
 
-// The line a x + b y + c = 0, directed along (b, -a): the left of the direction is where a x + b y + c < 0.
+// The line a x + b y + c = 0, directed along (b, -a): the left of the direction is where a x + b y + c > 0.
 template <class T>
 struct Line {
   T a, b, c;
@@ -144,7 +144,7 @@ Point<T> foot(const Point<T>& P, const Line<T>& l) {
 // Positive when P lies on the left of l (looking along its direction), negative on the right, zero on it.
 template <class T>
 Sign side(const Point<T>& P, const Line<T>& l) {
-  return sign(-(l.a * P.x + l.b * P.y + l.c));
+  return sign(l.a * P.x + l.b * P.y + l.c);
 }
 
 }  // namespace epure::geometry
