@@ -23,6 +23,15 @@ void Plot::long_segment(const Place& P, const Place& Q, double beyond, Meaning m
   mark(drawings::Line{drawings::segment({p.x - dx, p.y - dy}, {q.x + dx, q.y + dy}), meaning, {}});
 }
 
+void Plot::direction_line(const Place& P, const Place& Q, double beyond, const std::string& what) {
+  const drawings::Point p = at(P), q = at(Q);
+  const double length = std::hypot(q.x - p.x, q.y - p.y);
+  if (length == 0) return;
+  long_segment(P, Q, beyond, Meaning::construction);
+  const Place end = from_paper({q.x + (q.x - p.x) / length * beyond, q.y + (q.y - p.y) / length * beyond});
+  small_label(what, end, Q);
+}
+
 void Plot::polygon(const std::vector<Place>& corners, Meaning meaning) {
   std::vector<drawings::Point> on_paper;
   for (const Place& P : corners) on_paper.push_back(at(P));

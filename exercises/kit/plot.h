@@ -38,6 +38,8 @@ class Plot {
   void segment(const Place& P, const Place& Q, Meaning meaning, const std::string& name = {});
   // The segment PQ drawn `beyond` mm past both ends.
   void long_segment(const Place& P, const Place& Q, double beyond, Meaning meaning);
+  // The line of the direction PQ, drawn `beyond` mm past both ends, with what it is written at its end beyond Q.
+  void direction_line(const Place& P, const Place& Q, double beyond, const std::string& what);
   void polygon(const std::vector<Place>& corners, Meaning meaning);
   void area(const std::vector<Place>& corners, Meaning meaning);
   void circle(const Place& centre, double radius, Meaning meaning, const std::string& name = {});

@@ -18,8 +18,8 @@ Place after(const Place& P, const Arrow2& a) { return {P.x + a.x, P.y + a.y}; }
 void draw_sides(Plot& plot, const Drawn& f) {
   const Place O{0, 0}, a = tip(f.a_A), n = after(a, f.a_BA_n), b = tip(f.a_B), c = tip(f.a_C), m = tip(f.a_M);
   const Place inside{(a.x + b.x + n.x) / 3, (a.y + b.y + n.y) / 3};
-  plot.long_segment(n, b, 12, Meaning::construction);
-  plot.long_segment(O, b, 12, Meaning::construction);
+  plot.direction_line(b, n, 12, "⊥ $AB$");
+  plot.direction_line(O, b, 12, "∥ $A_{0}B$");
   plot.segment(b, c, Meaning::construction);
   const bool has_tangential_part = f.instant.alpha_2 != 0;
   if (has_tangential_part) {

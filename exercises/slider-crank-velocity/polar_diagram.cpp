@@ -20,9 +20,9 @@ Place tip(const Arrow2& v) { return {v.x, v.y}; }
 void draw_polygon(Plot& plot, const Drawn& f) {
   const Place O{0, 0}, a = tip(f.v_A), b = tip(f.v_B), c = tip(f.v_C), m = tip(f.v_M);
   const Place inside{(a.x + b.x) / 2, (a.y + b.y) / 2};
-  plot.long_segment(O, b, 12, Meaning::construction);
-  plot.long_segment(a, b, 12, Meaning::construction);
-  plot.long_segment(b, c, 5, Meaning::construction);
+  plot.direction_line(O, b, 12, "∥ $A_{0}B$");
+  plot.direction_line(a, b, 12, "⊥ $AB$");
+  plot.direction_line(b, c, 6, "⊥ $BC$");
   plot.side("v_A", O, a, Meaning::velocity, "$\\vec{v}_{A}$", inside);
   plot.side("v_BA", a, b, Meaning::velocity, "$\\vec{v}_{BA}$", O);
   plot.side("v_B", O, b, Meaning::velocity, "$\\vec{v}_{B}$", a);
