@@ -44,7 +44,7 @@ fast gives numbers without bounds, so its routes cannot be compared.
 Examples:
   epure check all
   epure check slider-crank-velocity --set r=25cm
-  epure check slider-crank-velocity --measured v_B=5.25m/s --measured omega_3=13
+  epure check slider-crank-velocity --measured v_B=5.1m/s --measured omega_3=13
   epure check slider-crank-velocity --json)";
 }
 

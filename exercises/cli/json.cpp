@@ -11,16 +11,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 using geometry::Settled;
 
-// Numbers are written with the fewest digits that read back as the same double; what is not finite is null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+// Numbers are written with the fewest digits that read back as the same double; what is not finite is null, and a
+// negative zero (the lower end of a point interval) is zero.
+Json number(double value) { return std::isfinite(value) ? Json(value == 0 ? 0.0 : value) : Json(nullptr); }
 Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
 void add_value(Json& json, const Settled& settled) {
   const bool has_number = has_value(settled);
-  const bool has_bounds = has_number && settled.kind != Settled::Kind::unbounded;
   json["value"] = has_number ? number(settled.enclosure.value) : Json(nullptr);
-  json["lower"] = has_bounds ? number(settled.enclosure.lower) : Json(nullptr);
-  json["upper"] = has_bounds ? number(settled.enclosure.upper) : Json(nullptr);
+  json["lower"] = has_number ? number(settled.enclosure.lower) : Json(nullptr);
+  json["upper"] = has_number ? number(settled.enclosure.upper) : Json(nullptr);
   if (settled.kind == Settled::Kind::absent) json["absent"] = settled.reason;
   if (settled.kind == Settled::Kind::undecided) json["absent"] = "undecided";
 }

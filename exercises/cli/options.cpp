@@ -25,12 +25,12 @@ void add_language(CLI::App& verb, Options& options) {
 }
 
 void add_list(CLI::App& verb, Options& options) {
-  verb.add_option("id", options.names, "an exercise: show its sheets, givens and quantities")->type_name("ID");
+  verb.add_option("ID", options.names, "an exercise: show its sheets, givens and quantities")->type_name("");
   add_language(verb, options);
 }
 
 void add_draw(CLI::App& verb, Options& options) {
-  verb.add_option("name", options.names, "exercises or single sheets: ID, ID/SHEET or all")->type_name("NAME");
+  verb.add_option("NAME", options.names, "exercises or single sheets: ID, ID/SHEET or all")->type_name("");
   verb.add_option("--format", options.format, "pdf, svg or both (default: pdf,svg)")->type_name("FORMATS");
   verb.add_option("--out", options.folder, "folder to write to (default: out)")->type_name("DIR");
   verb.add_option("-o", options.file, "write one file instead; - is standard output")->type_name("FILE");
@@ -43,7 +43,7 @@ void add_draw(CLI::App& verb, Options& options) {
 }
 
 void add_check(CLI::App& verb, Options& options) {
-  verb.add_option("id", options.names, "exercises, or all")->type_name("ID");
+  verb.add_option("ID", options.names, "exercises, or all")->type_name("");
   add_givens(verb, options);
   add_repeatable(verb, "--measured", options.measured, "a number you measured, held against the true one",
                  "NAME=VALUE[UNIT]");
@@ -73,7 +73,10 @@ struct Parser {
     list->footer(examples_of_list());
     draw->footer(examples_of_draw());
     check->footer(examples_of_check());
-    for (CLI::App* verb : {list, draw, check}) verb->set_help_flag("--help,-h", "print this help");
+    for (CLI::App* verb : {list, draw, check}) {
+      verb->set_help_flag("--help,-h", "print this help");
+      verb->get_formatter()->column_width(34);
+    }
   }
 };
 
@@ -101,14 +104,12 @@ void demand_verb(const std::vector<std::string>& arguments) {
 Parsed parse_options(const std::vector<std::string>& arguments) {
   demand_verb(arguments);
   Parser parser;
-  CLI::App* verb = nullptr;
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
     parser.app.parse(reversed);
   } catch (const CLI::CallForHelp&) {
     const auto chosen = parser.app.get_subcommands();
-    verb = chosen.empty() ? &parser.app : chosen.front();
-    return {parser.options, verb->help()};
+    return {parser.options, chosen.empty() ? parser.app.help() : chosen.front()->help("epure")};
   } catch (const CLI::CallForVersion& version) {
     return {parser.options, std::string(version.what()) + "\n"};
   } catch (const CLI::ParseError& error) {

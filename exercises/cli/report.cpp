@@ -28,7 +28,7 @@ std::string percent(const std::optional<double>& value) { return value ? fmt::fo
 
 std::string value(const CheckedQuantity& quantity) {
   const Settled& settled = quantity.settled;
-  if (settled.kind == Settled::Kind::absent) return "absent: " + settled.reason;
+  if (settled.kind == Settled::Kind::absent) return "absent";
   if (settled.kind == Settled::Kind::undecided) return "undecided";
   const auto [lower, middle, upper] = settled.enclosure;
   const bool shown_by_one_number = settled.kind == Settled::Kind::unbounded ||
@@ -125,25 +125,45 @@ std::string methods(const CheckedExercise& checked) {
   return "\n  Measured on the sheets, as the files hold them (difference from the value):\n\n" + columns(rows, 2);
 }
 
-// One slip often explains several numbers.
-std::string explanations(const CheckedExercise& checked) {
-  std::vector<std::pair<std::string, std::string>> numbers_by_slip;
+// Remarks in the order they were first made, each with all it applies to: one slip often explains several numbers.
+class Remarks {
+ public:
+  void add(const std::string& subject, const std::string& remark) {
+    const auto known =
+        std::find_if(all_.begin(), all_.end(), [&](const auto& entry) { return entry.remark == remark; });
+    if (known == all_.end())
+      all_.push_back({subject, remark});
+    else
+      known->subjects += ", " + subject;
+  }
+  std::string text() const {
+    std::string text = all_.empty() ? "" : "\n";
+    for (const auto& [subjects, remark] : all_) text += fmt::format("  {}: {}\n", subjects, remark);
+    return text;
+  }
+
+ private:
+  struct Entry {
+    std::string subjects, remark;
+  };
+  std::vector<Entry> all_;
+};
+
+std::string absences(const CheckedExercise& checked) {
+  Remarks remarks;
   for (const CheckedQuantity& quantity : checked.quantities)
-    for (const PrintedVerdict& each : quantity.printed) {
-      if (!each.explanation) continue;
-      const std::string& slip = each.explanation->in(Language::english);
-      const std::string number = quantity.spec.name + " printed " + each.text;
-      const auto known = std::find_if(numbers_by_slip.begin(), numbers_by_slip.end(),
-                                      [&](const auto& entry) { return entry.first == slip; });
-      if (known == numbers_by_slip.end())
-        numbers_by_slip.emplace_back(slip, number);
-      else
-        known->second += ", " + number;
-    }
-  std::string text = numbers_by_slip.empty() ? "" : "\n";
-  for (const auto& [slip, numbers] : numbers_by_slip)
-    text += fmt::format("  {}: {}\n", numbers, drawings::plain(slip));
-  return text;
+    if (quantity.settled.kind == Settled::Kind::absent) remarks.add(quantity.spec.name, quantity.settled.reason);
+  return remarks.text();
+}
+
+std::string explanations(const CheckedExercise& checked) {
+  Remarks remarks;
+  for (const CheckedQuantity& quantity : checked.quantities)
+    for (const PrintedVerdict& each : quantity.printed)
+      if (each.explanation)
+        remarks.add(quantity.spec.name + " printed " + each.text,
+                    drawings::plain(each.explanation->in(Language::english)));
+  return remarks.text();
 }
 
 std::string measured(const CheckedExercise& checked) {
@@ -181,7 +201,8 @@ std::string text_report(const CheckedExercise& checked) {
   return fmt::format("{}: {} ({}, {})\n  {}\n\n", checked.about.id,
                      drawings::plain(checked.about.title.in(Language::english)), checked.about.document,
                      checked.about.item, givens(checked.givens)) +
-         quantities(checked) + methods(checked) + explanations(checked) + measured(checked) + summary(checked);
+         quantities(checked) + absences(checked) + methods(checked) + explanations(checked) + measured(checked) +
+         summary(checked);
 }
 
 std::string verdict(const Measured& measured) { return measured.within ? "within reading" : "beyond reading"; }

@@ -52,8 +52,8 @@ Exit run(const Catalogue& exercises, const std::vector<std::string>& arguments, 
 
 int run_cli(const Catalogue& exercises, const std::vector<std::string>& arguments, std::ostream& out,
             std::ostream& err) {
-  const auto complain = [&](Exit code, const std::exception& why) {
-    err << "epure: " << one_line(why.what()) << '\n' << std::flush;
+  const auto complain = [&](Exit code, const std::exception& why, const std::string& before = "") {
+    err << "epure: " << before << one_line(why.what()) << '\n' << std::flush;
     return static_cast<int>(code);
   };
   try {
@@ -61,7 +61,7 @@ int run_cli(const Catalogue& exercises, const std::vector<std::string>& argument
   } catch (const drawings::CannotWrite& error) {
     return complain(Exit::cannot_write, error);
   } catch (const geometry::Undecided& error) {  // one rung alone may be unable to say anything
-    return complain(Exit::failed_check, error);
+    return complain(Exit::failed_check, error, "cannot be decided: ");
   } catch (const std::exception& error) {  // WrongUsage, BadGivens, Impossible, or a coordinate no sheet can hold
     return complain(Exit::wrong_usage, error);
   }

@@ -10,7 +10,7 @@ namespace {
 Verdict verdict_on(const Decimal& printed, double reading, double value) {
   const Rational apart = CGAL::abs(excess(printed, value));
   if (apart <= printed.half_unit) return Verdict::rounding;
-  return reading > 0 && apart <= printed.half_unit + Rational(reading) ? Verdict::reading : Verdict::disagrees;
+  return apart <= printed.half_unit + Rational(reading) ? Verdict::reading : Verdict::disagrees;
 }
 
 bool rounds_to(const Decimal& printed, double value) {

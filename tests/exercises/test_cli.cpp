@@ -102,6 +102,10 @@ TEST_CASE("impossible givens are refused by every verb that takes them") {
   CHECK(scratch.files().empty());
 }
 
+TEST_CASE("a name may follow a repeatable option") {
+  CHECK(run({"check", "--set", "a=0.2", "--measured", "c_x=0.2", "triangle"}).exit == 0);
+}
+
 TEST_CASE("a given applies to the exercises that have it, and to at least one") {
   CHECK(run_on_two({"check", "all", "--set", "k=2"}).exit == 0);
   CHECK(run_on_two({"check", "other", "triangle", "--set", "k=2"}).exit == 0);
@@ -302,6 +306,19 @@ TEST_CASE("check prints a table and ends with one line") {
   CHECK(contains(both, "\ntriangle: 5 quantities, 2 routes, passed\n"));
 }
 
+TEST_CASE("what does not exist is said once, with the reason") {
+  Triangle still;
+  still.spoil_values = [](auto& values) {
+    for (const std::string quantity : {"omega", "angle"})
+      for (const std::string route : {"ruler", "analytic"})
+        value_of(values, quantity, route) = absent("it is at rest");
+  };
+  const Ran ran = run_on(still, {"check", "triangle"});
+  CHECK(ran.exit == 0);
+  CHECK(contains(ran.out, "omega     ω     absent"));
+  CHECK(contains(ran.out, "\n  omega, angle: it is at rest\n"));
+}
+
 TEST_CASE("a check that fails says why, and exits with 1") {
   Triangle wrong;
   wrong.spoil_values = [](auto& values) { value_of(values, "c", "analytic") = certain(0.6); };
@@ -333,7 +350,7 @@ TEST_CASE("a rung that can say nothing fails in one sentence") {
   open.spoil_values = [](auto&) { throw geometry::Undecided("whether it closes"); };
   const Ran ran = run_on(open, {"check", "triangle", "--arithmetic", "bounded"});
   CHECK(ran.exit == 1);
-  CHECK(ran.err == "epure: whether it closes\n");
+  CHECK(ran.err == "epure: cannot be decided: whether it closes\n");
 }
 
 TEST_CASE("measured numbers decide the exit code") {
