@@ -1,11 +1,11 @@
-// Pages to PDF. The only file that knows Cairo.
-#include <cairo-ft.h>
+// Pages painted by Cairo, with Pango's fonts. The only file that knows Cairo.
 #include <cairo-pdf.h>
+#include <cairo-svg.h>
 #include <cairo.h>
-
 #include <fmt/format.h>
+#include <pango/pangocairo.h>
+#include <pango/pangofc-fontmap.h>
 
-#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -13,6 +13,8 @@
 #include "drawings/check_page.h"
 #include "drawings/grid.h"
 #include "drawings/page.h"
+#include "drawings/paint.h"
+#include "drawings/pango_fonts.h"
 #include "drawings/release.h"
 #include "drawings/typeset.h"
 #include "drawings/vectors.h"
@@ -22,7 +24,7 @@ namespace {
 
 using Surface = Held<cairo_surface_t, cairo_surface_destroy>;
 using Context = Held<cairo_t, cairo_destroy>;
-using FontFace = Held<cairo_font_face_t, cairo_font_face_destroy>;
+using FontOptions = Held<cairo_font_options_t, cairo_font_options_destroy>;
 
 void demand(cairo_status_t status) {
   if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
@@ -46,12 +48,9 @@ cairo_status_t keep(void* memory, const unsigned char* data, unsigned length) {
   return CAIRO_STATUS_SUCCESS;
 }
 
-// Cairo's coordinates: points, y downwards, origin in the upper left corner of the page. The corner is moved to the
-// grid, by at most half a step, so that rounding does not depend on which part of the paper is shown.
 class Painter {
  public:
-  Painter(cairo_t* context, const Box& extent)
-      : context_(context), left_(on_grid_in_points(extent.low.x)), top_(on_grid_in_points(extent.high.y)) {}
+  Painter(cairo_t* context, const Box& extent) : context_(context), frame_(extent) {}
 
   void operator()(const Stroke& stroke) {
     cairo_save(context_);
@@ -81,20 +80,17 @@ class Painter {
     for (const GlyphRun& run : set.runs) show(run, text.baseline);
     for (const Path& arrow : set.arrows) {
       cairo_new_path(context_);
-      add(arrow, [&](Point p) { return unrounded(text.baseline + p); });
+      add(arrow, [&](Point p) { return frame_.unrounded(text.baseline + p); });
       cairo_fill(context_);
     }
   }
 
  private:
-  Point rounded(Point p) const { return {on_grid_in_points(p.x) - left_, top_ - on_grid_in_points(p.y)}; }
-  Point unrounded(Point p) const { return {p.x * points_per_mm - left_, top_ - p.y * points_per_mm}; }
-
   void ink(const Colour& c) { cairo_set_source_rgba(context_, c.red, c.green, c.blue, c.opacity); }
 
   void trace(const Path& path) {
     cairo_new_path(context_);
-    add(path, [this](Point p) { return rounded(p); });
+    add(path, [this](Point p) { return frame_.rounded(p); });
   }
 
   template <class ToPage>
@@ -127,7 +123,7 @@ class Painter {
     std::vector<cairo_text_cluster_t> clusters;
     std::string letters;
     for (const SetGlyph& glyph : run.glyphs) {
-      const Point at = unrounded(baseline + glyph.at);
+      const Point at = frame_.unrounded(baseline + glyph.at);
       glyphs.push_back({glyph.index, at.x, at.y});
       if (glyph.text.empty() && !clusters.empty())
         ++clusters.back().num_glyphs;
@@ -140,35 +136,46 @@ class Painter {
                            cairo_text_cluster_flags_t{});
   }
 
-  cairo_font_face_t* face(Face wanted) {
-    FontFace& kept = faces_.at(static_cast<std::size_t>(wanted));
-    if (!kept) kept.reset(cairo_ft_font_face_create_for_ft_face(freetype_face(wanted), 0));
-    return kept.get();
+  static cairo_font_face_t* face(Face wanted) {
+    auto* font = PANGO_CAIRO_FONT(pango_fonts()[wanted]);
+    return cairo_scaled_font_get_font_face(pango_cairo_font_get_scaled_font(font));
   }
 
   cairo_t* context_;
-  double left_, top_;
-  std::array<FontFace, 4> faces_;
+  Frame frame_;
 };
 
-// Metrics as designed, at every size.
-void set_letters_unhinted(cairo_t* context) {
-  const Held<cairo_font_options_t, cairo_font_options_destroy> options(cairo_font_options_create());
+// Metrics and outlines as designed, at every size.
+FontOptions unhinted() {
+  FontOptions options(cairo_font_options_create());
   cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
   cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
-  cairo_set_font_options(context, options.get());
+  return options;
+}
+
+Context open(cairo_surface_t* surface) {
+  Context context(cairo_create(surface));
+  cairo_set_font_options(context.get(), unhinted().get());
+  cairo_set_line_cap(context.get(), CAIRO_LINE_CAP_BUTT);
+  cairo_set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
+  return context;
 }
 
 void paint(cairo_surface_t* surface, const Page& page) {
   cairo_pdf_surface_set_size(surface, page.extent.width() * points_per_mm, page.extent.height() * points_per_mm);
-  const Context context(cairo_create(surface));
-  set_letters_unhinted(context.get());
-  cairo_set_line_cap(context.get(), CAIRO_LINE_CAP_BUTT);
-  cairo_set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
+  const Context context = open(surface);
   Painter painter(context.get(), page.extent);
   for (const Primitive& primitive : page.primitives) std::visit(painter, primitive);
   cairo_show_page(context.get());
   demand(cairo_status(context.get()));
+}
+
+// Closes the document, whose bytes are in `memory`.
+std::string finish(cairo_surface_t* surface, Memory& memory) {
+  cairo_surface_finish(surface);
+  demand(cairo_surface_status(surface));
+  if (memory.failed) throw std::bad_alloc();
+  return std::move(memory.bytes);
 }
 
 void set_metadata(cairo_surface_t* surface, const std::string& title) {
@@ -191,10 +198,34 @@ std::string write_pdf(const std::vector<Page>& pages, const std::string& documen
   demand(cairo_surface_status(surface.get()));
   set_metadata(surface.get(), document_title);
   for (const Page& page : pages) paint(surface.get(), page);
-  cairo_surface_finish(surface.get());
+  return finish(surface.get(), memory);
+}
+
+std::string paint_svg(const Page& page) {
+  Memory memory;
+  const Surface surface(cairo_svg_surface_create_for_stream(keep, &memory, page.extent.width() * points_per_mm,
+                                                            page.extent.height() * points_per_mm));
   demand(cairo_surface_status(surface.get()));
-  if (memory.failed) throw std::bad_alloc();
-  return std::move(memory.bytes);
+  cairo_svg_surface_restrict_to_version(surface.get(), CAIRO_SVG_VERSION_1_2);  // it has pages
+  const Context context = open(surface.get());
+  Painter painter(context.get(), page.extent);
+  for (const Primitive& primitive : page.primitives) {
+    std::visit(painter, primitive);
+    cairo_show_page(context.get());
+  }
+  // Without these two a document of one primitive, or of none, would have no pages.
+  for (int i = 0; i < 2; ++i) cairo_show_page(context.get());
+  demand(cairo_status(context.get()));
+  return finish(surface.get(), memory);
+}
+
+FontContext unhinted_context(FcConfig* known) {
+  const Held<PangoFontMap, g_object_unref> map(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
+  if (!map) throw std::runtime_error("this Pango was built without the fonts of FreeType");
+  pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map.get()), known);
+  FontContext context(pango_font_map_create_context(map.get()));
+  pango_cairo_context_set_font_options(context.get(), unhinted().get());
+  return context;
 }
 
 }  // namespace epure::drawings

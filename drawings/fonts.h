@@ -1,5 +1,4 @@
-// The shipped fonts. They are part of the program, so that nothing depends on the fonts of the machine, and no font
-// can be missing or be replaced by another one. One thread at a time: FreeType faces hold state.
+// Letters set by Pango in the shipped fonts and no others. One thread at a time: Pango and Cairo share their fonts.
 #pragma once
 
 #include <string>
@@ -8,13 +7,12 @@
 
 #include "drawings/picture.h"
 
-struct FT_FaceRec_;
-
 namespace epure::drawings {
 
 enum class Face { regular, italic, bold, mathematics };
 
-// All four fonts are drawn on a square of this many units.
+// All four fonts are drawn on a square of this many units. Letters are shaped and measured at this size, where a unit
+// of the font is one of Pango's, and scaled afterwards: nothing is rounded, and every size has the same proportions.
 inline constexpr double units_per_em = 1000;
 
 struct ShapedGlyph {
@@ -27,14 +25,11 @@ struct ShapedLetters {
   double advance = 0;  // font units
 };
 
+// Everything here throws std::runtime_error when a shipped font is missing or is not what it should be.
 bool has_glyph(Face face, char32_t character);
 // With kerning and ligatures. Throws std::invalid_argument for a character the face lacks.
 ShapedLetters shape(Face face, std::string_view letters);
 // The drawn part of a glyph in font units, y upwards; not `low <= high` when it draws nothing (a space).
 Box ink(Face face, unsigned glyph);
-std::vector<Path> outline(Face face, unsigned glyph);
-
-// For the painter. Owned by this module.
-FT_FaceRec_* freetype_face(Face face);
 
 }  // namespace epure::drawings

@@ -1,23 +1,24 @@
-// A page to SVG. Written directly rather than by Cairo: every mark is one element with its own id, coordinates are
-// millimetres, and nothing depends on what was drawn before.
+// A page to SVG: drawn by Cairo, then finished. Cairo knows neither millimetres nor words nor names; its ids depend
+// on what was drawn before, and its letters are outlines that nothing can find.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
+#include <stdexcept>
+#include <string_view>
 
 #include "drawings/check_page.h"
 #include "drawings/grid.h"
 #include "drawings/page.h"
+#include "drawings/paint.h"
 #include "drawings/typeset.h"
-#include "drawings/vectors.h"
 
 namespace epure::drawings {
 namespace {
 
-// Five decimals of a millimetre: a hundredth of a micrometre, far below the grid. No trailing zeros, no "-0".
+// Five decimals, far below the grid in millimetres as in points. No trailing zeros, no "-0".
 std::string number(double value) {
   std::string text = fmt::format("{:.5f}", value);
   while (text.back() == '0') text.pop_back();
@@ -25,105 +26,121 @@ std::string number(double value) {
   return text == "-0" ? "0" : text;
 }
 
-std::string pair(Point p) { return number(p.x) + " " + number(p.y); }
-
-template <class ToPage>
-std::string path_data(const Path& path, ToPage to_page) {
-  std::string d = "M" + pair(to_page(path.start));
+std::string path_data(const Path& path, const Frame& frame) {
+  const auto pair = [&](Point p) {
+    const Point at = frame.rounded(p);
+    return number(at.x) + " " + number(at.y);
+  };
+  std::string d = "M " + pair(path.start);
   for (const Piece& piece : path.pieces) {
     if (piece.straight)
-      d += " L" + pair(to_page(piece.end));
+      d += " L " + pair(piece.end);
     else
-      d += " C" + pair(to_page(piece.first_control)) + " " + pair(to_page(piece.second_control)) + " " +
-           pair(to_page(piece.end));
+      d += " C " + pair(piece.first_control) + " " + pair(piece.second_control) + " " + pair(piece.end);
   }
   return path.closed ? d + " Z" : d;
 }
 
-std::string colour_code(const Colour& c) {
-  const auto byte = [](double part) { return static_cast<int>(std::lround(part * 255)); };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(c.red), byte(c.green), byte(c.blue));
-}
-
 void set(pugi::xml_node element, const char* attribute, const std::string& value) {
-  element.append_attribute(attribute) = value.c_str();
+  pugi::xml_attribute there = element.attribute(attribute);
+  if (!there) there = element.append_attribute(attribute);
+  there = value.c_str();
 }
 
-pugi::xml_node add(pugi::xml_node parent, const char* element) { return parent.append_child(element); }
-
-void add_text(pugi::xml_node parent, const char* element, const std::string& id, const std::string& text) {
-  pugi::xml_node child = add(parent, element);
-  set(child, "id", id);
-  child.text() = text.c_str();
+void expect(bool holds, const char* otherwise) {
+  if (!holds) throw std::logic_error(fmt::format("an SVG of Cairo is not as it was known to be: {}", otherwise));
 }
 
-class Writer {
+bool is_a(pugi::xml_node element, std::string_view name) { return element.name() == name; }
+
+void move_children(pugi::xml_node from, pugi::xml_node to) {
+  while (pugi::xml_node child = from.first_child()) to.append_move(child);
+}
+
+// The element of a line or an area, inside of its clip; null when nothing of it can be seen, which Cairo leaves out.
+pugi::xml_node element_of_mark(pugi::xml_node drawn) {
+  pugi::xml_node element = drawn;
+  do {
+    expect(element.first_child() == element.last_child(), "a mark in several parts");
+    element = element.first_child();
+  } while (is_a(element, "g"));
+  expect(!element || is_a(element, "path"), "a mark that is no path");
+  expect(!element.attribute("transform"), "a mark that is not measured in points");
+  return element;
+}
+
+class Finisher {
  public:
-  explicit Writer(const Page& page)
-      : page_(page), left_(on_grid(page.extent.low.x)), top_(on_grid(page.extent.high.y)) {
-    root_ = add(document_, "svg");
-    write_head();
-    definitions_ = add(root_, "defs");
-    marks_ = add(root_, "g");
-    set(marks_, "fill", "none");
-    set(marks_, "stroke-linejoin", "round");
-    words_ = add(root_, "g");
-    // Seen are the outlines; these letters lie over them unseen, to be found, selected and read aloud.
-    set(words_, "fill-opacity", "0");
-    set(words_, "font-family", "'STIX Two Text', serif");
+  explicit Finisher(const Page& page) : page_(page), frame_(page.extent) {
+    expect(document_.load_string(paint_svg(page).c_str()), "it is no XML");
+    root_ = document_.child("svg");
+    definitions_ = root_.child("defs");
   }
 
-  std::string write() {
-    for (const Primitive& primitive : page_.primitives) std::visit(*this, primitive);
-    if (!definitions_.first_child()) root_.remove_child(definitions_);
+  std::string finish() {
+    write_head();
+    gather_marks();
+    note_definitions();
+    rename_references(marks_);
+    rename_definitions();
+    write_words();
     std::ostringstream out;
     document_.save(out, " ", pugi::format_indent | pugi::format_no_declaration, pugi::encoding_utf8);
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + out.str();
-  }
-
-  void operator()(const Stroke& stroke) {
-    pugi::xml_node line = add_mark(stroke.path, stroke.name, stroke.clip);
-    set(line, "stroke", colour_code(stroke.colour));
-    if (stroke.colour.opacity < 1) set(line, "stroke-opacity", number(stroke.colour.opacity));
-    set(line, "stroke-width", number(stroke.width));
-    std::string dashes;
-    for (const double dash : stroke.dashes) dashes += (dashes.empty() ? "" : " ") + number(dash);
-    if (!dashes.empty()) set(line, "stroke-dasharray", dashes);
-  }
-
-  void operator()(const Fill& fill) { paint(add_mark(fill.path, fill.name, fill.clip), fill.colour); }
-
-  void operator()(const PlacedText& text) {
-    const SetText set_text = typeset(text.text, text.size, text.weight);
-    pugi::xml_node outlines = add(marks_, "g");
-    paint(outlines, text.colour);
-    std::string letters;
-    for (const GlyphRun& run : set_text.runs) letters += add_run(outlines, run, text.baseline);
-    for (const Path& arrow : set_text.arrows)
-      set(add(outlines, "path"), "d", path_data(arrow, [&](Point p) { return unrounded(text.baseline + p); }));
-    add_words(letters, text, set_text.extent.width);
   }
 
  private:
   void write_head() {
     const std::string title = inner_id("title"), description = inner_id("desc");
     const char* language = page_.language == Language::italian ? "it" : "en";
-    set(root_, "xmlns", "http://www.w3.org/2000/svg");
-    set(root_, "xmlns:xlink", "http://www.w3.org/1999/xlink");
+    root_.remove_attribute("version");
     set(root_, "id", page_.id);
     set(root_, "width", number(page_.extent.width()) + "mm");
     set(root_, "height", number(page_.extent.height()) + "mm");
-    set(root_, "viewBox", "0 0 " + number(page_.extent.width()) + " " + number(page_.extent.height()));
     set(root_, "lang", language);
     set(root_, "xml:lang", language);
     set(root_, "role", "img");
     set(root_, "aria-labelledby", page_.description.empty() ? title : title + " " + description);
-    add_text(root_, "title", title, page_.title);
-    if (!page_.description.empty()) add_text(root_, "desc", description, page_.description);
+    if (!page_.description.empty()) prepend_text("desc", description, page_.description);
+    prepend_text("title", title, page_.title);
   }
 
-  Point rounded(Point p) const { return {on_grid(p.x) - left_, top_ - on_grid(p.y)}; }
-  Point unrounded(Point p) const { return {p.x - left_, top_ - p.y}; }
+  void prepend_text(const char* element, const std::string& id, const std::string& text) {
+    pugi::xml_node child = root_.prepend_child(element);
+    set(child, "id", id);
+    child.text() = text.c_str();
+  }
+
+  // What Cairo drew page by page, one a primitive, on one page and with names.
+  void gather_marks() {
+    marks_ = root_.append_child("g");
+    pugi::xml_node pages = root_.child("pageSet"), page = pages.first_child();
+    for (const Primitive& primitive : page_.primitives) {
+      const pugi::xml_node drawn = page.child("g");
+      expect(!drawn.empty(), "a primitive without its page");
+      std::visit([&](const auto& kind) { name(drawn, kind); }, primitive);
+      move_children(drawn, marks_);
+      page = page.next_sibling();
+    }
+    for (int empty = 0; empty < 2; ++empty, page = page.next_sibling())
+      expect(page && !page.child("g").first_child(), "a page that belongs to no primitive");
+    expect(!page, "too many pages");
+    root_.remove_child(pages);
+  }
+
+  // What has a name is found by it and can be measured, also where Cairo left out what cannot be seen.
+  template <class Mark>
+  void name(pugi::xml_node drawn, const Mark& mark) {
+    pugi::xml_node element = element_of_mark(drawn);
+    if (mark.name.empty()) return;
+    if (!element) {
+      element = drawn.append_child("path");
+      set(element, "style", "fill:none;stroke:none;");
+      set(element, "d", path_data(mark.path, frame_));
+    }
+    set(element, "id", mark_id(mark.name));
+  }
+  void name(pugi::xml_node, const PlacedText&) {}
 
   // Names start with a letter, a digit or an underscore, so an id with two hyphens is never that of a mark.
   std::string inner_id(const std::string& what) const { return page_.id + "--" + what; }
@@ -134,96 +151,107 @@ class Writer {
     return id;
   }
 
-  pugi::xml_node add_mark(const Path& path, const std::string& name, const std::optional<Box>& clip) {
-    pugi::xml_node mark = add(marks_, "path");
-    if (!name.empty()) set(mark, "id", mark_id(name));
-    set(mark, "d", path_data(path, [this](Point p) { return rounded(p); }));
-    if (clip) set(mark, "clip-path", "url(#" + clip_id(*clip) + ")");
-    return mark;
+  void note_definitions() {
+    for (pugi::xml_node clip : definitions_.children("clipPath")) defined_[clip.attribute("id").value()] = {clip, ""};
+    for (pugi::xml_node glyph : definitions_.child("g").children("symbol"))
+      defined_[glyph.attribute("id").value()] = {glyph, ""};
   }
 
-  static void paint(pugi::xml_node element, const Colour& colour) {
-    set(element, "fill", colour_code(colour));
-    if (colour.opacity < 1) set(element, "fill-opacity", number(colour.opacity));
-  }
-
-  std::string clip_id(const Box& clip) {
-    const Point corner = rounded({clip.low.x, clip.high.y});
-    const Point opposite = rounded({clip.high.x, clip.low.y});
-    const std::string size = pair(opposite - corner), key = pair(corner) + " " + size;
-    const auto [entry, is_new] = clips_.try_emplace(key, inner_id(fmt::format("clip-{}", clips_.size() + 1)));
-    if (is_new) {
-      pugi::xml_node path = add(definitions_, "clipPath");
-      set(path, "id", entry->second);
-      pugi::xml_node window = add(path, "rect");
-      set(window, "x", number(corner.x));
-      set(window, "y", number(corner.y));
-      set(window, "width", number(opposite.x - corner.x));
-      set(window, "height", number(opposite.y - corner.y));
+  // Numbered in the order of their first use.
+  void rename_references(pugi::xml_node parent) {
+    for (pugi::xml_node element = parent.first_child(); element;) {
+      const pugi::xml_node next = element.next_sibling();
+      if (const pugi::xml_attribute clip = element.attribute("clip-path")) {
+        const std::string_view url = clip.value();  // url(#clip1)
+        set(element, "clip-path", "url(#" + new_id(std::string(url.substr(5, url.size() - 6)), "clip") + ")");
+      }
+      if (is_a(element, "use"))
+        rename_glyph(element);
+      else
+        rename_references(element);
+      element = next;
     }
-    return entry->second;
   }
 
-  // Returns the characters the run stands for.
-  std::string add_run(pugi::xml_node parent, const GlyphRun& run, Point baseline) {
-    const double scale = run.size / units_per_em;
-    const Point start = run.glyphs.front().at;
-    pugi::xml_node group = add(parent, "g");
-    set(group, "transform",
-        fmt::format("translate({}) scale({:.7g} {:.7g})", pair(unrounded(baseline + start)), scale, -scale));
+  void rename_glyph(pugi::xml_node use) {
+    const std::string old_id = use.attribute("xlink:href").value() + 1;  // #glyph0-1
+    const pugi::xml_node symbol = definition(old_id).element;
+    if (*symbol.child("path").attribute("d").value() == '\0')
+      use.parent().remove_child(use);  // a space
+    else
+      set(use, "xlink:href", "#" + new_id(old_id, "glyph"));
+  }
+
+  struct Definition {
+    pugi::xml_node element;
+    std::string id;  // new; empty while nothing refers to it
+  };
+
+  Definition& definition(const std::string& old_id) {
+    const auto found = defined_.find(old_id);
+    expect(found != defined_.end(), "a reference to nothing");
+    return found->second;
+  }
+
+  const std::string& new_id(const std::string& old_id, const std::string& kind) {
+    Definition& found = definition(old_id);
+    if (found.id.empty()) found.id = inner_id(fmt::format("{}-{}", kind, ++counts_[kind]));
+    return found.id;
+  }
+
+  // What nothing refers to (a glyph for what a font lacks, spaces) is left out.
+  void rename_definitions() {
+    for (const auto& [old_id, definition] : defined_) {
+      pugi::xml_node element = definition.element;
+      if (definition.id.empty())
+        element.parent().remove_child(element);
+      else
+        set(element, "id", definition.id);
+    }
+    const pugi::xml_node glyphs = definitions_.child("g");
+    if (!glyphs.first_child()) definitions_.remove_child(glyphs);
+    if (!definitions_.first_child()) root_.remove_child(definitions_);
+  }
+
+  // Seen are the outlines; these letters lie over them unseen, to be found, selected and read aloud.
+  void write_words() {
+    pugi::xml_node words = root_.append_child("g");
+    set(words, "fill-opacity", "0");
+    set(words, "font-family", "'STIX Two Text', serif");
+    for (const Primitive& primitive : page_.primitives)
+      if (const auto* text = std::get_if<PlacedText>(&primitive)) add_words(words, *text);
+  }
+
+  void add_words(pugi::xml_node words, const PlacedText& text) const {
+    const SetText set_text = typeset(text.text, text.size, text.weight);
     std::string letters;
-    for (const SetGlyph& glyph : run.glyphs) {
-      letters += glyph.text;
-      const std::string id = glyph_id(run.face, glyph.index);
-      if (id.empty()) continue;
-      const Point at = (1 / scale) * (glyph.at - start);
-      pugi::xml_node use = add(group, "use");
-      set(use, "xlink:href", "#" + id);
-      if (std::abs(at.x) > 0.01) set(use, "x", fmt::format("{:.0f}", at.x));
-      if (std::abs(at.y) > 0.01) set(use, "y", fmt::format("{:.0f}", at.y));
-    }
-    return letters;
-  }
-
-  // The id of the outline; empty for a glyph without ink.
-  std::string glyph_id(Face face, unsigned glyph) {
-    if (is_nothing(ink(face, glyph))) return {};
-    const std::string id = inner_id(fmt::format("glyph-{}-{}", "ribm"[static_cast<int>(face)], glyph));
-    if (ids_.insert(id).second) {
-      std::string d;
-      for (const Path& contour : outline(face, glyph)) d += path_data(contour, [](Point p) { return p; });
-      pugi::xml_node path = add(definitions_, "path");
-      set(path, "id", id);
-      set(path, "d", d);
-    }
-    return id;
-  }
-
-  void add_words(const std::string& letters, const PlacedText& text, double width) {
+    for (const GlyphRun& run : set_text.runs)
+      for (const SetGlyph& glyph : run.glyphs) letters += glyph.text;
     if (letters.find_first_not_of(' ') == std::string::npos) return;
-    const Point at = unrounded(text.baseline);
-    pugi::xml_node words = add(words_, "text");
-    set(words, "x", number(at.x));
-    set(words, "y", number(at.y));
-    set(words, "font-size", number(text.size));
-    set(words, "textLength", number(width));
-    set(words, "lengthAdjust", "spacingAndGlyphs");
-    words.text() = letters.c_str();
+    const Point at = frame_.unrounded(text.baseline);
+    pugi::xml_node element = words.append_child("text");
+    set(element, "x", number(at.x));
+    set(element, "y", number(at.y));
+    set(element, "font-size", number(text.size * points_per_mm));
+    set(element, "textLength", number(set_text.extent.width * points_per_mm));
+    set(element, "lengthAdjust", "spacingAndGlyphs");
+    element.text() = letters.c_str();
   }
 
   const Page& page_;
-  double left_, top_;  // mm, the upper left corner of the page, moved to the grid
+  Frame frame_;
   pugi::xml_document document_;
-  pugi::xml_node root_, definitions_, marks_, words_;
+  pugi::xml_node root_, definitions_, marks_;
   std::set<std::string> ids_;
-  std::map<std::string, std::string> clips_;  // box to id
+  std::map<std::string, Definition> defined_;  // by Cairo's id
+  std::map<std::string, int> counts_;
 };
 
 }  // namespace
 
 std::string write_svg(const Page& page) {
   check(page);
-  return Writer(page).write();
+  return Finisher(page).finish();
 }
 
 }  // namespace epure::drawings

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "drawings/picture.h"
+#include "drawings/page.h"
 
 namespace epure::drawings {
 
@@ -19,13 +19,21 @@ class SvgFile {
   std::vector<std::string> ids() const;                 // all, in document order
   std::vector<std::string> references() const;          // what href and url(#..) point to
   pugi::xml_node element(const std::string& id) const;  // fails the test when there is none
+  // What a number in the file is on paper: its size in mm over that of its viewBox, the same both ways.
+  double mm() const;
   // The numbers of the path as points, in mm of the page.
   std::vector<Point> points(const std::string& id) const;
+  std::vector<Point> points(pugi::xml_node path) const;
   // Between the first and the last point of the path.
   double length(const std::string& id) const;
 
  private:
   pugi::xml_document xml_;
 };
+
+// A property of the element's style; fails the test when there is none.
+std::string style(pugi::xml_node element, const std::string& property);
+// A colour such as rgb(0%,44.7%,100%).
+Colour colour(const std::string& rgb);
 
 }  // namespace epure::drawings

@@ -1,6 +1,7 @@
 #include <poppler-font.h>
 #include <poppler-page.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <clocale>
 #include <locale>
@@ -43,7 +44,7 @@ Page rich_page(const std::string& id = "demo") {
   all.id = id;
   Stroke dashed{circle({100, 60}, 30), 0.18, {6, 1, 0.5, 1}, {}, Box{{80, 40}, {200, 80}}, "path_A"};
   all.primitives.push_back(dashed);
-  all.primitives.push_back(PlacedText{"Slider-crank", {30, 150}, 5, blue, Weight::bold});
+  all.primitives.emplace_back(PlacedText{"Slider-crank", {30, 150}, 5, blue, Weight::bold});
   return all;
 }
 
@@ -75,8 +76,8 @@ TEST_CASE("a drawn length is found in the SVG by its name, as long as it was ask
     const SvgFile svg(write_svg(page({line({1, 1}, {2, 2}), line(a, b, "v_B"), square(b, 3, blue)})));
     const double found = svg.length("demo-v_B");
     const double filed = distance(as_filed(a, Paper::a4), as_filed(b, Paper::a4));
-    CHECK(std::abs(found - filed) < 2e-5);  // the decimals of the file
-    CHECK(std::abs(found - distance(a, b)) < file_resolution * std::sqrt(2) + 2e-5);
+    CHECK(std::abs(found - filed) < 2e-6);  // the decimals of the file
+    CHECK(std::abs(found - distance(a, b)) < file_resolution * std::sqrt(2) + 2e-6);
     worst = std::max(worst, std::abs(found - distance(a, b)));
   }
   CHECK(worst > file_resolution / 10);  // rounding is really there, and as_filed tells it
@@ -99,10 +100,10 @@ TEST_CASE("PDF and SVG hold each position where as_filed says, on whole pages an
 
       const auto corners = SvgFile(write_svg(drawn)).points("demo-v");
       const Point corner{on_grid(extent.low.x), on_grid(extent.high.y)};
-      CHECK(corners[0].x == Approx(a_filed.x - corner.x).margin(1e-5));
-      CHECK(corners[0].y == Approx(corner.y - a_filed.y).margin(1e-5));
-      CHECK(corners[1].x == Approx(b_filed.x - corner.x).margin(1e-5));
-      CHECK(corners[1].y == Approx(corner.y - b_filed.y).margin(1e-5));
+      CHECK(corners[0].x == Approx(a_filed.x - corner.x).margin(1e-6));
+      CHECK(corners[0].y == Approx(corner.y - a_filed.y).margin(1e-6));
+      CHECK(corners[1].x == Approx(b_filed.x - corner.x).margin(1e-6));
+      CHECK(corners[1].y == Approx(corner.y - b_filed.y).margin(1e-6));
     }
 }
 
@@ -215,7 +216,7 @@ TEST_CASE("the SVG has its size in millimetres and says what it shows") {
   const pugi::xml_node root = svg.root();
   CHECK(root.attribute("width").value() == std::string("297mm"));
   CHECK(root.attribute("height").value() == std::string("210mm"));
-  CHECK(root.attribute("viewBox").value() == std::string("0 0 297 210"));
+  CHECK(svg.mm() == Approx(25.4 / 72).epsilon(1e-8));  // one way of measuring, so its height is right as well
   CHECK(root.attribute("role").value() == std::string("img"));
   CHECK(root.attribute("lang").value() == std::string("it"));
   CHECK(root.attribute("xml:lang").value() == std::string("it"));
@@ -228,30 +229,100 @@ TEST_CASE("the SVG has its size in millimetres and says what it shows") {
   CHECK(svg.element(description) == root.child("desc"));
   const SvgFile english(write_svg(page({}, {{10.5, 20.25}, {110.5, 70}})));
   CHECK(english.root().attribute("lang").value() == std::string("en"));
-  CHECK(english.root().attribute("viewBox").value() == std::string("0 0 100 49.75"));
+  CHECK(english.root().attribute("width").value() == std::string("100mm"));
+  CHECK(english.root().attribute("height").value() == std::string("49.75mm"));
+  CHECK(english.mm() == Approx(25.4 / 72).epsilon(1e-8));
 }
 
 TEST_CASE("a named mark is one element; a name given again is counted") {
-  Stroke outline = line({0, 0}, {10, 0}, "plate");
+  Stroke outline = line({0, 0}, {6, 8}, "plate");  // across its clip: Cairo narrows that to what is drawn
   outline.dashes = {3, 1};
   outline.clip = Box{{1, 2}, {4, 8}};
   const SvgFile svg(
       write_svg(page({square({0, 0}, 10, {0, 0, 0, 0.06}, "plate"), outline, line({0, 0}, {20, 0}, "plate-2"),
                       line({0, 0}, {30, 0}, "plate"), line({0, 0}, {40, 0})})));
-  CHECK(svg.element("demo-plate").attribute("fill-opacity").value() == std::string("0.06"));
+  CHECK(style(svg.element("demo-plate"), "fill-opacity") == "0.06");
   CHECK(svg.length("demo-plate-2") == Approx(10).margin(2e-3));
   CHECK(svg.length("demo-plate-2-2") == Approx(20).margin(2e-3));
   CHECK(svg.length("demo-plate-3") == Approx(30).margin(2e-3));
   const pugi::xml_node dashed = svg.element("demo-plate-2");
-  CHECK(dashed.attribute("stroke").value() == std::string("#0072b2"));
-  CHECK(dashed.attribute("stroke-width").value() == std::string("0.25"));
-  CHECK(dashed.attribute("stroke-dasharray").value() == std::string("3 1"));
-  const std::string clip = dashed.attribute("clip-path").value();
-  const pugi::xml_node window = svg.element(clip.substr(5, clip.size() - 6)).child("rect");
-  CHECK(window.attribute("x").as_double() == Approx(1).margin(2e-3));
-  CHECK(window.attribute("y").as_double() == Approx(202).margin(2e-3));
-  CHECK(window.attribute("width").as_double() == Approx(3).margin(3e-3));
-  CHECK(window.attribute("height").as_double() == Approx(6).margin(3e-3));
+  const Colour stroke = colour(style(dashed, "stroke"));
+  CHECK(stroke.red == 0);
+  CHECK(stroke.green == Approx(blue.green).epsilon(1e-7));
+  CHECK(stroke.blue == Approx(blue.blue).epsilon(1e-7));
+  CHECK(std::stod(style(dashed, "stroke-width")) * svg.mm() == Approx(0.25).epsilon(1e-6));
+  const std::string dashes = style(dashed, "stroke-dasharray");
+  CHECK(std::stod(dashes) * svg.mm() == Approx(3).epsilon(1e-6));
+  CHECK(std::stod(dashes.substr(dashes.find(',') + 1)) * svg.mm() == Approx(1).epsilon(1e-6));
+  const std::string clip = dashed.parent().attribute("clip-path").value();
+  const auto window = svg.points(svg.element(clip.substr(5, clip.size() - 6)).child("path"));
+  REQUIRE(window.size() >= 4);
+  Box seen = nothing();
+  for (const Point& corner : window) seen = include(seen, corner);
+  CHECK(seen.low.x == Approx(1).margin(2e-3));
+  CHECK(seen.low.y == Approx(202).margin(2e-3));
+  CHECK(seen.width() == Approx(3).margin(3e-3));
+  CHECK(seen.height() == Approx(6).margin(3e-3));
+}
+
+TEST_CASE("an area and its outline stay two elements, each with its own name and paint") {
+  const Fill area = square({20, 20}, 10, {1, 0, 0, 1}, "area");
+  Stroke outline{area.path, 0.25, {}, blue, {}, "outline"};
+  const SvgFile svg(write_svg(page({area, outline, area, outline})));
+  for (const std::string count : {"", "-2"}) {
+    CHECK(colour(style(svg.element("demo-area" + count), "fill")).red == 1);
+    CHECK(style(svg.element("demo-area" + count), "stroke") == "none");
+    CHECK(colour(style(svg.element("demo-outline" + count), "stroke")).blue == Approx(blue.blue));
+    CHECK(style(svg.element("demo-outline" + count), "fill") == "none");
+  }
+}
+
+TEST_CASE("marks that cannot be seen are not painted; they and all others are found by their names") {
+  Stroke clipped = line({20, 20}, {43, 20}, "clipped");
+  clipped.clip = Box{{100, 100}, {120, 120}};
+  Stroke clear = line({20, 20}, {43, 20}, "clear");
+  clear.colour.opacity = 0;
+  const Stroke outside = line({500, 20}, {523, 20}, "outside");
+  const Fill thin{segment({60, 60}, {83, 60}), blue, {}, "thin"};
+  const std::vector<Primitive> unseen = {clipped, clear, outside, thin};
+  const Stroke point = line({50, 50}, {50, 50}, "point");
+  const std::vector<Primitive> between = {
+      clipped, clear, outside, thin, point, text("", {30, 30}), text("  ", {30, 30})};
+
+  std::vector<Primitive> all = unseen;
+  all.push_back(point);
+  const SvgFile svg(write_svg(page(all)));
+  for (const std::string name : {"clipped", "clear", "outside", "thin"}) {
+    CHECK(svg.length("demo-" + name) == Approx(23).margin(2e-3));
+    CHECK(style(svg.element("demo-" + name), "stroke") == "none");
+    CHECK(style(svg.element("demo-" + name), "fill") == "none");
+  }
+  CHECK(svg.length("demo-point") == 0);
+
+  const unsigned seed = 5;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (int round = 0; round < 200; ++round) {
+    // Marks of different lengths with anything between them.
+    std::vector<Primitive> marks;
+    std::vector<double> lengths;
+    for (auto count = random() % 6; count > 0; --count) {
+      if (random() % 2 == 0) {
+        marks.push_back(between[random() % between.size()]);
+      } else {
+        lengths.push_back(10 + static_cast<double>(lengths.size()));
+        Stroke mark = line({20, 20}, {20 + lengths.back(), 20}, "m");
+        if (random() % 2 == 0) mark.clip = Box{{25, 10}, {28, 40}};
+        marks.push_back(mark);
+      }
+    }
+    const SvgFile mixed(write_svg(page(marks)));
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      const std::string id = i == 0 ? "demo-m" : "demo-m-" + std::to_string(i + 1);
+      CHECK(mixed.length(id) == Approx(lengths[i]).margin(2e-3));
+      CHECK(style(mixed.element(id), "stroke") != "none");
+    }
+  }
 }
 
 TEST_CASE("ids are unique, begin with the drawing's, and every reference finds its element") {
@@ -274,29 +345,65 @@ TEST_CASE("unseen letters lie over the outlines of the SVG") {
   const pugi::xml_node words = found.first().node();
   CHECK(words.text().get() == std::string("v_BA < & ⊥ BA"));
   CHECK(words.parent().attribute("fill-opacity").value() == std::string("0"));
-  CHECK(words.attribute("x").as_double() == Approx(30).margin(1e-3));
-  CHECK(words.attribute("y").as_double() == Approx(110).margin(1e-3));
-  CHECK(words.attribute("font-size").as_double() == 3.5);
-  CHECK(words.attribute("textLength").as_double() == Approx(measure("$\\vec{v}_{BA}$ < & ⊥ BA", 3.5).width));
+  const auto in_mm = [&](const char* name) { return svg.mm() * words.attribute(name).as_double(); };
+  CHECK(in_mm("x") == Approx(30).margin(1e-3));
+  CHECK(in_mm("y") == Approx(110).margin(1e-3));
+  CHECK(in_mm("font-size") == Approx(3.5).epsilon(1e-6));
+  CHECK(in_mm("textLength") == Approx(measure("$\\vec{v}_{BA}$ < & ⊥ BA", 3.5).width));
   CHECK(svg.xml().select_nodes("//use").size() == 8);  // v, B, A, <, &, ⊥, B, A; spaces draw nothing
 }
 
-TEST_CASE("each font has its own outlines in the SVG, drawn once") {
+TEST_CASE("each font and size has its own outlines in the SVG, drawn once and all of them used") {
   const auto glyphs = [](std::vector<Primitive> texts) {
     const SvgFile svg(write_svg(page(std::move(texts))));
     std::set<std::string> outlines;
-    for (const auto& path : svg.xml().select_nodes("//defs/path"))
+    for (const auto& path : svg.xml().select_nodes("//defs//path"))
       outlines.insert(path.node().attribute("d").value());
-    CHECK(outlines.size() == svg.xml().select_nodes("//defs/path").size());
+    CHECK(outlines.size() == svg.xml().select_nodes("//defs//path").size());
+    const auto references = svg.references();
+    CHECK(std::set<std::string>(references.begin(), references.end()).size() == outlines.size());
     return outlines.size();
   };
   const PlacedText bold{"AA", {20, 20}, 5, {}, Weight::bold}, larger{"A", {20, 40}, 9, {}, Weight::regular};
   // A has the same number in both fonts.
   CHECK(shape(Face::regular, "A").glyphs[0].index == shape(Face::bold, "A").glyphs[0].index);
   CHECK(glyphs({text("AA", {10, 10})}) == 1);
-  CHECK(glyphs({text("AA", {10, 10}), bold, larger}) == 2);
+  CHECK(glyphs({text("A A", {10, 10}), text("A", {10, 30})}) == 1);
+  CHECK(glyphs({text("AA", {10, 10}), bold, larger, larger}) == 3);
   const SvgFile vector(write_svg(page({text("$\\vec{v}$", {10, 10})})));
-  CHECK(vector.xml().select_nodes("/svg/g/g/path").size() == 1);  // its arrow
+  CHECK(vector.xml().select_nodes("/svg/g/path").size() == 1);  // its arrow
+}
+
+TEST_CASE("letters are drawn as wide and as high as they are measured, at every size") {
+  for (const double size : {1.8, 2.5, 3.5, 7.0, 40.0}) {
+    CAPTURE(size);
+    const std::string letters = "$ω_{BA}$ = ≙ÀWq";
+    const SvgFile svg(write_svg(page({PlacedText{letters, {30, 100}, size, {}, Weight::regular}})));
+    const SetText set = typeset(letters, size, Weight::regular);
+    std::vector<Box> measured;
+    for (const GlyphRun& run : set.runs)
+      for (const SetGlyph& glyph : run.glyphs)
+        if (const Box drawn = ink(run.face, glyph.index); !is_nothing(drawn)) {
+          const double scale = run.size / units_per_em;
+          const Point at = Point{30, 100} + glyph.at;
+          measured.push_back({at + scale * drawn.low, at + scale * drawn.high});
+        }
+    const auto uses = svg.xml().select_nodes("//use");
+    REQUIRE(uses.size() == measured.size());
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+      const pugi::xml_node use = uses[i].node();
+      const Point at{svg.mm() * use.attribute("x").as_double(), 210 - svg.mm() * use.attribute("y").as_double()};
+      Box drawn = nothing();
+      for (const Point p : svg.points(svg.element(use.attribute("xlink:href").value() + 1).child("path")))
+        drawn = include(drawn, Point{at.x + p.x, at.y - p.y});
+      // FreeType keeps outlines to 1/64 of a point, and Cairo rounds them once more.
+      const double step = 2 * 25.4 / 72 / 64;
+      CHECK(drawn.low.x == Approx(measured[i].low.x).margin(step));
+      CHECK(drawn.low.y == Approx(measured[i].low.y).margin(step));
+      CHECK(drawn.high.x == Approx(measured[i].high.x).margin(step));
+      CHECK(drawn.high.y == Approx(measured[i].high.y).margin(step));
+    }
+  }
 }
 
 TEST_CASE("the same page is the same file, whatever was drawn before and in whatever locale") {

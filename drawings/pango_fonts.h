@@ -1,0 +1,39 @@
+// The shipped fonts as Pango opens them; for the files that set and paint letters.
+#pragma once
+
+#include <fontconfig/fontconfig.h>
+#include <pango/pango.h>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+
+#include "drawings/fonts.h"
+#include "drawings/release.h"
+
+namespace epure::drawings {
+
+// Closes the fonts with it.
+using FontContext = Held<PangoContext, g_object_unref>;
+
+class PangoFonts {
+ public:
+  // Throws std::runtime_error naming the file that is missing, or the font that another one came for.
+  explicit PangoFonts(const std::filesystem::path& folder);
+
+  PangoFont* operator[](Face face) const { return fonts_.at(static_cast<std::size_t>(face)).get(); }
+
+ private:
+  Held<FcConfig, FcConfigDestroy> known_;
+  FontContext context_;
+  std::array<Held<PangoFont, g_object_unref>, 4> fonts_;
+};
+
+// Opened at the first call.
+const PangoFonts& pango_fonts();
+
+// Pango's fonts as Cairo draws them, taken from `known` alone, without hinting: a letter measured at one size is the
+// letter drawn at another.
+FontContext unhinted_context(FcConfig* known);
+
+}  // namespace epure::drawings
