@@ -73,7 +73,7 @@ class Ledger {
       if constexpr (signs_only<T>) {
         return ratio(size(d), geometry::square(P.w), at_infinity);
       } else {
-        return ratio(size(d), geometry::magnitude(P.w), at_infinity);
+        return ratio(size(d), geometry::absolute(P.w), at_infinity);
       }
     });
   }

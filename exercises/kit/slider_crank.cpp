@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "geometry/numbers/climb.h"
+#include "geometry/numbers/turn.h"
 
 namespace epure {
 namespace {
@@ -88,6 +89,9 @@ SliderCrankInstant slider_crank_instant(const Givens& givens) {
     at.dead_centre = even;
     at.pole_at_infinity = !even;
   }
+  // Beyond the square position links of equal length stay folded onto each other, B on A₀.
+  const Rational turn = geometry::within_one_turn(at.crank).fraction;
+  if (at.lengths.r == at.lengths.l && turn > Rational(1, 4) && turn < Rational(3, 4)) at.dead_centre = true;
   return at;
 }
 

@@ -21,7 +21,7 @@ void circle(Ledger<T>& ledger, const std::string& name, const geometry::Cycle<T>
     if constexpr (signs_only<T>) {
       return ledger.ratio(squared, geometry::square(cycle.k), when_line);
     } else {
-      return ledger.ratio(geometry::root(squared), geometry::magnitude(cycle.k), when_line);
+      return ledger.ratio(geometry::root(squared), geometry::absolute(cycle.k), when_line);
     }
   });
   ledger.point(name + "_centre", cycle.centre(), when_line);

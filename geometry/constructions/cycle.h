@@ -5,9 +5,10 @@
 
 namespace epure::geometry {
 
-// |x|. Throws Undecided when the sign is.
+// |x|. Throws Undecided when the sign is. (Not called magnitude: CGAL has a function of that name, which argument
+// lookup prefers for intervals, and which returns only the far end.)
 template <class T>
-T magnitude(const T& x) {
+T absolute(const T& x) {
   switch (sign(x)) {
     case Sign::negative:
       return -x;
@@ -25,7 +26,7 @@ struct Cycle {
   // At infinity (w = 0), in the direction of the normal, when the cycle is a line.
   ProjectivePoint<T> centre() const { return {-l, -m, T(2) * k}; }
   // Throws Undecided unless k is proved different from zero.
-  T radius() const { return quotient(root(square(l) + square(m) - T(4) * k * n), T(2) * magnitude(k)); }
+  T radius() const { return quotient(root(square(l) + square(m) - T(4) * k * n), T(2) * absolute(k)); }
   // The line, when k = 0.
   Line<T> straight() const { return {l, m, n}; }
   // Zero when P lies on the cycle.

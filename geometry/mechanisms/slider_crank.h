@@ -35,9 +35,14 @@ Point<T> slider_pin(const Point<T>& A, const T& l) {
   return meet(Circle<T>{A, l}, guide_of_slider_crank<T>(), Along::ahead);
 }
 
-// C by two arcs, radius AC about A and BC about B, on the left of A -> B. Errors as `meet` of two circles.
+// C by two arcs, radius AC about A and BC about B, on the left of A -> B, where B - A is `lengths.l` long. Errors as
+// `meet` of two circles. Arcs that touch are more than enclosures can tell, so a flat plate is recognised by its
+// rational sides, and its C measured off along AB.
 template <class T>
 Point<T> plate_corner(const Point<T>& A, const Point<T>& B, const SliderCrankLengths& lengths) {
+  const auto& [r, l, AC, BC] = lengths;
+  if (AC + BC == l || AC == l + BC) return A + from_rational<T>(AC / l) * (B - A);
+  if (BC == l + AC) return A + from_rational<T>(-AC / l) * (B - A);
   return meet(Circle<T>{A, from_rational<T>(lengths.AC)}, Circle<T>{B, from_rational<T>(lengths.BC)}, Side::left);
 }
 

@@ -1,5 +1,5 @@
 // The analytic route against references that were differentiated numerically from positions (tests/corpus).
-#include "tests/geometry/corpus.h"
+#include "tests/geometry/reference.h"
 #include "tests/geometry/slider_crank_answers.h"
 
 #include <catch2/catch.hpp>
@@ -9,37 +9,6 @@
 
 namespace epure::tests {
 namespace {
-
-const std::vector<CorpusCase>& corpus() {
-  static const std::vector<CorpusCase> cases = read_corpus(EPURE_CORPUS "/slider_crank.txt");
-  return cases;
-}
-
-// A printed reference of 40 digits is off by at most half a unit of its last digit.
-Rational reference_error(const Rational& reference) { return abs(reference) * exact_decimal("5e-40"); }
-
-bool overlaps(const Enclosure& x, const Rational& reference) {
-  const Rational error = reference_error(reference);
-  const bool above = std::isinf(x.lower) || Rational(x.lower) <= reference + error;
-  return above && (std::isinf(x.upper) || Rational(x.upper) >= reference - error);
-}
-
-// With the whole ball, not its doubles.
-bool overlaps(const Deep& x, const Rational& reference) {
-  const Deep difference = x - from_rational<Deep>(reference), error = from_rational<Deep>(reference_error(reference));
-  return sign(difference + error) != Sign::negative && sign(difference - error) != Sign::positive;
-}
-
-// Narrower than the 40 digits of the reference, so that agreement means agreement in all of them.
-bool narrow(const Deep& x) {
-  const Deep radius_times = from_rational<Deep>(exact_decimal("1e38"));
-  arb_t radius;
-  arb_init(radius);
-  arb_get_rad_arb(radius, x.ball());
-  const Deep r = Deep::from_ball(radius);
-  arb_clear(radius);
-  return sign(r) == Sign::zero || sign(root(square(x)) - radius_times * r) == Sign::positive;
-}
 
 enum class Kind { value, infinite, undefined, undecided };
 
@@ -67,8 +36,6 @@ Kind expected_kind(const std::string& reference) {
   if (reference == "infinite") return Kind::infinite;
   return reference == "undefined" ? Kind::undefined : Kind::value;
 }
-
-bool closes(const CorpusCase& c) { return c.reference("closure_gap").empty(); }
 
 }  // namespace
 

@@ -218,7 +218,19 @@ TEMPLATE_TEST_CASE("a cycle through three points is a circle, a line, or nothing
   const Cycle<T> about = cycle_about(Point<T>{1, 2}, T(2), Vector<T>{0, 0}, T(-50));
   CHECK(is(about.radius(), T(5)));
   CHECK(is(about.n, T(-40)));
-  CHECK(is(magnitude(T(-3)), T(3)));
+  CHECK(is(absolute(T(-3)), T(3)));
+}
+
+// CGAL's own function called magnitude keeps the far end only.
+TEST_CASE("the absolute value of an interval is an interval", "[constructions]") {
+  const Arithmetic<Bounded> scope;
+  const Bounded x = absolute(Bounded(-3, -2));
+  CHECK(x.inf() == 2);
+  CHECK(x.sup() == 3);
+  CHECK_THROWS_AS(absolute(Bounded(-1, 1)), Undecided);
+  const Cycle<Bounded> wide{Bounded(1, 2), Bounded(0), Bounded(0), Bounded(-4)};
+  CHECK(wide.radius().inf() <= std::sqrt(2.0));
+  CHECK(wide.radius().sup() >= 2);
 }
 
 }  // namespace epure::tests
