@@ -26,9 +26,8 @@ Rational reading(const Options& options) {
   } catch (const geometry::BadGiven& unreadable) {
     throw WrongUsage(fmt::format("--reading: {}", unreadable.what()));
   }
-  if (length <= 0 || length > 1000)
-    throw WrongUsage(fmt::format("--reading {}: must be positive and at most 1000 mm", options.reading));
-  return length;
+  if (length > 0 && length < 1000) return length;
+  throw WrongUsage(fmt::format("--reading {}: must be positive and below 1000 mm", options.reading));
 }
 
 // "v_B=5.25m/s", taken apart.

@@ -29,7 +29,7 @@ Rational scale(std::string text) {
   const std::string typed = text;
   if (const auto colon = text.find(':'); colon != std::string::npos) text[colon] = '/';
   try {
-    const Rational ratio = geometry::parse_given(text, "1");
+    Rational ratio = geometry::parse_given(text, "1");
     if (ratio > 0) return ratio;
   } catch (const geometry::BadGiven&) {
     // the sentence below says what a scale looks like

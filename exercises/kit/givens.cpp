@@ -41,7 +41,7 @@ std::string shortened(std::string_view text) {
 
 Rational read(const GivenSpec& spec, std::string_view text) {
   try {
-    const Rational value = geometry::parse_given(std::string(text), spec.unit);
+    Rational value = geometry::parse_given(std::string(text), spec.unit);
     if (const std::string condition = violated(spec, value); !condition.empty())
       throw BadGivens(fmt::format("{} = {}: {}", spec.symbol, shortened(text), condition));
     return value;
