@@ -26,7 +26,8 @@ Rational reading(const Options& options) {
   } catch (const geometry::BadGiven& unreadable) {
     throw WrongUsage(fmt::format("--reading: {}", unreadable.what()));
   }
-  if (length > 0 && length < 1000) return length;
+  const Rational too_long = 1000;
+  if (length > 0 && length < too_long) return length;
   throw WrongUsage(fmt::format("--reading {}: must be positive and below 1000 mm", options.reading));
 }
 
