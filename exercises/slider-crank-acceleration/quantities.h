@@ -39,9 +39,10 @@ void curvature(Ledger<T>& ledger, const std::string& X, const geometry::PlaneMot
   ledger.point(X + "prime", on_circle, no_point_on_ray);
 }
 
-// All that follows from the coupler's motion, whoever found it.
+// All that follows from the coupler's motion, whoever found it, and from the inflection pole J.
 template <class T>
-void second_order(Ledger<T>& ledger, const geometry::PlaneMotion<T>& motion, const geometry::SliderCrank<T>& at) {
+void second_order(Ledger<T>& ledger, const geometry::PlaneMotion<T>& motion, const geometry::ProjectivePoint<T>& J,
+                  const geometry::SliderCrank<T>& at) {
   const auto a = [&](const geometry::Point<T>& X) { return motion.acceleration(X); };
   const geometry::Vector<T> a_A = motion.a_A, a_B = a(at.B), AB = at.B - at.A;
   ledger.put("a_A", [&] { return size(a_A); });
@@ -65,7 +66,7 @@ void second_order(Ledger<T>& ledger, const geometry::PlaneMotion<T>& motion, con
   ledger.distance("KM", K, at.M, no_acceleration_pole);
 
   circle(ledger, "inflection", motion.inflection_circle(), no_inflection_circle);
-  ledger.point("inflection_pole", motion.inflection_pole(), no_inflection_circle);
+  ledger.point("inflection_pole", J, no_inflection_circle);
   circle(ledger, "stationarity", motion.stationarity_circle(), no_stationarity_circle);
   curvature(ledger, "C", motion, at.C);
   curvature(ledger, "M", motion, at.M);
@@ -99,11 +100,13 @@ struct AccelerationRoutes {
     ledger.distance("P0C", P0, at.C, pole_at_infinity);
     ledger.distance("P0M", P0, at.M, pole_at_infinity);
     ledger.route("polar diagram");
-    second_order(ledger, motion_by_polar_diagram(instant, at), at);
+    const geometry::PlaneMotion<T> motion = motion_by_polar_diagram(instant, at);
+    second_order(ledger, motion, motion.inflection_pole(), at);
     if (poles_suffice()) {
       ledger.route("poles");
       const T alpha_2 = geometry::from_rational<T>(instant.alpha_2);
-      second_order(ledger, geometry::motion_by_poles(at, instant.omega_2<T>(), alpha_2), at);
+      second_order(ledger, geometry::motion_by_poles(at, instant.omega_2<T>(), alpha_2),
+                   geometry::inflection_pole_by_poles(at), at);
     }
     by_analysis(ledger, instant);
     return ledger;
@@ -121,7 +124,8 @@ template <class T>
 void by_analysis(Ledger<T>& ledger, const SliderCrankInstant& instant) {
   using Z = geometry::analytic::Complex<T>;
   const AnalyticSliderCrank<T> found = analytic_slider_crank<T>(instant);
-  const auto& [p, m] = found;
+  const auto& p = found.position;
+  const auto& m = found.motion;
   const auto coupler = geometry::analytic::coupler(p, m);
   // An entry for a complex number that each entry looks for anew, so that an undecided one leaves the others alone.
   const auto point = [&](const std::string& name, const std::function<Z()>& find) {

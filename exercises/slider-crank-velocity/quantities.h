@@ -54,7 +54,8 @@ void points_by_construction(Ledger<T>& ledger, const geometry::SliderCrank<T>& a
 template <class T>
 void by_analysis(Ledger<T>& ledger, const SliderCrankInstant& instant) {
   const AnalyticSliderCrank<T> found = analytic_slider_crank<T>(instant);
-  const auto& [p, m] = found;
+  const auto& p = found.position;
+  const auto& m = found.motion;
   ledger.route("analytic");
   write_crank(ledger, instant);
   ledger.put("A_x", p.A.re);

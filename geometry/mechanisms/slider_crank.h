@@ -35,15 +35,15 @@ Point<T> slider_pin(const Point<T>& A, const T& l) {
   return meet(Circle<T>{A, l}, guide_of_slider_crank<T>(), Along::ahead);
 }
 
-// C by two arcs, radius AC about A and BC about B, on the left of A -> B, where B - A is `lengths.l` long. Errors as
-// `meet` of two circles. Arcs that touch are more than enclosures can tell, so a flat plate is recognised by its
-// rational sides, and its C measured off along AB.
+// C by two arcs, radius AC about A and BC about B, on the left of A -> B. Where the longest of AB, AC and BC is the
+// sum of the others, which is decided on the rational lengths, the arcs touch on the line AB. Errors as `meet` of two
+// circles.
 template <class T>
 Point<T> plate_corner(const Point<T>& A, const Point<T>& B, const SliderCrankLengths& lengths) {
   const auto& [r, l, AC, BC] = lengths;
-  if (AC + BC == l || AC == l + BC) return A + from_rational<T>(AC / l) * (B - A);
-  if (BC == l + AC) return A + from_rational<T>(-AC / l) * (B - A);
-  return meet(Circle<T>{A, from_rational<T>(lengths.AC)}, Circle<T>{B, from_rational<T>(lengths.BC)}, Side::left);
+  const bool ahead = AC + BC == l || l + BC == AC, behind = l + AC == BC;
+  if (ahead || behind) return A + from_rational<T>((ahead ? AC : -AC) / l) * (B - A);
+  return meet(Circle<T>{A, from_rational<T>(AC)}, Circle<T>{B, from_rational<T>(BC)}, Side::left);
 }
 
 // The mechanism with its crank along the unit vector `crank`.
@@ -117,6 +117,14 @@ template <class T>
 Point<T> euler_savary_point(const Point<T>& P0, const Point<T>& X, const Point<T>& centre) {
   const Vector<T> to_centre = centre - X;
   return X + quotient(length_squared(P0 - X), length_squared(to_centre)) * to_centre;
+}
+
+// J, opposite P0 on the inflection circle: P0J is seen at right angles from B, so J lies on the guide, and from A'.
+// Its ordinate is zero by construction, not by cancellation.
+template <class T>
+ProjectivePoint<T> inflection_pole_by_poles(const SliderCrank<T>& at) {
+  const Point<T> P0 = finite(at.pole()), A_prime = euler_savary_point(P0, at.A, at.A0);
+  return meet(at.guide, perpendicular(line(P0, A_prime), A_prime));
 }
 
 template <class T>
