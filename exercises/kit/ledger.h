@@ -108,9 +108,15 @@ std::vector<RouteValue> settle(const Write& write, Rung rung) {
     keys = ledger.keys();
     return ledger.readings();
   };
+  // What one route has settled needs no proof by the others: their enclosures are compared with it.
+  const auto is_open = [&](std::size_t i, const std::vector<geometry::Settled>& so_far) {
+    for (std::size_t k = 0; k < keys.size(); ++k)
+      if (keys[k].first == keys[i].first && so_far[k].kind == geometry::Settled::Kind::certain) return false;
+    return true;
+  };
   const std::vector<geometry::Settled> settled = rung == Rung::fast      ? geometry::only_fast(scene)
                                                  : rung == Rung::bounded ? geometry::only_bounded(scene)
-                                                                         : geometry::climb(scene);
+                                                                         : geometry::climb(scene, is_open);
   std::vector<RouteValue> values;
   for (std::size_t i = 0; i < settled.size(); ++i) values.push_back({keys[i].first, keys[i].second, settled[i]});
   return values;

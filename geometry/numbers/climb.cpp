@@ -93,13 +93,6 @@ bool Ledger::needs_proof(std::size_t i) const {
   return !entry.is_final && (!entry.has_enclosure || contains_zero(entry.settled.enclosure));
 }
 
-bool Ledger::needs_proof() const {
-  if (!has_run_) return true;
-  for (std::size_t i = 0; i < entries_.size(); ++i)
-    if (needs_proof(i)) return true;
-  return false;
-}
-
 std::vector<Settled> Ledger::result() const {
   if (!has_run_) throw Undecided(failure_);
   std::vector<Settled> result;

@@ -10,9 +10,9 @@
 //   Deep 128, 256, ... 2048       each settles what has become certain, and narrows the rest
 //   Exact, or Calcium if the scene leaves the tower: once, after Deep 256, when a quantity may still be zero or has
 //   no
-//     enclosure. Of this run only two things are used: that a quantity is zero, and that it is absent. A scene may
-//     therefore run on Exact and Calcium with other units than on Bounded and Deep (unit crank speed, so that π stays
-//     out), as long as zeros and absences are the same.
+//     enclosure, and is worth a proof (Calcium may take minutes). Of this run only two things are used: that a
+//     quantity is zero, and that it is absent. A scene may therefore run on Exact and Calcium with other units than
+//     on Bounded and Deep (unit crank speed, so that π stays out), as long as zeros and absences are the same.
 #pragma once
 
 #include "geometry/numbers/enclosure.h"
@@ -79,6 +79,10 @@ struct Settled {
 // Throws Undecided when no number could run the scene at all.
 template <class Scene>
 std::vector<Settled> climb(const Scene& scene);
+// The same, where `is_worth_a_proof(i, so_far)` says whether quantity i is to be proved zero or absent, given what is
+// known of all of them: not when another route has settled it already.
+template <class Scene, class Worth>
+std::vector<Settled> climb(const Scene& scene, const Worth& is_worth_a_proof);
 
 // One rung alone, to compare speed and error. Both throw Undecided as the scene does.
 template <class Scene>
@@ -134,8 +138,9 @@ class Ledger {
   void take_proofs(const std::string& rung, const Run& run);
 
   bool is_settled() const;
-  // Some quantity may be zero or has no enclosure.
-  bool needs_proof() const;
+  bool has_run() const { return has_run_; }
+  std::size_t size() const { return entries_.size(); }
+  // Quantity i may be zero or has no enclosure.
   bool needs_proof(std::size_t i) const;
   std::vector<Settled> result() const;
 
@@ -208,9 +213,15 @@ void run_deep(Ledger& ledger, const Scene& scene, long bits) {
   ledger.take_enclosures("Deep " + std::to_string(bits), run<Deep>(scene));
 }
 
-template <class Scene>
-void run_exactly(Ledger& ledger, const Scene& scene) {
-  const auto wanted = [&](std::size_t i) { return ledger.needs_proof(i); };
+// Before any run nothing is known, not even how many quantities there are: everything is wanted.
+template <class Scene, class Worth>
+void run_exactly(Ledger& ledger, const Scene& scene, const Worth& is_worth_a_proof) {
+  const auto wanted = [&](std::size_t i) {
+    return ledger.needs_proof(i) && (!ledger.has_run() || is_worth_a_proof(i, ledger.result()));
+  };
+  bool is_any_wanted = !ledger.has_run();
+  for (std::size_t i = 0; i < ledger.size(); ++i) is_any_wanted = is_any_wanted || wanted(i);
+  if (!is_any_wanted) return;
   try {
     const Arithmetic<Exact> scope;
     ledger.take_proofs("Exact", run<Exact>(scene, wanted));
@@ -278,6 +289,11 @@ class FirstVerdict {
 
 template <class Scene>
 std::vector<Settled> climb(const Scene& scene) {
+  return climb(scene, [](std::size_t, const std::vector<Settled>&) { return true; });
+}
+
+template <class Scene, class Worth>
+std::vector<Settled> climb(const Scene& scene, const Worth& is_worth_a_proof) {
   climbing::Ledger ledger;
   {
     const Arithmetic<Bounded> scope;
@@ -286,7 +302,7 @@ std::vector<Settled> climb(const Scene& scene) {
   for (const long bits : {128L, 256L, 512L, 1024L, 2048L}) {
     if (ledger.is_settled()) break;
     climbing::run_deep(ledger, scene, bits);
-    if (bits == 256 && ledger.needs_proof()) climbing::run_exactly(ledger, scene);
+    if (bits == 256) climbing::run_exactly(ledger, scene, is_worth_a_proof);
   }
   return ledger.result();
 }

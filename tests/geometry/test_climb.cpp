@@ -156,6 +156,26 @@ TEST_CASE("The exact run happens once, and after 256 bits") {
   CHECK(settled[0].reason == "never");
 }
 
+// Two routes to zero: once with a cancellation that only an exact number can prove.
+TEST_CASE("An exact run is spared when nothing is worth a proof") {
+  int exact_runs = 0;
+  const auto scene = [&]<class T>() -> std::vector<Reading<T>> {
+    if constexpr (is_exact<T>) ++exact_runs;
+    const T x = root(T(2));
+    return {Reading<T>::of(T(0)), Reading<T>::of(x * x - T(2))};
+  };
+  const auto is_open = [](std::size_t, const std::vector<Settled>& so_far) {
+    REQUIRE(so_far.size() == 2);
+    return so_far[0].kind != Kind::certain;
+  };
+  const auto spared = climb(scene, is_open);
+  CHECK(exact_runs == 0);
+  CHECK(spared[0].kind == Kind::certain);
+  CHECK(spared[1].kind == Kind::enclosed);
+  CHECK(climb(scene)[1].kind == Kind::certain);
+  CHECK(exact_runs == 1);
+}
+
 TEST_CASE("What is proved absent is absent, with its reason, on the rung that proved it") {
   const auto parallel = [](auto slope) {
     return [slope]<class T>() {
