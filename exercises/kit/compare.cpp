@@ -8,8 +8,11 @@
 namespace epure {
 
 Readings::Readings(const DrawnSheet& drawn) {
-  for (const Measurement& m : drawn.measurements)
-    values_.emplace(m.quantity, measure(m, {}, drawn.sheet.paper).value);
+  for (const Measurement& m : drawn.measurements) {
+    const OnSheet shown = measure(m, {}, drawn.sheet.paper);
+    values_.emplace(m.quantity, shown.value);
+    millimetres_.emplace(m.quantity, std::abs(shown.value) / shown.per_mm);
+  }
 }
 
 drawings::Table comparison_table(const std::vector<Comparison>& rows, const Words& first, const Words& second,

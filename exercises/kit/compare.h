@@ -15,9 +15,11 @@ class Readings {
   explicit Readings(const DrawnSheet& drawn);
   bool has(const std::string& quantity) const { return values_.contains(quantity); }
   double operator[](const std::string& quantity) const { return values_.at(quantity); }
+  // Shown at least a millimetre long: shorter, a ruler cannot make it the measure of others.
+  bool is_unit(const std::string& quantity) const { return has(quantity) && millimetres_.at(quantity) >= 1; }
 
  private:
-  std::map<std::string, double> values_;
+  std::map<std::string, double> values_, millimetres_;
 };
 
 struct Comparison {

@@ -1,6 +1,9 @@
 #include "exercises/kit/plot.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "exercises/kit/drawn.h"
 
@@ -9,10 +12,43 @@ namespace {
 
 double direction(drawings::Point from, drawings::Point to) { return std::atan2(to.y - from.y, to.x - from.x); }
 
+constexpr double farthest = 1000;  // mm: more than any way across the paper
+
+// The part of pq within `farthest` of the paper, which is all that can be seen of it; none when both ends are so far
+// off that doubles no longer know where the line between them passes.
+std::optional<std::pair<drawings::Point, drawings::Point>> near_paper(drawings::Point p, drawings::Point q) {
+  constexpr double unknown = 1e9;  // mm: there a double is worth 1e-7 mm
+  const auto size = [](drawings::Point a) { return std::max(std::abs(a.x), std::abs(a.y)); };
+  if (size(p) > unknown && size(q) > unknown) return {};
+  const bool swapped = size(q) < size(p);
+  if (swapped) std::swap(p, q);  // from the nearer end, so that a far one costs no digits
+  double from = 0, to = 1;
+  for (const auto& [start, way] : {std::pair{p.x, q.x - p.x}, std::pair{p.y, q.y - p.y}}) {
+    if (way == 0 && std::abs(start) > farthest) return {};
+    if (way == 0) continue;
+    const double a = (-farthest - start) / way, b = (farthest - start) / way;
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+  if (from > to) return {};
+  const auto at = [&](double t) -> drawings::Point {
+    return t == 1 ? q : drawings::Point{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+  };
+  return swapped ? std::pair{at(to), at(from)} : std::pair{at(from), at(to)};
+}
+
 }  // namespace
 
 void Plot::segment(const Place& P, const Place& Q, Meaning meaning, const std::string& name) {
-  mark(drawings::Line{drawings::segment(at(P), at(Q)), meaning, name});
+  if (const auto seen = near_paper(at(P), at(Q))) {
+    mark(drawings::Line{drawings::segment(seen->first, seen->second), meaning, name});
+  }
+}
+
+bool Plot::shows(const Place& P) const {
+  const drawings::Box area = drawings::drawing_area(onto_.sheet.paper);
+  const drawings::Point p = at(P);
+  return p.x >= area.low.x && p.x <= area.high.x && p.y >= area.low.y && p.y <= area.high.y;
 }
 
 void Plot::long_segment(const Place& P, const Place& Q, double beyond, Meaning meaning) {
@@ -20,7 +56,7 @@ void Plot::long_segment(const Place& P, const Place& Q, double beyond, Meaning m
   const double length = std::hypot(q.x - p.x, q.y - p.y);
   if (length == 0) return;
   const double dx = (q.x - p.x) / length * beyond, dy = (q.y - p.y) / length * beyond;
-  mark(drawings::Line{drawings::segment({p.x - dx, p.y - dy}, {q.x + dx, q.y + dy}), meaning, {}});
+  segment(from_paper({p.x - dx, p.y - dy}), from_paper({q.x + dx, q.y + dy}), meaning);
 }
 
 void Plot::direction_line(const Place& P, const Place& Q, double beyond, const std::string& what) {
@@ -49,8 +85,6 @@ void Plot::circle(const Place& centre, double radius, Meaning meaning, const std
 }
 
 namespace {
-
-constexpr double farthest = 1000;  // mm: more than any way across the paper
 
 // Around the point of the circle that is nearest to `middle`, as far as the paper reaches. Written from that point,
 // not from the centre, so that a centre kilometres away costs no digits.
@@ -83,9 +117,11 @@ void Plot::cycle(const DrawnCycle& cycle, Meaning meaning, const std::string& na
   const drawings::Box area = drawings::drawing_area(onto_.sheet.paper);
   const drawings::Point middle{(area.low.x + area.high.x) / 2, (area.low.y + area.high.y) / 2};
   if (cycle.centre) {
+    // Beyond this radius an arc across the paper rises by half a micrometre: it is drawn as its tangent.
+    constexpr double straight = 1e9;  // mm
     const double radius = cycle.radius * scale_.mm_per_unit;
     if (radius < farthest) return circle(*cycle.centre, cycle.radius, meaning, name);
-    return mark(drawings::Line{arc_near(at(*cycle.centre), radius, middle), meaning, name});
+    if (radius < straight) return mark(drawings::Line{arc_near(at(*cycle.centre), radius, middle), meaning, name});
   }
   if (!cycle.on_line) return;
   const drawings::Point foot = at(*cycle.on_line);
@@ -94,11 +130,16 @@ void Plot::cycle(const DrawnCycle& cycle, Meaning meaning, const std::string& na
   mark(drawings::Line{drawings::segment({foot.x - dx, foot.y - dy}, {foot.x + dx, foot.y + dy}), meaning, name});
 }
 
-void Plot::dot(const Place& P, Meaning meaning) { mark(drawings::Dot{at(P), meaning, {}}); }
-void Plot::cross(const Place& P, Meaning meaning) { mark(drawings::Cross{at(P), meaning, {}}); }
+void Plot::dot(const Place& P, Meaning meaning) {
+  if (shows(P)) mark(drawings::Dot{at(P), meaning, {}});
+}
+void Plot::cross(const Place& P, Meaning meaning) {
+  if (shows(P)) mark(drawings::Cross{at(P), meaning, {}});
+}
 void Plot::hinge(const Place& P) { mark(drawings::Hinge{at(P)}); }
 
 void Plot::right_angle(const Place& P, const Place& Q, const Place& R) {
+  if (!shows(P)) return;
   const drawings::Point p = at(P), q = at(Q), r = at(R);
   if (std::hypot(q.x - p.x, q.y - p.y) < 3 || std::hypot(r.x - p.x, r.y - p.y) < 3) return;  // no room for the mark
   mark(drawings::RightAngle{p, direction(p, q), direction(p, r)});
@@ -125,12 +166,13 @@ void Plot::vector_on(const std::string& name, const Place& from, const Arrow2& v
   const Place to = tip(from, v);
   mark(drawings::Arrow{at(from), at(to), meaning, name});
   onto_.sheet.figure.labels.push_back({.text = label, .at = at(from), .to = at(to), .ink = meaning});
-  onto_.measurements.push_back({name, at(from), at(to), 1 / vectors_.mm_per_unit, Measurement::length});
+  measure({name, at(from), at(to), 1 / vectors_.mm_per_unit, Measurement::length});
 }
 
 void Plot::label(const std::string& text, const Place& P, std::optional<Place> away_from, Meaning ink) {
+  if (!shows(P)) return;
   drawings::Label label{.text = text, .at = at(P), .ink = ink};
-  if (away_from) label.away_from = at(*away_from);
+  if (away_from && shows(*away_from)) label.away_from = at(*away_from);
   onto_.sheet.figure.labels.push_back(label);
 }
 
@@ -139,20 +181,34 @@ void Plot::small_label(const std::string& text, const Place& P, const Place& awa
   onto_.sheet.figure.labels.push_back({.text = text, .at = at(P), .away_from = at(away_from), .size = small});
 }
 
-void Plot::step(int number, const Place& P) { onto_.sheet.figure.steps.push_back({number, at(P)}); }
+void Plot::step(int number, const Place& P) {
+  if (shows(P)) onto_.sheet.figure.steps.push_back({number, at(P)});
+}
+
+void Plot::measure(const std::string& name, const Place& from, const Place& to, Measurement::Kind kind) {
+  const drawings::Box area = drawings::drawing_area(onto_.sheet.paper);
+  const auto is_on = [&](drawings::Point p) {
+    return p.x >= area.low.x && p.x <= area.high.x && p.y >= area.low.y && p.y <= area.high.y;
+  };
+  if (is_on(at(from)) && is_on(at(to)))
+    onto_.measurements.push_back({name, at(from), at(to), 1 / scale_.mm_per_unit, kind});
+}
+
+void Plot::measure(const Measurement& shown) {
+  if (shows(from_paper(shown.from)) && shows(from_paper(shown.to))) onto_.measurements.push_back(shown);
+}
 
 void Plot::measures(const std::string& name, const Place& P, const Place& Q) {
-  onto_.measurements.push_back({name, at(P), at(Q), 1 / scale_.mm_per_unit, Measurement::length});
+  measure(name, P, Q, Measurement::length);
 }
 
 void Plot::measures_abscissa(const std::string& name, const Place& P, const Place& origin) {
-  onto_.measurements.push_back({name, at(origin), at(P), 1 / scale_.mm_per_unit, Measurement::along_x});
+  measure(name, origin, P, Measurement::along_x);
 }
 
 void Plot::measures_coordinates(const std::string& name, const Place& P, const Place& origin) {
-  for (const auto& [suffix, kind] : {std::pair{"_x", Measurement::along_x}, std::pair{"_y", Measurement::along_y}}) {
-    onto_.measurements.push_back({name + suffix, at(origin), at(P), 1 / scale_.mm_per_unit, kind});
-  }
+  measure(name + "_x", origin, P, Measurement::along_x);
+  measure(name + "_y", origin, P, Measurement::along_y);
 }
 
 }  // namespace epure

@@ -65,13 +65,16 @@ class Plot {
   void small_label(const std::string& text, const Place& P, const Place& away_from);
   void step(int number, const Place& P);
 
-  // The sheet shows quantity `name` as the distance PQ.
+  // The sheet shows quantity `name` as the distance PQ. What runs off the drawing area cannot be measured and is left
+  // out; so it is with coordinates.
   void measures(const std::string& name, const Place& P, const Place& Q);
   // ... and the coordinates of P, as name_x and name_y, from `origin`.
   void measures_abscissa(const std::string& name, const Place& P, const Place& origin);
   void measures_coordinates(const std::string& name, const Place& P, const Place& origin);
 
  private:
+  void measure(const std::string& name, const Place& from, const Place& to, Measurement::Kind kind);
+
   DrawnSheet& onto_;
   drawings::Point origin_;
   Scale scale_, vectors_;

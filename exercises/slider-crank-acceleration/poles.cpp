@@ -86,7 +86,7 @@ std::vector<Comparison> comparisons(const DrawnSheet& here, const Drawn& f, cons
   draw_polar_diagram(other, f, own_scale);
   const Readings poles(here), diagram(other);
   std::vector<Comparison> rows;
-  if (!poles.has("KA")) return rows;
+  if (!poles.is_unit("KA")) return rows;
   const double a_A = std::hypot(f.a_A.x, f.a_A.y);
   for (const char* X : {"B", "C", "M"}) {
     rows.push_back({fmt::format("$a_{{{}}}$ (m/s²)", X), poles[fmt::format("K{}", X)] / poles["KA"] * a_A,

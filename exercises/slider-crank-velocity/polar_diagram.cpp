@@ -90,7 +90,7 @@ std::vector<Comparison> comparisons(const DrawnSheet& polar, const Drawn& f, con
   const double AB = CGAL::to_double(f.instant.lengths.l);
   std::vector<Comparison> rows;
   const double v_A = std::hypot(f.v_A.x, f.v_A.y);
-  if (!poles.has("P0A")) return rows;
+  if (!poles.is_unit("P0A")) return rows;
   const double omega_3 = v_A / poles["P0A"];
   for (const char* X : {"B", "C", "M"}) {
     rows.push_back({fmt::format("$v_{{{}}}$ (m/s)", X), omega_3 * poles[fmt::format("P0{}", X)],
