@@ -30,10 +30,20 @@ std::optional<Place> to_double(const geometry::ProjectivePoint<Deep>& P) {
 }
 
 DrawnCycle to_double(const geometry::Cycle<Deep>& cycle) {
-  if (is_nonzero(cycle.k)) return {.centre = to_double(cycle.centre()), .radius = to_double(cycle.radius())};
+  const geometry::Point<Deep> origin{Deep(0), Deep(0)};
+  if (is_nonzero(cycle.k)) {
+    const geometry::Point<Deep> centre = geometry::finite(cycle.centre());
+    const Deep radius = cycle.radius(), distance = geometry::distance(origin, centre);
+    DrawnCycle circle{.centre = to_double(centre), .radius = to_double(radius)};
+    if (is_nonzero(distance)) {
+      const geometry::Vector<Deep> to_centre = centre - origin;
+      circle.on_line = to_double(origin + geometry::quotient(distance - radius, distance) * to_centre);
+      circle.along = to_double(geometry::quotient(Deep(1), distance) * geometry::quarter_turn(to_centre));
+    }
+    return circle;
+  }
   if (!is_nonzero(geometry::square(cycle.l) + geometry::square(cycle.m))) return {};
   const auto line = cycle.straight();
-  const geometry::Point<Deep> origin{Deep(0), Deep(0)};
   return {.on_line = to_double(geometry::foot(origin, line)), .along = to_double(line.direction())};
 }
 

@@ -20,7 +20,8 @@ std::optional<Place> to_double(const geometry::ProjectivePoint<geometry::Deep>& 
 struct DrawnCycle {
   std::optional<Place> centre = {};  // of a circle
   double radius = 0;
-  std::optional<Place> on_line = {};  // the foot of the origin on the line
+  // The point nearest to the origin and the direction there: of the line, or of a circle too large to tell from one.
+  std::optional<Place> on_line = {};
   Arrow2 along{0, 0};
 };
 DrawnCycle to_double(const geometry::Cycle<geometry::Deep>& cycle);

@@ -21,6 +21,7 @@ struct GivenSpec {
   std::string unit;
   std::string stated;  // the value in the source, in `unit`
   Range range = Range::positive;
+  std::string letters = {};  // rich text for sheets, when it is not the symbol itself
 };
 
 // Wrong or impossible givens; the message is one sentence for the user (exit code 2).

@@ -166,7 +166,7 @@ void Plot::vector_on(const std::string& name, const Place& from, const Arrow2& v
   const Place to = tip(from, v);
   mark(drawings::Arrow{at(from), at(to), meaning, name});
   onto_.sheet.figure.labels.push_back({.text = label, .at = at(from), .to = at(to), .ink = meaning});
-  measure({name, at(from), at(to), 1 / vectors_.mm_per_unit, Measurement::length});
+  measure(name, from, to, 1 / vectors_.mm_per_unit, Measurement::length);
 }
 
 void Plot::label(const std::string& text, const Place& P, std::optional<Place> away_from, Meaning ink) {
@@ -185,30 +185,22 @@ void Plot::step(int number, const Place& P) {
   if (shows(P)) onto_.sheet.figure.steps.push_back({number, at(P)});
 }
 
-void Plot::measure(const std::string& name, const Place& from, const Place& to, Measurement::Kind kind) {
-  const drawings::Box area = drawings::drawing_area(onto_.sheet.paper);
-  const auto is_on = [&](drawings::Point p) {
-    return p.x >= area.low.x && p.x <= area.high.x && p.y >= area.low.y && p.y <= area.high.y;
-  };
-  if (is_on(at(from)) && is_on(at(to)))
-    onto_.measurements.push_back({name, at(from), at(to), 1 / scale_.mm_per_unit, kind});
-}
-
-void Plot::measure(const Measurement& shown) {
-  if (shows(from_paper(shown.from)) && shows(from_paper(shown.to))) onto_.measurements.push_back(shown);
+void Plot::measure(const std::string& name, const Place& from, const Place& to, double per_mm,
+                   Measurement::Kind kind) {
+  if (shows(from) && shows(to)) onto_.measurements.push_back({name, at(from), at(to), per_mm, kind});
 }
 
 void Plot::measures(const std::string& name, const Place& P, const Place& Q) {
-  measure(name, P, Q, Measurement::length);
+  measure(name, P, Q, 1 / scale_.mm_per_unit, Measurement::length);
 }
 
 void Plot::measures_abscissa(const std::string& name, const Place& P, const Place& origin) {
-  measure(name, origin, P, Measurement::along_x);
+  measure(name, origin, P, 1 / scale_.mm_per_unit, Measurement::along_x);
 }
 
 void Plot::measures_coordinates(const std::string& name, const Place& P, const Place& origin) {
-  measure(name + "_x", origin, P, Measurement::along_x);
-  measure(name + "_y", origin, P, Measurement::along_y);
+  measure(name + "_x", origin, P, 1 / scale_.mm_per_unit, Measurement::along_x);
+  measure(name + "_y", origin, P, 1 / scale_.mm_per_unit, Measurement::along_y);
 }
 
 }  // namespace epure

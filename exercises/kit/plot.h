@@ -34,6 +34,9 @@ class Plot {
   void vectors_at(Scale scale) { vectors_ = std::move(scale); }
   const Scale& vector_scale() const { return vectors_; }
 
+  // P lies on the drawing area. What is put at a point off it (a dot, letters, a step number) is left out.
+  bool shows(const Place& P) const;
+
   void mark(drawings::Mark m) { onto_.sheet.figure.marks.push_back(std::move(m)); }
   void segment(const Place& P, const Place& Q, Meaning meaning, const std::string& name = {});
   // The segment PQ drawn `beyond` mm past both ends.
@@ -73,7 +76,7 @@ class Plot {
   void measures_coordinates(const std::string& name, const Place& P, const Place& origin);
 
  private:
-  void measure(const std::string& name, const Place& from, const Place& to, Measurement::Kind kind);
+  void measure(const std::string& name, const Place& from, const Place& to, double per_mm, Measurement::Kind kind);
 
   DrawnSheet& onto_;
   drawings::Point origin_;

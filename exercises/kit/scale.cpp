@@ -23,6 +23,7 @@ double largest_below(double x, const std::array<double, N>& ascending_steps) {
 
 std::string short_number(double x, Language language) {
   if (x == 0) return "0";
+  if (std::abs(x) >= 1e6 || std::abs(x) < 1e-3) return drawings::number(x, 2, language);
   if (x < 0) return "−" + short_number(-x, language);
   for (int figures = 1; figures < 6; ++figures) {
     const double grain = std::pow(10.0, std::floor(std::log10(x)) - figures + 1);

@@ -6,6 +6,7 @@
 
 #include "drawings/words.h"
 #include "exercises/kit/scale.h"
+#include "geometry/numbers/given.h"
 
 namespace epure {
 namespace {
@@ -13,9 +14,31 @@ namespace {
 constexpr double bar_strip = 17;     // mm: caption, bar and ticks
 constexpr double bar_distance = 78;  // mm from one bar to the next
 
+// 0.2 where the decimals end within six figures, else 1/72.
+std::string exactly(const Rational& value, Language language) {
+  const std::string decimal = short_number(CGAL::to_double(value), Language::english);
+  try {
+    if (geometry::parse_given(decimal, "1") == value) return short_number(CGAL::to_double(value), language);
+  } catch (const geometry::BadGiven&) {
+    // Written as a power of ten: the fraction says more.
+  }
+  return geometry::to_text(value);
+}
+
+std::string in_one_line(const Givens& givens, Language language) {
+  std::string line;
+  for (const GivenSpec& spec : givens.specs()) {
+    const std::string unit = spec.unit == "rad/s^2" ? "rad/s²" : spec.unit;
+    line += (line.empty() ? "" : ", ") + (spec.letters.empty() ? spec.symbol : spec.letters) + " = " +
+            exactly(givens[spec.symbol], language) + " " + unit;
+  }
+  return line;
+}
+
 }  // namespace
 
-DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const SheetRequest& request) {
+DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const Givens& givens,
+                       const SheetRequest& request) {
   const Language language = request.language;
   DrawnSheet onto;
   onto.sheet.id = about.id + "-" + sheet;
@@ -32,6 +55,9 @@ DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const
     block.page = static_cast<int>(i) + 1;
   }
   assert(!block.sheet.empty());
+  if (!givens.as_stated()) block.source += language == Language::english ? ", givens changed" : ", dati cambiati";
+  onto.sheet.column.push_back(drawings::Heading{language == Language::english ? "Given" : "Dati"});
+  onto.sheet.column.push_back(drawings::Paragraph{in_one_line(givens, language)});
   onto.sheet.title = block.exercise + ": " + block.sheet;
   return onto;
 }

@@ -8,8 +8,10 @@
 
 namespace epure {
 
-// Names, title block, language and paper filled in; figure and column empty.
-DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const SheetRequest& request);
+// Names, title block, language and paper filled in; the column begins with the givens, and the source says when these
+// are not its own. The figure is empty.
+DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const Givens& givens,
+                       const SheetRequest& request);
 
 // The part of the drawing area above the strip in which the scale bars stand.
 drawings::Box room_above_scale_bars(const SheetRequest& request);

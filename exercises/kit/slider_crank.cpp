@@ -50,23 +50,30 @@ void require_closure(const SliderCrankInstant& at) {
 
 std::vector<GivenSpec> slider_crank_givens(bool with_alpha_2) {
   std::vector<GivenSpec> givens{
-      {"r", {"crank A₀A", "manovella A₀A"}, "m", "0.20", Range::positive},
-      {"l", {"coupler AB", "biella AB"}, "m", "0.50", Range::positive},
-      {"BC", {"side BC of the coupler plate", "lato BC della biella"}, "m", "0.40", Range::positive},
-      {"AC", {"side AC of the coupler plate", "lato AC della biella"}, "m", "0.30", Range::positive},
-      {"n", {"crank speed, counter-clockwise", "velocità della manovella, antioraria"}, "rpm", "360", Range::any},
+      {"r", {"crank A₀A", "manovella A₀A"}, "m", "0.20", Range::positive, "$r$"},
+      {"l", {"coupler AB", "biella AB"}, "m", "0.50", Range::positive, "$l$"},
+      {"BC", {"side BC of the coupler plate", "lato BC della biella"}, "m", "0.40", Range::positive, "$BC$"},
+      {"AC", {"side AC of the coupler plate", "lato AC della biella"}, "m", "0.30", Range::positive, "$AC$"},
+      {"n",
+       {"crank speed, counter-clockwise", "velocità della manovella, antioraria"},
+       "rpm",
+       "360",
+       Range::any,
+       "$n$"},
       {"t1",
        {"instant, counted from the outer dead centre", "istante, dal punto morto esterno"},
        "s",
        "1/72",
-       Range::not_negative},
+       Range::not_negative,
+       "$t_{1}$"},
   };
   if (with_alpha_2) {
     givens.push_back({"alpha_2",
                       {"angular acceleration of the crank at t1", "accelerazione angolare della manovella a t1"},
                       "rad/s^2",
                       "0",
-                      Range::any});
+                      Range::any,
+                      "$α_{2}$"});
   }
   return givens;
 }

@@ -66,6 +66,8 @@ void draw_stationarity_circle(Plot& plot, const Drawn& f) {
   plot.segment(*f.P0, opposite, Meaning::axis);
   plot.cross(S, Meaning::second_locus);
   plot.label("$S$", S, f.P0, Meaning::second_locus);
+  plot.cross(opposite, Meaning::second_locus);
+  plot.label("$S'$", opposite, f.P0, Meaning::second_locus);
   plot.measures("stationarity_diameter", *f.P0, opposite);
   plot.measures_coordinates("stationarity_centre", S, f.at.A0);
   if (f.J) {

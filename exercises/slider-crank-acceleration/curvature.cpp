@@ -150,7 +150,10 @@ void draw_curvature(DrawnSheet& onto, const Drawn& f, const SheetRequest& reques
   onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 0);
   draw_detail(near, f);
   onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 1);
-  add_scale_bars(onto, {overview.scale, detail.scale}, request);
+  Scale upper = overview.scale, lower = detail.scale;
+  upper.caption += english ? " above" : " sopra";
+  lower.caption += english ? " below" : " sotto";
+  add_scale_bars(onto, {upper, lower}, request);
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(f.P0 ? steps(language) : steps_without_pole(language));

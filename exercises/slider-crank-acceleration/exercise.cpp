@@ -127,7 +127,7 @@ class SliderCrankAcceleration : public Exercise {
 
   DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
     const Drawn figure = drawn(slider_crank_instant(givens));
-    DrawnSheet onto = blank_sheet(about_, sheet, request);
+    DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
     if (sheet == "polar-diagram") draw_polar_diagram(onto, figure, request);
     if (sheet == "circles") draw_circles(onto, figure, request);
     if (sheet == "poles") draw_poles(onto, figure, request);

@@ -94,11 +94,11 @@ drawings::Steps steps(Language language) {
   return {
       {"Da $O_{a}$ la $\\vec{a}_{A}$ nota, da $A$ verso $A_{0}$ (e la parte tangenziale, se $α_{2}$ non è nulla).",
        "Da $a'$ la parte normale $ω^{2}_{3}$·$AB$, da $B$ verso $A$; $ω_{3}$ dalle velocità.",
-       "La normale ad $AB$: porta la $\\vec{a}^{t}_{BA}$.",
+       "La normale ad $AB$: la retta d'azione della $\\vec{a}^{t}_{BA}$.",
        "Per $O_{a}$ la parallela alla guida. Le due si incontrano in $b'$; $α_{3}$ = $a^{t}_{BA}$ / $AB$.",
        "$c'$: il triangolo $a'b'c'$ è simile ad $ABC$, nello stesso verso: $a_{CA}$ : $a_{BA}$ = $AC$ : $AB$, "
        "ruotata dello stesso $γ$.",
-       "$m'$ dimezza $a'b'$, come $M$ dimezza $AB$."}};
+       "$m'$ è il punto medio di $a'b'$, come $M$ di $AB$."}};
 }
 
 drawings::Table results(const Drawn& f, Language language) {

@@ -31,6 +31,10 @@ void draw_positions(Plot& plot, const Drawn& f, const std::vector<Position>& all
     plot.polygon({at.A, at.B, at.C}, Meaning::alternative);
     plot.dot(at.A, Meaning::construction);
     plot.dot(at.C, Meaning::locus);
+    if (at.number == 5) plot.step(1, at.A);
+    if (at.number == 3) plot.step(2, at.B);
+    if (at.number == 4) plot.step(3, at.C);
+    if (at.number == 8) plot.step(4, at.C);
     plot.small_label(std::to_string(at.number), at.A, f.at.A0);
     plot.small_label(std::to_string(at.number), at.C, Place{(at.A.x + at.B.x) / 2, (at.A.y + at.B.y) / 2});
   }

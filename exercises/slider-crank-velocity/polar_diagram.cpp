@@ -23,6 +23,7 @@ void draw_polygon(Plot& plot, const Drawn& f) {
   plot.direction_line(O, b, 12, "∥ $A_{0}B$");
   plot.direction_line(a, b, 12, "⊥ $AB$");
   plot.direction_line(b, c, 6, "⊥ $BC$");
+  plot.direction_line(a, c, 6, "⊥ $AC$");
   plot.side("v_A", O, a, Meaning::velocity, "$\\vec{v}_{A}$", inside);
   plot.side("v_BA", a, b, Meaning::velocity, "$\\vec{v}_{BA}$", O);
   plot.side("v_B", O, b, Meaning::velocity, "$\\vec{v}_{B}$", a);
@@ -74,10 +75,10 @@ drawings::Steps steps(Language language) {
              "$m'$ halves $a'b'$, as $M$ halves $AB$."}};
   }
   return {{"Da $O_{v}$ la $\\vec{v}_{A}$ nota, normale alla manovella.",
-           "Per $a'$ la normale ad $AB$: porta la $\\vec{v}_{BA}$.",
+           "Per $a'$ la normale ad $AB$: la retta d'azione della $\\vec{v}_{BA}$.",
            "Per $O_{v}$ la parallela alla guida. Le due si incontrano in $b'$; $ω_{3}$ = $v_{BA}$ / $AB$.",
            "$c'$: normale ad $AC$ per $a'$, normale a $BC$ per $b'$. Il triangolo $a'b'c'$ è l'immagine di $ABC$.",
-           "$m'$ dimezza $a'b'$, come $M$ dimezza $AB$."}};
+           "$m'$ è il punto medio di $a'b'$, come $M$ di $AB$."}};
 }
 
 // Both methods as read from their own drawings; ω₃ from the lengths read.
@@ -96,7 +97,7 @@ std::vector<Comparison> comparisons(const DrawnSheet& polar, const Drawn& f, con
     rows.push_back({fmt::format("$v_{{{}}}$ (m/s)", X), omega_3 * poles[fmt::format("P0{}", X)],
                     diagram[fmt::format("v_{}", X)]});
   }
-  rows.push_back({"$ω_{3}$ (rad/s)", omega_3, diagram["v_BA"] / AB});
+  rows.push_back({"|$ω_{3}$| (rad/s)", omega_3, diagram["v_BA"] / AB});
   return rows;
 }
 

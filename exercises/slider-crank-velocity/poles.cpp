@@ -88,7 +88,7 @@ drawings::Steps steps(const Drawn& f, Language language) {
            "Manovella a $φ$ = {}°. $A$ sulla sua circonferenza, $B$ sulla guida con l'arco di raggio $l$ da $A$.",
            phi)},
       {"$C$ by the arcs $AC$ and $BC$, on the left of $AB$. $M$ halves $AB$.",
-       "$C$ con gli archi $AC$ e $BC$, a sinistra di $AB$. $M$ dimezza $AB$."},
+       "$C$ con gli archi $AC$ e $BC$, a sinistra di $AB$. $M$ è il punto medio di $AB$."},
       {"$A$ moves square to the crank: $P_{0}$ lies on the line $A_{0}A$.",
        "$A$ si muove normalmente alla manovella: $P_{0}$ sta sulla retta $A_{0}A$."}};
   const std::vector<Words> finite_pole{

@@ -24,11 +24,15 @@ void draw_triangles(Plot& plot, const Drawn& f, const drawings::Box& room) {
     if (at.P0 && is_on(room, plot.at(*at.P0))) {
       plot.polygon({at.A, at.B, *at.P0}, Meaning::alternative);
       plot.dot(*at.P0, Meaning::locus);
+      plot.small_label(std::to_string(at.number), *at.P0, at.A);
+      if (at.number == 2) plot.step(1, *at.P0);
     }
     if (at.P0_on_coupler && is_on(room, plot.at(*at.P0_on_coupler))) {
       plot.segment(f.at.A, *at.P0_on_coupler, Meaning::construction);
       plot.segment(f.at.B, *at.P0_on_coupler, Meaning::construction);
       plot.dot(*at.P0_on_coupler, Meaning::second_locus);
+      plot.small_label(std::to_string(at.number), *at.P0_on_coupler, f.at.A);
+      if (at.number == 2) plot.step(2, *at.P0_on_coupler);
     }
     plot.dot(at.A, Meaning::construction);
     plot.small_label(std::to_string(at.number), at.A, f.at.A0);
@@ -105,6 +109,7 @@ void draw_polodes(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
   if (f.P0) {
     plot.cross(*f.P0);
     plot.label("$P_{0}$", *f.P0, f.at.M, Meaning::locus);
+    plot.step(3, *f.P0);
   }
   if (const auto at = middle_of(p, plot, room)) plot.label("$p$", *at, {}, Meaning::locus);
   if (const auto at = middle_of(pi, plot, room)) plot.label("$π$", *at, {}, Meaning::second_locus);
