@@ -109,9 +109,7 @@ drawings::Steps steps(const Drawn& f, Language language) {
          "Stationarity circle: through $P_{0}$, its centre $S$ on the square to $P_{0}J$, and (for $α_{2}$ = 0) "
          "through $A$, "
          "whose acceleration is all normal.",
-         "$K$, where the circles meet again: the foot of the perpendicular from $P_{0}$ on the line that joins the "
-         "ends "
-         "of the two diameters."}};
+         "$K$, where the circles meet again: the foot of the perpendicular from $P_{0}$ on $JS'$."}};
   }
   return {
       {"$A'$ sul raggio $P_{0}A$: $P_{0}A^{2}$ = $A_{0}A$·$A'A$, dalla parte di $A_{0}$.",
@@ -119,9 +117,7 @@ drawings::Steps steps(const Drawn& f, Language language) {
        "Circonferenza di stazionarietà: per $P_{0}$, col centro $S$ sulla normale a $P_{0}J$, e (per $α_{2}$ = 0) "
        "per $A$, la cui "
        "accelerazione è tutta normale.",
-       "$K$, dove le due si incontrano ancora: il piede della normale da $P_{0}$ alla retta che unisce gli estremi "
-       "dei due "
-       "diametri."}};
+       "$K$, dove le due si incontrano ancora: il piede della normale da $P_{0}$ a $JS'$."}};
 }
 
 drawings::Table results(const Drawn& f, Language language) {

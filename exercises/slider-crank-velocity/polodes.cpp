@@ -20,19 +20,22 @@ bool is_on(const drawings::Box& room, drawings::Point p) {
 }
 
 void draw_triangles(Plot& plot, const Drawn& f, const drawings::Box& room) {
+  bool fixed_numbered = false, moving_numbered = false;  // steps 1 and 2 stand at the first points of either
   for (const Position& at : divided_positions(f.instant)) {
     if (at.P0 && is_on(room, plot.at(*at.P0))) {
       plot.polygon({at.A, at.B, *at.P0}, Meaning::alternative);
       plot.dot(*at.P0, Meaning::locus);
       plot.small_label(std::to_string(at.number), *at.P0, at.A);
-      if (at.number == 2) plot.step(1, *at.P0);
+      if (!fixed_numbered) plot.step(1, *at.P0);
+      fixed_numbered = true;
     }
     if (at.P0_on_coupler && is_on(room, plot.at(*at.P0_on_coupler))) {
       plot.segment(f.at.A, *at.P0_on_coupler, Meaning::construction);
       plot.segment(f.at.B, *at.P0_on_coupler, Meaning::construction);
       plot.dot(*at.P0_on_coupler, Meaning::second_locus);
       plot.small_label(std::to_string(at.number), *at.P0_on_coupler, f.at.A);
-      if (at.number == 2) plot.step(2, *at.P0_on_coupler);
+      if (!moving_numbered) plot.step(2, *at.P0_on_coupler);
+      moving_numbered = true;
     }
     plot.dot(at.A, Meaning::construction);
     plot.small_label(std::to_string(at.number), at.A, f.at.A0);
@@ -102,6 +105,11 @@ void draw_polodes(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
   const geometry::MovingPolode<geometry::Bounded> moving{loop, reference};
   for (const auto& asymptotes : {geometry::asymptotes(fixed), geometry::asymptotes(moving)}) {
     for (const geometry::Asymptote& asymptote : asymptotes.lines) draw_line(plot, asymptote.line, Meaning::axis);
+  }
+  for (const geometry::Asymptote& asymptote : geometry::asymptotes(fixed).lines) {
+    // On the line, as far below the guide as the mechanism is long.
+    const auto& [a, b, c] = asymptote.line;
+    if (a != 0) plot.step(4, {(b * size - c) / a, -size});
   }
   const geometry::Trace p = draw_locus(plot, fixed, room, Meaning::locus, "fixed_polode");
   const geometry::Trace pi = draw_locus(plot, moving, room, Meaning::second_locus, "moving_polode");
