@@ -20,26 +20,26 @@ bool is_on(const drawings::Box& room, drawings::Point p) {
 }
 
 void draw_triangles(Plot& plot, const Drawn& f, const drawings::Box& room) {
-  bool fixed_numbered = false, moving_numbered = false;  // steps 1 and 2 stand at the first points of either
+  std::optional<Place> last_fixed, last_moving;  // steps 1 and 2 stand there
   for (const Position& at : divided_positions(f.instant)) {
     if (at.P0 && is_on(room, plot.at(*at.P0))) {
       plot.polygon({at.A, at.B, *at.P0}, Meaning::alternative);
       plot.dot(*at.P0, Meaning::locus);
       plot.small_label(std::to_string(at.number), *at.P0, at.A);
-      if (!fixed_numbered) plot.step(1, *at.P0);
-      fixed_numbered = true;
+      last_fixed = at.P0;
     }
     if (at.P0_on_coupler && is_on(room, plot.at(*at.P0_on_coupler))) {
       plot.segment(f.at.A, *at.P0_on_coupler, Meaning::construction);
       plot.segment(f.at.B, *at.P0_on_coupler, Meaning::construction);
       plot.dot(*at.P0_on_coupler, Meaning::second_locus);
       plot.small_label(std::to_string(at.number), *at.P0_on_coupler, f.at.A);
-      if (!moving_numbered) plot.step(2, *at.P0_on_coupler);
-      moving_numbered = true;
+      last_moving = at.P0_on_coupler;
     }
     plot.dot(at.A, Meaning::construction);
     plot.small_label(std::to_string(at.number), at.A, f.at.A0);
   }
+  if (last_fixed) plot.step(1, *last_fixed);
+  if (last_moving) plot.step(2, *last_moving);
 }
 
 // Where a branch can be named: the middle of its longest run inside the room.
@@ -106,9 +106,9 @@ void draw_polodes(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
   for (const auto& asymptotes : {geometry::asymptotes(fixed), geometry::asymptotes(moving)}) {
     for (const geometry::Asymptote& asymptote : asymptotes.lines) draw_line(plot, asymptote.line, Meaning::axis);
   }
-  for (const geometry::Asymptote& asymptote : geometry::asymptotes(fixed).lines) {
-    // On the line, as far below the guide as the mechanism is long.
-    const auto& [a, b, c] = asymptote.line;
+  if (const auto lines = geometry::asymptotes(fixed).lines; !lines.empty()) {
+    // On the first of them, as far below the guide as the mechanism is long.
+    const auto& [a, b, c] = lines.front().line;
     if (a != 0) plot.step(4, {(b * size - c) / a, -size});
   }
   const geometry::Trace p = draw_locus(plot, fixed, room, Meaning::locus, "fixed_polode");
