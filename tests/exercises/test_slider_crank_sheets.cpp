@@ -1,0 +1,196 @@
+// The slider-crank's sheets: all of them are drawn whatever is given, and the files measured back give the
+// quantities.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+
+#include "drawings/output.h"
+#include "tests/drawings/read_svg.h"
+#include "tests/exercises/slider_crank_cases.h"
+
+using namespace epure;
+using namespace epure::tests;
+using drawings::Language;
+using drawings::Paper;
+
+namespace {
+
+DrawnSheet draw(const std::string& id, const std::string& sheet, const std::vector<std::string>& assignments,
+                const SheetRequest& request = {}) {
+  return exercise(id).draw(sheet, givens_of(id, assignments), request);
+}
+
+std::vector<std::pair<std::string, std::string>> all_sheets() {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const std::string& id : {velocity, acceleration})
+    for (const SheetSpec& sheet : exercise(id).about().sheets) all.emplace_back(id, sheet.name);
+  return all;
+}
+
+// An arrow in a file: from the tail of its shaft to the tip of its head, in mm of paper, y downwards.
+struct Drawn {
+  double length;
+  drawings::Point from, tip;
+};
+Drawn arrow(const drawings::SvgFile& svg, const std::string& id) {
+  const drawings::Point from = svg.points(id).front(), tip = svg.points(id + "_head").front();
+  return {std::hypot(tip.x - from.x, tip.y - from.y), from, tip};
+}
+
+// What an arrow says and what its scale, as printed in the title block, makes of a millimetre.
+double per_mm(const std::string& caption) {  // "1 cm ≙ 2.5 m/s"
+  const auto equals = caption.find("≙");
+  REQUIRE(equals != std::string::npos);
+  return std::stod(caption.substr(equals + std::string("≙").size())) / 10;
+}
+
+struct DiagramOf {
+  std::string id, sheet;
+  std::vector<std::string> vectors;
+};
+const std::vector<DiagramOf> diagrams{
+    {velocity, "poles", {"v_A", "v_B", "v_C", "v_M"}},
+    {velocity, "polar-diagram", {"v_A", "v_B", "v_BA", "v_C", "v_CA", "v_M"}},
+    {acceleration, "poles", {"a_A", "a_B", "a_C", "a_M"}},
+    {acceleration, "polar-diagram", {"a_A", "a_B", "a_C", "a_M", "a_BA", "a_BA_n", "a_BA_t", "a_CA"}}};
+
+double value(const CheckedExercise& in, const std::string& name) { return find(in, name)->settled.enclosure.value; }
+
+// Measurements of a sheet under their names.
+std::map<std::string, Measurement> measurements(const DrawnSheet& drawn) {
+  std::map<std::string, Measurement> all;
+  for (const Measurement& m : drawn.measurements) all.emplace(m.quantity, m);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("every sheet is drawn, whatever is given, on both papers and in both languages", "[slider-crank][sheets]") {
+  int drawn = 0;
+  for (const Try& with : tries())
+    for (const auto& [id, sheet] : all_sheets())
+      for (const Paper paper : {Paper::a4, Paper::a3})
+        for (const Language language : {Language::english, Language::italian})
+          for (const bool bare : {false, true}) {
+            CAPTURE(with.why, id, sheet, paper == Paper::a4, language == Language::english, bare);
+            std::string bytes;
+            CHECK_NOTHROW(
+                bytes = drawings::svg(
+                    draw(id, sheet, with.assignments, {.paper = paper, .language = language, .bare = bare}).sheet));
+            CHECK(bytes.find("<svg") != std::string::npos);
+            for (const std::string word : {"-nan", "=\"nan", "=\"inf", " nan ", " inf "})
+              CHECK(bytes.find(word) == std::string::npos);
+            ++drawn;
+          }
+  CHECK(drawn == static_cast<int>(tries().size()) * 8 * 8);
+}
+
+TEST_CASE("labels find room", "[slider-crank][sheets]") {
+  for (const auto& [id, sheet] : all_sheets())
+    for (const Paper paper : {Paper::a4, Paper::a3})
+      for (const Language language : {Language::english, Language::italian}) {
+        const auto crowded = drawings::overlaps(draw(id, sheet, {}, {.paper = paper, .language = language}).sheet);
+        CAPTURE(id, sheet, paper == Paper::a4, crowded);
+        CHECK(crowded.empty());
+      }
+}
+
+TEST_CASE("a ruler on the file reads the analytic value of every vector", "[slider-crank][sheets]") {
+  int measured = 0;
+  for (const std::vector<std::string>& assignments :
+       {std::vector<std::string>{}, {"r=0.25", "n=400", "t1=1/60"}, {"n=-360"}, {"t1=1/108"}})
+    for (const auto& [id, sheet, vectors] : diagrams)
+      for (const Paper paper : {Paper::a4, Paper::a3}) {
+        const CheckedExercise numbers = checked(id, assignments);
+        const DrawnSheet drawn = draw(id, sheet, assignments, {.paper = paper});
+        const drawings::SvgFile svg(drawings::svg(drawn.sheet));
+        REQUIRE(drawn.sheet.title_block.scales.size() == 2);
+        const double unit = per_mm(drawn.sheet.title_block.scales[1]);
+        for (const std::string& name : vectors) {
+          CAPTURE(id, sheet, name, drawn.sheet.title_block.scales[1], paper == Paper::a4);
+          const double length = arrow(svg, drawn.sheet.id + "-" + name).length;
+          // Both ends are moved to the file's grid.
+          CHECK(std::abs(length * unit - std::abs(value(numbers, name))) <=
+                1.001 * std::numbers::sqrt2 * drawings::file_resolution * unit);
+          CHECK(length > 1);
+          ++measured;
+        }
+      }
+  CHECK(measured == 4 * 22 * 2);
+}
+
+TEST_CASE("the bar on the sheet is as long as its scale says", "[slider-crank][sheets]") {
+  for (const auto& [id, sheet] : all_sheets())
+    for (const Paper paper : {Paper::a4, Paper::a3}) {
+      const DrawnSheet drawn = draw(id, sheet, {}, {.paper = paper});
+      std::size_t bars = 0;
+      for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
+        const auto* bar = std::get_if<drawings::ScaleBar>(&mark);
+        if (!bar) continue;
+        CAPTURE(id, sheet, bar->caption, bar->ticks.back());
+        CHECK(bar->caption == drawn.sheet.title_block.scales.at(bars));
+        ++bars;
+        const double shown = std::stod(bar->ticks.back());  // "0.2 m", "10 m/s"
+        const double mm = bar->caption.starts_with("1 : ") ? 1000 * shown / std::stod(bar->caption.substr(4))
+                                                           : shown / per_mm(bar->caption);
+        CHECK(std::abs(bar->length - mm) <= 1e-9 * mm);
+      }
+      CHECK(bars >= 1);
+      CHECK(bars == drawn.sheet.title_block.scales.size());
+    }
+}
+
+// The sheet's scales are what its measurements are made with.
+TEST_CASE("measurements are made at the printed scales", "[slider-crank][sheets]") {
+  for (const auto& [id, sheet] : all_sheets()) {
+    const DrawnSheet drawn = draw(id, sheet, {});
+    std::vector<double> units;
+    for (const std::string& caption : drawn.sheet.title_block.scales)
+      units.push_back(caption.starts_with("1 : ") ? std::stod(caption.substr(4)) / 1000 : per_mm(caption));
+    for (const Measurement& m : drawn.measurements) {
+      CAPTURE(id, sheet, m.quantity, m.per_mm);
+      CHECK(std::any_of(units.begin(), units.end(),
+                        [&](double unit) { return std::abs(m.per_mm - unit) <= 1e-12 * unit; }));
+    }
+  }
+}
+
+TEST_CASE("ten times the lengths at a tenth of the scale is the same drawing", "[slider-crank][sheets]") {
+  const std::vector<std::string> ten_times{"r=2", "l=5", "AC=3", "BC=4"};
+  for (const auto& [id, sheet] : all_sheets()) {
+    CAPTURE(id, sheet);
+    const DrawnSheet small = draw(id, sheet, {}, {.scale = Rational(1, 50)});
+    const DrawnSheet large = draw(id, sheet, ten_times, {.scale = Rational(1, 500)});
+    const auto here = measurements(small), there = measurements(large);
+    REQUIRE(here.size() == there.size());
+    for (const auto& [name, m] : here) {
+      CAPTURE(name);
+      REQUIRE(there.contains(name));
+      for (const auto& [p, q] : {std::pair{m.from, there.at(name).from}, std::pair{m.to, there.at(name).to}}) {
+        CHECK(p.x == Approx(q.x).margin(1e-6));
+        CHECK(p.y == Approx(q.y).margin(1e-6));
+      }
+      CHECK(there.at(name).per_mm == Approx(10 * m.per_mm));
+    }
+    CHECK(small.sheet.figure.marks.size() == large.sheet.figure.marks.size());
+  }
+}
+
+// A crank turning clockwise from the same dead centre stands where the mirror shows it.
+TEST_CASE("a crank that turns the other way has its vectors mirrored", "[slider-crank][sheets]") {
+  for (const auto& [id, sheet, vectors] : diagrams) {
+    if (sheet != "polar-diagram") continue;
+    const DrawnSheet here = draw(id, sheet, {}), there = draw(id, sheet, {"n=-360"});
+    const drawings::SvgFile svg(drawings::svg(here.sheet)), mirrored(drawings::svg(there.sheet));
+    const double scale = per_mm(here.sheet.title_block.scales[1]) / per_mm(there.sheet.title_block.scales[1]);
+    for (const std::string& name : vectors) {
+      if (name.find('C') != std::string::npos) continue;  // C stays on the left of AB
+      CAPTURE(id, name);
+      const Drawn a = arrow(svg, here.sheet.id + "-" + name), b = arrow(mirrored, there.sheet.id + "-" + name);
+      CHECK((b.tip.x - b.from.x) == Approx(scale * (a.tip.x - a.from.x)).margin(0.003));
+      CHECK((b.tip.y - b.from.y) == Approx(-scale * (a.tip.y - a.from.y)).margin(0.003));
+    }
+  }
+}
