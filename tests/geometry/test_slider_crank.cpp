@@ -179,9 +179,21 @@ TEST_CASE("slider-crank: on the constructible cranks the routes are proved equal
     // B runs straight, A on a circle about A₀.
     CHECK(is(m.inflection_circle().power(at.B), Exact(0)));
     CHECK(is(finite(m.centre_of_curvature(at.A)), at.A0));
+    CHECK(is(finite(inflection_pole_by_poles(at)), finite(m.inflection_pole())));
     ++proved;
   }
   CHECK(proved >= 12);
+}
+
+TEST_CASE("slider-crank: the inflection pole lies on the guide without a proof", "[slider-crank]") {
+  const Arithmetic<Bounded> scope;
+  for (const CorpusCase& c : corpus()) {
+    if (c.name != "source" && c.name != "crank_20_degrees" && c.name != "crank_seventh") continue;
+    const ProjectivePoint<Bounded> J = inflection_pole_by_poles(constructed_position<Bounded>(c));
+    CAPTURE(c.name);
+    CHECK(sign(J.y) == Sign::zero);
+    CHECK(overlaps(enclosure(finite(J).x), exact_decimal(c.reference("inflection_pole_x"))));
+  }
 }
 
 TEST_CASE("slider-crank: what balls leave open is proved", "[slider-crank]") {
