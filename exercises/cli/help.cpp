@@ -13,7 +13,8 @@ std::string examples_of_program() {
   epure check all
   epure draw --help
 
-Exit code: 0 good, 1 a check fails, 2 wrong usage or impossible givens, 3 cannot write.)";
+Exit code: 0 good, 1 a check fails, 2 wrong usage or impossible givens, 3 cannot write,
+70 an internal error: please report it.)";
 }
 
 std::string examples_of_list() {

@@ -49,7 +49,12 @@ std::string list(const Catalogue& exercises, const Options& options) {
   const Language chosen = language(options);
   if (options.names.empty()) return one_line_each(exercises, chosen);
   if (options.names.size() > 1) throw WrongUsage("list shows one exercise at a time; name one, or none for all");
-  const Description& about = find_exercise(exercises, options.names.front()).about();
+  const std::string& name = options.names.front();
+  if (name == "all") return one_line_each(exercises, chosen);
+  const Target target = find_targets(exercises, {name}).front();
+  const Description& about = target.exercise->about();
+  if (!target.sheet.empty())
+    throw WrongUsage(fmt::format("\"{}\" is a sheet; epure list {} shows its exercise", name, about.id));
   return about.id + ": " + drawings::plain(about.title.in(chosen)) + "\n" + drawings::plain(about.source.in(chosen)) +
          "\n" + sheets(about, chosen) + givens(about, chosen) + quantities(about, chosen);
 }

@@ -24,16 +24,22 @@ drawings::Paper paper(const Options& options) {
   throw WrongUsage(fmt::format("\"{}\" is no paper of epure; choose a4 or a3", options.paper));
 }
 
+// Beyond them no figure of a metre or of a kilometre is of any use, and the drawing's arithmetic need not hold.
+constexpr int largest_scale = 1000000;
+
 // "1:5" and "1/5" are one fifth, "2:1" is two.
 Rational scale(std::string text) {
   const std::string typed = text;
   if (const auto colon = text.find(':'); colon != std::string::npos) text[colon] = '/';
+  Rational ratio = 0;
   try {
-    Rational ratio = geometry::parse_given(text, "1");
-    if (ratio > 0) return ratio;
+    ratio = geometry::parse_given(text, "1");
   } catch (const geometry::BadGiven&) {
     // the sentence below says what a scale looks like
   }
+  if (ratio > largest_scale || (ratio > 0 && ratio * largest_scale < 1))
+    throw WrongUsage(fmt::format("--scale {}: must lie between 1:{} and {}:1", typed, largest_scale, largest_scale));
+  if (ratio > 0) return ratio;
   throw WrongUsage(fmt::format("\"{}\" is no scale; write 1:5, 1/5 or 2:1", typed));
 }
 
@@ -77,6 +83,8 @@ Format format_of_file(const Options& options) {
 }
 
 void demand_sensible_output(const Options& options) {
+  if (options.folder && options.folder->empty())
+    throw WrongUsage("--out \"\" names no folder; name one, such as . or out");
   if (!options.file) {
     formats_of(options);
     return;

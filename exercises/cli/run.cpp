@@ -52,8 +52,9 @@ Exit run(const Catalogue& exercises, const std::vector<std::string>& arguments, 
 
 int run_cli(const Catalogue& exercises, const std::vector<std::string>& arguments, std::ostream& out,
             std::ostream& err) {
-  const auto complain = [&](Exit code, const std::exception& why, const std::string& before = "") {
-    err << "epure: " << before << one_line(why.what()) << '\n' << std::flush;
+  const auto complain = [&](Exit code, const std::exception& why, const std::string& before = "",
+                            const std::string& after = "") {
+    err << "epure: " << before << one_line(why.what()) << after << '\n' << std::flush;
     return static_cast<int>(code);
   };
   try {
@@ -62,8 +63,17 @@ int run_cli(const Catalogue& exercises, const std::vector<std::string>& argument
     return complain(Exit::cannot_write, error);
   } catch (const geometry::Undecided& error) {  // one rung alone may be unable to say anything
     return complain(Exit::failed_check, error, "cannot be decided: ");
-  } catch (const std::exception& error) {  // WrongUsage, BadGivens, Impossible, or a coordinate no sheet can hold
+  } catch (const WrongUsage& error) {
     return complain(Exit::wrong_usage, error);
+  } catch (const BadGivens& error) {
+    return complain(Exit::wrong_usage, error);
+  } catch (const geometry::BadGiven& error) {
+    return complain(Exit::wrong_usage, error);
+  } catch (const geometry::Impossible& error) {
+    return complain(Exit::wrong_usage, error);
+  } catch (const std::exception& error) {  // nothing a user should be able to bring about
+    return complain(Exit::internal_error, error,
+                    "internal error: ", "; please report it with the command that led to it");
   }
 }
 

@@ -10,7 +10,7 @@
 namespace epure {
 
 // Exit codes. Anything but success and failed_check comes with one sentence on `err`, which begins with "epure: ".
-enum class Exit { success = 0, failed_check = 1, wrong_usage = 2, cannot_write = 3 };
+enum class Exit { success = 0, failed_check = 1, wrong_usage = 2, cannot_write = 3, internal_error = 70 };
 
 // `arguments` without the program's name. What is asked for goes to `out`, and to files.
 int run_cli(const Catalogue& exercises, const std::vector<std::string>& arguments, std::ostream& out,

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "exercises/kit/checked.h"
 #include "exercises/kit/decimal.h"
+#include "geometry/numbers/given.h"
 
 namespace epure {
 namespace {
@@ -27,11 +29,40 @@ Allowance allowance(const CheckedQuantity& quantity, const Decimal& number, cons
   return {number.half_unit, "half a unit of its last digit, as no sheet shows it"};
 }
 
+bool ends_in_unit(std::string text, const std::string& dimension) {
+  text.erase(text.find_last_not_of(" \t") + 1);
+  const auto& units = geometry::known_units();
+  return std::any_of(units.begin(), units.end(), [&](const geometry::Unit& unit) {
+    return unit.dimension == dimension && unit.symbol != "1/s" && text.ends_with(unit.symbol);  // 1/s may be rad/s
+  });
+}
+
+// Also "43deg" in rad and "127rpm" in rad/s. Nobody measures to sixteen digits, so the double nearest to 2π will do.
+Decimal read_turns_or_own_unit(const std::string& text, const std::string& unit) {
+  const bool turns = unit == "rad" && ends_in_unit(text, "angle");
+  if (!turns && !(unit == "rad/s" && ends_in_unit(text, "turns per time"))) return read_decimal(text, unit);
+  Decimal number = read_decimal(text, turns ? "turn" : "turn/s");
+  const Rational turn(2 * std::numbers::pi);
+  number.value *= turn;
+  number.half_unit *= turn;
+  return number;
+}
+
+// Far from where doubles overflow, as for givens.
+Decimal read_measured(const std::string& text, const std::string& unit) {
+  Decimal number = read_turns_or_own_unit(text, unit);
+  const Rational largest = geometry::parse_given("1e12", "1");
+  if (CGAL::abs(number.value) > largest || number.half_unit > largest)
+    throw geometry::BadGiven(
+        fmt::format("\"{}\" must lie between -1e12 and 1e12{}", text.substr(0, 60), unit == "1" ? "" : " " + unit));
+  return number;
+}
+
 }  // namespace
 
 void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std::string& text,
                   const Rational& reading) {
-  const Decimal number = read_decimal(text, quantity.spec.unit);
+  const Decimal number = read_measured(text, quantity.spec.unit);
   const Allowance allowed = allowance(quantity, number, reading);
   Measured measured{
       .text = text, .value = nearest(number.value), .allowed = nearest(allowed.size), .allowed_by = allowed.by};

@@ -72,6 +72,10 @@ std::string units_like(const Unit& unit) {
   return list;
 }
 
+std::string with_article(const std::string& noun) {
+  return (std::string_view("aeiou").find(noun.front()) == std::string_view::npos ? "a " : "an ") + noun;
+}
+
 std::string example(const Unit& unit) {
   const std::string symbol = unit.symbol == "1" ? "" : unit.symbol;
   return "a number such as 0.25" + symbol + " or 1/4" + symbol;
@@ -186,7 +190,8 @@ class Reader {
     if (unit->dimension == "angular velocity in radians" && expected_.dimension == "turns per time")
       refuse("is in radians, and a turn is 2π of them, which no fraction can say exactly", accepted_units());
     if (unit->dimension != expected_.dimension)
-      refuse("is a " + unit->dimension + " where a " + expected_.dimension + " is asked", accepted_units());
+      refuse("is " + with_article(unit->dimension) + " where " + with_article(expected_.dimension) + " is asked",
+             accepted_units());
     return unit->factor / expected_.factor;
   }
 

@@ -265,8 +265,8 @@ TEST_CASE("an older file survives a drawing that fails") {
     drawn.sheet.figure.marks.push_back(drawings::Dot{{1e300, 0}, drawings::Meaning::link, "far"});
   };
   const Ran ran = run_on(wild, {"draw", "triangle", "-o", "t.pdf"});
-  CHECK(ran.exit == 2);
-  CHECK(ran.err.starts_with("epure: "));
+  CHECK(ran.exit == 70);
+  CHECK(ran.err.starts_with("epure: internal error: "));
   CHECK(contents("t.pdf") == before);
   CHECK(scratch.files() == Typed{"t.pdf"});
 }
@@ -376,4 +376,49 @@ TEST_CASE("measured numbers decide the exit code") {
   refused({"check", "triangle", "--measured", "c=1s"}, "time where a length");
   for (const std::string bad : {"0", "-1mm", "1s", "2m", "x", ""})
     refused({"check", "triangle", "--reading", bad}, "--reading");
+}
+
+TEST_CASE("an internal error is not called the user's, and stays one line") {
+  Triangle broken;
+  broken.spoil_values = [](auto&) { throw std::logic_error("assertion\nviolated"); };
+  const Ran ran = run_on(broken, {"check", "triangle"});
+  CHECK(ran.exit == 70);
+  CHECK(ran.out.empty());
+  CHECK(ran.err == "epure: internal error: assertion?violated; please report it with the command that led to it\n");
+}
+
+TEST_CASE("a measured number no ruler gives is refused") {
+  for (const std::string size : {"1e400", "-1e400", "1.1e12", "0e400"})
+    refused({"check", "triangle", "--measured", "c=" + size},
+            "--measured c: \"" + size + "\" must lie between -1e12 and 1e12 m");
+  CHECK(run({"check", "triangle", "--measured", "c=1e12"}).exit == 1);
+  CHECK(run({"check", "triangle", "--measured", "c=1e-400"}).exit == 1);
+}
+
+TEST_CASE("angles may be measured in degrees, and angular velocities in turns") {
+  CHECK(run({"check", "triangle", "--measured", "angle=43deg"}).exit == 0);
+  CHECK(run({"check", "triangle", "--measured", "angle=42 °"}).exit == 1);
+  CHECK(run({"check", "triangle", "--measured", "omega=24rpm"}).exit == 0);
+  CHECK(run({"check", "triangle", "--measured", "omega=-23.9 giri/min"}).exit == 0);
+  CHECK(run({"check", "triangle", "--measured", "omega=25rpm"}).exit == 1);
+  refused({"check", "triangle", "--measured", "c=30deg"}, "is an angle where a length is asked");
+  refused({"check", "triangle", "--measured", "c=3rad/s"}, "is an angular velocity");
+}
+
+TEST_CASE("a scale beyond all sense is refused with the bounds") {
+  for (const std::string scale : {"1:1000000000000", "1:1e400", "1e400", "1000001:1", "1:1000001"})
+    refused({"draw", "triangle", "--scale", scale},
+            "--scale " + scale + ": must lie between 1:1000000 and 1000000:1");
+  CHECK(run({"draw", "triangle", "-o", "-", "--scale", "1:1000000"}).exit == 0);
+}
+
+TEST_CASE("a folder without a name is refused") {
+  const Scratch scratch;
+  refused({"draw", "triangle", "--out", ""}, "--out \"\" names no folder");
+  CHECK(scratch.files().empty());
+}
+
+TEST_CASE("list knows all, and says what is a sheet") {
+  CHECK(run_on_two({"list", "all"}).out == run_on_two({"list"}).out);
+  refused({"list", "triangle/sides"}, "\"triangle/sides\" is a sheet; epure list triangle shows its exercise");
 }
