@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "exercises/cli/symbol.h"
 #include "exercises/kit/suggest.h"
 
 namespace epure {
@@ -32,6 +33,14 @@ bool has_symbol(const Exercise& exercise, const std::string& symbol) {
   return std::any_of(givens.begin(), givens.end(), [&](const GivenSpec& given) { return given.symbol == symbol; });
 }
 
+// The givens' names beside their letters, as plain text.
+std::vector<NameAndLetters> given_names(const Exercise& exercise) {
+  std::vector<NameAndLetters> all;
+  for (const GivenSpec& given : exercise.about().givens)
+    all.push_back({given.symbol, unicode_symbol(given.letters.empty() ? given.symbol : given.letters)});
+  return all;
+}
+
 std::string symbol_of(const std::string& assignment) { return assignment.substr(0, assignment.find('=')); }
 
 void refuse_repetitions(const std::vector<std::string>& assignments) {
@@ -41,10 +50,18 @@ void refuse_repetitions(const std::vector<std::string>& assignments) {
       throw WrongUsage(fmt::format("{} is set twice; which value is meant?", symbol_of(assignment)));
 }
 
+// "α₂=1" as "alpha_2=1".
+std::string in_ascii(const Exercise& exercise, const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos) return assignment;
+  return ascii_name(assignment.substr(0, equals), given_names(exercise)) + assignment.substr(equals);
+}
+
 // Among several exercises a symbol may be unknown to some, but not to all.
 void demand_an_owner(const std::vector<const Exercise*>& exercises, const std::string& assignment) {
   const std::string symbol = symbol_of(assignment);
-  if (std::any_of(exercises.begin(), exercises.end(), [&](auto exercise) { return has_symbol(*exercise, symbol); }))
+  if (std::any_of(exercises.begin(), exercises.end(),
+                  [&](auto exercise) { return has_symbol(*exercise, ascii_name(symbol, given_names(*exercise))); }))
     return;
   std::vector<std::string> known;
   for (const Exercise* exercise : exercises)
@@ -83,6 +100,17 @@ std::vector<Target> find_targets(const Catalogue& exercises, const std::vector<s
   return targets;
 }
 
+std::string ascii_name(const std::string& typed, const std::vector<NameAndLetters>& known) {
+  std::vector<std::string> meant;
+  for (const auto& [name, letters] : known) {
+    if (name == typed) return typed;
+    if (letters == typed && std::find(meant.begin(), meant.end(), name) == meant.end()) meant.push_back(name);
+  }
+  if (meant.size() > 1)
+    throw WrongUsage(fmt::format("\"{}\" may mean several; write {}", typed, alternatives(meant)));
+  return meant.empty() ? typed : meant.front();
+}
+
 std::vector<const Exercise*> find_exercises(const Catalogue& exercises, const std::vector<std::string>& ids) {
   std::vector<const Exercise*> found;
   for (const Target& target : find_targets(exercises, ids)) {
@@ -105,14 +133,16 @@ std::string Target::file_stem() const { return exercise->about().id + (sheet.emp
 
 std::vector<Givens> set_givens(const std::vector<const Exercise*>& exercises,
                                const std::vector<std::string>& assignments) {
-  refuse_repetitions(assignments);
   if (exercises.size() > 1)  // of a single exercise Givens knows better what to say
     for (const std::string& assignment : assignments)
       if (assignment.find('=') != std::string::npos) demand_an_owner(exercises, assignment);
   std::vector<Givens> all;
   for (const Exercise* exercise : exercises) {
     all.emplace_back(exercise->about().givens);
-    for (const std::string& assignment : assignments) {
+    std::vector<std::string> named;
+    for (const std::string& assignment : assignments) named.push_back(in_ascii(*exercise, assignment));
+    refuse_repetitions(named);
+    for (const std::string& assignment : named) {
       const bool well_formed = assignment.find('=') != std::string::npos;
       if (!well_formed || exercises.size() == 1 || has_symbol(*exercise, symbol_of(assignment)))
         all.back().set(assignment);

@@ -18,6 +18,14 @@ struct WrongUsage : std::runtime_error {
 
 const Exercise& find_exercise(const Catalogue& exercises, const std::string& id);
 
+// A name as a program types it beside the letters of the sheet: "omega_3" and "ω₃".
+struct NameAndLetters {
+  std::string name, letters;
+};
+// The name that was typed, by itself or by its letters; what is neither stays as typed. Throws WrongUsage when the
+// letters belong to several names.
+std::string ascii_name(const std::string& typed, const std::vector<NameAndLetters>& known);
+
 // The exercises named, each once, in the order named; "all" stands for all of them.
 std::vector<const Exercise*> find_exercises(const Catalogue& exercises, const std::vector<std::string>& ids);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exercises/cli/report.h"
+#include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/suggest.h"
 #include "geometry/numbers/given.h"
@@ -35,13 +36,17 @@ Rational reading(const Options& options) {
 struct MeasuredText {
   std::string name, value;
 };
-std::vector<MeasuredText> measured_texts(const Options& options) {
+std::vector<MeasuredText> measured_texts(const std::vector<const Exercise*>& exercises, const Options& options) {
+  std::vector<NameAndLetters> known;
+  for (const Exercise* exercise : exercises)
+    for (const QuantitySpec& spec : exercise->about().quantities)
+      known.push_back({spec.name, unicode_symbol(spec.symbol)});
   std::vector<MeasuredText> texts;
   for (const std::string& typed : options.measured) {
     const auto equals = typed.find('=');
     if (equals == 0 || equals == std::string::npos)
       throw WrongUsage(fmt::format("\"{}\" is no measured number; write name=value, such as omega_3=13", typed));
-    texts.push_back({typed.substr(0, equals), typed.substr(equals + 1)});
+    texts.push_back({ascii_name(typed.substr(0, equals), known), typed.substr(equals + 1)});
   }
   return texts;
 }
@@ -75,7 +80,7 @@ CheckOutcome check(const Catalogue& exercises, const Options& options) {
   const std::vector<const Exercise*> chosen = find_exercises(exercises, options.names);
   const Rung number = rung(options);
   const Rational reading_mm = reading(options);
-  const std::vector<MeasuredText> texts = measured_texts(options);
+  const std::vector<MeasuredText> texts = measured_texts(chosen, options);
   demand_known(chosen, texts);
   const std::vector<Givens> givens = set_givens(chosen, options.assignments);
 

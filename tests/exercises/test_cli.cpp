@@ -422,3 +422,19 @@ TEST_CASE("list knows all, and says what is a sheet") {
   CHECK(run_on_two({"list", "all"}).out == run_on_two({"list"}).out);
   refused({"list", "triangle/sides"}, "\"triangle/sides\" is a sheet; epure list triangle shows its exercise");
 }
+
+TEST_CASE("a symbol may be typed as the sheet writes it") {
+  Triangle greek;
+  greek.description.givens.push_back(
+      {.symbol = "alpha_2", .meaning = {}, .unit = "1", .stated = "1", .letters = "$α_{2}$"});
+  CHECK(run_on(greek, {"check", "triangle", "--set", "α₂=2"}).exit == 0);
+  CHECK(contains(run_on(greek, {"check", "triangle", "--set", "α₂=2"}).out, "alpha_2 = 2"));
+  CHECK(contains(run_on(greek, {"check", "triangle", "--set", "α₂=2", "--set", "alpha_2=3"}).err, "set twice"));
+  CHECK(run({"check", "triangle", "--measured", "ω=2.5"}).exit == 0);
+  CHECK(run({"check", "triangle", "--measured", "c₀=0.52"}).exit == 1);
+  CHECK(run_on_two({"check", "all", "--measured", "φ=0.75"}).exit == 0);
+  greek.description.quantities[4].symbol = "$ω$";
+  const Ran several = run_on(greek, {"check", "triangle", "--measured", "ω=2.5"});
+  CHECK(several.exit == 2);
+  CHECK(contains(several.err, "\"ω\" may mean several; write omega or angle"));
+}
