@@ -44,9 +44,14 @@ std::vector<std::string> distinct_routes(const std::vector<RouteValue>& values) 
   return routes;
 }
 
+// What lies within the resolution of zero is zero as far as a sheet can tell.
+std::string digits(const OnSheet& shown) {
+  return std::abs(shown.value) <= shown.resolution ? "0" : digits(shown.value);
+}
+
 std::string on_sheet(const CheckedQuantity& quantity) {
   const OnSheet* shown = farthest_on_sheet(quantity);
-  return shown ? fmt::format("{} ± {:.1g}", digits(shown->value), shown->resolution) : "-";
+  return shown ? fmt::format("{} ± {:.1g}", digits(*shown), shown->resolution) : "-";
 }
 
 std::string printed(const PrintedVerdict& each) {
@@ -90,22 +95,27 @@ std::vector<std::string> measuring_sheets(const CheckedExercise& checked) {
 std::string on(const std::string& sheet, const CheckedQuantity& quantity) {
   for (const OnSheet& shown : quantity.on_sheets) {
     if (shown.sheet != sheet) continue;
-    if (!has_value(quantity.settled) || quantity.settled.enclosure.value == 0) return digits(shown.value);
+    if (!has_value(quantity.settled) || std::abs(quantity.settled.enclosure.value) <= shown.resolution)
+      return digits(shown);
     const double size = std::abs(quantity.settled.enclosure.value);
     const double exact = shown.signed_value ? quantity.settled.enclosure.value : size;
-    return fmt::format("{} ({})", digits(shown.value), percent((shown.value - exact) / size * 100));
+    const double off = shown.value - exact;
+    return fmt::format("{} ({})", digits(shown),
+                       std::abs(off) <= shown.resolution ? "0 %" : percent(off / size * 100));
   }
   return "-";
 }
 
 // How far the sheets' readings of one quantity lie from each other.
 std::string apart(const CheckedQuantity& quantity) {
-  if (quantity.on_sheets.size() < 2 || !has_value(quantity.settled) || quantity.settled.enclosure.value == 0)
-    return "-";
+  if (quantity.on_sheets.size() < 2 || !has_value(quantity.settled)) return "-";
   const auto [least, most] =
       std::minmax_element(quantity.on_sheets.begin(), quantity.on_sheets.end(),
                           [](const OnSheet& a, const OnSheet& b) { return std::abs(a.value) < std::abs(b.value); });
   const double range = std::abs(most->value) - std::abs(least->value);
+  const double resolution = least->resolution + most->resolution;
+  if (range <= resolution) return "0";
+  if (std::abs(quantity.settled.enclosure.value) <= resolution) return digits(range);
   return fmt::format("{:.2g} %", range / std::abs(quantity.settled.enclosure.value) * 100);
 }
 

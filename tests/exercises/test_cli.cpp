@@ -438,3 +438,19 @@ TEST_CASE("a symbol may be typed as the sheet writes it") {
   CHECK(several.exit == 2);
   CHECK(contains(several.err, "\"ω\" may mean several; write omega or angle"));
 }
+
+TEST_CASE("the report shows nothing finer than a sheet can hold") {
+  CHECK(contains(run({"check", "triangle"}).out, "0.500002 (0 %)"));
+  Triangle noisy;  // c_y is zero, and drawn a breath beside it
+  noisy.spoil_values = [](auto& values) {
+    for (const std::string route : {"ruler", "analytic"}) value_of(values, "c_y", route) = certain(1e-13);
+  };
+  noisy.spoil_sheet = [](DrawnSheet& drawn) {
+    for (Measurement& each : drawn.measurements)
+      if (each.quantity == "c_y") each.to.y = each.from.y + 1e-11;
+  };
+  const std::string out = run_on(noisy, {"check", "triangle"}).out;
+  CAPTURE(out);
+  CHECK(contains(out, "  c_y       1e-13 m  0  "));
+  CHECK(contains(out, "  0 ± "));
+}
