@@ -68,9 +68,9 @@ void draw_coupler_curve(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
   Plot plot(onto, fit.origin, fit.scale);
   draw_positions(plot, f, all);
   const geometry::Arithmetic<geometry::Bounded> scope;
-  const geometry::CouplerCurve<geometry::Bounded> curve{loop_of<geometry::Bounded>(f.instant),
-                                                        reference_of<geometry::Bounded>(f.instant),
-                                                        f.instant.position<geometry::Bounded>().C};
+  const Reference reference = reference_of(f.instant);
+  const geometry::CouplerCurve<geometry::Bounded> curve{loop_of<geometry::Bounded>(f.instant), reference.coupler,
+                                                        reference.C};
   const geometry::Trace path = draw_locus(plot, curve, room, Meaning::locus, "path_of_C");
   draw_slider_crank(plot, f.at, CGAL::to_double(f.instant.turns_per_second));
   plot.measures_coordinates("C", f.at.C, f.at.A0);

@@ -19,11 +19,13 @@ geometry::SliderCrankLoop<T> loop_of(const SliderCrankInstant& instant) {
   return {long_r, long_l, geometry::Driver::coupler, ahead ? geometry::Along::ahead : geometry::Along::behind};
 }
 
-template <class T>
-geometry::CouplerPosition<T> reference_of(const SliderCrankInstant& instant) {
-  const geometry::SliderCrank<T> at = instant.position<T>();
-  return {at.A, at.B, at.pole()};
-}
+// The instant's own position, which the transports refer to. Found with many bits and then enclosed in intervals, so
+// that a plate or a closure too sharp for intervals of doubles is no obstacle to the curves.
+struct Reference {
+  geometry::CouplerPosition<geometry::Bounded> coupler;
+  geometry::Point<geometry::Bounded> C;
+};
+Reference reference_of(const SliderCrankInstant& instant);
 
 // The positions a student would draw: the driving link's circle divided.
 inline constexpr int positions = 12;

@@ -100,7 +100,7 @@ void draw_polodes(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
 
   const geometry::Arithmetic<geometry::Bounded> scope;
   const auto loop = loop_of<geometry::Bounded>(f.instant);
-  const auto reference = reference_of<geometry::Bounded>(f.instant);
+  const auto reference = reference_of(f.instant).coupler;
   const geometry::FixedPolode<geometry::Bounded> fixed{loop};
   const geometry::MovingPolode<geometry::Bounded> moving{loop, reference};
   for (const auto& asymptotes : {geometry::asymptotes(fixed), geometry::asymptotes(moving)}) {
