@@ -31,6 +31,7 @@ void require_closure(const SliderCrankInstant& at) {
                        return geometry::square(geometry::from_rational<T>(at.lengths.l)) - geometry::square(A_y);
                      }).sign;
   if (reach == Sign::positive) return;
+  if (reach == Sign::undecided) throw geometry::Undecided("whether the coupler reaches the guide");
   const double phi = 360 * number(at.crank.fraction);
   const double A_y = std::abs(number(at.lengths.r) * geometry::sine<geometry::Fast>(at.crank));
   const double l = number(at.lengths.l);

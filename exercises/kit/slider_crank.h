@@ -35,7 +35,7 @@ struct SliderCrankInstant {
 };
 
 // Throws BadGivens, in one sentence with the values, when n = 0, the plate ABC or the linkage does not close, or the
-// coupler is square to the guide, where the crank cannot drive the slider.
+// coupler is square to the guide, where the crank cannot drive the slider; Undecided when no number can tell.
 SliderCrankInstant slider_crank_instant(const Givens& givens);
 
 }  // namespace epure

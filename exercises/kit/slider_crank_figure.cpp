@@ -68,8 +68,7 @@ void sketch_slider_crank(Plot& plot, const DrawnSliderCrank& at) {
 
 Scale draw_small_slider_crank(DrawnSheet& onto, const DrawnSliderCrank& at, const SliderCrankInstant& instant,
                               const drawings::Box& room, const SheetRequest& request) {
-  const double reach = std::abs(at.B.x) + std::hypot(at.A.x, at.A.y);
-  const Fit fit = fit_lengths(room, request, 1000 / reach, [&](const Scale& scale) {
+  const Fit fit = fit_lengths(room, request, 1000 / reach(at), [&](const Scale& scale) {
     Extent extent;
     include_slider_crank(extent, scale, at);
     return extent.box();
@@ -78,6 +77,8 @@ Scale draw_small_slider_crank(DrawnSheet& onto, const DrawnSliderCrank& at, cons
   draw_slider_crank(plot, at, CGAL::to_double(instant.turns_per_second));
   return fit.scale;
 }
+
+double reach(const DrawnSliderCrank& at) { return std::abs(at.B.x) + std::hypot(at.A.x, at.A.y); }
 
 void include_slider_crank(Extent& extent, const Scale& scale, const DrawnSliderCrank& at) {
   const double r = std::hypot(at.A.x, at.A.y);

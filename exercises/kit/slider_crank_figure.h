@@ -7,6 +7,7 @@
 
 namespace epure {
 
+class Extent;
 using DrawnSliderCrank = geometry::SliderCrank<double>;
 
 // The mechanism for drawing: the construction run on Deep, then rounded once.
@@ -26,8 +27,10 @@ void sketch_slider_crank(Plot& plot, const DrawnSliderCrank& at);
 // The plate ABC and its sides only.
 void draw_plate(Plot& plot, const DrawnSliderCrank& at);
 
+// How far the mechanism reaches from end to end, in metres: what is far or large in its figures is measured by it.
+double reach(const DrawnSliderCrank& at);
+
 // What the mechanism covers at a scale: the crank circle, the plate, the guide, and room for symbols and letters.
-class Extent;
 void include_slider_crank(Extent& extent, const Scale& scale, const DrawnSliderCrank& at);
 
 }  // namespace epure

@@ -13,8 +13,6 @@ namespace {
 // A circle larger than this many times the mechanism is shown as an arc that leaves the frame.
 constexpr double whole_circle_limit = 8;
 
-double mechanism_size(const Drawn& f) { return std::abs(f.at.B.x) + std::hypot(f.at.A.x, f.at.A.y); }
-
 void include_circle(Extent& extent, const Scale& scale, const DrawnCycle& cycle, double size) {
   if (!cycle.centre || 2 * cycle.radius > whole_circle_limit * size) return;
   const auto& [x, y] = *cycle.centre;
@@ -26,7 +24,7 @@ void include_circle(Extent& extent, const Scale& scale, const DrawnCycle& cycle,
 drawings::Box extent(const Drawn& f, const Scale& scale) {
   Extent extent;
   for (const Place& P : {f.at.A0, f.at.A, f.at.B, f.at.C}) extent.include(scale, P, 6);
-  const double size = mechanism_size(f);
+  const double size = reach(f.at);
   include_circle(extent, scale, f.inflection, size);
   include_circle(extent, scale, f.stationarity, size);
   for (const auto& P : {f.P0, f.K}) {
@@ -137,7 +135,7 @@ drawings::Table results(const Drawn& f, Language language) {
 void draw_circles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   const Language language = request.language;
   const bool english = language == Language::english;
-  const Fit fit = fit_lengths(room_above_scale_bars(request), request, 1000 / mechanism_size(f),
+  const Fit fit = fit_lengths(room_above_scale_bars(request), request, 1000 / reach(f.at),
                               [&](const Scale& scale) { return extent(f, scale); });
   Plot plot(onto, fit.origin, fit.scale);
   draw_inflection_circle(plot, f);

@@ -21,10 +21,8 @@ struct Traced {
 
 std::vector<Traced> traced(const Drawn& f) { return {{"C", f.at.C, f.C}, {"M", f.at.M, f.M}}; }
 
-double mechanism_size(const Drawn& f) { return std::abs(f.at.B.x) + std::hypot(f.at.A.x, f.at.A.y); }
-
 bool is_near(const Drawn& f, const std::optional<Place>& P, double times) {
-  return P && std::hypot(P->x, P->y) < times * mechanism_size(f);
+  return P && std::hypot(P->x, P->y) < times * reach(f.at);
 }
 
 void draw_overview(Plot& plot, const Drawn& f) {
@@ -140,10 +138,10 @@ void draw_curvature(DrawnSheet& onto, const Drawn& f, const SheetRequest& reques
   const drawings::Box above{{room.low.x, divide}, room.high}, below{room.low, {room.high.x, divide}};
   SheetRequest own_scale = request;
   own_scale.scale.reset();  // --scale is for the mechanism
-  const Fit overview = fit_lengths(above, own_scale, 1000 / mechanism_size(f),
+  const Fit overview = fit_lengths(above, own_scale, 1000 / reach(f.at),
                                    [&](const Scale& scale) { return overview_extent(f, scale); });
-  const Fit detail = fit_lengths(below, request, 1000 / mechanism_size(f),
-                                 [&](const Scale& scale) { return detail_extent(f, scale); });
+  const Fit detail =
+      fit_lengths(below, request, 1000 / reach(f.at), [&](const Scale& scale) { return detail_extent(f, scale); });
   Plot far(onto, overview.origin, overview.scale), near(onto, detail.origin, detail.scale);
   onto.sheet.figure.windows = {above, below};
   draw_overview(far, f);

@@ -11,12 +11,8 @@
 namespace epure::slider_crank_acceleration {
 namespace {
 
-double mechanism_size(const Drawn& f) { return std::abs(f.at.B.x) + std::hypot(f.at.A.x, f.at.A.y); }
-
 // K is drawn when it lies no farther away than the figure can bear.
-bool shows_K(const Drawn& f) {
-  return f.K && std::hypot(f.K->x - f.at.A.x, f.K->y - f.at.A.y) < 4 * mechanism_size(f);
-}
+bool shows_K(const Drawn& f) { return f.K && std::hypot(f.K->x - f.at.A.x, f.K->y - f.at.A.y) < 4 * reach(f.at); }
 
 drawings::Box extent(const Drawn& f, const Scale& lengths, const Scale& accelerations) {
   Extent extent;
@@ -102,7 +98,7 @@ void draw_poles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   const Language language = request.language;
   const bool english = language == Language::english;
   const Scale accelerations = largest_vector_scale(longest_vector / greatest_acceleration(f), "m/s²", language);
-  const Fit fit = fit_lengths(room_above_scale_bars(request), request, 1000 / mechanism_size(f),
+  const Fit fit = fit_lengths(room_above_scale_bars(request), request, 1000 / reach(f.at),
                               [&](const Scale& lengths) { return extent(f, lengths, accelerations); });
   Plot plot(onto, fit.origin, fit.scale);
   plot.vectors_at(accelerations);

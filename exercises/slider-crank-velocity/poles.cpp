@@ -132,8 +132,7 @@ void write_column(DrawnSheet& onto, const Drawn& f, Language language) {
 void draw_poles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   constexpr double longest_vector = 32;  // mm: reads well and stays clear of the other points
   const Scale velocities = largest_vector_scale(longest_vector / greatest_speed(f), "m/s", request.language);
-  const double reach = std::abs(f.at.B.x) + std::hypot(f.at.A.x, f.at.A.y);
-  const Fit fit = fit_lengths(room_above_scale_bars(request), request, 1000 / reach,
+  const Fit fit = fit_lengths(room_above_scale_bars(request), request, 1000 / reach(f.at),
                               [&](const Scale& lengths) { return extent(f, lengths, velocities); });
   Plot plot(onto, fit.origin, fit.scale);
   plot.vectors_at(velocities);
