@@ -16,6 +16,7 @@
 #include "drawings/paint.h"
 #include "drawings/pango_fonts.h"
 #include "drawings/release.h"
+#include "drawings/stopwatch.h"
 #include "drawings/typeset.h"
 #include "drawings/vectors.h"
 
@@ -75,7 +76,7 @@ class Painter {
   }
 
   void operator()(const PlacedText& text) {
-    const SetText set = typeset(text.text, text.size, text.weight);
+    const SetText& set = typeset(text.text, text.size, text.weight);
     ink(text.colour);
     for (const GlyphRun& run : set.runs) show(run, text.baseline);
     for (const Path& arrow : set.arrows) {
@@ -189,6 +190,7 @@ void set_metadata(cairo_surface_t* surface, const std::string& title) {
 }  // namespace
 
 std::string write_pdf(const std::vector<Page>& pages, const std::string& document_title) {
+  const Timed timed(Work::pdf);
   if (pages.empty()) throw std::invalid_argument("a document needs at least one page");
   check_plain_text(document_title, "the title of the document");
   for (const Page& page : pages) check(page);

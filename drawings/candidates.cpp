@@ -9,14 +9,20 @@ namespace epure::drawings {
 
 namespace {
 
-constexpr int directions = 16;
 constexpr std::array near_gaps{1.3, 1.8, 2.4, 3.1, 4.0, 5.0};  // mm from a point to the box
 constexpr std::array side_gaps{1.15, 1.6, 2.3, 3.2};           // mm from a segment to the box
 constexpr std::array far_gaps{7.0, 9.0, 11.5, 14.5, 18.0, 22.0, 27.0};
 constexpr double shortest_with_sides = 6;  // mm
-constexpr std::array along{0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82};
+constexpr std::array shares{0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82};
 // Upper right is where one looks first when nothing else is asked for.
 const Point usual = direction(std::numbers::pi / 4);
+// From a point to its labels: all round.
+const std::array<Point, 16> directions = [] {
+  std::array<Point, 16> all;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = direction(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(all.size()));
+  return all;
+}();
 
 Box box_around(Point centre, const LabelBox& label) {
   const Point half{label.width / 2, label.height / 2};
@@ -35,47 +41,54 @@ double side_cost(Point from_anchor, const LabelBox& label, Point anchor) {
   return (asked ? price::wrong_side : price::usual_side) * (1 - dot(unit({}, from_anchor), wish)) / 2;
 }
 
-class Judge {
- public:
-  Judge(const Obstacles& obstacles, Box area) : obstacles_(obstacles), area_(area) {}
+// What a place costs for lines close to it; none when it touches one.
+std::optional<double> closeness(Box box, const Obstacles& obstacles) {
+  double nearest = label_clearance;
+  obstacles.near(box, label_clearance + 0.5, [&](const Obstacle& o) {
+    if (!is_beyond(nearest + o.half_width, box, o.from, o.to))
+      nearest = std::min(nearest, gap(box, o.from, o.to) - o.half_width);
+    return nearest > 0;
+  });
+  if (nearest <= 0) return std::nullopt;
+  const double lack = 1 - nearest / label_clearance;
+  return price::crowded * lack * lack;
+}
 
-  bool allows(Box box) const { return contains(area_, box); }
+// Of the places those that touch nothing, priced.
+std::vector<Candidate> clear_of(std::vector<Candidate> places, const Obstacles& obstacles) {
+  std::erase_if(places, [&](Candidate& place) {
+    const auto more = closeness(place.box, obstacles);
+    place.cost += more.value_or(0);
+    return !more;
+  });
+  return places;
+}
 
-  // Adds what the drawing under and around the box costs.
-  void judge(Candidate& candidate) const {
-    double nearest = label_clearance;
-    obstacles_.near(candidate.box, label_clearance + 0.5, [&](const Obstacle& o) {
-      const double d = gap(candidate.box, o.from, o.to) - o.half_width;
-      nearest = std::min(nearest, d);
-      if (d > 0) return true;
-      if (!candidate.blocked || o.heavy) candidate.cost = std::max(candidate.cost, touch(o));
-      candidate.blocked = true;
-      candidate.cost += price::inside * length_inside(candidate.box, o.from, o.to);
-      return !candidate.leader;
-    });
-    // Touching something far away is no better than touching something near: such places are not kept.
-    if (candidate.leader && candidate.blocked) return;
-    const double lack = 1 - std::max(nearest, 0.0) / label_clearance;
-    candidate.cost += price::crowded * lack * lack;
-    if (candidate.leader) candidate.cost += price::leader_crossing * crossings(*candidate.leader);
-  }
+double touch(const Obstacle& o) { return o.heavy ? price::touch_heavy : price::touch_thin; }
 
- private:
-  static double touch(const Obstacle& o) { return o.heavy ? price::touch_heavy : price::touch_thin; }
+// Adds what the lines under a place cost, if there are any.
+void price_touching(Candidate& place, const Obstacles& obstacles) {
+  obstacles.near(place.box, label_clearance + 0.5, [&](const Obstacle& o) {
+    if (is_beyond(o.half_width, place.box, o.from, o.to)) return true;
+    const double covered = length_inside(place.box, o.from, o.to);
+    if (covered == 0 && gap(place.box, o.from, o.to) > o.half_width) return true;
+    if (!place.blocked || o.heavy) place.cost = std::max(place.cost, touch(o));
+    place.blocked = true;
+    place.cost += price::inside * covered;
+    return true;
+  });
+  if (place.blocked) place.cost += price::crowded;
+}
 
-  int crossings(const Segment& leader) const {
-    int count = 0;
-    const Box box = include(include(nothing(), leader.first), leader.second);
-    obstacles_.near(box, 0, [&](const Obstacle& o) {
-      count += cross(leader, {o.from, o.to}) ? 1 : 0;
-      return true;
-    });
-    return count;
-  }
-
-  const Obstacles& obstacles_;
-  Box area_;
-};
+int crossings(const Segment& leader, const Obstacles& obstacles) {
+  int count = 0;
+  const Box box = include(include(nothing(), leader.first), leader.second);
+  obstacles.near(box, 0, [&](const Obstacle& o) {
+    count += cross(leader, {o.from, o.to}) ? 1 : 0;
+    return true;
+  });
+  return count;
+}
 
 // Ends a little short of both, so that neither letter nor point is touched.
 Segment leader_between(Box box, Point anchor) {
@@ -83,46 +96,58 @@ Segment leader_between(Box box, Point anchor) {
   return {start, anchor - 0.9 * unit(start, anchor)};
 }
 
-void around_point(const LabelBox& label, Point at, const Judge& judge, std::vector<Candidate>& found) {
+// Places inside `area`, priced by themselves.
+std::vector<Candidate> around_point(const LabelBox& label, Point at, Box area) {
+  std::vector<Candidate> places;
   for (const double gap : near_gaps)
-    for (int i = 0; i < directions; ++i) {
-      const Point u = direction(2 * std::numbers::pi * i / directions);
-      Candidate candidate{box_beside(at, u, gap, label)};
-      if (!judge.allows(candidate.box)) continue;
-      candidate.cost = (gap - near_gaps.front()) + side_cost(u, label, at);
-      judge.judge(candidate);
-      found.push_back(candidate);
+    for (const Point u : directions) {
+      const Box box = box_beside(at, u, gap, label);
+      if (contains(area, box)) places.push_back({box, {}, (gap - near_gaps.front()) + side_cost(u, label, at)});
     }
+  return places;
 }
 
-void beside_segment(const LabelBox& label, Point from, Point to, const Judge& judge, std::vector<Candidate>& found) {
+std::vector<Candidate> beside_segment(const LabelBox& label, Point from, Point to, Box area) {
   const Point normal = left_of(unit(from, to));
   // How far the box reaches towards the segment from its centre.
   const double reach = std::abs(normal.x) * label.width / 2 + std::abs(normal.y) * label.height / 2;
+  std::vector<Candidate> places;
   for (const double gap : side_gaps)
-    for (const double t : along)
+    for (const double t : shares)
       for (const double sign : {1.0, -1.0}) {
         const Point anchor = between(from, to, t), u = sign * normal;
-        Candidate candidate{box_around(anchor + (gap + reach) * u, label)};
-        if (!judge.allows(candidate.box)) continue;
-        candidate.cost = (gap - side_gaps.front()) + 2 * price::off_middle * std::abs(t - 0.5) +
-                         side_cost(u, label, between(from, to, 0.5));
-        judge.judge(candidate);
-        found.push_back(candidate);
+        const Box box = box_around(anchor + (gap + reach) * u, label);
+        if (!contains(area, box)) continue;
+        const double aside = 2 * price::off_middle * std::abs(t - 0.5);
+        places.push_back({box, {}, (gap - side_gaps.front()) + aside + side_cost(u, label, between(from, to, 0.5))});
       }
+  return places;
 }
 
-void with_leader(const LabelBox& label, Point anchor, const Judge& judge, std::vector<Candidate>& found) {
+std::vector<Candidate> with_leader(const LabelBox& label, Point anchor, Box area) {
+  std::vector<Candidate> places;
   for (const double gap : far_gaps)
-    for (int i = 0; i < directions; ++i) {
-      const Point u = direction(2 * std::numbers::pi * i / directions);
-      Candidate candidate{box_beside(anchor, u, gap, label)};
-      if (!judge.allows(candidate.box)) continue;
-      candidate.leader = leader_between(candidate.box, anchor);
-      candidate.cost = price::leader + gap - near_gaps.front() + side_cost(u, label, anchor);
-      judge.judge(candidate);
-      if (!candidate.blocked) found.push_back(candidate);
+    for (const Point u : directions) {
+      const Box box = box_beside(anchor, u, gap, label);
+      if (contains(area, box))
+        places.push_back({box, leader_between(box, anchor),
+                          price::leader + gap - near_gaps.front() + side_cost(u, label, anchor)});
     }
+  return places;
+}
+
+// The part of what a label names that is on the paper.
+std::optional<Segment> shown_of(const LabelBox& label, Box area) {
+  return clip_segment(label.at, label.to.value_or(label.at), grown(area, 0.5));
+}
+
+Point middle(const Segment& segment) { return between(segment.first, segment.second, 0.5); }
+
+std::vector<Candidate> beside(const LabelBox& label, const Segment& shown, Box area) {
+  // A short segment has no sides worth the name: its label goes around its middle.
+  return distance(shown.first, shown.second) > shortest_with_sides
+             ? beside_segment(label, shown.first, shown.second, area)
+             : around_point(label, middle(shown), area);
 }
 
 }  // namespace
@@ -136,19 +161,31 @@ bool cross(const Segment& first, const Segment& second) {
   return parted(first, second) && parted(second, first);
 }
 
-std::vector<Candidate> candidates(const LabelBox& label, const Obstacles& obstacles, Box area) {
-  const Judge judge(obstacles, area);
-  std::vector<Candidate> found;
-  const auto shown = clip_segment(label.at, label.to.value_or(label.at), grown(area, 0.5));
-  if (!shown) return found;
-  const Point anchor = between(shown->first, shown->second, 0.5);
-  // A short segment has no sides worth the name: its label goes around its middle.
-  if (distance(shown->first, shown->second) > shortest_with_sides)
-    beside_segment(label, shown->first, shown->second, judge, found);
-  else
-    around_point(label, anchor, judge, found);
-  with_leader(label, anchor, judge, found);
-  return found;
+std::vector<Candidate> clear_places_around_point(const LabelBox& label, const Obstacles& obstacles, Box area) {
+  return clear_of(around_point(label, label.at, area), obstacles);
+}
+
+std::vector<Candidate> clear_places(const LabelBox& label, const Obstacles& obstacles, Box area) {
+  const auto shown = shown_of(label, area);
+  return shown ? clear_of(beside(label, *shown, area), obstacles) : std::vector<Candidate>{};
+}
+
+std::vector<Candidate> places_with_leader(const LabelBox& label, const Obstacles& obstacles, Box area) {
+  const auto shown = shown_of(label, area);
+  if (!shown) return {};
+  // Touching something far away is no better than touching something near: such places are left out.
+  std::vector<Candidate> places = clear_of(with_leader(label, middle(*shown), area), obstacles);
+  for (Candidate& place : places) place.cost += price::leader_crossing * crossings(*place.leader, obstacles);
+  return places;
+}
+
+std::vector<Candidate> touching_places(const LabelBox& label, const Obstacles& obstacles, Box area) {
+  const auto shown = shown_of(label, area);
+  if (!shown) return {};
+  std::vector<Candidate> places = beside(label, *shown, area);
+  for (Candidate& place : places) price_touching(place, obstacles);
+  std::erase_if(places, [](const Candidate& place) { return !place.blocked; });
+  return places;
 }
 
 }  // namespace epure::drawings

@@ -35,7 +35,13 @@ inline constexpr double leaders_crossed = 10;
 
 bool cross(const Segment& first, const Segment& second);
 
-// Inside `area` only; near places first, then far ones with leaders.
-std::vector<Candidate> candidates(const LabelBox& label, const Obstacles& obstacles, Box area);
+// Places inside `area` around the point the label belongs to, where it touches nothing.
+std::vector<Candidate> clear_places_around_point(const LabelBox& label, const Obstacles& obstacles, Box area);
+// The same beside the point or the segment it belongs to.
+std::vector<Candidate> clear_places(const LabelBox& label, const Obstacles& obstacles, Box area);
+// Farther off, with leaders, touching nothing: each costs at least price::leader.
+std::vector<Candidate> places_with_leader(const LabelBox& label, const Obstacles& obstacles, Box area);
+// As near as the clear ones, but touching a line or symbol: each costs at least price::touch_thin.
+std::vector<Candidate> touching_places(const LabelBox& label, const Obstacles& obstacles, Box area);
 
 }  // namespace epure::drawings

@@ -26,25 +26,35 @@ bool is_id(std::string_view id) {
   return !id.empty() && starts_id(id.front());
 }
 
-// Checks the numbers of one primitive, named in every complaint.
+struct Describe {
+  std::string operator()(const Stroke& s) const {
+    return s.name.empty() ? "a line" : fmt::format("line '{}'", s.name);
+  }
+  std::string operator()(const Fill& f) const {
+    return f.name.empty() ? "an area" : fmt::format("area '{}'", f.name);
+  }
+  std::string operator()(const PlacedText& t) const { return fmt::format("text \"{}\"", t.text); }
+};
+
+// Checks the numbers of a page, or of one primitive on it, which is named in every complaint. There are thousands of
+// numbers, so nothing is put into words before there is a complaint.
 class Checker {
  public:
-  explicit Checker(std::string who) : who_(std::move(who)) {}
+  explicit Checker(const Page& page, const Primitive* primitive = nullptr) : page_(page), primitive_(primitive) {}
 
-  void number(double value, double low, double high, std::string_view what) const {
+  void number(double value, double low, double high, std::string_view what, std::string_view of = {}) const {
     if (!(value >= low && value <= high))  // NaN fails this too
-      throw std::invalid_argument(
-          fmt::format("{}: {} is {}, and must lie between {} and {}", who_, what, value, low, high));
+      complain(fmt::format("{}{} is {}, and must lie between {} and {}", what, of, value, low, high));
   }
   void point(Point p, std::string_view what) const {
-    number(p.x, -farthest, farthest, fmt::format("x of {}", what));
-    number(p.y, -farthest, farthest, fmt::format("y of {}", what));
+    number(p.x, -farthest, farthest, "x of ", what);
+    number(p.y, -farthest, farthest, "y of ", what);
   }
   void box(const Box& b, std::string_view what) const {
     point(b.low, what);
     point(b.high, what);
-    number(b.width(), 0, 2 * farthest, fmt::format("width of {}", what));
-    number(b.height(), 0, 2 * farthest, fmt::format("height of {}", what));
+    number(b.width(), 0, 2 * farthest, "width of ", what);
+    number(b.height(), 0, 2 * farthest, "height of ", what);
   }
   void path(const Path& path) const {
     point(path.start, "the start");
@@ -64,10 +74,7 @@ class Checker {
   }
   void name(const std::string& name) const {
     if (!name.empty() && !is_id(name))
-      throw std::invalid_argument(
-          fmt::format("{}: a name holds only letters, digits, _ . and - and starts with a "
-                      "letter, a digit or _",
-                      who_));
+      complain("a name holds only letters, digits, _ . and - and starts with a letter, a digit or _");
   }
 
   void operator()(const Stroke& stroke) const {
@@ -97,17 +104,14 @@ class Checker {
   }
 
  private:
-  std::string who_;
-};
+  [[noreturn]] void complain(const std::string& why) const {
+    const std::string who = primitive_ ? fmt::format("sheet '{}', {}", page_.id, std::visit(Describe{}, *primitive_))
+                                       : fmt::format("page '{}'", page_.id);
+    throw std::invalid_argument(fmt::format("{}: {}", who, why));
+  }
 
-struct Describe {
-  std::string operator()(const Stroke& s) const {
-    return s.name.empty() ? "a line" : fmt::format("line '{}'", s.name);
-  }
-  std::string operator()(const Fill& f) const {
-    return f.name.empty() ? "an area" : fmt::format("area '{}'", f.name);
-  }
-  std::string operator()(const PlacedText& t) const { return fmt::format("text \"{}\"", t.text); }
+  const Page& page_;
+  const Primitive* primitive_;
 };
 
 }  // namespace
@@ -124,12 +128,11 @@ void check(const Page& page) {
   if (!is_id(page.id)) throw std::invalid_argument(fmt::format("'{}' cannot be the id of a drawing", page.id));
   check_plain_text(page.title, "the title");
   check_plain_text(page.description, "the description");
-  const Checker whole(fmt::format("page '{}'", page.id));
+  const Checker whole(page);
   whole.box(page.extent, "the page");
   whole.number(page.extent.width(), 1, largest_page, "the width");
   whole.number(page.extent.height(), 1, largest_page, "the height");
-  for (const Primitive& primitive : page.primitives)
-    std::visit(Checker(fmt::format("sheet '{}', {}", page.id, std::visit(Describe{}, primitive))), primitive);
+  for (const Primitive& primitive : page.primitives) std::visit(Checker(page, &primitive), primitive);
 }
 
 }  // namespace epure::drawings

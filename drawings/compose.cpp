@@ -9,6 +9,7 @@
 #include "drawings/labels.h"
 #include "drawings/layout.h"
 #include "drawings/output.h"
+#include "drawings/stopwatch.h"
 #include "drawings/symbols.h"
 #include "drawings/text.h"
 #include "drawings/title_block.h"
@@ -119,7 +120,7 @@ std::vector<Primitive> figure_ink(const Figure& figure, Box area, std::vector<st
   const std::vector<Place> places = place_labels(boxes, canvas.obstacles(), area);
   if (conflicts) {
     for (const std::string& text : canvas.crossed_texts())
-      conflicts->push_back(fmt::format("'{}' of a scale bar touches a line, a symbol or other letters", plain(text)));
+      conflicts->push_back(fmt::format("'{}' touches a line, a symbol or other letters", plain(text)));
     report(*conflicts, items, places);
   }
   std::vector<Primitive> ink = canvas.take();
@@ -144,6 +145,7 @@ Stroke frame_line(Box frame) {
 }  // namespace
 
 Page compose(const Sheet& sheet, std::vector<std::string>* conflicts) {
+  const Timed timed(Work::layout);
   Page page{sheet.id, sheet.title, sheet.description, paper_box(sheet.paper), sheet.language, {}};
   page.primitives = figure_ink(sheet.figure, drawing_area(sheet.paper), conflicts);
   if (sheet.bare) {

@@ -9,9 +9,13 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <memory>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "drawings/output.h"
+#include "drawings/stopwatch.h"
 
 namespace epure::drawings {
 namespace {
@@ -121,10 +125,12 @@ class Draft {
   Draft& operator=(const Draft&) = delete;
 
   void fill(std::string_view bytes, const struct stat* old) {
-    const bool done = write_all(file_.number(), bytes) &&
-                      (!old || ::fchmod(file_.number(), old->st_mode & 0777) == 0) && sync(file_.number()) &&
-                      file_.close();
+    const bool done =
+        write_all(file_.number(), bytes) && (!old || ::fchmod(file_.number(), old->st_mode & 0777) == 0);
     if (!done) fail(shown_, errno);
+  }
+  void secure() {
+    if (!sync(file_.number()) || !file_.close()) fail(shown_, errno);
   }
   void keep_as(const fs::path& path) {
     if (::rename(path_.c_str(), path.c_str()) != 0) fail(shown_, errno);
@@ -156,30 +162,63 @@ void sync_folder(const fs::path& folder) {
   if (opened.number() >= 0) sync(opened.number());
 }
 
-}  // namespace
+// A draft filled for its place.
+struct Pending {
+  std::unique_ptr<Draft> draft;
+  fs::path target;
+};
 
-void write_whole(const fs::path& path, std::string_view bytes) {
-  const SignalsAsErrors guard;
-  if (is_standard_output(path)) {
-    if (!write_all(STDOUT_FILENO, bytes) || !sync(STDOUT_FILENO)) fail("to standard output", errno);
-    return;
-  }
+// Nothing for what is written in place; throws for what cannot become a file.
+std::optional<Pending> begin(const File& file) {
+  const fs::path& path = file.path;
+  if (is_standard_output(path)) return std::nullopt;
   const std::string shown = path.string();
   if (path.empty()) fail("a file", "its name is empty");
   struct stat old = {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
   if (!exists && errno != ENOENT) fail(shown, errno);
   if (exists ? S_ISDIR(old.st_mode) : !path.has_filename()) fail(shown, EISDIR);
-  if (exists && !S_ISREG(old.st_mode)) return write_in_place(path, bytes, shown);
+  if (exists && !S_ISREG(old.st_mode)) return std::nullopt;
   // Renaming would replace a file that its owner has protected against writing.
   if (exists && ::access(path.c_str(), W_OK) != 0) fail(shown, errno);
 
   const fs::path target = behind_links(path), folder = folder_of(target);
   make_folder(folder, shown);
-  Draft draft(folder, shown);
-  draft.fill(bytes, exists ? &old : nullptr);
-  draft.keep_as(target);
-  sync_folder(folder);
+  Pending pending{std::make_unique<Draft>(folder, shown), target};
+  pending.draft->fill(file.bytes, exists ? &old : nullptr);
+  return pending;
+}
+
+void write_special(const File& file) {
+  if (!is_standard_output(file.path)) return write_in_place(file.path, file.bytes, file.path.string());
+  if (!write_all(STDOUT_FILENO, file.bytes) || !sync(STDOUT_FILENO)) fail("to standard output", errno);
+}
+
+}  // namespace
+
+void write_whole(const std::vector<File>& files) {
+  const Timed timed(Work::files);
+  const SignalsAsErrors guard;
+  std::vector<Pending> drafts;
+  std::vector<const File*> special;
+  for (const File& file : files) {
+    if (std::optional<Pending> pending = begin(file))
+      drafts.push_back(std::move(*pending));
+    else
+      special.push_back(&file);
+  }
+  for (const Pending& each : drafts) each.draft->secure();
+  std::set<fs::path> folders;
+  for (const Pending& each : drafts) {
+    each.draft->keep_as(each.target);
+    folders.insert(folder_of(each.target));
+  }
+  for (const fs::path& folder : folders) sync_folder(folder);
+  for (const File* file : special) write_special(*file);
+}
+
+void write_whole(const fs::path& path, std::string_view bytes) {
+  write_whole(std::vector{File{path, std::string(bytes)}});
 }
 
 }  // namespace epure::drawings

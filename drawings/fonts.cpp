@@ -30,11 +30,7 @@ Box find_ink(PangoFont* font, unsigned glyph) {
           {to_units(drawn.x + drawn.width), -to_units(drawn.y)}};
 }
 
-}  // namespace
-
-bool has_glyph(Face face, char32_t character) { return pango_font_has_char(pango_fonts()[face], character); }
-
-ShapedLetters shape(Face face, std::string_view letters) {
+ShapedLetters shape_anew(Face face, std::string_view letters) {
   // One font, named: nothing is left to Pango's search for fonts, and what this one lacks comes back as unknown.
   PangoAnalysis analysis{};
   analysis.font = pango_fonts()[face];
@@ -66,8 +62,22 @@ ShapedLetters shape(Face face, std::string_view letters) {
   return result;
 }
 
+}  // namespace
+
+bool has_glyph(Face face, char32_t character) { return pango_font_has_char(pango_fonts()[face], character); }
+
+ShapedLetters shape(Face face, const std::string& letters) {
+  // A column that is tried in smaller and smaller letters sets the same words again.
+  thread_local std::map<std::pair<Face, std::string>, ShapedLetters> known;
+  constexpr std::size_t most = 5000;  // some megabytes; a sheet has some hundred
+  const auto found = known.find({face, letters});
+  if (found != known.end()) return found->second;
+  if (known.size() == most) known.clear();
+  return known.emplace(std::pair{face, letters}, shape_anew(face, letters)).first->second;
+}
+
 Box ink(Face face, unsigned glyph) {
-  static std::map<std::pair<Face, unsigned>, Box> found;
+  thread_local std::map<std::pair<Face, unsigned>, Box> found;
   const auto [entry, is_new] = found.try_emplace({face, glyph}, nothing());
   if (is_new) entry->second = find_ink(pango_fonts()[face], glyph);
   return entry->second;

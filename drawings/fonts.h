@@ -1,4 +1,5 @@
-// Letters set by Pango in the shipped fonts and no others. One thread at a time: Pango and Cairo share their fonts.
+// Letters set by Pango in the shipped fonts and no others. Any number of threads: each opens
+// the fonts for itself.
 #pragma once
 
 #include <string>
@@ -28,7 +29,7 @@ struct ShapedLetters {
 // Everything here throws std::runtime_error when a shipped font is missing or is not what it should be.
 bool has_glyph(Face face, char32_t character);
 // With kerning and ligatures. Throws std::invalid_argument for a character the face lacks.
-ShapedLetters shape(Face face, std::string_view letters);
+ShapedLetters shape(Face face, const std::string& letters);
 // The drawn part of a glyph in font units, y upwards; not `low <= high` when it draws nothing (a space).
 Box ink(Face face, unsigned glyph);
 

@@ -14,10 +14,11 @@ namespace {
 // neighbours aside, makes the whole cheaper.
 class Placement {
  public:
-  Placement(const std::vector<LabelBox>& labels, const Obstacles& obstacles, Box area) : labels_(labels) {
-    for (const LabelBox& label : labels) options_.push_back(candidates(label, obstacles, area));
-    for (std::size_t i = 0; i < labels.size(); ++i) add_strangers(i);
-    for (auto& options : options_) sort_by_cost(options);
+  Placement(const std::vector<LabelBox>& labels, const Obstacles& obstacles, Box area)
+      : labels_(labels), obstacles_(obstacles), area_(area) {
+    options_.resize(labels.size());
+    for (std::size_t i = 0; i < labels.size(); ++i) add_options(i, clear_places(labels[i], obstacles, area));
+    looked_at_.assign(labels.size(), Kinds::clear);
     chosen_.assign(labels.size(), none);
   }
 
@@ -32,16 +33,20 @@ class Placement {
 
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  enum class Kinds { clear, with_leader, all };
 
-  static void sort_by_cost(std::vector<Candidate>& options) {
+  void add_options(std::size_t i, std::vector<Candidate> more) {
+    if (!labels_[i].to) add_strangers(i, more);
+    std::vector<Candidate>& options = options_[i];
+    options.insert(options.end(), more.begin(), more.end());
     std::stable_sort(options.begin(), options.end(),
                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
   }
 
   // A label must not seem to name a point that another label names.
-  void add_strangers(std::size_t i) {
-    for (Candidate& option : options_[i]) {
-      if (option.leader || labels_[i].to) continue;
+  void add_strangers(std::size_t i, std::vector<Candidate>& options) const {
+    for (Candidate& option : options) {
+      if (option.leader) continue;
       const double own = distance(labels_[i].at, nearest_in(option.box, labels_[i].at));
       for (std::size_t j = 0; j < labels_.size(); ++j) {
         if (j == i || labels_[j].to || distance(labels_[i].at, labels_[j].at) < 0.5) continue;
@@ -51,17 +56,32 @@ class Placement {
     }
   }
 
+  // By the places in the clear: asked before any others are looked at.
   std::vector<std::size_t> most_constrained_first() const {
     std::vector<std::size_t> order(labels_.size());
     std::iota(order.begin(), order.end(), 0);
-    const auto freedom = [&](std::size_t i) {
-      return std::count_if(options_[i].begin(), options_[i].end(),
-                           [](const Candidate& c) { return !c.blocked && !c.leader; });
-    };
-    std::vector<std::ptrdiff_t> free(labels_.size());
-    for (std::size_t i = 0; i < labels_.size(); ++i) free[i] = freedom(i);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return free[a] < free[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return options_[a].size() < options_[b].size(); });
     return order;
+  }
+
+  // Option o of label i, from the cheapest on; null when it costs `limit` or more. Most labels find a place in the
+  // clear, so the others, which are many, are looked at in turn, each kind only when an option as dear as the
+  // cheapest of it may be wanted. Until then no option that dear is chosen, so those that are keep their numbers.
+  const Candidate* option_below(double limit, std::size_t i, std::size_t o) {
+    const std::vector<Candidate>& options = options_[i];
+    const auto may_be_among = [&](double least) {
+      return limit > least && (o >= options.size() || options[o].cost >= least);
+    };
+    if (looked_at_[i] == Kinds::clear && may_be_among(price::leader)) {
+      add_options(i, places_with_leader(labels_[i], obstacles_, area_));
+      looked_at_[i] = Kinds::with_leader;
+    }
+    if (looked_at_[i] == Kinds::with_leader && may_be_among(price::touch_thin)) {
+      add_options(i, touching_places(labels_[i], obstacles_, area_));
+      looked_at_[i] = Kinds::all;
+    }
+    return o < options.size() && options[o].cost < limit ? &options[o] : nullptr;
   }
 
   static bool leaders_cross(const Candidate& a, const Candidate& b) {
@@ -69,8 +89,12 @@ class Placement {
   }
 
   static bool leader_meets(const Candidate& a, const Candidate& b) {
-    return (a.leader && gap(b.box, a.leader->first, a.leader->second) < 0.3) ||
-           (b.leader && gap(a.box, b.leader->first, b.leader->second) < 0.3);
+    constexpr double air = 0.3;
+    const auto meets = [](const std::optional<Segment>& leader, Box box) {
+      return leader && !is_beyond(air, box, leader->first, leader->second) &&
+             gap(box, leader->first, leader->second) < air;
+    };
+    return meets(a.leader, b.box) || meets(b.leader, a.box);
   }
 
   static double together(const Candidate& a, const Candidate& b) {
@@ -95,10 +119,10 @@ class Placement {
     return cost;
   }
 
-  std::size_t best_option(std::size_t i) const {
+  std::size_t best_option(std::size_t i) {
     std::size_t best = chosen_[i];
     double least = best == none ? INFINITY : total(i, best);
-    for (std::size_t o = 0; o < options_[i].size() && options_[i][o].cost < least; ++o) {
+    for (std::size_t o = 0; option_below(least, i, o); ++o) {
       const double cost = total(i, o, least);
       if (cost < least - 1e-9) {
         least = cost;
@@ -135,18 +159,18 @@ class Placement {
     bool helped = false;
     for (std::size_t i = 0; i < labels_.size(); ++i) {
       if (chosen_[i] == none || total(i, chosen_[i]) < content) continue;
-      for (std::size_t o = 0; o < std::min(tries, options_[i].size()); ++o) helped = try_pushing(i, o) || helped;
+      for (std::size_t o = 0; o < tries; ++o) helped = try_pushing(i, o) || helped;
     }
     return helped;
   }
 
   bool try_pushing(std::size_t i, std::size_t o) {
-    const Candidate& wanted = options_[i][o];
-    if (wanted.cost >= total(i, chosen_[i])) return false;
+    const Candidate* wanted = option_below(total(i, chosen_[i]), i, o);
+    if (!wanted) return false;
     const std::vector<std::size_t> before = chosen_;
     double change = move(i, o);
     for (std::size_t j = 0; j < labels_.size(); ++j)
-      if (j != i && before[j] != none && together(wanted, options_[j][before[j]]) > 0)
+      if (j != i && before[j] != none && together(*wanted, options_[j][before[j]]) > 0)
         change += move(j, best_option(j));
     if (change < -1e-9) return true;
     chosen_ = before;
@@ -166,7 +190,10 @@ class Placement {
   }
 
   const std::vector<LabelBox>& labels_;
+  const Obstacles& obstacles_;
+  Box area_;
   std::vector<std::vector<Candidate>> options_;
+  std::vector<Kinds> looked_at_;
   std::vector<std::size_t> chosen_;
 };
 

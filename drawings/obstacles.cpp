@@ -9,27 +9,40 @@ namespace epure::drawings {
 
 namespace {
 
-double from_segment(Point p, Point from, Point to) {
+double squared(Point a) { return dot(a, a); }
+
+double squared_from_segment(Point p, Point from, Point to) {
   const Point d = to - from;
-  const double squared = dot(d, d);
-  const double t = squared > 0 ? std::clamp(dot(p - from, d) / squared, 0.0, 1.0) : 0;
-  return distance(p, between(from, to, t));
+  const double whole = squared(d);
+  const double t = whole > 0 ? std::clamp(dot(p - from, d) / whole, 0.0, 1.0) : 0;
+  return squared(between(from, to, t) - p);
 }
 
 }  // namespace
 
 double gap(Box box, Point from, Point to) {
   if (clip_segment(from, to, box)) return 0;
-  double least = std::min(distance(from, nearest_in(box, from)), distance(to, nearest_in(box, to)));
+  double least = std::min(squared(nearest_in(box, from) - from), squared(nearest_in(box, to) - to));
   const std::array corners{box.low, box.high, Point{box.low.x, box.high.y}, Point{box.high.x, box.low.y}};
-  for (const Point corner : corners) least = std::min(least, from_segment(corner, from, to));
-  return least;
+  for (const Point corner : corners) least = std::min(least, squared_from_segment(corner, from, to));
+  return std::sqrt(least);
+}
+
+bool is_beyond(double reach, Box box, Point from, Point to) {
+  const Box around{{std::min(from.x, to.x), std::min(from.y, to.y)},
+                   {std::max(from.x, to.x), std::max(from.y, to.y)}};
+  if (apart(grown(box, reach), around)) return true;
+  // Else from the segment's whole line: the box reaches towards it as far as two of its corners do.
+  const Point normal = left_of(to - from);
+  const double corner = (std::abs(normal.x) * box.width() + std::abs(normal.y) * box.height()) / 2;
+  const double room = std::abs(dot(normal, middle(box) - from)) - corner;
+  return room > 0 && room * room > reach * reach * squared(normal);
 }
 
 double gap(Box first, Box second) {
   const double x = std::max({first.low.x - second.high.x, second.low.x - first.high.x, 0.0});
   const double y = std::max({first.low.y - second.high.y, second.low.y - first.high.y, 0.0});
-  return std::hypot(x, y);
+  return length({x, y});
 }
 
 double length_inside(Box box, Point from, Point to) {

@@ -19,6 +19,8 @@ struct Obstacle {
 // Distance between a box and a segment; 0 when they meet.
 double gap(Box box, Point from, Point to);
 double gap(Box first, Box second);
+// True only if `gap` is more than `reach`, which is not negative: a quick answer for most of what is farther off.
+bool is_beyond(double reach, Box box, Point from, Point to);
 // Length of the part of the segment inside the box.
 double length_inside(Box box, Point from, Point to);
 

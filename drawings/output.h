@@ -26,4 +26,12 @@ struct CannotWrite : std::runtime_error {
 // the new one is complete. "-" is standard output. Throws CannotWrite with path and reason.
 void write_whole(const std::filesystem::path& path, std::string_view bytes);
 
+struct File {
+  std::filesystem::path path;
+  std::string bytes;
+};
+// The same for each of them. None is renamed before all are written and synced, so that a full disk leaves the old
+// ones; what is no ordinary file (a device, standard output) is written last.
+void write_whole(const std::vector<File>& files);
+
 }  // namespace epure::drawings

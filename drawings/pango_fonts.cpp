@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "drawings/font_folder.h"
+#include "drawings/stopwatch.h"
 
 namespace epure::drawings {
 namespace {
@@ -59,19 +60,28 @@ PangoFont* load(PangoContext* context, const Shipped& wanted) {
 
 }  // namespace
 
-PangoFonts::PangoFonts(const std::filesystem::path& folder) : known_(FcConfigCreate()) {
+KnownFonts::KnownFonts(const std::filesystem::path& folder) : known_(FcConfigCreate()) {
   add_files(known_.get(), folder);
   // Pango asks fontconfig for the configuration of the machine even when it is given another: that would look through
   // every font there is, and write a cache. Ours takes its place.
   if (!FcConfigSetCurrent(known_.get())) throw std::bad_alloc();
-  context_ = unhinted_context(known_.get());
+}
+
+PangoFonts::PangoFonts(const KnownFonts& known) : context_(unhinted_context(known.get())) {
   // Set, or it would be the language of the machine.
   pango_context_set_language(context_.get(), pango_language_from_string("en"));
   for (std::size_t i = 0; i < shipped.size(); ++i) fonts_.at(i).reset(load(context_.get(), shipped.at(i)));
 }
 
 const PangoFonts& pango_fonts() {
-  static const PangoFonts fonts(font_folder());
+  static const KnownFonts known = [] {
+    const Timed timed(Work::fonts);
+    return KnownFonts(font_folder());
+  }();
+  thread_local const PangoFonts fonts = [] {
+    const Timed timed(Work::fonts);
+    return PangoFonts(known);
+  }();
   return fonts;
 }
 

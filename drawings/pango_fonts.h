@@ -16,20 +16,31 @@ namespace epure::drawings {
 // Closes the fonts with it.
 using FontContext = Held<PangoContext, g_object_unref>;
 
+// The shipped font files, which all threads share.
+class KnownFonts {
+ public:
+  // Throws std::runtime_error naming the file that is missing.
+  explicit KnownFonts(const std::filesystem::path& folder);
+  FcConfig* get() const { return known_.get(); }
+
+ private:
+  Held<FcConfig, FcConfigDestroy> known_;
+};
+
+// Pango's objects belong to the thread that made them.
 class PangoFonts {
  public:
-  // Throws std::runtime_error naming the file that is missing, or the font that another one came for.
-  explicit PangoFonts(const std::filesystem::path& folder);
+  // Throws std::runtime_error naming the font that another one came for.
+  explicit PangoFonts(const KnownFonts& known);
 
   PangoFont* operator[](Face face) const { return fonts_.at(static_cast<std::size_t>(face)).get(); }
 
  private:
-  Held<FcConfig, FcConfigDestroy> known_;
   FontContext context_;
   std::array<Held<PangoFont, g_object_unref>, 4> fonts_;
 };
 
-// Opened at the first call.
+// This thread's, opened at its first call.
 const PangoFonts& pango_fonts();
 
 // Pango's fonts as Cairo draws them, taken from `known` alone, without hinting: a letter measured at one size is the

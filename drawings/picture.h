@@ -55,12 +55,16 @@ Path polyline(const std::vector<Point>& corners, bool closed);
 Path arc(Point centre, double radius, double from, double to);
 Path circle(Point centre, double radius);
 
+// The dashes of a line. Curves of one meaning on one chart are told apart by them, also in black and white.
+enum class LineType { of_its_meaning, continuous, dashed, dash_dotted, dotted };
+
 // `name` is the mark's id in the SVG (made unique to the drawing); empty: none. It is the ASCII name of the
 // quantity the mark shows ("v_B", "P0A"), so that a drawn mark can be found and measured.
 struct Line {  // a stroked path
   Path path;
   Meaning meaning = Meaning::construction;
   std::string name = {};
+  LineType type = LineType::of_its_meaning;
 };
 struct Area {  // a filled path
   Path path;
@@ -82,6 +86,13 @@ struct Cross {  // a small cross: a point found (pole, K)
   Meaning meaning = Meaning::locus;
   std::string name = {};
 };
+enum class PointShape { dot, ring, square, diamond, triangle, cross, plus };
+struct DataPoint {  // a point of a chart; ring, square, diamond and triangle are outlines, white inside
+  Point at;
+  PointShape shape = PointShape::dot;
+  Meaning meaning = Meaning::locus;
+  std::string name = {};
+};
 // ISO 3952 symbols. Angles in radians.
 struct Hinge {  // a small white circle over the links
   Point at;
@@ -90,12 +101,19 @@ struct FixedHinge {  // hinge on a hatched support that stands on the side `down
   Point at;
   double down = -1.5707963267948966;
 };
-struct Slider {  // block on a guide, `along` is the direction of sliding
+struct Slider {  // block of 10 mm x 6 mm on a guide or in a slot, `along` is the direction of sliding, any angle
   Point at;
   double along = 0;
 };
 struct Guide {  // the fixed line a block slides on, hatched on the right of from -> to, offset by half the block
   Point from, to;
+};
+struct Ground {  // the frame's surface exactly on from-to, hatched on the right of from -> to: what a wheel rolls on
+  Point from, to;
+};
+struct Slot {  // the opening of a slotted link, white inside: from and to are the centres of its round ends
+  Point from, to;
+  double width = 6;  // mm; 6 takes a Slider, 3.5 a Hinge as its pin
 };
 struct Rotation {  // arc arrow that shows a sense of rotation about `centre`; from > to is clockwise
   Point centre;
@@ -123,6 +141,12 @@ struct Dimension {  // dimension line parallel to from-to at `offset` (positive:
   double offset = 8;
   std::string text;
 };
+struct Writing {  // letters at a fixed place, which labels keep clear of: the numbers along an axis
+  std::string text;
+  Point baseline;  // its left end
+  double size = 2.7;
+  Meaning ink = Meaning::text;
+};
 struct ScaleBar {  // a graduated bar: `length` mm long in `divisions` parts; captions are rich text
   Point at;        // left end
   double length = 40;
@@ -131,8 +155,8 @@ struct ScaleBar {  // a graduated bar: `length` mm long in `divisions` parts; ca
   std::vector<std::string> ticks;  // divisions + 1 numbers below the ticks, unit in the last
 };
 
-using Mark = std::variant<Line, Area, Arrow, Dot, Cross, Hinge, FixedHinge, Slider, Guide, Rotation, RightAngle,
-                          ParallelMark, AngleMark, Dimension, ScaleBar>;
+using Mark = std::variant<Line, Area, Arrow, Dot, Cross, DataPoint, Hinge, FixedHinge, Slider, Guide, Ground, Slot,
+                          Rotation, RightAngle, ParallelMark, AngleMark, Dimension, Writing, ScaleBar>;
 
 // Rich text: plain UTF-8; between dollar signs mathematics: Latin lower case and Greek letters are italic, capitals
 // and digits upright, `_{..}` and `^{..}` lower and raise (their content upright), `\vec{..}` sets an arrow above.

@@ -138,12 +138,12 @@ class Parser {
   std::size_t position_ = 0;
 };
 
-std::string plain(const std::vector<Node>& nodes) {
+std::string plain_letters(const std::vector<Node>& nodes) {
   std::string text;
   for (const Node& node : nodes) {
-    text += node.letters + plain(node.group);
-    if (!node.below.empty()) text += "_" + plain(node.below);
-    if (!node.above.empty()) text += "^" + plain(node.above);
+    text += node.letters + plain_letters(node.group);
+    if (!node.below.empty()) text += "_" + plain_letters(node.below);
+    if (!node.above.empty()) text += "^" + plain_letters(node.above);
   }
   return text;
 }
@@ -152,6 +152,6 @@ std::string plain(const std::vector<Node>& nodes) {
 
 std::vector<Node> parse(std::string_view rich_text) { return Parser(rich_text).whole(); }
 
-std::string plain(const std::string& rich_text) { return plain(parse(rich_text)); }
+std::string plain(const std::string& rich_text) { return plain_letters(parse(rich_text)); }
 
 }  // namespace epure::drawings

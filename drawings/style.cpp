@@ -52,6 +52,28 @@ LineStyle line_style(Meaning meaning) {
   return {};
 }
 
+LineStyle line_style(Meaning meaning, LineType type) {
+  LineStyle style = line_style(meaning);
+  const double d = style.width;
+  switch (type) {
+    case LineType::of_its_meaning:
+      return style;
+    case LineType::continuous:
+      style.dashes = {};
+      return style;
+    case LineType::dashed:
+      style.dashes = dashed(d);
+      return style;
+    case LineType::dash_dotted:  // curves bend: shorter dashes than an axis has
+      style.dashes = {12 * d, 3 * d, 1 * d, 3 * d};
+      return style;
+    case LineType::dotted:
+      style.dashes = {1.5 * d, 2.5 * d};
+      return style;
+  }
+  return style;
+}
+
 Colour ink(Meaning meaning) { return line_style(meaning).colour; }
 
 Colour tint(Meaning meaning) {

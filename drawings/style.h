@@ -14,6 +14,7 @@ struct LineStyle {
 };
 
 LineStyle line_style(Meaning meaning);
+LineStyle line_style(Meaning meaning, LineType type);
 Colour ink(Meaning meaning);   // letters, arrow heads and points of this meaning
 Colour tint(Meaning meaning);  // the light fill of an area
 

@@ -13,6 +13,7 @@
 #include "drawings/grid.h"
 #include "drawings/page.h"
 #include "drawings/paint.h"
+#include "drawings/stopwatch.h"
 #include "drawings/typeset.h"
 
 namespace epure::drawings {
@@ -223,7 +224,7 @@ class Finisher {
   }
 
   void add_words(pugi::xml_node words, const PlacedText& text) const {
-    const SetText set_text = typeset(text.text, text.size, text.weight);
+    const SetText& set_text = typeset(text.text, text.size, text.weight);
     std::string letters;
     for (const GlyphRun& run : set_text.runs)
       for (const SetGlyph& glyph : run.glyphs) letters += glyph.text;
@@ -250,6 +251,7 @@ class Finisher {
 }  // namespace
 
 std::string write_svg(const Page& page) {
+  const Timed timed(Work::svg);
   check(page);
   return Finisher(page).finish();
 }

@@ -45,7 +45,9 @@ void hinge_circle(Canvas& canvas, Point at) {
   canvas.lower();
 }
 
-void draw_mark(Canvas& canvas, const Line& line) { canvas.stroke(line.path, line_style(line.meaning), line.name); }
+void draw_mark(Canvas& canvas, const Line& line) {
+  canvas.stroke(line.path, line_style(line.meaning, line.type), line.name);
+}
 
 void draw_mark(Canvas& canvas, const Area& area) { canvas.tint(area.path, tint(area.meaning), area.name); }
 
@@ -82,6 +84,60 @@ void draw_mark(Canvas& canvas, const Cross& cross) {
   canvas.lower();
 }
 
+Path diamond(Point at, double reach) {
+  const Point x{reach, 0}, y{0, reach};
+  return polyline({at - y, at + x, at + y, at - x}, true);
+}
+
+Path upright_triangle(Point at, double reach) {
+  constexpr double sixth = std::numbers::pi / 6;
+  return polyline(
+      {at + reach * direction(-sixth), at + reach * direction(quarter), at + reach * direction(7 * sixth)}, true);
+}
+
+// The outlines enclose about equal areas, so that no shape seems to count for more.
+Path outline(const DataPoint& point) {
+  constexpr double radius = 0.95, half_side = 0.84, half_diagonal = 1.2, corner = 1.35;  // mm
+  const Point at = point.at, x{half_side, 0}, y{0, half_side};
+  switch (point.shape) {
+    case PointShape::square:
+      return polyline({at - x - y, at + x - y, at + x + y, at - x + y}, true);
+    case PointShape::diamond:
+      return diamond(at, half_diagonal);
+    case PointShape::triangle:
+      return upright_triangle(at, corner);
+    default:
+      return circle(at, radius);
+  }
+}
+
+void strokes(Canvas& canvas, const DataPoint& point, Point arm, const LineStyle& style) {
+  canvas.stroke(segment(point.at - arm, point.at + arm), style, point.name);
+  canvas.stroke(segment(point.at - left_of(arm), point.at + left_of(arm)), style);
+}
+
+void draw_mark(Canvas& canvas, const DataPoint& point) {
+  constexpr double arm = 1.2, diagonal = 0.85, dot = 0.75;  // mm
+  canvas.require(point.at);
+  const LineStyle style{narrow, {}, ink(point.meaning)};
+  canvas.raise();
+  switch (point.shape) {
+    case PointShape::dot:
+      canvas.fill(circle(point.at, dot), style.colour, point.name);
+      break;
+    case PointShape::cross:
+      strokes(canvas, point, {diagonal, diagonal}, style);
+      break;
+    case PointShape::plus:
+      strokes(canvas, point, {arm, 0}, style);
+      break;
+    default:
+      canvas.fill(outline(point), white);
+      canvas.stroke(outline(point), style, point.name);
+  }
+  canvas.lower();
+}
+
 void draw_mark(Canvas& canvas, const Hinge& hinge) { hinge_circle(canvas, hinge.at); }
 
 void draw_mark(Canvas& canvas, const FixedHinge& hinge) {
@@ -107,15 +163,46 @@ void draw_mark(Canvas& canvas, const Slider& slider) {
   canvas.stroke(block, line_style(Meaning::link));
 }
 
+void ground(Canvas& canvas, Point from, Point to) {
+  // Cut before hatching, so that a guide of kilometres has no more strokes than show.
+  const auto shown = clip_segment(from, to, grown(canvas.clip(), 5));
+  if (!shown) return;
+  canvas.stroke(segment(shown->first, shown->second), line_style(Meaning::ground));
+  hatch(canvas, shown->first, shown->second);
+}
+
 void draw_mark(Canvas& canvas, const Guide& guide) {
   canvas.require(guide.from);
   canvas.require(guide.to);
   const Point shift = (-block_height / 2) * left_of(unit(guide.from, guide.to));
-  // Cut before hatching, so that a guide of kilometres has no more strokes than show.
-  const auto shown = clip_segment(guide.from + shift, guide.to + shift, grown(canvas.clip(), 5));
-  if (!shown) return;
-  canvas.stroke(segment(shown->first, shown->second), line_style(Meaning::ground));
-  hatch(canvas, shown->first, shown->second);
+  ground(canvas, guide.from + shift, guide.to + shift);
+}
+
+void draw_mark(Canvas& canvas, const Ground& surface) {
+  canvas.require(surface.from);
+  canvas.require(surface.to);
+  ground(canvas, surface.from, surface.to);
+}
+
+Path rounded(Point from, Point to, double radius) {
+  if (distance(from, to) == 0) return circle(from, radius);
+  const double along = angle_of(to - from);
+  Path outline = arc(to, radius, along - quarter, along + quarter);
+  const Path back = arc(from, radius, along + quarter, along + 3 * quarter);
+  outline.pieces.push_back({true, {}, {}, back.start});
+  outline.pieces.insert(outline.pieces.end(), back.pieces.begin(), back.pieces.end());
+  outline.closed = true;
+  return outline;
+}
+
+void draw_mark(Canvas& canvas, const Slot& slot) {
+  canvas.require(slot.from);
+  canvas.require(slot.to);
+  canvas.require(slot.width);
+  if (!(slot.width > 0)) throw std::invalid_argument("a slot needs a width");
+  const Path outline = rounded(slot.from, slot.to, slot.width / 2);
+  canvas.fill(outline, white);
+  canvas.stroke(outline, symbol_outline);
 }
 
 void draw_mark(Canvas& canvas, const Rotation& rotation) {
@@ -184,6 +271,11 @@ void draw_mark(Canvas& canvas, const Dimension& dimension) {
   canvas.fill(arrow_head(from, from - to, head), style.colour);
 }
 
+void draw_mark(Canvas& canvas, const Writing& writing) {
+  if (writing.text.empty()) return;
+  canvas.text({writing.text, writing.baseline, writing.size, ink(writing.ink), Weight::regular});
+}
+
 void centred_text(Canvas& canvas, const std::string& text, Point baseline_middle, double size) {
   if (text.empty()) return;
   const double width = measure(text, size).width;
@@ -214,9 +306,10 @@ void draw_mark(Canvas& canvas, const ScaleBar& bar) {
     canvas.text({bar.caption, bar.at + Point{0, height + 1.4}, caption_size, black, Weight::regular});
 }
 
-constexpr std::array kinds{"line",        "area",          "arrow",      "dot",       "cross",
-                           "hinge",       "fixed hinge",   "slider",     "guide",     "rotation",
-                           "right angle", "parallel mark", "angle mark", "dimension", "scale bar"};
+constexpr std::array kinds{"line",       "area",      "arrow",       "dot",         "cross",
+                           "data point", "hinge",     "fixed hinge", "slider",      "guide",
+                           "ground",     "slot",      "rotation",    "right angle", "parallel mark",
+                           "angle mark", "dimension", "writing",     "scale bar"};
 static_assert(kinds.size() == std::variant_size_v<Mark>);
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "drawings/text.h"
 
-#include <stdexcept>
+#include <cmath>
 #include <utility>
 
 #include "drawings/typeset.h"
@@ -35,13 +35,25 @@ TextSize measure(const std::string& rich_text, double size, Weight weight) {
 }
 
 std::vector<std::string> wrap(const std::string& rich_text, double size, double width, Weight weight) {
+  // Words side by side are as wide as the line of them, but for kerning at the spaces: only a line that ends near the
+  // edge has to be set to be measured.
+  const double near_edge = size / 2;
+  const double space = measure(" ", size, weight).width;
   std::vector<std::string> lines;
+  double pen = 0;  // where the last line ends, nearly
   for (const std::string& word : words(rich_text)) {
-    std::string longer = lines.empty() ? word : lines.back() + " " + word;
-    if (!lines.empty() && measure(longer, size, weight).width <= width)
-      lines.back() = std::move(longer);
-    else
+    const double own = measure(word, size, weight).width, end = pen + space + own;
+    const auto fits = [&] {
+      if (std::abs(end - width) > near_edge) return end < width;
+      return measure(lines.back() + " " + word, size, weight).width <= width;
+    };
+    if (!lines.empty() && fits()) {
+      lines.back() += " " + word;
+      pen = end;
+    } else {
       lines.push_back(word);
+      pen = own;
+    }
   }
   return lines;
 }

@@ -13,7 +13,7 @@ namespace epure::drawings {
 
 namespace {
 
-constexpr double title_size = 5, text_size = 3, caption_size = 2.2;  // mm
+constexpr double sheet_title_size = 5, text_size = 3, caption_size = 2.2;  // mm
 constexpr double field_height = 8.2, bar_height = 6.2;
 
 struct TitleLines {
@@ -30,7 +30,7 @@ TitleLines title_lines(const Sheet& sheet) {
   const auto lines = [&](const std::string& text, double size, Weight weight) {
     return text.empty() ? std::vector<std::string>{} : wrap(text, size, room, weight);
   };
-  return {lines(block.exercise, text_size, Weight::regular), lines(block.sheet, title_size, Weight::bold),
+  return {lines(block.exercise, text_size, Weight::regular), lines(block.sheet, sheet_title_size, Weight::bold),
           lines(block.source, text_size, Weight::regular)};
 }
 
@@ -74,7 +74,7 @@ double set_titles(TitleInk& block, const TitleLines& lines, const std::string& s
     y -= 4.2;
   }
   for (const std::string& line : lines.sheet) {
-    block.text(line, {left, y - 4.7}, title_size, Weight::bold);
+    block.text(line, {left, y - 4.7}, sheet_title_size, Weight::bold);
     y -= 6.0;
   }
   y -= 1.4;

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "drawings/rich_text.h"
+#include "drawings/stopwatch.h"
 #include "drawings/unicode.h"
 #include "drawings/vectors.h"
 
@@ -105,7 +108,7 @@ class Setter {
     if (letters.empty()) return;
     const double scale = size / units_per_em;
     ShapedLetters shaped = shape(face, letters);
-    GlyphRun run{face, size, {}};
+    GlyphRun run{face, size, {}, letters, pen_};
     for (ShapedGlyph& glyph : shaped.glyphs) {
       const Point at = pen_ + scale * glyph.at;
       if (const Box drawn = ink(face, glyph.index); !is_nothing(drawn))
@@ -143,12 +146,19 @@ class Setter {
 
 }  // namespace
 
-SetText typeset(const std::string& rich_text, double size, Weight weight) {
+const SetText& typeset(const std::string& rich_text, double size, Weight weight) {
   if (!std::isfinite(size) || size <= 0)
     throw std::invalid_argument(fmt::format("label \"{}\": a letter size of {} mm", rich_text, size));
+  using Wish = std::tuple<std::string, double, Weight>;
+  thread_local std::map<Wish, SetText> known;
+  const Wish wish(rich_text, size, weight);
+  if (const auto found = known.find(wish); found != known.end()) return found->second;
+  constexpr std::size_t most = 5000;  // some megabytes; a sheet has about a hundred
+  if (known.size() == most) known.clear();
+  const Timed timed(Work::text);
   Setter setter(weight);
   setter.set(parse(rich_text), size);
-  return std::move(setter).result();
+  return known.emplace(wish, std::move(setter).result()).first->second;
 }
 
 }  // namespace epure::drawings

@@ -20,12 +20,16 @@ struct GlyphRun {
   Face face = Face::regular;
   double size = 0;  // mm
   std::vector<SetGlyph> glyphs;
+  std::string letters;  // as they were given to be shaped
+  Point start;          // of the first, mm from the left end of the baseline
 };
 struct SetText {
   std::vector<GlyphRun> runs;  // their texts one after the other are the plain text
   std::vector<Path> arrows;    // to be filled
   TextSize extent;
 };
-SetText typeset(const std::string& rich_text, double size, Weight weight);
+// What was set before is not set again, so measuring a label makes drawing it cheap. Good until this thread's next
+// call.
+const SetText& typeset(const std::string& rich_text, double size, Weight weight);
 
 }  // namespace epure::drawings

@@ -74,9 +74,9 @@ void demand_an_owner(const std::vector<const Exercise*>& exercises, const std::s
 
 const Exercise& find_exercise(const Catalogue& exercises, const std::string& id) {
   std::vector<std::string> ids;
-  for (const auto& exercise : exercises) {
-    if (exercise->about().id == id) return *exercise;
-    ids.push_back(exercise->about().id);
+  for (const Listed& exercise : exercises) {
+    if (exercise.id() == id) return *exercise;
+    ids.push_back(exercise.id());
   }
   throw WrongUsage(fmt::format("there is no exercise \"{}\"; {}", id, did_you_mean(id, ids)));
 }
@@ -94,7 +94,7 @@ std::vector<Target> find_targets(const Catalogue& exercises, const std::vector<s
       add(find_target(exercises, name));
       continue;
     }
-    for (const auto& exercise : exercises) add({exercise.get()});
+    for (const auto& exercise : exercises) add({&*exercise});
   }
   if (targets.empty()) throw WrongUsage("no exercise named; name one, or say all (epure list shows them)");
   return targets;

@@ -9,8 +9,6 @@
 
 namespace epure {
 
-using Catalogue = std::vector<std::unique_ptr<Exercise>>;
-
 // The user asked for something that does not exist; the message is one sentence (exit code 2).
 struct WrongUsage : std::runtime_error {
   using std::runtime_error::runtime_error;

@@ -1,99 +1,153 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <deque>
 #include <filesystem>
+#include <functional>
+#include <ostream>
 #include <set>
 
 #include "drawings/output.h"
+#include "drawings/page.h"
+#include "drawings/stopwatch.h"
 #include "drawings/text.h"
+#include "exercises/cli/abreast.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/verbs.h"
 
 namespace epure {
 namespace {
 
-struct File {
-  std::filesystem::path path;
-  std::string bytes;
+using drawings::File;
+
+// A sheet of an exercise, each once, and what became of it. Layout and labels' places serve both formats.
+struct DrawnSheetOf {
+  const Exercise* exercise;
+  std::string name;
+  drawings::Page page = {};
 };
 
 struct DrawnTarget {
   Target target;
-  std::vector<drawings::Sheet> sheets;
+  std::vector<const DrawnSheetOf*> sheets;
 };
 
-std::vector<DrawnTarget> draw_sheets(const std::vector<Target>& targets, const Options& options) {
-  std::vector<const Exercise*> exercises;
-  for (const Target& target : targets)
-    if (std::find(exercises.begin(), exercises.end(), target.exercise) == exercises.end())
-      exercises.push_back(target.exercise);
-  const std::vector<Givens> givens = set_givens(exercises, options.assignments);
-  const SheetRequest request = sheet_request(options);
-  std::vector<DrawnTarget> drawn;
-  for (const Target& target : targets) {
-    const auto of = std::find(exercises.begin(), exercises.end(), target.exercise) - exercises.begin();
-    DrawnTarget& current = drawn.emplace_back(DrawnTarget{target, {}});
-    for (const std::string& sheet : target.sheets())
-      current.sheets.push_back(target.exercise->draw(sheet, givens[static_cast<std::size_t>(of)], request).sheet);
-  }
-  return drawn;
-}
-
-std::string title(const std::vector<DrawnTarget>& drawn, const Options& options) {
-  const bool one_exercise = std::all_of(drawn.begin(), drawn.end(), [&](const DrawnTarget& each) {
-    return each.target.exercise == drawn.front().target.exercise;
-  });
-  return one_exercise ? drawings::plain(drawn.front().target.exercise->about().title.in(language(options))) : "Epure";
-}
-
-// ID.pdf and ID-SHEET.svg, or ID-SHEET.pdf and ID-SHEET.svg; a file asked for twice is made once.
-std::vector<File> files_in_folder(const std::vector<DrawnTarget>& drawn, const Options& options) {
-  const std::filesystem::path folder = options.folder.value_or("out");
-  const std::vector<Format> formats = formats_of(options);
-  std::vector<File> files;
-  std::set<std::filesystem::path> seen;
-  for (const DrawnTarget& each : drawn) {
-    const std::vector<std::string> names = each.target.sheets();
-    for (const Format format : formats) {
-      if (format == Format::pdf) {
-        files.push_back(
-            {folder / (each.target.file_stem() + ".pdf"), drawings::pdf(each.sheets, title({each}, options))});
-        continue;
-      }
-      for (std::size_t i = 0; i < names.size(); ++i) {
-        const auto path = folder / (each.target.exercise->about().id + "-" + names[i] + ".svg");
-        if (seen.insert(path).second) files.push_back({path, drawings::svg(each.sheets[i])});
-      }
+class Drawing {
+ public:
+  Drawing(const std::vector<Target>& targets, const Options& options) : options_(options) {
+    std::vector<const Exercise*> exercises;
+    for (const Target& target : targets)
+      if (std::find(exercises.begin(), exercises.end(), target.exercise) == exercises.end())
+        exercises.push_back(target.exercise);
+    const std::vector<Givens> givens = set_givens(exercises, options.assignments);
+    for (const Target& target : targets) {
+      drawn_.push_back({target, {}});
+      for (const std::string& sheet : target.sheets()) drawn_.back().sheets.push_back(add(*target.exercise, sheet));
     }
+    const SheetRequest request = sheet_request(options);
+    abreast(sheets_.size(), [&](std::size_t i) {
+      DrawnSheetOf& each = sheets_[i];
+      const auto of = std::find(exercises.begin(), exercises.end(), each.exercise) - exercises.begin();
+      each.page = compose(each, givens[static_cast<std::size_t>(of)], request);
+    });
   }
-  return files;
-}
 
-File single_file(const std::vector<DrawnTarget>& drawn, const Options& options) {
-  std::vector<drawings::Sheet> sheets;
-  for (const DrawnTarget& each : drawn) sheets.insert(sheets.end(), each.sheets.begin(), each.sheets.end());
-  if (format_of_file(options) == Format::pdf) return {*options.file, drawings::pdf(sheets, title(drawn, options))};
-  if (sheets.size() != 1)
-    throw WrongUsage(fmt::format("an SVG file holds one sheet, and {} are asked for; name one, such as {}/{}",
-                                 sheets.size(), drawn.front().target.exercise->about().id,
-                                 drawn.front().target.sheets().front()));
-  return {*options.file, drawings::svg(sheets.front())};
+  // ID.pdf and ID-SHEET.svg, or ID-SHEET.pdf and ID-SHEET.svg; a file asked for twice is made once.
+  std::vector<File> files_in_folder() const {
+    const std::filesystem::path folder = options_.folder.value_or("out");
+    std::vector<File> files;
+    std::vector<std::function<std::string()>> makers;
+    std::set<std::filesystem::path> seen;
+    const auto add = [&](const std::filesystem::path& path, std::function<std::string()> maker) {
+      if (!seen.insert(path).second) return;
+      files.push_back({path, {}});
+      makers.push_back(std::move(maker));
+    };
+    for (const DrawnTarget& each : drawn_)
+      for (const Format format : formats_of(options_)) {
+        if (format == Format::pdf)
+          add(folder / (each.target.file_stem() + ".pdf"), [&] { return pdf({each}); });
+        else
+          for (const DrawnSheetOf* sheet : each.sheets)
+            add(folder / (each.target.exercise->about().id + "-" + sheet->name + ".svg"),
+                [sheet] { return write_svg(sheet->page); });
+      }
+    abreast(files.size(), [&](std::size_t i) { files[i].bytes = makers[i](); });
+    return files;
+  }
+
+  File single_file() const {
+    if (format_of_file(options_) == Format::pdf) return {*options_.file, pdf(drawn_)};
+    const DrawnTarget& first = drawn_.front();
+    std::size_t count = 0;
+    for (const DrawnTarget& each : drawn_) count += each.sheets.size();
+    if (count != 1)
+      throw WrongUsage(fmt::format("an SVG file holds one sheet, and {} are asked for; name one, such as {}/{}",
+                                   count, first.target.exercise->about().id, first.target.sheets().front()));
+    return {*options_.file, write_svg(first.sheets.front()->page)};
+  }
+
+ private:
+  const DrawnSheetOf* add(const Exercise& exercise, const std::string& name) {
+    for (const DrawnSheetOf& each : sheets_)
+      if (each.exercise == &exercise && each.name == name) return &each;
+    return &sheets_.emplace_back(DrawnSheetOf{&exercise, name});
+  }
+
+  static drawings::Page compose(const DrawnSheetOf& wanted, const Givens& givens, const SheetRequest& request) {
+    const auto construct = [&] {
+      const drawings::Timed timed(drawings::Work::construction);
+      return wanted.exercise->draw(wanted.name, givens, request).sheet;
+    };
+    return drawings::compose(construct());
+  }
+
+  std::string pdf(const std::vector<DrawnTarget>& targets) const {
+    std::vector<drawings::Page> pages;
+    for (const DrawnTarget& each : targets)
+      for (const DrawnSheetOf* sheet : each.sheets) pages.push_back(sheet->page);
+    return drawings::write_pdf(pages, title(targets));
+  }
+
+  std::string title(const std::vector<DrawnTarget>& targets) const {
+    const Exercise* first = targets.front().target.exercise;
+    const bool one_exercise =
+        std::all_of(targets.begin(), targets.end(), [&](const auto& each) { return each.target.exercise == first; });
+    return one_exercise ? drawings::plain(first->about().title.in(language(options_))) : "Epure";
+  }
+
+  const Options& options_;
+  std::deque<DrawnSheetOf> sheets_;  // which stay where they are
+  std::vector<DrawnTarget> drawn_;
+};
+
+// "start 5.1 ms, construction 3.2 ms, ..."
+std::string in_words(const drawings::WorkTimes& times) {
+  constexpr std::array<const char*, drawings::kinds_of_work> names{
+      "start", "other", "construction", "layout", "fonts", "text", "pdf", "svg", "files"};
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format("{}{} {:.2f} ms", i == 0 ? "" : ", ", names[i], 1000 * times[i]);
+  return text;
 }
 
 }  // namespace
 
-std::string draw(const Catalogue& exercises, const Options& options) {
+std::string draw(const Catalogue& exercises, const Options& options, std::ostream& err) {
+  if (options.times) drawings::Stopwatch::begin();
   const std::vector<Target> targets = find_targets(exercises, options.names);
   demand_sensible_output(options);
-  const std::vector<DrawnTarget> drawn = draw_sheets(targets, options);
-  const std::vector<File> files =
-      options.file ? std::vector{single_file(drawn, options)} : files_in_folder(drawn, options);
-  if (is_standard_output(options)) return files.front().bytes;
+  const Drawing drawing(targets, options);
+  const std::vector<File> files = options.file ? std::vector{drawing.single_file()} : drawing.files_in_folder();
   std::string written;
-  for (const File& file : files) {
-    drawings::write_whole(file.path, file.bytes);
-    written += file.path.string() + "\n";
+  if (is_standard_output(options)) {
+    written = files.front().bytes;
+  } else {
+    drawings::write_whole(files);
+    for (const File& file : files) written += file.path.string() + "\n";
   }
+  if (options.times) err << "epure: processor time: " << in_words(drawings::Stopwatch::times()) << '\n';
   return written;
 }
 

@@ -49,4 +49,19 @@ Examples:
   epure check slider-crank-velocity --json)";
 }
 
+std::string examples_of_bench() {
+  return R"(Every family of constructions, at and beside its special positions, with every number: fast (doubles),
+bounded (intervals), deep (as many bits as 30 digits take), exact. Errors are those made against references of at least
+110 digits; handed over is what a number leaves to the next one, for deep what takes more than 128 bits; wrong counts
+what doubles call a number though it is zero or does not exist. Times are of the cases that a number settles, those of
+four-bar-second-order by fast and bounded of a sweep. Then which number proves each decision, curves drawn to a
+tolerance, and where the time of whole sheets goes. Writes out/bench.pdf and out/bench-*.svg; what it measures next
+goes to standard error.
+
+Examples:
+  epure bench
+  epure bench --json > bench.json
+  epure bench --seconds 5 --out bench)";
+}
+
 }  // namespace epure

@@ -10,5 +10,6 @@ std::string examples_of_program();
 std::string examples_of_list();
 std::string examples_of_draw();
 std::string examples_of_check();
+std::string examples_of_bench();
 
 }  // namespace epure

@@ -3,7 +3,6 @@
 
 #include "exercises/cli/report.h"
 #include "exercises/cli/symbol.h"
-#include "geometry/numbers/given.h"
 
 namespace epure {
 namespace {
@@ -25,7 +24,7 @@ void add_value(Json& json, const Settled& settled) {
   if (settled.kind == Settled::Kind::undecided) json["absent"] = "undecided";
 }
 
-Json printed(const PrintedVerdict& verdict) {
+Json printed_number(const PrintedVerdict& verdict) {
   Json json = {{"text", verdict.text},
                {"route", verdict.route},
                {"difference_percent", number(verdict.difference_percent)},
@@ -55,7 +54,7 @@ Json quantity(const CheckedQuantity& checked) {
   }
   if (const OnSheet* shown = farthest_on_sheet(checked))
     json["on_sheet"] = {{"value", number(shown->value)}, {"resolution", number(shown->resolution)}};
-  for (const PrintedVerdict& each : checked.printed) json["printed"].push_back(printed(each));
+  for (const PrintedVerdict& each : checked.printed) json["printed"].push_back(printed_number(each));
   for (const Measured& each : checked.measured) json["measured"].push_back(measured(each));
   return json;
 }
@@ -67,7 +66,7 @@ Json exercise(const CheckedExercise& checked) {
                {"quantities", Json::array()}};
   for (const GivenSpec& given : checked.givens.specs())
     json["givens"].push_back(
-        {{"symbol", given.symbol}, {"value", geometry::to_text(checked.givens[given.symbol])}, {"unit", given.unit}});
+        {{"symbol", given.symbol}, {"value", checked.givens.text(given.symbol)}, {"unit", given.unit}});
   for (const CheckedQuantity& each : checked.quantities) json["quantities"].push_back(quantity(each));
   json["passed"] = checked.passed();
   return json;

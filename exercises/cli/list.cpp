@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "drawings/text.h"
-#include "exercises/cli/columns.h"
 #include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
+#include "exercises/kit/columns.h"
 
 namespace epure {
 namespace {
@@ -27,10 +27,17 @@ std::string sheets(const Description& about, Language language) {
   return heading({"Sheets", "Tavole"}, language) + columns(rows, 2);
 }
 
+std::string words_of(const GivenSpec& given) {
+  std::string words;
+  for (const Choice& choice : given.choices) words += (words.empty() ? "" : "|") + choice.word;
+  return words;
+}
+
 std::string givens(const Description& about, Language language) {
   std::vector<std::vector<std::string>> rows;
   for (const GivenSpec& given : about.givens)
-    rows.push_back({given.symbol, given.stated, given.unit, drawings::plain(given.meaning.in(language))});
+    rows.push_back({given.symbol, given.stated, given.choices.empty() ? given.unit : words_of(given),
+                    drawings::plain(given.meaning.in(language))});
   return heading({"Givens (--set SYMBOL=VALUE[UNIT])", "Dati (--set SYMBOL=VALUE[UNIT])"}, language) +
          columns(rows, 2);
 }

@@ -40,6 +40,7 @@ void add_draw(CLI::App& verb, Options& options) {
       ->type_name("SCALE");
   add_language(verb, options);
   verb.add_flag("--bare", options.bare, "the figure alone: no frame, no column, no title block");
+  verb.add_flag("--times", options.times, "say on standard error where the time went");
 }
 
 void add_check(CLI::App& verb, Options& options) {
@@ -54,6 +55,15 @@ void add_check(CLI::App& verb, Options& options) {
       ->type_name("KIND");
 }
 
+void add_bench(CLI::App& verb, Options& options) {
+  verb.add_flag("--json", options.json, "print the results as JSON (schema epure.bench/1)");
+  verb.add_option("--seconds", options.seconds, "about how long to measure (default: 60)")->type_name("TIME");
+  verb.add_option("--out", options.folder, "folder to write the sheets to (default: out)")->type_name("DIR");
+  verb.add_option("--format", options.format, "pdf, svg or both (default: pdf,svg)")->type_name("FORMATS");
+  verb.add_option("--paper", options.paper, "a4 (default) or a3, landscape")->type_name("PAPER");
+  add_language(verb, options);
+}
+
 struct Parser {
   Options options;
   CLI::App app{help_of_program(), "epure"};
@@ -61,6 +71,7 @@ struct Parser {
   CLI::App* draw = app.add_subcommand("draw", "Draw exercises to scale, as PDF and SVG.");
   CLI::App* check = app.add_subcommand(
       "check", "Check every quantity: route against route, against the drawing, against the printed number.");
+  CLI::App* bench = app.add_subcommand("bench", "Measure speed against error, and draw it.");
 
   Parser() {
     app.set_help_flag("--help,-h", "print this help");
@@ -70,10 +81,12 @@ struct Parser {
     add_list(*list, options);
     add_draw(*draw, options);
     add_check(*check, options);
+    add_bench(*bench, options);
     list->footer(examples_of_list());
     draw->footer(examples_of_draw());
     check->footer(examples_of_check());
-    for (CLI::App* verb : {list, draw, check}) {
+    bench->footer(examples_of_bench());
+    for (CLI::App* verb : {list, draw, check, bench}) {
       verb->set_help_flag("--help,-h", "print this help");
       verb->get_formatter()->column_width(34);
     }
@@ -91,8 +104,8 @@ std::string one_sentence(std::string message) {
 
 // The word where the verb should be.
 void demand_verb(const std::vector<std::string>& arguments) {
-  const std::vector<std::string> verbs = {"list", "draw", "check"};
-  if (arguments.empty()) throw WrongUsage("say what to do: list, draw or check (epure --help explains)");
+  const std::vector<std::string> verbs = {"list", "draw", "check", "bench"};
+  if (arguments.empty()) throw WrongUsage("say what to do: list, draw, check or bench (epure --help explains)");
   const std::string& first = arguments.front();
   const bool is_option = first.starts_with('-');
   if (!is_option && std::find(verbs.begin(), verbs.end(), first) == verbs.end())
@@ -116,9 +129,10 @@ Parsed parse_options(const std::vector<std::string>& arguments) {
     throw WrongUsage(one_sentence(error.what()) + " (epure --help explains)");
   }
   if (parser.app.get_subcommands().empty()) demand_verb({});
-  parser.options.verb = *parser.list   ? Options::Verb::list
-                        : *parser.draw ? Options::Verb::draw
-                                       : Options::Verb::check;
+  parser.options.verb = *parser.list    ? Options::Verb::list
+                        : *parser.draw  ? Options::Verb::draw
+                        : *parser.check ? Options::Verb::check
+                                        : Options::Verb::bench;
   return {parser.options};
 }
 

@@ -7,9 +7,8 @@
 #include <set>
 
 #include "drawings/text.h"
-#include "exercises/cli/columns.h"
 #include "exercises/cli/symbol.h"
-#include "geometry/numbers/given.h"
+#include "exercises/kit/columns.h"
 
 namespace epure {
 namespace {
@@ -54,7 +53,7 @@ std::string on_sheet(const CheckedQuantity& quantity) {
   return shown ? fmt::format("{} ± {:.1g}", digits(*shown), shown->resolution) : "-";
 }
 
-std::string printed(const PrintedVerdict& each) {
+std::string printed_cell(const PrintedVerdict& each) {
   return fmt::format("{} by {}: {} ({})", each.text, each.route, name(each.verdict),
                      percent(each.difference_percent));
 }
@@ -65,7 +64,7 @@ void add_rows(Rows& rows, const CheckedQuantity& quantity) {
                                   on_sheet(quantity)};
   if (quantity.printed.empty()) row.emplace_back("-");
   for (const PrintedVerdict& each : quantity.printed) {
-    row.push_back(printed(each));
+    row.push_back(printed_cell(each));
     rows.push_back(row);
     row.assign(5, "");  // a second printed number stands below the first
   }
@@ -190,7 +189,7 @@ std::string measured(const CheckedExercise& checked) {
 std::string givens(const Givens& givens) {
   std::vector<std::string> all;
   for (const GivenSpec& given : givens.specs())
-    all.push_back(given.symbol + " = " + with_unit(geometry::to_text(givens[given.symbol]), given.unit));
+    all.push_back(given.symbol + " = " + with_unit(givens.text(given.symbol), given.unit));
   return fmt::format("{}", fmt::join(all, ", "));
 }
 

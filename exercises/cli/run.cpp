@@ -27,7 +27,8 @@ void print(std::ostream& out, const std::string& text) {
                               (errno == 0 ? std::string() : std::string(": ") + std::strerror(errno)));
 }
 
-Exit run(const Catalogue& exercises, const std::vector<std::string>& arguments, std::ostream& out) {
+Exit run(const Catalogue& exercises, const std::vector<std::string>& arguments, std::ostream& out,
+         std::ostream& err) {
   const auto [options, text] = parse_options(arguments);
   if (text) {
     print(out, *text);
@@ -38,7 +39,10 @@ Exit run(const Catalogue& exercises, const std::vector<std::string>& arguments, 
       print(out, list(exercises, options));
       return Exit::success;
     case Options::Verb::draw:
-      print(out, draw(exercises, options));
+      print(out, draw(exercises, options, err));
+      return Exit::success;
+    case Options::Verb::bench:
+      print(out, benchmark(exercises, options, err));
       return Exit::success;
     case Options::Verb::check:
       break;
@@ -58,7 +62,7 @@ int run_cli(const Catalogue& exercises, const std::vector<std::string>& argument
     return static_cast<int>(code);
   };
   try {
-    return static_cast<int>(run(exercises, arguments, out));
+    return static_cast<int>(run(exercises, arguments, out, err));
   } catch (const drawings::CannotWrite& error) {
     return complain(Exit::cannot_write, error);
   } catch (const geometry::Undecided& error) {  // one rung alone may be unable to say anything

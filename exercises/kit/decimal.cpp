@@ -1,6 +1,7 @@
 #include "exercises/kit/decimal.h"
 
 #include <charconv>
+#include <cmath>
 #include <string_view>
 
 #include "geometry/numbers/fast.h"
@@ -83,6 +84,13 @@ Rational excess(const Decimal& number, double value) {
 }
 
 double nearest(const Rational& value) { return geometry::from_rational<geometry::Fast>(value); }
+
+double with_last_digits_swapped(double value) {
+  const int hundredths = static_cast<int>(std::lround(100 * value)), last = hundredths % 10,
+            before = hundredths / 10 % 10;
+  const int whole = hundredths / 100;
+  return (whole * 100 + last * 10 + before) / 100.0;
+}
 
 std::optional<double> percent(const Rational& difference, double of_value) {
   if (of_value != 0) return nearest(difference / CGAL::abs(Rational(of_value)) * 100);

@@ -21,6 +21,9 @@ Decimal read_decimal(const std::string& text, const std::string& unit);
 // Text minus value; minus the value's magnitude when the text bears no sign.
 geometry::Rational excess(const Decimal& number, double value);
 
+// 3.42 as 3.24: a number of two decimals whose last digits were exchanged in print. `value` must be positive.
+double with_last_digits_swapped(double value);
+
 // The double nearest to a rational. (CGAL::to_double cuts off instead: 13/25 would come out below 0.52.)
 double nearest(const geometry::Rational& value);
 

@@ -7,16 +7,6 @@
 namespace epure {
 namespace {
 
-bool fits(const drawings::Box& extent, const drawings::Box& room) {
-  return extent.width() <= room.width() && extent.height() <= room.height();
-}
-
-Fit placed(const Scale& scale, const drawings::Box& extent, const drawings::Box& room) {
-  return {scale,
-          {room.low.x + (room.width() - extent.width()) / 2 - extent.low.x,
-           room.low.y + (room.height() - extent.height()) / 2 - extent.low.y}};
-}
-
 // Smaller and smaller standard scales until the picture fits. Every step at least halves it, so labels and symbols,
 // which do not shrink, are the only reason to give up.
 Fit descend(Scale scale, const drawings::Box& room, const std::function<Scale(double)>& next,
@@ -24,7 +14,7 @@ Fit descend(Scale scale, const drawings::Box& room, const std::function<Scale(do
   constexpr int steps = 60;
   for (int i = 0; i < steps; ++i) {
     const drawings::Box extent = extent_at(scale);
-    if (fits(extent, room)) return placed(scale, extent, room);
+    if (fits(extent, room)) return Fit{scale, origin_in(room, extent)};
     scale = next(scale.mm_per_unit * 0.99);
   }
   throw BadGivens("the figure does not fit the paper at any standard scale");
@@ -44,6 +34,15 @@ void Extent::include(const Scale& scale, const Place& P, double air) {
   include(x + air, y + air);
 }
 
+bool fits(const drawings::Box& extent, const drawings::Box& room) {
+  return extent.width() <= room.width() && extent.height() <= room.height();
+}
+
+drawings::Point origin_in(const drawings::Box& room, const drawings::Box& extent) {
+  return {room.low.x + (room.width() - extent.width()) / 2 - extent.low.x,
+          room.low.y + (room.height() - extent.height()) / 2 - extent.low.y};
+}
+
 Fit fit_lengths(const drawings::Box& room, const SheetRequest& request, double at_most,
                 const std::function<drawings::Box(const Scale&)>& extent_at) {
   const Fit largest = descend(largest_length_scale(at_most), room, largest_length_scale, extent_at);
@@ -56,7 +55,7 @@ Fit fit_lengths(const drawings::Box& room, const SheetRequest& request, double a
         "for it; {} would fit",
         asked.caption, extent.width(), extent.height(), room.width(), room.height(), largest.scale.caption));
   }
-  return placed(asked, extent, room);
+  return Fit{asked, origin_in(room, extent)};
 }
 
 Fit fit_vectors(const drawings::Box& room, const std::string& unit, Language language, double at_most,

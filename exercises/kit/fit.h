@@ -26,6 +26,10 @@ struct Fit {
   drawings::Point origin;  // paper mm of the plane's origin: the picture stands in the middle of the room
 };
 
+// Whether a picture of this extent fits the room, and where its origin then lies: it stands in the middle.
+bool fits(const drawings::Box& extent, const drawings::Box& room);
+drawings::Point origin_in(const drawings::Box& room, const drawings::Box& extent);
+
 // `extent_at` says how much paper the picture takes at a scale of lengths. `at_most` (mm per metre) bounds the
 // search. Throws BadGivens when a requested scale does not fit, naming the room and what would fit.
 Fit fit_lengths(const drawings::Box& room, const SheetRequest& request, double at_most,

@@ -12,8 +12,8 @@ namespace epure {
 namespace {
 
 // What stays inside is far from where doubles overflow: a fourth power of 1e12 times a million is still below 1e60.
-const char* const smallest = "1e-12";
-const char* const largest = "1e12";
+const char* const smallest_size = "1e-12";
+const char* const largest_size = "1e12";
 
 std::vector<std::string> symbols(const std::vector<GivenSpec>& specs) {
   std::vector<std::string> names;
@@ -27,10 +27,10 @@ std::string violated(const GivenSpec& spec, const Rational& value) {
   if (spec.range == Range::not_negative && value < 0) return "must not be negative";
   const Rational size = CGAL::abs(value);
   const bool zero = size == 0;  // where it may be zero: a positive given got no further
-  if (zero || (size >= geometry::parse_given(smallest, "1") && size <= geometry::parse_given(largest, "1")))
+  if (zero || (size >= geometry::parse_given(smallest_size, "1") && size <= geometry::parse_given(largest_size, "1")))
     return "";
-  return fmt::format("must {}lie between {} and {}{}{}", spec.range == Range::positive ? "" : "be zero or ", smallest,
-                     largest, spec.unit == "1" ? "" : " ", spec.unit == "1" ? "" : spec.unit);
+  return fmt::format("must {}lie between {} and {}{}{}", spec.range == Range::positive ? "" : "be zero or ",
+                     smallest_size, largest_size, spec.unit == "1" ? "" : " ", spec.unit == "1" ? "" : spec.unit);
 }
 
 // As typed, but no longer than one line can bear.
@@ -39,7 +39,17 @@ std::string shortened(std::string_view text) {
   return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
 }
 
+Rational read_word(const GivenSpec& spec, std::string_view text) {
+  std::string words;
+  for (std::size_t i = 0; i < spec.choices.size(); ++i) {
+    if (spec.choices[i].word == text) return Rational(static_cast<int>(i));
+    words += (i == 0 ? "" : " or ") + spec.choices[i].word;
+  }
+  throw BadGivens(fmt::format("{} = {}: must be {}", spec.symbol, shortened(text), words));
+}
+
 Rational read(const GivenSpec& spec, std::string_view text) {
+  if (!spec.choices.empty()) return read_word(spec, text);
   try {
     Rational value = geometry::parse_given(std::string(text), spec.unit);
     if (const std::string condition = violated(spec, value); !condition.empty())
@@ -85,9 +95,26 @@ const Rational& Givens::operator[](std::string_view symbol) const {
   return values_[i];
 }
 
+const Choice& Givens::chosen(std::string_view symbol) const {
+  const std::size_t i = index_of(specs_, symbol);
+  assert(i < specs_.size() && !specs_[i].choices.empty() && "a given of words");
+  return specs_[i].choices[static_cast<std::size_t>(CGAL::to_double(values_[i]))];
+}
+
+std::string Givens::text(std::string_view symbol) const {
+  const std::size_t i = index_of(specs_, symbol);
+  assert(i < specs_.size() && "an exercise asks for its own givens only");
+  return specs_[i].choices.empty() ? geometry::to_text(values_[i]) : chosen(symbol).word;
+}
+
+bool Givens::is_changed(std::string_view symbol) const {
+  const std::size_t i = index_of(specs_, symbol);
+  assert(i < specs_.size() && "an exercise asks for its own givens only");
+  return values_[i] != read(specs_[i], specs_[i].stated);
+}
+
 bool Givens::as_stated() const {
-  return std::equal(specs_.begin(), specs_.end(), values_.begin(),
-                    [](const GivenSpec& spec, const Rational& value) { return read(spec, spec.stated) == value; });
+  return std::none_of(specs_.begin(), specs_.end(), [&](const GivenSpec& spec) { return is_changed(spec.symbol); });
 }
 
 }  // namespace epure

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,27 +44,38 @@ class Ledger {
 
   void route(std::string name) { route_ = std::move(name); }
 
+  // What is written next belongs to a case of the exercise: "dead_centre_folded." comes before every name.
+  void begin_case(std::string prefix) { case_ = std::move(prefix); }
+
+  // The axes in which the vectors and points to come are given: x along this unit vector. Their components are
+  // written down along the usual axes, to which they return with usual_axes.
+  void axes_along(const geometry::Vector<T>& x_axis) { x_axis_ = x_axis; }
+  void usual_axes() { x_axis_.reset(); }
+
   // Writes down what `find` returns. What it cannot decide stays undecided; what does not exist is absent.
   void put(const std::string& quantity, const std::function<T()>& find) {
-    keys_.push_back({quantity, route_});
+    keys_.push_back({case_ + quantity, route_});
     readings_.push_back(geometry::Reading<T>::from(find));
   }
   void put(const std::string& quantity, const T& value) {
     put(quantity, [&] { return value; });
   }
   void vector(const std::string& name, const geometry::Vector<T>& v) {
-    put(name + "_x", v.x);
-    put(name + "_y", v.y);
+    const geometry::Vector<T> seen = in_usual_axes(v);
+    put(name + "_x", seen.x);
+    put(name + "_y", seen.y);
     put(name, [&] { return size(v); });
   }
   void point(const std::string& name, const geometry::Point<T>& P) {
-    put(name + "_x", P.x);
-    put(name + "_y", P.y);
+    const geometry::Vector<T> seen = in_usual_axes({P.x, P.y});
+    put(name + "_x", seen.x);
+    put(name + "_y", seen.y);
   }
   // Coordinates of a point that may be at infinity, which `at_infinity` then says.
   void point(const std::string& name, const geometry::ProjectivePoint<T>& P, const std::string& at_infinity) {
-    put(name + "_x", [&] { return ratio(P.x, P.w, at_infinity); });
-    put(name + "_y", [&] { return ratio(P.y, P.w, at_infinity); });
+    const geometry::Vector<T> seen = in_usual_axes({P.x, P.y});
+    put(name + "_x", [&] { return ratio(seen.x, P.w, at_infinity); });
+    put(name + "_y", [&] { return ratio(seen.y, P.w, at_infinity); });
   }
   // The distance from P, which may be at infinity, to X.
   void distance(const std::string& name, const geometry::ProjectivePoint<T>& P, const geometry::Point<T>& X,
@@ -94,7 +106,12 @@ class Ledger {
   const std::vector<geometry::Reading<T>>& readings() const { return readings_; }
 
  private:
-  std::string route_;
+  geometry::Vector<T> in_usual_axes(const geometry::Vector<T>& v) const {
+    return x_axis_ ? v.x * *x_axis_ + v.y * geometry::quarter_turn(*x_axis_) : v;
+  }
+
+  std::optional<geometry::Vector<T>> x_axis_;
+  std::string route_, case_;
   std::vector<std::pair<std::string, std::string>> keys_;
   std::vector<geometry::Reading<T>> readings_;
 };

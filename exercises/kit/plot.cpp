@@ -5,12 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "drawings/vectors.h"
 #include "exercises/kit/drawn.h"
 
 namespace epure {
 namespace {
-
-double direction(drawings::Point from, drawings::Point to) { return std::atan2(to.y - from.y, to.x - from.x); }
 
 constexpr double farthest = 1000;  // mm: more than any way across the paper
 
@@ -89,7 +88,7 @@ namespace {
 // Around the point of the circle that is nearest to `middle`, as far as the paper reaches. Written from that point,
 // not from the centre, so that a centre kilometres away costs no digits.
 drawings::Path arc_near(drawings::Point centre, double radius, drawings::Point middle) {
-  const double toward = direction(centre, middle);
+  const double toward = drawings::angle_of(middle - centre);
   const drawings::Point nearest{centre.x + radius * std::cos(toward), centre.y + radius * std::sin(toward)};
   const double half = farthest / radius;
   constexpr int pieces = 8;
@@ -142,7 +141,7 @@ void Plot::right_angle(const Place& P, const Place& Q, const Place& R) {
   if (!shows(P)) return;
   const drawings::Point p = at(P), q = at(Q), r = at(R);
   if (std::hypot(q.x - p.x, q.y - p.y) < 3 || std::hypot(r.x - p.x, r.y - p.y) < 3) return;  // no room for the mark
-  mark(drawings::RightAngle{p, direction(p, q), direction(p, r)});
+  mark(drawings::RightAngle{p, drawings::angle_of(q - p), drawings::angle_of(r - p)});
 }
 
 void Plot::side(const std::string& name, const Place& from, const Place& to, Meaning meaning,
@@ -166,7 +165,7 @@ void Plot::vector_on(const std::string& name, const Place& from, const Arrow2& v
   const Place to = tip(from, v);
   mark(drawings::Arrow{at(from), at(to), meaning, name});
   onto_.sheet.figure.labels.push_back({.text = label, .at = at(from), .to = at(to), .ink = meaning});
-  measure(name, from, to, 1 / vectors_.mm_per_unit, Measurement::length);
+  if (!name.empty()) measure(name, from, to, 1 / vectors_.mm_per_unit, Measurement::length);
 }
 
 void Plot::label(const std::string& text, const Place& P, std::optional<Place> away_from, Meaning ink) {

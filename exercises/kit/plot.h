@@ -6,13 +6,12 @@
 
 #include "drawings/picture.h"
 #include "exercises/kit/exercise.h"
+#include "exercises/kit/place.h"
 #include "exercises/kit/scale.h"
 #include "geometry/constructions/cycle.h"
 
 namespace epure {
 
-using Place = geometry::Point<double>;  // metres, or the unit of the plane of vectors
-using Arrow2 = geometry::Vector<double>;
 using drawings::Meaning;
 
 struct DrawnCycle;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 
 #include "drawings/words.h"
@@ -12,10 +13,11 @@ namespace epure {
 namespace {
 
 constexpr double bar_strip = 17;     // mm: caption, bar and ticks
-constexpr double bar_distance = 78;  // mm from one bar to the next
+constexpr double bar_distance = 78;  // mm from one bar to the next, where there is room
 
 // 0.2 where the decimals end within six figures, else 1/72.
 std::string exactly(const Rational& value, Language language) {
+  if (value < 0) return "−" + exactly(-value, language);
   const std::string decimal = short_number(CGAL::to_double(value), Language::english);
   try {
     if (geometry::parse_given(decimal, "1") == value) return short_number(CGAL::to_double(value), language);
@@ -25,12 +27,29 @@ std::string exactly(const Rational& value, Language language) {
   return geometry::to_text(value);
 }
 
+// A given stays on one line with its unit. Written as an escape: the character itself looks like a space, and has
+// been taken for one.
+constexpr const char* no_break = "\u00a0";
+
+// " m/s²", "°": what follows a number of the unit.
+std::string after_number(const std::string& unit) {
+  if (unit == "1") return "";
+  if (unit == "deg") return "°";
+  const auto power = unit.find("^2");
+  return no_break + (power == std::string::npos ? unit : unit.substr(0, power) + "²");
+}
+
 std::string in_one_line(const Givens& givens, Language language) {
   std::string line;
   for (const GivenSpec& spec : givens.specs()) {
-    const std::string unit = spec.unit == "rad/s^2" ? "rad/s²" : spec.unit;
-    line += (line.empty() ? "" : ", ") + (spec.letters.empty() ? spec.symbol : spec.letters) + " = " +
-            exactly(givens[spec.symbol], language) + " " + unit;
+    if (spec.beyond_source && !givens.is_changed(spec.symbol)) continue;
+    if (!line.empty()) line += ", ";
+    if (!spec.choices.empty()) {
+      line += givens.chosen(spec.symbol).meaning.in(language);
+      continue;
+    }
+    line += (spec.letters.empty() ? spec.symbol : spec.letters) + no_break + "=" + no_break +
+            exactly(givens[spec.symbol], language) + after_number(spec.unit);
   }
   return line;
 }
@@ -71,11 +90,13 @@ drawings::Box room_above_scale_bars(const SheetRequest& request) {
 
 void add_scale_bars(DrawnSheet& onto, const std::vector<Scale>& scales, const SheetRequest& request) {
   const drawings::Box area = drawings::drawing_area(request.paper);
-  double x = area.low.x + 6;
+  constexpr double first_bar = 6;  // mm from the edge
+  const double distance = std::min(bar_distance, (area.width() - first_bar) / static_cast<double>(scales.size()));
+  double x = area.low.x + first_bar;
   for (const Scale& scale : scales) {
     onto.sheet.figure.marks.push_back(bar(scale, {x, area.low.y + 8}, request.language));
     onto.sheet.title_block.scales.push_back(scale.caption);
-    x += bar_distance;
+    x += distance;
   }
 }
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "geometry/numbers/climb.h"
 #include "geometry/numbers/turn.h"
 
@@ -10,14 +13,12 @@ namespace {
 
 using geometry::Sign;
 
-double number(const Rational& q) { return CGAL::to_double(q); }
-
 void require_plate(const geometry::SliderCrankLengths& of) {
   const auto longer = [](const char* long_name, const Rational& longest, const char* sum, const Rational& others) {
     if (longest > others) {
-      throw BadGivens(
-          fmt::format("the plate ABC does not close: {} = {:.6g} m is longer than {} = {:.6g} m by {:.3g} m",
-                      long_name, number(longest), sum, number(others), number(longest - others)));
+      throw BadGivens(fmt::format(
+          "the plate ABC does not close: {} = {:.6g} m is longer than {} = {:.6g} m by {:.3g} m", long_name,
+          CGAL::to_double(longest), sum, CGAL::to_double(others), CGAL::to_double(longest - others)));
     }
   };
   longer("AB", of.l, "AC + BC", of.AC + of.BC);
@@ -25,26 +26,62 @@ void require_plate(const geometry::SliderCrankLengths& of) {
   longer("BC", of.BC, "AB + AC", of.l + of.AC);
 }
 
+// How far A is from the guide, to its left.
+template <class T>
+T height_of_A(const SliderCrankInstant& at) {
+  return geometry::from_rational<T>(at.lengths.r) * geometry::sine<T>(at.crank_from_guide()) -
+         geometry::from_rational<T>(at.lengths.e);
+}
+
+std::string where_it_closes(const SliderCrankInstant& at) {
+  std::string text;
+  for (const AngleRange& range : crank_swings(at))
+    text +=
+        fmt::format("{} {:.6g}° to {:.6g}°", text.empty() ? "; it closes from" : " and from", range.from, range.to);
+  if (!text.empty()) return text;
+  return fmt::format("; it closes at no angle, as the guide passes {:.6g} m from A₀",
+                     CGAL::to_double(CGAL::abs(at.lengths.e)));
+}
+
 void require_closure(const SliderCrankInstant& at) {
-  const Sign reach = geometry::decide([&]<class T>() {
-                       const T A_y = geometry::from_rational<T>(at.lengths.r) * geometry::sine<T>(at.crank);
-                       return geometry::square(geometry::from_rational<T>(at.lengths.l)) - geometry::square(A_y);
-                     }).sign;
+  const Sign reach =
+      geometry::decide([&]<class T>() {
+        return geometry::square(geometry::from_rational<T>(at.lengths.l)) - geometry::square(height_of_A<T>(at));
+      }).sign;
   if (reach == Sign::positive) return;
   if (reach == Sign::undecided) throw geometry::Undecided("whether the coupler reaches the guide");
-  const double phi = 360 * number(at.crank.fraction);
-  const double A_y = std::abs(number(at.lengths.r) * geometry::sine<geometry::Fast>(at.crank));
-  const double l = number(at.lengths.l);
+  const double phi = 360 * CGAL::to_double(at.crank.fraction);
+  const double height = std::abs(height_of_A<geometry::Fast>(at));
+  const double l = CGAL::to_double(at.lengths.l);
   if (reach == Sign::negative) {
     throw BadGivens(
         fmt::format("the linkage does not close: at crank angle {:.6g}° the pin A is {:.6g} m from the "
-                    "guide, and the coupler AB = {:.6g} m is too short by {:.3g} m",
-                    phi, A_y, l, A_y - l));
+                    "guide, and the coupler AB = {:.6g} m is too short by {:.3g} m{}",
+                    phi, height, l, height - l, where_it_closes(at)));
   }
   throw BadGivens(
       fmt::format("at crank angle {:.6g}° the coupler AB = {:.6g} m stands square to the guide, where the "
                   "crank cannot drive the slider: its velocity does not exist",
                   phi, l));
+}
+
+// The crank is square to the guide: a decision on the rational number of quarter turns between them.
+bool is_square_to_guide(const SliderCrankInstant& at) {
+  const Rational quarters = 4 * at.crank_from_guide().fraction;
+  return quarters.denominator() == 1 && mpz_odd_p(quarters.numerator().mpz()) != 0;
+}
+
+// A₀, A and B in line. Seen from the guide, crank at ψ and coupler have the same sine when the crank points ahead,
+// (r + l) sin ψ = e, and opposite ones when it points back, (r - l) sin ψ = e. Only a rational sine can be that (and
+// any, when r = l and e = 0: the links stay folded, B on A₀), and of a rational turn these are known: see
+// rational_cosine.
+bool is_dead_centre(const SliderCrankInstant& at) {
+  const auto& [r, l, AC, BC, e] = at.lengths;
+  if (is_square_to_guide(at)) return false;
+  const Rational length = at.crank_points_ahead() ? r + l : r - l;
+  if (length == 0) return e == 0;
+  const auto sine = geometry::rational_cosine(geometry::turn_for_sine(at.crank_from_guide()));
+  return sine && length * *sine == e;
 }
 
 }  // namespace
@@ -62,7 +99,7 @@ std::vector<GivenSpec> slider_crank_givens(bool with_alpha_2) {
        Range::any,
        "$n$"},
       {"t1",
-       {"instant, counted from the outer dead centre", "istante, dal punto morto esterno"},
+       {"instant, counted from the crank on +x", "istante, dalla manovella su +x"},
        "s",
        "1/72",
        Range::not_negative,
@@ -76,31 +113,59 @@ std::vector<GivenSpec> slider_crank_givens(bool with_alpha_2) {
                       Range::any,
                       "$α_{2}$"});
   }
+  givens.push_back({.symbol = "e",
+                    .meaning = {"offset of the guide from A₀, positive to the left of its direction",
+                                "distanza della guida da A₀, positiva a sinistra della sua direzione"},
+                    .unit = "m",
+                    .stated = "0",
+                    .range = Range::any,
+                    .letters = "$e$",
+                    .beyond_source = true});
+  givens.push_back({.symbol = "delta",
+                    .meaning = {"direction of the guide, from +x", "direzione della guida, da +x"},
+                    .unit = "deg",
+                    .stated = "0",
+                    .range = Range::any,
+                    .letters = "$δ$",
+                    .beyond_source = true});
   return givens;
 }
 
 SliderCrankInstant slider_crank_instant(const Givens& givens) {
-  SliderCrankInstant at{.lengths = {givens["r"], givens["l"], givens["AC"], givens["BC"]},
+  SliderCrankInstant at{.lengths = {givens["r"], givens["l"], givens["AC"], givens["BC"], givens["e"]},
                         .turns_per_second = givens["n"] / 60,
                         .t1 = givens["t1"],
-                        .crank = {givens["n"] / 60 * givens["t1"]}};
+                        .crank = {givens["n"] / 60 * givens["t1"]},
+                        .guide = geometry::within_one_turn({givens["delta"] / 360})};
   for (const GivenSpec& spec : givens.specs()) {
     if (spec.symbol == "alpha_2") at.alpha_2 = givens["alpha_2"];
   }
-  if (at.turns_per_second == 0) throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0");
   require_plate(at.lengths);
-  require_closure(at);
-  // A quarter turn has one of the coordinates exactly zero: a decision on the rational number of quarter turns.
-  const Rational quarters = 4 * at.crank.fraction;
-  if (quarters.denominator() == 1) {
-    const bool even = mpz_even_p(quarters.numerator().mpz()) != 0;
-    at.dead_centre = even;
-    at.pole_at_infinity = !even;
-  }
-  // Beyond the square position links of equal length stay folded onto each other, B on A₀.
-  const Rational turn = geometry::within_one_turn(at.crank).fraction;
-  if (at.lengths.r == at.lengths.l && turn > Rational(1, 4) && turn < Rational(3, 4)) at.dead_centre = true;
+  require_drivable(at);
   return at;
+}
+
+void require_drivable(SliderCrankInstant& at) {
+  if (at.turns_per_second == 0) throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0");
+  require_closure(at);
+  at.pole_at_infinity = is_square_to_guide(at);
+  at.dead_centre = is_dead_centre(at);
+}
+
+bool SliderCrankInstant::crank_points_ahead() const {
+  const Rational psi = geometry::within_one_turn(crank_from_guide()).fraction;
+  return psi < Rational(1, 4) || psi > Rational(3, 4);
+}
+
+std::vector<AngleRange> crank_swings(const SliderCrankInstant& at) {
+  const geometry::CrankRange range = geometry::crank_range(at.lengths);
+  if (range.is_empty || range.is_full_turn()) return {};
+  const double delta = 360 * CGAL::to_double(at.guide.fraction);
+  const auto degrees = [](const Rational& sine) { return std::asin(CGAL::to_double(sine)) * 180 / std::numbers::pi; };
+  if (!range.highest) return {{delta + degrees(*range.lowest), delta + 180 - degrees(*range.lowest)}};
+  if (!range.lowest) return {{delta - 180 - degrees(*range.highest), delta + degrees(*range.highest)}};
+  const double low = degrees(*range.lowest), high = degrees(*range.highest);
+  return {{delta + low, delta + high}, {delta + 180 - high, delta + 180 - low}};
 }
 
 }  // namespace epure

@@ -1,41 +1,72 @@
-// What the exercises on the centred slider-crank share: their givens, when these are impossible, and the instant.
+// What the exercises on the slider-crank share: their givens, when these are impossible, and the instant.
 #pragma once
 
+#include "exercises/kit/crank.h"
 #include "exercises/kit/givens.h"
 #include "geometry/mechanisms/slider_crank.h"
 #include "geometry/numbers/numbers.h"
 
 namespace epure {
 
-// r, l, AC, BC in metres, n in rpm, t1 in seconds; alpha_2 in rad/s² where the exercise has it.
+// r, l, AC, BC in metres, n in rpm, t1 in seconds; alpha_2 in rad/s² where the exercise has it; then what the source
+// leaves at zero, the guide's offset e in metres and its direction delta in degrees.
 std::vector<GivenSpec> slider_crank_givens(bool with_alpha_2);
 
 struct SliderCrankInstant {
   geometry::SliderCrankLengths lengths;
   Rational turns_per_second, t1;
-  geometry::Turn crank;  // n t1, from the outer dead centre
+  geometry::Turn crank;               // n t1, from +x
+  geometry::Turn guide{Rational(0)};  // from +x
   Rational alpha_2{0};
 
   // Special positions, decided exactly.
   bool pole_at_infinity = false;  // the crank is square to the guide
   bool dead_centre = false;       // crank and coupler in line: the pole is B
 
-  // 2 π n. The exact numbers work with unit crank speed where nothing but signs is asked and α₂ = 0, which keeps π
-  // out.
+  bool is_offset() const { return lengths.e != 0; }
+  bool is_inclined() const { return guide.fraction != 0; }
+  geometry::Turn crank_from_guide() const { return {crank.fraction - guide.fraction}; }
+  // Less than a right angle off the guide's direction.
+  bool crank_points_ahead() const;
+
   template <class T>
   T omega_2() const {
-    constexpr bool exact = std::is_same_v<T, geometry::Exact> || std::is_same_v<T, geometry::Calcium>;
-    if (exact && alpha_2 == 0) return T(turns_per_second > 0 ? 1 : -1);
-    return geometry::from_rational<T>(2 * turns_per_second) * geometry::pi<T>();
+    return crank_speed<T>(turns_per_second, alpha_2);
   }
   template <class T>
   geometry::SliderCrank<T> position() const {
-    return geometry::slider_crank<T>(lengths, {geometry::cosine<T>(crank), geometry::sine<T>(crank)});
+    return geometry::slider_crank<T>(lengths, direction<T>(crank), direction<T>(guide));
+  }
+  // On a sheet that is turned until the guide is level. Crank along the guide or square to it is then exactly that in
+  // every number, which directions such as 20° and 110° are only to an exact one.
+  template <class T>
+  geometry::SliderCrank<T> level_position() const {
+    return geometry::slider_crank<T>(lengths, direction<T>(crank_from_guide()));
+  }
+  // A, at its place on the sheet as it lies.
+  template <class T>
+  geometry::Point<T> crank_pin() const {
+    return geometry::Point<T>{T(0), T(0)} + geometry::from_rational<T>(lengths.r) * direction<T>(crank);
+  }
+  template <class T>
+  static geometry::Vector<T> direction(const geometry::Turn& turn) {
+    return {geometry::cosine<T>(turn), geometry::sine<T>(turn)};
   }
 };
 
-// Throws BadGivens, in one sentence with the values, when n = 0, the plate ABC or the linkage does not close, or the
-// coupler is square to the guide, where the crank cannot drive the slider; Undecided when no number can tell.
+// Throws BadGivens, in one sentence with the values, when the plate ABC does not close, and as require_drivable.
 SliderCrankInstant slider_crank_instant(const Givens& givens);
+
+// The crank angles from +x, in degrees and rounded, between which the linkage closes: none when it closes nowhere or
+// the crank turns fully, else one or two ranges.
+struct AngleRange {
+  double from, to;
+};
+std::vector<AngleRange> crank_swings(const SliderCrankInstant& at);
+
+// Decides the special positions. Throws BadGivens, in one sentence with the values, when n = 0, the linkage does not
+// close, or the coupler is square to the guide, where the crank cannot drive the slider; Undecided when no number can
+// tell.
+void require_drivable(SliderCrankInstant& at);
 
 }  // namespace epure

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "exercises/kit/drawn.h"
+#include "exercises/kit/mechanism_figure.h"
 #include "exercises/kit/plot.h"
 #include "exercises/kit/slider_crank.h"
 
@@ -12,6 +13,25 @@ using DrawnSliderCrank = geometry::SliderCrank<double>;
 
 // The mechanism for drawing: the construction run on Deep, then rounded once.
 DrawnSliderCrank drawn_position(const SliderCrankInstant& at);
+
+// The guide as axes for drawing: unit vectors along it and to its left, and the foot of A₀ on it.
+struct GuideAxes {
+  Arrow2 along, left;
+  Place foot;
+
+  explicit GuideAxes(const DrawnSliderCrank& at);
+  Place at(double abscissa, double ordinate = 0) const {
+    return {foot.x + abscissa * along.x + ordinate * left.x, foot.y + abscissa * along.y + ordinate * left.y};
+  }
+  double abscissa(const Place& P) const { return (P.x - foot.x) * along.x + (P.y - foot.y) * along.y; }
+  double ordinate(const Place& P) const { return (P.x - foot.x) * left.x + (P.y - foot.y) * left.y; }
+};
+
+// Between which crank angles the linkage closes; empty when the crank turns fully.
+std::string swing_in_words(const SliderCrankInstant& at, Language language);
+
+// How a direction is named in a polygon: "∥ A₀B", or by the guide when it does not pass A₀.
+std::string parallel_to_guide(const SliderCrankInstant& at, Language language);
 
 // Guide and its axis, crank with the circle of A, coupler plate ABC, slider, hinges, and the letters.
 void draw_slider_crank(Plot& plot, const DrawnSliderCrank& at, double turns_per_second);
@@ -32,5 +52,22 @@ double reach(const DrawnSliderCrank& at);
 
 // What the mechanism covers at a scale: the crank circle, the plate, the guide, and room for symbols and letters.
 void include_slider_crank(Extent& extent, const Scale& scale, const DrawnSliderCrank& at);
+
+// For the sheets that serve every mechanism.
+class SliderCrankFigure : public MechanismFigure {
+ public:
+  SliderCrankFigure(const DrawnSliderCrank& at, double turns_per_second)
+      : at_(at), turns_per_second_(turns_per_second) {}
+
+  void draw(Plot& plot) const override { draw_slider_crank(plot, at_, turns_per_second_); }
+  void sketch(Plot& plot) const override { sketch_slider_crank(plot, at_); }
+  void include(Extent& extent, const Scale& scale) const override { include_slider_crank(extent, scale, at_); }
+  std::vector<Place> corners() const override { return {at_.A0, at_.A, at_.B, at_.C}; }
+  double reach() const override { return epure::reach(at_); }
+
+ private:
+  DrawnSliderCrank at_;
+  double turns_per_second_;
+};
 
 }  // namespace epure

@@ -15,11 +15,11 @@ constexpr double mechanism_share = 0.42;  // of the room's height; the polygon n
 Place tip(const Arrow2& a) { return {a.x, a.y}; }
 Place after(const Place& P, const Arrow2& a) { return {P.x + a.x, P.y + a.y}; }
 
-void draw_sides(Plot& plot, const Drawn& f) {
+void draw_sides(Plot& plot, const Drawn& f, Language language) {
   const Place O{0, 0}, a = tip(f.a_A), n = after(a, f.a_BA_n), b = tip(f.a_B), c = tip(f.a_C), m = tip(f.a_M);
   const Place inside{(a.x + b.x + n.x) / 3, (a.y + b.y + n.y) / 3};
   plot.direction_line(b, n, 12, "⊥ $AB$");
-  plot.direction_line(O, b, 12, "∥ $A_{0}B$");
+  plot.direction_line(O, b, 12, parallel_to_guide(f.instant, language));
   plot.segment(b, c, Meaning::construction);
   const bool has_tangential_part = f.instant.alpha_2 != 0;
   if (has_tangential_part) {
@@ -41,7 +41,7 @@ void draw_sides(Plot& plot, const Drawn& f) {
 
 void draw_names(Plot& plot, const Drawn& f) {
   const Place O{0, 0}, a = tip(f.a_A), n = after(a, f.a_BA_n), b = tip(f.a_B), c = tip(f.a_C), m = tip(f.a_M);
-  plot.measures_abscissa("a_B_x", b, O);
+  plot.measures_coordinates("a_B", b, O);
   plot.measures_coordinates("a_C", c, O);
   plot.measures_coordinates("a_M", m, O);
   for (const Place& X : {O, m}) plot.dot(X, Meaning::acceleration);
@@ -70,9 +70,9 @@ drawings::Box polygon_extent(const Drawn& f, const Scale& scale) {
   return extent.box();
 }
 
-drawings::VectorEquation equation_of_B(const Drawn& f) {
+drawings::VectorEquation equation_of_B(const Drawn& f, Language language) {
   const std::string tangential = f.instant.alpha_2 == 0 ? "0" : "$α_{2}$·$A_{0}A$";
-  return {{{"$\\vec{a}_{B}$", "∥ $A_{0}B$", "?", ""},
+  return {{{"$\\vec{a}_{B}$", parallel_to_guide(f.instant, language), "?", ""},
            {"$\\vec{a}^{n}_{A}$", "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$", "="},
            {"$\\vec{a}^{t}_{A}$", "⊥ $A_{0}A$", tangential, "+"},
            {"$\\vec{a}^{n}_{BA}$", "∥ $BA$", "$ω^{2}_{3}$·$AB$", "+"},
@@ -104,7 +104,9 @@ drawings::Steps steps(Language language) {
 drawings::Table results(const Drawn& f, Language language) {
   const auto num = [&](double x) { return figures(x, 4, language); };
   drawings::Table table{{"$X$", "$a_{X}$ (m/s²)"}, {}};
-  for (const Followed& X : followed(f)) table.rows.push_back({"$" + X.symbol + "$", num(std::hypot(X.a.x, X.a.y))});
+  for (const CouplerPoint& X : f.coupler.points) {
+    table.rows.push_back({"$" + X.letter + "$", num(std::hypot(X.a.x, X.a.y))});
+  }
   return table;
 }
 
@@ -115,26 +117,27 @@ void draw_polar_diagram(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
   const double divide = room.high.y - mechanism_share * room.height();
   const Scale lengths = draw_small_slider_crank(onto, f.at, f.instant, {{room.low.x, divide}, room.high}, request);
   const Fit fit = fit_vectors({room.low, {room.high.x, divide}}, "m/s²", request.language,
-                              room.width() / greatest_acceleration(f),
+                              room.width() / f.coupler.greatest_acceleration(),
                               [&](const Scale& scale) { return polygon_extent(f, scale); });
   Plot plot(onto, fit.origin, fit.scale);
-  draw_sides(plot, f);
+  draw_sides(plot, f, request.language);
   draw_names(plot, f);
   add_scale_bars(onto, {lengths, plot.scale()}, request);
 
   const Language language = request.language;
   const bool english = language == Language::english;
   auto& column = onto.sheet.column;
-  column.push_back(equation_of_B(f));
+  column.push_back(equation_of_B(f, language));
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(steps(language));
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
-  column.push_back(
-      drawings::Paragraph{fmt::format("$ω_{{3}}$ = {} rad/s,  $α_{{3}}$ = {} rad/s²", figures(f.omega_3, 4, language),
-                                      figures(f.alpha_3, 4, language))});
+  column.push_back(drawings::Paragraph{fmt::format("$ω_{{3}}$ = {} rad/s,  $α_{{3}}$ = {} rad/s²",
+                                                   figures(f.coupler.omega_3, 4, language),
+                                                   figures(f.coupler.alpha_3, 4, language))});
   column.push_back(results(f, language));
-  std::vector<Value> values{{"α₃", f.alpha_3, "rad/s²"}};
-  for (const Followed& X : followed(f)) values.push_back({X.acceleration, std::hypot(X.a.x, X.a.y), "m/s²"});
+  std::vector<Value> values{{"α₃", f.coupler.alpha_3, "rad/s²"}};
+  for (const CouplerPoint& X : f.coupler.points)
+    values.push_back({"a_" + X.letter, std::hypot(X.a.x, X.a.y), "m/s²"});
   onto.sheet.description =
       in_words({"The polygon of the accelerations of the slider-crank, with the images of C and M",
                 "Il poligono delle accelerazioni del manovellismo, con le immagini di C e M"},

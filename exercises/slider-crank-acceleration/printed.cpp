@@ -15,11 +15,9 @@ namespace {
 constexpr double shrunk = 0.795;
 
 const Drawn& source_figure() {
-  static const Drawn figure = drawn(slider_crank_instant(Givens(slider_crank_givens(true))));
-  return figure;
+  static const auto figure = drawn(slider_crank_instant(Givens(slider_crank_givens(true))));
+  return *figure;
 }
-
-double distance(const Place& P, const Place& Q) { return std::hypot(Q.x - P.x, Q.y - P.y); }
 
 Explanation reduced_figure(std::function<double(const Drawn&)> true_length) {
   return {{"read off a figure reduced to about 0.795 of its scale, as are all lengths of this exercise: 0.795 times "
@@ -37,11 +35,11 @@ double on_the_circle_of_the_printed_K(const Drawn& f, const Place& X) {
   const double along = (KA * KA + AB * AB - KB * KB) / (2 * AB), across = -std::sqrt(KA * KA - along * along);
   const Arrow2 u{(f.at.B.x - f.at.A.x) / AB, (f.at.B.y - f.at.A.y) / AB};
   const Place K{f.at.A.x + along * u.x - across * u.y, f.at.A.y + along * u.y + across * u.x};
-  const auto circle = geometry::cycle_through(*f.P0, f.at.B, K);
+  const auto circle = geometry::cycle_through(*f.coupler.P0, f.at.B, K);
   const Place centre{-circle.l / (2 * circle.k), -circle.m / (2 * circle.k)};
-  const double PX = distance(*f.P0, X);
-  const Arrow2 ray{(X.x - f.P0->x) / PX, (X.y - f.P0->y) / PX};
-  const double chord = 2 * ((centre.x - f.P0->x) * ray.x + (centre.y - f.P0->y) * ray.y);
+  const double PX = distance(*f.coupler.P0, X);
+  const Arrow2 ray{(X.x - f.coupler.P0->x) / PX, (X.y - f.coupler.P0->y) / PX};
+  const double chord = 2 * ((centre.x - f.coupler.P0->x) * ray.x + (centre.y - f.coupler.P0->y) * ray.y);
   return std::abs(chord - PX);
 }
 
@@ -60,10 +58,10 @@ Explanation circle_of_the_printed_K(std::function<Place(const Drawn&)> X) {
 
 std::vector<Printed> printed_by_the_source() {
   const auto from_K = [](const Place DrawnSliderCrank::*X) {
-    return reduced_figure([X](const Drawn& f) { return distance(*f.K, f.at.*X); });
+    return reduced_figure([X](const Drawn& f) { return distance(*f.coupler.K, f.at.*X); });
   };
   const auto from_P0 = [](const Place DrawnSliderCrank::*X) {
-    return reduced_figure([X](const Drawn& f) { return distance(*f.P0, f.at.*X); });
+    return reduced_figure([X](const Drawn& f) { return distance(*f.coupler.P0, f.at.*X); });
   };
   constexpr double ruler = 0.005;  // m: half a millimetre at 1 : 10
   return {

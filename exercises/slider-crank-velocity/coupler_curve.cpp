@@ -23,6 +23,7 @@ drawings::Box extent(const Drawn& f, const std::vector<Position>& all, const Sca
   }
   extent.include(scale, f.at.B, 8);
   extent.include(scale, f.at.C, 8);
+  if (f.instant.is_offset() || f.instant.is_inclined()) include_slider_crank(extent, scale, f.at);
   return extent.box();
 }
 
@@ -31,27 +32,31 @@ void draw_positions(Plot& plot, const Drawn& f, const std::vector<Position>& all
     plot.polygon({at.A, at.B, at.C}, Meaning::alternative);
     plot.dot(at.A, Meaning::construction);
     plot.dot(at.C, Meaning::locus);
-    if (at.number == 5) plot.step(1, at.A);
-    if (at.number == 3) plot.step(2, at.B);
-    if (at.number == 4) plot.step(3, at.C);
-    if (at.number == 8) plot.step(4, at.C);
-    plot.small_label(std::to_string(at.number), at.A, f.at.A0);
-    plot.small_label(std::to_string(at.number), at.C, Place{(at.A.x + at.B.x) / 2, (at.A.y + at.B.y) / 2});
+    plot.small_label(at.label, at.A, f.at.A0);
+    plot.small_label(at.label, at.C, Place{(at.A.x + at.B.x) / 2, (at.A.y + at.B.y) / 2});
   }
+  if (all.empty()) return;
+  // Where there is room; a swinging crank does not reach every position.
+  const auto position = [&](std::size_t number) -> const Position& {
+    for (const Position& at : all)
+      if (at.number == static_cast<int>(number)) return at;
+    return all[number % all.size()];
+  };
+  plot.step(2, position(3).B);
+  plot.step(3, position(4).C);
+  plot.step(1, position(5).A);
+  plot.step(4, position(8).C);
 }
 
-drawings::Steps steps(Language language) {
+drawings::Steps steps(const SliderCrankInstant& instant, Language language) {
   if (language == Language::english) {
-    return {{fmt::format("The crank's circle in {} parts, numbered from the outer dead centre: positions of $A$.",
-                         positions),
+    return {{division_in_words(instant, language),
              "The slider: each $B$ on the guide by the arc of radius $l$ about its $A$.",
              "The triangle $ABC$ on tracing paper, carried forth until its $AB$ covers that of each position: $C$ "
              "marks a point.",
              "The curve through the points: the path of $C$."}};
   }
-  return {{fmt::format(
-               "La circonferenza di manovella in {} parti, numerate dal punto morto esterno: le posizioni di $A$.",
-               positions),
+  return {{division_in_words(instant, language),
            "Il piede di biella: ogni $B$ sulla guida con l'arco di raggio $l$ dal suo $A$.",
            "Il triangolo $ABC$ su carta da lucido, portato finché il suo $AB$ copre quello di ogni posizione: $C$ "
            "segna un punto.",
@@ -69,9 +74,10 @@ void draw_coupler_curve(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
   draw_positions(plot, f, all);
   const geometry::Arithmetic<geometry::Bounded> scope;
   const Reference reference = reference_of(f.instant);
-  const geometry::CouplerCurve<geometry::Bounded> curve{loop_of<geometry::Bounded>(f.instant), reference.coupler,
-                                                        reference.C};
-  const geometry::Trace path = draw_locus(plot, curve, room, Meaning::locus, "path_of_C");
+  const auto curve = [&](const geometry::SliderCrankLoop<geometry::Bounded>& loop) {
+    return geometry::CouplerCurve<geometry::Bounded>{loop, reference.coupler, reference.C};
+  };
+  const geometry::Trace path = draw_loci(plot, f.instant, curve, room, Meaning::locus, "path_of_C");
   draw_slider_crank(plot, f.at, CGAL::to_double(f.instant.turns_per_second));
   plot.measures_coordinates("C", f.at.C, f.at.A0);
   add_scale_bars(onto, {fit.scale}, request);
@@ -79,7 +85,7 @@ void draw_coupler_curve(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
   const bool english = request.language == Language::english;
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
-  column.push_back(steps(request.language));
+  column.push_back(steps(f.instant, request.language));
   column.push_back(drawings::Heading{english ? "The curve" : "La curva"});
   column.push_back(drawings::Paragraph{fmt::format(
       fmt::runtime(english ? "{} Bezier arcs, at most {} mm on this sheet from the true path."

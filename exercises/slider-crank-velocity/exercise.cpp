@@ -10,7 +10,7 @@ namespace {
 std::vector<QuantitySpec> quantities() {
   return {
       {"omega_2", "$ω_{2}$", "rad/s", {"angular velocity of the crank", "velocità angolare della manovella"}},
-      {"crank_angle_phi", "$φ$", "rad", {"crank angle from the outer dead centre", "angolo di manovella"}},
+      {"crank_angle_phi", "$φ$", "rad", {"crank angle from +x", "angolo di manovella da +x"}},
       {"crank_angle_phi_deg", "$φ$", "deg", {"crank angle in degrees", "angolo di manovella in gradi"}},
       {"v_A", "$v_{A}$", "m/s", {"speed of A", "velocità di A"}},
       {"A_x", "$x_{A}$", "m", {"abscissa of A", "ascissa di A"}},
@@ -29,7 +29,8 @@ std::vector<QuantitySpec> quantities() {
       {"P0C", "$P_{0}C$", "m", {"distance of C from the pole", "distanza di C dal polo"}},
       {"P0M", "$P_{0}M$", "m", {"distance of M from the pole", "distanza di M dal polo"}},
       {"omega_3", "$ω_{3}$", "rad/s", {"angular velocity of the coupler", "velocità angolare della biella"}},
-      {"v_B_x", "$v_{Bx}$", "m/s", {"velocity of B along the guide", "velocità di B lungo la guida"}},
+      {"v_B_x", "$v_{Bx}$", "m/s", {"velocity of B, along x", "velocità di B, lungo x"}},
+      {"v_B_y", "$v_{By}$", "m/s", {"velocity of B, along y", "velocità di B, lungo y"}},
       {"v_B", "$v_{B}$", "m/s", {"speed of B", "velocità di B"}},
       {"v_C", "$v_{C}$", "m/s", {"speed of C", "velocità di C"}},
       {"v_M", "$v_{M}$", "m/s", {"speed of M", "velocità di M"}},
@@ -87,16 +88,17 @@ Drawn drawn(const SliderCrankInstant& instant) {
   return deeply([&] {
     using geometry::Deep;
     const auto at = instant.position<Deep>();
-    const auto diagram = geometry::velocity_diagram(at, instant.omega_2<Deep>());
-    const auto v_CA = diagram.relative(at.C - at.A), v_MA = diagram.relative(at.M - at.A);
+    const auto motion = geometry::slider_crank_motion(at, instant.omega_2<Deep>(), Deep(0));
+    const auto v_A = motion.velocity.first.known;
+    const auto v_CA = motion.relative_velocity(at.C - at.A), v_MA = motion.relative_velocity(at.M - at.A);
     Drawn figure{.instant = instant, .at = drawn_position(instant)};
     figure.P0 = to_double(at.pole());
-    figure.omega_3 = to_double(diagram.omega_3);
-    figure.v_A = to_double(diagram.v_A);
-    figure.v_B = to_double(diagram.v_B);
-    figure.v_C = to_double(diagram.v_A + v_CA);
-    figure.v_M = to_double(diagram.v_A + v_MA);
-    figure.v_BA = to_double(diagram.v_BA);
+    figure.omega_3 = to_double(motion.coupler.omega);
+    figure.v_A = to_double(v_A);
+    figure.v_B = to_double(motion.v_B());
+    figure.v_C = to_double(v_A + v_CA);
+    figure.v_M = to_double(v_A + v_MA);
+    figure.v_BA = to_double(motion.velocity.first.closing);
     figure.v_CA = to_double(v_CA);
     figure.v_MA = to_double(v_MA);
     return figure;

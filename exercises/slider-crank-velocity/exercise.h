@@ -1,4 +1,4 @@
-// N.1 of the Sapienza sheets: velocities of the centred slider-crank by poles and by the polar diagram, polodes, and
+// N.1 of the Sapienza sheets: velocities of the slider-crank by poles and by the polar diagram, polodes, and
 // the path of a coupler point.
 #pragma once
 

@@ -1,5 +1,7 @@
 #include "exercises/slider-crank-velocity/loci.h"
 
+#include <fmt/format.h>
+
 #include "geometry/numbers/enclosure.h"
 
 namespace epure::slider_crank_velocity {
@@ -22,23 +24,51 @@ std::vector<Position> divided_positions(const SliderCrankInstant& instant) {
   using geometry::Deep;
   return deeply([&] {
     std::vector<Position> found;
-    const auto loop = loop_of<Deep>(instant);
     const auto at = instant.position<Deep>();
     const geometry::CouplerPosition<Deep> reference{at.A, at.B, at.pole()};
-    const auto directions = geometry::directions_of_divided_circle<Deep>(positions);
-    for (int k = 0; k < positions; ++k) {
-      try {
-        const auto here = geometry::coupler_position(loop, directions[static_cast<std::size_t>(k)]);
-        const geometry::TransportedPosition<Deep> paper(reference, here);
-        found.push_back({k, to_double(here.A), to_double(here.B), to_double(here.P0),
-                         to_double(paper.P0_on_coupler()), to_double(paper.forth(at.C))});
-      } catch (const geometry::Impossible&) {
-        // Links of equal length touch at the square position: that division has no coupler to carry.
-      } catch (const geometry::Undecided&) {
+    const auto directions = geometry::directions_of_divided_circle<Deep>(positions, instant.guide);
+    int first = 0;
+    for (const auto& loop : loops_of<Deep>(instant)) {
+      for (int k = 0; k < positions; ++k) {
+        try {
+          const auto here = geometry::coupler_position(loop, directions[static_cast<std::size_t>(k)]);
+          const geometry::TransportedPosition<Deep> paper(reference, here);
+          found.push_back({first + k, std::to_string(k) + (first > 0 ? "′" : ""), to_double(here.A),
+                           to_double(here.B), to_double(here.P0), to_double(paper.P0_on_coupler()),
+                           to_double(paper.forth(at.C))});
+        } catch (const geometry::Impossible&) {
+          // Beyond the crank's range the linkage does not close.
+        } catch (const geometry::Undecided&) {
+          // Links of equal length touch at the square position: that division has no coupler to carry.
+        }
       }
+      first += positions;
     }
     return found;
   });
+}
+
+std::string division_in_words(const SliderCrankInstant& instant, Language language) {
+  const bool usual = !instant.is_offset() && !instant.is_inclined();
+  const Words from =
+      usual ? Words{"the outer dead centre", "dal punto morto esterno"} : Words{"the $x$ axis", "dall'asse $x$"};
+  const char* circle = language == Language::english
+                           ? "The crank's circle in {} parts, numbered from {}: positions of $A$."
+                           : "La circonferenza di manovella in {} parti, numerate {}: le posizioni di $A$.";
+  const char* both = language == Language::english
+                         ? "The crank's circle in {} parts, numbered from {}; $A$ where the linkage closes. Primed: "
+                           "$B$ behind $A$."
+                         : "La circonferenza di manovella in {} parti, numerate {}; $A$ dove il manovellismo si "
+                           "chiude. Con apice: $B$ dietro $A$.";
+  const char* coupler = language == Language::english
+                            ? "The coupler turns fully: its direction in {} parts, numbered from {}. $A$ on its "
+                              "circle, with $AB$ in that direction."
+                            : "La biella compie il giro: la sua direzione in {} parti, numerate {}. $A$ sulla sua "
+                              "circonferenza, con $AB$ in quella direzione.";
+  const Circuit circuit = circuit_of(instant);
+  const char* text = circuit == Circuit::crank ? circle : circuit == Circuit::both ? both : coupler;
+  const Words x_axis{"the $x$ axis", "dall'asse $x$"};
+  return fmt::format(fmt::runtime(text), positions, (circuit == Circuit::crank ? from : x_axis).in(language));
 }
 
 }  // namespace epure::slider_crank_velocity

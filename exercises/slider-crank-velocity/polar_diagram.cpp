@@ -17,10 +17,10 @@ constexpr double mechanism_share = 0.43;  // of the room's height; the polygon n
 
 Place tip(const Arrow2& v) { return {v.x, v.y}; }
 
-void draw_polygon(Plot& plot, const Drawn& f) {
+void draw_polygon(Plot& plot, const Drawn& f, Language language) {
   const Place O{0, 0}, a = tip(f.v_A), b = tip(f.v_B), c = tip(f.v_C), m = tip(f.v_M);
   const Place inside{(a.x + b.x) / 2, (a.y + b.y) / 2};
-  plot.direction_line(O, b, 12, "∥ $A_{0}B$");
+  plot.direction_line(O, b, 12, parallel_to_guide(f.instant, language));
   plot.direction_line(a, b, 12, "⊥ $AB$");
   plot.direction_line(b, c, 6, "⊥ $BC$");
   plot.direction_line(a, c, 6, "⊥ $AC$");
@@ -31,7 +31,7 @@ void draw_polygon(Plot& plot, const Drawn& f) {
   plot.side("v_C", O, c, Meaning::velocity, "$\\vec{v}_{C}$", inside);
   plot.side("v_M", O, m, Meaning::velocity, "$\\vec{v}_{M}$", c);
   plot.measures("v_MA", a, m);
-  plot.measures_abscissa("v_B_x", b, O);
+  plot.measures_coordinates("v_B", b, O);
   plot.measures_coordinates("v_C", c, O);
   plot.measures_coordinates("v_M", m, O);
   for (const Place& X : {O, m}) plot.dot(X, Meaning::velocity);
@@ -53,8 +53,8 @@ drawings::Box polygon_extent(const Drawn& f, const Scale& scale) {
   return extent.box();
 }
 
-drawings::VectorEquation equation_of_B() {
-  return {{{"$\\vec{v}_{B}$", "∥ $A_{0}B$", "?", ""},
+drawings::VectorEquation equation_of_B(const Drawn& f, Language language) {
+  return {{{"$\\vec{v}_{B}$", parallel_to_guide(f.instant, language), "?", ""},
            {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "$ω_{2}$·$A_{0}A$", "="},
            {"$\\vec{v}_{BA}$", "⊥ $BA$", "?", "+"}}};
 }
@@ -90,7 +90,7 @@ std::vector<Comparison> comparisons(const DrawnSheet& polar, const Drawn& f, con
   const Readings poles(other);
   const double AB = CGAL::to_double(f.instant.lengths.l);
   std::vector<Comparison> rows;
-  const double v_A = std::hypot(f.v_A.x, f.v_A.y);
+  const double v_A = magnitude(f.v_A);
   if (!poles.is_unit("P0A")) return rows;
   const double omega_3 = v_A / poles["P0A"];
   for (const char* X : {"B", "C", "M"}) {
@@ -108,16 +108,16 @@ void draw_polar_diagram(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
   const double divide = room.high.y - mechanism_share * room.height();
   const Scale lengths = draw_small_slider_crank(onto, f.at, f.instant, {{room.low.x, divide}, room.high}, request);
   double greatest = 0;
-  for (const Arrow2& v : {f.v_A, f.v_B, f.v_C, f.v_M}) greatest = std::max(greatest, std::hypot(v.x, v.y));
+  for (const Arrow2& v : {f.v_A, f.v_B, f.v_C, f.v_M}) greatest = std::max(greatest, magnitude(v));
   const Fit fit = fit_vectors({room.low, {room.high.x, divide}}, "m/s", request.language, room.width() / greatest,
                               [&](const Scale& scale) { return polygon_extent(f, scale); });
   Plot plot(onto, fit.origin, fit.scale);
-  draw_polygon(plot, f);
+  draw_polygon(plot, f, request.language);
   add_scale_bars(onto, {lengths, plot.scale()}, request);
 
   const bool english = request.language == Language::english;
   auto& column = onto.sheet.column;
-  column.push_back(equation_of_B());
+  column.push_back(equation_of_B(f, request.language));
   column.push_back(equation_of_C());
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(steps(request.language));
@@ -125,7 +125,6 @@ void draw_polar_diagram(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
     column.push_back(drawings::Heading{english ? "The two methods, as measured" : "I due metodi, come misurati"});
     column.push_back(comparison_table(rows, {"poles", "poli"}, {"diagram", "diagramma"}, request.language));
   }
-  const auto magnitude = [](const Arrow2& v) { return std::hypot(v.x, v.y); };
   onto.sheet.description = in_words({"The polygon of the velocities of the slider-crank, with the images of C and M",
                                      "Il poligono delle velocità del manovellismo, con le immagini di C e M"},
                                     {{"v_A", magnitude(f.v_A), "m/s"},

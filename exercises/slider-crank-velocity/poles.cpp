@@ -33,7 +33,7 @@ double greatest_speed(const Drawn& f) {
 // The pole is drawn when it lies no farther away than the figure can bear; else its lines leave the frame.
 bool shows_pole(const Drawn& f) {
   const double size = std::hypot(f.at.A.x, f.at.A.y) + std::hypot(f.at.B.x - f.at.A.x, f.at.B.y - f.at.A.y);
-  return f.P0 && std::abs(f.P0->y) <= size;
+  return f.P0 && std::abs(GuideAxes(f.at).ordinate(*f.P0)) <= size;
 }
 
 drawings::Box extent(const Drawn& f, const Scale& lengths, const Scale& velocities) {
@@ -70,9 +70,9 @@ void draw_pole(Plot& plot, const Drawn& f) {
 // Two parallel lines: they leave the sheet towards P₀.
 void draw_far_pole(Plot& plot, const Drawn& f) {
   const double far = 3000 / plot.scale().mm_per_unit;
-  const double up = f.P0 && f.P0->y < 0 ? -1 : 1;
+  const GuideAxes guide(f.at);
   const auto away = [&](const Place& X) -> Place {
-    if (!f.P0) return {X.x, X.y + up * far};
+    if (!f.P0) return {X.x + far * guide.left.x, X.y + far * guide.left.y};
     const double d = std::hypot(f.P0->x - X.x, f.P0->y - X.y), share = std::min(1.0, far / d);
     return {X.x + share * (f.P0->x - X.x), X.y + share * (f.P0->y - X.y)};
   };
@@ -125,6 +125,8 @@ void write_column(DrawnSheet& onto, const Drawn& f, Language language) {
     table.rows.push_back({X.point, f.P0 ? num(d) : "∞", num(std::hypot(X.v.x, X.v.y))});
   }
   column.push_back(table);
+  if (const std::string swing = swing_in_words(f.instant, language); !swing.empty())
+    column.push_back(drawings::Paragraph{swing});
 }
 
 }  // namespace

@@ -25,18 +25,18 @@ void draw_triangles(Plot& plot, const Drawn& f, const drawings::Box& room) {
     if (at.P0 && is_on(room, plot.at(*at.P0))) {
       plot.polygon({at.A, at.B, *at.P0}, Meaning::alternative);
       plot.dot(*at.P0, Meaning::locus);
-      plot.small_label(std::to_string(at.number), *at.P0, at.A);
+      plot.small_label(at.label, *at.P0, at.A);
       last_fixed = at.P0;
     }
     if (at.P0_on_coupler && is_on(room, plot.at(*at.P0_on_coupler))) {
       plot.segment(f.at.A, *at.P0_on_coupler, Meaning::construction);
       plot.segment(f.at.B, *at.P0_on_coupler, Meaning::construction);
       plot.dot(*at.P0_on_coupler, Meaning::second_locus);
-      plot.small_label(std::to_string(at.number), *at.P0_on_coupler, f.at.A);
+      plot.small_label(at.label, *at.P0_on_coupler, f.at.A);
       last_moving = at.P0_on_coupler;
     }
     plot.dot(at.A, Meaning::construction);
-    plot.small_label(std::to_string(at.number), at.A, f.at.A0);
+    plot.small_label(at.label, at.A, f.at.A0);
   }
   if (last_fixed) plot.step(1, *last_fixed);
   if (last_moving) plot.step(2, *last_moving);
@@ -60,29 +60,39 @@ std::optional<Place> middle_of(const geometry::Trace& trace, const Plot& plot, c
   return best;
 }
 
-drawings::Steps steps(Language language) {
-  if (language == Language::english) {
-    return {
-        {fmt::format("The crank's circle in {} parts. In each position $P_{{0}}$ on $A_{{0}}A$ and square to the "
-                     "guide through $B$: "
-                     "the points of the fixed polode $p$.",
-                     positions),
-         "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the $AB$ of $t_{1}$: its "
-         "$P_{0}$ marks a "
-         "point of the moving polode $π$.",
-         "The curves through the points. They touch in the $P_{0}$ of $t_{1}$ and roll on each other.",
-         "Where the crank is square to the guide $P_{0}$ goes to infinity: the dash-dot lines are the asymptotes."}};
-  }
-  return {{fmt::format("La circonferenza di manovella in {} parti. In ogni posizione $P_{{0}}$ su $A_{{0}}A$ e sulla "
-                       "normale alla guida "
-                       "per $B$: i punti della polare fissa $p$.",
-                       positions),
-           "Ogni triangolo $ABP_{0}$ su carta da lucido, riportato finché il suo $AB$ copre l'$AB$ di $t_{1}$: il "
-           "suo $P_{0}$ segna un "
-           "punto della polare mobile $π$.",
-           "Le curve per i punti. Si toccano nel $P_{0}$ di $t_{1}$ e rotolano l'una sull'altra.",
-           "Dove la manovella è normale alla guida $P_{0}$ va all'infinito: le rette a tratto e punto sono gli "
-           "asintoti."}};
+std::string division(const SliderCrankInstant& instant, bool english) {
+  const char* of_crank = english ? "The crank's circle in {} parts" : "La circonferenza di manovella in {} parti";
+  const char* of_coupler =
+      english ? "The directions of the coupler in {} parts" : "Le direzioni della biella in {} parti";
+  const char* primed = english ? " (primed: $B$ behind $A$)" : " (con apice: $B$ dietro $A$)";
+  const Circuit circuit = circuit_of(instant);
+  return fmt::format(fmt::runtime(circuit == Circuit::coupler ? of_coupler : of_crank), positions) +
+         (circuit == Circuit::both ? primed : "");
+}
+
+drawings::Steps steps(const SliderCrankInstant& instant, bool has_asymptotes, Language language) {
+  const bool english = language == Language::english;
+  drawings::Steps all =
+      english
+          ? drawings::Steps{{division(instant, english) +
+                                 ". In each position $P_{0}$ on $A_{0}A$ and square to the guide through $B$: "
+                                 "the points of the fixed polode $p$.",
+                             "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the $AB$ "
+                             "of $t_{1}$: its $P_{0}$ marks a point of the moving polode $π$.",
+                             "The curves through the points. They touch in the $P_{0}$ of $t_{1}$ and roll on each "
+                             "other.",
+                             "Where the crank is square to the guide $P_{0}$ goes to infinity: the dash-dot lines "
+                             "are the asymptotes."}}
+          : drawings::Steps{{division(instant, english) +
+                                 ". In ogni posizione $P_{0}$ su $A_{0}A$ e sulla normale alla guida per $B$: i "
+                                 "punti della polare fissa $p$.",
+                             "Ogni triangolo $ABP_{0}$ su carta da lucido, riportato finché il suo $AB$ copre "
+                             "l'$AB$ di $t_{1}$: il suo $P_{0}$ segna un punto della polare mobile $π$.",
+                             "Le curve per i punti. Si toccano nel $P_{0}$ di $t_{1}$ e rotolano l'una sull'altra.",
+                             "Dove la manovella è normale alla guida $P_{0}$ va all'infinito: le rette a tratto e "
+                             "punto sono gli asintoti."}};
+  if (!has_asymptotes) all.lines.pop_back();
+  return all;
 }
 
 }  // namespace
@@ -94,25 +104,33 @@ void draw_polodes(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
       request.scale ? length_scale(*request.scale) : largest_length_scale(room.width() / (widths * size));
   // The middle of the mechanism's reach in the middle of the room.
   const drawings::Point centre{(room.low.x + room.high.x) / 2, (room.low.y + room.high.y) / 2};
-  Plot plot(onto, {centre.x - scale.mm_per_unit * 0.45 * size, centre.y}, scale);
+  const GuideAxes guide(f.at);
+  const Place middle = guide.at(0.45 * size);
+  Plot plot(onto, {centre.x - scale.mm_per_unit * middle.x, centre.y - scale.mm_per_unit * middle.y}, scale);
   onto.sheet.figure.windows = {room};
   draw_triangles(plot, f, room);
 
   const geometry::Arithmetic<geometry::Bounded> scope;
-  const auto loop = loop_of<geometry::Bounded>(f.instant);
   const auto reference = reference_of(f.instant).coupler;
-  const geometry::FixedPolode<geometry::Bounded> fixed{loop};
-  const geometry::MovingPolode<geometry::Bounded> moving{loop, reference};
-  for (const auto& asymptotes : {geometry::asymptotes(fixed), geometry::asymptotes(moving)}) {
-    for (const geometry::Asymptote& asymptote : asymptotes.lines) draw_line(plot, asymptote.line, Meaning::axis);
+  using Loop = geometry::SliderCrankLoop<geometry::Bounded>;
+  const auto fixed = [](const Loop& loop) { return geometry::FixedPolode<geometry::Bounded>{loop}; };
+  const auto moving = [&](const Loop& loop) { return geometry::MovingPolode<geometry::Bounded>{loop, reference}; };
+  bool has_asymptotes = false;
+  for (const Loop& loop : loops_of<geometry::Bounded>(f.instant)) {
+    const auto of_fixed = geometry::asymptotes(fixed(loop)).lines,
+               of_moving = geometry::asymptotes(moving(loop)).lines;
+    for (const auto& lines : {of_fixed, of_moving})
+      for (const geometry::Asymptote& asymptote : lines) draw_line(plot, asymptote.line, Meaning::axis);
+    if (!has_asymptotes && !of_fixed.empty()) {
+      // On the first of them, as far below the guide as the mechanism is long.
+      const auto& [a, b, c] = of_fixed.front().line;
+      const double abscissa = guide.abscissa({-a * c, -b * c});
+      plot.step(4, guide.at(abscissa, -size));
+    }
+    has_asymptotes = has_asymptotes || !of_fixed.empty();
   }
-  if (const auto lines = geometry::asymptotes(fixed).lines; !lines.empty()) {
-    // On the first of them, as far below the guide as the mechanism is long.
-    const auto& [a, b, c] = lines.front().line;
-    if (a != 0) plot.step(4, {(b * size - c) / a, -size});
-  }
-  const geometry::Trace p = draw_locus(plot, fixed, room, Meaning::locus, "fixed_polode");
-  const geometry::Trace pi = draw_locus(plot, moving, room, Meaning::second_locus, "moving_polode");
+  const geometry::Trace p = draw_loci(plot, f.instant, fixed, room, Meaning::locus, "fixed_polode");
+  const geometry::Trace pi = draw_loci(plot, f.instant, moving, room, Meaning::second_locus, "moving_polode");
   draw_slider_crank(plot, f.at, CGAL::to_double(f.instant.turns_per_second));
   if (f.P0) {
     plot.cross(*f.P0);
@@ -127,7 +145,7 @@ void draw_polodes(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
   const bool english = request.language == Language::english;
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
-  column.push_back(steps(request.language));
+  column.push_back(steps(f.instant, has_asymptotes, request.language));
   column.push_back(drawings::Heading{english ? "The curves" : "Le curve"});
   const auto in_mm = [&](const geometry::Trace& t) {
     return figures(t.deviation() * scale.mm_per_unit, 1, request.language);

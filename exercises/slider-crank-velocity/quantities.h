@@ -14,8 +14,7 @@ void velocities_by_poles(Ledger<T>& ledger, const SliderCrankInstant& instant, c
   const geometry::Vector<T> v_B = coupler.velocity(at.B), v_C = coupler.velocity(at.C), v_M = coupler.velocity(at.M);
   ledger.put("v_A", [&] { return size(coupler.velocity(at.A)); });
   ledger.put("omega_3", coupler.omega());
-  ledger.put("v_B_x", v_B.x);
-  ledger.put("v_B", [&] { return size(v_B); });
+  ledger.vector("v_B", v_B);
   ledger.vector("v_C", v_C);
   ledger.vector("v_M", v_M);
   ledger.put("v_BA", [&] { return size(v_B - v_A); });
@@ -28,20 +27,22 @@ template <class T>
 void velocities_by_polar_diagram(Ledger<T>& ledger, const SliderCrankInstant& instant,
                                  const geometry::SliderCrank<T>& at) {
   ledger.route("polar diagram");
-  const geometry::VelocityDiagram<T> diagram = geometry::velocity_diagram(at, instant.omega_2<T>());
-  const geometry::Vector<T> v_CA = diagram.relative(at.C - at.A), v_MA = diagram.relative(at.M - at.A);
-  ledger.put("v_A", [&] { return size(diagram.v_A); });
-  ledger.put("omega_3", diagram.omega_3);
-  ledger.put("v_B_x", diagram.v_B.x);
-  ledger.put("v_B", [&] { return size(diagram.v_B); });
-  ledger.vector("v_C", diagram.v_A + v_CA);
-  ledger.vector("v_M", diagram.v_A + v_MA);
-  ledger.put("v_BA", [&] { return size(diagram.v_BA); });
+  const T alpha_2 = geometry::from_rational<T>(instant.alpha_2);
+  const geometry::SliderCrankMotion<T> motion = geometry::slider_crank_motion(at, instant.omega_2<T>(), alpha_2);
+  const geometry::Vector<T> v_A = motion.velocity.first.known;
+  const geometry::Vector<T> v_CA = motion.relative_velocity(at.C - at.A),
+                            v_MA = motion.relative_velocity(at.M - at.A);
+  ledger.put("v_A", [&] { return size(v_A); });
+  ledger.put("omega_3", motion.coupler.omega);
+  ledger.vector("v_B", motion.v_B());
+  ledger.vector("v_C", v_A + v_CA);
+  ledger.vector("v_M", v_A + v_MA);
+  ledger.put("v_BA", [&] { return size(motion.velocity.first.closing); });
   ledger.put("v_CA", [&] { return size(v_CA); });
   ledger.put("v_MA", [&] { return size(v_MA); });
 }
 
-// Points of the drawing, and the coupler's direction.
+// Points of the drawing, and the coupler's direction from the guide, which is level.
 template <class T>
 void points_by_construction(Ledger<T>& ledger, const geometry::SliderCrank<T>& at) {
   ledger.point("A", at.A);
@@ -52,12 +53,17 @@ void points_by_construction(Ledger<T>& ledger, const geometry::SliderCrank<T>& a
 }
 
 template <class T>
+DrivenCrank<T> driven_crank(const SliderCrankInstant& instant) {
+  return {instant.crank, instant.t1, instant.omega_2<T>()};
+}
+
+template <class T>
 void by_analysis(Ledger<T>& ledger, const SliderCrankInstant& instant) {
   const AnalyticSliderCrank<T> found = analytic_slider_crank<T>(instant);
   const auto& p = found.position;
   const auto& m = found.motion;
   ledger.route("analytic");
-  write_crank(ledger, instant);
+  write_crank(ledger, driven_crank<T>(instant));
   ledger.put("A_x", p.A.re);
   ledger.put("A_y", p.A.im);
   ledger.put("B_x", p.B.re);
@@ -66,12 +72,12 @@ void by_analysis(Ledger<T>& ledger, const SliderCrankInstant& instant) {
   ledger.put("C_y", p.C.im);
   ledger.put("M_x", p.M.re);
   ledger.put("M_y", p.M.im);
-  ledger.put("coupler_angle", [&] { return slope_angle(geometry::Vector<T>{p.cos_theta, p.sin_theta}); });
-  write_pole(ledger, found);
+  ledger.put("coupler_angle", [&] { return slope_angle(plane(p.eta)); });
+  write_pole<T>(ledger, "P0", geometry::analytic::coupler(p, found.motion),
+                {{"A", p.A}, {"B", p.B}, {"C", p.C}, {"M", p.M}}, pole_at_infinity);
   ledger.put("v_A", [&] { return size(plane(m.v_A)); });
   ledger.put("omega_3", m.omega_3);
-  ledger.put("v_B_x", m.v_B.re);
-  ledger.put("v_B", [&] { return size(plane(m.v_B)); });
+  ledger.vector("v_B", plane(m.v_B));
   ledger.vector("v_C", plane(m.v_C));
   ledger.vector("v_M", plane(m.v_M));
   ledger.put("v_BA", [&] { return size(plane(m.v_B - m.v_A)); });
@@ -85,12 +91,14 @@ struct VelocityRoutes {
   template <class T>
   Ledger<T> operator()() const {
     Ledger<T> ledger("construction");
-    const geometry::SliderCrank<T> at = instant.position<T>();
-    write_crank(ledger, instant, at);
+    write_crank(ledger, driven_crank<T>(instant), instant.crank_pin<T>());
+    construct_level(ledger, instant);
+    const geometry::SliderCrank<T> at = instant.level_position<T>();
     points_by_construction(ledger, at);
-    write_pole(ledger, at);
+    write_pole<T>(ledger, "P0", at.pole(), {{"A", at.A}, {"B", at.B}, {"C", at.C}, {"M", at.M}}, pole_at_infinity);
     velocities_by_poles(ledger, instant, at);
     velocities_by_polar_diagram(ledger, instant, at);
+    ledger.usual_axes();
     by_analysis(ledger, instant);
     return ledger;
   }

@@ -28,4 +28,9 @@ std::string digits(const T& x) {
   return digits(to_deep(x));
 }
 
+// Of a series in a parameter, its value.
+template <class T>
+requires requires(const T x) { x.c[0]; }
+std::string digits(const T& x) { return digits(x.c[0]); }
+
 }  // namespace epure::geometry::analytic

@@ -17,6 +17,8 @@ enum class Along { ahead, behind };
 // A second circle meets the first on the left or right of the line from the first centre to the second.
 enum class Side { left, right };
 
+constexpr Side opposite(Side side) { return side == Side::left ? Side::right : Side::left; }
+
 // The point of l and the circle that lies `which` of the foot. At contact both are the foot.
 // Throws Impossible when they do not meet, Undecided when the number at hand cannot tell.
 template <class T>
@@ -38,9 +40,10 @@ Point<T> meet(const Circle<T>& first, const Circle<T>& second, Side which) {
   const Vector<T> d = second.centre - first.centre;
   const T d2 = length_squared(d);
   if (sign(d2) == Sign::zero) throw Impossible("the circles are concentric");
-  // Along the line of centres by the radical line, across it by what is left of the first radius.
+  // Along the line of centres by the radical line; across it by Heron's formula for the triangle of both radii and
+  // the distance, which loses fewer digits than what is left of a radius where the triangle is flat.
   const T twice_along = d2 + square(first.radius) - square(second.radius);
-  const T across_squared = T(4) * d2 * square(first.radius) - square(twice_along);
+  const T across_squared = (d2 - square(first.radius - second.radius)) * (square(first.radius + second.radius) - d2);
   const Sign decided = sign(across_squared);
   if (decided == Sign::undecided) throw Undecided("whether two circles meet");
   if (decided == Sign::negative) throw Impossible("the circles do not meet");

@@ -118,6 +118,13 @@ Line<T> line(const Point<T>& P, const Point<T>& Q) {
   return line(P, Q - P);
 }
 
+// Through P towards Q, either of which may be at infinity. Through two directions runs the line at infinity
+// (0, 0, c); points that coincide give (0, 0, 0).
+template <class T>
+Line<T> line(const ProjectivePoint<T>& P, const ProjectivePoint<T>& Q) {
+  return {P.y * Q.w - P.w * Q.y, P.w * Q.x - P.x * Q.w, P.x * Q.y - P.y * Q.x};
+}
+
 template <class T>
 Line<T> parallel(const Line<T>& l, const Point<T>& P) {
   return line(P, l.direction());

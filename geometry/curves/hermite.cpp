@@ -44,6 +44,10 @@ Knot knot(double t, const Point<BoundedTangent>& at) {
 
 double FittedArc::deviation() const { return interpolation + rounding; }
 
+double FittedArc::growth(double tolerance) const {
+  return 0.95 * std::min(2.0, std::pow((tolerance - rounding) / interpolation, 0.25));
+}
+
 FittedArc fit(const Knot& a, const Knot& b, const Vector<Bounded>& fourth) {
   const Bounded h = Bounded(b.t) - Bounded(a.t), third = h / Bounded(3);
   const Point<Bounded> first = a.position + third * a.derivative, second = b.position + (-third) * b.derivative;

@@ -21,6 +21,9 @@ struct FittedArc {
   // power of the length of the piece, and what doubles for the control points miss.
   double interpolation, rounding;
   double deviation() const;  // infinite when the curve is not bounded
+  // How much longer the next piece may be so that the fourth power of its length still keeps to the tolerance; a
+  // little less, because c[4] is not constant. At most doubled, because far ahead the prediction is worth little.
+  double growth(double tolerance) const;
 };
 
 // `fourth` encloses the fourth Taylor coefficient of the curve from a.t to b.t. Needs an Arithmetic<Bounded> scope,

@@ -13,9 +13,10 @@
 
 namespace epure::geometry {
 
-// The link whose direction is given: the crank A₀A, or the coupler A -> B. Of these the shorter can turn fully, and a
-// locus is then one closed branch (seen projectively); driven by the longer, the linkage closes for part of the turn
-// only.
+// The link whose direction is given: the crank A₀A, or the coupler A -> B. When it can turn fully (the shorter by |e|
+// or more of the two, see crank_range), a locus is one closed branch (seen projectively). Driven by a link that
+// cannot, the linkage closes for part of the turn only; when neither can, the loci of both closures together are the
+// whole.
 enum class Driver { crank, coupler };
 
 // The other pin is found on the guide (B), or on the parallel to the guide through it (A): ahead of or behind the
@@ -25,7 +26,19 @@ struct SliderCrankLoop {
   T r, l;  // A₀A, AB
   Driver driver = Driver::crank;
   Along closure = Along::ahead;
+  T e{0};                       // of the guide from A₀, as in slider_crank
+  Vector<T> along{T(1), T(0)};  // the guide's direction, a unit vector
 };
+
+// What is found with the guide level, on the sheet with the guide in its direction.
+template <class T>
+ProjectivePoint<T> turned_with_guide(const ProjectivePoint<T>& P, const Vector<T>& along) {
+  return {P.x * along.x - P.y * along.y, P.x * along.y + P.y * along.x, P.w};
+}
+template <class T>
+Point<T> turned_with_guide(const Point<T>& P, const Vector<T>& along) {
+  return {P.x * along.x - P.y * along.y, P.x * along.y + P.y * along.x};
+}
 
 template <class T>
 struct CouplerPosition {
@@ -33,21 +46,26 @@ struct CouplerPosition {
   ProjectivePoint<T> P0;
 };
 
-// Throws Impossible when the linkage does not close, Undecided when that cannot be told.
+// `direction` is the driver's as seen from the guide, so that crank or coupler square to the guide is exactly that: a
+// linkage that just touches there is followed to within 1e-5 radians; had the direction to be turned first, noise
+// would take a thousand times more work. Throws Impossible when the linkage does not close, Undecided when that
+// cannot be told.
 template <class T>
 CouplerPosition<T> coupler_position(const SliderCrankLoop<T>& loop, const Vector<T>& direction) {
   const Point<T> A0{T(0), T(0)};
-  const Line<T> guide = guide_of_slider_crank<T>();
+  const Line<T> guide = guide_of_slider_crank(loop.e, {T(1), T(0)});
   Point<T> A, B;
   if (loop.driver == Driver::crank) {
     A = A0 + loop.r * direction;
-    B = meet(Circle<T>{A, loop.l}, guide, loop.closure);
+    B = joint_on_guide(A, loop.l, guide, loop.closure);
   } else {
     const Vector<T> AB = loop.l * direction;
-    A = meet(Circle<T>{A0, loop.r}, parallel(guide, A0 + (-AB)), loop.closure);
+    const Point<T> foot_of_A0{T(0), loop.e};
+    A = joint_on_guide(A0, loop.r, parallel(guide, foot_of_A0 + (-AB)), loop.closure);
     B = A + AB;
   }
-  return {A, B, meet(line(A0, A), perpendicular(guide, B))};
+  const ProjectivePoint<T> P0 = meet(line(A0, A), perpendicular(guide, B));
+  return {turned_with_guide(A, loop.along), turned_with_guide(B, loop.along), turned_with_guide(P0, loop.along)};
 }
 
 // A position beside the reference: the tracing paper that carries the reference coupler onto it, and the one back.
@@ -65,12 +83,13 @@ struct TransportedPosition {
   ProjectivePoint<T> P0_on_coupler() const { return back(here.P0); }
 };
 
-// The division of the circle: n unit vectors from (1, 0), counter-clockwise.
+// The division of the circle: n unit vectors from +x, counter-clockwise, as they are seen from the direction `from`.
 template <class T>
-std::vector<Vector<T>> directions_of_divided_circle(int n) {
+std::vector<Vector<T>> directions_of_divided_circle(int n, const Turn& from = {Rational(0)}) {
   const Point<T> centre{T(0), T(0)}, start{T(1), T(0)};
   std::vector<Vector<T>> directions;
-  for (int k = 0; k < n; ++k) directions.push_back(turned(start, centre, Turn{Rational(k, n)}) - centre);
+  for (int k = 0; k < n; ++k)
+    directions.push_back(turned(start, centre, Turn{Rational(k, n) - from.fraction}) - centre);
   return directions;
 }
 
@@ -86,7 +105,7 @@ ProjectivePoint<X> lifted(const ProjectivePoint<T>& P) {
 }
 template <class X, class T>
 SliderCrankLoop<X> lifted(const SliderCrankLoop<T>& loop) {
-  return {X(loop.r), X(loop.l), loop.driver, loop.closure};
+  return {X(loop.r), X(loop.l), loop.driver, loop.closure, X(loop.e), {X(loop.along.x), X(loop.along.y)}};
 }
 template <class X, class T>
 CouplerPosition<X> lifted(const CouplerPosition<T>& p) {

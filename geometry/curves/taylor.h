@@ -8,8 +8,8 @@
 // an interval the decision, once taken, holds at every parameter of it, so one formula is valid throughout and may be
 // differentiated. In particular `zero` says that the value vanishes identically.
 //
-// from_rational is there for the series named at the end; constants of a turn are made in T and lifted by the
-// constructor.
+// from_rational and pi are there for the series named at the end; constants of a turn are made in T and lifted by the
+// constructor. cosine_of_angle and sine_of_angle where T has them.
 #pragma once
 
 #include <array>
@@ -94,9 +94,29 @@ struct Taylor {
     return y;
   }
 
+  friend Taylor cosine_of_angle(const Taylor& angle) { return direction(angle).cosine; }
+  friend Taylor sine_of_angle(const Taylor& angle) { return direction(angle).sine; }
+
   friend Sign sign(const Taylor& a) { return sign(a.c[0]); }
 
  private:
+  // By comparing coefficients in cos' = -u' sin, sin' = u' cos for the angle u.
+  struct Direction;
+  static Direction direction(const Taylor& u) {
+    Direction d{Taylor(cosine_of_angle(u.c[0])), Taylor(sine_of_angle(u.c[0]))};
+    for (std::size_t k = 1; k <= N; ++k) {
+      T of_cosine(0), of_sine(0);  // the coefficients of u' sin and u' cos
+      for (std::size_t i = 1; i <= k; ++i) {
+        const T slope = T(static_cast<int>(i)) * u.c[i];
+        of_cosine = of_cosine + slope * d.sine.c[k - i];
+        of_sine = of_sine + slope * d.cosine.c[k - i];
+      }
+      d.cosine.c[k] = quotient(-of_cosine, T(static_cast<int>(k)));
+      d.sine.c[k] = quotient(of_sine, T(static_cast<int>(k)));
+    }
+    return d;
+  }
+
   // 2 Σ c[i] c[k-i] over first <= i < k-i.
   T twice_mixed_products(std::size_t k, std::size_t first) const {
     T sum(0);
@@ -106,11 +126,18 @@ struct Taylor {
   T middle_square(std::size_t k) const { return k % 2 == 0 ? square(c[k / 2]) : T(0); }
 };
 
+template <class T, std::size_t N>
+struct Taylor<T, N>::Direction {
+  Taylor cosine, sine;
+};
+
 // What the tracer runs on: what a cubic misses needs the fourth derivative, and to enclose that narrowly the fifth;
 // its end points need the first.
 using BoundedSeries = Taylor<Bounded, 5>;
 using BoundedTangent = Taylor<Bounded, 1>;
 using FastSeries = Taylor<Fast, 5>;
+// Where doubles lose too many digits (zeros.h).
+using DeepTangent = Taylor<Deep, 1>;
 
 template <>
 inline BoundedSeries from_rational<BoundedSeries>(const Rational& value) {
@@ -121,8 +148,29 @@ inline BoundedTangent from_rational<BoundedTangent>(const Rational& value) {
   return BoundedTangent(from_rational<Bounded>(value));
 }
 template <>
+inline DeepTangent from_rational<DeepTangent>(const Rational& value) {
+  return DeepTangent(from_rational<Deep>(value));
+}
+template <>
 inline FastSeries from_rational<FastSeries>(const Rational& value) {
   return FastSeries(from_rational<Fast>(value));
+}
+
+template <>
+inline BoundedSeries pi<BoundedSeries>() {
+  return BoundedSeries(pi<Bounded>());
+}
+template <>
+inline BoundedTangent pi<BoundedTangent>() {
+  return BoundedTangent(pi<Bounded>());
+}
+template <>
+inline DeepTangent pi<DeepTangent>() {
+  return DeepTangent(pi<Deep>());
+}
+template <>
+inline FastSeries pi<FastSeries>() {
+  return FastSeries(pi<Fast>());
 }
 
 }  // namespace epure::geometry

@@ -14,11 +14,6 @@ namespace epure::geometry {
 
 namespace {
 
-// The shortest piece of an arc of the turn (t from -1 to 1) that is tried before a gap is stated. Beside a point
-// where a root vanishes the curve is missed by about the root of this, 1e-6 of its size, which no drawing shows; and
-// pieces of a millionth of it can still be told apart in doubles.
-constexpr double shortest = 0x1p-40;
-
 constexpr double first_try = 0.25;
 
 // Where noise drowns the curve, pieces settle here and there by luck. Such a scrap between two undecided gaps,
@@ -54,12 +49,6 @@ bool ends_the_turn(const Stretch& s) {
   return s.to.arc == turn_arcs - 1 && s.to.t == 1;
 }
 
-// How much longer the next piece may be so that the fourth power of its length still keeps to the tolerance; a little
-// less, because c[4] is not constant. At most doubled, because far ahead the prediction is worth little.
-double growth(const FittedArc& fitted, double tolerance) {
-  return 0.95 * std::min(2.0, std::pow((tolerance - fitted.rounding) / fitted.interpolation, 0.25));
-}
-
 class Tracer {
  public:
   Tracer(const TracedLocus& locus, const Frame& frame, double tolerance)
@@ -81,18 +70,18 @@ class Tracer {
       const Piece piece = look(t, end);
       if (piece.kind == Piece::Kind::coarse || piece.kind == Piece::Kind::unsettled) {
         const bool predictable = piece.kind == Piece::Kind::coarse;
-        length_ = length * (predictable ? std::clamp(growth(piece.fitted, tolerance_), 0.125, 0.875) : 0.5);
-        if (length_ < shortest) t = leave_out_unsettled(t);
+        length_ = length * (predictable ? std::clamp(piece.fitted.growth(tolerance_), 0.125, 0.875) : 0.5);
+        if (length_ < shortest_piece) t = leave_out_unsettled(t);
         continue;
       }
-      length_ = length * (piece.kind == Piece::Kind::drawn ? growth(piece.fitted, tolerance_) : 2.0);
+      length_ = length * (piece.kind == Piece::Kind::drawn ? piece.fitted.growth(tolerance_) : 2.0);
       if (piece.kind == Piece::Kind::drawn) {
         draw(t, piece);
       } else {
         lift_the_pen();
         if (piece.kind == Piece::Kind::absent) leave_out(Gap::Cause::absent, t, end);
       }
-      if (length > least_scrap) stride_ = shortest;
+      if (length > least_scrap) stride_ = shortest_piece;
       t = end;
     }
   }
@@ -100,7 +89,7 @@ class Tracer {
   // What remains is shared out evenly, so that no arc of the turn ends with a crumb.
   double stop(double t) const {
     const double remaining = 1 - t, pieces = std::ceil(remaining / length_);
-    return pieces <= 1 ? 1 : std::min(1.0, t + std::max(shortest, remaining / pieces));
+    return pieces <= 1 ? 1 : std::min(1.0, t + std::max(shortest_piece, remaining / pieces));
   }
 
   Piece look(double t, double end) {
@@ -218,7 +207,7 @@ class Tracer {
 
   int arc_ = 0;
   double length_ = first_try;         // of the next piece to try
-  double stride_ = shortest;          // of the next search for the end of a gap
+  double stride_ = shortest_piece;    // of the next search for the end of a gap
   std::optional<Knot> start_;         // of the piece being tried, once it was needed
   std::optional<Point<double>> pen_;  // where it is down
   std::vector<Run> runs_;

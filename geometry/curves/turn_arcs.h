@@ -14,6 +14,11 @@ namespace epure::geometry {
 
 inline constexpr int turn_arcs = 4;
 
+// The shortest piece of an arc (t from -1 to 1) that is looked at by itself before a gap is stated. Beside a point
+// where a root vanishes a curve is missed by about the root of this, 1e-6 of its size, which no drawing shows; and
+// pieces of a millionth of it can still be told apart in doubles.
+inline constexpr double shortest_piece = 0x1p-40;
+
 // The direction at t on arc 0, 1, 2 or 3. Also right for t somewhat outside [-1, 1], on the neighbouring arc.
 template <class X>
 Vector<X> direction_on_turn(int arc, const X& t) {

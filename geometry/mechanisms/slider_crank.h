@@ -1,38 +1,64 @@
-// The centred slider-crank: crank A₀A turning about the origin, coupler AB, slider B on the guide y = 0, a point C
-// carried by the coupler on the left of A -> B, and M in the middle of AB.
+// The slider-crank: crank A₀A turning about the origin, coupler AB, slider B on a straight guide, a point C carried
+// by the coupler on the left of A -> B, and M in the middle of AB.
 //
-// Metres, radians, seconds; counter-clockwise positive. B is the closure that lies ahead (towards +x) of the foot of
-// A on the guide: the one that passes the outer dead centre B = r + l.
+// The guide is directed. It passes A₀ at the distance e, positive when it lies on the left of A₀ seen along its
+// direction. B is the closure that lies ahead (along the guide) of the foot of A. Centred: e = 0; B then passes the
+// outer dead centre at r + l.
+//
+// Metres, radians, seconds; counter-clockwise positive.
 #pragma once
 
-#include "geometry/constructions/circle.h"
-#include "geometry/constructions/polygon.h"
-#include "geometry/motion/plane_motion.h"
+#include <optional>
+
+#include "geometry/mechanisms/dyad.h"
+#include "geometry/motion/euler_savary.h"
 
 namespace epure::geometry {
 
 struct SliderCrankLengths {
   Rational r, l, AC, BC;  // A₀A, AB, AC, BC
+  Rational e{0};          // of the guide from A₀
 };
+
+// ψ is the angle of the crank from the guide's direction. A lies r sin ψ - e to the left of the guide, so the coupler
+// reaches it where  lowest <= sin ψ <= highest. A limit that the crank never meets, because the sine would pass ±1,
+// is empty; at one that it meets the coupler stands square to the guide. Two limits: the crank swings about the
+// guide's direction or about the opposite one. One: about the square to the guide. None: it turns fully.
+struct CrankRange {
+  bool is_empty = false;  // the linkage closes nowhere: |e| > r + l
+  std::optional<Rational> lowest = {}, highest = {};
+
+  bool is_full_turn() const { return !is_empty && !lowest && !highest; }
+};
+
+// Decided on the rational lengths. r + |e| = l counts as a full turn: the limit is met, but not passed.
+inline CrankRange crank_range(const SliderCrankLengths& of) {
+  const Rational lowest = (of.e - of.l) / of.r, highest = (of.e + of.l) / of.r;
+  CrankRange range{.is_empty = lowest > 1 || highest < -1};
+  if (lowest > -1) range.lowest = lowest;
+  if (highest < 1) range.highest = highest;
+  return range;
+}
+
+// Whether the coupler can turn fully instead (relative to the guide): r >= l + |e|.
+inline bool coupler_turns_fully(const SliderCrankLengths& of) { return of.r >= of.l + CGAL::abs(of.e); }
 
 template <class T>
 struct SliderCrank {
   Point<T> A0, A, B, C, M;
-  Line<T> guide;  // directed towards +x
+  Line<T> guide;
 
-  // P₀: on the crank's line, and on the perpendicular to the guide through B. At infinity when these are parallel.
-  ProjectivePoint<T> pole() const { return meet(line(A0, A), perpendicular(guide, B)); }
+  Line<T> crank() const { return line(A0, A); }
+  // Square to the guide through B: the normal to the path of B.
+  Line<T> normal_at_B() const { return perpendicular(guide, B); }
+  // P₀: on the crank's line and on the normal at B. At infinity when these are parallel.
+  ProjectivePoint<T> pole() const { return meet(crank(), normal_at_B()); }
 };
 
+// The guide in the direction of the unit vector `along`, at the distance e from the origin.
 template <class T>
-Line<T> guide_of_slider_crank() {
-  return line(Point<T>{T(0), T(0)}, Vector<T>{T(1), T(0)});
-}
-
-// B for a crank pin at A. Throws Impossible when the linkage does not close, Undecided when that cannot be told.
-template <class T>
-Point<T> slider_pin(const Point<T>& A, const T& l) {
-  return meet(Circle<T>{A, l}, guide_of_slider_crank<T>(), Along::ahead);
+Line<T> guide_of_slider_crank(const T& e, const Vector<T>& along) {
+  return {-along.y, along.x, -e};
 }
 
 // C by two arcs, radius AC about A and BC about B, on the left of A -> B. Where the longest of AB, AC and BC is the
@@ -40,104 +66,93 @@ Point<T> slider_pin(const Point<T>& A, const T& l) {
 // circles.
 template <class T>
 Point<T> plate_corner(const Point<T>& A, const Point<T>& B, const SliderCrankLengths& lengths) {
-  const auto& [r, l, AC, BC] = lengths;
+  const auto& [r, l, AC, BC, e] = lengths;
   const bool ahead = AC + BC == l || l + BC == AC, behind = l + AC == BC;
   if (ahead || behind) return A + from_rational<T>((ahead ? AC : -AC) / l) * (B - A);
   return meet(Circle<T>{A, from_rational<T>(AC)}, Circle<T>{B, from_rational<T>(BC)}, Side::left);
 }
 
-// The mechanism with its crank along the unit vector `crank`.
+// The lengths as numbers, read once for many positions.
 template <class T>
-SliderCrank<T> slider_crank(const SliderCrankLengths& lengths, const Vector<T>& crank) {
-  const Point<T> A0{T(0), T(0)};
-  const Point<T> A = A0 + from_rational<T>(lengths.r) * crank;
-  const Point<T> B = slider_pin(A, from_rational<T>(lengths.l));
-  return {A0, A, B, plate_corner(A, B, lengths), midpoint(A, B), guide_of_slider_crank<T>()};
-}
+struct SliderCrankBars {
+  T r, l, e;
+  bool is_isosceles;  // decided on the lengths: equal links and a centred guide
 
-// The polar diagram of velocity: v_B = v_A + v_BA with the two directions known; ω₃ from v_BA = ω₃ k x AB.
-// Throws Impossible when the coupler is square to the guide (the crank cannot drive the slider), Undecided as ever.
-template <class T>
-struct VelocityDiagram {
-  Vector<T> v_A, v_B, v_BA;
-  T omega_3;
-  Vector<T> relative(const Vector<T>& AX) const { return omega_3 * quarter_turn(AX); }  // v_XA
-};
-template <class T>
-VelocityDiagram<T> velocity_diagram(const SliderCrank<T>& at, const T& omega_2) {
-  const Vector<T> v_A = omega_2 * quarter_turn(at.A - at.A0);
-  const Vector<T> square_to_AB = quarter_turn(at.B - at.A), along_guide = at.guide.direction();
-  const auto [omega_3, v_B] = close_polygon(v_A, square_to_AB, along_guide);
-  return {v_A, v_B * along_guide, omega_3 * square_to_AB, omega_3};
-}
-
-// The polar diagram of acceleration: a_B = a_A + a_BA^n + a_BA^t; α₃ from a_BA^t = α₃ k x AB.
-template <class T>
-struct AccelerationDiagram {
-  Vector<T> a_A_n, a_A_t, a_A, a_BA_n, a_BA_t, a_B;
-  T omega_3, alpha_3;
-  // a_XA: AX turned and scaled like AB in the diagram.
-  Vector<T> relative(const Vector<T>& AX) const { return alpha_3 * quarter_turn(AX) - square(omega_3) * AX; }
-};
-template <class T>
-AccelerationDiagram<T> acceleration_diagram(const SliderCrank<T>& at, const T& omega_2, const T& alpha_2,
-                                            const T& omega_3) {
-  const Vector<T> crank = at.A - at.A0, AB = at.B - at.A;
-  const Vector<T> a_A_n = -(square(omega_2) * crank), a_A_t = alpha_2 * quarter_turn(crank);
-  const Vector<T> a_A = a_A_n + a_A_t, a_BA_n = -(square(omega_3) * AB);
-  const Vector<T> along_guide = at.guide.direction();
-  const auto [alpha_3, a_B] = close_polygon(a_A + a_BA_n, quarter_turn(AB), along_guide);
-  return {a_A_n, a_A_t, a_A, a_BA_n, alpha_3 * quarter_turn(AB), a_B * along_guide, omega_3, alpha_3};
-}
-
-// Rotation about a pole that may be at infinity, known by the velocity v_A of one point A that is not the pole.
-template <class T>
-struct RotationAboutPole {
-  ProjectivePoint<T> P0;
-  T share;  // ω₃ / w
-
-  RotationAboutPole(const ProjectivePoint<T>& pole, const Point<T>& A, const Vector<T>& v_A)
-      : P0(pole), share(quotient(cross(from_pole(A), v_A), length_squared(from_pole(A)))) {}
-
-  T omega() const { return share * P0.w; }
-  Vector<T> velocity(const Point<T>& X) const { return share * quarter_turn(from_pole(X)); }
-
- private:
-  // w times the vector from the pole to X.
-  Vector<T> from_pole(const Point<T>& X) const { return {X.x * P0.w - P0.x, X.y * P0.w - P0.y}; }
+  explicit SliderCrankBars(const SliderCrankLengths& of)
+      : r(from_rational<T>(of.r)),
+        l(from_rational<T>(of.l)),
+        e(from_rational<T>(of.e)),
+        is_isosceles(of.r == of.l && of.e == 0) {}
 };
 
-// The method of poles carried to the second order, for a finite pole P0: the inflection circle through P0, the slider
-// B (its path is straight) and A' (Euler-Savary: P₀A² = A₀A . A'A on the ray P₀A), and the state it determines.
+// B, ahead of the foot of A on the guide. With equal links and a centred guide A is as far from B as from A₀: B is on
+// A₀, or twice as far along the guide as A. No root is taken then, which for a crank at, say, 6/13 of a turn no exact
+// number could undo. Errors as slider_crank.
 template <class T>
-PlaneMotion<T> motion_by_poles(const SliderCrank<T>& at, const T& omega_2, const T& alpha_2);
-
-// P₀X² = (X to centre) (X to X'): X' on the ray from P0 through X, for a path with centre of curvature `centre`.
-template <class T>
-Point<T> euler_savary_point(const Point<T>& P0, const Point<T>& X, const Point<T>& centre) {
-  const Vector<T> to_centre = centre - X;
-  return X + quotient(length_squared(P0 - X), length_squared(to_centre)) * to_centre;
+Point<T> slider_pin(const SliderCrankBars<T>& of, const Point<T>& A0, const Point<T>& A, const Line<T>& guide) {
+  if (!of.is_isosceles) return joint_on_guide(A, of.l, guide, Along::ahead);
+  const T ahead = dot(A - A0, guide.direction());
+  const Sign decided = sign(ahead);
+  if (decided == Sign::undecided) throw Undecided("whether the crank points ahead");
+  return decided == Sign::positive ? A0 + (T(2) * ahead) * guide.direction() : A0;
 }
 
-// J, opposite P0 on the inflection circle: P0J is seen at right angles from B, so J lies on the guide, and from A'.
-// Its ordinate is zero by construction, not by cancellation.
+// The mechanism with its crank along the unit vector `crank` and its guide along the unit vector `along`. Throws
+// Impossible when the linkage does not close, Undecided when that cannot be told.
 template <class T>
-ProjectivePoint<T> inflection_pole_by_poles(const SliderCrank<T>& at) {
-  const Point<T> P0 = finite(at.pole()), A_prime = euler_savary_point(P0, at.A, at.A0);
-  return meet(at.guide, perpendicular(line(P0, A_prime), A_prime));
+SliderCrank<T> slider_crank(const SliderCrankLengths& lengths, const Vector<T>& crank,
+                            const Vector<T>& along = {T(1), T(0)}) {
+  const SliderCrankBars<T> bars(lengths);
+  const Point<T> A0{T(0), T(0)}, A = A0 + bars.r * crank;
+  const Line<T> guide = guide_of_slider_crank(bars.e, along);
+  const Point<T> B = slider_pin(bars, A0, A, guide);
+  return {A0, A, B, plate_corner(A, B, lengths), midpoint(A, B), guide};
 }
 
+// Velocities and accelerations by the polar diagrams. The coupler is the dyad's bar, the guide its slide; the joint
+// is B.
+template <class T>
+struct SliderCrankMotion {
+  PlaneMotion<T> crank, coupler;
+  DyadVelocity<T> velocity;          // v_A + v_BA = v_B; its rates ω₃ and the velocity of sliding
+  DyadAcceleration<T> acceleration;  // a_A + a_BA^n + a_BA^t = a_B; α₃ and the acceleration of sliding
+
+  // v_XA and a_XA of a point X of the coupler: AX turned and scaled like AB in the diagram.
+  Vector<T> relative_velocity(const Vector<T>& AX) const { return coupler.omega * quarter_turn(AX); }
+  Vector<T> relative_acceleration(const Vector<T>& AX) const {
+    return coupler.alpha * quarter_turn(AX) - square(coupler.omega) * AX;
+  }
+  // As the guide's side of the polygons says: along the guide, not by cancellation.
+  const Vector<T>& v_B() const { return velocity.second.closing; }
+  const Vector<T>& a_B() const { return acceleration.second.closing; }
+};
+
+// Throws Impossible when the coupler is square to the guide (a limit position: the crank cannot drive the slider),
+// Undecided as ever.
+template <class T>
+SliderCrankMotion<T> slider_crank_motion(const SliderCrank<T>& at, const T& omega_2, const T& alpha_2) {
+  const PlaneMotion<T> crank = turning_about(at.A0, omega_2, alpha_2);
+  const Bar<T> coupler{pin_on(crank, at.A)};
+  const Slide<T> guide{turning_about(at.A0, T(0), T(0)), at.guide.direction()};
+  const DyadVelocity<T> v = dyad_velocity(coupler, guide, at.B);
+  const DyadAcceleration<T> a = dyad_acceleration(coupler, guide, at.B, v);
+  return {crank, coupler.motion(v.first_rate, a.first_rate), v, a};
+}
+
+// The coupler's inflection pole by Euler-Savary, for a finite pole: A' on the ray A₀A, and B itself, whose path is
+// straight. It lies on the guide.
+template <class T>
+ProjectivePoint<T> inflection_pole_by_poles(const SliderCrank<T>& at, const Point<T>& P0) {
+  return inflection_pole_by_poles(at.crank(), euler_savary_point(P0, at.A, at.A0), at.normal_at_B(), at.B);
+}
+
+// The coupler's motion by the method of poles, for a finite pole (a dead centre, where the pole is B, included).
+// Throws Undecided when the pole is at infinity or may be.
 template <class T>
 PlaneMotion<T> motion_by_poles(const SliderCrank<T>& at, const T& omega_2, const T& alpha_2) {
   const Point<T> P0 = finite(at.pole());
-  const Vector<T> crank = at.A - at.A0, P0A = at.A - P0, v_A = omega_2 * quarter_turn(crank);
-  const Vector<T> a_A = alpha_2 * quarter_turn(crank) - square(omega_2) * crank;
-  const T omega_3 = RotationAboutPole<T>(at.pole(), at.A, v_A).omega();
-  const Cycle<T> inflection = cycle_through(P0, euler_savary_point(P0, at.A, at.A0), at.B);
-  // The pole itself is accelerated towards the inflection pole J: a_P0 = ω₃² P₀J, with P₀J a diameter.
-  const Vector<T> a_P0 = (T(2) * square(omega_3)) * (finite(inflection.centre()) - P0);
-  const T alpha_3 = quotient(dot(a_A - a_P0, quarter_turn(P0A)), length_squared(P0A));
-  return {at.A, v_A, a_A, omega_3, alpha_3};
+  const Pin<T> A = pin_on(turning_about(at.A0, omega_2, alpha_2), at.A);
+  return motion_by_poles(P0, finite(inflection_pole_by_poles(at, P0)), A.at, A.v, A.a);
 }
 
 }  // namespace epure::geometry

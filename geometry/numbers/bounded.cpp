@@ -12,7 +12,7 @@ namespace epure::geometry {
 namespace {
 
 // Bits beyond the 53 of a double, so that rounding outwards adds one ulp at each end and no more.
-constexpr long bits = 80;
+constexpr long bits_of_a_value = 80;
 
 Bounded angle(double y, double x) { return to_bounded(arc_tangent(Deep::from_double(y), Deep::from_double(x))); }
 
@@ -29,7 +29,7 @@ Bounded from_rational<Bounded>(const Rational& value) {
 template <>
 Bounded pi<Bounded>() {
   static const Bounded value = [] {
-    const Arithmetic<Deep> scope(bits);
+    const Arithmetic<Deep> scope(bits_of_a_value);
     return to_bounded(pi<Deep>());
   }();
   return value;
@@ -37,7 +37,7 @@ Bounded pi<Bounded>() {
 
 template <>
 Bounded cosine<Bounded>(const Turn& turn) {
-  const Arithmetic<Deep> scope(bits);
+  const Arithmetic<Deep> scope(bits_of_a_value);
   return to_bounded(cosine<Deep>(turn));
 }
 
@@ -56,9 +56,33 @@ Bounded arc_tangent(const Bounded& y, const Bounded& x) {
     if (!std::isfinite(end)) throw Undecided("direction of a vector without bounds");
   // Along a side of the box one coordinate is constant and the angle is monotone, and inside the angle has no
   // extremum: so the corners bound it.
-  const Arithmetic<Deep> scope(bits);
+  const Arithmetic<Deep> scope(bits_of_a_value);
   return hull(hull(angle(y.inf(), x.inf()), angle(y.inf(), x.sup())),
               hull(angle(y.sup(), x.inf()), angle(y.sup(), x.sup())));
+}
+
+namespace {
+
+// With enough bits for any double as an angle: none comes nearer than 2^-62 to a multiple of a right angle, relative
+// to 1, that is no multiple itself (Muller, Elementary Functions, on range reduction).
+constexpr long bits_of_an_angle = 160;
+
+template <class Function>
+Bounded of_angle(const Bounded& angle, const Function& function) {
+  if (!std::isfinite(angle.inf()) || !std::isfinite(angle.sup())) throw Undecided("an angle without bounds");
+  const Arithmetic<Deep> scope(bits_of_an_angle);
+  const Bounded value = to_bounded(function(Deep::from_bounded(angle)));
+  return {std::max(value.inf(), -1.0), std::min(value.sup(), 1.0)};
+}
+
+}  // namespace
+
+Bounded cosine_of_angle(const Bounded& angle) {
+  return of_angle(angle, [](const Deep& x) { return cosine_of_angle(x); });
+}
+
+Bounded sine_of_angle(const Bounded& angle) {
+  return of_angle(angle, [](const Deep& x) { return sine_of_angle(x); });
 }
 
 }  // namespace epure::geometry

@@ -1,9 +1,9 @@
 #include "geometry/numbers/calcium.h"
 
+#include "geometry/numbers/ball.h"
 #include "geometry/numbers/calcium_bridge.h"
+#include "geometry/numbers/round_to_nearest.h"
 #include "geometry/numbers/turn.h"
-
-#include <CGAL/FPU.h>
 
 #include <cassert>
 #include <utility>
@@ -12,24 +12,20 @@ namespace epure::geometry {
 
 namespace {
 
-thread_local epure_calcium_context* innermost = nullptr;
-
-// The number theory below Calcium uses doubles in places, meant for rounding to nearest. (Caution, as in deep.cpp.)
-struct RoundToNearest : CGAL::Protect_FPU_rounding<true> {
-  RoundToNearest() : CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST) {}
-};
+thread_local epure_calcium_context* innermost_context = nullptr;
 
 epure_calcium_context* current() {
-  assert(innermost && "Calcium is used without an Arithmetic<Calcium> scope");
-  return innermost;
+  assert(innermost_context && "Calcium is used without an Arithmetic<Calcium> scope");
+  return innermost_context;
 }
 
 }  // namespace
 
-Arithmetic<Calcium>::Arithmetic() : context_(epure_calcium_open()), outer_(std::exchange(innermost, context_)) {}
+Arithmetic<Calcium>::Arithmetic()
+    : context_(epure_calcium_open()), outer_(std::exchange(innermost_context, context_)) {}
 
 Arithmetic<Calcium>::~Arithmetic() {
-  innermost = outer_;
+  innermost_context = outer_;
   epure_calcium_close(context_);
 }
 
@@ -94,11 +90,7 @@ Calcium Calcium::operator-() const {
 
 Deep to_deep(const Calcium& x) {
   const RoundToNearest rounding;
-  struct Ball {
-    arb_t value;
-    Ball() { arb_init(value); }
-    ~Ball() { arb_clear(value); }
-  } ball;
+  Ball ball;
   epure_calcium_enclose(ball.value, x.number_, Arithmetic<Deep>::bits(), x.context_);
   return Deep::from_ball(ball.value);
 }

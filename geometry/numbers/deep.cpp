@@ -1,8 +1,9 @@
 #include "geometry/numbers/deep.h"
 
+#include "geometry/numbers/ball.h"
+#include "geometry/numbers/round_to_nearest.h"
 #include "geometry/numbers/turn.h"
 
-#include <CGAL/FPU.h>
 #include <cassert>
 #include <cmath>
 
@@ -11,12 +12,6 @@ namespace epure::geometry {
 namespace {
 
 thread_local long working_bits = 0;  // 0: no scope is open
-
-// Arb's + - * / are integer arithmetic, but functions below the others use doubles in places, and their authors
-// tested them rounding to nearest. (No test of ours has seen a difference: this is caution.)
-struct RoundToNearest : CGAL::Protect_FPU_rounding<true> {
-  RoundToNearest() : CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST) {}
-};
 
 void require_finite(const arb_t ball) {
   if (!arb_is_finite(ball)) throw Undecided("a ball without bounds");
@@ -46,14 +41,10 @@ Deep Deep::from_double(double value) {
 Deep Deep::from_bounded(const Bounded& value) {
   assert(std::isfinite(value.inf()) && std::isfinite(value.sup()));
   Deep result;
-  arf_t lower, upper;
-  arf_init(lower);
-  arf_init(upper);
-  arf_set_d(lower, value.inf());
-  arf_set_d(upper, value.sup());
-  arb_set_interval_arf(result.ball_, lower, upper, Arithmetic<Deep>::bits());
-  arf_clear(lower);
-  arf_clear(upper);
+  Float lower, upper;
+  arf_set_d(lower.value, value.inf());
+  arf_set_d(upper.value, value.sup());
+  arb_set_interval_arf(result.ball_, lower.value, upper.value, Arithmetic<Deep>::bits());
   return result;
 }
 
@@ -104,11 +95,7 @@ namespace {
 template <class Function>
 Deep compute(const Function& function) {
   const RoundToNearest rounding;
-  struct Ball {
-    arb_t value;
-    Ball() { arb_init(value); }
-    ~Ball() { arb_clear(value); }
-  } result;
+  Ball result;
   function(result.value);
   return Deep::from_ball(result.value);
 }
@@ -143,6 +130,14 @@ Deep arc_tangent(const Deep& y, const Deep& x) {
   if (may_reach_the_cut && !on_the_axis && sign(x) != Sign::positive)
     throw Undecided("direction that may be a zero vector or lie on either side of 180 degrees");
   return compute([&](arb_t result) { arb_atan2(result, y.ball(), x.ball(), Arithmetic<Deep>::bits()); });
+}
+
+Deep cosine_of_angle(const Deep& angle) {
+  return compute([&](arb_t result) { arb_cos(result, angle.ball(), Arithmetic<Deep>::bits()); });
+}
+
+Deep sine_of_angle(const Deep& angle) {
+  return compute([&](arb_t result) { arb_sin(result, angle.ball(), Arithmetic<Deep>::bits()); });
 }
 
 template <>

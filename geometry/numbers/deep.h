@@ -64,6 +64,8 @@ Deep root(const Deep& x);
 Deep square(const Deep& x);
 inline Deep quotient(const Deep& a, const Deep& b) { return a / b; }
 Deep arc_tangent(const Deep& y, const Deep& x);
+Deep cosine_of_angle(const Deep& angle);
+Deep sine_of_angle(const Deep& angle);
 
 template <>
 Deep from_rational<Deep>(const Rational& value);

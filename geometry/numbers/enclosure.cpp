@@ -1,5 +1,7 @@
 #include "geometry/numbers/enclosure.h"
 
+#include "geometry/numbers/ball.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,18 +19,10 @@ constexpr double largest = std::numeric_limits<double>::max();
 constexpr long end_bits = 4096;
 
 struct Ends {
-  arf_t lower, upper;
+  Float lower, upper;
   explicit Ends(const Deep& x) {
-    arf_init(lower);
-    arf_init(upper);
-    arb_get_lbound_arf(lower, x.ball(), end_bits);
-    arb_get_ubound_arf(upper, x.ball(), end_bits);
-  }
-  Ends(const Ends&) = delete;
-  Ends& operator=(const Ends&) = delete;
-  ~Ends() {
-    arf_clear(lower);
-    arf_clear(upper);
+    arb_get_lbound_arf(lower.value, x.ball(), end_bits);
+    arb_get_ubound_arf(upper.value, x.ball(), end_bits);
   }
 };
 
@@ -51,11 +45,28 @@ Enclosure enclosure(const Bounded& x) {
   return {lower, midpoint(lower, upper), upper};
 }
 
+Bounded midpoint(const Bounded& x) { return midpoint(x.inf(), x.sup()); }
+
+Deep midpoint(const Deep& x) {
+  Ball point;
+  arb_get_mid_arb(point.value, x.ball());
+  return Deep::from_ball(point.value);
+}
+
+Bounded widened(const Bounded& x, const Bounded& by) { return x + Bounded(-by.sup(), by.sup()); }
+
+Deep widened(const Deep& x, const Deep& by) {
+  Ball wide;
+  arb_set(wide.value, x.ball());
+  arb_add_error(wide.value, by.ball());
+  return Deep::from_ball(wide.value);
+}
+
 Bounded to_bounded(const Deep& x) {
   const Ends ends(x);
   // A magnitude beyond the doubles lies between the largest double and infinity.
-  const double lower = std::min(arf_get_d(ends.lower, ARF_RND_FLOOR), largest);
-  const double upper = std::max(arf_get_d(ends.upper, ARF_RND_CEIL), -largest);
+  const double lower = std::min(arf_get_d(ends.lower.value, ARF_RND_FLOOR), largest);
+  const double upper = std::max(arf_get_d(ends.upper.value, ARF_RND_CEIL), -largest);
   return {without_sign_of_zero(lower), without_sign_of_zero(upper)};
 }
 
@@ -68,8 +79,8 @@ Enclosure enclosure(const Deep& x) {
 
 std::optional<double> certain_double(const Deep& x) {
   const Ends ends(x);
-  const double lower = arf_get_d(ends.lower, ARF_RND_NEAR);
-  const double upper = arf_get_d(ends.upper, ARF_RND_NEAR);
+  const double lower = arf_get_d(ends.lower.value, ARF_RND_NEAR);
+  const double upper = arf_get_d(ends.upper.value, ARF_RND_NEAR);
   if (lower != upper || std::isinf(lower)) return std::nullopt;
   return without_sign_of_zero(lower);
 }

@@ -30,4 +30,12 @@ std::optional<double> certain_double(const Deep& x);
 // The interval of doubles around the ball.
 Bounded to_bounded(const Deep& x);
 
+// A point inside the enclosure, which must be bounded: a place to expand a function about.
+Bounded midpoint(const Bounded& x);
+Deep midpoint(const Deep& x);
+
+// x and everything that is no farther from it than `by` >= 0 (its upper end counts).
+Bounded widened(const Bounded& x, const Bounded& by);
+Deep widened(const Deep& x, const Deep& by);
+
 }  // namespace epure::geometry

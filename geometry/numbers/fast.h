@@ -51,4 +51,7 @@ inline Fast arc_tangent(Fast y, Fast x) {
   return y == 0 ? (x < 0 ? pi<Fast>() : 0.0) : std::atan2(y, x);  // a -0.0 would fall on the wrong side of the cut
 }
 
+inline Fast cosine_of_angle(Fast angle) { return std::cos(angle); }
+inline Fast sine_of_angle(Fast angle) { return std::sin(angle); }
+
 }  // namespace epure::geometry

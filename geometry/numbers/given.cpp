@@ -37,6 +37,7 @@ std::vector<Unit> make_units() {
       {"turn", 1, "angle"},
       {"deg", ratio(1, 360), "angle"},
       {"°", ratio(1, 360), "angle"},
+      {"rad", 1, "angle in radians"},
       {"rad/s", 1, "angular velocity in radians"},
       {"rad/s^2", 1, "angular acceleration"},
       {"rad/s2", 1, "angular acceleration"},
@@ -53,9 +54,14 @@ std::vector<Unit> make_units() {
       {"N", 1, "force"},
       {"kN", 1000, "force"},
       {"Nm", 1, "moment"},
+      {"N*m", 1, "moment"},
       {"kNm", 1000, "moment"},
       {"kg", 1, "mass"},
       {"g", ratio(1, 1000), "mass"},
+      {"kg m^2", 1, "moment of inertia"},
+      {"kgm^2", 1, "moment of inertia"},
+      {"kg*m^2", 1, "moment of inertia"},
+      {"kg m²", 1, "moment of inertia"},
   };
 }
 

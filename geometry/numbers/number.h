@@ -78,6 +78,9 @@ struct Turn {
 //   T     arc_tangent(y, x)     in (-pi, pi], angle of the direction (x, y); throws Undecided when (x, y) may be
 //                               (0, 0) or the enclosures reach across the cut y = 0, x < 0. A y that is exactly zero
 //                               with x < 0 is pi.
+//   T     cosine_of_angle(x), sine_of_angle(x)    of an angle in radians. An enclosure of a wide angle is valid but
+//   not
+//                               the narrowest.
 template <class T>
 T from_rational(const Rational& value);
 template <class T>

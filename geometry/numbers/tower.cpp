@@ -11,7 +11,7 @@ namespace epure::geometry {
 
 namespace {
 
-thread_local Tower* innermost = nullptr;
+thread_local Tower* innermost_tower = nullptr;
 
 std::uint64_t next_serial() {
   static std::atomic<std::uint64_t> last{0};
@@ -30,14 +30,15 @@ std::optional<Rational> rational_root(const Rational& x) {
 
 }  // namespace
 
-Arithmetic<Exact>::Arithmetic() : tower_(std::make_unique<Tower>()), outer_(std::exchange(innermost, tower_.get())) {}
-Arithmetic<Exact>::~Arithmetic() { innermost = outer_; }
+Arithmetic<Exact>::Arithmetic()
+    : tower_(std::make_unique<Tower>()), outer_(std::exchange(innermost_tower, tower_.get())) {}
+Arithmetic<Exact>::~Arithmetic() { innermost_tower = outer_; }
 
 Tower::Tower() : serial_(next_serial()) {}
 
 Tower& Tower::current() {
-  assert(innermost && "Exact is used without an Arithmetic<Exact> scope");
-  return *innermost;
+  assert(innermost_tower && "Exact is used without an Arithmetic<Exact> scope");
+  return *innermost_tower;
 }
 
 void Tower::require_ours(const Exact& x) const {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes slider_crank.txt: reference values of the centred slider-crank, independent of the C++ code.
+"""Writes slider_crank.txt: reference values of the slider-crank, independent of the C++ code.
 
 Only positions are written down here, as functions of time. Everything else is measured on them:
   velocities and accelerations   by high-precision numerical differentiation (mpmath.diff) of the paths;
@@ -26,24 +26,26 @@ def number(q):
 
 
 class Case:
-    def __init__(self, name, why, r="1/5", l="1/2", AC="3/10", BC="2/5", n="360", turn="1/12", alpha_2="0"):
+    def __init__(self, name, why, r="1/5", l="1/2", AC="3/10", BC="2/5", n="360", turn="1/12", alpha_2="0",
+                 e="0", delta="0"):
         self.name, self.why = name, why
         self.r, self.l, self.AC, self.BC = (Fraction(x) for x in (r, l, AC, BC))
         self.n, self.alpha_2 = Fraction(n), Fraction(alpha_2)
+        self.e, self.delta = Fraction(e), Fraction(delta)  # delta in degrees
         self.turn = Fraction(turn)
         self.t1 = self.turn * 60 / self.n
 
 
 def paths(case):
     """z(w)(t): path of the point with coordinate w in the coupler frame (origin A, real axis along AB)."""
-    r, l = number(case.r), number(case.l)
+    r, l, e, delta = number(case.r), number(case.l), number(case.e), number(case.delta) * pi / 180
     t1, speed = number(case.t1), 2 * pi * number(case.n) / 60
 
     def crank(t):
         return speed * t + number(case.alpha_2) * (t - t1) ** 2 / 2
 
     def coupler(t):
-        return asin(-r * sin(crank(t)) / l)  # the + root: B ahead of A
+        return delta + asin((e - r * sin(crank(t) - delta)) / l)  # within a right angle of the guide: B ahead of A
 
     def x(w):
         return lambda t: r * cos(crank(t)) + w[0] * cos(coupler(t)) - w[1] * sin(coupler(t))
@@ -104,8 +106,8 @@ def distance(p, q):
     return sqrt((p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2)
 
 
-VELOCITY_NAMES = ("P0_x P0_y P0A P0B P0C P0M omega_3 v_B_x v_B v_C v_M v_C_x v_C_y v_M_x v_M_y v_BA v_CA v_MA").split()
-ACCELERATION_NAMES = ("alpha_3 a_B_x a_B a_C_x a_C_y a_C a_M_x a_M_y a_M a_BA_n a_BA_t a_BA a_CA a_MA gamma K_x K_y KA "
+VELOCITY_NAMES = ("P0_x P0_y P0A P0B P0C P0M omega_3 v_B_x v_B_y v_B v_C v_M v_C_x v_C_y v_M_x v_M_y v_BA v_CA v_MA").split()
+ACCELERATION_NAMES = ("alpha_3 a_B_x a_B_y a_B a_C_x a_C_y a_C a_M_x a_M_y a_M a_BA_n a_BA_t a_BA a_CA a_MA gamma K_x K_y KA "
                       "KB KC KM inflection_diameter inflection_pole_x inflection_pole_y inflection_centre_x "
                       "inflection_centre_y stationarity_diameter stationarity_centre_x stationarity_centre_y Cprime_C "
                       "rho_C curvature_centre_C_x curvature_centre_C_y Cprime_x Cprime_y Mprime_M rho_M "
@@ -114,7 +116,9 @@ ACCELERATION_NAMES = ("alpha_3 a_B_x a_B a_C_x a_C_y a_C a_M_x a_M_y a_M a_BA_n 
 
 def values(case):
     out = {}
-    r, l, AC, BC = (number(v) for v in (case.r, case.l, case.AC, case.BC))
+    r, l, AC, BC, e = (number(v) for v in (case.r, case.l, case.AC, case.BC, case.e))
+    delta = number(case.delta) * pi / 180
+    sizes = (r, l + fabs(e), 2 * pi * number(case.n) / 60)
     t1, omega_2, alpha_2 = number(case.t1), 2 * pi * number(case.n) / 60, number(case.alpha_2)
     crank, coupler, x, y = paths(case)
     phi = crank(t1)
@@ -123,11 +127,12 @@ def values(case):
     out["A_x"], out["A_y"] = r * cos(phi), r * sin(phi)
     out["a_A"] = r * sqrt(alpha_2 ** 2 + omega_2 ** 4)
 
-    gap = fabs(r * sin(phi)) - l
+    height = r * sin(phi - delta) - e  # of A over the guide
+    gap = fabs(height) - l
     if gap > ZERO * l:
-        return {"closure_gap": gap}, (r, l, omega_2)
+        return {"closure_gap": gap}, sizes
     touching = fabs(gap) <= ZERO * l
-    theta = -pi / 2 * (1 if sin(phi) > 0 else -1) if touching else coupler(t1)
+    theta = delta - pi / 2 * (1 if height > 0 else -1) if touching else coupler(t1)
 
     # C: on both circles about A and B, left of A to B.
     p = (AC ** 2 + l ** 2 - BC ** 2) / (2 * l)
@@ -137,11 +142,12 @@ def values(case):
                  r * sin(phi) + w[0] * sin(theta) + w[1] * cos(theta)) for k, w in plate.items()}
     for k in "BCM":
         out[k + "_x"], out[k + "_y"] = place[k]
-    out["B_y"] = mpf(0)
-    out["coupler_angle"] = theta
+    from_guide = -place["B"][0] * sin(delta) + place["B"][1] * cos(delta) - e
+    assert fabs(from_guide) <= mpf(10) ** (-250 if not touching else -190) * (r + l + fabs(e))
+    out["coupler_angle"] = theta - delta
     if touching:
         out.update({k: "undefined" for k in VELOCITY_NAMES + ACCELERATION_NAMES})
-        return out, (r, l, omega_2)
+        return out, sizes
 
     v = {k: (diff(x(w), t1), diff(y(w), t1)) for k, w in plate.items()}
     a = {k: (diff(x(w), t1, 2), diff(y(w), t1, 2)) for k, w in plate.items()}
@@ -157,7 +163,8 @@ def values(case):
     for k in "CM":
         for f, n in ((v, "v"), (a, "a")):
             out[f"{n}_{k}_x"], out[f"{n}_{k}_y"] = f[k]
-    out["v_B_x"], out["a_B_x"] = v["B"][0], a["B"][0]
+    for k, f in (("v_B", v), ("a_B", a)):
+        out[k + "_x"], out[k + "_y"] = f["B"]
     u = (cos(theta), sin(theta))
     d = (a["B"][0] - a["A"][0], a["B"][1] - a["A"][1])
     out["a_BA_n"], out["a_BA_t"] = fabs(d[0] * u[0] + d[1] * u[1]), fabs(d[1] * u[0] - d[0] * u[1])
@@ -191,7 +198,7 @@ def values(case):
 
     for k in "CM":
         curvature(k, place[k], v[k], a[k], P, flexes, size, l, out)
-    return out, (r, l, omega_2)
+    return out, sizes
 
 
 def curvature(k, X, v, a, P, flexes, size, l, out):
@@ -239,7 +246,7 @@ def text(name, value, sizes):
     return nstr(value, DIGITS, min_fixed=-3, max_fixed=3)
 
 
-def offset(base, exponent, sign=1):
+def beside(base, exponent, sign=1):
     return str(Fraction(base) + sign * Fraction(1, 10 ** exponent))
 
 
@@ -257,12 +264,12 @@ def cases():
     yield Case("crank_downwards", "the same below the guide", turn="3/4")
     yield Case("crank_upright_speeding_up", "pole at infinity with a crank acceleration", turn="1/4", alpha_2="100")
     for e in (3, 9, 15, 30):
-        yield Case(f"past_dead_centre_1e-{e}", "just past the outer dead centre, as a part of a turn", turn=offset("0", e))
-        yield Case(f"before_dead_centre_1e-{e}", "just before it", turn=offset("1", e, -1))
-        yield Case(f"before_upright_1e-{e}", "pole far away on the upper side", turn=offset("1/4", e, -1))
-        yield Case(f"past_upright_1e-{e}", "pole far away on the lower side", turn=offset("1/4", e))
-    yield Case("past_folded_1e-9", "just past the inner dead centre", turn=offset("1/2", 9))
-    yield Case("past_downwards_1e-9", "pole far away, crank below", turn=offset("3/4", 9))
+        yield Case(f"past_dead_centre_1e-{e}", "just past the outer dead centre, as a part of a turn", turn=beside("0", e))
+        yield Case(f"before_dead_centre_1e-{e}", "just before it", turn=beside("1", e, -1))
+        yield Case(f"before_upright_1e-{e}", "pole far away on the upper side", turn=beside("1/4", e, -1))
+        yield Case(f"past_upright_1e-{e}", "pole far away on the lower side", turn=beside("1/4", e))
+    yield Case("past_folded_1e-9", "just past the inner dead centre", turn=beside("1/2", 9))
+    yield Case("past_downwards_1e-9", "pole far away, crank below", turn=beside("3/4", 9))
     short = dict(r="2/5", l="1/5", AC="3/20", BC="1/10")
     yield Case("short_coupler_closes", "l < r at 20 degrees: closes, the crank cannot turn fully", turn="1/18", **short)
     yield Case("short_coupler_left", "l < r at 170 degrees: closes again on the far side", turn="17/36", **short)
@@ -273,8 +280,8 @@ def cases():
                turn="1/12", **short)
     yield Case("short_coupler_touches_below", "the same at 210 degrees, on the other side", turn="7/12", **short)
     yield Case("short_coupler_nearly_touches", "30 degrees less 1e-9 turn: the worst transmission angle",
-               turn=offset("1/12", 9, -1), **short)
-    yield Case("short_coupler_nearly_closes", "30 degrees and 1e-9 turn: open by 2e-9 m", turn=offset("1/12", 9), **short)
+               turn=beside("1/12", 9, -1), **short)
+    yield Case("short_coupler_nearly_closes", "30 degrees and 1e-9 turn: open by 2e-9 m", turn=beside("1/12", 9), **short)
     equal = dict(r="1/5", l="1/5", AC="3/20", BC="1/10")
     yield Case("equal_lengths", "l = r: elliptic motion, both polodes are circles", turn="1/7", **equal)
     yield Case("equal_lengths_touch", "l = r upright: B on A0 and two motions possible, velocity undefined", turn="1/4",
@@ -293,28 +300,92 @@ def cases():
     yield Case("crank_200_degrees", "third quadrant", turn="5/9")
     yield Case("crank_310_degrees", "fourth quadrant", turn="31/36")
     yield Case("second_turn", "phi beyond a full turn: 390 degrees", turn="13/12")
+    yield from offset_cases()
+    yield from inclined_cases()
     small, large = Fraction(1, 10 ** 9), Fraction(10 ** 8)
     for name, s in (("tiny", small), ("huge", large)):
         yield Case(name, "the source's linkage, scaled", r=Fraction(1, 5) * s, l=Fraction(1, 2) * s,
                    AC=Fraction(3, 10) * s, BC=Fraction(2, 5) * s)
 
 
+def offset_cases():
+    """The guide passes A0 at the distance e."""
+    yield Case("offset", "the guide above A0: no symmetry is left", e="2/25")
+    yield Case("offset_below", "the guide below A0", e="-1/10", turn="1/18")
+    yield Case("offset_speeding_up", "with a tangential part", e="1/20", turn="5/9", alpha_2="100")
+    yield Case("offset_backwards", "clockwise", e="2/25", n="-360")
+    yield Case("offset_upright", "pole at infinity: B no longer as far along as for e = -e", e="2/25", turn="1/4")
+    yield Case("offset_downwards", "pole at infinity on the other side", e="2/25", turn="3/4")
+    yield Case("offset_past_upright_1e-9", "pole far away", e="2/25", turn=beside("1/4", 9))
+    yield Case("offset_extended", "sin phi = e/(r + l) = 1/2: A0, A, B in line, P0 on B", r="1/10", e="3/10", turn="1/12")
+    yield Case("offset_extended_braking", "the same with a crank acceleration", r="1/10", e="3/10", turn="1/12",
+               alpha_2="-250")
+    yield Case("offset_extended_missed_1e-15", "just past it", r="1/10", e="3/10", turn=beside("1/12", 15))
+    yield Case("offset_folded", "sin phi = e/(r - l) = 1/2 with the crank turned back", e="-3/20", turn="5/12")
+    yield Case("offset_folded_below", "sin phi = -1/2", e="3/20", turn="7/12")
+    change = dict(l="3/10", AC="1/4", BC="1/5", e="1/10")
+    yield Case("offset_change_point", "r + e = l: the crank just turns fully", turn="5/18", **change)
+    yield Case("offset_change_point_met", "and stands at its limit: coupler square to the guide", turn="3/4", **change)
+    neither = dict(l="1/4", AC="1/5", BC="3/20", e="-3/20")
+    yield Case("offset_swings", "neither crank nor coupler turns fully", turn="1/60", **neither)
+    yield Case("offset_swings_touches", "r sin phi - e = l at 30 degrees: velocity undefined", turn="1/12", **neither)
+    yield Case("offset_swings_nearly_touches", "less 1e-9 turn", turn=beside("1/12", 9, -1), **neither)
+    yield Case("offset_swings_open", "upright it does not close, short by 0.1 m", turn="1/4", **neither)
+    rocks = dict(r="2/5", l="1/5", AC="3/20", BC="1/10", e="1/10")
+    yield Case("offset_short_coupler", "the coupler turns fully, the crank swings", turn="1/18", **rocks)
+    yield Case("offset_short_coupler_left", "the same on the far side", turn="17/36", **rocks)
+    yield Case("offset_short_coupler_open", "and where it does not close", turn="-1/18", **rocks)
+    yield Case("offset_nowhere", "e > r + l: it closes nowhere, short by 0.4 m even upright", e="11/10", turn="1/4")
+    yield Case("offset_equal_lengths", "l = r with an offset: no longer Cardano's circles", l="1/5", AC="3/20",
+               BC="1/10", e="1/20", turn="1/7")
+    small, large = Fraction(1, 10 ** 9), Fraction(10 ** 8)
+    for name, s in (("tiny", small), ("huge", large)):
+        yield Case("offset_" + name, "scaled", r=Fraction(1, 5) * s, l=Fraction(1, 2) * s, AC=Fraction(3, 10) * s,
+                   BC=Fraction(2, 5) * s, e=Fraction(2, 25) * s, delta="20")
+
+
+def inclined_cases():
+    """The guide has a direction of its own; degrees. The crank angle is still counted from +x."""
+    for delta in ("30", "90", "200", "-45"):
+        yield Case(f"inclined_{delta}", "centred, the crank at 20 degrees", delta=delta, turn="1/18")
+        yield Case(f"offset_inclined_{delta}", "with an offset, the crank at 100 degrees", delta=delta, e="-1/10",
+                   turn="5/18")
+    yield Case("inclined_vertical_upright", "an engine: guide upwards, crank along it: outer dead centre", delta="90",
+               turn="1/4")
+    yield Case("inclined_extended", "crank and guide at 20 degrees: a dead centre that is not constructible", delta="20",
+               turn="1/18")
+    yield Case("inclined_folded", "the inner one", delta="20", turn="5/9")
+    yield Case("inclined_upright", "guide at 20 degrees, crank at 110: pole at infinity", delta="20", turn="11/36")
+    yield Case("offset_inclined_upright", "the same with an offset", delta="20", turn="11/36", e="2/25")
+    yield Case("offset_inclined_downwards", "crank at 290", delta="20", turn="29/36", e="2/25", alpha_2="100")
+    yield Case("offset_inclined_extended", "in line at 45 degrees: guide at 15", r="1/10", e="3/10", delta="15",
+               turn="1/8")
+    yield Case("offset_inclined_folded", "in line, not constructible", e="-3/20", delta="20", turn="17/36")
+    yield Case("offset_inclined", "offset and inclined, 30 degrees", e="2/25", delta="20")
+    yield Case("offset_inclined_braking", "with a crank acceleration, clockwise", e="2/25", delta="-160", n="-90",
+               alpha_2="-250")
+    yield Case("inclined_equal_lengths_locked", "l = r past the square: B stays on A0", l="1/5", AC="3/20", BC="1/10",
+               delta="20", turn="7/18")
+    yield Case("inclined_turns", "a guide direction beyond a full turn", delta="740", e="2/25")
+
+
 HEADER = """\
-# Reference values of the centred slider-crank, 40 digits. Written by make_slider_crank.py with mpmath, 400 working
-# digits; do not edit by hand. Positions are the only formulas (closure r sin(phi) + l sin(theta) = 0, C by two
-# circles); velocities and accelerations are high-precision numerical derivatives of the paths, P0 and K the zeros of
+# Reference values of the slider-crank, 40 digits. Written by make_slider_crank.py with mpmath, 400 working
+# digits; do not edit by hand. Positions are the only formulas (closure: B at the distance e from a line through A0, C
+# by two circles); velocities and accelerations are high-precision numerical derivatives of the paths, P0 and K the zeros of
 # the affine fields fitted to three moving points, the circles are fitted conics, curvature is that of the paths.
 # Nothing here is taken from the C++ code.
 #
-# A0 origin, guide = x axis, phi = 2 pi n/60 t1 from the position with B at r + l; alpha_2 is the crank's angular
-# acceleration at t1. Counter-clockwise positive; B ahead of A (positive root); C left of A to B; M midpoint of AB.
+# A0 origin; the guide has the direction delta (degrees from +x) and passes A0 at the distance e, on its left when
+# e > 0. Crank at phi = 2 pi n/60 t1 from +x; alpha_2 is its angular acceleration at t1. Counter-clockwise positive;
+# B ahead of A along the guide (positive root); C left of A to B; M midpoint of AB. coupler_angle: of AB, from the guide.
 # omega_3, alpha_3, components, coupler_angle, gamma = atan(alpha_3 / omega_3^2) are signed, the rest magnitudes.
 # K: acceleration pole. inflection_pole: opposite P0 on the inflection circle. Cprime: second meeting of the ray P0 C
 # with it. *_line_a, _b, _c: the line a x + b y + c = 0 that the circle has become; a^2 + b^2 = 1, the first of a, b
 # that is not zero is positive. SI units, radians (crank_angle_phi_deg: degrees).
 #
 # case NAME, why TEXT, givens (rationals), then NAME VALUE; VALUE may be `infinite` or `undefined`.
-# closure_gap: the linkage does not close, |r sin(phi)| exceeds l by this much, and nothing else exists.
+# closure_gap: the linkage does not close, A is farther than l from the guide by this much, and nothing else exists.
 """
 
 
@@ -322,9 +393,8 @@ def main():
     print(HEADER, end="")
     for case in cases():
         print(f"\ncase {case.name}\nwhy {case.why}")
-        for name in ("r", "l", "AC", "BC", "n", "t1", "alpha_2"):
+        for name in ("r", "l", "AC", "BC", "n", "t1", "alpha_2", "e", "delta"):
             print(f"given {name} {getattr(case, name)}")
-        print("given e 0")
         out, sizes = values(case)
         for name, value in out.items():
             print(name, text(name, value, sizes))

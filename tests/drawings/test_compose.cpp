@@ -1,6 +1,5 @@
 // A composed sheet: everything in its place, on both papers and in both languages.
 #include <catch2/catch.hpp>
-#include <chrono>
 
 #include "drawings/clip.h"
 #include "drawings/column.h"
@@ -178,7 +177,7 @@ TEST_CASE("bad numbers are refused by name") {
   }
 }
 
-TEST_CASE("far geometry is cut to the drawing area and costs no time") {
+TEST_CASE("far geometry is cut to the drawing area") {
   const Box area = drawing_area(Paper::a4);
   const Point centre = middle(area);
   Sheet sheet;
@@ -191,11 +190,8 @@ TEST_CASE("far geometry is cut to the drawing area and costs no time") {
     sheet.figure.marks.push_back(Guide{centre - Point{1e6, 0}, centre + Point{1e6, 0}});
   }
   sheet.figure.marks.push_back(Area{circle(centre - Point{1e6, 0}, 1e6)});
-  const auto start = std::chrono::steady_clock::now();
   const Page page = compose(sheet);
   const std::string bytes = pdf({sheet}, "far");
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  CHECK(took.count() < 2);
   CHECK(bytes.size() < 2'000'000);
   CHECK(probe::named<Stroke>(page, "arc").size() == 20);
   for (const Stroke& stroke : probe::all<Stroke>(page)) {

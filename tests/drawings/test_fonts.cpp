@@ -36,7 +36,8 @@ class FontCopy {
 
   std::string complaint() const {
     try {
-      PangoFonts opened(folder_);
+      KnownFonts known(folder_);
+      PangoFonts opened(known);
     } catch (const std::runtime_error& error) {
       return error.what();
     }

@@ -89,6 +89,104 @@ TEST_CASE("a guide is hatched on the right of its direction, half a block away")
     for (const Point p : probe::samples(stroke.path, 0.5)) CHECK(p.y >= centre.y + block_height / 2 - 1e-9);
 }
 
+TEST_CASE("a block lies on its guide in every direction") {
+  for (const double angle : {0.0, 0.4, 1.2, 2.0, -0.7, 3.0}) {
+    const Point along = direction(angle), right = -1 * left_of(along);
+    const Page page = page_of({Guide{centre - 20 * along, centre + 20 * along}, Slider{centre, angle}});
+    const auto strokes = probe::all<Stroke>(page);
+    // The guide is the first stroke; the block's outline the last.
+    const Path& guide = strokes.front().path;
+    const Point foot = centre + block_height / 2 * right;
+    CHECK(distance(guide.start, foot - 20 * along) < 1e-9);
+    double deepest = -INFINITY;
+    for (const Point p : probe::samples(strokes.back().path, 0.5)) deepest = std::max(deepest, dot(p - foot, right));
+    CHECK(deepest == Approx(0).margin(1e-9));
+  }
+}
+
+TEST_CASE("ground lies exactly on its line, hatched on the right") {
+  for (const double angle : {0.0, 0.8, 3.1415926535897932, -2.0}) {
+    const Point from = centre, to = centre + 30 * direction(angle), right = -1 * left_of(direction(angle));
+    const auto strokes = probe::all<Stroke>(page_of({Ground{from, to}}));
+    REQUIRE(strokes.size() > 10);
+    CHECK(same(strokes[0].path.start, from));
+    CHECK(same(strokes[0].path.pieces[0].end, to));
+    double deepest = 0;
+    for (const Stroke& stroke : strokes)
+      for (const Point p : probe::samples(stroke.path, 0.5)) {
+        CHECK(dot(p - from, right) > -1e-9);
+        deepest = std::max(deepest, dot(p - from, right));
+      }
+    CHECK(deepest > 1);
+  }
+  CHECK(probe::all<Stroke>(page_of({Ground{centre - Point{1e6, 0}, centre + Point{1e6, 0}}})).size() < 1000);
+}
+
+TEST_CASE("a slot is everywhere half its width from the segment it is given") {
+  for (const double angle : {0.0, 0.6, 2.5, -1.5707963267948966})
+    for (const double length : {0.0, 0.5, 25.0})
+      for (const double width : {3.5, 6.0}) {
+        const Point from = centre, to = centre + length * direction(angle);
+        const Page page = page_of({Slot{from, to, width}});
+        const auto outlines = probe::all<Stroke>(page);
+        REQUIRE(outlines.size() == 1);
+        CHECK(outlines[0].path.closed);
+        double lowest = INFINITY, highest = -INFINITY;
+        for (const Point p : probe::samples(outlines[0].path, 0.2)) {
+          const double t = std::clamp(dot(p - from, direction(angle)), 0.0, length);
+          CHECK(distance(p, from + t * direction(angle)) == Approx(width / 2).epsilon(1e-5));
+          lowest = std::min(lowest, dot(p - from, direction(angle)));
+          highest = std::max(highest, dot(p - from, direction(angle)));
+        }
+        CHECK(highest - lowest == Approx(length + width).epsilon(1e-3));
+        // White inside: the link it is cut from does not show through.
+        const auto fills = probe::all<Fill>(page);
+        REQUIRE(fills.size() == 1);
+        CHECK(fills[0].colour.red == 1);
+      }
+  for (const double width : {0.0, -1.0, static_cast<double>(NAN)})
+    CHECK_THROWS_AS(page_of({Slot{centre, centre + Point{9, 0}, width}}), std::invalid_argument);
+}
+
+TEST_CASE("data points are centred where they are, and differ") {
+  for (const PointShape shape : {PointShape::dot, PointShape::ring, PointShape::square, PointShape::diamond,
+                                 PointShape::triangle, PointShape::cross, PointShape::plus}) {
+    const Page page = page_of({DataPoint{centre, shape, Meaning::velocity, "p"}});
+    Point sum{};
+    int count = 0;
+    for (const Primitive& primitive : page.primitives) {
+      const Path path =
+          std::holds_alternative<Fill>(primitive) ? std::get<Fill>(primitive).path : std::get<Stroke>(primitive).path;
+      for (const Piece& piece : path.pieces) sum = sum + piece.end, ++count;
+      sum = sum + path.start, ++count;
+      if (path.closed && path.pieces.back().end.x == path.start.x && path.pieces.back().end.y == path.start.y)
+        sum = sum - path.start, --count;
+      for (const Point p : probe::samples(path, 0.1)) CHECK(distance(p, centre) < 1.4);
+    }
+    CHECK(distance((1.0 / count) * sum, centre) < 1e-9);
+    CHECK(probe::named<Stroke>(page, "p").size() + probe::named<Fill>(page, "p").size() == 1);
+  }
+}
+
+TEST_CASE("writing stands where it is put, and labels keep clear of it") {
+  const Point at = centre;
+  std::vector<Mark> marks{Writing{"360", at}, Dot{at + Point{2, 4}}};
+  Sheet sheet;
+  sheet.bare = true;
+  sheet.figure.marks = marks;
+  sheet.figure.labels = {{"A", at + Point{2, 4}, {}, Meaning::text, at + Point{2, 14}}};  // wishes to stand below
+  std::vector<std::string> conflicts;
+  const auto texts = probe::all<PlacedText>(compose(sheet, &conflicts));
+  REQUIRE(texts.size() == 2);
+  CHECK(same(texts[0].baseline, at));
+  CHECK(conflicts.empty());
+  CHECK(apart(probe::text_box(texts[0]), probe::text_box(texts[1])));
+  sheet.figure.marks.push_back(Line{segment(at + Point{-5, 1}, at + Point{9, 1})});
+  conflicts.clear();
+  compose(sheet, &conflicts);
+  CHECK(conflicts == std::vector<std::string>{"'360' touches a line, a symbol or other letters"});
+}
+
 TEST_CASE("a fixed hinge stands on the side it is told") {
   const Page page = page_of({FixedHinge{centre, 0}});
   double furthest = 0;

@@ -13,7 +13,7 @@
 #include "drawings/typeset.h"
 #include "drawings/vectors.h"
 #include "read_pdf.h"
-#include "read_svg.h"
+#include "tests/support/read_svg.h"
 
 using namespace epure::drawings;
 using Catch::Matchers::Contains;

@@ -40,6 +40,11 @@ expect 'every file there is named' "$(sort written)" "$(find one -type f | sort)
 LC_ALL=it_IT.UTF-8 "$epure" draw "$first" --out two > /dev/null
 expect 'two runs write the same bytes, whatever the locale' '' "$(diff -r one two 2>&1)"
 
+"$epure" draw all --out all_one > /dev/null
+expect 'drawing all exits with 0' 0 $?
+"$epure" draw all --out all_two > /dev/null
+expect 'drawing all, on all processors, writes the same bytes again' '' "$(diff -r all_one all_two 2>&1)"
+
 "$epure" check "$first" --json > report
 expect 'checking exits with 0' 0 $?
 LC_ALL=it_IT.UTF-8 "$epure" check "$first" --json > report2

@@ -20,7 +20,7 @@ Ran run_catalogue(const Catalogue& catalogue, const std::vector<std::string>& ar
 
 Ran run_on(Triangle triangle, const std::vector<std::string>& arguments) {
   Catalogue catalogue;
-  catalogue.push_back(std::make_unique<Triangle>(std::move(triangle)));
+  catalogue.emplace_back(std::make_unique<Triangle>(std::move(triangle)));
   return run_catalogue(catalogue, arguments);
 }
 
@@ -35,8 +35,8 @@ Ran run_on_two(const std::vector<std::string>& arguments) {
     std::erase_if(values, [](const RouteValue& value) { return value.quantity == "omega"; });
   };
   Catalogue catalogue;
-  catalogue.push_back(std::make_unique<Triangle>(std::move(other)));
-  catalogue.push_back(std::make_unique<Triangle>());
+  catalogue.emplace_back(std::make_unique<Triangle>(std::move(other)));
+  catalogue.emplace_back(std::make_unique<Triangle>());
   return run_catalogue(catalogue, arguments);
 }
 

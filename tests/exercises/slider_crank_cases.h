@@ -63,6 +63,22 @@ inline const std::vector<Try>& tries() {
       {"a plate beyond B", {"AC=0.7", "BC=0.2"}},
       {"micrometres", {"r=2e-6", "l=5e-6", "AC=3e-6", "BC=4e-6"}},
       {"kilometres", {"r=2000", "l=5000", "AC=3000", "BC=4000"}},
+      {"offset", {"e=0.05"}},
+      {"offset below", {"e=-0.1"}},
+      {"offset, inclined", {"e=0.08", "delta=20"}},
+      {"guide downwards to the right", {"e=0.05", "delta=-45"}},
+      {"guide at 30 degrees", {"delta=30"}},
+      {"guide upwards, offset to its right", {"delta=90", "e=-0.1"}},
+      {"guide to the left", {"delta=200", "e=0.05"}},
+      {"guide along the crank: a dead centre", {"delta=30", "alpha_2=100"}},
+      {"guide square to the crank, offset", {"delta=110", "t1=1/108", "e=0.08"}},
+      {"offset dead centre", {"r=0.1", "e=0.3"}},
+      {"offset dead centre, folded and inclined", {"e=-0.15", "t1=17/216", "delta=20"}},
+      {"offset, the crank just turns fully", {"l=0.3", "AC=0.25", "BC=0.2", "e=0.1", "t1=5/108"}},
+      {"offset, neither link turns fully", {"l=0.25", "AC=0.2", "BC=0.15", "e=-0.15", "t1=1/360", "delta=70"}},
+      {"offset, the coupler turns fully", {"r=0.4", "l=0.2", "AC=0.15", "BC=0.1", "e=0.1", "t1=17/216"}},
+      {"offset, equal links", {"l=0.2", "AC=0.15", "BC=0.1", "e=0.05", "t1=1/42"}},
+      {"a ten-thousandth of an offset", {"e=1e-4", "delta=1e-4"}},
   };
   return all;
 }

@@ -48,7 +48,7 @@ TEST_CASE("help and version") {
 }
 
 TEST_CASE("what is no command is refused in one sentence") {
-  refused({}, "list, draw or check");
+  refused({}, "list, draw, check or bench");
   refused({"chek"}, "did you mean check?");
   refused({"frobnicate", "triangle"}, "known are: list, draw, check");
   refused({"--frob"}, "--frob");
@@ -284,7 +284,7 @@ TEST_CASE("a full standard output is exit 3 for every verb") {
     REQUIRE(full);
     std::ostringstream err;
     Catalogue catalogue;
-    catalogue.push_back(std::make_unique<Triangle>());
+    catalogue.emplace_back(std::make_unique<Triangle>());
     CHECK(run_cli(catalogue, words, full, err) == 3);
     CHECK(err.str() == "epure: cannot write to standard output: No space left on device\n");
   }
@@ -339,7 +339,7 @@ TEST_CASE("one of several exercises that fails makes the whole check fail") {
   };
   for (const Typed& order : {Typed{"right", "wrong"}, Typed{"wrong", "right"}}) {
     Catalogue catalogue;
-    for (const std::string& id : order) catalogue.push_back(spoilt(id));
+    for (const std::string& id : order) catalogue.emplace_back(spoilt(id));
     std::ostringstream out, err;
     CHECK(run_cli(catalogue, {"check", "all"}, out, err) == 1);
   }

@@ -91,3 +91,23 @@ TEST_CASE("suggestions are near names, or a list of what there is") {
   CHECK(did_you_mean("q", {"a", "b"}) == "known are: a, b");
   CHECK(did_you_mean("none of it", std::vector<std::string>(20, "zz")).ends_with(", ..."));
 }
+
+TEST_CASE("a given of words takes one of them and nothing else") {
+  const std::vector<epure::GivenSpec> specs{
+      {.symbol = "branch",
+       .meaning = {"side", "lato"},
+       .unit = "1",
+       .stated = "right",
+       .range = epure::Range::any,
+       .choices = {{"left", {"left of AB₀", "a sinistra di AB₀"}}, {"right", {"right of AB₀", "a destra di AB₀"}}}}};
+  epure::Givens givens(specs);
+  CHECK(givens.chosen("branch").word == "right");
+  CHECK(givens.as_stated());
+  givens.set("branch=left");
+  CHECK(givens.chosen("branch").word == "left");
+  CHECK(givens.text("branch") == "left");
+  CHECK_FALSE(givens.as_stated());
+  for (const char* wrong : {"branch=", "branch=up", "branch=0", "branch=Left"}) {
+    CHECK_THROWS_WITH(givens.set(wrong), Catch::Contains("must be left or right"));
+  }
+}

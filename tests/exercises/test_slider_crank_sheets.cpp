@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "drawings/output.h"
-#include "tests/drawings/read_svg.h"
 #include "tests/exercises/slider_crank_cases.h"
+#include "tests/support/read_svg.h"
 
 using namespace epure;
 using namespace epure::tests;
@@ -88,19 +88,31 @@ TEST_CASE("every sheet is drawn, whatever is given, on both papers and in both l
 }
 
 TEST_CASE("labels find room", "[slider-crank][sheets]") {
-  for (const auto& [id, sheet] : all_sheets())
-    for (const Paper paper : {Paper::a4, Paper::a3})
-      for (const Language language : {Language::english, Language::italian}) {
-        const auto crowded = drawings::overlaps(draw(id, sheet, {}, {.paper = paper, .language = language}).sheet);
-        CAPTURE(id, sheet, paper == Paper::a4, crowded);
-        CHECK(crowded.empty());
-      }
+  for (const std::vector<std::string>& assignments :
+       std::vector<std::vector<std::string>>{{},
+                                             {"e=0.05"},
+                                             {"e=-0.1"},
+                                             {"delta=30", "t1=1/54"},
+                                             {"e=0.08", "delta=90", "t1=1/54"},
+                                             {"e=-0.1", "delta=200"}})
+    for (const auto& [id, sheet] : all_sheets())
+      for (const Paper paper : {Paper::a4, Paper::a3})
+        for (const Language language : {Language::english, Language::italian}) {
+          const SheetRequest request{.paper = paper, .language = language};
+          const auto crowded = drawings::overlaps(draw(id, sheet, assignments, request).sheet);
+          CAPTURE(id, sheet, assignments, paper == Paper::a4, crowded);
+          CHECK(crowded.empty());
+        }
 }
 
 TEST_CASE("a ruler on the file reads the analytic value of every vector", "[slider-crank][sheets]") {
   int measured = 0;
-  for (const std::vector<std::string>& assignments :
-       {std::vector<std::string>{}, {"r=0.25", "n=400", "t1=1/60"}, {"n=-360"}, {"t1=1/108"}})
+  for (const std::vector<std::string>& assignments : {std::vector<std::string>{},
+                                                      {"r=0.25", "n=400", "t1=1/60"},
+                                                      {"n=-360"},
+                                                      {"t1=1/108"},
+                                                      {"e=0.08", "delta=20", "t1=1/54"},
+                                                      {"e=-0.1", "delta=200"}})
     for (const auto& [id, sheet, vectors] : diagrams)
       for (const Paper paper : {Paper::a4, Paper::a3}) {
         const CheckedExercise numbers = checked(id, assignments);
@@ -118,7 +130,7 @@ TEST_CASE("a ruler on the file reads the analytic value of every vector", "[slid
           ++measured;
         }
       }
-  CHECK(measured == 4 * 22 * 2);
+  CHECK(measured == 6 * 22 * 2);
 }
 
 TEST_CASE("the bar on the sheet is as long as its scale says", "[slider-crank][sheets]") {
@@ -175,6 +187,40 @@ TEST_CASE("ten times the lengths at a tenth of the scale is the same drawing", "
       CHECK(there.at(name).per_mm == Approx(10 * m.per_mm));
     }
     CHECK(small.sheet.figure.marks.size() == large.sheet.figure.marks.size());
+  }
+}
+
+TEST_CASE("the guide is drawn where it lies, and its offset dimensioned", "[slider-crank][sheets]") {
+  for (const auto& [e, delta] : {std::pair{0.08, 20.0}, {-0.1, 200.0}, {0.05, -45.0}, {0.0, 30.0}}) {
+    const DrawnSheet drawn = draw(velocity, "poles", {"e=" + std::to_string(e), "delta=" + std::to_string(delta)},
+                                  {.scale = Rational(1, 10)});
+    CAPTURE(e, delta);
+    const double turn = delta * std::numbers::pi / 180, mm = 100;
+    const drawings::Point along{std::cos(turn), std::sin(turn)};
+    const auto left_of = [&](const drawings::Point& from, const drawings::Point& to) {
+      return along.x * (to.y - from.y) - along.y * (to.x - from.x);
+    };
+    const drawings::Guide* guide = nullptr;
+    const drawings::Slider* slider = nullptr;
+    const drawings::FixedHinge* hinge = nullptr;
+    const drawings::Dimension* dimension = nullptr;
+    for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
+      if (const auto* found = std::get_if<drawings::Guide>(&mark)) guide = found;
+      if (const auto* found = std::get_if<drawings::Slider>(&mark)) slider = found;
+      if (const auto* found = std::get_if<drawings::FixedHinge>(&mark)) hinge = found;
+      if (const auto* found = std::get_if<drawings::Dimension>(&mark)) dimension = found;
+    }
+    REQUIRE((guide && slider && hinge));
+    CHECK(left_of(guide->from, guide->to) == Approx(0).margin(1e-9));
+    CHECK(std::remainder(slider->along - turn, 2 * std::numbers::pi) == Approx(0).margin(1e-9));
+    CHECK(left_of(hinge->at, slider->at) == Approx(e * mm).margin(1e-9));
+    CHECK(left_of(hinge->at, guide->from) == Approx(e * mm).margin(1e-9));
+    CHECK((dimension != nullptr) == (e != 0));
+    if (!dimension) continue;
+    CHECK(left_of(hinge->at, dimension->from) == Approx(0).margin(1e-9));
+    CHECK(left_of(dimension->from, dimension->to) == Approx(e * mm).margin(1e-9));
+    CHECK(std::hypot(dimension->to.x - dimension->from.x, dimension->to.y - dimension->from.y) ==
+          Approx(std::abs(e) * mm).margin(1e-9));
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include "geometry/numbers/enclosure.h"
 #include "geometry/numbers/numbers.h"
-#include "tests/geometry/corpus.h"
+#include "tests/support/corpus.h"
 
 #include <cmath>
 #include <string>

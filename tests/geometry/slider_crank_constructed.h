@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/mechanisms/slider_crank.h"
-#include "tests/geometry/corpus.h"
+#include "tests/support/corpus.h"
 
 #include <functional>
 #include <map>
@@ -17,11 +17,14 @@ using namespace geometry;
 template <class T>
 using Constructed = std::map<std::string, std::function<T()>>;
 
+inline SliderCrankLengths lengths_of(const CorpusCase& c) {
+  return {c.givens.at("r"), c.givens.at("l"), c.givens.at("AC"), c.givens.at("BC"), c.givens.at("e")};
+}
+
 template <class T>
 SliderCrank<T> constructed_position(const CorpusCase& c) {
-  const Turn crank{c.givens.at("n") * c.givens.at("t1") / 60};
-  return slider_crank<T>({c.givens.at("r"), c.givens.at("l"), c.givens.at("AC"), c.givens.at("BC")},
-                         {cosine<T>(crank), sine<T>(crank)});
+  const Turn crank{c.givens.at("n") * c.givens.at("t1") / 60}, guide{c.givens.at("delta") / 360};
+  return slider_crank<T>(lengths_of(c), {cosine<T>(crank), sine<T>(crank)}, {cosine<T>(guide), sine<T>(guide)});
 }
 
 template <class T>
@@ -68,7 +71,9 @@ Constructed<T> positions_and_pole(const SliderCrank<T>& at) {
     add(answers, name, projective(X));
     answers["P0" + name] = [P0, at_X = X] { return distance_to(P0, at_X); };
   }
-  answers["coupler_angle"] = [AB = at.B - at.A] { return arc_tangent(AB.y, AB.x); };
+  answers["coupler_angle"] = [AB = at.B - at.A, s = at.guide.direction()] {
+    return arc_tangent(cross(s, AB), dot(s, AB));
+  };
   return answers;
 }
 
@@ -81,13 +86,12 @@ void add_velocities(Constructed<T>& answers, const SliderCrank<T>& at, const std
 }
 
 template <class T>
-Constructed<T> velocities_by_polar_diagram(const SliderCrank<T>& at, const T& omega_2) {
+Constructed<T> velocities_by_polar_diagram(const SliderCrank<T>& at, const SliderCrankMotion<T>& motion) {
   Constructed<T> answers;
-  const VelocityDiagram<T> diagram = velocity_diagram(at, omega_2);
-  add_velocities<T>(answers, at, [&](const Point<T>& X) { return diagram.v_A + diagram.relative(X - at.A); });
-  add(answers, "v_B", diagram.v_B);
-  answers["v_BA"] = [v = diagram.v_BA] { return length(v); };
-  answers["omega_3"] = [w = diagram.omega_3] { return w; };
+  add_velocities<T>(answers, at, [&](const Point<T>& X) { return motion.coupler.velocity(X); });
+  add(answers, "v_B", motion.v_B());
+  answers["v_BA"] = [v = motion.velocity.first.closing] { return length(v); };
+  answers["omega_3"] = [w = motion.velocity.first_rate] { return w; };
   return answers;
 }
 
@@ -102,20 +106,19 @@ Constructed<T> velocities_by_poles(const SliderCrank<T>& at, const T& omega_2) {
 }
 
 template <class T>
-Constructed<T> accelerations_by_polar_diagram(const SliderCrank<T>& at, const T& omega_2, const T& alpha_2) {
+Constructed<T> accelerations_by_polar_diagram(const SliderCrank<T>& at, const SliderCrankMotion<T>& motion) {
   Constructed<T> answers;
-  const AccelerationDiagram<T> diagram =
-      acceleration_diagram(at, omega_2, alpha_2, velocity_diagram(at, omega_2).omega_3);
+  const AccelerationTerms<T>& terms = motion.acceleration.first;
   for (const auto& [name, X] : coupler_points(at)) {
-    const Vector<T> relative = diagram.relative(X - at.A);
-    add(answers, "a_" + name, diagram.a_A + relative);
-    if (name != "A") answers["a_" + name + "A"] = [relative] { return length(relative); };
+    const Vector<T> a = motion.coupler.acceleration(X);
+    add(answers, "a_" + name, a);
+    if (name != "A") answers["a_" + name + "A"] = [v = a - terms.known] { return length(v); };
   }
-  add(answers, "a_B", diagram.a_B);
-  answers["a_BA_n"] = [v = diagram.a_BA_n] { return length(v); };
-  answers["a_BA_t"] = [v = diagram.a_BA_t] { return length(v); };
-  answers["a_A"] = [v = diagram.a_A_n + diagram.a_A_t] { return length(v); };
-  answers["alpha_3"] = [a = diagram.alpha_3] { return a; };
+  add(answers, "a_B", motion.a_B());
+  answers["a_BA_n"] = [v = terms.normal] { return length(v); };
+  answers["a_BA_t"] = [v = terms.closing] { return length(v); };
+  answers["a_A"] = [v = terms.known] { return length(v); };
+  answers["alpha_3"] = [a = motion.acceleration.first_rate] { return a; };
   return answers;
 }
 

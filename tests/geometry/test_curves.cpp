@@ -2,11 +2,10 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <iostream>
 #include <limits>
 
+#include "geometry/analytic/polodes.h"
 #include "geometry/curves/asymptotes.h"
 #include "geometry/curves/hermite.h"
 #include "geometry/curves/polodes.h"
@@ -435,6 +434,25 @@ TEST_CASE("trace: what is proved outside is neither drawn nor a gap; the start o
   CHECK(whole.branches.front().closed);
 }
 
+// Where the coupler touches the square to the guide and the linkage could change its closure, the pieces are short;
+// in whatever direction the guide lies they must not be millions.
+TEST_CASE("trace: a linkage that just closes, on a guide of any direction", "[curves]") {
+  const Arithmetic<Bounded> scope;
+  const auto rational = [](int p, int q) { return from_rational<Bounded>(Rational(p, q)); };
+  const auto [l, e] = GENERATE(std::pair{20, 0}, std::pair{30, 10});
+  const Turn guide{Rational(GENERATE(0, 1, 7), 18)};
+  const SliderCrankLoop<Bounded> loop{rational(1, 5),   rational(l, 100),
+                                      Driver::crank,    Along::ahead,
+                                      rational(e, 100), {cosine<Bounded>(guide), sine<Bounded>(guide)}};
+  const Trace traced = trace(FixedPolode<Bounded>{loop}, frame, 1e-4);
+  CHECK(traced.arcs() < 1000);
+  REQUIRE(traced.gaps.size() == (e == 0 ? 2U : 1U));
+  for (const Gap& gap : traced.gaps) {
+    CHECK(gap.cause == Gap::Cause::undecided);
+    CHECK(gap.width < 1e-5);
+  }
+}
+
 TEST_CASE("asymptotes: the fixed polode's is x = √(l² - r²), with the crank at ±90°", "[curves]") {
   const Arithmetic<Bounded> scope;
   const Loci<Bounded> loci(exercise);
@@ -472,6 +490,42 @@ TEST_CASE("asymptotes: the moving polode's, carried forth, is the fixed one's: b
   }
 }
 
+// The closed forms √(l² - (r ∓ e)²) of the second route, for r = 1/5, l = 1/2, e = 2/25, guide along (4/5, 3/5).
+TEST_CASE("asymptotes: those of an offset, inclined slider-crank are two, square to the guide", "[curves]") {
+  const Arithmetic<Bounded> scope;
+  const auto rational = [](int p, int q) { return from_rational<Bounded>(Rational(p, q)); };
+  const Vector<Bounded> along{rational(4, 5), rational(3, 5)};
+  const SliderCrankLoop<Bounded> loop{rational(1, 5), rational(1, 2),  Driver::crank,
+                                      Along::ahead,   rational(2, 25), along};
+  const auto reference = coupler_position(loop, {rational(15, 17), rational(8, 17)});
+  const Asymptotes fixed = asymptotes(FixedPolode<Bounded>{loop});
+  const Asymptotes moving = asymptotes(MovingPolode<Bounded>{loop, reference});
+  REQUIRE(fixed.lines.size() == 2);
+  REQUIRE(moving.lines.size() == 2);
+  CHECK(fixed.open.empty());
+  const analytic::SliderCrank linkage{{1, 5}, {1, 2}, {3, 10}, {2, 5}, {2, 25}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Asymptote& asymptote = fixed.lines[i];
+    const bool on_left = asymptote.direction.y.inf() > 0;  // of the crank, as seen from the guide
+    const Bounded expected = *analytic::asymptote_of_fixed_polode<Bounded>(linkage, on_left);
+    // Its normal is the guide's direction, up to the sense; so is its distance from A₀.
+    const Vector<Bounded> normal{asymptote.enclosure.a, asymptote.enclosure.b};
+    const Bounded sense = dot(normal, along);
+    CHECK(cross(normal, along).do_overlap(Bounded(0)));
+    CHECK((-(asymptote.enclosure.c * sense)).do_overlap(expected));
+    CHECK(expected.sup() - expected.inf() < 1e-14);
+    // The moving polode's, carried forth, is the same line.
+    const auto position = coupler_position(loop, asymptote.direction);
+    const Transport<Bounded> forth(reference.A, reference.B, position.A, position.B);
+    const Line<Bounded>& l = moving.lines[i].enclosure;
+    const Point<Bounded> carried = forth(Point<Bounded>{-(l.a * l.c), -(l.b * l.c)});
+    const Bounded beside = dot(carried - Point<Bounded>{Bounded(0), Bounded(0)}, along) - expected;
+    CHECK(beside.do_overlap(Bounded(0)));
+    CHECK(beside.sup() - beside.inf() < 1e-12);
+  }
+  CHECK(fixed.lines[0].direction.y.inf() * fixed.lines[1].direction.y.inf() < 0);
+}
+
 TEST_CASE("asymptotes: at a joint of the turn found once; a touching zero is left open", "[curves]") {
   const Arithmetic<Bounded> scope;
   const Locus at_joint{[]<class X>(const Vector<X>& d) {
@@ -494,21 +548,4 @@ TEST_CASE("asymptotes: at a joint of the turn found once; a touching zero is lef
   CHECK(both.open.empty());
   for (const Asymptote& asymptote : both.lines) CHECK(asymptote.direction.y.do_overlap(Bounded(0.8125)));
   CHECK(asymptotes(Loci<Bounded>(exercise).coupler).lines.empty());
-}
-
-TEST_CASE("trace: how long the polodes of the exercise take", "[.bench]") {
-  const Arithmetic<Bounded> scope;
-  const Loci<Bounded> loci(exercise);
-  const auto report = [](const char* name, const auto& locus) {
-    trace(locus, frame, 1e-4);
-    const auto start = std::chrono::steady_clock::now();
-    const Trace traced = trace(locus, frame, 1e-4);
-    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-    std::cout << name << ": " << taken.count() << " ms, " << traced.arcs() << " arcs, " << traced.deviation()
-              << " m\n";
-    CHECK(taken.count() < 5);
-  };
-  report("fixed polode", loci.fixed);
-  report("moving polode", loci.moving);
-  report("coupler curve", loci.coupler);
 }

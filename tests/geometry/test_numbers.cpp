@@ -420,6 +420,67 @@ TEST_CASE("In every quadrant and across every axis but the cut, the angles of a 
   CHECK(boxes == 40);
 }
 
+TEMPLATE_TEST_CASE("Cosine and sine of an angle", "", NUMBERS_WITH_ANGLES) {
+  struct Row {
+    const char *angle, *cosine, *sine;
+  };
+  const Row rows[] = {
+      {"0.5", "0.87758256189037271611628158260382965199164519710974",
+       "0.4794255386042030002732879352155713880818033679406"},
+      {"-2", "-0.41614683654714238699756822950076218976600077107554",
+       "-0.90929742682568169539601986591174484270225497144789"},
+      {"3", "-0.98999249660044545727157279473126130239367909661559",
+       "0.14112000805986722210074480280811027984693326425227"},
+      {"100", "0.86231887228768393410193851395084253551008400853551",
+       "-0.50636564110975879365655761045978543206503272129066"},
+      {"0.0009765625", "0.99999952316287969248636920294988906921551023520824",
+       "9.7656234477957829890691016811978636680241804620826e-4"},
+      {"22", "-0.99996082639463712645417473921269377413598846747942",
+       "-8.8513092904038759216902568157723324632892039513326e-3"},
+  };
+  const Scope<TestType> scope;
+  for (const Row& row : rows) {
+    CAPTURE(row.angle);
+    const TestType angle = from_rational<TestType>(rational(row.angle));
+    CHECK(agrees(cosine_of_angle(angle), row.cosine));
+    CHECK(agrees(sine_of_angle(angle), row.sine));
+  }
+  CHECK(sign(sine_of_angle(TestType(0))) == Sign::zero);
+}
+
+TEST_CASE("The cosine of the double nearest to a right angle of all doubles keeps its digits") {
+  const Arithmetic<Bounded> scope;
+  const Bounded cosine = cosine_of_angle(Bounded(std::ldexp(6381956970095103.0, 797)));
+  CHECK(sign(cosine) != Sign::undecided);
+  CHECK(std::abs(cosine.inf() / -4.6871659242546276111e-19 - 1) < 1e-15);
+  CHECK(cosine.sup() <= std::nextafter(cosine.inf(), infinity));
+}
+
+TEST_CASE("The cosine of a wide angle contains all that is in between, and nothing beyond 1") {
+  const Arithmetic<Bounded> scope;
+  const Bounded cosine = cosine_of_angle(Bounded(-0.5, 1));
+  CHECK(cosine.inf() <= std::cos(1.0));
+  CHECK(cosine.sup() == 1);
+  const Bounded sine = sine_of_angle(Bounded(-100, 100));
+  CHECK(sine.inf() == -1);
+  CHECK(sine.sup() == 1);
+  CHECK_THROWS_AS(sine_of_angle(Bounded(0, infinity)), Undecided);
+}
+
+TEMPLATE_TEST_CASE("Midpoint and widening", "", Bounded, Deep) {
+  const Scope<TestType> scope;
+  const TestType third = from_rational<TestType>({1, 3}), point = midpoint(third);
+  const Enclosure at = enclosure(point), around = enclosure(widened(third, TestType(2)));
+  CHECK(at.lower <= 1. / 3);
+  CHECK(at.upper >= 0.3333333333333333);
+  CHECK(sign(point - point) == Sign::zero);
+  CHECK(around.lower <= -5. / 3);
+  CHECK(around.lower >= -1.66666668);  // a ball keeps 30 bits of its radius
+  CHECK(around.upper >= 7. / 3);
+  CHECK(around.upper <= 2.33333335);
+  CHECK(enclosure(widened(TestType(1), third)).upper >= 1.3333333333333333);
+}
+
 TEST_CASE("Fast reads a -0.0 as a zero on the near side of the cut") {
   CHECK(arc_tangent(-0.0, -1.0) == pi<Fast>());
   CHECK(arc_tangent(-0.0, 1.0) == 0);

@@ -113,3 +113,33 @@ TEST_CASE("polodes: ahead is the slider-crank of mechanisms, and a loop driven b
   CHECK(is_equal(position.P0.y * driven.P0.w, driven.P0.y * position.P0.w));
   CHECK(is_equal(position.P0.y * mechanism.pole().w, mechanism.pole().y * position.P0.w));
 }
+
+// Any offset and direction of the guide, and a coupler that drives: the polodes still roll on each other, and the
+// loop is the mechanism.
+TEST_CASE("polodes: offset and inclined", "[polodes]") {
+  const auto [r, l] = GENERATE(std::pair{2, 5}, std::pair{5, 2});
+  const int quarter = GENERATE(-3, 1), e = GENERATE(-2, 1);
+  const Arithmetic<Exact> scope;
+  SliderCrankLoop<Exact> loop = loop_of(r, l);
+  if (r > l) loop.driver = Driver::coupler;
+  loop.e = exact(e, 10);
+  loop.along = {exact(4, 5), exact(-3, 5)};
+  const auto reference = coupler_position(loop, direction_on_turn(0, exact(1, 2)));
+  const Exact t = exact(quarter, 4);
+  const Vector<Exact> on_fixed = derivative(FixedPolode<Exact>{loop}, 0, t);
+  const Vector<Exact> on_moving = derivative(MovingPolode<Exact>{loop, reference}, 0, t);
+  CHECK(sign(length_squared(on_fixed)) == Sign::positive);
+  CHECK(is_equal(length_squared(on_fixed), length_squared(on_moving)));
+
+  const auto here = coupler_position(loop, direction_on_turn(0, t));
+  const Vector<Exact> crank = quotient(exact(1), loop.r) * (here.A - Point<Exact>{exact(0), exact(0)});
+  CHECK(is_equal(length_squared(crank), exact(1)));
+  CHECK(is_equal(length_squared(here.B - here.A), square(loop.l)));
+  CHECK(is_equal(dot(here.B - Point<Exact>{exact(0), exact(0)}, quarter_turn(loop.along)), loop.e));
+  if (sign(dot(here.B - here.A, loop.along)) != Sign::positive) return;  // the mechanism has B ahead of A
+  const SliderCrankLengths lengths{{r, 10}, {l, 10}, {l, 10}, {l, 10}, {e, 10}};
+  const auto mechanism = slider_crank(lengths, crank, loop.along);
+  CHECK(is_equal(here.B.x, mechanism.B.x));
+  CHECK(is_equal(here.B.y, mechanism.B.y));
+  CHECK(is_equal(here.P0.x * mechanism.pole().w, mechanism.pole().x * here.P0.w));
+}

@@ -1,0 +1,26 @@
+#include "exercises/four-bar-analytic/routes.h"
+
+namespace epure::four_bar_analytic {
+
+std::vector<RouteValue> solve(const Problem& of, Rung rung) { return settle(Routes(of), rung); }
+
+RockerSpeed rocker_speed(const FourBarInstant& at) {
+  return deeply([&]() -> RockerSpeed {
+    const RatioByClosure ratio{at.analytic_lengths(), at.analytic_branch()};
+    const StationaryRatio stationary = stationary_ratio(at.lengths, ratio);
+    RockerSpeed found{.why_no_extremes = stationary.why_not};
+    for (const geometry::Zero& zero : stationary.directions.found)
+      found.extremes.push_back(to_double(geometry::direction_of<geometry::Deep>(ratio, zero)));
+    for (const geometry::Reach reach : {geometry::Reach::extended, geometry::Reach::folded}) {
+      try {
+        const auto dead_centre = geometry::dead_centre<geometry::Deep>(at.lengths, reach, at.side);
+        if (dead_centre.branch) found.zeros.push_back(to_double(dead_centre.crank));
+      } catch (const geometry::Impossible&) {
+        // The rocker has no such dead centre.
+      }
+    }
+    return found;
+  });
+}
+
+}  // namespace epure::four_bar_analytic

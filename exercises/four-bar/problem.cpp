@@ -1,0 +1,86 @@
+// The givens, and when they are impossible.
+#include <fmt/format.h>
+
+#include "exercises/four-bar/exercise.h"
+
+namespace epure::four_bar {
+
+std::vector<GivenSpec> givens() {
+  return {{"A0A", {"crank A₀A", "manovella A₀A"}, "m", "0.15", Range::positive, "$A_{0}A$"},
+          {"AB", {"coupler AB", "biella AB"}, "m", "0.37", Range::positive, "$AB$"},
+          {"B0B", {"rocker B₀B", "bilanciere B₀B"}, "m", "0.45", Range::positive, "$B_{0}B$"},
+          {"x_B0",
+           {"abscissa of the rocker's hinge", "ascissa della cerniera del bilanciere"},
+           "m",
+           "-0.18",
+           Range::any,
+           "$x_{B0}$"},
+          {"y_B0",
+           {"ordinate of the rocker's hinge", "ordinata della cerniera del bilanciere"},
+           "m",
+           "-0.16",
+           Range::any,
+           "$y_{B0}$"},
+          side_given("branch", {"side of A → B₀ on which B lies", "lato di A → B₀ dal quale sta B"}, "right", "$B$",
+                     "$AB_{0}$"),
+          {"AC",
+           {"side AC of the coupler plate, square to BC", "lato AC della piastra di biella, normale a BC"},
+           "m",
+           "0.33",
+           Range::positive,
+           "$AC$"},
+          side_given("C_side", {"side of A → B on which C lies", "lato di A → B dal quale sta C"}, "right", "$C$",
+                     "$AB$"),
+          {"n",
+           {"crank speed, counter-clockwise", "velocità della manovella, antioraria"},
+           "rpm",
+           "50",
+           Range::any,
+           "$n_{2}$"},
+          {"t",
+           {"instant, counted from the crank on +x", "istante, dalla manovella sul semiasse +x"},
+           "s",
+           "0.1",
+           Range::any,
+           "$t$"},
+          {"alpha_2",
+           {"angular acceleration of the crank at t", "accelerazione angolare della manovella in t"},
+           "rad/s^2",
+           "0",
+           Range::any,
+           "$α_{2}$"},
+          {"lambda",
+           {"coupler over crank of the slider-crank (sub-exercise 2)",
+            "biella su manovella del manovellismo (esercizio 2)"},
+           "1",
+           "3",
+           Range::positive,
+           "$λ$"}};
+}
+
+Problem problem(const Givens& givens) {
+  const Rational turns_per_second = givens["n"] / 60;
+  Problem of{.instant = {.lengths = {givens["A0A"], givens["AB"], givens["B0B"], givens["x_B0"], givens["y_B0"]},
+                         .side = side_chosen(givens, "branch"),
+                         .turns_per_second = turns_per_second,
+                         .crank = {turns_per_second * givens["t"]},
+                         .alpha_2 = givens["alpha_2"]},
+             .t = givens["t"],
+             .AC = givens["AC"],
+             .C_side = side_chosen(givens, "C_side"),
+             .lambda = givens["lambda"]};
+  if (of.AC > of.instant.lengths.AB)
+    throw BadGivens(
+        fmt::format("the plate has no right angle at C: AC = {:.6g} m is longer than the hypotenuse AB = "
+                    "{:.6g} m",
+                    CGAL::to_double(of.AC), CGAL::to_double(of.instant.lengths.AB)));
+  if (of.lambda <= 1)
+    throw BadGivens(
+        fmt::format("lambda = {:.6g}: with its crank square to the guide the slider-crank closes only if "
+                    "the coupler is longer than the crank, lambda > 1",
+                    CGAL::to_double(of.lambda)));
+  require_drivable(of.instant);
+  return of;
+}
+
+}  // namespace epure::four_bar

@@ -1,0 +1,159 @@
+#include "exercises/gear-pair/pitch_point_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "exercises/gear-pair/fault_words.h"
+#include "exercises/kit/sheet.h"
+
+namespace epure::gear_pair {
+namespace {
+
+Words of_tangent_points(const DrawnPair& pair) {
+  if (pair.is_rack())
+    return {"The perpendicular from $O_{1}$: the base circle touches it in $T_{1}$.",
+            "La perpendicolare da $O_{1}$: la circonferenza di base la tocca in $T_{1}$."};
+  const bool off = !is_near(pair, pair.T1) || !is_near(pair, *pair.T2);
+  return {std::string("The perpendiculars from the centres: the base circles touch it in $T_{1}$ and $T_{2}$.") +
+              (off ? " Not both lie on the sheet." : ""),
+          std::string("Le perpendicolari dai centri: le circonferenze di base la toccano in $T_{1}$ e $T_{2}$.") +
+              (off ? " Non cadono entrambi nel foglio." : "")};
+}
+
+// Up to the line of action and the base circles.
+std::vector<Words> steps_without_contact(const DrawnPair& pair) {
+  const std::string alpha = pair.alpha == pair.alpha_w ? "$α$" : "$α_{w}$";
+  return {pair.is_rack() ? Words{"Pitch circle and pitch line touch in the pitch point $P_{0}$.",
+                                 "Primitiva e retta primitiva si toccano nel punto $P_{0}$."}
+                         : Words{"The pitch circles touch in the pitch point $P_{0}$ on the line of centres.",
+                                 "Le primitive si toccano nel punto $P_{0}$ sulla retta dei centri."},
+          {"The line of action through $P_{0}$, at " + alpha + " to the common tangent.",
+           "La retta d'azione per $P_{0}$, inclinata di " + alpha + " sulla tangente comune."},
+          of_tangent_points(pair)};
+}
+
+std::vector<Words> steps_of_contact(const DrawnPair& pair) {
+  const std::string alpha = pair.alpha == pair.alpha_w ? "$α$" : "$α_{w}$";
+  const bool at_P0 = pair.shown_contact() == 0;
+  std::vector<Words> steps{
+      {"The tips cut it in $A$ (of wheel 2) and $E$ (of wheel 1): $AE$ is the path of contact.",
+       "Le circonferenze di testa la tagliano in $A$ (ruota 2) ed $E$ (ruota 1): $AE$ è la linea di ingranamento."},
+      {std::string("The flanks are involutes of the base circles, here touching ") +
+           (at_P0 ? "in $P_{0}$" : "in the middle of $AE$") + "; dashed, in $A$ and in $E$.",
+       std::string("I fianchi sono evolventi delle circonferenze di base, qui a contatto ") +
+           (at_P0 ? "in $P_{0}$" : "nel mezzo di $AE$") + "; tratteggiati, in $A$ e in $E$."},
+      {"Touching in $A$ and $E$ they cut the pitch circles in $N_{1}$ and $N_{2}$: the arcs of action are equal, $e$ "
+       "= "
+       "$AE$/cos\u00a0" +
+           alpha + ".",
+       "A contatto in $A$ e in $E$ tagliano le primitive in $N_{1}$ e $N_{2}$: gli archi di azione sono uguali, $e$ "
+       "= "
+       "$AE$/cos\u00a0" +
+           alpha + "."}};
+  if (has_single_contact(pair))
+    steps.push_back(
+        {"The base pitch $p_{b}$ from $A$ gives $D$, from $E$ gives $B$: between them one pair of teeth carries "
+         "alone.",
+         "Il passo di base $p_{b}$ da $A$ dà $D$, da $E$ dà $B$: fra questi lavora una sola coppia di denti."});
+  return steps;
+}
+
+drawings::Table lengths_of_mesh(const DrawnPair& pair, Language language) {
+  const auto mm = [&](double metres) { return figures(1000 * metres, 4, language); };
+  drawings::Table table{{"mm", "", Words{"at most", "al più"}.in(language)}, {}};
+  const auto row = [&](const Words& name, double value, const std::string& limit = "") {
+    table.rows.push_back({name.in(language), mm(value), limit});
+  };
+  if (pair.has_contact()) {
+    const double cosine = std::cos(pair.alpha_w);
+    row({"path of approach $P_{0}A$", "linea di accesso $P_{0}A$"}, -*pair.A, mm(-pair.T1));
+    row({"path of recess $P_{0}E$", "linea di recesso $P_{0}E$"}, *pair.E,
+        pair.T2 && !pair.is_ring() ? mm(*pair.T2) : "∞");
+    row({"path of contact $AE$", "linea di ingranamento $AE$"}, *pair.E - *pair.A);
+    row({"arc of approach", "arco di accesso"}, -*pair.A / cosine);
+    row({"arc of recess", "arco di recesso"}, *pair.E / cosine);
+    row({"arc of action $e$", "arco di azione $e$"}, (*pair.E - *pair.A) / cosine);
+  }
+  row({"circular pitch $p$", "passo $p$"}, pair.pitch);
+  row({"base pitch $p_{b}$", "passo di base $p_{b}$"}, pair.base_pitch);
+  row({"clearance tip 1, root 2", "gioco testa 1, fondo 2"}, pair.root_at_mesh(2).y - pair.tip_at_mesh(1).y);
+  row({"clearance tip 2, root 1", "gioco testa 2, fondo 1"}, pair.tip_at_mesh(2).y - pair.root_at_mesh(1).y);
+  return table;
+}
+
+void add_missing_outlines(DrawnSheet& onto, const Teeth& teeth, Language language) {
+  for (const int wheel : {1, 2})
+    if (!teeth.has(wheel))
+      onto.sheet.column.push_back(drawings::Paragraph{
+          fmt::format("{} {}: {}.", Words{"No outline of wheel", "Nessun profilo della ruota"}.in(language), wheel,
+                      Words{"the rack that should cut it leaves no such teeth",
+                            "la dentiera che dovrebbe tagliarla non lascia denti simili"}
+                          .in(language))});
+}
+
+// Flanks that are cut off or not reached end the contact before A or E do.
+bool has_whole_flanks(const DrawnPair& pair) {
+  const auto has = [&](geometry::Fault::Kind kind) {
+    return std::any_of(pair.faults.begin(), pair.faults.end(),
+                       [&](const geometry::Fault& fault) { return fault.kind == kind; });
+  };
+  return !has(geometry::Fault::Kind::undercut) && !has(geometry::Fault::Kind::undercut_by_edge) &&
+         !has(geometry::Fault::Kind::interference_approach) && !has(geometry::Fault::Kind::interference_recess);
+}
+
+// On working circles that are not the reference circles the pitch is not p: then by the line of action.
+std::string contact_ratio(const DrawnPair& pair, Language language) {
+  const std::string name = has_whole_flanks(pair) ? Words{"Contact ratio", "Fattore di ricoprimento"}.in(language)
+                                                  : Words{"Contact ratio, if the flanks were whole:",
+                                                          "Fattore di ricoprimento, se i fianchi fossero interi:"}
+                                                        .in(language);
+  const char* quotient = pair.alpha == pair.alpha_w ? "$e$/$p$" : "$AE$/$p_{b}$";
+  return fmt::format("{} $f$ = {} = {}.", name, quotient, figures(pair.contact_ratio(), 4, language));
+}
+
+}  // namespace
+
+std::string pressure_angle(const DrawnPair& pair, Language language) {
+  if (pair.alpha != pair.alpha_w)
+    return fmt::format("$α_{{w}}$ = {}°", figures(pair.alpha_w * 180 / std::numbers::pi, 4, language));
+  return fmt::format("$α$ = {}°", short_number(CGAL::to_double(360 * pair.of.alpha.fraction), language));
+}
+
+bool has_single_contact(const DrawnPair& pair) {
+  return pair.has_contact() && pair.contact_ratio() > 1 && pair.contact_ratio() < 2;
+}
+
+bool is_near(const DrawnPair& pair, double xi) {
+  const double path = pair.has_contact() ? *pair.E - *pair.A : 5 * CGAL::to_double(pair.of.m);
+  return std::abs(xi) < 2.5 * path;
+}
+
+void add_text(DrawnSheet& onto, const DrawnPair& pair, const Teeth& teeth, Language language) {
+  auto& column = onto.sheet.column;
+  add_faults(onto, pair, language);
+  add_missing_outlines(onto, teeth, language);
+  column.push_back(drawings::Heading{Words{"Construction", "Costruzione"}.in(language)});
+  drawings::Steps steps;
+  for (const Words& step : steps_without_contact(pair)) steps.lines.push_back(step.in(language));
+  if (pair.has_contact())
+    for (const Words& step : steps_of_contact(pair)) steps.lines.push_back(step.in(language));
+  column.push_back(steps);
+  column.push_back(drawings::Heading{Words{"Results", "Risultati"}.in(language)});
+  column.push_back(lengths_of_mesh(pair, language));
+  std::vector<Value> values{{"p_b", pair.base_pitch, "m"}};
+  if (pair.has_contact()) {
+    column.push_back(drawings::Paragraph{contact_ratio(pair, language)});
+    values.insert(values.begin(), {{"P0A", -*pair.A, "m"}, {"P0E", *pair.E, "m"}, {"f", pair.contact_ratio(), ""}});
+  }
+  onto.sheet.description = in_words(
+      {"Both wheels around the pitch point with their circles, the line of action, the path of contact AE and "
+       "a pair of teeth in contact",
+       "Le due ruote intorno al punto P0 con le circonferenze, la retta d'azione, la linea di ingranamento AE "
+       "e una coppia di denti a contatto"},
+      values, language);
+}
+
+}  // namespace epure::gear_pair

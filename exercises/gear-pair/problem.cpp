@@ -1,0 +1,106 @@
+#include "exercises/gear-pair/problem.h"
+
+#include <fmt/format.h>
+
+#include "exercises/kit/decimal.h"
+#include "geometry/gears/pressure_angle.h"
+#include "geometry/numbers/climb.h"
+
+namespace epure::gear_pair {
+namespace {
+
+using geometry::PairData;
+using geometry::PairKind;
+
+constexpr long fewest_teeth = 3, most_teeth = 1'000'000;
+
+long teeth(const Givens& givens, const std::string& symbol) {
+  const Rational& z = givens[symbol];
+  if (z.denominator() != 1 || z < fewest_teeth || z > most_teeth)
+    throw BadGivens(fmt::format("{} = {}: teeth are counted, a whole number from {} to {}", symbol,
+                                givens.text(symbol), fewest_teeth, most_teeth));
+  return mpz_get_si(z.numerator().mpz());
+}
+
+// A profile of more than ten modules is none.
+Rational factor(const Givens& givens, const std::string& symbol) {
+  const Rational& value = givens[symbol];
+  if (CGAL::abs(value) > 10)
+    throw BadGivens(fmt::format("{} = {}: no more than 10 times the module", symbol, givens.text(symbol)));
+  return value;
+}
+
+void require(bool holds, const std::string& otherwise) {
+  if (!holds) throw BadGivens(otherwise);
+}
+
+PairKind kind_of(const Givens& givens) {
+  const std::string& word = givens.chosen("kind").word;
+  if (word == "internal") return PairKind::internal;
+  return word == "rack" ? PairKind::rack : PairKind::external;
+}
+
+void require_wheels(const PairData& of, const Givens& givens) {
+  require(of.kind != PairKind::internal || of.z2 > of.z1,
+          fmt::format("z2 = {}: a ring has more teeth than the wheel inside it, z1 = {}", of.z2, of.z1));
+  require(of.kind != PairKind::rack || of.x2 == 0,
+          fmt::format("x2 = {}: a rack is not shifted, wheel 1 is (x1)", givens.text("x2")));
+  require(of.ha + of.hf > of.k, fmt::format("k = {}: shortened by their whole height, ha + hf = {:.6g}, the teeth "
+                                            "vanish",
+                                            givens.text("k"), nearest(of.ha + of.hf)));
+  const auto radius = [](const Rational& r) { return fmt::format("{:.6g} mm", 1000 * nearest(r)); };
+  const geometry::WheelData wheel1 = geometry::first_wheel(of);
+  require(wheel1.r_root > 0, "the teeth of wheel 1 are cut down beyond its centre: root radius " +
+                                 radius(wheel1.r_root) + ", must be positive");
+  if (of.kind == PairKind::rack) return;
+  const geometry::WheelData wheel2 = geometry::second_wheel(of);
+  const Rational& inner = wheel2.ring ? wheel2.r_tip : wheel2.r_root;
+  require(inner > 0, fmt::format("the teeth of wheel 2 {} its centre: {} radius {}, must be positive",
+                                 wheel2.ring ? "reach beyond" : "are cut down beyond", wheel2.ring ? "tip" : "root",
+                                 radius(inner)));
+}
+
+// inv α + 2 tan α shift_per_tooth is never exactly zero: π is not algebraic.
+void require_working_angle(const PairData& of) {
+  const Rational shift = geometry::shift_per_tooth(of);
+  if (shift >= 0) return;
+  const geometry::Decision room = geometry::decide([&]<class T>() -> T {
+    const geometry::PressureAngle<T> alpha = geometry::pressure_angle<T>(of.alpha);
+    return geometry::involute(alpha.tangent) + geometry::from_rational<T>(2 * shift) * alpha.tangent;
+  });
+  require(room.sign == geometry::Sign::positive,
+          fmt::format("x1 = {:.6g}, x2 = {:.6g}: shifted so far towards each other the wheels have no working "
+                      "pressure angle: inv α + 2·tan α·({}) must be positive",
+                      nearest(of.x1), nearest(of.x2),
+                      of.kind == PairKind::internal ? "x2 - x1)/(z2 - z1" : "x1 + x2)/(z1 + z2"));
+}
+
+}  // namespace
+
+PairData pair_of(const Givens& givens) {
+  const Rational& degrees = givens["alpha"];
+  require(degrees >= 1 && degrees <= 75,
+          fmt::format("alpha = {} deg: must lie between 1 and 75 deg", givens.text("alpha")));
+  const PairKind kind = kind_of(givens);
+  const PairData of{.kind = kind,
+                    .z1 = teeth(givens, "z1"),
+                    .z2 = kind == PairKind::rack ? 0 : teeth(givens, "z2"),
+                    .m = givens["m"] / 1000,
+                    .alpha = {degrees / 360},
+                    .x1 = factor(givens, "x1"),
+                    .x2 = factor(givens, "x2"),
+                    .ha = factor(givens, "ha"),
+                    .hf = factor(givens, "hf"),
+                    .k = factor(givens, "k"),
+                    .rho = factor(givens, "rho"),
+                    .j = givens["j"] / 1000};
+  require(of.j <= 3 * of.m,
+          fmt::format("j = {} mm: a backlash of more than three modules leaves no tooth", givens.text("j")));
+  require_wheels(of, givens);
+  require_working_angle(of);
+  return of;
+}
+
+Rational speed_of(const Givens& givens) { return givens["n1"] / 60; }
+
+}  // namespace epure::gear_pair

@@ -1,0 +1,50 @@
+#include "exercises/pin-in-slot/instant.h"
+
+#include <fmt/format.h>
+
+namespace epure::pin_in_slot {
+
+std::vector<GivenSpec> stated_givens() {
+  return {
+      {"M1", {"point mass at A", "massa puntiforme in A"}, "kg", "30", Range::not_negative, "$M_{1}$"},
+      {"M2", {"mass of the disc", "massa del disco"}, "kg", "20", Range::positive, "$M_{2}$"},
+      {"J2",
+       {"moment of inertia of the disc about B", "momento d'inerzia baricentrico del disco"},
+       "kg m^2",
+       "1",
+       Range::not_negative,
+       "$J_{2}$"},
+      {"R", {"radius of the disc", "raggio del disco"}, "m", "0.2", Range::positive, "$R$"},
+      {"OB", {"distance of the pin from O", "distanza del piolo da O"}, "m", "0.4", Range::positive, "$OB$"},
+      {"AO", {"distance of A from O", "distanza di A da O"}, "m", "0.3", Range::positive, "$AO$"},
+      {"omega",
+       {"angular velocity of the lever, clockwise", "velocità angolare del glifo, oraria"},
+       "rad/s",
+       "1",
+       Range::any,
+       "$ω$"},
+      {"omega_dot",
+       {"angular acceleration of the lever, clockwise", "accelerazione angolare del glifo, oraria"},
+       "rad/s^2",
+       "0.4",
+       Range::any,
+       "$dω/dt$"},
+      {"g", {"acceleration of gravity", "accelerazione di gravità"}, "m/s^2", "9.81", Range::not_negative, "$g$"},
+  };
+}
+
+Instant instant(const Givens& givens) {
+  const Rational &R = givens["R"], &OB = givens["OB"];
+  if (OB < R) {
+    throw BadGivens(fmt::format(
+        "OB = {:.6g} m is shorter than R = {:.6g} m by {:.3g} m: the pin stays R above the guide, on which "
+        "O lies, so OB must be at least R",
+        CGAL::to_double(OB), CGAL::to_double(R), CGAL::to_double(R - OB)));
+  }
+  return {.lengths = {R, OB, givens["AO"]},
+          .masses = {givens["M1"], givens["M2"], givens["J2"], givens["g"]},
+          .omega = givens["omega"],
+          .omega_dot = givens["omega_dot"]};
+}
+
+}  // namespace epure::pin_in_slot

@@ -1,0 +1,76 @@
+// A point M carried by a circle or a line that rolls without slipping: its path, and at one instant its velocity, its
+// acceleration and the centre of curvature of the path, from the inflection circle. No book's exercise: every given
+// is the user's. Metres, seconds, radians; axes and senses as in geometry/motion/rolling.h.
+#pragma once
+
+#include <utility>
+
+#include "exercises/kit/exercise.h"
+#include "exercises/kit/plot.h"
+#include "geometry/analytic/roulettes.h"
+#include "geometry/curves/roulettes.h"
+
+namespace epure::roulette {
+
+using geometry::Angle;
+using geometry::Rolls;
+
+std::vector<GivenSpec> given_specs();
+std::vector<QuantitySpec> quantity_specs();
+
+struct Problem {
+  geometry::Rolling rolling;
+  Angle phi;              // turned through by the rolling body, in its own sense
+  Rational omega, alpha;  // dφ/dt and its derivative
+
+  bool rolls_on_line() const { return rolling.how == Rolls::circle_on_line; }
+  bool is_line() const { return rolling.how == Rolls::line_on_circle; }
+  geometry::analytic::Roulette closed_form() const;
+};
+// Throws BadGivens for a circle that does not fit into the other, or a distance that is negative.
+Problem problem_of(const Givens& givens);
+
+// "curtate epicycloid": what M traces.
+Words name_of_path(const Problem& problem);
+
+std::vector<RouteValue> solved(const Problem& problem, Rung rung);
+
+// The instant in the doubles a drawing takes, in the fixed plane.
+struct Drawn {
+  Problem problem;
+  double r, R, d, phi, psi, beta;  // ψ: the arc rolled off, as an angle of the rolling circle; β: of the fixed one
+  Place M, P0, J, M_prime;
+  std::optional<Place> C = {};       // centre of the rolling circle; a line has none
+  std::optional<Place> centre = {};  // of curvature; none at infinity
+  Arrow2 n, v, a, a_n, a_t;
+  std::optional<double> along_before = {}, along_after = {};  // tangential component; none when ω = 0
+  double diameter, s;
+  bool is_at_cusp, runs_straight;
+
+  Place O() const { return {0, 0}; }
+  double P0M() const;
+};
+Drawn drawn(const Problem& problem);
+
+// The way that is drawn: from one φ to another, in radians.
+struct Way {
+  double from, to;
+  int arches;   // begun; 0 for a line, whose path has none
+  bool closed;  // the whole curve
+};
+// `overhang`: what of an arch is drawn beyond both ends of a path that does not close.
+Way way_of(const Drawn& f, double overhang);
+
+inline constexpr double letters = 9;  // mm around a point
+
+// Bodies and path, on a picture of the fixed plane.
+void draw_ground(Plot& plot, const Drawn& f, const drawings::Box& room);
+void draw_body(Plot& plot, const Drawn& f);
+std::pair<Place, Place> ends_of_line(const Drawn& f);  // as far as a rolling line is drawn: behind the contact, ahead
+void draw_path(Plot& plot, const Drawn& f, const Way& way);
+
+// One sheet each; they add to an empty sheet.
+void draw_path_sheet(DrawnSheet& onto, const Problem& problem, const SheetRequest& request);
+void draw_instant_sheet(DrawnSheet& onto, const Problem& problem, const SheetRequest& request);
+
+}  // namespace epure::roulette

@@ -1,0 +1,230 @@
+// The sheet of one instant: velocity and acceleration of M with its parts, the inflection circle, and the centre of
+// curvature by Euler and Savary.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exercises/kit/fit.h"
+#include "exercises/kit/sheet.h"
+#include "exercises/roulette/exercise.h"
+
+namespace epure::roulette {
+namespace {
+
+constexpr double longest_velocity = 38, longest_acceleration = 46;  // mm
+constexpr double far = 3.2;  // times the figure without it: a centre still shown
+
+// How large the figure is without the centre of curvature.
+double reach(const Drawn& f) { return std::max({2 * f.r * (f.C ? 1 : 0), f.P0M(), f.diameter}); }
+
+bool shows_centre(const Drawn& f) { return f.centre && distance(*f.centre, f.M) <= far * reach(f); }
+
+struct Scales {
+  Scale velocities, accelerations;
+};
+
+drawings::Box extent_of(const Drawn& f, const Scale& scale, const Scales& vectors) {
+  Extent extent;
+  const auto include_circle = [&](const Place& centre, double radius) {
+    extent.include(scale, {centre.x - radius, centre.y - radius}, letters / 2);
+    extent.include(scale, {centre.x + radius, centre.y + radius}, letters / 2);
+  };
+  const auto include_tip = [&](const Arrow2& v, const Scale& of) {
+    const double mm = of.mm_per_unit;
+    const double x = scale.mm_per_unit * f.M.x + mm * v.x, y = scale.mm_per_unit * f.M.y + mm * v.y;
+    extent.include(x - letters, y - letters);
+    extent.include(x + letters, y + letters);
+  };
+  if (f.C) include_circle(*f.C, f.r);
+  include_circle({(f.P0.x + f.J.x) / 2, (f.P0.y + f.J.y) / 2}, f.diameter / 2);
+  for (const Place& P : {f.M, f.P0, f.M_prime}) extent.include(scale, P, letters);
+  if (shows_centre(f)) extent.include(scale, *f.centre, letters);
+  include_tip(f.v, vectors.velocities);
+  for (const Arrow2& a : {f.a, f.a_n, f.a_t}) include_tip(a, vectors.accelerations);
+  return extent.box();
+}
+
+void draw_circle_of_inflections(Plot& plot, const Drawn& f) {
+  plot.circle({(f.P0.x + f.J.x) / 2, (f.P0.y + f.J.y) / 2}, f.diameter / 2, Meaning::second_locus,
+              "inflection_circle");
+  plot.segment(f.P0, f.J, Meaning::axis);
+  plot.cross(f.J, Meaning::second_locus);
+  plot.label("$J$", f.J, f.P0, Meaning::second_locus);
+  plot.measures("inflection_diameter", f.P0, f.J);
+  plot.step(1, f.J);
+}
+
+void draw_ray(Plot& plot, const Drawn& f) {
+  if (f.is_at_cusp) return;
+  plot.long_segment(f.P0, f.M, 5, Meaning::construction);
+  plot.segment(f.M, f.M_prime, Meaning::construction);
+  plot.segment(f.J, f.M_prime, Meaning::construction);
+  plot.measures("P0M", f.P0, f.M);
+  plot.step(2, {(f.P0.x + f.M.x) / 2, (f.P0.y + f.M.y) / 2});
+  if (f.runs_straight) return;
+  plot.right_angle(f.M_prime, f.J, f.M);
+  plot.dot(f.M_prime, Meaning::second_locus);
+  plot.label("$M'$", f.M_prime, f.M, Meaning::second_locus);
+  plot.measures("Mprime_M", f.M_prime, f.M);
+  plot.step(3, f.M_prime);
+}
+
+void draw_curvature(Plot& plot, const Drawn& f) {
+  if (f.is_at_cusp || !shows_centre(f)) return;
+  const Place centre = *f.centre;
+  plot.segment(f.M, centre, Meaning::construction);
+  plot.circle(centre, distance(centre, f.M), Meaning::construction, "osculating_circle");
+  plot.cross(centre);
+  plot.label("$Ω$", centre, f.M, Meaning::locus);
+  plot.measures("rho_M", centre, f.M);
+  plot.step(4, centre);
+}
+
+// A part is drawn apart from the whole only where there are two.
+void draw_vectors(Plot& plot, const Drawn& f, const Scales& scales) {
+  plot.vectors_at(scales.velocities);
+  if (magnitude(f.v) > 0) plot.vector_on("v_M", f.M, f.v, Meaning::velocity, "$\\vec{v}_{M}$");
+  plot.vectors_at(scales.accelerations);
+  if (magnitude(f.a) > 0) plot.vector_on("a_M", f.M, f.a, Meaning::acceleration, "$\\vec{a}_{M}$");
+  constexpr double least = 1.5;  // mm
+  const double mm = scales.accelerations.mm_per_unit;
+  if (magnitude(f.a_n) * mm < least || magnitude(f.a_t) * mm < least) return;
+  plot.vector_on("a_M_n", f.M, f.a_n, Meaning::acceleration, "$\\vec{a}^{n}_{M}$");
+  plot.vector_on("", f.M, f.a_t, Meaning::acceleration, "$\\vec{a}^{t}_{M}$");
+  plot.segment(plot.tip(f.M, f.a_n), plot.tip(f.M, f.a), Meaning::construction);
+  plot.segment(plot.tip(f.M, f.a_t), plot.tip(f.M, f.a), Meaning::construction);
+}
+
+std::string first_step(const Drawn& f, Language language) {
+  const Words end{" $δ$ = $P_{0}J$.", " $δ$ = $P_{0}J$."};
+  switch (f.problem.rolling.how) {
+    case Rolls::circle_on_line:
+      return Words{"The contact $P_{0}$ is the pole. $C$ runs straight: it is the inflection pole, $J$ = $C$.",
+                   "Il contatto $P_{0}$ è il polo. $C$ va diritto: è il polo dei flessi, $J$ = $C$."}
+                 .in(language) +
+             end.in(language);
+    case Rolls::line_on_circle:
+      return Words{
+                 "The contact $P_{0}$ is the pole. Seen from the line $O$ runs straight: the inflection pole $J$ "
+                 "lies "
+                 "opposite it.",
+                 "Il contatto $P_{0}$ è il polo. Visto dalla retta $O$ va diritto: il polo dei flessi $J$ gli sta di "
+                 "fronte."}
+                 .in(language) +
+             end.in(language);
+    default:
+      return Words{
+                 "The contact $P_{0}$ is the pole. $C$ goes about $O$: by Euler and Savary $P_{0}C^{2}$ = $CO$·$CJ$ "
+                 "gives the inflection pole $J$.",
+                 "Il contatto $P_{0}$ è il polo. $C$ ruota intorno a $O$: per Eulero e Savary $P_{0}C^{2}$ = "
+                 "$CO$·$CJ$ "
+                 "dà "
+                 "il polo dei flessi $J$."}
+                 .in(language) +
+             end.in(language);
+  }
+}
+
+std::vector<std::string> steps_at_instant(const Drawn& f, Language language) {
+  std::vector<std::string> lines{first_step(f, language)};
+  const auto say = [&](const Words& words) { lines.push_back(words.in(language)); };
+  if (f.is_at_cusp) {
+    say(
+        {"$M$ is on the pole: $\\vec{v}_{M}$ = 0. All of $\\vec{a}_{M}$ = $ω^{2}$·$P_{0}J$ is along the path: "
+         "against "
+         "the motion before, with it after.",
+         "$M$ è sul polo: $\\vec{v}_{M}$ = 0. Tutta la $\\vec{a}_{M}$ = $ω^{2}$·$P_{0}J$ è lungo la traiettoria: "
+         "contro "
+         "il moto prima, concorde dopo."});
+    say(f.runs_straight
+            ? Words{"The path is straight: $M$ turns back.", "La traiettoria è diritta: $M$ torna indietro."}
+            : Words{"The path has a cusp: $ρ$ = 0, the centre of curvature is $M$.",
+                    "La traiettoria ha una cuspide: $ρ$ = 0, il centro di curvatura è $M$."});
+    return lines;
+  }
+  say({"$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = $ω$·$P_{0}M$.", "$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = $ω$·$P_{0}M$."});
+  if (f.runs_straight) {
+    say({"$M$ is on the inflection circle, always: its path is a diameter, $\\vec{a}^{n}_{M}$ = 0.",
+         "$M$ è sempre sul cerchio dei flessi: la traiettoria è un diametro, $\\vec{a}^{n}_{M}$ = 0."});
+    return lines;
+  }
+  say({"The foot of $J$ on the ray $P_{0}M$ is $M'$, on the inflection circle: $a^{n}_{M}$ = $ω^{2}$·$MM'$.",
+       "Il piede della normale da $J$ sul raggio $P_{0}M$ è $M'$, sul cerchio dei flessi: $a^{n}_{M}$ = "
+       "$ω^{2}$·$MM'$."});
+  if (f.centre)
+    say({std::string("$P_{0}M^{2}$ = $M$$Ω$·$MM'$: centre of curvature $Ω$, on the side of $M'$.") +
+             (shows_centre(f) ? "" : " It lies off the sheet."),
+         std::string("$P_{0}M^{2}$ = $M$$Ω$·$MM'$: centro di curvatura $Ω$, dalla parte di $M'$.") +
+             (shows_centre(f) ? "" : " Cade fuori del foglio.")});
+  else
+    say({"$M$ is on the inflection circle: the path is straight here, $Ω$ is at infinity.",
+         "$M$ è sul cerchio dei flessi: la traiettoria qui è diritta, $Ω$ è all'infinito."});
+  return lines;
+}
+
+void fill_column(DrawnSheet& onto, const Drawn& f, Language language) {
+  const bool english = language == Language::english;
+  const auto num = [&](double x) { return figures(x, 4, language); };
+  auto& column = onto.sheet.column;
+  column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
+  column.push_back(drawings::Steps{steps_at_instant(f, language)});
+  column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
+  const auto line = [&](const std::string& text) { column.push_back(drawings::Paragraph{text}); };
+  line(fmt::format("$P_{{0}}M$ = {} m,  $v_{{M}}$ = {} m/s", num(f.P0M()), num(magnitude(f.v))));
+  line(fmt::format("$a_{{M}}$ = {} m/s²,  $a^{{n}}_{{M}}$ = {} m/s²", num(magnitude(f.a)), num(magnitude(f.a_n))));
+  if (f.along_before && f.is_at_cusp)
+    line(fmt::format("$a^{{t}}_{{M}}$ = {} m/s² {}, {} m/s² {}", num(*f.along_before), english ? "before" : "prima",
+                     num(*f.along_after), english ? "after" : "dopo"));
+  else if (f.along_before)
+    line(fmt::format("$a^{{t}}_{{M}}$ = {} m/s²", num(*f.along_before)));
+  line(fmt::format("$δ$ = {} m,  $ρ_{{M}}$ = {}", num(f.diameter),
+                   f.centre ? num(distance(*f.centre, f.M)) + " m" : std::string("∞")));
+}
+
+}  // namespace
+
+void draw_instant_sheet(DrawnSheet& onto, const Problem& problem, const SheetRequest& request) {
+  const Drawn f = drawn(problem);
+  const Language language = request.language;
+  const drawings::Box room = room_above_scale_bars(request);
+  const auto scale_for = [&](double longest_mm, double value, const std::string& unit) {
+    return largest_vector_scale(longest_mm / (value > 0 ? value : 1), unit, language);
+  };
+  const double greatest = std::max({magnitude(f.a), magnitude(f.a_n), magnitude(f.a_t)});
+  const Scales vectors{scale_for(longest_velocity, magnitude(f.v), "m/s"),
+                       scale_for(longest_acceleration, greatest, "m/s²")};
+  const Fit fit =
+      fit_lengths(room, request, 1000 / reach(f), [&](const Scale& s) { return extent_of(f, s, vectors); });
+  Plot plot(onto, fit.origin, fit.scale);
+  draw_ground(plot, f, room);
+  draw_path(plot, f, way_of(f, 1));
+  draw_circle_of_inflections(plot, f);
+  draw_body(plot, f);
+  draw_ray(plot, f);
+  draw_curvature(plot, f);
+  draw_vectors(plot, f, vectors);
+  plot.dot(f.M, Meaning::locus);
+  plot.label(f.is_at_cusp ? "$M$ = $P_{0}$" : "$M$", f.M, f.C ? *f.C : f.P0, Meaning::locus);
+  if (!f.is_at_cusp) {
+    plot.cross(f.P0);
+    plot.label("$P_{0}$", f.P0, f.J, Meaning::locus);
+  }
+  onto.sheet.figure.windows = {room};
+  onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 0);
+  std::vector<Scale> scales{fit.scale};
+  if (magnitude(f.v) > 0) scales.push_back(vectors.velocities);
+  if (greatest > 0) scales.push_back(vectors.accelerations);
+  add_scale_bars(onto, scales, request);
+  fill_column(onto, f, language);
+  std::vector<Value> values{{"v_M", magnitude(f.v), "m/s"}, {"a_M", magnitude(f.a), "m/s²"}};
+  if (f.centre) values.push_back({"ρ_M", distance(*f.centre, f.M), "m"});
+  onto.sheet.description =
+      in_words({"The bodies, the path, velocity and acceleration of M, the inflection circle and the "
+                "centre of curvature",
+                "I corpi, la traiettoria, velocità e accelerazione di M, il cerchio dei flessi e il "
+                "centro di curvatura"},
+               values, language);
+}
+
+}  // namespace epure::roulette

@@ -1,0 +1,117 @@
+// N.10's sheets: drawn whatever is given, letters apart, and the files measured back.
+#include <cmath>
+#include <numbers>
+
+#include "tests/exercises/four_bar_on_x_cases.h"
+#include "tests/support/read_svg.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+namespace {
+
+const std::string id = "four-bar-analytic";
+
+const std::vector<Assignments>& tries() {
+  static const std::vector<Assignments> all{
+      {},
+      {"branch=right"},
+      {"n=-400", "alpha_2=300"},
+      {"theta_2=200"},
+      {"theta_2=0"},
+      {"theta_2=180", "branch=right"},
+      {"theta_2=240"},                                              // dead centre: the pole is B
+      {"A0B0=0.2", "A0A=0.6"},                                      // drag link
+      {"A0B0=0.5", "A0A=0.4", "AB=0.2", "B0B=0.45", "theta_2=60"},  // double rocker
+      {"A0B0=0.8", "A0A=0.5", "AB=0.4", "B0B=0.6", "theta_2=40"},   // triple rocker
+      {"A0B0=0.4", "theta_2=50"},                                   // change point
+      {"A0B0=0.4", "A0A=0.2", "AB=0.4", "B0B=0.2", "theta_2=50"},   // parallelogram: the pole at infinity
+      {"A0B0=0.4", "A0A=0.2", "AB=0.4", "B0B=0.2", "theta_2=50", "branch=right"},
+      {"AP_along=0.7", "AP_across=-0.3"},
+      {"AP_along=0", "AP_across=0.2"},
+      {"A0B0=800", "A0A=200", "AB=500", "B0B=700"},
+      {"A0B0=8e-6", "A0A=2e-6", "AB=5e-6", "B0B=7e-6", "n=1/100"}};
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("four-bar-analytic: every sheet is drawn, whatever is given", "[four-bar-analytic][sheets]") {
+  draws_every_sheet(id, tries());
+}
+
+TEST_CASE("four-bar-analytic: letters find room", "[four-bar-analytic][sheets]") {
+  letters_find_room(id, {{}, {"branch=right"}, {"A0B0=0.2", "A0A=0.6"}});
+}
+
+TEST_CASE("four-bar-analytic: a ruler on the file reads the vectors", "[four-bar-analytic][sheets]") {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> diagrams{
+      {"velocities", {"v_A", "v_B", "v_BA", "v_G3"}},
+      {"accelerations", {"a_A", "a_BA_n", "a_BA_t", "a_B_n", "a_B_t", "a_G3"}}};
+  for (const Assignments& assignments : {Assignments{}, {"branch=right", "n=-250"}, {"A0B0=0.2", "A0A=0.6"}}) {
+    const CheckedExercise numbers = checked(id, assignments);
+    for (const auto& [sheet, vectors] : diagrams) {
+      const DrawnSheet drawn = draw(id, sheet, assignments);
+      const drawings::SvgFile svg(drawings::svg(drawn.sheet));
+      const std::string caption = drawn.sheet.title_block.scales.back();  // "1 cm ≙ 2 m/s"
+      const double unit = std::stod(caption.substr(caption.find("≙") + std::string("≙").size())) / 10;
+      for (const std::string& name : vectors) {
+        CAPTURE(sheet, name, assignments);
+        const drawings::Point from = svg.points(drawn.sheet.id + "-" + name).front(),
+                              to = svg.points(drawn.sheet.id + "-" + name + "_head").front();
+        CHECK(std::abs(std::hypot(to.x - from.x, to.y - from.y) * unit - std::abs(value(numbers, name))) <=
+              1.001 * std::numbers::sqrt2 * drawings::file_resolution * unit);
+      }
+    }
+  }
+}
+
+// Where the linkage does not close, and where it folds flat, the chart shows nothing: its runs end there.
+TEST_CASE("four-bar-analytic: discontinuities of omega_4 are not joined", "[four-bar-analytic][sheets]") {
+  const auto runs = [](const Assignments& assignments) {
+    const DrawnSheet drawn = draw(id, "omega-4", assignments);
+    int count = 0;
+    for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+      if (const auto* line = std::get_if<drawings::Line>(&mark))
+        if (line->name.starts_with("omega_4")) ++count;
+    return count;
+  };
+  CHECK(runs({}) == 2);                                                          // one a branch
+  CHECK(runs({"A0B0=0.4", "theta_2=50"}) == 2);                                  // flat at 0 = 360 only
+  CHECK(runs({"A0B0=0.4", "A0A=0.2", "AB=0.4", "B0B=0.2", "theta_2=50"}) == 4);  // flat at 180 too
+  // Flat at 180°, where doubles, left alone, find some value.
+  CHECK(runs({"A0A=0.11", "AB=0.41", "B0B=0.53", "A0B0=0.83", "theta_2=50"}) == 4);
+  CHECK(runs({"A0B0=0.5", "A0A=0.4", "AB=0.2", "B0B=0.45", "theta_2=60"}) == 4);  // two arcs of the crank
+}
+
+// A quarter of the curve's points against B found from two circles in doubles, P from A and B.
+TEST_CASE("four-bar-analytic: the coupler curve passes where the linkage carries P", "[four-bar-analytic][sheets]") {
+  const double a = 0.2, b = 0.5, c = 0.7, f = 0.8, along = 0.7, across = -0.3;
+  const DrawnSheet drawn = draw(id, "coupler-curve", {"AP_along=0.7", "AP_across=-0.3"});
+  const drawings::Path* path = nullptr;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* line = std::get_if<drawings::Line>(&mark))
+      if (line->name == "path_of_P") path = &line->path;
+  REQUIRE(path);
+  CHECK(path->closed);
+  const auto P_now = std::find_if(drawn.measurements.begin(), drawn.measurements.end(),
+                                  [](const Measurement& m) { return m.quantity == "P_x"; });
+  REQUIRE(P_now != drawn.measurements.end());
+  const drawings::Point origin = P_now->from;
+  // Every knot of the curve: |P - A| and the closure hold for some crank, found by scanning.
+  double worst = 0;
+  for (const drawings::Piece& piece : path->pieces) {
+    const double x = (piece.end.x - origin.x) * P_now->per_mm, y = (piece.end.y - origin.y) * P_now->per_mm;
+    double best = 1;
+    for (int i = 0; i < 7200; ++i) {
+      const double t = i * std::numbers::pi / 3600, Ax = a * std::cos(t), Ay = a * std::sin(t);
+      const double dx = f - Ax, dy = -Ay, d = std::hypot(dx, dy), m = (d * d + b * b - c * c) / (2 * d);
+      const double h = std::sqrt(b * b - m * m), Bx = Ax + (m * dx - h * dy) / d, By = Ay + (m * dy + h * dx) / d;
+      const double ux = (Bx - Ax) / b, uy = (By - Ay) / b;
+      best = std::min(best, std::hypot(Ax + along * ux - across * uy - x, Ay + along * uy + across * ux - y));
+    }
+    worst = std::max(worst, best);
+  }
+  // Neighbouring cranks of the scan are π/3600 apart, and P moves by less than 2 m a radian.
+  CHECK(worst < 2 * std::numbers::pi / 3600);
+}

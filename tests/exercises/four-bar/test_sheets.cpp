@@ -1,0 +1,44 @@
+// The four-bar's sheets: all are drawn whatever is given, letters find room, and a ruler on the file reads the
+// quantities.
+#include "tests/exercises/four-bar/cases.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+namespace {
+
+const std::vector<Assignments> handful{
+    {},
+    {"branch=left"},
+    {"n=-50"},
+    {"C_side=left", "alpha_2=3"},
+    {"t=0.35"},
+    // drag-link, and a double rocker
+    {"A0A=0.3", "AB=0.35", "B0B=0.32", "x_B0=0.1", "y_B0=0.05", "AC=0.21"},
+    {"A0A=0.5", "AB=0.2", "B0B=0.6", "x_B0=0.7", "y_B0=0", "AC=0.12", "t=0.2", "branch=left"}};
+
+}  // namespace
+
+TEST_CASE("four-bar: every sheet is drawn, whatever is given", "[four-bar][sheets]") {
+  for (const CorpusCase& c : four_bar_corpus())
+    for (const SheetSpec& sheet : four_bar().about().sheets) {
+      CAPTURE(c.name, sheet.name);
+      std::string bytes;
+      CHECK_NOTHROW(bytes = drawings::svg(four_bar().draw(sheet.name, with_choices(c)).sheet));
+      CHECK(bytes.find("<svg") != std::string::npos);
+      for (const char* word : {"-nan", "=\"nan", "=\"inf", " nan ", " inf "})
+        CHECK(bytes.find(word) == std::string::npos);
+    }
+}
+
+TEST_CASE("four-bar: letters find room", "[four-bar][sheets]") { letters_find_room(four_bar(), handful); }
+
+TEST_CASE("four-bar: a ruler on the file reads the value of every vector", "[four-bar][sheets]") {
+  for (const Assignments& assignments : {Assignments{}, {"n=-50"}, {"t=0.35"}}) {
+    ruler_reads(four_bar(), {"poles", {"v_A", "v_B", "v_C"}}, assignments);
+    ruler_reads(four_bar(), {"velocity-diagram", {"v_A", "v_B", "v_BA", "v_C"}}, assignments);
+    ruler_reads(four_bar(), {"acceleration-diagram", {"a_A", "a_B_n", "a_B_t", "a_BA_n", "a_BA_t", "a_C"}},
+                assignments);
+    ruler_reads(four_bar(), {"acceleration-pole", {"a_A", "a_B", "a_C"}}, assignments);
+  }
+}

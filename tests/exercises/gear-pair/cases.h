@@ -1,0 +1,24 @@
+// The corpus of gear pairs, as givens of the exercise.
+#pragma once
+
+#include "tests/exercises/held_against_corpus.h"
+
+namespace epure::tests {
+
+inline const Tried& gear_pair() {
+  static const Tried tried("gear-pair");
+  return tried;
+}
+
+inline const std::vector<CorpusCase>& gear_cases() {
+  static const std::vector<CorpusCase> cases = read_corpus(EPURE_CORPUS "/gears.txt");
+  return cases;
+}
+
+inline Assignments with_kind(const CorpusCase& c) {
+  Assignments all = assignments_of(c);
+  all.push_back("kind=" + c.choices.at("kind"));
+  return all;
+}
+
+}  // namespace epure::tests

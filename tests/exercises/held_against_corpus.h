@@ -1,0 +1,180 @@
+// An exercise of the catalogue held against its corpus, and what every sheet must stand: for exercises whose corpus
+// names givens and quantities as the exercise does.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "drawings/output.h"
+#include "exercises/cli/catalogue.h"
+#include "exercises/kit/checked.h"
+#include "geometry/numbers/given.h"
+#include "tests/support/corpus.h"
+#include "tests/support/read_svg.h"
+
+namespace epure::tests {
+
+using Assignments = std::vector<std::string>;
+
+class Tried {
+ public:
+  explicit Tried(const std::string& id) : exercise_(find_exercise(catalogue(), id)) {}
+
+  const Description& about() const { return exercise_.about(); }
+  Givens givens(const Assignments& assignments) const {
+    Givens all(about().givens);
+    for (const std::string& assignment : assignments) all.set(assignment);
+    return all;
+  }
+  CheckedExercise checked(const Assignments& assignments) const {
+    return check(exercise_, givens(assignments), Rung::climb);
+  }
+  DrawnSheet draw(const std::string& sheet, const Assignments& assignments, const SheetRequest& request = {}) const {
+    return exercise_.draw(sheet, givens(assignments), request);
+  }
+
+ private:
+  const Exercise& exercise_;
+};
+
+inline const CheckedQuantity& find(const CheckedExercise& checked, const std::string& name) {
+  for (const CheckedQuantity& quantity : checked.quantities)
+    if (quantity.spec.name == name) return quantity;
+  throw std::logic_error("no quantity " + name);
+}
+inline double value(const CheckedExercise& checked, const std::string& name) {
+  return find(checked, name).settled.enclosure.value;
+}
+
+inline Assignments assignments_of(const CorpusCase& c) {
+  Assignments all;
+  for (const auto& [symbol, given] : c.givens) all.push_back(symbol + "=" + geometry::to_text(given));
+  return all;
+}
+
+inline double ulp(double x) {
+  return std::nextafter(std::abs(x), std::numeric_limits<double>::infinity()) - std::abs(x);
+}
+
+// The value of the corpus to the last bit, by two routes at least, all of which enclose it.
+inline void is_the_reference(const CheckedQuantity& quantity, const std::string& reference) {
+  using geometry::Settled;
+  std::set<std::string> routes;
+  for (const RouteValue& route : quantity.routes) routes.insert(route.route);
+  CHECK(routes.size() >= 2);
+  if (reference == "infinite") {
+    CHECK(quantity.settled.kind == Settled::Kind::absent);
+    CHECK_FALSE(quantity.settled.reason.empty());
+    return;
+  }
+  REQUIRE(quantity.settled.kind == Settled::Kind::certain);
+  const double expected = std::stod(reference);
+  CHECK(quantity.settled.enclosure.value == expected);
+  CHECK(quantity.settled.enclosure.upper - quantity.settled.enclosure.lower <= 4 * ulp(expected));
+  for (const RouteValue& route : quantity.routes) {
+    CAPTURE(route.route, route.settled.reason);
+    const auto& [lower, middle, upper] = route.settled.enclosure;
+    CHECK(lower <= expected);
+    CHECK(expected <= upper);
+  }
+}
+
+inline void holds_against(const Tried& tried, const std::vector<CorpusCase>& corpus) {
+  for (const CorpusCase& c : corpus) {
+    const CheckedExercise result = tried.checked(assignments_of(c));
+    CAPTURE(c.name, c.why, result.failures);
+    CHECK(result.passed());
+    for (const CheckedQuantity& quantity : result.quantities) {
+      const std::string reference = c.reference(quantity.spec.name);
+      CAPTURE(quantity.spec.name, reference);
+      REQUIRE_FALSE(reference.empty());
+      is_the_reference(quantity, reference);
+    }
+  }
+}
+
+inline void draws_every_sheet(const Tried& tried, const std::vector<CorpusCase>& corpus) {
+  for (const CorpusCase& c : corpus)
+    for (const SheetSpec& sheet : tried.about().sheets)
+      for (const bool bare : {false, true}) {
+        CAPTURE(c.name, sheet.name, bare);
+        const std::string bytes = drawings::svg(tried.draw(sheet.name, assignments_of(c), {.bare = bare}).sheet);
+        CHECK(bytes.find("<svg") != std::string::npos);
+        for (const char* word : {"-nan", "=\"nan", "=\"inf", " nan ", " inf "})
+          CHECK(bytes.find(word) == std::string::npos);
+      }
+}
+
+inline void letters_find_room(const Tried& tried, const std::vector<Assignments>& all) {
+  for (const Assignments& assignments : all)
+    for (const SheetSpec& sheet : tried.about().sheets)
+      for (const drawings::Paper paper : {drawings::Paper::a4, drawings::Paper::a3})
+        for (const Language language : {Language::english, Language::italian}) {
+          const auto crowded =
+              drawings::overlaps(tried.draw(sheet.name, assignments, {.paper = paper, .language = language}).sheet);
+          CAPTURE(assignments, sheet.name, paper == drawings::Paper::a4, language == Language::english, crowded);
+          CHECK(crowded.empty());
+        }
+}
+
+// "1 cm ≙ 2.5 m/s" of the title block, in units a millimetre.
+inline double units_per_mm(const std::string& caption) {
+  const auto equals = caption.find("≙");
+  REQUIRE(equals != std::string::npos);
+  return std::stod(caption.substr(equals + std::string("≙").size())) / 10;
+}
+
+struct Diagram {
+  std::string sheet;
+  std::vector<std::string> vectors;  // of a polygon: the right side's, then those of the left
+};
+
+inline drawings::Arrow arrow(const DrawnSheet& drawn, const std::string& name) {
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* found = std::get_if<drawings::Arrow>(&mark); found && found->name == name) return *found;
+  throw std::logic_error("no arrow " + name);
+}
+
+// Each vector of the right side begins where the one before ends; the sought one leads from the first corner to the
+// last. The sides are rounded one by one, so the corners meet as doubles do.
+inline void polygon_closes(const Tried& tried, const Diagram& diagram, const Assignments& assignments) {
+  const DrawnSheet drawn = tried.draw(diagram.sheet, assignments);
+  const auto meet = [](drawings::Point p, drawings::Point q) { return std::hypot(p.x - q.x, p.y - q.y) < 1e-9; };
+  const drawings::Arrow sought = arrow(drawn, diagram.vectors.back());
+  drawings::Point corner = sought.from;
+  for (std::size_t i = 0; i + 1 < diagram.vectors.size(); ++i) {
+    const drawings::Arrow side = arrow(drawn, diagram.vectors[i]);
+    CAPTURE(diagram.sheet, assignments, side.name);
+    CHECK(meet(side.from, corner));
+    corner = side.to;
+  }
+  CAPTURE(diagram.sheet, assignments);
+  CHECK(meet(sought.to, corner));
+}
+
+// From the tail of an arrow's shaft to the tip of its head, in the file, times the scale of vectors, the last in the
+// title block. Both ends are moved to the file's grid.
+inline void ruler_reads(const Tried& tried, const Diagram& diagram, const Assignments& assignments) {
+  const CheckedExercise numbers = tried.checked(assignments);
+  for (const drawings::Paper paper : {drawings::Paper::a4, drawings::Paper::a3}) {
+    const DrawnSheet drawn = tried.draw(diagram.sheet, assignments, {.paper = paper});
+    const drawings::SvgFile svg(drawings::svg(drawn.sheet));
+    const double unit = units_per_mm(drawn.sheet.title_block.scales.back());
+    for (const std::string& name : diagram.vectors) {
+      CAPTURE(diagram.sheet, assignments, name, paper == drawings::Paper::a4);
+      const std::string id = drawn.sheet.id + "-" + name;
+      const drawings::Point from = svg.points(id).front(), to = svg.points(id + "_head").front();
+      const double length = std::hypot(to.x - from.x, to.y - from.y);
+      CHECK(length > 1);
+      CHECK(std::abs(length * unit - std::abs(value(numbers, name))) <=
+            1.001 * std::numbers::sqrt2 * drawings::file_resolution * unit);
+    }
+  }
+}
+
+}  // namespace epure::tests

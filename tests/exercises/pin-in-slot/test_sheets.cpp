@@ -1,0 +1,123 @@
+// The sheets of the pin in a slot: all are drawn whatever is given, letters find room, and a ruler on the file reads
+// the quantities.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "drawings/output.h"
+#include "tests/exercises/pin-in-slot/cases.h"
+#include "tests/support/read_svg.h"
+
+using namespace epure;
+using namespace epure::tests;
+using drawings::Language;
+using drawings::Paper;
+
+namespace {
+
+DrawnSheet draw(const std::string& sheet, const std::vector<std::string>& assignments,
+                const SheetRequest& request = {}) {
+  return pin_in_slot().draw(sheet, givens_of(assignments), request);
+}
+
+// An arrow in the file, in mm of paper.
+struct Arrow {
+  drawings::Point from, to;
+  double length() const { return std::hypot(to.x - from.x, to.y - from.y); }
+};
+Arrow arrow(const drawings::SvgFile& svg, const std::string& id) {
+  return {svg.points(id).front(), svg.points(id + "_head").front()};
+}
+
+// "1 cm ≙ 2.5 m/s" of the title block, in units a millimetre.
+double per_mm(const std::string& caption) {
+  const auto equals = caption.find("≙");
+  REQUIRE(equals != std::string::npos);
+  return std::stod(caption.substr(equals + std::string("≙").size())) / 10;
+}
+
+struct Diagram {
+  std::string sheet;
+  std::vector<std::string> vectors;
+};
+const std::vector<Diagram> diagrams{
+    {"kinematics", {"v_B", "v_Bstar", "b_dot"}},
+    {"acceleration", {"a_B", "a_cor", "b_ddot"}},
+    {"forces", {"slot_force_on_pin", "ground_normal_force", "ground_friction_force", "pivot_force"}}};
+
+const std::vector<std::vector<std::string>> usual{
+    {},         {"OB=0.25"},      {"OB=0.9"},        {"omega=-1"}, {"omega_dot=0"},
+    {"R=0.3"},  {"omega_dot=-2"}, {"omega_dot=-20"}, {"OB=0.2"},   {"AO=1"},
+    {"omega=0"}};
+
+}  // namespace
+
+TEST_CASE("every sheet is drawn, whatever is given", "[pin-in-slot][sheets]") {
+  for (const CorpusCase& c : corpus())
+    for (const SheetSpec& sheet : pin_in_slot().about().sheets)
+      for (const bool bare : {false, true}) {
+        CAPTURE(c.name, sheet.name, bare);
+        const std::string bytes = drawings::svg(draw(sheet.name, assignments_of(c), {.bare = bare}).sheet);
+        CHECK(bytes.find("<svg") != std::string::npos);
+        for (const char* word : {"-nan", "=\"nan", "=\"inf", " nan ", " inf "})
+          CHECK(bytes.find(word) == std::string::npos);
+      }
+}
+
+TEST_CASE("letters find room on all sheets", "[pin-in-slot][sheets]") {
+  for (const auto& assignments : usual)
+    for (const SheetSpec& sheet : pin_in_slot().about().sheets)
+      for (const Paper paper : {Paper::a4, Paper::a3})
+        for (const Language language : {Language::english, Language::italian}) {
+          CAPTURE(assignments, sheet.name, paper == Paper::a4, language == Language::english);
+          CHECK(drawings::overlaps(draw(sheet.name, assignments, {.paper = paper, .language = language}).sheet)
+                    .empty());
+        }
+}
+
+TEST_CASE("a ruler on the file reads the value of every vector", "[pin-in-slot][sheets]") {
+  for (const std::vector<std::string>& assignments :
+       {std::vector<std::string>{}, {"OB=0.25"}, {"omega=-1", "omega_dot=1"}})
+    for (const auto& [sheet, vectors] : diagrams) {
+      const CheckedExercise numbers = checked(assignments);
+      const DrawnSheet drawn = draw(sheet, assignments);
+      const drawings::SvgFile svg(drawings::svg(drawn.sheet));
+      REQUIRE(drawn.sheet.title_block.scales.size() == 2);
+      const double unit = per_mm(drawn.sheet.title_block.scales[1]);
+      for (const std::string& name : vectors) {
+        CAPTURE(assignments, sheet, name);
+        if (std::abs(value(numbers, name)) / unit < 3.1) continue;  // shorter than its head, so drawn as a dot
+        const double length = arrow(svg, drawn.sheet.id + "-" + name).length();
+        // Both ends are moved to the file's grid.
+        CHECK(std::abs(length * unit - std::abs(value(numbers, name))) <=
+              1.001 * std::numbers::sqrt2 * drawings::file_resolution * unit);
+      }
+    }
+}
+
+// Head to tail: the last force of each polygon ends where the first one starts.
+TEST_CASE("the polygons of forces are closed on paper", "[pin-in-slot][sheets]") {
+  const DrawnSheet drawn = draw("forces", {});
+  const drawings::SvgFile svg(drawings::svg(drawn.sheet));
+  const auto of = [&](const char* name) { return arrow(svg, drawn.sheet.id + "-" + name); };
+  const double apart = 1.5 * drawings::file_resolution;
+  const Arrow first = of("ground_friction_force"), slot = of("slot_force_on_pin"), last = of("ground_normal_force");
+  CHECK(std::hypot(last.to.x - first.from.x, last.to.y - first.from.y) <= apart);
+  CHECK(std::hypot(slot.to.x - last.from.x, slot.to.y - last.from.y) <= apart);
+  // y runs downwards in the file: N points up, T to the left, S to the right and down.
+  CHECK(last.to.y < last.from.y);
+  CHECK(first.to.x < first.from.x);
+  CHECK(slot.to.x > slot.from.x);
+  CHECK(slot.to.y > slot.from.y);
+}
+
+TEST_CASE("the balance shows the right couple and the mistaken one", "[pin-in-slot][sheets]") {
+  const DrawnSheet drawn = draw("power-balance", {});
+  bool found = false;
+  for (const drawings::Block& block : drawn.sheet.column)
+    if (const auto* table = std::get_if<drawings::Table>(&block)) {
+      found = true;
+      CHECK(table->rows.back() == std::vector<std::string>{"$C$", "188.8", "138.9"});
+    }
+  CHECK(found);
+}

@@ -1,0 +1,13 @@
+// The reader of reference values (exercises/bench/corpus.h), by the names the tests use.
+#pragma once
+
+#include "exercises/bench/corpus.h"
+
+namespace epure::tests {
+
+using bench::CorpusCase;
+using bench::exact_decimal;
+using bench::read_corpus;
+using bench::Reference;
+
+}  // namespace epure::tests
