@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drawings/stopwatch.h"
+#include "geometry/numbers/thread_caches.h"
 
 namespace epure {
 namespace {
@@ -59,7 +60,11 @@ void abreast(std::size_t count, const std::function<void(std::size_t)>& job) {
   Jobs jobs(count, job);
   {
     std::vector<std::jthread> helpers;
-    for (std::size_t i = 1; i < threads(count); ++i) helpers.emplace_back([&] { jobs.work(); });
+    for (std::size_t i = 1; i < threads(count); ++i)
+      helpers.emplace_back([&] {
+        const geometry::ThreadCaches caches;
+        jobs.work();
+      });
     jobs.work();
   }
   jobs.rethrow_first();

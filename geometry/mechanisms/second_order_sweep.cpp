@@ -1,6 +1,7 @@
 #include "geometry/mechanisms/second_order_sweep.h"
 
 #include "geometry/numbers/climb.h"
+#include "geometry/numbers/thread_caches.h"
 #include "geometry/numbers/two_bounded.h"
 #include "geometry/numbers/uniform_turns.h"
 
@@ -142,8 +143,8 @@ class Sweep {
       std::vector<std::jthread> others;
       for (std::size_t i = 1; i < std::min<std::size_t>(threads, turns_.rows()); ++i)
         others.emplace_back([this] {
+          const ThreadCaches caches;
           work();
-          flint_cleanup();  // what Deep's library keeps for a thread it does not give back by itself
         });
       work();
     }

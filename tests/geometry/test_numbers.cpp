@@ -2,6 +2,7 @@
 #include "geometry/numbers/enclosure.h"
 #include "geometry/numbers/given.h"
 #include "geometry/numbers/numbers.h"
+#include "geometry/numbers/thread_caches.h"
 #include "tests/support/aborts.h"
 
 #include <catch2/catch.hpp>
@@ -737,10 +738,12 @@ TEST_CASE("Two threads, each with its own scopes") {
           !(x.inf() <= truth.lower && truth.upper <= x.sup()))
         ++*failures;
     }
-    flint_cleanup();  // FLINT's caches are one for each thread
   };
   int here = 0, there = 0;
-  std::thread other(work, 256, &there);
+  std::thread other([&] {
+    const ThreadCaches caches;
+    work(256, &there);
+  });
   work(128, &here);
   other.join();
   CHECK(here == 0);
