@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drawings/stopwatch.h"
-#include "geometry/numbers/thread_caches.h"
+#include "geometry/numbers/threads.h"
 
 namespace epure {
 namespace {
@@ -58,15 +58,7 @@ class Jobs {
 
 void abreast(std::size_t count, const std::function<void(std::size_t)>& job) {
   Jobs jobs(count, job);
-  {
-    std::vector<std::jthread> helpers;
-    for (std::size_t i = 1; i < threads(count); ++i)
-      helpers.emplace_back([&] {
-        const geometry::ThreadCaches caches;
-        jobs.work();
-      });
-    jobs.work();
-  }
+  geometry::in_threads(threads(count), [&] { jobs.work(); });
   jobs.rethrow_first();
 }
 

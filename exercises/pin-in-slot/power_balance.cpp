@@ -6,6 +6,7 @@
 #include "exercises/kit/fit.h"
 #include "exercises/kit/sheet.h"
 #include "exercises/pin-in-slot/exercise.h"
+#include "exercises/pin-in-slot/figure.h"
 
 namespace epure::pin_in_slot {
 namespace {

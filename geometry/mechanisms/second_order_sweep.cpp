@@ -1,7 +1,7 @@
 #include "geometry/mechanisms/second_order_sweep.h"
 
 #include "geometry/numbers/climb.h"
-#include "geometry/numbers/thread_caches.h"
+#include "geometry/numbers/threads.h"
 #include "geometry/numbers/two_bounded.h"
 #include "geometry/numbers/uniform_turns.h"
 
@@ -139,15 +139,7 @@ class Sweep {
       : driven_(driven), results_(results), turns_(results.size()) {}
 
   SweepCount run(unsigned threads) {
-    {
-      std::vector<std::jthread> others;
-      for (std::size_t i = 1; i < std::min<std::size_t>(threads, turns_.rows()); ++i)
-        others.emplace_back([this] {
-          const ThreadCaches caches;
-          work();
-        });
-      work();
-    }
+    in_threads(std::min<std::size_t>(threads, turns_.rows()), [this] { work(); });
     if (failure_) std::rethrow_exception(failure_);
     return count_;
   }

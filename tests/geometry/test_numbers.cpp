@@ -2,12 +2,18 @@
 #include "geometry/numbers/enclosure.h"
 #include "geometry/numbers/given.h"
 #include "geometry/numbers/numbers.h"
-#include "geometry/numbers/thread_caches.h"
+#include "geometry/numbers/threads.h"
 #include "tests/support/aborts.h"
 
 #include <catch2/catch.hpp>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <atomic>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <random>
@@ -749,6 +755,33 @@ TEST_CASE("Two threads, each with its own scopes") {
   CHECK(here == 0);
   CHECK(there == 0);
   CHECK(rounds_to_nearest());
+}
+
+// How many of 64 threads come to work when there is no room for the stacks of all of them.
+int workers_without_memory() {
+  std::size_t pages_in_use = 0;
+  std::ifstream("/proc/self/statm") >> pages_in_use;
+  const rlim_t limit = pages_in_use * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (100 << 20);
+  const rlimit little{limit, limit};
+  setrlimit(RLIMIT_AS, &little);
+  std::atomic<int> workers = 0;
+  std::atomic<bool> all_there = false;
+  in_threads(64, [&, first = std::this_thread::get_id()] {
+    if (std::this_thread::get_id() == first) {  // the last to be called
+      all_there = true;
+      all_there.notify_all();
+    }
+    all_there.wait(false);
+    ++workers;
+  });
+  return workers;
+}
+
+TEST_CASE("Where the system gives no further thread, those that are there do the work") {
+  CHECK_FALSE(aborts([]() noexcept {
+    const int workers = workers_without_memory();
+    if (workers < 1 || workers >= 64) std::abort();
+  }));
 }
 
 // ----------------------------------------------------------------------------------------------------------- the
