@@ -1,6 +1,7 @@
 // Looks at a composed page from outside: samples its strokes point by point, without the code that placed the labels.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,10 @@
 #include "drawings/vectors.h"
 
 namespace epure::drawings::probe {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+inline const Box a4_area = drawing_area(Paper::a4);
 
 // Points along the path, curves by their parameter; the next is at most about `step` mm further.
 inline std::vector<Point> samples(const Path& path, double step) {

@@ -18,10 +18,10 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinite = std::numeric_limits<double>::infinity();
+using probe::infinite;
+using probe::not_a_number;
 constexpr double degree = std::numbers::pi / 180;
-const Box area = drawing_area(Paper::a4);
+using probe::a4_area;
 constexpr auto logarithmic = AxisScale::logarithmic;
 
 std::vector<std::string> texts(const Ticks& ticks) {
@@ -118,7 +118,8 @@ Chart crowd(int count) {
   return chart;
 }
 
-Sheet sheet_of(const Chart& chart, ChartMap* map = nullptr, Box box = area, Language language = Language::english) {
+Sheet sheet_of(const Chart& chart, ChartMap* map = nullptr, Box box = a4_area,
+               Language language = Language::english) {
   Sheet sheet;
   sheet.id = "chart";
   sheet.bare = true;
@@ -128,7 +129,7 @@ Sheet sheet_of(const Chart& chart, ChartMap* map = nullptr, Box box = area, Lang
   return sheet;
 }
 
-std::string complaint(const Chart& chart, Box box = area) {
+std::string complaint(const Chart& chart, Box box = a4_area) {
   try {
     sheet_of(chart, nullptr, box);
   } catch (const std::invalid_argument& error) {
@@ -282,7 +283,7 @@ TEST_CASE("the map leads from numbers to the paper and back") {
   ChartMap map;
   const Sheet sheet = sheet_of(velocities(), &map);
   const Box frame = map.frame;
-  CHECK(contains(area, frame));
+  CHECK(contains(a4_area, frame));
   // -4 to 2.2 in steps of a half: up to 2.5.
   CHECK(distance(map.at({0, -4}), frame.low) < 1e-9);
   CHECK(distance(map.at({360, 2.5}), frame.high) < 1e-9);
@@ -381,10 +382,10 @@ TEST_CASE("letters of charts touch nothing, and stay in their box") {
   single.curves = {{.name = "p", .runs = {{{1e12, 3}}}, .label = "A"}};
   Chart told = velocities();
   told.legend = true;
-  const std::vector<Box> boxes{area,
-                               {area.low, area.low + Point{120, 90}},
-                               {area.low + Point{60, 80}, area.low + Point{150, 140}},
-                               {area.low, {area.high.x, area.low.y + 60}}};
+  const std::vector<Box> boxes{a4_area,
+                               {a4_area.low, a4_area.low + Point{120, 90}},
+                               {a4_area.low + Point{60, 80}, a4_area.low + Point{150, 140}},
+                               {a4_area.low, {a4_area.high.x, a4_area.low.y + 60}}};
   const std::vector<Chart> charts{velocities(), convergence(), speed_against_error(), crowd(3), crowd(7),
                                   single,       told};
   for (std::size_t i = 0; i < charts.size(); ++i)
@@ -396,7 +397,7 @@ TEST_CASE("letters of charts touch nothing, and stay in their box") {
         const Sheet sheet = sheet_of(charts[i], &map, boxes[j], language);
         const Page page = compose(sheet, &conflicts);
         CHECK(conflicts == std::vector<std::string>{});
-        CHECK(probe::disturbed(page, area) == std::vector<std::string>{});
+        CHECK(probe::disturbed(page, a4_area) == std::vector<std::string>{});
         for (const PlacedText& text : probe::all<PlacedText>(page)) {
           INFO(text.text);
           CHECK(contains(grown(boxes[j], 1.2), probe::text_box(text)));
@@ -415,7 +416,7 @@ TEST_CASE("a curve's label is nearer to its curve than to any other") {
                                          })},
                             .label = "$e$ = 0." + std::to_string(i) + " m"});
   ChartMap map;
-  const Page page = compose(sheet_of(chart, &map, {area.low, area.low + Point{180, 90}}));
+  const Page page = compose(sheet_of(chart, &map, {a4_area.low, a4_area.low + Point{180, 90}}));
   const auto to_curve = [&](const Box& box, int i) {
     double least = infinite;
     for (const Datum& datum : chart.curves[static_cast<std::size_t>(i - 1)].runs[0])
@@ -466,7 +467,7 @@ TEST_CASE("random charts: names stand free in the frame, and beside their own cu
     CAPTURE(round);
     ChartMap map;
     std::vector<std::string> conflicts;
-    const Page page = compose(sheet_of(chart, &map, {area.low, area.low + size}), &conflicts);
+    const Page page = compose(sheet_of(chart, &map, {a4_area.low, a4_area.low + size}), &conflicts);
     for (const std::string& conflict : conflicts) CHECK_THAT(conflict, !Contains("'curve"));
     bool legend = false;
     for (const PlacedText& text : probe::all<PlacedText>(page)) {
@@ -531,7 +532,7 @@ TEST_CASE("a label stands where it is wished") {
 
 TEST_CASE("where there is no room beside curves, a legend shows each with its line") {
   ChartMap map;
-  const Sheet sheet = sheet_of(crowd(7), &map, {area.low, area.low + Point{140, 80}});
+  const Sheet sheet = sheet_of(crowd(7), &map, {a4_area.low, a4_area.low + Point{140, 80}});
   const Page page = compose(sheet);
   std::vector<Stroke> above;
   for (const Stroke& stroke : probe::all<Stroke>(page))
@@ -593,7 +594,7 @@ TEST_CASE("curves are told apart in black and white") {
 TEST_CASE("the line type of a mark prevails over its meaning's") {
   Sheet sheet;
   sheet.bare = true;
-  const Path path = segment(middle(area), middle(area) + Point{60, 0});
+  const Path path = segment(middle(a4_area), middle(a4_area) + Point{60, 0});
   sheet.figure.marks = {Line{path, Meaning::axis, "a", LineType::continuous},
                         Line{path, Meaning::velocity, "b", LineType::dash_dotted},
                         Line{path, Meaning::velocity, "c", LineType::dotted}, Line{path, Meaning::second_locus, "d"}};
@@ -673,11 +674,11 @@ TEST_CASE("frames of charts above each other line up when they are given the sam
   below.y = {"$a$", "m/s²", -9000, 20000};
   ChartMap first, second;
   Figure figure;
-  figure.marks = {Dot{middle(area)}};
-  first = draw(above, {area.low + Point{0, 90}, area.high}, figure, Language::english);
+  figure.marks = {Dot{middle(a4_area)}};
+  first = draw(above, {a4_area.low + Point{0, 90}, a4_area.high}, figure, Language::english);
   const std::size_t windows = figure.windows.size();
-  second = draw(below, {area.low, {area.high.x, area.low.y + 85}}, figure, Language::english);
-  CHECK(first.frame.low.x == area.low.x + 16);
+  second = draw(below, {a4_area.low, {a4_area.high.x, a4_area.low.y + 85}}, figure, Language::english);
+  CHECK(first.frame.low.x == a4_area.low.x + 16);
   CHECK(first.frame.low.x == second.frame.low.x);
   CHECK(first.frame.high.x == second.frame.high.x);
   // Marks drawn earlier keep their window, the next chart's get windows of their own.

@@ -14,8 +14,8 @@ using namespace epure::drawings;
 
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinite = std::numeric_limits<double>::infinity();
+using probe::infinite;
+using probe::not_a_number;
 
 Sheet example(Paper paper, Language language) {
   Sheet sheet;

@@ -12,7 +12,7 @@ using namespace epure::drawings;
 
 namespace {
 
-const Box area = drawing_area(Paper::a4);
+using probe::a4_area;
 
 Sheet bare(Figure figure) {
   Sheet sheet;
@@ -29,7 +29,7 @@ unsigned seed() {
 
 Figure star(int rays) {
   Figure figure;
-  const Point centre = middle(area);
+  const Point centre = middle(a4_area);
   for (int i = 0; i < rays; ++i) {
     const Point tip = centre + 40 * direction(2 * std::numbers::pi * i / rays);
     figure.marks.push_back(Arrow{centre, tip});
@@ -41,7 +41,8 @@ Figure star(int rays) {
 
 Figure four_bar_with_circles() {
   Figure figure;
-  const Point a0 = area.low + Point{40, 40}, a = a0 + Point{20, 35}, b = a0 + Point{85, 55}, b0 = a0 + Point{90, 0};
+  const Point a0 = a4_area.low + Point{40, 40}, a = a0 + Point{20, 35}, b = a0 + Point{85, 55},
+              b0 = a0 + Point{90, 0};
   figure.marks = {Line{segment(a0, b0), Meaning::axis},
                   Line{polyline({a0, a, b, b0}, false), Meaning::link},
                   Line{circle(a0, distance(a0, a)), Meaning::axis},
@@ -69,7 +70,8 @@ Figure four_bar_with_circles() {
 }
 
 Figure random_figure(std::mt19937& random, int lines, int points) {
-  std::uniform_real_distribution<double> x(area.low.x + 8, area.high.x - 8), y(area.low.y + 8, area.high.y - 8);
+  std::uniform_real_distribution<double> x(a4_area.low.x + 8, a4_area.high.x - 8),
+      y(a4_area.low.y + 8, a4_area.high.y - 8);
   std::uniform_real_distribution<double> radius(5, 45), turn(-4, 4);
   const auto any = [&] { return Point{x(random), y(random)}; };
   Figure figure;
@@ -95,7 +97,7 @@ void require_undisturbed(const Figure& figure) {
   std::vector<std::string> conflicts;
   const Page page = compose(bare(figure), &conflicts);
   CHECK(conflicts == std::vector<std::string>{});
-  CHECK(probe::disturbed(page, area) == std::vector<std::string>{});
+  CHECK(probe::disturbed(page, a4_area) == std::vector<std::string>{});
   CHECK(probe::all<PlacedText>(page).size() == figure.labels.size() + figure.steps.size());
 }
 
@@ -116,18 +118,18 @@ TEST_CASE("labels of crowded figures touch nothing") {
   SECTION("twenty points in a row, four millimetres apart") {
     Figure figure;
     for (int i = 0; i < 20; ++i) {
-      const Point p = area.low + Point{50 + 4.0 * i, 80};
+      const Point p = a4_area.low + Point{50 + 4.0 * i, 80};
       figure.marks.push_back(Dot{p});
       figure.labels.push_back({"$P_{" + std::to_string(i) + "}$", p});
     }
-    figure.marks.push_back(Line{segment(area.low + Point{45, 80}, area.low + Point{135, 80}), Meaning::link});
+    figure.marks.push_back(Line{segment(a4_area.low + Point{45, 80}, a4_area.low + Point{135, 80}), Meaning::link});
     require_undisturbed(figure);
   }
   SECTION("twelve points on the border of the drawing area") {
     Figure figure;
     for (int i = 0; i < 12; ++i) {
-      const Point p =
-          i < 6 ? Point{area.low.x, area.low.y + 25.0 * i} : Point{area.low.x + 25.0 * (i - 6), area.high.y};
+      const Point p = i < 6 ? Point{a4_area.low.x, a4_area.low.y + 25.0 * i}
+                            : Point{a4_area.low.x + 25.0 * (i - 6), a4_area.high.y};
       figure.marks.push_back(Dot{p});
       figure.labels.push_back({"$Q_{" + std::to_string(i) + "}$", p});
     }
@@ -136,7 +138,7 @@ TEST_CASE("labels of crowded figures touch nothing") {
 }
 
 TEST_CASE("a label finds the side it was asked for when that side is free") {
-  const Point p = middle(area);
+  const Point p = middle(a4_area);
   for (int i = 0; i < 8; ++i) {
     const Point u = direction(i * std::numbers::pi / 4);
     Figure figure;
@@ -151,7 +153,7 @@ TEST_CASE("a label finds the side it was asked for when that side is free") {
 }
 
 TEST_CASE("a vector's label stands beside its middle, on the outer side") {
-  const Point from = middle(area), to = from + Point{30, 12};
+  const Point from = middle(a4_area), to = from + Point{30, 12};
   for (const double side : {1.0, -1.0}) {
     Figure figure;
     figure.marks = {Arrow{from, to}};
@@ -174,9 +176,9 @@ TEST_CASE("random figures: what is not free is reported, and little is not free"
     const Figure figure = random_figure(random, 6 + round, 8 + round / 2);
     std::vector<std::string> conflicts;
     const Page page = compose(bare(figure), &conflicts);
-    for (const std::string& text : probe::disturbed(page, area)) CHECK(mentions(conflicts, text));
+    for (const std::string& text : probe::disturbed(page, a4_area)) CHECK(mentions(conflicts, text));
     for (const PlacedText& text : probe::all<PlacedText>(page))
-      CHECK(contains(grown(area, 1e-9), probe::text_box(text)));
+      CHECK(contains(grown(a4_area, 1e-9), probe::text_box(text)));
     labels += figure.labels.size() + figure.steps.size();
     reported += conflicts.size();
   }
@@ -186,10 +188,11 @@ TEST_CASE("random figures: what is not free is reported, and little is not free"
 
 TEST_CASE("a crowd too dense is reported, label by label") {
   Figure figure;
-  for (double y = area.low.y; y < area.high.y; y += 1.5)
-    figure.marks.push_back(Line{segment({area.low.x, y}, {area.high.x, y}), Meaning::construction});
-  figure.labels = {{"A", middle(area)}, {"B", middle(area) + Point{20, 0}}, {"C", middle(area), area.low}};
-  figure.steps = {{7, middle(area)}};
+  for (double y = a4_area.low.y; y < a4_area.high.y; y += 1.5)
+    figure.marks.push_back(Line{segment({a4_area.low.x, y}, {a4_area.high.x, y}), Meaning::construction});
+  figure.labels = {
+      {"A", middle(a4_area)}, {"B", middle(a4_area) + Point{20, 0}}, {"C", middle(a4_area), a4_area.low}};
+  figure.steps = {{7, middle(a4_area)}};
   const std::vector<std::string> conflicts = overlaps(bare(figure));
   for (const std::string name : {"A", "B", "C", "7"}) {
     INFO(name);
@@ -213,7 +216,7 @@ TEST_CASE("labels that must overlap each other are reported") {
 
 TEST_CASE("labels of things off the drawing are left out and reported") {
   Figure figure;
-  figure.labels = {{"far", {500, 500}}, {"near", middle(area)}};
+  figure.labels = {{"far", {500, 500}}, {"near", middle(a4_area)}};
   std::vector<std::string> conflicts;
   const Page page = compose(bare(figure), &conflicts);
   CHECK(probe::all<PlacedText>(page).size() == 1);

@@ -1,7 +1,6 @@
 #include "tests/exercises/fake.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "exercises/kit/decimal.h"
@@ -10,7 +9,6 @@ namespace epure {
 namespace {
 
 using geometry::Settled;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Settled on_rung(double value, Rung rung) {
   if (rung == Rung::climb) return certain(value);

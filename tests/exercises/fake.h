@@ -2,12 +2,15 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "exercises/kit/exercise.h"
 
 namespace epure {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Catheti a (along x) and b (along y); the hypotenuse c runs from the end of b down to the end of a.
 class Triangle : public Exercise {

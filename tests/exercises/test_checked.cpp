@@ -34,8 +34,6 @@ bool mentions(const std::vector<std::string>& failures, const std::string& text)
   return false;
 }
 
-const double infinity = std::numeric_limits<double>::infinity();
-
 }  // namespace
 
 TEST_CASE("the triangle as it is passes on every rung") {

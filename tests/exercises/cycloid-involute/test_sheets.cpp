@@ -1,15 +1,10 @@
 // The sheets of cycloid and involute, whatever is given.
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/cycloid-involute/cases.h"
 
 using namespace epure;
 using namespace epure::tests;
 
 namespace {
-
-const Tried& both() {
-  static const Tried tried("cycloid-involute");
-  return tried;
-}
 
 // Angles and arcs around the arch, wheels and circles large and small, quick and slow.
 const std::vector<Assignments> usual{{},

@@ -1,19 +1,10 @@
 // Cycloid and involute: the numbers are those of a corpus that knows positions only; the cusp on both sides; the
 // source's numbers and the mistakes that give them.
 #include "exercises/cycloid-involute/exercise.h"
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/cycloid-involute/cases.h"
 
 using namespace epure;
 using namespace epure::tests;
-
-namespace {
-
-const Tried& both() {
-  static const Tried tried("cycloid-involute");
-  return tried;
-}
-
-}  // namespace
 
 TEST_CASE("cycloid and involute: what is promised is reported", "[cycloid-involute]") {
   const CheckedExercise result = both().checked({});

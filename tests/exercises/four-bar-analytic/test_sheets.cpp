@@ -2,15 +2,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/exercises/four_bar_on_x_cases.h"
+#include "tests/exercises/four-bar-analytic/cases.h"
 #include "tests/support/read_svg.h"
 
 using namespace epure;
 using namespace epure::tests;
 
 namespace {
-
-const std::string id = "four-bar-analytic";
 
 const std::vector<Assignments>& tries() {
   static const std::vector<Assignments> all{

@@ -2,15 +2,13 @@
 #include <cmath>
 #include <map>
 
-#include "tests/exercises/four_bar_on_x_cases.h"
+#include "tests/exercises/four-bar-analytic/cases.h"
 
 using namespace epure;
 using namespace epure::tests;
 using geometry::Settled;
 
 namespace {
-
-const std::string id = "four-bar-analytic";
 
 CheckedExercise checked(const Assignments& assignments) { return tests::checked(id, assignments); }
 

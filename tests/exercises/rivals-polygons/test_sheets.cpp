@@ -1,17 +1,12 @@
 // The sheets of Rivals' theorem: a step a picture, all at one scale, whatever is given.
 #include <algorithm>
 
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/rivals-polygons/cases.h"
 
 using namespace epure;
 using namespace epure::tests;
 
 namespace {
-
-const Tried& rivals() {
-  static const Tried tried("rivals-polygons");
-  return tried;
-}
 
 const std::vector<Diagram> diagrams{{"velocity-of-B", {"v_A", "v_BA", "v_B"}},
                                     {"velocity-of-G", {"v_A", "v_GA", "v_G"}},

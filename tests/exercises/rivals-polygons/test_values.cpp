@@ -1,18 +1,9 @@
 // Rivals' theorem on the slider-crank: its numbers, certain and by two routes or three, are those of a corpus that
 // knows positions only.
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/rivals-polygons/cases.h"
 
 using namespace epure;
 using namespace epure::tests;
-
-namespace {
-
-const Tried& rivals() {
-  static const Tried tried("rivals-polygons");
-  return tried;
-}
-
-}  // namespace
 
 TEST_CASE("Rivals: what is promised is reported", "[rivals]") {
   const CheckedExercise result = rivals().checked({});

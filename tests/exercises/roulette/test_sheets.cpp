@@ -1,15 +1,10 @@
 // The sheets of the roulettes, whatever rolls on whatever.
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/roulette/cases.h"
 
 using namespace epure;
 using namespace epure::tests;
 
 namespace {
-
-const Tried& roulette() {
-  static const Tried tried("roulette");
-  return tried;
-}
 
 const std::vector<Assignments> usual{{},
                                      {"how=circle_on_line", "phi=140"},

@@ -1,15 +1,10 @@
 // A point carried by a rolling circle: what the command line reports is the corpus', which knows positions only.
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/roulette/cases.h"
 
 using namespace epure;
 using namespace epure::tests;
 
 namespace {
-
-const Tried& roulette() {
-  static const Tried tried("roulette");
-  return tried;
-}
 
 const std::map<std::string, std::string> names{{"x", "M_x"},
                                                {"y", "M_y"},

@@ -1,15 +1,10 @@
 // The sheets of the bar on a translating body, whatever is given.
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/velocity-centre/cases.h"
 
 using namespace epure;
 using namespace epure::tests;
 
 namespace {
-
-const Tried& bar() {
-  static const Tried tried("velocity-centre");
-  return tried;
-}
 
 const std::vector<Assignments> usual{
     {},           {"omega=0"},    {"omega=-3"},  {"V=-12"},     {"V=0"},       {"omega=0", "V=0"},

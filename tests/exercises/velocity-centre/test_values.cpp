@@ -1,17 +1,8 @@
 // The bar on a translating body: its numbers are those of a corpus that knows positions only; the source's numbers.
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/velocity-centre/cases.h"
 
 using namespace epure;
 using namespace epure::tests;
-
-namespace {
-
-const Tried& bar() {
-  static const Tried tried("velocity-centre");
-  return tried;
-}
-
-}  // namespace
 
 TEST_CASE("velocity centre: what is promised is reported", "[velocity-centre]") {
   const CheckedExercise result = bar().checked({});
