@@ -2,17 +2,16 @@
 
 #include <cmath>
 
-#include "exercises/kit/checked.h"
 #include "exercises/kit/sheet.h"
 
 namespace epure {
 
 Readings::Readings(const DrawnSheet& drawn) {
-  for (const Measurement& m : drawn.measurements) {
-    const OnSheet shown = measure(m, {}, drawn.sheet.paper);
-    values_.emplace(m.quantity, shown.value);
-    millimetres_.emplace(m.quantity, std::abs(shown.value) / shown.per_mm);
-  }
+  for (const Measurement& m : drawn.measurements) shown_.emplace(m.quantity, measure(m, {}, drawn.sheet.paper));
+}
+
+bool Readings::is_unit(double length, const std::string& like) const {
+  return std::abs(length) >= shown_.at(like).per_mm;
 }
 
 drawings::Table comparison_table(const std::vector<Comparison>& rows, const Words& first, const Words& second,

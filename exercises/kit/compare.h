@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "exercises/kit/checked.h"
 #include "exercises/kit/exercise.h"
 
 namespace epure {
@@ -13,13 +14,15 @@ namespace epure {
 class Readings {
  public:
   explicit Readings(const DrawnSheet& drawn);
-  bool has(const std::string& quantity) const { return values_.contains(quantity); }
-  double operator[](const std::string& quantity) const { return values_.at(quantity); }
+  bool has(const std::string& quantity) const { return shown_.contains(quantity); }
+  double operator[](const std::string& quantity) const { return shown_.at(quantity).value; }
   // Shown at least a millimetre long: shorter, a ruler cannot make it the measure of others.
-  bool is_unit(const std::string& quantity) const { return has(quantity) && millimetres_.at(quantity) >= 1; }
+  bool is_unit(const std::string& quantity) const { return has(quantity) && is_unit((*this)[quantity], quantity); }
+  // The same of a length found from others, at the scale of `like`, which is shown.
+  bool is_unit(double length, const std::string& like) const;
 
  private:
-  std::map<std::string, double> values_, millimetres_;
+  std::map<std::string, OnSheet> shown_;
 };
 
 struct Comparison {

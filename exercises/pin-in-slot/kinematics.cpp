@@ -81,6 +81,7 @@ std::vector<Comparison> comparisons(const DrawnSheet& drawn, const Drawn& f) {
   const Readings read(drawn);
   if (!read.has("P23_x") || !read.is_unit("v_B")) return {};
   const double DP23 = read["P23_x"] - read["B_x"], by_polygon = read["v_B"] / f.B.y;
+  if (!read.is_unit(DP23, "P23_x")) return {};
   return {{"|$ω_{d}$| (rad/s)", by_polygon, std::abs(f.omega) * read["P23_x"] / DP23}};
 }
 

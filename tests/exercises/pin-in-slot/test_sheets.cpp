@@ -64,6 +64,18 @@ TEST_CASE("every sheet is drawn, whatever is given", "[pin-in-slot][sheets]") {
       }
 }
 
+TEST_CASE("a slot nearly along the guide: relative pole and disc in one point on paper", "[pin-in-slot][sheets]") {
+  for (const char* given : {"OB=110", "OB=1e8", "R=1e-9", "AO=1e5"}) {
+    CAPTURE(given);
+    const DrawnSheet sheet = draw("kinematics", {given});
+    for (const drawings::Block& block : sheet.sheet.column)
+      CHECK_FALSE(std::holds_alternative<drawings::Table>(block));
+  }
+  const DrawnSheet usual_sheet = draw("kinematics", {});
+  CHECK(std::any_of(usual_sheet.sheet.column.begin(), usual_sheet.sheet.column.end(),
+                    [](const drawings::Block& block) { return std::holds_alternative<drawings::Table>(block); }));
+}
+
 TEST_CASE("letters find room on all sheets", "[pin-in-slot][sheets]") {
   for (const auto& assignments : usual)
     for (const SheetSpec& sheet : pin_in_slot().about().sheets)
