@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace epure {
@@ -62,8 +63,13 @@ void demand_settled(CheckedExercise& checked, const CheckedQuantity& quantity) {
           fmt::format("{}: undecided by {} ({})", quantity.spec.name, route.route, route.settled.reason));
 }
 
+// A true value midway between two doubles has no nearest one: no ball around it tells more than these two.
+bool is_between_neighbours(const geometry::Enclosure& enclosure) {
+  return std::nextafter(enclosure.lower, enclosure.upper) == enclosure.upper;
+}
+
 void demand_certainty(CheckedExercise& checked, const CheckedQuantity& quantity) {
-  if (quantity.settled.kind == Settled::Kind::enclosed)
+  if (quantity.settled.kind == Settled::Kind::enclosed && !is_between_neighbours(quantity.settled.enclosure))
     checked.failures.push_back(fmt::format("{}: no more is known than that it lies {} ({})", quantity.spec.name,
                                            in_words(quantity.settled), quantity.settled.reason));
   std::set<std::string> routes;

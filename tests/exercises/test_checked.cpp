@@ -97,6 +97,17 @@ TEST_CASE("what is undecided, or only enclosed after the climb, fails") {
   CHECK(failures(both_enclosed, Rung::bounded).empty());
 }
 
+TEST_CASE("between two neighbouring doubles no more need be known: a tie has no nearest") {
+  const double least = std::nextafter(-2.5, -3), second = std::nextafter(least, -3);
+  for (const double lower : {least, second}) {
+    const auto spoil = [&](auto& values) {
+      for (const std::string route : {"ruler", "analytic"})
+        value_of(values, "omega", route) = enclosed(lower, lower, -2.5);
+    };
+    CHECK(mentions(failures(spoil), "no more is known") == (lower == second));
+  }
+}
+
 TEST_CASE("the value is that of the route that knows most") {
   Triangle triangle;
   triangle.spoil_values = [](auto& values) { value_of(values, "omega", "ruler") = enclosed(-3, -2.6, -2); };
