@@ -197,9 +197,7 @@ class PitchPointSheet {
   void draw_contact(Language language) {
     if (!pair_.has_contact()) return;
     const Place A = pair_.at(*pair_.A), E = pair_.at(*pair_.E), P0{0, 0};
-    plot_.segment(A, E, Meaning::locus, "AE");
-    for (const double xi : {*pair_.A, *pair_.E})
-      for (const int number : {1, 2}) draw_flank(number, xi);
+    draw_path();
     for (const auto& [P, name] : {std::pair{A, "$A$"}, std::pair{E, "$E$"}}) {
       plot_.dot(P, Meaning::locus);
       plot_.label(name, P, {}, Meaning::locus);
@@ -212,11 +210,20 @@ class PitchPointSheet {
     draw_dimensions(language);
   }
 
-  // A tooth in interference has no flank that far.
-  void draw_flank(int number, double xi) {
-    const bool beyond_1 = xi <= pair_.T1;
-    const bool beyond_2 = pair_.T2 && (pair_.is_ring() ? xi <= *pair_.T2 : xi >= *pair_.T2);
-    if (!beyond_1 && !beyond_2) teeth_.draw_flank(plot_, number, xi);
+  // AE, dashed where no flanks touch, and the flanks at the ends of what is left.
+  void draw_path() {
+    const DrawnPath& path = pair_.path;
+    const double from = path.touches ? path.begins.xi : *pair_.E, to = path.touches ? path.ends.xi : *pair_.E;
+    if (from > *pair_.A) plot_.segment(pair_.at(*pair_.A), pair_.at(from), Meaning::alternative);
+    if (to < *pair_.E) plot_.segment(pair_.at(to), pair_.at(*pair_.E), Meaning::alternative);
+    if (!path.touches) return;
+    plot_.segment(pair_.at(from), pair_.at(to), Meaning::locus, path.is_whole() ? "AE" : "contact");
+    for (const DrawnPath::End& end : {path.begins, path.ends}) {
+      for (const int number : {1, 2}) teeth_.draw_flank(plot_, number, end.xi);
+      if (end.by == DrawnPath::By::tip) continue;
+      plot_.dot(pair_.at(end.xi), Meaning::locus);
+      plot_.label("$" + end.name + "$", pair_.at(end.xi), {}, Meaning::locus);
+    }
   }
 
   // Where the flank that touches at ξ cuts its pitch circle: the wheel has turned by ξ/r_b since P0.
@@ -253,13 +260,12 @@ class PitchPointSheet {
 
   // Between B and D one pair of teeth carries alone.
   void draw_single_contact() {
-    const double B = *pair_.E - pair_.base_pitch, D = *pair_.A + pair_.base_pitch;
-    if (!has_single_contact(pair_)) return;
-    for (const auto& [xi, name] : {std::pair{B, "$B$"}, std::pair{D, "$D$"}}) {
+    if (!pair_.has_single_contact()) return;
+    for (const auto& [xi, name] : {std::pair{pair_.B(), "$B$"}, std::pair{pair_.D(), "$D$"}}) {
       plot_.dot(pair_.at(xi), Meaning::locus);
       plot_.label(name, pair_.at(xi), {}, Meaning::locus);
     }
-    plot_.measures("base_pitch", pair_.at(*pair_.A), pair_.at(D));
+    plot_.measures("base_pitch", pair_.at(pair_.path.begins.xi), pair_.at(pair_.D()));
   }
 
   void draw_dimensions(Language language) {
@@ -272,10 +278,10 @@ class PitchPointSheet {
       dimension(*pair_.A, 0, -off, "$P_{0}A$");
       dimension(0, *pair_.E, -off, "$P_{0}E$");
     }
-    if (pair_.contact_ratio() <= 1) return;
+    if (pair_.true_contact_ratio() <= 1) return;
     // Below, in wheel 1, when its body is wide enough; else above the other two.
     const bool below = pair_.wheel1.circles.r_root > 2.5 * pair_.m();
-    dimension(*pair_.A, *pair_.A + pair_.base_pitch, below ? off : -off - 10, "$p_{b}$");
+    dimension(pair_.path.begins.xi, pair_.D(), below ? off : -off - 10, "$p_{b}$");
   }
 
   // Addendum and dedendum of wheel 1 along the middle of a space beside the mesh.
@@ -317,7 +323,7 @@ class PitchPointSheet {
     plot_.step(4, pair_.at(*pair_.A));
     plot_.step(5, pair_.at(pair_.shown_contact()));
     plot_.step(6, arc_end(1, *pair_.A));
-    if (has_single_contact(pair_)) plot_.step(7, pair_.at(*pair_.A + pair_.base_pitch));
+    if (pair_.has_single_contact()) plot_.step(7, pair_.at(pair_.D()));
   }
 
   DrawnSheet& onto_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exercises/gear-pair/contact_words.h"
 #include "exercises/gear-pair/exercise.h"
 #include "exercises/gear-pair/fault_marks.h"
 #include "exercises/gear-pair/fault_words.h"
@@ -312,6 +313,16 @@ std::string legend(const DrawnPair& pair, Language language) {
       shifted ? "$d_{w}$ di funzionamento, " : "");
 }
 
+// That of the table of results, and where flanks are not whole what is left of it.
+std::string both_contact_ratios(const DrawnPair& pair, Language language) {
+  const std::string whole = figures(pair.contact_ratio(), 4, language);
+  if (pair.path.is_whole()) return fmt::format("$f$ = {}", whole);
+  const std::string of_whole =
+      fmt::format("{} {}", whole, Words{"of whole flanks", "di fianchi interi"}.in(language));
+  if (!pair.path.known || !pair.path.touches) return "$f$ = " + of_whole;
+  return fmt::format("{} ({})", true_contact_ratio(pair, language), of_whole);
+}
+
 std::string of_the_pair(const DrawnPair& pair, Language language) {
   const bool english = language == Language::english;
   std::string text;
@@ -320,7 +331,7 @@ std::string of_the_pair(const DrawnPair& pair, Language language) {
   add(fmt::format("$α$ = {}°", exactly(360 * pair.of.alpha.fraction, language)));
   if (pair.O2) add(fmt::format("$a$ = {}\u00a0mm", to_micrometre(pair.centre_distance, language)));
   if (pair.alpha != pair.alpha_w) add(fmt::format("$α_{{w}}$ = {}°", figures(pair.alpha_w / degree, 6, language)));
-  if (pair.has_contact()) add(fmt::format("$f$ = {}", figures(pair.contact_ratio(), 4, language)));
+  if (pair.has_contact()) add(both_contact_ratios(pair, language));
   add(english ? fmt::format("backlash $j$ = {}\u00a0mm", exactly(1000 * pair.of.j, language))
               : fmt::format("gioco $j$ = {}\u00a0mm", exactly(1000 * pair.of.j, language)));
   return text + ".";

@@ -56,11 +56,15 @@ bool has_label(const DrawnSheet& drawn, const std::string& text) {
   return false;
 }
 
-std::size_t pieces(const DrawnSheet& drawn, const std::string& name) {
+const drawings::Line* line(const DrawnSheet& drawn, const std::string& name) {
   for (const drawings::Mark& mark : drawn.sheet.figure.marks)
-    if (const auto* line = std::get_if<drawings::Line>(&mark); line && line->name == name)
-      return line->path.pieces.size();
-  return 0;
+    if (const auto* found = std::get_if<drawings::Line>(&mark); found && found->name == name) return found;
+  return nullptr;
+}
+
+std::size_t pieces(const DrawnSheet& drawn, const std::string& name) {
+  const drawings::Line* found = line(drawn, name);
+  return found ? found->path.pieces.size() : 0;
 }
 
 }  // namespace
@@ -195,4 +199,51 @@ TEST_CASE("gear-pair: the steps tell of two, one or no tangent points on the she
   CHECK(steps(gear_pair().draw("pitch-point", source)).find("Not both") == std::string::npos);
   CHECK(steps(gear_pair().draw("pitch-point", thousand)).find("Not both") != std::string::npos);
   CHECK(steps(gear_pair().draw("pitch-point", rack)).find("$T_{2}$") == std::string::npos);
+}
+
+// F1 of z1 = 8, z2 = 40, α = 22°: the cutter's trochoid and the involute crossed with mpmath, apart from this
+// program.
+TEST_CASE("gear-pair: where flanks are cut away every sheet says how far they touch", "[gear-pair][sheets]") {
+  const Words left{
+      "flank 1 begins only in $F_{1}$, 9.329\u00a0mm before $P_{0}$: contact $F_{1}E$ = 27.88\u00a0mm, "
+      "$f$ = $F_{1}E$/$p_{b}$ = 0.9571, below 1",
+      "il fianco 1 inizia solo in $F_{1}$, 9,329\u00a0mm prima di $P_{0}$: contatto $F_{1}E$ = "
+      "27,88\u00a0mm, $f$ = $F_{1}E$/$p_{b}$ = 0,9571, minore di 1"};
+  const Assignments cut{"z1=8"};
+  for (const char* sheet : {"pitch-point", "sliding"}) {
+    CAPTURE(sheet);
+    CHECK(column(gear_pair().draw(sheet, cut)).find(left.english) != std::string::npos);
+    CHECK(column(gear_pair().draw(sheet, cut, {.language = Language::italian})).find(left.italian) !=
+          std::string::npos);
+  }
+  CHECK(column(gear_pair().draw("wheels", cut)).find("0.9571, below 1 (1.448 of whole flanks)") != std::string::npos);
+  CHECK(has_label(gear_pair().draw("pitch-point", cut), "no continuous contact"));
+}
+
+TEST_CASE("gear-pair: undercut and pointed teeth that shorten no contact, or its end", "[gear-pair][sheets]") {
+  // The mate's tips, cut short, touch flank 1 only above what is cut away.
+  const Assignments spared{"z1=14", "alpha=20", "k=0.4"};
+  CHECK(column(gear_pair().draw("pitch-point", spared)).find("undercuts") != std::string::npos);
+  for (const char* sheet : {"pitch-point", "wheels", "sliding"}) {
+    CAPTURE(sheet);
+    CHECK(column(gear_pair().draw(sheet, spared)).find("whole flanks") == std::string::npos);
+    CHECK(column(gear_pair().draw(sheet, source)).find("whole flanks") == std::string::npos);
+  }
+  CHECK(column(gear_pair().draw("sliding", {"x1=0.9", "z1=12", "alpha=25"})).find("touches only to $V_{1}$") !=
+        std::string::npos);
+  const Assignments apart{"z1=4", "z2=12", "alpha=20", "x1=-0.3", "ha=0.8", "hf=1", "rho=0"};
+  CHECK(column(gear_pair().draw("pitch-point", apart)).find("they never touch") != std::string::npos);
+  CHECK(column(gear_pair().draw("sliding", apart)).find("no sliding") != std::string::npos);
+}
+
+TEST_CASE("gear-pair: sliding ends where the flanks do, and is dashed grey beyond", "[gear-pair][sheets]") {
+  const DrawnSheet drawn = gear_pair().draw("sliding", {"z1=8"});
+  const drawings::Line *sliding = line(drawn, "v_s"), *beyond = line(drawn, "of_whole_flanks");
+  REQUIRE(sliding != nullptr);
+  REQUIRE(beyond != nullptr);
+  CHECK(beyond->meaning == drawings::Meaning::construction);
+  const double from = sliding->path.start.x, to = sliding->path.pieces.back().end.x, A = beyond->path.start.x;
+  CHECK((to - from) / (to - A) == Approx(27.8785 / 42.1841).epsilon(1e-3));
+  for (const char* name : {"T_{1}", "F_{1}"}) CHECK(has_label(drawn, name));
+  CHECK(line(gear_pair().draw("sliding", source), "of_whole_flanks") == nullptr);
 }
