@@ -88,7 +88,7 @@ TEST_CASE("contact path: whole flanks keep all of AE, pointed teeth lose its end
   const Arithmetic<Deep> deep_scope(128);
   for (const PairKind kind : {PairKind::external, PairKind::internal, PairKind::rack}) {
     PairData given = source();
-    given.kind = kind, given.z2 = 60;
+    given.kind = kind, given.z1 = 30, given.z2 = 200;
     const GearPair<Deep> pair = gear_pair<Deep>(given);
     const ContactPath path = contact_path(given);
     CHECK(path.begins.by == By::tip);
@@ -96,6 +96,10 @@ TEST_CASE("contact path: whole flanks keep all of AE, pointed teeth lose its end
     CHECK(enclosure(path.length()).value ==
           Approx(enclosure(pair.position(pair.E()) - pair.position(pair.A())).value).epsilon(1e-14));
   }
+  // The tips of a ring reach deeper: below the flank of its pinion of 20 teeth.
+  PairData ring = source();
+  ring.kind = PairKind::internal, ring.z2 = 60;
+  CHECK(contact_path(ring).begins.by == By::root);
   PairData pointed = source();
   pointed.z1 = 12, pointed.x1 = {9, 10}, pointed.alpha = Turn{{25, 360}};
   const ContactPath path = contact_path(pointed);
