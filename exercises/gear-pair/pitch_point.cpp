@@ -251,9 +251,11 @@ class PitchPointSheet {
                  number == 1 ? "arc_of_action_1" : "arc_of_action_2");
       }
       const std::string prime = number == 1 ? "" : "'";
-      for (const auto& [N, index] : {std::pair{N1, "1"}, std::pair{N2, "2"}}) {
+      // On the side away from the other wheel's N, with which it must not be taken for one.
+      for (const auto& [xi, index] : {std::pair{*pair_.A, "1"}, std::pair{*pair_.E, "2"}}) {
+        const Place N = arc_end(number, xi);
         plot_.dot(N, Meaning::locus);
-        plot_.label("$N" + prime + "_{" + index + "}$", N, {}, Meaning::locus);
+        plot_.label("$N" + prime + "_{" + index + "}$", N, arc_end(3 - number, xi), Meaning::locus);
       }
     }
   }
@@ -279,9 +281,14 @@ class PitchPointSheet {
       dimension(0, *pair_.E, -off, "$P_{0}E$");
     }
     if (pair_.true_contact_ratio() <= 1) return;
-    // Below, in wheel 1, when its body is wide enough; else above the other two.
-    const bool below = pair_.wheel1.circles.r_root > 2.5 * pair_.m();
-    dimension(pair_.path.begins.xi, pair_.D(), below ? off : -off - 10, "$p_{b}$");
+    dimension(pair_.path.begins.xi, pair_.D(), off_base_pitch(), "$p_{b}$");
+  }
+
+  // Paper millimetres from the line of action to the dimension of the base pitch: below, in wheel 1, when its body is
+  // wide enough; else above the other two dimensions.
+  double off_base_pitch() const {
+    const double off = off_teeth * pair_.m() * plot_.scale().mm_per_unit;
+    return pair_.wheel1.circles.r_root > 2.5 * pair_.m() ? off : -off - 10;
   }
 
   // Addendum and dedendum of wheel 1 along the middle of a space beside the mesh.
@@ -313,17 +320,28 @@ class PitchPointSheet {
     }
   }
 
-  // The numbers of the steps in the column.
+  // The numbers of the steps in the column. Around P0 there is little room: the line of action and the base pitch
+  // have theirs where they come out of the mesh.
   void number_steps() {
     plot_.step(1, {0, 0});
-    const double mm = 1 / plot_.scale().mm_per_unit;
-    plot_.step(2, pair_.at(pair_.has_contact() ? *pair_.E + 12 * mm : 14 * mm));
+    plot_.step(2, pair_.at(beyond_mesh()));
     if (inside(pair_.at(pair_.T1))) plot_.step(3, pair_.at(pair_.T1));
     if (!pair_.has_contact()) return;
     plot_.step(4, pair_.at(*pair_.A));
     plot_.step(5, pair_.at(pair_.shown_contact()));
     plot_.step(6, arc_end(1, *pair_.A));
-    if (pair_.has_single_contact()) plot_.step(7, pair_.at(pair_.D()));
+    if (!pair_.has_single_contact()) return;
+    const drawings::Point D = plot_.at(pair_.at(pair_.D()));
+    const double off = off_base_pitch();
+    plot_.step(7, plot_.from_paper({D.x - off * pair_.along.y, D.y + off * pair_.along.x}));
+  }
+
+  // On the line of action: half-way from E to where it ends, which is T2 when that is on the sheet.
+  double beyond_mesh() const {
+    const double mm = 1 / plot_.scale().mm_per_unit;
+    if (!pair_.has_contact()) return 14 * mm;
+    const std::vector<double> shown = places_shown(pair_);
+    return std::max(*pair_.E + 12 * mm, (*pair_.E + *std::max_element(shown.begin(), shown.end())) / 2);
   }
 
   DrawnSheet& onto_;

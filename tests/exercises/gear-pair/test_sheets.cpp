@@ -1,5 +1,6 @@
 // N.12's sheets: drawn whatever pair is given, letters apart, faults said in both languages, lengths right in the
 // file.
+#include <algorithm>
 #include <cmath>
 
 #include "tests/exercises/gear-pair/cases.h"
@@ -54,6 +55,13 @@ bool has_label(const DrawnSheet& drawn, const std::string& text) {
   for (const drawings::Label& label : drawn.sheet.figure.labels)
     if (label.text.find(text) != std::string::npos) return true;
   return false;
+}
+
+const drawings::Label& label(const DrawnSheet& drawn, const std::string& text) {
+  const auto& labels = drawn.sheet.figure.labels;
+  const auto found = std::find_if(labels.begin(), labels.end(), [&](const auto& each) { return each.text == text; });
+  REQUIRE(found != labels.end());
+  return *found;
 }
 
 const drawings::Line* line(const DrawnSheet& drawn, const std::string& name) {
@@ -246,4 +254,20 @@ TEST_CASE("gear-pair: sliding ends where the flanks do, and is dashed grey beyon
   CHECK((to - from) / (to - A) == Approx(27.8785 / 42.1841).epsilon(1e-3));
   for (const char* name : {"T_{1}", "F_{1}"}) CHECK(has_label(drawn, name));
   CHECK(line(gear_pair().draw("sliding", source), "of_whole_flanks") == nullptr);
+}
+
+// Both wheels' points lie close together: a letter between them could be that of either.
+TEST_CASE("gear-pair: the ends of the arcs have their letters outside", "[gear-pair][sheets]") {
+  for (const Assignments& givens : {source, eight, five, ring, rack}) {
+    const DrawnSheet drawn = gear_pair().draw("pitch-point", givens);
+    for (const std::string index : {"_{1}$", "_{2}$"}) {
+      CAPTURE(givens, index);
+      const drawings::Label &of_1 = label(drawn, "$N" + index), &of_2 = label(drawn, "$N'" + index);
+      REQUIRE(of_1.away_from);
+      REQUIRE(of_2.away_from);
+      CHECK(std::hypot(of_1.away_from->x - of_2.at.x, of_1.away_from->y - of_2.at.y) == Approx(0).margin(1e-9));
+      CHECK(std::hypot(of_2.away_from->x - of_1.at.x, of_2.away_from->y - of_1.at.y) == Approx(0).margin(1e-9));
+      CHECK(of_1.at.y <= of_2.at.y);
+    }
+  }
 }
