@@ -21,6 +21,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double smallest_module = 0.8;  // mm of paper: below it teeth are no longer seen
 constexpr double outlined_thin = 2.5;    // mm: teeth of smaller modules have thin outlines
+constexpr double least_room = 9;         // mm of paper, of a root circle that holds the sense of rotation
 constexpr double air = 4;                // mm
 constexpr double beside = 10;            // mm from the largest wheel to the dimension of the centre distance
 
@@ -195,10 +196,10 @@ class WheelsSheet {
   }
 
   // Wheel 1 shows its radii below its centre, wheel 2 above, as a ring below; wheel 1 in a ring to the sides, where
-  // the ring's own do not pass.
+  // the ring's own do not pass, unless it is so small that these begin far below it.
   double towards(int number, double direction) const {
     if (number == 2) return pair_.is_ring() ? direction : direction - 180;
-    if (!pair_.is_ring()) return direction;
+    if (!pair_.is_ring() || is_tiny(1)) return direction;
     return 180 + (direction < 270 ? (direction - 223) * 0.8 : 180 + (direction - 317) * 0.8);
   }
 
@@ -215,15 +216,36 @@ class WheelsSheet {
     const Place& O = centre(number);
     if (!inside(O)) return;
     plot_.hinge(O);
-    plot_.label(fmt::format("$O_{{{}}}$", number), O);
+    name_centre(number);
+    const double r_root = on_paper(wheel(number).circles.r_root);
+    if (is_tiny(number))
+      draw_sense(number, on_paper(wheel(number).circles.r_tip) + 10, (number == 1 ? 270 : 90) * degree, 20 * degree);
+    else
+      draw_sense(number, std::clamp(0.45 * r_root, 6.0, 16.0), (number == 1 ? 90 : 270) * degree, 35 * degree);
+  }
+
+  // There is no room between the hinge and the teeth.
+  bool is_tiny(int number) const { return on_paper(wheel(number).circles.r_root) < least_room; }
+
+  // The centre of a tiny wheel is named beside its teeth, where no radius is drawn.
+  void name_centre(int number) {
+    const std::string text = fmt::format("$O_{{{}}}$", number);
+    const Place& O = centre(number);
+    if (is_tiny(number))
+      name_outside(text, O, {O.x + 1 / plot_.scale().mm_per_unit, O.y}, wheel(number).circles.r_tip);
+    else
+      plot_.label(text, O);
+  }
+
+  // An arc arrow about the wheel's centre, by its radius in paper millimetres and the angles of its middle and half.
+  void draw_sense(int number, double radius, double middle, double half) {
     const bool positive = (number == 1 ? pair_.omega_1 : pair_.omega_2) > 0;
-    const double from = (number == 1 ? 55 : 235) * degree, to = (number == 1 ? 125 : 305) * degree;
-    const double radius = std::clamp(0.45 * on_paper(wheel(number).circles.r_root), 6.0, 16.0);
-    plot_.mark(drawings::Rotation{plot_.at(O), radius, positive ? from : to, positive ? to : from});
-    const double middle = (from + to) / 2 + 0.25;
-    const drawings::Point p = plot_.at(O);
+    const drawings::Point O = plot_.at(centre(number));
+    plot_.mark(drawings::Rotation{O, radius, positive ? middle - half : middle + half,
+                                  positive ? middle + half : middle - half});
+    const double named = middle + 0.4 * half;
     plot_.label(fmt::format("$ω_{{{}}}$", number),
-                plot_.from_paper({p.x + radius * std::cos(middle), p.y + radius * std::sin(middle)}), O);
+                plot_.from_paper({O.x + radius * std::cos(named), O.y + radius * std::sin(named)}), centre(number));
   }
 
   void draw_centre_distance(Language language) {

@@ -271,3 +271,28 @@ TEST_CASE("gear-pair: the ends of the arcs have their letters outside", "[gear-p
     }
   }
 }
+
+TEST_CASE("gear-pair: the sense of rotation stands clear of the teeth, however small a wheel is",
+          "[gear-pair][sheets]") {
+  const Assignments six{"z1=6"}, tiny_in_ring{"kind=internal", "z1=5", "z2=60", "alpha=28"}, driven{"z1=40", "z2=6"};
+  for (const Assignments& givens : {source, eight, five, six, tiny_in_ring, driven}) {
+    const DrawnSheet drawn = gear_pair().draw("wheels", givens);
+    const auto radius = [&](const std::string& name) {
+      for (const Measurement& each : drawn.measurements)
+        if (each.quantity == name) return std::hypot(each.to.x - each.from.x, each.to.y - each.from.y);
+      return 0.0;
+    };
+    int wheel = 0;
+    for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
+      const auto* sense = std::get_if<drawings::Rotation>(&mark);
+      if (!sense) continue;
+      const std::string number = std::to_string(++wheel);
+      CAPTURE(givens, wheel, sense->radius);
+      const double inner = std::min(radius("r_root_" + number), radius("r_tip_" + number)),
+                   outer = std::max(radius("r_root_" + number), radius("r_tip_" + number));
+      REQUIRE(inner > 0);
+      CHECK((sense->radius < inner || sense->radius > outer));
+    }
+    CHECK(wheel == 2);
+  }
+}
