@@ -71,7 +71,7 @@ DrawnPath drawn_path(const geometry::ContactPath& path, const Deep& base_pitch) 
           .is_continuous = !is_negative(path.length() - base_pitch)};
 }
 
-// Without an outline: where involutes of these base circles could touch.
+// Where involutes of these base circles could touch: all that can be said of a wheel without an outline.
 DrawnPath path_of_whole_flanks(const DrawnPair& pair) {
   using Kind = geometry::Fault::Kind;
   DrawnPath path{.begins = {*pair.A, "A"}, .ends = {*pair.E, "E"}};
@@ -79,6 +79,17 @@ DrawnPath path_of_whole_flanks(const DrawnPair& pair) {
   if (pair.has(Kind::interference_recess)) path.ends = {*pair.T2, "T_{2}"};
   path.is_continuous = !pair.has(Kind::contact_ratio_below_one);
   return path;
+}
+
+// Whatever shortens the flanks of an external pair is a fault; a ring's or rack's own roots are not asked for.
+DrawnPath path_of(const DrawnPair& pair, const Deep& base_pitch) {
+  if (pair.faults.empty() && pair.of.kind == geometry::PairKind::external) {
+    DrawnPath path = path_of_whole_flanks(pair);
+    path.known = true;
+    return path;
+  }
+  const auto path = if_there([&] { return geometry::contact_path(pair.of); });
+  return path ? drawn_path(*path, base_pitch) : path_of_whole_flanks(pair);
 }
 
 }  // namespace
@@ -142,9 +153,7 @@ DrawnPair drawn_pair(const geometry::PairData& of, const Rational& turns_per_sec
       drawn.O2 = epure::to_double(*pair.O2);
       drawn.T2 = epure::to_double(pair.position(*pair.T2));
     }
-    if (!drawn.has_contact()) return drawn;
-    const auto path = if_there([&] { return geometry::contact_path(of); });
-    drawn.path = path ? drawn_path(*path, pitch * pair.alpha.cosine) : path_of_whole_flanks(drawn);
+    if (drawn.has_contact()) drawn.path = path_of(drawn, pitch * pair.alpha.cosine);
     return drawn;
   });
 }

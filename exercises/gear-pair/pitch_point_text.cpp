@@ -14,24 +14,24 @@ namespace {
 
 Words of_tangent_points(const DrawnPair& pair) {
   if (pair.is_rack())
-    return {"The perpendicular from $O_{1}$: the base circle touches it in $T_{1}$.",
-            "La perpendicolare da $O_{1}$: la circonferenza di base la tocca in $T_{1}$."};
+    return {"The perpendicular from $O_{1}$: $T_{1}$ on the base circle.",
+            "La perpendicolare da $O_{1}$: $T_{1}$ sul cerchio di base."};
   const bool off = !is_near(pair, pair.T1) || !is_near(pair, *pair.T2);
-  return {std::string("The perpendiculars from the centres: the base circles touch it in $T_{1}$ and $T_{2}$.") +
+  return {std::string("Perpendiculars from the centres: $T_{1}$, $T_{2}$ on base circles.") +
               (off ? " Not both lie on the sheet." : ""),
-          std::string("Le perpendicolari dai centri: le circonferenze di base la toccano in $T_{1}$ e $T_{2}$.") +
+          std::string("Le perpendicolari dai centri: $T_{1}$, $T_{2}$ sui cerchi di base.") +
               (off ? " Non cadono entrambi nel foglio." : "")};
 }
 
 // Up to the line of action and the base circles.
 std::vector<Words> steps_without_contact(const DrawnPair& pair) {
   const std::string alpha = pair.alpha == pair.alpha_w ? "$α$" : "$α_{w}$";
-  return {pair.is_rack() ? Words{"Pitch circle and pitch line touch in the pitch point $P_{0}$.",
-                                 "Primitiva e retta primitiva si toccano nel punto $P_{0}$."}
-                         : Words{"The pitch circles touch in the pitch point $P_{0}$ on the line of centres.",
-                                 "Le primitive si toccano nel punto $P_{0}$ sulla retta dei centri."},
-          {"The line of action through $P_{0}$, at " + alpha + " to the common tangent.",
-           "La retta d'azione per $P_{0}$, inclinata di " + alpha + " sulla tangente comune."},
+  return {pair.is_rack() ? Words{"Pitch circle and pitch line touch in $P_{0}$, the pitch point.",
+                                 "Primitiva e retta primitiva si toccano in $P_{0}$."}
+                         : Words{"The pitch circles touch in $P_{0}$, the pitch point.",
+                                 "Le primitive si toccano in $P_{0}$ sulla retta dei centri."},
+          {"The line of action there, at " + alpha + " to the common tangent.",
+           "La retta d'azione per $P_{0}$, a " + alpha + " dalla tangente comune."},
           of_tangent_points(pair)};
 }
 
@@ -69,9 +69,8 @@ Words of_arcs(const DrawnPair& pair) {
 std::vector<Words> steps_of_contact(const DrawnPair& pair) {
   const Words whole = pair.path.is_whole() ? Words{} : Words{" of whole flanks", " di fianchi interi"};
   std::vector<Words> steps{
-      {"The tips cut it in $A$ (of wheel 2) and $E$ (of wheel 1): $AE$ is the path of contact" + whole.english + ".",
-       "Le circonferenze di testa la tagliano in $A$ (ruota 2) ed $E$ (ruota 1): $AE$ è la linea di ingranamento" +
-           whole.italian + "."},
+      {"Tip 2 cuts it in $A$, tip 1 in $E$: $AE$ is the path of contact" + whole.english + ".",
+       "La tagliano la testa 2 in $A$, la 1 in $E$: $AE$ è la linea di ingranamento" + whole.italian + "."},
       of_flanks(pair),
       of_arcs(pair)};
   const std::string begin = "$" + pair.path.begins.name + "$", end = "$" + pair.path.ends.name + "$";

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "geometry/gears/contact_path.h"
+#include "geometry/gears/faults.h"
 #include "geometry/numbers/enclosure.h"
 #include "tests/support/corpus.h"
 
@@ -109,4 +110,25 @@ TEST_CASE("contact path: whole flanks keep all of AE, pointed teeth lose its end
   PairData rounded = source();
   rounded.kind = PairKind::rack, rounded.z1 = 60, rounded.rho = {2, 5}, rounded.hf = 1;
   CHECK(contact_path(rounded).ends.by == By::root);
+}
+
+// The sheets rely on it: they do not look for the path of an external pair without fault.
+TEST_CASE("contact path: what shortens the flanks of an external pair is a fault", "[gears]") {
+  const Arithmetic<Bounded> scope;
+  const Arithmetic<Deep> deep_scope(128);
+  int sound = 0;
+  for (const long z1 : {6, 10, 14, 17, 20, 30})
+    for (const long z2 : {9, 18, 40, 200})
+      for (const Rational& x1 : {Rational(0), Rational(3, 10), Rational(8, 10)})
+        for (const Rational& rho : {Rational(0), Rational(1, 4), Rational(2, 5)}) {
+          PairData given = source();
+          given.z1 = z1, given.z2 = z2, given.x1 = x1, given.x2 = -x1 / 2, given.rho = rho;
+          if (!faults(given).empty()) continue;
+          ++sound;
+          CAPTURE(z1, z2, enclosure(from_rational<Deep>(x1)).value, enclosure(from_rational<Deep>(rho)).value);
+          const ContactPath path = contact_path(given);
+          CHECK(path.begins.by == By::tip);
+          CHECK(path.ends.by == By::tip);
+        }
+  CHECK(sound > 20);
 }
