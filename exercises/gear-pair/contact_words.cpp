@@ -45,6 +45,12 @@ std::string what_is_left(const DrawnPair& pair, Language language) {
 
 std::string name_of_path(const DrawnPath& path) { return path.begins.name + path.ends.name; }
 
+std::string plain_name(const DrawnPath::End& end) {
+  std::string name = end.name;
+  std::erase_if(name, [](char c) { return c == '_' || c == '{' || c == '}'; });
+  return name;
+}
+
 std::string true_contact_ratio(const DrawnPair& pair, Language language) {
   return fmt::format("$f$ = ${}$/$p_{{b}}$ = {}{}", name_of_path(pair.path),
                      figures(pair.true_contact_ratio(), 4, language),

@@ -10,6 +10,9 @@ namespace epure::gear_pair {
 // "AE", "F_{1}E": rich text between dollars.
 std::string name_of_path(const DrawnPath& path);
 
+// For a description in plain text: "F1".
+std::string plain_name(const DrawnPath::End& end);
+
 // Of the path that is left: "$f$ = $F_{1}E$/$p_{b}$ = 1.021".
 std::string true_contact_ratio(const DrawnPair& pair, Language language);
 

@@ -151,10 +151,16 @@ void add_text(DrawnSheet& onto, const DrawnPair& pair, const Teeth& teeth, Langu
   std::vector<Value> values{{"p_b", pair.base_pitch, "m"}};
   if (pair.has_contact()) {
     column.push_back(drawings::Paragraph{contact_ratio(pair, language)});
-    if (!pair.path.is_whole())
+    const bool whole = pair.path.is_whole();
+    if (!whole)
       column.push_back(drawings::Paragraph{about_path(
           pair, {"Paths and arcs are of whole flanks", "Linee e archi sono di fianchi interi"}, language)});
-    values.insert(values.begin(), {{"P0A", -*pair.A, "m"}, {"P0E", *pair.E, "m"}, {"f", pair.contact_ratio(), ""}});
+    values.insert(
+        values.begin(),
+        {{"P0A", -*pair.A, "m"}, {"P0E", *pair.E, "m"}, {whole ? "f" : "AE/p_b", pair.contact_ratio(), ""}});
+    if (!whole && pair.path.known && pair.path.touches)
+      values.push_back(
+          {plain_name(pair.path.begins) + plain_name(pair.path.ends) + "/p_b", pair.true_contact_ratio(), ""});
   }
   onto.sheet.description = in_words(
       {"Both wheels around the pitch point with their circles, the line of action, the path of contact AE and "

@@ -296,6 +296,9 @@ void draw_sliding(DrawnSheet& onto, const DrawnPair& pair, const Differences& di
   if (!pair.has_contact() || !pair.path.touches) {
     column.push_back(drawings::Paragraph{english ? "There is no contact, and no sliding to be drawn."
                                                  : "Non c'è contatto, né strisciamento da disegnare."});
+    if (pair.has_contact())
+      column.push_back(drawings::Paragraph{
+          about_path(pair, {"Whole flanks would touch", "Fianchi interi si toccherebbero"}, language)});
     return;
   }
   drawings::Box room = drawings::drawing_area(request.paper);
@@ -318,8 +321,8 @@ void draw_sliding(DrawnSheet& onto, const DrawnPair& pair, const Differences& di
   onto.sheet.description =
       in_words({"Sliding velocity and specific sliding of both flanks along the path of contact",
                 "Velocità di strisciamento e strisciamento specifico dei due fianchi lungo la linea di ingranamento"},
-               {{"v_s(A)", velocities(pair, *pair.A).sliding(), "m/s"},
-                {"v_s(E)", velocities(pair, *pair.E).sliding(), "m/s"}},
+               {{"v_s(" + plain_name(pair.path.begins) + ")", velocities(pair, pair.path.begins.xi).sliding(), "m/s"},
+                {"v_s(" + plain_name(pair.path.ends) + ")", velocities(pair, pair.path.ends.xi).sliding(), "m/s"}},
                language);
 }
 

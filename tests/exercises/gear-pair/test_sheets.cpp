@@ -226,6 +226,8 @@ TEST_CASE("gear-pair: where flanks are cut away every sheet says how far they to
   }
   CHECK(column(gear_pair().draw("wheels", cut)).find("0.9571, below 1 (1.448 of whole flanks)") != std::string::npos);
   CHECK(has_label(gear_pair().draw("pitch-point", cut), "no continuous contact"));
+  CHECK(gear_pair().draw("pitch-point", cut).sheet.description.find("F1E/p_b = 0.957") != std::string::npos);
+  CHECK(gear_pair().draw("sliding", cut).sheet.description.find("v_s(F1) = -0.1758") != std::string::npos);
 }
 
 TEST_CASE("gear-pair: undercut and pointed teeth that shorten no contact, or its end", "[gear-pair][sheets]") {
@@ -242,6 +244,7 @@ TEST_CASE("gear-pair: undercut and pointed teeth that shorten no contact, or its
   const Assignments apart{"z1=4", "z2=12", "alpha=20", "x1=-0.3", "ha=0.8", "hf=1", "rho=0"};
   CHECK(column(gear_pair().draw("pitch-point", apart)).find("they never touch") != std::string::npos);
   CHECK(column(gear_pair().draw("sliding", apart)).find("no sliding") != std::string::npos);
+  CHECK(column(gear_pair().draw("sliding", apart)).find("they never touch") != std::string::npos);
 }
 
 TEST_CASE("gear-pair: sliding ends where the flanks do, and is dashed grey beyond", "[gear-pair][sheets]") {
