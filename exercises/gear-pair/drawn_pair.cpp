@@ -50,6 +50,48 @@ DrawnWheel drawn_wheel(const geometry::GearPair<Deep>& pair, int number) {
   return wheel;
 }
 
+std::string name_of_begin(DrawnPath::By by) {
+  if (by == DrawnPath::By::tip) return "A";
+  return by == DrawnPath::By::root ? "F_{1}" : "V_{2}";
+}
+std::string name_of_end(DrawnPath::By by) {
+  if (by == DrawnPath::By::tip) return "E";
+  return by == DrawnPath::By::root ? "F_{2}" : "V_{1}";
+}
+
+DrawnPath drawn_path(const geometry::ContactPath& path, const Deep& base_pitch) {
+  const auto end = [](const geometry::EndOfContact& of, const std::string& name) {
+    return DrawnPath::End{epure::to_double(of.xi), name, of.by};
+  };
+  const auto is_negative = [](const Deep& x) { return sign(x) == geometry::Sign::negative; };
+  return {.begins = end(path.begins, name_of_begin(path.begins.by)),
+          .ends = end(path.ends, name_of_end(path.ends.by)),
+          .known = true,
+          .touches = !is_negative(path.length()),
+          .is_continuous = !is_negative(path.length() - base_pitch)};
+}
+
+// Where involutes of these base circles could touch: all that can be said of a wheel without an outline.
+DrawnPath path_of_whole_flanks(const DrawnPair& pair) {
+  using Kind = geometry::Fault::Kind;
+  DrawnPath path{.begins = {*pair.A, "A"}, .ends = {*pair.E, "E"}};
+  if (pair.has(Kind::interference_approach)) path.begins = {pair.T1, "T_{1}"};
+  if (pair.has(Kind::interference_recess)) path.ends = {*pair.T2, "T_{2}"};
+  path.is_continuous = !pair.has(Kind::contact_ratio_below_one);
+  return path;
+}
+
+// Whatever shortens the flanks of an external pair is a fault; a ring's or rack's own roots are not asked for.
+DrawnPath path_of(const DrawnPair& pair, const Deep& base_pitch) {
+  if (pair.faults.empty() && pair.of.kind == geometry::PairKind::external) {
+    DrawnPath path = path_of_whole_flanks(pair);
+    path.known = true;
+    return path;
+  }
+  const auto path = if_there([&] { return geometry::contact_path(pair.of); });
+  return path ? drawn_path(*path, base_pitch) : path_of_whole_flanks(pair);
+}
+
 }  // namespace
 
 Place DrawnPair::tip_at_mesh(int wheel) const {
@@ -65,8 +107,12 @@ Place DrawnPair::root_at_mesh(int wheel) const {
 }
 
 double DrawnPair::shown_contact() const {
-  if (!has_contact() || (*A < 0 && *E > 0)) return 0;
-  return (*A + *E) / 2;
+  if (!has_contact() || !path.touches || (path.begins.xi < 0 && path.ends.xi > 0)) return 0;
+  return (path.begins.xi + path.ends.xi) / 2;
+}
+
+bool DrawnPair::has_single_contact() const {
+  return has_contact() && true_contact_ratio() > 1 && true_contact_ratio() < 2;
 }
 
 bool DrawnPair::has(geometry::Fault::Kind kind, int wheel) const {
@@ -102,10 +148,12 @@ DrawnPair drawn_pair(const geometry::PairData& of, const Rational& turns_per_sec
                     .omega_1 = epure::to_double(speeds.omega_1),
                     .omega_2 = epure::to_double(speeds.omega_2),
                     .faults = geometry::faults(of)};
-    if (!pair.O2) return drawn;
-    drawn.wheel2 = drawn_wheel(pair, 2);
-    drawn.O2 = epure::to_double(*pair.O2);
-    drawn.T2 = epure::to_double(pair.position(*pair.T2));
+    if (pair.O2) {
+      drawn.wheel2 = drawn_wheel(pair, 2);
+      drawn.O2 = epure::to_double(*pair.O2);
+      drawn.T2 = epure::to_double(pair.position(*pair.T2));
+    }
+    if (drawn.has_contact()) drawn.path = path_of(drawn, pitch * pair.alpha.cosine);
     return drawn;
   });
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exercises/kit/plot.h"
+#include "geometry/gears/contact_path.h"
 #include "geometry/gears/faults.h"
 #include "geometry/gears/gear_pair.h"
 
@@ -37,6 +38,25 @@ struct DrawnWheel {
   std::optional<BaseTangent> base_tangent;
 };
 
+// The part of the path of contact on which flanks touch: all of AE, or less where a flank is cut away, ends in the
+// rounding at its root, or belongs to pointed teeth.
+struct DrawnPath {
+  using By = geometry::EndOfContact::By;
+  struct End {
+    double xi;
+    std::string name;  // rich text between dollars: "A", "F_{1}"
+    By by = By::tip;
+  };
+  End begins, ends;
+  // False when a wheel has no outline: the ends are then those of whole flanks, which T1 and T2 limit all the same.
+  bool known = false;
+  bool touches = true;        // flanks do, somewhere
+  bool is_continuous = true;  // each pair of teeth touches until after the next has begun to
+
+  bool is_whole() const { return known && begins.by == By::tip && ends.by == By::tip; }
+  double length() const { return ends.xi - begins.xi; }
+};
+
 // Metres, radians, seconds, in the frame of geometry/gears/gear_pair.h.
 struct DrawnPair {
   geometry::PairData of;
@@ -49,7 +69,9 @@ struct DrawnPair {
   double T1;     // positions on it, signed, from P0
   std::optional<double> T2;
   std::optional<double> A, E;  // none when the tip circle does not reach the line of action
-  double omega_1, omega_2;     // counter-clockwise; of a rack omega_2 is 0
+  // What is left of AE; there is one when has_contact().
+  DrawnPath path = {};
+  double omega_1, omega_2;  // counter-clockwise; of a rack omega_2 is 0
   std::vector<geometry::Fault> faults;
 
   double m() const { return CGAL::to_double(of.m); }  // module
@@ -61,7 +83,12 @@ struct DrawnPair {
   Place root_at_mesh(int wheel) const;
   // Both tips reach the line of action, and contact begins before it ends.
   bool has_contact() const { return A && E && *A < *E; }
-  double contact_ratio() const { return (*E - *A) / base_pitch; }
+  double contact_ratio() const { return (*E - *A) / base_pitch; }  // of whole flanks
+  double true_contact_ratio() const { return path.length() / base_pitch; }
+  // Between B and D one pair of teeth carries alone, before and after them two.
+  bool has_single_contact() const;
+  double B() const { return path.ends.xi - base_pitch; }
+  double D() const { return path.begins.xi + base_pitch; }
   // A place of contact to draw the teeth at: P0 when contact passes it, else the middle of its path.
   double shown_contact() const;
   bool has(geometry::Fault::Kind kind, int wheel = 0) const;

@@ -41,12 +41,17 @@ class Marker {
         beyond(*pair_.T2, *pair_.E, fault.kind);
         break;
       case Kind::contact_ratio_below_one:
-        if (pair_.has_contact()) miss_contact(*pair_.E, *pair_.A + pair_.base_pitch);
-        break;
+        break;  // marked by the path that is left, which may be too short where AE is not
       case Kind::tips_collide:
         mark_crossing_of_tips();
         break;
     }
+  }
+
+  // Where the next pair of teeth touches, this one has parted.
+  void mark_missed_contact() const {
+    plot_.segment(pair_.at(pair_.path.ends.xi), pair_.at(pair_.D()), fault_ink);
+    led(pair_.at(pair_.D()), Kind::contact_ratio_below_one, {-8, 30});
   }
 
   // On the side to which the teeth leave: with the crossing at the height y over O1, x² + y² = r_a1² and
@@ -75,12 +80,6 @@ class Marker {
     plot_.cross(P, fault_ink);
     plot_.segment(P, end, Meaning::dimension);
     plot_.label(mark_of(kind, language_), end, P, fault_ink);
-  }
-
-  // Where the next pair of teeth touches, this one has parted.
-  void miss_contact(double from, double to) const {
-    plot_.segment(pair_.at(from), pair_.at(to), fault_ink);
-    led(pair_.at(to), Kind::contact_ratio_below_one, {-8, 30});
   }
 
   // What should not be needed of the line of action.
@@ -117,6 +116,7 @@ void mark_faults(Plot& plot, const DrawnPair& pair, const Teeth& teeth, Language
   const Marker marker(plot, pair, language);
   for (const Fault& fault : pair.faults)
     if (!fault.undecided) marker.mark(fault, teeth);
+  if (pair.has_contact() && pair.path.touches && !pair.path.is_continuous) marker.mark_missed_contact();
 }
 
 void mark_colliding_tips(Plot& plot, const DrawnPair& pair, Language language) {

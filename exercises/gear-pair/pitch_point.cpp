@@ -197,9 +197,7 @@ class PitchPointSheet {
   void draw_contact(Language language) {
     if (!pair_.has_contact()) return;
     const Place A = pair_.at(*pair_.A), E = pair_.at(*pair_.E), P0{0, 0};
-    plot_.segment(A, E, Meaning::locus, "AE");
-    for (const double xi : {*pair_.A, *pair_.E})
-      for (const int number : {1, 2}) draw_flank(number, xi);
+    draw_path();
     for (const auto& [P, name] : {std::pair{A, "$A$"}, std::pair{E, "$E$"}}) {
       plot_.dot(P, Meaning::locus);
       plot_.label(name, P, {}, Meaning::locus);
@@ -212,11 +210,20 @@ class PitchPointSheet {
     draw_dimensions(language);
   }
 
-  // A tooth in interference has no flank that far.
-  void draw_flank(int number, double xi) {
-    const bool beyond_1 = xi <= pair_.T1;
-    const bool beyond_2 = pair_.T2 && (pair_.is_ring() ? xi <= *pair_.T2 : xi >= *pair_.T2);
-    if (!beyond_1 && !beyond_2) teeth_.draw_flank(plot_, number, xi);
+  // AE, dashed where no flanks touch, and the flanks at the ends of what is left.
+  void draw_path() {
+    const DrawnPath& path = pair_.path;
+    const double from = path.touches ? path.begins.xi : *pair_.E, to = path.touches ? path.ends.xi : *pair_.E;
+    if (from > *pair_.A) plot_.segment(pair_.at(*pair_.A), pair_.at(from), Meaning::alternative);
+    if (to < *pair_.E) plot_.segment(pair_.at(to), pair_.at(*pair_.E), Meaning::alternative);
+    if (!path.touches) return;
+    plot_.segment(pair_.at(from), pair_.at(to), Meaning::locus, path.is_whole() ? "AE" : "contact");
+    for (const DrawnPath::End& end : {path.begins, path.ends}) {
+      for (const int number : {1, 2}) teeth_.draw_flank(plot_, number, end.xi);
+      if (end.by == DrawnPath::By::tip) continue;
+      plot_.dot(pair_.at(end.xi), Meaning::locus);
+      plot_.label("$" + end.name + "$", pair_.at(end.xi), {}, Meaning::locus);
+    }
   }
 
   // Where the flank that touches at ξ cuts its pitch circle: the wheel has turned by ξ/r_b since P0.
@@ -244,22 +251,23 @@ class PitchPointSheet {
                  number == 1 ? "arc_of_action_1" : "arc_of_action_2");
       }
       const std::string prime = number == 1 ? "" : "'";
-      for (const auto& [N, index] : {std::pair{N1, "1"}, std::pair{N2, "2"}}) {
+      // On the side away from the other wheel's N, with which it must not be taken for one.
+      for (const auto& [xi, index] : {std::pair{*pair_.A, "1"}, std::pair{*pair_.E, "2"}}) {
+        const Place N = arc_end(number, xi);
         plot_.dot(N, Meaning::locus);
-        plot_.label("$N" + prime + "_{" + index + "}$", N, {}, Meaning::locus);
+        plot_.label("$N" + prime + "_{" + index + "}$", N, arc_end(3 - number, xi), Meaning::locus);
       }
     }
   }
 
   // Between B and D one pair of teeth carries alone.
   void draw_single_contact() {
-    const double B = *pair_.E - pair_.base_pitch, D = *pair_.A + pair_.base_pitch;
-    if (!has_single_contact(pair_)) return;
-    for (const auto& [xi, name] : {std::pair{B, "$B$"}, std::pair{D, "$D$"}}) {
+    if (!pair_.has_single_contact()) return;
+    for (const auto& [xi, name] : {std::pair{pair_.B(), "$B$"}, std::pair{pair_.D(), "$D$"}}) {
       plot_.dot(pair_.at(xi), Meaning::locus);
       plot_.label(name, pair_.at(xi), {}, Meaning::locus);
     }
-    plot_.measures("base_pitch", pair_.at(*pair_.A), pair_.at(D));
+    plot_.measures("base_pitch", pair_.at(pair_.path.begins.xi), pair_.at(pair_.D()));
   }
 
   void draw_dimensions(Language language) {
@@ -272,10 +280,15 @@ class PitchPointSheet {
       dimension(*pair_.A, 0, -off, "$P_{0}A$");
       dimension(0, *pair_.E, -off, "$P_{0}E$");
     }
-    if (pair_.contact_ratio() <= 1) return;
-    // Below, in wheel 1, when its body is wide enough; else above the other two.
-    const bool below = pair_.wheel1.circles.r_root > 2.5 * pair_.m();
-    dimension(*pair_.A, *pair_.A + pair_.base_pitch, below ? off : -off - 10, "$p_{b}$");
+    if (pair_.true_contact_ratio() <= 1) return;
+    dimension(pair_.path.begins.xi, pair_.D(), off_base_pitch(), "$p_{b}$");
+  }
+
+  // Paper millimetres from the line of action to the dimension of the base pitch: below, in wheel 1, when its body is
+  // wide enough; else above the other two dimensions.
+  double off_base_pitch() const {
+    const double off = off_teeth * pair_.m() * plot_.scale().mm_per_unit;
+    return pair_.wheel1.circles.r_root > 2.5 * pair_.m() ? off : -off - 10;
   }
 
   // Addendum and dedendum of wheel 1 along the middle of a space beside the mesh.
@@ -307,17 +320,28 @@ class PitchPointSheet {
     }
   }
 
-  // The numbers of the steps in the column.
+  // The numbers of the steps in the column. Around P0 there is little room: the line of action and the base pitch
+  // have theirs where they come out of the mesh.
   void number_steps() {
     plot_.step(1, {0, 0});
-    const double mm = 1 / plot_.scale().mm_per_unit;
-    plot_.step(2, pair_.at(pair_.has_contact() ? *pair_.E + 12 * mm : 14 * mm));
+    plot_.step(2, pair_.at(beyond_mesh()));
     if (inside(pair_.at(pair_.T1))) plot_.step(3, pair_.at(pair_.T1));
     if (!pair_.has_contact()) return;
     plot_.step(4, pair_.at(*pair_.A));
     plot_.step(5, pair_.at(pair_.shown_contact()));
     plot_.step(6, arc_end(1, *pair_.A));
-    if (has_single_contact(pair_)) plot_.step(7, pair_.at(*pair_.A + pair_.base_pitch));
+    if (!pair_.has_single_contact()) return;
+    const drawings::Point D = plot_.at(pair_.at(pair_.D()));
+    const double off = off_base_pitch();
+    plot_.step(7, plot_.from_paper({D.x - off * pair_.along.y, D.y + off * pair_.along.x}));
+  }
+
+  // On the line of action: half-way from E to where it ends, which is T2 when that is on the sheet.
+  double beyond_mesh() const {
+    const double mm = 1 / plot_.scale().mm_per_unit;
+    if (!pair_.has_contact()) return 14 * mm;
+    const std::vector<double> shown = places_shown(pair_);
+    return std::max(*pair_.E + 12 * mm, (*pair_.E + *std::max_element(shown.begin(), shown.end())) / 2);
   }
 
   DrawnSheet& onto_;

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "exercises/gear-pair/contact_words.h"
 #include "exercises/gear-pair/fault_words.h"
 #include "exercises/kit/sheet.h"
 
@@ -14,50 +14,71 @@ namespace {
 
 Words of_tangent_points(const DrawnPair& pair) {
   if (pair.is_rack())
-    return {"The perpendicular from $O_{1}$: the base circle touches it in $T_{1}$.",
-            "La perpendicolare da $O_{1}$: la circonferenza di base la tocca in $T_{1}$."};
+    return {"The perpendicular from $O_{1}$: $T_{1}$ on the base circle.",
+            "La perpendicolare da $O_{1}$: $T_{1}$ sul cerchio di base."};
   const bool off = !is_near(pair, pair.T1) || !is_near(pair, *pair.T2);
-  return {std::string("The perpendiculars from the centres: the base circles touch it in $T_{1}$ and $T_{2}$.") +
+  return {std::string("Perpendiculars from the centres: $T_{1}$, $T_{2}$ on base circles.") +
               (off ? " Not both lie on the sheet." : ""),
-          std::string("Le perpendicolari dai centri: le circonferenze di base la toccano in $T_{1}$ e $T_{2}$.") +
+          std::string("Le perpendicolari dai centri: $T_{1}$, $T_{2}$ sui cerchi di base.") +
               (off ? " Non cadono entrambi nel foglio." : "")};
 }
 
 // Up to the line of action and the base circles.
 std::vector<Words> steps_without_contact(const DrawnPair& pair) {
   const std::string alpha = pair.alpha == pair.alpha_w ? "$α$" : "$α_{w}$";
-  return {pair.is_rack() ? Words{"Pitch circle and pitch line touch in the pitch point $P_{0}$.",
-                                 "Primitiva e retta primitiva si toccano nel punto $P_{0}$."}
-                         : Words{"The pitch circles touch in the pitch point $P_{0}$ on the line of centres.",
-                                 "Le primitive si toccano nel punto $P_{0}$ sulla retta dei centri."},
-          {"The line of action through $P_{0}$, at " + alpha + " to the common tangent.",
-           "La retta d'azione per $P_{0}$, inclinata di " + alpha + " sulla tangente comune."},
+  return {pair.is_rack() ? Words{"Pitch circle and pitch line touch in $P_{0}$, the pitch point.",
+                                 "Primitiva e retta primitiva si toccano in $P_{0}$."}
+                         : Words{"The pitch circles touch in $P_{0}$, the pitch point.",
+                                 "Le primitive si toccano in $P_{0}$ sulla retta dei centri."},
+          {"The line of action there, at " + alpha + " to the common tangent.",
+           "La retta d'azione per $P_{0}$, a " + alpha + " dalla tangente comune."},
           of_tangent_points(pair)};
 }
 
-std::vector<Words> steps_of_contact(const DrawnPair& pair) {
-  const std::string alpha = pair.alpha == pair.alpha_w ? "$α$" : "$α_{w}$";
+Words of_flanks(const DrawnPair& pair) {
+  const DrawnPath& path = pair.path;
+  if (!path.touches)
+    return {"The flanks are involutes of the base circles; these never touch.",
+            "I fianchi sono evolventi delle circonferenze di base; questi non si toccano mai."};
   const bool at_P0 = pair.shown_contact() == 0;
+  const std::string begin = "$" + path.begins.name + "$", end = "$" + path.ends.name + "$",
+                    all = "$" + name_of_path(path) + "$";
+  return {"The flanks are involutes of the base circles, here touching " +
+              (at_P0 ? "in $P_{0}$" : "in the middle of " + all) + "; dashed, in " + begin + " and in " + end + ".",
+          "I fianchi sono evolventi delle circonferenze di base, qui a contatto " +
+              (at_P0 ? "in $P_{0}$" : "nel mezzo di " + all) + "; tratteggiati, in " + begin + " e in " + end + "."};
+}
+
+Words of_arcs(const DrawnPair& pair) {
+  const std::string alpha = pair.alpha == pair.alpha_w ? "$α$" : "$α_{w}$", e = "$e$ = $AE$/cos\u00a0" + alpha + ".";
+  if (pair.path.is_whole())
+    return {
+        "Touching in $A$ and $E$ they cut the pitch circles in $N_{1}$ and $N_{2}$: the arcs of action are equal, " +
+            e,
+        "A contatto in $A$ e in $E$ tagliano le primitive in $N_{1}$ e $N_{2}$: gli archi di azione sono uguali, " +
+            e};
+  return {
+      "Whole, touching in $A$ and $E$, they would cut the pitch circles in $N_{1}$ and $N_{2}$: the arcs of action "
+      "are equal, " +
+          e,
+      "Interi, a contatto in $A$ e in $E$, taglierebbero le primitive in $N_{1}$ e $N_{2}$: gli archi di azione "
+      "sono uguali, " +
+          e};
+}
+
+std::vector<Words> steps_of_contact(const DrawnPair& pair) {
+  const Words whole = pair.path.is_whole() ? Words{} : Words{" of whole flanks", " di fianchi interi"};
   std::vector<Words> steps{
-      {"The tips cut it in $A$ (of wheel 2) and $E$ (of wheel 1): $AE$ is the path of contact.",
-       "Le circonferenze di testa la tagliano in $A$ (ruota 2) ed $E$ (ruota 1): $AE$ è la linea di ingranamento."},
-      {std::string("The flanks are involutes of the base circles, here touching ") +
-           (at_P0 ? "in $P_{0}$" : "in the middle of $AE$") + "; dashed, in $A$ and in $E$.",
-       std::string("I fianchi sono evolventi delle circonferenze di base, qui a contatto ") +
-           (at_P0 ? "in $P_{0}$" : "nel mezzo di $AE$") + "; tratteggiati, in $A$ e in $E$."},
-      {"Touching in $A$ and $E$ they cut the pitch circles in $N_{1}$ and $N_{2}$: the arcs of action are equal, $e$ "
-       "= "
-       "$AE$/cos\u00a0" +
-           alpha + ".",
-       "A contatto in $A$ e in $E$ tagliano le primitive in $N_{1}$ e $N_{2}$: gli archi di azione sono uguali, $e$ "
-       "= "
-       "$AE$/cos\u00a0" +
-           alpha + "."}};
-  if (has_single_contact(pair))
-    steps.push_back(
-        {"The base pitch $p_{b}$ from $A$ gives $D$, from $E$ gives $B$: between them one pair of teeth carries "
-         "alone.",
-         "Il passo di base $p_{b}$ da $A$ dà $D$, da $E$ dà $B$: fra questi lavora una sola coppia di denti."});
+      {"Tip 2 cuts it in $A$, tip 1 in $E$: $AE$ is the path of contact" + whole.english + ".",
+       "La tagliano la testa 2 in $A$, la 1 in $E$: $AE$ è la linea di ingranamento" + whole.italian + "."},
+      of_flanks(pair),
+      of_arcs(pair)};
+  const std::string begin = "$" + pair.path.begins.name + "$", end = "$" + pair.path.ends.name + "$";
+  if (pair.has_single_contact())
+    steps.push_back({"The base pitch $p_{b}$ from " + begin + " gives $D$, from " + end +
+                         " gives $B$: between them one pair of teeth carries alone.",
+                     "Il passo di base $p_{b}$ da " + begin + " dà $D$, da " + end +
+                         " dà $B$: fra questi lavora una sola coppia di denti."});
   return steps;
 }
 
@@ -94,24 +115,12 @@ void add_missing_outlines(DrawnSheet& onto, const Teeth& teeth, Language languag
                           .in(language))});
 }
 
-// Flanks that are cut off or not reached end the contact before A or E do.
-bool has_whole_flanks(const DrawnPair& pair) {
-  const auto has = [&](geometry::Fault::Kind kind) {
-    return std::any_of(pair.faults.begin(), pair.faults.end(),
-                       [&](const geometry::Fault& fault) { return fault.kind == kind; });
-  };
-  return !has(geometry::Fault::Kind::undercut) && !has(geometry::Fault::Kind::undercut_by_edge) &&
-         !has(geometry::Fault::Kind::interference_approach) && !has(geometry::Fault::Kind::interference_recess);
-}
-
 // On working circles that are not the reference circles the pitch is not p: then by the line of action.
 std::string contact_ratio(const DrawnPair& pair, Language language) {
-  const std::string name = has_whole_flanks(pair) ? Words{"Contact ratio", "Fattore di ricoprimento"}.in(language)
-                                                  : Words{"Contact ratio, if the flanks were whole:",
-                                                          "Fattore di ricoprimento, se i fianchi fossero interi:"}
-                                                        .in(language);
   const char* quotient = pair.alpha == pair.alpha_w ? "$e$/$p$" : "$AE$/$p_{b}$";
-  return fmt::format("{} $f$ = {} = {}.", name, quotient, figures(pair.contact_ratio(), 4, language));
+  return fmt::format("{} $f$ = {} = {}{}.", Words{"Contact ratio", "Fattore di ricoprimento"}.in(language), quotient,
+                     figures(pair.contact_ratio(), 4, language),
+                     pair.path.is_whole() ? "" : Words{" of whole flanks", " di fianchi interi"}.in(language));
 }
 
 }  // namespace
@@ -120,10 +129,6 @@ std::string pressure_angle(const DrawnPair& pair, Language language) {
   if (pair.alpha != pair.alpha_w)
     return fmt::format("$α_{{w}}$ = {}°", figures(pair.alpha_w * 180 / std::numbers::pi, 4, language));
   return fmt::format("$α$ = {}°", short_number(CGAL::to_double(360 * pair.of.alpha.fraction), language));
-}
-
-bool has_single_contact(const DrawnPair& pair) {
-  return pair.has_contact() && pair.contact_ratio() > 1 && pair.contact_ratio() < 2;
 }
 
 bool is_near(const DrawnPair& pair, double xi) {
@@ -146,7 +151,16 @@ void add_text(DrawnSheet& onto, const DrawnPair& pair, const Teeth& teeth, Langu
   std::vector<Value> values{{"p_b", pair.base_pitch, "m"}};
   if (pair.has_contact()) {
     column.push_back(drawings::Paragraph{contact_ratio(pair, language)});
-    values.insert(values.begin(), {{"P0A", -*pair.A, "m"}, {"P0E", *pair.E, "m"}, {"f", pair.contact_ratio(), ""}});
+    const bool whole = pair.path.is_whole();
+    if (!whole)
+      column.push_back(drawings::Paragraph{about_path(
+          pair, {"Paths and arcs are of whole flanks", "Linee e archi sono di fianchi interi"}, language)});
+    values.insert(
+        values.begin(),
+        {{"P0A", -*pair.A, "m"}, {"P0E", *pair.E, "m"}, {whole ? "f" : "AE/p_b", pair.contact_ratio(), ""}});
+    if (!whole && pair.path.known && pair.path.touches)
+      values.push_back(
+          {plain_name(pair.path.begins) + plain_name(pair.path.ends) + "/p_b", pair.true_contact_ratio(), ""});
   }
   onto.sheet.description = in_words(
       {"Both wheels around the pitch point with their circles, the line of action, the path of contact AE and "

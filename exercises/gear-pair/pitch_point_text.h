@@ -8,9 +8,6 @@ namespace epure::gear_pair {
 // "α = 22°"; of shifted wheels the working one, α_w.
 std::string pressure_angle(const DrawnPair& pair, Language language);
 
-// Part of the path is travelled by one pair of teeth alone, part by two.
-bool has_single_contact(const DrawnPair& pair);
-
 // T1 and T2 are shown when what lies between A and E beside them can still be seen.
 bool is_near(const DrawnPair& pair, double xi);
 

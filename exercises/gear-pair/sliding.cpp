@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "drawings/chart.h"
+#include "exercises/gear-pair/contact_words.h"
 #include "exercises/gear-pair/exercise.h"
 #include "exercises/gear-pair/fault_marks.h"
 #include "exercises/gear-pair/fault_words.h"
@@ -51,9 +52,8 @@ struct SlidingCharts {
     return points;
   }
 
-  // Where flanks can touch: beyond T1 and T2 there are none.
-  double first_contact() const { return std::max(*pair.A, pair.T1); }
-  double last_contact() const { return pair.T2 && !pair.is_ring() ? std::min(*pair.E, *pair.T2) : *pair.E; }
+  double first_contact() const { return pair.path.begins.xi; }
+  double last_contact() const { return pair.path.ends.xi; }
 
   drawings::Axis path_axis() const {
     const double margin = 0.06 * (*pair.E - *pair.A);
@@ -63,30 +63,43 @@ struct SlidingCharts {
             .high = mm(std::max(*pair.E, 0.0) + margin)};
   }
 
-  // A, E, P0, and B and D where another pair of teeth comes or goes.
+  // A, E, P0; the ends of the flanks, T1 and T2 where they come short of A and E; B and D where another pair of teeth
+  // comes or goes.
   std::vector<drawings::ReferenceLine> places(bool named) const {
-    const auto name = [&](const char* letters) { return named ? std::string(letters) : std::string(); };
-    std::vector<drawings::ReferenceLine> all{{.at = mm(*pair.A), .label = name("$A$"), .meaning = Meaning::locus},
-                                             {.at = mm(*pair.E), .label = name("$E$"), .meaning = Meaning::locus},
-                                             {.at = 0, .label = name("$P_{0}$"), .meaning = Meaning::axis}};
-    const auto limit = [&](double xi, const char* letters) {
-      all.push_back({.at = mm(xi), .label = name(letters), .meaning = fault_ink});
+    std::vector<drawings::ReferenceLine> all;
+    const auto line = [&](double xi, const std::string& letters, Meaning meaning) {
+      all.push_back({.at = mm(xi), .label = named ? "$" + letters + "$" : std::string(), .meaning = meaning});
     };
-    if (first_contact() > *pair.A) limit(pair.T1, "$T_{1}$");
-    if (last_contact() < *pair.E) limit(*pair.T2, "$T_{2}$");
-    if (has_two_zones()) {
-      all.push_back({.at = mm(B()), .label = name("$B$"), .meaning = Meaning::construction});
-      all.push_back({.at = mm(D()), .label = name("$D$"), .meaning = Meaning::construction});
+    line(*pair.A, "A", Meaning::locus);
+    line(*pair.E, "E", Meaning::locus);
+    line(0, "P_{0}", Meaning::axis);
+    if (pair.has(geometry::Fault::Kind::interference_approach)) line(pair.T1, "T_{1}", fault_ink);
+    if (pair.has(geometry::Fault::Kind::interference_recess)) line(*pair.T2, "T_{2}", fault_ink);
+    for (const DrawnPath::End& end : {pair.path.begins, pair.path.ends})
+      if (end.by != DrawnPath::By::tip) line(end.xi, end.name, Meaning::locus);
+    if (pair.has_single_contact()) {
+      line(pair.B(), "B", Meaning::construction);
+      line(pair.D(), "D", Meaning::construction);
     }
     return all;
   }
-  bool has_two_zones() const { return pair.contact_ratio() > 1 && pair.contact_ratio() < 2; }
-  double B() const { return *pair.E - pair.base_pitch; }
-  double D() const { return *pair.A + pair.base_pitch; }
+
+  // What whole flanks would do between A and E where these do not touch.
+  drawings::Curve curve_of_whole_flanks() const {
+    drawings::Curve curve{
+        .name = "of_whole_flanks", .meaning = Meaning::construction, .line = drawings::LineType::dashed};
+    for (const auto& [from, to] : {std::pair{*pair.A, first_contact()}, std::pair{last_contact(), *pair.E}}) {
+      if (!(from < to)) continue;
+      curve.runs.push_back(run(from, to, [&](double xi) { return velocities(pair, xi).of_1; }));
+      curve.runs.push_back(run(from, to, [&](double xi) { return velocities(pair, xi).of_2; }));
+      curve.runs.push_back(run(from, to, [&](double xi) { return velocities(pair, xi).sliding(); }));
+    }
+    return curve;
+  }
 
   drawings::ChartMap draw_velocities(const drawings::Box& box) const {
     const auto of = [&](auto member) {
-      return run(*pair.A, *pair.E, [&, member](double xi) { return member(velocities(pair, xi)); });
+      return run(first_contact(), last_contact(), [&, member](double xi) { return member(velocities(pair, xi)); });
     };
     drawings::Chart chart;
     chart.x = path_axis();
@@ -106,8 +119,9 @@ struct SlidingCharts {
                      .meaning = Meaning::velocity,
                      .line = drawings::LineType::continuous,
                      .label = "$v_{s}$ = $v_{t1}$ − $v_{t2}$"}};
+    if (drawings::Curve curve = curve_of_whole_flanks(); !curve.runs.empty()) chart.curves.push_back(curve);
     fit_axis(chart);
-    for (const double xi : {*pair.A, *pair.E}) {
+    for (const double xi : {first_contact(), last_contact()}) {
       const double v = velocities(pair, xi).sliding();
       chart.markers.push_back({.at = {mm(xi), v}, .label = num(v), .meaning = Meaning::velocity});
     }
@@ -181,7 +195,7 @@ struct SlidingCharts {
 
   // Says how many pairs of teeth carry in each zone that has room for the words.
   void name_zones(const drawings::ChartMap& map) const {
-    if (!has_two_zones()) return;
+    if (!pair.has_single_contact()) return;
     const auto name_zone = [&](double from, double to, const Words& words) {
       const double x = map.x.at(mm(from)), until = map.x.at(mm(to));
       constexpr double letters = 2.7, room = 18;  // mm
@@ -189,15 +203,15 @@ struct SlidingCharts {
       onto.sheet.figure.labels.push_back(
           {.text = words.in(language), .at = {(x + until) / 2, map.frame.low.y + 2}, .size = letters});
     };
-    name_zone(*pair.A, B(), {"two pairs", "due coppie"});
-    name_zone(B(), D(), {"one pair", "una coppia"});
-    name_zone(D(), *pair.E, {"two pairs", "due coppie"});
+    name_zone(first_contact(), pair.B(), {"two pairs", "due coppie"});
+    name_zone(pair.B(), pair.D(), {"one pair", "una coppia"});
+    name_zone(pair.D(), last_contact(), {"two pairs", "due coppie"});
   }
 
   // A tint where two pairs of teeth carry, below all else.
   void tint_zones(const drawings::ChartMap& map) const {
-    if (!has_two_zones()) return;
-    for (const auto& [from, to] : {std::pair{*pair.A, B()}, std::pair{D(), *pair.E}}) {
+    if (!pair.has_single_contact()) return;
+    for (const auto& [from, to] : {std::pair{first_contact(), pair.B()}, std::pair{pair.D(), last_contact()}}) {
       const double x = map.x.at(mm(from)), until = map.x.at(mm(to));
       drawings::Figure& figure = onto.sheet.figure;
       figure.marks.insert(figure.marks.begin(), drawings::Area{corners(x, until, map.frame), Meaning::plate, {}});
@@ -222,39 +236,41 @@ Words along_the_tangent(const DrawnPair& pair) {
 
 std::vector<std::string> explained(const DrawnPair& pair, Language language) {
   const bool english = language == Language::english;
+  const std::string begin = "$" + pair.path.begins.name + "$", end = "$" + pair.path.ends.name + "$";
   std::vector<std::string> lines{
-      english ? "$ξ$ is the position of the contact on the line of action, from $P_{0}$; contact travels from $A$ to "
-                "$E$."
-              : "$ξ$ è la posizione del contatto sulla retta d'azione, da $P_{0}$; il contatto va da $A$ a $E$.",
+      english ? "$ξ$ is the position of the contact on the line of action, from $P_{0}$; contact travels from " +
+                    begin + " to " + end + "."
+              : "$ξ$ è la posizione del contatto sulla retta d'azione, da $P_{0}$; il contatto va da " + begin +
+                    " a " + end + ".",
       along_the_tangent(pair).in(language),
       english
           ? "Specific sliding: $ζ_{1}$ = $v_{s}$/$v_{t1}$, $ζ_{2}$ = −$v_{s}$/$v_{t2}$; without bound towards "
             "$T_{1}$ and $T_{2}$."
           : "Strisciamento specifico: $ζ_{1}$ = $v_{s}$/$v_{t1}$, $ζ_{2}$ = −$v_{s}$/$v_{t2}$; senza limite verso "
             "$T_{1}$ e $T_{2}$."};
-  if (pair.contact_ratio() > 1 && pair.contact_ratio() < 2)
+  const Words whole = pair.path.known ? Words{"Dashed grey: what whole flanks would do",
+                                              "In grigio, a tratti: quel che farebbero fianchi interi"}
+                                      : Words{"The curves are of whole flanks", "Le curve sono di fianchi interi"};
+  if (!pair.path.is_whole()) lines.push_back(about_path(pair, whole, language));
+  if (pair.has_single_contact())
     lines.push_back(english ? "Grey: two pairs of teeth carry; between $B$ and $D$ one alone."
                             : "In grigio: due coppie di denti in presa; fra $B$ e $D$ una sola.");
   return lines;
 }
 
 drawings::Table velocities_at_ends(const DrawnPair& pair, Language language) {
-  const auto num = [&](double x) { return figures(x, 4, language); };
-  drawings::Table table{{"", "$A$", "$E$"}, {}};
+  const auto num = [&](double x) { return std::isfinite(x) ? figures(x, 4, language) : "–"; };
+  const DrawnPath::End &begin = pair.path.begins, &end = pair.path.ends;
+  drawings::Table table{{"", "$" + begin.name + "$", "$" + end.name + "$"}, {}};
   const auto row = [&](const std::string& name, const std::function<double(double)>& of) {
-    table.rows.push_back({name, num(of(*pair.A)), num(of(*pair.E))});
-  };
-  // Only where flanks can touch.
-  const auto specific = [&](const std::string& name, const std::function<double(double)>& of) {
-    const bool at_A = *pair.A > pair.T1, at_E = !pair.T2 || pair.is_ring() || *pair.E < *pair.T2;
-    table.rows.push_back({name, at_A ? num(of(*pair.A)) : "–", at_E ? num(of(*pair.E)) : "–"});
+    table.rows.push_back({name, num(of(begin.xi)), num(of(end.xi))});
   };
   row("$ξ$ (mm)", [&](double xi) { return 1000 * xi; });
   row("$v_{t1}$ (m/s)", [&](double xi) { return velocities(pair, xi).of_1; });
   row("$v_{t2}$ (m/s)", [&](double xi) { return velocities(pair, xi).of_2; });
   row("$v_{s}$ (m/s)", [&](double xi) { return velocities(pair, xi).sliding(); });
-  specific("$ζ_{1}$", [&](double xi) { return velocities(pair, xi).sliding() / velocities(pair, xi).of_1; });
-  specific("$ζ_{2}$", [&](double xi) { return -velocities(pair, xi).sliding() / velocities(pair, xi).of_2; });
+  row("$ζ_{1}$", [&](double xi) { return velocities(pair, xi).sliding() / velocities(pair, xi).of_1; });
+  row("$ζ_{2}$", [&](double xi) { return -velocities(pair, xi).sliding() / velocities(pair, xi).of_2; });
   return table;
 }
 
@@ -277,9 +293,12 @@ void draw_sliding(DrawnSheet& onto, const DrawnPair& pair, const Differences& di
   const bool english = language == Language::english;
   auto& column = onto.sheet.column;
   add_faults(onto, pair, language);
-  if (!pair.has_contact()) {
+  if (!pair.has_contact() || !pair.path.touches) {
     column.push_back(drawings::Paragraph{english ? "There is no contact, and no sliding to be drawn."
                                                  : "Non c'è contatto, né strisciamento da disegnare."});
+    if (pair.has_contact())
+      column.push_back(drawings::Paragraph{
+          about_path(pair, {"Whole flanks would touch", "Fianchi interi si toccherebbero"}, language)});
     return;
   }
   drawings::Box room = drawings::drawing_area(request.paper);
@@ -302,8 +321,8 @@ void draw_sliding(DrawnSheet& onto, const DrawnPair& pair, const Differences& di
   onto.sheet.description =
       in_words({"Sliding velocity and specific sliding of both flanks along the path of contact",
                 "Velocità di strisciamento e strisciamento specifico dei due fianchi lungo la linea di ingranamento"},
-               {{"v_s(A)", velocities(pair, *pair.A).sliding(), "m/s"},
-                {"v_s(E)", velocities(pair, *pair.E).sliding(), "m/s"}},
+               {{"v_s(" + plain_name(pair.path.begins) + ")", velocities(pair, pair.path.begins.xi).sliding(), "m/s"},
+                {"v_s(" + plain_name(pair.path.ends) + ")", velocities(pair, pair.path.ends.xi).sliding(), "m/s"}},
                language);
 }
 

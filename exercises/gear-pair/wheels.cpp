@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exercises/gear-pair/contact_words.h"
 #include "exercises/gear-pair/exercise.h"
 #include "exercises/gear-pair/fault_marks.h"
 #include "exercises/gear-pair/fault_words.h"
@@ -20,6 +21,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double smallest_module = 0.8;  // mm of paper: below it teeth are no longer seen
 constexpr double outlined_thin = 2.5;    // mm: teeth of smaller modules have thin outlines
+constexpr double least_room = 9;         // mm of paper, of a root circle that holds the sense of rotation
 constexpr double air = 4;                // mm
 constexpr double beside = 10;            // mm from the largest wheel to the dimension of the centre distance
 
@@ -194,10 +196,10 @@ class WheelsSheet {
   }
 
   // Wheel 1 shows its radii below its centre, wheel 2 above, as a ring below; wheel 1 in a ring to the sides, where
-  // the ring's own do not pass.
+  // the ring's own do not pass, unless it is so small that these begin far below it.
   double towards(int number, double direction) const {
     if (number == 2) return pair_.is_ring() ? direction : direction - 180;
-    if (!pair_.is_ring()) return direction;
+    if (!pair_.is_ring() || is_tiny(1)) return direction;
     return 180 + (direction < 270 ? (direction - 223) * 0.8 : 180 + (direction - 317) * 0.8);
   }
 
@@ -214,15 +216,36 @@ class WheelsSheet {
     const Place& O = centre(number);
     if (!inside(O)) return;
     plot_.hinge(O);
-    plot_.label(fmt::format("$O_{{{}}}$", number), O);
+    name_centre(number);
+    const double r_root = on_paper(wheel(number).circles.r_root);
+    if (is_tiny(number))
+      draw_sense(number, on_paper(wheel(number).circles.r_tip) + 10, (number == 1 ? 270 : 90) * degree, 20 * degree);
+    else
+      draw_sense(number, std::clamp(0.45 * r_root, 6.0, 16.0), (number == 1 ? 90 : 270) * degree, 35 * degree);
+  }
+
+  // There is no room between the hinge and the teeth.
+  bool is_tiny(int number) const { return on_paper(wheel(number).circles.r_root) < least_room; }
+
+  // The centre of a tiny wheel is named beside its teeth, where no radius is drawn.
+  void name_centre(int number) {
+    const std::string text = fmt::format("$O_{{{}}}$", number);
+    const Place& O = centre(number);
+    if (is_tiny(number))
+      name_outside(text, O, {O.x + 1 / plot_.scale().mm_per_unit, O.y}, wheel(number).circles.r_tip);
+    else
+      plot_.label(text, O);
+  }
+
+  // An arc arrow about the wheel's centre, by its radius in paper millimetres and the angles of its middle and half.
+  void draw_sense(int number, double radius, double middle, double half) {
     const bool positive = (number == 1 ? pair_.omega_1 : pair_.omega_2) > 0;
-    const double from = (number == 1 ? 55 : 235) * degree, to = (number == 1 ? 125 : 305) * degree;
-    const double radius = std::clamp(0.45 * on_paper(wheel(number).circles.r_root), 6.0, 16.0);
-    plot_.mark(drawings::Rotation{plot_.at(O), radius, positive ? from : to, positive ? to : from});
-    const double middle = (from + to) / 2 + 0.25;
-    const drawings::Point p = plot_.at(O);
+    const drawings::Point O = plot_.at(centre(number));
+    plot_.mark(drawings::Rotation{O, radius, positive ? middle - half : middle + half,
+                                  positive ? middle + half : middle - half});
+    const double named = middle + 0.4 * half;
     plot_.label(fmt::format("$ω_{{{}}}$", number),
-                plot_.from_paper({p.x + radius * std::cos(middle), p.y + radius * std::sin(middle)}), O);
+                plot_.from_paper({O.x + radius * std::cos(named), O.y + radius * std::sin(named)}), centre(number));
   }
 
   void draw_centre_distance(Language language) {
@@ -312,6 +335,16 @@ std::string legend(const DrawnPair& pair, Language language) {
       shifted ? "$d_{w}$ di funzionamento, " : "");
 }
 
+// That of the table of results, and where flanks are not whole what is left of it.
+std::string both_contact_ratios(const DrawnPair& pair, Language language) {
+  const std::string whole = figures(pair.contact_ratio(), 4, language);
+  if (pair.path.is_whole()) return fmt::format("$f$ = {}", whole);
+  const std::string of_whole =
+      fmt::format("{} {}", whole, Words{"of whole flanks", "di fianchi interi"}.in(language));
+  if (!pair.path.known || !pair.path.touches) return "$f$ = " + of_whole;
+  return fmt::format("{} ({})", true_contact_ratio(pair, language), of_whole);
+}
+
 std::string of_the_pair(const DrawnPair& pair, Language language) {
   const bool english = language == Language::english;
   std::string text;
@@ -320,7 +353,7 @@ std::string of_the_pair(const DrawnPair& pair, Language language) {
   add(fmt::format("$α$ = {}°", exactly(360 * pair.of.alpha.fraction, language)));
   if (pair.O2) add(fmt::format("$a$ = {}\u00a0mm", to_micrometre(pair.centre_distance, language)));
   if (pair.alpha != pair.alpha_w) add(fmt::format("$α_{{w}}$ = {}°", figures(pair.alpha_w / degree, 6, language)));
-  if (pair.has_contact()) add(fmt::format("$f$ = {}", figures(pair.contact_ratio(), 4, language)));
+  if (pair.has_contact()) add(both_contact_ratios(pair, language));
   add(english ? fmt::format("backlash $j$ = {}\u00a0mm", exactly(1000 * pair.of.j, language))
               : fmt::format("gioco $j$ = {}\u00a0mm", exactly(1000 * pair.of.j, language)));
   return text + ".";

@@ -20,11 +20,11 @@ struct Fault {
                          // wheel that is not undercut)
     negative_clearance,  // the tip of the wheel digs into the other's root: `value` < 0 remains between them
     // of the pair, wheel is 0
-    interference_approach,  // the path of approach is `value`, more than `limit` = P0T1
-    interference_recess,    // the path of recess is `value`, more than `limit` = P0T2
-    contact_ratio_below_one,
-    pointed_cutter,  // of the cutter's tip, between its roundings, `value` < 0 remains
-    tips_collide     // ring too small: beside the mesh the tips run into each other, overlapping by -`value`
+    interference_approach,    // the path of approach is `value`, more than `limit` = P0T1
+    interference_recess,      // the path of recess is `value`, more than `limit` = P0T2
+    contact_ratio_below_one,  // of all AE: flanks that are cut away (contact_path.h) may leave less
+    pointed_cutter,           // of the cutter's tip, between its roundings, `value` < 0 remains
+    tips_collide              // ring too small: beside the mesh the tips run into each other, overlapping by -`value`
   };
   Kind kind;
   int wheel = 0;

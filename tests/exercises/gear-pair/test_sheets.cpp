@@ -1,5 +1,6 @@
 // N.12's sheets: drawn whatever pair is given, letters apart, faults said in both languages, lengths right in the
 // file.
+#include <algorithm>
 #include <cmath>
 
 #include "tests/exercises/gear-pair/cases.h"
@@ -56,11 +57,22 @@ bool has_label(const DrawnSheet& drawn, const std::string& text) {
   return false;
 }
 
-std::size_t pieces(const DrawnSheet& drawn, const std::string& name) {
+const drawings::Label& label(const DrawnSheet& drawn, const std::string& text) {
+  const auto& labels = drawn.sheet.figure.labels;
+  const auto found = std::find_if(labels.begin(), labels.end(), [&](const auto& each) { return each.text == text; });
+  REQUIRE(found != labels.end());
+  return *found;
+}
+
+const drawings::Line* line(const DrawnSheet& drawn, const std::string& name) {
   for (const drawings::Mark& mark : drawn.sheet.figure.marks)
-    if (const auto* line = std::get_if<drawings::Line>(&mark); line && line->name == name)
-      return line->path.pieces.size();
-  return 0;
+    if (const auto* found = std::get_if<drawings::Line>(&mark); found && found->name == name) return found;
+  return nullptr;
+}
+
+std::size_t pieces(const DrawnSheet& drawn, const std::string& name) {
+  const drawings::Line* found = line(drawn, name);
+  return found ? found->path.pieces.size() : 0;
 }
 
 }  // namespace
@@ -195,4 +207,95 @@ TEST_CASE("gear-pair: the steps tell of two, one or no tangent points on the she
   CHECK(steps(gear_pair().draw("pitch-point", source)).find("Not both") == std::string::npos);
   CHECK(steps(gear_pair().draw("pitch-point", thousand)).find("Not both") != std::string::npos);
   CHECK(steps(gear_pair().draw("pitch-point", rack)).find("$T_{2}$") == std::string::npos);
+}
+
+// F1 of z1 = 8, z2 = 40, α = 22°: the cutter's trochoid and the involute crossed with mpmath, apart from this
+// program.
+TEST_CASE("gear-pair: where flanks are cut away every sheet says how far they touch", "[gear-pair][sheets]") {
+  const Words left{
+      "flank 1 begins only in $F_{1}$, 9.329\u00a0mm before $P_{0}$: contact $F_{1}E$ = 27.88\u00a0mm, "
+      "$f$ = $F_{1}E$/$p_{b}$ = 0.9571, below 1",
+      "il fianco 1 inizia solo in $F_{1}$, 9,329\u00a0mm prima di $P_{0}$: contatto $F_{1}E$ = "
+      "27,88\u00a0mm, $f$ = $F_{1}E$/$p_{b}$ = 0,9571, minore di 1"};
+  const Assignments cut{"z1=8"};
+  for (const char* sheet : {"pitch-point", "sliding"}) {
+    CAPTURE(sheet);
+    CHECK(column(gear_pair().draw(sheet, cut)).find(left.english) != std::string::npos);
+    CHECK(column(gear_pair().draw(sheet, cut, {.language = Language::italian})).find(left.italian) !=
+          std::string::npos);
+  }
+  CHECK(column(gear_pair().draw("wheels", cut)).find("0.9571, below 1 (1.448 of whole flanks)") != std::string::npos);
+  CHECK(has_label(gear_pair().draw("pitch-point", cut), "no continuous contact"));
+  CHECK(gear_pair().draw("pitch-point", cut).sheet.description.find("F1E/p_b = 0.957") != std::string::npos);
+  CHECK(gear_pair().draw("sliding", cut).sheet.description.find("v_s(F1) = -0.1758") != std::string::npos);
+}
+
+TEST_CASE("gear-pair: undercut and pointed teeth that shorten no contact, or its end", "[gear-pair][sheets]") {
+  // The mate's tips, cut short, touch flank 1 only above what is cut away.
+  const Assignments spared{"z1=14", "alpha=20", "k=0.4"};
+  CHECK(column(gear_pair().draw("pitch-point", spared)).find("undercuts") != std::string::npos);
+  for (const char* sheet : {"pitch-point", "wheels", "sliding"}) {
+    CAPTURE(sheet);
+    CHECK(column(gear_pair().draw(sheet, spared)).find("whole flanks") == std::string::npos);
+    CHECK(column(gear_pair().draw(sheet, source)).find("whole flanks") == std::string::npos);
+  }
+  CHECK(column(gear_pair().draw("sliding", {"x1=0.9", "z1=12", "alpha=25"})).find("touches only to $V_{1}$") !=
+        std::string::npos);
+  const Assignments apart{"z1=4", "z2=12", "alpha=20", "x1=-0.3", "ha=0.8", "hf=1", "rho=0"};
+  CHECK(column(gear_pair().draw("pitch-point", apart)).find("they never touch") != std::string::npos);
+  CHECK(column(gear_pair().draw("sliding", apart)).find("no sliding") != std::string::npos);
+  CHECK(column(gear_pair().draw("sliding", apart)).find("they never touch") != std::string::npos);
+}
+
+TEST_CASE("gear-pair: sliding ends where the flanks do, and is dashed grey beyond", "[gear-pair][sheets]") {
+  const DrawnSheet drawn = gear_pair().draw("sliding", {"z1=8"});
+  const drawings::Line *sliding = line(drawn, "v_s"), *beyond = line(drawn, "of_whole_flanks");
+  REQUIRE(sliding != nullptr);
+  REQUIRE(beyond != nullptr);
+  CHECK(beyond->meaning == drawings::Meaning::construction);
+  const double from = sliding->path.start.x, to = sliding->path.pieces.back().end.x, A = beyond->path.start.x;
+  CHECK((to - from) / (to - A) == Approx(27.8785 / 42.1841).epsilon(1e-3));
+  for (const char* name : {"T_{1}", "F_{1}"}) CHECK(has_label(drawn, name));
+  CHECK(line(gear_pair().draw("sliding", source), "of_whole_flanks") == nullptr);
+}
+
+// Both wheels' points lie close together: a letter between them could be that of either.
+TEST_CASE("gear-pair: the ends of the arcs have their letters outside", "[gear-pair][sheets]") {
+  for (const Assignments& givens : {source, eight, five, ring, rack}) {
+    const DrawnSheet drawn = gear_pair().draw("pitch-point", givens);
+    for (const std::string index : {"_{1}$", "_{2}$"}) {
+      CAPTURE(givens, index);
+      const drawings::Label &of_1 = label(drawn, "$N" + index), &of_2 = label(drawn, "$N'" + index);
+      REQUIRE(of_1.away_from);
+      REQUIRE(of_2.away_from);
+      CHECK(std::hypot(of_1.away_from->x - of_2.at.x, of_1.away_from->y - of_2.at.y) == Approx(0).margin(1e-9));
+      CHECK(std::hypot(of_2.away_from->x - of_1.at.x, of_2.away_from->y - of_1.at.y) == Approx(0).margin(1e-9));
+      CHECK(of_1.at.y <= of_2.at.y);
+    }
+  }
+}
+
+TEST_CASE("gear-pair: the sense of rotation stands clear of the teeth, however small a wheel is",
+          "[gear-pair][sheets]") {
+  const Assignments six{"z1=6"}, tiny_in_ring{"kind=internal", "z1=5", "z2=60", "alpha=28"}, driven{"z1=40", "z2=6"};
+  for (const Assignments& givens : {source, eight, five, six, tiny_in_ring, driven}) {
+    const DrawnSheet drawn = gear_pair().draw("wheels", givens);
+    const auto radius = [&](const std::string& name) {
+      for (const Measurement& each : drawn.measurements)
+        if (each.quantity == name) return std::hypot(each.to.x - each.from.x, each.to.y - each.from.y);
+      return 0.0;
+    };
+    int wheel = 0;
+    for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
+      const auto* sense = std::get_if<drawings::Rotation>(&mark);
+      if (!sense) continue;
+      const std::string number = std::to_string(++wheel);
+      CAPTURE(givens, wheel, sense->radius);
+      const double inner = std::min(radius("r_root_" + number), radius("r_tip_" + number)),
+                   outer = std::max(radius("r_root_" + number), radius("r_tip_" + number));
+      REQUIRE(inner > 0);
+      CHECK((sense->radius < inner || sense->radius > outer));
+    }
+    CHECK(wheel == 2);
+  }
 }
