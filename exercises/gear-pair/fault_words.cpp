@@ -59,6 +59,14 @@ Words sentence_of(const Fault& fault, const DrawnPair& pair, const std::string& 
               fmt::format("Le teste {} richiedono il fianco {} fino al raggio {}, ma esso inizia a {}: toccano il "
                           "raccordo.",
                           other, of, value + mm, limit + mm)};
+    case Kind::corner_in_root:
+      return {
+          fmt::format("Too little clearance: beside the line of action the corners of the tips {} dig into the root "
+                      "curve {}, by {}.",
+                      other, of, value + mm),
+          fmt::format("Gioco in testa insufficiente: fuori dalla linea d'azione gli spigoli delle teste {} "
+                      "penetrano nel raccordo {}, di {}.",
+                      other, of, value + mm)};
     case Kind::negative_clearance:
       return {
           fmt::format("No clearance: the tips {} dig into the roots {} by {}.", of, other, value + mm),
@@ -108,7 +116,8 @@ bool counts(Kind kind) {
 
 // What is said to be missing or to overlap is said by its size.
 bool says_a_size(Kind kind) {
-  return kind == Kind::negative_clearance || kind == Kind::pointed_cutter || kind == Kind::tips_collide;
+  return kind == Kind::corner_in_root || kind == Kind::negative_clearance || kind == Kind::pointed_cutter ||
+         kind == Kind::tips_collide;
 }
 
 }  // namespace
@@ -125,6 +134,8 @@ std::string mark_of(Kind kind, Language language) {
         return {"undercut", "sottotaglio"};
       case Kind::contact_on_fillet:
         return {"contact on the fillet", "contatto sul raccordo"};
+      case Kind::corner_in_root:
+        return {"tip corner in the root", "spigolo nel raccordo"};
       case Kind::negative_clearance:
         return {"no clearance", "senza gioco"};
       case Kind::interference_approach:

@@ -1,7 +1,10 @@
 #include "geometry/gears/faults.h"
 
+#include "geometry/gears/corner_room.h"
 #include "geometry/gears/limits.h"
 #include "geometry/gears/tooth_thickness.h"
+
+#include <algorithm>
 
 namespace epure::geometry {
 namespace {
@@ -203,24 +206,37 @@ class Examination {
              return quotient(path_of_contact(pair), base_pitch(pair));
            });
          });
-    if (approach) examine_fillet(1);
-    if (recess && of_.kind == PairKind::external) examine_fillet(2);
+    if (approach && examine_fillet(1)) examine_corner(1);
+    if (recess && of_.kind == PairKind::external && examine_fillet(2)) examine_corner(2);
     if (of_.kind == PairKind::internal) examine_tips();
   }
 
-  // An undercut wheel has no flank that begins where the edge ends.
-  void examine_fillet(int wheel) {
-    if (room_above_cutter_edge(of_, wheel).sign == Sign::negative) return;
+  // Whether contact ends on the flank. An undercut wheel has none that begins where the edge ends.
+  bool examine_fillet(int wheel) {
+    if (room_above_cutter_edge(of_, wheel).sign == Sign::negative) return true;
     const auto room = [&]<class T>() -> T {
       const GearPair<T> pair = gear_pair<T>(of_);
       return start_of_contact(pair, wheel) - start_of_flank(pair, wheel);
     };
-    note({Fault::Kind::contact_on_fillet, wheel}, decide(room), [&](Fault& f) {
+    return note({Fault::Kind::contact_on_fillet, wheel}, decide(room), [&](Fault& f) {
       const Arithmetic<Deep> scope(128);
       const GearPair<Deep> pair = gear_pair<Deep>(of_);
       f.value = enclosure(radius_at(pair, wheel, start_of_contact(pair, wheel))).value;
       f.limit = enclosure(radius_at(pair, wheel, start_of_flank(pair, wheel))).value;
     });
+  }
+
+  // The cutter's tooth holds that of a rack, and its tip passes deeper: so only of two wheels.
+  void examine_corner(int wheel) {
+    if (of_.kind != PairKind::external || has(Fault::Kind::negative_clearance)) return;
+    try {
+      const Arithmetic<Deep> scope(128);
+      const Deep room = corner_room(of_, wheel);
+      if (sign(room) == Sign::negative)
+        faults_.push_back({Fault::Kind::corner_in_root, wheel, enclosure(room).value});
+    } catch (const Impossible&) {  // no outline, which other faults say; or no corner so deep
+    } catch (const Undecided&) {
+    }
   }
 
   void examine_tips() {
@@ -241,6 +257,10 @@ class Examination {
     if (they_cross)
       note({Fault::Kind::tips_collide}, decide([&]<class T>() -> T { return room_between_tips<T>(of_); }),
            [&](Fault& f) { f.value = nearest_double([&] { return room_between_tips<Deep>(of_); }); });
+  }
+
+  bool has(Fault::Kind kind) const {
+    return std::any_of(faults_.begin(), faults_.end(), [&](const Fault& fault) { return fault.kind == kind; });
   }
 
   const PairData& of_;

@@ -18,6 +18,8 @@ struct Fault {
                          // `limit`
     contact_on_fillet,   // the mate's tip needs the flank down to the radius `value`, which begins at `limit` (of a
                          // wheel that is not undercut)
+    corner_in_root,      // the corners of the mate's tips dig into the root curve beside the line of action; at the
+                         // narrowest place looked at `value` < 0 remains (proved; that there is room is not)
     negative_clearance,  // the tip of the wheel digs into the other's root: `value` < 0 remains between them
     // of the pair, wheel is 0
     interference_approach,    // the path of approach is `value`, more than `limit` = P0T1

@@ -189,6 +189,36 @@ TEST_CASE("mesh: overlap is proved where a fault says so, and nowhere else", "[g
   CHECK(cycle(pair, tolerance, 16, Flanks::all).low > 0);
 }
 
+// Pairs in which contact ends on the flank and the tips clear the roots, found by drawing 4000 at random: the
+// outlines say whether they overlap, the fault whether the corner's path crosses the root curve.
+TEST_CASE("mesh: corners of tips in root curves", "[gears]") {
+  const auto pair = [](long z1, long z2, const Turn& alpha, Rational x1, Rational x2) {
+    PairData of = external(z1, z2, x1, x2);
+    of.alpha = alpha;
+    return of;
+  };
+  const Turn deg_15{Rational(1, 24)}, deg_20{Rational(1, 18)}, deg_25{Rational(5, 72)};
+  PairData narrow = pair(21, 73, deg_20, {2, 5}, {1, 10});  // by 15 µm
+  narrow.hf = {11, 10};
+  PairData standard = pair(29, 62, deg_20, {4, 5}, 1);  // by 38 µm, with the clearance of ISO 53
+  standard.rho = {3, 10};
+  PairData second = pair(20, 38, deg_20, {1, 10}, {9, 10});  // wheel 1's tips in wheel 2
+  second.hf = {11, 10};
+  PairData with_play = pair(17, 58, deg_25, {3, 5}, {4, 5});
+  with_play.ha = {4, 5}, with_play.hf = {9, 10}, with_play.rho = {1, 10}, with_play.j = {1, 5000};
+  PairData pointed = pair(26, 22, deg_15, 0, {6, 5});
+  pointed.ha = {6, 5}, pointed.hf = {29, 20};
+
+  for (PairData of : {narrow, standard, second, with_play, pointed}) {
+    INFO(of.z1 << " " << of.z2);
+    CHECK(has(of, Fault::Kind::corner_in_root));
+    CHECK(cycle(of, 1e-6, 24, Flanks::all).low == -infinity);
+    of.hf += Rational(3, 20);  // deeper roots
+    CHECK_FALSE(has(of, Fault::Kind::corner_in_root));
+    CHECK(cycle(of, 1e-6, 24, Flanks::all).low > 0);
+  }
+}
+
 TEST_CASE("arc gap: known distances", "[gears]") {
   const Arithmetic<Bounded> scope;
   const auto straight = [](double x1, double y1, double x2, double y2) {
