@@ -38,7 +38,8 @@ class GearPairExercise : public Exercise {
   DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
     const DrawnPair pair = drawn_pair(pair_of(givens), speed_of(givens));
     const Differences differences = givens.as_stated() ? differences_of_source(givens) : Differences{};
-    DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
+    const std::set<std::string> without_part = pair.is_rack() ? std::set<std::string>{"z2"} : std::set<std::string>{};
+    DrawnSheet onto = blank_sheet(about_, sheet, givens, request, without_part);
     if (sheet == "pitch-point") draw_pitch_point(onto, pair, differences, request);
     if (sheet == "wheels") draw_wheels(onto, pair, request);
     if (sheet == "sliding") draw_sliding(onto, pair, differences, request);

@@ -39,10 +39,10 @@ std::string after_number(const std::string& unit) {
   return no_break + (power == std::string::npos ? unit : unit.substr(0, power) + "²");
 }
 
-std::string in_one_line(const Givens& givens, Language language) {
+std::string in_one_line(const Givens& givens, const std::set<std::string>& without_part, Language language) {
   std::string line;
   for (const GivenSpec& spec : givens.specs()) {
-    if (spec.beyond_source && !givens.is_changed(spec.symbol)) continue;
+    if (without_part.contains(spec.symbol) || (spec.beyond_source && !givens.is_changed(spec.symbol))) continue;
     if (!line.empty()) line += ", ";
     if (!spec.choices.empty()) {
       line += givens.chosen(spec.symbol).meaning.in(language);
@@ -57,7 +57,7 @@ std::string in_one_line(const Givens& givens, Language language) {
 }  // namespace
 
 DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const Givens& givens,
-                       const SheetRequest& request) {
+                       const SheetRequest& request, const std::set<std::string>& without_part) {
   const Language language = request.language;
   DrawnSheet onto;
   onto.sheet.id = about.id + "-" + sheet;
@@ -76,7 +76,7 @@ DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const
   assert(!block.sheet.empty());
   if (!givens.as_stated()) block.source += language == Language::english ? ", givens changed" : ", dati cambiati";
   onto.sheet.column.push_back(drawings::Heading{language == Language::english ? "Given" : "Dati"});
-  onto.sheet.column.push_back(drawings::Paragraph{in_one_line(givens, language)});
+  onto.sheet.column.push_back(drawings::Paragraph{in_one_line(givens, without_part, language)});
   onto.sheet.title = block.exercise + ": " + block.sheet;
   return onto;
 }

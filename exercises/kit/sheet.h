@@ -1,6 +1,7 @@
 // The empty sheet an exercise starts from, and the phrases sheets share.
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "exercises/kit/exercise.h"
@@ -8,10 +9,10 @@
 
 namespace epure {
 
-// Names, title block, language and paper filled in; the column begins with the givens, and the source says when these
-// are not its own. The figure is empty.
+// Names, title block, language and paper filled in; the column begins with the givens but for those that have no part
+// in this case, and the source says when these are not its own. The figure is empty.
 DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const Givens& givens,
-                       const SheetRequest& request);
+                       const SheetRequest& request, const std::set<std::string>& without_part = {});
 
 // The part of the drawing area above the strip in which the scale bars stand.
 drawings::Box room_above_scale_bars(const SheetRequest& request);

@@ -203,6 +203,11 @@ TEST_CASE("gear-pair: the source's differences stand on its own sheets only", "[
   CHECK(column(gear_pair().draw("sliding", {"n1=151"})).find("0.186") == std::string::npos);
 }
 
+TEST_CASE("gear-pair: a rack has no number of teeth among the givens", "[gear-pair][sheets]") {
+  CHECK(column(gear_pair().draw("pitch-point", source)).find("$z_{2}$") != std::string::npos);
+  CHECK(column(gear_pair().draw("pitch-point", rack)).find("$z_{2}$") == std::string::npos);
+}
+
 TEST_CASE("gear-pair: the steps tell of two, one or no tangent points on the sheet", "[gear-pair][sheets]") {
   CHECK(steps(gear_pair().draw("pitch-point", source)).find("Not both") == std::string::npos);
   CHECK(steps(gear_pair().draw("pitch-point", thousand)).find("Not both") != std::string::npos);
