@@ -1,6 +1,7 @@
 // What the exercise reports.
 #include "exercises/four-bar/exercise.h"
 #include "exercises/kit/coupler_quantities.h"
+#include "exercises/kit/four_bar.h"
 
 namespace epure::four_bar {
 namespace {
@@ -107,13 +108,7 @@ std::vector<QuantitySpec> crank_found() {
 }
 
 std::vector<QuantitySpec> dead_centre() {
-  return joined(
-      {crank_found(),
-       {radians("coupler_angle", "$ϑ_{3}$", coupler_angle), radians("rocker_angle", "$ϑ_{4}$", rocker_angle),
-        degrees("rocker_angle_deg", "$ϑ_{4}$", rocker_angle)},
-       pins(),
-       coordinates("C", "C", {"C", "C"}),
-       second_order()});
+  return joined({crank_found(), pins(), link_rate_quantities()});
 }
 
 std::vector<QuantitySpec> parallel() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "exercises/kit/crank.h"
+#include "exercises/kit/exercise.h"
 #include "exercises/kit/givens.h"
 #include "geometry/analytic/four_bar.h"
 #include "geometry/mechanisms/four_bar.h"
@@ -50,5 +51,8 @@ struct FourBarInstant {
 // lies on A₀, the linkage does not close, or the crank is at a limit position, where it cannot drive the rocker;
 // Undecided when no number can tell.
 void require_drivable(FourBarInstant& at);
+
+// Angular velocities and accelerations of coupler and rocker: omega_3, omega_4, alpha_3, alpha_4.
+std::vector<QuantitySpec> link_rate_quantities();
 
 }  // namespace epure

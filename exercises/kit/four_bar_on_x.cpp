@@ -42,19 +42,6 @@ std::vector<QuantitySpec> link_angle_quantities() {
           {"theta_4", "$θ_{4}$", "rad", {"direction from B to B₀, from +x", "anomalia di BB₀, da B verso B₀"}}};
 }
 
-std::vector<QuantitySpec> link_rate_quantities() {
-  return {{"omega_3", "$ω_{3}$", "rad/s", {"angular velocity of the coupler", "velocità angolare della biella"}},
-          {"omega_4", "$ω_{4}$", "rad/s", {"angular velocity of the rocker", "velocità angolare del bilanciere"}},
-          {"alpha_3",
-           "$α_{3}$",
-           "rad/s^2",
-           {"angular acceleration of the coupler", "accelerazione angolare della biella"}},
-          {"alpha_4",
-           "$α_{4}$",
-           "rad/s^2",
-           {"angular acceleration of the rocker", "accelerazione angolare del bilanciere"}}};
-}
-
 std::vector<QuantitySpec> midpoint_quantities() {
   const Words G2{"the midpoint of A₀A", "mezzeria di A₀A"}, G3{"the midpoint of AB", "mezzeria di AB"},
       G4{"the midpoint of B₀B", "mezzeria di B₀B"};

@@ -15,9 +15,8 @@ std::vector<GivenSpec> four_bar_on_x_givens();
 // On the given side; nothing is required of it yet.
 FourBarInstant four_bar_on_x(const Givens& givens, geometry::Side side);
 
-// What the givens of both exercises leave to be found of rates, angles and midpoints.
+// What the givens of both exercises leave to be found of angles and midpoints.
 std::vector<QuantitySpec> link_angle_quantities();
-std::vector<QuantitySpec> link_rate_quantities();
 
 // G₂, G₃, G₄ halve A₀A, AB, B₀B.
 template <class T>
