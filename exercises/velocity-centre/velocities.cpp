@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exercises/kit/compare.h"
+#include "exercises/kit/edge.h"
 #include "exercises/kit/fit.h"
 #include "exercises/kit/sheet.h"
 #include "exercises/velocity-centre/exercise.h"
@@ -32,15 +33,6 @@ drawings::Box extent_of(const Drawn& f, const Scale& lengths, const Scale& veloc
   }
   if (shows_centre(f)) extent.include(lengths, *f.motion.P0, letters + 3);
   return extent.box();
-}
-
-// From X along the direction as far as the room reaches.
-Place at_edge(const Plot& plot, const drawings::Box& room, const Place& X, const Arrow2& direction) {
-  const drawings::Point p = plot.at(X);
-  double reach = INFINITY;  // in units of the direction
-  if (direction.x != 0) reach = std::min(reach, ((direction.x > 0 ? room.high.x : room.low.x) - p.x) / direction.x);
-  if (direction.y != 0) reach = std::min(reach, ((direction.y > 0 ? room.high.y : room.low.y) - p.y) / direction.y);
-  return plot.from_paper({p.x + reach * direction.x, p.y + reach * direction.y});
 }
 
 // Right across the room: the centre is too far to be shown, or at infinity.
