@@ -19,7 +19,7 @@ constexpr double far = 3.2;  // times the figure without it: a centre still show
 // How large the figure is without the centre of curvature.
 double reach(const Drawn& f) { return std::max({2 * f.r * (f.C ? 1 : 0), f.P0M(), f.diameter}); }
 
-bool shows_centre(const Drawn& f) { return f.centre && distance(*f.centre, f.M) <= far * reach(f); }
+bool is_centre_near(const Drawn& f) { return f.centre && distance(*f.centre, f.M) <= far * reach(f); }
 
 struct Scales {
   Scale velocities, accelerations;
@@ -40,7 +40,7 @@ drawings::Box extent_of(const Drawn& f, const Scale& scale, const Scales& vector
   if (f.C) include_circle(*f.C, f.r);
   include_circle({(f.P0.x + f.J.x) / 2, (f.P0.y + f.J.y) / 2}, f.diameter / 2);
   for (const Place& P : {f.M, f.P0, f.M_prime}) extent.include(scale, P, letters);
-  if (shows_centre(f)) extent.include(scale, *f.centre, letters);
+  if (is_centre_near(f)) extent.include(scale, *f.centre, letters);
   include_tip(f.v, vectors.velocities);
   for (const Arrow2& a : {f.a, f.a_n}) include_tip(a, vectors.accelerations);
   return extent.box();
@@ -70,21 +70,10 @@ void draw_ray(Plot& plot, const Drawn& f) {
   plot.measures("Mprime_M", f.M_prime, f.M);
 }
 
-// The ray goes on to the border, and says where to.
-void point_to_centre(Plot& plot, const Drawn& f, const drawings::Box& room, Language language) {
-  constexpr double from_border = 4;  // mm
-  const drawings::Box inner{{room.low.x + from_border, room.low.y + from_border},
-                            {room.high.x - from_border, room.high.y - from_border}};
-  const Place end = at_edge(plot, inner, f.M, *f.centre - f.M);
-  plot.segment(f.M, end, Meaning::construction);
-  plot.small_label(Words{"to $Ω$", "verso $Ω$"}.in(language), end, f.M);
-  plot.step(5, end);
-}
-
 void draw_curvature(Plot& plot, const Drawn& f, const drawings::Box& room, Language language) {
   if (f.is_at_cusp || !f.centre) return;
-  if (!shows_centre(f)) return point_to_centre(plot, f, room, language);
   const Place centre = *f.centre;
+  if (!is_in(room, plot, centre)) return plot.step(5, draw_towards(plot, room, f.M, centre, "$Ω$", language));
   plot.segment(f.M, centre, Meaning::construction);
   plot.circle(centre, distance(centre, f.M), Meaning::construction, "osculating_circle");
   plot.cross(centre);
@@ -186,17 +175,17 @@ std::vector<Words> steps_at_cusp(const Drawn& f) {
                   "La traiettoria ha una cuspide: $ρ$ = 0, il centro di curvatura è $M$."}};
 }
 
-Words curvature_step(const Drawn& f) {
+Words curvature_step(const Drawn& f, bool shows_centre) {
   if (!f.centre)
     return {"$M$ is on the inflection circle: the path is straight here, $Ω$ is at infinity.",
             "$M$ è sul cerchio dei flessi: la traiettoria qui è diritta, $Ω$ è all'infinito."};
-  const Words off = shows_centre(f) ? Words{"", ""} : Words{" It lies off the sheet.", " Cade fuori del foglio."};
+  const Words off = shows_centre ? Words{"", ""} : Words{" It lies off the sheet.", " Cade fuori del foglio."};
   return {"$P_{0}M^{2}$ = $M$$Ω$·$MM'$: centre of curvature $Ω$, on the side of $M'$." + off.english,
           "$P_{0}M^{2}$ = $M$$Ω$·$MM'$: centro di curvatura $Ω$, dalla parte di $M'$." + off.italian};
 }
 
 // Every step but the first.
-std::vector<Words> steps_after_the_pole(const Drawn& f) {
+std::vector<Words> steps_after_the_pole(const Drawn& f, bool shows_centre) {
   if (f.is_at_cusp) return steps_at_cusp(f);
   const std::string velocity = "$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = $ω$·$P_{0}M$.";
   std::vector<Words> steps{{velocity, velocity}};
@@ -213,22 +202,22 @@ std::vector<Words> steps_after_the_pole(const Drawn& f) {
        "Il piede della normale da $J$ sul raggio $P_{0}M$ è $M'$, sul cerchio dei flessi: $a^{n}_{M}$ = "
        "$ω^{2}$·$MM'$."});
   steps.push_back(acceleration_step(f));
-  steps.push_back(curvature_step(f));
+  steps.push_back(curvature_step(f, shows_centre));
   return steps;
 }
 
-std::vector<std::string> steps_at_instant(const Drawn& f, Language language) {
+std::vector<std::string> steps_at_instant(const Drawn& f, bool shows_centre, Language language) {
   std::vector<std::string> lines{first_step(f, language)};
-  for (const Words& step : steps_after_the_pole(f)) lines.push_back(step.in(language));
+  for (const Words& step : steps_after_the_pole(f, shows_centre)) lines.push_back(step.in(language));
   return lines;
 }
 
-void fill_column(DrawnSheet& onto, const Drawn& f, Language language) {
+void fill_column(DrawnSheet& onto, const Drawn& f, bool shows_centre, Language language) {
   const bool english = language == Language::english;
   const auto num = [&](double x) { return figures(x, 4, language); };
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
-  column.push_back(drawings::Steps{steps_at_instant(f, language)});
+  column.push_back(drawings::Steps{steps_at_instant(f, shows_centre, language)});
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   const auto line = [&](const std::string& text) { column.push_back(drawings::Paragraph{text}); };
   line(fmt::format("$P_{{0}}M$ = {} m,  $v_{{M}}$ = {} m/s", num(f.P0M()), num(magnitude(f.v))));
@@ -276,7 +265,7 @@ void draw_instant_sheet(DrawnSheet& onto, const Problem& problem, const SheetReq
   if (magnitude(f.v) > 0) scales.push_back(vectors.velocities);
   if (magnitude(f.a) > 0) scales.push_back(vectors.accelerations);
   add_scale_bars(onto, scales, request);
-  fill_column(onto, f, language);
+  fill_column(onto, f, f.centre && is_in(room, plot, *f.centre), language);
   std::vector<Value> values{{"v_M", magnitude(f.v), "m/s"}, {"a_M", magnitude(f.a), "m/s²"}};
   if (f.centre) values.push_back({"ρ_M", distance(*f.centre, f.M), "m"});
   onto.sheet.description =
