@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/exercises/arc_arrow.h"
 #include "tests/exercises/four_bar_on_x_cases.h"
 #include "tests/support/read_svg.h"
 
@@ -169,4 +170,13 @@ TEST_CASE("four-bar-analytic: what the border leaves out is named", "[four-bar-a
   const DrawnSheet far = draw(id, "coupler-curve", {"A0A=0.6"}, {.language = Language::italian});
   CHECK(off_sheet(far) == "Fuori del foglio: $Ω_{P}$, parte del cerchio osculatore.");
   CHECK(written(far, "verso $Ω_{P}$") == 1);
+}
+
+TEST_CASE("four-bar-analytic: the arrow of ω₂ keeps clear of crank and ground", "[four-bar-analytic][sheets]") {
+  for (int degrees = 0; degrees < 360; degrees += 5)
+    for (const char* n : {"n=400", "n=-400"}) {
+      CAPTURE(degrees, n);
+      arc_arrow_is_clear(draw(id, "configurations", {"theta_2=" + std::to_string(degrees), n}),
+                         degrees * std::numbers::pi / 180);
+    }
 }
