@@ -204,7 +204,12 @@ void draw_velocities(DrawnSheet& onto, const Drawn& f, const SheetRequest& reque
     plot.vector_on("v_" + X.letter, X.at, X.v, Meaning::velocity, fmt::format("$\\vec{{v}}_{{{}}}$", X.letter));
   number_steps(plot, f, steps_of_sides(f.velocities) + 1);
 
-  add_scale_bars(onto, {fit.scale, lengths, polygon_fit.scale}, request);
+  Scale of_left = fit.scale, of_right = lengths;  // that of the vectors is for both sides
+  of_left.caption += Words{" left", " a sinistra"}.in(request.language);
+  of_right.caption += Words{" right", " a destra"}.in(request.language);
+  add_scale_bars(onto, {of_left, of_right, polygon_fit.scale}, request);
+  // The title block has no room for the words.
+  onto.sheet.title_block.scales = {fit.scale.caption, lengths.caption, polygon_fit.scale.caption};
   fill_column(onto, f, request.language);
   std::vector<Value> values{
       {"v_A", magnitude(f.A().v), "m/s"}, {"v_A_x", f.A().v.x, "m/s"}, {"v_A_y", f.A().v.y, "m/s"}};

@@ -180,3 +180,15 @@ TEST_CASE("four-bar-analytic: the arrow of ω₂ keeps clear of crank and ground
                          degrees * std::numbers::pi / 180);
     }
 }
+
+TEST_CASE("four-bar-analytic: the coefficients of the closure equation are no points",
+          "[four-bar-analytic][sheets]") {
+  bool found = false;
+  for (const drawings::Block& block : draw(id, "configurations", {}, {.language = Language::italian}).sheet.column) {
+    const auto* paragraph = std::get_if<drawings::Paragraph>(&block);
+    if (!paragraph || paragraph->text.find(" sen $θ_{4}$") == std::string::npos) continue;
+    found = true;
+    for (const char* point : {"$A$", "$B$", "$C$"}) CHECK(paragraph->text.find(point) == std::string::npos);
+  }
+  CHECK(found);
+}
