@@ -135,8 +135,7 @@ TEST_CASE("no English word is left on an Italian sheet") {
   look_at_sheets(Language::italian, [](const DrawnSheet& drawn) {
     const std::string text = words_of(drawn);
     CAPTURE(text);
-    for (const char* word :
-         {"\u00a0rpm", " the ", " of ", " and ", " with ", " from ", " at ", "sheet", "sin "})
+    for (const char* word : {"\u00a0rpm", " the ", " of ", " and ", " with ", " from ", " at ", "sheet", "sin "})
       CHECK(text.find(word) == std::string::npos);
   });
 }
