@@ -57,10 +57,14 @@ drawings::Box extent_of(const Drawn& f, const std::vector<Position>& all, const 
   return extent.box();
 }
 
+bool is_on_AB(const Problem& of) {
+  return of.AP_across == 0 && of.AP_along >= 0 && of.AP_along <= of.instant.lengths.AB;
+}
+
+// The bar AB in each; of a plate only AP, for twelve triangles hide what they show.
 void draw_positions(Plot& plot, const Drawn& f, const std::vector<Position>& all) {
   for (const Position& at : all) {
-    plot.segment(at.A, at.P, Meaning::construction);
-    plot.segment(at.P, at.B, Meaning::construction);
+    plot.segment(at.A, is_on_AB(f.of) ? at.B : at.P, Meaning::construction);
     plot.dot(at.B, Meaning::construction);
     plot.dot(at.A, Meaning::construction);
     plot.dot(at.P, Meaning::locus);
@@ -113,8 +117,7 @@ void draw_mechanism(Plot& plot, const Drawn& f, const std::vector<Position>& all
   FourBarFigure figure = f.figure;
   for (const Position& at : all) figure.other_B.push_back(at.B);
   figure.points = {{"$P$", f.P}};
-  const bool is_on_AB = f.of.AP_across == 0 && f.of.AP_along >= 0 && f.of.AP_along <= f.of.instant.lengths.AB;
-  if (!is_on_AB) {
+  if (!is_on_AB(f.of)) {
     plot.area({figure.A, figure.B, f.P}, Meaning::plate);
     plot.segment(figure.A, f.P, Meaning::link);
     plot.segment(figure.B, f.P, Meaning::link);
@@ -189,7 +192,7 @@ void draw_coupler_curve(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
               "lato di $AB_{0}$ (secondo tipo di linea)."});
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   const auto num = [&](double x) { return figures(x, 4, language); };
-  column.push_back(drawings::Table{{"", "x", "y"},
+  column.push_back(drawings::Table{{"", "$x$", "$y$"},
                                    {{"$P$ (m)", num(f.P.x), num(f.P.y)},
                                     {"$v_{P}$ (m/s)", num(curvature.v.x), num(curvature.v.y)},
                                     {"$a_{P}$ (m/s²)", num(curvature.a.x), num(curvature.a.y)},
