@@ -14,12 +14,22 @@ namespace epure::roulette {
 namespace {
 
 constexpr double longest_velocity = 38, longest_acceleration = 46;  // mm
-constexpr double far = 3.2;  // times the figure without it: a centre still shown
+constexpr double far = 3.2;  // times the bodies beside M: a circle still whole, a centre still shown
+
+double size_of_bodies(const Drawn& f) { return std::max(f.C ? 2 * f.r : f.R, f.P0M()); }
+
+// Inside a circle hardly larger than the rolling one the inflection circle is many times as large as both.
+bool is_inflection_circle_small(const Drawn& f) { return f.diameter <= far * size_of_bodies(f); }
 
 // How large the figure is without the centre of curvature.
-double reach(const Drawn& f) { return std::max({2 * f.r * (f.C ? 1 : 0), f.P0M(), f.diameter}); }
+double reach(const Drawn& f) {
+  return is_inflection_circle_small(f) ? std::max(size_of_bodies(f), f.diameter) : size_of_bodies(f);
+}
 
-bool is_centre_near(const Drawn& f) { return f.centre && distance(*f.centre, f.M) <= far * reach(f); }
+bool is_near(const Drawn& f, const Place& P) { return distance(P, f.M) <= far * reach(f); }
+
+Place middle_of_inflection_circle(const Drawn& f) { return {(f.P0.x + f.J.x) / 2, (f.P0.y + f.J.y) / 2}; }
+DrawnCycle inflection_circle(const Drawn& f) { return circle_through(f.P0, middle_of_inflection_circle(f)); }
 
 struct Scales {
   Scale velocities, accelerations;
@@ -38,17 +48,17 @@ drawings::Box extent_of(const Drawn& f, const Scale& scale, const Scales& vector
     extent.include(x + letters, y + letters);
   };
   if (f.C) include_circle(*f.C, f.r);
-  include_circle({(f.P0.x + f.J.x) / 2, (f.P0.y + f.J.y) / 2}, f.diameter / 2);
-  for (const Place& P : {f.M, f.P0, f.M_prime}) extent.include(scale, P, letters);
-  if (is_centre_near(f)) extent.include(scale, *f.centre, letters);
+  if (is_inflection_circle_small(f)) include_circle(middle_of_inflection_circle(f), f.diameter / 2);
+  for (const Place& P : {f.M, f.P0}) extent.include(scale, P, letters);
+  for (const std::optional<Place>& P : {std::optional{f.M_prime}, f.centre})
+    if (P && is_near(f, *P)) extent.include(scale, *P, letters);
   include_tip(f.v, vectors.velocities);
   for (const Arrow2& a : {f.a, f.a_n}) include_tip(a, vectors.accelerations);
   return extent.box();
 }
 
 void draw_circle_of_inflections(Plot& plot, const Drawn& f) {
-  plot.circle({(f.P0.x + f.J.x) / 2, (f.P0.y + f.J.y) / 2}, f.diameter / 2, Meaning::second_locus,
-              "inflection_circle");
+  plot.cycle(inflection_circle(f), Meaning::second_locus, "inflection_circle");
   plot.segment(f.P0, f.J, Meaning::axis);
   plot.cross(f.J, Meaning::second_locus);
   plot.label("$J$", f.J, f.P0, Meaning::second_locus);
@@ -71,7 +81,8 @@ void draw_ray(Plot& plot, const Drawn& f) {
 }
 
 void draw_curvature(Plot& plot, const Drawn& f, const drawings::Box& room, Language language) {
-  if (f.is_at_cusp || !f.centre) return;
+  if (f.is_at_cusp) return plot.step(3, f.M);
+  if (!f.centre) return;
   const Place centre = *f.centre;
   if (!is_in(room, plot, centre)) return plot.step(5, draw_towards(plot, room, f.M, centre, "$Ω$", language));
   plot.segment(f.M, centre, Meaning::construction);
@@ -105,7 +116,7 @@ void draw_acceleration(Plot& plot, const Drawn& f, const Scales& scales) {
     const Place start = start_of_acceleration(plot, f, scales);
     plot.vector_on("a_M", start, f.a, Meaning::acceleration, "$\\vec{a}_{M}$");
   }
-  if (!f.is_at_cusp) plot.step(4, plot.tip(f.M, f.a));
+  plot.step(f.is_at_cusp ? 2 : 4, plot.tip(f.M, f.a));
   if (magnitude(f.a_n) * mm < least_part || magnitude(f.a_t) * mm < least_part) return;
   plot.vector_on("a_M_n", f.M, f.a_n, Meaning::acceleration, "$\\vec{a}^{n}_{M}$");
   plot.vector_on("", plot.tip(f.M, f.a_n), f.a_t, Meaning::acceleration, "$\\vec{a}^{t}_{M}$");
@@ -175,17 +186,16 @@ std::vector<Words> steps_at_cusp(const Drawn& f) {
                   "La traiettoria ha una cuspide: $ρ$ = 0, il centro di curvatura è $M$."}};
 }
 
-Words curvature_step(const Drawn& f, bool shows_centre) {
+Words curvature_step(const Drawn& f) {
   if (!f.centre)
     return {"$M$ is on the inflection circle: the path is straight here, $Ω$ is at infinity.",
             "$M$ è sul cerchio dei flessi: la traiettoria qui è diritta, $Ω$ è all'infinito."};
-  const Words off = shows_centre ? Words{"", ""} : Words{" It lies off the sheet.", " Cade fuori del foglio."};
-  return {"$P_{0}M^{2}$ = $M$$Ω$·$MM'$: centre of curvature $Ω$, on the side of $M'$." + off.english,
-          "$P_{0}M^{2}$ = $M$$Ω$·$MM'$: centro di curvatura $Ω$, dalla parte di $M'$." + off.italian};
+  return {"$P_{0}M^{2}$ = $M$$Ω$·$MM'$: centre of curvature $Ω$, on the side of $M'$.",
+          "$P_{0}M^{2}$ = $M$$Ω$·$MM'$: centro di curvatura $Ω$, dalla parte di $M'$."};
 }
 
 // Every step but the first.
-std::vector<Words> steps_after_the_pole(const Drawn& f, bool shows_centre) {
+std::vector<Words> steps_after_the_pole(const Drawn& f) {
   if (f.is_at_cusp) return steps_at_cusp(f);
   const std::string velocity = "$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = $ω$·$P_{0}M$.";
   std::vector<Words> steps{{velocity, velocity}};
@@ -202,22 +212,32 @@ std::vector<Words> steps_after_the_pole(const Drawn& f, bool shows_centre) {
        "Il piede della normale da $J$ sul raggio $P_{0}M$ è $M'$, sul cerchio dei flessi: $a^{n}_{M}$ = "
        "$ω^{2}$·$MM'$."});
   steps.push_back(acceleration_step(f));
-  steps.push_back(curvature_step(f, shows_centre));
+  steps.push_back(curvature_step(f));
   return steps;
 }
 
-std::vector<std::string> steps_at_instant(const Drawn& f, bool shows_centre, Language language) {
+std::vector<std::string> steps_at_instant(const Drawn& f, Language language) {
   std::vector<std::string> lines{first_step(f, language)};
-  for (const Words& step : steps_after_the_pole(f, shows_centre)) lines.push_back(step.in(language));
+  for (const Words& step : steps_after_the_pole(f)) lines.push_back(step.in(language));
   return lines;
 }
 
-void fill_column(DrawnSheet& onto, const Drawn& f, bool shows_centre, Language language) {
+std::string left_out(const Plot& plot, const Drawn& f, const drawings::Box& room, Language language) {
+  OffSheet off(plot, room);
+  off.point("$J$", f.J);
+  off.point("$M'$", f.M_prime);
+  off.point("$Ω$", f.centre);
+  off.circle({"part of the inflection circle", "parte del cerchio dei flessi"}, inflection_circle(f));
+  return off.sentence(language);
+}
+
+void fill_column(DrawnSheet& onto, const Drawn& f, const std::string& left_out, Language language) {
   const bool english = language == Language::english;
   const auto num = [&](double x) { return figures(x, 4, language); };
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
-  column.push_back(drawings::Steps{steps_at_instant(f, shows_centre, language)});
+  column.push_back(drawings::Steps{steps_at_instant(f, language)});
+  if (!left_out.empty()) column.push_back(drawings::Paragraph{left_out});
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   const auto line = [&](const std::string& text) { column.push_back(drawings::Paragraph{text}); };
   line(fmt::format("$P_{{0}}M$ = {} m,  $v_{{M}}$ = {} m/s", num(f.P0M()), num(magnitude(f.v))));
@@ -265,7 +285,7 @@ void draw_instant_sheet(DrawnSheet& onto, const Problem& problem, const SheetReq
   if (magnitude(f.v) > 0) scales.push_back(vectors.velocities);
   if (magnitude(f.a) > 0) scales.push_back(vectors.accelerations);
   add_scale_bars(onto, scales, request);
-  fill_column(onto, f, f.centre && is_in(room, plot, *f.centre), language);
+  fill_column(onto, f, left_out(plot, f, room, language), language);
   std::vector<Value> values{{"v_M", magnitude(f.v), "m/s"}, {"a_M", magnitude(f.a), "m/s²"}};
   if (f.centre) values.push_back({"ρ_M", distance(*f.centre, f.M), "m"});
   onto.sheet.description =

@@ -134,7 +134,10 @@ TEST_CASE("roulette: no vector hides another", "[roulette][sheets]") {
 
 TEST_CASE("roulette: the parts of the acceleration end at its tip, each step where it happens",
           "[roulette][sheets]") {
+  // Three steps at a cusp, five elsewhere: each has its number on the figure.
+  CHECK(roulette().draw("instant", {"phi=480"}).sheet.figure.steps.size() == 3);
   const DrawnSheet drawn = roulette().draw("instant", {"alpha=3"});
+  CHECK(drawn.sheet.figure.steps.size() == 5);
   const auto meet = [](drawings::Point p, drawings::Point q) { return std::hypot(p.x - q.x, p.y - q.y) < 1e-9; };
   const auto step = [&](int number) {
     for (const drawings::StepNumber& s : drawn.sheet.figure.steps)
@@ -162,4 +165,14 @@ TEST_CASE("roulette: the ray to a centre off the sheet says so", "[roulette][she
   CHECK(is_written(roulette().draw("instant", far), "to $Ω$"));
   CHECK(is_written(roulette().draw("instant", far, {.language = Language::italian}), "verso $Ω$"));
   CHECK_FALSE(is_written(roulette().draw("instant", {}), "to $Ω$"));
+}
+
+TEST_CASE("roulette: an inflection circle many times the bodies runs off the sheet, which says so",
+          "[roulette][sheets]") {
+  const DrawnSheet drawn = roulette().draw("instant", {"how=circle_inside_circle", "r=0.4"});
+  CHECK_THAT(words_of(drawn), Catch::Contains("Off the sheet: $J$, $M'$, part of the inflection circle."));
+  CHECK(drawn.sheet.title_block.scales.front() == "1 : 10");
+  CHECK_THAT(words_of(roulette().draw("instant", {"how=circle_inside_circle"})),
+             Catch::Contains("Off the sheet: $Ω$."));
+  CHECK_THAT(words_of(roulette().draw("instant", {})), !Catch::Contains("Off the sheet"));
 }
