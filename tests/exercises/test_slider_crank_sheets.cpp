@@ -234,6 +234,22 @@ TEST_CASE("the arrow of ω₂ keeps clear of crank and ground", "[slider-crank][
     }
 }
 
+TEST_CASE("the sheets of the coupler's circles name what the border leaves out", "[slider-crank][sheets]") {
+  const auto says = [](const std::string& sheet, const std::vector<std::string>& assignments,
+                       const std::string& text) {
+    for (const drawings::Block& block : draw(acceleration, sheet, assignments).sheet.column)
+      if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block); paragraph && paragraph->text == text)
+        return true;
+    return false;
+  };
+  CHECK(says("curvature", {}, "Off the sheet: part of the inflection circle."));
+  CHECK_FALSE(says("circles", {}, "Off the sheet: part of the inflection circle."));
+  // Nearly upright: all the poles but K are far off.
+  CHECK(says("circles", {"t1=0.041665"},
+             "Off the sheet: $P_{0}$, $J$, $F$, $S$, part of the inflection circle, part of the stationarity "
+             "circle."));
+}
+
 // A crank turning clockwise from the same dead centre stands where the mirror shows it.
 TEST_CASE("a crank that turns the other way has its vectors mirrored", "[slider-crank][sheets]") {
   for (const auto& [id, sheet, vectors] : diagrams) {
