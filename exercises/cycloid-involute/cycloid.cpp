@@ -188,7 +188,10 @@ void draw_cycloid(DrawnSheet& onto, const Problem& of, const SheetRequest& reque
       fit_lengths(lower, any_scale, 1000 / f.r, [&](const Scale& scale) { return extent_of_division(f, scale); });
   Plot larger(onto, detail.origin, detail.scale);
   draw_division(larger, f);
-  add_scale_bars(onto, {whole.scale, detail.scale}, request);
+  Scale above = whole.scale, below = detail.scale;
+  above.caption += Words{" above", " sopra"}.in(language);
+  below.caption += Words{" below", " sotto"}.in(language);
+  add_scale_bars(onto, {above, below}, request);
 
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});

@@ -62,17 +62,19 @@ drawings::Steps steps_to_configurations(Language language) {
            "Si incontrano ancora in $B'$, simmetrico rispetto ad $AB_{0}$: l'altra configurazione."}};
 }
 
-// The source's equation for θ₄, with its coefficients.
+// The source's equation for θ₄, with its coefficients; not in capitals, which are points here.
 std::string equation_for_theta_4(const Drawn& f, Language language) {
   const FourBarFigure& at = f.figure;
   const double r1 = at.B0.x, r3 = distance(at.A, at.B), r4 = distance(at.B, at.B0);
-  const double A = 2 * r4 * (at.A.x - r1), B = 2 * r4 * at.A.y;
-  const double C = r1 * r1 + at.A.x * at.A.x + at.A.y * at.A.y + r4 * r4 - r3 * r3 - 2 * r1 * at.A.x;
+  const double k1 = 2 * r4 * (at.A.x - r1), k2 = 2 * r4 * at.A.y;
+  const double k3 = r1 * r1 + at.A.x * at.A.x + at.A.y * at.A.y + r4 * r4 - r3 * r3 - 2 * r1 * at.A.x;
   const auto num = [&](double x) { return figures(x, 4, language); };
   return fmt::format(
-      "$A$ cos $θ_{{4}}$ + $B$ sin $θ_{{4}}$ + $C$ = 0, {} $A$ = {}, $B$ = {}, $C$ = {} m²; in $t$ = "
-      "tan($θ_{{4}}$/2): ($C$−$A$)$t^{{2}}$ + 2$B$$t$ + $C$+$A$ = 0.",
-      language == Language::english ? "with" : "con", num(A), num(B), num(C));
+      "$k_{{1}}$ cos $θ_{{4}}$ + $k_{{2}}$ {} $θ_{{4}}$ + $k_{{3}}$ = 0, {} $k_{{1}}$ = {}, $k_{{2}}$ = {}, "
+      "$k_{{3}}$ = {} m²; in $t$ = tan($θ_{{4}}$/2): ($k_{{3}}$ − $k_{{1}}$)$t^{{2}}$ + 2$k_{{2}}$$t$ + "
+      "$k_{{3}}$ + $k_{{1}}$ = 0.",
+      language == Language::english ? "sin" : "sen", language == Language::english ? "with" : "con", num(k1), num(k2),
+      num(k3));
 }
 
 drawings::Table link_angles(const Drawn& f, Language language) {

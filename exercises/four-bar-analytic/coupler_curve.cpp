@@ -6,6 +6,7 @@
 
 #include "exercises/four-bar-analytic/exercise.h"
 #include "exercises/kit/curve.h"
+#include "exercises/kit/edge.h"
 #include "exercises/kit/sheet.h"
 #include "geometry/curves/four_bar_loci.h"
 #include "geometry/mechanisms/grashof.h"
@@ -50,19 +51,25 @@ drawings::Box extent_of(const Drawn& f, const std::vector<Position>& all, const 
   f.figure.include(extent, scale);
   for (const Position& at : all) {
     extent.include(scale, at.P, 7);
-    extent.include(scale, at.B, 2);
+    extent.include(scale, at.B, 5);
   }
   extent.include(scale, f.P, 9);
   return extent.box();
 }
 
+bool is_on_AB(const Problem& of) {
+  return of.AP_across == 0 && of.AP_along >= 0 && of.AP_along <= of.instant.lengths.AB;
+}
+
+// The bar AB in each; of a plate only AP, for twelve triangles hide what they show.
 void draw_positions(Plot& plot, const Drawn& f, const std::vector<Position>& all) {
   for (const Position& at : all) {
-    plot.segment(at.A, at.P, Meaning::construction);
+    plot.segment(at.A, is_on_AB(f.of) ? at.B : at.P, Meaning::construction);
     plot.dot(at.B, Meaning::construction);
     plot.dot(at.A, Meaning::construction);
     plot.dot(at.P, Meaning::locus);
     plot.small_label(std::to_string(at.number), at.A, f.figure.A0);
+    plot.small_label(std::to_string(at.number), at.B, f.figure.B0);
     plot.small_label(std::to_string(at.number), at.P, Place{(at.A.x + at.B.x) / 2, (at.A.y + at.B.y) / 2});
   }
 }
@@ -82,10 +89,13 @@ Curvature curvature_of_P(const Problem& of) {
   });
 }
 
-void draw_curvature_of_P(Plot& plot, const Drawn& f, const Curvature& of) {
-  if (!of.centre || std::hypot(of.centre->x, of.centre->y) > 2 * f.figure.reach()) return;
-  const double radius = distance(f.P, *of.centre);
-  plot.circle(*of.centre, radius, Meaning::construction);
+// The figure is the path's: a circle too large for it is drawn as far as it reaches.
+void draw_curvature_of_P(Plot& plot, const Drawn& f, const Curvature& of, const drawings::Box& room,
+                         Language language) {
+  if (!of.centre) return;
+  plot.cycle(circle_through(f.P, *of.centre), Meaning::construction);
+  if (!is_in(room, plot, *of.centre))
+    return plot.step(4, draw_towards(plot, room, f.P, *of.centre, "$Ω_{P}$", language));
   plot.segment(*of.centre, f.P, Meaning::dimension);
   plot.cross(*of.centre);
   plot.label("$Ω_{P}$", *of.centre, f.P, Meaning::locus);
@@ -94,11 +104,20 @@ void draw_curvature_of_P(Plot& plot, const Drawn& f, const Curvature& of) {
   plot.step(4, *of.centre);
 }
 
-void draw_mechanism(Plot& plot, const Drawn& f) {
+std::string left_out(const Plot& plot, const Drawn& f, const Curvature& of, const drawings::Box& room,
+                     Language language) {
+  OffSheet off(plot, room);
+  off.point("$Ω_{P}$", of.centre);
+  if (of.centre)
+    off.circle({"part of the osculating circle", "parte del cerchio osculatore"}, circle_through(f.P, *of.centre));
+  return off.sentence(language);
+}
+
+void draw_mechanism(Plot& plot, const Drawn& f, const std::vector<Position>& all) {
   FourBarFigure figure = f.figure;
+  for (const Position& at : all) figure.other_B.push_back(at.B);
   figure.points = {{"$P$", f.P}};
-  const bool is_on_AB = f.of.AP_across == 0 && f.of.AP_along >= 0 && f.of.AP_along <= f.of.instant.lengths.AB;
-  if (!is_on_AB) {
+  if (!is_on_AB(f.of)) {
     plot.area({figure.A, figure.B, f.P}, Meaning::plate);
     plot.segment(figure.A, f.P, Meaning::link);
     plot.segment(figure.B, f.P, Meaning::link);
@@ -107,17 +126,20 @@ void draw_mechanism(Plot& plot, const Drawn& f) {
   plot.measures_coordinates("P", f.P, figure.A0);
 }
 
-drawings::Steps steps_to_coupler_curve(Language language) {
-  if (language == Language::english) {
-    return {{fmt::format("The crank's circle in {} parts from +x: positions of $A$.", crank_positions),
-             "$B$ about $A$ and $B_{0}$; on tracing paper $P$ goes with $AB$ and marks a point.",
-             "The curve through the points: the path of $P$.",
-             "$Ω_{P}$, by Euler-Savary as for $G_{3}$; thin: the circle that osculates the path now."}};
-  }
-  return {{fmt::format("La circonferenza di manovella in {} parti da +x: le posizioni di $A$.", crank_positions),
-           "$B$ da $A$ e $B_{0}$; su carta da lucido $P$ va con $AB$ e segna un punto.",
-           "La curva per i punti: la traiettoria di $P$.",
-           "$Ω_{P}$, con Euler-Savary come per $G_{3}$; sottile: il cerchio osculatore."}};
+drawings::Steps steps_to_coupler_curve(bool is_curved, Language language) {
+  const std::vector<Words> steps{
+      {fmt::format("The crank's circle in {} parts from +x: positions of $A$.", crank_positions),
+       fmt::format("La circonferenza di manovella in {} parti da +x: le posizioni di $A$.", crank_positions)},
+      {"$B$ about $A$ and $B_{0}$; on tracing paper $P$ goes with $AB$ and marks a point.",
+       "$B$ da $A$ e $B_{0}$; su carta da lucido $P$ va con $AB$ e segna un punto."},
+      {"The curve through the points: the path of $P$.", "La curva per i punti: la traiettoria di $P$."},
+      is_curved ? Words{"$Ω_{P}$, by Euler-Savary as for $G_{3}$; thin: the circle that osculates the path now.",
+                        "$Ω_{P}$, con Euler-Savary come per $G_{3}$; sottile: il cerchio osculatore."}
+                : Words{"Now the path is straight: $Ω_{P}$ is at infinity.",
+                        "Ora la traiettoria è diritta: $Ω_{P}$ è all'infinito."}};
+  drawings::Steps written;
+  for (const Words& step : steps) written.lines.push_back(step.in(language));
+  return written;
 }
 
 }  // namespace
@@ -137,20 +159,24 @@ void draw_coupler_curve(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
   // Past a limit position, where the crank turns back, B goes on to the other side: one circuit of two parts.
   if (!turns_fully)
     draw_locus(plot, curve_of(f.of, geometry::opposite(side)), room, Meaning::second_locus, "path_of_P_other_side");
-  draw_mechanism(plot, f);
+  draw_mechanism(plot, f, all);
   const Curvature curvature = curvature_of_P(f.of);
-  draw_curvature_of_P(plot, f, curvature);
+  draw_curvature_of_P(plot, f, curvature, room, language);
   const auto place = [&](std::size_t share) { return all[all.size() * share / crank_positions]; };
   if (!all.empty()) {
-    plot.step(1, place(3).A);
-    plot.step(2, place(5).P);
-    plot.step(3, place(9).P);
+    plot.step(1, place(7).A);
+    plot.step(2, place(2).B);
+    plot.step(3, place(5).P);
   }
+  onto.sheet.figure.windows = {room};
+  onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 0);
   add_scale_bars(onto, {fit.scale}, request);
 
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
-  column.push_back(steps_to_coupler_curve(language));
+  column.push_back(steps_to_coupler_curve(curvature.centre.has_value(), language));
+  if (const std::string off = left_out(plot, f, curvature, room, language); !off.empty())
+    column.push_back(drawings::Paragraph{off});
   column.push_back(drawings::Heading{english ? "The curve" : "La curva"});
   column.push_back(drawings::Paragraph{fmt::format(
       fmt::runtime(english ? "{} Bezier arcs, at most {} mm on this sheet from the true path."
@@ -166,7 +192,7 @@ void draw_coupler_curve(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
               "lato di $AB_{0}$ (secondo tipo di linea)."});
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   const auto num = [&](double x) { return figures(x, 4, language); };
-  column.push_back(drawings::Table{{"", "x", "y"},
+  column.push_back(drawings::Table{{"", "$x$", "$y$"},
                                    {{"$P$ (m)", num(f.P.x), num(f.P.y)},
                                     {"$v_{P}$ (m/s)", num(curvature.v.x), num(curvature.v.y)},
                                     {"$a_{P}$ (m/s²)", num(curvature.a.x), num(curvature.a.y)},

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "exercises/four-bar-analytic/exercise.h"
+#include "exercises/kit/edge.h"
 #include "exercises/kit/sheet.h"
 
 namespace epure::four_bar_analytic {
@@ -19,16 +20,21 @@ bool is_small(const Drawn& f, const DrawnCycle& circle) {
   return circle.centre && is_near(f, circle.centre) && 2 * circle.radius < far_off * f.figure.reach();
 }
 
+// What osculates the path of G₃ now; nothing where that is straight, or G₃ at rest.
+DrawnCycle osculating(const Drawn& f) {
+  return f.centre_of_G3 ? circle_through(f.G3(), *f.centre_of_G3) : DrawnCycle{};
+}
+
 drawings::Box extent_of_curvature(const Drawn& f, const Scale& scale) {
   Extent extent;
   for (const Place& P : {f.figure.A0, f.figure.A, f.figure.B, f.figure.B0}) extent.include(scale, P, 9);
   for (const auto& P : {f.P0, f.A_prime, f.B_prime, f.G3_prime, f.centre_of_G3})
     if (is_near(f, P)) extent.include(scale, *P, 9);
-  if (is_small(f, f.inflection)) {
-    const auto& [x, y] = *f.inflection.centre;
-    const double r = f.inflection.radius;
-    extent.include(scale, {x - r, y - r}, 4);
-    extent.include(scale, {x + r, y + r}, 4);
+  for (const DrawnCycle& circle : {f.inflection, osculating(f)}) {
+    if (!is_small(f, circle)) continue;
+    const auto& [x, y] = *circle.centre;
+    extent.include(scale, {x - circle.radius, y - circle.radius}, 4);
+    extent.include(scale, {x + circle.radius, y + circle.radius}, 4);
   }
   return extent.box();
 }
@@ -83,16 +89,31 @@ void draw_inflection_circle(Plot& plot, const Drawn& f) {
   }
 }
 
-void draw_centre(Plot& plot, const Drawn& f) {
-  if (!is_near(f, f.centre_of_G3)) return;
+void draw_centre(Plot& plot, const Drawn& f, const drawings::Box& room, Language language) {
+  if (!f.centre_of_G3) return;
   const Place centre = *f.centre_of_G3;
-  plot.circle(centre, distance(centre, f.G3()), Meaning::construction);
+  const int step = f.P0 ? 5 : 2;
+  plot.cycle(osculating(f), Meaning::construction);
+  if (!is_in(room, plot, centre))
+    return plot.step(step, draw_towards(plot, room, f.G3(), centre, "$Ω_{G3}$", language));
   plot.segment(centre, f.G3(), Meaning::dimension, "rho_G3");
   plot.cross(centre);
   plot.label("$Ω_{G3}$", centre, f.G3(), Meaning::locus);
-  plot.step(f.P0 ? 5 : 2, centre);
+  plot.step(step, centre);
   plot.measures("rho_G3", centre, f.G3());
   plot.measures_coordinates("curvature_centre_G3", centre, f.figure.A0);
+}
+
+std::string left_out(const Plot& plot, const Drawn& f, const drawings::Box& room, Language language) {
+  OffSheet off(plot, room);
+  for (const auto& [letters, P] :
+       {std::pair{"$P_{0}$", f.P0}, std::pair{"$A'$", f.A_prime}, std::pair{"$B'$", f.B_prime},
+        std::pair{"$F$", f.inflection.centre}, std::pair{"$J$", f.J}, std::pair{"$G'_{3}$", f.G3_prime},
+        std::pair{"$Ω_{G3}$", f.centre_of_G3}})
+    off.point(letters, P);
+  off.circle({"part of the inflection circle", "parte della circonferenza dei flessi"}, f.inflection);
+  off.circle({"part of the osculating circle", "parte del cerchio osculatore"}, osculating(f));
+  return off.sentence(language);
 }
 
 drawings::Steps steps_to_curvature(const Drawn& f, Language language) {
@@ -141,17 +162,22 @@ drawings::Table points_and_radii(const Drawn& f, Language language) {
 void draw_curvature(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   const Language language = request.language;
   const bool english = language == Language::english;
-  const Fit fit = fit_lengths(room_above_scale_bars(request), request, 1000 / f.figure.reach(),
+  const drawings::Box room = room_above_scale_bars(request);
+  const Fit fit = fit_lengths(room, request, 1000 / f.figure.reach(),
                               [&](const Scale& scale) { return extent_of_curvature(f, scale); });
   Plot plot(onto, fit.origin, fit.scale);
   draw_rays(plot, f);
   draw_inflection_circle(plot, f);
   f.figure.sketch(plot);
-  draw_centre(plot, f);
+  draw_centre(plot, f, room, language);
+  onto.sheet.figure.windows = {room};
+  onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 0);
   add_scale_bars(onto, {plot.scale()}, request);
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(steps_to_curvature(f, language));
+  if (const std::string off = left_out(plot, f, room, language); !off.empty())
+    column.push_back(drawings::Paragraph{off});
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   column.push_back(points_and_radii(f, language));
   const std::string radius = f.centre_of_G3 ? figures(distance(*f.centre_of_G3, f.G3()), 4, language) : "∞";

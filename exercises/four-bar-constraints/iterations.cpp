@@ -77,13 +77,12 @@ drawings::Table iterates(const Drawn& f, Language language) {
   return table;
 }
 
-const std::vector<std::string>& method() {
-  static const std::vector<std::string> lines{
-      "$ψ_{1}$ = $r_{2}$ cos $θ_{2}$ + $r_{3}$ cos $θ_{3}$ + $r_{4}$ cos $θ_{4}$ − $r_{1}$ = 0",
-      "$ψ_{2}$ = $r_{2}$ sin $θ_{2}$ + $r_{3}$ sin $θ_{3}$ + $r_{4}$ sin $θ_{4}$ = 0",
-      "$y$ = ($θ_{3}$, $θ_{4}$);  $y^{k+1}$ = $y^{k}$ − $ψ^{−1}_{y}$ $ψ^{k}$;  det $ψ_{y}$ = $r_{3}$ $r_{4}$ "
-      "sin($θ_{4}$ − $θ_{3}$)"};
-  return lines;
+std::vector<std::string> method(Language language) {
+  const std::string sin = Words{"sin", "sen"}.in(language);
+  return {"$ψ_{1}$ = $r_{2}$ cos $θ_{2}$ + $r_{3}$ cos $θ_{3}$ + $r_{4}$ cos $θ_{4}$ − $r_{1}$ = 0",
+          "$ψ_{2}$ = $r_{2}$ " + sin + " $θ_{2}$ + $r_{3}$ " + sin + " $θ_{3}$ + $r_{4}$ " + sin + " $θ_{4}$ = 0",
+          "$y$ = ($θ_{3}$, $θ_{4}$);  $y^{k+1}$ = $y^{k}$ − $ψ^{−1}_{y}$ $ψ^{k}$;  det $ψ_{y}$ = $r_{3}$ $r_{4}$ " +
+              sin + "($θ_{4}$ − $θ_{3}$)"};
 }
 
 std::string on_the_start(Language language) {
@@ -91,7 +90,7 @@ std::string on_the_start(Language language) {
              ? "The source prints the start (0.349, 1.22, −0.87) as [$θ_{3}$, $θ_{4}$, $θ_{2}$]: it is [$θ_{2}$, "
                "$θ_{3}$, $θ_{4}$], 0.349 rad being 20°."
              : "La fonte stampa i valori iniziali (0.349, 1.22, −0.87) come [$θ_{3}$, $θ_{4}$, $θ_{2}$]: sono "
-               "[$θ_{2}$, $θ_{3}$, $θ_{4}$], 0.349 rad essendo 20°.";
+               "[$θ_{2}$, $θ_{3}$, $θ_{4}$], 0,349 rad essendo 20°.";
 }
 
 std::string on_the_gap(const Drawn& f, Language language) {
@@ -145,7 +144,7 @@ void draw_iterations(DrawnSheet& onto, const Drawn& f, const SheetRequest& reque
   add_scale_bars(onto, scales, request);
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Constraint equations" : "Equazioni di vincolo"});
-  for (const std::string& line : method()) column.push_back(drawings::Paragraph{line});
+  for (const std::string& line : method(language)) column.push_back(drawings::Paragraph{line});
   column.push_back(drawings::Heading{english ? "Iterates" : "Iterazioni"});
   column.push_back(iterates(f, language));
   column.push_back(drawings::Paragraph{on_the_gap(f, language)});

@@ -34,7 +34,7 @@ void draw_mechanism(Plot& plot, const Square& f) {
   plot.segment(f.A0, f.A, Meaning::link);
   plot.segment(f.A, f.B, Meaning::link);
   plot.mark(drawings::Slider{b, 0});
-  plot.mark(drawings::FixedHinge{plot.at(f.A0)});
+  plot.mark(drawings::FixedHinge{plot.at(f.A0), direction_of_support(f.A0, f.A)});
   plot.hinge(f.A);
   plot.hinge(f.B);
   draw_sense_of_crank(plot, f.A0, f.A, 1);

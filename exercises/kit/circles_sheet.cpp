@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "exercises/kit/coupler_figure.h"
+#include "exercises/kit/edge.h"
 #include "exercises/kit/fit.h"
 #include "exercises/kit/sheet.h"
 
@@ -91,6 +92,17 @@ void draw_poles_of_motion(Plot& plot, const CouplerFigure& f) {
   }
 }
 
+std::string left_out(const Plot& plot, const CouplerFigure& f, const drawings::Box& room, Language language) {
+  OffSheet off(plot, room);
+  for (const auto& [letters, P] :
+       {std::pair{f.pole_label(), f.P0}, std::pair{std::string("$J$"), f.J}, std::pair{std::string("$K$"), f.K},
+        std::pair{std::string("$F$"), f.inflection.centre}, std::pair{std::string("$S$"), f.stationarity.centre}})
+    off.point(letters, P);
+  off.circle({"part of the inflection circle", "parte della circonferenza dei flessi"}, f.inflection);
+  off.circle({"part of the stationarity circle", "parte della circonferenza di stazionarietà"}, f.stationarity);
+  return off.sentence(language);
+}
+
 drawings::Table coordinates(const CouplerFigure& f, Language language) {
   const auto num = [&](const std::optional<Place>& P, bool x) {
     return P ? figures(x ? P->x : P->y, 4, language) : std::string("∞");
@@ -110,7 +122,8 @@ void draw_circles_sheet(DrawnSheet& onto, const CouplerFigure& f, const SheetReq
                         const SheetWords& words) {
   const Language language = request.language;
   const bool english = language == Language::english;
-  const Fit fit = fit_lengths(room_above_scale_bars(request), request, 1000 / f.mechanism->reach(),
+  const drawings::Box room = room_above_scale_bars(request);
+  const Fit fit = fit_lengths(room, request, 1000 / f.mechanism->reach(),
                               [&](const Scale& scale) { return extent_of(f, scale); });
   Plot plot(onto, fit.origin, fit.scale);
   draw_inflection_circle(plot, f);
@@ -118,12 +131,14 @@ void draw_circles_sheet(DrawnSheet& onto, const CouplerFigure& f, const SheetReq
   f.mechanism->sketch(plot);
   draw_poles_of_motion(plot, f);
   // A circle that is larger than the paper ends above the scale bars.
-  onto.sheet.figure.windows = {room_above_scale_bars(request)};
+  onto.sheet.figure.windows = {room};
   onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 0);
   add_scale_bars(onto, {plot.scale()}, request);
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(words.steps);
+  if (const std::string off = left_out(plot, f, room, language); !off.empty())
+    column.push_back(drawings::Paragraph{off});
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   column.push_back(coordinates(f, language));
   if (f.inflection.centre) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "exercises/kit/coupler_figure.h"
+#include "exercises/kit/edge.h"
 #include "exercises/kit/fit.h"
 #include "exercises/kit/sheet.h"
 
@@ -23,6 +24,9 @@ Points named(const CouplerFigure& f, const std::vector<std::string>& letters) {
   return found;
 }
 
+std::string primed(const CouplerPoint& X) { return "$" + X.written() + "'$"; }
+std::string centre_of(const CouplerPoint& X) { return "$Ω_{" + X.letter + "}$"; }
+
 // Steps 1, 2, ... are the points on the inflection circle, the next as many their centres of curvature.
 void draw_overview(Plot& plot, const CouplerFigure& f, const Points& points) {
   plot.cycle(f.inflection, Meaning::locus);
@@ -34,7 +38,7 @@ void draw_overview(Plot& plot, const CouplerFigure& f, const Points& points) {
     plot.segment(*f.P0, *X.on_circle, Meaning::construction);
     plot.segment(X.at, *X.on_circle, Meaning::construction);
     plot.dot(*X.on_circle, Meaning::locus);
-    plot.label("$" + X.written() + "'$", *X.on_circle, f.P0, Meaning::locus);
+    plot.label(primed(X), *X.on_circle, f.P0, Meaning::locus);
     plot.measures(f.prefix + X.letter + "prime_" + X.letter, *X.on_circle, X.at);
     plot.measures_coordinates(f.prefix + X.letter + "prime", *X.on_circle, f.mechanism->corners().front());
     plot.step(number, *X.on_circle);
@@ -55,7 +59,8 @@ drawings::Box overview_extent(const CouplerFigure& f, const Points& points, cons
   return extent.box();
 }
 
-void draw_detail(Plot& plot, const CouplerFigure& f, const Points& points) {
+void draw_detail(Plot& plot, const CouplerFigure& f, const Points& points, const drawings::Box& room,
+                 Language language) {
   const Place O = f.mechanism->corners().front();
   if (f.is_near(f.P0, detail_reach)) {
     for (const CouplerPoint& X : points) {
@@ -70,12 +75,16 @@ void draw_detail(Plot& plot, const CouplerFigure& f, const Points& points) {
   int step = static_cast<int>(points.size()) + 1;
   for (const CouplerPoint& X : points) {
     const int number = step++;
-    if (!f.is_near(X.centre, detail_reach)) continue;
+    if (!X.centre) continue;
     const Place centre = *X.centre;
-    plot.circle(centre, distance(X.at, centre), Meaning::construction);
+    plot.cycle(circle_through(X.at, centre), Meaning::construction);
+    if (!is_in(room, plot, centre)) {
+      plot.step(number, draw_towards(plot, room, X.at, centre, centre_of(X), language));
+      continue;
+    }
     plot.segment(centre, X.at, Meaning::dimension, "rho_" + X.letter);
     plot.cross(centre);
-    plot.label("$Ω_{" + X.letter + "}$", centre, X.at, Meaning::locus);
+    plot.label(centre_of(X), centre, X.at, Meaning::locus);
     plot.measures(f.prefix + "rho_" + X.letter, centre, X.at);
     plot.measures_coordinates(f.prefix + "curvature_centre_" + X.letter, centre, O);
     plot.step(number, centre);
@@ -90,6 +99,25 @@ drawings::Box detail_extent(const CouplerFigure& f, const Points& points, const 
     if (f.is_near(X.centre, detail_reach)) extent.include(scale, *X.centre, 8);
   }
   return extent.box();
+}
+
+OffSheet left_out_above(const Plot& plot, const CouplerFigure& f, const Points& points, const drawings::Box& room) {
+  OffSheet off(plot, room);
+  off.point(f.pole_label(), f.P0);
+  for (const CouplerPoint& X : points) off.point(primed(X), X.on_circle);
+  off.circle({"part of the inflection circle", "parte della circonferenza dei flessi"}, f.inflection);
+  return off;
+}
+
+OffSheet left_out_below(const Plot& plot, const Points& points, const drawings::Box& room) {
+  OffSheet off(plot, room);
+  for (const CouplerPoint& X : points) {
+    off.point(centre_of(X), X.centre);
+    if (X.centre)
+      off.circle({"part of the circle about " + centre_of(X), "parte del cerchio di centro " + centre_of(X)},
+                 circle_through(X.at, *X.centre));
+  }
+  return off;
 }
 
 drawings::Table curvature_lengths(const CouplerFigure& f, const Points& points, Language language) {
@@ -124,7 +152,7 @@ void draw_curvature_sheet(DrawnSheet& onto, const CouplerFigure& f, const std::v
   onto.sheet.figure.windows = {above, below};
   draw_overview(upper_plot, f, points);
   onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 0);
-  draw_detail(lower_plot, f, points);
+  draw_detail(lower_plot, f, points, below, language);
   onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 1);
   Scale upper = overview.scale, lower = detail.scale;
   upper.caption += english ? " above" : " sopra";
@@ -133,6 +161,10 @@ void draw_curvature_sheet(DrawnSheet& onto, const CouplerFigure& f, const std::v
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(words.steps);
+  OffSheet off = left_out_above(upper_plot, f, points, above);
+  off.add(left_out_below(lower_plot, points, below));
+  if (const std::string sentence = off.sentence(language); !sentence.empty())
+    column.push_back(drawings::Paragraph{sentence});
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   column.push_back(curvature_lengths(f, points, language));
   std::vector<Value> values;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "exercises/kit/drawn.h"
 
@@ -10,11 +11,16 @@ namespace {
 
 using geometry::Deep;
 
-// The way of B about B₀, a little to both sides.
-void draw_rocker_arc(Plot& plot, const Place& B0, const Place& B) {
-  constexpr double half = 0.42;  // radians
-  const double middle = direction(B0, B), radius = distance(B0, B) * plot.scale().mm_per_unit;
-  plot.mark(drawings::Line{drawings::arc(plot.at(B0), radius, middle - half, middle + half), Meaning::axis, {}});
+// The way of B about B₀, a little to both sides, and as far as its other positions.
+void draw_rocker_arc(Plot& plot, const Place& B0, const Place& B, const std::vector<Place>& other_B) {
+  double back = -0.42, forth = 0.42;  // radians
+  const double now = direction(B0, B), radius = distance(B0, B) * plot.scale().mm_per_unit;
+  for (const Place& X : other_B) {
+    const double turned = std::remainder(direction(B0, X) - now, 2 * std::numbers::pi);
+    back = std::min(back, turned);
+    forth = std::max(forth, turned);
+  }
+  plot.mark(drawings::Line{drawings::arc(plot.at(B0), radius, now + back, now + forth), Meaning::axis, {}});
 }
 
 }  // namespace
@@ -42,7 +48,7 @@ void FourBarFigure::draw_letters(Plot& plot, const std::vector<Lettered<Place>>&
 
 void FourBarFigure::draw(Plot& plot) const {
   plot.circle(A0, distance(A0, A), Meaning::axis);
-  draw_rocker_arc(plot, B0, B);
+  draw_rocker_arc(plot, B0, B, other_B);
   plot.long_segment(A0, B0, 8, Meaning::axis);
   draw_links(plot);
   plot.mark(drawings::FixedHinge{plot.at(A0), direction_of_support(A0, A)});

@@ -14,6 +14,7 @@ class FourBarFigure : public MechanismFigure {
   std::optional<Place> C = {};               // corner of the coupler's plate
   std::vector<Lettered<Place>> points = {};  // others on the links, with their letters as rich text
   double sense = 1;                          // of the crank: 1 counter-clockwise, -1 clockwise
+  std::vector<Place> other_B = {};           // in other positions shown: the way of B reaches them
 
   void draw(Plot& plot) const override;
   void sketch(Plot& plot) const override;

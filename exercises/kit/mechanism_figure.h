@@ -29,10 +29,13 @@ Fit fit_mechanism(const MechanismFigure& mechanism, const drawings::Box& room, c
 Scale draw_small(DrawnSheet& onto, const MechanismFigure& mechanism, const drawings::Box& room,
                  const SheetRequest& request);
 
-// The arc arrow ahead of a crank A₀A that turns counter-clockwise (sense > 0) or clockwise, with its symbol beside
-// it.
+// The arc arrow at a crank A₀A that turns counter-clockwise (sense > 0) or clockwise, with its symbol beside it:
+// ahead of the crank, or behind it where the support of A₀ (direction_of_support) stands ahead.
 void draw_sense_of_crank(Plot& plot, const Place& A0, const Place& A, double sense,
                          const std::string& symbol = "$ω_{2}$");
+
+// The same about a point without a support, ahead of the link to P.
+void draw_sense_of_turning(Plot& plot, const Place& centre, const Place& P, double sense, const std::string& symbol);
 
 // Where the hatched support of a fixed hinge stands, clear of the link to `pin`: below, or above when that goes down.
 double direction_of_support(const Place& hinge, const Place& pin);

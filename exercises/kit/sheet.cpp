@@ -32,9 +32,10 @@ std::string exactly(const Rational& value, Language language) {
 constexpr const char* no_break = "\u00a0";
 
 // " m/s²", "°": what follows a number of the unit.
-std::string after_number(const std::string& unit) {
+std::string after_number(const std::string& unit, Language language) {
   if (unit == "1") return "";
   if (unit == "deg") return "°";
+  if (unit == "rpm") return no_break + Words{"rpm", "giri/min"}.in(language);
   const auto power = unit.find("^2");
   return no_break + (power == std::string::npos ? unit : unit.substr(0, power) + "²");
 }
@@ -49,7 +50,7 @@ std::string in_one_line(const Givens& givens, const std::set<std::string>& witho
       continue;
     }
     line += (spec.letters.empty() ? spec.symbol : spec.letters) + no_break + "=" + no_break +
-            exactly(givens[spec.symbol], language) + after_number(spec.unit);
+            exactly(givens[spec.symbol], language) + after_number(spec.unit, language);
   }
   return line;
 }

@@ -108,7 +108,7 @@ void draw_slider_crank(Plot& plot, const DrawnSliderCrank& at, double turns_per_
   draw_plate(plot, at);
   plot.segment(at.A0, at.A, Meaning::link);
   plot.mark(drawings::Slider{b, std::atan2(guide.along.y, guide.along.x)});
-  plot.mark(drawings::FixedHinge{plot.at(at.A0)});
+  plot.mark(drawings::FixedHinge{plot.at(at.A0), direction_of_support(at.A0, at.A)});
   for (const Place& P : {at.A, at.B, at.C}) plot.hinge(P);
   plot.dot(at.M, Meaning::link);
 

@@ -79,14 +79,14 @@ void draw_acceleration(DrawnSheet& onto, const Drawn& f, const SheetRequest& req
   column.push_back(drawings::Paragraph{remarks(language)});
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   const auto num = [&](double x) { return figures(x, 4, language); };
-  column.push_back(drawings::Paragraph{
-      fmt::format("$v_{{rel}}$ = $b'$ = {} m/s,  $a_{{rel}}$ = $b''$ = {} m/s²", num(f.b_dot), num(f.b_ddot))});
+  column.push_back(
+      drawings::Paragraph{fmt::format("$v_{{rel}}$ = {} m/s,  $a_{{rel}}$ = {} m/s²", num(f.b_dot), num(f.b_ddot))});
   column.push_back(drawings::Paragraph{
       fmt::format("$a_{{B}}$ = {} m/s²,  $α_{{d}}$ = {} rad/s²", num(f.a_B.x), num(f.alpha_disc))});
   onto.sheet.description =
       in_words({"The polygon of the accelerations of the pin B, with the Coriolis acceleration",
                 "Il poligono delle accelerazioni del piolo B, con l'accelerazione di Coriolis"},
-               {{"a_B", f.a_B.x, "m/s²"}, {"b''", f.b_ddot, "m/s²"}, {"α_d", f.alpha_disc, "rad/s²"}}, language);
+               {{"a_B", f.a_B.x, "m/s²"}, {"a_rel", f.b_ddot, "m/s²"}, {"α_d", f.alpha_disc, "rad/s²"}}, language);
 }
 
 }  // namespace epure::pin_in_slot

@@ -111,7 +111,7 @@ void draw_kinematics(DrawnSheet& onto, const Drawn& f, const SheetRequest& reque
   column.push_back(drawings::Steps{lines});
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   const auto num = [&](double x) { return figures(x, 4, language); };
-  column.push_back(drawings::Paragraph{fmt::format("$v_{{B}}$ = {} m/s,  $b'$ = {} m/s,  $ω_{{d}}$ = {} rad/s",
+  column.push_back(drawings::Paragraph{fmt::format("$v_{{B}}$ = {} m/s,  $v_{{rel}}$ = {} m/s,  $ω_{{d}}$ = {} rad/s",
                                                    num(f.v_B.x), num(f.b_dot), num(f.omega_disc))});
   if (const auto rows = comparisons(onto, f); !rows.empty()) {
     column.push_back(comparison_table(rows, {"polygon", "poligono"}, {"poles", "poli"}, language));
@@ -119,7 +119,7 @@ void draw_kinematics(DrawnSheet& onto, const Drawn& f, const SheetRequest& reque
   onto.sheet.description =
       in_words({"The slotted lever with the disc it rolls, and the polygon of the velocities of the pin B",
                 "Il glifo con il disco che fa rotolare, e il poligono delle velocità del piolo B"},
-               {{"v_B", f.v_B.x, "m/s"}, {"b'", f.b_dot, "m/s"}, {"ω_d", f.omega_disc, "rad/s"}}, language);
+               {{"v_B", f.v_B.x, "m/s"}, {"v_rel", f.b_dot, "m/s"}, {"ω_d", f.omega_disc, "rad/s"}}, language);
 }
 
 }  // namespace epure::pin_in_slot

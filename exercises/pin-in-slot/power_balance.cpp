@@ -146,13 +146,13 @@ std::string explained(const Drawn& f, Language language) {
              ? "The source puts $v_{B}$ = $k$·$ω$·$OB$ into $E_{k}$, with $k$ = 1/sin $α$ = " + k +
                    ", which holds at this instant only, and differentiates as if $k$ were constant. The straight "
                    "line "
-                   "meets the parabola here, but rises half as steeply: half of the term in $b'$ is lost, and B "
+                   "meets the parabola here, but rises half as steeply: half of the term in $v_{rel}$ is lost, and B "
                    "would "
                    "have " +
                    mistaken + " m/s² instead of $a_{B}$ = " + a_B + " m/s²."
-             : "La fonte pone $v_{B}$ = $k$·$ω$·$OB$ in $E_{k}$, con $k$ = 1/sin $α$ = " + k +
+             : "La fonte pone $v_{B}$ = $k$·$ω$·$OB$ in $E_{k}$, con $k$ = 1/sen $α$ = " + k +
                    ", che vale solo in questo istante, e deriva come se $k$ fosse costante. La retta incontra qui la "
-                   "parabola, ma sale la metà: si perde metà del termine in $b'$, e B avrebbe " +
+                   "parabola, ma sale la metà: si perde metà del termine in $v_{rel}$, e B avrebbe " +
                    mistaken + " m/s² invece di $a_{B}$ = " + a_B + " m/s².";
 }
 
@@ -194,7 +194,7 @@ void draw_power_balance(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
       english
           ? "At every instant sin $α$ = $R$/$OB$, so $v_{B}$ = $ω$·$OB$/sin $α$ = $ω$·$OB^{2}$/$R$. Divided by "
             "$ω$, the balance reads $C$ as a sum of torques: the bars."
-          : "In ogni istante sin $α$ = $R$/$OB$, quindi $v_{B}$ = $ω$·$OB$/sin $α$ = $ω$·$OB^{2}$/$R$. Diviso per "
+          : "In ogni istante sen $α$ = $R$/$OB$, quindi $v_{B}$ = $ω$·$OB$/sen $α$ = $ω$·$OB^{2}$/$R$. Diviso per "
             "$ω$, il bilancio dà $C$ come somma di coppie: le barre."});
   column.push_back(drawings::Heading{english ? "The source's mistake" : "L'errore della fonte"});
   column.push_back(drawings::Paragraph{explained(f, language)});

@@ -46,10 +46,10 @@ std::vector<Printed> printed_by_the_source() {
        Explanation{
            {"E_k is differentiated after v_B = 2·OB·ω is put in; the 2 is 1/sin α at this instant only, and α "
             "varies too. With v_B = OB²·ω/R, which holds always, the balance gives 188.8 N m. The formula as "
-            "printed: M₁·g·AO·cos α + M₁·AO²·ω' + 4·OB·(M₂ + J₂/R²)·(ω'·OB + ω·b')",
-            "E_c è derivata dopo aver posto v_B = 2·OB·ω; il 2 è 1/sin α solo in questo istante, e anche α "
+            "printed: M₁·g·AO·cos α + M₁·AO²·ω' + 4·OB·(M₂ + J₂/R²)·(ω'·OB + ω·v_rel)",
+            "E_c è derivata dopo aver posto v_B = 2·OB·ω; il 2 è 1/sen α solo in questo istante, e anche α "
             "varia. Con v_B = OB²·ω/R, che vale sempre, il bilancio dà 188,8 N m. La formula com'è stampata: "
-            "M₁·g·AO·cos α + M₁·AO²·ω' + 4·OB·(M₂ + J₂/R²)·(ω'·OB + ω·b')"},
+            "M₁·g·AO·cos α + M₁·AO²·ω' + 4·OB·(M₂ + J₂/R²)·(ω'·OB + ω·v_rel)"},
            couple_with_constant_angle}},
       {"C", "120.2", "power balance", 0,
        Explanation{

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exercises/kit/edge.h"
 #include "exercises/kit/fit.h"
 #include "exercises/kit/sheet.h"
 #include "exercises/roulette/exercise.h"
@@ -13,12 +14,22 @@ namespace epure::roulette {
 namespace {
 
 constexpr double longest_velocity = 38, longest_acceleration = 46;  // mm
-constexpr double far = 3.2;  // times the figure without it: a centre still shown
+constexpr double far = 3.2;  // times the bodies beside M: a circle still whole, a centre still shown
+
+double size_of_bodies(const Drawn& f) { return std::max(f.C ? 2 * f.r : f.R, f.P0M()); }
+
+// Inside a circle hardly larger than the rolling one the inflection circle is many times as large as both.
+bool is_inflection_circle_small(const Drawn& f) { return f.diameter <= far * size_of_bodies(f); }
 
 // How large the figure is without the centre of curvature.
-double reach(const Drawn& f) { return std::max({2 * f.r * (f.C ? 1 : 0), f.P0M(), f.diameter}); }
+double reach(const Drawn& f) {
+  return is_inflection_circle_small(f) ? std::max(size_of_bodies(f), f.diameter) : size_of_bodies(f);
+}
 
-bool shows_centre(const Drawn& f) { return f.centre && distance(*f.centre, f.M) <= far * reach(f); }
+bool is_near(const Drawn& f, const Place& P) { return distance(P, f.M) <= far * reach(f); }
+
+Place middle_of_inflection_circle(const Drawn& f) { return {(f.P0.x + f.J.x) / 2, (f.P0.y + f.J.y) / 2}; }
+DrawnCycle inflection_circle(const Drawn& f) { return circle_through(f.P0, middle_of_inflection_circle(f)); }
 
 struct Scales {
   Scale velocities, accelerations;
@@ -37,17 +48,17 @@ drawings::Box extent_of(const Drawn& f, const Scale& scale, const Scales& vector
     extent.include(x + letters, y + letters);
   };
   if (f.C) include_circle(*f.C, f.r);
-  include_circle({(f.P0.x + f.J.x) / 2, (f.P0.y + f.J.y) / 2}, f.diameter / 2);
-  for (const Place& P : {f.M, f.P0, f.M_prime}) extent.include(scale, P, letters);
-  if (shows_centre(f)) extent.include(scale, *f.centre, letters);
+  if (is_inflection_circle_small(f)) include_circle(middle_of_inflection_circle(f), f.diameter / 2);
+  for (const Place& P : {f.M, f.P0}) extent.include(scale, P, letters);
+  for (const std::optional<Place>& P : {std::optional{f.M_prime}, f.centre})
+    if (P && is_near(f, *P)) extent.include(scale, *P, letters);
   include_tip(f.v, vectors.velocities);
-  for (const Arrow2& a : {f.a, f.a_n, f.a_t}) include_tip(a, vectors.accelerations);
+  for (const Arrow2& a : {f.a, f.a_n}) include_tip(a, vectors.accelerations);
   return extent.box();
 }
 
 void draw_circle_of_inflections(Plot& plot, const Drawn& f) {
-  plot.circle({(f.P0.x + f.J.x) / 2, (f.P0.y + f.J.y) / 2}, f.diameter / 2, Meaning::second_locus,
-              "inflection_circle");
+  plot.cycle(inflection_circle(f), Meaning::second_locus, "inflection_circle");
   plot.segment(f.P0, f.J, Meaning::axis);
   plot.cross(f.J, Meaning::second_locus);
   plot.label("$J$", f.J, f.P0, Meaning::second_locus);
@@ -61,39 +72,60 @@ void draw_ray(Plot& plot, const Drawn& f) {
   plot.segment(f.M, f.M_prime, Meaning::construction);
   plot.segment(f.J, f.M_prime, Meaning::construction);
   plot.measures("P0M", f.P0, f.M);
-  plot.step(2, {(f.P0.x + f.M.x) / 2, (f.P0.y + f.M.y) / 2});
+  plot.step(3, f.M_prime);
   if (f.runs_straight) return;
   plot.right_angle(f.M_prime, f.J, f.M);
   plot.dot(f.M_prime, Meaning::second_locus);
   plot.label("$M'$", f.M_prime, f.M, Meaning::second_locus);
   plot.measures("Mprime_M", f.M_prime, f.M);
-  plot.step(3, f.M_prime);
 }
 
-void draw_curvature(Plot& plot, const Drawn& f) {
-  if (f.is_at_cusp || !shows_centre(f)) return;
+void draw_curvature(Plot& plot, const Drawn& f, const drawings::Box& room, Language language) {
+  if (f.is_at_cusp) return plot.step(3, f.M);
+  if (!f.centre) return;
   const Place centre = *f.centre;
+  if (!is_in(room, plot, centre)) return plot.step(5, draw_towards(plot, room, f.M, centre, "$Ω$", language));
   plot.segment(f.M, centre, Meaning::construction);
   plot.circle(centre, distance(centre, f.M), Meaning::construction, "osculating_circle");
   plot.cross(centre);
   plot.label("$Ω$", centre, f.M, Meaning::locus);
   plot.measures("rho_M", centre, f.M);
-  plot.step(4, centre);
+  plot.step(5, centre);
 }
 
-// A part is drawn apart from the whole only where there are two.
-void draw_vectors(Plot& plot, const Drawn& f, const Scales& scales) {
+constexpr double least_part = 1.5;  // mm: a part of the acceleration that can be seen
+
+// Where a_M sets off: from M, unless it lies along v_M and in its sense, so that one would hide the other. Then from
+// beside M, joined to it.
+Place start_of_acceleration(Plot& plot, const Drawn& f, const Scales& scales) {
+  constexpr double beside = 3;  // mm
+  const bool in_the_sense_of_v = f.a.x * f.v.x + f.a.y * f.v.y > 0;
+  if (!in_the_sense_of_v || magnitude(f.a_n) * scales.accelerations.mm_per_unit >= least_part) return f.M;
+  const double off = beside / (plot.scale().mm_per_unit * f.P0M());
+  const Place start{f.M.x + off * (f.M.x - f.P0.x), f.M.y + off * (f.M.y - f.P0.y)};
+  plot.segment(f.M, start, Meaning::construction);
+  return start;
+}
+
+// The parts are drawn only where there are two. The tangential one follows the normal one to the tip of their sum:
+// set off from M it would lie on v_M.
+void draw_acceleration(Plot& plot, const Drawn& f, const Scales& scales) {
+  plot.vectors_at(scales.accelerations);
+  const double mm = scales.accelerations.mm_per_unit;
+  if (magnitude(f.a) > 0) {
+    const Place start = start_of_acceleration(plot, f, scales);
+    plot.vector_on("a_M", start, f.a, Meaning::acceleration, "$\\vec{a}_{M}$");
+  }
+  plot.step(f.is_at_cusp ? 2 : 4, plot.tip(f.M, f.a));
+  if (magnitude(f.a_n) * mm < least_part || magnitude(f.a_t) * mm < least_part) return;
+  plot.vector_on("a_M_n", f.M, f.a_n, Meaning::acceleration, "$\\vec{a}^{n}_{M}$");
+  plot.vector_on("", plot.tip(f.M, f.a_n), f.a_t, Meaning::acceleration, "$\\vec{a}^{t}_{M}$");
+}
+
+void draw_velocity(Plot& plot, const Drawn& f, const Scales& scales) {
   plot.vectors_at(scales.velocities);
   if (magnitude(f.v) > 0) plot.vector_on("v_M", f.M, f.v, Meaning::velocity, "$\\vec{v}_{M}$");
-  plot.vectors_at(scales.accelerations);
-  if (magnitude(f.a) > 0) plot.vector_on("a_M", f.M, f.a, Meaning::acceleration, "$\\vec{a}_{M}$");
-  constexpr double least = 1.5;  // mm
-  const double mm = scales.accelerations.mm_per_unit;
-  if (magnitude(f.a_n) * mm < least || magnitude(f.a_t) * mm < least) return;
-  plot.vector_on("a_M_n", f.M, f.a_n, Meaning::acceleration, "$\\vec{a}^{n}_{M}$");
-  plot.vector_on("", f.M, f.a_t, Meaning::acceleration, "$\\vec{a}^{t}_{M}$");
-  plot.segment(plot.tip(f.M, f.a_n), plot.tip(f.M, f.a), Meaning::construction);
-  plot.segment(plot.tip(f.M, f.a_t), plot.tip(f.M, f.a), Meaning::construction);
+  if (!f.is_at_cusp) plot.step(2, plot.tip(f.M, f.v));
 }
 
 std::string first_step(const Drawn& f, Language language) {
@@ -126,49 +158,86 @@ std::string first_step(const Drawn& f, Language language) {
   }
 }
 
-std::vector<std::string> steps_at_instant(const Drawn& f, Language language) {
-  std::vector<std::string> lines{first_step(f, language)};
-  const auto say = [&](const Words& words) { lines.push_back(words.in(language)); };
-  if (f.is_at_cusp) {
-    say(
-        {"$M$ is on the pole: $\\vec{v}_{M}$ = 0. All of $\\vec{a}_{M}$ = $ω^{2}$·$P_{0}J$ is along the path: "
-         "against "
-         "the motion before, with it after.",
-         "$M$ è sul polo: $\\vec{v}_{M}$ = 0. Tutta la $\\vec{a}_{M}$ = $ω^{2}$·$P_{0}J$ è lungo la traiettoria: "
-         "contro "
-         "il moto prima, concorde dopo."});
-    say(f.runs_straight
-            ? Words{"The path is straight: $M$ turns back.", "La traiettoria è diritta: $M$ torna indietro."}
-            : Words{"The path has a cusp: $ρ$ = 0, the centre of curvature is $M$.",
-                    "La traiettoria ha una cuspide: $ρ$ = 0, il centro di curvatura è $M$."});
-    return lines;
-  }
-  say({"$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = $ω$·$P_{0}M$.", "$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = $ω$·$P_{0}M$."});
+// ω² P0J at the pole carried over to M: ω² MJ, and what α adds. MJ = MM' + M'J, along the ray and square to it.
+Words acceleration_step(const Drawn& f) {
+  const bool angular = f.problem.alpha != 0;
+  const std::string of_alpha = " + $α$·$P_{0}M$", parts = "$\\vec{a}_{M}$ = $\\vec{a}^{n}_{M}$ + $\\vec{a}^{t}_{M}$";
+  const std::string tangential = "$a^{t}_{M}$ = $ω^{2}$·$M'J$" + (angular ? of_alpha : "");
+  if (f.problem.omega == 0)
+    return {"$ω$ = 0: $a_{M}$ = $α$·$P_{0}M$, square to the ray.",
+            "$ω$ = 0: $a_{M}$ = $α$·$P_{0}M$, normale al raggio."};
+  if (angular)
+    return {tangential + ", square to the ray, each with its sense. " + parts + ".",
+            tangential + ", normali al raggio, ciascuno col suo verso. " + parts + "."};
+  return {tangential + ", square to the ray. " + parts + " = $ω^{2}$·$MJ$: it points at $J$.",
+          tangential + ", normale al raggio. " + parts + " = $ω^{2}$·$MJ$: è diretta verso $J$."};
+}
+
+std::vector<Words> steps_at_cusp(const Drawn& f) {
+  return {
+      {"$M$ is on the pole: $\\vec{v}_{M}$ = 0. All of $\\vec{a}_{M}$ = $ω^{2}$·$P_{0}J$ is along the path: against "
+       "the motion before, with it after.",
+       "$M$ è sul polo: $\\vec{v}_{M}$ = 0. Tutta la $\\vec{a}_{M}$ = $ω^{2}$·$P_{0}J$ è lungo la traiettoria: "
+       "contro "
+       "il moto prima, concorde dopo."},
+      f.runs_straight
+          ? Words{"The path is straight: $M$ turns back.", "La traiettoria è diritta: $M$ torna indietro."}
+          : Words{"The path has a cusp: $ρ$ = 0, the centre of curvature is $M$.",
+                  "La traiettoria ha una cuspide: $ρ$ = 0, il centro di curvatura è $M$."}};
+}
+
+Words curvature_step(const Drawn& f) {
+  if (!f.centre)
+    return {"$M$ is on the inflection circle: the path is straight here, $Ω$ is at infinity.",
+            "$M$ è sul cerchio dei flessi: la traiettoria qui è diritta, $Ω$ è all'infinito."};
+  return {"$P_{0}M^{2}$ = $M$$Ω$·$MM'$: centre of curvature $Ω$, on the side of $M'$.",
+          "$P_{0}M^{2}$ = $M$$Ω$·$MM'$: centro di curvatura $Ω$, dalla parte di $M'$."};
+}
+
+// Every step but the first.
+std::vector<Words> steps_after_the_pole(const Drawn& f) {
+  if (f.is_at_cusp) return steps_at_cusp(f);
+  const std::string velocity = "$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = $ω$·$P_{0}M$.";
+  std::vector<Words> steps{{velocity, velocity}};
   if (f.runs_straight) {
-    say({"$M$ is on the inflection circle, always: its path is a diameter, $\\vec{a}^{n}_{M}$ = 0.",
-         "$M$ è sempre sul cerchio dei flessi: la traiettoria è un diametro, $\\vec{a}^{n}_{M}$ = 0."});
-    return lines;
+    steps.push_back(
+        {"$M$ is on the inflection circle, always: $M'$ = $M$, its path is a diameter, $\\vec{a}^{n}_{M}$ = 0.",
+         "$M$ è sempre sul cerchio dei flessi: $M'$ = $M$, la traiettoria è un diametro, $\\vec{a}^{n}_{M}$ = "
+         "0."});
+    steps.push_back(acceleration_step(f));
+    return steps;
   }
-  say({"The foot of $J$ on the ray $P_{0}M$ is $M'$, on the inflection circle: $a^{n}_{M}$ = $ω^{2}$·$MM'$.",
+  steps.push_back(
+      {"The foot of $J$ on the ray $P_{0}M$ is $M'$, on the inflection circle: $a^{n}_{M}$ = $ω^{2}$·$MM'$.",
        "Il piede della normale da $J$ sul raggio $P_{0}M$ è $M'$, sul cerchio dei flessi: $a^{n}_{M}$ = "
        "$ω^{2}$·$MM'$."});
-  if (f.centre)
-    say({std::string("$P_{0}M^{2}$ = $M$$Ω$·$MM'$: centre of curvature $Ω$, on the side of $M'$.") +
-             (shows_centre(f) ? "" : " It lies off the sheet."),
-         std::string("$P_{0}M^{2}$ = $M$$Ω$·$MM'$: centro di curvatura $Ω$, dalla parte di $M'$.") +
-             (shows_centre(f) ? "" : " Cade fuori del foglio.")});
-  else
-    say({"$M$ is on the inflection circle: the path is straight here, $Ω$ is at infinity.",
-         "$M$ è sul cerchio dei flessi: la traiettoria qui è diritta, $Ω$ è all'infinito."});
+  steps.push_back(acceleration_step(f));
+  steps.push_back(curvature_step(f));
+  return steps;
+}
+
+std::vector<std::string> steps_at_instant(const Drawn& f, Language language) {
+  std::vector<std::string> lines{first_step(f, language)};
+  for (const Words& step : steps_after_the_pole(f)) lines.push_back(step.in(language));
   return lines;
 }
 
-void fill_column(DrawnSheet& onto, const Drawn& f, Language language) {
+std::string left_out(const Plot& plot, const Drawn& f, const drawings::Box& room, Language language) {
+  OffSheet off(plot, room);
+  off.point("$J$", f.J);
+  off.point("$M'$", f.M_prime);
+  off.point("$Ω$", f.centre);
+  off.circle({"part of the inflection circle", "parte del cerchio dei flessi"}, inflection_circle(f));
+  return off.sentence(language);
+}
+
+void fill_column(DrawnSheet& onto, const Drawn& f, const std::string& left_out, Language language) {
   const bool english = language == Language::english;
   const auto num = [&](double x) { return figures(x, 4, language); };
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(drawings::Steps{steps_at_instant(f, language)});
+  if (!left_out.empty()) column.push_back(drawings::Paragraph{left_out});
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   const auto line = [&](const std::string& text) { column.push_back(drawings::Paragraph{text}); };
   line(fmt::format("$P_{{0}}M$ = {} m,  $v_{{M}}$ = {} m/s", num(f.P0M()), num(magnitude(f.v))));
@@ -191,9 +260,8 @@ void draw_instant_sheet(DrawnSheet& onto, const Problem& problem, const SheetReq
   const auto scale_for = [&](double longest_mm, double value, const std::string& unit) {
     return largest_vector_scale(longest_mm / (value > 0 ? value : 1), unit, language);
   };
-  const double greatest = std::max({magnitude(f.a), magnitude(f.a_n), magnitude(f.a_t)});
   const Scales vectors{scale_for(longest_velocity, magnitude(f.v), "m/s"),
-                       scale_for(longest_acceleration, greatest, "m/s²")};
+                       scale_for(longest_acceleration, magnitude(f.a), "m/s²")};
   const Fit fit =
       fit_lengths(room, request, 1000 / reach(f), [&](const Scale& s) { return extent_of(f, s, vectors); });
   Plot plot(onto, fit.origin, fit.scale);
@@ -202,8 +270,9 @@ void draw_instant_sheet(DrawnSheet& onto, const Problem& problem, const SheetReq
   draw_circle_of_inflections(plot, f);
   draw_body(plot, f);
   draw_ray(plot, f);
-  draw_curvature(plot, f);
-  draw_vectors(plot, f, vectors);
+  draw_curvature(plot, f, room, language);
+  draw_velocity(plot, f, vectors);
+  draw_acceleration(plot, f, vectors);
   plot.dot(f.M, Meaning::locus);
   plot.label(f.is_at_cusp ? "$M$ = $P_{0}$" : "$M$", f.M, f.C ? *f.C : f.P0, Meaning::locus);
   if (!f.is_at_cusp) {
@@ -214,9 +283,9 @@ void draw_instant_sheet(DrawnSheet& onto, const Problem& problem, const SheetReq
   onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 0);
   std::vector<Scale> scales{fit.scale};
   if (magnitude(f.v) > 0) scales.push_back(vectors.velocities);
-  if (greatest > 0) scales.push_back(vectors.accelerations);
+  if (magnitude(f.a) > 0) scales.push_back(vectors.accelerations);
   add_scale_bars(onto, scales, request);
-  fill_column(onto, f, language);
+  fill_column(onto, f, left_out(plot, f, room, language), language);
   std::vector<Value> values{{"v_M", magnitude(f.v), "m/s"}, {"a_M", magnitude(f.a), "m/s²"}};
   if (f.centre) values.push_back({"ρ_M", distance(*f.centre, f.M), "m"});
   onto.sheet.description =

@@ -30,7 +30,7 @@ void CarriedBar::draw(Plot& plot) const {
   plot.hinge(O);
   plot.dot(A, Meaning::link);
   draw_angle(plot);
-  if (sense != 0) draw_sense_of_crank(plot, O, A, sense, "$ω$");
+  if (sense != 0) draw_sense_of_turning(plot, O, A, sense, "$ω$");
   // At the block's upper corner, on the side that the bar leaves free: inside the block letters would be lost.
   const double corner = A.x > 0 ? -half_block : half_block;
   plot.label("$O$", plot.from_paper({o.x + corner, o.y + block_top}), O);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exercises/kit/compare.h"
+#include "exercises/kit/edge.h"
 #include "exercises/kit/fit.h"
 #include "exercises/kit/sheet.h"
 #include "exercises/velocity-centre/exercise.h"
@@ -32,15 +33,6 @@ drawings::Box extent_of(const Drawn& f, const Scale& lengths, const Scale& veloc
   }
   if (shows_centre(f)) extent.include(lengths, *f.motion.P0, letters + 3);
   return extent.box();
-}
-
-// From X along the direction as far as the room reaches.
-Place at_edge(const Plot& plot, const drawings::Box& room, const Place& X, const Arrow2& direction) {
-  const drawings::Point p = plot.at(X);
-  double reach = INFINITY;  // in units of the direction
-  if (direction.x != 0) reach = std::min(reach, ((direction.x > 0 ? room.high.x : room.low.x) - p.x) / direction.x);
-  if (direction.y != 0) reach = std::min(reach, ((direction.y > 0 ? room.high.y : room.low.y) - p.y) / direction.y);
-  return plot.from_paper({p.x + reach * direction.x, p.y + reach * direction.y});
 }
 
 // Right across the room: the centre is too far to be shown, or at infinity.
@@ -212,7 +204,12 @@ void draw_velocities(DrawnSheet& onto, const Drawn& f, const SheetRequest& reque
     plot.vector_on("v_" + X.letter, X.at, X.v, Meaning::velocity, fmt::format("$\\vec{{v}}_{{{}}}$", X.letter));
   number_steps(plot, f, steps_of_sides(f.velocities) + 1);
 
-  add_scale_bars(onto, {fit.scale, lengths, polygon_fit.scale}, request);
+  Scale of_left = fit.scale, of_right = lengths;  // that of the vectors is for both sides
+  of_left.caption += Words{" left", " a sinistra"}.in(request.language);
+  of_right.caption += Words{" right", " a destra"}.in(request.language);
+  add_scale_bars(onto, {of_left, of_right, polygon_fit.scale}, request);
+  // The title block has no room for the words.
+  onto.sheet.title_block.scales = {fit.scale.caption, lengths.caption, polygon_fit.scale.caption};
   fill_column(onto, f, request.language);
   std::vector<Value> values{
       {"v_A", magnitude(f.A().v), "m/s"}, {"v_A_x", f.A().v.x, "m/s"}, {"v_A_y", f.A().v.y, "m/s"}};

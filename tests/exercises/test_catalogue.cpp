@@ -30,6 +30,33 @@ void are_distinct(const Entries& entries, const Name& name) {
   }
 }
 
+// Every sheet as its exercise states it.
+template <class Look>
+void look_at_sheets(Language language, const Look& look) {
+  for (const auto& exercise : catalogue())
+    for (const SheetSpec& sheet : exercise->about().sheets) {
+      INFO(exercise->about().id << "/" << sheet.name);
+      look(exercise->draw(sheet.name, Givens(exercise->about().givens), {.language = language}));
+    }
+}
+
+std::string words_of(const DrawnSheet& drawn) {
+  std::string text;
+  for (const drawings::Block& block : drawn.sheet.column) {
+    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) text += paragraph->text + "\n";
+    if (const auto* heading = std::get_if<drawings::Heading>(&block)) text += heading->text + "\n";
+    if (const auto* steps = std::get_if<drawings::Steps>(&block))
+      for (const std::string& line : steps->lines) text += line + "\n";
+  }
+  for (const drawings::Label& label : drawn.sheet.figure.labels) text += label.text + "\n";
+  return text;
+}
+
+// "1 : 10" and no more.
+bool says_only_a_ratio(const std::string& caption) {
+  return caption.find_first_not_of("0123456789.: ") == std::string::npos;
+}
+
 }  // namespace
 
 TEST_CASE("an exercise's id is the name of its folder, and the catalogue is in order") {
@@ -88,4 +115,27 @@ TEST_CASE("printed numbers name a route of their exercise") {
       CHECK(routes.contains(printed.route));
     }
   }
+}
+
+TEST_CASE("two scales of lengths at the foot of a sheet say which picture each is for") {
+  look_at_sheets(Language::english, [](const DrawnSheet& drawn) {
+    const double foot = drawings::drawing_area(drawn.sheet.paper).low.y + 10;
+    int of_lengths = 0, plain = 0;
+    for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
+      const auto* bar = std::get_if<drawings::ScaleBar>(&mark);
+      if (!bar || bar->at.y > foot || bar->caption.find("≙") != std::string::npos) continue;
+      ++of_lengths;
+      plain += says_only_a_ratio(bar->caption) ? 1 : 0;
+    }
+    CHECK((of_lengths < 2 || plain == 0));
+  });
+}
+
+TEST_CASE("no English word is left on an Italian sheet") {
+  look_at_sheets(Language::italian, [](const DrawnSheet& drawn) {
+    const std::string text = words_of(drawn);
+    CAPTURE(text);
+    for (const char* word : {"\u00a0rpm", " the ", " of ", " and ", " with ", " from ", " at ", "sheet", "sin "})
+      CHECK(text.find(word) == std::string::npos);
+  });
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "drawings/output.h"
+#include "tests/exercises/arc_arrow.h"
 #include "tests/exercises/slider_crank_cases.h"
 #include "tests/support/read_svg.h"
 
@@ -222,6 +223,31 @@ TEST_CASE("the guide is drawn where it lies, and its offset dimensioned", "[slid
     CHECK(std::hypot(dimension->to.x - dimension->from.x, dimension->to.y - dimension->from.y) ==
           Approx(std::abs(e) * mm).margin(1e-9));
   }
+}
+
+TEST_CASE("the arrow of ω₂ keeps clear of crank and ground", "[slider-crank][sheets]") {
+  for (int part = 0; part < 72; ++part)
+    for (const int sense : {1, -1}) {
+      CAPTURE(part, sense);
+      const std::string t1 = "t1=" + std::to_string(part) + "/72", n = "n=" + std::to_string(sense * 60);
+      arc_arrow_is_clear(draw(velocity, "poles", {t1, n}), sense * part * std::numbers::pi / 36);
+    }
+}
+
+TEST_CASE("the sheets of the coupler's circles name what the border leaves out", "[slider-crank][sheets]") {
+  const auto says = [](const std::string& sheet, const std::vector<std::string>& assignments,
+                       const std::string& text) {
+    for (const drawings::Block& block : draw(acceleration, sheet, assignments).sheet.column)
+      if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block); paragraph && paragraph->text == text)
+        return true;
+    return false;
+  };
+  CHECK(says("curvature", {}, "Off the sheet: part of the inflection circle."));
+  CHECK_FALSE(says("circles", {}, "Off the sheet: part of the inflection circle."));
+  // Nearly upright: all the poles but K are far off.
+  CHECK(says("circles", {"t1=0.041665"},
+             "Off the sheet: $P_{0}$, $J$, $F$, $S$, part of the inflection circle, part of the stationarity "
+             "circle."));
 }
 
 // A crank turning clockwise from the same dead centre stands where the mirror shows it.

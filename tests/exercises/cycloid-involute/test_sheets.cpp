@@ -95,7 +95,7 @@ TEST_CASE("cycloid: twelve divisions are there to be seen", "[cycloid-involute][
   }
   CHECK(shows(drawn, "cycloid.arch_base"));
   CHECK(text_of(drawn).find("proved") != std::string::npos);
-  CHECK(drawn.sheet.title_block.scales == std::vector<std::string>{"1 : 20", "1 : 10"});
+  CHECK(drawn.sheet.title_block.scales == std::vector<std::string>{"1 : 20 above", "1 : 10 below"});
   // On a small wheel the quarters only.
   const DrawnSheet small = both().draw("cycloid", {"d=1.4"});
   CHECK(has_label(small, "9'"));

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/exercises/arc_arrow.h"
 #include "tests/exercises/four-bar-analytic/cases.h"
 #include "tests/support/read_svg.h"
 
@@ -32,6 +33,21 @@ const std::vector<Assignments>& tries() {
   return all;
 }
 
+int written(const DrawnSheet& drawn, const std::string& text) {
+  int times = 0;
+  for (const drawings::Label& label : drawn.sheet.figure.labels) times += label.text == text ? 1 : 0;
+  return times;
+}
+
+// The paragraph of the column that names what the border leaves out.
+std::string off_sheet(const DrawnSheet& drawn) {
+  for (const drawings::Block& block : drawn.sheet.column)
+    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block))
+      if (paragraph->text.starts_with("Off the sheet") || paragraph->text.starts_with("Fuori del foglio"))
+        return paragraph->text;
+  return "";
+}
+
 }  // namespace
 
 TEST_CASE("four-bar-analytic: every sheet is drawn, whatever is given", "[four-bar-analytic][sheets]") {
@@ -39,7 +55,7 @@ TEST_CASE("four-bar-analytic: every sheet is drawn, whatever is given", "[four-b
 }
 
 TEST_CASE("four-bar-analytic: letters find room", "[four-bar-analytic][sheets]") {
-  letters_find_room(id, {{}, {"branch=right"}, {"A0B0=0.2", "A0A=0.6"}});
+  letters_find_room(id, {{}, {"branch=right"}, {"A0B0=0.2", "A0A=0.6"}, {"A0A=0.6"}, {"theta_2=120"}});
 }
 
 TEST_CASE("four-bar-analytic: a ruler on the file reads the vectors", "[four-bar-analytic][sheets]") {
@@ -112,4 +128,65 @@ TEST_CASE("four-bar-analytic: the coupler curve passes where the linkage carries
   }
   // Neighbouring cranks of the scan are π/3600 apart, and P moves by less than 2 m a radian.
   CHECK(worst < 2 * std::numbers::pi / 3600);
+}
+
+TEST_CASE("four-bar-analytic: positions of A, B and P bear their numbers, and B's lie on its arc",
+          "[four-bar-analytic][sheets]") {
+  const DrawnSheet drawn = draw(id, "coupler-curve", {});
+  for (int k = 0; k < 12; ++k) CHECK(written(drawn, std::to_string(k)) == 3);
+  // The triple rocker misses some divisions of the crank's circle.
+  const DrawnSheet some = draw(id, "coupler-curve", {"A0A=0.6"});
+  CHECK(written(some, "1") == 3);
+  CHECK(written(some, "6") == 0);
+}
+
+TEST_CASE("four-bar-analytic: the way of B reaches each of its positions", "[four-bar-analytic][sheets]") {
+  const DrawnSheet drawn = draw(id, "coupler-curve", {"A0A=0.6"});
+  // Of long-dash-dot arcs the crank's circle is closed, the rocker's is not.
+  std::vector<drawings::Path> arcs;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* line = std::get_if<drawings::Line>(&mark);
+        line && line->meaning == drawings::Meaning::axis && !line->path.closed && line->path.pieces.size() > 1)
+      arcs.push_back(line->path);
+  REQUIRE(arcs.size() == 1);
+  // It ends in B's position that is farthest round from B now.
+  const drawings::Point low = std::min(arcs.front().start, arcs.front().pieces.back().end,
+                                       [](drawings::Point p, drawings::Point q) { return p.y < q.y; });
+  int dots_on_the_end = 0;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* dot = std::get_if<drawings::Dot>(&mark))
+      dots_on_the_end += std::hypot(dot->at.x - low.x, dot->at.y - low.y) < 1e-6 ? 1 : 0;
+  CHECK(dots_on_the_end == 1);
+}
+
+TEST_CASE("four-bar-analytic: what the border leaves out is named", "[four-bar-analytic][sheets]") {
+  CHECK(off_sheet(draw(id, "curvature", {})).empty());
+  CHECK(off_sheet(draw(id, "curvature", {"A0A=0.6"})).empty());  // the osculating circle is whole on it
+  CHECK(off_sheet(draw(id, "curvature", {"theta_2=120"})) ==
+        "Off the sheet: $A'$, $B'$, $F$, $J$, $G'_{3}$, part of the inflection circle.");
+  CHECK(off_sheet(draw(id, "coupler-curve", {})).empty());
+  const DrawnSheet far = draw(id, "coupler-curve", {"A0A=0.6"}, {.language = Language::italian});
+  CHECK(off_sheet(far) == "Fuori del foglio: $Ω_{P}$, parte del cerchio osculatore.");
+  CHECK(written(far, "verso $Ω_{P}$") == 1);
+}
+
+TEST_CASE("four-bar-analytic: the arrow of ω₂ keeps clear of crank and ground", "[four-bar-analytic][sheets]") {
+  for (int degrees = 0; degrees < 360; degrees += 5)
+    for (const char* n : {"n=400", "n=-400"}) {
+      CAPTURE(degrees, n);
+      arc_arrow_is_clear(draw(id, "configurations", {"theta_2=" + std::to_string(degrees), n}),
+                         degrees * std::numbers::pi / 180);
+    }
+}
+
+TEST_CASE("four-bar-analytic: the coefficients of the closure equation are no points",
+          "[four-bar-analytic][sheets]") {
+  bool found = false;
+  for (const drawings::Block& block : draw(id, "configurations", {}, {.language = Language::italian}).sheet.column) {
+    const auto* paragraph = std::get_if<drawings::Paragraph>(&block);
+    if (!paragraph || paragraph->text.find(" sen $θ_{4}$") == std::string::npos) continue;
+    found = true;
+    for (const char* point : {"$A$", "$B$", "$C$"}) CHECK(paragraph->text.find(point) == std::string::npos);
+  }
+  CHECK(found);
 }

@@ -133,3 +133,15 @@ TEST_CASE("the balance shows the right couple and the mistaken one", "[pin-in-sl
     }
   CHECK(found);
 }
+
+TEST_CASE("pin in slot: no quantity is written as a point of the polygons is", "[pin-in-slot][sheets]") {
+  for (const char* sheet : {"kinematics", "acceleration"}) {
+    const auto corners = [](const drawings::Label& label) { return label.text.starts_with("$b"); };
+    const DrawnSheet drawn = draw(sheet, {});
+    const auto& labels = drawn.sheet.figure.labels;
+    CHECK(std::count_if(labels.begin(), labels.end(), corners) == 2);  // b* and b'
+    for (const drawings::Label& label : labels)
+      for (const QuantitySpec& quantity : pin_in_slot().about().quantities)
+        if (corners(label)) CHECK_FALSE(quantity.symbol.starts_with(label.text.substr(0, label.text.size() - 1)));
+  }
+}

@@ -14,6 +14,8 @@ const std::vector<Assignments> usual{{},
                                      {"how=circle_inside_circle", "R=0.3"},
                                      {"how=line_on_circle", "d=0"},
                                      {"how=line_on_circle", "d=-0.2", "phi=-100", "omega=-2"},
+                                     {"how=circle_inside_circle"},
+                                     {"how=circle_on_line", "d=0.075", "phi=60"},
                                      {"phi=480"}};
 
 bool draws(const DrawnSheet& drawn) {
@@ -31,6 +33,27 @@ std::string words_of(const DrawnSheet& drawn) {
     if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) text += paragraph->text + "\n";
   }
   return text;
+}
+
+// From one place and in one direction, within a hair's breadth on the paper: the longer hides the shorter.
+bool one_hides_the_other(const drawings::Arrow& a, const drawings::Arrow& b) {
+  const double ax = a.to.x - a.from.x, ay = a.to.y - a.from.y, bx = b.to.x - b.from.x, by = b.to.y - b.from.y;
+  const double apart = std::hypot(b.from.x - a.from.x, b.from.y - a.from.y);
+  const double shorter = std::min(std::hypot(ax, ay), std::hypot(bx, by));
+  const double across = std::abs(ax * by - ay * bx) / std::max(std::hypot(ax, ay), std::hypot(bx, by));
+  return apart < 0.5 && shorter > 1 && across < 0.5 && ax * bx + ay * by > 0;
+}
+
+std::vector<drawings::Arrow> arrows(const DrawnSheet& drawn) {
+  std::vector<drawings::Arrow> found;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* arrow = std::get_if<drawings::Arrow>(&mark)) found.push_back(*arrow);
+  return found;
+}
+
+bool is_written(const DrawnSheet& drawn, const std::string& text) {
+  const auto& labels = drawn.sheet.figure.labels;
+  return std::any_of(labels.begin(), labels.end(), [&](const drawings::Label& label) { return label.text == text; });
 }
 
 }  // namespace
@@ -85,4 +108,66 @@ TEST_CASE("roulette: the sheets say what is special", "[roulette][sheets]") {
   CHECK_THAT(words_of(roulette().draw("path", {"d=0.1"})), Catch::Contains("curtate epicycloid"));
   CHECK_THAT(words_of(roulette().draw("path", {"d=0.2"}, {.language = Language::italian})),
              Catch::Contains("epicicloide allungata"));
+}
+
+TEST_CASE("roulette: no vector hides another", "[roulette][sheets]") {
+  // The fourth: M on the inflection circle, a_M in the sense of v_M. The last: on a diameter.
+  for (const Assignments& assignments : std::vector<Assignments>{{},
+                                                                 {"alpha=5"},
+                                                                 {"how=circle_on_line", "phi=180"},
+                                                                 {"how=circle_on_line", "d=0.075", "phi=60"},
+                                                                 {"how=line_on_circle", "d=0"},
+                                                                 {"how=circle_inside_circle"},
+                                                                 {"how=circle_inside_circle", "R=0.3", "phi=60"}}) {
+    const auto all = arrows(roulette().draw("instant", assignments));
+    CAPTURE(assignments);
+    CHECK(all.size() >= 2);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(one_hides_the_other(all[i], all[j]));
+  }
+}
+
+TEST_CASE("roulette: the parts of the acceleration end at its tip, each step where it happens",
+          "[roulette][sheets]") {
+  // Three steps at a cusp, five elsewhere: each has its number on the figure.
+  CHECK(roulette().draw("instant", {"phi=480"}).sheet.figure.steps.size() == 3);
+  const DrawnSheet drawn = roulette().draw("instant", {"alpha=3"});
+  CHECK(drawn.sheet.figure.steps.size() == 5);
+  const auto meet = [](drawings::Point p, drawings::Point q) { return std::hypot(p.x - q.x, p.y - q.y) < 1e-9; };
+  const auto step = [&](int number) {
+    for (const drawings::StepNumber& s : drawn.sheet.figure.steps)
+      if (s.number == number) return s.at;
+    throw std::logic_error("no such step");
+  };
+  CHECK(meet(step(2), arrow(drawn, "v_M").to));
+  CHECK(meet(step(4), arrow(drawn, "a_M").to));
+  const auto all = arrows(drawn);
+  CHECK(std::any_of(all.begin(), all.end(), [&](const drawings::Arrow& part) {
+    return meet(part.from, arrow(drawn, "a_M_n").to) && meet(part.to, arrow(drawn, "a_M").to);
+  }));
+}
+
+TEST_CASE("roulette: the sheet says how the acceleration comes about", "[roulette][sheets]") {
+  CHECK_THAT(words_of(roulette().draw("instant", {})), Catch::Contains("points at $J$") && Catch::Contains("$M'J$"));
+  CHECK_THAT(words_of(roulette().draw("instant", {"alpha=3"})),
+             Catch::Contains("$α$·$P_{0}M$") && !Catch::Contains("points at"));
+  CHECK_THAT(words_of(roulette().draw("instant", {"omega=0", "alpha=3"}, {.language = Language::italian})),
+             Catch::Contains("$ω$ = 0: $a_{M}$ = $α$·$P_{0}M$"));
+}
+
+TEST_CASE("roulette: the ray to a centre off the sheet says so", "[roulette][sheets]") {
+  const Assignments far{"how=circle_inside_circle"};
+  CHECK(is_written(roulette().draw("instant", far), "to $Ω$"));
+  CHECK(is_written(roulette().draw("instant", far, {.language = Language::italian}), "verso $Ω$"));
+  CHECK_FALSE(is_written(roulette().draw("instant", {}), "to $Ω$"));
+}
+
+TEST_CASE("roulette: an inflection circle many times the bodies runs off the sheet, which says so",
+          "[roulette][sheets]") {
+  const DrawnSheet drawn = roulette().draw("instant", {"how=circle_inside_circle", "r=0.4"});
+  CHECK_THAT(words_of(drawn), Catch::Contains("Off the sheet: $J$, $M'$, part of the inflection circle."));
+  CHECK(drawn.sheet.title_block.scales.front() == "1 : 10");
+  CHECK_THAT(words_of(roulette().draw("instant", {"how=circle_inside_circle"})),
+             Catch::Contains("Off the sheet: $Ω$."));
+  CHECK_THAT(words_of(roulette().draw("instant", {})), !Catch::Contains("Off the sheet"));
 }
