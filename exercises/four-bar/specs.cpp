@@ -108,24 +108,16 @@ std::vector<QuantitySpec> crank_found() {
 }
 
 std::vector<QuantitySpec> dead_centre() {
-  return joined({crank_found(), pins(), link_rate_quantities()});
-}
-
-std::vector<QuantitySpec> parallel() {
   return joined(
       {crank_found(),
+       {radians("coupler_angle", "$ϑ_{3}$", coupler_angle), radians("rocker_angle", "$ϑ_{4}$", rocker_angle),
+        degrees("rocker_angle_deg", "$ϑ_{4}$", rocker_angle)},
        pins(),
-       {{"omega_3", "$ω_{3}$", "rad/s", {"angular velocity of the coupler", "velocità angolare della biella"}},
-        {"omega_4", "$ω_{4}$", "rad/s", {"angular velocity of the rocker", "velocità angolare del bilanciere"}},
-        {"alpha_3",
-         "$α_{3}$",
-         "rad/s^2",
-         {"angular acceleration of the coupler", "accelerazione angolare della biella"}},
-        {"alpha_4",
-         "$α_{4}$",
-         "rad/s^2",
-         {"angular acceleration of the rocker", "accelerazione angolare del bilanciere"}}}});
+       coordinates("C", "C", {"C", "C"}),
+       second_order()});
 }
+
+std::vector<QuantitySpec> parallel() { return joined({crank_found(), pins(), link_rate_quantities()}); }
 
 std::vector<QuantitySpec> slider_crank() {
   const auto pure = [](const std::string& name, const std::string& symbol, const Words& meaning) {
