@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exercises/kit/edge.h"
 #include "exercises/kit/fit.h"
 #include "exercises/kit/sheet.h"
 #include "exercises/slider-crank-velocity/exercise.h"
@@ -30,16 +31,10 @@ double greatest_speed(const Drawn& f) {
   return greatest;
 }
 
-// The pole is drawn when it lies no farther away than the figure can bear; else its lines leave the frame.
-bool shows_pole(const Drawn& f) {
-  const double size = std::hypot(f.at.A.x, f.at.A.y) + std::hypot(f.at.B.x - f.at.A.x, f.at.B.y - f.at.A.y);
-  return f.P0 && std::abs(GuideAxes(f.at).ordinate(*f.P0)) <= size;
-}
-
-drawings::Box extent(const Drawn& f, const Scale& lengths, const Scale& velocities) {
+drawings::Box extent(const Drawn& f, const Scale& lengths, const Scale& velocities, bool with_pole) {
   Extent extent;
   include_slider_crank(extent, lengths, f.at);
-  if (shows_pole(f)) extent.include(lengths, *f.P0, 11);
+  if (with_pole) extent.include(lengths, *f.P0, 11);
   for (const Named& X : points(f)) {
     const double x = lengths.mm_per_unit * X.at.x + velocities.mm_per_unit * X.v.x;
     const double y = lengths.mm_per_unit * X.at.y + velocities.mm_per_unit * X.v.y;
@@ -67,16 +62,20 @@ void draw_pole(Plot& plot, const Drawn& f) {
   for (const Named& X : points(f)) plot.measures(X.distance, P0, X.at);
 }
 
-// Two parallel lines: they leave the sheet towards P₀.
-void draw_far_pole(Plot& plot, const Drawn& f) {
-  const double far = 3000 / plot.scale().mm_per_unit;
+// The rays leave the sheet towards P₀: parallel when it is at infinity. (The dead centre, where P₀ is B, is none of
+// this.)
+void draw_far_pole(Plot& plot, const Drawn& f, const drawings::Box& room, Language language) {
   const GuideAxes guide(f.at);
-  const auto away = [&](const Place& X) -> Place {
-    if (!f.P0) return {X.x + far * guide.left.x, X.y + far * guide.left.y};
-    const double d = std::hypot(f.P0->x - X.x, f.P0->y - X.y), share = std::min(1.0, far / d);
-    return {X.x + share * (f.P0->x - X.x), X.y + share * (f.P0->y - X.y)};
-  };
-  for (const Named& X : points(f)) plot.segment(X.at, away(X.at), Meaning::construction);
+  for (const Named& X : points(f)) {
+    const Place beyond = f.P0.value_or(X.at + guide.left);
+    // On the lines of A and B it is found.
+    if (X.symbol[0] == 'A' || X.symbol[0] == 'B')
+      plot.step(X.symbol[0] == 'A' ? 3 : 4, draw_towards(plot, room, X.at, beyond, "$P_{0}$", language));
+    else
+      plot.segment(X.at, at_edge(plot, room, X.at, beyond - X.at), Meaning::construction);
+  }
+  if (f.P0) plot.step(5, plot.tip(f.at.A, f.v_A));
+  plot.step(f.P0 ? 6 : 5, plot.tip(f.at.C, f.v_C));
 }
 
 drawings::Steps steps(const Drawn& f, Language language) {
@@ -129,25 +128,43 @@ void write_column(DrawnSheet& onto, const Drawn& f, Language language) {
     column.push_back(drawings::Paragraph{swing});
 }
 
+// With the pole when it fits the scale that is asked for, or else takes no more than the next smaller one.
+Fit fit_of(const Drawn& f, const drawings::Box& room, const Scale& velocities, const SheetRequest& request) {
+  const auto fit = [&](bool with_pole, const SheetRequest& wish) {
+    return fit_lengths(room, wish, 1000 / reach(f.at),
+                       [&](const Scale& lengths) { return extent(f, lengths, velocities, with_pole); });
+  };
+  const auto largest = [&](bool with_pole) {
+    SheetRequest any_scale = request;
+    any_scale.scale.reset();
+    return fit(with_pole, any_scale).scale.mm_per_unit;
+  };
+  constexpr double far = 5, next = 2.6;  // standard scales differ by 2 or 2.5
+  const bool is_near = f.P0 && std::abs(GuideAxes(f.at).ordinate(*f.P0)) <= far * reach(f.at);
+  const auto least = [&] { return request.scale ? length_scale(*request.scale).mm_per_unit : largest(false) / next; };
+  return fit(is_near && largest(true) >= least(), request);
+}
+
 }  // namespace
 
 void draw_poles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   constexpr double longest_vector = 32;  // mm: reads well and stays clear of the other points
   const Scale velocities = largest_vector_scale(longest_vector / greatest_speed(f), "m/s", request.language);
-  const Fit fit = fit_lengths(room_above_scale_bars(request), request, 1000 / reach(f.at),
-                              [&](const Scale& lengths) { return extent(f, lengths, velocities); });
+  const drawings::Box room = room_above_scale_bars(request);
+  const Fit fit = fit_of(f, room, velocities, request);
   Plot plot(onto, fit.origin, fit.scale);
   plot.vectors_at(velocities);
-  shows_pole(f) ? draw_pole(plot, f) : draw_far_pole(plot, f);
+  const bool shows_pole = f.P0 && is_in(room, plot, *f.P0);
+  shows_pole ? draw_pole(plot, f) : draw_far_pole(plot, f, room, request.language);
   draw_slider_crank(plot, f.at, CGAL::to_double(f.instant.turns_per_second));
   for (const Named& X : points(f)) {
     plot.vector_on(X.velocity, X.at, X.v, Meaning::velocity, fmt::format("$\\vec{{v}}_{{{}}}$", X.symbol));
     plot.measures_coordinates(X.symbol, X.at, f.at.A0);
-    if (shows_pole(f) && X.symbol[0] != 'B') plot.right_angle(X.at, *f.P0, plot.tip(X.at, X.v));
+    if (shows_pole && X.symbol[0] != 'B') plot.right_angle(X.at, *f.P0, plot.tip(X.at, X.v));
   }
   plot.step(1, f.at.A);
   plot.step(2, f.at.C);
-  if (shows_pole(f)) {
+  if (shows_pole) {
     const auto between = [](const Place& P, const Place& Q) {
       return Place{(P.x + 2 * Q.x) / 3, (P.y + 2 * Q.y) / 3};
     };

@@ -234,6 +234,20 @@ TEST_CASE("the arrow of ω₂ keeps clear of crank and ground", "[slider-crank][
     }
 }
 
+TEST_CASE("the pole stands on its sheet, or its rays say where it is", "[slider-crank][sheets]") {
+  const auto rays_to_pole = [](const std::vector<std::string>& assignments, const SheetRequest& request = {}) {
+    int rays = 0;
+    for (const drawings::Label& label : draw(velocity, "poles", assignments, request).sheet.figure.labels)
+      rays += label.text == "to $P_{0}$" ? 1 : 0;
+    return rays;
+  };
+  CHECK(rays_to_pole({}) == 0);
+  CHECK(rays_to_pole({"t1=0.03"}) == 0);  // 1.2 m above the guide: 1 : 10 instead of 1 : 5
+  CHECK(rays_to_pole({"t1=0.03"}, {.scale = geometry::Rational(1, 5)}) == 2);
+  CHECK(rays_to_pole({"t1=0.038"}) == 2);
+  CHECK(rays_to_pole({"t1=1/24"}) == 2);  // at infinity
+}
+
 TEST_CASE("the sheets of the coupler's circles name what the border leaves out", "[slider-crank][sheets]") {
   const auto says = [](const std::string& sheet, const std::vector<std::string>& assignments,
                        const std::string& text) {
