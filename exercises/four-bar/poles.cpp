@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "exercises/four-bar/figure.h"
+#include "exercises/kit/edge.h"
 
 namespace epure::four_bar {
 namespace {
@@ -42,12 +43,22 @@ void draw_pole(Plot& plot, const Drawn& f) {
   plot.step(1, P31);
 }
 
+// The rays leave the sheet towards P₃₁, parallel when it is at infinity.
+void draw_far_pole(Plot& plot, const Drawn& f, const drawings::Box& room, Language language) {
+  const FourBarFigure& m = f.mechanism;
+  const auto beyond = [&](const Place& X) { return f.coupler.P0.value_or(X + (m.A - m.A0)); };
+  for (const CouplerPoint& X : f.coupler.points)
+    if (X.letter != "A" && X.letter != "B")
+      plot.segment(X.at, at_edge(plot, room, X.at, beyond(X.at) - X.at), Meaning::construction);
+  for (const Place& X : {m.A, m.B}) plot.step(1, draw_towards(plot, room, X, beyond(X), "$P_{31}$", language));
+}
+
 void draw_relative_pole(Plot& plot, const Drawn& f, const Place& P42) {
   const FourBarFigure& m = f.mechanism;
   for (const Place& P : {m.A, m.B, m.A0, m.B0}) plot.segment(P, P42, Meaning::construction);
   plot.cross(P42);
   plot.label("$P_{42}$", P42, f.coupler.middle(), Meaning::locus);
-  plot.step(5, P42);
+  plot.step(f.coupler.P0 ? 5 : 3, P42);
 }
 
 drawings::Steps steps(const Drawn& f, bool with_P42, Language language) {
@@ -101,18 +112,20 @@ void draw_poles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   const bool english = language == Language::english;
   const std::optional<Place> P42 = relative_pole(f);
   const Scale speeds = largest_vector_scale(longest_vector / f.coupler.greatest_velocity(), "m/s", language);
-  const Fit fit = fit_lengths(room_above_scale_bars(request), request, 1000 / f.mechanism.reach(),
+  const drawings::Box room = room_above_scale_bars(request);
+  const Fit fit = fit_lengths(room, request, 1000 / f.mechanism.reach(),
                               [&](const Scale& lengths) { return extent_of(f, P42, lengths, speeds); });
   Plot plot(onto, fit.origin, fit.scale);
   plot.vectors_at(speeds);
-  if (f.coupler.is_near(f.coupler.P0, shown)) draw_pole(plot, f);
+  const bool shows_pole = f.coupler.P0 && is_in(room, plot, *f.coupler.P0);
+  shows_pole ? draw_pole(plot, f) : draw_far_pole(plot, f, room, language);
   if (P42) draw_relative_pole(plot, f, *P42);
   f.mechanism.draw(plot);
   int step = 2;
   for (const CouplerPoint& X : f.coupler.points) {
     plot.vector_on("v_" + X.letter, X.at, X.v, Meaning::velocity, fmt::format("$\\vec{{v}}_{{{}}}$", X.letter));
     if (f.coupler.P0) plot.right_angle(X.at, plot.tip(X.at, X.v), *f.coupler.P0);
-    plot.step(step++, plot.tip(X.at, X.v));
+    if (f.coupler.P0 || step == 2) plot.step(step++, plot.tip(X.at, X.v));
   }
   add_scale_bars(onto, {plot.scale(), speeds}, request);
   auto& column = onto.sheet.column;

@@ -2,6 +2,7 @@
 // names givens and quantities as the exercise does.
 #pragma once
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -110,15 +111,30 @@ inline void draws_every_sheet(const Tried& tried, const std::vector<CorpusCase>&
       }
 }
 
+// Numbers on the figure that no step of the column has.
+inline std::vector<int> untold_steps(const drawings::Sheet& sheet) {
+  const auto is_told = [&](int number) {
+    return std::any_of(sheet.column.begin(), sheet.column.end(), [&](const drawings::Block& block) {
+      const auto* steps = std::get_if<drawings::Steps>(&block);
+      return steps && number >= steps->first && number < steps->first + static_cast<int>(steps->lines.size());
+    });
+  };
+  std::vector<int> untold;
+  for (const drawings::StepNumber& step : sheet.figure.steps)
+    if (!is_told(step.number)) untold.push_back(step.number);
+  return untold;
+}
+
 inline void letters_find_room(const Tried& tried, const std::vector<Assignments>& all) {
   for (const Assignments& assignments : all)
     for (const SheetSpec& sheet : tried.about().sheets)
       for (const drawings::Paper paper : {drawings::Paper::a4, drawings::Paper::a3})
         for (const Language language : {Language::english, Language::italian}) {
-          const auto crowded =
-              drawings::overlaps(tried.draw(sheet.name, assignments, {.paper = paper, .language = language}).sheet);
+          const DrawnSheet drawn = tried.draw(sheet.name, assignments, {.paper = paper, .language = language});
+          const auto crowded = drawings::overlaps(drawn.sheet);
           CAPTURE(assignments, sheet.name, paper == drawings::Paper::a4, language == Language::english, crowded);
           CHECK(crowded.empty());
+          CHECK(untold_steps(drawn.sheet) == std::vector<int>{});
         }
 }
 

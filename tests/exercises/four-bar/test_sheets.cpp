@@ -13,6 +13,9 @@ const std::vector<Assignments> handful{
     {"n=-50"},
     {"C_side=left", "alpha_2=3"},
     {"t=0.35"},
+    {"t=0.42"},  // crank and rocker all but parallel
+    {"A0A=0.15", "B0B=0.15", "AB=0.3", "x_B0=0.3", "y_B0=0", "AC=0.2", "branch=left"},
+    {"A0A=0.2", "B0B=0.4", "AB=0.74", "x_B0=0.5", "y_B0=0.24", "AC=0.5", "t=0"},  // parallel, of different length
     // drag-link, and a double rocker
     {"A0A=0.3", "AB=0.35", "B0B=0.32", "x_B0=0.1", "y_B0=0.05", "AC=0.21"},
     {"A0A=0.5", "AB=0.2", "B0B=0.6", "x_B0=0.7", "y_B0=0", "AC=0.12", "t=0.2", "branch=left"}};
@@ -41,4 +44,17 @@ TEST_CASE("four-bar: a ruler on the file reads the value of every vector", "[fou
                 assignments);
     ruler_reads(four_bar(), {"acceleration-pole", {"a_A", "a_B", "a_C"}}, assignments);
   }
+}
+
+TEST_CASE("four-bar: the pole stands on its sheet, or its rays say where it is", "[four-bar][sheets]") {
+  const auto rays_to_pole = [](const Assignments& assignments) {
+    int rays = 0;
+    for (const drawings::Label& label : four_bar().draw("poles", assignments).sheet.figure.labels)
+      rays += label.text == "to $P_{31}$" ? 1 : 0;
+    return rays;
+  };
+  CHECK(rays_to_pole({}) == 0);
+  CHECK(rays_to_pole({"t=0.35"}) == 0);
+  CHECK(rays_to_pole({"t=0.42"}) == 2);  // 17 m away
+  CHECK(rays_to_pole({"A0A=0.15", "B0B=0.15", "AB=0.3", "x_B0=0.3", "y_B0=0", "AC=0.2", "branch=left"}) == 2);
 }
