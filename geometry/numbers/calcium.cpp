@@ -19,6 +19,12 @@ epure_calcium_context* current() {
   return innermost_context;
 }
 
+// What is worth a proof stays at some thousand terms; a scene that goes beyond would not end in a lifetime.
+void require_small(const epure_calcium_number* x, epure_calcium_context* context) {
+  constexpr long most_terms = 5000;
+  if (epure_calcium_terms(x, context) > most_terms) throw Undecided("an exact number grew beyond 5000 terms");
+}
+
 }  // namespace
 
 Arithmetic<Calcium>::Arithmetic()
@@ -51,6 +57,7 @@ Calcium operator+(const Calcium& a, const Calcium& b) {
   assert(a.context_ == b.context_ && "numbers of two Arithmetic<Calcium> scopes");
   Calcium result;
   epure_calcium_add(result.number_, a.number_, b.number_, a.context_);
+  require_small(result.number_, a.context_);
   return result;
 }
 
@@ -59,6 +66,7 @@ Calcium operator-(const Calcium& a, const Calcium& b) {
   assert(a.context_ == b.context_ && "numbers of two Arithmetic<Calcium> scopes");
   Calcium result;
   epure_calcium_subtract(result.number_, a.number_, b.number_, a.context_);
+  require_small(result.number_, a.context_);
   return result;
 }
 
@@ -67,6 +75,7 @@ Calcium operator*(const Calcium& a, const Calcium& b) {
   assert(a.context_ == b.context_ && "numbers of two Arithmetic<Calcium> scopes");
   Calcium result;
   epure_calcium_multiply(result.number_, a.number_, b.number_, a.context_);
+  require_small(result.number_, a.context_);
   return result;
 }
 
@@ -78,6 +87,7 @@ Calcium operator/(const Calcium& a, const Calcium& b) {
   if (divisor == Sign::undecided) throw Undecided("division by a quantity that may be zero");
   Calcium result;
   epure_calcium_divide(result.number_, a.number_, b.number_, a.context_);
+  require_small(result.number_, a.context_);
   return result;
 }
 

@@ -1,6 +1,6 @@
 // Calcium: an exact real number of the Calcium library. Any rational turn, π, roots at any depth; decisions are yes,
 // no or undecided, and may take milliseconds to seconds. For decisions and identities only, never for a reported
-// value.
+// value. A number that becomes too large to go on with is given up: + - * / throw Undecided then.
 #pragma once
 
 #include "geometry/numbers/deep.h"

@@ -105,6 +105,11 @@ void epure_calcium_root(epure_calcium_number* result, const epure_calcium_number
   ca_sqrt(result->value, x->value, context->calcium);
 }
 
+slong epure_calcium_terms(const epure_calcium_number* x, epure_calcium_context* context) {
+  if (!ca_is_generic_elem(x->value, context->calcium)) return 1;
+  return fmpz_mpoly_q_numref(CA_MPOLY_Q(x->value))->length + fmpz_mpoly_q_denref(CA_MPOLY_Q(x->value))->length;
+}
+
 epure_calcium_truth epure_calcium_is_zero(const epure_calcium_number* x, epure_calcium_context* context) {
   switch (ca_check_is_zero(x->value, context->calcium)) {
     case T_TRUE:

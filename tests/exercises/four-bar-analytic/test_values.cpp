@@ -234,3 +234,11 @@ TEST_CASE("four-bar-analytic: what the source printed", "[four-bar-analytic]") {
   CHECK(explained == 18);
   CHECK(unexplained == std::vector<std::string>{"theta_4", "a_B"});
 }
+
+// The crank's direction is then algebraic of a degree in the ten thousands: exact numbers grow without end, and the
+// routes must do without them. (P on B, whose path is the circle about B0.)
+TEST_CASE("four-bar-analytic: a zero at an angle that no exact number can follow", "[four-bar-analytic]") {
+  const CheckedExercise result = checked({"theta_2=15.3482", "AP_along=0.5"});
+  CAPTURE(result.failures);
+  CHECK(result.failures.empty());
+}
