@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "exercises/gear-pair/fault_words.h"
 #include "exercises/kit/sheet.h"
 
 namespace epure::gear_pair {
@@ -18,18 +19,21 @@ std::string place_of(const DrawnPath::End& end, Language language) {
                      side.in(language));
 }
 
-Words why_it_begins(By by) {
-  return by == By::root ? Words{"flank 1 begins only in ", "il fianco 1 inizia solo in "}
-                        : Words{"wheel 2, pointed, touches only from ", "la ruota 2, a punta, tocca solo da "};
+std::string why_it_begins(const DrawnPair& pair, Language language) {
+  if (pair.path.begins.by == By::root)
+    return Words{"flank 1 begins only in ", "il fianco 1 inizia solo in "}.in(language);
+  return name_of(2, pair, language) +
+         Words{", pointed, touches only from ", ", a punta, tocca solo da "}.in(language);
 }
 Words why_it_ends(By by) {
   return by == By::root ? Words{"flank 2 reaches only to ", "il fianco 2 arriva solo a "}
                         : Words{"wheel 1, pointed, touches only to ", "la ruota 1, a punta, tocca solo fino a "};
 }
 
-std::string shortened(const DrawnPath& path, Language language) {
+std::string shortened(const DrawnPair& pair, Language language) {
+  const DrawnPath& path = pair.path;
   std::string text;
-  if (path.begins.by != By::tip) text = why_it_begins(path.begins.by).in(language) + place_of(path.begins, language);
+  if (path.begins.by != By::tip) text = why_it_begins(pair, language) + place_of(path.begins, language);
   if (path.ends.by == By::tip) return text;
   if (!text.empty()) text += Words{", and ", ", e "}.in(language);
   return text + why_it_ends(path.ends.by).in(language) + place_of(path.ends, language);
@@ -59,8 +63,8 @@ std::string true_contact_ratio(const DrawnPair& pair, Language language) {
 
 std::string about_path(const DrawnPair& pair, const Words& whole, Language language) {
   if (!pair.path.known) return whole.in(language) + ".";
-  return fmt::format("{}, {} {}: {}.", whole.in(language), Words{"but", "ma"}.in(language),
-                     shortened(pair.path, language), what_is_left(pair, language));
+  return fmt::format("{}, {} {}: {}.", whole.in(language), Words{"but", "ma"}.in(language), shortened(pair, language),
+                     what_is_left(pair, language));
 }
 
 }  // namespace epure::gear_pair

@@ -51,7 +51,7 @@ struct DrawnPath {
   // False when a wheel has no outline: the ends are then those of whole flanks, which T1 and T2 limit all the same.
   bool known = false;
   bool touches = true;        // flanks do, somewhere
-  bool is_continuous = true;  // each pair of teeth touches until after the next has begun to
+  bool is_continuous = true;  // each pair of teeth touches until after the next has begun to; not known: would, on AE
 
   bool is_whole() const { return known && begins.by == By::tip && ends.by == By::tip; }
   double length() const { return ends.xi - begins.xi; }

@@ -32,8 +32,10 @@ class Marker {
         led(pair_.tip_at_mesh(wheel), fault.kind, {-26, wheel == 1 ? 36.0 : -36.0});
         break;
       case Kind::contact_on_fillet:
-      case Kind::corner_in_root:
         wheel == 1 ? led(pair_.at(*pair_.A), fault.kind, {14, -36}) : led(pair_.at(*pair_.E), fault.kind, {-14, 36});
+        break;
+      case Kind::corner_in_root:
+        led(pair_.tip_at_mesh(3 - wheel), fault.kind, {-26, wheel == 2 ? 36.0 : -36.0});
         break;
       case Kind::interference_approach:
         beyond(pair_.T1, *pair_.A, fault.kind);

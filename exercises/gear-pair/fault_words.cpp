@@ -10,13 +10,6 @@ namespace {
 using geometry::Fault;
 using Kind = Fault::Kind;
 
-std::string name_of(int wheel, const DrawnPair& pair, Language language) {
-  const bool english = language == Language::english;
-  if (wheel == 2 && pair.is_rack()) return english ? "the rack" : "la dentiera";
-  if (wheel == 2 && pair.is_ring()) return english ? "the ring" : "la corona";
-  return fmt::format("{} {}", english ? "wheel" : "la ruota", wheel);
-}
-
 std::string of_name(int wheel, const DrawnPair& pair, Language language) {
   const std::string name = name_of(wheel, pair, language);
   if (language == Language::english) return "of " + name;
@@ -91,11 +84,8 @@ Words sentence_of(const Fault& fault, const DrawnPair& pair, const std::string& 
                           "successiva si tocchi.",
                           value)};
     case Kind::pointed_cutter:
-      return {
-          fmt::format("No such cutter: its tip roundings overlap by {}.", value + mm),
-          fmt::format("L'utensile non esiste: i raccordi di testa si sovrappongono di {}; è disegnato il più grande "
-                      "possibile.",
-                      value + mm)};
+      return {fmt::format("No such cutter: its tip roundings overlap by {}.", value + mm),
+              fmt::format("L'utensile non esiste: i raccordi di testa si sovrappongono di {}.", value + mm)};
     case Kind::tips_collide:
       return {
           fmt::format("The ring is too small: beside the mesh the tips run into each other by {}.", value + mm),
@@ -121,6 +111,13 @@ bool says_a_size(Kind kind) {
 }
 
 }  // namespace
+
+std::string name_of(int wheel, const DrawnPair& pair, Language language) {
+  const bool english = language == Language::english;
+  if (wheel == 2 && pair.is_rack()) return english ? "the rack" : "la dentiera";
+  if (wheel == 2 && pair.is_ring()) return english ? "the ring" : "la corona";
+  return fmt::format("{} {}", english ? "wheel" : "la ruota", wheel);
+}
 
 std::string mark_of(Kind kind, Language language) {
   const auto words = [&]() -> Words {

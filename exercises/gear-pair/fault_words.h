@@ -7,6 +7,9 @@
 
 namespace epure::gear_pair {
 
+// "wheel 1", "the ring".
+std::string name_of(int wheel, const DrawnPair& pair, Language language);
+
 // One sentence that names the wheel, the numbers and what follows from it.
 std::string sentence(const geometry::Fault& fault, const DrawnPair& pair, Language language);
 

@@ -19,6 +19,7 @@ Place at_edge(const Plot& plot, const drawings::Box& room, const Place& X, const
   double reach = std::numeric_limits<double>::infinity();  // in units of the direction
   if (direction.x != 0) reach = std::min(reach, ((direction.x > 0 ? room.high.x : room.low.x) - p.x) / direction.x);
   if (direction.y != 0) reach = std::min(reach, ((direction.y > 0 ? room.high.y : room.low.y) - p.y) / direction.y);
+  reach = std::max(reach, 0.0);  // X itself may stand at the border
   return plot.from_paper({p.x + reach * direction.x, p.y + reach * direction.y});
 }
 

@@ -226,7 +226,7 @@ class Examination {
     });
   }
 
-  // The cutter's tooth holds that of a rack, and its tip passes deeper: so only of two wheels.
+  // A rack needs no look: the cutter's tooth holds its, and passes deeper. Of a ring it is not looked for.
   void examine_corner(int wheel) {
     if (of_.kind != PairKind::external || has(Fault::Kind::negative_clearance)) return;
     try {

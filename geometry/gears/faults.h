@@ -11,15 +11,15 @@ namespace epure::geometry {
 struct Fault {
   enum class Kind {
     // of wheel 1 or 2; lengths in metres
-    tip_inside_base,     // r_tip < r_b: no flank at all (a ring's tooth reaches inside its base circle)
-    pointed,             // the tip is `value` thick, not more than 0
-    undercut,            // z = `value` is less than `limit` = 2 (ha - x)/sin²α
-    undercut_by_edge,    // not the one before, but the cutter's straight edge reaches beyond ha: z `value`, its own
-                         // `limit`
-    contact_on_fillet,   // the mate's tip needs the flank down to the radius `value`, which begins at `limit` (of a
-                         // wheel that is not undercut)
-    corner_in_root,      // the corners of the mate's tips dig into the root curve beside the line of action; at the
-                         // narrowest place looked at `value` < 0 remains (proved; that there is room is not)
+    tip_inside_base,    // r_tip < r_b: no flank at all (a ring's tooth reaches inside its base circle)
+    pointed,            // the tip is `value` thick, not more than 0
+    undercut,           // z = `value` is less than `limit` = 2 (ha - x)/sin²α
+    undercut_by_edge,   // not the one before, but the cutter's straight edge reaches beyond ha: z `value`, its own
+                        // `limit`
+    contact_on_fillet,  // the mate's tip needs the flank down to the radius `value`, which begins at `limit` (of a
+                        // wheel that is not undercut)
+    corner_in_root,  // of external pairs: the corners of the mate's tips dig into the root curve beside the line of
+                     // action; at the narrowest place looked at `value` < 0 remains (proved; room is not)
     negative_clearance,  // the tip of the wheel digs into the other's root: `value` < 0 remains between them
     // of the pair, wheel is 0
     interference_approach,    // the path of approach is `value`, more than `limit` = P0T1

@@ -19,10 +19,17 @@ epure_calcium_context* current() {
   return innermost_context;
 }
 
-// What is worth a proof stays at some thousand terms; a scene that goes beyond would not end in a lifetime.
-void require_small(const epure_calcium_number* x, epure_calcium_context* context) {
+// What is worth a proof stays at some thousand terms; a scene that goes beyond would not end in a lifetime. Products
+// of terms are looked at beforehand, since one multiplication may already take too long.
+void require_small_result(const epure_calcium_number* x, epure_calcium_context* context) {
   constexpr long most_terms = 5000;
   if (epure_calcium_terms(x, context) > most_terms) throw Undecided("an exact number grew beyond 5000 terms");
+}
+void require_small_task(const epure_calcium_number* a, const epure_calcium_number* b,
+                        epure_calcium_context* context) {
+  constexpr long most_products = 4000000;
+  if (epure_calcium_terms(a, context) * epure_calcium_terms(b, context) > most_products)
+    throw Undecided("exact numbers grew beyond 4000000 products of terms");
 }
 
 }  // namespace
@@ -56,8 +63,9 @@ Calcium operator+(const Calcium& a, const Calcium& b) {
   const RoundToNearest rounding;
   assert(a.context_ == b.context_ && "numbers of two Arithmetic<Calcium> scopes");
   Calcium result;
+  require_small_task(a.number_, b.number_, a.context_);
   epure_calcium_add(result.number_, a.number_, b.number_, a.context_);
-  require_small(result.number_, a.context_);
+  require_small_result(result.number_, a.context_);
   return result;
 }
 
@@ -65,8 +73,9 @@ Calcium operator-(const Calcium& a, const Calcium& b) {
   const RoundToNearest rounding;
   assert(a.context_ == b.context_ && "numbers of two Arithmetic<Calcium> scopes");
   Calcium result;
+  require_small_task(a.number_, b.number_, a.context_);
   epure_calcium_subtract(result.number_, a.number_, b.number_, a.context_);
-  require_small(result.number_, a.context_);
+  require_small_result(result.number_, a.context_);
   return result;
 }
 
@@ -74,8 +83,9 @@ Calcium operator*(const Calcium& a, const Calcium& b) {
   const RoundToNearest rounding;
   assert(a.context_ == b.context_ && "numbers of two Arithmetic<Calcium> scopes");
   Calcium result;
+  require_small_task(a.number_, b.number_, a.context_);
   epure_calcium_multiply(result.number_, a.number_, b.number_, a.context_);
-  require_small(result.number_, a.context_);
+  require_small_result(result.number_, a.context_);
   return result;
 }
 
@@ -86,8 +96,9 @@ Calcium operator/(const Calcium& a, const Calcium& b) {
   if (divisor == Sign::zero) throw Undecided("division by a quantity that is proved to be zero");
   if (divisor == Sign::undecided) throw Undecided("division by a quantity that may be zero");
   Calcium result;
+  require_small_task(a.number_, b.number_, a.context_);
   epure_calcium_divide(result.number_, a.number_, b.number_, a.context_);
-  require_small(result.number_, a.context_);
+  require_small_result(result.number_, a.context_);
   return result;
 }
 

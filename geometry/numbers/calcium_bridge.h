@@ -42,7 +42,8 @@ void epure_calcium_negate(epure_calcium_number* result, const epure_calcium_numb
                           epure_calcium_context* context);
 void epure_calcium_root(epure_calcium_number* result, const epure_calcium_number* x, epure_calcium_context* context);
 
-/* How large the number is: the terms of its numerator and denominator, as polynomials in what is not rational. */
+/* How large the number is: the terms of its numerator and denominator, as polynomials in what is not rational. 1 of a
+   rational number and of an element of a number field, whatever its degree. */
 slong epure_calcium_terms(const epure_calcium_number* x, epure_calcium_context* context);
 
 epure_calcium_truth epure_calcium_is_zero(const epure_calcium_number* x, epure_calcium_context* context);
