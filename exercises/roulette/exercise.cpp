@@ -19,14 +19,11 @@ Description description() {
           .printed = {}};
 }
 
-// What the sheet names: without the radius of a circle that does not take part.
-Givens taking_part(const Givens& givens, const Problem& problem) {
-  std::vector<GivenSpec> specs;
-  for (const GivenSpec& spec : givens.specs())
-    if (spec.symbol != (problem.is_line() ? "r" : problem.rolls_on_line() ? "R" : "")) specs.push_back(spec);
-  Givens named(specs);
-  for (const GivenSpec& spec : specs) named.set(spec.symbol + "=" + givens.text(spec.symbol));
-  return named;
+// A line has no radius.
+std::set<std::string> without_part(const Problem& problem) {
+  if (problem.is_line()) return {"r"};
+  if (problem.rolls_on_line()) return {"R"};
+  return {};
 }
 
 class RouletteExercise : public Exercise {
@@ -39,7 +36,7 @@ class RouletteExercise : public Exercise {
 
   DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
     const Problem problem = problem_of(givens);
-    DrawnSheet onto = blank_sheet(about_, sheet, taking_part(givens, problem), request);
+    DrawnSheet onto = blank_sheet(about_, sheet, givens, request, without_part(problem));
     if (sheet == "path") draw_path_sheet(onto, problem, request);
     if (sheet == "instant") draw_instant_sheet(onto, problem, request);
     return onto;

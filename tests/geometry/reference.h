@@ -4,8 +4,8 @@
 #include "geometry/numbers/enclosure.h"
 #include "geometry/numbers/numbers.h"
 #include "tests/support/corpus.h"
+#include "tests/support/overlaps.h"
 
-#include <cmath>
 #include <string>
 
 namespace epure::tests {
@@ -23,18 +23,9 @@ inline geometry::Rational reference_error(const geometry::Rational& reference) {
   return abs(reference) * exact_decimal("5e-40");
 }
 
-inline bool overlaps(const geometry::Enclosure& x, const geometry::Rational& reference) {
-  using geometry::Rational;
-  const Rational error = reference_error(reference);
-  const bool above = std::isinf(x.lower) || Rational(x.lower) <= reference + error;
-  return above && (std::isinf(x.upper) || Rational(x.upper) >= reference - error);
-}
-
-// With the whole ball, not its doubles.
-inline bool overlaps(const geometry::Deep& x, const geometry::Rational& reference) {
-  using namespace geometry;
-  const Deep difference = x - from_rational<Deep>(reference), error = from_rational<Deep>(reference_error(reference));
-  return sign(difference + error) != Sign::negative && sign(difference - error) != Sign::positive;
+template <class Enclosing>
+bool overlaps(const Enclosing& x, const geometry::Rational& reference) {
+  return overlaps(x, reference, reference_error(reference));
 }
 
 // Narrower than the 40 digits of the reference, so that agreement means agreement in all of them.

@@ -1,5 +1,5 @@
 // The analytic route against references that were differentiated numerically from positions (tests/corpus).
-#include "tests/geometry/reference.h"
+#include "tests/geometry/answers_against_corpus.h"
 #include "tests/geometry/slider_crank_answers.h"
 
 #include <catch2/catch.hpp>
@@ -41,42 +41,15 @@ TEST_CASE("slider-crank: 512 bits agree with all 40 digits of every reference", 
 }
 
 TEST_CASE("slider-crank: intervals contain every reference or say undecided", "[analytic]") {
-  const Arithmetic<Bounded> scope;
-  int answered = 0, undecided = 0;
-  for (const CorpusCase& c : corpus()) {
-    if (!closes(c)) continue;
-    Answers<Bounded> answers;
-    try {
-      answers = answers_of<Bounded>(c);
-    } catch (const Undecided&) {
-      undecided += static_cast<int>(c.references.size());
-      continue;
-    }
-    for (const Reference& r : c.references) {
-      CAPTURE(c.name, r.name, r.value);
-      const Outcome<Bounded> found = ask(answers, r.name);
-      if (found.kind == Kind::undecided) {
-        ++undecided;
-        CHECK(c.name != "source");
-        continue;
-      }
-      ++answered;
-      REQUIRE(found.kind == expected_kind(r.value));
-      if (found.kind == Kind::value) CHECK(overlaps(enclosure(*found.value), exact_decimal(r.value)));
-    }
-  }
+  const auto [answered, undecided] = intervals_contain_references(
+      corpus(), answers_of<Bounded>, [](const CorpusCase& c) { return c.name != "source"; });
   std::printf("slider-crank, Bounded: %d answers contain the reference, %d undecided\n", answered, undecided);
   CHECK(answered > 40 * undecided);
 }
 
 TEST_CASE("slider-crank: intervals of the source's case are narrower than 1e-12", "[analytic]") {
   const Arithmetic<Bounded> scope;
-  const Answers<Bounded> answers = answers_of<Bounded>(corpus().front());
-  for (const Reference& r : corpus().front().references) {
-    const Enclosure e = enclosure(*ask(answers, r.name).value);
-    CAPTURE(r.name, e.lower, e.upper);
-    CHECK(e.upper - e.lower <= 1e-12 * std::max(std::abs(e.value), 1.0));
-  }
+  intervals_are_narrow(corpus().front(), answers_of<Bounded>(corpus().front()), 1e-12);
 }
 
 // Where a component is the small difference of large ones (beside a dead centre, beside the upright crank) it has no
@@ -84,15 +57,7 @@ TEST_CASE("slider-crank: intervals of the source's case are narrower than 1e-12"
 TEST_CASE("slider-crank: what double costs", "[analytic]") {
   for (const CorpusCase& c : corpus()) {
     if (!closes(c)) continue;
-    const Answers<Fast> answers = answers_of<Fast>(c);
-    double worst = 0;
-    std::string where = "nothing";
-    for (const Reference& r : c.references) {
-      const Outcome<Fast> found = ask(answers, r.name);
-      if (found.kind != Kind::value || expected_kind(r.value) != Kind::value || r.value == "0") continue;
-      const double reference = std::stod(r.value), error = std::abs(*found.value / reference - 1);
-      if (error > worst) worst = error, where = r.name;
-    }
+    const auto [worst, where] = worst_of_doubles(c, answers_of<Fast>(c));
     std::printf("slider-crank, Fast: %-28s worst relative error %.1e (%s)\n", c.name.c_str(), worst, where.c_str());
     if (c.name == "source") CHECK(worst < 1e-13);
   }
@@ -105,20 +70,8 @@ TEST_CASE("slider-crank: exact numbers decide every case of a constructible cran
     if (!closes(c) || c.givens.at("alpha_2") != 0 || (turn_of(c).fraction * 24).denominator() != 1) continue;
     if ((c.givens.at("delta") / 15).denominator() != 1) continue;
     const Arithmetic<Deep> scope(256);
-    for (const Reference& r : c.references) {
-      CAPTURE(c.name, r.name, r.value);
-      const Arithmetic<Exact> tower;  // one for each answer: all the lengths of a scene together are too many roots
-      const Answers<Exact> answers = answers_without_angles<Exact>(c, Exact(1));
-      if (answers.count(r.name) == 0) continue;
-      const Outcome<Exact> found = ask(answers, r.name);
-      REQUIRE(found.kind == expected_kind(r.value));
-      const bool moves = r.name.rfind("omega", 0) == 0 || r.name.rfind("alpha", 0) == 0 || r.name[1] == '_';
-      const bool place = r.name.size() == 3 && (r.name[2] == 'x' || r.name[2] == 'y');
-      if (found.kind == Kind::value && r.value == "0") CHECK(sign(*found.value) == Sign::zero);
-      if (found.kind == Kind::value && (!moves || place))
-        CHECK(overlaps(to_deep(*found.value), exact_decimal(r.value)));
-      ++decided;
-    }
+    decided +=
+        exact_numbers_decide(c, [](const CorpusCase& of) { return answers_without_angles<Exact>(of, Exact(1)); });
   }
   CHECK(decided > 1000);
 }

@@ -1,7 +1,7 @@
 // The analytic four-bar against references measured on positions alone (tests/corpus/make_four_bar.py), and against
 // what can be seen without any computation.
+#include "tests/geometry/answers_against_corpus.h"
 #include "tests/geometry/four_bar_answers.h"
-#include "tests/geometry/reference.h"
 
 #include <catch2/catch.hpp>
 
@@ -35,12 +35,6 @@ const CorpusCase& case_named(const std::string& name) {
 bool is_constructible(const CorpusCase& c) {
   if (c.givens.at("alpha_2") != 0) return false;
   return c.givens.count("turn") == 0 || (c.givens.at("turn") * 24).denominator() == 1;
-}
-
-// With unit crank speed only what does not depend on the speed is as in the corpus.
-bool depends_on_speed(const std::string& name) {
-  const bool place = name.size() == 3 && (name[2] == 'x' || name[2] == 'y');
-  return !place && (name.rfind("omega", 0) == 0 || name.rfind("alpha", 0) == 0 || name[1] == '_');
 }
 
 template <class T>
@@ -103,44 +97,16 @@ TEST_CASE("four-bar: 512 bits agree with all 40 digits of every reference", "[an
 }
 
 TEST_CASE("four-bar: intervals contain every reference or say undecided", "[analytic][four-bar]") {
-  const Arithmetic<Bounded> scope;
-  int answered = 0, undecided = 0;
-  for (const CorpusCase& c : corpus()) {
-    if (!closes(c)) continue;
-    Answers<Bounded> answers;
-    try {
-      answers = answers_of<Bounded>(c);
-    } catch (const Undecided&) {
-      undecided += static_cast<int>(c.references.size());
-      continue;
-    }
-    for (const Reference& r : c.references) {
-      CAPTURE(c.name, r.name, r.value);
-      const Outcome<Bounded> found = ask(answers, r.name);
-      if (found.kind == Kind::undecided) {
-        ++undecided;
-        continue;
-      }
-      ++answered;
-      REQUIRE(found.kind == expected_kind(r.value));
-      if (found.kind == Kind::value) CHECK(overlaps(enclosure(*found.value), exact_decimal(r.value)));
-    }
-  }
+  const auto [answered, undecided] =
+      intervals_contain_references(corpus(), answers_of<Bounded>, [](const CorpusCase&) { return true; });
   std::printf("four-bar, Bounded: %d answers contain the reference, %d undecided\n", answered, undecided);
   CHECK(answered > 6 * undecided);
 }
 
 TEST_CASE("four-bar: intervals of the sources' cases are narrower than 1e-11", "[analytic][four-bar]") {
   const Arithmetic<Bounded> scope;
-  for (const char* name : {"n3", "n10"}) {
-    const CorpusCase& c = case_named(name);
-    const Answers<Bounded> answers = answers_of<Bounded>(c);
-    for (const Reference& r : c.references) {
-      const Enclosure e = enclosure(*ask(answers, r.name).value);
-      CAPTURE(name, r.name, e.lower, e.upper);
-      CHECK(e.upper - e.lower <= 1e-11 * std::max(std::abs(e.value), 1.0));
-    }
-  }
+  for (const char* name : {"n3", "n10"})
+    intervals_are_narrow(case_named(name), answers_of<Bounded>(case_named(name)), 1e-11);
 }
 
 // Beside a dead centre a component is the small difference of large ones, beside a limit of the crank everything:
@@ -148,19 +114,12 @@ TEST_CASE("four-bar: intervals of the sources' cases are narrower than 1e-11", "
 TEST_CASE("four-bar: what double costs", "[analytic][four-bar]") {
   for (const CorpusCase& c : corpus()) {
     if (!closes(c)) continue;
-    double worst = 0;
-    std::string where = "nothing";
+    std::pair<double, std::string> found{0, "does not close by its doubles"};
     try {
-      const Answers<Fast> answers = answers_of<Fast>(c);
-      for (const Reference& r : c.references) {
-        const Outcome<Fast> found = ask(answers, r.name);
-        if (found.kind != Kind::value || expected_kind(r.value) != Kind::value || r.value == "0") continue;
-        const double error = std::abs(*found.value / std::stod(r.value) - 1);
-        if (error > worst) worst = error, where = r.name;
-      }
+      found = worst_of_doubles(c, answers_of<Fast>(c));
     } catch (const Impossible&) {
-      where = "does not close by its doubles";
     }
+    const auto& [worst, where] = found;
     std::printf("four-bar, Fast: %-34s worst relative error %.1e (%s)\n", c.name.c_str(), worst, where.c_str());
     if (c.name == "n3" || c.name == "n10") CHECK(worst < 2e-13);
   }
@@ -171,18 +130,8 @@ TEST_CASE("four-bar: exact numbers decide every case of a constructible crank", 
   for (const CorpusCase& c : corpus()) {
     if (!closes(c) || !is_constructible(c)) continue;
     const Arithmetic<Deep> scope(512);
-    for (const Reference& r : c.references) {
-      CAPTURE(c.name, r.name, r.value);
-      const Arithmetic<Exact> tower;  // one for each answer: all the lengths of a scene together are too many roots
-      const Answers<Exact> answers = answers_without_angles<Exact>(c, Exact(1));
-      if (answers.count(r.name) == 0) continue;
-      const Outcome<Exact> found = ask(answers, r.name);
-      REQUIRE(found.kind == expected_kind(r.value));
-      if (found.kind == Kind::value && r.value == "0") CHECK(sign(*found.value) == Sign::zero);
-      if (found.kind == Kind::value && !depends_on_speed(r.name))
-        CHECK(overlaps(to_deep(*found.value), exact_decimal(r.value)));
-      ++decided;
-    }
+    decided +=
+        exact_numbers_decide(c, [](const CorpusCase& of) { return answers_without_angles<Exact>(of, Exact(1)); });
   }
   std::printf("four-bar, Exact: %d answers decided\n", decided);
   CHECK(decided > 2000);

@@ -62,13 +62,17 @@ struct FourBarOn {
   }
 };
 
-struct FourBarPosition {
-  static constexpr const char* name = "four-bar-position";
+// What both families have in common.
+struct FourBarCases {
   static constexpr const char* corpus = "hard/four_bar.txt";
   using Givens = FourBarGivens;
   static Givens givens(const CorpusCase& c) { return four_bar_givens(c); }
   template <class T>
   using On = FourBarOn<T>;
+};
+
+struct FourBarPosition : FourBarCases {
+  static constexpr const char* name = "four-bar-position";
 
   template <class T, class Report>
   static void results(const On<T>& of, Report& report) {
@@ -97,13 +101,8 @@ struct FourBarPosition {
   }
 };
 
-struct FourBarSecondOrder {
+struct FourBarSecondOrder : FourBarCases {
   static constexpr const char* name = "four-bar-second-order";
-  static constexpr const char* corpus = "hard/four_bar.txt";
-  using Givens = FourBarGivens;
-  static Givens givens(const CorpusCase& c) { return four_bar_givens(c); }
-  template <class T>
-  using On = FourBarOn<T>;
 
   template <class T, class Report>
   static void results(const On<T>& of, Report& report) {

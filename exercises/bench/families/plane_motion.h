@@ -42,14 +42,18 @@ T radius_unless_line(const Cycle<T>& cycle) {
   return cycle.radius();
 }
 
-struct PoleAndCircles {
-  static constexpr const char* name = "pole-and-circles";
+// What both families have in common.
+struct PlaneMotionCases {
   static constexpr const char* corpus = "hard/plane_motion.txt";
   using Givens = PlaneMotionGivens;
   static Givens givens(const CorpusCase& c) { return plane_motion_givens(c); }
 
   template <class T>
   using On = PlaneMotionOn<T>;
+};
+
+struct PoleAndCircles : PlaneMotionCases {
+  static constexpr const char* name = "pole-and-circles";
 
   template <class T, class Report>
   static void results(const On<T>& of, Report& report) {
@@ -78,14 +82,8 @@ struct PoleAndCircles {
   }
 };
 
-struct Curvature {
+struct Curvature : PlaneMotionCases {
   static constexpr const char* name = "curvature";
-  static constexpr const char* corpus = "hard/plane_motion.txt";
-  using Givens = PlaneMotionGivens;
-  static Givens givens(const CorpusCase& c) { return plane_motion_givens(c); }
-
-  template <class T>
-  using On = PlaneMotionOn<T>;
 
   template <class T, class Report>
   static void results(const On<T>& of, Report& report) {

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "exercises/bench/family.h"
+#include "tests/support/overlaps.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -27,14 +28,9 @@ inline constexpr long deep_bits = 1024;  // 308 digits: a case loses at most 180
 // Half a unit of the last of 120 digits.
 inline Rational reference_error(const Rational& reference) { return abs(reference) * bench::exact_decimal("5e-120"); }
 
-inline bool may_be(const Enclosure& x, const Rational& reference) {
-  const Rational error = reference_error(reference);
-  return (std::isinf(x.lower) || Rational(x.lower) <= reference + error) &&
-         (std::isinf(x.upper) || Rational(x.upper) >= reference - error);
-}
-inline bool may_be(const Deep& x, const Rational& reference) {
-  const Deep difference = x - from_rational<Deep>(reference), error = from_rational<Deep>(reference_error(reference));
-  return sign(difference + error) != Sign::negative && sign(difference - error) != Sign::positive;
+template <class Enclosing>
+bool may_be(const Enclosing& x, const Rational& reference) {
+  return overlaps(x, reference, reference_error(reference));
 }
 
 // The radius is less than 1e-118 of the value; of a reference that is zero, less than 1e-118 itself.
