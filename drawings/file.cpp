@@ -1,6 +1,7 @@
 // Whole files or none.
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -47,6 +48,24 @@ class SignalsAsErrors {
   struct sigaction pipe_ = {}, size_ = {};
 };
 
+// Ctrl-C and a plain kill wait until what was begun is done: no draft stays behind, and of several files none is
+// replaced without the others.
+class SignalsLater {
+ public:
+  SignalsLater() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&held, each);
+    pthread_sigmask(SIG_BLOCK, &held, &before_);
+  }
+  ~SignalsLater() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsLater(const SignalsLater&) = delete;
+  SignalsLater& operator=(const SignalsLater&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -77,7 +96,10 @@ bool write_all(int descriptor, std::string_view bytes) {
 
 // Pipes, devices and a few file systems cannot sync; that is no failure.
 bool sync(int descriptor) {
-  return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP || errno == EROFS;
+  int done;
+  do done = ::fsync(descriptor);
+  while (done != 0 && errno == EINTR);
+  return done == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP || errno == EROFS;
 }
 
 // The file behind symbolic links, also when it does not exist yet.
@@ -114,47 +136,95 @@ void write_in_place(const fs::path& path, std::string_view bytes, const std::str
   if (!write_all(file.number(), bytes) || !sync(file.number()) || !file.close()) fail(shown, errno);
 }
 
-// A new file beside the wanted one. It is removed again unless it was kept by renaming.
+// What is to be a file of `folder`. It has no name until it is complete, where the file system knows of such files:
+// whatever ends the program then leaves nothing behind. Elsewhere it has a temporary name from the beginning. It is
+// gone again unless it was kept.
 class Draft {
  public:
-  Draft(const fs::path& folder, const std::string& shown) : shown_(shown), file_(create(folder)) {}
+  Draft(const fs::path& folder, const std::string& shown) : folder_(folder), shown_(shown), file_(create()) {}
   ~Draft() {
-    if (!kept_) ::unlink(path_.c_str());
+    if (has_name() && !kept_) ::unlink(name_.c_str());
   }
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
 
-  void fill(std::string_view bytes, const struct stat* old) {
-    const bool done =
-        write_all(file_.number(), bytes) && (!old || ::fchmod(file_.number(), old->st_mode & 0777) == 0);
-    if (!done) fail(shown_, errno);
+  bool has_name() const { return !name_.empty(); }
+  void fill(std::string_view bytes, const std::optional<struct stat>& old) {
+    if (!write_all(file_.number(), bytes)) fail(shown_, errno);
+    if (old) take_after(*old);
   }
   void secure() {
-    if (!sync(file_.number()) || !file_.close()) fail(shown_, errno);
+    if (!sync(file_.number())) fail(shown_, errno);
+  }
+  void name() {
+    if (!has_name()) link();
+    if (!file_.close()) fail(shown_, errno);
   }
   void keep_as(const fs::path& path) {
-    if (::rename(path_.c_str(), path.c_str()) != 0) fail(shown_, errno);
+    if (::rename(name_.c_str(), path.c_str()) != 0) fail(shown_, errno);
     kept_ = true;
   }
 
  private:
-  // Its mode is what the user's umask leaves of 0666. The number tells apart drafts of one process.
-  int create(const fs::path& folder) {
+  // Owner and permissions of the file that is replaced. Only root can give a file away; the owner is then whoever
+  // writes it.
+  void take_after(const struct stat& old) {
+    if (::fchown(file_.number(), old.st_uid, old.st_gid) != 0 && errno != EPERM) fail(shown_, errno);
+    if (::fchmod(file_.number(), old.st_mode & 0777) != 0) fail(shown_, errno);
+  }
+
+  // Modes are what the user's umask leaves of 0666.
+  int create() {
+    const int opened = nameless();
+    return opened < 0 ? named() : opened;
+  }
+  int nameless() const {
+    if (::access("/proc/self/fd", X_OK) != 0) return -1;  // it gets its name through there
+    return ::open(folder_.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+  }
+  int named() {
+    int opened = -1;
+    try_names([&](const fs::path& path) {
+      opened = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
+      return opened >= 0;
+    });
+    return opened;
+  }
+  void link() {
+    const std::string here = fmt::format("/proc/self/fd/{}", file_.number());
+    try_names([&](const fs::path& path) {
+      return ::linkat(AT_FDCWD, here.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    });
+  }
+  // Temporary names that nothing has yet. The number tells apart drafts of one process.
+  template <class Take>
+  void try_names(Take take) {
     static std::atomic<unsigned> count = 0;
     for (int attempt = 0; attempt < 1000; ++attempt) {
-      path_ = folder / fmt::format(".epure-{}-{}.part", ::getpid(), ++count);
-      const int opened = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
-      if (opened >= 0) return opened;
+      const fs::path path = folder_ / fmt::format(".epure-{}-{}.part", ::getpid(), ++count);
+      if (take(path)) {
+        name_ = path;
+        return;
+      }
       if (errno != EEXIST) break;
     }
     fail(shown_, errno);
   }
 
+  fs::path folder_;
   std::string shown_;
-  fs::path path_;
+  fs::path name_;
   Descriptor file_;
   bool kept_ = false;
 };
+
+// Drafts without a name stay open until they get one: as many as the system lets us have.
+void allow_open_files(std::size_t count) {
+  rlimit limit = {};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || count + 64 < limit.rlim_cur) return;
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &limit);
+}
 
 // So that the new name survives a power cut. Best effort: the file itself is already safe.
 void sync_folder(const fs::path& folder) {
@@ -162,10 +232,11 @@ void sync_folder(const fs::path& folder) {
   if (opened.number() >= 0) sync(opened.number());
 }
 
-// A draft filled for its place.
+// A draft for its place.
 struct Pending {
   std::unique_ptr<Draft> draft;
   fs::path target;
+  std::optional<struct stat> old;  // what it is to replace
 };
 
 // Nothing for what is written in place; throws for what cannot become a file.
@@ -184,9 +255,7 @@ std::optional<Pending> begin(const File& file) {
 
   const fs::path target = behind_links(path), folder = folder_of(target);
   make_folder(folder, shown);
-  Pending pending{std::make_unique<Draft>(folder, shown), target};
-  pending.draft->fill(file.bytes, exists ? &old : nullptr);
-  return pending;
+  return Pending{std::make_unique<Draft>(folder, shown), target, exists ? std::optional(old) : std::nullopt};
 }
 
 void write_special(const File& file) {
@@ -199,22 +268,40 @@ void write_special(const File& file) {
 void write_whole(const std::vector<File>& files) {
   const Timed timed(Work::files);
   const SignalsAsErrors guard;
+  allow_open_files(files.size());
+  std::optional<SignalsLater> undisturbed;  // while something has, or may get, a name that must not stay
+  bool any_name = false;
   std::vector<Pending> drafts;
   std::vector<const File*> special;
   for (const File& file : files) {
-    if (std::optional<Pending> pending = begin(file))
-      drafts.push_back(std::move(*pending));
-    else
+    if (!undisturbed) undisturbed.emplace();
+    std::optional<Pending> pending = begin(file);
+    any_name = any_name || (pending && pending->draft->has_name());
+    if (!any_name) undisturbed.reset();
+    if (!pending) {
       special.push_back(&file);
+      continue;
+    }
+    pending->draft->fill(file.bytes, pending->old);
+    drafts.push_back(std::move(*pending));
   }
   for (const Pending& each : drafts) each.draft->secure();
+  if (!undisturbed) undisturbed.emplace();
+  for (const Pending& each : drafts) each.draft->name();
   std::set<fs::path> folders;
   for (const Pending& each : drafts) {
     each.draft->keep_as(each.target);
     folders.insert(folder_of(each.target));
   }
   for (const fs::path& folder : folders) sync_folder(folder);
+  undisturbed.reset();
   for (const File* file : special) write_special(*file);
+}
+
+void demand_writable(const fs::path& folder) {
+  const SignalsLater undisturbed;
+  make_folder(folder, folder.string());
+  const Draft trial(folder, folder.string());
 }
 
 void write_whole(const fs::path& path, std::string_view bytes) {

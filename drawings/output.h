@@ -22,8 +22,9 @@ std::vector<std::string> overlaps(const Sheet& sheet);
 struct CannotWrite : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-// The whole file or none: written beside `path` under a temporary name, synced, renamed. An older file stays until
-// the new one is complete. "-" is standard output. Throws CannotWrite with path and reason.
+// The whole file or none: written without a name in the folder of `path`, synced, named and renamed. An older file stays
+// until the new one is complete; the new one has its permissions and, as far as the system allows, its owner. Another
+// hard link to the older file keeps the older bytes. "-" is standard output. Throws CannotWrite with path and reason.
 void write_whole(const std::filesystem::path& path, std::string_view bytes);
 
 struct File {
@@ -33,5 +34,8 @@ struct File {
 // The same for each of them. None is renamed before all are written and synced, so that a full disk leaves the old
 // ones; what is no ordinary file (a device, standard output) is written last.
 void write_whole(const std::vector<File>& files);
+
+// Makes `folder` if it is missing. Throws CannotWrite, as writing a file there would; leaves no trace in it.
+void demand_writable(const std::filesystem::path& folder);
 
 }  // namespace epure::drawings

@@ -25,19 +25,6 @@ double seconds_of(const Options& options) {
   throw WrongUsage(fmt::format("--seconds {}: must be positive and at most 3600 s", options.seconds));
 }
 
-// Where the sheets go. Made before anything is measured: a minute's work is not to be lost for a folder.
-std::filesystem::path make_folder(const Options& options) {
-  const std::filesystem::path folder = options.folder.value_or("out");
-  std::error_code error, ignored;
-  std::filesystem::create_directories(folder, error);
-  if (error && !std::filesystem::is_directory(folder, ignored))
-    throw drawings::CannotWrite(fmt::format("cannot write to the folder {}: {}", folder.string(), error.message()));
-  const std::filesystem::path trial = folder / ".epure-bench";
-  drawings::write_whole(trial, "");
-  std::filesystem::remove(trial, ignored);
-  return folder;
-}
-
 std::vector<drawings::File> files_of(const bench::Report& report, const std::filesystem::path& folder,
                                      const Options& options) {
   const std::vector<drawings::Sheet> sheets =
@@ -60,7 +47,8 @@ std::string benchmark(const Catalogue& exercises, const Options& options, std::o
   language(options);
   sheet_request(options);
   const double seconds = seconds_of(options);
-  const std::filesystem::path folder = make_folder(options);
+  const std::filesystem::path folder = options.folder.value_or("out");
+  drawings::demand_writable(folder);  // a minute's work is not to be lost for a folder
   const bench::Report report = bench::run_bench(exercises, seconds, [&](const std::string& what) {
     err << "epure: measuring " << what << '\n' << std::flush;
   });

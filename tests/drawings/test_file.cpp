@@ -26,13 +26,14 @@ namespace {
 struct Fault {
   std::string call;         // "write", "fsync", ...; empty: none
   int after = 0;            // so many calls succeed first
-  int error = 0;            // errno; 0: the process is killed instead
+  int error = 0;            // errno; 0: the signal instead
   std::size_t at_most = 0;  // write takes no more bytes at once; 0: all
+  int signal = SIGKILL;
 } fault;
 
 bool strikes(const char* call) {
   if (fault.call != call || fault.after-- > 0) return false;
-  if (fault.error == 0) raise(SIGKILL);
+  if (fault.error == 0) return raise(fault.signal) != 0;
   errno = fault.error;
   return true;
 }
@@ -56,6 +57,10 @@ int __wrap_close(int file) {
 }
 int __real_rename(const char*, const char*);
 int __wrap_rename(const char* from, const char* to) { return strikes("rename") ? -1 : __real_rename(from, to); }
+int __real_linkat(int, const char*, int, const char*, int);
+int __wrap_linkat(int in, const char* from, int to_in, const char* to, int flags) {
+  return strikes("linkat") ? -1 : __real_linkat(in, from, to_in, to, flags);
+}
 int __real_fchmod(int, mode_t);
 int __wrap_fchmod(int file, mode_t mode) { return strikes("fchmod") ? -1 : __real_fchmod(file, mode); }
 }
@@ -231,6 +236,7 @@ TEST_CASE("whatever fails, the old file is unharmed and nothing is left beside i
                                                         {{"fsync", 0, ENOSPC}, "No space left"},
                                                         {{"close", 0, ENOSPC}, "No space left"},
                                                         {{"fchmod", 0, EPERM}, "not permitted"},
+                                                        {{"linkat", 0, ENOSPC}, "No space left"},
                                                         {{"rename", 0, EACCES}, "Permission denied"}}) {
     CAPTURE(injected.call, injected.after, injected.error);
     const Folder folder;
@@ -264,19 +270,87 @@ TEST_CASE("short writes and interruptions are no failure") {
   }
 }
 
-TEST_CASE("killed in the middle of writing, the old file is whole") {
-  const Folder folder;
-  put(folder / "drawing.pdf", old_bytes);
-  for (const Fault& kill : {Fault{"write", 2, 0, 1000}, Fault{"fsync", 0, 0}, Fault{"rename", 0, 0}}) {
+TEST_CASE("killed at any moment, the old file or the new one is whole, and up to the renaming nothing is left") {
+  for (const Fault& kill : {Fault{"write", 2, 0, 1000}, Fault{"fsync", 0}, Fault{"linkat", 0}, Fault{"rename", 0}}) {
+    CAPTURE(kill.call);
+    const Folder folder;
+    put(folder / "drawing.pdf", old_bytes);
     CHECK(in_child([&] {
             fault = kill;
             return refusal(folder / "drawing.pdf", new_bytes);
           }) == "killed by signal " + std::to_string(SIGKILL));
     CHECK(contents(folder / "drawing.pdf") == old_bytes);
+    CHECK(folder.entries() == (kill.call == "rename" ? 2 : 1));
+    // What the killed one left does not stand in the way.
+    write_whole(folder / "drawing.pdf", new_bytes);
+    CHECK(contents(folder / "drawing.pdf") == new_bytes);
   }
-  // What the killed ones left does not stand in the way.
+}
+
+// Also where drafts have names from the beginning, as without /proc.
+TEST_CASE("interrupted at any moment, nothing is left, and no file is replaced without the others") {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
+    for (const bool names : {false, true})
+      for (const char* call : {"write", "fsync", "linkat", "close", "rename"})
+        for (const int after : {0, 1, 2, 3}) {
+          if (names && call == std::string_view("linkat")) continue;
+          CAPTURE(signal, names, call, after);
+          const Folder folder;
+          std::vector<File> files;
+          for (const char* name : {"a.svg", "b.svg", "c.svg"}) {
+            put(folder / name, old_bytes);
+            files.push_back({folder / name, new_bytes});
+          }
+          const std::string ended = in_child([&]() -> std::string {
+            if (names &&
+                (unshare(CLONE_NEWNS) != 0 || mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+                 mount("tmpfs", "/proc", "tmpfs", 0, "size=64k") != 0))
+              return "cannot mount";
+            fault = {call, after, 0, 100'000, signal};
+            write_whole(files);
+            return "not interrupted";
+          });
+          if (ended == "cannot mount") continue;
+          CHECK((ended == "killed by signal " + std::to_string(signal) || ended == "not interrupted"));
+          CHECK(folder.entries() == 3);
+          for (const File& file : files) CHECK(contents(file.path) == contents(files.front().path));
+        }
+}
+
+TEST_CASE("a file that is replaced keeps its owner where the system allows it") {
+  const Folder folder;
+  put(folder / "drawing.pdf", old_bytes);
+  if (geteuid() != 0) return;  // only root can give files away
+  REQUIRE(chown((folder / "drawing.pdf").c_str(), 12345, 54321) == 0);
+  REQUIRE(chmod((folder / "drawing.pdf").c_str(), 0640) == 0);
   write_whole(folder / "drawing.pdf", new_bytes);
-  CHECK(contents(folder / "drawing.pdf") == new_bytes);
+  struct stat found;
+  REQUIRE(stat((folder / "drawing.pdf").c_str(), &found) == 0);
+  CHECK(found.st_uid == 12345);
+  CHECK(found.st_gid == 54321);
+  CHECK(mode(folder / "drawing.pdf") == 0640);
+}
+
+TEST_CASE("more files at once than may be open by default") {
+  const Folder folder;
+  CHECK(in_child([&]() -> std::string {
+          const rlimit few{40, 400};
+          if (setrlimit(RLIMIT_NOFILE, &few) != 0) return "cannot limit";
+          std::vector<File> files;
+          for (int i = 0; i < 100; ++i) files.push_back({folder / std::to_string(i), "x"});
+          write_whole(files);
+          return "good";
+        }) == "good");
+  CHECK(folder.entries() == 100);
+}
+
+TEST_CASE("whether a folder takes files is found out without a trace") {
+  const Folder folder;
+  demand_writable(folder / "new" / "deep");
+  CHECK(fs::is_empty(folder / "new" / "deep"));
+  put(folder / "file", "x");
+  CHECK_THROWS_AS(demand_writable(folder / "file"), CannotWrite);
+  CHECK_THROWS_AS(demand_writable("/proc/nowhere"), CannotWrite);
 }
 
 TEST_CASE("a file that happens to have the temporary name is not touched") {
