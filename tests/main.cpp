@@ -1,4 +1,5 @@
 // The main function of every test program.
-#define CATCH_CONFIG_MAIN
-#define CATCH_CONFIG_ENABLE_BENCHMARKING  // must be set here too, or BENCHMARK in a test does not link
-#include <catch2/catch.hpp>
+#define CATCH_CONFIG_RUNNER  // Catch2 2 is compiled here; version 3 is a library
+#include "tests/support/catch.h"
+
+int main(int argc, char* argv[]) { return Catch::Session().run(argc, argv); }

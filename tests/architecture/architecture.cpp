@@ -1,7 +1,6 @@
 // Who may include whom. Arrows go exercises -> geometry and exercises -> drawings, and nowhere else; the analytic
 // route shares no code with the constructions it checks; one file sees Cairo; CGAL is used only where it is LGPL.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tests/support/catch.h"
 
 namespace {
 
@@ -36,6 +37,8 @@ bool is_cairo(std::string_view header) { return starts_with_any(header, {"cairo"
 // Why `file` may not include `header`, both as paths from the root where they are ours; empty when it may.
 std::string objection(std::string_view file, std::string_view header) {
   if (header.starts_with("CGAL/Circular_kernel_2")) return "CGAL's circular kernel is GPL";
+  if (header.starts_with("catch2/") && file != "tests/support/catch.h")
+    return "tests/support/catch.h includes Catch2, whichever of its versions is there";
 
   if (file.starts_with("geometry/")) {
     if (starts_with_any(header, {"drawings/", "exercises/"})) return "geometry knows neither drawings nor exercises";
@@ -246,6 +249,9 @@ TEST_CASE("each rule objects to what it forbids and to nothing else") {
       {"exercises/four-bar/figure.cpp", "exercises/bench/families.h", false},
       {"exercises/main.cpp", "exercises/cli.h", true},
       {"tests/geometry/pole.cpp", "CGAL/Circular_kernel_2.h", false},
+      {"tests/geometry/pole.cpp", "tests/support/catch.h", true},
+      {"tests/geometry/pole.cpp", "catch2/catch.hpp", false},
+      {"tests/support/catch.h", "catch2/catch_all.hpp", true},
       {"geometry/constructions/circle.h", "CGAL/Circular_kernel_2/Circle_2.h", false},
   };
   for (const auto& [file, header, allowed] : examples) {

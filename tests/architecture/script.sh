@@ -28,7 +28,7 @@ stand_in() { # stand_in NAME COMMAND: notes its call, then does COMMAND
   chmod +x "$tools/$1"
 }
 # shellcheck disable=SC2016  # the stand-in expands it
-everything_installed='case $2 in *Status*) ;; *) exit ;; esac
+everything_installed='case $2 in *Status*) ;; *Version*) echo "${flint-3.1.3-1}"; exit ;; *) exit ;; esac
 for p; do case $p in -*) ;; *) printf "%s=installed " "$p" ;; esac; done'
 stand_in dpkg-query "$everything_installed"
 stand_in cmake 'echo noise; echo noise >&2'
@@ -100,17 +100,29 @@ expect 'a failing build exits with 2' 2 $?
 stand_in cmake ''
 
 # Packages.
+installs() { sed -n 's/^apt-get .*install -y --no-install-recommends //p' "$calls"; }
 stand_in dpkg-query "$everything_installed | sed 's/catch2=installed/catch2=config-files/; s/libfmt-dev=installed//'"
 forget_calls
 "$checkout/epure" check > /dev/null 2>&1
-expect 'what is missing is installed, and only that' 'libfmt-dev catch2' \
-  "$(sed -n 's/^apt-get .*install -y --no-install-recommends //p' "$calls")"
+expect 'what is missing is installed, and nothing for the tests alone' 'libfmt-dev' "$(installs)"
 expect 'with sudo' 2 "$(grep -c '^sudo' "$calls")"
+expect 'and no tests are asked for' 0 "$(grep -c 'BUILD_TESTING=ON' "$calls")"
+forget_calls
+"$checkout/epure" test > /dev/null 2>&1
+expect 'the tests install what they need' 'libfmt-dev catch2' "$(installs)"
+expect 'and are asked for' 1 "$(grep -c '^cmake .*-DBUILD_TESTING=ON' "$calls")"
+stand_in dpkg-query "$everything_installed | sed 's/libcalcium-dev=installed//'"
+forget_calls
+"$checkout/epure" test > /dev/null 2>&1
+expect 'FLINT 3 stands alone' '' "$(installs)"
+flint=2.9.0-5 "$checkout/epure" test > /dev/null 2>&1
+expect 'FLINT 2 needs its companions' 'libcalcium-dev' "$(installs)"
+stand_in dpkg-query "$everything_installed | sed 's/libfmt-dev=installed//'"
 stand_in apt-get 'exit 100'
 rm -f "$checkout/build/epure-built"
 "$checkout/epure" check > messages 2>&1
 expect 'a failing installation exits with 2' 2 $?
-expect 'and names the packages' 'epure: apt-get could not install: libfmt-dev catch2' "$(tail -n 1 messages)"
+expect 'and names the packages' 'epure: apt-get could not install: libfmt-dev' "$(tail -n 1 messages)"
 
 # Tests.
 stand_in dpkg-query "$everything_installed"

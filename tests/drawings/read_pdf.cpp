@@ -1,11 +1,11 @@
 #include "read_pdf.h"
+#include "tests/support/catch.h"
 
 #include <poppler-page-renderer.h>
 #include <poppler-page.h>
 #include <zlib.h>
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <regex>
 #include <sstream>
 

@@ -2,7 +2,6 @@
 // nothing.
 #include "drawings/chart.h"
 
-#include <catch2/catch.hpp>
 #include <random>
 #include <set>
 
@@ -10,11 +9,10 @@
 #include "drawings/output.h"
 #include "drawings/ticks.h"
 #include "tests/drawings/probe.h"
+#include "tests/support/catch.h"
 #include "tests/support/read_svg.h"
 
 using namespace epure::drawings;
-using Catch::Matchers::Contains;
-using Catch::Matchers::StartsWith;
 
 namespace {
 

@@ -1,6 +1,4 @@
 // A composed sheet: everything in its place, on both papers and in both languages.
-#include <catch2/catch.hpp>
-
 #include "drawings/clip.h"
 #include "drawings/column.h"
 #include "drawings/ink.h"
@@ -9,6 +7,7 @@
 #include "drawings/page.h"
 #include "drawings/words.h"
 #include "tests/drawings/probe.h"
+#include "tests/support/catch.h"
 
 using namespace epure::drawings;
 
@@ -163,17 +162,17 @@ TEST_CASE("bad numbers are refused by name") {
       Sheet sheet = example(Paper::a4, Language::english);
       sheet.figure.marks.push_back(mark);
       INFO("mark kind " << mark.index() << " with " << bad);
-      CHECK_THROWS_WITH(compose(sheet), Catch::Contains("(mark 9): "));
+      CHECK_THROWS_WITH(compose(sheet), Contains("(mark 9): "));
       CHECK_THROWS_AS(compose(sheet), std::invalid_argument);
     }
     Sheet sheet = example(Paper::a4, Language::english);
     sheet.figure.labels.push_back({"Q", {bad, 0}});
-    CHECK_THROWS_WITH(compose(sheet), Catch::Contains("label 'Q'"));
+    CHECK_THROWS_WITH(compose(sheet), Contains("label 'Q'"));
     sheet.figure.labels.back() = {"Q", good, Point{0, bad}};
-    CHECK_THROWS_WITH(compose(sheet), Catch::Contains("label 'Q'"));
+    CHECK_THROWS_WITH(compose(sheet), Contains("label 'Q'"));
     sheet.figure.labels.pop_back();
     sheet.figure.steps.push_back({9, {bad, 0}});
-    CHECK_THROWS_WITH(compose(sheet), Catch::Contains("step 9"));
+    CHECK_THROWS_WITH(compose(sheet), Contains("step 9"));
   }
 }
 

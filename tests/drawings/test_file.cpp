@@ -9,16 +9,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <cerrno>
 #include <fstream>
 #include <functional>
 #include <sstream>
 
 #include "drawings/output.h"
+#include "tests/support/catch.h"
 
 using namespace epure::drawings;
-using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
 // The linker sends the calls of the program through here (--wrap).

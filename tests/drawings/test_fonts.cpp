@@ -1,14 +1,13 @@
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 
 #include "drawings/font_folder.h"
 #include "drawings/pango_fonts.h"
 #include "drawings/text.h"
+#include "tests/support/catch.h"
 
 using namespace epure::drawings;
-using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
 namespace {

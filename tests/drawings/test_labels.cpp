@@ -1,5 +1,4 @@
 // Labels touch neither lines nor each other; where that is impossible, it is said.
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <random>
 
@@ -7,6 +6,7 @@
 #include "drawings/output.h"
 #include "drawings/page.h"
 #include "tests/drawings/probe.h"
+#include "tests/support/catch.h"
 
 using namespace epure::drawings;
 

@@ -1,10 +1,9 @@
 // Arrows and kinematic symbols have the sizes and places they promise.
-#include <catch2/catch.hpp>
-
 #include "drawings/output.h"
 #include "drawings/page.h"
 #include "drawings/symbols.h"
 #include "tests/drawings/probe.h"
+#include "tests/support/catch.h"
 
 using namespace epure::drawings;
 

@@ -1,12 +1,11 @@
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "drawings/rich_text.h"
 #include "drawings/typeset.h"
 #include "drawings/vectors.h"
+#include "tests/support/catch.h"
 
 using namespace epure::drawings;
-using Catch::Matchers::Contains;
 
 namespace {
 

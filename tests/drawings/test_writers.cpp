@@ -2,7 +2,6 @@
 #include <poppler-page.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <clocale>
 #include <locale>
 #include <random>
@@ -13,10 +12,10 @@
 #include "drawings/typeset.h"
 #include "drawings/vectors.h"
 #include "read_pdf.h"
+#include "tests/support/catch.h"
 #include "tests/support/read_svg.h"
 
 using namespace epure::drawings;
-using Catch::Matchers::Contains;
 
 namespace {
 
@@ -133,7 +132,7 @@ TEST_CASE("the PDF has pages of the right size, its title, no author and no date
   }
   const poppler::byte_array title = document->info_key("Title").to_utf8();
   CHECK(std::string(title.begin(), title.end()) == "Slider-crank – è <title>");
-  CHECK_THAT(document->info_key("Creator").to_latin1(), Catch::StartsWith("epure "));
+  CHECK_THAT(document->info_key("Creator").to_latin1(), StartsWith("epure "));
   CHECK(document->info_key("Author").empty());
   CHECK(bytes.find("CreationDate") == bytes.npos);
   CHECK(bytes.find("ModDate") == bytes.npos);

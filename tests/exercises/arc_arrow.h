@@ -1,11 +1,11 @@
 // The arc arrow of a crank: clear of the crank and of the hatched support it turns in.
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "exercises/kit/exercise.h"
+#include "tests/support/catch.h"
 
 namespace epure::tests {
 

@@ -1,7 +1,6 @@
 // The cases of the four-bar corpus whose frame lies on +x, as givens of exercises N.10 and N.11.
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "exercises/cli/run.h"
 #include "exercises/kit/checked.h"
 #include "geometry/numbers/given.h"
+#include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 
 namespace epure::tests {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,6 +14,7 @@
 #include "exercises/cli/catalogue.h"
 #include "exercises/kit/checked.h"
 #include "geometry/numbers/given.h"
+#include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 #include "tests/support/read_svg.h"
 

@@ -1,8 +1,7 @@
 // Independent jobs on all processors: all run, in any order; the first failure comes through; nothing is left behind.
 #include "exercises/cli/abreast.h"
 #include "geometry/numbers/numbers.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <latch>
 #include <stdexcept>

@@ -1,10 +1,10 @@
 // The exercises the build found are those in the folders, under the folders' names, and fit together.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <set>
 
 #include "exercises/kit/checked.h"
+#include "tests/support/catch.h"
 
 using namespace epure;
 

@@ -1,10 +1,10 @@
 // A whole exercise checked: what must fail fails, and for the reason given.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
 #include "exercises/kit/checked.h"
 #include "tests/exercises/fake.h"
+#include "tests/support/catch.h"
 
 using namespace epure;
 

@@ -1,10 +1,10 @@
 // Every verb, every exit code.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
 
 #include "tests/exercises/run.h"
+#include "tests/support/catch.h"
 
 using namespace epure;
 

@@ -1,9 +1,8 @@
 // Givens as a user may type them.
-#include <catch2/catch.hpp>
-
 #include "exercises/kit/givens.h"
 #include "exercises/kit/suggest.h"
 #include "tests/exercises/fake.h"
+#include "tests/support/catch.h"
 
 using namespace epure;
 
@@ -108,6 +107,6 @@ TEST_CASE("a given of words takes one of them and nothing else") {
   CHECK(givens.text("branch") == "left");
   CHECK_FALSE(givens.as_stated());
   for (const char* wrong : {"branch=", "branch=up", "branch=0", "branch=Left"}) {
-    CHECK_THROWS_WITH(givens.set(wrong), Catch::Contains("must be left or right"));
+    CHECK_THROWS_WITH(givens.set(wrong), Contains("must be left or right"));
   }
 }

@@ -1,9 +1,9 @@
 // check --json against its schema, epure.check/1.
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "tests/exercises/run.h"
+#include "tests/support/catch.h"
 
 using namespace epure;
 using nlohmann::json;

@@ -1,8 +1,8 @@
 // Vector polygons: what of them is drawn at each stage, what is measured, and how they are told.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "exercises/kit/polygon.h"
+#include "tests/support/catch.h"
 
 using namespace epure;
 

@@ -1,5 +1,4 @@
 // The slider-crank's numbers: complete, certain, by two routes, and those of a corpus that shares no code with them.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -8,6 +7,7 @@
 
 #include "geometry/numbers/given.h"
 #include "tests/exercises/slider_crank_cases.h"
+#include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 
 using namespace epure;

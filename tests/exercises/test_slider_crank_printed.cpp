@@ -1,8 +1,7 @@
 // The source's own numbers: what is rounding, what is reading, and mistakes that evaluate to what was printed.
-#include <catch2/catch.hpp>
-
 #include "exercises/kit/verdict.h"
 #include "tests/exercises/slider_crank_cases.h"
+#include "tests/support/catch.h"
 
 using namespace epure;
 using namespace epure::tests;

@@ -1,6 +1,5 @@
 // The slider-crank's sheets: all of them are drawn whatever is given, and the files measured back give the
 // quantities.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -9,6 +8,7 @@
 #include "drawings/output.h"
 #include "tests/exercises/arc_arrow.h"
 #include "tests/exercises/slider_crank_cases.h"
+#include "tests/support/catch.h"
 #include "tests/support/read_svg.h"
 
 using namespace epure;

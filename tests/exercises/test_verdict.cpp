@@ -1,5 +1,4 @@
 // Printed numbers judged by rule, and the numbers as they stand in print.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
@@ -7,6 +6,7 @@
 #include "exercises/kit/verdict.h"
 #include "geometry/numbers/given.h"
 #include "tests/exercises/fake.h"
+#include "tests/support/catch.h"
 
 using namespace epure;
 

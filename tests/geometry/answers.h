@@ -3,9 +3,8 @@
 #pragma once
 
 #include "geometry/analytic/plane_motion.h"
+#include "tests/support/catch.h"
 #include "tests/support/corpus.h"
-
-#include <catch2/catch.hpp>
 
 #include <functional>
 #include <map>

@@ -1,8 +1,7 @@
 // The analytic route against references that were differentiated numerically from positions (tests/corpus).
 #include "tests/geometry/answers_against_corpus.h"
 #include "tests/geometry/slider_crank_answers.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,8 +1,7 @@
 // Closed formulas for lines and circles: by hand-made figures with rational answers, exactly.
 #include "geometry/analytic/circles.h"
 #include "geometry/analytic/plane_motion.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 namespace epure::geometry::analytic {
 namespace {

@@ -1,8 +1,7 @@
 // Functions whose terms cancel keep their relative accuracy. (Their values: the hard corpus, tests/exercises/bench.)
-#include <catch2/catch.hpp>
-
 #include "geometry/analytic/cancelling.h"
 #include "geometry/numbers/enclosure.h"
+#include "tests/support/catch.h"
 
 namespace epure::tests {
 

@@ -2,8 +2,7 @@
 // (tests/corpus/change_points.txt), in the positions that fold, and in those that cannot move.
 #include "geometry/mechanisms/change_point.h"
 #include "tests/geometry/four_bar_cases.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cstdio>
 

@@ -1,7 +1,6 @@
 // Which number answers, and what it may say.
 #include "geometry/numbers/climb.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cmath>
 #include <limits>
@@ -213,7 +212,7 @@ TEST_CASE("A run that throws Undecided as a whole leaves the question to the nex
   require_point(settled[0], 0, "Exact");
   // Only Exact could run the scene, and its values are never used.
   CHECK(settled[1].kind == Kind::undecided);
-  CHECK_THAT(settled[1].reason, Catch::Contains("which branch"));
+  CHECK_THAT(settled[1].reason, Contains("which branch"));
 }
 
 TEST_CASE("A scene that no number can run throws Undecided") {

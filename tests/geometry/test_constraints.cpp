@@ -3,8 +3,7 @@
 #include "geometry/analytic/constraints.h"
 #include "tests/geometry/four_bar_answers.h"
 #include "tests/geometry/reference.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,8 +1,7 @@
 // Ruler, set square and compasses: one body for every number. Expected values are those of 3-4-5 triangles, or worked
 // out by hand beside the test.
 #include "tests/geometry/every_number.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <array>
 

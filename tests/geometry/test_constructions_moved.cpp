@@ -2,8 +2,7 @@
 // random figures, close to contact, the constructions agree with the closed formulas of geometry/analytic.
 #include "geometry/analytic/circles.h"
 #include "tests/geometry/every_number.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,9 +1,8 @@
 // What is left of the path of contact, against flanks computed apart (tests/corpus/make_tooth_outlines.py).
-#include <catch2/catch.hpp>
-
 #include "geometry/gears/contact_path.h"
 #include "geometry/gears/faults.h"
 #include "geometry/numbers/enclosure.h"
+#include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 
 #include <cmath>

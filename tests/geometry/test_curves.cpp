@@ -1,6 +1,4 @@
 // Tracing: the proved deviation is true and not silly, nothing is joined across infinity, what is left out is stated.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 #include "geometry/curves/hermite.h"
 #include "geometry/curves/polodes.h"
 #include "geometry/curves/trace.h"
+#include "tests/support/catch.h"
 
 using namespace epure::geometry;
 

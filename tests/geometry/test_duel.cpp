@@ -3,8 +3,7 @@
 //
 // EPURE_SEED=n repeats a run or tries another.
 #include "geometry/numbers/numbers.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cstdio>
 #include <cstdlib>

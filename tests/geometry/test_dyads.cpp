@@ -3,8 +3,7 @@
 #include "geometry/mechanisms/dyad.h"
 #include "tests/geometry/every_number.h"
 #include "tests/geometry/reference.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cstdio>
 

@@ -1,8 +1,7 @@
 // The four-bar as it is constructed - compasses, the polar diagrams of its dyad, the method of poles with
 // Euler-Savary - against references differentiated numerically from positions (tests/corpus/four_bar.txt).
 #include "tests/geometry/four_bar_cases.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cstdio>
 

@@ -2,8 +2,7 @@
 // what can be seen without any computation.
 #include "tests/geometry/answers_against_corpus.h"
 #include "tests/geometry/four_bar_answers.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cmath>
 #include <cstdio>

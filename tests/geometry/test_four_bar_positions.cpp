@@ -2,8 +2,7 @@
 // worked out by hand, and the questions put to positions that hit, or miss by 1e-9, 1e-15 and 1e-30.
 #include "geometry/mechanisms/four_bar_questions.h"
 #include "tests/geometry/four_bar_cases.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cstdio>
 
@@ -193,7 +192,6 @@ TEMPLATE_TEST_CASE("positions: a flat triangle is one position for both branches
 }
 
 TEST_CASE("positions: what equal bars leave open is said", "[four-bar-positions]") {
-  using Catch::Matchers::Contains;
   const Arithmetic<Exact> tower;
   // Parallelogram, equal cranks; crank and coupler equal with and without the rocker reaching A0; the same at B0.
   CHECK_THROWS_WITH(parallel_position<Exact>(on_x(3, 5, 3, 5), Sense::same, Side::left), Contains("every position"));

@@ -2,8 +2,7 @@
 // and change points, also where they lie between two directions, or are missed by 1e-30.
 #include "geometry/mechanisms/four_bar_sweep.h"
 #include "tests/geometry/four_bar_cases.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 namespace epure::tests {
 namespace {
@@ -42,7 +41,7 @@ TEST_CASE("sweep: limit positions between two directions", "[sweep]") {
   const FourBarLengths of = on_x(25, 14, 15, 36);
   check_stretches(of, turns(0, 72, 72), {{0, 10, Obstacle::limit}, {62, 72, Obstacle::none}});
   check_stretches(of, turns(-10, 10, 72), {{0, 20, Obstacle::none}});
-  CHECK_THROWS_WITH(side_throughout(of, turns(0, 20, 72), Side::left), Catch::Matchers::Contains("limit"));
+  CHECK_THROWS_WITH(side_throughout(of, turns(0, 20, 72), Side::left), Contains("limit"));
   CHECK_THROWS_AS(side_throughout(of, turns(12, 15, 72), Side::left), Impossible);
   // A coarse sweep steps over a gap: both directions close, what is between them does not.
   check_stretches(of, {Turn{{-5, 36}}, Turn{{5, 36}}}, {{0, 1, Obstacle::none}});  // through the frame
@@ -75,7 +74,7 @@ TEST_CASE("sweep: change points, at a direction, between two, and missed", "[swe
   std::vector<CrankDirection> clockwise = turns(0, 13, 13);
   std::reverse(clockwise.begin(), clockwise.end());
   check_stretches(of, clockwise, {{0, 6, Obstacle::change_point}, {7, 13, Obstacle::none}});
-  CHECK_THROWS_WITH(side_throughout(of, turns(0, 13, 13), Side::left), Catch::Matchers::Contains("change point"));
+  CHECK_THROWS_WITH(side_throughout(of, turns(0, 13, 13), Side::left), Contains("change point"));
   CHECK(side_throughout(of, turns(-6, 6, 13), Side::left) == Side::left);
   // Two of them in a parallelogram, and the nearer one at the start.
   check_stretches(on_x(3, 5, 3, 5), turns(-1, 12, 12),

@@ -1,6 +1,4 @@
 // Pairs of involute gears, constructed and by formulas, held against a corpus that knows the generating rack only.
-#include <catch2/catch.hpp>
-
 #include "geometry/analytic/gear_limits.h"
 #include "geometry/gears/faults.h"
 #include "geometry/gears/limits.h"
@@ -8,6 +6,7 @@
 #include "geometry/gears/tooth_thickness.h"
 #include "tests/geometry/every_number.h"
 #include "tests/geometry/reference.h"
+#include "tests/support/catch.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,7 +1,6 @@
 // Givens are read exactly or refused in one sentence.
 #include "geometry/numbers/given.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 using namespace epure::geometry;
 
@@ -126,9 +125,9 @@ TEST_CASE("Bad givens are refused: the text, what is wrong, what would be accept
       FAIL_CHECK("accepted");
     } catch (const BadGiven& refusal) {
       const std::string message = refusal.what();
-      CHECK_THAT(message, Catch::StartsWith("\"" + std::string(row.text) + "\""));
-      CHECK_THAT(message, Catch::Contains(row.complaint));
-      CHECK_THAT(message.substr(message.rfind("; write")), Catch::Contains(row.accepted));
+      CHECK_THAT(message, StartsWith("\"" + std::string(row.text) + "\""));
+      CHECK_THAT(message, Contains(row.complaint));
+      CHECK_THAT(message.substr(message.rfind("; write")), Contains(row.accepted));
       CHECK(message.find('\n') == std::string::npos);
     }
   }

@@ -1,8 +1,7 @@
 // Grashof's class and who turns fully: textbook linkages, integer ones on the borders, ones that miss a border by
 // 1e-30, and the class against a search through all small linkages.
 #include "tests/geometry/four_bar_cases.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cstdio>
 #include <set>

@@ -3,8 +3,7 @@
 #include "geometry/mechanisms/four_bar.h"
 #include "geometry/motion/instant_centres.h"
 #include "tests/geometry/every_number.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 namespace epure::tests {
 namespace {

@@ -1,9 +1,8 @@
 // The involute function and its inverse, by both routes, held against 40 digits from outside.
-#include <catch2/catch.hpp>
-
 #include "geometry/analytic/involute.h"
 #include "geometry/gears/involute.h"
 #include "tests/geometry/reference.h"
+#include "tests/support/catch.h"
 
 using namespace epure::geometry;
 using namespace epure::tests;

@@ -1,8 +1,7 @@
 // The flanks mesh: over a whole cycle the drawn outlines never meet and are never farther apart than both tolerances.
-#include <catch2/catch.hpp>
-
 #include "geometry/gears/faults.h"
 #include "geometry/gears/mesh_check.h"
+#include "tests/support/catch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,7 @@
 #include "geometry/numbers/numbers.h"
 #include "geometry/numbers/threads.h"
 #include "tests/support/aborts.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <sys/resource.h>
 #include <unistd.h>

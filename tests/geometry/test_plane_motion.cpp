@@ -4,8 +4,7 @@
 #include "geometry/mechanisms/slider_crank.h"
 #include "geometry/motion/plane_motion.h"
 #include "tests/geometry/every_number.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cstdio>
 

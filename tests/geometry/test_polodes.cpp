@@ -1,9 +1,8 @@
 // Polodes and coupler curves by transport: exact statements about positions, derivatives included.
-#include <catch2/catch.hpp>
-
 #include "geometry/curves/polodes.h"
 #include "geometry/curves/taylor.h"
 #include "geometry/curves/turn_arcs.h"
+#include "tests/support/catch.h"
 
 using namespace epure::geometry;
 

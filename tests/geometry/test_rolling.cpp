@@ -1,10 +1,9 @@
 // Rolling circles and lines: positions against the textbook's equations, exact at special angles; instants at cusps;
 // angles of turns and radians.
-#include <catch2/catch.hpp>
-
 #include "geometry/curves/roulettes.h"
 #include "tests/geometry/every_number.h"
 #include "tests/geometry/reference.h"
+#include "tests/support/catch.h"
 
 using namespace epure::geometry;
 using namespace epure::tests;

@@ -1,9 +1,8 @@
 // The points that compass and divider find on cycloid and involute are those of the rolling circle and line.
-#include <catch2/catch.hpp>
-
 #include "geometry/analytic/cycloid.h"
 #include "geometry/motion/cycloid_by_arc.h"
 #include "geometry/motion/roulette_divisions.h"
+#include "tests/support/catch.h"
 
 using namespace epure::geometry;
 

@@ -1,11 +1,10 @@
 // Rolling circles and lines against the corpus, by construction and by closed forms: 94 cases of 40 digits, at cusps,
 // beside them and missing them by as little as 1e-30 of the radius.
-#include <catch2/catch.hpp>
-
 #include "geometry/analytic/roulettes.h"
 #include "geometry/motion/rolling.h"
 #include "geometry/numbers/climb.h"
 #include "tests/geometry/reference.h"
+#include "tests/support/catch.h"
 
 #include <cmath>
 #include <functional>

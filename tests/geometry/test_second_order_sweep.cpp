@@ -4,9 +4,8 @@
 #include "geometry/numbers/uniform_turns.h"
 #include "tests/geometry/every_number.h"
 #include "tests/geometry/reference.h"
+#include "tests/support/catch.h"
 #include "tests/support/corpus.h"
-
-#include <catch2/catch.hpp>
 
 #include <cfenv>
 

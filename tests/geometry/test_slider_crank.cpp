@@ -4,8 +4,7 @@
 #include "tests/geometry/every_number.h"
 #include "tests/geometry/reference.h"
 #include "tests/geometry/slider_crank_constructed.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cstdio>
 #include <set>

@@ -1,10 +1,9 @@
 // The slotted lever with every number: its laws agree, provably where the number can prove, and its analytic
 // counterpart is the same mechanism.
-#include <catch2/catch.hpp>
-
 #include "geometry/analytic/slotted_lever.h"
 #include "geometry/statics/slotted_lever.h"
 #include "tests/geometry/every_number.h"
+#include "tests/support/catch.h"
 
 using namespace epure::tests;
 

@@ -1,8 +1,7 @@
 // Curves over a span: the arcs join, keep to the tolerance against points of the curve computed apart, also at a
 // cusp; and the series' cosine and sine behind them.
-#include <catch2/catch.hpp>
-
 #include "geometry/curves/span.h"
+#include "tests/support/catch.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,9 @@
 // Series: the rules against known series exactly, and enclosures over an interval against many points of it.
-#include <catch2/catch.hpp>
-
 #include "geometry/curves/polodes.h"
 #include "geometry/curves/taylor.h"
 #include "geometry/curves/turn_arcs.h"
 #include "geometry/numbers/enclosure.h"
+#include "tests/support/catch.h"
 
 using namespace epure::geometry;
 

@@ -1,11 +1,10 @@
 // Tooth outlines against points computed apart (tests/corpus/make_tooth_outlines.py), and against the rack rolled
 // past them.
-#include <catch2/catch.hpp>
-
 #include "geometry/curves/span.h"
 #include "geometry/gears/tooth_form.h"
 #include "geometry/gears/tooth_outline.h"
 #include "geometry/numbers/enclosure.h"
+#include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 
 #include <algorithm>

@@ -3,11 +3,11 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/Sqrt_extension.h>
 
-#include <catch2/catch.hpp>
 #include <random>
 #include <vector>
 
 #include "geometry/numbers/exact.h"
+#include "tests/support/catch.h"
 
 namespace epure::geometry {
 namespace {

@@ -2,8 +2,7 @@
 #include "geometry/numbers/two_bounded.h"
 #include "geometry/numbers/uniform_turns.h"
 #include "tests/geometry/every_number.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cfenv>
 

@@ -1,7 +1,5 @@
 // Zeros over a turn: none is missed, none is invented, each is enclosed to as many digits as asked, and what cannot
 // be decided is said to be open.
-#include <catch2/catch.hpp>
-
 #include <cmath>
 
 #include "geometry/analytic/four_bar.h"
@@ -9,6 +7,7 @@
 #include "geometry/mechanisms/collineation_axis.h"
 #include "geometry/numbers/given.h"
 #include "tests/geometry/reference.h"
+#include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 
 using namespace epure::geometry;

@@ -1,6 +1,6 @@
 #include "tests/support/read_svg.h"
+#include "tests/support/catch.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
 #include <sstream>

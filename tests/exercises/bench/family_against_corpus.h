@@ -10,9 +10,9 @@
 #pragma once
 
 #include "exercises/bench/family.h"
+#include "tests/support/catch.h"
 #include "tests/support/overlaps.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <optional>
 #include <string>

@@ -1,7 +1,6 @@
 // Errors and bounds as the bench reports them, on numbers whose errors can be told by hand.
 #include "exercises/bench/measure_family.h"
-
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 namespace epure::tests {
 

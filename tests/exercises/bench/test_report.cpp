@@ -1,7 +1,6 @@
 // What the bench measures and says. Nothing here depends on how long something takes.
 #include "exercises/bench/bench.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -13,6 +12,7 @@
 #include "exercises/bench/measured.h"
 #include "exercises/cli/run.h"
 #include "exercises/kit/exercise.h"
+#include "tests/support/catch.h"
 
 namespace epure::tests {
 namespace {

@@ -1,11 +1,11 @@
 // The sheets of the pin in a slot: all are drawn whatever is given, letters find room, and a ruler on the file reads
 // the quantities.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "drawings/output.h"
 #include "tests/exercises/pin-in-slot/cases.h"
+#include "tests/support/catch.h"
 #include "tests/support/read_svg.h"
 
 using namespace epure;

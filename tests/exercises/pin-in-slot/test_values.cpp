@@ -1,12 +1,12 @@
 // The pin in a slot: its numbers, certain and by two routes, are those of a corpus that knows positions and energies
 // only; and what the source printed.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <set>
 
 #include "exercises/kit/verdict.h"
 #include "tests/exercises/pin-in-slot/cases.h"
+#include "tests/support/catch.h"
 
 using namespace epure;
 using namespace epure::tests;

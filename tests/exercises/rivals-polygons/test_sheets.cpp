@@ -111,7 +111,7 @@ TEST_CASE("Rivals: all pictures of a sheet are drawn at one scale", "[rivals][sh
 TEST_CASE("Rivals: a scale that is asked for is the mechanism's", "[rivals][sheets]") {
   const DrawnSheet drawn = rivals().draw("velocity-of-B", {}, {.scale = Rational(1, 20)});
   CHECK(drawn.sheet.title_block.scales[0] == "1 : 20");
-  CHECK_THROWS_WITH(rivals().draw("velocity-of-B", {}, {.scale = Rational(1)}), Catch::Contains("would fit"));
+  CHECK_THROWS_WITH(rivals().draw("velocity-of-B", {}, {.scale = Rational(1)}), Contains("would fit"));
 }
 
 TEST_CASE("Rivals: the sheet says what the source's equation would give", "[rivals][sheets]") {

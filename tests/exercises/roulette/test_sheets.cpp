@@ -99,15 +99,13 @@ TEST_CASE("roulette: a ruler on the file reads speed, acceleration and its norma
 }
 
 TEST_CASE("roulette: the sheets say what is special", "[roulette][sheets]") {
-  CHECK_THAT(words_of(roulette().draw("instant", {"phi=480"})),
-             Catch::Contains("has a cusp") && Catch::Contains("before"));
-  CHECK_THAT(words_of(roulette().draw("instant", {"how=circle_inside_circle", "R=0.3"})),
-             Catch::Contains("a diameter"));
+  CHECK_THAT(words_of(roulette().draw("instant", {"phi=480"})), Contains("has a cusp") && Contains("before"));
+  CHECK_THAT(words_of(roulette().draw("instant", {"how=circle_inside_circle", "R=0.3"})), Contains("a diameter"));
   CHECK_THAT(words_of(roulette().draw("instant", {"how=circle_on_line", "d=0.075", "phi=60"})),
-             Catch::Contains("at infinity"));
-  CHECK_THAT(words_of(roulette().draw("path", {"d=0.1"})), Catch::Contains("curtate epicycloid"));
+             Contains("at infinity"));
+  CHECK_THAT(words_of(roulette().draw("path", {"d=0.1"})), Contains("curtate epicycloid"));
   CHECK_THAT(words_of(roulette().draw("path", {"d=0.2"}, {.language = Language::italian})),
-             Catch::Contains("epicicloide allungata"));
+             Contains("epicicloide allungata"));
 }
 
 TEST_CASE("roulette: no vector hides another", "[roulette][sheets]") {
@@ -148,11 +146,10 @@ TEST_CASE("roulette: the parts of the acceleration end at its tip, each step whe
 }
 
 TEST_CASE("roulette: the sheet says how the acceleration comes about", "[roulette][sheets]") {
-  CHECK_THAT(words_of(roulette().draw("instant", {})), Catch::Contains("points at $J$") && Catch::Contains("$M'J$"));
-  CHECK_THAT(words_of(roulette().draw("instant", {"alpha=3"})),
-             Catch::Contains("$α$·$P_{0}M$") && !Catch::Contains("points at"));
+  CHECK_THAT(words_of(roulette().draw("instant", {})), Contains("points at $J$") && Contains("$M'J$"));
+  CHECK_THAT(words_of(roulette().draw("instant", {"alpha=3"})), Contains("$α$·$P_{0}M$") && !Contains("points at"));
   CHECK_THAT(words_of(roulette().draw("instant", {"omega=0", "alpha=3"}, {.language = Language::italian})),
-             Catch::Contains("$ω$ = 0: $a_{M}$ = $α$·$P_{0}M$"));
+             Contains("$ω$ = 0: $a_{M}$ = $α$·$P_{0}M$"));
 }
 
 TEST_CASE("roulette: the ray to a centre off the sheet says so", "[roulette][sheets]") {
@@ -165,9 +162,8 @@ TEST_CASE("roulette: the ray to a centre off the sheet says so", "[roulette][she
 TEST_CASE("roulette: an inflection circle many times the bodies runs off the sheet, which says so",
           "[roulette][sheets]") {
   const DrawnSheet drawn = roulette().draw("instant", {"how=circle_inside_circle", "r=0.4"});
-  CHECK_THAT(words_of(drawn), Catch::Contains("Off the sheet: $J$, $M'$, part of the inflection circle."));
+  CHECK_THAT(words_of(drawn), Contains("Off the sheet: $J$, $M'$, part of the inflection circle."));
   CHECK(drawn.sheet.title_block.scales.front() == "1 : 10");
-  CHECK_THAT(words_of(roulette().draw("instant", {"how=circle_inside_circle"})),
-             Catch::Contains("Off the sheet: $Ω$."));
-  CHECK_THAT(words_of(roulette().draw("instant", {})), !Catch::Contains("Off the sheet"));
+  CHECK_THAT(words_of(roulette().draw("instant", {"how=circle_inside_circle"})), Contains("Off the sheet: $Ω$."));
+  CHECK_THAT(words_of(roulette().draw("instant", {})), !Contains("Off the sheet"));
 }

@@ -73,8 +73,8 @@ TEST_CASE("roulette: parts and distances fit together", "[roulette]") {
 }
 
 TEST_CASE("roulette: a circle that cannot roll so is refused with the values", "[roulette]") {
-  CHECK_THROWS_WITH(roulette().checked({"how=circle_inside_circle", "r=0.45"}), Catch::Contains("r < R"));
-  CHECK_THROWS_WITH(roulette().checked({"d=-0.1"}), Catch::Contains("d = -1/10 m"));
+  CHECK_THROWS_WITH(roulette().checked({"how=circle_inside_circle", "r=0.45"}), Contains("r < R"));
+  CHECK_THROWS_WITH(roulette().checked({"d=-0.1"}), Contains("d = -1/10 m"));
   CHECK(roulette().checked({"how=line_on_circle", "d=-0.1"}).passed());
 }
 

@@ -53,7 +53,7 @@ TEST_CASE("velocity centre: a scale that is asked for is the bar's", "[velocity-
   };
   CHECK(scales({}) == std::vector<std::string>{"1 : 50", "1 : 10", "1 cm ≙ 2 m/s"});
   CHECK(scales({.scale = Rational(1, 20)}) == std::vector<std::string>{"1 : 50", "1 : 20", "1 cm ≙ 2 m/s"});
-  CHECK_THROWS_WITH(scales({.scale = Rational(1)}), Catch::Contains("would fit"));
+  CHECK_THROWS_WITH(scales({.scale = Rational(1)}), Contains("would fit"));
 }
 
 TEST_CASE("velocity centre: no given is parted from its unit", "[velocity-centre][sheets]") {
