@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +18,8 @@ std::string svg(const Sheet& sheet);
 // Where labels had to overlap something, in words; empty when every label found room. For tests and reviews.
 std::vector<std::string> overlaps(const Sheet& sheet);
 
-struct CannotWrite : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct CannotWrite : Told {
+  using Told::Told;
 };
 // The whole file or none: written without a name in the folder of `path`, synced, named and renamed. An older file stays
 // until the new one is complete; the new one has its permissions and, as far as the system allows, its owner. Another

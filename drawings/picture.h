@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "words/words.h"
+
 namespace epure::drawings {
 
 struct Point {
@@ -208,7 +210,7 @@ struct Table {
 using Block = std::variant<Heading, Paragraph, Steps, VectorEquation, Table>;
 
 enum class Paper { a4, a3 };  // landscape
-enum class Language { english, italian };
+using epure::Language;
 
 struct TitleBlock {
   std::string exercise, sheet, source;

@@ -1,5 +1,6 @@
 #include <malloc.h>
 
+#include <cstdlib>
 #include <iostream>
 
 #include "exercises/cli/run.h"
@@ -10,5 +11,7 @@ int main(int count, char** words) {
   mallopt(M_MMAP_THRESHOLD, 64 << 20);
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
   mallopt(M_TOP_PAD, 1 << 20);
-  return epure::run_cli(epure::catalogue(), {words + 1, words + count}, std::cout, std::cerr);
+  const char* const language = std::getenv("EPURE_LANG");
+  return epure::run_cli(epure::catalogue(), {words + 1, words + count}, std::cout, std::cerr,
+                        {.language = language ? language : ""});
 }

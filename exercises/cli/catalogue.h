@@ -1,7 +1,6 @@
 // Finding exercises and sheets by the names a user types.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,8 +9,8 @@
 namespace epure {
 
 // The user asked for something that does not exist; the message is one sentence (exit code 2).
-struct WrongUsage : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct WrongUsage : Told {
+  using Told::Told;
 };
 
 const Exercise& find_exercise(const Catalogue& exercises, const std::string& id);

@@ -114,9 +114,20 @@ void demand_verb(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-Parsed parse_options(const std::vector<std::string>& arguments) {
+Language language_of_messages(const std::vector<std::string>& arguments, const std::string& otherwise) {
+  const std::string option = "--lang";
+  std::string asked = otherwise;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == option && i + 1 < arguments.size()) asked = arguments[i + 1];
+    if (arguments[i].starts_with(option + "=")) asked = arguments[i].substr(option.size() + 1);
+  }
+  return asked == "it" ? Language::italian : Language::english;
+}
+
+Parsed parse_options(const std::vector<std::string>& arguments, const std::string& language) {
   demand_verb(arguments);
   Parser parser;
+  if (!language.empty()) parser.options.language = language;
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
     parser.app.parse(reversed);

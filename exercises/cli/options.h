@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "words/words.h"
+
 namespace epure {
 
 // Texts as typed; what they mean is found where they are used, because their parsing must not depend on a locale.
@@ -22,6 +24,11 @@ struct Parsed {
   Options options;
   std::optional<std::string> text = {};
 };
-Parsed parse_options(const std::vector<std::string>& arguments);
+// `language`: what --lang says otherwise; empty: English.
+Parsed parse_options(const std::vector<std::string>& arguments, const std::string& language);
+
+// The language of a refusal, also of arguments that cannot be parsed: what the last --lang says, else `otherwise`.
+// What is no language of epure is answered in English.
+Language language_of_messages(const std::vector<std::string>& arguments, const std::string& otherwise);
 
 }  // namespace epure

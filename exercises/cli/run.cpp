@@ -27,9 +27,9 @@ void print(std::ostream& out, const std::string& text) {
                               (errno == 0 ? std::string() : std::string(": ") + std::strerror(errno)));
 }
 
-Exit run(const Catalogue& exercises, const std::vector<std::string>& arguments, std::ostream& out,
-         std::ostream& err) {
-  const auto [options, text] = parse_options(arguments);
+Exit run(const Catalogue& exercises, const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err,
+         const Surroundings& surroundings) {
+  const auto [options, text] = parse_options(arguments, surroundings.language);
   if (text) {
     print(out, *text);
     return Exit::success;
@@ -55,29 +55,32 @@ Exit run(const Catalogue& exercises, const std::vector<std::string>& arguments, 
 }  // namespace
 
 int run_cli(const Catalogue& exercises, const std::vector<std::string>& arguments, std::ostream& out,
-            std::ostream& err) {
-  const auto complain = [&](Exit code, const std::exception& why, const std::string& before = "",
-                            const std::string& after = "") {
-    err << "epure: " << before << one_line(why.what()) << after << '\n' << std::flush;
+            std::ostream& err, const Surroundings& surroundings) {
+  const Language language = language_of_messages(arguments, surroundings.language);
+  const auto complain = [&](Exit code, const Words& why) {
+    err << "epure: " << one_line(why.in(language)) << '\n' << std::flush;
     return static_cast<int>(code);
   };
   try {
-    return static_cast<int>(run(exercises, arguments, out, err));
+    return static_cast<int>(run(exercises, arguments, out, err, surroundings));
   } catch (const drawings::CannotWrite& error) {
-    return complain(Exit::cannot_write, error);
+    return complain(Exit::cannot_write, error.words());
   } catch (const geometry::Undecided& error) {  // one rung alone may be unable to say anything
-    return complain(Exit::failed_check, error, "cannot be decided: ");
+    return complain(Exit::failed_check,
+                    format_words("cannot be decided: {}", "non si può decidere: {}", error.words()));
   } catch (const WrongUsage& error) {
-    return complain(Exit::wrong_usage, error);
+    return complain(Exit::wrong_usage, error.words());
   } catch (const BadGivens& error) {
-    return complain(Exit::wrong_usage, error);
+    return complain(Exit::wrong_usage, error.words());
   } catch (const geometry::BadGiven& error) {
-    return complain(Exit::wrong_usage, error);
+    return complain(Exit::wrong_usage, error.words());
   } catch (const geometry::Impossible& error) {
-    return complain(Exit::wrong_usage, error);
+    return complain(Exit::wrong_usage, error.words());
   } catch (const std::exception& error) {  // nothing a user should be able to bring about
-    return complain(Exit::internal_error, error,
-                    "internal error: ", "; please report it with the command that led to it");
+    return complain(Exit::internal_error,
+                    format_words("internal error: {}; please report it with the command that led to it",
+                                 "errore interno: {}; si prega di segnalarlo con il comando che l'ha provocato",
+                                 std::string(error.what())));
   }
 }
 

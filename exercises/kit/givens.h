@@ -1,7 +1,6 @@
 // What an exercise starts from: exact rationals, each with symbol, unit and the values it may take.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,8 +32,8 @@ struct GivenSpec {
 };
 
 // Wrong or impossible givens; the message is one sentence for the user (exit code 2).
-struct BadGivens : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct BadGivens : Told {
+  using Told::Told;
 };
 
 class Givens {

@@ -1,17 +1,33 @@
-// A sentence in the languages epure speaks. An exercise keeps its words beside its figures, each in all languages.
+// Words with numbers and names in them, in all languages at once. An exercise keeps its words beside its figures.
 #pragma once
 
-#include <string>
+#include <fmt/format.h>
 
-#include "drawings/picture.h"
+#include <string>
+#include <type_traits>
+
+#include "words/words.h"
 
 namespace epure {
 
-using drawings::Language;
+template <class T>
+using InOneLanguage = std::conditional_t<std::is_same_v<T, Words>, std::string, T>;
 
-struct Words {
-  std::string english, italian;
-  const std::string& in(Language language) const { return language == Language::english ? english : italian; }
-};
+template <class T>
+const InOneLanguage<T>& in_language(Language language, const T& argument) {
+  if constexpr (std::is_same_v<T, Words>) {
+    return argument.in(language);
+  } else {
+    return argument;
+  }
+}
+
+// fmt::format in both languages. An argument that is Words comes in the language of the format around it.
+template <class... Arguments>
+Words format_words(fmt::format_string<InOneLanguage<Arguments>...> english,
+                   fmt::format_string<InOneLanguage<Arguments>...> italian, const Arguments&... arguments) {
+  return {fmt::vformat(english, fmt::make_format_args(in_language(Language::english, arguments)...)),
+          fmt::vformat(italian, fmt::make_format_args(in_language(Language::italian, arguments)...))};
+}
 
 }  // namespace epure

@@ -11,16 +11,16 @@
 #pragma once
 
 #include "geometry/numbers/number.h"
+#include "words/words.h"
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace epure::geometry {
 
-struct BadGiven : std::invalid_argument {
-  using std::invalid_argument::invalid_argument;
+struct BadGiven : Told {
+  using Told::Told;
 };
 
 struct Unit {

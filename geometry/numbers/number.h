@@ -22,7 +22,7 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 
-#include <stdexcept>
+#include "words/words.h"
 
 namespace epure::geometry {
 
@@ -37,17 +37,17 @@ enum class Truth { no, yes, undecided };
 
 // Thrown by a construction when the number at hand cannot decide what the construction turns on. The climb answers
 // it with the next number.
-struct Undecided : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct Undecided : Told {
+  using Told::Told;
 };
 // Thrown by Exact when the scene leaves the tower: more than five roots, a direction that is no multiple of 15°, or
 // π. The climb answers it with Calcium.
-struct LeavesTheTower : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct LeavesTheTower : Told {
+  using Told::Told;
 };
 // Thrown when what was asked for does not exist (a linkage that does not close); the message is meant for the user.
-struct Impossible : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct Impossible : Told {
+  using Told::Told;
 };
 
 template <class T>
