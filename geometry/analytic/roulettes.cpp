@@ -2,8 +2,6 @@
 
 #include "geometry/numbers/ball.h"
 
-#include <acb_calc.h>
-
 namespace epure::geometry::analytic {
 
 namespace {

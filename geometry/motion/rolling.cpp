@@ -2,8 +2,6 @@
 
 #include "geometry/numbers/ball.h"
 
-#include <acb_elliptic.h>
-
 #include <cassert>
 
 namespace epure::geometry {

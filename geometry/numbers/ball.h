@@ -3,10 +3,6 @@
 
 #include "geometry/numbers/deep.h"
 
-#include <acb.h>
-#include <arb.h>
-#include <arf.h>
-
 namespace epure::geometry {
 
 struct Float {

@@ -1,6 +1,5 @@
 #include "geometry/numbers/calcium_bridge.h"
 
-#include <calcium/ca.h>
 #include <stdlib.h>
 
 struct epure_calcium_context {

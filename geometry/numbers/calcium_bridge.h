@@ -3,7 +3,8 @@
 #ifndef EPURE_GEOMETRY_NUMBERS_CALCIUM_BRIDGE_H
 #define EPURE_GEOMETRY_NUMBERS_CALCIUM_BRIDGE_H
 
-#include <arb.h>
+#include "geometry/numbers/flint.h"
+
 #include <gmp.h>
 
 #ifdef __cplusplus

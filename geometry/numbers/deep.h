@@ -2,9 +2,8 @@
 // innermost Arithmetic<Deep> scope of the thread says. Never NaN, never infinite: what would be throws Undecided.
 #pragma once
 
+#include "geometry/numbers/flint.h"
 #include "geometry/numbers/number.h"
-
-#include <arb.h>
 
 namespace epure::geometry {
 

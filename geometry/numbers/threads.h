@@ -1,7 +1,7 @@
 // Work in several threads.
 #pragma once
 
-#include <flint/flint.h>
+#include "geometry/numbers/flint.h"
 
 #include <system_error>
 #include <thread>

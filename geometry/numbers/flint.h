@@ -1,0 +1,30 @@
+/* FLINT, Arb and Calcium. FLINT 3 holds the others; beside FLINT 2 they are libraries of their own, with headers
+   elsewhere. This is the only file that includes any of them (and CMakeLists.txt links them). */
+#ifndef EPURE_GEOMETRY_NUMBERS_FLINT_H
+#define EPURE_GEOMETRY_NUMBERS_FLINT_H
+
+#if __has_include(<flint/arb.h>)
+#include <flint/acb.h>
+#include <flint/acb_calc.h>
+#include <flint/acb_elliptic.h>
+#include <flint/arb.h>
+#include <flint/arf.h>
+#include <flint/flint.h>
+#include <flint/fmpq.h>
+#ifndef __cplusplus /* no valid C++: for calcium_bridge.c alone */
+#include <flint/ca.h>
+#endif
+#else
+#include <acb.h>
+#include <acb_calc.h>
+#include <acb_elliptic.h>
+#include <arb.h>
+#include <arf.h>
+#include <flint/flint.h>
+#include <flint/fmpq.h>
+#ifndef __cplusplus
+#include <calcium/ca.h>
+#endif
+#endif
+
+#endif
