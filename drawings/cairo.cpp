@@ -1,6 +1,5 @@
 // Pages painted by Cairo, with Pango's fonts. The only file that knows Cairo.
 #include <cairo-pdf.h>
-#include <cairo-svg.h>
 #include <cairo.h>
 #include <fmt/format.h>
 #include <pango/pangocairo.h>
@@ -11,9 +10,9 @@
 #include <stdexcept>
 
 #include "drawings/check_page.h"
+#include "drawings/glyph_outline.h"
 #include "drawings/grid.h"
 #include "drawings/page.h"
-#include "drawings/paint.h"
 #include "drawings/pango_fonts.h"
 #include "drawings/release.h"
 #include "drawings/stopwatch.h"
@@ -47,6 +46,11 @@ cairo_status_t keep(void* memory, const unsigned char* data, unsigned length) {
     return CAIRO_STATUS_WRITE_ERROR;
   }
   return CAIRO_STATUS_SUCCESS;
+}
+
+// At units_per_em.
+cairo_scaled_font_t* scaled_font(Face face) {
+  return pango_cairo_font_get_scaled_font(PANGO_CAIRO_FONT(pango_fonts()[face]));
 }
 
 class Painter {
@@ -118,7 +122,7 @@ class Painter {
 
   // As text, with the characters each glyph stands for, so that the document can be searched.
   void show(const GlyphRun& run, Point baseline) {
-    cairo_set_font_face(context_, face(run.face));
+    cairo_set_font_face(context_, cairo_scaled_font_get_font_face(scaled_font(run.face)));
     cairo_set_font_size(context_, run.size * points_per_mm);
     std::vector<cairo_glyph_t> glyphs;
     std::vector<cairo_text_cluster_t> clusters;
@@ -135,11 +139,6 @@ class Painter {
     cairo_show_text_glyphs(context_, letters.data(), static_cast<int>(letters.size()), glyphs.data(),
                            static_cast<int>(glyphs.size()), clusters.data(), static_cast<int>(clusters.size()),
                            cairo_text_cluster_flags_t{});
-  }
-
-  static cairo_font_face_t* face(Face wanted) {
-    auto* font = PANGO_CAIRO_FONT(pango_fonts()[wanted]);
-    return cairo_scaled_font_get_font_face(pango_cairo_font_get_scaled_font(font));
   }
 
   cairo_t* context_;
@@ -187,6 +186,27 @@ void set_metadata(cairo_surface_t* surface, const std::string& title) {
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "none");
 }
 
+// Cairo's y points down, and after a contour it moves once more to where that began.
+std::vector<Path> contours(const cairo_path_t& path) {
+  const auto point = [&](int i) { return Point{path.data[i].point.x, -path.data[i].point.y}; };
+  std::vector<Path> found;
+  for (int i = 0; i < path.num_data; i += path.data[i].header.length) switch (path.data[i].header.type) {
+      case CAIRO_PATH_MOVE_TO:
+        found.push_back({point(i + 1), {}, true});
+        break;
+      case CAIRO_PATH_LINE_TO:
+        found.back().pieces.push_back({true, {}, {}, point(i + 1)});
+        break;
+      case CAIRO_PATH_CURVE_TO:
+        found.back().pieces.push_back({false, point(i + 1), point(i + 2), point(i + 3)});
+        break;
+      case CAIRO_PATH_CLOSE_PATH:
+        break;
+    }
+  std::erase_if(found, [](const Path& contour) { return contour.pieces.empty(); });
+  return found;
+}
+
 }  // namespace
 
 std::string write_pdf(const std::vector<Page>& pages, const std::string& document_title) {
@@ -203,22 +223,19 @@ std::string write_pdf(const std::vector<Page>& pages, const std::string& documen
   return finish(surface.get(), memory);
 }
 
-std::string paint_svg(const Page& page) {
-  Memory memory;
-  const Surface surface(cairo_svg_surface_create_for_stream(keep, &memory, page.extent.width() * points_per_mm,
-                                                            page.extent.height() * points_per_mm));
-  demand(cairo_surface_status(surface.get()));
-  cairo_svg_surface_restrict_to_version(surface.get(), CAIRO_SVG_VERSION_1_2);  // it has pages
-  const Context context = open(surface.get());
-  Painter painter(context.get(), page.extent);
-  for (const Primitive& primitive : page.primitives) {
-    std::visit(painter, primitive);
-    cairo_show_page(context.get());
-  }
-  // Without these two a document of one primitive, or of none, would have no pages.
-  for (int i = 0; i < 2; ++i) cairo_show_page(context.get());
+std::vector<Path> glyph_outline(Face face, unsigned glyph) {
+  // Paths are only kept here, nothing is painted.
+  thread_local const Surface nowhere(cairo_recording_surface_create(CAIRO_CONTENT_ALPHA, nullptr));
+  const Context context(cairo_create(nowhere.get()));
+  cairo_scaled_font_t* font = scaled_font(face);
+  cairo_set_scaled_font(context.get(), font);  // on units_per_em: a unit of Cairo's is one of the font's
+  const cairo_glyph_t at_origin{glyph, 0, 0};
+  cairo_glyph_path(context.get(), &at_origin, 1);
   demand(cairo_status(context.get()));
-  return finish(surface.get(), memory);
+  demand(cairo_scaled_font_status(font));
+  const Held<cairo_path_t, cairo_path_destroy> kept(cairo_copy_path(context.get()));
+  demand(kept->status);
+  return contours(*kept);
 }
 
 FontContext unhinted_context(FcConfig* known) {

@@ -146,7 +146,7 @@ Stroke frame_line(Box frame) {
 
 Page compose(const Sheet& sheet, std::vector<std::string>* conflicts) {
   const Timed timed(Work::layout);
-  Page page{sheet.id, sheet.title, sheet.description, paper_box(sheet.paper), sheet.language, {}};
+  Page page{sheet.id, sheet.title, sheet.description, paper_box(sheet.paper), sheet.language, {}, !sheet.bare};
   page.primitives = figure_ink(sheet.figure, drawing_area(sheet.paper), conflicts);
   if (sheet.bare) {
     const Box box = ink_box(page.primitives);

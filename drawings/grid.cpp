@@ -5,7 +5,9 @@
 namespace epure::drawings {
 
 // Ties cannot matter: both neighbours are equally far.
-double on_grid_in_points(double mm) { return std::floor(mm * points_per_mm * 256 + 0.5) / 256; }
+double on_grid_in_points(double mm) {
+  return std::floor(mm * points_per_mm * steps_per_point + 0.5) / steps_per_point;
+}
 double on_grid(double mm) { return on_grid_in_points(mm) / points_per_mm; }
 
 Point as_filed(Point p, Paper) { return {on_grid(p.x), on_grid(p.y)}; }

@@ -8,6 +8,7 @@
 namespace epure::drawings {
 
 inline constexpr double points_per_mm = 72 / 25.4;
+inline constexpr double steps_per_point = 256;
 
 double on_grid_in_points(double mm);
 double on_grid(double mm);

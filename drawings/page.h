@@ -43,6 +43,8 @@ struct Page {
   Box extent;  // what of the paper the page shows: the whole sheet, or the crop of a bare one
   Language language = Language::english;
   std::vector<Primitive> primitives;
+  bool is_paper =
+      false;  // a whole sheet is white paper also on a screen's dark page; a bare drawing takes its ground
 };
 
 // Layout, symbols, styles, label placement. Deterministic. `conflicts`, when given, receives a sentence for every

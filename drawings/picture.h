@@ -235,8 +235,8 @@ Box drawing_area(Paper paper);
 
 // The position a file holds for `p`: PDF and SVG both keep 1/256 pt, counted from the lower left corner of the paper.
 // Distances measured on the sheet are distances between such positions. Error at most file_resolution / 2 (0.69 µm)
-// per coordinate. Cairo prints three decimals of a point in a PDF, which hides at most another 0.18 µm from a reader
-// of its text; in an SVG it prints six, which hide less than a nanometre.
+// per coordinate. An SVG counts in these steps, so it holds the position itself; of a PDF Cairo prints three decimals
+// of a point, which hides at most another 0.18 µm from a reader of its text.
 inline constexpr double file_resolution = 25.4 / 72 / 256;  // mm
 Point as_filed(Point p, Paper paper);
 

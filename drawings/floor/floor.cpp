@@ -1,23 +1,27 @@
 // The floor: a program that does nothing but make recorded calls of Cairo and Pango (drawings/recording.h) and write
 // the two files. `epure bench` holds `epure draw` against it.
 //   epure-floor RECORDING FOLDER_OF_FONTS FILE.pdf FILE.svg
-// It shares no code with the rest, shapes each run of letters once for both files, and leaves the SVG as Cairo made
-// it. The fonts are opened and the files are written in the way `epure draw` must do it: fonts by name from a folder,
-// files whole or not at all. Exit 0, or 1 with a sentence.
+// It shares no code with the rest and shapes each run of letters once for both files. The PDF is Cairo's, the SVG is
+// written plainly, with the outlines that Cairo gives of each letter once. The fonts are opened and the files are
+// written in the way `epure draw` must do it: fonts by name from a folder, files whole or not at all. Exit 0, or 1
+// with a sentence.
 #include <cairo-pdf.h>
-#include <cairo-svg.h>
 #include <fcntl.h>
 #include <pango/pangocairo.h>
 #include <pango/pangofc-fontmap.h>
 #include <unistd.h>
 
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -97,52 +101,15 @@ Run shape(PangoFont* font, std::string letters) {
   return run;
 }
 
-class Replay {
+// What both files are made from: the calls one after the other, and the letters, which are shaped when they are met
+// first.
+class Recording {
  public:
-  Replay(const std::string& calls, const Fonts& fonts) : calls_(calls), fonts_(fonts) {}
+  Recording(const std::string& calls, const Fonts& fonts) : calls_(calls), fonts_(fonts) {}
 
-  // On a PDF each page begins a page of its size; the first page's size is that of an SVG.
-  void on(cairo_surface_t* surface, bool is_pdf) {
-    cr_ = nullptr;
-    std::size_t text = 0;
-    for (at_ = 0; at_ < calls_.size();) {
-      const char call = calls_[at_++];
-      if (call == 'p') {
-        const double width = number(), height = number();
-        if (cr_) cairo_show_page(cr_);
-        if (is_pdf) cairo_pdf_surface_set_size(surface, width, height);
-        if (!cr_) open(surface);
-      } else if (call == 't') {
-        show(text++);
-      } else {
-        draw(call);
-      }
-    }
-    cairo_show_page(cr_);
-    demand(cairo_status(cr_) == CAIRO_STATUS_SUCCESS, "Cairo failed");
-    cairo_destroy(cr_);
-    cairo_surface_finish(surface);
-    cairo_surface_destroy(surface);
-  }
-
-  std::array<double, 2> size() {
-    at_ = 1;
-    const double width = number();
-    return {width, number()};
-  }
-
- private:
-  void open(cairo_surface_t* surface) {
-    cr_ = cairo_create(surface);
-    cairo_font_options_t* options = cairo_font_options_create();
-    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
-    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
-    cairo_set_font_options(cr_, options);
-    cairo_font_options_destroy(options);
-    cairo_set_line_cap(cr_, CAIRO_LINE_CAP_BUTT);
-    cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
-  }
-
+  void rewind() { at_ = text_ = 0; }
+  bool is_at_end() const { return at_ == calls_.size(); }
+  char call() { return calls_[at_++]; }
   double number() {
     double value = 0;
     std::memcpy(&value, calls_.data() + at_, sizeof value);
@@ -155,9 +122,72 @@ class Replay {
     for (double& value : values) value = number();
     return values;
   }
+  std::vector<double> dashes() {
+    std::vector<double> all(static_cast<std::size_t>(number()));
+    for (double& length : all) length = number();
+    return all;
+  }
+
+  struct Letters {
+    std::size_t face;
+    cairo_scaled_font_t* font;
+    double size, x, y;
+    const Run& run;
+  };
+  Letters letters() {
+    const auto [face, size, x, y, bytes] = numbers<5>();
+    const auto length = static_cast<std::size_t>(bytes), index = static_cast<std::size_t>(face);
+    PangoFont* font = fonts_[index];
+    if (text_ == runs_.size()) runs_.push_back(shape(font, calls_.substr(at_, length)));
+    at_ += length;
+    return {index, pango_cairo_font_get_scaled_font(PANGO_CAIRO_FONT(font)), size, x, y, runs_.at(text_++)};
+  }
+
+ private:
+  const std::string& calls_;
+  const Fonts& fonts_;
+  std::size_t at_ = 0, text_ = 0;
+  std::vector<Run> runs_;
+};
+
+class Pdf {
+ public:
+  Pdf(Recording& recording, cairo_surface_t* surface) : recording_(recording), surface_(surface) {}
+
+  void draw() {
+    for (recording_.rewind(); !recording_.is_at_end();) draw(recording_.call());
+    cairo_show_page(cr_);
+    demand(cairo_status(cr_) == CAIRO_STATUS_SUCCESS, "Cairo failed");
+    cairo_destroy(cr_);
+    cairo_surface_finish(surface_);
+    cairo_surface_destroy(surface_);
+  }
+
+ private:
+  void page() {
+    const auto [width, height] = recording_.numbers<2>();
+    if (cr_) cairo_show_page(cr_);
+    cairo_pdf_surface_set_size(surface_, width, height);
+    if (!cr_) open();
+  }
+
+  void open() {
+    cr_ = cairo_create(surface_);
+    cairo_font_options_t* options = cairo_font_options_create();
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_set_font_options(cr_, options);
+    cairo_font_options_destroy(options);
+    cairo_set_line_cap(cr_, CAIRO_LINE_CAP_BUTT);
+    cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
+  }
 
   void draw(char call) {
     switch (call) {
+      case 'p':
+        return page();
+      case 't':
+        return show(recording_.letters());
       case '(':
         return cairo_save(cr_);
       case ')':
@@ -173,23 +203,25 @@ class Replay {
       case 'F':
         return cairo_fill(cr_);
       case 'w':
-        return cairo_set_line_width(cr_, number());
-      case 'd':
-        return dash();
+        return cairo_set_line_width(cr_, recording_.number());
+      case 'd': {
+        const std::vector<double> dashes = recording_.dashes();
+        return cairo_set_dash(cr_, dashes.data(), static_cast<int>(dashes.size()), 0);
+      }
       case 'm': {
-        const auto [x, y] = numbers<2>();
+        const auto [x, y] = recording_.numbers<2>();
         return cairo_move_to(cr_, x, y);
       }
       case 'l': {
-        const auto [x, y] = numbers<2>();
+        const auto [x, y] = recording_.numbers<2>();
         return cairo_line_to(cr_, x, y);
       }
       case 'c': {
-        const auto [ax, ay, bx, by, x, y] = numbers<6>();
+        const auto [ax, ay, bx, by, x, y] = recording_.numbers<6>();
         return cairo_curve_to(cr_, ax, ay, bx, by, x, y);
       }
       case 'i': {
-        const auto [red, green, blue, opacity] = numbers<4>();
+        const auto [red, green, blue, opacity] = recording_.numbers<4>();
         return cairo_set_source_rgba(cr_, red, green, blue, opacity);
       }
       default:
@@ -197,35 +229,184 @@ class Replay {
     }
   }
 
-  void dash() {
-    std::vector<double> dashes(static_cast<std::size_t>(number()));
-    for (double& length : dashes) length = number();
-    cairo_set_dash(cr_, dashes.data(), static_cast<int>(dashes.size()), 0);
+  void show(const Recording::Letters& letters) {
+    std::vector<cairo_glyph_t> glyphs = letters.run.glyphs;
+    for (cairo_glyph_t& glyph : glyphs)
+      glyph = {glyph.index, letters.x + letters.size * glyph.x, letters.y + letters.size * glyph.y};
+    cairo_set_font_face(cr_, cairo_scaled_font_get_font_face(letters.font));
+    cairo_set_font_size(cr_, letters.size);
+    cairo_show_text_glyphs(cr_, letters.run.letters.data(), static_cast<int>(letters.run.letters.size()),
+                           glyphs.data(), static_cast<int>(glyphs.size()), letters.run.clusters.data(),
+                           static_cast<int>(letters.run.clusters.size()), cairo_text_cluster_flags_t{});
   }
 
-  // Text number `index` of the recording: shaped when it is met first.
-  void show(std::size_t index) {
-    const auto [face, size, x, y, bytes] = numbers<5>();
-    const auto length = static_cast<std::size_t>(bytes);
-    PangoFont* font = fonts_[static_cast<std::size_t>(face)];
-    if (index == runs_.size()) runs_.push_back(shape(font, calls_.substr(at_, length)));
-    at_ += length;
-    const Run& run = runs_.at(index);
-    std::vector<cairo_glyph_t> glyphs = run.glyphs;
-    for (cairo_glyph_t& glyph : glyphs) glyph = {glyph.index, x + size * glyph.x, y + size * glyph.y};
-    cairo_scaled_font_t* scaled = pango_cairo_font_get_scaled_font(PANGO_CAIRO_FONT(font));
-    cairo_set_font_face(cr_, cairo_scaled_font_get_font_face(scaled));
-    cairo_set_font_size(cr_, size);
-    cairo_show_text_glyphs(cr_, run.letters.data(), static_cast<int>(run.letters.size()), glyphs.data(),
-                           static_cast<int>(glyphs.size()), run.clusters.data(),
-                           static_cast<int>(run.clusters.size()), cairo_text_cluster_flags_t{});
-  }
-
-  const std::string& calls_;
-  const Fonts& fonts_;
-  std::size_t at_ = 0;
+  Recording& recording_;
+  cairo_surface_t* surface_;
   cairo_t* cr_ = nullptr;
-  std::vector<Run> runs_;
+};
+
+// In steps of 1/256 pt, to which Cairo rounds what is drawn.
+class Svg {
+ public:
+  explicit Svg(Recording& recording) : recording_(recording) {
+    surface_ = cairo_recording_surface_create(CAIRO_CONTENT_ALPHA, nullptr);
+    cr_ = cairo_create(surface_);
+  }
+  ~Svg() {
+    cairo_destroy(cr_);
+    cairo_surface_destroy(surface_);
+  }
+  Svg(const Svg&) = delete;
+  Svg& operator=(const Svg&) = delete;
+
+  std::string write() {
+    for (recording_.rewind(); !recording_.is_at_end();) write(recording_.call());
+    demand(cairo_status(cr_) == CAIRO_STATUS_SUCCESS, "Cairo failed");
+    return head_ + "<defs>\n" + definitions_ + "</defs>\n" + body_ + "</svg>\n";
+  }
+
+ private:
+  static void add(std::string& to, double value) {
+    std::array<char, 24> digits{};
+    to.append(digits.data(), std::to_chars(digits.begin(), digits.end(), std::lround(value)).ptr);
+  }
+  static void add_length(std::string& to, double points) { add(to, 256 * points); }
+  void add_to_path(char letter, int count) {
+    path_ += letter;
+    for (; count > 0; --count) {
+      path_ += ' ';
+      add_length(path_, recording_.number());
+    }
+  }
+
+  void begin() {
+    const auto [width, height] = recording_.numbers<2>();
+    head_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"";
+    add(head_, width);
+    head_ += "pt\" height=\"";
+    add(head_, height);
+    head_ += "pt\" viewBox=\"0 0 ";
+    add_length(head_, width);
+    head_ += ' ';
+    add_length(head_, height);
+    head_ += "\">\n";
+  }
+
+  void write(char call) {
+    switch (call) {
+      case 'p':
+        return begin();
+      case 't':
+        return show(recording_.letters());
+      case '(':
+        return;
+      case ')':
+        return clip_.clear();
+      case 'n':
+        return path_.clear();
+      case 'z':
+        path_ += 'z';
+        return;
+      case 'k':
+        return clip();
+      case 'S':
+        return mark("fill=\"none\" stroke", line_);
+      case 'F':
+        return mark("fill", "");
+      case 'w':
+        line_ = " stroke-width=\"";
+        add_length(line_, recording_.number());
+        line_ += '"';
+        return;
+      case 'd':
+        return dash();
+      case 'm':
+        return add_to_path('M', 2);
+      case 'l':
+        return add_to_path('L', 2);
+      case 'c':
+        return add_to_path('C', 6);
+      case 'i':
+        return ink();
+      default:
+        throw std::runtime_error("a call that is none");
+    }
+  }
+
+  void dash() {
+    line_ += " stroke-dasharray=\"";
+    const std::vector<double> dashes = recording_.dashes();
+    for (const double dash : dashes) {
+      add_length(line_, dash);
+      line_ += ' ';
+    }
+    if (dashes.empty()) line_ += "none";
+    line_ += '"';
+  }
+
+  void ink() {
+    ink_ = "rgb(";
+    for (int i = 0; i < 3; ++i) {
+      add(ink_, 255 * recording_.number());
+      ink_ += i < 2 ? ',' : ')';
+    }
+    ink_ += "\" opacity=\"";
+    add(ink_, 1000 * recording_.number());
+    ink_ += "e-3\"";
+  }
+
+  void clip() {
+    const std::string id = "clip" + std::to_string(clips_++);
+    definitions_ += "<clipPath id=\"" + id + "\"><path d=\"" + path_ + "\"/></clipPath>\n";
+    clip_ = " clip-path=\"url(#" + id + ")\"";
+  }
+
+  void mark(const char* paint, const std::string& line) {
+    ((((((((body_ += "<path ") += paint) += "=\"") += ink_) += line) += clip_) += " d=\"") += path_) += "\"/>\n";
+  }
+
+  void show(const Recording::Letters& letters) {
+    for (const cairo_glyph_t& glyph : letters.run.glyphs) {
+      const std::string id = std::to_string(letters.face) + "-" + std::to_string(glyph.index);
+      define(id, letters, glyph.index);
+      (((body_ += "<use xlink:href=\"#g") += id) += "\" fill=\"") += ink_;
+      body_ += " transform=\"translate(";
+      add_length(body_, letters.x + letters.size * glyph.x);
+      body_ += ' ';
+      add_length(body_, letters.y + letters.size * glyph.y);
+      body_ += ") scale(";
+      add(body_, 256 * letters.size);
+      body_ += "e-3)\"/>\n";  // to the em of 1000
+    }
+  }
+
+  void define(const std::string& id, const Recording::Letters& letters, unsigned long glyph) {
+    if (!defined_.insert(id).second) return;
+    const cairo_glyph_t at_origin{glyph, 0, 0};
+    cairo_set_scaled_font(cr_, letters.font);
+    cairo_new_path(cr_);
+    cairo_glyph_path(cr_, &at_origin, 1);
+    cairo_path_t* outline = cairo_copy_path(cr_);
+    definitions_ += "<path id=\"g" + id + "\" d=\"";
+    for (int i = 0; i < outline->num_data; i += outline->data[i].header.length) {
+      definitions_ += "MLCZ"[outline->data[i].header.type];
+      for (int k = 1; k < outline->data[i].header.length; ++k) {
+        add(definitions_, outline->data[i + k].point.x);
+        definitions_ += ' ';
+        add(definitions_, outline->data[i + k].point.y);
+        definitions_ += ' ';
+      }
+    }
+    definitions_ += "\"/>\n";
+    cairo_path_destroy(outline);
+  }
+
+  Recording& recording_;
+  cairo_surface_t* surface_ = nullptr;
+  cairo_t* cr_ = nullptr;
+  std::string head_, definitions_, body_, path_, ink_, line_, clip_;
+  std::set<std::string> defined_;
+  int clips_ = 0;
 };
 
 cairo_status_t keep(void* memory, const unsigned char* data, unsigned length) {
@@ -253,13 +434,12 @@ void write_whole(const std::string& path, const std::string& bytes) {
 void run(const char* recording, const char* folder_of_fonts, const char* pdf_path, const char* svg_path) {
   const std::string calls = contents(recording);
   const Fonts fonts(folder_of_fonts);
-  Replay replay(calls, fonts);
-  std::string pdf, svg;
+  Recording made(calls, fonts);
+  std::string pdf;
   cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(keep, &pdf, 72, 72);
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "none");
-  replay.on(surface, true);
-  const auto [width, height] = replay.size();
-  replay.on(cairo_svg_surface_create_for_stream(keep, &svg, width, height), false);
+  Pdf(made, surface).draw();
+  const std::string svg = Svg(made).write();
   write_whole(pdf_path, pdf);
   write_whole(svg_path, svg);
 }

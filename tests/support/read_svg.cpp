@@ -1,9 +1,11 @@
 #include "tests/support/read_svg.h"
 #include "tests/support/catch.h"
 
+#include <cctype>
 #include <cmath>
-#include <cstdio>
+#include <cstdlib>
 #include <sstream>
+#include <string_view>
 
 namespace epure::drawings {
 
@@ -50,16 +52,77 @@ double SvgFile::mm() const {
 
 std::vector<Point> SvgFile::points(const std::string& id) const { return points(element(id)); }
 
+namespace {
+
+// The data of a path: M, l, h, v, c and z, as they are written here, and no others.
+class PathReader {
+ public:
+  explicit PathReader(const char* data) : rest_(data) {}
+
+  std::vector<Point> points() {
+    while (char letter = command()) {
+      if (letter == 'M') {
+        at_ = {number(), number()};
+        start_ = at_;
+        found_.push_back(at_);
+      } else if (letter == 'z') {
+        at_ = start_;
+      } else {
+        read(letter);
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  // The letter holds for further numbers.
+  char command() {
+    skip_spaces();
+    if (*rest_ == 0) return 0;
+    if (std::isalpha(static_cast<unsigned char>(*rest_)) != 0) {
+      last_ = *rest_++;
+      REQUIRE(std::string_view("Mlhvcz").find(last_) != std::string_view::npos);
+    } else {
+      REQUIRE(std::string_view("lhvc").find(last_) != std::string_view::npos);
+    }
+    return last_;
+  }
+
+  void read(char letter) {
+    const Point from = at_;
+    for (int i = letter == 'c' ? 3 : 1; i > 0; --i) {
+      at_ = from;
+      if (letter != 'v') at_.x += number();
+      if (letter != 'h') at_.y += number();
+      found_.push_back(at_);
+    }
+  }
+
+  double number() {
+    char* end = nullptr;
+    const double value = std::strtod(rest_, &end);
+    REQUIRE(end != rest_);
+    rest_ = end;
+    return value;
+  }
+
+  void skip_spaces() {
+    while (*rest_ == ' ') ++rest_;
+  }
+
+  const char* rest_;
+  char last_ = 0;
+  Point at_, start_;
+  std::vector<Point> found_;
+};
+
+}  // namespace
+
 std::vector<Point> SvgFile::points(pugi::xml_node path) const {
   for (pugi::xml_node node = path; node; node = node.parent()) REQUIRE_FALSE(node.attribute("transform"));
-  std::string numbers = path.attribute("d").value();
-  for (char& c : numbers)
-    if (std::string_view("MLCZ,").find(c) != std::string_view::npos) c = ' ';
-  std::istringstream in(numbers);
+  std::vector<Point> points = PathReader(path.attribute("d").value()).points();
   const double scale = mm();
-  std::vector<Point> points;
-  for (Point p; in >> p.x >> p.y;) points.push_back({scale * p.x, scale * p.y});
-  REQUIRE(in.eof());
+  for (Point& p : points) p = {scale * p.x, scale * p.y};
   REQUIRE(points.size() >= 2);
   return points;
 }
@@ -70,21 +133,23 @@ double SvgFile::length(const std::string& id) const {
 }
 
 std::string style(pugi::xml_node element, const std::string& property) {
-  std::istringstream all(element.attribute("style").value());
-  for (std::string each; std::getline(all, each, ';');) {
-    const auto start = each.find_first_not_of(' '), colon = each.find(':');
-    if (start < colon && colon != each.npos && each.substr(start, colon - start) == property)
-      return each.substr(colon + 1);
-  }
-  FAIL("no " << property << " in " << element.attribute("style").value());
+  for (pugi::xml_node node = element; node; node = node.parent())
+    if (const pugi::xml_attribute found = node.attribute(property.c_str())) return found.value();
+  if (property == "stroke") return "none";
+  if (property == "fill") return "#000";
+  FAIL("no " << property);
   return "";
 }
 
-Colour colour(const std::string& rgb) {
-  Colour found;
-  CAPTURE(rgb);
-  REQUIRE(std::sscanf(rgb.c_str(), "rgb(%lf%%,%lf%%,%lf%%)", &found.red, &found.green, &found.blue) == 3);
-  return {found.red / 100, found.green / 100, found.blue / 100, 1};
+Colour colour(const std::string& hexadecimal) {
+  CAPTURE(hexadecimal);
+  REQUIRE((hexadecimal.size() == 4 || hexadecimal.size() == 7));
+  const std::size_t digits = hexadecimal.size() / 3;
+  const auto level = [&](std::size_t part) {
+    const std::string value = hexadecimal.substr(1 + part * digits, digits);
+    return std::stoi(digits == 1 ? value + value : value, nullptr, 16) / 255.0;
+  };
+  return {level(0), level(1), level(2), 1};
 }
 
 }  // namespace epure::drawings

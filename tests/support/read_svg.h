@@ -31,9 +31,10 @@ class SvgFile {
   pugi::xml_document xml_;
 };
 
-// A property of the element's style; fails the test when there is none.
+// A property of the element's, or of the nearest element around it that has it, or as SVG begins with it; fails the
+// test when it has no value.
 std::string style(pugi::xml_node element, const std::string& property);
-// A colour such as rgb(0%,44.7%,100%).
-Colour colour(const std::string& rgb);
+// A colour such as #0072b2 or #fff.
+Colour colour(const std::string& hexadecimal);
 
 }  // namespace epure::drawings
