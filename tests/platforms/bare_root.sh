@@ -56,7 +56,7 @@ report "$(inside '. /etc/os-release; echo "$PRETTY_NAME, $(nproc) processors"'),
 
 failures=0
 timed './epure draw all' inside './epure draw all' || failures=1
-sed -n "s/^to_test='\(.*\)'.*/\1/p" "$checkout/epure" | tr ' ' '\n' > "$folder/to_test"
+sed -n "s/^to_test='\(.*\)'.*/\1/p" "$root/epure/epure" | tr ' ' '\n' > "$folder/to_test"
 if inside 'apt-mark showmanual' | grep -xF -f "$folder/to_test"; then
   report 'installed without need, as the tests alone take it'
   failures=1
