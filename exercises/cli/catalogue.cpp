@@ -30,14 +30,16 @@ Target find_target(const Catalogue& exercises, const std::string& name) {
 
 bool has_symbol(const Exercise& exercise, const std::string& symbol) {
   const auto& givens = exercise.about().givens;
-  return std::any_of(givens.begin(), givens.end(), [&](const GivenSpec& given) { return given.symbol == symbol; });
+  return index_of(givens, symbol) < givens.size();
 }
 
-// The givens' names beside their letters, as plain text.
+// The givens' names beside their letters, as plain text, and beside the other names they have.
 std::vector<NameAndLetters> given_names(const Exercise& exercise) {
   std::vector<NameAndLetters> all;
-  for (const GivenSpec& given : exercise.about().givens)
+  for (const GivenSpec& given : exercise.about().givens) {
     all.push_back({given.symbol, unicode_symbol(given.letters.empty() ? given.symbol : given.letters)});
+    for (const std::string& name : given.also) all.push_back({given.symbol, name});
+  }
   return all;
 }
 

@@ -59,14 +59,22 @@ Json quantity(const CheckedQuantity& checked) {
   return json;
 }
 
+// Under its one name; the names it had are beside it, for who looks for them.
+Json given(const Givens& givens, const GivenSpec& spec) {
+  Json json = {{"symbol", spec.symbol},
+               {"value", givens.text(spec.symbol)},
+               {"unit", givens.reading(spec.symbol)->unit.symbol}};
+  if (!spec.also.empty()) json["also"] = spec.also;
+  return json;
+}
+
 Json exercise(const CheckedExercise& checked) {
   Json json = {{"id", checked.about.id},
                {"source", {{"document", checked.about.document}, {"item", checked.about.item}}},
                {"givens", Json::array()},
                {"quantities", Json::array()}};
-  for (const GivenSpec& given : checked.givens.specs())
-    json["givens"].push_back(
-        {{"symbol", given.symbol}, {"value", checked.givens.text(given.symbol)}, {"unit", given.unit}});
+  for (const GivenSpec& spec : checked.givens.specs())
+    if (checked.givens.reading(spec.symbol)) json["givens"].push_back(given(checked.givens, spec));
   for (const CheckedQuantity& each : checked.quantities) json["quantities"].push_back(quantity(each));
   json["passed"] = checked.passed();
   return json;

@@ -33,11 +33,18 @@ std::string words_of(const GivenSpec& given) {
   return words;
 }
 
+std::string other_names(const GivenSpec& given, Language language) {
+  if (given.also.empty()) return "";
+  return fmt::format(" ({} {})", Words{"also", "anche"}.in(language), fmt::join(given.also, ", "));
+}
+
 std::string givens(const Description& about, Language language) {
   std::vector<std::vector<std::string>> rows;
+  const Givens stated(about.givens);
   for (const GivenSpec& given : about.givens)
-    rows.push_back({given.symbol, given.stated, given.choices.empty() ? given.unit : words_of(given),
-                    drawings::plain(given.meaning.in(language))});
+    rows.push_back({given.symbol, stated.follows(given.symbol) ? stated.text(given.symbol) : given.stated,
+                    given.choices.empty() ? stated.reading(given.symbol)->unit.symbol : words_of(given),
+                    drawings::plain(given.meaning.in(language)) + other_names(given, language)});
   return heading({"Givens (--set SYMBOL=VALUE[UNIT])", "Dati (--set SYMBOL=VALUE[UNIT])"}, language) +
          columns(rows, 2);
 }

@@ -189,7 +189,8 @@ std::string measured(const CheckedExercise& checked) {
 std::string givens(const Givens& givens) {
   std::vector<std::string> all;
   for (const GivenSpec& given : givens.specs())
-    all.push_back(given.symbol + " = " + with_unit(givens.text(given.symbol), given.unit));
+    if (const auto read = givens.reading(given.symbol))
+      all.push_back(given.symbol + " = " + with_unit(givens.text(given.symbol), read->unit.symbol));
   return fmt::format("{}", fmt::join(all, ", "));
 }
 

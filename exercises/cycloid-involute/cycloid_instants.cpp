@@ -118,7 +118,7 @@ std::string about_cusp(Language language) {
 }
 
 bool is_as_printed(const Problem& of) {
-  return of.r == Rational(1, 2) && of.omega_1 == 30 && of.phi.turns == Rational(3, 8);
+  return of.r == Rational(1, 2) && of.omega_1 == Angle{0, 30} && of.phi == Angle{Rational(3, 8)};
 }
 std::string about_source(Language language) {
   return language == Language::english

@@ -34,8 +34,8 @@ DrawnInstant drawn(const Instant& at, const Contact& contact, const InstantNames
   return figure;
 }
 
-double seconds(const Deep& phi, const Rational& omega) {
-  return to_double(geometry::quotient(phi, geometry::from_rational<Deep>(omega)));
+double seconds(const Deep& phi, const Angle& omega) {
+  return to_double(geometry::quotient(phi, geometry::radians<Deep>(omega)));
 }
 
 // The start of the arch in which the wheel stands, so that the figure is the same in every arch.
@@ -48,7 +48,7 @@ Contact within_arch(const Deep& phi, const Rational& arches, const Rational& r) 
 
 DrawnInstant drawn_at_phi(const Problem& of) {
   return deeply([&] {
-    const Deep omega = geometry::from_rational<Deep>(of.omega_1), phi = geometry::radians<Deep>(of.phi);
+    const Deep omega = geometry::radians<Deep>(of.omega_1), phi = geometry::radians<Deep>(of.phi);
     const Rational arches = geometry::whole_turns(of.phi);
     DrawnInstant figure = drawn(geometry::rolling_instant<Deep>(of.wheel(), of.phi, omega, Deep(0)),
                                 within_arch(phi, arches, of.r), at_phi);
@@ -64,7 +64,7 @@ DrawnInstant drawn_at_s(const Problem& of) {
   return deeply([&] {
     const geometry::CycloidArc arc = of.travelled();
     const Deep phi = geometry::turned_angle<Deep>(arc);
-    DrawnInstant figure = drawn(geometry::rolling_instant<Deep>(arc, geometry::from_rational<Deep>(of.omega_1)),
+    DrawnInstant figure = drawn(geometry::rolling_instant<Deep>(arc, geometry::radians<Deep>(of.omega_1)),
                                 within_arch(phi, arc.arches(), of.r), at_s);
     figure.phi = to_double(phi);
     figure.t = seconds(phi, of.omega_1);
@@ -74,14 +74,13 @@ DrawnInstant drawn_at_s(const Problem& of) {
   });
 }
 
-DrawnInstant drawn_at_time(const Problem& of, const Rational& t, const InstantNames& names) {
+DrawnInstant drawn_on_involute(const Problem& of, const Angle& phi, const InstantNames& names) {
   return deeply([&] {
-    const Angle phi = of.phi_at(t);
     DrawnInstant figure =
-        drawn(geometry::rolling_instant<Deep>(of.line(), phi, geometry::from_rational<Deep>(of.omega_2), Deep(0)),
+        drawn(geometry::rolling_instant<Deep>(of.line(), phi, geometry::radians<Deep>(of.omega_2), Deep(0)),
               geometry::contact_point<Deep>(of.line(), phi), names);
     figure.phi = to_double(geometry::radians<Deep>(phi));
-    figure.t = to_double(geometry::from_rational<Deep>(t));
+    figure.t = to_double(geometry::quotient_of<Deep>(phi, of.omega_2));
     figure.s = to_double(geometry::arc_length<Deep>(of.line(), phi));
     return figure;
   });

@@ -51,13 +51,13 @@ class CycloidInvolute : public Exercise {
 
 Problem problem_of(const Givens& givens) {
   return {.r = givens["d"] / 2,
-          .omega_1 = givens["omega_1"],
-          .phi = {givens["phi"] / 360},
+          .omega_1 = givens.angle("omega_1"),
+          .phi = givens.angle("phi"),
           .s = givens["s"],
           .r_0 = givens["d_0"] / 2,
-          .omega_2 = givens["omega_2"],
-          .t1 = givens["t1"],
-          .t2 = givens["t2"]};
+          .omega_2 = givens.angle("omega_2"),
+          .phi_1 = givens.angle("phi_1"),
+          .phi_2 = givens.angle("phi_2")};
 }
 
 }  // namespace cycloid_involute

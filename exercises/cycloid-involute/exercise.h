@@ -23,15 +23,17 @@ std::vector<Printed> printed_by_the_source();
 double printed_equation_speed(double phi);
 
 struct Problem {
-  Rational r, omega_1;
+  Rational r;
+  Angle omega_1;
   Angle phi;   // first instant of the cycloid: the wheel has turned through φ
   Rational s;  // second: M has travelled s
-  Rational r_0, omega_2, t1, t2;
+  Rational r_0;
+  Angle omega_2;
+  Angle phi_1, phi_2;  // the line has turned through them at both instants of the involute
 
   geometry::Rolling wheel() const { return {.how = geometry::Rolls::circle_on_line, .r = r, .d = r}; }
   geometry::Rolling line() const { return {.how = geometry::Rolls::line_on_circle, .R = r_0}; }
   geometry::CycloidArc travelled() const { return {r, s}; }
-  Angle phi_at(const Rational& t) const { return {0, omega_2 * t}; }
 };
 Problem problem_of(const Givens& givens);
 
@@ -58,7 +60,7 @@ struct DrawnInstant {
 };
 DrawnInstant drawn_at_phi(const Problem& problem);
 DrawnInstant drawn_at_s(const Problem& problem);
-DrawnInstant drawn_at_time(const Problem& problem, const Rational& t, const InstantNames& names);
+DrawnInstant drawn_on_involute(const Problem& problem, const Angle& phi, const InstantNames& names);
 
 // One sheet each; they add to an empty sheet.
 void draw_cycloid(DrawnSheet& onto, const Problem& problem, const SheetRequest& request);

@@ -121,7 +121,8 @@ std::string title(const std::string& symbol, const DrawnInstant& at, Language la
 void draw_involute_instants(DrawnSheet& onto, const Problem& of, const SheetRequest& request) {
   const Language language = request.language;
   const bool english = language == Language::english;
-  const DrawnInstant at_first = drawn_at_time(of, of.t1, at_t1), at_second = drawn_at_time(of, of.t2, at_t2);
+  const DrawnInstant at_first = drawn_on_involute(of, of.phi_1, at_t1),
+                     at_second = drawn_on_involute(of, of.phi_2, at_t2);
   require_drawable(at_first);
   require_drawable(at_second);
   const LinePicture first(of, at_first, "$t_{1}$", title("$t_{1}$", at_first, language)),

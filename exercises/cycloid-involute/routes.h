@@ -83,14 +83,15 @@ struct CycloidAtPhi {
 
   void by_poles() const {
     const geometry::Rolling wheel = of.wheel();
-    const T omega = geometry::from_rational<T>(of.omega_1);
+    const T omega = geometry::radians<T>(of.omega_1);
     const auto at = geometry::rolling_instant<T>(wheel, of.phi, omega, T(0));
     const auto contact = [&] { return geometry::contact_point<T>(wheel, of.phi); };
     const auto K = [&] { return geometry::finite(at.motion.acceleration_pole()) - at.motion.A; };
     ledger.route("poles");
     // The contact travels at r ω.
-    ledger.put(at_phi("time_at_phi"),
-               [&] { return geometry::quotient(contact().x, geometry::from_rational<T>(of.r * of.omega_1)); });
+    ledger.put(at_phi("time_at_phi"), [&] {
+      return geometry::quotient(contact().x, geometry::from_rational<T>(of.r) * geometry::radians<T>(of.omega_1));
+    });
     write_instant<T>(ledger, at_phi, at, contact);
     ledger.put(at_phi("a_t"), [&] { return along_the_motion(at.is_at_cusp, components(at).after); });
     write_sides<T>(ledger, at_phi, [&] { return components(at); });
@@ -103,7 +104,7 @@ struct CycloidAtPhi {
   }
 
   void by_derivatives() const {
-    const T omega = geometry::from_rational<T>(of.omega_1);
+    const T omega = geometry::radians<T>(of.omega_1);
     const auto path = geometry::analytic::roulette<T>(cycloid(), of.phi);
     const auto motion = path.motion(omega, T(0));
     const auto parts = [&]() -> Components<T> {
@@ -147,7 +148,7 @@ struct CycloidAtArc {
 
   void by_poles() const {
     const geometry::CycloidArc arc = of.travelled();
-    const T omega = geometry::from_rational<T>(of.omega_1), r = geometry::from_rational<T>(of.r);
+    const T omega = geometry::radians<T>(of.omega_1), r = geometry::from_rational<T>(of.r);
     const auto at = geometry::rolling_instant<T>(arc, omega);
     const auto phi = [&] { return geometry::turned_angle<T>(arc); };
     ledger.route("poles");
@@ -159,7 +160,7 @@ struct CycloidAtArc {
   }
 
   void by_natural_equation() const {
-    const T omega = geometry::from_rational<T>(of.omega_1);
+    const T omega = geometry::radians<T>(of.omega_1);
     const geometry::analytic::CycloidByArc<T> path(of.r, of.s, omega);
     ledger.route("natural equation");
     ledger.put(at_s("phi"), [&] { return path.angle(); });
@@ -182,16 +183,15 @@ struct CycloidAtArc {
 
 // The motion begins with φ = 0, so that at the cusp there the tangential part is the one after it.
 template <class T>
-struct InvoluteAtTime {
+struct OnInvolute {
   const Problem& of;
-  const Rational& t;
+  const Angle& phi;
   const InstantNames& name;
   Ledger<T>& ledger;
 
   void by_poles() const {
     const geometry::Rolling line = of.line();
-    const Angle phi = of.phi_at(t);
-    const auto at = geometry::rolling_instant<T>(line, phi, geometry::from_rational<T>(of.omega_2), T(0));
+    const auto at = geometry::rolling_instant<T>(line, phi, geometry::radians<T>(of.omega_2), T(0));
     ledger.route("poles");
     ledger.put(name("phi"), [&] {
       return geometry::quotient(geometry::distance(at.motion.A, at.M), geometry::from_rational<T>(of.r_0));
@@ -203,8 +203,7 @@ struct InvoluteAtTime {
 
   void by_derivatives() const {
     const geometry::analytic::Roulette involute{geometry::analytic::RouletteKind::involute, 0, of.r_0, 0};
-    const Angle phi = of.phi_at(t);
-    const T omega = geometry::from_rational<T>(of.omega_2);
+    const T omega = geometry::radians<T>(of.omega_2);
     const auto path = geometry::analytic::roulette<T>(involute, phi);
     ledger.route("analytic");
     ledger.put(name("phi"), [&] { return geometry::radians<T>(phi); });

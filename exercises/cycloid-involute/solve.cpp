@@ -32,13 +32,13 @@ struct CycloidAtArcRoutes {
 
 struct InvoluteRoutes {
   const Problem& of;
-  const Rational& t;
+  const Angle& phi;
   const InstantNames& names;
 
   template <class T>
   Ledger<T> operator()() const {
     Ledger<T> ledger("poles");
-    const InvoluteAtTime<T> write{of, t, names, ledger};
+    const OnInvolute<T> write{of, phi, names, ledger};
     write.by_poles();
     write.by_derivatives();
     return ledger;
@@ -50,8 +50,8 @@ struct InvoluteRoutes {
 // Instant by instant, so that one that needs many bits or a proof does not hold up the others.
 std::vector<RouteValue> solved(const Problem& of, Rung rung) {
   std::vector<RouteValue> all = settle(CycloidAtPhiRoutes{of}, rung);
-  for (const auto& more : {settle(CycloidAtArcRoutes{of}, rung), settle(InvoluteRoutes{of, of.t1, at_t1}, rung),
-                           settle(InvoluteRoutes{of, of.t2, at_t2}, rung)})
+  for (const auto& more : {settle(CycloidAtArcRoutes{of}, rung), settle(InvoluteRoutes{of, of.phi_1, at_t1}, rung),
+                           settle(InvoluteRoutes{of, of.phi_2, at_t2}, rung)})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

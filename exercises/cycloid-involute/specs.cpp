@@ -117,6 +117,17 @@ std::vector<QuantitySpec> involute_at(const NamedInstant& t) {
                  curvature(t)});
 }
 
+GivenSpec angle_of_line(const std::string& symbol, const std::string& instant, const std::string& letters) {
+  return {.symbol = symbol,
+          .meaning = {"angle the line has turned through, in place of " + instant,
+                      "angolo di cui è ruotata la retta, in luogo di " + instant},
+          .unit = "rad",
+          .stated = "",
+          .range = Range::not_negative,
+          .letters = letters,
+          .turned = TurnedThrough{.instant = instant, .speed = "omega_2"}};
+}
+
 }  // namespace
 
 std::vector<GivenSpec> given_specs() {
@@ -157,12 +168,14 @@ std::vector<GivenSpec> given_specs() {
            "0.14",
            Range::not_negative,
            "$t_{1}$"},
+          angle_of_line("phi_1", "t1", "$φ_{1}$"),
           {"t2",
            {"second instant of the involute", "secondo istante dell'evolvente"},
            "s",
            "0.28",
            Range::not_negative,
-           "$t_{2}$"}};
+           "$t_{2}$"},
+          angle_of_line("phi_2", "t2", "$φ_{2}$")};
 }
 
 std::vector<QuantitySpec> quantity_specs() {

@@ -128,7 +128,7 @@ void fill(DrawnSheet& onto, const Motion& of, const std::vector<Words>& lines, c
 
 void draw_cycloid_travel(DrawnSheet& onto, const Problem& of, const SheetRequest& request) {
   const DrawnInstant first = drawn_at_phi(of), second = drawn_at_s(of);
-  const double r = CGAL::to_double(of.r), omega = CGAL::to_double(of.omega_1);
+  const double r = CGAL::to_double(of.r), omega = geometry::to_double(of.omega_1);
   const double turn = 2 * std::numbers::pi / omega;
   const Motion motion{.name = "arc",
                       .end = std::max(1.25 * std::max(first.t, second.t), turn),
@@ -161,8 +161,8 @@ void draw_cycloid_travel(DrawnSheet& onto, const Problem& of, const SheetRequest
 }
 
 void draw_involute_travel(DrawnSheet& onto, const Problem& of, const SheetRequest& request) {
-  const DrawnInstant first = drawn_at_time(of, of.t1, at_t1), second = drawn_at_time(of, of.t2, at_t2);
-  const double r = CGAL::to_double(of.r_0), omega = CGAL::to_double(of.omega_2);
+  const DrawnInstant first = drawn_on_involute(of, of.phi_1, at_t1), second = drawn_on_involute(of, of.phi_2, at_t2);
+  const double r = CGAL::to_double(of.r_0), omega = geometry::to_double(of.omega_2);
   const double latest = std::max(first.t, second.t);
   const Motion motion{.name = "arc",
                       .end = latest > 0 ? 1.1 * latest : 1 / omega,

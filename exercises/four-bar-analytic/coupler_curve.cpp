@@ -33,7 +33,7 @@ std::vector<Position> divided_positions(const Problem& of) {
     std::vector<Position> found;
     for (int k = 0; k < crank_positions; ++k) {
       FourBarInstant there = of.instant;
-      there.crank = geometry::Turn{Rational(k, crank_positions)};
+      there.crank = Angle{Rational(k, crank_positions)};
       try {
         const auto at = there.position<Deep>();
         found.push_back({k, to_double(at.A), to_double(at.B), to_double(coupler_point(of, at))});
@@ -82,7 +82,7 @@ Curvature curvature_of_P(const Problem& of) {
   return deeply([&]() -> Curvature {
     const auto at = of.instant.position<Deep>();
     const auto motion =
-        geometry::four_bar_motion(at, of.instant.omega_2<Deep>(), geometry::from_rational<Deep>(of.instant.alpha_2));
+        geometry::four_bar_motion(at, of.instant.omega_2<Deep>(), geometry::radians<Deep>(of.instant.alpha_2));
     const auto P = coupler_point(of, at);
     return {to_double(motion.coupler.centre_of_curvature(P)), to_double(motion.coupler.velocity(P)),
             to_double(motion.coupler.acceleration(P))};

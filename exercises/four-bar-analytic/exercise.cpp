@@ -51,7 +51,7 @@ class FourBarAnalytic : public Exercise {
   Description about_ = description();
 };
 
-double sense_of(const FourBarInstant& instant) { return instant.turns_per_second > 0 ? 1 : -1; }
+double sense_of(const FourBarInstant& instant) { return sign_of(instant.n); }
 
 PolygonImage image(const std::string& letter, const std::string& quantity, const std::string& label, const Arrow2& v,
                    const std::string& tip, const Words& explained) {
@@ -118,7 +118,7 @@ void add_points(FourBarFigure& figure, const geometry::FourBar<Deep>& at) {
 Drawn drawn(const Problem& of) {
   return deeply([&] {
     const FourBarInstant &instant = of.instant, other = on_other_branch(instant);
-    const Deep omega_2 = instant.omega_2<Deep>(), alpha_2 = geometry::from_rational<Deep>(instant.alpha_2);
+    const Deep omega_2 = instant.omega_2<Deep>(), alpha_2 = geometry::radians<Deep>(instant.alpha_2);
     const auto at = instant.position<Deep>(), at_other = other.position<Deep>();
     Drawn f{.of = of,
             .figure = drawn_four_bar(at, sense_of(instant)),

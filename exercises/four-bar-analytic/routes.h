@@ -83,7 +83,7 @@ void write_motion(Ledger<T>& ledger, const geometry::FourBar<T>& at, const Point
 template <class T>
 void by_construction(Ledger<T>& ledger, const Problem& of, const HalfTurned& back) {
   const FourBarInstant& instant = of.instant;
-  const T omega_2 = instant.omega_2<T>(), alpha_2 = geometry::from_rational<T>(instant.alpha_2);
+  const T omega_2 = instant.omega_2<T>(), alpha_2 = geometry::radians<T>(instant.alpha_2);
   const geometry::FourBar<T> at = instant.position<T>();
   const Point<T> P = coupler_point(of, at);
   ledger.route("construction");
@@ -112,7 +112,7 @@ void by_construction(Ledger<T>& ledger, const Problem& of, const HalfTurned& bac
 template <class T>
 void other_branch_by_construction(Ledger<T>& ledger, const FourBarInstant& other, const HalfTurned& back) {
   const geometry::FourBar<T> at = other.position<T>();
-  const auto motion = motion_by_polar_diagram(at, other.omega_2<T>(), geometry::from_rational<T>(other.alpha_2));
+  const auto motion = motion_by_polar_diagram(at, other.omega_2<T>(), geometry::radians<T>(other.alpha_2));
   ledger.route("construction");
   write_link_angles(ledger, link_directions(at), back, "_other_branch");
   ledger.route("polar diagram");
@@ -132,7 +132,7 @@ Analysed<T> analysed(const FourBarInstant& instant) {
   namespace analytic = geometry::analytic;
   const analytic::FourBar g = instant.analytic_lengths();
   const auto crank =
-      analytic::crank_at<T>(instant.crank, instant.omega_2<T>(), geometry::from_rational<T>(instant.alpha_2));
+      analytic::crank_at<T>(instant.crank, instant.omega_2<T>(), geometry::radians<T>(instant.alpha_2));
   const auto position = analytic::position(g, crank, instant.analytic_branch());
   return {position, analytic::motion(g, crank, position)};
 }
@@ -154,7 +154,7 @@ void by_analysis(Ledger<T>& ledger, const Problem& of, const HalfTurned& back) {
   const Analysed<T> found = analysed<T>(instant);
   const auto& p = found.position;
   const auto& m = found.motion;
-  const T omega_2 = instant.omega_2<T>(), alpha_2 = geometry::from_rational<T>(instant.alpha_2);
+  const T omega_2 = instant.omega_2<T>(), alpha_2 = geometry::radians<T>(instant.alpha_2);
   const auto crank = analytic::crank(analytic::crank_at<T>(instant.crank, omega_2, alpha_2));
   const auto coupler = analytic::coupler(p, m);
   const auto rocker = analytic::rocker(g, m);

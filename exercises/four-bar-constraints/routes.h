@@ -15,7 +15,7 @@ struct Found {
 
 template <class T>
 geometry::analytic::CrankState<T> crank_of(const FourBarInstant& at) {
-  return geometry::analytic::crank_at<T>(at.crank, at.omega_2<T>(), geometry::from_rational<T>(at.alpha_2));
+  return geometry::analytic::crank_at<T>(at.crank, at.omega_2<T>(), geometry::radians<T>(at.alpha_2));
 }
 
 // The middle of a link in its own frame.
@@ -52,7 +52,7 @@ Found<T> by_analysis(const FourBarInstant& at, const geometry::analytic::FourBar
 
 template <class T>
 Found<T> by_polar_diagram(const FourBarInstant& at, const geometry::FourBar<T>& here) {
-  const auto m = motion_by_polar_diagram(here, at.omega_2<T>(), geometry::from_rational<T>(at.alpha_2));
+  const auto m = motion_by_polar_diagram(here, at.omega_2<T>(), geometry::radians<T>(at.alpha_2));
   return {{m.coupler.omega, m.omega_4, m.coupler.alpha, m.alpha_4},
           midpoint_images(m.coupler.v_A, m.coupler.velocity(here.B), m.coupler.a_A, m.coupler.acceleration(here.B))};
 }

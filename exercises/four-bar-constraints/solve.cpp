@@ -56,7 +56,7 @@ Drawn drawn(const Problem& of) {
     const Routes routes(of);
     const LinkDirections<Deep> links = link_directions(at), links_by_analysis = analysed_links(p);
     const Found<Deep> constraints = by_constraints<Deep>(instant, q);
-    const double sense = instant.turns_per_second > 0 ? 1 : -1;
+    const double sense = sign_of(instant.n);
     Drawn f{.of = of, .figure = drawn_four_bar(at, sense), .motion = rounded(constraints.midpoints)};
     f.figure.points = {{"$G_{2}$", to_double(midpoint(at.A0, at.A))},
                        {"$G_{3}$", to_double(midpoint(at.A, at.B))},

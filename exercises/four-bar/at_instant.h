@@ -27,8 +27,8 @@ struct AtInstant {
   template <class T>
   Ledger<T> operator()() const {
     const FourBarInstant& instant = of.instant;
-    const T omega_2 = instant.omega_2<T>(), alpha_2 = from_rational<T>(instant.alpha_2);
-    const DrivenCrank<T> crank{instant.crank, of.t, omega_2};
+    const T omega_2 = instant.omega_2<T>(), alpha_2 = radians<T>(instant.alpha_2);
+    const DrivenCrank<T> crank{instant.crank, instant.n, omega_2};
     const auto here = with_plate(instant.position<T>(), of, of.C_side);
     Ledger<T> ledger("construction");
     write_crank(ledger, crank, here.at.A);
@@ -49,7 +49,7 @@ struct AtInstant {
  private:
   template <class T>
   analytic::CrankState<T> crank_state() const {
-    return analytic::crank_at<T>(of.instant.crank, of.instant.omega_2<T>(), from_rational<T>(of.instant.alpha_2));
+    return analytic::crank_at<T>(of.instant.crank, of.instant.omega_2<T>(), radians<T>(of.instant.alpha_2));
   }
   template <class T>
   Analysed<T> analysis(const analytic::CrankState<T>& crank) const {

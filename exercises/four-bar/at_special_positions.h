@@ -56,7 +56,7 @@ struct AtDeadCentre {
     write_found_crank(ledger, found.crank);
     write_rocker_degrees(ledger, link_directions(found.at), back.by_construction);
     by_construction(ledger, with_plate(found.at, of, of.C_side), back.by_construction, instant.omega_2<T>(),
-                    from_rational<T>(instant.alpha_2), false);
+                    radians<T>(instant.alpha_2), false);
 
     const auto crank = analysed_crank<T>();
     const auto analysed_here = analysis(crank);
@@ -78,7 +78,7 @@ struct AtDeadCentre {
   }
   template <class T>
   Analysed<T> analysis(const analytic::Complex<T>& crank) const {
-    const auto state = analytic::crank_along<T>(crank, of.instant.omega_2<T>(), from_rational<T>(of.instant.alpha_2));
+    const auto state = analytic::crank_along<T>(crank, of.instant.omega_2<T>(), radians<T>(of.instant.alpha_2));
     return analysed(of, state, of.instant.analytic_branch(), of.C_side);
   }
   template <class T>
@@ -97,7 +97,7 @@ struct AtParallel {
   template <class T>
   Ledger<T> operator()() const {
     const FourBarInstant& instant = of.instant;
-    const T omega_2 = instant.omega_2<T>(), alpha_2 = from_rational<T>(instant.alpha_2);
+    const T omega_2 = instant.omega_2<T>(), alpha_2 = radians<T>(instant.alpha_2);
     const auto found = geometry::parallel_position<T>(instant.lengths, sense, branch);
     Ledger<T> ledger("construction");
     ledger.begin_case(prefix);

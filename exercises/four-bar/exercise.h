@@ -10,7 +10,7 @@ namespace epure::four_bar {
 
 struct Problem {
   FourBarInstant instant;
-  Rational t, AC;
+  Rational AC;
   geometry::Side C_side = geometry::Side::right;  // of A -> B
   Rational lambda;                                // coupler over crank of the slider-crank
 };

@@ -58,9 +58,9 @@ PolygonImage image_of_C(const CouplerFigure& coupler, const std::string& letter,
 }  // namespace
 
 Drawn::Drawn(const Problem& of, const geometry::FourBar<Deep>& at, const std::string& prefix)
-    : problem(of), mechanism(drawn_four_bar(at, of.instant.turns_per_second > 0 ? 1 : -1)), coupler{&mechanism} {
+    : problem(of), mechanism(drawn_four_bar(at, sign_of(of.instant.n))), coupler{&mechanism} {
   const Deep speed = of.instant.omega_2<Deep>();
-  const auto motion = geometry::four_bar_motion(at, speed, geometry::from_rational<Deep>(of.instant.alpha_2));
+  const auto motion = geometry::four_bar_motion(at, speed, geometry::radians<Deep>(of.instant.alpha_2));
   const geometry::Point<Deep> C = corner(of, at);
   mechanism.C = to_double(C);
   coupler = coupler_figure(mechanism, motion.coupler, {{"A", at.A}, {"B", at.B}, {"C", C}});

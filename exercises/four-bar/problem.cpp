@@ -37,14 +37,10 @@ std::vector<GivenSpec> givens() {
            "50",
            Range::any,
            "$n_{2}$"},
-          {"t",
-           {"instant, counted from the crank on +x", "istante, dalla manovella sul semiasse +x"},
-           "s",
-           "0.1",
-           Range::any,
-           "$t$"},
+          instant_given("0.1", Range::any),
+          crank_angle_given(),
           {"alpha_2",
-           {"angular acceleration of the crank at t", "accelerazione angolare della manovella in t"},
+           {"angular acceleration of the crank", "accelerazione angolare della manovella"},
            "rad/s^2",
            "0",
            Range::any,
@@ -59,13 +55,11 @@ std::vector<GivenSpec> givens() {
 }
 
 Problem problem(const Givens& givens) {
-  const Rational turns_per_second = givens["n"] / 60;
   Problem of{.instant = {.lengths = {givens["A0A"], givens["AB"], givens["B0B"], givens["x_B0"], givens["y_B0"]},
                          .side = side_chosen(givens, "branch"),
-                         .turns_per_second = turns_per_second,
-                         .crank = {turns_per_second * givens["t"]},
-                         .alpha_2 = givens["alpha_2"]},
-             .t = givens["t"],
+                         .n = givens.angle("n"),
+                         .crank = givens.angle("phi"),
+                         .alpha_2 = givens.angle("alpha_2")},
              .AC = givens["AC"],
              .C_side = side_chosen(givens, "C_side"),
              .lambda = givens["lambda"]};

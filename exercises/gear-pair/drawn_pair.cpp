@@ -121,11 +121,10 @@ bool DrawnPair::has(geometry::Fault::Kind kind, int wheel) const {
   });
 }
 
-DrawnPair drawn_pair(const geometry::PairData& of, const Rational& turns_per_second) {
+DrawnPair drawn_pair(const geometry::PairData& of, const Angle& speed) {
   return deeply([&] {
     const auto pair = geometry::gear_pair<Deep>(of);
-    const Deep two_pi = Deep(2) * geometry::pi<Deep>();
-    const auto speeds = pair_speeds(pair, Deep(two_pi * geometry::from_rational<Deep>(turns_per_second)));
+    const auto speeds = pair_speeds(pair, geometry::radians<Deep>(speed));
     const auto angle = [](const geometry::PressureAngle<Deep>& a) {
       return epure::to_double(arc_tangent(a.sine, a.cosine));
     };

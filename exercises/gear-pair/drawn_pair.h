@@ -95,6 +95,6 @@ struct DrawnPair {
 };
 
 // Throws BadGivens as pair_of does for givens without a pair.
-DrawnPair drawn_pair(const geometry::PairData& of, const Rational& turns_per_second);
+DrawnPair drawn_pair(const geometry::PairData& of, const Angle& speed);
 
 }  // namespace epure::gear_pair

@@ -128,7 +128,7 @@ std::string contact_ratio(const DrawnPair& pair, Language language) {
 std::string pressure_angle(const DrawnPair& pair, Language language) {
   if (pair.alpha != pair.alpha_w)
     return fmt::format("$α_{{w}}$ = {}°", figures(pair.alpha_w * 180 / std::numbers::pi, 4, language));
-  return fmt::format("$α$ = {}°", short_number(CGAL::to_double(360 * pair.of.alpha.fraction), language));
+  return fmt::format("$α$ = {}°", short_number(degrees(pair.of.alpha), language));
 }
 
 bool is_near(const DrawnPair& pair, double xi) {

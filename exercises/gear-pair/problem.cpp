@@ -78,15 +78,16 @@ void require_working_angle(const PairData& of) {
 }  // namespace
 
 PairData pair_of(const Givens& givens) {
-  const Rational& degrees = givens["alpha"];
-  require(degrees >= 1 && degrees <= 75,
-          fmt::format("alpha = {} deg: must lie between 1 and 75 deg", givens.text("alpha")));
+  const Angle alpha = givens.angle("alpha"), degree{Rational(1, 360)};
+  require(sign_of(alpha - degree) >= 0 && sign_of(alpha - Rational(75) * degree) <= 0,
+          fmt::format("alpha = {} {}: must lie between 1 and 75 deg", givens.text("alpha"),
+                      givens.reading("alpha")->unit.symbol));
   const PairKind kind = kind_of(givens);
   const PairData of{.kind = kind,
                     .z1 = teeth(givens, "z1"),
                     .z2 = kind == PairKind::rack ? 0 : teeth(givens, "z2"),
                     .m = givens["m"] / 1000,
-                    .alpha = {degrees / 360},
+                    .alpha = alpha,
                     .x1 = factor(givens, "x1"),
                     .x2 = factor(givens, "x2"),
                     .ha = factor(givens, "ha"),
@@ -101,6 +102,6 @@ PairData pair_of(const Givens& givens) {
   return of;
 }
 
-Rational speed_of(const Givens& givens) { return givens["n1"] / 60; }
+Angle speed_of(const Givens& givens) { return givens.angle("n1"); }
 
 }  // namespace epure::gear_pair

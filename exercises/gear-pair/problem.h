@@ -15,6 +15,6 @@ std::vector<Printed> printed_by_the_source();
 geometry::PairData pair_of(const Givens& givens);
 
 // n1, turns a second.
-Rational speed_of(const Givens& givens);
+Angle speed_of(const Givens& givens);
 
 }  // namespace epure::gear_pair

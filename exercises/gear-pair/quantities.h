@@ -135,7 +135,7 @@ class Constructed {
     to_.of_circle(wheel, on("tooth_thickness_base_", wheel), [&] { return geometry::base_thickness(pair_, wheel); });
     to_.put(on("tooth_thickness_tip_", wheel), [&] { return geometry::tip_thickness(pair_, wheel); });
     to_.put(on("tip_pressure_angle_", wheel, "_deg"), [&]() -> T {
-      if (of_rack) return number(360 * of_.alpha.fraction);
+      if (of_rack) return given_in_degrees<T>(of_.alpha);
       const auto at_tip = geometry::pressure_angle_at(circles(wheel).r_tip, circles(wheel).r_b);
       return in_degrees(slope_angle(geometry::Vector<T>{at_tip.cosine, at_tip.sine}));
     });
@@ -266,14 +266,14 @@ class Calculated {
       return is_rack(wheel) ? by_.rack_thickness(of().m * (of().ha - of().k)) : by_.tip_thickness(wheel);
     });
     to_.put(on("tip_pressure_angle_", wheel, "_deg"), [&] {
-      return is_rack(wheel) ? number(360 * of().alpha.fraction) : in_degrees(by_.tip_pressure_angle(wheel));
+      return is_rack(wheel) ? given_in_degrees<T>(of().alpha) : in_degrees(by_.tip_pressure_angle(wheel));
     });
   }
 
   void write_pair() const {
     to_.put("centre_distance", [&] { return by_.a(); });
     to_.put("working_pressure_angle_deg", [&]() -> T {
-      if (!of().is_shifted()) return number(360 * of().alpha.fraction);
+      if (!of().is_shifted()) return given_in_degrees<T>(of().alpha);
       return in_degrees(slope_angle(geometry::Vector<T>{by_.alpha_w.cosine, by_.alpha_w.sine}));
     });
     to_.put("tooth_height", [&] { return number(of().m * (of().ha + of().hf - of().k)); });
@@ -335,21 +335,21 @@ struct LeastTeeth {
 };
 
 struct Routes {
-  Routes(const PairData& given, const Rational& turns_per_second)
+  Routes(const PairData& given, const Angle& turning)
       : of(given),
-        speed(turns_per_second),
+        speed(turning),
         by_construction{geometry::minimum_teeth_against_rack(of, of.x1), geometry::minimum_teeth_of_pinion(of)},
         by_formulas{geometry::analytic::minimum_teeth_against_rack(gears_of(of)),
                     geometry::analytic::minimum_teeth_of_pinion(gears_of(of))} {}
 
   PairData of;
-  Rational speed;  // of wheel 1, turns a second
+  Angle speed;  // of wheel 1, in a second
   LeastTeeth by_construction, by_formulas;
 
   template <class T>
   Ledger<T> operator()() const {
     Ledger<T> ledger("construction");
-    const T omega_1 = crank_speed<T>(speed, 0);
+    const T omega_1 = crank_speed<T>(speed, {});
     Constructed<T>(ledger, of, omega_1).write();
     write(ledger, by_construction);
     Calculated<T>(ledger, of, omega_1).write();

@@ -350,7 +350,7 @@ std::string of_the_pair(const DrawnPair& pair, Language language) {
   std::string text;
   const auto add = [&](const std::string& line) { text += (text.empty() ? "" : ", ") + line; };
   add(fmt::format("$m$ = {}\u00a0mm", exactly(1000 * pair.of.m, language)));
-  add(fmt::format("$α$ = {}°", exactly(360 * pair.of.alpha.fraction, language)));
+  add(fmt::format("$α$ = {}°", short_number(degrees(pair.of.alpha), language)));
   if (pair.O2) add(fmt::format("$a$ = {}\u00a0mm", to_micrometre(pair.centre_distance, language)));
   if (pair.alpha != pair.alpha_w) add(fmt::format("$α_{{w}}$ = {}°", figures(pair.alpha_w / degree, 6, language)));
   if (pair.has_contact()) add(both_contact_ratios(pair, language));

@@ -63,20 +63,28 @@ T in_degrees(const T& radians) {
   }
 }
 
+// A given angle, in degrees.
+template <class T>
+T given_in_degrees(const geometry::Angle& angle) {
+  if (angle.radians == 0) return geometry::from_rational<T>(360 * angle.turns);
+  if constexpr (signs_only<T>) {
+    return T(sign_of(angle));
+  } else {
+    return in_degrees(geometry::radians<T>(angle));
+  }
+}
+
 // The nearest whole number of half turns.
-inline Rational half_turns(const geometry::Turn& turn) {
-  const Rational shifted = 2 * turn.fraction + Rational(1, 2);
-  CGAL::Gmpz floor;
-  mpz_fdiv_q(floor.mpz(), shifted.numerator().mpz(), shifted.denominator().mpz());
-  return Rational(floor);
+inline Rational half_turns(const geometry::Angle& angle) {
+  return whole_turns(Rational(2) * angle + geometry::Angle{Rational(1, 2)});
 }
 
 // The crank angle as a protractor at A0 shows it, whole turns counted: from the half turn nearest to A, so that the
 // angle is never taken at its cut.
 template <class T>
-T crank_angle_seen(const geometry::Turn& crank, const geometry::Point<T>& A) {
+T crank_angle_seen(const geometry::Angle& crank, const geometry::Point<T>& A) {
   if constexpr (signs_only<T>) {
-    return geometry::from_rational<T>(crank.fraction);
+    return T(sign_of(crank));
   } else {
     const Rational halves = half_turns(crank);
     const bool even = mpz_even_p(halves.numerator().mpz()) != 0;

@@ -43,7 +43,7 @@ Anatomy dissect(std::string_view text) {
     text.remove_prefix(1);
   }
   take_digits(text);
-  if (!text.empty() && text.front() == '.') {
+  if (!text.empty() && (text.front() == '.' || text.front() == ',')) {
     text.remove_prefix(1);
     parts.last_digit = -take_digits(text);
   }
@@ -54,7 +54,8 @@ Anatomy dissect(std::string_view text) {
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     parts.last_digit += exponent;
   }
-  parts.fraction = text.size() > 1 && text[0] == '/' && (is_digit(text[1]) || text[1] == '.' || is_sign(text[1]));
+  parts.fraction = text.size() > 1 && text[0] == '/' &&
+                   (is_digit(text[1]) || text[1] == '.' || text[1] == ',' || is_sign(text[1]));
   parts.unit = without_blanks(text);
   return parts;
 }

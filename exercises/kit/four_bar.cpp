@@ -24,8 +24,7 @@ Sign compare_distance(const FourBarInstant& at, const Rational& length) {
 
 std::string place(const FourBarInstant& at) {
   const double distance = geometry::root(squared_distance_of_pins<geometry::Fast>(at));
-  return fmt::format("at crank angle {:.6g}° the pin A is {:.9g} m from B₀", 360 * CGAL::to_double(at.crank.fraction),
-                     distance);
+  return fmt::format("at crank angle {:.6g}° the pin A is {:.9g} m from B₀", degrees(at.crank), distance);
 }
 
 void require_closure(const FourBarInstant& at) {
@@ -73,7 +72,7 @@ geometry::Side side_chosen(const Givens& givens, const std::string& symbol) {
 }
 
 void require_drivable(FourBarInstant& at) {
-  if (at.turns_per_second == 0) throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0");
+  if (is_zero(at.n)) throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0");
   if (at.lengths.x_B0 == 0 && at.lengths.y_B0 == 0)
     throw BadGivens("B₀ = (0, 0) m lies on A₀: there is no frame between the hinges");
   require_closure(at);

@@ -21,9 +21,9 @@ geometry::Side side_chosen(const Givens& givens, const std::string& symbol);
 struct FourBarInstant {
   geometry::FourBarLengths lengths;
   geometry::Side side = geometry::Side::left;  // B's, of A -> B₀
-  Rational turns_per_second;
-  geometry::Turn crank;  // from +x
-  Rational alpha_2{0};
+  Angle n;                                     // of a second
+  Angle crank;                                 // from +x
+  Angle alpha_2 = {};
 
   // Special positions, decided exactly.
   bool pole_at_infinity = false;  // crank and rocker are parallel, and not in one line
@@ -32,7 +32,7 @@ struct FourBarInstant {
 
   template <class T>
   T omega_2() const {
-    return crank_speed<T>(turns_per_second, alpha_2);
+    return crank_speed<T>(n, alpha_2);
   }
   template <class T>
   geometry::FourBar<T> position() const {

@@ -15,12 +15,13 @@ std::vector<GivenSpec> four_bar_on_x_givens() {
            "400",
            Range::any,
            "$n_{2}$"},
-          {"theta_2",
-           {"angle of the crank from A₀ → B₀", "anomalia della manovella, da A₀ → B₀"},
-           "deg",
-           "20",
-           Range::any,
-           "$θ_{2}$"},
+          {.symbol = "phi",
+           .meaning = {"angle of the crank from A₀ → B₀", "anomalia della manovella, da A₀ → B₀"},
+           .unit = "deg",
+           .stated = "20",
+           .range = Range::any,
+           .letters = "$θ_{2}$",
+           .also = {"theta_2"}},
           {"alpha_2",
            {"angular acceleration of the crank", "accelerazione angolare della manovella"},
            "rad/s^2",
@@ -32,9 +33,9 @@ std::vector<GivenSpec> four_bar_on_x_givens() {
 FourBarInstant four_bar_on_x(const Givens& givens, geometry::Side side) {
   return {.lengths = {givens["A0A"], givens["AB"], givens["B0B"], givens["A0B0"], Rational(0)},
           .side = side,
-          .turns_per_second = givens["n"] / 60,
-          .crank = {givens["theta_2"] / 360},
-          .alpha_2 = givens["alpha_2"]};
+          .n = givens.angle("n"),
+          .crank = givens.angle("phi"),
+          .alpha_2 = givens.angle("alpha_2")};
 }
 
 std::vector<QuantitySpec> link_angle_quantities() {

@@ -9,7 +9,7 @@
 
 namespace epure {
 
-// A0B0, A0A, AB, B0B in metres, n in rpm, theta_2 in degrees, alpha_2 in rad/s².
+// A0B0, A0A, AB, B0B in metres, n in rpm, phi (θ₂) in degrees, alpha_2 in rad/s².
 std::vector<GivenSpec> four_bar_on_x_givens();
 
 // On the given side; nothing is required of it yet.

@@ -29,28 +29,23 @@ Allowance allowance(const CheckedQuantity& quantity, const Decimal& number, cons
   return {number.half_unit, "half a unit of its last digit, as no sheet shows it"};
 }
 
-bool ends_in_unit(std::string text, const std::string& dimension) {
-  text.erase(text.find_last_not_of(" \t") + 1);
-  const auto& units = geometry::known_units();
-  return std::any_of(units.begin(), units.end(), [&](const geometry::Unit& unit) {
-    return unit.dimension == dimension && unit.symbol != "1/s" && text.ends_with(unit.symbol);  // 1/s may be rad/s
-  });
-}
-
 // Also "43deg" in rad and "127rpm" in rad/s. Nobody measures to sixteen digits, so the double nearest to 2π will do.
-Decimal read_turns_or_own_unit(const std::string& text, const std::string& unit) {
-  const bool turns = unit == "rad" && ends_in_unit(text, "angle");
-  if (!turns && !(unit == "rad/s" && ends_in_unit(text, "turns per time"))) return read_decimal(text, unit);
-  Decimal number = read_decimal(text, turns ? "turn" : "turn/s");
+Decimal read_any_unit(const std::string& text, const std::string& unit) {
+  const auto own = geometry::find_unit(unit);
+  if (!own || !geometry::turns(own->kind)) return read_decimal(text, unit);
+  const geometry::Unit typed = geometry::read_given(text, unit).unit;
+  if (typed.counts_turns == own->counts_turns) return read_decimal(text, unit);
+  Decimal number = read_decimal(text, typed.symbol);
   const Rational turn(2 * std::numbers::pi);
-  number.value *= turn;
-  number.half_unit *= turn;
+  const Rational factor = typed.factor / own->factor * (typed.counts_turns ? turn : Rational(1) / turn);
+  number.value *= factor;
+  number.half_unit *= factor;
   return number;
 }
 
 // Far from where doubles overflow, as for givens.
 Decimal read_measured(const std::string& text, const std::string& unit) {
-  Decimal number = read_turns_or_own_unit(text, unit);
+  Decimal number = read_any_unit(text, unit);
   const Rational largest = geometry::parse_given("1e12", "1");
   if (CGAL::abs(number.value) > largest || number.half_unit > largest)
     throw geometry::BadGiven(

@@ -6,26 +6,14 @@
 #include <cassert>
 
 #include "drawings/words.h"
+#include "exercises/kit/given_number.h"
 #include "exercises/kit/scale.h"
-#include "geometry/numbers/given.h"
 
 namespace epure {
 namespace {
 
 constexpr double bar_strip = 17;     // mm: caption, bar and ticks
 constexpr double bar_distance = 78;  // mm from one bar to the next, where there is room
-
-// 0.2 where the decimals end within six figures, else 1/72.
-std::string exactly(const Rational& value, Language language) {
-  if (value < 0) return "−" + exactly(-value, language);
-  const std::string decimal = short_number(CGAL::to_double(value), Language::english);
-  try {
-    if (geometry::parse_given(decimal, "1") == value) return short_number(CGAL::to_double(value), language);
-  } catch (const geometry::BadGiven&) {
-    // Written as a power of ten: the fraction says more.
-  }
-  return geometry::to_text(value);
-}
 
 // A given stays on one line with its unit. Written as an escape: the character itself looks like a space, and has
 // been taken for one.
@@ -34,7 +22,7 @@ constexpr const char* no_break = "\u00a0";
 // " m/s²", "°": what follows a number of the unit.
 std::string after_number(const std::string& unit, Language language) {
   if (unit == "1") return "";
-  if (unit == "deg") return "°";
+  if (unit == "deg" || unit == "°") return "°";
   if (unit == "rpm") return no_break + Words{"rpm", "giri/min"}.in(language);
   const auto power = unit.find("^2");
   return no_break + (power == std::string::npos ? unit : unit.substr(0, power) + "²");
@@ -43,14 +31,16 @@ std::string after_number(const std::string& unit, Language language) {
 std::string in_one_line(const Givens& givens, const std::set<std::string>& without_part, Language language) {
   std::string line;
   for (const GivenSpec& spec : givens.specs()) {
-    if (without_part.contains(spec.symbol) || (spec.beyond_source && !givens.is_changed(spec.symbol))) continue;
+    if (without_part.contains(spec.symbol) || givens.follows(spec.symbol)) continue;
+    if (spec.beyond_source && !givens.is_changed(spec.symbol)) continue;
     if (!line.empty()) line += ", ";
     if (!spec.choices.empty()) {
       line += givens.chosen(spec.symbol).meaning.in(language);
       continue;
     }
-    line += (spec.letters.empty() ? spec.symbol : spec.letters) + no_break + "=" + no_break +
-            exactly(givens[spec.symbol], language) + after_number(spec.unit, language);
+    const auto read = *givens.reading(spec.symbol);
+    line += (spec.letters.empty() ? spec.symbol : spec.letters) + no_break + equal_to(read.number, language) +
+            after_number(read.unit.symbol, language);
   }
   return line;
 }

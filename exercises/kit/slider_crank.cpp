@@ -50,7 +50,7 @@ void require_closure(const SliderCrankInstant& at) {
       }).sign;
   if (reach == Sign::positive) return;
   if (reach == Sign::undecided) throw geometry::Undecided("whether the coupler reaches the guide");
-  const double phi = 360 * CGAL::to_double(at.crank.fraction);
+  const double phi = degrees(at.crank);
   const double height = std::abs(height_of_A<geometry::Fast>(at));
   const double l = CGAL::to_double(at.lengths.l);
   if (reach == Sign::negative) {
@@ -65,22 +65,26 @@ void require_closure(const SliderCrankInstant& at) {
                   phi, l));
 }
 
-// The crank is square to the guide: a decision on the rational number of quarter turns between them.
+// The crank is square to the guide: a decision on the rational number of quarter turns between them. Radians in that
+// angle never make it one, π being irrational.
 bool is_square_to_guide(const SliderCrankInstant& at) {
-  const Rational quarters = 4 * at.crank_from_guide().fraction;
-  return quarters.denominator() == 1 && mpz_odd_p(quarters.numerator().mpz()) != 0;
+  const Angle psi = at.crank_from_guide();
+  const Rational quarters = 4 * psi.turns;
+  return psi.radians == 0 && quarters.denominator() == 1 && mpz_odd_p(quarters.numerator().mpz()) != 0;
 }
 
 // A₀, A and B in line. Seen from the guide, crank at ψ and coupler have the same sine when the crank points ahead,
 // (r + l) sin ψ = e, and opposite ones when it points back, (r - l) sin ψ = e. Only a rational sine can be that (and
 // any, when r = l and e = 0: the links stay folded, B on A₀), and of a rational turn these are known: see
-// rational_cosine.
+// rational_cosine. (With radians in the angle the sine is transcendental.)
 bool is_dead_centre(const SliderCrankInstant& at) {
   const auto& [r, l, AC, BC, e] = at.lengths;
   if (is_square_to_guide(at)) return false;
   const Rational length = at.crank_points_ahead() ? r + l : r - l;
   if (length == 0) return e == 0;
-  const auto sine = geometry::rational_cosine(geometry::turn_for_sine(at.crank_from_guide()));
+  const Angle psi = at.crank_from_guide();
+  if (psi.radians != 0) return false;
+  const auto sine = geometry::rational_cosine(geometry::turn_for_sine({psi.turns}));
   return sine && length * *sine == e;
 }
 
@@ -98,16 +102,12 @@ std::vector<GivenSpec> slider_crank_givens(bool with_alpha_2) {
        "360",
        Range::any,
        "$n$"},
-      {"t1",
-       {"instant, counted from the crank on +x", "istante, dalla manovella su +x"},
-       "s",
-       "1/72",
-       Range::not_negative,
-       "$t_{1}$"},
+      instant_given("1/72", Range::not_negative, {"t1"}),
+      crank_angle_given(),
   };
   if (with_alpha_2) {
     givens.push_back({"alpha_2",
-                      {"angular acceleration of the crank at t1", "accelerazione angolare della manovella a t1"},
+                      {"angular acceleration of the crank", "accelerazione angolare della manovella"},
                       "rad/s^2",
                       "0",
                       Range::any,
@@ -133,12 +133,11 @@ std::vector<GivenSpec> slider_crank_givens(bool with_alpha_2) {
 
 SliderCrankInstant slider_crank_instant(const Givens& givens) {
   SliderCrankInstant at{.lengths = {givens["r"], givens["l"], givens["AC"], givens["BC"], givens["e"]},
-                        .turns_per_second = givens["n"] / 60,
-                        .t1 = givens["t1"],
-                        .crank = {givens["n"] / 60 * givens["t1"]},
-                        .guide = geometry::within_one_turn({givens["delta"] / 360})};
+                        .n = givens.angle("n"),
+                        .crank = givens.angle("phi"),
+                        .guide = within_one_turn(givens.angle("delta"))};
   for (const GivenSpec& spec : givens.specs()) {
-    if (spec.symbol == "alpha_2") at.alpha_2 = givens["alpha_2"];
+    if (spec.symbol == "alpha_2") at.alpha_2 = givens.angle("alpha_2");
   }
   require_plate(at.lengths);
   require_drivable(at);
@@ -146,21 +145,21 @@ SliderCrankInstant slider_crank_instant(const Givens& givens) {
 }
 
 void require_drivable(SliderCrankInstant& at) {
-  if (at.turns_per_second == 0) throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0");
+  if (is_zero(at.n)) throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0");
   require_closure(at);
   at.pole_at_infinity = is_square_to_guide(at);
   at.dead_centre = is_dead_centre(at);
 }
 
 bool SliderCrankInstant::crank_points_ahead() const {
-  const Rational psi = geometry::within_one_turn(crank_from_guide()).fraction;
-  return psi < Rational(1, 4) || psi > Rational(3, 4);
+  const Angle psi = within_one_turn(crank_from_guide()), quarter{Rational(1, 4)};
+  return sign_of(psi - quarter) < 0 || sign_of(psi - Rational(3) * quarter) > 0;
 }
 
 std::vector<AngleRange> crank_swings(const SliderCrankInstant& at) {
   const geometry::CrankRange range = geometry::crank_range(at.lengths);
   if (range.is_empty || range.is_full_turn()) return {};
-  const double delta = 360 * CGAL::to_double(at.guide.fraction);
+  const double delta = geometry::degrees(at.guide);
   const auto degrees = [](const Rational& sine) { return std::asin(CGAL::to_double(sine)) * 180 / std::numbers::pi; };
   if (!range.highest) return {{delta + degrees(*range.lowest), delta + 180 - degrees(*range.lowest)}};
   if (!range.lowest) return {{delta - 180 - degrees(*range.highest), delta + degrees(*range.highest)}};

@@ -8,30 +8,30 @@
 
 namespace epure {
 
-// r, l, AC, BC in metres, n in rpm, t1 in seconds; alpha_2 in rad/s² where the exercise has it; then what the source
-// leaves at zero, the guide's offset e in metres and its direction delta in degrees.
+// r, l, AC, BC in metres, n in rpm, t in seconds or phi in degrees; alpha_2 in rad/s² where the exercise has it; then
+// what the source leaves at zero, the guide's offset e in metres and its direction delta in degrees.
 std::vector<GivenSpec> slider_crank_givens(bool with_alpha_2);
 
 struct SliderCrankInstant {
   geometry::SliderCrankLengths lengths;
-  Rational turns_per_second, t1;
-  geometry::Turn crank;               // n t1, from +x
-  geometry::Turn guide{Rational(0)};  // from +x
-  Rational alpha_2{0};
+  Angle n;           // of a second
+  Angle crank;       // from +x
+  Angle guide = {};  // from +x
+  Angle alpha_2 = {};
 
   // Special positions, decided exactly.
   bool pole_at_infinity = false;  // the crank is square to the guide
   bool dead_centre = false;       // crank and coupler in line: the pole is B
 
   bool is_offset() const { return lengths.e != 0; }
-  bool is_inclined() const { return guide.fraction != 0; }
-  geometry::Turn crank_from_guide() const { return {crank.fraction - guide.fraction}; }
+  bool is_inclined() const { return !is_zero(guide); }
+  Angle crank_from_guide() const { return crank - guide; }
   // Less than a right angle off the guide's direction.
   bool crank_points_ahead() const;
 
   template <class T>
   T omega_2() const {
-    return crank_speed<T>(turns_per_second, alpha_2);
+    return crank_speed<T>(n, alpha_2);
   }
   template <class T>
   geometry::SliderCrank<T> position() const {
@@ -49,8 +49,8 @@ struct SliderCrankInstant {
     return geometry::Point<T>{T(0), T(0)} + geometry::from_rational<T>(lengths.r) * direction<T>(crank);
   }
   template <class T>
-  static geometry::Vector<T> direction(const geometry::Turn& turn) {
-    return {geometry::cosine<T>(turn), geometry::sine<T>(turn)};
+  static geometry::Vector<T> direction(const Angle& angle) {
+    return {geometry::cosine<T>(angle), geometry::sine<T>(angle)};
   }
 };
 

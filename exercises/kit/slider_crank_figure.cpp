@@ -98,7 +98,7 @@ void draw_plate(Plot& plot, const DrawnSliderCrank& at) {
   plot.segment(at.A, at.B, Meaning::link);
 }
 
-void draw_slider_crank(Plot& plot, const DrawnSliderCrank& at, double turns_per_second) {
+void draw_slider_crank(Plot& plot, const DrawnSliderCrank& at, int sense) {
   const GuideAxes guide(at);
   draw_guide_axis(plot, at, 8);
   draw_offset(plot, at);
@@ -112,7 +112,7 @@ void draw_slider_crank(Plot& plot, const DrawnSliderCrank& at, double turns_per_
   for (const Place& P : {at.A, at.B, at.C}) plot.hinge(P);
   plot.dot(at.M, Meaning::link);
 
-  draw_sense_of_crank(plot, at.A0, at.A, turns_per_second);
+  draw_sense_of_crank(plot, at.A0, at.A, sense);
 
   const Place inside{(at.A.x + at.B.x + at.C.x) / 3, (at.A.y + at.B.y + at.C.y) / 3};
   plot.label("$A_{0}$", at.A0, Place{at.A.x, at.A.y});
@@ -142,7 +142,7 @@ Scale draw_small_slider_crank(DrawnSheet& onto, const DrawnSliderCrank& at, cons
     return extent.box();
   });
   Plot plot(onto, fit.origin, fit.scale);
-  draw_slider_crank(plot, at, CGAL::to_double(instant.turns_per_second));
+  draw_slider_crank(plot, at, sign_of(instant.n));
   return fit.scale;
 }
 

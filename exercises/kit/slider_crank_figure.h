@@ -34,7 +34,7 @@ std::string swing_in_words(const SliderCrankInstant& at, Language language);
 std::string parallel_to_guide(const SliderCrankInstant& at, Language language);
 
 // Guide and its axis, crank with the circle of A, coupler plate ABC, slider, hinges, and the letters.
-void draw_slider_crank(Plot& plot, const DrawnSliderCrank& at, double turns_per_second);
+void draw_slider_crank(Plot& plot, const DrawnSliderCrank& at, int sense);
 
 // The mechanism alone, as large as the room allows, beside a diagram that takes its directions from it. Returns its
 // scale, for the bars.
@@ -56,10 +56,9 @@ void include_slider_crank(Extent& extent, const Scale& scale, const DrawnSliderC
 // For the sheets that serve every mechanism.
 class SliderCrankFigure : public MechanismFigure {
  public:
-  SliderCrankFigure(const DrawnSliderCrank& at, double turns_per_second)
-      : at_(at), turns_per_second_(turns_per_second) {}
+  SliderCrankFigure(const DrawnSliderCrank& at, int sense) : at_(at), sense_(sense) {}
 
-  void draw(Plot& plot) const override { draw_slider_crank(plot, at_, turns_per_second_); }
+  void draw(Plot& plot) const override { draw_slider_crank(plot, at_, sense_); }
   void sketch(Plot& plot) const override { sketch_slider_crank(plot, at_); }
   void include(Extent& extent, const Scale& scale) const override { include_slider_crank(extent, scale, at_); }
   std::vector<Place> corners() const override { return {at_.A0, at_.A, at_.B, at_.C}; }
@@ -67,7 +66,7 @@ class SliderCrankFigure : public MechanismFigure {
 
  private:
   DrawnSliderCrank at_;
-  double turns_per_second_;
+  int sense_;
 };
 
 }  // namespace epure

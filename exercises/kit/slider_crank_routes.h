@@ -22,7 +22,7 @@ AnalyticSliderCrank<T> analytic_slider_crank(const SliderCrankInstant& instant) 
   const auto& [r, l, AC, BC, e] = instant.lengths;
   const analytic::SliderCrank g{r, l, AC, BC, e, instant.guide};
   const auto crank =
-      analytic::guided_crank<T>(g, instant.crank, instant.omega_2<T>(), geometry::from_rational<T>(instant.alpha_2));
+      analytic::guided_crank<T>(g, instant.crank, instant.omega_2<T>(), geometry::radians<T>(instant.alpha_2));
   const auto position = analytic::position(g, crank);
   return {position, analytic::motion(g, crank, position)};
 }

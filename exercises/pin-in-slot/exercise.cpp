@@ -171,8 +171,8 @@ Drawn drawn(const Instant& instant) {
     figure.D = to_double(at.D);
     figure.slot = to_double(at.slot);
     figure.P23 = to_double(at.relative_pole());
-    figure.omega = CGAL::to_double(instant.omega);
-    figure.omega_dot = CGAL::to_double(instant.omega_dot);
+    figure.omega = geometry::to_double(instant.omega);
+    figure.omega_dot = geometry::to_double(instant.omega_dot);
     take_motion(figure, motion, to_double(at.B - at.O));
     take_forces(figure, at, motion);
     return figure;

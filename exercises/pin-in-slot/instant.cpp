@@ -43,8 +43,8 @@ Instant instant(const Givens& givens) {
   }
   return {.lengths = {R, OB, givens["AO"]},
           .masses = {givens["M1"], givens["M2"], givens["J2"], givens["g"]},
-          .omega = givens["omega"],
-          .omega_dot = givens["omega_dot"]};
+          .omega = givens.angle("omega"),
+          .omega_dot = givens.angle("omega_dot")};
 }
 
 }  // namespace epure::pin_in_slot

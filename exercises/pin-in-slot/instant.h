@@ -13,7 +13,7 @@ std::vector<GivenSpec> stated_givens();
 struct Instant {
   geometry::SlottedLeverLengths lengths;
   geometry::SlottedLeverMasses masses;
-  Rational omega, omega_dot;  // of the lever, clockwise
+  Angle omega, omega_dot;  // of the lever, clockwise
 
   bool upright() const { return lengths.OB == lengths.R; }
 
@@ -23,8 +23,7 @@ struct Instant {
   }
   template <class T>
   geometry::SlottedLeverMotion<T> motion(const geometry::SlottedLever<T>& at) const {
-    return geometry::slotted_lever_motion(at, geometry::from_rational<T>(-omega),
-                                          geometry::from_rational<T>(-omega_dot));
+    return geometry::slotted_lever_motion(at, geometry::radians<T>(-omega), geometry::radians<T>(-omega_dot));
   }
   geometry::analytic::SlottedLever analytic() const {
     return {lengths.R, lengths.OB, lengths.AO, masses.M1, masses.M2, masses.J2, masses.g};

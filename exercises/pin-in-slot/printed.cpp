@@ -31,7 +31,8 @@ double couple_of_another_figure() {
 double disc_part_with_constant_angle(const Instant& at) {
   const auto number = [](const Rational& q) { return CGAL::to_double(q); };
   const double R = number(at.lengths.R), b = number(at.lengths.OB), factor = b / R;  // 1/sin α: 2 as stated
-  const double omega = number(at.omega), omega_dot = number(at.omega_dot), b_dot = drawn(at).b_dot;
+  const double omega = geometry::to_double(at.omega), omega_dot = geometry::to_double(at.omega_dot),
+               b_dot = drawn(at).b_dot;
   const double rolling = number(at.masses.M2) + number(at.masses.J2) / (R * R);
   return factor * factor * b * rolling * (omega_dot * b + omega * b_dot);
 }

@@ -47,7 +47,7 @@ void by_polar_diagrams(Ledger<T>& ledger, const geometry::SlottedLeverMotion<T>&
 
 template <class T>
 void by_poles(Ledger<T>& ledger, const Instant& instant, const geometry::SlottedLever<T>& at) {
-  const T omega_disc = geometry::disc_speed_by_poles(at, geometry::from_rational<T>(-instant.omega));
+  const T omega_disc = geometry::disc_speed_by_poles(at, geometry::radians<T>(-instant.omega));
   ledger.route("poles");
   const geometry::ProjectivePoint<T> P23 = at.relative_pole();
   ledger.put("P23_x", [&] { return Ledger<T>::ratio(P23.x, P23.w, no_relative_pole); });
@@ -76,7 +76,7 @@ void by_power_balance(Ledger<T>& ledger, const Instant& instant, const geometry:
   const auto balance = geometry::power_balance(at, motion, instant.masses);
   ledger.route("power balance");
   ledger.put("kinetic_energy", geometry::kinetic_energy(at, motion, instant.masses));
-  ledger.put("kinetic_power", geometry::from_rational<T>(instant.omega) * balance.kinetic());
+  ledger.put("kinetic_power", geometry::radians<T>(instant.omega) * balance.kinetic());
   ledger.put("gravity_torque", balance.against_gravity);
   ledger.put("C", balance.couple());
 }
@@ -85,8 +85,7 @@ template <class T>
 void by_analysis(Ledger<T>& ledger, const Instant& instant) {
   namespace analytic = geometry::analytic;
   const analytic::SlottedLever of = instant.analytic();
-  const T omega = geometry::from_rational<T>(instant.omega),
-          omega_dot = geometry::from_rational<T>(instant.omega_dot);
+  const T omega = geometry::radians<T>(instant.omega), omega_dot = geometry::radians<T>(instant.omega_dot);
   const T OB = geometry::from_rational<T>(of.OB);
   const auto angle = analytic::angle<T>(of);
   const auto m = analytic::motion(of, angle, omega, omega_dot);

@@ -130,10 +130,9 @@ class RivalsPolygons : public Exercise {
 Instant instant_of(const Givens& givens) {
   const Rational &l = givens["l"], &AG = givens["AG"];
   Instant instant{{.lengths = {givens["r"], l, CGAL::abs(AG), CGAL::abs(l - AG)},
-                   .turns_per_second = givens["n"] / 60,
-                   .t1 = 0,
-                   .crank = {givens["phi"] / 360},
-                   .alpha_2 = givens["alpha_2"]},
+                   .n = givens.angle("n"),
+                   .crank = givens.angle("phi"),
+                   .alpha_2 = givens.angle("alpha_2")},
                   AG};
   require_drivable(instant.crank);
   return instant;

@@ -139,12 +139,12 @@ VectorPolygon of_accelerations(std::vector<PolygonSide> left, std::vector<Polygo
 Drawn drawn(const Instant& instant) {
   return deeply([&] {
     const Polygons<Deep> found = polygons<Deep>(instant);
-    const Sides sides{found, instant.crank.alpha_2 != 0};
+    const Sides sides{found, !is_zero(instant.crank.alpha_2)};
     Drawn figure;
     figure.mechanism.A = to_double(found.at.A);
     figure.mechanism.B = to_double(found.at.B);
     figure.mechanism.G = to_double(found.at.C);
-    figure.mechanism.sense = instant.crank.turns_per_second > 0 ? 1 : -1;
+    figure.mechanism.sense = sign_of(instant.crank.n);
     figure.velocity_of_B = of_velocities({sides.v_B()}, {sides.v_A(), sides.v_BA()});
     figure.velocity_of_G = of_velocities({sides.v_G()}, {sides.v_A(), sides.v_GA()});
     figure.acceleration_of_B =

@@ -35,7 +35,7 @@ struct Polygons {
 template <class T>
 Polygons<T> polygons(const Instant& instant) {
   const geometry::SliderCrank<T> at = instant.crank.position<T>();
-  const T omega_2 = instant.crank.omega_2<T>(), alpha_2 = geometry::from_rational<T>(instant.crank.alpha_2);
+  const T omega_2 = instant.crank.omega_2<T>(), alpha_2 = geometry::radians<T>(instant.crank.alpha_2);
   const geometry::PlaneMotion<T> crank = geometry::turning_about(at.A0, omega_2, alpha_2);
   const geometry::PlaneMotion<T> frame = geometry::turning_about(at.A0, T(0), T(0));
   const geometry::Bar<T> coupler{geometry::pin_on(crank, at.A)};
@@ -142,7 +142,7 @@ void by_analysis(Ledger<T>& ledger, const Instant& instant) {
   const T r = geometry::from_rational<T>(instant.crank.lengths.r),
           l = geometry::from_rational<T>(instant.crank.lengths.l);
   const T AG = geometry::from_rational<T>(instant.AG), omega_2 = instant.crank.omega_2<T>();
-  const T alpha_2 = geometry::from_rational<T>(instant.crank.alpha_2), omega_3_squared = geometry::square(m.omega_3);
+  const T alpha_2 = geometry::radians<T>(instant.crank.alpha_2), omega_3_squared = geometry::square(m.omega_3);
   ledger.route("analytic");
   ledger.put("v_A", [&] { return magnitude(r * omega_2); });
   ledger.put("v_BA", [&] { return magnitude(l * m.omega_3); });

@@ -20,8 +20,8 @@ std::vector<QuantitySpec> quantity_specs();
 
 struct Problem {
   geometry::Rolling rolling;
-  Angle phi;              // turned through by the rolling body, in its own sense
-  Rational omega, alpha;  // dφ/dt and its derivative
+  Angle phi;           // turned through by the rolling body, in its own sense
+  Angle omega, alpha;  // dφ/dt and its derivative
 
   bool rolls_on_line() const { return rolling.how == Rolls::circle_on_line; }
   bool is_line() const { return rolling.how == Rolls::line_on_circle; }

@@ -40,8 +40,8 @@ Way unwound(const Drawn& f) {
 Drawn drawn(const Problem& problem) {
   return deeply([&] {
     const geometry::Rolling& g = problem.rolling;
-    const auto deep = [](const Rational& q) { return geometry::from_rational<Deep>(q); };
-    const auto at = geometry::rolling_instant<Deep>(g, problem.phi, deep(problem.omega), deep(problem.alpha));
+    const auto at = geometry::rolling_instant<Deep>(g, problem.phi, geometry::radians<Deep>(problem.omega),
+                                                    geometry::radians<Deep>(problem.alpha));
     const geometry::Point<Deep> contact = geometry::contact_point<Deep>(g, problem.phi);
     const auto placed = [&](const geometry::Point<Deep>& P) { return to_double(contact + (P - at.motion.A)); };
     Drawn f{.problem = problem,
@@ -67,7 +67,7 @@ Drawn drawn(const Problem& problem) {
     if (!problem.is_line()) f.C = to_double(geometry::rolling_centre<Deep>(g, problem.phi));
     if (const auto centre = to_double(at.centre_of_curvature()))
       f.centre = Place{f.P0.x + centre->x, f.P0.y + centre->y};
-    if (problem.omega != 0) {
+    if (!is_zero(problem.omega)) {
       const auto along = at.tangential_component();
       f.along_before = to_double(along.before);
       f.along_after = to_double(along.after);

@@ -160,10 +160,10 @@ std::string first_step(const Drawn& f, Language language) {
 
 // ω² P0J at the pole carried over to M: ω² MJ, and what α adds. MJ = MM' + M'J, along the ray and square to it.
 Words acceleration_step(const Drawn& f) {
-  const bool angular = f.problem.alpha != 0;
+  const bool angular = !is_zero(f.problem.alpha);
   const std::string of_alpha = " + $α$·$P_{0}M$", parts = "$\\vec{a}_{M}$ = $\\vec{a}^{n}_{M}$ + $\\vec{a}^{t}_{M}$";
   const std::string tangential = "$a^{t}_{M}$ = $ω^{2}$·$M'J$" + (angular ? of_alpha : "");
-  if (f.problem.omega == 0)
+  if (is_zero(f.problem.omega))
     return {"$ω$ = 0: $a_{M}$ = $α$·$P_{0}M$, square to the ray.",
             "$ω$ = 0: $a_{M}$ = $α$·$P_{0}M$, normale al raggio."};
   if (angular)

@@ -210,7 +210,7 @@ void draw_path_sheet(DrawnSheet& onto, const Problem& problem, const SheetReques
   draw_division(plot, f, way);
   draw_body(plot, f);
   draw_angles(plot, f);
-  const double turning = geometry::from_rational<double>(problem.omega) * geometry::sense(problem.rolling);
+  const double turning = geometry::to_double(problem.omega) * geometry::sense(problem.rolling);
   if (f.C && f.d > 0 && turning != 0) draw_sense_of_turning(plot, *f.C, f.M, turning, "$ω$");
   const std::vector<Cusp> cusps = cusps_on(f, way);
   draw_cusps(plot, f, cusps);

@@ -116,9 +116,9 @@ geometry::analytic::Roulette Problem::closed_form() const {
 Problem problem_of(const Givens& givens) {
   const auto how = static_cast<Rolls>(static_cast<int>(givens["how"].to_double()));  // the choices are in its order
   const Problem problem{{how, givens["r"], givens["R"], givens["d"]},
-                        {givens["phi"] / 360, givens["phi_rad"]},
-                        givens["omega"],
-                        givens["alpha"]};
+                        givens.angle("phi") + givens.angle("phi_rad"),
+                        givens.angle("omega"),
+                        givens.angle("alpha")};
   if (!problem.is_line() && problem.rolling.d < 0)
     throw BadGivens(fmt::format("d = {} m: the distance of M from the centre of the circle must not be negative",
                                 geometry::to_text(problem.rolling.d)));

@@ -11,9 +11,8 @@ using geometry::analytic::Complex;
 template <class T>
 void by_poles(Ledger<T>& ledger, const Problem& problem) {
   ledger.route("poles");
-  const auto number = [](const Rational& q) { return geometry::from_rational<T>(q); };
-  const auto at =
-      geometry::rolling_instant<T>(problem.rolling, problem.phi, number(problem.omega), number(problem.alpha));
+  const auto at = geometry::rolling_instant<T>(problem.rolling, problem.phi, geometry::radians<T>(problem.omega),
+                                               geometry::radians<T>(problem.alpha));
   // From the contact into the fixed plane. On a line the contact has gone r φ, with a π in it that the exact numbers
   // of a tower have no room for: looked for anew by each quantity that needs it.
   const auto contact = [&] { return geometry::contact_point<T>(problem.rolling, problem.phi); };
@@ -46,8 +45,7 @@ void by_poles(Ledger<T>& ledger, const Problem& problem) {
 template <class T>
 void by_analysis(Ledger<T>& ledger, const Problem& problem) {
   ledger.route("analytic");
-  const auto number = [](const Rational& q) { return geometry::from_rational<T>(q); };
-  const T omega = number(problem.omega), alpha = number(problem.alpha);
+  const T omega = geometry::radians<T>(problem.omega), alpha = geometry::radians<T>(problem.alpha);
   const auto closed = problem.closed_form();
   const auto path = geometry::analytic::roulette<T>(closed, problem.phi);
   const auto motion = path.motion(T(1), T(0));  // poles and circles do not depend on how fast

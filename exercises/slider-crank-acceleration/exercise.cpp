@@ -93,18 +93,17 @@ std::vector<CircleBuilder> builders(const geometry::SliderCrank<Deep>& at) {
 std::unique_ptr<Drawn> drawn(const SliderCrankInstant& instant) {
   return deeply([&] {
     const auto at = instant.position<Deep>();
-    const Deep omega_2 = instant.omega_2<Deep>(), alpha_2 = geometry::from_rational<Deep>(instant.alpha_2);
+    const Deep omega_2 = instant.omega_2<Deep>(), alpha_2 = geometry::radians<Deep>(instant.alpha_2);
     const auto found = geometry::slider_crank_motion(at, omega_2, alpha_2);
     const geometry::PlaneMotion<Deep>& motion = found.coupler;
     const auto& terms = found.acceleration.first;
     const auto crank = at.A - at.A0, a_A = terms.known;
     const auto a_CA = found.relative_acceleration(at.C - at.A), a_MA = found.relative_acceleration(at.M - at.A);
     const DrawnSliderCrank position = drawn_position(instant);
-    const double drawn_omega_2 = to_double(omega_2);
     auto figure = std::make_unique<Drawn>(Drawn{.instant = instant,
                                                 .at = position,
-                                                .omega_2 = drawn_omega_2,
-                                                .mechanism = {position, drawn_omega_2},
+                                                .omega_2 = to_double(omega_2),
+                                                .mechanism = {position, sign_of(instant.n)},
                                                 .coupler = {}});
     figure->coupler = coupler_figure(figure->mechanism, motion, {{"A", at.A}, {"B", at.B}, {"C", at.C}, {"M", at.M}});
     figure->coupler.builders = builders(at);

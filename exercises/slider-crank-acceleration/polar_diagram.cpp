@@ -21,7 +21,7 @@ void draw_sides(Plot& plot, const Drawn& f, Language language) {
   plot.direction_line(b, n, 12, "⊥ $AB$");
   plot.direction_line(O, b, 12, parallel_to_guide(f.instant, language));
   plot.segment(b, c, Meaning::construction);
-  const bool has_tangential_part = f.instant.alpha_2 != 0;
+  const bool has_tangential_part = !is_zero(f.instant.alpha_2);
   if (has_tangential_part) {
     const Place after_n = tip(f.a_A_n);
     plot.side("", O, after_n, Meaning::acceleration, "$\\vec{a}^{n}_{A}$", b);
@@ -71,7 +71,7 @@ drawings::Box polygon_extent(const Drawn& f, const Scale& scale) {
 }
 
 drawings::VectorEquation equation_of_B(const Drawn& f, Language language) {
-  const std::string tangential = f.instant.alpha_2 == 0 ? "0" : "$α_{2}$·$A_{0}A$";
+  const std::string tangential = is_zero(f.instant.alpha_2) ? "0" : "$α_{2}$·$A_{0}A$";
   return {{{"$\\vec{a}_{B}$", parallel_to_guide(f.instant, language), "?", ""},
            {"$\\vec{a}^{n}_{A}$", "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$", "="},
            {"$\\vec{a}^{t}_{A}$", "⊥ $A_{0}A$", tangential, "+"},

@@ -43,7 +43,7 @@ struct AccelerationRoutes {
     construct_level(ledger, instant);
     const geometry::SliderCrank<T> at = instant.level_position<T>();
     write_pole<T>(ledger, "P0", at.pole(), {{"C", at.C}, {"M", at.M}}, pole_at_infinity);
-    const T omega_2 = instant.omega_2<T>(), alpha_2 = geometry::from_rational<T>(instant.alpha_2);
+    const T omega_2 = instant.omega_2<T>(), alpha_2 = geometry::radians<T>(instant.alpha_2);
     ledger.route("polar diagram");
     const geometry::SliderCrankMotion<T> found = geometry::slider_crank_motion(at, omega_2, alpha_2);
     second_order(ledger, found.coupler, found.a_B(), found.coupler.inflection_pole(), at);

@@ -78,7 +78,7 @@ void draw_coupler_curve(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
     return geometry::CouplerCurve<geometry::Bounded>{loop, reference.coupler, reference.C};
   };
   const geometry::Trace path = draw_loci(plot, f.instant, curve, room, Meaning::locus, "path_of_C");
-  draw_slider_crank(plot, f.at, CGAL::to_double(f.instant.turns_per_second));
+  draw_slider_crank(plot, f.at, sign_of(f.instant.n));
   plot.measures_coordinates("C", f.at.C, f.at.A0);
   add_scale_bars(onto, {fit.scale}, request);
 

@@ -79,7 +79,7 @@ void draw_far_pole(Plot& plot, const Drawn& f, const drawings::Box& room, Langua
 }
 
 drawings::Steps steps(const Drawn& f, Language language) {
-  const std::string phi = short_number(360 * CGAL::to_double(f.instant.crank.fraction), language);
+  const std::string phi = short_number(degrees(f.instant.crank), language);
   const std::vector<Words> lines{
       {fmt::format("Crank at $φ$ = {}°. $A$ on its circle, $B$ on the guide by the arc of radius $l$ about $A$.",
                    phi),
@@ -115,7 +115,7 @@ void write_column(DrawnSheet& onto, const Drawn& f, Language language) {
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
   column.push_back(steps(f, language));
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
-  const double omega_2 = 2 * M_PI * CGAL::to_double(f.instant.turns_per_second);
+  const double omega_2 = geometry::to_double(f.instant.n);
   column.push_back(
       drawings::Paragraph{fmt::format("$ω_{{2}}$ = {} rad/s,  $ω_{{3}}$ = {} rad/s", num(omega_2), num(f.omega_3))});
   drawings::Table table{{"$X$", "$P_{0}X$ (m)", "$v_{X}$ (m/s)"}, {}};
@@ -156,7 +156,7 @@ void draw_poles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   plot.vectors_at(velocities);
   const bool shows_pole = f.P0 && is_in(room, plot, *f.P0);
   shows_pole ? draw_pole(plot, f) : draw_far_pole(plot, f, room, request.language);
-  draw_slider_crank(plot, f.at, CGAL::to_double(f.instant.turns_per_second));
+  draw_slider_crank(plot, f.at, sign_of(f.instant.n));
   for (const Named& X : points(f)) {
     plot.vector_on(X.velocity, X.at, X.v, Meaning::velocity, fmt::format("$\\vec{{v}}_{{{}}}$", X.symbol));
     plot.measures_coordinates(X.symbol, X.at, f.at.A0);
@@ -175,7 +175,7 @@ void draw_poles(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
   }
   add_scale_bars(onto, {plot.scale(), velocities}, request);
   write_column(onto, f, request.language);
-  std::vector<Value> values{{"φ", 360 * CGAL::to_double(f.instant.crank.fraction), "°"}, {"ω₃", f.omega_3, "rad/s"}};
+  std::vector<Value> values{{"φ", degrees(f.instant.crank), "°"}, {"ω₃", f.omega_3, "rad/s"}};
   if (f.P0) values.insert(values.end(), {{"x_P0", f.P0->x, "m"}, {"y_P0", f.P0->y, "m"}});
   for (const Named& X : points(f)) values.push_back({X.velocity, std::hypot(X.v.x, X.v.y), "m/s"});
   onto.sheet.description = in_words(

@@ -78,19 +78,22 @@ drawings::Steps steps(const SliderCrankInstant& instant, bool has_asymptotes, La
                                  ". In each position $P_{0}$ on $A_{0}A$ and square to the guide through $B$: "
                                  "the points of the fixed polode $p$.",
                              "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the $AB$ "
-                             "of $t_{1}$: its $P_{0}$ marks a point of the moving polode $π$.",
-                             "The curves through the points. They touch in the $P_{0}$ of $t_{1}$ and roll on each "
+                             "of the position drawn: its $P_{0}$ marks a point of the moving polode $π$.",
+                             "The curves through the points. They touch in the $P_{0}$ of the position drawn and "
+                             "roll on each "
                              "other.",
                              "Where the crank is square to the guide $P_{0}$ goes to infinity: the dash-dot lines "
                              "are the asymptotes."}}
-          : drawings::Steps{{division(instant, english) +
-                                 ". In ogni posizione $P_{0}$ su $A_{0}A$ e sulla normale alla guida per $B$: i "
-                                 "punti della polare fissa $p$.",
-                             "Ogni triangolo $ABP_{0}$ su carta da lucido, riportato finché il suo $AB$ copre "
-                             "l'$AB$ di $t_{1}$: il suo $P_{0}$ segna un punto della polare mobile $π$.",
-                             "Le curve per i punti. Si toccano nel $P_{0}$ di $t_{1}$ e rotolano l'una sull'altra.",
-                             "Dove la manovella è normale alla guida $P_{0}$ va all'infinito: le rette a tratto e "
-                             "punto sono gli asintoti."}};
+          : drawings::Steps{
+                {division(instant, english) +
+                     ". In ogni posizione $P_{0}$ su $A_{0}A$ e sulla normale alla guida per $B$: i "
+                     "punti della polare fissa $p$.",
+                 "Ogni triangolo $ABP_{0}$ su carta da lucido, riportato finché il suo $AB$ copre "
+                 "l'$AB$ della posizione disegnata: il suo $P_{0}$ segna un punto della polare mobile $π$.",
+                 "Le curve per i punti. Si toccano nel $P_{0}$ della posizione disegnata e rotolano l'una "
+                 "sull'altra.",
+                 "Dove la manovella è normale alla guida $P_{0}$ va all'infinito: le rette a tratto e "
+                 "punto sono gli asintoti."}};
   if (!has_asymptotes) all.lines.pop_back();
   return all;
 }
@@ -131,7 +134,7 @@ void draw_polodes(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
   }
   const geometry::Trace p = draw_loci(plot, f.instant, fixed, room, Meaning::locus, "fixed_polode");
   const geometry::Trace pi = draw_loci(plot, f.instant, moving, room, Meaning::second_locus, "moving_polode");
-  draw_slider_crank(plot, f.at, CGAL::to_double(f.instant.turns_per_second));
+  draw_slider_crank(plot, f.at, sign_of(f.instant.n));
   if (f.P0) {
     plot.cross(*f.P0);
     plot.label("$P_{0}$", *f.P0, f.at.M, Meaning::locus);

@@ -27,7 +27,7 @@ template <class T>
 void velocities_by_polar_diagram(Ledger<T>& ledger, const SliderCrankInstant& instant,
                                  const geometry::SliderCrank<T>& at) {
   ledger.route("polar diagram");
-  const T alpha_2 = geometry::from_rational<T>(instant.alpha_2);
+  const T alpha_2 = geometry::radians<T>(instant.alpha_2);
   const geometry::SliderCrankMotion<T> motion = geometry::slider_crank_motion(at, instant.omega_2<T>(), alpha_2);
   const geometry::Vector<T> v_A = motion.velocity.first.known;
   const geometry::Vector<T> v_CA = motion.relative_velocity(at.C - at.A),
@@ -54,7 +54,7 @@ void points_by_construction(Ledger<T>& ledger, const geometry::SliderCrank<T>& a
 
 template <class T>
 DrivenCrank<T> driven_crank(const SliderCrankInstant& instant) {
-  return {instant.crank, instant.t1, instant.omega_2<T>()};
+  return {instant.crank, instant.n, instant.omega_2<T>()};
 }
 
 template <class T>

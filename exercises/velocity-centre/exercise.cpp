@@ -9,12 +9,13 @@ namespace {
 
 std::vector<GivenSpec> givens() {
   return {{"L", {"length of the bar OA", "lunghezza della barra OA"}, "m", "0.8", Range::positive, "$L$"},
-          {"angle",
-           {"direction of OA, counter-clockwise from x", "direzione di OA, antioraria da x"},
-           "deg",
-           "45",
-           Range::any,
-           "$θ$"},
+          {.symbol = "phi",
+           .meaning = {"direction of OA, counter-clockwise from x", "direzione di OA, antioraria da x"},
+           .unit = "deg",
+           .stated = "45",
+           .range = Range::any,
+           .letters = "$θ$",
+           .also = {"angle"}},
           {"omega",
            {"angular velocity of the bar, counter-clockwise", "velocità angolare della barra, antioraria"},
            "rad/s",
@@ -123,12 +124,13 @@ class VelocityCentre : public Exercise {
 }  // namespace
 
 bool Instant::is_upright() const {
-  const Rational quarters = 4 * angle.fraction;
-  return quarters.denominator() == 1 && mpz_odd_p(quarters.numerator().mpz()) != 0;
+  const Rational quarters = 4 * angle.turns;
+  return angle.radians == 0 && quarters.denominator() == 1 && mpz_odd_p(quarters.numerator().mpz()) != 0;
 }
 
 Instant instant_of(const Givens& givens) {
-  return {givens["L"], {givens["angle"] / 360}, givens["omega"], givens["omega_dot"], givens["V"], givens["a"]};
+  return {givens["L"], givens.angle("phi"), givens.angle("omega"), givens.angle("omega_dot"),
+          givens["V"], givens["a"]};
 }
 
 Centre centre_of(const Instant& instant) {

@@ -15,11 +15,12 @@ std::vector<Printed> printed_by_the_source();
 // counter-clockwise. Metres, seconds, radians.
 struct Instant {
   Rational L;
-  geometry::Turn angle;  // θ, of OA from +x
-  Rational omega, omega_dot, V, a;
+  Angle angle;  // θ, of OA from +x
+  Angle omega, omega_dot;
+  Rational V, a;
 
   // Special positions, decided exactly.
-  bool turns() const { return omega != 0; }
+  bool turns() const { return !is_zero(omega); }
   bool is_upright() const;  // OA square to x: then v_O and v_A are parallel, and one line is normal to both
 };
 Instant instant_of(const Givens& givens);

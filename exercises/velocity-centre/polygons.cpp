@@ -64,8 +64,6 @@ VectorPolygon acceleration_polygon(const MovingBar<Deep>& bar) {
                      .square = true}}};
 }
 
-double sense_of(const Rational& rate) { return rate > 0 ? 1 : rate < 0 ? -1 : 0; }
-
 }  // namespace
 
 std::unique_ptr<Drawn> drawn(const Instant& instant) {
@@ -75,8 +73,9 @@ std::unique_ptr<Drawn> drawn(const Instant& instant) {
     figure->instant = instant;
     figure->centre = centre_of(instant);
     figure->bar.A = to_double(bar.A);
-    figure->bar.angle = 2 * std::numbers::pi * std::fmod(CGAL::to_double(instant.angle.fraction), 1);
-    figure->bar.sense = sense_of(instant.omega);
+    figure->bar.angle = sign_of(instant.angle) < 0 ? -geometry::to_double(within_one_turn(-instant.angle))
+                                                   : geometry::to_double(within_one_turn(instant.angle));
+    figure->bar.sense = sign_of(instant.omega);
     figure->motion = coupler_figure(figure->bar, bar.motion, {{"O", bar.O}, {"A", bar.A}});
     figure->velocities = velocity_polygon(bar);
     figure->accelerations = acceleration_polygon(bar);

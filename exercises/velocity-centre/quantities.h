@@ -39,10 +39,13 @@ MovingBar<T> moving_bar(const Instant& instant) {
   const auto number = [](const Rational& q) { return geometry::from_rational<T>(q); };
   const geometry::Point<T> O{T(0), T(0)};
   const geometry::Vector<T> along_bar{geometry::cosine<T>(instant.angle), geometry::sine<T>(instant.angle)};
-  return {
-      O,
-      O + number(instant.L) * along_bar,
-      {O, {number(instant.V), T(0)}, {number(instant.a), T(0)}, number(instant.omega), number(instant.omega_dot)}};
+  return {O,
+          O + number(instant.L) * along_bar,
+          {O,
+           {number(instant.V), T(0)},
+           {number(instant.a), T(0)},
+           geometry::radians<T>(instant.omega),
+           geometry::radians<T>(instant.omega_dot)}};
 }
 
 template <class T>
@@ -94,8 +97,11 @@ void by_analysis(Ledger<T>& ledger, const Instant& instant) {
   const T L = number(instant.L);
   const Complex<T> O{T(0), T(0)},
       A = L * Complex<T>{geometry::cosine<T>(instant.angle), geometry::sine<T>(instant.angle)};
-  const geometry::analytic::PlaneMotion<T> bar{
-      O, {number(instant.V), T(0)}, {number(instant.a), T(0)}, number(instant.omega), number(instant.omega_dot)};
+  const geometry::analytic::PlaneMotion<T> bar{O,
+                                               {number(instant.V), T(0)},
+                                               {number(instant.a), T(0)},
+                                               geometry::radians<T>(instant.omega),
+                                               geometry::radians<T>(instant.omega_dot)};
   const Complex<T> v_A = bar.velocity(A), a_A = bar.acceleration(A);
   const auto magnitude = [](const T& x) { return size(geometry::Vector<T>{x, T(0)}); };
   ledger.route("analytic");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/analytic/complex.h"
+#include "geometry/numbers/angle.h"
 
 namespace epure::geometry::analytic {
 
@@ -14,8 +15,8 @@ struct CrankState {
 };
 
 template <class T>
-CrankState<T> crank_at(const Turn& turn, const T& omega, const T& alpha) {
-  return {cosine<T>(turn), sine<T>(turn), omega, alpha};
+CrankState<T> crank_at(const Angle& angle, const T& omega, const T& alpha) {
+  return {cosine<T>(angle), sine<T>(angle), omega, alpha};
 }
 
 // Along a unit direction: of a special position, say.

@@ -20,7 +20,7 @@ enum class Mate { wheel, ring, rack };
 struct Gears {
   Mate mate = Mate::wheel;
   Rational z1 = 0, z2 = 0, m = 0;
-  Turn alpha = {};
+  Angle alpha = {};
   Rational x1 = 0, x2 = 0, ha = 0, hf = 0, k = 0, j = 0;
 
   int s() const { return mate == Mate::ring ? -1 : 1; }
@@ -40,10 +40,10 @@ GearAngle<T> working_angle(const Gears& of) {
   const GearAngle<T> alpha{cosine<T>(of.alpha), sine<T>(of.alpha)};
   if (!of.is_shifted()) return alpha;
   if constexpr (NumberWithAngles<T>) {
-    const T radians = from_rational<T>(2 * of.alpha.fraction) * pi<T>();
+    const T in_radians = radians<T>(of.alpha);
     // (x1 + x2)/(z1 + z2); in a ring (x2 - x1)/(z2 - z1).
     const T quota = from_rational<T>(2 * (of.x1 + of.s() * of.x2) / (of.z1 + of.s() * of.z2));
-    const T involute = (T(1) + quota) * alpha.tangent() - radians;
+    const T involute = (T(1) + quota) * alpha.tangent() - in_radians;
     if (decided_sign(involute, "whether the wheels have a working pressure angle") == Sign::negative)
       throw Impossible("the wheels cannot mesh: for these profile shifts no working pressure angle exists");
     const T angle = angle_of_involute(involute);

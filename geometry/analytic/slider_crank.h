@@ -25,7 +25,7 @@ namespace epure::geometry::analytic {
 struct SliderCrank {
   Rational r, l, AC, BC;
   Rational e{0};
-  Turn delta{Rational(0)};
+  Angle delta = {};
 };
 
 // e^{iδ}.
@@ -34,7 +34,7 @@ Complex<T> direction_of_guide(const SliderCrank& g) {
   return {cosine<T>(g.delta), sine<T>(g.delta)};
 }
 
-// The crank at φ, and as it is seen from the guide, at ψ: a difference of rational turns, so that a crank along the
+// The crank at φ, and as it is seen from the guide, at ψ: a difference of exact angles, so that a crank along the
 // guide or square to it is exactly that.
 template <class T>
 struct GuidedCrank {
@@ -42,8 +42,8 @@ struct GuidedCrank {
 };
 
 template <class T>
-GuidedCrank<T> guided_crank(const SliderCrank& g, const Turn& turn, const T& omega, const T& alpha) {
-  return {crank_at<T>(turn, omega, alpha), crank_at<T>({turn.fraction - g.delta.fraction}, omega, alpha)};
+GuidedCrank<T> guided_crank(const SliderCrank& g, const Angle& angle, const T& omega, const T& alpha) {
+  return {crank_at<T>(angle, omega, alpha), crank_at<T>(angle - g.delta, omega, alpha)};
 }
 
 // Points in metres; e^{iη}, the direction from A to B seen from the guide, and e^{iθ}; x_B, how far B is along the

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/constructions/plane.h"
+#include "geometry/numbers/angle.h"
 
 namespace epure::geometry {
 
@@ -54,11 +55,11 @@ Point<T> meet(const Circle<T>& first, const Circle<T>& second, Side which) {
   return first.centre + (along_share * d + (which == Side::left ? across_share : -across_share) * n);
 }
 
-// `start` turned about `centre` by `turn`, counter-clockwise: one point of the division of a circle.
+// `start` turned about `centre` by an angle, counter-clockwise: one point of the division of a circle.
 template <class T>
-Point<T> turned(const Point<T>& start, const Point<T>& centre, const Turn& turn) {
+Point<T> turned(const Point<T>& start, const Point<T>& centre, const Angle& angle) {
   const Vector<T> r = start - centre;
-  return centre + (cosine<T>(turn) * r + sine<T>(turn) * quarter_turn(r));
+  return centre + (cosine<T>(angle) * r + sine<T>(angle) * quarter_turn(r));
 }
 
 }  // namespace epure::geometry

@@ -85,11 +85,10 @@ struct TransportedPosition {
 
 // The division of the circle: n unit vectors from +x, counter-clockwise, as they are seen from the direction `from`.
 template <class T>
-std::vector<Vector<T>> directions_of_divided_circle(int n, const Turn& from = {Rational(0)}) {
+std::vector<Vector<T>> directions_of_divided_circle(int n, const Angle& from = {}) {
   const Point<T> centre{T(0), T(0)}, start{T(1), T(0)};
   std::vector<Vector<T>> directions;
-  for (int k = 0; k < n; ++k)
-    directions.push_back(turned(start, centre, Turn{Rational(k, n) - from.fraction}) - centre);
+  for (int k = 0; k < n; ++k) directions.push_back(turned(start, centre, Angle{Rational(k, n)} - from) - centre);
   return directions;
 }
 

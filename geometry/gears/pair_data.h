@@ -4,7 +4,7 @@
 // counted positive outwards from the centre of the wheel, for a ring too.
 #pragma once
 
-#include "geometry/numbers/number.h"
+#include "geometry/numbers/angle.h"
 
 namespace epure::geometry {
 
@@ -18,7 +18,7 @@ struct PairData {
   PairKind kind = PairKind::external;
   long z1 = 0, z2 = 0;
   Rational m = {};          // module
-  Turn alpha = {};          // pressure angle of the generating rack
+  Angle alpha = {};         // pressure angle of the generating rack
   Rational x1 = 0, x2 = 0;  // profile shifts over m
   Rational ha = 1;          // addendum of the rack over m
   Rational hf = {5, 4};     // dedendum over m, which is how deep the cutter reaches

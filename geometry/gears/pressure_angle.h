@@ -12,8 +12,8 @@ struct PressureAngle {
 };
 
 template <class T>
-PressureAngle<T> pressure_angle(const Turn& turn) {
-  const T c = cosine<T>(turn), s = sine<T>(turn);
+PressureAngle<T> pressure_angle(const Angle& angle) {
+  const T c = cosine<T>(angle), s = sine<T>(angle);
   return {quotient(s, c), c, s};
 }
 

@@ -20,7 +20,7 @@ template <class T>
 CycloidDivision<T> cycloid_division(const Rational& r, const Turn& rolled) {
   const Point<T> P0{T(0), T(0)}, C{T(0), from_rational<T>(r)};
   const Point<T> on_line{from_rational<T>(r) * radians<T>(Angle{rolled.fraction}), T(0)};
-  const Point<T> on_wheel = turned(P0, C, rolled);
+  const Point<T> on_wheel = turned(P0, C, Angle{rolled.fraction});
   const Circle<T> about_P0{P0, distance(on_line, on_wheel)}, about_line{on_line, distance(P0, on_wheel)};
   return {on_line, on_wheel, meet(about_P0, about_line, Side::left)};
 }
@@ -37,7 +37,7 @@ template <class T>
 InvoluteDivision<T> involute_division(const Rational& R, const Turn& rolled) {
   const Point<T> C{T(0), T(0)}, P0{from_rational<T>(R), T(0)};
   const Point<T> on_line{P0.x, from_rational<T>(R) * radians<T>(Angle{rolled.fraction})};
-  const Point<T> on_circle = turned(P0, C, rolled);
+  const Point<T> on_circle = turned(P0, C, Angle{rolled.fraction});
   const Vector<T> backwards = -quarter_turn(on_circle - C);
   const T share = quotient(distance(P0, on_line), distance(C, on_circle));
   return {on_line, on_circle, on_circle + share * backwards};

@@ -2,6 +2,8 @@
 
 #include <gmp.h>
 
+#include <numbers>
+
 namespace epure::geometry {
 
 namespace {
@@ -36,6 +38,21 @@ Rational whole_turns(const Angle& angle) {
     (sign_of(angle - Angle{middle}) < 0 ? above : below) = middle;
   }
   return below;
+}
+
+std::optional<Rational> ratio(const Angle& a, const Angle& b) {
+  if (a.radians == 0 && b.radians == 0) return a.turns / b.turns;
+  if (a.turns == 0 && b.turns == 0) return a.radians / b.radians;
+  if (is_zero(a)) return 0;
+  return std::nullopt;
+}
+
+double degrees(const Angle& angle) {
+  return 360 * CGAL::to_double(angle.turns) + CGAL::to_double(angle.radians) * 180 / std::numbers::pi;
+}
+
+double to_double(const Angle& angle) {
+  return CGAL::to_double(angle.radians) + 2 * CGAL::to_double(angle.turns) * std::numbers::pi;
 }
 
 FromRightAngle from_right_angle(const Angle& angle) {

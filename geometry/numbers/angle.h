@@ -4,15 +4,20 @@
 
 #include "geometry/numbers/numbers.h"
 
+#include <optional>
 #include <type_traits>
 
 namespace epure::geometry {
 
-// 2π turns + radians, counter-clockwise. Zero only when both are, π being irrational.
+// 2π turns + radians, counter-clockwise. Zero only when both are, π being irrational. An angular velocity is kept as
+// the angle of one second, an angular acceleration likewise.
 struct Angle {
   Rational turns = 0;
   Rational radians = 0;
+  bool operator==(const Angle&) const = default;
 };
+
+inline bool is_zero(const Angle& a) { return a.turns == 0 && a.radians == 0; }
 
 inline Angle operator+(const Angle& a, const Angle& b) { return {a.turns + b.turns, a.radians + b.radians}; }
 inline Angle operator-(const Angle& a, const Angle& b) { return {a.turns - b.turns, a.radians - b.radians}; }
@@ -21,6 +26,9 @@ inline Angle operator*(const Rational& s, const Angle& a) { return {s * a.turns,
 
 // The greatest whole number of turns that is not above the angle.
 Rational whole_turns(const Angle& angle);
+
+// The same direction, from 0 to less than a turn.
+inline Angle within_one_turn(const Angle& a) { return a - Angle{whole_turns(a)}; }
 
 // A whole number of turns, decided exactly.
 inline bool is_whole_turns(const Angle& a) { return a.radians == 0 && a.turns.denominator() == 1; }
@@ -35,6 +43,19 @@ T radians(const Angle& angle) {
   if (angle.turns == 0) return rest;
   return from_rational<T>(Rational(2) * angle.turns) * pi<T>() + rest;
 }
+
+// a / b, b not zero; none where no fraction says it, one having turns in it and the other radians.
+std::optional<Rational> ratio(const Angle& a, const Angle& b);
+// a / b, b not zero.
+template <class T>
+T quotient_of(const Angle& a, const Angle& b) {
+  if (const auto exact = ratio(a, b)) return from_rational<T>(*exact);
+  return quotient(radians<T>(a), radians<T>(b));
+}
+
+// To the nearest double, or beside it.
+double degrees(const Angle& angle);
+double to_double(const Angle& angle);  // radians
 
 // The angle by the right angle nearest to its turns: `right_angles` (0 to 3, whole turns left out) and what is left.
 struct FromRightAngle {

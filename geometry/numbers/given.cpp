@@ -18,51 +18,122 @@ constexpr std::size_t longest_text = 1000;
 
 std::vector<Unit> make_units() {
   const auto ratio = [](int numerator, int denominator) { return Rational(numerator, denominator); };
+  constexpr bool by_turns = true;
+  const Rational kgf = ratio(980665, 100000), lb(45359237, 100000000), foot = ratio(3048, 10000);
   return {
-      {"1", 1, "pure number"},
-      {"m", 1, "length"},
-      {"cm", ratio(1, 100), "length"},
-      {"mm", ratio(1, 1000), "length"},
-      {"km", 1000, "length"},
-      {"s", 1, "time"},
-      {"ms", ratio(1, 1000), "time"},
-      {"min", 60, "time"},
-      {"rpm", ratio(1, 60), "turns per time"},
-      {"giri/min", ratio(1, 60), "turns per time"},
-      {"1/min", ratio(1, 60), "turns per time"},
-      {"Hz", 1, "turns per time"},
-      {"1/s", 1, "turns per time"},
-      {"turn/s", 1, "turns per time"},
-      {"giri/s", 1, "turns per time"},
-      {"turn", 1, "angle"},
-      {"deg", ratio(1, 360), "angle"},
-      {"°", ratio(1, 360), "angle"},
-      {"rad", 1, "angle in radians"},
-      {"rad/s", 1, "angular velocity in radians"},
-      {"rad/s^2", 1, "angular acceleration"},
-      {"rad/s2", 1, "angular acceleration"},
-      {"rad/s²", 1, "angular acceleration"},
-      {"m/s", 1, "velocity"},
-      {"cm/s", ratio(1, 100), "velocity"},
-      {"mm/s", ratio(1, 1000), "velocity"},
-      {"km/h", ratio(5, 18), "velocity"},
-      {"m/s^2", 1, "acceleration"},
-      {"m/s2", 1, "acceleration"},
-      {"m/s²", 1, "acceleration"},
-      {"cm/s^2", ratio(1, 100), "acceleration"},
-      {"mm/s^2", ratio(1, 1000), "acceleration"},
-      {"N", 1, "force"},
-      {"kN", 1000, "force"},
-      {"Nm", 1, "moment"},
-      {"N*m", 1, "moment"},
-      {"kNm", 1000, "moment"},
-      {"kg", 1, "mass"},
-      {"g", ratio(1, 1000), "mass"},
-      {"kg m^2", 1, "moment of inertia"},
-      {"kgm^2", 1, "moment of inertia"},
-      {"kg*m^2", 1, "moment of inertia"},
-      {"kg m²", 1, "moment of inertia"},
+      {"1", Kind::pure_number, 1},
+      {"m", Kind::length, 1},
+      {"cm", Kind::length, ratio(1, 100)},
+      {"mm", Kind::length, ratio(1, 1000)},
+      {"km", Kind::length, 1000},
+      {"dm", Kind::length, ratio(1, 10)},
+      {"µm", Kind::length, ratio(1, 1000000)},
+      {"um", Kind::length, ratio(1, 1000000)},
+      {"in", Kind::length, ratio(254, 10000)},
+      {"ft", Kind::length, foot},
+      {"s", Kind::time, 1},
+      {"ms", Kind::time, ratio(1, 1000)},
+      {"min", Kind::time, 60},
+      {"h", Kind::time, 3600},
+      {"deg", Kind::angle, ratio(1, 360), by_turns},
+      {"°", Kind::angle, ratio(1, 360), by_turns},
+      {"turn", Kind::angle, 1, by_turns},
+      {"rev", Kind::angle, 1, by_turns},
+      {"gon", Kind::angle, ratio(1, 400), by_turns},
+      {"rad", Kind::angle, 1},
+      {"mrad", Kind::angle, ratio(1, 1000)},
+      {"rpm", Kind::angular_velocity, ratio(1, 60), by_turns},
+      {"rev/min", Kind::angular_velocity, ratio(1, 60), by_turns},
+      {"turn/min", Kind::angular_velocity, ratio(1, 60), by_turns},
+      {"giri/min", Kind::angular_velocity, ratio(1, 60), by_turns},
+      {"1/min", Kind::angular_velocity, ratio(1, 60), by_turns},
+      {"Hz", Kind::angular_velocity, 1, by_turns},
+      {"rev/s", Kind::angular_velocity, 1, by_turns},
+      {"turn/s", Kind::angular_velocity, 1, by_turns},
+      {"giri/s", Kind::angular_velocity, 1, by_turns},
+      {"deg/s", Kind::angular_velocity, ratio(1, 360), by_turns},
+      {"°/s", Kind::angular_velocity, ratio(1, 360), by_turns},
+      {"rad/s", Kind::angular_velocity, 1},
+      {"rad/min", Kind::angular_velocity, ratio(1, 60)},
+      {"rad/s^2", Kind::angular_acceleration, 1},
+      {"rev/s^2", Kind::angular_acceleration, 1, by_turns},
+      {"turn/s^2", Kind::angular_acceleration, 1, by_turns},
+      {"deg/s^2", Kind::angular_acceleration, ratio(1, 360), by_turns},
+      {"°/s^2", Kind::angular_acceleration, ratio(1, 360), by_turns},
+      {"rpm/s", Kind::angular_acceleration, ratio(1, 60), by_turns},
+      {"m/s", Kind::velocity, 1},
+      {"cm/s", Kind::velocity, ratio(1, 100)},
+      {"mm/s", Kind::velocity, ratio(1, 1000)},
+      {"km/h", Kind::velocity, ratio(5, 18)},
+      {"m/min", Kind::velocity, ratio(1, 60)},
+      {"in/s", Kind::velocity, ratio(254, 10000)},
+      {"ft/s", Kind::velocity, foot},
+      {"m/s^2", Kind::acceleration, 1},
+      {"cm/s^2", Kind::acceleration, ratio(1, 100)},
+      {"mm/s^2", Kind::acceleration, ratio(1, 1000)},
+      {"ft/s^2", Kind::acceleration, foot},
+      {"N", Kind::force, 1},
+      {"kN", Kind::force, 1000},
+      {"kgf", Kind::force, kgf},
+      {"lbf", Kind::force, lb * kgf},
+      {"Nm", Kind::moment, 1},
+      {"N m", Kind::moment, 1},
+      {"N*m", Kind::moment, 1},
+      {"kNm", Kind::moment, 1000},
+      {"Nmm", Kind::moment, ratio(1, 1000)},
+      {"kgf m", Kind::moment, kgf},
+      {"kg", Kind::mass, 1},
+      {"g", Kind::mass, ratio(1, 1000)},
+      {"t", Kind::mass, 1000},
+      {"lb", Kind::mass, lb},
+      {"kg m^2", Kind::moment_of_inertia, 1},
+      {"kgm^2", Kind::moment_of_inertia, 1},
+      {"kg*m^2", Kind::moment_of_inertia, 1},
+      {"kg cm^2", Kind::moment_of_inertia, ratio(1, 10000)},
+      {"g m^2", Kind::moment_of_inertia, ratio(1, 1000)},
   };
+}
+
+Words name_of(Kind kind) {
+  switch (kind) {
+    case Kind::pure_number:
+      return {"a pure number", "un numero puro"};
+    case Kind::length:
+      return {"a length", "una lunghezza"};
+    case Kind::time:
+      return {"a time", "un tempo"};
+    case Kind::angle:
+      return {"an angle", "un angolo"};
+    case Kind::angular_velocity:
+      return {"an angular velocity", "una velocità angolare"};
+    case Kind::angular_acceleration:
+      return {"an angular acceleration", "un'accelerazione angolare"};
+    case Kind::velocity:
+      return {"a velocity", "una velocità"};
+    case Kind::acceleration:
+      return {"an acceleration", "un'accelerazione"};
+    case Kind::force:
+      return {"a force", "una forza"};
+    case Kind::moment:
+      return {"a moment", "un momento"};
+    case Kind::mass:
+      return {"a mass", "una massa"};
+    case Kind::moment_of_inertia:
+      return {"a moment of inertia", "un momento d'inerzia"};
+  }
+  return {};
+}
+
+// As the list of units spells it: "m/s²" and "m/s2" as "m/s^2".
+std::string spelled(std::string symbol) {
+  const auto replace = [&](std::string_view from, std::string_view to) {
+    if (const auto at = symbol.find(from); at != std::string::npos) symbol.replace(at, from.size(), to);
+  };
+  replace("²", "^2");
+  replace("·", "*");
+  replace("μ", "µ");  // the Greek letter, for the sign
+  if (symbol.ends_with("/s2") || symbol.ends_with("m2")) symbol.insert(symbol.size() - 1, "^");
+  return symbol;
 }
 
 std::string quoted(const std::string& text) {
@@ -74,17 +145,13 @@ std::string quoted(const std::string& text) {
 std::string units_like(const Unit& unit) {
   std::string list;
   for (const Unit& known : known_units())
-    if (known.dimension == unit.dimension) list += (list.empty() ? "" : ", ") + known.symbol;
+    if (known.kind == unit.kind) list += (list.empty() ? "" : ", ") + known.symbol;
   return list;
 }
 
-std::string with_article(const std::string& noun) {
-  return (std::string_view("aeiou").find(noun.front()) == std::string_view::npos ? "a " : "an ") + noun;
-}
-
-std::string example(const Unit& unit) {
+Words example(const Unit& unit) {
   const std::string symbol = unit.symbol == "1" ? "" : unit.symbol;
-  return "a number such as 0.25" + symbol + " or 1/4" + symbol;
+  return {"a number such as 0.25" + symbol + " or 1/4" + symbol, "un numero come 0.25" + symbol + " o 1/4" + symbol};
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -95,20 +162,33 @@ class Reader {
  public:
   Reader(const std::string& text, const Unit& expected) : text_(text), rest_(text), expected_(expected) {}
 
-  Rational read() {
-    if (text_.size() > longest_text) refuse("is longer than " + std::to_string(longest_text) + " characters");
+  InUnit read() {
+    if (text_.size() > longest_text) refuse_long();
     skip_blanks();
-    if (rest_.empty()) refuse("is empty");
+    if (rest_.empty()) refuse({"is empty", "è vuoto"});
     const Rational number = read_fraction();
-    refuse_comma();
-    return number * factor_of(read_unit());
+    const Unit typed = unit_of(read_unit());
+    if (typed.counts_turns != expected_.counts_turns) return {number, typed};
+    return {number * (typed.factor / expected_.factor), expected_};
+  }
+
+  [[noreturn]] void refuse_pi(const Unit& typed) const {
+    refuse({"is in " + typed.symbol + ", and a turn is 2π radians, which no fraction can say exactly",
+            "è in " + typed.symbol + ", e un giro è 2π radianti, che nessuna frazione dice esattamente"},
+           {"a number in " + expected_.symbol, "un numero in " + expected_.symbol});
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& condition) const { refuse(condition, example(expected_)); }
+  [[noreturn]] void refuse(const Words& condition) const { refuse(condition, example(expected_)); }
 
-  [[noreturn]] void refuse(const std::string& condition, const std::string& accepted) const {
-    throw BadGiven(quoted(text_) + " " + condition + "; write " + accepted);
+  [[noreturn]] void refuse(const Words& condition, const Words& accepted) const {
+    throw BadGiven(quoted(text_) + " " + condition.english + "; write " + accepted.english,
+                   quoted(text_) + " " + condition.italian + "; scrivere " + accepted.italian);
+  }
+
+  [[noreturn]] void refuse_long() const {
+    const std::string limit = std::to_string(longest_text);
+    refuse({"is longer than " + limit + " characters", "è più lungo di " + limit + " caratteri"});
   }
 
   void skip_blanks() {
@@ -134,19 +214,16 @@ class Reader {
     return digits;
   }
 
-  void refuse_comma() const {
-    if (!rest_.empty() && rest_.front() == ',') refuse("has a decimal comma", "a decimal point, such as 0.25");
-  }
-
-  // Two decimals with a slash, or one. "1/s" is no fraction: a slash counts only before a digit, point or sign.
+  // Two decimals with a slash, or one. "1/s" is no fraction: a slash counts only before what a number begins with.
   Rational read_fraction() {
     const Rational numerator = read_decimal();
-    const bool is_fraction = rest_.size() >= 2 && rest_[0] == '/' &&
-                             (is_digit(rest_[1]) || rest_[1] == '.' || rest_[1] == '-' || rest_[1] == '+');
+    const bool is_fraction =
+        rest_.size() >= 2 && rest_[0] == '/' &&
+        (is_digit(rest_[1]) || std::string_view(".,-+").find(rest_[1]) != std::string_view::npos);
     if (!is_fraction) return numerator;
     take('/');
     const Rational denominator = read_decimal();
-    if (CGAL::is_zero(denominator)) refuse("divides by zero");
+    if (CGAL::is_zero(denominator)) refuse({"divides by zero", "divide per zero"});
     return numerator / denominator;
   }
 
@@ -154,9 +231,9 @@ class Reader {
     const bool is_negative = take_sign();
     std::string digits = take_digits();
     std::string decimals;
-    refuse_comma();
-    if (take('.')) decimals = take_digits();
-    if (digits.empty() && decimals.empty()) refuse("does not begin with a finite number");
+    if (take('.') || take(',')) decimals = take_digits();
+    if (digits.empty() && decimals.empty())
+      refuse({"does not begin with a finite number", "non comincia con un numero finito"});
     const int exponent = read_exponent() - static_cast<int>(decimals.size());
     const Rational magnitude = Rational(CGAL::Gmpz("0" + digits + decimals), CGAL::Gmpz(1)) * power_of_ten(exponent);
     return is_negative ? -magnitude : magnitude;
@@ -168,12 +245,17 @@ class Reader {
     rest_.remove_prefix(1);
     const bool is_negative = take_sign();
     const std::string digits = take_digits();
-    if (digits.empty()) refuse("has an exponent without digits");
+    if (digits.empty()) refuse({"has an exponent without digits", "ha un esponente senza cifre"});
     int exponent = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
     if (error != std::errc() || end != digits.data() + digits.size() || exponent > largest_exponent)
-      refuse("has an exponent beyond ±" + std::to_string(largest_exponent));
+      refuse_exponent();
     return is_negative ? -exponent : exponent;
+  }
+
+  [[noreturn]] void refuse_exponent() const {
+    const std::string limit = "±" + std::to_string(largest_exponent);
+    refuse({"has an exponent beyond " + limit, "ha un esponente oltre " + limit});
   }
 
   static Rational power_of_ten(int exponent) {
@@ -189,20 +271,34 @@ class Reader {
     return std::string(rest_);
   }
 
-  Rational factor_of(const std::string& symbol) const {
-    if (symbol.empty()) return 1;
-    const auto unit = find_unit(symbol);
-    if (!unit) refuse("ends in " + quoted(symbol) + ", which is no unit of this program", accepted_units());
-    if (unit->dimension == "angular velocity in radians" && expected_.dimension == "turns per time")
-      refuse("is in radians, and a turn is 2π of them, which no fraction can say exactly", accepted_units());
-    if (unit->dimension != expected_.dimension)
-      refuse("is " + with_article(unit->dimension) + " where " + with_article(expected_.dimension) + " is asked",
+  Unit unit_of(const std::string& symbol) const {
+    if (symbol.empty()) return expected_;
+    if (symbol == "1/s" && expected_.kind == Kind::angular_velocity)
+      refuse({"may be in turns or in radians per second", "può essere in giri o in radianti al secondo"},
              accepted_units());
-    return unit->factor / expected_.factor;
+    const auto unit = find_unit(symbol);
+    if (!unit) refuse_unknown(symbol);
+    if (unit->kind == expected_.kind) return *unit;
+    const Words is = name_of(unit->kind), asked = name_of(expected_.kind);
+    refuse({"is " + is.english + " where " + asked.english + " is asked",
+            "è " + is.italian + " dove occorre " + asked.italian},
+           accepted_units());
   }
 
-  std::string accepted_units() const {
-    return expected_.symbol == "1" ? "a number without a unit" : "a number in one of: " + units_like(expected_);
+  [[noreturn]] void refuse_unknown(const std::string& symbol) const {
+    if (is_digit(symbol.front()) || std::string_view(".,'").find(symbol.front()) != std::string_view::npos)
+      refuse({"has more than a decimal point or comma between its digits",
+              "ha più di un punto o di una virgola decimale tra le cifre"},
+             {"thousands without a separator, as in 1234.5", "le migliaia senza separatore, come in 1234.5"});
+    refuse({"ends in " + quoted(symbol) + ", which is no unit of this program",
+            "finisce con " + quoted(symbol) + ", che non è un'unità di questo programma"},
+           accepted_units());
+  }
+
+  Words accepted_units() const {
+    if (expected_.symbol == "1") return {"a number without a unit", "un numero senza unità"};
+    const std::string units = units_like(expected_);
+    return {"a number in one of: " + units, "un numero in una di queste unità: " + units};
   }
 
   const std::string& text_;
@@ -212,28 +308,52 @@ class Reader {
 
 }  // namespace
 
+bool turns(Kind kind) {
+  return kind == Kind::angle || kind == Kind::angular_velocity || kind == Kind::angular_acceleration;
+}
+
 const std::vector<Unit>& known_units() {
   static const std::vector<Unit> units = make_units();
   return units;
 }
 
 std::optional<Unit> find_unit(const std::string& symbol) {
-  const std::string& wanted = symbol.empty() ? known_units().front().symbol : symbol;
+  const std::string wanted = symbol.empty() ? known_units().front().symbol : spelled(symbol);
   const auto& units = known_units();
   const auto found = std::find_if(units.begin(), units.end(), [&](const Unit& u) { return u.symbol == wanted; });
   return found == units.end() ? std::nullopt : std::optional(*found);
 }
 
-Rational parse_given(const std::string& text, const std::string& unit_of_the_given) {
+InUnit read_given(const std::string& text, const std::string& unit_of_the_given) {
   const auto expected = find_unit(unit_of_the_given);
   assert(expected && "the unit of a given must be known");
   return Reader(text, *expected).read();
 }
 
+Rational parse_given(const std::string& text, const std::string& unit_of_the_given) {
+  const auto expected = find_unit(unit_of_the_given);
+  assert(expected && "the unit of a given must be known");
+  Reader reader(text, *expected);
+  const InUnit read = reader.read();
+  if (read.unit.counts_turns != expected->counts_turns) reader.refuse_pi(read.unit);
+  return read.number;
+}
+
+Angle angle_of(const InUnit& of) {
+  assert(turns(of.unit.kind));
+  const Rational value = of.number * of.unit.factor;
+  return of.unit.counts_turns ? Angle{value, 0} : Angle{0, value};
+}
+
+Rational in_si(const InUnit& of) {
+  assert(!of.unit.counts_turns);
+  return of.number * of.unit.factor;
+}
+
 Rational conversion(const std::string& from, const std::string& to) {
   const auto source = find_unit(from);
   const auto target = find_unit(to);
-  assert(source && target && source->dimension == target->dimension);
+  assert(source && target && source->kind == target->kind && source->counts_turns == target->counts_turns);
   return source->factor / target->factor;
 }
 

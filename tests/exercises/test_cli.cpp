@@ -90,7 +90,7 @@ TEST_CASE("impossible givens are refused by every verb that takes them") {
     refused({verb, "triangle", "--set", "a=nan"}, "\"nan\"");
     refused({verb, "triangle", "--set", "a=inf"}, "\"inf\"");
     refused({verb, "triangle", "--set", "a=1e308"}, "must lie between 1e-12 and 1e12 m");
-    refused({verb, "triangle", "--set", "a=0,25"}, "decimal comma");
+    refused({verb, "triangle", "--set", "a=1.234,5"}, "point or comma");
     refused({verb, "triangle", "--set", "a="}, "a: \"\" is empty");
     refused({verb, "triangle", "--set", "=3"}, "no symbol");
     refused({verb, "triangle", "--set", "a"}, "write symbol=value");
@@ -212,10 +212,11 @@ TEST_CASE("a scale is one number over another, and reaches the sheet") {
   };
   CHECK(svg("1:10") == svg("1/10"));
   CHECK(svg("1:10") == svg("0.1"));
+  CHECK(svg("1:10") == svg("0,1"));
   CHECK(svg("1:10") != svg("1:20"));
   CHECK_FALSE(svg("1:10").empty());
   refused({"draw", "triangle", "--scale", "2:1"}, "does not fit");
-  for (const std::string bad : {"0", "-1:5", "1:0", "big", "1:5:2", "", "1,5"})
+  for (const std::string bad : {"0", "-1:5", "1:0", "big", "1:5:2", "", "1,5,5"})
     refused({"draw", "triangle", "--scale", bad}, "\"" + bad + "\" is no scale; write 1:5");
 }
 
@@ -371,7 +372,8 @@ TEST_CASE("measured numbers decide the exit code") {
   refused({"check", "triangle", "--measured", "omga=1"}, "did you mean omega?");
   refused({"check", "triangle", "--measured", "omega"}, "write name=value");
   refused({"check", "triangle", "--measured", "=1"}, "write name=value");
-  refused({"check", "triangle", "--measured", "c=0,5"}, "decimal comma");
+  CHECK(run({"check", "triangle", "--measured", "c=0,5"}).exit == 0);
+  refused({"check", "triangle", "--measured", "c=1,234.5"}, "point or comma");
   refused({"check", "triangle", "--measured", "c="}, "--measured c: \"\" is empty");
   refused({"check", "triangle", "--measured", "c=1s"}, "time where a length");
   for (const std::string bad : {"0", "-1mm", "1s", "2m", "x", ""})

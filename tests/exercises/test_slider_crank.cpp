@@ -249,7 +249,7 @@ TEST_CASE("the impossible is one clear sentence and exit code 2", "[slider-crank
       {{"r=0"}, {"r = 0", "must be positive"}},
       {{"r=-1"}, {"r = -1", "must be positive"}},
       {{"n=0"}, {"n = 0", "must turn"}},
-      {{"t1=-1/72"}, {"t1", "must not be negative"}}};
+      {{"t1=-1/72"}, {"t = -1/72", "must not be negative"}}};
   for (const auto& [assignments, says] : all)
     for (const std::string& id : {velocity, acceleration})
       for (const std::vector<std::string>& verb : {std::vector<std::string>{"check", id},

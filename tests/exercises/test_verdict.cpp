@@ -99,6 +99,9 @@ TEST_CASE("a text is a value and half a unit of its last digit, in the unit aske
                                          {"0.52rad", "rad", Rational(13, 25), Rational(1, 200)},
                                          {"0.52", "rad", Rational(13, 25), Rational(1, 200)},
                                          {".5", "1", Rational(1, 2), Rational(1, 20)},
+                                         {"0,52", "rad", Rational(13, 25), Rational(1, 200)},
+                                         {"-1,50e1mm", "mm", -15, Rational(1, 20)},
+                                         {"1,5/3", "m", Rational(1, 2), 0},
                                          {"30°", "deg", 30, Rational(1, 2)},
                                          {"5.", "1", 5, Rational(1, 2)}};
   for (const Example& example : examples) {
@@ -107,7 +110,7 @@ TEST_CASE("a text is a value and half a unit of its last digit, in the unit aske
     CHECK(read.value == example.value);
     CHECK(read.half_unit == example.half_unit);
   }
-  for (const std::string bad : {"", "rad", "nan", "1,5", "5 rad rad", "3s"}) {
+  for (const std::string bad : {"", "rad", "nan", "1,5,5", "5 rad rad", "3s"}) {
     INFO(bad);
     CHECK_THROWS_AS(read_decimal(bad, "rad"), geometry::BadGiven);
   }

@@ -26,7 +26,7 @@ inline analytic::SliderCrank linkage_of(const CorpusCase& c) {
           c.givens.at("BC"), c.givens.at("e"), {c.givens.at("delta") / 360}};
 }
 
-inline Turn turn_of(const CorpusCase& c) { return {c.givens.at("n") * c.givens.at("t1") / 60}; }
+inline Angle turn_of(const CorpusCase& c) { return {c.givens.at("n") * c.givens.at("t1") / 60}; }
 
 template <class T>
 Scene<T> scene_of(const CorpusCase& c, const T& omega_2) {
@@ -115,7 +115,7 @@ Answers<T> answers_of(const CorpusCase& c) {
   Answers<T> answers = answers_without_angles<T>(c, omega_2);
   const Scene<T> s = scene_of<T>(c, omega_2);
   add_angles(answers, s);
-  const Rational turn = turn_of(c).fraction;
+  const Rational turn = turn_of(c).turns;
   answers["crank_angle_phi"] = [turn] { return std::optional<T>(from_rational<T>(2 * turn) * pi<T>()); };
   answers["crank_angle_phi_deg"] = [turn] { return std::optional<T>(from_rational<T>(360 * turn)); };
   return answers;

@@ -66,7 +66,7 @@ TEST_CASE("slider-crank: exact numbers decide every case of a constructible cran
   int decided = 0;
   for (const CorpusCase& c : corpus()) {
     // Lengths and decisions do not depend on the speed when α₂ = 0: no π is needed.
-    if (!closes(c) || c.givens.at("alpha_2") != 0 || (turn_of(c).fraction * 24).denominator() != 1) continue;
+    if (!closes(c) || c.givens.at("alpha_2") != 0 || (turn_of(c).turns * 24).denominator() != 1) continue;
     if ((c.givens.at("delta") / 15).denominator() != 1) continue;
     const Arithmetic<Deep> scope(256);
     decided +=

@@ -20,7 +20,7 @@ const FourBar n11{{1, 5}, {1, 2}, {7, 10}, {4, 5}, 0};
 
 template <class T>
 CrankState<T> twenty_degrees() {
-  return crank_at<T>(Turn{{1, 18}}, T(1), T(0));
+  return crank_at<T>(Angle{{1, 18}}, T(1), T(0));
 }
 
 template <class T>

@@ -12,7 +12,7 @@ using namespace epure::geometry;
 
 namespace {
 
-const Turn deg_22{Rational(11, 180)}, deg_30{Rational(1, 12)};
+const Angle deg_22{Rational(11, 180)}, deg_30{Rational(1, 12)};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double horizon = 1e-3;
 
@@ -48,7 +48,7 @@ PairData with_backlash(PairData pair) {
 }
 
 double base_pitch(const PairData& pair) {
-  return M_PI * CGAL::to_double(pair.m) * std::cos(2 * M_PI * CGAL::to_double(pair.alpha.fraction));
+  return M_PI * CGAL::to_double(pair.m) * std::cos(2 * M_PI * CGAL::to_double(pair.alpha.turns));
 }
 
 struct Worst {
@@ -191,12 +191,12 @@ TEST_CASE("mesh: overlap is proved where a fault says so, and nowhere else", "[g
 // Pairs in which contact ends on the flank and the tips clear the roots, found by drawing 4000 at random: the
 // outlines say whether they overlap, the fault whether the corner's path crosses the root curve.
 TEST_CASE("mesh: corners of tips in root curves", "[gears]") {
-  const auto pair = [](long z1, long z2, const Turn& alpha, Rational x1, Rational x2) {
+  const auto pair = [](long z1, long z2, const Angle& alpha, Rational x1, Rational x2) {
     PairData of = external(z1, z2, x1, x2);
     of.alpha = alpha;
     return of;
   };
-  const Turn deg_15{Rational(1, 24)}, deg_20{Rational(1, 18)}, deg_25{Rational(5, 72)};
+  const Angle deg_15{Rational(1, 24)}, deg_20{Rational(1, 18)}, deg_25{Rational(5, 72)};
   PairData narrow = pair(21, 73, deg_20, {2, 5}, {1, 10});  // by 15 µm
   narrow.hf = {11, 10};
   PairData standard = pair(29, 62, deg_20, {4, 5}, 1);  // by 38 µm, with the clearance of ISO 53

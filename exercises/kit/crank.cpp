@@ -1,0 +1,26 @@
+#include "exercises/kit/crank.h"
+
+namespace epure {
+
+GivenSpec instant_given(const std::string& stated, Range range, const std::vector<std::string>& also) {
+  return {.symbol = "t",
+          .meaning = {"instant, counted from the crank on +x", "istante, dalla manovella sul semiasse +x"},
+          .unit = "s",
+          .stated = stated,
+          .range = range,
+          .letters = "$t$",
+          .also = also};
+}
+
+GivenSpec crank_angle_given() {
+  return {
+      .symbol = "phi",
+      .meaning = {"crank angle from +x, in place of the instant", "angolo di manovella da +x, in luogo dell'istante"},
+      .unit = "deg",
+      .stated = "",
+      .range = Range::any,
+      .letters = "$φ$",
+      .turned = TurnedThrough{.instant = "t", .speed = "n"}};
+}
+
+}  // namespace epure
