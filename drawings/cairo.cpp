@@ -12,6 +12,7 @@
 #include "drawings/check_page.h"
 #include "drawings/glyph_outline.h"
 #include "drawings/grid.h"
+#include "drawings/memory_watch.h"
 #include "drawings/page.h"
 #include "drawings/pango_fonts.h"
 #include "drawings/release.h"
@@ -165,8 +166,14 @@ void paint(cairo_surface_t* surface, const Page& page) {
   cairo_pdf_surface_set_size(surface, page.extent.width() * points_per_mm, page.extent.height() * points_per_mm);
   const Context context = open(surface);
   Painter painter(context.get(), page.extent);
-  for (const Primitive& primitive : page.primitives) std::visit(painter, primitive);
+  for (const Primitive& primitive : page.primitives) {
+    const MemoryWatch memory;
+    std::visit(painter, primitive);
+    memory.demand();
+  }
+  const MemoryWatch memory;
   cairo_show_page(context.get());
+  memory.demand();
   demand(cairo_status(context.get()));
 }
 
@@ -220,19 +227,24 @@ std::string write_pdf(const std::vector<Page>& pages, const std::string& documen
   demand(cairo_surface_status(surface.get()));
   set_metadata(surface.get(), document_title);
   for (const Page& page : pages) paint(surface.get(), page);
-  return finish(surface.get(), memory);
+  const MemoryWatch watch;
+  std::string bytes = finish(surface.get(), memory);
+  watch.demand();
+  return bytes;
 }
 
 std::vector<Path> glyph_outline(Face face, unsigned glyph) {
   // Paths are only kept here, nothing is painted.
   thread_local const Surface nowhere(cairo_recording_surface_create(CAIRO_CONTENT_ALPHA, nullptr));
   const Context context(cairo_create(nowhere.get()));
+  const MemoryWatch memory;
   cairo_scaled_font_t* font = scaled_font(face);
   cairo_set_scaled_font(context.get(), font);  // on units_per_em: a unit of Cairo's is one of the font's
   const cairo_glyph_t at_origin{glyph, 0, 0};
   cairo_glyph_path(context.get(), &at_origin, 1);
   demand(cairo_status(context.get()));
   demand(cairo_scaled_font_status(font));
+  memory.demand();
   const Held<cairo_path_t, cairo_path_destroy> kept(cairo_copy_path(context.get()));
   demand(kept->status);
   return contours(*kept);

@@ -7,6 +7,7 @@
 
 #include "drawings/clip.h"
 #include "drawings/flatten.h"
+#include "drawings/output.h"
 #include "drawings/text.h"
 #include "drawings/vectors.h"
 
@@ -14,8 +15,8 @@ namespace epure::drawings {
 
 namespace {
 
-// 10 km of paper: nothing anyone means, and still exact to a nanometre in a double.
-constexpr double absurd = 1e7;
+// 10,000 km of paper, where a double is worth 2 nm: what is cut out of it for the sheet is still right.
+constexpr double absurd = 1e10;
 
 }  // namespace
 
@@ -23,7 +24,10 @@ Canvas::Canvas(Box area) : clip_(area), drawn_(area) {}
 
 void Canvas::require(double value) const {
   if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("{} is not a number on paper", value));
-  if (std::abs(value) > absurd) throw std::invalid_argument(fmt::format("{} mm is far off the paper", value));
+  if (std::abs(value) > absurd)
+    throw TooFar(
+        fmt::format("{:.3g} mm is too far off the paper to be drawn; take a smaller scale", value),
+        fmt::format("{:.3g} mm: troppo lontano dal foglio per un disegno; scegliere una scala minore", value));
 }
 
 void Canvas::require(Point p) const {
@@ -53,20 +57,17 @@ void Canvas::remember(const Path& path, double width) {
 
 void Canvas::stroke(const Path& path, const LineStyle& style, const std::string& name) {
   require(path);
-  const ClippedPath clipped = clip_path(path, clip_);
   bool first = true;
-  for (const Path& run : clipped.runs) {
+  for (const Path& run : clip_path(path, clip_)) {
     const std::vector<double> dashes =
         style.dashes.empty() ? style.dashes : fitted_dashes(style.dashes, path_length(run), run.closed);
-    Stroke stroke{run, style.width, dashes, style.colour, {}, first ? name : std::string{}};
-    if (clipped.overhangs) stroke.clip = clip_;
-    put(std::move(stroke));
+    put(Stroke{run, style.width, dashes, style.colour, {}, first ? name : std::string{}});
     remember(run, style.width);
     first = false;
   }
 }
 
-void Canvas::area(const Path& path, Colour colour, const std::string& name) {
+void Canvas::area(const Path& path, Colour colour, const std::string& name, double tolerance) {
   require(path);
   const Box box = bounds(path);
   if (apart(box, clip_)) return;
@@ -74,16 +75,18 @@ void Canvas::area(const Path& path, Colour colour, const std::string& name) {
     put(Fill{path, colour, {}, name});
     return;
   }
-  const std::vector<Point> inside = clip_polygon(flatten(path, 0.005), clip_);
+  const std::vector<Point> inside = clip_polygon(flatten(path, tolerance), clip_);
   if (inside.size() >= 3) put(Fill{polyline(inside, true), colour, {}, name});
 }
 
 void Canvas::fill(const Path& path, Colour colour, const std::string& name) {
-  area(path, colour, name);
+  area(path, colour, name, 0.005);
   remember(path, 0.2);
 }
 
-void Canvas::tint(const Path& path, Colour colour, const std::string& name) { area(path, colour, name); }
+void Canvas::tint(const Path& path, Colour colour, const std::string& name) {
+  area(path, colour, name, 0.05);  // a light edge, most often under a line
+}
 
 void Canvas::text(const PlacedText& text) {
   require(text.baseline);

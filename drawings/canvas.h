@@ -19,7 +19,8 @@ class Canvas {
   void clip_to(Box clip) { clip_ = clip; }
   Box clip() const { return clip_; }
 
-  // Throws std::invalid_argument unless the number is finite and within 10 km; compose() adds the mark's name.
+  // Throws std::invalid_argument unless the number is finite, and TooFar beyond 10,000 km; compose() adds the mark's
+  // name to the former.
   void require(Point p) const;
   void require(double value) const;
 
@@ -44,7 +45,8 @@ class Canvas {
   void require(const Path& path) const;
   void put(Primitive primitive);
   void remember(const Path& path, double width);
-  void area(const Path& path, Colour colour, const std::string& name);
+  // Curves become chords within `tolerance` (mm) where the area must be cut.
+  void area(const Path& path, Colour colour, const std::string& name, double tolerance);
 
   Box clip_;
   bool raised_ = false;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "drawings/clip.h"
+#include "drawings/flatten.h"
 #include "drawings/style.h"
 #include "drawings/text.h"
 #include "drawings/vectors.h"
@@ -146,7 +147,7 @@ std::vector<std::vector<Point>> visible(const Curve& curve, const ChartMap& map)
   std::vector<std::vector<Point>> chains;
   for (const auto& run : curve.runs) {
     if (run.size() < 2) continue;
-    for (const Path& part : clip_path(polyline(on_paper(map, run), false), map.frame).runs) {
+    for (const Path& part : clip_path(polyline(on_paper(map, run), false), map.frame)) {
       chains.push_back({part.start});
       for (const Piece& piece : part.pieces) chains.back().push_back(piece.end);
     }
@@ -181,7 +182,8 @@ void draw_curves(const Chart& chart, const std::vector<Look>& looks, const Chart
     const Curve& curve = chart.curves[i];
     for (const auto& run : curve.runs)
       if (run.size() > 1)
-        window.add(Line{polyline(on_paper(map, run), false), curve.meaning, curve.name, looks[i].line});
+        window.add(Line{polyline(thinned(on_paper(map, run), file_resolution / 2), false), curve.meaning, curve.name,
+                        looks[i].line});
   }
   constexpr double apart = 25;  // mm between the marks along a line; those of neighbours are not to stand together
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {

@@ -37,48 +37,67 @@ class Clipper {
     if (inside) append(inside->first, {true, {}, {}, inside->second});
   }
 
-  void curve(Point from, const Piece& piece, int depth) {
-    const Box hull = bounds({from, {piece}, false});
-    if (apart(hull, box_)) return;
-    const bool inside = contains(box_, hull);
-    const bool small = hull.width() + hull.height() <= 0.5 * (box_.width() + box_.height());
-    if (inside || small || depth == 0) {
-      result_.overhangs = result_.overhangs || !inside;
-      append(from, piece);
-      return;
+  void curve(Point from, const Piece& piece) {
+    shown_.clear();
+    find_shown(from, piece, 0, 1);
+    for (const auto& [begin, end] : shown_) {
+      Point start = from;
+      Piece part = piece;
+      if (end < 1) part = split(start, part, end).first;
+      if (begin > 0) {
+        const Halves halves = split(start, part, begin / end);
+        start = halves.first.end;
+        part = halves.second;
+      }
+      append(start, part);
     }
-    const Halves halves = halve(from, piece);
-    curve(from, halves.first, depth - 1);
-    curve(halves.first.end, halves.second, depth - 1);
   }
 
-  ClippedPath take() { return std::move(result_); }
+  std::vector<Path> take() { return std::move(runs_); }
 
  private:
+  // `part` is the curve between the two parameters: halved until it is inside, outside, or too small to be seen.
+  void find_shown(Point from, const Piece& part, double begin, double end) {
+    const Box hull = bounds({from, {part}, false});
+    if (apart(hull, box_)) return;
+    if (contains(box_, hull)) {
+      if (!shown_.empty() && shown_.back().second == begin)
+        shown_.back().second = end;
+      else
+        shown_.emplace_back(begin, end);
+      return;
+    }
+    const double middle = (begin + end) / 2;
+    if (hull.width() + hull.height() <= file_resolution / 4 || middle <= begin || middle >= end) return;
+    const Halves halves = split(from, part, 0.5);
+    find_shown(from, halves.first, begin, middle);
+    find_shown(halves.first.end, halves.second, middle, end);
+  }
+
   void append(Point from, const Piece& piece) {
-    const bool continues = !result_.runs.empty() && distance(end_, from) == 0;
-    if (!continues) result_.runs.push_back({from, {}, false});
-    result_.runs.back().pieces.push_back(piece);
+    const bool continues = !runs_.empty() && distance(end_, from) == 0;
+    if (!continues) runs_.push_back({from, {}, false});
+    runs_.back().pieces.push_back(piece);
     end_ = piece.end;
   }
 
   Box box_;
   Point end_;
-  ClippedPath result_;
+  std::vector<std::pair<double, double>> shown_;  // of the curve in hand, by its parameter
+  std::vector<Path> runs_;
 };
 
 }  // namespace
 
-ClippedPath clip_path(const Path& path, Box box) {
-  if (contains(box, bounds(path))) return {{path}, false};
+std::vector<Path> clip_path(const Path& path, Box box) {
+  if (contains(box, bounds(path))) return {path};
   Clipper clipper(box);
   Point at = path.start;
   for (const Piece& piece : path.pieces) {
-    // 24 halvings bring 10 km down to a millimetre.
     if (piece.straight)
       clipper.straight(at, piece.end);
     else
-      clipper.curve(at, piece, 24);
+      clipper.curve(at, piece);
     at = piece.end;
   }
   if (path.closed && distance(at, path.start) > 0) clipper.straight(at, path.start);

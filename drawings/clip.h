@@ -13,13 +13,8 @@ namespace epure::drawings {
 // The part of the segment inside the box, end points in the same order; none when they do not meet.
 std::optional<std::pair<Point, Point>> clip_segment(Point from, Point to, Box box);
 
-struct ClippedPath {
-  std::vector<Path> runs;  // what may show, in order
-  bool overhangs = false;  // a curve of `runs` still reaches outside: the writer must clip
-};
-// Straight pieces are cut exactly at the border. Curves are halved until each part is outside (and dropped),
-// inside, or not much longer than the box.
-ClippedPath clip_path(const Path& path, Box box);
+// What shows of the path, in order, cut at the border: curves to within a quarter of a step of the file, inside.
+std::vector<Path> clip_path(const Path& path, Box box);
 
 // The area of a closed polygon inside the box (Sutherland and Hodgman); fewer than three corners: nothing.
 std::vector<Point> clip_polygon(std::vector<Point> corners, Box box);

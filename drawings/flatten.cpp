@@ -13,12 +13,11 @@ Box bounds(const Path& path) {
   return box;
 }
 
-Halves halve(Point start, const Piece& piece) {
-  const Point a = between(start, piece.first_control, 0.5),
-              b = between(piece.first_control, piece.second_control, 0.5),
-              c = between(piece.second_control, piece.end, 0.5), ab = between(a, b, 0.5), bc = between(b, c, 0.5),
-              centre = between(ab, bc, 0.5);
-  return {{false, a, ab, centre}, {false, bc, c, piece.end}};
+Halves split(Point start, const Piece& piece, double t) {
+  const Point a = between(start, piece.first_control, t), b = between(piece.first_control, piece.second_control, t),
+              c = between(piece.second_control, piece.end, t), ab = between(a, b, t), bc = between(b, c, t),
+              at = between(ab, bc, t);
+  return {{false, a, ab, at}, {false, bc, c, piece.end}};
 }
 
 namespace {
@@ -57,6 +56,56 @@ double path_length(const Path& path) {
   double sum = 0;
   for (std::size_t i = 1; i < points.size(); ++i) sum += distance(points[i - 1], points[i]);
   return sum;
+}
+
+namespace {
+
+// From one point on: the directions of chords that pass within a tolerance of all points seen so far, each farther
+// away than the last.
+class Fan {
+ public:
+  Fan(Point from, double tolerance) : from_(from), tolerance_(tolerance) {}
+
+  // Whether a chord may end here, over all points before.
+  bool reaches(Point p) const {
+    const Point way = p - from_;
+    return length(way) >= farthest_ && (!is_bounded_ || (cross(right_, way) >= 0 && cross(way, left_) >= 0));
+  }
+
+  void see(Point p) {
+    const Point way = p - from_;
+    farthest_ = length(way);
+    if (farthest_ <= tolerance_) return;
+    // The tangents to the circle of the tolerance about p.
+    const double sine = tolerance_ / farthest_, cosine = std::sqrt(1 - sine * sine);
+    const Point left = cosine * way + sine * left_of(way), right = cosine * way - sine * left_of(way);
+    if (!is_bounded_ || cross(left, left_) > 0) left_ = left;
+    if (!is_bounded_ || cross(right_, right) > 0) right_ = right;
+    is_bounded_ = true;
+  }
+
+ private:
+  static double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+
+  Point from_, left_, right_;
+  double tolerance_, farthest_ = 0;
+  bool is_bounded_ = false;
+};
+
+}  // namespace
+
+std::vector<Point> thinned(const std::vector<Point>& points, double tolerance) {
+  if (points.size() < 3) return points;
+  std::vector<Point> kept{points.front()};
+  Fan fan(points.front(), tolerance);
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    fan.see(points[i]);
+    if (fan.reaches(points[i + 1])) continue;
+    kept.push_back(points[i]);
+    fan = Fan(points[i], tolerance);
+  }
+  kept.push_back(points.back());
+  return kept;
 }
 
 }  // namespace epure::drawings

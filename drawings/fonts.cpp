@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "drawings/memory_watch.h"
 #include "drawings/pango_fonts.h"
 #include "drawings/release.h"
 #include "drawings/vectors.h"
@@ -27,7 +28,10 @@ unsigned space_of(PangoFont* font) { return glyph_of(font, ' '); }
 // By HarfBuzz: Pango asks Cairo, which loads each outline at this size for nothing else.
 Box find_ink(PangoFont* font, unsigned glyph) {
   hb_glyph_extents_t drawn{};  // y upwards, the height downwards
-  if (!hb_font_get_glyph_extents(pango_font_get_hb_font(font), glyph, &drawn)) return nothing();
+  const MemoryWatch memory;
+  const bool has = hb_font_get_glyph_extents(pango_font_get_hb_font(font), glyph, &drawn);
+  memory.demand();
+  if (!has) return nothing();
   if (drawn.width == 0 && drawn.height == 0) return nothing();
   return {{to_units(drawn.x_bearing), to_units(drawn.y_bearing + drawn.height)},
           {to_units(drawn.x_bearing + drawn.width), to_units(drawn.y_bearing)}};
@@ -39,9 +43,11 @@ ShapedLetters shape_anew(Face face, std::string_view letters) {
   analysis.font = pango_fonts()[face];
   analysis.script = PANGO_SCRIPT_LATIN;
   analysis.language = pango_language_from_string("en");
+  const MemoryWatch memory;
   const Held<PangoGlyphString, pango_glyph_string_free> shaped(pango_glyph_string_new());
   const auto length = static_cast<int>(letters.size());
   pango_shape_full(letters.data(), length, letters.data(), length, &analysis, shaped.get());
+  memory.demand();
 
   ShapedLetters result;
   const int count = shaped->num_glyphs;
@@ -68,7 +74,13 @@ ShapedLetters shape_anew(Face face, std::string_view letters) {
 }  // namespace
 
 // By HarfBuzz: Pango would have fontconfig list all characters of the font first.
-bool has_glyph(Face face, char32_t character) { return glyph_of(pango_fonts()[face], character) != 0; }
+bool has_glyph(Face face, char32_t character) {
+  PangoFont* font = pango_fonts()[face];
+  const MemoryWatch memory;
+  const bool has = glyph_of(font, character) != 0;
+  memory.demand();
+  return has;
+}
 
 ShapedLetters shape(Face face, const std::string& letters) {
   // A column that is tried in smaller and smaller letters sets the same words again.

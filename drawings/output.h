@@ -10,8 +10,13 @@
 
 namespace epure::drawings {
 
+// A mark so far off the paper (10,000 km) that doubles no longer tell where it crosses the sheet.
+struct TooFar : Told {
+  using Told::Told;
+};
+
 // One document, a page a sheet; bare sheets get pages of their cropped size. Bytes depend on the sheets alone.
-// Throws std::invalid_argument naming the mark when a coordinate is not finite or far outside the paper.
+// Throws std::invalid_argument naming the mark when a coordinate is not finite, TooFar when it is too large.
 std::string pdf(const std::vector<Sheet>& sheets, const std::string& document_title);
 std::string svg(const Sheet& sheet);
 
@@ -21,9 +26,10 @@ std::vector<std::string> overlaps(const Sheet& sheet);
 struct CannotWrite : Told {
   using Told::Told;
 };
-// The whole file or none: written without a name in the folder of `path`, synced, named and renamed. An older file stays
-// until the new one is complete; the new one has its permissions and, as far as the system allows, its owner. Another
-// hard link to the older file keeps the older bytes. "-" is standard output. Throws CannotWrite with path and reason.
+// The whole file or none: written without a name in the folder of `path`, synced, named and renamed. An older file
+// stays until the new one is complete; the new one has its permissions and, as far as the system allows, its owner.
+// Another hard link to the older file keeps the older bytes. "-" is standard output. Throws CannotWrite with path and
+// reason.
 void write_whole(const std::filesystem::path& path, std::string_view bytes);
 
 struct File {

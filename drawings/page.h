@@ -49,7 +49,7 @@ struct Page {
 
 // Layout, symbols, styles, label placement. Deterministic. `conflicts`, when given, receives a sentence for every
 // label that had to overlap something. Throws std::invalid_argument naming the mark for a coordinate that is not
-// finite or far outside the paper.
+// finite, TooFar (output.h) for one that is too large.
 Page compose(const Sheet& sheet, std::vector<std::string>* conflicts = nullptr);
 
 std::string write_pdf(const std::vector<Page>& pages, const std::string& document_title);

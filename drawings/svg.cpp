@@ -7,7 +7,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -29,7 +31,7 @@ void add_whole(std::string& to, long value) {
   to.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
 }
 
-// No trailing zeros, no "-0".
+// Not negative. No zero before the point and none at the end.
 void add_decimal(std::string& to, double value, int decimals) {
   std::array<char, 64> digits{};
   const char* begin = digits.data();
@@ -37,8 +39,8 @@ void add_decimal(std::string& to, double value, int decimals) {
       std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals).ptr;
   while (end[-1] == '0') --end;
   if (end[-1] == '.') --end;
-  const std::string_view text(begin, static_cast<std::size_t>(end - begin));
-  to += text == "-0" || text.empty() ? "0" : text;
+  if (end - begin > 1 && *begin == '0') ++begin;
+  to.append(begin, end);
 }
 
 void add_attribute(std::string& to, std::string_view name, std::string_view value) {
@@ -173,6 +175,32 @@ const Outline& outline_of(Face face, unsigned glyph) {
   return found != of_face.end() ? found->second : of_face.emplace(glyph, make_outline(face, glyph)).first->second;
 }
 
+// A letter of a text, in its units (1000 to the size of its letters), y downwards.
+struct Letter {
+  const Outline* outline = nullptr;
+  double scale = 1;  // smaller in a subscript
+  long x = 0, y = 0;
+};
+
+// Without spaces. `unit` in mm.
+std::vector<Letter> letters_of(const SetText& set, double unit) {
+  std::vector<Letter> letters;
+  for (const GlyphRun& run : set.runs)
+    for (const SetGlyph& glyph : run.glyphs)
+      if (const Outline& outline = outline_of(run.face, glyph.index); !outline.data.empty())
+        letters.push_back({&outline, run.size / (unit * units_per_em), std::lround(glyph.at.x / unit),
+                           std::lround(-glyph.at.y / unit)});
+  return letters;
+}
+
+// Empty when there is nothing to read.
+std::string words_of(const SetText& set) {
+  std::string words;
+  for (const GlyphRun& run : set.runs)
+    for (const SetGlyph& glyph : run.glyphs) words += glyph.text;
+  return words.find_first_not_of(' ') == words.npos ? "" : words;
+}
+
 bool is_black(const Colour& c) { return c.red == 0 && c.green == 0 && c.blue == 0 && c.opacity == 1; }
 
 bool same(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
@@ -191,6 +219,7 @@ class Writer {
   explicit Writer(const Page& page) : page_(page), frame_(page.extent) {}
 
   std::string write() {
+    count_pairs();
     for (std::size_t i = 0; i < page_.primitives.size(); ++i) {
       const Primitive& primitive = page_.primitives[i];
       const auto* fill = std::get_if<Fill>(&primitive);
@@ -227,24 +256,26 @@ class Writer {
   // In a group on a square of its own, as letters are drawn on: 1000 units to the size of the letters.
   void operator()(const PlacedText& text) {
     const SetText& set = typeset(text.text, text.size, text.weight);
-    std::string letters;
-    for (const GlyphRun& run : set.runs)
-      for (const SetGlyph& glyph : run.glyphs) letters += glyph.text;
-    if (letters.find_first_not_of(' ') == std::string::npos) return;
+    const std::string words = words_of(set);
+    if (words.empty()) return;
     change_ink("");
     body_ += "<g";
     if (!is_black(text.colour)) add_fill(body_, text.colour);
     const Point at = frame_.unrounded(text.baseline);
-    add_transform(std::lround(at.x * steps_per_point), std::lround(at.y * steps_per_point),
-                  text.size * steps_per_mm / units_per_em);
-    body_ += '>';
+    body_ += " transform=\"translate(";
+    add_whole(body_, std::lround(at.x * steps_per_point));
+    body_ += ' ';
+    add_whole(body_, std::lround(at.y * steps_per_point));
+    body_ += ") scale(";
+    add_decimal(body_, text.size * steps_per_mm / units_per_em, 5);
+    body_ += ")\">";
     const double unit = text.size / units_per_em;
-    for (const GlyphRun& run : set.runs) add_run(run, unit);
+    add_letters(letters_of(set, unit));
     if (!set.arrows.empty()) add_arrows(set.arrows, unit);
     body_ += "<text fill-opacity=\"0\" textLength=\"";
     add_whole(body_, std::lround(set.extent.width / unit));
     body_ += "\">";
-    add_escaped(body_, letters);
+    add_escaped(body_, words);
     body_ += "</text></g>\n";
   }
 
@@ -341,46 +372,56 @@ class Writer {
     to += '"';
   }
 
-  void add_transform(long x, long y, double scale) {
-    body_ += " transform=\"translate(";
-    add_whole(body_, x);
-    body_ += ' ';
-    add_whole(body_, y);
-    body_ += ") scale(";
-    add_decimal(body_, scale, 5);
-    body_ += ")\"";
+  // What letters_of found side by side, at the same distance: two letters of the size of their text.
+  using Pair = std::tuple<const Outline*, const Outline*, long, long>;
+  static Pair pair(const Letter& first, const Letter& second) {
+    return {first.outline, second.outline, second.x - first.x, second.y - first.y};
   }
 
-  // `unit` is that of the text in mm; a subscript has smaller ones of its own.
-  void add_run(const GlyphRun& run, double unit) {
-    const double own_unit = run.size / units_per_em;
-    const bool is_script = own_unit != unit;
-    const Point origin = is_script ? run.start : Point{};
-    if (is_script) {
-      body_ += "<g";
-      add_transform(std::lround(run.start.x / unit), std::lround(-run.start.y / unit), own_unit / unit);
-      body_ += '>';
-    }
-    for (const SetGlyph& glyph : run.glyphs) {
-      const Outline& outline = outline_of(run.face, glyph.index);
-      if (outline.data.empty()) continue;
-      define(outline);
-      const Point at = glyph.at - origin;
-      body_ += "<use xlink:href=\"#";
-      body_ += outline.id;
-      body_ += '"';
-      add_coordinate('x', std::lround(at.x / own_unit));
-      add_coordinate('y', std::lround(-at.y / own_unit));
-      body_ += "/>";
-    }
-    if (is_script) body_ += "</g>";
+  void count_pairs() {
+    for (const Primitive& primitive : page_.primitives)
+      if (const auto* text = std::get_if<PlacedText>(&primitive)) {
+        const std::vector<Letter> letters =
+            letters_of(typeset(text->text, text->size, text->weight), text->size / units_per_em);
+        for (std::size_t i = 1; i < letters.size(); ++i)
+          if (letters[i - 1].scale == 1 && letters[i].scale == 1) ++pairs_[pair(letters[i - 1], letters[i])];
+      }
   }
 
-  void add_coordinate(char name, long value) {
+  // Two letters that often stand side by side are one element: a third of a page of words.
+  void add_letters(const std::vector<Letter>& letters) {
+    constexpr int often = 5;  // as seldom as it pays
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+      const Letter& letter = letters[i];
+      define(*letter.outline);
+      if (letter.scale != 1) {
+        add_use(body_, scaled_id(letter), letter.x, letter.y);
+        continue;
+      }
+      if (i + 1 < letters.size() && letters[i + 1].scale == 1) {
+        const Pair both = pair(letter, letters[i + 1]);
+        if (pairs_[both] >= often) {
+          define(*letters[++i].outline);
+          add_use(body_, pair_id(both), letter.x, letter.y);
+          continue;
+        }
+      }
+      add_use(body_, letter.outline->id, letter.x, letter.y);
+    }
+  }
+
+  static void add_use(std::string& to, std::string_view id, long x, long y) {
+    ((to += "<use xlink:href=\"#") += id) += '"';
+    add_coordinate(to, 'x', x);
+    add_coordinate(to, 'y', y);
+    to += "/>";
+  }
+
+  static void add_coordinate(std::string& to, char name, long value) {
     if (value == 0) return;
-    ((body_ += ' ') += name) += "=\"";
-    add_whole(body_, value);
-    body_ += '"';
+    ((to += ' ') += name) += "=\"";
+    add_whole(to, value);
+    to += '"';
   }
 
   void add_arrows(const std::vector<Path>& arrows, double unit) {
@@ -399,24 +440,42 @@ class Writer {
     definitions_ += "/>\n";
   }
 
+  // A letter at another size than the text it stands in.
+  std::string scaled_id(const Letter& letter) {
+    std::string content = " transform=\"scale(";
+    add_decimal(content, letter.scale, 5);
+    ((content += ")\" xlink:href=\"#") += letter.outline->id) += "\"/>\n";
+    return defined("use", 's', content);
+  }
+
+  std::string pair_id(const Pair& pair) {
+    const auto& [first, second, x, y] = pair;
+    std::string content = ">";
+    add_use(content, first->id, 0, 0);
+    add_use(content, second->id, x, y);
+    return defined("g", 'p', content += "</g>\n");
+  }
+
+  // The id of a definition that goes on so after its id.
+  std::string defined(std::string_view element, char kind, const std::string& content) {
+    std::string id = content_id(kind, content);
+    if (defined_.insert(id).second) {
+      (definitions_ += '<') += element;
+      add_attribute(definitions_, "id", id);
+      definitions_ += content;
+    }
+    return id;
+  }
+
   std::string clip_id(const Box& box) {
     const Step corner = on_page({box.low.x, box.high.y}), opposite = on_page({box.high.x, box.low.y});
-    std::string rectangle = "<rect";
-    const auto add = [&](std::string_view name, long value) {
-      add_attribute(rectangle, name, std::to_string(value));
-    };
+    std::string content = "><rect";
+    const auto add = [&](std::string_view name, long value) { add_attribute(content, name, std::to_string(value)); };
     add("x", corner.x);
     add("y", corner.y);
     add("width", opposite.x - corner.x);
     add("height", opposite.y - corner.y);
-    rectangle += "/>";
-    std::string id = content_id('c', rectangle);
-    if (defined_.insert(id).second) {
-      definitions_ += "<clipPath";
-      add_attribute(definitions_, "id", id);
-      ((definitions_ += '>') += rectangle) += "</clipPath>\n";
-    }
-    return id;
+    return defined("clipPath", 'c', content += "/></clipPath>\n");
   }
 
   // Found by it in CSS and scripts; nothing in the drawing refers to it.
@@ -436,6 +495,7 @@ class Writer {
   std::string definitions_, body_;
   std::string ink_;  // of the open group; empty: none is open
   std::unordered_set<std::string> defined_, marks_;
+  std::map<Pair, int> pairs_;  // how often
 };
 
 }  // namespace

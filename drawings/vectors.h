@@ -13,7 +13,7 @@ inline Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
 inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 inline Point operator*(double k, Point a) { return {k * a.x, k * a.y}; }
 inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
-// Paper coordinates stay within 10 km, so the squares neither overflow nor need std::hypot, which is ten times
+// Paper coordinates stay within 10,000 km, so the squares neither overflow nor need std::hypot, which is ten times
 // slower.
 inline double length(Point a) { return std::sqrt(dot(a, a)); }
 inline double distance(Point a, Point b) { return length(b - a); }

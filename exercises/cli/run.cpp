@@ -70,6 +70,8 @@ int run_cli(const Catalogue& exercises, const std::vector<std::string>& argument
                     format_words("cannot be decided: {}", "non si può decidere: {}", error.words()));
   } catch (const WrongUsage& error) {
     return complain(Exit::wrong_usage, error.words());
+  } catch (const drawings::TooFar& error) {  // by its scale or its givens
+    return complain(Exit::wrong_usage, error.words());
   } catch (const BadGivens& error) {
     return complain(Exit::wrong_usage, error.words());
   } catch (const geometry::BadGiven& error) {

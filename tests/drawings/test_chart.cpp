@@ -331,7 +331,7 @@ TEST_CASE("a value read off the file is the value drawn") {
 TEST_CASE("runs are not joined") {
   ChartMap map;
   Chart chart = velocities();
-  chart.curves[1].runs = {{{0, -1}, {60, 1}, {90, 2}}, {{90, -3}, {180, -2}}, {{270, 0}}};
+  chart.curves[1].runs = {{{0, -1}, {60, 0.5}, {90, 2}}, {{90, -3}, {180, -2}}, {{270, 0}}};
   const SvgFile file(svg(sheet_of(chart, &map)));
   const auto first = file.points("chart-omega_5"), second = file.points("chart-omega_5-2");
   REQUIRE(first.size() == 3);

@@ -257,7 +257,7 @@ TEST_CASE("a named mark is one element; a name given again is counted") {
   const SvgFile svg(
       write_svg(page({square({0, 0}, 10, {0, 0, 0, 0.06}, "plate"), outline, line({0, 0}, {20, 0}, "plate-2"),
                       line({0, 0}, {30, 0}, "plate"), line({0, 0}, {40, 0})})));
-  CHECK(style(svg.element("demo-plate"), "fill-opacity") == "0.06");
+  CHECK(style(svg.element("demo-plate"), "fill-opacity") == ".06");
   CHECK(svg.length("demo-plate-2") == Approx(10).margin(2e-3));
   CHECK(svg.length("demo-plate-2-2") == Approx(20).margin(2e-3));
   CHECK(svg.length("demo-plate-3") == Approx(30).margin(2e-3));
@@ -418,7 +418,7 @@ TEST_CASE("unseen letters lie over the outlines of the SVG") {
   CHECK(svg.mm() * at.scale * std::stod(style(words, "font-size")) == Approx(3.5).epsilon(1e-5));
   CHECK(svg.mm() * at.scale * words.attribute("textLength").as_double() ==
         Approx(measure("$\\vec{v}_{BA}$ < & ⊥ BA", 3.5).width).margin(3.5 / units_per_em));
-  CHECK(svg.xml().select_nodes("//use").size() == 8);  // v, B, A, <, &, ⊥, B, A; spaces draw nothing
+  CHECK(svg.xml().select_nodes("/svg/g//use").size() == 8);  // v, B, A, <, &, ⊥, B, A; spaces draw nothing
 }
 
 TEST_CASE("each font has its own outlines in the SVG, for all sizes, drawn once and all of them used") {
@@ -442,10 +442,34 @@ TEST_CASE("each font has its own outlines in the SVG, for all sizes, drawn once 
   CHECK(vector.xml().select_nodes("/svg/g/g/path").size() == 1);  // its arrow
 }
 
+namespace {
+
+struct PlacedOutline {
+  pugi::xml_node path;
+  Placement at;
+};
+// What an element of letters shows, through what it uses: a letter, a smaller one, or two of them.
+void follow(const SvgFile& svg, pugi::xml_node element, Placement at, std::vector<PlacedOutline>& found) {
+  if (element.name() == std::string("path")) return found.push_back({element, at});
+  if (element.name() == std::string("use")) {
+    double smaller = 1;
+    if (const pugi::xml_attribute transform = element.attribute("transform"))
+      REQUIRE(std::sscanf(transform.value(), "scale(%lf)", &smaller) == 1);
+    at = {at.x + at.scale * element.attribute("x").as_double(), at.y + at.scale * element.attribute("y").as_double(),
+          at.scale * smaller};
+    return follow(svg, svg.element(element.attribute("xlink:href").value() + 1), at, found);
+  }
+  REQUIRE(element.name() == std::string("g"));
+  for (const pugi::xml_node child : element.children()) follow(svg, child, at, found);
+}
+
+}  // namespace
+
 TEST_CASE("letters are drawn as wide and as high as they are measured, at every size") {
   for (const double size : {1.8, 2.5, 3.5, 7.0, 40.0}) {
     CAPTURE(size);
-    const std::string letters = "$ω_{BA}$ = ≙ÀWq";
+    // The same words again and again: letters side by side become one element.
+    const std::string letters = "$ω_{BA}$ = ≙ÀWq $ω_{BA}$ = ≙ÀWq $ω_{BA}$ = ≙ÀWq $ω_{BA}$ = ≙ÀWq $ω_{BA}$ = ≙ÀWq";
     const SvgFile svg(write_svg(page({PlacedText{letters, {30, 100}, size, {}, Weight::regular}})));
     const SetText set = typeset(letters, size, Weight::regular);
     std::vector<Box> measured;
@@ -456,23 +480,50 @@ TEST_CASE("letters are drawn as wide and as high as they are measured, at every 
           const Point at = Point{30, 100} + glyph.at;
           measured.push_back({at + scale * drawn.low, at + scale * drawn.high});
         }
-    const auto uses = svg.xml().select_nodes("//use");
-    REQUIRE(uses.size() == measured.size());
+    std::vector<PlacedOutline> found;
+    const auto uses = svg.xml().select_nodes("/svg/g//use");
+    CHECK(uses.size() < measured.size());  // so there are pairs
+    for (const auto& use : uses) follow(svg, use.node(), placement(use.node().parent()), found);
+    REQUIRE(found.size() == measured.size());
     for (std::size_t i = 0; i < measured.size(); ++i) {
-      const pugi::xml_node use = uses[i].node();
-      const Placement at = placement(use);
+      const Placement at = found[i].at;
       Box drawn = nothing();
-      for (const Point p : svg.points(svg.element(use.attribute("xlink:href").value() + 1)))
+      for (const Point p : svg.points(found[i].path))
         drawn = include(drawn, Point{svg.mm() * at.x + at.scale * p.x, 210 - svg.mm() * at.y - at.scale * p.y});
-      // The place of the text is rounded to the grid, that of a subscript and then of the letter to a unit of the
-      // font.
-      const double step = file_resolution / 2 + size / units_per_em;
+      // The place of the text is rounded to the grid, that of the letter to a unit of the font; the scale has five
+      // decimals and is more than 1.
+      const double step = file_resolution / 2 + 0.51 * size / units_per_em + 5e-6 * (measured[i].high.x - 30);
       CHECK(drawn.low.x == Approx(measured[i].low.x).margin(step));
       CHECK(drawn.low.y == Approx(measured[i].low.y).margin(step));
       CHECK(drawn.high.x == Approx(measured[i].high.x).margin(step));
       CHECK(drawn.high.y == Approx(measured[i].high.y).margin(step));
     }
   }
+}
+
+TEST_CASE("a whole sheet is white, a bare one takes the ground it stands on") {
+  Page drawn = rich_page();
+  const auto grounds = [&] { return SvgFile(write_svg(drawn)).xml().select_nodes("/svg/g/rect"); };
+  CHECK(grounds().empty());
+  drawn.is_paper = true;
+  REQUIRE(grounds().size() == 1);
+  const SvgFile svg(write_svg(drawn));
+  const pugi::xml_node ground = svg.xml().select_nodes("/svg/g/rect").first().node();
+  CHECK(ground == ground.parent().first_child());  // below everything else
+  CHECK(ground.attribute("fill").value() == std::string("#fff"));
+  CHECK(ground.attribute("width").value() == std::string("100%"));
+  CHECK(ground.attribute("height").value() == std::string("100%"));
+}
+
+TEST_CASE("an area without a name and the line around it are one element") {
+  const Fill area = square({20, 20}, 10, {1, 0, 0, 0.5});
+  Stroke outline{area.path, 0.25, {}, blue, {}, "outline"}, other = line({1, 1}, {2, 2});
+  const SvgFile svg(write_svg(page({area, outline, area, other})));
+  CHECK(svg.xml().select_nodes("/svg/g//path").size() == 3);
+  const pugi::xml_node both = svg.element("demo-outline");
+  CHECK(style(both, "fill") == "#f00");
+  CHECK(style(both, "fill-opacity") == ".5");
+  CHECK(style(both, "stroke") == "#0072b2");
 }
 
 TEST_CASE("the same page is the same file, whatever was drawn before and in whatever locale") {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <set>
 
+#include "drawings/output.h"
 #include "exercises/kit/checked.h"
 #include "tests/support/catch.h"
 
@@ -58,6 +59,11 @@ bool says_only_a_ratio(const std::string& caption) {
 }
 
 }  // namespace
+
+TEST_CASE("an SVG of a sheet holds at most 100 kB") {
+  for (const Language language : {Language::english, Language::italian})
+    look_at_sheets(language, [](const DrawnSheet& drawn) { CHECK(drawings::svg(drawn.sheet).size() <= 100'000); });
+}
 
 TEST_CASE("an exercise's id is the name of its folder, and the catalogue is in order") {
   std::vector<std::string> ids;
