@@ -77,6 +77,7 @@ void draw_positions(Plot& plot, const Drawn& f, const std::vector<Position>& all
 struct Curvature {
   std::optional<Place> centre;
   Arrow2 v = {}, a = {};
+  bool is_at_pole() const { return v.x == 0 && v.y == 0; }
 };
 Curvature curvature_of_P(const Problem& of) {
   return deeply([&]() -> Curvature {
@@ -126,17 +127,25 @@ void draw_mechanism(Plot& plot, const Drawn& f, const std::vector<Position>& all
   plot.measures_coordinates("P", f.P, figure.A0);
 }
 
-drawings::Steps steps_to_coupler_curve(bool is_curved, Language language) {
+Words where_the_centre_is(const Curvature& of) {
+  if (of.centre)
+    return {"$Ω_{P}$, by Euler-Savary as for $G_{3}$; thin: the circle that osculates the path now.",
+            "$Ω_{P}$, con Euler-Savary come per $G_{3}$; sottile: il cerchio osculatore."};
+  if (of.is_at_pole())
+    return {"Now $P$ is the pole $P_{0}$ and at rest: the path has a cusp, and no $Ω_{P}$.",
+            "Ora $P$ è il polo $P_{0}$, fermo: la traiettoria ha una cuspide, e non c'è $Ω_{P}$."};
+  return {"Now the path is straight: $Ω_{P}$ is at infinity.",
+          "Ora la traiettoria è diritta: $Ω_{P}$ è all'infinito."};
+}
+
+drawings::Steps steps_to_coupler_curve(const Curvature& of, Language language) {
   const std::vector<Words> steps{
       {fmt::format("The crank's circle in {} parts from +x: positions of $A$.", crank_positions),
        fmt::format("La circonferenza di manovella in {} parti da +x: le posizioni di $A$.", crank_positions)},
       {"$B$ about $A$ and $B_{0}$; on tracing paper $P$ goes with $AB$ and marks a point.",
        "$B$ da $A$ e $B_{0}$; su carta da lucido $P$ va con $AB$ e segna un punto."},
       {"The curve through the points: the path of $P$.", "La curva per i punti: la traiettoria di $P$."},
-      is_curved ? Words{"$Ω_{P}$, by Euler-Savary as for $G_{3}$; thin: the circle that osculates the path now.",
-                        "$Ω_{P}$, con Euler-Savary come per $G_{3}$; sottile: il cerchio osculatore."}
-                : Words{"Now the path is straight: $Ω_{P}$ is at infinity.",
-                        "Ora la traiettoria è diritta: $Ω_{P}$ è all'infinito."}};
+      where_the_centre_is(of)};
   drawings::Steps written;
   for (const Words& step : steps) written.lines.push_back(step.in(language));
   return written;
@@ -174,7 +183,7 @@ void draw_coupler_curve(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
 
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
-  column.push_back(steps_to_coupler_curve(curvature.centre.has_value(), language));
+  column.push_back(steps_to_coupler_curve(curvature, language));
   if (const std::string off = left_out(plot, f, curvature, room, language); !off.empty())
     column.push_back(drawings::Paragraph{off});
   column.push_back(drawings::Heading{english ? "The curve" : "La curva"});
@@ -192,12 +201,13 @@ void draw_coupler_curve(DrawnSheet& onto, const Drawn& f, const SheetRequest& re
               "lato di $AB_{0}$ (secondo tipo di linea)."});
   column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
   const auto num = [&](double x) { return figures(x, 4, language); };
+  const char* no_centre = curvature.is_at_pole() ? "–" : "∞";
   column.push_back(drawings::Table{{"", "$x$", "$y$"},
                                    {{"$P$ (m)", num(f.P.x), num(f.P.y)},
                                     {"$v_{P}$ (m/s)", num(curvature.v.x), num(curvature.v.y)},
                                     {"$a_{P}$ (m/s²)", num(curvature.a.x), num(curvature.a.y)},
-                                    {"$Ω_{P}$ (m)", curvature.centre ? num(curvature.centre->x) : "∞",
-                                     curvature.centre ? num(curvature.centre->y) : "∞"}}});
+                                    {"$Ω_{P}$ (m)", curvature.centre ? num(curvature.centre->x) : no_centre,
+                                     curvature.centre ? num(curvature.centre->y) : no_centre}}});
   onto.sheet.description =
       in_words({"The path of the coupler point P, in twelve positions of the crank; P now",
                 "La traiettoria del punto di biella P, in dodici posizioni della manovella; P ora"},

@@ -73,7 +73,7 @@ struct AtInstant {
     ledger.point("C", C);
     ledger.put("a_C", [&] { return size(m.acceleration(C)); });
     ledger.distance("KC", m.acceleration_pole(), C, no_acceleration_pole);
-    ledger.distance("rho_C", m.centre_of_curvature(C), C, no_curvature);
+    ledger.distance("rho_C", m.centre_of_curvature(C), C, unless_pole(m, C, no_curvature));
     ledger.distance("P31C", m.pole(), C, crank_parallel_to_rocker);
     ledger.begin_case("");
   }

@@ -175,11 +175,9 @@ struct Stroke {
     if constexpr (signs_only<T>) {
       return T(1);
     } else {
-      const T rest = T(2) * geometry::pi<T>() - rotation;
-      const geometry::Sign longer = geometry::sign(rotation - rest);
-      if (longer == geometry::Sign::undecided) throw geometry::Undecided("which of the two strokes takes longer");
-      return longer == geometry::Sign::positive ? geometry::quotient(rotation, rest)
-                                                : geometry::quotient(rest, rotation);
+      // Both strokes differ from a half turn by as much, which may be nothing.
+      const T half_turn = geometry::pi<T>(), more = geometry::root(geometry::square(rotation - half_turn));
+      return geometry::quotient(half_turn + more, half_turn - more);
     }
   }
 };

@@ -16,9 +16,11 @@ using geometry::Sense;
 using geometry::Side;
 
 std::unique_ptr<Drawn> at_parallel(const Problem& of, Sense sense, Side branch) {
+  const auto position = [&] { return geometry::parallel_position<Deep>(of.instant.lengths, sense, branch); };
   try {
+    if (!deeply(position).branch) return nullptr;  // a change point, where the motion is not determined
     return drawn(
-        of, [&] { return geometry::parallel_position<Deep>(of.instant.lengths, sense, branch).at; }, "");
+        of, [&] { return position().at; }, "");
   } catch (const geometry::Impossible&) {
     return nullptr;
   }

@@ -16,6 +16,7 @@ T gamma(const T& omega_3, const T& alpha_3) {
   return in_degrees(slope_angle(Vector<T>{geometry::square(omega_3), alpha_3}));
 }
 
+inline constexpr const char* no_value_of_gamma = "tan γ has no value: ω₃ and α₃ are zero";
 inline constexpr const char* no_gamma = "tan γ grows beyond all bounds: ω₃ is zero";
 template <class T>
 void write_velocities(Ledger<T>& ledger, const Vector<T>& v_A, const Vector<T>& v_B, const Vector<T>& v_C,
@@ -38,7 +39,10 @@ struct Accelerations {
     using geometry::square;
     ledger.put("alpha_3", alpha_3);
     ledger.put("alpha_4", alpha_4);
-    ledger.put("tan_gamma", [&] { return ledger.ratio(alpha_3, square(omega_3), no_gamma); });
+    ledger.put("tan_gamma", [&] {
+      const bool is_open = geometry::sign(alpha_3) == geometry::Sign::zero;
+      return ledger.ratio(alpha_3, square(omega_3), is_open ? no_value_of_gamma : no_gamma);
+    });
     ledger.put("gamma_deg", [&] { return gamma(omega_3, alpha_3); });
     ledger.put("a_A", [&] { return size(a_A); });
     ledger.put("a_B_n", [&] { return size(square(omega_4) * B0B); });

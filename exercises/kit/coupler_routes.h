@@ -128,16 +128,24 @@ void write_circles(Ledger<T>& ledger, const geometry::analytic::PlaneMotion<T>& 
   put_point<T>(ledger, "stationarity_centre", bresse);
 }
 
+// Why there is no point on the ray to X, or no centre of curvature, where there is none: X may be the pole.
+template <class T>
+const char* unless_pole(const geometry::PlaneMotion<T>& motion, const geometry::Point<T>& X, const char* reason) {
+  return geometry::sign(geometry::length_squared(motion.velocity(X))) == geometry::Sign::zero ? no_ray : reason;
+}
+
 // X', the centre of curvature of the path of X, and its radius.
 template <class T>
 void write_curvature(Ledger<T>& ledger, const geometry::PlaneMotion<T>& motion,
                      const Lettered<geometry::Point<T>>& X) {
   const geometry::ProjectivePoint<T> on_circle = motion.on_inflection_circle(X.at);
   const geometry::ProjectivePoint<T> centre = motion.centre_of_curvature(X.at);
-  ledger.distance(X.letter + "prime_" + X.letter, on_circle, X.at, no_point_on_ray);
-  ledger.distance("rho_" + X.letter, centre, X.at, no_curvature);
-  ledger.point("curvature_centre_" + X.letter, centre, no_curvature);
-  ledger.point(X.letter + "prime", on_circle, no_point_on_ray);
+  const char *none_on_ray = unless_pole(motion, X.at, no_point_on_ray),
+             *no_centre = unless_pole(motion, X.at, no_curvature);
+  ledger.distance(X.letter + "prime_" + X.letter, on_circle, X.at, none_on_ray);
+  ledger.distance("rho_" + X.letter, centre, X.at, no_centre);
+  ledger.point("curvature_centre_" + X.letter, centre, no_centre);
+  ledger.point(X.letter + "prime", on_circle, none_on_ray);
 }
 template <class T>
 void write_curvature(Ledger<T>& ledger, const geometry::analytic::PlaneMotion<T>& motion,

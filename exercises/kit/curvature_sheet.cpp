@@ -122,11 +122,13 @@ OffSheet left_out_below(const Plot& plot, const Points& points, const drawings::
 
 drawings::Table curvature_lengths(const CouplerFigure& f, const Points& points, Language language) {
   drawings::Table table{{"$X$", "$" + f.pole_symbol + "X$ (m)", "$X'X$ (m)", "$ρ_{X}$ (m)"}, {}};
-  const auto to = [&](const std::optional<Place>& P, const Place& X) {
-    return P ? figures(distance(*P, X), 4, language) : std::string("∞");
+  const auto to = [&](const std::optional<Place>& P, const Place& X, const char* where_none) {
+    return P ? figures(distance(*P, X), 4, language) : std::string(where_none);
   };
   for (const CouplerPoint& X : points) {
-    table.rows.push_back({"$" + X.written() + "$", to(f.P0, X.at), to(X.on_circle, X.at), to(X.centre, X.at)});
+    const char* none = X.v.x == 0 && X.v.y == 0 ? "–" : "∞";  // the pole has no ray
+    table.rows.push_back(
+        {"$" + X.written() + "$", to(f.P0, X.at, "∞"), to(X.on_circle, X.at, none), to(X.centre, X.at, none)});
   }
   return table;
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "geometry/mechanisms/change_point.h"
+#include "geometry/mechanisms/four_bar_questions.h"
+
 namespace epure {
 namespace {
 
@@ -27,6 +30,38 @@ std::string place(const FourBarInstant& at) {
   return fmt::format("at crank angle {:.6g}° the pin A is {:.9g} m from B₀", degrees(at.crank), distance);
 }
 
+// Both motions that leave the change point the crank stands at; what they say depends on no speed.
+std::string motions_from_change_point(const FourBarInstant& at) {
+  using geometry::Fast;
+  const geometry::Vector<Fast> crank{geometry::cosine<Fast>(at.crank), geometry::sine<Fast>(at.crank)};
+  for (const geometry::FlatPosition& flat : geometry::flat_positions(at.lengths)) {
+    if (dot(geometry::crank_direction<Fast>(at.lengths, flat), crank) < 0) continue;
+    std::string text;
+    for (const auto& motion : geometry::change_point_motions<Fast>(flat)) {
+      text += text.empty() ? "" : ", or ";
+      text += motion.leaves_to ? fmt::format("ω₃/ω₂ = {:.6g} and ω₄/ω₂ = {:.6g}", motion.omega_3, motion.omega_4)
+                               : "the crank rests while coupler and rocker turn together";
+    }
+    return text;
+  }
+  return {};
+}
+
+[[noreturn]] void refuse_flat_position(const FourBarInstant& at) {
+  const geometry::Truth two_motions = geometry::is_change_point(at.lengths, at.crank).truth;
+  if (two_motions == geometry::Truth::undecided)
+    throw geometry::Undecided("whether the linkage is at a change point");
+  if (two_motions == geometry::Truth::yes)
+    throw BadGivens(
+        fmt::format("{}, and all hinges are in line: a change point, which two motions leave, with {}; "
+                    "choose another instant, if only a little later",
+                    place(at), motions_from_change_point(at)));
+  throw BadGivens(
+      fmt::format("{}, where coupler and rocker are in line: the crank is at a limit position and cannot "
+                  "drive the rocker",
+                  place(at)));
+}
+
 void require_closure(const FourBarInstant& at) {
   const Rational sum = at.lengths.AB + at.lengths.B0B, difference = CGAL::abs(at.lengths.AB - at.lengths.B0B);
   const Sign beyond = compare_distance(at, sum), within = compare_distance(at, difference);
@@ -41,11 +76,7 @@ void require_closure(const FourBarInstant& at) {
         "the linkage does not close: {}, and AB and B₀B, which differ by {:.9g} m, cannot fold up to it by "
         "{:.3g} m",
         place(at), CGAL::to_double(difference), CGAL::to_double(difference) - distance));
-  if (beyond == Sign::zero || within == Sign::zero)
-    throw BadGivens(
-        fmt::format("{}, where coupler and rocker are in line: the crank is at a limit position and cannot drive the "
-                    "rocker",
-                    place(at)));
+  if (beyond == Sign::zero || within == Sign::zero) refuse_flat_position(at);
 }
 
 bool is_zero(const geometry::Decision& decided, const char* question) {

@@ -15,7 +15,8 @@ namespace epure {
 
 // The exact numbers are asked for signs only, so they need no roots and no angles.
 template <class T>
-inline constexpr bool signs_only = std::is_same_v<T, geometry::Exact> || std::is_same_v<T, geometry::Calcium>;
+inline constexpr bool signs_only = std::is_same_v<T, geometry::Exact> || std::is_same_v<T, geometry::Generic> ||
+                                   std::is_same_v<T, geometry::Calcium>;
 
 // |v|; for signs, its square, which is zero when the length is.
 template <class T>
@@ -28,8 +29,11 @@ T size(const geometry::Vector<T>& v) {
 }
 
 // The angle of the direction v in [-pi/2, pi/2], for v.x >= 0; for signs, v.y, which has the sign of the angle.
+// Throws Impossible when v is proved to have no direction.
 template <class T>
 T slope_angle(const geometry::Vector<T>& v) {
+  if (geometry::sign(v.y) == geometry::Sign::zero && geometry::sign(v.x) == geometry::Sign::zero)
+    throw geometry::Impossible("both sides of the angle are zero: it has no value");
   if constexpr (signs_only<T>) {
     return v.y;
   } else {

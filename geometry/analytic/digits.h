@@ -20,7 +20,7 @@ inline std::string digits(Fast x) {
 inline std::string digits(const Bounded& x) { return digits(enclosure(x).value); }
 inline std::string digits(const Deep& x) { return digits(enclosure(x).value); }
 
-// Exact and Calcium have no double of their own: their ball at 64 bits has.
+// Exact, Generic and Calcium have no double of their own: their ball at 64 bits has.
 template <class T>
 requires requires(const T x) { to_deep(x); }
 std::string digits(const T& x) {

@@ -14,6 +14,9 @@ namespace {
 // The shortest piece tried, as a part of the span. Where a root vanishes shorter ones would fail too, and doubles
 // still tell its two ends apart.
 constexpr double shortest_share = 0x1p-40;
+// How many pieces are tried. A curve on paper takes some hundreds; a span of which doubles tell few points apart, any
+// number.
+constexpr int most_pieces = 65536;
 
 class SpanTracer {
  public:
@@ -23,8 +26,9 @@ class SpanTracer {
   SpanTrace from(double from) {
     const double shortest = (to_ - from) * shortest_share;
     start_ = knot_at(from);
-    for (length_ = to_ - from; start_->t < to_;) {
-      if (!(length_ >= shortest) || stop() <= start_->t)
+    length_ = to_ - from;
+    for (int look = 0; start_->t < to_; ++look) {
+      if (look == most_pieces || !(length_ >= shortest) || stop() <= start_->t)
         throw Undecided("intervals of doubles cannot follow a curve to the tolerance it is to be drawn with");
       try_piece(stop());
     }

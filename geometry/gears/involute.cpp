@@ -113,6 +113,11 @@ Exact involute(const Exact& tangent) {
   throw LeavesTheTower("an involute function");
 }
 
+Generic involute(const Generic& tangent) {
+  if (sign(tangent) == Sign::zero) return tangent;
+  throw Undecided("an involute function is not algebraic");
+}
+
 Calcium involute(const Calcium& tangent) {
   if (sign(tangent) == Sign::zero) return tangent;
   throw Undecided("an involute function is not algebraic");
@@ -144,6 +149,7 @@ Deep tangent_of_involute(const Deep& involute_value) {
 }
 
 Exact tangent_of_involute(const Exact& involute_value) { return involute(involute_value); }
+Generic tangent_of_involute(const Generic& involute_value) { return involute(involute_value); }
 Calcium tangent_of_involute(const Calcium& involute_value) { return involute(involute_value); }
 
 }  // namespace epure::geometry

@@ -11,12 +11,13 @@
 namespace epure::geometry {
 
 // tan α - α for tan α >= 0 (the caller's promise). Enclosures are at most some ulp wider than what the enclosure of
-// the tangent makes them. Exact and Calcium only know inv 0: at any other algebraic tangent inv is transcendental or
-// holds π. There Exact throws LeavesTheTower and Calcium Undecided.
+// the tangent makes them. Exact, Generic and Calcium only know inv 0: at any other algebraic tangent inv is transcendental or
+// holds π. There Exact throws LeavesTheTower, Generic and Calcium Undecided.
 Fast involute(Fast tangent);
 Bounded involute(const Bounded& tangent);
 Deep involute(const Deep& tangent);
 Exact involute(const Exact& tangent);
+Generic involute(const Generic& tangent);
 Calcium involute(const Calcium& tangent);
 
 // The inverse: tan α of inv α >= 0 (the caller's promise). Bounded and Deep: proved by Newton's method with
@@ -26,6 +27,7 @@ Fast tangent_of_involute(Fast involute);
 Bounded tangent_of_involute(const Bounded& involute);
 Deep tangent_of_involute(const Deep& involute);
 Exact tangent_of_involute(const Exact& involute);
+Generic tangent_of_involute(const Generic& involute);
 Calcium tangent_of_involute(const Calcium& involute);
 
 }  // namespace epure::geometry

@@ -66,7 +66,7 @@ FromRightAngle from_right_angle(const Angle& angle);
 
 // Of a rational number of turns as sine<T>(Turn) has it, exact values included. Otherwise sine and cosine are
 // transcendental (Lindemann and Weierstrass), so no exact number holds them, and they never take the algebraic value
-// of a special position: Exact throws LeavesTheTower, Calcium Undecided. An angle beside a multiple of a right angle
+// of a special position: Exact throws LeavesTheTower, Calcium Undecided, Generic leaves the angle open. An angle beside a multiple of a right angle
 // by a few radians of any smallness keeps its relative accuracy.
 template <class T>
 T sine(const Angle& angle) {
@@ -76,6 +76,8 @@ T sine(const Angle& angle) {
     const T rest = radians<T>(from.rest),
             value = from.right_angles % 2 == 0 ? sine_of_angle(rest) : cosine_of_angle(rest);
     return from.right_angles < 2 ? value : -value;
+  } else if constexpr (std::is_same_v<T, Generic>) {
+    return Generic::cosine(angle.turns - Rational(1, 4), angle.radians);
   } else if constexpr (std::is_same_v<T, Exact>) {
     throw LeavesTheTower("a cosine or sine of an angle in radians");
   } else {

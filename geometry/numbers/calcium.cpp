@@ -6,6 +6,7 @@
 #include "geometry/numbers/turn.h"
 
 #include <cassert>
+#include <numeric>
 #include <utility>
 
 namespace epure::geometry {
@@ -19,23 +20,44 @@ epure_calcium_context* current() {
   return innermost_context;
 }
 
-// What is worth a proof stays at some thousand terms; a scene that goes beyond would not end in a lifetime. Products
-// of terms are looked at beforehand, since one multiplication may already take too long.
+// The budget, counted and not timed, so that the same question gets the same answer everywhere. What is worth a proof
+// stays at some thousand terms. Products of terms are looked at beforehand, since one multiplication may already take
+// too long.
+constexpr long most_products_in_all = 20000000;
+
 void require_small_result(const epure_calcium_number* x, epure_calcium_context* context) {
   constexpr long most_terms = 5000;
   if (epure_calcium_terms(x, context) > most_terms) throw Undecided("an exact number grew beyond 5000 terms");
 }
 void require_small_task(const epure_calcium_number* a, const epure_calcium_number* b,
                         epure_calcium_context* context) {
-  constexpr long most_products = 4000000;
-  if (epure_calcium_terms(a, context) * epure_calcium_terms(b, context) > most_products)
-    throw Undecided("exact numbers grew beyond 4000000 products of terms");
+  constexpr long most_products = 1000000;
+  const long products = epure_calcium_terms(a, context) * epure_calcium_terms(b, context);
+  if (products > most_products) throw Undecided("exact numbers grew beyond 1000000 products of terms");
+  if (!epure_calcium_spend(products, context))
+    throw Undecided("an exact proof grew beyond 20000000 products of terms");
+}
+
+// Every number of a scene lives over the field of its directions, and costs the more the higher its degree.
+// Directions of a higher one than this are special by no accident that lengths of a few digits could bring about.
+constexpr long highest_degree = 16;
+
+// The degree of exp(iπ half_turns) over the rational numbers: Euler's φ of its order, and at least √(order/2).
+bool is_of_low_degree(const Rational& half_turns) {
+  constexpr long highest_order = 2 * highest_degree * highest_degree;
+  const Rational denominator(half_turns.denominator());
+  if (denominator > highest_order) return false;
+  const long q = static_cast<long>(denominator.to_double());
+  const long order = mpz_even_p(half_turns.numerator().mpz()) != 0 ? q : 2 * q;
+  long degree = 0;
+  for (long k = 1; k <= order; ++k) degree += std::gcd(k, order) == 1 ? 1 : 0;
+  return degree <= highest_degree;
 }
 
 }  // namespace
 
 Arithmetic<Calcium>::Arithmetic()
-    : context_(epure_calcium_open()), outer_(std::exchange(innermost_context, context_)) {}
+    : context_(epure_calcium_open(most_products_in_all)), outer_(std::exchange(innermost_context, context_)) {}
 
 Arithmetic<Calcium>::~Arithmetic() {
   innermost_context = outer_;
@@ -166,6 +188,7 @@ Calcium Calcium::cosine(const Turn& turn) {
   const RoundToNearest rounding;
   if (const auto known = rational_cosine(turn)) return Calcium(*known);
   const Rational half_turns = Rational(2) * within_one_turn(turn).fraction;
+  if (!is_of_low_degree(half_turns)) throw Undecided("a direction of more than degree 16 in an exact number");
   Calcium result;
   epure_calcium_set_cosine(result.number_, half_turns.mpq(), result.context_);
   return result;

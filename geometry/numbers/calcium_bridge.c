@@ -4,6 +4,7 @@
 
 struct epure_calcium_context {
   ca_ctx_t calcium;
+  slong products_left;
 };
 
 struct epure_calcium_number {
@@ -16,9 +17,14 @@ static void* allocate(size_t size) {
   return memory;
 }
 
-epure_calcium_context* epure_calcium_open(void) {
+epure_calcium_context* epure_calcium_open(slong products) {
   epure_calcium_context* context = allocate(sizeof *context);
   ca_ctx_init(context->calcium);
+  /* Of a root that is algebraic Calcium would find the polynomial over the rational numbers, up to degree 120, in
+     minutes. Up to 30 it takes some milliseconds; beyond, the root is left as it stands, which most proofs do with.
+   */
+  ca_ctx_set_option(context->calcium, CA_OPT_QQBAR_DEG_LIMIT, 30);
+  context->products_left = products;
   return context;
 }
 
@@ -107,6 +113,12 @@ void epure_calcium_root(epure_calcium_number* result, const epure_calcium_number
 slong epure_calcium_terms(const epure_calcium_number* x, epure_calcium_context* context) {
   if (!ca_is_generic_elem(x->value, context->calcium)) return 1;
   return fmpz_mpoly_q_numref(CA_MPOLY_Q(x->value))->length + fmpz_mpoly_q_denref(CA_MPOLY_Q(x->value))->length;
+}
+
+int epure_calcium_spend(slong products, epure_calcium_context* context) {
+  const int is_enough = products <= context->products_left;
+  context->products_left = is_enough ? context->products_left - products : 0;
+  return is_enough;
 }
 
 epure_calcium_truth epure_calcium_is_zero(const epure_calcium_number* x, epure_calcium_context* context) {

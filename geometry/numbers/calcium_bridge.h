@@ -17,7 +17,8 @@ typedef struct epure_calcium_number epure_calcium_number;
 /* Calcium's own truth_t has true as 0. */
 typedef enum { EPURE_CALCIUM_NO, EPURE_CALCIUM_YES, EPURE_CALCIUM_UNKNOWN } epure_calcium_truth;
 
-epure_calcium_context* epure_calcium_open(void);
+/* With so many products of terms to spend. */
+epure_calcium_context* epure_calcium_open(slong products);
 void epure_calcium_close(epure_calcium_context* context);
 
 /* A new number, 0. To be freed before its context is closed. */
@@ -46,6 +47,9 @@ void epure_calcium_root(epure_calcium_number* result, const epure_calcium_number
 /* How large the number is: the terms of its numerator and denominator, as polynomials in what is not rational. 1 of a
    rational number and of an element of a number field, whatever its degree. */
 slong epure_calcium_terms(const epure_calcium_number* x, epure_calcium_context* context);
+
+/* Takes so many products of terms from what is left. 0 when there are not so many, and none is left then. */
+int epure_calcium_spend(slong products, epure_calcium_context* context);
 
 epure_calcium_truth epure_calcium_is_zero(const epure_calcium_number* x, epure_calcium_context* context);
 /* A ball around the real part. */

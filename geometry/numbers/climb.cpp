@@ -21,10 +21,17 @@ Settled without_value(const Finding& finding, const std::string& rung) {
   return {kind, {}, finding.reason, rung};
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
 }  // namespace
 
 // False when the run says nothing. The first run that does fixes how many quantities there are.
 bool Ledger::accept(const std::string& rung, const Run& run) {
+  tried_.push_back(rung);
   if (run.failure) {
     failure_ = *run.failure;
     for (Entry& entry : entries_)
@@ -73,8 +80,10 @@ void Ledger::take_proofs(const std::string& rung, const Run& run) {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (!needs_proof(i)) continue;
     const Finding& finding = run.findings[i];
-    if (finding.proved_zero) {
+    if (finding.proved == Sign::zero) {
       entries_[i] = {certain_point(0, rung), true, true};
+    } else if (finding.proved != Sign::undecided) {
+      entries_[i].is_not_zero = true;
     } else if (finding.kind == Finding::Kind::absent) {
       entries_[i] = {without_value(finding, rung), true, false};
     } else if (!entries_[i].has_enclosure && entries_[i].settled.reason.empty()) {
@@ -90,13 +99,16 @@ bool Ledger::is_settled() const {
 bool Ledger::needs_proof(std::size_t i) const {
   if (!has_run_) return true;
   const Entry& entry = entries_.at(i);
-  return !entry.is_final && (!entry.has_enclosure || contains_zero(entry.settled.enclosure));
+  return !entry.is_final && !entry.is_not_zero && (!entry.has_enclosure || contains_zero(entry.settled.enclosure));
 }
 
 std::vector<Settled> Ledger::result() const {
   if (!has_run_) throw Undecided(failure_);
   std::vector<Settled> result;
-  for (const Entry& entry : entries_) result.push_back(entry.settled);
+  for (const Entry& entry : entries_) {
+    result.push_back(entry.settled);
+    if (entry.settled.kind == Settled::Kind::undecided) result.back().reason += " (tried " + listed(tried_) + ")";
+  }
   return result;
 }
 

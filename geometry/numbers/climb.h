@@ -7,17 +7,20 @@
 //
 // The rungs:
 //   Bounded                       settles what comes out as a point, and what is proved absent
-//   Deep 128, 256, ... 2048       each settles what has become certain, and narrows the rest
-//   Exact, or Calcium if the scene leaves the tower: once, after Deep 256, when a quantity may still be zero or has
-//   no
-//     enclosure, and is worth a proof (Calcium may take minutes). Of this run only two things are used: that a
-//     quantity is zero, and that it is absent. A scene may therefore run on Exact and Calcium with other units than
-//     on Bounded and Deep (unit crank speed, so that π stays out), as long as zeros and absences are the same.
+//   Deep 128, 256, ... 4096       each settles what has become certain, and narrows the rest
+//   Exact, or Generic and then Calcium if the scene leaves the tower: once, after Deep 512, when a quantity may still
+//   be
+//     zero or has no enclosure, and is worth a proof. Of these runs only three things are used: that a quantity is
+//     zero, that it is not (then none of them is asked again), and that it is absent. A scene may therefore run on
+//     these with other units than on Bounded and Deep (unit crank speed, so that π stays out), as long as zeros and
+//     absences are the same.
 #pragma once
 
 #include "geometry/numbers/enclosure.h"
 #include "geometry/numbers/numbers.h"
 
+#include <algorithm>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <utility>
@@ -90,8 +93,8 @@ std::vector<Settled> only_fast(const Scene& scene);
 template <class Scene>
 std::vector<Settled> only_bounded(const Scene& scene);
 
-// The sign of one quantity. Rungs: Bounded, Deep 128, Deep 256, Exact, Deep 512, 1024, 2048, Calcium. (More bits
-// before Calcium because they cost microseconds where Calcium may take a second.)
+// The sign of one quantity. Rungs: Bounded, Deep 128, 256, 512, Exact, Generic, Deep 1024, 2048, 4096, Calcium. (More
+// bits before Calcium because they cost microseconds where Calcium may take a second.)
 struct Decision {
   Sign sign = Sign::undecided;
   std::string rung = {};    // which number answered; empty when none did
@@ -121,7 +124,7 @@ struct Finding {
   Kind kind = Kind::undecided;
   Enclosure enclosure = {};            // of a value, from an enclosing number
   std::optional<double> certain = {};  // the double nearest to the value, when that is certain
-  bool proved_zero = false;            // from an exact number
+  Sign proved = Sign::undecided;       // from an exact number; of its sign only whether it is zero counts
   std::string reason = {};             // of absent, undecided
 };
 
@@ -149,12 +152,14 @@ class Ledger {
     Settled settled;
     bool is_final = false;
     bool has_enclosure = false;
+    bool is_not_zero = false;  // proved
   };
   bool accept(const std::string& rung, const Run& run);
   static void narrow(Entry& entry, const std::string& rung, const Finding& finding);
 
   std::vector<Entry> entries_;
-  std::string failure_;  // of the last run that said nothing
+  std::string failure_;             // of the last run that said nothing
+  std::vector<std::string> tried_;  // the rungs so far
   bool has_run_ = false;
 };
 
@@ -174,10 +179,10 @@ inline Finding finding_of(const Deep& x) {
   return {.kind = Finding::Kind::value, .enclosure = enclosure(x), .certain = certain_double(x)};
 }
 
-inline Finding finding_of(const Exact& x) { return {.kind = Finding::Kind::value, .proved_zero = x.is_zero()}; }
-
-inline Finding finding_of(const Calcium& x) {
-  return {.kind = Finding::Kind::value, .proved_zero = sign(x) == Sign::zero};
+template <class T>
+requires std::same_as<T, Exact> || std::same_as<T, Generic> || std::same_as<T, Calcium> Finding
+finding_of(const T& x) {
+  return {.kind = Finding::Kind::value, .proved = sign(x)};
 }
 
 template <class T>
@@ -216,19 +221,31 @@ void run_deep(Ledger& ledger, const Scene& scene, long bits) {
 // Before any run nothing is known, not even how many quantities there are: everything is wanted.
 template <class Scene, class Worth>
 void run_exactly(Ledger& ledger, const Scene& scene, const Worth& is_worth_a_proof) {
-  const auto wanted = [&](std::size_t i) {
-    return ledger.needs_proof(i) && (!ledger.has_run() || is_worth_a_proof(i, ledger.result()));
+  std::vector<bool> chosen;
+  const auto choose = [&] {
+    chosen.clear();
+    if (!ledger.has_run()) return true;
+    const std::vector<Settled> so_far = ledger.result();
+    for (std::size_t i = 0; i < ledger.size(); ++i)
+      chosen.push_back(ledger.needs_proof(i) && is_worth_a_proof(i, so_far));
+    return std::find(chosen.begin(), chosen.end(), true) != chosen.end();
   };
-  bool is_any_wanted = !ledger.has_run();
-  for (std::size_t i = 0; i < ledger.size(); ++i) is_any_wanted = is_any_wanted || wanted(i);
-  if (!is_any_wanted) return;
+  const auto wanted = [&](std::size_t i) { return chosen.empty() || chosen[i]; };
+  if (!choose()) return;
   try {
     const Arithmetic<Exact> scope;
     ledger.take_proofs("Exact", run<Exact>(scene, wanted));
+    return;
   } catch (const LeavesTheTower&) {
-    const Arithmetic<Calcium> scope;
-    ledger.take_proofs("Calcium", run<Calcium>(scene, wanted));
+    // the next two can go on
   }
+  {
+    const Arithmetic<Generic> scope;
+    ledger.take_proofs("Generic", run<Generic>(scene, wanted));
+  }
+  if (!choose()) return;
+  const Arithmetic<Calcium> scope;
+  ledger.take_proofs("Calcium", run<Calcium>(scene, wanted));
 }
 
 // One rung alone; what it throws goes through.
@@ -252,11 +269,13 @@ class FirstVerdict {
 
   void up_the_rungs() {
     if (on<Bounded>("Bounded")) return;
-    for (const long bits : {128L, 256L})
+    for (const long bits : {128L, 256L, 512L})
       if (on<Deep>("Deep " + std::to_string(bits), bits)) return;
     if (on<Exact>("Exact")) return;
-    for (const long bits : {512L, 1024L, 2048L})
+    if (has_left_the_tower && on<Generic>("Generic")) return;
+    for (const long bits : {1024L, 2048L, 4096L})
       if (on<Deep>("Deep " + std::to_string(bits), bits)) return;
+    if (!has_left_the_tower) return;
     on<Calcium>("Calcium");
   }
 
@@ -265,6 +284,8 @@ class FirstVerdict {
   std::string reason;
 
  private:
+  bool has_left_the_tower = false;
+
   template <class T, class... Scope>
   bool on(const std::string& name, Scope... scope_argument) {
     const Arithmetic<T> scope(scope_argument...);
@@ -275,6 +296,7 @@ class FirstVerdict {
       reason = open.what();
     } catch (const LeavesTheTower& outside) {
       reason = outside.what();
+      has_left_the_tower = true;
     }
     if (verdict == Verdict::undecided) return false;
     rung = name;
@@ -299,10 +321,10 @@ std::vector<Settled> climb(const Scene& scene, const Worth& is_worth_a_proof) {
     const Arithmetic<Bounded> scope;
     ledger.take_enclosures("Bounded", climbing::run<Bounded>(scene));
   }
-  for (const long bits : {128L, 256L, 512L, 1024L, 2048L}) {
+  for (const long bits : {128L, 256L, 512L, 1024L, 2048L, 4096L}) {
     if (ledger.is_settled()) break;
     climbing::run_deep(ledger, scene, bits);
-    if (bits == 256) climbing::run_exactly(ledger, scene, is_worth_a_proof);
+    if (bits == 512) climbing::run_exactly(ledger, scene, is_worth_a_proof);
   }
   return ledger.result();
 }

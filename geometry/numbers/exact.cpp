@@ -3,54 +3,66 @@
 #include "geometry/numbers/tower.h"
 #include "geometry/numbers/turn.h"
 
-#include <bit>
 #include <cassert>
+#include <utility>
 
 namespace epure::geometry {
 
-Exact operator+(const Exact& a, const Exact& b) { return Tower::current().add(a, b); }
+namespace {
+
+thread_local Tower<Rational>* innermost_tower = nullptr;
+
+Tower<Rational>& current_tower() {
+  assert(innermost_tower && "Exact is used without an Arithmetic<Exact> scope");
+  return *innermost_tower;
+}
+
+Deep ball_around(const Tower<Rational>& tower, const Surd<Rational>& x) {
+  return tower.to_deep(x, [](const Rational& value) { return from_rational<Deep>(value); });
+}
+
+Sign sign_in(const Tower<Rational>& tower, const Surd<Rational>& x) {
+  if (x.is_in_field()) return static_cast<Sign>(static_cast<int>(CGAL::sign(x.in_field())));
+  for (long bits = 64;; bits *= 2) {
+    const Arithmetic<Deep> scope(bits);
+    if (const Sign found = sign(ball_around(tower, x)); found != Sign::undecided) return found;
+  }
+}
+
+}  // namespace
+
+// No square of a real field is negative.
+Arithmetic<Exact>::Arithmetic()
+    : tower_(std::make_unique<Tower<Rational>>(
+          [this](const Surd<Rational>& x) { return sign_in(*tower_, x) == Sign::negative; })),
+      outer_(std::exchange(innermost_tower, tower_.get())) {}
+Arithmetic<Exact>::~Arithmetic() { innermost_tower = outer_; }
+
+int Arithmetic<Exact>::storeys() { return current_tower().storeys(); }
+
+Exact operator+(const Exact& a, const Exact& b) { return Exact(current_tower().add(a.surd_, b.surd_)); }
 Exact operator-(const Exact& a, const Exact& b) { return a + -b; }
-Exact operator*(const Exact& a, const Exact& b) { return Tower::current().multiply(a, b); }
+Exact operator*(const Exact& a, const Exact& b) { return Exact(current_tower().multiply(a.surd_, b.surd_)); }
 
 Exact operator/(const Exact& a, const Exact& b) {
   assert(!b.is_zero() && "exact division by zero");
-  return a * Tower::current().inverse(b);
+  return Exact(current_tower().multiply(a.surd_, current_tower().inverse(b.surd_)));
 }
 
-Exact Exact::operator-() const {
-  Exact result = *this;
-  for (Rational& coefficient : result.coefficients_) coefficient = -coefficient;
-  return result;
-}
+Exact Exact::operator-() const { return Exact(-surd_); }
 
-bool Exact::is_zero() const { return is_rational() && CGAL::is_zero(coefficients_.front()); }
+Deep to_deep(const Exact& x) { return ball_around(current_tower(), x.surd_); }
 
-const Rational& Exact::rational() const {
-  assert(is_rational());
-  return coefficients_.front();
-}
-
-int Exact::storey() const { return std::countr_zero(coefficients_.size()); }
-
-int Arithmetic<Exact>::storeys() { return Tower::current().storeys(); }
-
-Deep to_deep(const Exact& x) { return Tower::current().to_deep(x); }
-
-Sign sign(const Exact& x) {
-  if (x.is_rational()) return static_cast<Sign>(static_cast<int>(CGAL::sign(x.rational())));
-  for (long bits = 64;; bits *= 2) {
-    const Arithmetic<Deep> scope(bits);
-    if (const Sign found = sign(to_deep(x)); found != Sign::undecided) return found;
-  }
-}
+Sign sign(const Exact& x) { return sign_in(current_tower(), x.surd_); }
 
 Exact root(const Exact& x) {
   if (x.is_zero()) return 0;
   assert(sign(x) == Sign::positive && "root of a negative number");
-  Tower& tower = Tower::current();
-  if (const auto found = tower.root_within(x)) return sign(*found) == Sign::negative ? -*found : *found;
+  Tower<Rational>& tower = current_tower();
+  if (const auto found = tower.root_within(x.surd_))
+    return Exact(sign_in(tower, *found) == Sign::negative ? -*found : *found);
   if (tower.storeys() == Arithmetic<Exact>::highest_storey) throw LeavesTheTower("more than five independent roots");
-  return tower.adjoin(x);
+  return Exact(tower.adjoin(x.surd_));
 }
 
 Exact quotient(const Exact& a, const Exact& b) {

@@ -11,8 +11,9 @@
 #include <flint/arf.h>
 #include <flint/flint.h>
 #include <flint/fmpq.h>
-#ifndef __cplusplus /* no valid C++: for calcium_bridge.c alone */
+#ifndef __cplusplus /* no valid C++: for calcium_bridge.c and rational_function_bridge.c alone */
 #include <flint/ca.h>
+#include <flint/fmpz_mpoly_q.h>
 #endif
 #else
 #include <acb.h>
@@ -24,6 +25,7 @@
 #include <flint/fmpq.h>
 #ifndef __cplusplus
 #include <calcium/ca.h>
+#include <calcium/fmpz_mpoly_q.h>
 #endif
 #endif
 

@@ -1,4 +1,4 @@
-// All five numbers. A template on the number must see the functions of all of them (double and CGAL's interval live
+// All six numbers. A template on the number must see the functions of all of them (double and CGAL's interval live
 // in other namespaces, so their functions are found only when declared before the template).
 #pragma once
 
@@ -7,6 +7,7 @@
 #include "geometry/numbers/deep.h"
 #include "geometry/numbers/exact.h"
 #include "geometry/numbers/fast.h"
+#include "geometry/numbers/generic.h"
 #include "geometry/numbers/number.h"
 
 #include <concepts>
