@@ -13,7 +13,8 @@ namespace {
 template <class Find>
 double nearest_double(const Find& find) {
   const Arithmetic<Deep> scope(128);
-  return enclosure(find()).value;
+  const Enclosure ends = enclosure(find());
+  return ends.lower <= 0 && ends.upper >= 0 ? 0 : ends.value;  // a zero is no 1e-38
 }
 
 bool is_rack(const PairData& of, int wheel) { return wheel == 2 && of.kind == PairKind::rack; }

@@ -12,8 +12,8 @@ struct GenericNode {
   enum class Kind { rational, cosine, pi, sum, product, quotient, root };
 
   Kind kind;
-  Rational value = 0;                      // of a rational
-  Angle angle = {};                        // of a cosine
+  Rational value = 0;                           // of a rational
+  Angle angle = {};                             // of a cosine
   std::shared_ptr<GenericNode> a = {}, b = {};  // what a sum, product, quotient or root is made of
   // What was found of it so far.
   std::optional<Deep> ball = {};
@@ -157,6 +157,7 @@ Generic Generic::cosine(const Rational& turns, const Rational& radians) {
   if (radians == 0)
     if (const auto known = rational_cosine({turns})) return Generic(*known);
   const Angle angle{within_one_turn({turns}).fraction, radians};
+  current_context().directions.expect(angle);
   return Generic(std::make_shared<Node>(Node{.kind = Kind::cosine, .angle = angle}));
 }
 

@@ -2,6 +2,7 @@
 
 #include "geometry/numbers/turn.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace epure::geometry {
@@ -18,6 +19,10 @@ std::optional<int> fifteens_of(const Angle& angle) {
   const Rational fifteens = Rational(24) * within_one_turn({angle.turns}).fraction;
   if (fifteens.denominator() != 1) return std::nullopt;
   return static_cast<int>(fifteens.to_double());
+}
+
+Rational fineness(const Angle& angle) {
+  return std::max(Rational(angle.turns.denominator()), Rational(angle.radians.denominator()));
 }
 
 }  // namespace
@@ -46,7 +51,20 @@ OpenDirections::Unit OpenDirections::of_fifteens(int fifteens) {
   return turned(of_fifteens((fifteens + 21) % 24), of_fifteens(3));
 }
 
+void OpenDirections::lay_out_expected() {
+  std::vector<Angle> angles;
+  angles.swap(expected_);
+  const auto is_finer = [](const Angle& a, const Angle& b) { return fineness(a) > fineness(b); };
+  std::stable_sort(angles.begin(), angles.end(), is_finer);
+  try {
+    for (const Angle& angle : angles) direction(angle);
+  } catch (const Undecided&) {
+    // More than there are indeterminates: whether one too many is needed, the question will tell.
+  }
+}
+
 OpenDirections::Unit OpenDirections::direction(const Angle& angle) {
+  if (!expected_.empty()) lay_out_expected();
   for (const Known& known : seen_)
     if (known.angle.turns == angle.turns && known.angle.radians == angle.radians) return known.unit;
   const Unit unit = found(angle);

@@ -17,6 +17,10 @@ class OpenDirections {
 
   Tower<RationalFunction>& tower() { return tower_; }
 
+  // An angle that may be asked for. Of those that are known when the first is asked for, the finest is left open
+  // first, so that the others are its multiples.
+  void expect(const Angle& angle) { expected_.push_back(angle); }
+
   // Throw Undecided when there are more directions than indeterminates.
   Element cosine(const Angle& angle) { return direction(angle).x; }
   Element pi();
@@ -34,6 +38,7 @@ class OpenDirections {
     Unit unit;
   };
 
+  void lay_out_expected();
   Unit direction(const Angle& angle);
   Unit found(const Angle& angle);
   Unit of_fifteens(int fifteens);
@@ -44,6 +49,7 @@ class OpenDirections {
   Deep ball_around(const Element& x) const;
 
   Tower<RationalFunction> tower_;
+  std::vector<Angle> expected_;
   std::vector<Known> independent_, seen_;
   std::vector<std::optional<Angle>> indeterminates_;  // what each stands for: tan of half the angle, or π
   std::optional<Element> pi_;
