@@ -168,6 +168,12 @@ TEST_CASE("four-bar-analytic: what does not exist says why", "[four-bar-analytic
   absent(folding, "omega_4_max", "folds flat");
   CHECK(find(folding, "theta_2_at_omega_4_zero_1_deg").settled.kind == Settled::Kind::certain);
   absent(folding, "theta_2_at_omega_4_zero_2_deg", "in line");
+
+  // P lies where crank and rocker meet: on the pole, and its path has a cusp.
+  const CheckedExercise at_pole =
+      checked({"A0B0=6", "A0A=1", "AB=3", "B0B=4", "theta_2=0", "n=60", "AP_along=3", "AP_across=-4"});
+  CHECK(at_pole.passed());
+  for (const std::string name : {"rho_P", "curvature_centre_P_x", "Pprime_P"}) absent(at_pole, name, "cusp");
 }
 
 // Very near its change point the extremes still are decided, by both routes.
@@ -201,7 +207,10 @@ TEST_CASE("four-bar-analytic: the impossible is one sentence", "[four-bar-analyt
                                  {{"AB=0"}, {"AB = 0", "must be positive"}},
                                  {{"branch=up"}, {"branch", "left or right"}},
                                  // AB₀ = 1.2 - 0 = AB + B₀B
-                                 {{"A0B0=1.4", "theta_2=0"}, {"limit position"}}};
+                                 {{"A0B0=1.4", "theta_2=0"}, {"limit position"}},
+                                 // All in line, and 2 + 8 = 6 + 4: 20 ω₄² - 8 ω₄ - 4 = 0, ω₄ = (8 ± √384)/40.
+                                 {{"A0B0=8", "A0A=2", "AB=6", "B0B=4", "theta_2=180"},
+                                  {"change point", "two motions", "ω₄/ω₂ = 0.689898", "ω₄/ω₂ = -0.289898"}}};
   for (const auto& [assignments, says] : all) {
     CAPTURE(assignments);
     try {

@@ -211,7 +211,7 @@ TEST_CASE("four-bar: the impossible is one clear sentence and exit code 2", "[fo
       {{"n=0"}, {"n = 0", "must turn"}},
       {{"x_B0=0", "y_B0=0"}, {"B₀ = (0, 0) m lies on A₀"}},
       {{"A0A=3", "AB=5", "B0B=5", "x_B0=13", "y_B0=0", "t=0"}, {"in line", "cannot drive"}},
-      {{"A0A=3", "AB=9", "B0B=1", "x_B0=11", "y_B0=0", "t=0"}, {"in line", "cannot drive"}},
+      {{"A0A=3", "AB=9", "B0B=1", "x_B0=11", "y_B0=0", "t=0"}, {"in line", "change point", "two motions"}},
       {{"A0A=0"}, {"A0A = 0", "must be positive"}},
       {{"AB=-1"}, {"AB = -1", "must be positive"}},
       {{"AC=0"}, {"AC = 0", "must be positive"}},
@@ -235,4 +235,20 @@ TEST_CASE("four-bar: a measured number is taken or refused", "[four-bar]") {
   CHECK(run({"check", "four-bar", "--measured", "v_B=0.866"}, {}).exit == 0);
   CHECK(run({"check", "four-bar", "--measured", "v_B=1.2"}, {}).exit == 1);
   CHECK(run({"check", "four-bar", "--measured", "no_such=1"}, {}).exit == 2);
+}
+
+// A centred crank-rocker, A₀A² + A₀B₀² = AB² + B₀B²: its strokes take equally long. And a parallelogram does not
+// turn.
+TEST_CASE("four-bar: a ratio of one, and an angle that has no value", "[four-bar]") {
+  const CheckedExercise centred = four_bar().checked({"A0A=1", "AB=4", "B0B=7", "x_B0=8", "y_B0=0", "AC=2", "t=0.1"});
+  CHECK(find(centred, "time_ratio").settled.kind == Settled::Kind::certain);
+  CHECK(find(centred, "time_ratio").settled.enclosure.value == 1);
+  for (const RouteValue& route : find(centred, "time_ratio").routes)
+    CHECK(route.settled.kind != Settled::Kind::undecided);
+
+  const CheckedExercise parallelogram = four_bar().checked(
+      {"A0A=1", "AB=4", "B0B=1", "x_B0=4", "y_B0=0", "AC=2", "t=0.1", "branch=left", "C_side=left"});
+  CHECK(parallelogram.passed());
+  CHECK(why_absent(parallelogram, "gamma_deg").find("no value") != std::string::npos);
+  CHECK(why_absent(parallelogram, "tan_gamma").find("no value") != std::string::npos);
 }
