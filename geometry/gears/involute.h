@@ -11,8 +11,8 @@
 namespace epure::geometry {
 
 // tan α - α for tan α >= 0 (the caller's promise). Enclosures are at most some ulp wider than what the enclosure of
-// the tangent makes them. Exact, Generic and Calcium only know inv 0: at any other algebraic tangent inv is transcendental or
-// holds π. There Exact throws LeavesTheTower, Generic and Calcium Undecided.
+// the tangent makes them. Exact, Generic and Calcium only know inv 0: at any other algebraic tangent inv is
+// transcendental or holds π. There Exact throws LeavesTheTower, Generic and Calcium Undecided.
 Fast involute(Fast tangent);
 Bounded involute(const Bounded& tangent);
 Deep involute(const Deep& tangent);

@@ -66,8 +66,8 @@ FromRightAngle from_right_angle(const Angle& angle);
 
 // Of a rational number of turns as sine<T>(Turn) has it, exact values included. Otherwise sine and cosine are
 // transcendental (Lindemann and Weierstrass), so no exact number holds them, and they never take the algebraic value
-// of a special position: Exact throws LeavesTheTower, Calcium Undecided, Generic leaves the angle open. An angle beside a multiple of a right angle
-// by a few radians of any smallness keeps its relative accuracy.
+// of a special position: Exact throws LeavesTheTower, Calcium Undecided, Generic leaves the angle open. An angle
+// beside a multiple of a right angle by a few radians of any smallness keeps its relative accuracy.
 template <class T>
 T sine(const Angle& angle) {
   if (angle.radians == 0) return sine<T>(Turn{angle.turns});

@@ -72,7 +72,8 @@ struct Turn {
 //                               promise. Fast: noise below zero cannot be told from a negative number, gives 0.
 //   T     square(const T&)      never negative
 //   Sign  sign(const T&)        Fast: of the computed value; Bounded, Deep: undecided when zero is inside and the
-//                               enclosure is not the point zero; Exact: always decided; Generic, Calcium: may be undecided
+//                               enclosure is not the point zero; Exact: always decided; Generic, Calcium: may be
+//                               undecided
 //   T     pi<T>()               Exact: throws LeavesTheTower
 //   T     cosine<T>(Turn), sine<T>(Turn)    exactly 0, ±1/2, ±1 where that is the value. Exact: multiples of 15°
 //                               (one root for 30°s and 45°s), else LeavesTheTower
