@@ -48,7 +48,11 @@ std::string motions_from_change_point(const FourBarInstant& at) {
 }
 
 [[noreturn]] void refuse_flat_position(const FourBarInstant& at) {
-  const geometry::Truth two_motions = geometry::is_change_point(at.lengths, at.crank).truth;
+  const geometry::Truth two_motions =
+      geometry::ask([&]<class T>() {
+        const geometry::Vector<T> crank{geometry::cosine<T>(at.crank), geometry::sine<T>(at.crank)};
+        return geometry::is_change_point<T>(at.lengths, crank);
+      }).truth;
   if (two_motions == geometry::Truth::undecided)
     throw geometry::Undecided("whether the linkage is at a change point");
   if (two_motions == geometry::Truth::yes)

@@ -37,7 +37,7 @@ class GenericContext {
 namespace {
 
 using Node = GenericNode;
-using Kind = Node::Kind;
+using Made = Node::Kind;
 using Element = OpenDirections::Element;
 using Shared = std::shared_ptr<Node>;
 
@@ -49,9 +49,9 @@ GenericContext& current_context() {
 }
 
 Shared rational_node(const Rational& value) {
-  return std::make_shared<Node>(Node{.kind = Kind::rational, .value = value});
+  return std::make_shared<Node>(Node{.kind = Made::rational, .value = value});
 }
-Shared made_of(Kind kind, const Shared& a, const Shared& b) {
+Shared made_of(Made kind, const Shared& a, const Shared& b) {
   return std::make_shared<Node>(Node{.kind = kind, .a = a, .b = b});
 }
 
@@ -59,17 +59,17 @@ const Deep& ball(Node& x);
 
 Deep computed_ball(Node& x) {
   switch (x.kind) {
-    case Kind::rational:
+    case Made::rational:
       return from_rational<Deep>(x.value);
-    case Kind::cosine:
+    case Made::cosine:
       return cosine<Deep>(x.angle);
-    case Kind::pi:
+    case Made::pi:
       return pi<Deep>();
-    case Kind::sum:
+    case Made::sum:
       return ball(*x.a) + ball(*x.b);
-    case Kind::product:
+    case Made::product:
       return x.a == x.b ? square(ball(*x.a)) : ball(*x.a) * ball(*x.b);
-    case Kind::quotient:
+    case Made::quotient:
       return ball(*x.a) / ball(*x.b);
     default:
       return root(ball(*x.a));
@@ -100,17 +100,17 @@ Element computed_element(Node& x) {
   OpenDirections& open = current_context().directions;
   Tower<RationalFunction>& tower = open.tower();
   switch (x.kind) {
-    case Kind::rational:
+    case Made::rational:
       return Element(RationalFunction(x.value));
-    case Kind::cosine:
+    case Made::cosine:
       return open.cosine(x.angle);
-    case Kind::pi:
+    case Made::pi:
       return open.pi();
-    case Kind::sum:
+    case Made::sum:
       return tower.add(element(*x.a), element(*x.b));
-    case Kind::product:
+    case Made::product:
       return tower.multiply(element(*x.a), element(*x.b));
-    case Kind::quotient:
+    case Made::quotient:
       return tower.multiply(element(*x.a), tower.inverse(element(*x.b)));
     default:
       return open.root(element(*x.a));
@@ -151,14 +151,14 @@ Arithmetic<Generic>::Arithmetic()
 Arithmetic<Generic>::~Arithmetic() { innermost_generic = outer_; }
 
 Generic::Generic(const Rational& value) : node_(rational_node(value)) {}
-Generic Generic::pi() { return Generic(std::make_shared<Node>(Node{.kind = Kind::pi})); }
+Generic Generic::pi() { return Generic(std::make_shared<Node>(Node{.kind = Made::pi})); }
 
 Generic Generic::cosine(const Rational& turns, const Rational& radians) {
   if (radians == 0)
     if (const auto known = rational_cosine({turns})) return Generic(*known);
-  const Angle angle{within_one_turn({turns}).fraction, radians};
+  const Angle angle{within_one_turn(Turn{turns}).fraction, radians};
   current_context().directions.expect(angle);
-  return Generic(std::make_shared<Node>(Node{.kind = Kind::cosine, .angle = angle}));
+  return Generic(std::make_shared<Node>(Node{.kind = Made::cosine, .angle = angle}));
 }
 
 Generic operator+(const Generic& a, const Generic& b) {
@@ -166,7 +166,7 @@ Generic operator+(const Generic& a, const Generic& b) {
   if (x->is(0)) return b;
   if (y->is(0)) return a;
   if (x->is_rational() && y->is_rational()) return Generic(x->value + y->value);
-  return Generic(made_of(Kind::sum, x, y));
+  return Generic(made_of(Made::sum, x, y));
 }
 
 Generic operator-(const Generic& a, const Generic& b) { return a.node_ == b.node_ ? Generic(0) : a + -b; }
@@ -176,7 +176,7 @@ Generic operator*(const Generic& a, const Generic& b) {
   if (x->is(0) || y->is(1)) return a;
   if (y->is(0) || x->is(1)) return b;
   if (x->is_rational() && y->is_rational()) return Generic(x->value * y->value);
-  return Generic(made_of(Kind::product, x, y));
+  return Generic(made_of(Made::product, x, y));
 }
 
 Generic operator/(const Generic& a, const Generic& b) {
@@ -186,7 +186,7 @@ Generic operator/(const Generic& a, const Generic& b) {
   const Shared &x = a.node_, &y = b.node_;
   if (x->is(0) || y->is(1)) return a;
   if (x->is_rational() && y->is_rational()) return Generic(x->value / y->value);
-  return Generic(made_of(Kind::quotient, x, y));
+  return Generic(made_of(Made::quotient, x, y));
 }
 
 Generic Generic::operator-() const { return Generic(-1) * *this; }
@@ -202,7 +202,7 @@ Generic root(const Generic& x) {
   if (radicand == Sign::undecided) throw Undecided("the root of a quantity that may be zero");
   if (x.node_->is_rational())
     if (const auto known = FieldOf<Rational>::root(x.node_->value)) return Generic(CGAL::abs(*known));
-  return Generic(made_of(Kind::root, x.node_, nullptr));
+  return Generic(made_of(Made::root, x.node_, nullptr));
 }
 
 template <>

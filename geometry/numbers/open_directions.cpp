@@ -16,7 +16,7 @@ Element constant(const Rational& value) { return Element(RationalFunction(value)
 // How many times 15° the angle is, from 0 to 23, if it is.
 std::optional<int> fifteens_of(const Angle& angle) {
   if (angle.radians != 0) return std::nullopt;
-  const Rational fifteens = Rational(24) * within_one_turn({angle.turns}).fraction;
+  const Rational fifteens = Rational(24) * within_one_turn(Turn{angle.turns}).fraction;
   if (fifteens.denominator() != 1) return std::nullopt;
   return static_cast<int>(fifteens.to_double());
 }

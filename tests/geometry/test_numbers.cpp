@@ -259,7 +259,7 @@ struct TurnRow {
   const char* cosine;
   const char* sine;
 };
-const TurnRow turns[] = {
+const TurnRow turn_rows[] = {
     {1, 12, "0.86602540378443864676372317075293618347140262690519", "0.5"},
     {1, 8, "0.70710678118654752440084436210484903928483593768847",
      "0.70710678118654752440084436210484903928483593768847"},
@@ -285,7 +285,7 @@ const TurnRow turns[] = {
 TEMPLATE_TEST_CASE("Cosine and sine of rational turns", "", ALL_NUMBERS) {
   const Scope<TestType> scope;
   int seen = 0;
-  for (const TurnRow& row : turns) {
+  for (const TurnRow& row : turn_rows) {
     const Rational fraction(row.numerator, row.denominator);
     CAPTURE(to_text(fraction));
     for (const Rational& same : {fraction, fraction + Rational(1), fraction - Rational(7)}) {
