@@ -1,6 +1,6 @@
 // Who may include whom. Arrows go exercises -> geometry and exercises -> drawings, and nowhere else, but that all may
-// include words, which knows no room; the analytic route shares no code with the constructions it checks; one file sees
-// Cairo; CGAL is used only where it is LGPL.
+// include words, which knows no room; the analytic route shares no code with the constructions it checks; one file
+// sees Cairo; CGAL is used only where it is LGPL.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
