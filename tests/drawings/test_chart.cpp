@@ -666,6 +666,28 @@ TEST_CASE("huge and tiny ranges are drawn like any other") {
   }
 }
 
+TEST_CASE("a curve of many points is drawn by fewer, within half a step of the file") {
+  Chart chart{{"$x$", "m", 0, 10}, {"$y$", "m", -1, 1}};
+  chart.curves = {{.name = "y", .runs = {run(0, 10, 4000, [](double x) { return std::sin(x); })}, .label = "$y$"}};
+  ChartMap map;
+  const Page page = compose(sheet_of(chart, &map));
+  const auto drawn = probe::named<Stroke>(page, "y");
+  REQUIRE(drawn.size() == 1);
+  CHECK(drawn[0].path.pieces.size() < 1000);
+  for (const Datum& datum : chart.curves[0].runs[0]) {
+    const Point p = map.at(datum);
+    double nearest = INFINITY;
+    Point from = drawn[0].path.start;
+    for (const Piece& piece : drawn[0].path.pieces) {
+      const Point way = piece.end - from;
+      const double t = std::clamp(dot(p - from, way) / dot(way, way), 0.0, 1.0);
+      nearest = std::min(nearest, distance(p, from + t * way));
+      from = piece.end;
+    }
+    if (!(nearest <= file_resolution / 2 * (1 + 1e-6))) CHECK(nearest <= file_resolution / 2);
+  }
+}
+
 TEST_CASE("frames of charts above each other line up when they are given the same room for letters") {
   Chart above = velocities(), below = velocities();
   above.letters_left = below.letters_left = 16;

@@ -1,6 +1,7 @@
 // A composed sheet: everything in its place, on both papers and in both languages.
 #include "drawings/clip.h"
 #include "drawings/column.h"
+#include "drawings/flatten.h"
 #include "drawings/ink.h"
 #include "drawings/layout.h"
 #include "drawings/output.h"
@@ -213,6 +214,27 @@ TEST_CASE("far geometry is cut to the drawing area") {
   CHECK(covered.low.x == Approx(area.low.x));
   CHECK(covered.high.x == Approx(centre.x).margin(0.1));
   CHECK(covered.height() == Approx(area.height()));
+}
+
+TEST_CASE("a curve is cut where it crosses the border, to a quarter of a step of the file") {
+  const Box area = drawing_area(Paper::a4);
+  const Point corner = area.low;
+  for (const double radius : {0.7, 20.0, 90.0, 3000.0}) {
+    CAPTURE(radius);
+    // A quarter of it shows, or all that the area holds of it.
+    const Path whole = circle(corner + Point{0.1, 0.1} - Point{radius, 0}, radius);
+    const std::vector<Path> shown = clip_path(whole, area);
+    REQUIRE(!shown.empty());
+    for (const Path& run : shown) {
+      CHECK(contains(area, bounds(run)));
+      for (const Point end : {run.start, run.pieces.back().end}) {
+        const double from_border =
+            std::min({end.x - area.low.x, area.high.x - end.x, end.y - area.low.y, area.high.y - end.y});
+        // Or where the circle begins, inside.
+        CHECK((from_border <= file_resolution / 4 || distance(end, whole.start) == 0));
+      }
+    }
+  }
 }
 
 TEST_CASE("marks keep to their window") {
