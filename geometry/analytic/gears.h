@@ -11,6 +11,7 @@
 
 #include "geometry/analytic/decide.h"
 #include "geometry/analytic/involute.h"
+#include "geometry/numbers/angle.h"
 
 namespace epure::geometry::analytic {
 

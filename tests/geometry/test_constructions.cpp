@@ -175,16 +175,16 @@ TEMPLATE_TEST_CASE("a circle is divided into twelve parts", "[constructions]", F
   const Point<T> centre{2, -1}, start{4, -1};
   for (std::size_t k = 0; k < 12; ++k) {
     CAPTURE(k);
-    const Point<T> P = turned(start, centre, Turn{Rational(static_cast<int>(k), 12)});
+    const Point<T> P = turned(start, centre, Angle{Rational(static_cast<int>(k), 12)});
     CHECK(is(P, centre + T(2) * Vector<T>{cosines[k], cosines[(k + 9) % 12]}));
     // The points on the axes have no rounding at all.
     if (k % 3 == 0) CHECK(sign(T((P.x - centre.x) * (P.y - centre.y))) == Sign::zero);
     if (k % 3 == 0) CHECK(sign(T(length_squared(P - centre) - 4)) == Sign::zero);
   }
-  CHECK(is(turned(Point<T>{3, 4}, {0, 0}, Turn{Rational(1, 4)}), {-4, 3}));
-  CHECK(is(turned(Point<T>{3, 4}, {0, 0}, Turn{Rational(-1, 4)}), {4, -3}));
+  CHECK(is(turned(Point<T>{3, 4}, {0, 0}, Angle{Rational(1, 4)}), {-4, 3}));
+  CHECK(is(turned(Point<T>{3, 4}, {0, 0}, Angle{Rational(-1, 4)}), {4, -3}));
   Point<T> walking{3, 4};
-  for (int i = 0; i < 12; ++i) walking = turned(walking, centre, Turn{Rational(1, 12)});
+  for (int i = 0; i < 12; ++i) walking = turned(walking, centre, Angle{Rational(1, 12)});
   CHECK(is(walking, {3, 4}));
 }
 

@@ -65,7 +65,7 @@ std::vector<Point<T>> constructed(const Similarity& by) {
           C + first * (B - A), A + second * (D - A), midpoint(C, D),
           // A quarter turn is the other way about in a mirror.
           by.mirrors ? Transport<T>(A, B, B, B + -quarter_turn(B - A))(C) : paper(C),
-          turned(C, A, Turn{by.mirrors ? Rational(-1, 12) : Rational(1, 12)}), finite(circle.centre())};
+          turned(C, A, Angle{by.mirrors ? Rational(-1, 12) : Rational(1, 12)}), finite(circle.centre())};
 }
 
 const Similarity identity{"identity", false, false, Rational(1), Rational(0), Rational(0)};

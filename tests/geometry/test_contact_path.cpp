@@ -19,7 +19,7 @@ PairData against_rack(const CorpusCase& c) {
   PairData pair{.kind = PairKind::rack};
   pair.z1 = std::lround(CGAL::to_double(c.givens.at("z")));
   pair.m = c.givens.at("m");
-  pair.alpha = Turn{c.givens.at("alpha")};
+  pair.alpha = Angle{c.givens.at("alpha")};
   pair.x1 = c.givens.at("x");
   pair.ha = c.givens.at("ha");
   pair.hf = c.givens.at("hf");
@@ -30,7 +30,7 @@ PairData against_rack(const CorpusCase& c) {
 
 PairData source() {
   PairData pair{.kind = PairKind::external};
-  pair.z1 = 20, pair.z2 = 40, pair.m = {1, 100}, pair.alpha = Turn{{11, 180}};
+  pair.z1 = 20, pair.z2 = 40, pair.m = {1, 100}, pair.alpha = Angle{{11, 180}};
   return pair;
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("contact path: whole flanks keep all of AE, pointed teeth lose its end
   ring.kind = PairKind::internal, ring.z2 = 60;
   CHECK(contact_path(ring).begins.by == By::root);
   PairData pointed = source();
-  pointed.z1 = 12, pointed.x1 = {9, 10}, pointed.alpha = Turn{{25, 360}};
+  pointed.z1 = 12, pointed.x1 = {9, 10}, pointed.alpha = Angle{{25, 360}};
   const ContactPath path = contact_path(pointed);
   CHECK(path.ends.by == By::point);
   CHECK(sign(gear_pair<Deep>(pointed).position(gear_pair<Deep>(pointed).E()) - path.ends.xi) == Sign::positive);

@@ -142,7 +142,7 @@ bool has(const PairData& of, Kind kind) {
   return std::count(found.begin(), found.end(), kind) > 0;
 }
 
-Turn degrees(int whole_degrees) { return {Rational(whole_degrees, 360)}; }
+Angle degrees(int whole_degrees) { return {Rational(whole_degrees, 360)}; }
 PairData source() { return {.z1 = 20, .z2 = 40, .m = Rational(1, 100), .alpha = degrees(22)}; }
 PairData with_teeth(long z, int angle) { return {.z1 = z, .z2 = 40, .m = Rational(1, 100), .alpha = degrees(angle)}; }
 

@@ -33,7 +33,7 @@ PairData pair_of(const CorpusCase& c) {
   PairData pair;
   const auto whole = [](const Rational& z) { return std::lround(CGAL::to_double(z)); };
   pair.m = c.givens.at("m");
-  pair.alpha = Turn{c.givens.at("alpha")};
+  pair.alpha = Angle{c.givens.at("alpha")};
   pair.ha = c.givens.at("ha");
   pair.hf = c.givens.at("hf");
   pair.rho = c.givens.at("rho");
@@ -251,7 +251,7 @@ TEST_CASE("tooth outline: a rack", "[gears]") {
   pair.kind = PairKind::rack;
   pair.z1 = 20;
   pair.m = {1, 100};
-  pair.alpha = Turn{Rational(11, 180)};
+  pair.alpha = Angle{Rational(11, 180)};
   const double tolerance = 1e-9;
   const ToothOutline outline = tooth_outline(pair, 2, tolerance);
   REQUIRE(outline.pieces.size() == 7);
@@ -285,7 +285,7 @@ TEST_CASE("tooth outline: a ring's space ends where its flanks meet before the r
   PairData pair = pair_of(cases().front());
   pair.kind = PairKind::internal;
   pair.z1 = 16, pair.z2 = 41;
-  pair.alpha = Turn{Rational(3, 40)};
+  pair.alpha = Angle{Rational(3, 40)};
   pair.x1 = {-1, 10}, pair.x2 = {3, 5};
   pair.hf = {7, 5};
   const ToothOutline outline = tooth_outline(pair, 2, 1e-9);
@@ -310,7 +310,7 @@ TEST_CASE("tooth outline: a flank takes few arcs", "[gears]") {
 TEST_CASE("tooth outline: undercut may leave next to nothing of a flank", "[gears]") {
   PairData pair = pair_of(cases().front());
   pair.kind = PairKind::rack;
-  pair.z1 = 6, pair.x1 = {-3, 5}, pair.alpha = Turn{Rational(17, 360)};
+  pair.z1 = 6, pair.x1 = {-3, 5}, pair.alpha = Angle{Rational(17, 360)};
   pair.rho = {3, 10}, pair.hf = {11, 10}, pair.ha = {7, 10}, pair.j = {1, 5000};
   for (const double tolerance : {1e-6, 1e-7, 1e-9}) CHECK(tooth_outline(pair, 1, tolerance).pieces.size() == 7);
 }
@@ -332,7 +332,7 @@ TEST_CASE("tooth outline: what does not exist is said", "[gears]") {
   CHECK_NOTHROW(tooth_outline(changed([](PairData& p) { p.rho = 0; }), 1, tolerance));
   // Exactly at the limit of undercut: 30 degrees, 8 teeth, a straight edge as deep as the module.
   const auto at_limit = [](PairData& p) {
-    p.alpha = Turn{Rational(1, 12)}, p.z1 = 8, p.hf = {11, 10}, p.rho = {1, 5};
+    p.alpha = Angle{Rational(1, 12)}, p.z1 = 8, p.hf = {11, 10}, p.rho = {1, 5};
   };
   for (const double fine_tolerance : {1e-6, 1e-8, 1e-11})
     CHECK_NOTHROW(tooth_outline(changed(at_limit), 1, fine_tolerance));
