@@ -100,6 +100,19 @@ TEST_CASE("Zero for every direction is proved by Generic when the scene leaves t
   require_point(climb_one(unit), 0, "Generic");
 }
 
+TEST_CASE("What Generic knows not to be zero is not asked of Calcium") {
+  int calcium_runs = 0;
+  const auto tiny = [&]<class T>() {
+    if constexpr (std::is_same_v<T, Calcium>) ++calcium_runs;
+    T step(1);
+    for (int i = 0; i < 700; ++i) step = step * from_rational<T>(Rational(1, 2));
+    const T c = cosine<T>(Turn{Rational(1, 18)}), s = sine<T>(Turn{Rational(1, 18)});
+    return T(c * c + s * s - 1 + step);
+  };
+  require_tight(climb_one(tiny), std::ldexp(1.0, -700), "Deep 1024");
+  CHECK(calcium_runs == 0);
+}
+
 TEST_CASE("Zero at one direction only is proved by Calcium, of a direction of low degree") {
   // 4c³ - 3c = cos 60° for c = cos 20°
   const auto triple_angle = []<class T>() {

@@ -38,6 +38,12 @@ TEST_CASE("What is zero for every direction is zero", "[generic]") {
   }
 }
 
+TEST_CASE("Directions hang together whichever is asked for first", "[generic]") {
+  const Arithmetic<Generic> scope;
+  const Generic coarse = cosine<Generic>(degrees(69)), fine = cosine<Generic>(degrees(23));
+  CHECK(sign(coarse - (4 * fine * fine * fine - 3 * fine)) == Sign::zero);
+}
+
 TEST_CASE("Radians and pi are left open too", "[generic]") {
   const Arithmetic<Generic> scope;
   const Angle one{0, 1}, both{Rational(1, 8), Rational(-178, 100)};

@@ -294,6 +294,11 @@ TEMPLATE_TEST_CASE("Cosine and sine of rational turns", "", ALL_NUMBERS) {
         CHECK_THROWS_AS(sine<TestType>(Turn{same}), LeavesTheTower);
         continue;
       }
+      if (std::is_same_v<TestType, Calcium> && row.denominator > 1000) {  // of degree 2 000 000
+        CHECK_THROWS_AS(cosine<TestType>(Turn{same}), Undecided);
+        CHECK_THROWS_AS(sine<TestType>(Turn{same}), Undecided);
+        continue;
+      }
       ++seen;
       CHECK(agrees(cosine<TestType>(Turn{same}), row.cosine));
       CHECK(agrees(sine<TestType>(Turn{same}), row.sine));
