@@ -40,7 +40,7 @@ void require_small_task(const epure_calcium_number* a, const epure_calcium_numbe
 
 // Every number of a scene lives over the field of its directions, and costs the more the higher its degree.
 // Directions of a higher one than this are special by no accident that lengths of a few digits could bring about.
-constexpr long highest_degree = 16;
+constexpr long highest_degree = 20;
 
 // The degree of exp(iπ half_turns) over the rational numbers: Euler's φ of its order, and at least √(order/2).
 bool is_of_low_degree(const Rational& half_turns) {
@@ -188,7 +188,7 @@ Calcium Calcium::cosine(const Turn& turn) {
   const RoundToNearest rounding;
   if (const auto known = rational_cosine(turn)) return Calcium(*known);
   const Rational half_turns = Rational(2) * within_one_turn(turn).fraction;
-  if (!is_of_low_degree(half_turns)) throw Undecided("a direction of more than degree 16 in an exact number");
+  if (!is_of_low_degree(half_turns)) throw Undecided("a direction of more than degree 20 in an exact number");
   Calcium result;
   epure_calcium_set_cosine(result.number_, half_turns.mpq(), result.context_);
   return result;

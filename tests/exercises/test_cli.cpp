@@ -1,6 +1,7 @@
 // Every verb, every exit code.
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "tests/exercises/run.h"
@@ -263,7 +264,8 @@ TEST_CASE("an older file survives a drawing that fails") {
   // A sheet no file can hold.
   Triangle wild;
   wild.spoil_sheet = [](DrawnSheet& drawn) {
-    drawn.sheet.figure.marks.push_back(drawings::Dot{{1e300, 0}, drawings::Meaning::link, "far"});
+    const double nothing = std::numeric_limits<double>::quiet_NaN();
+    drawn.sheet.figure.marks.push_back(drawings::Dot{{nothing, 0}, drawings::Meaning::link, "nowhere"});
   };
   const Ran ran = run_on(wild, {"draw", "triangle", "-o", "t.pdf"});
   CHECK(ran.exit == 70);

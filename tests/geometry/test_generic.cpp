@@ -3,7 +3,7 @@
 #include "geometry/numbers/angle.h"
 #include "geometry/numbers/climb.h"
 
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 using namespace epure::geometry;
 

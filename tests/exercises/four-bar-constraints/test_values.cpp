@@ -94,7 +94,7 @@ TEST_CASE("four-bar-constraints: a singular start and other impossible givens ar
       {{"theta_3_start=0", "theta_4_start=0"}, "coupler and rocker are parallel"},
       {{"A0B0=2"}, "does not close"},
       {{"n=0"}, "must turn"},
-      {{"theta_3_start=20deg"}, "theta_3_start"}};
+      {{"theta_3_start=20m"}, "theta_3_start"}};
   for (const auto& [assignments, says] : all) {
     CAPTURE(assignments);
     try {

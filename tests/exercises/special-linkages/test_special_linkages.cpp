@@ -4,7 +4,7 @@
 #include "exercises/kit/checked.h"
 #include "tests/exercises/special-linkages/families.h"
 
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 #include <cstdlib>
 #include <ctime>
