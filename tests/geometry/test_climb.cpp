@@ -127,12 +127,12 @@ TEST_CASE("Zero at one direction only is proved by Calcium, of a direction of lo
              from_rational<T>(Rational(1, 2)));
   };
   require_point(climb_one(by_steps), 0, "Generic");
-  const auto nineteen = []<class T>() {  // the cosines of all nineteenths of a turn add up to nothing
+  const auto of_degree_28 = []<class T>() {  // the cosines of all 29ths of a turn add up to nothing
     T sum(0);
-    for (int k = 0; k < 19; ++k) sum += cosine<T>(Turn{Rational(k, 19)});
+    for (int k = 0; k < 29; ++k) sum += cosine<T>(Turn{Rational(k, 29)});
     return sum;
   };
-  const Settled open = climb_one(nineteen);
+  const Settled open = climb_one(of_degree_28);
   CHECK(open.enclosure.lower < 0);  // near zero, but not proved to be it
   CHECK(open.enclosure.upper > 0);
 }
