@@ -15,19 +15,22 @@ namespace {
 
 double to_units(int pango_units) { return static_cast<double>(pango_units) / PANGO_SCALE; }
 
-// Pango shows neither a soft hyphen nor a space without width; like HarfBuzz alone, we keep a space for its text.
-unsigned space_of(PangoFont* font) {
+// 0 where the font has none.
+hb_codepoint_t glyph_of(PangoFont* font, char32_t character) {
   hb_codepoint_t glyph = 0;
-  hb_font_get_nominal_glyph(pango_font_get_hb_font(font), ' ', &glyph);
-  return glyph;
+  return hb_font_get_nominal_glyph(pango_font_get_hb_font(font), character, &glyph) ? glyph : 0;
 }
 
+// Pango shows neither a soft hyphen nor a space without width; like HarfBuzz alone, we keep a space for its text.
+unsigned space_of(PangoFont* font) { return glyph_of(font, ' '); }
+
+// By HarfBuzz: Pango asks Cairo, which loads each outline at this size for nothing else.
 Box find_ink(PangoFont* font, unsigned glyph) {
-  PangoRectangle drawn{};  // y downwards
-  pango_font_get_glyph_extents(font, glyph, &drawn, nullptr);
+  hb_glyph_extents_t drawn{};  // y upwards, the height downwards
+  if (!hb_font_get_glyph_extents(pango_font_get_hb_font(font), glyph, &drawn)) return nothing();
   if (drawn.width == 0 && drawn.height == 0) return nothing();
-  return {{to_units(drawn.x), -to_units(drawn.y + drawn.height)},
-          {to_units(drawn.x + drawn.width), -to_units(drawn.y)}};
+  return {{to_units(drawn.x_bearing), to_units(drawn.y_bearing + drawn.height)},
+          {to_units(drawn.x_bearing + drawn.width), to_units(drawn.y_bearing)}};
 }
 
 ShapedLetters shape_anew(Face face, std::string_view letters) {
@@ -64,7 +67,8 @@ ShapedLetters shape_anew(Face face, std::string_view letters) {
 
 }  // namespace
 
-bool has_glyph(Face face, char32_t character) { return pango_font_has_char(pango_fonts()[face], character); }
+// By HarfBuzz: Pango would have fontconfig list all characters of the font first.
+bool has_glyph(Face face, char32_t character) { return glyph_of(pango_fonts()[face], character) != 0; }
 
 ShapedLetters shape(Face face, const std::string& letters) {
   // A column that is tried in smaller and smaller letters sets the same words again.

@@ -98,6 +98,8 @@ class Placement {
   }
 
   static double together(const Candidate& a, const Candidate& b) {
+    // Nearly all pairs: far from each other, and no line between letters and what they name.
+    if (!a.leader && !b.leader && apart(grown(a.box, label_clearance), b.box)) return 0;
     double cost = 0;
     if (leader_meets(a, b)) cost += price::leader_through;
     if (leaders_cross(a, b)) cost += price::leaders_crossed;

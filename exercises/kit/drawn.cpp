@@ -1,9 +1,13 @@
 #include "exercises/kit/drawn.h"
 
+#include <algorithm>
+#include <array>
+
 #include "geometry/numbers/enclosure.h"
 
 namespace epure {
 
+using geometry::Bounded;
 using geometry::Deep;
 using geometry::Sign;
 
@@ -14,6 +18,23 @@ bool is_nonzero(const Deep& x) {
   return s == Sign::positive || s == Sign::negative;
 }
 
+// Two coordinates of one point, of which doubles hold the smaller one coarsely, perhaps not even its sign, when it is
+// small beside the other: enough to draw them. A single number must hold by itself.
+bool is_narrow_beside(const Bounded& x, const Bounded& other) {
+  const auto least = [](const Bounded& of) { return std::max({of.inf(), -of.sup(), 0.0}); };
+  return x.sup() - x.inf() <= geometry::known_part * std::max(least(x), least(other));
+}
+
+std::array<double, 2> together(const Deep& x, const Deep& y) {
+  const auto one = [](const Deep& of, const Deep& other) {
+    if (!of.is_interval() || !other.is_interval() || !is_narrow_beside(of.interval(), other.interval()))
+      return to_double(of);
+    const Bounded& ends = of.interval();
+    return ends.inf() <= 0 && ends.sup() >= 0 ? 0 : geometry::enclosure(ends).value;
+  };
+  return {one(x, y), one(y, x)};
+}
+
 }  // namespace
 
 double to_double(const Deep& x) {
@@ -21,8 +42,14 @@ double to_double(const Deep& x) {
   const bool may_be_zero = ends.lower <= 0 && ends.upper >= 0;
   return may_be_zero ? 0 : ends.value;
 }
-Place to_double(const geometry::Point<Deep>& P) { return {to_double(P.x), to_double(P.y)}; }
-Arrow2 to_double(const geometry::Vector<Deep>& v) { return {to_double(v.x), to_double(v.y)}; }
+Place to_double(const geometry::Point<Deep>& P) {
+  const auto [x, y] = together(P.x, P.y);
+  return {x, y};
+}
+Arrow2 to_double(const geometry::Vector<Deep>& v) {
+  const auto [x, y] = together(v.x, v.y);
+  return {x, y};
+}
 
 std::optional<Place> to_double(const geometry::ProjectivePoint<Deep>& P) {
   if (!is_nonzero(P.w)) return {};

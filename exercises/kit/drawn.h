@@ -26,9 +26,28 @@ struct DrawnCycle {
 };
 DrawnCycle to_double(const geometry::Cycle<geometry::Deep>& cycle);
 
-// Runs `find`, which works on Deep, at the precision drawings are made with.
+// While one lives, this thread draws with 256 bits from the start: what drawings in doubles are held against.
+class WithBits {
+ public:
+  WithBits() { is_on_ = true; }
+  ~WithBits() { is_on_ = false; }
+  WithBits(const WithBits&) = delete;
+  WithBits& operator=(const WithBits&) = delete;
+  static bool is_on() { return is_on_; }
+
+ private:
+  inline static thread_local bool is_on_ = false;
+};
+
+// Runs `find`, which works on Deep, as precisely as drawings need: in doubles, and where these do not suffice with
+// 256 bits. So it may run twice.
 template <class Find>
 auto deeply(const Find& find) {
+  if (!WithBits::is_on()) try {
+      const geometry::Arithmetic<geometry::Deep> doubles(geometry::in_doubles);
+      return find();
+    } catch (const geometry::TooCoarse&) {
+    }
   const geometry::Arithmetic<geometry::Deep> bits(256);
   return find();
 }
