@@ -9,7 +9,6 @@
 
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <set>
@@ -17,16 +16,17 @@
 
 #include "drawings/output.h"
 #include "drawings/stopwatch.h"
+#include "drawings/system_words.h"
 
 namespace epure::drawings {
 namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::string& where, const std::string& why) {
-  throw CannotWrite(fmt::format("cannot write {}: {}", where, why));
+[[noreturn]] void fail(const Words& where, const Words& why) {
+  throw CannotWrite(Words{"cannot write ", "impossibile scrivere "} + where + ": " + why);
 }
-[[noreturn]] void fail(const std::string& where, int error) { fail(where, std::string(std::strerror(error))); }
+[[noreturn]] void fail(const std::string& where, int error) { fail({where, where}, system_words(error)); }
 
 // A broken pipe and a file too large come as signals that would end the program; here they are to be errors.
 class SignalsAsErrors {
@@ -108,7 +108,7 @@ fs::path behind_links(fs::path path) {
   for (int links = 0; fs::is_symlink(fs::symlink_status(path, error)); ++links) {
     if (links == 40) fail(path.string(), ELOOP);
     const fs::path target = fs::read_symlink(path, error);
-    if (error) fail(path.string(), error.message());
+    if (error) fail(path.string(), error.value());
     path = target.is_absolute() ? target : path.parent_path() / target;
   }
   return path;
@@ -122,12 +122,7 @@ void make_folder(const fs::path& folder, const std::string& shown) {
   // A link to a folder counts as an error for some library versions; what matters is that there is a folder.
   std::error_code ignored;
   if (error && !fs::is_directory(folder, ignored))
-    fail(shown, fmt::format("folder {}: {}", folder.string(), error.message()));
-}
-
-// Opened by its path, standard output would be written from its beginning, over what `>>` should keep.
-bool is_standard_output(const fs::path& path) {
-  return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+    fail({shown, shown}, Words{"folder ", "cartella "} + folder.string() + (": " + system_words(error.value())));
 }
 
 void write_in_place(const fs::path& path, std::string_view bytes, const std::string& shown) {
@@ -244,7 +239,7 @@ std::optional<Pending> begin(const File& file) {
   const fs::path& path = file.path;
   if (is_standard_output(path)) return std::nullopt;
   const std::string shown = path.string();
-  if (path.empty()) fail("a file", "its name is empty");
+  if (path.empty()) fail({"a file", "un file"}, {"its name is empty", "il suo nome è vuoto"});
   struct stat old = {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
   if (!exists && errno != ENOENT) fail(shown, errno);
@@ -260,10 +255,30 @@ std::optional<Pending> begin(const File& file) {
 
 void write_special(const File& file) {
   if (!is_standard_output(file.path)) return write_in_place(file.path, file.bytes, file.path.string());
-  if (!write_all(STDOUT_FILENO, file.bytes) || !sync(STDOUT_FILENO)) fail("to standard output", errno);
+  if (!write_all(STDOUT_FILENO, file.bytes) || !sync(STDOUT_FILENO))
+    fail({"to standard output", "sullo standard output"}, system_words(errno));
 }
 
 }  // namespace
+
+// Opened by its path, standard output would be written from its beginning, over what `>>` should keep; and a link to
+// it leads on to the file behind it, which would be replaced.
+bool is_standard_output(const fs::path& path) {
+  if (path == "-") return true;
+  const std::string own = fmt::format("/proc/{}/", ::getpid());
+  std::error_code error;
+  fs::path next = path;
+  for (int links = 0; links < 40; ++links) {
+    const fs::path folder = fs::canonical(folder_of(next), error);
+    if (error) return false;
+    if (next.filename() == "1" && folder.string().starts_with(own) && folder.filename() == "fd") return true;
+    if (!fs::is_symlink(fs::symlink_status(next, error))) return false;
+    const fs::path target = fs::read_symlink(next, error);
+    if (error) return false;
+    next = target.is_absolute() ? target : folder / target;
+  }
+  return false;
+}
 
 void write_whole(const std::vector<File>& files) {
   const Timed timed(Work::files);

@@ -23,9 +23,17 @@ std::string svg(const Sheet& sheet);
 // Where labels had to overlap something, in words; empty when every label found room. For tests and reviews.
 std::vector<std::string> overlaps(const Sheet& sheet);
 
+// What drawing needs of the machine is not to be had: a font that came with epure, or a thread.
+struct Unavailable : Told {
+  using Told::Told;
+};
+
 struct CannotWrite : Told {
   using Told::Told;
 };
+// Standard output under any of its names: "-", /dev/stdout, /proc/self/fd/1, or a link that leads to one of them.
+bool is_standard_output(const std::filesystem::path& path);
+
 // The whole file or none: written without a name in the folder of `path`, synced, named and renamed. An older file
 // stays until the new one is complete; the new one has its permissions and, as far as the system allows, its owner.
 // Another hard link to the older file keeps the older bytes. "-" is standard output. Throws CannotWrite with path and

@@ -1,11 +1,18 @@
 #include "drawings/pango_fonts.h"
 
+#include <sys/resource.h>
+
 #include <fmt/format.h>
 
+#include <latch>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "drawings/font_folder.h"
+#include "drawings/output.h"
 #include "drawings/stopwatch.h"
 
 namespace epure::drawings {
@@ -30,7 +37,8 @@ void add_files(FcConfig* known, const std::filesystem::path& folder) {
   for (const Shipped& font : shipped) {
     const std::string path = (folder / font.file).string();
     if (!FcConfigAppFontAddFile(known, reinterpret_cast<const FcChar8*>(path.c_str())))
-      throw std::runtime_error(fmt::format("the font {} is missing or cannot be read", path));
+      throw Unavailable(fmt::format("the font {} is missing or cannot be read", path),
+                        fmt::format("il carattere {} manca o non si può leggere", path));
   }
 }
 
@@ -42,7 +50,9 @@ PangoFont* load(PangoContext* context, const Shipped& wanted) {
   pango_font_description_set_weight(description.get(), wanted.weight);
   pango_font_description_set_absolute_size(description.get(), units_per_em * PANGO_SCALE);
   Held<PangoFont, g_object_unref> font(pango_context_load_font(context, description.get()));
-  if (!font) throw std::runtime_error(fmt::format("Pango cannot open the font of {}", wanted.file));
+  if (!font)
+    throw Unavailable(fmt::format("Pango cannot open the font of {}", wanted.file),
+                      fmt::format("Pango non riesce ad aprire il carattere di {}", wanted.file));
 
   const Description came(pango_font_describe_with_absolute_size(font.get()));
   const bool is_it = std::string_view(pango_font_description_get_family(came.get())) == wanted.family &&
@@ -50,12 +60,39 @@ PangoFont* load(PangoContext* context, const Shipped& wanted) {
                      pango_font_description_get_weight(came.get()) == wanted.weight;
   if (!is_it) {
     const Held<char, g_free> name(pango_font_description_to_string(came.get()));
-    throw std::runtime_error(
-        fmt::format("{} does not hold its font: Pango found {} instead", wanted.file, name.get()));
+    throw Unavailable(
+        fmt::format("{} does not hold its font: Pango found {} instead", wanted.file, name.get()),
+        fmt::format("{} non contiene il suo carattere: Pango ha trovato invece {}", wanted.file, name.get()));
   }
   if (hb_face_get_upem(hb_font_get_face(pango_font_get_hb_font(font.get()))) != static_cast<unsigned>(units_per_em))
-    throw std::runtime_error(fmt::format("{} is drawn in other units than {} to the em", wanted.file, units_per_em));
+
+    throw Unavailable(fmt::format("{} is drawn in other units than {} to the em", wanted.file, units_per_em),
+                      fmt::format("{} è disegnato in unità diverse da {} per em", wanted.file, units_per_em));
   return font.release();
+}
+
+// Threads want room for their stacks. Where nothing limits it they are not tried: that costs a hundredth of a sheet.
+bool is_room_limited() {
+  rlimit room = {}, processes = {};
+  getrlimit(RLIMIT_AS, &room);
+  getrlimit(RLIMIT_NPROC, &processes);
+  return room.rlim_cur != RLIM_INFINITY || processes.rlim_cur < 100;
+}
+
+// Pango looks for fonts in threads of its own, four at once, and GLib ends the program where one cannot be had.
+void demand_threads() {
+  std::latch go(1);
+  std::vector<std::jthread> threads;
+  bool all = true;
+  try {
+    while (threads.size() < 4) threads.emplace_back([&go] { go.wait(); });
+  } catch (const std::system_error&) {
+    all = false;
+  }
+  go.count_down();
+  if (!all)
+    throw Unavailable("too few threads can be had: the fonts need four",
+                      "si possono avere troppo pochi thread: i caratteri ne vogliono quattro");
 }
 
 }  // namespace
@@ -76,6 +113,7 @@ PangoFonts::PangoFonts(const KnownFonts& known) : context_(unhinted_context(know
 const PangoFonts& pango_fonts() {
   static const KnownFonts known = [] {
     const Timed timed(Work::fonts);
+    if (is_room_limited()) demand_threads();
     return KnownFonts(font_folder());
   }();
   thread_local const PangoFonts fonts = [] {

@@ -19,7 +19,7 @@ using FontContext = Held<PangoContext, g_object_unref>;
 // The shipped font files, which all threads share.
 class KnownFonts {
  public:
-  // Throws std::runtime_error naming the file that is missing.
+  // Throws Unavailable naming the file that is missing.
   explicit KnownFonts(const std::filesystem::path& folder);
   FcConfig* get() const { return known_.get(); }
 
@@ -30,7 +30,7 @@ class KnownFonts {
 // Pango's objects belong to the thread that made them.
 class PangoFonts {
  public:
-  // Throws std::runtime_error naming the font that another one came for.
+  // Throws Unavailable naming the font that another one came for.
   explicit PangoFonts(const KnownFonts& known);
 
   PangoFont* operator[](Face face) const { return fonts_.at(static_cast<std::size_t>(face)).get(); }

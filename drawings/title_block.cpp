@@ -111,7 +111,7 @@ double title_block_height(const Sheet& sheet) {
 }
 
 std::vector<Primitive> set_title_block(const Sheet& sheet, Box box, std::vector<std::string>* conflicts) {
-  const Words& w = words(sheet.language);
+  const SheetWords& w = words(sheet.language);
   const TitleBlock& titles = sheet.title_block;
   TitleInk block(box, conflicts);
   block.rule({box.low.x, box.low.y}, {box.low.x, box.high.y}, wide);

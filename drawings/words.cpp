@@ -7,8 +7,8 @@
 
 namespace epure::drawings {
 
-const Words& words(Language language) {
-  static const Words english{
+const SheetWords& words(Language language) {
+  static const SheetWords english{
       .scale = "scale",
       .scales = "scales",
       .source = "source",
@@ -25,7 +25,7 @@ const Words& words(Language language) {
       .on_sheet = "on the sheet",
       .printed = "printed",
   };
-  static const Words italian{
+  static const SheetWords italian{
       .scale = "scala",
       .scales = "scale",
       .source = "fonte",

@@ -7,7 +7,7 @@
 
 namespace epure::drawings {
 
-struct Words {
+struct SheetWords {
   // title block
   std::string scale, scales, source, paper, sheet;
   std::string check_bar;  // beside a bar of 50 mm
@@ -16,7 +16,7 @@ struct Words {
   // table heads
   std::string quantity, value, on_sheet, printed;
 };
-const Words& words(Language language);
+const SheetWords& words(Language language);
 
 // `significant` figures, trailing zeros kept: 5.30 or 5,30; a true minus sign. Beyond 10^6 and below 10^-3 as a
 // power of ten in mathematics: "$1.50·10^{-5}$". Throws std::invalid_argument for what is not finite, or fewer than

@@ -12,6 +12,26 @@ enum class Language { english, italian };
 struct Words {
   std::string english, italian;
   const std::string& in(Language language) const { return language == Language::english ? english : italian; }
+  bool empty() const { return english.empty(); }
+  friend bool operator==(const Words&, const Words&) = default;
+};
+
+// Names and numbers are the same in every language.
+inline Words operator+(const Words& a, const Words& b) { return {a.english + b.english, a.italian + b.italian}; }
+inline Words operator+(const Words& a, const std::string& b) { return {a.english + b, a.italian + b}; }
+inline Words operator+(const std::string& a, const Words& b) { return {a + b.english, a + b.italian}; }
+
+// A number written with a decimal point: Italian has a comma.
+inline Words decimal(std::string number) {
+  Words words{number, std::move(number)};
+  if (const auto point = words.italian.find('.'); point != std::string::npos) words.italian[point] = ',';
+  return words;
+}
+
+// The same as literals: handed on, it costs nothing until it is told.
+struct Phrase {
+  const char *english, *italian;
+  operator Words() const { return {english, italian}; }
 };
 
 // Thrown with a sentence, or the end of one, for the user. Whoever shows it chooses the language; what() is English.

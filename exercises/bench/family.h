@@ -35,7 +35,8 @@ using namespace geometry;
 // One question and the way to its answer: yes, no, negative, zero, positive, impossible or undecided, with the number
 // that gave it (climb.h) or the reason why none did.
 struct Decided {
-  std::string word, rung, reason;
+  std::string word, rung;
+  Words reason;
 };
 struct Question {
   std::string name;
@@ -61,7 +62,7 @@ Decided decided_or_impossible(const Scene& scene) {
   try {
     return in_words(decide(scene));
   } catch (const Impossible& proved) {
-    return {"impossible", "", proved.what()};
+    return {"impossible", "", proved.words()};
   }
 }
 
@@ -102,7 +103,7 @@ auto scene_of(const typename Family::Givens& of) {
 // The point where it is finite. Throws Impossible where it is proved to be at infinity, Undecided as ever.
 template <class T>
 Point<T> unless_infinite(const ProjectivePoint<T>& P) {
-  if (sign(P.w) == Sign::zero) throw Impossible("the point lies at infinity");
+  if (sign(P.w) == Sign::zero) throw Impossible("the point lies at infinity", "il punto è all'infinito");
   return finite(P);
 }
 

@@ -19,10 +19,11 @@ double seconds_of(const Options& options) {
   try {
     seconds = geometry::parse_given(options.seconds, "s");
   } catch (const geometry::BadGiven& unreadable) {
-    throw WrongUsage(fmt::format("--seconds: {}", unreadable.what()));
+    throw WrongUsage("--seconds: " + unreadable.words());
   }
   if (seconds > 0 && seconds <= longest) return CGAL::to_double(seconds);
-  throw WrongUsage(fmt::format("--seconds {}: must be positive and at most 3600 s", options.seconds));
+  throw WrongUsage(format_words("--seconds {}: must be positive and at most 3600 s",
+                                "--seconds {}: dev'essere positivo e al massimo 3600 s", options.seconds));
 }
 
 std::vector<drawings::File> files_of(const bench::Report& report, const std::filesystem::path& folder,

@@ -1,7 +1,5 @@
 #include "exercises/cli/catalogue.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
 
@@ -15,8 +13,8 @@ void demand_sheet(const Exercise& exercise, const std::string& sheet) {
   std::vector<std::string> names;
   for (const SheetSpec& spec : exercise.about().sheets) names.push_back(spec.name);
   if (std::find(names.begin(), names.end(), sheet) == names.end())
-    throw WrongUsage(
-        fmt::format("{} has no sheet \"{}\"; {}", exercise.about().id, sheet, did_you_mean(sheet, names)));
+    throw WrongUsage(format_words("{} has no sheet \"{}\"; {}", "{} non ha la tavola \"{}\"; {}", exercise.about().id,
+                                  sheet, did_you_mean(sheet, names)));
 }
 
 Target find_target(const Catalogue& exercises, const std::string& name) {
@@ -49,7 +47,8 @@ void refuse_repetitions(const std::vector<std::string>& assignments) {
   std::set<std::string> seen;
   for (const std::string& assignment : assignments)
     if (!seen.insert(symbol_of(assignment)).second)
-      throw WrongUsage(fmt::format("{} is set twice; which value is meant?", symbol_of(assignment)));
+      throw WrongUsage(format_words("{} is set twice; which value is meant?",
+                                    "{} è dato due volte; quale valore si intende?", symbol_of(assignment)));
 }
 
 // "α₂=1" as "alpha_2=1".
@@ -69,7 +68,9 @@ void demand_an_owner(const std::vector<const Exercise*>& exercises, const std::s
   for (const Exercise* exercise : exercises)
     for (const GivenSpec& given : exercise->about().givens)
       if (std::find(known.begin(), known.end(), given.symbol) == known.end()) known.push_back(given.symbol);
-  throw WrongUsage(fmt::format("\"{}\" is no given of any exercise named; {}", symbol, did_you_mean(symbol, known)));
+  throw WrongUsage(format_words("\"{}\" is no given of any exercise named; {}",
+                                "\"{}\" non è un dato di alcun esercizio nominato; {}", symbol,
+                                did_you_mean(symbol, known)));
 }
 
 }  // namespace
@@ -80,7 +81,8 @@ const Exercise& find_exercise(const Catalogue& exercises, const std::string& id)
     if (exercise.id() == id) return *exercise;
     ids.push_back(exercise.id());
   }
-  throw WrongUsage(fmt::format("there is no exercise \"{}\"; {}", id, did_you_mean(id, ids)));
+  throw WrongUsage(format_words("there is no exercise \"{}\"; {}", "non c'è alcun esercizio \"{}\"; {}", id,
+                                did_you_mean(id, ids)));
 }
 
 std::vector<Target> find_targets(const Catalogue& exercises, const std::vector<std::string>& names) {
@@ -98,7 +100,9 @@ std::vector<Target> find_targets(const Catalogue& exercises, const std::vector<s
     }
     for (const auto& exercise : exercises) add({&*exercise});
   }
-  if (targets.empty()) throw WrongUsage("no exercise named; name one, or say all (epure list shows them)");
+  if (targets.empty())
+    throw WrongUsage("no exercise named; name one, or say all (epure list shows them)",
+                     "nessun esercizio nominato; nominarne uno, o dire all (epure list li mostra)");
   return targets;
 }
 
@@ -109,7 +113,8 @@ std::string ascii_name(const std::string& typed, const std::vector<NameAndLetter
     if (letters == typed && std::find(meant.begin(), meant.end(), name) == meant.end()) meant.push_back(name);
   }
   if (meant.size() > 1)
-    throw WrongUsage(fmt::format("\"{}\" may mean several; write {}", typed, alternatives(meant)));
+    throw WrongUsage(format_words("\"{}\" may mean several; write {}",
+                                  "\"{}\" può significarne più d'una; scrivere {}", typed, alternatives(meant)));
   return meant.empty() ? typed : meant.front();
 }
 
@@ -117,8 +122,9 @@ std::vector<const Exercise*> find_exercises(const Catalogue& exercises, const st
   std::vector<const Exercise*> found;
   for (const Target& target : find_targets(exercises, ids)) {
     if (!target.sheet.empty())
-      throw WrongUsage(fmt::format("\"{}/{}\" is a sheet; only whole exercises can be checked",
-                                   target.exercise->about().id, target.sheet));
+      throw WrongUsage(format_words("\"{}/{}\" is a sheet; only whole exercises can be checked",
+                                    "\"{}/{}\" è una tavola; si verificano solo esercizi interi",
+                                    target.exercise->about().id, target.sheet));
     found.push_back(target.exercise);
   }
   return found;

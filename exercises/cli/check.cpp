@@ -15,8 +15,9 @@ Rung rung(const Options& options) {
   if (options.arithmetic == "fast") return Rung::fast;
   if (options.arithmetic == "bounded") return Rung::bounded;
   if (options.arithmetic == "exact") return Rung::climb;
-  throw WrongUsage(
-      fmt::format("\"{}\" is no arithmetic of epure; choose fast, bounded or exact", options.arithmetic));
+  throw WrongUsage(format_words("\"{}\" is no arithmetic of epure; choose fast, bounded or exact",
+                                "\"{}\" non è un'aritmetica di epure; scegliere fast, bounded o exact",
+                                options.arithmetic));
 }
 
 // In millimetres of paper.
@@ -25,11 +26,12 @@ Rational reading(const Options& options) {
   try {
     length = geometry::parse_given(options.reading, "mm");
   } catch (const geometry::BadGiven& unreadable) {
-    throw WrongUsage(fmt::format("--reading: {}", unreadable.what()));
+    throw WrongUsage("--reading: " + unreadable.words());
   }
   const Rational too_long = 1000;
   if (length > 0 && length < too_long) return length;
-  throw WrongUsage(fmt::format("--reading {}: must be positive and below 1000 mm", options.reading));
+  throw WrongUsage(format_words("--reading {}: must be positive and below 1000 mm",
+                                "--reading {}: dev'essere positivo e minore di 1000 mm", options.reading));
 }
 
 // "v_B=5.25m/s", taken apart.
@@ -45,7 +47,8 @@ std::vector<MeasuredText> measured_texts(const std::vector<const Exercise*>& exe
   for (const std::string& typed : options.measured) {
     const auto equals = typed.find('=');
     if (equals == 0 || equals == std::string::npos)
-      throw WrongUsage(fmt::format("\"{}\" is no measured number; write name=value, such as omega_3=13", typed));
+      throw WrongUsage(format_words("\"{}\" is no measured number; write name=value, such as omega_3=13",
+                                    "\"{}\" non è un numero misurato; scrivere nome=valore, come omega_3=13", typed));
     texts.push_back({ascii_name(typed.substr(0, equals), known), typed.substr(equals + 1)});
   }
   return texts;
@@ -58,8 +61,9 @@ void demand_known(const std::vector<const Exercise*>& exercises, const std::vect
       if (std::find(known.begin(), known.end(), spec.name) == known.end()) known.push_back(spec.name);
   for (const MeasuredText& text : texts)
     if (std::find(known.begin(), known.end(), text.name) == known.end())
-      throw WrongUsage(
-          fmt::format("--measured: there is no quantity \"{}\"; {}", text.name, did_you_mean(text.name, known)));
+      throw WrongUsage(format_words("--measured: there is no quantity \"{}\"; {}",
+                                    "--measured: non c'è alcuna grandezza \"{}\"; {}", text.name,
+                                    did_you_mean(text.name, known)));
 }
 
 void add_all_measured(CheckedExercise& checked, const std::vector<MeasuredText>& texts, const Rational& reading_mm) {
@@ -69,14 +73,23 @@ void add_all_measured(CheckedExercise& checked, const std::vector<MeasuredText>&
       try {
         add_measured(checked, quantity, text.value, reading_mm);
       } catch (const geometry::BadGiven& unreadable) {
-        throw WrongUsage(fmt::format("--measured {}: {}", text.name, unreadable.what()));
+        throw WrongUsage("--measured " + text.name + ": " + unreadable.words());
       }
     }
 }
 
+Exit exit_of(const std::vector<CheckedExercise>& all) {
+  Exit exit = Exit::success;
+  for (const CheckedExercise& checked : all) {
+    if (!checked.failures.empty()) return Exit::failed_check;
+    if (!checked.undecided.empty()) exit = Exit::undecided;
+  }
+  return exit;
+}
+
 }  // namespace
 
-CheckOutcome check(const Catalogue& exercises, const Options& options) {
+Outcome check(const Catalogue& exercises, const Options& options) {
   const std::vector<const Exercise*> chosen = find_exercises(exercises, options.names);
   const Rung number = rung(options);
   const Rational reading_mm = reading(options);
@@ -84,16 +97,18 @@ CheckOutcome check(const Catalogue& exercises, const Options& options) {
   demand_known(chosen, texts);
   const std::vector<Givens> givens = set_givens(chosen, options.assignments);
 
+  const Reader reader{language(options), options.colours};
+
   std::vector<CheckedExercise> checked;
-  CheckOutcome outcome;
+  std::string report;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     checked.push_back(check(*chosen[i], givens[i], number));
     add_all_measured(checked.back(), texts, reading_mm);
-    outcome.passed = outcome.passed && checked.back().passed();
-    if (!options.json) outcome.report += (i == 0 ? "" : "\n") + text_report(checked.back());
+    if (options.json) continue;
+    report += text_report(checked.back(), reader) + "\n";
+    if (chosen.size() > 1) report += closing_line(checked.back(), reader) + "\n";
   }
-  if (options.json) outcome.report = json_report(checked);
-  return outcome;
+  return {options.json ? json_report(checked) : report + totals(checked, reader), exit_of(checked)};
 }
 
 }  // namespace epure

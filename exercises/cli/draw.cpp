@@ -26,6 +26,7 @@ struct DrawnSheetOf {
   const Exercise* exercise;
   std::string name;
   drawings::Page page = {};
+  std::optional<Words> undecided = {};  // why there is no page
 };
 
 struct DrawnTarget {
@@ -49,9 +50,17 @@ class Drawing {
     abreast(sheets_.size(), [&](std::size_t i) {
       DrawnSheetOf& each = sheets_[i];
       const auto of = std::find(exercises.begin(), exercises.end(), each.exercise) - exercises.begin();
-      each.page = compose(each, givens[static_cast<std::size_t>(of)], request);
+      try {
+        each.page = compose(each, givens[static_cast<std::size_t>(of)], request);
+      } catch (const geometry::Undecided& open) {
+        each.undecided = open.words();
+      }
     });
+    leave_out_undecided();
   }
+
+  // Of each sheet left out, why.
+  const std::vector<Words>& remarks() const { return remarks_; }
 
   // ID.pdf and ID-SHEET.svg, or ID-SHEET.pdf and ID-SHEET.svg; a file asked for twice is made once.
   std::vector<File> files_in_folder() const {
@@ -83,12 +92,27 @@ class Drawing {
     std::size_t count = 0;
     for (const DrawnTarget& each : drawn_) count += each.sheets.size();
     if (count != 1)
-      throw WrongUsage(fmt::format("an SVG file holds one sheet, and {} are asked for; name one, such as {}/{}",
-                                   count, first.target.exercise->about().id, first.target.sheets().front()));
+      throw WrongUsage(
+          format_words("an SVG file holds one sheet, and {} are asked for; name one, such as {}/{}",
+                       "un file SVG contiene una tavola, e ne sono chieste {}; nominarne una, come {}/{}", count,
+                       first.target.exercise->about().id, first.target.sheets().front()));
     return {*options_.file, write_svg(first.sheets.front()->page)};
   }
 
  private:
+  // A target none of whose sheets is left has no files; when nothing is left at all, that is the answer.
+  void leave_out_undecided() {
+    for (const DrawnSheetOf& each : sheets_)
+      if (each.undecided)
+        remarks_.push_back(format_words("{}/{} cannot be drawn, as it cannot be decided: {}",
+                                        "{}/{} non si può disegnare, perché non si può decidere: {}",
+                                        each.exercise->about().id, each.name, *each.undecided));
+    for (DrawnTarget& each : drawn_)
+      std::erase_if(each.sheets, [](const DrawnSheetOf* sheet) { return sheet->undecided.has_value(); });
+    std::erase_if(drawn_, [](const DrawnTarget& each) { return each.sheets.empty(); });
+    if (drawn_.empty()) throw geometry::Undecided(*sheets_.front().undecided);
+  }
+
   const DrawnSheetOf* add(const Exercise& exercise, const std::string& name) {
     for (const DrawnSheetOf& each : sheets_)
       if (each.exercise == &exercise && each.name == name) return &each;
@@ -120,6 +144,7 @@ class Drawing {
   const Options& options_;
   std::deque<DrawnSheetOf> sheets_;  // which stay where they are
   std::vector<DrawnTarget> drawn_;
+  std::vector<Words> remarks_;
 };
 
 // "start 5.1 ms, construction 3.2 ms, ..."
@@ -134,7 +159,7 @@ std::string in_words(const drawings::WorkTimes& times) {
 
 }  // namespace
 
-std::string draw(const Catalogue& exercises, const Options& options, std::ostream& err) {
+Outcome draw(const Catalogue& exercises, const Options& options, std::ostream& err) {
   if (options.times) drawings::Stopwatch::begin();
   const std::vector<Target> targets = find_targets(exercises, options.names);
   demand_sensible_output(options);
@@ -148,7 +173,8 @@ std::string draw(const Catalogue& exercises, const Options& options, std::ostrea
     for (const File& file : files) written += file.path.string() + "\n";
   }
   if (options.times) err << "epure: processor time: " << in_words(drawings::Stopwatch::times()) << '\n';
-  return written;
+  const Exit exit = drawing.remarks().empty() ? Exit::success : Exit::undecided;
+  return {written, exit, drawing.remarks()};
 }
 
 }  // namespace epure

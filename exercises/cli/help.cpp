@@ -2,66 +2,107 @@
 
 namespace epure {
 
-std::string help_of_program() {
-  return "The graphical constructions of applied mechanics, carried out exactly, drawn to scale, and checked.";
-}
-
-std::string examples_of_program() {
-  return R"(Examples:
+Help help_of_program() {
+  return {
+      {"The graphical constructions of applied mechanics, carried out exactly, drawn to scale, and checked.",
+       "Le costruzioni grafiche della meccanica applicata, eseguite esattamente, disegnate in scala e verificate."},
+      {"EPURE_LANG=it in the environment stands for --lang it. Colours are for terminals; NO_COLOR=1 leaves them "
+       "out.",
+       "EPURE_LANG=it nell'ambiente vale --lang it. I colori sono per i terminali; NO_COLOR=1 li toglie."},
+      R"(
   epure list
   epure draw all
   epure check all
-  epure draw --help
-
-Exit code: 0 good, 1 a check fails, 2 wrong usage or impossible givens, 3 cannot write,
-70 an internal error: please report it.)";
+  epure help draw
+)"};
 }
 
-std::string examples_of_list() {
-  return R"(Examples:
+Help help_of_list() {
+  return {{"Show the exercises, or all about one of them.", "Mostra gli esercizi, o tutto di uno."},
+          {},
+          R"(
   epure list
   epure list slider-crank-velocity
-  epure list slider-crank-velocity --lang it)";
+  epure list slider-crank-velocity --lang it
+)"};
 }
 
-std::string examples_of_draw() {
-  return R"(draw ID writes out/ID.pdf with a page a sheet, and out/ID-SHEET.svg for each sheet;
-draw ID/SHEET writes that sheet alone in both formats. Files appear whole or not at all.
-A value is a number such as 0.25, 1/4 or 2.5e-1, with or without a unit (25cm).
-
-Examples:
+Help help_of_draw() {
+  return {
+      {"Draw exercises to scale, as PDF and SVG.", "Disegna gli esercizi in scala, in PDF e SVG."},
+      {"draw ID writes out/ID.pdf with a page a sheet, and out/ID-SHEET.svg for each sheet; draw ID/SHEET writes "
+       "that sheet alone in both formats. Files appear whole or not at all. A value is a number such as 0.25, 1/4 "
+       "or 2.5e-1, with or without a unit (25cm).",
+       "draw ID scrive out/ID.pdf con una pagina per tavola, e out/ID-TAVOLA.svg per ogni tavola; draw ID/TAVOLA "
+       "scrive quella sola tavola in entrambi i formati. I file compaiono interi o non compaiono. Un valore è un "
+       "numero come 0.25, 1/4 o 2.5e-1, con o senza unità (25cm)."},
+      R"(
   epure draw slider-crank-velocity
   epure draw slider-crank-velocity --set r=25cm --set n=400rpm --paper a3
   epure draw slider-crank-velocity/poles --scale 1:10 -o poles.pdf
-  epure draw slider-crank-velocity/poles --bare --format svg -o - > poles.svg)";
+  epure draw slider-crank-velocity/poles --bare --format svg -o - > poles.svg
+)"};
 }
 
-std::string examples_of_check() {
-  return R"(A quantity passes when all its routes agree within proved bounds, and when its drawing, as the file holds it,
-shows it. A measured number passes when it is within reading: --reading times the scale of its drawing; for a
-quantity that is not drawn, half a unit of the last digit given. A number without a sign is a magnitude.
-fast gives numbers without bounds, so its routes cannot be compared.
-
-Examples:
+Help help_of_check() {
+  return {
+      {"Check every quantity: route against route, against the drawing, against the printed number.",
+       "Verifica ogni grandezza: via contro via, contro il disegno, contro il numero stampato."},
+      {"A quantity passes when all its routes agree within proved bounds, and when its drawing, as the file holds "
+       "it, shows it. A measured number passes when it is within reading: --reading times the scale of its "
+       "drawing; for a quantity that is not drawn, half a unit of the last digit given. A number without a sign "
+       "is a magnitude. fast gives numbers without bounds, so its routes cannot be compared. JSON is English in "
+       "every language.",
+       "Una grandezza riesce quando tutte le sue vie concordano entro limiti dimostrati, e quando il disegno, "
+       "come sta nel file, la mostra. Un numero misurato riesce quando è entro l'errore di lettura: --reading "
+       "per la scala del disegno; per una grandezza non disegnata, mezza unità dell'ultima cifra data. Un numero "
+       "senza segno è un modulo. fast dà numeri senza limiti, dunque le sue vie non si possono confrontare. Il "
+       "JSON è in inglese in ogni lingua."},
+      R"(
   epure check all
   epure check slider-crank-velocity --set r=25cm
   epure check slider-crank-velocity --measured v_B=5.1m/s --measured omega_3=13
-  epure check slider-crank-velocity --json)";
+  epure check slider-crank-velocity --json
+)"};
 }
 
-std::string examples_of_bench() {
-  return R"(Every family of constructions, at and beside its special positions, with every number: fast (doubles),
-bounded (intervals), deep (as many bits as 30 digits take), exact. Errors are those made against references of at least
-110 digits; handed over is what a number leaves to the next one, for deep what takes more than 128 bits; wrong counts
-what doubles call a number though it is zero or does not exist. Times are of the cases that a number settles, those of
-four-bar-second-order by fast and bounded of a sweep. Then which number proves each decision, curves drawn to a
-tolerance, and where the time of whole sheets goes. Writes out/bench.pdf and out/bench-*.svg; what it measures next
-goes to standard error.
-
-Examples:
+Help help_of_bench() {
+  return {
+      {"Measure speed against error, and draw it.", "Misura la velocità contro l'errore, e la disegna."},
+      {"Every family of constructions, at and beside its special positions, with every number: fast (doubles), "
+       "bounded (intervals), deep (as many bits as 30 digits take), exact. Errors are those made against "
+       "references of at least 110 digits; handed over is what a number leaves to the next one, for deep what "
+       "takes more than 128 bits; wrong counts what doubles call a number though it is zero or does not exist. "
+       "Times are of the cases that a number settles, those of four-bar-second-order by fast and bounded of a "
+       "sweep. Then which number proves each decision, curves drawn to a tolerance, and where the time of whole "
+       "sheets goes. Writes out/bench.pdf and out/bench-*.svg; what it measures next goes to standard error. Its "
+       "table is in English.",
+       "Ogni famiglia di costruzioni, nelle sue posizioni particolari e accanto, con ogni numero: fast (double), "
+       "bounded (intervalli), deep (tanti bit quanti ne vogliono 30 cifre), exact. Gli errori sono quelli fatti "
+       "rispetto a riferimenti di almeno 110 cifre; handed over è ciò che un numero lascia al successivo, per "
+       "deep ciò che vuole più di 128 bit; wrong conta ciò che i double chiamano numero benché sia zero o non "
+       "esista. I tempi sono dei casi che un numero risolve, quelli di four-bar-second-order con fast e bounded "
+       "di un giro. Poi quale numero dimostra ogni decisione, le curve disegnate con una tolleranza, e dove va il "
+       "tempo di tavole intere. Scrive out/bench.pdf e out/bench-*.svg; ciò che misura va via via sullo standard "
+       "error. La sua tabella è in inglese."},
+      R"(
   epure bench
   epure bench --json > bench.json
-  epure bench --seconds 5 --out bench)";
+  epure bench --seconds 5 --out bench
+)"};
+}
+
+Words exit_codes() {
+  return {
+      "Exit code: 0 good; 1 a check fails; 2 wrong usage or impossible givens; 3 cannot write, or no memory, thread "
+      "or "
+      "font was to be had; 4 something could not be decided, and nothing is worse; 70 an internal error: please "
+      "report "
+      "it.",
+      "Codice di uscita: 0 tutto bene; 1 una verifica fallisce; 2 uso sbagliato o dati impossibili; 3 non si può "
+      "scrivere, o mancano memoria, thread o caratteri; 4 qualcosa non si è potuto decidere, e non c'è di peggio; 70 "
+      "un "
+      "errore interno: si prega di segnalarlo."};
 }
 
 }  // namespace epure

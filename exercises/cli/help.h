@@ -1,15 +1,23 @@
-// The words around the options in --help.
+// What --help says around the options.
 #pragma once
 
-#include <string>
+#include "words/words.h"
 
 namespace epure {
 
-std::string help_of_program();
-std::string examples_of_program();
-std::string examples_of_list();
-std::string examples_of_draw();
-std::string examples_of_check();
-std::string examples_of_bench();
+// What it is for, in one sentence; what is to be known; commands to try.
+struct Help {
+  Words purpose, remarks = {};
+  std::string examples;
+};
+
+Help help_of_program();
+Help help_of_list();
+Help help_of_draw();
+Help help_of_check();
+Help help_of_bench();
+
+// What each exit code means; the end of every help.
+Words exit_codes();
 
 }  // namespace epure

@@ -20,8 +20,8 @@ void add_value(Json& json, const Settled& settled) {
   json["value"] = has_number ? number(settled.enclosure.value) : Json(nullptr);
   json["lower"] = has_number ? number(settled.enclosure.lower) : Json(nullptr);
   json["upper"] = has_number ? number(settled.enclosure.upper) : Json(nullptr);
-  if (settled.kind == Settled::Kind::absent) json["absent"] = settled.reason;
-  if (settled.kind == Settled::Kind::undecided) json["absent"] = "undecided";
+  if (settled.kind == Settled::Kind::absent) json["absent"] = settled.reason.english;
+  if (settled.kind == Settled::Kind::undecided) json["undecided"] = settled.reason.english;
 }
 
 Json printed_number(const PrintedVerdict& verdict) {
@@ -39,8 +39,20 @@ Json measured(const Measured& number_read) {
           {"difference", number(number_read.difference)},
           {"difference_percent", number(number_read.difference_percent)},
           {"allowed", number(number_read.allowed)},
-          {"allowed_by", number_read.allowed_by},
-          {"verdict", verdict(number_read)}};
+          {"allowed_by", number_read.allowed_by.english},
+          {"verdict", verdict(number_read).english}};
+}
+
+// Some route could not tell, though another could; or not all digits are certain.
+void add_doubt(Json& json, const std::string& name, const CheckedExercise& checked) {
+  for (const Complaint& each : checked.undecided)
+    if (each.quantity == name && !json.contains("undecided")) json["undecided"] = each.sentence.english;
+}
+
+Json sentences(const std::vector<Complaint>& all) {
+  Json json = Json::array();
+  for (const Complaint& each : all) json.push_back(each.sentence.english);
+  return json;
 }
 
 Json quantity(const CheckedQuantity& checked) {
@@ -75,7 +87,12 @@ Json exercise(const CheckedExercise& checked) {
                {"quantities", Json::array()}};
   for (const GivenSpec& spec : checked.givens.specs())
     if (checked.givens.reading(spec.symbol)) json["givens"].push_back(given(checked.givens, spec));
-  for (const CheckedQuantity& each : checked.quantities) json["quantities"].push_back(quantity(each));
+  for (const CheckedQuantity& each : checked.quantities) {
+    json["quantities"].push_back(quantity(each));
+    add_doubt(json["quantities"].back(), each.spec.name, checked);
+  }
+  if (!checked.failures.empty()) json["failures"] = sentences(checked.failures);
+  if (!checked.undecided.empty()) json["undecided"] = sentences(checked.undecided);
   json["passed"] = checked.passed();
   return json;
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "drawings/text.h"
+#include "exercises/cli/cases.h"
 #include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/columns.h"
@@ -12,10 +13,10 @@ std::string one_line_each(const Catalogue& exercises, Language language) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& exercise : exercises) {
     const Description& about = exercise->about();
-    rows.push_back(
-        {about.id, drawings::plain(about.title.in(language)), fmt::format("({}, {})", about.document, about.item)});
+    rows.push_back({about.id, fmt::format("{} ({}, {})", drawings::plain(about.title.in(language)), about.document,
+                                          about.item)});
   }
-  return columns(rows);
+  return table(rows, 0);
 }
 
 std::string heading(const Words& words, Language language) { return "\n" + words.in(language) + "\n"; }
@@ -24,12 +25,12 @@ std::string sheets(const Description& about, Language language) {
   std::vector<std::vector<std::string>> rows;
   for (const SheetSpec& sheet : about.sheets)
     rows.push_back({about.id + "/" + sheet.name, drawings::plain(sheet.title.in(language))});
-  return heading({"Sheets", "Tavole"}, language) + columns(rows, 2);
+  return heading({"Sheets", "Tavole"}, language) + table(rows, 2, {38});
 }
 
 std::string words_of(const GivenSpec& given) {
   std::string words;
-  for (const Choice& choice : given.choices) words += (words.empty() ? "" : "|") + choice.word;
+  for (const Choice& choice : given.choices) words += (words.empty() ? "" : " | ") + choice.word;
   return words;
 }
 
@@ -45,16 +46,19 @@ std::string givens(const Description& about, Language language) {
     rows.push_back({given.symbol, stated.follows(given.symbol) ? stated.text(given.symbol) : given.stated,
                     given.choices.empty() ? stated.reading(given.symbol)->unit.symbol : words_of(given),
                     drawings::plain(given.meaning.in(language)) + other_names(given, language)});
-  return heading({"Givens (--set SYMBOL=VALUE[UNIT])", "Dati (--set SYMBOL=VALUE[UNIT])"}, language) +
-         columns(rows, 2);
+  return heading({"Givens (--set SYMBOL=VALUE[UNIT])", "Dati (--set SIMBOLO=VALORE[UNITÀ])"}, language) +
+         table(rows, 2, {14, 14, 14});
 }
 
 std::string quantities(const Description& about, Language language) {
   std::vector<std::vector<std::string>> rows;
-  for (const QuantitySpec& quantity : about.quantities)
-    rows.push_back({quantity.name, unicode_symbol(quantity.symbol), quantity.unit,
-                    drawings::plain(quantity.meaning.in(language))});
-  return heading({"Quantities", "Grandezze"}, language) + columns(rows, 2);
+  Cases cases;
+  for (const QuantitySpec& quantity : about.quantities) {
+    const std::string name = cases.within(quantity.name, rows);
+    rows.push_back(
+        {name, unicode_symbol(quantity.symbol), quantity.unit, drawings::plain(quantity.meaning.in(language))});
+  }
+  return heading({"Quantities", "Grandezze"}, language) + table(rows, 2, {22, 8, 7});
 }
 
 }  // namespace
@@ -62,21 +66,26 @@ std::string quantities(const Description& about, Language language) {
 std::string list(const Catalogue& exercises, const Options& options) {
   const Language chosen = language(options);
   if (options.names.empty()) return one_line_each(exercises, chosen);
-  if (options.names.size() > 1) throw WrongUsage("list shows one exercise at a time; name one, or none for all");
+  if (options.names.size() > 1)
+    throw WrongUsage("list shows one exercise at a time; name one, or none for all",
+                     "list mostra un esercizio alla volta; nominarne uno, o nessuno per tutti");
   const std::string& name = options.names.front();
   if (name == "all") return one_line_each(exercises, chosen);
   const Target target = find_targets(exercises, {name}).front();
   const Description& about = target.exercise->about();
   if (!target.sheet.empty())
-    throw WrongUsage(fmt::format("\"{}\" is a sheet; epure list {} shows its exercise", name, about.id));
-  return about.id + ": " + drawings::plain(about.title.in(chosen)) + "\n" + drawings::plain(about.source.in(chosen)) +
-         "\n" + sheets(about, chosen) + givens(about, chosen) + quantities(about, chosen);
+    throw WrongUsage(format_words("\"{}\" is a sheet; epure list {} shows its exercise",
+                                  "\"{}\" è una tavola; epure list {} mostra il suo esercizio", name, about.id));
+  return wrapped(about.id + ": " + drawings::plain(about.title.in(chosen)), 0, 2) +
+         wrapped(drawings::plain(about.source.in(chosen)), 0, 2) + sheets(about, chosen) + givens(about, chosen) +
+         quantities(about, chosen);
 }
 
 Language language(const Options& options) {
   if (options.language == "en") return Language::english;
   if (options.language == "it") return Language::italian;
-  throw WrongUsage(fmt::format("\"{}\" is no language of epure; choose en or it", options.language));
+  throw WrongUsage(format_words("\"{}\" is no language of epure; choose en or it",
+                                "\"{}\" non è una lingua di epure; scegliere en o it", options.language));
 }
 
 }  // namespace epure

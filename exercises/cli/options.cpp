@@ -5,111 +5,250 @@
 
 #include "exercises/cli/catalogue.h"
 #include "exercises/cli/help.h"
+#include "exercises/kit/columns.h"
 #include "exercises/kit/suggest.h"
+#include "exercises/kit/words.h"
 
 namespace epure {
 namespace {
 
-// An option that may be repeated and takes one value each time, so that what follows the value is a name again.
-void add_repeatable(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
-                    const std::string& meaning, const std::string& value) {
-  verb.add_option(name, values, meaning)->allow_extra_args(false)->type_name(value);
-}
+const std::vector<std::string> verbs = {"list", "draw", "check", "bench"};
 
-void add_givens(CLI::App& verb, Options& options) {
-  add_repeatable(verb, "--set", options.assignments, "another value for a given", "SYMBOL=VALUE[UNIT]");
-}
-
-void add_language(CLI::App& verb, Options& options) {
-  verb.add_option("--lang", options.language, "en (default) or it")->type_name("LANGUAGE");
-}
-
-void add_list(CLI::App& verb, Options& options) {
-  verb.add_option("ID", options.names, "an exercise: show its sheets, givens and quantities")->type_name("");
-  add_language(verb, options);
-}
-
-void add_draw(CLI::App& verb, Options& options) {
-  verb.add_option("NAME", options.names, "exercises or single sheets: ID, ID/SHEET or all")->type_name("");
-  verb.add_option("--format", options.format, "pdf, svg or both (default: pdf,svg)")->type_name("FORMATS");
-  verb.add_option("--out", options.folder, "folder to write to (default: out)")->type_name("DIR");
-  verb.add_option("-o", options.file, "write one file instead; - is standard output")->type_name("FILE");
-  add_givens(verb, options);
-  verb.add_option("--paper", options.paper, "a4 (default) or a3, landscape")->type_name("PAPER");
-  verb.add_option("--scale", options.scale, "scale of lengths, such as 1:5 (default: the largest standard one)")
-      ->type_name("SCALE");
-  add_language(verb, options);
-  verb.add_flag("--bare", options.bare, "the figure alone: no frame, no column, no title block");
-  verb.add_flag("--times", options.times, "say on standard error where the time went");
-}
-
-void add_check(CLI::App& verb, Options& options) {
-  verb.add_option("ID", options.names, "exercises, or all")->type_name("");
-  add_givens(verb, options);
-  add_repeatable(verb, "--measured", options.measured, "a number you measured, held against the true one",
-                 "NAME=VALUE[UNIT]");
-  verb.add_option("--reading", options.reading, "how well you read a ruler (default: 0.5mm)")->type_name("LENGTH");
-  verb.add_flag("--json", options.json, "print the report as JSON (schema epure.check/1)");
-  verb.add_option("--arithmetic", options.arithmetic,
-                  "fast (doubles), bounded (intervals) or exact (default: as many digits as it takes)")
-      ->type_name("KIND");
-}
-
-void add_bench(CLI::App& verb, Options& options) {
-  verb.add_flag("--json", options.json, "print the results as JSON (schema epure.bench/1)");
-  verb.add_option("--seconds", options.seconds, "about how long to measure (default: 60)")->type_name("TIME");
-  verb.add_option("--out", options.folder, "folder to write the sheets to (default: out)")->type_name("DIR");
-  verb.add_option("--format", options.format, "pdf, svg or both (default: pdf,svg)")->type_name("FORMATS");
-  verb.add_option("--paper", options.paper, "a4 (default) or a3, landscape")->type_name("PAPER");
-  add_language(verb, options);
-}
-
-struct Parser {
-  Options options;
-  CLI::App app{help_of_program(), "epure"};
-  CLI::App* list = app.add_subcommand("list", "Show the exercises, or all about one of them.");
-  CLI::App* draw = app.add_subcommand("draw", "Draw exercises to scale, as PDF and SVG.");
-  CLI::App* check = app.add_subcommand(
-      "check", "Check every quantity: route against route, against the drawing, against the printed number.");
-  CLI::App* bench = app.add_subcommand("bench", "Measure speed against error, and draw it.");
-
-  Parser() {
-    app.set_help_flag("--help,-h", "print this help");
-    app.set_version_flag("--version", "epure " EPURE_VERSION, "print the version");
-    app.footer(examples_of_program());
-    app.require_subcommand(0, 1);  // none is answered here, in our own words
-    add_list(*list, options);
-    add_draw(*draw, options);
-    add_check(*check, options);
-    add_bench(*bench, options);
-    list->footer(examples_of_list());
-    draw->footer(examples_of_draw());
-    check->footer(examples_of_check());
-    bench->footer(examples_of_bench());
-    for (CLI::App* verb : {list, draw, check, bench}) {
-      verb->set_help_flag("--help,-h", "print this help");
-      verb->get_formatter()->column_width(34);
-    }
+// CLI11 reads the options. What it would say of them depends on its version and is English: the help and the
+// refusals are our own.
+class Parser {
+ public:
+  Parser(Options& options, Language language) : options_(options), language_(language) {
+    program_.require_subcommand(0, 1);  // none is answered here, in our own words
+    program_.set_version_flag("--version,-V", "epure " EPURE_VERSION,
+                              say({"print the version", "mostra la versione"}));
+    prepare(program_);
+    add_list();
+    add_draw();
+    add_check();
+    add_bench();
   }
+
+  void parse(const std::vector<std::string>& arguments) {
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
+    program_.parse(reversed);
+    if (const auto before = program_.remaining(false); !before.empty()) refuse_before_verb(before.front());
+    if (const auto left = chosen().remaining(false); !left.empty()) refuse(left.front());
+  }
+
+  // The verb that was typed; the program itself when there is none.
+  const CLI::App& chosen() const {
+    const auto found = program_.get_subcommands();
+    return found.empty() ? program_ : *found.front();
+  }
+
+  std::string help() const;
+
+  // Why the argument, or the option that CLI11's sentence names, cannot be read.
+  [[noreturn]] void refuse(const std::string& typed) const;
+  [[noreturn]] void refuse_before_verb(const std::string& typed) const;
+  [[noreturn]] void refuse_value(const std::string& of_cli11) const;
+
+ private:
+  std::string say(const Words& words) const { return words.in(language_); }
+
+  void prepare(CLI::App& app) {
+    app.set_help_flag("--help,-h", say({"print this help", "mostra questo aiuto"}));
+    app.allow_extras();  // refused by ourselves
+  }
+  CLI::App& add_verb(const std::string& name) {
+    CLI::App& verb = *program_.add_subcommand(name);
+    prepare(verb);
+    return verb;
+  }
+
+  template <class Value>
+  void add(CLI::App& verb, const std::string& name, Value& value, const Words& type, const Words& meaning) {
+    verb.add_option(name, value, say(meaning))->type_name(say(type));
+  }
+  // One that may be repeated and takes one value each time, so that what follows the value is a name again.
+  void add_repeatable(CLI::App& verb, const std::string& name, std::vector<std::string>& values, const Words& type,
+                      const Words& meaning) {
+    verb.add_option(name, values, say(meaning))->allow_extra_args(false)->type_name(say(type));
+  }
+
+  void add_names(CLI::App& verb, const Words& name, const Words& meaning) {
+    verb.add_option(say(name), options_.names, say(meaning));
+  }
+  void add_givens(CLI::App& verb) {
+    add_repeatable(verb, "--set", options_.assignments, {"SYMBOL=VALUE[UNIT]", "SIMBOLO=VALORE[UNITÀ]"},
+                   {"another value for a given", "un altro valore per un dato"});
+  }
+  void add_language(CLI::App& verb) {
+    add(verb, "--lang", options_.language, {"LANGUAGE", "LINGUA"},
+        {"en or it (default: EPURE_LANG, else en)", "en o it (predefinita: EPURE_LANG, altrimenti en)"});
+  }
+  void add_formats(CLI::App& verb) {
+    add(verb, "--format", options_.format, {"FORMATS", "FORMATI"},
+        {"pdf, svg or both (default: pdf,svg)", "pdf, svg o entrambi (predefinito: pdf,svg)"});
+  }
+  void add_folder(CLI::App& verb) {
+    add(verb, "--out", options_.folder, {"DIR", "CARTELLA"},
+        {"folder to write to (default: out)", "cartella in cui scrivere (predefinita: out)"});
+  }
+  void add_paper(CLI::App& verb) {
+    add(verb, "--paper", options_.paper, {"PAPER", "CARTA"},
+        {"a4 (default) or a3, landscape", "a4 (predefinita) o a3, orizzontale"});
+  }
+
+  void add_list() {
+    CLI::App& verb = add_verb("list");
+    add_names(
+        verb, {"ID", "ID"},
+        {"an exercise: show its sheets, givens and quantities", "un esercizio: mostra tavole, dati e grandezze"});
+    add_language(verb);
+  }
+  void add_draw() {
+    CLI::App& verb = add_verb("draw");
+    add_names(verb, {"NAME", "NOME"},
+              {"exercises or single sheets: ID, ID/SHEET or all", "esercizi o singole tavole: ID, ID/TAVOLA o all"});
+    add_formats(verb);
+    add_folder(verb);
+    add(verb, "-o", options_.file, {"FILE", "FILE"},
+        {"write one file instead; - is standard output", "scrive invece un solo file; - è lo standard output"});
+    add_givens(verb);
+    add_paper(verb);
+    add(verb, "--scale", options_.scale, {"SCALE", "SCALA"},
+        {"scale of lengths, such as 1:5 (default: the largest standard one)",
+         "scala delle lunghezze, come 1:5 (predefinita: la maggiore normalizzata)"});
+    add_language(verb);
+    verb.add_flag("--bare", options_.bare,
+                  say({"the figure alone: no frame, no column, no title block",
+                       "la sola figura: senza squadratura, colonna e riquadro delle iscrizioni"}));
+    verb.add_flag(
+        "--times", options_.times,
+        say({"say on standard error where the time went", "dice sullo standard error dove è andato il tempo"}));
+  }
+  void add_check() {
+    CLI::App& verb = add_verb("check");
+    add_names(verb, {"ID", "ID"}, {"exercises, or all", "esercizi, o all"});
+    add_givens(verb);
+    add_repeatable(verb, "--measured", options_.measured, {"NAME=VALUE[UNIT]", "NOME=VALORE[UNITÀ]"},
+                   {"a number you measured, held against the true one",
+                    "un numero che hai misurato, confrontato con quello vero"});
+    add(verb, "--reading", options_.reading, {"LENGTH", "LUNGHEZZA"},
+        {"how well you read a ruler (default: 0.5mm)", "quanto bene leggi un righello (predefinita: 0.5mm)"});
+    verb.add_flag("--json", options_.json,
+                  say({"print the report as JSON (schema epure.check/1)",
+                       "stampa il resoconto in JSON (schema epure.check/1)"}));
+    add(verb, "--arithmetic", options_.arithmetic, {"KIND", "TIPO"},
+        {"fast (doubles), bounded (intervals) or exact (default: as many digits as it takes)",
+         "fast (double), bounded (intervalli) o exact (predefinita: tante cifre quante ne servono)"});
+    add_language(verb);
+  }
+  void add_bench() {
+    CLI::App& verb = add_verb("bench");
+    verb.add_flag("--json", options_.json,
+                  say({"print the results as JSON (schema epure.bench/1)",
+                       "stampa i risultati in JSON (schema epure.bench/1)"}));
+    add(verb, "--seconds", options_.seconds, {"TIME", "TEMPO"},
+        {"about how long to measure (default: 60)", "circa quanto a lungo misurare (predefinito: 60)"});
+    add_folder(verb);
+    add_formats(verb);
+    add_paper(verb);
+    add_language(verb);
+  }
+
+  Options& options_;
+  Language language_;
+  CLI::App program_{"", "epure"};
 };
 
-// CLI11 speaks of arguments in capitals and several lines; a user gets one sentence.
-std::string one_sentence(std::string message) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  while (!message.empty() && (message.back() == ' ' || message.back() == '.')) message.pop_back();
-  if (!message.empty() && message[0] >= 'A' && message[0] <= 'Z' && message.size() > 1 && message[1] >= 'a')
-    message[0] = static_cast<char>(message[0] - 'A' + 'a');
-  return message;
+Help help_of(const std::string& verb) {
+  if (verb == "list") return help_of_list();
+  if (verb == "draw") return help_of_draw();
+  if (verb == "check") return help_of_check();
+  return verb == "bench" ? help_of_bench() : help_of_program();
+}
+
+std::string paragraph(const Words& words, Language language) {
+  return words.empty() ? "" : wrapped(words.in(language)) + "\n";
+}
+
+std::string Parser::help() const {
+  const CLI::App& app = chosen();
+  const bool is_program = &app == &program_;
+  const Help help = help_of(app.get_name());
+  std::vector<std::vector<std::string>> names, options;
+  for (const CLI::Option* each : app.get_options())
+    (each->get_positional() ? names : options)
+        .push_back({each->get_name(false, true) + (each->get_positional() ? "" : " " + each->get_type_name()),
+                    each->get_description()});
+  std::string usage = say({"Usage: epure", "Uso: epure"});
+  if (is_program) {
+    usage += say({" VERB [OPTIONS]", " VERBO [OPZIONI]"});
+    for (const std::string& verb : verbs) names.push_back({verb, help_of(verb).purpose.in(language_)});
+  } else {
+    usage += " " + app.get_name() + say({" [OPTIONS]", " [OPZIONI]"}) +
+             (names.empty() ? "" : " [" + names.front().front() + "...]");
+  }
+  return paragraph(help.purpose, language_) + usage + "\n\n" + (names.empty() ? "" : table(names, 2) + "\n") +
+         table(options, 2, {26}) + "\n" + paragraph(help.remarks, language_) + say({"Examples:", "Esempi:"}) +
+         help.examples + "\n" + wrapped(exit_codes().in(language_));
+}
+
+void Parser::refuse(const std::string& typed) const {
+  const CLI::App& app = chosen();
+  const std::string where = &app == &program_ ? "" : " " + app.get_name();
+  const Words explained = {" (epure help" + where + " explains)", " (epure help" + where + " spiega)"};
+  if (!typed.starts_with('-'))
+    throw WrongUsage(format_words("\"{}\" is not expected after epure{}{}", "\"{}\" non è atteso dopo epure{}{}",
+                                  typed, where, explained));
+  std::vector<std::string> known;
+  for (const CLI::Option* each : app.get_options())
+    if (!each->get_positional())
+      for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
+  const std::string name = typed.substr(0, typed.find('='));
+  throw WrongUsage(format_words("\"{}\" is no option of epure{}; {}{}", "\"{}\" non è un'opzione di epure{}; {}{}",
+                                name, where, did_you_mean(name, known), explained));
+}
+
+void Parser::refuse_before_verb(const std::string& typed) const {
+  if (&chosen() == &program_) refuse(typed);
+  throw WrongUsage(format_words("\"{}\" stands before the verb, which comes first: epure {} ...",
+                                "\"{}\" sta prima del verbo, che viene per primo: epure {} ...", typed,
+                                chosen().get_name()));
+}
+
+void Parser::refuse_value(const std::string& of_cli11) const {
+  for (const CLI::Option* option : chosen().get_options()) {
+    const std::string name = option->get_name();
+    if (option->get_positional() || of_cli11.find(name) == std::string::npos) continue;
+    if (option->count() > 1)
+      throw WrongUsage(
+          format_words("{} is given twice; which one is meant?", "{} è dato due volte; quale si intende?", name));
+    if (option->get_expected_max() == 0 || option->get_type_name().empty())
+      throw WrongUsage(format_words("{} takes no value", "{} non prende un valore", name));
+    throw WrongUsage(
+        format_words("{} needs a value: {} {}", "{} vuole un valore: {} {}", name, name, option->get_type_name()));
+  }
+  throw WrongUsage(format_words("\"{}\" cannot be understood", "\"{}\" non si capisce", of_cli11));
 }
 
 // The word where the verb should be.
 void demand_verb(const std::vector<std::string>& arguments) {
-  const std::vector<std::string> verbs = {"list", "draw", "check", "bench"};
-  if (arguments.empty()) throw WrongUsage("say what to do: list, draw, check or bench (epure --help explains)");
+  if (arguments.empty())
+    throw WrongUsage("say what to do: list, draw, check or bench (epure help explains)",
+                     "dire che cosa fare: list, draw, check o bench (epure help spiega)");
   const std::string& first = arguments.front();
   const bool is_option = first.starts_with('-');
   if (!is_option && std::find(verbs.begin(), verbs.end(), first) == verbs.end())
-    throw WrongUsage("\"" + first + "\" is nothing epure can do; " + did_you_mean(first, verbs));
+    throw WrongUsage(format_words("\"{}\" is nothing epure can do; {}", "\"{}\" non è cosa che epure sappia fare; {}",
+                                  first, did_you_mean(first, verbs)));
+}
+
+// "help" is "--help", and "help draw" is "draw --help".
+std::vector<std::string> with_help_as_option(std::vector<std::string> arguments) {
+  if (arguments.empty() || arguments.front() != "help") return arguments;
+  arguments.erase(arguments.begin());
+  const bool names_a_verb = !arguments.empty() && !arguments.front().starts_with('-');
+  arguments.insert(arguments.begin() + (names_a_verb ? 1 : 0), "--help");
+  return arguments;
 }
 
 }  // namespace
@@ -124,27 +263,30 @@ Language language_of_messages(const std::vector<std::string>& arguments, const s
   return asked == "it" ? Language::italian : Language::english;
 }
 
-Parsed parse_options(const std::vector<std::string>& arguments, const std::string& language) {
+Parsed parse_options(const std::vector<std::string>& typed, const std::string& language) {
+  const std::vector<std::string> arguments = with_help_as_option(typed);
   demand_verb(arguments);
-  Parser parser;
-  if (!language.empty()) parser.options.language = language;
+  Parsed parsed;
+  if (!language.empty()) parsed.options.language = language;
+  Parser parser(parsed.options, language_of_messages(arguments, language));
   try {
-    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
-    parser.app.parse(reversed);
+    parser.parse(arguments);
   } catch (const CLI::CallForHelp&) {
-    const auto chosen = parser.app.get_subcommands();
-    return {parser.options, chosen.empty() ? parser.app.help() : chosen.front()->help("epure")};
+    parsed.text = parser.help();
+    return parsed;
   } catch (const CLI::CallForVersion& version) {
-    return {parser.options, std::string(version.what()) + "\n"};
+    parsed.text = std::string(version.what()) + "\n";
+    return parsed;
   } catch (const CLI::ParseError& error) {
-    throw WrongUsage(one_sentence(error.what()) + " (epure --help explains)");
+    parser.refuse_value(error.what());
   }
-  if (parser.app.get_subcommands().empty()) demand_verb({});
-  parser.options.verb = *parser.list    ? Options::Verb::list
-                        : *parser.draw  ? Options::Verb::draw
-                        : *parser.check ? Options::Verb::check
-                                        : Options::Verb::bench;
-  return {parser.options};
+  const std::string verb = parser.chosen().get_name();
+  if (verb == "epure") demand_verb({});
+  parsed.options.verb = verb == "list"    ? Options::Verb::list
+                        : verb == "draw"  ? Options::Verb::draw
+                        : verb == "check" ? Options::Verb::check
+                                          : Options::Verb::bench;
+  return parsed;
 }
 
 }  // namespace epure

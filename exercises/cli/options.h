@@ -17,6 +17,7 @@ struct Options {
   std::optional<std::string> format, folder, file, scale;
   std::string paper = "a4", language = "en", reading = "0.5mm", arithmetic = "exact", seconds = "60";
   bool bare = false, json = false, times = false;
+  bool colours = false;  // of the terminal, not typed
 };
 
 // Either the options, or a text to show instead (help, version). Throws WrongUsage.

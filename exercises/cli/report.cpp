@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <set>
+#include <map>
 
 #include "drawings/text.h"
-#include "exercises/cli/symbol.h"
+#include "exercises/cli/cases.h"
+#include "exercises/cli/ink.h"
 #include "exercises/kit/columns.h"
+#include "exercises/kit/route_names.h"
 
 namespace epure {
 namespace {
@@ -17,121 +20,133 @@ using geometry::Settled;
 using Rows = std::vector<std::vector<std::string>>;
 
 // Enough to be held against any printed number; --json has all digits.
-std::string digits(double value) { return fmt::format("{:.6g}", value); }
+Words digits(double value) { return decimal(value, 6); }
 
 std::string with_unit(const std::string& number, const std::string& unit) {
   return unit == "1" ? number : number + " " + unit;
 }
 
-std::string percent(const std::optional<double>& value) { return value ? fmt::format("{:+.2g} %", *value) : "-"; }
+// Of a number whose last digit is a hundredth of a per cent at best.
+Words percent(const std::optional<double>& value) {
+  if (!value) return {"-", "-"};
+  if (std::abs(*value) < 0.005) return {"0 %", "0 %"};
+  return decimal(std::abs(*value) < 100 ? fmt::format("{:+.2g} %", *value) : fmt::format("{:+.0f} %", *value));
+}
 
-std::string value(const CheckedQuantity& quantity) {
+Words value(const CheckedQuantity& quantity) {
   const Settled& settled = quantity.settled;
-  if (settled.kind == Settled::Kind::absent) return "absent";
-  if (settled.kind == Settled::Kind::undecided) return "undecided";
+  if (settled.kind == Settled::Kind::absent) return {"absent", "assente"};
+  if (settled.kind == Settled::Kind::undecided) return {"undecided", "non decisa"};
   const auto [lower, middle, upper] = settled.enclosure;
   const bool shown_by_one_number = settled.kind == Settled::Kind::unbounded ||
                                    (digits(lower) == digits(middle) && digits(upper) == digits(middle));
-  return with_unit(shown_by_one_number ? digits(middle) : fmt::format("[{}, {}]", digits(lower), digits(upper)),
-                   quantity.spec.unit);
+  const Words number =
+      shown_by_one_number ? digits(middle) : format_words("[{}, {}]", "[{}; {}]", digits(lower), digits(upper));
+  return {with_unit(number.english, quantity.spec.unit), with_unit(number.italian, quantity.spec.unit)};
 }
 
-std::vector<std::string> distinct_routes(const std::vector<RouteValue>& values) {
-  std::vector<std::string> routes;
-  for (const RouteValue& each : values)
-    if (std::find(routes.begin(), routes.end(), each.route) == routes.end()) routes.push_back(each.route);
-  return routes;
+// What a report calls its routes and sheets by: a letter each, and a number each.
+class Marks {
+ public:
+  explicit Marks(const CheckedExercise& checked) {
+    for (const CheckedQuantity& quantity : checked.quantities)
+      for (const RouteValue& each : quantity.routes)
+        if (std::find(routes_.begin(), routes_.end(), each.route) == routes_.end()) routes_.push_back(each.route);
+    for (const SheetSpec& sheet : checked.about.sheets) sheets_.push_back(sheet.name);
+  }
+
+  std::string of_route(const std::string& route) const {
+    const auto place = std::find(routes_.begin(), routes_.end(), route) - routes_.begin();
+    return std::string(1, static_cast<char>('a' + place));
+  }
+  // Its place in the document, where it is the page.
+  std::size_t of_sheet(const std::string& sheet) const {
+    return static_cast<std::size_t>(std::find(sheets_.begin(), sheets_.end(), sheet) - sheets_.begin()) + 1;
+  }
+
+  // "Routes: a poles, b analytic" and "Sheets: 1 poles, 2 polodes".
+  std::string key(Language language) const {
+    std::vector<std::string> routes = {Words{"Routes:", "Vie:"}.in(language)};
+    for (const std::string& route : routes_)
+      routes.push_back(of_route(route) + " " + route_in_words(route).in(language) + ",");
+    std::vector<std::string> sheets = {Words{"Sheets:", "Tavole:"}.in(language)};
+    for (const std::string& sheet : sheets_) sheets.push_back(fmt::format("{} {},", of_sheet(sheet), sheet));
+    for (std::vector<std::string>* list : {&routes, &sheets})
+      if (list->size() > 1) list->back().pop_back();
+    return wrapped(routes, 2, 4) + (sheets_.empty() ? "" : wrapped(sheets, 2, 4));
+  }
+
+ private:
+  std::vector<std::string> routes_, sheets_;
+};
+
+// "abd": by whom it was found; "abd?" where the last of them could not tell.
+std::string routes_of(const CheckedQuantity& quantity, const Marks& marks) {
+  std::map<std::string, std::string> all;  // in the order of the marks
+  for (const RouteValue& each : quantity.routes)
+    if (std::string& doubt = all[marks.of_route(each.route)]; each.settled.kind == Settled::Kind::undecided)
+      doubt = "?";
+  std::string text;
+  for (const auto& [mark, doubt] : all) text += mark + doubt;
+  return text;
 }
 
 // What lies within the resolution of zero is zero as far as a sheet can tell.
-std::string digits(const OnSheet& shown) {
-  return std::abs(shown.value) <= shown.resolution ? "0" : digits(shown.value);
+std::string shown(const OnSheet& on, const Marks& marks, Language language) {
+  const Words number = std::abs(on.value) <= on.resolution ? Words{"0", "0"} : digits(on.value);
+  return fmt::format("{} ± {:.1g} ({})", number.in(language), on.resolution, marks.of_sheet(on.sheet));
 }
 
-std::string on_sheet(const CheckedQuantity& quantity) {
-  const OnSheet* shown = farthest_on_sheet(quantity);
-  return shown ? fmt::format("{} ± {:.1g}", digits(*shown), shown->resolution) : "-";
-}
-
-std::string printed_cell(const PrintedVerdict& each) {
-  return fmt::format("{} by {}: {} ({})", each.text, each.route, name(each.verdict),
-                     percent(each.difference_percent));
-}
-
-void add_rows(Rows& rows, const CheckedQuantity& quantity) {
-  std::vector<std::string> row = {quantity.spec.name, unicode_symbol(quantity.spec.symbol), value(quantity),
-                                  fmt::format("{}", fmt::join(distinct_routes(quantity.routes), ", ")),
-                                  on_sheet(quantity)};
-  if (quantity.printed.empty()) row.emplace_back("-");
-  for (const PrintedVerdict& each : quantity.printed) {
-    row.push_back(printed_cell(each));
-    rows.push_back(row);
-    row.assign(5, "");  // a second printed number stands below the first
-  }
-  if (quantity.printed.empty()) rows.push_back(row);
-}
-
-std::string quantities(const CheckedExercise& checked) {
-  Rows rows = {{"quantity", "", "value", "routes", "on sheet", "printed"}};
-  for (const CheckedQuantity& quantity : checked.quantities) add_rows(rows, quantity);
-  return columns(rows, 2);
-}
-
-std::vector<std::string> measuring_sheets(const CheckedExercise& checked) {
-  std::vector<std::string> names;
-  for (const SheetSpec& sheet : checked.about.sheets) {
-    const bool shows_some =
-        std::any_of(checked.quantities.begin(), checked.quantities.end(), [&](const CheckedQuantity& quantity) {
-          return std::any_of(quantity.on_sheets.begin(), quantity.on_sheets.end(),
-                             [&](const OnSheet& shown) { return shown.sheet == sheet.name; });
-        });
-    if (shows_some) names.push_back(sheet.name);
-  }
-  return names;
-}
-
-// The first measurement on that sheet, and by how much it misses the value.
-std::string on(const std::string& sheet, const CheckedQuantity& quantity) {
-  for (const OnSheet& shown : quantity.on_sheets) {
-    if (shown.sheet != sheet) continue;
-    if (!has_value(quantity.settled) || std::abs(quantity.settled.enclosure.value) <= shown.resolution)
-      return digits(shown);
-    const double size = std::abs(quantity.settled.enclosure.value);
-    const double exact = shown.signed_value ? quantity.settled.enclosure.value : size;
-    const double off = shown.value - exact;
-    return fmt::format("{} ({})", digits(shown),
-                       std::abs(off) <= shown.resolution ? "0 %" : percent(off / size * 100));
-  }
-  return "-";
-}
-
-// How far the sheets' readings of one quantity lie from each other.
-std::string apart(const CheckedQuantity& quantity) {
-  if (quantity.on_sheets.size() < 2 || !has_value(quantity.settled)) return "-";
-  const auto [least, most] =
-      std::minmax_element(quantity.on_sheets.begin(), quantity.on_sheets.end(),
-                          [](const OnSheet& a, const OnSheet& b) { return std::abs(a.value) < std::abs(b.value); });
-  const double range = std::abs(most->value) - std::abs(least->value);
-  const double resolution = least->resolution + most->resolution;
-  if (range <= resolution) return "0";
-  if (std::abs(quantity.settled.enclosure.value) <= resolution) return digits(range);
-  return fmt::format("{:.2g} %", range / std::abs(quantity.settled.enclosure.value) * 100);
-}
-
-// The source's comparison of its graphical methods, each measured as its file holds it.
-std::string methods(const CheckedExercise& checked) {
-  const std::vector<std::string> sheets = measuring_sheets(checked);
-  if (sheets.empty()) return "";
-  Rows rows = {{"quantity", "value"}};
-  rows[0].insert(rows[0].end(), sheets.begin(), sheets.end());
-  if (sheets.size() > 1) rows[0].emplace_back("apart");
+std::string quantities(const CheckedExercise& checked, const Marks& marks, const Reader& reader) {
+  const Language language = reader.language;
+  const bool drawn = std::any_of(checked.quantities.begin(), checked.quantities.end(),
+                                 [](const CheckedQuantity& quantity) { return !quantity.on_sheets.empty(); });
+  Rows rows = {{Words{"quantity", "grandezza"}.in(language), Words{"value", "valore"}.in(language),
+                Words{"routes", "vie"}.in(language), drawn ? Words{"on sheet", "sulla tavola"}.in(language) : ""}};
+  Cases cases;
   for (const CheckedQuantity& quantity : checked.quantities) {
-    if (quantity.on_sheets.empty()) continue;
-    std::vector<std::string>& row = rows.emplace_back(std::vector{quantity.spec.name, value(quantity)});
-    for (const std::string& sheet : sheets) row.push_back(on(sheet, quantity));
-    if (sheets.size() > 1) row.push_back(apart(quantity));
+    const std::string name = cases.within(quantity.spec.name, rows);
+    const bool open = quantity.settled.kind == Settled::Kind::undecided;
+    const std::string text = value(quantity).in(language);
+    std::vector<std::string> row = {name, open ? coloured(text, Ink::doubtful, reader.colours) : text,
+                                    routes_of(quantity, marks), ""};
+    for (const OnSheet& on : quantity.on_sheets) {
+      row.back() = shown(on, marks, language);
+      rows.push_back(row);
+      row.assign(4, "");  // what a second sheet shows stands below
+    }
+    if (quantity.on_sheets.empty()) rows.push_back(row);
   }
-  return "\n  Measured on the sheets, as the files hold them (difference from the value):\n\n" + columns(rows, 2);
+  return table(rows, 2, {24, 19, 6});
+}
+
+Words in_words(Verdict verdict) {
+  static const std::array<std::string, 3> italian = {"arrotondata", "lettura", "discorda"};
+  return {name(verdict), italian.at(static_cast<std::size_t>(verdict))};
+}
+
+Ink ink_of(Verdict verdict) {
+  return verdict == Verdict::rounding ? Ink::good : verdict == Verdict::reading ? Ink::doubtful : Ink::bad;
+}
+
+std::string printed(const CheckedExercise& checked, const Reader& reader) {
+  const Language language = reader.language;
+  Rows rows = {{Words{"quantity", "grandezza"}.in(language), Words{"printed", "stampata"}.in(language),
+                Words{"by", "per via"}.in(language), Words{"value", "valore"}.in(language),
+                Words{"difference", "differenza"}.in(language), Words{"verdict", "giudizio"}.in(language)}};
+  Cases cases;
+  for (const CheckedQuantity& quantity : checked.quantities) {
+    if (quantity.printed.empty()) continue;
+    std::string name = cases.within(quantity.spec.name, rows);
+    for (const PrintedVerdict& each : quantity.printed) {
+      const Words found = has_value(quantity.settled) ? digits(quantity.settled.enclosure.value) : value(quantity);
+      rows.push_back({name, decimal(each.text).in(language), route_in_words(each.route).in(language),
+                      found.in(language), percent(each.difference_percent).in(language),
+                      coloured(in_words(each.verdict).in(language), ink_of(each.verdict), reader.colours)});
+      name.clear();
+    }
+  }
+  return rows.size() == 1 ? "" : "\n" + table(rows, 2, {18, 8, 13, 10, 10});
 }
 
 // Remarks in the order they were first made, each with all it applies to: one slip often explains several numbers.
@@ -147,7 +162,7 @@ class Remarks {
   }
   std::string text() const {
     std::string text = all_.empty() ? "" : "\n";
-    for (const auto& [subjects, remark] : all_) text += fmt::format("  {}: {}\n", subjects, remark);
+    for (const auto& [subjects, remark] : all_) text += wrapped(subjects + ": " + remark, 2, 4);
     return text;
   }
 
@@ -158,31 +173,39 @@ class Remarks {
   std::vector<Entry> all_;
 };
 
-std::string absences(const CheckedExercise& checked) {
+std::string absences(const CheckedExercise& checked, Language language) {
   Remarks remarks;
   for (const CheckedQuantity& quantity : checked.quantities)
-    if (quantity.settled.kind == Settled::Kind::absent) remarks.add(quantity.spec.name, quantity.settled.reason);
+    if (quantity.settled.kind == Settled::Kind::absent)
+      remarks.add(quantity.spec.name, quantity.settled.reason.in(language));
   return remarks.text();
 }
 
-std::string explanations(const CheckedExercise& checked) {
+std::string explanations(const CheckedExercise& checked, Language language) {
   Remarks remarks;
   for (const CheckedQuantity& quantity : checked.quantities)
     for (const PrintedVerdict& each : quantity.printed)
       if (each.explanation)
-        remarks.add(quantity.spec.name + " printed " + each.text,
-                    drawings::plain(each.explanation->in(Language::english)));
+        remarks.add(
+            format_words("{} printed {}", "{}, stampata {}", quantity.spec.name, decimal(each.text)).in(language),
+            drawings::plain(each.explanation->in(language)));
   return remarks.text();
 }
 
-std::string measured(const CheckedExercise& checked) {
+std::string measured(const CheckedExercise& checked, const Reader& reader) {
   std::string text;
   for (const CheckedQuantity& quantity : checked.quantities)
-    for (const Measured& each : quantity.measured)
-      text += fmt::format("  {} measured {}: computed {}, difference {} ({}), allowed {:.3g} ({}): {}\n",
-                          quantity.spec.name, each.text, value(quantity),
-                          each.difference ? fmt::format("{:+.3g}", *each.difference) : "-",
-                          percent(each.difference_percent), each.allowed, each.allowed_by, verdict(each));
+    for (const Measured& each : quantity.measured) {
+      const Words difference = each.difference ? decimal(fmt::format("{:+.3g}", *each.difference)) : Words{"-", "-"};
+      const Words line = format_words(
+          "{} measured {}: computed {}, difference {} ({}), allowed {} ({}):",
+          "{} misurata {}: calcolata {}, differenza {} ({}), ammessa {} ({}):", quantity.spec.name, each.text,
+          value(quantity), difference, percent(each.difference_percent), decimal(each.allowed, 3), each.allowed_by);
+      text +=
+          wrapped(line.in(reader.language) + " " +
+                      coloured(verdict(each).in(reader.language), each.within ? Ink::good : Ink::bad, reader.colours),
+                  2, 4);
+    }
   return text.empty() ? "" : "\n" + text;
 }
 
@@ -190,31 +213,37 @@ std::string givens(const Givens& givens) {
   std::vector<std::string> all;
   for (const GivenSpec& given : givens.specs())
     if (const auto read = givens.reading(given.symbol))
-      all.push_back(given.symbol + " = " + with_unit(givens.text(given.symbol), read->unit.symbol));
-  return fmt::format("{}", fmt::join(all, ", "));
+      all.push_back(given.symbol + " = " + with_unit(givens.text(given.symbol), read->unit.symbol) + ",");
+  if (!all.empty()) all.back().pop_back();
+  return wrapped(all, 2, 4);
 }
 
-std::string summary(const CheckedExercise& checked) {
-  std::set<std::string> routes;
-  for (const CheckedQuantity& quantity : checked.quantities)
-    for (const RouteValue& each : quantity.routes) routes.insert(each.route);
-  std::string text;
-  for (const std::string& failure : checked.failures) text += "  FAILED " + failure + "\n";
-  if (!text.empty()) text = "\n" + text;
-  return text + fmt::format("\n{}: {} quantities, {} routes, {}\n", checked.about.id, checked.quantities.size(),
-                            routes.size(), checked.passed() ? "passed" : "FAILED");
+std::string listed(const std::vector<Complaint>& all, const std::string& heading, Language language) {
+  std::string text = all.empty() ? "" : "\n";
+  for (const Complaint& each : all) text += wrapped(heading + " " + each.sentence.in(language), 2, 4);
+  return text;
 }
 
 }  // namespace
 
-std::string text_report(const CheckedExercise& checked) {
-  return fmt::format("{}: {} ({}, {})\n  {}\n\n", checked.about.id,
-                     drawings::plain(checked.about.title.in(Language::english)), checked.about.document,
-                     checked.about.item, givens(checked.givens)) +
-         quantities(checked) + absences(checked) + methods(checked) + explanations(checked) + measured(checked) +
-         summary(checked);
+std::string text_report(const CheckedExercise& checked, const Reader& reader) {
+  const Language language = reader.language;
+  const Marks marks(checked);
+  const std::string title =
+      fmt::format("{}: {} ({}, {})", checked.about.id, drawings::plain(checked.about.title.in(language)),
+                  checked.about.document, checked.about.item);
+  return wrapped(title, 0, 2) + givens(checked.givens) + marks.key(language) + "\n" +
+         quantities(checked, marks, reader) + absences(checked, language) + printed(checked, reader) +
+         explanations(checked, language) + measured(checked, reader) +
+         listed(checked.failures, coloured(Words{"FAILED", "FALLITO"}.in(language), Ink::bad, reader.colours),
+                language) +
+         listed(checked.undecided,
+                coloured(Words{"UNDECIDED", "NON DECISO"}.in(language), Ink::doubtful, reader.colours), language);
 }
 
-std::string verdict(const Measured& measured) { return measured.within ? "within reading" : "beyond reading"; }
+Words verdict(const Measured& measured) {
+  return measured.within ? Words{"within reading", "entro l'errore di lettura"}
+                         : Words{"beyond reading", "oltre l'errore di lettura"};
+}
 
 }  // namespace epure

@@ -8,13 +8,26 @@
 
 namespace epure {
 
-// Tables, remarks, and last the line "ID: N quantities, M routes, passed".
-std::string text_report(const CheckedExercise& checked);
+// What a report is written for.
+struct Reader {
+  Language language = Language::english;
+  bool colours = false;  // a terminal that shows them
+};
 
-// Schema epure.check/1.
+// Tables, remarks, and what failed or is undecided. No line is wider than a terminal.
+std::string text_report(const CheckedExercise& checked, const Reader& reader);
+
+// "ID: N quantities, M routes, passed", for one of several.
+std::string closing_line(const CheckedExercise& checked, const Reader& reader);
+
+// "passed: N quantities; printed: ...": all there is, counted in one line. Who measured is told of that instead of
+// what the source printed.
+std::string totals(const std::vector<CheckedExercise>& all, const Reader& reader);
+
+// Schema epure.check/1. Its words are English: it is read by programs.
 std::string json_report(const std::vector<CheckedExercise>& all);
 
 // "within reading" or "beyond reading".
-std::string verdict(const Measured& measured);
+Words verdict(const Measured& measured);
 
 }  // namespace epure

@@ -1,11 +1,10 @@
 #include "exercises/cli/request.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 
+#include "drawings/output.h"
 #include "exercises/cli/verbs.h"
 #include "geometry/numbers/given.h"
 
@@ -21,7 +20,8 @@ std::optional<Format> format_named(const std::string& name) {
 drawings::Paper paper(const Options& options) {
   if (options.paper == "a4") return drawings::Paper::a4;
   if (options.paper == "a3") return drawings::Paper::a3;
-  throw WrongUsage(fmt::format("\"{}\" is no paper of epure; choose a4 or a3", options.paper));
+  throw WrongUsage(format_words("\"{}\" is no paper of epure; choose a4 or a3",
+                                "\"{}\" non è una carta di epure; scegliere a4 o a3", options.paper));
 }
 
 // Beyond them no figure of a metre or of a kilometre is of any use, and the drawing's arithmetic need not hold.
@@ -38,9 +38,11 @@ Rational scale(std::string text) {
     // the sentence below says what a scale looks like
   }
   if (ratio > largest_scale || (ratio > 0 && ratio * largest_scale < 1))
-    throw WrongUsage(fmt::format("--scale {}: must lie between 1:{} and {}:1", typed, largest_scale, largest_scale));
+    throw WrongUsage(format_words("--scale {}: must lie between 1:{} and {}:1",
+                                  "--scale {}: dev'essere tra 1:{} e {}:1", typed, largest_scale, largest_scale));
   if (ratio > 0) return ratio;
-  throw WrongUsage(fmt::format("\"{}\" is no scale; write 1:5, 1/5 or 2:1", typed));
+  throw WrongUsage(format_words("\"{}\" is no scale; write 1:5, 1/5 or 2:1",
+                                "\"{}\" non è una scala; scrivere 1:5, 1/5 o 2:1", typed));
 }
 
 std::optional<Format> format_by_ending(const Options& options) {
@@ -57,7 +59,9 @@ std::vector<Format> formats_of(const Options& options) {
   for (auto comma = rest.find(','); comma != std::string::npos; comma = rest.find(',')) {
     const auto format = format_named(rest.substr(0, comma));
     if (!format)
-      throw WrongUsage(fmt::format("\"{}\" is no format of epure; choose pdf, svg or pdf,svg", *options.format));
+      throw WrongUsage(format_words("\"{}\" is no format of epure; choose pdf, svg or pdf,svg",
+                                    "\"{}\" non è un formato di epure; scegliere pdf, svg o pdf,svg",
+                                    *options.format));
     if (std::find(formats.begin(), formats.end(), *format) == formats.end()) formats.push_back(*format);
     rest.erase(0, comma + 1);
   }
@@ -65,7 +69,7 @@ std::vector<Format> formats_of(const Options& options) {
 }
 
 bool is_standard_output(const Options& options) {
-  return options.file == "-" || options.file == "/dev/stdout" || options.file == "/dev/fd/1";
+  return options.file && drawings::is_standard_output(*options.file);
 }
 
 Format format_of_file(const Options& options) {
@@ -73,23 +77,31 @@ Format format_of_file(const Options& options) {
   if (!options.format) {
     if (by_ending) return *by_ending;
     if (is_standard_output(options)) return Format::pdf;
-    throw WrongUsage(fmt::format("\"{}\" tells no format; end it in .pdf or .svg, or add --format", *options.file));
+    throw WrongUsage(format_words("\"{}\" tells no format; end it in .pdf or .svg, or add --format",
+                                  "\"{}\" non dice il formato; farlo finire in .pdf o .svg, o aggiungere --format",
+                                  *options.file));
   }
   const std::vector<Format> asked = formats_of(options);
-  if (asked.size() != 1) throw WrongUsage("-o writes one file; choose --format pdf or --format svg");
+  if (asked.size() != 1)
+    throw WrongUsage("-o writes one file; choose --format pdf or --format svg",
+                     "-o scrive un solo file; scegliere --format pdf o --format svg");
   if (by_ending && *by_ending != asked.front())
-    throw WrongUsage(fmt::format("\"{}\" is not the ending of --format {}", *options.file, *options.format));
+    throw WrongUsage(format_words("\"{}\" is not the ending of --format {}",
+                                  "\"{}\" non finisce come vuole --format {}", *options.file, *options.format));
   return asked.front();
 }
 
 void demand_sensible_output(const Options& options) {
   if (options.folder && options.folder->empty())
-    throw WrongUsage("--out \"\" names no folder; name one, such as . or out");
+    throw WrongUsage("--out \"\" names no folder; name one, such as . or out",
+                     "--out \"\" non nomina una cartella; nominarne una, come . o out");
   if (!options.file) {
     formats_of(options);
     return;
   }
-  if (options.folder) throw WrongUsage("-o names one file and --out a folder; choose one of them");
+  if (options.folder)
+    throw WrongUsage("-o names one file and --out a folder; choose one of them",
+                     "-o nomina un file e --out una cartella; scegliere uno dei due");
   format_of_file(options);
 }
 

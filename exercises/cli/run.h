@@ -9,12 +9,22 @@
 
 namespace epure {
 
-// Exit codes. Anything but success and failed_check comes with one sentence on `err`, which begins with "epure: ".
-enum class Exit { success = 0, failed_check = 1, wrong_usage = 2, cannot_write = 3, internal_error = 70 };
+// Exit codes. Anything but success, and a check that fails or is undecided, comes with one sentence on `err`, which
+// begins with "epure: ". Nothing worse than undecided: what could not be decided is named, and the rest was done.
+// cannot_write stands for all that the machine denies: room to write, memory, fonts.
+enum class Exit {
+  success = 0,
+  failed_check = 1,
+  wrong_usage = 2,
+  cannot_write = 3,
+  undecided = 4,
+  internal_error = 70
+};
 
 // What a run takes from around it besides its arguments.
 struct Surroundings {
   std::string language = {};  // EPURE_LANG: what --lang says otherwise; empty: English
+  bool colours = false;       // `out` is a terminal, and shows them
 };
 
 // `arguments` without the program's name. What is asked for goes to `out`, and to files.

@@ -108,8 +108,9 @@ drawings::Steps steps_at_involute_instants(Language language) {
 void require_drawable(const DrawnInstant& at) {
   constexpr double farthest = 1e9;  // rad
   if (at.phi > farthest)
-    throw BadGivens(fmt::format("at t = {} s the line has turned through {:.3g} rad; it can be drawn up to 1e9 rad",
-                                at.t, at.phi));
+    throw BadGivens(format_words("at t = {} s the line has turned through {} rad; it can be drawn up to 1e9 rad",
+                                 "a t = {} s la retta ha ruotato di {} rad; si può disegnare fino a 1e9 rad",
+                                 decimal(at.t, 17), decimal(at.phi, 3)));
 }
 
 std::string title(const std::string& symbol, const DrawnInstant& at, Language language) {

@@ -8,9 +8,11 @@
 
 namespace epure::cycloid_involute {
 
-inline constexpr const char* turns_about =
+inline constexpr Phrase turns_about{
     "M is at a cusp, where it turns about: a_t has one value before (..._before_cusp) and another after "
-    "(..._after_cusp)";
+    "(..._after_cusp)",
+    "M è in una cuspide, dove inverte il moto: a_t ha un valore prima (..._before_cusp) e un altro dopo "
+    "(..._after_cusp)"};
 
 template <class T>
 struct Components {

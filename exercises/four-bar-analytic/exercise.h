@@ -39,7 +39,7 @@ std::vector<RouteValue> solve(const Problem& of, Rung rung);
 struct RockerSpeed {
   std::vector<geometry::Vector<double>> extremes = {};  // directions of the crank
   std::vector<geometry::Vector<double>> zeros = {};
-  std::string why_no_extremes = {};  // empty when there are some
+  Words why_no_extremes = {};  // empty when there are some
 };
 RockerSpeed rocker_speed(const FourBarInstant& at);
 

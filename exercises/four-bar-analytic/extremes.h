@@ -46,20 +46,22 @@ struct RatioByCentres : geometry::CollineationAxisAcrossCoupler {
 // The directions in which the ratio is stationary, found once for all numbers; or why it has no extremes.
 struct StationaryRatio {
   geometry::Zeros directions = {};
-  std::string why_not = {};
+  Words why_not = {};
 };
 
-inline std::string why_no_extremes(const geometry::FourBarLengths& of) {
+inline Words why_no_extremes(const geometry::FourBarLengths& of) {
   if (!geometry::crank_turns_fully(of))
-    return "the crank cannot turn fully: omega_4 grows beyond all bounds towards its limit positions";
+    return {"the crank cannot turn fully: omega_4 grows beyond all bounds towards its limit positions",
+            "la manovella non può fare un giro completo: omega_4 cresce oltre ogni limite verso le posizioni limite"};
   if (geometry::grashof(of).is == geometry::LinkageClass::change_point)
-    return "the linkage folds flat within a turn, and omega_4 is not determined there";
+    return {"the linkage folds flat within a turn, and omega_4 is not determined there",
+            "il meccanismo si appiattisce entro un giro, e lì omega_4 non è determinata"};
   return {};
 }
 
 template <class Ratio>
 StationaryRatio stationary_ratio(const geometry::FourBarLengths& of, const Ratio& ratio) {
-  std::string why_not = why_no_extremes(of);
+  Words why_not = why_no_extremes(of);
   if (!why_not.empty()) return {{}, std::move(why_not)};
   geometry::Zeros directions = geometry::zeros(ratio);
   geometry::place_on_axes(ratio, directions);
@@ -74,7 +76,8 @@ geometry::Vector<T> direction_of_extreme(const Ratio& ratio, const StationaryRat
                                          const T& omega_2) {
   if (!stationary.why_not.empty()) throw geometry::Impossible(stationary.why_not);
   if (!stationary.directions.open.empty() || stationary.directions.found.empty())
-    throw geometry::Undecided("where the rocker's speed is stationary");
+    throw geometry::Undecided("where the rocker's speed is stationary",
+                              "dove sia stazionaria la velocità del bilanciere");
   std::optional<geometry::Vector<T>> best;
   for (const geometry::Zero& zero : stationary.directions.found) {
     const auto here = geometry::direction_of<T>(ratio, zero);
@@ -84,7 +87,8 @@ geometry::Vector<T> direction_of_extreme(const Ratio& ratio, const StationaryRat
     }
     const geometry::Sign greater = geometry::sign(omega_2 * (ratio.ratio(here) - ratio.ratio(*best)));
     if (greater == geometry::Sign::undecided || greater == geometry::Sign::zero)
-      throw geometry::Undecided("which of two extremes of the rocker's speed is the greater");
+      throw geometry::Undecided("which of two extremes of the rocker's speed is the greater",
+                                "quale di due estremi della velocità del bilanciere sia il maggiore");
     if ((greater == geometry::Sign::positive) == (which == Extreme::greatest)) best = here;
   }
   return *best;
@@ -108,15 +112,16 @@ template <class T, class Extended, class Folded>
 void write_zeros(Ledger<T>& ledger, bool extended_first, const Extended& extended, const Folded& folded) {
   const auto zero = [&](std::size_t number) {
     std::vector<geometry::Vector<T>> found;
-    std::string why_not;
+    Words why_not;
     for (const bool is_extended : {extended_first, !extended_first}) {
       try {
         const geometry::Vector<T> crank = is_extended ? extended() : folded();
         if (geometry::sign(crank.y) == geometry::Sign::zero)
-          throw geometry::Impossible("all hinges are in line, and omega_4 is not determined");
+          throw geometry::Impossible("all hinges are in line, and omega_4 is not determined",
+                                     "tutte le cerniere sono allineate, e omega_4 non è determinata");
         found.push_back(crank);
       } catch (const geometry::Impossible& none) {
-        why_not = none.what();
+        why_not = none.words();
       }
     }
     if (number >= found.size()) throw geometry::Impossible(why_not);

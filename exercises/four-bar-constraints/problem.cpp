@@ -8,21 +8,25 @@ namespace {
 
 constexpr int most_steps = 60;
 
-std::string start_in_words(const Givens& givens) {
-  return fmt::format("from the start θ₃ = {:.6g} rad, θ₄ = {:.6g} rad", CGAL::to_double(givens["theta_3_start"]),
-                     CGAL::to_double(givens["theta_4_start"]));
+Words start_in_words(const Givens& givens) {
+  return format_words("from the start θ₃ = {} rad, θ₄ = {} rad", "dalla partenza θ₃ = {} rad, θ₄ = {} rad",
+                      decimal(CGAL::to_double(givens["theta_3_start"]), 6),
+                      decimal(CGAL::to_double(givens["theta_4_start"]), 6));
 }
 
 [[noreturn]] void refuse(const Givens& givens, const geometry::analytic::NewtonRun& run) {
   using geometry::analytic::NewtonEnd;
   const bool at_once = run.end == NewtonEnd::singular && run.iterates.size() == 1;
   if (at_once)
-    throw BadGivens(
-        fmt::format("{} the Jacobian ψ_y is singular: coupler and rocker are parallel there, and "
-                    "Newton-Raphson has no step to make; start from angles that differ by no multiple of π",
-                    start_in_words(givens)));
-  throw BadGivens(
-      fmt::format("Newton-Raphson does not reach a configuration {}: {}", start_in_words(givens), run.reason));
+    throw BadGivens(format_words(
+        "{} the Jacobian ψ_y is singular: coupler and rocker are parallel there, and Newton-Raphson has "
+        "no step to make; start from angles that differ by no multiple of π",
+        "{} lo jacobiano ψ_y è singolare: lì biella e bilanciere sono paralleli, e Newton-Raphson non ha "
+        "un passo da fare; partire da angoli che non differiscano di un multiplo di π",
+        start_in_words(givens)));
+  throw BadGivens(format_words("Newton-Raphson does not reach a configuration {}: {}",
+                               "Newton-Raphson non raggiunge una configurazione {}: {}", start_in_words(givens),
+                               run.reason));
 }
 
 }  // namespace

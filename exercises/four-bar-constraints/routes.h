@@ -111,13 +111,14 @@ struct Routes {
     if (geometry::sign(T(half_turn + angle)) == Sign::positive &&
         geometry::sign(T(half_turn - angle)) == Sign::positive)
       return angle;
-    throw geometry::Undecided("on which side of -x a link points");
+    throw geometry::Undecided("on which side of -x a link points", "da quale parte di -x sia rivolto un membro");
   }
 
   template <class T>
   void write_by_constraints(Ledger<T>& ledger) const {
     if constexpr (signs_only<T>) {
-      write_undecided(ledger, "the constraint equations are solved for angles, which are no algebraic numbers");
+      write_undecided(ledger, {"the constraint equations are solved for angles, which are no algebraic numbers",
+                               "le equazioni di vincolo si risolvono negli angoli, che non sono numeri algebrici"});
     } else {
       try {
         const auto q =
@@ -127,7 +128,7 @@ struct Routes {
                             q.determinant);
         write(ledger, found);
       } catch (const geometry::Undecided& open) {
-        write_undecided(ledger, open.what());
+        write_undecided(ledger, open.words());
       }
     }
   }
@@ -141,7 +142,7 @@ struct Routes {
 
   // The same quantities in the same order.
   template <class T>
-  static void write_undecided(Ledger<T>& ledger, const std::string& why) {
+  static void write_undecided(Ledger<T>& ledger, const Words& why) {
     Ledger<double> names("");
     write_configuration(names, 0.0, 0.0, 0.0);
     write(names, Found<double>{});

@@ -157,7 +157,7 @@ struct Stroke {
     ledger.route("analytic");
     const auto of_stroke = [&](const T analytic::RockerStroke<T>::*part) -> T {
       if constexpr (signs_only<T>) {
-        throw geometry::Undecided("an angle has no exact value");
+        throw geometry::Undecided("an angle has no exact value", "un angolo non ha un valore esatto");
       } else {
         return analytic::rocker_stroke<T>(instant.analytic_lengths(), instant.analytic_branch()).*part;
       }

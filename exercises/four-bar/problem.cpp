@@ -65,14 +65,16 @@ Problem problem(const Givens& givens) {
              .lambda = givens["lambda"]};
   if (of.AC > of.instant.lengths.AB)
     throw BadGivens(
-        fmt::format("the plate has no right angle at C: AC = {:.6g} m is longer than the hypotenuse AB = "
-                    "{:.6g} m",
-                    CGAL::to_double(of.AC), CGAL::to_double(of.instant.lengths.AB)));
+        format_words("the plate has no right angle at C: AC = {} m is longer than the hypotenuse AB = {} m",
+                     "la piastra non ha angolo retto in C: AC = {} m è più lungo dell'ipotenusa AB = {} m",
+                     decimal(CGAL::to_double(of.AC), 6), decimal(CGAL::to_double(of.instant.lengths.AB), 6)));
   if (of.lambda <= 1)
-    throw BadGivens(
-        fmt::format("lambda = {:.6g}: with its crank square to the guide the slider-crank closes only if "
-                    "the coupler is longer than the crank, lambda > 1",
-                    CGAL::to_double(of.lambda)));
+    throw BadGivens(format_words(
+        "lambda = {}: with its crank square to the guide the slider-crank closes only if the coupler is "
+        "longer than the crank, lambda > 1",
+        "lambda = {}: con la manovella perpendicolare alla guida il manovellismo si chiude solo se la biella "
+        "è più lunga della manovella, lambda > 1",
+        decimal(CGAL::to_double(of.lambda), 6)));
   require_drivable(of.instant);
   return of;
 }

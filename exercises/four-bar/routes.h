@@ -16,8 +16,10 @@ T gamma(const T& omega_3, const T& alpha_3) {
   return in_degrees(slope_angle(Vector<T>{geometry::square(omega_3), alpha_3}));
 }
 
-inline constexpr const char* no_value_of_gamma = "tan γ has no value: ω₃ and α₃ are zero";
-inline constexpr const char* no_gamma = "tan γ grows beyond all bounds: ω₃ is zero";
+inline constexpr Phrase no_value_of_gamma{"tan γ has no value: ω₃ and α₃ are zero",
+                                          "tan γ non ha valore: ω₃ e α₃ sono zero"};
+inline constexpr Phrase no_gamma{"tan γ grows beyond all bounds: ω₃ is zero",
+                                 "tan γ cresce oltre ogni limite: ω₃ è zero"};
 template <class T>
 void write_velocities(Ledger<T>& ledger, const Vector<T>& v_A, const Vector<T>& v_B, const Vector<T>& v_C,
                       const T& omega_3, const T& omega_4) {

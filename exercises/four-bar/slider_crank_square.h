@@ -12,6 +12,11 @@ namespace analytic = geometry::analytic;
 using geometry::from_rational;
 using geometry::Vector;
 
+inline constexpr Phrase no_inflection_line{"the inflection circle has not become a line",
+                                           "la circonferenza dei flessi non è diventata una retta"};
+inline constexpr Phrase no_stationarity_line{"the stationarity circle has not become a line",
+                                             "la circonferenza di stazionarietà non è diventata una retta"};
+
 // Sub-exercise 2, for crank and crank speed 1: the crank on +y, the guide along +x through A₀.
 struct SliderCrankSquare {
   const Problem& of;
@@ -67,8 +72,8 @@ struct SliderCrankSquare {
     const auto K = [&] { return present(coupler.acceleration_pole(), no_acceleration_pole); };
     ledger.put("K_x_over_r", [&] { return K().re; });
     ledger.put("K_y_over_r", [&] { return K().im; });
-    const auto inflection = [&] { return present(coupler.inflection_line(), "no line"); };
-    const auto stationarity = [&] { return present(coupler.stationarity_line(), "no line"); };
+    const auto inflection = [&] { return present(coupler.inflection_line(), no_inflection_line); };
+    const auto stationarity = [&] { return present(coupler.stationarity_line(), no_stationarity_line); };
     ledger.put("inflection_line_x_over_r",
                [&] { return geometry::quotient(-inflection().offset, inflection().normal.re); });
     ledger.put("stationarity_line_y_over_r",

@@ -6,7 +6,7 @@ namespace epure::four_bar {
 namespace {
 
 // Every quantity whose name begins so does not exist: `why` by the construction, `analysis` by the closed formulas.
-std::vector<RouteValue> absent(const std::string& prefix, const std::string& why, const std::string& analysis) {
+std::vector<RouteValue> absent(const std::string& prefix, const Words& why, const Words& analysis) {
   std::vector<RouteValue> values;
   for (const QuantitySpec& spec : quantities()) {
     if (!spec.name.starts_with(prefix)) continue;
@@ -18,25 +18,25 @@ std::vector<RouteValue> absent(const std::string& prefix, const std::string& why
 
 // Why `find` cannot be done; empty when it can.
 template <class Find>
-std::string complaint(const Find& find) {
+Words complaint(const Find& find) {
   try {
     find();
     return {};
   } catch (const geometry::Impossible& proved) {
-    return proved.what();
+    return proved.words();
   }
 }
 
-constexpr const char* all_in_line =
-    "coupler and rocker are in line too: the linkage is at a change point, where two motions lead on";
+constexpr Phrase all_in_line{
+    "coupler and rocker are in line too: the linkage is at a change point, where two motions lead on",
+    "anche biella e bilanciere sono allineati: il meccanismo è in un punto di cambiamento, da cui partono due moti"};
 
 std::vector<RouteValue> solve_dead_centre(const Problem& of, const std::string& prefix, Reach reach, Rung rung) {
   const geometry::Arithmetic<geometry::Fast> scope;
   const FourBarInstant& at = of.instant;
   const auto which = reach == Reach::extended ? analytic::DeadCentre::extended : analytic::DeadCentre::folded;
-  const std::string why =
-      complaint([&] { return geometry::dead_centre<geometry::Fast>(at.lengths, reach, at.side); });
-  const std::string analysis = complaint([&] {
+  const Words why = complaint([&] { return geometry::dead_centre<geometry::Fast>(at.lengths, reach, at.side); });
+  const Words analysis = complaint([&] {
     return analytic::crank_at_dead_centre<geometry::Fast>(at.analytic_lengths(), which, at.analytic_branch());
   });
   if (!why.empty()) return absent(prefix, why, analysis);
@@ -50,8 +50,8 @@ std::vector<RouteValue> solve_parallel(const Problem& of, const std::string& pre
   const FourBarInstant& at = of.instant;
   const auto which = sense == Sense::same ? analytic::Parallel::same_sense : analytic::Parallel::opposite_sense;
   const auto position = [&] { return geometry::parallel_position<geometry::Fast>(at.lengths, sense, branch); };
-  const std::string why = complaint(position);
-  const std::string analysis = complaint([&] {
+  const Words why = complaint(position);
+  const Words analysis = complaint([&] {
     return analytic::crank_parallel_to_rocker<geometry::Fast>(at.analytic_lengths(), which, analytic_branch(branch));
   });
   if (!why.empty()) return absent(prefix, why, analysis);
@@ -62,13 +62,16 @@ std::vector<RouteValue> solve_parallel(const Problem& of, const std::string& pre
 std::vector<RouteValue> solve_stroke(const Problem& of, Rung rung) {
   const geometry::Arithmetic<geometry::Fast> scope;
   const FourBarInstant& at = of.instant;
-  const std::string analysis =
+  const Words analysis =
       complaint([&] { return analytic::rocker_stroke<geometry::Fast>(at.analytic_lengths(), at.analytic_branch()); });
   if (analysis.empty()) return settle(Stroke{of}, rung);
   std::vector<RouteValue> values;
   for (const char* name : {"rocker_swing", "crank_rotation_extended_to_folded", "time_ratio"}) {
     const auto none =
-        absent(name, "the linkage is no crank-rocker: its rocker does not swing between two dead centres", analysis);
+        absent(name,
+               Words{"the linkage is no crank-rocker: its rocker does not swing between two dead centres",
+                     "il meccanismo non è un manovella-bilanciere: il bilanciere non oscilla tra due punti morti"},
+               analysis);
     values.insert(values.end(), none.begin(), none.end());
   }
   return values;

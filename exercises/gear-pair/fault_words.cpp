@@ -96,8 +96,8 @@ Words sentence_of(const Fault& fault, const DrawnPair& pair, const std::string& 
 
 Words doubt(const Fault& fault, Language language) {
   const std::string what = mark_of(fault.kind, language);
-  return {fmt::format("Undecided: {} (no number could tell: {}).", what, fault.reason),
-          fmt::format("Non deciso: {} (nessun numero ha potuto dirlo: {}).", what, fault.reason)};
+  return {fmt::format("Undecided: {} (no number could tell: {}).", what, fault.reason.english),
+          fmt::format("Non deciso: {} (nessun numero ha potuto dirlo: {}).", what, fault.reason.italian)};
 }
 
 bool counts(Kind kind) {

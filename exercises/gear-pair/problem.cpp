@@ -17,8 +17,9 @@ constexpr long fewest_teeth = 3, most_teeth = 1'000'000;
 long teeth(const Givens& givens, const std::string& symbol) {
   const Rational& z = givens[symbol];
   if (z.denominator() != 1 || z < fewest_teeth || z > most_teeth)
-    throw BadGivens(fmt::format("{} = {}: teeth are counted, a whole number from {} to {}", symbol,
-                                givens.text(symbol), fewest_teeth, most_teeth));
+    throw BadGivens(format_words("{} = {}: teeth are counted, a whole number from {} to {}",
+                                 "{} = {}: i denti si contano, un numero intero da {} a {}", symbol,
+                                 givens.text(symbol), fewest_teeth, most_teeth));
   return mpz_get_si(z.numerator().mpz());
 }
 
@@ -26,11 +27,12 @@ long teeth(const Givens& givens, const std::string& symbol) {
 Rational factor(const Givens& givens, const std::string& symbol) {
   const Rational& value = givens[symbol];
   if (CGAL::abs(value) > 10)
-    throw BadGivens(fmt::format("{} = {}: no more than 10 times the module", symbol, givens.text(symbol)));
+    throw BadGivens(format_words("{} = {}: no more than 10 times the module",
+                                 "{} = {}: non più di 10 volte il modulo", symbol, givens.text(symbol)));
   return value;
 }
 
-void require(bool holds, const std::string& otherwise) {
+void require(bool holds, const Words& otherwise) {
   if (!holds) throw BadGivens(otherwise);
 }
 
@@ -42,22 +44,31 @@ PairKind kind_of(const Givens& givens) {
 
 void require_wheels(const PairData& of, const Givens& givens) {
   require(of.kind != PairKind::internal || of.z2 > of.z1,
-          fmt::format("z2 = {}: a ring has more teeth than the wheel inside it, z1 = {}", of.z2, of.z1));
+          format_words("z2 = {}: a ring has more teeth than the wheel inside it, z1 = {}",
+                       "z2 = {}: una corona ha più denti della ruota al suo interno, z1 = {}", of.z2, of.z1));
   require(of.kind != PairKind::rack || of.x2 == 0,
-          fmt::format("x2 = {}: a rack is not shifted, wheel 1 is (x1)", givens.text("x2")));
-  require(of.ha + of.hf > of.k, fmt::format("k = {}: shortened by their whole height, ha + hf = {:.6g}, the teeth "
-                                            "vanish",
-                                            givens.text("k"), nearest(of.ha + of.hf)));
-  const auto radius = [](const Rational& r) { return fmt::format("{:.6g} mm", 1000 * nearest(r)); };
+          format_words("x2 = {}: a rack is not shifted, wheel 1 is (x1)",
+                       "x2 = {}: una dentiera non si corregge, si corregge la ruota 1 (x1)", givens.text("x2")));
+  require(of.ha + of.hf > of.k,
+          format_words("k = {}: shortened by their whole height, ha + hf = {}, the teeth vanish",
+                       "k = {}: accorciati di tutta la loro altezza, ha + hf = {}, i denti spariscono",
+                       givens.text("k"), decimal(nearest(of.ha + of.hf), 6)));
+  const auto radius = [](const Rational& r) { return decimal(1000 * nearest(r), 6); };
   const geometry::WheelData wheel1 = geometry::first_wheel(of);
-  require(wheel1.r_root > 0, "the teeth of wheel 1 are cut down beyond its centre: root radius " +
-                                 radius(wheel1.r_root) + ", must be positive");
+  require(
+      wheel1.r_root > 0,
+      format_words("the teeth of wheel 1 are cut down beyond its centre: root radius {} mm, must be positive",
+                   "i denti della ruota 1 sono tagliati oltre il centro: raggio di piede {} mm, dev'essere positivo",
+                   radius(wheel1.r_root)));
   if (of.kind == PairKind::rack) return;
   const geometry::WheelData wheel2 = geometry::second_wheel(of);
   const Rational& inner = wheel2.ring ? wheel2.r_tip : wheel2.r_root;
-  require(inner > 0, fmt::format("the teeth of wheel 2 {} its centre: {} radius {}, must be positive",
-                                 wheel2.ring ? "reach beyond" : "are cut down beyond", wheel2.ring ? "tip" : "root",
-                                 radius(inner)));
+  const Words beyond =
+      wheel2.ring
+          ? Words{"reach beyond its centre: tip radius", "superano il centro: raggio di testa"}
+          : Words{"are cut down beyond its centre: root radius", "sono tagliati oltre il centro: raggio di piede"};
+  require(inner > 0, format_words("the teeth of wheel 2 {} {} mm, must be positive",
+                                  "i denti della ruota 2 {} {} mm, dev'essere positivo", beyond, radius(inner)));
 }
 
 // inv α + 2 tan α shift_per_tooth is never exactly zero: π is not algebraic.
@@ -68,11 +79,14 @@ void require_working_angle(const PairData& of) {
     const geometry::PressureAngle<T> alpha = geometry::pressure_angle<T>(of.alpha);
     return geometry::involute(alpha.tangent) + geometry::from_rational<T>(2 * shift) * alpha.tangent;
   });
-  require(room.sign == geometry::Sign::positive,
-          fmt::format("x1 = {:.6g}, x2 = {:.6g}: shifted so far towards each other the wheels have no working "
-                      "pressure angle: inv α + 2·tan α·({}) must be positive",
-                      nearest(of.x1), nearest(of.x2),
-                      of.kind == PairKind::internal ? "x2 - x1)/(z2 - z1" : "x1 + x2)/(z1 + z2"));
+  require(
+      room.sign == geometry::Sign::positive,
+      format_words("x1 = {}, x2 = {}: shifted so far towards each other the wheels have no working pressure angle: "
+                   "inv α + 2·tan α·({}) must be positive",
+                   "x1 = {}, x2 = {}: corrette tanto l'una verso l'altra le ruote non hanno angolo di pressione di "
+                   "lavoro: inv α + 2·tan α·({}) dev'essere positivo",
+                   decimal(nearest(of.x1), 6), decimal(nearest(of.x2), 6),
+                   std::string(of.kind == PairKind::internal ? "x2 - x1)/(z2 - z1" : "x1 + x2)/(z1 + z2")));
 }
 
 }  // namespace
@@ -80,8 +94,8 @@ void require_working_angle(const PairData& of) {
 PairData pair_of(const Givens& givens) {
   const Angle alpha = givens.angle("alpha"), degree{Rational(1, 360)};
   require(sign_of(alpha - degree) >= 0 && sign_of(alpha - Rational(75) * degree) <= 0,
-          fmt::format("alpha = {} {}: must lie between 1 and 75 deg", givens.text("alpha"),
-                      givens.reading("alpha")->unit.symbol));
+          format_words("alpha = {} {}: must lie between 1 and 75 deg", "alpha = {} {}: dev'essere tra 1 e 75 deg",
+                       givens.text("alpha"), givens.reading("alpha")->unit.symbol));
   const PairKind kind = kind_of(givens);
   const PairData of{.kind = kind,
                     .z1 = teeth(givens, "z1"),
@@ -96,7 +110,8 @@ PairData pair_of(const Givens& givens) {
                     .rho = factor(givens, "rho"),
                     .j = givens["j"] / 1000};
   require(of.j <= 3 * of.m,
-          fmt::format("j = {} mm: a backlash of more than three modules leaves no tooth", givens.text("j")));
+          format_words("j = {} mm: a backlash of more than three modules leaves no tooth",
+                       "j = {} mm: un gioco di più di tre moduli non lascia dente", givens.text("j")));
   require_wheels(of, givens);
   require_working_angle(of);
   return of;

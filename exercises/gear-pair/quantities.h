@@ -14,9 +14,12 @@ namespace epure::gear_pair {
 using geometry::PairData;
 using geometry::PairKind;
 
-inline constexpr const char* no_circle = "wheel 2 is a rack: it has no centre and no number of teeth";
-inline constexpr const char* no_limit_in_recess =
-    "only two external wheels can interfere in the recess: a ring and a rack have no tangent point there";
+inline constexpr Phrase no_circle{"wheel 2 is a rack: it has no centre and no number of teeth",
+                                  "la ruota 2 è una dentiera: non ha centro né numero di denti"};
+inline constexpr Phrase no_limit_in_recess{
+    "only two external wheels can interfere in the recess: a ring and a rack have no tangent point there",
+    "solo due ruote esterne possono interferire in recesso: una corona e una dentiera non hanno lì un punto di "
+    "tangenza"};
 
 // The same pair for the formulas, which share nothing with the construction but the numbers.
 inline geometry::analytic::Gears gears_of(const PairData& of) {

@@ -37,7 +37,8 @@ T angle_within_turn(const geometry::Vector<T>& v) {
     if (up == geometry::Sign::positive || up == geometry::Sign::zero) return geometry::arc_tangent(v.y, v.x);
     // Below the axis, or about it: measured from -x, where there is no cut.
     if (up == geometry::Sign::undecided && geometry::sign(v.x) != geometry::Sign::negative)
-      throw geometry::Undecided("whether a direction lies before or behind +x");
+      throw geometry::Undecided("whether a direction lies before or behind +x",
+                                "se una direzione stia prima o dopo +x");
     return geometry::pi<T>() + geometry::arc_tangent(T(-v.y), T(-v.x));
   }
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "exercises/kit/route_names.h"
+
 namespace epure {
 namespace {
 
@@ -43,24 +45,33 @@ bool contradict(const Settled& a, const Settled& b) {
   return a.enclosure.upper < b.enclosure.lower || b.enclosure.upper < a.enclosure.lower;
 }
 
-std::string in_words(const Settled& settled) {
-  if (settled.kind == Settled::Kind::absent) return "absent (" + settled.reason + ")";
-  return fmt::format("in [{}, {}]", settled.enclosure.lower, settled.enclosure.upper);
+Words shortest(double value) { return decimal(fmt::format("{}", value)); }
+
+Words in_words(const Settled& settled) {
+  if (settled.kind == Settled::Kind::absent) return format_words("absent ({})", "assente ({})", settled.reason);
+  return format_words("in [{}, {}]", "in [{}; {}]", shortest(settled.enclosure.lower),
+                      shortest(settled.enclosure.upper));
+}
+
+void complain(std::vector<Complaint>& complaints, const std::string& quantity, const Words& what) {
+  complaints.push_back({quantity, quantity + ": " + what});
 }
 
 void compare_routes(CheckedExercise& checked, const CheckedQuantity& quantity) {
   for (auto a = quantity.routes.begin(); a != quantity.routes.end(); ++a)
     for (auto b = a + 1; b != quantity.routes.end(); ++b)
       if (contradict(a->settled, b->settled))
-        checked.failures.push_back(fmt::format("{}: {} by {}, but {} by {}", quantity.spec.name, in_words(a->settled),
-                                               a->route, in_words(b->settled), b->route));
+        complain(checked.failures, quantity.spec.name,
+                 format_words("{} by {}, but {} by {}", "{} ({}), ma {} ({})", in_words(a->settled),
+                              route_in_words(a->route), in_words(b->settled), route_in_words(b->route)));
 }
 
 void demand_settled(CheckedExercise& checked, const CheckedQuantity& quantity) {
   for (const RouteValue& route : quantity.routes)
     if (route.settled.kind == Settled::Kind::undecided)
-      checked.failures.push_back(
-          fmt::format("{}: undecided by {} ({})", quantity.spec.name, route.route, route.settled.reason));
+      complain(checked.undecided, quantity.spec.name,
+               format_words("undecided by {} ({})", "non decisa ({}: {})", route_in_words(route.route),
+                            route.settled.reason));
 }
 
 // A true value midway between two doubles has no nearest one: no ball around it tells more than these two.
@@ -70,12 +81,14 @@ bool is_between_neighbours(const geometry::Enclosure& enclosure) {
 
 void demand_certainty(CheckedExercise& checked, const CheckedQuantity& quantity) {
   if (quantity.settled.kind == Settled::Kind::enclosed && !is_between_neighbours(quantity.settled.enclosure))
-    checked.failures.push_back(fmt::format("{}: no more is known than that it lies {} ({})", quantity.spec.name,
-                                           in_words(quantity.settled), quantity.settled.reason));
+    complain(checked.undecided, quantity.spec.name,
+             format_words("no more is known than that it lies {} ({})", "si sa soltanto che sta {} ({})",
+                          in_words(quantity.settled), quantity.settled.reason));
   std::set<std::string> routes;
   for (const RouteValue& route : quantity.routes) routes.insert(route.route);
   if (routes.size() < 2)
-    checked.failures.push_back(fmt::format("{}: only one route, so nothing confirms it", quantity.spec.name));
+    complain(checked.failures, quantity.spec.name,
+             {"only one route, so nothing confirms it", "una sola via, dunque nulla la conferma"});
 }
 
 // Quantities in the order of the description, each with its routes.
@@ -85,7 +98,7 @@ void group(CheckedExercise& checked, const std::vector<RouteValue>& values) {
     std::copy_if(values.begin(), values.end(), std::back_inserter(quantity.routes),
                  [&](const RouteValue& value) { return value.quantity == spec.name; });
     if (quantity.routes.empty()) {
-      checked.failures.push_back(fmt::format("{}: no route gives it", spec.name));
+      complain(checked.failures, spec.name, {"no route gives it", "nessuna via la dà"});
       continue;
     }
     quantity.settled =
@@ -103,53 +116,77 @@ CheckedQuantity* find(CheckedExercise& checked, const std::string& name) {
 }
 
 // What an exercise says of a quantity it does not list would be lost in silence.
-void demand_listed(CheckedExercise& checked, const std::string& name, const std::string& where) {
+void demand_listed(CheckedExercise& checked, const std::string& name, const Words& where) {
   const auto& listed = checked.about.quantities;
   if (std::none_of(listed.begin(), listed.end(), [&](const QuantitySpec& spec) { return spec.name == name; }))
-    checked.failures.push_back(fmt::format("{}: {}, but is not among the exercise's quantities", name, where));
+    complain(checked.failures, name,
+             format_words("{}, but is not among the exercise's quantities",
+                          "{}, ma non è tra le grandezze dell'esercizio", where));
 }
 
 void compare_sheet(CheckedExercise& checked, CheckedQuantity& quantity, const OnSheet& shown) {
   quantity.on_sheets.push_back(shown);
   if (quantity.settled.kind == Settled::Kind::absent)
-    checked.failures.push_back(fmt::format("{}: sheet {} shows it, but it does not exist ({})", quantity.spec.name,
-                                           shown.sheet, quantity.settled.reason));
+    complain(checked.failures, quantity.spec.name,
+             format_words("sheet {} shows it, but it does not exist ({})",
+                          "la tavola {} la mostra, ma non esiste ({})", shown.sheet, quantity.settled.reason));
   if (has_value(quantity.settled) && !is_within_resolution(shown, quantity.settled.enclosure.value))
-    checked.failures.push_back(fmt::format("{}: sheet {} shows {}, which is not {} within {}", quantity.spec.name,
-                                           shown.sheet, shown.value, quantity.settled.enclosure.value,
-                                           shown.resolution));
+    complain(checked.failures, quantity.spec.name,
+             format_words("sheet {} shows {}, which is not {} within {}",
+                          "la tavola {} mostra {}, che non è {} entro {}", shown.sheet, shortest(shown.value),
+                          shortest(quantity.settled.enclosure.value), shortest(shown.resolution)));
+}
+
+// None when something on it could not be decided: the others are looked at all the same.
+std::optional<DrawnSheet> drawn_sheet(CheckedExercise& checked, const Exercise& exercise, const std::string& name) {
+  try {
+    return exercise.draw(name, checked.givens, {});
+  } catch (const geometry::Undecided& open) {
+    checked.undecided.push_back({"", format_words("sheet {}: {}", "tavola {}: {}", name, open.words())});
+    return std::nullopt;
+  }
 }
 
 void compare_sheets(CheckedExercise& checked, const Exercise& exercise) {
   for (const SheetSpec& spec : checked.about.sheets) {
-    const DrawnSheet drawn = exercise.draw(spec.name, checked.givens, {});
-    for (const Measurement& measurement : drawn.measurements) {
-      demand_listed(checked, measurement.quantity, "shown on sheet " + spec.name);
+    const std::optional<DrawnSheet> drawn = drawn_sheet(checked, exercise, spec.name);
+    if (!drawn) continue;
+    for (const Measurement& measurement : drawn->measurements) {
+      demand_listed(checked, measurement.quantity, Words{"shown on sheet ", "mostrata sulla tavola "} + spec.name);
       if (CheckedQuantity* quantity = find(checked, measurement.quantity))
-        compare_sheet(checked, *quantity, measure(measurement, spec.name, drawn.sheet.paper));
+        compare_sheet(checked, *quantity, measure(measurement, spec.name, drawn->sheet.paper));
     }
   }
 }
 
 void compare_printed(CheckedExercise& checked) {
   for (const Printed& printed : checked.about.printed) {
-    demand_listed(checked, printed.quantity, "printed by the source");
+    demand_listed(checked, printed.quantity, {"printed by the source", "stampata dalla fonte"});
     CheckedQuantity* quantity = find(checked, printed.quantity);
     if (!quantity) continue;
     quantity->printed.push_back(judge(printed, quantity->settled));
     if (!quantity->printed.back().explanation_holds)
-      checked.failures.push_back(fmt::format("{}: the mistake that is to explain the printed {} does not give it",
-                                             printed.quantity, printed.text));
+      complain(checked.failures, printed.quantity,
+               format_words("the mistake that is to explain the printed {} does not give it",
+                            "l'errore che dovrebbe spiegare il numero stampato {} non lo dà", decimal(printed.text)));
   }
 }
 
 }  // namespace
 
+std::vector<std::string> complaints(const CheckedExercise& checked) {
+  std::vector<std::string> sentences;
+  for (const auto* all : {&checked.failures, &checked.undecided})
+    for (const Complaint& each : *all) sentences.push_back(each.sentence.english);
+  return sentences;
+}
+
 CheckedExercise check(const Exercise& exercise, const Givens& givens, Rung rung) {
   CheckedExercise checked{.about = exercise.about(), .givens = givens, .quantities = {}};
   const std::vector<RouteValue> values = exercise.solve(givens, rung);
   group(checked, values);
-  for (const RouteValue& value : values) demand_listed(checked, value.quantity, "found by " + value.route);
+  for (const RouteValue& value : values)
+    demand_listed(checked, value.quantity, Words{"found by ", "trovata per via "} + route_in_words(value.route));
   for (const CheckedQuantity& quantity : checked.quantities) {
     compare_routes(checked, quantity);
     demand_settled(checked, quantity);

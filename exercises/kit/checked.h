@@ -26,7 +26,7 @@ struct Measured {
   double value = 0;
   std::optional<double> difference = {}, difference_percent = {};  // none when there is no value to compare with
   double allowed = 0;
-  std::string allowed_by;  // "0.5 mm on sheet poles", "half a unit of the last digit, as no sheet shows it"
+  Words allowed_by;  // "0.5 mm on sheet poles", "half a unit of its last digit, as no sheet shows it"
   bool within = false;
 };
 
@@ -39,13 +39,23 @@ struct CheckedQuantity {
   std::vector<Measured> measured = {};
 };
 
+// What is wrong with a quantity, or open, in one sentence that begins with its name.
+struct Complaint {
+  std::string quantity;  // empty: of a whole sheet
+  Words sentence;
+};
+
 struct CheckedExercise {
   const Description& about;
   Givens givens;
   std::vector<CheckedQuantity> quantities;
-  std::vector<std::string> failures = {};  // a sentence each
-  bool passed() const { return failures.empty(); }
+  std::vector<Complaint> failures = {};
+  std::vector<Complaint> undecided = {};  // what no number could decide, by one route or by all
+  bool passed() const { return failures.empty() && undecided.empty(); }
 };
+
+// All that failed, then all that is undecided, in English.
+std::vector<std::string> complaints(const CheckedExercise& checked);
 
 // On rung fast nothing has bounds, so routes are not compared; on the others their enclosures must meet. Only the
 // climb demands that every quantity is settled, by at least two routes. Throws what the exercise throws.

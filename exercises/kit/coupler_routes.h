@@ -12,14 +12,20 @@
 
 namespace epure {
 
-inline constexpr const char* no_inflection_circle =
-    "the inflection circle is a line: the plane does not turn and its pole is at infinity";
-inline constexpr const char* no_stationarity_circle = "the stationarity circle is a line: ω₃ or α₃ is zero";
-inline constexpr const char* no_acceleration_pole = "the acceleration pole K is at infinity: ω₃ and α₃ are zero";
-inline constexpr const char* no_point_on_ray = "the ray from the pole meets the inflection circle at infinity";
-inline constexpr const char* no_curvature =
-    "the path is straight to the second order: the point lies on the inflection circle";
-inline constexpr const char* no_ray = "the point is the pole: its path has a cusp, and no ray leads to it";
+inline constexpr Phrase no_inflection_circle{
+    "the inflection circle is a line: the plane does not turn and its pole is at infinity",
+    "la circonferenza dei flessi è una retta: il piano non ruota e il suo polo è all'infinito"};
+inline constexpr Phrase no_stationarity_circle{"the stationarity circle is a line: ω₃ or α₃ is zero",
+                                               "la circonferenza di stazionarietà è una retta: ω₃ o α₃ è zero"};
+inline constexpr Phrase no_acceleration_pole{"the acceleration pole K is at infinity: ω₃ and α₃ are zero",
+                                             "il polo delle accelerazioni K è all'infinito: ω₃ e α₃ sono zero"};
+inline constexpr Phrase no_point_on_ray{"the ray from the pole meets the inflection circle at infinity",
+                                        "il raggio dal polo incontra la circonferenza dei flessi all'infinito"};
+inline constexpr Phrase no_curvature{
+    "the path is straight to the second order: the point lies on the inflection circle",
+    "la traiettoria è rettilinea al secondo ordine: il punto sta sulla circonferenza dei flessi"};
+inline constexpr Phrase no_ray{"the point is the pole: its path has a cusp, and no ray leads to it",
+                               "il punto è il polo: la sua traiettoria ha una cuspide, e nessun raggio vi porta"};
 
 // A point of the plane, under the letter it has in the names of quantities.
 template <class P>
@@ -36,7 +42,7 @@ geometry::Vector<T> plane(const geometry::analytic::Complex<T>& z) {
 
 // The analytic counterpart of what may be at infinity: the value, or the reason why there is none.
 template <class V>
-const V& present(const std::optional<V>& found, const char* reason) {
+const V& present(const std::optional<V>& found, const Phrase& reason) {
   if (!found) throw geometry::Impossible(reason);
   return *found;
 }
@@ -62,13 +68,13 @@ void put_vector(Ledger<T>& ledger, const std::string& name, const FindComplex<T>
 // The pole, called `pole` (P0, P31), and its distances from the points.
 template <class T>
 void write_pole(Ledger<T>& ledger, const std::string& pole, const geometry::ProjectivePoint<T>& P0,
-                const std::vector<Lettered<geometry::Point<T>>>& points, const char* at_infinity) {
+                const std::vector<Lettered<geometry::Point<T>>>& points, const Phrase& at_infinity) {
   ledger.point(pole, P0, at_infinity);
   for (const auto& X : points) ledger.distance(pole + X.letter, P0, X.at, at_infinity);
 }
 template <class T>
 void write_pole(Ledger<T>& ledger, const std::string& pole, const geometry::analytic::PlaneMotion<T>& motion,
-                const std::vector<Lettered<geometry::analytic::Complex<T>>>& points, const char* at_infinity) {
+                const std::vector<Lettered<geometry::analytic::Complex<T>>>& points, const Phrase& at_infinity) {
   const auto P0 = [&] { return present(motion.pole(), at_infinity); };
   put_point<T>(ledger, pole, P0);
   for (const auto& X : points) put_length<T>(ledger, pole + X.letter, [&] { return X.at - P0(); });
@@ -78,7 +84,7 @@ void write_pole(Ledger<T>& ledger, const std::string& pole, const geometry::anal
 template <class T>
 void write_acceleration_pole(Ledger<T>& ledger, const geometry::PlaneMotion<T>& motion,
                              const std::vector<Lettered<geometry::Point<T>>>& points,
-                             const char* at_infinity = no_acceleration_pole) {
+                             const Phrase& at_infinity = no_acceleration_pole) {
   const geometry::ProjectivePoint<T> K = motion.acceleration_pole();
   ledger.point("K", K, at_infinity);
   for (const auto& X : points) ledger.distance("K" + X.letter, K, X.at, at_infinity);
@@ -86,7 +92,7 @@ void write_acceleration_pole(Ledger<T>& ledger, const geometry::PlaneMotion<T>& 
 template <class T>
 void write_acceleration_pole(Ledger<T>& ledger, const geometry::analytic::PlaneMotion<T>& motion,
                              const std::vector<Lettered<geometry::analytic::Complex<T>>>& points,
-                             const char* at_infinity = no_acceleration_pole) {
+                             const Phrase& at_infinity = no_acceleration_pole) {
   const auto K = [&] { return present(motion.acceleration_pole(), at_infinity); };
   put_point<T>(ledger, "K", K);
   for (const auto& X : points) put_length<T>(ledger, "K" + X.letter, [&] { return X.at - K(); });
@@ -95,7 +101,7 @@ void write_acceleration_pole(Ledger<T>& ledger, const geometry::analytic::PlaneM
 // Diameter and centre of a circle that may have become a line.
 template <class T>
 void write_circle(Ledger<T>& ledger, const std::string& name, const geometry::Cycle<T>& cycle,
-                  const char* when_line) {
+                  const Phrase& when_line) {
   ledger.put(name + "_diameter", [&] {
     const T squared = geometry::square(cycle.l) + geometry::square(cycle.m) - T(4) * cycle.k * cycle.n;
     if constexpr (signs_only<T>) {
@@ -130,7 +136,7 @@ void write_circles(Ledger<T>& ledger, const geometry::analytic::PlaneMotion<T>& 
 
 // Why there is no point on the ray to X, or no centre of curvature, where there is none: X may be the pole.
 template <class T>
-const char* unless_pole(const geometry::PlaneMotion<T>& motion, const geometry::Point<T>& X, const char* reason) {
+const Phrase& unless_pole(const geometry::PlaneMotion<T>& motion, const geometry::Point<T>& X, const Phrase& reason) {
   return geometry::sign(geometry::length_squared(motion.velocity(X))) == geometry::Sign::zero ? no_ray : reason;
 }
 
@@ -140,8 +146,8 @@ void write_curvature(Ledger<T>& ledger, const geometry::PlaneMotion<T>& motion,
                      const Lettered<geometry::Point<T>>& X) {
   const geometry::ProjectivePoint<T> on_circle = motion.on_inflection_circle(X.at);
   const geometry::ProjectivePoint<T> centre = motion.centre_of_curvature(X.at);
-  const char *none_on_ray = unless_pole(motion, X.at, no_point_on_ray),
-             *no_centre = unless_pole(motion, X.at, no_curvature);
+  const Phrase &none_on_ray = unless_pole(motion, X.at, no_point_on_ray),
+               &no_centre = unless_pole(motion, X.at, no_curvature);
   ledger.distance(X.letter + "prime_" + X.letter, on_circle, X.at, none_on_ray);
   ledger.distance("rho_" + X.letter, centre, X.at, no_centre);
   ledger.point("curvature_centre_" + X.letter, centre, no_centre);

@@ -25,22 +25,26 @@ Sign compare_distance(const FourBarInstant& at, const Rational& length) {
       .sign;
 }
 
-std::string place(const FourBarInstant& at) {
+Words place(const FourBarInstant& at) {
   const double distance = geometry::root(squared_distance_of_pins<geometry::Fast>(at));
-  return fmt::format("at crank angle {:.6g}° the pin A is {:.9g} m from B₀", degrees(at.crank), distance);
+  return format_words("at crank angle {}° the pin A is {} m from B₀",
+                      "con la manovella a {}° il perno A dista {} m da B₀", decimal(degrees(at.crank), 6),
+                      decimal(distance, 9));
 }
 
 // Both motions that leave the change point the crank stands at; what they say depends on no speed.
-std::string motions_from_change_point(const FourBarInstant& at) {
+Words motions_from_change_point(const FourBarInstant& at) {
   using geometry::Fast;
   const geometry::Vector<Fast> crank{geometry::cosine<Fast>(at.crank), geometry::sine<Fast>(at.crank)};
   for (const geometry::FlatPosition& flat : geometry::flat_positions(at.lengths)) {
     if (dot(geometry::crank_direction<Fast>(at.lengths, flat), crank) < 0) continue;
-    std::string text;
+    Words text;
     for (const auto& motion : geometry::change_point_motions<Fast>(flat)) {
-      text += text.empty() ? "" : ", or ";
-      text += motion.leaves_to ? fmt::format("ω₃/ω₂ = {:.6g} and ω₄/ω₂ = {:.6g}", motion.omega_3, motion.omega_4)
-                               : "the crank rests while coupler and rocker turn together";
+      if (!text.empty()) text = text + Words{", or ", ", o "};
+      text = text + (motion.leaves_to ? format_words("ω₃/ω₂ = {} and ω₄/ω₂ = {}", "ω₃/ω₂ = {} e ω₄/ω₂ = {}",
+                                                     decimal(motion.omega_3, 6), decimal(motion.omega_4, 6))
+                                      : Words{"the crank rests while coupler and rocker turn together",
+                                              "la manovella ferma mentre biella e bilanciere ruotano insieme"});
     }
     return text;
   }
@@ -54,36 +58,44 @@ std::string motions_from_change_point(const FourBarInstant& at) {
         return geometry::is_change_point<T>(at.lengths, crank);
       }).truth;
   if (two_motions == geometry::Truth::undecided)
-    throw geometry::Undecided("whether the linkage is at a change point");
+    throw geometry::Undecided("whether the linkage is at a change point",
+                              "se il meccanismo sia in un punto di cambiamento");
   if (two_motions == geometry::Truth::yes)
-    throw BadGivens(
-        fmt::format("{}, and all hinges are in line: a change point, which two motions leave, with {}; "
-                    "choose another instant, if only a little later",
-                    place(at), motions_from_change_point(at)));
+    throw BadGivens(format_words(
+        "{}, and all hinges are in line: a change point, which two motions leave, with {}; choose another "
+        "instant, if only a little later",
+        "{}, e tutte le cerniere sono allineate: un punto di cambiamento, da cui partono due moti, con {}; "
+        "scegliere un altro istante, anche di poco successivo",
+        place(at), motions_from_change_point(at)));
   throw BadGivens(
-      fmt::format("{}, where coupler and rocker are in line: the crank is at a limit position and cannot "
-                  "drive the rocker",
-                  place(at)));
+      format_words("{}, where coupler and rocker are in line: the crank is at a limit position and cannot drive the "
+                   "rocker",
+                   "{}, dove biella e bilanciere sono allineati: la manovella è in una posizione limite e non può "
+                   "muovere il bilanciere",
+                   place(at)));
 }
 
 void require_closure(const FourBarInstant& at) {
   const Rational sum = at.lengths.AB + at.lengths.B0B, difference = CGAL::abs(at.lengths.AB - at.lengths.B0B);
   const Sign beyond = compare_distance(at, sum), within = compare_distance(at, difference);
   if (beyond == Sign::undecided || within == Sign::undecided)
-    throw geometry::Undecided("whether coupler and rocker reach from A to B₀");
+    throw geometry::Undecided("whether coupler and rocker reach from A to B₀",
+                              "se biella e bilanciere arrivino da A a B₀");
   const double distance = geometry::root(squared_distance_of_pins<geometry::Fast>(at));
   if (beyond == Sign::positive)
-    throw BadGivens(fmt::format("the linkage does not close: {}, and AB + B₀B = {:.9g} m is too short by {:.3g} m",
-                                place(at), CGAL::to_double(sum), distance - CGAL::to_double(sum)));
+    throw BadGivens(format_words("the linkage does not close: {}, and AB + B₀B = {} m is too short by {} m",
+                                 "il meccanismo non si chiude: {}, e AB + B₀B = {} m è troppo corto di {} m",
+                                 place(at), decimal(CGAL::to_double(sum), 9),
+                                 decimal(distance - CGAL::to_double(sum), 3)));
   if (within == Sign::negative)
-    throw BadGivens(fmt::format(
-        "the linkage does not close: {}, and AB and B₀B, which differ by {:.9g} m, cannot fold up to it by "
-        "{:.3g} m",
-        place(at), CGAL::to_double(difference), CGAL::to_double(difference) - distance));
+    throw BadGivens(format_words(
+        "the linkage does not close: {}, and AB and B₀B, which differ by {} m, cannot fold up to it by {} m",
+        "il meccanismo non si chiude: {}, e AB e B₀B, che differiscono di {} m, non possono ripiegarsi per {} m",
+        place(at), decimal(CGAL::to_double(difference), 9), decimal(CGAL::to_double(difference) - distance, 3)));
   if (beyond == Sign::zero || within == Sign::zero) refuse_flat_position(at);
 }
 
-bool is_zero(const geometry::Decision& decided, const char* question) {
+bool is_zero(const geometry::Decision& decided, const Phrase& question) {
   if (decided.sign == Sign::undecided) throw geometry::Undecided(question);
   return decided.sign == Sign::zero;
 }
@@ -107,17 +119,21 @@ geometry::Side side_chosen(const Givens& givens, const std::string& symbol) {
 }
 
 void require_drivable(FourBarInstant& at) {
-  if (is_zero(at.n)) throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0");
+  if (is_zero(at.n))
+    throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0",
+                    "n = 0 rpm: la manovella deve girare, n dev'essere diverso da 0");
   if (at.lengths.x_B0 == 0 && at.lengths.y_B0 == 0)
-    throw BadGivens("B₀ = (0, 0) m lies on A₀: there is no frame between the hinges");
+    throw BadGivens("B₀ = (0, 0) m lies on A₀: there is no frame between the hinges",
+                    "B₀ = (0, 0) m sta su A₀: tra le cerniere non c'è telaio");
   require_closure(at);
-  const bool parallel = is_zero(geometry::decide([&]<class T>() { return at.position<T>().pole().w; }),
-                                "whether crank and rocker are parallel");
+  const bool parallel =
+      is_zero(geometry::decide([&]<class T>() { return at.position<T>().pole().w; }),
+              {"whether crank and rocker are parallel", "se manovella e bilanciere siano paralleli"});
   at.dead_centre = is_zero(geometry::decide([&]<class T>() {
                              const auto here = at.position<T>();
                              return cross(here.A - here.A0, here.B - here.A);
                            }),
-                           "whether crank and coupler are in line");
+                           {"whether crank and coupler are in line", "se manovella e biella siano allineate"});
   at.one_line = parallel && at.dead_centre;
   at.pole_at_infinity = parallel && !at.dead_centre;
 }

@@ -9,8 +9,9 @@
 
 namespace epure {
 
-inline constexpr const char* crank_parallel_to_rocker =
-    "the pole of the coupler is at infinity: crank and rocker are parallel";
+inline constexpr Phrase crank_parallel_to_rocker{
+    "the pole of the coupler is at infinity: crank and rocker are parallel",
+    "il polo della biella è all'infinito: manovella e bilanciere sono paralleli"};
 
 // The side of a directed line on which a point lies, as a given: of A -> B₀ for B, of A -> B for a plate's corner.
 // `point` and `line` are rich text.

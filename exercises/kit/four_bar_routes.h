@@ -38,7 +38,8 @@ CouplerAndRocker<T> motion_by_poles(const geometry::FourBar<T>& at, const T& ome
   return {coupler, rate_of_rocker(at, coupler.velocity(at.B)), rate_of_rocker(at, coupler.acceleration(at.B)), J};
 }
 
-inline constexpr const char* no_path = "the point is at rest: its path has no direction there";
+inline constexpr Phrase no_path{"the point is at rest: its path has no direction there",
+                                "il punto è fermo: lì la sua traiettoria non ha direzione"};
 
 // |part| / |along|, for a part of a vector given as a product with a vector along the path.
 template <class T>

@@ -33,7 +33,8 @@ T size(const geometry::Vector<T>& v) {
 template <class T>
 T slope_angle(const geometry::Vector<T>& v) {
   if (geometry::sign(v.y) == geometry::Sign::zero && geometry::sign(v.x) == geometry::Sign::zero)
-    throw geometry::Impossible("both sides of the angle are zero: it has no value");
+    throw geometry::Impossible("both sides of the angle are zero: it has no value",
+                               "i due lati dell'angolo sono nulli: non ha valore");
   if constexpr (signs_only<T>) {
     return v.y;
   } else {
@@ -76,14 +77,14 @@ class Ledger {
     put(name + "_y", seen.y);
   }
   // Coordinates of a point that may be at infinity, which `at_infinity` then says.
-  void point(const std::string& name, const geometry::ProjectivePoint<T>& P, const std::string& at_infinity) {
+  void point(const std::string& name, const geometry::ProjectivePoint<T>& P, const Phrase& at_infinity) {
     const geometry::Vector<T> seen = in_usual_axes({P.x, P.y});
     put(name + "_x", [&] { return ratio(seen.x, P.w, at_infinity); });
     put(name + "_y", [&] { return ratio(seen.y, P.w, at_infinity); });
   }
   // The distance from P, which may be at infinity, to X.
   void distance(const std::string& name, const geometry::ProjectivePoint<T>& P, const geometry::Point<T>& X,
-                const std::string& at_infinity) {
+                const Phrase& at_infinity) {
     put(name, [&] {
       const geometry::Vector<T> d{X.x * P.w - P.x, X.y * P.w - P.y};
       if constexpr (signs_only<T>) {
@@ -95,12 +96,12 @@ class Ledger {
   }
 
   // numerator / denominator; absent, for the reason given, when the denominator is proved zero.
-  static T ratio(const T& numerator, const T& denominator, const std::string& when_zero) {
+  static T ratio(const T& numerator, const T& denominator, const Phrase& when_zero) {
     switch (geometry::sign(denominator)) {
       case geometry::Sign::zero:
         throw geometry::Impossible(when_zero);
       case geometry::Sign::undecided:
-        throw geometry::Undecided("whether " + when_zero);
+        throw geometry::Undecided(Words{"whether ", "se "} + when_zero);
       default:
         return geometry::quotient(numerator, denominator);
     }

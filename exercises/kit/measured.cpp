@@ -21,12 +21,16 @@ const OnSheet* coarsest(const CheckedQuantity& quantity) {
 
 struct Allowance {
   Rational size;
-  std::string by;
+  Words by;
 };
 Allowance allowance(const CheckedQuantity& quantity, const Decimal& number, const Rational& reading) {
   if (const OnSheet* shown = coarsest(quantity))
-    return {reading * Rational(shown->per_mm), fmt::format("{} mm on sheet {}", nearest(reading), shown->sheet)};
-  return {number.half_unit, "half a unit of its last digit, as no sheet shows it"};
+    return {reading * Rational(shown->per_mm),
+            format_words("{} mm on sheet {}", "{} mm sulla tavola {}", decimal(fmt::format("{}", nearest(reading))),
+                         shown->sheet)};
+  return {number.half_unit,
+          {"half a unit of its last digit, as no sheet shows it",
+           "mezza unità dell'ultima cifra, perché nessuna tavola la mostra"}};
 }
 
 // Also "43deg" in rad and "127rpm" in rad/s. Nobody measures to sixteen digits, so the double nearest to 2π will do.
@@ -48,8 +52,9 @@ Decimal read_measured(const std::string& text, const std::string& unit) {
   Decimal number = read_any_unit(text, unit);
   const Rational largest = geometry::parse_given("1e12", "1");
   if (CGAL::abs(number.value) > largest || number.half_unit > largest)
-    throw geometry::BadGiven(
-        fmt::format("\"{}\" must lie between -1e12 and 1e12{}", text.substr(0, 60), unit == "1" ? "" : " " + unit));
+    throw geometry::BadGiven(format_words("\"{}\" must lie between -1e12 and 1e12{}",
+                                          "\"{}\" dev'essere tra -1e12 e 1e12{}", text.substr(0, 60),
+                                          unit == "1" ? std::string() : " " + unit));
   return number;
 }
 
@@ -57,6 +62,7 @@ Decimal read_measured(const std::string& text, const std::string& unit) {
 
 void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std::string& text,
                   const Rational& reading) {
+  const auto fail = [&](const Words& why) { checked.failures.push_back({quantity.spec.name, why}); };
   const Decimal number = read_measured(text, quantity.spec.unit);
   const Allowance allowed = allowance(quantity, number, reading);
   Measured measured{
@@ -68,12 +74,14 @@ void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std
     measured.difference = measured.value - (number.signed_text ? value : std::abs(value));
     measured.difference_percent = percent(Rational(*measured.difference), value);
     if (!measured.within)
-      checked.failures.push_back(fmt::format("{}: measured {} is beyond reading: {:.3g} off, {:.3g} allowed ({})",
-                                             quantity.spec.name, text, std::abs(*measured.difference),
-                                             measured.allowed, measured.allowed_by));
+      fail(format_words("{}: measured {} is beyond reading: {} off, {} allowed ({})",
+                        "{}: misurata {}, oltre l'errore di lettura: scarto {}, ammesso {} ({})", quantity.spec.name,
+                        text, decimal(std::abs(*measured.difference), 3), decimal(measured.allowed, 3),
+                        measured.allowed_by));
   } else {
-    checked.failures.push_back(fmt::format("{}: measured {}, but there is no value to compare with ({})",
-                                           quantity.spec.name, text, quantity.settled.reason));
+    fail(format_words("{}: measured {}, but there is no value to compare with ({})",
+                      "{}: misurata {}, ma non c'è un valore con cui confrontarla ({})", quantity.spec.name, text,
+                      quantity.settled.reason));
   }
   quantity.measured.push_back(std::move(measured));
 }

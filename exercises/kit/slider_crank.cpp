@@ -16,9 +16,11 @@ using geometry::Sign;
 void require_plate(const geometry::SliderCrankLengths& of) {
   const auto longer = [](const char* long_name, const Rational& longest, const char* sum, const Rational& others) {
     if (longest > others) {
-      throw BadGivens(fmt::format(
-          "the plate ABC does not close: {} = {:.6g} m is longer than {} = {:.6g} m by {:.3g} m", long_name,
-          CGAL::to_double(longest), sum, CGAL::to_double(others), CGAL::to_double(longest - others)));
+      throw BadGivens(format_words("the plate ABC does not close: {} = {} m is longer than {} = {} m by {} m",
+                                   "la piastra ABC non si chiude: {} = {} m è più lungo di {} = {} m, di {} m",
+                                   std::string(long_name), decimal(CGAL::to_double(longest), 6), std::string(sum),
+                                   decimal(CGAL::to_double(others), 6),
+                                   decimal(CGAL::to_double(longest - others), 3)));
     }
   };
   longer("AB", of.l, "AC + BC", of.AC + of.BC);
@@ -33,14 +35,17 @@ T height_of_A(const SliderCrankInstant& at) {
          geometry::from_rational<T>(at.lengths.e);
 }
 
-std::string where_it_closes(const SliderCrankInstant& at) {
-  std::string text;
+Words where_it_closes(const SliderCrankInstant& at) {
+  Words text;
   for (const AngleRange& range : crank_swings(at))
-    text +=
-        fmt::format("{} {:.6g}° to {:.6g}°", text.empty() ? "; it closes from" : " and from", range.from, range.to);
+    text =
+        text + format_words("{} {}° to {}°", "{} {}° a {}°",
+                            text.empty() ? Words{"; it closes from", "; si chiude da"} : Words{" and from", " e da"},
+                            decimal(range.from, 6), decimal(range.to, 6));
   if (!text.empty()) return text;
-  return fmt::format("; it closes at no angle, as the guide passes {:.6g} m from A₀",
-                     CGAL::to_double(CGAL::abs(at.lengths.e)));
+  return format_words("; it closes at no angle, as the guide passes {} m from A₀",
+                      "; non si chiude ad alcun angolo, perché la guida passa a {} m da A₀",
+                      decimal(CGAL::to_double(CGAL::abs(at.lengths.e)), 6));
 }
 
 void require_closure(const SliderCrankInstant& at) {
@@ -49,20 +54,25 @@ void require_closure(const SliderCrankInstant& at) {
         return geometry::square(geometry::from_rational<T>(at.lengths.l)) - geometry::square(height_of_A<T>(at));
       }).sign;
   if (reach == Sign::positive) return;
-  if (reach == Sign::undecided) throw geometry::Undecided("whether the coupler reaches the guide");
+  if (reach == Sign::undecided)
+    throw geometry::Undecided("whether the coupler reaches the guide", "se la biella raggiunga la guida");
   const double phi = degrees(at.crank);
   const double height = std::abs(height_of_A<geometry::Fast>(at));
   const double l = CGAL::to_double(at.lengths.l);
   if (reach == Sign::negative) {
-    throw BadGivens(
-        fmt::format("the linkage does not close: at crank angle {:.6g}° the pin A is {:.6g} m from the "
-                    "guide, and the coupler AB = {:.6g} m is too short by {:.3g} m{}",
-                    phi, height, l, height - l, where_it_closes(at)));
+    throw BadGivens(format_words(
+        "the linkage does not close: at crank angle {}° the pin A is {} m from the guide, and the coupler "
+        "AB = {} m is too short by {} m{}",
+        "il meccanismo non si chiude: con la manovella a {}° il perno A dista {} m dalla guida, e la biella "
+        "AB = {} m è troppo corta di {} m{}",
+        decimal(phi, 6), decimal(height, 6), decimal(l, 6), decimal(height - l, 3), where_it_closes(at)));
   }
-  throw BadGivens(
-      fmt::format("at crank angle {:.6g}° the coupler AB = {:.6g} m stands square to the guide, where the "
-                  "crank cannot drive the slider: its velocity does not exist",
-                  phi, l));
+  throw BadGivens(format_words(
+      "at crank angle {}° the coupler AB = {} m stands square to the guide, where the crank cannot drive "
+      "the slider: its velocity does not exist",
+      "con la manovella a {}° la biella AB = {} m è perpendicolare alla guida, dove la manovella non può "
+      "muovere il corsoio: la sua velocità non esiste",
+      decimal(phi, 6), decimal(l, 6)));
 }
 
 // The crank is square to the guide: a decision on the rational number of quarter turns between them. Radians in that
@@ -145,7 +155,9 @@ SliderCrankInstant slider_crank_instant(const Givens& givens) {
 }
 
 void require_drivable(SliderCrankInstant& at) {
-  if (is_zero(at.n)) throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0");
+  if (is_zero(at.n))
+    throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0",
+                    "n = 0 rpm: la manovella deve girare, n dev'essere diverso da 0");
   require_closure(at);
   at.pole_at_infinity = is_square_to_guide(at);
   at.dead_centre = is_dead_centre(at);

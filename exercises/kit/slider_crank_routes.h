@@ -8,7 +8,8 @@
 
 namespace epure {
 
-inline constexpr const char* pole_at_infinity = "the pole P₀ is at infinity: the crank is square to the guide";
+inline constexpr Phrase pole_at_infinity{"the pole P₀ is at infinity: the crank is square to the guide",
+                                         "il polo P₀ è all'infinito: la manovella è perpendicolare alla guida"};
 
 template <class T>
 struct AnalyticSliderCrank {

@@ -53,14 +53,15 @@ std::vector<std::string> near_names(const std::string& wrong, const std::vector<
 
 }  // namespace
 
-std::string alternatives(const std::vector<std::string>& names) { return join(names, " or "); }
+Words alternatives(const std::vector<std::string>& names) { return {join(names, " or "), join(names, " o ")}; }
 
-std::string did_you_mean(const std::string& wrong, const std::vector<std::string>& known) {
+Words did_you_mean(const std::string& wrong, const std::vector<std::string>& known) {
   // A long word is no slip of the finger, and comparing it would take long.
   const auto near = wrong.size() <= 100 ? near_names(wrong, known) : std::vector<std::string>{};
-  if (!near.empty()) return "did you mean " + alternatives(near) + "?";
-  if (known.size() <= most_listed) return "known are: " + join(known, ", ");
-  return "known are: " + join({known.begin(), known.begin() + most_listed}, ", ") + ", ...";
+  if (!near.empty()) return Words{"did you mean ", "si intendeva "} + alternatives(near) + "?";
+  const Words known_are = {"known are: ", "si conoscono: "};
+  if (known.size() <= most_listed) return known_are + join(known, ", ");
+  return known_are + join({known.begin(), known.begin() + most_listed}, ", ") + ", ...";
 }
 
 }  // namespace epure

@@ -4,13 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "words/words.h"
+
 namespace epure {
 
 // "did you mean omega_3?" for the known names nearest to `wrong` (at most three); when none is near, "known are: "
 // and the names, or the first of them when there are many. No full stop and no capital: the end of a sentence.
-std::string did_you_mean(const std::string& wrong, const std::vector<std::string>& known);
+Words did_you_mean(const std::string& wrong, const std::vector<std::string>& known);
 
 // "a, b or c".
-std::string alternatives(const std::vector<std::string>& names);
+Words alternatives(const std::vector<std::string>& names);
 
 }  // namespace epure

@@ -182,7 +182,8 @@ Scales chosen_scales(const Drawn& f, const Pictures& pictures, const Rooms& room
     }
     newtons = largest_vector_scale(0.99 * newtons.mm_per_unit, "N", request.language);
   }
-  throw BadGivens("the bodies and their forces do not fit the paper at any standard scale");
+  throw BadGivens("the bodies and their forces do not fit the paper at any standard scale",
+                  "i corpi e le loro forze non stanno sulla carta in alcuna scala normalizzata");
 }
 
 // The couple of inertia stands opposite to the lever, on the right of B.

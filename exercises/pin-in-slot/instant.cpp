@@ -36,10 +36,14 @@ std::vector<GivenSpec> stated_givens() {
 Instant instant(const Givens& givens) {
   const Rational &R = givens["R"], &OB = givens["OB"];
   if (OB < R) {
-    throw BadGivens(fmt::format(
-        "OB = {:.6g} m is shorter than R = {:.6g} m by {:.3g} m: the pin stays R above the guide, on which "
-        "O lies, so OB must be at least R",
-        CGAL::to_double(OB), CGAL::to_double(R), CGAL::to_double(R - OB)));
+    throw BadGivens(format_words(
+        "OB = {} m is shorter than R = {} m by {} m: the pin stays R above the guide, on which O lies, so OB must be "
+        "at "
+        "least R",
+        "OB = {} m è più corto di R = {} m, di {} m: il perno resta R sopra la guida, su cui sta O, dunque OB "
+        "dev'essere "
+        "almeno R",
+        decimal(CGAL::to_double(OB), 6), decimal(CGAL::to_double(R), 6), decimal(CGAL::to_double(R - OB), 3)));
   }
   return {.lengths = {R, OB, givens["AO"]},
           .masses = {givens["M1"], givens["M2"], givens["J2"], givens["g"]},

@@ -7,8 +7,10 @@
 
 namespace epure::pin_in_slot {
 
-inline constexpr const char* no_relative_pole = "P₂₃ is at infinity: the lever is upright";
-inline constexpr const char* lifts_off = "the guide does not press on the disc (N ≤ 0): it would lift off";
+inline constexpr Phrase no_relative_pole{"P₂₃ is at infinity: the lever is upright",
+                                         "P₂₃ è all'infinito: la leva è verticale"};
+inline constexpr Phrase lifts_off{"the guide does not press on the disc (N ≤ 0): it would lift off",
+                                  "la guida non preme sul disco (N ≤ 0): si staccherebbe"};
 
 // |x| without deciding its sign, which an enclosure of zero does not tell; for signs, x².
 template <class T>
@@ -23,7 +25,7 @@ T required_friction(const T& friction, const T& normal) {
     case geometry::Sign::positive:
       return geometry::quotient(magnitude_of(friction), normal);
     case geometry::Sign::undecided:
-      throw geometry::Undecided("whether the guide presses on the disc");
+      throw geometry::Undecided("whether the guide presses on the disc", "se la guida prema sul disco");
     default:
       throw geometry::Impossible(lifts_off);
   }

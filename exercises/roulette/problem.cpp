@@ -120,11 +120,14 @@ Problem problem_of(const Givens& givens) {
                         givens.angle("omega"),
                         givens.angle("alpha")};
   if (!problem.is_line() && problem.rolling.d < 0)
-    throw BadGivens(fmt::format("d = {} m: the distance of M from the centre of the circle must not be negative",
-                                geometry::to_text(problem.rolling.d)));
+    throw BadGivens(format_words("d = {} m: the distance of M from the centre of the circle must not be negative",
+                                 "d = {} m: la distanza di M dal centro della circonferenza non dev'essere negativa",
+                                 geometry::to_text(problem.rolling.d)));
   if (how == Rolls::circle_inside_circle && problem.rolling.r >= problem.rolling.R)
-    throw BadGivens(fmt::format("r = {} m, R = {} m: a circle that rolls inside another must be smaller, r < R",
-                                geometry::to_text(problem.rolling.r), geometry::to_text(problem.rolling.R)));
+    throw BadGivens(
+        format_words("r = {} m, R = {} m: a circle that rolls inside another must be smaller, r < R",
+                     "r = {} m, R = {} m: una circonferenza che rotola dentro un'altra dev'essere più piccola, r < R",
+                     geometry::to_text(problem.rolling.r), geometry::to_text(problem.rolling.R)));
   return problem;
 }
 

@@ -8,15 +8,20 @@
 namespace epure::velocity_centre {
 
 // Why there is none, when there is none.
-inline const char* no_velocity_centre(const Instant& instant) {
-  return instant.V == 0 ? "the bar rests: no point of it is the velocity centre more than another"
-                        : "the velocity centre is at infinity: the bar translates, ω is zero";
+inline Phrase no_velocity_centre(const Instant& instant) {
+  return instant.V == 0 ? Phrase{"the bar rests: no point of it is the velocity centre more than another",
+                                 "l'asta è in quiete: nessun suo punto è centro delle velocità più di un altro"}
+                        : Phrase{"the velocity centre is at infinity: the bar translates, ω is zero",
+                                 "il centro delle velocità è all'infinito: l'asta trasla, ω è zero"};
 }
-inline const char* no_acceleration_centre(const Instant& instant) {
-  return instant.a == 0 ? "no point is accelerated: none is the acceleration centre more than another"
-                        : "the acceleration centre is at infinity: ω and dω/dt are zero";
+inline Phrase no_acceleration_centre(const Instant& instant) {
+  return instant.a == 0 ? Phrase{"no point is accelerated: none is the acceleration centre more than another",
+                                 "nessun punto è accelerato: nessuno è centro delle accelerazioni più di un altro"}
+                        : Phrase{"the acceleration centre is at infinity: ω and dω/dt are zero",
+                                 "il centro delle accelerazioni è all'infinito: ω e dω/dt sono zero"};
 }
-inline constexpr const char* upright_normal = "the normal to v_A has no slope: v_A is horizontal, or zero";
+inline constexpr Phrase upright_normal{"the normal to v_A has no slope: v_A is horizontal, or zero",
+                                       "la normale a v_A non ha pendenza: v_A è orizzontale, o zero"};
 
 // The bar as a moving plane. O is the origin.
 template <class T>

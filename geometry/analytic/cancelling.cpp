@@ -40,7 +40,7 @@ void at_point(arb_t result, const Function& function, const arb_t x, long bits) 
     function(result, x, working);
     if (arb_rel_accuracy_bits(result) >= bits) return;
   }
-  throw Undecided("a difference that cancels beyond all bits");
+  throw Undecided("a difference that cancels beyond all bits", "una differenza che si cancella oltre ogni bit");
 }
 
 // Of a growing function between the ends of x; at_zero is where it has the value `there` and may not be computed.
@@ -69,7 +69,8 @@ Bounded in_doubles(const Computation& computation) {
 }
 
 Deep ball(const Bounded& x) {
-  if (!std::isfinite(x.inf()) || !std::isfinite(x.sup())) throw Undecided("a number without bounds");
+  if (!std::isfinite(x.inf()) || !std::isfinite(x.sup()))
+    throw Undecided("a number without bounds", "un numero senza limiti");
   return Deep::from_bounded(x);
 }
 
@@ -79,7 +80,7 @@ Fast tangent_less_angle(Fast alpha) { return std::tan(alpha) - alpha; }
 Deep tangent_less_angle(const Deep& alpha) {
   const Deep right_angle = from_rational<Deep>(Rational(1, 2)) * pi<Deep>();
   if (sign(right_angle - alpha) != Sign::positive || sign(right_angle + alpha) != Sign::positive)
-    throw Undecided("whether an angle is less than a right one");
+    throw Undecided("whether an angle is less than a right one", "se un angolo sia minore di un angolo retto");
   return growing(involute, alpha, 0, 0);
 }
 Bounded tangent_less_angle(const Bounded& alpha) {
@@ -88,7 +89,9 @@ Bounded tangent_less_angle(const Bounded& alpha) {
 
 Fast logarithms_near_one(Fast n) { return (n + 1) * std::log(n) - 2 * (n - 1); }
 Deep logarithms_near_one(const Deep& n) {
-  if (sign(n) != Sign::positive) throw Undecided("whether a number that has a logarithm is positive");
+  if (sign(n) != Sign::positive)
+    throw Undecided("whether a number that has a logarithm is positive",
+                    "se un numero di cui si prende il logaritmo sia positivo");
   return growing(logarithms, n, 1, 0);
 }
 Bounded logarithms_near_one(const Bounded& n) {

@@ -28,7 +28,8 @@ struct TwoMagnitudes {
 template <class T>
 std::optional<TwoMagnitudes<T>> close_polygon(const Complex<T>& known, const Complex<T>& u, const Complex<T>& v) {
   const T determinant = cross(u, v);
-  if (is_zero(determinant, "whether the two directions are parallel")) return {};
+  if (is_zero(determinant, {"whether the two directions are parallel", "se le due direzioni siano parallele"}))
+    return {};
   return TwoMagnitudes<T>{-quotient(cross(known, v), determinant), -quotient(cross(u, known), determinant)};
 }
 
@@ -56,7 +57,9 @@ std::optional<Crossings<T>> meet_of_line_and_circle(const Complex<T>& p, const C
   const Complex<T> from = p - centre;
   const T a = squared_modulus(u), half_b = dot(u, from), c = squared_modulus(from) - square(radius);
   const T discriminant = square(half_b) - a * c;
-  if (decided_sign(discriminant, "whether the line reaches the circle") == Sign::negative) return {};
+  if (decided_sign(discriminant, {"whether the line reaches the circle", "se la retta raggiunga la circonferenza"}) ==
+      Sign::negative)
+    return {};
   const T spread = root(discriminant);
   return Crossings<T>{p + quotient(-half_b - spread, a) * u, p + quotient(-half_b + spread, a) * u};
 }
@@ -75,11 +78,14 @@ std::optional<CirclesMeet<T>> meet_of_circles(const Complex<T>& p, const T& p_ra
                                               const T& q_radius) {
   const Complex<T> d = q - p;
   const T d2 = squared_modulus(d);
-  if (is_zero(d2, "whether the circles are concentric"))
-    throw Impossible("concentric circles: no meets, or all points");
+  if (is_zero(d2, {"whether the circles are concentric", "se le circonferenze siano concentriche"}))
+    throw Impossible("concentric circles: no meets, or all points",
+                     "circonferenze concentriche: nessun punto comune, o tutti");
   // 16 area² = (d² - (R - r)²) ((R + r)² - d²)
   const T sixteen_areas_squared = (d2 - square(p_radius - q_radius)) * (square(p_radius + q_radius) - d2);
-  if (decided_sign(sixteen_areas_squared, "whether the circles meet") == Sign::negative) return {};
+  if (decided_sign(sixteen_areas_squared, {"whether the circles meet", "se le circonferenze si incontrino"}) ==
+      Sign::negative)
+    return {};
   const T two_d2 = T(2) * d2;
   const T along = quotient(d2 + square(p_radius) - square(q_radius), two_d2);
   const T aside = quotient(root(sixteen_areas_squared), two_d2);

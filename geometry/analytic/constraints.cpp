@@ -32,23 +32,32 @@ Certainty certainty(const FourBar& g, const CrankState<Fast>& crank, double thet
   return {may_be_zero(psi(0)) && may_be_zero(psi(1)), may_be_zero(q.determinant)};
 }
 
-std::string after(int steps) { return "after " + std::to_string(steps) + (steps == 1 ? " step" : " steps"); }
+Words after(int steps) {
+  const std::string count = std::to_string(steps);
+  return {"after " + count + (steps == 1 ? " step" : " steps"), "dopo " + count + (steps == 1 ? " passo" : " passi")};
+}
 
-std::string sentence(NewtonEnd end, const NewtonIterate& last, int steps) {
-  const std::string residual = digits(last.residual_norm) + " m";
+Words sentence(NewtonEnd end, const NewtonIterate& last, int steps) {
+  const Words residual = digits(last.residual_norm) + " m", when = after(steps);
   switch (end) {
     case NewtonEnd::converged:
-      return "converged " + after(steps) + ": the residual, " + residual + ", is as small as its rounding errors";
+      return Words{"converged ", "convergente "} + when + Words{": the residual, ", ": il residuo, "} + residual +
+             Words{", is as small as its rounding errors", ", è piccolo quanto i suoi errori di arrotondamento"};
     case NewtonEnd::singular:
-      return "stopped " + after(steps) +
-             ": the Jacobian is singular there, coupler and rocker are in line; the residual is " + residual;
+      return Words{"stopped ", "arrestato "} + when +
+             Words{": the Jacobian is singular there, coupler and rocker are in line; the residual is ",
+                   ": lì lo jacobiano è singolare, biella e bilanciere sono allineati; il residuo è "} +
+             residual;
     case NewtonEnd::diverged:
-      return "diverged " + after(steps) + ": a link turned through more than ten million turns; the residual was " +
+      return Words{"diverged ", "divergente "} + when +
+             Words{": a link turned through more than ten million turns; the residual was ",
+                   ": un membro ha fatto più di dieci milioni di giri; il residuo era "} +
              residual;
     case NewtonEnd::exhausted:
       break;
   }
-  return "no convergence " + after(steps) + ": the residual is still " + residual;
+  return Words{"no convergence ", "nessuna convergenza "} + when +
+         Words{": the residual is still ", ": il residuo è ancora "} + residual;
 }
 
 NewtonIterate iterate(const Configuration<Fast>& q, double theta_2) {

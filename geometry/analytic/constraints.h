@@ -43,7 +43,7 @@ enum class NewtonEnd {
 struct NewtonRun {
   NewtonEnd end = NewtonEnd::exhausted;
   std::vector<NewtonIterate> iterates = {};  // the start first; at least one
-  std::string reason = {};                   // one sentence, also when it converged
+  Words reason = {};                         // one sentence, also when it converged
 };
 
 // Newton-Raphson from the given θ₃ and θ₄ with the crank as it stands, at most `most_steps` >= 0 steps. Of a linkage
@@ -189,7 +189,9 @@ Pair<T> proved_box(const Configuration<T>& q, const Pair<T>& m) {
     if (is_within(shift(0), midpoint(rho(0))) && is_within(shift(1), midpoint(rho(1)))) return m + shift;
     rho = pair<T>(twice_the_size(shift(0)), twice_the_size(shift(1)));
   }
-  throw Undecided("no box around the last iterate is proved to hold one solution of the constraint equations");
+  throw Undecided(
+      "no box around the last iterate is proved to hold one solution of the constraint equations",
+      "di nessun intorno dell'ultima iterata è dimostrato che contenga una soluzione delle equazioni di vincolo");
 }
 
 }  // namespace constraints
@@ -213,7 +215,8 @@ Configuration<T> configuration(const FourBar& g, const CrankState<T>& crank, con
       return at<T>(q, proved_box<T>(q, refined<T>(q, start)));
     }
   } else {
-    throw Undecided("the constraint equations are solved for angles, which are no algebraic numbers");
+    throw Undecided("the constraint equations are solved for angles, which are no algebraic numbers",
+                    "le equazioni di vincolo si risolvono negli angoli, che non sono numeri algebrici");
   }
 }
 

@@ -30,8 +30,9 @@ class CycloidByArc {
   // Off a cusp Exact throws LeavesTheTower, Generic and Calcium Undecided.
   T angle() const {
     if (is_at_cusp_) return radians<T>(Angle{arches_});
-    if constexpr (std::is_same_v<T, Exact>) throw LeavesTheTower("an arc tangent");
-    if constexpr (std::is_same_v<T, Generic> || std::is_same_v<T, Calcium>) throw Undecided("an arc tangent");
+    if constexpr (std::is_same_v<T, Exact>) throw LeavesTheTower("an arc tangent", "un arcotangente");
+    if constexpr (std::is_same_v<T, Generic> || std::is_same_v<T, Calcium>)
+      throw Undecided("an arc tangent", "un arcotangente");
     if constexpr (NumberWithAngles<T>)
       return radians<T>(Angle{arches_ + Rational(1, 2)}) - T(2) * arc_tangent(sigma_, rho_);
   }

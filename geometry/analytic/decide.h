@@ -6,16 +6,16 @@
 
 namespace epure::geometry::analytic {
 
-// negative, zero or positive; throws Undecided with `question` as its message otherwise.
+// negative, zero or positive; throws Undecided with `question` as its sentence otherwise.
 template <class T>
-Sign decided_sign(const T& x, const char* question) {
+Sign decided_sign(const T& x, const Phrase& question) {
   const Sign s = sign(x);
   if (s == Sign::undecided) throw Undecided(question);
   return s;
 }
 
 template <class T>
-bool is_zero(const T& x, const char* question) {
+bool is_zero(const T& x, const Phrase& question) {
   return decided_sign(x, question) == Sign::zero;
 }
 

@@ -1,5 +1,5 @@
-// A number in a sentence for the user: six significant digits with a point, whatever the locale. Not for reporting:
-// reported numbers are enclosures.
+// A number in a sentence for the user: six significant digits, with a point in English and a comma in Italian,
+// whatever the locale. Not for reporting: reported numbers are enclosures.
 #pragma once
 
 #include "geometry/numbers/enclosure.h"
@@ -7,23 +7,22 @@
 
 #include <array>
 #include <charconv>
-#include <string>
 
 namespace epure::geometry::analytic {
 
-inline std::string digits(Fast x) {
+inline Words digits(Fast x) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 6);
-  return {text.data(), end.ptr};
+  return decimal({text.data(), end.ptr});
 }
 
-inline std::string digits(const Bounded& x) { return digits(enclosure(x).value); }
-inline std::string digits(const Deep& x) { return digits(enclosure(x).value); }
+inline Words digits(const Bounded& x) { return digits(enclosure(x).value); }
+inline Words digits(const Deep& x) { return digits(enclosure(x).value); }
 
 // Exact, Generic and Calcium have no double of their own: their ball at 64 bits has.
 template <class T>
 requires requires(const T x) { to_deep(x); }
-std::string digits(const T& x) {
+Words digits(const T& x) {
   const Arithmetic<Deep> scope(64);
   return digits(to_deep(x));
 }
@@ -31,6 +30,6 @@ std::string digits(const T& x) {
 // Of a series in a parameter, its value.
 template <class T>
 requires requires(const T x) { x.c[0]; }
-std::string digits(const T& x) { return digits(x.c[0]); }
+Words digits(const T& x) { return digits(x.c[0]); }
 
 }  // namespace epure::geometry::analytic

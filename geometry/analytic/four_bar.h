@@ -56,14 +56,17 @@ struct FourBarMotion {
 
 // Throws Impossible when A0 and B0 coincide.
 inline void require_frame(const FourBar& g) {
-  if (g.squared_frame() == 0) throw Impossible("the hinges A0 and B0 coincide: there is no frame");
+  if (g.squared_frame() == 0)
+    throw Impossible("the hinges A0 and B0 coincide: there is no frame",
+                     "le cerniere A0 e B0 coincidono: non c'è telaio");
 }
 
 // Throws Impossible for a linkage that closes too far or too near by `short_by`; |d| is the distance from A to B0.
 template <class T>
-[[noreturn]] void refuse_closure(const T& d, const std::string& reach, const T& short_by) {
-  throw Impossible("the four-bar does not close: A is " + digits(d) + " m from B0, and AB and B0B " + reach +
-                   " m: short by " + digits(short_by) + " m");
+[[noreturn]] void refuse_closure(const T& d, const Words& reach, const T& short_by) {
+  throw Impossible(Words{"the four-bar does not close: A is ", "il quadrilatero non si chiude: A dista "} +
+                   digits(d) + Words{" m from B0, and AB and B0B ", " m da B0, e AB e B0B "} + reach +
+                   Words{" m: short by ", " m: mancano "} + digits(short_by) + " m");
 }
 
 // Four times the area of the triangle A B B0, by Heron's formula
@@ -76,7 +79,10 @@ T four_areas(const FourBar& g, const CrankState<T>& crank, const T& to_spare, co
   const bool is_parallelogram = g.B0B == g.A0A && g.AB * g.AB == g.squared_frame();
   if (!is_kite && !is_parallelogram) return root(to_spare * beyond);
   const T twice = from_rational<T>(2 * g.A0A) * cross(g.B0<T>(), Complex<T>{crank.cosine, crank.sine});
-  return decided_sign(twice, "on which side of the frame the crank points") == Sign::negative ? -twice : twice;
+  return decided_sign(twice, {"on which side of the frame the crank points",
+                              "da quale parte del telaio sia rivolta la manovella"}) == Sign::negative
+             ? -twice
+             : twice;
 }
 
 // The whole position. Throws Impossible when the linkage does not close, saying by how much, when A0 and B0 coincide,
@@ -96,17 +102,21 @@ FourBarPosition<T> position(const FourBar& g, const CrankState<T>& crank, Branch
   };
   const Rational longest = g.AB + g.B0B, shortest = abs(g.AB - g.B0B);
   const T to_spare = -squared_d_and(-longest * longest), beyond = squared_d_and(-shortest * shortest);
-  if (decided_sign(to_spare, "whether coupler and rocker reach from A to B0") == Sign::negative) {
+  if (decided_sign(to_spare, {"whether coupler and rocker reach from A to B0",
+                              "se biella e bilanciere arrivino da A a B0"}) == Sign::negative) {
     const T distance = modulus(d), reach = from_rational<T>(longest);
-    refuse_closure(distance, "together reach " + digits(reach), distance - reach);
+    refuse_closure(distance, Words{"together reach ", "insieme arrivano a "} + digits(reach), distance - reach);
   }
-  if (decided_sign(beyond, "whether coupler and rocker fold up as near as A is to B0") == Sign::negative) {
+  if (decided_sign(beyond, {"whether coupler and rocker fold up as near as A is to B0",
+                            "se biella e bilanciere ripiegati si avvicinino quanto A a B0"}) == Sign::negative) {
     const T distance = modulus(d), reach = from_rational<T>(shortest);
-    refuse_closure(distance, "come no nearer than " + digits(reach), reach - distance);
+    refuse_closure(distance, Words{"come no nearer than ", "non si avvicinano a meno di "} + digits(reach),
+                   reach - distance);
   }
   const T d2 = squared_d_and(0);
-  if (is_zero(d2, "whether A lies on B0"))
-    throw Impossible("A lies on B0: coupler and rocker may then point anywhere");
+  if (is_zero(d2, {"whether A lies on B0", "se A stia su B0"}))
+    throw Impossible("A lies on B0: coupler and rocker may then point anywhere",
+                     "A sta su B0: biella e bilanciere possono allora avere qualsiasi direzione");
   // Both solutions of Freudenstein's equation, and likewise of the one for v.
   const T areas = four_areas(g, crank, to_spare, beyond), h = branch == Branch::left ? areas : -areas;
   const T cosine_part_of_v = squared_d_and(g.AB * g.AB - g.B0B * g.B0B);
@@ -120,8 +130,10 @@ FourBarPosition<T> position(const FourBar& g, const CrankState<T>& crank, Branch
 // (the crank is at a limit of its way: the closure then fixes neither ω₃ nor ω₄). Undecided when T cannot tell.
 template <class T>
 FourBarMotion<T> motion(const FourBar& g, const CrankState<T>& crank, const FourBarPosition<T>& p) {
-  if (is_zero(p.coupler_cross_rocker, "whether coupler and rocker are in line"))
-    throw Impossible("coupler and rocker are in line: their angular velocities are not defined");
+  if (is_zero(p.coupler_cross_rocker,
+              {"whether coupler and rocker are in line", "se biella e bilanciere siano allineati"}))
+    throw Impossible("coupler and rocker are in line: their angular velocities are not defined",
+                     "biella e bilanciere sono allineati: le loro velocità angolari non sono definite");
   const T a = from_rational<T>(g.A0A), b = from_rational<T>(g.AB), c = from_rational<T>(g.B0B);
   const Complex<T>&u = p.crank, &v = p.coupler, &w = p.rocker;
   const T omega_2 = crank.omega, alpha_2 = crank.alpha;
@@ -181,8 +193,10 @@ template <class T>
 Complex<T> right_angled_plate_point(const FourBar& g, const Rational& AC, Side side) {
   const Rational squared_BC = (g.AB - AC) * (g.AB + AC);
   if (squared_BC < 0)
-    throw Impossible("the plate has no right angle at C: AC is " + digits(from_rational<T>(AC)) +
-                     " m and the hypotenuse AB only " + digits(from_rational<T>(g.AB)) + " m");
+    throw Impossible(
+        Words{"the plate has no right angle at C: AC is ", "la piastra non ha angolo retto in C: AC è "} +
+        digits(from_rational<T>(AC)) + Words{" m and the hypotenuse AB only ", " m e l'ipotenusa AB soltanto "} +
+        digits(from_rational<T>(g.AB)) + " m");
   const T height = from_rational<T>(AC / g.AB) * root(from_rational<T>(squared_BC));
   return {from_rational<T>(AC * AC / g.AB), side == Side::left ? height : -height};
 }

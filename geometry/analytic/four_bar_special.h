@@ -23,15 +23,18 @@ struct MirroredCranks {
 // The two u with |s u - z_B0| = r. Throws Impossible, with `position` (a phrase) as its subject, when there are none
 // or s = 0 leaves u open.
 template <class T>
-MirroredCranks<T> triangles_on_frame(const FourBar& g, const Rational& s, const Rational& r,
-                                     const std::string& position) {
+MirroredCranks<T> triangles_on_frame(const FourBar& g, const Rational& s, const Rational& r, const Phrase& position) {
   require_frame(g);
-  if (s == 0) throw Impossible(position + " fixes no crank: two links are equally long");
+  if (s == 0)
+    throw Impossible(position + Words{" fixes no crank: two links are equally long",
+                                      " non fissa alcuna manovella: due membri sono ugualmente lunghi"});
   const Rational f2 = g.squared_frame(), along = (s * s + f2 - r * r) / (2 * s), across2 = f2 - along * along;
   if (across2 < 0) {
     const auto show = [](const Rational& length) { return digits(from_rational<T>(length)) + " m"; };
-    throw Impossible(position + " does not exist: sides of " + show(abs(s)) + " and " + show(r) +
-                     " close no triangle with the frame of " + digits(root(from_rational<T>(f2))) + " m");
+    throw Impossible(position + Words{" does not exist: sides of ", " non esiste: lati di "} + show(abs(s)) +
+                     Words{" and ", " e "} + show(r) +
+                     Words{" close no triangle with the frame of ", " non chiudono un triangolo con il telaio di "} +
+                     digits(root(from_rational<T>(f2))) + " m");
   }
   const T across = root(from_rational<T>(across2));
   const Complex<T> frame = divided(g.B0<T>(), from_rational<T>(f2));
@@ -54,8 +57,11 @@ template <class T>
 Complex<T> crank_at_dead_centre(const FourBar& g, DeadCentre which, Branch branch) {
   // With z_B = s u the side of B is that of u, or the opposite where the coupler points back from A.
   if (which == DeadCentre::extended)
-    return of_branch(triangles_on_frame<T>(g, g.A0A + g.AB, g.B0B, "the extended dead centre"), branch);
-  return of_branch(triangles_on_frame<T>(g, g.A0A - g.AB, g.B0B, "the folded dead centre"), opposite(branch));
+    return of_branch(
+        triangles_on_frame<T>(g, g.A0A + g.AB, g.B0B, {"the extended dead centre", "il punto morto esteso"}), branch);
+  return of_branch(
+      triangles_on_frame<T>(g, g.A0A - g.AB, g.B0B, {"the folded dead centre", "il punto morto ripiegato"}),
+      opposite(branch));
 }
 
 // Limits of the crank: A, B, B0 in line, both branches meet, and ω₃ and ω₄ are not defined. Extended: B between A
@@ -66,8 +72,12 @@ enum class CrankLimit { extended, folded };
 template <class T>
 MirroredCranks<T> crank_limits(const FourBar& g, CrankLimit which) {
   if (which == CrankLimit::extended)
-    return triangles_on_frame<T>(g, g.A0A, g.AB + g.B0B, "the limit of the crank with AB and B0B extended");
-  return triangles_on_frame<T>(g, g.A0A, abs(g.AB - g.B0B), "the limit of the crank with AB and B0B folded");
+    return triangles_on_frame<T>(
+        g, g.A0A, g.AB + g.B0B,
+        {"the limit of the crank with AB and B0B extended", "il limite della manovella con AB e B0B distesi"});
+  return triangles_on_frame<T>(
+      g, g.A0A, abs(g.AB - g.B0B),
+      {"the limit of the crank with AB and B0B folded", "il limite della manovella con AB e B0B ripiegati"});
 }
 
 // Crank and rocker parallel: ω₃ = 0 and ω₄ = ± ω₂ A0A/B0B, the pole at infinity.
@@ -79,9 +89,13 @@ template <class T>
 Complex<T> crank_parallel_to_rocker(const FourBar& g, Parallel sense, Branch branch) {
   // AB v = z_B0 - s u with s = A0A -+ B0B; the side of B is that of B0B w, and w = ± u.
   if (sense == Parallel::same_sense)
-    return of_branch(triangles_on_frame<T>(g, g.A0A - g.B0B, g.AB, "crank and rocker parallel in the same sense"),
+    return of_branch(triangles_on_frame<T>(g, g.A0A - g.B0B, g.AB,
+                                           {"crank and rocker parallel in the same sense",
+                                            "la posizione con manovella e bilanciere paralleli e concordi"}),
                      branch);
-  return of_branch(triangles_on_frame<T>(g, g.A0A + g.B0B, g.AB, "crank and rocker parallel in opposite senses"),
+  return of_branch(triangles_on_frame<T>(g, g.A0A + g.B0B, g.AB,
+                                         {"crank and rocker parallel in opposite senses",
+                                          "la posizione con manovella e bilanciere paralleli e discordi"}),
                    opposite(branch));
 }
 
@@ -107,7 +121,8 @@ inline Mobility mobility(const FourBar& g) {
   const Sign longer = compare_frame(g, a + b + c);
   const Rational longest = std::max(a, std::max(b, c));
   if (longer != Sign::negative || compare_frame(g, 2 * longest - a - b - c) != Sign::positive)
-    throw Impossible("the four-bar cannot move: one link is as long as the other three together, or longer");
+    throw Impossible("the four-bar cannot move: one link is as long as the other three together, or longer",
+                     "il quadrilatero non può muoversi: un membro è lungo quanto gli altri tre insieme, o di più");
   const Sign first = compare_frame(g, a + c - b), second = compare_frame(g, a + b - c);
   const Sign minus_third = compare_frame(g, b + c - a);
   for (const Sign s : {first, second, minus_third})
@@ -132,7 +147,8 @@ struct RockerStroke {
 template <class T>
 RockerStroke<T> rocker_stroke(const FourBar& g, Branch branch) {
   if (mobility(g) != Mobility::crank_rocker)
-    throw Impossible("the rocker does not swing between two dead centres: the linkage is no crank-rocker");
+    throw Impossible("the rocker does not swing between two dead centres: the linkage is no crank-rocker",
+                     "il bilanciere non oscilla tra due punti morti: il meccanismo non è un manovella-bilanciere");
   const Complex<T> extended = crank_at_dead_centre<T>(g, DeadCentre::extended, branch);
   const Complex<T> folded = crank_at_dead_centre<T>(g, DeadCentre::folded, branch);
   const Complex<T> B0 = g.B0<T>();

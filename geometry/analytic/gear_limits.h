@@ -21,7 +21,9 @@ T undercut_limit_teeth(const Gears& of) {
 template <class T>
 T interference_limit_teeth(const Gears& of) {
   if (of.is_shifted())
-    throw Impossible("the working pressure angle changes with the number of teeth: only whole numbers are compared");
+    throw Impossible(
+        "the working pressure angle changes with the number of teeth: only whole numbers are compared",
+        "l'angolo di pressione di lavoro cambia con il numero di denti: si confrontano solo numeri interi");
   const T sine_squared = square(sine<T>(of.alpha));
   if (of.mate == Mate::rack) return quotient(from_rational<T>(2 * (of.ha - of.k - of.x1)), sine_squared);
   const Rational u = of.z2 / of.z1, h = of.ha - of.k + of.s() * of.x2;
@@ -42,7 +44,7 @@ long least_whole(const Limit& limit) {
   };
   const Arithmetic<Fast> scope;
   const double about = std::ceil(limit.template operator()<Fast>());
-  if (about > 1e15) throw Undecided("more than 10¹⁵ teeth");
+  if (about > 1e15) throw Undecided("more than 10¹⁵ teeth", "più di 10¹⁵ denti");
   long n = std::max(1L, static_cast<long>(about));
   while (!is_reached(n)) ++n;
   while (n > 1 && is_reached(n - 1)) --n;

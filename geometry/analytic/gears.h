@@ -45,12 +45,15 @@ GearAngle<T> working_angle(const Gears& of) {
     // (x1 + x2)/(z1 + z2); in a ring (x2 - x1)/(z2 - z1).
     const T quota = from_rational<T>(2 * (of.x1 + of.s() * of.x2) / (of.z1 + of.s() * of.z2));
     const T involute = (T(1) + quota) * alpha.tangent() - in_radians;
-    if (decided_sign(involute, "whether the wheels have a working pressure angle") == Sign::negative)
-      throw Impossible("the wheels cannot mesh: for these profile shifts no working pressure angle exists");
+    if (decided_sign(involute, {"whether the wheels have a working pressure angle",
+                                "se le ruote abbiano un angolo di pressione di lavoro"}) == Sign::negative)
+      throw Impossible(
+          "the wheels cannot mesh: for these profile shifts no working pressure angle exists",
+          "le ruote non possono ingranare: con queste correzioni non esiste alcun angolo di pressione di lavoro");
     const T angle = angle_of_involute(involute);
     return {cosine_of_angle(angle), sine_of_angle(angle)};
   } else {
-    throw LeavesTheTower("the inverse of the involute function");
+    throw LeavesTheTower("the inverse of the involute function", "l'inversa della funzione involuta");
   }
 }
 
@@ -74,8 +77,10 @@ struct GearFormulas {
   // The tangent from the tip to the base circle: √(r_a² - r_b²).
   T tip_tangent(int wheel) const {
     const T squares = square(r_tip(wheel)) - square(r_b(wheel));
-    if (decided_sign(squares, "whether a tip circle reaches the base circle") == Sign::negative)
-      throw Impossible("the tip circle lies inside the base circle, where no involute is");
+    if (decided_sign(squares, {"whether a tip circle reaches the base circle",
+                               "se una circonferenza di testa raggiunga quella di base"}) == Sign::negative)
+      throw Impossible("the tip circle lies inside the base circle, where no involute is",
+                       "la circonferenza di testa sta dentro quella di base, dove non c'è evolvente");
     return root(squares);
   }
 
@@ -162,8 +167,9 @@ struct GearFormulas {
  private:
   bool tip_is_pitch_circle(int wheel) const { return !of.is_shifted() && x(wheel) + s(wheel) * (of.ha - of.k) == 0; }
   static T over(const T& numerator, const T& denominator) {
-    if (is_zero(denominator, "whether contact is where a flank has no velocity"))
-      throw Impossible("a flank has no velocity along itself there");
+    if (is_zero(denominator, {"whether contact is where a flank has no velocity",
+                              "se il contatto sia dove un fianco non ha velocità"}))
+      throw Impossible("a flank has no velocity along itself there", "lì un fianco non ha velocità lungo sé stesso");
     return quotient(numerator, denominator);
   }
   // arctan(y/x); tan α - α of an angle.
@@ -171,7 +177,7 @@ struct GearFormulas {
     if constexpr (NumberWithAngles<T>) {
       return arc_tangent(y, x);
     } else {
-      throw Undecided("an angle");
+      throw Undecided("an angle", "un angolo");
     }
   }
   static T involute(const GearAngle<T>& of_angle) {

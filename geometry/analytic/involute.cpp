@@ -38,7 +38,8 @@ Deep near_root(const Deep& involute, double about, long bits) {
 
 Deep angle_of_involute(const Deep& involute) {
   if (sign(involute) == Sign::zero) return involute;
-  if (sign(involute) != Sign::positive) throw Undecided("whether an involute function is zero");
+  if (sign(involute) != Sign::positive)
+    throw Undecided("whether an involute function is zero", "se una funzione involuta sia zero");
   const long bits = Arithmetic<Deep>::bits();
   const Deep middle = midpoint(involute);
   const double about = enclosure(middle).value;
@@ -52,7 +53,8 @@ Deep angle_of_involute(const Deep& involute) {
         sign(side_of(root + width, involute)) == Sign::positive)
       return widened(root, width);
   }
-  throw Undecided("an involute function too wide to be inverted");
+  throw Undecided("an involute function too wide to be inverted",
+                  "una funzione involuta troppo incerta per essere invertita");
 }
 
 Bounded angle_of_involute(const Bounded& involute) {

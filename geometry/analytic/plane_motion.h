@@ -34,7 +34,7 @@ struct PlaneMotion {
   Complex<T> velocity(const Complex<T>& z) const { return v_A + omega * times_i(z - z_A); }
   Complex<T> acceleration(const Complex<T>& z) const { return a_A + Complex<T>{-square(omega), alpha} * (z - z_A); }
 
-  bool turns() const { return !is_zero(omega, "whether the plane turns"); }
+  bool turns() const { return !is_zero(omega, {"whether the plane turns", "se il piano ruoti"}); }
 
   // The point of velocity zero, z_A + i v_A/ω. Empty when ω = 0.
   std::optional<Complex<T>> pole() const {
@@ -45,7 +45,9 @@ struct PlaneMotion {
   // The point of acceleration zero, z_A - a_A/(i α - ω²). Empty when ω = α = 0.
   std::optional<Complex<T>> acceleration_pole() const {
     const T square_of_factor = square(square(omega)) + square(alpha);
-    if (is_zero(square_of_factor, "whether the acceleration pole is at infinity")) return {};
+    if (is_zero(square_of_factor,
+                {"whether the acceleration pole is at infinity", "se il polo delle accelerazioni sia all'infinito"}))
+      return {};
     return z_A + divided(a_A * Complex<T>{square(omega), alpha}, square_of_factor);
   }
 
@@ -72,7 +74,9 @@ struct PlaneMotion {
   // The points with v . a = 0. For z = P + ρ this is α |ρ|² = Re(conj(ρ) i a_P): the circle over the diameter from P
   // to P + i a_P/α. Empty when ω α = 0: see stationarity_line.
   std::optional<Circle<T>> stationarity_circle() const {
-    if (!turns() || is_zero(alpha, "whether the angular velocity is stationary")) return {};
+    if (!turns() ||
+        is_zero(alpha, {"whether the angular velocity is stationary", "se la velocità angolare sia stazionaria"}))
+      return {};
     return circle_over(*pole(), divided(times_i(*acceleration_at_pole()), alpha));
   }
 
@@ -86,7 +90,8 @@ struct PlaneMotion {
   // What the stationarity circle becomes when ω α = 0. Empty otherwise, and when v . a is constant: ω = α = 0, or a
   // pole that stands still and α = 0 (every point's speed is constant).
   std::optional<Line<T>> stationarity_line() const {
-    const bool still = !turns(), steady = is_zero(alpha, "whether the angular velocity is stationary");
+    const bool still = !turns(), steady = is_zero(alpha, {"whether the angular velocity is stationary",
+                                                          "se la velocità angolare sia stazionaria"});
     if (still) return line_through_field(-(alpha * times_i(v_A)), dot(v_A, a_A));
     if (!steady) return {};
     return line_through_field(-(omega * (omega * v_A + times_i(a_A))), dot(v_A, a_A));
@@ -99,8 +104,9 @@ struct PlaneMotion {
     if (!turns()) return {};
     const Complex<T> rho = z - *pole();
     const T length2 = squared_modulus(rho);
-    if (is_zero(length2, "whether the point is the pole"))
-      throw Impossible("the point is the pole: no ray leads from one to the other");
+    if (is_zero(length2, {"whether the point is the pole", "se il punto sia il centro d'istantanea rotazione"}))
+      throw Impossible("the point is the pole: no ray leads from one to the other",
+                       "il punto è il centro d'istantanea rotazione: nessun raggio va dall'uno all'altro");
     return *pole() + quotient(dot(rho, *acceleration_at_pole()), square(omega) * length2) * rho;
   }
 
@@ -117,7 +123,7 @@ struct PlaneMotion {
   std::optional<T> radius_of_curvature(const Complex<T>& z) const {
     const Complex<T> v = velocity(z);
     const T speed2 = moving(squared_modulus(v)), bend = cross(v, acceleration(z));
-    if (is_zero(bend, "whether the path is straight")) return {};
+    if (is_zero(bend, {"whether the path is straight", "se la traiettoria sia rettilinea"})) return {};
     return quotient(speed2 * root(speed2), root(square(bend)));
   }
 
@@ -126,7 +132,7 @@ struct PlaneMotion {
   std::optional<Complex<T>> centre_of_curvature(const Complex<T>& z) const {
     const Complex<T> v = velocity(z);
     const T speed2 = moving(squared_modulus(v)), bend = cross(v, acceleration(z));
-    if (is_zero(bend, "whether the path is straight")) return {};
+    if (is_zero(bend, {"whether the path is straight", "se la traiettoria sia rettilinea"})) return {};
     return z + quotient(speed2, bend) * times_i(v);
   }
 
@@ -136,14 +142,17 @@ struct PlaneMotion {
   }
 
   static const T& moving(const T& speed2) {
-    if (is_zero(speed2, "whether the point is at rest"))
-      throw Impossible("the point is at rest: its path has no curvature there");
+    if (is_zero(speed2, {"whether the point is at rest", "se il punto sia fermo"}))
+      throw Impossible("the point is at rest: its path has no curvature there",
+                       "il punto è fermo: lì la sua traiettoria non ha curvatura");
     return speed2;
   }
 
   // The line Re(conj(normal) (z - z_A)) + at_A = 0.
   std::optional<Line<T>> line_through_field(const Complex<T>& normal, const T& at_A) const {
-    if (is_zero(squared_modulus(normal), "whether the circle has become a line")) return {};
+    if (is_zero(squared_modulus(normal),
+                {"whether the circle has become a line", "se la circonferenza sia diventata una retta"}))
+      return {};
     return Line<T>{normal, at_A - dot(normal, z_A)};
   }
 };

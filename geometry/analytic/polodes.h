@@ -23,7 +23,8 @@ Complex<T> seen_from_guide(const SliderCrank& g, const Complex<T>& z) {
 template <class T>
 std::optional<Complex<T>> fixed_polode(const GuidedCrank<T>& crank, const SliderCrankPosition<T>& p) {
   const T& cos_psi = crank.from_guide.cosine;
-  if (is_zero(cos_psi, "whether the crank is square to the guide")) return {};
+  if (is_zero(cos_psi, {"whether the crank is square to the guide", "se la manovella sia perpendicolare alla guida"}))
+    return {};
   return quotient(p.x_B, cos_psi) * Complex<T>{crank.from_x.cosine, crank.from_x.sine};
 }
 
@@ -33,7 +34,8 @@ template <class T>
 std::optional<Complex<T>> moving_polode(const SliderCrank& g, const GuidedCrank<T>& crank,
                                         const SliderCrankPosition<T>& p) {
   const auto& [cos_psi, sin_psi, omega, alpha] = crank.from_guide;
-  if (is_zero(cos_psi, "whether the crank is square to the guide")) return {};
+  if (is_zero(cos_psi, {"whether the crank is square to the guide", "se la manovella sia perpendicolare alla guida"}))
+    return {};
   return quotient(from_rational<T>(g.l) * p.eta.re, cos_psi) * (Complex<T>{cos_psi, sin_psi} * conjugate(p.eta));
 }
 

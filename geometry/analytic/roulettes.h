@@ -60,16 +60,18 @@ struct RoulettePath {
   T radius_of_curvature() const {
     if (is_at_rest && !is_straight) return T(0);
     const T bend = is_straight ? T(0) : cross(z_prime, z_second);
-    if (is_zero(bend, "whether the path is straight"))
-      throw Impossible("the path is straight here: no finite radius");
+    if (is_zero(bend, {"whether the path is straight", "se la traiettoria sia rettilinea"}))
+      throw Impossible("the path is straight here: no finite radius",
+                       "la traiettoria qui è rettilinea: nessun raggio finito");
     return quotient(squared_modulus(z_prime) * modulus(z_prime), root(square(bend)));
   }
   // z + i z' |z'|²/(z' x z''), as above.
   Complex<T> centre_of_curvature() const {
     if (is_at_rest && !is_straight) return z;
     const T bend = is_straight ? T(0) : cross(z_prime, z_second);
-    if (is_zero(bend, "whether the path is straight"))
-      throw Impossible("the path is straight here: no finite centre");
+    if (is_zero(bend, {"whether the path is straight", "se la traiettoria sia rettilinea"}))
+      throw Impossible("the path is straight here: no finite centre",
+                       "la traiettoria qui è rettilinea: nessun centro al finito");
     return z + quotient(squared_modulus(z_prime), bend) * times_i(z_prime);
   }
 
@@ -86,8 +88,10 @@ struct RoulettePath {
     T before, after, normal;
   };
   Components components(const T& omega, const T& alpha) const {
-    const Sign turning = decided_sign(omega, "whether the body turns");
-    if (turning == Sign::zero) throw Impossible("the body does not turn: its points have no direction of travel");
+    const Sign turning = decided_sign(omega, {"whether the body turns", "se il corpo ruoti"});
+    if (turning == Sign::zero)
+      throw Impossible("the body does not turn: its points have no direction of travel",
+                       "il corpo non ruota: i suoi punti non hanno direzione di moto");
     if (is_at_rest) {
       const T size = square(omega) * modulus(z_second);
       return {-size, size, T(0)};
@@ -154,7 +158,8 @@ Deep arc_length_by_quadrature(const Roulette& g, const Angle& phi);
 template <class T>
 T arc_length(const Roulette& g, const Angle& phi) {
   if constexpr (std::is_same_v<T, Deep>) return arc_length_by_quadrature(g, phi);
-  if constexpr (std::is_same_v<T, Exact>) throw LeavesTheTower("the length of an arc, as an integral");
+  if constexpr (std::is_same_v<T, Exact>)
+    throw LeavesTheTower("the length of an arc, as an integral", "la lunghezza di un arco, come integrale");
   if constexpr (std::is_same_v<T, Bounded> || std::is_same_v<T, Fast>) {
     constexpr long bits = 80;  // a double's 53 and what the quadrature loses
     const Arithmetic<Deep> scope(bits);
@@ -162,7 +167,8 @@ T arc_length(const Roulette& g, const Angle& phi) {
     if constexpr (std::is_same_v<T, Bounded>) return to_bounded(length);
     if constexpr (std::is_same_v<T, Fast>) return enclosure(length).value;
   }
-  throw Undecided("the length of an arc, as an integral, is an enclosure only");
+  throw Undecided("the length of an arc, as an integral, is an enclosure only",
+                  "la lunghezza di un arco, come integrale, è solo un intervallo");
 }
 
 }  // namespace epure::geometry::analytic

@@ -72,7 +72,8 @@ Complex<T> plate_point(const SliderCrank& g) {
   const Rational sixteen_areas_squared =
       (g.l + g.AC + g.BC) * (-g.l + g.AC + g.BC) * (g.l - g.AC + g.BC) * (g.l + g.AC - g.BC);
   if (sixteen_areas_squared < 0)
-    throw Impossible("the sides AB, AC and BC close no triangle: the longest exceeds the other two together");
+    throw Impossible("the sides AB, AC and BC close no triangle: the longest exceeds the other two together",
+                     "i lati AB, AC e BC non chiudono un triangolo: il maggiore supera la somma degli altri due");
   const T height = quotient(root(from_rational<T>(sixteen_areas_squared)), from_rational<T>(2 * g.l));
   return {from_rational<T>(along), height};
 }
@@ -83,7 +84,10 @@ Complex<T> plate_point(const SliderCrank& g) {
 template <class T>
 T cosine_of_coupler(const SliderCrank& g, const T& cos_psi, const T& cos2) {
   if (g.r != g.l || g.e != 0) return root(cos2);
-  return decided_sign(cos_psi, "whether the crank points ahead") == Sign::negative ? -cos_psi : cos_psi;
+  return decided_sign(cos_psi, {"whether the crank points ahead", "se la manovella sia rivolta in avanti"}) ==
+                 Sign::negative
+             ? -cos_psi
+             : cos_psi;
 }
 
 // The whole position. Throws Impossible when the linkage does not close, saying by how much; Undecided when T cannot
@@ -92,11 +96,13 @@ template <class T>
 SliderCrankPosition<T> position(const SliderCrank& g, const GuidedCrank<T>& crank) {
   const T sin_eta = from_rational<T>(g.e / g.l) - from_rational<T>(g.r / g.l) * crank.from_guide.sine;
   const T cos2 = (T(1) - sin_eta) * (T(1) + sin_eta);
-  if (decided_sign(cos2, "whether the coupler reaches the guide") == Sign::negative) {
+  if (decided_sign(cos2, {"whether the coupler reaches the guide", "se la biella raggiunga la guida"}) ==
+      Sign::negative) {
     const T height = from_rational<T>(g.l) * root(square(sin_eta));
-    throw Impossible("the slider-crank does not close: A is " + digits(height) + " m away from the guide and AB is " +
-                     digits(from_rational<T>(g.l)) + " m long, short by " + digits(height - from_rational<T>(g.l)) +
-                     " m");
+    throw Impossible(Words{"the slider-crank does not close: A is ", "il manovellismo non si chiude: A dista "} +
+                     digits(height) + Words{" m away from the guide and AB is ", " m dalla guida e AB è lunga "} +
+                     digits(from_rational<T>(g.l)) + Words{" m long, short by ", " m: mancano "} +
+                     digits(height - from_rational<T>(g.l)) + " m");
   }
   const T r = from_rational<T>(g.r), l = from_rational<T>(g.l);
   const Complex<T> guide = direction_of_guide<T>(g),
@@ -111,8 +117,9 @@ SliderCrankPosition<T> position(const SliderCrank& g, const GuidedCrank<T>& cran
 // guide: the closure then fixes neither ω₃ nor v_B. Undecided when T cannot tell.
 template <class T>
 SliderCrankMotion<T> motion(const SliderCrank& g, const GuidedCrank<T>& crank, const SliderCrankPosition<T>& p) {
-  if (is_zero(p.eta.re, "whether the coupler is square to the guide"))
-    throw Impossible("the coupler is square to the guide: the velocities of B and of the coupler are not defined");
+  if (is_zero(p.eta.re, {"whether the coupler is square to the guide", "se la biella sia perpendicolare alla guida"}))
+    throw Impossible("the coupler is square to the guide: the velocities of B and of the coupler are not defined",
+                     "la biella è perpendicolare alla guida: le velocità di B e della biella non sono definite");
   const T r = from_rational<T>(g.r), l = from_rational<T>(g.l), cos_eta = p.eta.re, sin_eta = p.eta.im;
   const auto& [cos_psi, sin_psi, omega_2, alpha_2] = crank.from_guide;
   SliderCrankMotion<T> m;

@@ -27,8 +27,10 @@ Point<T> meet(const Circle<T>& circle, const Line<T>& l, Along which) {
   const Point<T> F = foot(circle.centre, l);
   const T half_chord_squared = square(circle.radius) - length_squared(F - circle.centre);
   const Sign decided = sign(half_chord_squared);
-  if (decided == Sign::undecided) throw Undecided("whether a circle reaches a line");
-  if (decided == Sign::negative) throw Impossible("the circle does not reach the line");
+  if (decided == Sign::undecided)
+    throw Undecided("whether a circle reaches a line", "se una circonferenza raggiunga una retta");
+  if (decided == Sign::negative)
+    throw Impossible("the circle does not reach the line", "la circonferenza non raggiunge la retta");
   const Vector<T> d = l.direction();
   const T step = root(quotient(half_chord_squared, length_squared(d)));
   return which == Along::ahead ? F + step * d : F + (-step) * d;
@@ -40,14 +42,14 @@ template <class T>
 Point<T> meet(const Circle<T>& first, const Circle<T>& second, Side which) {
   const Vector<T> d = second.centre - first.centre;
   const T d2 = length_squared(d);
-  if (sign(d2) == Sign::zero) throw Impossible("the circles are concentric");
+  if (sign(d2) == Sign::zero) throw Impossible("the circles are concentric", "le circonferenze sono concentriche");
   // Along the line of centres by the radical line; across it by Heron's formula for the triangle of both radii and
   // the distance, which loses fewer digits than what is left of a radius where the triangle is flat.
   const T twice_along = d2 + square(first.radius) - square(second.radius);
   const T across_squared = (d2 - square(first.radius - second.radius)) * (square(first.radius + second.radius) - d2);
   const Sign decided = sign(across_squared);
-  if (decided == Sign::undecided) throw Undecided("whether two circles meet");
-  if (decided == Sign::negative) throw Impossible("the circles do not meet");
+  if (decided == Sign::undecided) throw Undecided("whether two circles meet", "se due circonferenze si incontrino");
+  if (decided == Sign::negative) throw Impossible("the circles do not meet", "le circonferenze non si incontrano");
   const T across = root(across_squared);
   const Vector<T> n = quarter_turn(d);
   const T twice_d2 = T(2) * d2;

@@ -13,7 +13,7 @@ T absolute(const T& x) {
     case Sign::negative:
       return -x;
     case Sign::undecided:
-      throw Undecided("the sign of a length");
+      throw Undecided("the sign of a length", "il segno di una lunghezza");
     default:
       return x;
   }

@@ -18,8 +18,12 @@ template <class T>
 TwoMagnitudes<T> close_polygon(const Vector<T>& known, const Vector<T>& u, const Vector<T>& w) {
   const T turn = cross(u, w);
   const Sign decided = sign(turn);
-  if (decided == Sign::undecided) throw Undecided("whether two sides of a vector polygon are parallel");
-  if (decided == Sign::zero) throw Impossible("two sides of the vector polygon are parallel");
+  if (decided == Sign::undecided)
+    throw Undecided("whether two sides of a vector polygon are parallel",
+                    "se due lati di un poligono vettoriale siano paralleli");
+  if (decided == Sign::zero)
+    throw Impossible("two sides of the vector polygon are parallel",
+                     "due lati del poligono vettoriale sono paralleli");
   return {quotient(cross(w, known), turn), quotient(cross(u, known), turn)};
 }
 

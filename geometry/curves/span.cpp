@@ -29,7 +29,8 @@ class SpanTracer {
     length_ = to_ - from;
     for (int look = 0; start_->t < to_; ++look) {
       if (look == most_pieces || !(length_ >= shortest) || stop() <= start_->t)
-        throw Undecided("intervals of doubles cannot follow a curve to the tolerance it is to be drawn with");
+        throw Undecided("intervals of doubles cannot follow a curve to the tolerance it is to be drawn with",
+                        "gli intervalli di double non possono seguire una curva con la tolleranza del disegno");
       try_piece(stop());
     }
     return std::move(trace_);

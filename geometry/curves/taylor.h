@@ -84,7 +84,8 @@ struct Taylor {
   // The positive root y, by comparing coefficients in y y = x. Throws Undecided unless the value of x is proved
   // positive: at zero a root has no derivative.
   friend Taylor root(const Taylor& x) {
-    if (sign(x.c[0]) != Sign::positive) throw Undecided("the derivative of a root that may vanish");
+    if (sign(x.c[0]) != Sign::positive)
+      throw Undecided("the derivative of a root that may vanish", "la derivata di una radice che può annullarsi");
     Taylor y(root(x.c[0]));
     const T twice = T(2) * y.c[0];
     for (std::size_t k = 1; k <= N; ++k) {

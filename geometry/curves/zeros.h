@@ -93,7 +93,9 @@ Vector<T> direction_of(const Function& function, const Zero& zero) {
   } else if constexpr (std::is_same_v<T, Deep>) {
     return direction_on_turn(zero.arc, refined_parameter(function, zero));
   } else {
-    if (!zero.t.is_point()) throw Undecided("an exact number for a zero that is only enclosed");
+    if (!zero.t.is_point())
+      throw Undecided("an exact number for a zero that is only enclosed",
+                      "un numero esatto per uno zero di cui è noto solo l'intervallo");
     return direction_on_turn(zero.arc, T(static_cast<int>(zero.t.inf())));
   }
 }

@@ -62,7 +62,9 @@ Deep corner_room(const PairData& of, int wheel) {
     const auto room = room_at(from + (to - from) * i / places);
     if (room && (!least || sign(*room - *least) == Sign::negative)) least = room;
   }
-  if (!least) throw Impossible("no corner comes as near to the centre as the root curve");
+  if (!least)
+    throw Impossible("no corner comes as near to the centre as the root curve",
+                     "nessuno spigolo arriva vicino al centro quanto la curva di piede");
   return *least;
 }
 

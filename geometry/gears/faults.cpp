@@ -96,7 +96,7 @@ T room_between_tips(const PairData& of) {
     const T phi_2 = from_rational<T>(Rational(of.z1) / Rational(of.z2)) * phi_1;
     return pair.wheel2->r_tip * (phi_2 - (angle_about(*pair.O2) - inv_w + inv_at(*pair.wheel2)));
   } else {
-    throw LeavesTheTower("angles of involute functions");
+    throw LeavesTheTower("angles of involute functions", "angoli di funzioni involute");
   }
 }
 

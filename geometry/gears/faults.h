@@ -33,7 +33,7 @@ struct Fault {
   double value = 0, limit = 0;
   // True when no number could tell whether the fault is there; `reason` then says what was open.
   bool undecided = false;
-  std::string reason = {};
+  Words reason = {};
 };
 
 // All of them; empty for a pair that works. What a fault leaves without meaning is not asked for: a wheel with the

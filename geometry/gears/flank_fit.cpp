@@ -35,7 +35,9 @@ template <class X, class T>
 X tangent_length(const RightFlank<T>& flank, const Point<X>& Q) {
   const X squared = square(Q.x) + square(Q.y) - square(X(flank.r_b));
   if constexpr (!std::is_same_v<X, Fast>)
-    if (sign(squared) != Sign::positive) throw Undecided("whether a drawn flank lies outside the base circle");
+    if (sign(squared) != Sign::positive)
+      throw Undecided("whether a drawn flank lies outside the base circle",
+                      "se un fianco disegnato stia fuori dalla circonferenza di base");
   return root(squared);
 }
 
@@ -233,7 +235,8 @@ FlankArcs flank_arcs(const RightFlank<Bounded>& flank, double from, double to, d
   }
   for (int pieces = 1; clear < to; pieces += 1 + pieces / 8) {
     if (pieces > most_pieces)
-      throw Undecided("doubles cannot follow a flank to the tolerance it is to be drawn with");
+      throw Undecided("doubles cannot follow a flank to the tolerance it is to be drawn with",
+                      "i double non possono seguire un fianco con la tolleranza del disegno");
     const FlankArcs rest = in_pieces(flank, clear, to, tolerance, pieces);
     if (rest.arcs.empty()) continue;
     if (!result.arcs.empty()) result.arcs.back().end = rest.arcs.front().start;

@@ -84,7 +84,8 @@ GearPair<T> gear_pair(const PairData& of) {
 template <class T>
 Point<T> meet_of_tips(const Point<T>& O, const WheelCircles<T>& wheel, const Line<T>& action, Along which) {
   if (sign(wheel.r_tip - wheel.r_b) == Sign::negative)
-    throw Impossible("the tip circle lies inside the base circle and does not reach the line of action");
+    throw Impossible("the tip circle lies inside the base circle and does not reach the line of action",
+                     "la circonferenza di testa sta dentro quella di base e non raggiunge la retta d'azione");
   return meet(Circle<T>{O, wheel.r_tip}, action, which);
 }
 

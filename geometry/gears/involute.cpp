@@ -55,12 +55,15 @@ double near_tangent(double involute_value) {
 template <class T>
 T proved(const T& near, const T& involute_value, const T& neighbourhood) {
   const T around = widened(near, neighbourhood);
-  if (sign(around) != Sign::positive) throw Undecided("an involute function so wide that its angle may be zero");
+  if (sign(around) != Sign::positive)
+    throw Undecided("an involute function so wide that its angle may be zero",
+                    "una funzione involuta tanto incerta che il suo angolo può essere zero");
   const T one_over_slope = T(1) + quotient(T(1), square(around));
   const T step = (involute(near) - involute_value) * one_over_slope;
   for (const T& room : {neighbourhood - step, neighbourhood + step})
     if (const Sign stays = sign(room); stays == Sign::negative || stays == Sign::undecided)
-      throw Undecided("an involute function too wide to be inverted");
+      throw Undecided("an involute function too wide to be inverted",
+                      "una funzione involuta troppo incerta per essere invertita");
   return near - step;
 }
 
@@ -71,7 +74,8 @@ double twice_step(const Bounded& difference, double slope) {
 }
 
 void require_positive(Sign of_involute) {
-  if (of_involute != Sign::positive) throw Undecided("whether an involute function is zero");
+  if (of_involute != Sign::positive)
+    throw Undecided("whether an involute function is zero", "se una funzione involuta sia zero");
 }
 
 // At one point t > 0, with twice the bits that the subtraction eats up, t³/3 of t being left.
@@ -110,17 +114,17 @@ Deep involute(const Deep& tangent) {
 
 Exact involute(const Exact& tangent) {
   if (tangent.is_zero()) return tangent;
-  throw LeavesTheTower("an involute function");
+  throw LeavesTheTower("an involute function", "una funzione involuta");
 }
 
 Generic involute(const Generic& tangent) {
   if (sign(tangent) == Sign::zero) return tangent;
-  throw Undecided("an involute function is not algebraic");
+  throw Undecided("an involute function is not algebraic", "una funzione involuta non è algebrica");
 }
 
 Calcium involute(const Calcium& tangent) {
   if (sign(tangent) == Sign::zero) return tangent;
-  throw Undecided("an involute function is not algebraic");
+  throw Undecided("an involute function is not algebraic", "una funzione involuta non è algebrica");
 }
 
 Fast tangent_of_involute(Fast involute_value) { return involute_value > 0 ? near_tangent(involute_value) : 0; }

@@ -15,7 +15,7 @@ long smallest_with_room(const std::function<Decision(long)>& room) {
   constexpr long most = 1L << 50;
   long with = 1;
   while (!is_room(room(with))) {
-    if (with >= most) throw Undecided("more than 10¹⁵ teeth");
+    if (with >= most) throw Undecided("more than 10¹⁵ teeth", "più di 10¹⁵ denti");
     with *= 2;
   }
   long without = with / 2;
@@ -77,7 +77,7 @@ long minimum_teeth_of_pinion(const PairData& of) {
     try {
       return decide([&]<class T>() -> T { return room_for_mate<T>(of, z); });
     } catch (const Impossible& no_working_angle) {
-      return {.sign = Sign::negative, .reason = no_working_angle.what()};
+      return {.sign = Sign::negative, .reason = no_working_angle.words()};
     }
   });
 }

@@ -49,7 +49,9 @@ long minimum_teeth_against_rack(const PairData& of, const Rational& x);
 template <class T>
 T interference_limit_teeth(const PairData& of) {
   if (shift_per_tooth(of) != 0)
-    throw Impossible("the working pressure angle changes with the number of teeth: only whole numbers are compared");
+    throw Impossible(
+        "the working pressure angle changes with the number of teeth: only whole numbers are compared",
+        "l'angolo di pressione di lavoro cambia con il numero di denti: si confrontano solo numeri interi");
   const T sine_squared = square(sine<T>(of.alpha));
   if (of.kind == PairKind::rack) return quotient(from_rational<T>(2 * (of.ha - of.k - of.x1)), sine_squared);
   const int outwards = of.kind == PairKind::internal ? -1 : 1;

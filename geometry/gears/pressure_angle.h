@@ -30,8 +30,11 @@ template <class T>
 PressureAngle<T> pressure_angle_at(const T& r, const T& r_b) {
   const T squared = (r - r_b) * (r + r_b);
   const Sign beyond = sign(squared);
-  if (beyond == Sign::undecided) throw Undecided("whether a circle reaches the base circle");
-  if (beyond == Sign::negative) throw Impossible("the circle lies inside the base circle, where no involute is");
+  if (beyond == Sign::undecided)
+    throw Undecided("whether a circle reaches the base circle", "se una circonferenza raggiunga quella di base");
+  if (beyond == Sign::negative)
+    throw Impossible("the circle lies inside the base circle, where no involute is",
+                     "la circonferenza sta dentro quella di base, dove non c'è evolvente");
   return {quotient(root(squared), r_b), quotient(r_b, r), quotient(root(squared), r)};
 }
 
@@ -42,9 +45,12 @@ PressureAngle<T> working_pressure_angle(const PressureAngle<T>& alpha, const Rat
   const T involute_w = involute(alpha.tangent) + from_rational<T>(2 * shift_per_tooth) * alpha.tangent;
   switch (sign(involute_w)) {
     case Sign::undecided:
-      throw Undecided("whether the wheels have a working pressure angle");
+      throw Undecided("whether the wheels have a working pressure angle",
+                      "se le ruote abbiano un angolo di pressione di lavoro");
     case Sign::negative:
-      throw Impossible("the wheels cannot mesh: for these profile shifts no working pressure angle exists");
+      throw Impossible(
+          "the wheels cannot mesh: for these profile shifts no working pressure angle exists",
+          "le ruote non possono ingranare: con queste correzioni non esiste alcun angolo di pressione di lavoro");
     default:
       return pressure_angle_of_tangent(tangent_of_involute(involute_w));
   }

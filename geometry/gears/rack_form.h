@@ -33,7 +33,7 @@ RackForm<T> rack_form(const PairData& of, const Rational& set_back) {
   const T tip = back - from_rational<T>(of.m * (of.ha - of.k)), at_tip = at_reference + tip * alpha.tangent;
   switch (sign(at_tip)) {
     case Sign::undecided:
-      throw Undecided("whether the rack's teeth are pointed");
+      throw Undecided("whether the rack's teeth are pointed", "se i denti della dentiera siano a punta");
     case Sign::positive:
       form.flank_end = {at_tip, tip};
       break;
@@ -41,7 +41,7 @@ RackForm<T> rack_form(const PairData& of, const Rational& set_back) {
       form.flank_end = {T(0), -quotient(at_reference, alpha.tangent)};
   }
   if (sign(form.flank_start.y - form.flank_end.y) != Sign::positive)
-    throw Impossible("nothing is left of the flanks of the rack");
+    throw Impossible("nothing is left of the flanks of the rack", "dei fianchi della dentiera non resta nulla");
   return form;
 }
 

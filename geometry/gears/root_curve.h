@@ -32,7 +32,9 @@ CutterTip<T> cutter_tip(const PairData& of, const Rational& x, const PressureAng
   if (sign(flat) == Sign::positive || sign(flat) == Sign::zero)
     return {flat, from_rational<T>((of.hf - of.rho - x) * of.m), rounding};
   const T tip = edge - depth * alpha.tangent;
-  if (sign(tip) != Sign::positive) throw Impossible("the cutter is pointed before it reaches the root circle");
+  if (sign(tip) != Sign::positive)
+    throw Impossible("the cutter is pointed before it reaches the root circle",
+                     "l'utensile finisce a punta prima della circonferenza di piede");
   const T largest = quotient(tip * alpha.cosine, T(1) - alpha.sine);
   return {T(0), from_rational<T>((of.hf - x) * of.m) - largest, largest};
 }

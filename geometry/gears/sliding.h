@@ -32,14 +32,18 @@ struct FlankVelocities {
   // Over the flank's own velocity: 1 means pure sliding of the other. Throw Impossible where that velocity is zero
   // (in T1, T2), Undecided when that cannot be told.
   T specific_1() const {
-    return over(of_1 - of_2, of_1, "flank 1 has no velocity along itself there: contact is at T1");
+    return over(of_1 - of_2, of_1,
+                {"flank 1 has no velocity along itself there: contact is at T1",
+                 "lì il fianco 1 non ha velocità lungo sé stesso: il contatto è in T1"});
   }
   T specific_2() const {
-    return over(of_2 - of_1, of_2, "flank 2 has no velocity along itself there: contact is at T2");
+    return over(of_2 - of_1, of_2,
+                {"flank 2 has no velocity along itself there: contact is at T2",
+                 "lì il fianco 2 non ha velocità lungo sé stesso: il contatto è in T2"});
   }
 
  private:
-  static T over(const T& sliding, const T& own, const char* when_zero) {
+  static T over(const T& sliding, const T& own, const Phrase& when_zero) {
     if (sign(own) == Sign::zero) throw Impossible(when_zero);
     return quotient(sliding, own);
   }

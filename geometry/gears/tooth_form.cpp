@@ -9,7 +9,7 @@ namespace epure::geometry {
 
 namespace {
 
-bool is_positive(const Deep& x, const char* question) {
+bool is_positive(const Deep& x, const Phrase& question) {
   const Sign decided = sign(x);
   if (decided == Sign::undecided) throw Undecided(question);
   return decided == Sign::positive;
@@ -35,7 +35,7 @@ void close_tip(ToothForm<Deep>& form) {
   const RightFlank<Deep>& flank = form.flank;
   const Deep to_tip = tangent_at(flank, form.r_tip), inv = involute(to_tip);
   const Deep half = flank.ring ? flank.half_angle + inv : flank.half_angle - inv;
-  const bool is_pointed = !is_positive(half, "whether a tooth is pointed");
+  const bool is_pointed = !is_positive(half, {"whether a tooth is pointed", "se un dente sia a punta"});
   form.tip_half_angle = is_pointed ? Deep(0) : half;
   form.t_tip = is_pointed ? tangent_of_involute(flank.ring ? -flank.half_angle : flank.half_angle) : to_tip;
 }
@@ -60,7 +60,8 @@ std::optional<Deep> undercut_end(const RootCurve<Deep>& curve, const RightFlank<
   const double last = to_bounded(end).inf();
   if (sign(out_of_base(flank, curve(Deep::from_double(last)))) != Sign::positive) return {};
   const auto out = [&](const Deep& p) { return out_of_base(flank, curve(p)); };
-  const bool from_base = !is_positive(out(Deep(1)), "whether the root circle reaches the base circle");
+  const bool from_base = !is_positive(out(Deep(1)), {"whether the root circle reaches the base circle",
+                                                     "se la circonferenza di piede raggiunga quella di base"});
   const double first = from_base ? to_bounded(crossing(out, 1, last)).sup() : 1;
   return crossing([&](const Deep& p) { return beyond(flank, curve(p)); }, first, last);
 }
@@ -99,8 +100,9 @@ RoundingCentre rounding_centre(const ToothForm<Deep>& form, const Deep& radius) 
 // when the flanks of two teeth meet before they reach the root circle.
 std::optional<Deep> rounding_that_fits(const ToothForm<Deep>& form, const Deep& radius, const Deep& least) {
   const auto too_wide = [&](const Deep& tried) { return rounding_centre(form, tried).direction - form.half_pitch; };
-  if (!is_positive(too_wide(radius), "whether a rounding fits into a space")) return radius;
-  if (is_positive(too_wide(least), "whether a space is pointed")) return {};
+  if (!is_positive(too_wide(radius), {"whether a rounding fits into a space", "se un raccordo stia in un vano"}))
+    return radius;
+  if (is_positive(too_wide(least), {"whether a space is pointed", "se un vano sia a punta"})) return {};
   return Deep::from_double(to_bounded(crossing(too_wide, to_bounded(least).sup(), to_bounded(radius).sup())).inf());
 }
 
@@ -149,8 +151,10 @@ ToothForm<Deep> tooth_form(const PairData& of, int wheel, const Rational& set_ba
   }
   close_tip(form);
   const Deep flank = data.ring ? form.t_form - form.t_tip : form.t_tip - form.t_form;
-  if (!is_positive(flank, "whether a tooth has a flank"))
-    throw Impossible("nothing is left of the flanks of wheel " + std::to_string(wheel));
+  if (!is_positive(flank, {"whether a tooth has a flank", "se un dente abbia un fianco"}))
+    throw Impossible(
+        Words{"nothing is left of the flanks of wheel ", "dei fianchi della ruota non resta nulla: ruota "} +
+        std::to_string(wheel));
   return form;
 }
 

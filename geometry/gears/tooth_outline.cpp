@@ -96,7 +96,8 @@ class HalfTooth {
     ToothOutline whole;
     for (const OutlinePiece& piece : pieces_)
       for (const BezierArc& arc : piece.arcs)
-        if (reaches_middle(arc)) throw Impossible("the cutter cuts the tooth off at its root");
+        if (reaches_middle(arc))
+          throw Impossible("the cutter cuts the tooth off at its root", "l'utensile taglia via il dente al piede");
     std::vector<OutlinePiece> left = pieces_;
     std::reverse(left.begin(), left.end());
     for (OutlinePiece& piece : left) {

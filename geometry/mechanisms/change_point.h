@@ -69,7 +69,8 @@ template <class T>
 std::array<ChangePointMotion<T>, 2> change_point_motions(const FlatPosition& flat) {
   const Rational r2 = flat.A0A, r3 = flat.AB, r4 = flat.B0B, d = flat.frame();
   const Rational S2 = r2 * r3 * r4 * d;
-  if (S2 <= 0) throw Impossible("the linkage is stretched and cannot move");
+  if (S2 <= 0)
+    throw Impossible("the linkage is stretched and cannot move", "il meccanismo è disteso e non può muoversi");
   const auto with_rocker = [&](const T& omega_4, Side leaves_to) {
     const T omega_3 = from_rational<T>(r4 / r3) * omega_4 - from_rational<T>(r2 / r3);
     return ChangePointMotion<T>{T(1), omega_3, omega_4, leaves_to};

@@ -160,8 +160,8 @@ template <class T>
 Point<T> joint_of_guides(const Line<T>& first, const Line<T>& second) {
   const ProjectivePoint<T> X = meet(first, second);
   const Sign apart = sign(X.w);
-  if (apart == Sign::zero) throw Impossible("the two guides are parallel");
-  if (apart == Sign::undecided) throw Undecided("whether two guides are parallel");
+  if (apart == Sign::zero) throw Impossible("the two guides are parallel", "le due guide sono parallele");
+  if (apart == Sign::undecided) throw Undecided("whether two guides are parallel", "se due guide siano parallele");
   return finite(X);
 }
 
@@ -172,9 +172,14 @@ Vector<T> slot_direction(const Point<T>& Q, const Point<T>& P, const T& offset) 
   const Vector<T> QP = P - Q;
   const T d2 = length_squared(QP), along2 = d2 - square(offset);
   const Sign reaches = sign(along2);
-  if (reaches == Sign::negative) throw Impossible("the pin is nearer to the pivot than its slot passes");
-  if (reaches == Sign::undecided || sign(d2) == Sign::undecided) throw Undecided("whether a slot reaches its pin");
-  if (sign(d2) == Sign::zero) throw Impossible("the pin lies on the pivot of its slot: the slot has no direction");
+  if (reaches == Sign::negative)
+    throw Impossible("the pin is nearer to the pivot than its slot passes",
+                     "il perno è più vicino alla cerniera di quanto vi passi la sua scanalatura");
+  if (reaches == Sign::undecided || sign(d2) == Sign::undecided)
+    throw Undecided("whether a slot reaches its pin", "se una scanalatura raggiunga il suo perno");
+  if (sign(d2) == Sign::zero)
+    throw Impossible("the pin lies on the pivot of its slot: the slot has no direction",
+                     "il perno sta sulla cerniera della sua scanalatura: questa non ha direzione");
   return quotient(root(along2), d2) * QP + quotient(-offset, d2) * quarter_turn(QP);
 }
 

@@ -55,12 +55,14 @@ struct FourBarBars {
 template <class T>
 Point<T> joint_known_beforehand(const FourBarBars<T>& of, const Point<T>& A0, const Point<T>& A, Side side) {
   const Sign apart = sign(length_squared(of.B0 - A));
-  if (apart == Sign::zero) throw Impossible("the circles are concentric");
-  if (apart == Sign::undecided) throw Undecided("whether A lies on B0");
+  if (apart == Sign::zero) throw Impossible("the circles are concentric", "le circonferenze sono concentriche");
+  if (apart == Sign::undecided) throw Undecided("whether A lies on B0", "se A stia su B0");
   const Line<T> AB0 = line(A, of.B0);
   const Point<T> fourth = A + (of.B0 - A0), known = of.is_parallelogram ? fourth : A0;
   const Sign lies = geometry::side(known, AB0);
-  if (lies == Sign::undecided) throw Undecided("on which side of AB0 a meeting point of circles lies");
+  if (lies == Sign::undecided)
+    throw Undecided("on which side of AB0 a meeting point of circles lies",
+                    "da quale parte di AB0 stia un'intersezione di circonferenze");
   if (lies == Sign::zero || (lies == Sign::positive) == (side == Side::left)) return known;
   if (of.is_kite && of.is_parallelogram) return A0;
   return known + T(2) * (foot(known, AB0) - known);
@@ -109,7 +111,9 @@ ProjectivePoint<T> inflection_pole_by_poles(const FourBar<T>& at, const Point<T>
 template <class T>
 Point<T> right_angled_corner(const Point<T>& A, const Point<T>& B, const Rational& AB, const Rational& AC,
                              Side side) {
-  if (AC > AB) throw Impossible("the plate's side AC is longer than its hypotenuse AB");
+  if (AC > AB)
+    throw Impossible("the plate's side AC is longer than its hypotenuse AB",
+                     "il lato AC della piastra è più lungo della sua ipotenusa AB");
   const Rational along = AC * AC / (AB * AB);
   const T across = from_rational<T>(AC / AB) * root(from_rational<T>(1 - along));
   const Vector<T> AB_vector = B - A;

@@ -45,9 +45,9 @@ struct FrameTriangle {
 
 // leg is not zero. Throws Impossible with `why_not` when the triangle does not close, or B₀ lies on A₀.
 inline FrameTriangle frame_triangle(const FourBarLengths& of, const Rational& leg, const Rational& other,
-                                    const char* why_not) {
+                                    const Phrase& why_not) {
   const Rational d2 = frame_squared(of), leg2 = leg * leg;
-  if (d2 == 0) throw Impossible("the hinge B0 lies on A0");
+  if (d2 == 0) throw Impossible("the hinge B0 lies on A0", "la cerniera B0 sta su A0");
   const Rational twice_along = d2 + leg2 - other * other;
   const Rational sixteen_areas_squared = 4 * d2 * leg2 - twice_along * twice_along;
   if (sixteen_areas_squared < 0) throw Impossible(why_not);
@@ -75,10 +75,14 @@ template <class T>
 FourBarPosition<T> dead_centre(const FourBarLengths& of, Reach reach, Side branch) {
   const Rational A0B = reach == Reach::extended ? Rational(of.A0A + of.AB) : Rational(of.A0A - of.AB);
   if (A0B == 0)
-    throw Impossible(frame_squared(of) == of.B0B * of.B0B
-                         ? "crank and coupler fold onto each other in every direction: B then rests on A0"
-                         : "crank and coupler are equally long, and B cannot fold onto A0");
-  const FrameTriangle A0B0B = frame_triangle(of, A0B, of.B0B, "the rocker has no such dead centre");
+    throw Impossible(
+        frame_squared(of) == of.B0B * of.B0B
+            ? Phrase{"crank and coupler fold onto each other in every direction: B then rests on A0",
+                     "manovella e biella si ripiegano l'una sull'altra in ogni direzione: B resta allora su A0"}
+            : Phrase{"crank and coupler are equally long, and B cannot fold onto A0",
+                     "manovella e biella sono ugualmente lunghe, e B non può ripiegarsi su A0"});
+  const FrameTriangle A0B0B = frame_triangle(
+      of, A0B, of.B0B, {"the rocker has no such dead centre", "il bilanciere non ha questo punto morto"});
   // Folded, AB runs against the crank: B is on the other side of A -> B₀ than the crank is of A₀ -> B₀.
   const Vector<T> u = A0B0B.direction<T>(of, reach == Reach::extended ? branch : opposite(branch));
   FourBarPosition<T> found = positions::with_crank(of, u, positions::unless_flat(A0B0B, branch));
@@ -95,9 +99,12 @@ FourBarPosition<T> crank_limit(const FourBarLengths& of, Reach reach, Side crank
   const Rational AB0 = reach == Reach::extended ? Rational(of.AB + of.B0B) : Rational(of.AB - of.B0B);
   if (AB0 == 0)
     throw Impossible(frame_squared(of) == of.A0A * of.A0A
-                         ? "A folds onto B0, and coupler and rocker turn there together in every direction"
-                         : "coupler and rocker are equally long, and A cannot fold onto B0");
-  const FrameTriangle A0B0A = frame_triangle(of, of.A0A, AB0, "the crank has no such limit position");
+                         ? Phrase{"A folds onto B0, and coupler and rocker turn there together in every direction",
+                                  "A si ripiega su B0, e lì biella e bilanciere ruotano insieme in ogni direzione"}
+                         : Phrase{"coupler and rocker are equally long, and A cannot fold onto B0",
+                                  "biella e bilanciere sono ugualmente lunghi, e A non può ripiegarsi su B0"});
+  const FrameTriangle A0B0A = frame_triangle(
+      of, of.A0A, AB0, {"the crank has no such limit position", "la manovella non ha questa posizione limite"});
   FourBarPosition<T> found = positions::with_crank(of, A0B0A.direction<T>(of, crank_side), std::nullopt);
   found.at.B = found.at.A + from_rational<T>(of.AB / AB0) * (found.at.B0 - found.at.A);
   return found;
@@ -113,10 +120,14 @@ FourBarPosition<T> parallel_position(const FourBarLengths& of, Sense sense, Side
   if (shifted == 0)
     throw Impossible(
         frame_squared(of) == of.AB * of.AB
-            ? "the linkage is a parallelogram: crank and rocker are parallel in every position of a branch"
-            : "crank and rocker are equally long and the coupler is no parallel to the frame");
-  const FrameTriangle triangle =
-      frame_triangle(of, shifted, of.AB, "crank and rocker are never parallel in this sense");
+            ? Phrase{"the linkage is a parallelogram: crank and rocker are parallel in every position of a branch",
+                     "il meccanismo è un parallelogramma: manovella e bilanciere sono paralleli in ogni posizione di "
+                     "un ramo"}
+            : Phrase{"crank and rocker are equally long and the coupler is no parallel to the frame",
+                     "manovella e bilanciere sono ugualmente lunghi e la biella non è parallela al telaio"});
+  const FrameTriangle triangle = frame_triangle(of, shifted, of.AB,
+                                                {"crank and rocker are never parallel in this sense",
+                                                 "manovella e bilanciere non sono mai paralleli in questo verso"});
   const Vector<T> u = triangle.direction<T>(of, sense == Sense::same ? branch : opposite(branch));
   FourBarPosition<T> found = positions::with_crank(of, u, positions::unless_flat(triangle, branch));
   found.at.B = found.at.B0 + from_rational<T>(sense == Sense::same ? of.B0B : -of.B0B) * u;
@@ -147,9 +158,11 @@ template <class T>
 CrankArcs<T> crank_range(const FourBarLengths& of) {
   const Span AB0 = span(of);
   if (AB0.nearest_to_most == Sign::positive)
-    throw Impossible("the four-bar does not close: A is always too far from B0");
+    throw Impossible("the four-bar does not close: A is always too far from B0",
+                     "il quadrilatero non si chiude: A è sempre troppo lontano da B0");
   if (AB0.farthest_to_least == Sign::negative)
-    throw Impossible("the four-bar does not close: A is always too near to B0");
+    throw Impossible("the four-bar does not close: A is always too near to B0",
+                     "il quadrilatero non si chiude: A è sempre troppo vicino a B0");
   const bool is_too_near = AB0.nearest_to_least == Sign::negative,
              is_too_far = AB0.farthest_to_most == Sign::positive;
   const auto limit = [&](Reach reach, Side side) {

@@ -102,7 +102,8 @@ class Sweep {
     if (turning == Sign::zero) {
       const Sign same = settled_sign([&]<class T>() -> T { return dot(crank<T>(i), crank<T>(i + 1)); });
       if (same == Sign::negative)
-        throw Impossible("two directions of the sweep are opposite: the way from one to the other is not known");
+        throw Impossible("two directions of the sweep are opposite: the way from one to the other is not known",
+                         "due direzioni del giro sono opposte: non si sa per quale via si vada dall'una all'altra");
       return false;
     }
     const Sign before = settled_sign([&]<class T>() -> T { return T(towards) * cross(crank<T>(i), frame<T>()); });
@@ -142,8 +143,10 @@ inline Side side_throughout(const FourBarLengths& of, const std::vector<CrankDir
   if (found.size() == 1 && found.front().first == 0 && found.front().last + 1 == cranks.size()) return start;
   const bool is_change =
       !found.empty() && found.front().first == 0 && found.front().ended_by == Obstacle::change_point;
-  throw Impossible(is_change ? "the sweep passes a change point, from which two motions lead"
-                             : "the sweep passes a limit position of the crank");
+  throw Impossible(is_change ? Phrase{"the sweep passes a change point, from which two motions lead",
+                                      "il giro passa per un punto di cambiamento, da cui partono due moti"}
+                             : Phrase{"the sweep passes a limit position of the crank",
+                                      "il giro passa per una posizione limite della manovella"});
 }
 
 }  // namespace epure::geometry

@@ -82,10 +82,12 @@ inline Grashof grashof(const FourBarLengths& of) {
   const auto is_shorter = [&](Link a, Link b) { return sign_of(length(a) - length(b), of) == Sign::negative; };
   std::stable_sort(links.begin(), links.end(), is_shorter);
   const auto [s, p, q, l] = links;
-  if (sign_of(length(s), of) != Sign::positive) throw Impossible("a link of the four-bar has no length");
+  if (sign_of(length(s), of) != Sign::positive)
+    throw Impossible("a link of the four-bar has no length", "un membro del quadrilatero non ha lunghezza");
   const Sign beyond_all = sign_of(length(l) - length(s) - length(p) - length(q), of);
   if (beyond_all == Sign::positive)
-    throw Impossible("the four-bar does not close: its longest link is longer than the other three together");
+    throw Impossible("the four-bar does not close: its longest link is longer than the other three together",
+                     "il quadrilatero non si chiude: il membro più lungo supera gli altri tre insieme");
 
   Grashof result{LinkageClass::triple_rocker, {}, length(s) + length(l) - length(p) - length(q)};
   for (const Link link : links)

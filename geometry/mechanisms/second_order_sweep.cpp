@@ -79,18 +79,22 @@ bool is_settled(const Swept& result) {
 // What a rung of the ladder lets stand: of Bounded an enclosure with two ends; of Deep every one, since a value
 // beyond the doubles has no other. Exact is asked only for what does not exist.
 Bounded enclosed(const Bounded& x) {
-  if (!std::isfinite(x.inf()) || !std::isfinite(x.sup())) throw Undecided("an enclosure without bounds");
+  if (!std::isfinite(x.inf()) || !std::isfinite(x.sup()))
+    throw Undecided("an enclosure without bounds", "un intervallo senza limiti");
   return x;
 }
 Bounded enclosed(const Deep& x) { return to_bounded(x); }
-Bounded enclosed(const Exact&) { throw Undecided("it exists, but exact numbers are not enclosed here"); }
+Bounded enclosed(const Exact&) {
+  throw Undecided("it exists, but exact numbers are not enclosed here",
+                  "esiste, ma qui i numeri esatti non si racchiudono in intervalli");
+}
 template <class T>
 Point<Bounded> enclosed(const Point<T>& P) {
   return {enclosed(P.x), enclosed(P.y)};
 }
 template <class T>
 Point<Bounded> enclosed(const ProjectivePoint<T>& P) {
-  if (sign(P.w) == Sign::zero) throw Impossible("at infinity, or not determined");
+  if (sign(P.w) == Sign::zero) throw Impossible("at infinity, or not determined", "all'infinito, o non determinato");
   return enclosed(finite(P));
 }
 

@@ -93,7 +93,8 @@ Point<T> slider_pin(const SliderCrankBars<T>& of, const Point<T>& A0, const Poin
   if (!of.is_isosceles) return joint_on_guide(A, of.l, guide, Along::ahead);
   const T ahead = dot(A - A0, guide.direction());
   const Sign decided = sign(ahead);
-  if (decided == Sign::undecided) throw Undecided("whether the crank points ahead");
+  if (decided == Sign::undecided)
+    throw Undecided("whether the crank points ahead", "se la manovella sia rivolta in avanti");
   return decided == Sign::positive ? A0 + (T(2) * ahead) * guide.direction() : A0;
 }
 

@@ -34,9 +34,11 @@ template <class T>
 T turned_angle(const CycloidArc& arc) {
   const T whole = radians<T>(Angle{arc.arches()});
   if (arc.is_at_cusp()) return whole;
-  if constexpr (std::is_same_v<T, Exact>) throw LeavesTheTower("the angle that belongs to an arc");
+  if constexpr (std::is_same_v<T, Exact>)
+    throw LeavesTheTower("the angle that belongs to an arc", "l'angolo che corrisponde a un arco");
   if constexpr (std::is_same_v<T, Generic> || std::is_same_v<T, Calcium>)
-    throw Undecided("the angle that belongs to an arc is no number of turns");
+    throw Undecided("the angle that belongs to an arc is no number of turns",
+                    "l'angolo che corrisponde a un arco non è un numero di giri");
   if constexpr (NumberWithAngles<T>)
     return whole + T(2) * arc_tangent(contact_distance<T>(arc), from_rational<T>(arc.to_top()));
 }

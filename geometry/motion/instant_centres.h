@@ -62,8 +62,9 @@ class InstantCentres {
   const ProjectivePoint<T>& at(int i, int j) const {
     const InstantCentre<T>& centre = of(i, j);
     if (!centre.at)
-      throw Impossible("the instant centre of bodies " + std::to_string(i) + " and " + std::to_string(j) +
-                       " is not determined in this position");
+      throw Impossible(Words{"the instant centre of bodies ", "il centro d'istantanea rotazione dei corpi "} +
+                       std::to_string(i) + Words{" and ", " e "} + std::to_string(j) +
+                       Words{" is not determined in this position", " non è determinato in questa posizione"});
     return *centre.at;
   }
   // All n (n - 1)/2: the joints as given, the others as they were found, last the undetermined ones.
@@ -132,7 +133,7 @@ class Search {
 
   bool round() {
     const auto before = found_.size();
-    open_.clear();
+    open_ = {};
     for_unknown([&](int i, int j) { look_for(i, j); });
     return found_.size() > before;
   }
@@ -142,7 +143,9 @@ class Search {
     const ProjectivePoint<T>*first = known(i, k), *second = known(k, j);
     if (k == i || k == j || !first || !second) return std::nullopt;
     const Line<T> l = line(*first, *second);
-    if (!holds(is_determined(l), "whether two instant centres coincide")) return std::nullopt;
+    if (!holds(is_determined(l),
+               {"whether two instant centres coincide", "se due centri d'istantanea rotazione coincidano"}))
+      return std::nullopt;
     return l;
   }
 
@@ -152,7 +155,9 @@ class Search {
         const auto through_k = line_by(i, k, j), through_l = line_by(i, l, j);
         if (!through_k || !through_l) continue;
         const ProjectivePoint<T> P = meet(*through_k, *through_l);
-        if (!holds(is_determined(P), "whether two lines of instant centres are the same")) continue;
+        if (!holds(is_determined(P), {"whether two lines of instant centres are the same",
+                                      "se due rette di centri d'istantanea rotazione coincidano"}))
+          continue;
         found_.push_back({i, j, scaled(P), KennedyLines<T>{k, l, *through_k, *through_l}});
         return;
       }
@@ -167,14 +172,14 @@ class Search {
 
   // What cannot be told is passed over like what is degenerate, as another pair of lines may do; it is remembered
   // for the case that none does.
-  bool holds(Truth truth, const std::string& question) {
+  bool holds(Truth truth, const Phrase& question) {
     if (truth == Truth::undecided) open_ = question;
     return truth == Truth::yes;
   }
 
   int bodies_;
   std::vector<InstantCentre<T>> found_;
-  std::string open_;
+  Words open_;
 };
 
 }  // namespace kennedy
@@ -209,10 +214,12 @@ Ratio<T> angular_velocities(const ProjectivePoint<T>& P_1i, const ProjectivePoin
   const Ratio<T> ratio{P_1i.w * dot(j, along), P_1j.w * dot(i, along)};
   const Sign first = sign(ratio.first), second = sign(ratio.second);
   if (first == Sign::zero && second == Sign::zero)
-    throw Impossible("the instant centres do not fix the ratio of the two angular velocities");
+    throw Impossible("the instant centres do not fix the ratio of the two angular velocities",
+                     "i centri d'istantanea rotazione non fissano il rapporto delle due velocità angolari");
   const auto may_vanish = [](Sign decided) { return decided == Sign::zero || decided == Sign::undecided; };
   if (may_vanish(first) && may_vanish(second))
-    throw Undecided("whether the instant centres fix the ratio of two angular velocities");
+    throw Undecided("whether the instant centres fix the ratio of two angular velocities",
+                    "se i centri d'istantanea rotazione fissino il rapporto di due velocità angolari");
   return ratio;
 }
 

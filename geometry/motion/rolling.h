@@ -94,7 +94,7 @@ Point<T> contact_point(const Rolling& rolling, const A& phi) {
 // Centre of the rolling circle in the fixed plane. Throws Impossible for a line, which has none.
 template <class T, class A>
 Point<T> rolling_centre(const Rolling& rolling, const A& phi) {
-  if (rolling.how == Rolls::line_on_circle) throw Impossible("a line has no centre");
+  if (rolling.how == Rolls::line_on_circle) throw Impossible("a line has no centre", "una retta non ha centro");
   return contact_point<T>(rolling, phi) + from_rational<T>(rolling.r) * common_normal<T>(rolling, phi);
 }
 
@@ -171,9 +171,10 @@ struct RollingInstant {
   };
   BothSides tangential_component() const {
     const Sign turning = sign(motion.omega);
-    if (turning == Sign::undecided) throw Undecided("whether the rolling body turns");
+    if (turning == Sign::undecided) throw Undecided("whether the rolling body turns", "se il corpo che rotola ruoti");
     if (turning == Sign::zero)
-      throw Impossible("the rolling body does not turn: its points have no direction of travel");
+      throw Impossible("the rolling body does not turn: its points have no direction of travel",
+                       "il corpo che rotola non ruota: i suoi punti non hanno direzione di moto");
     if (is_at_cusp) {
       const T size = length(acceleration());
       return {-size, size};
@@ -201,7 +202,8 @@ struct RollingInstant {
     if (is_at_cusp && !runs_straight) return T(0);
     const T w = runs_straight ? T(0) : times_beyond();
     if (sign(w) == Sign::zero)
-      throw Impossible("the path is straight here: the centre of curvature lies at infinity");
+      throw Impossible("the path is straight here: the centre of curvature lies at infinity",
+                       "la traiettoria qui è rettilinea: il centro di curvatura è all'infinito");
     return quotient(length(by_normal), absolute(w));
   }
 
@@ -267,7 +269,7 @@ inline constexpr long bits_for_doubles = 80;
 
 template <class T>
 T transcendental(const Rolling& rolling, const Angle& phi) {
-  if constexpr (std::is_same_v<T, Exact>) throw LeavesTheTower("the length of an arc");
+  if constexpr (std::is_same_v<T, Exact>) throw LeavesTheTower("the length of an arc", "la lunghezza di un arco");
   if constexpr (std::is_same_v<T, Deep>) return transcendental_arc_length(rolling, phi);
   if constexpr (std::is_same_v<T, Bounded> || std::is_same_v<T, Fast>) {
     const Arithmetic<Deep> scope(bits_for_doubles);
@@ -275,7 +277,8 @@ T transcendental(const Rolling& rolling, const Angle& phi) {
     if constexpr (std::is_same_v<T, Bounded>) return to_bounded(length);
     if constexpr (std::is_same_v<T, Fast>) return enclosure(length).value;
   }
-  throw Undecided("the length of an arc is a transcendental number");
+  throw Undecided("the length of an arc is a transcendental number",
+                  "la lunghezza di un arco è un numero trascendente");
 }
 
 }  // namespace rolling_arcs

@@ -79,9 +79,10 @@ T sine(const Angle& angle) {
   } else if constexpr (std::is_same_v<T, Generic>) {
     return Generic::cosine(angle.turns - Rational(1, 4), angle.radians);
   } else if constexpr (std::is_same_v<T, Exact>) {
-    throw LeavesTheTower("a cosine or sine of an angle in radians");
+    throw LeavesTheTower("a cosine or sine of an angle in radians", "un coseno o seno di un angolo in radianti");
   } else {
-    throw Undecided("a cosine or sine of an angle in radians is transcendental");
+    throw Undecided("a cosine or sine of an angle in radians is transcendental",
+                    "un coseno o seno di un angolo in radianti è trascendente");
   }
 }
 template <class T>

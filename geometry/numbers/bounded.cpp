@@ -51,9 +51,12 @@ Bounded arc_tangent(const Bounded& y, const Bounded& x) {
   const bool on_the_axis = side == Sign::zero && sign(x) == Sign::negative;
   const bool may_reach_the_cut = side == Sign::undecided || side == Sign::zero;
   if (may_reach_the_cut && !on_the_axis && sign(x) != Sign::positive)
-    throw Undecided("direction that may be a zero vector or lie on either side of 180 degrees");
+    throw Undecided(
+        "direction that may be a zero vector or lie on either side of 180 degrees",
+        "una direzione che può essere di un vettore nullo o stare da una o dall'altra parte di 180 gradi");
   for (const double end : {y.inf(), y.sup(), x.inf(), x.sup()})
-    if (!std::isfinite(end)) throw Undecided("direction of a vector without bounds");
+    if (!std::isfinite(end))
+      throw Undecided("direction of a vector without bounds", "la direzione di un vettore senza limiti");
   // Along a side of the box one coordinate is constant and the angle is monotone, and inside the angle has no
   // extremum: so the corners bound it.
   const Arithmetic<Deep> scope(bits_of_a_value);
@@ -69,7 +72,8 @@ constexpr long bits_of_an_angle = 160;
 
 template <class Function>
 Bounded of_angle(const Bounded& angle, const Function& function) {
-  if (!std::isfinite(angle.inf()) || !std::isfinite(angle.sup())) throw Undecided("an angle without bounds");
+  if (!std::isfinite(angle.inf()) || !std::isfinite(angle.sup()))
+    throw Undecided("an angle without bounds", "un angolo senza limiti");
   const Arithmetic<Deep> scope(bits_of_an_angle);
   const Bounded value = to_bounded(function(Deep::from_bounded(angle)));
   return {std::max(value.inf(), -1.0), std::min(value.sup(), 1.0)};

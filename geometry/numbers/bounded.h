@@ -39,7 +39,7 @@ inline Bounded square(const Bounded& x) { return CGAL::square(x); }
 inline Bounded quotient(const Bounded& a, const Bounded& b) {
   const Sign divisor = sign(b);
   if (divisor == Sign::zero || divisor == Sign::undecided)
-    throw Undecided("division by an interval that contains zero");
+    throw Undecided("division by an interval that contains zero", "divisione per un intervallo che contiene lo zero");
   return a / b;
 }
 

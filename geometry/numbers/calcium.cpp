@@ -27,15 +27,19 @@ constexpr long most_products_in_all = 20000000;
 
 void require_small_result(const epure_calcium_number* x, epure_calcium_context* context) {
   constexpr long most_terms = 5000;
-  if (epure_calcium_terms(x, context) > most_terms) throw Undecided("an exact number grew beyond 5000 terms");
+  if (epure_calcium_terms(x, context) > most_terms)
+    throw Undecided("an exact number grew beyond 5000 terms", "un numero esatto ha superato 5000 termini");
 }
 void require_small_task(const epure_calcium_number* a, const epure_calcium_number* b,
                         epure_calcium_context* context) {
   constexpr long most_products = 1000000;
   const long products = epure_calcium_terms(a, context) * epure_calcium_terms(b, context);
-  if (products > most_products) throw Undecided("exact numbers grew beyond 1000000 products of terms");
+  if (products > most_products)
+    throw Undecided("exact numbers grew beyond 1000000 products of terms",
+                    "numeri esatti hanno superato 1000000 di prodotti di termini");
   if (!epure_calcium_spend(products, context))
-    throw Undecided("an exact proof grew beyond 20000000 products of terms");
+    throw Undecided("an exact proof grew beyond 20000000 products of terms",
+                    "una dimostrazione esatta ha superato 20000000 di prodotti di termini");
 }
 
 // Every number of a scene lives over the field of its directions, and costs the more the higher its degree.
@@ -115,8 +119,11 @@ Calcium operator/(const Calcium& a, const Calcium& b) {
   const RoundToNearest rounding;
   assert(a.context_ == b.context_ && "numbers of two Arithmetic<Calcium> scopes");
   const Sign divisor = sign(b);
-  if (divisor == Sign::zero) throw Undecided("division by a quantity that is proved to be zero");
-  if (divisor == Sign::undecided) throw Undecided("division by a quantity that may be zero");
+  if (divisor == Sign::zero)
+    throw Undecided("division by a quantity that is proved to be zero",
+                    "divisione per una grandezza che è zero, come è dimostrato");
+  if (divisor == Sign::undecided)
+    throw Undecided("division by a quantity that may be zero", "divisione per una grandezza che può essere zero");
   Calcium result;
   require_small_task(a.number_, b.number_, a.context_);
   epure_calcium_divide(result.number_, a.number_, b.number_, a.context_);
@@ -188,7 +195,9 @@ Calcium Calcium::cosine(const Turn& turn) {
   const RoundToNearest rounding;
   if (const auto known = rational_cosine(turn)) return Calcium(*known);
   const Rational half_turns = Rational(2) * within_one_turn(turn).fraction;
-  if (!is_of_low_degree(half_turns)) throw Undecided("a direction of more than degree 20 in an exact number");
+  if (!is_of_low_degree(half_turns))
+    throw Undecided("a direction of more than degree 20 in an exact number",
+                    "una direzione di grado maggiore di 20 in un numero esatto");
   Calcium result;
   epure_calcium_set_cosine(result.number_, half_turns.mpq(), result.context_);
   return result;

@@ -13,7 +13,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 bool contains_zero(const Enclosure& x) { return x.lower <= 0 && x.upper >= 0; }
 
 Settled certain_point(double value, const std::string& rung) {
-  return {Settled::Kind::certain, {value, value, value}, "", rung};
+  return {Settled::Kind::certain, {value, value, value}, {}, rung};
 }
 
 Settled without_value(const Finding& finding, const std::string& rung) {
@@ -35,7 +35,7 @@ bool Ledger::accept(const std::string& rung, const Run& run) {
   if (run.failure) {
     failure_ = *run.failure;
     for (Entry& entry : entries_)
-      if (!entry.is_final) entry.settled.reason = rung + ": " + failure_;
+      if (!entry.is_final) entry.settled.reason = (rung + ": ") + failure_;
     return false;
   }
   if (!has_run_) entries_.resize(run.findings.size());
@@ -72,7 +72,9 @@ void Ledger::narrow(Entry& entry, const std::string& rung, const Finding& findin
   entry.has_enclosure = true;
   entry.is_final = finding.certain.has_value();
   entry.settled.kind = entry.is_final ? Settled::Kind::certain : Settled::Kind::enclosed;
-  entry.settled.reason = entry.is_final ? "" : "the nearest double is not certain from the enclosure";
+  entry.settled.reason = entry.is_final ? Words{}
+                                        : Words{"the nearest double is not certain from the enclosure",
+                                                "l'intervallo non dice con certezza il double più vicino"};
 }
 
 void Ledger::take_proofs(const std::string& rung, const Run& run) {
@@ -107,7 +109,8 @@ std::vector<Settled> Ledger::result() const {
   std::vector<Settled> result;
   for (const Entry& entry : entries_) {
     result.push_back(entry.settled);
-    if (entry.settled.kind == Settled::Kind::undecided) result.back().reason += " (tried " + listed(tried_) + ")";
+    if (entry.settled.kind == Settled::Kind::undecided)
+      result.back().reason = result.back().reason + Words{" (tried ", " (tentati "} + listed(tried_) + ")";
   }
   return result;
 }
@@ -116,7 +119,7 @@ std::vector<Settled> settle_fast(const std::vector<Finding>& findings) {
   std::vector<Settled> result;
   for (const Finding& finding : findings) {
     if (finding.kind == Finding::Kind::value)
-      result.push_back({Settled::Kind::unbounded, {-infinity, finding.enclosure.value, infinity}, "", "Fast"});
+      result.push_back({Settled::Kind::unbounded, {-infinity, finding.enclosure.value, infinity}, {}, "Fast"});
     else
       result.push_back(without_value(finding, "Fast"));
   }
@@ -131,7 +134,7 @@ std::vector<Settled> settle_bounded(const std::vector<Finding>& findings) {
     else if (finding.certain)
       result.push_back(certain_point(*finding.certain, "Bounded"));
     else
-      result.push_back({Settled::Kind::enclosed, finding.enclosure, "", "Bounded"});
+      result.push_back({Settled::Kind::enclosed, finding.enclosure, {}, "Bounded"});
   }
   return result;
 }

@@ -34,9 +34,9 @@ class Reading {
  public:
   static Reading of(T value) { return Reading(std::move(value), false, {}); }
   // The reason is meant for the user.
-  static Reading absent(std::string reason) { return Reading({}, true, std::move(reason)); }
+  static Reading absent(Words reason) { return Reading({}, true, std::move(reason)); }
   // The reason is kept for the case that no number can tell.
-  static Reading undecided(std::string reason) { return Reading({}, false, std::move(reason)); }
+  static Reading undecided(Words reason) { return Reading({}, false, std::move(reason)); }
 
   // The reading of one quantity of several: an Undecided or Impossible thrown while computing it concerns it alone.
   template <class Computation>
@@ -44,23 +44,23 @@ class Reading {
     try {
       return of(computation());
     } catch (const Undecided& open) {
-      return undecided(open.what());
+      return undecided(open.words());
     } catch (const Impossible& proved) {
-      return absent(proved.what());
+      return absent(proved.words());
     }
   }
 
   const std::optional<T>& value() const { return value_; }
   bool is_absent() const { return is_absent_; }
-  const std::string& reason() const { return reason_; }
+  const Words& reason() const { return reason_; }
 
  private:
-  Reading(std::optional<T> value, bool is_absent, std::string reason)
+  Reading(std::optional<T> value, bool is_absent, Words reason)
       : value_(std::move(value)), is_absent_(is_absent), reason_(std::move(reason)) {}
 
   std::optional<T> value_;
   bool is_absent_;
-  std::string reason_;
+  Words reason_;
 };
 
 // A quantity after the climb.
@@ -74,9 +74,9 @@ struct Settled {
   };
   Kind kind = Kind::undecided;
   Enclosure enclosure = {};  // of certain, enclosed; for unbounded the ends are infinite
-  std::string reason = {};
-  std::string rung =
-      {};  // which number settled or last narrowed it: "Fast", "Bounded", "Deep 128", ..., "Exact", "Calcium"
+  Words reason = {};
+  // Which number settled or last narrowed it: "Fast", "Bounded", "Deep 128", ..., "Exact", "Calcium".
+  std::string rung = {};
 };
 
 // Throws Undecided when no number could run the scene at all.
@@ -97,8 +97,8 @@ std::vector<Settled> only_bounded(const Scene& scene);
 // bits before Calcium because they cost microseconds where Calcium may take a second.)
 struct Decision {
   Sign sign = Sign::undecided;
-  std::string rung = {};    // which number answered; empty when none did
-  std::string reason = {};  // why the last one could not, when none did
+  std::string rung = {};  // which number answered; empty when none did
+  Words reason = {};      // why the last one could not, when none did
 };
 // The scene returns the quantity: []<class T>() -> T.
 template <class Scene>
@@ -108,7 +108,7 @@ Decision decide(const Scene& scene);
 struct Answer {
   Truth truth = Truth::undecided;
   std::string rung = {};
-  std::string reason = {};
+  Words reason = {};
 };
 // The scene returns the answer: []<class T>() -> Truth. Rungs as in decide.
 template <class Scene>
@@ -125,13 +125,13 @@ struct Finding {
   Enclosure enclosure = {};            // of a value, from an enclosing number
   std::optional<double> certain = {};  // the double nearest to the value, when that is certain
   Sign proved = Sign::undecided;       // from an exact number; of its sign only whether it is zero counts
-  std::string reason = {};             // of absent, undecided
+  Words reason = {};                   // of absent, undecided
 };
 
 // A whole run: the findings, or why there are none.
 struct Run {
   std::vector<Finding> findings = {};
-  std::optional<std::string> failure = {};
+  std::optional<Words> failure = {};
 };
 
 // The state of the climb.
@@ -158,14 +158,14 @@ class Ledger {
   static void narrow(Entry& entry, const std::string& rung, const Finding& finding);
 
   std::vector<Entry> entries_;
-  std::string failure_;             // of the last run that said nothing
+  Words failure_;                   // of the last run that said nothing
   std::vector<std::string> tried_;  // the rungs so far
   bool has_run_ = false;
 };
 
 inline Finding finding_of(Fast x) {
   const bool is_number = x - x == 0;  // neither infinite nor NaN
-  if (!is_number) return {.reason = "the computed value is not a number"};
+  if (!is_number) return {.reason = {"the computed value is not a number", "il valore calcolato non è un numero"}};
   return {.kind = Finding::Kind::value, .enclosure = {x, x, x}};
 }
 
@@ -203,7 +203,7 @@ Run run(const Scene& scene, const Wanted& wanted) {
       result.findings.push_back(wanted(i) ? finding_of<T>(readings[i]) : Finding{});
     return result;
   } catch (const Undecided& open) {
-    return {{}, open.what()};
+    return {{}, open.words()};
   }
 }
 
@@ -281,7 +281,7 @@ class FirstVerdict {
 
   Verdict verdict = Verdict::undecided;
   std::string rung;
-  std::string reason;
+  Words reason;
 
  private:
   bool has_left_the_tower = false;
@@ -289,18 +289,18 @@ class FirstVerdict {
   template <class T, class... Scope>
   bool on(const std::string& name, Scope... scope_argument) {
     const Arithmetic<T> scope(scope_argument...);
-    reason = "the sign of a quantity that may be zero";
+    reason = {"the sign of a quantity that may be zero", "il segno di una grandezza che può essere zero"};
     try {
       verdict = question_.template operator()<T>();
     } catch (const Undecided& open) {
-      reason = open.what();
+      reason = open.words();
     } catch (const LeavesTheTower& outside) {
-      reason = outside.what();
+      reason = outside.words();
       has_left_the_tower = true;
     }
     if (verdict == Verdict::undecided) return false;
     rung = name;
-    reason.clear();
+    reason = {};
     return true;
   }
 

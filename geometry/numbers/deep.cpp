@@ -14,7 +14,7 @@ namespace {
 thread_local long working_bits = 0;  // 0: no scope is open
 
 void require_finite(const arb_t ball) {
-  if (!arb_is_finite(ball)) throw Undecided("a ball without bounds");
+  if (!arb_is_finite(ball)) throw Undecided("a ball without bounds", "un numero con raggio d'errore infinito");
 }
 
 }  // namespace
@@ -71,7 +71,8 @@ Deep& Deep::operator*=(const Deep& other) {
 }
 
 Deep& Deep::operator/=(const Deep& other) {
-  if (arb_contains_zero(other.ball_)) throw Undecided("division by a ball that contains zero");
+  if (arb_contains_zero(other.ball_))
+    throw Undecided("division by a ball that contains zero", "divisione per un intervallo che contiene lo zero");
   arb_div(ball_, ball_, other.ball_, Arithmetic<Deep>::bits());
   require_finite(ball_);
   return *this;
@@ -128,7 +129,9 @@ Deep arc_tangent(const Deep& y, const Deep& x) {
   const bool on_the_axis = side == Sign::zero && sign(x) == Sign::negative;
   const bool may_reach_the_cut = side == Sign::undecided || side == Sign::zero;
   if (may_reach_the_cut && !on_the_axis && sign(x) != Sign::positive)
-    throw Undecided("direction that may be a zero vector or lie on either side of 180 degrees");
+    throw Undecided(
+        "direction that may be a zero vector or lie on either side of 180 degrees",
+        "una direzione che può essere di un vettore nullo o stare da una o dall'altra parte di 180 gradi");
   return compute([&](arb_t result) { arb_atan2(result, y.ball(), x.ball(), Arithmetic<Deep>::bits()); });
 }
 

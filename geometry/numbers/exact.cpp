@@ -61,18 +61,21 @@ Exact root(const Exact& x) {
   Tower<Rational>& tower = current_tower();
   if (const auto found = tower.root_within(x.surd_))
     return Exact(sign_in(tower, *found) == Sign::negative ? -*found : *found);
-  if (tower.storeys() == Arithmetic<Exact>::highest_storey) throw LeavesTheTower("more than five independent roots");
+  if (tower.storeys() == Arithmetic<Exact>::highest_storey)
+    throw LeavesTheTower("more than five independent roots", "più di cinque radici indipendenti");
   return Exact(tower.adjoin(x.surd_));
 }
 
 Exact quotient(const Exact& a, const Exact& b) {
-  if (b.is_zero()) throw Undecided("division by a quantity that is proved to be zero");
+  if (b.is_zero())
+    throw Undecided("division by a quantity that is proved to be zero",
+                    "divisione per una grandezza che è zero, come è dimostrato");
   return a / b;
 }
 
 template <>
 Exact pi<Exact>() {
-  throw LeavesTheTower("pi is not the root of a polynomial");
+  throw LeavesTheTower("pi is not the root of a polynomial", "pi greco non è radice di un polinomio");
 }
 
 namespace {
@@ -100,7 +103,9 @@ template <>
 Exact cosine<Exact>(const Turn& turn) {
   if (const auto known = rational_cosine(turn)) return Exact(*known);
   const Rational fifteens = Rational(24) * within_one_turn(turn).fraction;
-  if (fifteens.denominator() != 1) throw LeavesTheTower("a direction that is no multiple of 15 degrees");
+  if (fifteens.denominator() != 1)
+    throw LeavesTheTower("a direction that is no multiple of 15 degrees",
+                         "una direzione che non è multipla di 15 gradi");
   int n = static_cast<int>(fifteens.to_double());
   if (n > 12) n = 24 - n;
   return n <= 6 ? cosine_in_quadrant(n) : -cosine_in_quadrant(12 - n);

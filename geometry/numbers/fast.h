@@ -30,7 +30,8 @@ inline Sign sign(Fast x) {
 }
 
 inline Fast quotient(Fast a, Fast b) {
-  if (sign(b) == Sign::zero || sign(b) == Sign::undecided) throw Undecided("division by a computed zero");
+  if (sign(b) == Sign::zero || sign(b) == Sign::undecided)
+    throw Undecided("division by a computed zero", "divisione per uno zero calcolato");
   return a / b;
 }
 
@@ -47,7 +48,7 @@ template <>
 Fast sine<Fast>(const Turn& turn);
 
 inline Fast arc_tangent(Fast y, Fast x) {
-  if (x == 0 && y == 0) throw Undecided("direction of a zero vector");
+  if (x == 0 && y == 0) throw Undecided("direction of a zero vector", "la direzione di un vettore nullo");
   return y == 0 ? (x < 0 ? pi<Fast>() : 0.0) : std::atan2(y, x);  // a -0.0 would fall on the wrong side of the cut
 }
 

@@ -181,8 +181,11 @@ Generic operator*(const Generic& a, const Generic& b) {
 
 Generic operator/(const Generic& a, const Generic& b) {
   const Sign divisor = sign(b);
-  if (divisor == Sign::zero) throw Undecided("division by a quantity that is proved to be zero");
-  if (divisor == Sign::undecided) throw Undecided("division by a quantity that may be zero");
+  if (divisor == Sign::zero)
+    throw Undecided("division by a quantity that is proved to be zero",
+                    "divisione per una grandezza che è zero, come è dimostrato");
+  if (divisor == Sign::undecided)
+    throw Undecided("division by a quantity that may be zero", "divisione per una grandezza che può essere zero");
   const Shared &x = a.node_, &y = b.node_;
   if (x->is(0) || y->is(1)) return a;
   if (x->is_rational() && y->is_rational()) return Generic(x->value / y->value);
@@ -199,7 +202,8 @@ Generic root(const Generic& x) {
   const Sign radicand = sign(x);
   assert(radicand != Sign::negative && "root of a number proved negative");
   if (radicand == Sign::zero) return 0;
-  if (radicand == Sign::undecided) throw Undecided("the root of a quantity that may be zero");
+  if (radicand == Sign::undecided)
+    throw Undecided("the root of a quantity that may be zero", "la radice di una grandezza che può essere zero");
   if (x.node_->is_rational())
     if (const auto known = FieldOf<Rational>::root(x.node_->value)) return Generic(CGAL::abs(*known));
   return Generic(made_of(Made::root, x.node_, nullptr));

@@ -105,7 +105,9 @@ OpenDirections::Unit OpenDirections::found(const Angle& angle) {
 
 RationalFunction OpenDirections::next_indeterminate(std::optional<Angle> of) {
   const std::size_t number = indeterminates_.size();
-  if (number == RationalFunction::variables) throw Undecided("more independent directions than a proof leaves open");
+  if (number == RationalFunction::variables)
+    throw Undecided("more independent directions than a proof leaves open",
+                    "più direzioni indipendenti di quante una dimostrazione ne lasci aperte");
   indeterminates_.push_back(std::move(of));
   return RationalFunction::variable(static_cast<int>(number));
 }
@@ -146,10 +148,12 @@ Element OpenDirections::root(const Element& x) {
         // a denominator that may vanish: more bits may part it from zero
       }
     }
-    throw Undecided("the sign of a root that was found for every direction");
+    throw Undecided("the sign of a root that was found for every direction",
+                    "il segno di una radice trovata per ogni direzione");
   }
   constexpr int highest_storey = 5;
-  if (tower_.storeys() == highest_storey) throw Undecided("more than five independent roots");
+  if (tower_.storeys() == highest_storey)
+    throw Undecided("more than five independent roots", "più di cinque radici indipendenti");
   return tower_.adjoin(x);
 }
 

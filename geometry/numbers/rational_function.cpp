@@ -22,7 +22,8 @@ void spend(const epure_function* a, const epure_function* b) {
   const long products = epure_function_size(a, ring()) * epure_function_size(b, ring());
   if (products > products_left) {
     products_left = 0;
-    throw Undecided("a proof for every direction of the links grew too long");
+    throw Undecided("a proof for every direction of the links grew too long",
+                    "una dimostrazione per ogni direzione dei membri è diventata troppo lunga");
   }
   products_left -= products;
 }

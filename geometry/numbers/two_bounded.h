@@ -119,7 +119,8 @@ inline Sign sign(const TwoBounded& a) {
 // Throws Undecided when the divisor may be zero in a lane; its sign need not be the same in both.
 inline TwoBounded quotient(const TwoBounded& a, const TwoBounded& b) {
   const auto is_proved = [&](int i) { return b.minus_lower[i] < 0 || b.upper[i] < 0; };
-  if (!is_proved(0) || !is_proved(1)) throw Undecided("division by an interval that contains zero");
+  if (!is_proved(0) || !is_proved(1))
+    throw Undecided("division by an interval that contains zero", "divisione per un intervallo che contiene lo zero");
   const auto is_turned = b.upper < 0;
   const Lanes least = is_turned ? -b.upper : -b.minus_lower, most = is_turned ? b.minus_lower : b.upper;
   const Lanes minus_lower = is_turned ? a.upper : a.minus_lower, upper = is_turned ? a.minus_lower : a.upper;

@@ -23,14 +23,16 @@ double number(const Givens& givens, const std::string& symbol) { return nearest(
 
 Settled certain(double value) { return enclosed(value, value, value); }
 
-Settled absent(const std::string& reason) { return {.kind = Settled::Kind::absent, .reason = reason}; }
+Settled absent(const std::string& reason) { return {.kind = Settled::Kind::absent, .reason = {reason, reason}}; }
 
-Settled undecided(const std::string& reason) { return {.kind = Settled::Kind::undecided, .reason = reason}; }
+Settled undecided(const std::string& reason) {
+  return {.kind = Settled::Kind::undecided, .reason = {reason, reason}};
+}
 
 Settled enclosed(double lower, double value, double upper) {
   return {.kind = lower == upper ? Settled::Kind::certain : Settled::Kind::enclosed,
           .enclosure = {lower, value, upper},
-          .reason = lower == upper ? "" : "one rung alone"};
+          .reason = lower == upper ? Words{} : Words{"one rung alone", "un solo gradino"}};
 }
 
 Settled& value_of(std::vector<RouteValue>& values, const std::string& quantity, const std::string& route) {

@@ -38,7 +38,7 @@ inline const CheckedQuantity& find(const CheckedExercise& in, const std::string&
 }
 inline double value(const CheckedExercise& in, const std::string& name) {
   const geometry::Settled& settled = find(in, name).settled;
-  CAPTURE(name, settled.reason);
+  CAPTURE(name, settled.reason.english);
   REQUIRE(settled.kind == geometry::Settled::Kind::certain);
   return settled.enclosure.value;
 }
@@ -66,12 +66,12 @@ inline Assignments assignments_of(const CorpusCase& c) {
 // All that the case knows of the exercise's quantities, to the last bit, and by two routes or more.
 inline int hold_against(const CheckedExercise& result, const CorpusCase& c) {
   int compared = 0;
-  CAPTURE(c.name, c.why, result.failures);
+  CAPTURE(c.name, c.why, complaints(result));
   CHECK(result.passed());
   for (const CheckedQuantity& quantity : result.quantities) {
     const std::string reference = c.reference(quantity.spec.name);
     if (reference.empty()) continue;
-    CAPTURE(quantity.spec.name, reference, quantity.settled.reason);
+    CAPTURE(quantity.spec.name, reference, quantity.settled.reason.english);
     CHECK(quantity.routes.size() >= 2);
     ++compared;
     if (reference == "infinite" || reference == "undefined") {

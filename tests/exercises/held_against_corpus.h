@@ -70,7 +70,7 @@ inline void is_the_reference(const CheckedQuantity& quantity, const std::string&
   CHECK(routes.size() >= 2);
   if (reference == "infinite") {
     CHECK(quantity.settled.kind == Settled::Kind::absent);
-    CHECK_FALSE(quantity.settled.reason.empty());
+    CHECK_FALSE(quantity.settled.reason.english.empty());
     return;
   }
   REQUIRE(quantity.settled.kind == Settled::Kind::certain);
@@ -78,7 +78,7 @@ inline void is_the_reference(const CheckedQuantity& quantity, const std::string&
   CHECK(quantity.settled.enclosure.value == expected);
   CHECK(quantity.settled.enclosure.upper - quantity.settled.enclosure.lower <= 4 * ulp(expected));
   for (const RouteValue& route : quantity.routes) {
-    CAPTURE(route.route, route.settled.reason);
+    CAPTURE(route.route, route.settled.reason.english);
     const auto& [lower, middle, upper] = route.settled.enclosure;
     CHECK(lower <= expected);
     CHECK(expected <= upper);
@@ -88,7 +88,7 @@ inline void is_the_reference(const CheckedQuantity& quantity, const std::string&
 inline void holds_against(const Tried& tried, const std::vector<CorpusCase>& corpus) {
   for (const CorpusCase& c : corpus) {
     const CheckedExercise result = tried.checked(assignments_of(c));
-    CAPTURE(c.name, c.why, result.failures);
+    CAPTURE(c.name, c.why, complaints(result));
     CHECK(result.passed());
     for (const CheckedQuantity& quantity : result.quantities) {
       const std::string reference = c.reference(quantity.spec.name);

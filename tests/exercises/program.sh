@@ -50,5 +50,41 @@ expect 'checking exits with 0' 0 $?
 LC_ALL=it_IT.UTF-8 "$epure" check "$first" --json > report2
 expect 'the report is the same in every locale' '' "$(cmp report report2 2>&1)"
 
+"$epure" draw "$first" -o - > straight
+ln -s /dev/stdout link.pdf
+ln -s link.pdf link_to_link.pdf
+for name in /dev/stdout /dev/fd/1 /proc/self/fd/1 /proc/self/../self/fd/1 link.pdf link_to_link.pdf; do
+  printf 'keep' > kept
+  "$epure" draw "$first" --format pdf -o "$name" >> kept
+  expect "$name is standard output" 0 $?
+  { printf 'keep'; cat straight; } > expected
+  expect "all that is written to $name is the drawing, behind what was there" '' "$(cmp kept expected 2>&1)"
+done
+expect 'a link to standard output stays one' '/dev/stdout' "$(readlink link.pdf)"
+
+# 80 MB are not enough for the threads that fonts need; where the sanitisers take more than that to start, nothing can be said.
+if prlimit --as=83886080 "$epure" --version > /dev/null 2>&1; then
+  prlimit --as=83886080 "$epure" draw "$first" --out none > said 2>&1
+  expect 'want of room is exit 3' 3 $?
+  expect 'and said in one line' 1 "$(grep -c '^epure: ' said)"
+  expect 'and nothing is written' '' "$(ls none 2> /dev/null)"
+fi
+
+EPURE_LANG=it "$epure" list > italian
+"$epure" list --lang it | cmp - italian
+expect 'EPURE_LANG stands for --lang' 0 $?
+LC_ALL=it_IT.UTF-8 LANG=it_IT.UTF-8 LANGUAGE=it "$epure" list > list_there
+"$epure" list | cmp - list_there
+expect 'the locale chooses no language' 0 $?
+
+on_terminal() { # on_terminal VARIABLE=VALUE...: how many lines of a check are coloured
+  env "$@" script -qec "$epure check $first" /dev/null | grep -c "$(printf '\033')"
+}
+expect 'no colour in a pipe' 0 "$(TERM=xterm "$epure" check "$first" | grep -c "$(printf '\033')")"
+[ "$(on_terminal TERM=xterm NO_COLOR=)" -gt 0 ]
+expect 'colours on a terminal' 0 $?
+expect 'NO_COLOR is respected' 0 "$(on_terminal TERM=xterm NO_COLOR=1)"
+expect 'a dumb terminal gets no colours' 0 "$(on_terminal TERM=dumb)"
+
 [ "$failures" -eq 0 ] && echo 'the program does what it says'
 [ "$failures" -eq 0 ]

@@ -19,13 +19,13 @@ std::vector<std::string> failures(const std::function<void(std::vector<RouteValu
                                   Rung rung = Rung::climb) {
   Triangle triangle;
   triangle.spoil_values = spoil;
-  return checked(triangle, rung).failures;
+  return complaints(checked(triangle, rung));
 }
 
 std::vector<std::string> failures_on_sheet(const std::function<void(DrawnSheet&)>& spoil) {
   Triangle triangle;
   triangle.spoil_sheet = spoil;
-  return checked(triangle).failures;
+  return complaints(checked(triangle));
 }
 
 bool mentions(const std::vector<std::string>& failures, const std::string& text) {
@@ -40,7 +40,7 @@ TEST_CASE("the triangle as it is passes on every rung") {
   const Triangle triangle;
   for (const Rung rung : {Rung::fast, Rung::bounded, Rung::climb}) {
     const CheckedExercise result = checked(triangle, rung);
-    CAPTURE(result.failures);
+    CAPTURE(complaints(result));
     CHECK(result.passed());
     REQUIRE(result.quantities.size() == 5);
     CHECK(result.quantities[0].settled.enclosure.value == 0.5);
@@ -216,9 +216,10 @@ TEST_CASE("printed numbers are judged for the source's givens only, and explanat
   for (const CheckedQuantity& quantity : check(triangle, changed, Rung::climb).quantities)
     CHECK(quantity.printed.empty());
   triangle.description.printed.back().explanation->evaluate = [] { return 0.8; };
-  CHECK(mentions(checked(triangle).failures, "c_y: the mistake that is to explain the printed 0.7 does not give it"));
+  CHECK(mentions(complaints(checked(triangle)),
+                 "c_y: the mistake that is to explain the printed 0.7 does not give it"));
   triangle.description.printed.back().quantity = "q";
-  CHECK(mentions(checked(triangle).failures, "q: printed by the source, but is not among"));
+  CHECK(mentions(complaints(checked(triangle)), "q: printed by the source, but is not among"));
 }
 
 TEST_CASE("a measured number is held against half a millimetre of its drawing") {
@@ -231,11 +232,11 @@ TEST_CASE("a measured number is held against half a millimetre of its drawing") 
   CHECK(c.measured.back().allowed == Approx(0.01));
   CHECK(c.measured.back().difference.value() == Approx(0.01));
   CHECK(c.measured.back().difference_percent.value() == Approx(2));
-  CHECK(c.measured.back().allowed_by == "0.5 mm on sheet small");
+  CHECK(c.measured.back().allowed_by.english == "0.5 mm on sheet small");
   CHECK(result.passed());
   add_measured(result, c, "48.9 cm", Rational(1, 2));
   CHECK_FALSE(c.measured.back().within);
-  CHECK(mentions(result.failures, "c: measured 48.9 cm is beyond reading"));
+  CHECK(mentions(complaints(result), "c: measured 48.9 cm is beyond reading"));
   CHECK_FALSE(result.passed());
 }
 
@@ -248,7 +249,7 @@ TEST_CASE("a measured number of what no sheet shows is held against its own last
   CHECK(omega.measured[0].within);
   CHECK_FALSE(omega.measured[1].within);
   CHECK(omega.measured[1].allowed == Approx(0.005));
-  CHECK(omega.measured[1].allowed_by.find("no sheet shows it") != std::string::npos);
+  CHECK(omega.measured[1].allowed_by.english.find("no sheet shows it") != std::string::npos);
 }
 
 TEST_CASE("a measured number of what does not exist fails") {
@@ -258,5 +259,5 @@ TEST_CASE("a measured number of what does not exist fails") {
   };
   CheckedExercise result = checked(triangle);
   add_measured(result, result.quantities[3], "2.5", Rational(1, 2));
-  CHECK(mentions(result.failures, "no value to compare with (no turning)"));
+  CHECK(mentions(complaints(result), "no value to compare with (no turning)"));
 }

@@ -37,7 +37,8 @@ void has_value_keys(const json& object) {
     CHECK(object["lower"].get<double>() <= object["value"].get<double>());
     CHECK(object["value"].get<double>() <= object["upper"].get<double>());
   }
-  CHECK(object.contains("absent") == object.at("value").is_null());
+  CHECK((object.contains("absent") || object.contains("undecided")) >= object.at("value").is_null());
+  CHECK(object.contains("absent") <= object.at("value").is_null());
 }
 
 void holds_schema(const json& report) {
@@ -46,7 +47,8 @@ void holds_schema(const json& report) {
   REQUIRE(report.at("exercises").is_array());
   REQUIRE_FALSE(report["exercises"].empty());
   for (const json& exercise : report["exercises"]) {
-    has_keys(exercise, {"id", "source", "givens", "quantities", "passed"});
+    has_keys(exercise, {"id", "source", "givens", "quantities", "passed"}, {"failures", "undecided"});
+    CHECK(exercise["passed"] == !(exercise.contains("failures") || exercise.contains("undecided")));
     has_keys(exercise.at("source"), {"document", "item"});
     CHECK(exercise.at("passed").is_boolean());
     REQUIRE_FALSE(exercise.at("givens").empty());
@@ -57,11 +59,11 @@ void holds_schema(const json& report) {
     REQUIRE_FALSE(exercise.at("quantities").empty());
     for (const json& quantity : exercise["quantities"]) {
       has_keys(quantity, {"name", "symbol", "unit", "value", "lower", "upper", "routes"},
-               {"on_sheet", "printed", "measured", "absent"});
+               {"on_sheet", "printed", "measured", "absent", "undecided"});
       has_value_keys(quantity);
       REQUIRE(quantity.at("routes").is_array());
       for (const json& route : quantity["routes"]) {
-        has_keys(route, {"route", "value", "lower", "upper"}, {"absent"});
+        has_keys(route, {"route", "value", "lower", "upper"}, {"absent", "undecided"});
         has_value_keys(route);
       }
       if (quantity.contains("on_sheet")) has_keys(quantity["on_sheet"], {"value", "resolution"});
@@ -140,7 +142,9 @@ TEST_CASE("a failed check is JSON all the same") {
   wrong.spoil_values = [](auto& values) { value_of(values, "c", "analytic") = certain(0.6); };
   const Ran ran = run_on(wrong, {"check", "triangle", "--json"});
   CHECK(ran.exit == 1);
-  CHECK(parsed(ran)["exercises"][0]["passed"] == false);
+  const json exercise = parsed(ran)["exercises"][0];
+  CHECK(exercise["passed"] == false);
+  CHECK(exercise["failures"] == json{"c: in [0.5, 0.5] by ruler, but in [0.6, 0.6] by analytic"});
 }
 
 TEST_CASE("what is absent or undecided is null, and says why") {
@@ -152,13 +156,32 @@ TEST_CASE("what is absent or undecided is null, and says why") {
     }
   };
   const Ran ran = run_on(open, {"check", "triangle", "--json"});
-  CHECK(ran.exit == 1);
-  const json quantities = parsed(ran)["exercises"][0]["quantities"];
+  CHECK(ran.exit == 4);
+  const json exercise = parsed(ran)["exercises"][0], quantities = exercise["quantities"];
   CHECK(quantities[3]["value"].is_null());
   CHECK(quantities[3]["upper"].is_null());
   CHECK(quantities[3]["absent"] == "it does not turn");
   CHECK(quantities[4]["value"].is_null());
-  CHECK(quantities[4]["absent"] == "undecided");
+  CHECK_FALSE(quantities[4].contains("absent"));
+  CHECK(quantities[4]["undecided"] == "whether it turns");
+  CHECK(quantities[4]["routes"][1]["undecided"] == "whether it turns");
+  CHECK(exercise["undecided"] ==
+        json{"angle: undecided by ruler (whether it turns)", "angle: undecided by analytic (whether it turns)"});
+}
+
+TEST_CASE("a quantity that one route alone decides has its value, and the doubt") {
+  Triangle open;
+  open.spoil_values = [](auto& values) { value_of(values, "angle", "ruler") = undecided("whether it turns"); };
+  const json angle = parsed(run_on(open, {"check", "triangle", "--json"}))["exercises"][0]["quantities"][4];
+  CHECK(angle["value"] == 0.75);
+  CHECK(angle["undecided"] == "angle: undecided by ruler (whether it turns)");
+}
+
+TEST_CASE("JSON is English in every language") {
+  const auto json_in = [](const std::string& language) {
+    return run({"check", "triangle", "--json", "--lang", language, "--measured", "c=0.6"}).out;
+  };
+  CHECK(json_in("it") == json_in("en"));
 }
 
 TEST_CASE("the arithmetic decides the bounds") {

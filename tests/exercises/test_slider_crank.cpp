@@ -68,13 +68,13 @@ const std::vector<Promised> accelerations{{"m/s^2",
 double ulp(double x) { return std::nextafter(std::abs(x), std::numeric_limits<double>::infinity()) - std::abs(x); }
 
 void is_certain(const CheckedQuantity& quantity) {
-  CAPTURE(quantity.spec.name, quantity.settled.reason);
+  CAPTURE(quantity.spec.name, quantity.settled.reason.english);
   std::set<std::string> routes;
   for (const RouteValue& value : quantity.routes) routes.insert(value.route);
   CHECK(routes.size() >= 2);
   const auto& [lower, value, upper] = quantity.settled.enclosure;
   if (quantity.settled.kind == Settled::Kind::absent) {
-    CHECK_FALSE(quantity.settled.reason.empty());
+    CHECK_FALSE(quantity.settled.reason.english.empty());
     return;
   }
   REQUIRE(quantity.settled.kind == Settled::Kind::certain);
@@ -130,7 +130,7 @@ Ran run(std::vector<std::string> arguments, const std::vector<std::string>& assi
 TEST_CASE("the slider-crank reports what it promises, certainly and by two routes", "[slider-crank]") {
   for (const auto& [id, promised] : {std::pair{velocity, velocities}, std::pair{acceleration, accelerations}}) {
     const CheckedExercise result = checked(id, {});
-    CAPTURE(id, result.failures);
+    CAPTURE(id, complaints(result));
     CHECK(result.passed());
     for (const Promised& group : promised)
       for (const std::string& name : group.names) {
@@ -148,7 +148,7 @@ TEST_CASE("the slider-crank passes with whatever can be given", "[slider-crank]"
   for (const Try& with : tries())
     for (const std::string& id : {velocity, acceleration}) {
       const CheckedExercise result = checked(id, with.assignments);
-      CAPTURE(id, with.why, result.failures);
+      CAPTURE(id, with.why, complaints(result));
       CHECK(result.passed());
       for (const CheckedQuantity& quantity : result.quantities) is_certain(quantity);
     }
@@ -163,7 +163,7 @@ TEST_CASE("the slider-crank's values are the corpus', to the last bit of a doubl
     const auto [assignments, a_turn_later] = stated(c);
     for (const std::string& id : {velocity, acceleration}) {
       const CheckedExercise result = checked(id, assignments);
-      CAPTURE(c.name, c.why, id, result.failures);
+      CAPTURE(c.name, c.why, id, complaints(result));
       CHECK(result.passed());
       for (const CheckedQuantity& quantity : result.quantities) {
         const std::string& name = quantity.spec.name;
@@ -208,7 +208,7 @@ TEST_CASE("what does not exist says why, and no report holds NaN or infinity", "
     const CheckedExercise first = checked(velocity, {instant}), second = checked(acceleration, {instant});
     for (const std::string name : {"P0_x", "P0_y", "P0A", "P0B", "P0C", "P0M"}) {
       CHECK(find(first, name)->settled.kind == Settled::Kind::absent);
-      CHECK(find(first, name)->settled.reason.find("at infinity") != std::string::npos);
+      CHECK(find(first, name)->settled.reason.english.find("at infinity") != std::string::npos);
     }
     for (const std::string name : {"inflection_diameter", "inflection_pole_x", "Cprime_C", "Mprime_x"})
       CHECK(find(second, name)->settled.kind == Settled::Kind::absent);
@@ -219,7 +219,7 @@ TEST_CASE("what does not exist says why, and no report holds NaN or infinity", "
     const CheckedExercise second = checked(acceleration, {instant});
     CHECK(find(second, "alpha_3")->settled.enclosure.value == 0);
     CHECK(find(second, "stationarity_diameter")->settled.kind == Settled::Kind::absent);
-    CHECK(find(second, "stationarity_diameter")->settled.reason.find("is a line") != std::string::npos);
+    CHECK(find(second, "stationarity_diameter")->settled.reason.english.find("is a line") != std::string::npos);
   }
 }
 

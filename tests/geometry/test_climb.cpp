@@ -35,7 +35,7 @@ void require_point(const Settled& settled, double value, const std::string& rung
   CHECK(settled.enclosure.upper == value);
   CHECK_FALSE(std::signbit(settled.enclosure.lower));
   CHECK(settled.rung == rung);
-  CHECK(settled.reason.empty());
+  CHECK(settled.reason.english.empty());
 }
 
 // Certain, at most 2 ulp wide, and not a point.
@@ -181,13 +181,13 @@ TEST_CASE("The exact run happens once, and after 512 bits") {
     if constexpr (std::is_same_v<T, Calcium>) order.push_back("Calcium");
     if constexpr (std::is_same_v<T, Bounded>) order.push_back("Bounded");
     if constexpr (std::is_same_v<T, Deep>) order.push_back(std::to_string(Arithmetic<Deep>::bits()));
-    return {Reading<T>::undecided("never")};
+    return {Reading<T>::undecided({"never", "never"})};
   };
   const auto settled = climb(scene);
   CHECK(order == std::vector<std::string>{"Bounded", "128", "256", "512", "Exact", "1024", "2048", "4096"});
   REQUIRE(settled.size() == 1);
   CHECK(settled[0].kind == Kind::undecided);
-  CHECK(settled[0].reason ==
+  CHECK(settled[0].reason.english ==
         "never (tried Bounded, Deep 128, Deep 256, Deep 512, Exact, Deep 1024, Deep 2048, Deep 4096)");
 }
 
@@ -228,12 +228,12 @@ TEST_CASE("What is proved absent is absent, with its reason, on the rung that pr
   };
   const Settled by_bounded = climb_one(parallel([]<class T>() { return T(0); }));
   CHECK(by_bounded.kind == Kind::absent);
-  CHECK(by_bounded.reason == "the lines are parallel");
+  CHECK(by_bounded.reason.english == "the lines are parallel");
   CHECK(by_bounded.rung == "Bounded");
 
   const Settled by_exact = climb_one(parallel([]<class T>() { return T(root(T(2)) * root(T(2)) - 2); }));
   CHECK(by_exact.kind == Kind::absent);
-  CHECK(by_exact.reason == "the lines are parallel");
+  CHECK(by_exact.reason.english == "the lines are parallel");
   CHECK(by_exact.rung == "Exact");
 }
 
@@ -248,7 +248,7 @@ TEST_CASE("A run that throws Undecided as a whole leaves the question to the nex
   require_point(settled[0], 0, "Exact");
   // Only Exact could run the scene, and its values are never used.
   CHECK(settled[1].kind == Kind::undecided);
-  CHECK_THAT(settled[1].reason, Contains("which branch"));
+  CHECK_THAT(settled[1].reason.english, Contains("which branch"));
 }
 
 TEST_CASE("A scene that no number can run throws Undecided") {
@@ -265,7 +265,7 @@ TEST_CASE("Impossible goes through the climb") {
 TEST_CASE("What stays open is enclosed, with a reason") {
   // 1 + 2^-53 + (an exact-looking zero that no number proves): half way between two doubles for ever.
   const auto scene = []<class T>() -> std::vector<Reading<T>> {
-    if constexpr (is_exact<T>) return {Reading<T>::undecided("not asked")};
+    if constexpr (is_exact<T>) return {Reading<T>::undecided({"not asked", "not asked"})};
     const T noise = root(T(2)) * root(T(2)) - 2;
     return {Reading<T>::of(1 + from_rational<T>(Rational(std::ldexp(1.0, -53))) + noise)};
   };
@@ -274,14 +274,14 @@ TEST_CASE("What stays open is enclosed, with a reason") {
   CHECK(settled[0].kind == Kind::enclosed);
   CHECK(settled[0].enclosure.lower == 1.0);
   CHECK(settled[0].enclosure.upper == std::nextafter(1.0, 2.0));
-  CHECK_FALSE(settled[0].reason.empty());
+  CHECK_FALSE(settled[0].reason.english.empty());
 }
 
 TEST_CASE("Rungs that enclose a quantity differently together enclose what they share") {
   const auto scene = []<class T>() -> std::vector<Reading<T>> {
     if constexpr (std::is_same_v<T, Bounded>) return {Reading<T>::of(Bounded(1, 3))};
     if constexpr (std::is_same_v<T, Deep>) return {Reading<T>::of(Deep::from_bounded(Bounded(2, 4)))};
-    return {Reading<T>::undecided("not asked")};
+    return {Reading<T>::undecided({"not asked", "not asked"})};
   };
   const auto settled = climb(scene);
   REQUIRE(settled.size() == 1);
@@ -306,7 +306,7 @@ TEST_CASE("A quantity beyond the doubles is enclosed, not infinite and certain")
 
 TEST_CASE("One rung alone") {
   const auto scene = []<class T>() -> std::vector<Reading<T>> {
-    return {Reading<T>::of(root(T(2))), Reading<T>::of(T(2)), Reading<T>::absent("at infinity"),
+    return {Reading<T>::of(root(T(2))), Reading<T>::of(T(2)), Reading<T>::absent({"at infinity", "at infinity"}),
             Reading<T>::from([] { return quotient(T(1), T(root(T(2)) * root(T(2)) - 2)); })};
   };
   const auto fast = only_fast(scene);
@@ -347,7 +347,7 @@ TEST_CASE("Decisions: which rung answers") {
   const Decision never = decide([]<class T>() -> T { throw Undecided("too close"); });
   CHECK(never.sign == Sign::undecided);
   CHECK(never.rung.empty());
-  CHECK(never.reason == "too close");
+  CHECK(never.reason.english == "too close");
 }
 
 TEST_CASE("Questions of several signs") {

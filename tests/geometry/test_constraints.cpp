@@ -90,7 +90,7 @@ TEST_CASE("constraint equations: the iterates of N.11", "[analytic][constraints]
                       {1.2313431472543473203, -0.88079690859340827218, 0, -0.29995596671600376862}};
   const NewtonRun run = newton_raphson(n11, twenty_degrees<Fast>(), 1.22, -0.87, enough_steps);
   CHECK(run.end == NewtonEnd::converged);
-  CHECK(run.reason.find("converged after 3 steps") == 0);
+  CHECK(run.reason.english.find("converged after 3 steps") == 0);
   REQUIRE(run.iterates.size() == 4);
   for (std::size_t k = 0; k < 4; ++k) {
     CAPTURE(k);
@@ -157,7 +157,7 @@ TEST_CASE("constraint equations: 512 bits agree with all 40 digits of the corpus
     if (!closes(c) || is_undefined_motion(c)) continue;
     CAPTURE(c.name);
     const NewtonRun run = from_a_drawing(c);
-    CAPTURE(run.reason);
+    CAPTURE(run.reason.english);
     if (is_beside_a_limit(c) && (run.end != NewtonEnd::converged || !is_branch_of(c, run))) {
       ++other_branch;
       continue;
@@ -184,7 +184,7 @@ TEST_CASE("constraint equations: intervals contain every reference or say undeci
     if (!closes(c) || is_undefined_motion(c)) continue;
     const NewtonRun run = from_a_drawing(c);
     const Arithmetic<Bounded> scope;
-    CAPTURE(c.name, run.reason);
+    CAPTURE(c.name, run.reason.english);
     if (run.end != NewtonEnd::converged || !is_branch_of(c, run)) continue;
     try {
       for (const auto& [name, value] : solved<Bounded>(c, run)) {
@@ -210,7 +210,7 @@ TEST_CASE("constraint equations: a singular Jacobian is recognised, not divided 
       const NewtonRun run = newton_raphson(n11, crank, theta_3, theta_3 + folded, enough_steps);
       CHECK(run.end == NewtonEnd::singular);
       CHECK(run.iterates.size() == 1);
-      CHECK(run.reason.find("Jacobian is singular") != std::string::npos);
+      CHECK(run.reason.english.find("Jacobian is singular") != std::string::npos);
       const Arithmetic<Bounded> scope;
       CHECK_THROWS_AS(configuration<Bounded>(n11, twenty_degrees<Bounded>(), run), Undecided);
     }
@@ -220,7 +220,7 @@ TEST_CASE("constraint equations: almost singular flies off and says so", "[analy
   const NewtonRun run = newton_raphson(n11, twenty_degrees<Fast>(), 1, 1 + 1e-10, enough_steps);
   CHECK(run.end == NewtonEnd::diverged);
   CHECK(run.iterates.size() == 1);
-  CHECK(run.reason.find("diverged") == 0);
+  CHECK(run.reason.english.find("diverged") == 0);
 }
 
 TEST_CASE("constraint equations: too few steps are said to be too few", "[analytic][constraints]") {
@@ -228,7 +228,7 @@ TEST_CASE("constraint equations: too few steps are said to be too few", "[analyt
     const NewtonRun run = newton_raphson(n11, twenty_degrees<Fast>(), 1.22, -0.87, steps);
     CHECK(run.end == NewtonEnd::exhausted);
     CHECK(run.iterates.size() == static_cast<std::size_t>(steps + 1));
-    CHECK(run.reason.find("no convergence after " + std::to_string(steps) + " step") == 0);
+    CHECK(run.reason.english.find("no convergence after " + std::to_string(steps) + " step") == 0);
   }
 }
 

@@ -69,7 +69,7 @@ std::vector<std::string> answered_yes(const FourBarLengths& of, const CrankDirec
       {"change point", is_change_point(of, crank)}};
   std::vector<std::string> yes;
   for (const auto& [question, answer] : answers) {
-    CAPTURE(question, answer.reason);
+    CAPTURE(question, answer.reason.english);
     REQUIRE(answer.truth != Truth::undecided);
     if (answer.truth == Truth::yes) yes.push_back(question);
   }

@@ -131,7 +131,7 @@ void hold(const CorpusCase& c, const Find& find) {
 std::vector<Kind> kinds(const PairData& of) {
   std::vector<Kind> found;
   for (const Fault& fault : faults(of)) {
-    CAPTURE(fault.reason);
+    CAPTURE(fault.reason.english);
     CHECK_FALSE(fault.undecided);
     found.push_back(fault.kind);
   }

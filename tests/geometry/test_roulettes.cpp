@@ -115,7 +115,7 @@ constexpr long bits = 512;
 void hold_against(const CorpusCase& c, const Readings<Deep>& found) {
   for (const Reference& reference : c.references) {
     const Reading<Deep>& at = found.at(reference.name);
-    INFO(reference.name << " " << reference.value << " " << at.reason());
+    INFO(reference.name << " " << reference.value << " " << at.reason().english);
     if (!is_value(reference.value)) {
       CHECK_FALSE(at.value());
       continue;
@@ -157,7 +157,7 @@ TEST_CASE("roulettes: every quantity climbs to its double by both routes, zeros 
     for (std::size_t i = 0; i < c.references.size(); ++i)
       for (const Settled& found : {constructed[i], analysed[i]}) {
         const Reference& reference = c.references[i];
-        INFO(reference.name << " " << reference.value << " by " << found.rung << " " << found.reason);
+        INFO(reference.name << " " << reference.value << " by " << found.rung << " " << found.reason.english);
         if (!is_value(reference.value)) {
           CHECK(found.kind == Settled::Kind::absent);
           continue;

@@ -36,9 +36,11 @@ struct Cancelling {
       report("logarithms", [&] { return analytic::logarithms_near_one(of.n); });
       report("exponentials", [&] { return analytic::exponentials_over_twice(of.beta, of.t); });
     } else if constexpr (std::is_same_v<T, Exact>) {
-      throw LeavesTheTower("an involute function, logarithm or exponential");
+      throw LeavesTheTower("an involute function, logarithm or exponential",
+                           "una funzione involuta, un logaritmo o un esponenziale");
     } else {
-      throw Undecided("an involute function, logarithm or exponential is transcendental");
+      throw Undecided("an involute function, logarithm or exponential is transcendental",
+                      "una funzione involuta, un logaritmo o un esponenziale è trascendente");
     }
   }
 

@@ -51,7 +51,8 @@ struct CouplerCurvePoint {
  private:
   template <class T>
   static T radius_of_curvature(const Vector<T>& v, const T& bend) {
-    if (sign(bend) == Sign::zero) throw Impossible("the path has an inflection or a cusp there");
+    if (sign(bend) == Sign::zero)
+      throw Impossible("the path has an inflection or a cusp there", "lì la traiettoria ha un flesso o una cuspide");
     const T speed2 = length_squared(v);
     return quotient(speed2 * root(speed2), absolute(bend));
   }

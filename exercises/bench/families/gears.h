@@ -23,9 +23,9 @@ Point<T> flank_point(const GearGivens& of, const GearPair<T>& pair) {
     const T half_angle = quotient(base_thickness(pair, 1), T(2) * r_b);
     return RightFlank<T>{r_b, half_angle}(pressure_angle_at(radius, r_b).tangent);
   } else if constexpr (std::is_same_v<T, Exact>) {
-    throw LeavesTheTower("a point of an involute");
+    throw LeavesTheTower("a point of an involute", "un punto di un'evolvente");
   } else {
-    throw Undecided("a point of an involute is transcendental");
+    throw Undecided("a point of an involute is transcendental", "un punto di un'evolvente è trascendente");
   }
 }
 

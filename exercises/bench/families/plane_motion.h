@@ -38,7 +38,8 @@ inline PlaneMotionGivens plane_motion_givens(const CorpusCase& c) {
 
 template <class T>
 T radius_unless_line(const Cycle<T>& cycle) {
-  if (sign(cycle.k) == Sign::zero) throw Impossible("the circle has become a line");
+  if (sign(cycle.k) == Sign::zero)
+    throw Impossible("the circle has become a line", "la circonferenza è diventata una retta");
   return cycle.radius();
 }
 

@@ -45,7 +45,7 @@ struct RoulettePoint {
   }
 
   static std::vector<Question> questions(const Givens& of) {
-    return {{"is_at_cusp", [of] { return Decided{is_at_cusp(of.rolling, of.phi) ? "yes" : "no", "rational", ""}; }}};
+    return {{"is_at_cusp", [of] { return Decided{is_at_cusp(of.rolling, of.phi) ? "yes" : "no", "rational", {}}; }}};
   }
 
  private:

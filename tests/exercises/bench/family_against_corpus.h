@@ -83,8 +83,8 @@ template <class T>
 void check_reading(const Reading<T>& reading, const std::string& reference) {
   REQUIRE(!reference.empty());
   if (!reading.value()) {
-    INFO("reason: " << reading.reason());
-    CHECK(!reading.reason().empty());
+    INFO("reason: " << reading.reason().english);
+    CHECK(!reading.reason().english.empty());
     // Fast takes a computed zero for a proof.
     if constexpr (!std::same_as<T, Fast>) CHECK((!reading.is_absent() || reference == "absent"));
     // Deep knows every value, and Exact leaves nothing open.
@@ -105,7 +105,7 @@ void check_number(const CorpusCase& c, const typename Family::Givens& of) {
     if constexpr (proves<T>) CHECK((answer.is_impossible || std::same_as<T, Calcium>));
     return;
   }
-  INFO("reason: " << answer.reason);
+  INFO("reason: " << answer.reason.english);
   if constexpr (std::same_as<T, Exact>) REQUIRE(answer.readings);
   if constexpr (!std::same_as<T, Fast>) CHECK(!answer.is_impossible);
   if (!answer.readings) return;
@@ -129,7 +129,7 @@ void check_climb(const CorpusCase& c, const typename Family::Givens& of) {
     if (const auto deep = said<Family, Deep>(of); deep.readings) names = deep.readings->names;
   }
   for (std::size_t i = 0; i < results.size() && i < names.size(); ++i) {
-    CAPTURE(names[i], results[i].rung, results[i].reason);
+    CAPTURE(names[i], results[i].rung, results[i].reason.english);
     const std::string reference = c.reference(names[i]);
     if (reference == "absent") {
       CHECK(results[i].kind == Settled::Kind::absent);

@@ -48,11 +48,11 @@ TEST_CASE("an enclosure that misses the truth, a sign of a zero and a proof agai
   CHECK(wrong("one", Reading<Bounded>::of(Bounded(0.5, 1))) == 0);
   CHECK(wrong("one", Reading<Bounded>::of(Bounded(0.5, 0.9))) == 1);
   CHECK(wrong("one", Reading<Bounded>::of(Bounded(5, 9))) == 1);
-  CHECK(wrong("one", Reading<Bounded>::absent("proved")) == 1);
-  CHECK(wrong("one", Reading<Bounded>::undecided("open")) == 0);
+  CHECK(wrong("one", Reading<Bounded>::absent({"proved", "proved"})) == 1);
+  CHECK(wrong("one", Reading<Bounded>::undecided({"open", "open"})) == 0);
   CHECK(wrong("zero", Reading<Bounded>::of(Bounded(-1, 1))) == 0);
   CHECK(wrong("zero", Reading<Bounded>::of(Bounded(0.5, 1))) == 1);
-  CHECK(wrong("none", Reading<Bounded>::absent("proved")) == 0);
+  CHECK(wrong("none", Reading<Bounded>::absent({"proved", "proved"})) == 0);
 }
 
 TEST_CASE("an enclosure without bounds is no error of the number's") {

@@ -60,7 +60,7 @@ TEST_CASE("cycloid and involute: letters find room", "[cycloid-involute][sheets]
 TEST_CASE("cycloid and involute: what the sheets show is right, whatever is given", "[cycloid-involute][sheets]") {
   for (const Assignments& assignments : usual) {
     const CheckedExercise result = both().checked(assignments);
-    CAPTURE(assignments, result.failures);
+    CAPTURE(assignments, complaints(result));
     CHECK(result.passed());
   }
 }

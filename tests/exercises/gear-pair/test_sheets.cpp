@@ -110,7 +110,7 @@ TEST_CASE("gear-pair: faults are marked where they lie", "[gear-pair][sheets]") 
 TEST_CASE("gear-pair: what is drawn has its length", "[gear-pair][sheets]") {
   for (const Assignments& givens : {source, shifted, eight, five, ring, rack, thousand, two_thousand, small}) {
     const CheckedExercise result = gear_pair().checked(givens);
-    CAPTURE(givens, result.failures);
+    CAPTURE(givens, complaints(result));
     CHECK(result.passed());
   }
   const CheckedExercise stated = gear_pair().checked(source);

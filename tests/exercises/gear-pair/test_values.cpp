@@ -10,7 +10,7 @@ TEST_CASE("gear pair: every quantity is the corpus', to the last bit of a double
   CHECK(gear_cases().size() == 25);
   for (const CorpusCase& c : gear_cases()) {
     const CheckedExercise result = gear_pair().checked(with_kind(c));
-    CAPTURE(c.name, c.why, result.failures);
+    CAPTURE(c.name, c.why, complaints(result));
     CHECK(result.passed());
     for (const CheckedQuantity& quantity : result.quantities) {
       const std::string reference = c.reference(quantity.spec.name);
@@ -100,10 +100,10 @@ TEST_CASE("gear pair: the least teeth change at 30 degrees exactly, and a hair b
 TEST_CASE("gear pair: what a rack, a ring, or a tip inside the base circle has not", "[gear-pair]") {
   const auto absent = [](const Assignments& all, const char* name, const char* because) {
     const CheckedExercise result = gear_pair().checked(all);
-    CAPTURE(all, name, find(result, name).settled.reason);
+    CAPTURE(all, name, find(result, name).settled.reason.english);
     CHECK(result.passed());
     CHECK(find(result, name).settled.kind == Settled::Kind::absent);
-    CHECK(find(result, name).settled.reason.find(because) != std::string::npos);
+    CHECK(find(result, name).settled.reason.english.find(because) != std::string::npos);
   };
   for (const char* name : {"r2", "z2", "r_base_2", "max_tip_radius_2_without_interference"})
     absent({"kind=rack"}, name, "no centre");

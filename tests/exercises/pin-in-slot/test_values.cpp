@@ -34,7 +34,7 @@ PrintedVerdict verdict_on(const Printed& number) { return judge(number, find(che
 
 TEST_CASE("the pin in a slot reports what it promises, with its units", "[pin-in-slot]") {
   const CheckedExercise result = checked({});
-  CAPTURE(result.failures);
+  CAPTURE(complaints(result));
   CHECK(result.passed());
   const std::vector<std::pair<std::string, std::vector<std::string>>> promised{
       {"rad", {"lever_angle"}},
@@ -58,17 +58,17 @@ TEST_CASE("its values are the corpus', to the last bit of a double, by every rou
   int values = 0, absent = 0;
   for (const CorpusCase& c : corpus()) {
     const CheckedExercise result = checked(assignments_of(c));
-    CAPTURE(c.name, c.why, result.failures);
+    CAPTURE(c.name, c.why, complaints(result));
     CHECK(result.passed());
     for (const CheckedQuantity& quantity : result.quantities) {
       const std::string reference = c.reference(quantity.spec.name);
-      CAPTURE(quantity.spec.name, reference, quantity.settled.reason);
+      CAPTURE(quantity.spec.name, reference, quantity.settled.reason.english);
       REQUIRE_FALSE(reference.empty());
       CHECK(routes_of(quantity).size() >= 2);
       if (reference == "infinite" || reference == "undefined") {
         ++absent;
         CHECK(quantity.settled.kind == Settled::Kind::absent);
-        CHECK_FALSE(quantity.settled.reason.empty());
+        CHECK_FALSE(quantity.settled.reason.english.empty());
         continue;
       }
       ++values;
@@ -96,7 +96,7 @@ TEST_CASE("a disc that would lift off needs no friction, and the reason is told"
   const CheckedExercise result = checked({"omega_dot=-20"});
   const CheckedQuantity& friction = find(result, "required_friction_coefficient");
   CHECK(friction.settled.kind == Settled::Kind::absent);
-  CHECK(friction.settled.reason.find("lift off") != std::string::npos);
+  CHECK(friction.settled.reason.english.find("lift off") != std::string::npos);
   CHECK(value(result, "ground_normal_force") < 0);
 }
 

@@ -50,10 +50,10 @@ Outcome answer_to(const SpecialCase& of) {
     found.open.push_back(open.what());
   }
   for (const RouteValue& value : found.values) {
-    if (value.settled.kind == Settled::Kind::undecided && is_known_to_be_open(value.settled.reason))
+    if (value.settled.kind == Settled::Kind::undecided && is_known_to_be_open(value.settled.reason.english))
       found.is_extreme_open = true;
     else if (value.settled.kind == Settled::Kind::undecided)
-      found.open.push_back(value.quantity + " by " + value.route + ": " + value.settled.reason);
+      found.open.push_back(value.quantity + " by " + value.route + ": " + value.settled.reason.english);
     bool& is_absent = found.absent[value.quantity];
     is_absent = is_absent || value.settled.kind == Settled::Kind::absent;
   }

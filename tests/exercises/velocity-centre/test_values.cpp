@@ -36,10 +36,10 @@ TEST_CASE("velocity centre: the source's numbers are all right within their digi
 TEST_CASE("velocity centre: why there is none", "[velocity-centre]") {
   const auto absent = [](const Assignments& assignments, const char* name, const char* because) {
     const CheckedExercise result = bar().checked(assignments);
-    CAPTURE(assignments, name, find(result, name).settled.reason);
+    CAPTURE(assignments, name, find(result, name).settled.reason.english);
     CHECK(result.passed());
     CHECK(find(result, name).settled.kind == geometry::Settled::Kind::absent);
-    CHECK(find(result, name).settled.reason.find(because) != std::string::npos);
+    CHECK(find(result, name).settled.reason.english.find(because) != std::string::npos);
   };
   for (const char* name : {"P0_x", "P0_y", "P0O", "P0A"}) {
     absent({"omega=0"}, name, "the bar translates");
