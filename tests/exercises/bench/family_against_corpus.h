@@ -105,7 +105,7 @@ void check_number(const CorpusCase& c, const typename Family::Givens& of) {
     if constexpr (proves<T>) CHECK((answer.is_impossible || std::same_as<T, Calcium>));
     return;
   }
-  INFO("reason: " << answer.reason.english);
+  INFO("reason: " << answer.reason);
   if constexpr (std::same_as<T, Exact>) REQUIRE(answer.readings);
   if constexpr (!std::same_as<T, Fast>) CHECK(!answer.is_impossible);
   if (!answer.readings) return;
