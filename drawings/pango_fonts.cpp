@@ -1,10 +1,12 @@
 #include "drawings/pango_fonts.h"
 
+#include <sys/mman.h>
 #include <sys/resource.h>
 
 #include <fmt/format.h>
 
 #include <latch>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -79,8 +81,13 @@ bool is_room_limited() {
   return room.rlim_cur != RLIM_INFINITY || processes.rlim_cur < 100;
 }
 
-// Pango looks for fonts in threads of its own, four at once, and GLib ends the program where one cannot be had.
-void demand_threads() {
+// Pango looks for fonts in threads of its own, four at once, and GLib ends the program where one cannot be had, or no
+// memory. Drawing all that there is was seen to take 250 MB of addresses beyond those it starts with.
+void demand_room() {
+  constexpr std::size_t room = 320u << 20;
+  void* const all_of_it = mmap(nullptr, room, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (all_of_it == MAP_FAILED) throw std::bad_alloc();
+  munmap(all_of_it, room);
   std::latch go(1);
   std::vector<std::jthread> threads;
   bool all = true;
@@ -113,7 +120,7 @@ PangoFonts::PangoFonts(const KnownFonts& known) : context_(unhinted_context(know
 const PangoFonts& pango_fonts() {
   static const KnownFonts known = [] {
     const Timed timed(Work::fonts);
-    if (is_room_limited()) demand_threads();
+    if (is_room_limited()) demand_room();
     return KnownFonts(font_folder());
   }();
   thread_local const PangoFonts fonts = [] {

@@ -45,17 +45,17 @@ std::string outcome(const Counts& counts, const Reader& reader) {
   return coloured(Words{"passed", "riuscito"}.in(reader.language), Ink::good, reader.colours);
 }
 
-// "686 quantities"; "3 of 686 quantities, 2 undecided"; "1 sheet, 0 of 686 quantities": how many are not as they
-// should be comes first.
+// "686 quantities"; "3 of 686 quantities, 2 undecided"; "1 sheet; 686 quantities": how many are not as they should be
+// comes first.
 Words quantities_of(const Counts& counts) {
   const bool is_open = counts.undecided + counts.sheets_undecided > 0;
-  if (counts.failed == 0 && !is_open) return format_words("{} quantities", "{} grandezze", counts.quantities);
   Words text;
   if (counts.sheets_undecided > 0 && counts.failed == 0)
-    text = counts.sheets_undecided == 1 ? Words{"1 sheet, ", "1 tavola, "}
-                                        : format_words("{} sheets, ", "{} tavole, ", counts.sheets_undecided);
-  text = text + format_words("{} of {} quantities", "{} di {} grandezze",
-                             counts.failed > 0 ? counts.failed : counts.undecided, counts.quantities);
+    text = counts.sheets_undecided == 1 ? Words{"1 sheet; ", "1 tavola; "}
+                                        : format_words("{} sheets; ", "{} tavole; ", counts.sheets_undecided);
+  const std::size_t wanting = counts.failed > 0 ? counts.failed : counts.undecided;
+  text = text + (wanting > 0 ? format_words("{} of {} quantities", "{} di {} grandezze", wanting, counts.quantities)
+                             : format_words("{} quantities", "{} grandezze", counts.quantities));
   if (counts.failed > 0 && is_open)
     text = text + format_words(", {} undecided", ", {} non decise", counts.undecided + counts.sheets_undecided);
   return text;

@@ -62,7 +62,7 @@ for name in /dev/stdout /dev/fd/1 /proc/self/fd/1 /proc/self/../self/fd/1 link.p
 done
 expect 'a link to standard output stays one' '/dev/stdout' "$(readlink link.pdf)"
 
-# 80 MB are not enough for the threads that fonts need; where the sanitisers take more than that to start, nothing can be said.
+# 80 MB are not enough to draw; where the sanitisers take more than that to start, nothing can be said.
 if prlimit --as=83886080 "$epure" --version > /dev/null 2>&1; then
   prlimit --as=83886080 "$epure" draw "$first" --out none > said 2>&1
   expect 'want of room is exit 3' 3 $?
