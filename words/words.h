@@ -1,6 +1,7 @@
 // A sentence in the languages epure speaks, and the exceptions that tell one. Every room may include this.
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -21,10 +22,10 @@ inline Words operator+(const Words& a, const Words& b) { return {a.english + b.e
 inline Words operator+(const Words& a, const std::string& b) { return {a.english + b, a.italian + b}; }
 inline Words operator+(const std::string& a, const Words& b) { return {a + b.english, a + b.italian}; }
 
-// A number written with a decimal point: Italian has a comma.
-inline Words decimal(std::string number) {
-  Words words{number, std::move(number)};
-  if (const auto point = words.italian.find('.'); point != std::string::npos) words.italian[point] = ',';
+// A number written with a decimal point, or a formula of such numbers: Italian has commas.
+inline Words decimal(std::string numbers) {
+  Words words{numbers, std::move(numbers)};
+  std::replace(words.italian.begin(), words.italian.end(), '.', ',');
   return words;
 }
 

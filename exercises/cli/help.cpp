@@ -35,7 +35,7 @@ Help help_of_draw() {
        "or 2.5e-1, with or without a unit (25cm).",
        "draw ID scrive out/ID.pdf con una pagina per tavola, e out/ID-TAVOLA.svg per ogni tavola; draw ID/TAVOLA "
        "scrive quella sola tavola in entrambi i formati. I file compaiono interi o non compaiono. Un valore è un "
-       "numero come 0.25, 1/4 o 2.5e-1, con o senza unità (25cm)."},
+       "numero come 0,25, 1/4 o 2,5e-1, con o senza unità (25cm)."},
       R"(
   epure draw slider-crank-velocity
   epure draw slider-crank-velocity --set r=25cm --set n=400rpm --paper a3

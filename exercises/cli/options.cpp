@@ -132,7 +132,7 @@ class Parser {
                    {"a number you measured, held against the true one",
                     "un numero che hai misurato, confrontato con quello vero"});
     add(verb, "--reading", options_.reading, {"LENGTH", "LUNGHEZZA"},
-        {"how well you read a ruler (default: 0.5mm)", "quanto bene leggi un righello (predefinita: 0.5mm)"});
+        {"how well you read a ruler (default: 0.5mm)", "quanto bene leggi un righello (predefinita: 0,5mm)"});
     verb.add_flag("--json", options_.json,
                   say({"print the report as JSON (schema epure.check/1)",
                        "stampa il resoconto in JSON (schema epure.check/1)"}));

@@ -94,7 +94,8 @@ std::string routes_of(const CheckedQuantity& quantity, const Marks& marks) {
 // What lies within the resolution of zero is zero as far as a sheet can tell.
 std::string shown(const OnSheet& on, const Marks& marks, Language language) {
   const Words number = std::abs(on.value) <= on.resolution ? Words{"0", "0"} : digits(on.value);
-  return fmt::format("{} ± {:.1g} ({})", number.in(language), on.resolution, marks.of_sheet(on.sheet));
+  return fmt::format("{} ± {} ({})", number.in(language), decimal(on.resolution, 1).in(language),
+                     marks.of_sheet(on.sheet));
 }
 
 std::string quantities(const CheckedExercise& checked, const Marks& marks, const Reader& reader) {

@@ -19,7 +19,7 @@ Printed at_quarter_turn(const std::string& quantity, const std::string& text, co
 }
 Printed same_words(const std::string& quantity, const std::string& text, const std::string& formula,
                    std::function<double()> evaluate) {
-  return at_quarter_turn(quantity, text, {formula, formula}, std::move(evaluate));
+  return at_quarter_turn(quantity, text, decimal(formula), std::move(evaluate));
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ Complex v_G3A() {
 
 Explanation relative_velocity(std::function<double()> evaluate) {
   return {{"the components are those of v_G3A, relative to A (4.34 with its last digits swapped), not of v_G3",
-           "le componenti sono quelle di v_G3A, relativa ad A (4.34 con le ultime cifre scambiate), non di v_G3"},
+           "le componenti sono quelle di v_G3A, relativa ad A (4,34 con le ultime cifre scambiate), non di v_G3"},
           std::move(evaluate)};
 }
 
@@ -107,7 +107,7 @@ std::vector<Printed> by_polar_diagram() {
       {"v_B", "7.55", "polar diagram"},
       {"v_BA", "9.21", "polar diagram"},
       {"omega_3", "18.42", "polar diagram", 0,
-       Explanation{{"v_BA rounded before it is divided: 9.21/0.50", "v_BA arrotondata prima di dividere: 9.21/0.50"},
+       Explanation{{"v_BA rounded before it is divided: 9.21/0.50", "v_BA arrotondata prima di dividere: 9,21/0,50"},
                    [] { return 9.21 / AB; }}},
       {"omega_4", "10.78", "polar diagram"},
       {"v_G3", "6.51", "poles"},
@@ -134,7 +134,7 @@ std::vector<Printed> by_polar_diagram() {
       {"rho_G3", "0.18", "poles"},
       {"curvature_centre_G3_x", "0.01", "poles", 0,
        Explanation{
-           {"a tenth of the abscissa: 0.01 written for 0.10", "un decimo dell'ascissa: 0.01 scritto per 0.10"},
+           {"a tenth of the abscissa: 0.01 written for 0.10", "un decimo dell'ascissa: 0,01 scritto per 0,10"},
            [] { return source_figure().centre_of_G3->x / 10; }}},
       {"curvature_centre_G3_y", "0.34", "poles"},
   };

@@ -60,10 +60,10 @@ Explanation enlarged_figure(std::function<Place(const FourBarFigure&)> to) {
 double printed_factor() { return std::hypot(square(2.2) * 0.9, square(2.2)); }
 
 Explanation by_the_printed_distance(const std::string& name, const std::string& text) {
-  const std::string formula = "·√(α₃² + ω₃⁴), ω₃ = 2.2 rad/s, α₃ = 2.2²·0.9 rad/s²";
-  return {{"follows from the printed " + name + ", itself too large: " + text + formula +
+  const Words formula = decimal(text + "·√(α₃² + ω₃⁴), ω₃ = 2.2 rad/s, α₃ = 2.2²·0.9 rad/s²");
+  return {{"follows from the printed " + name + ", itself too large: " + formula.english +
                " (the product printed under the root is a slip of the pen)",
-           "segue dal " + name + " stampato, già troppo grande: " + text + formula +
+           "segue dal " + name + " stampato, già troppo grande: " + formula.italian +
                " (il prodotto stampato sotto radice è un errore di scrittura)"},
           [distance = std::stod(text)] { return distance * printed_factor(); }};
 }
@@ -75,7 +75,7 @@ std::vector<Printed> by_analysis() {
           {"v_A", "0.79", "analytic"},
           {"a_A", "4.12", "analytic", 0,
            Explanation{{"ω₂ rounded to 5.24 rad/s before it is squared: 5.24²·0.15",
-                        "ω₂ arrotondata a 5.24 rad/s prima del quadrato: 5.24²·0.15"},
+                        "ω₂ arrotondata a 5,24 rad/s prima del quadrato: 5,24²·0,15"},
                        [] { return square(5.24) * 0.15; }}}};
 }
 
@@ -93,7 +93,7 @@ std::vector<Printed> by_poles() {
       {"alpha_4", "3.24", "poles", 0.354,
        Explanation{{"ω₄²·tan γ: but γ belongs to the coupler, tan γ = α₃/ω₃²; and 1.95²·0.9 = 3.42, printed with its "
                     "last digits exchanged",
-                    "ω₄²·tan γ: ma γ è della biella, tan γ = α₃/ω₃²; e 1.95²·0.9 = 3.42, stampato con le ultime "
+                    "ω₄²·tan γ: ma γ è della biella, tan γ = α₃/ω₃²; e 1,95²·0,9 = 3,42, stampato con le ultime "
                     "cifre scambiate"},
                    [] { return with_last_digits_swapped(square(1.95) * 0.9); }}},
       {"KB", "0.36", "poles", 0.0165, enlarged_figure([](const FourBarFigure& at) { return at.B; })},
@@ -119,7 +119,7 @@ std::vector<Printed> by_polar_diagram() {
           {"a_CA_n", "1.59", "polar diagram", 0.0561},
           {"a_C_n", "1.79", "polar diagram", 0.374,
            Explanation{{"ω₃²·Ω_C C: but C does not turn about Ω_C with ω₃; it is v_C²/ρ_C. 2.2²·0.37",
-                        "ω₃²·Ω_C C: ma C non ruota attorno a Ω_C con ω₃; è v_C²/ρ_C. 2.2²·0.37"},
+                        "ω₃²·Ω_C C: ma C non ruota attorno a Ω_C con ω₃; è v_C²/ρ_C. 2,2²·0,37"},
                        [] { return square(2.2) * 0.37; }}},
           {"a_C_t", "0.93", "polar diagram", 0.371},
           {"a_C", "3.32", "polar diagram", 0.389}};

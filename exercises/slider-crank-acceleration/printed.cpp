@@ -22,8 +22,8 @@ const Drawn& source_figure() {
 Explanation reduced_figure(std::function<double(const Drawn&)> true_length) {
   return {{"read off a figure reduced to about 0.795 of its scale, as are all lengths of this exercise: 0.795 times "
            "the true length",
-           "letta su una figura ridotta a circa 0.795 della sua scala, come tutte le lunghezze di questa "
-           "esercitazione: 0.795 volte "
+           "letta su una figura ridotta a circa 0,795 della sua scala, come tutte le lunghezze di questa "
+           "esercitazione: 0,795 volte "
            "la lunghezza vera"},
           [true_length = std::move(true_length)] { return shrunk * true_length(source_figure()); }};
 }
@@ -48,9 +48,9 @@ Explanation circle_of_the_printed_K(std::function<Place(const Drawn&)> X) {
       {"the same figure at 0.795, its inflection circle through P₀, B and the K of the printed polygon (KA = "
        "AB·284.26/153.36, "
        "KB = AB·305.30/153.36)",
-       "la stessa figura a 0.795, con la circonferenza dei flessi per P₀, B e il K del poligono stampato (KA = "
-       "AB·284.26/153.36, "
-       "KB = AB·305.30/153.36)"},
+       "la stessa figura a 0,795, con la circonferenza dei flessi per P₀, B e il K del poligono stampato (KA = "
+       "AB·284,26/153,36, "
+       "KB = AB·305,30/153,36)"},
       [X = std::move(X)] { return shrunk * on_the_circle_of_the_printed_K(source_figure(), X(source_figure())); }};
 }
 
@@ -67,7 +67,7 @@ std::vector<Printed> printed_by_the_source() {
   return {
       {"a_A", "284.26", "analytic", 0,
        Explanation{{"ω₂ rounded to 37.7 rad/s before it is squared: 37.7²·0.20",
-                    "ω₂ arrotondata a 37.7 rad/s prima del quadrato: 37.7²·0.20"},
+                    "ω₂ arrotondata a 37,7 rad/s prima del quadrato: 37,7²·0,20"},
                    [] { return 37.7 * 37.7 * 0.20; }}},
       {"a_BA_n", "84.50", "polar diagram", 6.31},
       {"a_BA_t", "127.80", "polar diagram", 6.42},
@@ -91,11 +91,11 @@ std::vector<Printed> printed_by_the_source() {
       {"Mprime_M", "1.02", "poles", ruler, circle_of_the_printed_K([](const Drawn& f) { return f.at.M; })},
       {"rho_C", "0.03", "poles", 0,
        Explanation{{"P₀C²/C'C with the two lengths of the reduced figure: 0.22²/1.65",
-                    "P₀C²/C'C con le due lunghezze della figura ridotta: 0.22²/1.65"},
+                    "P₀C²/C'C con le due lunghezze della figura ridotta: 0,22²/1,65"},
                    [] { return 0.22 * 0.22 / 1.65; }}},
       {"rho_M", "0.11", "poles", 0,
        Explanation{{"P₀M²/M'M with the two lengths of the reduced figure: 0.33²/1.02",
-                    "P₀M²/M'M con le due lunghezze della figura ridotta: 0.33²/1.02"},
+                    "P₀M²/M'M con le due lunghezze della figura ridotta: 0,33²/1,02"},
                    [] { return 0.33 * 0.33 / 1.02; }}},
   };
 }

@@ -289,7 +289,7 @@ class Reader {
     if (is_digit(symbol.front()) || std::string_view(".,'").find(symbol.front()) != std::string_view::npos)
       refuse({"has more than a decimal point or comma between its digits",
               "ha più di un punto o di una virgola decimale tra le cifre"},
-             {"thousands without a separator, as in 1234.5", "le migliaia senza separatore, come in 1234.5"});
+             {"thousands without a separator, as in 1234.5", "le migliaia senza separatore, come in 1234,5"});
     refuse({"ends in " + quoted(symbol) + ", which is no unit of this program",
             "finisce con " + quoted(symbol) + ", che non è un'unità di questo programma"},
            accepted_units());

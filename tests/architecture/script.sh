@@ -11,7 +11,7 @@ tools="$place/tools"
 calls="$place/calls" # one line for each call of a stand-in tool
 failures=0
 
-mkdir -p "$checkout/build/bin" "$checkout/geometry" "$checkout/drawings" "$checkout/exercises" "$tools" "$place/else where"
+mkdir -p "$checkout/build/bin" "$checkout/geometry" "$checkout/drawings" "$checkout/exercises" "$checkout/words" "$tools" "$place/else where"
 cp "$script" "$checkout/epure"
 touch "$checkout/CMakeLists.txt" "$checkout/CMakePresets.json" "$checkout/drawings/picture.h"
 

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -289,6 +290,17 @@ TEST_CASE("what is said of all exercises has no English left in Italian") {
       CHECK(english_in(line, same) == "");
     }
     CHECK(italian != say(words, "en").out);
+  }
+}
+
+TEST_CASE("a number has a comma in Italian") {
+  const std::regex point("[0-9][.][0-9]");
+  for (const Typed& words : all_texts()) {
+    if (words.front() == "help") continue;  // its examples hold what is typed
+    for (const std::string& line : lines_of(say(words, "it").out)) {
+      CAPTURE(words, line);
+      CHECK(!std::regex_search(line, point));
+    }
   }
 }
 
