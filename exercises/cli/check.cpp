@@ -82,9 +82,18 @@ Exit exit_of(const std::vector<CheckedExercise>& all) {
   Exit exit = Exit::success;
   for (const CheckedExercise& checked : all) {
     if (!checked.failures.empty()) return Exit::failed_check;
-    if (!checked.undecided.empty()) exit = Exit::undecided;
+    if (!checked.not_drawn.empty()) exit = Exit::wrong_usage;
+    if (!checked.undecided.empty() && exit == Exit::success) exit = Exit::undecided;
   }
   return exit;
+}
+
+// Why, once for an exercise: its other sheets mostly fail for the same reason.
+std::vector<Words> sheets_not_drawn(const std::vector<CheckedExercise>& all) {
+  std::vector<Words> remarks;
+  for (const CheckedExercise& checked : all)
+    if (!checked.not_drawn.empty()) remarks.push_back(checked.about.id + ": " + checked.not_drawn.front().sentence);
+  return remarks;
 }
 
 }  // namespace
@@ -108,7 +117,8 @@ Outcome check(const Catalogue& exercises, const Options& options) {
     report += text_report(checked.back(), reader) + "\n";
     if (chosen.size() > 1) report += closing_line(checked.back(), reader) + "\n";
   }
-  return {options.json ? json_report(checked) : report + totals(checked, reader), exit_of(checked)};
+  return {options.json ? json_report(checked) : report + totals(checked, reader), exit_of(checked),
+          sheets_not_drawn(checked)};
 }
 
 }  // namespace epure

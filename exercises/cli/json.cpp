@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "drawings/text.h"
 #include "exercises/cli/report.h"
 #include "exercises/cli/symbol.h"
 
@@ -51,7 +52,7 @@ void add_doubt(Json& json, const std::string& name, const CheckedExercise& check
 
 Json sentences(const std::vector<Complaint>& all) {
   Json json = Json::array();
-  for (const Complaint& each : all) json.push_back(each.sentence.english);
+  for (const Complaint& each : all) json.push_back(drawings::plain(each.sentence.english));
   return json;
 }
 
@@ -93,6 +94,7 @@ Json exercise(const CheckedExercise& checked) {
   }
   if (!checked.failures.empty()) json["failures"] = sentences(checked.failures);
   if (!checked.undecided.empty()) json["undecided"] = sentences(checked.undecided);
+  if (!checked.not_drawn.empty()) json["not_drawn"] = sentences(checked.not_drawn);
   json["passed"] = checked.passed();
   return json;
 }

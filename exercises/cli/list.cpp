@@ -43,7 +43,8 @@ std::string givens(const Description& about, Language language) {
   std::vector<std::vector<std::string>> rows;
   const Givens stated(about.givens);
   for (const GivenSpec& given : about.givens)
-    rows.push_back({given.symbol, stated.follows(given.symbol) ? stated.text(given.symbol) : decimal(given.stated).in(language),
+    rows.push_back({given.symbol,
+                    stated.follows(given.symbol) ? stated.text(given.symbol) : decimal(given.stated).in(language),
                     given.choices.empty() ? stated.reading(given.symbol)->unit.symbol : words_of(given),
                     drawings::plain(given.meaning.in(language)) + other_names(given, language)});
   return heading({"Givens (--set SYMBOL=VALUE[UNIT])", "Dati (--set SIMBOLO=VALORE[UNITÀ])"}, language) +

@@ -221,7 +221,8 @@ std::string givens(const Givens& givens) {
 
 std::string listed(const std::vector<Complaint>& all, const std::string& heading, Language language) {
   std::string text = all.empty() ? "" : "\n";
-  for (const Complaint& each : all) text += wrapped(heading + " " + each.sentence.in(language), 2, 4);
+  for (const Complaint& each : all)
+    text += wrapped(heading + " " + drawings::plain(each.sentence.in(language)), 2, 4);
   return text;
 }
 
@@ -239,7 +240,9 @@ std::string text_report(const CheckedExercise& checked, const Reader& reader) {
          listed(checked.failures, coloured(Words{"FAILED", "FALLITO"}.in(language), Ink::bad, reader.colours),
                 language) +
          listed(checked.undecided,
-                coloured(Words{"UNDECIDED", "NON DECISO"}.in(language), Ink::doubtful, reader.colours), language);
+                coloured(Words{"UNDECIDED", "NON DECISO"}.in(language), Ink::doubtful, reader.colours), language) +
+         listed(checked.not_drawn,
+                coloured(Words{"NOT DRAWN", "NON DISEGNATO"}.in(language), Ink::doubtful, reader.colours), language);
 }
 
 Words verdict(const Measured& measured) {

@@ -12,23 +12,34 @@
 namespace epure {
 namespace {
 
+// How many of a kind fail, and how many are open.
+struct Tally {
+  std::size_t failed = 0, undecided = 0;
+};
+
 struct Counts {
-  std::size_t quantities = 0, failed = 0, undecided = 0, sheets_undecided = 0, measured = 0, within = 0;
+  std::size_t all_quantities = 0, measured = 0, within = 0;
+  Tally quantities, sheets, mechanisms;
+  std::size_t not_drawn = 0;                // sheets
   std::array<std::size_t, 3> printed = {};  // by Verdict
 
   void add(const CheckedExercise& checked) {
-    quantities += checked.quantities.size();
     // What failed is not counted among the undecided again.
     std::set<std::string> bad, open;
-    for (const Complaint& each : checked.failures) bad.insert(each.quantity);
-    for (const Complaint& each : checked.undecided) {
-      if (each.quantity.empty())
-        ++sheets_undecided;
+    for (const Complaint& each : checked.failures)
+      if (each.about == Complaint::About::quantity)
+        bad.insert(each.quantity);
+      else
+        ++of(each.about).failed;
+    for (const Complaint& each : checked.undecided)
+      if (each.about != Complaint::About::quantity)
+        ++of(each.about).undecided;
       else if (!bad.contains(each.quantity))
         open.insert(each.quantity);
-    }
-    failed += bad.size();
-    undecided += open.size();
+    not_drawn += checked.not_drawn.size();
+    quantities.failed += bad.size();
+    quantities.undecided += open.size();
+    all_quantities += checked.quantities.size();
     for (const CheckedQuantity& quantity : checked.quantities) {
       for (const PrintedVerdict& each : quantity.printed) ++printed.at(static_cast<std::size_t>(each.verdict));
       measured += quantity.measured.size();
@@ -36,28 +47,42 @@ struct Counts {
                                                        [](const Measured& each) { return each.within; }));
     }
   }
+
+  std::size_t failed() const { return quantities.failed + sheets.failed + mechanisms.failed; }
+  std::size_t undecided() const { return quantities.undecided + sheets.undecided + mechanisms.undecided; }
+
+ private:
+  Tally& of(Complaint::About about) { return about == Complaint::About::sheet ? sheets : mechanisms; }
 };
 
 std::string outcome(const Counts& counts, const Reader& reader) {
-  if (counts.failed > 0) return coloured(Words{"FAILED", "FALLITO"}.in(reader.language), Ink::bad, reader.colours);
-  if (counts.undecided + counts.sheets_undecided > 0)
+  if (counts.failed() > 0) return coloured(Words{"FAILED", "FALLITO"}.in(reader.language), Ink::bad, reader.colours);
+  if (counts.undecided() > 0)
     return coloured(Words{"UNDECIDED", "NON DECISO"}.in(reader.language), Ink::doubtful, reader.colours);
+  if (counts.not_drawn > 0)
+    return coloured(Words{"NOT DRAWN", "NON DISEGNATO"}.in(reader.language), Ink::doubtful, reader.colours);
   return coloured(Words{"passed", "riuscito"}.in(reader.language), Ink::good, reader.colours);
 }
 
+// "2 faults; " or nothing.
+Words counted(std::size_t count, const Words& one, const Words& many) {
+  return count == 0 ? Words{} : format_words("{} {}; ", "{} {}; ", count, count == 1 ? one : many);
+}
+
 // "686 quantities"; "3 of 686 quantities, 2 undecided"; "1 sheet; 686 quantities": how many are not as they should be
-// comes first.
+// comes first, of the worse of the two kinds.
 Words quantities_of(const Counts& counts) {
-  const bool is_open = counts.undecided + counts.sheets_undecided > 0;
-  Words text;
-  if (counts.sheets_undecided > 0 && counts.failed == 0)
-    text = counts.sheets_undecided == 1 ? Words{"1 sheet; ", "1 tavola; "}
-                                        : format_words("{} sheets; ", "{} tavole; ", counts.sheets_undecided);
-  const std::size_t wanting = counts.failed > 0 ? counts.failed : counts.undecided;
-  text = text + (wanting > 0 ? format_words("{} of {} quantities", "{} di {} grandezze", wanting, counts.quantities)
-                             : format_words("{} quantities", "{} grandezze", counts.quantities));
-  if (counts.failed > 0 && is_open)
-    text = text + format_words(", {} undecided", ", {} non decise", counts.undecided + counts.sheets_undecided);
+  const bool is_failed = counts.failed() > 0;
+  const auto wanting = [&](const Tally& tally) { return is_failed ? tally.failed : tally.undecided; };
+  const std::size_t sheets = is_failed || counts.undecided() > 0 ? wanting(counts.sheets) : counts.not_drawn;
+  Words text = counted(wanting(counts.mechanisms), {"fault", "difetto"}, {"faults", "difetti"}) +
+               counted(sheets, {"sheet", "tavola"}, {"sheets", "tavole"});
+  text =
+      text + (wanting(counts.quantities) > 0 ? format_words("{} of {} quantities", "{} di {} grandezze",
+                                                            wanting(counts.quantities), counts.all_quantities)
+                                             : format_words("{} quantities", "{} grandezze", counts.all_quantities));
+  if (is_failed && counts.undecided() > 0)
+    text = text + format_words(", {} undecided", ", {} non decise", counts.undecided());
   return text;
 }
 

@@ -53,7 +53,7 @@ std::vector<QuantitySpec> accelerations() {
          "rad/s^2",
          {"angular acceleration of the rocker", "accelerazione angolare del bilanciere"}},
         {"tan_gamma", "$tan γ$", "1", {"α₃/ω₃²", "α₃/ω₃²"}},
-        degrees("gamma_deg", "$γ$", {"angle from the ray AK to a_A", "angolo dal raggio AK ad a_A"}),
+        degrees("gamma_deg", "$γ$", {"angle from a_A to the ray AK", "angolo da a_A al raggio AK"}),
         acceleration("a_A", "$a_{A}$", {"acceleration of A", "accelerazione di A"}),
         acceleration("a_B_n", "$a^{n}_{B}$", {"normal part of a_B", "parte normale di a_B"}),
         acceleration("a_B_t", "$a^{t}_{B}$", {"tangential part of a_B", "parte tangenziale di a_B"}),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "exercises/gear-pair/fault_words.h"
 #include "exercises/gear-pair/quantities.h"
 #include "exercises/kit/sheet.h"
 #include "exercises/kit/verdict.h"
@@ -33,6 +34,15 @@ class GearPairExercise : public Exercise {
 
   std::vector<RouteValue> solve(const Givens& givens, Rung rung) const override {
     return settle(Routes(pair_of(givens), speed_of(givens)), rung);
+  }
+
+  std::vector<Flaw> flaws(const Givens& givens) const override {
+    const DrawnPair pair = drawn_pair(pair_of(givens), speed_of(givens));
+    std::vector<Flaw> all;
+    for (const geometry::Fault& fault : pair.faults)
+      all.push_back(
+          {{sentence(fault, pair, Language::english), sentence(fault, pair, Language::italian)}, fault.undecided});
+    return all;
   }
 
   DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {

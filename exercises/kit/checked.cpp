@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "drawings/output.h"
 #include "exercises/kit/route_names.h"
 
 namespace epure {
@@ -54,7 +55,7 @@ Words in_words(const Settled& settled) {
 }
 
 void complain(std::vector<Complaint>& complaints, const std::string& quantity, const Words& what) {
-  complaints.push_back({quantity, quantity + ": " + what});
+  complaints.push_back({Complaint::About::quantity, quantity, quantity + ": " + what});
 }
 
 void compare_routes(CheckedExercise& checked, const CheckedQuantity& quantity) {
@@ -137,14 +138,32 @@ void compare_sheet(CheckedExercise& checked, CheckedQuantity& quantity, const On
                           shortest(quantity.settled.enclosure.value), shortest(shown.resolution)));
 }
 
-// None when something on it could not be decided: the others are looked at all the same.
+// None when it cannot be drawn, or something on it could not be decided: the numbers and the other sheets are looked
+// at all the same. (Givens that no exercise can have were refused by solve.)
 std::optional<DrawnSheet> drawn_sheet(CheckedExercise& checked, const Exercise& exercise, const std::string& name) {
+  const auto leave_out = [&](const Words& why) {
+    checked.not_drawn.push_back(
+        {Complaint::About::sheet, "", format_words("sheet {}: {}", "tavola {}: {}", name, why)});
+  };
   try {
     return exercise.draw(name, checked.givens, {});
   } catch (const geometry::Undecided& open) {
-    checked.undecided.push_back({"", format_words("sheet {}: {}", "tavola {}: {}", name, open.words())});
-    return std::nullopt;
+    checked.undecided.push_back(
+        {Complaint::About::sheet, "", format_words("sheet {}: {}", "tavola {}: {}", name, open.words())});
+  } catch (const drawings::TooFar& why) {
+    leave_out(why.words());
+  } catch (const BadGivens& why) {
+    leave_out(why.words());
+  } catch (const geometry::Impossible& why) {
+    leave_out(why.words());
   }
+  return std::nullopt;
+}
+
+void look_for_flaws(CheckedExercise& checked, const Exercise& exercise) {
+  for (const Flaw& flaw : exercise.flaws(checked.givens))
+    (flaw.undecided ? checked.undecided : checked.failures)
+        .push_back({Complaint::About::mechanism, "", flaw.sentence});
 }
 
 void compare_sheets(CheckedExercise& checked, const Exercise& exercise) {
@@ -192,6 +211,7 @@ CheckedExercise check(const Exercise& exercise, const Givens& givens, Rung rung)
     demand_settled(checked, quantity);
     if (rung == Rung::climb) demand_certainty(checked, quantity);
   }
+  look_for_flaws(checked, exercise);
   compare_sheets(checked, exercise);
   if (givens.as_stated()) compare_printed(checked);
   return checked;

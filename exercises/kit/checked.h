@@ -39,9 +39,10 @@ struct CheckedQuantity {
   std::vector<Measured> measured = {};
 };
 
-// What is wrong with a quantity, or open, in one sentence that begins with its name.
+// What is wrong or open, in one sentence. Of a quantity it begins with the name.
 struct Complaint {
-  std::string quantity;  // empty: of a whole sheet
+  enum class About { quantity, sheet, mechanism } about = About::quantity;
+  std::string quantity;  // none of the others
   Words sentence;
 };
 
@@ -51,7 +52,8 @@ struct CheckedExercise {
   std::vector<CheckedQuantity> quantities;
   std::vector<Complaint> failures = {};
   std::vector<Complaint> undecided = {};  // what no number could decide, by one route or by all
-  bool passed() const { return failures.empty() && undecided.empty(); }
+  std::vector<Complaint> not_drawn = {};  // sheets for which the numbers are too far apart, with the reason
+  bool passed() const { return failures.empty() && undecided.empty() && not_drawn.empty(); }
 };
 
 // All that failed, then all that is undecided, in English.

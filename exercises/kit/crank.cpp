@@ -1,5 +1,7 @@
 #include "exercises/kit/crank.h"
 
+#include "exercises/kit/words.h"
+
 namespace epure {
 
 GivenSpec instant_given(const std::string& stated, Range range, const std::vector<std::string>& also) {
@@ -21,6 +23,16 @@ GivenSpec crank_angle_given() {
       .range = Range::any,
       .letters = "$φ$",
       .turned = TurnedThrough{.instant = "t", .speed = "n"}};
+}
+
+Words where_it_closes(const std::vector<AngleRange>& ranges) {
+  Words text;
+  for (const AngleRange& range : ranges)
+    text =
+        text + format_words("{} {}° to {}°", "{} {}° a {}°",
+                            text.empty() ? Words{"; it closes from", "; si chiude da"} : Words{" and from", " e da"},
+                            decimal(range.from, 6), decimal(range.to, 6));
+  return text;
 }
 
 }  // namespace epure

@@ -1,6 +1,8 @@
 // The driving crank.
 #pragma once
 
+#include <vector>
+
 #include "exercises/kit/angles.h"
 #include "exercises/kit/givens.h"
 
@@ -10,6 +12,13 @@ namespace epure {
 // `phi` in degrees.
 GivenSpec instant_given(const std::string& stated, Range range, const std::vector<std::string>& also = {});
 GivenSpec crank_angle_given();
+
+// Crank angles from +x, in degrees and rounded, between which a linkage closes.
+struct AngleRange {
+  double from, to;
+};
+// "; it closes from 10° to 60° and from 300° to 350°", the end of a sentence; empty without a range.
+Words where_it_closes(const std::vector<AngleRange>& ranges);
 
 // `n`, in radians per second. The exact numbers are asked for signs only: with unit crank speed and α₂ = 0 they get
 // on without π.

@@ -74,6 +74,11 @@ struct SheetRequest {
   bool bare = false;
   std::optional<Rational> scale = {};  // 1/5 for 1 : 5; none: the largest standard scale that fits
 };
+// Something wrong with the mechanism itself, though its numbers exist: teeth that interfere. Rich text.
+struct Flaw {
+  Words sentence;
+  bool undecided = false;
+};
 struct DrawnSheet {
   drawings::Sheet sheet;
   std::vector<Measurement> measurements;
@@ -86,6 +91,9 @@ class Exercise {
 
   // Every quantity by every route, grouped as they come. Throws BadGivens when the givens are impossible.
   virtual std::vector<RouteValue> solve(const Givens& givens, Rung rung) const = 0;
+
+  // What is wrong with the mechanism; nothing where nothing can be. Throws as solve.
+  virtual std::vector<Flaw> flaws(const Givens&) const { return {}; }
 
   // `sheet` is one of about().sheets. Throws BadGivens as above, or when a requested scale does not fit the paper.
   virtual DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const = 0;

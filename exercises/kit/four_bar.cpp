@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
+#include "exercises/kit/drawn.h"
 #include "geometry/mechanisms/change_point.h"
 #include "geometry/mechanisms/four_bar_questions.h"
 
 namespace epure {
 namespace {
 
+using geometry::Deep;
 using geometry::Sign;
 
 // |AB₀|² for the crank in its place.
@@ -75,23 +79,51 @@ Words motions_from_change_point(const FourBarInstant& at) {
                    place(at)));
 }
 
+// The arcs in which the crank can be; none when it turns fully. Throws geometry::Impossible when there is no place
+// for it at all.
+std::vector<AngleRange> crank_swings(const FourBarInstant& at) {
+  std::vector<AngleRange> ranges;
+  const auto direction = [](const geometry::CrankLimit<geometry::Fast>& limit) {
+    const auto& [x, y] = limit.position.at.A - limit.position.at.A0;
+    return geometry::arc_tangent(y, x) * 180 / std::numbers::pi;
+  };
+  for (const auto& arc : geometry::crank_range<geometry::Fast>(at.lengths).arcs) {
+    const double from = direction(arc.from), to = direction(arc.to);
+    ranges.push_back({from, to < from ? to + 360 : to});
+  }
+  return ranges;
+}
+
+Words angles_at_which_it_closes(const FourBarInstant& at) {
+  try {
+    return where_it_closes(crank_swings(at));
+  } catch (const geometry::Impossible&) {
+    return {"; it closes at no angle", "; non si chiude ad alcun angolo"};
+  }
+}
+
 void require_closure(const FourBarInstant& at) {
   const Rational sum = at.lengths.AB + at.lengths.B0B, difference = CGAL::abs(at.lengths.AB - at.lengths.B0B);
   const Sign beyond = compare_distance(at, sum), within = compare_distance(at, difference);
   if (beyond == Sign::undecided || within == Sign::undecided)
     throw geometry::Undecided("whether coupler and rocker reach from A to B₀",
                               "se biella e bilanciere arrivino da A a B₀");
-  const double distance = geometry::root(squared_distance_of_pins<geometry::Fast>(at));
+  const auto beyond_by = [&](const Rational& length) {
+    return deeply([&] {
+      return to_double(geometry::root(squared_distance_of_pins<Deep>(at)) - geometry::from_rational<Deep>(length));
+    });
+  };
   if (beyond == Sign::positive)
-    throw BadGivens(format_words("the linkage does not close: {}, and AB + B₀B = {} m is too short by {} m",
-                                 "il meccanismo non si chiude: {}, e AB + B₀B = {} m è troppo corto di {} m",
-                                 place(at), decimal(CGAL::to_double(sum), 9),
-                                 decimal(distance - CGAL::to_double(sum), 3)));
+    throw BadGivens(format_words("the linkage does not close: {}, and AB + B₀B = {} m is too short by {} m{}",
+                                 "il meccanismo non si chiude: {}, e AB + B₀B = {} m è troppo corto di {} m{}",
+                                 place(at), decimal(CGAL::to_double(sum), 9), decimal(beyond_by(sum), 3),
+                                 angles_at_which_it_closes(at)));
   if (within == Sign::negative)
     throw BadGivens(format_words(
-        "the linkage does not close: {}, and AB and B₀B, which differ by {} m, cannot fold up to it by {} m",
-        "il meccanismo non si chiude: {}, e AB e B₀B, che differiscono di {} m, non possono ripiegarsi per {} m",
-        place(at), decimal(CGAL::to_double(difference), 9), decimal(CGAL::to_double(difference) - distance, 3)));
+        "the linkage does not close: {}, and AB and B₀B, which differ by {} m, cannot fold up to it by {} m{}",
+        "il meccanismo non si chiude: {}, e AB e B₀B, che differiscono di {} m, non possono ripiegarsi per {} m{}",
+        place(at), decimal(CGAL::to_double(difference), 9), decimal(-beyond_by(difference), 3),
+        angles_at_which_it_closes(at)));
   if (beyond == Sign::zero || within == Sign::zero) refuse_flat_position(at);
 }
 

@@ -62,7 +62,9 @@ Decimal read_measured(const std::string& text, const std::string& unit) {
 
 void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std::string& text,
                   const Rational& reading) {
-  const auto fail = [&](const Words& why) { checked.failures.push_back({quantity.spec.name, why}); };
+  const auto fail = [&](const Words& why) {
+    checked.failures.push_back({Complaint::About::quantity, quantity.spec.name, why});
+  };
   const Decimal number = read_measured(text, quantity.spec.unit);
   const Allowance allowed = allowance(quantity, number, reading);
   Measured measured{

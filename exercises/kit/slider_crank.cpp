@@ -5,12 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "exercises/kit/drawn.h"
 #include "geometry/numbers/climb.h"
 #include "geometry/numbers/turn.h"
 
 namespace epure {
 namespace {
 
+using geometry::Deep;
 using geometry::Sign;
 
 void require_plate(const geometry::SliderCrankLengths& of) {
@@ -35,13 +37,8 @@ T height_of_A(const SliderCrankInstant& at) {
          geometry::from_rational<T>(at.lengths.e);
 }
 
-Words where_it_closes(const SliderCrankInstant& at) {
-  Words text;
-  for (const AngleRange& range : crank_swings(at))
-    text =
-        text + format_words("{} {}° to {}°", "{} {}° a {}°",
-                            text.empty() ? Words{"; it closes from", "; si chiude da"} : Words{" and from", " e da"},
-                            decimal(range.from, 6), decimal(range.to, 6));
+Words angles_at_which_it_closes(const SliderCrankInstant& at) {
+  const Words text = where_it_closes(crank_swings(at));
   if (!text.empty()) return text;
   return format_words("; it closes at no angle, as the guide passes {} m from A₀",
                       "; non si chiude ad alcun angolo, perché la guida passa a {} m da A₀",
@@ -57,15 +54,18 @@ void require_closure(const SliderCrankInstant& at) {
   if (reach == Sign::undecided)
     throw geometry::Undecided("whether the coupler reaches the guide", "se la biella raggiunga la guida");
   const double phi = degrees(at.crank);
-  const double height = std::abs(height_of_A<geometry::Fast>(at));
   const double l = CGAL::to_double(at.lengths.l);
   if (reach == Sign::negative) {
+    const auto [height, missing] = deeply([&] {
+      const Deep from_guide = geometry::root(geometry::square(height_of_A<Deep>(at)));
+      return std::pair{to_double(from_guide), to_double(from_guide - geometry::from_rational<Deep>(at.lengths.l))};
+    });
     throw BadGivens(format_words(
         "the linkage does not close: at crank angle {}° the pin A is {} m from the guide, and the coupler "
         "AB = {} m is too short by {} m{}",
         "il meccanismo non si chiude: con la manovella a {}° il perno A dista {} m dalla guida, e la biella "
         "AB = {} m è troppo corta di {} m{}",
-        decimal(phi, 6), decimal(height, 6), decimal(l, 6), decimal(height - l, 3), where_it_closes(at)));
+        decimal(phi, 6), decimal(height, 6), decimal(l, 6), decimal(missing, 3), angles_at_which_it_closes(at)));
   }
   throw BadGivens(format_words(
       "at crank angle {}° the coupler AB = {} m stands square to the guide, where the crank cannot drive "

@@ -59,9 +59,6 @@ SliderCrankInstant slider_crank_instant(const Givens& givens);
 
 // The crank angles from +x, in degrees and rounded, between which the linkage closes: none when it closes nowhere or
 // the crank turns fully, else one or two ranges.
-struct AngleRange {
-  double from, to;
-};
 std::vector<AngleRange> crank_swings(const SliderCrankInstant& at);
 
 // Decides the special positions. Throws BadGivens, in one sentence with the values, when n = 0, the linkage does not

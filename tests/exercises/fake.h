@@ -24,6 +24,9 @@ class Triangle : public Exercise {
   // Applied to what solve and draw return.
   std::function<void(std::vector<RouteValue>&)> spoil_values = [](auto&) {};
   std::function<void(DrawnSheet&)> spoil_sheet = [](auto&) {};
+
+  std::vector<Flaw> flaws(const Givens&) const override { return flaws_of_it; }
+  std::vector<Flaw> flaws_of_it = {};
 };
 
 // Of a known number: exactly a double, as the climb hands it on.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "drawings/output.h"
@@ -114,9 +115,39 @@ TEST_CASE("impossible givens are refused by every verb that takes them") {
     refused({verb, "triangle", "--set", "a=3s"}, "time where a length");
     refused({verb, "triangle", "--set", "x=3"}, "\"x\" is no given");
     refused({verb, "triangle", "--set", "a=1", "--set", "a=2"}, "a is set twice");
-    refused({verb, "triangle", "--set", "a=100"}, "does not fit");
   }
+  refused({"draw", "triangle", "--set", "a=100"}, "does not fit");
   CHECK(scratch.files().empty());
+}
+
+TEST_CASE("numbers are checked though no picture can be drawn of them, and the exit code says so") {
+  const Ran ran = run({"check", "triangle", "--set", "a=100"});
+  CHECK(ran.exit == 2);
+  CHECK(ran.err == "epure: triangle: sheet sides: the triangle does not fit the paper at this scale\n");
+  CHECK(contains(ran.out, "c         100.001 m   ab"));
+  CHECK(contains(ran.out, "\n  NOT DRAWN sheet sides: the triangle does not fit the paper at this scale\n"));
+  CHECK(ran.out.ends_with("\nNOT DRAWN: 2 sheets; 5 quantities\n"));
+  const nlohmann::json report =
+      nlohmann::json::parse(run({"check", "triangle", "--json", "--set", "a=100"}).out).at("exercises").at(0);
+  CHECK(report.at("not_drawn").at(1) == "sheet small: the triangle does not fit the paper at this scale");
+  CHECK(report.at("passed") == false);
+}
+
+TEST_CASE("what is wrong with the mechanism itself fails its check, though all numbers are right") {
+  Triangle flawed;
+  flawed.flaws_of_it = {{{"$T_{1}$ is too sharp", "$T_{1}$ è troppo aguzzo"}}, {{"is it flat?", "è piatto?"}, true}};
+  const Ran ran = run_on(flawed, {"check", "triangle"});
+  CHECK(ran.exit == 1);
+  CHECK(contains(ran.out, "\n  FAILED T_1 is too sharp\n"));
+  CHECK(contains(ran.out, "\n  UNDECIDED is it flat?\n"));
+  CHECK(contains(ran.out, "\nFAILED: 1 fault; 5 quantities, 1 undecided; printed: "));
+  CHECK(contains(run_on(flawed, {"check", "triangle", "--lang", "it"}).out, "  FALLITO T_1 è troppo aguzzo\n"));
+  const nlohmann::json report =
+      nlohmann::json::parse(run_on(flawed, {"check", "triangle", "--json"}).out).at("exercises").at(0);
+  CHECK(report.at("failures") == nlohmann::json{"T_1 is too sharp"});
+  CHECK(report.at("undecided") == nlohmann::json{"is it flat?"});
+  flawed.flaws_of_it.erase(flawed.flaws_of_it.begin());
+  CHECK(run_on(flawed, {"check", "triangle"}).exit == 4);
 }
 
 TEST_CASE("a name may follow a repeatable option") {

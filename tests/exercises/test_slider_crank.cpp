@@ -241,6 +241,8 @@ TEST_CASE("the impossible is one clear sentence and exit code 2", "[slider-crank
       {{"delta=20m"}, {"delta"}},
       // 0.4 sin 40° - 0.2 = 0.0571150 m
       {{"r=0.4", "l=0.2", "AC=0.15", "BC=0.1", "t1=1/54"}, {"does not close", "too short by 0.0571 m"}},
+      // By 1e-19 of a metre, less than a double between the two lengths shows.
+      {{"r=1", "l=0.9999999999999999999", "AC=0.7", "BC=0.7", "n=60", "t=0.25"}, {"too short by 1e-19 m"}},
       {{"r=0.4", "l=0.2", "AC=0.15", "BC=0.1", "t1=1/72"}, {"square to the guide", "30°"}},
       {{"l=0.2", "AC=0.15", "BC=0.1", "t1=1/24"}, {"square to the guide", "90°"}},
       {{"AC=0.05"}, {"the plate ABC does not close", "AB = 0.5 m", "AC + BC = 0.45 m", "by 0.05 m"}},

@@ -203,7 +203,14 @@ TEST_CASE("four-bar: the impossible is one clear sentence and exit code 2", "[fo
   };
   // At 30 degrees A is (0.1299, 0.075), 0.3888 m from B0: sqrt(0.30990² + 0.235²) = 0.388924.
   const std::vector<Refused> all{
-      {{"AB=0.2", "AC=0.1", "B0B=0.1"}, {"does not close", "30°", "AB + B₀B = 0.3 m", "too short by 0.0889 m"}},
+      {{"AB=0.2", "AC=0.1", "B0B=0.1"},
+       {"does not close", "30°", "AB + B₀B = 0.3 m", "too short by 0.0889 m",
+        "; it closes from -125.732° to -40.8108° and from 124.078° to 208.999°"}},
+      {{"AB=0.9", "B0B=0.4", "x_B0=-0.3", "y_B0=0"}, {"differ by 0.5 m", "; it closes at no angle"}},
+      // By 1e-19 of a metre, which no double between the two lengths shows.
+      {{"A0A=1", "AB=2.9999999999999999999", "B0B=1", "x_B0=5", "y_B0=0", "t=0.6", "C_side=left", "AC=1"},
+       {"too short by 2 m"}},
+      {{"A0A=1", "AB=2.9999999999999999999", "B0B=1", "x_B0=5", "y_B0=0", "t=0", "AC=1"}, {"too short by 1e-19 m"}},
       {{"AB=0.9", "B0B=0.4"}, {"does not close", "differ by 0.5 m", "by 0.111 m"}},
       {{"AC=0.38"}, {"no right angle at C", "AC = 0.38 m", "AB = 0.37 m"}},
       {{"lambda=1"}, {"lambda = 1", "lambda > 1"}},
@@ -229,6 +236,21 @@ TEST_CASE("four-bar: the impossible is one clear sentence and exit code 2", "[fo
       CHECK(std::count(ran.err.begin(), ran.err.end(), '\n') == 1);
       for (const std::string& words : says) CHECK(ran.err.find(words) != std::string::npos);
     }
+}
+
+// By the textbook: γ is what turns an acceleration into the ray to K, tan γ = α/ω². The two rays are the report's
+// own.
+TEST_CASE("four-bar: γ leads from a_A to the ray AK, as described", "[four-bar]") {
+  for (const Assignments& given : {Assignments{}, {"n=-50"}, {"t=0.37"}, {"branch=left"}, {"alpha_2=3"}}) {
+    const CheckedExercise result = four_bar().checked(given);
+    const auto of = [&](const char* name) { return find(result, name).settled.enclosure.value; };
+    const double to_K = std::atan2(of("K_y") - of("C_y"), of("K_x") - of("C_x")),
+                 a_C = std::atan2(of("a_C_y"), of("a_C_x"));
+    CAPTURE(given);
+    CHECK(std::remainder(to_K - a_C - of("gamma_deg") * std::numbers::pi / 180, 2 * std::numbers::pi) ==
+          Approx(0).margin(1e-12));
+    CHECK(find(result, "gamma_deg").spec.meaning.english == "angle from a_A to the ray AK");
+  }
 }
 
 TEST_CASE("four-bar: a measured number is taken or refused", "[four-bar]") {

@@ -21,4 +21,11 @@ inline Assignments with_kind(const CorpusCase& c) {
   return all;
 }
 
+// All but what may be wrong with the gears themselves.
+inline bool numbers_pass(const CheckedExercise& result) {
+  const auto of_gears = [](const Complaint& each) { return each.about == Complaint::About::mechanism; };
+  return std::all_of(result.failures.begin(), result.failures.end(), of_gears) &&
+         std::all_of(result.undecided.begin(), result.undecided.end(), of_gears);
+}
+
 }  // namespace epure::tests
