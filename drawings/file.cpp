@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "drawings/output.h"
+#include "drawings/signals_later.h"
 #include "drawings/stopwatch.h"
 #include "drawings/system_words.h"
 
@@ -46,24 +47,6 @@ class SignalsAsErrors {
 
  private:
   struct sigaction pipe_ = {}, size_ = {};
-};
-
-// Ctrl-C and a plain kill wait until what was begun is done: no draft stays behind, and of several files none is
-// replaced without the others.
-class SignalsLater {
- public:
-  SignalsLater() {
-    sigset_t held;
-    sigemptyset(&held);
-    for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&held, each);
-    pthread_sigmask(SIG_BLOCK, &held, &before_);
-  }
-  ~SignalsLater() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsLater(const SignalsLater&) = delete;
-  SignalsLater& operator=(const SignalsLater&) = delete;
-
- private:
-  sigset_t before_;
 };
 
 class Descriptor {

@@ -1,6 +1,7 @@
 #include "exercises/bench/sheet_times.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -19,6 +20,7 @@
 #include "drawings/output.h"
 #include "drawings/page.h"
 #include "drawings/recording.h"
+#include "drawings/signals_later.h"
 #include "drawings/stopwatch.h"
 
 namespace epure::bench {
@@ -26,6 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A folder that goes when this goes, on Ctrl-C too.
 class Scratch {
  public:
   Scratch() {
@@ -41,13 +44,21 @@ class Scratch {
   Scratch& operator=(const Scratch&) = delete;
   fs::path operator/(const std::string& name) const { return path_ / name; }
 
+  // Throws where the user wants an end: the folder goes, and then the signal does what it always does.
+  void demand_no_interrupt() const {
+    if (signals_.is_interrupted()) throw std::runtime_error("interrupted");
+  }
+  const sigset_t& mask_of_programs() const { return signals_.before(); }
+
  private:
+  drawings::SignalsLater signals_;  // let through once the folder is gone
   fs::path path_;
 };
 
 // Milliseconds of processor time that a program uses from its start to its end. What it says on standard error goes
-// to `said`. Throws when it cannot be started or fails.
-double run(std::vector<std::string> words, const fs::path& said) {
+// to the file `said`. Throws when it cannot be started, fails or is interrupted.
+double run(std::vector<std::string> words, const Scratch& scratch) {
+  const fs::path said = scratch / "said";
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -55,14 +66,20 @@ double run(std::vector<std::string> words, const fs::path& said) {
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&files, STDERR_FILENO, said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setsigmask(&attributes, &scratch.mask_of_programs());
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   pid_t child = 0;
-  const int failed = posix_spawn(&child, arguments[0], &files, nullptr, arguments.data(), environ);
+  const int failed = posix_spawn(&child, arguments[0], &files, &attributes, arguments.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   if (failed != 0) throw std::runtime_error("cannot start " + words[0]);
   int status = 0;
   rusage used{};
   while (::wait4(child, &status, 0, &used) < 0)
     if (errno != EINTR) throw std::runtime_error("cannot wait for " + words[0]);
+  scratch.demand_no_interrupt();
   if (status != 0) {
     std::ifstream reason(said);
     throw std::runtime_error(words[0] + " fails: " + std::string(std::istreambuf_iterator<char>(reason), {}));
@@ -74,8 +91,8 @@ double run(std::vector<std::string> words, const fs::path& said) {
 }
 
 // The numbers before "ms" in the line of --times.
-std::vector<double> parts_in(const fs::path& said) {
-  std::ifstream in(said);
+std::vector<double> parts_in(const Scratch& scratch) {
+  std::ifstream in(scratch / "said");
   std::vector<double> parts;
   std::string word, before;
   while (in >> word) {
@@ -90,7 +107,7 @@ SheetResult measure(const Exercise& exercise, const fs::path& program, const fs:
   const std::string sheet = exercise.about().sheets.front().name;
   SheetResult result{.sheet = exercise.about().id + "/" + sheet};
   const drawings::Page page = drawings::compose(exercise.draw(sheet, Givens(exercise.about().givens), {}).sheet);
-  const fs::path recording = scratch / "recording", said = scratch / "said";
+  const fs::path recording = scratch / "recording";
   drawings::write_whole(recording, drawings::record({page}));
   const std::string out = (scratch / "out").string();
   const std::vector<std::string> draw{program.string(), "draw", result.sheet, "--out", out};
@@ -98,16 +115,16 @@ SheetResult measure(const Exercise& exercise, const fs::path& program, const fs:
   draw_with_times.emplace_back("--times");
   const std::vector<std::string> bare{floor.string(), recording.string(), drawings::font_folder().string(),
                                       out + "/floor.pdf", out + "/floor.svg"};
-  run(draw, said);  // which makes the folder, and warms up
-  run(bare, said);
+  run(draw, scratch);  // which makes the folder, and warms up
+  run(bare, scratch);
   double fastest = std::numeric_limits<double>::infinity();
   result.epure_ms = result.floor_ms = fastest;
   for (int i = 0; i < runs; ++i) {
-    result.epure_ms = std::min(result.epure_ms, run(draw, said));
-    result.floor_ms = std::min(result.floor_ms, run(bare, said));
-    if (const double all = run(draw_with_times, said); all < fastest) {
+    result.epure_ms = std::min(result.epure_ms, run(draw, scratch));
+    result.floor_ms = std::min(result.floor_ms, run(bare, scratch));
+    if (const double all = run(draw_with_times, scratch); all < fastest) {
       fastest = all;
-      result.parts_ms = parts_in(said);
+      result.parts_ms = parts_in(scratch);
     }
   }
   return result;

@@ -77,6 +77,20 @@ LC_ALL=it_IT.UTF-8 LANG=it_IT.UTF-8 LANGUAGE=it "$epure" list > list_there
 "$epure" list | cmp - list_there
 expect 'the locale chooses no language' 0 $?
 
+# While sheets are timed there is a scratch folder; a bench that is ended takes it away.
+if [ -x "${epure%/*}/epure-floor" ]; then
+  mkdir temporary
+  TMPDIR=$place/temporary "$epure" bench --seconds 0.001 --out benched > /dev/null 2>&1 &
+  bench=$!
+  while kill -0 "$bench" 2> /dev/null && [ -z "$(ls temporary)" ]; do sleep 0.02; done
+  [ -n "$(ls temporary)" ]
+  expect 'a bench has a scratch folder' 0 $?
+  kill -TERM "$bench"
+  wait "$bench"
+  expect 'a bench that is told to end does, by that signal' 143 $?
+  expect 'and leaves nothing behind' '' "$(ls temporary)"
+fi
+
 on_terminal() { # on_terminal VARIABLE=VALUE...: how many lines of a check are coloured
   env "$@" script -qec "$epure check $first" /dev/null | grep -c "$(printf '\033')"
 }
