@@ -37,9 +37,13 @@ std::vector<RouteValue> solve(const Problem& of, Rung rung);
 
 // ω₄ over a full turn of the crank at the speed given and held.
 struct RockerSpeed {
-  std::vector<geometry::Vector<double>> extremes = {};  // directions of the crank
-  std::vector<geometry::Vector<double>> zeros = {};
-  Words why_no_extremes = {};  // empty when there are some
+  struct Extreme {
+    geometry::Vector<double> crank;
+    double omega_4;
+  };
+  std::vector<Extreme> extremes = {};
+  std::vector<geometry::Vector<double>> zeros = {};  // directions of the crank
+  Words why_no_extremes = {};                        // empty when there are some
 };
 RockerSpeed rocker_speed(const FourBarInstant& at);
 

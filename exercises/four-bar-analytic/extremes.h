@@ -3,8 +3,8 @@
 
 #include "exercises/kit/angles.h"
 #include "exercises/kit/four_bar.h"
+#include "geometry/analytic/four_bar_extremes.h"
 #include "geometry/analytic/four_bar_special.h"
-#include "geometry/curves/zeros.h"
 #include "geometry/mechanisms/collineation_axis.h"
 #include "geometry/mechanisms/four_bar_positions.h"
 
@@ -15,37 +15,46 @@
 
 namespace epure::four_bar_analytic {
 
-// By the closure equation: the ratio ω₄/ω₂, and its derivative by the crank's angle, which is α₄ at ω₂ = 1, α₂ = 0.
+// By the closure equation: the ratio ω₄/ω₂, and the directions in which it is stationary.
 struct RatioByClosure {
   geometry::analytic::FourBar linkage;
   geometry::analytic::Branch branch;
 
+  using Stationary = geometry::analytic::StationaryCrank;
+  std::vector<Stationary> stationary() const { return geometry::analytic::stationary_cranks(linkage, branch); }
   template <class T>
-  geometry::analytic::FourBarMotion<T> at(const geometry::Vector<T>& crank) const {
-    const geometry::analytic::CrankState<T> state{crank.x, crank.y, T(1), T(0)};
-    return geometry::analytic::motion(linkage, state, geometry::analytic::position(linkage, state, branch));
+  static geometry::Vector<T> crank(const Stationary& at) {
+    return plane(at.direction<T>());
   }
   template <class T>
   T ratio(const geometry::Vector<T>& crank) const {
-    return at(crank).omega_4;
-  }
-  template <class T>
-  T operator()(const geometry::Vector<T>& crank) const {
-    return at(crank).alpha_4;
+    const geometry::analytic::CrankState<T> state{crank.x, crank.y, T(1), T(0)};
+    return geometry::analytic::motion(linkage, state, geometry::analytic::position(linkage, state, branch)).omega_4;
   }
 };
 
 // By the instant centres, and Freudenstein's theorem.
-struct RatioByCentres : geometry::CollineationAxisAcrossCoupler {
+struct RatioByCentres {
+  geometry::FourBarLengths of;
+  geometry::Side side;
+
+  using Stationary = geometry::StationaryPosition;
+  std::vector<Stationary> stationary() const { return geometry::stationary_positions(of, side); }
+  template <class T>
+  static geometry::Vector<T> crank(const Stationary& at) {
+    return at.crank<T>();
+  }
   template <class T>
   T ratio(const geometry::Vector<T>& crank) const {
     return geometry::velocity_ratio_by_centres(geometry::four_bar(of, crank, side));
   }
 };
 
-// The directions in which the ratio is stationary, found once for all numbers; or why it has no extremes.
+// The positions in which the ratio is stationary, the least ratio first, found once for all numbers; or why there are
+// none.
+template <class Ratio>
 struct StationaryRatio {
-  geometry::Zeros directions = {};
+  std::vector<typename Ratio::Stationary> positions = {};
   Words why_not = {};
 };
 
@@ -60,47 +69,23 @@ inline Words why_no_extremes(const geometry::FourBarLengths& of) {
 }
 
 template <class Ratio>
-StationaryRatio stationary_ratio(const geometry::FourBarLengths& of, const Ratio& ratio) {
+StationaryRatio<Ratio> stationary_ratio(const geometry::FourBarLengths& of, const Ratio& ratio) {
   Words why_not = why_no_extremes(of);
   if (!why_not.empty()) return {{}, std::move(why_not)};
-  geometry::Zeros directions = geometry::zeros(ratio);
-  geometry::place_on_axes(ratio, directions);
-  return {std::move(directions), {}};
-}
-
-enum class Extreme { greatest, least };
-
-// Where ω₄ is extreme. Throws Undecided when the search left something open, or two extremes cannot be told apart.
-template <class T, class Ratio>
-geometry::Vector<T> direction_of_extreme(const Ratio& ratio, const StationaryRatio& stationary, Extreme which,
-                                         const T& omega_2) {
-  if (!stationary.why_not.empty()) throw geometry::Impossible(stationary.why_not);
-  if (!stationary.directions.open.empty() || stationary.directions.found.empty())
-    throw geometry::Undecided("where the rocker's speed is stationary",
-                              "dove sia stazionaria la velocità del bilanciere");
-  std::optional<geometry::Vector<T>> best;
-  for (const geometry::Zero& zero : stationary.directions.found) {
-    const auto here = geometry::direction_of<T>(ratio, zero);
-    if (!best) {
-      best = here;
-      continue;
-    }
-    const geometry::Sign greater = geometry::sign(omega_2 * (ratio.ratio(here) - ratio.ratio(*best)));
-    if (greater == geometry::Sign::undecided || greater == geometry::Sign::zero)
-      throw geometry::Undecided("which of two extremes of the rocker's speed is the greater",
-                                "quale di due estremi della velocità del bilanciere sia il maggiore");
-    if ((greater == geometry::Sign::positive) == (which == Extreme::greatest)) best = here;
-  }
-  return *best;
+  return {ratio.stationary(), {}};
 }
 
 template <class T, class Ratio>
-void write_extremes(Ledger<T>& ledger, const Ratio& ratio, const StationaryRatio& stationary, const T& omega_2) {
-  for (const auto& [name, which] : {std::pair{"omega_4_max", Extreme::greatest}, {"omega_4_min", Extreme::least}}) {
-    const auto direction = [&, extreme = which] {
-      return direction_of_extreme<T>(ratio, stationary, extreme, omega_2);
+void write_extremes(Ledger<T>& ledger, const Ratio& ratio, const StationaryRatio<Ratio>& stationary,
+                    const FourBarInstant& at) {
+  const bool is_forward = geometry::sign_of(at.n) > 0;
+  for (const auto& [name, is_last] : {std::pair{"omega_4_max", is_forward}, {"omega_4_min", !is_forward}}) {
+    const auto direction = [&, last = is_last] {
+      if (!stationary.why_not.empty()) throw geometry::Impossible(stationary.why_not);
+      const auto& all = stationary.positions;
+      return Ratio::template crank<T>(all.at(last ? all.size() - 1 : 0));
     };
-    ledger.put(name, [&] { return T(omega_2 * ratio.ratio(direction())); });
+    ledger.put(name, [&] { return T(at.omega_2<T>() * ratio.ratio(direction())); });
     ledger.put(std::string("theta_2_at_") + name + "_deg",
                [&] { return in_degrees(angle_within_turn(direction())); });
   }

@@ -89,11 +89,11 @@ struct Special {
   std::string quantity;  // its name in a measurement, none for the other branch
 };
 
-std::vector<Special> special_points(const FourBarInstant& at, const RockerSpeed& of, Language language) {
+std::vector<Special> special_points(const RockerSpeed& of, Language language) {
   const auto num = [&](double x) { return figures(x, 4, language); };
   std::vector<Special> points;
-  for (const auto& crank : of.extremes) {
-    const Datum here{degrees_within_turn(crank), omega_4_at(at, crank).value_or(0)};
+  for (const RockerSpeed::Extreme& extreme : of.extremes) {
+    const Datum here{degrees_within_turn(extreme.crank), extreme.omega_4};
     points.push_back({here, fmt::format("{} ({}°)", num(here.y), num(here.x)), {}});
   }
   const auto by_speed = [](const Special& a, const Special& b) { return a.at.y < b.at.y; };
@@ -210,8 +210,8 @@ void draw_omega_4(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
   const bool english = language == Language::english;
   const FourBarInstant &at = f.of.instant, other = on_other_branch(at);
   const RockerSpeed speed = rocker_speed(at);
-  const std::vector<Special> points = special_points(at, speed, language),
-                             others = special_points(other, rocker_speed(other), language);
+  const std::vector<Special> points = special_points(speed, language),
+                             others = special_points(rocker_speed(other), language);
   drawings::Chart chart = chart_of(f, points, others, language);
   const Datum now{degrees_within_turn({f.figure.A.x, f.figure.A.y}), f.omega_4};
   chart.markers.push_back({.at = now,

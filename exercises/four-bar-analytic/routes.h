@@ -209,7 +209,8 @@ struct Routes {
   Back back, other_back;
   RatioByClosure by_closure;
   RatioByCentres by_centres;
-  StationaryRatio stationary_by_closure, stationary_by_centres;
+  StationaryRatio<RatioByClosure> stationary_by_closure;
+  StationaryRatio<RatioByCentres> stationary_by_centres;
 
   explicit Routes(const Problem& problem)
       : of(problem),
@@ -217,24 +218,23 @@ struct Routes {
         back(of.instant),
         other_back(other),
         by_closure{of.instant.analytic_lengths(), of.instant.analytic_branch()},
-        by_centres{{of.instant.lengths, of.instant.side}},
+        by_centres{of.instant.lengths, of.instant.side},
         stationary_by_closure(stationary_ratio(of.instant.lengths, by_closure)),
         stationary_by_centres(stationary_ratio(of.instant.lengths, by_centres)) {}
 
   template <class T>
   Ledger<T> operator()() const {
     Ledger<T> ledger("construction");
-    const T omega_2 = of.instant.omega_2<T>();
     by_construction(ledger, of, back.by_construction);
     other_branch_by_construction(ledger, other, other_back.by_construction);
     ledger.route("construction");
     write_zeros_by_construction(ledger, of.instant);
     ledger.route("instant centres");
-    write_extremes(ledger, by_centres, stationary_by_centres, omega_2);
+    write_extremes(ledger, by_centres, stationary_by_centres, of.instant);
     by_analysis(ledger, of, back.by_analysis);
     write_analysed_links(ledger, analysed<T>(other), other_back.by_analysis, "_other_branch");
     write_zeros_by_analysis(ledger, of.instant);
-    write_extremes(ledger, by_closure, stationary_by_closure, omega_2);
+    write_extremes(ledger, by_closure, stationary_by_closure, of.instant);
     return ledger;
   }
 };

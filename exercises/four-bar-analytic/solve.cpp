@@ -7,10 +7,11 @@ std::vector<RouteValue> solve(const Problem& of, Rung rung) { return settle(Rout
 RockerSpeed rocker_speed(const FourBarInstant& at) {
   return deeply([&]() -> RockerSpeed {
     const RatioByClosure ratio{at.analytic_lengths(), at.analytic_branch()};
-    const StationaryRatio stationary = stationary_ratio(at.lengths, ratio);
+    const auto stationary = stationary_ratio(at.lengths, ratio);
     RockerSpeed found{.why_no_extremes = stationary.why_not};
-    for (const geometry::Zero& zero : stationary.directions.found)
-      found.extremes.push_back(to_double(geometry::direction_of<geometry::Deep>(ratio, zero)));
+    for (const RatioByClosure::Stationary& one : stationary.positions)
+      found.extremes.push_back({to_double(RatioByClosure::crank<geometry::Deep>(one)),
+                                to_double(at.omega_2<geometry::Deep>() * one.ratio())});
     for (const geometry::Reach reach : {geometry::Reach::extended, geometry::Reach::folded}) {
       try {
         const auto dead_centre = geometry::dead_centre<geometry::Deep>(at.lengths, reach, at.side);

@@ -132,33 +132,11 @@ class Search {
   std::vector<Zero> found_;
 };
 
-// a's ball is less than half as wide as b's.
-bool is_much_narrower(const Deep& a, const Deep& b) {
-  mag_t twice;
-  mag_init(twice);
-  mag_mul_2exp_si(twice, arb_radref(a.ball()), 1);
-  const bool narrower = mag_cmp(twice, arb_radref(b.ball())) < 0;
-  mag_clear(twice);
-  return narrower;
-}
-
 }  // namespace
 
 Zeros search_zeros(const TurnFunction& function, int most_looks) {
   const Arithmetic<Bounded> scope;
   return Search(function, most_looks)();
-}
-
-Deep refined_parameter(const std::function<Deep(const Vector<Deep>&)>& function, const Zero& zero) {
-  const Deep slope = Deep::from_bounded(zero.slope);
-  Deep t = Deep::from_bounded(zero.t);
-  for (;;) {
-    // No further from the zero than the first ball is wide: there the slope is enclosed.
-    const Deep m = midpoint(t);
-    const Deep next = m - quotient(function(direction_on_turn(zero.arc, m)), slope);
-    if (!is_much_narrower(next, t)) return t;
-    t = next;
-  }
 }
 
 }  // namespace epure::geometry

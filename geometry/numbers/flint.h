@@ -8,9 +8,11 @@
 #include <flint/acb_calc.h>
 #include <flint/acb_elliptic.h>
 #include <flint/arb.h>
+#include <flint/arb_fmpz_poly.h>
 #include <flint/arf.h>
 #include <flint/flint.h>
 #include <flint/fmpq.h>
+#include <flint/fmpq_poly.h>
 #ifndef __cplusplus /* no valid C++: for calcium_bridge.c and rational_function_bridge.c alone */
 #include <flint/ca.h>
 #include <flint/fmpz_mpoly_q.h>
@@ -20,9 +22,11 @@
 #include <acb_calc.h>
 #include <acb_elliptic.h>
 #include <arb.h>
+#include <arb_fmpz_poly.h>
 #include <arf.h>
 #include <flint/flint.h>
 #include <flint/fmpq.h>
+#include <flint/fmpq_poly.h>
 #ifndef __cplusplus
 #include <calcium/ca.h>
 #include <calcium/fmpz_mpoly_q.h>

@@ -1,8 +1,10 @@
 #include "tests/exercises/special-linkages/families.h"
 
 #include "geometry/numbers/given.h"
+#include "geometry/numbers/numbers.h"
 
 #include <array>
+#include <cmath>
 #include <set>
 
 namespace epure::tests {
@@ -44,9 +46,20 @@ struct Bars {
   Rational frame, crank, coupler, rocker;
 };
 
+// One bar down to 1e-10 of the others, of which two or all are equal.
+Bars with_one_tiny(Random& random) {
+  const Rational tiny = Rational(1) / power_of_ten(from_to(random, 2, 10)), a = length(random);
+  Bars of{"one bar tiny", a, a, a, a};
+  std::array<Rational*, 4> bars{&of.frame, &of.crank, &of.coupler, &of.rocker};
+  const std::size_t which = static_cast<std::size_t>(from_to(random, 0, 3));
+  *bars.at(which) = a * tiny;
+  if (toss(random)) *bars.at((which + 1) % 4) = a * Rational(3, 2);
+  return of;
+}
+
 Bars special_bars(Random& random) {
   const Rational a = length(random), b = length(random), c = length(random);
-  switch (from_to(random, 0, 9)) {
+  switch (from_to(random, 0, 10)) {
     case 0:
       return {"parallelogram", a, b, a, b};
     case 1:
@@ -63,15 +76,26 @@ Bars special_bars(Random& random) {
       return {"change point: frame and rocker", a + b - c > 0 ? a + b - c : a + b + c, a, b, c};
     case 7:
       return {"crank as long as rocker", a, b, c, b};
+    case 8:
+      return with_one_tiny(random);
     default:
       return {"any", Rational(8, 10) + a / 10, Rational(2, 10) + b / 20, Rational(5, 10) + c / 10, Rational(7, 10)};
   }
 }
 
+// What turns by `of_a_turn` a turn is asked in radians, at about the same place.
+void in_radians(SpecialCase& of, const std::string& symbol, int of_a_turn) {
+  for (auto& [name, value] : of.numbers)
+    if (name == symbol) value *= Rational(44, 7) / of_a_turn;
+  of.units[symbol] = "rad";
+}
+
 SpecialCase four_bar_analytic(Random& random) {
-  const Bars of = special_bars(random);
+  Bars of = special_bars(random);
   SpecialCase found{of.family, "four-bar-analytic", {}, {toss(random) ? "branch=left" : "branch=right"}};
-  const Rational off = miss(random), coupler = of.coupler, rocker = of.rocker + off;
+  const std::array<Rational*, 4> bars{&of.frame, &of.crank, &of.coupler, &of.rocker};
+  *bars.at(static_cast<std::size_t>(from_to(random, 0, 3))) += miss(random);
+  const Rational coupler = of.coupler;
   Rational along = Rational(25, 100), across = Rational(1, 10);
   switch (from_to(random, 0, 3)) {
     case 0:
@@ -86,17 +110,39 @@ SpecialCase four_bar_analytic(Random& random) {
     default:
       break;
   }
-  found.numbers = {{"A0B0", of.frame},         {"A0A", of.crank},   {"AB", coupler},      {"B0B", rocker},
+  found.numbers = {{"A0B0", of.frame},         {"A0A", of.crank},   {"AB", coupler},      {"B0B", of.rocker},
                    {"theta_2", angle(random)}, {"AP_along", along}, {"AP_across", across}};
+  if (from_to(random, 0, 3) == 0) in_radians(found, "theta_2", 360);
   return found;
+}
+
+// The instant of a crank that turns a turn a second becomes one of a crank that turns a radian a second.
+void at_a_radian_a_second(SpecialCase& of, const std::string& instant) {
+  in_radians(of, instant, 1);
+  of.units[instant] = "s";
+  for (auto& [name, value] : of.numbers)
+    if (name == "n") value = 1;
+  of.units["n"] = "rad/s";
+}
+
+// A unit vector of the 3-4-5 kind, or one at a whole number of degrees to 15 decimals.
+std::array<Rational, 2> direction_of_frame(Random& random, std::string& family) {
+  if (from_to(random, 0, 4) == 0) {
+    const auto decimals = [](double x) { return Rational(std::round(x * 1e15)) / power_of_ten(15); };
+    const double angle = from_to(random, 0, 359) * geometry::pi<geometry::Fast>() / 180;
+    family += ", frame at whole degrees to 15 decimals";
+    return {decimals(std::cos(angle)), decimals(std::sin(angle))};
+  }
+  const int p = from_to(random, 1, 9), q = from_to(random, 0, 9), sum = p * p + q * q;
+  const Rational x(p * p - q * q, sum), y(2 * p * q, sum);
+  return {toss(random) ? x : -x, toss(random) ? y : -y};
 }
 
 // n = 60 rpm: a turn a second.
 SpecialCase four_bar(Random& random) {
-  const Bars of = special_bars(random);
-  constexpr std::array<std::array<int, 3>, 5> frames{{{1, 0, 1}, {0, -1, 1}, {3, 4, 5}, {-5, 12, 13}, {20, -21, 29}}};
-  const auto& [x, y, hypotenuse] = frames[static_cast<std::size_t>(from_to(random, 0, 4))];
-  Rational x_B0 = of.frame * Rational(x, hypotenuse), y_B0 = of.frame * Rational(y, hypotenuse);
+  Bars of = special_bars(random);
+  const auto [x, y] = direction_of_frame(random, of.family);
+  Rational x_B0 = of.frame * x, y_B0 = of.frame * y;
   SpecialCase found{of.family, "four-bar", {}, {toss(random) ? "branch=left" : "branch=right"}};
   if (from_to(random, 0, 4) == 0) {  // a frame of irrational length
     y_B0 += Rational(1, 100);
@@ -106,6 +152,7 @@ SpecialCase four_bar(Random& random) {
   found.numbers = {
       {"A0A", of.crank}, {"AB", of.coupler}, {"B0B", of.rocker + miss(random)}, {"x_B0", x_B0}, {"y_B0", y_B0},
       {"AC", AC},        {"n", 60},          {"t", angle(random) / 360}};
+  if (from_to(random, 0, 3) == 0) at_a_radian_a_second(found, "t");
   return found;
 }
 
@@ -115,19 +162,22 @@ SpecialCase slider_crank(Random& random) {
   const Rational l = (shape < 2 ? r : longer) + miss(random), AC = l * Rational(from_to(random, 3, 6), 10);
   const Rational e = shape == 3 ? (longer - r) * Rational(from_to(random, 1, 9), 10) : Rational(0);
   const bool on_AB = toss(random);
-  return {shape < 2    ? "crank as long as coupler"
-          : shape == 2 ? "centred"
-                       : "offset",
-          toss(random) ? "slider-crank-acceleration" : "slider-crank-velocity",
-          {{"r", r},
-           {"l", l},
-           {"AC", AC},
-           {"BC", on_AB ? Rational(l - AC) : Rational(l * Rational(9, 10))},
-           {"n", 60},
-           {"t1", angle(random) / 360},
-           {"e", e},
-           {"delta", toss(random) ? Rational(0) : angle(random)}},
-          {}};
+  SpecialCase found{shape < 2    ? "crank as long as coupler"
+                    : shape == 2 ? "centred"
+                                 : "offset",
+                    toss(random) ? "slider-crank-acceleration" : "slider-crank-velocity",
+                    {{"r", r},
+                     {"l", l},
+                     {"AC", AC},
+                     {"BC", on_AB ? Rational(l - AC) : Rational(l * Rational(9, 10))},
+                     {"n", 60},
+                     {"t1", angle(random) / 360},
+                     {"e", e},
+                     {"delta", toss(random) ? Rational(0) : angle(random)}},
+                    {}};
+  if (from_to(random, 0, 3) == 0) at_a_radian_a_second(found, "t1");
+  if (from_to(random, 0, 3) == 0) in_radians(found, "delta", 360);
+  return found;
 }
 
 SpecialCase roulette(Random& random) {
@@ -156,7 +206,10 @@ bool is_length(const std::string& symbol) {
 
 std::vector<std::string> SpecialCase::assignments() const {
   std::vector<std::string> all = words;
-  for (const auto& [symbol, value] : numbers) all.push_back(symbol + "=" + geometry::to_text(value));
+  for (const auto& [symbol, value] : numbers) {
+    const auto unit = units.find(symbol);
+    all.push_back(symbol + "=" + geometry::to_text(value) + (unit == units.end() ? "" : unit->second));
+  }
   return all;
 }
 
@@ -186,19 +239,28 @@ SpecialCase scaled(const SpecialCase& one, const Rational& times) {
   return larger;
 }
 
-bool can_be_turned(const SpecialCase& one) { return one.exercise == "four-bar"; }
+bool can_be_turned(const SpecialCase& one) {
+  const bool has_frame = one.exercise == "four-bar" || one.exercise.starts_with("slider-crank");
+  return has_frame && one.units.empty();
+}
 
-SpecialCase turned(const SpecialCase& one) {
+SpecialCase turned(const SpecialCase& one, Random& random) {
   SpecialCase other = one;
   const auto at = [&](const std::string& symbol) -> Rational& {
     for (auto& [name, value] : other.numbers)
       if (name == symbol) return value;
     throw std::logic_error(symbol);
   };
-  const Rational x = at("x_B0");
-  at("x_B0") = -at("y_B0");
-  at("y_B0") = x;
-  at("t") += Rational(1, 4);
+  if (one.exercise == "four-bar") {
+    const Rational x = at("x_B0");
+    at("x_B0") = -at("y_B0");
+    at("y_B0") = x;
+    at("t") += Rational(1, 4);
+  } else {
+    const Rational degrees = from_to(random, 1, 359);
+    at("delta") += degrees;
+    at("t1") += degrees / 360;
+  }
   return other;
 }
 
