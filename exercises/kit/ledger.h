@@ -59,8 +59,9 @@ class Ledger {
 
   // Writes down what `find` returns. What it cannot decide stays undecided; what does not exist is absent.
   void put(const std::string& quantity, const std::function<T()>& find) {
+    const bool is_wanted = geometry::climbing::Wanted::is(keys_.size());
     keys_.push_back({case_ + quantity, route_});
-    readings_.push_back(geometry::Reading<T>::from(find));
+    readings_.push_back(is_wanted ? geometry::Reading<T>::from(find) : geometry::Reading<T>::undecided({}));
   }
   void put(const std::string& quantity, const T& value) {
     put(quantity, [&] { return value; });

@@ -118,6 +118,22 @@ Answer ask(const Scene& scene);
 
 namespace climbing {
 
+// Which quantities are wanted of the scene that this thread runs: all, unless a scope is open that says otherwise.
+// With exact numbers one may cost more than all that are wanted, so who writes them down may leave others undecided.
+class Wanted {
+ public:
+  explicit Wanted(const std::vector<bool>& these) : outer_(std::exchange(these_, &these)) {}
+  ~Wanted() { these_ = outer_; }
+  Wanted(const Wanted&) = delete;
+  Wanted& operator=(const Wanted&) = delete;
+
+  static bool is(std::size_t quantity) { return !these_ || these_->empty() || these_->at(quantity); }
+
+ private:
+  inline static thread_local const std::vector<bool>* these_ = nullptr;
+  const std::vector<bool>* outer_;
+};
+
 // What a rung says of a quantity, once the number type is left behind.
 struct Finding {
   enum class Kind { value, absent, undecided };
@@ -193,23 +209,19 @@ Finding finding_of(const Reading<T>& reading) {
 }
 
 // Runs the scene on T, inside the scope that is open. A reading that is not wanted is not looked at: with Calcium a
-// look may be dear.
-template <class T, class Scene, class Wanted>
-Run run(const Scene& scene, const Wanted& wanted) {
+// look may be dear. None of `wanted` means all.
+template <class T, class Scene>
+Run run(const Scene& scene, const std::vector<bool>& wanted = {}) {
+  const Wanted scope(wanted);
   try {
     const std::vector<Reading<T>> readings = scene.template operator()<T>();
     Run result;
     for (std::size_t i = 0; i < readings.size(); ++i)
-      result.findings.push_back(wanted(i) ? finding_of<T>(readings[i]) : Finding{});
+      result.findings.push_back(Wanted::is(i) ? finding_of<T>(readings[i]) : Finding{});
     return result;
   } catch (const Undecided& open) {
     return {{}, open.words()};
   }
-}
-
-template <class T, class Scene>
-Run run(const Scene& scene) {
-  return run<T>(scene, [](std::size_t) { return true; });
 }
 
 template <class Scene>
@@ -230,22 +242,21 @@ void run_exactly(Ledger& ledger, const Scene& scene, const Worth& is_worth_a_pro
       chosen.push_back(ledger.needs_proof(i) && is_worth_a_proof(i, so_far));
     return std::find(chosen.begin(), chosen.end(), true) != chosen.end();
   };
-  const auto wanted = [&](std::size_t i) { return chosen.empty() || chosen[i]; };
   if (!choose()) return;
   try {
     const Arithmetic<Exact> scope;
-    ledger.take_proofs("Exact", run<Exact>(scene, wanted));
+    ledger.take_proofs("Exact", run<Exact>(scene, chosen));
     return;
   } catch (const LeavesTheTower&) {
     // the next two can go on
   }
   {
     const Arithmetic<Generic> scope;
-    ledger.take_proofs("Generic", run<Generic>(scene, wanted));
+    ledger.take_proofs("Generic", run<Generic>(scene, chosen));
   }
   if (!choose()) return;
   const Arithmetic<Calcium> scope;
-  ledger.take_proofs("Calcium", run<Calcium>(scene, wanted));
+  ledger.take_proofs("Calcium", run<Calcium>(scene, chosen));
 }
 
 // One rung alone; what it throws goes through.

@@ -212,6 +212,18 @@ TEST_CASE("An exact run is spared when nothing is worth a proof") {
   CHECK(exact_runs == 1);
 }
 
+TEST_CASE("An exact run is told what is wanted of it") {
+  std::vector<bool> wanted;
+  const auto scene = [&]<class T>() -> std::vector<Reading<T>> {
+    if constexpr (is_exact<T>) wanted = {climbing::Wanted::is(0), climbing::Wanted::is(1)};
+    const T x = root(T(2));
+    return {Reading<T>::of(x), Reading<T>::of(x * x - T(2))};
+  };
+  require_point(climb(scene)[1], 0, "Exact");
+  CHECK(wanted == std::vector<bool>{false, true});
+  CHECK(climbing::Wanted::is(0));
+}
+
 TEST_CASE("What is proved absent is absent, with its reason, on the rung that proved it") {
   const auto parallel = [](auto slope) {
     return [slope]<class T>() {
