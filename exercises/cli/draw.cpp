@@ -15,6 +15,7 @@
 #include "exercises/cli/abreast.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/verbs.h"
+#include "exercises/kit/fit.h"
 
 namespace epure {
 namespace {
@@ -54,6 +55,9 @@ class Drawing {
         each.page = compose(each, givens[static_cast<std::size_t>(of)], request);
       } catch (const geometry::Undecided& open) {
         each.undecided = open.words();
+      } catch (const DoesNotFit& why) {
+        if (sheets_.size() == 1) throw;
+        throw DoesNotFit(each.exercise->about().id + "/" + each.name + ": " + why.words());
       }
     });
     leave_out_undecided();

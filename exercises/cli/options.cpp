@@ -185,7 +185,7 @@ std::string Parser::help() const {
     for (const std::string& verb : verbs) names.push_back({verb, help_of(verb).purpose.in(language_)});
   } else {
     usage += " " + app.get_name() + say({" [OPTIONS]", " [OPZIONI]"}) +
-             (names.empty() ? "" : " [" + names.front().front() + "...]");
+             (names.empty() ? "" : " [" + names.front().front() + (app.get_name() == "list" ? "]" : "...]"));
   }
   return paragraph(help.purpose, language_) + usage + "\n\n" + (names.empty() ? "" : table(names, 2) + "\n") +
          table(options, 2, {26}) + "\n" + paragraph(help.remarks, language_) + say({"Examples:", "Esempi:"}) +
@@ -209,7 +209,14 @@ void Parser::refuse(const std::string& typed) const {
 }
 
 void Parser::refuse_before_verb(const std::string& typed) const {
-  if (&chosen() == &program_) refuse(typed);
+  if (&chosen() == &program_) {
+    const std::string name = typed.substr(0, typed.find('='));
+    for (const CLI::App* verb : program_.get_subcommands({}))
+      if (name.starts_with("--") && verb->get_option_no_throw(name) != nullptr)
+        throw WrongUsage(
+            format_words("{} follows the verb: epure VERB {}", "{} segue il verbo: epure VERBO {}", name, typed));
+    refuse(typed);
+  }
   throw WrongUsage(format_words("\"{}\" stands before the verb, which comes first: epure {} ...",
                                 "\"{}\" sta prima del verbo, che viene per primo: epure {} ...", typed,
                                 chosen().get_name()));

@@ -147,7 +147,7 @@ std::string printed(const CheckedExercise& checked, const Reader& reader) {
       name.clear();
     }
   }
-  return rows.size() == 1 ? "" : "\n" + table(rows, 2, {18, 8, 13, 10, 10});
+  return rows.size() == 1 ? "" : "\n" + table(rows, 2, {16, 8, 13, 10, 10});
 }
 
 // Remarks in the order they were first made, each with all it applies to: one slip often explains several numbers.

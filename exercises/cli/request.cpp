@@ -18,8 +18,8 @@ std::optional<Format> format_named(const std::string& name) {
 }
 
 drawings::Paper paper(const Options& options) {
-  if (options.paper == "a4") return drawings::Paper::a4;
-  if (options.paper == "a3") return drawings::Paper::a3;
+  if (options.paper == "a4" || options.paper == "A4") return drawings::Paper::a4;
+  if (options.paper == "a3" || options.paper == "A3") return drawings::Paper::a3;
   throw WrongUsage(format_words("\"{}\" is no paper of epure; choose a4 or a3",
                                 "\"{}\" non è una carta di epure; scegliere a4 o a3", options.paper));
 }

@@ -21,6 +21,7 @@ struct Counts {
   std::size_t all_quantities = 0, measured = 0, within = 0;
   Tally quantities, sheets, mechanisms;
   std::size_t not_drawn = 0;                // sheets
+  bool compared = true;                     // not what has no bounds
   std::array<std::size_t, 3> printed = {};  // by Verdict
 
   void add(const CheckedExercise& checked) {
@@ -41,6 +42,7 @@ struct Counts {
     quantities.undecided += open.size();
     all_quantities += checked.quantities.size();
     for (const CheckedQuantity& quantity : checked.quantities) {
+      if (quantity.settled.kind == geometry::Settled::Kind::unbounded) compared = false;
       for (const PrintedVerdict& each : quantity.printed) ++printed.at(static_cast<std::size_t>(each.verdict));
       measured += quantity.measured.size();
       within += static_cast<std::size_t>(std::count_if(quantity.measured.begin(), quantity.measured.end(),
@@ -61,6 +63,7 @@ std::string outcome(const Counts& counts, const Reader& reader) {
     return coloured(Words{"UNDECIDED", "NON DECISO"}.in(reader.language), Ink::doubtful, reader.colours);
   if (counts.not_drawn > 0)
     return coloured(Words{"NOT DRAWN", "NON DISEGNATO"}.in(reader.language), Ink::doubtful, reader.colours);
+  if (!counts.compared) return Words{"not compared", "non confrontato"}.in(reader.language);
   return coloured(Words{"passed", "riuscito"}.in(reader.language), Ink::good, reader.colours);
 }
 

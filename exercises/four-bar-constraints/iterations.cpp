@@ -89,7 +89,7 @@ std::string on_the_start(Language language) {
   return language == Language::english
              ? "The source prints the start (0.349, 1.22, −0.87) as [$θ_{3}$, $θ_{4}$, $θ_{2}$]: it is [$θ_{2}$, "
                "$θ_{3}$, $θ_{4}$], 0.349 rad being 20°."
-             : "La fonte stampa i valori iniziali (0.349, 1.22, −0.87) come [$θ_{3}$, $θ_{4}$, $θ_{2}$]: sono "
+             : "La fonte stampa i valori iniziali (0,349; 1,22; −0,87) come [$θ_{3}$, $θ_{4}$, $θ_{2}$]: sono "
                "[$θ_{2}$, $θ_{3}$, $θ_{4}$], 0,349 rad essendo 20°.";
 }
 

@@ -27,11 +27,12 @@ GivenSpec crank_angle_given() {
 
 Words where_it_closes(const std::vector<AngleRange>& ranges) {
   Words text;
-  for (const AngleRange& range : ranges)
-    text =
-        text + format_words("{} {}° to {}°", "{} {}° a {}°",
-                            text.empty() ? Words{"; it closes from", "; si chiude da"} : Words{" and from", " e da"},
-                            decimal(range.from, 6), decimal(range.to, 6));
+  for (const AngleRange& range : ranges) {
+    const Words from = decimal(range.from, 6), to = decimal(range.to, 6);
+    text = text + (text.empty() ? Words{"; it closes ", "; si chiude "} : Words{" and ", " e "}) +
+           (from == to ? format_words("at {}° only", "solo a {}°", from)
+                       : format_words("from {}° to {}°", "da {}° a {}°", from, to));
+  }
   return text;
 }
 

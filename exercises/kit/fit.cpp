@@ -15,8 +15,8 @@ Fit descend(Scale scale, const drawings::Box& room, const std::function<Scale(do
     if (fits(extent, room)) return Fit{scale, origin_in(room, extent)};
     scale = next(scale.mm_per_unit * 0.99);
   }
-  throw BadGivens("the figure does not fit the paper at any standard scale",
-                  "la figura non sta sulla carta in alcuna scala normalizzata");
+  throw DoesNotFit("the figure does not fit the paper at any standard scale",
+                   "la figura non sta sulla carta in alcuna scala normalizzata");
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ Fit fit_lengths(const drawings::Box& room, const SheetRequest& request, double a
   const Scale asked = length_scale(*request.scale);
   const drawings::Box extent = extent_at(asked);
   if (!fits(extent, room)) {
-    throw BadGivens(format_words(
+    throw DoesNotFit(format_words(
         "at scale {} the figure takes {:.0f} x {:.0f} mm, but this sheet has {:.0f} x {:.0f} mm for it; {} would fit",
         "in scala {} la figura occupa {:.0f} x {:.0f} mm, ma questa tavola ne ha {:.0f} x {:.0f}; andrebbe bene {}",
         asked.caption, extent.width(), extent.height(), room.width(), room.height(), largest.scale.caption));

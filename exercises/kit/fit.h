@@ -21,6 +21,11 @@ class Extent {
   bool empty_ = true;
 };
 
+// A figure and its paper, not what is given.
+struct DoesNotFit : BadGivens {
+  using BadGivens::BadGivens;
+};
+
 struct Fit {
   Scale scale;
   drawings::Point origin;  // paper mm of the plane's origin: the picture stands in the middle of the room
@@ -31,7 +36,7 @@ bool fits(const drawings::Box& extent, const drawings::Box& room);
 drawings::Point origin_in(const drawings::Box& room, const drawings::Box& extent);
 
 // `extent_at` says how much paper the picture takes at a scale of lengths. `at_most` (mm per metre) bounds the
-// search. Throws BadGivens when a requested scale does not fit, naming the room and what would fit.
+// search. Throws DoesNotFit when a requested scale does not fit, naming the room and what would fit.
 Fit fit_lengths(const drawings::Box& room, const SheetRequest& request, double at_most,
                 const std::function<drawings::Box(const Scale&)>& extent_at);
 

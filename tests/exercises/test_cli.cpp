@@ -71,6 +71,7 @@ TEST_CASE("what is no command is refused in one sentence") {
   refused({"check", "triangle", "--json=x"}, "--json takes no value");
   refused({""}, "\"\" is nothing epure can do");
   refused({"draw", ""}, "there is no exercise \"\"");
+  refused({"--lang", "it", "help"}, "--lang follows the verb: epure VERB --lang");
   refused({"help", "dra"}, "\"dra\" is nothing epure can do; did you mean draw?");
   refused({"list", "--lang"}, "--lang needs a value");
   refused({"list", "triangle", "triangle"}, "one exercise at a time");
@@ -148,6 +149,12 @@ TEST_CASE("what is wrong with the mechanism itself fails its check, though all n
   CHECK(report.at("undecided") == nlohmann::json{"is it flat?"});
   flawed.flaws_of_it.erase(flawed.flaws_of_it.begin());
   CHECK(run_on(flawed, {"check", "triangle"}).exit == 4);
+}
+
+TEST_CASE("doubles alone compare nothing, and the totals say so") {
+  const Ran fast = run({"check", "triangle", "--arithmetic", "fast"});
+  CHECK(fast.exit == 0);
+  CHECK(contains(fast.out, "\nnot compared: 5 quantities; printed: "));
 }
 
 TEST_CASE("a name may follow a repeatable option") {

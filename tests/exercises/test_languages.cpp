@@ -293,6 +293,17 @@ TEST_CASE("what is said of all exercises has no English left in Italian") {
   }
 }
 
+TEST_CASE("no verdict is broken") {
+  for (const auto& [language, verdict] : {std::pair{"en", "rounding"}, {"it", "arrotondata"}}) {
+    const std::string text = say({"check", "all"}, language).out;
+    std::size_t count = 0;
+    for (const std::string& line : lines_of(text)) count += line.ends_with(verdict);
+    const auto totals = text.substr(text.rfind("; "));
+    CAPTURE(language, totals);
+    CHECK(totals.find(std::to_string(count) + " ") != std::string::npos);
+  }
+}
+
 TEST_CASE("a number has a comma in Italian") {
   const std::regex point("[0-9][.][0-9]");
   for (const Typed& words : all_texts()) {

@@ -206,6 +206,7 @@ TEST_CASE("four-bar: the impossible is one clear sentence and exit code 2", "[fo
       {{"AB=0.2", "AC=0.1", "B0B=0.1"},
        {"does not close", "30°", "AB + B₀B = 0.3 m", "too short by 0.0889 m",
         "; it closes from -125.732° to -40.8108° and from 124.078° to 208.999°"}},
+      {{"A0A=1", "AB=2", "B0B=1", "x_B0=4", "y_B0=0", "AC=1", "t=0.3"}, {"; it closes at 0° only"}},
       {{"AB=0.9", "B0B=0.4", "x_B0=-0.3", "y_B0=0"}, {"differ by 0.5 m", "; it closes at no angle"}},
       // By 1e-19 of a metre, which no double between the two lengths shows.
       {{"A0A=1", "AB=2.9999999999999999999", "B0B=1", "x_B0=5", "y_B0=0", "t=0.6", "C_side=left", "AC=1"},
