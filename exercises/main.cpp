@@ -6,6 +6,7 @@
 #include <string>
 
 #include "exercises/cli/run.h"
+#include "exercises/want_of_room.h"
 
 namespace {
 
@@ -27,6 +28,7 @@ int main(int count, char** words) {
   mallopt(M_MMAP_THRESHOLD, 64 << 20);
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
   mallopt(M_TOP_PAD, 1 << 20);
+  epure::end_as_told_for_want_of_room();
   std::ios::sync_with_stdio(false);  // else a signal would end a write, where now it is repeated
   const char* const language = std::getenv("EPURE_LANG");
   return epure::run_cli(epure::catalogue(), {words + 1, words + count}, std::cout, std::cerr,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "drawings/text.h"
+
 namespace epure {
 namespace {
 
@@ -52,7 +54,8 @@ Fit fit_lengths(const drawings::Box& room, const SheetRequest& request, double a
     throw DoesNotFit(format_words(
         "at scale {} the figure takes {:.0f} x {:.0f} mm, but this sheet has {:.0f} x {:.0f} mm for it; {} would fit",
         "in scala {} la figura occupa {:.0f} x {:.0f} mm, ma questa tavola ne ha {:.0f} x {:.0f}; andrebbe bene {}",
-        asked.caption, extent.width(), extent.height(), room.width(), room.height(), largest.scale.caption));
+        drawings::plain(asked.caption), extent.width(), extent.height(), room.width(), room.height(),
+        drawings::plain(largest.scale.caption)));
   }
   return Fit{asked, origin_in(room, extent)};
 }

@@ -47,13 +47,13 @@ Decimal read_any_unit(const std::string& text, const std::string& unit) {
   return number;
 }
 
-// Far from where doubles overflow, as for givens.
+// Far from where doubles overflow, and beyond all that comes of the largest givens.
 Decimal read_measured(const std::string& text, const std::string& unit) {
   Decimal number = read_any_unit(text, unit);
-  const Rational largest = geometry::parse_given("1e12", "1");
+  const Rational largest = geometry::parse_given("1e60", "1");
   if (CGAL::abs(number.value) > largest || number.half_unit > largest)
-    throw geometry::BadGiven(format_words("\"{}\" must lie between -1e12 and 1e12{}",
-                                          "\"{}\" dev'essere tra -1e12 e 1e12{}", text.substr(0, 60),
+    throw geometry::BadGiven(format_words("\"{}\" must lie between -1e60 and 1e60{}",
+                                          "\"{}\" dev'essere tra -1e60 e 1e60{}", text.substr(0, 60),
                                           unit == "1" ? std::string() : " " + unit));
   return number;
 }

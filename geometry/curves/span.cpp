@@ -91,7 +91,10 @@ class SpanTracer {
 }  // namespace
 
 SpanTrace trace_span(const SpannedCurve& curve, double from, double to, double tolerance) {
-  assert(std::isfinite(from) && std::isfinite(to) && from < to && "a span without length");
+  assert(std::isfinite(from) && std::isfinite(to) && from <= to && "a span that runs backwards");
+  if (from == to)
+    throw Undecided("the ends of a curve are one double, which cannot tell its course",
+                    "gli estremi di una curva sono un solo double, che non può dirne l'andamento");
   assert(tolerance > 0 && "a tolerance that is not positive");
   const Arithmetic<Bounded> scope;
   return SpanTracer(curve, to, tolerance).from(from);

@@ -62,6 +62,10 @@ for name in /dev/stdout /dev/fd/1 /proc/self/fd/1 /proc/self/../self/fd/1 link.p
 done
 expect 'a link to standard output stays one' '/dev/stdout' "$(readlink link.pdf)"
 
+(ulimit -f 4; "$epure" check "$first" --json > large 2> said)
+expect 'a standard output that grows too large is exit 3' 3 $?
+expect 'and said in one line' 1 "$(grep -c '^epure: ' said)"
+
 # Little room is refused before GLib meets its end, which would be a trap: 110 MB are now and then enough, so a program
 # that tries is seen. Where the sanitisers take more than that to start, nothing can be said.
 for bytes in 80000000 110000000; do

@@ -62,6 +62,18 @@ TEST_CASE("all lengths at the ends of their range, together", "[limits]") {
     }
 }
 
+// Curves of which a double sees one point.
+TEST_CASE("a circle that rolls in another of all but its size", "[limits]") {
+  const std::vector<std::vector<std::string>> all{{"r=1", "R=1.00000000000000001", "d=1"},
+                                                  {"r=999999999999.99999999", "R=1e12", "d=1e12"},
+                                                  {"r=1", "R=1.00000001", "d=1", "phi=1e12"}};
+  for (const auto& givens : all) {
+    std::vector<std::string> words{"check", "roulette", "--json", "--set", "how=circle_inside_circle"};
+    for (const std::string& given : givens) words.insert(words.end(), {"--set", given});
+    is_answered(words);
+  }
+}
+
 TEST_CASE("the smallest and the largest scale, on every sheet", "[limits]") {
   const Scratch scratch;
   for (const Listed& exercise : catalogue())
