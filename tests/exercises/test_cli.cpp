@@ -71,7 +71,7 @@ TEST_CASE("what is no command is refused in one sentence") {
   refused({"check", "triangle", "--json=x"}, "--json takes no value");
   refused({""}, "\"\" is nothing epure can do");
   refused({"draw", ""}, "there is no exercise \"\"");
-  refused({"--lang", "it", "help"}, "--lang follows the verb: epure VERB --lang");
+  refused({"--lang", "it", "help"}, "--lang segue il verbo: epure VERBO --lang");
   refused({"help", "dra"}, "\"dra\" is nothing epure can do; did you mean draw?");
   refused({"list", "--lang"}, "--lang needs a value");
   refused({"list", "triangle", "triangle"}, "one exercise at a time");
