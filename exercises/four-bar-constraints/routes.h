@@ -114,6 +114,14 @@ struct Routes {
     throw geometry::Undecided("on which side of -x a link points", "da quale parte di -x sia rivolto un membro");
   }
 
+  // Near a limit position the iteration, in doubles, may end where more digits lead on to the other branch.
+  template <class T>
+  void demand_same_branch(const T& determinant) const {
+    const bool is_left = of.instant.side == geometry::Side::left;
+    if (geometry::sign(determinant) != (is_left ? geometry::Sign::negative : geometry::Sign::positive))
+      throw geometry::Undecided("to which branch the iteration leads", "a quale ramo porti l'iterazione");
+  }
+
   template <class T>
   void write_by_constraints(Ledger<T>& ledger) const {
     if constexpr (signs_only<T>) {
@@ -123,6 +131,7 @@ struct Routes {
       try {
         const auto q =
             geometry::analytic::configuration<T>(of.instant.analytic_lengths(), crank_of<T>(of.instant), of.run);
+        demand_same_branch(q.determinant);
         const Found<T> found = by_constraints<T>(of.instant, q);
         write_configuration(ledger, within_turn(q.theta_3, back.coupler), within_turn(q.theta_4, back.rocker),
                             q.determinant);

@@ -74,6 +74,13 @@ TEST_CASE("a circle that rolls in another of all but its size", "[limits]") {
   }
 }
 
+// Doubles end between the two branches: coupler and rocker are folded for them.
+TEST_CASE("an iteration that doubles cannot lead to a branch", "[limits]") {
+  is_answered({"check", "four-bar-constraints", "--json", "--set", "A0B0=1.0000000000000001", "--set", "A0A=1",
+               "--set", "AB=1", "--set", "B0B=1", "--set", "phi=0", "--set", "theta_3_start=1", "--set",
+               "theta_4_start=0"});
+}
+
 TEST_CASE("the smallest and the largest scale, on every sheet", "[limits]") {
   const Scratch scratch;
   for (const Listed& exercise : catalogue())
