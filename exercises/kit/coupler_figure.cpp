@@ -36,18 +36,19 @@ CouplerFigure coupler_figure(const MechanismFigure& mechanism, const geometry::P
   CouplerFigure figure{.mechanism = &mechanism};
   figure.omega_3 = to_double(motion.omega);
   figure.alpha_3 = to_double(motion.alpha);
-  figure.P0 = to_double(motion.pole());
-  figure.J = to_double(motion.inflection_pole());
-  figure.K = to_double(motion.acceleration_pole());
+  const double reach = mechanism.reach();
+  figure.P0 = to_double(motion.pole(), reach);
+  figure.J = to_double(motion.inflection_pole(), reach);
+  figure.K = to_double(motion.acceleration_pole(), reach);
   figure.inflection = to_double(motion.inflection_circle());
   figure.stationarity = to_double(motion.stationarity_circle());
   for (const FollowedPoint& X : points) {
     figure.points.push_back({.letter = X.letter,
-                             .at = to_double(X.at),
+                             .at = to_double(X.at, reach),
                              .v = to_double(motion.velocity(X.at)),
                              .a = to_double(motion.acceleration(X.at)),
-                             .on_circle = to_double(motion.on_inflection_circle(X.at)),
-                             .centre = to_double(motion.centre_of_curvature(X.at)),
+                             .on_circle = to_double(motion.on_inflection_circle(X.at), reach),
+                             .centre = X.guided ? std::nullopt : to_double(motion.centre_of_curvature(X.at), reach),
                              .symbol = X.symbol});
   }
   return figure;

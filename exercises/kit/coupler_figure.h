@@ -51,6 +51,7 @@ struct FollowedPoint {
   std::string letter;
   geometry::Point<geometry::Deep> at;
   std::string symbol = {};
+  bool guided = false;  // along a straight line: no centre of curvature, which no number of bits would prove
 };
 CouplerFigure coupler_figure(const MechanismFigure& mechanism, const geometry::PlaneMotion<geometry::Deep>& motion,
                              const std::vector<FollowedPoint>& points);

@@ -105,7 +105,8 @@ std::unique_ptr<Drawn> drawn(const SliderCrankInstant& instant) {
                                                 .omega_2 = to_double(omega_2),
                                                 .mechanism = {position, sign_of(instant.n)},
                                                 .coupler = {}});
-    figure->coupler = coupler_figure(figure->mechanism, motion, {{"A", at.A}, {"B", at.B}, {"C", at.C}, {"M", at.M}});
+    figure->coupler =
+        coupler_figure(figure->mechanism, motion, {{"A", at.A}, {"B", at.B, {}, true}, {"C", at.C}, {"M", at.M}});
     figure->coupler.builders = builders(at);
     figure->a_A_n = to_double(-(geometry::square(omega_2) * crank));
     figure->a_A_t = to_double(alpha_2 * geometry::quarter_turn(crank));

@@ -138,6 +138,7 @@ Configuration<T> at(Configuration<T> q, const Pair<T>& y) {
   return q;
 }
 
+inline bool may_be_zero(const Deep& x) { return x.may_be_zero(); }
 template <class T>
 bool may_be_zero(const T& x) {
   return sign(x) == Sign::zero || sign(x) == Sign::undecided;
@@ -146,7 +147,8 @@ bool may_be_zero(const T& x) {
 // |x| <= bound is proved with strict inequality.
 template <class T>
 bool is_within(const T& x, const T& bound) {
-  return sign(bound - x) == Sign::positive && sign(bound + x) == Sign::positive;
+  const auto is_positive = [](const T& room) { return !may_be_zero(room) && sign(room) == Sign::positive; };
+  return is_positive(bound - x) && is_positive(bound + x);
 }
 
 // An upper bound of |x|, twice over: room for the next step to land inside.

@@ -101,6 +101,10 @@ Bounded involute(const Bounded& tangent) {
 
 Deep involute(const Deep& tangent) {
   if (sign(tangent) == Sign::zero) return tangent;
+  if (tangent.is_interval()) {
+    const Arithmetic<Bounded> rounding;
+    return Deep::from_bounded(involute(tangent.interval()));
+  }
   const long bits = Arithmetic<Deep>::bits();
   Float lower, upper;
   arb_get_lbound_arf(lower.value, tangent.ball(), 2 * bits);

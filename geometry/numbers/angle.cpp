@@ -20,6 +20,11 @@ Rational floor_of(const Rational& x) {
 int sign_of(const Angle& angle) {
   if (angle.turns == 0) return static_cast<int>(CGAL::sign(angle.radians));
   if (angle.radians == 0) return static_cast<int>(CGAL::sign(angle.turns));
+  {
+    const Arithmetic<Bounded> scope;
+    if (const Sign decided = sign(radians<Bounded>(angle)); decided != Sign::undecided)
+      return static_cast<int>(decided);
+  }
   // Not zero, because π is irrational: some number of bits tells.
   for (long bits = 128;; bits *= 2) {
     const Arithmetic<Deep> scope(bits);

@@ -54,7 +54,7 @@ Bounded sine<Bounded>(const Turn& turn);
 // The hull of the angles of the box, at most 1 ulp beyond each end. Throws Undecided also for an infinite end.
 Bounded arc_tangent(const Bounded& y, const Bounded& x);
 
-// 1 ulp wide for an angle that is a point, never beyond [-1, 1]. Throw Undecided for an infinite end.
+// At most 2 ulp wide for an angle that is a point, never beyond [-1, 1]. Throw Undecided for an infinite end.
 Bounded cosine_of_angle(const Bounded& angle);
 Bounded sine_of_angle(const Bounded& angle);
 

@@ -1,20 +1,35 @@
 #include "geometry/numbers/deep.h"
 
 #include "geometry/numbers/ball.h"
+#include "geometry/numbers/bounded.h"
 #include "geometry/numbers/round_to_nearest.h"
 #include "geometry/numbers/turn.h"
 
 #include <cassert>
 #include <cmath>
+#include <new>
+#include <utility>
 
 namespace epure::geometry {
 
 namespace {
 
 thread_local long working_bits = 0;  // 0: no scope is open
+constexpr long doubles = -1;
 
 void require_finite(const arb_t ball) {
   if (!arb_is_finite(ball)) throw Undecided("a ball without bounds", "un numero con raggio d'errore infinito");
+}
+
+// What Bounded leaves open takes more bits.
+template <class Function>
+Bounded interval_of(const Function& function) {
+  const Arithmetic<Bounded> rounding;
+  try {
+    return function();
+  } catch (const Undecided&) {
+    throw TooCoarse{};
+  }
 }
 
 }  // namespace
@@ -24,15 +39,71 @@ Arithmetic<Deep>::Arithmetic(long bits) : outer_bits_(working_bits) {
   working_bits = bits;
 }
 
+Arithmetic<Deep>::Arithmetic(InDoubles) : outer_bits_(working_bits) { working_bits = doubles; }
+
 Arithmetic<Deep>::~Arithmetic() { working_bits = outer_bits_; }
 
+bool Arithmetic<Deep>::is_in_doubles() { return working_bits == doubles; }
+
 long Arithmetic<Deep>::bits() {
-  assert(working_bits > 0 && "Deep is used without an Arithmetic<Deep> scope");
+  assert(working_bits != 0 && "Deep is used without an Arithmetic<Deep> scope");
+  if (is_in_doubles()) throw TooCoarse{};
   return working_bits;
+}
+
+Deep::Deep(int value) : interval_(value), is_interval_(Arithmetic<Deep>::is_in_doubles()) {
+  if (is_interval_) return;
+  arb_init(ball_);
+  if (value != 0) arb_set_si(ball_, value);
+}
+
+Deep::Deep(const Deep& other)
+    : interval_(other.is_interval_ ? other.interval_ : 0), is_interval_(other.is_interval_) {
+  if (is_interval_) return;
+  arb_init(ball_);
+  arb_set(ball_, other.ball_);
+}
+
+Deep::Deep(Deep&& other) noexcept
+    : interval_(other.is_interval_ ? other.interval_ : 0), is_interval_(other.is_interval_) {
+  if (is_interval_) return;
+  arb_init(ball_);
+  arb_swap(ball_, other.ball_);
+}
+
+Deep& Deep::operator=(const Deep& other) { return *this = Deep(other); }
+
+Deep& Deep::operator=(Deep&& other) noexcept {
+  if (!is_interval_ && !other.is_interval_) {
+    arb_swap(ball_, other.ball_);
+  } else if (this != &other) {
+    this->~Deep();
+    new (this) Deep(std::move(other));
+  }
+  return *this;
+}
+
+Deep::~Deep() {
+  if (!is_interval_) arb_clear(ball_);
+}
+
+const arb_struct* Deep::ball() const {
+  if (is_interval_) throw TooCoarse{};
+  return ball_;
+}
+
+const Bounded& Deep::interval() const {
+  if (!is_interval_) throw TooCoarse{};
+  return interval_;
+}
+
+bool Deep::may_be_zero() const {
+  return is_interval_ ? interval_.inf() <= 0 && interval_.sup() >= 0 : arb_contains_zero(ball_) != 0;
 }
 
 Deep Deep::from_double(double value) {
   assert(std::isfinite(value));
+  if (Arithmetic<Deep>::is_in_doubles()) return Deep(Bounded(value));
   Deep result;
   arb_set_d(result.ball_, value);
   return result;
@@ -40,6 +111,7 @@ Deep Deep::from_double(double value) {
 
 Deep Deep::from_bounded(const Bounded& value) {
   assert(std::isfinite(value.inf()) && std::isfinite(value.sup()));
+  if (Arithmetic<Deep>::is_in_doubles()) return Deep(value);
   Deep result;
   Float lower, upper;
   arf_set_d(lower.value, value.inf());
@@ -50,47 +122,73 @@ Deep Deep::from_bounded(const Bounded& value) {
 
 Deep Deep::from_ball(const arb_t ball) {
   require_finite(ball);
+  if (Arithmetic<Deep>::is_in_doubles()) throw TooCoarse{};
   Deep result;
   arb_set(result.ball_, ball);
   return result;
 }
 
 Deep& Deep::operator+=(const Deep& other) {
-  arb_add(ball_, ball_, other.ball_, Arithmetic<Deep>::bits());
+  if (is_interval_)
+    interval_ = interval_of([&] { return interval_ + other.interval(); });
+  else
+    arb_add(ball_, ball_, other.ball(), Arithmetic<Deep>::bits());
   return *this;
 }
 
 Deep& Deep::operator-=(const Deep& other) {
-  arb_sub(ball_, ball_, other.ball_, Arithmetic<Deep>::bits());
+  if (is_interval_)
+    interval_ = interval_of([&] { return interval_ - other.interval(); });
+  else
+    arb_sub(ball_, ball_, other.ball(), Arithmetic<Deep>::bits());
   return *this;
 }
 
 Deep& Deep::operator*=(const Deep& other) {
-  arb_mul(ball_, ball_, other.ball_, Arithmetic<Deep>::bits());
+  if (is_interval_)
+    interval_ = interval_of([&] { return interval_ * other.interval(); });
+  else
+    arb_mul(ball_, ball_, other.ball(), Arithmetic<Deep>::bits());
   return *this;
 }
 
 Deep& Deep::operator/=(const Deep& other) {
-  if (arb_contains_zero(other.ball_))
+  if (is_interval_) {
+    interval_ = interval_of([&] { return geometry::quotient(interval_, other.interval()); });
+    return *this;
+  }
+  if (arb_contains_zero(other.ball()))
     throw Undecided("division by a ball that contains zero", "divisione per un intervallo che contiene lo zero");
-  arb_div(ball_, ball_, other.ball_, Arithmetic<Deep>::bits());
+  arb_div(ball_, ball_, other.ball(), Arithmetic<Deep>::bits());
   require_finite(ball_);
   return *this;
 }
 
 Deep Deep::operator-() const {
+  if (is_interval_) return Deep(-interval_);
   Deep result;
   arb_neg(result.ball_, ball_);
   return result;
 }
 
 Sign sign(const Deep& x) {
+  if (x.is_interval()) {
+    const Sign decided = sign(x.interval());
+    if (decided == Sign::undecided) throw TooCoarse{};
+    return decided;
+  }
   if (arb_is_positive(x.ball())) return Sign::positive;
   if (arb_is_negative(x.ball())) return Sign::negative;
   return arb_is_zero(x.ball()) ? Sign::zero : Sign::undecided;
 }
 
 namespace {
+
+// Of what is found by Bounded in a scope in doubles.
+template <class Function>
+Deep in_interval(const Function& function) {
+  return Deep::from_bounded(interval_of(function));
+}
 
 // Runs one of Arb's functions on a fresh ball, rounding to nearest, and takes the result.
 template <class Function>
@@ -113,11 +211,13 @@ void cosine_of_half_turns(arb_t result, const Rational& half_turns) {
 }  // namespace
 
 Deep root(const Deep& x) {
+  if (x.is_interval()) return in_interval([&] { return root(x.interval()); });
   assert(sign(x) != Sign::negative && "root of a number proved negative");
   return compute([&](arb_t result) { arb_sqrtpos(result, x.ball(), Arithmetic<Deep>::bits()); });
 }
 
 Deep square(const Deep& x) {
+  if (x.is_interval()) return in_interval([&] { return square(x.interval()); });
   return compute([&](arb_t result) {
     arb_sqr(result, x.ball(), Arithmetic<Deep>::bits());
     arb_nonnegative_part(result, result);
@@ -125,6 +225,7 @@ Deep square(const Deep& x) {
 }
 
 Deep arc_tangent(const Deep& y, const Deep& x) {
+  if (y.is_interval()) return in_interval([&] { return arc_tangent(y.interval(), x.interval()); });
   const Sign side = sign(y);
   const bool on_the_axis = side == Sign::zero && sign(x) == Sign::negative;
   const bool may_reach_the_cut = side == Sign::undecided || side == Sign::zero;
@@ -136,15 +237,18 @@ Deep arc_tangent(const Deep& y, const Deep& x) {
 }
 
 Deep cosine_of_angle(const Deep& angle) {
+  if (angle.is_interval()) return in_interval([&] { return cosine_of_angle(angle.interval()); });
   return compute([&](arb_t result) { arb_cos(result, angle.ball(), Arithmetic<Deep>::bits()); });
 }
 
 Deep sine_of_angle(const Deep& angle) {
+  if (angle.is_interval()) return in_interval([&] { return sine_of_angle(angle.interval()); });
   return compute([&](arb_t result) { arb_sin(result, angle.ball(), Arithmetic<Deep>::bits()); });
 }
 
 template <>
 Deep from_rational<Deep>(const Rational& value) {
+  if (Arithmetic<Deep>::is_in_doubles()) return in_interval([&] { return from_rational<Bounded>(value); });
   return compute([&](arb_t result) {
     fmpq_t fraction;
     fmpq_init(fraction);
@@ -156,11 +260,13 @@ Deep from_rational<Deep>(const Rational& value) {
 
 template <>
 Deep pi<Deep>() {
+  if (Arithmetic<Deep>::is_in_doubles()) return in_interval([] { return pi<Bounded>(); });
   return compute([](arb_t result) { arb_const_pi(result, Arithmetic<Deep>::bits()); });
 }
 
 template <>
 Deep cosine<Deep>(const Turn& turn) {
+  if (Arithmetic<Deep>::is_in_doubles()) return in_interval([&] { return cosine<Bounded>(turn); });
   if (const auto known = rational_cosine(turn)) return from_rational<Deep>(*known);
   const Rational half_turns = Rational(2) * within_one_turn(turn).fraction;
   return compute([&](arb_t result) { cosine_of_half_turns(result, half_turns); });

@@ -1,6 +1,7 @@
 #include "geometry/numbers/enclosure.h"
 
 #include "geometry/numbers/ball.h"
+#include "geometry/numbers/bounded.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,7 @@ Enclosure enclosure(const Bounded& x) {
 Bounded midpoint(const Bounded& x) { return midpoint(x.inf(), x.sup()); }
 
 Deep midpoint(const Deep& x) {
+  if (x.is_interval()) return Deep::from_bounded(midpoint(x.interval()));
   Ball point;
   arb_get_mid_arb(point.value, x.ball());
   return Deep::from_ball(point.value);
@@ -56,6 +58,10 @@ Deep midpoint(const Deep& x) {
 Bounded widened(const Bounded& x, const Bounded& by) { return x + Bounded(-by.sup(), by.sup()); }
 
 Deep widened(const Deep& x, const Deep& by) {
+  if (x.is_interval()) {
+    const Arithmetic<Bounded> rounding;
+    return Deep::from_bounded(widened(x.interval(), by.interval()));
+  }
   Ball wide;
   arb_set(wide.value, x.ball());
   arb_add_error(wide.value, by.ball());
@@ -63,6 +69,7 @@ Deep widened(const Deep& x, const Deep& by) {
 }
 
 Bounded to_bounded(const Deep& x) {
+  if (x.is_interval()) throw TooCoarse{};
   const Ends ends(x);
   // A magnitude beyond the doubles lies between the largest double and infinity.
   const double lower = std::min(arf_get_d(ends.lower.value, ARF_RND_FLOOR), largest);
@@ -71,6 +78,7 @@ Bounded to_bounded(const Deep& x) {
 }
 
 Enclosure enclosure(const Deep& x) {
+  if (x.is_interval()) throw TooCoarse{};
   Enclosure result = enclosure(to_bounded(x));
   const double nearest = certain_double(x).value_or(arf_get_d(arb_midref(x.ball()), ARF_RND_NEAR));
   result.value = std::clamp(without_sign_of_zero(nearest), result.lower, result.upper);
@@ -78,6 +86,7 @@ Enclosure enclosure(const Deep& x) {
 }
 
 std::optional<double> certain_double(const Deep& x) {
+  if (x.is_interval()) throw TooCoarse{};
   const Ends ends(x);
   const double lower = arf_get_d(ends.lower.value, ARF_RND_NEAR);
   const double upper = arf_get_d(ends.upper.value, ARF_RND_NEAR);

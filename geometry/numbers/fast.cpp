@@ -1,5 +1,7 @@
 #include "geometry/numbers/fast.h"
 
+#include "geometry/numbers/round_to_nearest.h"
+#include "geometry/numbers/small_fraction.h"
 #include "geometry/numbers/turn.h"
 
 #include <mpfr.h>
@@ -21,6 +23,10 @@ Fast cosine_in_quadrant(const Rational& q) {
 
 template <>
 Fast from_rational<Fast>(const Rational& value) {
+  if (const auto small = small_fraction(value)) {
+    const RoundToNearest rounding;
+    return small->numerator / small->denominator;
+  }
   // MPFR does the one rounding of a 53-bit result; mpq_get_d would truncate.
   mpfr_t nearest;
   mpfr_init2(nearest, 53);

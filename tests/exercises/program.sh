@@ -45,6 +45,18 @@ expect 'drawing all exits with 0' 0 $?
 "$epure" draw all --out all_two > /dev/null
 expect 'drawing all, on all processors, writes the same bytes again' '' "$(diff -r all_one all_two 2>&1)"
 
+# Loading FLINT takes a tenth of a sheet's time: where the program can load it late, ordinary sheets do without.
+if ! ldd "$epure" | grep -q flint; then
+  for sheet in cycloid-involute/cycloid four-bar/poles four-bar-analytic/configurations four-bar-constraints/iterations \
+    pin-in-slot/kinematics rivals-polygons/velocity-of-B roulette/path slider-crank-acceleration/polar-diagram \
+    slider-crank-velocity/poles velocity-centre/velocities; do
+    LD_DEBUG=files "$epure" draw "$sheet" --out late > /dev/null 2> said
+    expect "$sheet is drawn without FLINT" 0 "$(grep -c 'calling init:.*flint' said)"
+  done
+  LD_DEBUG=files "$epure" check "$first" > /dev/null 2> said
+  expect 'and FLINT is loaded where it is needed' 1 "$(grep -c 'calling init:.*libflint[.]so' said)"
+fi
+
 "$epure" check "$first" --json > report
 expect 'checking exits with 0' 0 $?
 LC_ALL=it_IT.UTF-8 "$epure" check "$first" --json > report2

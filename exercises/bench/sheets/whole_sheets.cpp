@@ -51,7 +51,7 @@ drawings::Sheet whole_sheets(const Drawn& drawn) {
         {.runs = {{{0, 0}, {end, factor * end}}}, .meaning = drawings::Meaning::link, .line = line, .label = label});
   };
   times(1, drawn.say({"the floor itself", "il minimo stesso"}), drawings::LineType::continuous);
-  times(1.5, drawn.say({"1.5 times the floor", "1,5 volte il minimo"}), drawings::LineType::dashed);
+  times(1.3, drawn.say({"1.3 times the floor", "1,3 volte il minimo"}), drawings::LineType::dashed);
   std::vector<SheetColumn> columns{{0.27 * width, false}, {0.066 * width}, {0.066 * width}, {0.07 * width}};
   columns.resize(13, {0.0585 * width});
   const double table_height = height_of_table(rows, of_many_columns);
