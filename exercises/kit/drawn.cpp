@@ -22,7 +22,7 @@ bool is_nonzero(const Deep& x) {
 // sheet has 2^18.3 parts of 1/256 pt, and the last digit is at most 2^-34.5 of a number: so rounding moves a place by
 // 2^-17 of a part where coordinates are no larger than the sheet, and by half a part where they are 2^16 times as
 // large.
-constexpr int digits_of_a_drawing = 36;
+constexpr int digits_of_a_drawing = 40;
 
 // Among greater ones, what is so much smaller is rounded as these are: to no digit of its own where doubles, of
 // 53 digits, may know none.
