@@ -18,71 +18,49 @@ bool is_nonzero(const Deep& x) {
   return s == Sign::positive || s == Sign::negative;
 }
 
-// Drawings are made of true values rounded to so many binary digits, however they are found. The longest side of a
-// sheet has 2^18.3 parts of 1/256 pt, and the last digit is at most 2^-34.5 of a number: so rounding moves a place by
-// 2^-17 of a part where coordinates are no larger than the sheet, and by half a part where they are 2^16 times as
-// large.
-constexpr int digits_of_a_drawing = 40;
+// What is smaller than this part of what it is drawn beside is drawn as zero: so that it need not be known better.
+constexpr double least_part = 0x1p-80;
 
-// Among greater ones, what is so much smaller is rounded as these are: to no digit of its own where doubles, of
-// 53 digits, may know none.
-constexpr double least_part = 0x1p-12;
-
-// Doubles around a true value; both are the nearest to it where bits found it.
-struct Ends {
-  double lower, upper;
-  double least() const { return std::max({lower, -upper, 0.0}); }
-  double most() const { return std::max(-lower, upper); }
-};
-
-Ends ends_of(const Deep& x) {
-  if (x.is_interval()) return {x.interval().inf(), x.interval().sup()};
-  const geometry::Enclosure found = geometry::enclosure(x);
-  const double value = found.lower <= 0 && found.upper >= 0 ? 0 : found.value;
-  return {value, value};
+// 0 for what is certainly nearer to zero than `least`, or may be zero; else the double nearest to it, or to the
+// middle of a ball.
+double drawn_as(const Deep& x, double least) {
+  if (!x.is_in_doubles()) {
+    const geometry::Enclosure ends = geometry::enclosure(x);
+    const bool may_be_zero = ends.lower <= 0 && ends.upper >= 0;
+    return may_be_zero || std::abs(ends.value) < least ? 0 : ends.value;
+  }
+  const geometry::Bounded around = [&] {
+    const geometry::Arithmetic<geometry::Bounded> rounding;
+    return x.doubled().value();
+  }();
+  if (-least < around.inf() && around.sup() < least) return 0;
+  if (-least < around.sup() && around.inf() < least) throw geometry::TooCoarse{};
+  return geometry::certain_double(x).value();
 }
 
-// What a function that grows, or stays, makes of the true value's nearest double: that of both ends, where they
-// agree.
-template <class Function>
-auto of_both(double lower, double upper, const Function& function) {
-  const auto first = function(lower);
-  if (first != function(upper)) throw geometry::TooCoarse{};
-  return first;
+// Which of two is far larger is seen from any doubles near them; and where neither is, either may come first.
+double rough_size(const Deep& x) {
+  return std::abs(x.is_in_doubles() ? x.doubled().near() : geometry::enclosure(x).value);
 }
 
-// The power of two that is the last digit of numbers of this size. It is the next one's from somewhere below a power
-// of two on, where no number of few digits lies, as powers of two do: doubles that are not sure of the size climb.
-int last_digit(double size) {
-  int exponent = 0;
-  const double part = std::frexp(size, &exponent);
-  return (part < 0.73 ? exponent : exponent + 1) - digits_of_a_drawing;
-}
-
-// The first of two coordinates of one point.
-double one_of(const Ends& x, const Ends& y, double beside) {
-  const double least = std::max({x.least(), y.least(), least_part * beside});
-  const double most = std::max({x.most(), y.most(), least_part * beside});
-  if (most == 0) return 0;
-  const int digit = of_both(least, most, last_digit);
-  const double units = of_both(x.lower, x.upper, [&](double end) { return std::round(std::scalbn(end, -digit)); });
-  return units == 0 ? 0 : std::scalbn(units, digit);
-}
-
-std::pair<double, double> both_of(const Deep& x, const Deep& y, double beside) {
-  const Ends of_x = ends_of(x), of_y = ends_of(y);
-  return {one_of(of_x, of_y, beside), one_of(of_y, of_x, beside)};
+std::pair<double, double> both(const Deep& x, const Deep& y, double beside) {
+  if (rough_size(x) < rough_size(y)) {
+    const auto [first, second] = both(y, x, beside);
+    return {second, first};
+  }
+  const double larger = drawn_as(x, least_part * beside);
+  return {larger, drawn_as(y, least_part * std::max(beside, std::abs(larger)))};
 }
 
 }  // namespace
 
-double to_double(const Deep& x) { return one_of(ends_of(x), {0, 0}, 0); }
+double to_double(const Deep& x) { return drawn_as(x, 0); }
 Place to_double(const geometry::Point<Deep>& P, double beside) {
-  const auto [x, y] = both_of(P.x, P.y, beside);
+  const auto [x, y] = both(P.x, P.y, beside);
   return {x, y};
 }
 Arrow2 to_double(const geometry::Vector<Deep>& v) {
-  const auto [x, y] = both_of(v.x, v.y, 0);
+  const auto [x, y] = both(v.x, v.y, 0);
   return {x, y};
 }
 

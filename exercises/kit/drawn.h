@@ -8,10 +8,9 @@
 
 namespace epure {
 
-// The true value rounded to the digits of a drawing, which are fewer than a double has: so doubles are mostly enough
-// to find it, and where they are not, to say so (by TooCoarse). Zero when 256 bits leave open whether it is zero. A
-// point's coordinates have their last digit in common, and so have points with what they are drawn beside, such as
-// the length of a mechanism, unless they are much larger.
+// The double nearest to the true value: from a scope in doubles only if it is certain, else it throws TooCoarse. Zero
+// when a ball may be zero. Of a point or vector, zero too for a coordinate below 2^-80 of the other, or of what the
+// point is drawn beside, such as the length of a mechanism.
 double to_double(const geometry::Deep& x);
 Place to_double(const geometry::Point<geometry::Deep>& P, double beside = 0);
 Arrow2 to_double(const geometry::Vector<geometry::Deep>& v);
@@ -29,30 +28,10 @@ struct DrawnCycle {
 };
 DrawnCycle to_double(const geometry::Cycle<geometry::Deep>& cycle);
 
-// While one lives, this thread draws with 256 bits from the start: what drawings in doubles are held against.
-class WithBits {
- public:
-  WithBits() { is_on_ = true; }
-  ~WithBits() { is_on_ = false; }
-  WithBits(const WithBits&) = delete;
-  WithBits& operator=(const WithBits&) = delete;
-  static bool is_on() { return is_on_; }
-
- private:
-  inline static thread_local bool is_on_ = false;
-};
-
-// Runs `find`, which works on Deep, as precisely as drawings need: in doubles, and where these do not suffice with
-// 256 bits. So it may run twice.
+// Runs `find`, which works on Deep, at the precision drawings are made with.
 template <class Find>
 auto deeply(const Find& find) {
-  if (!WithBits::is_on()) try {
-      const geometry::Arithmetic<geometry::Deep> doubles(geometry::in_doubles);
-      return find();
-    } catch (const geometry::TooCoarse&) {
-    }
-  const geometry::Arithmetic<geometry::Deep> bits(256);
-  return find();
+  return geometry::doubles_first(256, find);
 }
 
 }  // namespace epure

@@ -5,6 +5,7 @@
 #include "geometry/gears/tooth_thickness.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace epure::geometry {
 namespace {
@@ -231,10 +232,12 @@ class Examination {
   void examine_corner(int wheel) {
     if (of_.kind != PairKind::external || has(Fault::Kind::negative_clearance)) return;
     try {
-      const Arithmetic<Deep> scope(128);
-      const Deep room = corner_room(of_, wheel);
-      if (sign(room) == Sign::negative)
-        faults_.push_back({Fault::Kind::corner_in_root, wheel, enclosure(room).value});
+      const auto missing = doubles_first(128, [&]() -> std::optional<double> {
+        const Deep room = corner_room(of_, wheel);
+        if (sign(room) != Sign::negative) return {};
+        return enclosure(room).value;
+      });
+      if (missing) faults_.push_back({Fault::Kind::corner_in_root, wheel, *missing});
     } catch (const Impossible&) {  // no outline, which other faults say; or no corner so deep
     } catch (const Undecided&) {
     }

@@ -101,10 +101,7 @@ Bounded involute(const Bounded& tangent) {
 
 Deep involute(const Deep& tangent) {
   if (sign(tangent) == Sign::zero) return tangent;
-  if (tangent.is_interval()) {
-    const Arithmetic<Bounded> rounding;
-    return Deep::from_bounded(involute(tangent.interval()));
-  }
+  if (tangent.is_in_doubles()) return tangent - arc_tangent(tangent, Deep(1));
   const long bits = Arithmetic<Deep>::bits();
   Float lower, upper;
   arb_get_lbound_arf(lower.value, tangent.ball(), 2 * bits);
@@ -150,8 +147,9 @@ Deep tangent_of_involute(const Deep& involute_value) {
     return (involute(from) - value) * (Deep(1) + quotient(Deep(1), square(from)));
   };
   // Every step doubles the digits, of which a double has some 50.
-  for (long bits = 40; bits < Arithmetic<Deep>::bits(); bits *= 2) near = midpoint(near - step(near, middle));
-  const Bounded last = to_bounded(step(near, involute_value));
+  if (!Arithmetic<Deep>::is_in_doubles())
+    for (long bits = 40; bits < Arithmetic<Deep>::bits(); bits *= 2) near = midpoint(near - step(near, middle));
+  const Bounded last = loose_bounds(step(near, involute_value));
   const double most = std::max(-last.inf(), last.sup());
   return proved(near, involute_value, Deep(2) * Deep::from_double(most));
 }

@@ -39,20 +39,21 @@ Deep rack_position(const PairData& of, const GearPair<Deep>& pair, const Deep& x
 
 MeshAngles mesh_angles(const PairData& of, double position) {
   const Arithmetic<Bounded> scope;
-  const Arithmetic<Deep> deep_scope(bits_of_contact);
-  const GearPair<Deep> pair = gear_pair<Deep>(of);
-  const Deep xi = Deep::from_double(position);
-  const auto second = [&]() -> Deep {
-    switch (of.kind) {
-      case PairKind::rack:
-        return rack_position(of, pair, xi);
-      case PairKind::internal:
-        return ring_flank(contact(pair, 2), xi);
-      default:  // half a turn about P0 exchanges the wheels, approach and recess
-        return pi<Deep>() + left_flank(contact(pair, 2), -xi);
-    }
-  };
-  return {enclosure(left_flank(contact(pair, 1), xi)).value, enclosure(second()).value};
+  return doubles_first(bits_of_contact, [&]() -> MeshAngles {
+    const GearPair<Deep> pair = gear_pair<Deep>(of);
+    const Deep xi = Deep::from_double(position);
+    const auto second = [&]() -> Deep {
+      switch (of.kind) {
+        case PairKind::rack:
+          return rack_position(of, pair, xi);
+        case PairKind::internal:
+          return ring_flank(contact(pair, 2), xi);
+        default:  // half a turn about P0 exchanges the wheels, approach and recess
+          return pi<Deep>() + left_flank(contact(pair, 2), -xi);
+      }
+    };
+    return {enclosure(left_flank(contact(pair, 1), xi)).value, enclosure(second()).value};
+  });
 }
 
 MeshCentres mesh_centres(const PairData& of) {

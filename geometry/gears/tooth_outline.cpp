@@ -180,10 +180,11 @@ ToothOutline tooth_outline(const PairData& of, int wheel, double tolerance) {
   assert((wheel == 1 || wheel == 2) && "wheel 1 or 2");
   assert(tolerance > 0 && "a tolerance that is not positive");
   const Arithmetic<Bounded> scope;
-  const Arithmetic<Deep> deep_scope(bits_of_outline);
   const Rational back = Rational(tolerance) / 2;
-  if (wheel == 2 && of.kind == PairKind::rack) return rack_tooth(rack_form<Deep>(of, back), tolerance);
-  return wheel_tooth(tooth_form(of, wheel, back), tolerance);
+  return doubles_first(bits_of_outline, [&] {
+    if (wheel == 2 && of.kind == PairKind::rack) return rack_tooth(rack_form<Deep>(of, back), tolerance);
+    return wheel_tooth(tooth_form(of, wheel, back), tolerance);
+  });
 }
 
 }  // namespace epure::geometry

@@ -21,9 +21,9 @@ void require_finite(const arb_t ball) {
   if (!arb_is_finite(ball)) throw Undecided("a ball without bounds", "un numero con raggio d'errore infinito");
 }
 
-// What Bounded leaves open takes more bits.
+// What doubles leave open takes more bits.
 template <class Function>
-Bounded interval_of(const Function& function) {
+Doubled doubled_of(const Function& function) {
   const Arithmetic<Bounded> rounding;
   try {
     return function();
@@ -51,22 +51,22 @@ long Arithmetic<Deep>::bits() {
   return working_bits;
 }
 
-Deep::Deep(int value) : interval_(value), is_interval_(Arithmetic<Deep>::is_in_doubles()) {
-  if (is_interval_) return;
+Deep::Deep(int value) : doubled_(value), is_in_doubles_(Arithmetic<Deep>::is_in_doubles()) {
+  if (is_in_doubles_) return;
   arb_init(ball_);
   if (value != 0) arb_set_si(ball_, value);
 }
 
 Deep::Deep(const Deep& other)
-    : interval_(other.is_interval_ ? other.interval_ : 0), is_interval_(other.is_interval_) {
-  if (is_interval_) return;
+    : doubled_(other.is_in_doubles_ ? other.doubled_ : 0), is_in_doubles_(other.is_in_doubles_) {
+  if (is_in_doubles_) return;
   arb_init(ball_);
   arb_set(ball_, other.ball_);
 }
 
 Deep::Deep(Deep&& other) noexcept
-    : interval_(other.is_interval_ ? other.interval_ : 0), is_interval_(other.is_interval_) {
-  if (is_interval_) return;
+    : doubled_(other.is_in_doubles_ ? other.doubled_ : 0), is_in_doubles_(other.is_in_doubles_) {
+  if (is_in_doubles_) return;
   arb_init(ball_);
   arb_swap(ball_, other.ball_);
 }
@@ -74,7 +74,7 @@ Deep::Deep(Deep&& other) noexcept
 Deep& Deep::operator=(const Deep& other) { return *this = Deep(other); }
 
 Deep& Deep::operator=(Deep&& other) noexcept {
-  if (!is_interval_ && !other.is_interval_) {
+  if (!is_in_doubles_ && !other.is_in_doubles_) {
     arb_swap(ball_, other.ball_);
   } else if (this != &other) {
     this->~Deep();
@@ -84,26 +84,29 @@ Deep& Deep::operator=(Deep&& other) noexcept {
 }
 
 Deep::~Deep() {
-  if (!is_interval_) arb_clear(ball_);
+  if (!is_in_doubles_) arb_clear(ball_);
 }
 
 const arb_struct* Deep::ball() const {
-  if (is_interval_) throw TooCoarse{};
+  if (is_in_doubles_) throw TooCoarse{};
   return ball_;
 }
 
-const Bounded& Deep::interval() const {
-  if (!is_interval_) throw TooCoarse{};
-  return interval_;
+const Doubled& Deep::doubled() const {
+  if (!is_in_doubles_) throw TooCoarse{};
+  return doubled_;
 }
 
 bool Deep::may_be_zero() const {
-  return is_interval_ ? interval_.inf() <= 0 && interval_.sup() >= 0 : arb_contains_zero(ball_) != 0;
+  if (!is_in_doubles_) return arb_contains_zero(ball_) != 0;
+  const Arithmetic<Bounded> rounding;
+  const Sign known = geometry::sign(doubled_);
+  return known == Sign::undecided || known == Sign::zero;
 }
 
 Deep Deep::from_double(double value) {
   assert(std::isfinite(value));
-  if (Arithmetic<Deep>::is_in_doubles()) return Deep(Bounded(value));
+  if (Arithmetic<Deep>::is_in_doubles()) return Deep(Doubled(value));
   Deep result;
   arb_set_d(result.ball_, value);
   return result;
@@ -111,7 +114,7 @@ Deep Deep::from_double(double value) {
 
 Deep Deep::from_bounded(const Bounded& value) {
   assert(std::isfinite(value.inf()) && std::isfinite(value.sup()));
-  if (Arithmetic<Deep>::is_in_doubles()) return Deep(value);
+  if (Arithmetic<Deep>::is_in_doubles()) return Deep(doubled_of([&] { return Doubled(value); }));
   Deep result;
   Float lower, upper;
   arf_set_d(lower.value, value.inf());
@@ -129,32 +132,32 @@ Deep Deep::from_ball(const arb_t ball) {
 }
 
 Deep& Deep::operator+=(const Deep& other) {
-  if (is_interval_)
-    interval_ = interval_of([&] { return interval_ + other.interval(); });
+  if (is_in_doubles_)
+    doubled_ = doubled_of([&] { return doubled_ + other.doubled(); });
   else
     arb_add(ball_, ball_, other.ball(), Arithmetic<Deep>::bits());
   return *this;
 }
 
 Deep& Deep::operator-=(const Deep& other) {
-  if (is_interval_)
-    interval_ = interval_of([&] { return interval_ - other.interval(); });
+  if (is_in_doubles_)
+    doubled_ = doubled_of([&] { return doubled_ - other.doubled(); });
   else
     arb_sub(ball_, ball_, other.ball(), Arithmetic<Deep>::bits());
   return *this;
 }
 
 Deep& Deep::operator*=(const Deep& other) {
-  if (is_interval_)
-    interval_ = interval_of([&] { return interval_ * other.interval(); });
+  if (is_in_doubles_)
+    doubled_ = doubled_of([&] { return doubled_ * other.doubled(); });
   else
     arb_mul(ball_, ball_, other.ball(), Arithmetic<Deep>::bits());
   return *this;
 }
 
 Deep& Deep::operator/=(const Deep& other) {
-  if (is_interval_) {
-    interval_ = interval_of([&] { return geometry::quotient(interval_, other.interval()); });
+  if (is_in_doubles_) {
+    doubled_ = doubled_of([&] { return doubled_ / other.doubled(); });
     return *this;
   }
   if (arb_contains_zero(other.ball()))
@@ -165,15 +168,16 @@ Deep& Deep::operator/=(const Deep& other) {
 }
 
 Deep Deep::operator-() const {
-  if (is_interval_) return Deep(-interval_);
+  if (is_in_doubles_) return Deep(-doubled_);
   Deep result;
   arb_neg(result.ball_, ball_);
   return result;
 }
 
 Sign sign(const Deep& x) {
-  if (x.is_interval()) {
-    const Sign decided = sign(x.interval());
+  if (x.is_in_doubles()) {
+    const Arithmetic<Bounded> rounding;
+    const Sign decided = sign(x.doubled());
     if (decided == Sign::undecided) throw TooCoarse{};
     return decided;
   }
@@ -184,10 +188,9 @@ Sign sign(const Deep& x) {
 
 namespace {
 
-// Of what is found by Bounded in a scope in doubles.
 template <class Function>
-Deep in_interval(const Function& function) {
-  return Deep::from_bounded(interval_of(function));
+Deep in_two_doubles(const Function& function) {
+  return Deep::from_doubled(doubled_of(function));
 }
 
 // Runs one of Arb's functions on a fresh ball, rounding to nearest, and takes the result.
@@ -211,13 +214,13 @@ void cosine_of_half_turns(arb_t result, const Rational& half_turns) {
 }  // namespace
 
 Deep root(const Deep& x) {
-  if (x.is_interval()) return in_interval([&] { return root(x.interval()); });
+  if (x.is_in_doubles()) return in_two_doubles([&] { return root(x.doubled()); });
   assert(sign(x) != Sign::negative && "root of a number proved negative");
   return compute([&](arb_t result) { arb_sqrtpos(result, x.ball(), Arithmetic<Deep>::bits()); });
 }
 
 Deep square(const Deep& x) {
-  if (x.is_interval()) return in_interval([&] { return square(x.interval()); });
+  if (x.is_in_doubles()) return in_two_doubles([&] { return square(x.doubled()); });
   return compute([&](arb_t result) {
     arb_sqr(result, x.ball(), Arithmetic<Deep>::bits());
     arb_nonnegative_part(result, result);
@@ -225,7 +228,7 @@ Deep square(const Deep& x) {
 }
 
 Deep arc_tangent(const Deep& y, const Deep& x) {
-  if (y.is_interval()) return in_interval([&] { return arc_tangent(y.interval(), x.interval()); });
+  if (y.is_in_doubles()) return in_two_doubles([&] { return arc_tangent(y.doubled(), x.doubled()); });
   const Sign side = sign(y);
   const bool on_the_axis = side == Sign::zero && sign(x) == Sign::negative;
   const bool may_reach_the_cut = side == Sign::undecided || side == Sign::zero;
@@ -237,18 +240,18 @@ Deep arc_tangent(const Deep& y, const Deep& x) {
 }
 
 Deep cosine_of_angle(const Deep& angle) {
-  if (angle.is_interval()) return in_interval([&] { return cosine_of_angle(angle.interval()); });
+  if (angle.is_in_doubles()) return in_two_doubles([&] { return cosine_of_angle(angle.doubled()); });
   return compute([&](arb_t result) { arb_cos(result, angle.ball(), Arithmetic<Deep>::bits()); });
 }
 
 Deep sine_of_angle(const Deep& angle) {
-  if (angle.is_interval()) return in_interval([&] { return sine_of_angle(angle.interval()); });
+  if (angle.is_in_doubles()) return in_two_doubles([&] { return sine_of_angle(angle.doubled()); });
   return compute([&](arb_t result) { arb_sin(result, angle.ball(), Arithmetic<Deep>::bits()); });
 }
 
 template <>
 Deep from_rational<Deep>(const Rational& value) {
-  if (Arithmetic<Deep>::is_in_doubles()) return in_interval([&] { return from_rational<Bounded>(value); });
+  if (Arithmetic<Deep>::is_in_doubles()) return in_two_doubles([&] { return doubled(value); });
   return compute([&](arb_t result) {
     fmpq_t fraction;
     fmpq_init(fraction);
@@ -260,13 +263,13 @@ Deep from_rational<Deep>(const Rational& value) {
 
 template <>
 Deep pi<Deep>() {
-  if (Arithmetic<Deep>::is_in_doubles()) return in_interval([] { return pi<Bounded>(); });
+  if (Arithmetic<Deep>::is_in_doubles()) return in_two_doubles([] { return doubled_pi(); });
   return compute([](arb_t result) { arb_const_pi(result, Arithmetic<Deep>::bits()); });
 }
 
 template <>
 Deep cosine<Deep>(const Turn& turn) {
-  if (Arithmetic<Deep>::is_in_doubles()) return in_interval([&] { return cosine<Bounded>(turn); });
+  if (Arithmetic<Deep>::is_in_doubles()) return in_two_doubles([&] { return doubled_cosine(turn); });
   if (const auto known = rational_cosine(turn)) return from_rational<Deep>(*known);
   const Rational half_turns = Rational(2) * within_one_turn(turn).fraction;
   return compute([&](arb_t result) { cosine_of_half_turns(result, half_turns); });

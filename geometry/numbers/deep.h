@@ -1,10 +1,11 @@
 // Deep: a ball (midpoint ± radius) of the Arb library that contains the true value, worked with as many bits as the
 // innermost Arithmetic<Deep> scope of the thread says. Never NaN, never infinite: what would be throws Undecided.
 //
-// In a scope in doubles it is an interval of doubles instead, so that Arb need not be there. It answers all that a
-// ball would, or throws TooCoarse: so what is found in doubles is what is found with many bits, for less work.
+// In a scope in doubles it is an interval of twice the digits of a double instead, so that Arb need not be there. It
+// answers all that a ball would, or throws TooCoarse: so what is found in doubles is what is found with many bits.
 #pragma once
 
+#include "geometry/numbers/doubled.h"
 #include "geometry/numbers/flint.h"
 #include "geometry/numbers/number.h"
 
@@ -15,7 +16,7 @@ namespace epure::geometry {
 // but who opened the scope, and opens another with more bits.
 struct TooCoarse {};
 
-// For Arithmetic<Deep>: intervals of doubles in place of balls.
+// For Arithmetic<Deep>: enclosures of two doubles' digits in place of balls.
 struct InDoubles {};
 inline constexpr InDoubles in_doubles;
 
@@ -39,9 +40,10 @@ class Deep {
   // For Arb's own functions. Their precision argument is Arithmetic<Deep>::bits().
   const arb_struct* ball() const;
 
-  // Made in doubles: then it is this interval, and no ball.
-  bool is_interval() const { return is_interval_; }
-  const Bounded& interval() const;
+  // Made in doubles: then it is this, and no ball.
+  bool is_in_doubles() const { return is_in_doubles_; }
+  const Doubled& doubled() const;
+  static Deep from_doubled(const Doubled& value) { return Deep(value); }
 
   // All that is known does not exclude it. For choices that no answer depends on: in doubles, a sign that is open is
   // refused.
@@ -59,13 +61,13 @@ class Deep {
   Deep operator-() const;
 
  private:
-  explicit Deep(const Bounded& interval) : interval_(interval), is_interval_(true) {}
+  explicit Deep(const Doubled& value) : doubled_(value), is_in_doubles_(true) {}
 
   union {
-    Bounded interval_;
+    Doubled doubled_;
     arb_t ball_;
   };
-  bool is_interval_;
+  bool is_in_doubles_;
 };
 
 // The working precision of this thread while alive; the one before comes back, also when an exception passes.
@@ -85,6 +87,32 @@ class Arithmetic<Deep> {
  private:
   long outer_bits_;
 };
+
+// While one lives, doubles_first of this thread begins with bits: what is found in doubles is held against that.
+class WithBits {
+ public:
+  WithBits() { is_on_ = true; }
+  ~WithBits() { is_on_ = false; }
+  WithBits(const WithBits&) = delete;
+  WithBits& operator=(const WithBits&) = delete;
+  static bool is_on() { return is_on_; }
+
+ private:
+  inline static thread_local bool is_on_ = false;
+};
+
+// Runs `find`, which works on Deep, in doubles, and where these do not suffice with so many bits. So it may run
+// twice.
+template <class Find>
+auto doubles_first(long bits, const Find& find) {
+  if (!WithBits::is_on()) try {
+      const Arithmetic<Deep> doubles(in_doubles);
+      return find();
+    } catch (const TooCoarse&) {
+    }
+  const Arithmetic<Deep> scope(bits);
+  return find();
+}
 
 Sign sign(const Deep& x);
 Deep root(const Deep& x);

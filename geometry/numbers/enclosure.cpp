@@ -27,6 +27,12 @@ struct Ends {
   }
 };
 
+template <class Number>
+const Number& certain(const std::optional<Number>& found) {
+  if (!found) throw TooCoarse{};
+  return *found;
+}
+
 double without_sign_of_zero(double x) { return x == 0 ? 0.0 : x; }
 
 // Halves before adding, so that no finite interval overflows.
@@ -49,7 +55,7 @@ Enclosure enclosure(const Bounded& x) {
 Bounded midpoint(const Bounded& x) { return midpoint(x.inf(), x.sup()); }
 
 Deep midpoint(const Deep& x) {
-  if (x.is_interval()) return Deep::from_bounded(midpoint(x.interval()));
+  if (x.is_in_doubles()) return Deep::from_double(x.doubled().near());
   Ball point;
   arb_get_mid_arb(point.value, x.ball());
   return Deep::from_ball(point.value);
@@ -58,9 +64,9 @@ Deep midpoint(const Deep& x) {
 Bounded widened(const Bounded& x, const Bounded& by) { return x + Bounded(-by.sup(), by.sup()); }
 
 Deep widened(const Deep& x, const Deep& by) {
-  if (x.is_interval()) {
+  if (x.is_in_doubles()) {
     const Arithmetic<Bounded> rounding;
-    return Deep::from_bounded(widened(x.interval(), by.interval()));
+    return Deep::from_doubled(widened(x.doubled(), by.doubled()));
   }
   Ball wide;
   arb_set(wide.value, x.ball());
@@ -69,7 +75,10 @@ Deep widened(const Deep& x, const Deep& by) {
 }
 
 Bounded to_bounded(const Deep& x) {
-  if (x.is_interval()) throw TooCoarse{};
+  if (x.is_in_doubles()) {
+    const Arithmetic<Bounded> rounding;
+    return certain(x.doubled().certain_bounds());
+  }
   const Ends ends(x);
   // A magnitude beyond the doubles lies between the largest double and infinity.
   const double lower = std::min(arf_get_d(ends.lower.value, ARF_RND_FLOOR), largest);
@@ -77,16 +86,25 @@ Bounded to_bounded(const Deep& x) {
   return {without_sign_of_zero(lower), without_sign_of_zero(upper)};
 }
 
+Bounded loose_bounds(const Deep& x) {
+  if (!x.is_in_doubles()) return to_bounded(x);
+  const Arithmetic<Bounded> rounding;
+  return x.doubled().value();
+}
+
 Enclosure enclosure(const Deep& x) {
-  if (x.is_interval()) throw TooCoarse{};
   Enclosure result = enclosure(to_bounded(x));
-  const double nearest = certain_double(x).value_or(arf_get_d(arb_midref(x.ball()), ARF_RND_NEAR));
-  result.value = std::clamp(without_sign_of_zero(nearest), result.lower, result.upper);
+  const std::optional<double> nearest = certain_double(x);
+  const double value = nearest ? *nearest : arf_get_d(arb_midref(x.ball()), ARF_RND_NEAR);
+  result.value = std::clamp(without_sign_of_zero(value), result.lower, result.upper);
   return result;
 }
 
 std::optional<double> certain_double(const Deep& x) {
-  if (x.is_interval()) throw TooCoarse{};
+  if (x.is_in_doubles()) {
+    const Arithmetic<Bounded> rounding;
+    return certain(x.doubled().certain_double());
+  }
   const Ends ends(x);
   const double lower = arf_get_d(ends.lower.value, ARF_RND_NEAR);
   const double upper = arf_get_d(ends.upper.value, ARF_RND_NEAR);

@@ -30,6 +30,9 @@ std::optional<double> certain_double(const Deep& x);
 // The interval of doubles around the ball.
 Bounded to_bounded(const Deep& x);
 
+// Doubles around it that depend on how it was found: for proofs that end alike with any.
+Bounded loose_bounds(const Deep& x);
+
 // A point inside the enclosure, which must be bounded: a place to expand a function about.
 Bounded midpoint(const Bounded& x);
 Deep midpoint(const Deep& x);

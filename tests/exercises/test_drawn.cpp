@@ -31,7 +31,7 @@ std::string numbers_of(const Exercise& exercise, const std::string& sheet, const
 bool is_drawn(const std::string& numbers) { return !numbers.starts_with("none"); }
 
 std::string with_bits(const Exercise& exercise, const std::string& sheet, const Givens& givens) {
-  const WithBits bits;
+  const geometry::WithBits bits;
   return numbers_of(exercise, sheet, givens);
 }
 
