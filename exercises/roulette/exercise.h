@@ -35,11 +35,15 @@ Words name_of_path(const Problem& problem);
 
 std::vector<RouteValue> solved(const Problem& problem, Rung rung);
 
-// The instant in the doubles a drawing takes, in the fixed plane.
+// The instant in the doubles a drawing takes. Places are from P0, which is always near: the origin of the fixed plane
+// need not be.
 struct Drawn {
   Problem problem;
+  geometry::RouletteSince<double> path;
   double r, R, d, phi, psi, beta;  // ψ: the arc rolled off, as an angle of the rolling circle; β: of the fixed one
-  Place M, P0, J, M_prime;
+  double arches, in_arch;          // ψ: whole turns, and the rest
+  Place M, O, J, M_prime;
+  Place M_in_plane;                  // in the fixed plane
   std::optional<Place> C = {};       // centre of the rolling circle; a line has none
   std::optional<Place> centre = {};  // of curvature; none at infinity
   Arrow2 n, v, a, a_n, a_t;
@@ -47,12 +51,13 @@ struct Drawn {
   double diameter, s;
   bool is_at_cusp, runs_straight;
 
-  Place O() const { return {0, 0}; }
+  static constexpr Place P0 = {0, 0};
   double P0M() const;
 };
 Drawn drawn(const Problem& problem);
 
-// The way that is drawn: from one φ to another, in radians.
+// The way that is drawn, in radians that the body turns: from so much after the instant (before it when negative) to
+// so much after it.
 struct Way {
   double from, to;
   int arches;   // begun; 0 for a line, whose path has none

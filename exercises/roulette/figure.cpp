@@ -5,6 +5,7 @@
 
 #include "exercises/kit/curve.h"
 #include "exercises/kit/drawn.h"
+#include "exercises/kit/edge.h"
 #include "exercises/roulette/exercise.h"
 
 namespace epure::roulette {
@@ -20,19 +21,19 @@ double number(const Angle& angle) { return geometry::radians<double>(angle); }
 constexpr double most_arches = 40, most_turns = 24;  // what a drawing can show of a path
 
 // From the first arch to that of φ; when this is not one of the first few, it and its neighbours.
-Way arches_around(const Drawn& f, double per_arch, double overhang) {
+Way arches_around(double arch, double per_arch, double overhang) {
   constexpr double first_few = 3;
-  const double arch = std::floor(f.phi / per_arch);
   const bool near_start = std::abs(arch) < first_few;
   const double from = near_start ? std::min(arch, 0.0) : arch - 1,
                to = near_start ? std::max(arch + 1, 1.0) : arch + 2;
-  return {(from - overhang) * per_arch, (to + overhang) * per_arch, static_cast<int>(to - from) + 1, false};
+  return {(from - arch - overhang) * per_arch, (to - arch + overhang) * per_arch, static_cast<int>(to - from) + 1,
+          false};
 }
 
 Way unwound(const Drawn& f) {
   constexpr double far = 2 * turn, beyond = turn / 12;
-  if (std::abs(f.phi) > far) return {f.phi - turn / 2, f.phi + beyond, 0, false};
-  return {std::min(0.0, f.phi) - beyond, std::max(turn / 4, f.phi) + beyond, 0, false};
+  if (std::abs(f.phi) > far) return {-turn / 2, beyond, 0, false};
+  return {std::min(0.0, f.phi) - beyond - f.phi, std::max(turn / 4, f.phi) + beyond - f.phi, 0, false};
 }
 
 }  // namespace
@@ -43,18 +44,22 @@ Drawn drawn(const Problem& problem) {
     const auto at = geometry::rolling_instant<Deep>(g, problem.phi, geometry::radians<Deep>(problem.omega),
                                                     geometry::radians<Deep>(problem.alpha));
     const geometry::Point<Deep> contact = geometry::contact_point<Deep>(g, problem.phi);
-    const auto placed = [&](const geometry::Point<Deep>& P) { return to_double(contact + (P - at.motion.A)); };
+    const Angle psi = geometry::rolled_angle(g, problem.phi);
     Drawn f{.problem = problem,
+            .path = {g, problem.phi},
             .r = number(g.r),
             .R = number(g.R),
             .d = number(g.d),
             .phi = number(problem.phi),
-            .psi = number(geometry::rolled_angle(g, problem.phi)),
+            .psi = number(psi),
             .beta = number(geometry::contact_angle(g, problem.phi)),
-            .M = placed(at.M),
-            .P0 = to_double(contact),
-            .J = placed(at.J),
-            .M_prime = placed(at.M_prime()),
+            .arches = number(geometry::whole_turns(psi)),
+            .in_arch = to_double(geometry::radians<Deep>(geometry::within_one_turn(psi))),
+            .M = to_double(at.M),
+            .O = to_double(at.motion.A + (geometry::Point<Deep>{Deep(0), Deep(0)} - contact)),
+            .J = to_double(at.J),
+            .M_prime = to_double(at.M_prime()),
+            .M_in_plane = to_double(contact + (at.M - at.motion.A)),
             .n = to_double(at.n),
             .v = to_double(at.velocity()),
             .a = to_double(at.acceleration()),
@@ -64,9 +69,8 @@ Drawn drawn(const Problem& problem) {
             .s = to_double(geometry::arc_length<Deep>(g, problem.phi)),
             .is_at_cusp = at.is_at_cusp,
             .runs_straight = at.runs_straight};
-    if (!problem.is_line()) f.C = to_double(geometry::rolling_centre<Deep>(g, problem.phi));
-    if (const auto centre = to_double(at.centre_of_curvature()))
-      f.centre = Place{f.P0.x + centre->x, f.P0.y + centre->y};
+    if (!problem.is_line()) f.C = Place{f.r * f.n.x, f.r * f.n.y};
+    f.centre = to_double(at.centre_of_curvature());
     if (!is_zero(problem.omega)) {
       const auto along = at.tangential_component();
       f.along_before = to_double(along.before);
@@ -76,20 +80,27 @@ Drawn drawn(const Problem& problem) {
   });
 }
 
-double Drawn::P0M() const { return std::hypot(M.x - P0.x, M.y - P0.y); }
+double Drawn::P0M() const { return distance(P0, M); }
 
 Way way_of(const Drawn& f, double overhang) {
   if (f.problem.is_line()) return unwound(f);
   const double per_arch = turn / number(geometry::rolled_per_turned(f.problem.rolling));
-  if (!f.problem.rolls_on_line()) {
-    // R/r = p/q: the path closes after p arches, in q turns of the contact.
-    const Rational ratio = f.problem.rolling.R / f.problem.rolling.r;
-    const double arches = number(Rational(ratio.numerator())), around = number(Rational(ratio.denominator()));
-    if (arches <= most_arches && around <= most_turns) return {0, arches * per_arch, static_cast<int>(arches), true};
-  }
-  Way way = arches_around(f, per_arch, overhang);
-  way.from = std::max(way.from, f.phi - most_turns / 2 * turn);
-  way.to = std::min(way.to, f.phi + most_turns / 2 * turn);
+  Way way = [&]() -> Way {
+    if (!f.problem.rolls_on_line()) {
+      // R/r = p/q: the path closes after p arches, in q turns of the contact.
+      const Rational ratio = f.problem.rolling.R / f.problem.rolling.r;
+      const double arches = number(Rational(ratio.numerator())), around = number(Rational(ratio.denominator()));
+      if (arches <= most_arches && around <= most_turns)
+        return {0, arches * per_arch, static_cast<int>(arches), true};
+    }
+    return arches_around(f.arches, per_arch, overhang);
+  }();
+  const double since_arch = f.in_arch / turn * per_arch;
+  way.from -= since_arch;
+  way.to -= since_arch;
+  if (way.closed) return way;
+  way.from = std::max(way.from, -most_turns / 2 * turn);
+  way.to = std::min(way.to, most_turns / 2 * turn);
   return way;
 }
 
@@ -100,15 +111,15 @@ void draw_ground(Plot& plot, const Drawn& f, const drawings::Box& room) {
     plot.label("$p$", plot.from_paper({room.low.x + 4, y}), plot.from_paper({room.low.x + 4, y - 9}));
     return;
   }
-  plot.cycle({.centre = f.O(), .radius = f.R}, Meaning::ground, "fixed_polode");
-  if (!plot.shows(f.O())) return;
+  plot.cycle(circle_through(f.P0, f.O), Meaning::ground, "fixed_polode");
+  if (!plot.shows(f.O)) return;
   constexpr double arm = 3;  // mm
-  const drawings::Point o = plot.at(f.O());
+  const drawings::Point o = plot.at(f.O);
   plot.mark(drawings::Line{drawings::segment({o.x - arm, o.y}, {o.x + arm, o.y}), Meaning::axis, {}});
   plot.mark(drawings::Line{drawings::segment({o.x, o.y - arm}, {o.x, o.y + arm}), Meaning::axis, {}});
-  plot.label("$O$", f.O(), f.P0);
+  plot.label("$O$", f.O, f.P0);
   // Where the circle is farthest from the contact.
-  plot.label("$p$", {-f.P0.x, -f.P0.y}, f.O());
+  plot.label("$p$", f.O + (f.O - f.P0), f.O);
 }
 
 std::pair<Place, Place> ends_of_line(const Drawn& f) {
@@ -139,7 +150,9 @@ void draw_body(Plot& plot, const Drawn& f) {
 
 void draw_path(Plot& plot, const Drawn& f, const Way& way) {
   const double tolerance = curve_tolerance_mm / plot.scale().mm_per_unit;
-  const auto traced = geometry::trace_span(geometry::Roulette{f.problem.rolling}, way.from, way.to, tolerance);
+  const geometry::Arithmetic<geometry::Bounded> scope;
+  const geometry::RouletteSince<geometry::Bounded> path(f.problem.rolling, f.problem.phi);
+  const auto traced = geometry::trace_span(path, way.from, way.to, tolerance);
   geometry::Branch branch;
   branch.arcs = traced.arcs;
   branch.closed = way.closed;

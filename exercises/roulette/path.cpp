@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "exercises/kit/drawn.h"
+#include "exercises/kit/edge.h"
 #include "exercises/kit/fit.h"
 #include "exercises/kit/mechanism_figure.h"
 #include "exercises/kit/sheet.h"
@@ -17,13 +18,11 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-Place on_path(const Drawn& f, double phi) { return geometry::Roulette{f.problem.rolling}(phi); }
-
 // Points of the path, as many as show how far it reaches.
 std::vector<Place> samples(const Drawn& f, const Way& way) {
   const int count = 60 + static_cast<int>(60 * std::max<double>(way.arches, (way.to - way.from) / (360 * degree)));
   std::vector<Place> points;
-  for (int i = 0; i <= count; ++i) points.push_back(on_path(f, way.from + (way.to - way.from) * i / count));
+  for (int i = 0; i <= count; ++i) points.push_back(f.path(way.from + (way.to - way.from) * i / count));
   return points;
 }
 
@@ -35,7 +34,7 @@ drawings::Box extent_of(const Drawn& f, const Way& way, const std::vector<Place>
     extent.include(scale, {centre.x + radius, centre.y + radius}, letters / 2);
   };
   if (f.C) include_circle(*f.C, f.r);
-  if (way.closed || f.problem.is_line()) include_circle(f.O(), f.R);
+  if (way.closed || f.problem.is_line()) include_circle(f.O, f.R);
   if (f.problem.is_line()) extent.include(scale, ends_of_line(f).second, letters);
   extent.include(scale, f.P0, letters);
   extent.include(scale, f.M, letters);
@@ -44,30 +43,30 @@ drawings::Box extent_of(const Drawn& f, const Way& way, const std::vector<Place>
 
 // The bodies as they stood at φ = 0, where that is on the sheet.
 void draw_start(Plot& plot, const Drawn& f, const Way& way) {
-  if (way.from > 0 || way.to < 0 || f.phi == 0) return;
+  if (f.phi == 0 || (!way.closed && (way.from > -f.phi || way.to < -f.phi))) return;
   const geometry::Rolling& g = f.problem.rolling;
-  const Place start = on_path(f, 0);
+  const Place start = f.path(-f.phi);
   if (!f.problem.is_line()) {
-    const auto C = geometry::rolling_centre<double>(g, geometry::Radians<double>{0});
-    plot.circle({C.x, C.y}, f.r, Meaning::alternative);
-    plot.segment({C.x, C.y}, start, Meaning::alternative);
+    const Place C = start + f.d * geometry::common_normal<double>(g, Angle{});
+    plot.circle(C, f.r, Meaning::alternative);
+    plot.segment(C, start, Meaning::alternative);
   }
   if (geometry::has_cusps(g)) return;  // M0 is a cusp and has its letter as such
   plot.dot(start, Meaning::locus);
-  plot.label("$M_{0}$", start, f.C ? Place{f.O()} : f.P0, Meaning::locus);
+  plot.label("$M_{0}$", start, f.C ? f.O : f.P0, Meaning::locus);
 }
 
 // The way of the centre, and the line of centres.
 void draw_axes(Plot& plot, const Drawn& f, const drawings::Box& room) {
   if (f.problem.is_line()) {
-    plot.segment(f.O(), f.P0, Meaning::axis);
+    plot.segment(f.O, f.P0, Meaning::axis);
   } else if (f.problem.rolls_on_line()) {
     const double y = plot.at(*f.C).y;
     plot.mark(drawings::Line{drawings::segment({room.low.x, y}, {room.high.x, y}), Meaning::axis, {}});
     plot.segment(*f.C, f.P0, Meaning::axis);
   } else {
-    plot.cycle({.centre = f.O(), .radius = std::hypot(f.C->x, f.C->y)}, Meaning::axis);
-    plot.long_segment(f.O(), f.problem.rolling.how == Rolls::circle_outside_circle ? *f.C : f.P0, 4, Meaning::axis);
+    plot.cycle(circle_through(*f.C, f.O), Meaning::axis);
+    plot.long_segment(f.O, f.problem.rolling.how == Rolls::circle_outside_circle ? *f.C : f.P0, 4, Meaning::axis);
   }
 }
 
@@ -83,8 +82,8 @@ void draw_angles(Plot& plot, const Drawn& f) {
                vertex);
   };
   const double mm = plot.scale().mm_per_unit;
-  if (!f.problem.rolls_on_line())
-    mark(f.O(), std::min(14.0, 0.4 * f.R * mm), 0, f.beta, f.problem.is_line() ? "$φ$" : "$β$");
+  if (!f.problem.rolls_on_line() && plot.shows(f.O))
+    mark(f.O, std::min(14.0, 0.4 * f.R * mm), 0, f.beta, f.problem.is_line() ? "$φ$" : "$β$");
   if (!f.C) return;
   const double towards_contact = std::atan2(f.P0.y - f.C->y, f.P0.x - f.C->x);
   const double whole = 2 * std::numbers::pi, rest = f.psi - whole * std::floor(f.psi / whole);
@@ -96,9 +95,9 @@ void draw_division(Plot& plot, const Drawn& f, const Way& way) {
   constexpr int most_divided_arches = 8;
   if (way.arches > most_divided_arches) return;
   const double k = geometry::from_rational<double>(geometry::rolled_per_turned(f.problem.rolling));
-  const double step = 30 * degree / k;
-  for (double i = std::ceil(way.from / step - 1e-9); i * step <= way.to + 1e-9 * step; ++i)
-    plot.dot(on_path(f, i * step), Meaning::construction);
+  const double step = 30 * degree / k, rolled = f.in_arch / k;
+  for (double i = std::ceil((way.from + rolled) / step - 1e-9); i * step - rolled <= way.to + 1e-9 * step; ++i)
+    plot.dot(f.path(i * step - rolled), Meaning::construction);
 }
 
 struct Cusp {
@@ -108,9 +107,10 @@ struct Cusp {
 std::vector<Cusp> cusps_on(const Drawn& f, const Way& way) {
   std::vector<Cusp> found;
   // A little inside the far end, where a closed path comes back to its first cusp.
-  const Rational from(way.from - 1e-6), to(way.closed ? way.to - 1e-6 : way.to + 1e-6);
-  for (const Angle& phi : geometry::cusps(f.problem.rolling, {0, from}, {0, to}))
-    found.push_back({phi, geometry::tracing_point<double>(f.problem.rolling, phi)});
+  const double little = 1e-9 * (way.to - way.from);
+  const Angle from{0, Rational(way.from - little)}, to{0, Rational(way.closed ? way.to - little : way.to + little)};
+  for (const Angle& phi : geometry::cusps(f.problem.rolling, f.problem.phi + from, f.problem.phi + to))
+    found.push_back({phi, f.path(geometry::radians<double>(phi - f.problem.phi))});
   return found;
 }
 
@@ -121,9 +121,9 @@ void draw_cusps(Plot& plot, const Drawn& f, const std::vector<Cusp>& cusps) {
     if (cusps.size() > most_letters) continue;
     const std::string letter = fmt::format("$Q_{{{}}}$", i);
     const bool inside = f.problem.rolling.how == Rolls::circle_inside_circle;
-    const Place outwards{1.5 * cusps[i].at.x, 1.5 * cusps[i].at.y};
+    const Place outwards = cusps[i].at + 0.5 * (cusps[i].at - f.O);
     plot.label(letter, cusps[i].at,
-               inside                      ? f.O()
+               inside                      ? f.O
                : f.problem.rolls_on_line() ? Place{cusps[i].at.x, f.r}
                                            : outwards,
                Meaning::locus);
@@ -175,7 +175,7 @@ void fill_column(DrawnSheet& onto, const Drawn& f, const std::vector<Cusp>& cusp
   else
     column.push_back(drawings::Paragraph{fmt::format("$φ$ = {},  $β$ = {},  $ψ$ = {}", degrees(f.phi, language),
                                                      degrees(f.beta, language), degrees(f.psi, language))});
-  column.push_back(drawings::Paragraph{fmt::format("$M$ = ({}; {}) m", num(f.M.x), num(f.M.y))});
+  column.push_back(drawings::Paragraph{fmt::format("$M$ = ({}; {}) m", num(f.M_in_plane.x), num(f.M_in_plane.y))});
   column.push_back(drawings::Paragraph{fmt::format(
       "{} $s$ = {} m", english ? "Arc travelled since $φ$ = 0:" : "Arco percorso da $φ$ = 0:", num(f.s))});
   if (cusps.empty()) return;
@@ -183,9 +183,11 @@ void fill_column(DrawnSheet& onto, const Drawn& f, const std::vector<Cusp>& cusp
   column.push_back(drawings::Heading{f.runs_straight ? (english ? "$M$ turns back" : "$M$ torna indietro")
                                                      : (english ? "Cusps" : "Cuspidi")});
   drawings::Table table{{"", "$φ$", "$x$ (m)", "$y$ (m)"}, {}};
-  for (std::size_t i = 0; i < std::min(cusps.size(), most_rows); ++i)
+  for (std::size_t i = 0; i < std::min(cusps.size(), most_rows); ++i) {
+    const Place in_plane = geometry::tracing_point<double>(f.problem.rolling, cusps[i].phi);
     table.rows.push_back({fmt::format("$Q_{{{}}}$", i), degrees(geometry::radians<double>(cusps[i].phi), language),
-                          num(cusps[i].at.x), num(cusps[i].at.y)});
+                          num(in_plane.x), num(in_plane.y)});
+  }
   column.push_back(table);
   if (cusps.size() > most_rows)
     column.push_back(drawings::Paragraph{
@@ -199,7 +201,7 @@ void draw_path_sheet(DrawnSheet& onto, const Problem& problem, const SheetReques
   const Way way = way_of(f, 0.25);
   const std::vector<Place> points = samples(f, way);
   const drawings::Box room = room_above_scale_bars(request);
-  const double reach = std::max({f.r, f.d, f.problem.rolls_on_line() ? 0 : f.R});
+  const double reach = f.problem.is_line() ? std::max(f.d, f.R) : std::max({f.r, f.d, way.closed ? f.R : 0});
   const Fit fit =
       fit_lengths(room, request, 1000 / reach, [&](const Scale& s) { return extent_of(f, way, points, s); });
   Plot plot(onto, fit.origin, fit.scale);
@@ -221,18 +223,19 @@ void draw_path_sheet(DrawnSheet& onto, const Problem& problem, const SheetReques
   plot.step(1, f.P0);
   plot.step(2, f.M);
   plot.measures("P0M", f.P0, f.M);
-  if (plot.shows(f.O())) {
-    plot.measures_coordinates("M", f.M, f.O());
-    plot.measures_coordinates("P0", f.P0, f.O());
+  if (plot.shows(f.O)) {
+    plot.measures_coordinates("M", f.M, f.O);
+    plot.measures_coordinates("P0", f.P0, f.O);
   }
   onto.sheet.figure.windows = {room};
   onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 0);
   add_scale_bars(onto, {fit.scale}, request);
   fill_column(onto, f, cusps, request.language);
   const Words name = name_of_path(problem);
-  onto.sheet.description = in_words({"The bodies at the start and at the instant, and the path of M: " + name.english,
-                                     "I corpi all'inizio e all'istante, e la traiettoria di M: " + name.italian},
-                                    {{"x_M", f.M.x, "m"}, {"y_M", f.M.y, "m"}, {"s", f.s, "m"}}, request.language);
+  onto.sheet.description =
+      in_words({"The bodies at the start and at the instant, and the path of M: " + name.english,
+                "I corpi all'inizio e all'istante, e la traiettoria di M: " + name.italian},
+               {{"x_M", f.M_in_plane.x, "m"}, {"y_M", f.M_in_plane.y, "m"}, {"s", f.s, "m"}}, request.language);
 }
 
 }  // namespace epure::roulette

@@ -103,13 +103,25 @@ Point<T> rolling_centre(const Rolling& rolling, const A& phi) {
 //   line    R φ along the tangent, as far as it has been unwound, and d off it
 //   circle  (r - d) along the normal, to the circle of radius d about the same centre, and the chord of that circle
 //           which belongs to the rolled angle ψ: 2 d sin(ψ/2) long, at ψ/2 to the tangent
+template <class T>
+Vector<T> line_contact_to_point(const Rolling& rolling, const T& phi) {
+  return {from_rational<T>(rolling.R) * phi, -from_rational<T>(rolling.d)};
+}
+// `half`: the direction of ψ/2, in the sense of the body.
+template <class T>
+Vector<T> circle_contact_to_point(const Rolling& rolling, const Vector<T>& half) {
+  const T chord = T(2) * from_rational<T>(rolling.d) * half.y;
+  return {chord * half.x, from_rational<T>(rolling.r - rolling.d) + chord * half.y};
+}
+template <class A>
+A half_rolled_angle(const Rolling& rolling, const A& phi) {
+  return Rational(sense(rolling), 2) * rolled_angle(rolling, phi);
+}
 template <class T, class A>
 Vector<T> contact_to_point_by_normal(const Rolling& rolling, const A& phi) {
-  const T d = from_rational<T>(rolling.d);
-  if (rolling.how == Rolls::line_on_circle) return {from_rational<T>(rolling.R) * radians<T>(phi), -d};
-  const A half = Rational(sense(rolling), 2) * rolled_angle(rolling, phi);
-  const T cosine_of_half = cosine<T>(half), sine_of_half = sine<T>(half), chord = T(2) * d * sine_of_half;
-  return {chord * cosine_of_half, from_rational<T>(rolling.r - rolling.d) + chord * sine_of_half};
+  if (rolling.how == Rolls::line_on_circle) return line_contact_to_point<T>(rolling, radians<T>(phi));
+  const A half = half_rolled_angle(rolling, phi);
+  return circle_contact_to_point<T>(rolling, {cosine<T>(half), sine<T>(half)});
 }
 
 // A vector from the axes of the contact to the fixed ones.

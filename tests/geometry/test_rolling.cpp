@@ -148,6 +148,52 @@ TEST_CASE("rolling: drawn over an interval of angles to the tolerance, cusps inc
   }
 }
 
+TEST_CASE("rolling: a path from an instant on keeps its digits, far from the fixed centre and after many turns",
+          "[rolling]") {
+  // M from the contact of φ, when the body has turned on by `since`: the textbook's equations in mpmath, 80 digits.
+  struct Case {
+    Rolling g;
+    Angle phi;
+    double since;
+    const char *x, *y;
+  };
+  const Rational tiny = exact_decimal("1e-12"), huge = exact_decimal("1e12");
+  for (const Case& c : {Case{{Rolls::circle_inside_circle, 1, 1 + tiny, 1},
+                             {Rational(4, 9)},
+                             0x1p-40,
+                             "-2.184001206467279455990219e-13",
+                             "-0.684040286651356390267207"},
+                        Case{{Rolls::circle_outside_circle, tiny, huge, tiny},
+                             {Rational(1, 9)},
+                             0.5,
+                             "6.359015510678406868701999e-13",
+                             "-4.313604669971749325561923e-13"},
+                        Case{{Rolls::circle_on_line, Rational(3, 20), 0, Rational(1, 10)},
+                             {0, huge},
+                             0.5,
+                             "0.0906972856816331191957854",
+                             "0.05123970827185049338167625"},
+                        Case{{Rolls::line_on_circle, 1, Rational(9, 20), Rational(1, 10)},
+                             {0, huge},
+                             -0.5,
+                             "-412133398155.2724801467999",
+                             "-180682213084.1309835915358"}}) {
+    CAPTURE(c.x);
+    const Rational x = exact_decimal(c.x), y = exact_decimal(c.y);
+    const Rational size = std::max(abs(x), abs(y)), off_by = size * exact_decimal("1e-15");
+    const Point<Fast> fast = RouletteSince<Fast>(c.g, c.phi)(c.since);
+    CHECK(abs(Rational(fast.x) - x) < off_by);
+    CHECK(abs(Rational(fast.y) - y) < off_by);
+    const Arithmetic<Bounded> scope;
+    const Point<Bounded> bounded = RouletteSince<Bounded>(c.g, c.phi)(Bounded(c.since));
+    const Rational printed = size * exact_decimal("1e-24");
+    CHECK(overlaps(enclosure(bounded.x), x, printed));
+    CHECK(overlaps(enclosure(bounded.y), y, printed));
+    CHECK(Rational(bounded.x.sup()) - Rational(bounded.x.inf()) < 10 * off_by);
+    CHECK(Rational(bounded.y.sup()) - Rational(bounded.y.inf()) < 10 * off_by);
+  }
+}
+
 TEST_CASE("rolling: the way is counted from arch to arch", "[rolling]") {
   const Arithmetic<Exact> scope;
   const auto way = [](const Rolling& g, const Angle& phi) { return arc_length<Exact>(g, phi); };

@@ -1,4 +1,5 @@
 // The sheets of the roulettes, whatever rolls on whatever.
+#include "drawings/flatten.h"
 #include "tests/exercises/roulette/cases.h"
 
 using namespace epure;
@@ -56,6 +57,26 @@ bool is_written(const DrawnSheet& drawn, const std::string& text) {
   return std::any_of(labels.begin(), labels.end(), [&](const drawings::Label& label) { return label.text == text; });
 }
 
+double path_misses_M_by(const DrawnSheet& drawn) {
+  const auto& labels = drawn.sheet.figure.labels;
+  const auto of_M = std::find_if(labels.begin(), labels.end(), [](const auto& label) { return label.text == "$M$"; });
+  REQUIRE(of_M != labels.end());
+  const drawings::Point M = of_M->at;
+  double least = std::numeric_limits<double>::infinity();
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
+    const auto* line = std::get_if<drawings::Line>(&mark);
+    if (!line || line->name != "path") continue;
+    const std::vector<drawings::Point> chain = drawings::flatten(line->path, 0.001);
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+      const double x = chain[i].x - chain[i - 1].x, y = chain[i].y - chain[i - 1].y, square = x * x + y * y;
+      const double along = (M.x - chain[i - 1].x) * x + (M.y - chain[i - 1].y) * y;
+      const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
+      least = std::min(least, std::hypot(chain[i - 1].x + t * x - M.x, chain[i - 1].y + t * y - M.y));
+    }
+  }
+  return least;
+}
+
 }  // namespace
 
 TEST_CASE("roulette: letters find room", "[roulette][sheets]") { letters_find_room(roulette(), usual); }
@@ -72,7 +93,12 @@ TEST_CASE("roulette: every sheet is drawn, whatever is given", "[roulette][sheet
                                 {"R=0.000001"},
                                 {"phi=0"},
                                 {"phi_rad=1e-12", "phi=0"},
-                                {"omega=1e6", "alpha=-1e9"}};
+                                {"omega=1e6", "alpha=-1e9"},
+                                {"r=1", "R=1e12"},
+                                {"r=1e-12", "R=1e12", "d=1e-12", "phi=40"},
+                                {"r=1", "R=1.000000000001", "d=1"},
+                                {"phi_rad=1e12", "d=0.1"},
+                                {"r=0.45000001", "R=0.8", "d=0.6", "phi_rad=758251919006.9353"}};
   for (const char* how : {"circle_on_line", "circle_outside_circle", "circle_inside_circle", "line_on_circle"})
     for (Assignments assignments : hard) {
       assignments.push_back(std::string("how=") + how);
@@ -106,6 +132,28 @@ TEST_CASE("roulette: the sheets say what is special", "[roulette][sheets]") {
   CHECK_THAT(words_of(roulette().draw("path", {"d=0.1"})), Contains("curtate epicycloid"));
   CHECK_THAT(words_of(roulette().draw("path", {"d=0.2"}, {.language = Language::italian})),
              Contains("epicicloide allungata"));
+}
+
+TEST_CASE("roulette: far from the fixed centre, or after many turns, the path passes through M and has its cusps",
+          "[roulette][sheets]") {
+  // Cusps on the sheet: both ends of the first arch; later those of M's arch and of its neighbours; all three of a
+  // path that closes.
+  for (const auto& [assignments, cusps] : std::vector<std::pair<Assignments, std::size_t>>{
+           {{"r=1", "R=1e12", "d=1"}, 2},
+           {{"r=1", "R=1e12", "d=1", "phi=4000"}, 4},
+           {{"how=circle_on_line", "phi_rad=1e12"}, 4},
+           {{"how=circle_inside_circle", "r=1", "d=1", "R=1.000000000001"}, 4},
+           {{"phi=1e9"}, 3}}) {
+    CAPTURE(assignments);
+    const DrawnSheet drawn = roulette().draw("path", assignments);
+    CHECK(path_misses_M_by(drawn) < 0.02);  // mm
+    const auto& marks = drawn.sheet.figure.marks;
+    const auto crosses = std::count_if(marks.begin(), marks.end(), [](const drawings::Mark& mark) {
+      return std::holds_alternative<drawings::Cross>(mark);
+    });
+    CHECK(static_cast<std::size_t>(crosses) == cusps + 1);  // P0 has one too
+    CHECK(path_misses_M_by(roulette().draw("instant", assignments)) < 0.02);
+  }
 }
 
 TEST_CASE("roulette: no vector hides another", "[roulette][sheets]") {
