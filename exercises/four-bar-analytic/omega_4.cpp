@@ -17,19 +17,35 @@ using drawings::Datum;
 using geometry::Fast;
 using Runs = std::vector<std::vector<Datum>>;
 
-constexpr int samples_in_degree = 4;  // some two in a millimetre of paper
+constexpr int samples_in_turn = 1440;  // some two in a millimetre of paper
 
 double degrees_within_turn(const geometry::Vector<double>& direction) {
   const double angle = std::atan2(direction.y, direction.x) * 180 / geometry::pi<Fast>();
   return angle < 0 ? angle + 360 : angle;
 }
 
-// In doubles, for the eye. None where the linkage does not close, or stands where ω₄ is not determined.
-std::optional<double> omega_4_at(const FourBarInstant& at, const geometry::Vector<double>& crank) {
+// ω₄ with the crank at a part of a turn.
+template <class T>
+T omega_4(const FourBarInstant& at, const Rational& turn) {
   const RatioByClosure closure{at.analytic_lengths(), at.analytic_branch()};
+  const geometry::Turn theta{turn};
+  return at.omega_2<T>() * closure.ratio(geometry::Vector<T>{geometry::cosine<T>(theta), geometry::sine<T>(theta)});
+}
+
+// For the eye; beside a fold, where doubles lose all their digits, by balls. None where the linkage does not close,
+// or stands where ω₄ is not determined.
+std::optional<double> omega_4_at(const FourBarInstant& at, const Rational& turn) {
+  constexpr double seen = 1e-6;  // of the value
   try {
-    const double omega_4 = at.omega_2<Fast>() * closure.ratio(crank);
-    return std::isfinite(omega_4) ? std::optional(omega_4) : std::nullopt;
+    const geometry::Arithmetic<geometry::Bounded> scope;
+    const geometry::Enclosure known = geometry::enclosure(omega_4<geometry::Bounded>(at, turn));
+    if (known.upper - known.lower <= seen * std::abs(known.value)) return known.value;
+  } catch (const geometry::Impossible&) {
+    return {};
+  } catch (const geometry::Undecided&) {
+  }
+  try {
+    return deeply([&] { return to_double(omega_4<geometry::Deep>(at, turn)); });
   } catch (const geometry::Impossible&) {
     return {};
   } catch (const geometry::Undecided&) {
@@ -37,29 +53,89 @@ std::optional<double> omega_4_at(const FourBarInstant& at, const geometry::Vecto
   }
 }
 
+Datum datum(const Rational& turn, double omega_4) { return {geometry::from_rational<double>(360 * turn), omega_4}; }
+
 // What is joined is continuous: a run ends where the linkage no longer closes, and where it folds flat (on +x or -x).
-Runs runs_of(const FourBarInstant& at) {
+// Every extreme is a point of it, however narrow.
+Runs runs_of(const FourBarInstant& at, const RockerSpeed& speed) {
   const std::vector<geometry::FlatPosition> flat = geometry::flat_positions(at.lengths);
-  const auto is_flat = [&](const geometry::Vector<double>& crank) {
-    return crank.y == 0 && std::any_of(flat.begin(), flat.end(), [&](const geometry::FlatPosition& position) {
-             return (position.A0A > 0) == (crank.x > 0);
+  const auto is_flat = [&](const Rational& turn) {
+    return geometry::is_whole_turns({2 * turn}) &&
+           std::any_of(flat.begin(), flat.end(), [&](const geometry::FlatPosition& position) {
+             return (position.A0A > 0) == geometry::is_whole_turns({turn});
            });
   };
+  std::vector<Datum> extremes;
+  for (const RockerSpeed::Extreme& extreme : speed.extremes)
+    extremes.push_back({degrees_within_turn(extreme.crank), extreme.omega_4});
+  std::sort(extremes.begin(), extremes.end(), [](const Datum& a, const Datum& b) { return a.x < b.x; });
+  auto next = extremes.begin();
   Runs runs{{}};
-  for (int i = 0; i <= 360 * samples_in_degree; ++i) {
-    const geometry::Turn turn{Rational(i, 360 * samples_in_degree)};
-    const geometry::Vector<double> crank{geometry::cosine<Fast>(turn), geometry::sine<Fast>(turn)};
-    const auto omega_4 = is_flat(crank) ? std::nullopt : omega_4_at(at, crank);
+  for (int i = 0; i <= samples_in_turn; ++i) {
+    const Rational turn(i, samples_in_turn);
+    const auto omega_4 = is_flat(turn) ? std::nullopt : omega_4_at(at, turn);
+    for (; next != extremes.end() && next->x < datum(turn, 0).x; ++next) runs.back().push_back(*next);
     if (omega_4)
-      runs.back().push_back({static_cast<double>(i) / samples_in_degree, *omega_4});
+      runs.back().push_back(datum(turn, *omega_4));
     else if (!runs.back().empty())
       runs.emplace_back();
   }
+  for (; next != extremes.end(); ++next) runs.back().push_back(*next);  // just short of a whole turn
   if (runs.back().empty()) runs.pop_back();
   return runs;
 }
 
-// All of both curves; where they leave for infinity, what most of their points need.
+// Points between two, until the chart cannot tell the curve from straight lines through them.
+class Refined {
+ public:
+  Refined(const FourBarInstant& at, const drawings::Axis& axis)
+      : at_(at), axis_(axis), seen_((axis.high - axis.low) / 4000) {}
+
+  std::vector<Datum> operator()(const std::vector<Datum>& run) {
+    points_.clear();
+    for (std::size_t i = 0; i < run.size(); ++i) {
+      points_.push_back(run[i]);
+      if (i + 1 < run.size() && (bends(run, i) || bends(run, i + 1))) between(run[i], run[i + 1]);
+    }
+    return points_;
+  }
+
+ private:
+  double on_chart(double omega_4) const { return std::clamp(omega_4, axis_.low, axis_.high); }
+  double off_chord(const Datum& a, const Datum& b, const Datum& c) const {
+    const double share = c.x > a.x ? (b.x - a.x) / (c.x - a.x) : 0;
+    return std::abs(on_chart(b.y) - on_chart(a.y) - share * (on_chart(c.y) - on_chart(a.y)));
+  }
+  bool bends(const std::vector<Datum>& run, std::size_t i) const {
+    return i > 0 && i + 1 < run.size() && off_chord(run[i - 1], run[i], run[i + 1]) > 4 * seen_;
+  }
+  void between(const Datum& a, const Datum& b) {
+    constexpr double finest = 0.01;  // degrees: a fiftieth of a millimetre
+    if (b.x - a.x < finest) return;
+    const Rational turn = Rational(a.x + (b.x - a.x) / 2) / 360;
+    const auto omega_4 = omega_4_at(at_, turn);
+    if (!omega_4) return;
+    const Datum middle = datum(turn, *omega_4);
+    if (off_chord(a, middle, b) <= seen_) return;
+    between(a, middle);
+    points_.push_back(middle);
+    between(middle, b);
+  }
+
+  const FourBarInstant& at_;
+  const drawings::Axis& axis_;
+  double seen_;
+  std::vector<Datum> points_ = {};
+};
+
+Runs refined(const Runs& runs, const FourBarInstant& at, const drawings::Axis& axis) {
+  Runs all;
+  for (const auto& run : runs) all.push_back(Refined(at, axis)(run));
+  return all;
+}
+
+// All of both curves; where they leave for infinity, or for an extreme beside which they would be a flat line, what
+// most of their points need.
 drawings::Axis speed_axis(const std::vector<Runs>& all, double now, bool is_bounded) {
   std::vector<double> sizes{std::abs(now)};
   double low = std::min(0.0, now), high = std::max(0.0, now);
@@ -75,7 +151,8 @@ drawings::Axis speed_axis(const std::vector<Runs>& all, double now, bool is_boun
   const double shown =
       1.5 *
       std::max(std::abs(now), sizes[static_cast<std::size_t>(share_shown * static_cast<double>(sizes.size() - 1))]);
-  if (!is_bounded) {
+  constexpr double steep = 20;
+  if (!is_bounded || std::max(high, -low) > steep * shown) {
     low = std::max(low, -shown);
     high = std::min(high, shown);
   }
@@ -112,6 +189,8 @@ std::vector<Special> special_points(const RockerSpeed& of, Language language) {
   return points;
 }
 
+bool is_on_chart(const drawings::ChartMap& map, const Datum& at) { return at.y >= map.y.low && at.y <= map.y.high; }
+
 // What a ruler reads along the axes.
 void measure(DrawnSheet& onto, const drawings::ChartMap& map, const std::vector<Special>& points) {
   const auto across = [&](const std::string& name, const Datum& to) {
@@ -121,18 +200,23 @@ void measure(DrawnSheet& onto, const drawings::ChartMap& map, const std::vector<
     onto.measurements.push_back({name, map.at({to.x, 0}), map.at(to), map.y.per_mm(), Measurement::along_y});
   };
   for (const Special& point : points) {
-    if (point.quantity.empty()) continue;
+    if (point.quantity.empty() || !is_on_chart(map, point.at)) continue;
     across("theta_2_at_" + point.quantity + "_deg", point.at);
     if (point.quantity.find("zero") == std::string::npos) up(point.quantity, point.at);
   }
 }
 
-drawings::Chart chart_of(const Drawn& f, const std::vector<Special>& points, const std::vector<Special>& others,
-                         Language language) {
+// Of both branches, that of the sheet first.
+struct Curves {
+  RockerSpeed speed, other_speed;
+  std::vector<Special> points, others;
+};
+
+drawings::Chart chart_of(const Drawn& f, const Curves& of, Language language) {
   const bool english = language == Language::english;
   const FourBarInstant &at = f.of.instant, other = on_other_branch(at);
   const bool is_bounded = why_no_extremes(at.lengths).empty();
-  const std::vector<Runs> runs{runs_of(at), runs_of(other)};
+  const std::vector<Runs> runs{runs_of(at, of.speed), runs_of(other, of.other_speed)};
   const bool is_left = at.side == geometry::Side::left;
   const auto side = [&](bool left) {
     return english ? (left ? "$B$ left of $AB_{0}$" : "$B$ right of $AB_{0}$")
@@ -141,16 +225,19 @@ drawings::Chart chart_of(const Drawn& f, const std::vector<Special>& points, con
   drawings::Chart chart;
   chart.x = {.quantity = "$θ_{2}$", .unit = "°", .low = 0, .high = 360, .steps = drawings::degree_steps};
   chart.y = speed_axis(runs, f.omega_4, is_bounded);
-  chart.curves = {{.name = "omega_4", .runs = runs[0], .meaning = Meaning::velocity, .label = side(is_left)},
+  chart.curves = {{.name = "omega_4",
+                   .runs = refined(runs[0], at, chart.y),
+                   .meaning = Meaning::velocity,
+                   .label = side(is_left)},
                   {.name = "omega_4_other_branch",
-                   .runs = runs[1],
+                   .runs = refined(runs[1], other, chart.y),
                    .meaning = Meaning::velocity,
                    .line = drawings::LineType::dashed,
                    .label = side(!is_left)}};
-  for (const Special& point : points)
+  for (const Special& point : of.points)
     chart.markers.push_back(
         {.at = point.at, .label = point.label, .shape = drawings::PointShape::dot, .meaning = Meaning::velocity});
-  for (const Special& point : others)
+  for (const Special& point : of.others)
     chart.markers.push_back(
         {.at = point.at, .label = point.label, .shape = drawings::PointShape::ring, .meaning = Meaning::velocity});
   chart.horizontals = {{.at = 0}};
@@ -189,6 +276,14 @@ std::vector<std::string> explained(const FourBarInstant& at, const RockerSpeed& 
   return lines;
 }
 
+// The extremes beyond the axis, where the curve leaves the chart and comes back.
+std::string off_chart(const drawings::Chart& chart, const drawings::ChartMap& map, Language language) {
+  std::string text;
+  for (const drawings::Marker& marker : chart.markers)
+    if (!is_on_chart(map, marker.at)) text += (text.empty() ? "" : ", ") + marker.label;
+  return text.empty() ? "" : Words{"Off the chart: ", "Fuori del grafico: "}.in(language) + text + ".";
+}
+
 drawings::Table results(const std::vector<Special>& points, Language language) {
   const auto num = [&](double x) { return figures(x, 5, language); };
   drawings::Table table{{"", "$θ_{2}$ (°)", "$ω_{4}$ (rad/s)"}, {}};
@@ -209,10 +304,9 @@ void draw_omega_4(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
   const Language language = request.language;
   const bool english = language == Language::english;
   const FourBarInstant &at = f.of.instant, other = on_other_branch(at);
-  const RockerSpeed speed = rocker_speed(at);
-  const std::vector<Special> points = special_points(speed, language),
-                             others = special_points(rocker_speed(other), language);
-  drawings::Chart chart = chart_of(f, points, others, language);
+  const RockerSpeed speed = rocker_speed(at), other_speed = rocker_speed(other);
+  const std::vector<Special> points = special_points(speed, language), others = special_points(other_speed, language);
+  drawings::Chart chart = chart_of(f, {speed, other_speed, points, others}, language);
   const Datum now{degrees_within_turn({f.figure.A.x, f.figure.A.y}), f.omega_4};
   chart.markers.push_back({.at = now,
                            .label = "$ω_{4}$ = " + figures(now.y, 4, language),
@@ -229,6 +323,8 @@ void draw_omega_4(DrawnSheet& onto, const Drawn& f, const SheetRequest& request)
   auto& column = onto.sheet.column;
   column.push_back(drawings::Heading{english ? "The curve" : "La curva"});
   for (const std::string& line : explained(at, speed, language)) column.push_back(drawings::Paragraph{line});
+  if (const std::string beyond = off_chart(chart, map, language); !beyond.empty())
+    column.push_back(drawings::Paragraph{beyond});
   if (!points.empty()) {
     column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
     column.push_back(results(points, language));

@@ -98,6 +98,60 @@ TEST_CASE("four-bar-analytic: discontinuities of omega_4 are not joined", "[four
   CHECK(runs({"A0B0=0.5", "A0A=0.4", "AB=0.2", "B0B=0.45", "theta_2=60"}) == 4);  // two arcs of the crank
 }
 
+// One is 8e10 rad/s high and 1e-10 of a turn wide: A passes B0 at 1e-10 m.
+TEST_CASE("four-bar-analytic: the curves of omega_4 pass through their extremes, however steep",
+          "[four-bar-analytic][sheets]") {
+  const auto curve = [](const DrawnSheet& drawn, const std::string& name) {
+    std::vector<drawings::Point> points;
+    for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+      if (const auto* line = std::get_if<drawings::Line>(&mark); line && line->name == name) {
+        points.push_back(line->path.start);
+        for (const drawings::Piece& piece : line->path.pieces) points.push_back(piece.end);
+      }
+    return points;
+  };
+  const auto misses = [](const std::vector<drawings::Point>& chain, drawings::Point p) {
+    double least = 1e9;
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+      const double x = chain[i].x - chain[i - 1].x, y = chain[i].y - chain[i - 1].y, square = x * x + y * y;
+      const double along = (p.x - chain[i - 1].x) * x + (p.y - chain[i - 1].y) * y;
+      const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
+      least = std::min(least, std::hypot(chain[i - 1].x + t * x - p.x, chain[i - 1].y + t * y - p.y));
+    }
+    return least;
+  };
+  for (const std::string frame : {"0.190199", "0.1901999999", "0.190199999999999999"}) {
+    CAPTURE(frame);
+    const DrawnSheet drawn =
+        draw(id, "omega-4", {"A0A=0.1902", "AB=0.1902", "B0B=0.1902", "A0B0=" + frame, "theta_2=100"});
+    const drawings::Box chart = drawn.sheet.figure.windows.back();
+    const auto one = curve(drawn, "omega_4"), other = curve(drawn, "omega_4_other_branch");
+    CHECK(misses(one, {chart.low.x, chart.high.y}) < 0.1);  // up and out, beside 0, 180 and 360 degrees
+    CHECK(misses(other, {chart.high.x, chart.high.y}) < 0.1);
+    CHECK(misses(one, {chart.high.x, chart.high.y}) < 0.1);
+    CHECK(misses(other, {chart.low.x, chart.high.y}) < 0.1);
+    CHECK(chart.high.y - chart.low.y < 1000);
+    int told = 0;
+    for (const drawings::Block& block : drawn.sheet.column)
+      if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block))
+        told += paragraph->text.starts_with("Off the chart: ") ? 1 : 0;
+    CHECK(told == 1);
+    for (const Measurement& measured : drawn.measurements)
+      CHECK(std::max(std::abs(measured.to.x), std::abs(measured.to.y)) < 300);  // on the paper
+  }
+  // The dots and rings stand on the curves, also where ω₄ turns about within a tenth of a degree.
+  for (const Assignments& assignments :
+       {Assignments{}, {"A0A=0.11", "AB=0.41", "B0B=0.53", "A0B0=0.829999999999", "theta_2=50"}}) {
+    const DrawnSheet drawn = draw(id, "omega-4", assignments);
+    const auto one = curve(drawn, "omega_4"), other = curve(drawn, "omega_4_other_branch");
+    for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+      if (const auto* point = std::get_if<drawings::DataPoint>(&mark)) {
+        CAPTURE(assignments, point->at.x, point->at.y);
+        CHECK(misses(point->shape == drawings::PointShape::ring ? other : one, point->at) < 0.02);
+      }
+  }
+}
+
 // A quarter of the curve's points against B found from two circles in doubles, P from A and B.
 TEST_CASE("four-bar-analytic: the coupler curve passes where the linkage carries P", "[four-bar-analytic][sheets]") {
   const double a = 0.2, b = 0.5, c = 0.7, f = 0.8, along = 0.7, across = -0.3;
