@@ -4,7 +4,7 @@
 #include <set>
 
 #include "exercises/cli/symbol.h"
-#include "exercises/kit/suggest.h"
+#include "exercises/kit/statement/suggest.h"
 
 namespace epure {
 namespace {

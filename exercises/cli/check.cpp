@@ -5,7 +5,7 @@
 #include "exercises/cli/report.h"
 #include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
-#include "exercises/kit/suggest.h"
+#include "exercises/kit/statement/suggest.h"
 #include "geometry/numbers/given.h"
 
 namespace epure {

@@ -11,11 +11,11 @@
 #include "drawings/output.h"
 #include "drawings/page.h"
 #include "drawings/stopwatch.h"
-#include "drawings/text.h"
+#include "drawings/text/text.h"
 #include "exercises/cli/abreast.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/verbs.h"
-#include "exercises/kit/fit.h"
+#include "exercises/kit/panels/fit.h"
 
 namespace epure {
 namespace {

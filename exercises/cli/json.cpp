@@ -1,7 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "drawings/text.h"
+#include "drawings/text/text.h"
 #include "exercises/cli/report.h"
 #include "exercises/cli/symbol.h"
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "drawings/text.h"
+#include "drawings/text/text.h"
 #include "exercises/cli/cases.h"
+#include "exercises/cli/columns.h"
 #include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
-#include "exercises/kit/columns.h"
 
 namespace epure {
 namespace {

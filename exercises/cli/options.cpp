@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "exercises/cli/catalogue.h"
+#include "exercises/cli/columns.h"
 #include "exercises/cli/help.h"
-#include "exercises/kit/columns.h"
-#include "exercises/kit/suggest.h"
-#include "exercises/kit/words.h"
+#include "exercises/kit/statement/suggest.h"
+#include "exercises/kit/statement/words.h"
 
 namespace epure {
 namespace {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <map>
 
-#include "drawings/text.h"
+#include "drawings/text/text.h"
 #include "exercises/cli/cases.h"
+#include "exercises/cli/columns.h"
 #include "exercises/cli/ink.h"
-#include "exercises/kit/columns.h"
-#include "exercises/kit/route_names.h"
+#include "exercises/kit/proof/route_names.h"
 
 namespace epure {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "exercises/kit/checked.h"
+#include "exercises/kit/proof/checked.h"
 
 namespace epure {
 

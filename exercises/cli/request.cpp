@@ -111,4 +111,17 @@ SheetRequest sheet_request(const Options& options) {
   return request;
 }
 
+double seconds_of(const Options& options) {
+  Rational seconds = 0;
+  const Rational longest = 3600;
+  try {
+    seconds = geometry::parse_given(options.seconds, "s");
+  } catch (const geometry::BadGiven& unreadable) {
+    throw WrongUsage("--seconds: " + unreadable.words());
+  }
+  if (seconds > 0 && seconds <= longest) return CGAL::to_double(seconds);
+  throw WrongUsage(format_words("--seconds {}: must be positive and at most 3600 s",
+                                "--seconds {}: dev'essere positivo e al massimo 3600 s", options.seconds));
+}
+
 }  // namespace epure

@@ -24,4 +24,7 @@ void demand_sensible_output(const Options& options);
 
 SheetRequest sheet_request(const Options& options);
 
+// How long `bench` is to measure.
+double seconds_of(const Options& options);
+
 }  // namespace epure

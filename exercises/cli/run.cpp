@@ -4,10 +4,11 @@
 #include <new>
 #include <ostream>
 
+#include "drawings/files/system_words.h"
 #include "drawings/output.h"
-#include "drawings/system_words.h"
 #include "exercises/cli/options.h"
 #include "exercises/cli/printable.h"
+#include "exercises/cli/request.h"
 #include "exercises/cli/verbs.h"
 #include "geometry/numbers/given.h"
 
@@ -22,14 +23,22 @@ void print(std::ostream& out, const std::string& text) {
                               (errno == 0 ? Words{} : ": " + drawings::system_words(errno)));
 }
 
-Outcome outcome_of(const Catalogue& exercises, const Options& options, std::ostream& err) {
+std::string benchmark(const Catalogue& exercises, const Options& options, std::ostream& err, const Bench& bench) {
+  demand_sensible_output(options);
+  language(options);
+  sheet_request(options);
+  seconds_of(options);
+  return bench(exercises, options, err);
+}
+
+Outcome outcome_of(const Catalogue& exercises, const Options& options, std::ostream& err, const Bench& bench) {
   switch (options.verb) {
     case Options::Verb::list:
       return {list(exercises, options)};
     case Options::Verb::draw:
       return draw(exercises, options, err);
     case Options::Verb::bench:
-      return {benchmark(exercises, options, err)};
+      return {benchmark(exercises, options, err, bench)};
     case Options::Verb::check:
       break;
   }
@@ -40,7 +49,7 @@ Outcome run(const Catalogue& exercises, const std::vector<std::string>& argument
             const Surroundings& surroundings) {
   auto [options, text] = parse_options(arguments, surroundings.language);
   options.colours = surroundings.colours;
-  return text ? Outcome{*text} : outcome_of(exercises, options, err);
+  return text ? Outcome{*text} : outcome_of(exercises, options, err, surroundings.bench);
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 // The command line, for any catalogue of exercises.
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "exercises/cli/catalogue.h"
+#include "exercises/cli/options.h"
 
 namespace epure {
 
@@ -21,10 +23,15 @@ enum class Exit {
   internal_error = 70
 };
 
+// What `bench` does: not the command line's own affair, as measuring is a program of its own. Gets options that were
+// found sensible; returns the text for standard output.
+using Bench = std::function<std::string(const Catalogue& exercises, const Options& options, std::ostream& err)>;
+
 // What a run takes from around it besides its arguments.
 struct Surroundings {
   std::string language = {};  // EPURE_LANG: what --lang says otherwise; empty: English
   bool colours = false;       // `out` is a terminal, and shows them
+  Bench bench = {};
 };
 
 // `arguments` without the program's name. What is asked for goes to `out`, and to files.

@@ -5,9 +5,9 @@
 #include <array>
 #include <set>
 
+#include "exercises/cli/columns.h"
 #include "exercises/cli/ink.h"
 #include "exercises/cli/report.h"
-#include "exercises/kit/columns.h"
 
 namespace epure {
 namespace {

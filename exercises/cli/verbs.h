@@ -25,9 +25,6 @@ struct Outcome {
 // says where the time went.
 Outcome draw(const Catalogue& exercises, const Options& options, std::ostream& err);
 
-// Measures, writes its sheets and returns the table or the JSON. What is measured goes to `err` meanwhile.
-std::string benchmark(const Catalogue& exercises, const Options& options, std::ostream& err);
-
 Outcome check(const Catalogue& exercises, const Options& options);
 
 // "en" or "it". Throws WrongUsage.

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "exercises/cycloid-involute/instants.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::cycloid_involute {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "exercises/cycloid-involute/exercise.h"
 #include "exercises/cycloid-involute/figure.h"
-#include "exercises/kit/drawn.h"
-#include "exercises/kit/fit.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/sheet.h"
 #include "geometry/motion/roulette_divisions.h"
 
 namespace epure::cycloid_involute {

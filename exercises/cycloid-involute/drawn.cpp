@@ -1,9 +1,9 @@
 // What is drawn of an instant: the construction run on Deep, then rounded once.
-#include "exercises/kit/drawn.h"
+#include "exercises/kit/panels/drawn.h"
 
 #include "exercises/cycloid-involute/exercise.h"
 #include "exercises/cycloid-involute/figure.h"
-#include "exercises/kit/curve.h"
+#include "exercises/kit/panels/curve.h"
 #include "geometry/numbers/enclosure.h"
 
 namespace epure::cycloid_involute {

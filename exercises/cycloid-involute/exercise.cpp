@@ -1,6 +1,6 @@
 #include "exercises/cycloid-involute/exercise.h"
 
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure {
 namespace cycloid_involute {

@@ -5,8 +5,8 @@
 // circle about the origin counter-clockwise, M touching it first in (r, 0). Metres, seconds, radians.
 #pragma once
 
-#include "exercises/kit/exercise.h"
-#include "exercises/kit/plot.h"
+#include "exercises/kit/panels/plot.h"
+#include "exercises/kit/statement/exercise.h"
 #include "geometry/curves/roulettes.h"
 #include "geometry/motion/cycloid_by_arc.h"
 

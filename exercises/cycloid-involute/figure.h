@@ -1,7 +1,7 @@
 // What the sheets of cycloid and involute share.
 #pragma once
 
-#include "exercises/kit/plot.h"
+#include "exercises/kit/panels/plot.h"
 #include "geometry/motion/rolling.h"
 
 namespace epure::cycloid_involute {

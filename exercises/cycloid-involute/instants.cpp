@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "exercises/kit/polygon.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::cycloid_involute {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "exercises/cycloid-involute/exercise.h"
-#include "exercises/kit/fit.h"
+#include "exercises/kit/panels/fit.h"
 
 namespace epure::cycloid_involute {
 

@@ -7,7 +7,7 @@
 
 #include "exercises/cycloid-involute/figure.h"
 #include "exercises/cycloid-involute/instants.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::cycloid_involute {
 namespace {

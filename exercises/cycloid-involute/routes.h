@@ -2,7 +2,7 @@
 #pragma once
 
 #include "exercises/cycloid-involute/exercise.h"
-#include "exercises/kit/coupler_routes.h"
+#include "exercises/kit/linkages/coupler_routes.h"
 #include "geometry/analytic/cycloid.h"
 #include "geometry/analytic/roulettes.h"
 

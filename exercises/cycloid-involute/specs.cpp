@@ -1,6 +1,6 @@
 // The givens, and what is reported.
 #include "exercises/cycloid-involute/exercise.h"
-#include "exercises/kit/coupler_quantities.h"
+#include "exercises/kit/linkages/coupler_quantities.h"
 
 namespace epure::cycloid_involute {
 namespace {

@@ -6,9 +6,9 @@
 #include <functional>
 #include <numbers>
 
-#include "drawings/chart.h"
+#include "drawings/charts/chart.h"
 #include "exercises/cycloid-involute/exercise.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::cycloid_involute {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "exercises/four-bar-analytic/exercise.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::four_bar_analytic {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "exercises/four-bar-analytic/exercise.h"
-#include "exercises/kit/curve.h"
-#include "exercises/kit/edge.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/curve.h"
+#include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/sheet.h"
 #include "geometry/curves/four_bar_loci.h"
 #include "geometry/mechanisms/grashof.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "exercises/four-bar-analytic/exercise.h"
-#include "exercises/kit/edge.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::four_bar_analytic {
 namespace {

@@ -1,7 +1,7 @@
 #include "exercises/four-bar-analytic/exercise.h"
 
-#include "exercises/kit/four_bar_routes.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/linkages/four_bar_routes.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure {
 namespace four_bar_analytic {

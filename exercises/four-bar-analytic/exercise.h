@@ -3,10 +3,10 @@
 // crank; and the path of any coupler point.
 #pragma once
 
-#include "exercises/kit/drawn.h"
-#include "exercises/kit/exercise.h"
-#include "exercises/kit/four_bar.h"
-#include "exercises/kit/four_bar_figure.h"
+#include "exercises/kit/linkages/four_bar.h"
+#include "exercises/kit/linkages/four_bar_figure.h"
+#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/statement/exercise.h"
 
 namespace epure::four_bar_analytic {
 

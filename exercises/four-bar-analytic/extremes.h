@@ -1,8 +1,8 @@
 // ω₄ over a full turn of the crank at constant speed: its zeros and extremes, each found twice.
 #pragma once
 
-#include "exercises/kit/angles.h"
-#include "exercises/kit/four_bar.h"
+#include "exercises/kit/linkages/angles.h"
+#include "exercises/kit/linkages/four_bar.h"
 #include "geometry/analytic/four_bar_extremes.h"
 #include "geometry/analytic/four_bar_special.h"
 #include "geometry/mechanisms/collineation_axis.h"

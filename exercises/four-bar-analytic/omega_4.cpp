@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawings/chart.h"
+#include "drawings/charts/chart.h"
 #include "exercises/four-bar-analytic/exercise.h"
 #include "exercises/four-bar-analytic/extremes.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 #include "geometry/mechanisms/change_point.h"
 
 namespace epure::four_bar_analytic {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "exercises/four-bar-analytic/exercise.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::four_bar_analytic {
 namespace {

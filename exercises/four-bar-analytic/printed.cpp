@@ -6,8 +6,8 @@
 #include <complex>
 
 #include "exercises/four-bar-analytic/exercise.h"
-#include "exercises/kit/decimal.h"
-#include "exercises/kit/four_bar_on_x.h"
+#include "exercises/kit/linkages/four_bar_on_x.h"
+#include "exercises/kit/statement/decimal.h"
 
 namespace epure::four_bar_analytic {
 namespace {

@@ -1,6 +1,6 @@
 // The givens, and when they are impossible.
 #include "exercises/four-bar-analytic/exercise.h"
-#include "exercises/kit/four_bar_on_x.h"
+#include "exercises/kit/linkages/four_bar_on_x.h"
 
 namespace epure::four_bar_analytic {
 

@@ -3,8 +3,8 @@
 
 #include "exercises/four-bar-analytic/exercise.h"
 #include "exercises/four-bar-analytic/extremes.h"
-#include "exercises/kit/four_bar_on_x.h"
-#include "exercises/kit/four_bar_routes.h"
+#include "exercises/kit/linkages/four_bar_on_x.h"
+#include "exercises/kit/linkages/four_bar_routes.h"
 
 namespace epure::four_bar_analytic {
 

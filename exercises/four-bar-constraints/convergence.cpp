@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "drawings/chart.h"
+#include "drawings/charts/chart.h"
 #include "exercises/four-bar-constraints/exercise.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::four_bar_constraints {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure {
 namespace four_bar_constraints {

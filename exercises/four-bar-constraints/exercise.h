@@ -2,11 +2,11 @@
 // the closure, from a start given, and its derivatives; checked by both earlier methods.
 #pragma once
 
-#include "exercises/kit/drawn.h"
-#include "exercises/kit/exercise.h"
-#include "exercises/kit/four_bar.h"
-#include "exercises/kit/four_bar_figure.h"
-#include "exercises/kit/four_bar_on_x.h"
+#include "exercises/kit/linkages/four_bar.h"
+#include "exercises/kit/linkages/four_bar_figure.h"
+#include "exercises/kit/linkages/four_bar_on_x.h"
+#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/statement/exercise.h"
 #include "geometry/analytic/constraints.h"
 
 namespace epure::four_bar_constraints {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "exercises/four-bar-constraints/exercise.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::four_bar_constraints {
 namespace {

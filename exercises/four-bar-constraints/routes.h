@@ -2,7 +2,7 @@
 #pragma once
 
 #include "exercises/four-bar-constraints/exercise.h"
-#include "exercises/kit/four_bar_routes.h"
+#include "exercises/kit/linkages/four_bar_routes.h"
 
 namespace epure::four_bar_constraints {
 

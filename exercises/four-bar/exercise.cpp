@@ -1,7 +1,7 @@
 #include "exercises/four-bar/exercise.h"
 
 #include "exercises/four-bar/figure.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure {
 namespace four_bar {

@@ -3,8 +3,8 @@
 // parallel; and a slider-crank whose circles have become lines.
 #pragma once
 
-#include "exercises/kit/exercise.h"
-#include "exercises/kit/four_bar.h"
+#include "exercises/kit/linkages/four_bar.h"
+#include "exercises/kit/statement/exercise.h"
 
 namespace epure::four_bar {
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "exercises/four-bar/exercise.h"
-#include "exercises/kit/coupler_figure.h"
-#include "exercises/kit/diagram_sheet.h"
-#include "exercises/kit/four_bar_figure.h"
+#include "exercises/kit/linkages/four_bar_figure.h"
+#include "exercises/kit/panels/coupler_figure.h"
+#include "exercises/kit/panels/diagram_sheet.h"
 #include "geometry/mechanisms/four_bar_positions.h"
 
 namespace epure::four_bar {

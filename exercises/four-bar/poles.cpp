@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "exercises/four-bar/figure.h"
-#include "exercises/kit/edge.h"
+#include "exercises/kit/panels/edge.h"
 
 namespace epure::four_bar {
 namespace {

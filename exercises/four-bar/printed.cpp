@@ -17,7 +17,7 @@
 #include <numbers>
 
 #include "exercises/four-bar/figure.h"
-#include "exercises/kit/decimal.h"
+#include "exercises/kit/statement/decimal.h"
 
 namespace epure::four_bar {
 namespace {

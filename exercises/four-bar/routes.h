@@ -2,8 +2,8 @@
 #pragma once
 
 #include "exercises/four-bar/exercise.h"
-#include "exercises/kit/four_bar_routes.h"
-#include "exercises/kit/half_turned.h"
+#include "exercises/kit/linkages/four_bar_routes.h"
+#include "exercises/kit/linkages/half_turned.h"
 
 namespace epure::four_bar {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "exercises/four-bar/exercise.h"
-#include "exercises/kit/angles.h"
-#include "exercises/kit/coupler_routes.h"
+#include "exercises/kit/linkages/angles.h"
+#include "exercises/kit/linkages/coupler_routes.h"
 #include "geometry/mechanisms/dyad.h"
 
 namespace epure::four_bar {

@@ -1,7 +1,7 @@
 // What the exercise reports.
 #include "exercises/four-bar/exercise.h"
-#include "exercises/kit/coupler_quantities.h"
-#include "exercises/kit/four_bar.h"
+#include "exercises/kit/linkages/coupler_quantities.h"
+#include "exercises/kit/linkages/four_bar.h"
 
 namespace epure::four_bar {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "exercises/gear-pair/fault_words.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::gear_pair {
 namespace {

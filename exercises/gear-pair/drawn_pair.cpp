@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exercises/kit/drawn.h"
+#include "exercises/kit/panels/drawn.h"
 #include "geometry/gears/sliding.h"
 #include "geometry/gears/tooth_thickness.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "exercises/kit/plot.h"
+#include "exercises/kit/panels/plot.h"
 #include "geometry/gears/contact_path.h"
 #include "geometry/gears/faults.h"
 #include "geometry/gears/gear_pair.h"

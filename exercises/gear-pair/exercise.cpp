@@ -6,8 +6,8 @@
 
 #include "exercises/gear-pair/fault_words.h"
 #include "exercises/gear-pair/quantities.h"
-#include "exercises/kit/sheet.h"
-#include "exercises/kit/verdict.h"
+#include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/proof/verdict.h"
 
 namespace epure {
 namespace gear_pair {

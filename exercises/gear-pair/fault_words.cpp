@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::gear_pair {
 namespace {

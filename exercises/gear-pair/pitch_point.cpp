@@ -9,9 +9,9 @@
 #include "exercises/gear-pair/fault_marks.h"
 #include "exercises/gear-pair/pitch_point_text.h"
 #include "exercises/gear-pair/teeth.h"
-#include "exercises/kit/drawn.h"
-#include "exercises/kit/fit.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::gear_pair {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "exercises/gear-pair/contact_words.h"
 #include "exercises/gear-pair/fault_words.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::gear_pair {
 namespace {

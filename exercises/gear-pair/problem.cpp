@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "exercises/kit/decimal.h"
+#include "exercises/kit/statement/decimal.h"
 #include "geometry/gears/pressure_angle.h"
 #include "geometry/numbers/climb.h"
 

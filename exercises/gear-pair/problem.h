@@ -1,7 +1,7 @@
 // What is given of the pair, read and refused.
 #pragma once
 
-#include "exercises/kit/exercise.h"
+#include "exercises/kit/statement/exercise.h"
 #include "geometry/gears/pair_data.h"
 
 namespace epure::gear_pair {

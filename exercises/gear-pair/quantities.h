@@ -2,8 +2,8 @@
 #pragma once
 
 #include "exercises/gear-pair/problem.h"
-#include "exercises/kit/angles.h"
-#include "exercises/kit/crank.h"
+#include "exercises/kit/linkages/angles.h"
+#include "exercises/kit/linkages/crank.h"
 #include "geometry/analytic/gear_limits.h"
 #include "geometry/gears/limits.h"
 #include "geometry/gears/sliding.h"

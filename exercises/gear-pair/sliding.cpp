@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawings/chart.h"
+#include "drawings/charts/chart.h"
 #include "exercises/gear-pair/contact_words.h"
 #include "exercises/gear-pair/exercise.h"
 #include "exercises/gear-pair/fault_marks.h"
 #include "exercises/gear-pair/fault_words.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::gear_pair {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "drawings/vectors.h"
+#include "drawings/paths/vectors.h"
 
 namespace epure::gear_pair {
 namespace {

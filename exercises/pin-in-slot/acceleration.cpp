@@ -1,8 +1,8 @@
 // Sheet 2: a_B = a_B* + a_cor + a_rel as a polygon.
 #include <fmt/format.h>
 
-#include "exercises/kit/polygon.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/pin-in-slot/figure.h"
 
 namespace epure::pin_in_slot {

@@ -1,6 +1,6 @@
 #include "exercises/pin-in-slot/exercise.h"
 
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/pin-in-slot/quantities.h"
 
 namespace epure {

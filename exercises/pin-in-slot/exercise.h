@@ -3,8 +3,8 @@
 // of powers too.
 #pragma once
 
-#include "exercises/kit/drawn.h"
-#include "exercises/kit/exercise.h"
+#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/statement/exercise.h"
 #include "exercises/pin-in-slot/instant.h"
 
 namespace epure::pin_in_slot {

@@ -1,7 +1,7 @@
 // The slotted lever and the disc as they are drawn.
 #pragma once
 
-#include "exercises/kit/fit.h"
+#include "exercises/kit/panels/fit.h"
 #include "exercises/pin-in-slot/exercise.h"
 
 namespace epure::pin_in_slot {

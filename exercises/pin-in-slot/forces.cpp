@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exercises/kit/polygon.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/pin-in-slot/figure.h"
 
 namespace epure::pin_in_slot {

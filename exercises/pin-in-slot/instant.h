@@ -1,7 +1,7 @@
 // The givens of the exercise, and when they are impossible.
 #pragma once
 
-#include "exercises/kit/givens.h"
+#include "exercises/kit/statement/givens.h"
 #include "geometry/analytic/slotted_lever.h"
 #include "geometry/statics/slotted_lever.h"
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawings/chart.h"
-#include "exercises/kit/fit.h"
-#include "exercises/kit/sheet.h"
+#include "drawings/charts/chart.h"
+#include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/pin-in-slot/exercise.h"
 #include "exercises/pin-in-slot/figure.h"
 

@@ -2,7 +2,7 @@
 // analysis.
 #pragma once
 
-#include "exercises/kit/ledger.h"
+#include "exercises/kit/proof/ledger.h"
 #include "exercises/pin-in-slot/instant.h"
 
 namespace epure::pin_in_slot {

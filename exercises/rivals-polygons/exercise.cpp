@@ -1,6 +1,6 @@
 #include "exercises/rivals-polygons/exercise.h"
 
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/rivals-polygons/quantities.h"
 
 namespace epure {

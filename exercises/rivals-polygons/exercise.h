@@ -2,9 +2,9 @@
 // vector polygons that are built one step a picture.
 #pragma once
 
-#include "exercises/kit/exercise.h"
-#include "exercises/kit/polygon.h"
-#include "exercises/kit/slider_crank.h"
+#include "exercises/kit/linkages/slider_crank.h"
+#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/statement/exercise.h"
 #include "exercises/rivals-polygons/mechanism.h"
 
 namespace epure::rivals_polygons {

@@ -1,7 +1,7 @@
 // The slider-crank with a plain bar for its coupler, and a point G on it.
 #pragma once
 
-#include "exercises/kit/mechanism_figure.h"
+#include "exercises/kit/panels/mechanism_figure.h"
 
 namespace epure::rivals_polygons {
 

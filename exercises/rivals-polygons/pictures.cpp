@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure::rivals_polygons {
 namespace {

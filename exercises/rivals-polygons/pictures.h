@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "exercises/kit/mechanism_figure.h"
-#include "exercises/kit/polygon.h"
+#include "exercises/kit/panels/mechanism_figure.h"
+#include "exercises/kit/panels/polygon.h"
 
 namespace epure::rivals_polygons {
 

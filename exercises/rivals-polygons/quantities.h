@@ -1,7 +1,7 @@
 // Rivals' theorem three times: by the polygons of the polar diagram, by the method of poles, by analysis.
 #pragma once
 
-#include "exercises/kit/slider_crank_routes.h"
+#include "exercises/kit/linkages/slider_crank_routes.h"
 #include "exercises/rivals-polygons/exercise.h"
 #include "geometry/mechanisms/dyad.h"
 #include "geometry/motion/euler_savary.h"

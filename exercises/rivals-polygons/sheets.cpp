@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/rivals-polygons/exercise.h"
 #include "exercises/rivals-polygons/pictures.h"
 

@@ -1,6 +1,6 @@
 #include "exercises/roulette/exercise.h"
 
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure {
 namespace roulette {

@@ -5,8 +5,8 @@
 
 #include <utility>
 
-#include "exercises/kit/exercise.h"
-#include "exercises/kit/plot.h"
+#include "exercises/kit/panels/plot.h"
+#include "exercises/kit/statement/exercise.h"
 #include "geometry/analytic/roulettes.h"
 #include "geometry/curves/roulettes.h"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exercises/kit/edge.h"
-#include "exercises/kit/fit.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/roulette/exercise.h"
 
 namespace epure::roulette {

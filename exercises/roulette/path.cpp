@@ -7,10 +7,11 @@
 #include <numbers>
 
 #include "exercises/kit/drawn.h"
-#include "exercises/kit/edge.h"
-#include "exercises/kit/fit.h"
-#include "exercises/kit/mechanism_figure.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/mechanism_figure.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/roulette/exercise.h"
 
 namespace epure::roulette {

@@ -1,6 +1,6 @@
 // Every quantity by the poles, with Euler and Savary, and by closed formulas; the arc by its primitive and by
 // quadrature.
-#include "exercises/kit/coupler_routes.h"
+#include "exercises/kit/linkages/coupler_routes.h"
 #include "exercises/roulette/exercise.h"
 
 namespace epure::roulette {

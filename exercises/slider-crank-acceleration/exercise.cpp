@@ -1,7 +1,7 @@
 #include "exercises/slider-crank-acceleration/exercise.h"
 
-#include "exercises/kit/coupler_quantities.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/linkages/coupler_quantities.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/slider-crank-acceleration/quantities.h"
 
 namespace epure {

@@ -2,10 +2,10 @@
 // inflection and stationarity circles, and centres of curvature by Euler-Savary.
 #pragma once
 
-#include "exercises/kit/coupler_figure.h"
-#include "exercises/kit/exercise.h"
-#include "exercises/kit/slider_crank.h"
-#include "exercises/kit/slider_crank_figure.h"
+#include "exercises/kit/linkages/slider_crank.h"
+#include "exercises/kit/linkages/slider_crank_figure.h"
+#include "exercises/kit/panels/coupler_figure.h"
+#include "exercises/kit/statement/exercise.h"
 
 namespace epure::slider_crank_acceleration {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "exercises/kit/fit.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/slider-crank-acceleration/exercise.h"
 
 namespace epure::slider_crank_acceleration {

@@ -2,8 +2,8 @@
 // analysis.
 #pragma once
 
-#include "exercises/kit/coupler_routes.h"
-#include "exercises/kit/slider_crank_routes.h"
+#include "exercises/kit/linkages/coupler_routes.h"
+#include "exercises/kit/linkages/slider_crank_routes.h"
 
 namespace epure::slider_crank_acceleration {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "exercises/kit/curve.h"
-#include "exercises/kit/fit.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/curve.h"
+#include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/slider-crank-velocity/loci.h"
 
 namespace epure::slider_crank_velocity {

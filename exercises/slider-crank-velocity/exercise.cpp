@@ -1,6 +1,6 @@
 #include "exercises/slider-crank-velocity/exercise.h"
 
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/slider-crank-velocity/quantities.h"
 
 namespace epure {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "exercises/kit/curve.h"
+#include "exercises/kit/panels/curve.h"
 #include "exercises/slider-crank-velocity/exercise.h"
 #include "geometry/curves/polodes.h"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exercises/kit/compare.h"
-#include "exercises/kit/fit.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/compare.h"
+#include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/slider-crank-velocity/exercise.h"
 
 namespace epure::slider_crank_velocity {

@@ -1,7 +1,7 @@
 // The slider-crank's velocities found four times: constructed points, method of poles, polar diagram, analysis.
 #pragma once
 
-#include "exercises/kit/slider_crank_routes.h"
+#include "exercises/kit/linkages/slider_crank_routes.h"
 
 namespace epure::slider_crank_velocity {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "exercises/kit/diagram_sheet.h"
+#include "exercises/kit/panels/diagram_sheet.h"
 #include "exercises/velocity-centre/exercise.h"
 
 namespace epure::velocity_centre {

@@ -1,7 +1,7 @@
 // A bar OA hinged on a block that slides on a guide.
 #pragma once
 
-#include "exercises/kit/mechanism_figure.h"
+#include "exercises/kit/panels/mechanism_figure.h"
 
 namespace epure::velocity_centre {
 

@@ -1,6 +1,6 @@
 #include "exercises/velocity-centre/exercise.h"
 
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/velocity-centre/quantities.h"
 
 namespace epure {

@@ -2,9 +2,9 @@
 // acceleration of its end A, and its velocity centre.
 #pragma once
 
-#include "exercises/kit/coupler_figure.h"
-#include "exercises/kit/exercise.h"
-#include "exercises/kit/polygon.h"
+#include "exercises/kit/panels/coupler_figure.h"
+#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/statement/exercise.h"
 #include "exercises/velocity-centre/carried_bar.h"
 
 namespace epure::velocity_centre {

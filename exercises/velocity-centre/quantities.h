@@ -1,7 +1,7 @@
 // The bar on its carrier three times: by the polygons of Rivals' theorem, by poles, by complex numbers.
 #pragma once
 
-#include "exercises/kit/coupler_routes.h"
+#include "exercises/kit/linkages/coupler_routes.h"
 #include "exercises/velocity-centre/exercise.h"
 #include "geometry/mechanisms/dyad.h"
 

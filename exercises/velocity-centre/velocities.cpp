@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exercises/kit/compare.h"
-#include "exercises/kit/edge.h"
-#include "exercises/kit/fit.h"
-#include "exercises/kit/sheet.h"
+#include "exercises/kit/panels/compare.h"
+#include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/sheet.h"
 #include "exercises/velocity-centre/exercise.h"
 
 namespace epure::velocity_centre {

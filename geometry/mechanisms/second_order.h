@@ -1,6 +1,6 @@
 // The full second-order analysis of one position of a four-bar or slider-crank: where its joints are, velocities and
 // accelerations of coupler and driven link, pole, acceleration pole, and centre of curvature of the path of a point C
-// of the coupler. Put together from the constructions, for sweeps over many positions (second_order_sweep.h).
+// of the coupler. Put together from the constructions, for sweeps over many positions.
 //
 // Metres, radians, seconds; counter-clockwise positive; A₀ is the origin.
 #pragma once

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "drawings/page.h"
-#include "drawings/text.h"
-#include "drawings/vectors.h"
+#include "drawings/paths/vectors.h"
+#include "drawings/text/text.h"
 
 namespace epure::drawings::probe {
 

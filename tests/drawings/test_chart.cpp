@@ -1,13 +1,13 @@
 // Charts: numbers along the axes, the map to the paper, curves that stay apart and inside, letters that touch
 // nothing.
-#include "drawings/chart.h"
+#include "drawings/charts/chart.h"
 
 #include <random>
 #include <set>
 
-#include "drawings/chart_curves.h"
+#include "drawings/charts/chart_curves.h"
+#include "drawings/charts/ticks.h"
 #include "drawings/output.h"
-#include "drawings/ticks.h"
 #include "tests/drawings/probe.h"
 #include "tests/support/catch.h"
 #include "tests/support/read_svg.h"

@@ -1,12 +1,12 @@
 // A composed sheet: everything in its place, on both papers and in both languages.
-#include "drawings/clip.h"
-#include "drawings/column.h"
-#include "drawings/flatten.h"
-#include "drawings/ink.h"
-#include "drawings/layout.h"
 #include "drawings/output.h"
 #include "drawings/page.h"
-#include "drawings/words.h"
+#include "drawings/paths/clip.h"
+#include "drawings/paths/flatten.h"
+#include "drawings/sheet/column.h"
+#include "drawings/sheet/ink.h"
+#include "drawings/sheet/layout.h"
+#include "drawings/text/words.h"
 #include "tests/drawings/probe.h"
 #include "tests/support/catch.h"
 

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "drawings/font_folder.h"
-#include "drawings/pango_fonts.h"
-#include "drawings/text.h"
+#include "drawings/text/font_folder.h"
+#include "drawings/text/pango_fonts.h"
+#include "drawings/text/text.h"
 #include "tests/support/catch.h"
 
 using namespace epure::drawings;

@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "drawings/labels.h"
+#include "drawings/labels/labels.h"
 #include "drawings/output.h"
 #include "drawings/page.h"
 #include "tests/drawings/probe.h"

@@ -1,7 +1,7 @@
 // Arrows and kinematic symbols have the sizes and places they promise.
+#include "drawings/marks/symbols.h"
 #include "drawings/output.h"
 #include "drawings/page.h"
-#include "drawings/symbols.h"
 #include "tests/drawings/probe.h"
 #include "tests/support/catch.h"
 

@@ -1,8 +1,8 @@
 #include <random>
 
-#include "drawings/rich_text.h"
-#include "drawings/typeset.h"
-#include "drawings/vectors.h"
+#include "drawings/paths/vectors.h"
+#include "drawings/text/rich_text.h"
+#include "drawings/text/typeset.h"
 #include "tests/support/catch.h"
 
 using namespace epure::drawings;

@@ -10,11 +10,11 @@
 #include <set>
 #include <sstream>
 
-#include "drawings/grid.h"
 #include "drawings/page.h"
-#include "drawings/typeset.h"
-#include "drawings/unicode.h"
-#include "drawings/vectors.h"
+#include "drawings/paths/grid.h"
+#include "drawings/paths/vectors.h"
+#include "drawings/text/typeset.h"
+#include "drawings/text/unicode.h"
 #include "read_pdf.h"
 #include "tests/support/catch.h"
 #include "tests/support/read_svg.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "exercises/kit/decimal.h"
+#include "exercises/kit/statement/decimal.h"
 
 namespace epure {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "exercises/kit/exercise.h"
+#include "exercises/kit/statement/exercise.h"
 
 namespace epure {
 

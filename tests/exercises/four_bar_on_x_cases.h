@@ -7,7 +7,7 @@
 #include "drawings/output.h"
 #include "exercises/cli/catalogue.h"
 #include "exercises/cli/run.h"
-#include "exercises/kit/checked.h"
+#include "exercises/kit/proof/checked.h"
 #include "geometry/numbers/given.h"
 #include "tests/support/catch.h"
 #include "tests/support/corpus.h"

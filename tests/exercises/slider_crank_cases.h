@@ -6,7 +6,7 @@
 
 #include "exercises/cli/catalogue.h"
 #include "exercises/cli/run.h"
-#include "exercises/kit/checked.h"
+#include "exercises/kit/proof/checked.h"
 
 namespace epure::tests {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exercises/kit/checked.h"
+#include "exercises/kit/proof/checked.h"
 #include "tests/exercises/fake.h"
 #include "tests/support/catch.h"
 

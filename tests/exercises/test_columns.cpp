@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "exercises/kit/columns.h"
+#include "exercises/cli/columns.h"
 #include "tests/support/catch.h"
 
 using namespace epure;

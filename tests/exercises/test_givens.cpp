@@ -1,6 +1,6 @@
 // Givens as a user may type them.
-#include "exercises/kit/givens.h"
-#include "exercises/kit/suggest.h"
+#include "exercises/kit/statement/givens.h"
+#include "exercises/kit/statement/suggest.h"
 #include "tests/exercises/fake.h"
 #include "tests/support/catch.h"
 

@@ -8,9 +8,9 @@
 #include <set>
 #include <sstream>
 
+#include "exercises/cli/columns.h"
 #include "exercises/cli/run.h"
-#include "exercises/kit/columns.h"
-#include "exercises/kit/route_names.h"
+#include "exercises/kit/proof/route_names.h"
 #include "tests/support/catch.h"
 
 using namespace epure;

@@ -1,5 +1,5 @@
 // What is written down is computed when it is asked for.
-#include "exercises/kit/ledger.h"
+#include "exercises/kit/proof/ledger.h"
 #include "tests/support/catch.h"
 
 using namespace epure;

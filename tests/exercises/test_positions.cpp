@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "drawings/page.h"
-#include "drawings/text.h"
+#include "drawings/text/text.h"
 #include "exercises/cli/run.h"
 #include "tests/exercises/held_against_corpus.h"
 #include "tests/support/catch.h"

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "drawings/output.h"
-#include "exercises/kit/exercise.h"
-#include "exercises/kit/givens.h"
+#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/statement/givens.h"
 #include "tests/exercises/picture.h"
 #include "tests/support/catch.h"
 

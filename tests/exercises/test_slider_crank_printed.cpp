@@ -1,5 +1,5 @@
 // The source's own numbers: what is rounding, what is reading, and mistakes that evaluate to what was printed.
-#include "exercises/kit/verdict.h"
+#include "exercises/kit/proof/verdict.h"
 #include "tests/exercises/slider_crank_cases.h"
 #include "tests/support/catch.h"
 

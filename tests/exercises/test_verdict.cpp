@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "exercises/kit/decimal.h"
-#include "exercises/kit/verdict.h"
+#include "exercises/kit/proof/verdict.h"
+#include "exercises/kit/statement/decimal.h"
 #include "geometry/numbers/given.h"
 #include "tests/exercises/fake.h"
 #include "tests/support/catch.h"

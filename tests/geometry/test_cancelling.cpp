@@ -1,4 +1,4 @@
-// Functions whose terms cancel keep their relative accuracy. (Their values: the hard corpus, tests/exercises/bench.)
+// Functions whose terms cancel keep their relative accuracy. (Their values: the hard corpus, tests/bench.)
 #include "geometry/analytic/cancelling.h"
 #include "geometry/numbers/enclosure.h"
 #include "tests/support/catch.h"

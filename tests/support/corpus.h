@@ -1,7 +1,7 @@
-// The reader of reference values (exercises/bench/corpus.h), by the names the tests use.
+// The reader of reference values (bench/corpus.h), by the names the tests use.
 #pragma once
 
-#include "exercises/bench/corpus.h"
+#include "bench/corpus.h"
 
 namespace epure::tests {
 

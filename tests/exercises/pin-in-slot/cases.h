@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "exercises/cli/catalogue.h"
-#include "exercises/kit/checked.h"
+#include "exercises/kit/proof/checked.h"
 #include "geometry/numbers/given.h"
 #include "tests/support/corpus.h"
 

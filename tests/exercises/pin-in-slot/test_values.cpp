@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-#include "exercises/kit/verdict.h"
+#include "exercises/kit/proof/verdict.h"
 #include "tests/exercises/pin-in-slot/cases.h"
 #include "tests/support/catch.h"
 

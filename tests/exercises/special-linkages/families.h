@@ -3,7 +3,7 @@
 // missed, and with bars of very different sizes.
 #pragma once
 
-#include "exercises/kit/givens.h"
+#include "exercises/kit/statement/givens.h"
 
 #include <map>
 #include <random>

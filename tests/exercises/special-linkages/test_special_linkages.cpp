@@ -1,7 +1,7 @@
 // What holds for every direction of the links is proved at every direction, within the budget of every proof.
 // EPURE_SPECIAL_CASES says how many cases are asked (a night takes 100000), EPURE_SPECIAL_SEED which; what they cost
 // is then told, but never a reason to fail.
-#include "exercises/kit/checked.h"
+#include "exercises/kit/proof/checked.h"
 #include "tests/exercises/special-linkages/families.h"
 
 #include "tests/support/catch.h"

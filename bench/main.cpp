@@ -1,0 +1,4 @@
+#include "bench/benchmark.h"
+#include "exercises/program.h"
+
+int main(int count, char** words) { return epure::run_program(count, words, epure::bench::benchmark); }

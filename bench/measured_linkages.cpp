@@ -1,0 +1,12 @@
+#include "bench/families/four_bar.h"
+#include "bench/families/slider_crank.h"
+#include "bench/measure_family.h"
+#include "bench/measured.h"
+
+namespace epure::bench {
+
+std::vector<FamilyJob> linkage_jobs() {
+  return {job<FourBarPosition>(), job<FourBarSecondOrder>(), job<SliderCrankSecondOrder>()};
+}
+
+}  // namespace epure::bench

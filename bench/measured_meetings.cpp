@@ -1,0 +1,10 @@
+#include "bench/families/cancelling.h"
+#include "bench/families/meeting.h"
+#include "bench/measure_family.h"
+#include "bench/measured.h"
+
+namespace epure::bench {
+
+std::vector<FamilyJob> meeting_jobs() { return {job<VectorPolygon>(), job<Circles>(), job<Cancelling>()}; }
+
+}  // namespace epure::bench

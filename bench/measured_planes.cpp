@@ -1,0 +1,13 @@
+#include "bench/families/coupler_curve.h"
+#include "bench/families/plane_motion.h"
+#include "bench/families/slider_crank.h"
+#include "bench/measure_family.h"
+#include "bench/measured.h"
+
+namespace epure::bench {
+
+std::vector<FamilyJob> plane_jobs() {
+  return {job<PoleAndCircles>(), job<Curvature>(), job<PolodePoint>(), job<CouplerCurvePoint>()};
+}
+
+}  // namespace epure::bench

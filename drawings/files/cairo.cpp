@@ -1,0 +1,262 @@
+// Pages painted by Cairo, with Pango's fonts. The only file that knows Cairo.
+#include <cairo-pdf.h>
+#include <cairo.h>
+#include <fmt/format.h>
+#include <pango/pangocairo.h>
+#include <pango/pangofc-fontmap.h>
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "drawings/files/check_page.h"
+#include "drawings/page.h"
+#include "drawings/paths/grid.h"
+#include "drawings/paths/vectors.h"
+#include "drawings/stopwatch.h"
+#include "drawings/text/glyph_outline.h"
+#include "drawings/text/memory_watch.h"
+#include "drawings/text/pango_fonts.h"
+#include "drawings/text/release.h"
+#include "drawings/text/typeset.h"
+
+namespace epure::drawings {
+namespace {
+
+using Surface = Held<cairo_surface_t, cairo_surface_destroy>;
+using Context = Held<cairo_t, cairo_destroy>;
+using FontOptions = Held<cairo_font_options_t, cairo_font_options_destroy>;
+
+void demand(cairo_status_t status) {
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error(fmt::format("Cairo: {}", cairo_status_to_string(status)));
+}
+
+// Where Cairo puts the document. Cairo 1.16 reports success even after its stream has failed, so the flag is ours.
+struct Memory {
+  std::string bytes;
+  bool failed = false;
+};
+cairo_status_t keep(void* memory, const unsigned char* data, unsigned length) {
+  auto& kept = *static_cast<Memory*>(memory);
+  try {
+    kept.bytes.append(reinterpret_cast<const char*>(data), length);
+  } catch (const std::bad_alloc&) {
+    kept.failed = true;
+    return CAIRO_STATUS_WRITE_ERROR;
+  }
+  return CAIRO_STATUS_SUCCESS;
+}
+
+// At units_per_em.
+cairo_scaled_font_t* scaled_font(Face face) {
+  return pango_cairo_font_get_scaled_font(PANGO_CAIRO_FONT(pango_fonts()[face]));
+}
+
+class Painter {
+ public:
+  Painter(cairo_t* context, const Box& extent) : context_(context), frame_(extent) {}
+
+  void operator()(const Stroke& stroke) {
+    cairo_save(context_);
+    clip(stroke.clip);
+    trace(stroke.path);
+    ink(stroke.colour);
+    cairo_set_line_width(context_, stroke.width * points_per_mm);
+    std::vector<double> dashes = stroke.dashes;
+    for (double& dash : dashes) dash *= points_per_mm;
+    cairo_set_dash(context_, dashes.data(), static_cast<int>(dashes.size()), 0);
+    cairo_stroke(context_);
+    cairo_restore(context_);
+  }
+
+  void operator()(const Fill& fill) {
+    cairo_save(context_);
+    clip(fill.clip);
+    trace(fill.path);
+    ink(fill.colour);
+    cairo_fill(context_);
+    cairo_restore(context_);
+  }
+
+  void operator()(const PlacedText& text) {
+    const SetText& set = typeset(text.text, text.size, text.weight);
+    ink(text.colour);
+    for (const GlyphRun& run : set.runs) show(run, text.baseline);
+    for (const Path& arrow : set.arrows) {
+      cairo_new_path(context_);
+      add(arrow, [&](Point p) { return frame_.unrounded(text.baseline + p); });
+      cairo_fill(context_);
+    }
+  }
+
+ private:
+  void ink(const Colour& c) { cairo_set_source_rgba(context_, c.red, c.green, c.blue, c.opacity); }
+
+  void trace(const Path& path) {
+    cairo_new_path(context_);
+    add(path, [this](Point p) { return frame_.rounded(p); });
+  }
+
+  template <class ToPage>
+  void add(const Path& path, ToPage to_page) {
+    const Point start = to_page(path.start);
+    cairo_move_to(context_, start.x, start.y);
+    for (const Piece& piece : path.pieces) {
+      const Point end = to_page(piece.end);
+      if (piece.straight) {
+        cairo_line_to(context_, end.x, end.y);
+      } else {
+        const Point a = to_page(piece.first_control), b = to_page(piece.second_control);
+        cairo_curve_to(context_, a.x, a.y, b.x, b.y, end.x, end.y);
+      }
+    }
+    if (path.closed) cairo_close_path(context_);
+  }
+
+  void clip(const std::optional<Box>& box) {
+    if (!box) return;
+    trace(polyline({box->low, {box->high.x, box->low.y}, box->high, {box->low.x, box->high.y}}, true));
+    cairo_clip(context_);
+  }
+
+  // As text, with the characters each glyph stands for, so that the document can be searched.
+  void show(const GlyphRun& run, Point baseline) {
+    cairo_set_font_face(context_, cairo_scaled_font_get_font_face(scaled_font(run.face)));
+    cairo_set_font_size(context_, run.size * points_per_mm);
+    std::vector<cairo_glyph_t> glyphs;
+    std::vector<cairo_text_cluster_t> clusters;
+    std::string letters;
+    for (const SetGlyph& glyph : run.glyphs) {
+      const Point at = frame_.unrounded(baseline + glyph.at);
+      glyphs.push_back({glyph.index, at.x, at.y});
+      if (glyph.text.empty() && !clusters.empty())
+        ++clusters.back().num_glyphs;
+      else
+        clusters.push_back({static_cast<int>(glyph.text.size()), 1});
+      letters += glyph.text;
+    }
+    cairo_show_text_glyphs(context_, letters.data(), static_cast<int>(letters.size()), glyphs.data(),
+                           static_cast<int>(glyphs.size()), clusters.data(), static_cast<int>(clusters.size()),
+                           cairo_text_cluster_flags_t{});
+  }
+
+  cairo_t* context_;
+  Frame frame_;
+};
+
+// Metrics and outlines as designed, at every size.
+FontOptions unhinted() {
+  FontOptions options(cairo_font_options_create());
+  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+  return options;
+}
+
+Context open(cairo_surface_t* surface) {
+  Context context(cairo_create(surface));
+  cairo_set_font_options(context.get(), unhinted().get());
+  cairo_set_line_cap(context.get(), CAIRO_LINE_CAP_BUTT);
+  cairo_set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
+  return context;
+}
+
+void paint(cairo_surface_t* surface, const Page& page) {
+  cairo_pdf_surface_set_size(surface, page.extent.width() * points_per_mm, page.extent.height() * points_per_mm);
+  const Context context = open(surface);
+  Painter painter(context.get(), page.extent);
+  for (const Primitive& primitive : page.primitives) {
+    const MemoryWatch memory;
+    std::visit(painter, primitive);
+    memory.demand();
+  }
+  const MemoryWatch memory;
+  cairo_show_page(context.get());
+  memory.demand();
+  demand(cairo_status(context.get()));
+}
+
+// Closes the document, whose bytes are in `memory`.
+std::string finish(cairo_surface_t* surface, Memory& memory) {
+  cairo_surface_finish(surface);
+  demand(cairo_surface_status(surface));
+  if (memory.failed) throw std::bad_alloc();
+  return std::move(memory.bytes);
+}
+
+void set_metadata(cairo_surface_t* surface, const std::string& title) {
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, title.c_str());
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "epure " EPURE_VERSION);
+  // Cairo writes the present time unless it is given a date; one it cannot read makes it write none. The same
+  // drawing is then the same file.
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "none");
+}
+
+// Cairo's y points down, and after a contour it moves once more to where that began.
+std::vector<Path> contours(const cairo_path_t& path) {
+  const auto point = [&](int i) { return Point{path.data[i].point.x, -path.data[i].point.y}; };
+  std::vector<Path> found;
+  for (int i = 0; i < path.num_data; i += path.data[i].header.length) switch (path.data[i].header.type) {
+      case CAIRO_PATH_MOVE_TO:
+        found.push_back({point(i + 1), {}, true});
+        break;
+      case CAIRO_PATH_LINE_TO:
+        found.back().pieces.push_back({true, {}, {}, point(i + 1)});
+        break;
+      case CAIRO_PATH_CURVE_TO:
+        found.back().pieces.push_back({false, point(i + 1), point(i + 2), point(i + 3)});
+        break;
+      case CAIRO_PATH_CLOSE_PATH:
+        break;
+    }
+  std::erase_if(found, [](const Path& contour) { return contour.pieces.empty(); });
+  return found;
+}
+
+}  // namespace
+
+std::string write_pdf(const std::vector<Page>& pages, const std::string& document_title) {
+  const Timed timed(Work::pdf);
+  if (pages.empty()) throw std::invalid_argument("a document needs at least one page");
+  check_plain_text(document_title, "the title of the document");
+  for (const Page& page : pages) check(page);
+
+  Memory memory;
+  const Surface surface(cairo_pdf_surface_create_for_stream(keep, &memory, 72, 72));
+  demand(cairo_surface_status(surface.get()));
+  set_metadata(surface.get(), document_title);
+  for (const Page& page : pages) paint(surface.get(), page);
+  const MemoryWatch watch;
+  std::string bytes = finish(surface.get(), memory);
+  watch.demand();
+  return bytes;
+}
+
+std::vector<Path> glyph_outline(Face face, unsigned glyph) {
+  // Paths are only kept here, nothing is painted.
+  thread_local const Surface nowhere(cairo_recording_surface_create(CAIRO_CONTENT_ALPHA, nullptr));
+  const Context context(cairo_create(nowhere.get()));
+  const MemoryWatch memory;
+  cairo_scaled_font_t* font = scaled_font(face);
+  cairo_set_scaled_font(context.get(), font);  // on units_per_em: a unit of Cairo's is one of the font's
+  const cairo_glyph_t at_origin{glyph, 0, 0};
+  cairo_glyph_path(context.get(), &at_origin, 1);
+  demand(cairo_status(context.get()));
+  demand(cairo_scaled_font_status(font));
+  memory.demand();
+  const Held<cairo_path_t, cairo_path_destroy> kept(cairo_copy_path(context.get()));
+  demand(kept->status);
+  return contours(*kept);
+}
+
+FontContext unhinted_context(FcConfig* known) {
+  const Held<PangoFontMap, g_object_unref> map(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
+  if (!map) throw std::runtime_error("this Pango was built without the fonts of FreeType");
+  pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map.get()), known);
+  FontContext context(pango_font_map_create_context(map.get()));
+  pango_cairo_context_set_font_options(context.get(), unhinted().get());
+  return context;
+}
+
+}  // namespace epure::drawings

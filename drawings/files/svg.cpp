@@ -1,0 +1,509 @@
+// A page to SVG. Its unit is the step of the grid (grid.h), 1/256 pt: the positions of marks are whole numbers, and a
+// path may go on from its last point without an error that adds up. Letters are outlines, each drawn once and used at
+// every size, so that they look the same where the font is not installed; real letters lie over them unseen, to be
+// found, selected and read aloud.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "drawings/files/check_page.h"
+#include "drawings/page.h"
+#include "drawings/paths/grid.h"
+#include "drawings/paths/vectors.h"
+#include "drawings/stopwatch.h"
+#include "drawings/text/glyph_outline.h"
+#include "drawings/text/typeset.h"
+
+namespace epure::drawings {
+namespace {
+
+constexpr double steps_per_mm = points_per_mm * steps_per_point;
+
+void add_whole(std::string& to, long value) {
+  std::array<char, 24> digits{};
+  to.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+}
+
+// Not negative. No zero before the point and none at the end.
+void add_decimal(std::string& to, double value, int decimals) {
+  std::array<char, 64> digits{};
+  const char* begin = digits.data();
+  const char* end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals).ptr;
+  while (end[-1] == '0') --end;
+  if (end[-1] == '.') --end;
+  if (end - begin > 1 && *begin == '0') ++begin;
+  to.append(begin, end);
+}
+
+void add_attribute(std::string& to, std::string_view name, std::string_view value) {
+  ((((to += ' ') += name) += "=\"") += value) += '"';
+}
+
+void add_escaped(std::string& to, std::string_view text) {
+  for (const char c : text) {
+    if (c == '<')
+      to += "&lt;";
+    else if (c == '&')
+      to += "&amp;";
+    else if (c == '>')
+      to += "&gt;";
+    else
+      to += c;
+  }
+}
+
+// "#0072b2", or "#000" for #000000: eight bits a channel, as a screen has them.
+void add_colour(std::string& to, const Colour& colour) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  const auto level_of = [](double part) { return static_cast<unsigned>(std::floor(part * 255 + 0.5)); };
+  const std::array levels{level_of(colour.red), level_of(colour.green), level_of(colour.blue)};
+  const bool is_short = std::all_of(levels.begin(), levels.end(), [](unsigned level) { return level % 17 == 0; });
+  to += '#';
+  for (const unsigned level : levels) {
+    if (!is_short) to += digits[level / 16];
+    to += digits[level % 16];
+  }
+}
+
+// Whole steps: y downwards.
+struct Step {
+  long x = 0, y = 0;
+};
+
+// The value of a `d`: where a path starts as it is, then each point from the last one, with as few characters as the
+// grammar of SVG permits.
+class PathData {
+ public:
+  explicit PathData(std::string& to) : to_(to) {}
+
+  template <class ToSteps>
+  void add(const Path& path, ToSteps to_steps) {
+    at_ = to_steps(path.start);
+    command('M');
+    number(at_.x);
+    number(at_.y);
+    for (const Piece& piece : path.pieces) {
+      if (piece.straight) {
+        straight(to_steps(piece.end));
+      } else {
+        command('c');
+        from_here(to_steps(piece.first_control));
+        from_here(to_steps(piece.second_control));
+        at_ = from_here(to_steps(piece.end));
+      }
+    }
+    if (path.closed) command('z');
+  }
+
+ private:
+  void straight(Step end) {
+    if (end.y == at_.y) {
+      command('h');
+      number(end.x - at_.x);
+    } else if (end.x == at_.x) {
+      command('v');
+      number(end.y - at_.y);
+    } else {
+      command('l');
+      from_here(end);
+    }
+    at_ = end;
+  }
+
+  Step from_here(Step to) {
+    number(to.x - at_.x);
+    number(to.y - at_.y);
+    return to;
+  }
+
+  // A letter holds until the next one, except that M would go on as lines.
+  void command(char letter) {
+    if (letter == last_ && letter != 'M') return;
+    to_ += letter;
+    last_ = letter;
+  }
+
+  void number(long value) {
+    const bool after_digit = to_.back() >= '0' && to_.back() <= '9';
+    if (after_digit && value >= 0) to_ += ' ';
+    add_whole(to_, value);
+  }
+
+  std::string& to_;
+  Step at_;
+  char last_ = 0;
+};
+
+// An id that says what stands behind it: where two drawings in one web page use the same one, either is as good as
+// the other. FNV-1a, in five of 62 characters; that no two outlines of the shipped fonts share an id is tested.
+std::string content_id(char kind, std::string_view content) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  std::string id(1, kind);
+  constexpr std::string_view characters = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  for (int i = 0; i < 5; ++i, hash /= characters.size()) id += characters[hash % characters.size()];
+  return id;
+}
+
+struct Outline {
+  std::string id, data;  // without data: a space
+};
+
+// In font units, y downwards.
+Outline make_outline(Face face, unsigned glyph) {
+  Outline outline;
+  PathData data(outline.data);
+  const auto units = [](Point p) { return Step{std::lround(p.x), std::lround(-p.y)}; };
+  for (const Path& contour : glyph_outline(face, glyph)) data.add(contour, units);
+  outline.id = content_id('g', outline.data);
+  return outline;
+}
+
+// This thread's, made at its first use.
+const Outline& outline_of(Face face, unsigned glyph) {
+  thread_local std::array<std::unordered_map<unsigned, Outline>, 4> known;
+  auto& of_face = known.at(static_cast<std::size_t>(face));
+  const auto found = of_face.find(glyph);
+  return found != of_face.end() ? found->second : of_face.emplace(glyph, make_outline(face, glyph)).first->second;
+}
+
+// A letter of a text, in its units (1000 to the size of its letters), y downwards.
+struct Letter {
+  const Outline* outline = nullptr;
+  double scale = 1;  // smaller in a subscript
+  long x = 0, y = 0;
+};
+
+// Without spaces. `unit` in mm.
+std::vector<Letter> letters_of(const SetText& set, double unit) {
+  std::vector<Letter> letters;
+  for (const GlyphRun& run : set.runs)
+    for (const SetGlyph& glyph : run.glyphs)
+      if (const Outline& outline = outline_of(run.face, glyph.index); !outline.data.empty())
+        letters.push_back({&outline, run.size / (unit * units_per_em), std::lround(glyph.at.x / unit),
+                           std::lround(-glyph.at.y / unit)});
+  return letters;
+}
+
+// Empty when there is nothing to read.
+std::string words_of(const SetText& set) {
+  std::string words;
+  for (const GlyphRun& run : set.runs)
+    for (const SetGlyph& glyph : run.glyphs) words += glyph.text;
+  return words.find_first_not_of(' ') == words.npos ? "" : words;
+}
+
+bool is_black(const Colour& c) { return c.red == 0 && c.green == 0 && c.blue == 0 && c.opacity == 1; }
+
+bool same(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
+bool same(const Piece& a, const Piece& b) {
+  return a.straight == b.straight && same(a.end, b.end) &&
+         (a.straight || (same(a.first_control, b.first_control) && same(a.second_control, b.second_control)));
+}
+bool same(const Path& a, const Path& b) {
+  return a.closed == b.closed && same(a.start, b.start) &&
+         std::equal(a.pieces.begin(), a.pieces.end(), b.pieces.begin(), b.pieces.end(),
+                    [](const Piece& one, const Piece& other) { return same(one, other); });
+}
+
+class Writer {
+ public:
+  explicit Writer(const Page& page) : page_(page), frame_(page.extent) {}
+
+  std::string write() {
+    count_pairs();
+    for (std::size_t i = 0; i < page_.primitives.size(); ++i) {
+      const Primitive& primitive = page_.primitives[i];
+      const auto* fill = std::get_if<Fill>(&primitive);
+      const auto* next = i + 1 < page_.primitives.size() ? std::get_if<Stroke>(&page_.primitives[i + 1]) : nullptr;
+      if (fill && next && is_its_outline(*fill, *next)) {
+        outlined(*fill, *next);
+        ++i;
+      } else {
+        std::visit(*this, primitive);
+      }
+    }
+    change_ink("");
+    std::string all = head();
+    if (!definitions_.empty()) ((all += "<defs>\n") += definitions_) += "</defs>\n";
+    all += "<g stroke-linejoin=\"round\" font-family=\"'STIX Two Text',serif\" font-size=\"1000\">\n";
+    if (page_.is_paper) all += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    return (all += body_) += "</g>\n</svg>\n";
+  }
+
+  void operator()(const Stroke& stroke) {
+    std::string ink = " fill=\"none\"";
+    add_stroke(ink, stroke);
+    change_ink(ink);
+    add_mark(stroke);
+  }
+
+  void operator()(const Fill& fill) {
+    std::string ink;
+    add_fill(ink, fill.colour);
+    change_ink(ink);
+    add_mark(fill);
+  }
+
+  // In a group on a square of its own, as letters are drawn on: 1000 units to the size of the letters.
+  void operator()(const PlacedText& text) {
+    const SetText& set = typeset(text.text, text.size, text.weight);
+    const std::string words = words_of(set);
+    if (words.empty()) return;
+    change_ink("");
+    body_ += "<g";
+    if (!is_black(text.colour)) add_fill(body_, text.colour);
+    const Point at = frame_.unrounded(text.baseline);
+    body_ += " transform=\"translate(";
+    add_whole(body_, std::lround(at.x * steps_per_point));
+    body_ += ' ';
+    add_whole(body_, std::lround(at.y * steps_per_point));
+    body_ += ") scale(";
+    add_decimal(body_, text.size * steps_per_mm / units_per_em, 5);
+    body_ += ")\">";
+    const double unit = text.size / units_per_em;
+    add_letters(letters_of(set, unit));
+    if (!set.arrows.empty()) add_arrows(set.arrows, unit);
+    body_ += "<text fill-opacity=\"0\" textLength=\"";
+    add_whole(body_, std::lround(set.extent.width / unit));
+    body_ += "\">";
+    add_escaped(body_, words);
+    body_ += "</text></g>\n";
+  }
+
+ private:
+  std::string head() const {
+    const char* language = page_.language == Language::italian ? "it" : "en";
+    std::string head =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"";
+    add_attribute(head, "id", page_.id);
+    const double width = page_.extent.width(), height = page_.extent.height();
+    head += " width=\"";
+    add_decimal(head, width, 5);
+    head += "mm\" height=\"";
+    add_decimal(head, height, 5);
+    head += "mm\" viewBox=\"0 0 ";
+    add_decimal(head, width * steps_per_mm, 5);
+    head += ' ';
+    add_decimal(head, height * steps_per_mm, 5);
+    head += '"';
+    add_attribute(head, "lang", language);
+    add_attribute(head, "xml:lang", language);
+    head += " role=\"img\">\n<title>";
+    add_escaped(head, page_.title);
+    head += "</title>\n";
+    if (!page_.description.empty()) {
+      head += "<desc>";
+      add_escaped(head, page_.description);
+      head += "</desc>\n";
+    }
+    return head;
+  }
+
+  // An area and the line around it, as one element: half the bytes. With names of their own they stay apart.
+  static bool is_its_outline(const Fill& fill, const Stroke& stroke) {
+    return fill.name.empty() && fill.clip.has_value() == stroke.clip.has_value() &&
+           (!fill.clip || (same(fill.clip->low, stroke.clip->low) && same(fill.clip->high, stroke.clip->high))) &&
+           same(fill.path, stroke.path);
+  }
+  void outlined(const Fill& fill, const Stroke& stroke) {
+    std::string ink;
+    add_fill(ink, fill.colour);
+    add_stroke(ink, stroke);
+    change_ink(ink);
+    add_mark(stroke);
+  }
+
+  // Marks in the same ink that follow each other share a group.
+  void change_ink(const std::string& ink) {
+    if (ink == ink_) return;
+    if (!ink_.empty()) body_ += "</g>\n";
+    if (!ink.empty()) ((body_ += "<g") += ink) += ">\n";
+    ink_ = ink;
+  }
+
+  template <class Mark>
+  void add_mark(const Mark& mark) {
+    body_ += "<path";
+    if (!mark.name.empty()) add_attribute(body_, "id", mark_id(mark.name));
+    if (mark.clip) add_attribute(body_, "clip-path", "url(#" + clip_id(*mark.clip) + ")");
+    body_ += " d=\"";
+    PathData(body_).add(mark.path, [this](Point p) { return on_page(p); });
+    body_ += "\"/>\n";
+  }
+
+  static void add_stroke(std::string& to, const Stroke& stroke) {
+    to += " stroke=\"";
+    add_colour(to, stroke.colour);
+    to += '"';
+    add_opacity(to, "stroke-opacity", stroke.colour);
+    to += " stroke-width=\"";
+    add_decimal(to, stroke.width * steps_per_mm, 3);
+    to += '"';
+    if (stroke.dashes.empty()) return;
+    to += " stroke-dasharray=\"";
+    for (const double dash : stroke.dashes) {
+      add_decimal(to, dash * steps_per_mm, 3);
+      to += ' ';
+    }
+    to.back() = '"';
+  }
+
+  static void add_fill(std::string& to, const Colour& colour) {
+    to += " fill=\"";
+    add_colour(to, colour);
+    to += '"';
+    add_opacity(to, "fill-opacity", colour);
+  }
+
+  static void add_opacity(std::string& to, std::string_view attribute, const Colour& colour) {
+    if (colour.opacity == 1) return;
+    ((to += ' ') += attribute) += "=\"";
+    add_decimal(to, colour.opacity, 5);
+    to += '"';
+  }
+
+  // What letters_of found side by side, at the same distance: two letters of the size of their text.
+  using Pair = std::tuple<const Outline*, const Outline*, long, long>;
+  static Pair pair(const Letter& first, const Letter& second) {
+    return {first.outline, second.outline, second.x - first.x, second.y - first.y};
+  }
+
+  void count_pairs() {
+    for (const Primitive& primitive : page_.primitives)
+      if (const auto* text = std::get_if<PlacedText>(&primitive)) {
+        const std::vector<Letter> letters =
+            letters_of(typeset(text->text, text->size, text->weight), text->size / units_per_em);
+        for (std::size_t i = 1; i < letters.size(); ++i)
+          if (letters[i - 1].scale == 1 && letters[i].scale == 1) ++pairs_[pair(letters[i - 1], letters[i])];
+      }
+  }
+
+  // Two letters that often stand side by side are one element: a third of a page of words.
+  void add_letters(const std::vector<Letter>& letters) {
+    constexpr int often = 5;  // as seldom as it pays
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+      const Letter& letter = letters[i];
+      define(*letter.outline);
+      if (letter.scale != 1) {
+        add_use(body_, scaled_id(letter), letter.x, letter.y);
+        continue;
+      }
+      if (i + 1 < letters.size() && letters[i + 1].scale == 1) {
+        const Pair both = pair(letter, letters[i + 1]);
+        if (pairs_[both] >= often) {
+          define(*letters[++i].outline);
+          add_use(body_, pair_id(both), letter.x, letter.y);
+          continue;
+        }
+      }
+      add_use(body_, letter.outline->id, letter.x, letter.y);
+    }
+  }
+
+  static void add_use(std::string& to, std::string_view id, long x, long y) {
+    ((to += "<use xlink:href=\"#") += id) += '"';
+    add_coordinate(to, 'x', x);
+    add_coordinate(to, 'y', y);
+    to += "/>";
+  }
+
+  static void add_coordinate(std::string& to, char name, long value) {
+    if (value == 0) return;
+    ((to += ' ') += name) += "=\"";
+    add_whole(to, value);
+    to += '"';
+  }
+
+  void add_arrows(const std::vector<Path>& arrows, double unit) {
+    body_ += "<path d=\"";
+    PathData data(body_);
+    for (const Path& arrow : arrows)
+      data.add(arrow, [&](Point p) { return Step{std::lround(p.x / unit), std::lround(-p.y / unit)}; });
+    body_ += "\"/>";
+  }
+
+  void define(const Outline& outline) {
+    if (!defined_.insert(outline.id).second) return;
+    definitions_ += "<path";
+    add_attribute(definitions_, "id", outline.id);
+    add_attribute(definitions_, "d", outline.data);
+    definitions_ += "/>\n";
+  }
+
+  // A letter at another size than the text it stands in.
+  std::string scaled_id(const Letter& letter) {
+    std::string content = " transform=\"scale(";
+    add_decimal(content, letter.scale, 5);
+    ((content += ")\" xlink:href=\"#") += letter.outline->id) += "\"/>\n";
+    return defined("use", 's', content);
+  }
+
+  std::string pair_id(const Pair& pair) {
+    const auto& [first, second, x, y] = pair;
+    std::string content = ">";
+    add_use(content, first->id, 0, 0);
+    add_use(content, second->id, x, y);
+    return defined("g", 'p', content += "</g>\n");
+  }
+
+  // The id of a definition that goes on so after its id.
+  std::string defined(std::string_view element, char kind, const std::string& content) {
+    std::string id = content_id(kind, content);
+    if (defined_.insert(id).second) {
+      (definitions_ += '<') += element;
+      add_attribute(definitions_, "id", id);
+      definitions_ += content;
+    }
+    return id;
+  }
+
+  std::string clip_id(const Box& box) {
+    const Step corner = on_page({box.low.x, box.high.y}), opposite = on_page({box.high.x, box.low.y});
+    std::string content = "><rect";
+    const auto add = [&](std::string_view name, long value) { add_attribute(content, name, std::to_string(value)); };
+    add("x", corner.x);
+    add("y", corner.y);
+    add("width", opposite.x - corner.x);
+    add("height", opposite.y - corner.y);
+    return defined("clipPath", 'c', content += "/></clipPath>\n");
+  }
+
+  // Found by it in CSS and scripts; nothing in the drawing refers to it.
+  std::string mark_id(const std::string& name) {
+    std::string id = page_.id + "-" + name;
+    for (int count = 2; !marks_.insert(id).second; ++count) id = page_.id + "-" + name + "-" + std::to_string(count);
+    return id;
+  }
+
+  Step on_page(Point p) const {
+    const Point points = frame_.rounded(p);
+    return {std::lround(points.x * steps_per_point), std::lround(points.y * steps_per_point)};
+  }
+
+  const Page& page_;
+  Frame frame_;
+  std::string definitions_, body_;
+  std::string ink_;  // of the open group; empty: none is open
+  std::unordered_set<std::string> defined_, marks_;
+  std::map<Pair, int> pairs_;  // how often
+};
+
+}  // namespace
+
+std::string write_svg(const Page& page) {
+  const Timed timed(Work::svg);
+  check(page);
+  return Writer(page).write();
+}
+
+}  // namespace epure::drawings

@@ -1,0 +1,47 @@
+// Where a label could stand, and how good each place is as far as the drawing alone decides.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "drawings/labels/labels.h"
+
+namespace epure::drawings {
+
+using Segment = std::pair<Point, Point>;
+
+struct Candidate {
+  Box box;
+  std::optional<Segment> leader = {};
+  double cost = 0;       // without other labels
+  bool blocked = false;  // touches a line or symbol
+};
+
+// The prices of bad places, in one currency: a millimetre away from what the label names costs 1.
+namespace price {
+inline constexpr double wrong_side = 4;         // at worst, when a side was asked for
+inline constexpr double usual_side = 0.8;       // at worst, when none was
+inline constexpr double off_middle = 5;         // from the middle of a segment to its end
+inline constexpr double crowded = 8;            // as near to a line as possible without touching
+inline constexpr double leader = 14;            // more than any bad choice of side
+inline constexpr double leader_crossing = 1.5;  // a line under the leader
+inline constexpr double touch_thin = 45, touch_heavy = 70, inside = 6;  // then a millimetre of line under it
+inline constexpr double stranger = 5;         // nearer to another label's point than to its own
+inline constexpr double overlap = 120;        // of two labels
+inline constexpr double leader_through = 60;  // a leader through another label
+inline constexpr double leaders_crossed = 10;
+}  // namespace price
+
+bool cross(const Segment& first, const Segment& second);
+
+// Places inside `area` around the point the label belongs to, where it touches nothing.
+std::vector<Candidate> clear_places_around_point(const LabelBox& label, const Obstacles& obstacles, Box area);
+// The same beside the point or the segment it belongs to.
+std::vector<Candidate> clear_places(const LabelBox& label, const Obstacles& obstacles, Box area);
+// Farther off, with leaders, touching nothing: each costs at least price::leader.
+std::vector<Candidate> places_with_leader(const LabelBox& label, const Obstacles& obstacles, Box area);
+// As near as the clear ones, but touching a line or symbol: each costs at least price::touch_thin.
+std::vector<Candidate> touching_places(const LabelBox& label, const Obstacles& obstacles, Box area);
+
+}  // namespace epure::drawings

@@ -1,0 +1,208 @@
+#include "drawings/labels/labels.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "drawings/labels/candidates.h"
+#include "drawings/paths/vectors.h"
+
+namespace epure::drawings {
+
+namespace {
+
+// Greedy from the most constrained label on, then improved until no single move, and no move that pushes its
+// neighbours aside, makes the whole cheaper.
+class Placement {
+ public:
+  Placement(const std::vector<LabelBox>& labels, const Obstacles& obstacles, Box area)
+      : labels_(labels), obstacles_(obstacles), area_(area) {
+    options_.resize(labels.size());
+    for (std::size_t i = 0; i < labels.size(); ++i) add_options(i, clear_places(labels[i], obstacles, area));
+    looked_at_.assign(labels.size(), Kinds::clear);
+    chosen_.assign(labels.size(), none);
+  }
+
+  std::vector<Place> run() {
+    for (const std::size_t i : most_constrained_first()) chosen_[i] = best_option(i);
+    improve();
+    for (int round = 0; round < 4 && push_aside(); ++round) improve();
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < labels_.size(); ++i) places.push_back(place(i));
+    return places;
+  }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  enum class Kinds { clear, with_leader, all };
+
+  void add_options(std::size_t i, std::vector<Candidate> more) {
+    if (!labels_[i].to) add_strangers(i, more);
+    std::vector<Candidate>& options = options_[i];
+    options.insert(options.end(), more.begin(), more.end());
+    std::stable_sort(options.begin(), options.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  }
+
+  // A label must not seem to name a point that another label names.
+  void add_strangers(std::size_t i, std::vector<Candidate>& options) const {
+    for (Candidate& option : options) {
+      if (option.leader) continue;
+      const double own = distance(labels_[i].at, nearest_in(option.box, labels_[i].at));
+      for (std::size_t j = 0; j < labels_.size(); ++j) {
+        if (j == i || labels_[j].to || distance(labels_[i].at, labels_[j].at) < 0.5) continue;
+        if (distance(labels_[j].at, nearest_in(option.box, labels_[j].at)) < own + 0.3)
+          option.cost += price::stranger;
+      }
+    }
+  }
+
+  // By the places in the clear: asked before any others are looked at.
+  std::vector<std::size_t> most_constrained_first() const {
+    std::vector<std::size_t> order(labels_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return options_[a].size() < options_[b].size(); });
+    return order;
+  }
+
+  // Option o of label i, from the cheapest on; null when it costs `limit` or more. Most labels find a place in the
+  // clear, so the others, which are many, are looked at in turn, each kind only when an option as dear as the
+  // cheapest of it may be wanted. Until then no option that dear is chosen, so those that are keep their numbers.
+  const Candidate* option_below(double limit, std::size_t i, std::size_t o) {
+    const std::vector<Candidate>& options = options_[i];
+    const auto may_be_among = [&](double least) {
+      return limit > least && (o >= options.size() || options[o].cost >= least);
+    };
+    if (looked_at_[i] == Kinds::clear && may_be_among(price::leader)) {
+      add_options(i, places_with_leader(labels_[i], obstacles_, area_));
+      looked_at_[i] = Kinds::with_leader;
+    }
+    if (looked_at_[i] == Kinds::with_leader && may_be_among(price::touch_thin)) {
+      add_options(i, touching_places(labels_[i], obstacles_, area_));
+      looked_at_[i] = Kinds::all;
+    }
+    return o < options.size() && options[o].cost < limit ? &options[o] : nullptr;
+  }
+
+  static bool leaders_cross(const Candidate& a, const Candidate& b) {
+    return a.leader && b.leader && cross(*a.leader, *b.leader);
+  }
+
+  static bool leader_meets(const Candidate& a, const Candidate& b) {
+    constexpr double air = 0.3;
+    const auto meets = [](const std::optional<Segment>& leader, Box box) {
+      return leader && !is_beyond(air, box, leader->first, leader->second) &&
+             gap(box, leader->first, leader->second) < air;
+    };
+    return meets(a.leader, b.box) || meets(b.leader, a.box);
+  }
+
+  static double together(const Candidate& a, const Candidate& b) {
+    // Nearly all pairs: far from each other, and no line between letters and what they name.
+    if (!a.leader && !b.leader && apart(grown(a.box, label_clearance), b.box)) return 0;
+    double cost = 0;
+    if (leader_meets(a, b)) cost += price::leader_through;
+    if (leaders_cross(a, b)) cost += price::leaders_crossed;
+    const double d = gap(a.box, b.box);
+    if (d >= label_clearance) return cost;
+    const double lack = 1 - d / label_clearance;
+    cost += price::crowded * lack * lack;
+    if (d > 0) return cost;
+    const Box common = intersection(a.box, b.box);
+    return cost + price::overlap + price::inside * common.width() * common.height();
+  }
+
+  // What option `o` of label i costs beside the others as they stand; gives up once worse than `limit`.
+  double total(std::size_t i, std::size_t o, double limit = INFINITY) const {
+    const Candidate& option = options_[i][o];
+    double cost = option.cost;
+    for (std::size_t j = 0; j < labels_.size() && cost < limit; ++j)
+      if (j != i && chosen_[j] != none) cost += together(option, options_[j][chosen_[j]]);
+    return cost;
+  }
+
+  std::size_t best_option(std::size_t i) {
+    std::size_t best = chosen_[i];
+    double least = best == none ? INFINITY : total(i, best);
+    for (std::size_t o = 0; option_below(least, i, o); ++o) {
+      const double cost = total(i, o, least);
+      if (cost < least - 1e-9) {
+        least = cost;
+        best = o;
+      }
+    }
+    return best;
+  }
+
+  void improve() {
+    for (int round = 0; round < 20; ++round) {
+      bool moved = false;
+      for (std::size_t i = 0; i < labels_.size(); ++i) {
+        const std::size_t best = best_option(i);
+        moved = moved || best != chosen_[i];
+        chosen_[i] = best;
+      }
+      if (!moved) return;
+    }
+  }
+
+  // Moves label i and returns by how much the whole grows dearer.
+  double move(std::size_t i, std::size_t to) {
+    const double before = total(i, chosen_[i]);
+    chosen_[i] = to;
+    return total(i, to) - before;
+  }
+
+  // For labels that could stand better: take a place of their own liking and let those in the way move. True if it
+  // helped.
+  bool push_aside() {
+    constexpr std::size_t tries = 24;
+    constexpr double content = 1.5;
+    bool helped = false;
+    for (std::size_t i = 0; i < labels_.size(); ++i) {
+      if (chosen_[i] == none || total(i, chosen_[i]) < content) continue;
+      for (std::size_t o = 0; o < tries; ++o) helped = try_pushing(i, o) || helped;
+    }
+    return helped;
+  }
+
+  bool try_pushing(std::size_t i, std::size_t o) {
+    const Candidate* wanted = option_below(total(i, chosen_[i]), i, o);
+    if (!wanted) return false;
+    const std::vector<std::size_t> before = chosen_;
+    double change = move(i, o);
+    for (std::size_t j = 0; j < labels_.size(); ++j)
+      if (j != i && before[j] != none && together(*wanted, options_[j][before[j]]) > 0)
+        change += move(j, best_option(j));
+    if (change < -1e-9) return true;
+    chosen_ = before;
+    return false;
+  }
+
+  Place place(std::size_t i) const {
+    if (chosen_[i] == none) return {};
+    const Candidate& option = options_[i][chosen_[i]];
+    Place result{option.box, option.leader, true, option.blocked, {}};
+    for (std::size_t j = 0; j < labels_.size(); ++j) {
+      if (j == i || chosen_[j] == none) continue;
+      const Candidate& other = options_[j][chosen_[j]];
+      if (gap(option.box, other.box) <= 0 || leader_meets(option, other)) result.touches.push_back(j);
+    }
+    return result;
+  }
+
+  const std::vector<LabelBox>& labels_;
+  const Obstacles& obstacles_;
+  Box area_;
+  std::vector<std::vector<Candidate>> options_;
+  std::vector<Kinds> looked_at_;
+  std::vector<std::size_t> chosen_;
+};
+
+}  // namespace
+
+std::vector<Place> place_labels(const std::vector<LabelBox>& labels, const Obstacles& obstacles, Box area) {
+  return Placement(labels, obstacles, area).run();
+}
+
+}  // namespace epure::drawings

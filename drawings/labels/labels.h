@@ -1,0 +1,36 @@
+// Automatic label placement: every label finds a place beside its point or segment where it touches no line, no
+// symbol and no other label; where there is none near, a farther one with a thin leader.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drawings/labels/obstacles.h"
+#include "drawings/picture.h"
+
+namespace epure::drawings {
+
+// What is to be placed: a box of known size that belongs to a point, or to the segment at-to.
+struct LabelBox {
+  double width = 0, height = 0;
+  Point at;
+  std::optional<Point> to = {};
+  std::optional<Point> away_from = {};
+};
+
+struct Place {
+  Box box;
+  std::optional<std::pair<Point, Point>> leader = {};  // from the box to what it names
+  bool found = false;  // false: what it belongs to lies outside the area, or the area is too small for it
+  bool touches_drawing = false;
+  std::vector<std::size_t> touches = {};  // other labels
+};
+
+// Deterministic; the result has one place a label, in the same order.
+std::vector<Place> place_labels(const std::vector<LabelBox>& labels, const Obstacles& obstacles, Box area);
+
+// White space labels keep to each other and to lines where there is room for it.
+inline constexpr double label_clearance = 1;  // mm
+
+}  // namespace epure::drawings

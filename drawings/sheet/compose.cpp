@@ -1,0 +1,169 @@
+// From a sheet of marks with meanings to a page of primitives.
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "drawings/labels/labels.h"
+#include "drawings/marks/canvas.h"
+#include "drawings/marks/symbols.h"
+#include "drawings/output.h"
+#include "drawings/paths/vectors.h"
+#include "drawings/sheet/column.h"
+#include "drawings/sheet/ink.h"
+#include "drawings/sheet/layout.h"
+#include "drawings/sheet/title_block.h"
+#include "drawings/stopwatch.h"
+#include "drawings/text/text.h"
+
+namespace epure::drawings {
+
+namespace {
+
+Box window_of(const Figure& figure, std::size_t mark, Box area) {
+  if (mark >= figure.window_of.size() || figure.window_of[mark] < 0) return area;
+  const auto window = static_cast<std::size_t>(figure.window_of[mark]);
+  if (window >= figure.windows.size()) return area;
+  const Box box = intersection(figure.windows[window], area);
+  if (is_nothing(box)) throw std::invalid_argument(fmt::format("window {} lies outside the drawing area", window));
+  return box;
+}
+
+void draw_marks(Canvas& canvas, const Figure& figure, Box area) {
+  for (std::size_t i = 0; i < figure.marks.size(); ++i) {
+    canvas.clip_to(window_of(figure, i, area));
+    try {
+      draw(canvas, figure.marks[i]);
+    } catch (const std::invalid_argument& wrong) {
+      throw std::invalid_argument(fmt::format("{}: {}", describe(figure.marks[i], i), wrong.what()));
+    }
+  }
+  canvas.clip_to(area);
+}
+
+// What the label machine places, and how to draw it once it has a place.
+struct Placeable {
+  LabelBox box;
+  std::string text;  // empty: the number of a step
+  double size = 0, descent = 0;
+  Colour colour;
+  int step = 0;
+  std::string name() const {
+    return text.empty() ? fmt::format("step {}", step) : fmt::format("label '{}'", plain(text));
+  }
+};
+
+Placeable placeable(const Label& label) {
+  const TextSize extent = measure(label.text, label.size);
+  return {.box = {extent.width, extent.ascent + extent.descent, label.at, label.to, label.away_from},
+          .text = label.text,
+          .size = label.size,
+          .descent = extent.descent,
+          .colour = ink(label.ink)};
+}
+
+std::vector<Placeable> placeables(const Figure& figure) {
+  std::vector<Placeable> all;
+  for (const Label& label : figure.labels)
+    if (!label.text.empty()) all.push_back(placeable(label));
+  for (const Mark& mark : figure.marks) {
+    const auto* dimension = std::get_if<Dimension>(&mark);
+    if (!dimension || dimension->text.empty()) continue;
+    const auto [from, to] = dimension_line(*dimension);
+    all.push_back(placeable(Label{.text = dimension->text, .at = from, .to = to}));
+  }
+  for (const StepNumber& step : figure.steps)
+    all.push_back({.box = {step_diameter, step_diameter, step.at}, .text = {}, .colour = black, .step = step.number});
+  return all;
+}
+
+void require_numbers(const Canvas& canvas, const Placeable& item) {
+  try {
+    canvas.require(item.box.at);
+    if (item.box.to) canvas.require(*item.box.to);
+    if (item.box.away_from) canvas.require(*item.box.away_from);
+  } catch (const std::invalid_argument& wrong) {
+    throw std::invalid_argument(fmt::format("{}: {}", item.name(), wrong.what()));
+  }
+}
+
+void draw_placed(std::vector<Primitive>& ink, const Placeable& item, const Place& place) {
+  if (place.leader)
+    ink.push_back(Stroke{segment(place.leader->first, place.leader->second), fine, {}, black, {}, {}});
+  if (item.text.empty()) {
+    const auto circled = circled_number(middle(place.box), item.step, step_diameter, item.colour);
+    ink.insert(ink.end(), circled.begin(), circled.end());
+  } else {
+    ink.push_back(PlacedText{
+        item.text, {place.box.low.x, place.box.low.y + item.descent}, item.size, item.colour, Weight::regular});
+  }
+}
+
+void report(std::vector<std::string>& conflicts, const std::vector<Placeable>& items,
+            const std::vector<Place>& places) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!places[i].found) conflicts.push_back(items[i].name() + " has no place inside the drawing area");
+    if (places[i].touches_drawing) conflicts.push_back(items[i].name() + " touches a line or symbol");
+    for (const std::size_t j : places[i].touches)
+      if (i < j) conflicts.push_back(items[i].name() + " overlaps " + items[j].name());
+  }
+}
+
+std::vector<Primitive> figure_ink(const Figure& figure, Box area, std::vector<std::string>* conflicts) {
+  Canvas canvas(area);
+  draw_marks(canvas, figure, area);
+  const std::vector<Placeable> items = placeables(figure);
+  std::vector<LabelBox> boxes;
+  for (const Placeable& item : items) {
+    require_numbers(canvas, item);
+    boxes.push_back(item.box);
+  }
+  const std::vector<Place> places = place_labels(boxes, canvas.obstacles(), area);
+  if (conflicts) {
+    for (const std::string& text : canvas.crossed_texts())
+      conflicts->push_back(fmt::format("'{}' touches a line, a symbol or other letters", plain(text)));
+    report(*conflicts, items, places);
+  }
+  std::vector<Primitive> ink = canvas.take();
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (places[i].found) draw_placed(ink, items[i], places[i]);
+  return ink;
+}
+
+void append(std::vector<Primitive>& to, std::vector<Primitive> more) {
+  to.insert(to.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+Stroke frame_line(Box frame) {
+  return {polyline({frame.low, {frame.high.x, frame.low.y}, frame.high, {frame.low.x, frame.high.y}}, true),
+          wide,
+          {},
+          black,
+          {},
+          {}};
+}
+
+}  // namespace
+
+Page compose(const Sheet& sheet, std::vector<std::string>* conflicts) {
+  const Timed timed(Work::layout);
+  Page page{sheet.id, sheet.title, sheet.description, paper_box(sheet.paper), sheet.language, {}, !sheet.bare};
+  page.primitives = figure_ink(sheet.figure, drawing_area(sheet.paper), conflicts);
+  if (sheet.bare) {
+    const Box box = ink_box(page.primitives);
+    if (!is_nothing(box)) page.extent = grown(box, 2);
+    return page;
+  }
+  const Layout parts = layout(sheet.paper, title_block_height(sheet));
+  page.primitives.push_back(frame_line(parts.frame));
+  append(page.primitives, set_title_block(sheet, parts.title_block, conflicts));
+  append(page.primitives, set_column(sheet.column, parts.column, sheet.language, conflicts));
+  return page;
+}
+
+std::vector<std::string> overlaps(const Sheet& sheet) {
+  std::vector<std::string> conflicts;
+  compose(sheet, &conflicts);
+  return conflicts;
+}
+
+}  // namespace epure::drawings

@@ -1,0 +1,161 @@
+// Tables with thin rules: words to the left, numbers in line at their decimal sign.
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+#include "drawings/sheet/column.h"
+#include "drawings/text/text.h"
+
+namespace epure::drawings {
+
+namespace {
+
+// What stands left of the decimal sign, and the rest with sign and unit; no number: no value.
+struct Numeral {
+  std::string before, rest;
+};
+
+std::optional<Numeral> as_numeral(const std::string& cell) {
+  const bool framed = cell.size() > 2 && cell.front() == '$' && cell.back() == '$';
+  const std::string text = framed ? cell.substr(1, cell.size() - 2) : cell;
+  std::size_t i = 0;
+  const std::string minus = "−";
+  if (text.starts_with(minus))
+    i = minus.size();
+  else if (!text.empty() && (text[0] == '-' || text[0] == '+'))
+    i = 1;
+  const auto digit = [&](std::size_t k) {
+    return k < text.size() && std::isdigit(static_cast<unsigned char>(text[k]));
+  };
+  if (!digit(i)) return std::nullopt;
+  while (digit(i)) ++i;
+  // Inside mathematics only the digits before the sign can be measured apart from the rest.
+  return Numeral{text.substr(0, i), text.substr(i)};
+}
+
+struct TableColumn {
+  bool numeric = false;
+  double before = 0, after = 0;  // widest parts of its numbers on both sides of the decimal sign
+  double body = 0, width = 0;
+  std::vector<std::string> head;  // broken into lines
+};
+
+double cell_width(const std::string& cell, double size) { return cell.empty() ? 0 : measure(cell, size).width; }
+
+TableColumn measure_column(const Table& table, std::size_t index, double size) {
+  TableColumn column;
+  std::size_t numbers = 0, filled = 0;
+  for (const auto& row : table.rows) {
+    if (index >= row.size() || row[index].empty()) continue;
+    ++filled;
+    column.body = std::max(column.body, cell_width(row[index], size));
+    const auto numeral = as_numeral(row[index]);
+    if (!numeral) continue;
+    ++numbers;
+    const double before = cell_width(numeral->before, size);
+    column.before = std::max(column.before, before);
+    column.after = std::max(column.after, cell_width(row[index], size) - before);
+  }
+  // A dash or "?" among numbers does not make them words.
+  column.numeric = numbers > 0 && 2 * numbers > filled;
+  if (column.numeric) column.body = std::max(column.body, column.before + column.after);
+  return column;
+}
+
+void break_head(TableColumn& column, const std::string& head, double size, double room) {
+  column.head = head.empty() ? std::vector<std::string>{} : wrap(head, size, std::max(room, column.body));
+  column.width = column.body;
+  for (const std::string& line : column.head) column.width = std::max(column.width, cell_width(line, size));
+}
+
+double total_width(const std::vector<TableColumn>& columns) {
+  return std::accumulate(columns.begin(), columns.end(), 0.0,
+                         [](double sum, const auto& c) { return sum + c.width; });
+}
+
+std::vector<TableColumn> measure_columns(const Table& table, double size, double room) {
+  std::size_t count = table.head.size();
+  for (const auto& row : table.rows) count = std::max(count, row.size());
+  std::vector<TableColumn> columns;
+  for (std::size_t i = 0; i < count; ++i) columns.push_back(measure_column(table, i, size));
+  const double gaps = size * static_cast<double>(count > 0 ? count - 1 : 0);
+  // Heads on one line when there is room, else broken as narrow as the numbers below allow.
+  for (const double head_room : {room, 0.0}) {
+    for (std::size_t i = 0; i < count; ++i)
+      break_head(columns[i], i < table.head.size() ? table.head[i] : std::string{}, size, head_room);
+    if (total_width(columns) + gaps <= room) break;
+  }
+  return columns;
+}
+
+double cell_left(const TableColumn& column, const std::string& cell, double x, double size) {
+  if (!column.numeric) return x;
+  const double right = x + column.width;
+  if (const auto numeral = as_numeral(cell)) return right - column.after - cell_width(numeral->before, size);
+  return right - cell_width(cell, size);
+}
+
+void set_head(Galley& galley, const std::vector<TableColumn>& columns, double gap, double right) {
+  std::size_t lines = 0;
+  for (const TableColumn& column : columns) lines = std::max(lines, column.head.size());
+  if (lines == 0) return;
+  const double size = galley.size();
+  for (std::size_t line = 0; line < lines; ++line) {
+    double x = galley.left();
+    for (const TableColumn& column : columns) {
+      // Heads stand on the rule: short ones begin lower.
+      const std::size_t skip = lines - column.head.size();
+      if (line >= skip) {
+        const std::string& text = column.head[line - skip];
+        const double left = column.numeric ? x + column.width - cell_width(text, size) : x;
+        galley.text(text, {left, galley.baseline()}, size);
+      }
+      x += column.width + gap;
+    }
+    galley.down(1.2 * size);
+  }
+  galley.down(0.1 * size);
+  galley.rule(galley.top(), galley.left(), right, fine);
+  galley.down(0.25 * size);
+}
+
+void set_row(Galley& galley, const std::vector<std::string>& row, const std::vector<TableColumn>& columns,
+             double gap) {
+  const double size = galley.size();
+  double above = 0;
+  for (const std::string& cell : row)
+    if (!cell.empty()) above = std::max(above, measure(cell, size).ascent - 0.78 * size);
+  galley.down(above);
+  double x = galley.left();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (i < row.size() && !row[i].empty())
+      galley.text(row[i], {cell_left(columns[i], row[i], x, size), galley.baseline()}, size);
+    x += columns[i].width + gap;
+  }
+  galley.down((1.18 + 0.16 * galley.air()) * size);
+}
+
+}  // namespace
+
+void set_block(Galley& galley, const Table& table, Language) {
+  const double size = galley.size();
+  const std::vector<TableColumn> columns = measure_columns(table, size, galley.width());
+  if (columns.empty()) return;
+  const auto gaps = static_cast<double>(columns.size() - 1);
+  const double spare = galley.width() - total_width(columns);
+  if (spare < size * gaps)
+    galley.complaints.push_back("a table is wider than the column: " +
+                                (table.head.empty() ? std::string{} : plain(table.head.front())));
+  // As wide as the column, but never so wide that the eye loses the row on its way.
+  const double gap = gaps > 0 ? std::clamp(spare / gaps, 0.5 * size, 5 * size) : 0;
+  const double right = galley.left() + total_width(columns) + gap * gaps;
+  galley.down(0.3 * size * galley.air());
+  galley.rule(galley.top(), galley.left(), right, narrow);
+  galley.down(0.25 * size);
+  set_head(galley, columns, gap, right);
+  for (const auto& row : table.rows) set_row(galley, row, columns, gap);
+  galley.rule(galley.top(), galley.left(), right, narrow);
+  galley.down(0.7 * size * galley.air());
+}
+
+}  // namespace epure::drawings

@@ -1,0 +1,133 @@
+#include "drawings/sheet/title_block.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "drawings/marks/style.h"
+#include "drawings/paths/vectors.h"
+#include "drawings/sheet/layout.h"
+#include "drawings/text/text.h"
+#include "drawings/text/words.h"
+
+namespace epure::drawings {
+
+namespace {
+
+constexpr double sheet_title_size = 5, text_size = 3, caption_size = 2.2;  // mm
+constexpr double field_height = 8.2, bar_height = 6.2;
+
+struct TitleLines {
+  std::vector<std::string> exercise, sheet, source;
+  double title_part() const {
+    return 1.4 + 4.2 * static_cast<double>(exercise.size()) + 6.0 * static_cast<double>(sheet.size()) + 1.4;
+  }
+  double source_part() const { return 3.6 + 3.8 * static_cast<double>(source.size()) + 1.0; }
+};
+
+TitleLines title_lines(const Sheet& sheet) {
+  const double room = title_block_width(sheet.paper) - 2 * inset;
+  const TitleBlock& block = sheet.title_block;
+  const auto lines = [&](const std::string& text, double size, Weight weight) {
+    return text.empty() ? std::vector<std::string>{} : wrap(text, size, room, weight);
+  };
+  return {lines(block.exercise, text_size, Weight::regular), lines(block.sheet, sheet_title_size, Weight::bold),
+          lines(block.source, text_size, Weight::regular)};
+}
+
+class TitleInk {
+ public:
+  TitleInk(Box box, std::vector<std::string>* conflicts) : box_(box), conflicts_(conflicts) {}
+
+  void rule(Point from, Point to, double width) {
+    ink_.push_back(Stroke{segment(from, to), width, {}, black, {}, {}});
+  }
+  void text(const std::string& text, Point baseline, double size, Weight weight = Weight::regular) {
+    ink_.push_back(PlacedText{text, baseline, size, black, weight});
+  }
+  void caption(const std::string& text, Point at) {
+    ink_.push_back(PlacedText{text, at, caption_size, grey, Weight::regular});
+  }
+  // A small caption with its value below, between `left` and `right`, under the rule at `top`.
+  void field(double left, double right, double top, const std::string& name, const std::string& value) {
+    caption(name, {left + inset, top - 2.7});
+    const double room = right - left - 1.4 * inset, width = value.empty() ? 0 : measure(value, text_size).width;
+    // Long values are set smaller rather than over the next rule.
+    const double size = width > room ? std::max(2.2, text_size * room / width) : text_size;
+    if (conflicts_ && width * size > room * text_size * (1 + 1e-9))
+      conflicts_->push_back(fmt::format("title block: no room for {} {}", name, plain(value)));
+    if (!value.empty()) text(value, {left + inset, top - 6.6}, size);
+  }
+  Box box() const { return box_; }
+  std::vector<Primitive> take() { return std::move(ink_); }
+
+ private:
+  Box box_;
+  std::vector<std::string>* conflicts_;
+  std::vector<Primitive> ink_;
+};
+
+double set_titles(TitleInk& block, const TitleLines& lines, const std::string& source_caption) {
+  const double left = block.box().low.x + inset;
+  double y = block.box().high.y - 1.4;
+  for (const std::string& line : lines.exercise) {
+    block.text(line, {left, y - 3.1}, text_size);
+    y -= 4.2;
+  }
+  for (const std::string& line : lines.sheet) {
+    block.text(line, {left, y - 4.7}, sheet_title_size, Weight::bold);
+    y -= 6.0;
+  }
+  y -= 1.4;
+  if (lines.source.empty()) return y;
+  block.rule({block.box().low.x, y}, {block.box().high.x, y}, fine);
+  block.caption(source_caption, {left, y - 2.7});
+  double baseline = y - 3.6 - 2.7;
+  for (const std::string& line : lines.source) {
+    block.text(line, {left, baseline}, text_size);
+    baseline -= 3.8;
+  }
+  return y - lines.source_part();
+}
+
+// 50 mm with a tick every 10 mm, and beside it what it is for and which program drew the sheet.
+void set_check_bar(TitleInk& block, const std::string& words) {
+  const Box box = block.box();
+  const double y = box.low.y + 1.7, left = box.low.x + inset;
+  block.rule({left, y}, {left + 50, y}, narrow);
+  for (int i = 0; i <= 5; ++i) {
+    const double height = i % 5 == 0 ? 1.6 : 1.0;
+    block.rule({left + 10 * i, y}, {left + 10 * i, y + height}, fine);
+  }
+  block.caption(words, {left + 1, y + 2.1});
+  const std::string program = fmt::format("epure {}", EPURE_VERSION);
+  block.text(program, {box.high.x - inset - measure(program, 2.6).width, y + 0.6}, 2.6);
+}
+
+}  // namespace
+
+double title_block_height(const Sheet& sheet) {
+  const TitleLines lines = title_lines(sheet);
+  return lines.title_part() + (lines.source.empty() ? 0 : lines.source_part()) + field_height + bar_height;
+}
+
+std::vector<Primitive> set_title_block(const Sheet& sheet, Box box, std::vector<std::string>* conflicts) {
+  const SheetWords& w = words(sheet.language);
+  const TitleBlock& titles = sheet.title_block;
+  TitleInk block(box, conflicts);
+  block.rule({box.low.x, box.low.y}, {box.low.x, box.high.y}, wide);
+  block.rule({box.low.x - wide / 2, box.high.y}, {box.high.x, box.high.y}, wide);
+  const double top = set_titles(block, title_lines(sheet), w.source), bottom = top - field_height;
+  const double sheet_left = box.high.x - 17, paper_left = sheet_left - 16;
+  block.rule({box.low.x, top}, {box.high.x, top}, fine);
+  block.rule({box.low.x, bottom}, {box.high.x, bottom}, fine);
+  block.rule({paper_left, top}, {paper_left, bottom}, fine);
+  block.rule({sheet_left, top}, {sheet_left, bottom}, fine);
+  block.field(box.low.x, paper_left, top, titles.scales.size() > 1 ? w.scales : w.scale,
+              fmt::format("{}", fmt::join(titles.scales, "  ·  ")));
+  block.field(paper_left, sheet_left, top, w.paper, sheet.paper == Paper::a4 ? "A4" : "A3");
+  block.field(sheet_left, box.high.x, top, w.sheet, fmt::format("{}/{}", titles.page, titles.pages));
+  set_check_bar(block, w.check_bar);
+  return block.take();
+}
+
+}  // namespace epure::drawings

@@ -1,0 +1,167 @@
+// What follows from the motion of a plane up to the second order, as every route writes it down: pole, acceleration
+// pole, inflection and stationarity circles, centres of curvature. The motion itself is found by whoever calls.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exercises/kit/proof/ledger.h"
+#include "geometry/analytic/plane_motion.h"
+#include "geometry/motion/plane_motion.h"
+
+namespace epure {
+
+inline constexpr Phrase no_inflection_circle{
+    "the inflection circle is a line: the plane does not turn and its pole is at infinity",
+    "la circonferenza dei flessi è una retta: il piano non ruota e il suo polo è all'infinito"};
+inline constexpr Phrase no_stationarity_circle{"the stationarity circle is a line: ω₃ or α₃ is zero",
+                                               "la circonferenza di stazionarietà è una retta: ω₃ o α₃ è zero"};
+inline constexpr Phrase no_acceleration_pole{"the acceleration pole K is at infinity: ω₃ and α₃ are zero",
+                                             "il polo delle accelerazioni K è all'infinito: ω₃ e α₃ sono zero"};
+inline constexpr Phrase no_point_on_ray{"the ray from the pole meets the inflection circle at infinity",
+                                        "il raggio dal polo incontra la circonferenza dei flessi all'infinito"};
+inline constexpr Phrase no_curvature{
+    "the path is straight to the second order: the point lies on the inflection circle",
+    "la traiettoria è rettilinea al secondo ordine: il punto sta sulla circonferenza dei flessi"};
+inline constexpr Phrase no_ray{"the point is the pole: its path has a cusp, and no ray leads to it",
+                               "il punto è il polo: la sua traiettoria ha una cuspide, e nessun raggio vi porta"};
+
+// A point of the plane, under the letter it has in the names of quantities.
+template <class P>
+struct Lettered {
+  std::string letter;
+  P at;
+};
+
+// From complex numbers to what a ledger takes.
+template <class T>
+geometry::Vector<T> plane(const geometry::analytic::Complex<T>& z) {
+  return {z.re, z.im};
+}
+
+// The analytic counterpart of what may be at infinity: the value, or the reason why there is none.
+template <class V>
+const V& present(const std::optional<V>& found, const Phrase& reason) {
+  if (!found) throw geometry::Impossible(reason);
+  return *found;
+}
+
+// Entries for complex numbers. Each looks for its number anew, so that an undecided one leaves the others alone.
+template <class T>
+using FindComplex = std::function<geometry::analytic::Complex<T>()>;
+template <class T>
+void put_point(Ledger<T>& ledger, const std::string& name, const FindComplex<T>& find) {
+  ledger.put(name + "_x", [&] { return find().re; });
+  ledger.put(name + "_y", [&] { return find().im; });
+}
+template <class T>
+void put_length(Ledger<T>& ledger, const std::string& name, const FindComplex<T>& find) {
+  ledger.put(name, [&] { return size(plane(find())); });
+}
+template <class T>
+void put_vector(Ledger<T>& ledger, const std::string& name, const FindComplex<T>& find) {
+  put_point(ledger, name, find);
+  put_length(ledger, name, find);
+}
+
+// The pole, called `pole` (P0, P31), and its distances from the points.
+template <class T>
+void write_pole(Ledger<T>& ledger, const std::string& pole, const geometry::ProjectivePoint<T>& P0,
+                const std::vector<Lettered<geometry::Point<T>>>& points, const Phrase& at_infinity) {
+  ledger.point(pole, P0, at_infinity);
+  for (const auto& X : points) ledger.distance(pole + X.letter, P0, X.at, at_infinity);
+}
+template <class T>
+void write_pole(Ledger<T>& ledger, const std::string& pole, const geometry::analytic::PlaneMotion<T>& motion,
+                const std::vector<Lettered<geometry::analytic::Complex<T>>>& points, const Phrase& at_infinity) {
+  const auto P0 = [&] { return present(motion.pole(), at_infinity); };
+  put_point<T>(ledger, pole, P0);
+  for (const auto& X : points) put_length<T>(ledger, pole + X.letter, [&] { return X.at - P0(); });
+}
+
+// K, and its distances from the points.
+template <class T>
+void write_acceleration_pole(Ledger<T>& ledger, const geometry::PlaneMotion<T>& motion,
+                             const std::vector<Lettered<geometry::Point<T>>>& points,
+                             const Phrase& at_infinity = no_acceleration_pole) {
+  const geometry::ProjectivePoint<T> K = motion.acceleration_pole();
+  ledger.point("K", K, at_infinity);
+  for (const auto& X : points) ledger.distance("K" + X.letter, K, X.at, at_infinity);
+}
+template <class T>
+void write_acceleration_pole(Ledger<T>& ledger, const geometry::analytic::PlaneMotion<T>& motion,
+                             const std::vector<Lettered<geometry::analytic::Complex<T>>>& points,
+                             const Phrase& at_infinity = no_acceleration_pole) {
+  const auto K = [&] { return present(motion.acceleration_pole(), at_infinity); };
+  put_point<T>(ledger, "K", K);
+  for (const auto& X : points) put_length<T>(ledger, "K" + X.letter, [&] { return X.at - K(); });
+}
+
+// Diameter and centre of a circle that may have become a line.
+template <class T>
+void write_circle(Ledger<T>& ledger, const std::string& name, const geometry::Cycle<T>& cycle,
+                  const Phrase& when_line) {
+  ledger.put(name + "_diameter", [&] {
+    const T squared = geometry::square(cycle.l) + geometry::square(cycle.m) - T(4) * cycle.k * cycle.n;
+    if constexpr (signs_only<T>) {
+      return ledger.ratio(squared, geometry::square(cycle.k), when_line);
+    } else {
+      return ledger.ratio(geometry::root(squared), geometry::absolute(cycle.k), when_line);
+    }
+  });
+  ledger.point(name + "_centre", cycle.centre(), when_line);
+}
+
+// Both circles and the inflection pole J, which a route may know better than by cancellation.
+template <class T>
+void write_circles(Ledger<T>& ledger, const geometry::PlaneMotion<T>& motion, const geometry::ProjectivePoint<T>& J) {
+  write_circle(ledger, "inflection", motion.inflection_circle(), no_inflection_circle);
+  ledger.point("inflection_pole", J, no_inflection_circle);
+  write_circle(ledger, "stationarity", motion.stationarity_circle(), no_stationarity_circle);
+}
+// The diameters as vectors from the pole, so that signs need no roots.
+template <class T>
+void write_circles(Ledger<T>& ledger, const geometry::analytic::PlaneMotion<T>& motion) {
+  const auto P0 = [&] { return present(motion.pole(), no_inflection_circle); };
+  const auto J = [&] { return present(motion.inflection_pole(), no_inflection_circle); };
+  const auto bresse = [&] { return present(motion.stationarity_circle(), no_stationarity_circle).centre; };
+  put_length<T>(ledger, "inflection_diameter", [&] { return J() - P0(); });
+  put_point<T>(ledger, "inflection_centre",
+               [&] { return present(motion.inflection_circle(), no_inflection_circle).centre; });
+  put_point<T>(ledger, "inflection_pole", J);
+  put_length<T>(ledger, "stationarity_diameter", [&] { return T(2) * (bresse() - P0()); });
+  put_point<T>(ledger, "stationarity_centre", bresse);
+}
+
+// Why there is no point on the ray to X, or no centre of curvature, where there is none: X may be the pole.
+template <class T>
+const Phrase& unless_pole(const geometry::PlaneMotion<T>& motion, const geometry::Point<T>& X, const Phrase& reason) {
+  return geometry::sign(geometry::length_squared(motion.velocity(X))) == geometry::Sign::zero ? no_ray : reason;
+}
+
+// X', the centre of curvature of the path of X, and its radius.
+template <class T>
+void write_curvature(Ledger<T>& ledger, const geometry::PlaneMotion<T>& motion,
+                     const Lettered<geometry::Point<T>>& X) {
+  const geometry::ProjectivePoint<T> on_circle = motion.on_inflection_circle(X.at);
+  const geometry::ProjectivePoint<T> centre = motion.centre_of_curvature(X.at);
+  const Phrase &none_on_ray = unless_pole(motion, X.at, no_point_on_ray),
+               &no_centre = unless_pole(motion, X.at, no_curvature);
+  ledger.distance(X.letter + "prime_" + X.letter, on_circle, X.at, none_on_ray);
+  ledger.distance("rho_" + X.letter, centre, X.at, no_centre);
+  ledger.point("curvature_centre_" + X.letter, centre, no_centre);
+  ledger.point(X.letter + "prime", on_circle, none_on_ray);
+}
+template <class T>
+void write_curvature(Ledger<T>& ledger, const geometry::analytic::PlaneMotion<T>& motion,
+                     const Lettered<geometry::analytic::Complex<T>>& X) {
+  const auto on_circle = [&] { return present(motion.on_inflection_circle(X.at), no_point_on_ray); };
+  const auto centre = [&] { return present(motion.centre_of_curvature(X.at), no_curvature); };
+  put_length<T>(ledger, X.letter + "prime_" + X.letter, [&] { return on_circle() - X.at; });
+  put_length<T>(ledger, "rho_" + X.letter, [&] { return centre() - X.at; });
+  put_point<T>(ledger, "curvature_centre_" + X.letter, centre);
+  put_point<T>(ledger, X.letter + "prime", on_circle);
+}
+
+}  // namespace epure

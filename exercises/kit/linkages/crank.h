@@ -1,0 +1,62 @@
+// The driving crank.
+#pragma once
+
+#include <vector>
+
+#include "exercises/kit/linkages/angles.h"
+#include "exercises/kit/statement/givens.h"
+
+namespace epure {
+
+// Where the crank is, stated as `t` in seconds, the instant at which it has turned so far with the speed n; or as
+// `phi` in degrees.
+GivenSpec instant_given(const std::string& stated, Range range, const std::vector<std::string>& also = {});
+GivenSpec crank_angle_given();
+
+// Crank angles from +x, in degrees and rounded, between which a linkage closes.
+struct AngleRange {
+  double from, to;
+};
+// "; it closes from 10° to 60° and from 300° to 350°", the end of a sentence; empty without a range.
+Words where_it_closes(const std::vector<AngleRange>& ranges);
+
+// `n`, in radians per second. The exact numbers are asked for signs only: with unit crank speed and α₂ = 0 they get
+// on without π.
+template <class T>
+T crank_speed(const Angle& n, const Angle& alpha_2) {
+  if (signs_only<T> && is_zero(alpha_2)) return T(sign_of(n));
+  return geometry::radians<T>(n);
+}
+
+// The crank, turned to `crank` since it lay on +x, by the speed n.
+template <class T>
+struct DrivenCrank {
+  Angle crank, n;
+  T omega_2;
+
+  T instant() const { return geometry::quotient_of<T>(crank, n); }
+};
+
+// By construction: the angle measured at A₀, and the speed that covers it in t.
+template <class T>
+void write_crank(Ledger<T>& ledger, const DrivenCrank<T>& at, const geometry::Point<T>& A) {
+  const T phi = crank_angle_seen(at.crank, A);
+  ledger.put("omega_2",
+             [&]() -> T { return is_zero(at.crank) ? at.omega_2 : geometry::quotient(phi, at.instant()); });
+  ledger.put("crank_angle_phi", phi);
+  ledger.put("crank_angle_phi_deg", in_degrees(phi));
+}
+
+// From speed and time.
+template <class T>
+void write_crank(Ledger<T>& ledger, const DrivenCrank<T>& at) {
+  ledger.put("omega_2", at.omega_2);
+  if constexpr (signs_only<T>) {
+    ledger.put("crank_angle_phi", T(sign_of(at.crank)));
+  } else {
+    ledger.put("crank_angle_phi", at.omega_2 * at.instant());
+  }
+  ledger.put("crank_angle_phi_deg", given_in_degrees<T>(at.crank));
+}
+
+}  // namespace epure

@@ -1,0 +1,68 @@
+#include "exercises/kit/linkages/four_bar_on_x.h"
+
+#include <cmath>
+
+namespace epure {
+
+std::vector<GivenSpec> four_bar_on_x_givens() {
+  return {{"A0B0", {"frame A₀B₀, along +x", "telaio A₀B₀, lungo +x"}, "m", "0.80", Range::positive, "$A_{0}B_{0}$"},
+          {"A0A", {"crank A₀A", "manovella A₀A"}, "m", "0.20", Range::positive, "$A_{0}A$"},
+          {"AB", {"coupler AB", "biella AB"}, "m", "0.50", Range::positive, "$AB$"},
+          {"B0B", {"rocker B₀B", "bilanciere B₀B"}, "m", "0.70", Range::positive, "$B_{0}B$"},
+          {"n",
+           {"crank speed, counter-clockwise", "velocità della manovella, antioraria"},
+           "rpm",
+           "400",
+           Range::any,
+           "$n_{2}$"},
+          {.symbol = "phi",
+           .meaning = {"angle of the crank from A₀ → B₀", "anomalia della manovella, da A₀ → B₀"},
+           .unit = "deg",
+           .stated = "20",
+           .range = Range::any,
+           .letters = "$θ_{2}$",
+           .also = {"theta_2"}},
+          {"alpha_2",
+           {"angular acceleration of the crank", "accelerazione angolare della manovella"},
+           "rad/s^2",
+           "0",
+           Range::any,
+           "$α_{2}$"}};
+}
+
+FourBarInstant four_bar_on_x(const Givens& givens, geometry::Side side) {
+  return {.lengths = {givens["A0A"], givens["AB"], givens["B0B"], givens["A0B0"], Rational(0)},
+          .side = side,
+          .n = givens.angle("n"),
+          .crank = givens.angle("phi"),
+          .alpha_2 = givens.angle("alpha_2")};
+}
+
+std::vector<QuantitySpec> link_angle_quantities() {
+  return {{"theta_3", "$θ_{3}$", "rad", {"direction of AB from +x", "anomalia di AB"}},
+          {"theta_4", "$θ_{4}$", "rad", {"direction from B to B₀, from +x", "anomalia di BB₀, da B verso B₀"}}};
+}
+
+std::vector<QuantitySpec> midpoint_quantities() {
+  const Words G2{"the midpoint of A₀A", "mezzeria di A₀A"}, G3{"the midpoint of AB", "mezzeria di AB"},
+      G4{"the midpoint of B₀B", "mezzeria di B₀B"};
+  const auto of = [](const char* english, const char* italian, const Words& G) {
+    return Words{english + G.english, italian + G.italian};
+  };
+  return joined({components("v_G2", "v", "G2", "m/s", of("velocity of ", "velocità della ", G2)),
+                 components("v_G3", "v", "G3", "m/s", of("velocity of ", "velocità della ", G3)),
+                 components("v_G4", "v", "G4", "m/s", of("velocity of ", "velocità della ", G4)),
+                 components("a_G2", "a", "G2", "m/s^2", of("acceleration of ", "accelerazione della ", G2)),
+                 components("a_G3", "a", "G3", "m/s^2", of("acceleration of ", "accelerazione della ", G3)),
+                 components("a_G4", "a", "G4", "m/s^2", of("acceleration of ", "accelerazione della ", G4))});
+}
+
+Explanation cut_off(std::function<double()> value, int decimals) {
+  return {{"cut off after the last printed digit, not rounded", "troncato dopo l'ultima cifra, non arrotondato"},
+          [value = std::move(value), decimals] {
+            const double unit = std::pow(10, decimals);
+            return std::trunc(value() * unit) / unit;
+          }};
+}
+
+}  // namespace epure

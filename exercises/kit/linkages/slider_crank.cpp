@@ -1,0 +1,182 @@
+#include "exercises/kit/linkages/slider_crank.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "exercises/kit/panels/drawn.h"
+#include "geometry/numbers/climb.h"
+#include "geometry/numbers/turn.h"
+
+namespace epure {
+namespace {
+
+using geometry::Deep;
+using geometry::Sign;
+
+void require_plate(const geometry::SliderCrankLengths& of) {
+  const auto longer = [](const char* long_name, const Rational& longest, const char* sum, const Rational& others) {
+    if (longest > others) {
+      throw BadGivens(format_words("the plate ABC does not close: {} = {} m is longer than {} = {} m by {} m",
+                                   "la piastra ABC non si chiude: {} = {} m è più lungo di {} = {} m, di {} m",
+                                   std::string(long_name), decimal(CGAL::to_double(longest), 6), std::string(sum),
+                                   decimal(CGAL::to_double(others), 6),
+                                   decimal(CGAL::to_double(longest - others), 3)));
+    }
+  };
+  longer("AB", of.l, "AC + BC", of.AC + of.BC);
+  longer("AC", of.AC, "AB + BC", of.l + of.BC);
+  longer("BC", of.BC, "AB + AC", of.l + of.AC);
+}
+
+// How far A is from the guide, to its left.
+template <class T>
+T height_of_A(const SliderCrankInstant& at) {
+  return geometry::from_rational<T>(at.lengths.r) * geometry::sine<T>(at.crank_from_guide()) -
+         geometry::from_rational<T>(at.lengths.e);
+}
+
+Words angles_at_which_it_closes(const SliderCrankInstant& at) {
+  const Words text = where_it_closes(crank_swings(at));
+  if (!text.empty()) return text;
+  return format_words("; it closes at no angle, as the guide passes {} m from A₀",
+                      "; non si chiude ad alcun angolo, perché la guida passa a {} m da A₀",
+                      decimal(CGAL::to_double(CGAL::abs(at.lengths.e)), 6));
+}
+
+void require_closure(const SliderCrankInstant& at) {
+  const Sign reach =
+      geometry::decide([&]<class T>() {
+        return geometry::square(geometry::from_rational<T>(at.lengths.l)) - geometry::square(height_of_A<T>(at));
+      }).sign;
+  if (reach == Sign::positive) return;
+  if (reach == Sign::undecided)
+    throw geometry::Undecided("whether the coupler reaches the guide", "se la biella raggiunga la guida");
+  const double phi = degrees(at.crank);
+  const double l = CGAL::to_double(at.lengths.l);
+  if (reach == Sign::negative) {
+    const auto [height, missing] = deeply([&] {
+      const Deep from_guide = geometry::root(geometry::square(height_of_A<Deep>(at)));
+      return std::pair{to_double(from_guide), to_double(from_guide - geometry::from_rational<Deep>(at.lengths.l))};
+    });
+    throw BadGivens(format_words(
+        "the linkage does not close: at crank angle {}° the pin A is {} m from the guide, and the coupler "
+        "AB = {} m is too short by {} m{}",
+        "il meccanismo non si chiude: con la manovella a {}° il perno A dista {} m dalla guida, e la biella "
+        "AB = {} m è troppo corta di {} m{}",
+        decimal(phi, 6), decimal(height, 6), decimal(l, 6), decimal(missing, 3), angles_at_which_it_closes(at)));
+  }
+  throw BadGivens(format_words(
+      "at crank angle {}° the coupler AB = {} m stands square to the guide, where the crank cannot drive "
+      "the slider: its velocity does not exist",
+      "con la manovella a {}° la biella AB = {} m è perpendicolare alla guida, dove la manovella non può "
+      "muovere il corsoio: la sua velocità non esiste",
+      decimal(phi, 6), decimal(l, 6)));
+}
+
+// The crank is square to the guide: a decision on the rational number of quarter turns between them. Radians in that
+// angle never make it one, π being irrational.
+bool is_square_to_guide(const SliderCrankInstant& at) {
+  const Angle psi = at.crank_from_guide();
+  const Rational quarters = 4 * psi.turns;
+  return psi.radians == 0 && quarters.denominator() == 1 && mpz_odd_p(quarters.numerator().mpz()) != 0;
+}
+
+// A₀, A and B in line. Seen from the guide, crank at ψ and coupler have the same sine when the crank points ahead,
+// (r + l) sin ψ = e, and opposite ones when it points back, (r - l) sin ψ = e. Only a rational sine can be that (and
+// any, when r = l and e = 0: the links stay folded, B on A₀), and of a rational turn these are known: see
+// rational_cosine. (With radians in the angle the sine is transcendental.)
+bool is_dead_centre(const SliderCrankInstant& at) {
+  const auto& [r, l, AC, BC, e] = at.lengths;
+  if (is_square_to_guide(at)) return false;
+  const Rational length = at.crank_points_ahead() ? r + l : r - l;
+  if (length == 0) return e == 0;
+  const Angle psi = at.crank_from_guide();
+  if (psi.radians != 0) return false;
+  const auto sine = geometry::rational_cosine(geometry::turn_for_sine({psi.turns}));
+  return sine && length * *sine == e;
+}
+
+}  // namespace
+
+std::vector<GivenSpec> slider_crank_givens(bool with_alpha_2) {
+  std::vector<GivenSpec> givens{
+      {"r", {"crank A₀A", "manovella A₀A"}, "m", "0.20", Range::positive, "$r$"},
+      {"l", {"coupler AB", "biella AB"}, "m", "0.50", Range::positive, "$l$"},
+      {"BC", {"side BC of the coupler plate", "lato BC della biella"}, "m", "0.40", Range::positive, "$BC$"},
+      {"AC", {"side AC of the coupler plate", "lato AC della biella"}, "m", "0.30", Range::positive, "$AC$"},
+      {"n",
+       {"crank speed, counter-clockwise", "velocità della manovella, antioraria"},
+       "rpm",
+       "360",
+       Range::any,
+       "$n$"},
+      instant_given("1/72", Range::not_negative, {"t1"}),
+      crank_angle_given(),
+  };
+  if (with_alpha_2) {
+    givens.push_back({"alpha_2",
+                      {"angular acceleration of the crank", "accelerazione angolare della manovella"},
+                      "rad/s^2",
+                      "0",
+                      Range::any,
+                      "$α_{2}$"});
+  }
+  givens.push_back({.symbol = "e",
+                    .meaning = {"offset of the guide from A₀, positive to the left of its direction",
+                                "distanza della guida da A₀, positiva a sinistra della sua direzione"},
+                    .unit = "m",
+                    .stated = "0",
+                    .range = Range::any,
+                    .letters = "$e$",
+                    .beyond_source = true});
+  givens.push_back({.symbol = "delta",
+                    .meaning = {"direction of the guide, from +x", "direzione della guida, da +x"},
+                    .unit = "deg",
+                    .stated = "0",
+                    .range = Range::any,
+                    .letters = "$δ$",
+                    .beyond_source = true});
+  return givens;
+}
+
+SliderCrankInstant slider_crank_instant(const Givens& givens) {
+  SliderCrankInstant at{.lengths = {givens["r"], givens["l"], givens["AC"], givens["BC"], givens["e"]},
+                        .n = givens.angle("n"),
+                        .crank = givens.angle("phi"),
+                        .guide = within_one_turn(givens.angle("delta"))};
+  for (const GivenSpec& spec : givens.specs()) {
+    if (spec.symbol == "alpha_2") at.alpha_2 = givens.angle("alpha_2");
+  }
+  require_plate(at.lengths);
+  require_drivable(at);
+  return at;
+}
+
+void require_drivable(SliderCrankInstant& at) {
+  if (is_zero(at.n))
+    throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0",
+                    "n = 0 rpm: la manovella deve girare, n dev'essere diverso da 0");
+  require_closure(at);
+  at.pole_at_infinity = is_square_to_guide(at);
+  at.dead_centre = is_dead_centre(at);
+}
+
+bool SliderCrankInstant::crank_points_ahead() const {
+  const Angle psi = within_one_turn(crank_from_guide()), quarter{Rational(1, 4)};
+  return sign_of(psi - quarter) < 0 || sign_of(psi - Rational(3) * quarter) > 0;
+}
+
+std::vector<AngleRange> crank_swings(const SliderCrankInstant& at) {
+  const geometry::CrankRange range = geometry::crank_range(at.lengths);
+  if (range.is_empty || range.is_full_turn()) return {};
+  const double delta = geometry::degrees(at.guide);
+  const auto degrees = [](const Rational& sine) { return std::asin(CGAL::to_double(sine)) * 180 / std::numbers::pi; };
+  if (!range.highest) return {{delta + degrees(*range.lowest), delta + 180 - degrees(*range.lowest)}};
+  if (!range.lowest) return {{delta - 180 - degrees(*range.highest), delta + degrees(*range.highest)}};
+  const double low = degrees(*range.lowest), high = degrees(*range.highest);
+  return {{delta + low, delta + high}, {delta + 180 - high, delta + 180 - low}};
+}
+
+}  // namespace epure

@@ -1,0 +1,205 @@
+#include "exercises/kit/panels/plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "drawings/paths/vectors.h"
+#include "exercises/kit/panels/drawn.h"
+
+namespace epure {
+namespace {
+
+constexpr double farthest = 1000;  // mm: more than any way across the paper
+
+// The part of pq within `farthest` of the paper, which is all that can be seen of it; none when both ends are so far
+// off that doubles no longer know where the line between them passes.
+std::optional<std::pair<drawings::Point, drawings::Point>> near_paper(drawings::Point p, drawings::Point q) {
+  constexpr double unknown = 1e9;  // mm: there a double is worth 1e-7 mm
+  const auto size = [](drawings::Point a) { return std::max(std::abs(a.x), std::abs(a.y)); };
+  if (size(p) > unknown && size(q) > unknown) return {};
+  const bool swapped = size(q) < size(p);
+  if (swapped) std::swap(p, q);  // from the nearer end, so that a far one costs no digits
+  double from = 0, to = 1;
+  for (const auto& [start, way] : {std::pair{p.x, q.x - p.x}, std::pair{p.y, q.y - p.y}}) {
+    if (way == 0 && std::abs(start) > farthest) return {};
+    if (way == 0) continue;
+    const double a = (-farthest - start) / way, b = (farthest - start) / way;
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+  if (from > to) return {};
+  const auto at = [&](double t) -> drawings::Point {
+    return t == 1 ? q : drawings::Point{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+  };
+  return swapped ? std::pair{at(to), at(from)} : std::pair{at(from), at(to)};
+}
+
+}  // namespace
+
+void Plot::segment(const Place& P, const Place& Q, Meaning meaning, const std::string& name) {
+  if (const auto seen = near_paper(at(P), at(Q))) {
+    mark(drawings::Line{drawings::segment(seen->first, seen->second), meaning, name});
+  }
+}
+
+bool Plot::shows(const Place& P) const {
+  const drawings::Box area = drawings::drawing_area(onto_.sheet.paper);
+  const drawings::Point p = at(P);
+  return p.x >= area.low.x && p.x <= area.high.x && p.y >= area.low.y && p.y <= area.high.y;
+}
+
+void Plot::long_segment(const Place& P, const Place& Q, double beyond, Meaning meaning) {
+  const drawings::Point p = at(P), q = at(Q);
+  const double length = std::hypot(q.x - p.x, q.y - p.y);
+  if (length == 0) return;
+  const double dx = (q.x - p.x) / length * beyond, dy = (q.y - p.y) / length * beyond;
+  segment(from_paper({p.x - dx, p.y - dy}), from_paper({q.x + dx, q.y + dy}), meaning);
+}
+
+void Plot::direction_line(const Place& P, const Place& Q, double beyond, const std::string& what) {
+  const drawings::Point p = at(P), q = at(Q);
+  const double length = std::hypot(q.x - p.x, q.y - p.y);
+  if (length == 0) return;
+  long_segment(P, Q, beyond, Meaning::construction);
+  const Place end = from_paper({q.x + (q.x - p.x) / length * beyond, q.y + (q.y - p.y) / length * beyond});
+  small_label(what, end, Q);
+}
+
+void Plot::polygon(const std::vector<Place>& corners, Meaning meaning) {
+  std::vector<drawings::Point> on_paper;
+  for (const Place& P : corners) on_paper.push_back(at(P));
+  mark(drawings::Line{drawings::polyline(on_paper, true), meaning, {}});
+}
+
+void Plot::area(const std::vector<Place>& corners, Meaning meaning) {
+  std::vector<drawings::Point> on_paper;
+  for (const Place& P : corners) on_paper.push_back(at(P));
+  mark(drawings::Area{drawings::polyline(on_paper, true), meaning, {}});
+}
+
+void Plot::circle(const Place& centre, double radius, Meaning meaning, const std::string& name) {
+  mark(drawings::Line{drawings::circle(at(centre), radius * scale_.mm_per_unit), meaning, name});
+}
+
+namespace {
+
+// Around the point of the circle that is nearest to `middle`, as far as the paper reaches. Written from that point,
+// not from the centre, so that a centre kilometres away costs no digits.
+drawings::Path arc_near(drawings::Point centre, double radius, drawings::Point middle) {
+  const double toward = drawings::angle_of(middle - centre);
+  const drawings::Point nearest{centre.x + radius * std::cos(toward), centre.y + radius * std::sin(toward)};
+  const double half = farthest / radius;
+  constexpr int pieces = 8;
+  const auto at = [&](double turn) -> drawings::Point {
+    const double across = 2 * std::sin(turn / 2);  // the chord from `nearest`, over the radius
+    return {nearest.x - radius * across * std::sin(toward + turn / 2),
+            nearest.y + radius * across * std::cos(toward + turn / 2)};
+  };
+  drawings::Path path{at(-half), {}, false};
+  const double step = 2 * half / pieces, handle = 4.0 / 3 * std::tan(step / 4) * radius;
+  for (int i = 0; i < pieces; ++i) {
+    const double from = -half + i * step, to = from + step;
+    const drawings::Point p = at(from), q = at(to);
+    path.pieces.push_back({false,
+                           {p.x - handle * std::sin(toward + from), p.y + handle * std::cos(toward + from)},
+                           {q.x + handle * std::sin(toward + to), q.y - handle * std::cos(toward + to)},
+                           q});
+  }
+  return path;
+}
+
+}  // namespace
+
+void Plot::cycle(const DrawnCycle& cycle, Meaning meaning, const std::string& name) {
+  const drawings::Box area = drawings::drawing_area(onto_.sheet.paper);
+  const drawings::Point middle{(area.low.x + area.high.x) / 2, (area.low.y + area.high.y) / 2};
+  if (cycle.centre) {
+    // Beyond this radius an arc across the paper rises by half a micrometre: it is drawn as its tangent.
+    constexpr double straight = 1e9;  // mm
+    const double radius = cycle.radius * scale_.mm_per_unit;
+    if (radius < farthest) return circle(*cycle.centre, cycle.radius, meaning, name);
+    if (radius < straight) return mark(drawings::Line{arc_near(at(*cycle.centre), radius, middle), meaning, name});
+  }
+  if (!cycle.on_line) return;
+  const drawings::Point foot = at(*cycle.on_line);
+  const double length = std::hypot(cycle.along.x, cycle.along.y);
+  const double dx = cycle.along.x / length * farthest, dy = cycle.along.y / length * farthest;
+  mark(drawings::Line{drawings::segment({foot.x - dx, foot.y - dy}, {foot.x + dx, foot.y + dy}), meaning, name});
+}
+
+void Plot::dot(const Place& P, Meaning meaning) {
+  if (shows(P)) mark(drawings::Dot{at(P), meaning, {}});
+}
+void Plot::cross(const Place& P, Meaning meaning) {
+  if (shows(P)) mark(drawings::Cross{at(P), meaning, {}});
+}
+void Plot::hinge(const Place& P) { mark(drawings::Hinge{at(P)}); }
+
+void Plot::right_angle(const Place& P, const Place& Q, const Place& R) {
+  if (!shows(P)) return;
+  const drawings::Point p = at(P), q = at(Q), r = at(R);
+  if (std::hypot(q.x - p.x, q.y - p.y) < 3 || std::hypot(r.x - p.x, r.y - p.y) < 3) return;  // no room for the mark
+  mark(drawings::RightAngle{p, drawings::angle_of(q - p), drawings::angle_of(r - p)});
+}
+
+void Plot::side(const std::string& name, const Place& from, const Place& to, Meaning meaning,
+                const std::string& label, std::optional<Place> away_from) {
+  mark(drawings::Arrow{at(from), at(to), meaning, name});
+  if (!label.empty()) {
+    drawings::Label beside{.text = label, .at = at(from), .to = at(to), .ink = meaning};
+    if (away_from) beside.away_from = at(*away_from);
+    onto_.sheet.figure.labels.push_back(beside);
+  }
+  if (!name.empty()) measures(name, from, to);
+}
+
+Place Plot::tip(const Place& from, const Arrow2& v) const {
+  const double units = vectors_.mm_per_unit / scale_.mm_per_unit;
+  return {from.x + units * v.x, from.y + units * v.y};
+}
+
+void Plot::vector_on(const std::string& name, const Place& from, const Arrow2& v, Meaning meaning,
+                     const std::string& label) {
+  const Place to = tip(from, v);
+  mark(drawings::Arrow{at(from), at(to), meaning, name});
+  onto_.sheet.figure.labels.push_back({.text = label, .at = at(from), .to = at(to), .ink = meaning});
+  if (!name.empty()) measure(name, from, to, 1 / vectors_.mm_per_unit, Measurement::length);
+}
+
+void Plot::label(const std::string& text, const Place& P, std::optional<Place> away_from, Meaning ink) {
+  if (!shows(P)) return;
+  drawings::Label label{.text = text, .at = at(P), .ink = ink};
+  if (away_from && shows(*away_from)) label.away_from = at(*away_from);
+  onto_.sheet.figure.labels.push_back(label);
+}
+
+void Plot::small_label(const std::string& text, const Place& P, const Place& away_from) {
+  constexpr double small = 2.5;
+  onto_.sheet.figure.labels.push_back({.text = text, .at = at(P), .away_from = at(away_from), .size = small});
+}
+
+void Plot::step(int number, const Place& P) {
+  if (shows(P)) onto_.sheet.figure.steps.push_back({number, at(P)});
+}
+
+void Plot::measure(const std::string& name, const Place& from, const Place& to, double per_mm,
+                   Measurement::Kind kind) {
+  if (shows(from) && shows(to)) onto_.measurements.push_back({name, at(from), at(to), per_mm, kind});
+}
+
+void Plot::measures(const std::string& name, const Place& P, const Place& Q) {
+  measure(name, P, Q, 1 / scale_.mm_per_unit, Measurement::length);
+}
+
+void Plot::measures_abscissa(const std::string& name, const Place& P, const Place& origin) {
+  measure(name, origin, P, 1 / scale_.mm_per_unit, Measurement::along_x);
+}
+
+void Plot::measures_coordinates(const std::string& name, const Place& P, const Place& origin) {
+  measure(name + "_x", origin, P, 1 / scale_.mm_per_unit, Measurement::along_x);
+  measure(name + "_y", origin, P, 1 / scale_.mm_per_unit, Measurement::along_y);
+}
+
+}  // namespace epure

@@ -1,0 +1,295 @@
+#include "exercises/kit/panels/polygon.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "exercises/kit/panels/compare.h"
+
+namespace epure {
+namespace {
+
+constexpr double beyond_vector = 8;  // mm: a direction line runs on past the polygon
+constexpr double air = 9;            // mm around a corner, for letters
+
+Place after(const Place& P, const Arrow2& v) { return {P.x + v.x, P.y + v.y}; }
+Place between(const Place& P, const Place& Q, double t) { return {P.x + t * (Q.x - P.x), P.y + t * (Q.y - P.y)}; }
+
+// A side and where it starts.
+struct PlacedSide {
+  const PolygonSide* side;
+  Place from, to;
+};
+std::vector<PlacedSide> placed(const std::vector<PolygonSide>& chain) {
+  std::vector<PlacedSide> sides;
+  Place at{0, 0};
+  for (const PolygonSide& side : chain) {
+    if (!side.is_drawn()) continue;
+    sides.push_back({&side, at, after(at, side.v)});
+    at = sides.back().to;
+  }
+  return sides;
+}
+
+// The left side of a loop ends where the others begin.
+std::vector<PlacedSide> placed_backwards(const std::vector<PolygonSide>& chain) {
+  std::vector<PlacedSide> sides;
+  Place at{0, 0};
+  for (const PolygonSide& side : chain) {
+    if (!side.is_drawn()) continue;
+    sides.push_back({&side, after(at, -side.v), at});
+    at = sides.back().from;
+  }
+  return sides;
+}
+
+// The right side first: it holds what is known of the driving body.
+std::vector<PlacedSide> in_order(const VectorPolygon& polygon) {
+  std::vector<PlacedSide> sides = placed(polygon.right);
+  for (const PlacedSide& side : polygon.loop ? placed_backwards(polygon.left) : placed(polygon.left)) {
+    sides.push_back(side);
+  }
+  return sides;
+}
+
+// Away from it letters stand outside.
+Place middle_of(const VectorPolygon& polygon) {
+  const auto sides = in_order(polygon);
+  Place sum{0, 0};
+  for (const PlacedSide& s : sides) sum = {sum.x + s.to.x, sum.y + s.to.y};
+  const auto count = static_cast<double>(sides.size()) + 1;
+  return {sum.x / count, sum.y / count};
+}
+
+// The part PQ of the line that carries an unknown vector, in mm from the polygon's origin: from where the vector
+// starts to past where it ends. None when nothing tells its direction.
+std::optional<std::pair<drawings::Point, drawings::Point>> carrier_of(const PlacedSide& s, double mm_per_unit) {
+  constexpr double shortest = 6;  // mm; a shorter vector does not show its line
+  const drawings::Point p{mm_per_unit * s.from.x, mm_per_unit * s.from.y};
+  drawings::Point q{mm_per_unit * s.to.x, mm_per_unit * s.to.y};
+  if (std::hypot(q.x - p.x, q.y - p.y) < shortest) {
+    const double length = std::hypot(s.side->along.x, s.side->along.y);
+    if (length == 0) return {};
+    q = {p.x + shortest / length * s.side->along.x, p.y + shortest / length * s.side->along.y};
+  }
+  return std::pair{p, q};
+}
+
+void draw_carrier(Plot& plot, const PlacedSide& s) {
+  const double mm_per_unit = plot.scale().mm_per_unit;
+  const auto carrier = carrier_of(s, mm_per_unit);
+  if (!carrier) return;
+  const auto& [p, q] = *carrier;
+  const Place towards{q.x / mm_per_unit, q.y / mm_per_unit};
+  if (s.side->closes_alone()) {
+    plot.long_segment(s.from, towards, beyond_vector, Meaning::construction);
+  } else {
+    plot.direction_line(s.from, towards, beyond_vector, s.side->direction);
+  }
+}
+
+// Past its ends, for the letters that tell its direction.
+void include_carrier(Extent& extent, const PlacedSide& s, const Scale& scale) {
+  const auto carrier = carrier_of(s, scale.mm_per_unit);
+  if (!carrier) return;
+  const auto& [p, q] = *carrier;
+  constexpr double letters_wide = 7, letters_high = 3;  // mm
+  const double length = std::hypot(q.x - p.x, q.y - p.y);
+  const double x = (q.x - p.x) / length, y = (q.y - p.y) / length;
+  extent.include(p.x - beyond_vector * x, p.y - beyond_vector * y);
+  extent.include(q.x + (beyond_vector + letters_wide) * x, q.y + (beyond_vector + letters_high) * y);
+}
+
+// What is drawn of the polygon, and whether that is all.
+struct Drawing {
+  Plot& plot;
+  const VectorPolygon& polygon;
+  Place middle;
+  bool whole;
+};
+
+// Letters stand outside the polygon. Where it has no outside, because its vectors lie in one line, those of the right
+// side stand on the left of their vectors, and those of the left side on the right: so no two seem to name one.
+Place away_from(const Drawing& on, const PlacedSide& s, bool of_left_side) {
+  constexpr double in_line = 1;  // mm from the vector's line to the middle
+  const drawings::Point p = on.plot.at(s.from), q = on.plot.at(s.to), m = on.plot.at(on.middle);
+  const double x = q.x - p.x, y = q.y - p.y, length = std::hypot(x, y);
+  if (length == 0 || std::abs(x * (m.y - p.y) - y * (m.x - p.x)) > in_line * length) return on.middle;
+  const double side = of_left_side ? 1 : -1;
+  return on.plot.from_paper({(p.x + q.x) / 2 - side * y, (p.y + q.y) / 2 + side * x});
+}
+
+// Only the whole polygon is measured: the same vector stands on other pictures too.
+void draw_vector(const Drawing& on, const PlacedSide& s, bool of_left_side) {
+  on.plot.side(on.whole ? s.side->quantity : "", s.from, s.to, on.polygon.meaning, s.side->label,
+               away_from(on, s, of_left_side));
+  if (!s.side->tip.empty()) on.plot.label(s.side->tip, s.to, on.middle, on.polygon.meaning);
+}
+
+// Unknown vectors appear when the polygon is closed; until then a line alone.
+void draw_sides(const Drawing& on, const std::vector<PlacedSide>& sides, const PolygonStage& stage) {
+  const bool closed = stage.closed && stage.steps >= static_cast<int>(sides.size());
+  int steps = stage.steps;
+  const PlacedSide* before = nullptr;
+  std::size_t right_ones = placed(on.polygon.right).size();
+  for (const PlacedSide& s : sides) {
+    const bool of_left_side = right_ones == 0;
+    if (!of_left_side) --right_ones;
+    if (steps-- <= 0) return;
+    if (s.side->is_unknown() && !(closed && s.side->closes_alone())) draw_carrier(on.plot, s);
+    if (!s.side->is_unknown() || closed) draw_vector(on, s, of_left_side);
+    if (s.side->square && before && closed) on.plot.right_angle(s.from, before->from, s.to);
+    before = &s;
+  }
+}
+
+void draw_image(Plot& plot, const VectorPolygon& polygon, const PolygonImage& image) {
+  const Place O{0, 0}, a = after(O, polygon.right.front().v), c = after(O, image.absolute.v);
+  const Place middle = middle_of(polygon);
+  if (!image.relative.label.empty()) {
+    plot.side(image.relative.quantity, a, c, polygon.meaning, image.relative.label, middle);
+  } else if (!image.relative.quantity.empty()) {
+    plot.measures(image.relative.quantity, a, c);
+  }
+  plot.side(image.absolute.quantity, O, c, polygon.meaning, image.absolute.label, middle);
+  plot.dot(c, polygon.meaning);
+  plot.label(image.absolute.tip, c, O, polygon.meaning);
+}
+
+// `from`: the letter of the corner; empty: the tip of the vector before.
+std::string known_vector(const PolygonSide& side, const std::string& from, Language language) {
+  const Words start = from.empty() ? Words{"At its tip", "Di seguito"} : Words{"From " + from, "Da " + from};
+  return language == Language::english
+             ? fmt::format("{} the known {}, {}.", start.english, side.label, side.direction)
+             : fmt::format("{} la {} nota, {}.", start.italian, side.label, side.direction);
+}
+std::string carrying_line(const PolygonSide& side, const std::string& from, Language language) {
+  const Words start =
+      from.empty() ? Words{"Through its tip", "Per il suo estremo"} : Words{"Through " + from, "Per " + from};
+  return language == Language::english
+             ? fmt::format("{} the line {}: it carries {}.", start.english, side.direction, side.label)
+             : fmt::format("{} la retta {}: porta la {}.", start.italian, side.direction, side.label);
+}
+std::string closing(const PolygonSide& side, const std::string& from, const std::string& to, Language language) {
+  return language == Language::english ? fmt::format("{}, from {} to {}, closes the polygon.", side.label, from, to)
+                                       : fmt::format("La {}, da {} a {}, chiude il poligono.", side.label, from, to);
+}
+// "$\\vec{v}_{BA}$" as the magnitude.
+std::string without_arrow(std::string label) {
+  const std::string before = "\\vec{";
+  const auto at = label.find(before);
+  if (at == std::string::npos) return label;
+  label.erase(at, before.size());
+  label.erase(label.find('}', at), 1);
+  return label;
+}
+std::string meeting(const std::string& corner, Language language) {
+  return language == Language::english ? fmt::format(" The two lines meet in {}.", corner)
+                                       : fmt::format(" Le due rette si incontrano in {}.", corner);
+}
+
+}  // namespace
+
+drawings::VectorEquation equation(const VectorPolygon& polygon) {
+  drawings::VectorEquation written;
+  const auto add = [&](const std::vector<PolygonSide>& chain, const char* first) {
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      written.terms.push_back({chain[i].label, chain[i].direction, chain[i].magnitude, i == 0 ? first : "+"});
+    }
+  };
+  if (polygon.loop) {
+    add(polygon.right, "");
+    add(polygon.left, "+");
+    written.terms.push_back({"0", "", "", "="});
+  } else {
+    add(polygon.left, "");
+    add(polygon.right, "=");
+  }
+  return written;
+}
+
+std::vector<std::string> steps_of(const VectorPolygon& polygon, Language language) {
+  std::vector<std::string> lines;
+  const std::string& corner = polygon.right.back().tip;
+  for (const auto* chain : {&polygon.right, &polygon.left}) {
+    std::string from = polygon.origin;
+    for (const PolygonSide& side : *chain) {
+      if (!side.is_drawn()) continue;
+      lines.push_back(side.closes_alone()
+                          ? closing(side, polygon.loop ? corner : from, polygon.loop ? from : corner, language)
+                      : side.is_unknown() ? carrying_line(side, from, language)
+                                          : known_vector(side, from, language));
+      from = side.tip;
+    }
+  }
+  if (!polygon.left.back().closes_alone()) lines.back() += meeting(corner, language);
+  for (const PolygonImage& image : polygon.images) lines.push_back(image.explained.in(language));
+  return lines;
+}
+
+int steps_of_sides(const VectorPolygon& polygon) { return static_cast<int>(in_order(polygon).size()); }
+
+Place closing_corner(const VectorPolygon& polygon) { return placed(polygon.right).back().to; }
+
+drawings::Table measured_table(const DrawnSheet& sheet, const VectorPolygon& polygon, Language language) {
+  const Readings readings(sheet);
+  std::vector<Comparison> rows;
+  for (const PlacedSide& s : in_order(polygon)) {
+    if (!readings.has(s.side->quantity)) continue;
+    rows.push_back({fmt::format("{} ({})", without_arrow(s.side->label), polygon.unit),
+                    std::hypot(s.side->v.x, s.side->v.y), readings[s.side->quantity]});
+  }
+  return comparison_table(rows, {"exact", "esatto"}, {"on the sheet", "sul foglio"}, language);
+}
+
+double greatest(const VectorPolygon& polygon) {
+  double longest = 0;
+  const auto look_at = [&](const Arrow2& v) { longest = std::max(longest, std::hypot(v.x, v.y)); };
+  for (const PlacedSide& s : in_order(polygon)) look_at(s.side->v);
+  for (const PolygonImage& image : polygon.images) look_at(image.absolute.v);
+  return longest;
+}
+
+drawings::Box extent_of(const VectorPolygon& polygon, const Scale& scale) {
+  Extent extent;
+  extent.include(scale, {0, 0}, air);
+  for (const PlacedSide& s : in_order(polygon)) {
+    extent.include(scale, s.to, air);
+    if (s.side->is_unknown()) include_carrier(extent, s, scale);
+  }
+  for (const PolygonImage& image : polygon.images) extent.include(scale, after({0, 0}, image.absolute.v), air);
+  return extent.box();
+}
+
+Fit fit_polygon(const VectorPolygon& polygon, const drawings::Box& room, Language language) {
+  const double longest = greatest(polygon);  // 0 when nothing moves: then any scale will do
+  return fit_vectors(room, polygon.unit, language, room.width() / (longest > 0 ? longest : 1),
+                     [&](const Scale& scale) { return extent_of(polygon, scale); });
+}
+
+void draw_polygon(Plot& plot, const VectorPolygon& polygon, const PolygonStage& stage) {
+  const auto sides = in_order(polygon);
+  const auto all = static_cast<int>(sides.size());
+  const Place O{0, 0}, middle = middle_of(polygon);
+  draw_sides({plot, polygon, middle, stage.closed && stage.steps >= all}, sides, stage);
+  int left = stage.steps - all;
+  for (const PolygonImage& image : polygon.images) {
+    if (left-- > 0) draw_image(plot, polygon, image);
+  }
+  plot.dot(O, polygon.meaning);
+  plot.label(polygon.origin, O, middle, polygon.meaning);
+  if (!stage.numbered) return;
+  int number = 1;
+  const auto write_number = [&](const Place& P) {
+    if (number >= stage.first_numbered && number <= stage.steps) plot.step(stage.numbers_after + number, P);
+    ++number;
+  };
+  constexpr double along_side = 0.3;  // clear of the vector's own letters, at its middle
+  for (const PlacedSide& s : sides) write_number(between(s.from, s.to, along_side));
+  for (const PolygonImage& image : polygon.images) write_number(after(O, image.absolute.v));
+}
+
+}  // namespace epure

@@ -1,0 +1,115 @@
+#include "exercises/kit/panels/sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "drawings/text/words.h"
+#include "exercises/kit/panels/scale.h"
+#include "exercises/kit/statement/given_number.h"
+
+namespace epure {
+namespace {
+
+constexpr double bar_strip = 17;     // mm: caption, bar and ticks
+constexpr double bar_distance = 78;  // mm from one bar to the next, where there is room
+
+// A given stays on one line with its unit. Written as an escape: the character itself looks like a space, and has
+// been taken for one.
+constexpr const char* no_break = "\u00a0";
+
+// " m/s²", "°": what follows a number of the unit.
+std::string after_number(const std::string& unit, Language language) {
+  if (unit == "1") return "";
+  if (unit == "deg" || unit == "°") return "°";
+  if (unit == "rpm") return no_break + Words{"rpm", "giri/min"}.in(language);
+  const auto power = unit.find("^2");
+  return no_break + (power == std::string::npos ? unit : unit.substr(0, power) + "²");
+}
+
+std::string in_one_line(const Givens& givens, const std::set<std::string>& without_part, Language language) {
+  std::string line;
+  for (const GivenSpec& spec : givens.specs()) {
+    if (without_part.contains(spec.symbol) || givens.follows(spec.symbol)) continue;
+    if (spec.beyond_source && !givens.is_changed(spec.symbol)) continue;
+    if (!line.empty()) line += ", ";
+    if (!spec.choices.empty()) {
+      line += givens.chosen(spec.symbol).meaning.in(language);
+      continue;
+    }
+    const auto read = *givens.reading(spec.symbol);
+    line += (spec.letters.empty() ? spec.symbol : spec.letters) + no_break + equal_to(read.number, language) +
+            after_number(read.unit.symbol, language);
+  }
+  return line;
+}
+
+}  // namespace
+
+DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const Givens& givens,
+                       const SheetRequest& request, const std::set<std::string>& without_part) {
+  const Language language = request.language;
+  DrawnSheet onto;
+  onto.sheet.id = about.id + "-" + sheet;
+  onto.sheet.paper = request.paper;
+  onto.sheet.language = language;
+  onto.sheet.bare = request.bare;
+  drawings::TitleBlock& block = onto.sheet.title_block;
+  block.exercise = about.title.in(language);
+  block.source = about.source.in(language);
+  block.pages = static_cast<int>(about.sheets.size());
+  for (std::size_t i = 0; i < about.sheets.size(); ++i) {
+    if (about.sheets[i].name != sheet) continue;
+    block.sheet = about.sheets[i].title.in(language);
+    block.page = static_cast<int>(i) + 1;
+  }
+  assert(!block.sheet.empty());
+  if (!givens.as_stated()) block.source += language == Language::english ? ", givens changed" : ", dati cambiati";
+  onto.sheet.column.push_back(drawings::Heading{language == Language::english ? "Given" : "Dati"});
+  onto.sheet.column.push_back(drawings::Paragraph{in_one_line(givens, without_part, language)});
+  onto.sheet.title = block.exercise + ": " + block.sheet;
+  return onto;
+}
+
+drawings::Box room_above_scale_bars(const SheetRequest& request) {
+  drawings::Box room = drawings::drawing_area(request.paper);
+  room.low = {room.low.x + 1, room.low.y + bar_strip};
+  room.high = {room.high.x - 1, room.high.y - 1};
+  return room;
+}
+
+void add_scale_bars(DrawnSheet& onto, const std::vector<Scale>& scales, const SheetRequest& request) {
+  const drawings::Box area = drawings::drawing_area(request.paper);
+  constexpr double first_bar = 6;  // mm from the edge
+  const double distance = std::min(bar_distance, (area.width() - first_bar) / static_cast<double>(scales.size()));
+  double x = area.low.x + first_bar;
+  for (const Scale& scale : scales) {
+    onto.sheet.figure.marks.push_back(bar(scale, {x, area.low.y + 8}, request.language));
+    onto.sheet.title_block.scales.push_back(scale.caption);
+    x += distance;
+  }
+}
+
+std::string figures(double value, int count, Language language) { return drawings::number(value, count, language); }
+
+std::string percent(double value, Language language) {
+  std::string text = fmt::format("{:.3f}", value);
+  if (language == Language::italian) text.replace(text.find('.'), 1, ",");
+  return text;
+}
+
+std::string in_words(const Words& sentence, const std::vector<Value>& values, Language language) {
+  std::string text = sentence.in(language);
+  const char* before = ": ";
+  for (const Value& v : values) {
+    std::string number = fmt::format("{:.4g}", v.value);
+    if (const auto point = number.find('.'); language == Language::italian && point != std::string::npos)
+      number[point] = ',';
+    text += before + v.name + " = " + number + (v.unit.empty() ? "" : " " + v.unit);
+    before = "; ";
+  }
+  return text + ".";
+}
+
+}  // namespace epure

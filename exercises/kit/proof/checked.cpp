@@ -1,0 +1,221 @@
+#include "exercises/kit/proof/checked.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "drawings/output.h"
+#include "exercises/kit/proof/route_names.h"
+
+namespace epure {
+namespace {
+
+using geometry::Settled;
+
+// Which of two routes knows more of a quantity: the smaller number.
+int rank(const Settled& settled) {
+  switch (settled.kind) {
+    case Settled::Kind::certain:
+      return 0;
+    case Settled::Kind::absent:
+      return 1;
+    case Settled::Kind::enclosed:
+      return 2;
+    case Settled::Kind::unbounded:
+      return 3;
+    case Settled::Kind::undecided:
+      break;
+  }
+  return 4;
+}
+
+// Of two routes that know as much, the one with the narrower enclosure: a proved zero before a tiny interval around
+// it.
+bool knows_more(const Settled& a, const Settled& b) {
+  if (rank(a) != rank(b)) return rank(a) < rank(b);
+  return a.enclosure.upper - a.enclosure.lower < b.enclosure.upper - b.enclosure.lower;
+}
+
+// Undecided and unbounded contradict nothing.
+bool contradict(const Settled& a, const Settled& b) {
+  if (rank(a) > 2 || rank(b) > 2) return false;
+  const bool a_absent = a.kind == Settled::Kind::absent, b_absent = b.kind == Settled::Kind::absent;
+  if (a_absent || b_absent) return a_absent != b_absent;
+  return a.enclosure.upper < b.enclosure.lower || b.enclosure.upper < a.enclosure.lower;
+}
+
+Words shortest(double value) { return decimal(fmt::format("{}", value)); }
+
+Words in_words(const Settled& settled) {
+  if (settled.kind == Settled::Kind::absent) return format_words("absent ({})", "assente ({})", settled.reason);
+  return format_words("in [{}, {}]", "in [{}; {}]", shortest(settled.enclosure.lower),
+                      shortest(settled.enclosure.upper));
+}
+
+void complain(std::vector<Complaint>& complaints, const std::string& quantity, const Words& what) {
+  complaints.push_back({Complaint::About::quantity, quantity, quantity + ": " + what});
+}
+
+void compare_routes(CheckedExercise& checked, const CheckedQuantity& quantity) {
+  for (auto a = quantity.routes.begin(); a != quantity.routes.end(); ++a)
+    for (auto b = a + 1; b != quantity.routes.end(); ++b)
+      if (contradict(a->settled, b->settled))
+        complain(checked.failures, quantity.spec.name,
+                 format_words("{} by {}, but {} by {}", "{} ({}), ma {} ({})", in_words(a->settled),
+                              route_in_words(a->route), in_words(b->settled), route_in_words(b->route)));
+}
+
+void demand_settled(CheckedExercise& checked, const CheckedQuantity& quantity) {
+  for (const RouteValue& route : quantity.routes)
+    if (route.settled.kind == Settled::Kind::undecided)
+      complain(checked.undecided, quantity.spec.name,
+               format_words("undecided by {} ({})", "non decisa ({}: {})", route_in_words(route.route),
+                            route.settled.reason));
+}
+
+// A true value midway between two doubles has no nearest one: no ball around it tells more than these two.
+bool is_between_neighbours(const geometry::Enclosure& enclosure) {
+  return std::nextafter(enclosure.lower, enclosure.upper) == enclosure.upper;
+}
+
+void demand_certainty(CheckedExercise& checked, const CheckedQuantity& quantity) {
+  if (quantity.settled.kind == Settled::Kind::enclosed && !is_between_neighbours(quantity.settled.enclosure))
+    complain(checked.undecided, quantity.spec.name,
+             format_words("no more is known than that it lies {} ({})", "si sa soltanto che sta {} ({})",
+                          in_words(quantity.settled), quantity.settled.reason));
+  std::set<std::string> routes;
+  for (const RouteValue& route : quantity.routes) routes.insert(route.route);
+  if (routes.size() < 2)
+    complain(checked.failures, quantity.spec.name,
+             {"only one route, so nothing confirms it", "una sola via, dunque nulla la conferma"});
+}
+
+// Quantities in the order of the description, each with its routes.
+void group(CheckedExercise& checked, const std::vector<RouteValue>& values) {
+  for (const QuantitySpec& spec : checked.about.quantities) {
+    CheckedQuantity quantity{.spec = spec, .settled = {}, .routes = {}};
+    std::copy_if(values.begin(), values.end(), std::back_inserter(quantity.routes),
+                 [&](const RouteValue& value) { return value.quantity == spec.name; });
+    if (quantity.routes.empty()) {
+      complain(checked.failures, spec.name, {"no route gives it", "nessuna via la dà"});
+      continue;
+    }
+    quantity.settled =
+        std::min_element(quantity.routes.begin(), quantity.routes.end(),
+                         [](const RouteValue& a, const RouteValue& b) { return knows_more(a.settled, b.settled); })
+            ->settled;
+    checked.quantities.push_back(std::move(quantity));
+  }
+}
+
+CheckedQuantity* find(CheckedExercise& checked, const std::string& name) {
+  const auto found = std::find_if(checked.quantities.begin(), checked.quantities.end(),
+                                  [&](const CheckedQuantity& quantity) { return quantity.spec.name == name; });
+  return found == checked.quantities.end() ? nullptr : &*found;
+}
+
+// What an exercise says of a quantity it does not list would be lost in silence.
+void demand_listed(CheckedExercise& checked, const std::string& name, const Words& where) {
+  const auto& listed = checked.about.quantities;
+  if (std::none_of(listed.begin(), listed.end(), [&](const QuantitySpec& spec) { return spec.name == name; }))
+    complain(checked.failures, name,
+             format_words("{}, but is not among the exercise's quantities",
+                          "{}, ma non è tra le grandezze dell'esercizio", where));
+}
+
+void compare_sheet(CheckedExercise& checked, CheckedQuantity& quantity, const OnSheet& shown) {
+  quantity.on_sheets.push_back(shown);
+  if (quantity.settled.kind == Settled::Kind::unbounded) return;  // doubles promise nothing
+  if (quantity.settled.kind == Settled::Kind::absent)
+    complain(checked.failures, quantity.spec.name,
+             format_words("sheet {} shows it, but it does not exist ({})",
+                          "la tavola {} la mostra, ma non esiste ({})", shown.sheet, quantity.settled.reason));
+  if (has_value(quantity.settled) && !is_within_resolution(shown, quantity.settled.enclosure.value))
+    complain(checked.failures, quantity.spec.name,
+             format_words("sheet {} shows {}, which is not {} within {}",
+                          "la tavola {} mostra {}, che non è {} entro {}", shown.sheet, shortest(shown.value),
+                          shortest(quantity.settled.enclosure.value), shortest(shown.resolution)));
+}
+
+// None when it cannot be drawn, or something on it could not be decided: the numbers and the other sheets are looked
+// at all the same. (Givens that no exercise can have were refused by solve.)
+std::optional<DrawnSheet> drawn_sheet(CheckedExercise& checked, const Exercise& exercise, const std::string& name) {
+  const auto leave_out = [&](const Words& why) {
+    checked.not_drawn.push_back(
+        {Complaint::About::sheet, "", format_words("sheet {}: {}", "tavola {}: {}", name, why)});
+  };
+  try {
+    return exercise.draw(name, checked.givens, {});
+  } catch (const geometry::Undecided& open) {
+    checked.undecided.push_back(
+        {Complaint::About::sheet, "", format_words("sheet {}: {}", "tavola {}: {}", name, open.words())});
+  } catch (const drawings::TooFar& why) {
+    leave_out(why.words());
+  } catch (const BadGivens& why) {
+    leave_out(why.words());
+  } catch (const geometry::Impossible& why) {
+    leave_out(why.words());
+  }
+  return std::nullopt;
+}
+
+void look_for_flaws(CheckedExercise& checked, const Exercise& exercise) {
+  for (const Flaw& flaw : exercise.flaws(checked.givens))
+    (flaw.undecided ? checked.undecided : checked.failures)
+        .push_back({Complaint::About::mechanism, "", flaw.sentence});
+}
+
+void compare_sheets(CheckedExercise& checked, const Exercise& exercise) {
+  for (const SheetSpec& spec : checked.about.sheets) {
+    const std::optional<DrawnSheet> drawn = drawn_sheet(checked, exercise, spec.name);
+    if (!drawn) continue;
+    for (const Measurement& measurement : drawn->measurements) {
+      demand_listed(checked, measurement.quantity, Words{"shown on sheet ", "mostrata sulla tavola "} + spec.name);
+      if (CheckedQuantity* quantity = find(checked, measurement.quantity))
+        compare_sheet(checked, *quantity, measure(measurement, spec.name, drawn->sheet.paper));
+    }
+  }
+}
+
+void compare_printed(CheckedExercise& checked) {
+  for (const Printed& printed : checked.about.printed) {
+    demand_listed(checked, printed.quantity, {"printed by the source", "stampata dalla fonte"});
+    CheckedQuantity* quantity = find(checked, printed.quantity);
+    if (!quantity) continue;
+    quantity->printed.push_back(judge(printed, quantity->settled));
+    if (!quantity->printed.back().explanation_holds)
+      complain(checked.failures, printed.quantity,
+               format_words("the mistake that is to explain the printed {} does not give it",
+                            "l'errore che dovrebbe spiegare il numero stampato {} non lo dà", decimal(printed.text)));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> complaints(const CheckedExercise& checked) {
+  std::vector<std::string> sentences;
+  for (const auto* all : {&checked.failures, &checked.undecided})
+    for (const Complaint& each : *all) sentences.push_back(each.sentence.english);
+  return sentences;
+}
+
+CheckedExercise check(const Exercise& exercise, const Givens& givens, Rung rung) {
+  CheckedExercise checked{.about = exercise.about(), .givens = givens, .quantities = {}};
+  const std::vector<RouteValue> values = exercise.solve(givens, rung);
+  group(checked, values);
+  for (const RouteValue& value : values)
+    demand_listed(checked, value.quantity, Words{"found by ", "trovata per via "} + route_in_words(value.route));
+  for (const CheckedQuantity& quantity : checked.quantities) {
+    compare_routes(checked, quantity);
+    demand_settled(checked, quantity);
+    if (rung == Rung::climb) demand_certainty(checked, quantity);
+  }
+  look_for_flaws(checked, exercise);
+  compare_sheets(checked, exercise);
+  if (givens.as_stated()) compare_printed(checked);
+  return checked;
+}
+
+}  // namespace epure

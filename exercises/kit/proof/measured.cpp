@@ -1,0 +1,91 @@
+// Numbers a reader measured with a ruler.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "exercises/kit/proof/checked.h"
+#include "exercises/kit/statement/decimal.h"
+#include "geometry/numbers/given.h"
+
+namespace epure {
+namespace {
+
+// Of several sheets the one with the smallest scale: nobody says which one was measured.
+const OnSheet* coarsest(const CheckedQuantity& quantity) {
+  const auto found = std::max_element(quantity.on_sheets.begin(), quantity.on_sheets.end(),
+                                      [](const OnSheet& a, const OnSheet& b) { return a.per_mm < b.per_mm; });
+  return found == quantity.on_sheets.end() ? nullptr : &*found;
+}
+
+struct Allowance {
+  Rational size;
+  Words by;
+};
+Allowance allowance(const CheckedQuantity& quantity, const Decimal& number, const Rational& reading) {
+  if (const OnSheet* shown = coarsest(quantity))
+    return {reading * Rational(shown->per_mm),
+            format_words("{} mm on sheet {}", "{} mm sulla tavola {}", decimal(fmt::format("{}", nearest(reading))),
+                         shown->sheet)};
+  return {number.half_unit,
+          {"half a unit of its last digit, as no sheet shows it",
+           "mezza unità dell'ultima cifra, perché nessuna tavola la mostra"}};
+}
+
+// Also "43deg" in rad and "127rpm" in rad/s. Nobody measures to sixteen digits, so the double nearest to 2π will do.
+Decimal read_any_unit(const std::string& text, const std::string& unit) {
+  const auto own = geometry::find_unit(unit);
+  if (!own || !geometry::turns(own->kind)) return read_decimal(text, unit);
+  const geometry::Unit typed = geometry::read_given(text, unit).unit;
+  if (typed.counts_turns == own->counts_turns) return read_decimal(text, unit);
+  Decimal number = read_decimal(text, typed.symbol);
+  const Rational turn(2 * std::numbers::pi);
+  const Rational factor = typed.factor / own->factor * (typed.counts_turns ? turn : Rational(1) / turn);
+  number.value *= factor;
+  number.half_unit *= factor;
+  return number;
+}
+
+// Far from where doubles overflow, and beyond all that comes of the largest givens.
+Decimal read_measured(const std::string& text, const std::string& unit) {
+  Decimal number = read_any_unit(text, unit);
+  const Rational largest = geometry::parse_given("1e60", "1");
+  if (CGAL::abs(number.value) > largest || number.half_unit > largest)
+    throw geometry::BadGiven(format_words("\"{}\" must lie between -1e60 and 1e60{}",
+                                          "\"{}\" dev'essere tra -1e60 e 1e60{}", text.substr(0, 60),
+                                          unit == "1" ? std::string() : " " + unit));
+  return number;
+}
+
+}  // namespace
+
+void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std::string& text,
+                  const Rational& reading) {
+  const auto fail = [&](const Words& why) {
+    checked.failures.push_back({Complaint::About::quantity, quantity.spec.name, why});
+  };
+  const Decimal number = read_measured(text, quantity.spec.unit);
+  const Allowance allowed = allowance(quantity, number, reading);
+  Measured measured{
+      .text = text, .value = nearest(number.value), .allowed = nearest(allowed.size), .allowed_by = allowed.by};
+  if (has_value(quantity.settled)) {
+    const double value = quantity.settled.enclosure.value;
+    measured.within = CGAL::abs(excess(number, value)) <= allowed.size;
+    // Told in doubles: that 0.3 as typed is 1e-17 off the double 0.3 is nobody's error.
+    measured.difference = measured.value - (number.signed_text ? value : std::abs(value));
+    measured.difference_percent = percent(Rational(*measured.difference), value);
+    if (!measured.within)
+      fail(format_words("{}: measured {} is beyond reading: {} off, {} allowed ({})",
+                        "{}: misurata {}, oltre l'errore di lettura: scarto {}, ammesso {} ({})", quantity.spec.name,
+                        text, decimal(std::abs(*measured.difference), 3), decimal(measured.allowed, 3),
+                        measured.allowed_by));
+  } else {
+    fail(format_words("{}: measured {}, but there is no value to compare with ({})",
+                      "{}: misurata {}, ma non c'è un valore con cui confrontarla ({})", quantity.spec.name, text,
+                      quantity.settled.reason));
+  }
+  quantity.measured.push_back(std::move(measured));
+}
+
+}  // namespace epure

@@ -1,0 +1,25 @@
+#include "exercises/kit/proof/route_names.h"
+
+#include <map>
+
+namespace epure {
+
+Words route_in_words(const std::string& route) {
+  static const std::map<std::string, std::string> italian = {
+      {"analytic", "analitica"},
+      {"construction", "costruzione"},
+      {"constraint equations", "equazioni di vincolo"},
+      {"instant centres", "centri d'istantanea rotazione"},
+      {"natural equation", "equazione naturale"},
+      {"Newton-Euler", "Newton-Eulero"},
+      {"polar diagram", "diagramma polare"},
+      {"poles", "poli"},
+      {"power balance", "bilancio delle potenze"},
+      {"primitive", "primitiva"},
+      {"quadrature", "quadratura"},
+  };
+  const auto known = italian.find(route);
+  return {route, known == italian.end() ? route : known->second};
+}
+
+}  // namespace epure

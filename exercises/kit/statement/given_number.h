@@ -1,0 +1,15 @@
+// A given's number as a sheet writes it.
+#pragma once
+
+#include <string>
+
+#include "exercises/kit/statement/words.h"
+#include "geometry/numbers/number.h"
+
+namespace epure {
+
+// "= 0.25", "= −1/72": as a decimal or else as a fraction, where one is short; "≈ 0.4123456789" where none is. The
+// blanks do not break.
+std::string equal_to(const geometry::Rational& value, Language language);
+
+}  // namespace epure

@@ -1,0 +1,13 @@
+#include "bench/families/gears.h"
+#include "bench/families/roulette.h"
+#include "tests/bench/family_against_corpus.h"
+
+namespace epure::tests {
+
+TEST_CASE("roulettes at and beside their cusps, with every number") { hold_against_corpus<bench::RoulettePoint>(); }
+
+TEST_CASE("gear flanks at the undercut limit, at pointed teeth and with a million teeth, with every number") {
+  hold_against_corpus<bench::GearFlankPoint>();
+}
+
+}  // namespace epure::tests
