@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "bench/report.h"
+#include "bench/results.h"
 
 namespace epure::bench {
 

@@ -1,14 +1,14 @@
 // Every family of the hard corpora.
 #pragma once
 
-#include "bench/families/cancelling.h"
-#include "bench/families/coupler_curve.h"
-#include "bench/families/four_bar.h"
-#include "bench/families/gears.h"
-#include "bench/families/meeting.h"
-#include "bench/families/plane_motion.h"
-#include "bench/families/roulette.h"
-#include "bench/families/slider_crank.h"
+#include "bench/families/cancelling_family.h"
+#include "bench/families/coupler_curve_family.h"
+#include "bench/families/four_bar_family.h"
+#include "bench/families/gears_family.h"
+#include "bench/families/meeting_family.h"
+#include "bench/families/plane_motion_family.h"
+#include "bench/families/roulette_family.h"
+#include "bench/families/slider_crank_family.h"
 
 namespace epure::bench {
 

@@ -3,7 +3,7 @@
 
 #include "bench/family.h"
 #include "bench/measured.h"
-#include "bench/report.h"
+#include "bench/results.h"
 #include "bench/timing.h"
 
 #include <cmath>

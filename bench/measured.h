@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/report.h"
+#include "bench/results.h"
 
 namespace epure::bench {
 

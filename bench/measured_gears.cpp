@@ -1,5 +1,5 @@
-#include "bench/families/gears.h"
-#include "bench/families/roulette.h"
+#include "bench/families/gears_family.h"
+#include "bench/families/roulette_family.h"
 #include "bench/measure_family.h"
 #include "bench/measured.h"
 

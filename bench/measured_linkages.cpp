@@ -1,5 +1,5 @@
-#include "bench/families/four_bar.h"
-#include "bench/families/slider_crank.h"
+#include "bench/families/four_bar_family.h"
+#include "bench/families/slider_crank_family.h"
 #include "bench/measure_family.h"
 #include "bench/measured.h"
 

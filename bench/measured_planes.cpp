@@ -1,6 +1,6 @@
-#include "bench/families/coupler_curve.h"
-#include "bench/families/plane_motion.h"
-#include "bench/families/slider_crank.h"
+#include "bench/families/coupler_curve_family.h"
+#include "bench/families/plane_motion_family.h"
+#include "bench/families/slider_crank_family.h"
 #include "bench/measure_family.h"
 #include "bench/measured.h"
 

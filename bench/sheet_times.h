@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "bench/report.h"
+#include "bench/results.h"
 #include "exercises/kit/statement/exercise.h"
 
 namespace epure::bench {

@@ -1,5 +1,5 @@
 // Curves to a tolerance: arcs of proved deviation, and lines between points at equal steps.
-#include "bench/sheets/drawn.h"
+#include "bench/sheets/bench_sheet.h"
 
 #include <algorithm>
 

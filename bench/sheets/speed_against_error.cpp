@@ -1,5 +1,5 @@
 // Time and error of every family with every number.
-#include "bench/sheets/drawn.h"
+#include "bench/sheets/bench_sheet.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Where the time of whole sheets goes, and the floor under them.
-#include "bench/sheets/drawn.h"
+#include "bench/sheets/bench_sheet.h"
 
 #include <algorithm>
 

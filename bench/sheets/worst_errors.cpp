@@ -1,5 +1,5 @@
 // What plain doubles say of the hardest cases, and what the other numbers promise.
-#include "bench/sheets/drawn.h"
+#include "bench/sheets/bench_sheet.h"
 
 namespace epure::bench {
 namespace {

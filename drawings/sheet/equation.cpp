@@ -3,8 +3,8 @@
 #include <numeric>
 
 #include "drawings/sheet/column.h"
+#include "drawings/text/sheet_words.h"
 #include "drawings/text/text.h"
-#include "drawings/text/words.h"
 
 namespace epure::drawings {
 

@@ -6,8 +6,8 @@
 #include "drawings/marks/style.h"
 #include "drawings/paths/vectors.h"
 #include "drawings/sheet/layout.h"
+#include "drawings/text/sheet_words.h"
 #include "drawings/text/text.h"
-#include "drawings/text/words.h"
 
 namespace epure::drawings {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "exercises/cli/report.h"
+#include "exercises/cli/check_report.h"
 #include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/statement/suggest.h"

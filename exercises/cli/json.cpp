@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drawings/text/text.h"
-#include "exercises/cli/report.h"
+#include "exercises/cli/check_report.h"
 #include "exercises/cli/symbol.h"
 
 namespace epure {

@@ -6,8 +6,8 @@
 #include "exercises/cli/catalogue.h"
 #include "exercises/cli/columns.h"
 #include "exercises/cli/help.h"
+#include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
-#include "exercises/kit/statement/words.h"
 
 namespace epure {
 namespace {

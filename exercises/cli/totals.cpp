@@ -5,9 +5,9 @@
 #include <array>
 #include <set>
 
+#include "exercises/cli/check_report.h"
 #include "exercises/cli/columns.h"
-#include "exercises/cli/ink.h"
-#include "exercises/cli/report.h"
+#include "exercises/cli/terminal_ink.h"
 
 namespace epure {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "exercises/cycloid-involute/exercise.h"
 #include "exercises/cycloid-involute/figure.h"
-#include "exercises/kit/panels/drawn.h"
 #include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/sheet.h"
 #include "geometry/motion/roulette_divisions.h"
 

@@ -1,5 +1,5 @@
 // What is drawn of an instant: the construction run on Deep, then rounded once.
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 
 #include "exercises/cycloid-involute/exercise.h"
 #include "exercises/cycloid-involute/figure.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/polygon_picture.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure::cycloid_involute {

@@ -4,7 +4,7 @@
 #include "exercises/cycloid-involute/exercise.h"
 #include "exercises/kit/linkages/coupler_routes.h"
 #include "geometry/analytic/cycloid.h"
-#include "geometry/analytic/roulettes.h"
+#include "geometry/analytic/roulette_formulas.h"
 
 namespace epure::cycloid_involute {
 

@@ -3,9 +3,9 @@
 // crank; and the path of any coupler point.
 #pragma once
 
-#include "exercises/kit/linkages/four_bar.h"
 #include "exercises/kit/linkages/four_bar_figure.h"
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/linkages/four_bar_instant.h"
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/statement/exercise.h"
 
 namespace epure::four_bar_analytic {

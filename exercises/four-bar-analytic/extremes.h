@@ -2,7 +2,7 @@
 #pragma once
 
 #include "exercises/kit/linkages/angles.h"
-#include "exercises/kit/linkages/four_bar.h"
+#include "exercises/kit/linkages/four_bar_instant.h"
 #include "geometry/analytic/four_bar_extremes.h"
 #include "geometry/analytic/four_bar_special.h"
 #include "geometry/mechanisms/collineation_axis.h"

@@ -2,10 +2,10 @@
 // the closure, from a start given, and its derivatives; checked by both earlier methods.
 #pragma once
 
-#include "exercises/kit/linkages/four_bar.h"
 #include "exercises/kit/linkages/four_bar_figure.h"
+#include "exercises/kit/linkages/four_bar_instant.h"
 #include "exercises/kit/linkages/four_bar_on_x.h"
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/statement/exercise.h"
 #include "geometry/analytic/constraints.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "exercises/four-bar/routes.h"
-#include "exercises/kit/linkages/crank.h"
+#include "exercises/kit/linkages/driving_crank.h"
 
 namespace epure::four_bar {
 

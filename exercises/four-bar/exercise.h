@@ -3,7 +3,7 @@
 // parallel; and a slider-crank whose circles have become lines.
 #pragma once
 
-#include "exercises/kit/linkages/four_bar.h"
+#include "exercises/kit/linkages/four_bar_instant.h"
 #include "exercises/kit/statement/exercise.h"
 
 namespace epure::four_bar {

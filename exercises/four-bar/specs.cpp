@@ -1,7 +1,7 @@
 // What the exercise reports.
 #include "exercises/four-bar/exercise.h"
 #include "exercises/kit/linkages/coupler_quantities.h"
-#include "exercises/kit/linkages/four_bar.h"
+#include "exercises/kit/linkages/four_bar_instant.h"
 
 namespace epure::four_bar {
 namespace {

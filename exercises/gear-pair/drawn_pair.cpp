@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 #include "geometry/gears/sliding.h"
 #include "geometry/gears/tooth_thickness.h"
 

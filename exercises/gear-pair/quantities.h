@@ -3,7 +3,7 @@
 
 #include "exercises/gear-pair/problem.h"
 #include "exercises/kit/linkages/angles.h"
-#include "exercises/kit/linkages/crank.h"
+#include "exercises/kit/linkages/driving_crank.h"
 #include "geometry/analytic/gear_limits.h"
 #include "geometry/gears/limits.h"
 #include "geometry/gears/sliding.h"

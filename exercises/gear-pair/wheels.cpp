@@ -11,8 +11,8 @@
 #include "exercises/gear-pair/fault_marks.h"
 #include "exercises/gear-pair/fault_words.h"
 #include "exercises/gear-pair/teeth.h"
-#include "exercises/kit/panels/drawn.h"
 #include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure::gear_pair {

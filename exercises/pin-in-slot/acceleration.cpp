@@ -1,7 +1,7 @@
 // Sheet 2: a_B = a_B* + a_cor + a_rel as a polygon.
 #include <fmt/format.h>
 
-#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/polygon_picture.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/pin-in-slot/figure.h"
 

@@ -3,7 +3,7 @@
 // of powers too.
 #pragma once
 
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/statement/exercise.h"
 #include "exercises/pin-in-slot/instant.h"
 

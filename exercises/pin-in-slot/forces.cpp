@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/polygon_picture.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/pin-in-slot/figure.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "exercises/kit/statement/givens.h"
-#include "geometry/analytic/slotted_lever.h"
-#include "geometry/statics/slotted_lever.h"
+#include "geometry/analytic/slotted_lever_formulas.h"
+#include "geometry/statics/slotted_lever_forces.h"
 
 namespace epure::pin_in_slot {
 

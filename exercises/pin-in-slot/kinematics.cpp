@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "exercises/kit/panels/compare.h"
-#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/polygon_picture.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/pin-in-slot/figure.h"
 

@@ -2,8 +2,8 @@
 // vector polygons that are built one step a picture.
 #pragma once
 
-#include "exercises/kit/linkages/slider_crank.h"
-#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/linkages/slider_crank_instant.h"
+#include "exercises/kit/panels/polygon_picture.h"
 #include "exercises/kit/statement/exercise.h"
 #include "exercises/rivals-polygons/mechanism.h"
 

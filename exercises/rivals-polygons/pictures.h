@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "exercises/kit/panels/mechanism_figure.h"
-#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/polygon_picture.h"
 
 namespace epure::rivals_polygons {
 

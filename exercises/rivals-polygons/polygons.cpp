@@ -1,5 +1,5 @@
 // The four polygons as they are drawn: the construction run on Deep, then rounded once.
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/rivals-polygons/quantities.h"
 
 namespace epure::rivals_polygons {

@@ -7,7 +7,7 @@
 
 #include "exercises/kit/panels/plot.h"
 #include "exercises/kit/statement/exercise.h"
-#include "geometry/analytic/roulettes.h"
+#include "geometry/analytic/roulette_formulas.h"
 #include "geometry/curves/roulettes.h"
 
 namespace epure::roulette {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "exercises/kit/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/curve.h"
-#include "exercises/kit/panels/drawn.h"
 #include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/roulette/exercise.h"
 
 namespace epure::roulette {

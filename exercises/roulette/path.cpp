@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "exercises/kit/drawn.h"
-#include "exercises/kit/panels/drawn.h"
 #include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/fit.h"
 #include "exercises/kit/panels/mechanism_figure.h"
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/roulette/exercise.h"
 

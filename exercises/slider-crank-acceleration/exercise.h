@@ -2,8 +2,8 @@
 // inflection and stationarity circles, and centres of curvature by Euler-Savary.
 #pragma once
 
-#include "exercises/kit/linkages/slider_crank.h"
 #include "exercises/kit/linkages/slider_crank_figure.h"
+#include "exercises/kit/linkages/slider_crank_instant.h"
 #include "exercises/kit/panels/coupler_figure.h"
 #include "exercises/kit/statement/exercise.h"
 

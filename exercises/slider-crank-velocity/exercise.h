@@ -2,8 +2,8 @@
 // the path of a coupler point.
 #pragma once
 
-#include "exercises/kit/linkages/slider_crank.h"
 #include "exercises/kit/linkages/slider_crank_figure.h"
+#include "exercises/kit/linkages/slider_crank_instant.h"
 #include "exercises/kit/statement/exercise.h"
 
 namespace epure::slider_crank_velocity {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "exercises/kit/panels/coupler_figure.h"
-#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/polygon_picture.h"
 #include "exercises/kit/statement/exercise.h"
 #include "exercises/velocity-centre/carried_bar.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/velocity-centre/quantities.h"
 
 namespace epure::velocity_centre {

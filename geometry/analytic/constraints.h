@@ -12,8 +12,8 @@
 #pragma once
 
 #include "geometry/analytic/complex.h"
-#include "geometry/analytic/crank.h"
-#include "geometry/analytic/four_bar.h"
+#include "geometry/analytic/crank_state.h"
+#include "geometry/analytic/four_bar_formulas.h"
 #include "geometry/numbers/enclosure.h"
 
 #include <Eigen/Core>
@@ -257,7 +257,7 @@ MovingPoint<T> sum(const MovingPoint<T>& p, const MovingPoint<T>& q) {
 
 }  // namespace constraints
 
-// Points given in their link's frame as in four_bar.h: real part along the link, imaginary part across, 90°
+// Points given in their link's frame as in four_bar_formulas.h: real part along the link, imaginary part across, 90°
 // counter-clockwise; from A0 along A0A, from A along AB, from B0 along B0B.
 template <class T>
 MovingPoint<T> crank_point(const Configuration<T>& q, const ConstraintMotion<T>& m, const Complex<T>& in_link) {

@@ -11,7 +11,7 @@
 // Squared, this is a polynomial of degree eight; s = 0 is a double root of it and no position of the crank.
 #pragma once
 
-#include "geometry/analytic/four_bar.h"
+#include "geometry/analytic/four_bar_formulas.h"
 #include "geometry/numbers/polynomial.h"
 
 #include <vector>

@@ -7,7 +7,7 @@
 // The two triangles are mirror images in the frame.
 #pragma once
 
-#include "geometry/analytic/four_bar.h"
+#include "geometry/analytic/four_bar_formulas.h"
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 // The least numbers of teeth by closed formulas.
 #pragma once
 
-#include "geometry/analytic/gears.h"
+#include "geometry/analytic/gear_formulas.h"
 #include "geometry/numbers/climb.h"
 
 #include <algorithm>

@@ -20,7 +20,7 @@
 #pragma once
 
 #include "geometry/constructions/circle.h"
-#include "geometry/constructions/polygon.h"
+#include "geometry/constructions/vector_polygon.h"
 #include "geometry/motion/plane_motion.h"
 
 namespace epure::geometry {

@@ -1,4 +1,4 @@
-#include "bench/families/four_bar.h"
+#include "bench/families/four_bar_family.h"
 #include "tests/bench/family_against_corpus.h"
 
 namespace epure::tests {

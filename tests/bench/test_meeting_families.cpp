@@ -1,5 +1,5 @@
-#include "bench/families/cancelling.h"
-#include "bench/families/meeting.h"
+#include "bench/families/cancelling_family.h"
+#include "bench/families/meeting_family.h"
 #include "tests/bench/family_against_corpus.h"
 
 namespace epure::tests {

@@ -1,5 +1,5 @@
-#include "bench/families/coupler_curve.h"
-#include "bench/families/plane_motion.h"
+#include "bench/families/coupler_curve_family.h"
+#include "bench/families/plane_motion_family.h"
 #include "tests/bench/family_against_corpus.h"
 
 namespace epure::tests {

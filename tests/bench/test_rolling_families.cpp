@@ -1,5 +1,5 @@
-#include "bench/families/gears.h"
-#include "bench/families/roulette.h"
+#include "bench/families/gears_family.h"
+#include "bench/families/roulette_family.h"
 #include "tests/bench/family_against_corpus.h"
 
 namespace epure::tests {

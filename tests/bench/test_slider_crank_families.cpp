@@ -1,4 +1,4 @@
-#include "bench/families/slider_crank.h"
+#include "bench/families/slider_crank_family.h"
 #include "tests/bench/family_against_corpus.h"
 
 namespace epure::tests {

@@ -6,7 +6,7 @@
 #include "drawings/sheet/column.h"
 #include "drawings/sheet/ink.h"
 #include "drawings/sheet/layout.h"
-#include "drawings/text/words.h"
+#include "drawings/text/sheet_words.h"
 #include "tests/drawings/probe.h"
 #include "tests/support/catch.h"
 

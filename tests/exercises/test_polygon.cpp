@@ -1,7 +1,7 @@
 // Vector polygons: what of them is drawn at each stage, what is measured, and how they are told.
 #include <cmath>
 
-#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/polygon_picture.h"
 #include "tests/support/catch.h"
 
 using namespace epure;

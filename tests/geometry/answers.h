@@ -2,7 +2,7 @@
 // own, so that an undecided one does not hide the others.
 #pragma once
 
-#include "geometry/analytic/plane_motion.h"
+#include "geometry/analytic/plane_motion_formulas.h"
 #include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/constructions/cycle.h"
-#include "geometry/constructions/polygon.h"
 #include "geometry/constructions/transport.h"
+#include "geometry/constructions/vector_polygon.h"
 #include "geometry/numbers/enclosure.h"
 #include "geometry/numbers/numbers.h"
 

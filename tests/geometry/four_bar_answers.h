@@ -1,7 +1,7 @@
 // What the analytic route answers for a case of the four-bar corpus, under the corpus' names.
 #pragma once
 
-#include "geometry/analytic/four_bar.h"
+#include "geometry/analytic/four_bar_formulas.h"
 #include "geometry/analytic/four_bar_special.h"
 #include "tests/geometry/answers.h"
 #include "tests/support/corpus.h"

@@ -2,8 +2,8 @@
 // asked for on its own, so that an undecided one does not hide the others.
 #pragma once
 
-#include "geometry/analytic/polodes.h"
-#include "geometry/analytic/slider_crank.h"
+#include "geometry/analytic/polode_formulas.h"
+#include "geometry/analytic/slider_crank_formulas.h"
 #include "tests/geometry/answers.h"
 #include "tests/support/corpus.h"
 

@@ -1,6 +1,6 @@
 // Closed formulas for lines and circles: by hand-made figures with rational answers, exactly.
 #include "geometry/analytic/circles.h"
-#include "geometry/analytic/plane_motion.h"
+#include "geometry/analytic/plane_motion_formulas.h"
 #include "tests/support/catch.h"
 
 namespace epure::geometry::analytic {

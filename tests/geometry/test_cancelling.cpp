@@ -1,5 +1,5 @@
 // Functions whose terms cancel keep their relative accuracy. (Their values: the hard corpus, tests/bench.)
-#include "geometry/analytic/cancelling.h"
+#include "geometry/analytic/cancelling_functions.h"
 #include "geometry/numbers/enclosure.h"
 #include "tests/support/catch.h"
 

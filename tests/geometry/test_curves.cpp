@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/analytic/polodes.h"
+#include "geometry/analytic/polode_formulas.h"
 #include "geometry/curves/asymptotes.h"
 #include "geometry/curves/hermite.h"
 #include "geometry/curves/polodes.h"

@@ -1,5 +1,5 @@
 // The involute function and its inverse, by both routes, held against 40 digits from outside.
-#include "geometry/analytic/involute.h"
+#include "geometry/analytic/involute_formulas.h"
 #include "geometry/gears/involute.h"
 #include "tests/geometry/reference.h"
 #include "tests/support/catch.h"

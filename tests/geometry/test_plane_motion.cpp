@@ -1,6 +1,6 @@
 // The state of a moving plane: by motions whose circles are in every textbook, by identities proved exactly on random
 // states, and against the complex numbers of geometry/analytic.
-#include "geometry/analytic/plane_motion.h"
+#include "geometry/analytic/plane_motion_formulas.h"
 #include "geometry/mechanisms/slider_crank.h"
 #include "geometry/motion/plane_motion.h"
 #include "tests/geometry/every_number.h"

@@ -1,6 +1,6 @@
 // Rolling circles and lines against the corpus, by construction and by closed forms: 94 cases of 40 digits, at cusps,
 // beside them and missing them by as little as 1e-30 of the radius.
-#include "geometry/analytic/roulettes.h"
+#include "geometry/analytic/roulette_formulas.h"
 #include "geometry/motion/rolling.h"
 #include "geometry/numbers/climb.h"
 #include "tests/geometry/reference.h"

@@ -1,7 +1,7 @@
 // The slotted lever with every number: its laws agree, provably where the number can prove, and its analytic
 // counterpart is the same mechanism.
-#include "geometry/analytic/slotted_lever.h"
-#include "geometry/statics/slotted_lever.h"
+#include "geometry/analytic/slotted_lever_formulas.h"
+#include "geometry/statics/slotted_lever_forces.h"
 #include "tests/geometry/every_number.h"
 #include "tests/support/catch.h"
 

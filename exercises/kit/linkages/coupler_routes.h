@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exercises/kit/proof/ledger.h"
-#include "geometry/analytic/plane_motion.h"
+#include "geometry/analytic/plane_motion_formulas.h"
 #include "geometry/motion/plane_motion.h"
 
 namespace epure {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 
 namespace epure {
 namespace {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "exercises/kit/linkages/coupler_routes.h"
-#include "exercises/kit/linkages/four_bar.h"
+#include "exercises/kit/linkages/four_bar_instant.h"
 #include "exercises/kit/panels/mechanism_figure.h"
-#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/polygon_picture.h"
 
 namespace epure {
 

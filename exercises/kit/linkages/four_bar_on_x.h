@@ -4,7 +4,7 @@
 #pragma once
 
 #include "exercises/kit/linkages/coupler_quantities.h"
-#include "exercises/kit/linkages/four_bar.h"
+#include "exercises/kit/linkages/four_bar_instant.h"
 #include "exercises/kit/linkages/half_turned.h"
 
 namespace epure {

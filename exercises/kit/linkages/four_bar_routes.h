@@ -2,7 +2,7 @@
 #pragma once
 
 #include "exercises/kit/linkages/coupler_routes.h"
-#include "exercises/kit/linkages/four_bar.h"
+#include "exercises/kit/linkages/four_bar_instant.h"
 
 namespace epure {
 

@@ -1,10 +1,10 @@
 // The slider-crank as it is drawn.
 #pragma once
 
-#include "exercises/kit/linkages/slider_crank.h"
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/linkages/slider_crank_instant.h"
 #include "exercises/kit/panels/mechanism_figure.h"
 #include "exercises/kit/panels/plot.h"
+#include "exercises/kit/panels/rounded.h"
 
 namespace epure {
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "exercises/kit/linkages/coupler_routes.h"
-#include "exercises/kit/linkages/crank.h"
-#include "exercises/kit/linkages/slider_crank.h"
-#include "geometry/analytic/slider_crank.h"
+#include "exercises/kit/linkages/driving_crank.h"
+#include "exercises/kit/linkages/slider_crank_instant.h"
+#include "geometry/analytic/slider_crank_formulas.h"
 
 namespace epure {
 

@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "exercises/kit/panels/drawn.h"
 #include "exercises/kit/panels/mechanism_figure.h"
+#include "exercises/kit/panels/rounded.h"
 #include "geometry/motion/plane_motion.h"
 
 namespace epure {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 
 namespace epure {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "exercises/kit/panels/mechanism_figure.h"
-#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/polygon_picture.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure {

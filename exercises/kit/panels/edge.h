@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "exercises/kit/panels/drawn.h"
 #include "exercises/kit/panels/plot.h"
+#include "exercises/kit/panels/rounded.h"
 
 namespace epure {
 

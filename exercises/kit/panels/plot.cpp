@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "drawings/paths/vectors.h"
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 
 namespace epure {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "drawings/text/words.h"
+#include "drawings/text/sheet_words.h"
 
 namespace epure {
 namespace {

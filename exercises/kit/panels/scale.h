@@ -4,7 +4,7 @@
 #include <string>
 
 #include "drawings/picture.h"
-#include "exercises/kit/statement/words.h"
+#include "exercises/kit/statement/format_words.h"
 #include "geometry/numbers/number.h"
 
 namespace epure {

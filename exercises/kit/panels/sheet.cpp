@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "drawings/text/words.h"
+#include "drawings/text/sheet_words.h"
 #include "exercises/kit/panels/scale.h"
 #include "exercises/kit/statement/given_number.h"
 

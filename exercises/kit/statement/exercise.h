@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "drawings/picture.h"
+#include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/givens.h"
-#include "exercises/kit/statement/words.h"
 #include "geometry/numbers/climb.h"
 
 namespace epure {

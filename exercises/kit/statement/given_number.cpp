@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "drawings/text/words.h"
+#include "drawings/text/sheet_words.h"
 #include "exercises/kit/statement/decimal.h"
 #include "geometry/numbers/given.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "exercises/kit/statement/words.h"
+#include "exercises/kit/statement/format_words.h"
 #include "geometry/numbers/number.h"
 
 namespace epure {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "exercises/kit/statement/words.h"
+#include "exercises/kit/statement/format_words.h"
 #include "geometry/numbers/angle.h"
 #include "geometry/numbers/given.h"
 

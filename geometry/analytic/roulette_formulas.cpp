@@ -1,4 +1,4 @@
-#include "geometry/analytic/roulettes.h"
+#include "geometry/analytic/roulette_formulas.h"
 
 #include "geometry/numbers/ball.h"
 

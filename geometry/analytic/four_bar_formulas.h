@@ -11,10 +11,10 @@
 #pragma once
 
 #include "geometry/analytic/complex.h"
-#include "geometry/analytic/crank.h"
+#include "geometry/analytic/crank_state.h"
 #include "geometry/analytic/decide.h"
 #include "geometry/analytic/digits.h"
-#include "geometry/analytic/plane_motion.h"
+#include "geometry/analytic/plane_motion_formulas.h"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 
 #include "geometry/numbers/enclosure.h"
 

@@ -1,4 +1,4 @@
-#include "bench/sheets/drawn.h"
+#include "bench/sheets/bench_sheet.h"
 
 namespace epure::bench {
 

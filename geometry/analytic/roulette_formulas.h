@@ -11,7 +11,7 @@
 // prolate. Lengths in any unit.
 #pragma once
 
-#include "geometry/analytic/plane_motion.h"
+#include "geometry/analytic/plane_motion_formulas.h"
 #include "geometry/numbers/angle.h"
 #include "geometry/numbers/enclosure.h"
 

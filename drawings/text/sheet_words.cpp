@@ -1,4 +1,4 @@
-#include "drawings/text/words.h"
+#include "drawings/text/sheet_words.h"
 
 #include <fmt/format.h>
 

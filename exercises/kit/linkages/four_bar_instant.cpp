@@ -1,10 +1,10 @@
-#include "exercises/kit/linkages/four_bar.h"
+#include "exercises/kit/linkages/four_bar_instant.h"
 
 #include <fmt/format.h>
 
 #include <numbers>
 
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 #include "geometry/mechanisms/change_point.h"
 #include "geometry/mechanisms/four_bar_questions.h"
 

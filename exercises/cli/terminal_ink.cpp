@@ -1,4 +1,4 @@
-#include "exercises/cli/ink.h"
+#include "exercises/cli/terminal_ink.h"
 
 namespace epure {
 

@@ -1,7 +1,7 @@
 // What the exercises on the slider-crank share: their givens, when these are impossible, and the instant.
 #pragma once
 
-#include "exercises/kit/linkages/crank.h"
+#include "exercises/kit/linkages/driving_crank.h"
 #include "exercises/kit/statement/givens.h"
 #include "geometry/mechanisms/slider_crank.h"
 #include "geometry/numbers/numbers.h"

@@ -1,4 +1,4 @@
-#include "exercises/kit/panels/polygon.h"
+#include "exercises/kit/panels/polygon_picture.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "exercises/cli/report.h"
+#include "exercises/cli/check_report.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "drawings/text/text.h"
 #include "exercises/cli/cases.h"
 #include "exercises/cli/columns.h"
-#include "exercises/cli/ink.h"
+#include "exercises/cli/terminal_ink.h"
 #include "exercises/kit/proof/route_names.h"
 
 namespace epure {

@@ -9,7 +9,7 @@
 #include "bench/bench.h"
 #include "bench/sheets/table.h"
 #include "drawings/picture.h"
-#include "exercises/kit/statement/words.h"
+#include "exercises/kit/statement/format_words.h"
 
 namespace epure::bench {
 

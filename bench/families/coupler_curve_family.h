@@ -1,7 +1,7 @@
 // Points of a four-bar's coupler curve, with cusps and inflections.
 #pragma once
 
-#include "bench/families/four_bar.h"
+#include "bench/families/four_bar_family.h"
 #include "geometry/curves/four_bar_loci.h"
 
 namespace epure::bench {

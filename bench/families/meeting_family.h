@@ -1,9 +1,9 @@
 // Circles that touch, nearly touch, nest or coincide; lines of action that are nearly parallel.
 #pragma once
 
-#include "bench/families/four_bar.h"
+#include "bench/families/four_bar_family.h"
 #include "geometry/constructions/circle.h"
-#include "geometry/constructions/polygon.h"
+#include "geometry/constructions/vector_polygon.h"
 
 namespace epure::bench {
 

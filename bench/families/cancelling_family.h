@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/family.h"
-#include "geometry/analytic/cancelling.h"
+#include "geometry/analytic/cancelling_functions.h"
 
 namespace epure::bench {
 

@@ -1,12 +1,12 @@
 // Curves of the slider-crank in closed form: both polodes of the coupler against the frame, and the paths of the
-// coupler's points. r = A0A, l = AB, e in metres; frame and names as in slider_crank.h.
+// coupler's points. r = A0A, l = AB, e in metres; frame and names as in slider_crank_formulas.h.
 //
 // Each residual below is a polynomial that vanishes on its curve. It may vanish elsewhere too: squaring also admits
 // the branch with B behind A (cos η < 0), so a zero residual is necessary, not sufficient. They are written in the
 // axes of the guide: origin A0, x along the guide.
 #pragma once
 
-#include "geometry/analytic/slider_crank.h"
+#include "geometry/analytic/slider_crank_formulas.h"
 
 #include <optional>
 

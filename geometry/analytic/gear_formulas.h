@@ -10,7 +10,7 @@
 #pragma once
 
 #include "geometry/analytic/decide.h"
-#include "geometry/analytic/involute.h"
+#include "geometry/analytic/involute_formulas.h"
 #include "geometry/numbers/angle.h"
 
 namespace epure::geometry::analytic {

@@ -1,4 +1,4 @@
-#include "geometry/analytic/involute.h"
+#include "geometry/analytic/involute_formulas.h"
 
 #include "geometry/numbers/ball.h"
 

@@ -1,6 +1,6 @@
-#include "exercises/kit/linkages/crank.h"
+#include "exercises/kit/linkages/driving_crank.h"
 
-#include "exercises/kit/statement/words.h"
+#include "exercises/kit/statement/format_words.h"
 
 namespace epure {
 

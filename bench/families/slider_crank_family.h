@@ -1,7 +1,7 @@
 // Slider-cranks at and beside their special positions, and the points of their polodes.
 #pragma once
 
-#include "bench/families/four_bar.h"
+#include "bench/families/four_bar_family.h"
 #include "geometry/curves/polodes.h"
 #include "geometry/mechanisms/slider_crank.h"
 

@@ -1,4 +1,4 @@
-#include "geometry/analytic/cancelling.h"
+#include "geometry/analytic/cancelling_functions.h"
 
 #include <cmath>
 

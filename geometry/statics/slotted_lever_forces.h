@@ -5,7 +5,7 @@
 // runs in the slot without friction. Newtons, metres, kilograms, seconds; C is positive clockwise, as the source's.
 #pragma once
 
-#include "geometry/constructions/polygon.h"
+#include "geometry/constructions/vector_polygon.h"
 #include "geometry/mechanisms/slotted_lever.h"
 #include "geometry/statics/force.h"
 

@@ -1,11 +1,11 @@
-#include "exercises/kit/linkages/slider_crank.h"
+#include "exercises/kit/linkages/slider_crank_instant.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "exercises/kit/panels/drawn.h"
+#include "exercises/kit/panels/rounded.h"
 #include "geometry/numbers/climb.h"
 #include "geometry/numbers/turn.h"
 

@@ -1,10 +1,10 @@
 // What the exercises on the four-bar linkage share: when their givens are impossible, and the instant.
 #pragma once
 
-#include "exercises/kit/linkages/crank.h"
+#include "exercises/kit/linkages/driving_crank.h"
 #include "exercises/kit/statement/exercise.h"
 #include "exercises/kit/statement/givens.h"
-#include "geometry/analytic/four_bar.h"
+#include "geometry/analytic/four_bar_formulas.h"
 #include "geometry/mechanisms/four_bar.h"
 
 namespace epure {
