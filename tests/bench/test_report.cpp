@@ -1,5 +1,6 @@
 // What the bench measures and says. Nothing here depends on how long something takes.
 #include "bench/bench.h"
+#include "bench/benchmark.h"
 
 #include <cmath>
 #include <filesystem>
@@ -65,7 +66,7 @@ struct Ran {
 };
 Ran run(const std::vector<std::string>& arguments) {
   std::ostringstream out, err;
-  const int exit = run_cli(catalogue(), arguments, out, err);
+  const int exit = run_cli(catalogue(), arguments, out, err, {.bench = benchmark});
   return {exit, out.str(), err.str()};
 }
 
