@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/curve.h"
 #include "exercises/kit/panels/edge.h"
 #include "exercises/kit/panels/rounded.h"

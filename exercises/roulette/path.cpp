@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "exercises/kit/panels/edge.h"
-#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/fit.h"
 #include "exercises/kit/panels/mechanism_figure.h"
 #include "exercises/kit/panels/rounded.h"

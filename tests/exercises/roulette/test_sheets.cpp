@@ -1,5 +1,5 @@
 // The sheets of the roulettes, whatever rolls on whatever.
-#include "drawings/flatten.h"
+#include "drawings/paths/flatten.h"
 #include "tests/exercises/roulette/cases.h"
 
 using namespace epure;
