@@ -306,11 +306,36 @@ void draw_mark(Canvas& canvas, const ScaleBar& bar) {
     canvas.text({bar.caption, bar.at + Point{0, height + 1.4}, caption_size, black, Weight::regular});
 }
 
-constexpr std::array kinds{"line",       "area",      "arrow",       "dot",         "cross",
-                           "data point", "hinge",     "fixed hinge", "slider",      "guide",
-                           "ground",     "slot",      "rotation",    "right angle", "parallel mark",
-                           "angle mark", "dimension", "writing",     "scale bar"};
-static_assert(kinds.size() == std::variant_size_v<Mark>);
+constexpr std::array<Phrase, std::variant_size_v<Mark>> kinds{{{"line", "linea"},
+                                                               {"area", "area"},
+                                                               {"arrow", "freccia"},
+                                                               {"dot", "punto"},
+                                                               {"cross", "croce"},
+                                                               {"data point", "punto del grafico"},
+                                                               {"hinge", "cerniera"},
+                                                               {"fixed hinge", "cerniera fissa"},
+                                                               {"slider", "corsoio"},
+                                                               {"guide", "guida"},
+                                                               {"ground", "telaio"},
+                                                               {"slot", "asola"},
+                                                               {"rotation", "rotazione"},
+                                                               {"right angle", "angolo retto"},
+                                                               {"parallel mark", "segno di parallelismo"},
+                                                               {"angle mark", "angolo"},
+                                                               {"dimension", "quota"},
+                                                               {"writing", "scritta"},
+                                                               {"scale bar", "scala grafica"}}};
+
+std::string name_of(const Mark& mark) {
+  return std::visit(
+      [](const auto& m) {
+        if constexpr (requires { m.name; })
+          return m.name;
+        else
+          return std::string{};
+      },
+      mark);
+}
 
 }  // namespace
 
@@ -340,17 +365,15 @@ std::vector<Primitive> circled_number(Point centre, int number, double diameter,
 }
 
 std::string describe(const Mark& mark, std::size_t index) {
-  const std::string name = std::visit(
-      [](const auto& m) {
-        if constexpr (requires { m.name; })
-          return m.name;
-        else
-          return std::string{};
-      },
-      mark);
-  const std::string kind = kinds[mark.index()];
+  const std::string name = name_of(mark);
+  const std::string kind = kinds.at(mark.index()).english;
   return name.empty() ? fmt::format("{} (mark {})", kind, index)
                       : fmt::format("{} '{}' (mark {})", kind, name, index);
+}
+
+Words in_words(const Mark& mark) {
+  const std::string name = name_of(mark);
+  return Words(kinds.at(mark.index())) + (name.empty() ? "" : " " + name);
 }
 
 }  // namespace epure::drawings

@@ -28,5 +28,7 @@ std::vector<Primitive> circled_number(Point centre, int number, double diameter,
 
 // What is called this in error messages: "arrow 'v_B'".
 std::string describe(const Mark& mark, std::size_t index);
+// The same for the user, by its name where it has one: "arrow v_B".
+Words in_words(const Mark& mark);
 
 }  // namespace epure::drawings

@@ -35,6 +35,8 @@ void draw_marks(Canvas& canvas, const Figure& figure, Box area) {
       draw(canvas, figure.marks[i]);
     } catch (const std::invalid_argument& wrong) {
       throw std::invalid_argument(fmt::format("{}: {}", describe(figure.marks[i], i), wrong.what()));
+    } catch (const TooFar& why) {
+      throw TooFar(in_words(figure.marks[i]) + ": " + why.words());
     }
   }
   canvas.clip_to(area);
@@ -83,6 +85,8 @@ void require_numbers(const Canvas& canvas, const Placeable& item) {
     if (item.box.away_from) canvas.require(*item.box.away_from);
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(fmt::format("{}: {}", item.name(), wrong.what()));
+  } catch (const TooFar& why) {
+    throw TooFar((item.text.empty() ? fmt::format("{}", item.step) : plain(item.text)) + ": " + why.words());
   }
 }
 

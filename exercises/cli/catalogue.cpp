@@ -81,6 +81,9 @@ const Exercise& find_exercise(const Catalogue& exercises, const std::string& id)
     if (exercise.id() == id) return *exercise;
     ids.push_back(exercise.id());
   }
+  if (id.find('=') != std::string::npos)
+    throw WrongUsage(format_words("\"{0}\" is no exercise; to set a given write --set {0}",
+                                  "\"{0}\" non è un esercizio; per assegnare un dato scrivere --set {0}", id));
   throw WrongUsage(format_words("there is no exercise \"{}\"; {}", "non c'è alcun esercizio \"{}\"; {}", id,
                                 did_you_mean(id, ids)));
 }

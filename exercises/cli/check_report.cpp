@@ -156,14 +156,17 @@ class Remarks {
   void add(const std::string& subject, const std::string& remark) {
     const auto known =
         std::find_if(all_.begin(), all_.end(), [&](const auto& entry) { return entry.remark == remark; });
-    if (known == all_.end())
+    if (known == all_.end() || subject.empty())
       all_.push_back({subject, remark});
     else
       known->subjects += ", " + subject;
   }
-  std::string text() const {
+  // Each after the heading, if there is one.
+  std::string text(const std::string& heading = {}) const {
     std::string text = all_.empty() ? "" : "\n";
-    for (const auto& [subjects, remark] : all_) text += wrapped(subjects + ": " + remark, 2, 4);
+    for (const auto& [subjects, remark] : all_)
+      text +=
+          wrapped(heading + (heading.empty() ? "" : " ") + subjects + (subjects.empty() ? "" : ": ") + remark, 2, 4);
     return text;
   }
 
@@ -220,10 +223,15 @@ std::string givens(const Givens& givens) {
 }
 
 std::string listed(const std::vector<Complaint>& all, const std::string& heading, Language language) {
-  std::string text = all.empty() ? "" : "\n";
-  for (const Complaint& each : all)
-    text += wrapped(heading + " " + drawings::plain(each.sentence.in(language)), 2, 4);
-  return text;
+  Remarks remarks;
+  for (const Complaint& each : all) {
+    const std::string sentence = drawings::plain(each.sentence.in(language)), subject = each.quantity + ": ";
+    if (!each.quantity.empty() && sentence.starts_with(subject))
+      remarks.add(each.quantity, sentence.substr(subject.size()));
+    else
+      remarks.add({}, sentence);
+  }
+  return remarks.text(heading);
 }
 
 }  // namespace

@@ -58,6 +58,8 @@ class Drawing {
       } catch (const DoesNotFit& why) {
         if (sheets_.size() == 1) throw;
         throw DoesNotFit(each.exercise->about().id + "/" + each.name + ": " + why.words());
+      } catch (const drawings::TooFar& why) {
+        throw drawings::TooFar(each.exercise->about().id + "/" + each.name + ": " + why.words());
       }
     });
     leave_out_undecided();

@@ -5,6 +5,7 @@
 #include "exercises/cli/columns.h"
 #include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
+#include "exercises/kit/statement/suggest.h"
 
 namespace epure {
 namespace {
@@ -83,8 +84,9 @@ std::string list(const Catalogue& exercises, const Options& options) {
 }
 
 Language language(const Options& options) {
-  if (options.language == "en") return Language::english;
-  if (options.language == "it") return Language::italian;
+  const std::string name = lower_case(options.language);
+  if (name == "en") return Language::english;
+  if (name == "it") return Language::italian;
   throw WrongUsage(format_words("\"{}\" is no language of epure; choose en or it",
                                 "\"{}\" non è una lingua di epure; scegliere en o it", options.language));
 }

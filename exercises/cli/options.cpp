@@ -20,8 +20,9 @@ class Parser {
  public:
   Parser(Options& options, Language language) : options_(options), language_(language) {
     program_.require_subcommand(0, 1);  // none is answered here, in our own words
-    program_.set_version_flag("--version,-V", "epure " EPURE_VERSION,
-                              say({"print the version", "mostra la versione"}));
+    program_
+        .set_version_flag("--version,-V", "epure " EPURE_VERSION, say({"print the version", "mostra la versione"}))
+        ->disable_flag_override();
     prepare(program_);
     add_list();
     add_draw();
@@ -53,7 +54,7 @@ class Parser {
   std::string say(const Words& words) const { return words.in(language_); }
 
   void prepare(CLI::App& app) {
-    app.set_help_flag("--help,-h", say({"print this help", "mostra questo aiuto"}));
+    app.set_help_flag("--help,-h", say({"print this help", "mostra questo aiuto"}))->disable_flag_override();
     app.allow_extras();  // refused by ourselves
   }
   CLI::App& add_verb(const std::string& name) {
@@ -70,6 +71,10 @@ class Parser {
   void add_repeatable(CLI::App& verb, const std::string& name, std::vector<std::string>& values, const Words& type,
                       const Words& meaning) {
     verb.add_option(name, values, say(meaning))->allow_extra_args(false)->type_name(say(type));
+  }
+
+  void add_flag(CLI::App& verb, const std::string& name, bool& value, const Words& meaning) {
+    verb.add_flag(name, value, say(meaning))->disable_flag_override();  // --bare=3 would be --bare
   }
 
   void add_names(CLI::App& verb, const Words& name, const Words& meaning) {
@@ -117,12 +122,11 @@ class Parser {
         {"scale of lengths, such as 1:5 (default: the largest standard one)",
          "scala delle lunghezze, come 1:5 (predefinita: la maggiore normalizzata)"});
     add_language(verb);
-    verb.add_flag("--bare", options_.bare,
-                  say({"the figure alone: no frame, no column, no title block",
-                       "la sola figura: senza squadratura, colonna e riquadro delle iscrizioni"}));
-    verb.add_flag(
-        "--times", options_.times,
-        say({"say on standard error where the time went", "dice sullo standard error dove è andato il tempo"}));
+    add_flag(verb, "--bare", options_.bare,
+             {"the figure alone: no frame, no column, no title block",
+              "la sola figura: senza squadratura, colonna e riquadro delle iscrizioni"});
+    add_flag(verb, "--times", options_.times,
+             {"say on standard error where the time went", "dice sullo standard error dove è andato il tempo"});
   }
   void add_check() {
     CLI::App& verb = add_verb("check");
@@ -133,9 +137,9 @@ class Parser {
                     "un numero che hai misurato, confrontato con quello vero"});
     add(verb, "--reading", options_.reading, {"LENGTH", "LUNGHEZZA"},
         {"how well you read a ruler (default: 0.5mm)", "quanto bene leggi un righello (predefinita: 0,5mm)"});
-    verb.add_flag("--json", options_.json,
-                  say({"print the report as JSON (schema epure.check/1)",
-                       "stampa il resoconto in JSON (schema epure.check/1)"}));
+    add_flag(
+        verb, "--json", options_.json,
+        {"print the report as JSON (schema epure.check/1)", "stampa il resoconto in JSON (schema epure.check/1)"});
     add(verb, "--arithmetic", options_.arithmetic, {"KIND", "TIPO"},
         {"fast (doubles), bounded (intervals) or exact (default: as many digits as it takes)",
          "fast (double), bounded (intervalli) o exact (predefinita: tante cifre quante ne servono)"});
@@ -143,9 +147,9 @@ class Parser {
   }
   void add_bench() {
     CLI::App& verb = add_verb("bench");
-    verb.add_flag("--json", options_.json,
-                  say({"print the results as JSON (schema epure.bench/1)",
-                       "stampa i risultati in JSON (schema epure.bench/1)"}));
+    add_flag(
+        verb, "--json", options_.json,
+        {"print the results as JSON (schema epure.bench/1)", "stampa i risultati in JSON (schema epure.bench/1)"});
     add(verb, "--seconds", options_.seconds, {"TIME", "TEMPO"},
         {"about how long to measure (default: 60)", "circa quanto a lungo misurare (predefinito: 60)"});
     add_folder(verb);
@@ -225,7 +229,9 @@ void Parser::refuse_before_verb(const std::string& typed) const {
 void Parser::refuse_value(const std::string& of_cli11) const {
   for (const CLI::Option* option : chosen().get_options()) {
     const std::string name = option->get_name();
-    if (option->get_positional() || of_cli11.find(name) == std::string::npos) continue;
+    const std::string without_dashes = name.substr(name.find_first_not_of('-'));  // of a flag that is given a value
+    const bool is_meant = of_cli11.find(name) != std::string::npos || of_cli11.starts_with(without_dashes + " was");
+    if (option->get_positional() || !is_meant) continue;
     if (option->count() > 1)
       throw WrongUsage(
           format_words("{} is given twice; which one is meant?", "{} è dato due volte; quale si intende?", name));
@@ -237,14 +243,27 @@ void Parser::refuse_value(const std::string& of_cli11) const {
   throw WrongUsage(format_words("\"{}\" cannot be understood", "\"{}\" non si capisce", of_cli11));
 }
 
+// What should follow a verb and stands in its place.
+void refuse_name_as_verb(const Catalogue& exercises, const std::string& name) {
+  if (name == "all")
+    throw WrongUsage("\"all\" stands after a verb: epure draw all, or epure check all",
+                     "\"all\" va dopo un verbo: epure draw all, o epure check all");
+  const std::string id = name.substr(0, name.find('/'));
+  if (std::none_of(exercises.begin(), exercises.end(), [&](const Listed& each) { return each.id() == id; })) return;
+  throw WrongUsage(format_words("\"{0}\" stands after a verb: epure list {1}, epure draw {0}, or epure check {1}",
+                                "\"{0}\" va dopo un verbo: epure list {1}, epure draw {0}, o epure check {1}", name,
+                                id));
+}
+
 // The word where the verb should be.
-void demand_verb(const std::vector<std::string>& arguments) {
+void demand_verb(const Catalogue& exercises, const std::vector<std::string>& arguments) {
   if (arguments.empty())
     throw WrongUsage("say what to do: list, draw, check or bench (epure help explains)",
                      "dire che cosa fare: list, draw, check o bench (epure help spiega)");
   const std::string& first = arguments.front();
-  const bool is_option = first.starts_with('-');
-  if (!is_option && std::find(verbs.begin(), verbs.end(), first) == verbs.end())
+  if (first.starts_with('-')) return;
+  refuse_name_as_verb(exercises, first);
+  if (std::find(verbs.begin(), verbs.end(), first) == verbs.end())
     throw WrongUsage(format_words("\"{}\" is nothing epure can do; {}", "\"{}\" non è cosa che epure sappia fare; {}",
                                   first, did_you_mean(first, verbs)));
 }
@@ -267,12 +286,12 @@ Language language_of_messages(const std::vector<std::string>& arguments, const s
     if (arguments[i] == option && i + 1 < arguments.size()) asked = arguments[i + 1];
     if (arguments[i].starts_with(option + "=")) asked = arguments[i].substr(option.size() + 1);
   }
-  return asked == "it" ? Language::italian : Language::english;
+  return lower_case(asked) == "it" ? Language::italian : Language::english;
 }
 
-Parsed parse_options(const std::vector<std::string>& typed, const std::string& language) {
+Parsed parse_options(const Catalogue& exercises, const std::vector<std::string>& typed, const std::string& language) {
   const std::vector<std::string> arguments = with_help_as_option(typed);
-  demand_verb(arguments);
+  demand_verb(exercises, arguments);
   Parsed parsed;
   if (!language.empty()) parsed.options.language = language;
   Parser parser(parsed.options, language_of_messages(arguments, language));
@@ -288,7 +307,7 @@ Parsed parse_options(const std::vector<std::string>& typed, const std::string& l
     parser.refuse_value(error.what());
   }
   const std::string verb = parser.chosen().get_name();
-  if (verb == "epure") demand_verb({});
+  if (verb == "epure") demand_verb(exercises, {});
   parsed.options.verb = verb == "list"    ? Options::Verb::list
                         : verb == "draw"  ? Options::Verb::draw
                         : verb == "check" ? Options::Verb::check

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "words/words.h"
+#include "exercises/kit/statement/exercise.h"
 
 namespace epure {
 
@@ -25,8 +25,9 @@ struct Parsed {
   Options options;
   std::optional<std::string> text = {};
 };
-// `language`: what --lang says otherwise; empty: English.
-Parsed parse_options(const std::vector<std::string>& arguments, const std::string& language);
+// `language`: what --lang says otherwise; empty: English. An exercise where the verb should be is answered as such.
+Parsed parse_options(const Catalogue& exercises, const std::vector<std::string>& arguments,
+                     const std::string& language);
 
 // The language of a refusal, also of arguments that cannot be parsed: what the last --lang says, else `otherwise`.
 // What is no language of epure is answered in English.

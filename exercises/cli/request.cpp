@@ -6,20 +6,23 @@
 
 #include "drawings/output.h"
 #include "exercises/cli/verbs.h"
+#include "exercises/kit/statement/suggest.h"
 #include "geometry/numbers/given.h"
 
 namespace epure {
 namespace {
 
-std::optional<Format> format_named(const std::string& name) {
+std::optional<Format> format_named(const std::string& typed) {
+  const std::string name = lower_case(typed);
   if (name == "pdf") return Format::pdf;
   if (name == "svg") return Format::svg;
   return std::nullopt;
 }
 
 drawings::Paper paper(const Options& options) {
-  if (options.paper == "a4" || options.paper == "A4") return drawings::Paper::a4;
-  if (options.paper == "a3" || options.paper == "A3") return drawings::Paper::a3;
+  const std::string name = lower_case(options.paper);
+  if (name == "a4") return drawings::Paper::a4;
+  if (name == "a3") return drawings::Paper::a3;
   throw WrongUsage(format_words("\"{}\" is no paper of epure; choose a4 or a3",
                                 "\"{}\" non è una carta di epure; scegliere a4 o a3", options.paper));
 }

@@ -47,7 +47,7 @@ Outcome outcome_of(const Catalogue& exercises, const Options& options, std::ostr
 
 Outcome run(const Catalogue& exercises, const std::vector<std::string>& arguments, std::ostream& err,
             const Surroundings& surroundings) {
-  auto [options, text] = parse_options(arguments, surroundings.language);
+  auto [options, text] = parse_options(exercises, arguments, surroundings.language);
   options.colours = surroundings.colours;
   return text ? Outcome{*text} : outcome_of(exercises, options, err, surroundings.bench);
 }

@@ -21,9 +21,28 @@ Settled without_value(const Finding& finding, const std::string& rung) {
   return {kind, {}, finding.reason, rung};
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+// The numbers that were tried, as who only wants to know of the answer may read it: the rungs of one kind once, by
+// the last of them.
+Words in_words(const std::vector<std::string>& rungs) {
+  const std::string deep = "Deep ";
+  const auto kind = [&](const std::string& rung) -> Words {
+    if (rung == "Bounded") return {"intervals of doubles", "intervalli di double"};
+    if (rung.starts_with(deep)) {
+      const std::string bits = rung.substr(deep.size());
+      return {"balls of up to " + bits + " bits", "intervalli fino a " + bits + " bit"};
+    }
+    if (rung == "Exact") return {"exact square roots", "radici quadrate esatte"};
+    if (rung == "Generic") return {"the crank at any angle", "la manovella ad angolo qualsiasi"};
+    return {"exact algebraic numbers", "numeri algebrici esatti"};
+  };
+  Words list;
+  for (std::size_t i = 0; i < rungs.size(); ++i) {
+    const bool is_deep = rungs[i].starts_with(deep);
+    if (is_deep && std::any_of(rungs.begin() + static_cast<std::ptrdiff_t>(i) + 1, rungs.end(),
+                               [&](const std::string& later) { return later.starts_with(deep); }))
+      continue;
+    list = list + (list.empty() ? "" : ", ") + kind(rungs[i]);
+  }
   return list;
 }
 
@@ -35,7 +54,7 @@ bool Ledger::accept(const std::string& rung, const Run& run) {
   if (run.failure) {
     failure_ = *run.failure;
     for (Entry& entry : entries_)
-      if (!entry.is_final) entry.settled.reason = (rung + ": ") + failure_;
+      if (!entry.is_final) entry.settled.reason = failure_;
     return false;
   }
   if (!has_run_) entries_.resize(run.findings.size());
@@ -110,7 +129,7 @@ std::vector<Settled> Ledger::result() const {
   for (const Entry& entry : entries_) {
     result.push_back(entry.settled);
     if (entry.settled.kind == Settled::Kind::undecided)
-      result.back().reason = result.back().reason + Words{" (tried ", " (tentati "} + listed(tried_) + ")";
+      result.back().reason = result.back().reason + Words{" (tried: ", " (tentati: "} + in_words(tried_) + ")";
   }
   return result;
 }

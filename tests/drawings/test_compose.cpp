@@ -166,12 +166,20 @@ TEST_CASE("bad numbers are refused by name") {
       INFO("mark kind " << mark.index() << " with " << bad);
       if (is_far) {
         CHECK_THROWS_AS(compose(sheet), TooFar);
+        const bool is_named = mark.index() < 5;
+        CHECK_THROWS_WITH(compose(sheet), Contains("e+11 mm is too far off the paper") &&
+                                              Contains(is_named ? " bad: " : "") && !Contains("(mark"));
         continue;
       }
       CHECK_THROWS_WITH(compose(sheet), Contains("(mark 9): "));
       CHECK_THROWS_AS(compose(sheet), std::invalid_argument);
     }
-    if (is_far) continue;
+    if (is_far) {
+      Sheet sheet = example(Paper::a4, Language::english);
+      sheet.figure.labels.push_back({"$Q_{1}$", {bad, 0}});
+      CHECK_THROWS_WITH(compose(sheet), StartsWith("Q_1: 1e+11 mm is too far off the paper"));
+      continue;
+    }
     Sheet sheet = example(Paper::a4, Language::english);
     sheet.figure.labels.push_back({"Q", {bad, 0}});
     CHECK_THROWS_WITH(compose(sheet), Contains("label 'Q'"));

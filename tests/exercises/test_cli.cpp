@@ -69,6 +69,15 @@ TEST_CASE("what is no command is refused in one sentence") {
   refused({"draw", "triangle", "--set"}, "--set needs a value: --set SYMBOL=VALUE[UNIT]");
   refused({"draw", "triangle", "--paper", "a4", "--paper", "a3"}, "--paper is given twice");
   refused({"check", "triangle", "--json=x"}, "--json takes no value");
+  refused({"draw", "triangle", "--bare=3"}, "--bare takes no value");
+  refused({"--version=x"}, "--version takes no value");
+  refused({"--help=x"}, "--help takes no value");
+  refused({"all"}, "\"all\" stands after a verb: epure draw all, or epure check all");
+  const std::string after = " stands after a verb: epure list triangle, epure draw ";
+  refused({"triangle"}, "\"triangle\"" + after + "triangle, or epure check triangle");
+  refused({"help", "triangle"}, "\"triangle\"" + after + "triangle, or epure check triangle");
+  refused({"triangle/sides"}, "\"triangle/sides\"" + after + "triangle/sides, or epure check triangle");
+  refused({"draw", "triangle", "a=1"}, "\"a=1\" is no exercise; to set a given write --set a=1");
   refused({""}, "\"\" is nothing epure can do");
   refused({"draw", ""}, "there is no exercise \"\"");
   refused({"--lang", "it", "help"}, "--lang segue il verbo: epure VERBO --lang");
@@ -91,6 +100,7 @@ TEST_CASE("unknown names are refused with a suggestion") {
   refused({"draw", "triangle", "--format", "pdf,"}, "is no format");
   refused({"draw", "triangle", "--paper", "a5"}, "\"a5\" is no paper");
   refused({"draw", "triangle", "--lang", "fr"}, "\"fr\" is no language");
+  refused({"draw", "triangle", "--scale", "0", "--lang", "IT"}, "non è una scala");
   refused({"list", "--lang", "fr"}, "\"fr\" is no language");
   refused({"check", "triangle", "--arithmetic", "magic"}, "\"magic\" is no arithmetic");
 }
@@ -223,9 +233,12 @@ TEST_CASE("-o writes one file, in the format of its ending or of --format") {
   const Scratch scratch;
   CHECK(run({"draw", "triangle", "-o", "t.pdf"}).out == "t.pdf\n");
   CHECK(run({"draw", "triangle/small", "-o", "t.svg"}).out == "t.svg\n");
+  CHECK(run({"draw", "triangle/small", "-o", "T.SVG", "--paper", "A4"}).out == "T.SVG\n");
+  CHECK(run({"draw", "triangle/small", "-o", "T.Pdf", "--format", "PDF"}).out == "T.Pdf\n");
   CHECK(run({"draw", "triangle", "--format", "pdf", "-o", "plain"}).exit == 0);
   CHECK(contents("plain") == contents("t.pdf"));
-  CHECK(scratch.files() == Typed{"plain", "t.pdf", "t.svg"});
+  CHECK(scratch.files() == Typed{"T.Pdf", "T.SVG", "plain", "t.pdf", "t.svg"});
+  CHECK(contents("T.SVG") == contents("t.svg"));
   refused({"draw", "triangle", "-o", "t2.svg"},
           "holds one sheet, and 2 are asked for; name one, such as triangle/sides");
   refused({"draw", "triangle", "-o", "t2"}, "tells no format");
@@ -234,7 +247,7 @@ TEST_CASE("-o writes one file, in the format of its ending or of --format") {
   refused({"draw", "triangle", "-o", "t2", "--format", "pdf,svg"}, "choose --format");
   refused({"draw", "triangle", "-o", "t2.pdf", "--out", "x"}, "choose one of them");
   refused({"draw", "triangle", "-o", ""}, "tells no format");
-  CHECK(scratch.files().size() == 3);
+  CHECK(scratch.files().size() == 5);
 }
 
 TEST_CASE("-o - writes the bytes of the file to standard output, and nothing else") {
@@ -434,6 +447,13 @@ TEST_CASE("what is undecided, and nothing worse, is exit 4") {
   const Ran both = run_on(worse, {"check", "triangle"});
   CHECK(both.exit == 1);
   CHECK(contains(both.out, "omega     undecided"));
+  CHECK(contains(both.out, "  UNDECIDED omega: undecided by ruler, analytic (whether it turns)\n"));
+  worse.spoil_values = [](auto& values) {
+    for (const std::string name : {"omega", "angle"})
+      value_of(values, name, "analytic") = undecided("whether it turns");
+  };
+  CHECK(contains(run_on(worse, {"check", "triangle"}).out,
+                 "  UNDECIDED omega, angle: undecided by analytic (whether it turns)\n"));
   CHECK(contains(both.out, "FAILED: 1 of 5 quantities, 1 undecided; printed: "));
 }
 

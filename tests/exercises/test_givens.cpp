@@ -74,7 +74,7 @@ TEST_CASE("what is no number is refused with the symbol and a way out") {
 TEST_CASE("what is no assignment is refused") {
   CHECK(complaint("a").find("write symbol=value") != std::string::npos);
   CHECK(complaint("=3").find("no symbol") != std::string::npos);
-  CHECK(complaint("lode=3").find("did you mean load?") != std::string::npos);
+  CHECK(complaint("laod=3").find("did you mean load?") != std::string::npos);
   CHECK(complaint("zzz=3").find("known are: a, b, load, shift") != std::string::npos);
   CHECK(complaint("A=3").find("did you mean a?") != std::string::npos);
 }
@@ -89,6 +89,12 @@ TEST_CASE("suggestions are near names, or a list of what there is") {
   CHECK(did_you_mean("omega3", {"omega_3", "omega_2", "v_B"}).english == "did you mean omega_3 or omega_2?");
   CHECK(did_you_mean("chek", {"list", "draw", "check"}).english == "did you mean check?");
   CHECK(did_you_mean("q", {"a", "b"}).english == "known are: a, b");
+  CHECK(did_you_mean("test", {"list", "bench"}).english == "known are: list, bench");  // half of its letters
+  CHECK(did_you_mean("dwar", {"draw", "check"}).english == "known are: draw, check");
+  CHECK(did_you_mean("darw", {"draw", "check"}).english == "did you mean draw?");
+  CHECK(did_you_mean("Slider", {"gear-pair", "slider-crank-velocity"}).english ==
+        "did you mean slider-crank-velocity?");
+  CHECK(did_you_mean("v", {"v_A", "v_B", "a"}).english == "known are: v_A, v_B, a");
   CHECK(did_you_mean("none of it", std::vector<std::string>(20, "zz")).english.ends_with(", ..."));
 }
 

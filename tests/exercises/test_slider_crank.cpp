@@ -234,6 +234,10 @@ TEST_CASE("the impossible is one clear sentence and exit code 2", "[slider-crank
       // A is 0.1 + 0.15 m from the guide, then 0.2 + 0.15; arcsin of -0.1/0.2 and of 0.4/0.2.
       {{"l=0.25", "AC=0.2", "BC=0.15", "e=-0.15"}, {"square to the guide", "30°"}},
       {{"l=0.25", "AC=0.2", "BC=0.15", "e=-0.15", "t1=1/24"}, {"too short by 0.1 m", "from -210° to 30°"}},
+      // Two and three turns on, and three back.
+      {{"l=0.25", "AC=0.2", "BC=0.15", "e=-0.15", "phi=810"}, {"810°", "too short by 0.1 m", "from 510° to 750°"}},
+      {{"l=0.25", "AC=0.2", "BC=0.15", "e=-0.15", "phi=-990"},
+       {"-990°", "too short by 0.1 m", "from -930° to -690°"}},
       {{"l=0.25", "AC=0.2", "BC=0.15", "e=0.15", "delta=10", "t1=7/54"},
        {"too short by 0.1 m", "280°", "from -20° to 220°"}},
       {{"e=0.9"}, {"does not close", "closes at no angle", "0.9 m from A₀"}},
@@ -265,6 +269,17 @@ TEST_CASE("the impossible is one clear sentence and exit code 2", "[slider-crank
         CHECK(std::count(ran.err.begin(), ran.err.end(), '\n') == 1);
         for (const std::string& words : says) CHECK(ran.err.find(words) != std::string::npos);
       }
+}
+
+TEST_CASE("a crank at rest is refused, with what to do when its acceleration is given", "[slider-crank]") {
+  const Ran ran = run({"check", acceleration}, {"n=0", "alpha_2=5"});
+  CHECK(ran.exit == 2);
+  for (const char* words : {"n = 0 rpm", "the crank must turn", "also where alpha_2 is given", "n = 1e-9"})
+    CHECK(ran.err.find(words) != std::string::npos);
+  // What it says to do: at rest only alpha_2 counts, a_A = 5 rad/s² 0.2 m.
+  const Ran slow = run({"check", acceleration}, {"n=1e-9", "alpha_2=5"});
+  CHECK(slow.exit == 0);
+  CHECK(slow.out.find(" 1 m/s^2 ") != std::string::npos);
 }
 
 // Clockwise instead of counter-clockwise the mechanism passes mirror images of its positions; C, always on the left

@@ -188,7 +188,7 @@ TEST_CASE("The exact run happens once, and after 512 bits") {
   REQUIRE(settled.size() == 1);
   CHECK(settled[0].kind == Kind::undecided);
   CHECK(settled[0].reason.english ==
-        "never (tried Bounded, Deep 128, Deep 256, Deep 512, Exact, Deep 1024, Deep 2048, Deep 4096)");
+        "never (tried: intervals of doubles, exact square roots, balls of up to 4096 bits)");
 }
 
 // Two routes to zero: once with a cancellation that only an exact number can prove.
@@ -260,7 +260,8 @@ TEST_CASE("A run that throws Undecided as a whole leaves the question to the nex
   require_point(settled[0], 0, "Exact");
   // Only Exact could run the scene, and its values are never used.
   CHECK(settled[1].kind == Kind::undecided);
-  CHECK_THAT(settled[1].reason.english, Contains("which branch"));
+  CHECK(settled[1].reason.english ==
+        "which branch (tried: intervals of doubles, exact square roots, balls of up to 4096 bits)");
 }
 
 TEST_CASE("A scene that no number can run throws Undecided") {

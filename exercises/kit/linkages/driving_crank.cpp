@@ -1,5 +1,7 @@
 #include "exercises/kit/linkages/driving_crank.h"
 
+#include <cmath>
+
 #include "exercises/kit/statement/format_words.h"
 
 namespace epure {
@@ -25,15 +27,29 @@ GivenSpec crank_angle_given() {
       .turned = TurnedThrough{.instant = "t", .speed = "n"}};
 }
 
-Words where_it_closes(const std::vector<AngleRange>& ranges) {
+Words where_it_closes(const std::vector<AngleRange>& ranges, const Angle& crank) {
   Words text;
   for (const AngleRange& range : ranges) {
-    const Words from = decimal(range.from, 6), to = decimal(range.to, 6);
+    const double middle = (range.from + range.to) / 2;
+    const double turns = std::trunc((geometry::degrees(crank) - middle) / 360);
+    const Words from = decimal(range.from + 360 * turns, 6), to = decimal(range.to + 360 * turns, 6);
     text = text + (text.empty() ? Words{"; it closes ", "; si chiude "} : Words{" and ", " e "}) +
            (from == to ? format_words("at {}° only", "solo a {}°", from)
                        : format_words("from {}° to {}°", "da {}° a {}°", from, to));
   }
   return text;
+}
+
+void require_turning(const Angle& n, const Angle& alpha_2) {
+  if (!is_zero(n)) return;
+  const Words at_rest{"n = 0 rpm: the crank must turn, n must differ from 0",
+                      "n = 0 rpm: la manovella deve girare, n dev'essere diverso da 0"};
+  if (is_zero(alpha_2)) throw BadGivens(at_rest);
+  throw BadGivens(at_rest +
+                  Words{", also where alpha_2 is given: poles, circles and curvature are those of a motion; for the "
+                        "accelerations with which it starts from rest take a speed as small as n = 1e-9",
+                        ", anche quando è dato alpha_2: poli, cerchi e curvatura sono quelli di un moto; per le "
+                        "accelerazioni con cui parte da fermo prendere una velocità piccola come n = 1e-9"});
 }
 
 }  // namespace epure

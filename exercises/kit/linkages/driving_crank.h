@@ -17,8 +17,12 @@ GivenSpec crank_angle_given();
 struct AngleRange {
   double from, to;
 };
-// "; it closes from 10° to 60° and from 300° to 350°", the end of a sentence; empty without a range.
-Words where_it_closes(const std::vector<AngleRange>& ranges);
+// "; it closes from 10° to 60° and from 300° to 350°", the end of a sentence; empty without a range. Their middles
+// are within a turn of the crank, which may have turned several times.
+Words where_it_closes(const std::vector<AngleRange>& ranges, const Angle& crank);
+
+// Throws BadGivens for a crank that is at rest.
+void require_turning(const Angle& n, const Angle& alpha_2);
 
 // `n`, in radians per second. The exact numbers are asked for signs only: with unit crank speed and α₂ = 0 they get
 // on without π.

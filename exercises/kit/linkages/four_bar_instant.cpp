@@ -96,7 +96,7 @@ std::vector<AngleRange> crank_swings(const FourBarInstant& at) {
 
 Words angles_at_which_it_closes(const FourBarInstant& at) {
   try {
-    return where_it_closes(crank_swings(at));
+    return where_it_closes(crank_swings(at), at.crank);
   } catch (const geometry::Impossible&) {
     return {"; it closes at no angle", "; non si chiude ad alcun angolo"};
   }
@@ -151,9 +151,7 @@ geometry::Side side_chosen(const Givens& givens, const std::string& symbol) {
 }
 
 void require_drivable(FourBarInstant& at) {
-  if (is_zero(at.n))
-    throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0",
-                    "n = 0 rpm: la manovella deve girare, n dev'essere diverso da 0");
+  require_turning(at.n, at.alpha_2);
   if (at.lengths.x_B0 == 0 && at.lengths.y_B0 == 0)
     throw BadGivens("B₀ = (0, 0) m lies on A₀: there is no frame between the hinges",
                     "B₀ = (0, 0) m sta su A₀: tra le cerniere non c'è telaio");

@@ -38,7 +38,7 @@ T height_of_A(const SliderCrankInstant& at) {
 }
 
 Words angles_at_which_it_closes(const SliderCrankInstant& at) {
-  const Words text = where_it_closes(crank_swings(at));
+  const Words text = where_it_closes(crank_swings(at), at.crank);
   if (!text.empty()) return text;
   return format_words("; it closes at no angle, as the guide passes {} m from A₀",
                       "; non si chiude ad alcun angolo, perché la guida passa a {} m da A₀",
@@ -155,9 +155,7 @@ SliderCrankInstant slider_crank_instant(const Givens& givens) {
 }
 
 void require_drivable(SliderCrankInstant& at) {
-  if (is_zero(at.n))
-    throw BadGivens("n = 0 rpm: the crank must turn, n must differ from 0",
-                    "n = 0 rpm: la manovella deve girare, n dev'essere diverso da 0");
+  require_turning(at.n, at.alpha_2);
   require_closure(at);
   at.pole_at_infinity = is_square_to_guide(at);
   at.dead_centre = is_dead_centre(at);

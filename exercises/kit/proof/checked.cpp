@@ -67,12 +67,21 @@ void compare_routes(CheckedExercise& checked, const CheckedQuantity& quantity) {
                               route_in_words(a->route), in_words(b->settled), route_in_words(b->route)));
 }
 
+// What several routes cannot tell for one reason is said once.
 void demand_settled(CheckedExercise& checked, const CheckedQuantity& quantity) {
-  for (const RouteValue& route : quantity.routes)
-    if (route.settled.kind == Settled::Kind::undecided)
-      complain(checked.undecided, quantity.spec.name,
-               format_words("undecided by {} ({})", "non decisa ({}: {})", route_in_words(route.route),
-                            route.settled.reason));
+  std::vector<std::pair<Words, Words>> open;  // routes and their reason
+  for (const RouteValue& route : quantity.routes) {
+    if (route.settled.kind != Settled::Kind::undecided) continue;
+    const auto same = std::find_if(open.begin(), open.end(),
+                                   [&](const auto& earlier) { return earlier.second == route.settled.reason; });
+    if (same == open.end())
+      open.emplace_back(route_in_words(route.route), route.settled.reason);
+    else
+      same->first = same->first + ", " + route_in_words(route.route);
+  }
+  for (const auto& [routes, reason] : open)
+    complain(checked.undecided, quantity.spec.name,
+             format_words("undecided by {} ({})", "non decisa ({}: {})", routes, reason));
 }
 
 // A true value midway between two doubles has no nearest one: no ball around it tells more than these two.

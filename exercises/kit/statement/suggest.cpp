@@ -10,24 +10,20 @@ namespace {
 // Enough to choose from, and still a sentence.
 constexpr std::size_t most_listed = 12, most_suggested = 3;
 
-std::string lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
-// Insertions, deletions and replacements that lead from one word to the other (Levenshtein).
+// Insertions, deletions, replacements and exchanges of two neighbours that lead from one word to the other.
 std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
+  std::vector<std::vector<std::size_t>> apart(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  std::iota(apart[0].begin(), apart[0].end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
+    apart[i][0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
+      const std::size_t replaced = apart[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      apart[i][j] = std::min({apart[i - 1][j] + 1, apart[i][j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        apart[i][j] = std::min(apart[i][j], apart[i - 2][j - 2] + 1);
     }
   }
-  return row.back();
+  return apart.back().back();
 }
 
 std::string join(const std::vector<std::string>& names, const std::string& before_last) {
@@ -37,12 +33,14 @@ std::string join(const std::vector<std::string>& names, const std::string& befor
   return text;
 }
 
-// Half of the letters may be wrong: two exchanged letters of a short word count twice.
+// A third of the letters may be wrong, and a name may be unfinished; one letter alone is no beginning.
 std::vector<std::string> near_names(const std::string& wrong, const std::vector<std::string>& known) {
+  const std::string typed = lower_case(wrong);
   std::vector<std::pair<std::size_t, std::string>> found;
   for (const std::string& name : known) {
-    const std::size_t apart = distance(lower_case(wrong), lower_case(name));
-    if (apart <= std::max(wrong.size(), name.size()) / 2) found.emplace_back(apart, name);
+    const bool is_begun = typed.size() > 1 && lower_case(name).starts_with(typed);
+    const std::size_t apart = is_begun ? 0 : distance(typed, lower_case(name));
+    if (apart <= std::max(typed.size(), name.size()) / 3) found.emplace_back(apart, name);
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> names;
@@ -52,6 +50,12 @@ std::vector<std::string> near_names(const std::string& wrong, const std::vector<
 }
 
 }  // namespace
+
+std::string lower_case(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
 
 Words alternatives(const std::vector<std::string>& names) { return {join(names, " or "), join(names, " o ")}; }
 

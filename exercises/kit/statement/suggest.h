@@ -1,4 +1,4 @@
-// What to say when a name is not known.
+// Reading names, and what to say when one is not known.
 #pragma once
 
 #include <string>
@@ -8,9 +8,13 @@
 
 namespace epure {
 
-// "did you mean omega_3?" for the known names nearest to `wrong` (at most three); when none is near, "known are: "
-// and the names, or the first of them when there are many. No full stop and no capital: the end of a sentence.
+// "did you mean omega_3?" for the known names that `wrong` begins, or that are nearest to it (at most three); when
+// none is near, "known are: " and the names, or the first of them when there are many. No full stop and no capital:
+// the end of a sentence.
 Words did_you_mean(const std::string& wrong, const std::vector<std::string>& known);
+
+// Without capitals: A to Z only, as names have no others.
+std::string lower_case(std::string text);
 
 // "a, b or c".
 Words alternatives(const std::vector<std::string>& names);
