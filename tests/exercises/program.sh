@@ -76,6 +76,18 @@ for bytes in 80000000 110000000; do
   expect 'and nothing is written' '' "$(ls none 2> /dev/null)"
 done
 
+# The same with too few threads. Nothing limits those of root.
+one_thread() {
+  if [ "$(id -u)" = 0 ]; then setpriv --reuid=65534 --regid=65534 --clear-groups prlimit --nproc=1 "$@"
+  else prlimit --nproc=1 "$@"; fi
+}
+if one_thread "$epure" --version > /dev/null 2>&1; then
+  one_thread "$epure" draw "$first" --out none > said 2>&1
+  expect 'want of threads is exit 3' 3 $?
+  expect 'and said in one line' 1 "$(grep -c '^epure: too few threads' said)"
+  expect 'and nothing else is' 1 "$(wc -l < said)"
+fi
+
 EPURE_LANG=it "$epure" list > italian
 "$epure" list --lang it | cmp - italian
 expect 'EPURE_LANG stands for --lang' 0 $?
