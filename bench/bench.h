@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "bench/results.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 
 namespace epure::bench {
 

@@ -8,7 +8,7 @@
 
 #include "bench/timing.h"
 #include "drawings/page.h"
-#include "exercises/kit/panels/place.h"
+#include "exercises/kit/proof/place.h"
 #include "geometry/curves/four_bar_loci.h"
 #include "geometry/curves/polodes.h"
 #include "geometry/curves/roulettes.h"

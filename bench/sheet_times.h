@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bench/results.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 
 namespace epure::bench {
 

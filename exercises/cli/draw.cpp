@@ -5,6 +5,7 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <mutex>
 #include <ostream>
 #include <set>
 
@@ -16,11 +17,25 @@
 #include "exercises/cli/request.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/panels/fit.h"
+#include "exercises/kit/proof/solution.h"
 
 namespace epure {
 namespace {
 
 using drawings::File;
+
+// An exercise with its givens. Its sheets are drawn by several threads: the first of them solves it for all.
+struct Solving {
+  const Exercise* exercise;
+  Givens givens;
+  std::once_flag once = {};
+  std::optional<Solution> found = {};
+
+  const Solution& solution() {
+    std::call_once(once, [&] { found = exercise->solution(givens); });
+    return *found;
+  }
+};
 
 // A sheet of an exercise, each once, and what became of it. Layout and labels' places serve both formats.
 struct DrawnSheetOf {
@@ -47,12 +62,15 @@ class Drawing {
       drawn_.push_back({target, {}});
       for (const std::string& sheet : target.sheets()) drawn_.back().sheets.push_back(add(*target.exercise, sheet));
     }
+    std::deque<Solving> solving;
+    for (std::size_t i = 0; i < exercises.size(); ++i) solving.emplace_back(exercises[i], givens[i]);
     const SheetRequest request = sheet_request(options);
     abreast(sheets_.size(), [&](std::size_t i) {
       DrawnSheetOf& each = sheets_[i];
-      const auto of = std::find(exercises.begin(), exercises.end(), each.exercise) - exercises.begin();
+      const auto of = std::find_if(solving.begin(), solving.end(),
+                                   [&](const Solving& one) { return one.exercise == each.exercise; });
       try {
-        each.page = compose(each, givens[static_cast<std::size_t>(of)], request);
+        each.page = compose(each, *of, request);
       } catch (const geometry::Undecided& open) {
         each.undecided = open.words();
       } catch (const DoesNotFit& why) {
@@ -125,10 +143,10 @@ class Drawing {
     return &sheets_.emplace_back(DrawnSheetOf{&exercise, name});
   }
 
-  static drawings::Page compose(const DrawnSheetOf& wanted, const Givens& givens, const SheetRequest& request) {
+  static drawings::Page compose(const DrawnSheetOf& wanted, Solving& solving, const SheetRequest& request) {
     const auto construct = [&] {
       const drawings::Timed timed(drawings::Work::construction);
-      return wanted.exercise->draw(wanted.name, givens, request).sheet;
+      return wanted.exercise->draw(wanted.name, solving.solution(), request).sheet;
     };
     return drawings::compose(construct());
   }

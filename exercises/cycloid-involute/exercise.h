@@ -6,7 +6,7 @@
 #pragma once
 
 #include "exercises/kit/panels/plot.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 #include "geometry/curves/roulettes.h"
 #include "geometry/motion/cycloid_by_arc.h"
 
@@ -15,7 +15,7 @@ namespace epure::cycloid_involute {
 using geometry::Angle;
 
 std::vector<GivenSpec> given_specs();
-std::vector<QuantitySpec> quantity_specs();
+std::vector<Quantity> quantity_specs();
 std::vector<Printed> printed_by_the_source();
 
 // |dM/dφ| / r of the involute's equations as the source prints them, x = r (cos φ - φ sin φ). That of an involute is

@@ -13,8 +13,8 @@ struct NamedInstant {
 };
 
 // "#" in the symbol stands for the instant.
-QuantitySpec at(const NamedInstant& instant, const std::string& name, std::string symbol, const std::string& unit,
-                const Words& meaning) {
+Quantity at(const NamedInstant& instant, const std::string& name, std::string symbol, const std::string& unit,
+            const Words& meaning) {
   symbol.replace(symbol.find('#'), 1, instant.subscript);
   return {instant.names(name),
           symbol,
@@ -22,32 +22,32 @@ QuantitySpec at(const NamedInstant& instant, const std::string& name, std::strin
           {meaning.english + instant.when.english, meaning.italian + instant.when.italian}};
 }
 
-std::vector<QuantitySpec> place(const NamedInstant& of) {
+std::vector<Quantity> place(const NamedInstant& of) {
   return {at(of, "x_M", "$x_{M#}$", "m", {"abscissa of M", "ascissa di M"}),
           at(of, "y_M", "$y_{M#}$", "m", {"ordinate of M", "ordinata di M"}),
           at(of, "P0M", "$P_{0}M_{#}$", "m", {"distance of M from the contact P₀", "distanza di M dal contatto P₀"})};
 }
 
-std::vector<QuantitySpec> velocity(const NamedInstant& of) {
+std::vector<Quantity> velocity(const NamedInstant& of) {
   return {at(of, "v_M", "$v_{M#}$", "m/s", {"speed of M", "velocità di M"}),
           at(of, "v_M_x", "$v_{M#x}$", "m/s", {"velocity of M, along x", "velocità di M, lungo x"}),
           at(of, "v_M_y", "$v_{M#y}$", "m/s", {"velocity of M, along y", "velocità di M, lungo y"})};
 }
 
-std::vector<QuantitySpec> acceleration_of_M(const NamedInstant& of) {
+std::vector<Quantity> acceleration_of_M(const NamedInstant& of) {
   return {at(of, "a_M", "$a_{M#}$", "m/s^2", {"acceleration of M", "accelerazione di M"}),
           at(of, "a_M_x", "$a_{M#x}$", "m/s^2", {"acceleration of M, along x", "accelerazione di M, lungo x"}),
           at(of, "a_M_y", "$a_{M#y}$", "m/s^2", {"acceleration of M, along y", "accelerazione di M, lungo y"}),
           at(of, "a_n", "$a^{n}_{M#}$", "m/s^2", {"normal part of a_M", "parte normale di a_M"})};
 }
 
-QuantitySpec along(const NamedInstant& of) {
+Quantity along(const NamedInstant& of) {
   return at(
       of, "a_t", "$a^{t}_{M#}$", "m/s^2",
       {"tangential part of a_M, positive along the motion", "parte tangenziale di a_M, positiva nel senso del moto"});
 }
 // Two numbers at a cusp, else twice the same.
-std::vector<QuantitySpec> along_on_both_sides(const NamedInstant& of) {
+std::vector<Quantity> along_on_both_sides(const NamedInstant& of) {
   return {at(of, "a_t", "$a^{t−}_{M#}$", "m/s^2",
              {"tangential part of a_M just before the instant, which is a cusp if the sides differ",
               "parte tangenziale di a_M subito prima dell'istante, una cuspide se i due lati differiscono"}),
@@ -55,7 +55,7 @@ std::vector<QuantitySpec> along_on_both_sides(const NamedInstant& of) {
              {"tangential part of a_M just after the instant", "parte tangenziale di a_M subito dopo l'istante"})};
 }
 
-std::vector<QuantitySpec> curvature(const NamedInstant& of) {
+std::vector<Quantity> curvature(const NamedInstant& of) {
   return {
       at(of, "rho_M", "$ρ_{M#}$", "m", {"radius of curvature of the path", "raggio di curvatura della traiettoria"}),
       at(of, "curvature_centre_x", "$x_{Ω#}$", "m",
@@ -64,14 +64,14 @@ std::vector<QuantitySpec> curvature(const NamedInstant& of) {
          {"ordinate of the centre of curvature", "ordinata del centro di curvatura"})};
 }
 
-std::vector<QuantitySpec> sides(const NamedInstant& of) {
-  std::vector<QuantitySpec> both = along_on_both_sides(of);
+std::vector<Quantity> sides(const NamedInstant& of) {
+  std::vector<Quantity> both = along_on_both_sides(of);
   both[0].name += "_before_cusp";
   both[1].name += "_after_cusp";
   return both;
 }
 
-std::vector<QuantitySpec> cycloid_at_phi() {
+std::vector<Quantity> cycloid_at_phi() {
   const NamedInstant phi{at_phi, "φ", {", at φ", ", a φ"}};
   return joined(
       {{at(phi, "time_at_phi", "$t_{#}$", "s", {"time", "tempo"})},
@@ -95,7 +95,7 @@ std::vector<QuantitySpec> cycloid_at_phi() {
         metres("cycloid.arch_length", "$s_{0}$", {"length of an arch", "lunghezza di un arco di cicloide"})}});
 }
 
-std::vector<QuantitySpec> cycloid_at_s() {
+std::vector<Quantity> cycloid_at_s() {
   const NamedInstant s{at_s, "s", {", when s has been travelled", ", percorso lo spazio s"}};
   return joined({{at(s, "phi", "$φ_{#}$", "rad", {"angle of the wheel", "angolo della ruota"}),
                   at(s, "t", "$t_{#}$", "s", {"time", "tempo"})},
@@ -107,7 +107,7 @@ std::vector<QuantitySpec> cycloid_at_s() {
                  curvature(s)});
 }
 
-std::vector<QuantitySpec> involute_at(const NamedInstant& t) {
+std::vector<Quantity> involute_at(const NamedInstant& t) {
   return joined({{at(t, "phi", "$φ_{#}$", "rad", {"angle of the line", "angolo della retta"})},
                  place(t),
                  {at(t, "arc_length", "$s_{#}$", "m", {"arc travelled", "arco percorso"})},
@@ -178,7 +178,7 @@ std::vector<GivenSpec> given_specs() {
           angle_of_line("phi_2", "t2", "$φ_{2}$")};
 }
 
-std::vector<QuantitySpec> quantity_specs() {
+std::vector<Quantity> quantity_specs() {
   return joined({cycloid_at_phi(), cycloid_at_s(), involute_at({at_t1, "1", {", at t₁", ", a t₁"}}),
                  involute_at({at_t2, "2", {", at t₂", ", a t₂"}})});
 }

@@ -2,6 +2,7 @@
 
 #include "exercises/kit/linkages/four_bar_routes.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/proof/solution.h"
 
 namespace epure {
 namespace four_bar_analytic {
@@ -35,7 +36,8 @@ class FourBarAnalytic : public Exercise {
     return four_bar_analytic::solve(problem(givens), rung);
   }
 
-  DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
+  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
+    const Givens& givens = solution.givens();
     const Drawn figure = drawn(problem(givens));
     DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
     if (sheet == "configurations") draw_configurations(onto, figure, request);

@@ -6,7 +6,7 @@
 #include "exercises/kit/linkages/four_bar_figure.h"
 #include "exercises/kit/linkages/four_bar_instant.h"
 #include "exercises/kit/panels/rounded.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 
 namespace epure::four_bar_analytic {
 
@@ -31,7 +31,7 @@ geometry::Point<T> coupler_point(const Problem& of, const geometry::FourBar<T>& 
 std::vector<GivenSpec> givens();
 Problem problem(const Givens& givens);
 
-std::vector<QuantitySpec> quantities();
+std::vector<Quantity> quantities();
 std::vector<Printed> printed_by_the_source();
 std::vector<RouteValue> solve(const Problem& of, Rung rung);
 

@@ -5,8 +5,8 @@
 namespace epure::four_bar_analytic {
 namespace {
 
-std::vector<QuantitySpec> on_the_other_branch(std::vector<QuantitySpec> specs) {
-  for (QuantitySpec& spec : specs) {
+std::vector<Quantity> on_the_other_branch(std::vector<Quantity> specs) {
+  for (Quantity& spec : specs) {
     spec.name += "_other_branch";
     spec.symbol = spec.symbol.substr(0, spec.symbol.size() - 1) + "'$";
     spec.meaning = {spec.meaning.english + ", other configuration", spec.meaning.italian + ", altra configurazione"};
@@ -14,14 +14,14 @@ std::vector<QuantitySpec> on_the_other_branch(std::vector<QuantitySpec> specs) {
   return specs;
 }
 
-std::vector<QuantitySpec> positions() {
+std::vector<Quantity> positions() {
   return joined({coordinates("A", "A", {"A", "A"}), coordinates("B", "B", {"B", "B"}),
                  coordinates("G2", "G2", {"the midpoint of A₀A", "G2, mezzeria di A₀A"}),
                  coordinates("G3", "G3", {"the midpoint of AB", "G3, mezzeria di AB"}),
                  coordinates("G4", "G4", {"the midpoint of B₀B", "G4, mezzeria di B₀B"})});
 }
 
-std::vector<QuantitySpec> pins() {
+std::vector<Quantity> pins() {
   return joined({{speed("v_A", "$v_{A}$", {"speed of A", "velocità di A"}),
                   speed("v_BA", "$v_{BA}$", {"speed of B relative to A", "velocità di B relativa ad A"})},
                  components("v_B", "v", "B", "m/s", {"velocity of B", "velocità di B"}),
@@ -35,7 +35,7 @@ std::vector<QuantitySpec> pins() {
                  components("a_B", "a", "B", "m/s^2", {"acceleration of B", "accelerazione di B"})});
 }
 
-std::vector<QuantitySpec> parts_of_G3() {
+std::vector<Quantity> parts_of_G3() {
   return {
       acceleration("a_G3_component_along_AB", "$a_{G3}·u_{AB}$",
                    {"component of G₃'s acceleration along A → B", "componente dell'accelerazione di G₃ lungo A → B"}),
@@ -52,9 +52,9 @@ std::vector<QuantitySpec> parts_of_G3() {
                    {"tangential part of G₃'s relative to A", "parte tangenziale di G₃ rispetto ad A"})};
 }
 
-std::vector<QuantitySpec> of_a_turn() {
+std::vector<Quantity> of_a_turn() {
   const auto of_crank = [](const std::string& name, const std::string& index, const Words& meaning) {
-    return QuantitySpec{name, "$θ_{2," + index + "}$", "deg", meaning};
+    return Quantity{name, "$θ_{2," + index + "}$", "deg", meaning};
   };
   return {{"omega_4_max",
            "$ω_{4,max}$",
@@ -76,7 +76,7 @@ std::vector<QuantitySpec> of_a_turn() {
                     "anomalia della manovella al secondo punto morto del bilanciere"})};
 }
 
-std::vector<QuantitySpec> of_P() {
+std::vector<Quantity> of_P() {
   return joined({coordinates("P", "P", {"the coupler point P", "P, punto di biella"}),
                  components("v_P", "v", "P", "m/s", {"velocity of P", "velocità di P"}),
                  components("a_P", "a", "P", "m/s^2", {"acceleration of P", "accelerazione di P"}),
@@ -85,8 +85,8 @@ std::vector<QuantitySpec> of_P() {
 
 }  // namespace
 
-std::vector<QuantitySpec> quantities() {
-  const QuantitySpec omega_2{
+std::vector<Quantity> quantities() {
+  const Quantity omega_2{
       "omega_2", "$ω_{2}$", "rad/s", {"angular velocity of the crank", "velocità angolare della manovella"}};
   return joined({{omega_2},
                  link_angle_quantities(),

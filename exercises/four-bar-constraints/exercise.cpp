@@ -3,12 +3,13 @@
 #include <cmath>
 
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/proof/solution.h"
 
 namespace epure {
 namespace four_bar_constraints {
 
-std::vector<QuantitySpec> quantities() {
-  const QuantitySpec determinant{
+std::vector<Quantity> quantities() {
+  const Quantity determinant{
       "jacobian_determinant_psi_y",
       "$det ψ_{y}$",
       "m^2",
@@ -76,7 +77,8 @@ class FourBarConstraints : public Exercise {
     return four_bar_constraints::solve(problem(givens), rung);
   }
 
-  DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
+  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
+    const Givens& givens = solution.givens();
     const Drawn figure = drawn(problem(givens));
     DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
     if (sheet == "iterations") draw_iterations(onto, figure, request);

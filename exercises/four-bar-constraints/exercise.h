@@ -6,7 +6,7 @@
 #include "exercises/kit/linkages/four_bar_instant.h"
 #include "exercises/kit/linkages/four_bar_on_x.h"
 #include "exercises/kit/panels/rounded.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 #include "geometry/analytic/constraints.h"
 
 namespace epure::four_bar_constraints {
@@ -20,7 +20,7 @@ std::vector<GivenSpec> givens();
 // steps.
 Problem problem(const Givens& givens);
 
-std::vector<QuantitySpec> quantities();
+std::vector<Quantity> quantities();
 std::vector<Printed> printed_by_the_source();
 std::vector<RouteValue> solve(const Problem& of, Rung rung);
 

@@ -155,7 +155,7 @@ struct Routes {
     Ledger<double> names("");
     write_configuration(names, 0.0, 0.0, 0.0);
     write(names, Found<double>{});
-    for (const auto& [quantity, route] : names.keys())
+    for (const auto& [quantity, route, described] : names.entries())
       ledger.put(quantity, [&]() -> T { throw geometry::Undecided(why); });
   }
 };

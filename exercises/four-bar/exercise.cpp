@@ -2,6 +2,7 @@
 
 #include "exercises/four-bar/figure.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/proof/solution.h"
 
 namespace epure {
 namespace four_bar {
@@ -59,7 +60,8 @@ class FourBarExercise : public Exercise {
     return four_bar::solve(problem(givens), rung);
   }
 
-  DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
+  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
+    const Givens& givens = solution.givens();
     const Problem of = problem(givens);
     DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
     if (sheet == "dead-centres") {

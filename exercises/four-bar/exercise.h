@@ -4,7 +4,7 @@
 #pragma once
 
 #include "exercises/kit/linkages/four_bar_instant.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 
 namespace epure::four_bar {
 
@@ -17,7 +17,7 @@ struct Problem {
 std::vector<GivenSpec> givens();
 Problem problem(const Givens& givens);
 
-std::vector<QuantitySpec> quantities();
+std::vector<Quantity> quantities();
 std::vector<Printed> printed_by_the_source();
 std::vector<RouteValue> solve(const Problem& of, Rung rung);
 

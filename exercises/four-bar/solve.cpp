@@ -8,7 +8,7 @@ namespace {
 // Every quantity whose name begins so does not exist: `why` by the construction, `analysis` by the closed formulas.
 std::vector<RouteValue> absent(const std::string& prefix, const Words& why, const Words& analysis) {
   std::vector<RouteValue> values;
-  for (const QuantitySpec& spec : quantities()) {
+  for (const Quantity& spec : quantities()) {
     if (!spec.name.starts_with(prefix)) continue;
     for (const auto& [route, reason] : {std::pair{"construction", why}, std::pair{"analytic", analysis}})
       values.push_back({spec.name, route, {.kind = geometry::Settled::Kind::absent, .reason = reason}});

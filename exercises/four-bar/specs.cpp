@@ -6,21 +6,21 @@
 namespace epure::four_bar {
 namespace {
 
-QuantitySpec radians(const std::string& name, const std::string& symbol, const Words& meaning) {
+Quantity radians(const std::string& name, const std::string& symbol, const Words& meaning) {
   return {name, symbol, "rad", meaning};
 }
-QuantitySpec degrees(const std::string& name, const std::string& symbol, const Words& meaning) {
+Quantity degrees(const std::string& name, const std::string& symbol, const Words& meaning) {
   return {name, symbol, "deg", meaning};
 }
 
 const Words coupler_angle{"direction from A to B", "direzione da A a B"};
 const Words rocker_angle{"direction from B₀ to B", "direzione da B₀ a B"};
 
-std::vector<QuantitySpec> pins() {
+std::vector<Quantity> pins() {
   return joined({coordinates("A", "A", {"A", "A"}), coordinates("B", "B", {"B", "B"})});
 }
 
-std::vector<QuantitySpec> position() {
+std::vector<Quantity> position() {
   return joined(
       {{{"omega_2", "$ω_{2}$", "rad/s", {"angular velocity of the crank", "velocità angolare della manovella"}},
         radians("crank_angle_phi", "$φ$", {"angle of the crank", "angolo della manovella"}),
@@ -32,7 +32,7 @@ std::vector<QuantitySpec> position() {
        {radians("coupler_angle", "$ϑ_{3}$", coupler_angle), radians("rocker_angle", "$ϑ_{4}$", rocker_angle)}});
 }
 
-std::vector<QuantitySpec> velocities() {
+std::vector<Quantity> velocities() {
   return joined(
       {{speed("v_A", "$v_{A}$", {"velocity of A", "velocità di A"}),
         {"omega_3", "$ω_{3}$", "rad/s", {"angular velocity of the coupler", "velocità angolare della biella"}},
@@ -42,7 +42,7 @@ std::vector<QuantitySpec> velocities() {
        components("v_C", "v", "C", "m/s", {"velocity of C", "velocità di C"})});
 }
 
-std::vector<QuantitySpec> accelerations() {
+std::vector<Quantity> accelerations() {
   return joined(
       {{{"alpha_3",
          "$α_{3}$",
@@ -72,12 +72,12 @@ std::vector<QuantitySpec> accelerations() {
        components("a_C", "a", "C", "m/s^2", {"acceleration of C", "accelerazione di C"})});
 }
 
-std::vector<QuantitySpec> second_order() {
+std::vector<Quantity> second_order() {
   return joined({velocities(), pole_quantities("P31", "P_{31}", {"A", "B", "C"}), accelerations(),
                  acceleration_pole_quantities({"A", "B", "C"}), circle_quantities(), curvature_quantities("C", "C")});
 }
 
-std::vector<QuantitySpec> mirror_side() {
+std::vector<Quantity> mirror_side() {
   return in_case(
       "mirror_side_", {"C on the other side of AB", "C dall'altra parte di AB"},
       joined({coordinates("C", "C", {"C", "C"}),
@@ -88,7 +88,7 @@ std::vector<QuantitySpec> mirror_side() {
                metres("P31C", "$P_{31}C$", {"distance of C from the pole", "distanza di C dal polo"})}}));
 }
 
-std::vector<QuantitySpec> stroke() {
+std::vector<Quantity> stroke() {
   return {radians("rocker_swing", "$Δϑ_{4}$",
                   {"swing of the rocker between its dead centres", "ampiezza del moto del bilanciere"}),
           radians("crank_rotation_extended_to_folded", "$Δφ$",
@@ -101,13 +101,13 @@ std::vector<QuantitySpec> stroke() {
 }
 
 // The directions of the crank, which no given states here.
-std::vector<QuantitySpec> crank_found() {
+std::vector<Quantity> crank_found() {
   return {radians("crank_angle", "$φ$", {"angle of the crank, from 0 to 2π", "angolo della manovella, da 0 a 2π"}),
           degrees("crank_angle_deg", "$φ$",
                   {"angle of the crank, from 0° to 360°", "angolo della manovella, da 0° a 360°"})};
 }
 
-std::vector<QuantitySpec> dead_centre() {
+std::vector<Quantity> dead_centre() {
   return joined(
       {crank_found(),
        {radians("coupler_angle", "$ϑ_{3}$", coupler_angle), radians("rocker_angle", "$ϑ_{4}$", rocker_angle),
@@ -117,11 +117,11 @@ std::vector<QuantitySpec> dead_centre() {
        second_order()});
 }
 
-std::vector<QuantitySpec> parallel() { return joined({crank_found(), pins(), link_rate_quantities()}); }
+std::vector<Quantity> parallel() { return joined({crank_found(), pins(), link_rate_quantities()}); }
 
-std::vector<QuantitySpec> slider_crank() {
+std::vector<Quantity> slider_crank() {
   const auto pure = [](const std::string& name, const std::string& symbol, const Words& meaning) {
-    return QuantitySpec{"slider_crank_ratio_3." + name, symbol, "1", meaning};
+    return Quantity{"slider_crank_ratio_3." + name, symbol, "1", meaning};
   };
   return {
       pure("B_x_over_r", "$x_{B}/r$", {"abscissa of B", "ascissa di B"}),
@@ -144,7 +144,7 @@ std::vector<QuantitySpec> slider_crank() {
 
 }  // namespace
 
-std::vector<QuantitySpec> quantities() {
+std::vector<Quantity> quantities() {
   return joined({position(), second_order(), mirror_side(), stroke(),
                  in_case("dead_centre_extended.",
                          {"rocker's dead centre, extended", "punto morto esteso del bilanciere"}, dead_centre()),

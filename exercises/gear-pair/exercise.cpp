@@ -7,6 +7,7 @@
 #include "exercises/gear-pair/fault_words.h"
 #include "exercises/gear-pair/quantities.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/proof/solution.h"
 #include "exercises/kit/proof/verdict.h"
 
 namespace epure {
@@ -45,7 +46,8 @@ class GearPairExercise : public Exercise {
     return all;
   }
 
-  DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
+  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
+    const Givens& givens = solution.givens();
     const DrawnPair pair = drawn_pair(pair_of(givens), speed_of(givens));
     const Differences differences = givens.as_stated() ? differences_of_source(givens) : Differences{};
     const std::set<std::string> without_part = pair.is_rack() ? std::set<std::string>{"z2"} : std::set<std::string>{};
@@ -57,9 +59,9 @@ class GearPairExercise : public Exercise {
   }
 
  private:
-  const QuantitySpec& quantity(const std::string& name) const {
+  const Quantity& quantity(const std::string& name) const {
     return *std::find_if(about_.quantities.begin(), about_.quantities.end(),
-                         [&](const QuantitySpec& spec) { return spec.name == name; });
+                         [&](const Quantity& spec) { return spec.name == name; });
   }
 
   Differences differences_of_source(const Givens& givens) const {

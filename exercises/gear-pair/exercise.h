@@ -8,7 +8,7 @@ namespace epure::gear_pair {
 
 // A number of the source that is not the quantity's, which is `value`.
 struct Difference {
-  QuantitySpec quantity;
+  Quantity quantity;
   std::string printed;
   double value;
   std::optional<Words> explanation;

@@ -1,13 +1,13 @@
 // What is given of the pair, read and refused.
 #pragma once
 
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 #include "geometry/gears/pair_data.h"
 
 namespace epure::gear_pair {
 
 std::vector<GivenSpec> givens();
-std::vector<QuantitySpec> quantities();
+std::vector<Quantity> quantities();
 std::vector<Printed> printed_by_the_source();
 
 // Throws BadGivens for what is no pair of gears: the sentence names the given and the condition. A pair that is only

@@ -9,17 +9,17 @@ GivenSpec profile(const std::string& symbol, const Words& meaning, const std::st
   return {symbol, meaning, "1", stated, range, letters, {}, symbol != "ha" && symbol != "hf" && symbol != "rho"};
 }
 
-QuantitySpec metres(const std::string& name, const std::string& symbol, const Words& meaning) {
+Quantity metres(const std::string& name, const std::string& symbol, const Words& meaning) {
   return {name, symbol, "m", meaning};
 }
-QuantitySpec pure(const std::string& name, const std::string& symbol, const Words& meaning) {
+Quantity pure(const std::string& name, const std::string& symbol, const Words& meaning) {
   return {name, symbol, "1", meaning};
 }
-QuantitySpec degrees(const std::string& name, const std::string& symbol, const Words& meaning) {
+Quantity degrees(const std::string& name, const std::string& symbol, const Words& meaning) {
   return {name, symbol, "deg", meaning};
 }
 
-using Specs = std::vector<QuantitySpec>;
+using Specs = std::vector<Quantity>;
 
 Words on_wheel(const Words& what, const std::string& wheel) {
   return {what.english + " of wheel " + wheel, what.italian + " della ruota " + wheel};
@@ -187,7 +187,7 @@ std::vector<GivenSpec> givens() {
        .beyond_source = true}};
 }
 
-std::vector<QuantitySpec> quantities() {
+std::vector<Quantity> quantities() {
   Specs all = radii();
   for (const Specs& more : {heights(), contact(), sliding(), teeth_of("1"), teeth_of("2"), limits()})
     all.insert(all.end(), more.begin(), more.end());

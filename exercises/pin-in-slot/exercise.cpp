@@ -1,6 +1,7 @@
 #include "exercises/pin-in-slot/exercise.h"
 
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/proof/solution.h"
 #include "exercises/pin-in-slot/quantities.h"
 
 namespace epure {
@@ -9,7 +10,7 @@ namespace {
 
 using geometry::Deep;
 
-std::vector<QuantitySpec> kinematic() {
+std::vector<Quantity> kinematic() {
   return {
       {"lever_angle", "$α$", "rad", {"angle of the lever from the guide", "angolo del glifo dalla guida"}},
       {"B_x", "$x_{B}$", "m", {"abscissa of B", "ascissa di B"}},
@@ -44,7 +45,7 @@ std::vector<QuantitySpec> kinematic() {
   };
 }
 
-std::vector<QuantitySpec> dynamic() {
+std::vector<Quantity> dynamic() {
   return {
       {"kinetic_energy", "$E_{k}$", "J", {"kinetic energy", "energia cinetica"}},
       {"kinetic_power", "$dE_{k}/dt$", "W", {"growth of the kinetic energy", "derivata dell'energia cinetica"}},
@@ -76,9 +77,9 @@ std::vector<QuantitySpec> dynamic() {
   };
 }
 
-std::vector<QuantitySpec> quantities() {
-  std::vector<QuantitySpec> all = kinematic();
-  for (const QuantitySpec& spec : dynamic()) all.push_back(spec);
+std::vector<Quantity> quantities() {
+  std::vector<Quantity> all = kinematic();
+  for (const Quantity& spec : dynamic()) all.push_back(spec);
   return all;
 }
 
@@ -105,7 +106,8 @@ class PinInSlot : public Exercise {
     return settle(Routes{instant(givens)}, rung);
   }
 
-  DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
+  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
+    const Givens& givens = solution.givens();
     const Drawn figure = drawn(instant(givens));
     DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
     if (sheet == "kinematics") draw_kinematics(onto, figure, request);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "exercises/kit/panels/rounded.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 #include "exercises/pin-in-slot/instant.h"
 
 namespace epure::pin_in_slot {

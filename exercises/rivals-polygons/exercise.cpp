@@ -1,6 +1,7 @@
 #include "exercises/rivals-polygons/exercise.h"
 
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/proof/solution.h"
 #include "exercises/rivals-polygons/quantities.h"
 
 namespace epure {
@@ -31,9 +32,9 @@ std::vector<GivenSpec> givens() {
            "$φ$"}};
 }
 
-std::vector<QuantitySpec> velocities() {
+std::vector<Quantity> velocities() {
   const auto speed = [](const std::string& name, const std::string& symbol, const Words& meaning) {
-    return QuantitySpec{name, symbol, "m/s", meaning};
+    return Quantity{name, symbol, "m/s", meaning};
   };
   return {speed("v_A", "$v_{A}$", {"speed of A", "velocità di A"}),
           speed("v_BA", "$v_{BA}$", {"speed of B relative to A", "velocità di B relativa ad A"}),
@@ -49,9 +50,9 @@ std::vector<QuantitySpec> velocities() {
           speed("v_G", "$v_{G}$", {"speed of G", "velocità di G"})};
 }
 
-std::vector<QuantitySpec> accelerations() {
+std::vector<Quantity> accelerations() {
   const auto acceleration = [](const std::string& name, const std::string& symbol, const Words& meaning) {
-    return QuantitySpec{name, symbol, "m/s^2", meaning};
+    return Quantity{name, symbol, "m/s^2", meaning};
   };
   return {
       acceleration("a_A_n", "$a^{n}_{A}$", {"normal acceleration of A", "accelerazione normale di A"}),
@@ -80,9 +81,9 @@ std::vector<QuantitySpec> accelerations() {
                     "quella di B secondo la (1) della fonte: con a_A oltre alle sue due parti"})};
 }
 
-std::vector<QuantitySpec> quantities() {
-  std::vector<QuantitySpec> all = velocities();
-  for (const QuantitySpec& spec : accelerations()) all.push_back(spec);
+std::vector<Quantity> quantities() {
+  std::vector<Quantity> all = velocities();
+  for (const Quantity& spec : accelerations()) all.push_back(spec);
   return all;
 }
 
@@ -111,7 +112,8 @@ class RivalsPolygons : public Exercise {
     return settle(Routes{instant_of(givens)}, rung);
   }
 
-  DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
+  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
+    const Givens& givens = solution.givens();
     const Drawn figure = drawn(instant_of(givens));
     DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
     if (sheet == "velocity-of-B") draw_velocity_of_B(onto, figure, request);

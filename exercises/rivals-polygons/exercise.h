@@ -4,7 +4,7 @@
 
 #include "exercises/kit/linkages/slider_crank_instant.h"
 #include "exercises/kit/panels/polygon_picture.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 #include "exercises/rivals-polygons/mechanism.h"
 
 namespace epure::rivals_polygons {

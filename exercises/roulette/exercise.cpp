@@ -1,6 +1,7 @@
 #include "exercises/roulette/exercise.h"
 
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/proof/solution.h"
 
 namespace epure {
 namespace roulette {
@@ -34,7 +35,8 @@ class RouletteExercise : public Exercise {
     return solved(problem_of(givens), rung);
   }
 
-  DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
+  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
+    const Givens& givens = solution.givens();
     const Problem problem = problem_of(givens);
     DrawnSheet onto = blank_sheet(about_, sheet, givens, request, without_part(problem));
     if (sheet == "path") draw_path_sheet(onto, problem, request);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "exercises/kit/panels/plot.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 #include "geometry/analytic/roulette_formulas.h"
 #include "geometry/curves/roulettes.h"
 
@@ -16,7 +16,7 @@ using geometry::Angle;
 using geometry::Rolls;
 
 std::vector<GivenSpec> given_specs();
-std::vector<QuantitySpec> quantity_specs();
+std::vector<Quantity> quantity_specs();
 
 struct Problem {
   geometry::Rolling rolling;

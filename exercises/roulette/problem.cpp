@@ -53,7 +53,7 @@ std::vector<GivenSpec> given_specs() {
        "$α$"}};
 }
 
-std::vector<QuantitySpec> quantity_specs() {
+std::vector<Quantity> quantity_specs() {
   return {
       {"M_x", "$x_{M}$", "m", {"abscissa of M", "ascissa di M"}},
       {"M_y", "$y_{M}$", "m", {"ordinate of M", "ordinata di M"}},

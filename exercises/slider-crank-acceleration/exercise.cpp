@@ -2,6 +2,7 @@
 
 #include "exercises/kit/linkages/coupler_quantities.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/proof/solution.h"
 #include "exercises/slider-crank-acceleration/quantities.h"
 
 namespace epure {
@@ -10,7 +11,7 @@ namespace {
 
 using geometry::Deep;
 
-std::vector<QuantitySpec> accelerations() {
+std::vector<Quantity> accelerations() {
   return {acceleration("a_A", "$a_{A}$", {"acceleration of A", "accelerazione di A"}),
           {"alpha_3",
            "$α_{3}$",
@@ -35,7 +36,7 @@ std::vector<QuantitySpec> accelerations() {
           {"gamma", "$γ$", "rad", {"tan γ = α₃/ω₃²", "tan γ = α₃/ω₃²"}}};
 }
 
-std::vector<QuantitySpec> quantities() {
+std::vector<Quantity> quantities() {
   return joined({accelerations(), pole_quantities("P0", "P_{0}", {"C", "M"}),
                  acceleration_pole_quantities({"A", "B", "C", "M"}), circle_quantities(),
                  curvature_quantities("C", "C"), curvature_quantities("M", "M")});
@@ -66,7 +67,8 @@ class SliderCrankAcceleration : public Exercise {
     return settle(AccelerationRoutes{slider_crank_instant(givens)}, rung);
   }
 
-  DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
+  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
+    const Givens& givens = solution.givens();
     const auto figure = drawn(slider_crank_instant(givens));
     DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
     if (sheet == "polar-diagram") draw_polar_diagram(onto, *figure, request);

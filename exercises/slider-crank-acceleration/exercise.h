@@ -5,7 +5,7 @@
 #include "exercises/kit/linkages/slider_crank_figure.h"
 #include "exercises/kit/linkages/slider_crank_instant.h"
 #include "exercises/kit/panels/coupler_figure.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 
 namespace epure::slider_crank_acceleration {
 

@@ -1,13 +1,14 @@
 #include "exercises/slider-crank-velocity/exercise.h"
 
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/proof/solution.h"
 #include "exercises/slider-crank-velocity/quantities.h"
 
 namespace epure {
 namespace slider_crank_velocity {
 namespace {
 
-std::vector<QuantitySpec> quantities() {
+std::vector<Quantity> quantities() {
   return {
       {"omega_2", "$ω_{2}$", "rad/s", {"angular velocity of the crank", "velocità angolare della manovella"}},
       {"crank_angle_phi", "$φ$", "rad", {"crank angle from +x", "angolo di manovella da +x"}},
@@ -68,7 +69,8 @@ class SliderCrankVelocity : public Exercise {
     return settle(VelocityRoutes{slider_crank_instant(givens)}, rung);
   }
 
-  DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
+  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
+    const Givens& givens = solution.givens();
     const Drawn figure = drawn(slider_crank_instant(givens));
     DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
     if (sheet == "poles") draw_poles(onto, figure, request);

@@ -1,7 +1,12 @@
-#include "exercises/velocity-centre/exercise.h"
-
+// Exercise 4 of Pisa's machine design: a bar turns about a hinge O on a body that translates; velocity and
+// acceleration of its end A, and its velocity centre.
+#include "exercises/kit/panels/mechanism.h"
+#include "exercises/kit/panels/mechanism_panel.h"
+#include "exercises/kit/panels/panel_sheet.h"
+#include "exercises/kit/panels/poles_panel.h"
+#include "exercises/kit/panels/polygon_panel.h"
 #include "exercises/kit/panels/sheet.h"
-#include "exercises/velocity-centre/quantities.h"
+#include "exercises/velocity-centre/routes.h"
 
 namespace epure {
 namespace velocity_centre {
@@ -37,110 +42,162 @@ std::vector<GivenSpec> givens() {
            "$a$"}};
 }
 
-std::vector<QuantitySpec> velocities() {
-  return {
-      {"A_x", "$x_{A}$", "m", {"abscissa of A", "ascissa di A"}},
-      {"A_y", "$y_{A}$", "m", {"ordinate of A", "ordinata di A"}},
-      {"v_O", "$v_{O}$", "m/s", {"speed of O, which is the body's", "velocità di O, che è quella del corpo"}},
-      {"v_AO", "$v_{AO}$", "m/s", {"speed of A relative to O", "velocità di A relativa ad O"}},
-      {"v_A_x", "$v_{Ax}$", "m/s", {"velocity of A, along x", "velocità di A, lungo x"}},
-      {"v_A_y", "$v_{Ay}$", "m/s", {"velocity of A, along y", "velocità di A, lungo y"}},
-      {"v_A", "$v_{A}$", "m/s", {"speed of A", "velocità di A"}},
-      {"normal_slope",
-       "$m_{1}$",
-       "1",
-       {"slope of the normal to v_A", "coefficiente angolare della normale alla v_A"}},
-      {"P0_x", "$x_{P0}$", "m", {"abscissa of the velocity centre", "ascissa del centro delle velocità"}},
-      {"P0_y", "$y_{P0}$", "m", {"ordinate of the velocity centre", "ordinata del centro delle velocità"}},
-      {"P0O", "$P_{0}O$", "m", {"distance of O from the velocity centre", "distanza di O dal centro delle velocità"}},
-      {"P0A",
-       "$P_{0}A$",
-       "m",
-       {"distance of A from the velocity centre", "distanza di A dal centro delle velocità"}}};
+// The source calculated all of it; the velocity centre as the meet of two normals.
+std::vector<Printed> printed_by_the_source() {
+  return {{"A_x", "0.566", "analytic"},        {"A_y", "0.566", "analytic"},   {"v_A_x", "10.303", "analytic"},
+          {"v_A_y", "1.697", "analytic"},      {"a_A_x", "1.106", "analytic"}, {"a_A_y", "-6.788", "analytic"},
+          {"normal_slope", "-6.071", "poles"}, {"P0_y", "4", "poles"}};
 }
 
-std::vector<QuantitySpec> accelerations() {
-  return {
-      {"a_O",
-       "$a_{O}$",
-       "m/s^2",
-       {"acceleration of O, which is the body's", "accelerazione di O, che è quella del corpo"}},
-      {"a_AO_n", "$a^{n}_{AO}$", "m/s^2", {"normal part of A's relative to O", "parte normale di A rispetto ad O"}},
-      {"a_AO_t",
-       "$a^{t}_{AO}$",
-       "m/s^2",
-       {"tangential part of A's relative to O", "parte tangenziale di A rispetto ad O"}},
-      {"a_A_x", "$a_{Ax}$", "m/s^2", {"acceleration of A, along x", "accelerazione di A, lungo x"}},
-      {"a_A_y", "$a_{Ay}$", "m/s^2", {"acceleration of A, along y", "accelerazione di A, lungo y"}},
-      {"a_A", "$a_{A}$", "m/s^2", {"acceleration of A", "accelerazione di A"}},
-      {"K_x", "$x_{K}$", "m", {"abscissa of the acceleration centre", "ascissa del centro delle accelerazioni"}},
-      {"K_y", "$y_{K}$", "m", {"ordinate of the acceleration centre", "ordinata del centro delle accelerazioni"}},
-      {"KO", "$KO$", "m", {"distance of O from K", "distanza di O da K"}},
-      {"KA", "$KA$", "m", {"distance of A from K", "distanza di A da K"}}};
+std::shared_ptr<const Mechanism> bar_on_its_body(const Solution& s) {
+  const Instant instant(s.givens());
+  const double theta = sign_of(instant.angle) < 0 ? -geometry::to_double(within_one_turn(-instant.angle))
+                                                  : geometry::to_double(within_one_turn(instant.angle));
+  return std::make_shared<const Mechanism>(Mechanism()
+                                               .point("O", s.place("O"), Mechanism::Joint::block, "$O$")
+                                               .point("A", s.place("A"), Mechanism::Joint::none, "$A$")
+                                               .body({"O", "A"})
+                                               .guide("O", 0, "$x$")
+                                               .angle("O", 0, theta, "$θ$")
+                                               .turning("O", "A", sign_of(instant.omega), "$ω$"));
 }
 
-std::vector<QuantitySpec> quantities() {
-  std::vector<QuantitySpec> all = velocities();
-  for (const QuantitySpec& spec : accelerations()) all.push_back(spec);
-  return all;
+VectorPolygon velocities(const Solution& s) {
+  return velocity_polygon(
+      {side(s, velocity("A"), "?", "?")},
+      {side(s, velocity("O"), "∥ $x$", "$V$", "$o'$"), side(s, velocity("AO"), "⊥ $OA$", "$ω$·$OA$", "$a'$")});
 }
 
-Description description() {
-  return {.id = "velocity-centre",
-          .title = {"A bar on a translating body", "Una barra su un corpo che trasla"},
-          .document = "pisa",
-          .item = "Esercizio 4",
-          .source = {"Pisa, mid-term test of 14 June 2006, exercise 4",
-                     "Pisa, verifica intermedia del 14/6/2006, esercizio 4"},
-          .givens = givens(),
-          .sheets = {{"velocities", {"Velocity centre of the bar", "Centro delle velocità"}},
-                     {"accelerations", {"Acceleration of A", "Accelerazione di A"}},
-                     {"acceleration-pole", {"Acceleration centre K", "Centro delle accelerazioni K"}}},
-          .quantities = quantities(),
-          .printed = printed_by_the_source()};
+VectorPolygon accelerations(const Solution& s) {
+  PolygonSide tangential = side(s, tangential_acceleration("AO"), "⊥ $OA$", "d$ω$/d$t$·$OA$", "$a'$");
+  tangential.square = true;
+  return acceleration_polygon({side(s, acceleration("A"), "?", "?")},
+                              {side(s, acceleration("O"), "∥ $x$", "$a$", "$o'$"),
+                               side(s, normal_acceleration("AO"), "∥ $AO$", "$ω^{2}$·$OA$"), tangential});
 }
 
-class VelocityCentre : public Exercise {
- public:
-  const Description& about() const override { return about_; }
+Place between(const Place& P, const Place& Q) { return {P.x + 0.6 * (Q.x - P.x), P.y + 0.6 * (Q.y - P.y)}; }
 
-  std::vector<RouteValue> solve(const Givens& givens, Rung rung) const override {
-    return settle(Routes{instant_of(givens)}, rung);
+std::vector<PanelStep> steps_to_centre(const Solution& s) {
+  const Place O = s.place("O"), A = s.place("A");
+  switch (centre_of(Instant(s.givens()))) {
+    case Centre::by_two_normals: {
+      const Place P0 = s.place("P0");
+      const auto m = [&](Language language) { return figures(s.value("normal_slope").value_or(0), 4, language); };
+      return {
+          {{"$\\vec{v}_{O}$ and $\\vec{v}_{A}$ set off at $O$ and $A$. The normal to $\\vec{v}_{O}$ through $O$ is "
+            "the axis $y$.",
+            "$\\vec{v}_{O}$ e $\\vec{v}_{A}$ riportate in $O$ e in $A$. La normale alla $\\vec{v}_{O}$ per $O$ è "
+            "l'asse $y$."},
+           between(O, P0)},
+          {{"The normal to $\\vec{v}_{A}$ through $A$: its slope is $m_{1}$ = −$v_{Ax}$/$v_{Ay}$ = " +
+                m(Language::english) + ".",
+            "La normale alla $\\vec{v}_{A}$ per $A$, di coefficiente angolare $m_{1}$ = −$v_{Ax}$/$v_{Ay}$ = " +
+                m(Language::italian) + "."},
+           between(A, P0)},
+          {{"The velocity centre $P_{0}$ lies on both: $P_{0}O$ = $V$/$ω$, $v_{A}$ = $ω$·$P_{0}A$.",
+            "Il centro delle velocità $P_{0}$ sta su entrambe: $P_{0}O$ = $V$/$ω$, $v_{A}$ = $ω$·$P_{0}A$."},
+           P0}};
+    }
+    case Centre::by_the_tips: {
+      const Place P0 = s.place("P0");
+      return {{{"$\\vec{v}_{A}$ is parallel to $\\vec{v}_{O}$: the line $OA$ is normal to both.",
+                "La $\\vec{v}_{A}$ è parallela alla $\\vec{v}_{O}$: la retta $OA$ è normale a entrambe."},
+               between(O, P0)},
+              {{"The line through the tips of the two vectors meets it in the velocity centre $P_{0}$.",
+                "La retta per gli estremi dei due vettori la incontra nel centro delle velocità $P_{0}$."},
+               P0}};
+    }
+    case Centre::is_O:
+      return {{{"$V$ = 0: $O$ rests, and is the velocity centre $P_{0}$. $v_{A}$ = $ω$·$OA$.",
+                "$V$ = 0: $O$ è fermo, ed è il centro delle velocità $P_{0}$. $v_{A}$ = $ω$·$OA$."},
+               O}};
+    case Centre::at_infinity:
+      return {
+          {{"$ω$ = 0: $\\vec{v}_{A}$ = $\\vec{v}_{O}$, the two normals are parallel. The bar translates: its "
+            "velocity centre is at infinity.",
+            "$ω$ = 0: $\\vec{v}_{A}$ = $\\vec{v}_{O}$, le due normali sono parallele. La barra trasla: il centro "
+            "delle velocità è all'infinito."}}};
+    case Centre::everywhere:
+      break;
   }
+  return {{{"$ω$ = 0 and $V$ = 0: the bar rests, and no point of it is the velocity centre more than another.",
+            "$ω$ = 0 e $V$ = 0: la barra è ferma, e nessun suo punto è centro delle velocità più di un altro."}}};
+}
 
-  DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override {
-    const auto figure = drawn(instant_of(givens));
-    DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
-    if (sheet == "velocities") draw_velocities(onto, *figure, request);
-    if (sheet == "accelerations") draw_accelerations(onto, *figure, request);
-    if (sheet == "acceleration-pole") draw_acceleration_pole(onto, *figure, request);
-    return onto;
-  }
+std::vector<PanelStep> steps_to_accelerations(const Solution& s) {
+  const std::optional<Place> K = s.point("K");
+  if (!K)
+    return {{{"$ω$ and d$ω$/d$t$ are zero: every point has the acceleration of $O$, and $K$ is at infinity.",
+              "$ω$ e d$ω$/d$t$ sono nulle: ogni punto ha l'accelerazione di $O$, e $K$ è all'infinito."}}};
+  const Place O = s.place("O"), A = s.place("A");
+  return {
+      {{"Rays through $O$ and $A$, at the angle $γ$ to $\\vec{a}_{O}$ and to $\\vec{a}_{A}$, tan $γ$ = "
+        "(d$ω$/d$t$)/$ω^{2}$: they meet in $K$, where the acceleration is zero.",
+        "Raggi per $O$ e per $A$, all'angolo $γ$ dalla $\\vec{a}_{O}$ e dalla $\\vec{a}_{A}$, tan $γ$ = "
+        "(d$ω$/d$t$)/$ω^{2}$: si incontrano in $K$, dove l'accelerazione è nulla."},
+       *K},
+      {{"$a_{O}$ = $KO$·√($ω^{4}$ + (d$ω$/d$t$)$^{2}$).", "$a_{O}$ = $KO$·√($ω^{4}$ + (d$ω$/d$t$)$^{2}$)."},
+       between(*K, O)},
+      {{"So is $a_{A}$ with $KA$: $a_{A}$ : $a_{O}$ = $KA$ : $KO$.",
+        "Così $a_{A}$ con $KA$: $a_{A}$ : $a_{O}$ = $KA$ : $KO$."},
+       between(*K, A)},
+      {{"The same $γ$ stands at every point of the bar.", "Lo stesso $γ$ si trova in ogni punto della barra."}, A}};
+}
 
- private:
-  Description about_ = description();
-};
+PanelSheet velocity_sheet(const Solution& s) {
+  const Instant instant(s.givens());
+  const auto bar = bar_on_its_body(s);
+  PolesPanel poles(s, bar, PolesPanel::of_velocity("P0"), {"O", "A"}, steps_to_centre(s));
+  poles.sketched().turning_at(geometry::to_double(instant.omega), "ω");
+  if (centre_of(instant) == Centre::by_the_tips) poles.by_the_tips();
+  return {
+      .panels = panels(MechanismPanel(bar, {{"A", s.place("A")}}), PolygonPanel(s, velocities(s)), poles),
+      .results = {components(velocity("A")), coordinates("P0")},
+      .seen = {"The bar on its body, the polygon of the velocities of A, and the velocity centre where the normals "
+               "to the velocities of O and A meet",
+               "La barra sul suo corpo, il poligono delle velocità di A, e il centro delle velocità dove si "
+               "incontrano le normali alle velocità di O e A"},
+      .told = {"v_A", "v_A_x", "v_A_y", "P0_x", "P0_y"}};
+}
+
+PanelSheet acceleration_sheet(const Solution& s) {
+  return {.panels = panels(MechanismPanel(bar_on_its_body(s)),
+                           PolygonPanel(s, accelerations(s), PolygonPanel::Table::measured)),
+          .results = {components(acceleration("A"))},
+          .seen = {"The bar on its body, and the polygon of the accelerations of A",
+                   "La barra sul suo corpo, e il poligono delle accelerazioni di A"},
+          .told = {"a_A", "a_A_x", "a_A_y"}};
+}
+
+PanelSheet acceleration_pole_sheet(const Solution& s) {
+  return {.panels = panels(PolesPanel(s, bar_on_its_body(s), PolesPanel::of_acceleration(), {"O", "A"},
+                                      steps_to_accelerations(s))),
+          .results = {coordinates("K"), components(acceleration("A"))},
+          .seen = {"The bar on its body, its acceleration centre K, and the accelerations of O and A",
+                   "La barra sul suo corpo, il centro delle accelerazioni K, e le accelerazioni di O e A"},
+          .told = {"a_O", "a_A", "K_x", "K_y"}};
+}
 
 }  // namespace
-
-bool Instant::is_upright() const {
-  const Rational quarters = 4 * angle.turns;
-  return angle.radians == 0 && quarters.denominator() == 1 && mpz_odd_p(quarters.numerator().mpz()) != 0;
-}
-
-Instant instant_of(const Givens& givens) {
-  return {givens["L"], givens.angle("phi"), givens.angle("omega"), givens.angle("omega_dot"),
-          givens["V"], givens["a"]};
-}
-
-Centre centre_of(const Instant& instant) {
-  if (!instant.turns()) return instant.V == 0 ? Centre::everywhere : Centre::at_infinity;
-  if (instant.V == 0) return Centre::is_O;
-  return instant.is_upright() ? Centre::by_the_tips : Centre::by_two_normals;
-}
-
 }  // namespace velocity_centre
 
-std::unique_ptr<Exercise> make_velocity_centre() { return std::make_unique<velocity_centre::VelocityCentre>(); }
+std::unique_ptr<Exercise> make_velocity_centre() {
+  using namespace velocity_centre;
+  Description about{.id = "velocity-centre",
+                    .title = {"A bar on a translating body", "Una barra su un corpo che trasla"},
+                    .document = "pisa",
+                    .item = "Esercizio 4",
+                    .source = {"Pisa, mid-term test of 14 June 2006, exercise 4",
+                               "Pisa, verifica intermedia del 14/6/2006, esercizio 4"},
+                    .givens = givens(),
+                    .printed = printed_by_the_source()};
+  const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Instant(givens)}, rung); };
+  return exercise_of_panels(
+      std::move(about), solve,
+      {{{"velocities", {"Velocity centre of the bar", "Centro delle velocità"}}, velocity_sheet},
+       {{"accelerations", {"Acceleration of A", "Accelerazione di A"}}, acceleration_sheet},
+       {{"acceleration-pole", {"Acceleration centre K", "Centro delle accelerazioni K"}}, acceleration_pole_sheet}});
+}
 
 }  // namespace epure

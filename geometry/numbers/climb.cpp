@@ -158,4 +158,17 @@ std::vector<Settled> settle_bounded(const std::vector<Finding>& findings) {
   return result;
 }
 
+std::vector<Settled> settle_deep(const std::vector<Finding>& findings, long bits) {
+  const std::string rung = "Deep " + std::to_string(bits);
+  std::vector<Settled> result;
+  for (const Finding& finding : findings) {
+    if (finding.kind != Finding::Kind::value)
+      result.push_back(without_value(finding, rung));
+    else
+      result.push_back(
+          {finding.certain ? Settled::Kind::certain : Settled::Kind::enclosed, finding.enclosure, {}, rung});
+  }
+  return result;
+}
+
 }  // namespace epure::geometry::climbing

@@ -87,11 +87,14 @@ std::vector<Settled> climb(const Scene& scene);
 template <class Scene, class Worth>
 std::vector<Settled> climb(const Scene& scene, const Worth& is_worth_a_proof);
 
-// One rung alone, to compare speed and error. Both throw Undecided as the scene does.
+// One rung alone, to compare speed and error, or where its bounds are narrow enough. All throw Undecided as the scene
+// does.
 template <class Scene>
 std::vector<Settled> only_fast(const Scene& scene);
 template <class Scene>
 std::vector<Settled> only_bounded(const Scene& scene);
+template <class Scene>
+std::vector<Settled> only_deep(const Scene& scene, long bits);
 
 // The sign of one quantity. Rungs: Bounded, Deep 128, 256, 512, Exact, Generic, Deep 1024, 2048, 4096, Calcium. (More
 // bits before Calcium because they cost microseconds where Calcium may take a second.)
@@ -260,9 +263,9 @@ void run_exactly(Ledger& ledger, const Scene& scene, const Worth& is_worth_a_pro
 }
 
 // One rung alone; what it throws goes through.
-template <class T, class Scene>
-std::vector<Finding> run_alone(const Scene& scene) {
-  const Arithmetic<T> scope;
+template <class T, class Scene, class... Scope>
+std::vector<Finding> run_alone(const Scene& scene, Scope... scope_argument) {
+  [[maybe_unused]] const Arithmetic<T> scope(scope_argument...);
   const std::vector<Reading<T>> readings = scene.template operator()<T>();
   std::vector<Finding> findings;
   for (const Reading<T>& reading : readings) findings.push_back(finding_of<T>(reading));
@@ -271,6 +274,7 @@ std::vector<Finding> run_alone(const Scene& scene) {
 
 std::vector<Settled> settle_fast(const std::vector<Finding>& findings);
 std::vector<Settled> settle_bounded(const std::vector<Finding>& findings);
+std::vector<Settled> settle_deep(const std::vector<Finding>& findings, long bits);
 
 // The first verdict that is not undecided. The question is []<class T>() -> Verdict.
 template <class Verdict, class Question>
@@ -348,6 +352,11 @@ std::vector<Settled> only_fast(const Scene& scene) {
 template <class Scene>
 std::vector<Settled> only_bounded(const Scene& scene) {
   return climbing::settle_bounded(climbing::run_alone<Bounded>(scene));
+}
+
+template <class Scene>
+std::vector<Settled> only_deep(const Scene& scene, long bits) {
+  return climbing::settle_deep(climbing::run_alone<Deep>(scene, bits), bits);
 }
 
 template <class Scene>

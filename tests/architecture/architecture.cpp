@@ -295,7 +295,7 @@ TEST_CASE("each rule objects to what it forbids and to nothing else") {
       {"drawings/marks/canvas.h", "drawings/page.h", true},
       {"drawings/marks/canvas.h", "drawings/labels/obstacles.h", true},
       {"drawings/labels/labels.cpp", "drawings/marks/canvas.h", false},
-      {"exercises/kit/panels/plot.h", "exercises/kit/statement/exercise.h", true},
+      {"exercises/kit/panels/plot.h", "exercises/kit/proof/exercise.h", true},
       {"exercises/kit/panels/plot.h", "exercises/kit/linkages/driving_crank.h", false},
       {"exercises/four-bar/figure.cpp", "bench/families.h", false},
       {"exercises/main.cpp", "exercises/cli.h", true},

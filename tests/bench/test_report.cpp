@@ -12,7 +12,7 @@
 #include "bench/measured.h"
 #include "drawings/output.h"
 #include "exercises/cli/run.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 #include "tests/support/catch.h"
 
 namespace epure::tests {

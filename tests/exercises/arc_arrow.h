@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 #include "tests/support/catch.h"
 
 namespace epure::tests {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "exercises/kit/proof/solution.h"
 #include "exercises/kit/statement/decimal.h"
 
 namespace epure {
@@ -83,7 +84,8 @@ std::vector<RouteValue> Triangle::solve(const Givens& givens, Rung rung) const {
   return values;
 }
 
-DrawnSheet Triangle::draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const {
+DrawnSheet Triangle::draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const {
+  const Givens& givens = solution.givens();
   const double a = number(givens, "a"), b = number(givens, "b");
   const double mm_per_m = request.scale ? 1000 * nearest(*request.scale) : sheet == "small" ? 50 : 100;
   if (mm_per_m * std::max(a, b) > 150) throw BadGivens("the triangle does not fit the paper at this scale");

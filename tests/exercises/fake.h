@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 
 namespace epure {
 
@@ -18,7 +18,7 @@ class Triangle : public Exercise {
   Triangle();
   const Description& about() const override { return description; }
   std::vector<RouteValue> solve(const Givens& givens, Rung rung) const override;
-  DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const override;
+  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override;
 
   Description description;
   // Applied to what solve and draw return.

@@ -10,7 +10,7 @@
 
 namespace epure::tests {
 
-inline const std::string velocity = "slider-crank-velocity", acceleration = "slider-crank-acceleration";
+inline const std::string of_velocity = "slider-crank-velocity", of_acceleration = "slider-crank-acceleration";
 
 inline const Exercise& exercise(const std::string& id) { return find_exercise(catalogue(), id); }
 
@@ -18,7 +18,7 @@ inline const Exercise& exercise(const std::string& id) { return find_exercise(ca
 inline Givens givens_of(const std::string& id, const std::vector<std::string>& assignments) {
   Givens givens(exercise(id).about().givens);
   for (const std::string& assignment : assignments)
-    if (id == acceleration || !assignment.starts_with("alpha_2")) givens.set(assignment);
+    if (id == of_acceleration || !assignment.starts_with("alpha_2")) givens.set(assignment);
   return givens;
 }
 

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "exercises/cli/run.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 #include "tests/exercises/run.h"
 #include "tests/support/catch.h"
 

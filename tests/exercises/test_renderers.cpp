@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "drawings/output.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 #include "exercises/kit/statement/givens.h"
 #include "tests/exercises/picture.h"
 #include "tests/support/catch.h"

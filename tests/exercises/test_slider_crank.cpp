@@ -128,7 +128,7 @@ Ran run(std::vector<std::string> arguments, const std::vector<std::string>& assi
 }  // namespace
 
 TEST_CASE("the slider-crank reports what it promises, certainly and by two routes", "[slider-crank]") {
-  for (const auto& [id, promised] : {std::pair{velocity, velocities}, std::pair{acceleration, accelerations}}) {
+  for (const auto& [id, promised] : {std::pair{of_velocity, velocities}, std::pair{of_acceleration, accelerations}}) {
     const CheckedExercise result = checked(id, {});
     CAPTURE(id, complaints(result));
     CHECK(result.passed());
@@ -146,7 +146,7 @@ TEST_CASE("the slider-crank reports what it promises, certainly and by two route
 
 TEST_CASE("the slider-crank passes with whatever can be given", "[slider-crank]") {
   for (const Try& with : tries())
-    for (const std::string& id : {velocity, acceleration}) {
+    for (const std::string& id : {of_velocity, of_acceleration}) {
       const CheckedExercise result = checked(id, with.assignments);
       CAPTURE(id, with.why, complaints(result));
       CHECK(result.passed());
@@ -161,7 +161,7 @@ TEST_CASE("the slider-crank's values are the corpus', to the last bit of a doubl
     if (!c.reference("closure_gap").empty() || c.reference("omega_3") == "undefined") continue;
     ++cases;
     const auto [assignments, a_turn_later] = stated(c);
-    for (const std::string& id : {velocity, acceleration}) {
+    for (const std::string& id : {of_velocity, of_acceleration}) {
       const CheckedExercise result = checked(id, assignments);
       CAPTURE(c.name, c.why, id, complaints(result));
       CHECK(result.passed());
@@ -192,8 +192,8 @@ TEST_CASE("what does not exist says why, and no report holds NaN or infinity", "
     CAPTURE(with.why);
     const bool has_alpha = std::any_of(with.assignments.begin(), with.assignments.end(),
                                        [](const std::string& text) { return text.starts_with("alpha_2"); });
-    std::vector<std::string> checks{"check", acceleration, "--json"};
-    if (!has_alpha) checks.insert(checks.begin() + 1, velocity);
+    std::vector<std::string> checks{"check", of_acceleration, "--json"};
+    if (!has_alpha) checks.insert(checks.begin() + 1, of_velocity);
     const Ran ran = run(checks, with.assignments);
     CHECK(ran.exit == 0);
     CHECK(ran.err.empty());
@@ -205,7 +205,7 @@ TEST_CASE("what does not exist says why, and no report holds NaN or infinity", "
   }
   // The pole at infinity takes its circle with it, and says so.
   for (const std::string instant : {"t1=1/24s", "t1=1/8s"}) {
-    const CheckedExercise first = checked(velocity, {instant}), second = checked(acceleration, {instant});
+    const CheckedExercise first = checked(of_velocity, {instant}), second = checked(of_acceleration, {instant});
     for (const std::string name : {"P0_x", "P0_y", "P0A", "P0B", "P0C", "P0M"}) {
       CHECK(find(first, name)->settled.kind == Settled::Kind::absent);
       CHECK(find(first, name)->settled.reason.english.find("at infinity") != std::string::npos);
@@ -216,7 +216,7 @@ TEST_CASE("what does not exist says why, and no report holds NaN or infinity", "
     CHECK(find(second, "KA")->settled.kind == Settled::Kind::certain);
   }
   for (const std::string instant : {"t1=0", "t1=1/12s"}) {
-    const CheckedExercise second = checked(acceleration, {instant});
+    const CheckedExercise second = checked(of_acceleration, {instant});
     CHECK(find(second, "alpha_3")->settled.enclosure.value == 0);
     CHECK(find(second, "stationarity_diameter")->settled.kind == Settled::Kind::absent);
     CHECK(find(second, "stationarity_diameter")->settled.reason.english.find("is a line") != std::string::npos);
@@ -257,7 +257,7 @@ TEST_CASE("the impossible is one clear sentence and exit code 2", "[slider-crank
       {{"n=0"}, {"n = 0", "must turn"}},
       {{"t1=-1/72"}, {"t = -1/72", "must not be negative"}}};
   for (const auto& [assignments, says] : all)
-    for (const std::string& id : {velocity, acceleration})
+    for (const std::string& id : {of_velocity, of_acceleration})
       for (const std::vector<std::string>& verb : {std::vector<std::string>{"check", id},
                                                    {"check", id, "--json"},
                                                    {"draw", id + "/poles", "-o", "-", "--format", "svg"}}) {
@@ -272,12 +272,12 @@ TEST_CASE("the impossible is one clear sentence and exit code 2", "[slider-crank
 }
 
 TEST_CASE("a crank at rest is refused, with what to do when its acceleration is given", "[slider-crank]") {
-  const Ran ran = run({"check", acceleration}, {"n=0", "alpha_2=5"});
+  const Ran ran = run({"check", of_acceleration}, {"n=0", "alpha_2=5"});
   CHECK(ran.exit == 2);
   for (const char* words : {"n = 0 rpm", "the crank must turn", "also where alpha_2 is given", "n = 1e-9"})
     CHECK(ran.err.find(words) != std::string::npos);
   // What it says to do: at rest only alpha_2 counts, a_A = 5 rad/s² 0.2 m.
-  const Ran slow = run({"check", acceleration}, {"n=1e-9", "alpha_2=5"});
+  const Ran slow = run({"check", of_acceleration}, {"n=1e-9", "alpha_2=5"});
   CHECK(slow.exit == 0);
   CHECK(slow.out.find(" 1 m/s^2 ") != std::string::npos);
 }
@@ -285,9 +285,9 @@ TEST_CASE("a crank at rest is refused, with what to do when its acceleration is 
 // Clockwise instead of counter-clockwise the mechanism passes mirror images of its positions; C, always on the left
 // of AB, is no mirror image, but A, B and M are.
 TEST_CASE("a crank that turns the other way mirrors the motion", "[slider-crank]") {
-  const CheckedExercise here = checked(velocity, {}), there = checked(velocity, {"n=-360"});
-  const CheckedExercise here_2 = checked(acceleration, {"alpha_2=100"}),
-                        there_2 = checked(acceleration, {"n=-360", "alpha_2=-100"});
+  const CheckedExercise here = checked(of_velocity, {}), there = checked(of_velocity, {"n=-360"});
+  const CheckedExercise here_2 = checked(of_acceleration, {"alpha_2=100"}),
+                        there_2 = checked(of_acceleration, {"n=-360", "alpha_2=-100"});
   const auto value = [](const CheckedExercise& in, const std::string& name) {
     return find(in, name)->settled.enclosure.value;
   };

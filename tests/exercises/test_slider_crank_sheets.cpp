@@ -25,7 +25,7 @@ DrawnSheet draw(const std::string& id, const std::string& sheet, const std::vect
 
 std::vector<std::pair<std::string, std::string>> all_sheets() {
   std::vector<std::pair<std::string, std::string>> all;
-  for (const std::string& id : {velocity, acceleration})
+  for (const std::string& id : {of_velocity, of_acceleration})
     for (const SheetSpec& sheet : exercise(id).about().sheets) all.emplace_back(id, sheet.name);
   return all;
 }
@@ -52,10 +52,10 @@ struct DiagramOf {
   std::vector<std::string> vectors;
 };
 const std::vector<DiagramOf> diagrams{
-    {velocity, "poles", {"v_A", "v_B", "v_C", "v_M"}},
-    {velocity, "polar-diagram", {"v_A", "v_B", "v_BA", "v_C", "v_CA", "v_M"}},
-    {acceleration, "poles", {"a_A", "a_B", "a_C", "a_M"}},
-    {acceleration, "polar-diagram", {"a_A", "a_B", "a_C", "a_M", "a_BA", "a_BA_n", "a_BA_t", "a_CA"}}};
+    {of_velocity, "poles", {"v_A", "v_B", "v_C", "v_M"}},
+    {of_velocity, "polar-diagram", {"v_A", "v_B", "v_BA", "v_C", "v_CA", "v_M"}},
+    {of_acceleration, "poles", {"a_A", "a_B", "a_C", "a_M"}},
+    {of_acceleration, "polar-diagram", {"a_A", "a_B", "a_C", "a_M", "a_BA", "a_BA_n", "a_BA_t", "a_CA"}}};
 
 double value(const CheckedExercise& in, const std::string& name) { return find(in, name)->settled.enclosure.value; }
 
@@ -193,7 +193,7 @@ TEST_CASE("ten times the lengths at a tenth of the scale is the same drawing", "
 
 TEST_CASE("the guide is drawn where it lies, and its offset dimensioned", "[slider-crank][sheets]") {
   for (const auto& [e, delta] : {std::pair{0.08, 20.0}, {-0.1, 200.0}, {0.05, -45.0}, {0.0, 30.0}}) {
-    const DrawnSheet drawn = draw(velocity, "poles", {"e=" + std::to_string(e), "delta=" + std::to_string(delta)},
+    const DrawnSheet drawn = draw(of_velocity, "poles", {"e=" + std::to_string(e), "delta=" + std::to_string(delta)},
                                   {.scale = Rational(1, 10)});
     CAPTURE(e, delta);
     const double turn = delta * std::numbers::pi / 180, mm = 100;
@@ -230,14 +230,14 @@ TEST_CASE("the arrow of ω₂ keeps clear of crank and ground", "[slider-crank][
     for (const int sense : {1, -1}) {
       CAPTURE(part, sense);
       const std::string t1 = "t1=" + std::to_string(part) + "/72", n = "n=" + std::to_string(sense * 60);
-      arc_arrow_is_clear(draw(velocity, "poles", {t1, n}), sense * part * std::numbers::pi / 36);
+      arc_arrow_is_clear(draw(of_velocity, "poles", {t1, n}), sense * part * std::numbers::pi / 36);
     }
 }
 
 TEST_CASE("the pole stands on its sheet, or its rays say where it is", "[slider-crank][sheets]") {
   const auto rays_to_pole = [](const std::vector<std::string>& assignments, const SheetRequest& request = {}) {
     int rays = 0;
-    for (const drawings::Label& label : draw(velocity, "poles", assignments, request).sheet.figure.labels)
+    for (const drawings::Label& label : draw(of_velocity, "poles", assignments, request).sheet.figure.labels)
       rays += label.text == "to $P_{0}$" ? 1 : 0;
     return rays;
   };
@@ -251,7 +251,7 @@ TEST_CASE("the pole stands on its sheet, or its rays say where it is", "[slider-
 TEST_CASE("the sheets of the coupler's circles name what the border leaves out", "[slider-crank][sheets]") {
   const auto says = [](const std::string& sheet, const std::vector<std::string>& assignments,
                        const std::string& text) {
-    for (const drawings::Block& block : draw(acceleration, sheet, assignments).sheet.column)
+    for (const drawings::Block& block : draw(of_acceleration, sheet, assignments).sheet.column)
       if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block); paragraph && paragraph->text == text)
         return true;
     return false;

@@ -2,32 +2,32 @@
 
 namespace epure {
 
-QuantitySpec metres(const std::string& name, const std::string& symbol, const Words& meaning) {
+Quantity metres(const std::string& name, const std::string& symbol, const Words& meaning) {
   return {name, symbol, "m", meaning};
 }
-QuantitySpec speed(const std::string& name, const std::string& symbol, const Words& meaning) {
+Quantity speed(const std::string& name, const std::string& symbol, const Words& meaning) {
   return {name, symbol, "m/s", meaning};
 }
-QuantitySpec acceleration(const std::string& name, const std::string& symbol, const Words& meaning) {
+Quantity acceleration(const std::string& name, const std::string& symbol, const Words& meaning) {
   return {name, symbol, "m/s^2", meaning};
 }
 
-std::vector<QuantitySpec> coordinates(const std::string& name, const std::string& symbol, const Words& of) {
+std::vector<Quantity> coordinates(const std::string& name, const std::string& symbol, const Words& of) {
   return {metres(name + "_x", "$x_{" + symbol + "}$", {"abscissa of " + of.english, "ascissa di " + of.italian}),
           metres(name + "_y", "$y_{" + symbol + "}$", {"ordinate of " + of.english, "ordinata di " + of.italian})};
 }
 
-std::vector<QuantitySpec> components(const std::string& name, const std::string& letter, const std::string& subscript,
-                                     const std::string& unit, const Words& of) {
+std::vector<Quantity> components(const std::string& name, const std::string& letter, const std::string& subscript,
+                                 const std::string& unit, const Words& of) {
   const auto symbol = [&](const char* axis) { return "$" + letter + "_{" + subscript + axis + "}$"; };
   return {{name + "_x", symbol("x"), unit, {of.english + ", along x", of.italian + ", lungo x"}},
           {name + "_y", symbol("y"), unit, {of.english + ", along y", of.italian + ", lungo y"}},
           {name, symbol(""), unit, of}};
 }
 
-std::vector<QuantitySpec> pole_quantities(const std::string& pole, const std::string& symbol,
-                                          const std::vector<std::string>& points) {
-  std::vector<QuantitySpec> all = coordinates(pole, pole, {"the pole", "il polo"});
+std::vector<Quantity> pole_quantities(const std::string& pole, const std::string& symbol,
+                                      const std::vector<std::string>& points) {
+  std::vector<Quantity> all = coordinates(pole, pole, {"the pole", "il polo"});
   all[0].meaning.italian = "ascissa del polo";
   all[1].meaning.italian = "ordinata del polo";
   for (const std::string& X : points)
@@ -36,8 +36,8 @@ std::vector<QuantitySpec> pole_quantities(const std::string& pole, const std::st
   return all;
 }
 
-std::vector<QuantitySpec> acceleration_pole_quantities(const std::vector<std::string>& points) {
-  std::vector<QuantitySpec> all{
+std::vector<Quantity> acceleration_pole_quantities(const std::vector<std::string>& points) {
+  std::vector<Quantity> all{
       metres("K_x", "$x_{K}$", {"abscissa of the acceleration pole", "ascissa del polo delle accelerazioni"}),
       metres("K_y", "$y_{K}$", {"ordinate of the acceleration pole", "ordinata del polo delle accelerazioni"})};
   for (const std::string& X : points)
@@ -45,7 +45,7 @@ std::vector<QuantitySpec> acceleration_pole_quantities(const std::vector<std::st
   return all;
 }
 
-std::vector<QuantitySpec> circle_quantities() {
+std::vector<Quantity> circle_quantities() {
   return {
       metres("inflection_diameter", "$δ_{F}$",
              {"diameter of the inflection circle", "diametro della circonferenza dei flessi"}),
@@ -65,7 +65,7 @@ std::vector<QuantitySpec> circle_quantities() {
               "ordinata del centro della circonferenza di stazionarietà"})};
 }
 
-std::vector<QuantitySpec> curvature_quantities(const std::string& X, const std::string& symbol) {
+std::vector<Quantity> curvature_quantities(const std::string& X, const std::string& symbol) {
   return {metres(X + "prime_" + X, "$" + symbol + "'" + symbol + "$",
                  {"distance from " + X + "' to " + X, "distanza da " + X + "' a " + X}),
           metres("rho_" + X, "$ρ_{" + X + "}$",
@@ -82,17 +82,16 @@ std::vector<QuantitySpec> curvature_quantities(const std::string& X, const std::
                   "ordinata di " + X + "', sulla circonferenza dei flessi"})};
 }
 
-std::vector<QuantitySpec> in_case(const std::string& prefix, const Words& which,
-                                  std::vector<QuantitySpec> quantities) {
-  for (QuantitySpec& spec : quantities) {
+std::vector<Quantity> in_case(const std::string& prefix, const Words& which, std::vector<Quantity> quantities) {
+  for (Quantity& spec : quantities) {
     spec.name = prefix + spec.name;
     spec.meaning = {spec.meaning.english + ", " + which.english, spec.meaning.italian + ", " + which.italian};
   }
   return quantities;
 }
 
-std::vector<QuantitySpec> joined(const std::vector<std::vector<QuantitySpec>>& groups) {
-  std::vector<QuantitySpec> all;
+std::vector<Quantity> joined(const std::vector<std::vector<Quantity>>& groups) {
+  std::vector<Quantity> all;
   for (const auto& group : groups) all.insert(all.end(), group.begin(), group.end());
   return all;
 }

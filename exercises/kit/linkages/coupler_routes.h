@@ -56,7 +56,12 @@ void put_point(Ledger<T>& ledger, const std::string& name, const FindComplex<T>&
   ledger.put(name + "_y", [&] { return find().im; });
 }
 template <class T>
-void put_length(Ledger<T>& ledger, const std::string& name, const FindComplex<T>& find) {
+void put_point(Ledger<T>& ledger, const PointQuantity& quantity, const FindComplex<T>& find) {
+  ledger.put(quantity.x(), [&] { return find().re; });
+  ledger.put(quantity.y(), [&] { return find().im; });
+}
+template <class T, class Name>
+void put_length(Ledger<T>& ledger, const Name& name, const FindComplex<T>& find) {
   ledger.put(name, [&] { return size(plane(find())); });
 }
 template <class T>
@@ -69,15 +74,15 @@ void put_vector(Ledger<T>& ledger, const std::string& name, const FindComplex<T>
 template <class T>
 void write_pole(Ledger<T>& ledger, const std::string& pole, const geometry::ProjectivePoint<T>& P0,
                 const std::vector<Lettered<geometry::Point<T>>>& points, const Phrase& at_infinity) {
-  ledger.point(pole, P0, at_infinity);
-  for (const auto& X : points) ledger.distance(pole + X.letter, P0, X.at, at_infinity);
+  ledger.put(epure::pole(pole), P0, at_infinity);
+  for (const auto& X : points) ledger.distance(distance(pole, X.letter), P0, X.at, at_infinity);
 }
 template <class T>
 void write_pole(Ledger<T>& ledger, const std::string& pole, const geometry::analytic::PlaneMotion<T>& motion,
                 const std::vector<Lettered<geometry::analytic::Complex<T>>>& points, const Phrase& at_infinity) {
   const auto P0 = [&] { return present(motion.pole(), at_infinity); };
-  put_point<T>(ledger, pole, P0);
-  for (const auto& X : points) put_length<T>(ledger, pole + X.letter, [&] { return X.at - P0(); });
+  put_point<T>(ledger, epure::pole(pole), P0);
+  for (const auto& X : points) put_length<T>(ledger, distance(pole, X.letter), [&] { return X.at - P0(); });
 }
 
 // K, and its distances from the points.
@@ -86,16 +91,16 @@ void write_acceleration_pole(Ledger<T>& ledger, const geometry::PlaneMotion<T>& 
                              const std::vector<Lettered<geometry::Point<T>>>& points,
                              const Phrase& at_infinity = no_acceleration_pole) {
   const geometry::ProjectivePoint<T> K = motion.acceleration_pole();
-  ledger.point("K", K, at_infinity);
-  for (const auto& X : points) ledger.distance("K" + X.letter, K, X.at, at_infinity);
+  ledger.put(acceleration_pole(), K, at_infinity);
+  for (const auto& X : points) ledger.distance(distance("K", X.letter), K, X.at, at_infinity);
 }
 template <class T>
 void write_acceleration_pole(Ledger<T>& ledger, const geometry::analytic::PlaneMotion<T>& motion,
                              const std::vector<Lettered<geometry::analytic::Complex<T>>>& points,
                              const Phrase& at_infinity = no_acceleration_pole) {
   const auto K = [&] { return present(motion.acceleration_pole(), at_infinity); };
-  put_point<T>(ledger, "K", K);
-  for (const auto& X : points) put_length<T>(ledger, "K" + X.letter, [&] { return X.at - K(); });
+  put_point<T>(ledger, acceleration_pole(), K);
+  for (const auto& X : points) put_length<T>(ledger, distance("K", X.letter), [&] { return X.at - K(); });
 }
 
 // Diameter and centre of a circle that may have become a line.

@@ -168,7 +168,7 @@ void require_drivable(FourBarInstant& at) {
   at.pole_at_infinity = parallel && !at.dead_centre;
 }
 
-std::vector<QuantitySpec> link_rate_quantities() {
+std::vector<Quantity> link_rate_quantities() {
   return {{"omega_3", "$ω_{3}$", "rad/s", {"angular velocity of the coupler", "velocità angolare della biella"}},
           {"omega_4", "$ω_{4}$", "rad/s", {"angular velocity of the rocker", "velocità angolare del bilanciere"}},
           {"alpha_3",

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "exercises/kit/linkages/driving_crank.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 #include "exercises/kit/statement/givens.h"
 #include "geometry/analytic/four_bar_formulas.h"
 #include "geometry/mechanisms/four_bar.h"
@@ -54,6 +54,6 @@ struct FourBarInstant {
 void require_drivable(FourBarInstant& at);
 
 // Angular velocities and accelerations of coupler and rocker: omega_3, omega_4, alpha_3, alpha_4.
-std::vector<QuantitySpec> link_rate_quantities();
+std::vector<Quantity> link_rate_quantities();
 
 }  // namespace epure

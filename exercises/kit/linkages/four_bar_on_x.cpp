@@ -38,12 +38,12 @@ FourBarInstant four_bar_on_x(const Givens& givens, geometry::Side side) {
           .alpha_2 = givens.angle("alpha_2")};
 }
 
-std::vector<QuantitySpec> link_angle_quantities() {
+std::vector<Quantity> link_angle_quantities() {
   return {{"theta_3", "$θ_{3}$", "rad", {"direction of AB from +x", "anomalia di AB"}},
           {"theta_4", "$θ_{4}$", "rad", {"direction from B to B₀, from +x", "anomalia di BB₀, da B verso B₀"}}};
 }
 
-std::vector<QuantitySpec> midpoint_quantities() {
+std::vector<Quantity> midpoint_quantities() {
   const Words G2{"the midpoint of A₀A", "mezzeria di A₀A"}, G3{"the midpoint of AB", "mezzeria di AB"},
       G4{"the midpoint of B₀B", "mezzeria di B₀B"};
   const auto of = [](const char* english, const char* italian, const Words& G) {

@@ -16,7 +16,7 @@ std::vector<GivenSpec> four_bar_on_x_givens();
 FourBarInstant four_bar_on_x(const Givens& givens, geometry::Side side);
 
 // What the givens of both exercises leave to be found of angles and midpoints.
-std::vector<QuantitySpec> link_angle_quantities();
+std::vector<Quantity> link_angle_quantities();
 
 // G₂, G₃, G₄ halve A₀A, AB, B₀B.
 template <class T>
@@ -60,7 +60,7 @@ void write_midpoint_motion(Ledger<T>& ledger, const MidpointMotion<T>& m) {
   ledger.vector("a_G3", m.a_G3);
   ledger.vector("a_G4", m.a_G4);
 }
-std::vector<QuantitySpec> midpoint_quantities();
+std::vector<Quantity> midpoint_quantities();
 
 template <class T>
 struct LinkRates {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "exercises/kit/proof/checked.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 
 namespace epure {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "drawings/picture.h"
-#include "exercises/kit/panels/place.h"
 #include "exercises/kit/panels/scale.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
+#include "exercises/kit/proof/place.h"
 #include "geometry/constructions/cycle.h"
 
 namespace epure {

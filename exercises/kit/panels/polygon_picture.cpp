@@ -230,19 +230,31 @@ std::vector<std::string> steps_of(const VectorPolygon& polygon, Language languag
   return lines;
 }
 
+std::vector<Place> places_of_steps(const VectorPolygon& polygon) {
+  constexpr double along_side = 0.3;  // clear of the vector's own letters, at its middle
+  std::vector<Place> places;
+  for (const PlacedSide& s : in_order(polygon)) places.push_back(between(s.from, s.to, along_side));
+  for (const PolygonImage& image : polygon.images) places.push_back(after({0, 0}, image.absolute.v));
+  return places;
+}
+
 int steps_of_sides(const VectorPolygon& polygon) { return static_cast<int>(in_order(polygon).size()); }
 
 Place closing_corner(const VectorPolygon& polygon) { return placed(polygon.right).back().to; }
 
-drawings::Table measured_table(const DrawnSheet& sheet, const VectorPolygon& polygon, Language language) {
-  const Readings readings(sheet);
+std::vector<Comparison> measured_rows(const Readings& readings, const VectorPolygon& polygon) {
   std::vector<Comparison> rows;
   for (const PlacedSide& s : in_order(polygon)) {
     if (!readings.has(s.side->quantity)) continue;
     rows.push_back({fmt::format("{} ({})", without_arrow(s.side->label), polygon.unit),
                     std::hypot(s.side->v.x, s.side->v.y), readings[s.side->quantity]});
   }
-  return comparison_table(rows, {"exact", "esatto"}, {"on the sheet", "sul foglio"}, language);
+  return rows;
+}
+
+drawings::Table measured_table(const DrawnSheet& sheet, const VectorPolygon& polygon, Language language) {
+  return comparison_table(measured_rows(Readings(sheet), polygon), {"exact", "esatto"},
+                          {"on the sheet", "sul foglio"}, language);
 }
 
 double greatest(const VectorPolygon& polygon) {
@@ -283,13 +295,10 @@ void draw_polygon(Plot& plot, const VectorPolygon& polygon, const PolygonStage& 
   plot.label(polygon.origin, O, middle, polygon.meaning);
   if (!stage.numbered) return;
   int number = 1;
-  const auto write_number = [&](const Place& P) {
+  for (const Place& P : places_of_steps(polygon)) {
     if (number >= stage.first_numbered && number <= stage.steps) plot.step(stage.numbers_after + number, P);
     ++number;
-  };
-  constexpr double along_side = 0.3;  // clear of the vector's own letters, at its middle
-  for (const PlacedSide& s : sides) write_number(between(s.from, s.to, along_side));
-  for (const PolygonImage& image : polygon.images) write_number(after(O, image.absolute.v));
+  }
 }
 
 }  // namespace epure

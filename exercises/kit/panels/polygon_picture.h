@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "exercises/kit/panels/compare.h"
 #include "exercises/kit/panels/fit.h"
 #include "exercises/kit/panels/plot.h"
 
@@ -54,11 +55,17 @@ drawings::VectorEquation equation(const VectorPolygon& polygon);
 // The steps in words, in the order in which they are drawn: the sides, then the images.
 std::vector<std::string> steps_of(const VectorPolygon& polygon, Language language);
 
+// Where the numbers of these steps stand, in the plane of the vectors.
+std::vector<Place> places_of_steps(const VectorPolygon& polygon);
+
 // The number of steps that draw the sides; the images follow.
 int steps_of_sides(const VectorPolygon& polygon);
 
 // Vector by vector its magnitude, and what a ruler reads on the sheet. What the sheet does not show is left out.
 drawings::Table measured_table(const DrawnSheet& sheet, const VectorPolygon& polygon, Language language);
+
+// The rows of such a table.
+std::vector<Comparison> measured_rows(const Readings& readings, const VectorPolygon& polygon);
 
 // Where the two sides meet.
 Place closing_corner(const VectorPolygon& polygon);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "exercises/kit/panels/scale.h"
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 
 namespace epure {
 

@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "drawings/output.h"
 #include "exercises/kit/proof/route_names.h"
+#include "exercises/kit/proof/solution.h"
 
 namespace epure {
 namespace {
 
 using geometry::Settled;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Which of two routes knows more of a quantity: the smaller number.
 int rank(const Settled& settled) {
@@ -44,6 +48,11 @@ bool contradict(const Settled& a, const Settled& b) {
   const bool a_absent = a.kind == Settled::Kind::absent, b_absent = b.kind == Settled::Kind::absent;
   if (a_absent || b_absent) return a_absent != b_absent;
   return a.enclosure.upper < b.enclosure.lower || b.enclosure.upper < a.enclosure.lower;
+}
+
+// The double nearest to a value may lie just outside of an enclosure narrower than that.
+bool lies_within(double value, const geometry::Enclosure& enclosure) {
+  return std::nextafter(enclosure.lower, -infinity) <= value && value <= std::nextafter(enclosure.upper, infinity);
 }
 
 Words shortest(double value) { return decimal(fmt::format("{}", value)); }
@@ -103,7 +112,7 @@ void demand_certainty(CheckedExercise& checked, const CheckedQuantity& quantity)
 
 // Quantities in the order of the description, each with its routes.
 void group(CheckedExercise& checked, const std::vector<RouteValue>& values) {
-  for (const QuantitySpec& spec : checked.about.quantities) {
+  for (const Quantity& spec : checked.about.quantities) {
     CheckedQuantity quantity{.spec = spec, .settled = {}, .routes = {}};
     std::copy_if(values.begin(), values.end(), std::back_inserter(quantity.routes),
                  [&](const RouteValue& value) { return value.quantity == spec.name; });
@@ -128,7 +137,7 @@ CheckedQuantity* find(CheckedExercise& checked, const std::string& name) {
 // What an exercise says of a quantity it does not list would be lost in silence.
 void demand_listed(CheckedExercise& checked, const std::string& name, const Words& where) {
   const auto& listed = checked.about.quantities;
-  if (std::none_of(listed.begin(), listed.end(), [&](const QuantitySpec& spec) { return spec.name == name; }))
+  if (std::none_of(listed.begin(), listed.end(), [&](const Quantity& spec) { return spec.name == name; }))
     complain(checked.failures, name,
              format_words("{}, but is not among the exercise's quantities",
                           "{}, ma non è tra le grandezze dell'esercizio", where));
@@ -150,13 +159,14 @@ void compare_sheet(CheckedExercise& checked, CheckedQuantity& quantity, const On
 
 // None when it cannot be drawn, or something on it could not be decided: the numbers and the other sheets are looked
 // at all the same. (Givens that no exercise can have were refused by solve.)
-std::optional<DrawnSheet> drawn_sheet(CheckedExercise& checked, const Exercise& exercise, const std::string& name) {
+std::optional<DrawnSheet> drawn_sheet(CheckedExercise& checked, const Exercise& exercise, const Solution& solution,
+                                      const std::string& name) {
   const auto leave_out = [&](const Words& why) {
     checked.not_drawn.push_back(
         {Complaint::About::sheet, "", format_words("sheet {}: {}", "tavola {}: {}", name, why)});
   };
   try {
-    return exercise.draw(name, checked.givens, {});
+    return exercise.draw(name, solution, {});
   } catch (const geometry::Undecided& open) {
     checked.undecided.push_back(
         {Complaint::About::sheet, "", format_words("sheet {}: {}", "tavola {}: {}", name, open.words())});
@@ -176,9 +186,36 @@ void look_for_flaws(CheckedExercise& checked, const Exercise& exercise) {
         .push_back({Complaint::About::mechanism, "", flaw.sentence});
 }
 
+// What the sheets draw and print. None when nothing of it could be decided.
+std::optional<Solution> drawn_solution(CheckedExercise& checked, const Exercise& exercise) {
+  try {
+    return exercise.solution(checked.givens);
+  } catch (const geometry::Undecided& open) {
+    checked.undecided.push_back(
+        {Complaint::About::sheet, "", format_words("its sheets: {}", "le tavole: {}", open.words())});
+  }
+  return std::nullopt;
+}
+
+// Sheets are drawn with the bits that drawings need, not more: each number of theirs is held against what is proved.
+void compare_solution(CheckedExercise& checked, const Solution& solution) {
+  for (const CheckedQuantity& quantity : checked.quantities) {
+    if (!solution.has(quantity.spec.name) || !has_value(quantity.settled)) continue;
+    const std::optional<double> drawn = solution.value(quantity.spec.name);
+    if (drawn && !lies_within(*drawn, quantity.settled.enclosure))
+      complain(
+          checked.failures, quantity.spec.name,
+          format_words("the sheets take it for {}, which does not lie {}",
+                       "le tavole la prendono per {}, che non sta {}", shortest(*drawn), in_words(quantity.settled)));
+  }
+}
+
 void compare_sheets(CheckedExercise& checked, const Exercise& exercise) {
+  const std::optional<Solution> solution = drawn_solution(checked, exercise);
+  if (!solution) return;
+  compare_solution(checked, *solution);
   for (const SheetSpec& spec : checked.about.sheets) {
-    const std::optional<DrawnSheet> drawn = drawn_sheet(checked, exercise, spec.name);
+    const std::optional<DrawnSheet> drawn = drawn_sheet(checked, exercise, *solution, spec.name);
     if (!drawn) continue;
     for (const Measurement& measurement : drawn->measurements) {
       demand_listed(checked, measurement.quantity, Words{"shown on sheet ", "mostrata sulla tavola "} + spec.name);

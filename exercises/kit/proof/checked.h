@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "exercises/kit/proof/exercise.h"
 #include "exercises/kit/proof/verdict.h"
-#include "exercises/kit/statement/exercise.h"
 
 namespace epure {
 
@@ -31,7 +31,7 @@ struct Measured {
 };
 
 struct CheckedQuantity {
-  QuantitySpec spec;
+  Quantity spec;
   geometry::Settled settled;  // of the route that knows most
   std::vector<RouteValue> routes;
   std::vector<OnSheet> on_sheets = {};

@@ -1,4 +1,8 @@
 // Where a construction writes down what it found: quantity by quantity, each under the route that found it.
+//
+// What is reported goes to every number. What only a drawing needs beside it (the components of a vector of which the
+// length is reported, a point that only helps to construct another) is written with `draws...` and looked at on the
+// number that drawings are made with.
 #pragma once
 
 #include <functional>
@@ -7,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 #include "geometry/constructions/cycle.h"
 #include "geometry/numbers/climb.h"
 
@@ -42,6 +46,11 @@ T slope_angle(const geometry::Vector<T>& v) {
   }
 }
 
+struct LedgerEntry {
+  std::string quantity, route;
+  std::optional<Quantity> described = {};
+};
+
 template <class T>
 class Ledger {
  public:
@@ -58,13 +67,44 @@ class Ledger {
   void usual_axes() { x_axis_.reset(); }
 
   // Writes down what `find` returns. What it cannot decide stays undecided; what does not exist is absent.
-  void put(const std::string& quantity, const std::function<T()>& find) {
-    const bool is_wanted = geometry::climbing::Wanted::is(keys_.size());
-    keys_.push_back({case_ + quantity, route_});
-    readings_.push_back(is_wanted ? geometry::Reading<T>::from(find) : geometry::Reading<T>::undecided({}));
-  }
+  void put(const std::string& quantity, const std::function<T()>& find) { write({case_ + quantity, route_}, find); }
   void put(const std::string& quantity, const T& value) {
     put(quantity, [&] { return value; });
+  }
+  void put(const Quantity& quantity, const std::function<T()>& find) {
+    write({case_ + quantity.name, route_, quantity}, find);
+  }
+  void put(const Quantity& quantity, const T& value) {
+    put(quantity, [&] { return value; });
+  }
+  void put(const VectorQuantity& quantity, const geometry::Vector<T>& v) {
+    const geometry::Vector<T> seen = in_usual_axes(v);
+    put(quantity.x(), seen.x);
+    put(quantity.y(), seen.y);
+    put(quantity.length(), [&] { return size(v); });
+  }
+  void put(const PointQuantity& quantity, const geometry::Point<T>& P) {
+    const geometry::Vector<T> seen = in_usual_axes({P.x, P.y});
+    put(quantity.x(), seen.x);
+    put(quantity.y(), seen.y);
+  }
+  void put(const PointQuantity& quantity, const geometry::ProjectivePoint<T>& P, const Phrase& at_infinity) {
+    const geometry::Vector<T> seen = in_usual_axes({P.x, P.y});
+    put(quantity.x(), [&] { return ratio(seen.x, P.w, at_infinity); });
+    put(quantity.y(), [&] { return ratio(seen.y, P.w, at_infinity); });
+  }
+  // A vector of which the length alone is reported; it is drawn all the same.
+  void put_length(const VectorQuantity& quantity, const geometry::Vector<T>& v) {
+    put(quantity.length(), [&] { return size(v); });
+    const geometry::Vector<T> seen = in_usual_axes(v);
+    draws(quantity.x().name, [&] { return seen.x; });
+    draws(quantity.y().name, [&] { return seen.y; });
+  }
+  // A point that helps to construct others.
+  void draws_point(const std::string& name, const geometry::Point<T>& P) {
+    const geometry::Vector<T> seen = in_usual_axes({P.x, P.y});
+    draws(name + "_x", [&] { return seen.x; });
+    draws(name + "_y", [&] { return seen.y; });
   }
   void vector(const std::string& name, const geometry::Vector<T>& v) {
     const geometry::Vector<T> seen = in_usual_axes(v);
@@ -83,8 +123,9 @@ class Ledger {
     put(name + "_x", [&] { return ratio(seen.x, P.w, at_infinity); });
     put(name + "_y", [&] { return ratio(seen.y, P.w, at_infinity); });
   }
-  // The distance from P, which may be at infinity, to X.
-  void distance(const std::string& name, const geometry::ProjectivePoint<T>& P, const geometry::Point<T>& X,
+  // The distance from P, which may be at infinity, to X. `name`: a text or a Quantity.
+  template <class Name>
+  void distance(const Name& name, const geometry::ProjectivePoint<T>& P, const geometry::Point<T>& X,
                 const Phrase& at_infinity) {
     put(name, [&] {
       const geometry::Vector<T> d{X.x * P.w - P.x, X.y * P.w - P.y};
@@ -108,40 +149,66 @@ class Ledger {
     }
   }
 
-  const std::vector<std::pair<std::string, std::string>>& keys() const { return keys_; }
+  const std::vector<LedgerEntry>& entries() const { return entries_; }
   const std::vector<geometry::Reading<T>>& readings() const { return readings_; }
+  // What only drawings need; empty but on their number.
+  const std::vector<LedgerEntry>& drawn_entries() const { return drawn_entries_; }
+  const std::vector<geometry::Reading<T>>& drawn_readings() const { return drawn_readings_; }
 
  private:
+  void write(LedgerEntry entry, const std::function<T()>& find) {
+    const bool is_wanted = geometry::climbing::Wanted::is(entries_.size());
+    if (entry.described) entry.described->name = entry.quantity;
+    entries_.push_back(std::move(entry));
+    readings_.push_back(is_wanted ? geometry::Reading<T>::from(find) : geometry::Reading<T>::undecided({}));
+  }
+  template <class Find>
+  void draws(const std::string& name, const Find& find) {
+    if constexpr (std::is_same_v<T, geometry::Deep>) {
+      drawn_entries_.push_back({case_ + name, route_});
+      drawn_readings_.push_back(geometry::Reading<T>::from(find));
+    }
+  }
   geometry::Vector<T> in_usual_axes(const geometry::Vector<T>& v) const {
     return x_axis_ ? v.x * *x_axis_ + v.y * geometry::quarter_turn(*x_axis_) : v;
   }
 
   std::optional<geometry::Vector<T>> x_axis_;
   std::string route_, case_;
-  std::vector<std::pair<std::string, std::string>> keys_;
-  std::vector<geometry::Reading<T>> readings_;
+  std::vector<LedgerEntry> entries_, drawn_entries_;
+  std::vector<geometry::Reading<T>> readings_, drawn_readings_;
 };
 
 // Runs `write<T>()`, which returns a Ledger<T> with the same keys for every T, up the numbers as `rung` says.
 template <class Write>
 std::vector<RouteValue> settle(const Write& write, Rung rung) {
-  std::vector<std::pair<std::string, std::string>> keys;
+  std::vector<LedgerEntry> entries;
   const auto scene = [&]<class T>() {
     const Ledger<T> ledger = write.template operator()<T>();
-    keys = ledger.keys();
-    return ledger.readings();
+    entries = ledger.entries();
+    std::vector<geometry::Reading<T>> readings = ledger.readings();
+    if (rung == Rung::drawing) {
+      entries.insert(entries.end(), ledger.drawn_entries().begin(), ledger.drawn_entries().end());
+      readings.insert(readings.end(), ledger.drawn_readings().begin(), ledger.drawn_readings().end());
+    }
+    return readings;
   };
   // What one route has settled needs no proof by the others: their enclosures are compared with it.
   const auto is_open = [&](std::size_t i, const std::vector<geometry::Settled>& so_far) {
-    for (std::size_t k = 0; k < keys.size(); ++k)
-      if (keys[k].first == keys[i].first && so_far[k].kind == geometry::Settled::Kind::certain) return false;
+    for (std::size_t k = 0; k < entries.size(); ++k)
+      if (entries[k].quantity == entries[i].quantity && so_far[k].kind == geometry::Settled::Kind::certain)
+        return false;
     return true;
   };
+  constexpr long bits_of_drawings = 256;
   const std::vector<geometry::Settled> settled = rung == Rung::fast      ? geometry::only_fast(scene)
                                                  : rung == Rung::bounded ? geometry::only_bounded(scene)
-                                                                         : geometry::climb(scene, is_open);
+                                                 : rung == Rung::drawing
+                                                     ? geometry::only_deep(scene, bits_of_drawings)
+                                                     : geometry::climb(scene, is_open);
   std::vector<RouteValue> values;
-  for (std::size_t i = 0; i < settled.size(); ++i) values.push_back({keys[i].first, keys[i].second, settled[i]});
+  for (std::size_t i = 0; i < settled.size(); ++i)
+    values.push_back({entries[i].quantity, entries[i].route, settled[i], entries[i].described});
   return values;
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "exercises/kit/statement/exercise.h"
+#include "exercises/kit/proof/exercise.h"
 
 namespace epure {
 

@@ -1,4 +1,4 @@
-// What an exercise says of itself, and the results it hands to the command line.
+// An exercise: what it says of itself, what it finds, and the sheets it draws.
 #pragma once
 
 #include <functional>
@@ -8,56 +8,21 @@
 #include <vector>
 
 #include "drawings/picture.h"
-#include "exercises/kit/statement/format_words.h"
-#include "exercises/kit/statement/givens.h"
+#include "exercises/kit/statement/description.h"
 #include "geometry/numbers/climb.h"
 
 namespace epure {
 
-struct QuantitySpec {
-  std::string name;    // ASCII: "omega_3", "a_BA_n"
-  std::string symbol;  // rich text: "$ω_{3}$"
-  std::string unit;    // "rad/s"; "1" for a pure number
-  Words meaning;
-};
+// How a number is to be computed: with the climb; on one rung to show what that rung is worth; or with the 256 bits
+// that drawings are made with.
+enum class Rung { fast, bounded, climb, drawing };
 
-struct SheetSpec {
-  std::string name;  // "polar-diagram"
-  Words title;
-};
-
-// A number the source printed, and by which of its methods. `reading` is what half a millimetre on the source's own
-// drawing is worth in this number (derived beside the entry); 0 for a number that was calculated, not measured.
-// `explanation`, for a number that is neither rounded nor read, evaluates the source's own mistake: it must give the
-// printed digits.
-struct Explanation {
-  Words sentence;
-  std::function<double()> evaluate;
-};
-struct Printed {
-  std::string quantity, text, route;
-  double reading = 0;
-  std::optional<Explanation> explanation = {};
-};
-
-struct Description {
-  std::string id;  // "slider-crank-velocity"
-  Words title;
-  std::string document, item;  // "sapienza", "N.1"
-  Words source;                // as it stands in the title block
-  std::vector<GivenSpec> givens;
-  std::vector<SheetSpec> sheets;
-  std::vector<QuantitySpec> quantities;
-  std::vector<Printed> printed;
-};
-
-// How a number is to be computed: with the climb, or on one rung to show what that rung is worth.
-enum class Rung { fast, bounded, climb };
-
-// One quantity by one route.
+// One quantity by one route, with what its exercise says of it (nothing where that is listed apart, or of what only a
+// drawing needs).
 struct RouteValue {
   std::string quantity, route;
   geometry::Settled settled;
+  std::optional<Quantity> described = {};
 };
 
 // A quantity as drawn: two points of the sheet, and what a millimetre between them is worth.
@@ -84,6 +49,8 @@ struct DrawnSheet {
   std::vector<Measurement> measurements;
 };
 
+class Solution;
+
 class Exercise {
  public:
   virtual ~Exercise() = default;
@@ -95,8 +62,12 @@ class Exercise {
   // What is wrong with the mechanism; nothing where nothing can be. Throws as solve.
   virtual std::vector<Flaw> flaws(const Givens&) const { return {}; }
 
+  // What its sheets draw and print. Throws as solve.
+  virtual Solution solution(const Givens& givens) const;
+
   // `sheet` is one of about().sheets. Throws BadGivens as above, or when a requested scale does not fit the paper.
-  virtual DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const = 0;
+  virtual DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const = 0;
+  DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const;
 };
 
 // An exercise in a catalogue. It is made when it is first asked for, which two threads must not do at once: its

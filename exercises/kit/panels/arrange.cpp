@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/layout_search.h"
+#include "exercises/kit/panels/panel_sheet.h"
+#include "exercises/kit/panels/sheet.h"
+
+namespace epure {
+namespace {
+
+Plot plot_of(const PlacedPanel& placed, DrawnSheet& onto) {
+  Plot plot(onto, placed.origin(), placed.panel->is_of_vectors() ? placed.vectors : placed.lengths);
+  plot.vectors_at(placed.vectors);
+  return plot;
+}
+
+// The steps of all panels, numbered through, and their numbers on the pictures. What is decided and not drawn stands
+// between them.
+std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels, DrawnSheet& onto,
+                                          Language language) {
+  std::vector<drawings::Block> blocks;
+  int number = 1;
+  for (const PlacedPanel& each : panels) {
+    Plot plot = plot_of(each, onto);
+    for (const PanelStep& step : each.panel->steps(plot)) {
+      std::string text = step.text.in(language);
+      if (!step.at) {
+        blocks.push_back(drawings::Paragraph{text});
+        continue;
+      }
+      if (is_in(each.room, plot, *step.at))
+        plot.step(number, *step.at);
+      else
+        text += Words{" (Off the sheet.)", " (Fuori del foglio.)"}.in(language);
+      auto* const steps = blocks.empty() ? nullptr : std::get_if<drawings::Steps>(&blocks.back());
+      if (steps)
+        steps->lines.push_back(text);
+      else
+        blocks.push_back(drawings::Steps{{text}, number});
+      ++number;
+    }
+  }
+  return blocks;
+}
+
+// Which of two figures has which scale.
+std::string position(const PlacedPanel& panel, const PlacedPanel& other, Language language) {
+  const auto middle = [](const drawings::Box& box) {
+    return drawings::Point{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
+  };
+  const drawings::Point here = middle(panel.room), there = middle(other.room);
+  const bool beside = std::abs(here.x - there.x) >= std::abs(here.y - there.y);
+  const Words words = beside ? (here.x < there.x ? Words{" left", " a sinistra"} : Words{" right", " a destra"})
+                             : (here.y > there.y ? Words{" above", " sopra"} : Words{" below", " sotto"});
+  return words.in(language);
+}
+
+// One bar for each scale: of lengths, with the figure it is of where two differ; then of vectors.
+void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const SheetRequest& request) {
+  std::vector<const PlacedPanel*> figures;
+  for (const PlacedPanel& each : panels)
+    if (!each.panel->is_of_vectors() && std::none_of(figures.begin(), figures.end(), [&](const PlacedPanel* figure) {
+          return figure->lengths.caption == each.lengths.caption;
+        }))
+      figures.push_back(&each);
+  std::vector<Scale> bars;
+  std::vector<std::string> captions;  // the title block has no room for the words
+  for (const PlacedPanel* figure : figures) {
+    bars.push_back(figure->lengths);
+    captions.push_back(figure->lengths.caption);
+    if (figures.size() == 2)
+      bars.back().caption += position(*figure, *figures[figure == figures[0] ? 1 : 0], request.language);
+  }
+  for (const PlacedPanel& each : panels) {
+    if (each.vectors.caption.empty() ||
+        std::find(captions.begin(), captions.end(), each.vectors.caption) != captions.end())
+      continue;
+    bars.push_back(each.vectors);
+    captions.push_back(each.vectors.caption);
+  }
+  add_scale_bars(onto, bars, request);
+  onto.sheet.title_block.scales = captions;
+}
+
+void add_results(const Solution& solution, const PanelSheet& shown, DrawnSheet& onto, Language language) {
+  std::vector<drawings::Block> blocks;
+  for (const Result& result : shown.results)
+    if (auto block = result(solution, language)) blocks.push_back(std::move(*block));
+  if (blocks.empty()) return;
+  onto.sheet.column.push_back(drawings::Heading{Words{"Results", "Risultati"}.in(language)});
+  for (drawings::Block& block : blocks) onto.sheet.column.push_back(std::move(block));
+}
+
+// What a ruler reads on the sheet as it now is.
+void add_measured(const PanelSheet& shown, DrawnSheet& onto, Language language) {
+  const Readings readings(onto);
+  for (const auto& panel : shown.panels) {
+    const auto table = panel->measured(readings);
+    if (!table || table->rows.empty()) continue;
+    if (!table->heading.empty()) onto.sheet.column.push_back(drawings::Heading{table->heading.in(language)});
+    onto.sheet.column.push_back(comparison_table(table->rows, table->first, table->second, language));
+  }
+}
+
+std::string description(const Solution& solution, const PanelSheet& shown, Language language) {
+  std::vector<Value> values;
+  for (const std::string& name : shown.told)
+    if (const auto value = solution.value(name))
+      values.push_back({name, *value, written_unit(solution.described(name).unit)});
+  return in_words(shown.seen, values, language);
+}
+
+}  // namespace
+
+DrawnSheet arrange(const Description& about, const std::string& sheet, const Solution& solution,
+                   const PanelSheet& shown, const SheetRequest& request) {
+  const Language language = request.language;
+  DrawnSheet onto = blank_sheet(about, sheet, solution.givens(), request, shown.without_part);
+  const std::vector<PlacedPanel> panels = laid_out(shown.panels, room_above_scale_bars(request), request);
+  for (const PlacedPanel& each : panels) {
+    Plot plot = plot_of(each, onto);
+    each.panel->draw(plot, each.room, language);
+  }
+  add_bars(panels, onto, request);
+
+  auto& column = onto.sheet.column;
+  for (const auto& panel : shown.panels)
+    for (const drawings::VectorEquation& equation : panel->equations()) column.push_back(equation);
+  column.push_back(drawings::Heading{Words{"Construction", "Costruzione"}.in(language)});
+  for (drawings::Block& block : number_steps(panels, onto, language)) column.push_back(std::move(block));
+  add_results(solution, shown, onto, language);
+  add_measured(shown, onto, language);
+  onto.sheet.description = description(solution, shown, language);
+  return onto;
+}
+
+}  // namespace epure

@@ -1,0 +1,272 @@
+#include "exercises/kit/panels/layout_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include "drawings/text/text.h"
+
+namespace epure {
+namespace {
+
+constexpr double between_panels = 3;  // mm
+
+struct Size {
+  double width = 0, height = 0;
+};
+
+// A part of the room: one panel, or two parts side by side or one above the other.
+struct Division {
+  std::size_t panel = 0;
+  bool side_by_side = false;
+  std::shared_ptr<const Division> first = {}, second = {};  // none: one panel
+};
+using Divisions = std::vector<std::shared_ptr<const Division>>;
+
+// All divisions of the panels from `begin` to `end`.
+Divisions divisions(std::size_t begin, std::size_t end) {
+  if (end - begin == 1) return {std::make_shared<Division>(Division{.panel = begin})};
+  Divisions all;
+  for (std::size_t middle = begin + 1; middle < end; ++middle)
+    for (const auto& first : divisions(begin, middle))
+      for (const auto& second : divisions(middle, end))
+        for (const bool side_by_side : {true, false})
+          all.push_back(std::make_shared<Division>(Division{0, side_by_side, first, second}));
+  return all;
+}
+
+Size size_of(const Division& part, const std::vector<Size>& panels) {
+  if (!part.first) return panels[part.panel];
+  const Size a = size_of(*part.first, panels), b = size_of(*part.second, panels);
+  if (part.side_by_side) return {a.width + between_panels + b.width, std::max(a.height, b.height)};
+  return {std::max(a.width, b.width), a.height + between_panels + b.height};
+}
+
+// What is left over goes in equal shares to both parts.
+void place(const Division& part, const std::vector<Size>& panels, const drawings::Box& room,
+           std::vector<drawings::Box>& rooms) {
+  if (!part.first) {
+    rooms[part.panel] = room;
+    return;
+  }
+  const Size a = size_of(*part.first, panels), b = size_of(*part.second, panels);
+  drawings::Box one = room, other = room;
+  if (part.side_by_side) {
+    const double left_over = room.width() - a.width - between_panels - b.width;
+    one.high.x = room.low.x + a.width + left_over / 2;
+    other.low.x = one.high.x + between_panels;
+  } else {
+    const double left_over = room.height() - a.height - between_panels - b.height;
+    one.low.y = room.high.y - a.height - left_over / 2;
+    other.high.y = one.low.y - between_panels;
+  }
+  place(*part.first, panels, one, rooms);
+  place(*part.second, panels, other, rooms);
+}
+
+// The scales that can be chosen: the lengths of each panel that shows a plane of them, the vectors of each unit.
+struct Choice {
+  Scale scale;
+  bool is_fixed = false;
+};
+struct Choices {
+  std::vector<Choice> lengths;            // by panel
+  std::map<std::string, Choice> vectors;  // by unit
+};
+
+class Search {
+ public:
+  Search(const Panels& panels, const drawings::Box& room, const SheetRequest& request)
+      : panels_(panels), room_(room), language_(request.language), largest_(largest(request.scale)) {}
+
+  struct Found {
+    double merit = 0;
+    Choices choices;
+    std::shared_ptr<const Division> division;
+  };
+  std::optional<Found> best() {
+    std::optional<Found> best;
+    for (const auto& division : divisions(0, panels_.size()))
+      if (const auto choices = largest_that_fit(*division))
+        if (const double found = merit(*choices); !best || found > best->merit + 1e-9)
+          best = Found{found, *choices, division};
+    return best;
+  }
+
+  std::vector<Size> sizes(const Choices& choices) {
+    std::vector<Size> all;
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      const Scale &lengths = choices.lengths[i].scale, &vectors = vectors_of(choices, i);
+      const auto key = std::tuple(i, lengths.mm_per_unit, vectors.mm_per_unit);
+      const auto [at, is_new] = known_.try_emplace(key);
+      if (is_new) {
+        const drawings::Box box = panels_[i]->extent(lengths, vectors);
+        at->second = {box.width(), box.height()};
+      }
+      all.push_back(at->second);
+    }
+    return all;
+  }
+
+  const Scale& vectors_of(const Choices& choices, std::size_t panel) const {
+    static const Scale none;
+    const auto found = choices.vectors.find(panels_[panel]->vectors().unit);
+    return found == choices.vectors.end() ? none : found->second.scale;
+  }
+
+ private:
+  Choices largest(const std::optional<Rational>& asked) const {
+    Choices choices;
+    bool is_asked = asked.has_value();
+    for (const auto& panel : panels_) {
+      if (panel->is_of_vectors()) {
+        choices.lengths.push_back({{}, true});
+      } else {
+        choices.lengths.push_back(is_asked ? Choice{length_scale(*asked), true}
+                                           : Choice{largest_length_scale(1000 / panel->reach())});
+        is_asked = false;
+      }
+    }
+    std::map<std::string, double> mm_per_unit;
+    for (const auto& panel : panels_) {
+      const Panel::Vectors shown = panel->vectors();
+      if (shown.unit.empty()) continue;
+      const double most = shown.longest_on_paper / (shown.longest > 0 ? shown.longest : 1);
+      const auto [at, is_new] = mm_per_unit.try_emplace(shown.unit, most);
+      if (!is_new) at->second = std::min(at->second, most);
+    }
+    for (const auto& [unit, most] : mm_per_unit)
+      choices.vectors[unit] = {largest_vector_scale(most, unit, language_)};
+    return choices;
+  }
+
+  double excess(const Division& division, const Choices& choices) {
+    const Size needed = size_of(division, sizes(choices));
+    return std::max(0.0, needed.width - room_.width()) + std::max(0.0, needed.height - room_.height());
+  }
+
+  // The next smaller standard scale of one choice after the other; none of those that are fixed.
+  std::vector<Choices> next_smaller(const Choices& choices) const {
+    constexpr double smaller = 0.99;
+    std::vector<Choices> all;
+    for (std::size_t i = 0; i < choices.lengths.size(); ++i) {
+      if (choices.lengths[i].is_fixed) continue;
+      all.push_back(choices);
+      all.back().lengths[i].scale = largest_length_scale(smaller * choices.lengths[i].scale.mm_per_unit);
+    }
+    for (const auto& [unit, choice] : choices.vectors) {
+      all.push_back(choices);
+      all.back().vectors[unit].scale = largest_vector_scale(smaller * choice.scale.mm_per_unit, unit, language_);
+    }
+    return all;
+  }
+
+  // From the largest scales down, each time the one whose next smaller step gains most for what it loses.
+  std::optional<Choices> largest_that_fit(const Division& division) {
+    constexpr int most_steps = 200;  // letters and symbols do not shrink: then nothing fits
+    std::vector<Choices> tried{largest_};
+    while (tried.size() < most_steps) {
+      const Choices& choices = tried.back();
+      const double now = excess(division, choices);
+      if (now == 0) return enlarged(division, tried);
+      std::optional<Choices> best;
+      double best_gain = 0;
+      for (const Choices& next : next_smaller(choices)) {
+        const double gain = (now - excess(division, next)) / (merit(choices) - merit(next));
+        if (best && gain <= best_gain) continue;
+        best = next;
+        best_gain = gain;
+      }
+      if (!best) return {};
+      tried.push_back(*best);
+    }
+    return {};
+  }
+
+  // The last of those tried, each of its scales as large again as it was before, where there is room after all.
+  Choices enlarged(const Division& division, const std::vector<Choices>& tried) {
+    Choices choices = tried.back();
+    const auto try_with = [&](const auto& set) {
+      for (const Choices& before : tried) {
+        Choices larger = choices;
+        set(larger, before);
+        if (excess(division, larger) > 0) continue;
+        choices = larger;
+        return;
+      }
+    };
+    for (std::size_t i = 0; i < choices.lengths.size(); ++i)
+      try_with([i](Choices& larger, const Choices& before) { larger.lengths[i] = before.lengths[i]; });
+    for (const auto& [unit, choice] : largest_.vectors)
+      try_with(
+          [&unit = unit](Choices& larger, const Choices& before) { larger.vectors[unit] = before.vectors.at(unit); });
+    return choices;
+  }
+
+  // Twice the scale of one panel outweighs half that of another, but a small panel is worth enlarging more than a
+  // large one.
+  double merit(const Choices& choices) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Size& size : sizes(choices)) smallest = std::min(smallest, std::max(size.width, size.height));
+    return size_of_all(choices) + std::log(smallest) / 2;
+  }
+
+  double size_of_all(const Choices& choices) const {
+    double size = 0;
+    for (const Choice& choice : choices.lengths) size += std::log(choice.scale.mm_per_unit);
+    for (const auto& [unit, choice] : choices.vectors) size += std::log(choice.scale.mm_per_unit);
+    return size;
+  }
+
+  const Panels& panels_;
+  drawings::Box room_;
+  Language language_;
+  Choices largest_;
+  std::map<std::tuple<std::size_t, double, double>, Size> known_;
+};
+
+// A scale that was asked for does not fit: by how much, and what would.
+[[noreturn]] void refuse(const Panels& panels, const drawings::Box& room, const SheetRequest& request) {
+  SheetRequest any_scale = request;
+  any_scale.scale.reset();
+  const std::vector<PlacedPanel> would_fit = laid_out(panels, room, any_scale);
+  const auto first = std::find_if(would_fit.begin(), would_fit.end(),
+                                  [](const PlacedPanel& each) { return !each.panel->is_of_vectors(); });
+  const Scale asked = length_scale(*request.scale);
+  const drawings::Box extent = first->panel->extent(asked, first->vectors);
+  throw DoesNotFit(format_words(
+      "at scale {} the figure takes {:.0f} x {:.0f} mm, but this sheet has {:.0f} x {:.0f} mm for it and what stands "
+      "beside it; {} would fit",
+      "in scala {} la figura occupa {:.0f} x {:.0f} mm, ma questa tavola ne ha {:.0f} x {:.0f} per essa e per ciò "
+      "che "
+      "le sta accanto; andrebbe bene {}",
+      drawings::plain(asked.caption), extent.width(), extent.height(), room.width(), room.height(),
+      drawings::plain(first->lengths.caption)));
+}
+
+}  // namespace
+
+std::vector<PlacedPanel> laid_out(const Panels& panels, const drawings::Box& room, const SheetRequest& request) {
+  Search search(panels, room, request);
+  const auto best = search.best();
+  if (!best) {
+    if (request.scale) refuse(panels, room, request);
+    throw DoesNotFit("the figure does not fit the paper at any standard scale",
+                     "la figura non sta sulla carta in alcuna scala normalizzata");
+  }
+  const std::vector<Size> sizes = search.sizes(best->choices);
+  std::vector<drawings::Box> rooms(panels.size());
+  place(*best->division, sizes, room, rooms);
+  std::vector<PlacedPanel> placed;
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    placed.push_back(
+        {panels[i].get(), rooms[i], best->choices.lengths[i].scale, search.vectors_of(best->choices, i)});
+  return placed;
+}
+
+}  // namespace epure

@@ -1,0 +1,204 @@
+#include "exercises/kit/panels/mechanism.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace epure {
+namespace {
+
+constexpr double guide_behind = 14, guide_ahead = 26;  // mm of hatched guide beside the block
+constexpr double axis_ahead = 28;                      // mm of the guide's axis, with its name
+constexpr double half_block = 5, block_top = 3;        // mm from the hinge
+constexpr double angle_radius = 19;                    // mm
+
+// From p, `along` mm in a direction and `across` mm to its left.
+drawings::Point beside(drawings::Point p, double direction, double along, double across) {
+  const double c = std::cos(direction), s = std::sin(direction);
+  return {p.x + along * c - across * s, p.y + along * s + across * c};
+}
+
+}  // namespace
+
+Mechanism& Mechanism::point(const std::string& name, const Place& at, Joint joint, const std::string& letters) {
+  points_.push_back({name, at, joint, letters});
+  return *this;
+}
+Mechanism& Mechanism::body(const std::vector<std::string>& points) {
+  bodies_.push_back(points);
+  return *this;
+}
+Mechanism& Mechanism::guide(const std::string& block, double direction, const std::string& axis) {
+  guides_.push_back({block, direction, axis});
+  return *this;
+}
+Mechanism& Mechanism::path(const std::string& about, const std::string& of) {
+  paths_.push_back({about, of});
+  return *this;
+}
+Mechanism& Mechanism::turning(const std::string& about, const std::string& of, double sense,
+                              const std::string& symbol) {
+  turnings_.push_back({about, of, sense, symbol});
+  return *this;
+}
+Mechanism& Mechanism::angle(const std::string& at, double from, double to, const std::string& symbol) {
+  angles_.push_back({at, from, to, symbol});
+  return *this;
+}
+
+const Mechanism::Point& Mechanism::find(const std::string& name) const {
+  const auto found =
+      std::find_if(points_.begin(), points_.end(), [&](const Point& point) { return point.name == name; });
+  assert(found != points_.end() && "a point of the mechanism");
+  return *found;
+}
+
+Place Mechanism::middle() const {
+  Place sum{0, 0};
+  for (const Point& P : points_) sum = {sum.x + P.at.x, sum.y + P.at.y};
+  const auto count = static_cast<double>(points_.size());
+  return {sum.x / count, sum.y / count};
+}
+
+Place Mechanism::neighbour(const Point& P) const {
+  for (const auto& body : bodies_) {
+    const auto found = std::find(body.begin(), body.end(), P.name);
+    if (found == body.end()) continue;
+    return at(found == body.begin() ? body[1] : *(found - 1));
+  }
+  return middle();
+}
+
+void Mechanism::draw_guide(Plot& plot, const Guide& guide) const {
+  const drawings::Point p = plot.at(at(guide.block));
+  const auto on_it = [&](double along) { return beside(p, guide.direction, along, 0); };
+  plot.mark(drawings::Line{drawings::segment(on_it(-guide_behind), on_it(axis_ahead)), Meaning::axis, {}});
+  plot.mark(drawings::Guide{on_it(-guide_behind), on_it(guide_ahead)});
+  plot.mark(drawings::Slider{p, guide.direction});
+  if (!guide.axis.empty()) plot.label(guide.axis, plot.from_paper(on_it(axis_ahead)), at(guide.block));
+}
+
+void Mechanism::draw_bodies(Plot& plot) const {
+  for (const auto& body : bodies_) {
+    std::vector<Place> corners;
+    for (const std::string& name : body) corners.push_back(at(name));
+    if (corners.size() > 2) plot.area(corners, Meaning::plate);
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) plot.segment(corners[i], corners[i + 1], Meaning::link);
+    if (corners.size() > 2) plot.segment(corners.back(), corners.front(), Meaning::link);
+  }
+}
+
+void Mechanism::draw_joint(Plot& plot, const Point& P) const {
+  switch (P.joint) {
+    case Joint::none:
+      return plot.dot(P.at, Meaning::link);
+    case Joint::fixed:
+      return plot.mark(drawings::FixedHinge{plot.at(P.at), direction_of_support(P.at, neighbour(P))});
+    case Joint::hinge:
+    case Joint::block:
+      return plot.hinge(P.at);
+  }
+}
+
+// No arc where there is none to see, nor where it would be longer than the links.
+void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
+  constexpr double shortest_arc = 4;  // mm
+  const double opening = angle.to - angle.from;
+  if (std::abs(opening) * angle_radius < shortest_arc || plot.scale().mm_per_unit * reach() < angle_radius) return;
+  const Place& O = at(angle.at);
+  plot.mark(drawings::AngleMark{plot.at(O), angle_radius, std::min(angle.from, angle.to),
+                                std::max(angle.from, angle.to), Meaning::dimension});
+  const double out = angle_radius / plot.scale().mm_per_unit, middle = (angle.from + angle.to) / 2;
+  plot.label(angle.symbol, {O.x + out * std::cos(middle), O.y + out * std::sin(middle)}, O);
+}
+
+// A block's letters at its corner, on the side that the link leaves free: inside the block they would be lost.
+void Mechanism::draw_letters(Plot& plot, const Point& P) const {
+  if (P.joint != Joint::block) return plot.label(P.letters, P.at, neighbour(P));
+  const auto guide =
+      std::find_if(guides_.begin(), guides_.end(), [&](const Guide& each) { return each.block == P.name; });
+  const Place Q = neighbour(P);
+  const double c = std::cos(guide->direction), s = std::sin(guide->direction);
+  const double ahead = (Q.x - P.at.x) * c + (Q.y - P.at.y) * s;
+  const drawings::Point corner =
+      beside(plot.at(P.at), guide->direction, ahead > 0 ? -half_block : half_block, block_top);
+  plot.label(P.letters, plot.from_paper(corner), P.at);
+}
+
+void Mechanism::draw(Plot& plot) const {
+  for (const Path& path : paths_) plot.circle(at(path.about), distance(at(path.about), at(path.of)), Meaning::axis);
+  for (const Guide& guide : guides_) draw_guide(plot, guide);
+  draw_bodies(plot);
+  for (const Point& P : points_) draw_joint(plot, P);
+  for (const Angle& angle : angles_) draw_angle(plot, angle);
+  for (const Turning& each : turnings_) {
+    if (each.sense == 0) continue;
+    const Point& about = find(each.about);
+    (about.joint == Joint::fixed ? draw_sense_of_crank : draw_sense_of_turning)(plot, about.at, at(each.of),
+                                                                                each.sense, each.symbol);
+  }
+  for (const Point& P : points_) draw_letters(plot, P);
+}
+
+void Mechanism::sketch(Plot& plot) const {
+  draw_bodies(plot);
+  for (const Point& P : points_) {
+    plot.dot(P.at, Meaning::link);
+    plot.label(P.letters, P.at, neighbour(P));
+  }
+}
+
+void Mechanism::include(Extent& extent, const Scale& scale) const {
+  constexpr double letters = 7, support = 11;  // mm
+  for (const Path& path : paths_) {
+    const Place& O = at(path.about);
+    const double r = distance(O, at(path.of));
+    extent.include(scale, {O.x - r, O.y - r}, 2);
+    extent.include(scale, {O.x + r, O.y + r}, 2);
+  }
+  for (const Point& P : points_) extent.include(scale, P.at, P.joint == Joint::fixed ? support : letters);
+  for (const Guide& guide : guides_) {
+    const Place& P = at(guide.block);
+    const drawings::Point p{scale.mm_per_unit * P.x, scale.mm_per_unit * P.y};
+    for (const double across : {-support, support})
+      for (const double along : {-guide_behind, axis_ahead + 5}) {
+        const drawings::Point corner = beside(p, guide.direction, along, across);
+        extent.include(corner.x, corner.y);
+      }
+  }
+  include_arcs(extent, scale);
+}
+
+// As far as the arcs reach that tell angles and senses of turning.
+void Mechanism::include_arcs(Extent& extent, const Scale& scale) const {
+  constexpr double letters = 5, turning_radius = 9;  // mm
+  const auto include_arc = [&](const Place& O, double from, double to, double radius) {
+    constexpr int pieces = 8;
+    for (int i = 0; i <= pieces; ++i) {
+      const double direction = from + (to - from) * i / pieces;
+      extent.include(scale.mm_per_unit * O.x + (radius + letters) * std::cos(direction),
+                     scale.mm_per_unit * O.y + (radius + letters) * std::sin(direction));
+    }
+  };
+  for (const Angle& angle : angles_)
+    if (scale.mm_per_unit * reach() >= angle_radius) include_arc(at(angle.at), angle.from, angle.to, angle_radius);
+  for (const Turning& each : turnings_) include_arc(at(each.about), 0, 2 * std::numbers::pi, turning_radius);
+}
+
+std::vector<Place> Mechanism::corners() const {
+  std::vector<Place> all;
+  for (const Point& P : points_) all.push_back(P.at);
+  return all;
+}
+
+// Twice around the first point at most: a crank's pin comes by on the other side too.
+double Mechanism::reach() const {
+  const Place& O = points_.front().at;
+  double farthest = 0, round = 0;
+  for (const Point& P : points_) farthest = std::max(farthest, distance(O, P.at));
+  for (const Path& path : paths_) round = std::max(round, distance(at(path.about), at(path.of)));
+  return farthest + round;
+}
+
+}  // namespace epure

@@ -1,0 +1,87 @@
+// A mechanism as points, bodies and joints, ready to be drawn: whatever it is, by the places its solution found.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "exercises/kit/panels/mechanism_figure.h"
+
+namespace epure {
+
+class Mechanism : public MechanismFigure {
+ public:
+  enum class Joint {
+    none,   // a point of a body: a dot
+    hinge,  // between two bodies
+    fixed,  // a hinge on the frame
+    block   // a hinge on a block that slides on the frame
+  };
+
+  // A point under its letters, which are rich text.
+  Mechanism& point(const std::string& name, const Place& at, Joint joint, const std::string& letters);
+  // A link between two points, or a plate between three and more. The first is the link that the supports keep clear
+  // of.
+  Mechanism& body(const std::vector<std::string>& points);
+  // The guide of a block, along this direction (radians), with the name of its axis ahead of it.
+  Mechanism& guide(const std::string& block, double direction, const std::string& axis = {});
+  // `of` goes round `about`: its way is drawn.
+  Mechanism& path(const std::string& about, const std::string& of);
+  // An arc arrow at the link from `about` to `of`: counter-clockwise (sense > 0), clockwise, or none (0).
+  Mechanism& turning(const std::string& about, const std::string& of, double sense, const std::string& symbol);
+  // An angle at a point, from one direction to another (radians), marked where there is room for it.
+  Mechanism& angle(const std::string& at, double from, double to, const std::string& symbol);
+
+  const Place& at(const std::string& name) const { return find(name).at; }
+
+  void draw(Plot& plot) const override;
+  void sketch(Plot& plot) const override;
+  void include(Extent& extent, const Scale& scale) const override;
+  std::vector<Place> corners() const override;
+  double reach() const override;
+
+ private:
+  struct Point {
+    std::string name;
+    Place at;
+    Joint joint;
+    std::string letters;
+  };
+  struct Guide {
+    std::string block;
+    double direction;
+    std::string axis;
+  };
+  struct Path {
+    std::string about, of;
+  };
+  struct Turning {
+    std::string about, of;
+    double sense;
+    std::string symbol;
+  };
+  struct Angle {
+    std::string at;
+    double from, to;
+    std::string symbol;
+  };
+
+  const Point& find(const std::string& name) const;
+  Place middle() const;
+  // The other end of the first link at a point.
+  Place neighbour(const Point& P) const;
+  void include_arcs(Extent& extent, const Scale& scale) const;
+  void draw_guide(Plot& plot, const Guide& guide) const;
+  void draw_bodies(Plot& plot) const;
+  void draw_joint(Plot& plot, const Point& P) const;
+  void draw_angle(Plot& plot, const Angle& angle) const;
+  void draw_letters(Plot& plot, const Point& P) const;
+
+  std::vector<Point> points_;
+  std::vector<std::vector<std::string>> bodies_;
+  std::vector<Guide> guides_;
+  std::vector<Path> paths_;
+  std::vector<Turning> turnings_;
+  std::vector<Angle> angles_;
+};
+
+}  // namespace epure

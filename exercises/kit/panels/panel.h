@@ -1,0 +1,67 @@
+// A part of a sheet: a picture at a scale of its own, and what the column tells of it. It draws and tells what the
+// solution holds, and computes no value.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exercises/kit/panels/compare.h"
+#include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/plot.h"
+
+namespace epure {
+
+// One step of the construction: what is done, and where its number stands on the picture. A step whose place is off
+// the sheet is told to be so; one without a place says what is decided, and has no number.
+struct PanelStep {
+  Words text;
+  std::optional<Place> at = {};
+};
+
+// What a ruler reads off the finished sheet, under a heading of its own.
+struct MeasuredTable {
+  Words heading;
+  std::vector<Comparison> rows;
+  Words first, second;  // heads of its two columns of values
+};
+
+class Panel {
+ public:
+  virtual ~Panel() = default;
+
+  // The plane it shows: of lengths in metres, or of vectors.
+  virtual bool is_of_vectors() const { return false; }
+  // From end to end, in metres: the largest scale of lengths worth trying makes it a metre of paper.
+  virtual double reach() const { return 1; }
+
+  // The vectors it shows: all panels of a sheet show those of one unit at one scale.
+  struct Vectors {
+    std::string unit;               // "m/s"; empty: none
+    double longest = 0;             // in the unit; 0 when nothing moves
+    double longest_on_paper = 150;  // mm: longer they say no more
+  };
+  virtual Vectors vectors() const { return {}; }
+
+  // What it covers, letters included, in mm from the plane's origin. (`lengths` is meaningless for a plane of
+  // vectors.)
+  virtual drawings::Box extent(const Scale& lengths, const Scale& vectors) const = 0;
+  virtual void draw(Plot& plot, const drawings::Box& room, Language language) const = 0;
+
+  virtual std::vector<drawings::VectorEquation> equations() const { return {}; }
+  // `plot`: where the panel stands, as a step's number may stand at the tip of a vector.
+  virtual std::vector<PanelStep> steps(const Plot&) const { return {}; }
+  virtual std::optional<MeasuredTable> measured(const Readings&) const { return {}; }
+};
+
+using Panels = std::vector<std::unique_ptr<Panel>>;
+template <class... Kinds>
+Panels panels(Kinds... of) {
+  Panels all;
+  (all.push_back(std::make_unique<Kinds>(std::move(of))), ...);
+  return all;
+}
+
+}  // namespace epure

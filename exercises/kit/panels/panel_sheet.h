@@ -1,0 +1,40 @@
+// A sheet as a list of panels, and an exercise whose sheets are such lists.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "exercises/kit/panels/panel.h"
+#include "exercises/kit/panels/results.h"
+
+namespace epure {
+
+struct PanelSheet {
+  Panels panels = {};  // in the order of reading, and of their steps
+  std::vector<Result> results = {};
+  Words seen = {};                          // for who does not see the sheet: what is on it ...
+  std::vector<std::string> told = {};       // ... and the quantities then told
+  std::set<std::string> without_part = {};  // givens that are not shown, as they have none here
+};
+
+// A sheet and how it is made from what the exercise has found.
+struct SheetMaker {
+  SheetSpec spec;
+  std::function<PanelSheet(const Solution&)> make;
+};
+
+using Solve = std::function<std::vector<RouteValue>(const Givens&, Rung)>;
+
+// The sheets and quantities of the description are taken from the makers and from what the routes write.
+std::unique_ptr<Exercise> exercise_of_panels(Description about, Solve solve, std::vector<SheetMaker> sheets);
+
+// Places the panels side by side or one below the other, whichever leaves them larger, each at a standard scale, and
+// writes the column, the scale bars and the description. A scale asked for is that of the first panel with lengths.
+// Throws DoesNotFit.
+DrawnSheet arrange(const Description& about, const std::string& sheet, const Solution& solution,
+                   const PanelSheet& shown, const SheetRequest& request);
+
+}  // namespace epure

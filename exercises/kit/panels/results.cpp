@@ -1,0 +1,43 @@
+#include "exercises/kit/panels/results.h"
+
+#include <fmt/format.h>
+
+#include "exercises/kit/panels/sheet.h"
+
+namespace epure {
+
+namespace {
+
+constexpr int significant = 4;
+
+}  // namespace
+
+std::string written_unit(const std::string& unit) {
+  const auto square = unit.find("^2");
+  return square == std::string::npos ? unit : unit.substr(0, square) + "²" + unit.substr(square + 2);
+}
+
+Result components(const VectorQuantity& quantity) {
+  return [quantity](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+    const auto x = solution.value(quantity.x().name), y = solution.value(quantity.y().name),
+               length = solution.value(quantity.length().name);
+    if (!x || !y || !length) return {};
+    const std::string unit = written_unit(quantity.unit);
+    return drawings::Paragraph{fmt::format("{} = ({}; {}) {},  {} = {} {}", quantity.arrow(),
+                                           figures(*x, significant, language), figures(*y, significant, language),
+                                           unit, quantity.length().symbol, figures(*length, significant, language),
+                                           unit)};
+  };
+}
+
+Result coordinates(const std::string& name) {
+  return [name](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+    const std::optional<Place> P = solution.point(name);
+    if (!P) return {};
+    return drawings::Paragraph{fmt::format("${}$ = ({}; {}) m", point_letters(name),
+                                           figures(P->x, significant, language),
+                                           figures(P->y, significant, language))};
+  };
+}
+
+}  // namespace epure

@@ -1,0 +1,50 @@
+// What an exercise has found at given givens, each quantity once: the numbers that its sheets draw and print.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exercises/kit/proof/exercise.h"
+#include "exercises/kit/proof/place.h"
+
+namespace epure {
+
+class Solution {
+ public:
+  // Of a quantity found by several routes, what the first one says that knows it.
+  Solution(Givens givens, std::vector<RouteValue> values);
+
+  const Givens& givens() const { return givens_; }
+
+  bool has(const std::string& quantity) const { return places_.contains(quantity); }
+  // The value, as the double nearest to the middle of what is known; zero when that may be zero. None when the
+  // quantity does not exist or could not be decided. Asking for what no route writes is a caller's mistake.
+  std::optional<double> value(const std::string& quantity) const;
+  // Of a quantity that has a value.
+  double operator[](const std::string& quantity) const;
+  // Whether the exercise reports it, and what it says of it then.
+  bool is_reported(const std::string& quantity) const {
+    return has(quantity) && find(quantity).described.has_value();
+  }
+  const Quantity& described(const std::string& quantity) const;
+
+  // From the coordinates NAME_x, NAME_y; none when one of them has no value.
+  std::optional<Place> point(const std::string& name) const;
+  Place place(const std::string& name) const;
+  // From the components, in the same way, of one that exists.
+  Arrow2 vector(const std::string& name) const;
+
+  // Everything by its name, in the order in which it was written down.
+  const std::vector<RouteValue>& values() const { return values_; }
+
+ private:
+  const RouteValue& find(const std::string& quantity) const;
+
+  Givens givens_;
+  std::vector<RouteValue> values_;
+  std::map<std::string, std::size_t> places_;  // in values_
+};
+
+}  // namespace epure

@@ -1,0 +1,45 @@
+// What an exercise says of itself.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exercises/kit/statement/format_words.h"
+#include "exercises/kit/statement/givens.h"
+#include "exercises/kit/statement/quantity.h"
+
+namespace epure {
+
+struct SheetSpec {
+  std::string name;  // "polar-diagram"
+  Words title;
+};
+
+// A number the source printed, and by which of its methods. `reading` is what half a millimetre on the source's own
+// drawing is worth in this number (derived beside the entry); 0 for a number that was calculated, not measured.
+// `explanation`, for a number that is neither rounded nor read, evaluates the source's own mistake: it must give the
+// printed digits.
+struct Explanation {
+  Words sentence;
+  std::function<double()> evaluate;
+};
+struct Printed {
+  std::string quantity, text, route;
+  double reading = 0;
+  std::optional<Explanation> explanation = {};
+};
+
+struct Description {
+  std::string id;  // "slider-crank-velocity"
+  Words title;
+  std::string document, item;  // "sapienza", "N.1"
+  Words source;                // as it stands in the title block
+  std::vector<GivenSpec> givens;
+  std::vector<SheetSpec> sheets = {};
+  std::vector<Quantity> quantities = {};
+  std::vector<Printed> printed = {};
+};
+
+}  // namespace epure

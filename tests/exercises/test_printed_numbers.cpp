@@ -1,0 +1,136 @@
+// Every number that a sheet tells is a quantity of the solution, as it is rounded for that place: in the column, in
+// both languages, and in the description. (Of the exercises whose sheets are made of panels.)
+#include <algorithm>
+#include <cmath>
+#include <regex>
+
+#include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/proof/solution.h"
+#include "tests/exercises/held_against_corpus.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+namespace {
+
+const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
+    {"velocity-centre",
+     {{}, {"phi=200", "omega=-2.7"}, {"V=0"}, {"omega=0"}, {"omega=0", "omega_dot=0"}, {"phi=90"}, {"L=0.37"}}}};
+
+// Without what is raised or lowered, which belongs to a symbol, but for powers of ten.
+std::string without_indices(std::string text) {
+  text = std::regex_replace(text, std::regex(R"(·10\$?\^\{[−-]?\d+\})"), "·10");
+  return std::regex_replace(text, std::regex(R"([_^]\{[^}]*\})"), "");
+}
+
+// Numbers with a decimal sign: whole ones stand in formulas and counts.
+std::vector<std::string> numbers_in(const std::string& text) {
+  static const std::regex number(R"([−-]?\d+[.,]\d+(e[-+]?\d+|·10)?)");
+  const std::string plain = without_indices(text);
+  return {std::sregex_token_iterator(plain.begin(), plain.end(), number), std::sregex_token_iterator()};
+}
+
+std::string as_number_in(const std::string& rounded) {
+  const std::vector<std::string> found = numbers_in(rounded);
+  return found.empty() ? rounded : found.front();
+}
+
+struct TextOfSheet {
+  std::vector<std::string> words;                  // paragraphs, steps, cells
+  std::vector<std::vector<std::string>> measured;  // rows of tables that hold measured values
+};
+TextOfSheet told_by(const drawings::Sheet& sheet) {
+  TextOfSheet told{{sheet.description}, {}};
+  bool in_givens = false;
+  for (const drawings::Block& block : sheet.column) {
+    if (const auto* heading = std::get_if<drawings::Heading>(&block))
+      in_givens = heading->text == "Given" || heading->text == "Dati";
+    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block); paragraph && !in_givens)
+      told.words.push_back(paragraph->text);
+    if (const auto* steps = std::get_if<drawings::Steps>(&block))
+      told.words.insert(told.words.end(), steps->lines.begin(), steps->lines.end());
+    if (const auto* table = std::get_if<drawings::Table>(&block)) {
+      for (const auto& row : table->rows) {
+        if (table->head.back() == "Δ %")
+          told.measured.push_back(row);
+        else
+          told.words.insert(told.words.end(), row.begin(), row.end());
+      }
+    }
+  }
+  return told;
+}
+
+bool tells_a_quantity(const std::string& number, const Solution& solution, Language language) {
+  for (const RouteValue& value : solution.values()) {
+    if (!value.described) continue;
+    const auto known = solution.value(value.quantity);
+    if (!known) continue;
+    for (int digits = 3; digits <= 6; ++digits)
+      if (as_number_in(figures(*known, digits, language)) == number) return true;
+    const std::string in_description = in_words({"", ""}, {{"x", *known, ""}}, language);
+    if (!numbers_in(in_description).empty() && numbers_in(in_description).front() == number) return true;
+  }
+  return false;
+}
+
+// "(x; y)" tells the two coordinates or components of one thing.
+bool tells_pairs_that_belong_together(const std::string& text, const Solution& solution, Language language) {
+  static const std::regex pair(R"(\(([^();]+); ([^();]+)\))");
+  for (auto each = std::sregex_iterator(text.begin(), text.end(), pair); each != std::sregex_iterator(); ++each) {
+    const auto is_this_pair = [&](const RouteValue& value) {
+      if (!value.quantity.ends_with("_x") || !value.described) return false;
+      const std::string name = value.quantity.substr(0, value.quantity.size() - 2);
+      const std::optional<Place> P = solution.point(name);
+      return P && figures(P->x, 4, language) == (*each)[1] && figures(P->y, 4, language) == (*each)[2];
+    };
+    const auto& all = solution.values();
+    if (std::none_of(all.begin(), all.end(), is_this_pair)) return false;
+  }
+  return true;
+}
+
+// Both values of a row lie as near to its quantity as a ruler can tell.
+bool measures_its_quantity(const std::vector<std::string>& row, const Solution& solution) {
+  const auto read = [](std::string text) {
+    std::replace(text.begin(), text.end(), ',', '.');
+    return std::strtod(std::regex_replace(text, std::regex("−"), "-").c_str(), nullptr);
+  };
+  for (const RouteValue& value : solution.values()) {
+    if (!value.described || row[0].find(value.described->symbol) != 0) continue;
+    const double known = std::abs(solution[value.quantity]);
+    return std::abs(read(row[1]) - known) <= 2e-3 * known && std::abs(read(row[2]) - known) <= 2e-3 * known;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("what is printed is a quantity of the solution") {
+  int seen = 0;
+  for (const auto& [id, sets] : tried)
+    for (const Assignments& assignments : sets)
+      for (const Language language : {Language::english, Language::italian}) {
+        const Exercise& exercise = find_exercise(catalogue(), id);
+        const Solution solution = exercise.solution(Tried(id).givens(assignments));
+        for (const SheetSpec& spec : exercise.about().sheets) {
+          CAPTURE(id, assignments, spec.name, static_cast<int>(language));
+          const TextOfSheet told = told_by(exercise.draw(spec.name, solution, {.language = language}).sheet);
+          for (const std::string& text : told.words) {
+            CAPTURE(text);
+            CHECK(tells_pairs_that_belong_together(text, solution, language));
+            for (const std::string& number : numbers_in(text)) {
+              INFO("\"" << number << "\" in: " << text);
+              CHECK(tells_a_quantity(number, solution, language));
+              ++seen;
+            }
+          }
+          for (const auto& row : told.measured) {
+            CAPTURE(row);
+            CHECK(measures_its_quantity(row, solution));
+            ++seen;
+          }
+        }
+      }
+  CHECK(seen > 150);
+}

@@ -1,0 +1,68 @@
+// What sheets read.
+#include "exercises/kit/proof/solution.h"
+
+#include "exercises/kit/proof/ledger.h"
+#include "tests/support/catch.h"
+
+using namespace epure;
+using geometry::Deep;
+
+namespace {
+
+Solution solution_of(const auto& write) { return {Givens({}), settle(write, Rung::drawing)}; }
+
+}  // namespace
+
+TEST_CASE("solution: the first route that knows a quantity gives it") {
+  const Solution solution = solution_of([]<class T>() {
+    Ledger<T> ledger("first");
+    ledger.put("both", T(1));
+    ledger.put("later", [&]() -> T { throw geometry::Impossible("not by this route", "non per questa via"); });
+    ledger.route("second");
+    ledger.put("both", T(2));
+    ledger.put("later", T(3));
+    return ledger;
+  });
+  CHECK(solution["both"] == 1);
+  CHECK(solution["later"] == 3);
+  CHECK(solution.has("both"));
+  CHECK_FALSE(solution.has("neither"));
+}
+
+TEST_CASE("solution: what does not exist has no value, what may be zero is drawn as zero") {
+  const Solution solution = solution_of([]<class T>() {
+    Ledger<T> ledger("route");
+    ledger.put("none", [&]() -> T { throw geometry::Impossible("at infinity", "all'infinito"); });
+    const T root = geometry::root(T(2));
+    ledger.put("nothing", T(root * root - T(2)));
+    return ledger;
+  });
+  CHECK_FALSE(solution.value("none").has_value());
+  CHECK(solution.value("nothing") == 0);
+  CHECK_THROWS_WITH(solution["none"], "at infinity");
+}
+
+TEST_CASE("solution: a vector of which the length is reported is drawn by its components") {
+  const auto write = []<class T>() {
+    Ledger<T> ledger("route");
+    ledger.put_length(velocity("B"), {T(3), T(-4)});
+    ledger.put(point("A"), geometry::Point<T>{T(1), T(2)});
+    ledger.draws_point("O", {T(5), T(6)});
+    return ledger;
+  };
+  const Solution solution = solution_of(write);
+  CHECK(solution["v_B"] == 5);
+  CHECK(solution.vector("v_B").x == 3);
+  CHECK(solution.vector("v_B").y == -4);
+  CHECK(solution.place("O").y == 6);
+  CHECK(solution.point("A")->x == 1);
+  CHECK(solution.is_reported("v_B"));
+  CHECK_FALSE(solution.is_reported("v_B_x"));
+  CHECK_FALSE(solution.is_reported("O_x"));
+  CHECK(solution.described("v_B").symbol == "$v_{B}$");
+
+  // What is only drawn is not proved and not reported.
+  std::vector<std::string> proved;
+  for (const RouteValue& value : settle(write, Rung::climb)) proved.push_back(value.quantity);
+  CHECK(proved == std::vector<std::string>{"v_B", "A_x", "A_y"});
+}
