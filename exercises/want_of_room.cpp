@@ -40,8 +40,8 @@ void on_terminate() {
   std::abort();
 }
 
-// FLINT has said why, unless memory was all it wanted.
-[[noreturn]] void on_flint_abort() {
+// FLINT has said why, unless memory was all it wanted. (Its attribute, as Clang takes it for a part of the type.)
+FLINT_NORETURN void on_flint_abort() {
   if (errno == ENOMEM) end();
   end("epure: internal error: FLINT cannot go on; please report it with the command that led to it\n", 70);
 }

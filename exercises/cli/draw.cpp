@@ -8,6 +8,7 @@
 #include <mutex>
 #include <ostream>
 #include <set>
+#include <utility>
 
 #include "drawings/output.h"
 #include "drawings/page.h"
@@ -25,16 +26,21 @@ namespace {
 using drawings::File;
 
 // An exercise with its givens. Its sheets are drawn by several threads: the first of them solves it for all.
-struct Solving {
-  const Exercise* exercise;
-  Givens givens;
-  std::once_flag once = {};
-  std::optional<Solution> found = {};
+class Solving {
+ public:
+  Solving(const Exercise* exercise, Givens givens) : exercise_(exercise), givens_(std::move(givens)) {}
 
+  const Exercise* exercise() const { return exercise_; }
   const Solution& solution() {
-    std::call_once(once, [&] { found = exercise->solution(givens); });
-    return *found;
+    std::call_once(once_, [&] { found_ = exercise_->solution(givens_); });
+    return *found_;
   }
+
+ private:
+  const Exercise* exercise_;
+  Givens givens_;
+  std::once_flag once_ = {};
+  std::optional<Solution> found_ = {};
 };
 
 // A sheet of an exercise, each once, and what became of it. Layout and labels' places serve both formats.
@@ -68,7 +74,7 @@ class Drawing {
     abreast(sheets_.size(), [&](std::size_t i) {
       DrawnSheetOf& each = sheets_[i];
       const auto of = std::find_if(solving.begin(), solving.end(),
-                                   [&](const Solving& one) { return one.exercise == each.exercise; });
+                                   [&](const Solving& one) { return one.exercise() == each.exercise; });
       try {
         each.page = compose(each, *of, request);
       } catch (const geometry::Undecided& open) {
