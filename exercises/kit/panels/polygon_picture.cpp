@@ -225,7 +225,7 @@ std::vector<std::string> steps_of(const VectorPolygon& polygon, Language languag
       from = side.tip;
     }
   }
-  if (!polygon.left.back().closes_alone()) lines.back() += meeting(corner, language);
+  if (!lines.empty() && !polygon.left.back().closes_alone()) lines.back() += meeting(corner, language);
   for (const PolygonImage& image : polygon.images) lines.push_back(image.explained.in(language));
   return lines;
 }
@@ -240,7 +240,10 @@ std::vector<Place> places_of_steps(const VectorPolygon& polygon) {
 
 int steps_of_sides(const VectorPolygon& polygon) { return static_cast<int>(in_order(polygon).size()); }
 
-Place closing_corner(const VectorPolygon& polygon) { return placed(polygon.right).back().to; }
+Place closing_corner(const VectorPolygon& polygon) {
+  const std::vector<PlacedSide> sides = placed(polygon.right);
+  return sides.empty() ? Place{0, 0} : sides.back().to;
+}
 
 std::vector<Comparison> measured_rows(const Readings& readings, const VectorPolygon& polygon) {
   std::vector<Comparison> rows;

@@ -67,7 +67,7 @@ drawings::Table measured_table(const DrawnSheet& sheet, const VectorPolygon& pol
 // The rows of such a table.
 std::vector<Comparison> measured_rows(const Readings& readings, const VectorPolygon& polygon);
 
-// Where the two sides meet.
+// Where the two sides meet: in the origin when no vector is drawn.
 Place closing_corner(const VectorPolygon& polygon);
 
 // The longest vector.

@@ -1,5 +1,7 @@
 #include "exercises/kit/panels/rounded.h"
 
+#include <cmath>
+
 #include "geometry/numbers/enclosure.h"
 
 namespace epure {
@@ -8,6 +10,8 @@ using geometry::Deep;
 using geometry::Sign;
 
 namespace {
+
+long bits_of_deep() { return geometry::Arithmetic<Deep>::bits(); }
 
 bool is_nonzero(const Deep& x) {
   const Sign s = geometry::sign(x);
@@ -19,6 +23,9 @@ bool is_nonzero(const Deep& x) {
 double to_double(const Deep& x) {
   const geometry::Enclosure ends = geometry::enclosure(x);
   const bool may_be_zero = ends.lower <= 0 && ends.upper >= 0;
+  if (may_be_zero && ends.upper - ends.lower > std::ldexp(1.0, -static_cast<int>(bits_of_deep() / 2)))
+    throw geometry::Undecided("a quantity that cannot be told from zero for the drawing",
+                              "una grandezza che per il disegno non si distingue da zero");
   return may_be_zero ? 0 : ends.value;
 }
 Place to_double(const geometry::Point<Deep>& P) { return {to_double(P.x), to_double(P.y)}; }

@@ -8,12 +8,14 @@
 
 namespace epure {
 
-// A double inside the ball: zero when it may be zero, else the nearest to the middle.
+// A double inside the ball: zero when it may be zero, else the nearest to the middle. Throws Undecided when it may be
+// zero and is wider than half of the bits worked with would leave it: beside a change point the other half is not
+// enough, and what looks like zero is none.
 double to_double(const geometry::Deep& x);
 Place to_double(const geometry::Point<geometry::Deep>& P);
 Arrow2 to_double(const geometry::Vector<geometry::Deep>& v);
 
-// None for a point at infinity, or one of which 256 bits cannot tell.
+// None for a point at infinity, or one of which the bits cannot tell.
 std::optional<Place> to_double(const geometry::ProjectivePoint<geometry::Deep>& P);
 
 // A circle, or the line it has become; neither when every point or none satisfies it.
@@ -26,11 +28,19 @@ struct DrawnCycle {
 };
 DrawnCycle to_double(const geometry::Cycle<geometry::Deep>& cycle);
 
-// Runs `find`, which works on Deep, at the precision drawings are made with.
+// Runs `find`, which works on Deep, at the precision drawings are made with: 256 bits, and up to 2048 while these
+// leave something undecided.
 template <class Find>
 auto deeply(const Find& find) {
-  const geometry::Arithmetic<geometry::Deep> bits(256);
-  return find();
+  constexpr long most_bits = 2048;
+  for (long bits = 256;; bits *= 2) {
+    const geometry::Arithmetic<geometry::Deep> scope(bits);
+    try {
+      return find();
+    } catch (const geometry::Undecided&) {
+      if (bits == most_bits) throw;
+    }
+  }
 }
 
 }  // namespace epure

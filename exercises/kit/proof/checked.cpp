@@ -143,6 +143,13 @@ void demand_listed(CheckedExercise& checked, const std::string& name, const Word
                           "{}, ma non è tra le grandezze dell'esercizio", where));
 }
 
+// A direction at the seam of a turn may be drawn at its other side.
+bool shows(const OnSheet& shown, double value, const std::string& unit) {
+  constexpr double turn = 360;
+  if (is_within_resolution(shown, value)) return true;
+  return unit == "deg" && (is_within_resolution(shown, value - turn) || is_within_resolution(shown, value + turn));
+}
+
 void compare_sheet(CheckedExercise& checked, CheckedQuantity& quantity, const OnSheet& shown) {
   quantity.on_sheets.push_back(shown);
   if (quantity.settled.kind == Settled::Kind::unbounded) return;  // doubles promise nothing
@@ -150,7 +157,7 @@ void compare_sheet(CheckedExercise& checked, CheckedQuantity& quantity, const On
     complain(checked.failures, quantity.spec.name,
              format_words("sheet {} shows it, but it does not exist ({})",
                           "la tavola {} la mostra, ma non esiste ({})", shown.sheet, quantity.settled.reason));
-  if (has_value(quantity.settled) && !is_within_resolution(shown, quantity.settled.enclosure.value))
+  if (has_value(quantity.settled) && !shows(shown, quantity.settled.enclosure.value, quantity.spec.unit))
     complain(checked.failures, quantity.spec.name,
              format_words("sheet {} shows {}, which is not {} within {}",
                           "la tavola {} mostra {}, che non è {} entro {}", shown.sheet, shortest(shown.value),

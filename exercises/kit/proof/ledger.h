@@ -5,6 +5,8 @@
 // number that drawings are made with.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -179,6 +181,28 @@ class Ledger {
   std::vector<geometry::Reading<T>> readings_, drawn_readings_;
 };
 
+// With 256 bits, and up to 2048 while these leave the scene undecided, or a value that may be zero is wider than half
+// of them would leave it.
+template <class Scene>
+std::vector<geometry::Settled> settled_for_drawing(const Scene& scene) {
+  constexpr long most_bits = 2048;
+  const auto is_known = [](const geometry::Settled& value, long bits) {
+    const geometry::Enclosure& ends = value.enclosure;
+    return value.kind != geometry::Settled::Kind::enclosed || ends.lower > 0 || ends.upper < 0 ||
+           ends.upper - ends.lower <= std::ldexp(1.0, -static_cast<int>(bits / 2));
+  };
+  for (long bits = 256;; bits *= 2) {
+    try {
+      std::vector<geometry::Settled> settled = geometry::only_deep(scene, bits);
+      if (bits == most_bits || std::all_of(settled.begin(), settled.end(),
+                                           [&](const geometry::Settled& value) { return is_known(value, bits); }))
+        return settled;
+    } catch (const geometry::Undecided&) {
+      if (bits == most_bits) throw;
+    }
+  }
+}
+
 // Runs `write<T>()`, which returns a Ledger<T> with the same keys for every T, up the numbers as `rung` says.
 template <class Write>
 std::vector<RouteValue> settle(const Write& write, Rung rung) {
@@ -200,12 +224,10 @@ std::vector<RouteValue> settle(const Write& write, Rung rung) {
         return false;
     return true;
   };
-  constexpr long bits_of_drawings = 256;
   const std::vector<geometry::Settled> settled = rung == Rung::fast      ? geometry::only_fast(scene)
                                                  : rung == Rung::bounded ? geometry::only_bounded(scene)
-                                                 : rung == Rung::drawing
-                                                     ? geometry::only_deep(scene, bits_of_drawings)
-                                                     : geometry::climb(scene, is_open);
+                                                 : rung == Rung::drawing ? settled_for_drawing(scene)
+                                                                         : geometry::climb(scene, is_open);
   std::vector<RouteValue> values;
   for (std::size_t i = 0; i < settled.size(); ++i)
     values.push_back({entries[i].quantity, entries[i].route, settled[i], entries[i].described});

@@ -58,6 +58,12 @@ Decimal read_measured(const std::string& text, const std::string& unit) {
   return number;
 }
 
+// The same direction, whole turns away, that is nearest to the one measured; of anything else the value itself.
+double nearest_turn(double value, double to, const std::string& unit) {
+  const double turn = unit == "deg" ? 360 : unit == "rad" ? 2 * std::numbers::pi : 0;
+  return turn == 0 ? value : value + turn * std::round((to - value) / turn);
+}
+
 }  // namespace
 
 void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std::string& text,
@@ -70,7 +76,7 @@ void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std
   Measured measured{
       .text = text, .value = nearest(number.value), .allowed = nearest(allowed.size), .allowed_by = allowed.by};
   if (has_value(quantity.settled)) {
-    const double value = quantity.settled.enclosure.value;
+    const double value = nearest_turn(quantity.settled.enclosure.value, measured.value, quantity.spec.unit);
     measured.within = CGAL::abs(excess(number, value)) <= allowed.size;
     // Told in doubles: that 0.3 as typed is 1e-17 off the double 0.3 is nobody's error.
     measured.difference = measured.value - (number.signed_text ? value : std::abs(value));

@@ -1,0 +1,52 @@
+// What attacks from outside found, each with the command that found it. Right answers are the checks' own, which hold
+// sheets against proved values.
+#include "tests/exercises/held_against_corpus.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+namespace {
+
+bool passes(const std::string& id, const Assignments& assignments) {
+  const CheckedExercise checked = Tried(id).checked(assignments);
+  for (const auto* all : {&checked.failures, &checked.undecided, &checked.not_drawn})
+    for (const Complaint& each : *all) UNSCOPED_INFO(each.sentence.english);
+  return checked.passed();
+}
+
+}  // namespace
+
+// Neither weight nor inertia: the polygon of the forces on the lever is a point.
+TEST_CASE("attacked: a lever on which no force acts") {
+  CHECK(passes("pin-in-slot", {"OB=0.2", "M1=0", "omega_dot=0"}));
+  CHECK(passes("pin-in-slot", {"omega=0", "omega_dot=0", "g=0"}));
+  CHECK(passes("pin-in-slot", {"omega=0", "omega_dot=0", "M1=0"}));
+}
+
+// 256 bits cannot tell 7.77 rad/s² from zero there; drawn as zero, the sheet was wrong.
+TEST_CASE("attacked: so near to a change point that drawings need more bits") {
+  Assignments near{"A0B0=1.1", "AB=0.799", "A0A=0.5", "B0B=0.801", "alpha_2=10"};
+  for (const int zeros : {12, 17, 21, 24, 32, 39, 60}) {
+    CAPTURE(zeros);
+    near.push_back("theta_2=180." + std::string(static_cast<std::size_t>(zeros), '0') + "1");
+    CHECK(passes("four-bar-analytic", near));
+    near.pop_back();
+  }
+}
+
+// 360° - 1e-17, drawn at 0°.
+TEST_CASE("attacked: an angle at the seam of a turn") {
+  CHECK(passes("four-bar-analytic", {"A0B0=0.3", "AB=1.3", "A0A=0.2999999999999999999", "B0B=1.3", "theta_2=0"}));
+}
+
+// -11.537° measured on the other side of the turn.
+TEST_CASE("attacked: a measured direction may be whole turns away") {
+  for (const auto& [text, is_right] :
+       {std::pair{"348.46deg", true}, {"-11.54deg", true}, {"708.46deg", true}, {"348.6deg", false}}) {
+    CAPTURE(text);
+    CheckedExercise checked = Tried("slider-crank-velocity").checked({});
+    for (CheckedQuantity& quantity : checked.quantities)
+      if (quantity.spec.name == "coupler_angle") add_measured(checked, quantity, text, Rational(1, 2));
+    CHECK(checked.passed() == is_right);
+  }
+}
