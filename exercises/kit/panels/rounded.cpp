@@ -1,8 +1,6 @@
 #include "exercises/kit/panels/rounded.h"
 
-#include <cmath>
-
-#include "geometry/numbers/enclosure.h"
+#include "exercises/kit/proof/zero_for_drawing.h"
 
 namespace epure {
 
@@ -10,8 +8,6 @@ using geometry::Deep;
 using geometry::Sign;
 
 namespace {
-
-long bits_of_deep() { return geometry::Arithmetic<Deep>::bits(); }
 
 bool is_nonzero(const Deep& x) {
   const Sign s = geometry::sign(x);
@@ -22,11 +18,10 @@ bool is_nonzero(const Deep& x) {
 
 double to_double(const Deep& x) {
   const geometry::Enclosure ends = geometry::enclosure(x);
-  const bool may_be_zero = ends.lower <= 0 && ends.upper >= 0;
-  if (may_be_zero && ends.upper - ends.lower > std::ldexp(1.0, -static_cast<int>(bits_of_deep() / 2)))
-    throw geometry::Undecided("a quantity that cannot be told from zero for the drawing",
-                              "una grandezza che per il disegno non si distingue da zero");
-  return may_be_zero ? 0 : ends.value;
+  if (!may_be_zero(ends)) return ends.value;
+  if (is_zero_for_drawing(ends, geometry::Arithmetic<Deep>::bits())) return 0;
+  throw geometry::Undecided("a quantity that cannot be told from zero for the drawing",
+                            "una grandezza che per il disegno non si distingue da zero");
 }
 Place to_double(const geometry::Point<Deep>& P) { return {to_double(P.x), to_double(P.y)}; }
 Arrow2 to_double(const geometry::Vector<Deep>& v) { return {to_double(v.x), to_double(v.y)}; }

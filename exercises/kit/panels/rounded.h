@@ -8,9 +8,8 @@
 
 namespace epure {
 
-// A double inside the ball: zero when it may be zero, else the nearest to the middle. Throws Undecided when it may be
-// zero and is wider than half of the bits worked with would leave it: beside a change point the other half is not
-// enough, and what looks like zero is none.
+// A double inside the ball: zero when that may pass for it (zero_for_drawing.h), else the nearest to the middle.
+// Throws Undecided when it may be zero, and may as well not.
 double to_double(const geometry::Deep& x);
 Place to_double(const geometry::Point<geometry::Deep>& P);
 Arrow2 to_double(const geometry::Vector<geometry::Deep>& v);

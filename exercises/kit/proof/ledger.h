@@ -6,7 +6,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "exercises/kit/proof/exercise.h"
+#include "exercises/kit/proof/zero_for_drawing.h"
 #include "geometry/constructions/cycle.h"
 #include "geometry/numbers/climb.h"
 
@@ -181,15 +181,13 @@ class Ledger {
   std::vector<geometry::Reading<T>> readings_, drawn_readings_;
 };
 
-// With 256 bits, and up to 2048 while these leave the scene undecided, or a value that may be zero is wider than half
-// of them would leave it.
+// With 256 bits, and up to 2048 while these leave the scene undecided, or do not tell a value from zero.
 template <class Scene>
 std::vector<geometry::Settled> settled_for_drawing(const Scene& scene) {
   constexpr long most_bits = 2048;
   const auto is_known = [](const geometry::Settled& value, long bits) {
-    const geometry::Enclosure& ends = value.enclosure;
-    return value.kind != geometry::Settled::Kind::enclosed || ends.lower > 0 || ends.upper < 0 ||
-           ends.upper - ends.lower <= std::ldexp(1.0, -static_cast<int>(bits / 2));
+    return value.kind != geometry::Settled::Kind::enclosed || !may_be_zero(value.enclosure) ||
+           is_zero_for_drawing(value.enclosure, bits);
   };
   for (long bits = 256;; bits *= 2) {
     try {
