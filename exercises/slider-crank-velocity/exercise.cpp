@@ -1,48 +1,106 @@
 #include "exercises/slider-crank-velocity/exercise.h"
 
-#include "exercises/kit/panels/sheet.h"
-#include "exercises/kit/proof/solution.h"
-#include "exercises/slider-crank-velocity/quantities.h"
+#include <fmt/format.h>
+
+#include "exercises/kit/linkages/slider_crank_figure.h"
+#include "exercises/kit/linkages/slider_crank_mechanism.h"
+#include "exercises/kit/panels/mechanism_panel.h"
+#include "exercises/kit/panels/poles_panel.h"
+#include "exercises/kit/panels/polygon_panel.h"
+#include "exercises/slider-crank-velocity/routes.h"
 
 namespace epure {
 namespace slider_crank_velocity {
 namespace {
 
-std::vector<Quantity> quantities() {
-  return {
-      {"omega_2", "$ω_{2}$", "rad/s", {"angular velocity of the crank", "velocità angolare della manovella"}},
-      {"crank_angle_phi", "$φ$", "rad", {"crank angle from +x", "angolo di manovella da +x"}},
-      {"crank_angle_phi_deg", "$φ$", "deg", {"crank angle in degrees", "angolo di manovella in gradi"}},
-      {"v_A", "$v_{A}$", "m/s", {"speed of A", "velocità di A"}},
-      {"A_x", "$x_{A}$", "m", {"abscissa of A", "ascissa di A"}},
-      {"A_y", "$y_{A}$", "m", {"ordinate of A", "ordinata di A"}},
-      {"B_x", "$x_{B}$", "m", {"abscissa of B", "ascissa di B"}},
-      {"B_y", "$y_{B}$", "m", {"ordinate of B", "ordinata di B"}},
-      {"C_x", "$x_{C}$", "m", {"abscissa of C", "ascissa di C"}},
-      {"C_y", "$y_{C}$", "m", {"ordinate of C", "ordinata di C"}},
-      {"M_x", "$x_{M}$", "m", {"abscissa of M", "ascissa di M"}},
-      {"M_y", "$y_{M}$", "m", {"ordinate of M", "ordinata di M"}},
-      {"coupler_angle", "$θ_{3}$", "rad", {"direction of AB from the guide", "direzione di AB rispetto alla guida"}},
-      {"P0_x", "$x_{P0}$", "m", {"abscissa of the pole", "ascissa del polo"}},
-      {"P0_y", "$y_{P0}$", "m", {"ordinate of the pole", "ordinata del polo"}},
-      {"P0A", "$P_{0}A$", "m", {"distance of A from the pole", "distanza di A dal polo"}},
-      {"P0B", "$P_{0}B$", "m", {"distance of B from the pole", "distanza di B dal polo"}},
-      {"P0C", "$P_{0}C$", "m", {"distance of C from the pole", "distanza di C dal polo"}},
-      {"P0M", "$P_{0}M$", "m", {"distance of M from the pole", "distanza di M dal polo"}},
-      {"omega_3", "$ω_{3}$", "rad/s", {"angular velocity of the coupler", "velocità angolare della biella"}},
-      {"v_B_x", "$v_{Bx}$", "m/s", {"velocity of B, along x", "velocità di B, lungo x"}},
-      {"v_B_y", "$v_{By}$", "m/s", {"velocity of B, along y", "velocità di B, lungo y"}},
-      {"v_B", "$v_{B}$", "m/s", {"speed of B", "velocità di B"}},
-      {"v_C", "$v_{C}$", "m/s", {"speed of C", "velocità di C"}},
-      {"v_M", "$v_{M}$", "m/s", {"speed of M", "velocità di M"}},
-      {"v_C_x", "$v_{Cx}$", "m/s", {"velocity of C, along x", "velocità di C, lungo x"}},
-      {"v_C_y", "$v_{Cy}$", "m/s", {"velocity of C, along y", "velocità di C, lungo y"}},
-      {"v_M_x", "$v_{Mx}$", "m/s", {"velocity of M, along x", "velocità di M, lungo x"}},
-      {"v_M_y", "$v_{My}$", "m/s", {"velocity of M, along y", "velocità di M, lungo y"}},
-      {"v_BA", "$v_{BA}$", "m/s", {"speed of B relative to A", "velocità di B relativa ad A"}},
-      {"v_CA", "$v_{CA}$", "m/s", {"speed of C relative to A", "velocità di C relativa ad A"}},
-      {"v_MA", "$v_{MA}$", "m/s", {"speed of M relative to A", "velocità di M relativa ad A"}},
+using Where = PolesStep::Where;
+
+std::vector<PolesStep> steps_of_poles(const Solution& s, Language language) {
+  const std::string phi = short_number(s["crank_angle_phi_deg"], language);
+  std::vector<PolesStep> steps{
+      {{fmt::format("Crank at $φ$ = {}°. $A$ on its circle, $B$ on the guide by the arc of radius $l$ about $A$.",
+                    phi),
+        fmt::format(
+            "Manovella a $φ$ = {}°. $A$ sulla sua circonferenza, $B$ sulla guida con l'arco di raggio $l$ da $A$.",
+            phi)},
+       Where::point,
+       "A"},
+      {{"$C$ by the arcs $AC$ and $BC$, on the left of $AB$. $M$ halves $AB$.",
+        "$C$ con gli archi $AC$ e $BC$, a sinistra di $AB$. $M$ è il punto medio di $AB$."},
+       Where::point,
+       "C"},
+      {{"$A$ moves square to the crank: $P_{0}$ lies on the line $A_{0}A$.",
+        "$A$ si muove normalmente alla manovella: $P_{0}$ sta sulla retta $A_{0}A$."},
+       Where::ray,
+       "A"}};
+  const auto add = [&](const Words& text, Where where, const std::string& of = {}) {
+    steps.push_back({text, where, of});
   };
+  if (!s.point("P0")) {
+    add({"The perpendicular to the guide through $B$ is parallel to it: $P_{0}$ is at infinity.",
+         "La normale alla guida per $B$ le è parallela: $P_{0}$ è all'infinito."},
+        Where::ray, "B");
+    add({"The coupler translates: $ω_{3}$ = 0, and every point has the velocity of $A$.",
+         "La biella trasla: $ω_{3}$ = 0, e ogni punto ha la velocità di $A$."},
+        Where::tip, "C");
+    return steps;
+  }
+  add({"$B$ moves along the guide: $P_{0}$ lies on the perpendicular to it through $B$.",
+       "$B$ si muove lungo la guida: $P_{0}$ sta sulla normale alla guida per $B$."},
+      Where::ray, "B");
+  add({"$v_{A}$ = $ω_{2}$·$A_{0}A$, |$ω_{3}$| = $v_{A}$ / $P_{0}A$.",
+       "$v_{A}$ = $ω_{2}$·$A_{0}A$, |$ω_{3}$| = $v_{A}$ / $P_{0}A$."},
+      Where::tip, "A");
+  add({"$v_{X}$ = |$ω_{3}$|·$P_{0}X$, square to the ray $P_{0}X$.",
+       "$v_{X}$ = |$ω_{3}$|·$P_{0}X$, normale al raggio $P_{0}X$."},
+      Where::tip, "C");
+  return steps;
+}
+
+PanelSheet poles_sheet(const Solution& s, Language language) {
+  const SliderCrankInstant instant = slider_crank_instant(s.givens());
+  PolesPanel::Kind kind = PolesPanel::of_velocity("P0");
+  kind.longest_on_paper = 32;  // mm: reads well and stays clear of the other points
+  kind.farthest = 2.5;
+  PolesPanel poles(s, slider_crank_mechanism(s, instant), kind, {"A", "B", "C", "M"}, steps_of_poles(s, language));
+  poles.on_lines({{s.place("A0"), "A"}, {s.place("B"), "B"}}).turning(s.value("omega_3").value_or(0), "$ω_{3}$");
+  return {.panels = panels(poles),
+          .results = {values({"omega_2", "omega_3"}),
+                      by_point({"A", "B", "C", "M"}, {{"$P_{0}X$ (m)", "P0{}"}, {"$v_{X}$ (m/s)", "v_{}"}}),
+                      remark(swing_in_words(instant, language))},
+          .seen = {"The slider-crank, its pole P₀ by two lines, and the velocities of A, B, C and M square to their "
+                   "rays",
+                   "Il manovellismo, il polo P₀ con due rette, e le velocità di A, B, C e M normali ai loro raggi"},
+          .told = {"crank_angle_phi_deg", "omega_3", "P0_x", "P0_y", "v_A", "v_B", "v_C", "v_M"}};
+}
+
+VectorPolygon velocities(const Solution& s, const SliderCrankInstant& instant, Language language) {
+  VectorPolygon polygon = velocity_polygon({side(s, velocity("B"), parallel_to_guide(instant, language), "?")},
+                                           {side(s, velocity("A"), "⊥ $A_{0}A$", "$ω_{2}$·$A_{0}A$", "$a'$"),
+                                            side(s, velocity("BA"), "⊥ $BA$", "?", "$b'$")});
+  polygon.images = {
+      image(
+          s, velocity("C"), velocity("CA"), "$c'$",
+          {"$c'$: square to $AC$ through $a'$, square to $BC$ through $b'$. The triangle $a'b'c'$ is the image of "
+           "$ABC$.",
+           "$c'$: normale ad $AC$ per $a'$, normale a $BC$ per $b'$. Il triangolo $a'b'c'$ è l'immagine di $ABC$."}),
+      image(s, velocity("M"), velocity("MA"), "$m'$",
+            {"$m'$ halves $a'b'$, as $M$ halves $AB$.", "$m'$ è il punto medio di $a'b'$, come $M$ di $AB$."})};
+  polygon.images.back().relative.label.clear();  // it lies on v_BA
+  return polygon;
+}
+
+PanelSheet polar_diagram_sheet(const Solution& s, Language language) {
+  const SliderCrankInstant instant = slider_crank_instant(s.givens());
+  PolygonPanel polygon(s, velocities(s, instant, language), PolygonPanel::Table::measured);
+  polygon.with_equations({{{{"$\\vec{v}_{C}$", "?", "?", ""},
+                            {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "$ω_{2}$·$A_{0}A$", "="},
+                            {"$\\vec{v}_{CA}$", "⊥ $CA$", "|$ω_{3}$|·$CA$", "+"}}}});
+  return {.panels = panels(MechanismPanel(slider_crank_mechanism(s, instant)), polygon),
+          .results = {values({"omega_3"}), by_point({"A", "B", "C", "M"}, {{"$v_{X}$ (m/s)", "v_{}"}})},
+          .seen = {"The polygon of the velocities of the slider-crank, with the images of C and M",
+                   "Il poligono delle velocità del manovellismo, con le immagini di C e M"},
+          .told = {"v_A", "v_BA", "v_B", "v_C", "v_M"}};
 }
 
 Description description() {
@@ -53,64 +111,24 @@ Description description() {
           .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.1",
                      "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.1"},
           .givens = slider_crank_givens(false),
-          .sheets = {{"poles", {"Method of poles", "Metodo dei poli"}},
-                     {"polar-diagram", {"Polar diagram of velocity", "Diagramma polare delle velocità"}},
-                     {"polodes", {"Fixed and moving polode", "Polare fissa e polare mobile"}},
-                     {"coupler-curve", {"Path of the coupler point C", "Traiettoria del punto di biella C"}}},
-          .quantities = quantities(),
           .printed = printed_by_the_source()};
 }
 
-class SliderCrankVelocity : public Exercise {
- public:
-  const Description& about() const override { return about_; }
-
-  std::vector<RouteValue> solve(const Givens& givens, Rung rung) const override {
-    return settle(VelocityRoutes{slider_crank_instant(givens)}, rung);
-  }
-
-  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
-    const Givens& givens = solution.givens();
-    const Drawn figure = drawn(slider_crank_instant(givens));
-    DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
-    if (sheet == "poles") draw_poles(onto, figure, request);
-    if (sheet == "polar-diagram") draw_polar_diagram(onto, figure, request);
-    if (sheet == "polodes") draw_polodes(onto, figure, request);
-    if (sheet == "coupler-curve") draw_coupler_curve(onto, figure, request);
-    return onto;
-  }
-
- private:
-  Description about_ = description();
-};
-
 }  // namespace
-
-Drawn drawn(const SliderCrankInstant& instant) {
-  return deeply([&] {
-    using geometry::Deep;
-    const auto at = instant.position<Deep>();
-    const auto motion = geometry::slider_crank_motion(at, instant.omega_2<Deep>(), Deep(0));
-    const auto v_A = motion.velocity.first.known;
-    const auto v_CA = motion.relative_velocity(at.C - at.A), v_MA = motion.relative_velocity(at.M - at.A);
-    Drawn figure{.instant = instant, .at = drawn_position(instant)};
-    figure.P0 = to_double(at.pole());
-    figure.omega_3 = to_double(motion.coupler.omega);
-    figure.v_A = to_double(v_A);
-    figure.v_B = to_double(motion.v_B());
-    figure.v_C = to_double(v_A + v_CA);
-    figure.v_M = to_double(v_A + v_MA);
-    figure.v_BA = to_double(motion.velocity.first.closing);
-    figure.v_CA = to_double(v_CA);
-    figure.v_MA = to_double(v_MA);
-    return figure;
-  });
-}
-
 }  // namespace slider_crank_velocity
 
 std::unique_ptr<Exercise> make_slider_crank_velocity() {
-  return std::make_unique<slider_crank_velocity::SliderCrankVelocity>();
+  using namespace slider_crank_velocity;
+  const auto solve = [](const Givens& givens, Rung rung) {
+    return settle(VelocityRoutes{slider_crank_instant(givens)}, rung);
+  };
+  return exercise_of_panels(
+      description(), solve,
+      {{{"poles", {"Method of poles", "Metodo dei poli"}}, poles_sheet},
+       {{"polar-diagram", {"Polar diagram of velocity", "Diagramma polare delle velocità"}}, polar_diagram_sheet},
+       {{"polodes", {"Fixed and moving polode", "Polare fissa e polare mobile"}}, polodes_sheet},
+       {{"coupler-curve", {"Path of the coupler point C", "Traiettoria del punto di biella C"}},
+        coupler_curve_sheet}});
 }
 
 }  // namespace epure

@@ -4,8 +4,9 @@
 
 #include <cmath>
 
+#include "exercises/kit/linkages/slider_crank_mechanism.h"
 #include "exercises/kit/panels/curve.h"
-#include "exercises/kit/panels/fit.h"
+#include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/slider-crank-velocity/loci.h"
 
@@ -14,32 +15,10 @@ namespace {
 
 // The polodes run to infinity: the sheet shows the plane around the mechanism, so many times its length wide.
 constexpr double widths = 2.4;
+constexpr double middle_of_reach = 0.45;  // of the same length, from A0 along the guide
 
 bool is_on(const drawings::Box& room, drawings::Point p) {
   return p.x > room.low.x && p.x < room.high.x && p.y > room.low.y && p.y < room.high.y;
-}
-
-void draw_triangles(Plot& plot, const Drawn& f, const drawings::Box& room) {
-  std::optional<Place> last_fixed, last_moving;  // steps 1 and 2 stand there
-  for (const Position& at : divided_positions(f.instant)) {
-    if (at.P0 && is_on(room, plot.at(*at.P0))) {
-      plot.polygon({at.A, at.B, *at.P0}, Meaning::alternative);
-      plot.dot(*at.P0, Meaning::locus);
-      plot.small_label(at.label, *at.P0, at.A);
-      last_fixed = at.P0;
-    }
-    if (at.P0_on_coupler && is_on(room, plot.at(*at.P0_on_coupler))) {
-      plot.segment(f.at.A, *at.P0_on_coupler, Meaning::construction);
-      plot.segment(f.at.B, *at.P0_on_coupler, Meaning::construction);
-      plot.dot(*at.P0_on_coupler, Meaning::second_locus);
-      plot.small_label(at.label, *at.P0_on_coupler, f.at.A);
-      last_moving = at.P0_on_coupler;
-    }
-    plot.dot(at.A, Meaning::construction);
-    plot.small_label(at.label, at.A, f.at.A0);
-  }
-  if (last_fixed) plot.step(1, *last_fixed);
-  if (last_moving) plot.step(2, *last_moving);
 }
 
 // Where a branch can be named: the middle of its longest run inside the room.
@@ -70,99 +49,169 @@ std::string division(const SliderCrankInstant& instant, bool english) {
          (circuit == Circuit::both ? primed : "");
 }
 
-drawings::Steps steps(const SliderCrankInstant& instant, bool has_asymptotes, Language language) {
+std::vector<std::string> step_texts(const SliderCrankInstant& instant, Language language) {
   const bool english = language == Language::english;
-  drawings::Steps all =
-      english
-          ? drawings::Steps{{division(instant, english) +
-                                 ". In each position $P_{0}$ on $A_{0}A$ and square to the guide through $B$: "
-                                 "the points of the fixed polode $p$.",
-                             "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the $AB$ "
-                             "of the position drawn: its $P_{0}$ marks a point of the moving polode $π$.",
-                             "The curves through the points. They touch in the $P_{0}$ of the position drawn and "
-                             "roll on each "
-                             "other.",
-                             "Where the crank is square to the guide $P_{0}$ goes to infinity: the dash-dot lines "
-                             "are the asymptotes."}}
-          : drawings::Steps{
-                {division(instant, english) +
-                     ". In ogni posizione $P_{0}$ su $A_{0}A$ e sulla normale alla guida per $B$: i "
-                     "punti della polare fissa $p$.",
-                 "Ogni triangolo $ABP_{0}$ su carta da lucido, riportato finché il suo $AB$ copre "
-                 "l'$AB$ della posizione disegnata: il suo $P_{0}$ segna un punto della polare mobile $π$.",
-                 "Le curve per i punti. Si toccano nel $P_{0}$ della posizione disegnata e rotolano l'una "
-                 "sull'altra.",
-                 "Dove la manovella è normale alla guida $P_{0}$ va all'infinito: le rette a tratto e "
-                 "punto sono gli asintoti."}};
-  if (!has_asymptotes) all.lines.pop_back();
+  return english
+             ? std::vector<
+                   std::string>{division(instant, english) +
+                                    ". In each position $P_{0}$ on $A_{0}A$ and square to the guide through $B$: "
+                                    "the points of the fixed polode $p$.",
+                                "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the "
+                                "$AB$ "
+                                "of the position drawn: its $P_{0}$ marks a point of the moving polode $π$.",
+                                "The curves through the points. They touch in the $P_{0}$ of the position drawn and "
+                                "roll on each "
+                                "other.",
+                                "Where the crank is square to the guide $P_{0}$ goes to infinity: the dash-dot lines "
+                                "are the asymptotes."}
+             : std::vector<std::string>{
+                   division(instant, english) +
+                       ". In ogni posizione $P_{0}$ su $A_{0}A$ e sulla normale alla guida per $B$: i "
+                       "punti della polare fissa $p$.",
+                   "Ogni triangolo $ABP_{0}$ su carta da lucido, riportato finché il suo $AB$ copre "
+                   "l'$AB$ della posizione disegnata: il suo $P_{0}$ segna un punto della polare mobile $π$.",
+                   "Le curve per i punti. Si toccano nel $P_{0}$ della posizione disegnata e rotolano l'una "
+                   "sull'altra.",
+                   "Dove la manovella è normale alla guida $P_{0}$ va all'infinito: le rette a tratto e "
+                   "punto sono gli asintoti."};
+}
+
+// In both languages.
+std::vector<Words> step_words(const SliderCrankInstant& instant) {
+  const auto english = step_texts(instant, Language::english), italian = step_texts(instant, Language::italian);
+  std::vector<Words> all;
+  for (std::size_t i = 0; i < english.size(); ++i) all.push_back({english[i], italian[i]});
   return all;
 }
 
+class PolodesPanel : public Panel {
+ public:
+  PolodesPanel(const Solution& solution, const SliderCrankInstant& instant)
+      : instant_(instant),
+        mechanism_(slider_crank_mechanism(solution, instant)),
+        P0_(solution.point("P0")),
+        positions_(divided_positions(instant)),
+        size_(CGAL::to_double(instant.lengths.r + instant.lengths.l)) {
+    const geometry::Arithmetic<geometry::Bounded> scope;
+    reference_.emplace(reference_of(instant).coupler);
+    for (const Loop& loop : loops_of<geometry::Bounded>(instant)) {
+      for (const geometry::Asymptote& each : geometry::asymptotes(fixed(loop)).lines) of_fixed_.push_back(each.line);
+      for (const geometry::Asymptote& each : geometry::asymptotes(moving(loop)).lines)
+        of_moving_.push_back(each.line);
+    }
+  }
+
+  double reach() const override { return size_; }
+  bool is_cut() const override { return true; }
+
+  // The middle of the mechanism's reach in the middle of the room.
+  drawings::Box extent(const Scale& lengths, const Scale&) const override {
+    const Place middle = along_guide(middle_of_reach * size_);
+    const double x = lengths.mm_per_unit * middle.x, y = lengths.mm_per_unit * middle.y;
+    const double half_wide = lengths.mm_per_unit * widths * size_ / 2, half_high = half_wide / 2;
+    return {{x - half_wide, y - half_high}, {x + half_wide, y + half_high}};
+  }
+
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
+    draw_triangles(plot, room);
+    for (const auto* lines : {&of_fixed_, &of_moving_})
+      for (const geometry::Line<double>& line : *lines) draw_line(plot, line, Meaning::axis);
+    const geometry::Trace p = draw_loci(
+        plot, instant_, [&](const Loop& loop) { return fixed(loop); }, room, Meaning::locus, "fixed_polode");
+    const geometry::Trace pi = draw_loci(
+        plot, instant_, [&](const Loop& loop) { return moving(loop); }, room, Meaning::second_locus, "moving_polode");
+    mechanism_->draw(plot);
+    if (P0_) {
+      plot.cross(*P0_);
+      plot.label("$P_{0}$", *P0_, mechanism_->at("M"), Meaning::locus);
+    }
+    if (const auto at = middle_of(p, plot, room)) plot.label("$p$", *at, {}, Meaning::locus);
+    if (const auto at = middle_of(pi, plot, room)) plot.label("$π$", *at, {}, Meaning::second_locus);
+    return of_curves(p, pi, plot.scale(), language);
+  }
+
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override {
+    std::optional<Place> last_fixed, last_moving;
+    for (const Position& at : positions_) {
+      if (at.P0 && is_on(room, plot.at(*at.P0))) last_fixed = at.P0;
+      if (at.P0_on_coupler && is_on(room, plot.at(*at.P0_on_coupler))) last_moving = at.P0_on_coupler;
+    }
+    const std::vector<Words> texts = step_words(instant_);
+    std::vector<PanelStep> all{{texts[0], last_fixed}, {texts[1], last_moving}, {texts[2], P0_}};
+    if (!of_fixed_.empty()) all.push_back({texts[3], on_asymptote()});
+    return all;
+  }
+
+ private:
+  using Loop = geometry::SliderCrankLoop<geometry::Bounded>;
+
+  static geometry::FixedPolode<geometry::Bounded> fixed(const Loop& loop) { return {loop}; }
+  geometry::MovingPolode<geometry::Bounded> moving(const Loop& loop) const { return {loop, *reference_}; }
+
+  Arrow2 guide() const {
+    const double delta = geometry::to_double(instant_.guide);
+    return {std::cos(delta), std::sin(delta)};
+  }
+  // From the foot of A0 on the guide, so far along it and to its left.
+  Place along_guide(double abscissa, double ordinate = 0) const {
+    const Arrow2 along = guide(), left{-along.y, along.x};
+    return mechanism_->at("A0") + abscissa * along + (CGAL::to_double(instant_.lengths.e) + ordinate) * left;
+  }
+  // As far below the guide as the mechanism is long.
+  Place on_asymptote() const {
+    const auto& [a, b, c] = of_fixed_.front();
+    return along_guide(dot(Place{-a * c, -b * c} - along_guide(0), guide()), -size_);
+  }
+
+  void draw_triangles(Plot& plot, const drawings::Box& room) const {
+    const Place A0 = mechanism_->at("A0"), A = mechanism_->at("A"), B = mechanism_->at("B");
+    for (const Position& at : positions_) {
+      if (at.P0 && is_on(room, plot.at(*at.P0))) {
+        plot.polygon({at.A, at.B, *at.P0}, Meaning::alternative);
+        plot.dot(*at.P0, Meaning::locus);
+        plot.small_label(at.label, *at.P0, at.A);
+      }
+      if (at.P0_on_coupler && is_on(room, plot.at(*at.P0_on_coupler))) {
+        plot.segment(A, *at.P0_on_coupler, Meaning::construction);
+        plot.segment(B, *at.P0_on_coupler, Meaning::construction);
+        plot.dot(*at.P0_on_coupler, Meaning::second_locus);
+        plot.small_label(at.label, *at.P0_on_coupler, A);
+      }
+      plot.dot(at.A, Meaning::construction);
+      plot.small_label(at.label, at.A, A0);
+    }
+  }
+
+  static std::vector<drawings::Block> of_curves(const geometry::Trace& p, const geometry::Trace& pi,
+                                                const Scale& scale, Language language) {
+    const auto in_mm = [&](const geometry::Trace& t) {
+      return figures(t.deviation() * scale.mm_per_unit, 1, language);
+    };
+    const Words sentence{
+        "$p$: {} Bezier arcs, at most {} mm from the true curve. $π$: {} arcs, at most {} mm.",
+        "$p$: {} archi di Bézier, a non più di {} mm dalla curva vera. $π$: {} archi, a non più di {} mm."};
+    return {drawings::Heading{Words{"The curves", "Le curve"}.in(language)},
+            drawings::Paragraph{
+                fmt::format(fmt::runtime(sentence.in(language)), p.arcs(), in_mm(p), pi.arcs(), in_mm(pi))}};
+  }
+
+  SliderCrankInstant instant_;
+  std::shared_ptr<const Mechanism> mechanism_;
+  std::optional<Place> P0_;
+  std::vector<Position> positions_;
+  double size_;  // crank and coupler in line
+  std::optional<geometry::CouplerPosition<geometry::Bounded>> reference_ = {};
+  std::vector<geometry::Line<double>> of_fixed_, of_moving_;  // asymptotes
+};
+
 }  // namespace
 
-void draw_polodes(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
-  const drawings::Box room = room_above_scale_bars(request);
-  const double size = std::hypot(f.at.A.x, f.at.A.y) + CGAL::to_double(f.instant.lengths.l);
-  const Scale scale =
-      request.scale ? length_scale(*request.scale) : largest_length_scale(room.width() / (widths * size));
-  // The middle of the mechanism's reach in the middle of the room.
-  const drawings::Point centre{(room.low.x + room.high.x) / 2, (room.low.y + room.high.y) / 2};
-  const GuideAxes guide(f.at);
-  const Place middle = guide.at(0.45 * size);
-  Plot plot(onto, {centre.x - scale.mm_per_unit * middle.x, centre.y - scale.mm_per_unit * middle.y}, scale);
-  onto.sheet.figure.windows = {room};
-  draw_triangles(plot, f, room);
-
-  const geometry::Arithmetic<geometry::Bounded> scope;
-  const auto reference = reference_of(f.instant).coupler;
-  using Loop = geometry::SliderCrankLoop<geometry::Bounded>;
-  const auto fixed = [](const Loop& loop) { return geometry::FixedPolode<geometry::Bounded>{loop}; };
-  const auto moving = [&](const Loop& loop) { return geometry::MovingPolode<geometry::Bounded>{loop, reference}; };
-  bool has_asymptotes = false;
-  for (const Loop& loop : loops_of<geometry::Bounded>(f.instant)) {
-    const auto of_fixed = geometry::asymptotes(fixed(loop)).lines,
-               of_moving = geometry::asymptotes(moving(loop)).lines;
-    for (const auto& lines : {of_fixed, of_moving})
-      for (const geometry::Asymptote& asymptote : lines) draw_line(plot, asymptote.line, Meaning::axis);
-    if (!has_asymptotes && !of_fixed.empty()) {
-      // On the first of them, as far below the guide as the mechanism is long.
-      const auto& [a, b, c] = of_fixed.front().line;
-      const double abscissa = guide.abscissa({-a * c, -b * c});
-      plot.step(4, guide.at(abscissa, -size));
-    }
-    has_asymptotes = has_asymptotes || !of_fixed.empty();
-  }
-  const geometry::Trace p = draw_loci(plot, f.instant, fixed, room, Meaning::locus, "fixed_polode");
-  const geometry::Trace pi = draw_loci(plot, f.instant, moving, room, Meaning::second_locus, "moving_polode");
-  draw_slider_crank(plot, f.at, sign_of(f.instant.n));
-  if (f.P0) {
-    plot.cross(*f.P0);
-    plot.label("$P_{0}$", *f.P0, f.at.M, Meaning::locus);
-    plot.step(3, *f.P0);
-  }
-  if (const auto at = middle_of(p, plot, room)) plot.label("$p$", *at, {}, Meaning::locus);
-  if (const auto at = middle_of(pi, plot, room)) plot.label("$π$", *at, {}, Meaning::second_locus);
-  onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 0);
-  add_scale_bars(onto, {scale}, request);
-
-  const bool english = request.language == Language::english;
-  auto& column = onto.sheet.column;
-  column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
-  column.push_back(steps(f.instant, has_asymptotes, request.language));
-  column.push_back(drawings::Heading{english ? "The curves" : "Le curve"});
-  const auto in_mm = [&](const geometry::Trace& t) {
-    return figures(t.deviation() * scale.mm_per_unit, 1, request.language);
-  };
-  column.push_back(drawings::Paragraph{fmt::format(
-      fmt::runtime(
-          english
-              ? "$p$: {} Bezier arcs, at most {} mm from the true curve. $π$: {} arcs, at most {} mm."
-              : "$p$: {} archi di Bézier, a non più di {} mm dalla curva vera. $π$: {} archi, a non più di {} mm."),
-      p.arcs(), in_mm(p), pi.arcs(), in_mm(pi))});
-  onto.sheet.description = in_words(
-      {"Fixed and moving polode of the coupler by the transport method, in twelve positions, with their asymptotes",
-       "Polare fissa e polare mobile della biella col metodo del trasporto, in dodici posizioni, con gli asintoti"},
-      {}, request.language);
+PanelSheet polodes_sheet(const Solution& s, Language) {
+  return {.panels = panels(PolodesPanel(s, slider_crank_instant(s.givens()))),
+          .seen = {"Fixed and moving polode of the coupler by the transport method, in twelve positions, with their "
+                   "asymptotes",
+                   "Polare fissa e polare mobile della biella col metodo del trasporto, in dodici posizioni, con gli "
+                   "asintoti"}};
 }
 
 }  // namespace epure::slider_crank_velocity

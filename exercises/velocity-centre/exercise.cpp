@@ -76,42 +76,40 @@ VectorPolygon accelerations(const Solution& s) {
                                side(s, normal_acceleration("AO"), "∥ $AO$", "$ω^{2}$·$OA$"), tangential});
 }
 
-Place between(const Place& P, const Place& Q) { return {P.x + 0.6 * (Q.x - P.x), P.y + 0.6 * (Q.y - P.y)}; }
+using Where = PolesStep::Where;
 
-std::vector<PanelStep> steps_to_centre(const Solution& s) {
-  const Place O = s.place("O"), A = s.place("A");
+std::vector<PolesStep> steps_to_centre(const Solution& s, Language language) {
   switch (centre_of(Instant(s.givens()))) {
     case Centre::by_two_normals: {
-      const Place P0 = s.place("P0");
-      const auto m = [&](Language language) { return figures(s.value("normal_slope").value_or(0), 4, language); };
+      const std::string m = figures(s.value("normal_slope").value_or(0), 4, language);
       return {
           {{"$\\vec{v}_{O}$ and $\\vec{v}_{A}$ set off at $O$ and $A$. The normal to $\\vec{v}_{O}$ through $O$ is "
             "the axis $y$.",
             "$\\vec{v}_{O}$ e $\\vec{v}_{A}$ riportate in $O$ e in $A$. La normale alla $\\vec{v}_{O}$ per $O$ è "
             "l'asse $y$."},
-           between(O, P0)},
-          {{"The normal to $\\vec{v}_{A}$ through $A$: its slope is $m_{1}$ = −$v_{Ax}$/$v_{Ay}$ = " +
-                m(Language::english) + ".",
-            "La normale alla $\\vec{v}_{A}$ per $A$, di coefficiente angolare $m_{1}$ = −$v_{Ax}$/$v_{Ay}$ = " +
-                m(Language::italian) + "."},
-           between(A, P0)},
+           Where::ray,
+           "O"},
+          {{"The normal to $\\vec{v}_{A}$ through $A$: its slope is $m_{1}$ = −$v_{Ax}$/$v_{Ay}$ = " + m + ".",
+            "La normale alla $\\vec{v}_{A}$ per $A$, di coefficiente angolare $m_{1}$ = −$v_{Ax}$/$v_{Ay}$ = " + m +
+                "."},
+           Where::ray,
+           "A"},
           {{"The velocity centre $P_{0}$ lies on both: $P_{0}O$ = $V$/$ω$, $v_{A}$ = $ω$·$P_{0}A$.",
             "Il centro delle velocità $P_{0}$ sta su entrambe: $P_{0}O$ = $V$/$ω$, $v_{A}$ = $ω$·$P_{0}A$."},
-           P0}};
+           Where::pole}};
     }
-    case Centre::by_the_tips: {
-      const Place P0 = s.place("P0");
+    case Centre::by_the_tips:
       return {{{"$\\vec{v}_{A}$ is parallel to $\\vec{v}_{O}$: the line $OA$ is normal to both.",
                 "La $\\vec{v}_{A}$ è parallela alla $\\vec{v}_{O}$: la retta $OA$ è normale a entrambe."},
-               between(O, P0)},
+               Where::ray,
+               "O"},
               {{"The line through the tips of the two vectors meets it in the velocity centre $P_{0}$.",
                 "La retta per gli estremi dei due vettori la incontra nel centro delle velocità $P_{0}$."},
-               P0}};
-    }
+               Where::pole}};
     case Centre::is_O:
       return {{{"$V$ = 0: $O$ rests, and is the velocity centre $P_{0}$. $v_{A}$ = $ω$·$OA$.",
                 "$V$ = 0: $O$ è fermo, ed è il centro delle velocità $P_{0}$. $v_{A}$ = $ω$·$OA$."},
-               O}};
+               Where::pole}};
     case Centre::at_infinity:
       return {
           {{"$ω$ = 0: $\\vec{v}_{A}$ = $\\vec{v}_{O}$, the two normals are parallel. The bar translates: its "
@@ -125,31 +123,31 @@ std::vector<PanelStep> steps_to_centre(const Solution& s) {
             "$ω$ = 0 e $V$ = 0: la barra è ferma, e nessun suo punto è centro delle velocità più di un altro."}}};
 }
 
-std::vector<PanelStep> steps_to_accelerations(const Solution& s) {
-  const std::optional<Place> K = s.point("K");
-  if (!K)
+std::vector<PolesStep> steps_to_accelerations(const Solution& s) {
+  if (!s.point("K"))
     return {{{"$ω$ and d$ω$/d$t$ are zero: every point has the acceleration of $O$, and $K$ is at infinity.",
               "$ω$ e d$ω$/d$t$ sono nulle: ogni punto ha l'accelerazione di $O$, e $K$ è all'infinito."}}};
-  const Place O = s.place("O"), A = s.place("A");
-  return {
-      {{"Rays through $O$ and $A$, at the angle $γ$ to $\\vec{a}_{O}$ and to $\\vec{a}_{A}$, tan $γ$ = "
-        "(d$ω$/d$t$)/$ω^{2}$: they meet in $K$, where the acceleration is zero.",
-        "Raggi per $O$ e per $A$, all'angolo $γ$ dalla $\\vec{a}_{O}$ e dalla $\\vec{a}_{A}$, tan $γ$ = "
-        "(d$ω$/d$t$)/$ω^{2}$: si incontrano in $K$, dove l'accelerazione è nulla."},
-       *K},
-      {{"$a_{O}$ = $KO$·√($ω^{4}$ + (d$ω$/d$t$)$^{2}$).", "$a_{O}$ = $KO$·√($ω^{4}$ + (d$ω$/d$t$)$^{2}$)."},
-       between(*K, O)},
-      {{"So is $a_{A}$ with $KA$: $a_{A}$ : $a_{O}$ = $KA$ : $KO$.",
-        "Così $a_{A}$ con $KA$: $a_{A}$ : $a_{O}$ = $KA$ : $KO$."},
-       between(*K, A)},
-      {{"The same $γ$ stands at every point of the bar.", "Lo stesso $γ$ si trova in ogni punto della barra."}, A}};
+  const Words same_gamma{"The same $γ$ stands at every point of the bar.",
+                         "Lo stesso $γ$ si trova in ogni punto della barra."};
+  const Words of_O = decimal("$a_{O}$ = $KO$·√($ω^{4}$ + (d$ω$/d$t$)$^{2}$)");
+  return {{{"Rays through $O$ and $A$, at the angle $γ$ to $\\vec{a}_{O}$ and to $\\vec{a}_{A}$, tan $γ$ = "
+            "(d$ω$/d$t$)/$ω^{2}$: they meet in $K$, where the acceleration is zero.",
+            "Raggi per $O$ e per $A$, all'angolo $γ$ dalla $\\vec{a}_{O}$ e dalla $\\vec{a}_{A}$, tan $γ$ = "
+            "(d$ω$/d$t$)/$ω^{2}$: si incontrano in $K$, dove l'accelerazione è nulla."},
+           Where::pole},
+          {of_O + ".", Where::ray, "O"},
+          {{"So is $a_{A}$ with $KA$: $a_{A}$ : $a_{O}$ = $KA$ : $KO$.",
+            "Così $a_{A}$ con $KA$: $a_{A}$ : $a_{O}$ = $KA$ : $KO$."},
+           Where::ray,
+           "A"},
+          {same_gamma, Where::point, "A"}};
 }
 
-PanelSheet velocity_sheet(const Solution& s) {
+PanelSheet velocity_sheet(const Solution& s, Language language) {
   const Instant instant(s.givens());
   const auto bar = bar_on_its_body(s);
-  PolesPanel poles(s, bar, PolesPanel::of_velocity("P0"), {"O", "A"}, steps_to_centre(s));
-  poles.sketched().turning_at(geometry::to_double(instant.omega), "ω");
+  PolesPanel poles(s, bar, PolesPanel::of_velocity("P0"), {"O", "A"}, steps_to_centre(s, language));
+  poles.sketched().compared_with(geometry::to_double(instant.omega), "ω");
   if (centre_of(instant) == Centre::by_the_tips) poles.by_the_tips();
   return {
       .panels = panels(MechanismPanel(bar, {{"A", s.place("A")}}), PolygonPanel(s, velocities(s)), poles),
@@ -161,7 +159,7 @@ PanelSheet velocity_sheet(const Solution& s) {
       .told = {"v_A", "v_A_x", "v_A_y", "P0_x", "P0_y"}};
 }
 
-PanelSheet acceleration_sheet(const Solution& s) {
+PanelSheet acceleration_sheet(const Solution& s, Language) {
   return {.panels = panels(MechanismPanel(bar_on_its_body(s)),
                            PolygonPanel(s, accelerations(s), PolygonPanel::Table::measured)),
           .results = {components(acceleration("A"))},
@@ -170,7 +168,7 @@ PanelSheet acceleration_sheet(const Solution& s) {
           .told = {"a_A", "a_A_x", "a_A_y"}};
 }
 
-PanelSheet acceleration_pole_sheet(const Solution& s) {
+PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
   return {.panels = panels(PolesPanel(s, bar_on_its_body(s), PolesPanel::of_acceleration(), {"O", "A"},
                                       steps_to_accelerations(s))),
           .results = {coordinates("K"), components(acceleration("A"))},

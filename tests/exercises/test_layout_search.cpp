@@ -16,7 +16,7 @@ struct Picture : Panel {
   drawings::Box extent(const Scale& lengths, const Scale&) const override {
     return {{0, 0}, {lengths.mm_per_unit * width + letters, lengths.mm_per_unit * height + letters}};
   }
-  void draw(Plot&, const drawings::Box&, Language) const override {}
+  std::vector<drawings::Block> draw(Plot&, const drawings::Box&, Language) const override { return {}; }
 };
 
 struct Diagram : Panel {
@@ -27,7 +27,7 @@ struct Diagram : Panel {
   drawings::Box extent(const Scale&, const Scale& vectors) const override {
     return {{0, 0}, {vectors.mm_per_unit * longest + 10, vectors.mm_per_unit * longest / 2 + 10}};
   }
-  void draw(Plot&, const drawings::Box&, Language) const override {}
+  std::vector<drawings::Block> draw(Plot&, const drawings::Box&, Language) const override { return {}; }
 };
 
 constexpr drawings::Box room{{10, 30}, {200, 200}};

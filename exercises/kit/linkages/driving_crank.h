@@ -41,26 +41,33 @@ struct DrivenCrank {
   T instant() const { return geometry::quotient_of<T>(crank, n); }
 };
 
+inline Quantity crank_angle() {
+  return {"crank_angle_phi", "$φ$", "rad", {"crank angle from +x", "angolo di manovella da +x"}};
+}
+inline Quantity crank_angle_in_degrees() {
+  return {"crank_angle_phi_deg", "$φ$", "deg", {"crank angle in degrees", "angolo di manovella in gradi"}};
+}
+
 // By construction: the angle measured at A₀, and the speed that covers it in t.
 template <class T>
 void write_crank(Ledger<T>& ledger, const DrivenCrank<T>& at, const geometry::Point<T>& A) {
   const T phi = crank_angle_seen(at.crank, A);
-  ledger.put("omega_2",
+  ledger.put(angular_velocity(2),
              [&]() -> T { return is_zero(at.crank) ? at.omega_2 : geometry::quotient(phi, at.instant()); });
-  ledger.put("crank_angle_phi", phi);
-  ledger.put("crank_angle_phi_deg", in_degrees(phi));
+  ledger.put(crank_angle(), phi);
+  ledger.put(crank_angle_in_degrees(), in_degrees(phi));
 }
 
 // From speed and time.
 template <class T>
 void write_crank(Ledger<T>& ledger, const DrivenCrank<T>& at) {
-  ledger.put("omega_2", at.omega_2);
+  ledger.put(angular_velocity(2), at.omega_2);
   if constexpr (signs_only<T>) {
-    ledger.put("crank_angle_phi", T(sign_of(at.crank)));
+    ledger.put(crank_angle(), T(sign_of(at.crank)));
   } else {
-    ledger.put("crank_angle_phi", at.omega_2 * at.instant());
+    ledger.put(crank_angle(), at.omega_2 * at.instant());
   }
-  ledger.put("crank_angle_phi_deg", given_in_degrees<T>(at.crank));
+  ledger.put(crank_angle_in_degrees(), given_in_degrees<T>(at.crank));
 }
 
 }  // namespace epure

@@ -17,6 +17,12 @@ Plot plot_of(const PlacedPanel& placed, DrawnSheet& onto) {
   return plot;
 }
 
+// The marks drawn last end at this window.
+void cut(drawings::Figure& figure, const drawings::Box& window) {
+  figure.windows.push_back(window);
+  figure.window_of.resize(figure.marks.size(), static_cast<int>(figure.windows.size()) - 1);
+}
+
 // The steps of all panels, numbered through, and their numbers on the pictures. What is decided and not drawn stands
 // between them.
 std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels, DrawnSheet& onto,
@@ -25,7 +31,7 @@ std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels
   int number = 1;
   for (const PlacedPanel& each : panels) {
     Plot plot = plot_of(each, onto);
-    for (const PanelStep& step : each.panel->steps(plot)) {
+    for (const PanelStep& step : each.panel->steps(plot, each.room)) {
       std::string text = step.text.in(language);
       if (!step.at) {
         blocks.push_back(drawings::Paragraph{text});
@@ -120,9 +126,12 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   const Language language = request.language;
   DrawnSheet onto = blank_sheet(about, sheet, solution.givens(), request, shown.without_part);
   const std::vector<PlacedPanel> panels = laid_out(shown.panels, room_above_scale_bars(request), request);
+  std::vector<drawings::Block> of_drawings;
   for (const PlacedPanel& each : panels) {
     Plot plot = plot_of(each, onto);
-    each.panel->draw(plot, each.room, language);
+    for (drawings::Block& block : each.panel->draw(plot, each.room, language))
+      of_drawings.push_back(std::move(block));
+    cut(onto.sheet.figure, each.panel->is_cut() ? each.room : drawings::drawing_area(request.paper));
   }
   add_bars(panels, onto, request);
 
@@ -131,6 +140,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
     for (const drawings::VectorEquation& equation : panel->equations()) column.push_back(equation);
   column.push_back(drawings::Heading{Words{"Construction", "Costruzione"}.in(language)});
   for (drawings::Block& block : number_steps(panels, onto, language)) column.push_back(std::move(block));
+  for (drawings::Block& block : of_drawings) column.push_back(std::move(block));
   add_results(solution, shown, onto, language);
   add_measured(shown, onto, language);
   onto.sheet.description = description(solution, shown, language);

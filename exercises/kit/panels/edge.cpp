@@ -23,12 +23,16 @@ Place at_edge(const Plot& plot, const drawings::Box& room, const Place& X, const
   return plot.from_paper({p.x + reach * direction.x, p.y + reach * direction.y});
 }
 
-Place draw_towards(Plot& plot, const drawings::Box& room, const Place& X, const Place& beyond,
-                   const std::string& letters, Language language) {
-  constexpr double from_border = 4;  // mm, for the letters
+Place ray_to_edge(const Plot& plot, const drawings::Box& room, const Place& X, const Arrow2& direction) {
+  constexpr double from_border = 4;  // mm
   const drawings::Box inner{{room.low.x + from_border, room.low.y + from_border},
                             {room.high.x - from_border, room.high.y - from_border}};
-  const Place end = at_edge(plot, inner, X, beyond - X);
+  return at_edge(plot, inner, X, direction);
+}
+
+Place draw_towards(Plot& plot, const drawings::Box& room, const Place& X, const Place& beyond,
+                   const std::string& letters, Language language) {
+  const Place end = ray_to_edge(plot, room, X, beyond - X);
   plot.segment(X, end, Meaning::construction);
   plot.small_label(Words{"to ", "verso "}.in(language) + letters, end, X);
   return end;

@@ -15,7 +15,10 @@ bool is_in(const drawings::Box& room, const Plot& plot, const Place& P);
 // From X along the direction (not zero) as far as the room reaches.
 Place at_edge(const Plot& plot, const drawings::Box& room, const Place& X, const Arrow2& direction);
 
-// From X towards a point beyond the room: a line as far as its border, with "to Ω" at its end, which is returned.
+// The same, ending a little inside of the room, where letters find room.
+Place ray_to_edge(const Plot& plot, const drawings::Box& room, const Place& X, const Arrow2& direction);
+
+// From X towards a point beyond the room: such a line, with "to Ω" at its end, which is returned.
 Place draw_towards(Plot& plot, const drawings::Box& room, const Place& X, const Place& beyond,
                    const std::string& letters, Language language);
 

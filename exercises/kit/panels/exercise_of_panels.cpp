@@ -23,7 +23,7 @@ class ExerciseOfPanels : public Exercise {
   DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
     const auto maker =
         std::find_if(sheets_.begin(), sheets_.end(), [&](const SheetMaker& each) { return each.spec.name == sheet; });
-    return arrange(about_, sheet, solution, maker->make(solution), request);
+    return arrange(about_, sheet, solution, maker->make(solution, request.language), request);
   }
 
  private:

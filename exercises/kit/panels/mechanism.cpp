@@ -8,7 +8,7 @@
 namespace epure {
 namespace {
 
-constexpr double guide_behind = 14, guide_ahead = 26;  // mm of hatched guide beside the block
+constexpr double guide_behind = 14, guide_ahead = 10;  // mm of hatched guide beside the block
 constexpr double axis_ahead = 28;                      // mm of the guide's axis, with its name
 constexpr double half_block = 5, block_top = 3;        // mm from the hinge
 constexpr double angle_radius = 19;                    // mm
@@ -42,6 +42,15 @@ Mechanism& Mechanism::turning(const std::string& about, const std::string& of, d
   turnings_.push_back({about, of, sense, symbol});
   return *this;
 }
+Mechanism& Mechanism::axis(const Place& from, const Place& to) {
+  axes_.emplace_back(from, to);
+  return *this;
+}
+Mechanism& Mechanism::offset(const std::string& point, const Place& foot, double direction, double clear,
+                             const std::string& symbol) {
+  offsets_.push_back({point, foot, direction, clear, symbol});
+  return *this;
+}
 Mechanism& Mechanism::angle(const std::string& at, double from, double to, const std::string& symbol) {
   angles_.push_back({at, from, to, symbol});
   return *this;
@@ -73,10 +82,24 @@ Place Mechanism::neighbour(const Point& P) const {
 void Mechanism::draw_guide(Plot& plot, const Guide& guide) const {
   const drawings::Point p = plot.at(at(guide.block));
   const auto on_it = [&](double along) { return beside(p, guide.direction, along, 0); };
-  plot.mark(drawings::Line{drawings::segment(on_it(-guide_behind), on_it(axis_ahead)), Meaning::axis, {}});
-  plot.mark(drawings::Guide{on_it(-guide_behind), on_it(guide_ahead)});
+  if (!guide.axis.empty())
+    plot.mark(drawings::Line{drawings::segment(on_it(-guide_behind), on_it(axis_ahead)), Meaning::axis, {}});
+  plot.mark(drawings::Guide{on_it(-guide_behind), on_it(guide.axis.empty() ? guide_behind : guide_ahead)});
   plot.mark(drawings::Slider{p, guide.direction});
   if (!guide.axis.empty()) plot.label(guide.axis, plot.from_paper(on_it(axis_ahead)), at(guide.block));
+}
+
+// Too short a distance has no room for its letter.
+void Mechanism::draw_offset(Plot& plot, const Offset& offset) const {
+  constexpr double shortest = 3, air = 6, beyond = 2;  // mm
+  const Place& P = at(offset.point);
+  if (distance(P, offset.foot) * plot.scale().mm_per_unit < shortest) return;
+  const double out = offset.clear * plot.scale().mm_per_unit + air;
+  const drawings::Point at_point = beside(plot.at(P), offset.direction, out, 0),
+                        at_foot = beside(plot.at(offset.foot), offset.direction, out, 0);
+  plot.long_segment(plot.from_paper(at_point), P, beyond, Meaning::axis);
+  plot.long_segment(plot.from_paper(at_foot), offset.foot, beyond, Meaning::axis);
+  plot.mark(drawings::Dimension{at_point, at_foot, 0, offset.symbol});
 }
 
 void Mechanism::draw_bodies(Plot& plot) const {
@@ -127,6 +150,9 @@ void Mechanism::draw_letters(Plot& plot, const Point& P) const {
 }
 
 void Mechanism::draw(Plot& plot) const {
+  constexpr double beyond = 8;  // mm
+  for (const auto& [from, to] : axes_) plot.long_segment(from, to, beyond, Meaning::axis);
+  for (const Offset& offset : offsets_) draw_offset(plot, offset);
   for (const Path& path : paths_) plot.circle(at(path.about), distance(at(path.about), at(path.of)), Meaning::axis);
   for (const Guide& guide : guides_) draw_guide(plot, guide);
   draw_bodies(plot);
@@ -142,6 +168,8 @@ void Mechanism::draw(Plot& plot) const {
 }
 
 void Mechanism::sketch(Plot& plot) const {
+  constexpr double beyond = 3;  // mm
+  for (const auto& [from, to] : axes_) plot.long_segment(from, to, beyond, Meaning::axis);
   draw_bodies(plot);
   for (const Point& P : points_) {
     plot.dot(P.at, Meaning::link);
@@ -162,10 +190,17 @@ void Mechanism::include(Extent& extent, const Scale& scale) const {
     const Place& P = at(guide.block);
     const drawings::Point p{scale.mm_per_unit * P.x, scale.mm_per_unit * P.y};
     for (const double across : {-support, support})
-      for (const double along : {-guide_behind, axis_ahead + 5}) {
+      for (const double along : {-guide_behind, guide.axis.empty() ? guide_behind : axis_ahead + 5}) {
         const drawings::Point corner = beside(p, guide.direction, along, across);
         extent.include(corner.x, corner.y);
       }
+  }
+  for (const Offset& offset : offsets_) {
+    const double out = offset.clear * scale.mm_per_unit + support;
+    for (const Place& P : {at(offset.point), offset.foot}) {
+      const drawings::Point p = beside({scale.mm_per_unit * P.x, scale.mm_per_unit * P.y}, offset.direction, out, 0);
+      extent.include(p.x, p.y);
+    }
   }
   include_arcs(extent, scale);
 }

@@ -28,6 +28,12 @@ class Mechanism : public MechanismFigure {
   Mechanism& path(const std::string& about, const std::string& of);
   // An arc arrow at the link from `about` to `of`: counter-clockwise (sense > 0), clockwise, or none (0).
   Mechanism& turning(const std::string& about, const std::string& of, double sense, const std::string& symbol);
+  // A line of centres, a little beyond both ends.
+  Mechanism& axis(const Place& from, const Place& to);
+  // How far a point lies from a line, of which `foot` is the foot of the perpendicular: dimensioned `clear` metres
+  // and some millimetres away, in this direction (radians) along the line.
+  Mechanism& offset(const std::string& point, const Place& foot, double direction, double clear,
+                    const std::string& symbol);
   // An angle at a point, from one direction to another (radians), marked where there is room for it.
   Mechanism& angle(const std::string& at, double from, double to, const std::string& symbol);
 
@@ -59,6 +65,12 @@ class Mechanism : public MechanismFigure {
     double sense;
     std::string symbol;
   };
+  struct Offset {
+    std::string point;
+    Place foot;
+    double direction, clear;
+    std::string symbol;
+  };
   struct Angle {
     std::string at;
     double from, to;
@@ -71,6 +83,7 @@ class Mechanism : public MechanismFigure {
   Place neighbour(const Point& P) const;
   void include_arcs(Extent& extent, const Scale& scale) const;
   void draw_guide(Plot& plot, const Guide& guide) const;
+  void draw_offset(Plot& plot, const Offset& offset) const;
   void draw_bodies(Plot& plot) const;
   void draw_joint(Plot& plot, const Point& P) const;
   void draw_angle(Plot& plot, const Angle& angle) const;
@@ -81,6 +94,8 @@ class Mechanism : public MechanismFigure {
   std::vector<Guide> guides_;
   std::vector<Path> paths_;
   std::vector<Turning> turnings_;
+  std::vector<std::pair<Place, Place>> axes_;
+  std::vector<Offset> offsets_;
   std::vector<Angle> angles_;
 };
 

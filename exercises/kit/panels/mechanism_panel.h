@@ -22,9 +22,10 @@ class MechanismPanel : public Panel {
     mechanism_->include(extent, lengths);
     return extent.box();
   }
-  void draw(Plot& plot, const drawings::Box&, Language) const override {
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
     mechanism_->draw(plot);
     for (const auto& [name, P] : shown_) plot.measures_coordinates(name, P, mechanism_->corners().front());
+    return {};
   }
 
  private:

@@ -48,11 +48,14 @@ class Panel {
   // What it covers, letters included, in mm from the plane's origin. (`lengths` is meaningless for a plane of
   // vectors.)
   virtual drawings::Box extent(const Scale& lengths, const Scale& vectors) const = 0;
-  virtual void draw(Plot& plot, const drawings::Box& room, Language language) const = 0;
+  // Returns what is to be told of the drawing itself, in the column: how near a curve is to the true one.
+  virtual std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const = 0;
+  // Whether it may reach beyond its room, and is cut there.
+  virtual bool is_cut() const { return false; }
 
   virtual std::vector<drawings::VectorEquation> equations() const { return {}; }
-  // `plot`: where the panel stands, as a step's number may stand at the tip of a vector.
-  virtual std::vector<PanelStep> steps(const Plot&) const { return {}; }
+  // Where the panel stands tells where a step's number does: at the tip of a vector, at the room's edge.
+  virtual std::vector<PanelStep> steps(const Plot&, const drawings::Box& /*room*/) const { return {}; }
   virtual std::optional<MeasuredTable> measured(const Readings&) const { return {}; }
 };
 

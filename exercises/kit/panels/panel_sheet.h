@@ -23,7 +23,7 @@ struct PanelSheet {
 // A sheet and how it is made from what the exercise has found.
 struct SheetMaker {
   SheetSpec spec;
-  std::function<PanelSheet(const Solution&)> make;
+  std::function<PanelSheet(const Solution&, Language)> make;
 };
 
 using Solve = std::function<std::vector<RouteValue>(const Givens&, Rung)>;

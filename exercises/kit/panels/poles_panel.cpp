@@ -1,6 +1,7 @@
 #include "exercises/kit/panels/poles_panel.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -9,7 +10,18 @@
 namespace epure {
 namespace {
 
-constexpr double letters = 8;  // mm around a point or a vector's tip
+constexpr double letters_around = 8;  // mm around a point or a vector's tip
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+Place middle_of(const std::vector<Place>& places) {
+  Place sum{0, 0};
+  for (const Place& P : places) sum = {sum.x + P.x, sum.y + P.y};
+  const auto count = static_cast<double>(places.size());
+  return {sum.x / count, sum.y / count};
+}
 
 }  // namespace
 
@@ -26,34 +38,56 @@ PolesPanel::Kind PolesPanel::of_acceleration() {
 }
 
 PolesPanel::PolesPanel(const Solution& solution, std::shared_ptr<const MechanismFigure> mechanism, Kind kind,
-                       const std::vector<std::string>& points, std::vector<PanelStep> steps)
+                       const std::vector<std::string>& points, std::vector<PolesStep> steps)
     : mechanism_(std::move(mechanism)), kind_(std::move(kind)), steps_(std::move(steps)) {
   for (const std::string& X : points) {
     const VectorQuantity quantity = kind_.vector(X);
     points_.push_back({X, solution.place(X), quantity, solution.vector(quantity.name)});
-    if (solution.is_reported(kind_.pole + X)) reported_.push_back(X);
+    if (solution.is_reported(X + "_x")) reported_points_.push_back(X);
+    if (solution.is_reported(kind_.pole + X)) reported_rays_.push_back(X);
   }
-  if (shows_pole(solution, *mechanism_, kind_)) pole_ = solution.place(kind_.pole);
+  pole_ = solution.point(kind_.pole);
 }
 
 PolesPanel& PolesPanel::sketched() {
   is_sketched_ = true;
   return *this;
 }
-PolesPanel& PolesPanel::turning_at(double rate, const std::string& symbol) {
-  rate_ = rate;
-  rate_symbol_ = symbol;
-  return *this;
-}
 PolesPanel& PolesPanel::by_the_tips() {
   is_by_the_tips_ = true;
   return *this;
 }
-
-bool PolesPanel::shows_pole(const Solution& solution, const MechanismFigure& mechanism, const Kind& kind) {
-  const std::optional<Place> pole = solution.point(kind.pole);
-  return pole && distance(mechanism.corners().front(), *pole) < kind.farthest * mechanism.reach();
+PolesPanel& PolesPanel::on_lines(std::vector<std::pair<Place, std::string>> lines) {
+  lines_ = std::move(lines);
+  return *this;
 }
+PolesPanel& PolesPanel::turning(double sense, const std::string& symbol) {
+  sense_ = sense;
+  turning_symbol_ = symbol;
+  return *this;
+}
+PolesPanel& PolesPanel::compared_with(double rate, const std::string& symbol) {
+  rate_ = rate;
+  rate_symbol_ = symbol;
+  return *this;
+}
+
+bool PolesPanel::shows_pole() const {
+  return pole_ && distance(mechanism_->corners().front(), *pole_) < kind_.farthest * mechanism_->reach();
+}
+
+const PolesPanel::Carried& PolesPanel::carried(const std::string& name) const {
+  const auto found = std::find_if(points_.begin(), points_.end(), [&](const Carried& X) { return X.name == name; });
+  assert(found != points_.end() && "a point whose vector is drawn");
+  return *found;
+}
+
+bool PolesPanel::is_on_a_line(const Carried& X) const {
+  return lines_.empty() ||
+         std::any_of(lines_.begin(), lines_.end(), [&](const auto& line) { return line.second == X.name; });
+}
+
+Arrow2 PolesPanel::towards_pole(const Carried& X) const { return pole_ ? *pole_ - X.at : Arrow2{-X.v.y, X.v.x}; }
 
 Panel::Vectors PolesPanel::vectors() const {
   Vectors shown{.unit = is_of_velocity() ? "m/s" : "m/s²", .longest_on_paper = kind_.longest_on_paper};
@@ -64,54 +98,67 @@ Panel::Vectors PolesPanel::vectors() const {
 drawings::Box PolesPanel::extent(const Scale& lengths, const Scale& vectors) const {
   Extent extent;
   if (is_sketched_)
-    for (const Place& P : mechanism_->corners()) extent.include(lengths, P, letters);
+    for (const Place& P : mechanism_->corners()) extent.include(lengths, P, letters_around);
   else
     mechanism_->include(extent, lengths);
   for (const Carried& X : points_) {
-    extent.include(lengths, X.at, letters);
+    extent.include(lengths, X.at, letters_around);
     const double x = lengths.mm_per_unit * X.at.x + vectors.mm_per_unit * X.v.x;
     const double y = lengths.mm_per_unit * X.at.y + vectors.mm_per_unit * X.v.y;
-    extent.include(x - letters, y - letters);
-    extent.include(x + letters, y + letters);
+    extent.include(x - letters_around, y - letters_around);
+    extent.include(x + letters_around, y + letters_around);
   }
-  if (pole_) extent.include(lengths, *pole_, letters + 3);
+  if (shows_pole()) extent.include(lengths, *pole_, letters_around + 3);
   return extent.box();
 }
 
-// From the points to the pole; those of velocities are normals, and run on a little.
+// From the points to the pole. The lines it is found by run on a little; what is square to them is marked.
 void PolesPanel::draw_rays(Plot& plot) const {
   constexpr double beyond = 6;  // mm
+  for (const auto& [from, through] : lines_) plot.long_segment(from, *pole_, beyond, Meaning::construction);
   for (const Carried& X : points_) {
     if (distance(X.at, *pole_) == 0) continue;
-    if (is_of_velocity()) {
+    if (lines_.empty() && is_of_velocity())
       plot.long_segment(X.at, *pole_, beyond, Meaning::construction);
-      plot.right_angle(X.at, *pole_, plot.tip(X.at, X.v));
-      if (is_by_the_tips_) plot.long_segment(plot.tip(X.at, X.v), *pole_, beyond, Meaning::construction);
-    } else {
+    else if (lines_.empty() || !is_on_a_line(X))
       plot.segment(X.at, *pole_, Meaning::construction);
-    }
+    if (!is_of_velocity()) continue;
+    plot.right_angle(X.at, *pole_, plot.tip(X.at, X.v));
+    if (is_by_the_tips_) plot.long_segment(plot.tip(X.at, X.v), *pole_, beyond, Meaning::construction);
   }
 }
 
-// The pole is too far to be shown, or at infinity: the normals, right across the room.
-void PolesPanel::draw_leaving_rays(Plot& plot, const drawings::Box& room) const {
+Place PolesPanel::end_of_ray(const Carried& X, const Plot& plot, const drawings::Box& room) const {
+  return ray_to_edge(plot, room, X.at, towards_pole(X));
+}
+
+// The pole is too far to be shown, or at infinity. The lines it is found by tell where it is.
+void PolesPanel::draw_leaving_rays(Plot& plot, const drawings::Box& room, Language language) const {
   for (const Carried& X : points_) {
-    if (!is_of_velocity() || magnitude(X.v) == 0) continue;
-    const Arrow2 normal{-X.v.y, X.v.x};
-    plot.segment(at_edge(plot, room, X.at, -normal), at_edge(plot, room, X.at, normal), Meaning::construction);
+    if (magnitude(X.v) == 0 || (!pole_ && !is_of_velocity())) continue;
+    if (is_on_a_line(X))
+      draw_towards(plot, room, X.at, X.at + towards_pole(X), kind_.letters, language);
+    else
+      plot.segment(X.at, at_edge(plot, room, X.at, towards_pole(X)), Meaning::construction);
   }
 }
 
 void PolesPanel::draw_pole(Plot& plot) const {
   plot.cross(*pole_, kind_.ink);
-  Place middle{0, 0};
-  for (const Place& P : mechanism_->corners()) middle = {middle.x + P.x, middle.y + P.y};
-  const auto count = static_cast<double>(mechanism_->corners().size());
-  plot.label(kind_.letters, *pole_, Place{middle.x / count, middle.y / count}, kind_.ink);
+  plot.label(kind_.letters, *pole_, middle_of(mechanism_->corners()), kind_.ink);
   plot.measures_coordinates(kind_.pole, *pole_, mechanism_->corners().front());
   for (const Carried& X : points_)
-    if (std::find(reported_.begin(), reported_.end(), X.name) != reported_.end())
-      plot.measures(kind_.pole + X.name, *pole_, X.at);
+    if (contains(reported_rays_, X.name)) plot.measures(kind_.pole + X.name, *pole_, X.at);
+}
+
+// On the side of the mechanism, where the rays are.
+void PolesPanel::draw_turning(Plot& plot) const {
+  constexpr double radius = 8, nearest = 1.0, farthest = 2.2;  // mm, radians from the rays
+  if (sense_ == 0) return;
+  const double way = sense_ > 0 ? 1 : -1, rays = direction(*pole_, middle_of(mechanism_->corners()));
+  plot.mark(drawings::Rotation{plot.at(*pole_), radius, rays - farthest * way, rays - nearest * way});
+  const double middle = rays - (nearest + farthest) / 2 * way, out = (radius + 1) / plot.scale().mm_per_unit;
+  plot.label(turning_symbol_, {pole_->x + out * std::cos(middle), pole_->y + out * std::sin(middle)}, *pole_);
 }
 
 // γ at X: from the ray XK to the acceleration. No arc where there is none to see.
@@ -127,20 +174,43 @@ void PolesPanel::mark_inclination(Plot& plot, const Carried& X) const {
   plot.label("$γ$", plot.from_paper({c.x + radius * std::cos(middle), c.y + radius * std::sin(middle)}), X.at);
 }
 
-void PolesPanel::draw(Plot& plot, const drawings::Box& room, Language) const {
-  if (pole_)
+std::vector<drawings::Block> PolesPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  if (shows_pole())
     draw_rays(plot);
   else
-    draw_leaving_rays(plot, room);
+    draw_leaving_rays(plot, room, language);
   if (is_sketched_)
     mechanism_->sketch(plot);
   else
     mechanism_->draw(plot);
-  if (pole_) draw_pole(plot);
-  for (const Carried& X : points_)
+  if (shows_pole()) {
+    draw_pole(plot);
+    draw_turning(plot);
+  }
+  for (const Carried& X : points_) {
     plot.vector_on(X.quantity.name, X.at, X.v, is_of_velocity() ? Meaning::velocity : Meaning::acceleration,
                    X.quantity.arrow());
-  if (pole_ && !is_of_velocity() && !points_.empty()) mark_inclination(plot, points_.back());
+    if (contains(reported_points_, X.name)) plot.measures_coordinates(X.name, X.at, mechanism_->corners().front());
+  }
+  if (shows_pole() && !is_of_velocity() && !points_.empty()) mark_inclination(plot, points_.back());
+  return {};
+}
+
+std::vector<PanelStep> PolesPanel::steps(const Plot& plot, const drawings::Box& room) const {
+  constexpr double along_ray = 0.6;
+  using Where = PolesStep::Where;
+  std::vector<PanelStep> placed;
+  for (const PolesStep& step : steps_) {
+    placed.push_back({step.text});
+    std::optional<Place>& at = placed.back().at;
+    if (step.where == Where::pole) at = pole_;
+    if (step.where == Where::point) at = carried(step.of).at;
+    if (step.where == Where::tip) at = plot.tip(carried(step.of).at, carried(step.of).v);
+    if (step.where != Where::ray) continue;
+    const Carried& X = carried(step.of);
+    at = shows_pole() ? X.at + along_ray * (*pole_ - X.at) : end_of_ray(X, plot, room);
+  }
+  return placed;
 }
 
 // Velocities by the rate; accelerations in the proportion of their rays, from that of the first point, which is
@@ -148,20 +218,21 @@ void PolesPanel::draw(Plot& plot, const drawings::Box& room, Language) const {
 std::optional<MeasuredTable> PolesPanel::measured(const Readings& readings) const {
   MeasuredTable table{.heading = {"The two methods, as measured", "I due metodi, come misurati"},
                       .rows = {},
-                      .first = {"$" + rate_symbol_ + "$·$" + point_letters(kind_.pole) + "X$", ""},
-                      .second = {"vector", "vettore"}};
-  table.first.italian = table.first.english;
+                      .first = {"poles", "poli"},
+                      .second = {"exact", "esatto"}};
   const auto row = [&](const Carried& X, double by_the_pole, double vector) {
     table.rows.push_back({X.quantity.length().symbol + " (" + vectors().unit + ")", by_the_pole, vector});
   };
   const auto ray = [&](const Carried& X) { return kind_.pole + X.name; };
   if (is_of_velocity() && rate_) {
+    const std::string by_the_pole = "$" + rate_symbol_ + "$·$" + point_letters(kind_.pole) + "X$";
+    table.first = {by_the_pole, by_the_pole};
+    table.second = {"vector", "vettore"};
     for (const Carried& X : points_)
-      if (readings.is_unit(ray(X)) && readings.has(X.quantity.name))
+      if (readings.has(ray(X)) && readings.is_unit(ray(X)) && readings.has(X.quantity.name))
         row(X, std::abs(*rate_) * readings[ray(X)], readings[X.quantity.name]);
-  } else if (!is_of_velocity() && !points_.empty() && readings.is_unit(ray(points_.front()))) {
-    table.first = {"poles", "poli"};
-    table.second = {"exact", "esatto"};
+  } else if (!is_of_velocity() && !points_.empty() && readings.has(ray(points_.front())) &&
+             readings.is_unit(ray(points_.front()))) {
     const Carried& driven = points_.front();
     for (const Carried& X : points_)
       if (&X != &driven && readings.has(ray(X)))

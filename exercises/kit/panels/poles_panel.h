@@ -2,6 +2,7 @@
 // pole, accelerations at one angle to the rays from the acceleration pole.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,14 @@
 #include "exercises/kit/proof/solution.h"
 
 namespace epure {
+
+// A step, and what of the picture it is about.
+struct PolesStep {
+  enum class Where { nowhere, point, ray, tip, pole };
+  Words text;
+  Where where = Where::nowhere;
+  std::string of = {};  // the point; its ray to the pole, or the tip of its vector
+};
 
 class PolesPanel : public Panel {
  public:
@@ -27,24 +36,25 @@ class PolesPanel : public Panel {
 
   // `points`: of the plane, those whose vectors are drawn.
   PolesPanel(const Solution& solution, std::shared_ptr<const MechanismFigure> mechanism, Kind kind,
-             const std::vector<std::string>& points, std::vector<PanelStep> steps);
+             const std::vector<std::string>& points, std::vector<PolesStep> steps);
 
   // Without supports and arrows, where the mechanism is small beside its pole.
   PolesPanel& sketched();
-  // The pole lies on this line through the vectors' tips, not only on the rays.
+  // The pole lies on the line through the vectors' tips, not only on the rays.
   PolesPanel& by_the_tips();
-
+  // The pole is where these lines meet, each through two points (a fixed one and one of the plane), and square to the
+  // path of the second. Of velocities only; without it the rays of all points are such lines.
+  PolesPanel& on_lines(std::vector<std::pair<Place, std::string>> lines);
+  // The plane turns: an arc arrow about the pole.
+  PolesPanel& turning(double sense, const std::string& symbol);
   // The velocities, measured, are held against this rate (an angular velocity) times the distances from the pole.
-  PolesPanel& turning_at(double rate, const std::string& symbol);
-
-  // Whether the pole exists, and is near enough to be drawn.
-  static bool shows_pole(const Solution& solution, const MechanismFigure& mechanism, const Kind& kind);
+  PolesPanel& compared_with(double rate, const std::string& symbol);
 
   double reach() const override { return mechanism_->reach(); }
   Vectors vectors() const override;
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
-  void draw(Plot& plot, const drawings::Box& room, Language language) const override;
-  std::vector<PanelStep> steps(const Plot&) const override { return steps_; }
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
   std::optional<MeasuredTable> measured(const Readings& readings) const override;
 
  private:
@@ -56,20 +66,30 @@ class PolesPanel : public Panel {
   };
 
   bool is_of_velocity() const { return kind_.ink == Meaning::locus; }
+  bool shows_pole() const;
+  const Carried& carried(const std::string& name) const;
+  bool is_on_a_line(const Carried& X) const;
+  // Towards the pole, wherever it is: across the velocity where it is at infinity.
+  Arrow2 towards_pole(const Carried& X) const;
+  Place end_of_ray(const Carried& X, const Plot& plot, const drawings::Box& room) const;
+
   void draw_rays(Plot& plot) const;
-  void draw_leaving_rays(Plot& plot, const drawings::Box& room) const;
+  void draw_leaving_rays(Plot& plot, const drawings::Box& room, Language language) const;
   void draw_pole(Plot& plot) const;
+  void draw_turning(Plot& plot) const;
   void mark_inclination(Plot& plot, const Carried& X) const;
 
   std::shared_ptr<const MechanismFigure> mechanism_;
   Kind kind_;
   std::vector<Carried> points_;
-  std::vector<std::string> reported_;  // of the pole's distances
-  std::vector<PanelStep> steps_;
-  std::optional<Place> pole_;  // when it is drawn
+  std::vector<std::string> reported_points_, reported_rays_;
+  std::vector<PolesStep> steps_;
+  std::optional<Place> pole_;  // none at infinity
+  std::vector<std::pair<Place, std::string>> lines_;
   bool is_sketched_ = false, is_by_the_tips_ = false;
   std::optional<double> rate_;
-  std::string rate_symbol_;
+  std::string rate_symbol_, turning_symbol_;
+  double sense_ = 0;
 };
 
 }  // namespace epure

@@ -24,6 +24,13 @@ PolygonSide side(const Solution& solution, const VectorQuantity& quantity, const
           .tip = tip};
 }
 
+PolygonImage image(const Solution& solution, const VectorQuantity& absolute, const VectorQuantity& relative,
+                   const std::string& tip, const Words& explained) {
+  return {.absolute = side(solution, absolute, {}, {}, tip),
+          .relative = side(solution, relative, {}, {}),
+          .explained = explained};
+}
+
 VectorPolygon velocity_polygon(std::vector<PolygonSide> left, std::vector<PolygonSide> right) {
   return polygon(Meaning::velocity, "v", "m/s", std::move(left), std::move(right));
 }
@@ -32,7 +39,7 @@ VectorPolygon acceleration_polygon(std::vector<PolygonSide> left, std::vector<Po
 }
 
 // A vector that starts at the origin shows its components too, where these are reported.
-void PolygonPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+std::vector<drawings::Block> PolygonPanel::draw(Plot& plot, const drawings::Box&, Language) const {
   PolygonStage whole;
   whole.numbered = false;
   draw_polygon(plot, polygon_, whole);
@@ -41,9 +48,19 @@ void PolygonPanel::draw(Plot& plot, const drawings::Box&, Language) const {
     if (solution_.is_reported(first.quantity + "_x"))
       plot.measures_coordinates(first.quantity, {first.v.x, first.v.y}, {0, 0});
   }
+  for (const PolygonImage& image : polygon_.images)
+    if (solution_.is_reported(image.absolute.quantity + "_x"))
+      plot.measures_coordinates(image.absolute.quantity, {image.absolute.v.x, image.absolute.v.y}, {0, 0});
+  return {};
 }
 
-std::vector<PanelStep> PolygonPanel::steps(const Plot&) const {
+std::vector<drawings::VectorEquation> PolygonPanel::equations() const {
+  std::vector<drawings::VectorEquation> all{equation(polygon_)};
+  all.insert(all.end(), others_.begin(), others_.end());
+  return all;
+}
+
+std::vector<PanelStep> PolygonPanel::steps(const Plot&, const drawings::Box&) const {
   const std::vector<std::string> english = steps_of(polygon_, Language::english),
                                  italian = steps_of(polygon_, Language::italian);
   const std::vector<Place> places = places_of_steps(polygon_);

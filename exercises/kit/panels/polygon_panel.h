@@ -12,6 +12,10 @@ namespace epure {
 PolygonSide side(const Solution& solution, const VectorQuantity& quantity, const std::string& direction,
                  const std::string& magnitude, const std::string& tip = {});
 
+// The image of a point whose vector, and that relative to the first point, the solution holds.
+PolygonImage image(const Solution& solution, const VectorQuantity& absolute, const VectorQuantity& relative,
+                   const std::string& tip, const Words& explained);
+
 // left = right. The sought vector alone on the left: all on the right are known.
 VectorPolygon velocity_polygon(std::vector<PolygonSide> left, std::vector<PolygonSide> right);
 VectorPolygon acceleration_polygon(std::vector<PolygonSide> left, std::vector<PolygonSide> right);
@@ -23,18 +27,25 @@ class PolygonPanel : public Panel {
   PolygonPanel(const Solution& solution, VectorPolygon polygon, Table table = Table::none)
       : solution_(solution), polygon_(std::move(polygon)), table_(table) {}
 
+  // Equations that the images solve, for the column.
+  PolygonPanel& with_equations(std::vector<drawings::VectorEquation> others) {
+    others_ = std::move(others);
+    return *this;
+  }
+
   bool is_of_vectors() const override { return true; }
   Vectors vectors() const override { return {polygon_.unit, greatest(polygon_)}; }
   drawings::Box extent(const Scale&, const Scale& vectors) const override { return extent_of(polygon_, vectors); }
-  void draw(Plot& plot, const drawings::Box& room, Language language) const override;
-  std::vector<drawings::VectorEquation> equations() const override { return {equation(polygon_)}; }
-  std::vector<PanelStep> steps(const Plot& plot) const override;
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  std::vector<drawings::VectorEquation> equations() const override;
+  std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
   std::optional<MeasuredTable> measured(const Readings& readings) const override;
 
  private:
   const Solution& solution_;
   VectorPolygon polygon_;
   Table table_;
+  std::vector<drawings::VectorEquation> others_ = {};
 };
 
 }  // namespace epure

@@ -252,6 +252,11 @@ std::vector<Comparison> measured_rows(const Readings& readings, const VectorPoly
     rows.push_back({fmt::format("{} ({})", without_arrow(s.side->label), polygon.unit),
                     std::hypot(s.side->v.x, s.side->v.y), readings[s.side->quantity]});
   }
+  for (const PolygonImage& image : polygon.images)
+    for (const PolygonSide* side : {&image.relative, &image.absolute})
+      if (!side->label.empty() && readings.has(side->quantity))
+        rows.push_back({fmt::format("{} ({})", without_arrow(side->label), polygon.unit), magnitude(side->v),
+                        readings[side->quantity]});
   return rows;
 }
 

@@ -40,4 +40,40 @@ Result coordinates(const std::string& name) {
   };
 }
 
+Result values(const std::vector<std::string>& names) {
+  return [names](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+    std::string line;
+    for (const std::string& name : names) {
+      const auto value = solution.value(name);
+      if (!value) continue;
+      const Quantity& quantity = solution.described(name);
+      line += fmt::format("{}{} = {} {}", line.empty() ? "" : ",  ", quantity.symbol,
+                          figures(*value, significant, language), written_unit(quantity.unit));
+    }
+    return line.empty() ? std::nullopt : std::optional<drawings::Block>(drawings::Paragraph{line});
+  };
+}
+
+Result by_point(const std::vector<std::string>& points, const std::vector<Column>& columns) {
+  return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+    drawings::Table table{{"$X$"}, {}};
+    for (const Column& column : columns) table.head.push_back(column.head);
+    for (const std::string& X : points) {
+      table.rows.push_back({"$" + point_letters(X) + "$"});
+      for (const Column& column : columns) {
+        const auto value = solution.value(fmt::format(fmt::runtime(column.name), X));
+        table.rows.back().push_back(value ? figures(*value, significant, language) : "∞");
+      }
+    }
+    return table;
+  };
+}
+
+Result remark(const std::string& words) {
+  return [words](const Solution&, Language) -> std::optional<drawings::Block> {
+    if (words.empty()) return {};
+    return drawings::Paragraph{words};
+  };
+}
+
 }  // namespace epure

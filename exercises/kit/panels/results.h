@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "drawings/picture.h"
 #include "exercises/kit/proof/solution.h"
@@ -17,6 +18,17 @@ using Result = std::function<std::optional<drawings::Block>(const Solution&, Lan
 Result components(const VectorQuantity& quantity);
 // "P0 = (0; 4) m"
 Result coordinates(const std::string& point);
+
+// "ω2 = 37.70 rad/s,  ω3 = −13.33 rad/s"
+Result values(const std::vector<std::string>& names);
+// A row for each point, under heads with X for it: of "v_{}" the quantity is v_B in the row of B. What does not exist
+// is at infinity.
+struct Column {
+  std::string head, name;  // "$v_{X}$ (m/s)", "v_{}"
+};
+Result by_point(const std::vector<std::string>& points, const std::vector<Column>& columns);
+// Words, in a paragraph of their own; none when they are empty.
+Result remark(const std::string& words);
 
 // As sheets write it: "m/s²".
 std::string written_unit(const std::string& unit);

@@ -12,14 +12,14 @@ void velocities_by_poles(Ledger<T>& ledger, const SliderCrankInstant& instant, c
   const geometry::Vector<T> v_A = instant.omega_2<T>() * geometry::quarter_turn(at.A - at.A0);
   const geometry::RotationAboutPole<T> coupler(at.pole(), at.A, v_A);
   const geometry::Vector<T> v_B = coupler.velocity(at.B), v_C = coupler.velocity(at.C), v_M = coupler.velocity(at.M);
-  ledger.put("v_A", [&] { return size(coupler.velocity(at.A)); });
-  ledger.put("omega_3", coupler.omega());
-  ledger.vector("v_B", v_B);
-  ledger.vector("v_C", v_C);
-  ledger.vector("v_M", v_M);
-  ledger.put("v_BA", [&] { return size(v_B - v_A); });
-  ledger.put("v_CA", [&] { return size(v_C - v_A); });
-  ledger.put("v_MA", [&] { return size(v_M - v_A); });
+  ledger.put_length(velocity("A"), coupler.velocity(at.A));
+  ledger.put(angular_velocity(3), coupler.omega());
+  ledger.put(velocity("B"), v_B);
+  ledger.put(velocity("C"), v_C);
+  ledger.put(velocity("M"), v_M);
+  ledger.put_length(velocity("BA"), v_B - v_A);
+  ledger.put_length(velocity("CA"), v_C - v_A);
+  ledger.put_length(velocity("MA"), v_M - v_A);
 }
 
 // The polar diagram: the polygon of v_B = v_A + v_BA, then C and M by their images.
@@ -32,24 +32,30 @@ void velocities_by_polar_diagram(Ledger<T>& ledger, const SliderCrankInstant& in
   const geometry::Vector<T> v_A = motion.velocity.first.known;
   const geometry::Vector<T> v_CA = motion.relative_velocity(at.C - at.A),
                             v_MA = motion.relative_velocity(at.M - at.A);
-  ledger.put("v_A", [&] { return size(v_A); });
-  ledger.put("omega_3", motion.coupler.omega);
-  ledger.vector("v_B", motion.v_B());
-  ledger.vector("v_C", v_A + v_CA);
-  ledger.vector("v_M", v_A + v_MA);
-  ledger.put("v_BA", [&] { return size(motion.velocity.first.closing); });
-  ledger.put("v_CA", [&] { return size(v_CA); });
-  ledger.put("v_MA", [&] { return size(v_MA); });
+  ledger.put_length(velocity("A"), v_A);
+  ledger.put(angular_velocity(3), motion.coupler.omega);
+  ledger.put(velocity("B"), motion.v_B());
+  ledger.put(velocity("C"), v_A + v_CA);
+  ledger.put(velocity("M"), v_A + v_MA);
+  ledger.put_length(velocity("BA"), motion.velocity.first.closing);
+  ledger.put_length(velocity("CA"), v_CA);
+  ledger.put_length(velocity("MA"), v_MA);
+}
+
+inline Quantity coupler_angle() {
+  return {
+      "coupler_angle", "$θ_{3}$", "rad", {"direction of AB from the guide", "direzione di AB rispetto alla guida"}};
 }
 
 // Points of the drawing, and the coupler's direction from the guide, which is level.
 template <class T>
 void points_by_construction(Ledger<T>& ledger, const geometry::SliderCrank<T>& at) {
-  ledger.point("A", at.A);
-  ledger.point("B", at.B);
-  ledger.point("C", at.C);
-  ledger.point("M", at.M);
-  ledger.put("coupler_angle", [&] { return slope_angle(at.B - at.A); });
+  ledger.draws_point("A0", at.A0);
+  ledger.put(point("A"), at.A);
+  ledger.put(point("B"), at.B);
+  ledger.put(point("C"), at.C);
+  ledger.put(point("M"), at.M);
+  ledger.put(coupler_angle(), [&] { return slope_angle(at.B - at.A); });
 }
 
 template <class T>
@@ -64,25 +70,21 @@ void by_analysis(Ledger<T>& ledger, const SliderCrankInstant& instant) {
   const auto& m = found.motion;
   ledger.route("analytic");
   write_crank(ledger, driven_crank<T>(instant));
-  ledger.put("A_x", p.A.re);
-  ledger.put("A_y", p.A.im);
-  ledger.put("B_x", p.B.re);
-  ledger.put("B_y", p.B.im);
-  ledger.put("C_x", p.C.re);
-  ledger.put("C_y", p.C.im);
-  ledger.put("M_x", p.M.re);
-  ledger.put("M_y", p.M.im);
-  ledger.put("coupler_angle", [&] { return slope_angle(plane(p.eta)); });
+  ledger.put(point("A"), geometry::Point<T>{p.A.re, p.A.im});
+  ledger.put(point("B"), geometry::Point<T>{p.B.re, p.B.im});
+  ledger.put(point("C"), geometry::Point<T>{p.C.re, p.C.im});
+  ledger.put(point("M"), geometry::Point<T>{p.M.re, p.M.im});
+  ledger.put(coupler_angle(), [&] { return slope_angle(plane(p.eta)); });
   write_pole<T>(ledger, "P0", geometry::analytic::coupler(p, found.motion),
                 {{"A", p.A}, {"B", p.B}, {"C", p.C}, {"M", p.M}}, pole_at_infinity);
-  ledger.put("v_A", [&] { return size(plane(m.v_A)); });
-  ledger.put("omega_3", m.omega_3);
-  ledger.vector("v_B", plane(m.v_B));
-  ledger.vector("v_C", plane(m.v_C));
-  ledger.vector("v_M", plane(m.v_M));
-  ledger.put("v_BA", [&] { return size(plane(m.v_B - m.v_A)); });
-  ledger.put("v_CA", [&] { return size(plane(m.v_C - m.v_A)); });
-  ledger.put("v_MA", [&] { return size(plane(m.v_M - m.v_A)); });
+  ledger.put(velocity("A").length(), [&] { return size(plane(m.v_A)); });
+  ledger.put(angular_velocity(3), m.omega_3);
+  ledger.put(velocity("B"), plane(m.v_B));
+  ledger.put(velocity("C"), plane(m.v_C));
+  ledger.put(velocity("M"), plane(m.v_M));
+  ledger.put(velocity("BA").length(), [&] { return size(plane(m.v_B - m.v_A)); });
+  ledger.put(velocity("CA").length(), [&] { return size(plane(m.v_C - m.v_A)); });
+  ledger.put(velocity("MA").length(), [&] { return size(plane(m.v_M - m.v_A)); });
 }
 
 struct VelocityRoutes {

@@ -1,0 +1,34 @@
+#include "exercises/kit/linkages/slider_crank_mechanism.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace epure {
+
+std::shared_ptr<const Mechanism> slider_crank_mechanism(const Solution& solution, const SliderCrankInstant& instant) {
+  using Joint = Mechanism::Joint;
+  const double delta = geometry::to_double(instant.guide), r = CGAL::to_double(instant.lengths.r),
+               e = CGAL::to_double(instant.lengths.e);
+  const Arrow2 along{std::cos(delta), std::sin(delta)}, left{-along.y, along.x};
+  const Place A0 = solution.place("A0"), foot = A0 + e * left, B = solution.place("B");
+  const double b = dot(B - foot, along);
+  Mechanism mechanism;
+  mechanism.point("A0", A0, Joint::fixed, "$A_{0}$")
+      .point("A", solution.place("A"), Joint::hinge, "$A$")
+      .point("B", B, Joint::block, "$B$")
+      .point("C", solution.place("C"), Joint::none, "$C$")
+      .point("M", solution.place("M"), Joint::none, "$M$")
+      .body({"A0", "A"})
+      .body({"A", "B", "C"})
+      .guide("B", delta)
+      .axis(foot + std::min(-r, b) * along, foot + std::max(r, b) * along)
+      .path("A0", "A")
+      .turning("A0", "A", sign_of(instant.n), "$ω_{2}$");
+  if (instant.is_offset()) mechanism.offset("A0", foot, b > 0 ? delta + std::numbers::pi : delta, r, "$e$");
+  if (!instant.is_offset() && !instant.is_inclined())
+    mechanism.angle("A0", 0, geometry::to_double(within_one_turn(instant.crank)), "$φ$");
+  return std::make_shared<const Mechanism>(std::move(mechanism));
+}
+
+}  // namespace epure
