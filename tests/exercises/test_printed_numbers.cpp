@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
+#include <set>
 
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/proof/solution.h"
@@ -43,11 +44,13 @@ struct TextOfSheet {
 };
 TextOfSheet told_by(const drawings::Sheet& sheet) {
   TextOfSheet told{{sheet.description}, {}};
-  bool in_givens = false;
+  // What is given, and how near a drawn curve is to the true one, which depends on the sheet's scale.
+  const std::set<std::string> of_no_solution{"Given", "Dati", "The curve", "La curva", "The curves", "Le curve"};
+  bool is_of_solution = true;
   for (const drawings::Block& block : sheet.column) {
     if (const auto* heading = std::get_if<drawings::Heading>(&block))
-      in_givens = heading->text == "Given" || heading->text == "Dati";
-    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block); paragraph && !in_givens)
+      is_of_solution = !of_no_solution.contains(heading->text);
+    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block); paragraph && is_of_solution)
       told.words.push_back(paragraph->text);
     if (const auto* steps = std::get_if<drawings::Steps>(&block))
       told.words.insert(told.words.end(), steps->lines.begin(), steps->lines.end());

@@ -27,7 +27,7 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism(const Solution& solution
       .turning("A0", "A", sign_of(instant.n), "$ω_{2}$");
   if (instant.is_offset()) mechanism.offset("A0", foot, b > 0 ? delta + std::numbers::pi : delta, r, "$e$");
   if (!instant.is_offset() && !instant.is_inclined())
-    mechanism.angle("A0", 0, geometry::to_double(within_one_turn(instant.crank)), "$φ$");
+    mechanism.angle("A0", 0, std::fmod(geometry::to_double(instant.crank), 2 * std::numbers::pi), "$φ$");
   return std::make_shared<const Mechanism>(std::move(mechanism));
 }
 

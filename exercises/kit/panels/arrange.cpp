@@ -12,7 +12,7 @@ namespace epure {
 namespace {
 
 Plot plot_of(const PlacedPanel& placed, DrawnSheet& onto) {
-  Plot plot(onto, placed.origin(), placed.panel->is_of_vectors() ? placed.vectors : placed.lengths);
+  Plot plot(onto, placed.origin, placed.panel->is_of_vectors() ? placed.vectors : placed.lengths);
   plot.vectors_at(placed.vectors);
   return plot;
 }

@@ -81,8 +81,9 @@ struct Choices {
 
 class Search {
  public:
-  Search(const Panels& panels, const drawings::Box& room, const SheetRequest& request)
-      : panels_(panels), room_(room), language_(request.language), largest_(largest(request.scale)) {}
+  enum class Of { all, near };
+  Search(const Panels& panels, Of of, const drawings::Box& room, const SheetRequest& request)
+      : panels_(panels), of_(of), room_(room), language_(request.language), largest_(largest(request.scale)) {}
 
   struct Found {
     double merit = 0;
@@ -98,28 +99,41 @@ class Search {
     return best;
   }
 
-  std::vector<Size> sizes(const Choices& choices) {
-    std::vector<Size> all;
-    for (std::size_t i = 0; i < panels_.size(); ++i) {
-      const Scale &lengths = choices.lengths[i].scale, &vectors = vectors_of(choices, i);
-      const auto key = std::tuple(i, lengths.mm_per_unit, vectors.mm_per_unit);
-      const auto [at, is_new] = known_.try_emplace(key);
-      if (is_new) {
-        const drawings::Box box = panels_[i]->extent(lengths, vectors);
-        at->second = {box.width(), box.height()};
-      }
-      all.push_back(at->second);
-    }
+  std::vector<PlacedPanel> placed(const Found& found) {
+    std::vector<drawings::Box> rooms(panels_.size());
+    place(*found.division, sizes(found.choices), room_, rooms);
+    std::vector<PlacedPanel> all;
+    for (std::size_t i = 0; i < panels_.size(); ++i)
+      all.push_back({panels_[i].get(), rooms[i], found.choices.lengths[i].scale, vectors_of(found.choices, i),
+                     origin_in(rooms[i], extent(found.choices, i))});
     return all;
   }
 
+ private:
   const Scale& vectors_of(const Choices& choices, std::size_t panel) const {
     static const Scale none;
     const auto found = choices.vectors.find(panels_[panel]->vectors().unit);
     return found == choices.vectors.end() ? none : found->second.scale;
   }
 
- private:
+  const drawings::Box& extent(const Choices& choices, std::size_t panel) {
+    const Scale &lengths = choices.lengths[panel].scale, &vectors = vectors_of(choices, panel);
+    const auto [at, is_new] = known_.try_emplace(std::tuple(panel, lengths.mm_per_unit, vectors.mm_per_unit));
+    if (is_new)
+      at->second = of_ == Of::all ? panels_[panel]->extent(lengths, vectors)
+                                  : panels_[panel]->extent_of_near(lengths, vectors);
+    return at->second;
+  }
+
+  std::vector<Size> sizes(const Choices& choices) {
+    std::vector<Size> all;
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      const drawings::Box& box = extent(choices, i);
+      all.push_back({box.width(), box.height()});
+    }
+    return all;
+  }
+
   Choices largest(const std::optional<Rational>& asked) const {
     Choices choices;
     bool is_asked = asked.has_value();
@@ -224,11 +238,20 @@ class Search {
   }
 
   const Panels& panels_;
+  Of of_;
   drawings::Box room_;
   Language language_;
   Choices largest_;
-  std::map<std::tuple<std::size_t, double, double>, Size> known_;
+  std::map<std::tuple<std::size_t, double, double>, drawings::Box> known_;  // extents
 };
+
+// Whether no panel becomes smaller than it may in order to show what is far.
+bool is_large_enough(const Panels& panels, const Choices& all, const Choices& near) {
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    if (all.lengths[i].scale.mm_per_unit * panels[i]->times_smaller() < near.lengths[i].scale.mm_per_unit)
+      return false;
+  return true;
+}
 
 // A scale that was asked for does not fit: by how much, and what would.
 [[noreturn]] void refuse(const Panels& panels, const drawings::Box& room, const SheetRequest& request) {
@@ -238,7 +261,7 @@ class Search {
   const auto first = std::find_if(would_fit.begin(), would_fit.end(),
                                   [](const PlacedPanel& each) { return !each.panel->is_of_vectors(); });
   const Scale asked = length_scale(*request.scale);
-  const drawings::Box extent = first->panel->extent(asked, first->vectors);
+  const drawings::Box extent = first->panel->extent_of_near(asked, first->vectors);
   throw DoesNotFit(format_words(
       "at scale {} the figure takes {:.0f} x {:.0f} mm, but this sheet has {:.0f} x {:.0f} mm for it and what stands "
       "beside it; {} would fit",
@@ -252,21 +275,19 @@ class Search {
 }  // namespace
 
 std::vector<PlacedPanel> laid_out(const Panels& panels, const drawings::Box& room, const SheetRequest& request) {
-  Search search(panels, room, request);
-  const auto best = search.best();
-  if (!best) {
+  Search of_all(panels, Search::Of::all, room, request);
+  const auto all = of_all.best();
+  if (all && std::all_of(panels.begin(), panels.end(), [](const auto& each) { return each->times_smaller() == 1; }))
+    return of_all.placed(*all);
+
+  Search of_near(panels, Search::Of::near, room, request);
+  const auto near = of_near.best();
+  if (!near) {
     if (request.scale) refuse(panels, room, request);
     throw DoesNotFit("the figure does not fit the paper at any standard scale",
                      "la figura non sta sulla carta in alcuna scala normalizzata");
   }
-  const std::vector<Size> sizes = search.sizes(best->choices);
-  std::vector<drawings::Box> rooms(panels.size());
-  place(*best->division, sizes, room, rooms);
-  std::vector<PlacedPanel> placed;
-  for (std::size_t i = 0; i < panels.size(); ++i)
-    placed.push_back(
-        {panels[i].get(), rooms[i], best->choices.lengths[i].scale, search.vectors_of(best->choices, i)});
-  return placed;
+  return all && is_large_enough(panels, all->choices, near->choices) ? of_all.placed(*all) : of_near.placed(*near);
 }
 
 }  // namespace epure

@@ -11,12 +11,12 @@ struct PlacedPanel {
   const Panel* panel;
   drawings::Box room;
   Scale lengths, vectors;  // of a plane of vectors `lengths` says nothing
-  drawings::Point origin() const { return origin_in(room, panel->extent(lengths, vectors)); }
+  drawings::Point origin;  // of its plane
 };
 
 // Of all ways to divide the room, keeping the panels' order, into parts side by side and one below the other, the one
 // that leaves them largest together, each at a standard scale. Vectors of one unit have one scale. A scale in the
-// request is that of the first panel of lengths. Throws DoesNotFit.
+// request is that of the first panel of lengths. What is too far is left out. Throws DoesNotFit.
 std::vector<PlacedPanel> laid_out(const Panels& panels, const drawings::Box& room, const SheetRequest& request);
 
 }  // namespace epure

@@ -8,10 +8,10 @@
 namespace epure {
 namespace {
 
-constexpr double guide_behind = 14, guide_ahead = 10;  // mm of hatched guide beside the block
-constexpr double axis_ahead = 28;                      // mm of the guide's axis, with its name
-constexpr double half_block = 5, block_top = 3;        // mm from the hinge
-constexpr double angle_radius = 19;                    // mm
+constexpr double guide_behind = 14, guide_ahead = 10, guide_ahead_of_axis = 26;  // mm of it beside the block
+constexpr double axis_ahead = 28;                // mm of the guide's axis, with its name
+constexpr double half_block = 5, block_top = 3;  // mm from the hinge
+constexpr double angle_radius = 19;              // mm
 
 // From p, `along` mm in a direction and `across` mm to its left.
 drawings::Point beside(drawings::Point p, double direction, double along, double across) {
@@ -84,7 +84,7 @@ void Mechanism::draw_guide(Plot& plot, const Guide& guide) const {
   const auto on_it = [&](double along) { return beside(p, guide.direction, along, 0); };
   if (!guide.axis.empty())
     plot.mark(drawings::Line{drawings::segment(on_it(-guide_behind), on_it(axis_ahead)), Meaning::axis, {}});
-  plot.mark(drawings::Guide{on_it(-guide_behind), on_it(guide.axis.empty() ? guide_behind : guide_ahead)});
+  plot.mark(drawings::Guide{on_it(-guide_behind), on_it(guide.axis.empty() ? guide_ahead : guide_ahead_of_axis)});
   plot.mark(drawings::Slider{p, guide.direction});
   if (!guide.axis.empty()) plot.label(guide.axis, plot.from_paper(on_it(axis_ahead)), at(guide.block));
 }
@@ -190,7 +190,7 @@ void Mechanism::include(Extent& extent, const Scale& scale) const {
     const Place& P = at(guide.block);
     const drawings::Point p{scale.mm_per_unit * P.x, scale.mm_per_unit * P.y};
     for (const double across : {-support, support})
-      for (const double along : {-guide_behind, guide.axis.empty() ? guide_behind : axis_ahead + 5}) {
+      for (const double along : {-guide_behind, guide.axis.empty() ? guide_ahead : axis_ahead + 5}) {
         const drawings::Point corner = beside(p, guide.direction, along, across);
         extent.include(corner.x, corner.y);
       }

@@ -48,6 +48,12 @@ class Panel {
   // What it covers, letters included, in mm from the plane's origin. (`lengths` is meaningless for a plane of
   // vectors.)
   virtual drawings::Box extent(const Scale& lengths, const Scale& vectors) const = 0;
+  // Something may lie so far from the rest that it would make it too small (a pole). It is left off the sheet when
+  // the panel would have to be drawn more than so many times smaller to show it; 1: there is nothing of the kind.
+  virtual double times_smaller() const { return 1; }
+  virtual drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const {
+    return extent(lengths, vectors);
+  }
   // Returns what is to be told of the drawing itself, in the column: how near a curve is to the true one.
   virtual std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const = 0;
   // Whether it may reach beyond its room, and is cut there.

@@ -34,7 +34,7 @@ PolesPanel::Kind PolesPanel::of_acceleration() {
           .ink = Meaning::acceleration,
           .vector = acceleration,
           .longest_on_paper = 45,
-          .farthest = 4};
+          .times_smaller = 4};
 }
 
 PolesPanel::PolesPanel(const Solution& solution, std::shared_ptr<const MechanismFigure> mechanism, Kind kind,
@@ -72,8 +72,13 @@ PolesPanel& PolesPanel::compared_with(double rate, const std::string& symbol) {
   return *this;
 }
 
-bool PolesPanel::shows_pole() const {
-  return pole_ && distance(mechanism_->corners().front(), *pole_) < kind_.farthest * mechanism_->reach();
+bool PolesPanel::has_far_pole() const {
+  constexpr double not_tried = 100;  // reaches of the mechanism
+  return pole_ && distance(mechanism_->corners().front(), *pole_) < not_tried * mechanism_->reach();
+}
+
+bool PolesPanel::shows_pole(const Plot& plot, const drawings::Box& room) const {
+  return pole_ && is_in(room, plot, *pole_);
 }
 
 const PolesPanel::Carried& PolesPanel::carried(const std::string& name) const {
@@ -97,6 +102,15 @@ Panel::Vectors PolesPanel::vectors() const {
 
 drawings::Box PolesPanel::extent(const Scale& lengths, const Scale& vectors) const {
   Extent extent;
+  const drawings::Box near = extent_of_near(lengths, vectors);
+  extent.include(near.low.x, near.low.y);
+  extent.include(near.high.x, near.high.y);
+  if (has_far_pole()) extent.include(lengths, *pole_, letters_around + 3);
+  return extent.box();
+}
+
+drawings::Box PolesPanel::extent_of_near(const Scale& lengths, const Scale& vectors) const {
+  Extent extent;
   if (is_sketched_)
     for (const Place& P : mechanism_->corners()) extent.include(lengths, P, letters_around);
   else
@@ -108,7 +122,6 @@ drawings::Box PolesPanel::extent(const Scale& lengths, const Scale& vectors) con
     extent.include(x - letters_around, y - letters_around);
     extent.include(x + letters_around, y + letters_around);
   }
-  if (shows_pole()) extent.include(lengths, *pole_, letters_around + 3);
   return extent.box();
 }
 
@@ -175,7 +188,8 @@ void PolesPanel::mark_inclination(Plot& plot, const Carried& X) const {
 }
 
 std::vector<drawings::Block> PolesPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
-  if (shows_pole())
+  const bool shows_pole = this->shows_pole(plot, room);
+  if (shows_pole)
     draw_rays(plot);
   else
     draw_leaving_rays(plot, room, language);
@@ -183,7 +197,7 @@ std::vector<drawings::Block> PolesPanel::draw(Plot& plot, const drawings::Box& r
     mechanism_->sketch(plot);
   else
     mechanism_->draw(plot);
-  if (shows_pole()) {
+  if (shows_pole) {
     draw_pole(plot);
     draw_turning(plot);
   }
@@ -192,7 +206,7 @@ std::vector<drawings::Block> PolesPanel::draw(Plot& plot, const drawings::Box& r
                    X.quantity.arrow());
     if (contains(reported_points_, X.name)) plot.measures_coordinates(X.name, X.at, mechanism_->corners().front());
   }
-  if (shows_pole() && !is_of_velocity() && !points_.empty()) mark_inclination(plot, points_.back());
+  if (shows_pole && !is_of_velocity() && !points_.empty()) mark_inclination(plot, points_.back());
   return {};
 }
 
@@ -208,7 +222,7 @@ std::vector<PanelStep> PolesPanel::steps(const Plot& plot, const drawings::Box& 
     if (step.where == Where::tip) at = plot.tip(carried(step.of).at, carried(step.of).v);
     if (step.where != Where::ray) continue;
     const Carried& X = carried(step.of);
-    at = shows_pole() ? X.at + along_ray * (*pole_ - X.at) : end_of_ray(X, plot, room);
+    at = shows_pole(plot, room) ? X.at + along_ray * (*pole_ - X.at) : end_of_ray(X, plot, room);
   }
   return placed;
 }

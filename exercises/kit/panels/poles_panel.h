@@ -29,7 +29,7 @@ class PolesPanel : public Panel {
     Meaning ink = Meaning::locus;
     VectorQuantity (*vector)(const std::string& of) = velocity;
     double longest_on_paper = 60;  // mm
-    double farthest = 12;          // times the mechanism's reach: a pole beyond is not drawn
+    double times_smaller = 12;     // the plane may be drawn to show the pole
   };
   static Kind of_velocity(const std::string& pole);
   static Kind of_acceleration();  // K
@@ -52,7 +52,9 @@ class PolesPanel : public Panel {
 
   double reach() const override { return mechanism_->reach(); }
   Vectors vectors() const override;
+  double times_smaller() const override { return has_far_pole() ? kind_.times_smaller : 1; }
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
+  drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
   std::optional<MeasuredTable> measured(const Readings& readings) const override;
@@ -66,7 +68,8 @@ class PolesPanel : public Panel {
   };
 
   bool is_of_velocity() const { return kind_.ink == Meaning::locus; }
-  bool shows_pole() const;
+  bool has_far_pole() const;  // and not too far for any sheet
+  bool shows_pole(const Plot& plot, const drawings::Box& room) const;
   const Carried& carried(const std::string& name) const;
   bool is_on_a_line(const Carried& X) const;
   // Towards the pole, wherever it is: across the velocity where it is at infinity.

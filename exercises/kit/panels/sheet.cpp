@@ -91,7 +91,9 @@ void add_scale_bars(DrawnSheet& onto, const std::vector<Scale>& scales, const Sh
   }
 }
 
-std::string figures(double value, int count, Language language) { return drawings::number(value, count, language); }
+std::string figures(double value, int count, Language language) {
+  return value == 0 ? "0" : drawings::number(value, count, language);
+}
 
 std::string percent(double value, Language language) {
   std::string text = fmt::format("{:.3f}", value);
