@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace epure {
@@ -19,14 +20,21 @@ drawings::Point beside(drawings::Point p, double direction, double along, double
   return {p.x + along * c - across * s, p.y + along * s + across * c};
 }
 
+double distance_to_segment(const Place& X, const Place& P, const Place& Q) {
+  const Arrow2 along = Q - P;
+  const double length_squared = dot(along, along);
+  const double t = length_squared > 0 ? std::clamp(dot(X - P, along) / length_squared, 0.0, 1.0) : 0;
+  return distance(X, P + t * along);
+}
+
 }  // namespace
 
 Mechanism& Mechanism::point(const std::string& name, const Place& at, Joint joint, const std::string& letters) {
   points_.push_back({name, at, joint, letters});
   return *this;
 }
-Mechanism& Mechanism::body(const std::vector<std::string>& points) {
-  bodies_.push_back(points);
+Mechanism& Mechanism::body(const std::vector<std::string>& points, int number) {
+  bodies_.push_back({points, number});
   return *this;
 }
 Mechanism& Mechanism::guide(const std::string& block, double direction, const std::string& axis) {
@@ -35,6 +43,10 @@ Mechanism& Mechanism::guide(const std::string& block, double direction, const st
 }
 Mechanism& Mechanism::path(const std::string& about, const std::string& of) {
   paths_.push_back({about, of});
+  return *this;
+}
+Mechanism& Mechanism::swing(const std::string& about, const std::string& of, double from, double to) {
+  swings_.push_back({about, of, from, to});
   return *this;
 }
 Mechanism& Mechanism::turning(const std::string& about, const std::string& of, double sense,
@@ -56,6 +68,11 @@ Mechanism& Mechanism::angle(const std::string& at, double from, double to, const
   return *this;
 }
 
+Mechanism& Mechanism::right_angle(const std::string& at, const std::string& one, const std::string& other) {
+  right_angles_.push_back({at, one, other});
+  return *this;
+}
+
 const Mechanism::Point& Mechanism::find(const std::string& name) const {
   const auto found =
       std::find_if(points_.begin(), points_.end(), [&](const Point& point) { return point.name == name; });
@@ -71,12 +88,38 @@ Place Mechanism::middle() const {
 }
 
 Place Mechanism::neighbour(const Point& P) const {
-  for (const auto& body : bodies_) {
-    const auto found = std::find(body.begin(), body.end(), P.name);
-    if (found == body.end()) continue;
-    return at(found == body.begin() ? body[1] : *(found - 1));
+  for (const Body& body : bodies_) {
+    const auto found = std::find(body.points.begin(), body.points.end(), P.name);
+    if (found == body.points.end()) continue;
+    return at(found == body.points.begin() ? body.points[1] : *(found - 1));
   }
   return middle();
+}
+
+std::vector<std::pair<Place, Place>> Mechanism::links() const {
+  std::vector<std::pair<Place, Place>> all;
+  for (const Body& body : bodies_) {
+    const std::vector<std::string>& corners = body.points;
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) all.emplace_back(at(corners[i]), at(corners[i + 1]));
+    if (corners.size() > 2) all.emplace_back(at(corners.back()), at(corners.front()));
+  }
+  return all;
+}
+
+double Mechanism::direction_of_support(const Point& P, const Scale& scale) const {
+  constexpr double high = 7, half_wide = 5.4;  // mm of the support
+  constexpr double right_angle = std::numbers::pi / 2;
+  const auto room = [&](double direction) {
+    const Place foot = P.at + high / scale.mm_per_unit * Arrow2{std::cos(direction), std::sin(direction)};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& [from, to] : links()) nearest = std::min(nearest, distance_to_segment(foot, from, to));
+    return nearest * scale.mm_per_unit;
+  };
+  double best = -right_angle;
+  if (room(best) >= half_wide) return best;
+  for (const double direction : {0.0, std::numbers::pi, right_angle})
+    if (room(direction) > room(best)) best = direction;
+  return best;
 }
 
 void Mechanism::draw_guide(Plot& plot, const Guide& guide) const {
@@ -103,13 +146,13 @@ void Mechanism::draw_offset(Plot& plot, const Offset& offset) const {
 }
 
 void Mechanism::draw_bodies(Plot& plot) const {
-  for (const auto& body : bodies_) {
+  for (const Body& body : bodies_) {
     std::vector<Place> corners;
-    for (const std::string& name : body) corners.push_back(at(name));
+    for (const std::string& name : body.points) corners.push_back(at(name));
     if (corners.size() > 2) plot.area(corners, Meaning::plate);
-    for (std::size_t i = 0; i + 1 < corners.size(); ++i) plot.segment(corners[i], corners[i + 1], Meaning::link);
-    if (corners.size() > 2) plot.segment(corners.back(), corners.front(), Meaning::link);
   }
+  for (const auto& [from, to] : links()) plot.segment(from, to, Meaning::link);
+  for (const auto& [P, one, other] : right_angles_) plot.right_angle(at(P), at(one), at(other));
 }
 
 void Mechanism::draw_joint(Plot& plot, const Point& P) const {
@@ -117,7 +160,7 @@ void Mechanism::draw_joint(Plot& plot, const Point& P) const {
     case Joint::none:
       return plot.dot(P.at, Meaning::link);
     case Joint::fixed:
-      return plot.mark(drawings::FixedHinge{plot.at(P.at), direction_of_support(P.at, neighbour(P))});
+      return plot.mark(drawings::FixedHinge{plot.at(P.at), direction_of_support(P, plot.scale())});
     case Joint::hinge:
     case Joint::block:
       return plot.hinge(P.at);
@@ -149,22 +192,52 @@ void Mechanism::draw_letters(Plot& plot, const Point& P) const {
   plot.label(P.letters, plot.from_paper(corner), P.at);
 }
 
+void Mechanism::draw_turning(Plot& plot, const Turning& each) const {
+  if (each.sense == 0) return;
+  const Point& about = find(each.about);
+  if (about.joint == Joint::fixed)
+    draw_sense_of_crank(plot, about.at, at(each.of), each.sense, each.symbol,
+                        direction_of_support(about, plot.scale()));
+  else
+    draw_sense_of_turning(plot, about.at, at(each.of), each.sense, each.symbol);
+}
+
+void Mechanism::draw_numbers(Plot& plot) const {
+  constexpr double below_support = 8;  // mm
+  bool is_numbered = false;
+  for (const Body& body : bodies_) {
+    if (body.number == 0) continue;
+    is_numbered = true;
+    Place sum{0, 0};
+    for (const std::string& name : body.points) sum = {sum.x + at(name).x, sum.y + at(name).y};
+    const auto count = static_cast<double>(body.points.size());
+    plot.label(std::to_string(body.number), {sum.x / count, sum.y / count}, middle());
+  }
+  const auto fixed =
+      std::find_if(points_.begin(), points_.end(), [](const Point& point) { return point.joint == Joint::fixed; });
+  if (!is_numbered || fixed == points_.end()) return;
+  const drawings::Point below =
+      beside(plot.at(fixed->at), direction_of_support(*fixed, plot.scale()), below_support, 0);
+  plot.label("1", plot.from_paper(below), fixed->at);
+}
+
 void Mechanism::draw(Plot& plot) const {
   constexpr double beyond = 8;  // mm
   for (const auto& [from, to] : axes_) plot.long_segment(from, to, beyond, Meaning::axis);
   for (const Offset& offset : offsets_) draw_offset(plot, offset);
   for (const Path& path : paths_) plot.circle(at(path.about), distance(at(path.about), at(path.of)), Meaning::axis);
+  for (const Swing& each : swings_) {
+    const Place &O = at(each.about), &P = at(each.of);
+    const double now = direction(O, P), radius = distance(O, P) * plot.scale().mm_per_unit;
+    plot.mark(drawings::Line{drawings::arc(plot.at(O), radius, now + each.from, now + each.to), Meaning::axis, {}});
+  }
   for (const Guide& guide : guides_) draw_guide(plot, guide);
   draw_bodies(plot);
   for (const Point& P : points_) draw_joint(plot, P);
   for (const Angle& angle : angles_) draw_angle(plot, angle);
-  for (const Turning& each : turnings_) {
-    if (each.sense == 0) continue;
-    const Point& about = find(each.about);
-    (about.joint == Joint::fixed ? draw_sense_of_crank : draw_sense_of_turning)(plot, about.at, at(each.of),
-                                                                                each.sense, each.symbol);
-  }
+  for (const Turning& each : turnings_) draw_turning(plot, each);
   for (const Point& P : points_) draw_letters(plot, P);
+  draw_numbers(plot);
 }
 
 void Mechanism::sketch(Plot& plot) const {

@@ -19,13 +19,15 @@ class Mechanism : public MechanismFigure {
 
   // A point under its letters, which are rich text.
   Mechanism& point(const std::string& name, const Place& at, Joint joint, const std::string& letters);
-  // A link between two points, or a plate between three and more. The first is the link that the supports keep clear
-  // of.
-  Mechanism& body(const std::vector<std::string>& points);
+  // A link between two points, or a plate between three and more. With a number it stands beside the link, and the
+  // frame is 1.
+  Mechanism& body(const std::vector<std::string>& points, int number = 0);
   // The guide of a block, along this direction (radians), with the name of its axis ahead of it.
   Mechanism& guide(const std::string& block, double direction, const std::string& axis = {});
   // `of` goes round `about`: its way is drawn.
   Mechanism& path(const std::string& about, const std::string& of);
+  // `of` swings about `about`: its way is drawn, from so far behind where it is to so far ahead (radians).
+  Mechanism& swing(const std::string& about, const std::string& of, double from, double to);
   // An arc arrow at the link from `about` to `of`: counter-clockwise (sense > 0), clockwise, or none (0).
   Mechanism& turning(const std::string& about, const std::string& of, double sense, const std::string& symbol);
   // A line of centres, a little beyond both ends.
@@ -36,6 +38,8 @@ class Mechanism : public MechanismFigure {
                     const std::string& symbol);
   // An angle at a point, from one direction to another (radians), marked where there is room for it.
   Mechanism& angle(const std::string& at, double from, double to, const std::string& symbol);
+  // A right angle at a point, between the directions to two others.
+  Mechanism& right_angle(const std::string& at, const std::string& one, const std::string& other);
 
   const Place& at(const std::string& name) const { return find(name).at; }
 
@@ -52,6 +56,10 @@ class Mechanism : public MechanismFigure {
     Joint joint;
     std::string letters;
   };
+  struct Body {
+    std::vector<std::string> points;
+    int number;
+  };
   struct Guide {
     std::string block;
     double direction;
@@ -59,6 +67,10 @@ class Mechanism : public MechanismFigure {
   };
   struct Path {
     std::string about, of;
+  };
+  struct Swing {
+    std::string about, of;
+    double from, to;
   };
   struct Turning {
     std::string about, of;
@@ -76,27 +88,37 @@ class Mechanism : public MechanismFigure {
     double from, to;
     std::string symbol;
   };
+  struct RightAngle {
+    std::string at, one, other;
+  };
 
   const Point& find(const std::string& name) const;
   Place middle() const;
   // The other end of the first link at a point.
   Place neighbour(const Point& P) const;
+  std::vector<std::pair<Place, Place>> links() const;
+  // Where the hatched support of a fixed hinge stands: below, or where the links leave it the most room.
+  double direction_of_support(const Point& P, const Scale& scale) const;
   void include_arcs(Extent& extent, const Scale& scale) const;
   void draw_guide(Plot& plot, const Guide& guide) const;
   void draw_offset(Plot& plot, const Offset& offset) const;
   void draw_bodies(Plot& plot) const;
   void draw_joint(Plot& plot, const Point& P) const;
   void draw_angle(Plot& plot, const Angle& angle) const;
+  void draw_turning(Plot& plot, const Turning& each) const;
   void draw_letters(Plot& plot, const Point& P) const;
+  void draw_numbers(Plot& plot) const;
 
   std::vector<Point> points_;
-  std::vector<std::vector<std::string>> bodies_;
+  std::vector<Body> bodies_;
   std::vector<Guide> guides_;
   std::vector<Path> paths_;
+  std::vector<Swing> swings_;
   std::vector<Turning> turnings_;
   std::vector<std::pair<Place, Place>> axes_;
   std::vector<Offset> offsets_;
   std::vector<Angle> angles_;
+  std::vector<RightAngle> right_angles_;
 };
 
 }  // namespace epure

@@ -37,17 +37,18 @@ void draw_arc_arrow(Plot& plot, const Place& centre, double link, double begin, 
 
 // Whether the arrow ahead of the crank would run into the support. There the support, as wide as its hatching, takes
 // 0.7 rad to either side. An arrow behind is then free: link and support are never within 0.4 rad of each other.
-bool is_support_ahead(const Place& A0, const Place& A, double sense) {
+bool is_ahead(double direction_of_support, const Place& A0, const Place& A, double sense) {
   constexpr double half_support = 0.75;  // radians
   const double way = sense > 0 ? 1 : -1;
-  const double support = way * std::remainder(direction_of_support(A0, A) - direction(A0, A), 2 * std::numbers::pi);
+  const double support = way * std::remainder(direction_of_support - direction(A0, A), 2 * std::numbers::pi);
   return support > gap - half_support && support < gap + sweep + half_support;
 }
 
 }  // namespace
 
-void draw_sense_of_crank(Plot& plot, const Place& A0, const Place& A, double sense, const std::string& symbol) {
-  const double begin = is_support_ahead(A0, A, sense) ? -(gap + sweep) : gap;
+void draw_sense_of_crank(Plot& plot, const Place& A0, const Place& A, double sense, const std::string& symbol,
+                         std::optional<double> support) {
+  const double begin = is_ahead(support.value_or(direction_of_support(A0, A)), A0, A, sense) ? -(gap + sweep) : gap;
   draw_arc_arrow(plot, A0, direction(A0, A), begin, sense, symbol);
 }
 

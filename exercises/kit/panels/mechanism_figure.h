@@ -30,9 +30,9 @@ Scale draw_small(DrawnSheet& onto, const MechanismFigure& mechanism, const drawi
                  const SheetRequest& request);
 
 // The arc arrow at a crank A₀A that turns counter-clockwise (sense > 0) or clockwise, with its symbol beside it:
-// ahead of the crank, or behind it where the support of A₀ (direction_of_support) stands ahead.
+// ahead of the crank, or behind it where the support of A₀ stands ahead (`support`; none: direction_of_support).
 void draw_sense_of_crank(Plot& plot, const Place& A0, const Place& A, double sense,
-                         const std::string& symbol = "$ω_{2}$");
+                         const std::string& symbol = "$ω_{2}$", std::optional<double> support = {});
 
 // The same about a point without a support, ahead of the link to P.
 void draw_sense_of_turning(Plot& plot, const Place& centre, const Place& P, double sense, const std::string& symbol);
