@@ -66,3 +66,21 @@ TEST_CASE("solution: a vector of which the length is reported is drawn by its co
   for (const RouteValue& value : settle(write, Rung::climb)) proved.push_back(value.quantity);
   CHECK(proved == std::vector<std::string>{"v_B", "A_x", "A_y"});
 }
+
+TEST_CASE("solution: what each route says is kept apart, and what a sheet tells on the way is not reported") {
+  const auto write = []<class T>() {
+    Ledger<T> ledger("first");
+    ledger.put("both", T(1));
+    ledger.tells({"iterate", "$x^{k}$", "m", {"on the way", "per via"}}, [] { return T(4); });
+    ledger.route("second");
+    ledger.put("both", T(2));
+    return ledger;
+  };
+  const Solution solution = solution_of(write);
+  CHECK(solution.value("both", "first") == 1);
+  CHECK(solution.value("both", "second") == 2);
+  CHECK_FALSE(solution.value("both", "third").has_value());
+  CHECK(solution["iterate"] == 4);
+  CHECK(solution.described("iterate").symbol == "$x^{k}$");
+  for (const RouteValue& value : settle(write, Rung::climb)) CHECK(value.quantity == "both");
+}

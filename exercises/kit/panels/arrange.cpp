@@ -68,9 +68,9 @@ std::string position(const PlacedPanel& panel, const PlacedPanel& other, Languag
 void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const SheetRequest& request) {
   std::vector<const PlacedPanel*> figures;
   for (const PlacedPanel& each : panels)
-    if (!each.panel->is_of_vectors() && std::none_of(figures.begin(), figures.end(), [&](const PlacedPanel* figure) {
-          return figure->lengths.caption == each.lengths.caption;
-        }))
+    if (!each.panel->is_of_vectors() && each.panel->has_scale() &&
+        std::none_of(figures.begin(), figures.end(),
+                     [&](const PlacedPanel* figure) { return figure->lengths.caption == each.lengths.caption; }))
       figures.push_back(&each);
   std::vector<Scale> bars;
   std::vector<std::string> captions;  // the title block has no room for the words
@@ -88,15 +88,25 @@ void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const Sh
     captions.push_back(each.vectors.caption);
   }
   add_scale_bars(onto, bars, request);
+  if (captions.empty()) captions = {"–"};
   onto.sheet.title_block.scales = captions;
 }
 
-void add_results(const Solution& solution, const PanelSheet& shown, DrawnSheet& onto, Language language) {
+// The strip of the scale bars is left free where there are some.
+drawings::Box room_for(const Panels& panels, const SheetRequest& request) {
+  if (std::any_of(panels.begin(), panels.end(), [](const auto& panel) { return panel->has_scale(); }))
+    return room_above_scale_bars(request);
+  constexpr double air = 4;  // mm
+  const drawings::Box area = drawings::drawing_area(request.paper);
+  return {{area.low.x + air, area.low.y + air}, {area.high.x - air, area.high.y - air}};
+}
+
+void add_section(const Solution& solution, const Section& section, DrawnSheet& onto, Language language) {
   std::vector<drawings::Block> blocks;
-  for (const Result& result : shown.results)
+  for (const Result& result : section.lines)
     if (auto block = result(solution, language)) blocks.push_back(std::move(*block));
   if (blocks.empty()) return;
-  onto.sheet.column.push_back(drawings::Heading{Words{"Results", "Risultati"}.in(language)});
+  onto.sheet.column.push_back(drawings::Heading{section.heading.in(language)});
   for (drawings::Block& block : blocks) onto.sheet.column.push_back(std::move(block));
 }
 
@@ -125,7 +135,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
                    const PanelSheet& shown, const SheetRequest& request) {
   const Language language = request.language;
   DrawnSheet onto = blank_sheet(about, sheet, solution.givens(), request, shown.without_part);
-  const std::vector<PlacedPanel> panels = laid_out(shown.panels, room_above_scale_bars(request), request);
+  const std::vector<PlacedPanel> panels = laid_out(shown.panels, room_for(shown.panels, request), request);
   std::vector<drawings::Block> of_drawings;
   for (const PlacedPanel& each : panels) {
     Plot plot = plot_of(each, onto);
@@ -138,10 +148,12 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   auto& column = onto.sheet.column;
   for (const auto& panel : shown.panels)
     for (const drawings::VectorEquation& equation : panel->equations()) column.push_back(equation);
-  column.push_back(drawings::Heading{Words{"Construction", "Costruzione"}.in(language)});
-  for (drawings::Block& block : number_steps(panels, onto, language)) column.push_back(std::move(block));
+  std::vector<drawings::Block> steps = number_steps(panels, onto, language);
+  if (!steps.empty()) column.push_back(drawings::Heading{Words{"Construction", "Costruzione"}.in(language)});
+  for (drawings::Block& block : steps) column.push_back(std::move(block));
   for (drawings::Block& block : of_drawings) column.push_back(std::move(block));
-  add_results(solution, shown, onto, language);
+  for (const Section& section : shown.theory) add_section(solution, section, onto, language);
+  add_section(solution, {{"Results", "Risultati"}, shown.results}, onto, language);
   add_measured(shown, onto, language);
   onto.sheet.description = description(solution, shown, language);
   return onto;

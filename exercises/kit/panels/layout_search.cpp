@@ -138,7 +138,7 @@ class Search {
     Choices choices;
     bool is_asked = asked.has_value();
     for (const auto& panel : panels_) {
-      if (panel->is_of_vectors()) {
+      if (panel->is_of_vectors() || !panel->has_scale()) {
         choices.lengths.push_back({{}, true});
       } else {
         choices.lengths.push_back(is_asked ? Choice{length_scale(*asked), true}
@@ -258,8 +258,9 @@ bool is_large_enough(const Panels& panels, const Choices& all, const Choices& ne
   SheetRequest any_scale = request;
   any_scale.scale.reset();
   const std::vector<PlacedPanel> would_fit = laid_out(panels, room, any_scale);
-  const auto first = std::find_if(would_fit.begin(), would_fit.end(),
-                                  [](const PlacedPanel& each) { return !each.panel->is_of_vectors(); });
+  const auto first = std::find_if(would_fit.begin(), would_fit.end(), [](const PlacedPanel& each) {
+    return !each.panel->is_of_vectors() && each.panel->has_scale();
+  });
   const Scale asked = length_scale(*request.scale);
   const drawings::Box extent = first->panel->extent_of_near(asked, first->vectors);
   throw DoesNotFit(format_words(

@@ -10,9 +10,9 @@ namespace epure {
 namespace {
 
 constexpr double guide_behind = 14, guide_ahead = 10, guide_ahead_of_axis = 26;  // mm of it beside the block
-constexpr double axis_ahead = 28;                // mm of the guide's axis, with its name
-constexpr double half_block = 5, block_top = 3;  // mm from the hinge
-constexpr double angle_radius = 19;              // mm
+constexpr double axis_ahead = 28;                        // mm of the guide's axis, with its name
+constexpr double half_block = 5, block_top = 3;          // mm from the hinge
+constexpr double angle_radius = 19, from_x_radius = 13;  // mm
 
 // From p, `along` mm in a direction and `across` mm to its left.
 drawings::Point beside(drawings::Point p, double direction, double along, double across) {
@@ -65,6 +65,11 @@ Mechanism& Mechanism::offset(const std::string& point, const Place& foot, double
 }
 Mechanism& Mechanism::angle(const std::string& at, double from, double to, const std::string& symbol) {
   angles_.push_back({at, from, to, symbol});
+  return *this;
+}
+
+Mechanism& Mechanism::angle_from_x(const std::string& at, const std::string& of, const std::string& symbol) {
+  angles_.push_back({at, 0, direction(find(at).at, find(of).at), symbol, true});
   return *this;
 }
 
@@ -167,15 +172,24 @@ void Mechanism::draw_joint(Plot& plot, const Point& P) const {
   }
 }
 
+double Mechanism::radius_of(const Angle& angle) { return angle.is_directed ? from_x_radius : angle_radius; }
+
 // No arc where there is none to see, nor where it would be longer than the links.
 void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
   constexpr double shortest_arc = 4;  // mm
   const double opening = angle.to - angle.from;
   if (std::abs(opening) * angle_radius < shortest_arc || plot.scale().mm_per_unit * reach() < angle_radius) return;
   const Place& O = at(angle.at);
-  plot.mark(drawings::AngleMark{plot.at(O), angle_radius, std::min(angle.from, angle.to),
-                                std::max(angle.from, angle.to), Meaning::dimension});
-  const double out = angle_radius / plot.scale().mm_per_unit, middle = (angle.from + angle.to) / 2;
+  const double radius = radius_of(angle);
+  if (angle.is_directed) {
+    const drawings::Point o = plot.at(O);
+    plot.segment(O, plot.from_paper({o.x + radius + 3, o.y}), Meaning::construction);
+    plot.mark(drawings::Rotation{o, radius, angle.from, angle.to, Meaning::dimension});
+  } else {
+    plot.mark(drawings::AngleMark{plot.at(O), radius, std::min(angle.from, angle.to), std::max(angle.from, angle.to),
+                                  Meaning::dimension});
+  }
+  const double out = radius / plot.scale().mm_per_unit, middle = (angle.from + angle.to) / 2;
   plot.label(angle.symbol, {O.x + out * std::cos(middle), O.y + out * std::sin(middle)}, O);
 }
 
@@ -290,7 +304,8 @@ void Mechanism::include_arcs(Extent& extent, const Scale& scale) const {
     }
   };
   for (const Angle& angle : angles_)
-    if (scale.mm_per_unit * reach() >= angle_radius) include_arc(at(angle.at), angle.from, angle.to, angle_radius);
+    if (scale.mm_per_unit * reach() >= angle_radius)
+      include_arc(at(angle.at), angle.from, angle.to, radius_of(angle));
   for (const Turning& each : turnings_) include_arc(at(each.about), 0, 2 * std::numbers::pi, turning_radius);
 }
 

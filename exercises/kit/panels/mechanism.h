@@ -38,6 +38,8 @@ class Mechanism : public MechanismFigure {
                     const std::string& symbol);
   // An angle at a point, from one direction to another (radians), marked where there is room for it.
   Mechanism& angle(const std::string& at, double from, double to, const std::string& symbol);
+  // The angle of the direction from `at` to `of`, counter-clockwise from +x, in (-π, π]: an arc arrow.
+  Mechanism& angle_from_x(const std::string& at, const std::string& of, const std::string& symbol);
   // A right angle at a point, between the directions to two others.
   Mechanism& right_angle(const std::string& at, const std::string& one, const std::string& other);
 
@@ -87,7 +89,9 @@ class Mechanism : public MechanismFigure {
     std::string at;
     double from, to;
     std::string symbol;
+    bool is_directed = false;
   };
+  static double radius_of(const Angle& angle);  // mm
   struct RightAngle {
     std::string at, one, other;
   };

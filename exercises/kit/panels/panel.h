@@ -32,8 +32,9 @@ class Panel {
  public:
   virtual ~Panel() = default;
 
-  // The plane it shows: of lengths in metres, or of vectors.
+  // The plane it shows: of lengths in metres, or of vectors; a chart or a table shows neither.
   virtual bool is_of_vectors() const { return false; }
+  virtual bool has_scale() const { return true; }
   // From end to end, in metres: the largest scale of lengths worth trying makes it a metre of paper.
   virtual double reach() const { return 1; }
 

@@ -12,8 +12,15 @@
 
 namespace epure {
 
+// What the column tells under a heading of its own.
+struct Section {
+  Words heading;
+  std::vector<Result> lines;
+};
+
 struct PanelSheet {
-  Panels panels = {};  // in the order of reading, and of their steps
+  Panels panels = {};                // in the order of reading, and of their steps
+  std::vector<Section> theory = {};  // before the results
   std::vector<Result> results = {};
   Words seen = {};                          // for who does not see the sheet: what is on it ...
   std::vector<std::string> told = {};       // ... and the quantities then told

@@ -36,6 +36,9 @@ class Plot {
   // P lies on the drawing area. What is put at a point off it (a dot, letters, a step number) is left out.
   bool shows(const Place& P) const;
 
+  // For what has axes of its own: a chart.
+  DrawnSheet& onto() { return onto_; }
+
   void mark(drawings::Mark m) { onto_.sheet.figure.marks.push_back(std::move(m)); }
   void segment(const Place& P, const Place& Q, Meaning meaning, const std::string& name = {});
   // The segment PQ drawn `beyond` mm past both ends.

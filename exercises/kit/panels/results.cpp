@@ -69,6 +69,20 @@ Result by_point(const std::vector<std::string>& points, const std::vector<Column
   };
 }
 
+Result table(const std::vector<std::string>& heads, const std::vector<Row>& rows, int significant) {
+  return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+    drawings::Table table{heads, {}};
+    for (const Row& row : rows) {
+      table.rows.push_back({row.head});
+      for (const std::string& name : row.names) {
+        const auto value = solution.value(name);
+        table.rows.back().push_back(value ? figures(*value, significant, language) : row.where_none);
+      }
+    }
+    return table;
+  };
+}
+
 Result remark(const std::string& words) {
   return [words](const Solution&, Language) -> std::optional<drawings::Block> {
     if (words.empty()) return {};

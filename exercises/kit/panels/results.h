@@ -27,6 +27,13 @@ struct Column {
   std::string head, name;  // "$v_{X}$ (m/s)", "v_{}"
 };
 Result by_point(const std::vector<std::string>& points, const std::vector<Column>& columns);
+// A row of quantities after its first cell. What does not exist is at infinity, unless told.
+struct Row {
+  std::string head;
+  std::vector<std::string> names;
+  std::string where_none = "∞";
+};
+Result table(const std::vector<std::string>& heads, const std::vector<Row>& rows, int significant = 4);
 // Words, in a paragraph of their own; none when they are empty.
 Result remark(const std::string& words);
 

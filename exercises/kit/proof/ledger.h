@@ -2,7 +2,7 @@
 //
 // What is reported goes to every number. What only a drawing needs beside it (the components of a vector of which the
 // length is reported, a point that only helps to construct another) is written with `draws...` and looked at on the
-// number that drawings are made with.
+// number that drawings are made with. So is what a sheet tells on the way (an iterate, a coefficient): `tells`.
 #pragma once
 
 #include <algorithm>
@@ -108,6 +108,17 @@ class Ledger {
     draws(name + "_x", [&] { return seen.x; });
     draws(name + "_y", [&] { return seen.y; });
   }
+  void draws_point(const std::string& name, const geometry::ProjectivePoint<T>& P, const Phrase& at_infinity) {
+    const geometry::Vector<T> seen = in_usual_axes({P.x, P.y});
+    draws(name + "_x", [&] { return ratio(seen.x, P.w, at_infinity); });
+    draws(name + "_y", [&] { return ratio(seen.y, P.w, at_infinity); });
+  }
+  void draws_vector(const std::string& name, const geometry::Vector<T>& v) { draws_point(name, {v.x, v.y}); }
+  // A number of the drawing, or of its text, that is not reported.
+  template <class Find>
+  void tells(const Quantity& quantity, const Find& find) {
+    draws(quantity.name, find, quantity);
+  }
   void vector(const std::string& name, const geometry::Vector<T>& v) {
     const geometry::Vector<T> seen = in_usual_axes(v);
     put(name + "_x", seen.x);
@@ -165,9 +176,9 @@ class Ledger {
     readings_.push_back(is_wanted ? geometry::Reading<T>::from(find) : geometry::Reading<T>::undecided({}));
   }
   template <class Find>
-  void draws(const std::string& name, const Find& find) {
+  void draws(const std::string& name, const Find& find, const std::optional<Quantity>& described = {}) {
     if constexpr (std::is_same_v<T, geometry::Deep>) {
-      drawn_entries_.push_back({case_ + name, route_});
+      drawn_entries_.push_back({case_ + name, route_, described});
       drawn_readings_.push_back(geometry::Reading<T>::from(find));
     }
   }

@@ -11,10 +11,17 @@ bool is_known(const geometry::Settled& settled) {
   return settled.kind == Kind::certain || settled.kind == Kind::enclosed;
 }
 
+std::optional<double> rounded(const geometry::Settled& settled) {
+  if (!is_known(settled)) return std::nullopt;
+  const geometry::Enclosure& ends = settled.enclosure;
+  return ends.lower <= 0 && ends.upper >= 0 ? 0 : ends.value;
+}
+
 }  // namespace
 
 Solution::Solution(Givens givens, std::vector<RouteValue> values) : givens_(std::move(givens)) {
   for (RouteValue& value : values) {
+    by_route_.try_emplace({value.quantity, value.route}, value.settled);
     const auto [at, is_new] = places_.try_emplace(value.quantity, values_.size());
     if (is_new)
       values_.push_back(std::move(value));
@@ -29,11 +36,11 @@ const RouteValue& Solution::find(const std::string& quantity) const {
   return values_[at->second];
 }
 
-std::optional<double> Solution::value(const std::string& quantity) const {
-  const geometry::Settled& settled = find(quantity).settled;
-  if (!is_known(settled)) return std::nullopt;
-  const geometry::Enclosure& ends = settled.enclosure;
-  return ends.lower <= 0 && ends.upper >= 0 ? 0 : ends.value;
+std::optional<double> Solution::value(const std::string& quantity) const { return rounded(find(quantity).settled); }
+
+std::optional<double> Solution::value(const std::string& quantity, const std::string& route) const {
+  const auto found = by_route_.find({quantity, route});
+  return found == by_route_.end() ? std::nullopt : rounded(found->second);
 }
 
 double Solution::operator[](const std::string& quantity) const {

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exercises/kit/proof/exercise.h"
@@ -22,6 +23,8 @@ class Solution {
   // The value, as the double nearest to the middle of what is known; zero when that may be zero. None when the
   // quantity does not exist or could not be decided. Asking for what no route writes is a caller's mistake.
   std::optional<double> value(const std::string& quantity) const;
+  // The same as this route says it; none where it does not write the quantity.
+  std::optional<double> value(const std::string& quantity, const std::string& route) const;
   // Of a quantity that has a value.
   double operator[](const std::string& quantity) const;
   // Whether the exercise reports it, and what it says of it then.
@@ -45,6 +48,7 @@ class Solution {
   Givens givens_;
   std::vector<RouteValue> values_;
   std::map<std::string, std::size_t> places_;  // in values_
+  std::map<std::pair<std::string, std::string>, geometry::Settled> by_route_;
 };
 
 }  // namespace epure

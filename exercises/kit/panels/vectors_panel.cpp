@@ -1,0 +1,42 @@
+#include "exercises/kit/panels/vectors_panel.h"
+
+#include <algorithm>
+
+#include "exercises/kit/panels/results.h"
+
+namespace epure {
+
+VectorsPanel::VectorsPanel(const Solution& solution, std::shared_ptr<const Mechanism> mechanism,
+                           VectorQuantity (*vector)(const std::string& of), const std::vector<std::string>& points)
+    : mechanism_(std::move(mechanism)) {
+  for (const std::string& X : points) {
+    const VectorQuantity quantity = vector(X);
+    acting_.push_back({quantity, mechanism_->at(X), solution.vector(quantity.name)});
+  }
+}
+
+Panel::Vectors VectorsPanel::vectors() const {
+  constexpr double longest_on_paper = 80;  // mm
+  double longest = 0;
+  for (const Acting& each : acting_) longest = std::max(longest, magnitude(each.v));
+  return {written_unit(acting_.front().quantity.unit), longest, longest_on_paper};
+}
+
+drawings::Box VectorsPanel::extent(const Scale& lengths, const Scale& vectors) const {
+  constexpr double letters = 9;  // mm
+  Extent extent;
+  mechanism_->include(extent, lengths);
+  const double units = vectors.mm_per_unit / lengths.mm_per_unit;
+  for (const Acting& each : acting_) extent.include(lengths, each.at + units * each.v, letters);
+  return extent.box();
+}
+
+std::vector<drawings::Block> VectorsPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+  mechanism_->draw(plot);
+  for (const Acting& each : acting_)
+    plot.vector_on(each.quantity.name, each.at, each.v,
+                   each.quantity.unit == "m/s" ? Meaning::velocity : Meaning::acceleration, each.quantity.arrow());
+  return {};
+}
+
+}  // namespace epure

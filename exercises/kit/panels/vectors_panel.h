@@ -1,0 +1,35 @@
+// A mechanism with the vectors of some of its points drawn where they act.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "exercises/kit/panels/mechanism.h"
+#include "exercises/kit/panels/panel.h"
+#include "exercises/kit/proof/solution.h"
+
+namespace epure {
+
+class VectorsPanel : public Panel {
+ public:
+  // `vector`: velocity or acceleration. The points must be of the mechanism.
+  VectorsPanel(const Solution& solution, std::shared_ptr<const Mechanism> mechanism,
+               VectorQuantity (*vector)(const std::string& of), const std::vector<std::string>& points);
+
+  double reach() const override { return mechanism_->reach(); }
+  Vectors vectors() const override;
+  drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+
+ private:
+  struct Acting {
+    VectorQuantity quantity;
+    Place at;
+    Arrow2 v;
+  };
+  std::shared_ptr<const Mechanism> mechanism_;
+  std::vector<Acting> acting_;
+};
+
+}  // namespace epure
