@@ -114,10 +114,10 @@ void other_branch_by_construction(Ledger<T>& ledger, const FourBarInstant& other
   const geometry::FourBar<T> at = other.position<T>();
   const auto motion = motion_by_polar_diagram(at, other.omega_2<T>(), geometry::radians<T>(other.alpha_2));
   ledger.route("construction");
-  write_link_angles(ledger, link_directions(at), back, "_other_branch");
+  write_link_angles(ledger, link_directions(at), back, Configuration::other);
   ledger.route("polar diagram");
   write_link_rates<T>(ledger, {motion.coupler.omega, motion.omega_4, motion.coupler.alpha, motion.alpha_4},
-                      "_other_branch");
+                      Configuration::other);
 }
 
 template <class T>
@@ -139,10 +139,10 @@ Analysed<T> analysed(const FourBarInstant& instant) {
 
 template <class T>
 void write_analysed_links(Ledger<T>& ledger, const Analysed<T>& found, const HalfTurned& back,
-                          const std::string& suffix) {
-  write_link_angles(ledger, found.links(), back, suffix);
+                          Configuration of) {
+  write_link_angles(ledger, found.links(), back, of);
   const auto& m = found.motion;
-  write_link_rates<T>(ledger, {m.omega_3, m.omega_4, m.alpha_3, m.alpha_4}, suffix);
+  write_link_rates<T>(ledger, {m.omega_3, m.omega_4, m.alpha_3, m.alpha_4}, of);
 }
 
 template <class T>
@@ -169,7 +169,7 @@ void by_analysis(Ledger<T>& ledger, const Problem& of, const HalfTurned& back) {
   for (const auto& [name, X] : {std::pair{"A", p.A}, std::pair{"B", p.B}, std::pair{"G2", G2}, std::pair{"G3", G3},
                                 std::pair{"G4", G4}, std::pair{"P", P}})
     put_point<T>(ledger, name, [&z = X] { return z; });
-  write_analysed_links(ledger, found, back, "");
+  write_analysed_links(ledger, found, back, Configuration::chosen);
   PinMotion<T>{plane(m.v_A),
                plane(m.v_B),
                plane(m.a_A),
@@ -232,7 +232,7 @@ struct Routes {
     ledger.route("instant centres");
     write_extremes(ledger, by_centres, stationary_by_centres, of.instant);
     by_analysis(ledger, of, back.by_analysis);
-    write_analysed_links(ledger, analysed<T>(other), other_back.by_analysis, "_other_branch");
+    write_analysed_links(ledger, analysed<T>(other), other_back.by_analysis, Configuration::other);
     write_zeros_by_analysis(ledger, of.instant);
     write_extremes(ledger, by_closure, stationary_by_closure, of.instant);
     return ledger;

@@ -1,57 +1,151 @@
 #include "exercises/four-bar-constraints/exercise.h"
 
-#include <cmath>
+#include <fmt/format.h>
 
+#include "exercises/four-bar-constraints/routes.h"
+#include "exercises/kit/linkages/four_bar_mechanism.h"
+#include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/sheet.h"
-#include "exercises/kit/proof/solution.h"
+#include "exercises/kit/panels/table_panel.h"
+#include "exercises/kit/panels/vectors_panel.h"
 
 namespace epure {
 namespace four_bar_constraints {
 
-std::vector<Quantity> quantities() {
-  const Quantity determinant{
-      "jacobian_determinant_psi_y",
-      "$det ψ_{y}$",
-      "m^2",
-      {"determinant of the constraints' Jacobian", "determinante dello jacobiano dei vincoli"}};
-  return joined({link_angle_quantities(), link_rate_quantities(), midpoint_quantities(), {determinant}});
+std::shared_ptr<const Mechanism> linkage(const Solution& s) {
+  Mechanism mechanism = four_bar_mechanism(s, sign_of(s.givens().angle("n")));
+  mechanism.angle_from_x("A0", "A", "$θ_{2}$").angle_from_x("A", "B", "$θ_{3}$").angle_from_x("B", "B0", "$θ_{4}$");
+  return std::make_shared<const Mechanism>(std::move(mechanism));
 }
 
 namespace {
+
+constexpr const char *by_constraint_equations = "constraint equations", *analytic = "analytic",
+                     *polar_diagram = "polar diagram";
+
+std::vector<RouteValue> solve(const Givens& givens, Rung rung) { return settle(Routes(problem(givens)), rung); }
+
+// Of the source's own givens.
+double as_stated(const std::string& quantity) {
+  static const Solution stated(Givens(givens()), solve(Givens(givens()), Rung::drawing));
+  return stated[quantity];
+}
 
 // The source's numbers with six figures, of which some are cut off where they should be rounded.
-double size_of(Arrow2 MidpointMotion<double>::*vector) {
-  static const Drawn figure = drawn(problem(Givens(givens())));
-  return magnitude(figure.motion.*vector);
-}
-Explanation cut_off_size(Arrow2 MidpointMotion<double>::*vector, int decimals) {
-  return cut_off([vector] { return size_of(vector); }, decimals);
-}
-double rate(std::size_t row) {
-  static const Drawn figure = drawn(problem(Givens(givens())));
-  return figure.compared.at(row).by_constraints;
-}
-
-}  // namespace
-
 std::vector<Printed> printed_by_the_source() {
-  using M = MidpointMotion<double>;
-  const std::string route = "constraint equations";
-  return {{"theta_3", "1.23", route},
-          {"theta_4", "-0.88", route},
-          {"omega_3", "-18.42", route, 0, cut_off([] { return rate(2); }, 2)},
-          {"omega_4", "-10.78", route},
-          {"alpha_3", "-259.65", route, 0, cut_off([] { return rate(4); }, 2)},
-          {"alpha_4", "584.71", route},
-          {"v_G2", "4.18879", route},
-          {"v_G3", "6.50865", route},
-          {"v_G4", "3.77417", route, 0, cut_off_size(&M::v_G4, 5)},
-          {"a_G2", "175.459", route, 0, cut_off_size(&M::a_G2, 3)},
-          {"a_G3", "370.445", route, 0, cut_off_size(&M::a_G3, 3)},
-          {"a_G4", "208.656", route}};
+  const auto number = [](const std::string& quantity, const std::string& text) {
+    return Printed{quantity, text, by_constraint_equations};
+  };
+  const auto cut = [](const std::string& quantity, const std::string& text, int decimals) {
+    return Printed{quantity, text, by_constraint_equations, 0,
+                   cut_off([quantity] { return as_stated(quantity); }, decimals)};
+  };
+  return {number("theta_3", "1.23"),   number("theta_4", "-0.88"),   cut("omega_3", "-18.42", 2),
+          number("omega_4", "-10.78"), cut("alpha_3", "-259.65", 2), number("alpha_4", "584.71"),
+          number("v_G2", "4.18879"),   number("v_G3", "6.50865"),    cut("v_G4", "3.77417", 5),
+          cut("a_G2", "175.459", 3),   cut("a_G3", "370.445", 3),    number("a_G4", "208.656")};
 }
 
-namespace {
+std::shared_ptr<const Mechanism> linkage_with_midpoints(const Solution& s) {
+  Mechanism mechanism = four_bar_mechanism(s, sign_of(s.givens().angle("n")));
+  for (const char* G : {"G2", "G3", "G4"})
+    mechanism.point(G, s.place(G), Mechanism::Joint::none, "$" + point_letters(G) + "$");
+  return std::make_shared<const Mechanism>(std::move(mechanism));
+}
+
+Result midpoints_table(const std::string& letter, const std::string& unit) {
+  std::vector<Row> rows;
+  for (const std::string G : {"G2", "G3", "G4"}) {
+    const std::string name = letter + "_" + G;
+    rows.push_back({"$" + point_letters(G) + "$", {name + "_x", name + "_y", name}});
+  }
+  const auto head = [&](const std::string& index) {
+    return "$" + letter + (index.empty() ? "" : "_{" + index + "}") + "$ (" + unit + ")";
+  };
+  return table({"$X$", head("x"), head("y"), head("")}, rows, 6);
+}
+
+const char* const unit_vectors =
+    "$\\vec{u}_{i}$ = (cos $θ_{i}$, {0} $θ_{i}$),  $\\vec{n}_{i}$ = (−{0} $θ_{i}$, cos $θ_{i}$)";
+std::string with_sine(std::string text, Language language) {
+  const std::string sin = Words{"sin", "sen"}.in(language);
+  for (auto at = text.find("{0}"); at != std::string::npos; at = text.find("{0}")) text.replace(at, 3, sin);
+  return text;
+}
+
+PanelSheet velocities_sheet(const Solution& s, Language language) {
+  return {.panels = panels(VectorsPanel(s, linkage_with_midpoints(s), velocity, {"G2", "G3", "G4"})),
+          .theory = {{{"Differentiated constraints", "Vincoli derivati"},
+                      {remark("($ω_{3}$, $ω_{4}$) = −$ψ^{−1}_{y}$ $ψ_{x}$ $ω_{2}$,  $ψ_{x}$ = ∂$ψ$/∂$θ_{2}$"),
+                       values({"omega_3"}), values({"omega_4"})}},
+                     {{"Midpoints", "Mezzerie"},
+                      {remark(with_sine(unit_vectors, language)),
+                       remark("$\\vec{v}_{G2}$ = ½$r_{2}$$ω_{2}$$\\vec{n}_{2}$"),
+                       remark("$\\vec{v}_{G3}$ = $r_{2}$$ω_{2}$$\\vec{n}_{2}$ + ½$r_{3}$$ω_{3}$$\\vec{n}_{3}$"),
+                       remark("$\\vec{v}_{G4}$ = −½$r_{4}$$ω_{4}$$\\vec{n}_{4}$")}}},
+          .results = {midpoints_table("v", "m/s")},
+          .seen = {"Velocities of the midpoints of the links", "Velocità delle mezzerie delle aste"},
+          .told = {"v_G2", "v_G3", "v_G4"}};
+}
+
+PanelSheet accelerations_sheet(const Solution& s, Language language) {
+  return {.panels = panels(VectorsPanel(s, linkage_with_midpoints(s), acceleration, {"G2", "G3", "G4"})),
+          .theory = {{{"Differentiated constraints", "Vincoli derivati"},
+                      {remark("($α_{3}$, $α_{4}$) = −$ψ^{−1}_{y}$ ($ψ_{x}$$α_{2}$ + $(ψ_{y}\\vec{ω})_{y}\\vec{ω}$ + "
+                              "$(ψ_{x}ω_{2})_{x}$$ω_{2}$)"),
+                       values({"alpha_3"}), values({"alpha_4"})}},
+                     {{"Midpoints", "Mezzerie"},
+                      {remark(with_sine(unit_vectors, language)),
+                       remark("$\\vec{a}_{A}$ = $r_{2}$($α_{2}$$\\vec{n}_{2}$ − $ω^{2}_{2}$$\\vec{u}_{2}$),  "
+                              "$\\vec{a}_{G2}$ = ½$\\vec{a}_{A}$"),
+                       remark("$\\vec{a}_{G3}$ = $\\vec{a}_{A}$ + ½$r_{3}$($α_{3}$$\\vec{n}_{3}$ − "
+                              "$ω^{2}_{3}$$\\vec{u}_{3}$)"),
+                       remark("$\\vec{a}_{G4}$ = −½$r_{4}$($α_{4}$$\\vec{n}_{4}$ − $ω^{2}_{4}$$\\vec{u}_{4}$)")}}},
+          .results = {midpoints_table("a", "m/s²")},
+          .seen = {"Accelerations of the midpoints of the links", "Accelerazioni delle mezzerie delle aste"},
+          .told = {"a_G2", "a_G3", "a_G4"}};
+}
+
+// The exercise's last question: the same quantities by its three methods.
+TablePanel three_methods(const Solution& s, Language language) {
+  std::vector<std::vector<std::string>> rows;
+  for (const char* name : {"theta_3", "theta_4", "omega_3", "omega_4", "alpha_3", "alpha_4", "v_G2", "v_G3", "v_G4",
+                           "a_G2", "a_G3", "a_G4"}) {
+    const Quantity& quantity = s.described(name);
+    rows.push_back({quantity.symbol + " (" + written_unit(quantity.unit) + ")"});
+    for (const char* route : {by_constraint_equations, analytic, polar_diagram}) {
+      const auto value = s.value(name, route);
+      rows.back().push_back(value ? figures(*value, 6, language) : "–");
+    }
+  }
+  return TablePanel({"", Words{"constraint equations", "equazioni di vincolo"}.in(language),
+                     Words{"closure, solved", "chiusura risolta"}.in(language),
+                     Words{"polar diagrams", "diagrammi polari"}.in(language)},
+                    rows);
+}
+
+PanelSheet comparison_sheet(const Solution& s, Language language) {
+  return {
+      .panels = panels(MechanismPanel(linkage_with_midpoints(s)), three_methods(s, language)),
+      .theory = {{{"Three methods", "Tre metodi"},
+                  {remark(
+                       Words{"Constraint equations: Newton-Raphson for the angles, then two linear systems with the "
+                             "same matrix $ψ_{y}$. Nothing is solved in closed form: a method for computers.",
+                             "Equazioni di vincolo: Newton-Raphson per le anomalie, poi due sistemi lineari con la "
+                             "stessa matrice $ψ_{y}$. Nulla è risolto in forma chiusa: un metodo da calcolatore."}
+                           .in(language)),
+                   remark(Words{"Closure solved (N.10): one quadratic equation in tan($θ_{4}$/2) for both "
+                                "configurations, then its derivatives.",
+                                "Chiusura risolta (N.10): un'equazione di secondo grado in tan($θ_{4}$/2) per le due "
+                                "configurazioni, poi le derivate."}
+                              .in(language)),
+                   remark(Words{"Polar diagrams: two polygons of vectors; the midpoints halve their sides.",
+                                "Diagrammi polari: due poligoni di vettori; le mezzerie ne dimezzano i lati."}
+                              .in(language))}}},
+      .seen = {"The four-bar linkage, and its angles, rates and midpoints by three methods side by side",
+               "Il quadrilatero, con le sue anomalie, velocità e mezzerie per tre vie a confronto"},
+      .told = {"theta_3", "theta_4", "omega_3", "omega_4", "alpha_3", "alpha_4"}};
+}
 
 Description description() {
   return {.id = "four-bar-constraints",
@@ -61,42 +155,22 @@ Description description() {
           .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.11",
                      "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.11"},
           .givens = givens(),
-          .sheets = {{"iterations", {"Newton-Raphson on the open linkage", "Newton-Raphson sul quadrilatero aperto"}},
-                     {"convergence", {"Convergence of the iteration", "Convergenza dell'iterazione"}},
-                     {"velocities", {"Velocities of the midpoints", "Velocità delle mezzerie"}},
-                     {"accelerations", {"Accelerations of the midpoints", "Accelerazioni delle mezzerie"}}},
-          .quantities = quantities(),
           .printed = printed_by_the_source()};
 }
-
-class FourBarConstraints : public Exercise {
- public:
-  const Description& about() const override { return about_; }
-
-  std::vector<RouteValue> solve(const Givens& givens, Rung rung) const override {
-    return four_bar_constraints::solve(problem(givens), rung);
-  }
-
-  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
-    const Givens& givens = solution.givens();
-    const Drawn figure = drawn(problem(givens));
-    DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
-    if (sheet == "iterations") draw_iterations(onto, figure, request);
-    if (sheet == "convergence") draw_convergence(onto, figure, request);
-    if (sheet == "velocities") draw_velocities(onto, figure, request);
-    if (sheet == "accelerations") draw_accelerations(onto, figure, request);
-    return onto;
-  }
-
- private:
-  Description about_ = description();
-};
 
 }  // namespace
 }  // namespace four_bar_constraints
 
 std::unique_ptr<Exercise> make_four_bar_constraints() {
-  return std::make_unique<four_bar_constraints::FourBarConstraints>();
+  using namespace four_bar_constraints;
+  return exercise_of_panels(
+      description(), solve,
+      {{{"iterations", {"Newton-Raphson on the open linkage", "Newton-Raphson sul quadrilatero aperto"}},
+        iterations_sheet},
+       {{"convergence", {"Convergence of the iteration", "Convergenza dell'iterazione"}}, convergence_sheet},
+       {{"velocities", {"Velocities of the midpoints", "Velocità delle mezzerie"}}, velocities_sheet},
+       {{"accelerations", {"Accelerations of the midpoints", "Accelerazioni delle mezzerie"}}, accelerations_sheet},
+       {{"comparison", {"Three methods compared", "Confronto dei tre metodi"}}, comparison_sheet}});
 }
 
 }  // namespace epure

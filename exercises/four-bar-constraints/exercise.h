@@ -2,11 +2,9 @@
 // the closure, from a start given, and its derivatives; checked by both earlier methods.
 #pragma once
 
-#include "exercises/kit/linkages/four_bar_figure.h"
 #include "exercises/kit/linkages/four_bar_instant.h"
-#include "exercises/kit/linkages/four_bar_on_x.h"
-#include "exercises/kit/panels/rounded.h"
-#include "exercises/kit/proof/exercise.h"
+#include "exercises/kit/panels/mechanism.h"
+#include "exercises/kit/panels/panel_sheet.h"
 #include "geometry/analytic/constraints.h"
 
 namespace epure::four_bar_constraints {
@@ -20,34 +18,18 @@ std::vector<GivenSpec> givens();
 // steps.
 Problem problem(const Givens& givens);
 
-std::vector<Quantity> quantities();
-std::vector<Printed> printed_by_the_source();
-std::vector<RouteValue> solve(const Problem& of, Rung rung);
+// In the solution, of iterate k: its angles, how far they are from the solution's, |ψ|, the ends of the open linkage.
+Quantity residual();
+Quantity error_of(const Quantity& angle);
+Quantity iterate(const Quantity& quantity, std::size_t k);
+std::string end_of_coupler(std::size_t k);
+std::string end_of_rocker(std::size_t k);
+std::size_t iterates(const Solution& solution);
 
-// One quantity as each method gives it, in doubles.
-struct Compared {
-  std::string symbol, unit;
-  double by_constraints = 0, by_analysis = 0, by_polar_diagram = 0;
-};
+// The two sheets of the iteration.
+PanelSheet iterations_sheet(const Solution& solution, Language language);
+PanelSheet convergence_sheet(const Solution& solution, Language language);
 
-// What the sheets show, in the doubles a drawing takes.
-struct Drawn {
-  Problem of;
-  FourBarFigure figure;
-  MidpointMotion<double> motion;
-  std::vector<Compared> compared = {};
-
-  const std::vector<geometry::analytic::NewtonIterate>& iterates() const { return of.run.iterates; }
-  // The open linkage of an iterate: the coupler's end, and the rocker's.
-  Place coupler_end(std::size_t iterate) const;
-  Place rocker_end(std::size_t iterate) const;
-};
-Drawn drawn(const Problem& of);
-
-// One sheet each; they add to an empty sheet.
-void draw_iterations(DrawnSheet& onto, const Drawn& figure, const SheetRequest& request);
-void draw_convergence(DrawnSheet& onto, const Drawn& figure, const SheetRequest& request);
-void draw_velocities(DrawnSheet& onto, const Drawn& figure, const SheetRequest& request);
-void draw_accelerations(DrawnSheet& onto, const Drawn& figure, const SheetRequest& request);
+std::shared_ptr<const Mechanism> linkage(const Solution& solution);
 
 }  // namespace epure::four_bar_constraints

@@ -1,157 +1,250 @@
-// Sheet 1: the linkage opened at B: each iterate brings the ends of coupler and rocker nearer. Above the whole
-// linkage; below, where it is too small to be seen, the gap at a larger scale.
-#include <fmt/format.h>
-
+// Sheets 1 and 2: the linkage open at B, closed step by step, and how fast. Where the gap is too small to be seen on
+// the whole linkage, it is shown larger beside it.
+#include <algorithm>
 #include <cmath>
 
 #include "exercises/four-bar-constraints/exercise.h"
+#include "exercises/kit/panels/chart_panel.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure::four_bar_constraints {
+
+Quantity residual() { return {"residual", "$|ψ|$", "m", {"residual of the constraints", "residuo dei vincoli"}}; }
+Quantity error_of(const Quantity& angle) {
+  return {"error_" + angle.name, "$|Δ" + angle.symbol.substr(1, angle.symbol.size() - 2) + "|$", angle.unit,
+          Words{"error of: ", "errore di: "} + angle.meaning};
+}
+Quantity iterate(const Quantity& quantity, std::size_t k) {
+  const std::string number = std::to_string(k);
+  return {quantity.name + "_" + number, quantity.symbol, quantity.unit,
+          quantity.meaning + format_words(", iterate {}", ", iterata {}", number)};
+}
+std::string end_of_coupler(std::size_t k) { return "end_of_coupler_" + std::to_string(k); }
+std::string end_of_rocker(std::size_t k) { return "end_of_rocker_" + std::to_string(k); }
+std::size_t iterates(const Solution& s) {
+  std::size_t k = 0;
+  while (s.has(iterate(residual(), k).name)) ++k;
+  return k;
+}
+
 namespace {
 
-constexpr double overview_share = 0.60;  // of the room's height
+double gap(const Solution& s, std::size_t k) { return s[iterate(residual(), k).name]; }
 
-double gap(const Drawn& f, std::size_t k) { return f.iterates()[k].residual_norm; }
+class OpenLinkagePanel : public Panel {
+ public:
+  enum class Shows { all, gap };
+  OpenLinkagePanel(const Solution& solution, Shows shows, std::vector<PanelStep> steps)
+      : solution_(solution), mechanism_(linkage(solution)), shows_(shows), steps_(std::move(steps)) {}
 
-// A gap this long on paper can be drawn with its letters.
-bool is_seen(const Plot& plot, const Drawn& f, std::size_t k) { return gap(f, k) * plot.scale().mm_per_unit > 1.5; }
-
-drawings::Box overview_extent(const Drawn& f, const Scale& scale) {
-  Extent extent;
-  f.figure.include(extent, scale);
-  for (std::size_t k = 0; k < f.iterates().size(); ++k) {
-    extent.include(scale, f.coupler_end(k), 8);
-    extent.include(scale, f.rocker_end(k), 8);
+  double reach() const override {
+    constexpr double longest = 45;  // mm, of the first gap
+    return shows_ == Shows::all ? mechanism_->reach() : gap(solution_, 0) * 1000 / longest;
   }
-  return extent.box();
-}
+  bool is_cut() const override { return shows_ == Shows::gap; }
 
-drawings::Box detail_extent(const Drawn& f, const Scale& scale) {
-  Extent extent;
-  for (const Place& P : {f.coupler_end(0), f.rocker_end(0), f.figure.B}) extent.include(scale, P, 14);
-  return extent.box();
-}
-
-// The iterates whose gap shows at the plot's scale, with their numbers.
-void draw_open_linkages(Plot& plot, const Drawn& f) {
-  for (std::size_t k = 0; k < f.iterates().size(); ++k) {
-    if (!is_seen(plot, f, k)) continue;
-    const Place on_coupler = f.coupler_end(k), on_rocker = f.rocker_end(k);
-    plot.segment(f.figure.A, on_coupler, Meaning::alternative);
-    plot.segment(f.figure.B0, on_rocker, Meaning::alternative);
-    plot.side("", on_rocker, on_coupler, Meaning::dimension, fmt::format("$\\vec{{ψ}}^{{{}}}$", k), f.figure.B);
-    plot.dot(on_coupler, Meaning::construction);
-    plot.dot(on_rocker, Meaning::construction);
+  drawings::Box extent(const Scale& scale, const Scale&) const override {
+    Extent extent;
+    if (shows_ == Shows::gap) {
+      constexpr double of_links = 14;  // mm beside the gap
+      for (const Place& P :
+           {solution_.place(end_of_coupler(0)), solution_.place(end_of_rocker(0)), mechanism_->at("B")})
+        extent.include(scale, P, of_links);
+      return extent.box();
+    }
+    constexpr double letters = 8;  // mm
+    mechanism_->include(extent, scale);
+    for (std::size_t k = 0; k < iterates(solution_); ++k)
+      for (const std::string& end : {end_of_coupler(k), end_of_rocker(k)})
+        extent.include(scale, solution_.place(end), letters);
+    return extent.box();
   }
-}
 
-void draw_overview(Plot& plot, const Drawn& f) {
-  draw_open_linkages(plot, f);
-  f.figure.draw(plot);
-}
-
-void draw_detail(Plot& plot, const Drawn& f) {
-  draw_open_linkages(plot, f);
-  plot.segment(f.figure.A, f.figure.B, Meaning::link);
-  plot.segment(f.figure.B0, f.figure.B, Meaning::link);
-  plot.hinge(f.figure.B);
-  plot.label("$B$", f.figure.B, f.coupler_end(0));
-  for (std::size_t k = 0; k < f.iterates().size(); ++k) {
-    if (!is_seen(plot, f, k)) continue;
-    plot.small_label(fmt::format("$AB$, {}", k), f.coupler_end(k), f.rocker_end(k));
-    plot.small_label(fmt::format("$B_{{0}}B$, {}", k), f.rocker_end(k), f.coupler_end(k));
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
+    constexpr double seen = 1.5;  // mm: such a gap can be drawn with its letters
+    const Place &A = mechanism_->at("A"), &B0 = mechanism_->at("B0"), &B = mechanism_->at("B");
+    for (std::size_t k = 0; k < iterates(solution_) && gap(solution_, k) * plot.scale().mm_per_unit > seen; ++k) {
+      const Place on_coupler = solution_.place(end_of_coupler(k)), on_rocker = solution_.place(end_of_rocker(k));
+      plot.segment(A, on_coupler, Meaning::alternative);
+      plot.segment(B0, on_rocker, Meaning::alternative);
+      plot.side("", on_rocker, on_coupler, Meaning::dimension, fmt::format("$\\vec{{ψ}}^{{{}}}$", k), B);
+      plot.dot(on_coupler);
+      plot.dot(on_rocker);
+      plot.small_label(fmt::format("$B^{{{}}}_{{3}}$", k), on_coupler, on_rocker);
+      plot.small_label(fmt::format("$B^{{{}}}_{{4}}$", k), on_rocker, on_coupler);
+    }
+    if (shows_ == Shows::all) {
+      mechanism_->draw(plot);
+      return {};
+    }
+    plot.segment(A, B, Meaning::link);
+    plot.segment(B0, B, Meaning::link);
+    plot.hinge(B);
+    plot.label("$B$", B, Place{(A.x + B0.x) / 2, (A.y + B0.y) / 2});
+    return {};
   }
+
+  std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override { return steps_; }
+
+ private:
+  const Solution& solution_;
+  std::shared_ptr<const Mechanism> mechanism_;
+  Shows shows_;
+  std::vector<PanelStep> steps_;
+};
+
+Panels open_linkage(const Solution& s) {
+  constexpr double smallest = 1e-9, clear = 0.08;  // of the linkage: a gap that cannot be drawn; one that needs no
+                                                   // other scale
+  using Shows = OpenLinkagePanel::Shows;
+  const Place A = s.place("A"), on_coupler = s.place(end_of_coupler(0)), on_rocker = s.place(end_of_rocker(0));
+  std::vector<PanelStep> start{
+      {{"The start: link 3 at $θ^{0}_{3}$ about $A$, link 4 at $θ^{0}_{4}$ to $B_{0}$. The linkage is open at $B$.",
+        "La partenza: il membro 3 a $θ^{0}_{3}$ intorno ad $A$, il 4 a $θ^{0}_{4}$ verso $B_{0}$. Il quadrilatero è "
+        "aperto in $B$."},
+       Place{(A.x + 2 * on_coupler.x) / 3, (A.y + 2 * on_coupler.y) / 3}}};
+  std::vector<PanelStep> closing{
+      {{"$\\vec{ψ}^{k}$ leads from $B^{k}_{4}$, the end of link 4, to $B^{k}_{3}$, the end of link 3.",
+        "$\\vec{ψ}^{k}$ va da $B^{k}_{4}$, estremo del membro 4, a $B^{k}_{3}$, estremo del membro 3."},
+       Place{(on_coupler.x + 2 * on_rocker.x) / 3, (on_coupler.y + 2 * on_rocker.y) / 3}},
+      {format_words(
+           "Each step turns both links by −$ψ^{{−1}}_{{y}}$ $ψ^{{k}}$; after {} steps they meet at $B$.",
+           "Ogni passo ruota i due membri di −$ψ^{{−1}}_{{y}}$ $ψ^{{k}}$; dopo {} passi si incontrano in $B$.",
+           iterates(s) - 1),
+       s.place("B")}};
+  const double share = gap(s, 0) / linkage(s)->reach();
+  if (share > smallest && share < clear)
+    return panels(OpenLinkagePanel(s, Shows::all, start), OpenLinkagePanel(s, Shows::gap, closing));
+  start.insert(start.end(), closing.begin(), closing.end());
+  return panels(OpenLinkagePanel(s, Shows::all, start));
 }
 
-drawings::Table iterates(const Drawn& f, Language language) {
-  drawings::Table table{{"$k$", "$θ_{3}$ (rad)", "$θ_{4}$ (rad)", "$|ψ|$ (m)"}, {}};
+// With as many figures after the decimal sign in every row.
+std::string with_decimals(double x, Language language) {
+  constexpr int decimals = 6;
+  const int before = x == 0 ? 1 : std::max(1, static_cast<int>(std::floor(std::log10(std::abs(x)))) + 1);
+  const int zeros = x == 0 || std::abs(x) >= 1 ? 0 : -static_cast<int>(std::floor(std::log10(std::abs(x))));
+  return figures(x, std::clamp(decimals + before - zeros, 1, 15), language);
+}
+
+std::optional<drawings::Block> table_of_iterates(const Solution& s, Language language) {
   constexpr std::size_t most_rows = 9;  // the first ones and the last
-  const std::size_t count = f.iterates().size();
+  drawings::Table table{{"$k$", "$θ^{k}_{3}$ (rad)", "$θ^{k}_{4}$ (rad)", "$|ψ^{k}|$ (m)"}, {}};
+  const std::size_t count = iterates(s);
   for (std::size_t k = 0; k < count; ++k) {
+    if (count > most_rows && k + 1 == most_rows) table.rows.push_back({"…", "…", "…", "…"});
     if (count > most_rows && k + 1 >= most_rows && k + 1 < count) continue;
-    const auto& now = f.iterates()[k];
-    table.rows.push_back({std::to_string(k), figures(now.q(0), 7, language), figures(now.q(1), 7, language),
-                          figures(now.residual_norm, 2, language)});
+    const double left = gap(s, k);
+    table.rows.push_back({std::to_string(k), with_decimals(s[iterate(coupler_angle(), k).name], language),
+                          with_decimals(s[iterate(rocker_angle(), k).name], language),
+                          left == 0 ? "0" : figures(left, 3, language)});
   }
   return table;
 }
 
-std::vector<std::string> method(Language language) {
-  const std::string sin = Words{"sin", "sen"}.in(language);
-  return {"$ψ_{1}$ = $r_{2}$ cos $θ_{2}$ + $r_{3}$ cos $θ_{3}$ + $r_{4}$ cos $θ_{4}$ − $r_{1}$ = 0",
-          "$ψ_{2}$ = $r_{2}$ " + sin + " $θ_{2}$ + $r_{3}$ " + sin + " $θ_{3}$ + $r_{4}$ " + sin + " $θ_{4}$ = 0",
-          "$y$ = ($θ_{3}$, $θ_{4}$);  $y^{k+1}$ = $y^{k}$ − $ψ^{−1}_{y}$ $ψ^{k}$;  det $ψ_{y}$ = $r_{3}$ $r_{4}$ " +
-              sin + "($θ_{4}$ − $θ_{3}$)"};
+// A logarithmic axis has no zero: what became zero is left out.
+drawings::Curve curve_of(const Solution& s, const Quantity& quantity, Meaning meaning, drawings::PointShape shape) {
+  drawings::Curve curve{.name = quantity.name, .runs = {{}}, .meaning = meaning, .label = quantity.symbol};
+  for (std::size_t k = 0; k < iterates(s); ++k)
+    if (const double y = s[iterate(quantity, k).name]; y > 0) curve.points.push_back({static_cast<double>(k), y});
+  curve.runs.front() = curve.points;
+  curve.shape = shape;
+  return curve;
 }
 
-std::string on_the_start(Language language) {
-  return language == Language::english
-             ? "The source prints the start (0.349, 1.22, −0.87) as [$θ_{3}$, $θ_{4}$, $θ_{2}$]: it is [$θ_{2}$, "
-               "$θ_{3}$, $θ_{4}$], 0.349 rad being 20°."
-             : "La fonte stampa i valori iniziali (0,349; 1,22; −0,87) come [$θ_{3}$, $θ_{4}$, $θ_{2}$]: sono "
-               "[$θ_{2}$, $θ_{3}$, $θ_{4}$], 0,349 rad essendo 20°.";
-}
-
-std::string on_the_gap(const Drawn& f, Language language) {
-  const std::string determinant = figures(f.iterates().back().determinant, 4, language);
-  return language == Language::english
-             ? fmt::format(
-                   "$\\vec{{ψ}}$ leads from the rocker's end to the coupler's: the linkage is open at $B$. At the "
-                   "solution det $ψ_{{y}}$ = {} m².",
-                   determinant)
-             : fmt::format(
-                   "$\\vec{{ψ}}$ va dall'estremo del bilanciere a quello della biella: il quadrilatero è aperto "
-                   "in $B$. Nella soluzione det $ψ_{{y}}$ = {} m².",
-                   determinant);
+drawings::Chart chart_of_convergence(const Solution& s, Language language) {
+  constexpr double finest = 1e-17;  // below what doubles hold of an angle
+  drawings::Chart chart;
+  double low = 1, high = finest;
+  using Shape = drawings::PointShape;
+  for (drawings::Curve curve : {curve_of(s, residual(), Meaning::text, Shape::dot),
+                                curve_of(s, error_of(coupler_angle()), Meaning::locus, Shape::square),
+                                curve_of(s, error_of(rocker_angle()), Meaning::second_locus, Shape::triangle)}) {
+    if (curve.points.empty()) continue;
+    for (const drawings::Datum& point : curve.points) {
+      low = std::min(low, point.y);
+      high = std::max(high, point.y);
+    }
+    if (curve.name == residual().name)
+      for (const drawings::Datum& point : curve.points)
+        chart.markers.push_back({.at = point, .label = figures(point.y, 2, language) + " m"});
+    chart.curves.push_back(std::move(curve));
+  }
+  chart.x = {.quantity = "$k$",
+             .low = 0,
+             .high = std::max(1.0, static_cast<double>(iterates(s)) - 1),
+             .steps = drawings::whole_steps};
+  chart.y = {.quantity = "$|ψ|$ (m), $|Δθ_{3}|$, $|Δθ_{4}|$ (rad)",
+             .low = std::max(finest, low / 10),
+             .high = 10 * high,
+             .scale = drawings::AxisScale::logarithmic};
+  return chart;
 }
 
 }  // namespace
 
-void draw_iterations(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
-  const Language language = request.language;
-  const bool english = language == Language::english;
-  const drawings::Box room = room_above_scale_bars(request);
-  const auto fit_whole = [&](const drawings::Box& box) {
-    return fit_lengths(box, request, 1000 / f.figure.reach(),
-                       [&](const Scale& scale) { return overview_extent(f, scale); });
-  };
-  Fit overview = fit_whole(room);
-  constexpr double smallest_gap = 1e-9;  // m: below, no standard scale makes it a drawing
-  constexpr double clear_gap = 12;       // mm: from here on the whole linkage shows it
-  const bool has_detail = gap(f, 0) > smallest_gap && gap(f, 0) * overview.scale.mm_per_unit < clear_gap;
-  const double divide = has_detail ? room.high.y - overview_share * room.height() : room.low.y;
-  const drawings::Box above{{room.low.x, divide}, room.high}, below{room.low, {room.high.x, divide}};
-  if (has_detail) overview = fit_whole(above);
-  Plot whole(onto, overview.origin, overview.scale);
-  draw_overview(whole, f);
-  std::vector<Scale> scales{overview.scale};
-  if (has_detail) {
-    onto.sheet.figure.windows = {above, below};
-    onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 0);
-    SheetRequest own_scale = request;
-    own_scale.scale.reset();        // --scale is for the linkage
-    constexpr double longest = 45;  // mm, of the first gap
-    const Fit detail = fit_lengths(below, own_scale, longest / gap(f, 0),
-                                   [&](const Scale& scale) { return detail_extent(f, scale); });
-    Plot near(onto, detail.origin, detail.scale);
-    draw_detail(near, f);
-    onto.sheet.figure.window_of.resize(onto.sheet.figure.marks.size(), 1);
-    scales.push_back(detail.scale);
-    scales[0].caption += english ? " above" : " sopra";
-    scales[1].caption += english ? " below" : " sotto";
-  }
-  add_scale_bars(onto, scales, request);
-  auto& column = onto.sheet.column;
-  column.push_back(drawings::Heading{english ? "Constraint equations" : "Equazioni di vincolo"});
-  for (const std::string& line : method(language)) column.push_back(drawings::Paragraph{line});
-  column.push_back(drawings::Heading{english ? "Iterates" : "Iterazioni"});
-  column.push_back(iterates(f, language));
-  column.push_back(drawings::Paragraph{on_the_gap(f, language)});
-  column.push_back(drawings::Paragraph{on_the_start(language)});
-  onto.sheet.description = in_words(
-      {"The open four-bar linkage as Newton-Raphson closes it", "Il quadrilatero aperto che Newton-Raphson chiude"},
-      {{"θ₃", f.iterates().back().q(0), "rad"}, {"θ₄", f.iterates().back().q(1), "rad"}}, language);
+PanelSheet iterations_sheet(const Solution& s, Language language) {
+  const std::string sin = Words{"sin", "sen"}.in(language);
+  const bool is_source = s.givens().as_stated();
+  return {
+      .panels = open_linkage(s),
+      .theory =
+          {{{"Constraint equations", "Equazioni di vincolo"},
+            {remark("$ψ_{1}$ = $r_{2}$ cos $θ_{2}$ + $r_{3}$ cos $θ_{3}$ + $r_{4}$ cos $θ_{4}$ − $r_{1}$ = 0"),
+             remark("$ψ_{2}$ = $r_{2}$ " + sin + " $θ_{2}$ + $r_{3}$ " + sin + " $θ_{3}$ + $r_{4}$ " + sin +
+                    " $θ_{4}$ = 0"),
+             remark("$x$ = $θ_{2}$,  $y$ = ($θ_{3}$, $θ_{4}$):  $y^{k+1}$ = $y^{k}$ − $ψ^{−1}_{y}$ $ψ^{k}$"),
+             remark(Words{"$r_{1}$ = $A_{0}B_{0}$, $r_{2}$ = $A_{0}A$, $r_{3}$ = $AB$, $r_{4}$ = $BB_{0}$",
+                          "$r_{1}$ = $A_{0}B_{0}$, $r_{2}$ = $A_{0}A$, $r_{3}$ = $AB$, $r_{4}$ = $BB_{0}$"}
+                        .in(language))}},
+           {{"Iterates", "Iterate"}, {table_of_iterates}},
+           {{"Jacobian at the solution", "Jacobiano nella soluzione"},
+            {table({"$ψ_{q}$ (m)", "∂/∂$θ_{2}$", "∂/∂$θ_{3}$", "∂/∂$θ_{4}$"},
+                   {{"$ψ_{1}$", {"jacobian_psi_1_theta_2", "jacobian_psi_1_theta_3", "jacobian_psi_1_theta_4"}},
+                    {"$ψ_{2}$", {"jacobian_psi_2_theta_2", "jacobian_psi_2_theta_3", "jacobian_psi_2_theta_4"}}}),
+             remark("∂$ψ$/∂$θ_{i}$ = $r_{i}$ (−" + sin + " $θ_{i}$, cos $θ_{i}$)"),
+             remark("det $ψ_{y}$ = $r_{3}$ $r_{4}$ " + sin + "($θ_{4}$ − $θ_{3}$)"),
+             values({"jacobian_determinant_psi_y"})}},
+           {{"The source", "La fonte"},
+            {remark(is_source ? Words{"It calls its start [$θ_{3}$, $θ_{4}$, $θ_{2}$]: the numbers are [$θ_{2}$, "
+                                      "$θ_{3}$, $θ_{4}$].",
+                                      "Chiama i valori iniziali [$θ_{3}$, $θ_{4}$, $θ_{2}$]: sono [$θ_{2}$, $θ_{3}$, "
+                                      "$θ_{4}$]."}
+                                    .in(language)
+                              : "")}}},
+      .results = {values({"theta_3", "theta_4"})},
+      .seen = {"The open four-bar linkage as Newton-Raphson closes it",
+               "Il quadrilatero aperto che Newton-Raphson chiude"},
+      .told = {"theta_3", "theta_4"}};
+}
+
+PanelSheet convergence_sheet(const Solution& s, Language language) {
+  const std::size_t steps = iterates(s) - 1;
+  const Words of_zero = gap(s, steps) > 0
+                            ? Words{}
+                            : Words{"At the last iterate $|ψ|$ is 0, which has no place on a logarithmic axis.",
+                                    "All'ultima iterata $|ψ|$ vale 0, che non ha posto su un asse logaritmico."};
+  return {
+      .panels = panels(ChartPanel(chart_of_convergence(s, language))),
+      .theory = {{{"The iteration", "L'iterazione"},
+                  {remark(format_words("{} steps, until the residual is zero in double precision.",
+                                       "{} passi, finché il residuo è nullo in doppia precisione.", steps)
+                              .in(language)),
+                   remark(of_zero.in(language)),
+                   remark(Words{"Near the solution each step doubles the number of right digits: the iteration "
+                                "converges quadratically.",
+                                "Vicino alla soluzione ogni passo raddoppia le cifre esatte: la convergenza è "
+                                "quadratica."}
+                              .in(language)),
+                   remark(Words{"That one solution, and only one, lies in a box around the last iterate is proved "
+                                "by a Krawczyk interval step; what is reported follows from the box.",
+                                "Che intorno all'ultima iterata ci sia una e una sola soluzione lo prova un passo "
+                                "a intervalli di Krawczyk; quanto si riporta segue da quella scatola."}
+                              .in(language))}},
+                 {{"Iterates", "Iterate"}, {table_of_iterates}}},
+      .seen = {"Residual and errors of the angles against the number of Newton-Raphson steps",
+               "Residuo ed errori delle anomalie contro il numero di passi di Newton-Raphson"},
+      .told = {"residual_0"}};
 }
 
 }  // namespace epure::four_bar_constraints

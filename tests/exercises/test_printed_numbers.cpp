@@ -18,7 +18,14 @@ const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
     {"velocity-centre",
      {{}, {"phi=200", "omega=-2.7"}, {"V=0"}, {"omega=0"}, {"omega=0", "omega_dot=0"}, {"phi=90"}, {"L=0.37"}}},
     {"slider-crank-velocity",
-     {{}, {"phi=200"}, {"phi=90"}, {"phi=0"}, {"e=0.05"}, {"delta=20", "phi=-33"}, {"n=-41"}}}};
+     {{}, {"phi=200"}, {"phi=90"}, {"phi=0"}, {"e=0.05"}, {"delta=20", "phi=-33"}, {"n=-41"}}},
+    {"four-bar-constraints",
+     {{},
+      {"theta_3_start=-1.4", "theta_4_start=0.6"},
+      {"theta_3_start=0.5", "theta_4_start=-1.8"},
+      {"theta_3_start=100", "theta_4_start=3"},
+      {"n=-300", "alpha_2=50", "theta_2=200"},
+      {"A0B0=800", "A0A=200", "AB=500", "B0B=700"}}}};
 
 // Without what is raised or lowered, which belongs to a symbol, but for powers of ten.
 std::string without_indices(std::string text) {
@@ -66,17 +73,18 @@ TextOfSheet told_by(const drawings::Sheet& sheet) {
   return told;
 }
 
-bool tells_a_quantity(const std::string& number, const Solution& solution, Language language) {
+// All that a sheet may print: every quantity, as it is rounded anywhere.
+std::set<std::string> printable_numbers(const Solution& solution, Language language) {
+  std::set<std::string> all;
   for (const RouteValue& value : solution.values()) {
     if (!value.described) continue;
     const auto known = solution.value(value.quantity);
     if (!known) continue;
-    for (int digits = 3; digits <= 6; ++digits)
-      if (as_number_in(figures(*known, digits, language)) == number) return true;
+    for (int digits = 3; digits <= 9; ++digits) all.insert(as_number_in(figures(*known, digits, language)));
     const std::string in_description = in_words({"", ""}, {{"x", *known, ""}}, language);
-    if (!numbers_in(in_description).empty() && numbers_in(in_description).front() == number) return true;
+    if (!numbers_in(in_description).empty()) all.insert(numbers_in(in_description).front());
   }
-  return false;
+  return all;
 }
 
 // "(x; y)" tells the two coordinates or components of one thing.
@@ -118,6 +126,7 @@ TEST_CASE("what is printed is a quantity of the solution") {
       for (const Language language : {Language::english, Language::italian}) {
         const Exercise& exercise = find_exercise(catalogue(), id);
         const Solution solution = exercise.solution(Tried(id).givens(assignments));
+        const std::set<std::string> printable = printable_numbers(solution, language);
         for (const SheetSpec& spec : exercise.about().sheets) {
           CAPTURE(id, assignments, spec.name, static_cast<int>(language));
           const TextOfSheet told = told_by(exercise.draw(spec.name, solution, {.language = language}).sheet);
@@ -126,7 +135,7 @@ TEST_CASE("what is printed is a quantity of the solution") {
             CHECK(tells_pairs_that_belong_together(text, solution, language));
             for (const std::string& number : numbers_in(text)) {
               INFO("\"" << number << "\" in: " << text);
-              CHECK(tells_a_quantity(number, solution, language));
+              CHECK(printable.contains(number));
               ++seen;
             }
           }

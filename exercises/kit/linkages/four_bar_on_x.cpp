@@ -38,9 +38,17 @@ FourBarInstant four_bar_on_x(const Givens& givens, geometry::Side side) {
           .alpha_2 = givens.angle("alpha_2")};
 }
 
-std::vector<Quantity> link_angle_quantities() {
-  return {{"theta_3", "$θ_{3}$", "rad", {"direction of AB from +x", "anomalia di AB"}},
-          {"theta_4", "$θ_{4}$", "rad", {"direction from B to B₀, from +x", "anomalia di BB₀, da B verso B₀"}}};
+Quantity coupler_angle() { return {"theta_3", "$θ_{3}$", "rad", {"direction of AB from +x", "anomalia di AB"}}; }
+Quantity rocker_angle() {
+  return {"theta_4", "$θ_{4}$", "rad", {"direction from B to B₀, from +x", "anomalia di BB₀, da B verso B₀"}};
+}
+std::vector<Quantity> link_angle_quantities() { return {coupler_angle(), rocker_angle()}; }
+
+Quantity in(Configuration of, const Quantity& quantity) {
+  if (of == Configuration::chosen) return quantity;
+  const auto& [name, symbol, unit, meaning] = quantity;
+  return {name + "_other_branch", symbol.substr(0, symbol.size() - 1) + "'$", unit,
+          meaning + Words{", other configuration", ", altra configurazione"}};
 }
 
 std::vector<Quantity> midpoint_quantities() {

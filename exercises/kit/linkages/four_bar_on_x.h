@@ -15,8 +15,15 @@ std::vector<GivenSpec> four_bar_on_x_givens();
 // On the given side; nothing is required of it yet.
 FourBarInstant four_bar_on_x(const Givens& givens, geometry::Side side);
 
-// What the givens of both exercises leave to be found of angles and midpoints.
+// θ₃ and θ₄.
+Quantity coupler_angle();
+Quantity rocker_angle();
+// Both in one list, for who lists.
 std::vector<Quantity> link_angle_quantities();
+
+// The linkage as it stands, and as the same crank would have it with B on the other side of A -> B₀.
+enum class Configuration { chosen, other };
+Quantity in(Configuration of, const Quantity& quantity);
 
 // G₂, G₃, G₄ halve A₀A, AB, B₀B.
 template <class T>
@@ -53,12 +60,12 @@ MidpointMotion<T> midpoints_on_links(const Midpoints<T>& G, const geometry::Plan
 
 template <class T>
 void write_midpoint_motion(Ledger<T>& ledger, const MidpointMotion<T>& m) {
-  ledger.vector("v_G2", m.v_G2);
-  ledger.vector("v_G3", m.v_G3);
-  ledger.vector("v_G4", m.v_G4);
-  ledger.vector("a_G2", m.a_G2);
-  ledger.vector("a_G3", m.a_G3);
-  ledger.vector("a_G4", m.a_G4);
+  ledger.put(velocity("G2"), m.v_G2);
+  ledger.put(velocity("G3"), m.v_G3);
+  ledger.put(velocity("G4"), m.v_G4);
+  ledger.put(acceleration("G2"), m.a_G2);
+  ledger.put(acceleration("G3"), m.a_G3);
+  ledger.put(acceleration("G4"), m.a_G4);
 }
 std::vector<Quantity> midpoint_quantities();
 
@@ -67,11 +74,11 @@ struct LinkRates {
   T omega_3, omega_4, alpha_3, alpha_4;
 };
 template <class T>
-void write_link_rates(Ledger<T>& ledger, const LinkRates<T>& rates, const std::string& suffix = "") {
-  ledger.put("omega_3" + suffix, rates.omega_3);
-  ledger.put("omega_4" + suffix, rates.omega_4);
-  ledger.put("alpha_3" + suffix, rates.alpha_3);
-  ledger.put("alpha_4" + suffix, rates.alpha_4);
+void write_link_rates(Ledger<T>& ledger, const LinkRates<T>& rates, Configuration of = Configuration::chosen) {
+  ledger.put(in(of, angular_velocity(3)), rates.omega_3);
+  ledger.put(in(of, angular_velocity(4)), rates.omega_4);
+  ledger.put(in(of, angular_acceleration(3)), rates.alpha_3);
+  ledger.put(in(of, angular_acceleration(4)), rates.alpha_4);
 }
 
 // Coupler A -> B, and B -> B₀.
@@ -82,9 +89,9 @@ LinkDirections<T> link_directions(const geometry::FourBar<T>& at) {
 
 template <class T>
 void write_link_angles(Ledger<T>& ledger, const LinkDirections<T>& links, const HalfTurned& back,
-                       const std::string& suffix = "") {
-  ledger.put("theta_3" + suffix, [&] { return angle_or_half_turn(links.coupler, back.coupler); });
-  ledger.put("theta_4" + suffix, [&] { return angle_or_half_turn(links.rocker, back.rocker); });
+                       Configuration of = Configuration::chosen) {
+  ledger.put(in(of, coupler_angle()), [&] { return angle_or_half_turn(links.coupler, back.coupler); });
+  ledger.put(in(of, rocker_angle()), [&] { return angle_or_half_turn(links.rocker, back.rocker); });
 }
 
 // Of a calculated number that the source cut off where it should have rounded.

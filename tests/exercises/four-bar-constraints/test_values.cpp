@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "exercises/four-bar-constraints/exercise.h"
+#include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/proof/solution.h"
 #include "tests/exercises/four_bar_on_x_cases.h"
 
 using namespace epure;
@@ -122,11 +124,34 @@ TEST_CASE("four-bar-constraints: letters find room", "[four-bar-constraints][she
 
 // The gap drawn is the residual: from the rocker's end to the coupler's.
 TEST_CASE("four-bar-constraints: the open linkage is drawn as it is", "[four-bar-constraints][sheets]") {
-  const auto of = four_bar_constraints::problem(givens_of(id, {"theta_3_start=0.5", "theta_4_start=-1.8"}));
-  const auto figure = four_bar_constraints::drawn(of);
+  const Givens givens = givens_of(id, {"theta_3_start=0.5", "theta_4_start=-1.8"});
+  const auto of = four_bar_constraints::problem(givens);
+  const Solution solution = find_exercise(catalogue(), id).solution(givens);
+  REQUIRE(four_bar_constraints::iterates(solution) == of.run.iterates.size());
   for (std::size_t k = 0; k < of.run.iterates.size(); ++k) {
-    const Place from = figure.rocker_end(k), to = figure.coupler_end(k);
+    const Place from = solution.place(four_bar_constraints::end_of_rocker(k)),
+                to = solution.place(four_bar_constraints::end_of_coupler(k));
     CHECK(to.x - from.x == Approx(of.run.iterates[k].residual(0)).margin(1e-14));
     CHECK(to.y - from.y == Approx(of.run.iterates[k].residual(1)).margin(1e-14));
   }
+}
+
+// The table of the three methods, as it stands on its sheet.
+TEST_CASE("four-bar-constraints: each method has its own column", "[four-bar-constraints][sheets]") {
+  const Givens givens = givens_of(id, {"n=-300", "alpha_2=50"});
+  const Solution solution = find_exercise(catalogue(), id).solution(givens);
+  std::vector<std::string> cells;
+  for (const drawings::Mark& mark : draw(id, "comparison", {"n=-300", "alpha_2=50"}).sheet.figure.marks)
+    if (const auto* writing = std::get_if<drawings::Writing>(&mark)) cells.push_back(writing->text);
+  REQUIRE(cells.size() == 3 + 12 * 4);
+  for (std::size_t row = 0; row < 12; ++row)
+    for (std::size_t column = 0; column < 3; ++column) {
+      const std::string route = std::vector<std::string>{"constraint equations", "analytic", "polar diagram"}[column];
+      const std::string name =
+          std::vector<std::string>{"theta_3", "theta_4", "omega_3", "omega_4", "alpha_3", "alpha_4",
+                                   "v_G2",    "v_G3",    "v_G4",    "a_G2",    "a_G3",    "a_G4"}[row];
+      CAPTURE(name, route);
+      REQUIRE(solution.value(name, route));
+      CHECK(cells[3 + 4 * row + 1 + column] == figures(*solution.value(name, route), 6, Language::english));
+    }
 }
