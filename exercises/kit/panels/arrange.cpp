@@ -75,7 +75,7 @@ void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const Sh
   std::vector<Scale> bars;
   std::vector<std::string> captions;  // the title block has no room for the words
   for (const PlacedPanel* figure : figures) {
-    bars.push_back(figure->lengths);
+    bars.push_back(figure->panel->is_in_millimetres() ? in_millimetres(figure->lengths) : figure->lengths);
     captions.push_back(figure->lengths.caption);
     if (figures.size() == 2)
       bars.back().caption += position(*figure, *figures[figure == figures[0] ? 1 : 0], request.language);
@@ -135,7 +135,9 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
                    const PanelSheet& shown, const SheetRequest& request) {
   const Language language = request.language;
   DrawnSheet onto = blank_sheet(about, sheet, solution.givens(), request, shown.without_part);
-  const std::vector<PlacedPanel> panels = laid_out(shown.panels, room_for(shown.panels, request), request);
+  const drawings::Box whole_room = room_for(shown.panels, request);
+  for (const auto& panel : shown.panels) panel->choose_view(whole_room, request);
+  const std::vector<PlacedPanel> panels = laid_out(shown.panels, whole_room, request);
   std::vector<drawings::Block> of_drawings;
   for (const PlacedPanel& each : panels) {
     Plot plot = plot_of(each, onto);
@@ -146,6 +148,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   add_bars(panels, onto, request);
 
   auto& column = onto.sheet.column;
+  for (const Section& section : shown.first) add_section(solution, section, onto, language);
   for (const auto& panel : shown.panels)
     for (const drawings::VectorEquation& equation : panel->equations()) column.push_back(equation);
   std::vector<drawings::Block> steps = number_steps(panels, onto, language);

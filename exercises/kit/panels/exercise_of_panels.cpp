@@ -8,8 +8,8 @@ namespace {
 
 class ExerciseOfPanels : public Exercise {
  public:
-  ExerciseOfPanels(Description about, Solve solve, std::vector<SheetMaker> sheets)
-      : about_(std::move(about)), solve_(std::move(solve)), sheets_(std::move(sheets)) {
+  ExerciseOfPanels(Description about, Solve solve, std::vector<SheetMaker> sheets, FindFlaws flaws)
+      : about_(std::move(about)), solve_(std::move(solve)), sheets_(std::move(sheets)), flaws_(std::move(flaws)) {
     for (const SheetMaker& sheet : sheets_) about_.sheets.push_back(sheet.spec);
     const Solution stated(Givens(about_.givens), solve_(Givens(about_.givens), Rung::fast));
     for (const RouteValue& value : stated.values())
@@ -18,6 +18,9 @@ class ExerciseOfPanels : public Exercise {
 
   const Description& about() const override { return about_; }
   std::vector<RouteValue> solve(const Givens& givens, Rung rung) const override { return solve_(givens, rung); }
+  std::vector<Flaw> flaws(const Givens& givens) const override {
+    return flaws_ ? flaws_(givens) : std::vector<Flaw>{};
+  }
   Solution solution(const Givens& givens) const override { return {givens, solve_(givens, Rung::drawing)}; }
 
   DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
@@ -30,12 +33,14 @@ class ExerciseOfPanels : public Exercise {
   Description about_;
   Solve solve_;
   std::vector<SheetMaker> sheets_;
+  FindFlaws flaws_;
 };
 
 }  // namespace
 
-std::unique_ptr<Exercise> exercise_of_panels(Description about, Solve solve, std::vector<SheetMaker> sheets) {
-  return std::make_unique<ExerciseOfPanels>(std::move(about), std::move(solve), std::move(sheets));
+std::unique_ptr<Exercise> exercise_of_panels(Description about, Solve solve, std::vector<SheetMaker> sheets,
+                                             FindFlaws flaws) {
+  return std::make_unique<ExerciseOfPanels>(std::move(about), std::move(solve), std::move(sheets), std::move(flaws));
 }
 
 }  // namespace epure

@@ -276,6 +276,7 @@ bool is_large_enough(const Panels& panels, const Choices& all, const Choices& ne
 }  // namespace
 
 std::vector<PlacedPanel> laid_out(const Panels& panels, const drawings::Box& room, const SheetRequest& request) {
+  if (panels.empty()) return {};
   Search of_all(panels, Search::Of::all, room, request);
   const auto all = of_all.best();
   if (all && std::all_of(panels.begin(), panels.end(), [](const auto& each) { return each->times_smaller() == 1; }))

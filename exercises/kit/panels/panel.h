@@ -35,6 +35,8 @@ class Panel {
   // The plane it shows: of lengths in metres, or of vectors; a chart or a table shows neither.
   virtual bool is_of_vectors() const { return false; }
   virtual bool has_scale() const { return true; }
+  // Its dimensions are written in millimetres: so is its scale bar.
+  virtual bool is_in_millimetres() const { return false; }
   // From end to end, in metres: the largest scale of lengths worth trying makes it a metre of paper.
   virtual double reach() const { return 1; }
 
@@ -46,6 +48,8 @@ class Panel {
   };
   virtual Vectors vectors() const { return {}; }
 
+  // Where it has several views, it chooses one for the room that all panels share.
+  virtual void choose_view(const drawings::Box& /*whole_room*/, const SheetRequest&) {}
   // What it covers, letters included, in mm from the plane's origin. (`lengths` is meaningless for a plane of
   // vectors.)
   virtual drawings::Box extent(const Scale& lengths, const Scale& vectors) const = 0;

@@ -20,6 +20,7 @@ struct Section {
 
 struct PanelSheet {
   Panels panels = {};                // in the order of reading, and of their steps
+  std::vector<Section> first = {};   // before all else: that the mechanism cannot work
   std::vector<Section> theory = {};  // before the results
   std::vector<Result> results = {};
   Words seen = {};                          // for who does not see the sheet: what is on it ...
@@ -34,9 +35,12 @@ struct SheetMaker {
 };
 
 using Solve = std::function<std::vector<RouteValue>(const Givens&, Rung)>;
+using FindFlaws = std::function<std::vector<Flaw>(const Givens&)>;
 
 // The sheets and quantities of the description are taken from the makers and from what the routes write.
-std::unique_ptr<Exercise> exercise_of_panels(Description about, Solve solve, std::vector<SheetMaker> sheets);
+// `flaws`: none for a mechanism that always works.
+std::unique_ptr<Exercise> exercise_of_panels(Description about, Solve solve, std::vector<SheetMaker> sheets,
+                                             FindFlaws flaws = {});
 
 // Places the panels side by side or one below the other, whichever leaves them larger, each at a standard scale, and
 // writes the column, the scale bars and the description. A scale asked for is that of the first panel with lengths.

@@ -62,6 +62,12 @@ Scale largest_vector_scale(double mm_per_unit, const std::string& unit, Language
       .mm_per_unit = 10 / chosen, .caption = "1 cm ≙ " + short_number(chosen, language) + " " + unit, .unit = unit};
 }
 
+Scale in_millimetres(Scale scale) {
+  scale.mm_per_unit /= 1000;
+  scale.unit = "mm";
+  return scale;
+}
+
 drawings::ScaleBar bar(const Scale& scale, drawings::Point at, Language language) {
   constexpr double longest_bar = 45;  // mm: reads well beside a figure and leaves room for a second bar
   const double whole = largest_below(longest_bar / scale.mm_per_unit, std::array{1.0, 2.0, 4.0, 5.0});

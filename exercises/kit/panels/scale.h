@@ -26,6 +26,9 @@ Scale largest_length_scale(double mm_per_metre);
 // The largest standard scale at which one `unit` takes at most `mm_per_unit`.
 Scale largest_vector_scale(double mm_per_unit, const std::string& unit, Language language);
 
+// A scale of lengths, its bar in millimetres.
+Scale in_millimetres(Scale scale);
+
 // As few figures as the number has, at most six: 2.5, 30, 0.2.
 std::string short_number(double x, Language language);
 

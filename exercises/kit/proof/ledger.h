@@ -102,6 +102,13 @@ class Ledger {
     draws(quantity.x().name, [&] { return seen.x; });
     draws(quantity.y().name, [&] { return seen.y; });
   }
+  // What only drawings show, and sheets may print.
+  void draws(const Quantity& quantity, const std::function<T()>& find) {
+    if constexpr (std::is_same_v<T, geometry::Deep>) {
+      drawn_entries_.push_back({case_ + quantity.name, route_, quantity});
+      drawn_readings_.push_back(geometry::Reading<T>::from(find));
+    }
+  }
   // A point that helps to construct others.
   void draws_point(const std::string& name, const geometry::Point<T>& P) {
     const geometry::Vector<T> seen = in_usual_axes({P.x, P.y});
