@@ -30,7 +30,7 @@ Json printed_number(const PrintedVerdict& verdict) {
                {"route", verdict.route},
                {"difference_percent", number(verdict.difference_percent)},
                {"verdict", name(verdict.verdict)}};
-  if (verdict.explanation) json["explanation"] = verdict.explanation->in(Language::english);
+  if (verdict.explanation) json["explanation"] = drawings::plain(verdict.explanation->in(Language::english));
   return json;
 }
 

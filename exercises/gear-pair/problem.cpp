@@ -12,6 +12,11 @@ namespace {
 using geometry::PairData;
 using geometry::PairKind;
 
+GivenSpec profile(const std::string& symbol, const Words& meaning, const std::string& stated, Range range,
+                  const std::string& letters) {
+  return {symbol, meaning, "1", stated, range, letters, {}, symbol != "ha" && symbol != "hf" && symbol != "rho"};
+}
+
 constexpr long fewest_teeth = 3, most_teeth = 1'000'000;
 
 long teeth(const Givens& givens, const std::string& symbol) {
@@ -91,6 +96,49 @@ void require_working_angle(const PairData& of) {
 
 }  // namespace
 
+std::vector<GivenSpec> givens() {
+  return {
+      {"m", {"module", "modulo"}, "mm", "10", Range::positive, "$m$"},
+      {"z1",
+       {"teeth of wheel 1, which drives", "denti della ruota 1, motrice"},
+       "1",
+       "20",
+       Range::positive,
+       "$z_{1}$"},
+      {"z2", {"teeth of wheel 2", "denti della ruota 2"}, "1", "40", Range::positive, "$z_{2}$"},
+      {"alpha", {"pressure angle", "angolo di pressione"}, "deg", "22", Range::positive, "$α$"},
+      profile("x1", {"profile shift of wheel 1, over m", "spostamento del profilo della ruota 1, su m"}, "0",
+              Range::any, "$x_{1}$"),
+      profile("x2", {"profile shift of wheel 2, over m", "spostamento del profilo della ruota 2, su m"}, "0",
+              Range::any, "$x_{2}$"),
+      profile("ha", {"addendum of the rack, over m", "addendum della dentiera, su m"}, "1", Range::positive,
+              "$h_{a}^{*}$"),
+      profile("hf", {"dedendum of the rack, over m", "dedendum della dentiera, su m"}, "1.25", Range::positive,
+              "$h_{f}^{*}$"),
+      profile("k", {"shortening of the tips, over m", "raccorciamento delle teste, su m"}, "0", Range::any, "$k$"),
+      profile("rho", {"rounding of the cutter's tip, over m", "raccordo di testa dell'utensile, su m"}, "0.25",
+              Range::not_negative, "$ρ^{*}$"),
+      {"j",
+       {"backlash on the pitch circles", "gioco sulle primitive"},
+       "mm",
+       "0",
+       Range::not_negative,
+       "$j$",
+       {},
+       true},
+      {"n1", {"speed of wheel 1", "velocità della ruota 1"}, "rpm", "150", Range::positive, "$n_{1}$"},
+      {.symbol = "kind",
+       .meaning = {"kind of pair", "tipo di coppia"},
+       .unit = "1",
+       .stated = "external",
+       .range = Range::any,
+       .letters = {},
+       .choices = {{"external", {"external wheels", "ruote esterne"}},
+                   {"internal", {"wheel 2 is a ring", "la ruota 2 è interna"}},
+                   {"rack", {"wheel 2 is a rack", "la ruota 2 è una dentiera"}}},
+       .beyond_source = true}};
+}
+
 PairData pair_of(const Givens& givens) {
   const Angle alpha = givens.angle("alpha"), degree{Rational(1, 360)};
   require(sign_of(alpha - degree) >= 0 && sign_of(alpha - Rational(75) * degree) <= 0,
@@ -116,7 +164,5 @@ PairData pair_of(const Givens& givens) {
   require_working_angle(of);
   return of;
 }
-
-Angle speed_of(const Givens& givens) { return givens.angle("n1"); }
 
 }  // namespace epure::gear_pair

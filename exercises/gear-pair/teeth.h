@@ -3,28 +3,29 @@
 
 #include <array>
 #include <optional>
-#include <string>
 
-#include "exercises/gear-pair/drawn_pair.h"
+#include "exercises/gear-pair/pair.h"
+#include "exercises/kit/panels/plot.h"
 #include "geometry/gears/mesh_angles.h"
 #include "geometry/gears/tooth_outline.h"
 
 namespace epure::gear_pair {
 
-// The driving flank of wheel 1 and the driven one of wheel 2.
 class Teeth {
  public:
-  // The driving flanks touch at the position `xi` of the line of action. `mm_per_metre` is the plot's scale: teeth
-  // are drawn as truly as the file can hold them.
-  Teeth(const DrawnPair& pair, double xi, double mm_per_metre);
+  // The driving flanks touch in the pair's shown contact. `tolerance`, in metres: how far what is drawn may lie
+  // inside the true teeth.
+  Teeth(const Pair& pair, double tolerance);
 
   // Wheel 1 or 2 has an outline. Without one it has no flanks, or its cutter is none.
   bool has(int wheel) const { return outline(wheel).has_value(); }
 
-  // The body's tint, then its outline; as far as the paper reaches. The tint of a wheel reaches `depth` metres
-  // inwards of its root circle; that of a ring or rack is its rim. Nothing for a wheel without an outline.
-  void draw(Plot& plot, int wheel, Meaning outline_as, double depth) const;
-  // The touching flank alone, of a tooth that touches at another position.
+  // The body's tint, a darker one for wheel 1, and its outline; as far as the paper reaches. The tint of a wheel
+  // reaches `depth` metres inwards of its root circle; that of a ring or rack is its rim. Nothing for a wheel without
+  // an outline.
+  void tint(Plot& plot, int wheel, double depth) const;
+  void draw(Plot& plot, int wheel, Meaning outline_as) const;
+  // The touching flank alone, of a tooth that touches at the position `xi` of the line of action.
   void draw_flank(Plot& plot, int wheel, double xi) const;
 
   // Of the tooth `count` on from the touching one (counter-clockwise; of a rack to the left): the middle of its tip,
@@ -35,27 +36,25 @@ class Teeth {
   // vector.
   Arrow2 direction_of_tooth(int wheel, double count) const;
 
-  // How thick the rim of a ring or rack is drawn, beyond its root.
-  double rim() const;
-
  private:
   const std::optional<geometry::ToothOutline>& outline(int wheel) const {
     return outlines_[static_cast<std::size_t>(wheel - 1)];
   }
   long teeth_on_paper(const Plot& plot, int wheel) const;
   Place placed(const Place& P, int wheel, double tooth, const geometry::MeshAngles& at) const;
-  void append(drawings::Path& path, const Plot& plot, int wheel, double tooth) const;
-  drawings::Path body(const Plot& plot, int wheel, const drawings::Path& edge, double depth) const;
+  void append(drawings::Path& path, const Plot& plot, int wheel, const std::vector<geometry::BezierArc>& arcs,
+              double tooth, const geometry::MeshAngles& at) const;
+  drawings::Path edge(const Plot& plot, int wheel) const;
   const geometry::OutlinePiece& touching_flank(int wheel) const;
   bool touches_on_the_left(int wheel) const { return wheel == 1 || pair_.of.kind == geometry::PairKind::external; }
 
-  const DrawnPair& pair_;
+  const Pair& pair_;
   std::optional<geometry::MeshAngles> mesh_;
   std::array<std::optional<geometry::ToothOutline>, 2> outlines_;
 };
 
-// A circle's arc from the angle `from` to `to` (radians, to > from), in the plane of the plot.
-void draw_arc(Plot& plot, const Place& centre, double radius, double from, double to, Meaning meaning,
-              const std::string& name = {});
+// An arc arrow about the wheel's centre that shows how it turns, by its radius in paper millimetres and the angles of
+// its middle and half.
+void draw_sense(Plot& plot, const Pair& pair, int wheel, double radius, double middle, double half);
 
 }  // namespace epure::gear_pair

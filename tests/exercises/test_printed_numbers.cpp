@@ -7,6 +7,7 @@
 
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/proof/solution.h"
+#include "exercises/kit/statement/decimal.h"
 #include "tests/exercises/held_against_corpus.h"
 
 using namespace epure;
@@ -15,6 +16,14 @@ using namespace epure::tests;
 namespace {
 
 const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
+    {"gear-pair",
+     {{},
+      {"z1=8"},
+      {"x1=0.5", "x2=0.3", "z1=17", "z2=35"},
+      {"kind=internal", "z1=20", "z2=60"},
+      {"kind=rack", "alpha=20"},
+      {"ha=0.5", "alpha=28"},
+      {"z1=60", "z2=10", "ha=1.2", "hf=1.45", "alpha=15"}}},
     {"velocity-centre",
      {{}, {"phi=200", "omega=-2.7"}, {"V=0"}, {"omega=0"}, {"omega=0", "omega_dot=0"}, {"phi=90"}, {"L=0.37"}}},
     {"slider-crank-velocity",
@@ -74,13 +83,30 @@ TextOfSheet told_by(const drawings::Sheet& sheet) {
 }
 
 // All that a sheet may print: every quantity, as it is rounded anywhere.
-std::set<std::string> printable_numbers(const Solution& solution, Language language) {
+std::set<std::string> printable_numbers(const Exercise& exercise, const Solution& solution, Language language) {
   std::set<std::string> all;
+  // What is given, what check says is wrong with the mechanism, and what the source printed.
+  const auto add_numbers = [&](const std::string& text) {
+    for (const std::string& number : numbers_in(text)) all.insert(number);
+  };
+  for (const GivenSpec& spec : solution.givens().specs())
+    if (spec.choices.empty() && !solution.givens().follows(spec.symbol))
+      add_numbers(decimal(nearest(solution.givens()[spec.symbol]), 6).in(language));
+  for (const Flaw& flaw : exercise.flaws(solution.givens())) add_numbers(flaw.sentence.in(language));
+  for (const Printed& printed : exercise.about().printed) {
+    add_numbers(decimal(printed.text).in(language));
+    if (printed.explanation) add_numbers(printed.explanation->sentence.in(language));
+  }
   for (const RouteValue& value : solution.values()) {
     if (!value.described) continue;
     const auto known = solution.value(value.quantity);
     if (!known) continue;
-    for (int digits = 3; digits <= 9; ++digits) all.insert(as_number_in(figures(*known, digits, language)));
+    for (int digits = 3; digits <= 9; ++digits) {
+      all.insert(as_number_in(figures(*known, digits, language)));
+      if (value.described->unit != "m") continue;
+      for (const double mm : {1000 * *known, std::abs(1000 * *known)})
+        all.insert(as_number_in(figures(mm, digits, language)));
+    }
     const std::string in_description = in_words({"", ""}, {{"x", *known, ""}}, language);
     if (!numbers_in(in_description).empty()) all.insert(numbers_in(in_description).front());
   }
@@ -126,7 +152,7 @@ TEST_CASE("what is printed is a quantity of the solution") {
       for (const Language language : {Language::english, Language::italian}) {
         const Exercise& exercise = find_exercise(catalogue(), id);
         const Solution solution = exercise.solution(Tried(id).givens(assignments));
-        const std::set<std::string> printable = printable_numbers(solution, language);
+        const std::set<std::string> printable = printable_numbers(exercise, solution, language);
         for (const SheetSpec& spec : exercise.about().sheets) {
           CAPTURE(id, assignments, spec.name, static_cast<int>(language));
           const TextOfSheet told = told_by(exercise.draw(spec.name, solution, {.language = language}).sheet);

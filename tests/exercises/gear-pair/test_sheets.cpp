@@ -192,7 +192,7 @@ TEST_CASE("gear-pair: the workshop's data", "[gear-pair][sheets]") {
       if (each.front() == name) return each;
     throw std::logic_error("no row " + name);
   };
-  CHECK(row("$W_{k}$") == std::vector<std::string>{"$W_{k}$", "76.540", "138.515"});
+  CHECK(row("$𝑊_{k}$") == std::vector<std::string>{"$𝑊_{k}$", "76.540", "138.515"});
   CHECK(row("$k$") == std::vector<std::string>{"$k$", "3", "5"});
   CHECK(row("$d_{a}$") == std::vector<std::string>{"$d_{a}$", "220.000", "420.000"});
 }
@@ -209,8 +209,8 @@ TEST_CASE("gear-pair: a rack has no number of teeth among the givens", "[gear-pa
 }
 
 TEST_CASE("gear-pair: the steps tell of two, one or no tangent points on the sheet", "[gear-pair][sheets]") {
-  CHECK(steps(gear_pair().draw("pitch-point", source)).find("Not both") == std::string::npos);
-  CHECK(steps(gear_pair().draw("pitch-point", thousand)).find("Not both") != std::string::npos);
+  CHECK(steps(gear_pair().draw("pitch-point", source)).find("off the sheet") == std::string::npos);
+  CHECK(steps(gear_pair().draw("pitch-point", thousand)).find("$T_{2}$ off the sheet") != std::string::npos);
   CHECK(steps(gear_pair().draw("pitch-point", rack)).find("$T_{2}$") == std::string::npos);
 }
 
@@ -231,8 +231,9 @@ TEST_CASE("gear-pair: where flanks are cut away every sheet says how far they to
   }
   CHECK(column(gear_pair().draw("wheels", cut)).find("0.9571, below 1 (1.448 of whole flanks)") != std::string::npos);
   CHECK(has_label(gear_pair().draw("pitch-point", cut), "no continuous contact"));
-  CHECK(gear_pair().draw("pitch-point", cut).sheet.description.find("F1E/p_b = 0.957") != std::string::npos);
-  CHECK(gear_pair().draw("sliding", cut).sheet.description.find("v_s(F1) = -0.1758") != std::string::npos);
+  CHECK(gear_pair().draw("pitch-point", cut).sheet.description.find("true_contact_ratio = 0.957") !=
+        std::string::npos);
+  CHECK(gear_pair().draw("sliding", cut).sheet.description.find("v_s_F1 = 0.1758") != std::string::npos);
 }
 
 TEST_CASE("gear-pair: undercut and pointed teeth that shorten no contact, or its end", "[gear-pair][sheets]") {
@@ -303,4 +304,36 @@ TEST_CASE("gear-pair: the sense of rotation stands clear of the teeth, however s
     }
     CHECK(wheel == 2);
   }
+}
+
+TEST_CASE("gear-pair: the sliding velocity told is the reported one, and a sheet without sliding says so",
+          "[gear-pair][sheets]") {
+  // The source's own 23.634 mm times 23.562 rad/s; check reports magnitudes.
+  CHECK(gear_pair().draw("sliding", source).sheet.description.find("sliding_velocity_approach = 0.5569 m/s") !=
+        std::string::npos);
+  CHECK(gear_pair().draw("sliding", {"kind=internal", "z2=23", "alpha=20"}).sheet.description.find("no contact") !=
+        std::string::npos);
+}
+
+TEST_CASE("gear-pair: wheels are told apart, show how they turn, and their bar is in millimetres",
+          "[gear-pair][sheets]") {
+  const DrawnSheet drawn = gear_pair().draw("pitch-point", source);
+  std::set<drawings::Meaning> tints;
+  int senses = 0;
+  std::string unit;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
+    if (const auto* area = std::get_if<drawings::Area>(&mark)) tints.insert(area->meaning);
+    if (std::holds_alternative<drawings::Rotation>(mark)) ++senses;
+    if (const auto* bar = std::get_if<drawings::ScaleBar>(&mark)) unit = bar->ticks.back();
+  }
+  CHECK(tints.size() == 2);
+  CHECK(senses == 2);
+  CHECK(unit.find("mm") != std::string::npos);
+  CHECK(column(drawn).find("the motion is continuous") != std::string::npos);
+  CHECK(column(gear_pair().draw("pitch-point", {"z1=8"})).find("the motion is continuous") == std::string::npos);
+}
+
+TEST_CASE("gear-pair: the source's data lead to the givens, on its own sheet only", "[gear-pair][sheets]") {
+  CHECK(column(gear_pair().draw("wheels", source)).find("centre distance $i$ = 300.0") != std::string::npos);
+  CHECK(column(gear_pair().draw("wheels", {"n1=151"})).find("centre distance $i$") == std::string::npos);
 }
