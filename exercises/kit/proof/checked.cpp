@@ -8,8 +8,10 @@
 #include <set>
 
 #include "drawings/output.h"
+#include "drawings/text/text.h"
 #include "exercises/kit/proof/route_names.h"
 #include "exercises/kit/proof/solution.h"
+#include "exercises/kit/proof/told_numbers.h"
 
 namespace epure {
 namespace {
@@ -217,6 +219,22 @@ void compare_solution(CheckedExercise& checked, const Solution& solution) {
   }
 }
 
+std::vector<KnownNumber> known_numbers(const CheckedExercise& checked) {
+  std::vector<KnownNumber> known;
+  for (const CheckedQuantity& quantity : checked.quantities)
+    if (has_value(quantity.settled))
+      known.push_back({quantity.spec.name, quantity.spec.symbol, quantity.settled.enclosure.value});
+  return known;
+}
+
+void demand_told(CheckedExercise& checked, const drawings::Sheet& sheet, const std::string& name) {
+  for (const WrongNumber& wrong : wrong_numbers(sheet, known_numbers(checked)))
+    checked.failures.push_back({Complaint::About::sheet, "",
+                                format_words("sheet {} tells {}, which is not the quantity's value: {}",
+                                             "la tavola {} dice {}, che non è il valore della grandezza: {}", name,
+                                             wrong.number, drawings::plain(wrong.text))});
+}
+
 void compare_sheets(CheckedExercise& checked, const Exercise& exercise) {
   const std::optional<Solution> solution = drawn_solution(checked, exercise);
   if (!solution) return;
@@ -224,6 +242,7 @@ void compare_sheets(CheckedExercise& checked, const Exercise& exercise) {
   for (const SheetSpec& spec : checked.about.sheets) {
     const std::optional<DrawnSheet> drawn = drawn_sheet(checked, exercise, *solution, spec.name);
     if (!drawn) continue;
+    if (exercise.tells_its_solution()) demand_told(checked, drawn->sheet, spec.name);
     for (const Measurement& measurement : drawn->measurements) {
       demand_listed(checked, measurement.quantity, Words{"shown on sheet ", "mostrata sulla tavola "} + spec.name);
       if (CheckedQuantity* quantity = find(checked, measurement.quantity))
