@@ -29,6 +29,8 @@ class ExerciseOfPanels : public Exercise {
     return arrange(about_, sheet, solution, maker->make(solution, request.language), request);
   }
 
+  bool tells_its_solution() const override { return true; }
+
  private:
   Description about_;
   Solve solve_;

@@ -8,8 +8,10 @@
 #include <set>
 
 #include "drawings/output.h"
+#include "drawings/text/text.h"
 #include "exercises/kit/proof/route_names.h"
 #include "exercises/kit/proof/solution.h"
+#include "exercises/kit/proof/told_numbers.h"
 
 namespace epure {
 namespace {
@@ -217,13 +219,41 @@ void compare_solution(CheckedExercise& checked, const Solution& solution) {
   }
 }
 
+// What is proved; and what belongs to the way there, which sheets tell and nobody reports (an iteration's steps).
+std::vector<KnownNumber> known_numbers(const CheckedExercise& checked, const Solution& solution) {
+  std::vector<KnownNumber> known;
+  for (const CheckedQuantity& quantity : checked.quantities)
+    if (has_value(quantity.settled))
+      known.push_back({quantity.spec.name, quantity.spec.symbol, quantity.settled.enclosure.value});
+  const auto& reported = checked.about.quantities;
+  for (const RouteValue& told : solution.values()) {
+    if (!told.described || std::any_of(reported.begin(), reported.end(),
+                                       [&](const Quantity& each) { return each.name == told.quantity; }))
+      continue;
+    if (const auto value = solution.value(told.quantity))
+      known.push_back({told.quantity, told.described->symbol, *value});
+  }
+  return known;
+}
+
+void demand_told(CheckedExercise& checked, const drawings::Sheet& sheet, const std::string& name,
+                 const std::vector<KnownNumber>& known) {
+  for (const WrongNumber& wrong : wrong_numbers(sheet, known))
+    checked.failures.push_back({Complaint::About::sheet, "",
+                                format_words("sheet {} tells {}, which is not the quantity's value: {}",
+                                             "la tavola {} dice {}, che non è il valore della grandezza: {}", name,
+                                             wrong.number, drawings::plain(wrong.text))});
+}
+
 void compare_sheets(CheckedExercise& checked, const Exercise& exercise) {
   const std::optional<Solution> solution = drawn_solution(checked, exercise);
   if (!solution) return;
   compare_solution(checked, *solution);
+  const std::vector<KnownNumber> known = known_numbers(checked, *solution);
   for (const SheetSpec& spec : checked.about.sheets) {
     const std::optional<DrawnSheet> drawn = drawn_sheet(checked, exercise, *solution, spec.name);
     if (!drawn) continue;
+    if (exercise.tells_its_solution()) demand_told(checked, drawn->sheet, spec.name, known);
     for (const Measurement& measurement : drawn->measurements) {
       demand_listed(checked, measurement.quantity, Words{"shown on sheet ", "mostrata sulla tavola "} + spec.name);
       if (CheckedQuantity* quantity = find(checked, measurement.quantity))
