@@ -40,6 +40,18 @@ Result coordinates(const std::string& name) {
   };
 }
 
+Result coordinates(const std::vector<std::pair<std::string, std::string>>& points) {
+  return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+    drawings::Table table{{"", "$x$ (m)", "$y$ (m)"}, {}};
+    for (const auto& [letters, name] : points) {
+      const std::optional<Place> P = solution.point(name);
+      table.rows.push_back(
+          {letters, P ? figures(P->x, significant, language) : "∞", P ? figures(P->y, significant, language) : "∞"});
+    }
+    return table;
+  };
+}
+
 Result values(const std::vector<std::string>& names) {
   return [names](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     std::string line;
@@ -47,8 +59,9 @@ Result values(const std::vector<std::string>& names) {
       const auto value = solution.value(name);
       if (!value) continue;
       const Quantity& quantity = solution.described(name);
-      line += fmt::format("{}{} = {} {}", line.empty() ? "" : ",  ", quantity.symbol,
-                          figures(*value, significant, language), written_unit(quantity.unit));
+      line += fmt::format("{}{} = {}{}", line.empty() ? "" : ",  ", quantity.symbol,
+                          figures(*value, significant, language),
+                          quantity.unit == "deg" ? "°" : " " + written_unit(quantity.unit));
     }
     return line.empty() ? std::nullopt : std::optional<drawings::Block>(drawings::Paragraph{line});
   };
