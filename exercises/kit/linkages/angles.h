@@ -2,6 +2,7 @@
 #pragma once
 
 #include "exercises/kit/proof/ledger.h"
+#include "geometry/analytic/complex.h"
 
 namespace epure {
 
@@ -64,6 +65,17 @@ T in_degrees(const T& radians) {
   }
 }
 
+// The same by the second route, as a part of the turn.
+template <class T>
+T part_of_turn_in_degrees(const T& radians) {
+  if constexpr (signs_only<T>) {
+    return radians;
+  } else {
+    const T turn = T(2) * geometry::pi<T>();
+    return geometry::quotient(radians, turn) * geometry::from_rational<T>(360);
+  }
+}
+
 // A given angle, in degrees.
 template <class T>
 T given_in_degrees(const geometry::Angle& angle) {
@@ -71,7 +83,17 @@ T given_in_degrees(const geometry::Angle& angle) {
   if constexpr (signs_only<T>) {
     return T(sign_of(angle));
   } else {
-    return in_degrees(geometry::radians<T>(angle));
+    return part_of_turn_in_degrees(geometry::radians<T>(angle));
+  }
+}
+
+// slope_angle by the second route, from the tangent of its half: z in the half plane of positive real parts.
+template <class T>
+T slope_by_its_half(const geometry::analytic::Complex<T>& z) {
+  if constexpr (signs_only<T>) {
+    return z.im;
+  } else {
+    return T(2) * geometry::arc_tangent(z.im, T(z.re + geometry::analytic::modulus(z)));
   }
 }
 

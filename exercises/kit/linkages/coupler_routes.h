@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "exercises/kit/linkages/second_order_quantities.h"
 #include "exercises/kit/proof/ledger.h"
 #include "geometry/analytic/plane_motion_formulas.h"
+#include "geometry/motion/euler_savary.h"
 #include "geometry/motion/plane_motion.h"
 
 namespace epure {
@@ -103,11 +105,12 @@ void write_acceleration_pole(Ledger<T>& ledger, const geometry::analytic::PlaneM
   for (const auto& X : points) put_length<T>(ledger, distance("K", X.letter), [&] { return X.at - K(); });
 }
 
-// Diameter and centre of a circle that may have become a line.
+// Diameter and centre of a circle that may have become a line. For drawings the point of either that is nearest to
+// the origin, and the direction there: of k t² + √(l² + m²) t + n = 0 the root that stays finite when k vanishes.
 template <class T>
-void write_circle(Ledger<T>& ledger, const std::string& name, const geometry::Cycle<T>& cycle,
-                  const Phrase& when_line) {
-  ledger.put(name + "_diameter", [&] {
+void write_circle(Ledger<T>& ledger, const Quantity& diameter, const PointQuantity& centre,
+                  const geometry::Cycle<T>& cycle, const Phrase& when_line) {
+  ledger.put(diameter, [&] {
     const T squared = geometry::square(cycle.l) + geometry::square(cycle.m) - T(4) * cycle.k * cycle.n;
     if constexpr (signs_only<T>) {
       return ledger.ratio(squared, geometry::square(cycle.k), when_line);
@@ -115,28 +118,60 @@ void write_circle(Ledger<T>& ledger, const std::string& name, const geometry::Cy
       return ledger.ratio(geometry::root(squared), geometry::absolute(cycle.k), when_line);
     }
   });
-  ledger.point(name + "_centre", cycle.centre(), when_line);
+  ledger.put(centre, cycle.centre(), when_line);
+  if constexpr (std::is_same_v<T, geometry::Deep>) {
+    const geometry::Vector<T> steepest{cycle.l, cycle.m};
+    ledger.draws_point(centre.name + "_nearest", [&]() -> geometry::Point<T> {
+      const T steep = geometry::length(steepest);
+      const T reach = steep + geometry::root(geometry::square(steep) - T(4) * cycle.k * cycle.n);
+      return geometry::Point<T>{T(0), T(0)} + geometry::quotient(T(-2) * cycle.n, steep * reach) * steepest;
+    });
+    ledger.draws_point(centre.name + "_along", [&]() -> geometry::Point<T> {
+      const geometry::Vector<T> along = geometry::quarter_turn(steepest);
+      return {geometry::quotient(along.x, geometry::length(along)),
+              geometry::quotient(along.y, geometry::length(along))};
+    });
+  }
 }
 
 // Both circles and the inflection pole J, which a route may know better than by cancellation.
 template <class T>
 void write_circles(Ledger<T>& ledger, const geometry::PlaneMotion<T>& motion, const geometry::ProjectivePoint<T>& J) {
-  write_circle(ledger, "inflection", motion.inflection_circle(), no_inflection_circle);
-  ledger.point("inflection_pole", J, no_inflection_circle);
-  write_circle(ledger, "stationarity", motion.stationarity_circle(), no_stationarity_circle);
+  write_circle(ledger, inflection_diameter(), inflection_centre(), motion.inflection_circle(), no_inflection_circle);
+  ledger.put(inflection_pole(), J, no_inflection_circle);
+  write_circle(ledger, stationarity_diameter(), stationarity_centre(), motion.stationarity_circle(),
+               no_stationarity_circle);
 }
+
+// What builds the inflection circle: X' on the ray of a point X whose path has this centre of curvature.
+template <class T>
+void draws_builder(Ledger<T>& ledger, const geometry::ProjectivePoint<T>& P0, const Lettered<geometry::Point<T>>& X,
+                   const geometry::Point<T>& centre) {
+  ledger.draws_point(X.letter + "prime", [&] { return euler_savary_point(geometry::finite(P0), X.at, centre); });
+}
+// ... and the stationarity circle: A" on the ray of the driven point A, where the acceleration along the path is
+// zero. It grows along the ray at the rate α: A"A = a_A^t / α.
+template <class T>
+void draws_builder(Ledger<T>& ledger, const geometry::PlaneMotion<T>& motion) {
+  ledger.draws_point("Adoubleprime", [&]() -> geometry::Point<T> {
+    const geometry::Vector<T> ray = motion.A - geometry::finite(motion.pole());
+    const T along_path = geometry::dot(motion.a_A, geometry::quarter_turn(ray));
+    return motion.A + geometry::quotient(-along_path, motion.alpha * geometry::length_squared(ray)) * ray;
+  });
+}
+
 // The diameters as vectors from the pole, so that signs need no roots.
 template <class T>
 void write_circles(Ledger<T>& ledger, const geometry::analytic::PlaneMotion<T>& motion) {
   const auto P0 = [&] { return present(motion.pole(), no_inflection_circle); };
   const auto J = [&] { return present(motion.inflection_pole(), no_inflection_circle); };
   const auto bresse = [&] { return present(motion.stationarity_circle(), no_stationarity_circle).centre; };
-  put_length<T>(ledger, "inflection_diameter", [&] { return J() - P0(); });
-  put_point<T>(ledger, "inflection_centre",
+  put_length<T>(ledger, inflection_diameter(), [&] { return J() - P0(); });
+  put_point<T>(ledger, inflection_centre(),
                [&] { return present(motion.inflection_circle(), no_inflection_circle).centre; });
-  put_point<T>(ledger, "inflection_pole", J);
-  put_length<T>(ledger, "stationarity_diameter", [&] { return T(2) * (bresse() - P0()); });
-  put_point<T>(ledger, "stationarity_centre", bresse);
+  put_point<T>(ledger, inflection_pole(), J);
+  put_length<T>(ledger, stationarity_diameter(), [&] { return T(2) * (bresse() - P0()); });
+  put_point<T>(ledger, stationarity_centre(), bresse);
 }
 
 // Why there is no point on the ray to X, or no centre of curvature, where there is none: X may be the pole.
@@ -153,20 +188,20 @@ void write_curvature(Ledger<T>& ledger, const geometry::PlaneMotion<T>& motion,
   const geometry::ProjectivePoint<T> centre = motion.centre_of_curvature(X.at);
   const Phrase &none_on_ray = unless_pole(motion, X.at, no_point_on_ray),
                &no_centre = unless_pole(motion, X.at, no_curvature);
-  ledger.distance(X.letter + "prime_" + X.letter, on_circle, X.at, none_on_ray);
-  ledger.distance("rho_" + X.letter, centre, X.at, no_centre);
-  ledger.point("curvature_centre_" + X.letter, centre, no_centre);
-  ledger.point(X.letter + "prime", on_circle, none_on_ray);
+  ledger.distance(distance_on_ray(X.letter), on_circle, X.at, none_on_ray);
+  ledger.distance(radius_of_curvature(X.letter), centre, X.at, no_centre);
+  ledger.put(centre_of_curvature(X.letter), centre, no_centre);
+  ledger.put(point_on_ray(X.letter), on_circle, none_on_ray);
 }
 template <class T>
 void write_curvature(Ledger<T>& ledger, const geometry::analytic::PlaneMotion<T>& motion,
                      const Lettered<geometry::analytic::Complex<T>>& X) {
   const auto on_circle = [&] { return present(motion.on_inflection_circle(X.at), no_point_on_ray); };
   const auto centre = [&] { return present(motion.centre_of_curvature(X.at), no_curvature); };
-  put_length<T>(ledger, X.letter + "prime_" + X.letter, [&] { return on_circle() - X.at; });
-  put_length<T>(ledger, "rho_" + X.letter, [&] { return centre() - X.at; });
-  put_point<T>(ledger, "curvature_centre_" + X.letter, centre);
-  put_point<T>(ledger, X.letter + "prime", on_circle);
+  put_length<T>(ledger, distance_on_ray(X.letter), [&] { return on_circle() - X.at; });
+  put_length<T>(ledger, radius_of_curvature(X.letter), [&] { return centre() - X.at; });
+  put_point<T>(ledger, centre_of_curvature(X.letter), centre);
+  put_point<T>(ledger, point_on_ray(X.letter), on_circle);
 }
 
 }  // namespace epure

@@ -14,6 +14,7 @@ namespace {
 Plot plot_of(const PlacedPanel& placed, DrawnSheet& onto) {
   Plot plot(onto, placed.origin, placed.panel->is_of_vectors() ? placed.vectors : placed.lengths);
   plot.vectors_at(placed.vectors);
+  if (placed.panel->is_cut()) plot.keep_within(placed.room);
   return plot;
 }
 

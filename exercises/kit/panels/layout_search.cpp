@@ -105,7 +105,7 @@ class Search {
     std::vector<PlacedPanel> all;
     for (std::size_t i = 0; i < panels_.size(); ++i)
       all.push_back({panels_[i].get(), rooms[i], found.choices.lengths[i].scale, vectors_of(found.choices, i),
-                     origin_in(rooms[i], extent(found.choices, i))});
+                     panels_[i]->origin(rooms[i], extent(found.choices, i), found.choices.lengths[i].scale)});
     return all;
   }
 

@@ -63,6 +63,10 @@ class Panel {
   virtual std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const = 0;
   // Whether it may reach beyond its room, and is cut there.
   virtual bool is_cut() const { return false; }
+  // Where on the paper the plane's origin lies: what it covers, of all or near, stands in the middle of the room.
+  virtual drawings::Point origin(const drawings::Box& room, const drawings::Box& covered, const Scale&) const {
+    return origin_in(room, covered);
+  }
 
   virtual std::vector<drawings::VectorEquation> equations() const { return {}; }
   // Where the panel stands tells where a step's number does: at the tip of a vector, at the room's edge.

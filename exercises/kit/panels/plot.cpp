@@ -45,7 +45,7 @@ void Plot::segment(const Place& P, const Place& Q, Meaning meaning, const std::s
 }
 
 bool Plot::shows(const Place& P) const {
-  const drawings::Box area = drawings::drawing_area(onto_.sheet.paper);
+  const drawings::Box area = room_.value_or(drawings::drawing_area(onto_.sheet.paper));
   const drawings::Point p = at(P);
   return p.x >= area.low.x && p.x <= area.high.x && p.y >= area.low.y && p.y <= area.high.y;
 }

@@ -33,7 +33,11 @@ class Plot {
   void vectors_at(Scale scale) { vectors_ = std::move(scale); }
   const Scale& vector_scale() const { return vectors_; }
 
-  // P lies on the drawing area. What is put at a point off it (a dot, letters, a step number) is left out.
+  // What is cut at the border of a room has no letters beyond it either.
+  void keep_within(const drawings::Box& room) { room_ = room; }
+
+  // P lies on the drawing area, and in the room. What is put at a point off it (a dot, letters, a step number) is
+  // left out.
   bool shows(const Place& P) const;
 
   // For what has axes of its own: a chart.
@@ -83,6 +87,7 @@ class Plot {
   DrawnSheet& onto_;
   drawings::Point origin_;
   Scale scale_, vectors_;
+  std::optional<drawings::Box> room_ = {};
 };
 
 }  // namespace epure

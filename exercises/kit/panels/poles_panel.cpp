@@ -41,12 +41,13 @@ PolesPanel::PolesPanel(const Solution& solution, std::shared_ptr<const Mechanism
                        const std::vector<std::string>& points, std::vector<PolesStep> steps)
     : mechanism_(std::move(mechanism)), kind_(std::move(kind)), steps_(std::move(steps)) {
   for (const std::string& X : points) {
-    const VectorQuantity quantity = kind_.vector(X);
-    points_.push_back({X, solution.place(X), quantity, solution.vector(quantity.name)});
-    if (solution.is_reported(X + "_x")) reported_points_.push_back(X);
-    if (solution.is_reported(kind_.pole + X)) reported_rays_.push_back(X);
+    VectorQuantity quantity = kind_.vector(X);
+    quantity.name = kind_.prefix + quantity.name;
+    points_.push_back({X, solution.place(kind_.prefix + X), quantity, solution.vector(quantity.name)});
+    if (solution.is_reported(kind_.prefix + X + "_x")) reported_points_.push_back(X);
+    if (solution.is_reported(name_of_ray(X))) reported_rays_.push_back(X);
   }
-  pole_ = solution.point(kind_.pole);
+  pole_ = solution.point(kind_.prefix + kind_.pole);
 }
 
 PolesPanel& PolesPanel::sketched() {
@@ -159,9 +160,9 @@ void PolesPanel::draw_leaving_rays(Plot& plot, const drawings::Box& room, Langua
 void PolesPanel::draw_pole(Plot& plot) const {
   plot.cross(*pole_, kind_.ink);
   plot.label(kind_.letters, *pole_, middle_of(mechanism_->corners()), kind_.ink);
-  plot.measures_coordinates(kind_.pole, *pole_, mechanism_->corners().front());
+  plot.measures_coordinates(kind_.prefix + kind_.pole, *pole_, mechanism_->corners().front());
   for (const Carried& X : points_)
-    if (contains(reported_rays_, X.name)) plot.measures(kind_.pole + X.name, *pole_, X.at);
+    if (contains(reported_rays_, X.name)) plot.measures(name_of_ray(X.name), *pole_, X.at);
 }
 
 // On the side of the mechanism, where the rays are.
@@ -204,9 +205,11 @@ std::vector<drawings::Block> PolesPanel::draw(Plot& plot, const drawings::Box& r
   for (const Carried& X : points_) {
     plot.vector_on(X.quantity.name, X.at, X.v, is_of_velocity() ? Meaning::velocity : Meaning::acceleration,
                    X.quantity.arrow());
-    if (contains(reported_points_, X.name)) plot.measures_coordinates(X.name, X.at, mechanism_->corners().front());
+    if (contains(reported_points_, X.name))
+      plot.measures_coordinates(kind_.prefix + X.name, X.at, mechanism_->corners().front());
   }
-  if (shows_pole && !is_of_velocity() && !points_.empty()) mark_inclination(plot, points_.back());
+  if (pole_ && !is_of_velocity())
+    for (const Carried& X : points_) mark_inclination(plot, X);
   return {};
 }
 
@@ -217,7 +220,8 @@ std::vector<PanelStep> PolesPanel::steps(const Plot& plot, const drawings::Box& 
   for (const PolesStep& step : steps_) {
     placed.push_back({step.text});
     std::optional<Place>& at = placed.back().at;
-    if (step.where == Where::pole) at = pole_;
+    if (step.where == Where::pole)
+      at = shows_pole(plot, room) || !pole_ || points_.empty() ? pole_ : end_of_ray(points_.front(), plot, room);
     if (step.where == Where::point) at = carried(step.of).at;
     if (step.where == Where::tip) at = plot.tip(carried(step.of).at, carried(step.of).v);
     if (step.where != Where::ray) continue;
@@ -237,7 +241,7 @@ std::optional<MeasuredTable> PolesPanel::measured(const Readings& readings) cons
   const auto row = [&](const Carried& X, double by_the_pole, double vector) {
     table.rows.push_back({X.quantity.length().symbol + " (" + vectors().unit + ")", by_the_pole, vector});
   };
-  const auto ray = [&](const Carried& X) { return kind_.pole + X.name; };
+  const auto ray = [&](const Carried& X) { return name_of_ray(X.name); };
   if (is_of_velocity() && rate_) {
     const std::string by_the_pole = "$" + rate_symbol_ + "$·$" + point_letters(kind_.pole) + "X$";
     table.first = {by_the_pole, by_the_pole};

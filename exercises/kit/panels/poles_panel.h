@@ -30,6 +30,7 @@ class PolesPanel : public Panel {
     VectorQuantity (*vector)(const std::string& of) = velocity;
     double longest_on_paper = 60;  // mm
     double times_smaller = 12;     // the plane may be drawn to show the pole
+    std::string prefix = {};       // of all names, for a case of the exercise: "dead_centre_folded."
   };
   static Kind of_velocity(const std::string& pole);
   static Kind of_acceleration();  // K
@@ -70,6 +71,7 @@ class PolesPanel : public Panel {
   bool is_of_velocity() const { return kind_.ink == Meaning::locus; }
   bool has_far_pole() const;  // and not too far for any sheet
   bool shows_pole(const Plot& plot, const drawings::Box& room) const;
+  std::string name_of_ray(const std::string& X) const { return kind_.prefix + kind_.pole + X; }
   const Carried& carried(const std::string& name) const;
   bool is_on_a_line(const Carried& X) const;
   // Towards the pole, wherever it is: across the velocity where it is at infinity.

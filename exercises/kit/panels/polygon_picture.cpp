@@ -167,14 +167,16 @@ void draw_sides(const Drawing& on, const std::vector<PlacedSide>& sides, const P
 }
 
 void draw_image(Plot& plot, const VectorPolygon& polygon, const PolygonImage& image) {
-  const Place O{0, 0}, a = after(O, polygon.right.front().v), c = after(O, image.absolute.v);
+  const Place O{0, 0}, c = after(O, image.absolute.v), a = after(c, -image.relative.v);
   const Place middle = middle_of(polygon);
   if (!image.relative.label.empty()) {
     plot.side(image.relative.quantity, a, c, polygon.meaning, image.relative.label, middle);
   } else if (!image.relative.quantity.empty()) {
     plot.measures(image.relative.quantity, a, c);
   }
-  plot.side(image.absolute.quantity, O, c, polygon.meaning, image.absolute.label, middle);
+  if (!image.absolute.label.empty())
+    plot.side(image.absolute.quantity, O, c, polygon.meaning, image.absolute.label, middle);
+  if (image.absolute.tip.empty()) return;
   plot.dot(c, polygon.meaning);
   plot.label(image.absolute.tip, c, O, polygon.meaning);
 }
@@ -237,7 +239,8 @@ std::vector<std::string> steps_of(const VectorPolygon& polygon, Language languag
     }
   }
   if (!lines.empty() && !polygon.left.back().closes_alone()) lines.back() += meeting(corner, language);
-  for (const PolygonImage& image : polygon.images) lines.push_back(image.explained.in(language));
+  for (const PolygonImage& image : polygon.images)
+    if (!image.explained.empty()) lines.push_back(image.explained.in(language));
   return lines;
 }
 
@@ -245,7 +248,8 @@ std::vector<Place> places_of_steps(const VectorPolygon& polygon) {
   constexpr double along_side = 0.3;  // clear of the vector's own letters, at its middle
   std::vector<Place> places;
   for (const PlacedSide& s : in_order(polygon)) places.push_back(between(s.from, s.to, along_side));
-  for (const PolygonImage& image : polygon.images) places.push_back(after({0, 0}, image.absolute.v));
+  for (const PolygonImage& image : polygon.images)
+    if (!image.explained.empty()) places.push_back(after({0, 0}, image.absolute.v));
   return places;
 }
 

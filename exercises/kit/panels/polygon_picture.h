@@ -35,11 +35,12 @@ struct PolygonSide {
   bool closes_alone() const { return is_unknown() && direction == "?"; }
 };
 
-// The image of another point of a body whose two points have their images in the polygon.
+// The image of another point of a body whose two points have their images in the polygon. Or only the sum of sides:
+// from the origin, or between two corners. What has no label is not drawn.
 struct PolygonImage {
-  PolygonSide absolute;  // from O; quantity "v_C", tip "$c'$"
-  PolygonSide relative;  // from the tip of the first known vector of the right side, "v_CA"; no label: not drawn
-  Words explained;       // one step: how the point is found
+  PolygonSide absolute;       // from O; quantity "v_C", tip "$c'$"
+  PolygonSide relative = {};  // its last part, "v_CA"
+  Words explained = {};       // one step: how the point is found; none for a sum
 };
 
 struct VectorPolygon {

@@ -15,6 +15,7 @@ constexpr int significant = 4;
 }  // namespace
 
 std::string written_unit(const std::string& unit) {
+  if (unit == "deg") return "°";
   std::string text = unit == "1" ? "" : unit;
   std::replace(text.begin(), text.end(), '*', ' ');
   const auto square = text.find("^2");
@@ -44,6 +45,18 @@ Result coordinates(const std::string& name) {
   };
 }
 
+Result coordinates(const std::vector<std::pair<std::string, std::string>>& points) {
+  return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+    drawings::Table table{{"", "$x$ (m)", "$y$ (m)"}, {}};
+    for (const auto& [letters, name] : points) {
+      const std::optional<Place> P = solution.point(name);
+      table.rows.push_back(
+          {letters, P ? figures(P->x, significant, language) : "∞", P ? figures(P->y, significant, language) : "∞"});
+    }
+    return table;
+  };
+}
+
 Result values(const std::vector<std::string>& names) {
   return [names](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     std::string line;
@@ -53,7 +66,7 @@ Result values(const std::vector<std::string>& names) {
       const Quantity& quantity = solution.described(name);
       const std::string unit = written_unit(quantity.unit);
       line += fmt::format("{}{} = {}{}{}", line.empty() ? "" : ",  ", quantity.symbol,
-                          figures(*value, significant, language), unit.empty() ? "" : " ", unit);
+                          figures(*value, significant, language), unit.empty() || unit == "°" ? "" : " ", unit);
     }
     return line.empty() ? std::nullopt : std::optional<drawings::Block>(drawings::Paragraph{line});
   };

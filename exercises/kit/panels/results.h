@@ -18,6 +18,8 @@ using Result = std::function<std::optional<drawings::Block>(const Solution&, Lan
 Result components(const VectorQuantity& quantity);
 // "P0 = (0; 4) m"
 Result coordinates(const std::string& point);
+// A row of coordinates for each point, by its letters (rich text) and its name.
+Result coordinates(const std::vector<std::pair<std::string, std::string>>& points);
 
 // "ω2 = 37.70 rad/s,  ω3 = −13.33 rad/s"
 Result values(const std::vector<std::string>& names);

@@ -98,9 +98,7 @@ class Ledger {
   // A vector of which the length alone is reported; it is drawn all the same.
   void put_length(const VectorQuantity& quantity, const geometry::Vector<T>& v) {
     put(quantity.length(), [&] { return size(v); });
-    const geometry::Vector<T> seen = in_usual_axes(v);
-    draws(quantity.x().name, [&] { return seen.x; });
-    draws(quantity.y().name, [&] { return seen.y; });
+    draws_vector(quantity.name, v);
   }
   // What only drawings show, and sheets may print.
   void draws(const Quantity& quantity, const std::function<T()>& find) {
@@ -110,8 +108,14 @@ class Ledger {
     }
   }
   // A point that helps to construct others.
-  void draws_point(const std::string& name, const geometry::Point<T>& P) {
-    const geometry::Vector<T> seen = in_usual_axes({P.x, P.y});
+  void draws_point(const std::string& name, const geometry::Point<T>& P) { draws_vector(name, {P.x, P.y}); }
+  // One that may not exist: each coordinate looks for it anew.
+  void draws_point(const std::string& name, const std::function<geometry::Point<T>()>& find) {
+    draws(name + "_x", [&] { return in_usual_axes(find() - geometry::Point<T>{T(0), T(0)}).x; });
+    draws(name + "_y", [&] { return in_usual_axes(find() - geometry::Point<T>{T(0), T(0)}).y; });
+  }
+  void draws_vector(const std::string& name, const geometry::Vector<T>& v) {
+    const geometry::Vector<T> seen = in_usual_axes(v);
     draws(name + "_x", [&] { return seen.x; });
     draws(name + "_y", [&] { return seen.y; });
   }
@@ -120,7 +124,6 @@ class Ledger {
     draws(name + "_x", [&] { return ratio(seen.x, P.w, at_infinity); });
     draws(name + "_y", [&] { return ratio(seen.y, P.w, at_infinity); });
   }
-  void draws_vector(const std::string& name, const geometry::Vector<T>& v) { draws_point(name, {v.x, v.y}); }
   // A number of the drawing, or of its text, that is not reported.
   template <class Find>
   void tells(const Quantity& quantity, const Find& find) {

@@ -1,0 +1,186 @@
+#include "exercises/kit/panels/curvature_panel.h"
+
+#include "exercises/kit/statement/format_words.h"
+#include "exercises/kit/statement/quantity.h"
+
+namespace epure {
+namespace {
+
+constexpr double along_path = 15;  // mm of a path to each side of its point
+
+std::string centre_of(const std::string& letters) { return "$Ω_{" + letters + "}$"; }
+std::string primed(const std::string& letters) { return "$" + letters + "'$"; }
+
+}  // namespace
+
+RaysPanel::RaysPanel(const Solution& s, std::shared_ptr<const MechanismFigure> mechanism, Curved of)
+    : CutPanel(std::move(mechanism)), curved_(std::move(of)) {
+  const std::string& prefix = curved_.prefix;
+  P0_ = s.point(prefix + curved_.pole);
+  J_ = s.point(prefix + "inflection_pole");
+  F_ = s.point(prefix + "inflection_centre");
+  inflection_ = cycle_of(s, prefix + "inflection_centre", prefix + "inflection_diameter");
+  for (const std::string& X : curved_.points)
+    points_.push_back({X, point_letters(X), s.place(prefix + X), s.point(prefix + X + "prime")});
+}
+
+drawings::Box RaysPanel::covered(const Scale& lengths, double points, double circles) const {
+  Extent extent;
+  for (const Place& P : mechanism_->corners()) extent.include(lengths, P, 7);
+  include(extent, lengths, inflection_, circles);
+  include(extent, lengths, P0_, points);
+  for (const OnRay& X : points_) include(extent, lengths, X.prime, points);
+  return extent.box();
+}
+
+std::vector<drawings::Block> RaysPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  const Place O = mechanism_->corners().front();
+  plot.cycle(inflection_, Meaning::locus);
+  if (P0_ && J_) {
+    draw_to(plot, room, *P0_, *J_, "$J$", language, Meaning::axis);
+    draw_named(plot, J_, "$J$", *P0_);
+    draw_named(plot, F_, "$F$", *P0_);
+  }
+  mechanism_->sketch(plot);
+  for (const OnRay& X : points_) {
+    plot.dot(X.at, Meaning::link);
+    if (!P0_ || !X.prime) continue;
+    plot.segment(*P0_, X.at, Meaning::construction);
+    draw_to(plot, room, X.at, *X.prime, primed(X.letters), language);
+    plot.dot(*X.prime, Meaning::locus);
+    plot.label(primed(X.letters), *X.prime, *P0_, Meaning::locus);
+    plot.measures(curved_.prefix + X.name + "prime_" + X.name, *X.prime, X.at);
+    plot.measures_coordinates(curved_.prefix + X.name + "prime", *X.prime, O);
+  }
+  draw_named(plot, P0_, "$" + point_letters(curved_.pole) + "$", middle());
+  OffSheet off(plot, room);
+  off.point("$" + point_letters(curved_.pole) + "$", P0_);
+  for (const OnRay& X : points_) off.point(primed(X.letters), X.prime);
+  off.circle({"part of the inflection circle", "parte della circonferenza dei flessi"}, inflection_);
+  const std::string sentence = off.sentence(language);
+  if (sentence.empty()) return {};
+  return {drawings::Paragraph{sentence}};
+}
+
+std::vector<PanelStep> RaysPanel::steps(const Plot& plot, const drawings::Box& room) const {
+  const std::string P = point_letters(curved_.pole);
+  std::vector<PanelStep> steps;
+  for (const OnRay& X : points_) {
+    if (!X.prime) continue;
+    const Words text = steps.empty()
+                           ? format_words("The ray ${1}{0}$ meets the inflection circle again at ${0}'$.",
+                                          "Il raggio ${1}{0}$ incontra ancora la circonferenza dei flessi in "
+                                          "${0}'$.",
+                                          X.letters, P)
+                           : format_words("Likewise ${0}'$ on the ray ${1}{0}$.",
+                                          "Analogamente ${0}'$ sul raggio ${1}{0}$.", X.letters, P);
+    steps.push_back({text, seen_end(plot, room, X.at, *X.prime)});
+  }
+  return steps;
+}
+
+OsculatingPanel::OsculatingPanel(const Solution& s, std::shared_ptr<const MechanismFigure> mechanism, Curved of,
+                                 DrawPath draw_path)
+    : CutPanel(std::move(mechanism)), curved_(std::move(of)), draw_path_(std::move(draw_path)) {
+  const std::string& prefix = curved_.prefix;
+  P0_ = s.point(prefix + curved_.pole);
+  for (const std::string& X : curved_.points)
+    points_.push_back({X, point_letters(X), s.place(prefix + X), s.point(prefix + "curvature_centre_" + X),
+                       s.value(prefix + curved_.pole + X) == 0.0});
+}
+
+// The points with a piece of their paths; the mechanism as far as it stands around them.
+drawings::Box OsculatingPanel::covered(const Scale& lengths, double points, double circles) const {
+  Extent extent;
+  for (const OnPath& X : points_) {
+    extent.include(lengths, X.at, along_path + 2);
+    include(extent, lengths, X.centre, points);
+    if (X.centre) include(extent, lengths, circle_through(X.at, *X.centre), circles);
+  }
+  include(extent, lengths, P0_, points);
+  if (points > far()) mechanism_->include(extent, lengths);
+  return extent.box();
+}
+
+void OsculatingPanel::draw_centre(Plot& plot, const drawings::Box& room, const OnPath& X, Language language) const {
+  if (!X.centre) return;
+  plot.cycle(circle_through(X.at, *X.centre), Meaning::construction);
+  if (!is_in(room, plot, *X.centre)) {
+    draw_towards(plot, room, X.at, *X.centre, centre_of(X.letters), language);
+    return;
+  }
+  plot.segment(*X.centre, X.at, Meaning::dimension, "rho_" + X.name);
+  draw_named(plot, X.centre, centre_of(X.letters), X.at);
+  plot.measures(curved_.prefix + "rho_" + X.name, *X.centre, X.at);
+  plot.measures_coordinates(curved_.prefix + "curvature_centre_" + X.name, *X.centre, mechanism_->corners().front());
+}
+
+std::vector<drawings::Block> OsculatingPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  const Place O = mechanism_->corners().front();
+  for (const OnPath& X : points_) {
+    const drawings::Point at = plot.at(X.at);
+    draw_path_(plot, X.name, {{at.x - along_path, at.y - along_path}, {at.x + along_path, at.y + along_path}});
+    if (!P0_) continue;
+    draw_to(plot, room, X.at, *P0_, "$" + point_letters(curved_.pole) + "$", language);
+    plot.measures(curved_.prefix + curved_.pole + X.name, *P0_, X.at);
+  }
+  draw_named(plot, P0_, "$" + point_letters(curved_.pole) + "$", middle());
+  if (P0_) plot.measures_coordinates(curved_.prefix + curved_.pole, *P0_, O);
+  mechanism_->draw(plot);
+  OffSheet off(plot, room);
+  for (const OnPath& X : points_) {
+    draw_centre(plot, room, X, language);
+    off.point(centre_of(X.letters), X.centre);
+    if (X.centre)
+      off.circle(
+          format_words("part of the circle about {0}", "parte del cerchio di centro {0}", centre_of(X.letters)),
+          circle_through(X.at, *X.centre));
+  }
+  const std::string sentence = off.sentence(language);
+  if (sentence.empty()) return {};
+  return {drawings::Paragraph{sentence}};
+}
+
+Words OsculatingPanel::step_to(const OnPath& X, bool is_first) const {
+  const std::string P = point_letters(curved_.pole);
+  if (X.is_pole)
+    return format_words("${0}$ is the pole: its path has a cusp there, and no centre of curvature.",
+                        "${0}$ è il polo: lì la sua traiettoria ha una cuspide, e nessun centro di curvatura.",
+                        X.letters);
+  if (!X.centre)
+    return format_words(
+        "${0}$ lies on the inflection circle: its path is straight to the second order.",
+        "${0}$ sta sulla circonferenza dei flessi: la sua traiettoria è rettilinea al secondo ordine.", X.letters);
+  if (!P0_)
+    return format_words(
+        "$Ω_{{{0}}}$ on the normal to $\\vec{{v}}_{{{0}}}$, at $ρ_{{{0}}}$ = $v^{{2}}_{{{0}}}$ / "
+        "$a^{{n}}_{{{0}}}$.",
+        "$Ω_{{{0}}}$ sulla normale a $\\vec{{v}}_{{{0}}}$, a $ρ_{{{0}}}$ = $v^{{2}}_{{{0}}}$ / "
+        "$a^{{n}}_{{{0}}}$.",
+        X.letters);
+  if (!is_first)
+    return format_words("Likewise $Ω_{{{0}}}$: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$.",
+                        "Analogamente $Ω_{{{0}}}$: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$.", X.letters, P);
+  return format_words(
+      "Euler-Savary: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$ gives $Ω_{{{0}}}$ on the ray, on the same "
+      "side of ${0}$ as ${0}'$. The thin circle about it osculates the path of ${0}$, of which a piece "
+      "is drawn.",
+      "Euler-Savary: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$ dà $Ω_{{{0}}}$ sul raggio, dalla stessa "
+      "parte di ${0}'$ rispetto a ${0}$. Il cerchio sottile di questo centro oscula la traiettoria di "
+      "${0}$, della quale è disegnato un tratto.",
+      X.letters, P);
+}
+
+std::vector<PanelStep> OsculatingPanel::steps(const Plot& plot, const drawings::Box& room) const {
+  std::vector<PanelStep> steps;
+  bool is_first = true;
+  for (const OnPath& X : points_) {
+    steps.push_back({step_to(X, is_first)});
+    if (!X.centre) continue;
+    steps.back().at = seen_end(plot, room, X.at, *X.centre);
+    is_first = false;
+  }
+  return steps;
+}
+
+}  // namespace epure

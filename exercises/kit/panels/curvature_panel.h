@@ -1,0 +1,72 @@
+// Centres of curvature of the paths of points of a moving plane, by Euler and Savary. Two panels: the rays from the
+// pole to the inflection circle, as small as that circle asks; and the mechanism, larger, with the centres, the
+// osculating circles, and beside them a piece of the paths themselves.
+#pragma once
+
+#include <functional>
+
+#include "exercises/kit/panels/cut_panel.h"
+
+namespace epure {
+
+struct Curved {
+  std::string pole;                 // in names of quantities: "P0"
+  std::vector<std::string> points;  // "C", "M"
+  std::string prefix = {};          // of all names, for a case of the exercise
+};
+
+// Of the solution: the inflection circle as CirclesPanel needs it, pole (not at infinity), points, "Cprime".
+class RaysPanel : public CutPanel {
+ public:
+  RaysPanel(const Solution& solution, std::shared_ptr<const MechanismFigure> mechanism, Curved of);
+
+  double reach() const override { return mechanism_->reach(); }
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
+
+ private:
+  struct OnRay {
+    std::string name, letters;  // "C", within mathematics
+    Place at;
+    std::optional<Place> prime;  // X'
+  };
+  double far() const override { return 5; }
+  drawings::Box covered(const Scale& lengths, double points, double circles) const override;
+
+  Curved curved_;
+  std::optional<Place> P0_, J_, F_;
+  DrawnCycle inflection_;
+  std::vector<OnRay> points_;
+};
+
+// Of the solution: pole, points, "curvature_centre_C".
+class OsculatingPanel : public CutPanel {
+ public:
+  // Draws the path of a point as far as it runs through this box of the paper.
+  using DrawPath = std::function<void(Plot&, const std::string& point, const drawings::Box& around)>;
+  OsculatingPanel(const Solution& solution, std::shared_ptr<const MechanismFigure> mechanism, Curved of,
+                  DrawPath draw_path);
+
+  double reach() const override { return 3 * mechanism_->reach(); }  // as much of the linkage is still to be seen
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
+
+ private:
+  struct OnPath {
+    std::string name, letters;
+    Place at;
+    std::optional<Place> centre;  // of curvature
+    bool is_pole;
+  };
+  double far() const override { return 1.2; }
+  drawings::Box covered(const Scale& lengths, double points, double circles) const override;
+  void draw_centre(Plot& plot, const drawings::Box& room, const OnPath& X, Language language) const;
+  Words step_to(const OnPath& X, bool is_first) const;
+
+  Curved curved_;
+  std::optional<Place> P0_;
+  std::vector<OnPath> points_;
+  DrawPath draw_path_;
+};
+
+}  // namespace epure

@@ -1,0 +1,75 @@
+#include "exercises/kit/panels/cut_panel.h"
+
+#include <algorithm>
+
+namespace epure {
+namespace {
+
+// Along one axis: the origin for which `all` stands in the middle of the room, or, when it is too large, covers it
+// while `needed` stays inside.
+double shifted(double room_low, double room_high, double needed_low, double needed_high, double all_low,
+               double all_high) {
+  const double middle = (room_low + room_high) / 2;
+  if (all_high - all_low <= room_high - room_low) return middle - (all_low + all_high) / 2;
+  const double least = room_low - needed_low, most = room_high - needed_high;  // what is needed stays inside
+  const double covers_least = room_high - all_high, covers_most = room_low - all_low;
+  const double wanted = std::clamp(middle - (needed_low + needed_high) / 2, covers_least, covers_most);
+  return std::clamp(wanted, std::min(least, most), std::max(least, most));
+}
+
+}  // namespace
+
+drawings::Point CutPanel::origin(const drawings::Box& room, const drawings::Box& needed, const Scale& lengths) const {
+  constexpr double worth_showing = 40;  // reaches
+  const drawings::Box all = covered(lengths, worth_showing, worth_showing);
+  return {shifted(room.low.x, room.high.x, needed.low.x, needed.high.x, all.low.x, all.high.x),
+          shifted(room.low.y, room.high.y, needed.low.y, needed.high.y, all.low.y, all.high.y)};
+}
+
+void CutPanel::include(Extent& extent, const Scale& lengths, const std::optional<Place>& P, double reaches) const {
+  constexpr double letters = 8;  // mm
+  if (is_near(P, reaches)) extent.include(lengths, *P, letters);
+}
+
+void CutPanel::include(Extent& extent, const Scale& lengths, const DrawnCycle& circle, double reaches) const {
+  constexpr double air = 4;  // mm
+  if (!circle.centre || 2 * circle.radius > reaches * mechanism_->reach()) return;
+  const auto& [x, y] = *circle.centre;
+  extent.include(lengths, {x - circle.radius, y - circle.radius}, air);
+  extent.include(lengths, {x + circle.radius, y + circle.radius}, air);
+}
+
+Place CutPanel::middle() const {
+  const std::vector<Place> corners = mechanism_->corners();
+  Place sum{0, 0};
+  for (const Place& P : corners) sum = {sum.x + P.x, sum.y + P.y};
+  const auto count = static_cast<double>(corners.size());
+  return {sum.x / count, sum.y / count};
+}
+
+DrawnCycle cycle_of(const Solution& solution, const std::string& centre, const std::string& diameter) {
+  DrawnCycle cycle{.centre = solution.point(centre), .on_line = solution.point(centre + "_nearest")};
+  if (const auto across = solution.value(diameter)) cycle.radius = *across / 2;
+  if (const auto along = solution.point(centre + "_along")) cycle.along = {along->x, along->y};
+  return cycle;
+}
+
+void draw_named(Plot& plot, const std::optional<Place>& P, const std::string& letters, const Place& away_from,
+                Meaning ink) {
+  if (!P) return;
+  plot.cross(*P, ink);
+  plot.label(letters, *P, away_from, ink);
+}
+
+Place seen_end(const Plot& plot, const drawings::Box& room, const Place& P, const Place& Q) {
+  return is_in(room, plot, Q) ? Q : ray_to_edge(plot, room, P, Q - P);
+}
+
+void draw_to(Plot& plot, const drawings::Box& room, const Place& P, const Place& Q, const std::string& letters,
+             Language language, Meaning meaning) {
+  plot.segment(P, Q, meaning);
+  if (is_in(room, plot, Q) || !is_in(room, plot, P)) return;
+  plot.small_label(Words{"to ", "verso "}.in(language) + letters, ray_to_edge(plot, room, P, Q - P), P);
+}
+
+}  // namespace epure
