@@ -25,7 +25,15 @@ const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
       {"theta_3_start=0.5", "theta_4_start=-1.8"},
       {"theta_3_start=100", "theta_4_start=3"},
       {"n=-300", "alpha_2=50", "theta_2=200"},
-      {"A0B0=800", "A0A=200", "AB=500", "B0B=700"}}}};
+      {"A0B0=800", "A0A=200", "AB=500", "B0B=700"}}},
+    {"four-bar-analytic",
+     {{},
+      {"branch=right"},
+      {"n=-400", "alpha_2=300"},
+      {"theta_2=240"},
+      {"A0B0=0.2", "A0A=0.6"},
+      {"A0B0=0.5", "A0A=0.4", "AB=0.2", "B0B=0.45", "theta_2=60"},
+      {"AP_along=0.7", "AP_across=-0.3"}}}};
 
 // Without what is raised or lowered, which belongs to a symbol, but for powers of ten.
 std::string without_indices(std::string text) {

@@ -175,9 +175,10 @@ void Plot::label(const std::string& text, const Place& P, std::optional<Place> a
   onto_.sheet.figure.labels.push_back(label);
 }
 
-void Plot::small_label(const std::string& text, const Place& P, const Place& away_from) {
+void Plot::small_label(const std::string& text, const Place& P, const Place& away_from, Meaning ink) {
   constexpr double small = 2.5;
-  onto_.sheet.figure.labels.push_back({.text = text, .at = at(P), .away_from = at(away_from), .size = small});
+  onto_.sheet.figure.labels.push_back(
+      {.text = text, .at = at(P), .ink = ink, .away_from = at(away_from), .size = small});
 }
 
 void Plot::step(int number, const Place& P) {

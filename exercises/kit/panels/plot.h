@@ -71,7 +71,7 @@ class Plot {
   void label(const std::string& text, const Place& P, std::optional<Place> away_from = {},
              Meaning ink = Meaning::text);
   // A number or name in the smaller letters of a crowd of positions.
-  void small_label(const std::string& text, const Place& P, const Place& away_from);
+  void small_label(const std::string& text, const Place& P, const Place& away_from, Meaning ink = Meaning::text);
   void step(int number, const Place& P);
 
   // The sheet shows quantity `name` as the distance PQ. What runs off the drawing area cannot be measured and is left
