@@ -1,14 +1,117 @@
 #include "exercises/four-bar-analytic/exercise.h"
 
-#include "exercises/kit/linkages/four_bar_routes.h"
-#include "exercises/kit/panels/sheet.h"
-#include "exercises/kit/proof/solution.h"
+#include "exercises/four-bar-analytic/routes.h"
+#include "exercises/kit/linkages/four_bar_mechanism.h"
+#include "exercises/kit/panels/mechanism_panel.h"
+#include "exercises/kit/panels/polygon_panel.h"
 
 namespace epure {
 namespace four_bar_analytic {
+
+std::vector<RouteValue> solve(const Givens& givens, Rung rung) { return settle(Routes(problem(givens)), rung); }
+
+Mechanism linkage(const Solution& s, const std::vector<std::string>& points) {
+  Mechanism mechanism = four_bar_mechanism(s, sign_of(s.givens().angle("n")));
+  for (const std::string& X : points)
+    mechanism.point(X, s.place(X), Mechanism::Joint::none, "$" + point_letters(X) + "$");
+  return mechanism;
+}
+
 namespace {
 
-using geometry::Deep;
+std::shared_ptr<const Mechanism> with_midpoints(const Solution& s) {
+  return std::make_shared<const Mechanism>(linkage(s, {"G2", "G3", "G4"}));
+}
+
+// Of the midpoints of crank, coupler and rocker: they halve Oa', a'b' and Ob'.
+std::vector<PolygonImage> images_of_midpoints(const Solution& s, VectorQuantity (*vector)(const std::string& of),
+                                              const std::string& O) {
+  const auto image_of = [&](const std::string& G, const std::string& tip, const Words& explained) {
+    return PolygonImage{.absolute = side(s, vector(G), {}, {}, tip), .relative = {}, .explained = explained};
+  };
+  return {image_of("G3", "$g'_{3}$",
+                   {"$g'_{3}$ halves $a'b'$, as $G_{3}$ halves $AB$.",
+                    "$g'_{3}$ è il punto medio di $a'b'$, come $G_{3}$ di $AB$."}),
+          image_of("G2", "$g'_{2}$",
+                   {"$g'_{2}$ halves " + O + "$a'$: the crank's fixed point has its image at " + O + ".",
+                    "$g'_{2}$ è il punto medio di " + O + "$a'$: il punto fisso ha l'immagine in " + O + "."}),
+          image_of("G4", "$g'_{4}$",
+                   {"$g'_{4}$ likewise halves " + O + "$b'$.",
+                    "Analogamente $g'_{4}$ è il punto medio di " + O + "$b'$."})};
+}
+
+Arrow2 across(const Place& P, const Place& Q) { return {P.y - Q.y, Q.x - P.x}; }
+
+VectorPolygon velocities(const Solution& s) {
+  PolygonSide v_B = side(s, velocity("B"), "⊥ $B_{0}B$", "?"), v_BA = side(s, velocity("BA"), "⊥ $AB$", "?", "$b'$");
+  v_B.along = across(s.place("B0"), s.place("B"));
+  v_BA.along = across(s.place("A"), s.place("B"));
+  VectorPolygon polygon =
+      velocity_polygon({v_B}, {side(s, velocity("A"), "⊥ $A_{0}A$", "$ω_{2}$·$A_{0}A$", "$a'$"), v_BA});
+  polygon.images = images_of_midpoints(s, velocity, "$O_{v}$");
+  return polygon;
+}
+
+VectorPolygon accelerations(const Solution& s) {
+  const bool is_steady = is_zero(s.givens().angle("alpha_2"));
+  PolygonSide a_A = side(s, acceleration("A"), is_steady ? "∥ $AA_{0}$" : "$\\vec{a}^{n}_{A}$ + $\\vec{a}^{t}_{A}$",
+                         is_steady ? "$ω^{2}_{2}$·$A_{0}A$" : "$a_{A}$", "$a'$");
+  PolygonSide a_BA_t = side(s, tangential_acceleration("BA"), "⊥ $AB$", "?", "$b'$"),
+              a_B_t = side(s, tangential_acceleration("B"), "⊥ $B_{0}B$", "?");
+  a_BA_t.along = across(s.place("A"), s.place("B"));
+  a_B_t.along = across(s.place("B0"), s.place("B"));
+  a_BA_t.square = a_B_t.square = true;
+  VectorPolygon polygon =
+      acceleration_polygon({side(s, normal_acceleration("B"), "∥ $BB_{0}$", "$ω^{2}_{4}$·$B_{0}B$"), a_B_t},
+                           {a_A, side(s, normal_acceleration("BA"), "∥ $BA$", "$ω^{2}_{3}$·$AB$"), a_BA_t});
+  PolygonImage a_B{.absolute = side(s, acceleration("B"), {}, {}),
+                   .relative = {.label = "$\\vec{a}_{BA}$", .v = s.vector("a_BA")},
+                   .explained = {"$\\vec{a}_{B}$ from $O_{a}$ to $b'$, $\\vec{a}_{BA}$ from $a'$ to $b'$.",
+                                 "$\\vec{a}_{B}$ da $O_{a}$ a $b'$, $\\vec{a}_{BA}$ da $a'$ a $b'$."}};
+  polygon.images = images_of_midpoints(s, acceleration, "$O_{a}$");
+  polygon.images.insert(polygon.images.begin(), a_B);
+  return polygon;
+}
+
+Result vectors_by_point(const std::string& letter, const std::string& unit) {
+  const auto head = [&](const std::string& index) { return "$" + letter + "_{X" + index + "}$ (" + unit + ")"; };
+  return by_point({"B", "G2", "G3", "G4"},
+                  {{head("x"), letter + "_{}_x"}, {head("y"), letter + "_{}_y"}, {head(""), letter + "_{}"}});
+}
+
+Result on_the_source(const Solution& s, const Words& words, Language language) {
+  return remark(s.givens().as_stated() ? words.in(language) : "");
+}
+
+PanelSheet velocities_sheet(const Solution& s, Language language) {
+  return {
+      .panels = panels(MechanismPanel(with_midpoints(s)), PolygonPanel(s, velocities(s))),
+      .results = {remark("|$ω_{3}$| = $v_{BA}$ / $AB$,  |$ω_{4}$| = $v_{B}$ / $B_{0}B$"),
+                  values({"omega_3", "omega_4"}), vectors_by_point("v", "m/s"),
+                  on_the_source(s,
+                                {"The source's table writes $\\vec{v}_{B}$ ∥ $B_{0}B$: it is perpendicular to it.",
+                                 "La tabella della fonte scrive $\\vec{v}_{B}$ ∥ $B_{0}B$: è normale."},
+                                language)},
+      .seen = {"The polygon of the velocities of the four-bar, with the images of the links' midpoints",
+               "Il poligono delle velocità del quadrilatero, con le immagini delle mezzerie"},
+      .told = {"omega_3", "omega_4", "v_B", "v_G3"}};
+}
+
+PanelSheet accelerations_sheet(const Solution& s, Language language) {
+  return {.panels = panels(MechanismPanel(with_midpoints(s)), PolygonPanel(s, accelerations(s))),
+          .results = {remark("|$α_{3}$| = $a^{t}_{BA}$ / $AB$,  |$α_{4}$| = $a^{t}_{B}$ / $B_{0}B$"),
+                      values({"alpha_3", "alpha_4"}), vectors_by_point("a", "m/s²"),
+                      on_the_source(
+                          s,
+                          {"The source left $α_{4}$·$B_{0}G_{4}$ out of its $a_{G4}$ here, and calls normal and "
+                           "tangential what is along and perpendicular to $AB$.",
+                           "Qui la fonte dimentica $α_{4}$·$B_{0}G_{4}$ in $a_{G4}$, e chiama normale e "
+                           "tangenziale ciò che è lungo $AB$ e normale ad $AB$."},
+                          language)},
+          .seen = {"The polygon of the accelerations of the four-bar, with the images of the links' midpoints",
+                   "Il poligono delle accelerazioni del quadrilatero, con le immagini delle mezzerie"},
+          .told = {"alpha_3", "alpha_4", "a_B", "a_G3"}};
+}
 
 Description description() {
   return {.id = "four-bar-analytic",
@@ -18,129 +121,24 @@ Description description() {
           .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.10",
                      "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.10"},
           .givens = givens(),
-          .sheets = {{"configurations", {"Both configurations", "Le due configurazioni"}},
-                     {"velocities", {"Polar diagram of velocity", "Diagramma polare delle velocità"}},
-                     {"accelerations", {"Polar diagram of acceleration", "Diagramma polare delle accelerazioni"}},
-                     {"curvature", {"Curvature of the path of G₃", "Curvatura della traiettoria di G₃"}},
-                     {"omega-4", {"ω₄ over a turn of the crank", "ω₄ in un giro della manovella"}},
-                     {"coupler-curve", {"Path of the coupler point P", "Traiettoria del punto di biella P"}}},
-          .quantities = quantities(),
           .printed = printed_by_the_source()};
 }
 
-class FourBarAnalytic : public Exercise {
- public:
-  const Description& about() const override { return about_; }
-
-  std::vector<RouteValue> solve(const Givens& givens, Rung rung) const override {
-    return four_bar_analytic::solve(problem(givens), rung);
-  }
-
-  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
-    const Givens& givens = solution.givens();
-    const Drawn figure = drawn(problem(givens));
-    DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
-    if (sheet == "configurations") draw_configurations(onto, figure, request);
-    if (sheet == "velocities") draw_velocities(onto, figure, request);
-    if (sheet == "accelerations") draw_accelerations(onto, figure, request);
-    if (sheet == "curvature") draw_curvature(onto, figure, request);
-    if (sheet == "omega-4") draw_omega_4(onto, figure, request);
-    if (sheet == "coupler-curve") draw_coupler_curve(onto, figure, request);
-    return onto;
-  }
-
- private:
-  Description about_ = description();
-};
-
-double sense_of(const FourBarInstant& instant) { return sign_of(instant.n); }
-
-PolygonImage image(const std::string& letter, const std::string& quantity, const std::string& label, const Arrow2& v,
-                   const std::string& tip, const Words& explained) {
-  return {.absolute = {.quantity = quantity + letter, .label = label, .v = v, .tip = tip},
-          .relative = {},
-          .explained = explained};
-}
-
-// G₂, G₃, G₄ halve Oa', a'b' and Ob'.
-std::vector<PolygonImage> images_of_midpoints(const std::string& quantity, const Arrow2& of_A, const Arrow2& of_B) {
-  const auto half = [](const Arrow2& v) { return Arrow2{v.x / 2, v.y / 2}; };
-  const std::string vector = "$\\vec{" + quantity.substr(0, 1) + "}_{G3}$";
-  const std::string O = "$O_{" + quantity.substr(0, 1) + "}$";
-  return {image("G3", quantity, vector, half({of_A.x + of_B.x, of_A.y + of_B.y}), "$g'_{3}$",
-                {"$g'_{3}$ halves $a'b'$, as $G_{3}$ halves $AB$.",
-                 "$g'_{3}$ è il punto medio di $a'b'$, come $G_{3}$ di $AB$."}),
-          image("G2", quantity, "", half(of_A), "$g'_{2}$",
-                {"$g'_{2}$ halves " + O + "$a'$: the crank's fixed point has its image in " + O + ".",
-                 "$g'_{2}$ è il punto medio di " + O + "$a'$: il punto fisso ha l'immagine in " + O + "."}),
-          image("G4", quantity, "", half(of_B), "$g'_{4}$",
-                {"$g'_{4}$ likewise halves " + O + "$b'$.", "Così $g'_{4}$ è il punto medio di " + O + "$b'$."})};
-}
-
-void add_pole(Drawn& f, const geometry::FourBar<Deep>& at) {
-  f.P0 = to_double(at.pole());
-  if (f.of.instant.pole_at_infinity) {
-    f.P0.reset();
-    return;
-  }
-  const auto P0 = finite(at.pole());
-  f.A_prime = to_double(geometry::euler_savary_point(P0, at.A, at.A0));
-  f.B_prime = to_double(geometry::euler_savary_point(P0, at.B, at.B0));
-}
-
-void add_motion(Drawn& f, const geometry::FourBar<Deep>& at, const geometry::FourBarMotion<Deep>& motion) {
-  const auto G3 = midpoint(at.A, at.B);
-  f.omega_3 = to_double(motion.coupler.omega);
-  f.omega_4 = to_double(motion.rocker.omega);
-  f.alpha_3 = to_double(motion.coupler.alpha);
-  f.alpha_4 = to_double(motion.rocker.alpha);
-  f.v_G3 = to_double(motion.coupler.velocity(G3));
-  f.a_G3 = to_double(motion.coupler.acceleration(G3));
-  f.velocity = velocity_polygon(at, motion, "");
-  f.velocity.images =
-      images_of_midpoints("v_", to_double(motion.coupler.v_A), to_double(motion.coupler.velocity(at.B)));
-  f.acceleration = acceleration_polygon(at, motion, "");
-  f.acceleration.images =
-      images_of_midpoints("a_", to_double(motion.coupler.a_A), to_double(motion.coupler.acceleration(at.B)));
-  f.J = to_double(motion.coupler.inflection_pole());
-  f.K = to_double(motion.coupler.acceleration_pole());
-  f.inflection = to_double(motion.coupler.inflection_circle());
-  f.G3_prime = to_double(motion.coupler.on_inflection_circle(G3));
-  f.centre_of_G3 = to_double(motion.coupler.centre_of_curvature(G3));
-}
-
-void add_points(FourBarFigure& figure, const geometry::FourBar<Deep>& at) {
-  figure.points = {{"$G_{2}$", to_double(midpoint(at.A0, at.A))},
-                   {"$G_{3}$", to_double(midpoint(at.A, at.B))},
-                   {"$G_{4}$", to_double(midpoint(at.B0, at.B))}};
-}
-
 }  // namespace
-
-Drawn drawn(const Problem& of) {
-  return deeply([&] {
-    const FourBarInstant &instant = of.instant, other = on_other_branch(instant);
-    const Deep omega_2 = instant.omega_2<Deep>(), alpha_2 = geometry::radians<Deep>(instant.alpha_2);
-    const auto at = instant.position<Deep>(), at_other = other.position<Deep>();
-    Drawn f{.of = of,
-            .figure = drawn_four_bar(at, sense_of(instant)),
-            .other = drawn_four_bar(at_other, sense_of(instant)),
-            .P = to_double(coupler_point(of, at)),
-            .omega_2 = to_double(omega_2)};
-    add_points(f.figure, at);
-    add_motion(f, at, geometry::four_bar_motion(at, omega_2, alpha_2));
-    add_pole(f, at);
-    const auto motion = geometry::four_bar_motion(at_other, omega_2, alpha_2);
-    f.omega_3_other = to_double(motion.coupler.omega);
-    f.omega_4_other = to_double(motion.rocker.omega);
-    f.alpha_3_other = to_double(motion.coupler.alpha);
-    f.alpha_4_other = to_double(motion.rocker.alpha);
-    return f;
-  });
-}
-
 }  // namespace four_bar_analytic
 
-std::unique_ptr<Exercise> make_four_bar_analytic() { return std::make_unique<four_bar_analytic::FourBarAnalytic>(); }
+std::unique_ptr<Exercise> make_four_bar_analytic() {
+  using namespace four_bar_analytic;
+  return exercise_of_panels(
+      description(), solve,
+      {{{"configurations", {"Both configurations", "Le due configurazioni"}}, configurations_sheet},
+       {{"velocities", {"Polar diagram of velocity", "Diagramma polare delle velocità"}}, velocities_sheet},
+       {{"accelerations", {"Polar diagram of acceleration", "Diagramma polare delle accelerazioni"}},
+        accelerations_sheet},
+       {{"curvature", {"Curvature of the path of G₃", "Curvatura della traiettoria di G₃"}}, curvature_sheet},
+       {{"omega-4", {"ω₄ over a turn of the crank", "ω₄ in un giro della manovella"}}, omega_4_sheet},
+       {{"coupler-curve", {"Path of the coupler point P", "Traiettoria del punto di biella P"}},
+        coupler_curve_sheet}});
+}
 
 }  // namespace epure

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "exercises/kit/linkages/angles.h"
-#include "exercises/kit/linkages/four_bar_instant.h"
+#include "exercises/kit/linkages/coupler_routes.h"
+#include "exercises/kit/linkages/four_bar_on_x.h"
 #include "geometry/analytic/four_bar_extremes.h"
 #include "geometry/analytic/four_bar_special.h"
 #include "geometry/mechanisms/collineation_axis.h"
@@ -14,6 +15,47 @@
 #include <vector>
 
 namespace epure::four_bar_analytic {
+
+enum class Extreme { max, min };
+inline Quantity omega_4_at(Extreme which) {
+  return which == Extreme::max ? Quantity{"omega_4_max",
+                                          "$ω_{4,max}$",
+                                          "rad/s",
+                                          {"greatest ω₄ over a turn of the crank at constant speed",
+                                           "massima ω₄ in un giro della manovella a velocità costante"}}
+                               : Quantity{"omega_4_min",
+                                          "$ω_{4,min}$",
+                                          "rad/s",
+                                          {"least ω₄ over a turn of the crank at constant speed",
+                                           "minima ω₄ in un giro della manovella a velocità costante"}};
+}
+inline Quantity theta_2_at(Extreme which) {
+  const std::string index = which == Extreme::max ? "max" : "min";
+  return {"theta_2_at_omega_4_" + index + "_deg",
+          "$θ_{2," + index + "}$",
+          "deg",
+          {"crank angle there", "anomalia della manovella"}};
+}
+inline Quantity theta_2_at_zero(int number) {
+  const std::string index = std::to_string(number);
+  return {"theta_2_at_omega_4_zero_" + index + "_deg", "$θ_{2," + index + "}$", "deg",
+          number == 1 ? Words{"crank angle of the first dead centre of the rocker",
+                              "anomalia della manovella al primo punto morto del bilanciere"}
+                      : Words{"crank angle of the second dead centre of the rocker",
+                              "anomalia della manovella al secondo punto morto del bilanciere"}};
+}
+
+// For the chart: each stationary ω₄ of a configuration, where it is, and its dead centres.
+inline Quantity stationary_omega_4(Configuration of, std::size_t number) {
+  return in(of, {"omega_4_stationary_" + std::to_string(number), "$ω_{4}$", "rad/s", {"extreme", "estremo"}});
+}
+inline Quantity stationary_theta_2(Configuration of, std::size_t number) {
+  return in(of, {"theta_2_stationary_" + std::to_string(number), "$θ_{2}$", "deg", {"crank angle", "anomalia"}});
+}
+inline Quantity dead_centre_theta_2(Configuration of, geometry::Reach reach) {
+  const std::string which = reach == geometry::Reach::extended ? "extended" : "folded";
+  return in(of, {"theta_2_dead_centre_" + which, "$θ_{2}$", "deg", {"dead centre", "punto morto"}});
+}
 
 // By the closure equation: the ratio ω₄/ω₂, and the directions in which it is stationary.
 struct RatioByClosure {
@@ -79,15 +121,46 @@ template <class T, class Ratio>
 void write_extremes(Ledger<T>& ledger, const Ratio& ratio, const StationaryRatio<Ratio>& stationary,
                     const FourBarInstant& at) {
   const bool is_forward = geometry::sign_of(at.n) > 0;
-  for (const auto& [name, is_last] : {std::pair{"omega_4_max", is_forward}, {"omega_4_min", !is_forward}}) {
+  for (const auto& [which, is_last] : {std::pair{Extreme::max, is_forward}, {Extreme::min, !is_forward}}) {
     const auto direction = [&, last = is_last] {
       if (!stationary.why_not.empty()) throw geometry::Impossible(stationary.why_not);
       const auto& all = stationary.positions;
       return Ratio::template crank<T>(all.at(last ? all.size() - 1 : 0));
     };
-    ledger.put(name, [&] { return T(at.omega_2<T>() * ratio.ratio(direction())); });
-    ledger.put(std::string("theta_2_at_") + name + "_deg",
-               [&] { return in_degrees(angle_within_turn(direction())); });
+    ledger.put(omega_4_at(which), [&] { return T(at.omega_2<T>() * ratio.ratio(direction())); });
+    ledger.put(theta_2_at(which), [&] { return in_degrees(angle_within_turn(direction())); });
+  }
+}
+
+inline Quantity theta_2_within_turn() {
+  return {"theta_2_within_turn_deg", "$θ_{2}$", "deg", {"crank angle", "anomalia della manovella"}};
+}
+
+// A crank that no number of bits tells from +x is drawn there.
+template <class T>
+T degrees_for_drawing(const geometry::Vector<T>& crank) {
+  try {
+    return in_degrees(angle_within_turn(crank));
+  } catch (const geometry::Undecided&) {
+    return T(0);
+  }
+}
+
+template <class T>
+void write_for_chart(Ledger<T>& ledger, Configuration of, const RatioByClosure& ratio,
+                     const StationaryRatio<RatioByClosure>& stationary, const FourBarInstant& at) {
+  if constexpr (std::is_same_v<T, geometry::Deep>) {
+    for (std::size_t i = 0; i < stationary.positions.size(); ++i) {
+      const geometry::Vector<T> crank = RatioByClosure::crank<T>(stationary.positions[i]);
+      ledger.tells(stationary_omega_4(of, i), [&] { return T(at.omega_2<T>() * ratio.ratio(crank)); });
+      ledger.tells(stationary_theta_2(of, i), [&] { return degrees_for_drawing(crank); });
+    }
+    for (const geometry::Reach reach : {geometry::Reach::extended, geometry::Reach::folded})
+      ledger.tells(dead_centre_theta_2(of, reach), [&] {
+        const auto dead_centre = geometry::dead_centre<T>(at.lengths, reach, at.side);
+        if (!dead_centre.branch) throw geometry::Impossible("no such dead centre", "non c'è questo punto morto");
+        return degrees_for_drawing(dead_centre.crank);
+      });
   }
 }
 
@@ -112,8 +185,8 @@ void write_zeros(Ledger<T>& ledger, bool extended_first, const Extended& extende
     if (number >= found.size()) throw geometry::Impossible(why_not);
     return in_degrees(angle_within_turn(found[number]));
   };
-  ledger.put("theta_2_at_omega_4_zero_1_deg", [&] { return zero(0); });
-  ledger.put("theta_2_at_omega_4_zero_2_deg", [&] { return zero(1); });
+  ledger.put(theta_2_at_zero(1), [&] { return zero(0); });
+  ledger.put(theta_2_at_zero(2), [&] { return zero(1); });
 }
 
 template <class T>

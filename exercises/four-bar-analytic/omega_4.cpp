@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawings/charts/chart.h"
 #include "exercises/four-bar-analytic/exercise.h"
 #include "exercises/four-bar-analytic/extremes.h"
+#include "exercises/kit/panels/chart_panel.h"
+#include "exercises/kit/panels/edge.h"
 #include "exercises/kit/panels/sheet.h"
 #include "geometry/mechanisms/change_point.h"
 
@@ -18,11 +19,6 @@ using geometry::Fast;
 using Runs = std::vector<std::vector<Datum>>;
 
 constexpr int samples_in_turn = 1440;  // some two in a millimetre of paper
-
-double degrees_within_turn(const geometry::Vector<double>& direction) {
-  const double angle = std::atan2(direction.y, direction.x) * 180 / geometry::pi<Fast>();
-  return angle < 0 ? angle + 360 : angle;
-}
 
 // ω₄ with the crank at a part of a turn.
 template <class T>
@@ -57,7 +53,7 @@ Datum datum(const Rational& turn, double omega_4) { return {geometry::from_ratio
 
 // What is joined is continuous: a run ends where the linkage no longer closes, and where it folds flat (on +x or -x).
 // Every extreme is a point of it, however narrow.
-Runs runs_of(const FourBarInstant& at, const RockerSpeed& speed) {
+Runs runs_of(const FourBarInstant& at, std::vector<Datum> extremes) {
   const std::vector<geometry::FlatPosition> flat = geometry::flat_positions(at.lengths);
   const auto is_flat = [&](const Rational& turn) {
     return geometry::is_whole_turns({2 * turn}) &&
@@ -65,9 +61,6 @@ Runs runs_of(const FourBarInstant& at, const RockerSpeed& speed) {
              return (position.A0A > 0) == geometry::is_whole_turns({turn});
            });
   };
-  std::vector<Datum> extremes;
-  for (const RockerSpeed::Extreme& extreme : speed.extremes)
-    extremes.push_back({degrees_within_turn(extreme.crank), extreme.omega_4});
   std::sort(extremes.begin(), extremes.end(), [](const Datum& a, const Datum& b) { return a.x < b.x; });
   auto next = extremes.begin();
   Runs runs{{}};
@@ -160,71 +153,65 @@ drawings::Axis speed_axis(const std::vector<Runs>& all, double now, bool is_boun
   return {.quantity = "$ω_{4}$", .unit = "rad/s", .low = low - air, .high = high + air};
 }
 
-struct Special {
-  Datum at;
-  std::string label;
-  std::string quantity;  // its name in a measurement, none for the other branch
-};
-
-std::vector<Special> special_points(const RockerSpeed& of, Language language) {
-  const auto num = [&](double x) { return figures(x, 4, language); };
-  std::vector<Special> points;
-  for (const RockerSpeed::Extreme& extreme : of.extremes) {
-    const Datum here{degrees_within_turn(extreme.crank), extreme.omega_4};
-    points.push_back({here, fmt::format("{} ({}°)", num(here.y), num(here.x)), {}});
-  }
-  const auto by_speed = [](const Special& a, const Special& b) { return a.at.y < b.at.y; };
-  if (!points.empty()) {
-    std::min_element(points.begin(), points.end(), by_speed)->quantity = "omega_4_min";
-    std::max_element(points.begin(), points.end(), by_speed)->quantity = "omega_4_max";
-  }
-  std::vector<Special> zeros;
-  for (const auto& crank : of.zeros) {
-    const double x = degrees_within_turn(crank);
-    zeros.push_back({{x, 0}, fmt::format("{}°", num(x)), {}});
-  }
-  std::sort(zeros.begin(), zeros.end(), [](const Special& a, const Special& b) { return a.at.x < b.at.x; });
-  for (std::size_t i = 0; i < zeros.size(); ++i) zeros[i].quantity = fmt::format("omega_4_zero_{}", i + 1);
-  points.insert(points.end(), zeros.begin(), zeros.end());
-  return points;
+// What the solution knows of a configuration's curve.
+std::vector<Datum> extremes_of(const Solution& s, Configuration of) {
+  std::vector<Datum> found;
+  for (std::size_t i = 0; s.has(stationary_omega_4(of, i).name); ++i)
+    found.push_back({s[stationary_theta_2(of, i).name], s[stationary_omega_4(of, i).name]});
+  return found;
+}
+std::vector<Datum> zeros_of(const Solution& s, Configuration of) {
+  std::vector<Datum> found;
+  for (const geometry::Reach reach : {geometry::Reach::extended, geometry::Reach::folded})
+    if (const auto theta_2 = s.value(dead_centre_theta_2(of, reach).name)) found.push_back({*theta_2, 0});
+  std::sort(found.begin(), found.end(), [](const Datum& a, const Datum& b) { return a.x < b.x; });
+  return found;
 }
 
-bool is_on_chart(const drawings::ChartMap& map, const Datum& at) { return at.y >= map.y.low && at.y <= map.y.high; }
+std::vector<drawings::Marker> markers(const Solution& s, Configuration of, Language language) {
+  const auto shape = of == Configuration::chosen ? drawings::PointShape::dot : drawings::PointShape::ring;
+  const auto num = [&](double x) { return figures(x, 4, language); };
+  std::vector<drawings::Marker> all;
+  for (const Datum& at : extremes_of(s, of))
+    all.push_back({.at = at,
+                   .label = fmt::format("{} ({}°)", num(at.y), num(at.x)),
+                   .shape = shape,
+                   .meaning = Meaning::velocity});
+  for (const Datum& at : zeros_of(s, of))
+    all.push_back({.at = at, .label = fmt::format("{}°", num(at.x)), .shape = shape, .meaning = Meaning::velocity});
+  return all;
+}
 
 // What a ruler reads along the axes.
-void measure(DrawnSheet& onto, const drawings::ChartMap& map, const std::vector<Special>& points) {
-  const auto across = [&](const std::string& name, const Datum& to) {
-    onto.measurements.push_back({name, map.at({0, to.y}), map.at(to), map.x.per_mm(), Measurement::along_x});
-  };
-  const auto up = [&](const std::string& name, const Datum& to) {
-    onto.measurements.push_back({name, map.at({to.x, 0}), map.at(to), map.y.per_mm(), Measurement::along_y});
-  };
-  for (const Special& point : points) {
-    if (point.quantity.empty() || !is_on_chart(map, point.at)) continue;
-    across("theta_2_at_" + point.quantity + "_deg", point.at);
-    if (point.quantity.find("zero") == std::string::npos) up(point.quantity, point.at);
+std::vector<ChartPanel::Read> read_on_chart(const Solution& s, const Datum& now) {
+  std::vector<ChartPanel::Read> read{{now, {}, "omega_4"}};
+  for (const Extreme which : {Extreme::max, Extreme::min}) {
+    const auto x = s.value(theta_2_at(which).name), y = s.value(omega_4_at(which).name);
+    if (x && y) read.push_back({{*x, *y}, theta_2_at(which).name, omega_4_at(which).name});
   }
+  for (const int number : {1, 2})
+    if (const auto x = s.value(theta_2_at_zero(number).name))
+      read.push_back({{*x, 0}, theta_2_at_zero(number).name, {}});
+  return read;
 }
 
-// Of both branches, that of the sheet first.
-struct Curves {
-  RockerSpeed speed, other_speed;
-  std::vector<Special> points, others;
-};
+Datum now_of(const Solution& s) { return {s[theta_2_within_turn().name], s["omega_4"]}; }
 
-drawings::Chart chart_of(const Drawn& f, const Curves& of, Language language) {
-  const bool english = language == Language::english;
-  const FourBarInstant &at = f.of.instant, other = on_other_branch(at);
+drawings::Chart chart_of(const Solution& s, const FourBarInstant& at, Language language) {
+  const FourBarInstant other = on_other_branch(at);
   const bool is_bounded = why_no_extremes(at.lengths).empty();
-  const std::vector<Runs> runs{runs_of(at, of.speed), runs_of(other, of.other_speed)};
+  const std::vector<Runs> runs{runs_of(at, extremes_of(s, Configuration::chosen)),
+                               runs_of(other, extremes_of(s, Configuration::other))};
   const bool is_left = at.side == geometry::Side::left;
   const auto side = [&](bool left) {
-    return english ? (left ? "$B$ left of $AB_{0}$" : "$B$ right of $AB_{0}$")
-                   : (left ? "$B$ a sinistra di $AB_{0}$" : "$B$ a destra di $AB_{0}$");
+    const Words words = left ? Words{"$B$ left of $AB_{0}$", "$B$ a sinistra di $AB_{0}$"}
+                             : Words{"$B$ right of $AB_{0}$", "$B$ a destra di $AB_{0}$"};
+    return words.in(language);
   };
+  const Datum now = now_of(s);
   drawings::Chart chart;
   chart.x = {.quantity = "$θ_{2}$", .unit = "°", .low = 0, .high = 360, .steps = drawings::degree_steps};
-  chart.y = speed_axis(runs, f.omega_4, is_bounded);
+  chart.y = speed_axis(runs, now.y, is_bounded);
   chart.curves = {{.name = "omega_4",
                    .runs = refined(runs[0], at, chart.y),
                    .meaning = Meaning::velocity,
@@ -234,109 +221,112 @@ drawings::Chart chart_of(const Drawn& f, const Curves& of, Language language) {
                    .meaning = Meaning::velocity,
                    .line = drawings::LineType::dashed,
                    .label = side(!is_left)}};
-  for (const Special& point : of.points)
-    chart.markers.push_back(
-        {.at = point.at, .label = point.label, .shape = drawings::PointShape::dot, .meaning = Meaning::velocity});
-  for (const Special& point : of.others)
-    chart.markers.push_back(
-        {.at = point.at, .label = point.label, .shape = drawings::PointShape::ring, .meaning = Meaning::velocity});
+  for (const Configuration of : {Configuration::chosen, Configuration::other})
+    for (drawings::Marker& marker : markers(s, of, language)) chart.markers.push_back(std::move(marker));
+  chart.markers.push_back({.at = now,
+                           .label = "$ω_{4}$ = " + figures(now.y, 4, language) + " rad/s",
+                           .shape = drawings::PointShape::square,
+                           .meaning = Meaning::text});
   chart.horizontals = {{.at = 0}};
+  chart.verticals = {{.at = now.x, .label = "$θ_{2}$"}};
   return chart;
 }
 
-std::vector<std::string> explained(const FourBarInstant& at, const RockerSpeed& speed, Language language) {
-  const bool english = language == Language::english;
-  std::vector<std::string> lines{
-      english
-          ? "$ω_{4}$ = $ω_{2}$·$P_{12}P_{24}$ / $P_{14}P_{24}$, with $P_{24}$ where $AB$ and the frame meet. $ω_{2}$ "
-            "held constant."
-          : "$ω_{4}$ = $ω_{2}$·$P_{12}P_{24}$ / $P_{14}P_{24}$, con $P_{24}$ all'incontro di $AB$ col telaio. "
-            "$ω_{2}$ "
-            "costante.",
-      english ? "Zero at the dead centres: crank and coupler in line."
-              : "Zero ai punti morti: manovella e biella allineate."};
-  if (speed.why_no_extremes.empty()) {
-    lines.emplace_back(
-        english ? "Extreme where the collineation axis $P_{13}P_{24}$ is square to $AB$ (Freudenstein): $α_{4}$ "
-                  "= 0."
-                : "Estrema dove l'asse di collineazione $P_{13}P_{24}$ è normale ad $AB$ (Freudenstein): $α_{4}$ "
-                  "= 0.");
-  } else if (!geometry::crank_turns_fully(at.lengths)) {
-    lines.emplace_back(english
-                           ? "The crank cannot turn fully: $ω_{4}$ grows beyond all bounds at its limit positions, "
-                             "where both branches meet. No extremes."
-                           : "La manovella non fa il giro completo: $ω_{4}$ cresce oltre ogni limite nelle posizioni "
-                             "limite, dove i due rami si incontrano. Nessun estremo.");
-  } else {
-    lines.emplace_back(english ? "The linkage folds flat within a turn: there $ω_{4}$ is not determined, and the "
-                                 "curves end. No extremes."
-                               : "In un giro il quadrilatero si appiattisce: lì $ω_{4}$ non è determinata, e le "
-                                 "curve finiscono. Nessun estremo.");
+// The linkage with the centres that give ω₄/ω₂.
+class CentresPanel : public Panel {
+ public:
+  explicit CentresPanel(const Solution& s) : mechanism_(linkage(s, {})), P24_(s.point("P24")) {
+    // Far off, where the coupler is nearly parallel to the frame, it says no more.
+    if (P24_ && distance(mechanism_.at("A0"), *P24_) > 2 * mechanism_.reach()) P24_.reset();
   }
-  return lines;
+  double reach() const override { return mechanism_.reach(); }
+  drawings::Box extent(const Scale& lengths, const Scale&) const override {
+    Extent extent;
+    mechanism_.include(extent, lengths);
+    if (P24_) extent.include(lengths, *P24_, 9);
+    return extent.box();
+  }
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
+    const Place &A0 = mechanism_.at("A0"), &A = mechanism_.at("A"), &B = mechanism_.at("B"),
+                &B0 = mechanism_.at("B0");
+    if (P24_) {
+      constexpr double beyond = 5;  // mm
+      plot.long_segment(B, *P24_, beyond, Meaning::construction);
+      plot.segment(B0, *P24_, Meaning::construction);
+    }
+    mechanism_.draw(plot);
+    plot.label("$P_{12}$", A0, B, Meaning::locus);
+    plot.label("$P_{14}$", B0, A, Meaning::locus);
+    if (!P24_) return {};
+    plot.cross(*P24_);
+    plot.label("$P_{24}$", *P24_, B, Meaning::locus);
+    return {};
+  }
+  std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
+    std::vector<PanelStep> all;
+    if (P24_)
+      all.push_back({{"$P_{12}$ ≡ $A_{0}$ and $P_{14}$ ≡ $B_{0}$ turn on the frame; $P_{24}$, where the line $AB$ "
+                      "meets it, has one velocity as a point of crank and of rocker.",
+                      "$P_{12}$ ≡ $A_{0}$ e $P_{14}$ ≡ $B_{0}$ stanno sul telaio; $P_{24}$, dove la retta $AB$ lo "
+                      "incontra, ha una sola velocità come punto di manovella e di bilanciere."},
+                     P24_});
+    all.push_back({{"$ω_{4}$ = $ω_{2}$·$P_{12}P_{24}$ / $P_{14}P_{24}$. $ω_{2}$ is held constant.",
+                    "$ω_{4}$ = $ω_{2}$·$P_{12}P_{24}$ / $P_{14}P_{24}$. $ω_{2}$ è costante."}});
+    return all;
+  }
+
+ private:
+  Mechanism mechanism_;
+  std::optional<Place> P24_;
+};
+
+std::vector<Result> explained(const FourBarInstant& at, Language language) {
+  const Words extremes =
+      why_no_extremes(at.lengths).empty()
+          ? Words{"Extreme where the collineation axis $P_{13}P_{24}$ is perpendicular to $AB$ (Freudenstein): "
+                  "$α_{4}$ = 0.",
+                  "Estrema dove l'asse di collineazione $P_{13}P_{24}$ è normale ad $AB$ (Freudenstein): $α_{4}$ = "
+                  "0."}
+      : !geometry::crank_turns_fully(at.lengths)
+          ? Words{"The crank cannot turn fully: $ω_{4}$ grows beyond all bounds at its limit positions, where both "
+                  "branches meet. No extremes.",
+                  "La manovella non fa il giro completo: $ω_{4}$ cresce oltre ogni limite nelle posizioni limite, "
+                  "dove i due rami si incontrano. Nessun estremo."}
+          : Words{"The linkage folds flat within a turn: there $ω_{4}$ is not determined, and the curves end. No "
+                  "extremes.",
+                  "In un giro il quadrilatero si appiattisce: lì $ω_{4}$ non è determinata, e le curve finiscono. "
+                  "Nessun estremo."};
+  return {remark(Words{"Zero at the dead centres: crank and coupler in line.",
+                       "Zero ai punti morti: manovella e biella allineate."}
+                     .in(language)),
+          remark(extremes.in(language))};
 }
 
-// The extremes beyond the axis, where the curve leaves the chart and comes back.
-std::string off_chart(const drawings::Chart& chart, const drawings::ChartMap& map, Language language) {
-  std::string text;
-  for (const drawings::Marker& marker : chart.markers)
-    if (!is_on_chart(map, marker.at)) text += (text.empty() ? "" : ", ") + marker.label;
-  return text.empty() ? "" : Words{"Off the chart: ", "Fuori del grafico: "}.in(language) + text + ".";
-}
-
-drawings::Table results(const std::vector<Special>& points, Language language) {
+std::optional<drawings::Block> extremes_and_zeros(const Solution& s, Language language) {
   const auto num = [&](double x) { return figures(x, 5, language); };
   drawings::Table table{{"", "$θ_{2}$ (°)", "$ω_{4}$ (rad/s)"}, {}};
-  for (const Special& point : points) {
-    const bool is_zero = point.quantity.find("zero") != std::string::npos;
-    table.rows.push_back({is_zero                           ? "0"
-                          : point.quantity == "omega_4_max" ? "max"
-                          : point.quantity == "omega_4_min" ? "min"
-                                                            : "",
-                          num(point.at.x), is_zero ? "0" : num(point.at.y)});
+  const std::vector<Datum> extremes = extremes_of(s, Configuration::chosen);
+  for (const Datum& at : extremes) {
+    const bool is_max = std::all_of(extremes.begin(), extremes.end(), [&](const Datum&x) { return x.y <= at.y; }),
+               is_min = std::all_of(extremes.begin(), extremes.end(), [&](const Datum&x) { return x.y >= at.y; });
+    table.rows.push_back({is_max ? "max" : is_min ? "min" : "", num(at.x), num(at.y)});
   }
+  for (const Datum& at : zeros_of(s, Configuration::chosen))
+    table.rows.push_back({Words{"dead centre", "punto morto"}.in(language), num(at.x), "0"});
+  if (table.rows.empty()) return {};
   return table;
 }
 
 }  // namespace
 
-void draw_omega_4(DrawnSheet& onto, const Drawn& f, const SheetRequest& request) {
-  const Language language = request.language;
-  const bool english = language == Language::english;
-  const FourBarInstant &at = f.of.instant, other = on_other_branch(at);
-  const RockerSpeed speed = rocker_speed(at), other_speed = rocker_speed(other);
-  const std::vector<Special> points = special_points(speed, language), others = special_points(other_speed, language);
-  drawings::Chart chart = chart_of(f, {speed, other_speed, points, others}, language);
-  const Datum now{degrees_within_turn({f.figure.A.x, f.figure.A.y}), f.omega_4};
-  chart.markers.push_back({.at = now,
-                           .label = "$ω_{4}$ = " + figures(now.y, 4, language),
-                           .shape = drawings::PointShape::square,
-                           .meaning = Meaning::text});
-  chart.verticals = {{.at = now.x, .label = "$θ_{2}$"}};
-  drawings::Box room = drawings::drawing_area(request.paper);
-  constexpr double air = 4;  // mm
-  room = {{room.low.x + air, room.low.y + air}, {room.high.x - air, room.high.y - air}};
-  const drawings::ChartMap map = draw(chart, room, onto.sheet.figure, language);
-  measure(onto, map, points);
-  onto.measurements.push_back({"omega_4", map.at({now.x, 0}), map.at(now), map.y.per_mm(), Measurement::along_y});
-
-  auto& column = onto.sheet.column;
-  column.push_back(drawings::Heading{english ? "The curve" : "La curva"});
-  for (const std::string& line : explained(at, speed, language)) column.push_back(drawings::Paragraph{line});
-  if (const std::string beyond = off_chart(chart, map, language); !beyond.empty())
-    column.push_back(drawings::Paragraph{beyond});
-  if (!points.empty()) {
-    column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
-    column.push_back(results(points, language));
-  }
-  std::vector<Value> values;
-  for (const Special& point : points)
-    if (point.quantity == "omega_4_max" || point.quantity == "omega_4_min")
-      values.push_back({point.quantity, point.at.y, "rad/s"});
-  onto.sheet.description =
-      in_words({"The angular velocity of the rocker over a full turn of the crank, for both configurations",
-                "La velocità angolare del bilanciere in un giro della manovella, per le due configurazioni"},
-               values, language);
+PanelSheet omega_4_sheet(const Solution& s, Language language) {
+  const FourBarInstant at = problem(s.givens()).instant;
+  return {.panels = panels(CentresPanel(s), ChartPanel(chart_of(s, at, language), read_on_chart(s, now_of(s)))),
+          .theory = {{{"The curve", "La curva"}, explained(at, language)}},
+          .results = {extremes_and_zeros, values({"omega_4"})},
+          .seen = {"The angular velocity of the rocker over a full turn of the crank, for both configurations",
+                   "La velocità angolare del bilanciere in un giro della manovella, per le due configurazioni"},
+          .told = {"omega_4_min", "omega_4_max"}};
 }
 
 }  // namespace epure::four_bar_analytic

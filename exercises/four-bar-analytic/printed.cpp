@@ -6,40 +6,33 @@
 #include <complex>
 
 #include "exercises/four-bar-analytic/exercise.h"
-#include "exercises/kit/linkages/four_bar_on_x.h"
+#include "exercises/kit/proof/solution.h"
 #include "exercises/kit/statement/decimal.h"
 
 namespace epure::four_bar_analytic {
 namespace {
 
-const Drawn& source_figure() {
-  static const Drawn figure = drawn(problem(Givens(givens())));
-  return figure;
+// The exercise with the source's own givens.
+const Solution& source() {
+  static const Solution stated(Givens(givens()), solve(Givens(givens()), Rung::drawing));
+  return stated;
 }
 
 using Complex = std::complex<double>;
 constexpr Complex i{0, 1};
 constexpr double AB = 0.50, B0G4 = 0.35;
 
-double theta_4(const FourBarFigure& f) { return direction(f.B, f.B0); }
-
 // B₀G₄ as the source took it: along -θ₄ where the rocker points along θ₄ + π. Its length is right, so are |v| and
 // |a|.
-Complex mirrored_B0G4() { return std::polar(B0G4, -theta_4(source_figure().figure)); }
-Complex mirrored_v_G4() { return i * source_figure().omega_4 * mirrored_B0G4(); }
+Complex mirrored_B0G4() { return std::polar(B0G4, -source()["theta_4"]); }
+Complex mirrored_v_G4() { return i * source()["omega_4"] * mirrored_B0G4(); }
 // The source also turned the sense of all its accelerations round, as the components of G₂ and G₃ show.
-Complex mirrored_a_G4() {
-  const Drawn& f = source_figure();
-  return -((i * f.alpha_4 - f.omega_4 * f.omega_4) * mirrored_B0G4());
-}
+Complex mirrored_a_G4() { return -((i * source()["alpha_4"] - std::pow(source()["omega_4"], 2)) * mirrored_B0G4()); }
 
 const Words of_mirrored_G4{"B₀G₄ taken along -θ₄ instead of θ₄ + π, and the acceleration with its sense reversed",
                            "B₀G₄ preso lungo -θ₄ invece che lungo θ₄ + π, e l'accelerazione col verso opposto"};
 
-Complex v_G3A() {
-  const Drawn& f = source_figure();
-  return 0.5 * f.omega_3 * i * Complex(f.figure.B.x - f.figure.A.x, f.figure.B.y - f.figure.A.y);
-}
+Complex v_G3A() { return 0.5 * source()["omega_3"] * i * std::polar(AB, source()["theta_3"]); }
 
 Explanation relative_velocity(std::function<double()> evaluate) {
   return {{"the components are those of v_G3A, relative to A (4.34 with its last digits swapped), not of v_G3",
@@ -53,9 +46,8 @@ Explanation component_with_AB(bool along) {
            along ? "la componente lungo AB, non normale alla traiettoria di G₃"
                  : "la componente normale ad AB, non tangente alla traiettoria di G₃"},
           [along] {
-            const Drawn& f = source_figure();
-            const Complex u(f.figure.B.x - f.figure.A.x, f.figure.B.y - f.figure.A.y);
-            const Complex parts = Complex(f.a_G3.x, f.a_G3.y) * std::conj(u / AB);
+            const Arrow2 a = source().vector("a_G3");
+            const Complex parts = Complex(a.x, a.y) * std::polar(1.0, -source()["theta_3"]);
             return std::abs(along ? parts.real() : parts.imag());
           }};
 }
@@ -67,10 +59,10 @@ std::vector<Printed> by_analysis() {
       {"theta_4", "-0.8807969084", "analytic"},
       {"theta_3_other_branch", "-1.453939572", "analytic"},
       {"theta_4_other_branch", "0.6582004834", "analytic", 0,
-       cut_off([] { return theta_4(source_figure().other); }, 10)},
+       cut_off([] { return source()["theta_4_other_branch"]; }, 10)},
       {"omega_4", "-10.78", "analytic"},
-      {"omega_3", "-18.42", "analytic", 0, cut_off([] { return source_figure().omega_3; }, 2)},
-      {"alpha_3", "-259.65", "analytic", 0, cut_off([] { return source_figure().alpha_3; }, 2)},
+      {"omega_3", "-18.42", "analytic", 0, cut_off([] { return source()["omega_3"]; }, 2)},
+      {"alpha_3", "-259.65", "analytic", 0, cut_off([] { return source()["alpha_3"]; }, 2)},
       {"alpha_4", "584.71", "analytic"},
       {"v_G2_x", "-1.43", "analytic"},
       {"v_G2_y", "3.94", "analytic"},
@@ -85,8 +77,8 @@ std::vector<Printed> by_analysis() {
       {"a_G2_y", "60.01", "analytic"},
       {"a_G2", "175.46", "analytic"},
       {"a_G3_x", "296.81", "analytic"},
-      {"a_G3_y", "221.66", "analytic", 0, cut_off([] { return -source_figure().a_G3.y; }, 2)},
-      {"a_G3", "370.44", "analytic", 0, cut_off([] { return magnitude(source_figure().a_G3); }, 2)},
+      {"a_G3_y", "221.66", "analytic", 0, cut_off([] { return -source()["a_G3_y"]; }, 2)},
+      {"a_G3", "370.44", "analytic", 0, cut_off([] { return source()["a_G3"]; }, 2)},
       {"a_G4_x", "183.74", "analytic", 0, Explanation{of_mirrored_G4, [] { return mirrored_a_G4().real(); }}},
       {"a_G4_y", "-98.88", "analytic", 0, Explanation{of_mirrored_G4, [] { return mirrored_a_G4().imag(); }}},
       {"a_G4", "208.66", "analytic"},
@@ -95,12 +87,12 @@ std::vector<Printed> by_analysis() {
       {"curvature_centre_G3_y", "0.36", "analytic", 0,
        Explanation{{"the distance of the centre of curvature from A₀, not its ordinate",
                     "la distanza del centro di curvatura da A₀, non la sua ordinata"},
-                   [] { return std::hypot(source_figure().centre_of_G3->x, source_figure().centre_of_G3->y); }}},
+                   [] { return std::hypot(source()["curvature_centre_G3_x"], source()["curvature_centre_G3_y"]); }}},
   };
 }
 
 std::vector<Printed> by_polar_diagram() {
-  const auto a_BA_n = [] { return source_figure().omega_3 * source_figure().omega_3 * AB; };
+  const auto a_BA_n = [] { return source()["omega_3"] * source()["omega_3"] * AB; };
   return {
       {"v_A", "8.38", "polar diagram"},
       {"v_G2", "4.19", "polar diagram"},
@@ -119,7 +111,7 @@ std::vector<Printed> by_polar_diagram() {
       {"a_B_n", "81.40", "polar diagram"},
       {"a_B_t", "409.30", "polar diagram"},
       {"a_B", "385.17", "polar diagram"},
-      {"alpha_3", "259.65", "polar diagram", 0, cut_off([] { return -source_figure().alpha_3; }, 2)},
+      {"alpha_3", "259.65", "polar diagram", 0, cut_off([] { return -source()["alpha_3"]; }, 2)},
       {"alpha_4", "584.71", "polar diagram"},
       {"a_G3_component_along_AB", "307.84", "polar diagram"},
       {"a_G3_component_normal_to_AB", "206.06", "polar diagram"},
@@ -130,12 +122,12 @@ std::vector<Printed> by_polar_diagram() {
       {"a_G4", "40.7", "polar diagram", 0,
        Explanation{{"the normal part ω₄²·B₀G₄ alone: the tangential part α₄·B₀G₄ was left out",
                     "la sola parte normale ω₄²·B₀G₄: manca la parte tangenziale α₄·B₀G₄"},
-                   [] { return source_figure().omega_4 * source_figure().omega_4 * B0G4; }}},
+                   [] { return source()["omega_4"] * source()["omega_4"] * B0G4; }}},
       {"rho_G3", "0.18", "poles"},
       {"curvature_centre_G3_x", "0.01", "poles", 0,
        Explanation{
            {"a tenth of the abscissa: 0.01 written for 0.10", "un decimo dell'ascissa: 0,01 scritto per 0,10"},
-           [] { return source_figure().centre_of_G3->x / 10; }}},
+           [] { return source()["curvature_centre_G3_x"] / 10; }}},
       {"curvature_centre_G3_y", "0.34", "poles"},
   };
 }

@@ -21,7 +21,7 @@ inline void arc_arrow_is_clear(const DrawnSheet& drawn, double crank) {
   const double half_support = std::atan2(5.0, 7.0);
   for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
     const auto* arc = std::get_if<drawings::Rotation>(&mark);
-    if (!arc) continue;
+    if (!arc || arc->meaning != drawings::Meaning::link) continue;  // else an angle
     for (const drawings::Mark& other : drawn.sheet.figure.marks) {
       const auto* hinge = std::get_if<drawings::FixedHinge>(&other);
       if (!hinge || std::hypot(hinge->at.x - arc->centre.x, hinge->at.y - arc->centre.y) > 1e-9) continue;

@@ -45,7 +45,15 @@ const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
       {"alpha_2=300", "e=0.05"},
       {"delta=20", "phi=110", "alpha_2=20"},
       {"n=-200"}}},
-    {"rivals-polygons", {{}, {"phi=0"}, {"phi=90"}, {"n=-100", "phi=200"}, {"AG=-0.2", "alpha_2=900"}, {"AG=0"}}}};
+    {"rivals-polygons", {{}, {"phi=0"}, {"phi=90"}, {"n=-100", "phi=200"}, {"AG=-0.2", "alpha_2=900"}, {"AG=0"}}},
+    {"four-bar-analytic",
+     {{},
+      {"branch=right"},
+      {"n=-400", "alpha_2=300"},
+      {"theta_2=240"},
+      {"A0B0=0.2", "A0A=0.6"},
+      {"A0B0=0.5", "A0A=0.4", "AB=0.2", "B0B=0.45", "theta_2=60"},
+      {"AP_along=0.7", "AP_across=-0.3"}}}};
 
 // Without what is raised or lowered, which belongs to a symbol, but for powers of ten.
 std::string without_indices(std::string text) {

@@ -56,7 +56,17 @@ Mechanism& Mechanism::path(const std::string& about, const std::string& of) {
   return *this;
 }
 Mechanism& Mechanism::swing(const std::string& about, const std::string& of, double from, double to) {
-  swings_.push_back({about, of, from, to});
+  const auto known = std::find_if(swings_.begin(), swings_.end(), [&](const Swing& each) { return each.of == of; });
+  if (known == swings_.end()) {
+    swings_.push_back({about, of, from, to});
+  } else {
+    known->from = std::min(known->from, from);
+    known->to = std::max(known->to, to);
+  }
+  return *this;
+}
+Mechanism& Mechanism::unnumbered() {
+  for (Body& body : bodies_) body.number = 0;
   return *this;
 }
 Mechanism& Mechanism::turning(const std::string& about, const std::string& of, double sense,

@@ -31,8 +31,11 @@ class Mechanism : public MechanismFigure {
   Mechanism& guide(const std::string& block, double direction, const std::string& axis = {});
   // `of` goes round `about`: its way is drawn.
   Mechanism& path(const std::string& about, const std::string& of);
-  // `of` swings about `about`: its way is drawn, from so far behind where it is to so far ahead (radians).
+  // `of` swings about `about`: its way is drawn, from so far behind where it is to so far ahead (radians);
+  // as far as ever told.
   Mechanism& swing(const std::string& about, const std::string& of, double from, double to);
+  // Its links without numbers, where others stand.
+  Mechanism& unnumbered();
   // An arc arrow at the link from `about` to `of`: counter-clockwise (sense > 0), clockwise, or none (0).
   Mechanism& turning(const std::string& about, const std::string& of, double sense, const std::string& symbol);
   // A line of centres, a little beyond both ends, with what it is written at the second.

@@ -124,7 +124,7 @@ TEST_CASE("four-bar-analytic: the curves of omega_4 pass through their extremes,
     CAPTURE(frame);
     const DrawnSheet drawn =
         draw(id, "omega-4", {"A0A=0.1902", "AB=0.1902", "B0B=0.1902", "A0B0=" + frame, "theta_2=100"});
-    const drawings::Box chart = drawn.sheet.figure.windows.back();
+    const drawings::Box chart = *(drawn.sheet.figure.windows.rbegin() + 1);  // the last is the sheet's
     const auto one = curve(drawn, "omega_4"), other = curve(drawn, "omega_4_other_branch");
     CHECK(misses(one, {chart.low.x, chart.high.y}) < 0.1);  // up and out, beside 0, 180 and 360 degrees
     CHECK(misses(other, {chart.high.x, chart.high.y}) < 0.1);
@@ -184,13 +184,12 @@ TEST_CASE("four-bar-analytic: the coupler curve passes where the linkage carries
   CHECK(worst < 2 * std::numbers::pi / 3600);
 }
 
-TEST_CASE("four-bar-analytic: positions of A, B and P bear their numbers, and B's lie on its arc",
-          "[four-bar-analytic][sheets]") {
+TEST_CASE("four-bar-analytic: positions of A and P bear their numbers", "[four-bar-analytic][sheets]") {
   const DrawnSheet drawn = draw(id, "coupler-curve", {});
-  for (int k = 0; k < 12; ++k) CHECK(written(drawn, std::to_string(k)) == 3);
+  for (int k = 0; k < 12; ++k) CHECK(written(drawn, std::to_string(k)) == 2);
   // The triple rocker misses some divisions of the crank's circle.
   const DrawnSheet some = draw(id, "coupler-curve", {"A0A=0.6"});
-  CHECK(written(some, "1") == 3);
+  CHECK(written(some, "1") == 2);
   CHECK(written(some, "6") == 0);
 }
 

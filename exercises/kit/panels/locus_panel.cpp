@@ -1,0 +1,91 @@
+#include "exercises/kit/panels/locus_panel.h"
+
+#include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/sheet.h"
+
+namespace epure {
+
+LocusPanel::LocusPanel(std::shared_ptr<const Mechanism> mechanism, std::string point, std::vector<Position> positions,
+                       DrawCurve draw_curve, std::vector<PanelStep> steps)
+    : mechanism_(std::move(mechanism)),
+      point_(std::move(point)),
+      positions_(std::move(positions)),
+      draw_curve_(std::move(draw_curve)),
+      steps_(std::move(steps)) {}
+
+LocusPanel& LocusPanel::osculated(const std::optional<Place>& centre, const std::string& quantity,
+                                  const std::string& letters) {
+  centre_ = centre;
+  centre_quantity_ = quantity;
+  centre_letters_ = letters;
+  return *this;
+}
+
+drawings::Box LocusPanel::extent(const Scale& scale, const Scale&) const {
+  constexpr double letters = 7;  // mm
+  Extent extent;
+  mechanism_->include(extent, scale);
+  for (const Position& position : positions_) {
+    for (const Place& corner : position.body) extent.include(scale, corner, 1);
+    for (const Numbered& point : position.points) extent.include(scale, point.at, letters);
+  }
+  return extent.box();
+}
+
+std::vector<drawings::Block> LocusPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  for (const Position& position : positions_) {
+    if (position.body.size() > 2)
+      plot.polygon(position.body, Meaning::alternative);
+    else
+      plot.segment(position.body.front(), position.body.back(), Meaning::alternative);
+    for (const Numbered& point : position.points) {
+      plot.dot(point.at, point.ink);
+      if (!point.label.empty()) plot.small_label(point.label, point.at, point.away_from, point.ink);
+    }
+  }
+  const geometry::Trace path = draw_curve_(plot, room);
+  mechanism_->draw(plot);
+  plot.measures_coordinates(point_, mechanism_->at(point_), mechanism_->corners().front());
+  const Words sentence =
+      format_words("{} Bezier arcs, at most {} mm on this sheet from the true path.",
+                   "{} archi di Bézier, su questo foglio a non più di {} mm dalla traiettoria vera.", path.arcs(),
+                   figures(path.deviation() * plot.scale().mm_per_unit, 1, language));
+  std::vector<drawings::Block> told = draw_osculating(plot, room, language);
+  told.emplace_back(drawings::Heading{Words{"The curve", "La curva"}.in(language)});
+  told.emplace_back(drawings::Paragraph{sentence.in(language)});
+  return told;
+}
+
+// The figure is the path's: a circle too large for it is drawn as far as it reaches.
+std::vector<drawings::Block> LocusPanel::draw_osculating(Plot& plot, const drawings::Box& room,
+                                                         Language language) const {
+  if (!centre_) return {};
+  const Place& P = mechanism_->at(point_);
+  plot.cycle(circle_through(P, *centre_), Meaning::construction);
+  if (is_in(room, plot, *centre_)) {
+    plot.segment(*centre_, P, Meaning::dimension);
+    plot.cross(*centre_);
+    plot.label(centre_letters_, *centre_, P, Meaning::locus);
+    plot.measures("rho_" + point_, *centre_, P);
+    plot.measures_coordinates(centre_quantity_, *centre_, mechanism_->corners().front());
+  } else {
+    draw_towards(plot, room, P, *centre_, centre_letters_, language);
+  }
+  OffSheet off(plot, room);
+  off.point(centre_letters_, centre_);
+  off.circle({"part of the osculating circle", "parte del cerchio osculatore"}, circle_through(P, *centre_));
+  const std::string sentence = off.sentence(language);
+  if (sentence.empty()) return {};
+  return {drawings::Paragraph{sentence}};
+}
+
+// What leads to the centre stands where it leaves the room.
+std::vector<PanelStep> LocusPanel::steps(const Plot& plot, const drawings::Box& room) const {
+  std::vector<PanelStep> all = steps_;
+  for (PanelStep& step : all)
+    if (centre_ && step.at && step.at->x == centre_->x && step.at->y == centre_->y && !is_in(room, plot, *centre_))
+      step.at = ray_to_edge(plot, room, mechanism_->at(point_), *centre_ - mechanism_->at(point_));
+  return all;
+}
+
+}  // namespace epure

@@ -1,0 +1,56 @@
+// The path of a point of a mechanism by the transport method: the body that carries it, in numbered positions, and
+// the curve through the points.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exercises/kit/panels/curve.h"
+#include "exercises/kit/panels/mechanism.h"
+#include "exercises/kit/panels/panel.h"
+
+namespace epure {
+
+class LocusPanel : public Panel {
+ public:
+  // Of the body: a segment or a plate. Its number stands at every point that is numbered, away from another.
+  struct Numbered {
+    std::string label;
+    Place at, away_from;
+    Meaning ink = Meaning::construction;
+  };
+  struct Position {
+    std::vector<Place> body;
+    std::vector<Numbered> points;
+  };
+  // Traces and draws within a box of the paper.
+  using DrawCurve = std::function<geometry::Trace(Plot&, const drawings::Box& room)>;
+
+  // The point is one of the mechanism.
+  LocusPanel(std::shared_ptr<const Mechanism> mechanism, std::string point, std::vector<Position> positions,
+             DrawCurve draw_curve, std::vector<PanelStep> steps);
+  // The circle that osculates the path now, about this centre: named by its letters.
+  LocusPanel& osculated(const std::optional<Place>& centre, const std::string& quantity, const std::string& letters);
+
+  double reach() const override { return mechanism_->reach(); }
+  bool is_cut() const override { return true; }
+  drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
+
+ private:
+  std::vector<drawings::Block> draw_osculating(Plot& plot, const drawings::Box& room, Language language) const;
+
+  std::shared_ptr<const Mechanism> mechanism_;
+  std::string point_;
+  std::vector<Position> positions_;
+  DrawCurve draw_curve_;
+  std::vector<PanelStep> steps_;
+  std::optional<Place> centre_ = {};
+  std::string centre_quantity_ = {}, centre_letters_ = {};
+};
+
+}  // namespace epure
