@@ -22,6 +22,8 @@ class Mechanism : public MechanismFigure {
   // A link between two points, or a plate between three and more. With a number it stands beside the link, and the
   // frame is 1.
   Mechanism& body(const std::vector<std::string>& points, int number = 0);
+  // The same in another position: dashed, and kept clear of like the links.
+  Mechanism& other_position(const std::vector<std::string>& points);
   // The guide of a block, along this direction (radians), with the name of its axis ahead of it.
   Mechanism& guide(const std::string& block, double direction, const std::string& axis = {});
   // `of` goes round `about`: its way is drawn.
@@ -100,7 +102,7 @@ class Mechanism : public MechanismFigure {
   Place middle() const;
   // The other end of the first link at a point.
   Place neighbour(const Point& P) const;
-  std::vector<std::pair<Place, Place>> links() const;
+  std::vector<std::pair<Place, Place>> edges(const std::vector<Body>& bodies) const;
   // Where the hatched support of a fixed hinge stands: below, or where the links leave it the most room.
   double direction_of_support(const Point& P, const Scale& scale) const;
   void include_arcs(Extent& extent, const Scale& scale) const;
@@ -114,7 +116,7 @@ class Mechanism : public MechanismFigure {
   void draw_numbers(Plot& plot) const;
 
   std::vector<Point> points_;
-  std::vector<Body> bodies_;
+  std::vector<Body> bodies_, other_positions_;
   std::vector<Guide> guides_;
   std::vector<Path> paths_;
   std::vector<Swing> swings_;

@@ -61,7 +61,9 @@ Result values(const std::vector<std::string>& names) {
       const Quantity& quantity = solution.described(name);
       line += fmt::format("{}{} = {}{}", line.empty() ? "" : ",  ", quantity.symbol,
                           figures(*value, significant, language),
-                          quantity.unit == "deg" ? "°" : " " + written_unit(quantity.unit));
+                          quantity.unit == "deg" ? "°"
+                          : quantity.unit == "1" ? ""
+                                                 : " " + written_unit(quantity.unit));
     }
     return line.empty() ? std::nullopt : std::optional<drawings::Block>(drawings::Paragraph{line});
   };
