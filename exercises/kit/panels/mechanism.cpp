@@ -47,6 +47,10 @@ Mechanism& Mechanism::disc(const std::string& centre, const std::string& rim, bo
   discs_.push_back({centre, rim, rolls, number});
   return *this;
 }
+Mechanism& Mechanism::other_position(const std::vector<std::string>& points) {
+  other_positions_.push_back({points, 0, false});
+  return *this;
+}
 Mechanism& Mechanism::guide(const std::string& block, double direction, const std::string& axis) {
   guides_.push_back({block, direction, axis});
   return *this;
@@ -149,9 +153,9 @@ std::pair<Place, Place> Mechanism::slot(const Body& body, const Scale& scale) co
   return {pin + -std::min(half, 0.6 * length) * along, pin + half * along};
 }
 
-std::vector<std::pair<Place, Place>> Mechanism::links() const {
+std::vector<std::pair<Place, Place>> Mechanism::edges(const std::vector<Body>& bodies) const {
   std::vector<std::pair<Place, Place>> all;
-  for (const Body& body : bodies_) {
+  for (const Body& body : bodies) {
     const std::vector<std::string>& corners = body.points;
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) all.emplace_back(at(corners[i]), at(corners[i + 1]));
     if (corners.size() > 2 && !body.is_slotted) all.emplace_back(at(corners.back()), at(corners.front()));
@@ -165,7 +169,8 @@ double Mechanism::direction_of_support(const Point& P, const Scale& scale) const
   const auto room = [&](double direction) {
     const Place foot = P.at + high / scale.mm_per_unit * Arrow2{std::cos(direction), std::sin(direction)};
     double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& [from, to] : links()) nearest = std::min(nearest, distance_to_segment(foot, from, to));
+    for (const auto* bodies : {&bodies_, &other_positions_})
+      for (const auto& [from, to] : edges(*bodies)) nearest = std::min(nearest, distance_to_segment(foot, from, to));
     return nearest * scale.mm_per_unit;
   };
   double best = -right_angle;
@@ -244,7 +249,8 @@ void Mechanism::draw_bodies(Plot& plot) const {
     for (const std::string& name : body.points) corners.push_back(at(name));
     if (corners.size() > 2 && !body.is_slotted) plot.area(corners, Meaning::plate);
   }
-  for (const auto& [from, to] : links()) plot.segment(from, to, Meaning::link);
+  for (const auto& [from, to] : edges(other_positions_)) plot.segment(from, to, Meaning::alternative);
+  for (const auto& [from, to] : edges(bodies_)) plot.segment(from, to, Meaning::link);
   for (const Body& body : bodies_) {
     if (!body.is_slotted) continue;
     constexpr double width = 3.5;  // mm: takes the hinge that is its pin

@@ -27,6 +27,8 @@ class Mechanism : public MechanismFigure {
   Mechanism& slotted(const std::vector<std::string>& points, int number = 0);
   // A round body about a point, with another on its rim; there it `rolls` on the frame, or not.
   Mechanism& disc(const std::string& centre, const std::string& rim, bool rolls, int number = 0);
+  // The same in another position: dashed, and kept clear of like the links.
+  Mechanism& other_position(const std::vector<std::string>& points);
   // The guide of a block, along this direction (radians), with the name of its axis ahead of it.
   Mechanism& guide(const std::string& block, double direction, const std::string& axis = {});
   // `of` goes round `about`: its way is drawn.
@@ -118,7 +120,7 @@ class Mechanism : public MechanismFigure {
   Place middle() const;
   // The other end of the first link at a point.
   Place neighbour(const Point& P) const;
-  std::vector<std::pair<Place, Place>> links() const;
+  std::vector<std::pair<Place, Place>> edges(const std::vector<Body>& bodies) const;
   // Where the hatched support of a fixed hinge stands: below, or where the links leave it the most room.
   double direction_of_support(const Point& P, const Scale& scale) const;
   // Of all links at a point, away from it.
@@ -141,7 +143,7 @@ class Mechanism : public MechanismFigure {
   void draw_numbers(Plot& plot) const;
 
   std::vector<Point> points_;
-  std::vector<Body> bodies_;
+  std::vector<Body> bodies_, other_positions_;
   std::vector<Disc> discs_;
   std::vector<Guide> guides_;
   std::vector<Path> paths_;

@@ -60,8 +60,12 @@ class Ledger {
 
   void route(std::string name) { route_ = std::move(name); }
 
-  // What is written next belongs to a case of the exercise: "dead_centre_folded." comes before every name.
-  void begin_case(std::string prefix) { case_ = std::move(prefix); }
+  // What is written next belongs to a case of the exercise: "dead_centre_folded." comes before every name, and `words`
+  // (", folded") after every meaning.
+  void begin_case(std::string prefix, Words words = {}) {
+    case_ = std::move(prefix);
+    words_of_case_ = std::move(words);
+  }
 
   // The axes in which the vectors and points to come are given: x along this unit vector. Their components are
   // written down along the usual axes, to which they return with usual_axes.
@@ -181,7 +185,10 @@ class Ledger {
  private:
   void write(LedgerEntry entry, const std::function<T()>& find) {
     const bool is_wanted = geometry::climbing::Wanted::is(entries_.size());
-    if (entry.described) entry.described->name = entry.quantity;
+    if (entry.described) {
+      entry.described->name = entry.quantity;
+      entry.described->meaning = entry.described->meaning + words_of_case_;
+    }
     entries_.push_back(std::move(entry));
     readings_.push_back(is_wanted ? geometry::Reading<T>::from(find) : geometry::Reading<T>::undecided({}));
   }
@@ -198,6 +205,7 @@ class Ledger {
 
   std::optional<geometry::Vector<T>> x_axis_;
   std::string route_, case_;
+  Words words_of_case_;
   std::vector<LedgerEntry> entries_, drawn_entries_;
   std::vector<geometry::Reading<T>> readings_, drawn_readings_;
 };
