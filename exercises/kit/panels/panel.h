@@ -37,6 +37,8 @@ class Panel {
   virtual bool has_scale() const { return true; }
   // From end to end, in metres: the largest scale of lengths worth trying makes it a metre of paper.
   virtual double reach() const { return 1; }
+  // Panels that name the same group here have one scale of lengths.
+  virtual std::string scale_group() const { return {}; }
 
   // The vectors it shows: all panels of a sheet show those of one unit at one scale.
   struct Vectors {
@@ -45,6 +47,8 @@ class Panel {
     double longest_on_paper = 150;  // mm: longer they say no more
   };
   virtual Vectors vectors() const { return {}; }
+  // Of vectors of another unit, at scales that the panel was given: they have their bars.
+  virtual std::vector<Scale> own_scales() const { return {}; }
 
   // What it covers, letters included, in mm from the plane's origin. (`lengths` is meaningless for a plane of
   // vectors.)
