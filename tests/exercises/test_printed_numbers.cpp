@@ -60,7 +60,22 @@ const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
       {"theta_2=240"},
       {"A0B0=0.2", "A0A=0.6"},
       {"A0B0=0.5", "A0A=0.4", "AB=0.2", "B0B=0.45", "theta_2=60"},
-      {"AP_along=0.7", "AP_across=-0.3"}}}};
+      {"AP_along=0.7", "AP_across=-0.3"}}},
+    {"roulette",
+     {{},
+      {"phi=480"},
+      {"how=circle_on_line", "d=0.3", "alpha=3"},
+      {"how=circle_on_line", "d=0.075", "phi=60"},
+      {"how=circle_inside_circle", "R=0.3", "omega=-2"},
+      {"how=line_on_circle", "d=0"},
+      {"omega=0", "alpha=4"}}},
+    {"cycloid-involute",
+     {{},
+      {"phi=0", "s=0", "t1=0"},
+      {"phi=90", "s=1"},
+      {"phi=500", "s=6", "t1=0.2", "t2=0.1"},
+      {"d=1.4", "d_0=3", "omega_1=3000", "t1=0.0001"},
+      {"d=40", "s=1000", "d_0=0.05"}}}};
 
 // Without what is raised or lowered, which belongs to a symbol, but for powers of ten.
 std::string without_indices(std::string text) {
@@ -178,7 +193,9 @@ TEST_CASE("what is printed is a quantity of the solution") {
       for (const Language language : {Language::english, Language::italian}) {
         const Exercise& exercise = find_exercise(catalogue(), id);
         const Solution solution = exercise.solution(Tried(id).givens(assignments));
-        const std::set<std::string> printable = printable_numbers(exercise, solution, language);
+        std::set<std::string> printable = printable_numbers(exercise, solution, language);
+        for (const Printed& by_source : exercise.about().printed)
+          printable.insert(decimal(by_source.text).in(language));
         for (const SheetSpec& spec : exercise.about().sheets) {
           CAPTURE(id, assignments, spec.name, static_cast<int>(language));
           const TextOfSheet told = told_by(exercise.draw(spec.name, solution, {.language = language}).sheet);
