@@ -161,8 +161,9 @@ using Mark = std::variant<Line, Area, Arrow, Dot, Cross, DataPoint, Hinge, Fixed
                           Rotation, RightAngle, ParallelMark, AngleMark, Dimension, Writing, ScaleBar>;
 
 // Rich text: plain UTF-8; between dollar signs mathematics: Latin lower case and Greek letters are italic, capitals
-// and digits upright, `_{..}` and `^{..}` lower and raise (their content upright), `\vec{..}` sets an arrow above.
-// "$\vec{v}_{BA}$ ⊥ BA", "$P_{0}$", "$ω_{3}$".
+// and digits upright, `_{..}` and `^{..}` lower and raise (their content upright), `\vec{..}` sets an arrow above,
+// `\it{..}` sets capitals italic, which are quantities and not points.
+// "$\vec{v}_{BA}$ ⊥ BA", "$P_{0}$", "$ω_{3}$", "$\it{M}_{1}g$".
 struct Label {
   std::string text;
   Point at;                      // what the label belongs to: a point ...

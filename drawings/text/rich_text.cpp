@@ -12,7 +12,12 @@ namespace {
 
 constexpr int deepest_nesting = 4;
 
-bool is_italic(char32_t c) {
+// Of letters within mathematics: in their usual style capitals are points, and upright.
+enum class Style { usual, upright, italic };
+
+bool is_italic(char32_t c, Style style) {
+  if (style == Style::upright) return false;
+  if (style == Style::italic && ((c >= U'A' && c <= U'Z') || (c >= U'Α' && c <= U'Ω'))) return true;
   const bool latin = (c >= U'a' && c <= U'z') || (c >= U'ß' && c <= U'ÿ' && c != U'÷');
   const bool greek = (c >= U'α' && c <= U'ω') || c == U'ϑ' || c == U'ϕ' || c == U'ϵ';
   return latin || greek;
@@ -40,7 +45,7 @@ class Parser {
     std::vector<Node> nodes;
     while (!at_end()) {
       if (accept(U'$')) {
-        for (Node& node : mathematics(U'$', false, 0)) nodes.push_back(std::move(node));
+        for (Node& node : mathematics(U'$', Style::usual, 0)) nodes.push_back(std::move(node));
       } else {
         if (peek() == U'\\' && position_ + 1 < text_.size() && text_[position_ + 1] == U'$') ++position_;
         append(nodes, take(), false);
@@ -51,7 +56,7 @@ class Parser {
 
  private:
   // Up to and including `end`.
-  std::vector<Node> mathematics(char32_t end, bool upright, int depth) {
+  std::vector<Node> mathematics(char32_t end, Style style, int depth) {
     if (depth > deepest_nesting) fail("nested too deeply");
     std::vector<Node> nodes;
     while (!accept(end)) {
@@ -61,28 +66,28 @@ class Parser {
       } else if (accept(U'^')) {
         give_script(nodes, &Node::above, depth);
       } else if (accept(U'\\')) {
-        command(nodes, upright, depth);
+        command(nodes, style, depth);
       } else if (accept(U'{')) {
-        nodes.push_back({.group = mathematics(U'}', upright, depth + 1)});
+        nodes.push_back({.group = mathematics(U'}', style, depth + 1)});
       } else if (peek() == U'}' || peek() == U'$') {
         fail("a brace has no partner");
       } else {
         const char32_t c = in_mathematics(take());
-        append(nodes, c, !upright && is_italic(c));
+        append(nodes, c, is_italic(c, style));
       }
     }
     return nodes;
   }
 
-  void command(std::vector<Node>& nodes, bool upright, int depth) {
-    constexpr std::u32string_view vector = U"vec{";
-    if (text_.compare(position_, vector.size(), vector) == 0) {
-      position_ += vector.size();
-      nodes.push_back({.group = mathematics(U'}', upright, depth + 1), .arrow = true});
+  void command(std::vector<Node>& nodes, Style style, int depth) {
+    if (accept(U"vec{")) {
+      nodes.push_back({.group = mathematics(U'}', style, depth + 1), .arrow = true});
+    } else if (accept(U"it{")) {
+      for (Node& node : mathematics(U'}', Style::italic, depth + 1)) nodes.push_back(std::move(node));
     } else if (!at_end() && std::u32string_view(U"$_^{}\\").find(peek()) != std::u32string_view::npos) {
       append(nodes, take(), false);
     } else {
-      fail("only \\vec{..} is known");
+      fail("only \\vec{..} and \\it{..} are known");
     }
   }
 
@@ -92,7 +97,7 @@ class Parser {
     auto& script = nodes.back().*where;
     if (!script.empty()) fail("a script is given twice");
     if (accept(U'{')) {
-      script = mathematics(U'}', true, depth + 1);
+      script = mathematics(U'}', Style::upright, depth + 1);
     } else {
       if (at_end() || std::u32string_view(U"$_^}\\").find(peek()) != std::u32string_view::npos)
         fail("a script is missing");
@@ -127,6 +132,11 @@ class Parser {
   bool accept(char32_t c) {
     const bool there = !at_end() && peek() == c;
     if (there) ++position_;
+    return there;
+  }
+  bool accept(std::u32string_view word) {
+    const bool there = text_.compare(position_, word.size(), word) == 0;
+    if (there) position_ += word.size();
     return there;
   }
   [[noreturn]] void fail(std::string_view why) const {

@@ -70,6 +70,13 @@ TEST_CASE("quantities are italic; points, numbers and what names a quantity are 
   for (const auto text : {"$v$", "$a$", "$ω$", "$φ$", "$α$", "$z$"}) CHECK(face_of(text) == Face::italic);
   for (const auto text : {"$A$", "$Ω$", "$Δ$", "$12.5$", "v", "ω", "A", "$−$"}) CHECK(face_of(text) == Face::regular);
   CHECK(face_of("≙") == Face::mathematics);
+  for (const auto text : {"$\\it{M}$", "$\\it{TN}$", "$\\it{Ω}$"}) CHECK(face_of(text) == Face::italic);
+  CHECK(face_of("$\\it{2}$") == Face::regular);
+  const SetText force = set("$\\vec{\\it{R}}_{B}$");
+  REQUIRE(force.runs.size() == 2);
+  CHECK(force.runs[0].face == Face::italic);
+  CHECK(force.runs[1].face == Face::regular);
+  CHECK(plain("$\\it{M}_{A}$·$\\vec{\\it{R}}_{23}$") == "M_A·R_23");
   const SetText scripts = set("$v_{a}^{n}$");
   REQUIRE(scripts.runs.size() == 3);
   CHECK(scripts.runs[0].face == Face::italic);

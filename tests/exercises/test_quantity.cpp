@@ -27,6 +27,7 @@ TEST_CASE("quantity: a vector has two components and a length") {
      {"normal part of the acceleration of G3 relative to A", "parte normale dell'accelerazione di G3 rispetto ad A"});
   CHECK(tangential_acceleration("BA").arrow() == "$\\vec{a}^{t}_{BA}$");
   CHECK(velocity("A").arrow() == "$\\vec{v}_{A}$");
+  CHECK(VectorQuantity{"R_23", "\\it{{R}}_{{{}}}", "23", "N", {}, {}}.arrow() == "$\\vec{\\it{R}}_{23}$");
 }
 
 TEST_CASE("quantity: points, distances, rates") {

@@ -1,5 +1,6 @@
 #include "exercises/kit/statement/quantity.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "exercises/kit/statement/format_words.h"
@@ -49,7 +50,8 @@ Quantity VectorQuantity::length() const {
 
 std::string VectorQuantity::arrow() const {
   const std::string written = fmt::format(fmt::runtime(letters), of);
-  return "$\\vec{" + written.substr(0, 1) + "}" + written.substr(1) + "$";
+  const std::size_t scripts = std::min(written.find_first_of("_^"), written.size());
+  return "$\\vec{" + written.substr(0, scripts) + "}" + written.substr(scripts) + "$";
 }
 
 Quantity PointQuantity::x() const {
