@@ -1,4 +1,5 @@
 // Vector polygons: what of them is drawn at each stage, what is measured, and how they are told.
+#include <algorithm>
 #include <cmath>
 
 #include "exercises/kit/panels/polygon_picture.h"
@@ -117,11 +118,30 @@ TEST_CASE("a side that is square to the one before it is marked so", "[polygon]"
   CHECK(count<drawings::RightAngle>(drawn(two_magnitudes(), {})) == 1);
 }
 
+TEST_CASE("a vector shorter than its head is told with its value, where it has one", "[polygon]") {
+  VectorPolygon polygon = two_magnitudes();
+  polygon.right[0].v = {0.2, 0};  // 2 mm
+  const auto labels = [](const VectorPolygon& of) {
+    std::vector<std::string> texts;
+    for (const drawings::Label& label : drawn(of, {}).sheet.figure.labels) texts.push_back(label.text);
+    return texts;
+  };
+  const auto has = [](const std::vector<std::string>& texts, const std::string& text) {
+    return std::find(texts.begin(), texts.end(), text) != texts.end();
+  };
+  CHECK(has(labels(polygon), "$\\vec{p}$"));
+  polygon.right[0].length = 0.2;
+  CHECK(has(labels(polygon), "$p$ = 0.200 m/s"));
+  polygon.right[2].length = 4;  // long enough
+  CHECK(has(labels(polygon), "$\\vec{q}$"));
+}
+
 TEST_CASE("the steps of a polygon in words", "[polygon]") {
   CHECK(steps_of(two_magnitudes(), Language::english) ==
-        std::vector<std::string>{"From $O$ the known $\\vec{p}$, ∥ $x$.", "At its tip the known $\\vec{q}$, ⊥ $x$.",
-                                 "Through $q$ the line ∥ $m$: it carries $\\vec{r}$.",
-                                 "Through $O$ the line ∥ $x$: it carries $\\vec{v}$. The two lines meet in $r$."});
+        std::vector<std::string>{
+            "From $O$ the known $\\vec{p}$, ∥ $x$.", "At its tip the known $\\vec{q}$, ⊥ $x$.",
+            "Through $q$ the line ∥ $m$: the direction of $\\vec{r}$.",
+            "Through $O$ the line ∥ $x$: the direction of $\\vec{v}$. The two lines meet at $r$."});
   CHECK(steps_of(two_magnitudes(), Language::italian)[1] == "Di seguito la $\\vec{q}$ nota, ⊥ $x$.");
   CHECK(steps_of(one_vector(), Language::english)[2] == "$\\vec{v}$, from $O$ to $q$, closes the polygon.");
   CHECK(steps_of(one_vector(), Language::italian)[2] == "La $\\vec{v}$, da $O$ a $q$, chiude il poligono.");

@@ -13,6 +13,8 @@ constexpr double guide_behind = 14, guide_ahead = 10, guide_ahead_of_axis = 26; 
 constexpr double axis_ahead = 28;                        // mm of the guide's axis, with its name
 constexpr double half_block = 5, block_top = 3;          // mm from the hinge
 constexpr double angle_radius = 19, from_x_radius = 13;  // mm
+constexpr double surface_beyond = 9;                     // mm of the frame on either side of a disc
+constexpr double axis_beyond = 8;                        // mm
 
 // From p, `along` mm in a direction and `across` mm to its left.
 drawings::Point beside(drawings::Point p, double direction, double along, double across) {
@@ -34,7 +36,15 @@ Mechanism& Mechanism::point(const std::string& name, const Place& at, Joint join
   return *this;
 }
 Mechanism& Mechanism::body(const std::vector<std::string>& points, int number) {
-  bodies_.push_back({points, number});
+  bodies_.push_back({points, number, false});
+  return *this;
+}
+Mechanism& Mechanism::slotted(const std::vector<std::string>& points, int number) {
+  bodies_.push_back({points, number, true});
+  return *this;
+}
+Mechanism& Mechanism::disc(const std::string& centre, const std::string& rim, bool rolls, int number) {
+  discs_.push_back({centre, rim, rolls, number});
   return *this;
 }
 Mechanism& Mechanism::guide(const std::string& block, double direction, const std::string& axis) {
@@ -54,8 +64,8 @@ Mechanism& Mechanism::turning(const std::string& about, const std::string& of, d
   turnings_.push_back({about, of, sense, symbol});
   return *this;
 }
-Mechanism& Mechanism::axis(const Place& from, const Place& to) {
-  axes_.emplace_back(from, to);
+Mechanism& Mechanism::axis(const Place& from, const Place& to, const std::string& name) {
+  axes_.push_back({from, to, name});
   return *this;
 }
 Mechanism& Mechanism::offset(const std::string& point, const Place& foot, double direction, double clear,
@@ -98,7 +108,35 @@ Place Mechanism::neighbour(const Point& P) const {
     if (found == body.points.end()) continue;
     return at(found == body.points.begin() ? body.points[1] : *(found - 1));
   }
+  for (const Disc& disc : discs_)
+    if (disc.rim == P.name) return at(disc.centre);
   return middle();
+}
+
+// A slot goes on beyond its pin.
+std::vector<double> Mechanism::directions_at(const std::string& point) const {
+  std::vector<double> all;
+  for (const Body& body : bodies_) {
+    const auto& points = body.points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points[i] != point) continue;
+      if (i > 0) all.push_back(direction(at(point), at(points[i - 1])));
+      if (i + 1 < points.size())
+        all.push_back(direction(at(point), at(points[i + 1])));
+      else if (body.is_slotted)
+        all.push_back(direction(at(points[i - 1]), at(point)));
+    }
+  }
+  return all;
+}
+
+// Longer than it must be for this one position, but clear of the point before.
+std::pair<Place, Place> Mechanism::slot(const Body& body, const Scale& scale) const {
+  constexpr double shortest = 9;  // mm to either side
+  const Place &before = at(*(body.points.end() - 2)), &pin = at(body.points.back());
+  const double length = distance(before, pin), half = std::max(0.3 * length, shortest / scale.mm_per_unit);
+  const Arrow2 along = (1 / length) * (pin - before);
+  return {pin + -std::min(half, 0.6 * length) * along, pin + half * along};
 }
 
 std::vector<std::pair<Place, Place>> Mechanism::links() const {
@@ -106,7 +144,7 @@ std::vector<std::pair<Place, Place>> Mechanism::links() const {
   for (const Body& body : bodies_) {
     const std::vector<std::string>& corners = body.points;
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) all.emplace_back(at(corners[i]), at(corners[i + 1]));
-    if (corners.size() > 2) all.emplace_back(at(corners.back()), at(corners.front()));
+    if (corners.size() > 2 && !body.is_slotted) all.emplace_back(at(corners.back()), at(corners.front()));
   }
   return all;
 }
@@ -150,13 +188,59 @@ void Mechanism::draw_offset(Plot& plot, const Offset& offset) const {
   plot.mark(drawings::Dimension{at_point, at_foot, 0, offset.symbol});
 }
 
+void Mechanism::draw_discs(Plot& plot) const {
+  for (const Disc& disc : discs_) {
+    const Place& O = at(disc.centre);
+    plot.mark(
+        drawings::Area{drawings::circle(plot.at(O), radius(disc) * plot.scale().mm_per_unit), Meaning::plate, {}});
+    plot.circle(O, radius(disc), Meaning::link);
+    if (disc.rolls) draw_surface(plot, disc);
+  }
+}
+
+// Left out where the support of a fixed hinge stands on it.
+void Mechanism::draw_surface(Plot& plot, const Disc& disc) const {
+  constexpr double clear = 5, shortest = 4;  // mm
+  const drawings::Point rim = plot.at(at(disc.rim));
+  const double along = direction(at(disc.rim), at(disc.centre)) - std::numbers::pi / 2;
+  const double c = std::cos(along), s = std::sin(along);
+  const double half = radius(disc) * plot.scale().mm_per_unit + surface_beyond;
+  std::vector<std::pair<double, double>> pieces{{-half, half}};
+  for (const Point& P : points_) {
+    if (P.joint != Joint::fixed) continue;
+    const double dx = plot.at(P.at).x - rim.x, dy = plot.at(P.at).y - rim.y, x = dx * c + dy * s;
+    if (std::abs(dy * c - dx * s) > clear) continue;
+    for (std::size_t i = 0, count = pieces.size(); i < count; ++i) {
+      pieces.emplace_back(std::max(pieces[i].first, x + clear), pieces[i].second);
+      pieces[i].second = std::min(pieces[i].second, x - clear);
+    }
+  }
+  for (const auto& [from, to] : pieces)
+    if (to - from > shortest) plot.mark(drawings::Ground{beside(rim, along, from, 0), beside(rim, along, to, 0)});
+}
+
+void Mechanism::draw_axes(Plot& plot) const {
+  for (const Axis& axis : axes_) {
+    plot.long_segment(axis.from, axis.to, axis_beyond, Meaning::axis);
+    if (axis.name.empty()) continue;
+    const drawings::Point end = beside(plot.at(axis.to), direction(axis.from, axis.to), axis_beyond, 0);
+    plot.small_label(axis.name, plot.from_paper(end), axis.to);
+  }
+}
+
 void Mechanism::draw_bodies(Plot& plot) const {
   for (const Body& body : bodies_) {
     std::vector<Place> corners;
     for (const std::string& name : body.points) corners.push_back(at(name));
-    if (corners.size() > 2) plot.area(corners, Meaning::plate);
+    if (corners.size() > 2 && !body.is_slotted) plot.area(corners, Meaning::plate);
   }
   for (const auto& [from, to] : links()) plot.segment(from, to, Meaning::link);
+  for (const Body& body : bodies_) {
+    if (!body.is_slotted) continue;
+    constexpr double width = 3.5;  // mm: takes the hinge that is its pin
+    const auto [near, far] = slot(body, plot.scale());
+    plot.mark(drawings::Slot{plot.at(near), plot.at(far), width});
+  }
   for (const auto& [P, one, other] : right_angles_) plot.right_angle(at(P), at(one), at(other));
 }
 
@@ -164,6 +248,12 @@ void Mechanism::draw_joint(Plot& plot, const Point& P) const {
   switch (P.joint) {
     case Joint::none:
       return plot.dot(P.at, Meaning::link);
+    case Joint::mass: {
+      constexpr double mass_radius = 2;  // mm
+      const drawings::Path mass = drawings::circle(plot.at(P.at), mass_radius);
+      plot.mark(drawings::Area{mass, Meaning::link, {}});
+      return plot.mark(drawings::Line{mass, Meaning::link, {}});
+    }
     case Joint::fixed:
       return plot.mark(drawings::FixedHinge{plot.at(P.at), direction_of_support(P, plot.scale())});
     case Joint::hinge:
@@ -209,6 +299,15 @@ void Mechanism::draw_letters(Plot& plot, const Point& P) const {
 void Mechanism::draw_turning(Plot& plot, const Turning& each) const {
   if (each.sense == 0) return;
   const Point& about = find(each.about);
+  const auto disc =
+      std::find_if(discs_.begin(), discs_.end(), [&](const Disc& one) { return one.centre == each.about; });
+  std::vector<double> links = directions_at(each.about);
+  if (disc != discs_.end() || links.size() > 1) {  // not ahead of one link, but where there is room between them
+    if (about.joint == Joint::fixed) links.push_back(direction_of_support(about, plot.scale()));
+    ArcArrow arrow{clearest_direction(links), each.sense, each.symbol};
+    if (disc != discs_.end()) arrow.radius = std::max(arrow.radius, 0.6 * radius(*disc) * plot.scale().mm_per_unit);
+    return draw_arc_arrow(plot, about.at, arrow);
+  }
   if (about.joint == Joint::fixed)
     draw_sense_of_crank(plot, about.at, at(each.of), each.sense, each.symbol,
                         direction_of_support(about, plot.scale()));
@@ -222,10 +321,19 @@ void Mechanism::draw_numbers(Plot& plot) const {
   for (const Body& body : bodies_) {
     if (body.number == 0) continue;
     is_numbered = true;
+    if (body.is_slotted) {
+      const Place &P = at(body.points[0]), &Q = at(body.points[1]);
+      plot.label(std::to_string(body.number), P + 0.5 * (Q - P));
+      continue;
+    }
     Place sum{0, 0};
     for (const std::string& name : body.points) sum = {sum.x + at(name).x, sum.y + at(name).y};
     const auto count = static_cast<double>(body.points.size());
     plot.label(std::to_string(body.number), {sum.x / count, sum.y / count}, middle());
+  }
+  for (const Disc& disc : discs_) {
+    const Place &O = at(disc.centre), &D = at(disc.rim);
+    if (disc.number != 0) plot.label(std::to_string(disc.number), O + 0.5 * (D - O), D);
   }
   const auto fixed =
       std::find_if(points_.begin(), points_.end(), [](const Point& point) { return point.joint == Joint::fixed; });
@@ -236,8 +344,8 @@ void Mechanism::draw_numbers(Plot& plot) const {
 }
 
 void Mechanism::draw(Plot& plot) const {
-  constexpr double beyond = 8;  // mm
-  for (const auto& [from, to] : axes_) plot.long_segment(from, to, beyond, Meaning::axis);
+  draw_discs(plot);
+  draw_axes(plot);
   for (const Offset& offset : offsets_) draw_offset(plot, offset);
   for (const Path& path : paths_) plot.circle(at(path.about), distance(at(path.about), at(path.of)), Meaning::axis);
   for (const Swing& each : swings_) {
@@ -256,7 +364,8 @@ void Mechanism::draw(Plot& plot) const {
 
 void Mechanism::sketch(Plot& plot) const {
   constexpr double beyond = 3;  // mm
-  for (const auto& [from, to] : axes_) plot.long_segment(from, to, beyond, Meaning::axis);
+  draw_discs(plot);
+  for (const Axis& axis : axes_) plot.long_segment(axis.from, axis.to, beyond, Meaning::axis);
   draw_bodies(plot);
   for (const Point& P : points_) {
     plot.dot(P.at, Meaning::link);
@@ -289,7 +398,23 @@ void Mechanism::include(Extent& extent, const Scale& scale) const {
       extent.include(p.x, p.y);
     }
   }
+  include_discs(extent, scale);
   include_arcs(extent, scale);
+}
+
+// Slots and names of axes too.
+void Mechanism::include_discs(Extent& extent, const Scale& scale) const {
+  for (const Disc& disc : discs_) {
+    const Place& O = at(disc.centre);
+    const double r = radius(disc), air = disc.rolls ? surface_beyond : 2;
+    extent.include(scale, {O.x - r, O.y - r}, air);
+    extent.include(scale, {O.x + r, O.y + r}, air);
+  }
+  for (const Body& body : bodies_)
+    if (body.is_slotted) extent.include(scale, slot(body, scale).second, 3);
+  constexpr double name = 10;  // mm
+  for (const Axis& axis : axes_)
+    if (!axis.name.empty()) extent.include(scale, axis.to, axis_beyond + name);
 }
 
 // As far as the arcs reach that tell angles and senses of turning.
@@ -319,6 +444,7 @@ std::vector<Place> Mechanism::corners() const {
 double Mechanism::reach() const {
   const Place& O = points_.front().at;
   double farthest = 0, round = 0;
+  for (const Disc& disc : discs_) round = std::max(round, radius(disc));
   for (const Point& P : points_) farthest = std::max(farthest, distance(O, P.at));
   for (const Path& path : paths_) round = std::max(round, distance(at(path.about), at(path.of)));
   return farthest + round;

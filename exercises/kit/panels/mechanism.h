@@ -14,7 +14,8 @@ class Mechanism : public MechanismFigure {
     none,   // a point of a body: a dot
     hinge,  // between two bodies
     fixed,  // a hinge on the frame
-    block   // a hinge on a block that slides on the frame
+    block,  // a hinge on a block that slides on the frame
+    mass    // no joint: a point of a body in which its mass is
   };
 
   // A point under its letters, which are rich text.
@@ -22,6 +23,10 @@ class Mechanism : public MechanismFigure {
   // A link between two points, or a plate between three and more. With a number it stands beside the link, and the
   // frame is 1.
   Mechanism& body(const std::vector<std::string>& points, int number = 0);
+  // A straight link through these points, the last of them the pin of another body that runs in a slot of it.
+  Mechanism& slotted(const std::vector<std::string>& points, int number = 0);
+  // A round body about a point, with another on its rim; there it `rolls` on the frame, or not.
+  Mechanism& disc(const std::string& centre, const std::string& rim, bool rolls, int number = 0);
   // The guide of a block, along this direction (radians), with the name of its axis ahead of it.
   Mechanism& guide(const std::string& block, double direction, const std::string& axis = {});
   // `of` goes round `about`: its way is drawn.
@@ -30,8 +35,8 @@ class Mechanism : public MechanismFigure {
   Mechanism& swing(const std::string& about, const std::string& of, double from, double to);
   // An arc arrow at the link from `about` to `of`: counter-clockwise (sense > 0), clockwise, or none (0).
   Mechanism& turning(const std::string& about, const std::string& of, double sense, const std::string& symbol);
-  // A line of centres, a little beyond both ends.
-  Mechanism& axis(const Place& from, const Place& to);
+  // A line of centres, a little beyond both ends, with what it is written at the second.
+  Mechanism& axis(const Place& from, const Place& to, const std::string& name = {});
   // How far a point lies from a line, of which `foot` is the foot of the perpendicular: dimensioned `clear` metres
   // and some millimetres away, in this direction (radians) along the line.
   Mechanism& offset(const std::string& point, const Place& foot, double direction, double clear,
@@ -61,6 +66,16 @@ class Mechanism : public MechanismFigure {
   struct Body {
     std::vector<std::string> points;
     int number;
+    bool is_slotted;
+  };
+  struct Disc {
+    std::string centre, rim;
+    bool rolls;
+    int number;
+  };
+  struct Axis {
+    Place from, to;
+    std::string name;
   };
   struct Guide {
     std::string block;
@@ -103,9 +118,18 @@ class Mechanism : public MechanismFigure {
   std::vector<std::pair<Place, Place>> links() const;
   // Where the hatched support of a fixed hinge stands: below, or where the links leave it the most room.
   double direction_of_support(const Point& P, const Scale& scale) const;
+  // Of all links at a point, away from it.
+  std::vector<double> directions_at(const std::string& point) const;
+  double radius(const Disc& disc) const { return distance(at(disc.centre), at(disc.rim)); }
+  // The ends of a slot's middle line.
+  std::pair<Place, Place> slot(const Body& body, const Scale& scale) const;
+  void include_discs(Extent& extent, const Scale& scale) const;
   void include_arcs(Extent& extent, const Scale& scale) const;
   void draw_guide(Plot& plot, const Guide& guide) const;
   void draw_offset(Plot& plot, const Offset& offset) const;
+  void draw_discs(Plot& plot) const;
+  void draw_surface(Plot& plot, const Disc& disc) const;
+  void draw_axes(Plot& plot) const;
   void draw_bodies(Plot& plot) const;
   void draw_joint(Plot& plot, const Point& P) const;
   void draw_angle(Plot& plot, const Angle& angle) const;
@@ -115,11 +139,12 @@ class Mechanism : public MechanismFigure {
 
   std::vector<Point> points_;
   std::vector<Body> bodies_;
+  std::vector<Disc> discs_;
   std::vector<Guide> guides_;
   std::vector<Path> paths_;
   std::vector<Swing> swings_;
   std::vector<Turning> turnings_;
-  std::vector<std::pair<Place, Place>> axes_;
+  std::vector<Axis> axes_;
   std::vector<Offset> offsets_;
   std::vector<Angle> angles_;
   std::vector<RightAngle> right_angles_;

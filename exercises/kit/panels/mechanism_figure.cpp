@@ -1,5 +1,6 @@
 #include "exercises/kit/panels/mechanism_figure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,15 +25,18 @@ Scale draw_small(DrawnSheet& onto, const MechanismFigure& mechanism, const drawi
 namespace {
 
 constexpr double gap = 0.35, sweep = 1.3;  // radians: the arc arrow keeps clear of the link
-constexpr double radius_of_arc = 9;        // mm
 
 // `begin`: radians from the direction `link` to the arrow's tail, in the sense of turning.
-void draw_arc_arrow(Plot& plot, const Place& centre, double link, double begin, double sense,
-                    const std::string& symbol) {
-  const double way = sense > 0 ? 1 : -1, tail = link + way * begin;
-  plot.mark(drawings::Rotation{plot.at(centre), radius_of_arc, tail, tail + way * sweep});
-  const double middle = tail + way * sweep / 2, out = (radius_of_arc + 1) / plot.scale().mm_per_unit;
-  plot.label(symbol, {centre.x + out * std::cos(middle), centre.y + out * std::sin(middle)}, centre);
+double middle_of_arrow(double link, double begin, double sense) {
+  return link + (sense > 0 ? 1 : -1) * (begin + sweep / 2);
+}
+
+// To the nearest of these.
+double clearance(double direction, const std::vector<double>& from) {
+  double least = std::numbers::pi;
+  for (const double each : from)
+    least = std::min(least, std::abs(std::remainder(direction - each, 2 * std::numbers::pi)));
+  return least;
 }
 
 // Whether the arrow ahead of the crank would run into the support. There the support, as wide as its hatching, takes
@@ -46,14 +50,35 @@ bool is_ahead(double direction_of_support, const Place& A0, const Place& A, doub
 
 }  // namespace
 
+double clearest_direction(const std::vector<double>& between) {
+  constexpr int tried = 24;
+  constexpr double up = std::numbers::pi / 2, least_gain = 1e-9;
+  double best = up;
+  for (int i = 1; i < tried; ++i) {
+    const int from_up = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
+    const double direction = up + from_up * 2 * std::numbers::pi / tried;
+    if (clearance(direction, between) > clearance(best, between) + least_gain) best = direction;
+  }
+  return best;
+}
+
+void draw_arc_arrow(Plot& plot, const Place& centre, const ArcArrow& arrow) {
+  const double half = (arrow.sense > 0 ? 1 : -1) * sweep / 2;
+  plot.mark(
+      drawings::Rotation{plot.at(centre), arrow.radius, arrow.middle - half, arrow.middle + half, arrow.meaning});
+  const double out = (arrow.radius + 1) / plot.scale().mm_per_unit;
+  plot.label(arrow.symbol, {centre.x + out * std::cos(arrow.middle), centre.y + out * std::sin(arrow.middle)}, centre,
+             arrow.meaning == Meaning::link ? Meaning::text : arrow.meaning);
+}
+
 void draw_sense_of_crank(Plot& plot, const Place& A0, const Place& A, double sense, const std::string& symbol,
                          std::optional<double> support) {
   const double begin = is_ahead(support.value_or(direction_of_support(A0, A)), A0, A, sense) ? -(gap + sweep) : gap;
-  draw_arc_arrow(plot, A0, direction(A0, A), begin, sense, symbol);
+  draw_arc_arrow(plot, A0, {middle_of_arrow(direction(A0, A), begin, sense), sense, symbol});
 }
 
 void draw_sense_of_turning(Plot& plot, const Place& centre, const Place& P, double sense, const std::string& symbol) {
-  draw_arc_arrow(plot, centre, direction(centre, P), gap, sense, symbol);
+  draw_arc_arrow(plot, centre, {middle_of_arrow(direction(centre, P), gap, sense), sense, symbol});
 }
 
 double direction_of_support(const Place& hinge, const Place& pin) {

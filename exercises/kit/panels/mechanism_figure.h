@@ -29,6 +29,19 @@ Fit fit_mechanism(const MechanismFigure& mechanism, const drawings::Box& room, c
 Scale draw_small(DrawnSheet& onto, const MechanismFigure& mechanism, const drawings::Box& room,
                  const SheetRequest& request);
 
+// An arc arrow about a point, its middle in this direction (radians), with its symbol beside it: counter-clockwise
+// for sense > 0, clockwise for sense < 0.
+struct ArcArrow {
+  double middle, sense;
+  std::string symbol;
+  double radius = 9;  // mm
+  Meaning meaning = Meaning::link;
+};
+void draw_arc_arrow(Plot& plot, const Place& centre, const ArcArrow& arrow);
+
+// The direction with most room between these; of several that nearest to straight up. (radians)
+double clearest_direction(const std::vector<double>& between);
+
 // The arc arrow at a crank A₀A that turns counter-clockwise (sense > 0) or clockwise, with its symbol beside it:
 // ahead of the crank, or behind it where the support of A₀ stands ahead (`support`; none: direction_of_support).
 void draw_sense_of_crank(Plot& plot, const Place& A0, const Place& A, double sense,

@@ -21,7 +21,8 @@ PolygonSide side(const Solution& solution, const VectorQuantity& quantity, const
           .direction = direction,
           .magnitude = magnitude,
           .v = solution.vector(quantity.name),
-          .tip = tip};
+          .tip = tip,
+          .length = solution.value(quantity.name)};
 }
 
 PolygonImage image(const Solution& solution, const VectorQuantity& absolute, const VectorQuantity& relative,
@@ -38,15 +39,30 @@ VectorPolygon acceleration_polygon(std::vector<PolygonSide> left, std::vector<Po
   return polygon(Meaning::acceleration, "a", "m/s²", std::move(left), std::move(right));
 }
 
-// A vector that starts at the origin shows its components too, where these are reported.
-std::vector<drawings::Block> PolygonPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+VectorPolygon force_polygon(const std::string& letter, std::vector<PolygonSide> left,
+                            std::vector<PolygonSide> right) {
+  VectorPolygon forces = polygon(Meaning::force, letter, "N", std::move(left), std::move(right));
+  forces.loop = true;
+  return forces;
+}
+
+PolygonSide reaction(const PolygonSide& action, const std::string& label, const std::string& magnitude) {
+  return {
+      .label = label, .direction = action.direction, .magnitude = magnitude, .v = -action.v, .length = action.length};
+}
+
+// A vector that starts at the origin, or in a loop ends there, shows its components too, where these are reported.
+std::vector<drawings::Block> PolygonPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
   PolygonStage whole;
   whole.numbered = false;
+  whole.language = language;
   draw_polygon(plot, polygon_, whole);
   for (const auto* chain : {&polygon_.left, &polygon_.right}) {
     const PolygonSide& first = chain->front();
-    if (solution_.is_reported(first.quantity + "_x"))
-      plot.measures_coordinates(first.quantity, {first.v.x, first.v.y}, {0, 0});
+    if (!solution_.is_reported(first.quantity + "_x")) continue;
+    const bool ends_there = polygon_.loop && chain == &polygon_.left;
+    const Place from = ends_there ? Place{-first.v.x, -first.v.y} : Place{0, 0};
+    plot.measures_coordinates(first.quantity, from + first.v, from);
   }
   for (const PolygonImage& image : polygon_.images)
     if (solution_.is_reported(image.absolute.quantity + "_x"))

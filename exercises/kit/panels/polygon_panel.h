@@ -20,6 +20,12 @@ PolygonImage image(const Solution& solution, const VectorQuantity& absolute, con
 VectorPolygon velocity_polygon(std::vector<PolygonSide> left, std::vector<PolygonSide> right);
 VectorPolygon acceleration_polygon(std::vector<PolygonSide> left, std::vector<PolygonSide> right);
 
+// Forces in equilibrium, right + left = 0, about the body of this letter. The unknown one alone on the left closes
+// the polygon.
+VectorPolygon force_polygon(const std::string& letter, std::vector<PolygonSide> left, std::vector<PolygonSide> right);
+// The same force on the other of the two bodies, known from the first.
+PolygonSide reaction(const PolygonSide& action, const std::string& label, const std::string& magnitude);
+
 class PolygonPanel : public Panel {
  public:
   // Whether a table holds its vectors, as measured, against their values.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "exercises/kit/panels/compare.h"
+#include "exercises/kit/panels/sheet.h"
 
 namespace epure {
 namespace {
@@ -109,6 +110,7 @@ struct Drawing {
   const VectorPolygon& polygon;
   Place middle;
   bool whole;
+  Language language;
 };
 
 // Letters stand outside the polygon. Where it has no outside, because its vectors lie in one line, those of the right
@@ -122,9 +124,27 @@ Place away_from(const Drawing& on, const PlacedSide& s, bool of_left_side) {
   return on.plot.from_paper({(p.x + q.x) / 2 - side * y, (p.y + q.y) / 2 + side * x});
 }
 
+// "$\\vec{v}_{BA}$" as the magnitude.
+std::string without_arrow(std::string label) {
+  const std::string before = "\\vec{";
+  const auto at = label.find(before);
+  if (at == std::string::npos) return label;
+  label.erase(at, before.size());
+  label.erase(label.find('}', at), 1);
+  return label;
+}
+// What is shorter than its head is a dot, and tells its value.
+std::string letters_of(const Drawing& on, const PolygonSide& side) {
+  constexpr double head = 3;  // mm
+  if (!side.length || magnitude(side.v) * on.plot.scale().mm_per_unit >= head) return side.label;
+  const double length = std::abs(*side.length);
+  return fmt::format("{} = {} {}", without_arrow(side.label), length == 0 ? "0" : figures(length, 3, on.language),
+                     on.polygon.unit);
+}
+
 // Only the whole polygon is measured: the same vector stands on other pictures too.
 void draw_vector(const Drawing& on, const PlacedSide& s, bool of_left_side) {
-  on.plot.side(on.whole ? s.side->quantity : "", s.from, s.to, on.polygon.meaning, s.side->label,
+  on.plot.side(on.whole ? s.side->quantity : "", s.from, s.to, on.polygon.meaning, letters_of(on, *s.side),
                away_from(on, s, of_left_side));
   if (!s.side->tip.empty()) on.plot.label(s.side->tip, s.to, on.middle, on.polygon.meaning);
 }
@@ -170,24 +190,15 @@ std::string carrying_line(const PolygonSide& side, const std::string& from, Lang
   const Words start =
       from.empty() ? Words{"Through its tip", "Per il suo estremo"} : Words{"Through " + from, "Per " + from};
   return language == Language::english
-             ? fmt::format("{} the line {}: it carries {}.", start.english, side.direction, side.label)
-             : fmt::format("{} la retta {}: porta la {}.", start.italian, side.direction, side.label);
+             ? fmt::format("{} the line {}: the direction of {}.", start.english, side.direction, side.label)
+             : fmt::format("{} la retta {}: dà la direzione della {}.", start.italian, side.direction, side.label);
 }
 std::string closing(const PolygonSide& side, const std::string& from, const std::string& to, Language language) {
   return language == Language::english ? fmt::format("{}, from {} to {}, closes the polygon.", side.label, from, to)
                                        : fmt::format("La {}, da {} a {}, chiude il poligono.", side.label, from, to);
 }
-// "$\\vec{v}_{BA}$" as the magnitude.
-std::string without_arrow(std::string label) {
-  const std::string before = "\\vec{";
-  const auto at = label.find(before);
-  if (at == std::string::npos) return label;
-  label.erase(at, before.size());
-  label.erase(label.find('}', at), 1);
-  return label;
-}
 std::string meeting(const std::string& corner, Language language) {
-  return language == Language::english ? fmt::format(" The two lines meet in {}.", corner)
+  return language == Language::english ? fmt::format(" The two lines meet at {}.", corner)
                                        : fmt::format(" Le due rette si incontrano in {}.", corner);
 }
 
@@ -294,7 +305,7 @@ void draw_polygon(Plot& plot, const VectorPolygon& polygon, const PolygonStage& 
   const auto sides = in_order(polygon);
   const auto all = static_cast<int>(sides.size());
   const Place O{0, 0}, middle = middle_of(polygon);
-  draw_sides({plot, polygon, middle, stage.closed && stage.steps >= all}, sides, stage);
+  draw_sides({plot, polygon, middle, stage.closed && stage.steps >= all, stage.language}, sides, stage);
   int left = stage.steps - all;
   for (const PolygonImage& image : polygon.images) {
     if (left-- > 0) draw_image(plot, polygon, image);

@@ -10,6 +10,7 @@
 // unknown direction closes it in one step.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct PolygonSide {
   Arrow2 v = {};
   std::string tip = {};  // letter at its end, "$b'$"; empty: none
   Arrow2 along = {};     // of an unknown: the line it lies on, which its vector does not tell when it is zero
-  bool square = false;   // to the side before it, which a mark says: a tangential part after the normal one
+  std::optional<double> length = {};  // its value, told where the vector is too short for an arrow
+  bool square = false;  // to the side before it, which a mark says: a tangential part after the normal one
   bool is_drawn() const { return magnitude != "0"; }
   bool is_unknown() const { return magnitude == "?"; }
   bool closes_alone() const { return is_unknown() && direction == "?"; }
@@ -85,6 +87,7 @@ struct PolygonStage {
   bool numbered = true;
   int first_numbered = 1;
   bool closed = true;
+  Language language = Language::english;
   int numbers_after = 0;  // the steps of another polygon of the sheet, whose numbers these continue
 };
 void draw_polygon(Plot& plot, const VectorPolygon& polygon, const PolygonStage& stage);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure {
@@ -13,8 +15,10 @@ constexpr int significant = 4;
 }  // namespace
 
 std::string written_unit(const std::string& unit) {
-  const auto square = unit.find("^2");
-  return square == std::string::npos ? unit : unit.substr(0, square) + "²" + unit.substr(square + 2);
+  std::string text = unit == "1" ? "" : unit;
+  std::replace(text.begin(), text.end(), '*', ' ');
+  const auto square = text.find("^2");
+  return square == std::string::npos ? text : text.substr(0, square) + "²" + text.substr(square + 2);
 }
 
 Result components(const VectorQuantity& quantity) {
@@ -47,8 +51,9 @@ Result values(const std::vector<std::string>& names) {
       const auto value = solution.value(name);
       if (!value) continue;
       const Quantity& quantity = solution.described(name);
-      line += fmt::format("{}{} = {} {}", line.empty() ? "" : ",  ", quantity.symbol,
-                          figures(*value, significant, language), written_unit(quantity.unit));
+      const std::string unit = written_unit(quantity.unit);
+      line += fmt::format("{}{} = {}{}{}", line.empty() ? "" : ",  ", quantity.symbol,
+                          figures(*value, significant, language), unit.empty() ? "" : " ", unit);
     }
     return line.empty() ? std::nullopt : std::optional<drawings::Block>(drawings::Paragraph{line});
   };
