@@ -6,15 +6,15 @@ namespace epure::pin_in_slot {
 
 std::vector<GivenSpec> stated_givens() {
   return {
-      {"M1", {"point mass at A", "massa puntiforme in A"}, "kg", "30", Range::not_negative, "$M_{1}$"},
-      {"M2", {"mass of the disc", "massa del disco"}, "kg", "20", Range::positive, "$M_{2}$"},
+      {"M1", {"point mass at A", "massa puntiforme in A"}, "kg", "30", Range::not_negative, "$\\it{M}_{A}$"},
+      {"M2", {"mass of the disc", "massa del disco"}, "kg", "20", Range::positive, "$\\it{M}_{B}$"},
       {"J2",
        {"moment of inertia of the disc about B", "momento d'inerzia baricentrico del disco"},
        "kg m^2",
        "1",
        Range::not_negative,
-       "$J_{2}$"},
-      {"R", {"radius of the disc", "raggio del disco"}, "m", "0.2", Range::positive, "$R$"},
+       "$\\it{J}_{B}$"},
+      {"R", {"radius of the disc", "raggio del disco"}, "m", "0.2", Range::positive, "$\\it{R}$"},
       {"OB", {"distance of the pin from O", "distanza del piolo da O"}, "m", "0.4", Range::positive, "$OB$"},
       {"AO", {"distance of A from O", "distanza di A da O"}, "m", "0.3", Range::positive, "$AO$"},
       {"omega",
@@ -28,7 +28,7 @@ std::vector<GivenSpec> stated_givens() {
        "rad/s^2",
        "0.4",
        Range::any,
-       "$dω/dt$"},
+       "d$ω$/d$t$"},
       {"g", {"acceleration of gravity", "accelerazione di gravità"}, "m/s^2", "9.81", Range::not_negative, "$g$"},
   };
 }

@@ -15,8 +15,6 @@ struct Instant {
   geometry::SlottedLeverMasses masses;
   Angle omega, omega_dot;  // of the lever, clockwise
 
-  bool upright() const { return lengths.OB == lengths.R; }
-
   template <class T>
   geometry::SlottedLever<T> position() const {
     return geometry::slotted_lever<T>(lengths);

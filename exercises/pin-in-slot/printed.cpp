@@ -2,18 +2,18 @@
 // errato, non riesco ad identificare l'errore."
 #include <cmath>
 
-#include "exercises/pin-in-slot/exercise.h"
+#include "exercises/pin-in-slot/printed.h"
 
 namespace epure::pin_in_slot {
 namespace {
 
-Instant as_stated() { return instant(Givens(stated_givens())); }
-
-// The source's last formula, with its numbers.
+// The source's last formula, with its numbers: v_B = k ω OB with k = 1/sin α = 2, differentiated as if k were
+// constant.
 double couple_with_constant_angle() {
-  const Instant at = as_stated();
-  const Drawn figure = drawn(at);
-  return figure.against_gravity + figure.of_M1 + disc_part_with_constant_angle(at);
+  const double OB = 0.4, R = 0.2, omega = 1, omega_dot = 0.4, M1 = 30, M2 = 20, J2 = 1, AO = 0.3, g = 9.81;
+  const double cosine = std::sqrt(1 - R * R / (OB * OB)), k = OB / R, v_rel = omega * OB * cosine * k;
+  return M1 * g * AO * cosine + M1 * AO * AO * omega_dot +
+         k * k * OB * (M2 + J2 / (R * R)) * (omega_dot * OB + omega * v_rel);
 }
 
 // The only variant found that gives the couple the source quotes as the answer: 0.4 m is B's distance from O along
@@ -27,15 +27,6 @@ double couple_of_another_figure() {
 }
 
 }  // namespace
-
-double disc_part_with_constant_angle(const Instant& at) {
-  const auto number = [](const Rational& q) { return CGAL::to_double(q); };
-  const double R = number(at.lengths.R), b = number(at.lengths.OB), factor = b / R;  // 1/sin α: 2 as stated
-  const double omega = geometry::to_double(at.omega), omega_dot = geometry::to_double(at.omega_dot),
-               b_dot = drawn(at).b_dot;
-  const double rolling = number(at.masses.M2) + number(at.masses.J2) / (R * R);
-  return factor * factor * b * rolling * (omega_dot * b + omega * b_dot);
-}
 
 std::vector<Printed> printed_by_the_source() {
   return {

@@ -1,143 +1,118 @@
-// The slotted lever by all its routes: constructed points, polar diagrams, poles, Newton-Euler, power balance,
-// analysis.
+// What is reported of the lever and its disc, and what only the sheets show. Letters: links 1 (frame), 2 (lever) and
+// 3 (disc), masses after their points. Counter-clockwise is positive, but for ω, dω/dt and C, which the source counts
+// clockwise.
 #pragma once
 
-#include "exercises/kit/proof/ledger.h"
-#include "exercises/pin-in-slot/instant.h"
+#include "exercises/kit/statement/quantity.h"
 
 namespace epure::pin_in_slot {
 
-inline constexpr Phrase no_relative_pole{"P₂₃ is at infinity: the lever is upright",
-                                         "P₂₃ è all'infinito: la leva è verticale"};
-inline constexpr Phrase lifts_off{"the guide does not press on the disc (N ≤ 0): it would lift off",
-                                  "la guida non preme sul disco (N ≤ 0): si staccherebbe"};
-
-// |x| without deciding its sign, which an enclosure of zero does not tell; for signs, x².
-template <class T>
-T magnitude_of(const T& x) {
-  return size(geometry::Vector<T>{x, T(0)});
+inline Quantity lever_angle() {
+  return {"lever_angle", "$α$", "rad", {"angle of the lever from the guide", "angolo del glifo dalla guida"}};
+}
+inline Quantity abscissa_of_B() { return {"B_x", "$x_{B}$", "m", {"abscissa of B", "ascissa di B"}}; }
+inline Quantity abscissa_of_P23() {
+  return {"P23_x",
+          "$x_{P23}$",
+          "m",
+          {"abscissa of the relative pole of lever and disc", "ascissa del polo relativo di glifo e disco"}};
 }
 
-// How rough disc and guide must be: |T| / N. Absent when the guide would have to hold the disc down.
-template <class T>
-T required_friction(const T& friction, const T& normal) {
-  switch (geometry::sign(normal)) {
-    case geometry::Sign::positive:
-      return geometry::quotient(magnitude_of(friction), normal);
-    case geometry::Sign::undecided:
-      throw geometry::Undecided("whether the guide presses on the disc", "se la guida prema sul disco");
-    default:
-      throw geometry::Impossible(lifts_off);
-  }
+// Vectors of which the size is reported, or under the vector's name the one component that tells it.
+inline VectorQuantity of_pin(const std::string& name, const std::string& subscript, const std::string& unit,
+                             const Words& meaning) {
+  return {name, (unit == "m/s" ? "v" : "a") + std::string("_{{{}}}"), subscript, unit, meaning, meaning};
+}
+inline VectorQuantity v_Bstar() {
+  return of_pin("v_Bstar", "B*", "m/s",
+                {"speed of the lever's point under B", "velocità del punto del glifo sotto B"});
+}
+inline VectorQuantity v_rel() {
+  return of_pin("b_dot", "rel", "m/s",
+                {"sliding of the pin along the slot, outwards", "scorrimento del piolo, verso fuori"});
+}
+inline VectorQuantity v_B() { return of_pin("v_B", "B", "m/s", {"velocity of B along x", "velocità di B lungo x"}); }
+inline VectorQuantity a_Bstar() {
+  return of_pin("a_Bstar", "B*", "m/s^2",
+                {"acceleration of the lever's point under B", "accelerazione del punto del glifo sotto B"});
+}
+inline VectorQuantity a_Bstar_t() { return {"a_Bstar_t", "a^{{t}}_{{{}}}", "B*", "m/s^2", {}, {}}; }
+inline VectorQuantity a_Bstar_n() { return {"a_Bstar_n", "a^{{n}}_{{{}}}", "B*", "m/s^2", {}, {}}; }
+inline VectorQuantity a_cor() {
+  return of_pin("a_cor", "cor", "m/s^2", {"Coriolis acceleration of B", "accelerazione di Coriolis di B"});
+}
+inline VectorQuantity a_rel() {
+  return of_pin("b_ddot", "rel", "m/s^2",
+                {"acceleration of the sliding, outwards", "accelerazione dello scorrimento, verso fuori"});
+}
+inline VectorQuantity a_B() {
+  return of_pin("a_B", "B", "m/s^2", {"acceleration of B along x", "accelerazione di B lungo x"});
 }
 
-template <class T>
-void by_polar_diagrams(Ledger<T>& ledger, const geometry::SlottedLeverMotion<T>& motion) {
-  const auto& v = motion.velocity;
-  const auto& a = motion.acceleration;
-  ledger.route("polar diagram");
-  ledger.put("v_Bstar", [&] { return size(v.first.known); });
-  ledger.put("b_dot", v.first_rate);
-  ledger.put("v_B", v.second_rate);
-  ledger.put("omega_disc", motion.disc.omega);
-  ledger.put("a_Bstar", [&] { return size(a.first.known); });
-  ledger.put("a_cor", [&] { return size(a.first.coriolis); });
-  ledger.put("b_ddot", a.first_rate);
-  ledger.put("a_B", a.second_rate);
-  ledger.put("alpha_disc", motion.disc.alpha);
+inline Quantity omega_disc() {
+  return {"omega_disc",
+          "$ω_{3}$",
+          "rad/s",
+          {"angular velocity of the disc, counter-clockwise", "velocità angolare del disco, antioraria"}};
+}
+inline Quantity alpha_disc() {
+  return {"alpha_disc",
+          "$α_{3}$",
+          "rad/s^2",
+          {"angular acceleration of the disc, counter-clockwise", "accelerazione angolare del disco, antioraria"}};
 }
 
-template <class T>
-void by_poles(Ledger<T>& ledger, const Instant& instant, const geometry::SlottedLever<T>& at) {
-  const T omega_disc = geometry::disc_speed_by_poles(at, geometry::radians<T>(-instant.omega));
-  ledger.route("poles");
-  const geometry::ProjectivePoint<T> P23 = at.relative_pole();
-  ledger.put("P23_x", [&] { return Ledger<T>::ratio(P23.x, P23.w, no_relative_pole); });
-  ledger.put("omega_disc", omega_disc);
-  ledger.put("v_B", geometry::turning_about(at.D, omega_disc, T(0)).velocity(at.B).x);
+// R_ij acts from body i on body j; W and F are weight and force of inertia of the mass at a point.
+inline VectorQuantity force(const std::string& name, const std::string& letter, const std::string& subscript,
+                            const Words& meaning, const Words& size) {
+  return {name, "\\it{{" + letter + "}}_{{{}}}", subscript, "N", meaning, size};
+}
+inline VectorQuantity R_23() {
+  const Words size{"size of the force of the slot on the pin", "intensità della forza del glifo sul piolo"};
+  return force("slot_force_on_pin", "R", "23", {}, size);
+}
+inline VectorQuantity N_13() {
+  const Words upwards{"force of the guide on the disc, upwards", "forza della guida sul disco, verso l'alto"};
+  return force("ground_normal_force", "N", "13", {}, upwards);
+}
+inline VectorQuantity T_13() {
+  const Words size{"size of the friction force at the contact D", "intensità della forza d'attrito nel contatto D"};
+  return force("ground_friction_force", "T", "13", {}, size);
+}
+inline VectorQuantity R_12() {
+  return force("pivot_force", "R", "12", {"force of the frame on the lever at O", "reazione in O"},
+               {"size of the force of the frame at O", "intensità della reazione in O"});
+}
+inline VectorQuantity weight(const std::string& at) { return force("weight_" + at, "W", at, {}, {}); }
+inline VectorQuantity inertia_force(const std::string& at) { return force("inertia_force_" + at, "F", at, {}, {}); }
+inline Quantity required_friction() {
+  return {"required_friction_coefficient",
+          "$f_{min}$",
+          "1",
+          {"coefficient of friction needed to roll without slipping", "coefficiente d'attrito necessario"}};
 }
 
-template <class T>
-void by_newton_euler(Ledger<T>& ledger, const Instant& instant, const geometry::SlottedLever<T>& at,
-                     const geometry::SlottedLeverMotion<T>& motion) {
-  const auto disc = geometry::disc_forces(at, motion.disc, instant.masses);
-  const auto lever = geometry::lever_forces(at, motion.lever, disc.slot, instant.masses);
-  ledger.route("Newton-Euler");
-  ledger.put("gravity_torque", geometry::moment(lever.weight, at.O));
-  ledger.put("C", lever.couple);
-  ledger.put("slot_force_on_pin", [&] { return size(disc.slot.f); });
-  ledger.put("ground_normal_force", disc.normal);
-  ledger.put("ground_friction_force", [&] { return size(disc.friction.f); });
-  ledger.put("required_friction_coefficient", [&] { return required_friction(disc.friction.f.x, disc.normal); });
-  ledger.vector("pivot_force", lever.pivot.f);
+inline Quantity kinetic_energy() {
+  return {"kinetic_energy", "$\\it{E}_{k}$", "J", {"kinetic energy", "energia cinetica"}};
+}
+inline Quantity kinetic_power() {
+  return {"kinetic_power",
+          "d$\\it{E}_{k}$/d$t$",
+          "W",
+          {"growth of the kinetic energy", "derivata dell'energia cinetica"}};
+}
+inline Quantity gravity_torque() {
+  return {"gravity_torque",
+          "$\\it{C}_{g}$",
+          "N*m",
+          {"torque of M1's weight about O, counter-clockwise: it resists",
+           "momento del peso di M1, antiorario: resiste"}};
+}
+inline Quantity driving_couple() {
+  return {"C", "$\\it{C}$", "N*m", {"couple that drives the lever, clockwise", "coppia motrice sul glifo, oraria"}};
 }
 
-template <class T>
-void by_power_balance(Ledger<T>& ledger, const Instant& instant, const geometry::SlottedLever<T>& at,
-                      const geometry::SlottedLeverMotion<T>& motion) {
-  const auto balance = geometry::power_balance(at, motion, instant.masses);
-  ledger.route("power balance");
-  ledger.put("kinetic_energy", geometry::kinetic_energy(at, motion, instant.masses));
-  ledger.put("kinetic_power", geometry::radians<T>(instant.omega) * balance.kinetic());
-  ledger.put("gravity_torque", balance.against_gravity);
-  ledger.put("C", balance.couple());
-}
-
-template <class T>
-void by_analysis(Ledger<T>& ledger, const Instant& instant) {
-  namespace analytic = geometry::analytic;
-  const analytic::SlottedLever of = instant.analytic();
-  const T omega = geometry::radians<T>(instant.omega), omega_dot = geometry::radians<T>(instant.omega_dot);
-  const T OB = geometry::from_rational<T>(of.OB);
-  const auto angle = analytic::angle<T>(of);
-  const auto m = analytic::motion(of, angle, omega, omega_dot);
-  const auto balance = analytic::balance(of, angle, omega, omega_dot);
-  const auto force = analytic::reactions(of, angle, m, omega, omega_dot);
-  ledger.route("analytic");
-  if constexpr (signs_only<T>) {
-    ledger.put("lever_angle", angle.sine);
-  } else {
-    ledger.put("lever_angle", [&] { return analytic::radians(angle); });
-  }
-  ledger.put("B_x", OB * angle.cosine);
-  ledger.put("P23_x", [&] { return Ledger<T>::ratio(OB, angle.cosine, no_relative_pole); });
-  ledger.put("v_Bstar", magnitude_of<T>(OB * omega));
-  ledger.put("b_dot", m.b_dot);
-  ledger.put("v_B", m.v_B);
-  ledger.put("omega_disc", m.omega_disc);
-  ledger.put("a_Bstar", [&] { return size(geometry::Vector<T>{OB * geometry::square(omega), OB * omega_dot}); });
-  ledger.put("a_cor", magnitude_of<T>(T(2) * omega * m.b_dot));
-  ledger.put("b_ddot", m.b_ddot);
-  ledger.put("a_B", m.a_B);
-  ledger.put("alpha_disc", m.alpha_disc);
-  ledger.put("kinetic_energy", balance.kinetic_energy);
-  ledger.put("kinetic_power", balance.kinetic_power);
-  ledger.put("gravity_torque", balance.gravity_torque);
-  ledger.put("C", balance.couple);
-  ledger.put("slot_force_on_pin", magnitude_of<T>(force.slot));
-  ledger.put("ground_normal_force", force.normal);
-  ledger.put("ground_friction_force", magnitude_of<T>(force.friction));
-  ledger.put("required_friction_coefficient", [&] { return required_friction(force.friction, force.normal); });
-  ledger.vector("pivot_force", {force.at_O.re, force.at_O.im});
-}
-
-struct Routes {
-  Instant instant;
-
-  template <class T>
-  Ledger<T> operator()() const {
-    Ledger<T> ledger("construction");
-    const geometry::SlottedLever<T> at = instant.position<T>();
-    const geometry::SlottedLeverMotion<T> motion = instant.motion(at);
-    ledger.put("lever_angle", [&] { return slope_angle(at.slot); });
-    ledger.put("B_x", at.B.x);
-    by_polar_diagrams(ledger, motion);
-    by_poles(ledger, instant, at);
-    by_newton_euler(ledger, instant, at, motion);
-    by_power_balance(ledger, instant, at, motion);
-    by_analysis(ledger, instant);
-    return ledger;
-  }
-};
+// Parts of C, and the source's: only drawn.
+inline Quantity torque(const std::string& name) { return {name, "", "N*m", {}}; }
 
 }  // namespace epure::pin_in_slot

@@ -26,6 +26,8 @@ const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
       {"z1=60", "z2=10", "ha=1.2", "hf=1.45", "alpha=15"}}},
     {"velocity-centre",
      {{}, {"phi=200", "omega=-2.7"}, {"V=0"}, {"omega=0"}, {"omega=0", "omega_dot=0"}, {"phi=90"}, {"L=0.37"}}},
+    {"pin-in-slot",
+     {{}, {"OB=0.2"}, {"omega=-1", "omega_dot=1"}, {"omega_dot=-20"}, {"omega=0"}, {"OB=0.25"}, {"J2=0", "M1=0"}}},
     {"slider-crank-velocity",
      {{}, {"phi=200"}, {"phi=90"}, {"phi=0"}, {"e=0.05"}, {"delta=20", "phi=-33"}, {"n=-41"}}},
     {"four-bar-constraints",
@@ -136,7 +138,7 @@ bool measures_its_quantity(const std::vector<std::string>& row, const Solution& 
     return std::strtod(std::regex_replace(text, std::regex("−"), "-").c_str(), nullptr);
   };
   for (const RouteValue& value : solution.values()) {
-    if (!value.described || row[0].find(value.described->symbol) != 0) continue;
+    if (!value.described || row[0].find(value.described->symbol) > 1) continue;  // perhaps after "|"
     const double known = std::abs(solution[value.quantity]);
     return std::abs(read(row[1]) - known) <= 2e-3 * known && std::abs(read(row[2]) - known) <= 2e-3 * known;
   }

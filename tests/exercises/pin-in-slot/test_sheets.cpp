@@ -94,8 +94,7 @@ TEST_CASE("a ruler on the file reads the value of every vector", "[pin-in-slot][
       const CheckedExercise numbers = checked(assignments);
       const DrawnSheet drawn = draw(sheet, assignments);
       const drawings::SvgFile svg(drawings::svg(drawn.sheet));
-      REQUIRE(drawn.sheet.title_block.scales.size() == 2);
-      const double unit = per_mm(drawn.sheet.title_block.scales[1]);
+      const double unit = per_mm(drawn.sheet.title_block.scales.back());
       for (const std::string& name : vectors) {
         CAPTURE(assignments, sheet, name);
         if (std::abs(value(numbers, name)) / unit < 3.1) continue;  // shorter than its head, so drawn as a dot
@@ -124,12 +123,31 @@ TEST_CASE("the polygons of forces are closed on paper", "[pin-in-slot][sheets]")
 }
 
 TEST_CASE("the balance shows the right couple and the mistaken one", "[pin-in-slot][sheets]") {
-  const DrawnSheet drawn = draw("power-balance", {});
+  const auto& labels = draw("power-balance", {}).sheet.figure.labels;
+  for (const char* shown : {"188.8", "138.9", "111.3", "61.40"}) {
+    CAPTURE(shown);
+    CHECK(
+        std::any_of(labels.begin(), labels.end(), [&](const drawings::Label& label) { return label.text == shown; }));
+  }
+}
+
+// Two links, the frame, and no letter d; the disc's couple of inertia against α₃, which is clockwise.
+TEST_CASE("links are numbered, and the couple of inertia has its sign", "[pin-in-slot][sheets]") {
+  const auto has = [](const DrawnSheet& drawn, const std::string& text) {
+    const auto& labels = drawn.sheet.figure.labels;
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const drawings::Label& label) { return label.text == text; });
+  };
+  for (const char* sheet : {"kinematics", "acceleration"})
+    for (const char* number : {"1", "2", "3"}) CHECK(has(draw(sheet, {}), number));
+  const DrawnSheet forces = draw("forces", {});
+  CHECK(has(forces, "−$\\it{J}_{B}α_{3}$"));
+  CHECK(has(forces, "$\\it{F}_{A}$ = 9.69 N"));  // 30·0.3·√(1 + 0.4²), too short for an arrow
   bool found = false;
-  for (const drawings::Block& block : drawn.sheet.column)
-    if (const auto* table = std::get_if<drawings::Table>(&block)) {
+  for (const drawings::Mark& mark : forces.sheet.figure.marks)
+    if (const auto* arc = std::get_if<drawings::Rotation>(&mark); arc && !found) {
       found = true;
-      CHECK(table->rows.back() == std::vector<std::string>{"$C$", "188.8", "138.9"});
+      CHECK(arc->to > arc->from);
     }
   CHECK(found);
 }
