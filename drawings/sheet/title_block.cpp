@@ -52,15 +52,36 @@ class TitleInk {
     caption(name, {left + inset, top - 2.7});
     const double room = right - left - 1.4 * inset, width = value.empty() ? 0 : measure(value, text_size).width;
     // Long values are set smaller rather than over the next rule.
-    const double size = width > room ? std::max(2.2, text_size * room / width) : text_size;
+    const double size = width > room ? std::max(smallest, text_size * room / width) : text_size;
     if (conflicts_ && width * size > room * text_size * (1 + 1e-9))
       conflicts_->push_back(fmt::format("title block: no room for {} {}", name, plain(value)));
     if (!value.empty()) text(value, {left + inset, top - 6.6}, size);
+  }
+  // The same for several values: side by side, or in two small lines where these are too many.
+  void fields(double left, double right, double top, const std::string& name,
+              const std::vector<std::string>& values) {
+    const auto joined = [&](std::size_t from, std::size_t to) {
+      std::string line;
+      for (std::size_t i = from; i < to; ++i) line += (i == from ? "" : "  ·  ") + values[i];
+      return line;
+    };
+    const std::string all = joined(0, values.size());
+    const double room = right - left - 1.4 * inset;
+    if (values.size() < 2 || measure(all, smallest).width <= room) return field(left, right, top, name, all);
+    std::size_t first = values.size() - 1;
+    while (first > 1 && measure(joined(0, first), smallest).width > room) --first;
+    const std::string upper = joined(0, first), lower = joined(first, values.size());
+    if (conflicts_ && std::max(measure(upper, smallest).width, measure(lower, smallest).width) > room)
+      conflicts_->push_back(fmt::format("title block: no room for {} {}", name, plain(all)));
+    caption(name, {left + inset, top - 2.3});
+    text(upper, {left + inset, top - 4.9}, smallest);
+    text(lower, {left + inset, top - 7.5}, smallest);
   }
   Box box() const { return box_; }
   std::vector<Primitive> take() { return std::move(ink_); }
 
  private:
+  static constexpr double smallest = 2.2;  // mm, of letters
   Box box_;
   std::vector<std::string>* conflicts_;
   std::vector<Primitive> ink_;
@@ -122,8 +143,7 @@ std::vector<Primitive> set_title_block(const Sheet& sheet, Box box, std::vector<
   block.rule({box.low.x, bottom}, {box.high.x, bottom}, fine);
   block.rule({paper_left, top}, {paper_left, bottom}, fine);
   block.rule({sheet_left, top}, {sheet_left, bottom}, fine);
-  block.field(box.low.x, paper_left, top, titles.scales.size() > 1 ? w.scales : w.scale,
-              fmt::format("{}", fmt::join(titles.scales, "  ·  ")));
+  block.fields(box.low.x, paper_left, top, titles.scales.size() > 1 ? w.scales : w.scale, titles.scales);
   block.field(paper_left, sheet_left, top, w.paper, sheet.paper == Paper::a4 ? "A4" : "A3");
   block.field(sheet_left, box.high.x, top, w.sheet, fmt::format("{}/{}", titles.page, titles.pages));
   set_check_bar(block, w.check_bar);

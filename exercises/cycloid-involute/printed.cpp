@@ -2,7 +2,7 @@
 //
 // Its numbers at φ = 3/4 π are those of φ = π/2: the wheel was drawn a quarter turn on. The mistake is carried out
 // here, number by number. The cusp it declined to study. Of the involute its numbers are right, though its equation
-// for x has a wrong sign (printed_equation_speed).
+// for x has a wrong sign.
 #include <cmath>
 #include <numbers>
 
@@ -23,11 +23,6 @@ Printed same_words(const std::string& quantity, const std::string& text, const s
 }
 
 }  // namespace
-
-double printed_equation_speed(double phi) {
-  const double dx = -2 * std::sin(phi) - phi * std::cos(phi), dy = phi * std::sin(phi);
-  return std::hypot(dx, dy);
-}
 
 std::vector<Printed> printed_by_the_source() {
   constexpr double r = 0.5, omega = 30;                                 // m, rad/s

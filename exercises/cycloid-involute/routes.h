@@ -2,9 +2,8 @@
 #pragma once
 
 #include "exercises/cycloid-involute/exercise.h"
-#include "exercises/kit/linkages/coupler_routes.h"
+#include "exercises/kit/rolling/found.h"
 #include "geometry/analytic/cycloid.h"
-#include "geometry/analytic/roulette_formulas.h"
 
 namespace epure::cycloid_involute {
 
@@ -14,205 +13,252 @@ inline constexpr Phrase turns_about{
     "M è in una cuspide, dove inverte il moto: a_t ha un valore prima (..._before_cusp) e un altro dopo "
     "(..._after_cusp)"};
 
-template <class T>
-struct Components {
-  T before, after, normal;
+// An instant in names of quantities, in the subscripts of their letters, and in words.
+struct Instant {
+  InstantNames names;
+  std::string subscript;
+  Words when;
+
+  // "#" in the letters stands for the subscript.
+  Quantity operator()(const std::string& name, std::string letters, const std::string& unit,
+                      const Words& meaning) const {
+    if (const auto at = letters.find('#'); at != letters.npos) letters.replace(at, 1, subscript);
+    return {names(name), "$" + letters + "$", unit, meaning + when};
+  }
 };
+inline const Instant instant_phi{at_phi, "φ", {", at φ", ", a φ"}},
+    instant_s{at_s, "s", {", when s has been travelled", ", percorso lo spazio s"}},
+    instant_t1{at_t1, "1", {", at t₁", ", a t₁"}}, instant_t2{at_t2, "2", {", at t₂", ", a t₂"}};
 
-// The tangential part where it has one value; at a cusp it has two.
+// Without `before` only the value after a cusp belongs to the motion.
 template <class T>
-T along_the_motion(bool is_at_cusp, const T& after) {
-  if (is_at_cusp) throw geometry::Impossible(turns_about);
-  return after;
+void write_acceleration(Ledger<T>& ledger, const Instant& at, const FoundOnPath<T>& found) {
+  ledger.put(at("a_M", "a_{M#}", "m/s^2", {"acceleration of M", "accelerazione di M"}),
+             [&] { return size(found.a); });
+  ledger.put(at("a_M_x", "a_{M#x}", "m/s^2", {"acceleration of M, along x", "accelerazione di M, lungo x"}),
+             found.a.x);
+  ledger.put(at("a_M_y", "a_{M#y}", "m/s^2", {"acceleration of M, along y", "accelerazione di M, lungo y"}),
+             found.a.y);
+  ledger.put(at("a_n", "a^{n}_{M#}", "m/s^2", {"normal part of a_M", "parte normale di a_M"}), found.a_n);
+  ledger.put(at("a_t", "a^{t}_{M#}", "m/s^2",
+                {"tangential part of a_M, positive along the motion",
+                 "parte tangenziale di a_M, positiva nel senso del moto"}),
+             [&] {
+               if (found.before && found.is_at_cusp) throw geometry::Impossible(turns_about);
+               return found.after();
+             });
+  if (!found.before) return;
+  Quantity before =
+               at("a_t", "a^{t−}_{M#}", "m/s^2",
+                  {"tangential part of a_M just before the instant, which is a cusp if the sides differ",
+                   "parte tangenziale di a_M subito prima dell'istante, una cuspide se i due lati differiscono"}),
+           after = at(
+               "a_t", "a^{t+}_{M#}", "m/s^2",
+               {"tangential part of a_M just after the instant", "parte tangenziale di a_M subito dopo l'istante"});
+  before.name += "_before_cusp";
+  after.name += "_after_cusp";
+  ledger.put(before, found.before);
+  ledger.put(after, found.after);
 }
 
 template <class T>
-void write_vector(Ledger<T>& ledger, const InstantNames& name, const std::string& letter,
-                  const geometry::Vector<T>& v) {
-  ledger.put(name(letter + "_x"), v.x);
-  ledger.put(name(letter + "_y"), v.y);
-  ledger.put(name(letter), [&] { return size(v); });
+void write(Ledger<T>& ledger, const Instant& at, const FoundOnPath<T>& found) {
+  ledger.put(at("x_M", "x_{M#}", "m", {"abscissa of M", "ascissa di M"}), found.x);
+  ledger.put(at("y_M", "y_{M#}", "m", {"ordinate of M", "ordinata di M"}), found.y);
+  ledger.put(at("P0M", "P_{0}M_{#}", "m", {"distance of M from the contact P₀", "distanza di M dal contatto P₀"}),
+             found.P0M);
+  ledger.put(at("v_M", "v_{M#}", "m/s", {"speed of M", "velocità di M"}), [&] { return size(found.v); });
+  ledger.put(at("v_M_x", "v_{M#x}", "m/s", {"velocity of M, along x", "velocità di M, lungo x"}), found.v.x);
+  ledger.put(at("v_M_y", "v_{M#y}", "m/s", {"velocity of M, along y", "velocità di M, lungo y"}), found.v.y);
+  write_acceleration(ledger, at, found);
+  ledger.put(at("rho_M", "ρ_{M#}", "m", {"radius of curvature of the path", "raggio di curvatura della traiettoria"}),
+             found.rho);
+  ledger.put(at("curvature_centre_x", "x_{Ω#}", "m",
+                {"abscissa of the centre of curvature", "ascissa del centro di curvatura"}),
+             found.centre_x);
+  ledger.put(at("curvature_centre_y", "y_{Ω#}", "m",
+                {"ordinate of the centre of curvature", "ordinata del centro di curvatura"}),
+             found.centre_y);
 }
 
 template <class T>
-void write_sides(Ledger<T>& ledger, const InstantNames& name, const std::function<Components<T>()>& find) {
-  ledger.put(name("a_t") + "_before_cusp", [&] { return find().before; });
-  ledger.put(name("a_t") + "_after_cusp", [&] { return find().after; });
+FoundOnPath<T> by_natural_equation(const geometry::analytic::CycloidByArc<T>& path, const T& omega) {
+  return {.x = [=] { return path.position().re; },
+          .y = [=] { return path.height(); },
+          .P0M = [=] { return geometry::quotient(path.speed(), omega); },
+          .v = plane(path.velocity()),
+          .a = plane(path.acceleration()),
+          .a_n = [=] { return path.normal_acceleration(); },
+          .before = [=] { return path.tangential_acceleration_before(); },
+          .after = [=] { return path.tangential_acceleration(); },
+          .rho = [=] { return path.radius_of_curvature(); },
+          .centre_x = [=] { return path.position().re + path.to_centre_of_curvature().re; },
+          .centre_y = [=] { return path.height() + path.to_centre_of_curvature().im; },
+          .is_at_cusp = path.is_at_cusp()};
 }
 
-// By the poles: M seen from the contact P₀, which `contact` finds in the fixed plane.
-template <class T>
-void write_instant(Ledger<T>& ledger, const InstantNames& name, const geometry::RollingInstant<T>& at,
-                   const std::function<geometry::Point<T>()>& contact) {
-  const geometry::Vector<T> P0M = at.M - at.motion.A;
-  ledger.put(name("x_M"), [&] { return contact().x + P0M.x; });
-  ledger.put(name("y_M"), [&] { return contact().y + P0M.y; });
-  ledger.put(name("P0M"), [&] { return size(P0M); });
-  write_vector(ledger, name, "v_M", at.velocity());
-  write_vector(ledger, name, "a_M", at.acceleration());
-  ledger.put(name("a_n"), [&] { return size(at.normal_acceleration()); });
-  ledger.put(name("rho_M"), [&] { return at.radius_of_curvature(); });
-  const auto centre = [&] { return geometry::finite(at.centre_of_curvature()) - at.motion.A; };
-  ledger.put(name("curvature_centre_x"), [&] { return contact().x + centre().x; });
-  ledger.put(name("curvature_centre_y"), [&] { return contact().y + centre().y; });
+inline Quantity time_at_phi() { return instant_phi("time_at_phi", "t_{#}", "s", {"time", "tempo"}); }
+inline Quantity arc_at_phi() {
+  return instant_phi("arc_length_at_phi", "s_{#}", "m", {"arc travelled", "arco percorso"});
+}
+inline Quantity to_inflection_circle() {
+  return instant_phi(
+      "Mprime_M", "M'M_{#}", "m",
+      {"distance of M from M' on the inflection circle", "distanza di M da M' sulla circonferenza dei flessi"});
+}
+inline Quantity K_x() {
+  return instant_phi("K_x", "x_{K#}", "m",
+                     {"abscissa of the acceleration pole, and inflection pole",
+                      "ascissa del polo delle accelerazioni, e dei flessi"});
+}
+inline Quantity K_y() { return instant_phi("K_y", "y_{K#}", "m", {"ordinate of K", "ordinata di K"}); }
+inline Quantity KM() { return instant_phi("KM", "KM_{#}", "m", {"distance of M from K", "distanza di M da K"}); }
+inline Quantity inflection_diameter() {
+  return {"cycloid.inflection_diameter",
+          "$δ$",
+          "m",
+          {"diameter of the inflection circle", "diametro della circonferenza dei flessi"}};
+}
+inline Quantity arch_base() {
+  return {"cycloid.arch_base", "$πd$", "m", {"base of an arch", "base di un arco di cicloide"}};
+}
+inline Quantity arch_length() {
+  return {"cycloid.arch_length", "$s_{0}$", "m", {"length of an arch", "lunghezza di un arco di cicloide"}};
 }
 
-template <class T>
-Components<T> components(const geometry::RollingInstant<T>& at) {
-  const auto sides = at.tangential_component();
-  return {sides.before, sides.after, at.normal_component()};
-}
-
-// By the path's derivatives.
-template <class T>
-void write_instant(Ledger<T>& ledger, const InstantNames& name, const geometry::analytic::RoulettePath<T>& path,
-                   const T& omega) {
-  ledger.put(name("x_M"), path.z.re);
-  ledger.put(name("y_M"), path.z.im);
-  ledger.put(name("P0M"), [&] { return size(plane(path.z_prime)); });
-  write_vector(ledger, name, "v_M", plane(path.velocity(omega)));
-  write_vector(ledger, name, "a_M", plane(path.acceleration(omega, T(0))));
-  ledger.put(name("a_n"), [&] { return path.components(omega, T(0)).normal; });
-  ledger.put(name("rho_M"), [&] { return path.radius_of_curvature(); });
-  ledger.put(name("curvature_centre_x"), [&] { return path.centre_of_curvature().re; });
-  ledger.put(name("curvature_centre_y"), [&] { return path.centre_of_curvature().im; });
-}
-
-template <class T>
 struct CycloidAtPhi {
   const Problem& of;
-  Ledger<T>& ledger;
 
-  void by_poles() const {
+  template <class T>
+  Ledger<T> operator()() const {
+    Ledger<T> ledger("poles");
+    constructed(ledger);
+    ledger.route("analytic");
+    differentiated(ledger);
+    measured_arcs(ledger);
+    return ledger;
+  }
+
+ private:
+  geometry::analytic::Roulette cycloid() const { return {geometry::analytic::RouletteKind::cycloid, of.r, 0, of.r}; }
+
+  template <class T>
+  void constructed(Ledger<T>& ledger) const {
     const geometry::Rolling wheel = of.wheel();
     const T omega = geometry::radians<T>(of.omega_1);
     const auto at = geometry::rolling_instant<T>(wheel, of.phi, omega, T(0));
     const auto contact = [&] { return geometry::contact_point<T>(wheel, of.phi); };
     const auto K = [&] { return geometry::finite(at.motion.acceleration_pole()) - at.motion.A; };
-    ledger.route("poles");
     // The contact travels at r ω.
-    ledger.put(at_phi("time_at_phi"), [&] {
-      return geometry::quotient(contact().x, geometry::from_rational<T>(of.r) * geometry::radians<T>(of.omega_1));
-    });
-    write_instant<T>(ledger, at_phi, at, contact);
-    ledger.put(at_phi("a_t"), [&] { return along_the_motion(at.is_at_cusp, components(at).after); });
-    write_sides<T>(ledger, at_phi, [&] { return components(at); });
-    ledger.put(at_phi("Mprime_M"), [&] { return size(at.M_prime() - at.M); });
-    ledger.put(at_phi("K_x"), [&] { return contact().x + K().x; });
-    ledger.put(at_phi("K_y"), [&] { return contact().y + K().y; });
-    ledger.put(at_phi("KM"), [&] { return size(at.M - at.motion.A - K()); });
-    ledger.put("cycloid.inflection_diameter", [&] { return size(at.J - at.motion.A); });
-    ledger.put("cycloid.arch_base", [&] { return geometry::contact_point<T>(wheel, Angle{1}).x; });
+    ledger.put(time_at_phi(),
+               [&] { return geometry::quotient(contact().x, geometry::from_rational<T>(of.r) * omega); });
+    write(ledger, instant_phi, found_by_poles<T>(at, contact));
+    ledger.put(to_inflection_circle(), [&] { return size(at.M_prime() - at.M); });
+    ledger.put(K_x(), [&] { return contact().x + K().x; });
+    ledger.put(K_y(), [&] { return contact().y + K().y; });
+    ledger.put(KM(), [&] { return size(at.M - at.motion.A - K()); });
+    ledger.put(inflection_diameter(), [&] { return size(at.J - at.motion.A); });
+    ledger.put(arch_base(), [&] { return geometry::contact_point<T>(wheel, Angle{1}).x; });
+    draws_rolling(ledger, at_phi, at);
   }
 
-  void by_derivatives() const {
+  template <class T>
+  void differentiated(Ledger<T>& ledger) const {
     const T omega = geometry::radians<T>(of.omega_1);
     const auto path = geometry::analytic::roulette<T>(cycloid(), of.phi);
     const auto motion = path.motion(omega, T(0));
-    const auto parts = [&]() -> Components<T> {
-      const auto found = path.components(omega, T(0));
-      return {found.before, found.after, found.normal};
-    };
     const auto K = [&] { return present(motion.acceleration_pole(), no_acceleration_pole); };
-    ledger.route("analytic");
-    ledger.put(at_phi("time_at_phi"), [&] { return geometry::quotient(geometry::radians<T>(of.phi), omega); });
-    write_instant<T>(ledger, at_phi, path, omega);
-    ledger.put(at_phi("a_t"), [&] { return along_the_motion(path.is_at_rest, parts().after); });
-    write_sides<T>(ledger, at_phi, parts);
+    ledger.put(time_at_phi(), [&] { return geometry::quotient(geometry::radians<T>(of.phi), omega); });
+    write(ledger, instant_phi, found_by_derivatives<T>(path, omega, T(0)));
     // a_n = ω² M'M
-    ledger.put(at_phi("Mprime_M"), [&] { return geometry::quotient(parts().normal, geometry::square(omega)); });
-    ledger.put(at_phi("K_x"), [&] { return K().re; });
-    ledger.put(at_phi("K_y"), [&] { return K().im; });
-    ledger.put(at_phi("KM"), [&] { return size(plane(path.z - K())); });
-    ledger.put("cycloid.inflection_diameter",
+    ledger.put(to_inflection_circle(),
+               [&] { return geometry::quotient(path.components(omega, T(0)).normal, geometry::square(omega)); });
+    ledger.put(K_x(), [&] { return K().re; });
+    ledger.put(K_y(), [&] { return K().im; });
+    ledger.put(KM(), [&] { return size(plane(path.z - K())); });
+    ledger.put(inflection_diameter(),
                [&] { return present(motion.inflection_circle(), no_inflection_circle).diameter; });
-    ledger.put("cycloid.arch_base", [&] { return geometry::analytic::roulette<T>(cycloid(), Angle{1}).z.re; });
+    ledger.put(arch_base(), [&] { return geometry::analytic::roulette<T>(cycloid(), Angle{1}).z.re; });
   }
 
   // By 4 r (1 - cos φ/2), arch by arch, and as an integral.
-  void arcs() const {
-    ledger.route("analytic");
-    ledger.put(at_phi("arc_length_at_phi"), [&] { return geometry::arc_length<T>(of.wheel(), of.phi); });
-    ledger.put(at_phi("arch_length"), [&] { return geometry::arc_length<T>(of.wheel(), Angle{1}); });
+  template <class T>
+  void measured_arcs(Ledger<T>& ledger) const {
+    ledger.put(arc_at_phi(), [&] { return geometry::arc_length<T>(of.wheel(), of.phi); });
+    ledger.put(arch_length(), [&] { return geometry::arc_length<T>(of.wheel(), Angle{1}); });
     ledger.route("quadrature");
-    ledger.put(at_phi("arc_length_at_phi"), [&] { return geometry::analytic::arc_length<T>(cycloid(), of.phi); });
-    ledger.put(at_phi("arch_length"), [&] { return geometry::analytic::arc_length<T>(cycloid(), Angle{1}); });
+    ledger.put(arc_at_phi(), [&] { return geometry::analytic::arc_length<T>(cycloid(), of.phi); });
+    ledger.put(arch_length(), [&] { return geometry::analytic::arc_length<T>(cycloid(), Angle{1}); });
   }
-
- private:
-  geometry::analytic::Roulette cycloid() const { return {geometry::analytic::RouletteKind::cycloid, of.r, 0, of.r}; }
 };
 
-template <class T>
 struct CycloidAtArc {
   const Problem& of;
-  Ledger<T>& ledger;
 
-  void by_poles() const {
+  template <class T>
+  Ledger<T> operator()() const {
+    Ledger<T> ledger("poles");
+    const Quantity angle = instant_s("phi", "φ_{#}", "rad", {"angle of the wheel", "angolo della ruota"}),
+                   time = instant_s("t", "t_{#}", "s", {"time", "tempo"});
     const geometry::CycloidArc arc = of.travelled();
     const T omega = geometry::radians<T>(of.omega_1), r = geometry::from_rational<T>(of.r);
     const auto at = geometry::rolling_instant<T>(arc, omega);
     const auto phi = [&] { return geometry::turned_angle<T>(arc); };
-    ledger.route("poles");
-    ledger.put(at_s("phi"), phi);
-    ledger.put(at_s("t"), [&] { return geometry::quotient(phi(), omega); });
-    write_instant<T>(ledger, at_s, at, [&] { return geometry::Point<T>{r * phi(), T(0)}; });
-    ledger.put(at_s("a_t"), [&] { return along_the_motion(at.is_at_cusp, components(at).after); });
-    write_sides<T>(ledger, at_s, [&] { return components(at); });
-  }
+    ledger.put(angle, phi);
+    ledger.put(time, [&] { return geometry::quotient(phi(), omega); });
+    write(ledger, instant_s, found_by_poles<T>(at, [&] { return geometry::Point<T>{r * phi(), T(0)}; }));
+    draws_rolling(ledger, at_s, at);
 
-  void by_natural_equation() const {
-    const T omega = geometry::radians<T>(of.omega_1);
     const geometry::analytic::CycloidByArc<T> path(of.r, of.s, omega);
     ledger.route("natural equation");
-    ledger.put(at_s("phi"), [&] { return path.angle(); });
-    ledger.put(at_s("t"), [&] { return geometry::quotient(path.angle(), omega); });
-    ledger.put(at_s("x_M"), [&] { return path.position().re; });
-    ledger.put(at_s("y_M"), path.height());
-    ledger.put(at_s("P0M"), [&] { return geometry::quotient(path.speed(), omega); });
-    write_vector(ledger, at_s, "v_M", plane(path.velocity()));
-    write_vector(ledger, at_s, "a_M", plane(path.acceleration()));
-    ledger.put(at_s("a_n"), path.normal_acceleration());
-    ledger.put(at_s("rho_M"), path.radius_of_curvature());
-    ledger.put(at_s("curvature_centre_x"), [&] { return path.position().re + path.to_centre_of_curvature().re; });
-    ledger.put(at_s("curvature_centre_y"), [&] { return path.height() + path.to_centre_of_curvature().im; });
-    ledger.put(at_s("a_t"), [&] { return along_the_motion(path.is_at_cusp(), path.tangential_acceleration()); });
-    write_sides<T>(ledger, at_s, [&]() -> Components<T> {
-      return {path.tangential_acceleration_before(), path.tangential_acceleration(), path.normal_acceleration()};
-    });
+    ledger.put(angle, [&] { return path.angle(); });
+    ledger.put(time, [&] { return geometry::quotient(path.angle(), omega); });
+    write(ledger, instant_s, by_natural_equation<T>(path, omega));
+    return ledger;
   }
 };
 
 // The motion begins with φ = 0, so that at the cusp there the tangential part is the one after it.
-template <class T>
 struct OnInvolute {
   const Problem& of;
   const Angle& phi;
-  const InstantNames& name;
-  Ledger<T>& ledger;
+  const Instant& instant;
 
-  void by_poles() const {
+  template <class T>
+  Ledger<T> operator()() const {
+    Ledger<T> ledger("poles");
+    const Quantity angle = instant("phi", "φ_{#}", "rad", {"angle of the line", "angolo della retta"}),
+                   travelled = instant("arc_length", "s_{#}", "m", {"arc travelled", "arco percorso"});
+    const auto written = [&](FoundOnPath<T> found) {
+      found.before = nullptr;
+      write(ledger, instant, found);
+    };
     const geometry::Rolling line = of.line();
-    const auto at = geometry::rolling_instant<T>(line, phi, geometry::radians<T>(of.omega_2), T(0));
-    ledger.route("poles");
-    ledger.put(name("phi"), [&] {
+    const T omega = geometry::radians<T>(of.omega_2);
+    const auto at = geometry::rolling_instant<T>(line, phi, omega, T(0));
+    ledger.put(angle, [&] {
       return geometry::quotient(geometry::distance(at.motion.A, at.M), geometry::from_rational<T>(of.r_0));
     });
-    write_instant<T>(ledger, name, at, [&] { return geometry::contact_point<T>(line, phi); });
-    ledger.put(name("a_t"), [&] { return components(at).after; });
-    ledger.put(name("arc_length"), [&] { return geometry::arc_length<T>(line, phi); });
-  }
+    written(found_by_poles<T>(at, [&] { return geometry::contact_point<T>(line, phi); }));
+    ledger.put(travelled, [&] { return geometry::arc_length<T>(line, phi); });
+    draws_rolling(ledger, instant.names, at);
 
-  void by_derivatives() const {
     const geometry::analytic::Roulette involute{geometry::analytic::RouletteKind::involute, 0, of.r_0, 0};
-    const T omega = geometry::radians<T>(of.omega_2);
-    const auto path = geometry::analytic::roulette<T>(involute, phi);
     ledger.route("analytic");
-    ledger.put(name("phi"), [&] { return geometry::radians<T>(phi); });
-    write_instant<T>(ledger, name, path, omega);
-    ledger.put(name("a_t"), [&] { return path.components(omega, T(0)).after; });
-    ledger.put(name("arc_length"), [&] { return geometry::analytic::arc_length<T>(involute, phi); });
+    ledger.put(angle, [&] { return geometry::radians<T>(phi); });
+    written(found_by_derivatives<T>(geometry::analytic::roulette<T>(involute, phi), omega, T(0)));
+    ledger.put(travelled, [&] { return geometry::analytic::arc_length<T>(involute, phi); });
+    return ledger;
   }
 };
+
+// Instant by instant, so that one that needs many bits or a proof does not hold up the others.
+inline std::vector<RouteValue> solved(const Problem& of, Rung rung) {
+  std::vector<RouteValue> all = settle(CycloidAtPhi{of}, rung);
+  for (const auto& more : {settle(CycloidAtArc{of}, rung), settle(OnInvolute{of, of.phi_1, instant_t1}, rung),
+                           settle(OnInvolute{of, of.phi_2, instant_t2}, rung)})
+    all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
 
 }  // namespace epure::cycloid_involute

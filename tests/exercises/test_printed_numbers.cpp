@@ -36,7 +36,22 @@ const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
       {"theta_3_start=0.5", "theta_4_start=-1.8"},
       {"theta_3_start=100", "theta_4_start=3"},
       {"n=-300", "alpha_2=50", "theta_2=200"},
-      {"A0B0=800", "A0A=200", "AB=500", "B0B=700"}}}};
+      {"A0B0=800", "A0A=200", "AB=500", "B0B=700"}}},
+    {"roulette",
+     {{},
+      {"phi=480"},
+      {"how=circle_on_line", "d=0.3", "alpha=3"},
+      {"how=circle_on_line", "d=0.075", "phi=60"},
+      {"how=circle_inside_circle", "R=0.3", "omega=-2"},
+      {"how=line_on_circle", "d=0"},
+      {"omega=0", "alpha=4"}}},
+    {"cycloid-involute",
+     {{},
+      {"phi=0", "s=0", "t1=0"},
+      {"phi=90", "s=1"},
+      {"phi=500", "s=6", "t1=0.2", "t2=0.1"},
+      {"d=1.4", "d_0=3", "omega_1=3000", "t1=0.0001"},
+      {"d=40", "s=1000", "d_0=0.05"}}}};
 
 // Without what is raised or lowered, which belongs to a symbol, but for powers of ten.
 std::string without_indices(std::string text) {

@@ -81,11 +81,14 @@ void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const Sh
       bars.back().caption += position(*figure, *figures[figure == figures[0] ? 1 : 0], request.language);
   }
   for (const PlacedPanel& each : panels) {
-    if (each.vectors.caption.empty() ||
-        std::find(captions.begin(), captions.end(), each.vectors.caption) != captions.end())
-      continue;
-    bars.push_back(each.vectors);
-    captions.push_back(each.vectors.caption);
+    std::vector<Scale> of_vectors = each.panel->own_scales();
+    of_vectors.push_back(each.vectors);
+    for (const Scale& scale : of_vectors) {
+      if (scale.caption.empty() || std::find(captions.begin(), captions.end(), scale.caption) != captions.end())
+        continue;
+      bars.push_back(scale);
+      captions.push_back(scale.caption);
+    }
   }
   add_scale_bars(onto, bars, request);
   if (captions.empty()) captions = {"–"};
@@ -135,6 +138,11 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
                    const PanelSheet& shown, const SheetRequest& request) {
   const Language language = request.language;
   DrawnSheet onto = blank_sheet(about, sheet, solution.givens(), request, shown.without_part);
+  if (!shown.title.empty()) {
+    drawings::TitleBlock& block = onto.sheet.title_block;
+    block.exercise = shown.title.in(language);
+    onto.sheet.title = block.exercise + ": " + block.sheet;
+  }
   const drawings::Box whole_room = room_for(shown.panels, request);
   for (const auto& panel : shown.panels) panel->choose_view(whole_room, request);
   const std::vector<PlacedPanel> panels = laid_out(shown.panels, whole_room, request);

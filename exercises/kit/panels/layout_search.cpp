@@ -134,6 +134,17 @@ class Search {
     return all;
   }
 
+  // The first panel of its group, whose scale of lengths it has.
+  std::size_t leader(std::size_t panel) const {
+    const std::string group = panels_[panel]->scale_group();
+    for (std::size_t i = 0; i < panel && !group.empty(); ++i)
+      if (panels_[i]->scale_group() == group) return i;
+    return panel;
+  }
+  void keep_in_step(Choices& choices) const {
+    for (std::size_t i = 0; i < choices.lengths.size(); ++i) choices.lengths[i] = choices.lengths[leader(i)];
+  }
+
   Choices largest(const std::optional<Rational>& asked) const {
     Choices choices;
     bool is_asked = asked.has_value();
@@ -156,6 +167,7 @@ class Search {
     }
     for (const auto& [unit, most] : mm_per_unit)
       choices.vectors[unit] = {largest_vector_scale(most, unit, language_)};
+    keep_in_step(choices);
     return choices;
   }
 
@@ -169,9 +181,10 @@ class Search {
     constexpr double smaller = 0.99;
     std::vector<Choices> all;
     for (std::size_t i = 0; i < choices.lengths.size(); ++i) {
-      if (choices.lengths[i].is_fixed) continue;
+      if (choices.lengths[i].is_fixed || leader(i) != i) continue;
       all.push_back(choices);
       all.back().lengths[i].scale = largest_length_scale(smaller * choices.lengths[i].scale.mm_per_unit);
+      keep_in_step(all.back());
     }
     for (const auto& [unit, choice] : choices.vectors) {
       all.push_back(choices);
@@ -215,7 +228,10 @@ class Search {
       }
     };
     for (std::size_t i = 0; i < choices.lengths.size(); ++i)
-      try_with([i](Choices& larger, const Choices& before) { larger.lengths[i] = before.lengths[i]; });
+      try_with([this, i](Choices& larger, const Choices& before) {
+        larger.lengths[i] = before.lengths[i];
+        keep_in_step(larger);
+      });
     for (const auto& [unit, choice] : largest_.vectors)
       try_with(
           [&unit = unit](Choices& larger, const Choices& before) { larger.vectors[unit] = before.vectors.at(unit); });

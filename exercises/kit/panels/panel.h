@@ -39,6 +39,8 @@ class Panel {
   virtual bool is_in_millimetres() const { return false; }
   // From end to end, in metres: the largest scale of lengths worth trying makes it a metre of paper.
   virtual double reach() const { return 1; }
+  // Panels that name the same group here have one scale of lengths.
+  virtual std::string scale_group() const { return {}; }
 
   // The vectors it shows: all panels of a sheet show those of one unit at one scale.
   struct Vectors {
@@ -47,6 +49,8 @@ class Panel {
     double longest_on_paper = 150;  // mm: longer they say no more
   };
   virtual Vectors vectors() const { return {}; }
+  // Of vectors of another unit, at scales that the panel was given: they have their bars.
+  virtual std::vector<Scale> own_scales() const { return {}; }
 
   // Where it has several views, it chooses one for the room that all panels share.
   virtual void choose_view(const drawings::Box& /*whole_room*/, const SheetRequest&) {}

@@ -26,6 +26,7 @@ struct PanelSheet {
   Words seen = {};                          // for who does not see the sheet: what is on it ...
   std::vector<std::string> told = {};       // ... and the quantities then told
   std::set<std::string> without_part = {};  // givens that are not shown, as they have none here
+  Words title = {};                         // of the exercise, where these givens make it another
 };
 
 // A sheet and how it is made from what the exercise has found.

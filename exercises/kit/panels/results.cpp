@@ -59,6 +59,15 @@ Result values(const std::vector<std::string>& names) {
   };
 }
 
+Result value_as(const std::string& symbol, const std::string& name) {
+  return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+    const auto value = solution.value(name);
+    if (!value) return {};
+    return drawings::Paragraph{fmt::format("{} = {} {}", symbol, figures(*value, significant, language),
+                                           written_unit(solution.described(name).unit))};
+  };
+}
+
 Result by_point(const std::vector<std::string>& points, const std::vector<Column>& columns) {
   return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     drawings::Table table{{"$X$"}, {}};

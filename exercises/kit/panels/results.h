@@ -21,6 +21,8 @@ Result coordinates(const std::string& point);
 
 // "ω2 = 37.70 rad/s,  ω3 = −13.33 rad/s"
 Result values(const std::vector<std::string>& names);
+// One of them under another symbol.
+Result value_as(const std::string& symbol, const std::string& name);
 // A row for each point, under heads with X for it: of "v_{}" the quantity is v_B in the row of B. What does not exist
 // is at infinity.
 struct Column {

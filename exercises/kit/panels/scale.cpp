@@ -1,4 +1,4 @@
-#include "exercises/kit/panels/scale.h"
+#include "exercises/kit/panels/scale_bar.h"
 
 #include <array>
 #include <cmath>
@@ -69,14 +69,19 @@ Scale in_millimetres(Scale scale) {
 }
 
 drawings::ScaleBar bar(const Scale& scale, drawings::Point at, Language language) {
-  constexpr double longest_bar = 45;  // mm: reads well beside a figure and leaves room for a second bar
-  const double whole = largest_below(longest_bar / scale.mm_per_unit, std::array{1.0, 2.0, 4.0, 5.0});
+  constexpr double longest = 45;  // mm: reads well beside a figure and leaves room for a second bar
+  return bar(scale, at, longest, language);
+}
+
+drawings::ScaleBar bar(const Scale& scale, drawings::Point at, double longest, Language language) {
+  const double whole = largest_below(longest / scale.mm_per_unit, std::array{1.0, 2.0, 4.0, 5.0});
   const double leading = whole / std::pow(10.0, std::floor(std::log10(whole) + 1e-9));
   const int divisions = leading > 4.5 ? 5 : leading > 1.5 ? 4 : 5;
   drawings::ScaleBar mark{
       .at = at, .length = whole * scale.mm_per_unit, .divisions = divisions, .caption = scale.caption, .ticks = {}};
+  constexpr double room_for_three = 35;  // mm: numbers on a shorter bar would touch
   for (int i = 0; i <= divisions; ++i) {
-    const bool labelled = i == 0 || i == divisions || (divisions == 4 && i == 2);
+    const bool labelled = i == 0 || i == divisions || (divisions == 4 && i == 2 && longest >= room_for_three);
     std::string tick = i == 0 ? "0" : labelled ? short_number(whole * i / divisions, language) : "";
     mark.ticks.push_back(i == divisions ? tick + " " + scale.unit : tick);
   }

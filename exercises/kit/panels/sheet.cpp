@@ -6,7 +6,7 @@
 #include <cassert>
 
 #include "drawings/text/sheet_words.h"
-#include "exercises/kit/panels/scale.h"
+#include "exercises/kit/panels/scale_bar.h"
 #include "exercises/kit/statement/given_number.h"
 
 namespace epure {
@@ -81,11 +81,15 @@ drawings::Box room_above_scale_bars(const SheetRequest& request) {
 
 void add_scale_bars(DrawnSheet& onto, const std::vector<Scale>& scales, const SheetRequest& request) {
   const drawings::Box area = drawings::drawing_area(request.paper);
-  constexpr double first_bar = 6;  // mm from the edge
+  constexpr double first_bar = 6;     // mm from the edge
+  constexpr double last_number = 13;  // mm: room for it and its unit, where bars are many
+  constexpr std::size_t few = 3;
   const double distance = std::min(bar_distance, (area.width() - first_bar) / static_cast<double>(scales.size()));
   double x = area.low.x + first_bar;
   for (const Scale& scale : scales) {
-    onto.sheet.figure.marks.push_back(bar(scale, {x, area.low.y + 8}, request.language));
+    const drawings::Point at{x, area.low.y + 8};
+    onto.sheet.figure.marks.push_back(scales.size() > few ? bar(scale, at, distance - last_number, request.language)
+                                                          : bar(scale, at, request.language));
     onto.sheet.title_block.scales.push_back(scale.caption);
     x += distance;
   }

@@ -55,10 +55,10 @@ std::string VectorQuantity::arrow() const {
 }
 
 Quantity PointQuantity::x() const {
-  return {name + "_x", "$x_{" + name + "}$", "m", Words{"abscissa", "ascissa"} + of};
+  return {name + "_x", "$x_{" + (letters.empty() ? name : letters) + "}$", "m", Words{"abscissa", "ascissa"} + of};
 }
 Quantity PointQuantity::y() const {
-  return {name + "_y", "$y_{" + name + "}$", "m", Words{"ordinate", "ordinata"} + of};
+  return {name + "_y", "$y_{" + (letters.empty() ? name : letters) + "}$", "m", Words{"ordinate", "ordinata"} + of};
 }
 
 VectorQuantity velocity(const std::string& of) {

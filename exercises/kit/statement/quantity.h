@@ -45,6 +45,7 @@ struct VectorQuantity {
 struct PointQuantity {
   std::string name;  // "P0"
   Words of;          // " of the velocity centre", " del centro delle velocità"
+  std::string letters = {};  // within mathematics, where the name is not what is written: "F"
 
   Quantity x() const;
   Quantity y() const;

@@ -89,34 +89,34 @@ TEST_CASE("cycloid and involute: the polygons of accelerations close", "[cycloid
 
 TEST_CASE("cycloid: twelve divisions are there to be seen", "[cycloid-involute][sheets]") {
   const DrawnSheet drawn = both().draw("cycloid", {});
-  for (const char* label : {"I", "VI", "XI", "XII ≡ 12", "1", "11", "1'", "9'", "11'", "IV", "4'"}) {
+  for (const char* label : {"I", "VI", "XI", "XII ≡ 12", "1", "11", "1′", "9′", "11′", "IV", "4′"}) {
     CAPTURE(label);
     CHECK(has_label(drawn, label));
   }
   CHECK(shows(drawn, "cycloid.arch_base"));
   CHECK(text_of(drawn).find("proved") != std::string::npos);
-  CHECK(drawn.sheet.title_block.scales == std::vector<std::string>{"1 : 20 above", "1 : 10 below"});
+  CHECK(drawn.sheet.title_block.scales == std::vector<std::string>{"1 : 20", "1 : 10"});
   // On a small wheel the quarters only.
   const DrawnSheet small = both().draw("cycloid", {"d=1.4"});
-  CHECK(has_label(small, "9'"));
-  CHECK_FALSE(has_label(small, "8'"));
+  CHECK(has_label(small, "9′"));
+  CHECK_FALSE(has_label(small, "8′"));
 }
 
 TEST_CASE("involute: twelve divisions, and the slip of the source is said", "[cycloid-involute][sheets]") {
   const DrawnSheet drawn = both().draw("involute", {});
-  for (const char* label : {"I", "V", "XII", "1", "12", "1'", "12'", "λ", "l"}) {
+  for (const char* label : {"I", "V", "XII", "1", "12", "1′", "12′", "$λ$", "$l$", "$ω$"}) {
     CAPTURE(label);
     CHECK(has_label(drawn, label));
   }
   CHECK(text_of(drawn).find("prints $x$ with − for +") != std::string::npos);
-  CHECK(text_of(drawn).find("2.38 times") != std::string::npos);
+  CHECK(text_of(drawn).find("more than twice as fast") != std::string::npos);
 }
 
 TEST_CASE("cycloid: the cusp is drawn from both sides, another instant as the first", "[cycloid-involute][sheets]") {
   const DrawnSheet cusp = both().draw("cycloid-instants", {}), none = both().draw("cycloid-instants", {"s=3"});
-  CHECK(text_of(cusp).find("At a cusp") != std::string::npos);
-  CHECK(text_of(none).find("At a cusp") == std::string::npos);
-  for (const char* label : {"$\\vec{a}_{M}$ = $\\vec{a}^{t−}_{M}$", "$\\vec{a}_{M}$ = $\\vec{a}^{t+}_{M}$"}) {
+  CHECK(text_of(cusp).find("has a cusp") != std::string::npos);
+  CHECK(text_of(none).find("has a cusp") == std::string::npos);
+  for (const char* label : {"$\\vec{t}^{−}$", "$\\vec{t}^{+}$"}) {
     CHECK(has_label(cusp, label));
     CHECK_FALSE(has_label(none, label));
   }
@@ -131,6 +131,70 @@ TEST_CASE("cycloid: the cusp is drawn from both sides, another instant as the fi
 TEST_CASE("cycloid: the source's quarter turn is said where its numbers stand", "[cycloid-involute][sheets]") {
   CHECK(text_of(both().draw("cycloid-instants", {})).find("belongs to 90°") != std::string::npos);
   CHECK(text_of(both().draw("cycloid-instants", {"phi=134"})).find("belongs to 90°") == std::string::npos);
+}
+
+TEST_CASE("cycloid: the inflection circle is solid, the stationarity circle a dashed line",
+          "[cycloid-involute][sheets]") {
+  const DrawnSheet drawn = both().draw("cycloid-instants", {});
+  int circles = 0, lines = 0;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
+    const auto* line = std::get_if<drawings::Line>(&mark);
+    if (!line) continue;
+    if (line->name == "inflection_circle") circles += line->meaning == drawings::Meaning::locus ? 1 : 0;
+    if (line->meaning == drawings::Meaning::second_locus) ++lines;
+  }
+  CHECK(circles == 2);
+  CHECK(lines == 2);
+}
+
+TEST_CASE("involute: the sheets say in which sense the line rolls, and the text of the source",
+          "[cycloid-involute][sheets]") {
+  for (const char* sheet : {"involute", "involute-instants"}) {
+    const DrawnSheet drawn = both().draw(sheet, {});
+    const auto& marks = drawn.sheet.figure.marks;
+    const auto turned = std::count_if(marks.begin(), marks.end(), [](const drawings::Mark& mark) {
+      const auto* arc = std::get_if<drawings::Rotation>(&mark);
+      return arc && arc->to > arc->from;
+    });
+    CHECK(turned == (std::string(sheet) == "involute" ? 1 : 2));
+    CHECK_THAT(text_of(drawn), Contains("counter-clockwise") && Contains("Clockwise, as its text says"));
+  }
+}
+
+TEST_CASE("involute: the contact is seen beside a line many times as long", "[cycloid-involute][sheets]") {
+  const DrawnSheet drawn = both().draw("involute-instants", {});
+  const auto all = labels(drawn);
+  CHECK(std::count(all.begin(), all.end(), "$P_{0}$ ≡ $M'$ ≡ $Ω$") == 2);
+  double largest = 0;  // mm, of the base circle
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* line = std::get_if<drawings::Line>(&mark); line && line->name == "fixed_polode") {
+      double low = line->path.start.x, high = low;
+      for (const drawings::Piece& piece : line->path.pieces) {
+        low = std::min(low, piece.end.x);
+        high = std::max(high, piece.end.x);
+      }
+      largest = std::max(largest, high - low);
+    }
+  CHECK(largest >= 30);  // 6 mm before
+}
+
+TEST_CASE("cycloid and involute: a chart has no scale, a sheet with vectors all of its",
+          "[cycloid-involute][sheets]") {
+  for (const char* sheet : {"cycloid-travel", "involute-travel"})
+    CHECK(both().draw(sheet, {}).sheet.title_block.scales == std::vector<std::string>{"–"});
+  for (const char* sheet : {"cycloid-instants", "involute-instants"}) {
+    const auto& scales = both().draw(sheet, {}).sheet.title_block.scales;
+    CHECK(std::count_if(scales.begin(), scales.end(),
+                        [](const std::string& scale) { return scale.find("m/s") != std::string::npos; }) == 2);
+  }
+}
+
+TEST_CASE("involute: letters for which there is no room are left out, and cost no time",
+          "[cycloid-involute][sheets]") {
+  const DrawnSheet blot =
+      both().draw("involute", {"d_0=0.6810"}, {.paper = drawings::Paper::a3, .scale = Rational(1, 1000000)});
+  CHECK_FALSE(has_label(blot, "V"));
+  CHECK(has_label(both().draw("involute", {"d_0=0.6810"}), "V"));
 }
 
 TEST_CASE("involute: too many turns to be drawn are refused in one sentence", "[cycloid-involute][sheets]") {

@@ -207,11 +207,32 @@ TEST_CASE("roulette: the ray to a centre off the sheet says so", "[roulette][she
   CHECK_FALSE(is_written(roulette().draw("instant", {}), "to $Ω$"));
 }
 
+TEST_CASE("roulette: the osculating circle lies below the path", "[roulette][sheets]") {
+  const DrawnSheet drawn = roulette().draw("instant", {});
+  const auto& marks = drawn.sheet.figure.marks;
+  const auto place = [&](const std::string& name) {
+    return std::find_if(marks.begin(), marks.end(), [&](const drawings::Mark& mark) {
+      const auto* line = std::get_if<drawings::Line>(&mark);
+      return line && line->name == name;
+    });
+  };
+  REQUIRE(place("osculating_circle") != marks.end());
+  CHECK(place("osculating_circle") < place("path"));
+  CHECK(std::get<drawings::Line>(*place("inflection_circle")).meaning == drawings::Meaning::locus);  // solid
+}
+
+TEST_CASE("roulette: where a line rolls the title says so", "[roulette][sheets]") {
+  CHECK_THAT(roulette().draw("path", {"how=line_on_circle"}).sheet.title, Contains("rolling line"));
+  CHECK_THAT(roulette().draw("path", {}).sheet.title, Contains("rolling circle"));
+}
+
 TEST_CASE("roulette: an inflection circle many times the bodies runs off the sheet, which says so",
           "[roulette][sheets]") {
   const DrawnSheet drawn = roulette().draw("instant", {"how=circle_inside_circle", "r=0.4"});
-  CHECK_THAT(words_of(drawn), Contains("Off the sheet: $J$, $M'$, part of the inflection circle."));
+  CHECK_THAT(words_of(drawn), Contains("Off the sheet: $J$, $M'$, part of the inflection circle"));
   CHECK(drawn.sheet.title_block.scales.front() == "1 : 10");
-  CHECK_THAT(words_of(roulette().draw("instant", {"how=circle_inside_circle"})), Contains("Off the sheet: $Ω$."));
-  CHECK_THAT(words_of(roulette().draw("instant", {})), !Contains("Off the sheet"));
+  CHECK_THAT(words_of(roulette().draw("instant", {"how=circle_inside_circle"})), Contains("Off the sheet: $Ω$"));
+  CHECK_THAT(words_of(roulette().draw("instant", {})),
+             Contains("Off the sheet: part of the osculating circle, part of $p$."));
+  CHECK(is_written(roulette().draw("instant", {}), "$p$"));
 }

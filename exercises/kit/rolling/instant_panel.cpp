@@ -1,0 +1,309 @@
+#include "exercises/kit/rolling/instant_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "exercises/kit/panels/edge.h"
+
+namespace epure {
+namespace {
+
+using At = InstantStep::At;
+
+constexpr double longest_acceleration = 46;  // mm
+constexpr double far_off = 3.2;              // times the bodies beside M: a circle still whole, a centre still shown
+constexpr double least_part = 1.5;           // mm: a part of the acceleration that can be seen
+constexpr double title_height = 7;           // mm
+
+Place middle(const Place& P, const Place& Q) { return {(P.x + Q.x) / 2, (P.y + Q.y) / 2}; }
+
+DrawnCycle inflection_circle(const Rolled& f) { return circle_through(f.P0, middle(f.P0, f.J)); }
+
+}  // namespace
+
+RollingInstantPanel::RollingInstantPanel(const Solution& solution, Rolled at, std::vector<InstantStep> steps,
+                                         Scale velocities)
+    : solution_(solution),
+      f_(std::move(at)),
+      steps_(std::move(steps)),
+      velocities_(std::move(velocities)),
+      way_(way_of(f_.given, 1)) {}
+
+RollingInstantPanel& RollingInstantPanel::titled(std::string title) {
+  title_ = std::move(title);
+  return *this;
+}
+RollingInstantPanel& RollingInstantPanel::measured_from(const Place& origin) {
+  origin_ = origin;
+  return *this;
+}
+RollingInstantPanel& RollingInstantPanel::with_whole_path(const Way& way, bool has_close_up) {
+  way_ = way;
+  whole_path_ = samples_of_path(f_.given, way);
+  if (has_close_up) shows_ = Shows::vectors;
+  return *this;
+}
+RollingInstantPanel& RollingInstantPanel::close_up() {
+  shows_ = Shows::contact;
+  return *this;
+}
+
+// Inside a circle hardly larger than the rolling one the inflection circle is many times as large as both.
+bool RollingInstantPanel::is_inflection_circle_small() const {
+  const double bodies = std::max(f_.given.is_line() ? f_.R : 2 * f_.r, f_.P0M());
+  return f_.inflection_diameter() <= far_off * bodies;
+}
+
+// How large the figure is without the centre of curvature.
+double RollingInstantPanel::size() const {
+  const double bodies = std::max(f_.given.is_line() ? f_.R : 2 * f_.r, f_.P0M());
+  return is_inflection_circle_small() ? std::max(bodies, f_.inflection_diameter()) : bodies;
+}
+
+bool RollingInstantPanel::is_near(const Place& P) const { return distance(P, f_.M) <= far_off * size(); }
+
+double RollingInstantPanel::reach() const { return shows_ == Shows::contact ? 2 * f_.R : size(); }
+
+Panel::Vectors RollingInstantPanel::vectors() const {
+  if (shows_ == Shows::contact || magnitude(f_.a) == 0) return {};
+  return {"m/s²", magnitude(f_.a), longest_acceleration};
+}
+
+std::vector<Scale> RollingInstantPanel::own_scales() const {
+  if (shows_ == Shows::contact || magnitude(f_.v) == 0) return {};
+  return {velocities_};
+}
+
+// Two contacts beside each other, or two whole paths.
+std::string RollingInstantPanel::scale_group() const {
+  return shows_ == Shows::contact ? "contact" : shows_ == Shows::vectors ? "path" : "";
+}
+
+drawings::Box RollingInstantPanel::extent(const Scale& lengths, const Scale& vectors) const {
+  Extent extent;
+  const auto include_tip = [&](const Arrow2& v, const Scale& of) {
+    const double x = lengths.mm_per_unit * f_.M.x + of.mm_per_unit * v.x;
+    const double y = lengths.mm_per_unit * f_.M.y + of.mm_per_unit * v.y;
+    extent.include(x - letters_room, y - letters_room);
+    extent.include(x + letters_room, y + letters_room);
+  };
+  if (f_.C()) include_circle(extent, lengths, *f_.C(), f_.r);
+  if (f_.given.is_line() && f_.R <= far_off * size()) include_circle(extent, lengths, *f_.O(), f_.R);
+  if (is_inflection_circle_small())
+    include_circle(extent, lengths, middle(f_.P0, f_.J), f_.inflection_diameter() / 2);
+  extent.include(lengths, f_.P0, letters_room);
+  if (shows_ != Shows::contact) {
+    extent.include(lengths, f_.M, letters_room);
+    for (const std::optional<Place>& P : {std::optional{f_.M_prime}, f_.centre})
+      if (P && is_near(*P)) extent.include(lengths, *P, letters_room);
+    include_tip(f_.v, velocities_);
+    for (const Arrow2& a : {f_.a, f_.a_n}) include_tip(a, vectors);
+    for (const Place& P : whole_path_) extent.include(lengths, P, 2);
+  }
+  drawings::Box box = extent.box();
+  if (!title_.empty()) box.high.y += title_height;
+  return box;
+}
+
+Place RollingInstantPanel::towards_centre(const Plot& plot, const drawings::Box& room) const {
+  if (is_in(room, plot, *f_.centre)) return *f_.centre;
+  return ray_to_edge(plot, room, f_.M, *f_.centre - f_.M);
+}
+
+// Below the path, which it nearly covers.
+void RollingInstantPanel::draw_osculating_circle(Plot& plot, const drawings::Box& room, Language language) const {
+  if (f_.is_at_cusp || !f_.centre) return;
+  if (!is_in(room, plot, *f_.centre)) {
+    draw_towards(plot, room, f_.M, *f_.centre, "$Ω$", language);
+    return;
+  }
+  plot.segment(f_.M, *f_.centre, Meaning::construction);
+  if (!f_.given.unwinds())
+    plot.circle(*f_.centre, distance(*f_.centre, f_.M), Meaning::construction, "osculating_circle");
+}
+
+// With the line P0J, which the stationarity circle is when the speed is constant.
+void RollingInstantPanel::draw_inflection_circle(Plot& plot) const {
+  plot.cycle(inflection_circle(f_), Meaning::locus, "inflection_circle");
+  constexpr double beyond = 9;  // mm
+  const bool is_stationarity = is_zero(f_.given.alpha) && !is_zero(f_.given.omega) && shows_ != Shows::vectors;
+  if (is_stationarity)
+    plot.long_segment(f_.P0, f_.J, beyond, Meaning::second_locus);
+  else
+    plot.segment(f_.P0, f_.J, Meaning::axis);
+}
+
+void RollingInstantPanel::draw_ray(Plot& plot) const {
+  if (f_.is_at_cusp || shows_ == Shows::contact) return;
+  if (!f_.given.unwinds()) plot.long_segment(f_.P0, f_.M, 5, Meaning::construction);
+  plot.segment(f_.M, f_.M_prime, Meaning::construction);
+  plot.segment(f_.J, f_.M_prime, Meaning::construction);
+  if (!f_.runs_straight()) plot.right_angle(f_.M_prime, f_.J, f_.M);
+}
+
+void RollingInstantPanel::draw_velocity(Plot& plot) const {
+  if (magnitude(f_.v) == 0) return;
+  const Scale accelerations = plot.vector_scale();
+  plot.vectors_at(velocities_);
+  plot.vector_on(f_.names("v_M"), f_.M, f_.v, Meaning::velocity, "$\\vec{v}_{M}$");
+  plot.vectors_at(accelerations);
+}
+
+bool RollingInstantPanel::shows_parts(const Scale& accelerations) const {
+  const double least = least_part / accelerations.mm_per_unit;
+  return magnitude(f_.a_n) >= least && magnitude(f_.a_t) >= least;
+}
+
+// The parts are drawn only where there are two. The tangential one follows the normal one to the tip of their sum:
+// set off from M it would lie on v_M.
+void RollingInstantPanel::draw_acceleration(Plot& plot) const {
+  if (magnitude(f_.a) == 0) return;
+  constexpr double beside = 3;  // mm
+  Place start = f_.M;
+  // Along v_M and in its sense one would hide the other: then beside M, joined to it.
+  if (dot(f_.a, f_.v) > 0 && magnitude(f_.a_n) * plot.vector_scale().mm_per_unit < least_part) {
+    start = f_.M + (beside / (plot.scale().mm_per_unit * f_.P0M())) * (f_.M - f_.P0);
+    plot.segment(f_.M, start, Meaning::construction);
+  }
+  plot.vector_on(f_.names("a_M"), start, f_.a, Meaning::acceleration, "$\\vec{a}_{M}$");
+  if (!shows_parts(plot.vector_scale())) return;
+  const Place tip = plot.tip(f_.M, f_.a_n);
+  plot.vector_on(f_.names(f_.names.normal), f_.M, f_.a_n, Meaning::acceleration, "$\\vec{a}^{n}_{M}$");
+  const std::string tangential = f_.names("a_t");
+  plot.vector_on(solution_.has(tangential) ? tangential : "", tip, f_.a_t, Meaning::acceleration,
+                 "$\\vec{a}^{t}_{M}$");
+}
+
+// Which way M goes before and after, on the sides on which it comes and leaves.
+void RollingInstantPanel::draw_directions_at_cusp(Plot& plot) const {
+  if (!f_.is_at_cusp || f_.turning() == 0 || f_.runs_straight()) return;
+  constexpr double aside = 6, from = 8, length = 12;  // mm
+  const double mm = plot.scale().mm_per_unit, size = magnitude(f_.a);
+  const Arrow2 along{f_.a.x / size, f_.a.y / size}, left{-along.y, along.x};
+  const auto at = [&](double across, double up) { return plot.at(f_.M + (across / mm) * left + (up / mm) * along); };
+  const double after = f_.turning() > 0 ? aside : -aside;
+  const auto arrow = [&](drawings::Point tail, drawings::Point tip, const std::string& letters) {
+    plot.mark(drawings::Arrow{tail, tip, Meaning::velocity, {}});
+    plot.label(letters, plot.from_paper(tail.y > tip.y ? tail : tip), f_.M, Meaning::velocity);
+  };
+  arrow(at(-after, from + length), at(-after, from), "$\\vec{t}^{−}$");
+  arrow(at(after, from), at(after, from + length), "$\\vec{t}^{+}$");
+}
+
+void RollingInstantPanel::draw_points(Plot& plot, const drawings::Box& room) const {
+  const bool names_contact = shows_ != Shows::vectors;
+  const std::string at_pole = f_.is_at_cusp ? (f_.runs_straight() ? "$M$ ≡ $P_{0}$" : "$M$ ≡ $P_{0}$ ≡ $Ω$")
+                                            : (f_.given.unwinds() ? "$P_{0}$ ≡ $M'$ ≡ $Ω$" : "$P_{0}$");
+  const bool is_K = is_zero(f_.given.alpha) && !is_zero(f_.given.omega);
+  const std::string at_J = std::string(f_.given.rolls_on_line() ? "$C$ ≡ " : "") + "$J$" + (is_K ? " ≡ $K$" : "");
+  if (shows_ != Shows::contact && !f_.is_at_cusp) {
+    plot.dot(f_.M, Meaning::locus);
+    plot.label("$M$", f_.M, f_.C() ? *f_.C() : f_.P0, Meaning::locus);
+  }
+  if (!names_contact) return;
+  if (f_.C() && !f_.given.rolls_on_line()) plot.label("$C$", *f_.C(), f_.M);
+  plot.cross(f_.J);
+  plot.label(at_J, f_.J, f_.is_at_cusp ? f_.P0 : f_.M, Meaning::locus);
+  if (f_.is_at_cusp)
+    plot.dot(f_.M, Meaning::locus);
+  else
+    plot.cross(f_.P0);
+  plot.label(at_pole, f_.P0, f_.J, Meaning::locus);
+  if (f_.is_at_cusp || f_.given.unwinds()) return;
+  if (!f_.runs_straight()) {
+    plot.dot(f_.M_prime, Meaning::locus);
+    plot.label("$M'$", f_.M_prime, f_.M, Meaning::locus);
+  }
+  if (f_.centre && is_in(room, plot, *f_.centre)) {
+    plot.cross(*f_.centre);
+    plot.label("$Ω$", *f_.centre, f_.M, Meaning::locus);
+  }
+}
+
+// What the exercise reports, where the sheet shows it.
+void RollingInstantPanel::measure(Plot& plot) const {
+  const auto measures = [&](const std::string& name, const Place& P, const Place& Q) {
+    if (solution_.has(f_.names(name))) plot.measures(f_.names(name), P, Q);
+  };
+  if (shows_ != Shows::vectors) measures("inflection_diameter", f_.P0, f_.J);
+  if (shows_ == Shows::contact || f_.is_at_cusp) return;
+  measures("P0M", f_.P0, f_.M);
+  measures("Mprime_M", f_.M_prime, f_.M);
+  measures("KM", f_.J, f_.M);
+  if (f_.centre) measures("rho_M", *f_.centre, f_.M);
+  if (!origin_) return;
+  plot.measures_abscissa(f_.names("x_M"), f_.M, *origin_);
+  if (f_.centre) plot.measures_abscissa(f_.names("curvature_centre_x"), *f_.centre, *origin_);
+}
+
+std::string RollingInstantPanel::off_sheet(const Plot& plot, const drawings::Box& room, Language language) const {
+  if (shows_ == Shows::contact) return {};
+  OffSheet off(plot, room);
+  off.point("$J$", f_.J);
+  off.point("$M'$", f_.M_prime);
+  off.point("$Ω$", f_.centre);
+  off.circle({"part of the inflection circle", "parte del cerchio dei flessi"}, inflection_circle(f_));
+  if (f_.centre && !f_.is_at_cusp && !f_.given.unwinds() && is_in(room, plot, *f_.centre))
+    off.circle({"part of the osculating circle", "parte del cerchio osculatore"}, circle_through(f_.M, *f_.centre));
+  if (f_.O()) off.circle({"part of $p$", "parte di $p$"}, circle_through(f_.P0, *f_.O()));
+  return off.sentence(language);
+}
+
+std::vector<drawings::Block> RollingInstantPanel::draw(Plot& plot, const drawings::Box& room,
+                                                       Language language) const {
+  const bool has_vectors = shows_ != Shows::contact;
+  draw_ground(plot, f_, room);
+  if (has_vectors) draw_osculating_circle(plot, room, language);
+  draw_path(plot, f_.given, way_);
+  draw_inflection_circle(plot);
+  draw_body(plot, f_, room);
+  draw_ray(plot);
+  if (has_vectors) {
+    draw_sense(plot, f_);
+    draw_velocity(plot);
+    draw_acceleration(plot);
+    draw_directions_at_cusp(plot);
+  }
+  draw_points(plot, room);
+  measure(plot);
+  if (origin_ && f_.given.rolls_on_line() && is_in(room, plot, *origin_)) {
+    plot.dot(*origin_);
+    plot.label("$O$", *origin_, f_.J);
+  }
+  if (!title_.empty()) plot.mark(drawings::Writing{title_, {room.low.x + 2, room.high.y - title_height + 2}, 3.5});
+  const std::string beyond = off_sheet(plot, room, language);
+  if (beyond.empty()) return {};
+  return {drawings::Paragraph{beyond}};
+}
+
+std::vector<PanelStep> RollingInstantPanel::steps(const Plot& plot, const drawings::Box& room) const {
+  const auto place = [&](At at) -> Place {
+    Plot of_velocities = plot;
+    of_velocities.vectors_at(velocities_);
+    switch (at) {
+      case At::inflection_pole:
+        return f_.J;
+      case At::tip_of_velocity:
+        return of_velocities.tip(f_.M, f_.v);
+      case At::foot:
+        return f_.M_prime;
+      case At::tip_of_acceleration:
+        return plot.tip(f_.M, f_.a);
+      case At::centre_of_curvature:
+        break;
+    }
+    return f_.is_at_cusp || !f_.centre ? f_.M : towards_centre(plot, room);
+  };
+  std::vector<PanelStep> all;
+  for (const InstantStep& step : steps_) all.push_back({step.text, place(step.at)});
+  return all;
+}
+
+Scale scale_of_velocities(const std::vector<Rolled>& instants, double longest_mm, Language language) {
+  double fastest = 0;
+  for (const Rolled& f : instants) fastest = std::max(fastest, magnitude(f.v));
+  return largest_vector_scale(longest_mm / (fastest > 0 ? fastest : 1), "m/s", language);
+}
+
+}  // namespace epure

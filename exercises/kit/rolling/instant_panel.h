@@ -1,0 +1,67 @@
+// An instant of a rolling motion: the bodies with the path, velocity and acceleration of M, the inflection circle,
+// and the centre of curvature with its circle.
+#pragma once
+
+#include "exercises/kit/panels/panel.h"
+#include "exercises/kit/rolling/instant_steps.h"
+#include "exercises/kit/rolling/rolling_picture.h"
+
+namespace epure {
+
+class RollingInstantPanel : public Panel {
+ public:
+  // The velocities of a sheet have one scale, which their exercise chooses.
+  RollingInstantPanel(const Solution& solution, Rolled at, std::vector<InstantStep> steps, Scale velocities);
+
+  // A title above it.
+  RollingInstantPanel& titled(std::string title);
+  // Coordinates are measured from this place.
+  RollingInstantPanel& measured_from(const Place& origin);
+  // The path, shown from end to end. The points by the contact may then have room in a close-up only.
+  RollingInstantPanel& with_whole_path(const Way& way, bool has_close_up);
+  // The contact alone, as large as its circles allow.
+  RollingInstantPanel& close_up();
+
+  double reach() const override;
+  Vectors vectors() const override;
+  std::vector<Scale> own_scales() const override;
+  std::string scale_group() const override;
+  drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  bool is_cut() const override { return true; }
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
+
+ private:
+  enum class Shows { all, vectors, contact };
+  bool is_inflection_circle_small() const;
+  bool is_near(const Place& P) const;
+  double size() const;
+  bool shows_parts(const Scale& accelerations) const;
+  // The place of the centre of curvature, or where the line to it leaves the room.
+  Place towards_centre(const Plot& plot, const drawings::Box& room) const;
+
+  void draw_osculating_circle(Plot& plot, const drawings::Box& room, Language language) const;
+  void draw_inflection_circle(Plot& plot) const;
+  void draw_ray(Plot& plot) const;
+  void draw_velocity(Plot& plot) const;
+  void draw_acceleration(Plot& plot) const;
+  void draw_directions_at_cusp(Plot& plot) const;
+  void draw_points(Plot& plot, const drawings::Box& room) const;
+  void measure(Plot& plot) const;
+  std::string off_sheet(const Plot& plot, const drawings::Box& room, Language language) const;
+
+  const Solution& solution_;
+  Rolled f_;
+  std::vector<InstantStep> steps_;
+  Scale velocities_;
+  std::string title_;
+  std::optional<Place> origin_;
+  Way way_;
+  std::vector<Place> whole_path_;
+  Shows shows_ = Shows::all;
+};
+
+// The scale at which the fastest of these is about so long.
+Scale scale_of_velocities(const std::vector<Rolled>& instants, double longest_mm, Language language);
+
+}  // namespace epure
