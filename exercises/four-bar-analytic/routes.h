@@ -138,8 +138,7 @@ Analysed<T> analysed(const FourBarInstant& instant) {
 }
 
 template <class T>
-void write_analysed_links(Ledger<T>& ledger, const Analysed<T>& found, const HalfTurned& back,
-                          Configuration of) {
+void write_analysed_links(Ledger<T>& ledger, const Analysed<T>& found, const HalfTurned& back, Configuration of) {
   write_link_angles(ledger, found.links(), back, of);
   const auto& m = found.motion;
   write_link_rates<T>(ledger, {m.omega_3, m.omega_4, m.alpha_3, m.alpha_4}, of);
