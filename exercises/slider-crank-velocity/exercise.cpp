@@ -60,7 +60,7 @@ PanelSheet poles_sheet(const Solution& s, Language language) {
   const SliderCrankInstant instant = slider_crank_instant(s.givens());
   PolesPanel::Kind kind = PolesPanel::of_velocity("P0");
   kind.longest_on_paper = 32;  // mm: reads well and stays clear of the other points
-  kind.times_smaller = 2.6;  // one standard scale
+  kind.times_smaller = 2.6;    // one standard scale
   PolesPanel poles(s, slider_crank_mechanism(s, instant), kind, {"A", "B", "C", "M"}, steps_of_poles(s, language));
   poles.on_lines({{s.place("A0"), "A"}, {s.place("B"), "B"}}).turning(s.value("omega_3").value_or(0), "$ω_{3}$");
   return {.panels = panels(poles),

@@ -193,9 +193,7 @@ TEST_CASE("what is printed is a quantity of the solution") {
       for (const Language language : {Language::english, Language::italian}) {
         const Exercise& exercise = find_exercise(catalogue(), id);
         const Solution solution = exercise.solution(Tried(id).givens(assignments));
-        std::set<std::string> printable = printable_numbers(exercise, solution, language);
-        for (const Printed& by_source : exercise.about().printed)
-          printable.insert(decimal(by_source.text).in(language));
+        const std::set<std::string> printable = printable_numbers(exercise, solution, language);
         for (const SheetSpec& spec : exercise.about().sheets) {
           CAPTURE(id, assignments, spec.name, static_cast<int>(language));
           const TextOfSheet told = told_by(exercise.draw(spec.name, solution, {.language = language}).sheet);

@@ -43,8 +43,8 @@ struct VectorQuantity {
 
 // A point of the plane: two coordinates, in metres.
 struct PointQuantity {
-  std::string name;  // "P0"
-  Words of;          // " of the velocity centre", " del centro delle velocità"
+  std::string name;          // "P0"
+  Words of;                  // " of the velocity centre", " del centro delle velocità"
   std::string letters = {};  // within mathematics, where the name is not what is written: "F"
 
   Quantity x() const;
