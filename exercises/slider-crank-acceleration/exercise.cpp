@@ -1,132 +1,177 @@
-#include "exercises/slider-crank-acceleration/exercise.h"
-
-#include "exercises/kit/linkages/coupler_quantities.h"
-#include "exercises/kit/panels/sheet.h"
-#include "exercises/kit/proof/solution.h"
-#include "exercises/slider-crank-acceleration/quantities.h"
+// N.2 of the Sapienza sheets: accelerations of the slider-crank by the polar diagram and by poles, the
+// inflection and stationarity circles, and centres of curvature by Euler-Savary.
+#include "exercises/kit/linkages/slider_crank_loops.h"
+#include "exercises/kit/linkages/slider_crank_mechanism.h"
+#include "exercises/kit/panels/circles_panel.h"
+#include "exercises/kit/panels/curvature_panel.h"
+#include "exercises/kit/panels/curve.h"
+#include "exercises/kit/panels/mechanism_panel.h"
+#include "exercises/kit/panels/panel_sheet.h"
+#include "exercises/kit/panels/poles_panel.h"
+#include "exercises/kit/panels/polygon_panel.h"
+#include "exercises/slider-crank-acceleration/printed.h"
+#include "exercises/slider-crank-acceleration/routes.h"
 
 namespace epure {
 namespace slider_crank_acceleration {
 namespace {
 
-using geometry::Deep;
-
-std::vector<Quantity> accelerations() {
-  return {acceleration("a_A", "$a_{A}$", {"acceleration of A", "accelerazione di A"}),
-          {"alpha_3",
-           "$α_{3}$",
-           "rad/s^2",
-           {"angular acceleration of the coupler", "accelerazione angolare della biella"}},
-          acceleration("a_B_x", "$a_{Bx}$", {"acceleration of B, along x", "accelerazione di B, lungo x"}),
-          acceleration("a_B_y", "$a_{By}$", {"acceleration of B, along y", "accelerazione di B, lungo y"}),
-          acceleration("a_B", "$a_{B}$", {"acceleration of B", "accelerazione di B"}),
-          acceleration("a_C_x", "$a_{Cx}$", {"acceleration of C, along x", "accelerazione di C, lungo x"}),
-          acceleration("a_C_y", "$a_{Cy}$", {"acceleration of C, along y", "accelerazione di C, lungo y"}),
-          acceleration("a_C", "$a_{C}$", {"acceleration of C", "accelerazione di C"}),
-          acceleration("a_M_x", "$a_{Mx}$", {"acceleration of M, along x", "accelerazione di M, lungo x"}),
-          acceleration("a_M_y", "$a_{My}$", {"acceleration of M, along y", "accelerazione di M, lungo y"}),
-          acceleration("a_M", "$a_{M}$", {"acceleration of M", "accelerazione di M"}),
-          acceleration("a_BA_n", "$a^{n}_{BA}$",
-                       {"normal part of B's relative to A", "parte normale di B rispetto ad A"}),
-          acceleration("a_BA_t", "$a^{t}_{BA}$",
-                       {"tangential part of B's relative to A", "parte tangenziale di B rispetto ad A"}),
-          acceleration("a_BA", "$a_{BA}$", {"acceleration of B relative to A", "accelerazione di B relativa ad A"}),
-          acceleration("a_CA", "$a_{CA}$", {"acceleration of C relative to A", "accelerazione di C relativa ad A"}),
-          acceleration("a_MA", "$a_{MA}$", {"acceleration of M relative to A", "accelerazione di M relativa ad A"}),
-          {"gamma", "$γ$", "rad", {"tan γ = α₃/ω₃²", "tan γ = α₃/ω₃²"}}};
+std::shared_ptr<const Mechanism> with_angular_acceleration(const Solution& s, const SliderCrankInstant& instant) {
+  return slider_crank_mechanism(s, instant, {s["alpha_3"], "$α_{3}$"});
 }
 
-std::vector<Quantity> quantities() {
-  return joined({accelerations(), pole_quantities("P0", "P_{0}", {"C", "M"}),
-                 acceleration_pole_quantities({"A", "B", "C", "M"}), circle_quantities(),
-                 curvature_quantities("C", "C"), curvature_quantities("M", "M")});
+VectorPolygon accelerations(const Solution& s, const SliderCrankInstant& instant, Language language) {
+  const bool speeds_up = !is_zero(instant.alpha_2);
+  PolygonSide a_BA_t = side(s, tangential_acceleration("BA"), "⊥ $BA$", "?", "$b'$");
+  a_BA_t.square = true;
+  std::vector<PolygonSide> sides{side(s, acceleration("A"), "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$", "$a'$")};
+  if (speeds_up) {  // in its two parts, which are not reported
+    sides = {side(s, normal_acceleration("A"), "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$"),
+             side(s, tangential_acceleration("A"), "⊥ $A_{0}A$", "$α_{2}$·$A_{0}A$", "$a'$")};
+    for (PolygonSide& part : sides) part.quantity.clear();
+    sides.back().square = true;
+  }
+  sides.push_back(side(s, normal_acceleration("BA"), "∥ $BA$", "$ω^{2}_{3}$·$BA$"));
+  sides.push_back(a_BA_t);
+  VectorPolygon polygon =
+      acceleration_polygon({side(s, acceleration("B"), parallel_to_guide(instant, language), "?")}, sides);
+  polygon.images = {
+      image(s, acceleration("C"), acceleration("CA"), "$c'$",
+            {"$c'$: the triangle $a'b'c'$ is similar to $ABC$, in the same sense: $a_{CA}$ : $a_{BA}$ = $AC$ : $AB$, "
+             "turned by the same $γ$.",
+             "$c'$: il triangolo $a'b'c'$ è simile ad $ABC$, nello stesso verso: $a_{CA}$ : $a_{BA}$ = $AC$ : $AB$, "
+             "ruotata dello stesso $γ$."}),
+      image(s, acceleration("M"), acceleration("MA"), "$m'$",
+            {"$m'$ halves $a'b'$, as $M$ halves $AB$.", "$m'$ è il punto medio di $a'b'$, come $M$ di $AB$."}),
+      image(s, acceleration("B"), acceleration("BA"), "", {})};
+  polygon.images[1].relative.label.clear();  // it lies on a_BA
+  polygon.images[2].absolute.label.clear();  // a side
+  if (speeds_up) polygon.images.push_back({.absolute = side(s, acceleration("A"), "", "")});
+  return polygon;
+}
+
+PanelSheet polar_diagram_sheet(const Solution& s, Language language) {
+  const SliderCrankInstant instant = slider_crank_instant(s.givens());
+  PolygonPanel polygon(s, accelerations(s, instant, language), PolygonPanel::Table::measured);
+  polygon.with_equations({{{{"$\\vec{a}_{C}$", "?", "?", ""},
+                            {"$\\vec{a}_{A}$", "", "", "="},
+                            {"$\\vec{a}^{n}_{CA}$", "∥ $CA$", "$ω^{2}_{3}$·$CA$", "+"},
+                            {"$\\vec{a}^{t}_{CA}$", "⊥ $CA$", "|$α_{3}$|·$CA$", "+"}}}});
+  return {.panels = panels(MechanismPanel(with_angular_acceleration(s, instant)), polygon),
+          .results = {values({"omega_3", "alpha_3", "gamma_deg"}),
+                      remark("|$α_{3}$| = $a^{t}_{BA}$ / $AB$,  tan $γ$ = $α_{3}$ / $ω^{2}_{3}$")},
+          .seen = {"The polygon of the accelerations of the slider-crank, with the images of C and M",
+                   "Il poligono delle accelerazioni del manovellismo, con le immagini di C e M"},
+          .told = {"alpha_3", "a_A", "a_B", "a_C", "a_M"}};
+}
+
+PanelSheet circles_sheet(const Solution& s, Language) {
+  const SliderCrankInstant instant = slider_crank_instant(s.givens());
+  return {
+      .panels = panels(CirclesPanel(s, slider_crank_mechanism(s, instant),
+                                    {.pole = "P0",
+                                     .driven = {"A", "A0"},
+                                     .other = {.point = "B", .is_pole = instant.dead_centre},
+                                     .driven_speeds_up = !is_zero(instant.alpha_2)})),
+      .results = {coordinates(CirclesPanel::points("P0")), values({"inflection_diameter", "stationarity_diameter"})},
+      .seen = {"Inflection and stationarity circle of the coupler, which meet in P₀ and K",
+               "Circonferenze dei flessi e di stazionarietà della biella, che si incontrano in P₀ e K"},
+      .told = {"P0_x", "P0_y", "inflection_pole_x", "inflection_pole_y", "K_x", "K_y"}};
+}
+
+std::vector<PolesStep> steps_to_accelerations() {
+  using Where = PolesStep::Where;
+  return {
+      {{"$K$ from the two circles (sheet 2). At $K$ the acceleration is zero.",
+        "$K$ dalle due circonferenze (tavola 2). In $K$ l'accelerazione è nulla."},
+       Where::pole},
+      {{"$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), known: the factor is $a_{A}$ / $KA$.",
+        "$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), nota: il fattore è $a_{A}$ / $KA$."},
+       Where::ray,
+       "A"},
+      {{"$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ for every point $X$ of the coupler.",
+        "$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ per ogni punto $X$ della biella."},
+       Where::tip,
+       "M"},
+      {{"The same angle $γ$ leads from each acceleration to its ray $XK$, counter-clockwise when $α_{3}$ > 0: tan "
+        "$γ$ = $α_{3}$ / $ω^{2}_{3}$.",
+        "Lo stesso angolo $γ$ porta da ogni accelerazione al suo raggio $XK$, antiorario se $α_{3}$ > 0: tan $γ$ = "
+        "$α_{3}$ / $ω^{2}_{3}$."},
+       Where::point,
+       "C"}};
+}
+
+PanelSheet poles_sheet(const Solution& s, Language) {
+  const SliderCrankInstant instant = slider_crank_instant(s.givens());
+  const std::vector<std::string> points{"A", "B", "C", "M"};
+  return {.panels = panels(PolesPanel(s, with_angular_acceleration(s, instant), PolesPanel::of_acceleration(), points,
+                                      steps_to_accelerations())),
+          .results = {values({"omega_3", "alpha_3", "gamma_deg"}), coordinates("K"),
+                      by_point(points, {{"$KX$ (m)", "K{}"}, {"$a_{X}$ (m/s²)", "a_{}"}})},
+          .seen = {"Accelerations of A, B, C and M, proportional to their distances from the acceleration pole K",
+                   "Accelerazioni di A, B, C e M, proporzionali alle distanze dal polo delle accelerazioni K"},
+          .told = {"a_A", "a_B", "a_C", "a_M", "K_x", "K_y"}};
+}
+
+// The path of C, or of M: traced by the circuit of positions, of which the instant's is one.
+void draw_path(const SliderCrankInstant& instant, Plot& plot, const std::string& point, const drawings::Box& around) {
+  const geometry::Arithmetic<geometry::Bounded> scope;
+  const Reference reference = reference_of(instant);
+  const auto& [A, B, P0] = reference.coupler;
+  const geometry::Point<geometry::Bounded> X = point == "C" ? reference.C : geometry::midpoint(A, B);
+  draw_locus(
+      plot,
+      geometry::CouplerCurve<geometry::Bounded>{loops_of<geometry::Bounded>(instant).front(), reference.coupler, X},
+      around, Meaning::locus, "path_of_" + point);
+}
+
+PanelSheet curvature_sheet(const Solution& s, Language) {
+  const SliderCrankInstant instant = slider_crank_instant(s.givens());
+  const auto mechanism = slider_crank_mechanism(s, instant);
+  const Curved paths{.pole = "P0", .points = {"C", "M"}};
+  const auto draw = [instant](Plot& plot, const std::string& point, const drawings::Box& around) {
+    draw_path(instant, plot, point, around);
+  };
+  Panels shown;
+  if (s.point("P0")) shown.push_back(std::make_unique<RaysPanel>(s, mechanism, paths));
+  shown.push_back(std::make_unique<OsculatingPanel>(s, mechanism, paths, draw));
+  return {.panels = std::move(shown),
+          .results = {by_point({"C", "M"},
+                               {{"$P_{0}X$ (m)", "P0{}"}, {"$X'X$ (m)", "{0}prime_{0}"}, {"$ρ_{X}$ (m)", "rho_{}"}}),
+                      coordinates({{"$Ω_{C}$", "curvature_centre_C"}, {"$Ω_{M}$", "curvature_centre_M"}})},
+          .seen = {"Centres of curvature of the paths of C and M by Euler-Savary, with their osculating circles",
+                   "Centri di curvatura delle traiettorie di C e M con Euler-Savary, con i cerchi osculatori"},
+          .told = {"rho_C", "rho_M"}};
 }
 
 Description description() {
-  return {
-      .id = "slider-crank-acceleration",
-      .title = {"Slider-crank: accelerations", "Manovellismo: accelerazioni"},
-      .document = "sapienza",
-      .item = "N.2",
-      .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.2",
-                 "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.2"},
-      .givens = slider_crank_givens(true),
-      .sheets = {{"polar-diagram", {"Polar diagram of acceleration", "Diagramma polare delle accelerazioni"}},
-                 {"circles", {"Inflection and stationarity circles", "Circonferenze dei flessi e di stazionarietà"}},
-                 {"poles", {"Accelerations by the pole K", "Accelerazioni col metodo dei poli"}},
-                 {"curvature", {"Centres of curvature (Euler-Savary)", "Centri di curvatura (Euler-Savary)"}}},
-      .quantities = quantities(),
-      .printed = printed_by_the_source()};
-}
-
-class SliderCrankAcceleration : public Exercise {
- public:
-  const Description& about() const override { return about_; }
-
-  std::vector<RouteValue> solve(const Givens& givens, Rung rung) const override {
-    return settle(AccelerationRoutes{slider_crank_instant(givens)}, rung);
-  }
-
-  DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
-    const Givens& givens = solution.givens();
-    const auto figure = drawn(slider_crank_instant(givens));
-    DrawnSheet onto = blank_sheet(about_, sheet, givens, request);
-    if (sheet == "polar-diagram") draw_polar_diagram(onto, *figure, request);
-    if (sheet == "circles") draw_circles(onto, *figure, request);
-    if (sheet == "poles") draw_poles(onto, *figure, request);
-    if (sheet == "curvature") draw_curvature(onto, *figure, request);
-    return onto;
-  }
-
- private:
-  Description about_ = description();
-};
-
-// A' on the ray P₀A by Euler-Savary, for the centre of curvature A₀ of A's path; and B, whose path is straight.
-std::vector<CircleBuilder> builders(const geometry::SliderCrank<Deep>& at) {
-  if (!to_double(at.pole())) return {};
-  const geometry::Point<Deep> P0 = finite(at.pole());
-  const Place B = to_double(at.B);
-  return {{"$A'$", to_double(geometry::euler_savary_point(P0, at.A, at.A0)), to_double(at.A)}, {"", B, B}};
+  return {.id = "slider-crank-acceleration",
+          .title = {"Slider-crank: accelerations", "Manovellismo: accelerazioni"},
+          .document = "sapienza",
+          .item = "N.2",
+          .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.2",
+                     "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.2"},
+          .givens = slider_crank_givens(true),
+          .printed = printed_by_the_source()};
 }
 
 }  // namespace
-
-std::unique_ptr<Drawn> drawn(const SliderCrankInstant& instant) {
-  return deeply([&] {
-    const auto at = instant.position<Deep>();
-    const Deep omega_2 = instant.omega_2<Deep>(), alpha_2 = geometry::radians<Deep>(instant.alpha_2);
-    const auto found = geometry::slider_crank_motion(at, omega_2, alpha_2);
-    const geometry::PlaneMotion<Deep>& motion = found.coupler;
-    const auto& terms = found.acceleration.first;
-    const auto crank = at.A - at.A0, a_A = terms.known;
-    const auto a_CA = found.relative_acceleration(at.C - at.A), a_MA = found.relative_acceleration(at.M - at.A);
-    const DrawnSliderCrank position = drawn_position(instant);
-    auto figure = std::make_unique<Drawn>(Drawn{.instant = instant,
-                                                .at = position,
-                                                .omega_2 = to_double(omega_2),
-                                                .mechanism = {position, sign_of(instant.n)},
-                                                .coupler = {}});
-    figure->coupler = coupler_figure(figure->mechanism, motion, {{"A", at.A}, {"B", at.B}, {"C", at.C}, {"M", at.M}});
-    figure->coupler.builders = builders(at);
-    figure->a_A_n = to_double(-(geometry::square(omega_2) * crank));
-    figure->a_A_t = to_double(alpha_2 * geometry::quarter_turn(crank));
-    figure->a_A = to_double(a_A);
-    figure->a_B = to_double(found.a_B());
-    figure->a_C = to_double(a_A + a_CA);
-    figure->a_M = to_double(a_A + a_MA);
-    figure->a_BA_n = to_double(terms.normal);
-    figure->a_BA_t = to_double(terms.closing);
-    figure->a_CA = to_double(a_CA);
-    figure->a_MA = to_double(a_MA);
-    return figure;
-  });
-}
-
 }  // namespace slider_crank_acceleration
 
 std::unique_ptr<Exercise> make_slider_crank_acceleration() {
-  return std::make_unique<slider_crank_acceleration::SliderCrankAcceleration>();
+  using namespace slider_crank_acceleration;
+  const auto solve = [](const Givens& givens, Rung rung) {
+    return settle(AccelerationRoutes{slider_crank_instant(givens)}, rung);
+  };
+  return exercise_of_panels(
+      description(), solve,
+      {{{"polar-diagram", {"Polar diagram of acceleration", "Diagramma polare delle accelerazioni"}},
+        polar_diagram_sheet},
+       {{"circles", {"Inflection and stationarity circles", "Circonferenze dei flessi e di stazionarietà"}},
+        circles_sheet},
+       {{"poles", {"Accelerations by the pole K", "Accelerazioni col metodo dei poli"}}, poles_sheet},
+       {{"curvature", {"Centres of curvature (Euler-Savary)", "Centri di curvatura (Euler-Savary)"}},
+        curvature_sheet}});
 }
 
 }  // namespace epure

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "exercises/kit/linkages/slider_crank_figure.h"
 #include "exercises/kit/linkages/slider_crank_mechanism.h"
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/poles_panel.h"

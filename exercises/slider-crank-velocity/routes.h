@@ -74,7 +74,7 @@ void by_analysis(Ledger<T>& ledger, const SliderCrankInstant& instant) {
   ledger.put(point("B"), geometry::Point<T>{p.B.re, p.B.im});
   ledger.put(point("C"), geometry::Point<T>{p.C.re, p.C.im});
   ledger.put(point("M"), geometry::Point<T>{p.M.re, p.M.im});
-  ledger.put(coupler_angle(), [&] { return slope_angle(plane(p.eta)); });
+  ledger.put(coupler_angle(), [&] { return slope_by_its_half(p.eta); });
   write_pole<T>(ledger, "P0", geometry::analytic::coupler(p, found.motion),
                 {{"A", p.A}, {"B", p.B}, {"C", p.C}, {"M", p.M}}, pole_at_infinity);
   ledger.put(velocity("A").length(), [&] { return size(plane(m.v_A)); });

@@ -9,7 +9,19 @@
 
 namespace epure {
 
+// An arc arrow at A for how the coupler turns, or how its rotation grows; none when the sense is 0.
+struct CouplerTurning {
+  double sense = 0;
+  std::string symbol = {};
+};
 // A0, A, B, C and M must be in the solution.
-std::shared_ptr<const Mechanism> slider_crank_mechanism(const Solution& solution, const SliderCrankInstant& instant);
+std::shared_ptr<const Mechanism> slider_crank_mechanism(const Solution& solution, const SliderCrankInstant& instant,
+                                                        const CouplerTurning& coupler = {});
+
+// Between which crank angles the linkage closes; empty when the crank turns fully.
+std::string swing_in_words(const SliderCrankInstant& at, Language language);
+
+// How a direction is named in a polygon: "∥ A₀B", or by the guide when it does not pass A₀.
+std::string parallel_to_guide(const SliderCrankInstant& at, Language language);
 
 }  // namespace epure
