@@ -25,7 +25,16 @@ const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
       {"theta_3_start=0.5", "theta_4_start=-1.8"},
       {"theta_3_start=100", "theta_4_start=3"},
       {"n=-300", "alpha_2=50", "theta_2=200"},
-      {"A0B0=800", "A0A=200", "AB=500", "B0B=700"}}}};
+      {"A0B0=800", "A0A=200", "AB=500", "B0B=700"}}},
+    {"slider-crank-acceleration",
+     {{},
+      {"phi=0"},
+      {"phi=90"},
+      {"r=0.03", "phi=2"},
+      {"alpha_2=300", "e=0.05"},
+      {"delta=20", "phi=110", "alpha_2=20"},
+      {"n=-200"}}},
+    {"rivals-polygons", {{}, {"phi=0"}, {"phi=90"}, {"n=-100", "phi=200"}, {"AG=-0.2", "alpha_2=900"}, {"AG=0"}}}};
 
 // Without what is raised or lowered, which belongs to a symbol, but for powers of ten.
 std::string without_indices(std::string text) {

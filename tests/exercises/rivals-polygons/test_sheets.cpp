@@ -71,9 +71,9 @@ TEST_CASE("Rivals: the table of knowns and unknowns is the source's", "[rivals][
 
 TEST_CASE("Rivals: the pictures are the source's figures, a step each", "[rivals][sheets]") {
   const DrawnSheet drawn = rivals().draw("velocity-of-B", {});
-  CHECK(captions(drawn) == std::vector<std::string>{"a)  $\\vec{v}_{A}$ known (figure 2)",
-                                                    "b)  directions of $\\vec{v}_{BA}$ and $\\vec{v}_{B}$ (figure 3)",
-                                                    "c)  the polygon, closed (figure 4)"});
+  CHECK(captions(drawn) == std::vector<std::string>{"a)  $\\vec{v}_{A}$ known (source, fig. 2)",
+                                                    "b)  directions of $\\vec{v}_{BA}$ and $\\vec{v}_{B}$ (source, fig. 3)",
+                                                    "c)  the polygon, closed (source, fig. 4)"});
   // v_A in all three; the unknown ones in the last only.
   const auto arrows = marks<drawings::Arrow>(drawn);
   CHECK(arrows.size() == 5);
@@ -86,8 +86,8 @@ TEST_CASE("Rivals: the pictures are the source's figures, a step each", "[rivals
   CHECK(numbers == std::vector<int>{1, 2, 3});
 
   CHECK(captions(rivals().draw("velocity-of-G", {})).size() == 4);
-  CHECK(captions(rivals().draw("acceleration-of-B", {}))[2].ends_with("(figure 9)"));
-  CHECK(captions(rivals().draw("acceleration-of-B", {}))[3].ends_with("(figure 10)"));
+  CHECK(captions(rivals().draw("acceleration-of-B", {}))[2].ends_with("(source, fig. 9)"));
+  CHECK(captions(rivals().draw("acceleration-of-B", {}))[3].ends_with("(source, fig. 10)"));
   CHECK(captions(rivals().draw("acceleration-of-B", {"alpha_2=100"})).size() == 5);
 }
 
