@@ -8,8 +8,6 @@
 
 namespace epure::four_bar {
 
-namespace analytic = geometry::analytic;
-using geometry::from_rational;
 using geometry::Reach;
 using geometry::Sense;
 using geometry::Side;
@@ -18,10 +16,37 @@ inline analytic::Branch analytic_branch(Side side) {
   return side == Side::left ? analytic::Branch::left : analytic::Branch::right;
 }
 
+inline Quantity time_ratio() {
+  return {"time_ratio",
+          "$τ$",
+          "1",
+          {"time of the slower stroke over the quicker", "tempo della corsa lenta su quella rapida"}};
+}
+// The same angle in radians, which is reported, and in degrees.
+struct AngleOfStroke {
+  std::string name, symbol;
+  Words meaning;
+  Quantity in(const std::string& unit) const { return {unit == "rad" ? name : name + "_deg", symbol, unit, meaning}; }
+};
+inline AngleOfStroke rocker_swing() {
+  return {"rocker_swing",
+          "$Δϑ_{4}$",
+          {"swing of the rocker between its dead centres", "ampiezza del moto del bilanciere"}};
+}
+inline AngleOfStroke crank_rotation() {
+  return {"crank_rotation_extended_to_folded",
+          "$Δφ$",
+          {"crank from the extended to the folded dead centre, counter-clockwise",
+           "manovella dal punto morto esteso al ripiegato, antioraria"}};
+}
+
+// The direction of the crank, which no given states here.
 template <class T>
 void write_found_crank(Ledger<T>& ledger, const Vector<T>& crank) {
-  ledger.put("crank_angle", [&] { return angle_within_turn(crank); });
-  ledger.put("crank_angle_deg", [&] { return in_degrees(angle_within_turn(crank)); });
+  const Words meaning{"angle of the crank, within a turn", "angolo della manovella, entro un giro"};
+  ledger.put(Quantity{"crank_angle", "$φ$", "rad", meaning}, [&] { return angle_within_turn(crank); });
+  ledger.put(Quantity{"crank_angle_deg", "$φ$", "deg", meaning},
+             [&] { return in_degrees(angle_within_turn(crank)); });
 }
 
 // Whether the rocker is in line with a crank and coupler that are: then the position is a change point. Throws
@@ -36,31 +61,33 @@ inline bool is_change_point(const Problem& of, Reach reach) {
 // The rocker at rest.
 struct AtDeadCentre {
   const Problem& of;
-  std::string prefix;
+  Case which;
   Reach reach;
   Back back;
 
-  AtDeadCentre(const Problem& problem, std::string named, Reach wanted)
+  AtDeadCentre(const Problem& problem, Case of_case, Reach wanted)
       : of(problem),
-        prefix(std::move(named)),
+        which(std::move(of_case)),
         reach(wanted),
         back{half_turned([&]<class T>() { return link_directions(construction<T>().at); }),
              half_turned([&]<class T>() { return analysis(analysed_crank<T>()).links(); })} {}
 
   template <class T>
   Ledger<T> operator()() const {
-    const FourBarInstant& instant = of.instant;
+    const T omega_2 = of.instant.omega_2<T>(), alpha_2 = geometry::radians<T>(of.instant.alpha_2);
     const auto found = construction<T>();
+    const Configuration<T> here = with_plate(found.at, of, of.C_side);
     Ledger<T> ledger("construction");
-    ledger.begin_case(prefix);
+    ledger.begin_case(which.prefix, which.words);
     write_found_crank(ledger, found.crank);
     write_rocker_degrees(ledger, link_directions(found.at), back.by_construction);
-    by_construction(ledger, with_plate(found.at, of, of.C_side), back.by_construction, instant.omega_2<T>(),
-                    radians<T>(instant.alpha_2), false);
+    by_construction(ledger, here, back.by_construction);
+    by_poles(ledger, here, omega_2, alpha_2, false);
+    by_polar_diagram(ledger, here, omega_2, alpha_2);
 
     const auto crank = analysed_crank<T>();
     const auto analysed_here = analysis(crank);
-    by_analysis(ledger, analysed_here, back.by_analysis);
+    by_analysis(ledger, of, analysed_here, back.by_analysis);
     write_found_crank(ledger, plane(crank));
     write_rocker_degrees(ledger, analysed_here.links(), back.by_analysis);
     return ledger;
@@ -73,55 +100,63 @@ struct AtDeadCentre {
   }
   template <class T>
   analytic::Complex<T> analysed_crank() const {
-    const auto which = reach == Reach::extended ? analytic::DeadCentre::extended : analytic::DeadCentre::folded;
-    return analytic::crank_at_dead_centre<T>(of.instant.analytic_lengths(), which, of.instant.analytic_branch());
+    const auto dead_centre = reach == Reach::extended ? analytic::DeadCentre::extended : analytic::DeadCentre::folded;
+    return analytic::crank_at_dead_centre<T>(of.instant.analytic_lengths(), dead_centre,
+                                             of.instant.analytic_branch());
   }
   template <class T>
   Analysed<T> analysis(const analytic::Complex<T>& crank) const {
-    const auto state = analytic::crank_along<T>(crank, of.instant.omega_2<T>(), radians<T>(of.instant.alpha_2));
+    const auto state =
+        analytic::crank_along<T>(crank, of.instant.omega_2<T>(), geometry::radians<T>(of.instant.alpha_2));
     return analysed(of, state, of.instant.analytic_branch(), of.C_side);
   }
   template <class T>
   static void write_rocker_degrees(Ledger<T>& ledger, const LinkDirections<T>& links, const HalfTurned& back) {
-    ledger.put("rocker_angle_deg", [&] { return in_degrees(angle_or_half_turn(links.rocker, back.rocker)); });
+    ledger.put(rocker_angle("deg"), [&] { return in_degrees(angle_or_half_turn(links.rocker, back.rocker)); });
   }
 };
 
 // Crank and rocker parallel.
 struct AtParallel {
   const Problem& of;
-  std::string prefix;
+  Case which;
   Sense sense;
   Side branch;
 
   template <class T>
   Ledger<T> operator()() const {
     const FourBarInstant& instant = of.instant;
-    const T omega_2 = instant.omega_2<T>(), alpha_2 = radians<T>(instant.alpha_2);
+    const T omega_2 = instant.omega_2<T>(), alpha_2 = geometry::radians<T>(instant.alpha_2);
     const auto found = geometry::parallel_position<T>(instant.lengths, sense, branch);
+    const auto& at = found.at;
     Ledger<T> ledger("construction");
-    ledger.begin_case(prefix);
+    ledger.begin_case(which.prefix, which.words);
     write_found_crank(ledger, found.crank);
-    ledger.point("A", found.at.A);
-    ledger.point("B", found.at.B);
+    ledger.put(point("A"), at.A);
+    ledger.put(point("B"), at.B);
+    ledger.draws_point("A0", at.A0);
+    ledger.draws_point("B0", at.B0);
+    ledger.draws_point("Q", at.A + (at.B0 - at.B));
     ledger.route("poles");
-    const Vector<T> v_A = omega_2 * quarter_turn(found.at.A - found.at.A0);
-    const geometry::RotationAboutPole<T> turning(found.at.pole(), found.at.A, v_A);
-    ledger.put("omega_3", turning.omega());
-    ledger.put("omega_4", rate_of_rocker(found.at, turning.velocity(found.at.B)));
+    const geometry::RotationAboutPole<T> turning(at.pole(), at.A, omega_2 * quarter_turn(at.A - at.A0));
+    const Vector<T> v_B = turning.velocity(at.B);
+    ledger.put(angular_velocity(3), turning.omega());
+    ledger.put(angular_velocity(4), rate_of_rocker(at, v_B));
+    ledger.draws_vector("v_A", turning.velocity(at.A));
+    ledger.draws_vector("v_B", v_B);
     ledger.route("polar diagram");
-    const auto motion = motion_by_polar_diagram(found.at, omega_2, alpha_2);
+    const auto motion = motion_by_polar_diagram(at, omega_2, alpha_2);
     write_rates(ledger, motion.coupler.omega, motion.omega_4, motion.coupler.alpha, motion.alpha_4);
 
-    const auto which = sense == Sense::same ? analytic::Parallel::same_sense : analytic::Parallel::opposite_sense;
+    const auto which_one = sense == Sense::same ? analytic::Parallel::same_sense : analytic::Parallel::opposite_sense;
     const auto crank =
-        analytic::crank_parallel_to_rocker<T>(instant.analytic_lengths(), which, analytic_branch(branch));
+        analytic::crank_parallel_to_rocker<T>(instant.analytic_lengths(), which_one, analytic_branch(branch));
     const auto analysis =
         analysed(of, analytic::crank_along<T>(crank, omega_2, alpha_2), analytic_branch(branch), of.C_side);
     ledger.route("analytic");
     write_found_crank(ledger, plane(crank));
-    put_point<T>(ledger, "A", [&] { return analysis.position.A; });
-    put_point<T>(ledger, "B", [&] { return analysis.position.B; });
+    put_point<T>(ledger, point("A"), [&] { return analysis.position.A; });
+    put_point<T>(ledger, point("B"), [&] { return analysis.position.B; });
     const auto& m = analysis.motion;
     write_rates(ledger, m.omega_3, m.omega_4, m.alpha_3, m.alpha_4);
     return ledger;
@@ -130,10 +165,10 @@ struct AtParallel {
  private:
   template <class T>
   static void write_rates(Ledger<T>& ledger, const T& omega_3, const T& omega_4, const T& alpha_3, const T& alpha_4) {
-    ledger.put("omega_3", omega_3);
-    ledger.put("omega_4", omega_4);
-    ledger.put("alpha_3", alpha_3);
-    ledger.put("alpha_4", alpha_4);
+    ledger.put(angular_velocity(3), omega_3);
+    ledger.put(angular_velocity(4), omega_4);
+    ledger.put(angular_acceleration(3), alpha_3);
+    ledger.put(angular_acceleration(4), alpha_4);
   }
 };
 
@@ -146,26 +181,30 @@ struct Stroke {
     const FourBarInstant& instant = of.instant;
     const auto extended = geometry::dead_centre<T>(instant.lengths, Reach::extended, instant.side);
     const auto folded = geometry::dead_centre<T>(instant.lengths, Reach::folded, instant.side);
-    const auto& [A0, A, B, B0] = extended.at;
+    const Point<T>& B0 = extended.at.B0;
     Ledger<T> ledger("construction");
-    ledger.put("rocker_swing", angle_between(B - B0, folded.at.B - B0));
+    const auto swing = [&] { return angle_between(extended.at.B - B0, folded.at.B - B0); };
     const Vector<T> turn{dot(extended.crank, folded.crank), cross(extended.crank, folded.crank)};
-    const T rotation = angle_within_turn(turn);
-    ledger.put("crank_rotation_extended_to_folded", rotation);
-    ledger.put("time_ratio", [&] { return slower_to_quicker(rotation); });
+    const auto rotation = [&] { return angle_within_turn(turn); };
+    ledger.put(rocker_swing().in("rad"), swing);
+    ledger.put(crank_rotation().in("rad"), rotation);
+    ledger.put(time_ratio(), [&] { return slower_to_quicker(rotation()); });
+    ledger.tells(rocker_swing().in("deg"), [&] { return in_degrees(swing()); });
+    ledger.tells(crank_rotation().in("deg"), [&] { return in_degrees(rotation()); });
 
     ledger.route("analytic");
-    const auto of_stroke = [&](const T analytic::RockerStroke<T>::*part) -> T {
-      if constexpr (signs_only<T>) {
-        throw geometry::Undecided("an angle has no exact value", "un angolo non ha un valore esatto");
-      } else {
-        return analytic::rocker_stroke<T>(instant.analytic_lengths(), instant.analytic_branch()).*part;
-      }
+    const auto put = [&](const Quantity& quantity, const T analytic::RockerStroke<T>::*part) {
+      ledger.put(quantity, [&]() -> T {
+        if constexpr (signs_only<T>) {
+          throw geometry::Undecided("an angle has no exact value", "un angolo non ha un valore esatto");
+        } else {
+          return analytic::rocker_stroke<T>(instant.analytic_lengths(), instant.analytic_branch()).*part;
+        }
+      });
     };
-    ledger.put("rocker_swing", [&] { return of_stroke(&analytic::RockerStroke<T>::swing); });
-    ledger.put("crank_rotation_extended_to_folded",
-               [&] { return of_stroke(&analytic::RockerStroke<T>::crank_rotation); });
-    ledger.put("time_ratio", [&] { return of_stroke(&analytic::RockerStroke<T>::time_ratio); });
+    put(rocker_swing().in("rad"), &analytic::RockerStroke<T>::swing);
+    put(crank_rotation().in("rad"), &analytic::RockerStroke<T>::crank_rotation);
+    put(time_ratio(), &analytic::RockerStroke<T>::time_ratio);
     return ledger;
   }
 

@@ -1,149 +1,131 @@
 // Both dead centres of the rocker in one picture: the ends of its swing.
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 
-#include "exercises/four-bar/figure.h"
+#include "exercises/four-bar/linkage.h"
+#include "exercises/kit/panels/mechanism_panel.h"
 
 namespace epure::four_bar {
 namespace {
 
-// One of the two, with its number at its letters.
-void draw_position(Plot& plot, const Drawn& f, const char* number, Meaning meaning) {
-  const FourBarFigure& m = f.mechanism;
-  for (const auto& [P, Q] : {std::pair{m.A0, m.A}, std::pair{m.A, m.B}, std::pair{m.B, *m.C}, std::pair{m.A, *m.C},
-                             std::pair{m.B0, m.B}}) {
-    plot.segment(P, Q, meaning);
+// The short way from one direction to the other.
+double turn(double from, double to) { return std::remainder(to - from, 2 * std::numbers::pi); }
+
+// The linkage extended, A₁ B₁ C₁, and folded.
+Mechanism both(const Solution& s, const std::string& extended, const std::string& folded) {
+  using Joint = Mechanism::Joint;
+  Mechanism mechanism;
+  mechanism.point("A0", s.place(extended + "A0"), Joint::fixed, "$A_{0}$")
+      .point("B0", s.place(extended + "B0"), Joint::fixed, "$B_{0}$");
+  for (const auto& [number, prefix] : {std::pair{"1", extended}, {"2", folded}})
+    for (const auto& [letter, joint] : {std::pair{"A", Joint::hinge}, {"B", Joint::hinge}, {"C", Joint::none}})
+      mechanism.point(std::string(letter) + number, s.place(prefix + letter), joint,
+                      std::string("$") + letter + "_{" + number + "}$");
+  const double to_1 = direction(mechanism.at("B0"), mechanism.at("B1")),
+               swing = turn(to_1, direction(mechanism.at("B0"), mechanism.at("B2")));
+  constexpr double beyond = 0.16;  // radians of the rocker's way
+  mechanism.body({"A0", "A1"}, 2)
+      .body({"A1", "B1", "C1"}, 3)
+      .body({"B0", "B1"}, 4)
+      .other_position({"A0", "A2"})
+      .other_position({"A2", "B2", "C2"})
+      .other_position({"B0", "B2"})
+      .axis(mechanism.at("A0"), mechanism.at("B0"))
+      .path("A0", "A1")
+      .swing("B0", "B1", std::min(0.0, swing) - beyond, std::max(0.0, swing) + beyond);
+  for (const auto& [number, prefix] : {std::pair{"1", extended}, {"2", folded}})
+    if (const auto phi = s.value(prefix + "crank_angle"))
+      mechanism.angle("A0", 0, *phi, std::string("$φ_{") + number + "}$");
+  if (s.value("rocker_swing")) mechanism.angle("B0", to_1, to_1 + swing, "$Δϑ_{4}$");
+  return mechanism;
+}
+
+class DeadCentresPanel : public MechanismPanel {
+ public:
+  DeadCentresPanel(std::shared_ptr<const Mechanism> mechanism, const std::string& extended, const std::string& folded)
+      : MechanismPanel(mechanism, {{extended + "A", mechanism->at("A1")},
+                                   {extended + "B", mechanism->at("B1")},
+                                   {extended + "C", mechanism->at("C1")},
+                                   {folded + "A", mechanism->at("A2")},
+                                   {folded + "B", mechanism->at("B2")},
+                                   {folded + "C", mechanism->at("C2")}}),
+        mechanism_(std::move(mechanism)) {}
+
+  // The compasses' arcs that find B₁ and B₂, a little to both sides.
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
+    constexpr double half = 0.16;  // radians
+    const Place& A0 = mechanism_->at("A0");
+    for (const char* B : {"B1", "B2"}) {
+      const double middle = direction(A0, mechanism_->at(B)),
+                   radius = distance(A0, mechanism_->at(B)) * plot.scale().mm_per_unit;
+      plot.mark(drawings::Line{
+          drawings::arc(plot.at(A0), radius, middle - half, middle + half), Meaning::construction, {}});
+    }
+    return MechanismPanel::draw(plot, room, language);
   }
-  plot.area({m.A, m.B, *m.C}, Meaning::plate);
-  const Place inside{(m.A.x + m.B.x + m.C->x) / 3, (m.A.y + m.B.y + m.C->y) / 3};
-  for (const auto& [letter, P] : {std::pair{"A", m.A}, std::pair{"B", m.B}, std::pair{"C", *m.C}}) {
-    plot.label(fmt::format("${}_{{{}}}$", letter, number), P, letter[0] == 'A' ? m.A0 : inside);
-    plot.measures_coordinates(f.coupler.prefix + letter, P, m.A0);
-  }
-  plot.hinge(m.A);
-  plot.hinge(m.B);
-  plot.dot(*m.C, Meaning::link);
-}
 
-// From one direction at `vertex` to the other, the short way.
-void mark_angle(Plot& plot, const Place& vertex, const Place& P, const Place& Q, double radius,
-                const std::string& label) {
-  const double from = direction(vertex, P), turn = std::remainder(direction(vertex, Q) - from, 2 * std::numbers::pi);
-  const drawings::Point at = plot.at(vertex);
-  plot.mark(drawings::AngleMark{at, radius, turn > 0 ? from : from + turn, turn > 0 ? from + turn : from,
-                                Meaning::dimension});
-  const double middle = from + turn / 2;
-  plot.label(label, plot.from_paper({at.x + radius * std::cos(middle), at.y + radius * std::sin(middle)}), vertex);
-}
-
-drawings::Box extent_of(const Drawn& one, const Drawn& other, const Scale& scale) {
-  Extent extent;
-  one.mechanism.include(extent, scale);
-  other.mechanism.include(extent, scale);
-  return extent.box();
-}
-
-drawings::Steps steps_to_dead_centres(Language language) {
-  if (language == Language::english) {
+  std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
     return {
-        {"The arc about $A_{0}$ with radius $AB$ + $A_{0}A$ cuts the arc of the rocker in $B_{1}$: crank and "
-         "coupler extended.",
-         "The arc with radius $AB$ − $A_{0}A$ cuts it in $B_{2}$: crank and coupler folded.",
-         "$A_{1}$ on $A_{0}B_{1}$, $A_{2}$ on its line $A_{0}B_{2}$ beyond $A_{0}$. The pole $P_{31}$ is $B$: "
-         "$v_{B}$ = 0, $ω_{4}$ = 0, and $\\vec{a}_{B}$ is all tangential."}};
+        {{"The arc about $A_{0}$ with radius $AB$ + $A_{0}A$ cuts the arc of the rocker at $B_{1}$: crank and "
+          "coupler extended.",
+          "L'arco di centro $A_{0}$ e raggio $AB$ + $A_{0}A$ taglia l'arco del bilanciere in $B_{1}$: manovella e "
+          "biella distese."},
+         mechanism_->at("B1")},
+        {{"The arc with radius |$AB$ − $A_{0}A$| cuts it at $B_{2}$: crank and coupler folded (dashed).",
+          "L'arco di raggio |$AB$ − $A_{0}A$| lo taglia in $B_{2}$: manovella e biella sovrapposte (a tratti)."},
+         mechanism_->at("B2")},
+        {{"$A_{1}$ on $A_{0}B_{1}$, $A_{2}$ on the line $A_{0}B_{2}$. The pole $P_{31}$ is $B$: $v_{B}$ = 0, "
+          "$ω_{4}$ = 0, and $\\vec{a}_{B}$ is all tangential.",
+          "$A_{1}$ su $A_{0}B_{1}$, $A_{2}$ sulla retta $A_{0}B_{2}$. Il polo $P_{31}$ è $B$: $v_{B}$ = 0, "
+          "$ω_{4}$ = 0, e la $\\vec{a}_{B}$ è tutta tangenziale."},
+         mechanism_->at("A2")}};
   }
-  return {
-      {"L'arco di centro $A_{0}$ e raggio $AB$ + $A_{0}A$ taglia l'arco del bilanciere in $B_{1}$: manovella e "
-       "biella in prolungamento.",
-       "L'arco di raggio $AB$ − $A_{0}A$ lo taglia in $B_{2}$: manovella e biella sovrapposte.",
-       "$A_{1}$ su $A_{0}B_{1}$, $A_{2}$ sulla retta $A_{0}B_{2}$ oltre $A_{0}$. Il polo $P_{31}$ è $B$: $v_{B}$ = "
-       "0, $ω_{4}$ = 0, e la $\\vec{a}_{B}$ è tutta tangenziale."}};
-}
 
-double within_turn(double radians) {
-  const double degrees = radians * 180 / std::numbers::pi;
-  return degrees < 0 ? degrees + 360 : degrees;
-}
-
-drawings::Table angles_and_rates(const Drawn& one, const Drawn& other, Language language) {
-  drawings::Table table{{"", "$φ$ (°)", "$ϑ_{4}$ (°)", "$ω_{3}$", "$α_{3}$", "$α_{4}$"}, {}};
-  const char* number = "1";
-  for (const Drawn* f : {&one, &other}) {
-    const FourBarFigure& m = f->mechanism;
-    const auto num = [&](double x) { return figures(x, 4, language); };
-    table.rows.push_back({number, num(within_turn(direction(m.A0, m.A))), num(within_turn(direction(m.B0, m.B))),
-                          num(f->coupler.omega_3), num(f->coupler.alpha_3), num(f->alpha_4)});
-    number = "2";
-  }
-  return table;
-}
-
-// The compasses' arcs that find B₁ and B₂, a little to both sides.
-void draw_arcs(Plot& plot, const Drawn& one, const Drawn& other) {
-  constexpr double half = 0.16;  // radians
-  for (const Drawn* f : {&one, &other}) {
-    const FourBarFigure& m = f->mechanism;
-    const double middle = direction(m.A0, m.B), radius = distance(m.A0, m.B) * plot.scale().mm_per_unit;
-    plot.mark(drawings::Line{
-        drawings::arc(plot.at(m.A0), radius, middle - half, middle + half), Meaning::construction, {}});
-  }
-  const FourBarFigure& m = one.mechanism;
-  const double from = direction(m.B0, m.B);
-  const double turn = std::remainder(direction(m.B0, other.mechanism.B) - from, 2 * std::numbers::pi);
-  const double low = std::min(from, from + turn) - half, high = std::max(from, from + turn) + half;
-  plot.mark(drawings::Line{
-      drawings::arc(plot.at(m.B0), distance(m.B0, m.B) * plot.scale().mm_per_unit, low, high), Meaning::axis, {}});
-}
+ private:
+  std::shared_ptr<const Mechanism> mechanism_;
+};
 
 }  // namespace
 
-void say_that_there_is_none(DrawnSheet& onto, Language language) {
-  onto.sheet.column.push_back(drawings::Paragraph{language == Language::english
-                                                      ? "This rocker has not both dead centres: crank and coupler "
-                                                        "cannot come in line, or do so at a change point."
-                                                      : "Questo bilanciere non ha entrambi i punti morti: manovella "
-                                                        "e biella non possono allinearsi, o lo fanno in "
-                                                        "un punto di passaggio."});
-  onto.sheet.description = in_words({"No dead centres", "Nessun punto morto"}, {}, language);
+PanelSheet no_dead_centre(const Solution& s, Language language) {
+  const Words none{
+      "This rocker has not this dead centre: crank and coupler cannot come in line so, or do so at a "
+      "change point. Drawn: the linkage at its instant.",
+      "Questo bilanciere non ha questo punto morto: manovella e biella non possono allinearsi così, o lo "
+      "fanno in un punto di cambiamento. Disegnato: il meccanismo al suo istante."};
+  return {.panels = panels(MechanismPanel(linkage(s))),
+          .results = {remark(none.in(language))},
+          .seen = {"No dead centre", "Nessun punto morto"},
+          .without_part = without()};
 }
 
-void draw_dead_centres(DrawnSheet& onto, const Problem& of, const SheetRequest& request) {
-  const Language language = request.language;
-  const auto one = at_dead_centre(of, geometry::Reach::extended), other = at_dead_centre(of, geometry::Reach::folded);
-  if (!one || !other) return say_that_there_is_none(onto, language);
-  const Fit fit = fit_lengths(room_above_scale_bars(request), request, 1000 / one->mechanism.reach(),
-                              [&](const Scale& scale) { return extent_of(*one, *other, scale); });
-  Plot plot(onto, fit.origin, fit.scale);
-  const FourBarFigure &m = one->mechanism, &n = other->mechanism;
-  plot.circle(m.A0, distance(m.A0, m.A), Meaning::axis);
-  plot.long_segment(m.A0, m.B0, 8, Meaning::axis);
-  draw_arcs(plot, *one, *other);
-  draw_position(plot, *other, "2", Meaning::alternative);
-  draw_position(plot, *one, "1", Meaning::link);
-  for (const auto& [hinge, pin] : {std::pair{m.A0, m.A}, std::pair{m.B0, m.B}}) {
-    plot.mark(drawings::FixedHinge{plot.at(hinge), direction_of_support(hinge, pin)});
-  }
-  plot.label("$A_{0}$", m.A0, m.A);
-  plot.label("$B_{0}$", m.B0, m.B);
-  mark_angle(plot, m.B0, m.B, n.B, 16, "$Δϑ_{4}$");
-  plot.step(1, m.B);
-  plot.step(2, n.B);
-  plot.step(3, n.A);
-  add_scale_bars(onto, {plot.scale()}, request);
-  const bool english = language == Language::english;
-  auto& column = onto.sheet.column;
-  column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
-  column.push_back(steps_to_dead_centres(language));
-  column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
-  column.push_back(angles_and_rates(*one, *other, language));
-  column.push_back(drawings::Paragraph{english ? "$ω$ in rad/s, $α$ in rad/s²; $ω_{4}$ = 0 in both."
-                                               : "$ω$ in rad/s, $α$ in rad/s²; $ω_{4}$ = 0 in entrambi."});
-  onto.sheet.description =
-      in_words({"The four-bar linkage in both dead centres of its rocker",
-                "Il quadrilatero articolato nei due punti morti del bilanciere"},
-               {{"α₄ (1)", one->alpha_4, "rad/s²"}, {"α₄ (2)", other->alpha_4, "rad/s²"}}, language);
+PanelSheet dead_centres_sheet(const Solution& s, Language language) {
+  const std::string extended = dead_centre(geometry::Reach::extended).prefix,
+                    folded = dead_centre(geometry::Reach::folded).prefix;
+  if (!s.value(extended + "A_x") || !s.value(folded + "A_x")) return no_dead_centre(s, language);
+  const auto row = [&](const char* number, const std::string& prefix, std::vector<std::string> names) {
+    for (std::string& name : names) name.insert(0, prefix);
+    return Row{number, names};
+  };
+  const std::vector<std::string> angles{"crank_angle_deg", "rocker_angle_deg", "omega_3"},
+      rates{"alpha_3", "alpha_4"};
+  return {.panels = panels(
+              DeadCentresPanel(std::make_shared<const Mechanism>(both(s, extended, folded)), extended, folded)),
+          .results = {table({"", "$φ$ (°)", "$ϑ_{4}$ (°)", "$ω_{3}$ (rad/s)"},
+                            {row("1", extended, angles), row("2", folded, angles)}),
+                      table({"", "$α_{3}$ (rad/s²)", "$α_{4}$ (rad/s²)"},
+                            {row("1", extended, rates), row("2", folded, rates)}),
+                      values({"rocker_swing_deg", "crank_rotation_extended_to_folded_deg"}), values({"time_ratio"}),
+                      remark(s.value("time_ratio") ? Words{"$τ$: time of the slower stroke over that of the quicker, "
+                                                           "at constant $ω_{2}$, from $Δφ$ and 360° − $Δφ$.",
+                                                           "$τ$: tempo della corsa lenta su quello della rapida, a "
+                                                           "$ω_{2}$ costante, da $Δφ$ e 360° − $Δφ$."}
+                                                         .in(language)
+                                                   : "")},
+          .seen = {"The four-bar linkage in both dead centres of its rocker",
+                   "Il quadrilatero articolato nei due punti morti del bilanciere"},
+          .told = {extended + "alpha_4", folded + "alpha_4", "rocker_swing", "time_ratio"},
+          .without_part = without({"t", "phi"})};
 }
 
 }  // namespace epure::four_bar

@@ -1,159 +1,153 @@
 // Crank and rocker parallel, in the same sense and in opposite senses: the two positions of the drawn branch, and the
 // numbers of all four.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "exercises/four-bar/figure.h"
+#include "exercises/four-bar/linkage.h"
+#include "exercises/kit/panels/mechanism_panel.h"
 
 namespace epure::four_bar {
 namespace {
 
-using geometry::Deep;
 using geometry::Sense;
-using geometry::Side;
 
-std::unique_ptr<Drawn> at_parallel(const Problem& of, Sense sense, Side branch) {
-  const auto position = [&] { return geometry::parallel_position<Deep>(of.instant.lengths, sense, branch); };
-  try {
-    if (!deeply(position).branch) return nullptr;  // a change point, where the motion is not determined
-    return drawn(
-        of, [&] { return position().at; }, "");
-  } catch (const geometry::Impossible&) {
-    return nullptr;
+// The position and how it is found: Q, where A comes to lie when the coupler is carried along until B lies on B₀.
+class ParallelPanel : public MechanismPanel {
+ public:
+  ParallelPanel(const Solution& s, std::shared_ptr<const Mechanism> mechanism, Sense sense, bool tells_all)
+      : MechanismPanel(mechanism),
+        mechanism_(std::move(mechanism)),
+        prefix_(parallel_links(sense, true).prefix),
+        sense_(sense),
+        tells_all_(tells_all),
+        Q_(s.place(prefix_ + "Q")),
+        v_A_(s.vector(prefix_ + "v_A")),
+        v_B_(s.vector(prefix_ + "v_B")) {}
+
+  Vectors vectors() const override {
+    return {.unit = "m/s", .longest = std::max(magnitude(v_A_), magnitude(v_B_)), .longest_on_paper = 40};
   }
-}
 
-Place between(const Place& P, const Place& Q, double t) { return {P.x + t * (Q.x - P.x), P.y + t * (Q.y - P.y)}; }
-
-// The coupler translates: v_A and v_B are one vector.
-drawings::Box extent_of(const Drawn& f, const Scale& lengths, const Scale& speeds) {
-  Extent extent;
-  f.mechanism.include(extent, lengths);
-  for (const CouplerPoint& X : f.coupler.points) {
-    if (X.letter == "C") continue;
-    extent.include(lengths.mm_per_unit * X.at.x + speeds.mm_per_unit * X.v.x,
-                   lengths.mm_per_unit * X.at.y + speeds.mm_per_unit * X.v.y);
-  }
-  return extent.box();
-}
-
-// One of the two positions drawn, and its room.
-struct Pictured {
-  const Drawn* f;
-  std::string name;
-  drawings::Box room;
-};
-
-Fit fit_position(const Pictured& picture, const Scale& speeds, const SheetRequest& request, double at_most) {
-  return fit_lengths(picture.room, request, at_most,
-                     [&](const Scale& scale) { return extent_of(*picture.f, scale, speeds); });
-}
-
-void draw_position(DrawnSheet& onto, const Pictured& picture, const Scale& speeds, const Fit& fit) {
-  const Drawn& f = *picture.f;
-  const FourBarFigure& m = f.mechanism;
-  Plot plot(onto, fit.origin, fit.scale);
-  plot.vectors_at(speeds);
-  m.draw(plot);
-  constexpr double clear_of_arrow = 0.62;
-  for (const auto& [P, Q] : {std::pair{m.A0, m.A}, std::pair{m.B0, m.B}}) {
-    plot.mark(drawings::ParallelMark{plot.at(between(P, Q, clear_of_arrow)), direction(P, Q), 2});
-  }
-  for (const CouplerPoint& X : f.coupler.points) {
-    if (X.letter == "C") continue;
-    plot.vector_on("", X.at, X.v, Meaning::velocity, fmt::format("$\\vec{{v}}_{{{}}}$", X.letter));
-    plot.measures_coordinates("parallel_links." + picture.name + "_" + X.letter, X.at, m.A0);
-  }
-}
-
-// Side by side, at one scale of lengths and one of velocities. Returns the two.
-std::vector<Scale> draw_positions(DrawnSheet& onto, const std::vector<Pictured>& pictures,
-                                  const SheetRequest& request) {
-  constexpr double longest_vector = 40;  // mm
-  if (pictures.empty()) return {};
-  const Drawn& any = *pictures.front().f;
-  const Scale speeds =
-      largest_vector_scale(longest_vector / any.coupler.greatest_velocity(), "m/s", request.language);
-  double at_most = 1000 / any.mechanism.reach();
-  for (const Pictured& picture : pictures) {
-    at_most = std::min(at_most, fit_position(picture, speeds, request, at_most).scale.mm_per_unit);
-  }
-  for (const Pictured& picture : pictures) {
-    draw_position(onto, picture, speeds, fit_position(picture, speeds, request, at_most));
-  }
-  return {fit_position(pictures.front(), speeds, request, at_most).scale, speeds};
-}
-
-drawings::Table results(const Problem& of, Language language) {
-  drawings::Table table{{"", "$φ$ (°)", "$ω_{4}$", "$α_{3}$", "$α_{4}$"}, {}};
-  const bool english = language == Language::english;
-  const auto num = [&](double x) { return figures(x, 4, language); };
-  for (const Side side : {of.instant.side, geometry::opposite(of.instant.side)}) {
-    for (const Sense sense : {Sense::same, Sense::opposite}) {
-      const bool same = sense == Sense::same, main = side == of.instant.side;
-      const std::string name = (same ? std::string("↑↑") : std::string("↑↓")) +
-                               (main ? (english ? " drawn" : " disegnato") : (english ? " other" : " altro"));
-      const auto f = at_parallel(of, sense, side);
-      if (!f) {
-        table.rows.push_back({name, "–", "–", "–", "–"});
-        continue;
-      }
-      const double degrees = direction(f->mechanism.A0, f->mechanism.A) * 180 / std::numbers::pi;
-      table.rows.push_back({name, num(degrees < 0 ? degrees + 360 : degrees), num(f->omega_4),
-                            num(f->coupler.alpha_3), num(f->alpha_4)});
+  drawings::Box extent(const Scale& lengths, const Scale& vectors) const override {
+    Extent extent;
+    const drawings::Box mechanism = MechanismPanel::extent(lengths, vectors);
+    extent.include(mechanism.low.x, mechanism.low.y);
+    extent.include(mechanism.high.x, mechanism.high.y + title_);
+    extent.include(lengths, Q_, 9);
+    for (const auto& [X, v] : {std::pair{at("A"), v_A_}, {at("B"), v_B_}}) {
+      const double x = lengths.mm_per_unit * X.x + vectors.mm_per_unit * v.x,
+                   y = lengths.mm_per_unit * X.y + vectors.mm_per_unit * v.y;
+      extent.include(x - 7, y - 7);
+      extent.include(x + 7, y + 7);
     }
+    return extent.box();
   }
-  return table;
-}
 
-drawings::Steps steps_to_parallel_links(Language language) {
-  if (language == Language::english) {
-    return {
-        {"Shift the coupler along until $B$ falls on $B_{0}$: its other end $Q$ comes to lie on the crank's line, at "
-         "$B_{0}B$ − $A_{0}A$ from $A_{0}$ (same sense) or $B_{0}B$ + $A_{0}A$ (opposite senses).",
-         "$Q$ is where the circle of that radius about $A_{0}$ meets the circle of radius $AB$ about $B_{0}$; the "
-         "crank lies on $A_{0}Q$.",
-         "Crank and rocker parallel: $P_{31}$ at infinity, $ω_{3}$ = 0, $\\vec{v}_{A}$ = $\\vec{v}_{B}$ = "
-         "$\\vec{v}_{C}$; $ω_{4}$ = ±$ω_{2}$·$A_{0}A$ / $B_{0}B$, but $α_{3}$ is not zero."}};
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
+    draw_construction(plot);
+    mechanism_->draw(plot);
+    plot.dot(Q_);
+    plot.label("$Q$", Q_, at("B0"));
+    for (const auto& [P, R, strokes] :
+         {std::tuple{at("A0"), at("A"), 2}, {at("B0"), at("B"), 2}, {at("A"), at("B"), 1}, {Q_, at("B0"), 1}})
+      plot.mark(drawings::ParallelMark{plot.at(P + along_link * (R - P)), direction(P, R), strokes});
+    for (const auto& [letter, v] : {std::pair{"A", v_A_}, {"B", v_B_}}) {
+      plot.vector_on("", at(letter), v, Meaning::velocity, velocity(letter).arrow());
+      plot.measures_coordinates(prefix_ + letter, at(letter), at("A0"));
+    }
+    const Words title =
+        sense_ == Sense::same ? Words{"Same sense", "Concordi"} : Words{"Opposite senses", "Discordi"};
+    plot.mark(drawings::Writing{title.in(language), {room.low.x + 3, room.high.y - title_ + 1}, 3.5});
+    return {};
   }
-  return {
-      {"Si trasli la biella finché $B$ cade in $B_{0}$: l'altro estremo $Q$ viene sulla retta della manovella, a "
-       "$B_{0}B$ − $A_{0}A$ da $A_{0}$ (concordi) o $B_{0}B$ + $A_{0}A$ (discordi).",
-       "$Q$ è dove la circonferenza di quel raggio attorno ad $A_{0}$ incontra quella di raggio $AB$ attorno a "
-       "$B_{0}$; la manovella sta su $A_{0}Q$.",
-       "Manovella e bilanciere paralleli: $P_{31}$ all'infinito, $ω_{3}$ = 0, $\\vec{v}_{A}$ = $\\vec{v}_{B}$ = "
-       "$\\vec{v}_{C}$; $ω_{4}$ = ±$ω_{2}$·$A_{0}A$ / $B_{0}B$, ma $α_{3}$ non è nulla."}};
-}
+
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override {
+    std::vector<PanelStep> all;
+    all.push_back(
+        sense_ == Sense::same
+            ? PanelStep{{"$Q$ where the circle of radius |$B_{0}B$ − $A_{0}A$| about $A_{0}$ meets that of "
+                         "radius $AB$ about $B_{0}$; crank and rocker in the same sense along $A_{0}Q$.",
+                         "$Q$ dove la circonferenza di raggio |$B_{0}B$ − $A_{0}A$| e centro $A_{0}$ "
+                         "incontra quella di raggio $AB$ e centro $B_{0}$; manovella e bilanciere concordi "
+                         "lungo $A_{0}Q$."},
+                        Q_}
+            : PanelStep{{"With radius $B_{0}B$ + $A_{0}A$ about $A_{0}$: crank and rocker in opposite "
+                         "senses.",
+                         "Con raggio $B_{0}B$ + $A_{0}A$ e centro $A_{0}$: manovella e bilanciere discordi."},
+                        Q_});
+    if (!tells_all_) return all;
+    all.push_back({{"$A$ on the line $A_{0}Q$; the coupler $QB_{0}$, carried along it to $A$, is $AB$.",
+                    "$A$ sulla retta $A_{0}Q$; la biella $QB_{0}$, traslata lungo di essa fino ad $A$, è $AB$."},
+                   at("A")});
+    all.push_back(
+        {{"$P_{31}$ is at infinity, $ω_{3}$ = 0, $\\vec{v}_{A}$ = $\\vec{v}_{B}$ = $\\vec{v}_{C}$; |$ω_{4}$| "
+          "= |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. But $α_{3}$ is not zero.",
+          "$P_{31}$ è all'infinito, $ω_{3}$ = 0, $\\vec{v}_{A}$ = $\\vec{v}_{B}$ = $\\vec{v}_{C}$; |$ω_{4}$| "
+          "= |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. Ma $α_{3}$ non è nulla."},
+         plot.tip(at("B"), v_B_)});
+    return all;
+  }
+
+ private:
+  static constexpr double along_link = 0.62;  // clear of its number
+  static constexpr double title_ = 6;         // mm
+
+  const Place& at(const std::string& name) const { return mechanism_->at(name); }
+
+  // Both circles near Q, and the coupler carried along the line of the crank.
+  void draw_construction(Plot& plot) const {
+    constexpr double half = 0.3;  // radians
+    for (const char* centre : {"A0", "B0"}) {
+      const double middle = direction(at(centre), Q_), radius = distance(at(centre), Q_) * plot.scale().mm_per_unit;
+      plot.mark(drawings::Line{
+          drawings::arc(plot.at(at(centre)), radius, middle - half, middle + half), Meaning::construction, {}});
+    }
+    plot.long_segment(at("A0"), Q_, 6, Meaning::construction);
+    plot.segment(at("A"), Q_, Meaning::construction);
+    plot.segment(Q_, at("B0"), Meaning::alternative);
+  }
+
+  std::shared_ptr<const Mechanism> mechanism_;
+  std::string prefix_;
+  Sense sense_;
+  bool tells_all_;
+  Place Q_;
+  Arrow2 v_A_, v_B_;
+};
 
 }  // namespace
 
-void draw_parallel_links(DrawnSheet& onto, const Problem& of, const SheetRequest& request) {
-  const Language language = request.language;
-  const bool english = language == Language::english;
-  const auto same = at_parallel(of, Sense::same, of.instant.side);
-  const auto opposite = at_parallel(of, Sense::opposite, of.instant.side);
-  const drawings::Box room = room_above_scale_bars(request);
-  const double middle = (room.low.x + room.high.x) / 2;
-  std::vector<Pictured> pictures;
-  if (same) pictures.push_back({same.get(), "same_sense_main_branch", {room.low, {middle, room.high.y}}});
-  if (opposite) pictures.push_back({opposite.get(), "opposite_sense_main_branch", {{middle, room.low.y}, room.high}});
-  add_scale_bars(onto, draw_positions(onto, pictures, request), request);
-  auto& column = onto.sheet.column;
-  column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
-  column.push_back(steps_to_parallel_links(language));
-  column.push_back(drawings::Heading{english ? "All four positions" : "Tutte e quattro le posizioni"});
-  column.push_back(results(of, language));
-  column.push_back(drawings::Paragraph{english ? "↑↑ same sense, ↑↓ opposite senses; rad/s and rad/s²."
-                                               : "↑↑ concordi, ↑↓ discordi; rad/s e rad/s²."});
-  onto.sheet.description =
-      in_words({"The four-bar linkage with crank and rocker parallel, in the same and in opposite "
-                "senses",
-                "Il quadrilatero articolato con manovella e bilanciere paralleli, concordi e "
-                "discordi"},
-               {}, language);
+PanelSheet parallel_links_sheet(const Solution& s, Language language) {
+  const Problem of = problem(s.givens());
+  PanelSheet sheet{.seen = {"The four-bar linkage with crank and rocker parallel, in the same and in opposite senses",
+                            "Il quadrilatero articolato con manovella e bilanciere paralleli, concordi e discordi"},
+                   .without_part = without({"t", "phi", "AC", "C_side"})};
+  std::vector<Row> angles, rates;
+  for (const bool of_this_branch : {true, false})
+    for (const Sense sense : {Sense::same, Sense::opposite}) {
+      const std::string prefix = parallel_links(sense, of_this_branch).prefix;
+      const std::string name = (sense == Sense::same ? "↑↑ " : "↑↓ ") +
+                               (of_this_branch ? Words{"drawn", "disegnata"} : Words{"other", "altra"}).in(language);
+      angles.push_back({name, {prefix + "crank_angle_deg", prefix + "omega_4"}, "–"});
+      rates.push_back({name, {prefix + "alpha_3", prefix + "alpha_4"}, "–"});
+      if (!of_this_branch || !s.value(prefix + "A_x")) continue;
+      const auto mechanism = std::make_shared<const Mechanism>(four_bar_mechanism(s, sign_of(of.instant.n), prefix));
+      sheet.panels.push_back(std::make_unique<ParallelPanel>(s, mechanism, sense, sheet.panels.empty()));
+      sheet.told.push_back(prefix + "omega_4");
+    }
+  sheet.results = {table({"", "$φ$ (°)", "$ω_{4}$ (rad/s)"}, angles),
+                   table({"", "$α_{3}$ (rad/s²)", "$α_{4}$ (rad/s²)"}, rates),
+                   remark(Words{"↑↑ same sense, ↑↓ opposite senses; the other branch has $B$ on the other side of "
+                                "$AB_{0}$.",
+                                "↑↑ concordi, ↑↓ discordi; l'altra posizione ha $B$ dall'altra parte di $AB_{0}$."}
+                              .in(language))};
+  if (!sheet.panels.empty()) return sheet;
+  sheet.panels.push_back(std::make_unique<MechanismPanel>(linkage(s)));
+  sheet.results.push_back(
+      remark(Words{"On this branch crank and rocker are never parallel but at change points. "
+                   "Drawn: the linkage at its instant.",
+                   "Su questo ramo manovella e bilanciere non sono mai paralleli, se non in punti "
+                   "di cambiamento. Disegnato: il meccanismo al suo istante."}
+                 .in(language)));
+  sheet.without_part = without({"AC", "C_side"});
+  return sheet;
 }
 
 }  // namespace epure::four_bar

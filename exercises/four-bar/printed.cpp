@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "exercises/four-bar/figure.h"
+#include "exercises/four-bar/exercise.h"
 #include "exercises/kit/statement/decimal.h"
 
 namespace epure::four_bar {
@@ -25,35 +25,29 @@ namespace {
 constexpr double AB = 0.37, B0B = 0.45;
 constexpr double square(double x) { return x * x; }
 
-const Drawn& source_figure() {
-  static const Problem as_stated = problem(Givens(givens()));
-  static const std::unique_ptr<Drawn> figure = at_instant(as_stated);
-  return *figure;
+const Solution& source_figure() {
+  static const Givens stated(givens());
+  static const Solution found(stated, solve(problem(stated), Rung::drawing));
+  return found;
 }
 
 // The K that the printed γ = 42° leaves: on the stationarity circle, which passes through A, in the direction of a_A
 // (from A to A₀) turned clockwise by γ.
 Place K_under_the_printed_gamma() {
-  const Drawn& f = source_figure();
-  const Place& A = f.mechanism.A;
-  const Place centre = *f.coupler.stationarity.centre;
+  const Place A = source_figure().place("A"), S = source_figure().place("stationarity_centre");
   const double direction = std::atan2(-A.y, -A.x) - 42 * std::numbers::pi / 180;
   const Arrow2 u{std::cos(direction), std::sin(direction)};
-  const double chord = 2 * ((centre.x - A.x) * u.x + (centre.y - A.y) * u.y);
-  return {A.x + chord * u.x, A.y + chord * u.y};
+  return A + 2 * dot(S - A, u) * u;
 }
 
-Explanation enlarged_figure(std::function<Place(const FourBarFigure&)> to) {
+Explanation enlarged_figure(const std::string& X) {
   return {
       {"KC - KB = 0.19 m is more than BC = 0.167 m, which no K allows: the two come from a figure larger than 1 : 5. "
        "A conjecture: 1.2 times the distance from the point of the stationarity circle under the printed γ = 42°",
        "KC - KB = 0,19 m supera BC = 0,167 m, impossibile per qualunque K: le due vengono da una figura più grande "
        "di 1 : 5. Una congettura: 1,2 volte la distanza dal punto della circonferenza di stazionarietà visto sotto "
        "il γ = 42° stampato"},
-      [to = std::move(to)] {
-        const Place K = K_under_the_printed_gamma(), X = to(source_figure().mechanism);
-        return 1.2 * std::hypot(X.x - K.x, X.y - K.y);
-      }};
+      [X] { return 1.2 * distance(K_under_the_printed_gamma(), source_figure().place(X)); }};
 }
 
 // √(α₃² + ω₃⁴) with the printed ω₃ and tan γ. (The source prints a product under the root, but did the sum.)
@@ -96,8 +90,8 @@ std::vector<Printed> by_poles() {
                     "ω₄²·tan γ: ma γ è della biella, tan γ = α₃/ω₃²; e 1,95²·0,9 = 3,42, stampato con le ultime "
                     "cifre scambiate"},
                    [] { return with_last_digits_swapped(square(1.95) * 0.9); }}},
-      {"KB", "0.36", "poles", 0.0165, enlarged_figure([](const FourBarFigure& at) { return at.B; })},
-      {"KC", "0.55", "poles", 0.0220, enlarged_figure([](const FourBarFigure& at) { return *at.C; })},
+      {"KB", "0.36", "poles", 0.0165, enlarged_figure("B")},
+      {"KC", "0.55", "poles", 0.0220, enlarged_figure("C")},
       {"a_B", "2.34", "poles", 0.257, by_the_printed_distance("KB", "0.36")},
       {"a_C", "3.58", "poles", 0.377, by_the_printed_distance("KC", "0.55")}};
 }

@@ -1,132 +1,132 @@
 // Sub-exercise 2: the slider-crank with its crank square to the guide. The coupler translates for the instant, and
 // both circles have become lines. Crank and crank speed are 1: lengths are multiples of r.
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "exercises/four-bar/figure.h"
+#include "exercises/four-bar/linkage.h"
+#include "exercises/four-bar/slider_crank_square.h"
+#include "exercises/kit/panels/polygon_panel.h"
 
 namespace epure::four_bar {
 namespace {
 
-constexpr double beyond = 0.5;  // of r: how far the lines run on past K
+std::string named(const std::string& name) { return slider_crank_case + name; }
 
-struct Square {
-  Place A0{0, 0}, A{0, 1}, B, K;
-  double lambda, alpha_3, a_B;
+Mechanism slider_crank(const Solution& s) {
+  using Joint = Mechanism::Joint;
+  Mechanism mechanism;
+  mechanism.point("A0", s.place(named("A0")), Joint::fixed, "$A_{0}$")
+      .point("A", s.place(named("A")), Joint::hinge, "$A$")
+      .point("B", s.place(named("B")), Joint::block, "$B$")
+      .body({"A0", "A"}, 2)
+      .body({"A", "B"}, 3)
+      .guide("B", 0)
+      .axis(mechanism.at("A0"), mechanism.at("B"))
+      .path("A0", "A")
+      .turning("A0", "A", 1, "$ω_{2}$")
+      .turning("B", "A", s[named("alpha_3_over_omega_2_squared")], "$α_{3}$");
+  return mechanism;
+}
 
-  // sin ϑ₃ = -1/λ; α₃ = 1/√(λ² - 1), and so is a_B.
-  explicit Square(const Rational& ratio) {
-    const auto reach =
-        deeply([&] { return to_double(geometry::root(geometry::from_rational<geometry::Deep>(ratio * ratio - 1))); });
-    lambda = CGAL::to_double(ratio);
-    B = {reach, 0};
-    K = {reach, 1};
-    alpha_3 = a_B = 1 / reach;
+// Of lengths in r, at the scale of which ω₂r is as long as r.
+class LinesPanel : public Panel {
+ public:
+  explicit LinesPanel(const Solution& s)
+      : mechanism_(slider_crank(s)),
+        K_(s.place(named("K"))),
+        v_A_(s.vector(named("v_A"))),
+        v_B_(s.vector(named("v_B"))) {}
+
+  bool is_of_vectors() const override { return true; }
+  Vectors vectors() const override {
+    return {.unit = "$r$", .longest = mechanism_.reach(), .longest_on_paper = 1000};
   }
+  drawings::Box extent(const Scale&, const Scale& scale) const override {
+    Extent extent;
+    mechanism_.include(extent, scale);
+    extent.include(scale, K_ + Arrow2{beyond, beyond}, 6);
+    return extent.box();
+  }
+
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
+    const Place &A0 = mechanism_.at("A0"), &A = mechanism_.at("A"), &B = mechanism_.at("B");
+    const Place end_of_f{K_.x, K_.y + beyond}, end_of_s{K_.x + beyond, K_.y};
+    plot.mark(drawings::Line{drawings::segment(plot.at({B.x, -beyond}), plot.at(end_of_f)), Meaning::locus,
+                             "inflection_line"});
+    plot.mark(drawings::Line{drawings::segment(plot.at({-1.1, A.y}), plot.at(end_of_s)), Meaning::second_locus,
+                             "stationarity_line"});
+    plot.label("$f$", end_of_f, B, Meaning::locus);
+    plot.label("$s$", end_of_s, A, Meaning::second_locus);
+    mechanism_.draw(plot);
+    plot.cross(K_, Meaning::acceleration);
+    plot.label("$K$", K_, A0, Meaning::acceleration);
+    plot.right_angle(K_, B, A);
+    plot.vector_on("", A, v_A_, Meaning::velocity, velocity("A").arrow());
+    plot.vector_on(named("v_B_over_omega_2_r"), B, v_B_, Meaning::velocity, velocity("B").arrow());
+    plot.measures_abscissa(named("B_x_over_r"), B, A0);
+    plot.measures_abscissa(named("K_x_over_r"), K_, A0);
+    return {};
+  }
+
+  std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
+    return {
+        {{"The crank is perpendicular to the guide, $P_{31}$ at infinity: $ω_{3}$ = 0 and $\\vec{v}_{A}$ = "
+          "$\\vec{v}_{B}$ (drawn as long as $r$). The inflection circle passes through $B$, whose path is straight: "
+          "it has become the line $f$ through $B$ perpendicular to the guide.",
+          "La manovella è normale alla guida, $P_{31}$ all'infinito: $ω_{3}$ = 0 e $\\vec{v}_{A}$ = $\\vec{v}_{B}$ "
+          "(disegnate lunghe $r$). La circonferenza dei flessi passa per $B$, la cui traiettoria è retta: è "
+          "diventata "
+          "la retta $f$ per $B$ normale alla guida."},
+         Place{K_.x, K_.y + 0.6 * beyond}},
+        {{"The stationarity circle passes through $A$, whose acceleration is all normal: it has become the line $s$ "
+          "through $A$ parallel to the guide.",
+          "La circonferenza di stazionarietà passa per $A$, la cui accelerazione è tutta normale: è diventata la "
+          "retta $s$ per $A$ parallela alla guida."},
+         Place{K_.x / 2, K_.y}},
+        {{"They meet at $K$, the acceleration pole. With $ω_{3}$ = 0 every acceleration is perpendicular to its ray: "
+          "$a_{X}$ = $α_{3}$·$KX$, hence $α_{3}$ = $a_{A}$ / $KA$ and $a_{B}$ = $α_{3}$·$KB$.",
+          "Si incontrano in $K$, il polo delle accelerazioni. Con $ω_{3}$ = 0 ogni accelerazione è normale al suo "
+          "raggio: $a_{X}$ = $α_{3}$·$KX$, perciò $α_{3}$ = $a_{A}$ / $KA$ e $a_{B}$ = $α_{3}$·$KB$."},
+         K_}};
+  }
+
+ private:
+  static constexpr double beyond = 0.5;  // of r: how far the lines run on past K
+
+  Mechanism mechanism_;
+  Place K_;
+  Arrow2 v_A_, v_B_;
 };
 
-void draw_mechanism(Plot& plot, const Square& f) {
-  plot.long_segment({-1, 0}, {f.B.x, 0}, 8, Meaning::axis);
-  plot.circle(f.A0, 1, Meaning::axis);
-  const drawings::Point b = plot.at(f.B);
-  plot.mark(drawings::Guide{{b.x - 14, b.y}, {b.x + 10, b.y}});
-  plot.segment(f.A0, f.A, Meaning::link);
-  plot.segment(f.A, f.B, Meaning::link);
-  plot.mark(drawings::Slider{b, 0});
-  plot.mark(drawings::FixedHinge{plot.at(f.A0), direction_of_support(f.A0, f.A)});
-  plot.hinge(f.A);
-  plot.hinge(f.B);
-  draw_sense_of_crank(plot, f.A0, f.A, 1);
-  plot.label("$A_{0}$", f.A0, f.A);
-  plot.label("$A$", f.A, f.A0);
-  plot.label("$B$", f.B, f.K);
-}
-
-void draw_lines(Plot& plot, const Square& f) {
-  const double far = beyond;
-  const std::string prefix = "slider_crank_ratio_3.";
-  plot.mark(drawings::Line{drawings::segment(plot.at({f.B.x, -far}), plot.at({f.B.x, 1 + far})), Meaning::locus,
-                           "inflection_line"});
-  plot.mark(drawings::Line{drawings::segment(plot.at({-1.1, 1}), plot.at({f.B.x + far, 1})), Meaning::second_locus,
-                           "stationarity_line"});
-  plot.label("$F$", {f.B.x, 1 + far}, f.B, Meaning::locus);
-  plot.label("$S$", {f.B.x + far, 1}, f.A, Meaning::second_locus);
-  plot.cross(f.K, Meaning::acceleration);
-  plot.label("$K$", f.K, f.A0, Meaning::acceleration);
-  plot.right_angle(f.K, f.B, f.A);
-  plot.measures_abscissa(prefix + "B_x_over_r", f.B, f.A0);
-  plot.measures_abscissa(prefix + "K_x_over_r", f.K, f.A0);
-  plot.step(1, {f.B.x, 1 + 0.6 * far});
-  plot.step(2, {f.B.x / 2, 1});
-  plot.step(3, f.K);
-}
-
-drawings::Steps steps(Language language) {
-  if (language == Language::english) {
-    return {
-        {"The crank is square to the guide, $P_{31}$ at infinity: $ω_{3}$ = 0 and $\\vec{v}_{A}$ = $\\vec{v}_{B}$. "
-         "The inflection circle passes $B$, whose path is straight, and has become the line $F$ through $B$ square "
-         "to the guide.",
-         "The stationarity circle passes $A$, whose acceleration is all normal, and has become the line $S$ through "
-         "$A$ parallel to the guide.",
-         "They meet in $K$, the acceleration pole. With $ω_{3}$ = 0 every acceleration is square to its ray: "
-         "$a_{X}$ = $α_{3}$·$KX$, hence $α_{3}$ = $a_{A}$ / $KA$ and $a_{B}$ = $α_{3}$·$KB$."}};
-  }
-  return {
-      {"La manovella è normale alla guida, $P_{31}$ all'infinito: $ω_{3}$ = 0 e $\\vec{v}_{A}$ = $\\vec{v}_{B}$. La "
-       "circonferenza dei flessi passa per $B$, la cui traiettoria è retta, ed è diventata la retta $F$ per $B$ "
-       "normale alla guida.",
-       "La circonferenza di stazionarietà passa per $A$, la cui accelerazione è tutta normale, ed è diventata la "
-       "retta $S$ per $A$ parallela alla guida.",
-       "Si incontrano in $K$, il polo delle accelerazioni. Con $ω_{3}$ = 0 ogni accelerazione è normale al suo "
-       "raggio: $a_{X}$ = $α_{3}$·$KX$, perciò $α_{3}$ = $a_{A}$ / $KA$ e $a_{B}$ = $α_{3}$·$KB$."}};
-}
-
-drawings::Box extent_of(const Square& f, const Scale& scale) {
-  Extent extent;
-  extent.include(scale, {-1.1, -1}, 3);
-  extent.include(scale, {f.B.x + beyond, 1 + beyond}, 6);
-  return extent.box();
+// Checks K: the same a_B.
+VectorPolygon accelerations(const Solution& s, Language language) {
+  const auto side = [&](const std::string& of, const std::string& direction, const std::string& magnitude,
+                        const std::string& tip) {
+    const VectorQuantity quantity = of == "BA" ? tangential_acceleration(of) : acceleration(of);
+    return PolygonSide{.label = quantity.arrow(),
+                       .direction = direction,
+                       .magnitude = magnitude,
+                       .v = s.vector(named("a_" + of)),
+                       .tip = tip};
+  };
+  VectorPolygon polygon =
+      acceleration_polygon({side("B", Words{"∥ guide", "∥ guida"}.in(language), "?", "")},
+                           {side("A", "∥ $AA_{0}$", "$ω^{2}_{2}r$", "$a'$"), side("BA", "⊥ $AB$", "?", "$b'$")});
+  polygon.left.front().quantity = named("a_B_over_omega_2_squared_r");
+  polygon.unit = "$ω^{2}_{2}r$";
+  return polygon;
 }
 
 }  // namespace
 
-void draw_slider_crank(DrawnSheet& onto, const Problem& of, const SheetRequest& request) {
-  const Square f(of.lambda);
-  const Language language = request.language;
-  const bool english = language == Language::english;
-  const Fit fit = fit_vectors(room_above_scale_bars(request), "r", language, 1000,
-                              [&](const Scale& scale) { return extent_of(f, scale); });
-  constexpr double longest_vector = 26;  // mm
-  Plot plot(onto, fit.origin, fit.scale);
-  // One scale for both, as crank and crank speed are 1.
-  const Scale vectors = largest_vector_scale(longest_vector / std::max(1.0, f.a_B), "ω₂r, ω₂²r", language);
-  plot.vectors_at(vectors);
-  draw_lines(plot, f);
-  draw_mechanism(plot, f);
-  plot.segment(f.K, f.B, Meaning::construction);
-  plot.vector_on("", f.A, {-1, 0}, Meaning::velocity, "$\\vec{v}_{A}$");
-  plot.vector_on("slider_crank_ratio_3.v_B_over_omega_2_r", f.B, {-1, 0}, Meaning::velocity, "$\\vec{v}_{B}$");
-  plot.vector_on("", f.A, {0, -1}, Meaning::acceleration, "$\\vec{a}_{A}$");
-  plot.vector_on("slider_crank_ratio_3.a_B_over_omega_2_squared_r", f.B, {f.a_B, 0}, Meaning::acceleration,
-                 "$\\vec{a}_{B}$");
-  add_scale_bars(onto, {plot.scale(), vectors}, request);
-  auto& column = onto.sheet.column;
-  column.push_back(drawings::Heading{english ? "Construction" : "Costruzione"});
-  column.push_back(steps(language));
-  column.push_back(drawings::Heading{english ? "Results" : "Risultati"});
-  column.push_back(drawings::Paragraph{
-      fmt::format("$λ$ = $AB$ / $A_{{0}}A$ = {}: $x_{{B}}$ = {} $r$, $K$ = ({} $r$, $r$),  $α_{{3}}$ = {} "
-                  "$ω^{{2}}_{{2}}$,  $v_{{B}}$ = $ω_{{2}}r$,  $a_{{B}}$ = {} $ω^{{2}}_{{2}}r$",
-                  short_number(f.lambda, language), figures(f.B.x, 4, language), figures(f.K.x, 4, language),
-                  figures(f.alpha_3, 4, language), figures(f.a_B, 4, language))});
-  onto.sheet.description =
-      in_words({"Slider-crank with the crank square to the guide: inflection and stationarity "
-                "circle are lines that meet in K",
-                "Manovellismo con la manovella normale alla guida: le circonferenze dei flessi e "
-                "di stazionarietà sono rette che si incontrano in K"},
-               {{"x_B/r", f.B.x, ""}, {"α₃/ω₂²", f.alpha_3, ""}}, language);
+PanelSheet slider_crank_sheet(const Solution& s, Language language) {
+  return {.panels = panels(LinesPanel(s), PolygonPanel(s, accelerations(s, language))),
+          .results = {values({named("B_x_over_r"), named("K_x_over_r"), named("K_y_over_r")}),
+                      values({named("alpha_3_over_omega_2_squared")}),
+                      values({named("v_B_over_omega_2_r"), named("a_B_over_omega_2_squared_r")})},
+          .seen = {"Slider-crank with the crank perpendicular to the guide: inflection and stationarity circle are "
+                   "lines that meet at K",
+                   "Manovellismo con la manovella normale alla guida: le circonferenze dei flessi e di stazionarietà "
+                   "sono rette che si incontrano in K"},
+          .told = {named("B_x_over_r"), named("alpha_3_over_omega_2_squared")},
+          .without_part = {"A0A", "AB", "B0B", "x_B0", "y_B0", "branch", "AC", "C_side", "n", "t", "phi", "alpha_2"}};
 }
 
 }  // namespace epure::four_bar

@@ -17,6 +17,13 @@ namespace {
 const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
     {"velocity-centre",
      {{}, {"phi=200", "omega=-2.7"}, {"V=0"}, {"omega=0"}, {"omega=0", "omega_dot=0"}, {"phi=90"}, {"L=0.37"}}},
+    {"four-bar",
+     {{},
+      {"branch=left", "n=-50"},
+      {"C_side=left", "alpha_2=3"},
+      {"t=0.42"},
+      {"A0A=0.2", "B0B=0.4", "AB=0.74", "x_B0=0.5", "y_B0=0.24", "AC=0.5", "t=0"},
+      {"A0A=0.3", "AB=0.35", "B0B=0.32", "x_B0=0.1", "y_B0=0.05", "AC=0.21"}}},
     {"slider-crank-velocity",
      {{}, {"phi=200"}, {"phi=90"}, {"phi=0"}, {"e=0.05"}, {"delta=20", "phi=-33"}, {"n=-41"}}},
     {"four-bar-constraints",
