@@ -34,7 +34,8 @@ Mechanism both(const Solution& s, const std::string& extended, const std::string
       .path("A0", "A1")
       .swing("B0", "B1", std::min(0.0, swing) - beyond, std::max(0.0, swing) + beyond);
   for (const auto& [number, prefix] : {std::pair{"1", extended}, {"2", folded}})
-    mechanism.angle("A0", 0, s[prefix + "crank_angle"], std::string("$φ_{") + number + "}$");
+    if (const auto phi = s.value(prefix + "crank_angle"))
+      mechanism.angle("A0", 0, *phi, std::string("$φ_{") + number + "}$");
   if (s.value("rocker_swing")) mechanism.angle("B0", to_1, to_1 + swing, "$Δϑ_{4}$");
   return mechanism;
 }

@@ -263,13 +263,13 @@ Place closing_corner(const VectorPolygon& polygon) {
 std::vector<Comparison> measured_rows(const Readings& readings, const VectorPolygon& polygon) {
   std::vector<Comparison> rows;
   for (const PlacedSide& s : in_order(polygon)) {
-    if (!readings.has(s.side->quantity)) continue;
+    if (!readings.is_unit(s.side->quantity)) continue;
     rows.push_back({fmt::format("{} ({})", without_arrow(s.side->label), polygon.unit),
                     std::hypot(s.side->v.x, s.side->v.y), readings[s.side->quantity]});
   }
   for (const PolygonImage& image : polygon.images)
     for (const PolygonSide* side : {&image.relative, &image.absolute})
-      if (!side->label.empty() && readings.has(side->quantity))
+      if (!side->label.empty() && readings.is_unit(side->quantity))
         rows.push_back({fmt::format("{} ({})", without_arrow(side->label), polygon.unit), magnitude(side->v),
                         readings[side->quantity]});
   return rows;

@@ -67,7 +67,7 @@ int steps_of_sides(const VectorPolygon& polygon);
 // Vector by vector its magnitude, and what a ruler reads on the sheet. What the sheet does not show is left out.
 drawings::Table measured_table(const DrawnSheet& sheet, const VectorPolygon& polygon, Language language);
 
-// The rows of such a table.
+// The rows of such a table: what is too short for a ruler has none.
 std::vector<Comparison> measured_rows(const Readings& readings, const VectorPolygon& polygon);
 
 // Where the two sides meet: in the origin when no vector is drawn.
