@@ -66,11 +66,6 @@ template <class T, class Name>
 void put_length(Ledger<T>& ledger, const Name& name, const FindComplex<T>& find) {
   ledger.put(name, [&] { return size(plane(find())); });
 }
-template <class T>
-void put_vector(Ledger<T>& ledger, const std::string& name, const FindComplex<T>& find) {
-  put_point(ledger, name, find);
-  put_length(ledger, name, find);
-}
 
 // The pole, called `pole` (P0, P31), and its distances from the points.
 template <class T>

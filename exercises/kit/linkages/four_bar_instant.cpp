@@ -168,17 +168,4 @@ void require_drivable(FourBarInstant& at) {
   at.pole_at_infinity = parallel && !at.dead_centre;
 }
 
-std::vector<Quantity> link_rate_quantities() {
-  return {{"omega_3", "$ω_{3}$", "rad/s", {"angular velocity of the coupler", "velocità angolare della biella"}},
-          {"omega_4", "$ω_{4}$", "rad/s", {"angular velocity of the rocker", "velocità angolare del bilanciere"}},
-          {"alpha_3",
-           "$α_{3}$",
-           "rad/s^2",
-           {"angular acceleration of the coupler", "accelerazione angolare della biella"}},
-          {"alpha_4",
-           "$α_{4}$",
-           "rad/s^2",
-           {"angular acceleration of the rocker", "accelerazione angolare del bilanciere"}}};
-}
-
 }  // namespace epure

@@ -53,7 +53,4 @@ struct FourBarInstant {
 // Undecided when no number can tell.
 void require_drivable(FourBarInstant& at);
 
-// Angular velocities and accelerations of coupler and rocker: omega_3, omega_4, alpha_3, alpha_4.
-std::vector<Quantity> link_rate_quantities();
-
 }  // namespace epure

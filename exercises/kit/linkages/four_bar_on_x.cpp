@@ -42,27 +42,11 @@ Quantity coupler_angle() { return {"theta_3", "$θ_{3}$", "rad", {"direction of 
 Quantity rocker_angle() {
   return {"theta_4", "$θ_{4}$", "rad", {"direction from B to B₀, from +x", "anomalia di BB₀, da B verso B₀"}};
 }
-std::vector<Quantity> link_angle_quantities() { return {coupler_angle(), rocker_angle()}; }
-
 Quantity in(Configuration of, const Quantity& quantity) {
   if (of == Configuration::chosen) return quantity;
   const auto& [name, symbol, unit, meaning] = quantity;
   return {name + "_other_branch", symbol.substr(0, symbol.size() - 1) + "'$", unit,
           meaning + Words{", other configuration", ", altra configurazione"}};
-}
-
-std::vector<Quantity> midpoint_quantities() {
-  const Words G2{"the midpoint of A₀A", "mezzeria di A₀A"}, G3{"the midpoint of AB", "mezzeria di AB"},
-      G4{"the midpoint of B₀B", "mezzeria di B₀B"};
-  const auto of = [](const char* english, const char* italian, const Words& G) {
-    return Words{english + G.english, italian + G.italian};
-  };
-  return joined({components("v_G2", "v", "G2", "m/s", of("velocity of ", "velocità della ", G2)),
-                 components("v_G3", "v", "G3", "m/s", of("velocity of ", "velocità della ", G3)),
-                 components("v_G4", "v", "G4", "m/s", of("velocity of ", "velocità della ", G4)),
-                 components("a_G2", "a", "G2", "m/s^2", of("acceleration of ", "accelerazione della ", G2)),
-                 components("a_G3", "a", "G3", "m/s^2", of("acceleration of ", "accelerazione della ", G3)),
-                 components("a_G4", "a", "G4", "m/s^2", of("acceleration of ", "accelerazione della ", G4))});
 }
 
 Explanation cut_off(std::function<double()> value, int decimals) {

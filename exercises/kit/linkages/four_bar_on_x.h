@@ -3,7 +3,6 @@
 // r₂ + r₃ + r₄ - r₁ = 0 has it.
 #pragma once
 
-#include "exercises/kit/linkages/coupler_quantities.h"
 #include "exercises/kit/linkages/four_bar_instant.h"
 #include "exercises/kit/linkages/half_turned.h"
 
@@ -18,9 +17,6 @@ FourBarInstant four_bar_on_x(const Givens& givens, geometry::Side side);
 // θ₃ and θ₄.
 Quantity coupler_angle();
 Quantity rocker_angle();
-// Both in one list, for who lists.
-std::vector<Quantity> link_angle_quantities();
-
 // The linkage as it stands, and as the same crank would have it with B on the other side of A -> B₀.
 enum class Configuration { chosen, other };
 Quantity in(Configuration of, const Quantity& quantity);
@@ -67,8 +63,6 @@ void write_midpoint_motion(Ledger<T>& ledger, const MidpointMotion<T>& m) {
   ledger.put(acceleration("G3"), m.a_G3);
   ledger.put(acceleration("G4"), m.a_G4);
 }
-std::vector<Quantity> midpoint_quantities();
-
 template <class T>
 struct LinkRates {
   T omega_3, omega_4, alpha_3, alpha_4;

@@ -60,10 +60,4 @@ Fit fit_lengths(const drawings::Box& room, const SheetRequest& request, double a
   return Fit{asked, origin_in(room, extent)};
 }
 
-Fit fit_vectors(const drawings::Box& room, const std::string& unit, Language language, double at_most,
-                const std::function<drawings::Box(const Scale&)>& extent_at) {
-  const auto next = [&](double mm_per_unit) { return largest_vector_scale(mm_per_unit, unit, language); };
-  return descend(next(at_most), room, next, extent_at);
-}
-
 }  // namespace epure

@@ -40,8 +40,4 @@ drawings::Point origin_in(const drawings::Box& room, const drawings::Box& extent
 Fit fit_lengths(const drawings::Box& room, const SheetRequest& request, double at_most,
                 const std::function<drawings::Box(const Scale&)>& extent_at);
 
-// The same for a plane of vectors in `unit`.
-Fit fit_vectors(const drawings::Box& room, const std::string& unit, Language language, double at_most,
-                const std::function<drawings::Box(const Scale&)>& extent_at);
-
 }  // namespace epure

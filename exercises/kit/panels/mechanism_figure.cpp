@@ -6,22 +6,6 @@
 
 namespace epure {
 
-Fit fit_mechanism(const MechanismFigure& mechanism, const drawings::Box& room, const SheetRequest& request) {
-  return fit_lengths(room, request, 1000 / mechanism.reach(), [&](const Scale& scale) {
-    Extent extent;
-    mechanism.include(extent, scale);
-    return extent.box();
-  });
-}
-
-Scale draw_small(DrawnSheet& onto, const MechanismFigure& mechanism, const drawings::Box& room,
-                 const SheetRequest& request) {
-  const Fit fit = fit_mechanism(mechanism, room, request);
-  Plot plot(onto, fit.origin, fit.scale);
-  mechanism.draw(plot);
-  return fit.scale;
-}
-
 namespace {
 
 constexpr double gap = 0.35, sweep = 1.3;  // radians: the arc arrow keeps clear of the link

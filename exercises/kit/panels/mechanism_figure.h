@@ -21,14 +21,6 @@ class MechanismFigure {
   virtual double reach() const = 0;
 };
 
-// As large as the room allows.
-Fit fit_mechanism(const MechanismFigure& mechanism, const drawings::Box& room, const SheetRequest& request);
-
-// The mechanism alone, as large as the room allows, beside a diagram that takes its directions from it. Returns its
-// scale, for the bars.
-Scale draw_small(DrawnSheet& onto, const MechanismFigure& mechanism, const drawings::Box& room,
-                 const SheetRequest& request);
-
 // An arc arrow about a point, its middle in this direction (radians), with its symbol beside it: counter-clockwise
 // for sense > 0, clockwise for sense < 0.
 struct ArcArrow {

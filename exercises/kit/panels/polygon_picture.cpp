@@ -255,11 +255,6 @@ std::vector<Place> places_of_steps(const VectorPolygon& polygon) {
 
 int steps_of_sides(const VectorPolygon& polygon) { return static_cast<int>(in_order(polygon).size()); }
 
-Place closing_corner(const VectorPolygon& polygon) {
-  const std::vector<PlacedSide> sides = placed(polygon.right);
-  return sides.empty() ? Place{0, 0} : sides.back().to;
-}
-
 std::vector<Comparison> measured_rows(const Readings& readings, const VectorPolygon& polygon) {
   std::vector<Comparison> rows;
   for (const PlacedSide& s : in_order(polygon)) {
@@ -297,12 +292,6 @@ drawings::Box extent_of(const VectorPolygon& polygon, const Scale& scale) {
   }
   for (const PolygonImage& image : polygon.images) extent.include(scale, after({0, 0}, image.absolute.v), air);
   return extent.box();
-}
-
-Fit fit_polygon(const VectorPolygon& polygon, const drawings::Box& room, Language language) {
-  const double longest = greatest(polygon);  // 0 when nothing moves: then any scale will do
-  return fit_vectors(room, polygon.unit, language, room.width() / (longest > 0 ? longest : 1),
-                     [&](const Scale& scale) { return extent_of(polygon, scale); });
 }
 
 void draw_polygon(Plot& plot, const VectorPolygon& polygon, const PolygonStage& stage) {

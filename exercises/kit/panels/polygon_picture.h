@@ -70,16 +70,11 @@ drawings::Table measured_table(const DrawnSheet& sheet, const VectorPolygon& pol
 // The rows of such a table: what is too short for a ruler has none.
 std::vector<Comparison> measured_rows(const Readings& readings, const VectorPolygon& polygon);
 
-// Where the two sides meet: in the origin when no vector is drawn.
-Place closing_corner(const VectorPolygon& polygon);
-
 // The longest vector.
 double greatest(const VectorPolygon& polygon);
 
 // With its lines and room for letters.
 drawings::Box extent_of(const VectorPolygon& polygon, const Scale& scale);
-Fit fit_polygon(const VectorPolygon& polygon, const drawings::Box& room, Language language);
-
 // How much of the polygon is drawn: its first `steps` steps. When numbered, each step from `first_numbered` on has
 // its number where it happens. Before it is `closed` an unknown vector is only the line it lies on. Quantities are
 // measured on the whole polygon only.

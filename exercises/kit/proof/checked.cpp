@@ -219,26 +219,46 @@ void compare_solution(CheckedExercise& checked, const Solution& solution) {
   }
 }
 
-// What is proved; and what belongs to the way there, which sheets tell and nobody reports (an iteration's steps).
+// What is proved; what belongs to the way there, which sheets tell and nobody reports (an iteration's steps); and
+// what is given, without letters, as it may be said in other words. Gears are told in millimetres.
 std::vector<KnownNumber> known_numbers(const CheckedExercise& checked, const Solution& solution) {
+  constexpr double mm_in_metre = 1000;
   std::vector<KnownNumber> known;
+  const auto add = [&](const Quantity& quantity, double value) {
+    known.push_back({quantity.name, quantity.symbol, value});
+    if (quantity.unit == "m") known.push_back({quantity.name, quantity.symbol, mm_in_metre * value});
+  };
   for (const CheckedQuantity& quantity : checked.quantities)
-    if (has_value(quantity.settled))
-      known.push_back({quantity.spec.name, quantity.spec.symbol, quantity.settled.enclosure.value});
+    if (has_value(quantity.settled)) add(quantity.spec, quantity.settled.enclosure.value);
   const auto& reported = checked.about.quantities;
   for (const RouteValue& told : solution.values()) {
     if (!told.described || std::any_of(reported.begin(), reported.end(),
                                        [&](const Quantity& each) { return each.name == told.quantity; }))
       continue;
-    if (const auto value = solution.value(told.quantity))
-      known.push_back({told.quantity, told.described->symbol, *value});
+    if (const auto value = solution.value(told.quantity)) add(*told.described, *value);
   }
+  for (const GivenSpec& given : checked.givens.specs())
+    if (given.choices.empty() && !checked.givens.follows(given.symbol))
+      known.push_back({"", "", nearest(checked.givens[given.symbol])});
   return known;
+}
+
+// What sheets repeat in words: what the source prints, with the mistake that explains it, and faults.
+std::vector<std::string> quoted(const CheckedExercise& checked) {
+  std::vector<std::string> all;
+  for (const Printed& printed : checked.about.printed) {
+    all.push_back(printed.text);
+    if (printed.explanation) all.push_back(printed.explanation->sentence.english);
+  }
+  for (const auto* complaints : {&checked.failures, &checked.undecided})
+    for (const Complaint& each : *complaints)
+      if (each.about == Complaint::About::mechanism) all.push_back(each.sentence.english);
+  return all;
 }
 
 void demand_told(CheckedExercise& checked, const drawings::Sheet& sheet, const std::string& name,
                  const std::vector<KnownNumber>& known) {
-  for (const WrongNumber& wrong : wrong_numbers(sheet, known))
+  for (const WrongNumber& wrong : wrong_numbers(sheet, known, quoted(checked)))
     checked.failures.push_back({Complaint::About::sheet, "",
                                 format_words("sheet {} tells {}, which is not the quantity's value: {}",
                                              "la tavola {} dice {}, che non è il valore della grandezza: {}", name,

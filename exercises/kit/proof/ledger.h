@@ -60,7 +60,8 @@ class Ledger {
 
   void route(std::string name) { route_ = std::move(name); }
 
-  // What is written next belongs to a case of the exercise: "dead_centre_folded." comes before every name, and `words`
+  // What is written next belongs to a case of the exercise: "dead_centre_folded." comes before every name, and
+  // `words`
   // (", folded") after every meaning.
   void begin_case(std::string prefix, Words words = {}) {
     case_ = std::move(prefix);

@@ -92,7 +92,10 @@ bool tells(const Told& told, double value) { return rounds(told, value) || round
 
 class Reader {
  public:
-  explicit Reader(const std::vector<KnownNumber>& known) : known_(known) {}
+  Reader(const std::vector<KnownNumber>& known, const std::vector<std::string>& quoted) : known_(known) {
+    for (const std::string& text : quoted)
+      for (const Told& told : numbers_in(text)) known_.push_back({"", "", told.value});
+  }
 
   void read(const std::string& text) {
     const std::vector<Told> all = numbers_in(text);
@@ -177,7 +180,7 @@ class Reader {
     return letters;
   }
 
-  const std::vector<KnownNumber>& known_;
+  std::vector<KnownNumber> known_;
   std::vector<WrongNumber> wrong_ = {};
 };
 
@@ -188,8 +191,9 @@ bool is_of_the_solution(const std::string& heading) {
 
 }  // namespace
 
-std::vector<WrongNumber> wrong_numbers(const drawings::Sheet& sheet, const std::vector<KnownNumber>& known) {
-  Reader reader(known);
+std::vector<WrongNumber> wrong_numbers(const drawings::Sheet& sheet, const std::vector<KnownNumber>& known,
+                                       const std::vector<std::string>& quoted) {
+  Reader reader(known, quoted);
   reader.read(sheet.description);
   bool is_looked_at = true;
   for (const drawings::Block& block : sheet.column) {

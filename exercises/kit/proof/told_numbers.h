@@ -25,6 +25,8 @@ struct WrongNumber {
 // 5.103", or its row and column in a table), and of a pair "(x; y)" both of one point or vector. Not looked at: what
 // is given; how near a curve is to the true one, which depends on the scale; and what a ruler reads, which is
 // compared with its quantity as a length of the sheet.
-std::vector<WrongNumber> wrong_numbers(const drawings::Sheet& sheet, const std::vector<KnownNumber>& known);
+// Numbers in `quoted` may stand anywhere: what the source printed, what is wrong with the mechanism.
+std::vector<WrongNumber> wrong_numbers(const drawings::Sheet& sheet, const std::vector<KnownNumber>& known,
+                                       const std::vector<std::string>& quoted = {});
 
 }  // namespace epure
