@@ -377,7 +377,7 @@ class PairRoutes {
                                  std::pair{"a", c.r_tip}, std::pair{"f", c.r_root}};
       for (const auto& [index, r] : diameters)
         ledger_.draws(of_wheel(w, std::string("d") + index + "_", "d", index, {"diameter", "diametro"}),
-                      [&] { return T(2) * r; });
+                      [&r = r] { return T(2) * r; });
       ledger_.draws(pure(on("k_", w), on("k_{", w) + "}", {"teeth of the base tangent", "denti dello scartamento"}),
                     [&] { return number(Rational(base_tangent(pair_, w).teeth)); });
       ledger_.draws(of_wheel(w, "W_", "𝑊", "", {"base tangent length", "scartamento"}),

@@ -117,7 +117,7 @@ struct Forces {
   PolygonSide R_32, W_A, F_A, R_12;        // on the lever
 };
 Forces forces(const Solution& s, Language language) {
-  const std::string guide = along_guide.in(language), vertical = upright.in(language);
+  const std::string &guide = along_guide.in(language), &vertical = upright.in(language);
   const PolygonSide R_23 = unknown(s, pin_in_slot::R_23(), "⊥ $OB$", geometry::quarter_turn(s.vector("slot")), "$e$");
   return {.T_13 = side(s, T_13(), guide, "$\\it{J}_{B}$|$α_{3}$|/$\\it{R}$"),
           .F_B = drawn(s, inertia_force("B"), guide, "$\\it{M}_{B}a_{B}$"),
