@@ -12,6 +12,7 @@
 #include "exercises/kit/proof/route_names.h"
 #include "exercises/kit/proof/solution.h"
 #include "exercises/kit/proof/told_numbers.h"
+#include "exercises/kit/statement/decimal.h"
 
 namespace epure {
 namespace {
