@@ -6,6 +6,7 @@
 
 #include "exercises/kit/linkages/slider_crank_mechanism.h"
 #include "exercises/kit/panels/curve.h"
+#include "exercises/kit/panels/edge.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/slider-crank-velocity/loci.h"
@@ -17,10 +18,6 @@ namespace {
 constexpr double widths = 2.4;
 constexpr double middle_of_reach = 0.45;  // of the same length, from A0 along the guide
 
-bool is_on(const drawings::Box& room, drawings::Point p) {
-  return p.x > room.low.x && p.x < room.high.x && p.y > room.low.y && p.y < room.high.y;
-}
-
 // Where a branch can be named: the middle of its longest run inside the room.
 std::optional<Place> middle_of(const geometry::Trace& trace, const Plot& plot, const drawings::Box& room) {
   std::optional<Place> best;
@@ -31,7 +28,7 @@ std::optional<Place> middle_of(const geometry::Trace& trace, const Plot& plot, c
     for (const geometry::BezierArc& arc : branch.arcs) {
       const drawings::Point p = plot.at(arc.end);
       const double away = std::abs(p.y - centre.y);
-      if (!is_on(room, p) || away > limit || away < farthest) continue;
+      if (!is_in(room, plot, arc.end) || away > limit || away < farthest) continue;
       farthest = away;
       best = arc.end;
     }
@@ -133,8 +130,8 @@ class PolodesPanel : public Panel {
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override {
     std::optional<Place> last_fixed, last_moving;
     for (const Position& at : positions_) {
-      if (at.P0 && is_on(room, plot.at(*at.P0))) last_fixed = at.P0;
-      if (at.P0_on_coupler && is_on(room, plot.at(*at.P0_on_coupler))) last_moving = at.P0_on_coupler;
+      if (at.P0 && is_in(room, plot, *at.P0)) last_fixed = at.P0;
+      if (at.P0_on_coupler && is_in(room, plot, *at.P0_on_coupler)) last_moving = at.P0_on_coupler;
     }
     const std::vector<Words> texts = step_words(instant_);
     std::vector<PanelStep> all{{texts[0], last_fixed}, {texts[1], last_moving}, {texts[2], P0_}};
@@ -166,12 +163,12 @@ class PolodesPanel : public Panel {
   void draw_triangles(Plot& plot, const drawings::Box& room) const {
     const Place A0 = mechanism_->at("A0"), A = mechanism_->at("A"), B = mechanism_->at("B");
     for (const Position& at : positions_) {
-      if (at.P0 && is_on(room, plot.at(*at.P0))) {
+      if (at.P0 && is_in(room, plot, *at.P0)) {
         plot.polygon({at.A, at.B, *at.P0}, Meaning::alternative);
         plot.dot(*at.P0, Meaning::locus);
         plot.small_label(at.label, *at.P0, at.A);
       }
-      if (at.P0_on_coupler && is_on(room, plot.at(*at.P0_on_coupler))) {
+      if (at.P0_on_coupler && is_in(room, plot, *at.P0_on_coupler)) {
         plot.segment(A, *at.P0_on_coupler, Meaning::construction);
         plot.segment(B, *at.P0_on_coupler, Meaning::construction);
         plot.dot(*at.P0_on_coupler, Meaning::second_locus);

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "drawings/paths/vectors.h"
+
 namespace epure {
-namespace {
 
-bool contains(const drawings::Box& box, drawings::Point p) {
-  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
+bool is_in(const drawings::Box& room, const Plot& plot, const Place& P) {
+  return drawings::contains(room, plot.at(P));
 }
-
-}  // namespace
-
-bool is_in(const drawings::Box& room, const Plot& plot, const Place& P) { return contains(room, plot.at(P)); }
 
 Place at_edge(const Plot& plot, const drawings::Box& room, const Place& X, const Arrow2& direction) {
   const drawings::Point p = plot.at(X);
@@ -50,8 +47,8 @@ void OffSheet::circle(const Words& part, const DrawnCycle& cycle) {
   if (!cycle.centre) return;
   const drawings::Point centre = plot_.at(*cycle.centre);
   const double radius = cycle.radius * plot_.scale().mm_per_unit;
-  const bool is_whole = contains(room_, {centre.x - radius, centre.y - radius}) &&
-                        contains(room_, {centre.x + radius, centre.y + radius});
+  const bool is_whole = drawings::contains(
+      room_, drawings::Box{{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}});
   if (!is_whole) found_.push_back(part);
 }
 
