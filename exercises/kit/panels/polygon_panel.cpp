@@ -22,7 +22,7 @@ PolygonSide side(const Solution& solution, const VectorQuantity& quantity, const
           .magnitude = magnitude,
           .v = solution.vector(quantity.name),
           .tip = tip,
-          .length = solution.value(quantity.name)};
+          .length = solution.has(quantity.name) ? solution.value(quantity.name) : std::nullopt};
 }
 
 PolygonImage image(const Solution& solution, const VectorQuantity& absolute, const VectorQuantity& relative,

@@ -142,7 +142,7 @@ class Reader {
   bool is_right(const Told& told, std::string_view letters) const {
     bool is_named = false;
     for (const KnownNumber& each : known_) {
-      if (each.symbol != letters) continue;
+      if (letters.empty() || each.symbol != letters) continue;
       if (rounds(told, each.value)) return true;
       is_named = true;
     }
