@@ -89,7 +89,7 @@ OsculatingPanel::OsculatingPanel(const Solution& s, std::shared_ptr<const Mechan
                        s.value(prefix + curved_.pole + X) == 0.0});
 }
 
-// The points with a piece of their paths; the mechanism as far as it stands around them.
+// The mechanism, and the points with a piece of their paths.
 drawings::Box OsculatingPanel::covered(const Scale& lengths, double points, double circles) const {
   Extent extent;
   for (const OnPath& X : points_) {
@@ -98,7 +98,7 @@ drawings::Box OsculatingPanel::covered(const Scale& lengths, double points, doub
     if (X.centre) include(extent, lengths, circle_through(X.at, *X.centre), circles);
   }
   include(extent, lengths, P0_, points);
-  if (points > far()) mechanism_->include(extent, lengths);
+  mechanism_->include(extent, lengths);
   return extent.box();
 }
 

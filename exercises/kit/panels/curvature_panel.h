@@ -47,7 +47,9 @@ class OsculatingPanel : public CutPanel {
   OsculatingPanel(const Solution& solution, std::shared_ptr<const MechanismFigure> mechanism, Curved of,
                   DrawPath draw_path);
 
-  double reach() const override { return 3 * mechanism_->reach(); }  // as much of the linkage is still to be seen
+  double reach() const override { return mechanism_->reach(); }
+  // Small as an osculating circle may be, the inflection circle beside it is rather cut.
+  double times_smaller() const override { return 1.5; }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
