@@ -66,7 +66,7 @@ PanelSheet poles_sheet(const Solution& s, Language language) {
   return {.panels = panels(poles),
           .results = {values({"omega_2", "omega_3"}),
                       by_point({"A", "B", "C", "M"}, {{"$P_{0}X$ (m)", "P0{}"}, {"$v_{X}$ (m/s)", "v_{}"}}),
-                      remark(swing_in_words(instant, language))},
+                      remark(swing_in_words(s, language))},
           .seen = {"The slider-crank, its pole P₀ by two lines, and the velocities of A, B, C and M square to their "
                    "rays",
                    "Il manovellismo, il polo P₀ con due rette, e le velocità di A, B, C e M normali ai loro raggi"},

@@ -97,6 +97,7 @@ struct VelocityRoutes {
     construct_level(ledger, instant);
     const geometry::SliderCrank<T> at = instant.level_position<T>();
     points_by_construction(ledger, at);
+    tell_crank_limits(ledger, instant);
     write_pole<T>(ledger, "P0", at.pole(), {{"A", at.A}, {"B", at.B}, {"C", at.C}, {"M", at.M}}, pole_at_infinity);
     velocities_by_poles(ledger, instant, at);
     velocities_by_polar_diagram(ledger, instant, at);

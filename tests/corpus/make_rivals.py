@@ -82,6 +82,7 @@ def values(given):
     x, y = lu_solve(matrix([[-re(square), 1], [-im(square), 0]]), matrix([re(known), im(known)]))
     speed, acceleration = fabs(v_A), fabs(a_A)
     return [
+        ("omega_2", im(v_A * conj(A)) / r**2, speed / r),
         ("v_A", fabs(v_A), speed),
         ("v_BA", fabs(v_B - v_A), speed),
         ("v_B_x", re(v_B), speed),
@@ -111,7 +112,7 @@ def values(given):
 print("""# Reference values for Rivals' theorem on the centred slider-crank, 40 digits. Written by make_rivals.py with
 # mpmath, 200 working digits; do not edit by hand. Positions are the only formulas; all else are their derivatives.
 # A0 origin, guide = x axis, phi in degrees from the position with B at r + l, n in rpm, counter-clockwise positive.
-# omega_3, alpha_3 and components are signed, the rest are magnitudes. SI units.""")
+# omega_2, omega_3, alpha_3 and components are signed, the rest are magnitudes. SI units.""")
 for name, why, changed in CASES:
     given = {**STATED, **changed}
     print(f"\ncase {name}\nwhy {why}")

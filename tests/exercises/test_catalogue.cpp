@@ -1,6 +1,7 @@
 // The exercises the build found are those in the folders, under the folders' names, and fit together.
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "drawings/output.h"
@@ -107,6 +108,32 @@ TEST_CASE("every exercise passes as its source states it") {
     CAPTURE(complaints(checked));
     CHECK(checked.passed());
   }
+}
+
+// Names are a contract with those who read them: tests/exercises/names.txt holds those that were ever promised.
+TEST_CASE("every exercise reports each name, in its unit, that was promised") {
+  std::ifstream promised(EPURE_NAMES);
+  std::set<std::string> reported;
+  for (const auto& exercise : catalogue())
+    for (const Quantity& quantity : exercise->about().quantities)
+      reported.insert(exercise->about().id + " " + quantity.name + " " + quantity.unit);
+  int names = 0;
+  for (std::string line; std::getline(promised, line);) {
+    if (line.starts_with("#")) continue;
+    INFO(line);
+    CHECK(reported.contains(line));
+    ++names;
+  }
+  CHECK(names >= 697);
+}
+
+TEST_CASE("every quantity is found by two routes") {
+  for (const auto& exercise : catalogue())
+    for (const CheckedQuantity& quantity :
+         check(*exercise, Givens(exercise->about().givens), Rung::fast).quantities) {
+      INFO(exercise->about().id << ": " << quantity.spec.name);
+      CHECK(quantity.routes.size() >= 2);
+    }
 }
 
 // The method the source names need not be the route that gives this quantity here, but must be one of the exercise's.

@@ -143,7 +143,7 @@ TEST_CASE("the bar on the sheet is as long as its scale says", "[slider-crank][s
         const auto* bar = std::get_if<drawings::ScaleBar>(&mark);
         if (!bar) continue;
         CAPTURE(id, sheet, bar->caption, bar->ticks.back());
-        CHECK(bar->caption == drawn.sheet.title_block.scales.at(bars));
+        CHECK(bar->caption.starts_with(drawn.sheet.title_block.scales.at(bars)));  // "1 : 20 left"
         ++bars;
         const double shown = std::stod(bar->ticks.back());  // "0.2 m", "10 m/s"
         const double mm = bar->caption.starts_with("1 : ") ? 1000 * shown / std::stod(bar->caption.substr(4))
@@ -256,11 +256,11 @@ TEST_CASE("the sheets of the coupler's circles name what the border leaves out",
         return true;
     return false;
   };
-  for (const std::string sheet : {"curvature", "circles"})
-    CHECK_FALSE(says(sheet, {}, "Off the sheet: part of the inflection circle."));
+  CHECK_FALSE(says("circles", {}, "Off the sheet: part of the inflection circle."));
+  CHECK(says("curvature", {}, "Off the sheet: part of the inflection circle."));
   // Nearly upright: all the poles but K are far off.
   CHECK(says("circles", {"t1=0.041665"},
-             "Off the sheet: $P_{0}$, $J$, $F$, $S$, part of the inflection circle, part of the stationarity "
+             "Off the sheet: $A'$, $P_{0}$, $J$, $F$, $S$, part of the inflection circle, part of the stationarity "
              "circle."));
 }
 

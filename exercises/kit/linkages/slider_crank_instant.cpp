@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exercises/kit/linkages/angles.h"
 #include "exercises/kit/panels/rounded.h"
 #include "geometry/numbers/climb.h"
 #include "geometry/numbers/turn.h"
@@ -166,15 +167,28 @@ bool SliderCrankInstant::crank_points_ahead() const {
   return sign_of(psi - quarter) < 0 || sign_of(psi - Rational(3) * quarter) > 0;
 }
 
-std::vector<AngleRange> crank_swings(const SliderCrankInstant& at) {
+std::vector<Deep> crank_limits(const SliderCrankInstant& at) {
   const geometry::CrankRange range = geometry::crank_range(at.lengths);
   if (range.is_empty || range.is_full_turn()) return {};
-  const double delta = geometry::degrees(at.guide);
-  const auto degrees = [](const Rational& sine) { return std::asin(CGAL::to_double(sine)) * 180 / std::numbers::pi; };
-  if (!range.highest) return {{delta + degrees(*range.lowest), delta + 180 - degrees(*range.lowest)}};
-  if (!range.lowest) return {{delta - 180 - degrees(*range.highest), delta + degrees(*range.highest)}};
-  const double low = degrees(*range.lowest), high = degrees(*range.highest);
-  return {{delta + low, delta + high}, {delta + 180 - high, delta + 180 - low}};
+  const Deep delta = given_in_degrees<Deep>(at.guide), half = geometry::from_rational<Deep>(180);
+  const auto degrees = [](const Rational& of_sine) {
+    const Deep sine = geometry::from_rational<Deep>(of_sine);
+    return in_degrees(geometry::arc_tangent(sine, geometry::root(Deep(1) - geometry::square(sine))));
+  };
+  if (!range.highest) return {delta + degrees(*range.lowest), delta + half - degrees(*range.lowest)};
+  if (!range.lowest) return {delta - half - degrees(*range.highest), delta + degrees(*range.highest)};
+  const Deep low = degrees(*range.lowest), high = degrees(*range.highest);
+  return {delta + low, delta + high, delta + half - high, delta + half - low};
+}
+
+std::vector<AngleRange> crank_swings(const SliderCrankInstant& at) {
+  return deeply([&] {
+    const std::vector<Deep> limits = crank_limits(at);
+    std::vector<AngleRange> ranges;
+    for (std::size_t i = 0; i < limits.size(); i += 2)
+      ranges.push_back({to_double(limits[i]), to_double(limits[i + 1])});
+    return ranges;
+  });
 }
 
 }  // namespace epure

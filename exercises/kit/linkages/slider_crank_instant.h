@@ -57,8 +57,9 @@ struct SliderCrankInstant {
 // Throws BadGivens, in one sentence with the values, when the plate ABC does not close, and as require_drivable.
 SliderCrankInstant slider_crank_instant(const Givens& givens);
 
-// The crank angles from +x, in degrees and rounded, between which the linkage closes: none when it closes nowhere or
-// the crank turns fully, else one or two ranges.
+// The crank angles from +x, in degrees, between which the linkage closes, from and to in turn: none when it closes
+// nowhere or the crank turns fully, else one or two ranges.
+std::vector<geometry::Deep> crank_limits(const SliderCrankInstant& at);
 std::vector<AngleRange> crank_swings(const SliderCrankInstant& at);
 
 // Decides the special positions. Throws BadGivens, in one sentence with the values, when n = 0, the linkage does not

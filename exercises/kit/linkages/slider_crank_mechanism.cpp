@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exercises/kit/linkages/slider_crank_routes.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure {
@@ -37,15 +38,15 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism(const Solution& solution
   return std::make_shared<const Mechanism>(std::move(mechanism));
 }
 
-std::string swing_in_words(const SliderCrankInstant& at, Language language) {
+std::string swing_in_words(const Solution& solution, Language language) {
   std::string text;
-  for (const AngleRange& range : crank_swings(at)) {
+  for (std::size_t i = 0; solution.has(crank_limit(i).name); i += 2) {
     const Words sentence = text.empty() ? Words{"The crank cannot turn fully: $φ$ from {}° to {}°",
                                                 "La manovella non compie "
                                                 "il giro: $φ$ da {}° a {}°"}
                                         : Words{" or from {}° to {}°", " o da {}° a {}°"};
-    text += fmt::format(fmt::runtime(sentence.in(language)), figures(range.from, 4, language),
-                        figures(range.to, 4, language));
+    text += fmt::format(fmt::runtime(sentence.in(language)), figures(solution[crank_limit(i).name], 4, language),
+                        figures(solution[crank_limit(i + 1).name], 4, language));
   }
   return text.empty() ? text : text + ".";
 }

@@ -18,8 +18,8 @@ struct CouplerTurning {
 std::shared_ptr<const Mechanism> slider_crank_mechanism(const Solution& solution, const SliderCrankInstant& instant,
                                                         const CouplerTurning& coupler = {});
 
-// Between which crank angles the linkage closes; empty when the crank turns fully.
-std::string swing_in_words(const SliderCrankInstant& at, Language language);
+// Between which crank angles the linkage closes; empty when the crank turns fully. Of tell_crank_limits.
+std::string swing_in_words(const Solution& solution, Language language);
 
 // How a direction is named in a polygon: "∥ A₀B", or by the guide when it does not pass A₀.
 std::string parallel_to_guide(const SliderCrankInstant& at, Language language);

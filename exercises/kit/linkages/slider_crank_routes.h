@@ -34,4 +34,18 @@ void construct_level(Ledger<T>& ledger, const SliderCrankInstant& instant) {
   if (instant.is_inclined()) ledger.axes_along(instant.direction<T>(instant.guide));
 }
 
+// The crank angle at the beginning or the end of a range in which the linkage closes.
+inline Quantity crank_limit(std::size_t number) {
+  return {"crank_limit_" + std::to_string(number + 1), "$φ_{l" + std::to_string(number + 1) + "}$", "deg",
+          {"crank angle where the linkage begins or ceases to close",
+           "angolo di manovella dal quale o fino al quale il meccanismo si chiude"}};
+}
+template <class T>
+void tell_crank_limits(Ledger<T>& ledger, const SliderCrankInstant& instant) {
+  if constexpr (std::is_same_v<T, geometry::Deep>) {
+    const std::vector<T> limits = crank_limits(instant);
+    for (std::size_t i = 0; i < limits.size(); ++i) ledger.tells(crank_limit(i), [&] { return limits[i]; });
+  }
+}
+
 }  // namespace epure

@@ -29,7 +29,6 @@ class ExerciseOfPanels : public Exercise {
     return arrange(about_, sheet, solution, maker->make(solution, request.language), request);
   }
 
-  bool tells_its_solution() const override { return true; }
 
  private:
   Description about_;

@@ -19,7 +19,6 @@ namespace {
 
 using geometry::Settled;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Which of two routes knows more of a quantity: the smaller number.
 int rank(const Settled& settled) {
@@ -45,17 +44,16 @@ bool knows_more(const Settled& a, const Settled& b) {
   return a.enclosure.upper - a.enclosure.lower < b.enclosure.upper - b.enclosure.lower;
 }
 
+bool are_apart(const geometry::Enclosure& a, const geometry::Enclosure& b) {
+  return a.upper < b.lower || b.upper < a.lower;
+}
+
 // Undecided and unbounded contradict nothing.
 bool contradict(const Settled& a, const Settled& b) {
   if (rank(a) > 2 || rank(b) > 2) return false;
   const bool a_absent = a.kind == Settled::Kind::absent, b_absent = b.kind == Settled::Kind::absent;
   if (a_absent || b_absent) return a_absent != b_absent;
-  return a.enclosure.upper < b.enclosure.lower || b.enclosure.upper < a.enclosure.lower;
-}
-
-// The double nearest to a value may lie just outside of an enclosure narrower than that.
-bool lies_within(double value, const geometry::Enclosure& enclosure) {
-  return std::nextafter(enclosure.lower, -infinity) <= value && value <= std::nextafter(enclosure.upper, infinity);
+  return are_apart(a.enclosure, b.enclosure);
 }
 
 Words shortest(double value) { return decimal(fmt::format("{}", value)); }
@@ -211,12 +209,12 @@ std::optional<Solution> drawn_solution(CheckedExercise& checked, const Exercise&
 void compare_solution(CheckedExercise& checked, const Solution& solution) {
   for (const CheckedQuantity& quantity : checked.quantities) {
     if (!solution.has(quantity.spec.name) || !has_value(quantity.settled)) continue;
-    const std::optional<double> drawn = solution.value(quantity.spec.name);
-    if (drawn && !lies_within(*drawn, quantity.settled.enclosure))
+    const auto drawn = solution.enclosure(quantity.spec.name);
+    if (drawn && are_apart(*drawn, quantity.settled.enclosure))
       complain(
           checked.failures, quantity.spec.name,
           format_words("the sheets take it for {}, which does not lie {}",
-                       "le tavole la prendono per {}, che non sta {}", shortest(*drawn), in_words(quantity.settled)));
+                       "le tavole la prendono per {}, che non sta {}", shortest(drawn->value), in_words(quantity.settled)));
   }
 }
 
@@ -274,7 +272,7 @@ void compare_sheets(CheckedExercise& checked, const Exercise& exercise) {
   for (const SheetSpec& spec : checked.about.sheets) {
     const std::optional<DrawnSheet> drawn = drawn_sheet(checked, exercise, *solution, spec.name);
     if (!drawn) continue;
-    if (exercise.tells_its_solution()) demand_told(checked, drawn->sheet, spec.name, known);
+    demand_told(checked, drawn->sheet, spec.name, known);
     for (const Measurement& measurement : drawn->measurements) {
       demand_listed(checked, measurement.quantity, Words{"shown on sheet ", "mostrata sulla tavola "} + spec.name);
       if (CheckedQuantity* quantity = find(checked, measurement.quantity))

@@ -65,12 +65,10 @@ class Exercise {
   // What its sheets draw and print. Throws as solve.
   virtual Solution solution(const Givens& givens) const;
 
+  // Every number that a sheet tells must be one of the solution's quantities: check demands it.
   // `sheet` is one of about().sheets. Throws BadGivens as above, or when a requested scale does not fit the paper.
   virtual DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const = 0;
   DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const;
-
-  // Whether every number that its sheets tell is one of its quantities, so that check demands it.
-  virtual bool tells_its_solution() const { return false; }
 };
 
 // An exercise in a catalogue. It is made when it is first asked for, which two threads must not do at once: its

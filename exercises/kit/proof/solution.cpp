@@ -43,6 +43,11 @@ std::optional<double> Solution::value(const std::string& quantity, const std::st
   return found == by_route_.end() ? std::nullopt : rounded(found->second);
 }
 
+std::optional<geometry::Enclosure> Solution::enclosure(const std::string& quantity) const {
+  const geometry::Settled& settled = find(quantity).settled;
+  return is_known(settled) ? std::optional(settled.enclosure) : std::nullopt;
+}
+
 double Solution::operator[](const std::string& quantity) const {
   const std::optional<double> known = value(quantity);
   if (!known) throw geometry::Undecided(find(quantity).settled.reason);

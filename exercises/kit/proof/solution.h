@@ -25,6 +25,8 @@ class Solution {
   std::optional<double> value(const std::string& quantity) const;
   // The same as this route says it; none where it does not write the quantity.
   std::optional<double> value(const std::string& quantity, const std::string& route) const;
+  // Between which bounds it is known; none as above.
+  std::optional<geometry::Enclosure> enclosure(const std::string& quantity) const;
   // Of a quantity that has a value.
   double operator[](const std::string& quantity) const;
   // Whether the exercise reports it, and what it says of it then.
