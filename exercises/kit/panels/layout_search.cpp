@@ -28,7 +28,7 @@ struct Division {
 };
 using Divisions = std::vector<std::shared_ptr<const Division>>;
 
-// All divisions of the panels from `begin` to `end`.
+// All divisions of the panels from `begin` to `end`. Three in a row are divided once: the first from the other two.
 Divisions divisions(std::size_t begin, std::size_t end) {
   if (end - begin == 1) return {std::make_shared<Division>(Division{.panel = begin})};
   Divisions all;
@@ -36,7 +36,8 @@ Divisions divisions(std::size_t begin, std::size_t end) {
     for (const auto& first : divisions(begin, middle))
       for (const auto& second : divisions(middle, end))
         for (const bool side_by_side : {true, false})
-          all.push_back(std::make_shared<Division>(Division{0, side_by_side, first, second}));
+          if (!first->first || first->side_by_side != side_by_side)
+            all.push_back(std::make_shared<Division>(Division{0, side_by_side, first, second}));
   return all;
 }
 
@@ -83,7 +84,10 @@ class Search {
  public:
   enum class Of { all, near };
   Search(const Panels& panels, Of of, const drawings::Box& room, const SheetRequest& request)
-      : panels_(panels), of_(of), room_(room), language_(request.language), largest_(largest(request.scale)) {}
+      : panels_(panels), of_(of), room_(room), language_(request.language) {
+    for (const auto& panel : panels) vectors_.push_back(panel->vectors());
+    largest_ = largest(request.scale);
+  }
 
   struct Found {
     double merit = 0;
@@ -112,7 +116,7 @@ class Search {
  private:
   const Scale& vectors_of(const Choices& choices, std::size_t panel) const {
     static const Scale none;
-    const auto found = choices.vectors.find(panels_[panel]->vectors().unit);
+    const auto found = choices.vectors.find(vectors_[panel].unit);
     return found == choices.vectors.end() ? none : found->second.scale;
   }
 
@@ -158,8 +162,7 @@ class Search {
       }
     }
     std::map<std::string, double> mm_per_unit;
-    for (const auto& panel : panels_) {
-      const Panel::Vectors shown = panel->vectors();
+    for (const Panel::Vectors& shown : vectors_) {
       if (shown.unit.empty()) continue;
       const double most = shown.longest_on_paper / (shown.longest > 0 ? shown.longest : 1);
       const auto [at, is_new] = mm_per_unit.try_emplace(shown.unit, most);
@@ -257,6 +260,7 @@ class Search {
   Of of_;
   drawings::Box room_;
   Language language_;
+  std::vector<Panel::Vectors> vectors_ = {};
   Choices largest_;
   std::map<std::tuple<std::size_t, double, double>, drawings::Box> known_;  // extents
 };
