@@ -252,8 +252,16 @@ class Search {
   double size_of_all(const Choices& choices) const {
     double size = 0;
     for (const Choice& choice : choices.lengths) size += std::log(choice.scale.mm_per_unit);
-    for (const auto& [unit, choice] : choices.vectors) size += std::log(choice.scale.mm_per_unit);
+    for (const auto& [unit, choice] : choices.vectors) size += planes(unit) * std::log(choice.scale.mm_per_unit);
     return size;
+  }
+
+  // How many panels are planes of these vectors; one, where a panel of lengths shows them.
+  double planes(const std::string& unit) const {
+    double count = 0;
+    for (std::size_t i = 0; i < panels_.size(); ++i)
+      if (panels_[i]->is_of_vectors() && vectors_[i].unit == unit) ++count;
+    return std::max(count, 1.0);
   }
 
   const Panels& panels_;
