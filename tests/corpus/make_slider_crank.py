@@ -107,7 +107,7 @@ def distance(p, q):
 
 
 VELOCITY_NAMES = ("P0_x P0_y P0A P0B P0C P0M omega_3 v_B_x v_B_y v_B v_C v_M v_C_x v_C_y v_M_x v_M_y v_BA v_CA v_MA").split()
-ACCELERATION_NAMES = ("a_A_n a_A_t gamma_deg alpha_3 a_B_x a_B_y a_B a_C_x a_C_y a_C a_M_x a_M_y a_M a_BA_n a_BA_t "
+ACCELERATION_NAMES = ("gamma_deg alpha_3 a_B_x a_B_y a_B a_C_x a_C_y a_C a_M_x a_M_y a_M a_BA_n a_BA_t "
                       "a_BA a_CA a_MA gamma K_x K_y KA KB KC KM inflection_diameter inflection_pole_x inflection_pole_y inflection_centre_x "
                       "inflection_centre_y stationarity_diameter stationarity_centre_x stationarity_centre_y Cprime_C "
                       "rho_C curvature_centre_C_x curvature_centre_C_y Cprime_x Cprime_y Mprime_M rho_M "
@@ -126,6 +126,9 @@ def values(case):
     out["v_A"] = fabs(omega_2) * r
     out["A_x"], out["A_y"] = r * cos(phi), r * sin(phi)
     out["a_A"] = r * sqrt(alpha_2 ** 2 + omega_2 ** 4)
+    a_A = diff(lambda t: r * cos(crank(t)), t1, 2), diff(lambda t: r * sin(crank(t)), t1, 2)
+    out["a_A_n"] = fabs(a_A[0] * cos(phi) + a_A[1] * sin(phi))
+    out["a_A_t"] = fabs(a_A[1] * cos(phi) - a_A[0] * sin(phi))
 
     height = r * sin(phi - delta) - e  # of A over the guide
     gap = fabs(height) - l
@@ -168,9 +171,6 @@ def values(case):
     u = (cos(theta), sin(theta))
     d = (a["B"][0] - a["A"][0], a["B"][1] - a["A"][1])
     out["a_BA_n"], out["a_BA_t"] = fabs(d[0] * u[0] + d[1] * u[1]), fabs(d[1] * u[0] - d[0] * u[1])
-    # A turns about the origin, where the crank's directions along and across are.
-    c = (cos(phi), sin(phi))
-    out["a_A_n"], out["a_A_t"] = (fabs(a["A"][0] * c[0] + a["A"][1] * c[1]), fabs(a["A"][1] * c[0] - a["A"][0] * c[1]))
     out["gamma"] = atan2(alpha, omega ** 2) if (alpha or omega) else "undefined"
     out["gamma_deg"] = out["gamma"] * 180 / pi if (alpha or omega) else "undefined"
 

@@ -85,16 +85,22 @@ void add_velocities_and_accelerations(Answers<T>& answers, const Scene<T>& s) {
     return std::optional<T>(from_rational<T>(s.linkage.r) *
                             root(square(square(s.crank.from_x.omega)) + square(s.crank.from_x.alpha)));
   };
+  answers["a_A_n"] = [s] { return std::optional<T>(from_rational<T>(s.linkage.r) * square(s.crank.from_x.omega)); };
+  answers["a_A_t"] = [s] {
+    return std::optional<T>(from_rational<T>(s.linkage.r) * root(square(s.crank.from_x.alpha)));
+  };
   answers["omega_2"] = [s] { return std::optional<T>(s.crank.from_x.omega); };
 }
 
 template <class T>
 void add_angles(Answers<T>& answers, const Scene<T>& s) {
   answers["coupler_angle"] = [s] { return std::optional<T>(arc_tangent(s.place.eta.im, s.place.eta.re)); };
-  answers["gamma"] = [s] {
+  const auto gamma = [s] {
     const auto m = s.motion();
-    return std::optional<T>(arc_tangent(m.alpha_3, square(m.omega_3)));
+    return arc_tangent(m.alpha_3, square(m.omega_3));
   };
+  answers["gamma"] = [gamma] { return std::optional<T>(gamma()); };
+  answers["gamma_deg"] = [gamma] { return std::optional<T>(quotient(from_rational<T>(180) * gamma(), pi<T>())); };
 }
 
 // Everything but the angles, which Exact does not have. Throws Impossible when the linkage does not close.

@@ -118,6 +118,9 @@ Constructed<T> accelerations_by_polar_diagram(const SliderCrank<T>& at, const Sl
   answers["a_BA_n"] = [v = terms.normal] { return length(v); };
   answers["a_BA_t"] = [v = terms.closing] { return length(v); };
   answers["a_A"] = [v = terms.known] { return length(v); };
+  const Vector<T> A0A = at.A - at.A0;
+  answers["a_A_n"] = [v = terms.known, A0A] { return over<T>(root(square(dot(v, A0A))), length(A0A)); };
+  answers["a_A_t"] = [v = terms.known, A0A] { return over<T>(root(square(cross(v, A0A))), length(A0A)); };
   answers["alpha_3"] = [a = motion.acceleration.first_rate] { return a; };
   return answers;
 }
@@ -160,7 +163,9 @@ Constructed<T> second_order(const SliderCrank<T>& at, const PlaneMotion<T>& coup
   }
   answers["omega_3"] = [coupler] { return coupler.omega; };
   answers["alpha_3"] = [coupler] { return coupler.alpha; };
-  answers["gamma"] = [coupler] { return arc_tangent(coupler.alpha, square(coupler.omega)); };
+  const auto gamma = [coupler] { return arc_tangent(coupler.alpha, square(coupler.omega)); };
+  answers["gamma"] = gamma;
+  answers["gamma_deg"] = [gamma] { return over<T>(from_rational<T>(180) * gamma(), pi<T>()); };
   add_circle(answers, "inflection", coupler.inflection_circle());
   add_circle(answers, "stationarity", coupler.stationarity_circle());
   add(answers, "inflection_pole", coupler.inflection_pole());
