@@ -89,7 +89,8 @@ void by_construction(Ledger<T>& ledger, const Configuration<T>& place, const Hal
 template <class T>
 void by_poles(Ledger<T>& ledger, const Configuration<T>& place, const T& omega_2, const T& alpha_2,
               bool pole_at_infinity) {
-  const auto& [at, C] = place;
+  const geometry::FourBar<T>& at = place.at;
+  const Point<T>& C = place.C;
   ledger.route("poles");
   write_pole<T>(ledger, "P31", at.pole(), place.points(), crank_parallel_to_rocker);
   ledger.draws_point("P42", [&] { return finite(meet(line(at.A, at.B), line(at.A0, at.B0))); });
@@ -203,7 +204,9 @@ Analysed<T> analysed(const Problem& of, const analytic::CrankState<T>& crank, an
 template <class T>
 void by_analysis(Ledger<T>& ledger, const Problem& of, const Analysed<T>& found, const HalfTurned& back) {
   using geometry::square;
-  const auto& [p, m, C] = found;
+  const auto& p = found.position;
+  const analytic::FourBarMotion<T>& m = found.motion;
+  const analytic::Complex<T>& C = found.C;
   const analytic::PlaneMotion<T> coupler = analytic::coupler(p, m);
   const std::vector<Lettered<analytic::Complex<T>>> points{{"A", p.A}, {"B", p.B}, {"C", C}};
   ledger.route("analytic");
