@@ -18,8 +18,10 @@ std::string written_unit(const std::string& unit) {
   if (unit == "deg") return "°";
   std::string text = unit == "1" ? "" : unit;
   std::replace(text.begin(), text.end(), '*', ' ');
-  const auto square = text.find("^2");
-  return square == std::string::npos ? text : text.substr(0, square) + "²" + text.substr(square + 2);
+  for (const auto& [power, raised] : {std::pair{"^2", "²"}, {"^3", "³"}, {"^4", "⁴"}})
+    if (const auto at = text.find(power); at != std::string::npos)
+      text = text.substr(0, at) + raised + text.substr(at + std::string_view(power).size());
+  return text;
 }
 
 Result components(const VectorQuantity& quantity) {
