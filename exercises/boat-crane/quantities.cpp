@@ -6,7 +6,7 @@
 namespace epure::boat_crane {
 namespace {
 
-const std::vector<Quantity> all{
+const std::vector<Quantity> quantities{
     {"P", "$\\it{P}$", "N", {"weight of the boat", "peso del natante"}},
     {"A_1", "$\\it{A}_{1}$", "m^2", {"area of the beam's section", "area della sezione della trave"}},
     {"J_x1", "$\\it{J}_{x1}$", "m^4", {"its moment of inertia about x", "suo momento d'inerzia rispetto a x"}},
@@ -136,8 +136,9 @@ const std::vector<Quantity> all{
 }  // namespace
 
 const Quantity& quantity(const std::string& name) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Quantity& each) { return each.name == name; });
-  assert(found != all.end());
+  const auto found =
+      std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& each) { return each.name == name; });
+  assert(found != quantities.end());
   return *found;
 }
 

@@ -8,6 +8,7 @@
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/proof/solution.h"
 #include "exercises/kit/statement/decimal.h"
+#include "exercises/kit/statement/workshop_unit.h"
 #include "tests/exercises/held_against_corpus.h"
 
 using namespace epure;
@@ -75,7 +76,13 @@ const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
       {"phi=90", "s=1"},
       {"phi=500", "s=6", "t1=0.2", "t2=0.1"},
       {"d=1.4", "d_0=3", "omega_1=3000", "t1=0.0001"},
-      {"d=40", "s=1000", "d_0=0.05"}}}};
+      {"d=40", "s=1000", "d_0=0.05"}}},
+    {"boat-crane",
+     {{},
+      {"W_b=600"},
+      {"L=2", "H_0=1.5", "W_b=2t"},
+      {"H_2=90mm", "b_2=200", "s_2=8", "H_0=3"},
+      {"W_b=1370", "H_1=0.2m", "sigma_S=355", "Psi=1.1"}}}};
 
 // Without what is raised or lowered, which belongs to a symbol, but for powers of ten.
 std::string without_indices(std::string text) {
@@ -144,9 +151,10 @@ std::set<std::string> printable_numbers(const Exercise& exercise, const Solution
     if (!known) continue;
     for (int digits = 3; digits <= 9; ++digits) {
       all.insert(as_number_in(figures(*known, digits, language)));
-      if (value.described->unit != "m") continue;
-      for (const double mm : {1000 * *known, std::abs(1000 * *known)})
-        all.insert(as_number_in(figures(mm, digits, language)));
+      const auto unit = workshop_unit(value.described->unit);
+      if (!unit) continue;
+      for (const double told : {unit->per_si * *known, std::abs(unit->per_si * *known)})
+        all.insert(as_number_in(figures(told, digits, language)));
     }
     const std::string in_description = in_words({"", ""}, {{"x", *known, ""}}, language);
     if (!numbers_in(in_description).empty()) all.insert(numbers_in(in_description).front());

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/statement/workshop_unit.h"
 
 namespace epure {
 
@@ -59,20 +60,37 @@ Result coordinates(const std::vector<std::pair<std::string, std::string>>& point
   };
 }
 
-Result values(const std::vector<std::string>& names) {
-  return [names](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+namespace {
+
+// Values that exist, each after its symbol. `in_unit` says how a quantity's value is written.
+Result values_written(const std::vector<std::string>& names,
+                      std::pair<double, std::string> (*in_unit)(const Quantity& quantity, double value)) {
+  return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     std::string line;
     for (const std::string& name : names) {
       const auto value = solution.value(name);
       if (!value) continue;
       const Quantity& quantity = solution.described(name);
-      const std::string unit = written_unit(quantity.unit);
+      const auto [number, unit] = in_unit(quantity, *value);
       line += fmt::format("{}{} = {}{}{}", line.empty() ? "" : ",  ", quantity.symbol,
-                          figures(*value, significant, language), unit.empty() || unit == "°" ? "" : " ", unit);
+                          figures(number, significant, language), unit.empty() || unit == "°" ? "" : " ", unit);
     }
     return line.empty() ? std::nullopt : std::optional<drawings::Block>(drawings::Paragraph{line});
   };
 }
+
+std::pair<double, std::string> in_si(const Quantity& quantity, double value) {
+  return {value, written_unit(quantity.unit)};
+}
+std::pair<double, std::string> in_workshop_unit(const Quantity& quantity, double value) {
+  const auto unit = workshop_unit(quantity.unit);
+  return unit ? std::pair{unit->per_si * value, std::string(unit->symbol)} : in_si(quantity, value);
+}
+
+}  // namespace
+
+Result values(const std::vector<std::string>& names) { return values_written(names, in_si); }
+Result workshop_values(const std::vector<std::string>& names) { return values_written(names, in_workshop_unit); }
 
 Result value_as(const std::string& symbol, const std::string& name) {
   return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
