@@ -25,8 +25,8 @@ std::shared_ptr<const Mechanism> whole_crane(const Solution& s) {
       .point("C", {L, 0}, Joint::hinge, "$C$")
       .point("D", {3 * L, 0}, Joint::none, "$D$")
       .point("A", {L, -H}, Joint::fixed, "$A$")
-      .body({"B", "C", "D"}, 1)
-      .body({"C", "A"}, 2);
+      .body({"B", "C", "D"})
+      .body({"C", "A"});
   return std::make_shared<const Mechanism>(std::move(drawn));
 }
 
@@ -202,7 +202,7 @@ PanelSheet checks_sheet(const Solution& s, Language language) {
   std::vector<std::vector<std::string>> rows;
   const auto cell = [&](const std::string& name, double unit) {
     const auto value = s.value(name);
-    return value ? figures(*value / unit, 4, language) : std::string("–");
+    return value ? figures(*value / unit, 3, language) : std::string("–");
   };
   const auto row = [&](const Words& check, const std::string& demand, const std::string& allowable,
                        const std::string& utilisation, double unit) {
@@ -220,7 +220,7 @@ PanelSheet checks_sheet(const Solution& s, Language language) {
   row({"Column, buckling: $\\it{N}_{2}$ (kN)", "Colonna, instabilità: $\\it{N}_{2}$ (kN)"}, "N_2", "P_cr_over_Psi",
       "buckling_utilisation", 1000);
   const Words kg = decimal(CGAL::to_double(s.givens()["W_b"]), 6) + Words{" kg", " kg"};
-  const Words of{"utilisation, ", "impiego, "};
+  const Words of = decimal("$u$, ");
   TablePanel table({Words{"check", "verifica"}.in(language), kg.in(language), "600 kg",
                     Words{"allowable", "ammissibile"}.in(language), (of + kg).in(language),
                     (of + Words{"600 kg", "600 kg"}).in(language)},
@@ -228,10 +228,10 @@ PanelSheet checks_sheet(const Solution& s, Language language) {
   const Words why{
       "The source states 300 kg, and everything it prints of the load is that of 600 kg: $\\it{P}$ = "
       "$5.884·10^{3}$ N is 600·9.80665 N. It is twice what it states; check evaluates each of its formulas so. "
-      "A check holds when its utilisation is not above 1.",
+      "A check holds when its utilisation $u$ is not above 1.",
       "La fonte dichiara 300 kg, e tutto ciò che stampa del carico è quello di 600 kg: $\\it{P}$ = "
       "$5,884·10^{3}$ N è 600·9,80665 N. È il doppio di quanto dichiara; check valuta così ognuna delle sue formule. "
-      "Una verifica vale se l'impiego non supera 1."};
+      "Una verifica vale se l'impiego $u$ non supera 1."};
   return {.panels = panels(MechanismPanel(whole_crane(s)), std::move(table)),
           .theory = {{{"Both masses", "Le due masse"}, {remark(why.in(language))}}},
           .results = {values({"P"}), value_as("$\\it{P}$ (600 kg)", with_600 + "P")},

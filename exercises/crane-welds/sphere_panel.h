@@ -24,12 +24,16 @@ class SpherePanel : public Panel {
   Vectors vectors() const override { return {"MPa", 2 * radius_, longest_on_paper}; }
   drawings::Box extent(const Scale&, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
-  std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override;
 
  private:
-  static constexpr double longest_on_paper = 120;  // mm
+  static constexpr double longest_on_paper = 110;  // mm
   // Of the circle at the cut; none when the cut does not reach it.
   double half_chord() const;
+  // How many times the axis below is enlarged: 1, 2, 5 times a power of ten; 1: there is none.
+  double times() const;
+  void draw_state(Plot& plot, const State& state) const;
+  void draw_detail(Plot& plot) const;
 
   double radius_, cut_;
   std::vector<State> states_;

@@ -6,13 +6,13 @@
 namespace epure {
 namespace {
 
-constexpr double mohr_letters = 9;  // mm
+constexpr double mohr_letters = 9, mohr_longest = 120;  // mm
 
 }  // namespace
 
 Place MohrPanel::tip() const { return {centre().x, std::numbers::sqrt3 * radius()}; }
 
-Panel::Vectors MohrPanel::vectors() const { return {of_.unit, of_.sigma_I - of_.sigma_II, 90}; }
+Panel::Vectors MohrPanel::vectors() const { return {of_.unit, of_.sigma_I - of_.sigma_II, mohr_longest}; }
 
 drawings::Box MohrPanel::extent(const Scale&, const Scale& vectors) const {
   Extent extent;

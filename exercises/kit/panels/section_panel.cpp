@@ -32,14 +32,16 @@ std::vector<Scale> SectionPanel::own_scales() const {
 
 double SectionPanel::axis(std::size_t diagram, const Scale& lengths) const {
   double x = lengths.mm_per_unit * width_ / 2;
-  for (std::size_t i = 0; i <= diagram; ++i) x += diagram_gap + diagrams_[i].left + (i == 0 ? 0 : diagrams_[i - 1].right);
+  for (std::size_t i = 0; i <= diagram; ++i)
+    x += diagram_gap + diagrams_[i].left + (i == 0 ? 0 : diagrams_[i - 1].right);
   return x;
 }
 
 drawings::Box SectionPanel::extent(const Scale& lengths, const Scale&) const {
   const double half = lengths.mm_per_unit * depth_ / 2;
-  return {{-lengths.mm_per_unit * width_ / 2 - section_letters, -half - section_letters},
-          {axis(diagrams_.size() - 1, lengths) + diagrams_.back().right + 2 * section_letters, half + section_letters}};
+  return {
+      {-lengths.mm_per_unit * width_ / 2 - section_letters, -half - section_letters},
+      {axis(diagrams_.size() - 1, lengths) + diagrams_.back().right + 2 * section_letters, half + section_letters}};
 }
 
 Place SectionPanel::place(const Plot& plot, std::size_t diagram, const Place& at) const {
@@ -53,7 +55,9 @@ void SectionPanel::draw_section(Plot& plot) const {
                                    {b, -H}, {-b, -H}, {-b, -h}, {-s, -h}, {-s, h}, {-b, h}};
   plot.area(outline, Meaning::plate);
   plot.polygon(outline, Meaning::link);
-  plot.long_segment({0, -H}, {0, H}, 4, Meaning::axis);
+  // Past the section only: within thin walls an axis would cover them.
+  const double beyond = 4 / plot.scale().mm_per_unit;
+  for (const double side : {-1.0, 1.0}) plot.segment({0, side * H}, {0, side * (H + beyond)}, Meaning::axis);
 }
 
 void SectionPanel::draw_diagram(Plot& plot, std::size_t i) const {
