@@ -91,6 +91,15 @@ std::vector<Unit> make_units() {
       {"kg*m^2", Kind::moment_of_inertia, 1},
       {"kg cm^2", Kind::moment_of_inertia, ratio(1, 10000)},
       {"g m^2", Kind::moment_of_inertia, ratio(1, 1000)},
+      {"Pa", Kind::stress, 1},
+      {"kPa", Kind::stress, 1000},
+      {"MPa", Kind::stress, 1000000},
+      {"GPa", Kind::stress, 1000000000},
+      {"N/m^2", Kind::stress, 1},
+      {"N/mm^2", Kind::stress, 1000000},
+      {"bar", Kind::stress, 100000},
+      {"kgf/cm^2", Kind::stress, kgf * 10000},
+      {"kgf/mm^2", Kind::stress, kgf * 1000000},
   };
 }
 
@@ -120,6 +129,8 @@ Words name_of(Kind kind) {
       return {"a mass", "una massa"};
     case Kind::moment_of_inertia:
       return {"a moment of inertia", "un momento d'inerzia"};
+    case Kind::stress:
+      return {"a stress or pressure", "una tensione o pressione"};
   }
   return {};
 }

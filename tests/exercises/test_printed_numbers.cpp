@@ -8,6 +8,7 @@
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/proof/solution.h"
 #include "exercises/kit/statement/decimal.h"
+#include "exercises/kit/statement/workshop_unit.h"
 #include "tests/exercises/tried_givens.h"
 
 using namespace epure;
@@ -82,9 +83,10 @@ std::set<std::string> printable_numbers(const Exercise& exercise, const Solution
     if (!known) continue;
     for (int digits = 3; digits <= 9; ++digits) {
       all.insert(as_number_in(figures(*known, digits, language)));
-      if (value.described->unit != "m") continue;
-      for (const double mm : {1000 * *known, std::abs(1000 * *known)})
-        all.insert(as_number_in(figures(mm, digits, language)));
+      const auto unit = workshop_unit(value.described->unit);
+      if (!unit) continue;
+      for (const double told : {unit->per_si * *known, std::abs(unit->per_si * *known)})
+        all.insert(as_number_in(figures(told, digits, language)));
     }
     const std::string in_description = in_words({"", ""}, {{"x", *known, ""}}, language);
     if (!numbers_in(in_description).empty()) all.insert(numbers_in(in_description).front());

@@ -66,7 +66,13 @@ inline const std::vector<std::pair<std::string, std::vector<Assignments>>>& trie
         {"phi=90", "s=1"},
         {"phi=500", "s=6", "t1=0.2", "t2=0.1"},
         {"d=1.4", "d_0=3", "omega_1=3000", "t1=0.0001"},
-        {"d=40", "s=1000", "d_0=0.05"}}}};
+        {"d=40", "s=1000", "d_0=0.05"}}},
+      {"boat-crane",
+       {{},
+        {"W_b=600"},
+        {"L=2", "H_0=1.5", "W_b=2t"},
+        {"H_2=90mm", "b_2=200", "s_2=8", "H_0=3"},
+        {"W_b=1370", "H_1=0.2m", "sigma_S=355", "Psi=1.1"}}}};
   return all;
 }
 

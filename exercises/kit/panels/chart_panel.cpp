@@ -26,8 +26,8 @@ std::vector<drawings::Block> ChartPanel::draw(Plot& plot, const drawings::Box& r
   };
   for (const Read& each : read_) {
     if (!is_on_chart(map, each.at)) continue;
-    measure(each.along_x, {0, each.at.y}, each.at, map.x.per_mm(), Measurement::along_x);
-    measure(each.along_y, {each.at.x, 0}, each.at, map.y.per_mm(), Measurement::along_y);
+    measure(each.along_x, {0, each.at.y}, each.at, each.si_x * map.x.per_mm(), Measurement::along_x);
+    measure(each.along_y, {each.at.x, 0}, each.at, each.si_y * map.y.per_mm(), Measurement::along_y);
   }
   const std::string beyond = off_chart(chart_, map, language);
   if (beyond.empty()) return {};

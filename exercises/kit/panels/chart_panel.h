@@ -16,6 +16,7 @@ class ChartPanel : public Panel {
   struct Read {
     drawings::Datum at;
     std::string along_x, along_y;
+    double si_x = 1, si_y = 1;  // one of an axis' unit, in the quantity's
   };
   explicit ChartPanel(drawings::Chart chart, std::vector<Read> read = {})
       : chart_(std::move(chart)), read_(std::move(read)) {}

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/statement/workshop_unit.h"
 
 namespace epure {
 
@@ -18,8 +19,10 @@ std::string written_unit(const std::string& unit) {
   if (unit == "deg") return "°";
   std::string text = unit == "1" ? "" : unit;
   std::replace(text.begin(), text.end(), '*', ' ');
-  const auto square = text.find("^2");
-  return square == std::string::npos ? text : text.substr(0, square) + "²" + text.substr(square + 2);
+  for (const auto& [power, raised] : {std::pair{"^2", "²"}, {"^3", "³"}, {"^4", "⁴"}})
+    if (const auto at = text.find(power); at != std::string::npos)
+      text = text.substr(0, at) + raised + text.substr(at + std::string_view(power).size());
+  return text;
 }
 
 Result components(const VectorQuantity& quantity) {
@@ -57,20 +60,37 @@ Result coordinates(const std::vector<std::pair<std::string, std::string>>& point
   };
 }
 
-Result values(const std::vector<std::string>& names) {
-  return [names](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+namespace {
+
+// Values that exist, each after its symbol. `in_unit` says how a quantity's value is written.
+Result values_written(const std::vector<std::string>& names,
+                      std::pair<double, std::string> (*in_unit)(const Quantity& quantity, double value)) {
+  return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     std::string line;
     for (const std::string& name : names) {
       const auto value = solution.value(name);
       if (!value) continue;
       const Quantity& quantity = solution.described(name);
-      const std::string unit = written_unit(quantity.unit);
+      const auto [number, unit] = in_unit(quantity, *value);
       line += fmt::format("{}{} = {}{}{}", line.empty() ? "" : ",  ", quantity.symbol,
-                          figures(*value, significant, language), unit.empty() || unit == "°" ? "" : " ", unit);
+                          figures(number, significant, language), unit.empty() || unit == "°" ? "" : " ", unit);
     }
     return line.empty() ? std::nullopt : std::optional<drawings::Block>(drawings::Paragraph{line});
   };
 }
+
+std::pair<double, std::string> in_si(const Quantity& quantity, double value) {
+  return {value, written_unit(quantity.unit)};
+}
+std::pair<double, std::string> in_workshop_unit(const Quantity& quantity, double value) {
+  const auto unit = workshop_unit(quantity.unit);
+  return unit ? std::pair{unit->per_si * value, std::string(unit->symbol)} : in_si(quantity, value);
+}
+
+}  // namespace
+
+Result values(const std::vector<std::string>& names) { return values_written(names, in_si); }
+Result workshop_values(const std::vector<std::string>& names) { return values_written(names, in_workshop_unit); }
 
 Result value_as(const std::string& symbol, const std::string& name) {
   return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {

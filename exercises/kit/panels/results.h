@@ -23,6 +23,8 @@ Result coordinates(const std::vector<std::pair<std::string, std::string>>& point
 
 // "ω2 = 37.70 rad/s,  ω3 = −13.33 rad/s"
 Result values(const std::vector<std::string>& names);
+// The same in the workshop's units, where there are any: "σ = 49.33 MPa".
+Result workshop_values(const std::vector<std::string>& names);
 // One of them under another symbol.
 Result value_as(const std::string& symbol, const std::string& name);
 // A row for each point, under heads with X for it: of "v_{}" the quantity is v_B in the row of B. What does not exist

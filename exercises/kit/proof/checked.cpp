@@ -13,6 +13,7 @@
 #include "exercises/kit/proof/solution.h"
 #include "exercises/kit/proof/told_numbers.h"
 #include "exercises/kit/statement/decimal.h"
+#include "exercises/kit/statement/workshop_unit.h"
 
 namespace epure {
 namespace {
@@ -219,13 +220,13 @@ void compare_solution(CheckedExercise& checked, const Solution& solution) {
 }
 
 // What is proved; what belongs to the way there, which sheets tell and nobody reports (an iteration's steps); and
-// what is given, without letters, as it may be said in other words. Gears are told in millimetres.
+// what is given, without letters, as it may be said in other words. All as it is, and in the workshop's units.
 std::vector<KnownNumber> known_numbers(const CheckedExercise& checked, const Solution& solution) {
-  constexpr double mm_in_metre = 1000;
   std::vector<KnownNumber> known;
   const auto add = [&](const Quantity& quantity, double value) {
     known.push_back({quantity.name, quantity.symbol, value});
-    if (quantity.unit == "m") known.push_back({quantity.name, quantity.symbol, mm_in_metre * value});
+    if (const auto unit = workshop_unit(quantity.unit))
+      known.push_back({quantity.name, quantity.symbol, unit->per_si * value});
   };
   for (const CheckedQuantity& quantity : checked.quantities)
     if (has_value(quantity.settled)) add(quantity.spec, quantity.settled.enclosure.value);

@@ -1,0 +1,33 @@
+// Exercise 2 of Pisa's machine design: a crane that lifts boats, against yield, fatigue and buckling.
+#include "exercises/boat-crane/printed.h"
+#include "exercises/boat-crane/routes.h"
+#include "exercises/boat-crane/sheets.h"
+#include "exercises/kit/panels/panel_sheet.h"
+
+namespace epure {
+
+std::unique_ptr<Exercise> make_boat_crane() {
+  using namespace boat_crane;
+  Description about{.id = "boat-crane",
+                    .title = {"A crane that lifts boats", "Gru per rimessaggio barche"},
+                    .document = "pisa",
+                    .item = "Esercizio 2",
+                    .source = {"Pisa, mid-term test of 14 June 2006, exercise 2",
+                               "Pisa, verifica intermedia del 14/6/2006, esercizio 2"},
+                    .givens = Crane::givens(),
+                    .printed = printed_by_the_source()};
+  const auto solve = [](const Givens& givens, Rung rung) {
+    return settle(Routes(Crane(givens), Strength(givens)), rung);
+  };
+  return exercise_of_panels(
+      std::move(about), solve,
+      {{{"reactions", {"Reactions, moments, shear", "Reazioni, momenti, taglio"}}, reactions_sheet},
+       {{"elastic-line", {"Elastic line and sinking of the boat", "Linea elastica e abbassamento della barca"}},
+        elastic_sheet},
+       {{"section", {"Stresses of section C", "Tensioni nella sezione C"}}, section_sheet},
+       {{"fatigue", {"Fatigue: Soderberg's diagram", "Fatica: diagramma di Soderberg"}}, fatigue_sheet},
+       {{"buckling", {"Buckling: Euler's hyperbola", "Instabilità: iperbole di Eulero"}}, buckling_sheet},
+       {{"checks", {"All checks, both masses", "Tutte le verifiche, le due masse"}}, checks_sheet}});
+}
+
+}  // namespace epure

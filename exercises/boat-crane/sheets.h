@@ -1,0 +1,15 @@
+// The crane's sheets.
+#pragma once
+
+#include "exercises/kit/panels/panel_sheet.h"
+
+namespace epure::boat_crane {
+
+PanelSheet reactions_sheet(const Solution& s, Language language);
+PanelSheet elastic_sheet(const Solution& s, Language language);
+PanelSheet section_sheet(const Solution& s, Language language);
+PanelSheet fatigue_sheet(const Solution& s, Language language);
+PanelSheet buckling_sheet(const Solution& s, Language language);
+PanelSheet checks_sheet(const Solution& s, Language language);
+
+}  // namespace epure::boat_crane

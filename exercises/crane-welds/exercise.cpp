@@ -1,0 +1,122 @@
+// Exercise 3 of Pisa's machine design: the welds between web and flanges of the boat crane's beam.
+#include "exercises/crane-welds/printed.h"
+#include "exercises/crane-welds/routes.h"
+#include "exercises/crane-welds/sphere_panel.h"
+#include "exercises/crane-welds/throat_panel.h"
+#include "exercises/kit/crane/section_diagrams.h"
+#include "exercises/kit/panels/mohr_panel.h"
+#include "exercises/kit/panels/panel_sheet.h"
+#include "exercises/kit/panels/sheet.h"
+
+namespace epure {
+namespace crane_welds {
+namespace {
+
+constexpr double mega = 1e6;
+const std::set<std::string> of_the_crane_alone{"H_0", "s_2", "H_2", "b_2", "sigma_S", "Delta_sigma_L", "Psi", "E"};
+
+std::set<std::string> without(std::set<std::string> others) {
+  others.insert(of_the_crane_alone.begin(), of_the_crane_alone.end());
+  return others;
+}
+
+double metres(const Solution& s, const std::string& given) { return CGAL::to_double(s.givens()[given]) / 1000; }
+
+PanelSheet flow_sheet(const Solution& s, Language language) {
+  const double h = half_web(s), sigma = s["sigma_par_M"] / mega, tau = s["tau_par_Jour"] / mega;
+  SectionPanel section = section_with_stresses(s, s["sigma_outer"] / mega, s["T_1"] / s["J_x1"] / mega,
+                                               {{"sigma_par_M", "$σ_{∥M}$", {sigma, h}}},
+                                               {{"tau_par_Jour", "$τ_{∥J}$", {tau, h}}}, language);
+  section
+      .step(0, {sigma, h},
+            {"The bending stress at the joint, by similar triangles from the outer fibre.",
+             "La tensione di flessione al giunto, per triangoli simili dalla fibra esterna."})
+      .step(1, {tau, h},
+            {"Jourawsky's shear of the web at the joint; times $s_{1}$ the shear flow $q$ = "
+             "|$\\it{T}_{1}$|$\\it{S}_{x1}$/"
+             "$\\it{J}_{x1}$, which the weld hands on from web to flange.",
+             "Il taglio di Jourawsky dell'anima al giunto; per $s_{1}$ il flusso di taglio $q$ = |$\\it{T}_{1}$|"
+             "$\\it{S}_{x1}$/$\\it{J}_{x1}$, che la saldatura trasmette dall'anima alla piattabanda."});
+  return {
+      .panels = panels(section, ThroatPanel(metres(s, "s_1"), metres(s, "b"), s["a"])),
+      .results = {values({"T_1", "M_C"}), workshop_values({"A_1", "A_v1"}), workshop_values({"J_x1", "S_x1"}),
+                  workshop_values({"sigma_par_M", "tau_par_T"}), workshop_values({"tau_par_Jour"}), values({"q"}),
+                  workshop_values({"a", "tau_fillet"})},
+      .seen =
+          {"Section C with bending stress and shear along its depth, and the throat of the fillets",
+           "La sezione C con la tensione di flessione e il taglio lungo l'altezza, e la sezione di gola dei cordoni"},
+      .told = {"sigma_par_M", "tau_par_Jour", "q", "a", "tau_fillet"},
+      .without_part = without({"sigma_amm", "f", "f_1", "f_2"})};
+}
+
+PanelSheet mohr_sheet(const Solution& s, Language language) {
+  const MohrPanel circle({.unit = "MPa",
+                          .si = mega,
+                          .sigma = s["sigma_par_M"] / mega,
+                          .tau = s["tau_par_T"] / mega,
+                          .sigma_I = s["sigma_I"] / mega,
+                          .sigma_II = s["sigma_II"] / mega,
+                          .sigma_letters = "$σ_{∥M}$",
+                          .tau_letters = "$τ_{∥T}$",
+                          .sigma_name = "sigma_par_M",
+                          .tau_name = "tau_par_T",
+                          .sigma_I_name = "sigma_I",
+                          .sigma_II_name = "sigma_II",
+                          .radius_name = "Mohr_radius",
+                          .centre_name = "Mohr_centre",
+                          .equivalent_name = "sigma_eq"});
+  const Words check{"Full penetration: $σ_{eq}$ ≤ $σ_{ammW}$ = $fσ_{amm}$.",
+                    "Piena penetrazione: $σ_{eq}$ ≤ $σ_{ammW}$ = $fσ_{amm}$."};
+  return {.panels = panels(circle),
+          .results = {workshop_values({"Mohr_centre", "Mohr_radius"}), workshop_values({"sigma_I", "sigma_II"}),
+                      values({"principal_direction"}), workshop_values({"sigma_eq", "sigma_eq_Jour"}),
+                      workshop_values({"sigma_amm_W", "full_penetration_utilisation"}), remark(check.in(language))},
+          .seen = {"Mohr's circle of the web at the joint", "Il cerchio di Mohr dell'anima al giunto"},
+          .told = {"Mohr_centre", "Mohr_radius", "sigma_I", "sigma_II", "principal_direction", "sigma_eq"},
+          .without_part = without({"b", "f_1", "f_2"})};
+}
+
+PanelSheet sphere_sheet(const Solution& s, Language language) {
+  const auto in_MPa = [&](const std::string& name) { return s[name] / mega; };
+  const SpherePanel sphere(in_MPa("fillet_allowable_1"), in_MPa("fillet_allowable_2"),
+                           {{"tau_par_T", "1", in_MPa("tau_par_T")},
+                            {"mass_600kg.tau_par_T", "2", in_MPa("mass_600kg.tau_par_T")},
+                            {"tau_fillet", "3", in_MPa("tau_fillet")}});
+  const Words points{
+      "1: $τ_{∥}$ as the source takes it, the shear over the web. 2: the same with 600 kg, as the source "
+      "computes. 3: the shear that the throats have of the shear flow (drawn positive).",
+      "1: $τ_{∥}$ come la prende la fonte, il taglio medio sull'anima. 2: la stessa con 600 kg, come calcola "
+      "la fonte. 3: il taglio che le sezioni di gola hanno dal flusso di taglio (disegnato positivo)."};
+  return {
+      .panels = panels(sphere),
+      .results = {remark(points.in(language)), workshop_values({"fillet_stress_1", "fillet_allowable_1"}),
+                  workshop_values({"fillet_stress_2", "fillet_allowable_2"}), values({"fillet_utilisation"}),
+                  workshop_values({"tau_fillet", "fillet_throat_utilisation"})},
+      .seen = {"The truncated sphere of the fillet welds in the plane of τ and σ, with the points of the stresses",
+               "La sfera mozza dei cordoni d'angolo nel piano di τ e σ, con i punti delle tensioni"},
+      .told = {"fillet_stress_1", "fillet_allowable_1", "fillet_allowable_2", "tau_fillet"},
+      .without_part = without({"f"})};
+}
+
+}  // namespace
+}  // namespace crane_welds
+
+std::unique_ptr<Exercise> make_crane_welds() {
+  using namespace crane_welds;
+  Description about{.id = "crane-welds",
+                    .title = {"The welds of the crane's beam", "Le saldature della trave della gru"},
+                    .document = "pisa",
+                    .item = "Esercizio 3",
+                    .source = {"Pisa, mid-term test of 14 June 2006, exercise 3",
+                               "Pisa, verifica intermedia del 14/6/2006, esercizio 3"},
+                    .givens = Welds::givens(),
+                    .printed = printed_by_the_source()};
+  const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes(Welds(givens)), rung); };
+  return exercise_of_panels(
+      std::move(about), solve,
+      {{{"shear-flow", {"Shear flow and throat", "Flusso di taglio e sezione di gola"}}, flow_sheet},
+       {{"mohr", {"Mohr's circle at the joint", "Cerchio di Mohr al giunto"}}, mohr_sheet},
+       {{"sphere", {"Fillets: the truncated sphere", "Cordoni: la sfera mozza"}}, sphere_sheet}});
+}
+
+}  // namespace epure

@@ -1,0 +1,113 @@
+#include "exercises/kit/panels/beam_panel.h"
+
+#include <algorithm>
+
+namespace epure {
+namespace {
+
+constexpr double between_diagrams = 9, diagram_names = 9, beam_letters = 8;  // mm
+constexpr double load_length = 13;                     // mm
+
+struct Reach {
+  double low = 0, high = 0;
+};
+// In mm from the axis.
+Reach reach_of(const BeamDiagram& diagram, double mm) {
+  Reach all;
+  const auto include = [&](double y) {
+    all.low = std::min(all.low, y);
+    all.high = std::max(all.high, y);
+  };
+  for (const BeamDiagram::Run& run : diagram.runs)
+    for (const Place& P : run.points) include(mm * P.y);
+  if (!diagram.loads.empty()) include(-load_length - beam_letters / 2);
+  return all;
+}
+
+}  // namespace
+
+std::vector<double> BeamPanel::axes(double mm_of_lengths, double mm_of_vectors) const {
+  std::vector<double> all;
+  double end = 0;
+  for (const BeamDiagram& diagram : diagrams_) {
+    const Reach reach = reach_of(diagram, diagram.of_vectors ? mm_of_vectors : mm_of_lengths);
+    all.push_back(all.empty() ? 0 : end - between_diagrams - reach.high);
+    end = all.back() + reach.low;
+  }
+  all.push_back(end);
+  return all;
+}
+
+drawings::Box BeamPanel::extent(const Scale& lengths, const Scale& vectors) const {
+  const double high =
+      reach_of(diagrams_.front(), diagrams_.front().of_vectors ? vectors.mm_per_unit : lengths.mm_per_unit).high;
+  return {{-diagram_names - beam_letters, axes(lengths.mm_per_unit, vectors.mm_per_unit).back() - beam_letters / 2},
+          {lengths.mm_per_unit * length_ + beam_letters, high + beam_letters / 2}};
+}
+
+Place BeamPanel::place(const Plot& plot, std::size_t diagram, const Place& at) const {
+  const double lengths = plot.scale().mm_per_unit, vectors = plot.vector_scale().mm_per_unit;
+  const double mm = axes(lengths, vectors)[diagram] + (diagrams_[diagram].of_vectors ? vectors : lengths) * at.y;
+  return {at.x, mm / lengths};
+}
+
+void BeamPanel::draw(Plot& plot, std::size_t diagram) const {
+  const BeamDiagram& of = diagrams_[diagram];
+  const double mm = of.of_vectors ? plot.vector_scale().mm_per_unit : plot.scale().mm_per_unit;
+  const auto at = [&](const Place& P) { return place(plot, diagram, P); };
+  auto& figure = plot.onto().sheet.figure;
+  for (const BeamDiagram::Run& run : of.runs) {
+    std::vector<Place> points;
+    for (const Place& P : run.points) points.push_back(at(P));
+    if (run.is_area) plot.area(points, Meaning::plate);
+    if (run.is_cubic) {
+      const drawings::Piece arc{false, plot.at(points[1]), plot.at(points[2]), plot.at(points[3])};
+      plot.mark(drawings::Line{{plot.at(points[0]), {arc}, false}, run.meaning, {}});
+    } else {
+      std::vector<drawings::Point> corners;
+      for (const Place& P : points) corners.push_back(plot.at(P));
+      plot.mark(drawings::Line{drawings::polyline(corners, run.is_area), run.meaning, {}});
+    }
+    if (!run.letter.empty())
+      figure.labels.push_back(
+          {.text = run.letter, .at = plot.at(points.front()), .to = plot.at(points.back()), .size = 3});
+  }
+  plot.segment(at({0, 0}), at({length_, 0}), of.is_beam ? Meaning::link : Meaning::axis);
+  plot.label(of.name, at({0, 0}), at({length_ / 2, 0}));
+  for (const BeamDiagram::Ordinate& each : of.ordinates) {
+    const Place from = at({each.at, each.from}), to = at({each.at, each.to});
+    if (each.is_arrow)
+      plot.mark(drawings::Arrow{plot.at(from), plot.at(to), Meaning::force, each.quantity});
+    else
+      plot.mark(drawings::Line{drawings::segment(plot.at(from), plot.at(to)), Meaning::force, each.quantity});
+    if (!each.label.empty())
+      figure.labels.push_back({.text = each.label, .at = plot.at(from), .to = plot.at(to), .ink = Meaning::force});
+    if (!each.quantity.empty() && plot.shows(from) && plot.shows(to))
+      plot.onto().measurements.push_back(
+          {each.quantity, plot.at(from), plot.at(to), each.worth / mm, Measurement::along_y});
+  }
+  for (const BeamDiagram::Load& load : of.loads) {
+    // All hang below the axis: upward ones press on it, downward ones pull.
+    const drawings::Point on_axis = plot.at(at({load.at, 0})), below{on_axis.x, on_axis.y - load_length};
+    const auto [tail, tip] = load.sense > 0 ? std::pair{below, on_axis} : std::pair{on_axis, below};
+    plot.mark(drawings::Arrow{tail, tip, Meaning::force, {}});
+    figure.labels.push_back({.text = load.label, .at = tail, .to = tip, .ink = Meaning::force});
+  }
+  for (const BeamDiagram::Letter& letter : of.letters) plot.label(letter.text, at(letter.at), at(letter.away_from));
+}
+
+std::vector<drawings::Block> BeamPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+  const double lengths = plot.scale().mm_per_unit;
+  const double end = axes(lengths, plot.vector_scale().mm_per_unit).back() / lengths;
+  for (const double x : lines_) plot.segment({x, 0}, {x, end}, Meaning::construction);
+  for (std::size_t i = 0; i < diagrams_.size(); ++i) draw(plot, i);
+  return {};
+}
+
+std::vector<PanelStep> BeamPanel::steps(const Plot& plot, const drawings::Box&) const {
+  std::vector<PanelStep> all;
+  for (const Step& step : steps_) all.push_back({step.text, place(plot, step.diagram, step.at)});
+  return all;
+}
+
+}  // namespace epure

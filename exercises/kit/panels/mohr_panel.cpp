@@ -1,0 +1,90 @@
+#include "exercises/kit/panels/mohr_panel.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace epure {
+namespace {
+
+constexpr double mohr_letters = 9, mohr_longest = 120;  // mm
+
+}  // namespace
+
+Place MohrPanel::tip() const { return {centre().x, std::numbers::sqrt3 * radius()}; }
+
+Panel::Vectors MohrPanel::vectors() const { return {of_.unit, of_.sigma_I - of_.sigma_II, mohr_longest}; }
+
+drawings::Box MohrPanel::extent(const Scale&, const Scale& vectors) const {
+  Extent extent;
+  extent.include(vectors, {of_.sigma_II, -radius()}, mohr_letters);
+  extent.include(vectors, {of_.sigma_I, radius()}, mohr_letters);
+  extent.include(vectors, {0, 0}, mohr_letters);
+  extent.include(vectors, tip(), mohr_letters);
+  return extent.box();
+}
+
+void MohrPanel::measure(Plot& plot, const std::string& name, const Place& from, const Place& to,
+                        Measurement::Kind kind) const {
+  if (name.empty() || !plot.shows(from) || !plot.shows(to)) return;
+  plot.onto().measurements.push_back({name, plot.at(from), plot.at(to), of_.si / plot.scale().mm_per_unit, kind});
+}
+
+std::vector<drawings::Block> MohrPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+  const Place O{0, 0}, X{of_.sigma, of_.tau}, Y{0, -of_.tau}, pole{of_.sigma, -of_.tau}, C = centre();
+  const Place I{of_.sigma_I, 0}, II{of_.sigma_II, 0};
+  const double mm = plot.scale().mm_per_unit, high = radius();
+  plot.long_segment({std::min(0.0, of_.sigma_II), 0}, I, 7, Meaning::axis);
+  plot.long_segment({0, -high}, {0, high}, 5, Meaning::axis);
+  plot.label("$σ$", {of_.sigma_I + 8 / mm, 0}, O);
+  plot.label("$τ$", {0, high + 6 / mm}, O);
+  plot.circle(C, radius(), Meaning::locus);
+  plot.segment(X, Y, Meaning::construction);
+  plot.segment(pole, I, Meaning::construction);
+  plot.segment(pole, X, Meaning::construction);
+  plot.segment(II, tip(), Meaning::construction);
+  plot.segment(I, tip(), Meaning::construction);
+  plot.mark(drawings::Line{drawings::segment(plot.at(O), plot.at(tip())), Meaning::force, of_.equivalent_name});
+  plot.onto().sheet.figure.labels.push_back(
+      {.text = "$σ_{eq}$", .at = plot.at(O), .to = plot.at(tip()), .ink = Meaning::force});
+  for (const Place& P : {X, Y, C, pole}) plot.dot(P);
+  for (const Place& P : {I, II}) plot.cross(P, Meaning::force);
+  plot.label("$X$", X, C);
+  plot.label("$Y$", Y, C);
+  plot.label("$C$", C, tip());
+  plot.label("$\\it{P}$", pole, C);
+  plot.label("$σ_{I}$", I, C, Meaning::force);
+  plot.label("$σ_{II}$", II, C, Meaning::force);
+  measure(plot, of_.sigma_name, O, {of_.sigma, 0}, Measurement::along_x);
+  measure(plot, of_.tau_name, {of_.sigma, 0}, X, Measurement::along_y);
+  measure(plot, of_.sigma_I_name, O, I, Measurement::along_x);
+  measure(plot, of_.sigma_II_name, O, II, Measurement::along_x);
+  measure(plot, of_.centre_name, O, C, Measurement::along_x);
+  measure(plot, of_.radius_name, C, X, Measurement::length);
+  measure(plot, of_.equivalent_name, O, tip(), Measurement::length);
+  return {};
+}
+
+std::vector<PanelStep> MohrPanel::steps(const Plot&, const drawings::Box&) const {
+  const Words state =
+      decimal("$X$ (" + of_.sigma_letters + "; " + of_.tau_letters + "), $Y$ (0; −" + of_.tau_letters + ")");
+  return {
+      {Words{"The faces across and along the beam: ", "Le facce trasversale e longitudinale della trave: "} + state +
+           Words{". $XY$ is a diameter.", ". $XY$ è un diametro."},
+       Place{of_.sigma, of_.tau}},
+      {{"Where the circle crosses the axis of $σ$: $σ_{I}$ and $σ_{II}$.",
+        "Dove il cerchio incontra l'asse delle $σ$: $σ_{I}$ e $σ_{II}$."},
+       Place{of_.sigma_I, 0}},
+      {{"The pole $\\it{P}$: through $X$ the parallel to the face across. From $\\it{P}$ to $σ_{I}$: the face on "
+        "which "
+        "$σ_{I}$ acts.",
+        "Il polo $\\it{P}$: da $X$ la parallela alla faccia trasversale. Da $\\it{P}$ a $σ_{I}$: la giacitura su cui "
+        "agisce la $σ_{I}$."},
+       Place{of_.sigma, -of_.tau}},
+      {{"The equilateral triangle over $σ_{II}σ_{I}$: its tip is $σ_{eq}$ = √($c^{2}$ + 3$r^{2}$) from the origin "
+        "(von Mises).",
+        "Il triangolo equilatero su $σ_{II}σ_{I}$: il vertice dista dall'origine $σ_{eq}$ = √($c^{2}$ + 3$r^{2}$) "
+        "(von Mises)."},
+       tip()}};
+}
+
+}  // namespace epure

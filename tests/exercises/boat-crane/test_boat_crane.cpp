@@ -1,0 +1,133 @@
+// The boat crane: its numbers are those of a corpus that knows finite elements and outlines only; what the source
+// printed, and that it computed with twice the mass it states; what cannot be; its sheets.
+#include "exercises/kit/proof/verdict.h"
+#include "tests/exercises/held_against_corpus.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+namespace {
+
+const Tried& crane() {
+  static const Tried tried("boat-crane");
+  return tried;
+}
+
+const std::vector<CorpusCase>& corpus() {
+  static const std::vector<CorpusCase> cases = read_corpus(EPURE_CORPUS "/boat_crane.txt");
+  return cases;
+}
+
+const std::vector<Assignments> usual{{},
+                                     {"W_b=600"},
+                                     {"L=2", "H_0=1.5", "W_b=2t"},
+                                     {"H_2=90mm", "b_2=200", "s_2=8", "H_0=3"},
+                                     {"W_b=1370", "H_1=0.2m", "sigma_S=355", "Psi=1.1"},
+                                     {"sigma_S=20"}};
+
+std::string refusal(const Assignments& assignments) {
+  try {
+    crane().checked(assignments);
+  } catch (const BadGivens& why) {
+    return why.words().english;
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("boat crane: what is promised is reported, in its units", "[boat-crane]") {
+  const CheckedExercise result = crane().checked({});
+  CAPTURE(complaints(result));
+  CHECK(result.passed());
+  CHECK(result.quantities.size() == 96);
+  for (const auto& [name, unit] : std::vector<std::pair<std::string, std::string>>{{"A_1", "m^2"},
+                                                                                   {"J_x1", "m^4"},
+                                                                                   {"W_x1", "m^3"},
+                                                                                   {"M_C", "N*m"},
+                                                                                   {"moment_area_BC", "N*m^2"},
+                                                                                   {"theta_B", "rad"},
+                                                                                   {"v_D", "m"},
+                                                                                   {"sigma_eq", "Pa"},
+                                                                                   {"slenderness", "1"},
+                                                                                   {"mass_600kg.P", "N"}})
+    CHECK(find(result, name).spec.unit == unit);
+}
+
+TEST_CASE("boat crane: values are the corpus', to the last bit of a double, by every route", "[boat-crane]") {
+  CHECK(corpus().size() == 15);
+  holds_against(crane(), corpus());
+}
+
+TEST_CASE("boat crane: Soderberg's diagram ends where half the stress is the yield stress", "[boat-crane]") {
+  const auto kind = [](const std::string& name) {
+    for (const CorpusCase& c : corpus())
+      if (c.name == name) return find(crane().checked(assignments_of(c)), "Delta_sigma_eff").settled;
+    throw std::logic_error("no such case");
+  };
+  using Kind = geometry::Settled::Kind;
+  CHECK(kind("mean_yields").kind == Kind::absent);
+  CHECK(kind("mean_yields").reason.english.find("yield stress") != std::string::npos);
+  CHECK(kind("hardly_below").kind == Kind::absent);
+  CHECK(kind("hardly_above").kind == Kind::certain);
+  CHECK(kind("nearly_below").kind == Kind::absent);
+  CHECK(kind("nearly_above").kind == Kind::certain);
+}
+
+TEST_CASE("boat crane: all that is printed is right with 600 kg, and what hangs on the load wrong with 300",
+          "[boat-crane]") {
+  int right = 0, explained = 0;
+  for (const CheckedQuantity& quantity : crane().checked({}).quantities)
+    for (const PrintedVerdict& verdict : quantity.printed) {
+      CAPTURE(quantity.spec.name, verdict.text);
+      CHECK(verdict.explanation_holds);
+      if (verdict.verdict == Verdict::rounding) {
+        ++right;
+        continue;
+      }
+      CHECK(verdict.explanation.has_value());
+      const double times = 1 + std::abs(verdict.difference_percent.value()) / 100;
+      CHECK(times > 1.95);
+      CHECK(times < 2.25);  // Soderberg's range grows faster than the load
+      ++explained;
+    }
+  CHECK(right == 26);
+  CHECK(explained == 13);
+  for (const CheckedQuantity& quantity : crane().checked({"W_b=600"}).quantities) CHECK(quantity.printed.empty());
+}
+
+TEST_CASE("boat crane: what cannot be built is refused in a sentence with the value", "[boat-crane]") {
+  CHECK_THAT(refusal({"H_1=10"}), Contains("H_1 = 10 mm leaves no web") && Contains("2 s_1 = 10 mm"));
+  CHECK_THAT(refusal({"s_2=95"}), Contains("H_2 = 180 mm leaves no web"));
+  CHECK_THAT(refusal({"b_1=4"}), Contains("b_1 = 4 mm is less than the web's thickness s_1 = 5 mm"));
+  CHECK(refusal({"b_1=5"}).empty());
+  for (const char* given : {"W_b=0", "H_0=-5", "s_1=0", "E=0", "Psi=-1", "sigma_S=0"})
+    CHECK_THROWS_WITH(crane().givens({given}), Contains("must be positive"));
+  CHECK_THROWS_WITH(crane().givens({"sigma_S=300N"}), Contains("a force where a stress"));
+}
+
+TEST_CASE("boat crane: every sheet is drawn, whatever is given", "[boat-crane][sheets]") {
+  draws_every_sheet(crane(), corpus());
+}
+
+TEST_CASE("boat crane: letters find room", "[boat-crane][sheets]") { letters_find_room(crane(), usual); }
+
+TEST_CASE("boat crane: the diagrams are measured back", "[boat-crane][sheets]") {
+  const auto shown = [](const std::string& sheet) {
+    std::set<std::string> names;
+    for (const Measurement& m : crane().draw(sheet, {}).measurements) names.insert(m.quantity);
+    return names;
+  };
+  const auto shows = [&](const std::string& sheet, const std::vector<std::string>& names) {
+    const std::set<std::string> all = shown(sheet);
+    for (const std::string& name : names) {
+      CAPTURE(sheet, name);
+      CHECK(all.contains(name));
+    }
+  };
+  shows("reactions", {"P", "Y_A", "Y_B", "M_C", "M_1_mid_BC", "M_1_mid_CD", "T_1_BC", "T_1_CD"});
+  shows("elastic-line", {"moment_area_BC", "moment_area_CD", "v_max_BC", "v_D_bending", "column_shortening"});
+  shows("section", {"sigma_z_max", "tau_zy", "tau_max_Jourawsky", "sigma_eq"});
+  shows("fatigue", {"sigma_m", "Delta_sigma", "Delta_sigma_eff", "mass_600kg.Delta_sigma_eff"});
+  shows("buckling", {"slenderness", "slenderness_limit", "P_cr"});
+}
