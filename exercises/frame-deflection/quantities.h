@@ -75,6 +75,12 @@ inline Quantity torsion_share(int bar) {
           format_words("share of bar {}'s torsion in the deflection of A",
                        "parte dell'abbassamento di A per la torsione della barra {}", number)};
 }
+// Only drawn.
+inline Quantity elastic_weight(int bar) {
+  const std::string number = std::to_string(bar);
+  return {"alpha_" + number, "$α_{" + number + "}$", "rad",
+          format_words("elastic weight of bar {}'s bending", "peso elastico della flessione della barra {}", number)};
+}
 inline Quantity energy(int bar) {
   const std::string number = std::to_string(bar);
   return {"U_" + number, "$\\it{U}_{" + number + "}$", "J",

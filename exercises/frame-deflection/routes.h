@@ -201,38 +201,67 @@ void by_elastic_weights(Ledger<T>& ledger, const Problem& of) {
   ledger.put(deflection(), [&] { return -(*weighed).rise(3, A); });
 }
 
+// Each bar's polygon from a level tangent, and all of them in a chain: from where the bar before ends, as steeply as
+// its end has turned.
 template <class T>
-void by_second_polygon(Ledger<T>& ledger, const Problem& of) {
+struct Strung {
+  std::vector<geometry::StrungBar<T>> own, chained;
+};
+
+template <class T>
+Strung<T> strung(const Problem& of) {
   const std::vector<BarEnds> bars = cut_bars(of);
-  const Once<std::vector<geometry::StrungBar<T>>> strung([&] {
-    const Stiffness<T> stiffness = constructed_stiffness<T>(of);
-    std::vector<geometry::StrungBar<T>> all;
-    geometry::BarState<T> state{T(0), T(0), T(0)};
-    for (int i = 1; i <= 3; ++i) {
-      const BarEnds& at = bars[i - 1];
-      all.push_back(geometry::string_bar(at.bar, state, at.start, at.end, stiffness.of(i)));
-      state = all.back().end.round_the_corner();
-    }
-    return all;
-  });
-  ledger.route("second polygon");
+  const Stiffness<T> stiffness = constructed_stiffness<T>(of);
+  const geometry::BarState<T> level{T(0), T(0), T(0)};
+  geometry::BarState<T> state = level;
+  Strung<T> all;
   for (int i = 1; i <= 3; ++i) {
-    const auto end = [&, i] { return (*strung)[i - 1].end; };
-    put_node<T>(
-        ledger, nodes[i], [&, i, end] { return end().rotation(bars[i - 1].bar).x; },
-        [&, i, end] { return end().rotation(bars[i - 1].bar).y; }, [end] { return end().rise; });
+    const BarEnds& at = bars[i - 1];
+    all.own.push_back(geometry::string_bar(at.bar, level, at.start, at.end, stiffness.of(i)));
+    all.chained.push_back(geometry::string_bar(at.bar, state, at.start, at.end, stiffness.of(i)));
+    state = all.chained.back().end.round_the_corner();
   }
-  ledger.put(deflection(), [&] { return -(*strung)[2].end.rise; });
-  // The corners, along the unfolded chain.
+  return all;
+}
+
+// What the sheets draw of it: corners of the polygons, ends of the tangents, weights.
+template <class T>
+void draw_polygons(Ledger<T>& ledger, const Problem& of, const Once<Strung<T>>& strung) {
   Rational before = 0;
   for (int i = 1; i <= 3; ++i) {
-    for (int k = 0; k < 4; ++k)
-      ledger.draws_point("string_" + std::to_string(i) + "_" + std::to_string(k), [&, i, k, before] {
-        const geometry::Point<T> corner = (*strung)[i - 1].corners[k];
+    const std::string number = std::to_string(i);
+    const Rational length = of.lengths()[i - 1];
+    for (int k = 0; k < 4; ++k) {
+      const std::string name = number + "_" + std::to_string(k);
+      ledger.draws_point("own_" + name, [&, i, k] { return (*strung).own[i - 1].corners[k]; });
+      ledger.draws_point("chain_" + name, [&, i, k, before] {
+        const geometry::Point<T> corner = (*strung).chained[i - 1].corners[k];
         return geometry::Point<T>{geometry::from_rational<T>(before) + corner.x, corner.y};
       });
-    before += bars[i - 1].bar.length;
+    }
+    ledger.draws_point("tangent_" + number, [&, i, before, length] {
+      const auto& at = (*strung).chained[i - 1].corners;
+      return geometry::Point<T>{geometry::from_rational<T>(before + length), at[0].y + T(3) * (at[1].y - at[0].y)};
+    });
+    ledger.tells(elastic_weight(i), [&, i] { return (*strung).own[i - 1].end.slope; });
+    before += length;
   }
+}
+
+template <class T>
+void by_second_polygon(Ledger<T>& ledger, const Problem& of) {
+  const auto bars = of.bars();
+  const Once<Strung<T>> polygons([&] { return strung<T>(of); });
+  ledger.route("second polygon");
+  for (int i = 1; i <= 3; ++i) {
+    const auto end = [&, i] { return (*polygons).chained[i - 1].end; };
+    put_node<T>(
+        ledger, nodes[i], [&, i, end] { return end().rotation(bars[i - 1]).x; },
+        [&, i, end] { return end().rotation(bars[i - 1]).y; }, [end] { return end().rise; });
+    if (i > 1) ledger.put(bending_share(i), [&, i] { return -(*polygons).own[i - 1].end.rise; });
+  }
+  ledger.put(deflection(), [&] { return -(*polygons).chained[2].end.rise; });
+  draw_polygons(ledger, of, polygons);
 }
 
 template <class T>
