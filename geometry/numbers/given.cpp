@@ -100,6 +100,14 @@ std::vector<Unit> make_units() {
       {"bar", Kind::stress, 100000},
       {"kgf/cm^2", Kind::stress, kgf * 10000},
       {"kgf/mm^2", Kind::stress, kgf * 1000000},
+      {"m^2", Kind::area, 1},
+      {"cm^2", Kind::area, ratio(1, 10000)},
+      {"mm^2", Kind::area, ratio(1, 1000000)},
+      {"m^4", Kind::second_moment_of_area, 1},
+      {"cm^4", Kind::second_moment_of_area, ratio(1, 100000000)},
+      {"mm^4", Kind::second_moment_of_area, Rational(1, 1000000) * Rational(1, 1000000)},
+      {"J", Kind::energy, 1},
+      {"kJ", Kind::energy, 1000},
   };
 }
 
@@ -131,6 +139,12 @@ Words name_of(Kind kind) {
       return {"a moment of inertia", "un momento d'inerzia"};
     case Kind::stress:
       return {"a stress or pressure", "una tensione o pressione"};
+    case Kind::area:
+      return {"an area", "un'area"};
+    case Kind::second_moment_of_area:
+      return {"a second moment of area", "un momento d'inerzia di superficie"};
+    case Kind::energy:
+      return {"an energy", "un'energia"};
   }
   return {};
 }

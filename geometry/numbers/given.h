@@ -38,7 +38,10 @@ enum class Kind {
   moment,
   mass,
   moment_of_inertia,
-  stress
+  stress,
+  area,
+  second_moment_of_area,
+  energy
 };
 
 // Of an angle, an angular velocity, an angular acceleration.

@@ -21,6 +21,9 @@ Words route_in_words(const std::string& route) {
       {"power balance", "bilancio delle potenze"},
       {"primitive", "primitiva"},
       {"quadrature", "quadratura"},
+      {"second polygon", "secondo poligono"},
+      {"stiffness matrix", "matrice di rigidezza"},
+      {"virtual work", "lavori virtuali"},
   };
   const auto known = italian.find(route);
   return {route, known == italian.end() ? route : known->second};

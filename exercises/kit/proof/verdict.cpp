@@ -38,7 +38,7 @@ bool has_value(const geometry::Settled& quantity) {
 
 PrintedVerdict judge(const Printed& printed, const geometry::Settled& quantity) {
   PrintedVerdict result{.text = printed.text, .route = printed.route};
-  const Decimal number = read_decimal(printed.text, "1");
+  const Decimal number = read_printed(printed.text);
   if (has_value(quantity)) {
     result.difference_percent = percent(excess(number, quantity.enclosure.value), quantity.enclosure.value);
     result.verdict = verdict_on(number, printed.reading, quantity.enclosure.value);

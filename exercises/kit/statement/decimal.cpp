@@ -1,5 +1,6 @@
 #include "exercises/kit/statement/decimal.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -77,6 +78,19 @@ Decimal read_decimal(const std::string& text, const std::string& unit) {
   if (parts.fraction) return {value, 0, parts.signed_text};
   const Rational factor = parts.unit.empty() ? Rational(1) : geometry::conversion(std::string(parts.unit), unit);
   return {value, power_of_ten(parts.last_digit) / 2 * factor, parts.signed_text};
+}
+
+Decimal read_printed(std::string text) {
+  const std::string_view power = "×10^";
+  if (const auto at = text.find(power); at != std::string::npos) text.replace(at, power.size(), "e");
+  const auto first = std::find_if(text.begin(), text.end(), [](char c) { return c == ' '; });
+  const std::string symbol(without_blanks(std::string_view(first, text.end())));
+  Decimal number = read_decimal(text, symbol);
+  if (const auto unit = geometry::find_unit(symbol); unit && !unit->counts_turns) {
+    number.value *= unit->factor;
+    number.half_unit *= unit->factor;
+  }
+  return number;
 }
 
 Rational excess(const Decimal& number, double value) {

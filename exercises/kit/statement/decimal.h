@@ -18,6 +18,9 @@ struct Decimal {
 // Any unit may be asked for; one that is not in geometry/numbers/given.h is known by its own symbol only.
 Decimal read_decimal(const std::string& text, const std::string& unit);
 
+// As a source prints it, in SI units where it has one: "8.077×10^4 MPa".
+Decimal read_printed(std::string text);
+
 // Text minus value; minus the value's magnitude when the text bears no sign.
 geometry::Rational excess(const Decimal& number, double value);
 

@@ -1,0 +1,88 @@
+#include "exercises/kit/panels/displacement_plan_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epure {
+namespace {
+
+constexpr double plan_letters = 9, whole_off = 7;  // mm; how far off a node its whole displacement is drawn
+
+// On the plane of lengths, where displacements have their own scale.
+Place on_plane(const Plot& plot, const Place& P) {
+  return {P.x, 1000 * plot.vector_scale().mm_per_unit / plot.scale().mm_per_unit * P.y};
+}
+
+}  // namespace
+
+Panel::Vectors DisplacementPlanPanel::vectors() const {
+  constexpr double longest_on_paper = 130;  // mm
+  double low = 0, high = 0;
+  for (const PlannedBar& bar : bars_)
+    for (const double y : {bar.corners[3].y, bar.tangent.y}) {
+      low = std::min(low, y);
+      high = std::max(high, y);
+    }
+  return {"mm", 1000 * (high - low), longest_on_paper};
+}
+
+drawings::Box DisplacementPlanPanel::extent(const Scale& lengths, const Scale& vectors) const {
+  Extent extent;
+  extent.include(-plan_letters, 0);
+  for (const PlannedBar& bar : bars_)
+    for (const Place& P : {Place{bar.corners[3].x, 0}, bar.tangent, bar.corners[3]}) {
+      const double x = lengths.mm_per_unit * P.x, y = 1000 * vectors.mm_per_unit * P.y;
+      extent.include(x + whole_off + plan_letters, y + plan_letters);
+      extent.include(x, y - plan_letters);
+    }
+  return extent.box();
+}
+
+void DisplacementPlanPanel::draw_bar(Plot& plot, const PlannedBar& bar) const {
+  const double mm = 1 / plot.scale().mm_per_unit;
+  const auto at = [&](const Place& P) { return on_plane(plot, P); };
+  const Place begin = at(bar.corners[0]), end = at(bar.corners[3]), turned = at(bar.tangent), axis{end.x, 0};
+  const double per_mm = 1 / (1000 * plot.vector_scale().mm_per_unit);
+  plot.segment(begin, turned, Meaning::construction);
+  plot.mark(drawings::Line{
+      {plot.at(begin), {{false, plot.at(at(bar.corners[1])), plot.at(at(bar.corners[2])), plot.at(end)}}},
+      Meaning::locus});
+  if (!bar.turned.empty()) {
+    const Place level{end.x, begin.y};
+    plot.segment(begin, level, Meaning::construction);
+    plot.side("", level, turned, Meaning::velocity, bar.turned, begin);
+  }
+  plot.side("", turned, end, Meaning::acceleration, bar.bent, begin);
+  if (!bar.bends.empty()) {
+    const Place &from = bar.bending_counts_down ? end : turned, &to = bar.bending_counts_down ? turned : end;
+    plot.onto().measurements.push_back({bar.bends, plot.at(from), plot.at(to), per_mm, Measurement::along_y});
+  }
+  const Arrow2 off{whole_off * mm, 0};
+  plot.segment(end, end + off, Meaning::construction);
+  plot.side("", axis + off, end + off, Meaning::force, bar.end, axis);
+  plot.onto().measurements.push_back({bar.rise, plot.at(axis), plot.at(end), per_mm, Measurement::along_y});
+  plot.dot(end, Meaning::link);
+  plot.label(bar.end_letters, axis, axis + Arrow2{0, end.y < 0 ? -mm : mm});
+}
+
+std::vector<drawings::Block> DisplacementPlanPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+  const double mm = 1 / plot.scale().mm_per_unit;
+  plot.segment({0, 0}, {reach() + (whole_off + 3) * mm, 0}, Meaning::axis);
+  constexpr double support = 6;  // mm
+  plot.mark(drawings::Ground{plot.at(Place{0, support * mm}), plot.at(Place{0, -support * mm})});
+  plot.label(begin_, {0, 0}, Place{mm, -mm});
+  for (const PlannedBar& bar : bars_) draw_bar(plot, bar);
+  return {};
+}
+
+std::vector<PanelStep> DisplacementPlanPanel::steps(const Plot& plot, const drawings::Box&) const {
+  std::vector<PanelStep> all;
+  for (const PlannedBar& bar : bars_) {
+    const Place begin = on_plane(plot, bar.corners[0]), turned = on_plane(plot, bar.tangent);
+    if (!bar.told_turned.empty()) all.push_back({bar.told_turned, geometry::midpoint(begin, turned)});
+    all.push_back({bar.told_bent, on_plane(plot, bar.corners[3])});
+  }
+  return all;
+}
+
+}  // namespace epure
