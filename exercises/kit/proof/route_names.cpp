@@ -9,6 +9,8 @@ Words route_in_words(const std::string& route) {
       {"analytic", "analitica"},
       {"construction", "costruzione"},
       {"constraint equations", "equazioni di vincolo"},
+      {"equilibrium equations", "equazioni di equilibrio"},
+      {"force polygon", "poligono delle forze"},
       {"instant centres", "centri d'istantanea rotazione"},
       {"natural equation", "equazione naturale"},
       {"Newton-Euler", "Newton-Eulero"},
@@ -17,6 +19,7 @@ Words route_in_words(const std::string& route) {
       {"power balance", "bilancio delle potenze"},
       {"primitive", "primitiva"},
       {"quadrature", "quadratura"},
+      {"velocity diagram", "diagramma delle velocità"},
   };
   const auto known = italian.find(route);
   return {route, known == italian.end() ? route : known->second};
