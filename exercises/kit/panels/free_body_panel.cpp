@@ -1,7 +1,10 @@
 #include "exercises/kit/panels/free_body_panel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "exercises/kit/panels/cut_panel.h"
 
 namespace epure {
 namespace {
@@ -15,22 +18,54 @@ Place on_line(const Place& at, const Arrow2& along, double mm, double mm_per_uni
 
 }  // namespace
 
-double FreeBodyPanel::Force::tail() const { return ends ? -behind - arrow_length : behind; }
-double FreeBodyPanel::Force::tip() const { return tail() + arrow_length; }
+double FreeBodyPanel::length_of(const Force& force, const Scale& vectors) const {
+  return unit_.empty() ? arrow_length : vectors.mm_per_unit * force.size;
+}
+
+FreeBodyPanel::OnPaper FreeBodyPanel::on_paper(const Force& force, const Scale& vectors) const {
+  constexpr double gap = 3;  // mm
+  double behind = 0;
+  for (int i = force.after; i >= 0; i = forces_[static_cast<std::size_t>(i)].after)
+    behind += length_of(forces_[static_cast<std::size_t>(i)], vectors) + gap;
+  const double length = length_of(force, vectors), tail = force.ends ? -behind - length : behind;
+  return {tail, tail + length};
+}
 
 // One arrow after the other, where two stand on the same side of a point and would cover each other.
 FreeBodyPanel& FreeBodyPanel::force(const PolygonSide& side, const Place& at, Arrow there) {
   const double size = magnitude(side.v);
   if (size == 0) return *this;
-  constexpr double too_near = 0.3, gap = 3;  // radians, mm
-  Force added{side.label, at, (1 / size) * side.v, 0, there == Arrow::ends};
+  constexpr double too_near = 0.3;  // radians
+  Force added{side.label, at, (1 / size) * side.v, size, -1, there == Arrow::ends, side.quantity};
   const Arrow2 out = added.ends ? -added.along : added.along;
-  for (const Force& other : forces_) {
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    const Force& other = forces_[i];
     const Arrow2 other_out = other.ends ? -other.along : other.along;
     const bool is_same_side = std::abs(std::atan2(cross(out, other_out), dot(out, other_out))) < too_near;
-    if (distance(other.at, at) == 0 && is_same_side) added.behind = other.behind + arrow_length + gap;
+    if (distance(other.at, at) == 0 && is_same_side) added.after = static_cast<int>(i);
   }
   forces_.push_back(added);
+  return *this;
+}
+
+FreeBodyPanel& FreeBodyPanel::to_scale(const std::string& unit) {
+  unit_ = unit;
+  return *this;
+}
+
+FreeBodyPanel& FreeBodyPanel::meeting(const std::string& name, const std::string& letters,
+                                      const std::optional<Place>& H) {
+  if (H) meetings_.push_back({name, letters, *H});
+  return *this;
+}
+
+FreeBodyPanel& FreeBodyPanel::string(const Place& from, const Place& to, const std::string& letters) {
+  strings_.push_back({from, to, letters});
+  return *this;
+}
+
+FreeBodyPanel& FreeBodyPanel::step(const Words& text, const Place& at) {
+  steps_.push_back({text, at});
   return *this;
 }
 
@@ -40,10 +75,7 @@ FreeBodyPanel& FreeBodyPanel::couple(const std::string& label, const Place& abou
   return *this;
 }
 
-FreeBodyPanel& FreeBodyPanel::moments(const Words& text, const Place& about) {
-  steps_.push_back({text, about});
-  return *this;
-}
+FreeBodyPanel& FreeBodyPanel::moments(const Words& text, const Place& about) { return step(text, about); }
 
 double FreeBodyPanel::middle_of(const Couple& couple) const {
   std::vector<double> occupied = couple.clear_of;
@@ -53,27 +85,71 @@ double FreeBodyPanel::middle_of(const Couple& couple) const {
   return clearest_direction(occupied);
 }
 
-drawings::Box FreeBodyPanel::extent(const Scale& scale, const Scale&) const {
+Panel::Vectors FreeBodyPanel::vectors() const {
+  if (unit_.empty()) return {};
+  double longest = 0;
+  for (const Force& force : forces_) longest = std::max(longest, force.size);
+  constexpr double longest_on_paper = 60;  // mm: longer they say no more
+  return {unit_, longest, longest_on_paper};
+}
+
+drawings::Box FreeBodyPanel::extent_of_near(const Scale& scale, const Scale& vectors) const {
   constexpr double letters = 6;  // mm
   Extent extent;
   body_->include(extent, scale);
-  for (const Force& force : forces_)
-    for (const double end : {force.tail() - line_beyond, force.tip() + line_beyond})
+  for (const Force& force : forces_) {
+    const OnPaper arrow = on_paper(force, vectors);
+    for (const double end : {arrow.tail - line_beyond, arrow.tip + line_beyond})
       extent.include(scale, on_line(force.at, force.along, end, scale.mm_per_unit), letters);
+  }
   for (const Couple& couple : couples_) extent.include(scale, couple.about, couple_radius + letters);
+  for (const String& each : strings_)
+    for (const Place& P : {each.from, each.to}) extent.include(scale, P, letters);
+  return extent.box();
+}
+
+drawings::Box FreeBodyPanel::extent(const Scale& scale, const Scale& vectors) const {
+  constexpr double letters = 8;  // mm
+  const drawings::Box near = extent_of_near(scale, vectors);
+  Extent extent;
+  extent.include(near.low.x, near.low.y);
+  extent.include(near.high.x, near.high.y);
+  for (const Meeting& each : meetings_) extent.include(scale, each.H, letters);
   return extent.box();
 }
 
 void FreeBodyPanel::draw_force(Plot& plot, const Force& force) const {
   const double mm = plot.scale().mm_per_unit;
+  const OnPaper arrow = on_paper(force, plot.vector_scale());
   const auto at = [&](double along) { return on_line(force.at, force.along, along, mm); };
-  plot.segment(at(std::min(force.tail(), 0.0) - line_beyond), at(std::max(force.tip(), 0.0) + line_beyond),
+  plot.segment(at(std::min(arrow.tail, 0.0) - line_beyond), at(std::max(arrow.tip, 0.0) + line_beyond),
                Meaning::construction);
-  plot.side("", at(force.tail()), at(force.tip()), Meaning::force, force.label);
+  if (unit_.empty()) return plot.side("", at(arrow.tail), at(arrow.tip), Meaning::force, force.label);
+  plot.vector_on(force.quantity, at(arrow.tail), force.size * force.along, Meaning::force, force.label);
 }
 
-std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+// Lines that pass by it are not drawn there.
+void FreeBodyPanel::draw_meeting(Plot& plot, const drawings::Box& room, const Meeting& meeting) const {
+  constexpr double same = 1e-9;  // of the distance: what doubles leave of a line through H
+  for (const Force& force : forces_) {
+    const Arrow2 to = meeting.H - force.at;
+    if (std::abs(cross(force.along, to)) > same * (magnitude(to) + body_->reach())) continue;
+    plot.segment(force.at, seen_end(plot, room, force.at, meeting.H), Meaning::construction);
+  }
+  if (!is_in(room, plot, meeting.H)) return;
+  plot.cross(meeting.H, Meaning::force);
+  plot.label(meeting.letters, meeting.H, {}, Meaning::force);
+  if (!meeting.name.empty()) plot.measures_coordinates(meeting.name, meeting.H, {0, 0});
+}
+
+std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box& room, Language) const {
   body_->draw(plot);
+  for (const Meeting& each : meetings_) draw_meeting(plot, room, each);
+  for (const String& each : strings_) {
+    plot.segment(each.from, each.to, Meaning::construction);
+    plot.label(each.letters, each.from + 0.5 * (each.to - each.from));
+    plot.dot(each.to);
+  }
   for (const Force& force : forces_) draw_force(plot, force);
   for (const Couple& couple : couples_)
     draw_arc_arrow(plot, couple.about,

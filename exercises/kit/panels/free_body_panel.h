@@ -1,8 +1,9 @@
 // A body cut free, or a whole mechanism, with all that acts on it: forces on their lines of action, couples by their
-// sense. The arrows are of one length: how large the forces are, their polygons show.
+// sense. The arrows are of one length, and how large the forces are, their polygons show; or they are to scale.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,14 @@ class FreeBodyPanel : public Panel {
   // A force of a polygon, where it acts; none when it is zero. What presses on the body from outside ends there.
   enum class Arrow { starts, ends };
   FreeBodyPanel& force(const PolygonSide& side, const Place& at, Arrow there = Arrow::starts);
+  // At the scale of the sheet's forces, in this unit: a ruler reads them. All such bodies have one scale of lengths.
+  FreeBodyPanel& to_scale(const std::string& unit = "N");
+  // Where lines of action meet: they are drawn as far as there, or as the paper reaches.
+  FreeBodyPanel& meeting(const std::string& name, const std::string& letters, const std::optional<Place>& H);
+  // A line of a construction on the body, with what it is called at its end: a string of a funicular polygon.
+  FreeBodyPanel& string(const Place& from, const Place& to, const std::string& letters);
+  // Another step of the construction, and where it happens.
+  FreeBodyPanel& step(const Words& text, const Place& at);
   // Counter-clockwise for sense > 0, clockwise for sense < 0, none for 0. It stands clear of the forces at this point
   // and of these directions (radians).
   FreeBodyPanel& couple(const std::string& label, const Place& about, double sense,
@@ -27,20 +36,35 @@ class FreeBodyPanel : public Panel {
   FreeBodyPanel& moments(const Words& text, const Place& about);
 
   double reach() const override { return body_->reach(); }
-  drawings::Box extent(const Scale& lengths, const Scale&) const override;
-  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
+  std::string scale_group() const override { return unit_.empty() ? "" : "bodies"; }
+  Vectors vectors() const override;
+  double times_smaller() const override { return meetings_.empty() ? 1 : 2.2; }
+  drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
+  drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const override;
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language) const override;
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override { return steps_; }
 
  private:
   struct Force {
     std::string label;
     Place at;
-    Arrow2 along;   // unit vector
-    double behind;  // mm from the point to the arrow's tail, against the force when it ends there
+    Arrow2 along;  // unit vector
+    double size;
+    int after;  // another force, which would cover it: it stands behind that one
     bool ends;
-    // On paper, mm from the point along the force.
-    double tail() const;
-    double tip() const;
+    std::string quantity;
+  };
+  // On paper, mm from the point along the force.
+  struct OnPaper {
+    double tail, tip;
+  };
+  struct String {
+    Place from, to;
+    std::string letters;
+  };
+  struct Meeting {
+    std::string name, letters;
+    Place H;
   };
   struct Couple {
     std::string label;
@@ -50,12 +74,18 @@ class FreeBodyPanel : public Panel {
   };
 
   double middle_of(const Couple& couple) const;
+  double length_of(const Force& force, const Scale& vectors) const;
+  OnPaper on_paper(const Force& force, const Scale& vectors) const;
   void draw_force(Plot& plot, const Force& force) const;
+  void draw_meeting(Plot& plot, const drawings::Box& room, const Meeting& meeting) const;
 
   std::shared_ptr<const MechanismFigure> body_;
   std::vector<Force> forces_;
   std::vector<Couple> couples_;
+  std::vector<Meeting> meetings_;
+  std::vector<String> strings_;
   std::vector<PanelStep> steps_;
+  std::string unit_;  // of forces to scale
 };
 
 }  // namespace epure

@@ -47,6 +47,14 @@ Mechanism& Mechanism::disc(const std::string& centre, const std::string& rim, bo
   discs_.push_back({centre, rim, rolls, number});
   return *this;
 }
+Mechanism& Mechanism::surface(const Place& from, const Place& to) {
+  surfaces_.push_back({from, to});
+  return *this;
+}
+Mechanism& Mechanism::profile(const Place& centre, double radius, double from, double to) {
+  profiles_.push_back({centre, radius, from, to});
+  return *this;
+}
 Mechanism& Mechanism::other_position(const std::vector<std::string>& points) {
   other_positions_.push_back({points, 0, false});
   return *this;
@@ -251,6 +259,10 @@ void Mechanism::draw_bodies(Plot& plot) const {
   }
   for (const auto& [from, to] : edges(other_positions_)) plot.segment(from, to, Meaning::alternative);
   for (const auto& [from, to] : edges(bodies_)) plot.segment(from, to, Meaning::link);
+  for (const auto& [from, to] : surfaces_) plot.mark(drawings::Ground{plot.at(from), plot.at(to)});
+  for (const auto& [centre, radius, from, to] : profiles_)
+    plot.mark(drawings::Line{
+        drawings::arc(plot.at(centre), radius * plot.scale().mm_per_unit, from, to), Meaning::link, {}});
   for (const Body& body : bodies_) {
     if (!body.is_slotted) continue;
     constexpr double width = 3.5;  // mm: takes the hinge that is its pin
@@ -275,6 +287,8 @@ void Mechanism::draw_joint(Plot& plot, const Point& P) const {
     case Joint::hinge:
     case Joint::block:
       return plot.hinge(P.at);
+    case Joint::corner:
+      return;
   }
 }
 
@@ -301,6 +315,7 @@ void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
 
 // A block's letters at its corner, on the side that the link leaves free: inside the block they would be lost.
 void Mechanism::draw_letters(Plot& plot, const Point& P) const {
+  if (P.letters.empty()) return;
   if (P.joint != Joint::block) return plot.label(P.letters, P.at, neighbour(P));
   const auto guide =
       std::find_if(guides_.begin(), guides_.end(), [&](const Guide& each) { return each.block == P.name; });
@@ -384,6 +399,7 @@ void Mechanism::sketch(Plot& plot) const {
   for (const Axis& axis : axes_) plot.long_segment(axis.from, axis.to, beyond, Meaning::axis);
   draw_bodies(plot);
   for (const Point& P : points_) {
+    if (P.joint == Joint::corner) continue;
     plot.dot(P.at, Meaning::link);
     plot.label(P.letters, P.at, neighbour(P));
   }
@@ -398,6 +414,8 @@ void Mechanism::include(Extent& extent, const Scale& scale) const {
     extent.include(scale, {O.x + r, O.y + r}, 2);
   }
   for (const Point& P : points_) extent.include(scale, P.at, P.joint == Joint::fixed ? support : letters);
+  for (const Surface& each : surfaces_)
+    for (const Place& P : {each.from, each.to}) extent.include(scale, P, 5);
   for (const Guide& guide : guides_) {
     const Place& P = at(guide.block);
     const drawings::Point p{scale.mm_per_unit * P.x, scale.mm_per_unit * P.y};

@@ -15,7 +15,8 @@ class Mechanism : public MechanismFigure {
     hinge,  // between two bodies
     fixed,  // a hinge on the frame
     block,  // a hinge on a block that slides on the frame
-    mass    // no joint: a point of a body in which its mass is
+    mass,   // no joint: a point of a body in which its mass is
+    corner  // of an outline: nothing is drawn there
   };
 
   // A point under its letters, which are rich text.
@@ -27,6 +28,10 @@ class Mechanism : public MechanismFigure {
   Mechanism& slotted(const std::vector<std::string>& points, int number = 0);
   // A round body about a point, with another on its rim; there it `rolls` on the frame, or not.
   Mechanism& disc(const std::string& centre, const std::string& rim, bool rolls, int number = 0);
+  // A surface of the frame, hatched on the right of from -> to.
+  Mechanism& surface(const Place& from, const Place& to);
+  // A round profile of a body: an arc, counter-clockwise (radians).
+  Mechanism& profile(const Place& centre, double radius, double from, double to);
   // The same in another position: dashed, and kept clear of like the links.
   Mechanism& other_position(const std::vector<std::string>& points);
   // The guide of a block, along this direction (radians), with the name of its axis ahead of it.
@@ -94,6 +99,13 @@ class Mechanism : public MechanismFigure {
     std::string about, of;
     double from, to;
   };
+  struct Surface {
+    Place from, to;
+  };
+  struct Profile {
+    Place centre;
+    double radius, from, to;
+  };
   struct Turning {
     std::string about, of;
     double sense;
@@ -148,6 +160,8 @@ class Mechanism : public MechanismFigure {
   std::vector<Guide> guides_;
   std::vector<Path> paths_;
   std::vector<Swing> swings_;
+  std::vector<Surface> surfaces_;
+  std::vector<Profile> profiles_;
   std::vector<Turning> turnings_;
   std::vector<Axis> axes_;
   std::vector<Offset> offsets_;

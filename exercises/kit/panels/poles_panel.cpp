@@ -44,7 +44,9 @@ PolesPanel::PolesPanel(const Solution& solution, std::shared_ptr<const Mechanism
     VectorQuantity quantity = kind_.vector(X);
     quantity.name = kind_.prefix + quantity.name;
     points_.push_back({X, solution.place(kind_.prefix + X), quantity, solution.vector(quantity.name)});
-    if (solution.is_reported(kind_.prefix + X + "_x")) reported_points_.push_back(X);
+    if (!solution.is_reported(quantity.name)) points_.back().quantity.name.clear();  // no ruler reads it
+    if (solution.is_reported(kind_.prefix + X + "_x") && solution.is_reported(kind_.prefix + X + "_y"))
+      reported_points_.push_back(X);
     if (solution.is_reported(name_of_ray(X))) reported_rays_.push_back(X);
   }
   pole_ = solution.point(kind_.prefix + kind_.pole);

@@ -9,9 +9,14 @@ Words route_in_words(const std::string& route) {
       {"analytic", "analitica"},
       {"construction", "costruzione"},
       {"constraint equations", "equazioni di vincolo"},
+<<<<<<< HEAD
       {"elastic weights", "pesi elastici"},
       {"energy", "energia"},
       {"funicular polygon", "poligono funicolare"},
+=======
+      {"equilibrium equations", "equazioni di equilibrio"},
+      {"force polygon", "poligono delle forze"},
+>>>>>>> statics
       {"instant centres", "centri d'istantanea rotazione"},
       {"Mohr's circle", "cerchio di Mohr"},
       {"natural equation", "equazione naturale"},
@@ -21,9 +26,13 @@ Words route_in_words(const std::string& route) {
       {"power balance", "bilancio delle potenze"},
       {"primitive", "primitiva"},
       {"quadrature", "quadratura"},
+<<<<<<< HEAD
       {"second polygon", "secondo poligono"},
       {"stiffness matrix", "matrice di rigidezza"},
       {"virtual work", "lavori virtuali"},
+=======
+      {"velocity diagram", "diagramma delle velocità"},
+>>>>>>> statics
   };
   const auto known = italian.find(route);
   return {route, known == italian.end() ? route : known->second};

@@ -1,0 +1,107 @@
+// The double slider: force triangle, and the link's pole.
+#include <cmath>
+#include <numbers>
+
+#include "exercises/ideal-statics/sheets.h"
+
+namespace epure::ideal_statics {
+namespace {
+
+using Arrow = FreeBodyPanel::Arrow;
+using Joint = Mechanism::Joint;
+
+std::shared_ptr<const Mechanism> link(const Case& of) {
+  Mechanism drawn;
+  drawn.point("O", {0, 0}, Joint::corner, "")
+      .point("A", of.place("A"), Joint::block, "$A$")
+      .point("B", of.place("B"), Joint::block, "$B$")
+      .body({"B", "A"}, 3)
+      .guide("A", std::numbers::pi / 2)
+      .guide("B", 0)
+      .angle("B", 0, of.radians("theta"), "$θ$");
+  return std::make_shared<const Mechanism>(std::move(drawn));
+}
+
+PanelSheet sheet(const Solution& s, Language) {
+  const Case of(s, "double_slider");
+  const Place A = of.place("A"), B = of.place("B");
+  const PolygonSide Q = of.load("Q", "⊥ $x$", "$a$"), R_32 = of.sought(force_between(3, 2), "∥ $AB$", "$b$"),
+                    R_12 = of.sought(force_between(1, 2), "∥ $x$"), R_34 = reversed(R_32, 3, 4, "$a$"),
+                    driving = of.sought(P(), "∥ $x$", "$c$"), R_14 = of.sought(force_between(1, 4), "⊥ $x$");
+  const double half = of.given("l") / 30;
+  const auto slider = [&](const std::string& name, const Place& P, bool is_upright) {
+    const double x = is_upright ? half : 2 * half, y = is_upright ? 2 * half : half;
+    Mechanism block;
+    block.point(name, P, Joint::hinge, "$" + name + "$")
+        .point("1", {P.x - x, P.y - y}, Joint::corner, "")
+        .point("2", {P.x + x, P.y - y}, Joint::corner, "")
+        .point("3", {P.x + x, P.y + y}, Joint::corner, "")
+        .point("4", {P.x - x, P.y + y}, Joint::corner, "")
+        .body({"1", "2", "3", "4"}, name == "A" ? 2 : 4);
+    return std::make_shared<const Mechanism>(std::move(block));
+  };
+  FreeBodyPanel on_2(slider("A", A, true)), on_4(slider("B", B, false));
+  on_2.to_scale().force(Q, A).force(R_32, A, Arrow::ends).force(R_12, A, Arrow::ends);
+  on_4.to_scale().force(R_34, B, Arrow::ends).force(driving, B, Arrow::ends).force(R_14, B, Arrow::ends);
+  on_2.step({"The link is loaded in its hinges only: its forces run along $AB$. On slider 2 $\\vec{\\it{Q}}$, "
+             "$\\vec{\\it{R}}_{32}$ and $\\vec{\\it{R}}_{12}$ meet in $A$.",
+             "L'asta è caricata solo nelle cerniere: le sue forze corrono lungo $AB$. Sul pattino 2 la "
+             "$\\vec{\\it{Q}}$, la "
+             "$\\vec{\\it{R}}_{32}$ e la $\\vec{\\it{R}}_{12}$ si incontrano in $A$."},
+            A);
+  ChainedPolygonsPanel polygons(force_polygon("2", {R_12}, {Q, R_32}));
+  VectorPolygon of_4 = force_polygon("4", {R_14}, {R_34, driving});
+  of_4.origin = "$b$";
+  polygons.then(of_4, Q.v + R_32.v);
+  FreeBodyPanel whole(link(of));
+  whole.to_scale();
+  return {.panels = panels(whole, on_2, on_4, polygons),
+          .results = {of.results({"P", "R_12", "R_14"}), of.results({"R_32"}),
+                      of.results({"v_Q_over_v_P", "P_virtual_work"})},
+          .seen = {"The double slider, its two sliders cut free, and the triangles of their forces",
+                   "Il doppio pattino, i suoi due pattini isolati, e i triangoli delle loro forze"},
+          .told = of.names({"P", "R_12", "R_14", "R_32"}),
+          .without_part = of.without()};
+}
+
+// v_B = 1 m/s along P.
+PanelSheet virtual_work(const Solution& s, Language) {
+  const Case of(s, "double_slider");
+  using Where = PolesStep::Where;
+  const std::string pole = "$P_{31}$";
+  PolesPanel poles(s, link(of), of.pole("P31"), {"A", "B"},
+                   {{{"The normals to the two guides, in $A$ and in $B$, meet in " + pole + ", the link's pole.",
+                      "Le normali alle due guide, in $A$ e in $B$, si incontrano in " + pole + ", polo dell'asta."},
+                     Where::pole},
+                    {{"Virtual displacements as distances from it: $v_{Q}$ : $v_{P}$ = $v_{A}$ : $v_{B}$ = $P_{31}A$ "
+                      ": $P_{31}B$ = cot $θ$.",
+                      "Spostamenti virtuali come distanze da esso: $v_{Q}$ : $v_{P}$ = $v_{A}$ : $v_{B}$ = $P_{31}A$ "
+                      ": $P_{31}B$ = cotg $θ$."},
+                     Where::tip,
+                     "A"},
+                    {{"$\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0 gives $\\it{P}$.",
+                      "$\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0 dà la $\\it{P}$."},
+                     Where::tip,
+                     "B"}});
+  const VectorPolygon polygon = velocity_polygon(
+      {of.moves("A", "∥ $y$", "?")}, {of.moves("B", "∥ $x$", "1 m/s", "$b$"), of.moves("AB", "⊥ $AB$", "?", "$a$")});
+  return {
+      .panels = panels(poles, PolygonPanel(s, polygon)),
+      .results = {coordinates(of.name("P31")), of.results({"v_Q_over_v_P"}), of.results({"P_virtual_work"}),
+                  of.results({"P"})},
+      .seen = {"The double slider with the pole of its link and the virtual displacements of the sliders, and their "
+               "polygon",
+               "Il doppio pattino con il polo dell'asta e gli spostamenti virtuali dei pattini, e il loro poligono"},
+      .told = of.names({"P31_x", "P31_y", "v_Q_over_v_P", "P_virtual_work"}),
+      .without_part = of.without()};
+}
+
+}  // namespace
+
+std::vector<SheetMaker> double_slider_sheets() {
+  return {{{"double-slider", {"Double slider", "Doppio pattino"}}, sheet},
+          {{"double-slider-virtual-work", {"Double slider: virtual work", "Doppio pattino: lavori virtuali"}},
+           virtual_work}};
+}
+
+}  // namespace epure::ideal_statics

@@ -1,0 +1,123 @@
+// Fairbairn's mechanism: polygons of lever and crank, and virtual work by the pole of crank and lever.
+#include <cmath>
+#include <numbers>
+
+#include "exercises/ideal-statics/sheets.h"
+
+namespace epure::ideal_statics {
+namespace {
+
+using Arrow = FreeBodyPanel::Arrow;
+using Joint = Mechanism::Joint;
+
+std::shared_ptr<const Mechanism> whole(const Case& of) {
+  const Place A = of.place("A"), B = of.place("B"), C = of.place("C"), D = of.place("D");
+  Mechanism drawn;
+  drawn.point("A", A, Joint::fixed, "$A$")
+      .point("B", B, Joint::hinge, "$B$")
+      .point("C", C, Joint::fixed, "$C$")
+      .point("D", D, Joint::block, "$D$")
+      .body({"A", "B"}, 2)
+      .body({"C", "D"}, 4)
+      .guide("D", 0)
+      .axis(C, A)
+      .angle("C", std::numbers::pi / 2 - of.radians("theta"), std::numbers::pi / 2, "$θ$");
+  return std::make_shared<const Mechanism>(std::move(drawn));
+}
+
+PanelSheet polygons(const Solution& s, const std::string& name) {
+  const Case of(s, name);
+  const Place A = of.place("A"), B = of.place("B"), C = of.place("C"), D = of.place("D");
+  PolygonSide F = of.load("F", "∥ $x$", "$a$");
+  F.label = force_between(5, 4).arrow();
+  const PolygonSide R_34 = of.sought(force_between(3, 4), "⊥ $CD$", "$b$"),
+                    R_14 = of.sought(force_between(1, 4), "∥ $CH$"), R_32 = reversed(R_34, 3, 2),
+                    R_12 = of.sought(force_between(1, 2), "∥ $\\it{R}_{32}$");
+  Mechanism lever, crank;
+  lever.point("C", C, Joint::hinge, "$C$")
+      .point("B", B, Joint::none, "$B$")
+      .point("D", D, Joint::hinge, "$D$")
+      .body({"C", "D"}, 4);
+  crank.point("A", A, Joint::hinge, "$A$").point("B", B, Joint::hinge, "$B$").body({"A", "B"}, 2);
+  FreeBodyPanel on_4(std::make_shared<const Mechanism>(std::move(lever))),
+      on_2(std::make_shared<const Mechanism>(std::move(crank)));
+  on_4.to_scale().force(F, D).force(R_34, B, Arrow::ends).force(R_14, C, Arrow::ends);
+  on_4.meeting(of.name("H"), "$\\it{H}$", of.point("H"));
+  on_2.to_scale().force(R_32, B).force(R_12, A);
+  on_2.couple("$\\it{M}$", A, of["M"]);
+  FreeBodyPanel all(whole(of));
+  all.to_scale();
+  on_4.step(
+      {"The ram is held by $\\vec{\\it{F}}$ and the slot's force alone, both along $x$ through $D$: so on the lever "
+       "$\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Block 3 presses square to the lever, in $B$. The two meet in "
+       "$\\it{H}$; "
+       "$\\vec{\\it{R}}_{14}$ runs through $C$ and $\\it{H}$.",
+       "La slitta è in equilibrio per la $\\vec{\\it{F}}$ e la forza della guida a croce, entrambe lungo $x$ per "
+       "$D$: sulla leva "
+       "$\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Il corsoio 3 preme in $B$, normale alla leva. Le due si incontrano "
+       "in $\\it{H}$; "
+       "la $\\vec{\\it{R}}_{14}$ passa per $C$ e $\\it{H}$."},
+      of.point("H").value_or(D));
+  on_2.moments({"Crank: a couple of forces $\\it{F}_{23}$ with the arm $d$; $\\it{M}$ = $\\it{F}_{23}$·$d$.",
+                "Manovella: una coppia di forze $\\it{F}_{23}$ di braccio $d$; $\\it{M}$ = $\\it{F}_{23}$·$d$."},
+               A);
+  return {.panels = panels(all, on_4, on_2, PolygonPanel(s, force_polygon("4", {R_14}, {F, R_34}))),
+          .results = {of.results({"F_23", "d", "M"}), of.results({"R_14", "R_12"})},
+          .seen = {"Fairbairn's mechanism, its lever and crank cut free, and the triangle of the lever's forces",
+                   "La guida di Fairbairn, leva e manovella isolate, e il triangolo delle forze della leva"},
+          .told = of.names({"F_23", "d", "M", "R_14", "R_12"}),
+          .without_part = of.without()};
+}
+
+// ω2 = 1 rad/s.
+PanelSheet virtual_work(const Solution& s, const std::string& name) {
+  const Case of(s, name);
+  const Place A = of.place("A"), B = of.place("B"), C = of.place("C"), D = of.place("D"), P24 = of.place("P24");
+  Mechanism drawn;
+  drawn.point("C", C, Joint::fixed, "$C$")
+      .point("A", A, Joint::fixed, "$A$")
+      .point("B", B, Joint::hinge, "$B$")
+      .point("D", D, Joint::block, "$D$")
+      .point("P24", P24, Joint::none, "$P_{24}$")
+      .body({"A", "B"}, 2)
+      .body({"C", "D"}, 4)
+      .guide("D", 0)
+      .axis(C, P24)
+      .axis(B, P24)
+      .right_angle("B", "P24", "C");
+  FreeBodyPanel poles(std::make_shared<const Mechanism>(std::move(drawn)));
+  poles.step(
+      {"The normal to the lever in $B$ meets the line $CA$ in $P_{24}$: crank and lever have one velocity there, "
+       "$ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$.",
+       "La normale alla leva in $B$ incontra la retta $CA$ in $P_{24}$: vi hanno la stessa velocità manovella e "
+       "leva, "
+       "$ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$."},
+      P24);
+  const std::string v_D4 = "$v_{B4}$·$CD$/$CB$";
+  ChainedPolygonsPanel velocities(velocity_polygon(
+      {of.moves("B4", "⊥ $CD$", "?")},
+      {of.moves("B2", "⊥ $AB$", "$ω_{2}$·$AB$", "$b_{2}$"), of.moves("B42", "∥ $CD$", "?", "$b_{4}$")}));
+  velocities.then(velocity_polygon({of.moves("D6", "∥ $x$", "?")}, {of.moves("D5", "⊥ $CD$", v_D4, "$d_{5}$"),
+                                                                    of.moves("D65", "⊥ $x$", "?", "$d_{6}$")}),
+                  {0, 0});
+  return {.panels = panels(poles, velocities),
+          .results = {of.results({"P24C", "P24A"}), of.results({"omega_4_over_omega_2", "v_D6_over_omega_2"}),
+                      of.results({"M_virtual_work"}), of.results({"M"})},
+          .seen = {"Fairbairn's mechanism with the pole of crank and lever, and the polygons of velocities",
+                   "La guida di Fairbairn con il polo di manovella e leva, e i poligoni delle velocità"},
+          .told = of.names({"P24C", "P24A", "omega_4_over_omega_2", "v_D6_over_omega_2", "M_virtual_work"}),
+          .without_part = of.without()};
+}
+
+}  // namespace
+
+std::vector<SheetMaker> fairbairn_sheets() {
+  return {{{"fairbairn", {"Fairbairn's mechanism", "Guida di Fairbairn"}},
+           [](const Solution& s, Language) { return polygons(s, "fairbairn"); }},
+          {{"fairbairn-virtual-work", {"Fairbairn's mechanism: virtual work", "Guida di Fairbairn: lavori virtuali"}},
+           [](const Solution& s, Language) { return virtual_work(s, "fairbairn"); }},
+          {{"fairbairn-short-lever", {"Fairbairn's mechanism, shorter lever", "Guida di Fairbairn, leva più corta"}},
+           [](const Solution& s, Language) { return polygons(s, "fairbairn_short_lever"); }}};
+}
+
+}  // namespace epure::ideal_statics

@@ -1,0 +1,180 @@
+// The sliding levers: free bodies with their chained triangles, and the equivalent four-bar.
+#include <cmath>
+#include <numbers>
+
+#include "exercises/ideal-statics/sheets.h"
+
+namespace epure::ideal_statics {
+namespace {
+
+using Arrow = FreeBodyPanel::Arrow;
+using Joint = Mechanism::Joint;
+
+// Which lever Q loads, and what follows of it.
+struct Figure {
+  Case of;
+  int loaded, driven;
+  Place A0, B0, C, A, B, foot, on_Q;
+  Arrow2 p;
+
+  Figure(const Solution& s, const std::string& name, int loaded_lever)
+      : of(s, name),
+        loaded(loaded_lever),
+        driven(5 - loaded_lever),
+        A0(of.place("A0")),
+        B0(of.place("B0")),
+        C(of.place("C")),
+        A(of.place("A")),
+        B(of.place("B")) {
+    const double direction = of.radians("direction_P"), arm = of.given("arm_P"), q = of.radians("direction_Q");
+    p = {std::cos(direction), std::sin(direction)};
+    foot = hinge(driven) + arm * Arrow2{p.y, -p.x};
+    // Where Q is drawn: the foot of the perpendicular from the hinge.
+    const Arrow2 along{std::cos(q), std::sin(q)};
+    const Place X{of.given("x_Q"), 0};
+    on_Q = X + dot(hinge(loaded) - X, along) * along;
+  }
+  const Place& hinge(int lever) const { return lever == 2 ? A0 : B0; }
+  double radius(int lever) const { return of.given(lever == 2 ? "r_2" : "r_3"); }
+  const Place& centre(int lever) const { return lever == 2 ? A : B; }
+  std::string letters(int lever) const { return lever == 2 ? "$A_{0}$" : "$B_{0}$"; }
+  Place attacked(int lever) const { return lever == loaded ? on_Q : foot; }
+
+  // The lever's plate between its hinge, the contact and where its force acts; the profile's arc about C.
+  void add(Mechanism& drawn, int lever, Joint joint) const {
+    const std::string i = std::to_string(lever);
+    constexpr double half = 0.7;  // radians
+    const double towards_C = direction(centre(lever), C);
+    drawn.point("hinge" + i, hinge(lever), joint, letters(lever))
+        .point("C" + i, C, Joint::corner, "")
+        .point("force" + i, attacked(lever), Joint::corner, "")
+        .body({"hinge" + i, "C" + i, "force" + i}, lever)
+        .profile(centre(lever), radius(lever), towards_C - half, towards_C + half);
+  }
+};
+
+FreeBodyPanel whole(const Figure& at) {
+  Mechanism drawn;
+  at.add(drawn, 2, Joint::fixed);
+  at.add(drawn, 3, Joint::fixed);
+  drawn.point("C", at.C, Joint::none, "$C$").axis(at.A, at.B, "$n$");
+  FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
+  panel.to_scale();
+  return panel;
+}
+
+FreeBodyPanel cut_free(const Figure& at, int lever, const PolygonSide& applied, const PolygonSide& contact,
+                       const PolygonSide& pivot) {
+  Mechanism body;
+  at.add(body, lever, Joint::hinge);
+  body.point("C", at.C, Joint::none, "$C$");
+  FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(body)));
+  const std::string i = std::to_string(lever), H = "$\\it{H}_{" + i + "}$";
+  panel.to_scale()
+      .force(applied, at.attacked(lever))
+      .force(contact, at.C, Arrow::ends)
+      .force(pivot, at.hinge(lever), Arrow::ends);
+  const auto meeting = at.of.point("H_" + i);
+  panel.meeting(at.of.name("H_" + i), H, meeting);
+  panel.step(
+      Words{"Lever " + i + ": " + applied.label + " and " + contact.label + ", along the normal $n$, meet in " + H +
+                "; " + pivot.label + " runs through " + at.letters(lever) + " and " + H + ".",
+            "Leva " + i + ": la " + applied.label + " e la " + contact.label +
+                ", lungo la normale $n$, si incontrano in " + H + "; la " + pivot.label + " passa per " +
+                at.letters(lever) + " e " + H + "."},
+      meeting.value_or(at.hinge(lever)));
+  return panel;
+}
+
+PanelSheet polygons(const Figure& at) {
+  const Case& of = at.of;
+  const int j = at.loaded, i = at.driven;
+  const std::string H_j = "$\\it{H}_{" + std::to_string(j) + "}$", H_i = "$\\it{H}_{" + std::to_string(i) + "}$";
+  const PolygonSide Q = of.load("Q", "$δ_{Q}$", "$a$"), contact = of.sought(force_between(i, j), "∥ $n$", "$b$"),
+                    pivot_j = of.sought(force_between(1, j), "∥ " + at.letters(j) + H_j),
+                    back = reversed(contact, j, i, "$a$"), driving = of.sought(P(), "$δ_{P}$", "$c$"),
+                    pivot_i = of.sought(force_between(1, i), "∥ " + at.letters(i) + H_i);
+  ChainedPolygonsPanel chained(force_polygon(std::to_string(j), {pivot_j}, {Q, contact}));
+  VectorPolygon second = force_polygon(std::to_string(i), {pivot_i}, {back, driving});
+  second.origin = "$b$";
+  chained.then(second, Q.v + contact.v);
+  const std::string R_ij = "R_" + std::to_string(i) + std::to_string(j);
+  return {
+      .panels =
+          panels(whole(at), cut_free(at, j, Q, contact, pivot_j), cut_free(at, i, driving, back, pivot_i), chained),
+      .results = {of.results({"P"}), of.results({"R_12", "R_13", R_ij}),
+                  of.results({"arm_normal_A0", "arm_normal_B0"})},
+      .seen =
+          {"The two levers, each cut free with the meeting point of its three forces, and their chained triangles",
+           "Le due leve, ciascuna isolata con il punto d'incontro delle sue tre forze, e i loro triangoli "
+           "concatenati"},
+      .told = of.names({"P", "R_12", "R_13", R_ij}),
+      .without_part = of.without({"r_2", "r_3"})};
+}
+
+// ω2 = 1 rad/s.
+PanelSheet virtual_work(const Figure& at) {
+  const Case& of = at.of;
+  using Where = PolesStep::Where;
+  Mechanism four_bar;
+  four_bar.point("A0", at.A0, Joint::fixed, "$A_{0}$")
+      .point("B0", at.B0, Joint::fixed, "$B_{0}$")
+      .point("A", at.A, Joint::hinge, "$A$")
+      .point("B", at.B, Joint::hinge, "$B$")
+      .point("C", at.C, Joint::none, "$C$")
+      .body({"A0", "A"}, 2)
+      .body({"B0", "B"}, 3)
+      .body({"A", "B"}, 4)
+      .axis(at.A0, at.B0);
+  if (const auto P23_x = of.s.value(of.name("P23_x")))
+    four_bar.point("P23", {*P23_x, 0}, Joint::none, "$P_{23}$").axis(at.A, {*P23_x, 0});
+  for (const int lever : {2, 3})
+    four_bar.profile(at.centre(lever), at.radius(lever), direction(at.centre(lever), at.C) - 0.7,
+                     direction(at.centre(lever), at.C) + 0.7);
+  PolesPanel poles(of.s, std::make_shared<const Mechanism>(std::move(four_bar)), of.pole("P41"), {"A", "B"},
+                   {{{"While they touch, the levers move as the four-bar $A_{0}ABB_{0}$ of the profiles' centres; "
+                      "its coupler is body 4.",
+                      "Finché si toccano, le leve si muovono come il quadrilatero $A_{0}ABB_{0}$ dei centri dei "
+                      "profili; la biella è il membro 4."},
+                     Where::point,
+                     "A"},
+                    {{"$A_{0}A$ and $B_{0}B$ meet in $P_{41}$, the coupler's pole.",
+                      "$A_{0}A$ e $B_{0}B$ si incontrano in $P_{41}$, polo della biella."},
+                     Where::pole},
+                    {{"$ω_{3}$/$ω_{2}$ = ($A_{0}A$/$B_{0}B$)·($P_{41}B$/$P_{41}A$): $v_{A}$ = $ω_{2}$·$A_{0}A$ = "
+                      "$ω_{4}$·$P_{41}A$, and so in $B$. The "
+                      "normal meets $A_{0}B_{0}$ in $P_{23}$, which gives the same ratio.",
+                      "$ω_{3}$/$ω_{2}$ = ($A_{0}A$/$B_{0}B$)·($P_{41}B$/$P_{41}A$): $v_{A}$ = $ω_{2}$·$A_{0}A$ = "
+                      "$ω_{4}$·$P_{41}A$, e così in $B$. La "
+                      "normale incontra $A_{0}B_{0}$ in $P_{23}$, che dà lo stesso rapporto."},
+                     Where::tip,
+                     "B"}});
+  const VectorPolygon polygon = velocity_polygon(
+      {of.moves("B", "⊥ $B_{0}B$", "?")},
+      {of.moves("A", "⊥ $A_{0}A$", "$ω_{2}$·$A_{0}A$", "$a$"), of.moves("BA", "⊥ $AB$", "?", "$b$")});
+  return {
+      .panels = panels(poles, PolygonPanel(of.s, polygon)),
+      .results = {of.results({"A0A", "B0B"}), of.results({"P41A", "P41B", "P23_x"}),
+                  of.results({"omega_3_over_omega_2", "omega_4_over_omega_2"}), of.results({"arm_Q", "v_Q_over_v_P"}),
+                  of.results({"P_virtual_work", "P"})},
+      .seen = {"The equivalent four-bar of the sliding levers with its poles, and the polygon of velocities",
+               "Il quadrilatero equivalente delle leve striscianti con i suoi poli, e il poligono delle velocità"},
+      .told = of.names({"P41_x", "P41_y", "omega_3_over_omega_2", "v_Q_over_v_P", "P_virtual_work"}),
+      .without_part = of.without()};
+}
+
+}  // namespace
+
+std::vector<SheetMaker> lever_sheets() {
+  return {{{"levers", {"Sliding levers, Q on lever 3", "Leve striscianti, Q sulla leva 3"}},
+           [](const Solution& s, Language) { return polygons(Figure(s, "sliding_levers", 3)); }},
+          {{"levers-virtual-work", {"Sliding levers: virtual work", "Leve striscianti: lavori virtuali"}},
+           [](const Solution& s, Language) { return virtual_work(Figure(s, "sliding_levers", 3)); }},
+          {{"levers-Q-on-2", {"Sliding levers, Q on lever 2", "Leve striscianti, Q sulla leva 2"}},
+           [](const Solution& s, Language) { return polygons(Figure(s, "sliding_levers_Q_on_2", 2)); }},
+          {{"levers-Q-on-2-virtual-work",
+            {"Sliding levers, Q on lever 2: virtual work", "Leve striscianti, Q sulla leva 2: lavori virtuali"}},
+           [](const Solution& s, Language) { return virtual_work(Figure(s, "sliding_levers_Q_on_2", 2)); }}};
+}
+
+}  // namespace epure::ideal_statics

@@ -1,0 +1,188 @@
+// The wedge that lifts a rod in its collar, which answers with one force or with two.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "exercises/ideal-statics/sheets.h"
+#include "exercises/kit/linkages/loaded_mechanisms.h"
+#include "exercises/kit/panels/shared_load_panel.h"
+
+namespace epure::ideal_statics {
+namespace {
+
+using Arrow = FreeBodyPanel::Arrow;
+using Joint = Mechanism::Joint;
+
+// Where it is drawn: the wedge's height is free, the rod ends somewhat above the collar.
+struct Drawn {
+  double w, lower, upper, top, floor, line_of_P, sine, cosine;
+  Place left, right;  // corners of the wedge's face
+
+  explicit Drawn(const Case& of)
+      : w(of.given("w")),
+        lower(of.given("y_lower")),
+        upper(of.given("y_upper")),
+        floor(CGAL::to_double(floor_of_wedge())),
+        line_of_P(CGAL::to_double(epure::line_of_P())),
+        sine(std::sin(of.radians("theta"))),
+        cosine(std::cos(of.radians("theta"))) {
+    constexpr double above = 0.04, up_the_face = 0.045, down_the_face = 0.08;  // m
+    top = std::max(upper, 0.0) + above;
+    const double down = std::min(down_the_face, -floor / sine);
+    left = {-up_the_face * cosine, up_the_face * sine};
+    right = {down * cosine, -down * sine};
+  }
+};
+
+void add_wedge(Mechanism& drawn, const Drawn& at) {
+  drawn.point("L", at.left, Joint::corner, "").point("R", at.right, Joint::corner, "");
+  drawn.point("Rf", {at.right.x, at.floor}, Joint::corner, "").point("Lf", {at.left.x, at.floor}, Joint::corner, "");
+  drawn.body({"L", "R", "Rf", "Lf"}, 2);
+}
+void add_rod(Mechanism& drawn, const Drawn& at) {
+  const double slope = at.sine / at.cosine, half = at.w / 2;
+  drawn.point("l", {-half, half * slope}, Joint::corner, "").point("r", {half, -half * slope}, Joint::corner, "");
+  drawn.point("rt", {half, at.top}, Joint::corner, "").point("lt", {-half, at.top}, Joint::corner, "");
+  drawn.body({"l", "r", "rt", "lt"}, 3);
+}
+
+// With what is applied to it.
+FreeBodyPanel whole(const Drawn& at, const Case& of) {
+  Mechanism drawn;
+  drawn.point("O", {0, 0}, Joint::none, "$O$");
+  add_wedge(drawn, at);
+  add_rod(drawn, at);
+  const double half = at.w / 2, beyond = 0.012;
+  drawn.surface({-half, at.upper}, {-half, at.lower})
+      .surface({half, at.lower}, {half, at.upper})
+      .surface({at.left.x - beyond, at.floor}, {at.right.x + beyond, at.floor})
+      .axis({0, at.floor}, {0, at.top + beyond}, "$r_{1}$")
+      .angle("R", std::numbers::pi - of.radians("theta"), std::numbers::pi, "$θ$");
+  FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
+  panel.to_scale();
+  return panel;
+}
+
+struct Forces {
+  PolygonSide Q, R_23, R_32, P, R_12;
+};
+Forces forces(const Case& of) {
+  const PolygonSide R_23 = of.sought(force_between(2, 3), "∥ $r_{2}$", "$b$");
+  return {of.load("Q", "∥ $r_{1}$", "$a$"), R_23, reversed(R_23, 3, 2, "$a$"), of.sought(P(), "∥ $x$", "$c$"),
+          of.sought(force_between(1, 2), "⊥ $x$")};
+}
+
+FreeBodyPanel wedge_cut_free(const Drawn& at, const Forces& on) {
+  Mechanism wedge;
+  wedge.point("O", {0, 0}, Joint::none, "$O$");
+  add_wedge(wedge, at);
+  FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(wedge)));
+  const double x_H = at.line_of_P * at.sine / at.cosine;
+  panel.to_scale().force(on.R_32, {0, 0}, Arrow::ends).force(on.P, {at.left.x, at.line_of_P}, Arrow::ends);
+  panel.force(on.R_12, {x_H, at.floor}, Arrow::ends).meeting("", "$\\it{H}_{2}$", Place{x_H, at.line_of_P});
+  panel.step(
+      {"Wedge: $\\vec{\\it{R}}_{32}$ = −$\\vec{\\it{R}}_{23}$ along $r_{2}$ and $\\vec{\\it{P}}$ along $r_{3}$ "
+       "meet in $\\it{H}_{2}$; the floor's force, square to it, passes there.",
+       "Cuneo: la $\\vec{\\it{R}}_{32}$ = −$\\vec{\\it{R}}_{23}$ lungo $r_{2}$ e la $\\vec{\\it{P}}$ lungo $r_{3}$ "
+       "si "
+       "incontrano in $\\it{H}_{2}$; vi passa la reazione del piano, ad esso normale."},
+      {x_H, at.line_of_P});
+  return panel;
+}
+
+FreeBodyPanel rod_cut_free(const Drawn& at, const Forces& on) {
+  Mechanism rod;
+  rod.point("O", {0, 0}, Joint::none, "$O$");
+  add_rod(rod, at);
+  FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(rod)));
+  panel.to_scale().force(on.Q, {0, at.top}, Arrow::ends).force(on.R_23, {0, 0}, Arrow::ends);
+  return panel;
+}
+
+PanelSheet one_force(const Solution& s, Language language) {
+  const Case of(s, "wedge_collar");
+  const Drawn at(of);
+  const Forces on = forces(of);
+  const PolygonSide R_13 = of.sought(force_between(1, 3), "∥ $x$");
+  FreeBodyPanel rod = rod_cut_free(at, on);
+  rod.force(R_13, {0, 0}, Arrow::ends);
+  rod.step(
+      {"Rod: $\\vec{\\it{Q}}$ along $r_{1}$ and $\\vec{\\it{R}}_{23}$ along the normal $r_{2}$ meet in $O$; the "
+       "collar's force, square to the rod, passes there.",
+       "Asta: la $\\vec{\\it{Q}}$ lungo $r_{1}$ e la $\\vec{\\it{R}}_{23}$ lungo la normale $r_{2}$ si incontrano in "
+       "$O$; vi passa la reazione del collare, normale all'asta."},
+      {0, 0});
+  ChainedPolygonsPanel polygons(force_polygon("3", {R_13}, {on.Q, on.R_23}));
+  VectorPolygon of_wedge = force_polygon("2", {on.R_12}, {on.R_32, on.P});
+  of_wedge.origin = "$b$";
+  polygons.then(of_wedge, on.Q.v + on.R_23.v);
+  const VectorPolygon displacements = velocity_polygon(
+      {of.moves("3", "∥ $r_{1}$", "?")},
+      {of.moves("2", "∥ $x$", "1 m/s", "$2$"), of.moves("32", Words{"∥ face", "∥ faccia"}.in(language), "?", "$3$")});
+  return {.panels = panels(whole(at, of), rod, wedge_cut_free(at, on), polygons, PolygonPanel(s, displacements)),
+          .results = {of.results({"P", "R_12"}), of.results({"R_13", "R_23"}), of.results({"v_Q_over_v_P"}),
+                      of.results({"P_virtual_work"})},
+          .seen = {"The wedge and the rod in its collar, both cut free, and the triangles of their forces",
+                   "Il cuneo e l'asta nel collare, entrambi isolati, e i triangoli delle loro forze"},
+          .told = of.names({"P", "R_12", "R_13", "R_23"}),
+          .without_part = of.without()};
+}
+
+PanelSheet two_forces(const Solution& s, Language) {
+  const Case of(s, "wedge_collar_two_point", "wedge_collar");
+  const Drawn at(of);
+  const Forces on = forces(of);
+  const PolygonSide upper = of.sought(R_13_upper(), "∥ $x$"), lower = of.sought(R_13_lower(), "∥ $x$");
+  FreeBodyPanel rod = rod_cut_free(at, on);
+  rod.force(upper, {-at.w / 2, at.upper}, Arrow::ends).force(lower, {at.w / 2, at.lower}, Arrow::ends);
+  const auto string = [&](const std::string& from, const std::string& to, const std::string& letters) {
+    rod.string(of.place(from), of.place(to), letters);
+  };
+  string("on_upper", "on_resultant", "1'");
+  string("on_resultant", "on_lower", "2'");
+  string("on_lower", "on_upper", "3'");
+  rod.step(
+      {"Funicular polygon: 1' parallel to the ray 1, from the line of $\\vec{\\it{R}}^{'}_{13}$ to that of "
+       "$\\vec{\\it{R}}_{13}$ through $O$; 2' parallel to 2, to the line of $\\vec{\\it{R}}^{''}_{13}$; 3' closes "
+       "it.",
+       "Poligono funicolare: 1' parallela al raggio 1, dalla retta della $\\vec{\\it{R}}^{'}_{13}$ a quella della "
+       "$\\vec{\\it{R}}_{13}$ per $O$; 2' parallela a 2, fino alla retta della $\\vec{\\it{R}}^{''}_{13}$; 3' lo "
+       "chiude."},
+      of.place("on_resultant"));
+  PolygonSide R_13 = of.known(force_between(1, 3), "∥ $x$", "?");
+  R_13.quantity.clear();
+  ChainedPolygonsPanel polygons(force_polygon("3", {R_13}, {on.Q, on.R_23}));
+  SharedLoadPanel shared({{}, R_13.label, R_13.v}, {upper.quantity, upper.label, upper.v},
+                         {lower.quantity, lower.label, lower.v}, of.vector("pole"), "N");
+  shared.named({"1", "2", "3"}, "$O_{f}$");
+  shared.step({"A pole $O_{f}$ beside $\\vec{\\it{R}}_{13}$, and the rays 1 and 2 to its ends.",
+               "Un polo $O_{f}$ accanto alla $\\vec{\\it{R}}_{13}$, e i raggi 1 e 2 ai suoi estremi."},
+              SharedLoadPanel::At::pole);
+  shared.step({"The ray 3 parallel to 3' parts $\\vec{\\it{R}}_{13}$ into $\\vec{\\it{R}}^{'}_{13}$ and "
+               "$\\vec{\\it{R}}^{''}_{13}$.",
+               "Il raggio 3 parallelo a 3' divide la $\\vec{\\it{R}}_{13}$ in $\\vec{\\it{R}}^{'}_{13}$ e "
+               "$\\vec{\\it{R}}^{''}_{13}$."},
+              SharedLoadPanel::At::between);
+  VectorPolygon of_wedge = force_polygon("2", {on.R_12}, {on.R_32, on.P});
+  of_wedge.origin = "$b$";
+  polygons.then(of_wedge, on.Q.v + on.R_23.v);
+  return {
+      .panels = panels(rod, wedge_cut_free(at, on), polygons, shared),
+      .results = {of.results({"P", "R_12"}), of.results({"R_13_upper", "R_13_lower"}),
+                  of.results({"R_13_resultant_x"})},
+      .seen = {"The wedge and the rod in its collar, which answers with two forces, both cut free, and the polygons "
+               "of their forces",
+               "Il cuneo e l'asta nel collare, che reagisce con due forze, entrambi isolati, e i poligoni delle loro "
+               "forze"},
+      .told = of.names({"P", "R_12", "R_13_upper", "R_13_lower"}),
+      .without_part = of.without()};
+}
+
+}  // namespace
+
+std::vector<SheetMaker> wedge_sheets() {
+  return {{{"wedge", {"Wedge and collar", "Cuneo e collare"}}, one_force},
+          {{"two-forces", {"Collar with two forces", "Collare con due forze"}}, two_forces}};
+}
+
+}  // namespace epure::ideal_statics

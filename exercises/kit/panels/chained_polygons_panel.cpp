@@ -1,0 +1,83 @@
+#include "exercises/kit/panels/chained_polygons_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epure {
+namespace {
+
+// Letters of a corner that two polygons share stand there once.
+void keep_once(std::vector<drawings::Label>& labels, std::size_t first_new) {
+  constexpr double same_place = 0.5;  // mm
+  const auto stands_before = [&](std::size_t i) {
+    return std::any_of(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(first_new),
+                       [&](const drawings::Label& old) {
+                         return !old.to && !labels[i].to && old.text == labels[i].text &&
+                                std::hypot(old.at.x - labels[i].at.x, old.at.y - labels[i].at.y) < same_place;
+                       });
+  };
+  for (std::size_t i = labels.size(); i-- > first_new;)
+    if (stands_before(i)) labels.erase(labels.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
+}  // namespace
+
+ChainedPolygonsPanel& ChainedPolygonsPanel::then(VectorPolygon polygon, const Arrow2& from) {
+  links_.push_back({std::move(polygon), from});
+  return *this;
+}
+
+ChainedPolygonsPanel& ChainedPolygonsPanel::step(const Words& text, const Arrow2& at) {
+  steps_.push_back({text, Place{at.x, at.y}});
+  return *this;
+}
+
+Panel::Vectors ChainedPolygonsPanel::vectors() const {
+  double longest = 0;
+  for (const Link& link : links_) longest = std::max(longest, greatest(link.polygon));
+  return {links_.front().polygon.unit, longest};
+}
+
+drawings::Box ChainedPolygonsPanel::extent(const Scale&, const Scale& vectors) const {
+  Extent extent;
+  for (const Link& link : links_) {
+    const drawings::Box box = extent_of(link.polygon, vectors);
+    for (const drawings::Point corner : {box.low, box.high})
+      extent.include(corner.x + vectors.mm_per_unit * link.from.x, corner.y + vectors.mm_per_unit * link.from.y);
+  }
+  return extent.box();
+}
+
+std::vector<drawings::Block> ChainedPolygonsPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
+  for (const Link& link : links_) {
+    Plot moved(plot.onto(), plot.at({link.from.x, link.from.y}), plot.scale());
+    auto& labels = plot.onto().sheet.figure.labels;
+    const std::size_t before = labels.size();
+    PolygonStage whole;
+    whole.numbered = false;
+    whole.language = language;
+    draw_polygon(moved, link.polygon, whole);
+    keep_once(labels, before);
+  }
+  return {};
+}
+
+std::vector<drawings::VectorEquation> ChainedPolygonsPanel::equations() const {
+  std::vector<drawings::VectorEquation> all;
+  for (const Link& link : links_) all.push_back(equation(link.polygon));
+  return all;
+}
+
+std::vector<PanelStep> ChainedPolygonsPanel::steps(const Plot&, const drawings::Box&) const {
+  std::vector<PanelStep> all;
+  for (const Link& link : links_) {
+    const std::vector<std::string> english = steps_of(link.polygon, Language::english),
+                                   italian = steps_of(link.polygon, Language::italian);
+    const std::vector<Place> places = places_of_steps(link.polygon);
+    for (std::size_t i = 0; i < english.size(); ++i) all.push_back({{english[i], italian[i]}, places[i] + link.from});
+  }
+  all.insert(all.end(), steps_.begin(), steps_.end());
+  return all;
+}
+
+}  // namespace epure

@@ -1,0 +1,39 @@
+// Polygons of forces of several bodies in one figure: each starts in a corner of one before, so that what one body
+// does to the next is a side of both.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exercises/kit/panels/panel.h"
+#include "exercises/kit/panels/polygon_picture.h"
+
+namespace epure {
+
+class ChainedPolygonsPanel : public Panel {
+ public:
+  // The first polygon; its origin is the plane's.
+  explicit ChainedPolygonsPanel(VectorPolygon first) { links_.push_back({std::move(first), {0, 0}}); }
+  // Another, which starts `from` the origin: in the corner of that letter, which is its own origin's.
+  ChainedPolygonsPanel& then(VectorPolygon polygon, const Arrow2& from);
+  // What the figure shows beside: told, and where.
+  ChainedPolygonsPanel& step(const Words& text, const Arrow2& at);
+
+  bool is_of_vectors() const override { return true; }
+  Vectors vectors() const override;
+  drawings::Box extent(const Scale&, const Scale& vectors) const override;
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override;
+  std::vector<drawings::VectorEquation> equations() const override;
+  std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
+
+ private:
+  struct Link {
+    VectorPolygon polygon;
+    Arrow2 from;
+  };
+  std::vector<Link> links_;
+  std::vector<PanelStep> steps_;
+};
+
+}  // namespace epure
