@@ -6,7 +6,7 @@ namespace epure {
 namespace {
 
 constexpr double between_diagrams = 9, diagram_names = 9, beam_letters = 8;  // mm
-constexpr double load_length = 13;                     // mm
+constexpr double load_length = 13;                                           // mm
 
 struct Reach {
   double low = 0, high = 0;

@@ -6,7 +6,7 @@
 namespace epure {
 namespace {
 
-constexpr double plan_letters = 9, whole_off = 7;  // mm; how far off a node its whole displacement is drawn
+constexpr double node_letters = 9, whole_off = 7;  // mm; how far off a node its whole displacement is drawn
 
 // On the plane of lengths, where displacements have their own scale.
 Place on_plane(const Plot& plot, const Place& P) {
@@ -28,12 +28,12 @@ Panel::Vectors DisplacementPlanPanel::vectors() const {
 
 drawings::Box DisplacementPlanPanel::extent(const Scale& lengths, const Scale& vectors) const {
   Extent extent;
-  extent.include(-plan_letters, 0);
+  extent.include(-node_letters, 0);
   for (const PlannedBar& bar : bars_)
     for (const Place& P : {Place{bar.corners[3].x, 0}, bar.tangent, bar.corners[3]}) {
       const double x = lengths.mm_per_unit * P.x, y = 1000 * vectors.mm_per_unit * P.y;
-      extent.include(x + whole_off + plan_letters, y + plan_letters);
-      extent.include(x, y - plan_letters);
+      extent.include(x + whole_off + node_letters, y + node_letters);
+      extent.include(x, y - node_letters);
     }
   return extent.box();
 }

@@ -29,7 +29,6 @@ class ExerciseOfPanels : public Exercise {
     return arrange(about_, sheet, solution, maker->make(solution, request.language), request);
   }
 
-
  private:
   Description about_;
   Solve solve_;

@@ -9,9 +9,9 @@
 namespace epure {
 namespace {
 
-constexpr double title_above = 26;                                       // mm
-constexpr double load_length = 14, half_support = 7, space_letters = 8;  // mm
-constexpr double axis_length = 11, axes_left = 17;                       // mm, of the three axes beside the clamp
+constexpr double title_above = 26;                                                // mm
+constexpr double arrow_length_of_load = 14, half_support = 7, space_letters = 8;  // mm
+constexpr double axis_length = 11, axes_left = 17;  // mm, of the three axes beside the clamp
 
 Place projected(const SpacePoint& P) {
   const double oblique = std::numbers::sqrt2 / 4;
@@ -59,7 +59,7 @@ drawings::Box SpaceDiagramPanel::extent(const Scale& lengths, const Scale& vecto
   const Place O = node(0), A = node(bars_.size());
   extent.include(lengths.mm_per_unit * O.x - axes_left - 4, lengths.mm_per_unit * O.y - 6);
   extent.include(lengths.mm_per_unit * O.x - axes_left, lengths.mm_per_unit * O.y + title_above + 5);
-  extent.include(lengths.mm_per_unit * A.x, lengths.mm_per_unit * A.y - load_length - 4);
+  extent.include(lengths.mm_per_unit * A.x, lengths.mm_per_unit * A.y - arrow_length_of_load - 4);
   return extent.box();
 }
 
@@ -93,7 +93,7 @@ void SpaceDiagramPanel::draw_frame(Plot& plot) const {
   }
   const Place O = node(0), A = node(bars_.size());
   plot.mark(drawings::Ground{plot.at(O + Arrow2{0, half_support * mm}), plot.at(O + Arrow2{0, -half_support * mm})});
-  plot.side("", A, A + Arrow2{0, -load_length * mm}, Meaning::force, "$\\it{P}$");
+  plot.side("", A, A + Arrow2{0, -arrow_length_of_load * mm}, Meaning::force, "$\\it{P}$");
   for (std::size_t i = 0; i < letters_.size(); ++i) {
     const Place inside = geometry::midpoint(node(0), node(letters_.size() / 2));
     if (i > 0) plot.dot(node(i), Meaning::link);

@@ -6,33 +6,27 @@ namespace epure {
 
 Words route_in_words(const std::string& route) {
   static const std::map<std::string, std::string> italian = {
+      {"Mohr's circle", "cerchio di Mohr"},
+      {"Newton-Euler", "Newton-Eulero"},
       {"analytic", "analitica"},
-      {"construction", "costruzione"},
       {"constraint equations", "equazioni di vincolo"},
-<<<<<<< HEAD
+      {"construction", "costruzione"},
       {"elastic weights", "pesi elastici"},
       {"energy", "energia"},
-      {"funicular polygon", "poligono funicolare"},
-=======
       {"equilibrium equations", "equazioni di equilibrio"},
       {"force polygon", "poligono delle forze"},
->>>>>>> statics
+      {"funicular polygon", "poligono funicolare"},
       {"instant centres", "centri d'istantanea rotazione"},
-      {"Mohr's circle", "cerchio di Mohr"},
       {"natural equation", "equazione naturale"},
-      {"Newton-Euler", "Newton-Eulero"},
       {"polar diagram", "diagramma polare"},
       {"poles", "poli"},
       {"power balance", "bilancio delle potenze"},
       {"primitive", "primitiva"},
       {"quadrature", "quadratura"},
-<<<<<<< HEAD
       {"second polygon", "secondo poligono"},
       {"stiffness matrix", "matrice di rigidezza"},
-      {"virtual work", "lavori virtuali"},
-=======
       {"velocity diagram", "diagramma delle velocità"},
->>>>>>> statics
+      {"virtual work", "lavori virtuali"},
   };
   const auto known = italian.find(route);
   return {route, known == italian.end() ? route : known->second};
