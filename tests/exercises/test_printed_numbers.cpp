@@ -77,6 +77,8 @@ const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
       {"phi=500", "s=6", "t1=0.2", "t2=0.1"},
       {"d=1.4", "d_0=3", "omega_1=3000", "t1=0.0001"},
       {"d=40", "s=1000", "d_0=0.05"}}},
+    {"crane-welds",
+     {{}, {"W_b=600"}, {"b=10mm", "s_1=12"}, {"f_1=0.5", "f_2=0.9"}, {"L=100mm", "H_1=900", "W_b=20t"}}},
     {"boat-crane",
      {{},
       {"W_b=600"},
