@@ -76,6 +76,13 @@ class Routes {
     ledger.put(quantity(name), value);
   }
 
+  // And whether it is above 1, which a sheet tells.
+  template <class T>
+  static void utilisation(Ledger<T>& ledger, const std::string& name, const std::function<T()>& find) {
+    ledger.put(quantity(name), find);
+    ledger.tells({name + "_excess", "", "1", {}}, [&] { return find() - T(1); });
+  }
+
   // Euler's stress on the hyperbola π² E/λ².
   template <class T>
   T load_on_hyperbola(const Bodies<T>& bodies, const T& J) const {
@@ -230,15 +237,15 @@ class Routes {
     ledger.tells({"sigma_I", "$σ_{I}$", "Pa", {}}, [&] { return geometry::mohr_circle(sigma, all).sigma_I(); });
     ledger.tells({"sigma_II", "$σ_{II}$", "Pa", {}}, [&] { return geometry::mohr_circle(sigma, all).sigma_II(); });
     ledger.route("construction");
-    put<T>(ledger, "beam_static_utilisation",
-           [&] { return geometry::fourth_proportional<T>(sigma_S, safety, equivalent()); });
+    utilisation<T>(ledger, "beam_static_utilisation",
+                   [&] { return geometry::fourth_proportional<T>(sigma_S, safety, equivalent()); });
     put(ledger, "Delta_sigma", sigma);
     const T mean = number<T>(Rational(1, 2)) * sigma;
     put(ledger, "sigma_m", mean);
     const auto effective = [&] { return geometry::range_without_mean(mean, sigma, sigma_S); };
     put<T>(ledger, "Delta_sigma_eff", effective);
-    put<T>(ledger, "beam_fatigue_utilisation",
-           [&] { return geometry::fourth_proportional<T>(range, safety, effective()); });
+    utilisation<T>(ledger, "beam_fatigue_utilisation",
+                   [&] { return geometry::fourth_proportional<T>(range, safety, effective()); });
   }
 
   template <class T>
@@ -248,15 +255,18 @@ class Routes {
     const T safety = number<T>(strength_.Psi);
     ledger.route("construction");
     put(ledger, "sigma_zN", sigma);
-    put<T>(ledger, "column_static_utilisation", geometry::fourth_proportional<T>(sigma_S, safety, -sigma));
+    utilisation<T>(ledger, "column_static_utilisation",
+                   [&] { return geometry::fourth_proportional<T>(sigma_S, safety, -sigma); });
     put(ledger, "sigma_m2", mean);
     const T effective = geometry::range_without_mean(mean, sigma, sigma_S);
     put(ledger, "Delta_sigma_eff2", effective);
     put<T>(ledger, "Delta_sigma_eff2_conservative",
            [&] { return geometry::range_without_mean<T>(-mean, -sigma, sigma_S); });
-    put<T>(ledger, "column_fatigue_utilisation", geometry::fourth_proportional<T>(range, safety, -effective));
+    utilisation<T>(ledger, "column_fatigue_utilisation",
+                   [&] { return geometry::fourth_proportional<T>(range, safety, -effective); });
     const auto safe = [&] { return geometry::quotient(load_on_hyperbola(of, of.J_min), beam.Y_A()); };
-    put<T>(ledger, "buckling_utilisation", [&] { return geometry::fourth_proportional<T>(safe(), T(1), safety); });
+    utilisation<T>(ledger, "buckling_utilisation",
+                   [&] { return geometry::fourth_proportional<T>(safe(), T(1), safety); });
     put<T>(ledger, "buckling_safety_factor", safe);
   }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "drawings/output.h"
+#include "exercises/cli/symbol.h"
 #include "tests/exercises/run.h"
 #include "tests/support/catch.h"
 
@@ -574,6 +575,12 @@ TEST_CASE("a folder without a name is refused") {
 TEST_CASE("list knows all, and says what is a sheet") {
   CHECK(run_on_two({"list", "all"}).out == run_on_two({"list"}).out);
   refused({"list", "triangle/sides"}, "\"triangle/sides\" is a sheet; epure list triangle shows its exercise");
+}
+
+TEST_CASE("letters on a terminal bear no markup") {
+  CHECK(unicode_symbol("$\\it{M}_{12}$") == "M₁₂");
+  CHECK(unicode_symbol("d$\\it{E}_{k}$/d$t$") == "dE_k/dt");
+  CHECK(unicode_symbol("$\\vec{v}_{BA}$") == "v_BA");
 }
 
 TEST_CASE("a symbol may be typed as the sheet writes it") {

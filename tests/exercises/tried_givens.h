@@ -72,7 +72,9 @@ inline const std::vector<std::pair<std::string, std::vector<Assignments>>>& trie
         {"W_b=600"},
         {"L=2", "H_0=1.5", "W_b=2t"},
         {"H_2=90mm", "b_2=200", "s_2=8", "H_0=3"},
-        {"W_b=1370", "H_1=0.2m", "sigma_S=355", "Psi=1.1"}}}};
+        {"W_b=1370", "H_1=0.2m", "sigma_S=355", "Psi=1.1"}}},
+      {"crane-welds",
+       {{}, {"W_b=600"}, {"b=10mm", "s_1=12"}, {"f_1=0.5", "f_2=0.9"}, {"L=100mm", "H_1=900", "W_b=20t"}}}};
   return all;
 }
 

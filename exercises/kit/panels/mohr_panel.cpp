@@ -65,8 +65,7 @@ std::vector<drawings::Block> MohrPanel::draw(Plot& plot, const drawings::Box&, L
 }
 
 std::vector<PanelStep> MohrPanel::steps(const Plot&, const drawings::Box&) const {
-  const Words state =
-      decimal("$X$ (" + of_.sigma_letters + "; " + of_.tau_letters + "), $Y$ (0; −" + of_.tau_letters + ")");
+  const Words state = decimal("$X$: " + of_.sigma_letters + ", " + of_.tau_letters + "; $Y$: 0, −" + of_.tau_letters);
   return {
       {Words{"The faces across and along the beam: ", "Le facce trasversale e longitudinale della trave: "} + state +
            Words{". $XY$ is a diameter.", ". $XY$ è un diametro."},

@@ -131,3 +131,20 @@ TEST_CASE("boat crane: the diagrams are measured back", "[boat-crane][sheets]") 
   shows("fatigue", {"sigma_m", "Delta_sigma", "Delta_sigma_eff", "mass_600kg.Delta_sigma_eff"});
   shows("buckling", {"slenderness", "slenderness_limit", "P_cr"});
 }
+
+TEST_CASE("boat crane: a sheet says which checks do not hold, at the limit too", "[boat-crane][sheets]") {
+  const auto tells = [](const Assignments& assignments, const std::string& words) {
+    for (const drawings::Block& block : crane().draw("checks", assignments).sheet.column)
+      if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block);
+          paragraph && paragraph->text.find(words) != std::string::npos)
+        return true;
+    return false;
+  };
+  CHECK(tells({}, "With 300 kg all checks hold."));
+  CHECK(tells({"W_b=1t"}, "With 1000 kg these checks do not hold: fatigue of the beam, buckling of the column."));
+  CHECK(tells({"sigma_S=20"}, "yield of the beam, fatigue of the beam"));  // no range is left to the beam
+  // |σ_zN| Ψ = σ_S: 3·g·300/752 mm² is 8825.985/752 MPa.
+  const std::string limit = "8825985/752000";
+  CHECK_FALSE(tells({"Psi=1", "sigma_S=" + limit}, "yield of the column"));
+  CHECK(tells({"Psi=1.000000000000000000000000000001", "sigma_S=" + limit}, "yield of the column"));
+}
