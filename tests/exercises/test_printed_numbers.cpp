@@ -75,7 +75,13 @@ const std::vector<std::pair<std::string, std::vector<Assignments>>> tried{
       {"phi=90", "s=1"},
       {"phi=500", "s=6", "t1=0.2", "t2=0.1"},
       {"d=1.4", "d_0=3", "omega_1=3000", "t1=0.0001"},
-      {"d=40", "s=1000", "d_0=0.05"}}}};
+      {"d=40", "s=1000", "d_0=0.05"}}},
+    {"frame-deflection",
+     {{},
+      {"L_1=400", "L_2=1500", "phi=20"},
+      {"s_r=80", "H_r=20", "P=5000"},
+      {"L_1=2000", "L_2=200", "phi=12mm"},
+      {"nu=0", "E=70GPa", "P=12.5"}}}};
 
 // Without what is raised or lowered, which belongs to a symbol, but for powers of ten.
 std::string without_indices(std::string text) {
