@@ -254,12 +254,11 @@ PanelSheet shares_sheet(const Solution& s, Language language) {
       "$\\it{P}\\it{L}_{1}^{3}$/3$\\it{EJ}_{x2}$, $δ_{t2}$ = "
       "$\\it{P}\\it{L}_{2}^{2}\\it{L}_{1}$/$\\it{GJ}_{p2}$."};
   const Words mistake{
-      "The source takes $\\it{J}_{p1}$ = $\\it{J}_{x1}$ + $\\it{J}_{y1}$ for $\\it{J}_{t1}$. Plane "
-      "sections of a rectangle warp: its torsion constant is much less than the polar moment, and the "
-      "twist of bar 1 as much more.",
-      "La fonte prende $\\it{J}_{p1}$ = $\\it{J}_{x1}$ + $\\it{J}_{y1}$ per $\\it{J}_{t1}$. Le sezioni "
-      "piane di un rettangolo si ingobbano: la costante di torsione è molto minore del momento polare, "
-      "e la torsione della barra 1 tanto maggiore."};
+      "The source takes $\\it{J}_{p1}$ = $\\it{J}_{x1}$ + $\\it{J}_{y1}$ for $\\it{J}_{t1}$. But the sections of a "
+      "rectangle warp: its torsion constant is less than the polar moment, and bar 1 twists as much more.",
+      "La fonte prende $\\it{J}_{p1}$ = $\\it{J}_{x1}$ + $\\it{J}_{y1}$ per $\\it{J}_{t1}$. Ma le sezioni di un "
+      "rettangolo si ingobbano: la costante di torsione è minore del momento polare, e la barra 1 si torce "
+      "altrettanto di più."};
   const Words series{
       "De Saint-Venant: $\\it{J}_{t1}$ = $\\it{H}_{r}s_{r}^{3}$(⅓ − 64$s_{r}$/$π^{5}\\it{H}_{r}$·Σ "
       "tanh($kπ\\it{H}_{r}$/2$s_{r}$)/$k^{5}$), $k$ = 1, 3, 5 …",

@@ -61,7 +61,7 @@ Problem problem(const Givens& givens) {
       ratio <= most && ratio * most >= 1,
       format_words("H_r = {} mm is {} times s_r = {} mm: a bar's rectangle has sides up to {} times each other",
                    "H_r = {} mm è {} volte s_r = {} mm: il rettangolo di una barra ha i lati in rapporto fino a {}",
-                   decimal(CGAL::to_double(1000 * of.H_r), 6), decimal(CGAL::to_double(ratio), 3),
+                   decimal(CGAL::to_double(1000 * of.H_r), 6), decimal(CGAL::to_double(ratio), 6),
                    decimal(CGAL::to_double(1000 * of.s_r), 6), most));
   return of;
 }

@@ -29,6 +29,20 @@ TEST_CASE("the last printed digit counts, also when it is a zero") {
   CHECK(verdict("4.2e3", 4251).verdict == Verdict::disagrees);
 }
 
+TEST_CASE("a number printed with its unit and a power of ten is read in SI units") {
+  CHECK(verdict("8.077×10^4 MPa", 8.07749e10).verdict == Verdict::rounding);
+  CHECK(verdict("8.077×10^4 MPa", 8.07751e10).verdict == Verdict::disagrees);
+  CHECK(verdict("1.042×10^5 mm^4", 1.0415001e-7).verdict == Verdict::rounding);
+  CHECK(verdict("1.042×10^5 mm^4", 1.0414999e-7).verdict == Verdict::disagrees);
+  CHECK(verdict("51.509 mm", 0.0515094).verdict == Verdict::rounding);
+  CHECK(verdict("51.509 mm", 0.0515096).verdict == Verdict::disagrees);
+  CHECK(verdict("-3.53×10^4 N·m", -35304).verdict == Verdict::rounding);
+  CHECK(verdict("-3.53×10^4 N·m", 35304).verdict == Verdict::disagrees);
+  CHECK(verdict("240 N·m", 240.4).verdict == Verdict::rounding);
+  CHECK(verdict("7.5e-2 μm", 7.54e-8).verdict == Verdict::rounding);
+  CHECK_THROWS_AS(verdict("4×10^x mm", 1), geometry::BadGiven);
+}
+
 TEST_CASE("half a unit is exact, where doubles would slip") {
   // 0.285 lies below the decimal 0.285 as a double, so 0.29 is more than half a unit away, by 1e-17.
   CHECK(verdict("0.29", 0.285).verdict == Verdict::disagrees);

@@ -74,7 +74,13 @@ inline const std::vector<std::pair<std::string, std::vector<Assignments>>>& trie
         {"H_2=90mm", "b_2=200", "s_2=8", "H_0=3"},
         {"W_b=1370", "H_1=0.2m", "sigma_S=355", "Psi=1.1"}}},
       {"crane-welds",
-       {{}, {"W_b=600"}, {"b=10mm", "s_1=12"}, {"f_1=0.5", "f_2=0.9"}, {"L=100mm", "H_1=900", "W_b=20t"}}}};
+       {{}, {"W_b=600"}, {"b=10mm", "s_1=12"}, {"f_1=0.5", "f_2=0.9"}, {"L=100mm", "H_1=900", "W_b=20t"}}},
+      {"frame-deflection",
+       {{},
+        {"L_1=400", "L_2=1500", "phi=20"},
+        {"s_r=80", "H_r=20", "P=5000"},
+        {"L_1=2000", "L_2=200", "phi=12mm"},
+        {"nu=0", "E=70GPa", "P=12.5"}}}};
   return all;
 }
 

@@ -62,6 +62,11 @@ Panel::Vectors StrungBeamsPanel::vectors() const {
   return {"mm", heights_of_corners(beams_).most(), longest_on_paper};
 }
 
+// 1 rad at the scale of the weights, with the slope that the two other scales give it.
+double StrungBeamsPanel::pole_distance(double mm_per_metre, double mm_per_mm) const {
+  return weights_.mm_per_unit * mm_per_metre / (1000 * mm_per_mm);
+}
+
 StrungBeamsPanel::Places StrungBeamsPanel::places(double mm_per_metre, double mm_per_mm) const {
   const Heights moments = heights_of_moments(beams_), corners = heights_of_corners(beams_),
                 weights = heights_of_weights(beams_);
@@ -71,14 +76,15 @@ StrungBeamsPanel::Places StrungBeamsPanel::places(double mm_per_metre, double mm
   double x = 0;
   for (const StrungBeam& beam : beams_) {
     at.begin.push_back(x);
-    x += beam.length * mm_per_metre + between_beams;
+    x += std::max(beam.length * mm_per_metre, pole_distance(mm_per_metre, mm_per_mm)) + between_beams;
   }
   return at;
 }
 
 drawings::Box StrungBeamsPanel::extent(const Scale& lengths, const Scale& vectors) const {
   const Places at = places(lengths.mm_per_unit, vectors.mm_per_unit);
-  const double right = at.begin.back() + beams_.back().length * lengths.mm_per_unit;
+  const double right = at.begin.back() + std::max(beams_.back().length * lengths.mm_per_unit,
+                                                  pole_distance(lengths.mm_per_unit, vectors.mm_per_unit));
   return {{-strung_letters, at.poles - heights_of_weights(beams_).below * weights_.mm_per_unit - strung_letters - 6},
           {right + strung_letters + 2,
            at.diagrams + heights_of_moments(beams_).above * moments_.mm_per_unit + strung_letters}};
@@ -117,7 +123,7 @@ void StrungBeamsPanel::draw_diagram(Plot& plot, const StrungBeam& beam, double l
 void StrungBeamsPanel::draw_pole(Plot& plot, const StrungBeam& beam, double level, double begin,
                                  Language language) const {
   const double mm = 1 / plot.scale().mm_per_unit;
-  const double distance = weights_.mm_per_unit * plot.scale().mm_per_unit / (1000 * plot.vector_scale().mm_per_unit);
+  const double distance = pole_distance(plot.scale().mm_per_unit, plot.vector_scale().mm_per_unit);
   const auto at = [&](double along, double up) { return Place{(begin + along) * mm, (level + up) * mm}; };
   const Place pole = at(0, 0);
   double up = 0;

@@ -40,6 +40,7 @@ class StrungBeamsPanel : public Panel {
     double diagrams, poles;
     std::vector<double> begin;
   };
+  double pole_distance(double mm_per_metre, double mm_per_mm) const;  // mm
   Places places(double mm_per_metre, double mm_per_mm) const;
   void draw_diagram(Plot& plot, const StrungBeam& beam, double level, double begin, Language language) const;
   void draw_pole(Plot& plot, const StrungBeam& beam, double level, double begin, Language language) const;
