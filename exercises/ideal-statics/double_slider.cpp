@@ -87,7 +87,7 @@ PanelSheet virtual_work(const Solution& s, Language) {
       {of.moves("A", "∥ $y$", "?")}, {of.moves("B", "∥ $x$", "1 m/s", "$b$"), of.moves("AB", "⊥ $AB$", "?", "$a$")});
   return {
       .panels = panels(poles, PolygonPanel(s, polygon)),
-      .results = {coordinates(of.name("P31")), of.results({"v_Q_over_v_P"}), of.results({"P_virtual_work"}),
+      .results = {of.results({"P31_x", "P31_y"}), of.results({"v_Q_over_v_P"}), of.results({"P_virtual_work"}),
                   of.results({"P"})},
       .seen = {"The double slider with the pole of its link and the virtual displacements of the sliders, and their "
                "polygon",

@@ -312,19 +312,15 @@ void by_poles(Ledger<T>& ledger, const Levers& of, const LeverPoints<T>& at) {
   ledger.put(ratio_of_speeds(4, 2), [=] { return over_2(P41, projective(at.A)); });
   // Displacements along P and Q are as the arms times the angular velocities of their levers.
   const XY<T> q = unit<T>(of.direction_Q);
-  const Point<T> hinge = of.loaded == 2 ? at.A0 : at.B0;
-  const auto arm_Q = [=] {
-    const Point<T> X{number<T>(of.x_Q), T(0)};
-    return geometry::distance(hinge, geometry::foot(hinge, line(X, Vector<T>{q.x, q.y})));
-  };
+  const Point<T> hinge = of.loaded == 2 ? at.A0 : at.B0, on_Q{number<T>(of.x_Q), T(0)};
+  const geometry::Line<T> line_of_Q = line(on_Q, Vector<T>{q.x, q.y});
+  ledger.put(arm_of_Q(), [=] { return geometry::distance(hinge, geometry::foot(hinge, line_of_Q)); });
   const auto ratio = [=] {
-    const T speeds = magnitude_of<T>(omega_3()),
-            arms = geometry::quotient(arm_Q(), magnitude_of(number<T>(of.arm_P)));
-    return of.loaded == 3 ? speeds * arms : geometry::quotient(arms, speeds);
+    const T arms = geometry::quotient(moment_about(projective(hinge), line_of_Q), number<T>(of.arm_P));
+    return of.loaded == 3 ? omega_3() * arms : geometry::quotient(arms, omega_3());
   };
-  ledger.put(arm_of_Q(), [=] { return arm_Q(); });
-  ledger.put(v_Q_over_v_P(), [=] { return ratio(); });
-  ledger.put(P_virtual_work(), [=] { return number<T>(of.Q) * ratio(); });
+  ledger.put(v_Q_over_v_P(), [=] { return magnitude_of<T>(ratio()); });
+  ledger.put(P_virtual_work(), [=] { return -(number<T>(of.Q) * ratio()); });
 }
 
 // v_B = v_A + v_BA of the equivalent four-bar: ω2 = 1, so v_A is A0A turned by a right angle.
@@ -441,9 +437,11 @@ void write_levers(Ledger<T>& ledger, const Levers& of) {
         ledger, H,
         [=] {
           const bool is_loaded = lever == of.loaded;
+          const Angle& direction = is_loaded ? of.direction_Q : of.direction_P;
           const XY<T> X = is_loaded ? XY<T>{number<T>(of.x_Q), T(0)} : foot_of_P<T>(of);
+          if (are_parallel(of.nu, direction)) throw geometry::Impossible(parallel_forces);
           return on_reaction<T>({number<T>(of.hinge(lever)), T(0)}, equations().force("R_1" + std::to_string(lever)),
-                                complex(X), complex(unit<T>(is_loaded ? of.direction_Q : of.direction_P)));
+                                complex(X), complex(unit<T>(direction)));
         },
         parallel_forces);
   }
@@ -483,7 +481,9 @@ template <class T>
 FairbairnPoints<T> points_of(const Fairbairn& of) {
   const Point<T> C = origin<T>(), A{T(0), number<T>(of.AC)};
   const Vector<T> lever{geometry::sine<T>(of.theta), geometry::cosine<T>(of.theta)};
-  const Point<T> B = meet(geometry::Circle<T>{A, number<T>(of.AB)}, line(C, lever), geometry::Along::ahead);
+  const geometry::Line<T> along = line(C, lever);
+  const Point<T> B = of.touches ? geometry::foot(A, along)
+                                : meet(geometry::Circle<T>{A, number<T>(of.AB)}, along, geometry::Along::ahead);
   return {A, B, C, C + number<T>(of.CD) * lever, lever};
 }
 
@@ -534,7 +534,8 @@ void by_velocity_diagram(Ledger<T>& ledger, const Fairbairn& of, const Fairbairn
 template <class T>
 Complex<T> crank_by_sines(const Fairbairn& of) {
   const T s = geometry::sine<T>(of.theta), c = geometry::cosine<T>(of.theta), AB = number<T>(of.AB);
-  const T sine = geometry::quotient(number<T>(of.AC) * s, AB), cosine = geometry::root(T(1) - geometry::square(sine));
+  const T sine = geometry::quotient(number<T>(of.AC) * s, AB),
+          cosine = of.touches ? T(0) : geometry::root(T(1) - geometry::square(sine));
   return AB * Complex<T>{s * cosine + c * sine, c * cosine - s * sine};
 }
 

@@ -26,8 +26,10 @@ struct Drawn {
         line_of_P(CGAL::to_double(epure::line_of_P())),
         sine(std::sin(of.radians("theta"))),
         cosine(std::cos(of.radians("theta"))) {
-    constexpr double above = 0.04, up_the_face = 0.045, down_the_face = 0.08;  // m
+    constexpr double above = 0.02, shortest = 0.03, longest = 0.08, down_the_face = 0.05, beside_H = 0.012;  // m
     top = std::max(upper, 0.0) + above;
+    // To the left it reaches beyond the meeting point of its forces, where there is room for it.
+    const double up_the_face = std::clamp((beside_H - line_of_P * sine / cosine) / cosine, shortest, longest);
     const double down = std::min(down_the_face, -floor / sine);
     left = {-up_the_face * cosine, up_the_face * sine};
     right = {down * cosine, -down * sine};
@@ -59,7 +61,7 @@ FreeBodyPanel whole(const Drawn& at, const Case& of) {
       .axis({0, at.floor}, {0, at.top + beyond}, "$r_{1}$")
       .angle("R", std::numbers::pi - of.radians("theta"), std::numbers::pi, "$θ$");
   FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
-  panel.to_scale();
+  panel.to_scale().at_most(200);
   return panel;
 }
 
@@ -78,7 +80,10 @@ FreeBodyPanel wedge_cut_free(const Drawn& at, const Forces& on) {
   add_wedge(wedge, at);
   FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(wedge)));
   const double x_H = at.line_of_P * at.sine / at.cosine;
-  panel.to_scale().force(on.R_32, {0, 0}, Arrow::ends).force(on.P, {at.left.x, at.line_of_P}, Arrow::ends);
+  panel.to_scale()
+      .at_most(200)
+      .force(on.R_32, {0, 0}, Arrow::ends)
+      .force(on.P, {at.left.x, at.line_of_P}, Arrow::ends);
   panel.force(on.R_12, {x_H, at.floor}, Arrow::ends).meeting("", "$\\it{H}_{2}$", Place{x_H, at.line_of_P});
   panel.step(
       {"Wedge: $\\vec{\\it{R}}_{32}$ = −$\\vec{\\it{R}}_{23}$ along $r_{2}$ and $\\vec{\\it{P}}$ along $r_{3}$ "
@@ -95,11 +100,11 @@ FreeBodyPanel rod_cut_free(const Drawn& at, const Forces& on) {
   rod.point("O", {0, 0}, Joint::none, "$O$");
   add_rod(rod, at);
   FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(rod)));
-  panel.to_scale().force(on.Q, {0, at.top}, Arrow::ends).force(on.R_23, {0, 0}, Arrow::ends);
+  panel.to_scale().at_most(200).force(on.Q, {0, at.top}, Arrow::ends).force(on.R_23, {0, 0}, Arrow::ends);
   return panel;
 }
 
-PanelSheet one_force(const Solution& s, Language language) {
+PanelSheet one_force(const Solution& s, Language) {
   const Case of(s, "wedge_collar");
   const Drawn at(of);
   const Forces on = forces(of);
@@ -116,16 +121,32 @@ PanelSheet one_force(const Solution& s, Language language) {
   VectorPolygon of_wedge = force_polygon("2", {on.R_12}, {on.R_32, on.P});
   of_wedge.origin = "$b$";
   polygons.then(of_wedge, on.Q.v + on.R_23.v);
-  const VectorPolygon displacements = velocity_polygon(
-      {of.moves("3", "∥ $r_{1}$", "?")},
-      {of.moves("2", "∥ $x$", "1 m/s", "$2$"), of.moves("32", Words{"∥ face", "∥ faccia"}.in(language), "?", "$3$")});
-  return {.panels = panels(whole(at, of), rod, wedge_cut_free(at, on), polygons, PolygonPanel(s, displacements)),
-          .results = {of.results({"P", "R_12"}), of.results({"R_13", "R_23"}), of.results({"v_Q_over_v_P"}),
-                      of.results({"P_virtual_work"})},
+  return {.panels = panels(whole(at, of), rod, wedge_cut_free(at, on), polygons),
+          .results = {of.results({"P", "R_12"}), of.results({"R_13", "R_23"})},
           .seen = {"The wedge and the rod in its collar, both cut free, and the triangles of their forces",
                    "Il cuneo e l'asta nel collare, entrambi isolati, e i triangoli delle loro forze"},
           .told = of.names({"P", "R_12", "R_13", "R_23"}),
           .without_part = of.without()};
+}
+
+// The wedge moves by 1 m/s.
+PanelSheet virtual_work_of_wedge(const Solution& s, Language language) {
+  const Case of(s, "wedge_collar");
+  const VectorPolygon displacements = velocity_polygon(
+      {of.moves("3", "∥ $r_{1}$", "?")},
+      {of.moves("2", "∥ $x$", "1 m/s", "$2$"), of.moves("32", Words{"∥ face", "∥ faccia"}.in(language), "?", "$3$")});
+  FreeBodyPanel mechanism = whole(Drawn(of), of);
+  mechanism.step({"The wedge moves along $x$, the rod along $r_{1}$, and on each other they slide along the face: "
+                  "$v_{Q}$ : $v_{P}$ = tan $θ$. $\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0.",
+                  "Il cuneo si muove lungo $x$, l'asta lungo $r_{1}$, e l'uno sull'altra scorrono lungo la faccia: "
+                  "$v_{Q}$ : $v_{P}$ = tg $θ$. $\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0."},
+                 {0, 0});
+  return {.panels = panels(mechanism, PolygonPanel(s, displacements)),
+          .results = {of.results({"v_Q_over_v_P"}), of.results({"P_virtual_work"}), of.results({"P"})},
+          .seen = {"The wedge and the rod in its collar, and the polygon of their virtual velocities",
+                   "Il cuneo e l'asta nel collare, e il poligono delle loro velocità virtuali"},
+          .told = of.names({"v_Q_over_v_P", "P_virtual_work"}),
+          .without_part = of.without({"w", "y_lower", "y_upper"})};
 }
 
 PanelSheet two_forces(const Solution& s, Language) {
@@ -182,6 +203,7 @@ PanelSheet two_forces(const Solution& s, Language) {
 
 std::vector<SheetMaker> wedge_sheets() {
   return {{{"wedge", {"Wedge and collar", "Cuneo e collare"}}, one_force},
+          {{"wedge-virtual-work", {"Wedge: virtual work", "Cuneo: lavori virtuali"}}, virtual_work_of_wedge},
           {{"two-forces", {"Collar with two forces", "Collare con due forze"}}, two_forces}};
 }
 

@@ -102,14 +102,16 @@ Balance<T> force_triangle(const Line<T>& F, const LineOfAction<T>& u, const Line
 }
 
 // Three forces meet in H: F, one along u, one through O, which may be at infinity (a direction). H is at infinity for
-// parallel forces. Throws Impossible when u passes through O.
+// parallel forces. `is_parallel`: F and u are known to be; else it is asked. Throws Impossible when u passes through
+// O.
 template <class T>
 struct ThreeForces {
   ProjectivePoint<T> H;
   Line<T> on_line, through_point;
 };
 template <class T>
-ThreeForces<T> three_forces(const Line<T>& F, const LineOfAction<T>& u, const ProjectivePoint<T>& O) {
+ThreeForces<T> three_forces(const Line<T>& F, const LineOfAction<T>& u, const ProjectivePoint<T>& O,
+                            bool is_parallel = false) {
   if (statics::is_zero(moment_about(O, u.unit()), statics::through_question)) {
     if (statics::is_zero(moment_about(O, F), statics::through_question))
       throw Impossible("its forces all pass through one point: how they share the load is statically undetermined",
@@ -119,13 +121,15 @@ ThreeForces<T> three_forces(const Line<T>& F, const LineOfAction<T>& u, const Pr
         "it is unstable: the line of the force that should hold it passes through its support, and has no arm",
         "è labile: la retta della forza che dovrebbe reggerlo passa per il suo appoggio, e non ha braccio");
   }
-  const ProjectivePoint<T> H = meet(F, u.unit());
-  if (statics::is_zero(moment_about(O, F), statics::through_question)) return {H, T(0) * u.unit(), -F};
-  if (!statics::is_zero(H.w, statics::parallel_question)) {
+  if (statics::is_zero(moment_about(O, F), statics::through_question))
+    return {meet(F, u.unit()), T(0) * u.unit(), -F};
+  if (!is_parallel && !statics::is_zero(cross(F.direction(), u.along), statics::parallel_question)) {
+    const ProjectivePoint<T> H = meet(F, u.unit());
     const Line<T> third = line(O, H);
     const auto [of_u, minus_third] = close_polygon(F.direction(), u.along, third.direction());
     return {H, of_u * u.unit(), -(minus_third * third)};
   }
+  const ProjectivePoint<T> H{u.along.x, u.along.y, T(0)};
   if (statics::is_zero(O.w, statics::parallel_question)) {
     // The line alone balances F, and the guide answers with a couple where the two are not in one line.
     const Line<T> on_u = quotient(-dot(F.direction(), u.along), length_squared(u.along)) * u.unit();
@@ -144,9 +148,10 @@ struct Culmann {
   std::optional<SharedLoad<T>> shared = {};  // where b and c are parallel
 };
 template <class T>
-Culmann<T> culmann(const Line<T>& F, const LineOfAction<T>& a, const LineOfAction<T>& b, const LineOfAction<T>& c) {
+Culmann<T> culmann(const Line<T>& F, const LineOfAction<T>& a, const LineOfAction<T>& b, const LineOfAction<T>& c,
+                   bool is_parallel = false) {
   const ProjectivePoint<T> K = meet(b.unit(), c.unit());
-  const ThreeForces<T> three = three_forces(F, a, K);
+  const ThreeForces<T> three = three_forces(F, a, K, is_parallel);
   const Line<T>& R = three.through_point;
   if (statics::is_zero(K.w, statics::parallel_question)) {
     const SharedLoad<T> shared = share_between_parallels(R, b, c);
@@ -185,6 +190,9 @@ class FreeBodies {
     actions_.push_back({name, i, j, Kind::guide, {{T(0), T(0)}, {ux, uy}}});
   }
   void couple(const std::string& name, int j) { actions_.push_back({name, 0, j, Kind::couple, {}}); }
+
+  // What is known of two lines of action by their names, and cannot be asked of every number.
+  void parallel(const std::string& one, const std::string& other) { parallels_.push_back({one, other}); }
 
   // Solves body after body. Throws Impossible, naming the body, when one cannot be in equilibrium, and when none can
   // be solved of what is left.
@@ -236,11 +244,13 @@ class FreeBodies {
   bool solve_body(int j) {
     Line<T> sum{T(0), T(0), T(0)};
     bool is_loaded = false;
+    std::string load;  // the only known force; of several, none
     std::vector<const Action*> lines, points, guides, couples;
     for (const Action& action : actions_) {
       if (action.i != j && action.j != j) continue;
       if (const auto known = known_.find(action.name); known != known_.end()) {
         sum = sum + (action.j == j ? known->second : -known->second);
+        load = is_loaded ? std::string() : action.name;
         is_loaded = true;
         continue;
       }
@@ -257,17 +267,19 @@ class FreeBodies {
     if (count(1, 0, 0, 0)) {
       put(j, *lines[0], -sum);
     } else if (count(1, 0, 1, 0)) {
-      const ThreeForces<T> found = three_forces(sum, lines[0]->at, direction_of(*guides[0]));
+      const ThreeForces<T> found =
+          three_forces(sum, lines[0]->at, direction_of(*guides[0]), are_parallel(load, *lines[0]));
       meeting_.insert_or_assign(j, found.H);
       put(j, *lines[0], found.on_line);
       put(j, *guides[0], found.through_point);
     } else if (count(1, 1, 0, 0)) {
-      const ThreeForces<T> found = three_forces(sum, lines[0]->at, projective(points[0]->at.at));
+      const ThreeForces<T> found =
+          three_forces(sum, lines[0]->at, projective(points[0]->at.at), are_parallel(load, *lines[0]));
       meeting_.insert_or_assign(j, found.H);
       put(j, *lines[0], found.on_line);
       put(j, *points[0], found.through_point);
     } else if (count(3, 0, 0, 0)) {
-      const Culmann<T> found = culmann(sum, lines[0]->at, lines[1]->at, lines[2]->at);
+      const Culmann<T> found = culmann(sum, lines[0]->at, lines[1]->at, lines[2]->at, are_parallel(load, *lines[0]));
       meeting_.insert_or_assign(j, found.H);
       three_lines_.insert_or_assign(j, found);
       put(j, *lines[0], found.a);
@@ -300,6 +312,11 @@ class FreeBodies {
     return true;
   }
 
+  bool are_parallel(const std::string& one, const Action& other) const {
+    for (const auto& [a, b] : parallels_)
+      if ((a == one && b == other.name) || (b == one && a == other.name)) return true;
+    return false;
+  }
   static ProjectivePoint<T> direction_of(const Action& guide) { return {guide.at.along.x, guide.at.along.y, T(0)}; }
 
   void put(int j, const Action& action, const Line<T>& on_j) {
@@ -312,6 +329,7 @@ class FreeBodies {
   std::map<int, ProjectivePoint<T>> meeting_;
   std::map<int, Culmann<T>> three_lines_;
   std::vector<std::pair<std::string, LineOfAction<T>>> bars_;
+  std::vector<std::pair<std::string, std::string>> parallels_;
 };
 
 }  // namespace epure::geometry

@@ -80,7 +80,13 @@ inline const std::vector<std::pair<std::string, std::vector<Assignments>>>& trie
         {"L_1=400", "L_2=1500", "phi=20"},
         {"s_r=80", "H_r=20", "P=5000"},
         {"L_1=2000", "L_2=200", "phi=12mm"},
-        {"nu=0", "E=70GPa", "P=12.5"}}}};
+        {"nu=0", "E=70GPa", "P=12.5"}}},
+      {"ideal-statics",
+       {{},
+        {"wedge_collar.theta=20", "double_slider.theta=30"},
+        {"wedge_collar.Q=1234", "wedge_collar.y_lower=-0.01", "double_slider.l=2"},
+        {"sliding_levers.direction_P=73", "fairbairn.theta=10"},
+        {"sliding_levers.y_C=0", "fairbairn.AB=0.5", "sliding_levers_Q_on_2.x_Q=0.4"}}}};
   return all;
 }
 

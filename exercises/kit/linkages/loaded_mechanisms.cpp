@@ -227,6 +227,7 @@ Fairbairn fairbairn(const Givens& givens, const std::string& name) {
         "exist",
         "{} = {} m: la manovella non raggiunge la leva, che passa a {} m da A; B non esiste", of("AB"),
         metres(made.AB), decimal(CGAL::to_double(made.AC) * std::abs(geometry::sine<double>(made.theta)), 6)));
+  made.touches = reaches == Sign::zero;
   return made;
 }
 

@@ -84,6 +84,8 @@ struct Levers {
   std::string contact() const { return loaded == 3 ? "R_23" : "R_32"; }
   Rational hinge(int lever) const { return lever == 2 ? Rational(0) : b; }
 };
+// Decided on the given angles.
+inline bool are_parallel(const Angle& one, const Angle& other) { return is_whole_turns(Rational(2) * (one - other)); }
 template <class T>
 struct LeversAt {
   XY<T> C, along;  // contact, and direction of its force on the loaded lever
@@ -101,6 +103,8 @@ void describe(Model& model, const Levers& of, const LeversAt<T>& at) {
   model.load("Q", of.loaded, geometry::from_rational<T>(of.x_Q), T(0), Q * q.x, Q * q.y);
   model.contact(of.contact(), of.driven(), of.loaded, at.C.x, at.C.y, at.along.x, at.along.y);
   model.effort("P", of.driven(), foot.x, foot.y, p.x, p.y);
+  if (are_parallel(of.nu, of.direction_Q)) model.parallel("Q", of.contact());
+  if (are_parallel(of.nu, of.direction_P)) model.parallel("P", of.contact());
   model.hinge("R_12", 1, 2, T(0), T(0));
   model.hinge("R_13", 1, 3, geometry::from_rational<T>(of.b), T(0));
 }
@@ -111,6 +115,7 @@ void describe(Model& model, const Levers& of, const LeversAt<T>& at) {
 struct Fairbairn {
   Rational F, AB, AC, CD;
   Angle theta;
+  bool touches = false;  // the crank's circle the lever: decided with the givens
 };
 template <class T>
 struct FairbairnAt {

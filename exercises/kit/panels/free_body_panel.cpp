@@ -53,6 +53,11 @@ FreeBodyPanel& FreeBodyPanel::to_scale(const std::string& unit) {
   return *this;
 }
 
+FreeBodyPanel& FreeBodyPanel::at_most(double mm_per_metre) {
+  least_reach_ = 1000 / mm_per_metre;
+  return *this;
+}
+
 FreeBodyPanel& FreeBodyPanel::meeting(const std::string& name, const std::string& letters,
                                       const std::optional<Place>& H) {
   if (H) meetings_.push_back({name, letters, *H});

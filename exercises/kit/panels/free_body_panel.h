@@ -2,6 +2,7 @@
 // sense. The arrows are of one length, and how large the forces are, their polygons show; or they are to scale.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +23,8 @@ class FreeBodyPanel : public Panel {
   FreeBodyPanel& force(const PolygonSide& side, const Place& at, Arrow there = Arrow::starts);
   // At the scale of the sheet's forces, in this unit: a ruler reads them. All such bodies have one scale of lengths.
   FreeBodyPanel& to_scale(const std::string& unit = "N");
+  // The bodies no larger than so many millimetres a metre: their forces are what is to be seen.
+  FreeBodyPanel& at_most(double mm_per_metre);
   // Where lines of action meet: they are drawn as far as there, or as the paper reaches.
   FreeBodyPanel& meeting(const std::string& name, const std::string& letters, const std::optional<Place>& H);
   // A line of a construction on the body, with what it is called at its end: a string of a funicular polygon.
@@ -35,10 +38,10 @@ class FreeBodyPanel : public Panel {
   // An equation of moments, about a point.
   FreeBodyPanel& moments(const Words& text, const Place& about);
 
-  double reach() const override { return body_->reach(); }
+  double reach() const override { return std::max(body_->reach(), least_reach_); }
   std::string scale_group() const override { return unit_.empty() ? "" : "bodies"; }
   Vectors vectors() const override;
-  double times_smaller() const override { return meetings_.empty() ? 1 : 2.2; }
+  double times_smaller() const override { return unit_.empty() ? 1 : 2.2; }
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language) const override;
@@ -86,6 +89,7 @@ class FreeBodyPanel : public Panel {
   std::vector<String> strings_;
   std::vector<PanelStep> steps_;
   std::string unit_;  // of forces to scale
+  double least_reach_ = 0;
 };
 
 }  // namespace epure
