@@ -64,7 +64,7 @@ PanelSheet section_sheet(const Solution& s, Language language) {
       .panels = panels(section, circle),
       .results = {workshop_values({"A_1", "J_x1"}), workshop_values({"W_x1", "S_x1_max"}),
                   workshop_values({"sigma_z_max", "tau_zy"}), workshop_values({"tau_web_mean", "tau_max_Jourawsky"}),
-                  workshop_values({"sigma_eq", "sigma_eq_web_shear"}),
+                  workshop_values({"sigma_I", "sigma_II"}), workshop_values({"sigma_eq", "sigma_eq_web_shear"}),
                   workshop_values({"sigma_amm", "beam_static_utilisation"}), remark(mean.in(language))},
       .seen =
           {"Section C of the beam with the diagrams of bending stress and of Jourawsky's shear along its depth, and "

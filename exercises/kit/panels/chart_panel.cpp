@@ -4,7 +4,7 @@ namespace epure {
 namespace {
 
 bool is_on_chart(const drawings::ChartMap& map, const drawings::Datum& at) {
-  return at.y >= map.y.low && at.y <= map.y.high;
+  return at.x >= map.x.low && at.x <= map.x.high && at.y >= map.y.low && at.y <= map.y.high;
 }
 
 // The special points beyond the axis, where the curve leaves the chart and comes back.

@@ -110,6 +110,13 @@ TEST_CASE("boat crane: every sheet is drawn, whatever is given", "[boat-crane][s
   draws_every_sheet(crane(), corpus());
 }
 
+// The state lies far beyond the end of the axis, where nothing may be measured.
+TEST_CASE("boat crane: a state off Soderberg's diagram is not read off it", "[boat-crane][sheets]") {
+  const CheckedExercise result = crane().checked({"sigma_S=1e-12"});
+  CAPTURE(complaints(result));
+  CHECK(result.passed());
+}
+
 TEST_CASE("boat crane: letters find room", "[boat-crane][sheets]") { letters_find_room(crane(), usual); }
 
 TEST_CASE("boat crane: the diagrams are measured back", "[boat-crane][sheets]") {
