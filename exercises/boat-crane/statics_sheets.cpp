@@ -119,14 +119,17 @@ BeamDiagram elastic_line(const Solution& s) {
   // The tangents meet under the centroids of the areas.
   const Place B{0, 0}, V{2 * L / 3, 0}, on_C{L, C}, W{5 * L / 3, C * 3}, D{3 * L, end};
   return {.name = "$nv$",
-          .runs = {{.points = {B, V, W, D}, .letter = ""},
+          .runs = {{.points = {B, V}, .letter = "$t_{B}$"},
+                   {.points = {V, W}, .letter = "$t_{C}$"},
+                   {.points = {W, D}, .letter = "$t_{D}$"},
                    {.points = {B, {3 * L, 3 * C}}, .meaning = Meaning::axis},
                    {.points = {B, {L / 3, 0}, V, on_C}, .meaning = Meaning::locus, .is_cubic = true},
                    {.points = {on_C, W, {7 * L / 3, W.y + (end - W.y) / 2}, D},
                     .meaning = Meaning::locus,
                     .is_cubic = true}},
           .ordinates = {{"v_max_BC", "", xi, C * xi / L, top, 1 / n},
-                        {"v_D_bending", "$nv_{D,f}$", 3 * L, 3 * C, end, 1 / n}}};
+                        {"v_D_bending", "$nv_{D,f}$", 3 * L, 3 * C, end, 1 / n},
+                        {"v_D", "", 3 * L, 3 * C, end + n * s["v_D_carried"], 1 / n}}};
 }
 
 LoadLinePanel weights(const Solution& s, Language language) {
@@ -138,9 +141,10 @@ LoadLinePanel weights(const Solution& s, Language language) {
        .pole = Place{-d, 0},
        .pole_distance = "$\\it{EJ}/n$ = " + figures(d, 4, language) + " N m²",
        .rays = {{0, "$t_{B}$"}, {BC, "$t_{C}$"}, {BC + CD, "$t_{D}$"}},
-       .steps = {{{"The areas of the diagram of moments laid off as forces; pole distance $\\it{EJ}_{x1}/n$.",
-                   "Le aree del diagramma dei momenti riportate come forze; distanza polare $\\it{EJ}_{x1}/n$."},
-                  {-d, 0}}}});
+       .steps = {
+           {{"The areas $\\it{Ω}$ of the diagram of moments laid off as forces; pole distance $\\it{EJ}_{x1}/n$.",
+             "Le aree $\\it{Ω}$ del diagramma dei momenti riportate come forze; distanza polare $\\it{EJ}_{x1}/n$."},
+            {-d, 0}}}});
 }
 
 // The beam turns about B as a rigid body as far as C follows the column's head.
@@ -158,10 +162,8 @@ LoadLinePanel williot(const Solution& s) {
                    "Piano di Williot: $B$ resta in $b'$; $C$ scende dell'accorciamento della colonna $Δ\\it{H}$ = "
                    "$\\it{Y}_{A}\\it{H}_{0}$/($\\it{EA}_{2}$)."},
                   {0, c}},
-                 {{"$b'c'd'$ is similar to $BCD$: the rigid beam carries $D$ three times as far down. "
-                   "$v_{D}$ = $v_{D,f}$ + $v_{D,r}$.",
-                   "$b'c'd'$ è simile a $BCD$: la trave rigida porta $D$ tre volte più giù. $v_{D}$ = $v_{D,f}$ + "
-                   "$v_{D,r}$."},
+                 {{"$b'c'd'$ is similar to $BCD$: the rigid beam carries $D$ three times as far down, by $v_{D,r}$.",
+                   "$b'c'd'$ è simile a $BCD$: la trave rigida porta $D$ tre volte più giù, di $v_{D,r}$."},
                   {1, d}}}});
 }
 
@@ -176,8 +178,8 @@ PanelSheet elastic_sheet(const Solution& s, Language language) {
   BeamPanel beam(3 * L, {areas, elastic_line(s)});
   beam.lines_at({0, 2 * L / 3, L, 5 * L / 3, 3 * L});
   beam.step(0, {2 * L / 3, 0},
-            {"The areas $\\it{Ω}$ of the triangles of moments act in their centroids.",
-             "Le aree $\\it{Ω}$ dei triangoli dei momenti agiscono nei loro baricentri."})
+            {"The areas $\\it{Ω}$ act in the centroids of the triangles of moments.",
+             "Le aree $\\it{Ω}$ agiscono nei baricentri dei triangoli dei momenti."})
       .step(
           1, {5 * L / 3, 3 * C},
           {"Strings parallel to the rays: the tangents of the elastic line at $B$, $C$ and $D$, $n$ times enlarged.",
@@ -187,9 +189,12 @@ PanelSheet elastic_sheet(const Solution& s, Language language) {
              "La trave indeformata passa per $B$ e $C$; da essa si misurano gli abbassamenti."})
       .step(1, {s["xi_v_max_BC"], C * s["xi_v_max_BC"] / L + s["enlargement"] * s["v_max_BC"]},
             {"$v_{max}$ where the tangent is parallel to it, at $ξ_{v}$ = $\\it{L}$/√3.",
-             "$v_{max}$ dove la tangente le è parallela, a $ξ_{v}$ = $\\it{L}$/√3."});
+             "$v_{max}$ dove la tangente le è parallela, a $ξ_{v}$ = $\\it{L}$/√3."})
+      .step(1, {3 * L, s["tangent_at_D"]},
+            {"The boat goes down by bending and with the column: $v_{D}$ = $v_{D,f}$ + $v_{D,r}$.",
+             "La barca scende per flessione e con la colonna: $v_{D}$ = $v_{D,f}$ + $v_{D,r}$."});
   return {
-      .panels = panels(beam, weights(s, language), williot(s)),
+      .panels = panels(weights(s, language), williot(s), beam),
       .results = {values({"moment_area_BC", "moment_area_CD"}), values({"theta_B", "theta_C"}),
                   values({"theta_D", "xi_v_max_BC"}), workshop_values({"v_max_BC", "v_D_bending"}),
                   workshop_values({"column_shortening", "v_D"}),

@@ -20,6 +20,7 @@ Reach reach_of(const BeamDiagram& diagram, double mm) {
   };
   for (const BeamDiagram::Run& run : diagram.runs)
     for (const Place& P : run.points) include(mm * P.y);
+  for (const BeamDiagram::Ordinate& each : diagram.ordinates) include(mm * each.to);
   if (!diagram.loads.empty()) include(-load_length - beam_letters / 2);
   return all;
 }

@@ -133,7 +133,7 @@ TEST_CASE("boat crane: the diagrams are measured back", "[boat-crane][sheets]") 
     }
   };
   shows("reactions", {"P", "Y_A", "Y_B", "M_C", "M_1_mid_BC", "M_1_mid_CD", "T_1_BC", "T_1_CD"});
-  shows("elastic-line", {"moment_area_BC", "moment_area_CD", "v_max_BC", "v_D_bending", "column_shortening"});
+  shows("elastic-line", {"moment_area_BC", "moment_area_CD", "v_max_BC", "v_D_bending", "v_D", "column_shortening"});
   shows("section", {"sigma_z_max", "tau_zy", "tau_max_Jourawsky", "sigma_eq"});
   shows("fatigue", {"sigma_m", "Delta_sigma", "Delta_sigma_eff", "mass_600kg.Delta_sigma_eff"});
   shows("buckling", {"slenderness", "slenderness_limit", "P_cr"});
