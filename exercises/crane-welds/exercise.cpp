@@ -4,6 +4,7 @@
 #include "exercises/crane-welds/sphere_panel.h"
 #include "exercises/crane-welds/throat_panel.h"
 #include "exercises/kit/crane/section_diagrams.h"
+#include "exercises/kit/panels/beam_panel.h"
 #include "exercises/kit/panels/mohr_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/sheet.h"
@@ -22,6 +23,32 @@ std::set<std::string> without(std::set<std::string> others) {
 
 double metres(const Solution& s, const std::string& given) { return CGAL::to_double(s.givens()[given]) / 1000; }
 
+// The force of the upper flange along the beam: its rise is the shear flow.
+BeamPanel flange_along_beam(const Solution& s) {
+  const double L = CGAL::to_double(s.givens()["L"]), pull = s["flange_pull"];
+  const Place middle{1.5 * L, -1};
+  const BeamDiagram beam{.letters = {{"$B$", {0, 0}, middle}, {"$C$", {L, 0}, middle}, {"$D$", {3 * L, 0}, middle}},
+                         .loads = {{"$\\it{R}_{B}$", 0, -1}, {"$\\it{Y}_{A}$", L, 1}, {"$\\it{P}$", 3 * L, -1}},
+                         .is_beam = true};
+  const BeamDiagram flange{
+      .of_vectors = true,
+      .name = "$\\it{F}$",
+      .runs = {{.points = {{0, 0}, {L, pull}, {3 * L, 0}}, .meaning = Meaning::force, .is_area = true}},
+      .ordinates = {{"q", "$\\it{F}_{C}$", L, 0, pull, 1 / L}}};
+  BeamPanel panel(3 * L, {beam, flange}, {.unit = "N", .longest = pull, .longest_on_paper = 60});
+  panel.lines_at({0, L, 3 * L});
+  panel.step(
+      1, {L / 2, pull / 2},
+      {"The upper flange is pulled with $\\it{F}$ = |$\\it{M}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$, nought at $B$. What it "
+       "gains over a unit of length the weld hands on: the shear flow $q$ = $\\it{F}_{C}$/$\\it{L}$ = "
+       "|$\\it{T}_{1}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$.",
+       "La piattabanda superiore è tesa da $\\it{F}$ = |$\\it{M}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$, nulla in $B$. Ciò "
+       "che "
+       "guadagna per unità di lunghezza lo trasmette la saldatura: il flusso di taglio $q$ = "
+       "$\\it{F}_{C}$/$\\it{L}$ = |$\\it{T}_{1}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$."});
+  return panel;
+}
+
 PanelSheet flow_sheet(const Solution& s, Language language) {
   const double h = half_web(s), sigma = s["sigma_par_M"] / mega, tau = s["tau_par_Jour"] / mega;
   SectionPanel section = section_with_stresses(s, s["sigma_outer"] / mega, s["T_1"] / s["J_x1"] / mega,
@@ -32,21 +59,27 @@ PanelSheet flow_sheet(const Solution& s, Language language) {
             {"The bending stress at the joint, by similar triangles from the outer fibre.",
              "La tensione di flessione al giunto, per triangoli simili dalla fibra esterna."})
       .step(1, {tau, h},
-            {"Jourawsky's shear of the web at the joint; times $s_{1}$ the shear flow $q$ = "
-             "|$\\it{T}_{1}$|$\\it{S}_{x1}$/"
-             "$\\it{J}_{x1}$, which the weld hands on from web to flange.",
-             "Il taglio di Jourawsky dell'anima al giunto; per $s_{1}$ il flusso di taglio $q$ = |$\\it{T}_{1}$|"
-             "$\\it{S}_{x1}$/$\\it{J}_{x1}$, che la saldatura trasmette dall'anima alla piattabanda."});
-  return {
-      .panels = panels(section, ThroatPanel(metres(s, "s_1"), metres(s, "b"), s["a"])),
-      .results = {values({"T_1", "M_C"}), workshop_values({"A_1", "A_v1"}), workshop_values({"J_x1", "S_x1"}),
-                  workshop_values({"sigma_par_M", "tau_par_T"}), workshop_values({"tau_par_Jour"}), values({"q"}),
-                  workshop_values({"a", "tau_fillet"})},
-      .seen =
-          {"Section C with bending stress and shear along its depth, and the throat of the fillets",
-           "La sezione C con la tensione di flessione e il taglio lungo l'altezza, e la sezione di gola dei cordoni"},
-      .told = {"sigma_par_M", "tau_par_Jour", "q", "a", "tau_fillet"},
-      .without_part = without({"sigma_amm", "f", "f_1", "f_2"})};
+            {"Jourawsky's shear of the web at the joint: $q$ over the thickness $s_{1}$.",
+             "Il taglio di Jourawsky dell'anima al giunto: $q$ sullo spessore $s_{1}$."});
+  return {.panels = panels(flange_along_beam(s), section),
+          .results = {values({"T_1", "M_C"}), workshop_values({"A_1", "A_v1"}), workshop_values({"J_x1", "S_x1"}),
+                      values({"flange_pull", "q"}), workshop_values({"sigma_par_M", "tau_par_T"}),
+                      workshop_values({"tau_par_Jour"})},
+          .seen = {"The force of the upper flange along the beam, whose rise is the shear flow, and section C with "
+                   "bending stress and shear along its depth",
+                   "La forza della piattabanda superiore lungo la trave, la cui crescita è il flusso di taglio, e la "
+                   "sezione C con la tensione di flessione e il taglio lungo l'altezza"},
+          .told = {"sigma_par_M", "tau_par_Jour", "q"},
+          .without_part = without({"b", "sigma_amm", "f", "f_1", "f_2"})};
+}
+
+PanelSheet throat_sheet(const Solution& s, Language) {
+  return {.panels = panels(ThroatPanel(metres(s, "s_1"), metres(s, "b"), s["a"])),
+          .results = {values({"q"}), workshop_values({"a", "tau_fillet"})},
+          .seen = {"The joint with its two fillets and their throat",
+                   "Il giunto con i due cordoni e la loro sezione di gola"},
+          .told = {"q", "a", "tau_fillet"},
+          .without_part = without({"sigma_amm", "f", "f_1", "f_2"})};
 }
 
 PanelSheet mohr_sheet(const Solution& s, Language language) {
@@ -114,7 +147,8 @@ std::unique_ptr<Exercise> make_crane_welds() {
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes(Welds(givens)), rung); };
   return exercise_of_panels(
       std::move(about), solve,
-      {{{"shear-flow", {"Shear flow and throat", "Flusso di taglio e sezione di gola"}}, flow_sheet},
+      {{{"shear-flow", {"Shear flow at the joint", "Flusso di taglio al giunto"}}, flow_sheet},
+       {{"throat", {"Throat of the fillets", "Sezione di gola dei cordoni"}}, throat_sheet},
        {{"mohr", {"Mohr's circle at the joint", "Cerchio di Mohr al giunto"}}, mohr_sheet},
        {{"sphere", {"Fillets: the truncated sphere", "Cordoni: la sfera mozza"}}, sphere_sheet}});
 }

@@ -136,6 +136,7 @@ class Routes {
     const T first = number<T>(welds_.f_1 * welds_.sigma_amm);
     const auto on_throats = [&] { return quotient(flow, T(2) * throat<T>()); };
     put(ledger, "q", flow);
+    ledger.tells({"flange_pull", "$\\it{F}_{C}$", "N", {}}, [&] { return flow * number<T>(welds_.crane.L); });
     put<T>(ledger, "tau_fillet", on_throats);
     put<T>(ledger, "fillet_stress_1", [&] { return geometry::length(geometry::Vector<T>{T(0), mean}); });
     put<T>(ledger, "fillet_utilisation", [&] { return fourth_proportional<T>(first, T(1), -mean); });
