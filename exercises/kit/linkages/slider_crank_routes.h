@@ -36,7 +36,9 @@ void construct_level(Ledger<T>& ledger, const SliderCrankInstant& instant) {
 
 // The crank angle at the beginning or the end of a range in which the linkage closes.
 inline Quantity crank_limit(std::size_t number) {
-  return {"crank_limit_" + std::to_string(number + 1), "$φ_{l" + std::to_string(number + 1) + "}$", "deg",
+  return {"crank_limit_" + std::to_string(number + 1),
+          "$φ_{l" + std::to_string(number + 1) + "}$",
+          "deg",
           {"crank angle where the linkage begins or ceases to close",
            "angolo di manovella dal quale o fino al quale il meccanismo si chiude"}};
 }

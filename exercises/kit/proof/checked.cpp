@@ -20,7 +20,6 @@ namespace {
 
 using geometry::Settled;
 
-
 // Which of two routes knows more of a quantity: the smaller number.
 int rank(const Settled& settled) {
   switch (settled.kind) {
@@ -212,10 +211,10 @@ void compare_solution(CheckedExercise& checked, const Solution& solution) {
     if (!solution.has(quantity.spec.name) || !has_value(quantity.settled)) continue;
     const auto drawn = solution.enclosure(quantity.spec.name);
     if (drawn && are_apart(*drawn, quantity.settled.enclosure))
-      complain(
-          checked.failures, quantity.spec.name,
-          format_words("the sheets take it for {}, which does not lie {}",
-                       "le tavole la prendono per {}, che non sta {}", shortest(drawn->value), in_words(quantity.settled)));
+      complain(checked.failures, quantity.spec.name,
+               format_words("the sheets take it for {}, which does not lie {}",
+                            "le tavole la prendono per {}, che non sta {}", shortest(drawn->value),
+                            in_words(quantity.settled)));
   }
 }
 

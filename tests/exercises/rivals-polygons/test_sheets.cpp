@@ -71,9 +71,10 @@ TEST_CASE("Rivals: the table of knowns and unknowns is the source's", "[rivals][
 
 TEST_CASE("Rivals: the pictures are the source's figures, a step each", "[rivals][sheets]") {
   const DrawnSheet drawn = rivals().draw("velocity-of-B", {});
-  CHECK(captions(drawn) == std::vector<std::string>{"a)  $\\vec{v}_{A}$ known (source, fig. 2)",
-                                                    "b)  directions of $\\vec{v}_{BA}$ and $\\vec{v}_{B}$ (source, fig. 3)",
-                                                    "c)  the polygon, closed (source, fig. 4)"});
+  CHECK(captions(drawn) ==
+        std::vector<std::string>{"a)  $\\vec{v}_{A}$ known (source, fig. 2)",
+                                 "b)  directions of $\\vec{v}_{BA}$ and $\\vec{v}_{B}$ (source, fig. 3)",
+                                 "c)  the polygon, closed (source, fig. 4)"});
   // v_A in all three; the unknown ones in the last only.
   const auto arrows = marks<drawings::Arrow>(drawn);
   CHECK(arrows.size() == 5);
@@ -118,7 +119,8 @@ TEST_CASE("Rivals: the sheet says what the source's equation would give", "[riva
   const DrawnSheet drawn = rivals().draw("acceleration-of-B", {});
   const auto says = [](const drawings::Block& block) {
     const auto* remark = std::get_if<drawings::Paragraph>(&block);
-    return remark && remark->text.find("$a^{(1)}_{B}$ = 525.0 m/s² instead of $a_{B}$ = 307.8 m/s²") != std::string::npos;
+    return remark &&
+           remark->text.find("$a^{(1)}_{B}$ = 525.0 m/s² instead of $a_{B}$ = 307.8 m/s²") != std::string::npos;
   };
   CHECK(std::any_of(drawn.sheet.column.begin(), drawn.sheet.column.end(), says));
 }
