@@ -102,10 +102,13 @@ SpaceDiagramPanel torsion_panel(const Solution& s) {
   return {bars, {nodes.begin(), nodes.end()}, "$\\it{M}_{z}$", SpaceDiagramPanel::Positive::upwards};
 }
 
-PanelSheet moments_sheet(const Solution& s, Language) {
+PanelSheet moments_sheet(const Solution& s, Language language) {
+  const Words axonometry{
+      "Lengths along $x$ and $z$ at scale, those along $y$ at 45° and halved; all ordinates upright.",
+      "In scala le lunghezze lungo $x$ e $z$, a 45° e dimezzate quelle lungo $y$; tutte le ordinate in verticale."};
   return {.panels = panels(bending_panel(s), torsion_panel(s)),
           .results = {values({"R_O_z", "M_O_x", "M_O_y"}), values({"M_x_B_bar_1", "M_x_B_bar_2", "M_x_C_bar_3"}),
-                      values({"M_z_bar_1", "M_z_bar_2", "M_z_bar_3"})},
+                      values({"M_z_bar_1", "M_z_bar_2", "M_z_bar_3"}), remark(axonometry.in(language))},
           .seen = {"The frame in axonometry with the diagrams of bending and torsion on its bars",
                    "Il telaio in assonometria con i diagrammi di flessione e torsione sulle barre"},
           .told = {"R_O_z", "M_O_x", "M_x_B_bar_1", "M_x_B_bar_2", "M_x_C_bar_3", "M_z_bar_1", "M_z_bar_2"},
@@ -211,13 +214,18 @@ DisplacementPlanPanel plan_panel(const Solution& s) {
   return {"$O$", {first, second, third}};
 }
 
-PanelSheet plan_sheet(const Solution& s, Language) {
+PanelSheet plan_sheet(const Solution& s, Language language) {
+  const Words linear{
+      "Everything is linear in $\\it{P}$: rotations count as small, and moments are those of the frame before it "
+      "gives way.",
+      "Tutto è lineare in $\\it{P}$: le rotazioni si trattano come piccole, e i momenti sono quelli del telaio "
+      "indeformato."};
   return {.panels = panels(plan_panel(s)),
           .results = {table({"", "$θ_{x}$ (rad)", "$θ_{y}$ (rad)", "$w$ (m)"},
                             {{"$B$", {"theta_B_x", "theta_B_y", "w_B"}},
                              {"$C$", {"theta_C_x", "theta_C_y", "w_C"}},
                              {"$A$", {"theta_A_x", "theta_A_y", "w_A"}}}),
-                      values({"delta_A"})},
+                      values({"delta_A"}), remark(linear.in(language))},
           .seen = {"The displacement plan of the chain of bars, which closes on the displacement of A",
                    "Il piano degli spostamenti della catena di barre, che si chiude sullo spostamento di A"},
           .told = {"w_B", "w_C", "w_A", "delta_A"}};

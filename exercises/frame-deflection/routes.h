@@ -5,6 +5,7 @@
 #include "exercises/frame-deflection/problem.h"
 #include "exercises/frame-deflection/quantities.h"
 #include "exercises/kit/proof/ledger.h"
+#include "exercises/kit/proof/once.h"
 #include "geometry/analytic/frame_stiffness.h"
 #include "geometry/analytic/frame_work.h"
 #include "geometry/analytic/section_formulas.h"
@@ -21,21 +22,6 @@ template <class T>
 void put_rational(Ledger<T>& ledger, const Quantity& quantity, const Rational& value) {
   ledger.put(quantity, geometry::from_rational<T>(value));
 }
-
-// What several quantities are read from. When it cannot be found, none of them can.
-template <class Found>
-class Once {
- public:
-  template <class Find>
-  explicit Once(const Find& find) : found_(geometry::Reading<Found>::from(find)) {}
-  const Found& operator*() const {
-    if (!found_.value()) throw geometry::Undecided(found_.reason());
-    return *found_.value();
-  }
-
- private:
-  geometry::Reading<Found> found_;
-};
 
 template <class T>
 struct Stiffness {
@@ -102,16 +88,9 @@ void put_sections(Ledger<T>& ledger, const Problem& of) {
   ledger.put(inertia("p2"), [&] { return polar_by_rings<T>(of.phi); });
 }
 
-struct BarEnds {
-  geometry::FrameBar bar;
-  geometry::SectionMoment start, middle, end;
-};
-inline std::vector<BarEnds> cut_bars(const Problem& of) {
-  std::vector<BarEnds> all;
-  for (const geometry::FrameBar& bar : of.bars()) {
-    const auto in_cut = [&](const Rational& x) { return geometry::moment_in_cut(bar, x, of.P, of.loaded()); };
-    all.push_back({bar, in_cut(0), in_cut(bar.length / 2), in_cut(bar.length)});
-  }
+inline std::vector<geometry::CutBar> cut_bars(const Problem& of) {
+  std::vector<geometry::CutBar> all;
+  for (const geometry::FrameBar& bar : of.bars()) all.push_back(geometry::cut_bar(bar, of.P, of.loaded()));
   return all;
 }
 
@@ -128,7 +107,7 @@ void put_moments(Ledger<T>& ledger, int bar, const Rational& start, const Ration
 // The clamp holds what is cut off it in equilibrium.
 template <class T>
 void by_cut_pieces(Ledger<T>& ledger, const Problem& of) {
-  const std::vector<BarEnds> bars = cut_bars(of);
+  const std::vector<geometry::CutBar> bars = cut_bars(of);
   const auto M = geometry::moment_of_upright(-of.P, of.loaded(), bars.front().bar.from);
   ledger.route("construction");
   put_rational(ledger, clamp_force(), of.P);
@@ -136,7 +115,7 @@ void by_cut_pieces(Ledger<T>& ledger, const Problem& of) {
   put_rational(ledger, clamp_couple("y"), -M.y);
   put_rational(ledger, shear(), of.P);
   for (int i = 1; i <= 3; ++i) {
-    const BarEnds& at = bars[i - 1];
+    const geometry::CutBar& at = bars[i - 1];
     put_moments(ledger, i, at.start.bending, at.middle.bending, at.end.bending, at.middle.torsion);
   }
 }
@@ -149,56 +128,31 @@ void put_node(Ledger<T>& ledger, const std::string& node, const std::function<T(
   ledger.put(rise(node), w);
 }
 
-template <class T>
-struct Weighed {
-  std::vector<geometry::ElasticWeights<T>> weights;  // of the bars
-
-  geometry::Vector<T> rotation(int node) const {
-    geometry::Vector<T> theta{T(0), T(0)};
-    for (int i = 0; i < node; ++i)
-      theta = theta + weights[i].bending[0].f + weights[i].bending[1].f + weights[i].torsion.f;
-    return theta;
-  }
-  T rise(int node, const geometry::Point<T>& X) const {
-    T w(0);
-    for (int i = 0; i < node; ++i)
-      w += geometry::rise(weights[i].bending, X) + geometry::moment(weights[i].torsion, X);
-    return w;
-  }
-};
-
-template <class T>
-geometry::Point<T> in_number(const geometry::Point<Rational>& P) {
-  return {geometry::from_rational<T>(P.x), geometry::from_rational<T>(P.y)};
-}
-
 // Displacements as moments of the elastic weights; the energies by Clapeyron, from the work the load does by them.
 template <class T>
 void by_elastic_weights(Ledger<T>& ledger, const Problem& of) {
-  const std::vector<BarEnds> bars = cut_bars(of);
-  const Once<Weighed<T>> weighed([&] {
+  const std::vector<geometry::CutBar> bars = cut_bars(of);
+  const auto weighed = once([&] {
     const Stiffness<T> stiffness = constructed_stiffness<T>(of);
-    Weighed<T> all;
-    for (int i = 1; i <= 3; ++i)
-      all.weights.push_back(
-          geometry::elastic_weights(bars[i - 1].bar, bars[i - 1].start, bars[i - 1].end, stiffness.of(i)));
+    geometry::WeighedBars<T> all;
+    for (int i = 1; i <= 3; ++i) all.weights.push_back(geometry::elastic_weights(bars[i - 1], stiffness.of(i)));
     return all;
   });
-  const geometry::Point<T> A = in_number<T>(of.loaded());
+  const geometry::Point<T> A = geometry::in_number<T>(of.loaded());
   const T half_load = geometry::from_rational<T>(of.P / 2);
-  const auto bends = [&](int i) { return -geometry::rise((*weighed).weights[i - 1].bending, A); };
-  const auto twists = [&](int i) { return -geometry::moment((*weighed).weights[i - 1].torsion, A); };
+  const auto bends = [&](int i) { return -geometry::rise(weighed().weights[i - 1].bending, A); };
+  const auto twists = [&](int i) { return -geometry::moment(weighed().weights[i - 1].torsion, A); };
   ledger.route("construction");
   for (int i = 1; i <= 3; ++i) {
     put_node<T>(
-        ledger, nodes[i], [&, i] { return (*weighed).rotation(i).x; }, [&, i] { return (*weighed).rotation(i).y; },
-        [&, i] { return (*weighed).rise(i, in_number<T>(bars[i - 1].bar.to())); });
+        ledger, nodes[i], [&, i] { return weighed().rotation(i).x; }, [&, i] { return weighed().rotation(i).y; },
+        [&, i] { return weighed().rise(i, geometry::in_number<T>(bars[i - 1].bar.to())); });
     ledger.put(bending_share(i), [&, i] { return bends(i); });
     if (i < 3) ledger.put(torsion_share(i), [&, i] { return twists(i); });
     ledger.put(energy(i), [&, i] { return half_load * (bends(i) + twists(i)); });
   }
-  ledger.put(whole_energy(), [&] { return -(half_load * (*weighed).rise(3, A)); });
-  ledger.put(deflection(), [&] { return -(*weighed).rise(3, A); });
+  ledger.put(whole_energy(), [&] { return -(half_load * weighed().rise(3, A)); });
+  ledger.put(deflection(), [&] { return -weighed().rise(3, A); });
 }
 
 // Each bar's polygon from a level tangent, and all of them in a chain: from where the bar before ends, as steeply as
@@ -210,40 +164,39 @@ struct Strung {
 
 template <class T>
 Strung<T> strung(const Problem& of) {
-  const std::vector<BarEnds> bars = cut_bars(of);
   const Stiffness<T> stiffness = constructed_stiffness<T>(of);
   const geometry::BarState<T> level{T(0), T(0), T(0)};
   geometry::BarState<T> state = level;
   Strung<T> all;
-  for (int i = 1; i <= 3; ++i) {
-    const BarEnds& at = bars[i - 1];
-    all.own.push_back(geometry::string_bar(at.bar, level, at.start, at.end, stiffness.of(i)));
-    all.chained.push_back(geometry::string_bar(at.bar, state, at.start, at.end, stiffness.of(i)));
+  int i = 1;
+  for (const geometry::CutBar& cut : cut_bars(of)) {
+    all.own.push_back(geometry::string_bar(cut, level, stiffness.of(i)));
+    all.chained.push_back(geometry::string_bar(cut, state, stiffness.of(i++)));
     state = all.chained.back().end.round_the_corner();
   }
   return all;
 }
 
 // What the sheets draw of it: corners of the polygons, ends of the tangents, weights.
-template <class T>
-void draw_polygons(Ledger<T>& ledger, const Problem& of, const Once<Strung<T>>& strung) {
+template <class T, class Find>
+void draw_polygons(Ledger<T>& ledger, const Problem& of, const Find& strung) {
   Rational before = 0;
   for (int i = 1; i <= 3; ++i) {
     const std::string number = std::to_string(i);
     const Rational length = of.lengths()[i - 1];
     for (int k = 0; k < 4; ++k) {
       const std::string name = number + "_" + std::to_string(k);
-      ledger.draws_point("own_" + name, [&, i, k] { return (*strung).own[i - 1].corners[k]; });
+      ledger.draws_point("own_" + name, [&, i, k] { return strung().own[i - 1].corners[k]; });
       ledger.draws_point("chain_" + name, [&, i, k, before] {
-        const geometry::Point<T> corner = (*strung).chained[i - 1].corners[k];
+        const geometry::Point<T> corner = strung().chained[i - 1].corners[k];
         return geometry::Point<T>{geometry::from_rational<T>(before) + corner.x, corner.y};
       });
     }
     ledger.draws_point("tangent_" + number, [&, i, before, length] {
-      const auto& at = (*strung).chained[i - 1].corners;
+      const auto& at = strung().chained[i - 1].corners;
       return geometry::Point<T>{geometry::from_rational<T>(before + length), at[0].y + T(3) * (at[1].y - at[0].y)};
     });
-    ledger.tells(elastic_weight(i), [&, i] { return (*strung).own[i - 1].end.slope; });
+    ledger.tells(elastic_weight(i), [&, i] { return strung().own[i - 1].end.slope; });
     before += length;
   }
 }
@@ -251,16 +204,16 @@ void draw_polygons(Ledger<T>& ledger, const Problem& of, const Once<Strung<T>>& 
 template <class T>
 void by_second_polygon(Ledger<T>& ledger, const Problem& of) {
   const auto bars = of.bars();
-  const Once<Strung<T>> polygons([&] { return strung<T>(of); });
+  const auto polygons = once([&] { return strung<T>(of); });
   ledger.route("second polygon");
   for (int i = 1; i <= 3; ++i) {
-    const auto end = [&, i] { return (*polygons).chained[i - 1].end; };
+    const auto end = [&, i] { return polygons().chained[i - 1].end; };
     put_node<T>(
         ledger, nodes[i], [&, i, end] { return end().rotation(bars[i - 1]).x; },
         [&, i, end] { return end().rotation(bars[i - 1]).y; }, [end] { return end().rise; });
-    if (i > 1) ledger.put(bending_share(i), [&, i] { return -(*polygons).own[i - 1].end.rise; });
+    if (i > 1) ledger.put(bending_share(i), [&, i] { return -polygons().own[i - 1].end.rise; });
   }
-  ledger.put(deflection(), [&] { return -(*polygons).chained[2].end.rise; });
+  ledger.put(deflection(), [&] { return -polygons().chained[2].end.rise; });
   draw_polygons(ledger, of, polygons);
 }
 
@@ -279,12 +232,12 @@ void by_virtual_work(Ledger<T>& ledger, const Problem& of) {
     put_moments(ledger, i, M[i - 1].bending_at_start, M[i - 1].bending_in_middle(), M[i - 1].bending_at_end,
                 M[i - 1].torsion);
 
-  const Once<Stiffness<T>> stiffness([&] { return analytic_stiffness<T>(of); });
+  const auto stiffness = once([&] { return analytic_stiffness<T>(of); });
   const auto bends = [&](int i, const Rational& work) {
-    return geometry::quotient(geometry::from_rational<T>(work), (*stiffness).of(i).bending);
+    return geometry::quotient(geometry::from_rational<T>(work), stiffness().of(i).bending);
   };
   const auto twists = [&](int i, const Rational& work) {
-    return geometry::quotient(geometry::from_rational<T>(work), (*stiffness).of(i).torsion);
+    return geometry::quotient(geometry::from_rational<T>(work), stiffness().of(i).torsion);
   };
   const auto works = [&](const analytic::EndAction& unit) {
     const auto m = chain.moments(unit);
@@ -337,7 +290,7 @@ void by_virtual_work(Ledger<T>& ledger, const Problem& of) {
 template <class T>
 void by_stiffness(Ledger<T>& ledger, const Problem& of) {
   namespace analytic = geometry::analytic;
-  const Once<analytic::ElasticChain<T>> chain([&] {
+  const auto chain = once([&] {
     const Stiffness<T> stiffness = analytic_stiffness<T>(of);
     std::vector<analytic::ElasticBar<T>> bars;
     for (int i = 1; i <= 3; ++i)
@@ -347,13 +300,13 @@ void by_stiffness(Ledger<T>& ledger, const Problem& of) {
   });
   ledger.route("stiffness matrix");
   for (int i = 1; i <= 3; ++i) {
-    const auto node = [&, i ]() -> const auto& { return (*chain).nodes[i - 1]; };
+    const auto node = [&, i ]() -> const auto& { return chain().nodes[i - 1]; };
     put_node<T>(
         ledger, nodes[i], [node] { return node().theta_x; }, [node] { return node().theta_y; },
         [node] { return node().rise; });
-    ledger.put(energy(i), [&, i] { return (*chain).energies[i - 1]; });
+    ledger.put(energy(i), [&, i] { return chain().energies[i - 1]; });
   }
-  ledger.put(deflection(), [&] { return -(*chain).nodes[2].rise; });
+  ledger.put(deflection(), [&] { return -chain().nodes[2].rise; });
 }
 
 struct Routes {

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "geometry/numbers/numbers.h"
+#include "geometry/analytic/equilibrium.h"
 
 namespace epure::geometry::analytic {
 
@@ -14,23 +14,6 @@ template <class T>
 struct ElasticBar {
   T length, bending, torsion;  // EJ, GJ_t
 };
-
-// A symmetric positive definite matrix needs no choice of pivots.
-template <class T>
-std::vector<T> solve_positive(std::vector<std::vector<T>> K, std::vector<T> f) {
-  const std::size_t n = f.size();
-  for (std::size_t p = 0; p < n; ++p)
-    for (std::size_t row = p + 1; row < n; ++row) {
-      const T factor = quotient(K[row][p], K[p][p]);
-      for (std::size_t c = p; c < n; ++c) K[row][c] -= factor * K[p][c];
-      f[row] -= factor * f[p];
-    }
-  for (std::size_t p = n; p-- > 0;) {
-    for (std::size_t c = p + 1; c < n; ++c) f[p] -= K[p][c] * f[c];
-    f[p] = quotient(f[p], K[p][p]);
-  }
-  return f;
-}
 
 template <class T>
 struct NodeDisplacement {
@@ -95,7 +78,7 @@ ElasticChain<T> elastic_chain(const std::vector<ElasticBar<T>>& bars, const T& u
   }
   std::vector<T> f(n, T(0));
   f[n - 3] = upwards_at_end;
-  const std::vector<T> d = solve_positive(std::move(K), std::move(f));
+  const std::vector<T> d = solve_linear(std::move(K), std::move(f));
   ElasticChain<T> chain;
   for (std::size_t bar = 0; bar < bars.size(); ++bar) {
     chain.nodes.push_back({d[3 * bar], d[3 * bar + 1], d[3 * bar + 2]});

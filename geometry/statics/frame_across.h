@@ -44,6 +44,15 @@ inline SectionMoment moment_in_cut(const FrameBar& bar, const Rational& x, const
   return {-dot(M, bar.across()), -dot(M, bar.along)};
 }
 
+struct CutBar {
+  FrameBar bar;
+  SectionMoment start, middle, end;
+};
+inline CutBar cut_bar(const FrameBar& bar, const Rational& load, const Point<Rational>& loaded) {
+  const auto in_cut = [&](const Rational& x) { return moment_in_cut(bar, x, load, loaded); };
+  return {bar, in_cut(0), in_cut(bar.length / 2), in_cut(bar.length)};
+}
+
 template <class T>
 struct BarStiffness {
   T bending, torsion;  // EJ, GJ_t
@@ -61,21 +70,25 @@ Vector<T> in_number(const Vector<Rational>& v) {
   return {from_rational<T>(v.x), from_rational<T>(v.y)};
 }
 
-// Areas of the bar's diagrams over its stiffness, from the moments at both ends.
 template <class T>
-ElasticWeights<T> elastic_weights(const FrameBar& bar, const SectionMoment& start, const SectionMoment& end,
-                                  const BarStiffness<T>& stiffness) {
+Point<T> in_number(const Point<Rational>& P) {
+  return {from_rational<T>(P.x), from_rational<T>(P.y)};
+}
+
+// Areas of the bar's diagrams over its stiffness.
+template <class T>
+ElasticWeights<T> elastic_weights(const CutBar& cut, const BarStiffness<T>& stiffness) {
+  const FrameBar& bar = cut.bar;
   const auto weight = [](const Point<Rational>& at, const Rational& area, const Vector<Rational>& axis,
                          const T& over) {
     const Vector<T> turn = in_number<T>(-(area * axis));
-    return Force<T>{{from_rational<T>(at.x), from_rational<T>(at.y)},
-                    {quotient(turn.x, over), quotient(turn.y, over)}};
+    return Force<T>{in_number<T>(at), {quotient(turn.x, over), quotient(turn.y, over)}};
   };
   const auto triangle = [&](const Rational& height, const Rational& x) {
     return weight(bar.at(x), height * bar.length / 2, bar.across(), stiffness.bending);
   };
-  return {{triangle(start.bending, bar.length / 3), triangle(end.bending, 2 * bar.length / 3)},
-          weight(bar.from, start.torsion * bar.length, bar.along, stiffness.torsion)};
+  return {{triangle(cut.start.bending, bar.length / 3), triangle(cut.end.bending, 2 * bar.length / 3)},
+          weight(bar.from, cut.start.torsion * bar.length, bar.along, stiffness.torsion)};
 }
 
 // How far X rises by these weights.
@@ -83,5 +96,23 @@ template <class T>
 T rise(const std::array<Force<T>, 2>& weights, const Point<T>& X) {
   return moment(weights[0], X) + moment(weights[1], X);
 }
+
+template <class T>
+struct WeighedBars {
+  std::vector<ElasticWeights<T>> weights;
+
+  // Of the end of the `count`th bar: how far it has turned, and how far X, carried by it, rises.
+  Vector<T> rotation(int count) const {
+    Vector<T> theta{T(0), T(0)};
+    for (int i = 0; i < count; ++i)
+      theta = theta + weights[i].bending[0].f + weights[i].bending[1].f + weights[i].torsion.f;
+    return theta;
+  }
+  T rise(int count, const Point<T>& X) const {
+    T w(0);
+    for (int i = 0; i < count; ++i) w += geometry::rise(weights[i].bending, X) + moment(weights[i].torsion, X);
+    return w;
+  }
+};
 
 }  // namespace epure::geometry

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "geometry/statics/frame_across.h"
+#include "geometry/statics/funicular.h"
 
 namespace epure::geometry {
 
@@ -28,22 +29,22 @@ struct StrungBar {
   BarState<T> end;
 };
 
+// The rays have the slopes of the elastic line when the pole is at the distance 1.
 template <class T>
-StrungBar<T> string_bar(const FrameBar& bar, const BarState<T>& start, const SectionMoment& first,
-                        const SectionMoment& last, const BarStiffness<T>& stiffness) {
-  const auto weight = [&](const Rational& moment) {
-    return quotient(from_rational<T>(moment * bar.length / 2), stiffness.bending);
+StrungBar<T> string_bar(const CutBar& cut, const BarState<T>& start, const BarStiffness<T>& stiffness) {
+  const Rational& length = cut.bar.length;
+  const auto weight = [&](const Rational& moment, const Rational& at) {
+    const T area = from_rational<T>(moment * length / 2);
+    return VerticalForce<T>{from_rational<T>(at), quotient(area, stiffness.bending)};
   };
-  const T third = from_rational<T>(bar.length / 3);
-  std::array<T, 3> slopes{start.slope, start.slope, start.slope};
-  slopes[1] += weight(first.bending);
-  slopes[2] = slopes[1] + weight(last.bending);
-  StrungBar<T> strung{{Point<T>{T(0), start.rise}, {}, {}, {}}, start};
-  for (int i = 0; i < 3; ++i) strung.corners[i + 1] = strung.corners[i] + third * Vector<T>{T(1), slopes[i]};
-  strung.end.rise = strung.corners[3].y;
-  strung.end.slope = slopes[2];
-  strung.end.turn = start.turn - quotient(from_rational<T>(first.torsion * bar.length), stiffness.torsion);
-  return strung;
+  const Point<T> begin{T(0), start.rise};
+  const FunicularPolygon<T> polygon = funicular<T>(
+      {weight(cut.start.bending, length / 3), weight(cut.end.bending, 2 * length / 3)}, {T(1), -start.slope}, begin);
+  const T end = from_rational<T>(length);
+  const Point<T> last{end, ordinate(polygon.strings.back(), end)};
+  const T twist = quotient(from_rational<T>(cut.start.torsion * length), stiffness.torsion);
+  return {{begin, polygon.vertices[0], polygon.vertices[1], last},
+          {last.y, polygon.slope(polygon.strings.back()), start.turn - twist}};
 }
 
 }  // namespace epure::geometry
