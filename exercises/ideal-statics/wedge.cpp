@@ -49,7 +49,7 @@ void add_rod(Mechanism& drawn, const Drawn& at) {
 }
 
 // With what is applied to it.
-FreeBodyPanel whole(const Drawn& at, const Case& of) {
+FreeBodyPanel whole(const Drawn& at, const Case& of, double at_most = 200) {
   Mechanism drawn;
   drawn.point("O", {0, 0}, Joint::none, "$O$");
   add_wedge(drawn, at);
@@ -61,7 +61,7 @@ FreeBodyPanel whole(const Drawn& at, const Case& of) {
       .axis({0, at.floor}, {0, at.top + beyond}, "$r_{1}$")
       .angle("R", std::numbers::pi - of.radians("theta"), std::numbers::pi, "$θ$");
   FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
-  panel.to_scale().at_most(200);
+  panel.to_scale().at_most(at_most);
   return panel;
 }
 
@@ -135,7 +135,7 @@ PanelSheet virtual_work_of_wedge(const Solution& s, Language language) {
   const VectorPolygon displacements = velocity_polygon(
       {of.moves("3", "∥ $r_{1}$", "?")},
       {of.moves("2", "∥ $x$", "1 m/s", "$2$"), of.moves("32", Words{"∥ face", "∥ faccia"}.in(language), "?", "$3$")});
-  FreeBodyPanel mechanism = whole(Drawn(of), of);
+  FreeBodyPanel mechanism = whole(Drawn(of), of, 500);
   mechanism.step({"The wedge moves along $x$, the rod along $r_{1}$, and on each other they slide along the face: "
                   "$v_{Q}$ : $v_{P}$ = tan $θ$. $\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0.",
                   "Il cuneo si muove lungo $x$, l'asta lungo $r_{1}$, e l'uno sull'altra scorrono lungo la faccia: "
@@ -184,11 +184,12 @@ PanelSheet two_forces(const Solution& s, Language) {
                "Il raggio 3 parallelo a 3' divide la $\\vec{\\it{R}}_{13}$ in $\\vec{\\it{R}}^{'}_{13}$ e "
                "$\\vec{\\it{R}}^{''}_{13}$."},
               SharedLoadPanel::At::between);
-  VectorPolygon of_wedge = force_polygon("2", {on.R_12}, {on.R_32, on.P});
+  VectorPolygon of_wedge = force_polygon("2", {on.R_12}, {on.R_32, on.P});  // as with one force
   of_wedge.origin = "$b$";
   polygons.then(of_wedge, on.Q.v + on.R_23.v);
+  rod.at_most(500);
   return {
-      .panels = panels(rod, wedge_cut_free(at, on), polygons, shared),
+      .panels = panels(rod, polygons, shared),
       .results = {of.results({"P", "R_12"}), of.results({"R_13_upper", "R_13_lower"}),
                   of.results({"R_13_resultant_x"})},
       .seen = {"The wedge and the rod in its collar, which answers with two forces, both cut free, and the polygons "

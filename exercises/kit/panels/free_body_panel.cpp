@@ -91,7 +91,7 @@ double FreeBodyPanel::middle_of(const Couple& couple) const {
 }
 
 Panel::Vectors FreeBodyPanel::vectors() const {
-  if (unit_.empty()) return {};
+  if (unit_.empty() || forces_.empty()) return {};
   double longest = 0;
   for (const Force& force : forces_) longest = std::max(longest, force.size);
   constexpr double longest_on_paper = 60;  // mm: longer they say no more
