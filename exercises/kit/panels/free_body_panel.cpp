@@ -152,6 +152,7 @@ std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box
   for (const Meeting& each : meetings_) draw_meeting(plot, room, each);
   for (const String& each : strings_) {
     plot.segment(each.from, each.to, Meaning::construction);
+    if (each.letters.empty()) continue;
     plot.label(each.letters, each.from + 0.5 * (each.to - each.from));
     plot.dot(each.to);
   }
