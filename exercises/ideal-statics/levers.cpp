@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "exercises/ideal-statics/sheets.h"
+#include "exercises/kit/linkages/loaded_figures.h"
 
 namespace epure::ideal_statics {
 namespace {
@@ -10,50 +11,7 @@ namespace {
 using Arrow = FreeBodyPanel::Arrow;
 using Joint = Mechanism::Joint;
 
-// Which lever Q loads, and what follows of it.
-struct Figure {
-  Case of;
-  int loaded, driven;
-  Place A0, B0, C, A, B, foot, on_Q;
-  Arrow2 p;
-
-  Figure(const Solution& s, const std::string& name, int loaded_lever)
-      : of(s, name),
-        loaded(loaded_lever),
-        driven(5 - loaded_lever),
-        A0(of.place("A0")),
-        B0(of.place("B0")),
-        C(of.place("C")),
-        A(of.place("A")),
-        B(of.place("B")) {
-    const double direction = of.radians("direction_P"), arm = of.given("arm_P"), q = of.radians("direction_Q");
-    p = {std::cos(direction), std::sin(direction)};
-    foot = hinge(driven) + arm * Arrow2{p.y, -p.x};
-    // Where Q is drawn: the foot of the perpendicular from the hinge.
-    const Arrow2 along{std::cos(q), std::sin(q)};
-    const Place X{of.given("x_Q"), 0};
-    on_Q = X + dot(hinge(loaded) - X, along) * along;
-  }
-  const Place& hinge(int lever) const { return lever == 2 ? A0 : B0; }
-  double radius(int lever) const { return of.given(lever == 2 ? "r_2" : "r_3"); }
-  const Place& centre(int lever) const { return lever == 2 ? A : B; }
-  std::string letters(int lever) const { return lever == 2 ? "$A_{0}$" : "$B_{0}$"; }
-  Place attacked(int lever) const { return lever == loaded ? on_Q : foot; }
-
-  // The lever's plate between its hinge, the contact and where its force acts; the profile's arc about C.
-  void add(Mechanism& drawn, int lever, Joint joint) const {
-    const std::string i = std::to_string(lever);
-    constexpr double half = 0.7;  // radians
-    const double towards_C = direction(centre(lever), C);
-    drawn.point("hinge" + i, hinge(lever), joint, letters(lever))
-        .point("C" + i, C, Joint::corner, "")
-        .point("force" + i, attacked(lever), Joint::corner, "")
-        .body({"hinge" + i, "C" + i, "force" + i}, lever)
-        .profile(centre(lever), radius(lever), towards_C - half, towards_C + half);
-  }
-};
-
-FreeBodyPanel whole(const Figure& at) {
+FreeBodyPanel whole(const LeverFigure& at) {
   Mechanism drawn;
   at.add(drawn, 2, Joint::fixed);
   at.add(drawn, 3, Joint::fixed);
@@ -63,7 +21,7 @@ FreeBodyPanel whole(const Figure& at) {
   return panel;
 }
 
-FreeBodyPanel cut_free(const Figure& at, int lever, const PolygonSide& applied, const PolygonSide& contact,
+FreeBodyPanel cut_free(const LeverFigure& at, int lever, const PolygonSide& applied, const PolygonSide& contact,
                        const PolygonSide& pivot) {
   Mechanism body;
   at.add(body, lever, Joint::hinge);
@@ -86,7 +44,7 @@ FreeBodyPanel cut_free(const Figure& at, int lever, const PolygonSide& applied, 
   return panel;
 }
 
-PanelSheet polygons(const Figure& at) {
+PanelSheet polygons(const LeverFigure& at) {
   const Case& of = at.of;
   const int j = at.loaded, i = at.driven;
   const std::string H_j = "$\\it{H}_{" + std::to_string(j) + "}$", H_i = "$\\it{H}_{" + std::to_string(i) + "}$";
@@ -113,7 +71,7 @@ PanelSheet polygons(const Figure& at) {
 }
 
 // ω2 = 1 rad/s.
-PanelSheet virtual_work(const Figure& at) {
+PanelSheet virtual_work(const LeverFigure& at) {
   const Case& of = at.of;
   using Where = PolesStep::Where;
   Mechanism four_bar;
@@ -167,14 +125,14 @@ PanelSheet virtual_work(const Figure& at) {
 
 std::vector<SheetMaker> lever_sheets() {
   return {{{"levers", {"Sliding levers, Q on lever 3", "Leve striscianti, Q sulla leva 3"}},
-           [](const Solution& s, Language) { return polygons(Figure(s, "sliding_levers", 3)); }},
+           [](const Solution& s, Language) { return polygons(LeverFigure(s, "sliding_levers", 3)); }},
           {{"levers-virtual-work", {"Sliding levers: virtual work", "Leve striscianti: lavori virtuali"}},
-           [](const Solution& s, Language) { return virtual_work(Figure(s, "sliding_levers", 3)); }},
+           [](const Solution& s, Language) { return virtual_work(LeverFigure(s, "sliding_levers", 3)); }},
           {{"levers-Q-on-2", {"Sliding levers, Q on lever 2", "Leve striscianti, Q sulla leva 2"}},
-           [](const Solution& s, Language) { return polygons(Figure(s, "sliding_levers_Q_on_2", 2)); }},
+           [](const Solution& s, Language) { return polygons(LeverFigure(s, "sliding_levers_Q_on_2", 2)); }},
           {{"levers-Q-on-2-virtual-work",
             {"Sliding levers, Q on lever 2: virtual work", "Leve striscianti, Q sulla leva 2: lavori virtuali"}},
-           [](const Solution& s, Language) { return virtual_work(Figure(s, "sliding_levers_Q_on_2", 2)); }}};
+           [](const Solution& s, Language) { return virtual_work(LeverFigure(s, "sliding_levers_Q_on_2", 2)); }}};
 }
 
 }  // namespace epure::ideal_statics

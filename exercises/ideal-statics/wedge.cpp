@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "exercises/ideal-statics/sheets.h"
-#include "exercises/kit/linkages/loaded_mechanisms.h"
+#include "exercises/kit/linkages/loaded_figures.h"
 #include "exercises/kit/panels/shared_load_panel.h"
 
 namespace epure::ideal_statics {
@@ -12,58 +12,6 @@ namespace {
 
 using Arrow = FreeBodyPanel::Arrow;
 using Joint = Mechanism::Joint;
-
-// Where it is drawn: the wedge's height is free, the rod ends somewhat above the collar.
-struct Drawn {
-  double w, lower, upper, top, floor, line_of_P, sine, cosine;
-  Place left, right;  // corners of the wedge's face
-
-  explicit Drawn(const Case& of)
-      : w(of.given("w")),
-        lower(of.given("y_lower")),
-        upper(of.given("y_upper")),
-        floor(CGAL::to_double(floor_of_wedge())),
-        line_of_P(CGAL::to_double(epure::line_of_P())),
-        sine(std::sin(of.radians("theta"))),
-        cosine(std::cos(of.radians("theta"))) {
-    constexpr double above = 0.02, shortest = 0.03, longest = 0.08, down_the_face = 0.05, beside_H = 0.012;  // m
-    top = std::max(upper, 0.0) + above;
-    // To the left it reaches beyond the meeting point of its forces, where there is room for it.
-    const double up_the_face = std::clamp((beside_H - line_of_P * sine / cosine) / cosine, shortest, longest);
-    const double down = std::min(down_the_face, -floor / sine);
-    left = {-up_the_face * cosine, up_the_face * sine};
-    right = {down * cosine, -down * sine};
-  }
-};
-
-void add_wedge(Mechanism& drawn, const Drawn& at) {
-  drawn.point("L", at.left, Joint::corner, "").point("R", at.right, Joint::corner, "");
-  drawn.point("Rf", {at.right.x, at.floor}, Joint::corner, "").point("Lf", {at.left.x, at.floor}, Joint::corner, "");
-  drawn.body({"L", "R", "Rf", "Lf"}, 2);
-}
-void add_rod(Mechanism& drawn, const Drawn& at) {
-  const double slope = at.sine / at.cosine, half = at.w / 2;
-  drawn.point("l", {-half, half * slope}, Joint::corner, "").point("r", {half, -half * slope}, Joint::corner, "");
-  drawn.point("rt", {half, at.top}, Joint::corner, "").point("lt", {-half, at.top}, Joint::corner, "");
-  drawn.body({"l", "r", "rt", "lt"}, 3);
-}
-
-// With what is applied to it.
-FreeBodyPanel whole(const Drawn& at, const Case& of) {
-  Mechanism drawn;
-  drawn.point("O", {0, 0}, Joint::none, "$O$");
-  add_wedge(drawn, at);
-  add_rod(drawn, at);
-  const double half = at.w / 2, beyond = 0.012;
-  drawn.surface({-half, at.upper}, {-half, at.lower})
-      .surface({half, at.lower}, {half, at.upper})
-      .surface({at.left.x - beyond, at.floor}, {at.right.x + beyond, at.floor})
-      .axis({0, at.floor}, {0, at.top + beyond}, "$r_{1}$")
-      .angle("R", std::numbers::pi - of.radians("theta"), std::numbers::pi, "$θ$");
-  FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
-  panel.to_scale().at_most(200);
-  return panel;
-}
 
 struct Forces {
   PolygonSide Q, R_23, R_32, P, R_12;
@@ -74,7 +22,7 @@ Forces forces(const Case& of) {
           of.sought(force_between(1, 2), "⊥ $x$")};
 }
 
-FreeBodyPanel wedge_cut_free(const Drawn& at, const Forces& on) {
+FreeBodyPanel wedge_cut_free(const WedgeFigure& at, const Forces& on) {
   Mechanism wedge;
   wedge.point("O", {0, 0}, Joint::none, "$O$");
   add_wedge(wedge, at);
@@ -95,7 +43,7 @@ FreeBodyPanel wedge_cut_free(const Drawn& at, const Forces& on) {
   return panel;
 }
 
-FreeBodyPanel rod_cut_free(const Drawn& at, const Forces& on) {
+FreeBodyPanel rod_cut_free(const WedgeFigure& at, const Forces& on) {
   Mechanism rod;
   rod.point("O", {0, 0}, Joint::none, "$O$");
   add_rod(rod, at);
@@ -106,7 +54,7 @@ FreeBodyPanel rod_cut_free(const Drawn& at, const Forces& on) {
 
 PanelSheet one_force(const Solution& s, Language) {
   const Case of(s, "wedge_collar");
-  const Drawn at(of);
+  const WedgeFigure at(of);
   const Forces on = forces(of);
   const PolygonSide R_13 = of.sought(force_between(1, 3), "∥ $x$");
   FreeBodyPanel rod = rod_cut_free(at, on);
@@ -135,7 +83,7 @@ PanelSheet virtual_work_of_wedge(const Solution& s, Language language) {
   const VectorPolygon displacements = velocity_polygon(
       {of.moves("3", "∥ $r_{1}$", "?")},
       {of.moves("2", "∥ $x$", "1 m/s", "$2$"), of.moves("32", Words{"∥ face", "∥ faccia"}.in(language), "?", "$3$")});
-  FreeBodyPanel mechanism = whole(Drawn(of), of);
+  FreeBodyPanel mechanism = whole(WedgeFigure(of), of, 500);
   mechanism.step({"The wedge moves along $x$, the rod along $r_{1}$, and on each other they slide along the face: "
                   "$v_{Q}$ : $v_{P}$ = tan $θ$. $\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0.",
                   "Il cuneo si muove lungo $x$, l'asta lungo $r_{1}$, e l'uno sull'altra scorrono lungo la faccia: "
@@ -151,7 +99,7 @@ PanelSheet virtual_work_of_wedge(const Solution& s, Language language) {
 
 PanelSheet two_forces(const Solution& s, Language) {
   const Case of(s, "wedge_collar_two_point", "wedge_collar");
-  const Drawn at(of);
+  const WedgeFigure at(of);
   const Forces on = forces(of);
   const PolygonSide upper = of.sought(R_13_upper(), "∥ $x$"), lower = of.sought(R_13_lower(), "∥ $x$");
   FreeBodyPanel rod = rod_cut_free(at, on);
@@ -184,11 +132,12 @@ PanelSheet two_forces(const Solution& s, Language) {
                "Il raggio 3 parallelo a 3' divide la $\\vec{\\it{R}}_{13}$ in $\\vec{\\it{R}}^{'}_{13}$ e "
                "$\\vec{\\it{R}}^{''}_{13}$."},
               SharedLoadPanel::At::between);
-  VectorPolygon of_wedge = force_polygon("2", {on.R_12}, {on.R_32, on.P});
+  VectorPolygon of_wedge = force_polygon("2", {on.R_12}, {on.R_32, on.P});  // as with one force
   of_wedge.origin = "$b$";
   polygons.then(of_wedge, on.Q.v + on.R_23.v);
+  rod.at_most(500);
   return {
-      .panels = panels(rod, wedge_cut_free(at, on), polygons, shared),
+      .panels = panels(rod, polygons, shared),
       .results = {of.results({"P", "R_12"}), of.results({"R_13_upper", "R_13_lower"}),
                   of.results({"R_13_resultant_x"})},
       .seen = {"The wedge and the rod in its collar, which answers with two forces, both cut free, and the polygons "

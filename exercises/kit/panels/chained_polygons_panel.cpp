@@ -27,6 +27,11 @@ ChainedPolygonsPanel& ChainedPolygonsPanel::then(VectorPolygon polygon, const Ar
   return *this;
 }
 
+ChainedPolygonsPanel& ChainedPolygonsPanel::over(std::vector<Arrow2> corners) {
+  under_.push_back(std::move(corners));
+  return *this;
+}
+
 ChainedPolygonsPanel& ChainedPolygonsPanel::step(const Words& text, const Arrow2& at) {
   steps_.push_back({text, Place{at.x, at.y}});
   return *this;
@@ -49,6 +54,9 @@ drawings::Box ChainedPolygonsPanel::extent(const Scale&, const Scale& vectors) c
 }
 
 std::vector<drawings::Block> ChainedPolygonsPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
+  for (const auto& corners : under_)
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+      plot.segment({corners[i].x, corners[i].y}, {corners[i + 1].x, corners[i + 1].y}, Meaning::alternative);
   for (const Link& link : links_) {
     Plot moved(plot.onto(), plot.at({link.from.x, link.from.y}), plot.scale());
     auto& labels = plot.onto().sheet.figure.labels;

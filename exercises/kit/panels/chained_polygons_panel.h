@@ -17,6 +17,8 @@ class ChainedPolygonsPanel : public Panel {
   explicit ChainedPolygonsPanel(VectorPolygon first) { links_.push_back({std::move(first), {0, 0}}); }
   // Another, which starts `from` the origin: in the corner of that letter, which is its own origin's.
   ChainedPolygonsPanel& then(VectorPolygon polygon, const Arrow2& from);
+  // Other polygons under these, dashed and without letters, through these corners: to compare with.
+  ChainedPolygonsPanel& over(std::vector<Arrow2> corners);
   // What the figure shows beside: told, and where.
   ChainedPolygonsPanel& step(const Words& text, const Arrow2& at);
 
@@ -33,6 +35,7 @@ class ChainedPolygonsPanel : public Panel {
     Arrow2 from;
   };
   std::vector<Link> links_;
+  std::vector<std::vector<Arrow2>> under_;
   std::vector<PanelStep> steps_;
 };
 

@@ -91,7 +91,7 @@ double FreeBodyPanel::middle_of(const Couple& couple) const {
 }
 
 Panel::Vectors FreeBodyPanel::vectors() const {
-  if (unit_.empty()) return {};
+  if (unit_.empty() || forces_.empty()) return {};
   double longest = 0;
   for (const Force& force : forces_) longest = std::max(longest, force.size);
   constexpr double longest_on_paper = 60;  // mm: longer they say no more
@@ -152,6 +152,7 @@ std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box
   for (const Meeting& each : meetings_) draw_meeting(plot, room, each);
   for (const String& each : strings_) {
     plot.segment(each.from, each.to, Meaning::construction);
+    if (each.letters.empty()) continue;
     plot.label(each.letters, each.from + 0.5 * (each.to - each.from));
     plot.dot(each.to);
   }

@@ -1,0 +1,74 @@
+// What the source printed, and why it is off where it is.
+//
+// Reading errors: half a millimetre on the source's drawings, as in N.4: 10 N for wedge and double slider, 5 N for
+// the levers. Efficiencies and couples were calculated from what was read.
+#include <cmath>
+#include <numbers>
+
+#include "exercises/friction-efficiency/exercise.h"
+
+namespace epure::friction_efficiency {
+namespace {
+
+double tangent_of(double degrees) { return std::tan(degrees * std::numbers::pi / 180); }
+
+Explanation of_printed(const std::string& of, double numerator, double denominator) {
+  return {{"follows from the printed forces: " + of, "segue dalle forze stampate: " + of},
+          [=] { return numerator / denominator; }};
+}
+
+// F23 d of the figure with the shorter lever in the retrograde motion: to that figure the source's polygons belong.
+double retrograde_couple_on_a_shorter_lever() {
+  const double degree = std::numbers::pi / 180, AC = 0.423, AB = 0.2, CD = 0.714, theta = 23.5 * degree,
+               phi = 5 * degree;
+  const double along = std::sqrt(AB * AB - std::pow(AC * std::sin(theta), 2)), CB = AC * std::cos(theta) + along;
+  const double F_23 = 50 * CD * std::cos(theta + phi) / CB;
+  // B from A: `along` the lever, AC sin θ across it.
+  const double half_mm = 1.25;  // N
+  return half_mm * std::round(F_23 / half_mm) * (along * std::cos(phi) - AC * std::sin(theta) * std::sin(phi));
+}
+
+}  // namespace
+
+std::vector<Printed> printed_by_the_source() {
+  constexpr double sliders = 10, levers = 5;  // N
+  const std::string polygon = "force polygon";
+  const Words one_pair{"only the friction of wedge on rod turned a force: 200 tan(41° ",
+                       "solo l'attrito tra cuneo e asta ha ruotato una forza: 200 tg(41° "};
+  return {
+      {"wedge_collar.P_i", "174", polygon, sliders},
+      {"wedge_collar.P_direct", "210", polygon, sliders,
+       Explanation{one_pair + Words{"+ 5°) is 207 N, read to half a millimetre, 10 N",
+                                    "+ 5°) è 207 N, letta al mezzo millimetro, 10 N"},
+                   [] { return 10 * std::round(200 * tangent_of(46) / 10); }}},
+      {"wedge_collar.P_retrograde", "145", polygon, sliders,
+       Explanation{one_pair + Words{"− 5°)", "− 5°)"}, [] { return 200 * tangent_of(36); }}},
+      {"wedge_collar.eta_direct", "0.83", polygon, 0, of_printed("174/210", 174, 210)},
+      {"wedge_collar.eta_retrograde", "0.83", polygon, 0, of_printed("145/174", 145, 174)},
+      {"double_slider.P_i", "60", polygon, sliders},
+      {"double_slider.P_direct", "64", polygon, sliders},
+      {"double_slider.P_retrograde", "53", polygon, sliders},
+      {"double_slider.eta_direct", "0.94", polygon, 0, of_printed("60/64", 60, 64)},
+      {"double_slider.eta_retrograde", "0.88", polygon, 0, of_printed("53/60", 53, 60)},
+      {"sliding_levers.P_i", "490", polygon, levers},
+      {"sliding_levers.P_direct", "508", polygon, levers},
+      {"sliding_levers.P_retrograde", "462", polygon, levers},
+      {"sliding_levers.eta_direct", "0.96", polygon, 0, of_printed("490/508", 490, 508)},
+      {"sliding_levers.eta_retrograde", "0.94", polygon, 0, of_printed("462/490", 462, 490)},
+      {"fairbairn.M_i", "7.3", polygon, 0,
+       Explanation{{"follows from F23 = 66 N of N.4, which belongs to another figure: 66·0.11",
+                    "segue dalla F23 = 66 N della N.4, che appartiene a un'altra figura: 66·0,11"},
+                   [] { return 66 * 0.11; }}},
+      {"fairbairn.M_direct", "8.2", polygon},
+      {"fairbairn.M_retrograde", "5.9", polygon, 0,
+       Explanation{{"the polygon belongs to the figure with the shorter lever (CD = 0.714 m, AC = 0.423 m, θ = "
+                    "23.5°): F'23 = 63.3 N, read to half a millimetre, 1.25 N, times its arm 0.0924 m",
+                    "il poligono appartiene alla figura con la leva più corta (CD = 0,714 m, AC = 0,423 m, θ = "
+                    "23,5°): F'23 = 63,3 N, letta al mezzo millimetro, 1,25 N, per il braccio 0,0924 m"},
+                   retrograde_couple_on_a_shorter_lever}},
+      {"fairbairn.eta_direct", "0.9", polygon, 0, of_printed("7.3/8.2", 7.3, 8.2)},
+      {"fairbairn.eta_retrograde", "0.8", polygon, 0, of_printed("5.9/7.3", 5.9, 7.3)},
+  };
+}
+
+}  // namespace epure::friction_efficiency

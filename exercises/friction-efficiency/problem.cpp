@@ -1,0 +1,87 @@
+#include "exercises/friction-efficiency/problem.h"
+
+#include "geometry/numbers/climb.h"
+
+namespace epure::friction_efficiency {
+namespace {
+
+using geometry::Sign;
+
+const Angle& right_angle() {
+  static const Angle quarter{Rational(1, 4)};
+  return quarter;
+}
+
+Words of_degrees(const Angle& angle) { return decimal(geometry::degrees(angle), 6); }
+
+// P would be infinite: `limit` is the friction angle at which it becomes so.
+void require_below(const Angle& phi, const Angle& limit, const std::string& mechanism) {
+  if (sign_of(limit - phi) > 0) return;
+  throw BadGivens(
+      format_words("phi = {}°: {} jams in the direct motion at {}°, beyond which no force P moves it",
+                   "phi = {}°: {} s'impunta nel moto diretto a {}°, oltre i quali nessuna forza P lo muove",
+                   of_degrees(phi), mechanism, of_degrees(limit)));
+}
+
+Problem::Locking locking(const Angle& phi, const Angle& limit) {
+  const int beyond = sign_of(phi - limit);
+  return {beyond >= 0, beyond == 0};
+}
+
+// The rod jams when the line of the wedge's force on it passes through K, where the collar's two forces meet:
+//   a - (a t + 2 m t) μ + (w t - 2 m) μ² + w μ³ = 0,   a and m the collar's length and the height of its middle.
+void require_moving_rod(const Wedge& of, const Angle& phi) {
+  const Sign left =
+      geometry::decide([&]<class T>() {
+        const auto number = [](const Rational& q) { return geometry::from_rational<T>(q); };
+        const T mu = geometry::quotient(geometry::sine<T>(phi), geometry::cosine<T>(phi)),
+                t = geometry::quotient(geometry::sine<T>(of.theta), geometry::cosine<T>(of.theta));
+        const T a = number(of.y_upper - of.y_lower), twice_m = number(of.y_upper + of.y_lower), w = number(of.w);
+        return a - (a + twice_m) * t * mu + (w * t - twice_m) * geometry::square(mu) + w * mu * geometry::square(mu);
+      }).sign;
+  if (left == Sign::positive) return;
+  throw BadGivens(format_words("phi = {}°: the rod jams in its collar in the direct motion; no force P moves it",
+                               "phi = {}°: l'asta s'impunta nel collare nel moto diretto; nessuna forza P la muove",
+                               of_degrees(phi)));
+}
+
+}  // namespace
+
+std::vector<GivenSpec> stated_givens() {
+  std::vector<GivenSpec> all = givens_of_loaded_mechanisms();
+  all.push_back({"phi",
+                 {"friction angle at every contact", "angolo d'attrito di ogni contatto"},
+                 "deg",
+                 "5",
+                 Range::not_negative,
+                 "$φ$"});
+  all.push_back({"double_slider_pins.r",
+                 {"radius of the pins, double slider", "raggio dei perni, doppio pattino"},
+                 "m",
+                 "0.010",
+                 Range::positive,
+                 "$r$"});
+  return all;
+}
+
+Problem::Problem(const Givens& givens)
+    : of(givens), phi(givens.angle("phi")), radius(givens["double_slider_pins.r"]) {
+  const Angle &theta = of.wedge.theta, &slope = of.double_slider.theta;
+  require_below(phi, Rational(1, 2) * (right_angle() - theta), "wedge_collar");
+  require_below(phi, slope, "double_slider");
+  require_below(phi, Rational(1, 2) * right_angle(), "fairbairn");
+  require_moving_rod(of.wedge, phi);
+  wedge = locking(phi, Rational(1, 2) * theta);
+  double_slider = locking(phi, right_angle() - slope);
+  const Sign reaches = geometry::decide([&]<class T>() {
+                         return geometry::from_rational<T>(of.double_slider.l) -
+                                geometry::from_rational<T>(2 * radius) * geometry::sine<T>(phi);
+                       }).sign;
+  if (reaches != Sign::positive)
+    throw BadGivens(format_words("double_slider_pins.r = {} m: the friction circles are wider than the link is long",
+                                 "double_slider_pins.r = {} m: i cerchi d'attrito sono più larghi della lunghezza "
+                                 "dell'asta",
+                                 decimal(CGAL::to_double(radius), 6)));
+}
+
+}  // namespace epure::friction_efficiency

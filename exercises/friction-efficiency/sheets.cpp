@@ -1,0 +1,426 @@
+// The sheets: bodies cut free in the direct motion with their friction cones, the polygons of both motions over those
+// without friction, the details of the pins, and the efficiencies over the friction angle.
+#include <cmath>
+#include <numbers>
+
+#include "exercises/friction-efficiency/exercise.h"
+#include "exercises/kit/linkages/loaded_figures.h"
+#include "exercises/kit/panels/chained_polygons_panel.h"
+#include "exercises/kit/panels/chart_panel.h"
+#include "exercises/kit/panels/mechanism_panel.h"
+
+namespace epure::friction_efficiency {
+namespace {
+
+using namespace loaded;
+using Arrow = FreeBodyPanel::Arrow;
+using Joint = Mechanism::Joint;
+
+const std::string direct = "_direct", retrograde = "_retrograde";
+
+VectorQuantity moving(VectorQuantity quantity, const std::string& suffix) {
+  quantity.name += suffix;
+  return quantity;
+}
+VectorQuantity P_of(const std::string& suffix) { return moving(applied_force("P", {}), suffix); }
+
+// "φ from r₂": turned by the friction angle.
+std::string turned_from(const std::string& normal, Language language) {
+  return "$φ$ " + Words{"from ", "da "}.in(language) + normal;
+}
+
+// The edges of the friction cone about a normal through X.
+void add_cone(FreeBodyPanel& panel, const Place& X, const Arrow2& normal, double phi, double length) {
+  const double n = std::atan2(normal.y, normal.x);
+  for (const double side : {-phi, phi})
+    panel.string(X, X + length * Arrow2{std::cos(n + side), std::sin(n + side)}, "");
+}
+
+// A chain of vectors from the origin on, for what lies under a polygon.
+std::vector<Arrow2> laid_end_to_end(const std::vector<Arrow2>& vectors) {
+  std::vector<Arrow2> corners{{0, 0}};
+  for (const Arrow2& v : vectors) corners.push_back(corners.back() + v);
+  return corners;
+}
+
+// Two bodies in one chain: the load Q, the contact's force, the reaction on the loaded body; back the contact's
+// force, the effort, the reaction on the driven one.
+struct Chain {
+  std::string loaded, driven;                    // letters of the bodies
+  VectorQuantity contact, on_loaded, on_driven;  // R_ij
+  int i, j;                                      // the contact's force acts from i on j
+  std::string along_Q, along_contact, along_loaded, along_driven, along_P;
+};
+ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::string& suffix) {
+  const PolygonSide Q = of.load("Q", chain.along_Q, "$a$"),
+                    contact = of.sought(moving(chain.contact, suffix), chain.along_contact, "$b$"),
+                    on_loaded = of.sought(moving(chain.on_loaded, suffix), chain.along_loaded),
+                    back = reversed(contact, chain.j, chain.i, "$a$"),
+                    P = of.sought(P_of(suffix), chain.along_P, "$c$"),
+                    on_driven = of.sought(moving(chain.on_driven, suffix), chain.along_driven);
+  ChainedPolygonsPanel panel(force_polygon(chain.loaded, {on_loaded}, {Q, contact}));
+  VectorPolygon second = force_polygon(chain.driven, {on_driven}, {back, P});
+  second.origin = "$b$";
+  panel.then(second, Q.v + contact.v);
+  const Arrow2 ideal_contact = of.vector(chain.contact.name + "_ideal"), b = Q.v + ideal_contact;
+  panel.over(laid_end_to_end({Q.v, ideal_contact, of.vector(chain.on_loaded.name + "_ideal")}));
+  panel.over({b, b - ideal_contact, b - ideal_contact + of.vector("P_ideal"), b});
+  return panel;
+}
+
+std::vector<Result> efficiencies(const Case& of, const std::string& effort) {
+  return {of.results({effort + "_i"}), of.results({effort + direct, effort + retrograde}),
+          of.results({"eta_direct", "eta_retrograde"}),
+          remark("$η_{D}$ = $\\it{" + effort + "}_{i}$/$\\it{" + effort + "}$, $η_{R}$ = $\\it{" + effort +
+                 "}'$/$\\it{" + effort + "}_{i}$")};
+}
+const Words turned_against{
+    "Every contact's force is turned from the normal by $φ$ against the sliding of the body it acts on, in the "
+    "direct motion one way (first polygons), in the retrograde motion the other; dashed: without friction.",
+    "La forza di ogni contatto è ruotata di $φ$ dalla normale, contro lo strisciamento del corpo su cui agisce, nel "
+    "moto "
+    "diretto da una parte (primi poligoni), nel retrogrado dall'altra; a tratti: senza attrito."};
+
+PanelSheet wedge(const Solution& s, Language language) {
+  const Case of(s, "wedge_collar");
+  const WedgeFigure at(of);
+  const double phi = geometry::to_double(s.givens().angle("phi")), slope = of.radians("theta");
+  const Arrow2 n{std::sin(slope), std::cos(slope)};
+  const Chain chain{"3",
+                    "2",
+                    force_between(2, 3),
+                    force_between(1, 3),
+                    force_between(1, 2),
+                    2,
+                    3,
+                    "∥ $r_{1}$",
+                    turned_from("$r_{2}$", language),
+                    turned_from("$x$", language),
+                    turned_from("⊥ $x$", language),
+                    "∥ $x$"};
+  Mechanism rod, block;
+  rod.point("O", {0, 0}, Joint::none, "$O$");
+  add_rod(rod, at);
+  block.point("O", {0, 0}, Joint::none, "$O$");
+  add_wedge(block, at);
+  FreeBodyPanel on_rod(std::make_shared<const Mechanism>(std::move(rod))),
+      on_wedge(std::make_shared<const Mechanism>(std::move(block)));
+  const PolygonSide Q = of.load("Q", "", ""), R_23 = of.known(moving(chain.contact, direct), "", ""),
+                    R_32 = reversed(R_23, 3, 2), R_12 = of.known(moving(chain.on_driven, direct), "", ""),
+                    P = of.known(P_of(direct), "", "");
+  constexpr double cone = 0.05;  // m
+  on_rod.to_scale()
+      .at_most(200)
+      .force(Q, {0, at.top}, Arrow::ends)
+      .force(R_23, {0, 0}, Arrow::ends)
+      .force(of.known(moving(chain.on_loaded, direct), "", ""), {0, 0}, Arrow::ends);
+  add_cone(on_rod, {0, 0}, -n, phi, cone);
+  on_rod.step(turned_against, {0, 0});
+  // Where R_32 and P meet, from the triangle of directions.
+  const Place H{R_32.v.y == 0 ? 0 : at.line_of_P * R_32.v.x / R_32.v.y, at.line_of_P};
+  const Place foot{H.x + (at.floor - H.y) * R_12.v.x / R_12.v.y, at.floor};
+  on_wedge.to_scale()
+      .at_most(200)
+      .force(R_32, {0, 0}, Arrow::ends)
+      .force(P, {at.left.x, at.line_of_P}, Arrow::ends)
+      .force(R_12, foot, Arrow::ends);
+  on_wedge.meeting("", "$\\it{H}_{2}$", H);
+  add_cone(on_wedge, foot, {0, -1}, phi, cone);
+  std::vector<Result> results = efficiencies(of, "P");
+  results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
+  return {.panels = panels(on_rod, on_wedge, polygons(of, chain, direct), polygons(of, chain, retrograde)),
+          .results = results,
+          .seen = {"Wedge and rod cut free with their friction cones, and the polygons of the direct and of the "
+                   "retrograde motion",
+                   "Cuneo e asta isolati con i coni d'attrito, e i poligoni del moto diretto e del retrogrado"},
+          .told = of.names({"P_i", "P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
+          .without_part = of.without({}, {"phi"})};
+}
+
+PanelSheet two_forces(const Solution& s, Language language) {
+  const Case of(s, "wedge_collar_two_point", "wedge_collar");
+  const WedgeFigure at(of);
+  const VectorQuantity upper = force_between(1, 3, "upper", "^{{'}}"),
+                       lower = force_between(1, 3, "lower", "^{{''}}");
+  Mechanism rod;
+  rod.point("O", {0, 0}, Joint::none, "$O$");
+  add_rod(rod, at);
+  FreeBodyPanel on_rod(std::make_shared<const Mechanism>(std::move(rod)));
+  const auto polygon = [&](const std::string& suffix) {
+    const PolygonSide Q = of.load("Q", "∥ $r_{1}$", "$a$"),
+                      R_23 = of.sought(moving(force_between(2, 3), suffix), turned_from("$r_{2}$", language), "$b$"),
+                      first = of.sought(moving(upper, suffix), turned_from("$x$", language)),
+                      second = of.sought(moving(lower, suffix), turned_from("$x$", language), "$d$");
+    PolygonSide sum = of.sought(moving(upper, suffix), "∥ $OK$");
+    sum.quantity.clear();
+    sum.label = "$\\vec{\\it{R}}_{13}$";
+    sum.length.reset();
+    sum.v = first.v + second.v;
+    ChainedPolygonsPanel panel(force_polygon("3", {sum}, {Q, R_23}));
+    PolygonSide minus = reaction(sum, "−$\\vec{\\it{R}}_{13}$", "$\\it{R}_{13}$");
+    minus.tip = "$b$";
+    panel.then(force_polygon("3", {first}, {minus, second}), {0, 0});
+    const Arrow2 contact = of.vector("R_23_ideal");
+    panel.over(laid_end_to_end({Q.v, contact, of.vector("R_13_lower_ideal"), of.vector("R_13_upper_ideal")}));
+    return panel;
+  };
+  on_rod.to_scale()
+      .force(of.load("Q", "", ""), {0, at.top}, Arrow::ends)
+      .force(of.known(moving(force_between(2, 3), direct), "", ""), {0, 0}, Arrow::ends);
+  on_rod.force(of.known(moving(upper, direct), "", ""), {-at.w / 2, at.upper}, Arrow::ends)
+      .force(of.known(moving(lower, direct), "", ""), {at.w / 2, at.lower}, Arrow::ends);
+  const auto K = of.point("K_direct");
+  on_rod.meeting(of.name("K_direct"), "$K$", K);
+  if (K) on_rod.string({0, 0}, Place{0, 0} + 0.25 * (*K - Place{0, 0}), "$OK$");
+  on_rod.step({"The collar's forces, each turned by $φ$, meet in $K$. $\\vec{\\it{Q}}$ and $\\vec{\\it{R}}_{23}$ "
+               "meet in $O$: the collar's two forces "
+               "together run along $OK$, Culmann's line.",
+               "Le forze del collare, ciascuna ruotata di $φ$, si incontrano in $K$. La $\\vec{\\it{Q}}$ e la "
+               "$\\vec{\\it{R}}_{23}$ si incontrano in $O$: le due "
+               "forze del collare insieme corrono lungo $OK$, la retta di Culmann."},
+              {0, 0});
+  std::vector<Result> results = efficiencies(of, "P");
+  results.push_back(of.results({"K_direct_x", "K_direct_y", "culmann_angle_direct_deg"}));
+  results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
+  return {.panels = panels(on_rod, polygon(direct), polygon(retrograde)),
+          .results = results,
+          .seen = {"The rod with the two forces of its collar and Culmann's line, and the polygons of the direct and "
+                   "of the retrograde motion",
+                   "L'asta con le due forze del collare e la retta di Culmann, e i poligoni del moto diretto e del "
+                   "retrogrado"},
+          .told = of.names({"P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
+          .without_part = of.without({}, {"phi"})};
+}
+
+PanelSheet double_slider(const Solution& s, Language language) {
+  const Case of(s, "double_slider_pins", "double_slider"), ideal(s, "double_slider");
+  const double r = CGAL::to_double(s.givens()["double_slider_pins.r"]), rho = of["friction_circle_radius"];
+  const Chain chain{"2",
+                    "4",
+                    force_between(3, 2),
+                    force_between(1, 2),
+                    force_between(1, 4),
+                    3,
+                    2,
+                    "⊥ $x$",
+                    Words{"by both circles", "per i due cerchi"}.in(language),
+                    turned_from("$x$", language),
+                    turned_from("⊥ $x$", language),
+                    "∥ $x$"};
+  // The pin and its friction circle, with the line of the link's force.
+  const auto detail = [&](const std::string& X, bool is_reversed) {
+    const Place P = of.place(X), other = of.place(X == "A" ? "B" : "A");
+    const Arrow2 along = (1 / distance(P, other)) * (other - P);
+    Mechanism pin;
+    pin.point(X, P, Joint::none, "$" + X + "$")
+        .point("rim", {P.x + r, P.y}, Joint::corner, "")
+        .point("circle", {P.x, P.y - rho}, Joint::corner, "");
+    pin.disc(X, "rim", false).disc(X, "circle", false).axis(P + -1.5 * r * along, P + 1.5 * r * along, "$AB$");
+    FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(pin)));
+    PolygonSide R = of.known(moving(force_between(3, 2), direct), "", "");
+    R.quantity.clear();
+    panel.force(is_reversed ? reversed(R, 3, 4) : R, of.place("on_" + X + direct));
+    return panel;
+  };
+  FreeBodyPanel A = detail("A", false), B = detail("B", true);
+  A.step({"The pins turn in the link: its force touches both friction circles, $ρ$ = $r$ sin $φ$, on the sides on "
+          "which it hinders their turning; so it "
+          "crosses $AB$ at the angle $δ$, sin $δ$ = 2$ρ$/$l$.",
+          "I perni ruotano nell'asta: la sua forza è tangente ai due cerchi d'attrito, $ρ$ = $r$ sen $φ$, dalle "
+          "parti che ne ostacolano la rotazione; perciò "
+          "taglia $AB$ sotto l'angolo $δ$, sen $δ$ = 2$ρ$/$l$."},
+         of.place("on_A" + direct));
+  std::vector<Result> results = efficiencies(of, "P");
+  results.push_back(of.results({"friction_circle_radius", "link_line_tilt_angle_deg"}));
+  const Words hinges{"With ideal hinges:", "Con cerniere ideali:"};
+  results.push_back(remark(hinges.in(language)));
+  results.push_back(ideal.results({"P_direct", "P_retrograde"}));
+  results.push_back(ideal.results({"eta_direct", "eta_retrograde"}));
+  results.push_back(ideal.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
+  return {
+      .panels = panels(A, B, polygons(of, chain, direct), polygons(of, chain, retrograde)),
+      .results = results,
+      .seen = {"The pins of the double slider with their friction circles, and the polygons of the direct and of the "
+               "retrograde motion",
+               "I perni del doppio pattino con i cerchi d'attrito, e i poligoni del moto diretto e del retrogrado"},
+      .told = of.names({"P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
+      .without_part = of.without({}, {"phi", "double_slider_pins.r"})};
+}
+
+PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, Language language) {
+  const LeverFigure at(s, name, loaded_lever);
+  const Case& of = at.of;
+  const double phi = geometry::to_double(s.givens().angle("phi")), nu = of.radians("nu");
+  const std::string j = std::to_string(at.loaded), i = std::to_string(at.driven);
+  const auto hinge_line = [&](int lever) {
+    return "∥ " + at.letters(lever) + "$\\it{H}_{" + std::to_string(lever) + "}$";
+  };
+  const Chain chain{j,
+                    i,
+                    force_between(at.driven, at.loaded),
+                    force_between(1, at.loaded),
+                    force_between(1, at.driven),
+                    at.driven,
+                    at.loaded,
+                    "$δ_{Q}$",
+                    turned_from("$n$", language),
+                    hinge_line(at.loaded),
+                    hinge_line(at.driven),
+                    "$δ_{P}$"};
+  const PolygonSide contact = of.known(moving(chain.contact, direct), "", "");
+  const auto body = [&](int lever) {
+    const bool is_loaded = lever == at.loaded;
+    Mechanism drawn;
+    at.add(drawn, lever, Joint::hinge);
+    drawn.point("C", at.C, Joint::none, "$C$");
+    FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
+    const std::string k = std::to_string(lever);
+    panel.to_scale().force(is_loaded ? of.load("Q", "", "") : of.known(P_of(direct), "", ""), at.attacked(lever));
+    panel.force(is_loaded ? contact : reversed(contact, at.loaded, at.driven), at.C, Arrow::ends);
+    panel.force(of.known(moving(force_between(1, lever), direct), "", ""), at.hinge(lever), Arrow::ends);
+    panel.meeting(of.name("H_" + k + direct), "$\\it{H}_{" + k + "}$", of.point("H_" + k + direct));
+    constexpr double cone = 0.06;  // m
+    const double side = is_loaded ? -1 : 1;
+    add_cone(panel, at.C, {side * std::cos(nu), side * std::sin(nu)}, phi, cone);
+    return panel;
+  };
+  FreeBodyPanel first = body(at.loaded);
+  first.step(turned_against, at.C);
+  std::vector<Result> results = efficiencies(of, "P");
+  results.push_back(of.results({"contact_force_angle_direct_deg", "contact_force_angle_retrograde_deg"}));
+  results.push_back(of.results({"self_locking_friction_angle_deg"}));
+  return {
+      .panels = panels(first, body(at.driven), polygons(of, chain, direct), polygons(of, chain, retrograde)),
+      .results = results,
+      .seen =
+          {"The two levers cut free with the friction cone of their contact, and the polygons of the direct and of "
+           "the retrograde motion",
+           "Le due leve isolate con il cono d'attrito del contatto, e i poligoni del moto diretto e del retrogrado"},
+      .told = of.names({"P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
+      .without_part = of.without({"r_2", "r_3"}, {"phi"})};
+}
+
+PanelSheet fairbairn(const Solution& s, const std::string& name, Language language) {
+  const Case of(s, name);
+  const Place A = of.place("A"), B = of.place("B"), C = of.place("C"), D = of.place("D");
+  const auto polygon = [&](const std::string& suffix) {
+    const PolygonSide F = of.load("F", "∥ $x$", "$a$"),
+                      R_56 = of.sought(moving(force_between(5, 6), suffix), turned_from("$x$", language), "$b$"),
+                      R_16 = of.sought(moving(force_between(1, 6), suffix), turned_from("⊥ $x$", language)),
+                      R_54 = reversed(R_56, 5, 4, "$a$"),
+                      R_34 = of.sought(moving(force_between(3, 4), suffix), turned_from("⊥ $CD$", language), "$c$"),
+                      R_14 = of.sought(moving(force_between(1, 4), suffix), "∥ $CH$");
+    ChainedPolygonsPanel panel(force_polygon("6", {R_16}, {F, R_56}));
+    VectorPolygon second = force_polygon("4", {R_14}, {R_54, R_34});
+    second.origin = "$b$";
+    panel.then(second, F.v + R_56.v);
+    const Arrow2 ideal = of.vector("R_34_ideal"), b = F.v + of.vector("R_56_ideal");
+    panel.over({b, b + F.v, b + F.v + ideal, b});
+    return panel;
+  };
+  Mechanism lever, crank;
+  lever.point("C", C, Joint::hinge, "$C$")
+      .point("B", B, Joint::none, "$B$")
+      .point("D", D, Joint::hinge, "$D$")
+      .body({"C", "D"}, 4);
+  crank.point("A", A, Joint::hinge, "$A$").point("B", B, Joint::hinge, "$B$").body({"A", "B"}, 2);
+  FreeBodyPanel on_4(std::make_shared<const Mechanism>(std::move(lever))),
+      on_2(std::make_shared<const Mechanism>(std::move(crank)));
+  const PolygonSide R_34 = of.known(moving(force_between(3, 4), direct), "", ""),
+                    R_54 = reversed(of.known(moving(force_between(5, 6), direct), "", ""), 5, 4),
+                    R_32 = reversed(R_34, 3, 2);
+  on_4.to_scale()
+      .force(R_54, D)
+      .force(R_34, B, Arrow::ends)
+      .force(of.known(moving(force_between(1, 4), direct), "", ""), C, Arrow::ends);
+  on_4.meeting(of.name("H_direct"), "$\\it{H}$", of.point("H_direct"));
+  on_4.step(turned_against, of.point("H_direct").value_or(B));
+  on_2.to_scale().force(R_32, B).force(reaction(R_32, "$\\vec{\\it{R}}_{12}$", ""), A);
+  on_2.couple("$\\it{M}$", A, of["M_direct"]);
+  on_2.moments({"$\\it{M}$ = $\\it{F}_{23}$·$d$.", "$\\it{M}$ = $\\it{F}_{23}$·$d$."}, A);
+  std::vector<Result> results = efficiencies(of, "M");
+  results.push_back(of.results({"F_23_direct", "d_direct"}));
+  results.push_back(of.results({"F_23_retrograde", "d_retrograde"}));
+  results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
+  return {.panels = panels(on_4, on_2, polygon(direct), polygon(retrograde)),
+          .results = results,
+          .seen = {"Lever and crank of Fairbairn's mechanism cut free, and the polygons of ram and lever in the "
+                   "direct and in the retrograde motion",
+                   "Leva e manovella della guida di Fairbairn isolate, e i poligoni di slitta e leva nel moto "
+                   "diretto e nel retrogrado"},
+          .told = of.names({"M_direct", "M_retrograde", "eta_direct", "eta_retrograde"}),
+          .without_part = of.without({}, {"phi"})};
+}
+
+// The efficiencies of all mechanisms over the friction angle, those given as they are.
+PanelSheet over_friction_angle(const Solution& s, Language language) {
+  struct Plotted {
+    std::string name;
+    Words label;
+  };
+  const std::vector<Plotted> all{{"wedge_collar", {"wedge", "cuneo"}},
+                                 {"wedge_collar_two_point", {"two forces", "due forze"}},
+                                 {"double_slider", {"double slider", "doppio pattino"}},
+                                 {"sliding_levers", {"levers", "leve"}},
+                                 {"fairbairn", {"Fairbairn", "Fairbairn"}}};
+  constexpr int most = 26, steps_a_degree = 2;
+  std::map<std::string, std::array<std::vector<drawings::Datum>, 2>> runs;
+  for (int i = 1; i <= most * steps_a_degree; ++i) {
+    const double degrees = static_cast<double>(i) / steps_a_degree;
+    for (const auto& [quantity, value] : efficiencies_at(s.givens(), Rational(i, steps_a_degree)))
+      for (const Plotted& each : all)
+        for (const int k : {0, 1})
+          if (quantity == each.name + (k == 0 ? ".eta_direct" : ".eta_retrograde") && value > 0 && value <= 1) {
+            auto& run = runs[each.name][static_cast<std::size_t>(k)];
+            const bool goes_on = run.empty() || degrees - run.back().x < 0.75;
+            if (goes_on) run.push_back({degrees, value});
+          }
+  }
+  const auto chart = [&](int k) {
+    drawings::Chart drawn{
+        .x = {.quantity = "$φ$", .unit = "°", .low = 0, .high = most, .steps = drawings::degree_steps},
+        .y = {.quantity = k == 0 ? "$η_{D}$" : "$η_{R}$", .unit = "", .low = 0, .high = 1}};
+    for (const Plotted& each : all)
+      if (const auto& run = runs[each.name][static_cast<std::size_t>(k)]; !run.empty())
+        drawn.curves.push_back(
+            {.name = "eta_" + each.name, .runs = {run}, .meaning = Meaning::force, .label = each.label.in(language)});
+    drawn.verticals = {{.at = geometry::degrees(s.givens().angle("phi")), .label = "$φ$"}};
+    return ChartPanel(drawn);
+  };
+  std::vector<Row> rows;
+  for (const Plotted& each : all)
+    rows.push_back(
+        {each.label.in(language),
+         {each.name + ".eta_direct", each.name + ".eta_retrograde", each.name + ".self_locking_friction_angle_deg"}});
+  return {.panels = panels(chart(0), chart(1)),
+          .results = {table({"", "$η_{D}$", "$η_{R}$", "$φ_{R}$ (°)"}, rows),
+                      remark(Words{"$η_{R}$ = 0 at the friction angle $φ_{R}$, from which the mechanism is "
+                                   "self-locking; $η_{D}$ = 0 where it jams, and no force moves it.",
+                                   "$η_{R}$ = 0 all'angolo d'attrito $φ_{R}$, dal quale il meccanismo è "
+                                   "irreversibile; $η_{D}$ = 0 dove s'impunta, e nessuna forza lo muove."}
+                                 .in(language))},
+          .seen = {"The efficiencies of the direct and of the retrograde motion over the friction angle",
+                   "I rendimenti del moto diretto e del retrogrado in funzione dell'angolo d'attrito"},
+          .told = {"wedge_collar.eta_direct", "wedge_collar.eta_retrograde"},
+          .without_part = Case(s, "none").without({}, {"phi"})};
+}
+
+}  // namespace
+
+std::vector<SheetMaker> sheets() {
+  return {
+      {{"wedge", {"Wedge and collar", "Cuneo e collare"}}, wedge},
+      {{"two-forces", {"Collar with two forces", "Collare con due forze"}}, two_forces},
+      {{"double-slider", {"Double slider", "Doppio pattino"}}, double_slider},
+      {{"levers", {"Sliding levers, Q on lever 3", "Leve striscianti, Q sulla leva 3"}},
+       [](const Solution& s, Language language) { return levers(s, "sliding_levers", 3, language); }},
+      {{"levers-Q-on-2", {"Sliding levers, Q on lever 2", "Leve striscianti, Q sulla leva 2"}},
+       [](const Solution& s, Language language) { return levers(s, "sliding_levers_Q_on_2", 2, language); }},
+      {{"fairbairn", {"Fairbairn's mechanism", "Guida di Fairbairn"}},
+       [](const Solution& s, Language language) { return fairbairn(s, "fairbairn", language); }},
+      {{"fairbairn-short-lever", {"Fairbairn's mechanism, shorter lever", "Guida di Fairbairn, leva più corta"}},
+       [](const Solution& s, Language language) { return fairbairn(s, "fairbairn_short_lever", language); }},
+      {{"efficiencies", {"Efficiency and friction angle", "Rendimento e angolo d'attrito"}}, over_friction_angle}};
+}
+
+}  // namespace epure::friction_efficiency

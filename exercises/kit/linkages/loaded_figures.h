@@ -1,0 +1,115 @@
+// How mechanisms in equilibrium, and their bodies, are drawn.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "exercises/kit/linkages/case_of_mechanism.h"
+#include "exercises/kit/linkages/loaded_mechanisms.h"
+#include "exercises/kit/panels/free_body_panel.h"
+#include "exercises/kit/panels/mechanism.h"
+
+namespace epure::loaded {
+
+// Where it is drawn: the wedge's height is free, the rod ends somewhat above the collar.
+struct WedgeFigure {
+  double w, lower, upper, top, floor, line_of_P, sine, cosine;
+  Place left, right;  // corners of the wedge's face
+
+  explicit WedgeFigure(const Case& of)
+      : w(of.given("w")),
+        lower(of.given("y_lower")),
+        upper(of.given("y_upper")),
+        floor(CGAL::to_double(floor_of_wedge())),
+        line_of_P(CGAL::to_double(epure::line_of_P())),
+        sine(std::sin(of.radians("theta"))),
+        cosine(std::cos(of.radians("theta"))) {
+    constexpr double above = 0.02, shortest = 0.03, longest = 0.08, down_the_face = 0.05, beside_H = 0.012;  // m
+    top = std::max(upper, 0.0) + above;
+    // To the left it reaches beyond the meeting point of its forces, where there is room for it.
+    const double up_the_face = std::clamp((beside_H - line_of_P * sine / cosine) / cosine, shortest, longest);
+    const double down = std::min(down_the_face, -floor / sine);
+    left = {-up_the_face * cosine, up_the_face * sine};
+    right = {down * cosine, -down * sine};
+  }
+};
+
+inline void add_wedge(Mechanism& drawn, const WedgeFigure& at) {
+  drawn.point("L", at.left, Mechanism::Joint::corner, "").point("R", at.right, Mechanism::Joint::corner, "");
+  drawn.point("Rf", {at.right.x, at.floor}, Mechanism::Joint::corner, "")
+      .point("Lf", {at.left.x, at.floor}, Mechanism::Joint::corner, "");
+  drawn.body({"L", "R", "Rf", "Lf"}, 2);
+}
+inline void add_rod(Mechanism& drawn, const WedgeFigure& at) {
+  const double slope = at.sine / at.cosine, half = at.w / 2;
+  drawn.point("l", {-half, half * slope}, Mechanism::Joint::corner, "")
+      .point("r", {half, -half * slope}, Mechanism::Joint::corner, "");
+  drawn.point("rt", {half, at.top}, Mechanism::Joint::corner, "")
+      .point("lt", {-half, at.top}, Mechanism::Joint::corner, "");
+  drawn.body({"l", "r", "rt", "lt"}, 3);
+}
+
+// With what is applied to it.
+inline FreeBodyPanel whole(const WedgeFigure& at, const Case& of, double at_most = 200) {
+  Mechanism drawn;
+  drawn.point("O", {0, 0}, Mechanism::Joint::none, "$O$");
+  add_wedge(drawn, at);
+  add_rod(drawn, at);
+  const double half = at.w / 2, beyond = 0.012;
+  drawn.surface({-half, at.upper}, {-half, at.lower})
+      .surface({half, at.lower}, {half, at.upper})
+      .surface({at.left.x - beyond, at.floor}, {at.right.x + beyond, at.floor})
+      .axis({0, at.floor}, {0, at.top + beyond}, "$r_{1}$")
+      .angle("R", std::numbers::pi - of.radians("theta"), std::numbers::pi, "$θ$");
+  FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
+  panel.to_scale().at_most(at_most);
+  return panel;
+}
+
+// Which lever Q loads, and what follows of it.
+struct LeverFigure {
+  Case of;
+  int loaded, driven;
+  Place A0, B0, C, A, B, foot, on_Q;
+  Arrow2 p;
+
+  LeverFigure(const Solution& s, const std::string& name, int loaded_lever)
+      : of(s, name),
+        loaded(loaded_lever),
+        driven(5 - loaded_lever),
+        A0(of.place("A0")),
+        B0(of.place("B0")),
+        C(of.place("C")),
+        A(of.place("A")),
+        B(of.place("B")) {
+    const double direction = of.radians("direction_P"), arm = of.given("arm_P"), q = of.radians("direction_Q");
+    p = {std::cos(direction), std::sin(direction)};
+    foot = hinge(driven) + arm * Arrow2{p.y, -p.x};
+    // Where Q is drawn: the foot of the perpendicular from the hinge.
+    const Arrow2 along{std::cos(q), std::sin(q)};
+    const Place X{of.given("x_Q"), 0};
+    on_Q = X + dot(hinge(loaded) - X, along) * along;
+  }
+  const Place& hinge(int lever) const { return lever == 2 ? A0 : B0; }
+  double radius(int lever) const { return of.given(lever == 2 ? "r_2" : "r_3"); }
+  const Place& centre(int lever) const { return lever == 2 ? A : B; }
+  std::string letters(int lever) const { return lever == 2 ? "$A_{0}$" : "$B_{0}$"; }
+  Place attacked(int lever) const { return lever == loaded ? on_Q : foot; }
+
+  // The lever's plate between its hinge, the contact and where its force acts; the profile's arc about C.
+  void add(Mechanism& drawn, int lever, Mechanism::Joint joint) const {
+    const std::string i = std::to_string(lever);
+    constexpr double half = 0.7;  // radians
+    const double towards_C = direction(centre(lever), C);
+    drawn.point("hinge" + i, hinge(lever), joint, letters(lever))
+        .point("C" + i, C, Mechanism::Joint::corner, "")
+        .point("force" + i, attacked(lever), Mechanism::Joint::corner, "")
+        .body({"hinge" + i, "C" + i, "force" + i}, lever)
+        .profile(centre(lever), radius(lever), towards_C - half, towards_C + half);
+  }
+};
+
+}  // namespace epure::loaded
