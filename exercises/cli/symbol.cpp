@@ -26,6 +26,7 @@ std::string unicode_symbol(const std::string& rich_text) {
   std::string rest = rich_text, plain;
   remove_all(rest, "$");
   remove_all(rest, "\\vec");
+  remove_all(rest, "\\it");
   while (!rest.empty()) {
     const auto close = rest.find('}');
     if (!rest.starts_with("_{") || close == std::string::npos) {

@@ -75,6 +75,8 @@ std::vector<Unit> make_units() {
       {"N", Kind::force, 1},
       {"kN", Kind::force, 1000},
       {"kgf", Kind::force, kgf},
+      {"daN", Kind::force, 10},
+      {"tf", Kind::force, kgf * 1000},
       {"lbf", Kind::force, lb * kgf},
       {"Nm", Kind::moment, 1},
       {"N m", Kind::moment, 1},
@@ -91,6 +93,12 @@ std::vector<Unit> make_units() {
       {"kg*m^2", Kind::moment_of_inertia, 1},
       {"kg cm^2", Kind::moment_of_inertia, ratio(1, 10000)},
       {"g m^2", Kind::moment_of_inertia, ratio(1, 1000)},
+      {"Pa s", Kind::viscosity, 1},
+      {"Pa*s", Kind::viscosity, 1},
+      {"mPa s", Kind::viscosity, ratio(1, 1000)},
+      {"cP", Kind::viscosity, ratio(1, 1000)},
+      {"N s/m^2", Kind::viscosity, 1},
+      {"kgf s/m^2", Kind::viscosity, kgf},
   };
 }
 
@@ -120,6 +128,8 @@ Words name_of(Kind kind) {
       return {"a mass", "una massa"};
     case Kind::moment_of_inertia:
       return {"a moment of inertia", "un momento d'inerzia"};
+    case Kind::viscosity:
+      return {"a viscosity", "una viscosità"};
   }
   return {};
 }

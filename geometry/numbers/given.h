@@ -37,7 +37,8 @@ enum class Kind {
   force,
   moment,
   mass,
-  moment_of_inertia
+  moment_of_inertia,
+  viscosity
 };
 
 // Of an angle, an angular velocity, an angular acceleration.
