@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "geometry/numbers/ball.h"
-#include "geometry/numbers/enclosure.h"
+#include "geometry/numbers/growing.h"
 
 namespace epure::geometry::analytic {
 
@@ -30,48 +30,6 @@ void logarithms(arb_t result, const arb_t x, long bits) {
 void hyperbolic_sine_share(arb_t result, const arb_t x, long bits) {
   arb_sinh(result, x, bits);
   arb_div(result, result, x, bits);
-}
-
-using Function = void (*)(arb_t, const arb_t, long);
-
-// At one point where the function is not zero: with more bits until as many as asked are left.
-void at_point(arb_t result, const Function& function, const arb_t x, long bits) {
-  for (long working = bits + 32; working < 64 * (bits + 4096); working *= 2) {
-    function(result, x, working);
-    if (arb_rel_accuracy_bits(result) >= bits) return;
-  }
-  throw Undecided("a difference that cancels beyond all bits", "una differenza che si cancella oltre ogni bit");
-}
-
-// Of a growing function between the ends of x; at_zero is where it has the value `there` and may not be computed.
-Deep growing(const Function& function, const Deep& x, int at_zero, int there) {
-  const long bits = Arithmetic<Deep>::bits();
-  Ball end, ends[2], result;
-  Float lower_and_upper[2];
-  arb_get_interval_arf(lower_and_upper[0].value, lower_and_upper[1].value, x.ball(), arb_bits(x.ball()) + bits + 64);
-  for (int i : {0, 1}) {
-    arb_set_arf(end.value, lower_and_upper[i].value);
-    if (arb_equal_si(end.value, at_zero))
-      arb_set_si(ends[i].value, there);
-    else
-      at_point(ends[i].value, function, end.value, bits);
-  }
-  arb_union(result.value, ends[0].value, ends[1].value, bits + 16);
-  return Deep::from_ball(result.value);
-}
-
-constexpr long bits_for_doubles = 80;
-
-template <class Computation>
-Bounded in_doubles(const Computation& computation) {
-  const Arithmetic<Deep> scope(bits_for_doubles);
-  return to_bounded(computation());
-}
-
-Deep ball(const Bounded& x) {
-  if (!std::isfinite(x.inf()) || !std::isfinite(x.sup()))
-    throw Undecided("a number without bounds", "un numero senza limiti");
-  return Deep::from_bounded(x);
 }
 
 }  // namespace

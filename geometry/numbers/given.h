@@ -41,7 +41,8 @@ enum class Kind {
   stress,
   area,
   second_moment_of_area,
-  energy
+  energy,
+  viscosity
 };
 
 // Of an angle, an angular velocity, an angular acceleration.

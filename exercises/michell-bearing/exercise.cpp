@@ -1,0 +1,23 @@
+// Exercise N.6 of Sapienza: the lubricated slider and the bearing of tilting pads.
+#include "exercises/michell-bearing/exercise.h"
+
+#include "exercises/michell-bearing/routes.h"
+
+namespace epure {
+
+std::unique_ptr<Exercise> make_michell_bearing() {
+  using namespace michell_bearing;
+  Description about{.id = "michell-bearing",
+                    .title = {"Michell bearing", "Cuscinetto Michell"},
+                    .document = "sapienza",
+                    .item = "N.6",
+                    .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.6",
+                               "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.6"},
+                    .givens = given_specs(),
+                    .printed = printed_by_the_source()};
+  const auto solve = [](const Givens& givens, Rung rung) { return solved(Problem(givens), rung); };
+  return exercise_of_panels(std::move(about), solve,
+                            {{{"pressures", {"Gradients and pressures", "Gradienti e pressioni"}}, pressures_sheet}});
+}
+
+}  // namespace epure

@@ -1,0 +1,121 @@
+#include "geometry/analytic/reynolds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/numbers/ball.h"
+#include "geometry/numbers/growing.h"
+#include "geometry/numbers/increasing_root.h"
+
+namespace epure::geometry::analytic {
+namespace {
+
+struct Integrand {
+  ulong k, b;
+  Deep epsilon;
+};
+
+// As Arb asks for it; infinite around the pole at 1/ε, from where it then stays away.
+int at(acb_ptr result, const acb_t t, void* parameters, slong, slong bits) {
+  const auto* of = static_cast<const Integrand*>(parameters);
+  ComplexBall film;
+  acb_mul_arb(film.value, t, of->epsilon.ball(), bits);
+  acb_sub_si(film.value, film.value, 1, bits);
+  acb_neg(film.value, film.value);
+  acb_pow_ui(film.value, film.value, of->b, bits);
+  acb_pow_ui(result, t, of->k, bits);
+  acb_div(result, result, film.value, bits);
+  return 0;
+}
+
+// t_N by doubles, with Gauss' five points on panels that halve towards the outlet: 1 - ε t = (2 + d (1 - t))/(2 + d).
+double centre_in_doubles(double d) {
+  constexpr std::array<double, 5> node{-0.90617984593866399, -0.53846931010568309, 0, 0.53846931010568309,
+                                       0.90617984593866399},
+      weight{0.23692688505618909, 0.47862867049936647, 0.56888888888888889, 0.47862867049936647, 0.23692688505618909};
+  std::array<double, 4> moments{};
+  constexpr int panels_to_half = 4;  // of them in every halving
+  const double innermost = 0.1 / (1 + d);
+  for (double right = 2; right > innermost; right /= 2) {
+    const double left = right / 2 > innermost ? right / 2 : 0, half = (right - left) / (2 * panels_to_half);
+    for (int panel = 0; panel < panels_to_half; ++panel)
+      for (std::size_t i = 0; i < node.size(); ++i) {
+        const double to_outlet = left + half * (2 * panel + 1 + node[i]), t = 1 - to_outlet;
+        double term = weight[i] * half * std::pow(2 + d * to_outlet, -3);
+        for (double& moment : moments) moment += term, term *= t;
+      }
+  }
+  const double centroid = moments[1] / moments[0];
+  return (moments[3] - moments[2] * centroid) / (2 * (moments[2] - moments[1] * centroid));
+}
+
+// The d of which t_N is as sought lies between these powers of two, or beside them by a little. t_N ≈ d/5 where it is
+// small, too small for doubles; where it is large, 1 - t_N ≈ 1/ln d.
+struct SearchedIn {
+  double low, high;
+};
+SearchedIn searched_in(double sought) {
+  SearchedIn within{std::log2(sought) - 2, 8 + 3 / (1 - sought)};
+  if (sought < 1e-4) return {within.low, within.low + 8};
+  constexpr int halvings = 50;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (within.low + within.high) / 2;
+    (centre_in_doubles(std::exp2(middle)) < sought ? within.low : within.high) = middle;
+  }
+  constexpr double as_near_as_doubles_tell = 1e-11;
+  return {within.low - as_near_as_doubles_tell, within.high + as_near_as_doubles_tell};
+}
+
+}  // namespace
+
+Deep film_integral(int k, int b, const Deep& epsilon, const Deep& to) {
+  const long bits = Arithmetic<Deep>::bits();
+  Integrand of{static_cast<ulong>(k), static_cast<ulong>(b), epsilon};
+  const ComplexBall from(Deep(-1)), end(to);
+  ComplexBall sum;
+  mag_t tolerance;
+  mag_init(tolerance);
+  mag_set_ui_2exp_si(tolerance, 1, -bits);
+  acb_calc_integrate_opt_t options;
+  acb_calc_integrate_opt_init(options);
+  options->depth_limit = 8 * bits;
+  options->eval_limit = 4000 * bits;
+  acb_calc_integrate(sum.value, at, &of, from.value, end.value, bits, tolerance, options, bits);
+  mag_clear(tolerance);
+  return sum.real();
+}
+
+Bounded film_integral(int k, int b, const Bounded& epsilon, const Bounded& to) {
+  return in_doubles([&] { return film_integral(k, b, ball(epsilon), ball(to)); });
+}
+
+Fast film_integral(int k, int b, Fast epsilon, Fast to) {
+  const Arithmetic<Deep> scope(64);
+  return enclosure(film_integral(k, b, Deep::from_double(epsilon), Deep::from_double(to))).value;
+}
+
+// ε = d/(2 + d) is sought by d, which may be as small or as large as it likes.
+template <>
+Deep wedge_of_centre<Deep>(const Rational& centre) {
+  const Rational sought_rational = Rational(2) * centre - Rational(1);
+  const SearchedIn within = searched_in(CGAL::to_double(sought_rational));
+  const long bits = Arithmetic<Deep>::bits(), lost = static_cast<long>(std::abs(within.low) + std::abs(within.high));
+  const Arithmetic<Deep> more(bits + 32 + lost);
+  const Deep sought = from_rational<Deep>(sought_rational);
+  const auto wedge = [](const Deep& d) { return quotient(d, Deep(2) + d); };
+  return wedge(increasing_root([&](const Deep& d) { return FilmByQuadrature<Deep>(wedge(d)).centre() - sought; },
+                               within.low, within.high));
+}
+
+template <>
+Bounded wedge_of_centre<Bounded>(const Rational& centre) {
+  return in_doubles([&] { return wedge_of_centre<Deep>(centre); });
+}
+
+template <>
+Fast wedge_of_centre<Fast>(const Rational& centre) {
+  const Arithmetic<Deep> scope(64);
+  return enclosure(wedge_of_centre<Deep>(centre)).value;
+}
+
+}  // namespace epure::geometry::analytic

@@ -1,0 +1,61 @@
+// The Michell bearing: its numbers are those of a corpus of integrals over ln h; the source's numbers; bad givens.
+#include "tests/exercises/michell-bearing/cases.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+TEST_CASE("michell bearing: values are the corpus', to the last bit of a double, by every route",
+          "[michell-bearing]") {
+  const std::vector<CorpusCase> corpus = read_corpus(EPURE_CORPUS "/michell_bearing.txt");
+  CHECK(corpus.size() == 8);
+  holds_against(bearing(), corpus);
+}
+
+TEST_CASE("michell bearing: what the source printed, and why it is wrong where it is", "[michell-bearing]") {
+  const CheckedExercise result = bearing().checked({});
+  CHECK(result.passed());
+  int right = 0, explained = 0;
+  for (const CheckedQuantity& quantity : result.quantities)
+    for (const PrintedVerdict& verdict : quantity.printed) {
+      CAPTURE(quantity.spec.name, verdict.text);
+      CHECK(verdict.explanation_holds);
+      if (verdict.verdict == Verdict::rounding)
+        ++right;
+      else
+        explained += verdict.explanation ? 1 : 0;
+    }
+  CHECK(right == 29);
+  CHECK(explained == 37);
+}
+
+TEST_CASE("michell bearing: what is not there", "[michell-bearing]") {
+  const auto absent = [](const Assignments& assignments, const char* name, const char* because) {
+    const CheckedExercise result = bearing().checked(assignments);
+    CAPTURE(assignments, name, find(result, name).settled.reason.english);
+    CHECK(result.passed());
+    CHECK(find(result, name).settled.kind == geometry::Settled::Kind::absent);
+    CHECK(find(result, name).settled.reason.english.find(because) != std::string::npos);
+  };
+  absent({"l=0.3", "x_3=0.25"}, "inverse.p_at_0p35", "ends before");
+  absent({"dx=0.02"}, "inverse.p_bezout_at_0p15", "no point of the grid");
+  absent({"h_1=0.32", "x_1=0.4"}, "inverse.u_at_x_1_z_0p20mm", "thinner");
+  absent({"h_1=0.3199999999999999999999999999999999"}, "inverse.x_shear_zero_fixed", "nowhere");
+}
+
+TEST_CASE("michell bearing: givens that cannot be, each in one sentence", "[michell-bearing]") {
+  const auto refused = [](const Assignments& assignments, const char* because) {
+    CAPTURE(assignments, because);
+    CHECK_THROWS_WITH(bearing().checked(assignments), Contains(because));
+  };
+  refused({"h_1=0.16"}, "carries no load");
+  refused({"h_2=0.5"}, "n = h_1/h_2 = 0.8");
+  refused({"dx=0.03"}, "whole number of strips");
+  refused({"x_1=0.41"}, "the film ends there");
+  refused({"mu=0"}, "must be positive");
+  refused({"x_N=0.03675"}, "more than 0.5");
+  refused({"x_N=0.0733"}, "at most 0.95");
+  refused({"pads=9"}, "overlap");
+  refused({"pads=2.5"}, "whole number");
+  refused({"b=0.2"}, "inner radius");
+  CHECK(bearing().checked({"x_N=0.03675000000001"}).passed());
+}
