@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "exercises/friction-efficiency/exercise.h"
+#include "exercises/kit/statement/decimal.h"
 
 namespace epure::friction_efficiency {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 double tangent_of(double degrees) { return std::tan(degrees * std::numbers::pi / 180); }
 
 Explanation of_printed(const std::string& of, double numerator, double denominator) {
-  return {{"follows from the printed forces: " + of, "segue dalle forze stampate: " + of},
+  return {Words{"follows from the printed forces: ", "segue dalle forze stampate: "} + decimal(of),
           [=] { return numerator / denominator; }};
 }
 

@@ -51,6 +51,12 @@ struct Chain {
   int i, j;                                      // the contact's force acts from i on j
   std::string along_Q, along_contact, along_loaded, along_driven, along_P;
 };
+// The polygons of the retrograde motion, after those of the direct one.
+ChainedPolygonsPanel likewise(ChainedPolygonsPanel panel) {
+  panel.likewise({"Likewise in the retrograde motion, each contact's force turned the other way.",
+                  "Lo stesso nel moto retrogrado, con la forza di ogni contatto ruotata dall'altra parte."});
+  return panel;
+}
 ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::string& suffix) {
   const PolygonSide Q = of.load("Q", chain.along_Q, "$a$"),
                     contact = of.sought(moving(chain.contact, suffix), chain.along_contact, "$b$"),
@@ -128,7 +134,7 @@ PanelSheet wedge(const Solution& s, Language language) {
   add_cone(on_wedge, foot, {0, -1}, phi, cone);
   std::vector<Result> results = efficiencies(of, "P");
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  return {.panels = panels(on_rod, on_wedge, polygons(of, chain, direct), polygons(of, chain, retrograde)),
+  return {.panels = panels(on_rod, on_wedge, polygons(of, chain, direct), likewise(polygons(of, chain, retrograde))),
           .results = results,
           .seen = {"Wedge and rod cut free with their friction cones, and the polygons of the direct and of the "
                    "retrograde motion",
@@ -182,7 +188,7 @@ PanelSheet two_forces(const Solution& s, Language language) {
   std::vector<Result> results = efficiencies(of, "P");
   results.push_back(of.results({"K_direct_x", "K_direct_y", "culmann_angle_direct_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  return {.panels = panels(on_rod, polygon(direct), polygon(retrograde)),
+  return {.panels = panels(on_rod, polygon(direct), likewise(polygon(retrograde))),
           .results = results,
           .seen = {"The rod with the two forces of its collar and Culmann's line, and the polygons of the direct and "
                    "of the retrograde motion",
@@ -238,7 +244,7 @@ PanelSheet double_slider(const Solution& s, Language language) {
   results.push_back(ideal.results({"eta_direct", "eta_retrograde"}));
   results.push_back(ideal.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
   return {
-      .panels = panels(A, B, polygons(of, chain, direct), polygons(of, chain, retrograde)),
+      .panels = panels(A, B, polygons(of, chain, direct), likewise(polygons(of, chain, retrograde))),
       .results = results,
       .seen = {"The pins of the double slider with their friction circles, and the polygons of the direct and of the "
                "retrograde motion",
@@ -290,7 +296,8 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   results.push_back(of.results({"contact_force_angle_direct_deg", "contact_force_angle_retrograde_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg"}));
   return {
-      .panels = panels(first, body(at.driven), polygons(of, chain, direct), polygons(of, chain, retrograde)),
+      .panels =
+          panels(first, body(at.driven), polygons(of, chain, direct), likewise(polygons(of, chain, retrograde))),
       .results = results,
       .seen =
           {"The two levers cut free with the friction cone of their contact, and the polygons of the direct and of "
@@ -342,7 +349,7 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
   results.push_back(of.results({"F_23_direct", "d_direct"}));
   results.push_back(of.results({"F_23_retrograde", "d_retrograde"}));
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  return {.panels = panels(on_4, on_2, polygon(direct), polygon(retrograde)),
+  return {.panels = panels(on_4, on_2, polygon(direct), likewise(polygon(retrograde))),
           .results = results,
           .seen = {"Lever and crank of Fairbairn's mechanism cut free, and the polygons of ram and lever in the "
                    "direct and in the retrograde motion",

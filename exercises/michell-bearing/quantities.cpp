@@ -1,7 +1,9 @@
 #include "exercises/michell-bearing/quantities.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <string>
 
 namespace epure::michell_bearing {
 namespace {
@@ -23,8 +25,12 @@ Words place(std::string station) {
   return decimal(station);
 }
 bool is_named(const std::string& station) { return station.starts_with("x_"); }
+// Within letters a number has no decimal sign, which languages write differently: "0p15" as "150".
+std::string in_thousandths(const std::string& station) {
+  return std::to_string(std::lround(1000 * std::stod(place(station).english)));
+}
 std::string letters_of(const std::string& station) {
-  return is_named(station) ? "x_{" + station.substr(2) + "}" : place(station).english;
+  return is_named(station) ? "$x_{" + station.substr(2) + "}$" : in_thousandths(station) + " mm";
 }
 Words where(const std::string& station) {
   if (is_named(station)) return {" at " + station, " in " + station};
@@ -160,7 +166,7 @@ Quantity at_station(const std::string& of, const std::string& station) {
       {"tau_h", {"$τ_{h}$", "Pa", {"shear on the moving wall", "sforzo sulla parete mobile"}}},
   };
   const Kind& kind = kinds.at(of);
-  return {of + "_at_" + station, kind.symbol + "($" + letters_of(station) + "$)", kind.unit,
+  return {of + "_at_" + station, kind.symbol + "(" + letters_of(station) + ")", kind.unit,
           kind.meaning + where(station)};
 }
 
@@ -168,10 +174,10 @@ Quantity velocity_at(const std::string& station, const std::string& depth) {
   const Words meaning{"velocity of the film", "velocità della falda"};
   const std::string x = letters_of(station);
   if (depth == mid_film)
-    return {"u_at_" + station + "_" + depth, "$u$($" + x + "$, $h$/2)", "m/s",
+    return {"u_at_" + station + "_" + depth, "$u$(" + x + ", $h$/2)", "m/s",
             meaning + where(station) + Words{", in mid film", ", a metà meato"}};
   const std::string z = place(depth.substr(0, 4)).english;
-  return {"u_at_" + station + "_z_" + depth, "$u$($" + x + "$, " + z + ")", "m/s",
+  return {"u_at_" + station + "_z_" + depth, "$u$(" + x + ", " + in_thousandths(depth.substr(0, 4)) + " µm)", "m/s",
           meaning + where(station) + ", z = " + decimal(z) + " mm"};
 }
 

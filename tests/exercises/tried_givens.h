@@ -20,7 +20,7 @@ inline const std::vector<std::pair<std::string, std::vector<Assignments>>>& trie
       {"michell-bearing",
        {{},
         {"h_1=0.32"},
-        {"h_1=0.17", "l=0.3"},
+        {"h_1=0.17", "l=0.3", "x_3=0.25"},
         {"h_1=2", "dx=0.02"},
         {"x_N=0.05", "P=300000"},
         {"pads=6", "b=0.08"}}},
