@@ -32,6 +32,11 @@ ChainedPolygonsPanel& ChainedPolygonsPanel::over(std::vector<Arrow2> corners) {
   return *this;
 }
 
+ChainedPolygonsPanel& ChainedPolygonsPanel::as_before() {
+  is_told_ = false;
+  return *this;
+}
+
 ChainedPolygonsPanel& ChainedPolygonsPanel::step(const Words& text, const Arrow2& at) {
   steps_.push_back({text, Place{at.x, at.y}});
   return *this;
@@ -72,11 +77,13 @@ std::vector<drawings::Block> ChainedPolygonsPanel::draw(Plot& plot, const drawin
 
 std::vector<drawings::VectorEquation> ChainedPolygonsPanel::equations() const {
   std::vector<drawings::VectorEquation> all;
-  for (const Link& link : links_) all.push_back(equation(link.polygon));
+  for (const Link& link : links_)
+    if (is_told_) all.push_back(equation(link.polygon));
   return all;
 }
 
 std::vector<PanelStep> ChainedPolygonsPanel::steps(const Plot&, const drawings::Box&) const {
+  if (!is_told_) return steps_;
   std::vector<PanelStep> all;
   for (const Link& link : links_) {
     const std::vector<std::string> english = steps_of(link.polygon, Language::english),

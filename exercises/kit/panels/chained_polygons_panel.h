@@ -19,6 +19,8 @@ class ChainedPolygonsPanel : public Panel {
   ChainedPolygonsPanel& then(VectorPolygon polygon, const Arrow2& from);
   // Other polygons under these, dashed and without letters, through these corners: to compare with.
   ChainedPolygonsPanel& over(std::vector<Arrow2> corners);
+  // Drawn as another figure's, whose steps and equations tell how: its own are not told.
+  ChainedPolygonsPanel& as_before();
   // What the figure shows beside: told, and where.
   ChainedPolygonsPanel& step(const Words& text, const Arrow2& at);
 
@@ -36,6 +38,7 @@ class ChainedPolygonsPanel : public Panel {
   };
   std::vector<Link> links_;
   std::vector<std::vector<Arrow2>> under_;
+  bool is_told_ = true;
   std::vector<PanelStep> steps_;
 };
 
