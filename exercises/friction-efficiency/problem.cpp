@@ -45,6 +45,17 @@ void require_moving_rod(const Wedge& of, const Angle& phi) {
                                of_degrees(phi)));
 }
 
+// On the line of hinges the contact is the levers' relative pole: they roll there, and friction has no sense.
+void require_sliding(const Levers& of, const Angle& phi, const std::string& name) {
+  if (of.y_C != 0 || is_zero(phi)) return;
+  throw BadGivens(format_words(
+      "{}.y_C = 0 m: the contact lies on the line of hinges, where the levers do not slide on each other, "
+      "and friction has no sense",
+      "{}.y_C = 0 m: il contatto sta sulla retta delle cerniere, dove le leve non strisciano l'una sull'altra, e "
+      "l'attrito non ha verso",
+      name));
+}
+
 }  // namespace
 
 std::vector<GivenSpec> stated_givens() {
@@ -71,6 +82,8 @@ Problem::Problem(const Givens& givens)
   require_below(phi, slope, "double_slider");
   require_below(phi, Rational(1, 2) * right_angle(), "fairbairn");
   require_moving_rod(of.wedge, phi);
+  require_sliding(of.levers, phi, "sliding_levers");
+  require_sliding(of.levers_Q_on_2, phi, "sliding_levers_Q_on_2");
   wedge = locking(phi, Rational(1, 2) * theta);
   double_slider = locking(phi, right_angle() - slope);
   const Sign reaches = geometry::decide([&]<class T>() {

@@ -28,8 +28,11 @@ inline VectorQuantity in(Motion motion, VectorQuantity quantity) {
   quantity.size = quantity.size + words_of(motion);
   return quantity;
 }
+// In the retrograde motion with a prime, as the source writes P'.
 inline Quantity in(Motion motion, const Quantity& quantity) {
-  return {quantity.name + suffix(motion), quantity.symbol, quantity.unit, quantity.meaning + words_of(motion)};
+  std::string symbol = quantity.symbol;
+  if (motion == Motion::retrograde) symbol.insert(symbol.size() - 1, "'");
+  return {quantity.name + suffix(motion), symbol, quantity.unit, quantity.meaning + words_of(motion)};
 }
 inline PointQuantity in(Motion motion, const PointQuantity& P) {
   return {P.name + suffix(motion), P.of + words_of(motion), point_letters(P.name)};
@@ -123,8 +126,8 @@ inline Quantity effort(const Names& names, Motion motion) {
   return in(motion, plain);
 }
 inline Quantity efficiency(Motion motion) {
-  return in(motion,
-            Quantity{"eta", motion == Motion::direct ? "$η_{D}$" : "$η_{R}$", "1", {"efficiency", "rendimento"}});
+  return {"eta" + suffix(motion), motion == Motion::direct ? "$η_{D}$" : "$η_{R}$", "1",
+          Words{"efficiency", "rendimento"} + words_of(motion)};
 }
 inline Quantity self_locking() {
   return {"self_locking", "SL", "1", {"self-locking: 1 yes, 0 no", "irreversibile: 1 sì, 0 no"}};
@@ -224,6 +227,11 @@ void put_whole(Ledger<T>& ledger, const Quantity& limit, const Angle& angle) {
   ledger.put(limit, [=] { return given_in_degrees<T>(angle); });
 }
 
+// Exactly at the limit of self-locking the load's force on the driven body is in line with that of its guide.
+inline bool limits(const Problem::Locking& locking, const Turned& turned) {
+  return locking.is_limit && turned.motion == Motion::retrograde;
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // The wedge.
 
@@ -234,6 +242,7 @@ auto wedge_motions(const Problem& problem, Collar collar) {
     const T c = geometry::cosine<T>(of.theta), s = geometry::sine<T>(of.theta);
     const Vector<T> v_2{T(1), T(0)}, up{T(0), T(1)}, left{T(-1), T(0)}, n{s, c};
     const Vector<T> v_3 = geometry::close_polygon(v_2, Vector<T>{c, -s}, up).of_second * up;
+    if (limits(problem.wedge, turned)) model.parallel("R_23", "R_12");
     const bool is_one = collar == Collar::one_force;
     epure::describe(
         model, of,
@@ -388,9 +397,13 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
       const T third = number<T>(Rational(1, 3));
       const T p = b1 - third * geometry::square(b2),
               q = number<T>(Rational(2, 27)) * b2 * geometry::square(b2) - third * b1 * b2 + b0;
+      const geometry::Sign bends = geometry::sign(p);
+      if (bends == geometry::Sign::positive || bends == geometry::Sign::zero) throw geometry::Impossible(never_jams);
       const T spread = geometry::root(-(third * p)), cube = spread * geometry::square(spread);
       const T inside = geometry::square(T(2) * cube) - geometry::square(q);
-      if (geometry::sign(inside) != geometry::Sign::positive)
+      const geometry::Sign has_three = geometry::sign(inside);
+      if (has_three == geometry::Sign::negative) throw geometry::Impossible(never_jams);  // the only root is negative
+      if (has_three != geometry::Sign::positive)
         throw geometry::Undecided("how many friction angles jam the rod",
                                   "quanti angoli d'attrito facciano impuntare l'asta");
       const T alpha = third * geometry::arc_tangent(geometry::root(inside), T(-q));
@@ -448,6 +461,7 @@ Motions<T> double_slider_motions(const Problem& problem, bool has_pins) {
   const auto constructed = [=](auto& model, const Turned& turned) {
     const auto [A, B] = points();
     const Vector<T> right{T(1), T(0)}, up{T(0), T(1)};  // sliding of 4 and of 2
+    if (!has_pins && limits(problem.double_slider, turned)) model.parallel("R_32", "R_14");
     describe_by_link<std::decay_t<decltype(model)>, T>(model, of, A, B, middle(A, B), link_at(turned),
                                                        turned.components<T>(-right, up),
                                                        turned.components<T>(up, right));

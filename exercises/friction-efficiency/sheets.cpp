@@ -22,7 +22,11 @@ VectorQuantity moving(VectorQuantity quantity, const std::string& suffix) {
   quantity.name += suffix;
   return quantity;
 }
-VectorQuantity P_of(const std::string& suffix) { return moving(applied_force("P", {}), suffix); }
+VectorQuantity P_of(const std::string& suffix) {
+  VectorQuantity P = moving(applied_force("P", {}), suffix);
+  if (suffix == retrograde) P.letters = "\\it{{P}}^{{'}}{}";
+  return P;
+}
 
 // "φ from r₂": turned by the friction angle.
 std::string turned_from(const std::string& normal, Language language) {
@@ -35,6 +39,9 @@ void add_cone(FreeBodyPanel& panel, const Place& X, const Arrow2& normal, double
   for (const double side : {-phi, phi})
     panel.string(X, X + length * Arrow2{std::cos(n + side), std::sin(n + side)}, "");
 }
+
+const Words the_other_way{"Retrograde motion: the same polygons with the forces turned the other way.",
+                          "Moto retrogrado: gli stessi poligoni con le forze ruotate dall'altra parte."};
 
 // A chain of vectors from the origin on, for what lies under a polygon.
 std::vector<Arrow2> laid_end_to_end(const std::vector<Arrow2>& vectors) {
@@ -51,12 +58,6 @@ struct Chain {
   int i, j;                                      // the contact's force acts from i on j
   std::string along_Q, along_contact, along_loaded, along_driven, along_P;
 };
-// The polygons of the retrograde motion, after those of the direct one.
-ChainedPolygonsPanel likewise(ChainedPolygonsPanel panel) {
-  panel.likewise({"Likewise in the retrograde motion, each contact's force turned the other way.",
-                  "Lo stesso nel moto retrogrado, con la forza di ogni contatto ruotata dall'altra parte."});
-  return panel;
-}
 ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::string& suffix) {
   const PolygonSide Q = of.load("Q", chain.along_Q, "$a$"),
                     contact = of.sought(moving(chain.contact, suffix), chain.along_contact, "$b$"),
@@ -71,6 +72,7 @@ ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::str
   const Arrow2 ideal_contact = of.vector(chain.contact.name + "_ideal"), b = Q.v + ideal_contact;
   panel.over(laid_end_to_end({Q.v, ideal_contact, of.vector(chain.on_loaded.name + "_ideal")}));
   panel.over({b, b - ideal_contact, b - ideal_contact + of.vector("P_ideal"), b});
+  if (suffix == retrograde) panel.likewise(the_other_way, Q.v);
   return panel;
 }
 
@@ -81,11 +83,10 @@ std::vector<Result> efficiencies(const Case& of, const std::string& effort) {
                  "}'$/$\\it{" + effort + "}_{i}$")};
 }
 const Words turned_against{
-    "Every contact's force is turned from the normal by $φ$ against the sliding of the body it acts on, in the "
-    "direct motion one way (first polygons), in the retrograde motion the other; dashed: without friction.",
-    "La forza di ogni contatto è ruotata di $φ$ dalla normale, contro lo strisciamento del corpo su cui agisce, nel "
-    "moto "
-    "diretto da una parte (primi poligoni), nel retrogrado dall'altra; a tratti: senza attrito."};
+    "Every contact's force is turned from the normal by $φ$ against the sliding of the body it acts on. Dashed: the "
+    "polygons without friction.",
+    "La forza di ogni contatto è ruotata di $φ$ dalla normale, contro lo strisciamento del corpo su cui agisce. A "
+    "tratti: i poligoni senza attrito."};
 
 PanelSheet wedge(const Solution& s, Language language) {
   const Case of(s, "wedge_collar");
@@ -134,7 +135,7 @@ PanelSheet wedge(const Solution& s, Language language) {
   add_cone(on_wedge, foot, {0, -1}, phi, cone);
   std::vector<Result> results = efficiencies(of, "P");
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  return {.panels = panels(on_rod, on_wedge, polygons(of, chain, direct), likewise(polygons(of, chain, retrograde))),
+  return {.panels = panels(on_rod, on_wedge, polygons(of, chain, direct), polygons(of, chain, retrograde)),
           .results = results,
           .seen = {"Wedge and rod cut free with their friction cones, and the polygons of the direct and of the "
                    "retrograde motion",
@@ -168,6 +169,7 @@ PanelSheet two_forces(const Solution& s, Language language) {
     panel.then(force_polygon("3", {first}, {minus, second}), {0, 0});
     const Arrow2 contact = of.vector("R_23_ideal");
     panel.over(laid_end_to_end({Q.v, contact, of.vector("R_13_lower_ideal"), of.vector("R_13_upper_ideal")}));
+    if (suffix == retrograde) panel.likewise(the_other_way, Q.v);
     return panel;
   };
   on_rod.to_scale()
@@ -188,7 +190,7 @@ PanelSheet two_forces(const Solution& s, Language language) {
   std::vector<Result> results = efficiencies(of, "P");
   results.push_back(of.results({"K_direct_x", "K_direct_y", "culmann_angle_direct_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  return {.panels = panels(on_rod, polygon(direct), likewise(polygon(retrograde))),
+  return {.panels = panels(on_rod, polygon(direct), polygon(retrograde)),
           .results = results,
           .seen = {"The rod with the two forces of its collar and Culmann's line, and the polygons of the direct and "
                    "of the retrograde motion",
@@ -244,7 +246,7 @@ PanelSheet double_slider(const Solution& s, Language language) {
   results.push_back(ideal.results({"eta_direct", "eta_retrograde"}));
   results.push_back(ideal.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
   return {
-      .panels = panels(A, B, polygons(of, chain, direct), likewise(polygons(of, chain, retrograde))),
+      .panels = panels(A, B, polygons(of, chain, direct), polygons(of, chain, retrograde)),
       .results = results,
       .seen = {"The pins of the double slider with their friction circles, and the polygons of the direct and of the "
                "retrograde motion",
@@ -296,8 +298,7 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   results.push_back(of.results({"contact_force_angle_direct_deg", "contact_force_angle_retrograde_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg"}));
   return {
-      .panels =
-          panels(first, body(at.driven), polygons(of, chain, direct), likewise(polygons(of, chain, retrograde))),
+      .panels = panels(first, body(at.driven), polygons(of, chain, direct), polygons(of, chain, retrograde)),
       .results = results,
       .seen =
           {"The two levers cut free with the friction cone of their contact, and the polygons of the direct and of "
@@ -323,6 +324,7 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
     panel.then(second, F.v + R_56.v);
     const Arrow2 ideal = of.vector("R_34_ideal"), b = F.v + of.vector("R_56_ideal");
     panel.over({b, b + F.v, b + F.v + ideal, b});
+    if (suffix == retrograde) panel.likewise(the_other_way, F.v);
     return panel;
   };
   Mechanism lever, crank;
@@ -337,19 +339,20 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
                     R_54 = reversed(of.known(moving(force_between(5, 6), direct), "", ""), 5, 4),
                     R_32 = reversed(R_34, 3, 2);
   on_4.to_scale()
+      .at_most(50)
       .force(R_54, D)
       .force(R_34, B, Arrow::ends)
       .force(of.known(moving(force_between(1, 4), direct), "", ""), C, Arrow::ends);
   on_4.meeting(of.name("H_direct"), "$\\it{H}$", of.point("H_direct"));
   on_4.step(turned_against, of.point("H_direct").value_or(B));
-  on_2.to_scale().force(R_32, B).force(reaction(R_32, "$\\vec{\\it{R}}_{12}$", ""), A);
+  on_2.to_scale().at_most(50).force(R_32, B).force(reaction(R_32, "$\\vec{\\it{R}}_{12}$", ""), A);
   on_2.couple("$\\it{M}$", A, of["M_direct"]);
   on_2.moments({"$\\it{M}$ = $\\it{F}_{23}$·$d$.", "$\\it{M}$ = $\\it{F}_{23}$·$d$."}, A);
   std::vector<Result> results = efficiencies(of, "M");
   results.push_back(of.results({"F_23_direct", "d_direct"}));
   results.push_back(of.results({"F_23_retrograde", "d_retrograde"}));
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  return {.panels = panels(on_4, on_2, polygon(direct), likewise(polygon(retrograde))),
+  return {.panels = panels(on_4, on_2, polygon(direct), polygon(retrograde)),
           .results = results,
           .seen = {"Lever and crank of Fairbairn's mechanism cut free, and the polygons of ram and lever in the "
                    "direct and in the retrograde motion",

@@ -102,8 +102,8 @@ Balance<T> force_triangle(const Line<T>& F, const LineOfAction<T>& u, const Line
 }
 
 // Three forces meet in H: F, one along u, one through O, which may be at infinity (a direction). H is at infinity for
-// parallel forces. `is_parallel`: F and u are known to be; else it is asked. Throws Impossible when u passes through
-// O.
+// parallel forces. `is_parallel`: F and u are known to be; `passes`: F is known to pass through O; else it is asked.
+// Throws Impossible when u passes through O.
 template <class T>
 struct ThreeForces {
   ProjectivePoint<T> H;
@@ -111,7 +111,7 @@ struct ThreeForces {
 };
 template <class T>
 ThreeForces<T> three_forces(const Line<T>& F, const LineOfAction<T>& u, const ProjectivePoint<T>& O,
-                            bool is_parallel = false) {
+                            bool is_parallel = false, bool passes = false) {
   if (statics::is_zero(moment_about(O, u.unit()), statics::through_question)) {
     if (statics::is_zero(moment_about(O, F), statics::through_question))
       throw Impossible("its forces all pass through one point: how they share the load is statically undetermined",
@@ -121,7 +121,7 @@ ThreeForces<T> three_forces(const Line<T>& F, const LineOfAction<T>& u, const Pr
         "it is unstable: the line of the force that should hold it passes through its support, and has no arm",
         "è labile: la retta della forza che dovrebbe reggerlo passa per il suo appoggio, e non ha braccio");
   }
-  if (statics::is_zero(moment_about(O, F), statics::through_question))
+  if (passes || statics::is_zero(moment_about(O, F), statics::through_question))
     return {meet(F, u.unit()), T(0) * u.unit(), -F};
   if (!is_parallel && !statics::is_zero(cross(F.direction(), u.along), statics::parallel_question)) {
     const ProjectivePoint<T> H = meet(F, u.unit());
@@ -267,8 +267,8 @@ class FreeBodies {
     if (count(1, 0, 0, 0)) {
       put(j, *lines[0], -sum);
     } else if (count(1, 0, 1, 0)) {
-      const ThreeForces<T> found =
-          three_forces(sum, lines[0]->at, direction_of(*guides[0]), are_parallel(load, *lines[0]));
+      const ThreeForces<T> found = three_forces(sum, lines[0]->at, direction_of(*guides[0]),
+                                                are_parallel(load, *lines[0]), are_parallel(load, *guides[0]));
       meeting_.insert_or_assign(j, found.H);
       put(j, *lines[0], found.on_line);
       put(j, *guides[0], found.through_point);

@@ -213,19 +213,24 @@ def values(given):
             "fairbairn_short_lever": fairbairn(given["fairbairn_short_lever"])}
 
 
-print("""# Reference values of five mechanisms in equilibrium, 40 digits. Written by make_ideal_statics.py with mpmath, 120
+def main():
+    print("""# Reference values of five mechanisms in equilibrium, 40 digits. Written by make_ideal_statics.py with mpmath, 120
 # working digits; do not edit by hand. Virtual work with finite positions, then moments body after body.
 # SI units, angles in degrees. `infinite`: no such point.
 """)
-for name, why, changes in CASES:
-    given = {mechanism: dict(symbols) for mechanism, symbols in STATED.items()}
-    for symbol, stated in changes.items():
-        mechanism, letter = symbol.split(".")
-        given[mechanism][letter] = stated
-    print(f"case {name}\nwhy {why}")
-    for symbol, stated in changes.items():
-        print(f"given {symbol} {stated}")
-    for mechanism, found in values(given).items():
-        for quantity, x in found.items():
-            print(f"{mechanism}.{quantity} {text(x)}")
-    print()
+    for name, why, changes in CASES:
+        given = {mechanism: dict(symbols) for mechanism, symbols in STATED.items()}
+        for symbol, stated in changes.items():
+            mechanism, letter = symbol.split(".")
+            given[mechanism][letter] = stated
+        print(f"case {name}\nwhy {why}")
+        for symbol, stated in changes.items():
+            print(f"given {symbol} {stated}")
+        for mechanism, found in values(given).items():
+            for quantity, x in found.items():
+                print(f"{mechanism}.{quantity} {text(x)}")
+        print()
+
+
+if __name__ == "__main__":
+    main()

@@ -32,9 +32,9 @@ ChainedPolygonsPanel& ChainedPolygonsPanel::over(std::vector<Arrow2> corners) {
   return *this;
 }
 
-ChainedPolygonsPanel& ChainedPolygonsPanel::likewise(const Words& text) {
+ChainedPolygonsPanel& ChainedPolygonsPanel::likewise(const Words& text, const Arrow2& at) {
   is_told_ = false;
-  return step(text, {0, 0});
+  return step(text, at);
 }
 
 ChainedPolygonsPanel& ChainedPolygonsPanel::step(const Words& text, const Arrow2& at) {

@@ -19,8 +19,8 @@ class ChainedPolygonsPanel : public Panel {
   ChainedPolygonsPanel& then(VectorPolygon polygon, const Arrow2& from);
   // Other polygons under these, dashed and without letters, through these corners: to compare with.
   ChainedPolygonsPanel& over(std::vector<Arrow2> corners);
-  // Made as the figure before it: one step tells so, without equations.
-  ChainedPolygonsPanel& likewise(const Words& text);
+  // Made as the figure before it, whose steps and equations tell how: one step tells so, where the other way begins.
+  ChainedPolygonsPanel& likewise(const Words& text, const Arrow2& at);
   // What the figure shows beside: told, and where.
   ChainedPolygonsPanel& step(const Words& text, const Arrow2& at);
 

@@ -1,0 +1,70 @@
+// Mechanisms with friction: their numbers are those of a corpus of closed formulas; self-locking at its limit and
+// beside it; jamming; the source's numbers.
+#include <map>
+
+#include "tests/exercises/friction-efficiency/cases.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+TEST_CASE("friction: values are the corpus', to the last bit of a double, by every route", "[friction-efficiency]") {
+  const std::vector<CorpusCase> corpus = read_corpus(EPURE_CORPUS "/friction_efficiency.txt");
+  CHECK(corpus.size() == 6);
+  holds_against(friction(), corpus);
+}
+
+TEST_CASE("friction: the limit of self-locking, hit and missed", "[friction-efficiency]") {
+  const auto locking = [](const Assignments& assignments, const std::string& mechanism) {
+    const CheckedExercise result = friction().checked(assignments);
+    CAPTURE(assignments, complaints(result));
+    CHECK(result.passed());
+    return std::pair{value(result, mechanism + ".self_locking"), value(result, mechanism + ".P_retrograde")};
+  };
+  for (const char* mechanism : {"wedge_collar", "wedge_collar_two_point"}) {
+    CHECK(locking({"wedge_collar.theta=10"}, mechanism) == std::pair(1.0, 0.0));  // θ = 2φ
+    CHECK(locking({"wedge_collar.theta=10", "phi=5.000000001"}, mechanism).second < 0);
+    const auto missed = locking({"wedge_collar.theta=10", "phi=4.999999999999999999999999999999"}, mechanism);
+    CHECK(missed.first == 0);
+    CHECK(missed.second > 0);
+    CHECK(missed.second < 1e-28);
+  }
+  CHECK(locking({"double_slider.theta=85"}, "double_slider") == std::pair(1.0, 0.0));  // θ + φ = 90°
+  CHECK(locking({"double_slider.theta=84.999999999"}, "double_slider").first == 0);
+}
+
+TEST_CASE("friction: without friction nothing is lost", "[friction-efficiency]") {
+  const CheckedExercise result = friction().checked({"phi=0"});
+  CHECK(result.passed());
+  for (const char* name : {"wedge_collar", "wedge_collar_two_point", "double_slider", "double_slider_pins",
+                           "sliding_levers", "sliding_levers_Q_on_2", "fairbairn", "fairbairn_short_lever"})
+    for (const char* eta : {".eta_direct", ".eta_retrograde"})
+      CHECK(value(result, std::string(name) + eta) == Approx(1).epsilon(1e-14));
+  CHECK(find(result, "wedge_collar_two_point.K_direct_x").settled.kind == geometry::Settled::Kind::absent);
+}
+
+TEST_CASE("friction: what jams is said with the angle at which it does", "[friction-efficiency]") {
+  const auto refused = [](const Assignments& assignments, const char* because) {
+    CAPTURE(assignments);
+    CHECK_THROWS_WITH(friction().checked(assignments), Contains(because));
+  };
+  refused({"phi=24.5"}, "wedge_collar jams in the direct motion at 24.5°");
+  refused({"phi=18.72"}, "the rod jams in its collar");
+  CHECK(friction().checked({"phi=18.71"}).passed());
+  refused({"phi=8", "double_slider.theta=8"}, "double_slider jams in the direct motion at 8°");
+  refused({"double_slider_pins.r=2"}, "wider than the link is long");
+  refused({"sliding_levers.y_C=0"}, "friction has no sense");
+}
+
+TEST_CASE("friction: the source's numbers", "[friction-efficiency]") {
+  const CheckedExercise result = friction().checked({});
+  std::map<Verdict, int> verdicts;
+  for (const CheckedQuantity& quantity : result.quantities)
+    for (const PrintedVerdict& verdict : quantity.printed) {
+      CAPTURE(quantity.spec.name, verdict.text);
+      ++verdicts[verdict.verdict];
+      CHECK(verdict.explanation_holds);
+    }
+  CHECK(verdicts[Verdict::rounding] == 4);
+  CHECK(verdicts[Verdict::reading] == 5);
+  CHECK(verdicts[Verdict::disagrees] == 11);
+}
