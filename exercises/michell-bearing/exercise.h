@@ -1,6 +1,7 @@
 // The parts of the exercise: what its source printed, and its sheets.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "exercises/kit/panels/panel_sheet.h"
@@ -12,6 +13,13 @@ namespace epure::michell_bearing {
 
 std::vector<Printed> printed_by_the_source();
 
+inline std::string of_film(const std::string& quantity) { return "inverse." + quantity; }
+inline std::string of_pad(const std::string& quantity) { return "direct." + quantity; }
+inline Result told(const Words& words, Language language) { return remark(words.in(language)); }
+
 PanelSheet pressures_sheet(const Solution& s, Language language);
+PanelSheet velocities_sheet(const Solution& s, Language language);
+PanelSheet direct_sheet(const Solution& s, Language language);
+PanelSheet bearing_sheet(const Solution& s, Language language);
 
 }  // namespace epure::michell_bearing

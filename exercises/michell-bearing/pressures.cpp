@@ -1,5 +1,5 @@
 // Film, gradients and pressures along the slider.
-#include "exercises/kit/panels/chart_panel.h"
+#include "exercises/kit/panels/sized_chart.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/michell-bearing/exercise.h"
 
@@ -7,29 +7,6 @@ namespace epure::michell_bearing {
 namespace {
 
 using drawings::Datum;
-
-// As wide as the others, so that the frames of all three stand above each other.
-class LowChart : public ChartPanel {
- public:
-  using ChartPanel::ChartPanel;
-  drawings::Box extent(const Scale&, const Scale&) const override {
-    constexpr double wide = 110, high = 46;  // mm at least
-    return {{0, 0}, {wide, high}};
-  }
-};
-
-template <class Function>
-std::vector<std::vector<Datum>> run(double l, const Function& y) {
-  constexpr int steps = 400;
-  std::vector<Datum> points;
-  for (int i = 0; i <= steps; ++i) {
-    const double x = l * i / steps;
-    points.push_back({x, y(x)});
-  }
-  return {points};
-}
-
-std::string name(const std::string& quantity) { return "inverse." + quantity; }
 
 drawings::Chart chart_along(const Solution& s, const std::string& quantity, const std::string& unit, double low,
                             double high) {
@@ -40,7 +17,7 @@ drawings::Chart chart_along(const Solution& s, const std::string& quantity, cons
   chart.y = {.quantity = quantity, .unit = unit, .low = low < 0 ? low - air : low, .high = high + air};
   chart.letters_left = 16;
   chart.horizontals = {{.at = 0}};
-  chart.verticals = {{.at = s[name("x_bar")], .label = "$x^{*}$"}};
+  chart.verticals = {{.at = s[of_film("x_bar")], .label = "$x^{*}$"}};
   return chart;
 }
 
@@ -48,7 +25,7 @@ drawings::Chart chart_along(const Solution& s, const std::string& quantity, cons
 std::vector<ChartPanel::Read> read_at_stations(const Solution& s, const std::string& of) {
   std::vector<ChartPanel::Read> all;
   for (const Station& at : stations()) {
-    const std::string quantity = name(at_station(of, at.name).name);
+    const std::string quantity = of_film(at_station(of, at.name).name);
     if (!s.has(quantity)) continue;
     if (const auto value = s.value(quantity)) all.push_back({{CGAL::to_double(at.x), *value}, {}, quantity});
   }
@@ -60,49 +37,47 @@ std::vector<Datum> points_of(const std::vector<ChartPanel::Read>& read) {
   return points;
 }
 
-LowChart film_chart(const Solution& s, const geometry::FilmWedge<double>& film) {
+SizedChart film_chart(const Solution& s, const geometry::FilmWedge<double>& film) {
   drawings::Chart chart = chart_along(s, "$h$", "m", 0, film.h1);
-  chart.curves = {{.name = "h", .runs = run(film.l, [&](double x) { return film.h(x); }), .meaning = Meaning::link}};
-  chart.horizontals.push_back({.at = s[name("h_bar")], .label = "$h^{*}$"});
-  return LowChart(chart, {{{s[name("x_bar")], s[name("h_bar")]}, name("x_bar"), name("h_bar")}});
+  chart.curves = {{.name = "h", .runs = run_of(0, film.l, [&](double x) { return film.h(x); }), .meaning = Meaning::link}};
+  chart.horizontals.push_back({.at = s[of_film("h_bar")], .label = "$h^{*}$"});
+  return SizedChart(chart, {{{s[of_film("x_bar")], s[of_film("h_bar")]}, of_film("x_bar"), of_film("h_bar")}}, one_of_three_in_a_column);
 }
 
-LowChart gradient_chart(const Solution& s, const geometry::FilmWedge<double>& film) {
+SizedChart gradient_chart(const Solution& s, const geometry::FilmWedge<double>& film) {
   const auto read = read_at_stations(s, "dp_dx");
   drawings::Chart chart =
       chart_along(s, "$p'$", "Pa/m", film.gradient(film.l), film.gradient(0) > 0 ? 1.3 * film.gradient(0) : 0);
   chart.curves = {{.name = "gradient",
-                   .runs = run(film.l, [&](double x) { return film.gradient(x); }),
+                   .runs = run_of(0, film.l, [&](double x) { return film.gradient(x); }),
                    .meaning = Meaning::locus,
                    .points = points_of(read)}};
-  return LowChart(chart, read);
+  return SizedChart(chart, read, one_of_three_in_a_column);
 }
 
-LowChart pressure_chart(const Solution& s, const geometry::FilmWedge<double>& film, Language language) {
+SizedChart pressure_chart(const Solution& s, const geometry::FilmWedge<double>& film, Language language) {
   auto read = read_at_stations(s, "p_bezout");
-  drawings::Chart chart = chart_along(s, "$p$", "Pa", 0, 1.12 * s[name("p_max")]);
+  drawings::Chart chart = chart_along(s, "$p$", "Pa", 0, 1.12 * s[of_film("p_max")]);
   chart.curves = {{.name = "pressure",
-                   .runs = run(film.l, [&](double x) { return film.pressure(x); }),
+                   .runs = run_of(0, film.l, [&](double x) { return film.pressure(x); }),
                    .meaning = Meaning::force},
                   {.name = "bezout", .meaning = Meaning::construction, .points = points_of(read)}};
-  chart.markers = {{.at = {s[name("x_bar")], s[name("p_max")]},
-                    .label = "$p_{max}$ = " + figures(s[name("p_max")], 4, language) + " Pa",
+  chart.markers = {{.at = {s[of_film("x_bar")], s[of_film("p_max")]},
+                    .label = "$p_{max}$ = " + figures(s[of_film("p_max")], 4, language) + " Pa",
                     .meaning = Meaning::force}};
-  chart.verticals.push_back({.at = s[name("x_N")], .label = "$x_{N}$", .meaning = Meaning::force});
-  read.push_back({{s[name("x_bar")], s[name("p_max")]}, name("x_bar"), name("p_max")});
-  read.push_back({{s[name("x_N")], 0}, name("x_N"), {}});
-  return LowChart(chart, read);
+  chart.verticals.push_back({.at = s[of_film("x_N")], .label = "$x_{N}$", .meaning = Meaning::force});
+  read.push_back({{s[of_film("x_bar")], s[of_film("p_max")]}, of_film("x_bar"), of_film("p_max")});
+  read.push_back({{s[of_film("x_N")], 0}, of_film("x_N"), {}});
+  return SizedChart(chart, read, one_of_three_in_a_column);
 }
-
-Result told(const Words& words, Language language) { return remark(words.in(language)); }
 
 std::vector<Row> rows(const Solution& s) {
   std::vector<Row> all;
   for (const Station& at : stations()) {
     const std::string& x = at.name;
-    if (!s.value(name(at_station("h", x).name)) || at.x == 0) continue;
+    if (!s.value(of_film(at_station("h", x).name)) || at.x == 0) continue;
     all.push_back({geometry::to_text(at.x * 1000),
-                   {name(at_station("dp_dx", x).name), name(at_station("p_bezout", x).name)},
+                   {of_film(at_station("dp_dx", x).name), of_film(at_station("p_bezout", x).name)},
                    "–"});
   }
   return all;
@@ -126,11 +101,11 @@ PanelSheet pressures_sheet(const Solution& s, Language language) {
                    "Punti della pressione: formula di Bezout, ogni striscia con la media dei gradienti ai suoi "
                    "estremi. La curva è quella esatta."},
                   language)}}},
-      .results = {table({"$x$ (mm)", "$p'$ (Pa/m)", "$p_{B}$ (Pa)"}, rows(s)), values({name("h_bar"), name("x_bar")}),
-                  values({name("p_max")}), values({name("N"), name("x_N")})},
+      .results = {table({"$x$ (mm)", "$p'$ (Pa/m)", "$p_{B}$ (Pa)"}, rows(s)), values({of_film("h_bar"), of_film("x_bar")}),
+                  values({of_film("p_max")}), values({of_film("N"), of_film("x_N")})},
       .seen = {"Film, gradients and pressures along the slider, one above the other",
                "Meato, gradienti e pressioni lungo la slitta, l'uno sopra l'altro"},
-      .told = {name("h_bar"), name("x_bar"), name("p_max"), name("N"), name("x_N")},
+      .told = {of_film("h_bar"), of_film("x_bar"), of_film("p_max"), of_film("N"), of_film("x_N")},
       .without_part = {"P", "speed", "pads", "r_m", "l_pad", "b", "x_N", "mu_pad", "h_ref", "x_1", "x_3"}};
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "exercises/kit/statement/givens.h"
+#include "geometry/analytic/reynolds.h"
 #include "geometry/lubrication/flat_slider.h"
 
 namespace epure::michell_bearing {
@@ -20,6 +21,12 @@ struct Film {
   geometry::FilmWedge<T> wedge() const {
     const auto number = geometry::from_rational<T>;
     return {number(l), number(V), number(mu), number(h_1), number(h_2)};
+  }
+  template <class T>
+  geometry::analytic::ReynoldsFilm<T> reynolds() const {
+    const auto number = geometry::from_rational<T>;
+    return {number(l), number(V), number(mu), number((h_1 + h_2) / 2),
+            geometry::analytic::FilmByQuadrature<T>(number((h_1 - h_2) / (h_1 + h_2)))};
   }
   Rational n() const { return h_1 / h_2; }
   Rational h(const Rational& x) const { return h_1 - (h_1 - h_2) * x / l; }

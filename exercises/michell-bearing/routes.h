@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "exercises/kit/proof/ledger.h"
+#include "exercises/kit/proof/once.h"
 #include "exercises/michell-bearing/problem.h"
 #include "exercises/michell-bearing/quantities.h"
 #include "geometry/analytic/reynolds.h"
@@ -16,21 +17,6 @@ namespace epure::michell_bearing {
 using geometry::quotient;
 using geometry::root;
 using geometry::square;
-
-// What is dear, found when it is first asked for.
-template <class T>
-class Once {
- public:
-  explicit Once(std::function<T()> find) : find_(std::move(find)) {}
-  const T& operator()() const {
-    if (!found_) found_ = find_();
-    return *found_;
-  }
-
- private:
-  std::function<T()> find_;
-  mutable std::optional<T> found_;
-};
 
 // The greater of two, bounded also where it cannot be told which that is.
 template <class T>
@@ -240,50 +226,10 @@ struct InverseRoutes {
     }
   }
 
-  // The film in the terms of geometry/analytic/reynolds.h.
-  template <class T>
-  struct Reynolds {
-    T l, V, mu, h_m;
-    geometry::analytic::FilmByQuadrature<T> by_t;
-    Once<T> centroid;
-
-    Reynolds(const Film& film)
-        : l(number<T>(film.l)),
-          V(number<T>(film.V)),
-          mu(number<T>(film.mu)),
-          h_m(number<T>((film.h_1 + film.h_2) / 2)),
-          by_t(number<T>((film.h_1 - film.h_2) / (film.h_1 + film.h_2))),
-          centroid([this] { return by_t.centroid(); }) {}
-    Reynolds(const Reynolds&) = delete;
-
-    const T& epsilon() const { return by_t.epsilon(); }
-    T t_of(const T& x) const { return quotient(T(2) * x, l) - T(1); }
-    T x_of(const T& t) const { return quotient(l * (T(1) + t), T(2)); }
-    T share(const T& t) const { return T(1) - epsilon() * t; }  // h/h_m
-    T h(const T& x) const { return h_m * share(t_of(x)); }
-    T pressure_unit() const { return quotient(T(3) * mu * V * l * epsilon(), square(h_m)); }
-    T gradient(const T& x) const {
-      const T t = t_of(x), film = share(t);
-      return quotient(T(2) * pressure_unit() * (centroid() - t), l * square(film) * film);
-    }
-    T pressure(const T& x) const { return pressure_unit() * by_t.pressure(t_of(x)); }
-    // Poiseuille's share of the slope at the walls: 3 ε (t̄ - t)/(1 - ε t).
-    T bulge(const T& x) const {
-      const T t = t_of(x);
-      return quotient(T(3) * epsilon() * (centroid() - t), share(t));
-    }
-    T velocity(const T& x, const T& z) const {
-      const T part = quotient(z, h(x));
-      return V * part * (T(1) - bulge(x) * (T(1) - part));
-    }
-    T shear_on_fixed(const T& x) const { return quotient(mu * V, h(x)) * (T(1) - bulge(x)); }
-    T shear_on_moving(const T& x) const { return quotient(mu * V, h(x)) * (T(1) + bulge(x)); }
-  };
-
   template <class T>
   void by_quadrature(Ledger<T>& ledger) const {
     ledger.route("quadrature");
-    const Reynolds<T> reynolds(film);
+    const geometry::analytic::ReynoldsFilm<T> reynolds = film.reynolds<T>();
     const auto& by_t = reynolds.by_t;
     const auto put = [&](const char* name, const std::function<T()>& find) { ledger.put(film_quantity(name), find); };
     const T& epsilon = by_t.epsilon();
@@ -293,7 +239,7 @@ struct InverseRoutes {
     });
     const Once<T> x_N([&] { return reynolds.x_of(by_t.centre()); });
     const Once<T> T_moving([&] { return by_t.drag_on_moving() * drag_unit; });
-    const Once<T> p_max([&] { return reynolds.pressure_unit() * by_t.pressure(reynolds.centroid()); });
+    const Once<T> p_max([&] { return reynolds.greatest_pressure(); });
     put("n", [&] { return by_t.ratio(); });
     put("h_bar", [&] { return reynolds.h_m * reynolds.share(reynolds.centroid()); });
     put("x_bar", [&] { return reynolds.x_of(reynolds.centroid()); });
@@ -330,7 +276,7 @@ struct InverseRoutes {
 
   // Bezout's table once more: what each gradient adds to the sums.
   template <class T>
-  void by_sums(Ledger<T>& ledger, const Reynolds<T>& reynolds) const {
+  void by_sums(Ledger<T>& ledger, const geometry::analytic::ReynoldsFilm<T>& reynolds) const {
     ledger.route("sums");
     const Once<std::vector<T>> gradients([&] {
       std::vector<T> all;

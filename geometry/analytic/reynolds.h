@@ -71,6 +71,46 @@ class FilmByQuadrature {
   mutable std::optional<T> couette_;
 };
 
+// The film itself: length, speed, viscosity, mean film.
+template <class T>
+struct ReynoldsFilm {
+  T l, V, mu, h_m;
+  FilmByQuadrature<T> by_t;
+
+  const T& epsilon() const { return by_t.epsilon(); }
+  T centroid() const { return by_t.centroid(); }
+  T t_of(const T& x) const { return quotient(T(2) * x, l) - T(1); }
+  T x_of(const T& t) const { return quotient(l * (T(1) + t), T(2)); }
+  T share(const T& t) const { return T(1) - epsilon() * t; }  // h/h_m
+  T h(const T& x) const { return h_m * share(t_of(x)); }
+  T pressure_unit() const { return quotient(T(3) * mu * V * l * epsilon(), square(h_m)); }
+  T gradient(const T& x) const {
+    const T t = t_of(x), film = share(t);
+    return quotient(T(2) * pressure_unit() * (centroid() - t), l * square(film) * film);
+  }
+  T pressure(const T& x) const { return pressure_unit() * by_t.pressure(t_of(x)); }
+  T greatest_pressure() const { return pressure_unit() * by_t.pressure(centroid()); }
+  T velocity(const T& x, const T& z) const {
+    const T part = quotient(z, h(x));
+    return V * part * (T(1) - bulge(x) * (T(1) - part));
+  }
+  T shear_on_fixed(const T& x) const { return quotient(mu * V, h(x)) * (T(1) - bulge(x)); }
+  T shear_on_moving(const T& x) const { return quotient(mu * V, h(x)) * (T(1) + bulge(x)); }
+
+ private:
+  // Poiseuille's share of the slope at the walls: 3 ε (t̄ - t)/(1 - ε t).
+  T bulge(const T& x) const {
+    const T t = t_of(x);
+    return quotient(T(3) * epsilon() * (centroid() - t), share(t));
+  }
+};
+
+// The mean film under a load N.
+template <class T>
+T film_of_load(const FilmByQuadrature<T>& by_t, const T& l, const T& V, const T& mu, const T& N) {
+  return l * root(quotient(from_rational<T>(Rational(3, 2)) * by_t.epsilon() * by_t.inertia() * mu * V, N));
+}
+
 // ε with the centre of pressure at `centre` of the length, 1/2 < centre < 1 (the caller's promise): it grows with ε.
 template <class T>
 T wedge_of_centre(const Rational&) {

@@ -1,0 +1,32 @@
+// What is given of the thrust bearing, in SI units, and the table of coefficients that its source prints.
+#pragma once
+
+#include <vector>
+
+#include "exercises/kit/statement/givens.h"
+#include "geometry/analytic/reynolds.h"
+#include "geometry/lubrication/flat_slider.h"
+
+namespace epure::michell_thrust {
+
+std::vector<GivenSpec> given_specs();
+
+struct TableRow {
+  std::string name;  // "1_6"
+  Rational n, A, A_n_minus_1_squared, x_N_over_l, k;
+};
+const std::vector<TableRow>& table_1();
+
+struct Problem {
+  Rational Q, D_e, D_i, d, centre, mu, pads;
+  Angle speed;
+  // The rows of the table on both sides of the pivot.
+  const TableRow *before, *after;
+
+  Rational R_m() const { return (D_e + D_i) / 4; }
+  Rational b() const { return (D_e - D_i) / 2; }
+  // Throws BadGivens: a ring without width, pads that overlap, a pivot off the table.
+  explicit Problem(const Givens& givens);
+};
+
+}  // namespace epure::michell_thrust
