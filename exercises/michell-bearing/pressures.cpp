@@ -1,6 +1,6 @@
 // Film, gradients and pressures along the slider.
-#include "exercises/kit/panels/sized_chart.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/panels/sized_chart.h"
 #include "exercises/michell-bearing/exercise.h"
 
 namespace epure::michell_bearing {
@@ -39,9 +39,11 @@ std::vector<Datum> points_of(const std::vector<ChartPanel::Read>& read) {
 
 SizedChart film_chart(const Solution& s, const geometry::FilmWedge<double>& film) {
   drawings::Chart chart = chart_along(s, "$h$", "m", 0, film.h1);
-  chart.curves = {{.name = "h", .runs = run_of(0, film.l, [&](double x) { return film.h(x); }), .meaning = Meaning::link}};
+  chart.curves = {
+      {.name = "h", .runs = run_of(0, film.l, [&](double x) { return film.h(x); }), .meaning = Meaning::link}};
   chart.horizontals.push_back({.at = s[of_film("h_bar")], .label = "$h^{*}$"});
-  return SizedChart(chart, {{{s[of_film("x_bar")], s[of_film("h_bar")]}, of_film("x_bar"), of_film("h_bar")}}, one_of_three_in_a_column);
+  return SizedChart(chart, {{{s[of_film("x_bar")], s[of_film("h_bar")]}, of_film("x_bar"), of_film("h_bar")}},
+                    one_of_three_in_a_column);
 }
 
 SizedChart gradient_chart(const Solution& s, const geometry::FilmWedge<double>& film) {
@@ -101,8 +103,9 @@ PanelSheet pressures_sheet(const Solution& s, Language language) {
                    "Punti della pressione: formula di Bezout, ogni striscia con la media dei gradienti ai suoi "
                    "estremi. La curva è quella esatta."},
                   language)}}},
-      .results = {table({"$x$ (mm)", "$p'$ (Pa/m)", "$p_{B}$ (Pa)"}, rows(s)), values({of_film("h_bar"), of_film("x_bar")}),
-                  values({of_film("p_max")}), values({of_film("N"), of_film("x_N")})},
+      .results = {table({"$x$ (mm)", "$p'$ (Pa/m)", "$p_{B}$ (Pa)"}, rows(s)),
+                  values({of_film("h_bar"), of_film("x_bar")}), values({of_film("p_max")}),
+                  values({of_film("N"), of_film("x_N")})},
       .seen = {"Film, gradients and pressures along the slider, one above the other",
                "Meato, gradienti e pressioni lungo la slitta, l'uno sopra l'altro"},
       .told = {of_film("h_bar"), of_film("x_bar"), of_film("p_max"), of_film("N"), of_film("x_N")},

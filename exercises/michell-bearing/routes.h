@@ -132,8 +132,8 @@ struct InverseRoutes {
     const geometry::FlatSlider<T> slider{number<T>(film.n())};
     const auto put = [&](const char* name, const std::function<T()>& find) { ledger.put(film_quantity(name), find); };
     const T drag_unit = quotient(wedge.mu * wedge.V * wedge.l, wedge.h2);  // μ V l/h2
-    const Once<T> N([&] { return slider.load() * drag_unit * quotient(wedge.l, wedge.h2); });
-    const Once<T> x_N([&] { return slider.centre() * wedge.l; });
+    const auto N = once([&] { return slider.load() * drag_unit * quotient(wedge.l, wedge.h2); });
+    const auto x_N = once([&] { return slider.centre() * wedge.l; });
     const auto T_moving = [&] { return slider.drag() * drag_unit; };
     const auto p_max = [&] {
       return quotient(T(3) * wedge.mu * wedge.V * wedge.l * (wedge.h1 - wedge.h2),
@@ -162,7 +162,7 @@ struct InverseRoutes {
     put_sections<T>(ledger, wedge, [&] { return x_N(); });
 
     ledger.route("funicular polygon");
-    const Once<geometry::FunicularPolygon<T>> polygon([&] {
+    const auto polygon = once([&] {
       std::vector<geometry::VerticalForce<T>> forces;
       T sum(0);
       for (int i = 0; i < strips_of_load; ++i) {
@@ -182,7 +182,7 @@ struct InverseRoutes {
     ledger.route("graphical integration");
     const geometry::FilmWedge<T> wedge = film.wedge<T>();
     const T half_step = number<T>(film.dx / 2);
-    const Once<std::vector<T>> pressures([&] {
+    const auto pressures = once([&] {
       std::vector<T> all{T(0)};
       T here = wedge.gradient(T(0));
       for (long i = 1; i <= film.strips; ++i) {
@@ -234,12 +234,12 @@ struct InverseRoutes {
     const auto put = [&](const char* name, const std::function<T()>& find) { ledger.put(film_quantity(name), find); };
     const T& epsilon = by_t.epsilon();
     const T drag_unit = quotient(reynolds.mu * reynolds.V * reynolds.l, reynolds.h_m);  // μ V l/h_m
-    const Once<T> N([&] {
+    const auto N = once([&] {
       return number<T>(Rational(3, 2)) * epsilon * by_t.inertia() * drag_unit * quotient(reynolds.l, reynolds.h_m);
     });
-    const Once<T> x_N([&] { return reynolds.x_of(by_t.centre()); });
-    const Once<T> T_moving([&] { return by_t.drag_on_moving() * drag_unit; });
-    const Once<T> p_max([&] { return reynolds.greatest_pressure(); });
+    const auto x_N = once([&] { return reynolds.x_of(by_t.centre()); });
+    const auto T_moving = once([&] { return by_t.drag_on_moving() * drag_unit; });
+    const auto p_max = once([&] { return reynolds.greatest_pressure(); });
     put("n", [&] { return by_t.ratio(); });
     put("h_bar", [&] { return reynolds.h_m * reynolds.share(reynolds.centroid()); });
     put("x_bar", [&] { return reynolds.x_of(reynolds.centroid()); });
@@ -278,7 +278,7 @@ struct InverseRoutes {
   template <class T>
   void by_sums(Ledger<T>& ledger, const geometry::analytic::ReynoldsFilm<T>& reynolds) const {
     ledger.route("sums");
-    const Once<std::vector<T>> gradients([&] {
+    const auto gradients = once([&] {
       std::vector<T> all;
       for (long i = 0; i <= film.strips; ++i) all.push_back(reynolds.gradient(number<T>(film.dx * Rational(i))));
       return all;
@@ -368,13 +368,13 @@ struct DirectRoutes {
             b = number<T>(pad.b), mu = number<T>(pad.mu), h_ref = number<T>(pad.h_ref);
     const auto omega = [&] { return geometry::radians<T>(pad.speed); };
     const T N = quotient(P, z * b);
-    const Once<T> V([&] { return omega() * r; });
-    const Once<T> n([&] { return geometry::ratio_of_films<T>(pad.centre()); });
-    const Once<T> A([&] { return geometry::FlatSlider<T>{n()}.load(); });
-    const Once<T> k([&] { return geometry::FlatSlider<T>{n()}.friction(); });
-    const Once<T> unit([&] { return root(quotient(mu * V(), N)); });  // √(μ V/N)
-    const Once<T> h_2([&] { return l * root(A()) * unit(); });
-    const Once<T> f_m([&] { return k() * unit(); });
+    const auto V = once([&] { return omega() * r; });
+    const auto n = once([&] { return geometry::ratio_of_films<T>(pad.centre()); });
+    const auto A = once([&] { return geometry::FlatSlider<T>{n()}.load(); });
+    const auto k = once([&] { return geometry::FlatSlider<T>{n()}.friction(); });
+    const auto unit = once([&] { return root(quotient(mu * V(), N)); });  // √(μ V/N)
+    const auto h_2 = once([&] { return l * root(A()) * unit(); });
+    const auto f_m = once([&] { return k() * unit(); });
     const T c = quotient(b + l, b), c_prime = root(quotient(b + T(4) * l, b));
     const auto h_2_side = [&] { return l * root(quotient(A() * mu * V(), c * N)); };
     const auto wedge = [&] { return geometry::FilmWedge<T>{l, V(), mu, n() * h_2(), h_2()}; };
@@ -419,9 +419,9 @@ struct DirectRoutes {
     const T z = number<T>(pad.pads), l = number<T>(pad.l), b = number<T>(pad.b), mu = number<T>(pad.mu);
     const T slenderness = number<T>(pad.l / pad.b);
     const auto circle = [&] { return geometry::pi<T>() * number<T>(Rational(2) * pad.r_m); };
-    const Once<T> V([&] { return circle() * geometry::quotient_of<T>(pad.speed, Angle{1}); });
+    const auto V = once([&] { return circle() * geometry::quotient_of<T>(pad.speed, Angle{1}); });
     const T N = number<T>(pad.P / pad.pads / pad.b);
-    const Once<geometry::analytic::FilmByQuadrature<T>> film([&] {
+    const auto film = once([&] {
       return geometry::analytic::FilmByQuadrature<T>(geometry::analytic::wedge_of_centre<T>(pad.centre()));
     });
     const auto epsilon = [&] { return film().epsilon(); };
@@ -429,7 +429,7 @@ struct DirectRoutes {
         [&] { return l * root(quotient(number<T>(Rational(3, 2)) * epsilon() * film().inertia() * mu * V(), N)); });
     const auto h_2 = [&] { return h_m() * (T(1) - epsilon()); };
     const auto h_2_side = [&] { return quotient(h_2(), root(T(1) + slenderness)); };
-    const Once<T> friction([&] { return film().drag_on_moving() * quotient(mu * V() * l, h_m()); });
+    const auto friction = once([&] { return film().drag_on_moving() * quotient(mu * V() * l, h_m()); });
     const auto pressure_unit = [&] { return quotient(T(3) * mu * V() * l * epsilon(), square(h_m())); };
     const auto margin = [&](const T& least) { return least * number<T>(Rational(1) / pad.h_ref); };
     put("omega", [&] { return quotient(V(), number<T>(pad.r_m)); });
@@ -457,7 +457,7 @@ struct DirectRoutes {
     put("hydrodynamic", [&] { return is_enough<T>(margin(h_2())); });
     put("hydrodynamic_side_leakage", [&] { return is_enough<T>(margin(h_2_side())); });
     // Of what becomes heat in all films.
-    const Once<T> power([&] { return z * b * film().dissipated() * quotient(mu * square(V()) * l, h_m()); });
+    const auto power = once([&] { return z * b * film().dissipated() * quotient(mu * square(V()) * l, h_m()); });
     put("friction_torque", [&] { return quotient(power() * number<T>(pad.r_m), V()); });
     put("power_loss", [&] { return power(); });
     put("R_outer", [&] { return number<T>(pad.r_m + pad.b / 2); });

@@ -87,31 +87,35 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
   const Speeds all = speeds(s, film);
   const std::vector<CrossSection> at = sections(s);
   std::vector<Row> rows;
-  for (const auto& [head, of] : {std::pair("$h$ (m)", "h"), std::pair("$p'$ (Pa/m)", "dp_dx"), std::pair("$p$ (Pa)", "p"),
-                                 std::pair("$τ_{0}$ (Pa)", "tau_0"), std::pair("$τ_{h}$ (Pa)", "tau_h")}) {
+  for (const auto& [head, of] :
+       {std::pair("$h$ (m)", "h"), std::pair("$p'$ (Pa/m)", "dp_dx"), std::pair("$p$ (Pa)", "p"),
+        std::pair("$τ_{0}$ (Pa)", "tau_0"), std::pair("$τ_{h}$ (Pa)", "tau_h")}) {
     rows.push_back({head, {}, "–"});
     for (const CrossSection& each : at) rows.back().names.push_back(of_film(at_station(of, each.station).name));
   }
   rows.push_back({"$u$($h$/2) (m/s)", {}, "–"});
   for (const CrossSection& each : at) rows.back().names.push_back(of_film(velocity_at(each.station, mid_film).name));
-  return {.panels = panels(profile(s, film, at[0], all), profile(s, film, at[1], all), profile(s, film, at[2], all)),
-          .theory = {{{"Across the film", "Attraverso il meato"},
-                      {told({"Dashed: Couette's line $\\it{V}$·$z$/$h$. Dash-dotted: Poiseuille's parabola "
-                             "−$p'$·($h$ − $z$)·$z$/(2 $μ$), which slows the film where $p'$ > 0. Their sum is $u$.",
-                             "Tratteggiata: la retta di Couette $\\it{V}$·$z$/$h$. A tratto e punto: la parabola di "
-                             "Poiseuille −$p'$·($h$ − $z$)·$z$/(2 $μ$), che frena dove $p'$ > 0. La somma è $u$."}, language),
-                       told({"The slope at the walls is that of the shear: it vanishes on the fixed wall where $h$ = "
-                             "3/2 $h^{*}$, on the moving one where $h$ = 3/4 $h^{*}$. Nearer to the inlet the film "
-                             "runs back along the fixed wall.",
-                             "La pendenza alle pareti è quella dello sforzo: si annulla sulla parete fissa dove $h$ = "
-                             "3/2 $h^{*}$, su quella mobile dove $h$ = 3/4 $h^{*}$. Più verso l'imbocco il fluido "
-                             "torna indietro lungo la parete fissa."}, language)}}},
-          .results = {table({"", "$x_{1}$", "$x_{2}$", "$x_{3}$"}, rows),
-                      values({of_film("x_shear_zero_fixed"), of_film("x_shear_zero_moving")}),
-                      values({of_film("T"), of_film("T_fixed")}), values({of_film("f_m"), of_film("flow_rate")})},
-          .seen = {"Velocities across the film at three sections", "Velocità attraverso il meato in tre sezioni"},
-          .told = {of_film("x_N"), of_film("T"), of_film("T_fixed"), of_film("f_m")},
-          .without_part = {"P", "speed", "pads", "r_m", "l_pad", "b", "x_N", "mu_pad", "h_ref", "dx"}};
+  return {
+      .panels = panels(profile(s, film, at[0], all), profile(s, film, at[1], all), profile(s, film, at[2], all)),
+      .theory = {{{"Across the film", "Attraverso il meato"},
+                  {told({"Dashed: Couette's line $\\it{V}$·$z$/$h$. Dash-dotted: Poiseuille's parabola "
+                         "−$p'$·($h$ − $z$)·$z$/(2 $μ$), which slows the film where $p'$ > 0. Their sum is $u$.",
+                         "Tratteggiata: la retta di Couette $\\it{V}$·$z$/$h$. A tratto e punto: la parabola di "
+                         "Poiseuille −$p'$·($h$ − $z$)·$z$/(2 $μ$), che frena dove $p'$ > 0. La somma è $u$."},
+                        language),
+                   told({"The slope at the walls is that of the shear: it vanishes on the fixed wall where $h$ = "
+                         "3/2 $h^{*}$, on the moving one where $h$ = 3/4 $h^{*}$, if $n$ ≥ 2. Nearer to the inlet "
+                         "the film then runs back along the fixed wall.",
+                         "La pendenza alle pareti è quella dello sforzo: si annulla sulla parete fissa dove $h$ = "
+                         "3/2 $h^{*}$, su quella mobile dove $h$ = 3/4 $h^{*}$, se $n$ ≥ 2. Più verso l'imbocco il "
+                         "fluido allora torna indietro lungo la parete fissa."},
+                        language)}}},
+      .results = {table({"", "$x_{1}$", "$x_{2}$", "$x_{3}$"}, rows),
+                  values({of_film("x_shear_zero_fixed"), of_film("x_shear_zero_moving")}),
+                  values({of_film("T"), of_film("T_fixed")}), values({of_film("f_m"), of_film("flow_rate")})},
+      .seen = {"Velocities across the film at three sections", "Velocità attraverso il meato in tre sezioni"},
+      .told = {of_film("x_N"), of_film("T"), of_film("T_fixed"), of_film("f_m")},
+      .without_part = {"P", "speed", "pads", "r_m", "l_pad", "b", "x_N", "mu_pad", "h_ref", "dx"}};
 }
 
 }  // namespace epure::michell_bearing

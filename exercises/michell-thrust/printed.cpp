@@ -8,24 +8,25 @@ namespace {
 
 // The source's numbers.
 namespace stated {
-constexpr double R_m = 0.825, d = 0.05, b = 0.55, N_p = 70, l = 0.4681, newtons_in_tonne = 9806.65, pi = 3.14159265358979324;
+constexpr double R_m = 0.825, d = 0.05, b = 0.55, N_p = 70, l = 0.4681, newtons_in_tonne = 9806.65,
+                 pi = 3.14159265358979324;
 }
 
 Printed plain(const std::string& quantity, const std::string& text) { return {quantity, text, "closed form"}; }
-Printed wrong(const std::string& quantity, const std::string& text, const Words& why, std::function<double()> mistake) {
+Printed wrong(const std::string& quantity, const std::string& text, const Words& why,
+              std::function<double()> mistake) {
   return {quantity, text, "closed form", 0, Explanation{why, std::move(mistake)}};
 }
 
 // What gives both films to their last digit: the pad with π = 3.14, the load on c·b = 0.195 m; and g is 9.81 in the
 // viscosity, 9.80665 in the load.
-double film_of_the_source() {
-  return stated::l * std::sqrt(0.156 * 0.0035 * 9.81 * 6.479 / (358974 * 9.80665));
-}
+double film_of_the_source() { return stated::l * std::sqrt(0.156 * 0.0035 * 9.81 * 6.479 / (358974 * 9.80665)); }
 Words other_film() {
-  return {"with the mistaken N of 358.974 t/m, l = 0.4681 m (π taken as 3.14), and g = 9.81 m/s² in the viscosity "
-          "but 9.80665 m/s² in the load",
-          "con l'N sbagliato di 358,974 t/m, l = 0,4681 m (π = 3,14), e g = 9,81 m/s² nella viscosità ma 9,80665 m/s² "
-          "nel carico"};
+  return {
+      "with the mistaken N of 358.974 t/m, l = 0.4681 m (π taken as 3.14), and g = 9.81 m/s² in the viscosity "
+      "but 9.80665 m/s² in the load",
+      "con l'N sbagliato di 358,974 t/m, l = 0,4681 m (π = 3,14), e g = 9,81 m/s² nella viscosità ma 9,80665 m/s² "
+      "nel carico"};
 }
 
 }  // namespace
@@ -58,15 +59,17 @@ std::vector<Printed> printed_by_the_source() {
             {"(h_1 - h_2) was divided by h_2 instead of l, and micrometres were kept for metres (a conjecture)",
              "(h_1 - h_2) diviso per h_2 anziché per l, e micrometri presi per metri (una congettura)"},
             [] { return (88.305 - 46.476) / 46.476 * 1e-6; }),
-      wrong("c_prime", "2.09865", {"with l = 0.4681 m (π taken as 3.14), and cut off", "con l = 0,4681 m (π = 3,14), e troncato"},
+      wrong("c_prime", "2.09865",
+            {"with l = 0.4681 m (π taken as 3.14), and cut off", "con l = 0,4681 m (π = 3,14), e troncato"},
             [] { return std::floor(1e5 * std::sqrt((4 * stated::l + stated::b) / stated::b)) / 1e5; })};
   struct Row {
     const char *name, *A, *A_n_minus_1_squared, *x_N_over_l, *k;
   };
-  for (const Row& row : {Row{"1_6", "0.141", "0.0508", "0.548", "2.20"}, Row{"1_8", "0.153", "0.0982", "0.559", "2.03"},
-                         Row{"2_0", "0.159", "0.159", "0.571", "1.94"}, Row{"2_2", "0.160", "0.231", "0.577", "1.88"},
-                         Row{"2_4", "0.159", "0.312", "0.586", "1.85"}, Row{"2_6", "0.156", "0.400", "0.594", "1.83"},
-                         Row{"2_8", "0.152", "0.494", "0.601", "1.82"}, Row{"3_0", "0.148", "0.592", "0.608", "1.81"}}) {
+  for (const Row& row :
+       {Row{"1_6", "0.141", "0.0508", "0.548", "2.20"}, Row{"1_8", "0.153", "0.0982", "0.559", "2.03"},
+        Row{"2_0", "0.159", "0.159", "0.571", "1.94"}, Row{"2_2", "0.160", "0.231", "0.577", "1.88"},
+        Row{"2_4", "0.159", "0.312", "0.586", "1.85"}, Row{"2_6", "0.156", "0.400", "0.594", "1.83"},
+        Row{"2_8", "0.152", "0.494", "0.601", "1.82"}, Row{"3_0", "0.148", "0.592", "0.608", "1.81"}}) {
     const std::string prefix = std::string("table_n_") + row.name + ".";
     all.push_back(plain(prefix + "A", row.A));
     all.push_back(row.name == std::string("1_8")

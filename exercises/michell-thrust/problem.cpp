@@ -25,16 +25,18 @@ void demand_ring(const Problem& of) {
                                  "D_i = {} m dev'essere minore di D_e = {} m: i pattini non hanno larghezza",
                                  in(of.D_i), in(of.D_e)));
   if (of.pads.denominator() != 1 || of.pads < Rational(1))
-    throw BadGivens(format_words("z = {}: must be a whole number", "z = {}: deve essere un numero intero", in(of.pads)));
+    throw BadGivens(
+        format_words("z = {}: must be a whole number", "z = {}: deve essere un numero intero", in(of.pads)));
   const auto lengths = [&]<class T>() {
     const Rational circle = Rational(2) * of.R_m(), gaps = of.pads * of.d;
     return T(geometry::from_rational<T>(circle) * geometry::pi<T>() - geometry::from_rational<T>(gaps));
   };
   if (geometry::decide(lengths).sign != geometry::Sign::positive)
-    throw BadGivens(format_words("{} gaps of d = {} m are longer than the mean circle of R_m = {} m: no room for pads",
-                                 "{} intervalli con d = {} m sono più lunghi della circonferenza media con R_m = {} m: "
-                                 "non resta posto per i pattini",
-                                 in(of.pads), in(of.d), in(of.R_m())));
+    throw BadGivens(
+        format_words("{} gaps of d = {} m are longer than the mean circle of R_m = {} m: no room for pads",
+                     "{} intervalli con d = {} m sono più lunghi della circonferenza media con R_m = {} m: "
+                     "non resta posto per i pattini",
+                     in(of.pads), in(of.d), in(of.R_m())));
 }
 
 }  // namespace
@@ -59,8 +61,9 @@ std::vector<GivenSpec> given_specs() {
           given("D_e", {"outer diameter", "diametro esterno"}, "m", "2.2", "$\\it{D}_{e}$"),
           given("D_i", {"inner diameter", "diametro interno"}, "m", "1.1", "$\\it{D}_{i}$"),
           given("d", {"gap between pads", "distanza tra i pattini"}, "mm", "50", "$d$"),
-          given("x_N_over_l", {"pivot, from the leading edge, in lengths of the pad",
-                               "cerniera, dal bordo d'ingresso, in lunghezze del pattino"},
+          given("x_N_over_l",
+                {"pivot, from the leading edge, in lengths of the pad",
+                 "cerniera, dal bordo d'ingresso, in lunghezze del pattino"},
                 "1", "0.565", "$x_{N}$/$l$"),
           given("mu", {"viscosity", "viscosità"}, "kgf s/m^2", "0.0035", "$μ$"),
           given("z", {"number of pads", "numero dei pattini"}, "1", "10", "$z$")};
@@ -86,8 +89,8 @@ Problem::Problem(const Givens& givens)
         "x_N_over_l = {}: deve stare tra {} e {}, fin dove arriva la tabella della fonte (un pattino piano potrebbe "
         "averla ovunque tra 0,5 e 1)",
         in(centre), in(rows.front().x_N_over_l), in(rows.back().x_N_over_l)));
-  const auto next = std::find_if(rows.begin() + 1, rows.end() - 1,
-                                 [&](const TableRow& row) { return row.x_N_over_l >= centre; });
+  const auto next =
+      std::find_if(rows.begin() + 1, rows.end() - 1, [&](const TableRow& row) { return row.x_N_over_l >= centre; });
   after = &*next;
   before = &*(next - 1);
 }

@@ -46,8 +46,7 @@ Coefficients<T> by_weights(const Problem& of) {
     const Rational far = (of.centre - of.before->x_N_over_l) / width, near = Rational(1) - far;
     return number<T>(near * (of.before->*what) + far * (of.after->*what));
   };
-  return {[=] { return mean(&TableRow::n); }, [=] { return mean(&TableRow::A); },
-          [=] { return mean(&TableRow::k); }};
+  return {[=] { return mean(&TableRow::n); }, [=] { return mean(&TableRow::A); }, [=] { return mean(&TableRow::k); }};
 }
 
 inline const Words& words_of_theory() {
@@ -132,7 +131,8 @@ struct Routes {
 
   // f_m first, and the power last.
   template <class T>
-  static void put_friction(const Put<T>& put, const Bearing<T>& at, const Load<T>& load, const std::function<T()>& k) {
+  static void put_friction(const Put<T>& put, const Bearing<T>& at, const Load<T>& load,
+                           const std::function<T()>& k) {
     const T N = quotient(at.N_p, load.width);
     const auto f_m = [=] { return k() * load.c_prime * root(quotient(at.mu * at.v, N)); };
     const auto T_p = [=] { return f_m() * N * load.width; };
@@ -147,9 +147,7 @@ struct Routes {
   void put_friction_by_power(const Put<T>& put, const Bearing<T>& at, const Load<T>& load,
                              const std::function<T()>& k) const {
     const T Q = number<T>(of.Q);
-    const auto power = [=] {
-      return k() * load.c_prime * at.z * at.v * root(at.mu * at.v * at.N_p * load.width);
-    };
+    const auto power = [=] { return k() * load.c_prime * at.z * at.v * root(at.mu * at.v * at.N_p * load.width); };
     put("dissipated_power", power);
     put("M", [=] { return quotient(power(), at.omega); });
     put("T_p", [=] { return quotient(power(), at.z * at.v); });
@@ -283,10 +281,10 @@ struct Routes {
     const Put<T> put{ledger};
     ledger.route("closed form");
     ledger.begin_case("theory.", words_of_theory());
-    const Once<T> n([&] { return geometry::ratio_of_films<T>(of.centre); });
-    const Once<T> A([&] { return geometry::FlatSlider<T>{n()}.load(); });
-    const Once<T> k([&] { return geometry::FlatSlider<T>{n()}.friction(); });
-    const Once<T> h_2([&] { return at.l * root(quotient(A() * at.mu * at.v, N)); });
+    const auto n = once([&] { return geometry::ratio_of_films<T>(of.centre); });
+    const auto A = once([&] { return geometry::FlatSlider<T>{n()}.load(); });
+    const auto k = once([&] { return geometry::FlatSlider<T>{n()}.friction(); });
+    const auto h_2 = once([&] { return at.l * root(quotient(A() * at.mu * at.v, N)); });
     const auto wedge = [&] { return geometry::FilmWedge<T>{at.l, at.v, at.mu, n() * h_2(), h_2()}; };
     put("n", [&] { return n(); });
     put("A", [&] { return A(); });
@@ -310,7 +308,7 @@ struct Routes {
     const Put<T> put{ledger};
     ledger.route("quadrature");
     using Film = geometry::analytic::ReynoldsFilm<T>;
-    const Once<Film> film([&] {
+    const auto film = once([&] {
       const geometry::analytic::FilmByQuadrature<T> by_t(geometry::analytic::wedge_of_centre<T>(of.centre));
       return Film{at.l, at.v, at.mu, geometry::analytic::film_of_load(by_t, at.l, at.v, at.mu, N), by_t};
     });
@@ -359,7 +357,8 @@ struct Routes {
   }
   template <class T>
   static void begin_nominal(Ledger<T>& ledger) {
-    ledger.begin_case("nominal_load.", {", with the load on the actual width", ", col carico sulla larghezza effettiva"});
+    ledger.begin_case("nominal_load.",
+                      {", with the load on the actual width", ", col carico sulla larghezza effettiva"});
   }
 };
 

@@ -20,7 +20,8 @@ drawings::Chart along_pad(const Solution& s, const std::string& quantity, const 
 
 SizedChart film_chart(const Solution& s, const geometry::FilmWedge<double>& film) {
   drawings::Chart chart = along_pad(s, "$h$", "m", film.h1);
-  chart.curves = {{.name = "h", .runs = run_of(0, film.l, [&](double x) { return film.h(x); }), .meaning = Meaning::link}};
+  chart.curves = {
+      {.name = "h", .runs = run_of(0, film.l, [&](double x) { return film.h(x); }), .meaning = Meaning::link}};
   chart.horizontals = {{.at = s["theory.h_p_max"], .label = "$h^{*}$"}};
   chart.verticals = {{.at = s["theory.x_p_max"], .label = "$x^{*}$"}};
   return SizedChart(chart,
@@ -40,7 +41,8 @@ SizedChart pressure_chart(const Solution& s, const geometry::FilmWedge<double>& 
                     .meaning = Meaning::force}};
   std::vector<ChartPanel::Read> read{{{s["theory.x_p_max"], s["theory.p_max"]}, {}, "theory.p_max"},
                                      {{s["x_N"], 0}, "x_N", {}}};
-  for (const auto& [name, share] : {std::pair("theory.p_1_4", 0.25), std::pair("theory.p_1_2", 0.5), std::pair("theory.p_3_4", 0.75)}) {
+  for (const auto& [name, share] :
+       {std::pair("theory.p_1_4", 0.25), std::pair("theory.p_1_2", 0.5), std::pair("theory.p_3_4", 0.75)}) {
     read.push_back({{share * s["l"], s[name]}, {}, name});
     chart.markers.push_back({.at = {share * s["l"], s[name]}, .meaning = Meaning::force});
   }
@@ -53,8 +55,8 @@ SizedChart pressure_chart(const Solution& s, const geometry::FilmWedge<double>& 
 PanelSheet coefficients_sheet(const Solution& s, Language language) {
   std::vector<SliderPoint> rows;
   for (const TableRow& row : table_1())
-    rows.push_back({CGAL::to_double(row.n), CGAL::to_double(row.x_N_over_l), CGAL::to_double(row.A),
-                    CGAL::to_double(row.k)});
+    rows.push_back(
+        {CGAL::to_double(row.n), CGAL::to_double(row.x_N_over_l), CGAL::to_double(row.A), CGAL::to_double(row.k)});
   const double centre = geometry::from_rational<double>(s.givens()["x_N_over_l"]);
   std::vector<Row> exact;
   for (const TableRow& row : table_1()) {
@@ -62,27 +64,29 @@ PanelSheet coefficients_sheet(const Solution& s, Language language) {
     exact.push_back({decimal(CGAL::to_double(row.n), 2).in(language),
                      {prefix + "A", prefix + "A_n_minus_1_squared", prefix + "x_N_over_l", prefix + "k"}});
   }
-  return {.panels = slider_charts({.up_to = 3.2,
-                                   .table = rows,
-                                   .found = {s["theory.n"], centre, s["theory.A"], s["theory.k"]},
-                                   .load_quantity = "theory.A",
-                                   .friction_quantity = "theory.k"},
-                                  language),
-          .theory = {{{"The slider", "Il pattino"},
-                      {told({"Curves: the flat slider of infinite width (Reynolds). Rings: the table of the source, which "
-                             "interpolates on chords between them.",
-                             "Curve: il pattino piano di larghezza infinita (Reynolds). Cerchietti: la tabella della "
-                             "fonte, che interpola sulle corde tra essi."},
-                            language)}},
-                     {{"By the theory", "Secondo la teoria"},
-                      {table({"$n$", "$\\it{A}$", "$\\it{A}$($n$−1)$^{2}$", "$x_{N}$/$l$", "$k$"}, exact)}}},
-          .results = {told({"On the chord of the table:", "Sulla corda della tabella:"}, language), values({"n", "A", "k"}),
-                      told({"By the theory:", "Secondo la teoria:"}, language),
-                      values({"theory.n", "theory.A", "theory.k"})},
-          .seen = {"Place of the load, A and k against n, with the points of the source's table",
-                   "Posizione del carico, A e k in funzione di n, con i punti della tabella della fonte"},
-          .told = {"theory.n", "theory.A", "theory.k"},
-          .without_part = {"Q", "n_g", "D_e", "D_i", "d", "mu", "z"}};
+  return {
+      .panels = slider_charts({.up_to = 3.2,
+                               .table = rows,
+                               .found = {s["theory.n"], centre, s["theory.A"], s["theory.k"]},
+                               .load_quantity = "theory.A",
+                               .friction_quantity = "theory.k"},
+                              language),
+      .theory = {{{"The slider", "Il pattino"},
+                  {told(
+                      {"Curves: the flat slider of infinite width (Reynolds). Rings: the table of the source, which "
+                       "interpolates on chords between them.",
+                       "Curve: il pattino piano di larghezza infinita (Reynolds). Cerchietti: la tabella della "
+                       "fonte, che interpola sulle corde tra essi."},
+                      language)}},
+                 {{"By the theory", "Secondo la teoria"},
+                  {table({"$n$", "$\\it{A}$", "$\\it{A}$($n$−1)$^{2}$", "$x_{N}$/$l$", "$k$"}, exact)}}},
+      .results = {told({"On the chord of the table:", "Sulla corda della tabella:"}, language),
+                  values({"n", "A", "k"}), told({"By the theory:", "Secondo la teoria:"}, language),
+                  values({"theory.n", "theory.A", "theory.k"})},
+      .seen = {"Place of the load, A and k against n, with the points of the source's table",
+               "Posizione del carico, A e k in funzione di n, con i punti della tabella della fonte"},
+      .told = {"theory.n", "theory.A", "theory.k"},
+      .without_part = {"Q", "n_g", "D_e", "D_i", "d", "mu", "z"}};
 }
 
 PanelSheet pad_sheet(const Solution& s, Language language) {

@@ -202,4 +202,5 @@ def main():
                 print(prefix + k, text(v))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -30,6 +30,8 @@ inline const std::vector<std::pair<std::string, std::vector<Assignments>>>& trie
         {"h_1=2", "dx=0.02"},
         {"x_N=0.05", "P=300000"},
         {"pads=6", "b=0.08"}}},
+      {"michell-thrust",
+       {{}, {"z=6"}, {"x_N_over_l=0.6", "n_g=300"}, {"D_i=0.5"}, {"x_N_over_l=0.548", "Q=7"}, {"mu=0.035", "d=10"}}},
       {"pin-in-slot",
        {{}, {"OB=0.2"}, {"omega=-1", "omega_dot=1"}, {"omega_dot=-20"}, {"omega=0"}, {"OB=0.25"}, {"J2=0", "M1=0"}}},
       {"four-bar",

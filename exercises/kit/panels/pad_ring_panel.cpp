@@ -14,7 +14,9 @@ constexpr double around_ring = 14;  // mm around the ring
 Place PadRingPanel::at(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 
 // The first pad stands upright above the centre.
-double PadRingPanel::leading(int pad) const { return whole_turn / 4 + ring_.length / mean() / 2 - pad * whole_turn / ring_.pads; }
+double PadRingPanel::leading(int pad) const {
+  return whole_turn / 4 + ring_.length / mean() / 2 - pad * whole_turn / ring_.pads;
+}
 
 drawings::Box PadRingPanel::extent(const Scale& scale, const Scale&) const {
   Extent extent;
@@ -50,9 +52,16 @@ std::vector<drawings::Block> PadRingPanel::draw(Plot& plot, const drawings::Box&
   const double below = -whole_turn * 3 / 8;
   plot.segment(O, at(mean(), below), Meaning::dimension);
   plot.label(ring_.mean_letters, at(0.5 * ring_.inner, below), at(1, whole_turn / 8));
-  constexpr double outside = 6;  // mm
-  plot.mark(drawings::Dimension{plot.at(at(mean(), leading(0))), plot.at(at(mean(), leading(0) - angle)),
-                                (ring_.outer - mean()) * plot.scale().mm_per_unit + outside, ring_.length_letters});
+  // The length is one of the arc: no ruler reads it.
+  plot.mark(
+      drawings::Line{drawings::arc(plot.at(O), mean() * plot.scale().mm_per_unit, leading(0) - angle, leading(0)),
+                     Meaning::locus,
+                     {}});
+  plot.label(ring_.length_letters, at(mean(), leading(0) - 0.25 * angle), at(ring_.inner, leading(0) - 0.25 * angle),
+             Meaning::locus);
+  constexpr double outside = 5, sense = 0.35;  // mm; of a right angle on both sides
+  plot.mark(drawings::Rotation{plot.at(O), ring_.outer * plot.scale().mm_per_unit + outside,
+                               whole_turn / 4 * (1 + sense), whole_turn / 4 * (1 - sense), Meaning::velocity});
   if (!ring_.outer_quantity.empty()) plot.measures(ring_.outer_quantity, O, right);
   if (!ring_.inner_quantity.empty()) plot.measures(ring_.inner_quantity, O, left);
   if (!ring_.mean_quantity.empty()) plot.measures(ring_.mean_quantity, O, at(mean(), below));
@@ -62,7 +71,8 @@ std::vector<drawings::Block> PadRingPanel::draw(Plot& plot, const drawings::Box&
 std::vector<PanelStep> PadRingPanel::steps(const Plot&, const drawings::Box&) const {
   const double angle = ring_.length / mean();
   return {{Words{"The pads, equally spaced; their length ", "I pattini, equidistanti; la lunghezza "} +
-               ring_.length_letters + Words{" is measured along the mean circle.", " è misurata sulla circonferenza media."},
+               ring_.length_letters +
+               Words{" is measured along the mean circle.", " è misurata sulla circonferenza media."},
            at((mean() + ring_.outer) / 2, leading(0) - 0.2 * angle)},
           {{"Each turns on its pivot, beyond the middle in the direction of motion (the runner turns clockwise).",
             "Ciascuno è incernierato oltre la metà, nel verso del moto (la ralla gira in senso orario)."},

@@ -9,9 +9,9 @@ namespace epure {
 
 struct PadRing {
   int pads = 1;
-  double inner = 0, outer = 0;  // radii, m
-  double length = 0;            // of a pad on the mean circle, m
-  double pivot = 0.5;           // in lengths of the pad, from its leading edge
+  double inner = 0, outer = 0;               // radii, m
+  double length = 0;                         // of a pad on the mean circle, m
+  double pivot = 0.5;                        // in lengths of the pad, from its leading edge
   std::string mean_letters, length_letters;  // what the dimensions are called
   std::string outer_quantity = {}, inner_quantity = {}, mean_quantity = {};  // that a ruler reads
 };

@@ -51,7 +51,11 @@ Panels slider_charts(const SliderCharts& of, Language language) {
   const double most_friction = 1.6 * std::max(of.found.friction < 4 ? of.found.friction : 2.5, 1.8);
   const Coefficient centre{"$x_{N}$/$l$", "centre", &Slider::centre, &SliderPoint::centre, 0.5, most_centre + 0.02},
       load{"$\\it{A}$", "load", &Slider::load, &SliderPoint::load, 0, 0.18},
-      friction{"$k$", "friction", &Slider::friction, &SliderPoint::friction, 0,
+      friction{"$k$",
+               "friction",
+               &Slider::friction,
+               &SliderPoint::friction,
+               0,
                std::max(most_friction, Slider{of.up_to}.friction())};
   const auto chart = [&](const Coefficient& what, const std::string& quantity) {
     std::vector<ChartPanel::Read> read;

@@ -1,11 +1,12 @@
-// What depends on n = h1/h2 alone under a flat slider: the centre of pressure x_N/l, A of the load, k of the friction.
+// What depends on n = h1/h2 alone under a flat slider: the centre of pressure x_N/l, A of the load, k of the
+// friction.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "exercises/kit/panels/panel.h"
 #include "drawings/charts/chart.h"
+#include "exercises/kit/panels/panel.h"
 
 namespace epure {
 

@@ -1,0 +1,46 @@
+// The Michell thrust bearing: its numbers are those of a corpus of integrals over ln h; the source's numbers and its
+// table, row by row; bad givens.
+#include "tests/exercises/michell-thrust/cases.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+TEST_CASE("michell thrust: values are the corpus', to the last bit of a double, by every route", "[michell-thrust]") {
+  const std::vector<CorpusCase> corpus = read_corpus(EPURE_CORPUS "/michell_thrust.txt");
+  CHECK(corpus.size() == 5);
+  holds_against(thrust(), corpus);
+}
+
+TEST_CASE("michell thrust: the source's table is right but for the places of the load", "[michell-thrust]") {
+  const CheckedExercise result = thrust().checked({});
+  CHECK(result.passed());
+  std::set<std::string> wrong, explained;
+  for (const CheckedQuantity& quantity : result.quantities)
+    for (const PrintedVerdict& verdict : quantity.printed) {
+      CHECK(verdict.explanation_holds);
+      if (verdict.verdict == Verdict::disagrees) (verdict.explanation ? explained : wrong).insert(quantity.spec.name);
+    }
+  CHECK(wrong == std::set<std::string>{"table_n_1_6.x_N_over_l", "table_n_1_8.x_N_over_l", "table_n_2_0.x_N_over_l",
+                                       "table_n_2_2.x_N_over_l", "table_n_3_0.x_N_over_l"});
+  CHECK(explained == std::set<std::string>{"v", "l", "c", "N", "k", "h_2", "h_1", "alpha_deg", "c_prime",
+                                           "table_n_1_8.A_n_minus_1_squared"});
+}
+
+TEST_CASE("michell thrust: givens that cannot be, each in one sentence", "[michell-thrust]") {
+  const auto refused = [](const Assignments& assignments, const char* because) {
+    CAPTURE(assignments, because);
+    CHECK_THROWS_WITH(thrust().checked(assignments), Contains(because));
+  };
+  refused({"D_i=2.2"}, "no width");
+  refused({"d=520"}, "no room for pads");
+  refused({"z=3.5"}, "whole number");
+  refused({"x_N_over_l=0.547"}, "between 0.548 and 0.608");
+  refused({"x_N_over_l=0.61"}, "between 0.5 and 1");
+  refused({"mu=0"}, "must be positive");
+  CHECK(thrust().checked({"d=518"}).passed());
+}
+
+TEST_CASE("michell thrust: every sheet is drawn, and letters find room", "[michell-thrust][sheets]") {
+  draws_every_sheet(thrust(), read_corpus(EPURE_CORPUS "/michell_thrust.txt"));
+  letters_find_room(thrust(), {{}, {"z=6"}, {"x_N_over_l=0.6", "n_g=300"}});
+}
