@@ -390,24 +390,38 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
     drawings::Chart drawn{
         .x = {.quantity = "$φ$", .unit = "°", .low = 0, .high = most, .steps = drawings::degree_steps},
         .y = {.quantity = k == 0 ? "$η_{D}$" : "$η_{R}$", .unit = "", .low = 0, .high = 1}};
-    for (const Plotted& each : all)
-      if (const auto& run = runs[each.name][static_cast<std::size_t>(k)]; !run.empty())
+    std::vector<ChartPanel::Read> read;
+    for (const Plotted& each : all) {
+      auto& run = runs[each.name][static_cast<std::size_t>(k)];
+      const std::string limit = each.name + (k == 0 ? ".jamming" : ".self_locking") + "_friction_angle_deg";
+      if (const auto angle = s.has(limit) ? s.value(limit) : std::nullopt; angle && *angle <= most) {
+        run.push_back({*angle, 0});
+        read.push_back({run.back(), limit, {}});
+        drawn.markers.push_back(
+            {.at = run.back(), .label = k == 0 ? "$φ_{D}$" : "$φ_{R}$", .shape = drawings::PointShape::ring});
+      }
+      if (!run.empty())
         drawn.curves.push_back(
             {.name = "eta_" + each.name, .runs = {run}, .meaning = Meaning::force, .label = each.label.in(language)});
+    }
     drawn.verticals = {{.at = geometry::degrees(s.givens().angle("phi")), .label = "$φ$"}};
-    return ChartPanel(drawn);
+    return ChartPanel(drawn, read);
   };
   std::vector<Row> rows;
-  for (const Plotted& each : all)
-    rows.push_back(
-        {each.label.in(language),
-         {each.name + ".eta_direct", each.name + ".eta_retrograde", each.name + ".self_locking_friction_angle_deg"}});
+  for (const Plotted& each : all) {
+    const std::string jamming = each.name + ".jamming_friction_angle_deg";
+    rows.push_back({each.label.in(language),
+                    {each.name + ".eta_direct", each.name + ".eta_retrograde",
+                     each.name + ".self_locking_friction_angle_deg", s.has(jamming) ? jamming : ""},
+                    "–"});
+  }
   return {.panels = panels(chart(0), chart(1)),
-          .results = {table({"", "$η_{D}$", "$η_{R}$", "$φ_{R}$ (°)"}, rows),
-                      remark(Words{"$η_{R}$ = 0 at the friction angle $φ_{R}$, from which the mechanism is "
-                                   "self-locking; $η_{D}$ = 0 where it jams, and no force moves it.",
-                                   "$η_{R}$ = 0 all'angolo d'attrito $φ_{R}$, dal quale il meccanismo è "
-                                   "irreversibile; $η_{D}$ = 0 dove s'impunta, e nessuna forza lo muove."}
+          .results = {table({"", "$η_{D}$", "$η_{R}$", "$φ_{R}$ (°)", "$φ_{D}$ (°)"}, rows),
+                      remark(Words{
+                          "$η_{R}$ = 0 at the friction angle $φ_{R}$, from which the mechanism is "
+                          "self-locking; $η_{D}$ = 0 at $φ_{D}$, where it jams and no force moves it.",
+                          "$η_{R}$ = 0 all'angolo d'attrito $φ_{R}$, dal quale il meccanismo è "
+                          "irreversibile; $η_{D}$ = 0 all'angolo $φ_{D}$, dove s'impunta e nessuna forza lo muove."}
                                  .in(language))},
           .seen = {"The efficiencies of the direct and of the retrograde motion over the friction angle",
                    "I rendimenti del moto diretto e del retrogrado in funzione dell'angolo d'attrito"},

@@ -1,4 +1,5 @@
 // Film, gradients and pressures along the slider.
+#include "exercises/kit/panels/film_chart.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/panels/sized_chart.h"
 #include "exercises/michell-bearing/exercise.h"
@@ -8,6 +9,8 @@ namespace {
 
 using drawings::Datum;
 
+constexpr double letters_left = 16;  // mm, of all three
+
 drawings::Chart chart_along(const Solution& s, const std::string& quantity, const std::string& unit, double low,
                             double high) {
   const double air = 0.06 * (high - low);
@@ -15,7 +18,7 @@ drawings::Chart chart_along(const Solution& s, const std::string& quantity, cons
   chart.x = {.quantity = "$x$", .unit = "m", .low = 0, .high = geometry::from_rational<double>(s.givens()["l"])};
   chart.x.to_ticks = false;
   chart.y = {.quantity = quantity, .unit = unit, .low = low < 0 ? low - air : low, .high = high + air};
-  chart.letters_left = 16;
+  chart.letters_left = letters_left;
   chart.horizontals = {{.at = 0}};
   chart.verticals = {{.at = s[of_film("x_bar")], .label = "$x^{*}$"}};
   return chart;
@@ -35,15 +38,6 @@ std::vector<Datum> points_of(const std::vector<ChartPanel::Read>& read) {
   std::vector<Datum> points;
   for (const ChartPanel::Read& each : read) points.push_back(each.at);
   return points;
-}
-
-SizedChart film_chart(const Solution& s, const geometry::FilmWedge<double>& film) {
-  drawings::Chart chart = chart_along(s, "$h$", "m", 0, film.h1);
-  chart.curves = {
-      {.name = "h", .runs = run_of(0, film.l, [&](double x) { return film.h(x); }), .meaning = Meaning::link}};
-  chart.horizontals.push_back({.at = s[of_film("h_bar")], .label = "$h^{*}$"});
-  return SizedChart(chart, {{{s[of_film("x_bar")], s[of_film("h_bar")]}, of_film("x_bar"), of_film("h_bar")}},
-                    one_of_three_in_a_column);
 }
 
 SizedChart gradient_chart(const Solution& s, const geometry::FilmWedge<double>& film) {
@@ -90,7 +84,8 @@ std::vector<Row> rows(const Solution& s) {
 PanelSheet pressures_sheet(const Solution& s, Language language) {
   const auto film = Problem(s.givens()).film.wedge<double>();
   return {
-      .panels = panels(film_chart(s, film), gradient_chart(s, film), pressure_chart(s, film, language)),
+      .panels = panels(FilmChart(film, {{}, {}, of_film("x_bar"), of_film("h_bar")}, letters_left),
+                       gradient_chart(s, film), pressure_chart(s, film, language)),
       .theory =
           {{{"The film", "Il meato"},
             {told({"$h$ = $h_{1}$ − ($h_{1}$ − $h_{2}$)·$x$/$l$; $p'$ = 6 $μ$ $\\it{V}$ ($h$ − $h^{*}$)/$h^{3}$ is "

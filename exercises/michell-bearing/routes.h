@@ -425,7 +425,7 @@ struct DirectRoutes {
       return geometry::analytic::FilmByQuadrature<T>(geometry::analytic::wedge_of_centre<T>(pad.centre()));
     });
     const auto epsilon = [&] { return film().epsilon(); };
-    const Once<T> h_m(
+    const auto h_m = once(
         [&] { return l * root(quotient(number<T>(Rational(3, 2)) * epsilon() * film().inertia() * mu * V(), N)); });
     const auto h_2 = [&] { return h_m() * (T(1) - epsilon()); };
     const auto h_2_side = [&] { return quotient(h_2(), root(T(1) + slenderness)); };

@@ -8,6 +8,8 @@ namespace {
 
 using drawings::Datum;
 
+constexpr double micrometres = 1e6;  // of a metre
+
 struct CrossSection {
   std::string station, letters;
   double x;
@@ -24,10 +26,10 @@ std::vector<ChartPanel::Read> read_at_depths(const Solution& s, const std::strin
   for (const Depth& depth : depths()) {
     const std::string quantity = of_film(velocity_at(station, depth.name).name);
     if (!s.has(quantity)) continue;
-    if (const auto u = s.value(quantity)) all.push_back({{*u, CGAL::to_double(depth.z)}, quantity, {}});
+    if (const auto u = s.value(quantity)) all.push_back({{*u, micrometres * CGAL::to_double(depth.z)}, quantity, {}});
   }
   const std::string middle = of_film(velocity_at(station, mid_film).name);
-  all.push_back({{s[middle], h / 2}, middle, {}});
+  all.push_back({{s[middle], micrometres * h / 2}, middle, {}});
   return all;
 }
 
@@ -54,7 +56,7 @@ SizedChart profile(const Solution& s, const geometry::FilmWedge<double>& film, c
   const double h = s[of_film(at_station("h", at.station).name)];
   const auto over = [&](const auto& u) {
     auto runs = run_of(0, h, u);
-    for (Datum& each : runs.front()) std::swap(each.x, each.y);
+    for (Datum& each : runs.front()) each = {each.y, micrometres * each.x};
     return runs;
   };
   const auto couette = [&](double z) { return film.V * z / h; };
@@ -64,7 +66,10 @@ SizedChart profile(const Solution& s, const geometry::FilmWedge<double>& film, c
   for (const ChartPanel::Read& each : read) points.push_back(each.at);
   drawings::Chart chart;
   chart.x = {.quantity = "$u$(" + at.letters + ")", .unit = "m/s", .low = speeds.low, .high = 1.05 * speeds.high};
-  chart.y = {.quantity = "$z$", .unit = "m", .low = 0, .high = 1.04 * film.h(std::min({at.x, sections(s)[0].x}))};
+  chart.y = {.quantity = "$z$",
+             .unit = "µm",
+             .low = 0,
+             .high = 1.04 * micrometres * film.h(std::min({at.x, sections(s)[0].x}))};
   chart.curves = {
       {.name = "velocity_" + at.station, .runs = over(whole), .meaning = Meaning::velocity, .points = points},
       {.name = "couette_" + at.station,
@@ -75,7 +80,7 @@ SizedChart profile(const Solution& s, const geometry::FilmWedge<double>& film, c
        .runs = over([&](double z) { return whole(z) - couette(z); }),
        .meaning = Meaning::locus,
        .line = drawings::LineType::dash_dotted}};
-  chart.horizontals = {{.at = h, .label = "$h$"}};
+  chart.horizontals = {{.at = micrometres * h, .label = "$h$"}};
   chart.verticals = {{.at = 0}};
   return SizedChart(chart, read, one_of_three_in_a_row);
 }
@@ -87,11 +92,15 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
   const Speeds all = speeds(s, film);
   const std::vector<CrossSection> at = sections(s);
   std::vector<Row> rows;
-  for (const auto& [head, of] :
-       {std::pair("$h$ (m)", "h"), std::pair("$p'$ (Pa/m)", "dp_dx"), std::pair("$p$ (Pa)", "p"),
-        std::pair("$τ_{0}$ (Pa)", "tau_0"), std::pair("$τ_{h}$ (Pa)", "tau_h")}) {
-    rows.push_back({head, {}, "–"});
-    for (const CrossSection& each : at) rows.back().names.push_back(of_film(at_station(of, each.station).name));
+  struct Head {
+    const char *words, *of;
+    bool is_in_workshop_units;
+  };
+  for (const Head& head :
+       {Head{"$h$ (mm)", "h", true}, Head{"$p'$ (Pa/m)", "dp_dx", false}, Head{"$p$ (MPa)", "p", true},
+        Head{"$τ_{0}$ (Pa)", "tau_0", false}, Head{"$τ_{h}$ (Pa)", "tau_h", false}}) {
+    rows.push_back({head.words, {}, "–", head.is_in_workshop_units});
+    for (const CrossSection& each : at) rows.back().names.push_back(of_film(at_station(head.of, each.station).name));
   }
   rows.push_back({"$u$($h$/2) (m/s)", {}, "–"});
   for (const CrossSection& each : at) rows.back().names.push_back(of_film(velocity_at(each.station, mid_film).name));

@@ -21,7 +21,8 @@ std::unique_ptr<Exercise> make_michell_thrust() {
   return exercise_of_panels(
       std::move(about), solve,
       {{{"coefficients", {"Coefficients of the film", "Coefficienti del meato"}}, coefficients_sheet},
-       {{"pad", {"Film and pressure", "Meato e pressioni"}}, pad_sheet}});
+       {{"pad", {"Film and pressure", "Meato e pressioni"}}, pad_sheet},
+       {{"forces", {"Forces on the pads", "Forze sui pattini"}}, forces_sheet}});
 }
 
 }  // namespace epure

@@ -13,5 +13,6 @@ std::vector<Printed> printed_by_the_source();
 
 PanelSheet coefficients_sheet(const Solution& s, Language language);
 PanelSheet pad_sheet(const Solution& s, Language language);
+PanelSheet forces_sheet(const Solution& s, Language language);
 
 }  // namespace epure::michell_thrust

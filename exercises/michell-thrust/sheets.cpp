@@ -1,4 +1,5 @@
-// The sheets: the coefficients with the table's points; the ring, and the pad's film and pressure.
+// The sheets: the coefficients with the table's points; the pad's film and pressure; the ring and its forces.
+#include "exercises/kit/panels/film_chart.h"
 #include "exercises/kit/panels/pad_ring_panel.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/panels/sized_chart.h"
@@ -8,27 +9,16 @@
 namespace epure::michell_thrust {
 namespace {
 
+constexpr double letters_left = 14;  // mm, of both charts
+
 Result told(const Words& words, Language language) { return remark(words.in(language)); }
 
 drawings::Chart along_pad(const Solution& s, const std::string& quantity, const std::string& unit, double high) {
   drawings::Chart chart;
   chart.x = {.quantity = "$x$", .unit = "m", .low = 0, .high = s["l"], .to_ticks = false};
   chart.y = {.quantity = quantity, .unit = unit, .low = 0, .high = 1.15 * high};
-  chart.letters_left = 14;
+  chart.letters_left = letters_left;
   return chart;
-}
-
-SizedChart film_chart(const Solution& s, const geometry::FilmWedge<double>& film) {
-  drawings::Chart chart = along_pad(s, "$h$", "m", film.h1);
-  chart.curves = {
-      {.name = "h", .runs = run_of(0, film.l, [&](double x) { return film.h(x); }), .meaning = Meaning::link}};
-  chart.horizontals = {{.at = s["theory.h_p_max"], .label = "$h^{*}$"}};
-  chart.verticals = {{.at = s["theory.x_p_max"], .label = "$x^{*}$"}};
-  return SizedChart(chart,
-                    {{{0, s["theory.h_1"]}, {}, "theory.h_1"},
-                     {{s["l"], s["theory.h_2"]}, {}, "theory.h_2"},
-                     {{s["theory.x_p_max"], s["theory.h_p_max"]}, "theory.x_p_max", "theory.h_p_max"}},
-                    one_of_three_in_a_column);
 }
 
 SizedChart pressure_chart(const Solution& s, const geometry::FilmWedge<double>& film, Language language) {
@@ -48,6 +38,29 @@ SizedChart pressure_chart(const Solution& s, const geometry::FilmWedge<double>& 
   }
   chart.verticals = {{.at = s["x_N"], .label = "$x_{N}$", .meaning = Meaning::force}};
   return SizedChart(chart, read, one_of_three_in_a_column);
+}
+
+// N_p upwards, T_p across, each at a scale of its own.
+SizedChart force_triangle(const Solution& s) {
+  const double N = s["N_p"], T = s["theory.T_p"];
+  drawings::Chart chart;
+  chart.x = {.quantity = "$\\it{T}_{p}$", .unit = "N", .low = -0.2 * T, .high = 1.3 * T};
+  chart.y = {.quantity = "$\\it{N}_{p}$", .unit = "N", .low = 0, .high = 1.1 * N};
+  chart.curves = {{.name = "N_p", .runs = {{{0, 0}, {0, N}}}, .meaning = Meaning::force, .label = "$\\it{N}_{p}$"},
+                  {.name = "T_p",
+                   .runs = {{{0, N}, {T, N}}},
+                   .meaning = Meaning::force,
+                   .line = drawings::LineType::continuous,
+                   .label = "$\\it{T}_{p}$"},
+                  {.name = "R",
+                   .runs = {{{0, 0}, {T, N}}},
+                   .meaning = Meaning::force,
+                   .line = drawings::LineType::continuous,
+                   .label = "$\\it{R}$"}};
+  chart.markers = {{.at = {0, 0}, .label = "$φ$", .meaning = Meaning::force},
+                   {.at = {T, N}, .meaning = Meaning::force}};
+  constexpr ChartSize beside_the_ring{40, 100};
+  return SizedChart(chart, {{{T, N}, "theory.T_p", "N_p"}}, beside_the_ring);
 }
 
 }  // namespace
@@ -91,25 +104,52 @@ PanelSheet coefficients_sheet(const Solution& s, Language language) {
 
 PanelSheet pad_sheet(const Solution& s, Language language) {
   const geometry::FilmWedge<double> film{s["l"], s["v"], s["mu"], s["theory.h_1"], s["theory.h_2"]};
+  return {
+      .panels =
+          panels(FilmChart(film, {"theory.h_1", "theory.h_2", "theory.x_p_max", "theory.h_p_max"}, letters_left),
+                 pressure_chart(s, film, language)),
+      .results = {told({"With the table:", "Con la tabella:"}, language), workshop_values({"h_2", "h_1"}),
+                  values({"alpha_deg"}), told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),
+                  workshop_values({"theory.h_2", "theory.h_1"}), values({"theory.alpha_deg"}),
+                  workshop_values({"theory.x_p_max", "theory.h_p_max"}), workshop_values({"theory.p_max", "p_m"}),
+                  told({"Without side leakage:", "Senza fuoriuscite laterali:"}, language),
+                  workshop_values({"no_side_leakage.h_2", "no_side_leakage.h_1"})},
+      .seen = {"Film and pressure along a pad", "Meato e pressioni lungo un pattino"},
+      .told = {"h_2", "h_1", "theory.h_2", "theory.h_1", "theory.p_max"},
+      .without_part = {"D_e", "D_i", "d", "z"}};
+}
+
+PanelSheet forces_sheet(const Solution& s, Language language) {
   const Problem of(s.givens());
-  return {.panels = panels(PadRingPanel({.pads = static_cast<int>(CGAL::to_double(of.pads)),
-                                         .inner = geometry::from_rational<double>(of.D_i / 2),
-                                         .outer = geometry::from_rational<double>(of.D_e / 2),
-                                         .length = s["l"],
-                                         .pivot = geometry::from_rational<double>(of.centre),
-                                         .mean_letters = "$\\it{R}_{m}$",
-                                         .length_letters = "$l$",
-                                         .mean_quantity = "R_m"}),
-                           film_chart(s, film), pressure_chart(s, film, language)),
-          .results = {values({"R_m", "b", "l", "v"}), values({"c", "b_eff", "c_prime"}), values({"N_p", "N", "p_m"}),
-                      told({"With the table:", "Con la tabella:"}, language), values({"h_2", "h_1"}),
-                      values({"alpha_deg", "f_m"}), values({"T_p", "M", "dissipated_power"}),
-                      told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),
-                      values({"theory.h_2", "theory.h_1", "theory.f_m"}),
-                      values({"theory.p_max", "theory.M", "theory.dissipated_power"})},
-          .seen = {"The ring of pads, and film and pressure along one of them",
-                   "La corona di pattini, e meato e pressioni lungo uno di essi"},
-          .told = {"h_2", "h_1", "f_m", "M", "dissipated_power"}};
+  return {
+      .panels = panels(PadRingPanel({.pads = static_cast<int>(CGAL::to_double(of.pads)),
+                                     .inner = geometry::from_rational<double>(of.D_i / 2),
+                                     .outer = geometry::from_rational<double>(of.D_e / 2),
+                                     .length = s["l"],
+                                     .pivot = geometry::from_rational<double>(of.centre),
+                                     .mean_letters = "$\\it{R}_{m}$",
+                                     .length_letters = "$l$",
+                                     .drag_letters = "$\\it{T}_{p}$",
+                                     .couple_letters = "$\\it{M}$",
+                                     .mean_quantity = "R_m"}),
+                       force_triangle(s)),
+      .theory = {{{"Forces", "Forze"},
+                  {told({"$\\it{T}_{p}$ = $f_{m}$ $\\it{N}_{p}$ turns the pad's force by the friction angle $φ$, "
+                         "tan $φ$ = $f_{m}$. The triangle has another scale across than upwards: $φ$ would not be "
+                         "seen. $\\it{M}$ = $z$ $\\it{T}_{p}$ $\\it{R}_{m}$, $\\it{W}$ = $\\it{M}$ $ω$.",
+                         "$\\it{T}_{p}$ = $f_{m}$ $\\it{N}_{p}$ ruota la forza del pattino dell'angolo "
+                         "d'attrito $φ$, tan $φ$ = $f_{m}$. Il triangolo ha una scala diversa in orizzontale e in "
+                         "verticale: $φ$ non si vedrebbe. $\\it{M}$ = $z$ $\\it{T}_{p}$ $\\it{R}_{m}$, $\\it{W}$ = "
+                         "$\\it{M}$ $ω$."},
+                        language)}}},
+      .results = {values({"R_m", "b", "l"}), values({"v", "omega"}), values({"c", "b_eff", "c_prime"}),
+                  values({"N_p", "N"}), told({"With the table:", "Con la tabella:"}, language),
+                  values({"f_m", "T_p"}), values({"M", "dissipated_power"}),
+                  told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),
+                  values({"theory.f_m", "theory.T_p"}), values({"theory.M", "theory.dissipated_power"})},
+      .seen = {"The ring of pads with the friction on each, and the triangle of a pad's forces",
+               "La corona di pattini con l'attrito su ciascuno, e il triangolo delle forze di un pattino"},
+      .told = {"N_p", "f_m", "T_p", "M", "dissipated_power"}};
 }
 
 }  // namespace epure::michell_thrust

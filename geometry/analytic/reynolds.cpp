@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/numbers/ball.h"
+#include "geometry/numbers/ball_integral.h"
 #include "geometry/numbers/growing.h"
 #include "geometry/numbers/increasing_root.h"
 
@@ -69,20 +70,8 @@ SearchedIn searched_in(double sought) {
 }  // namespace
 
 Deep film_integral(int k, int b, const Deep& epsilon, const Deep& to) {
-  const long bits = Arithmetic<Deep>::bits();
   Integrand of{static_cast<ulong>(k), static_cast<ulong>(b), epsilon};
-  const ComplexBall from(Deep(-1)), end(to);
-  ComplexBall sum;
-  mag_t tolerance;
-  mag_init(tolerance);
-  mag_set_ui_2exp_si(tolerance, 1, -bits);
-  acb_calc_integrate_opt_t options;
-  acb_calc_integrate_opt_init(options);
-  options->depth_limit = 8 * bits;
-  options->eval_limit = 4000 * bits;
-  acb_calc_integrate(sum.value, at, &of, from.value, end.value, bits, tolerance, options, bits);
-  mag_clear(tolerance);
-  return sum.real();
+  return ball_integral(at, &of, Deep(-1), to);
 }
 
 Bounded film_integral(int k, int b, const Bounded& epsilon, const Bounded& to) {

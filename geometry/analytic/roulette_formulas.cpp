@@ -1,6 +1,6 @@
 #include "geometry/analytic/roulette_formulas.h"
 
-#include "geometry/numbers/ball.h"
+#include "geometry/numbers/ball_integral.h"
 
 namespace epure::geometry::analytic {
 
@@ -47,23 +47,7 @@ int speed_at(acb_ptr result, const acb_t angle, void* parameters, slong order, s
   return 0;
 }
 
-Deep integral(const Speed& speed, const Deep& from, const Deep& to) {
-  const long bits = Arithmetic<Deep>::bits();
-  const ComplexBall a(from), b(to);
-  ComplexBall sum;
-  Speed parameters = speed;
-  mag_t tolerance;
-  mag_init(tolerance);
-  mag_set_ui_2exp_si(tolerance, 1, -bits);
-  // Beside a near miss of a cusp the interval is halved until it is as short as the miss: room for that.
-  acb_calc_integrate_opt_t options;
-  acb_calc_integrate_opt_init(options);
-  options->depth_limit = 8 * bits;
-  options->eval_limit = 4000 * bits;
-  acb_calc_integrate(sum.value, speed_at, &parameters, a.value, b.value, bits, tolerance, options, bits);
-  mag_clear(tolerance);
-  return Deep::from_ball(acb_realref(sum.value));
-}
+Deep integral(Speed speed, const Deep& from, const Deep& to) { return ball_integral(speed_at, &speed, from, to); }
 
 }  // namespace
 

@@ -28,6 +28,10 @@ class ChartPanel : public Panel {
   }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
 
+ protected:
+  // What is to be told of how it is drawn.
+  virtual std::string told_of(const drawings::ChartMap&, Language) const { return {}; }
+
  private:
   drawings::Chart chart_;
   std::vector<Read> read_;

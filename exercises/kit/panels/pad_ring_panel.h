@@ -13,6 +13,8 @@ struct PadRing {
   double length = 0;                         // of a pad on the mean circle, m
   double pivot = 0.5;                        // in lengths of the pad, from its leading edge
   std::string mean_letters, length_letters;  // what the dimensions are called
+  std::string drag_letters = {},
+              couple_letters = {};  // of what the film does to each pad, and to all; empty: not shown
   std::string outer_quantity = {}, inner_quantity = {}, mean_quantity = {};  // that a ruler reads
 };
 
@@ -30,6 +32,7 @@ class PadRingPanel : public Panel {
   // Of the pad's leading edge, its pivot, its trailing edge; the runner turns clockwise.
   double leading(int pad) const;
   static Place at(double radius, double angle);
+  void draw_drags(Plot& plot) const;
 
   PadRing ring_;
 };

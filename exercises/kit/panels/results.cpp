@@ -122,8 +122,13 @@ Result table(const std::vector<std::string>& heads, const std::vector<Row>& rows
     for (const Row& row : rows) {
       table.rows.push_back({row.head});
       for (const std::string& name : row.names) {
-        const auto value = solution.value(name);
-        table.rows.back().push_back(value ? figures(*value, significant, language) : row.where_none);
+        const auto value = name.empty() ? std::nullopt : solution.value(name);
+        if (!value) {
+          table.rows.back().push_back(row.where_none);
+          continue;
+        }
+        const auto in_unit = row.is_in_workshop_units ? in_workshop_unit : in_si;
+        table.rows.back().push_back(figures(in_unit(solution.described(name), *value).first, significant, language));
       }
     }
     return table;

@@ -36,8 +36,9 @@ Result by_point(const std::vector<std::string>& points, const std::vector<Column
 // A row of quantities after its first cell. What does not exist is at infinity, unless told.
 struct Row {
   std::string head;
-  std::vector<std::string> names;
+  std::vector<std::string> names;  // empty: there is no such quantity here
   std::string where_none = "∞";
+  bool is_in_workshop_units = false;  // mm, MPa
 };
 Result table(const std::vector<std::string>& heads, const std::vector<Row>& rows, int significant = 4);
 // Words, in a paragraph of their own; none when they are empty.

@@ -29,7 +29,7 @@ drawings::Chart chart_of(const Coefficient& what, const SliderCharts& of, Langua
                    .meaning = Meaning::locus}};
   if (!of.table.empty()) {
     std::vector<drawings::Datum> points;
-    for (const SliderPoint& row : of.table) points.push_back({row.n, row.*what.of_point});
+    for (const SliderPoint& point : of.table) points.push_back({point.n, point.*what.of_point});
     chart.curves.push_back({.name = std::string(what.name) + "_table",
                             .meaning = Meaning::construction,
                             .points = points,
