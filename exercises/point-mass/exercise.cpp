@@ -21,7 +21,9 @@ std::unique_ptr<Exercise> make_point_mass() {
   return exercise_of_panels(
       std::move(about), solve,
       {{{"integration", {"From acceleration to velocity to space", "Dall'accelerazione alla velocità allo spazio"}},
-        integration_sheet}});
+        integration_sheet},
+       {{"tangents", {"Tangents through the centroids", "Tangenti per i baricentri"}}, tangents_sheet},
+       {{"curves", {"The six diagrams", "I sei diagrammi"}}, curves_sheet}});
 }
 
 }  // namespace epure
