@@ -23,7 +23,9 @@ std::unique_ptr<Exercise> make_point_mass() {
       {{{"integration", {"From acceleration to velocity to space", "Dall'accelerazione alla velocità allo spazio"}},
         integration_sheet},
        {{"tangents", {"Tangents through the centroids", "Tangenti per i baricentri"}}, tangents_sheet},
-       {{"curves", {"The six diagrams", "I sei diagrammi"}}, curves_sheet}});
+       {{"curves", {"The six diagrams", "I sei diagrammi"}}, curves_sheet},
+       {{"errors", {"Errors of the two formulas", "Errori delle due formule"}}, errors_sheet},
+       {{"table", {"Numerical table", "Tabella numerica"}}, table_sheet, long_table}});
 }
 
 }  // namespace epure

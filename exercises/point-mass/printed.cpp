@@ -167,6 +167,17 @@ Printed of_error(const std::string& kind, const std::string& method, const std::
 
 }  // namespace
 
+std::vector<PrintedAgainstExact> printed_columns() {
+  std::vector<PrintedAgainstExact> all;
+  const Computed& of = computed();
+  for (const auto& [method, columns] :
+       {std::pair<const char*, const Columns*>{"bezout", &of.mistaken_bezout}, {"simpson", &of.mistaken_simpson}}) {
+    all.push_back({"v", method, columns->v, of.exact.v});
+    all.push_back({"s", method, columns->s, of.exact.s});
+  }
+  return all;
+}
+
 std::vector<Printed> printed_by_the_source() {
   const std::vector<Column> all = columns();
   const std::array<std::size_t, 3> rows{50, 140, 200};  // of the instants

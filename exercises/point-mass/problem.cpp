@@ -5,7 +5,7 @@
 namespace epure::point_mass {
 namespace {
 
-constexpr long most_rows = 10000, most_strips = 200;
+constexpr long most_rows = 2000, most_strips = 200;
 
 GivenSpec given(const char* symbol, const Words& meaning, const char* unit, const char* stated, const char* letters,
                 Range range = Range::positive) {
