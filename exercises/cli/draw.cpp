@@ -47,8 +47,8 @@ class Solving {
 struct DrawnSheetOf {
   const Exercise* exercise;
   std::string name;
-  drawings::Page page = {};
-  std::optional<Words> undecided = {};  // why there is no page
+  std::vector<drawings::Page> pages = {};  // several of a long table
+  std::optional<Words> undecided = {};     // why there are none
 };
 
 struct DrawnTarget {
@@ -68,15 +68,13 @@ class Drawing {
       drawn_.push_back({target, {}});
       for (const std::string& sheet : target.sheets()) drawn_.back().sheets.push_back(add(*target.exercise, sheet));
     }
-    std::deque<Solving> solving;
-    for (std::size_t i = 0; i < exercises.size(); ++i) solving.emplace_back(exercises[i], givens[i]);
+    for (std::size_t i = 0; i < exercises.size(); ++i) solving_.emplace_back(exercises[i], givens[i]);
+    if (wants_only_tables()) return;
     const SheetRequest request = sheet_request(options);
     abreast(sheets_.size(), [&](std::size_t i) {
       DrawnSheetOf& each = sheets_[i];
-      const auto of = std::find_if(solving.begin(), solving.end(),
-                                   [&](const Solving& one) { return one.exercise() == each.exercise; });
       try {
-        each.page = compose(each, *of, request);
+        each.pages = compose(each, solving_of(*each.exercise), request);
       } catch (const geometry::Undecided& open) {
         each.undecided = open.words();
       } catch (const DoesNotFit& why) {
@@ -92,8 +90,9 @@ class Drawing {
   // Of each sheet left out, why.
   const std::vector<Words>& remarks() const { return remarks_; }
 
-  // ID.pdf and ID-SHEET.svg, or ID-SHEET.pdf and ID-SHEET.svg; a file asked for twice is made once.
-  std::vector<File> files_in_folder() const {
+  // ID.pdf and ID-SHEET.svg, or ID-SHEET.pdf and ID-SHEET.svg, of a sheet's further pages ID-SHEET-2.svg;
+  // ID-SHEET.csv. A file asked for twice is made once.
+  std::vector<File> files_in_folder() {
     const std::filesystem::path folder = options_.folder.value_or("out");
     std::vector<File> files;
     std::vector<std::function<std::string()>> makers;
@@ -107,17 +106,24 @@ class Drawing {
       for (const Format format : formats_of(options_)) {
         if (format == Format::pdf)
           add(folder / (each.target.file_stem() + ".pdf"), [&] { return pdf({each}); });
-        else
+        else if (format == Format::svg)
           for (const DrawnSheetOf* sheet : each.sheets)
-            add(folder / (each.target.exercise->about().id + "-" + sheet->name + ".svg"),
-                [sheet] { return write_svg(sheet->page); });
+            for (std::size_t i = 0; i < sheet->pages.size(); ++i)
+              add(folder / (stem(*sheet) + (i == 0 ? "" : fmt::format("-{}", i + 1)) + ".svg"),
+                  [sheet, i] { return write_svg(sheet->pages[i]); });
       }
+    if (is_asked_for(Format::csv))
+      for (const TableOf& table : tables())
+        add(folder / (stem(*table.sheet) + ".csv"), [table] { return csv(table.table); });
     abreast(files.size(), [&](std::size_t i) { files[i].bytes = makers[i](); });
     return files;
   }
 
-  File single_file() const {
-    if (format_of_file(options_) == Format::pdf) return {*options_.file, pdf(drawn_)};
+  // Of a sheet of several pages an SVG file holds the first, which says so.
+  File single_file() {
+    const Format format = format_of_file(options_);
+    if (format == Format::pdf) return {*options_.file, pdf(drawn_)};
+    if (format == Format::csv) return {*options_.file, single_table()};
     const DrawnTarget& first = drawn_.front();
     std::size_t count = 0;
     for (const DrawnTarget& each : drawn_) count += each.sheets.size();
@@ -126,10 +132,56 @@ class Drawing {
           format_words("an SVG file holds one sheet, and {} are asked for; name one, such as {}/{}",
                        "un file SVG contiene una tavola, e ne sono chieste {}; nominarne una, come {}/{}", count,
                        first.target.exercise->about().id, first.target.sheets().front()));
-    return {*options_.file, write_svg(first.sheets.front()->page)};
+    return {*options_.file, write_svg(first.sheets.front()->pages.front())};
   }
 
  private:
+  struct TableOf {
+    const DrawnSheetOf* sheet;
+    LongTable table;
+  };
+  bool is_asked_for(Format format) const {
+    const std::vector<Format> asked = options_.file ? std::vector{format_of_file(options_)} : formats_of(options_);
+    return std::find(asked.begin(), asked.end(), format) != asked.end();
+  }
+  bool wants_only_tables() const {
+    return is_asked_for(Format::csv) && !is_asked_for(Format::pdf) && !is_asked_for(Format::svg);
+  }
+  Solving& solving_of(const Exercise& exercise) {
+    return *std::find_if(solving_.begin(), solving_.end(),
+                         [&](const Solving& one) { return one.exercise() == &exercise; });
+  }
+  static std::string stem(const DrawnSheetOf& sheet) { return sheet.exercise->about().id + "-" + sheet.name; }
+
+  // Those of all sheets that hold one. A sheet that was named must.
+  std::vector<TableOf> tables() {
+    std::vector<TableOf> all;
+    for (const DrawnTarget& each : drawn_)
+      for (const DrawnSheetOf* sheet : each.sheets) {
+        auto table = each.target.exercise->long_table(sheet->name, solving_of(*each.target.exercise).solution());
+        if (!table && !each.target.sheet.empty())
+          throw WrongUsage(format_words("{}/{} holds no long table that --format csv could write",
+                                        "{}/{} non contiene una tabella lunga che --format csv possa scrivere",
+                                        each.target.exercise->about().id, sheet->name));
+        if (table) all.push_back({sheet, std::move(*table)});
+      }
+    if (all.empty())
+      throw WrongUsage(format_words("no sheet of {} holds a long table that --format csv could write",
+                                    "nessuna tavola di {} contiene una tabella lunga che --format csv possa scrivere",
+                                    drawn_.front().target.exercise->about().id));
+    return all;
+  }
+  std::string single_table() {
+    const std::vector<TableOf> all = tables();
+    if (all.size() != 1)
+      throw WrongUsage(
+          format_words("a CSV file holds one table, and {} are asked for; name one sheet, such as {}/{}",
+                       "un file CSV contiene una tabella, e ne sono chieste {}; nominare una tavola, come "
+                       "{}/{}",
+                       all.size(), all.front().sheet->exercise->about().id, all.front().sheet->name));
+    return csv(all.front().table);
+  }
+
   // A target none of whose sheets is left has no files; when nothing is left at all, that is the answer.
   void leave_out_undecided() {
     for (const DrawnSheetOf& each : sheets_)
@@ -149,18 +201,23 @@ class Drawing {
     return &sheets_.emplace_back(DrawnSheetOf{&exercise, name});
   }
 
-  static drawings::Page compose(const DrawnSheetOf& wanted, Solving& solving, const SheetRequest& request) {
+  static std::vector<drawings::Page> compose(const DrawnSheetOf& wanted, Solving& solving,
+                                             const SheetRequest& request) {
     const auto construct = [&] {
       const drawings::Timed timed(drawings::Work::construction);
-      return wanted.exercise->draw(wanted.name, solving.solution(), request).sheet;
+      return wanted.exercise->draw(wanted.name, solving.solution(), request);
     };
-    return drawings::compose(construct());
+    const DrawnSheet drawn = construct();
+    std::vector<drawings::Page> pages{drawings::compose(drawn.sheet)};
+    for (const drawings::Sheet& further : drawn.further) pages.push_back(drawings::compose(further));
+    return pages;
   }
 
   std::string pdf(const std::vector<DrawnTarget>& targets) const {
     std::vector<drawings::Page> pages;
     for (const DrawnTarget& each : targets)
-      for (const DrawnSheetOf* sheet : each.sheets) pages.push_back(sheet->page);
+      for (const DrawnSheetOf* sheet : each.sheets)
+        pages.insert(pages.end(), sheet->pages.begin(), sheet->pages.end());
     return drawings::write_pdf(pages, title(targets));
   }
 
@@ -172,6 +229,7 @@ class Drawing {
   }
 
   const Options& options_;
+  std::deque<Solving> solving_;
   std::deque<DrawnSheetOf> sheets_;  // which stay where they are
   std::vector<DrawnTarget> drawn_;
   std::vector<Words> remarks_;
@@ -193,7 +251,7 @@ Outcome draw(const Catalogue& exercises, const Options& options, std::ostream& e
   if (options.times) drawings::Stopwatch::begin();
   const std::vector<Target> targets = find_targets(exercises, options.names);
   demand_sensible_output(options);
-  const Drawing drawing(targets, options);
+  Drawing drawing(targets, options);
   const std::vector<File> files = options.file ? std::vector{drawing.single_file()} : drawing.files_in_folder();
   std::string written;
   if (is_standard_output(options)) {

@@ -31,10 +31,16 @@ Help help_of_draw() {
   return {
       {"Draw exercises to scale, as PDF and SVG.", "Disegna gli esercizi in scala, in PDF e SVG."},
       {"draw ID writes out/ID.pdf with a page a sheet, and out/ID-SHEET.svg for each sheet; draw ID/SHEET writes "
-       "that sheet alone in both formats. Files appear whole or not at all. A value is a number such as 0.25, 1/4 "
+       "that sheet alone in both formats. A long table takes as many pages as it needs: of its sheet the further "
+       "ones "
+       "are out/ID-SHEET-2.svg and so on, and --format csv writes its numbers to out/ID-SHEET.csv, for a "
+       "spreadsheet. Files appear whole or not at all. A value is a number such as 0.25, 1/4 "
        "or 2.5e-1, with a unit (25cm) or in that which list shows.",
        "draw ID scrive out/ID.pdf con una pagina per tavola, e out/ID-TAVOLA.svg per ogni tavola; draw ID/TAVOLA "
-       "scrive quella sola tavola in entrambi i formati. I file compaiono interi o non compaiono. Un valore è un "
+       "scrive quella sola tavola in entrambi i formati. Una tabella lunga prende quante pagine le servono: della "
+       "sua "
+       "tavola le altre sono out/ID-TAVOLA-2.svg e così via, e --format csv ne scrive i numeri in out/ID-TAVOLA.csv, "
+       "per un foglio di calcolo. I file compaiono interi o non compaiono. Un valore è un "
        "numero come 0,25, 1/4 o 2,5e-1, con un'unità (25cm) o in quella che list mostra."},
       R"(
   epure draw slider-crank-velocity

@@ -88,9 +88,9 @@ class Parser {
     add(verb, "--lang", options_.language, {"LANGUAGE", "LINGUA"},
         {"en or it (default: EPURE_LANG, else en)", "en o it (predefinita: EPURE_LANG, altrimenti en)"});
   }
-  void add_formats(CLI::App& verb) {
+  void add_formats(CLI::App& verb, const Words& more = {}) {
     add(verb, "--format", options_.format, {"FORMATS", "FORMATI"},
-        {"pdf, svg or both (default: pdf,svg)", "pdf, svg o entrambi (predefinito: pdf,svg)"});
+        Words{"pdf, svg or both (default: pdf,svg)", "pdf, svg o entrambi (predefinito: pdf,svg)"} + more);
   }
   void add_folder(CLI::App& verb) {
     add(verb, "--out", options_.folder, {"DIR", "CARTELLA"},
@@ -112,7 +112,7 @@ class Parser {
     CLI::App& verb = add_verb("draw");
     add_names(verb, {"NAME", "NOME"},
               {"exercises or single sheets: ID, ID/SHEET or all", "esercizi o singole tavole: ID, ID/TAVOLA o all"});
-    add_formats(verb);
+    add_formats(verb, {"; csv: the long table of a sheet", "; csv: la tabella lunga di una tavola"});
     add_folder(verb);
     add(verb, "-o", options_.file, {"FILE", "FILE"},
         {"write one file instead; - is standard output", "scrive invece un solo file; - è lo standard output"});

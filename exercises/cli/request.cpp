@@ -16,6 +16,7 @@ std::optional<Format> format_named(const std::string& typed) {
   const std::string name = lower_case(typed);
   if (name == "pdf") return Format::pdf;
   if (name == "svg") return Format::svg;
+  if (name == "csv") return Format::csv;
   return std::nullopt;
 }
 
@@ -62,8 +63,8 @@ std::vector<Format> formats_of(const Options& options) {
   for (auto comma = rest.find(','); comma != std::string::npos; comma = rest.find(',')) {
     const auto format = format_named(rest.substr(0, comma));
     if (!format)
-      throw WrongUsage(format_words("\"{}\" is no format of epure; choose pdf, svg or pdf,svg",
-                                    "\"{}\" non è un formato di epure; scegliere pdf, svg o pdf,svg",
+      throw WrongUsage(format_words("\"{}\" is no format of epure; choose pdf, svg, pdf,svg or csv",
+                                    "\"{}\" non è un formato di epure; scegliere pdf, svg, pdf,svg o csv",
                                     *options.format));
     if (std::find(formats.begin(), formats.end(), *format) == formats.end()) formats.push_back(*format);
     rest.erase(0, comma + 1);
@@ -80,14 +81,15 @@ Format format_of_file(const Options& options) {
   if (!options.format) {
     if (by_ending) return *by_ending;
     if (is_standard_output(options)) return Format::pdf;
-    throw WrongUsage(format_words("\"{}\" tells no format; end it in .pdf or .svg, or add --format",
-                                  "\"{}\" non dice il formato; farlo finire in .pdf o .svg, o aggiungere --format",
+    throw WrongUsage(format_words("\"{}\" tells no format; end it in .pdf, .svg or .csv, or add --format",
+                                  "\"{}\" non dice il formato; farlo finire in .pdf, .svg o .csv, o aggiungere "
+                                  "--format",
                                   *options.file));
   }
   const std::vector<Format> asked = formats_of(options);
   if (asked.size() != 1)
-    throw WrongUsage("-o writes one file; choose --format pdf or --format svg",
-                     "-o scrive un solo file; scegliere --format pdf o --format svg");
+    throw WrongUsage("-o writes one file; choose --format pdf, --format svg or --format csv",
+                     "-o scrive un solo file; scegliere --format pdf, --format svg o --format csv");
   if (by_ending && *by_ending != asked.front())
     throw WrongUsage(format_words("\"{}\" is not the ending of --format {}",
                                   "\"{}\" non finisce come vuole --format {}", *options.file, *options.format));

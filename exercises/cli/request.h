@@ -8,9 +8,9 @@
 
 namespace epure {
 
-enum class Format { pdf, svg };
+enum class Format { pdf, svg, csv };
 
-// What --format asks for, each once; both when it says nothing.
+// What --format asks for, each once; PDF and SVG when it says nothing.
 std::vector<Format> formats_of(const Options& options);
 
 // The format of the one file -o names: from its ending, else from --format, else (standard output only) PDF.

@@ -1,10 +1,32 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
+#include "exercises/kit/panels/long_table_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
 
 namespace epure {
 namespace {
+
+// The table after the panels of the first page, a page of it after the other; each is told which of them it is.
+DrawnSheet over_pages(const Description& about, const std::string& sheet, const Solution& solution, PanelSheet first,
+                      const LongTable& table, const SheetRequest& request) {
+  const std::size_t rows = rows_of_a_page(request.paper),
+                    pages = std::max<std::size_t>(1, (table.rows() + rows - 1) / rows);
+  const auto page_of = [&](std::size_t page, PanelSheet shown) {
+    shown.panels.push_back(std::make_unique<LongTablePanel>(table, page * rows, request));
+    DrawnSheet drawn = arrange(about, sheet, solution, shown, request);
+    if (pages > 1) drawn.sheet.title_block.sheet += fmt::format(" ({}/{})", page + 1, pages);
+    if (page > 0) drawn.sheet.id += fmt::format("-{}", page + 1);
+    return drawn;
+  };
+  PanelSheet further{.seen = first.seen, .without_part = first.without_part};
+  DrawnSheet drawn = page_of(0, std::move(first));
+  for (std::size_t page = 1; page < pages; ++page)
+    drawn.further.push_back(page_of(page, {.seen = further.seen, .without_part = further.without_part}).sheet);
+  return drawn;
+}
 
 class ExerciseOfPanels : public Exercise {
  public:
@@ -24,12 +46,23 @@ class ExerciseOfPanels : public Exercise {
   Solution solution(const Givens& givens) const override { return {givens, solve_(givens, Rung::drawing)}; }
 
   DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
-    const auto maker =
-        std::find_if(sheets_.begin(), sheets_.end(), [&](const SheetMaker& each) { return each.spec.name == sheet; });
-    return arrange(about_, sheet, solution, maker->make(solution, request.language), request);
+    const SheetMaker& maker = maker_of(sheet);
+    PanelSheet first = maker.make(solution, request.language);
+    if (!maker.table) return arrange(about_, sheet, solution, first, request);
+    return over_pages(about_, sheet, solution, std::move(first), maker.table(solution), request);
+  }
+
+  std::optional<LongTable> long_table(const std::string& sheet, const Solution& solution) const override {
+    const SheetMaker& maker = maker_of(sheet);
+    return maker.table ? std::optional(maker.table(solution)) : std::nullopt;
   }
 
  private:
+  const SheetMaker& maker_of(const std::string& sheet) const {
+    return *std::find_if(sheets_.begin(), sheets_.end(),
+                         [&](const SheetMaker& each) { return each.spec.name == sheet; });
+  }
+
   Description about_;
   Solve solve_;
   std::vector<SheetMaker> sheets_;

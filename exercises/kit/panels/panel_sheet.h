@@ -33,6 +33,8 @@ struct PanelSheet {
 struct SheetMaker {
   SheetSpec spec;
   std::function<PanelSheet(const Solution&, Language)> make;
+  // Shown after the sheet's panels, which are on its first page; the further pages hold nothing else.
+  std::function<LongTable(const Solution&)> table = {};
 };
 
 using Solve = std::function<std::vector<RouteValue>(const Givens&, Rung)>;

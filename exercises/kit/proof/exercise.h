@@ -9,6 +9,7 @@
 
 #include "drawings/picture.h"
 #include "exercises/kit/statement/description.h"
+#include "exercises/kit/statement/long_table.h"
 #include "geometry/numbers/climb.h"
 
 namespace epure {
@@ -47,6 +48,7 @@ struct Flaw {
 struct DrawnSheet {
   drawings::Sheet sheet;
   std::vector<Measurement> measurements;
+  std::vector<drawings::Sheet> further = {};  // pages after the first, of a table that is too long for one
 };
 
 class Solution;
@@ -69,6 +71,9 @@ class Exercise {
   // `sheet` is one of about().sheets. Throws BadGivens as above, or when a requested scale does not fit the paper.
   virtual DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const = 0;
   DrawnSheet draw(const std::string& sheet, const Givens& givens, const SheetRequest& request) const;
+
+  // What a sheet shows over as many pages as it takes, and a spreadsheet reads; none: the sheet holds no long table.
+  virtual std::optional<LongTable> long_table(const std::string& /*sheet*/, const Solution&) const { return {}; }
 };
 
 // An exercise in a catalogue. It is made when it is first asked for, which two threads must not do at once: its

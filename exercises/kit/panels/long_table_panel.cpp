@@ -1,0 +1,106 @@
+#include "exercises/kit/panels/long_table_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "drawings/text/text.h"
+#include "exercises/kit/panels/results.h"
+#include "exercises/kit/panels/sheet.h"
+
+namespace epure {
+namespace {
+
+constexpr double line_height = 3.9, under_heads = 1.5, table_air = 4;  // mm
+constexpr double largest_size = 2.6, smallest_size = 1.8;              // mm, of the letters
+constexpr double least_gap = 1.6, widest_gap = 5;                      // mm, between columns
+constexpr std::size_t head_lines = 2;                                  // letters and units
+
+// With the column's decimals; a number that these would not show, or that would be too long, by its figures.
+std::string written(double value, int decimals, Language language) {
+  constexpr double longest = 1e7;
+  constexpr int significant = 4;
+  if (std::abs(value) >= longest || (value != 0 && std::abs(value) < 0.5 * std::pow(10.0, -decimals)))
+    return figures(value, significant, language);
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.starts_with('-')) text.replace(0, 1, "−");
+  if (const auto point = text.find('.'); language == Language::italian && point != std::string::npos)
+    text[point] = ',';
+  return text;
+}
+
+}  // namespace
+
+std::size_t rows_of_a_page(drawings::Paper paper) {
+  const double height = drawings::drawing_area(paper).height() - 4 * table_air - under_heads;
+  return static_cast<std::size_t>(height / line_height) - head_lines;
+}
+
+LongTablePanel::LongTablePanel(const LongTable& table, std::size_t first, const SheetRequest& request) {
+  const std::size_t last = std::min(table.rows(), first + rows_of_a_page(request.paper));
+  lines_ = head_lines + last - first;
+  for (const LongTable::Column& column : table.columns) {
+    const std::string unit = written_unit(column.unit);
+    columns_.push_back({{column.letters, unit.empty() ? "" : "(" + unit + ")"}});
+    for (std::size_t row = first; row < last; ++row)
+      columns_.back().cells.push_back(written(column.values[row], column.decimals, request.language));
+  }
+  const double room = drawings::drawing_area(request.paper).width() - 5 * table_air;
+  const double gaps = static_cast<double>(columns_.size() - 1);
+  for (size_ = largest_size;; size_ *= 0.97) {
+    if (size_ < smallest_size)
+      throw DoesNotFit("the numbers of the table are too long for the paper",
+                       "i numeri della tabella sono troppo lunghi per la carta");
+    measure(size_);
+    gap_ = least_gap;
+    if (width() <= room) break;
+  }
+  gap_ = std::clamp((room - (width() - gaps * gap_)) / std::max(gaps, 1.0), least_gap, widest_gap);
+}
+
+void LongTablePanel::measure(double size) {
+  for (Column& column : columns_) {
+    column.width = 0;
+    for (const std::string& cell : column.cells)
+      if (!cell.empty()) column.width = std::max(column.width, drawings::measure(cell, size).width);
+  }
+}
+
+double LongTablePanel::width() const {
+  double all = gap_ * static_cast<double>(columns_.size() - 1);
+  for (const Column& column : columns_) all += column.width;
+  return all;
+}
+
+drawings::Box LongTablePanel::extent(const Scale&, const Scale&) const {
+  return {{0, 0}, {width() + 2 * table_air, line_height * static_cast<double>(lines_) + under_heads + 2 * table_air}};
+}
+
+// From the top of the room, so that all pages begin alike.
+std::vector<drawings::Block> LongTablePanel::draw(Plot& plot, const drawings::Box& room, Language) const {
+  const double left = (room.low.x + room.high.x - width()) / 2, top = room.high.y - table_air;
+  const auto rule = [&](double y) {
+    plot.mark(drawings::Line{drawings::segment({left, y}, {left + width(), y}), Meaning::construction, {}});
+  };
+  const auto foot = [&](std::size_t line) {
+    return top - line_height * static_cast<double>(line + 1) - (line < head_lines ? 0 : under_heads);
+  };
+  double right = left;
+  for (const Column& column : columns_) {
+    right += column.width;
+    for (std::size_t line = 0; line < column.cells.size(); ++line) {
+      const std::string& cell = column.cells[line];
+      if (cell.empty()) continue;
+      const double x = right - drawings::measure(cell, size_).width;
+      plot.mark(drawings::Writing{cell, {x, foot(line) + 0.3 * line_height}, size_});
+    }
+    right += gap_;
+  }
+  rule(top);
+  rule(foot(head_lines - 1) - under_heads / 2);
+  rule(foot(lines_ - 1) - under_heads / 2);
+  return {};
+}
+
+}  // namespace epure

@@ -1,0 +1,31 @@
+// Exercise N.5 of Sapienza: a body on a straight line under a force that depends on time.
+#include "exercises/point-mass/exercise.h"
+
+#include "exercises/point-mass/routes.h"
+
+namespace epure {
+
+std::unique_ptr<Exercise> make_point_mass() {
+  using namespace point_mass;
+  Description about{
+      .id = "point-mass",
+      .title = {"Motion of a body under a given force", "Moto di un corpo soggetto a una forza assegnata"},
+      .document = "sapienza",
+      .item = "N.5",
+      .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.5",
+                 "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.5"},
+      .givens = given_specs(),
+      .printed = printed_by_the_source(),
+      .audit = audit_of_the_table};
+  const auto solve = [](const Givens& givens, Rung rung) { return solved(Routes(Problem(givens)), rung); };
+  return exercise_of_panels(
+      std::move(about), solve,
+      {{{"integration", {"From acceleration to velocity to space", "Dall'accelerazione alla velocità allo spazio"}},
+        integration_sheet},
+       {{"tangents", {"Tangents through the centroids", "Tangenti per i baricentri"}}, tangents_sheet},
+       {{"curves", {"The six diagrams", "I sei diagrammi"}}, curves_sheet},
+       {{"errors", {"Errors of the two formulas", "Errori delle due formule"}}, errors_sheet},
+       {{"table", {"Numerical table", "Tabella numerica"}}, table_sheet, long_table}});
+}
+
+}  // namespace epure

@@ -1,0 +1,193 @@
+// The numerical table, and its errors over time.
+#include "exercises/kit/panels/chart_panel.h"
+#include "exercises/kit/statement/decimal.h"
+#include "exercises/point-mass/exercise.h"
+#include "exercises/point-mass/motion.h"
+#include "exercises/point-mass/quantities.h"
+
+namespace epure::point_mass {
+namespace {
+
+using drawings::Datum;
+
+// Two of them on a sheet.
+class FlatChart : public ChartPanel {
+ public:
+  using ChartPanel::ChartPanel;
+  drawings::Box extent(const Scale&, const Scale&) const override {
+    constexpr double wide = 110, high = 74;  // mm at least
+    return {{0, 0}, {wide, high}};
+  }
+};
+
+struct Errors {
+  std::string name, label;
+  Meaning meaning;
+  std::vector<Datum> points;
+};
+
+// As many as a curve needs.
+constexpr std::size_t most_points = 400;
+
+// |numerical - exact|/|exact|, where there is such a thing that is not zero.
+Errors errors(const std::string& kind, const std::string& method, const std::vector<Rational>& numerical,
+              const std::vector<Rational>& exact, const Rational& dt) {
+  const std::string initial = method == "bezout" ? "B" : "S";
+  Errors of{
+      kind + "_" + method, "$" + kind + "_{" + initial + "}$", kind == "v" ? Meaning::velocity : Meaning::locus, {}};
+  const std::size_t step = numerical.size() / most_points + 1;
+  for (std::size_t i = 0; i < numerical.size(); i += step) {
+    if (exact[i] == 0 || numerical[i] == exact[i]) continue;
+    const double error = std::abs(nearest((numerical[i] - exact[i]) / exact[i]));
+    if (error > 0) of.points.push_back({nearest(dt * Rational(static_cast<long>(i))), error});
+  }
+  return of;
+}
+
+// Whole decades, of a few at least.
+FlatChart chart(const std::vector<Errors>& all, const std::string& letters, double end) {
+  double low = 1, high = 1e-3;
+  for (const Errors& each : all)
+    for (const Datum& point : each.points) {
+      low = std::min(low, point.y);
+      high = std::max(high, point.y);
+    }
+  constexpr double least = 1e-12;
+  drawings::Chart chart;
+  chart.x = {.quantity = "$t$", .unit = "s", .low = 0, .high = end, .to_ticks = false};
+  chart.y = {.quantity = letters,
+             .unit = "",
+             .low = std::pow(10.0, std::floor(std::log10(std::max(low, least)))),
+             .high = std::pow(10.0, std::ceil(std::log10(high))),
+             .scale = drawings::AxisScale::logarithmic};
+  for (const Errors& each : all)
+    if (!each.points.empty())
+      chart.curves.push_back(
+          {.name = each.name, .runs = {each.points}, .meaning = each.meaning, .label = each.label});
+  chart.letters_left = 15;
+  return FlatChart(std::move(chart));
+}
+
+// Exact, and by both formulas.
+struct Tabulated {
+  std::vector<Rational> t, F, a;
+  struct Columns {
+    std::string method;
+    std::vector<Rational> v = {}, s = {};
+  };
+  std::vector<Columns> columns;
+};
+Tabulated tabulated(const Problem& of) {
+  const ByPowers motion(of);
+  const BySteps steps(of);
+  Tabulated all{{}, {}, {}, {{""}, {"bezout"}, {"simpson"}}};
+  for (long i = 0; i <= of.rows(); ++i) {
+    all.t.push_back(of.dt * Rational(i));
+    const Instant<Rational> at = motion.at(all.t.back());
+    all.F.push_back(at.F);
+    all.a.push_back(at.a);
+    for (Tabulated::Columns& column : all.columns) {
+      const TableRow row = column.method.empty() ? TableRow{at.v, at.s} : steps.at(column.method, i);
+      column.v.push_back(row.v);
+      column.s.push_back(row.s);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+PanelSheet errors_sheet(const Solution& s, Language language) {
+  const Problem of(s.givens());
+  const double end = nearest(of.end());
+  const Tabulated table = tabulated(of);
+  std::vector<Errors> right, printed;
+  for (const Tabulated::Columns& column : table.columns) {
+    if (column.method.empty()) continue;
+    right.push_back(errors("v", column.method, column.v, table.columns.front().v, of.dt));
+    right.push_back(errors("s", column.method, column.s, table.columns.front().s, of.dt));
+  }
+  Panels all;
+  all.push_back(std::make_unique<FlatChart>(chart(right, "|$ε$|", end)));
+  const Words formulas{
+      "Bezout's $v_{B}$ is off by Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). Cavalieri and Simpson's formula is exact for "
+      "the "
+      "cubic $a$: $v_{S}$ has an error in the odd rows alone, which begin with a parabola through three points.",
+      "La $v_{B}$ di Bezout è errata di Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). La formula di Cavalieri-Simpson è esatta "
+      "per "
+      "la cubica $a$: $v_{S}$ ha errore nelle sole righe dispari, che cominciano con una parabola per tre punti."};
+  std::vector<Section> theory{{{"The formulas", "Le formule"}, {remark(formulas.in(language))}}};
+  if (s.givens().as_stated()) {
+    for (const PrintedAgainstExact& column : printed_columns())
+      printed.push_back(errors(column.kind, column.method, column.printed, column.exact, of.dt));
+    all.push_back(std::make_unique<FlatChart>(chart(printed, "|$ε$|", end)));
+    const Words mistakes{
+        "Below, the source's own table: a hundred to a hundred thousand times worse. Its sums leave out the first "
+        "strip "
+        "(Bezout), and those of the velocities stand a row too high; or the first two (Cavalieri-Simpson: its first "
+        "three rows are zero). So every row of these columns comes out; check tells it row by row.",
+        "Sotto, la tabella della fonte: da cento a centomila volte peggio. Le sue somme tralasciano la prima "
+        "striscia "
+        "(Bezout), e quelle delle velocità stanno una riga troppo in alto; o le prime due (Cavalieri-Simpson: le sue "
+        "prime tre righe sono nulle). Così torna ogni riga di queste colonne; check lo dice riga per riga."};
+    theory.push_back({{"The source's table", "La tabella della fonte"}, {remark(mistakes.in(language))}});
+  }
+  const auto row = [](const std::string& kind, const std::string& method) {
+    return Row{"$ε_{" + kind + (method == "bezout" ? "B" : "S") + "}$",
+               {error_of(kind, method, "1").name, error_of(kind, method, "2").name, error_of(kind, method, "3").name},
+               "–"};
+  };
+  return {.panels = std::move(all),
+          .theory = std::move(theory),
+          .results = {epure::table({"", "$t_{1}$", "$t_{2}$", "$t_{3}$"},
+                                   {row("v", "bezout"), row("E", "bezout"), row("s", "bezout"), row("v", "simpson"),
+                                    row("E", "simpson"), row("s", "simpson")},
+                                   2)},
+          .seen = {"Relative errors of velocity and space over time, by both formulas",
+                   "Errori relativi di velocità e spazio nel tempo, con le due formule"},
+          .told = {"err_v_bezout_3", "err_s_bezout_3", "err_s_simpson_3"},
+          .without_part = {"strip", "cm_t", "cm_a", "cm_v", "cm_s"}};
+}
+
+LongTable long_table(const Solution& s) {
+  const Problem of(s.givens());
+  const Tabulated all = tabulated(of);
+  LongTable table;
+  const auto add = [&](const std::string& name, const std::string& letters, const std::string& unit, int decimals,
+                       const std::vector<Rational>& values, const std::function<Rational(const Rational&)>& find) {
+    table.columns.push_back({name, letters, unit, decimals, {}});
+    for (const Rational& value : values) table.columns.back().values.push_back(nearest(find(value)));
+  };
+  const auto same = [](const Rational& value) { return value; };
+  int decimals = 0;  // of the instants
+  for (Rational step = of.dt; step.denominator() != 1 && decimals < 4; step *= 10) ++decimals;
+  add("t", "$t$", "s", decimals, all.t, same);
+  add("F", "$\\it{F}$", "N", 2, all.F, same);
+  add("a", "$a$", "m/s^2", 3, all.a, same);
+  for (const Tabulated::Columns& column : all.columns) {
+    const std::string below = column.method.empty() ? "" : column.method == "bezout" ? "_{B}" : "_{S}";
+    const std::string method = column.method.empty() ? "" : "_" + column.method;
+    add("v" + method, "$v" + below + "$", "m/s", 3, column.v, same);
+    add("q" + method, "$q" + below + "$", "kg*m/s", 2, column.v, [&](const Rational& v) { return of.m * v; });
+    add("E" + method, "$\\it{E}" + below + "$", "J", 1, column.v,
+        [&](const Rational& v) { return of.m * v * v / 2; });
+    add("s" + method, "$s" + below + "$", "m", 3, column.s, same);
+  }
+  return table;
+}
+
+PanelSheet table_sheet(const Solution&, Language language) {
+  const Words columns{
+      "First the motion itself, then $v_{B}$ and $s_{B}$ by Bezout's formula, $v_{S}$ and $s_{S}$ by "
+      "Cavalieri-Simpson's; $q$ = $mv$ and $\\it{E}$ = $mv^{2}$/2 of each velocity. draw --format csv writes all "
+      "digits.",
+      "Prima il moto esatto, poi $v_{B}$ e $s_{B}$ con la formula di Bezout, $v_{S}$ e $s_{S}$ con quella di "
+      "Cavalieri-Simpson; $q$ = $mv$ ed $\\it{E}$ = $mv^{2}$/2 di ogni velocità. draw --format csv scrive tutte le "
+      "cifre."};
+  return {.theory = {{{"The columns", "Le colonne"}, {remark(columns.in(language))}}},
+          .seen = {"The motion step by step: exact, by Bezout's and by Cavalieri-Simpson's formula",
+                   "Il moto passo per passo: esatto, con la formula di Bezout e con quella di Cavalieri-Simpson"},
+          .without_part = {"t_1", "t_2", "strip", "cm_t", "cm_a", "cm_v", "cm_s"}};
+}
+
+}  // namespace epure::point_mass
