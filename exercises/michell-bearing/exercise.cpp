@@ -18,6 +18,7 @@ std::unique_ptr<Exercise> make_michell_bearing() {
   const auto solve = [](const Givens& givens, Rung rung) { return solved(Problem(givens), rung); };
   return exercise_of_panels(std::move(about), solve,
                             {{{"pressures", {"Gradients and pressures", "Gradienti e pressioni"}}, pressures_sheet},
+                             {{"integration", {"Graphical integration", "Integrazione grafica"}}, integration_sheet},
                              {{"load", {"Load and its place", "Portanza e suo posto"}}, load_sheet},
                              {{"velocities", {"Velocities across the film", "Velocità nel meato"}}, velocities_sheet},
                              {{"direct", {"The pad under its load", "Il pattino sotto carico"}}, direct_sheet},

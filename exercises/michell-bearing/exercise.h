@@ -18,6 +18,7 @@ inline std::string of_pad(const std::string& quantity) { return "direct." + quan
 inline Result told(const Words& words, Language language) { return remark(words.in(language)); }
 
 PanelSheet pressures_sheet(const Solution& s, Language language);
+PanelSheet integration_sheet(const Solution& s, Language language);
 PanelSheet load_sheet(const Solution& s, Language language);
 PanelSheet velocities_sheet(const Solution& s, Language language);
 PanelSheet direct_sheet(const Solution& s, Language language);

@@ -10,6 +10,7 @@
 #include "exercises/michell-bearing/problem.h"
 #include "exercises/michell-bearing/quantities.h"
 #include "geometry/analytic/reynolds.h"
+#include "geometry/constructions/graphical_integral.h"
 #include "geometry/statics/funicular.h"
 
 namespace epure::michell_bearing {
@@ -183,13 +184,14 @@ struct InverseRoutes {
     const geometry::FilmWedge<T> wedge = film.wedge<T>();
     const T half_step = number<T>(film.dx / 2);
     const auto pressures = once([&] {
-      std::vector<T> all{T(0)};
-      T here = wedge.gradient(T(0));
-      for (long i = 1; i <= film.strips; ++i) {
-        const T next = wedge.gradient(number<T>(film.dx * Rational(i)));
-        all.push_back(all.back() + half_step * (here + next));
-        here = next;
+      std::vector<T> stations, gradients, all;
+      for (long i = 0; i <= film.strips; ++i) {
+        stations.push_back(number<T>(film.dx * Rational(i)));
+        gradients.push_back(wedge.gradient(stations.back()));
       }
+      for (const auto& corner :
+           geometry::graphical_integral<T>(stations, geometry::means_of_ends(gradients), T(1)).corners)
+        all.push_back(corner.y);
       return all;
     });
     put_bezout<T>(ledger, [&](long i) { return pressures().at(static_cast<std::size_t>(i)); });

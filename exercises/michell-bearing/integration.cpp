@@ -1,0 +1,91 @@
+// Pressures by graphical integration of the gradients: the table's column by Bezout's formula.
+#include "exercises/kit/panels/integration_panel.h"
+#include "exercises/kit/panels/rounded.h"
+#include "exercises/kit/panels/sheet.h"
+#include "exercises/michell-bearing/exercise.h"
+#include "geometry/constructions/graphical_integral.h"
+
+namespace epure::michell_bearing {
+namespace {
+
+// So many strips can be told apart; of a finer grid several are drawn as one, with the mean of their gradients.
+constexpr long most_strips = 40;
+
+struct Strips {
+  std::vector<double> ends, means, pressures;
+  std::vector<long> corners;  // the stations of the grid that are ends
+};
+
+// With many bits: where the walls are nearly parallel doubles lose what the gradient is made of.
+Strips strips_of(const Film& film) {
+  return deeply([&] {
+    using geometry::Deep;
+    const auto wedge = film.wedge<Deep>();
+    std::vector<Deep> stations, gradients;
+    for (long i = 0; i <= film.strips; ++i) {
+      stations.push_back(geometry::from_rational<Deep>(film.dx * Rational(i)));
+      gradients.push_back(wedge.gradient(stations.back()));
+    }
+    const auto all = geometry::graphical_integral<Deep>(stations, geometry::means_of_ends(gradients), Deep(1));
+    Strips drawn;
+    const long together = (film.strips + most_strips - 1) / most_strips;
+    for (long i = 0; i <= film.strips; ++i) {
+      if (i % together != 0 && i != film.strips) continue;
+      drawn.corners.push_back(i);
+      drawn.ends.push_back(to_double(stations[static_cast<std::size_t>(i)]));
+      drawn.pressures.push_back(to_double(all.corners[static_cast<std::size_t>(i)].y));
+    }
+    for (std::size_t i = 1; i < drawn.ends.size(); ++i)
+      drawn.means.push_back((drawn.pressures[i] - drawn.pressures[i - 1]) / (drawn.ends[i] - drawn.ends[i - 1]));
+    return drawn;
+  });
+}
+
+// The pressures of the table's stations, where the polygon has corners there.
+std::vector<IntegrationRow::Read> read(const Solution& s, const Film& film, const Strips& strips) {
+  std::vector<IntegrationRow::Read> all;
+  for (const Station& at : stations())
+    for (const long corner : strips.corners) {
+      const std::string quantity = of_film(at_station("p_bezout", at.name).name);
+      if (corner == 0 || film.dx * Rational(corner) != at.x || !s.has(quantity)) continue;
+      if (const auto value = s.value(quantity))
+        all.push_back({quantity, at_station("p_bezout", at.name).symbol, CGAL::to_double(at.x), *value});
+    }
+  return all;
+}
+
+}  // namespace
+
+PanelSheet integration_sheet(const Solution& s, Language language) {
+  const Film film = Problem(s.givens()).film;
+  const auto wedge = film.wedge<double>();
+  const Strips strips = strips_of(film);
+  const Words mean{"the mean of the gradients at both ends of each strip",
+                   "la media dei gradienti ai due estremi di ogni striscia"};
+  return {.panels = panels(IntegrationPanel({.letters = "$x$", .unit = "m", .ends = strips.ends},
+                                            {{.letters = "$p'$",
+                                              .unit = "Pa/m",
+                                              .meaning = Meaning::locus,
+                                              .curve = [wedge](double x) { return wedge.gradient(x); },
+                                              .carried = strips.means},
+                                             {.letters = "$p$",
+                                              .unit = "Pa",
+                                              .meaning = Meaning::force,
+                                              .id = "p-polygon",
+                                              .curve = [wedge](double x) { return wedge.pressure(x); },
+                                              .corners = strips.pressures,
+                                              .read = read(s, film, strips)}},
+                                            mean)),
+          .results = {values({of_film("p_max_bezout"), of_film("p_max")}),
+                      values({of_film("N_bezout"), of_film("x_N_bezout")}), values({of_film("N"), of_film("x_N")}),
+                      told({"The polygon does not quite close: Bezout's formula takes each arc for its chord.",
+                            "Il poligono non si chiude del tutto: la formula di Bezout prende ogni arco per la sua "
+                            "corda."},
+                           language)},
+          .seen = {"The gradients in strips with pole and rays, and below them the polygon of the pressures",
+                   "I gradienti in strisce con polo e raggi, e sotto il poligono delle pressioni"},
+          .told = {of_film("p_max_bezout"), of_film("p_max"), of_film("N_bezout"), of_film("x_N_bezout")},
+          .without_part = {"P", "speed", "pads", "r_m", "l_pad", "b", "x_N", "mu_pad", "h_ref", "x_1", "x_3"}};
+}
+
+}  // namespace epure::michell_bearing
