@@ -1,4 +1,7 @@
 // The numerical table, and its errors over time.
+#include <cmath>
+#include <limits>
+
 #include "exercises/kit/panels/chart_panel.h"
 #include "exercises/kit/statement/decimal.h"
 #include "exercises/point-mass/exercise.h"
@@ -51,19 +54,21 @@ Errors errors(const std::string& kind, const std::string& method, const std::vec
 
 // Whole decades, of a few at least.
 FlatChart chart(const std::vector<Errors>& all, const std::string& letters, double end) {
-  double low = 1, high = 1e-3;
+  double low = std::numeric_limits<double>::infinity(), high = 0;
   for (const Errors& each : all)
     for (const auto& run : each.runs)
       for (const Datum& point : run) {
         low = std::min(low, point.y);
         high = std::max(high, point.y);
       }
-  constexpr double least = 1e-12;
+  constexpr double least = 1e-12, decade = 10;
+  if (high == 0) low = high = 1;  // no errors
+  low = std::min(std::max(low, least), high / decade);
   drawings::Chart chart;
   chart.x = {.quantity = "$t$", .unit = "s", .low = 0, .high = end, .to_ticks = false};
   chart.y = {.quantity = letters,
              .unit = "",
-             .low = std::pow(10.0, std::floor(std::log10(std::max(low, least)))),
+             .low = std::pow(10.0, std::floor(std::log10(low))),
              .high = std::pow(10.0, std::ceil(std::log10(high))),
              .scale = drawings::AxisScale::logarithmic};
   for (const Errors& each : all)
