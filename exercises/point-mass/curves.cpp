@@ -22,7 +22,7 @@ class SmallChart : public ChartPanel {
   double width_, height_;  // mm at least
 };
 
-constexpr int samples = 300;
+constexpr int samples = 160;
 
 std::vector<Datum> sampled(const Powers& of, double end) {
   std::vector<Datum> points;

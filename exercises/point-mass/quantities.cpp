@@ -102,6 +102,13 @@ Quantity pole_distance(const std::string& kind) {
               kind_of(kind).meaning};
 }
 
+Quantity distance_of_polygon(const std::string& kind) {
+  return {"off_" + kind, "$δ_{" + kind + "}$", kind_of(kind).unit,
+          Words{"end of the integral polygon above the true curve: ",
+                "estremo del poligono integrale sopra la curva esatta: "} +
+              kind_of(kind).meaning};
+}
+
 Quantity ordinate_of_polygon(const std::string& kind, const std::string& instant) {
   return {name_of(kind, "", instant), "$" + kind + "_{g" + instant + "}$", kind_of(kind).unit,
           kind_of(kind).meaning + Words{" of the integral polygon", " del poligono integrale"} + when(instant)};

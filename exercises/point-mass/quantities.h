@@ -16,6 +16,8 @@ Quantity centroid_at(const std::string& instant);
 // "t_F_max", "v_max", "impulse_positive", ...; within the case of the graphical integration "pole_distance_v", "v_1".
 Quantity extreme(const std::string& name);
 Quantity pole_distance(const std::string& kind);
+// Only told: how far the polygon's end lies above the true curve.
+Quantity distance_of_polygon(const std::string& kind);
 Quantity ordinate_of_polygon(const std::string& kind, const std::string& instant);
 
 }  // namespace epure::point_mass

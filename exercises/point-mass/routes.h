@@ -273,6 +273,14 @@ class Routes {
       ledger.put(ordinate_of_polygon("s", instants[i]),
                  [&] { return s_scale * drawn().second.at(strip, on_paper()); });
     }
+    // How far their ends are from the true curves.
+    const auto off = [&](const geometry::IntegralPolygon<T>& polygon, const Powers& curve, const T& worth) {
+      std::vector<T> truth;
+      for (const Rational& end : ends) truth.push_back(geometry::quotient(number(curve.at(end)), worth));
+      return worth * polygon.off_from(truth).back();
+    };
+    ledger.tells(distance_of_polygon("v"), [&] { return off(drawn().first, powers_.v, v_scale); });
+    ledger.tells(distance_of_polygon("s"), [&] { return off(drawn().second, powers_.s, s_scale); });
     // Thales: what rises as steeply as a centimetre in a centimetre is, on the diagram, as high as the pole is far.
     ledger.route("Euler-Maclaurin");
     const T cm = number(1 / per_metre);

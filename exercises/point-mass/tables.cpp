@@ -1,4 +1,7 @@
 // The numerical table, and its errors over time.
+#include <cmath>
+#include <limits>
+
 #include "exercises/kit/panels/chart_panel.h"
 #include "exercises/kit/statement/decimal.h"
 #include "exercises/point-mass/exercise.h"
@@ -20,10 +23,11 @@ class FlatChart : public ChartPanel {
   }
 };
 
+// Of Cavalieri-Simpson's formula the odd and the even rows are two sums.
 struct Errors {
   std::string name, label;
   Meaning meaning;
-  std::vector<Datum> points;
+  std::vector<std::vector<Datum>> runs;
 };
 
 // As many as a curve needs.
@@ -35,35 +39,41 @@ Errors errors(const std::string& kind, const std::string& method, const std::vec
   const std::string initial = method == "bezout" ? "B" : "S";
   Errors of{
       kind + "_" + method, "$" + kind + "_{" + initial + "}$", kind == "v" ? Meaning::velocity : Meaning::locus, {}};
-  const std::size_t step = numerical.size() / most_points + 1;
-  for (std::size_t i = 0; i < numerical.size(); i += step) {
-    if (exact[i] == 0 || numerical[i] == exact[i]) continue;
-    const double error = std::abs(nearest((numerical[i] - exact[i]) / exact[i]));
-    if (error > 0) of.points.push_back({nearest(dt * Rational(static_cast<long>(i))), error});
+  const std::size_t sums = method == "bezout" ? 1 : 2, step = sums * (numerical.size() / most_points + 1);
+  for (std::size_t first = 0; first < sums; ++first) {
+    std::vector<Datum> run;
+    for (std::size_t i = first; i < numerical.size(); i += step) {
+      if (exact[i] == 0 || numerical[i] == exact[i]) continue;
+      const double error = std::abs(nearest((numerical[i] - exact[i]) / exact[i]));
+      if (error > 0) run.push_back({nearest(dt * Rational(static_cast<long>(i))), error});
+    }
+    if (!run.empty()) of.runs.push_back(run);
   }
   return of;
 }
 
 // Whole decades, of a few at least.
 FlatChart chart(const std::vector<Errors>& all, const std::string& letters, double end) {
-  double low = 1, high = 1e-3;
+  double low = std::numeric_limits<double>::infinity(), high = 0;
   for (const Errors& each : all)
-    for (const Datum& point : each.points) {
-      low = std::min(low, point.y);
-      high = std::max(high, point.y);
-    }
-  constexpr double least = 1e-12;
+    for (const auto& run : each.runs)
+      for (const Datum& point : run) {
+        low = std::min(low, point.y);
+        high = std::max(high, point.y);
+      }
+  constexpr double least = 1e-12, decade = 10;
+  if (high == 0) low = high = 1;  // no errors
+  low = std::min(std::max(low, least), high / decade);
   drawings::Chart chart;
   chart.x = {.quantity = "$t$", .unit = "s", .low = 0, .high = end, .to_ticks = false};
   chart.y = {.quantity = letters,
              .unit = "",
-             .low = std::pow(10.0, std::floor(std::log10(std::max(low, least)))),
+             .low = std::pow(10.0, std::floor(std::log10(low))),
              .high = std::pow(10.0, std::ceil(std::log10(high))),
              .scale = drawings::AxisScale::logarithmic};
   for (const Errors& each : all)
-    if (!each.points.empty())
-      chart.curves.push_back(
-          {.name = each.name, .runs = {each.points}, .meaning = each.meaning, .label = each.label});
+    if (!each.runs.empty())
+      chart.curves.push_back({.name = each.name, .runs = each.runs, .meaning = each.meaning, .label = each.label});
   chart.letters_left = 15;
   return FlatChart(std::move(chart));
 }
@@ -108,9 +118,10 @@ PanelSheet errors_sheet(const Solution& s, Language language) {
     right.push_back(errors("s", column.method, column.s, table.columns.front().s, of.dt));
   }
   Panels all;
-  all.push_back(std::make_unique<FlatChart>(chart(right, "|$ε$|", end)));
+  all.push_back(std::make_unique<FlatChart>(
+      chart(right, Words{"|$ε$|, right tables", "|$ε$|, tabelle giuste"}.in(language), end)));
   const Words formulas{
-      "Bezout's $v_{B}$ is off by Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). Cavalieri and Simpson's formula is exact for "
+      "Bezout's $v_{B}$ is off by Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). Cavalieri-Simpson's formula is exact for "
       "the "
       "cubic $a$: $v_{S}$ has an error in the odd rows alone, which begin with a parabola through three points.",
       "La $v_{B}$ di Bezout è errata di Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). La formula di Cavalieri-Simpson è esatta "
@@ -120,16 +131,17 @@ PanelSheet errors_sheet(const Solution& s, Language language) {
   if (s.givens().as_stated()) {
     for (const PrintedAgainstExact& column : printed_columns())
       printed.push_back(errors(column.kind, column.method, column.printed, column.exact, of.dt));
-    all.push_back(std::make_unique<FlatChart>(chart(printed, "|$ε$|", end)));
+    all.push_back(std::make_unique<FlatChart>(
+        chart(printed, Words{"|$ε$|, the source's tables", "|$ε$|, tabelle della fonte"}.in(language), end)));
     const Words mistakes{
         "Below, the source's own table: a hundred to a hundred thousand times worse. Its sums leave out the first "
         "strip "
         "(Bezout), and those of the velocities stand a row too high; or the first two (Cavalieri-Simpson: its first "
-        "three rows are zero). So every row of these columns comes out; check tells it row by row.",
+        "three rows are zero). Every number of these columns follows from that; check tells it row by row.",
         "Sotto, la tabella della fonte: da cento a centomila volte peggio. Le sue somme tralasciano la prima "
         "striscia "
         "(Bezout), e quelle delle velocità stanno una riga troppo in alto; o le prime due (Cavalieri-Simpson: le sue "
-        "prime tre righe sono nulle). Così torna ogni riga di queste colonne; check lo dice riga per riga."};
+        "prime tre righe sono nulle). Ne segue ogni numero di queste colonne; check lo dice riga per riga."};
     theory.push_back({{"The source's table", "La tabella della fonte"}, {remark(mistakes.in(language))}});
   }
   const auto row = [](const std::string& kind, const std::string& method) {

@@ -22,6 +22,7 @@ std::vector<Unit> make_units() {
   const Rational kgf = ratio(980665, 100000), lb(45359237, 100000000), foot = ratio(3048, 10000);
   return {
       {"1", Kind::pure_number, 1},
+      {"%", Kind::pure_number, ratio(1, 100)},
       {"m", Kind::length, 1},
       {"cm", Kind::length, ratio(1, 100)},
       {"mm", Kind::length, ratio(1, 1000)},
@@ -116,6 +117,12 @@ std::vector<Unit> make_units() {
       {"cP", Kind::viscosity, ratio(1, 1000)},
       {"N s/m^2", Kind::viscosity, 1},
       {"kgf s/m^2", Kind::viscosity, kgf},
+      {"N/s", Kind::force_per_time, 1},
+      {"kN/s", Kind::force_per_time, 1000},
+      {"N/s^2", Kind::force_per_time_squared, 1},
+      {"kN/s^2", Kind::force_per_time_squared, 1000},
+      {"N/s^3", Kind::force_per_time_cubed, 1},
+      {"kN/s^3", Kind::force_per_time_cubed, 1000},
   };
 }
 
@@ -155,6 +162,12 @@ Words name_of(Kind kind) {
       return {"an energy", "un'energia"};
     case Kind::viscosity:
       return {"a viscosity", "una viscosità"};
+    case Kind::force_per_time:
+      return {"a force per time", "una forza per unità di tempo"};
+    case Kind::force_per_time_squared:
+      return {"a force per time squared", "una forza per unità di tempo al quadrato"};
+    case Kind::force_per_time_cubed:
+      return {"a force per time cubed", "una forza per unità di tempo al cubo"};
   }
   return {};
 }
@@ -165,9 +178,11 @@ std::string spelled(std::string symbol) {
     if (const auto at = symbol.find(from); at != std::string::npos) symbol.replace(at, from.size(), to);
   };
   replace("²", "^2");
+  replace("³", "^3");
   replace("·", "*");
   replace("μ", "µ");  // the Greek letter, for the sign
-  if (symbol.ends_with("/s2") || symbol.ends_with("m2")) symbol.insert(symbol.size() - 1, "^");
+  if (symbol.ends_with("/s2") || symbol.ends_with("/s3") || symbol.ends_with("m2"))
+    symbol.insert(symbol.size() - 1, "^");
   return symbol;
 }
 

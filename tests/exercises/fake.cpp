@@ -84,6 +84,10 @@ std::vector<RouteValue> Triangle::solve(const Givens& givens, Rung rung) const {
   return values;
 }
 
+std::optional<LongTable> Triangle::long_table(const std::string& sheet, const Solution&) const {
+  return sheet == "sides" ? table_of_it : std::nullopt;
+}
+
 DrawnSheet Triangle::draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const {
   const Givens& givens = solution.givens();
   const double a = number(givens, "a"), b = number(givens, "b");

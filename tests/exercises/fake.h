@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ class Triangle : public Exercise {
   // Applied to what solve and draw return.
   std::function<void(std::vector<RouteValue>&)> spoil_values = [](auto&) {};
   std::function<void(DrawnSheet&)> spoil_sheet = [](auto&) {};
+
+  // Of its sheet "sides".
+  std::optional<LongTable> long_table(const std::string& sheet, const Solution& solution) const override;
+  std::optional<LongTable> table_of_it = {};
 
   std::vector<Flaw> flaws(const Givens&) const override { return flaws_of_it; }
   std::vector<Flaw> flaws_of_it = {};

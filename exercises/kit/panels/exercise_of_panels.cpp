@@ -21,10 +21,11 @@ DrawnSheet over_pages(const Description& about, const std::string& sheet, const 
     if (page > 0) drawn.sheet.id += fmt::format("-{}", page + 1);
     return drawn;
   };
-  PanelSheet further{.seen = first.seen, .without_part = first.without_part};
+  const PanelSheet further{.theory = first.theory, .seen = first.seen, .without_part = first.without_part};
   DrawnSheet drawn = page_of(0, std::move(first));
   for (std::size_t page = 1; page < pages; ++page)
-    drawn.further.push_back(page_of(page, {.seen = further.seen, .without_part = further.without_part}).sheet);
+    drawn.further.push_back(
+        page_of(page, {.theory = further.theory, .seen = further.seen, .without_part = further.without_part}).sheet);
   return drawn;
 }
 

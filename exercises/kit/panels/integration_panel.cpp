@@ -16,7 +16,7 @@ constexpr double least_pole_distance = 14, most_pole_share = 0.4;  // mm; of the
 constexpr double least_width = 60, least_height = 10;              // mm; of a row
 constexpr double number_size = 2.5, tick = 1;                      // mm
 constexpr double numbers_apart = 5.5, heights_apart = 6;           // mm, of the numbers along the axes
-constexpr int curve_points = 240;
+constexpr int curve_points = 150;
 
 // Of the polygon, the curve and what is carried, with zero; 0 to 1 where all is zero.
 std::pair<double, double> range(const IntegrationRow& row, const std::vector<double>& ends) {
@@ -169,7 +169,9 @@ void IntegrationPanel::draw_axes(Plot& plot, std::size_t row, Language language)
   const auto title = [&](const std::string& letters, const std::string& unit) {
     return letters + (unit.empty() ? "" : " (" + unit + ")");
   };
-  write(title(rows_[row].letters, rows_[row].unit), at(row, first, high) + Arrow2{1.5, 2.2});
+  // Left of the axis, where no strip ends, and above the rays' numbers.
+  const std::string name = title(rows_[row].letters, rows_[row].unit);
+  write(name, at(row, first, high) + Arrow2{-1.5 - drawings::measure(name, number_size).width, 3.6});
   if (row + 1 < rows_.size()) return;
   const double below = at(row, first, low).y - 4;
   const double abscissa_step = readable_step(scales_[0], numbers_apart);
@@ -199,36 +201,45 @@ void IntegrationPanel::draw_polygon(Plot& plot, std::size_t row) const {
   plot.mark(drawings::Line{drawings::polyline(points, false), rows_[row].meaning, rows_[row].id});
 }
 
-// Strips, what is carried from them, and the rays; as many of these are numbered as find room.
+// Whether a number can stand at the axis beside the ray of this height, on the side away from the pole's, where no
+// other ray comes so near. Of several at one height the first has it.
+bool is_free(const std::vector<double>& heights, std::size_t ray, double pole_distance) {
+  constexpr double room = 3.2, width = 4.5;  // mm
+  const double own = heights[ray];
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (heights[i] == own && i < ray) return false;
+    const bool is_beyond = own < 0 ? heights[i] < own : heights[i] > own;
+    if (is_beyond && std::abs(heights[i]) * (1 - width / pole_distance) - std::abs(own) < room) return false;
+  }
+  return true;
+}
+
+// What is carried from the strips, and the rays; as many of these are numbered as find room, and the strips under the
+// first diagram.
 void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) const {
   const std::vector<double>& carried = rows_[row].carried;
   if (carried.empty()) return;
+  const double digit_height = 0.7 * number_size, apart = 0.7;
   const Place pole{-pole_distance(row), axes_[row]};
-  constexpr double line_apart = 3.4;
-  double last_number = -numbers_apart;
+  std::vector<double> heights;
+  for (const double mean : carried) heights.push_back(mean * scales_[row + 1].mm_per_unit);
+  const double foot = at(row, along_.ends.front(), ranges_[row].first).y;
   for (std::size_t i = 0; i < carried.size(); ++i) {
-    const double middle = (along_.ends[i] + along_.ends[i + 1]) / 2;
-    const Place mean = at(row, middle, carried[i]), on_axis = at(row, along_.ends.front(), carried[i]);
+    const Place mean = at(row, (along_.ends[i] + along_.ends[i + 1]) / 2, carried[i]);
+    const Place on_axis{0, mean.y};
     plot.segment(mean, on_axis, Meaning::construction);
     plot.segment(pole, on_axis, Meaning::construction);
     plot.dot(mean);
     const std::string number = std::to_string(i + 1);
+    const double width = drawings::measure(number, number_size).width;
     const auto write = [&](Place from) { plot.mark(drawings::Writing{number, plot.at(from), number_size}); };
-    // Above its line, where no other comes; of several at one height the first.
-    bool is_free = true;
-    for (std::size_t k = 0; k < carried.size(); ++k) {
-      const double above = at(row, middle, carried[k]).y - on_axis.y;
-      if ((above > 0 && above < line_apart) || (above == 0 && k < i)) is_free = false;
-    }
-    if (is_free) write(on_axis + Arrow2{-1 - drawings::measure(number, number_size).width, 0.6});
-    if (row > 0 || mean.x < last_number + numbers_apart - 0.5) continue;
-    last_number = mean.x;
-    const double side = carried[i] < 0 ? 1 : -1 - number_size;  // of the axis, away from the curve
-    write({mean.x - drawings::measure(number, number_size).width / 2, axes_[row] + side});
+    if (is_free(heights, i, -pole.x))
+      write(on_axis + Arrow2{-apart - width, heights[i] < 0 ? -apart - digit_height : apart});
+    if (row == 0 && (along_.ends[i + 1] - along_.ends[i]) * scales_[0].mm_per_unit > width + apart)
+      write({mean.x - width / 2, foot - apart - digit_height});
   }
   plot.dot(pole);
   plot.label(rows_.size() > 2 ? "$O_{" + std::to_string(row + 1) + "}$" : "$O$", pole, Place{0, axes_[row]});
-  const double foot = at(row, 0, ranges_[row].first).y;
   plot.segment(pole, {pole.x, foot}, Meaning::construction);
   plot.mark(drawings::Dimension{plot.at({pole.x, foot}), plot.at({0, foot}), -3.5,
                                 short_number(pole_distance(row), language) + " mm"});

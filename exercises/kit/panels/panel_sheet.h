@@ -33,7 +33,7 @@ struct PanelSheet {
 struct SheetMaker {
   SheetSpec spec;
   std::function<PanelSheet(const Solution&, Language)> make;
-  // Shown after the sheet's panels, which are on its first page; the further pages hold nothing else.
+  // Shown after the sheet's panels, which are on its first page; on further ones it stands alone, with the theory.
   std::function<LongTable(const Solution&)> table = {};
 };
 

@@ -1,0 +1,138 @@
+// Long tables: as CSV, on the pages of a sheet, and asked for on the command line.
+#include "exercises/kit/panels/long_table_panel.h"
+
+#include <cmath>
+
+#include "exercises/kit/panels/panel_sheet.h"
+#include "tests/exercises/run.h"
+#include "tests/support/catch.h"
+
+using namespace epure;
+
+namespace {
+
+LongTable table_of_rows(std::size_t rows) {
+  LongTable table;
+  table.columns = {{"t", "$t$", "s", 1, {}}, {"x, or \"y\"", "$x$", "1", 3, {}}, {"v_B", "$v_{B}$", "m/s^2", 2, {}}};
+  for (std::size_t i = 0; i < rows; ++i) {
+    table.columns[0].values.push_back(static_cast<double>(i) / 10);
+    table.columns[1].values.push_back(1.0 / 3 * static_cast<double>(i));
+    table.columns[2].values.push_back(i % 2 == 0 ? -1e-30 : 12345678.9);
+  }
+  return table;
+}
+
+std::unique_ptr<Exercise> exercise_with(std::size_t rows) {
+  Description about;
+  about.id = "some";
+  about.title = {"Some", "Uno"};
+  const auto solve = [](const Givens&, Rung) { return std::vector<RouteValue>{}; };
+  const auto make = [](const Solution&, Language) { return PanelSheet{.seen = {"numbers", "numeri"}}; };
+  return exercise_of_panels(
+      about, solve,
+      {{{"table", {"A table", "Una tabella"}}, make, [rows](const Solution&) { return table_of_rows(rows); }},
+       {{"other", {"No table", "Nessuna"}}, make}});
+}
+
+std::vector<std::string> written_on(const drawings::Sheet& sheet) {
+  std::vector<std::string> all;
+  for (const drawings::Mark& mark : sheet.figure.marks)
+    if (const auto* writing = std::get_if<drawings::Writing>(&mark)) all.push_back(writing->text);
+  return all;
+}
+
+bool holds(const std::vector<std::string>& all, const std::string& text) {
+  return std::find(all.begin(), all.end(), text) != all.end();
+}
+
+Triangle with_table() {
+  Triangle triangle;
+  triangle.table_of_it = table_of_rows(3);
+  return triangle;
+}
+
+void is_refused(const std::vector<std::string>& words, const std::string& part) {
+  const Ran ran = run_on(with_table(), words);
+  CAPTURE(words, ran.err);
+  CHECK(ran.exit == 2);
+  CHECK(ran.err.find(part) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("CSV: a header, records that end in CR LF, quotes where a field needs them", "[long table]") {
+  CHECK(csv(table_of_rows(2)) ==
+        "t (s),\"x, or \"\"y\"\"\",v_B (m/s^2)\r\n0,0,-1e-30\r\n0.1,0.3333333333333333,12345678.9\r\n");
+  LongTable zero;
+  zero.columns = {{"x", "$x$", "1", 2, {-0.0}}};
+  CHECK(csv(zero) == "x\r\n0\r\n");
+}
+
+TEST_CASE("a long table takes as many pages as it needs, and every row stands on one of them", "[long table]") {
+  for (const drawings::Paper paper : {drawings::Paper::a4, drawings::Paper::a3}) {
+    const std::size_t rows = rows_of_a_page(paper);
+    CHECK(rows > 30);
+    for (const auto& [count, pages] :
+         std::vector<std::pair<std::size_t, std::size_t>>{{1, 1}, {rows, 1}, {rows + 1, 2}, {5 * rows, 5}}) {
+      const auto exercise = exercise_with(count);
+      const DrawnSheet drawn = exercise->draw("table", Givens({}), {.paper = paper});
+      CAPTURE(count, pages);
+      REQUIRE(drawn.further.size() + 1 == pages);
+      std::vector<std::string> all = written_on(drawn.sheet);
+      for (const drawings::Sheet& further : drawn.further) {
+        const std::vector<std::string> more = written_on(further);
+        CHECK(holds(more, "$v_{B}$"));
+        CHECK(holds(more, "(m/s²)"));
+        all.insert(all.end(), more.begin(), more.end());
+      }
+      CHECK(all.size() == 5 * pages + 3 * count);
+      CHECK(holds(all, fmt::format("{:.1f}", static_cast<double>(count - 1) / 10)));
+    }
+  }
+  const DrawnSheet drawn = exercise_with(100)->draw("table", Givens({}), {.language = Language::italian});
+  CHECK(drawn.sheet.title_block.sheet == "Una tabella (1/3)");
+  CHECK(drawn.further[1].title_block.sheet == "Una tabella (3/3)");
+  CHECK(drawn.further[1].id == "some-table-3");
+  CHECK(holds(written_on(drawn.sheet), "0,333"));
+  CHECK_FALSE(holds(written_on(drawn.sheet), "0.333"));
+}
+
+TEST_CASE("numbers that their column's decimals would hide or lengthen are written by their figures",
+          "[long table]") {
+  const std::vector<std::string> all = written_on(exercise_with(2)->draw("table", Givens({}), {}).sheet);
+  CHECK(
+      std::any_of(all.begin(), all.end(), [](const std::string& text) { return text.starts_with("$−1.000·10^{"); }));
+  CHECK(holds(all, "$1.235·10^{7}$"));
+}
+
+TEST_CASE("a table that is too wide is told", "[long table]") {
+  LongTable wide;
+  for (int i = 0; i < 60; ++i) wide.columns.push_back({"x", "$x$", "1", 3, {1000.0 / 3}});
+  CHECK_THROWS_AS(LongTablePanel(wide, 0, {}), DoesNotFit);
+}
+
+TEST_CASE("draw --format csv writes the long table of a sheet", "[long table]") {
+  const Scratch scratch;
+  const Ran folder = run_on(with_table(), {"draw", "triangle", "--format", "csv"});
+  CHECK(folder.exit == 0);
+  CHECK(folder.out == "out/triangle-sides.csv\n");
+  CHECK(scratch.files() == std::vector<std::string>{"out/triangle-sides.csv"});
+  CHECK(contents("out/triangle-sides.csv") == csv(table_of_rows(3)));
+  CHECK(run_on(with_table(), {"draw", "triangle/sides", "--format", "csv", "-o", "-"}).out == csv(table_of_rows(3)));
+  CHECK(run_on(with_table(), {"draw", "triangle", "-o", "some.csv"}).exit == 0);
+  CHECK(contents("some.csv") == csv(table_of_rows(3)));
+  const Ran all = run_on(with_table(), {"draw", "triangle", "--format", "pdf,csv", "--out", "both"});
+  CHECK(all.out == "both/triangle.pdf\nboth/triangle-sides.csv\n");
+}
+
+TEST_CASE("a sheet without a long table has no CSV, and says so", "[long table]") {
+  const Scratch scratch;
+  is_refused({"draw", "triangle/small", "--format", "csv"},
+             "triangle/small holds no long table that --format csv could write");
+  is_refused({"draw", "triangle/small", "--format", "csv,pdf"}, "holds no long table");
+  is_refused({"draw", "triangle", "--format", "csv", "-o", "some.pdf"}, "is not the ending of --format csv");
+  const Ran none = run({"draw", "triangle", "--format", "csv"});
+  CHECK(none.exit == 2);
+  CHECK(none.err == "epure: no sheet of triangle holds a long table that --format csv could write\n");
+  CHECK(scratch.files().empty());
+}
