@@ -21,10 +21,10 @@ using Joint = Mechanism::Joint;
 double given(const Solution& s, const std::string& symbol) { return CGAL::to_double(s.givens()[symbol]); }
 
 // The spool on its plane; C is where it touches, A where the rope leaves the core.
-Mechanism spool_of(const Solution& s) {
+Mechanism spool_of(const Solution& s, const std::string& letters_of_C = "$C$") {
   const Place C = s.place("C"), G = s.place("G"), A = s.place("A");
   Mechanism drawn;
-  drawn.point("C", C, Joint::none, "$C$")
+  drawn.point("C", C, Joint::none, letters_of_C)
       .point("G", G, Joint::mass, "$G$")
       .point("A", A, Joint::none, "$A$")
       .disc("G", "C", true)
@@ -36,7 +36,7 @@ Mechanism spool_of(const Solution& s) {
 std::shared_ptr<const Mechanism> whole(const Solution& s) {
   const double R = given(s, "R"), h = s.place("A").y, pulley = R / 4, far = 1.7 * R, side = 0.2 * R;
   const Place centre{far, h - pulley}, hook{far + pulley, centre.y - 0.6 * R};
-  Mechanism drawn = spool_of(s);
+  Mechanism drawn = spool_of(s, "");  // C is the pole's
   drawn.point("top", {far, h}, Joint::corner, "")
       .point("Q", centre, Joint::hinge, "")
       .point("right", {far + pulley, centre.y}, Joint::corner, "")
@@ -163,7 +163,7 @@ ChainedPolygonsPanel with_cone(const Solution& s, const std::string& prefix, con
                                const Words& told, bool is_first, Language language) {
   Forces on = forces(s, prefix, language);
   const Arrow2 apex = on.W.v + on.T.v + on.inertia.v;
-  const double N = s["N"], wide = std::min(s["F_max"], 4 * N);
+  const double N = s["N"], wide = std::min(s["F_max"], 0.7 * N);
   ChainedPolygonsPanel panel(force_polygon(letter, {on.S}, {on.W, on.T, on.inertia}));
   panel.over({apex + Arrow2{-wide, wide == 0 ? N : wide * N / s["F_max"]}, apex,
               apex + Arrow2{wide, wide == 0 ? N : wide * N / s["F_max"]}});
@@ -191,15 +191,24 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
       slips ? Words{"It slips: $\\it{F}$ = $f_{r}\\it{N}$, and another pull and inertia close the polygon.",
                     "Striscia: $\\it{F}$ = $f_{r}\\it{N}$, e altro tiro e altra inerzia chiudono il poligono."}
             : Words{"$m_{b,h}$: ", "$m_{b,h}$: "} + so("m_b_heavy");
+  const std::string tried_head = Words{"$m_{b,h}$, rolling", "$m_{b,h}$, se rotola"}.in(language);
+  const Words margin{"$m_{F}$ = $\\it{F}_{max}$ − $\\it{F}$: negative where the reaction leaves the cone.",
+                     "$m_{F}$ = $\\it{F}_{max}$ − $\\it{F}$: negativo dove la reazione esce dal cono."};
   return {
       .panels =
           panels(with_cone(s, "light.", "l", light, true, language), with_cone(s, "", "m", main, false, language),
                  with_cone(s, "heavy_if_rolling.", "t", tried, false, language),
                  with_cone(s, "heavy.", "h", instead, false, language)),
-      .results = {values({"F_max", "friction_cone_half_angle"}), values({"light.T", "light.u_required"}),
-                  values({"T", "F", "slip_margin"}),
-                  values({"heavy_if_rolling.T", "heavy_if_rolling.F", "heavy_if_rolling.slip_margin"}),
-                  values({"heavy.T", "heavy.F"}), values({"heavy.a_G", "heavy.alpha", "heavy.slip_acceleration"})},
+      .results = {values({"F_max", "friction_cone_half_angle"}),
+                  table({"", "$\\it{T}$ (N)", "$\\it{F}$ (N)"},
+                        {{"$m_{b,l}$", {"light.T", "light.F"}},
+                         {"$m_{b}$", {"T", "F"}},
+                         {tried_head, {"heavy_if_rolling.T", "heavy_if_rolling.F"}},
+                         {"$m_{b,h}$", {"heavy.T", "heavy.F"}}}),
+                  table({"", "$m_{F}$ (N)"},
+                        {{"$m_{b}$", {"slip_margin"}}, {tried_head, {"heavy_if_rolling.slip_margin"}}}),
+                  values({"heavy.a_G", "heavy.alpha"}), values({"heavy.slip_acceleration", "light.u_required"}),
+                  remark(margin.in(language))},
       .seen = {"The force polygons of the spool with the friction cone for a light, a middle and a heavy "
                "counterweight",
                "I poligoni delle forze della bobina con il cono d'attrito per un contrappeso leggero, uno medio e "
@@ -236,6 +245,7 @@ drawings::Chart chart(const Solution& s, Language language) {
     curves.push_back({.name = "rolling",
                       .runs = {run(rest_end, edge, needed)},
                       .meaning = Meaning::force,
+                      .line = drawings::LineType::continuous,
                       .label = Words{"rolling", "rotolamento"}.in(language)});
   if (edge < far) {
     curves.push_back({.name = "trial",
@@ -287,7 +297,8 @@ PanelSheet limits_sheet(const Solution& s, Language language) {
           .theory = {{{"What must hold", "Che cosa deve trattenere"},
                       {remark(rest.in(language)), remark(rolls.in(language)), remark(exception)}}},
           .results = {values({"mass_ratio_start", "m_b_start"}), values({"mass_ratio_slip", "m_b_slip"}),
-                      values({"F_over_N", "heavy_if_rolling.F_over_N"})},
+                      table({"", "$\\it{F}$/$\\it{N}$"},
+                            {{"$m_{b}$", {"F_over_N"}}, {"$m_{b,h}$", {"heavy_if_rolling.F_over_N"}}})},
           .seen = {"The friction that must hold over the normal reaction, against the ratio of the masses",
                    "L'attrito che deve trattenere sulla reazione normale, in funzione del rapporto delle masse"},
           .told = {"mass_ratio_start", "mass_ratio_slip", "F_over_N", "heavy_if_rolling.F_over_N"}};
