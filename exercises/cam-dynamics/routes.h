@@ -85,9 +85,10 @@ class Routes {
   T omega(const Angle& speed) const {
     return geometry::radians<T>(speed);
   }
+  // P and the follower's weight together, which may just balance.
   template <class T>
-  T P() const {
-    return number<T>(of.P);
+  T load() const {
+    return number<T>(Rational(of.P + of.m_3 * of.g));
   }
   template <class T>
   T weight(const Rational& m) const {
@@ -185,7 +186,7 @@ class Routes {
   // What presses the follower on the cam. Throws Impossible where nothing does.
   template <class T>
   T pressing(const T& a_B3_y) const {
-    const T force = P<T>() + weight<T>(of.m_3) + number<T>(of.m_3) * a_B3_y;
+    const T force = load<T>() + number<T>(of.m_3) * a_B3_y;
     const geometry::Sign sign = geometry::sign(force);
     if (sign == geometry::Sign::negative) throw geometry::Impossible(contact_is_lost);
     if (sign == geometry::Sign::undecided)
@@ -206,10 +207,10 @@ class Routes {
                       const geometry::RollerCamMotion<T>& m) const {
     const T none(0);
     const Vector<T> level{T(1), none}, AB = at.AB();
-    const Vector<T> P_2{none, -weight<T>(of.m_2)}, P_3{none, -weight<T>(of.m_3)}, closing{none, -P<T>()};
+    const Vector<T> P_2{none, -weight<T>(of.m_2)}, P_3{none, -weight<T>(of.m_3)}, loaded{none, -load<T>()};
     const Vector<T> F_2 = -(number<T>(of.m_2) * m.a_A), F_3 = -(number<T>(of.m_3) * m.a_B3);
     // P + P_3 + F_3 + x AB = y (1, 0), as if the cam could pull too.
-    const auto [along_AB, along_x] = geometry::close_polygon(closing + P_3 + F_3, AB, level);
+    const auto [along_AB, along_x] = geometry::close_polygon(loaded + F_3, AB, level);
     const Vector<T> R_23 = along_AB * AB, R_13 = -(along_x * level), R_12 = -(P_2 + F_2 - R_23);
     const auto pressed = [=, this](const Vector<T>& force) -> std::function<Vector<T>()> {
       return [=, this] {
@@ -234,7 +235,7 @@ class Routes {
       return -(geometry::cross(at.A - at.A0, P_2) + geometry::cross(at.A - at.A0, -pressed(R_23)()));
     });
     for (const auto& [name, v] : std::initializer_list<std::pair<const char*, Vector<T>>>{
-             {"P", closing}, {"held_R_13", R_13}, {"held_R_23", R_23}, {"held_R_12", R_12}})
+             {"P", Vector<T>{none, -number<T>(of.P)}}, {"held_R_13", R_13}, {"held_R_23", R_23}, {"held_R_12", R_12}})
       ledger.draws_vector(name, v);
   }
   // Of the line XY about O, from the foot of its perpendicular.
