@@ -15,7 +15,14 @@ std::unique_ptr<Exercise> make_cam_dynamics() {
                     .givens = stated_givens(),
                     .printed = printed_by_the_source()};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes(cam(givens)), rung); };
-  return exercise_of_panels(std::move(about), solve, {});
+  return exercise_of_panels(
+      std::move(about), solve,
+      {{{"velocities", {"Velocities", "Velocità"}}, velocity_sheet},
+       {{"accelerations", {"Accelerations", "Accelerazioni"}}, acceleration_sheet},
+       {{"forces", {"Forces and torque", "Forze e coppia"}}, forces_sheet},
+       {{"maximum-lift", {"Maximum lift", "Massima alzata"}}, maximum_lift_sheet},
+       {{"inversion", {"Lift by inversion", "Alzata per inversione"}}, lift_sheet},
+       {{"closing-force", {"Closing force over the turn", "Forza di chiusura nel giro"}}, closing_force_sheet}});
 }
 
 }  // namespace epure

@@ -41,11 +41,7 @@ std::vector<Printed> printed_by_the_source() {
   return {
       {"omega_2", "5.24", "analytic"},
       {"v_B3", "0.14", polar, of_v},
-      {"v_B2", "0.88", polar, 0,
-       chain("ω₂·A₀B with both rounded: 5.24 · 0.168, A₀B read off the figure",
-             "ω₂·A₀B con entrambi arrotondati: 5,24 · "
-             "0,168, A₀B letto sulla figura",
-             omega * 0.168)},
+      {"v_B2", "0.88", polar, of_v},
       {"v_B32", "0.85", polar, of_v},
       {"v_A_y", "0.15", "analytic"},
       {"a_B3", "0.45", polar, of_a},

@@ -396,13 +396,22 @@ class Routes {
     ledger.put_length(force("P_3"), P_3);
     ledger.put_length(force("F_3_in"), F_3);
     ledger.put(quantity("P_min"), (F_3 + P_3).y);
-    ledger.draws_vector("P_min", {T(0), -(F_3 + P_3).y});
+    // The source's: with the acceleration of the drawn position.
+    ledger.tells({"F_3_drawn", "$\\it{F}^{in}_{3}$", "N", {}}, [&] { return drawn_inertia<T>(); });
+    ledger.tells({"P_drawn", "$\\it{P}$", "N", {}}, [&] { return drawn_inertia<T>() + P_3.y; });
     // The force of inertia at 1 rad/s, as the square of the speed.
     ledger.put(quantity("omega_2_contact_loss"), [&] {
       const auto slow = geometry::relative_motion(
           geometry::roller_cam_at<T>(geometry::DeadCentre::farthest, of.lengths, upwards<T>()), T(1));
       return speed_of_loss<T>(-slow.a_B3.y);
     });
+  }
+
+  template <class T>
+  T drawn_inertia() const {
+    const Vector<T> towards{geometry::cosine<T>(of.angle), geometry::sine<T>(of.angle)};
+    const auto at = geometry::roller_cam<T>(of.lengths, towards, upwards<T>());
+    return -(number<T>(of.m_3) * geometry::relative_motion(at, omega<T>(of.fast)).a_B3.y);
   }
 
   // ω² m_3 |y''| = P + P_3.
@@ -454,7 +463,24 @@ class Routes {
     ledger.put(quantity("pressure_angle_min_deg"), [&] { return pressure(1); });
     for (int n = 0; n < 360; n += 30)
       ledger.put(lift_at(n), [&] { return constructed_ordinate<T>(degrees(n)) - low.B.y; });
+    inversion(ledger, low.B.y);
     least(ledger, "branch and bound", swept_);
+  }
+
+  // The cam held with A₀A along x, the frame turned back instead: where the follower's axis touches the circle of
+  // radius |e| about A₀, and on it the roller's centre, now and where it would be at no lift.
+  template <class T>
+  void inversion(Ledger<T>& ledger, const T& lowest) const {
+    const T e = number<T>(of.offset), none(0);
+    ledger.draws_point("A", geometry::Point<T>{number<T>(of.lengths.eccentricity), none});
+    for (int n = 0; n < 360; n += 30) {
+      const T c = geometry::cosine<T>(degrees(n)), s = geometry::sine<T>(degrees(n));
+      const auto back = [&](const T& x, const T& y) { return geometry::Point<T>{c * x + s * y, c * y - s * x}; };
+      const std::string at = std::to_string(n);
+      ledger.draws_point("foot_" + at, [&] { return back(e, none); });
+      ledger.draws_point("lowest_" + at, [&] { return back(e, lowest); });
+      ledger.draws_point("roller_" + at, [&] { return back(e, constructed_ordinate<T>(degrees(n))); });
+    }
   }
 
   template <class T>

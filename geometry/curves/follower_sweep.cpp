@@ -13,38 +13,48 @@ namespace {
 using Wide = Taylor<Bounded, 4>;
 using Narrow = Taylor<Deep, 3>;
 
-// The lift at the angle, and its derivatives.
+// The lift at the angle, and its derivatives. AB along the guide is the root of (l - d)(l + d), d = e - r cos θ
+// across it; by half angles both factors are sums of what is positive, however wide the interval.
+template <class T>
+struct Lengths {
+  T r, before, beyond;  // eccentricity, l - e - r, l + e - r
+  Lengths(const Rational& of_r, const Rational& l, const Rational& e)
+      : r(from_rational<T>(of_r)),
+        before(from_rational<T>(Rational(l - e - of_r))),
+        beyond(from_rational<T>(Rational(l + e - of_r))) {}
+};
 template <class Series, class T>
-Series lift(const T& r, const T& l, const T& e, const T& angle) {
-  const Series theta = Series::parameter(angle);
-  const Series across = Series(e) - Series(r) * cosine_of_angle(theta);
-  return Series(r) * sine_of_angle(theta) + root(square(Series(l)) - square(across));
+Series lift(const Lengths<T>& of, const T& angle) {
+  const Series theta = Series::parameter(angle), half = Series(quotient(T(1), T(2))) * theta;
+  const Series twice_r(T(2) * of.r);
+  const Series squared = (Series(of.before) + twice_r * square(cosine_of_angle(half))) *
+                         (Series(of.beyond) + twice_r * square(sine_of_angle(half)));
+  return Series(of.r) * sine_of_angle(theta) + root(squared);
 }
 
-struct Part {
+struct Stretch {
   double low, high;
   double middle() const { return low + (high - low) / 2; }
 };
 
-class Search {
+class SearchOfTurn {
  public:
-  Search(const Rational& r, const Rational& l, const Rational& e)
-      : r_(from_rational<Bounded>(r)), l_(from_rational<Bounded>(l)), e_(from_rational<Bounded>(e)) {}
+  SearchOfTurn(const Rational& r, const Rational& l, const Rational& e) : of_(r, l, e) {}
 
   // The hull of what may hold the least.
-  Part run() {
-    constexpr int first = 96, halvings = 44;
-    std::vector<Part> parts;
+  Stretch run() {
+    constexpr int first = 96, halvings = 50;
+    std::vector<Stretch> parts;
     const double begin = -std::numbers::pi / 2, step = 2 * std::numbers::pi / first;
     // Beyond a whole turn at both ends: none is left out by rounding.
     for (int i = 0; i <= first; ++i) parts.push_back({begin + (i - 0.5) * step, begin + (i + 0.5) * step});
     for (int k = 0; k < halvings; ++k) {
       parts = left_of(parts);
       if (parts.empty()) break;
-      const Part hull{parts.front().low, parts.back().high}, around = widened(hull);
+      const Stretch hull{parts.front().low, parts.back().high}, around = widened(hull);
       if (is_convex(around)) return around;
-      std::vector<Part> halves;
-      for (const Part& each : parts) {
+      std::vector<Stretch> halves;
+      for (const Stretch& each : parts) {
         halves.push_back({each.low, each.middle()});
         halves.push_back({each.middle(), each.high});
       }
@@ -58,41 +68,33 @@ class Search {
  private:
   static constexpr std::size_t most_parts = 4096;
 
-  static Part widened(const Part& of) {
+  static Stretch widened(const Stretch& of) {
     const double half = (of.high - of.low) / 2;
     return {of.low - half, of.high + half};
   }
-  Wide at(const Part& of) const { return lift<Wide>(r_, l_, e_, Bounded(of.low, of.high)); }
-  bool is_convex(const Part& of) const {
-    try {
-      return of.high - of.low < std::numbers::pi && sign(at(of).c[4]) == Sign::positive;
-    } catch (const Undecided&) {
-      return false;
-    }
+  Wide at(const Stretch& of) const { return lift<Wide>(of_, Bounded(of.low, of.high)); }
+  bool is_convex(const Stretch& of) const {
+    return of.high - of.low < std::numbers::pi && sign(at(of).c[4]) == Sign::positive;
   }
   // c[2] is half the acceleration, c[3] a sixth of its derivative.
-  std::vector<Part> left_of(const std::vector<Part>& parts) {
-    std::vector<Part> left;
+  std::vector<Stretch> left_of(const std::vector<Stretch>& parts) {
+    std::vector<Stretch> left;
     std::vector<double> lowest;
-    for (const Part& each : parts) {
+    for (const Stretch& each : parts) {
       least_ = std::min(least_, at({each.middle(), each.middle()}).c[2].sup());
-      try {
-        const Wide over = at(each);
-        const Sign slope = sign(over.c[3]);
-        if (slope == Sign::positive || slope == Sign::negative) continue;
-        lowest.push_back(over.c[2].inf());
-      } catch (const Undecided&) {  // a wide part, over which the root may vanish
-        lowest.push_back(-std::numeric_limits<double>::infinity());
-      }
+      const Wide over = at(each);
+      const Sign slope = sign(over.c[3]);
+      if (slope == Sign::positive || slope == Sign::negative) continue;
+      lowest.push_back(over.c[2].inf());
       left.push_back(each);
     }
-    std::vector<Part> may_be;
+    std::vector<Stretch> may_be;
     for (std::size_t i = 0; i < left.size(); ++i)
       if (lowest[i] <= least_) may_be.push_back(left[i]);
     return may_be;
   }
 
-  Bounded r_, l_, e_;
+  Lengths<Bounded> of_;
   double least_ = std::numeric_limits<double>::infinity();
 };
 
@@ -100,17 +102,22 @@ class Search {
 
 FollowerSweep::FollowerSweep(const Rational& r, const Rational& l, const Rational& e) : r_(r), l_(l), e_(e) {
   const Arithmetic<Bounded> scope;
-  const Part found = Search(r, l, e).run();
-  from_ = found.low;
-  width_ = found.high - found.low;
+  try {
+    const Stretch found = SearchOfTurn(r, l, e).run();
+    from_ = found.low;
+    width_ = found.high - found.low;
+  } catch (const Undecided& open) {
+    open_ = open;
+  }
 }
 
 Deep FollowerSweep::found() const {
-  const Deep r = from_rational<Deep>(r_), l = from_rational<Deep>(l_), e = from_rational<Deep>(e_),
-             from = Deep::from_double(from_);
+  if (open_) throw *open_;
+  const Lengths<Deep> of(r_, l_, e_);
+  const Deep from = Deep::from_double(from_);
   const double high = std::log2(width_);
   return from +
-         increasing_root([&](const Deep& x) { return lift<Narrow>(r, l, e, Deep(from + x)).c[3]; }, high - 60, high);
+         increasing_root([&](const Deep& x) { return lift<Narrow>(of, Deep(from + x)).c[3]; }, high - 60, high);
 }
 
 Deep FollowerSweep::angle_now() const {
@@ -118,9 +125,6 @@ Deep FollowerSweep::angle_now() const {
   return sign(angle) == Sign::negative ? Deep(2) * pi<Deep>() + angle : angle;
 }
 
-Deep FollowerSweep::least_now() const {
-  return Deep(2) *
-         lift<Narrow>(from_rational<Deep>(r_), from_rational<Deep>(l_), from_rational<Deep>(e_), found()).c[2];
-}
+Deep FollowerSweep::least_now() const { return Deep(2) * lift<Narrow>(Lengths<Deep>(r_, l_, e_), found()).c[2]; }
 
 }  // namespace epure::geometry

@@ -4,6 +4,8 @@
 // derivative is zero.
 #pragma once
 
+#include <optional>
+
 #include "geometry/numbers/accurate.h"
 
 namespace epure::geometry {
@@ -11,7 +13,7 @@ namespace epure::geometry {
 class FollowerSweep {
  public:
   // The follower of an eccentric disc: guide along y at x = e, eccentricity r, l the sum of the radii of disc and
-  // roller; r + |e| < l. Throws Undecided when the parts that remain do not become one.
+  // roller; r + |e| < l. Where the parts that remain do not become one, whoever asks is told Undecided.
   FollowerSweep(const Rational& r, const Rational& l, const Rational& e);
 
   // The angle in [0, 2π), and the second derivative of the lift by it. Undecided on exact numbers.
@@ -32,6 +34,7 @@ class FollowerSweep {
 
   Rational r_, l_, e_;
   double from_ = 0, width_ = 0;  // radians
+  std::optional<Undecided> open_;
 };
 
 }  // namespace epure::geometry
