@@ -50,6 +50,7 @@ PolesPanel::PolesPanel(const Solution& solution, std::shared_ptr<const Mechanism
     if (solution.is_reported(name_of_ray(X))) reported_rays_.push_back(X);
   }
   pole_ = solution.point(kind_.prefix + kind_.pole);
+  reports_pole_ = solution.is_reported(kind_.prefix + kind_.pole + "_x");
 }
 
 PolesPanel& PolesPanel::sketched() {
@@ -162,7 +163,7 @@ void PolesPanel::draw_leaving_rays(Plot& plot, const drawings::Box& room, Langua
 void PolesPanel::draw_pole(Plot& plot) const {
   plot.cross(*pole_, kind_.ink);
   plot.label(kind_.letters, *pole_, middle_of(mechanism_->corners()), kind_.ink);
-  plot.measures_coordinates(kind_.prefix + kind_.pole, *pole_, mechanism_->corners().front());
+  if (reports_pole_) plot.measures_coordinates(kind_.prefix + kind_.pole, *pole_, mechanism_->corners().front());
   for (const Carried& X : points_)
     if (contains(reported_rays_, X.name)) plot.measures(name_of_ray(X.name), *pole_, X.at);
 }

@@ -91,7 +91,7 @@ class PolesPanel : public Panel {
   std::vector<PolesStep> steps_;
   std::optional<Place> pole_;  // none at infinity
   std::vector<std::pair<Place, std::string>> lines_;
-  bool is_sketched_ = false, is_by_the_tips_ = false;
+  bool reports_pole_ = false, is_sketched_ = false, is_by_the_tips_ = false;
   std::optional<double> rate_;
   std::string rate_symbol_, turning_symbol_;
   double sense_ = 0;

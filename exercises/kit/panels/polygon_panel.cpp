@@ -59,7 +59,7 @@ std::vector<drawings::Block> PolygonPanel::draw(Plot& plot, const drawings::Box&
   draw_polygon(plot, polygon_, whole);
   for (const auto* chain : {&polygon_.left, &polygon_.right}) {
     const PolygonSide& first = chain->front();
-    if (!solution_.is_reported(first.quantity + "_x")) continue;
+    if (!solution_.is_reported(first.quantity + "_x") || !solution_.is_reported(first.quantity + "_y")) continue;
     const bool ends_there = polygon_.loop && chain == &polygon_.left;
     const Place from = ends_there ? Place{-first.v.x, -first.v.y} : Place{0, 0};
     plot.measures_coordinates(first.quantity, from + first.v, from);

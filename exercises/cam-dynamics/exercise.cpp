@@ -1,0 +1,28 @@
+#include "exercises/cam-dynamics/exercise.h"
+
+#include "exercises/cam-dynamics/routes.h"
+
+namespace epure {
+
+std::unique_ptr<Exercise> make_cam_dynamics() {
+  using namespace cam_dynamics;
+  Description about{.id = "cam-dynamics",
+                    .title = {"Eccentric cam with a roller follower", "Camma eccentrica con cedente a rullo"},
+                    .document = "sapienza",
+                    .item = "N.13",
+                    .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.13",
+                               "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.13"},
+                    .givens = stated_givens(),
+                    .printed = printed_by_the_source()};
+  const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes(cam(givens)), rung); };
+  return exercise_of_panels(
+      std::move(about), solve,
+      {{{"velocities", {"Velocities", "Velocità"}}, velocity_sheet},
+       {{"accelerations", {"Accelerations", "Accelerazioni"}}, acceleration_sheet},
+       {{"forces", {"Forces and torque", "Forze e coppia"}}, forces_sheet},
+       {{"maximum-lift", {"Maximum lift", "Massima alzata"}}, maximum_lift_sheet},
+       {{"inversion", {"Lift by inversion", "Alzata per inversione"}}, lift_sheet},
+       {{"closing-force", {"Closing force over the turn", "Forza di chiusura nel giro"}}, closing_force_sheet}});
+}
+
+}  // namespace epure

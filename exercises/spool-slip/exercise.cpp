@@ -1,0 +1,330 @@
+// A spool drawn over a plane by a counterweight: does it stay, roll or slip?
+#include <algorithm>
+#include <cmath>
+
+#include "exercises/kit/panels/chained_polygons_panel.h"
+#include "exercises/kit/panels/chart_panel.h"
+#include "exercises/kit/panels/free_body_panel.h"
+#include "exercises/kit/panels/mechanism.h"
+#include "exercises/kit/panels/panel_sheet.h"
+#include "exercises/kit/panels/poles_panel.h"
+#include "exercises/kit/panels/polygon_panel.h"
+#include "exercises/kit/panels/sheet.h"
+#include "exercises/spool-slip/routes.h"
+
+namespace epure {
+namespace spool_slip {
+namespace {
+
+using Joint = Mechanism::Joint;
+
+double given(const Solution& s, const std::string& symbol) { return CGAL::to_double(s.givens()[symbol]); }
+
+// The spool on its plane; C is where it touches, A where the rope leaves the core.
+Mechanism spool_of(const Solution& s, const std::string& letters_of_C = "$C$") {
+  const Place C = s.place("C"), G = s.place("G"), A = s.place("A");
+  Mechanism drawn;
+  drawn.point("C", C, Joint::none, letters_of_C)
+      .point("G", G, Joint::mass, "$G$")
+      .point("A", A, Joint::none, "$A$")
+      .disc("G", "C", true)
+      .profile(G, given(s, "r"), -M_PI, M_PI);
+  return drawn;
+}
+
+// With rope, pulley and counterweight.
+std::shared_ptr<const Mechanism> whole(const Solution& s) {
+  const double R = given(s, "R"), h = s.place("A").y, pulley = R / 4, far = 1.7 * R, side = 0.2 * R;
+  const Place centre{far, h - pulley}, hook{far + pulley, centre.y - 0.6 * R};
+  Mechanism drawn = spool_of(s, "");  // C is the pole's
+  drawn.point("top", {far, h}, Joint::corner, "")
+      .point("Q", centre, Joint::hinge, "")
+      .point("right", {far + pulley, centre.y}, Joint::corner, "")
+      .point("hook", hook, Joint::corner, "")
+      .point("b1", hook + Arrow2{-side, 0}, Joint::corner, "")
+      .point("b2", hook + Arrow2{-side, -2 * side}, Joint::corner, "")
+      .point("b3", hook + Arrow2{side, -2 * side}, Joint::corner, "")
+      .point("b4", hook + Arrow2{side, 0}, Joint::corner, "")
+      .point("b", hook + Arrow2{0, -side}, Joint::mass, "$b$")
+      .disc("Q", "right", false)
+      .body({"A", "top"})
+      .body({"right", "hook"})
+      .body({"b1", "b2", "b3", "b4"});
+  return std::make_shared<const Mechanism>(std::move(drawn));
+}
+
+PanelSheet velocity_sheet(const Solution& s, Language language) {
+  using Where = PolesStep::Where;
+  PolesPanel::Kind about = PolesPanel::of_velocity("C");
+  about.letters = "$C$";
+  PolesPanel poles(
+      s, whole(s), about, {"G", "A"},
+      {{{"It rolls: $C$ rests, and is the instantaneous centre. $\\vec{v}_{G}$ is laid off for $ω$ = 1 rad/s.",
+         "Rotola: $C$ è fermo, ed è il centro d'istantanea rotazione. Si riporta $\\vec{v}_{G}$ per $ω$ = 1 rad/s."},
+        Where::tip,
+        "G"},
+       {{"The line from $C$ to its tip cuts off $\\vec{v}_{A}$, the velocity of the rope: $v_{A}$ : $v_{G}$ = $CA$ : "
+         "$CG$.",
+         "La retta da $C$ al suo estremo stacca $\\vec{v}_{A}$, la velocità della fune: $v_{A}$ : $v_{G}$ = $CA$ : "
+         "$CG$."},
+        Where::tip,
+        "A"}});
+  poles.by_the_tips();
+  const auto drawn = [&](const std::string& of, const std::string& direction, const std::string& magnitude,
+                         const std::string& tip = {}) {
+    PolygonSide side = epure::side(s, velocity(of), direction, magnitude, tip);
+    side.quantity.clear();
+    return side;
+  };
+  const VectorPolygon polygon =
+      velocity_polygon({drawn("A", "?", "?")},
+                       {drawn("G", "⊥ $CG$", "$ω$·$\\it{R}$", "$g$"), drawn("AG", "⊥ $GA$", "$ω$·$r$", "$a$")});
+  const Words goes_down{
+      "Counterweight and rope: $a$ = $k$·$a'$, $a'$ = $α$·$\\it{R}$, $k$ = ($\\it{R}$ − "
+      "$r$)/$\\it{R}$.",
+      "Contrappeso e fune: $a$ = $k$·$a'$, $a'$ = $α$·$\\it{R}$, $k$ = ($\\it{R}$ − "
+      "$r$)/$\\it{R}$."};
+  return {.panels = panels(poles, PolygonPanel(s, polygon)),
+          .results = {values({"rope_to_centre_velocity_ratio"}), remark(goes_down.in(language)), values({"J", "u"})},
+          .seen = {"The spool rolling about its contact, with the velocities of its centre and of the rope",
+                   "La bobina che rotola attorno al contatto, con le velocità del centro e della fune"},
+          .told = {"rope_to_centre_velocity_ratio"},
+          .without_part = {"m_b", "m_b_heavy", "m_b_light", "f_a", "f_r", "g"}};
+}
+
+// The forces on the spool in one case.
+struct Forces {
+  PolygonSide W, T, inertia, S;
+};
+Forces forces(const Solution& s, const std::string& prefix, Language language) {
+  const std::string level = Words{"horizontal", "orizzontale"}.in(language),
+                    upright = Words{"vertical", "verticale"}.in(language);
+  const auto side = [&](const std::string& drawn, const std::string& quantity, const std::string& label,
+                        const std::string& direction, const std::string& magnitude, const std::string& tip) {
+    const Arrow2 v = s.vector(prefix + drawn);
+    const bool is_there = v.x != 0 || v.y != 0;
+    return PolygonSide{.quantity = s.is_reported(prefix + quantity) ? prefix + quantity : "",
+                       .label = "$\\vec{" + label + "}$",
+                       .direction = direction,
+                       .magnitude = is_there ? magnitude : "0",
+                       .v = v,
+                       .tip = tip};
+  };
+  return {side("side_weight", "", "\\it{W}_{a}", upright, "$m_{a}g$", ""),
+          side("side_pull", "T", "\\it{T}", level, "$\\it{T}$", ""),
+          side("side_inertia", "inertia_force", "\\it{F}_{i}", level, "$m_{a}a'$", ""),
+          side("side_reaction", "ground_reaction", "\\it{S}", "?", "?", "")};
+}
+
+const std::array<Words, 3> regime_names{Words{"it stays at rest", "resta in quiete"}, Words{"it rolls", "rotola"},
+                                        Words{"it slips", "striscia"}};
+const Words& name_of(Regime regime) { return regime_names[static_cast<int>(regime)]; }
+
+PanelSheet forces_sheet(const Solution& s, Language language) {
+  const Forces on = forces(s, "", language);
+  const Regime regime = spool(s.givens()).regime(s.givens()["m_b"]);
+  const Place G = s.place("G"), A = s.place("A"), foot = s.place("foot");
+  const bool rolls = regime == Regime::rolling;
+  const Place line{0, rolls ? s["inertia_force_height"] : G.y};
+  FreeBodyPanel body(std::make_shared<const Mechanism>(spool_of(s)));
+  body.force(on.W, G).force(on.T, A);
+  if (on.inertia.is_drawn()) body.force(on.inertia, line);
+  body.force(on.S, foot, FreeBodyPanel::Arrow::ends);
+  if (regime == Regime::slipping) body.couple("−$\\it{J}α$", G, -s["alpha"]);
+  const auto height = s.value("resultant_height");
+  if (height) body.meeting("", "$\\it{H}$", Place{0, *height});
+  const Words pressed{"The normal reaction stands $u$ ahead of the foot of $G$.",
+                      "La reazione normale è spostata di $u$ oltre il piede di $G$."};
+  const Words single{"The force of inertia and its couple are one force, in the line at $h_{i}$ above the plane.",
+                     "La forza d'inerzia e la sua coppia sono una sola forza, sulla retta ad altezza $h_{i}$ dal "
+                     "piano."};
+  const Words meets{
+      "Pull and inertia together act in a level line that crosses the vertical of $G$ in $\\it{H}$, "
+      "$h_{r}$ above the plane: the reaction's line passes there.",
+      "Tiro e inerzia insieme agiscono su una retta orizzontale che taglia la verticale di $G$ in "
+      "$\\it{H}$, a $h_{r}$ dal piano: vi passa la retta della reazione."};
+  body.step(pressed, foot);
+  if (rolls) body.step(single, line);
+  if (height) body.step(meets, Place{0, *height});
+  const Words verdict = Words{"With this counterweight ", "Con questo contrappeso "} + name_of(regime) + decimal(".");
+  return {
+      .panels = panels(body, PolygonPanel(s, force_polygon("a", {on.S}, {on.W, on.T, on.inertia}))),
+      .results = {remark(verdict.in(language)), values({"a", "a_G"}), values({"alpha", "T"}),
+                  values({"inertia_force", "inertia_couple"}), values({"N", "F"}),
+                  values({"ground_reaction", "ground_reaction_inclination"}),
+                  values({"inertia_force_height", "resultant_height"})},
+      .seen = {"The spool cut free, and the polygon of its forces", "La bobina isolata, e il poligono delle forze"},
+      .told = {"a", "a_G", "T", "F", "N"},
+      .without_part = {"m_b_heavy", "m_b_light"}};
+}
+
+// The polygon of one counterweight, with the cone of friction about the vertical where the reaction starts.
+ChainedPolygonsPanel with_cone(const Solution& s, const std::string& prefix, const std::string& letter,
+                               const Words& told, bool is_first, Language language) {
+  Forces on = forces(s, prefix, language);
+  const Arrow2 apex = on.W.v + on.T.v + on.inertia.v;
+  const double N = s["N"], wide = std::min(s["F_max"], 0.7 * N);
+  ChainedPolygonsPanel panel(force_polygon(letter, {on.S}, {on.W, on.T, on.inertia}));
+  panel.over({apex + Arrow2{-wide, wide == 0 ? N : wide * N / s["F_max"]}, apex,
+              apex + Arrow2{wide, wide == 0 ? N : wide * N / s["F_max"]}});
+  if (is_first)
+    panel.step(told, apex);
+  else
+    panel.likewise(told);
+  return panel;
+}
+
+PanelSheet cones_sheet(const Solution& s, Language language) {
+  const Spool of = spool(s.givens());
+  const auto so = [&](const std::string& symbol) { return name_of(of.regime(s.givens()[symbol])) + decimal("."); };
+  const Words cone{"Dashed, the cone of friction about the vertical, with the half angle $φ_{a}$ = arctan $f_{a}$. ",
+                   "A tratti il cono d'attrito attorno alla verticale, di semiapertura $φ_{a}$ = arctan $f_{a}$. "};
+  const Words light = cone + Words{"$m_{b,l}$: ", "$m_{b,l}$: "} + so("m_b_light"),
+              main = Words{"$m_{b}$: ", "$m_{b}$: "} + so("m_b");
+  const bool slips = of.regime(s.givens()["m_b_heavy"]) == Regime::slipping;
+  const Words tried =
+      slips ? Words{"$m_{b,h}$, as if it rolled: the reaction leaves the cone, and this polygon cannot be.",
+                    "$m_{b,h}$, come se rotolasse: la reazione esce dal cono, e questo poligono non può essere."}
+            : Words{"$m_{b,h}$, as if it rolled: the reaction stays in the cone.",
+                    "$m_{b,h}$, come se rotolasse: la reazione resta nel cono."};
+  const Words instead =
+      slips ? Words{"It slips: $\\it{F}$ = $f_{r}\\it{N}$, and another pull and inertia close the polygon.",
+                    "Striscia: $\\it{F}$ = $f_{r}\\it{N}$, e altro tiro e altra inerzia chiudono il poligono."}
+            : Words{"$m_{b,h}$: ", "$m_{b,h}$: "} + so("m_b_heavy");
+  const std::string tried_head = Words{"$m_{b,h}$, rolling", "$m_{b,h}$, se rotola"}.in(language);
+  const Words margin{"$m_{F}$ = $\\it{F}_{max}$ − $\\it{F}$: negative where the reaction leaves the cone.",
+                     "$m_{F}$ = $\\it{F}_{max}$ − $\\it{F}$: negativo dove la reazione esce dal cono."};
+  return {
+      .panels =
+          panels(with_cone(s, "light.", "l", light, true, language), with_cone(s, "", "m", main, false, language),
+                 with_cone(s, "heavy_if_rolling.", "t", tried, false, language),
+                 with_cone(s, "heavy.", "h", instead, false, language)),
+      .results = {values({"F_max", "friction_cone_half_angle"}),
+                  table({"", "$\\it{T}$ (N)", "$\\it{F}$ (N)"},
+                        {{"$m_{b,l}$", {"light.T", "light.F"}},
+                         {"$m_{b}$", {"T", "F"}},
+                         {tried_head, {"heavy_if_rolling.T", "heavy_if_rolling.F"}},
+                         {"$m_{b,h}$", {"heavy.T", "heavy.F"}}}),
+                  table({"", "$m_{F}$ (N)"},
+                        {{"$m_{b}$", {"slip_margin"}}, {tried_head, {"heavy_if_rolling.slip_margin"}}}),
+                  values({"heavy.a_G", "heavy.alpha"}), values({"heavy.slip_acceleration", "light.u_required"}),
+                  remark(margin.in(language))},
+      .seen = {"The force polygons of the spool with the friction cone for a light, a middle and a heavy "
+               "counterweight",
+               "I poligoni delle forze della bobina con il cono d'attrito per un contrappeso leggero, uno medio e "
+               "uno pesante"},
+      .told = {"light.F", "F", "heavy_if_rolling.F", "heavy.F", "F_max"}};
+}
+
+// F/N over m_b/m_a: what must hold, and what holds.
+drawings::Chart chart(const Solution& s, Language language) {
+  const double k = s["rope_to_centre_velocity_ratio"], f_a = given(s, "f_a"), f_r = given(s, "f_r"),
+               f_v = given(s, "f_v"), m_a = given(s, "m_a"), start = s["mass_ratio_start"];
+  const auto slip = s.value("mass_ratio_slip");
+  const auto needed = [&](double mu) {
+    return mu <= start ? mu : (mu * (1.25 - k + f_v * k) + f_v) / (1.25 + k * k * mu);
+  };
+  const double heavy = given(s, "m_b_heavy") / m_a, middle = given(s, "m_b") / m_a,
+               light = given(s, "m_b_light") / m_a;
+  double far = 1.15 * std::max({heavy, middle, light, slip.value_or(0), 2 * start});
+  if (far == 0) far = 1;
+  const double edge = slip ? *slip : needed(far) > f_a ? f_a : far;
+  const auto run = [&](double from, double to, const auto& y) {
+    constexpr int pieces = 200;
+    std::vector<drawings::Datum> points;
+    for (int i = 0; i <= pieces; ++i) {
+      const double x = from + (to - from) * i / pieces;
+      points.push_back({x, y(x)});
+    }
+    return points;
+  };
+  const double rest_end = std::min(start, edge);
+  std::vector<drawings::Curve> curves{
+      {.name = "rest", .runs = {run(0, rest_end, needed)}, .meaning = Meaning::locus}};
+  if (edge > rest_end)
+    curves.push_back({.name = "rolling",
+                      .runs = {run(rest_end, edge, needed)},
+                      .meaning = Meaning::force,
+                      .line = drawings::LineType::continuous,
+                      .label = Words{"rolling", "rotolamento"}.in(language)});
+  if (edge < far) {
+    curves.push_back({.name = "trial",
+                      .runs = {run(edge, far, needed)},
+                      .meaning = Meaning::force,
+                      .line = drawings::LineType::dashed,
+                      .label = Words{"if it rolled", "se rotolasse"}.in(language)});
+    curves.push_back({.name = "slipping",
+                      .runs = {{{edge, f_r}, {far, f_r}}},
+                      .meaning = Meaning::force,
+                      .label = Words{"slipping, $f_{r}$", "strisciamento, $f_{r}$"}.in(language)});
+  }
+  const double high = 1.2 * std::max({needed(far), std::min(f_a, 2 * needed(far)), edge < far ? f_r : 0.0});
+  drawings::Chart of{.x = {.quantity = "$m_{b}$/$m_{a}$", .unit = "1", .low = 0, .high = far},
+                     .y = {.quantity = "$\\it{F}$/$\\it{N}$", .unit = "1", .low = 0, .high = high > 0 ? high : 1},
+                     .curves = curves,
+                     .horizontals = {{.at = f_a, .label = "$f_{a}$"}}};
+  if (slip) of.verticals.push_back({.at = *slip, .label = "$μ_{s}$"});
+  if (start > 0) of.verticals.push_back({.at = start, .label = "$μ_{p}$"});
+  of.markers = {{.at = {middle, s["F_over_N"]}, .label = "$m_{b}$", .meaning = Meaning::force},
+                {.at = {heavy, s["heavy_if_rolling.F_over_N"]}, .label = "$m_{b,h}$", .meaning = Meaning::force}};
+  return of;
+}
+
+PanelSheet limits_sheet(const Solution& s, Language language) {
+  std::vector<ChartPanel::Read> read{
+      {{given(s, "m_b") / given(s, "m_a"), s["F_over_N"]}, {}, "F_over_N"},
+      {{given(s, "m_b_heavy") / given(s, "m_a"), s["heavy_if_rolling.F_over_N"]}, {}, "heavy_if_rolling.F_over_N"},
+      {{s["mass_ratio_start"], 0}, "mass_ratio_start", {}}};
+  if (const auto slip = s.value("mass_ratio_slip")) read.push_back({{*slip, 0}, "mass_ratio_slip", {}});
+  const Words rest{
+      "At rest $\\it{F}$ = $\\it{T}$ = $m_{b}g$, until the offset of $\\it{N}$ has come to $u$: at "
+      "$μ_{p}$ = $f_{v}\\it{R}$/($\\it{R}$ − $r$) it begins to roll.",
+      "In quiete $\\it{F}$ = $\\it{T}$ = $m_{b}g$, finché lo spostamento di $\\it{N}$ arriva a $u$: a "
+      "$μ_{p}$ = $f_{v}\\it{R}$/($\\it{R}$ − $r$) comincia a rotolare."};
+  const Words rolls{
+      "Rolling, with $μ$ = $m_{b}$/$m_{a}$: $\\it{F}$/$\\it{N}$ = ($μ$(5/4 − $k$ + $f_{v}k$) + "
+      "$f_{v}$)/(5/4 + $k^{2}μ$), which comes to $f_{a}$ at $μ_{s}$.",
+      "Nel rotolamento, con $μ$ = $m_{b}$/$m_{a}$: $\\it{F}$/$\\it{N}$ = ($μ$(5/4 − $k$ + $f_{v}k$) + "
+      "$f_{v}$)/(5/4 + $k^{2}μ$), che arriva a $f_{a}$ per $μ_{s}$."};
+  const Words never{"It rolls however heavy the counterweight.", "Rotola per quanto pesi il contrappeso."};
+  const Words before{"$\\it{F}$/$\\it{N}$ comes to $f_{a}$ at rest: it slips before it can roll.",
+                     "$\\it{F}$/$\\it{N}$ arriva a $f_{a}$ in quiete: striscia prima di poter rotolare."};
+  const Spool of = spool(s.givens());
+  const std::string exception = of.slips_from_rest() ? before.in(language)
+                                : of.always_rolls()  ? never.in(language)
+                                                     : "";
+  return {.panels = panels(ChartPanel(chart(s, language), read)),
+          .theory = {{{"What must hold", "Che cosa deve trattenere"},
+                      {remark(rest.in(language)), remark(rolls.in(language)), remark(exception)}}},
+          .results = {values({"mass_ratio_start", "m_b_start"}), values({"mass_ratio_slip", "m_b_slip"}),
+                      table({"", "$\\it{F}$/$\\it{N}$"},
+                            {{"$m_{b}$", {"F_over_N"}}, {"$m_{b,h}$", {"heavy_if_rolling.F_over_N"}}})},
+          .seen = {"The friction that must hold over the normal reaction, against the ratio of the masses",
+                   "L'attrito che deve trattenere sulla reazione normale, in funzione del rapporto delle masse"},
+          .told = {"mass_ratio_start", "mass_ratio_slip", "F_over_N", "heavy_if_rolling.F_over_N"}};
+}
+
+}  // namespace
+}  // namespace spool_slip
+
+std::unique_ptr<Exercise> make_spool_slip() {
+  using namespace spool_slip;
+  Description about{.id = "spool-slip",
+                    .title = {"A spool drawn by a counterweight", "Una bobina trascinata da un contrappeso"},
+                    .document = "macchine",
+                    .item = "Verifica allo slittamento",
+                    .source = {"Machines, check against slipping", "Macchine, verifica allo slittamento"},
+                    .givens = stated_givens(),
+                    .printed = {}};
+  const auto solve = [](const Givens& givens, Rung rung) {
+    return settle(Routes{spool(givens), givens["m_b"], givens["m_b_heavy"], givens["m_b_light"]}, rung);
+  };
+  return exercise_of_panels(
+      std::move(about), solve,
+      {{{"velocities", {"Velocities about the contact", "Velocità attorno al contatto"}}, velocity_sheet},
+       {{"forces", {"Forces on the spool", "Forze sulla bobina"}}, forces_sheet},
+       {{"friction-cone", {"Friction cones", "Coni d'attrito"}}, cones_sheet},
+       {{"limits", {"At rest, rolling, slipping", "Quiete, rotolamento, strisciamento"}}, limits_sheet}});
+}
+
+}  // namespace epure

@@ -1,0 +1,89 @@
+// The eccentric cam: every route holds against a corpus of numerical derivatives; contact kept and lost by 1e-9 and
+// 1e-30; a roller that just reaches its axis; what the source took for maximum lift; what is refused.
+#include "exercises/kit/proof/verdict.h"
+#include "tests/exercises/held_against_corpus.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+namespace {
+
+const Tried& cam() {
+  static const Tried tried("cam-dynamics");
+  return tried;
+}
+
+const std::vector<CorpusCase>& corpus() {
+  static const std::vector<CorpusCase> cases = read_corpus(EPURE_CORPUS "/cam.txt");
+  return cases;
+}
+
+std::string refusal(const Assignments& assignments) {
+  try {
+    cam().checked(assignments);
+  } catch (const BadGivens& refused) {
+    return refused.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("its values are the corpus', to the last bit of a double, by every route", "[cam-dynamics]") {
+  CHECK(corpus().size() == 19);
+  holds_against(cam(), corpus());
+  CHECK(cam().checked({}).quantities.size() == 93);
+}
+
+TEST_CASE("a follower that leaves the cam has no reactions, and all its kinematics", "[cam-dynamics]") {
+  const CheckedExercise lost = cam().checked({"P=-30"});
+  for (const char* name : {"R_23", "R_13", "R_12", "M_m", "M_m_virtual_work"}) {
+    CAPTURE(name);
+    CHECK(find(lost, name).settled.kind == geometry::Settled::Kind::absent);
+    CHECK(find(lost, name).settled.reason.english.find("contact is lost") != std::string::npos);
+  }
+  CHECK(lost.passed());
+  CHECK(value(lost, "a_B3_y") == value(cam().checked({}), "a_B3_y"));
+}
+
+TEST_CASE("the source's least closing force is that of the drawn position", "[cam-dynamics]") {
+  const CheckedExercise stated = cam().checked({});
+  int rounded = 0, read = 0, explained = 0, unexplained = 0;
+  for (const CheckedQuantity& quantity : stated.quantities)
+    for (const PrintedVerdict& printed : quantity.printed) {
+      CAPTURE(quantity.spec.name, printed.text);
+      CHECK(printed.explanation_holds);
+      if (printed.verdict == Verdict::rounding) ++rounded;
+      if (printed.verdict == Verdict::reading) ++read;
+      if (printed.verdict == Verdict::disagrees) ++(printed.explanation ? explained : unexplained);
+    }
+  CHECK(rounded == 10);
+  CHECK(read == 7);
+  CHECK(explained == 14);
+  CHECK(unexplained == 1);  // 5.87 m/s, read off the polygon of the drawn position
+  const auto& P_min = find(stated, "maximum_lift.P_min").printed.front();
+  REQUIRE(P_min.explanation);
+  CHECK(P_min.explanation->english.find("drawn position") != std::string::npos);
+}
+
+TEST_CASE("a cam whose follower would leave it is refused, by however little", "[cam-dynamics]") {
+  for (const char* offset : {"e=0.12", "e=-0.12", "e=0.5", "e=0.1200000000000000000000000000001"}) {
+    CAPTURE(offset);
+    CHECK(refusal({offset}).find("the follower leaves the cam") != std::string::npos);
+  }
+  CHECK(refusal({"e=0.13"}).find("0.16 m must be less than r + r_r = 0.15 m") != std::string::npos);
+  for (const char* wrong : {"m_2=-1", "m_3=-1", "A0A=0", "r=0", "r_r=-0.01", "g=-9.81"}) {
+    CAPTURE(wrong);
+    CHECK_FALSE(refusal({wrong}).empty());
+  }
+  for (const char* possible : {"r_r=0", "n=0", "n=-50", "P=0", "P=-5", "e=0", "m_3=0"}) {
+    CAPTURE(possible);
+    CHECK(refusal({possible}).empty());
+  }
+}
+
+TEST_CASE("every sheet is drawn, whatever is given", "[cam-dynamics][sheets]") { draws_every_sheet(cam(), corpus()); }
+
+TEST_CASE("letters find room on all sheets", "[cam-dynamics][sheets]") {
+  letters_find_room(cam(), {{}, {"phi=200"}, {"e=-0.035", "n=-77"}, {"e=0", "phi=90"}});
+}
