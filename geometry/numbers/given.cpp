@@ -110,12 +110,22 @@ std::vector<Unit> make_units() {
       {"mm^4", Kind::second_moment_of_area, Rational(1, 1000000) * Rational(1, 1000000)},
       {"J", Kind::energy, 1},
       {"kJ", Kind::energy, 1000},
+      {"W", Kind::power, 1},
+      {"kW", Kind::power, 1000},
+      {"MW", Kind::power, 1000000},
       {"Pa s", Kind::viscosity, 1},
       {"Pa*s", Kind::viscosity, 1},
       {"mPa s", Kind::viscosity, ratio(1, 1000)},
       {"cP", Kind::viscosity, ratio(1, 1000)},
       {"N s/m^2", Kind::viscosity, 1},
       {"kgf s/m^2", Kind::viscosity, kgf},
+      {"m^3/s", Kind::flow, 1},
+      {"m^3/min", Kind::flow, ratio(1, 60)},
+      {"m^3/h", Kind::flow, ratio(1, 3600)},
+      {"l/s", Kind::flow, ratio(1, 1000)},
+      {"l/min", Kind::flow, ratio(1, 60000)},
+      {"N s^2/m^2", Kind::mass_per_length, 1},  // of drag and lift: a force over the square of a speed
+      {"kg/m", Kind::mass_per_length, 1},
   };
 }
 
@@ -153,8 +163,14 @@ Words name_of(Kind kind) {
       return {"a second moment of area", "un momento d'inerzia di superficie"};
     case Kind::energy:
       return {"an energy", "un'energia"};
+    case Kind::power:
+      return {"a power", "una potenza"};
     case Kind::viscosity:
       return {"a viscosity", "una viscosità"};
+    case Kind::flow:
+      return {"a flow", "una portata"};
+    case Kind::mass_per_length:
+      return {"a force over the square of a speed", "una forza sul quadrato di una velocità"};
   }
   return {};
 }
@@ -162,7 +178,8 @@ Words name_of(Kind kind) {
 // As the list of units spells it: "m/s²" and "m/s2" as "m/s^2".
 std::string spelled(std::string symbol) {
   const auto replace = [&](std::string_view from, std::string_view to) {
-    if (const auto at = symbol.find(from); at != std::string::npos) symbol.replace(at, from.size(), to);
+    for (auto at = symbol.find(from); at != std::string::npos; at = symbol.find(from, at + to.size()))
+      symbol.replace(at, from.size(), to);
   };
   replace("²", "^2");
   replace("·", "*");

@@ -42,7 +42,10 @@ enum class Kind {
   area,
   second_moment_of_area,
   energy,
-  viscosity
+  power,
+  viscosity,
+  flow,
+  mass_per_length
 };
 
 // Of an angle, an angular velocity, an angular acceleration.
