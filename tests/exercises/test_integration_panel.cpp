@@ -38,6 +38,7 @@ Drawn drawn_integral(double run, double size, const drawings::Box& within = a4_r
       {{.letters = "$a$", .unit = "m/s²", .meaning = Meaning::acceleration, .curve = curve, .carried = means},
        {.letters = "$v$",
         .unit = "m/s",
+        .id = "v-polygon",
         .corners = heights(first),
         .carried = first.middles(),
         .read = {{.quantity = "v", .label = "$v_{1}$", .at = ends[6], .value = first.corners[6].y}}},
@@ -87,7 +88,7 @@ TEST_CASE("integration: ordinates of the polygons are measured back, at any size
 
 TEST_CASE("integration: each side of the polygon is parallel to its ray", "[integration]") {
   const Drawn sheet = drawn_integral(10, 4);
-  const drawings::Line& polygon = line_named(sheet, "$v$");
+  const drawings::Line& polygon = line_named(sheet, "v-polygon");
   REQUIRE(polygon.path.pieces.size() == 10);
   const double distance = sheet.scales[1].mm_per_unit * sheet.scales[0].mm_per_unit / sheet.scales[2].mm_per_unit;
   const drawings::Point from = polygon.path.pieces[1].end, to = polygon.path.pieces[2].end;

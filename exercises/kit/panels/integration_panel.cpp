@@ -154,7 +154,7 @@ void IntegrationPanel::draw_axes(Plot& plot, std::size_t row, Language language)
   const bool has_pole = row + 1 < rows_.size();
   constexpr double beyond = 3;
   const Place right{at(row, last, 0).x, axes_[row]};
-  plot.segment({has_pole ? -pole_distance(row) : 0, axes_[row]}, {right.x + beyond, axes_[row]}, Meaning::axis);
+  plot.segment({has_pole ? -pole_distance(row) : 0, axes_[row]}, right, Meaning::axis);
   plot.segment(at(row, first, low), at(row, first, high) + Arrow2{0, beyond}, Meaning::axis);
   plot.segment(at(row, last, low), at(row, last, high), Meaning::construction);
   const auto write = [&](const std::string& text, Place from) {
@@ -196,7 +196,7 @@ void IntegrationPanel::draw_polygon(Plot& plot, std::size_t row) const {
   std::vector<drawings::Point> points;
   for (std::size_t i = 0; i < along_.ends.size(); ++i)
     points.push_back(plot.at(at(row, along_.ends[i], rows_[row].corners[i])));
-  plot.mark(drawings::Line{drawings::polyline(points, false), rows_[row].meaning, rows_[row].letters});
+  plot.mark(drawings::Line{drawings::polyline(points, false), rows_[row].meaning, rows_[row].id});
 }
 
 // Strips, what is carried from them, and the rays; as many of these are numbered as find room.
@@ -204,23 +204,23 @@ void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) con
   const std::vector<double>& carried = rows_[row].carried;
   if (carried.empty()) return;
   const Place pole{-pole_distance(row), axes_[row]};
-  std::vector<double> numbered;  // heights
+  constexpr double line_apart = 3.4;
   double last_number = -numbers_apart;
   for (std::size_t i = 0; i < carried.size(); ++i) {
     const double middle = (along_.ends[i] + along_.ends[i + 1]) / 2;
     const Place mean = at(row, middle, carried[i]), on_axis = at(row, along_.ends.front(), carried[i]);
     plot.segment(mean, on_axis, Meaning::construction);
-    plot.segment(mean, at(row, middle, 0), Meaning::construction);
     plot.segment(pole, on_axis, Meaning::construction);
     plot.dot(mean);
     const std::string number = std::to_string(i + 1);
     const auto write = [&](Place from) { plot.mark(drawings::Writing{number, plot.at(from), number_size}); };
-    constexpr double line_apart = 3;
-    if (std::none_of(numbered.begin(), numbered.end(),
-                     [&](double height) { return std::abs(height - on_axis.y) < line_apart; })) {
-      numbered.push_back(on_axis.y);
-      write(on_axis + Arrow2{-1 - drawings::measure(number, number_size).width, 0.6});
+    // Above its line, where no other comes; of several at one height the first.
+    bool is_free = true;
+    for (std::size_t k = 0; k < carried.size(); ++k) {
+      const double above = at(row, middle, carried[k]).y - on_axis.y;
+      if ((above > 0 && above < line_apart) || (above == 0 && k < i)) is_free = false;
     }
+    if (is_free) write(on_axis + Arrow2{-1 - drawings::measure(number, number_size).width, 0.6});
     if (row > 0 || mean.x < last_number + numbers_apart - 0.5) continue;
     last_number = mean.x;
     const double side = carried[i] < 0 ? 1 : -1 - number_size;  // of the axis, away from the curve
@@ -237,7 +237,12 @@ void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) con
 void IntegrationPanel::draw_readings(Plot& plot, std::size_t row) const {
   for (const IntegrationRow::Read& read : rows_[row].read) {
     const Place foot = at(row, read.at, 0), tip = at(row, read.at, read.value);
-    plot.side("", foot, tip, rows_[row].meaning, read.label, Place{foot.x - 10, foot.y});
+    // The letters of a short one stand above the diagram, of the last one on the side where no numbers are.
+    constexpr double short_one = 8, aside = 10;  // mm
+    const bool is_last = read.at == along_.ends.back();
+    const Place away = std::abs(tip.y - foot.y) < short_one ? Place{foot.x, foot.y - aside}
+                                                            : Place{foot.x + (is_last ? aside : -aside), foot.y};
+    plot.side("", foot, tip, rows_[row].meaning, read.label, away);
     if (!read.quantity.empty() && plot.shows(foot) && plot.shows(tip))
       plot.onto().measurements.push_back(
           {read.quantity, plot.at(foot), plot.at(tip), read.si / scales_[row + 1].mm_per_unit, Measurement::along_y});
@@ -260,7 +265,7 @@ std::vector<drawings::Block> IntegrationPanel::draw(Plot& plot, const drawings::
 
 std::vector<PanelStep> IntegrationPanel::steps(const Plot&, const drawings::Box&) const {
   std::vector<PanelStep> all;
-  const std::size_t middle = along_.ends.size() / 2 - (along_.ends.size() > 2 ? 1 : 0);
+  const std::size_t middle = (along_.ends.size() - 2) / 2;  // strip
   for (std::size_t i = 0; i + 1 < rows_.size(); ++i) {
     const IntegrationRow &row = rows_[i], &next = rows_[i + 1];
     const double x = (along_.ends[middle] + along_.ends[middle + 1]) / 2;
@@ -272,11 +277,12 @@ std::vector<PanelStep> IntegrationPanel::steps(const Plot&, const drawings::Box&
                                 "{}: {} si riporta sull'asse delle ordinate.", row.letters, of),
                    at(i, x, row.carried[middle])});
     all.push_back(
-        {format_words("Rays from the pole {}, at the distance that the scales of {}, {} and {} make: {} over one "
-                      "times the other.",
-                      "Raggi dal polo {}, alla distanza che viene dalle scale di {}, {} e {}: {} diviso il prodotto "
-                      "delle altre due.",
-                      pole, along_.letters, row.letters, next.letters, next.letters),
+        {format_words(
+             "From there rays run to the pole {}. What a centimetre is worth of {}, over what it is worth of {} "
+             "times {}, is its distance in centimetres.",
+             "Da lì i raggi vanno al polo {}. Quanto vale un centimetro di {}, diviso quanto vale di {} per "
+             "quanto vale di {}, è la sua distanza in centimetri.",
+             pole, next.letters, along_.letters, row.letters),
          Place{-pole_distance(i) / 2, axes_[i]}});
     all.push_back(
         {format_words("{}: in each strip parallel to its ray, from corner to corner. Dashed, the true one.",

@@ -30,6 +30,7 @@ struct IntegrationAbscissa {
 struct IntegrationRow {
   std::string letters, unit;
   Meaning meaning = Meaning::velocity;
+  std::string id = {};                       // of the polygon's line in the SVG
   std::function<double(double)> curve = {};  // the true one; none: not shown
   std::vector<double> corners = {};          // of the integral polygon, at the strips' ends; the first row has none
   std::vector<double> carried = {};          // mean ordinates of the strips; the last row has none

@@ -6,6 +6,7 @@
 #include <cassert>
 
 #include "drawings/text/sheet_words.h"
+#include "exercises/kit/panels/results.h"
 #include "exercises/kit/panels/scale_bar.h"
 #include "exercises/kit/statement/given_number.h"
 
@@ -24,8 +25,7 @@ std::string after_number(const std::string& unit, Language language) {
   if (unit == "1") return "";
   if (unit == "deg" || unit == "°") return "°";
   if (unit == "rpm") return no_break + Words{"rpm", "giri/min"}.in(language);
-  const auto power = unit.find("^2");
-  return no_break + (power == std::string::npos ? unit : unit.substr(0, power) + "²");
+  return no_break + written_unit(unit);
 }
 
 std::string in_one_line(const Givens& givens, const std::set<std::string>& without_part, Language language) {
