@@ -1,5 +1,6 @@
 #include "exercises/aircraft-landing/euler.h"
 
+#include <algorithm>
 #include <string>
 
 #include "geometry/numbers/numbers.h"
@@ -91,6 +92,11 @@ bool slips(const SpinUp& of, const Rational& step, int k, const Run& run) {
   return found == Sign::positive;
 }
 
+[[noreturn]] void refuse_so_many() {
+  throw geometry::Impossible("the scheme takes more than 20000 steps, and is not carried out",
+                             "lo schema richiede più di 20000 passi e non viene svolto");
+}
+
 template <class Run>
 EulerState run_to(Run run, const SpinUp& of, const Rational& step, int k) {
   for (int i = 1; i <= k; ++i) {
@@ -106,6 +112,10 @@ EulerState run_to(Run run, const SpinUp& of, const Rational& step, int k) {
 
 template <class Run>
 EulerEnd run_to_end(Run run, const SpinUp& of, const Rational& step) {
+  // No step takes more off the slip than at the faster of its two ends.
+  const Rational at_rest = of.A + of.R * of.C, at_first = at_rest + (of.B + of.R * of.D) * of.v_0 * of.v_0,
+                 at_most = step * std::max(at_rest, at_first);
+  if (of.v_0 - of.R * of.omega_0 > at_most * most_steps) refuse_so_many();
   const Deep R = scalar<Deep>(of.R), h = scalar<Deep>(step);
   Deep before = run.v - R * run.omega;
   for (int k = 1; k <= most_steps; ++k) {
@@ -114,8 +124,7 @@ EulerEnd run_to_end(Run run, const SpinUp& of, const Rational& step) {
     if (!slips(of, step, k, run)) return {k, h * (Deep(k - 1) + before / (before - now))};
     before = now;
   }
-  throw geometry::Undecided("Euler's scheme in more than 20000 steps",
-                            "lo schema di Eulero in più di 20000 passi");
+  refuse_so_many();
 }
 
 }  // namespace

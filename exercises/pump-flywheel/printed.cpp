@@ -6,13 +6,13 @@
 namespace epure::pump_flywheel {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 // Of the source, rounded as it printed them.
 constexpr double n = 206, omega = 21.57, L_r = 5227, mean = 832, coefficient = 2379, tau = 0.07, Delta_T = 2438,
                  J_crank = 104.8, J_motor = 0.514, k_m = 6.44, g = 9.81;
 
 double by_twenty_degrees() {
-  const double alpha_1 = pi / 9, alpha_2 = 8 * pi / 9;
+  const double alpha_1 = full_turn / 18, alpha_2 = full_turn / 2 - alpha_1;
   return 2 * coefficient * std::cos(alpha_1) - mean * (alpha_2 - alpha_1);
 }
 
@@ -28,12 +28,12 @@ std::vector<Printed> printed_by_the_source() {
       right("V", "9.7e-3"),
       right("n_rpm", "206"),
       chained("omega", "21.57", {"of the rounded n = 206 rpm", "con n = 206 giri/min, arrotondato"},
-              [] { return 2 * pi * n / 60; }),
+              [] { return full_turn * n / 60; }),
       chained("L_r", "5227",
               {"of the area rounded to 346 cm², with kgf = 9.81 N", "con l'area arrotondata a 346 cm² e kgf = 9,81 N"},
               [] { return 5.5e4 * g * 0.0346 * 0.28; }),
       chained("M_r_mean", "832", {"of the printed L_r = 5227 J", "con L_r = 5227 J, come stampato"},
-              [] { return L_r / (2 * pi); }),
+              [] { return L_r / full_turn; }),
       chained("W_r", "17.946",
               {"in kW: 5227 J times 206/60 cycles per second are 17946 W, written with a comma between the thousands",
                "in kW: 5227 J per 206/60 cicli al secondo sono 17946 W, scritti con la virgola delle migliaia"},
@@ -62,7 +62,7 @@ std::vector<Printed> printed_by_the_source() {
               [] { return J_crank * tau * tau; }),
       chained("n_t_flywheel", "0.041",
               {"of the printed 0.514 kg m² and 6.44 N m s", "con 0,514 kg m² e 6,44 N m s, come stampati"},
-              [] { return k_m / (J_motor * 2 * pi * 2910 / 60); })};
+              [] { return k_m / (J_motor * full_turn * 2910 / 60); })};
 }
 
 }  // namespace epure::pump_flywheel

@@ -1,6 +1,7 @@
-// The power series. About any instant, in the disc |τ| <= ρ of complex time, |v| <= L as long as
-// |v_k| + ρ (A + |B| L²) <= L (Picard); then coefficient n of v is at most L/ρ^n (Cauchy), and likewise of what is
-// made of v. A piece of time is at most a fourth of ρ long, so n terms leave out less than 4^{1-n}/3 of the bound.
+// The power series. In the disc |τ| <= ρ of complex time about any instant, |v| <= w, w' = A + |B| w² <= |B| (w + a)²
+// with a >= √(A/|B|), so |v| <= (v_k + a)/(1 - |B| (v_k + a) ρ): with three quarters for the product, |v| <= L =
+// 4 (v_k + a). Then coefficient n of v is at most L/ρ^n (Cauchy), and likewise of what is made of v. A piece of time
+// is at most a fourth of ρ long, so n terms leave out less than 4^{1-n}/3 of the bound.
 #include <cmath>
 #include <vector>
 
@@ -54,11 +55,13 @@ Deep size(const Deep& x) {
 class Piece {
  public:
   Piece(const SpinUp& of, const SpinState& begin) : of_(of), begin_(begin) {
-    const double v = enclosure(begin.v).upper, A = CGAL::to_double(of.A), B = CGAL::to_double(of.B);
-    const Deep L = Deep::from_double(B == 0 ? 5 * v : v + std::sqrt(v * v + A / std::abs(B)));
-    const Deep rho = quotient(L - begin.v, parameter(of.A) + parameter(CGAL::abs(of.B)) * square(L));
+    const double v = enclosure(begin.v).upper;
+    const Deep A = parameter(of.A), B = parameter(CGAL::abs(of.B));
+    const Deep beyond = Deep::from_double(of.B == 0 ? v : v + std::sqrt(enclosure(A / B).upper) * (1 + 1e-12));
+    const Deep rho = of.B == 0 ? Deep(4) * beyond / A : Deep(3) / (Deep(4) * B * beyond);
+    const Deep L = Deep(of.B == 0 ? 5 : 4) * beyond;
     // Not far beyond where the load stands still: it slows down at least as much as now, or as in the end.
-    const Deep least = of.B < 0 ? parameter(of.A) + parameter(of.B) * square(begin.v) : parameter(of.A);
+    const Deep least = of.B < 0 ? A - B * square(begin.v) : A;
     length_ = midpoint(rho / Deep(4));
     if (const Deep until_rest = midpoint(begin.v / least); sign(length_ - until_rest) == Sign::positive)
       length_ = until_rest;
