@@ -17,7 +17,11 @@ std::unique_ptr<Exercise> make_aircraft_landing() {
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Landing(givens)}, rung); };
   return exercise_of_panels(
       std::move(about), solve,
-      {{{"slip", {"Speeds until slip ends", "Velocità fino alla fine dello strisciamento"}}, slip_sheet}});
+      {{{"forces", {"Forces at touch-down and after", "Forze al contatto e dopo"}}, forces_sheet},
+       {{"slip", {"Speeds until slip ends", "Velocità fino alla fine dello strisciamento"}}, slip_sheet},
+       {{"integration", {"The time by graphical integration", "Il tempo per integrazione grafica"}},
+        integration_sheet},
+       {{"euler", {"Euler's polygons", "Poligoni di Eulero"}}, euler_sheet}});
 }
 
 }  // namespace epure

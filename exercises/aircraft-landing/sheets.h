@@ -5,6 +5,9 @@
 
 namespace epure::aircraft_landing {
 
+PanelSheet forces_sheet(const Solution& s, Language language);
 PanelSheet slip_sheet(const Solution& s, Language language);
+PanelSheet euler_sheet(const Solution& s, Language language);
+PanelSheet integration_sheet(const Solution& s, Language language);
 
 }  // namespace epure::aircraft_landing
