@@ -64,8 +64,14 @@ struct ReferenceLine {  // across the whole chart: zero, a limit, a position
   Meaning meaning = Meaning::axis;
 };
 
+struct ChartArea {  // filled, below all curves: what they integrate to
+  std::vector<Datum> border = {};
+  Meaning meaning = Meaning::plate;
+};
+
 struct Chart {
   Axis x = {}, y = {};
+  std::vector<ChartArea> areas = {};
   std::vector<Curve> curves = {};
   std::vector<Marker> markers = {};
   std::vector<ReferenceLine> verticals = {}, horizontals = {};

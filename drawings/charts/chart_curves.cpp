@@ -127,6 +127,8 @@ void require_sound(const Chart& chart) {
       for (const Datum& datum : run) require_in(chart, datum, name);
     for (const Datum& datum : chart.curves[i].points) require_in(chart, datum, name);
   }
+  for (const ChartArea& area : chart.areas)
+    for (const Datum& datum : area.border) require_in(chart, datum, "area");
   for (const Marker& marker : chart.markers)
     require_in(chart, marker.at, fmt::format("marker '{}'", plain(marker.label)));
   for (const ReferenceLine& line : chart.verticals) require_in(chart.x, line.at, "vertical line");
@@ -178,6 +180,8 @@ std::vector<Point> along(const std::vector<Point>& chain, double start, double a
 
 void draw_curves(const Chart& chart, const std::vector<Look>& looks, const ChartMap& map, Figure& figure) {
   Window window(figure, map.frame);
+  for (const ChartArea& area : chart.areas)
+    window.add(Area{polyline(thinned(on_paper(map, area.border), file_resolution / 2), true), area.meaning, {}});
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     const Curve& curve = chart.curves[i];
     for (const auto& run : curve.runs)

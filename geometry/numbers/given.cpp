@@ -111,6 +111,9 @@ std::vector<Unit> make_units() {
       {"mm^4", Kind::second_moment_of_area, Rational(1, 1000000) * Rational(1, 1000000)},
       {"J", Kind::energy, 1},
       {"kJ", Kind::energy, 1000},
+      {"W", Kind::power, 1},
+      {"kW", Kind::power, 1000},
+      {"MW", Kind::power, 1000000},
       {"Pa s", Kind::viscosity, 1},
       {"Pa*s", Kind::viscosity, 1},
       {"mPa s", Kind::viscosity, ratio(1, 1000)},
@@ -123,6 +126,13 @@ std::vector<Unit> make_units() {
       {"kN/s^2", Kind::force_per_time_squared, 1000},
       {"N/s^3", Kind::force_per_time_cubed, 1},
       {"kN/s^3", Kind::force_per_time_cubed, 1000},
+      {"m^3/s", Kind::flow, 1},
+      {"m^3/min", Kind::flow, ratio(1, 60)},
+      {"m^3/h", Kind::flow, ratio(1, 3600)},
+      {"l/s", Kind::flow, ratio(1, 1000)},
+      {"l/min", Kind::flow, ratio(1, 60000)},
+      {"N s^2/m^2", Kind::mass_per_length, 1},  // of drag and lift: a force over the square of a speed
+      {"kg/m", Kind::mass_per_length, 1},
   };
 }
 
@@ -160,6 +170,8 @@ Words name_of(Kind kind) {
       return {"a second moment of area", "un momento d'inerzia di superficie"};
     case Kind::energy:
       return {"an energy", "un'energia"};
+    case Kind::power:
+      return {"a power", "una potenza"};
     case Kind::viscosity:
       return {"a viscosity", "una viscosità"};
     case Kind::force_per_time:
@@ -168,6 +180,10 @@ Words name_of(Kind kind) {
       return {"a force per time squared", "una forza per unità di tempo al quadrato"};
     case Kind::force_per_time_cubed:
       return {"a force per time cubed", "una forza per unità di tempo al cubo"};
+    case Kind::flow:
+      return {"a flow", "una portata"};
+    case Kind::mass_per_length:
+      return {"a force over the square of a speed", "una forza sul quadrato di una velocità"};
   }
   return {};
 }
@@ -175,7 +191,8 @@ Words name_of(Kind kind) {
 // As the list of units spells it: "m/s²" and "m/s2" as "m/s^2".
 std::string spelled(std::string symbol) {
   const auto replace = [&](std::string_view from, std::string_view to) {
-    if (const auto at = symbol.find(from); at != std::string::npos) symbol.replace(at, from.size(), to);
+    for (auto at = symbol.find(from); at != std::string::npos; at = symbol.find(from, at + to.size()))
+      symbol.replace(at, from.size(), to);
   };
   replace("²", "^2");
   replace("³", "^3");

@@ -42,7 +42,10 @@ enum class Kind {
   area,
   second_moment_of_area,
   energy,
+  power,
   viscosity,
+  flow,
+  mass_per_length,
   force_per_time,
   force_per_time_squared,
   force_per_time_cubed

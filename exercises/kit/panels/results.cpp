@@ -20,7 +20,7 @@ std::string written_unit(const std::string& unit) {
   std::string text = unit == "1" ? "" : unit;
   std::replace(text.begin(), text.end(), '*', ' ');
   for (const auto& [power, raised] : {std::pair{"^2", "²"}, {"^3", "³"}, {"^4", "⁴"}})
-    if (const auto at = text.find(power); at != std::string::npos)
+    for (auto at = text.find(power); at != std::string::npos; at = text.find(power))
       text = text.substr(0, at) + raised + text.substr(at + std::string_view(power).size());
   return text;
 }

@@ -1,0 +1,27 @@
+// The landing of `macchine`: how long the wheel slips until it rolls.
+#include "exercises/aircraft-landing/printed.h"
+#include "exercises/aircraft-landing/routes.h"
+#include "exercises/aircraft-landing/sheets.h"
+
+namespace epure {
+
+std::unique_ptr<Exercise> make_aircraft_landing() {
+  using namespace aircraft_landing;
+  Description about{.id = "aircraft-landing",
+                    .title = {"Landing: the wheel set turning", "Atterraggio: la ruota messa in moto"},
+                    .document = "macchine",
+                    .item = "Transitorio",
+                    .source = {"Exercises on machines, \"Transitorio\"", "Esercizi di macchine, \"Transitorio\""},
+                    .givens = given_specs(),
+                    .printed = printed_by_the_source()};
+  const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Landing(givens)}, rung); };
+  return exercise_of_panels(
+      std::move(about), solve,
+      {{{"forces", {"Forces at touch-down and after", "Forze al contatto e dopo"}}, forces_sheet},
+       {{"slip", {"Speeds until slip ends", "Velocità fino alla fine dello strisciamento"}}, slip_sheet},
+       {{"integration", {"The time by graphical integration", "Il tempo per integrazione grafica"}},
+        integration_sheet},
+       {{"euler", {"Euler's polygons", "Poligoni di Eulero"}}, euler_sheet}});
+}
+
+}  // namespace epure

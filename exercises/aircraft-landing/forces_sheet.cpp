@@ -1,0 +1,69 @@
+// The forces on aircraft and wheel at touch-down, and after the wheel has taken hold.
+#include "exercises/aircraft-landing/landing.h"
+#include "exercises/aircraft-landing/sheets.h"
+#include "exercises/kit/panels/polygon_panel.h"
+#include "exercises/kit/panels/sheet.h"
+
+namespace epure::aircraft_landing {
+namespace {
+
+// Level and upright sides in turn: weight and flaps down, friction and drag back, the reaction up; the inertia force
+// closes.
+VectorPolygon around(const Solution& s, const std::string& letter, const std::string& v, const std::string& N,
+                     const std::string& F, const std::string& a, const std::string& prime) {
+  const Landing of(s.givens());
+  const double M = CGAL::to_double(of.M()), g = CGAL::to_double(of.g), square = s[v] * s[v];
+  const double c_x = CGAL::to_double(of.c_x), c_y = CGAL::to_double(of.c_y);
+  const bool at_first = N == "N_0";
+  const auto force = [](std::string quantity, std::string label, std::string direction, std::string magnitude,
+                        Arrow2 along) {
+    return PolygonSide{.quantity = std::move(quantity),
+                       .label = std::move(label),
+                       .direction = std::move(direction),
+                       .magnitude = std::move(magnitude),
+                       .v = along,
+                       .length = epure::magnitude(along)};
+  };
+  std::vector<PolygonSide> right{force("", "$\\vec{\\it{P}}$", "↓", "$(m_{a}+m_{r})g$", {0, -M * g}),
+                                 force(at_first ? "F_y_0" : "", "$\\vec{\\it{F}}_{y}$", "↓", "$c_{y}v^{2}$",
+                                       {0, -c_y * square}),
+                                 force(F, "$\\vec{\\it{F}}" + prime + "$", "←",
+                                       at_first ? "$f_{r}\\it{N}$" : "$\\it{J}_{r}a'/\\it{R}^{2}+f_{v}\\it{N}$",
+                                       {-s[F], 0}),
+                                 force(at_first ? "F_x_0" : "", "$\\vec{\\it{F}}_{x}$", "←", "$c_{x}v^{2}$",
+                                       {-c_x * square, 0}),
+                                 force(N, "$\\vec{\\it{N}}$", "↑", "$\\it{P}+\\it{F}_{y}$", {0, s[N]})};
+  const PolygonSide inertia{.label = "−$(m_{a}+m_{r})\\vec{a}" + prime + "$",
+                            .direction = "?",
+                            .magnitude = "?",
+                            .v = {-M * s[a], 0},
+                            .length = M * std::abs(s[a])};
+  return force_polygon(letter, {inertia}, std::move(right));
+}
+
+}  // namespace
+
+PanelSheet forces_sheet(const Solution& s, Language language) {
+  const Words moments{
+      "Moments about the hub, $\\it{N}$ standing $u$ = $f_{v}\\it{R}$ ahead: $\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − "
+      "$\\it{N}u$. As soon as $ω\\it{R}$ = $v$ the wheel rolls; then friction only keeps it in step, and falls to "
+      "$\\it{F}'$ = $\\it{J}_{r}a'$/$\\it{R}^{2}$ + $f_{v}\\it{N}$.",
+      "Momenti rispetto al mozzo, con $\\it{N}$ avanti di $u$ = $f_{v}\\it{R}$: $\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − "
+      "$\\it{N}u$. Appena $ω\\it{R}$ = $v$ la ruota rotola; allora l'attrito la tiene solo al passo e cade a "
+      "$\\it{F}'$ = $\\it{J}_{r}a'$/$\\it{R}^{2}$ + $f_{v}\\it{N}$."};
+  const Words grip = s["adheres"] == 1 ? Words{"|$\\it{F}'$| ≤ $f_{a}\\it{N}$: the wheel adheres.",
+                                               "|$\\it{F}'$| ≤ $f_{a}\\it{N}$: la ruota aderisce."}
+                                       : Words{"|$\\it{F}'$| > $f_{a}\\it{N}$: the wheel does not adhere.",
+                                               "|$\\it{F}'$| > $f_{a}\\it{N}$: la ruota non aderisce."};
+  return {.panels = panels(PolygonPanel(s, around(s, "1", "v_0", "N_0", "F_0", "a_0", "")),
+                           PolygonPanel(s, around(s, "2", "v_s", "N_s", "F_after", "a_after", "'"))),
+          .results = {values({"F_x_0", "F_y_0"}), values({"N_0", "F_0"}), values({"a_0", "omega_dot_0"}),
+                      remark(moments.in(language)), values({"N_s", "F_after"}), values({"a_after", "F_after_over_N"}),
+                      values({"u"}), remark(grip.in(language))},
+          .seen = {"Polygons of the forces on aircraft and wheel at touch-down and after the wheel has taken hold",
+                   "Poligoni delle forze su aereo e ruota al contatto e dopo che la ruota ha aderito"},
+          .told = {"N_0", "F_0", "a_0", "N_s", "F_after", "a_after"},
+          .without_part = {"Delta_t"}};
+}
+
+}  // namespace epure::aircraft_landing

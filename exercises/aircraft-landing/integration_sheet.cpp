@@ -1,0 +1,67 @@
+// The time that the law a(v) takes, by graphical integration of 1/|a| over the speed.
+#include <algorithm>
+#include <memory>
+
+#include "exercises/aircraft-landing/sheets.h"
+#include "exercises/aircraft-landing/speeds.h"
+#include "exercises/kit/panels/integration_panel.h"
+#include "exercises/kit/panels/sheet.h"
+
+namespace epure::aircraft_landing {
+namespace {
+
+// Until slip ends, from the speed v: between neighbours in a straight line.
+double time_at(const std::vector<SpeedsAt>& falling, double v) {
+  const auto after = std::find_if(falling.begin() + 1, falling.end() - 1,
+                                  [&](const SpeedsAt& each) { return each.v <= v; });
+  const SpeedsAt &next = *after, &here = *(after - 1);
+  const double t = here.t + (next.t - here.t) * (v - here.v) / (next.v - here.v);
+  return falling.back().t - t;
+}
+
+}  // namespace
+
+PanelSheet integration_sheet(const Solution& s, Language language) {
+  constexpr int strips = 6;
+  const auto law = Landing(s.givens()).law();
+  const double A = CGAL::to_double(law.A), B = CGAL::to_double(law.B);
+  const auto at = speeds_until_slip_ends(s, strips);
+  std::vector<double> speeds, times, slowness;
+  for (auto now = at.rbegin(); now != at.rend(); ++now) {
+    speeds.push_back(now->v);
+    times.push_back(s["t_s"] - now->t);
+  }
+  for (std::size_t i = 0; i < strips; ++i)
+    slowness.push_back((times[i + 1] - times[i]) / (speeds[i + 1] - speeds[i]));
+  // Backwards too.
+  const auto exact = std::make_shared<const std::vector<SpeedsAt>>(speeds_until_slip_ends(s, 240));
+  const IntegrationPanel panel(
+      {.letters = "$v$", .unit = "m/s", .ends = speeds},
+      {{.letters = "1/|$a$|",
+        .unit = "s²/m",
+        .meaning = Meaning::acceleration,
+        .curve = [=](double v) { return 1 / (A + B * v * v); },
+        .carried = slowness},
+       {.letters = "$t$",
+        .unit = "s",
+        .meaning = Meaning::velocity,
+        .id = "t",
+        .curve = [=](double v) { return time_at(*exact, v); },
+        .corners = times,
+        .read = {{.quantity = "t_s", .label = "$t_{s}$", .at = speeds.back(), .value = times.back()}}}},
+      {"the ordinate that makes the areas equal", "l'ordinata che compensa le aree"});
+  const Words law_of_time{
+      "d$t$ = −d$v$/|$a$($v$)|, |$a$| = $f_{r}g$ + ($f_{r}c_{y}$ + $c_{x}$)$v^{2}$/($m_{a}$ + $m_{r}$): integrated "
+      "from $v_{s}$, at the left, up to $v_{0}$; the time counts backwards from the end of slip.",
+      "d$t$ = −d$v$/|$a$($v$)|, |$a$| = $f_{r}g$ + ($f_{r}c_{y}$ + $c_{x}$)$v^{2}$/($m_{a}$ + $m_{r}$): integrata "
+      "da $v_{s}$, a sinistra, fino a $v_{0}$; il tempo si conta all'indietro dalla fine dello strisciamento."};
+  return {.panels = panels(panel),
+          .results = {remark(law_of_time.in(language)), values({"a_0", "a_s"}), values({"v_0", "v_s"}),
+                      values({"t_s"})},
+          .seen = {"The reciprocal of the acceleration over the speed, and its integral polygon, the time",
+                   "Il reciproco dell'accelerazione in funzione della velocità e il suo poligono integrale, il tempo"},
+          .told = {"v_0", "v_s", "t_s"},
+          .without_part = {"f_a", "Delta_t"}};
+}
+
+}  // namespace epure::aircraft_landing

@@ -1,0 +1,13 @@
+// The sheets of the landing.
+#pragma once
+
+#include "exercises/kit/panels/panel_sheet.h"
+
+namespace epure::aircraft_landing {
+
+PanelSheet forces_sheet(const Solution& s, Language language);
+PanelSheet slip_sheet(const Solution& s, Language language);
+PanelSheet euler_sheet(const Solution& s, Language language);
+PanelSheet integration_sheet(const Solution& s, Language language);
+
+}  // namespace epure::aircraft_landing

@@ -1,0 +1,56 @@
+// Speeds of aircraft and rim until slip ends; the areas below them are the ways.
+#include "exercises/aircraft-landing/sheets.h"
+#include "exercises/aircraft-landing/speeds.h"
+#include "exercises/kit/panels/chart_panel.h"
+#include "exercises/kit/panels/sheet.h"
+
+namespace epure::aircraft_landing {
+
+PanelSheet slip_sheet(const Solution& s, Language language) {
+  const double t_s = s["t_s"], v_s = s["v_s"], v_0 = s["v_0"], R = CGAL::to_double(s.givens()["R"]);
+  const double t_star = s["t_s_tangents"], v_star = s["v_s_tangents"];
+  drawings::Chart chart = chart_of_speeds(s, 1.15 * t_s, 0, 1.1 * v_0);
+  const auto ends = speeds_until_slip_ends(s, 100);
+  std::vector<drawings::Datum> below = of_rim(ends), between = of_aircraft(ends);
+  const double rim_0 = below.front().y;
+  between.insert(between.end(), below.rbegin(), below.rend());
+  below.push_back({t_s, 0});
+  below.push_back({0, 0});
+  chart.areas = {{below, Meaning::locus}, {between, Meaning::velocity}};
+  chart.curves.push_back({.name = "tangents",
+                          .runs = {{{0, v_0}, {t_star, v_star}}, {{0, rim_0}, {t_star, v_star}}},
+                          .meaning = Meaning::construction});
+  chart.verticals = {{.at = t_s, .label = "$t_{s}$"}};
+  std::vector<ChartPanel::Read> read{{{t_s, v_s}, "t_s", "v_s"},
+                                     {{t_s, v_s}, {}, "omega_s", 1, 1 / R},
+                                     {{t_star, v_star}, "t_s_tangents", "v_s_tangents"},
+                                     {{0, v_0}, {}, "v_0"}};
+  chart.curves.push_back({.name = "end", .meaning = Meaning::text, .points = {{t_s, v_s}}});
+  if (const auto v = s.value("v_10ms"), omega = s.value("omega_10ms"); v && omega) {
+    chart.curves.push_back({.name = "at_10ms", .meaning = Meaning::force, .points = {{0.01, *v}, {0.01, R * *omega}}});
+    read.push_back({{0.01, *v}, {}, "v_10ms"});
+    read.push_back({{0.01, R * *omega}, {}, "omega_10ms", 1, 1 / R});
+  }
+  const Words ways{
+      "The whole area below $v$ is the way $s_{v}$ of the aircraft; that below $ω\\it{R}$ the way $s_{ω}$ of the rim; "
+      "between them lies the way slipped. Dashed: the tangents at touch-down, which cross at $t^{*}_{s}$. The "
+      "points at 10 ms are the exact solution.",
+      "L'intera area sotto $v$ è lo spazio $s_{v}$ dell'aereo; quella sotto $ω\\it{R}$ lo spazio $s_{ω}$ della "
+      "periferia; tra le due sta lo spazio strisciato. A tratti le tangenti al contatto, che si incontrano in "
+      "$t^{*}_{s}$. I punti a 10 ms sono la soluzione esatta."};
+  const Words works{"The wheel takes $\\it{E}_{s}$, and about as much is lost by sliding: $\\it{L}_{F}$.",
+                    "La ruota riceve $\\it{E}_{s}$, e circa altrettanto si perde strisciando: $\\it{L}_{F}$."};
+  return {.panels = panels(ChartPanel(chart, read)),
+          .results = {values({"t_s", "v_s"}), values({"omega_s", "omega_rolling_0"}),
+                      values({"t_s_tangents", "v_s_tangents"}), remark(ways.in(language)),
+                      values({"ground_path_s", "rolled_path_s"}), values({"slip_path_s", "wheel_angle_s"}),
+                      values({"v_10ms", "omega_10ms"}), remark(works.in(language)),
+                      values({"wheel_energy_s", "friction_work_s"}), values({"drag_work_s", "rolling_work_s"})},
+          .seen = {"Speeds of aircraft and rim over time until slip ends, with the ways as areas",
+                   "Velocità dell'aereo e della periferia nel tempo fino alla fine dello strisciamento, con gli spazi "
+                   "come aree"},
+          .told = {"t_s", "v_s", "omega_s", "ground_path_s", "rolled_path_s", "slip_path_s"},
+          .without_part = {"f_a", "Delta_t"}};
+}
+
+}  // namespace epure::aircraft_landing

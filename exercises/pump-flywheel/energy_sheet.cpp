@@ -1,0 +1,101 @@
+// The energy that the flywheel takes and gives: the torque left over, integrated graphically.
+#include <algorithm>
+
+#include "exercises/kit/panels/integration_panel.h"
+#include "exercises/kit/panels/sheet.h"
+#include "exercises/pump-flywheel/drawn_pump.h"
+#include "exercises/pump-flywheel/sheets.h"
+
+namespace epure::pump_flywheel {
+namespace {
+
+constexpr double half_turn = std::numbers::pi;
+
+// Strips end where the torque is the mean one and where the phases change; reads are ordinates at the strips' ends.
+IntegrationPanel integrated(const DrawnPump& pump, double first, double second,
+                            std::vector<IntegrationRow::Read> read) {
+  std::vector<double> ends;
+  for (int i = 0; i <= 6; ++i) ends.push_back(i * half_turn / 6);
+  for (const double later : {first, first + (second - first) / 4, (first + second) / 2,
+                             second - (second - first) / 4, second, half_turn})
+    ends.push_back(half_turn + later);
+  std::vector<double> corners, carried;
+  for (const double end : ends) corners.push_back(pump.energy(end));
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    carried.push_back((corners[i] - corners[i - 1]) / (ends[i] - ends[i - 1]));
+  return {{.letters = "$α$", .unit = "rad", .ends = ends},
+          {{.letters = "$\\it{M}_{m}$ − $\\it{M}_{r}$",
+            .unit = "N m",
+            .meaning = Meaning::force,
+            .curve = [=](double alpha) { return pump.mean - pump.resisting(alpha); },
+            .carried = carried},
+           {.letters = "Δ$\\it{T}$",
+            .unit = "J",
+            .meaning = Meaning::velocity,
+            .id = "Delta_T",
+            .curve = [=](double alpha) { return pump.energy(alpha); },
+            .corners = corners,
+            .read = std::move(read)}},
+          {"the ordinate that makes the areas equal", "l'ordinata che compensa le aree"}};
+}
+
+Result on_flywheel(const Solution& s, const std::string& of, Language language) {
+  const Words words =
+      s[of + "J_flywheel"] > 0
+          ? Words{"Of $\\it{J}$ = $\\it{J}'τ^{2}$ the motor has $\\it{J}_{m}$; the flywheel the rest.",
+                  "Di $\\it{J}$ = $\\it{J}'τ^{2}$ il motore ha $\\it{J}_{m}$; il volano il resto."}
+          : Words{"$\\it{J}$ = $\\it{J}'τ^{2}$ is not more than $\\it{J}_{m}$: the motor alone suffices, and no "
+                  "flywheel is needed.",
+                  "$\\it{J}$ = $\\it{J}'τ^{2}$ non supera $\\it{J}_{m}$: il solo motore basta e il volano non occorre."};
+  return remark(words.in(language));
+}
+
+}  // namespace
+
+PanelSheet energy_sheet(const Solution& s, Language language) {
+  const DrawnPump pump(s);
+  const double first = s["alpha_1"], second = s["alpha_2"];
+  return {.panels = panels(integrated(
+              pump, first, second,
+              {{.quantity = "Delta_T_suction_end", .label = {}, .at = half_turn, .value = s["Delta_T_suction_end"]},
+               {.quantity = "Delta_T_peak", .label = "Δ$\\it{T}_{1}$", .at = half_turn + first, .value = s["Delta_T_peak"]},
+               {.quantity = "Delta_T_trough",
+                .label = "Δ$\\it{T}_{2}$",
+                .at = half_turn + second,
+                .value = s["Delta_T_trough"]}})),
+          .results = {values({"M_r_mean"}), values({"alpha_1", "alpha_2"}), values({"Delta_T_suction_end"}),
+                      values({"Delta_T_peak", "Delta_T_trough"}), values({"Delta_T_max"}),
+                      remark("$\\it{J}'$ = Δ$\\it{T}_{max}$/($iω^{2}$)"), values({"J_crank", "J_motor_shaft"}),
+                      on_flywheel(s, "", language), values({"J_flywheel"}), values({"omega_max", "omega_min"}),
+                      values({"J_s_max_over_J_crank"})},
+          .seen = {"The torque left over along the turn, and its integral polygon, the energy of the flywheel",
+                   "Il momento eccedente lungo il giro e il suo poligono integrale, l'energia del volano"},
+          .told = {"Delta_T_peak", "Delta_T_trough", "Delta_T_max", "J_crank", "J_flywheel"},
+          .without_part = {"W_t", "n_0"}};
+}
+
+PanelSheet energy_with_mass_sheet(const Solution& s, Language language) {
+  const DrawnPump pump(s, s["M_inertia_max"]);
+  const double first = s["reciprocating_mass.alpha_1"], second = s["reciprocating_mass.alpha_2"];
+  IntegrationPanel panel = integrated(
+      pump, first, second,
+      {{.quantity = {}, .label = "Δ$\\it{T}_{1}$", .at = half_turn + first, .value = pump.energy(half_turn + first)},
+       {.quantity = {}, .label = "Δ$\\it{T}_{2}$", .at = half_turn + second, .value = pump.energy(half_turn + second)}});
+  const Words mass{
+      "The reciprocating mass asks for $\\it{M}_{s}$ sin 2$α$, $\\it{M}_{s}$ = $mr^{2}ω^{2}$/2, and gives it back: "
+      "over the turn it does no work, but it moves $α_{1}$ and $α_{2}$.",
+      "Le masse alterne chiedono $\\it{M}_{s}$ sin 2$α$, $\\it{M}_{s}$ = $mr^{2}ω^{2}$/2, e lo restituiscono: nel "
+      "giro non fanno lavoro, ma spostano $α_{1}$ e $α_{2}$."};
+  const std::string of = "reciprocating_mass.";
+  return {.panels = panels(std::move(panel)),
+          .results = {remark(mass.in(language)), values({"M_inertia_max", "J_s_max"}),
+                      values({of + "alpha_1", of + "alpha_2"}), values({of + "alpha_1_deg", of + "alpha_2_deg"}),
+                      values({of + "Delta_T_max"}), values({of + "J_crank", of + "J_motor_shaft"}),
+                      on_flywheel(s, of, language), values({of + "J_flywheel"}), values({of + "n_t_flywheel"})},
+          .seen = {"The torque left over with the reciprocating mass, and its integral polygon",
+                   "Il momento eccedente con le masse alterne e il suo poligono integrale"},
+          .told = {of + "alpha_1", of + "alpha_2", of + "Delta_T_max", of + "J_crank"},
+          .without_part = {"W_t", "n_0"}};
+}
+
+}  // namespace epure::pump_flywheel
