@@ -1,6 +1,6 @@
 // Areas, works and powers: the piston by its rings, the cycle by its works, the torque by quadrature.
 #include "exercises/pump-flywheel/routes.h"
-#include "geometry/analytic/quadrature.h"
+#include "geometry/analytic/integral.h"
 
 namespace epure::pump_flywheel {
 
@@ -14,7 +14,7 @@ using geometry::square;
 Deep disc(const Rational& diameter) {
   const Deep pi_ = pi<Deep>();
   return geometry::analytic::integral(
-      [&](acb_ptr result, acb_srcptr rho, long bits) {
+      [&](acb_ptr result, acb_srcptr rho, bool, long bits) {
         acb_mul_arb(result, rho, pi_.ball(), bits);
         acb_mul_2exp_si(result, result, 1);
       },

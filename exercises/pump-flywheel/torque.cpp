@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "geometry/analytic/quadrature.h"
+#include "geometry/analytic/integral.h"
 #include "geometry/numbers/increasing_root.h"
 
 namespace epure::pump_flywheel {
@@ -84,7 +84,7 @@ Deep second_zero(const HalfTurn& of) { return pi<Deep>() - zero_by_half_angle(of
 
 Deep energy(const HalfTurn& of, const Deep& from, const Deep& to) {
   return geometry::analytic::integral(
-      [&](acb_ptr result, acb_srcptr x, long bits) {
+      [&](acb_ptr result, acb_srcptr x, bool, long bits) {
         ComplexBall sine, cosine;
         acb_sin_cos(sine.value, cosine.value, x, bits);
         acb_mul_arb(cosine.value, cosine.value, of.K.ball(), bits);
@@ -99,7 +99,7 @@ Deep energy(const HalfTurn& of, const Deep& from, const Deep& to) {
 
 Deep sine_times_cosine(int k) {
   return geometry::analytic::integral(
-      [k](acb_ptr result, acb_srcptr x, long bits) {
+      [k](acb_ptr result, acb_srcptr x, bool, long bits) {
         ComplexBall multiple;
         acb_mul_si(multiple.value, x, k, bits);
         acb_cos(multiple.value, multiple.value, bits);
@@ -111,7 +111,7 @@ Deep sine_times_cosine(int k) {
 
 Deep sine_squared() {
   return geometry::analytic::integral(
-      [](acb_ptr result, acb_srcptr x, long bits) {
+      [](acb_ptr result, acb_srcptr x, bool, long bits) {
         acb_sin(result, x, bits);
         acb_sqr(result, result, bits);
       },

@@ -3,31 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/analytic/integral.h"
 #include "geometry/numbers/ball.h"
-#include "geometry/numbers/ball_integral.h"
 #include "geometry/numbers/growing.h"
 #include "geometry/numbers/increasing_root.h"
 
 namespace epure::geometry::analytic {
 namespace {
-
-struct Integrand {
-  ulong k, b;
-  Deep epsilon;
-};
-
-// As Arb asks for it; infinite around the pole at 1/ε, from where it then stays away.
-int at(acb_ptr result, const acb_t t, void* parameters, slong, slong bits) {
-  const auto* of = static_cast<const Integrand*>(parameters);
-  ComplexBall film;
-  acb_mul_arb(film.value, t, of->epsilon.ball(), bits);
-  acb_sub_si(film.value, film.value, 1, bits);
-  acb_neg(film.value, film.value);
-  acb_pow_ui(film.value, film.value, of->b, bits);
-  acb_pow_ui(result, t, of->k, bits);
-  acb_div(result, result, film.value, bits);
-  return 0;
-}
 
 // t_N by doubles, with Gauss' five points on panels that halve towards the outlet: 1 - ε t = (2 + d (1 - t))/(2 + d).
 double centre_in_doubles(double d) {
@@ -69,9 +51,19 @@ SearchedIn searched_in(double sought) {
 
 }  // namespace
 
+// The integrand is infinite around the pole at 1/ε, from where the quadrature then stays away.
 Deep film_integral(int k, int b, const Deep& epsilon, const Deep& to) {
-  Integrand of{static_cast<ulong>(k), static_cast<ulong>(b), epsilon};
-  return ball_integral(at, &of, Deep(-1), to);
+  return integral(
+      [&](acb_ptr result, const acb_t t, bool, long bits) {
+        ComplexBall film;
+        acb_mul_arb(film.value, t, epsilon.ball(), bits);
+        acb_sub_si(film.value, film.value, 1, bits);
+        acb_neg(film.value, film.value);
+        acb_pow_ui(film.value, film.value, static_cast<ulong>(b), bits);
+        acb_pow_ui(result, t, static_cast<ulong>(k), bits);
+        acb_div(result, result, film.value, bits);
+      },
+      Deep(-1), to);
 }
 
 Bounded film_integral(int k, int b, const Bounded& epsilon, const Bounded& to) {

@@ -7,8 +7,10 @@
 #include <flint/acb.h>
 #include <flint/acb_calc.h>
 #include <flint/acb_elliptic.h>
+#include <flint/acb_modular.h>
 #include <flint/arb.h>
 #include <flint/arb_fmpz_poly.h>
+#include <flint/arb_mat.h>
 #include <flint/arf.h>
 #include <flint/flint.h>
 #include <flint/fmpq.h>
@@ -21,8 +23,10 @@
 #include <acb.h>
 #include <acb_calc.h>
 #include <acb_elliptic.h>
+#include <acb_modular.h>
 #include <arb.h>
 #include <arb_fmpz_poly.h>
+#include <arb_mat.h>
 #include <arf.h>
 #include <flint/flint.h>
 #include <flint/fmpq.h>

@@ -1,0 +1,34 @@
+// Exercise N.14 of Sapienza: a damped oscillator and a compound pendulum, their motion in closed form and by tables.
+#include "exercises/kit/panels/chart_panel.h"
+#include "exercises/kit/panels/panel_sheet.h"
+#include "exercises/oscillator-pendulum/printed.h"
+#include "exercises/oscillator-pendulum/routes.h"
+
+namespace epure {
+namespace oscillator_pendulum {
+namespace {
+
+std::vector<RouteValue> solved(const Problem& problem, Rung rung) {
+  std::vector<RouteValue> all = settle(OscillatorRoutes{problem.oscillator}, rung);
+  for (RouteValue& each : settle(PendulumRoutes{problem.pendulum}, rung)) all.push_back(std::move(each));
+  return all;
+}
+
+}  // namespace
+}  // namespace oscillator_pendulum
+
+std::unique_ptr<Exercise> make_oscillator_pendulum() {
+  using namespace oscillator_pendulum;
+  Description about{.id = "oscillator-pendulum",
+                    .title = {"Oscillator and pendulum", "Oscillatore e pendolo"},
+                    .document = "sapienza",
+                    .item = "N.14",
+                    .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.14",
+                               "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.14"},
+                    .givens = given_specs(),
+                    .printed = printed_by_the_source()};
+  const auto solve = [](const Givens& givens, Rung rung) { return solved(Problem(givens), rung); };
+  return exercise_of_panels(std::move(about), solve, {});
+}
+
+}  // namespace epure
