@@ -24,15 +24,13 @@ VectorPolygon around(const Solution& s, const std::string& letter, const std::st
                        .v = along,
                        .length = epure::magnitude(along)};
   };
-  std::vector<PolygonSide> right{force("", "$\\vec{\\it{P}}$", "↓", "$(m_{a}+m_{r})g$", {0, -M * g}),
-                                 force(at_first ? "F_y_0" : "", "$\\vec{\\it{F}}_{y}$", "↓", "$c_{y}v^{2}$",
-                                       {0, -c_y * square}),
-                                 force(F, "$\\vec{\\it{F}}" + prime + "$", "←",
-                                       at_first ? "$f_{r}\\it{N}$" : "$\\it{J}_{r}a'/\\it{R}^{2}+f_{v}\\it{N}$",
-                                       {-s[F], 0}),
-                                 force(at_first ? "F_x_0" : "", "$\\vec{\\it{F}}_{x}$", "←", "$c_{x}v^{2}$",
-                                       {-c_x * square, 0}),
-                                 force(N, "$\\vec{\\it{N}}$", "↑", "$\\it{P}+\\it{F}_{y}$", {0, s[N]})};
+  std::vector<PolygonSide> right{
+      force("", "$\\vec{\\it{P}}$", "↓", "$(m_{a}+m_{r})g$", {0, -M * g}),
+      force(at_first ? "F_y_0" : "", "$\\vec{\\it{F}}_{y}$", "↓", "$c_{y}v^{2}$", {0, -c_y * square}),
+      force(F, "$\\vec{\\it{F}}" + prime + "$", "←",
+            at_first ? "$f_{r}\\it{N}$" : "$\\it{J}_{r}a'/\\it{R}^{2}+f_{v}\\it{N}$", {-s[F], 0}),
+      force(at_first ? "F_x_0" : "", "$\\vec{\\it{F}}_{x}$", "←", "$c_{x}v^{2}$", {-c_x * square, 0}),
+      force(N, "$\\vec{\\it{N}}$", "↑", "$\\it{P}+\\it{F}_{y}$", {0, s[N]})};
   const PolygonSide inertia{.label = "−$(m_{a}+m_{r})\\vec{a}" + prime + "$",
                             .direction = "?",
                             .magnitude = "?",

@@ -48,15 +48,12 @@ std::vector<drawings::Block> TorquePanel::draw(Plot& plot, const drawings::Box& 
   for (const Read& each : read_) {
     const drawings::Point from = map.at(each.from), to = map.at(each.to);
     const bool is_level = each.from.y == each.to.y;
-    onto.measurements.push_back({each.quantity, from, to,
-                                 each.si * (is_level ? map.x.per_mm() : map.y.per_mm()),
+    onto.measurements.push_back({each.quantity, from, to, each.si * (is_level ? map.x.per_mm() : map.y.per_mm()),
                                  is_level ? Measurement::along_x : Measurement::along_y});
   }
   return {};
 }
 
-std::vector<PanelStep> TorquePanel::steps(const Plot&, const drawings::Box&) const {
-  return {};
-}
+std::vector<PanelStep> TorquePanel::steps(const Plot&, const drawings::Box&) const { return {}; }
 
 }  // namespace epure::pump_flywheel
