@@ -72,7 +72,8 @@ Deep& Deep::operator*=(const Deep& other) {
 
 Deep& Deep::operator/=(const Deep& other) {
   if (arb_contains_zero(other.ball_))
-    throw Undecided("division by a ball that contains zero", "divisione per un intervallo che contiene lo zero");
+    throw Undecided("division by a number that cannot be told from zero",
+                    "divisione per un numero che non si distingue da zero");
   arb_div(ball_, ball_, other.ball_, Arithmetic<Deep>::bits());
   require_finite(ball_);
   return *this;

@@ -1,6 +1,7 @@
 #include "geometry/numbers/given.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <charconv>
 #include <cstdlib>
@@ -227,7 +228,8 @@ bool is_blank(char c) { return c == ' ' || c == '\t'; }
 // Reads one text from front to back. What is wrong is told with the whole text.
 class Reader {
  public:
-  Reader(const std::string& text, const Unit& expected) : text_(text), rest_(text), expected_(expected) {}
+  Reader(const std::string& text, const Unit& expected)
+      : text_(text), plain_(in_plain_characters(text)), rest_(plain_), expected_(expected) {}
 
   InUnit read() {
     if (text_.size() > longest_text) refuse_long();
@@ -353,7 +355,8 @@ class Reader {
   }
 
   [[noreturn]] void refuse_unknown(const std::string& symbol) const {
-    if (is_digit(symbol.front()) || std::string_view(".,'").find(symbol.front()) != std::string_view::npos)
+    const bool separates = std::string_view(".,'").find(symbol.front()) != std::string_view::npos;
+    if (is_digit(symbol.front()) || (separates && symbol.size() > 1 && is_digit(symbol[1])))
       refuse({"has more than a decimal point or comma between its digits",
               "ha più di un punto o di una virgola decimale tra le cifre"},
              {"thousands without a separator, as in 1234.5", "le migliaia senza separatore, come in 1234,5"});
@@ -369,11 +372,21 @@ class Reader {
   }
 
   const std::string& text_;
+  const std::string plain_;
   std::string_view rest_;
   const Unit& expected_;
 };
 
 }  // namespace
+
+std::string in_plain_characters(std::string text) {
+  constexpr std::array<std::pair<std::string_view, char>, 4> printed{
+      {{"\u00A0", ' '}, {"\u2009", ' '}, {"\u202F", ' '}, {"\u2212", '-'}}};
+  for (const auto& [character, plain] : printed)
+    for (auto at = text.find(character); at != std::string::npos; at = text.find(character, at))
+      text.replace(at, character.size(), 1, plain);
+  return text;
+}
 
 bool turns(Kind kind) {
   return kind == Kind::angle || kind == Kind::angular_velocity || kind == Kind::angular_acceleration;

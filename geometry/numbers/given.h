@@ -73,6 +73,9 @@ struct InUnit {
   Unit unit;
 };
 
+// With what sheets and pages print - no-break, thin and narrow no-break spaces, the true minus - as it is typed.
+std::string in_plain_characters(std::string text);
+
 // In the given's own unit; with π between, in the unit that was typed. A text without a unit is in the given's.
 // Throws BadGiven; an unknown unit of the given itself is a caller's mistake (assertion).
 InUnit read_given(const std::string& text, const std::string& unit_of_the_given);

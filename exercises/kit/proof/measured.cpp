@@ -28,19 +28,25 @@ Allowance allowance(const CheckedQuantity& quantity, const Decimal& number, cons
     return {reading * Rational(shown->per_mm),
             format_words("{} mm on sheet {}", "{} mm sulla tavola {}", decimal(fmt::format("{}", nearest(reading))),
                          shown->sheet)};
+  if (CGAL::is_zero(number.half_unit))
+    throw geometry::BadGiven(
+        {"a fraction has no last digit to allow half a unit of, and no sheet shows this quantity; "
+         "write a decimal number",
+         "una frazione non ha un'ultima cifra di cui ammettere mezza unità, e nessuna tavola "
+         "mostra questa grandezza; scrivere un numero decimale"});
   return {number.half_unit,
           {"half a unit of its last digit, as no sheet shows it",
            "mezza unità dell'ultima cifra, perché nessuna tavola la mostra"}};
 }
 
-// Also "43deg" in rad and "127rpm" in rad/s. Nobody measures to sixteen digits, so the double nearest to 2π will do.
+// Also "43deg" in rad and "127rpm" in rad/s. With more digits of 2π than doubles have.
 Decimal read_any_unit(const std::string& text, const std::string& unit) {
   const auto own = geometry::find_unit(unit);
   if (!own || !geometry::turns(own->kind)) return read_decimal(text, unit);
   const geometry::Unit typed = geometry::read_given(text, unit).unit;
   if (typed.counts_turns == own->counts_turns) return read_decimal(text, unit);
   Decimal number = read_decimal(text, typed.symbol);
-  const Rational turn(2 * std::numbers::pi);
+  static const Rational turn = geometry::parse_given("6.2831853071795864769252867665590057684", "1");
   const Rational factor = typed.factor / own->factor * (typed.counts_turns ? turn : Rational(1) / turn);
   number.value *= factor;
   number.half_unit *= factor;

@@ -74,7 +74,8 @@ Rational power_of_ten(int exponent) { return geometry::parse_given("1e" + std::t
 Decimal read_decimal(const std::string& text, const std::string& unit) {
   if (!geometry::find_unit(unit)) return read_decimal(without_own_unit(text, unit), "1");
   const Rational value = geometry::parse_given(text, unit);
-  const Anatomy parts = dissect(text);
+  const std::string plain = geometry::in_plain_characters(text);
+  const Anatomy parts = dissect(plain);
   if (parts.fraction) return {value, 0, parts.signed_text};
   const Rational factor = parts.unit.empty() ? Rational(1) : geometry::conversion(std::string(parts.unit), unit);
   return {value, power_of_ten(parts.last_digit) / 2 * factor, parts.signed_text};
