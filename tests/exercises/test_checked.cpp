@@ -250,6 +250,10 @@ TEST_CASE("a measured number of what no sheet shows is held against its own last
   CHECK_FALSE(omega.measured[1].within);
   CHECK(omega.measured[1].allowed == Approx(0.005));
   CHECK(omega.measured[1].allowed_by.english.find("no sheet shows it") != std::string::npos);
+  CHECK_THROWS_WITH(add_measured(result, omega, "5/2", Rational(1, 2)), Contains("a fraction has no last digit"));
+  add_measured(result, omega, "\u22122.5\u00A0rad/s", Rational(1, 2));
+  CHECK(omega.measured[2].value == -2.5);
+  CHECK(omega.measured[2].allowed == Approx(0.05));
 }
 
 TEST_CASE("a measured number of what does not exist fails") {
