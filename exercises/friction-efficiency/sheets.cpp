@@ -382,10 +382,12 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
         for (const int k : {0, 1})
           if (quantity == each.name + (k == 0 ? ".eta_direct" : ".eta_retrograde") && value > 0 && value <= 1) {
             auto& run = runs[each.name][static_cast<std::size_t>(k)];
+            if (i == 1) run.push_back({0, 1});  // without friction nothing is lost
             const bool goes_on = run.empty() || degrees - run.back().x < 0.75;
             if (goes_on) run.push_back({degrees, value});
           }
   }
+  const double phi = geometry::degrees(s.givens().angle("phi"));
   const auto chart = [&](int k) {
     drawings::Chart drawn{
         .x = {.quantity = "$φ$", .unit = "°", .low = 0, .high = most, .steps = drawings::degree_steps},
@@ -400,11 +402,16 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
         drawn.markers.push_back(
             {.at = run.back(), .label = k == 0 ? "$φ_{D}$" : "$φ_{R}$", .shape = drawings::PointShape::ring});
       }
+      const std::string eta = each.name + (k == 0 ? ".eta_direct" : ".eta_retrograde");
+      if (const auto value = s.value(eta); value && *value > 0 && phi <= most) {
+        read.push_back({{phi, *value}, {}, eta});
+        drawn.markers.push_back({.at = read.back().at, .meaning = Meaning::force});
+      }
       if (!run.empty())
         drawn.curves.push_back(
             {.name = "eta_" + each.name, .runs = {run}, .meaning = Meaning::force, .label = each.label.in(language)});
     }
-    drawn.verticals = {{.at = geometry::degrees(s.givens().angle("phi")), .label = "$φ$"}};
+    drawn.verticals = {{.at = phi, .label = "$φ$"}};
     return ChartPanel(drawn, read);
   };
   std::vector<Row> rows;

@@ -17,7 +17,7 @@ struct Strips {
 };
 
 // With many bits: where the walls are nearly parallel doubles lose what the gradient is made of.
-Strips strips_of(const Film& film) {
+Strips integrated(const Film& film) {
   return deeply([&] {
     using geometry::Deep;
     const auto wedge = film.wedge<Deep>();
@@ -59,7 +59,7 @@ std::vector<IntegrationRow::Read> read(const Solution& s, const Film& film, cons
 PanelSheet integration_sheet(const Solution& s, Language language) {
   const Film film = Problem(s.givens()).film;
   const auto wedge = film.wedge<double>();
-  const Strips strips = strips_of(film);
+  const Strips strips = integrated(film);
   const Words mean{"the mean of the gradients at both ends of each strip",
                    "la media dei gradienti ai due estremi di ogni striscia"};
   return {.panels = panels(IntegrationPanel({.letters = "$x$", .unit = "m", .ends = strips.ends},

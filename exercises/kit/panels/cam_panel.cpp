@@ -3,7 +3,7 @@
 namespace epure {
 namespace {
 
-constexpr double beyond = 7, letters = 12;  // mm
+constexpr double beyond = 7, room_for_letters = 12;  // mm
 
 // Where an axis ends, so many millimetres beyond the roller.
 Place end_of(const CamFollowerPosition& at, double roller, double mm, const Scale& scale) {
@@ -18,7 +18,7 @@ drawings::Box CamPanel::extent(const Scale& lengths, const Scale&) const {
   Extent extent;
   extent.include(lengths, cam_.A, lengths.mm_per_unit * cam_.disc);
   for (const CamFollowerPosition& at : cam_.positions)
-    extent.include(lengths, end_of(at, cam_.roller, letters, lengths), 2);
+    extent.include(lengths, end_of(at, cam_.roller, room_for_letters, lengths), 2);
   return extent.box();
 }
 
