@@ -9,7 +9,7 @@ namespace epure::michell_bearing {
 namespace {
 
 // So many strips can be told apart; of a finer grid several are drawn as one, with the mean of their gradients.
-constexpr long most_strips = 40;
+constexpr long most_drawn = 40;
 
 struct Strips {
   std::vector<double> ends, means, pressures;
@@ -28,7 +28,7 @@ Strips integrated(const Film& film) {
     }
     const auto all = geometry::graphical_integral<Deep>(stations, geometry::means_of_ends(gradients), Deep(1));
     Strips drawn;
-    const long together = (film.strips + most_strips - 1) / most_strips;
+    const long together = (film.strips + most_drawn - 1) / most_drawn;
     for (long i = 0; i <= film.strips; ++i) {
       if (i % together != 0 && i != film.strips) continue;
       drawn.corners.push_back(i);
