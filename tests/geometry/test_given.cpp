@@ -91,6 +91,11 @@ TEST_CASE("Good givens, read as the rational they say") {
       {"752 mm²", "m^2", "47/62500"},
       {"3.335e5mm^4", "cm^4", "667/20"},
       {"1e12mm^4", "m^4", "1"},
+      {"0.32kN/s^3", "N/s^3", "320"},
+      {"-10,4 N/s²", "N/s^2", "-52/5"},
+      {"80N/s", "N/s", "80"},
+      {"3N/s³", "kN/s^3", "3/1000"},
+      {"2,84%", "1", "71/2500"},
       {"2kJ", "J", "2000"},
       {"1e2", "", "100"},
       {"2E3", "1", "2000"},
@@ -162,6 +167,8 @@ TEST_CASE("Bad givens are refused: the text, what is wrong, what would be accept
       {"30deg", "rad", "a turn is 2π radians", "rad"},
       {"300 N", "MPa", "a force where a stress", "Pa, kPa, MPa, GPa"},
       {"3mm^4", "mm^2", "a second moment of area where an area", "m^2, cm^2, mm^2"},
+      {"3N/s", "N/s^2", "a force per time where a force per time squared", "N/s^2, kN/s^2"},
+      {"3N", "N/s^3", "a force where a force per time cubed", "N/s^3, kN/s^3"},
       {"3Nm", "J", "a moment where an energy", "J, kJ"},
       {"30deg", "rpm", "an angle where an angular velocity", "rpm"},
       {"30deg/s", "rad/s^2", "an angular velocity where an angular acceleration", "rad/s^2"},
@@ -206,6 +213,7 @@ TEST_CASE("Units of one kind convert exactly, but for π between them, there and
       if (a.kind != b.kind || a.counts_turns != b.counts_turns) continue;
       CAPTURE(a.symbol, b.symbol);
       CHECK(conversion(a.symbol, b.symbol) * conversion(b.symbol, a.symbol) == 1);
+      if (a.symbol == "1" && b.symbol != "1") continue;  // a text without a unit is in that of b
       CHECK(parse_given("1" + std::string(a.symbol == "1" ? "" : " " + a.symbol), b.symbol) ==
             conversion(a.symbol, b.symbol));
     }
