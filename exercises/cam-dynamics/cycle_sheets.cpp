@@ -12,14 +12,18 @@ namespace {
 
 using drawings::Datum;
 
-// So that several stand one above the other.
+// So low that several stand one above the other, and so wide at least (mm).
 class LowChart : public ChartPanel {
  public:
-  using ChartPanel::ChartPanel;
+  LowChart(drawings::Chart chart, std::vector<Read> read, double wide = 72)
+      : ChartPanel(std::move(chart), std::move(read)), wide_(wide) {}
   drawings::Box extent(const Scale&, const Scale&) const override {
-    constexpr double wide = 72, high = 52;  // mm at least
-    return {{0, 0}, {wide, high}};
+    constexpr double high = 52;
+    return {{0, 0}, {wide_, high}};
   }
+
+ private:
+  double wide_;
 };
 
 std::string name(const std::string& quantity) { return "cycle." + quantity; }
@@ -171,17 +175,18 @@ PanelSheet closing_force_sheet(const Solution& s, Language language) {
     of_P.push_back({lifted, "maximum_lift.angle_of_A0A_deg", "maximum_lift.P_min"});
   }
   forces.horizontals.push_back({.at = given(s, "P"), .label = "$\\it{P}$"});
+  constexpr double across = 110;  // mm
   const Words keeps{
       "Contact is kept where $\\it{P}$ + $\\it{P}_{3}$ + $m_{3}a_{B3}$ ≥ 0: over the whole turn it takes the "
-      "$\\it{P}$ of the least acceleration, which is not that of maximum lift.",
+      "$\\it{P}$ of the least acceleration, which is that of maximum lift for $e$ = 0 only.",
       "Il contatto resta dove $\\it{P}$ + $\\it{P}_{3}$ + $m_{3}a_{B3}$ ≥ 0: per l'intero giro occorre la "
-      "$\\it{P}$ dell'accelerazione minima, che non è quella della massima alzata."};
+      "$\\it{P}$ dell'accelerazione minima, che è quella della massima alzata solo per $e$ = 0."};
   const Words speed{"With the given $\\it{P}$ contact is lost at maximum lift beyond $ω_{2,l}$.",
                     "Con la $\\it{P}$ data, alla massima alzata il contatto si perde oltre $ω_{2,l}$."};
   const Words enough{"$\\it{P}_{min}$ is negative: the weight alone keeps contact.",
                      "$\\it{P}_{min}$ è negativa: basta il peso a mantenere il contatto."};
   return {
-      .panels = panels(LowChart(accelerations, of_a), LowChart(forces, of_P)),
+      .panels = panels(LowChart(accelerations, of_a, across), LowChart(forces, of_P, across)),
       .theory = {{{"Contact", "Contatto"},
                   {remark(keeps.in(language)), remark(s[name("P_min")] < 0 ? enough.in(language) : ""),
                    remark(s.value("maximum_lift.omega_2_contact_loss") ? speed.in(language) : "")}}},

@@ -162,11 +162,12 @@ FreeBodyPanel cam_cut_free(const Solution& s, const Forces& on) {
 
 PanelSheet forces_sheet(const Solution& s, Language language) {
   const Forces on = forces(s, language);
+  const bool is_kept = s.value("R_23").has_value();
   const Words lost{
       "Contact is lost: to close these polygons the cam would have to pull the follower. It cannot, and "
-      "the follower leaves it.",
+      "the follower leaves it, unless $\\it{P}$ is at least $\\it{P}_{0}$.",
       "Il contatto si perde: per chiudere questi poligoni la camma dovrebbe tirare il cedente. Non può, e "
-      "il cedente la lascia."};
+      "il cedente la lascia, se $\\it{P}$ non è almeno $\\it{P}_{0}$."};
   const Words work{
       "Virtual work: $\\it{M}_{m}ω_{2}$ = $\\it{P}_{2}v_{Ay}$ + ($\\it{P}$ + $\\it{P}_{3}$ − "
       "$\\it{F}^{in}_{3}$)$v_{B3}$, upward velocities positive. $\\vec{\\it{F}}^{in}_{2}$ does none.",
@@ -176,9 +177,10 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
               panels(follower_cut_free(s, on),
                      PolygonPanel(s, force_polygon("3", {on.R_13}, {on.P, on.P_3, on.F_3, on.R_23})),
                      cam_cut_free(s, on), PolygonPanel(s, force_polygon("2", {on.R_12}, {on.R_32, on.P_2, on.F_2}))),
-          .results = {remark(s.value("R_23") ? "" : lost.in(language)), values({"P_3", "P_2"}),
-                      values({"F_3_in", "F_2_in"}), values({"R_13", "R_23", "R_12"}), values({"d_2", "d_32", "M_m"}),
-                      remark(work.in(language)), values({"M_m_virtual_work"})},
+          .results = {remark(is_kept ? "" : lost.in(language)),
+                      values(is_kept ? std::vector<std::string>{} : std::vector<std::string>{"P_kept"}),
+                      values({"P_3", "P_2"}), values({"F_3_in", "F_2_in"}), values({"R_13", "R_23", "R_12"}),
+                      values({"d_2", "d_32", "M_m"}), remark(work.in(language)), values({"M_m_virtual_work"})},
           .seen = {"Follower and cam cut free, and the polygons of their forces",
                    "Cedente e camma isolati, e i poligoni delle loro forze"},
           .told = {"R_13", "R_23", "R_12", "M_m"},
@@ -198,11 +200,10 @@ PanelSheet maximum_lift_sheet(const Solution& s, Language language) {
       "$\\it{P}_{3}$.",
       "Il contatto è appena mantenuto dove la camma non preme più: $\\it{P}_{min}$ = "
       "$\\it{F}^{in}_{3}$ − $\\it{P}_{3}$."};
-  const Words mistake{
-      "With the acceleration of the drawn position at the higher speed: as the source has it, within "
-      "its reading.",
-      "Con l'accelerazione della configurazione disegnata alla velocità maggiore: come la fonte, a meno "
-      "della lettura."};
+  const Words source{", as the source has it within its reading", ", come la fonte a meno della lettura"};
+  const Words mistake = Words{"With the acceleration of the drawn position at the higher speed",
+                              "Con l'accelerazione della configurazione disegnata alla velocità maggiore"} +
+                        (s.givens().as_stated() ? source : Words{}) + decimal(".");
   const double P_3 = s[at + "P_3"];
   return {
       .panels = panels(
@@ -224,7 +225,7 @@ PanelSheet maximum_lift_sheet(const Solution& s, Language language) {
       .seen = {"The cam at maximum lift, the polygon of the accelerations and the least closing force",
                "La camma alla massima alzata, il poligono delle accelerazioni e la forza di chiusura minima"},
       .told = {at + "a_B3", at + "F_3_in", at + "P_min", at + "omega_2_contact_loss"},
-      .without_part = {"phi", "n", "m_2"}};
+      .without_part = {"n", "m_2"}};
 }
 
 }  // namespace epure::cam_dynamics

@@ -119,7 +119,7 @@ VectorQuantity of_force(const std::string& name, const std::string& letter, cons
                         const Words& meaning) {
   return {name, letter, of, "N", meaning, meaning};
 }
-const std::vector<VectorQuantity> forces{
+const std::vector<VectorQuantity> acting{
     of_force("P", "\\it{{P}}{}", "", {"closing force", "forza di chiusura"}),
     of_force("P_2", "\\it{{P}}_{{{}}}", "2", {"weight of the disc", "peso del disco"}),
     of_force("P_3", "\\it{{P}}_{{{}}}", "3", {"weight of the follower", "peso del cedente"}),
@@ -134,7 +134,7 @@ const std::vector<VectorQuantity> forces{
 
 const Quantity& quantity(const std::string& name) { return named(quantities, name); }
 VectorQuantity moving(const std::string& name) { return named(vectors, name); }
-VectorQuantity force(const std::string& name) { return named(forces, name); }
+VectorQuantity force(const std::string& name) { return named(acting, name); }
 
 Quantity lift_at(int degrees) {
   const std::string number = std::to_string(degrees);

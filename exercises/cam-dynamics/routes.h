@@ -234,6 +234,7 @@ class Routes {
     ledger.put(quantity("M_m"), [&] {
       return -(geometry::cross(at.A - at.A0, P_2) + geometry::cross(at.A - at.A0, -pressed(R_23)()));
     });
+    ledger.tells({"P_kept", "$\\it{P}_{0}$", "N", {}}, [&] { return (F_3 + P_3).y; });
     for (const auto& [name, v] : std::initializer_list<std::pair<const char*, Vector<T>>>{
              {"P", Vector<T>{none, -number<T>(of.P)}}, {"held_R_13", R_13}, {"held_R_23", R_23}, {"held_R_12", R_12}})
       ledger.draws_vector(name, v);
