@@ -26,6 +26,8 @@ Words route_in_words(const std::string& route) {
       {"power balance", "bilancio delle potenze"},
       {"primitive", "primitiva"},
       {"quadrature", "quadratura"},
+      {"quadratic map", "mappa quadratica"},
+      {"recursion", "ricorrenza"},
       {"second polygon", "secondo poligono"},
       {"stiffness matrix", "matrice di rigidezza"},
       {"sums", "somme"},
