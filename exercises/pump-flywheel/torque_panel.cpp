@@ -43,7 +43,7 @@ std::vector<drawings::Block> TorquePanel::draw(Plot& plot, const drawings::Box& 
   for (const double half : {0.0, 180.0})
     if (radius(half) > 0)
       plot.mark(drawings::Line{drawings::arc(O, radius(half), 0, std::numbers::pi / 2), Meaning::construction, {}});
-  line({O.x - margin / 2, O.y}, {map.at({0, 0}).x, O.y}, Meaning::axis);
+  line({O.x - margin / 2, O.y}, {O.x + radius(180) + margin / 2, O.y}, Meaning::axis);
   line({O.x, O.y - margin / 2}, {O.x, O.y + radius(180) + margin / 2}, Meaning::axis);
   for (const Projected& each : projected_) {
     const drawings::Point end = at(each.angle), there{map.x.at(each.angle), end.y};

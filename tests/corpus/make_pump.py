@@ -47,7 +47,9 @@ class Pump:
         return quad(lambda x: self.left(x, slope), ends)
 
     def extreme(self, slope, sign, only_delivery=False):
-        samples = [2 * pi * k / 720 for k in range(360 if only_delivery else 0, 721)]
+        # Where both half turns are alike, the second one counts.
+        late = only_delivery or self.p_a == self.p_m
+        samples = [2 * pi * k / 720 for k in range(360 if late else 0, 721)]
         C = lambda x: (self.p_a if x <= pi else self.p_m) * self.A * self.r
         K = slope * self.m * self.r ** 2
 

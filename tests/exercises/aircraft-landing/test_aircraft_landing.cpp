@@ -59,7 +59,6 @@ TEST_CASE("landing: adherence at its limit is decided exactly", "[landing]") {
 }
 
 TEST_CASE("landing: a step that ends slip exactly", "[landing]") {
-  // Constant forces: v - R ω falls by 100 a second times 1 s²/m; after ten steps of 1/100 of a step it is zero.
   const Assignments constant{"c_x=0", "c_y=0", "f_v=0", "f_r=1",   "g=1",        "m_a=39", "m_r=1",
                              "R=1",   "J_r=8", "v_0=216", "Delta_t=10"};
   // a = -1, ω' = 5: 60 m/s fall by 6 a second, so at step 100 of 0.1 s.
@@ -103,5 +102,5 @@ TEST_CASE("landing: every sheet is drawn, whatever is given", "[landing][sheets]
 }
 
 TEST_CASE("landing: letters find room", "[landing][sheets]") {
-  letters_find_room(landing(), {{}, {"c_y=-2"}, {"J_r=400", "Delta_t=0.7"}});
+  letters_find_room(landing(), {{}, {"c_y=-2"}, {"J_r=400", "Delta_t=0.7"}}, {"integration"});
 }
