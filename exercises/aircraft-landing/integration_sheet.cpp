@@ -10,12 +10,13 @@
 namespace epure::aircraft_landing {
 namespace {
 
-// Until slip ends, from the speed v: between neighbours in a straight line.
-double time_at(const std::vector<SpeedsAt>& falling, double v) {
-  const auto after =
-      std::find_if(falling.begin() + 1, falling.end() - 1, [&](const SpeedsAt& each) { return each.v <= v; });
+// Until slip ends, when so much speed is left to lose: between neighbours in a straight line.
+double time_at(const std::vector<SpeedsAt>& falling, double left) {
+  const double lost = falling.back().lost - left;
+  const auto after = std::find_if(falling.begin() + 1, falling.end() - 1,
+                                  [&](const SpeedsAt& each) { return each.lost >= lost; });
   const SpeedsAt &next = *after, &here = *(after - 1);
-  const double t = here.t + (next.t - here.t) * (v - here.v) / (next.v - here.v);
+  const double t = here.t + (next.t - here.t) * (lost - here.lost) / (next.lost - here.lost);
   return falling.back().t - t;
 }
 
@@ -24,11 +25,11 @@ double time_at(const std::vector<SpeedsAt>& falling, double v) {
 PanelSheet integration_sheet(const Solution& s, Language language) {
   constexpr int strips = 6;
   const auto law = Landing(s.givens()).law();
-  const double A = CGAL::to_double(law.A), B = CGAL::to_double(law.B);
+  const double A = CGAL::to_double(law.A), B = CGAL::to_double(law.B), v_s = s["v_s"];
   const auto at = speeds_until_slip_ends(s, strips);
   std::vector<double> speeds, times, slowness;
   for (auto now = at.rbegin(); now != at.rend(); ++now) {
-    speeds.push_back(now->v);
+    speeds.push_back(at.back().lost - now->lost);
     times.push_back(s["t_s"] - now->t);
   }
   for (std::size_t i = 0; i < strips; ++i)
@@ -36,17 +37,17 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
   // Backwards too.
   const auto exact = std::make_shared<const std::vector<SpeedsAt>>(speeds_until_slip_ends(s, 240));
   const IntegrationPanel panel(
-      {.letters = "$v$", .unit = "m/s", .ends = speeds},
+      {.letters = "$v$ − $v_{s}$", .unit = "m/s", .ends = speeds},
       {{.letters = "1/|$a$|",
         .unit = "s²/m",
         .meaning = Meaning::acceleration,
-        .curve = [=](double v) { return 1 / (A + B * v * v); },
+        .curve = [=](double left) { return 1 / (A + B * (v_s + left) * (v_s + left)); },
         .carried = slowness},
        {.letters = "$t$",
         .unit = "s",
         .meaning = Meaning::velocity,
         .id = "t",
-        .curve = [=](double v) { return time_at(*exact, v); },
+        .curve = [=](double left) { return time_at(*exact, left); },
         .corners = times,
         .read = {{.quantity = "t_s", .label = "$t_{s}$", .at = speeds.back(), .value = times.back()}}}},
       {"the ordinate that makes the areas equal", "l'ordinata che compensa le aree"});
@@ -55,13 +56,13 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
       "from $v_{s}$, at the left, up to $v_{0}$; the time counts backwards from the end of slip.",
       "d$t$ = −d$v$/|$a$($v$)|, |$a$| = $f_{r}g$ + ($f_{r}c_{y}$ + $c_{x}$)$v^{2}$/($m_{a}$ + $m_{r}$): integrata "
       "da $v_{s}$, a sinistra, fino a $v_{0}$; il tempo si conta all'indietro dalla fine dello strisciamento."};
-  return {
-      .panels = panels(panel),
-      .results = {remark(law_of_time.in(language)), values({"a_0", "a_s"}), values({"v_0", "v_s"}), values({"t_s"})},
-      .seen = {"The reciprocal of the acceleration over the speed, and its integral polygon, the time",
-               "Il reciproco dell'accelerazione in funzione della velocità e il suo poligono integrale, il tempo"},
-      .told = {"v_0", "v_s", "t_s"},
-      .without_part = {"f_a", "Delta_t"}};
+  return {.panels = panels(panel),
+          .results = {remark(law_of_time.in(language)), values({"a_0", "a_s"}), values({"v_0", "v_s"}),
+                      values({"t_s"})},
+          .seen = {"The reciprocal of the acceleration over the speed, and its integral polygon, the time",
+                   "Il reciproco dell'accelerazione in funzione della velocità e il suo poligono integrale, il tempo"},
+          .told = {"v_0", "v_s", "t_s"},
+          .without_part = {"f_a", "Delta_t"}};
 }
 
 }  // namespace epure::aircraft_landing

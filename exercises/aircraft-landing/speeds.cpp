@@ -9,11 +9,12 @@ std::vector<SpeedsAt> speeds_until_slip_ends(const Solution& s, int steps) {
   const geometry::Arithmetic<geometry::Deep> scope(bits);
   const geometry::analytic::SpinUp law = Landing(s.givens()).law();
   const double end = s["t_s"], R = CGAL::to_double(law.R);
+  const auto v_0 = geometry::from_rational<geometry::Deep>(law.v_0);
   std::vector<SpeedsAt> all;
   for (int i = 0; i <= steps; ++i) {
     const double t = end * i / steps;
     const auto now = spun_up(law, geometry::Deep::from_double(t));
-    all.push_back({t, enclosure(now.v).value, R * enclosure(now.omega).value, enclosure(now.angle).value});
+    all.push_back({t, enclosure(now.v).value, R * enclosure(now.omega).value, enclosure(v_0 - now.v).value});
   }
   return all;
 }

@@ -10,7 +10,8 @@
 namespace epure::aircraft_landing {
 
 struct SpeedsAt {
-  double t, v, rim, angle;
+  double t, v, rim;
+  double lost;  // v_0 - v, which doubles could not tell where it is small
 };
 
 // At equal steps from touch-down until slip ends.

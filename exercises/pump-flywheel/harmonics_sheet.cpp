@@ -14,13 +14,13 @@ PanelSheet harmonics_sheet(const Solution& s, Language language) {
   const DrawnPump pump(s);
   std::vector<drawings::Datum> amplitudes;
   std::vector<std::vector<drawings::Datum>> bars;
-  const double floor = s["M_r_harmonic_30"] / 2;
+  const double least = std::pow(10, std::floor(std::log10(s["M_r_harmonic_30"] / 1.2)));
   for (int k = 1; k <= 30; k += k == 1 ? 1 : 2) {
     const double amplitude =
         k == 1 ? s["M_r_harmonic_1"] : 2 * (pump.suction + pump.delivery) / (std::numbers::pi * (k * k - 1));
     if (amplitude <= 0) continue;
     amplitudes.push_back({k * n_1, amplitude});
-    bars.push_back({{k * n_1, floor}, {k * n_1, amplitude}});
+    bars.push_back({{k * n_1, least}, {k * n_1, amplitude}});
   }
   drawings::Chart chart;
   chart.x = {.quantity = "$kτ$",
@@ -29,7 +29,7 @@ PanelSheet harmonics_sheet(const Solution& s, Language language) {
              .scale = drawings::AxisScale::logarithmic};
   chart.y = {.quantity = "$\\it{M}_{k}$",
              .unit = "N m",
-             .low = floor,
+             .low = least,
              .high = 2 * std::max(s["M_r_harmonic_1"], s["M_r_harmonic_2"]),
              .scale = drawings::AxisScale::logarithmic};
   chart.curves = {{.name = "bars", .runs = bars, .meaning = Meaning::force},

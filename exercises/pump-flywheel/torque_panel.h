@@ -1,5 +1,6 @@
-// The torque over a turn of the crank, and at its left the circles from which it is projected: of the radii F_a r and
-// F_m r at the scale of the torques, so that the height of the crank's end is the torque.
+// The torque over a turn of the crank, and at its left quarters of the circles from which it is projected: of the
+// radii F_a r and F_m r at the scale of the torques, so that the height of the crank's end is the torque. (Each half
+// turn has the same heights twice.)
 #pragma once
 
 #include "drawings/charts/chart.h"
@@ -31,9 +32,11 @@ class TorquePanel : public Panel {
   bool has_scale() const override { return false; }
   drawings::Box extent(const Scale&, const Scale&) const override { return {{0, 0}, {150, 80}}; }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
-  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
  private:
+  // The chart as high as the circles find room for, and its part of the room.
+  drawings::Box room_of_chart(const drawings::Box& room, Language language) const;
+
   double suction_, delivery_;
   std::vector<Projected> projected_;
   drawings::Chart chart_;

@@ -28,7 +28,7 @@ PanelSheet torque_sheet(const Solution& s, Language language) {
   chart.horizontals = {{.at = mean, .label = "$\\it{M}_{m}$"}};
   chart.markers = {{.at = {180 + first, mean}, .label = "$α_{1}$"}, {.at = {180 + second, mean}, .label = "$α_{2}$"}};
   const TorquePanel panel(pump.suction, pump.delivery,
-                          {{90, "$\\it{F}_{a}r$"}, {180 + first, "$α_{1}$"}, {270, "$\\it{F}_{m}r$"}}, chart,
+                          {{90, "$\\it{F}_{a}r$"}, {180 + first, "$α_{1}$"}, {225, "$\\it{F}_{m}r$"}}, chart,
                           {{"M_r_mean", {0, 0}, {0, mean}, 1},
                            {"alpha_1_deg", {180, mean}, {180 + first, mean}, 1},
                            {"alpha_2_deg", {180, mean}, {180 + second, mean}, 1},

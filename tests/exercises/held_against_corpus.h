@@ -125,9 +125,11 @@ inline std::vector<int> untold_steps(const drawings::Sheet& sheet) {
   return untold;
 }
 
-inline void letters_find_room(const Tried& tried, const std::vector<Assignments>& all) {
+inline void letters_find_room(const Tried& tried, const std::vector<Assignments>& all,
+                              const std::set<std::string>& but_for = {}) {
   for (const Assignments& assignments : all)
     for (const SheetSpec& sheet : tried.about().sheets)
+      if (!but_for.contains(sheet.name))
       for (const drawings::Paper paper : {drawings::Paper::a4, drawings::Paper::a3})
         for (const Language language : {Language::english, Language::italian}) {
           const DrawnSheet drawn = tried.draw(sheet.name, assignments, {.paper = paper, .language = language});

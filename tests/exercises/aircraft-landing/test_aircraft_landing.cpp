@@ -1,0 +1,106 @@
+// The landing: its numbers are those of a corpus of integrals over the speed, the source's numbers, bad givens, sheets.
+#include "tests/exercises/held_against_corpus.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+namespace {
+
+const Tried& landing() {
+  static const Tried tried("aircraft-landing");
+  return tried;
+}
+const std::vector<CorpusCase>& corpus() {
+  static const auto read = read_corpus(EPURE_CORPUS "/landing.txt");
+  return read;
+}
+
+}  // namespace
+
+TEST_CASE("landing: values are the corpus', to the last bit of a double, by every route", "[landing]") {
+  CHECK(corpus().size() == 10);
+  holds_against(landing(), corpus());
+}
+
+TEST_CASE("landing: what the source printed, and why it is wrong where it is", "[landing]") {
+  const CheckedExercise result = landing().checked({});
+  CHECK(result.passed());
+  int right = 0, explained = 0;
+  for (const CheckedQuantity& quantity : result.quantities)
+    for (const PrintedVerdict& verdict : quantity.printed) {
+      CAPTURE(quantity.spec.name, verdict.text);
+      CHECK(verdict.explanation_holds);
+      (verdict.verdict == Verdict::rounding ? right : explained) += 1;
+    }
+  CHECK(right == 2);
+  CHECK(explained == 2);
+}
+
+TEST_CASE("landing: beside uniform braking nothing cancels", "[landing]") {
+  // f_r c_y + c_x is zero, or misses it by the last digits.
+  const double exact = value(landing().checked({"c_y=-2"}), "wheel_angle_s");
+  for (const char* beside : {"c_y=-2.000000001", "c_y=-1.999999999999999999999999999999"}) {
+    const CheckedExercise result = landing().checked({beside});
+    CAPTURE(beside);
+    CHECK(result.passed());
+    CHECK(value(result, "wheel_angle_s") == Approx(exact).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("landing: adherence at its limit is decided exactly", "[landing]") {
+  // Without drag F'/N = f_v M/(M + J_r/R²): with these, 1/1000 · 9060/9085 exactly.
+  const Assignments at_limit{"c_x=0", "J_r=4", "f_a=9060/9085000"};
+  CHECK(value(landing().checked(at_limit), "adheres") == 1);
+  for (const auto& [less, adheres] : {std::pair("9060/9085000", 1), {"0.000997248211337369290038525", 0}}) {
+    const CheckedExercise result = landing().checked({"c_x=0", "J_r=4", std::string("f_a=") + less});
+    CHECK(result.passed());
+    CHECK(value(result, "adheres") == adheres);
+  }
+}
+
+TEST_CASE("landing: a step that ends slip exactly", "[landing]") {
+  const Assignments constant{"c_x=0", "c_y=0", "f_v=0", "f_r=1",   "g=1",        "m_a=39", "m_r=1",
+                             "R=1",   "J_r=8", "v_0=216", "Delta_t=10"};
+  // a = -1, ω' = 5: 60 m/s fall by 6 a second, so at step 100 of 0.1 s.
+  const CheckedExercise result = landing().checked(constant);
+  CHECK(result.passed());
+  CHECK(value(result, "euler_1ms.steps") == 100);
+  CHECK(value(result, "euler_1ms.t_s") == 10);
+  CHECK(value(result, "t_s") == 10);
+}
+
+TEST_CASE("landing: what is not there", "[landing]") {
+  const auto absent = [](const Assignments& assignments, const char* name, const char* because) {
+    const CheckedExercise result = landing().checked(assignments);
+    CAPTURE(assignments, name, find(result, name).settled.reason.english);
+    CHECK(result.passed());
+    CHECK(find(result, name).settled.kind == geometry::Settled::Kind::absent);
+    CHECK(find(result, name).settled.reason.english.find(because) != std::string::npos);
+  };
+  absent({"v_0=30"}, "v_10ms", "slip has ended by then");
+  absent({"v_0=30"}, "euler_1ms.v_20", "slip has ended before");
+  absent({"c_y=20"}, "flap_lift.t_s", "only below 66.6628 m/s");
+  absent({"Delta_t=0.0001"}, "euler_100us.steps", "more than 20000 steps");
+}
+
+TEST_CASE("landing: givens that cannot be, each in one sentence", "[landing]") {
+  const auto refused = [](const Assignments& assignments, const char* because) {
+    CAPTURE(assignments, because);
+    CHECK_THROWS_WITH(landing().checked(assignments), Contains(because));
+  };
+  refused({"f_r=0.001"}, "slip never ends");
+  refused({"c_y=-20"}, "only below 66.6628 m/s");
+  refused({"rim_0=70"}, "already rolls");
+  refused({"m_a=-1"}, "must be positive");
+  refused({"v_0=0"}, "must be positive");
+  CHECK(landing().checked({"f_r=0.001000001"}).passed());
+  CHECK(landing().checked({"rim_0=69.4444444444444444444444444444444"}).passed());
+}
+
+TEST_CASE("landing: every sheet is drawn, whatever is given", "[landing][sheets]") {
+  draws_every_sheet(landing(), corpus());
+}
+
+TEST_CASE("landing: letters find room", "[landing][sheets]") {
+  letters_find_room(landing(), {{}, {"c_y=-2"}, {"J_r=400", "Delta_t=0.7"}}, {"integration"});
+}

@@ -1,0 +1,83 @@
+// The pump: its numbers are those of a corpus that samples the turn, the source's numbers, bad givens, sheets.
+#include "tests/exercises/held_against_corpus.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+namespace {
+
+const Tried& pump() {
+  static const Tried tried("pump-flywheel");
+  return tried;
+}
+const std::vector<CorpusCase>& corpus() {
+  static const auto read = read_corpus(EPURE_CORPUS "/pump.txt");
+  return read;
+}
+
+}  // namespace
+
+TEST_CASE("pump: values are the corpus', to the last bit of a double, by every route", "[pump]") {
+  CHECK(corpus().size() == 9);
+  holds_against(pump(), corpus());
+}
+
+TEST_CASE("pump: what the source printed, and why it is wrong where it is", "[pump]") {
+  const CheckedExercise result = pump().checked({});
+  CHECK(result.passed());
+  int right = 0, explained = 0;
+  for (const CheckedQuantity& quantity : result.quantities)
+    for (const PrintedVerdict& verdict : quantity.printed) {
+      CAPTURE(quantity.spec.name, verdict.text);
+      CHECK(verdict.explanation_holds);
+      if (verdict.verdict == Verdict::rounding)
+        ++right;
+      else
+        explained += verdict.explanation ? 1 : 0;
+    }
+  CHECK(right == 10);
+  CHECK(explained == 10);
+}
+
+TEST_CASE("pump: the mass moves the extremes, and Wittenbauer's inertia lies beside the approximate one", "[pump]") {
+  const CheckedExercise result = pump().checked({});
+  CHECK(value(result, "reciprocating_mass.alpha_1") < value(result, "alpha_1"));
+  CHECK(value(result, "wittenbauer.J_crank") == Approx(value(result, "reciprocating_mass.J_crank")).epsilon(0.01));
+  const CheckedExercise without = pump().checked({"m=0"});
+  for (const char* name : {"J_crank", "J_flywheel", "n_t_flywheel"})
+    CHECK(value(without, std::string("wittenbauer.") + name) == value(without, name));
+}
+
+TEST_CASE("pump: the motor alone is no error", "[pump]") {
+  const CheckedExercise result = pump().checked({"J_m=1"});
+  CHECK(result.passed());
+  CHECK(value(result, "J_flywheel") < 0);
+  const auto column = pump().draw("energy", {"J_m=1"}).sheet.column;
+  CHECK(std::any_of(column.begin(), column.end(), [](const drawings::Block& block) {
+    const auto* words = std::get_if<drawings::Paragraph>(&block);
+    return words && words->text.find("the motor alone suffices") != std::string::npos;
+  }));
+}
+
+TEST_CASE("pump: givens that cannot be, each in one sentence", "[pump]") {
+  const auto refused = [](const Assignments& assignments, const char* because) {
+    CAPTURE(assignments, because);
+    CHECK_THROWS_WITH(pump().checked(assignments), Contains(because));
+  };
+  refused({"n_m=3000"}, "below its synchronous speed");
+  refused({"n_m=3000.000000000000000000000000000001"}, "below its synchronous speed");
+  refused({"i=2"}, "must be less than 2");
+  refused({"i=0"}, "must be positive");
+  refused({"m=-1"}, "must not be negative");
+  refused({"p_a=5.000000000000000000000000000001"}, "must not be greater");
+  CHECK(pump().checked({"n_m=2999.999999999999999999999999999999"}).passed());
+  CHECK(pump().checked({"p_a=4.999999999999999999999999999999"}).passed());
+  CHECK(pump().checked({"i=1.999999999"}).passed());
+}
+
+TEST_CASE("pump: every sheet is drawn, whatever is given", "[pump][sheets]") { draws_every_sheet(pump(), corpus()); }
+
+TEST_CASE("pump: letters find room", "[pump][sheets]") {
+  // Beside the rays of a graphical integration the numbers of strips of one ordinate stand close.
+  letters_find_room(pump(), {{}, {"m=0"}, {"m=300"}, {"p_a=4", "i=0.2"}}, {"energy", "energy-with-mass"});
+}
