@@ -70,20 +70,28 @@ void read(std::vector<ChartPanel::Read>& onto, const Solution& s, double x, cons
 }
 double seconds(const std::string& name) { return nearest(instant(name)); }
 
-std::string head(const std::string& name, Language language) {
+// Beside points of a chart.
+std::string in_seconds(const std::string& name, Language language) {
   std::string number = name;
   std::replace(number.begin(), number.end(), 'p', '.');
   return decimal(number).in(language);
 }
-std::vector<Row> rows(const std::vector<std::string>& instants_told, const std::string& case_name,
-                      const std::vector<std::string>& columns, Language language) {
+// Rows of a table begin with a whole number, of seconds or of milliseconds.
+std::vector<Row> rows(const std::vector<std::string>& instants_told, int units_of_a_second,
+                      const std::string& case_name, const std::vector<std::string>& columns) {
   std::vector<Row> all;
   for (const std::string& name : instants_told) {
     std::vector<std::string> names;
     for (const std::string& column : columns) names.push_back(case_name + at(column, name));
-    all.push_back({head(name, language), names, "–"});
+    all.push_back({geometry::to_text(instant(name) * units_of_a_second), names, "–"});
   }
   return all;
+}
+std::vector<Row> rows_of_oscillator(const std::vector<std::string>& columns) {
+  return rows({"1", "2", "5", "10", "20"}, 1, "oscillator.", columns);
+}
+std::vector<Row> rows_of_pendulum(const std::vector<std::string>& columns) {
+  return rows({"0p1", "0p2", "0p3", "0p4", "0p5", "0p6", "0p7", "0p8", "0p9", "1"}, 1000, "pendulum.", columns);
 }
 
 // Points of Euler's polygon are marked one by one where they do not run into each other.
@@ -131,7 +139,7 @@ std::vector<Line> isoclines_through_origin(const Ends& x, const Ends& y) {
     const double angle = M_PI * (i + 0.5) / how_many, dx = 2 * wide * std::cos(angle),
                  dy = 2 * high * std::sin(angle);
     Line line;
-    constexpr int points = 100;
+    constexpr int points = 60;
     for (int k = -points; k <= points; ++k) line.push_back({dx * k / points, dy * k / points});
     all.push_back(line);
   }
@@ -158,12 +166,17 @@ PhasePlanePanel oscillator_plane(const Solution& s, Language language) {
        {std::pair("lambda_1", "$x'$ = $λ_{1}x$"), std::pair("lambda_2", "$x'$ = $λ_{2}x$")})
     if (const auto slope = s.value(osc(name)); slope && (givens["zeta"] != 1 || name == std::string("lambda_1")))
       plane.orbits.push_back(
-          {.name = name, .label = letters, .runs = {through_origin(*slope)}, .meaning = Meaning::second_locus});
+          {.name = name,
+           .label = letters,
+           .runs = {through_origin(*slope)},
+           .meaning = Meaning::second_locus,
+           .line = name == std::string("lambda_1") ? drawings::LineType::dash_dotted : drawings::LineType::dashed});
   if (zeta > 0)
     plane.orbits.push_back({.name = "inflections",
                             .label = "$x''$ = 0",
                             .runs = {through_origin(-omega / (2 * zeta))},
-                            .meaning = Meaning::acceleration});
+                            .meaning = Meaning::acceleration,
+                            .line = drawings::LineType::dashed});
   plane.orbits.push_back({.name = "orbit", .label = Words{"exact", "esatta"}.in(language), .runs = {exact}});
   plane.orbits.push_back({.name = "euler",
                           .label = Words{"Euler", "Eulero"}.in(language),
@@ -186,7 +199,7 @@ std::vector<Line> sine_isoclines(double greatest) {
   std::vector<Line> all;
   for (const double part : {-1.2, -0.8, -0.4, 0.4, 0.8, 1.2}) {
     Line line;
-    constexpr int points = 160;
+    constexpr int points = 60;
     for (int k = -points; k <= points; ++k) {
       const double theta = M_PI * k / points;
       line.push_back({theta, part * greatest * std::sin(theta)});
@@ -200,8 +213,8 @@ PhasePlanePanel pendulum_plane(const Solution& s, Language language) {
   const Givens& givens = s.givens();
   const double Omega = s[pen("Omega")], period = s[pen("period")];
   constexpr double table = 1;
-  const Line exact = in_phase_plane(swing(givens, Omega, period, 2 * smooth)),
-             spiral = thinned(in_phase_plane(swing_of_table(givens, Omega, std::min(2.5 * table, 3 * period))), 500);
+  const Line exact = in_phase_plane(swing(givens, Omega, period, smooth)),
+             spiral = thinned(in_phase_plane(swing_of_table(givens, Omega, std::min(2.5 * table, 3 * period))), 300);
   Line above, below;
   for (int k = -smooth / 4; k <= smooth / 4; ++k) {
     const double theta = 4 * M_PI * k / smooth, rate = 2 * Omega * std::cos(theta / 2);
@@ -218,7 +231,8 @@ PhasePlanePanel pendulum_plane(const Solution& s, Language language) {
   plane.orbits = {{.name = "separatrix",
                    .label = Words{"separatrix", "separatrice"}.in(language),
                    .runs = {above, below},
-                   .meaning = Meaning::second_locus},
+                   .meaning = Meaning::second_locus,
+                   .line = drawings::LineType::dashed},
                   {.name = "orbit", .label = Words{"exact", "esatta"}.in(language), .runs = {exact}},
                   {.name = "table",
                    .label = Words{"recursion", "ricorsiva"}.in(language),
@@ -228,7 +242,7 @@ PhasePlanePanel pendulum_plane(const Solution& s, Language language) {
     const auto theta = s.value(pen(at("theta", name))), rate = s.value(pen(at("theta_dot", name)));
     if (!theta || !rate) continue;
     plane.read.push_back({{*theta, *rate}, pen(at("theta", name)), pen(at("theta_dot", name))});
-    plane.markers.push_back({.at = {*theta, *rate}, .label = head(name, language), .meaning = Meaning::locus});
+    plane.markers.push_back({.at = {*theta, *rate}, .label = in_seconds(name, language), .meaning = Meaning::locus});
   }
   for (const char* name : {"0p5", "1"}) {
     const auto theta = s.value(pen(at("theta_numeric", name))), rate = s.value(pen(at("theta_dot_numeric", name)));
@@ -247,11 +261,11 @@ MechanismPanel positions_panel(const Solution& s, const std::string& now) {
   const double r = nearest(s.givens()["r"]);
   Mechanism drawn;
   drawn.point("A0", {0, 0}, Joint::fixed, "$A_{0}$");
-  for (const char* name : {"0", "0p1", "0p2", "0p4", "0p5"}) {
+  for (const char* name : {"0", "0p1", "0p3", "0p4", "0p5"}) {
     const auto theta = s.value(pen(at("theta", name)));
     if (!theta || name == now) continue;
     const std::string point = std::string("G") + name;
-    drawn.point(point, place_of(r, *theta), Joint::none, "");
+    drawn.point(point, place_of(r, *theta), Joint::none, geometry::to_text(instant(name) * 1000) + " ms");
     drawn.other_position({"A0", point});
   }
   drawn.point("G", place_of(r, s[pen(at("theta", now))]), Joint::mass, "$G$").body({"A0", "G"}, 2);
@@ -295,17 +309,17 @@ HodographPanel hodograph_panel(const Solution& s, Language language) {
     const auto x = s.value(pen(at("R_12_x", name))), y = s.value(pen(at("R_12_y", name)));
     if (x && y)
       hodograph.instants.push_back({.tip = {*x, *y},
-                                    .label = head(name, language),
+                                    .label = in_seconds(name, language),
                                     .along_x = pen(at("R_12_x", name)),
                                     .along_y = pen(at("R_12_y", name)),
                                     .with_arrow = name == "0" || name == "0p1" || name == "0p2" || name == "0p3"});
   }
   hodograph.steps = {
-      {{"From the pole $\\it{O}$ the reaction at every instant, to one scale: its tip runs through the hodograph, to "
-        "and fro in one period.",
+      {{"From the pole $\\it{O}$ the reaction at every instant, to one scale: its tip runs through the hodograph to "
+        "and fro in one period. Numbers: $t$ in s.",
         "Dal polo $\\it{O}$ la reazione a ogni istante, in una sola scala: il suo estremo percorre l'odografa, "
         "avanti e "
-        "indietro in un periodo."},
+        "indietro in un periodo. Numeri: $t$ in s."},
        Place{0, 0}}};
   return HodographPanel(std::move(hodograph));
 }
@@ -348,8 +362,6 @@ ChartPanel angle_chart(const Solution& s, Language language) {
   return ChartPanel(chart, all);
 }
 
-const std::vector<std::string> tenths{"0", "0p1", "0p2", "0p3", "0p4", "0p5", "0p6", "0p7", "0p8", "0p9", "1"};
-
 std::vector<std::string> all_pen(const std::vector<std::string>& names) {
   std::vector<std::string> all;
   for (const std::string& name : names) all.push_back(pen(name));
@@ -371,8 +383,7 @@ PanelSheet motion_sheet(const Solution& s, Language language) {
           .results = {values({osc("alpha"), osc("beta")}), values({osc("C_1"), osc("C_2")}),
                       values({osc("t_x_max"), osc("x_max")}), values({osc("t_inflection"), osc("x_inflection")}),
                       table({"$t$ (s)", "$x$ (m)", "$x_{E}$ (m)", "$e$"},
-                            rows({"0p5", "1", "2", "5", "10", "20"}, "oscillator.", {"x", "x_euler", "err_euler"},
-                                 language))},
+                            rows_of_oscillator({"x", "x_euler", "err_euler"}))},
           .seen = {"The position of the oscillator over time, exact and by Euler's method",
                    "La posizione dell'oscillatore nel tempo, esatta e con il metodo di Eulero"},
           .told = {osc("x_max"), osc("t_x_max"), osc("x_at_5"), osc("x_euler_at_5")},
@@ -395,33 +406,32 @@ PanelSheet phase_plane_sheet(const Solution& s, Language language) {
                   "equation. All others end in the origin along $x'$ = $λ_{1}x$.",
                   "Dove la retta coincide con la propria direzione è essa stessa una traiettoria: la pendenza è radice "
                   "dell'equazione caratteristica. Tutte le altre finiscono nell'origine lungo $x'$ = $λ_{1}x$."};
-  return {.panels = panels(oscillator_plane(s, language)),
-          .theory = {{{"The plane", "Il piano"}, {remark(isoclines.in(language)), remark(straight.in(language))}}},
-          .results = {values({osc("lambda_1"), osc("lambda_2")}), values({osc("c"), osc("k"), osc("c_critical")}),
-                      values({osc("x_max"), osc("x_inflection"), osc("x_dot_min")}),
-                      values({osc("E_0"), osc("E_at_x_max")}),
-                      table({"$t$ (s)", "$x'$ (m/s)", "$x'_{E}$ (m/s)"},
-                            rows({"1", "2", "5", "10", "20"}, "oscillator.", {"x_dot", "x_dot_euler"}, language))},
-          .seen = {"The phase plane of the oscillator with isoclines, straight trajectories and Euler's polygon",
-                   "Il piano delle fasi dell'oscillatore con isocline, traiettorie rettilinee e poligono di Eulero"},
-          .told = {osc("x_max"), osc("x_dot_min"), osc("E_0"), osc("E_at_x_max")},
-          .without_part = of_pendulum};
+  return {
+      .panels = panels(oscillator_plane(s, language)),
+      .theory = {{{"The plane", "Il piano"}, {remark(isoclines.in(language)), remark(straight.in(language))}}},
+      .results = {values({osc("lambda_1"), osc("lambda_2")}), values({osc("c"), osc("k"), osc("c_critical")}),
+                  values({osc("x_max"), osc("x_inflection"), osc("x_dot_min")}),
+                  values({osc("E_0"), osc("E_at_x_max")}),
+                  table({"$t$ (s)", "$x'$ (m/s)", "$x'_{E}$ (m/s)"}, rows_of_oscillator({"x_dot", "x_dot_euler"}))},
+      .seen = {"The phase plane of the oscillator with isoclines, straight trajectories and Euler's polygon",
+               "Il piano delle fasi dell'oscillatore con isocline, traiettorie rettilinee e poligono di Eulero"},
+      .told = {osc("x_max"), osc("x_dot_min"), osc("E_0"), osc("E_at_x_max")},
+      .without_part = of_pendulum};
 }
 
 PanelSheet pendulum_plane_sheet(const Solution& s, Language language) {
   const Words orbit{
       "The exact orbit is closed: $θ'^{2}$ = 2$Ω^{2}$(cos $θ$ − cos $θ_{0}$). The recursion adds energy at every "
       "step "
-      "and winds outwards; rings: its values at 0.5 s and 1 s.",
+      "and winds outwards; rings: its values after 500 ms and 1000 ms. Numbers: $t$ in s.",
       "L'orbita esatta è chiusa: $θ'^{2}$ = 2$Ω^{2}$(cos $θ$ − cos $θ_{0}$). La formula ricorsiva aggiunge energia a "
       "ogni "
-      "passo e si apre in spirale; anelli: i suoi valori a 0,5 s e 1 s."};
+      "passo e si apre in spirale; anelli: i suoi valori dopo 500 ms e 1000 ms. Numeri: $t$ in s."};
   return {.panels = panels(pendulum_plane(s, language)),
           .theory = {{{"The plane", "Il piano"}, {remark(orbit.in(language))}}},
           .results = {values(all_pen({"I_A0", "equivalent_length"})), values(all_pen({"Omega", "theta_dot_max"})),
                       values(all_pen({"energy_ratio_numeric_at_1"})),
-                      table({"$t$ (s)", "$θ$ (rad)", "$θ'$ (rad/s)"},
-                            rows(tenths, "pendulum.", {"theta", "theta_dot"}, language))},
+                      table({"$t$ (ms)", "$θ$ (rad)", "$θ'$ (rad/s)"}, rows_of_pendulum({"theta", "theta_dot"}))},
           .seen = {"The phase plane of the pendulum: the exact orbit, the spiral of the recursion, the separatrix",
                    "Il piano delle fasi del pendolo: orbita esatta, spirale della formula ricorsiva, separatrice"},
           .told = {pen("theta_dot_max"), pen("energy_ratio_numeric_at_1")},
@@ -429,11 +439,11 @@ PanelSheet pendulum_plane_sheet(const Solution& s, Language language) {
 }
 
 PanelSheet positions_sheet(const Solution& s, Language language) {
-  const std::string now = "0p3";
+  const std::string now = "0p2";
   const Words told{
-      "Solid: the pendulum at $t$ = 300 ms; dashed: at the start and after 100, 200, 400, 500 ms. With d'Alembert's "
+      "Solid: the pendulum at $t$ = 200 ms; dashed: at the start and after 100, 300, 400, 500 ms. With d'Alembert's "
       "force $\\it{F}_{G}$ = −$m_{p}a_{G}$ the weight and the reaction of the frame are in equilibrium.",
-      "Continuo: il pendolo per $t$ = 300 ms; a tratti: alla partenza e dopo 100, 200, 400, 500 ms. Con la forza "
+      "Continuo: il pendolo per $t$ = 200 ms; a tratti: alla partenza e dopo 100, 300, 400, 500 ms. Con la forza "
       "d'inerzia $\\it{F}_{G}$ = −$m_{p}a_{G}$ il peso e la reazione del telaio sono in equilibrio."};
   return {
       .panels = panels(positions_panel(s, now), forces_panel(s, now, language)),
@@ -447,10 +457,18 @@ PanelSheet positions_sheet(const Solution& s, Language language) {
 }
 
 PanelSheet hodograph_sheet(const Solution& s, Language language) {
+  const Words circle{
+      "Let go level, $θ'^{2}$ = 2$Ω^{2}$cos $θ$, and the hodograph is a circle of the diameter "
+      "3$m_{p}rΩ^{2}$.",
+      "Lasciato da $A_{0}G$ orizzontale, $θ'^{2}$ = 2$Ω^{2}$cos $θ$ e l'odografa è un cerchio di diametro "
+      "3$m_{p}rΩ^{2}$."};
+  const Angle theta_0 = s.givens().angle("theta_0");
+  const bool is_level = theta_0.radians == 0 && (theta_0.turns == Rational(1, 4) || theta_0.turns == Rational(-1, 4));
   return {.panels = panels(hodograph_panel(s, language)),
+          .theory = {{{"Its shape", "La forma"}, {remark(is_level ? circle.in(language) : "")}}},
           .results = {values(all_pen({"R_12_x_max", "t_R_12_x_max"})), values(all_pen({"R_12_y_max", "R_12_y_min"})),
-                      table({"$t$ (s)", "$\\it{R}_{12x}$ (N)", "$\\it{R}_{12y}$ (N)"},
-                            rows(tenths, "pendulum.", {"R_12_x", "R_12_y"}, language))},
+                      table({"$t$ (ms)", "$\\it{R}_{12x}$ (N)", "$\\it{R}_{12y}$ (N)"},
+                            rows_of_pendulum({"R_12_x", "R_12_y"}))},
           .seen = {"The hodograph of the reaction of the frame on the pendulum",
                    "L'odografa della reazione del telaio sul pendolo"},
           .told = all_pen({"R_12_x_max", "R_12_y_max", "R_12_y_min"}),
@@ -465,17 +483,16 @@ PanelSheet angle_sheet(const Solution& s, Language language) {
       "$\\it{T}$ = 4$\\it{K}$/$Ω$ del moto esatto, $\\it{T}_{0}$ = 2$π$/$Ω$ delle piccole oscillazioni, "
       "$\\it{T}_{n}$ "
       "della formula ricorsiva, che oscilla sempre più."};
-  return {.panels = panels(angle_chart(s, language)),
-          .theory = {{{"Periods", "Periodi"}, {remark(periods.in(language))}}},
-          .results = {values(all_pen({"k", "K"})), values(all_pen({"period", "period_small", "period_ratio"})),
-                      values(all_pen({"t_first_bottom"})),
-                      table({"$t$ (s)", "$θ$ (rad)", "$θ_{n}$ (rad)"},
-                            rows({"0p1", "0p2", "0p3", "0p4", "0p5", "0p6", "0p7", "0p8", "0p9", "1"}, "pendulum.",
-                                 {"theta", "theta_numeric"}, language))},
-          .seen = {"The angle of the pendulum over time: exact, for small swings, and by the recursion",
-                   "L'angolo del pendolo nel tempo: esatto, per piccole oscillazioni e con la formula ricorsiva"},
-          .told = all_pen({"period", "period_small", "theta_at_1", "theta_numeric_at_1"}),
-          .without_part = of_oscillator};
+  return {
+      .panels = panels(angle_chart(s, language)),
+      .theory = {{{"Periods", "Periodi"}, {remark(periods.in(language))}}},
+      .results = {values(all_pen({"k", "K"})), values(all_pen({"period", "period_small", "period_ratio"})),
+                  values(all_pen({"t_first_bottom"})),
+                  table({"$t$ (ms)", "$θ$ (rad)", "$θ_{n}$ (rad)"}, rows_of_pendulum({"theta", "theta_numeric"}))},
+      .seen = {"The angle of the pendulum over time: exact, for small swings, and by the recursion",
+               "L'angolo del pendolo nel tempo: esatto, per piccole oscillazioni e con la formula ricorsiva"},
+      .told = all_pen({"period", "period_small", "theta_at_1", "theta_numeric_at_1"}),
+      .without_part = of_oscillator};
 }
 
 }  // namespace epure::oscillator_pendulum

@@ -57,6 +57,7 @@ drawings::Chart chart_of(const PhasePlane& plane) {
     chart.curves.push_back({.name = orbit.name,
                             .runs = orbit.runs,
                             .meaning = orbit.meaning,
+                            .line = orbit.line,
                             .points = orbit.points,
                             .label = orbit.label});
   return chart;

@@ -17,6 +17,7 @@ struct PhasePlane {
     std::string name, label;
     std::vector<Line> runs = {};
     Meaning meaning = Meaning::locus;
+    drawings::LineType line = drawings::LineType::continuous;
     std::vector<drawings::Datum> points = {};  // of a table: marked one by one
   };
 
