@@ -196,6 +196,49 @@ std::string explanations(const CheckedExercise& checked, Language language) {
   return remarks.text();
 }
 
+Words in_words(RowVerdict verdict) {
+  static const std::array<std::string, 4> italian = {"giuste", "arrotondate", "spostate", "sbagliate"};
+  return {name(verdict), italian.at(static_cast<std::size_t>(verdict))};
+}
+
+// "0,1 to 20,0 (200 rows) wrong, 3 of them right all the same: the first strip is missing"
+std::string block_in_words(const TableAudit& of, const AuditedBlock& block, Language language) {
+  const std::size_t count = block.last - block.first + 1;
+  const auto more = [&](std::size_t number, const Words& words) {
+    return number == 0 ? Words{} : format_words(", {} ", ", {} ", number) + words;
+  };
+  const bool is_right = block.verdict == RowVerdict::right;
+  const Words rows = count == 1
+                         ? decimal(of.rows.at(block.first))
+                         : format_words("{} to {} ({} rows)", "da {} a {} ({} righe)",
+                                        decimal(of.rows.at(block.first)), decimal(of.rows.at(block.last)), count);
+  const Words why = !block.mistake.empty() ? ": " + block.mistake
+                    : is_right             ? Words{}
+                                           : Words{": unexplained", ": senza spiegazione"};
+  return (rows + " " + in_words(block.verdict) +
+          more(block.rounded, {"off by one in the last digit", "con l'ultima cifra diversa di uno"}) +
+          more(is_right ? 0 : block.right, {"right all the same", "giuste lo stesso"}) + why)
+      .in(language);
+}
+
+// Columns with the same blocks are told together.
+std::string audits(const CheckedExercise& checked, Language language) {
+  std::string text;
+  for (const TableAudit& each : checked.audits) {
+    Remarks remarks;
+    for (const AuditedColumn& column : each.columns) {
+      std::string blocks;
+      for (const AuditedBlock& block : column.blocks)
+        blocks += (blocks.empty() ? "" : "; ") + drawings::plain(block_in_words(each, block, language));
+      remarks.add(column.name, blocks);
+    }
+    text +=
+        "\n" + wrapped(format_words("Printed {}, row by row:", "Riga per riga, {}:", each.table).in(language), 2, 4);
+    text += remarks.text().substr(1);
+  }
+  return text;
+}
+
 std::string measured(const CheckedExercise& checked, const Reader& reader) {
   std::string text;
   for (const CheckedQuantity& quantity : checked.quantities)
@@ -244,7 +287,7 @@ std::string text_report(const CheckedExercise& checked, const Reader& reader) {
                   checked.about.document, checked.about.item);
   return wrapped(title, 0, 2) + givens(checked.givens) + marks.key(language) + "\n" +
          quantities(checked, marks, reader) + absences(checked, language) + printed(checked, reader) +
-         explanations(checked, language) + measured(checked, reader) +
+         explanations(checked, language) + audits(checked, language) + measured(checked, reader) +
          listed(checked.failures, coloured(Words{"FAILED", "FALLITO"}.in(language), Ink::bad, reader.colours),
                 language) +
          listed(checked.undecided,

@@ -72,6 +72,25 @@ Json quantity(const CheckedQuantity& checked) {
   return json;
 }
 
+// A block by its first and last row, as they are printed.
+Json audit(const TableAudit& of) {
+  Json json = {{"table", of.table.english}, {"rows", of.rows.size()}, {"columns", Json::array()}};
+  for (const AuditedColumn& column : of.columns) {
+    Json blocks = Json::array();
+    for (const AuditedBlock& block : column.blocks) {
+      blocks.push_back({{"first", of.rows.at(block.first)},
+                        {"last", of.rows.at(block.last)},
+                        {"rows", block.last - block.first + 1},
+                        {"verdict", name(block.verdict)},
+                        {"rounded", block.rounded},
+                        {"right", block.right}});
+      if (!block.mistake.empty()) blocks.back()["mistake"] = drawings::plain(block.mistake.english);
+    }
+    json["columns"].push_back({{"name", column.name}, {"blocks", blocks}});
+  }
+  return json;
+}
+
 // Under its one name; the names it had are beside it, for who looks for them.
 Json given(const Givens& givens, const GivenSpec& spec) {
   Json json = {{"symbol", spec.symbol},
@@ -92,6 +111,7 @@ Json exercise(const CheckedExercise& checked) {
     json["quantities"].push_back(quantity(each));
     add_doubt(json["quantities"].back(), each.spec.name, checked);
   }
+  for (const TableAudit& each : checked.audits) json["audit"].push_back(audit(each));
   if (!checked.failures.empty()) json["failures"] = sentences(checked.failures);
   if (!checked.undecided.empty()) json["undecided"] = sentences(checked.undecided);
   if (!checked.not_drawn.empty()) json["not_drawn"] = sentences(checked.not_drawn);

@@ -317,6 +317,7 @@ CheckedExercise check(const Exercise& exercise, const Givens& givens, Rung rung)
   look_for_flaws(checked, exercise);
   compare_sheets(checked, exercise);
   if (givens.as_stated()) compare_printed(checked);
+  if (givens.as_stated() && checked.about.audit) checked.audits = checked.about.audit();
   return checked;
 }
 

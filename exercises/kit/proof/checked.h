@@ -53,6 +53,7 @@ struct CheckedExercise {
   std::vector<Complaint> failures = {};
   std::vector<Complaint> undecided = {};  // what no number could decide, by one route or by all
   std::vector<Complaint> not_drawn = {};  // sheets for which the numbers are too far apart, with the reason
+  std::vector<TableAudit> audits = {};    // of the source's tables
   bool passed() const { return failures.empty() && undecided.empty() && not_drawn.empty(); }
 };
 

@@ -9,6 +9,7 @@
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/givens.h"
 #include "exercises/kit/statement/quantity.h"
+#include "exercises/kit/statement/table_audit.h"
 
 namespace epure {
 
@@ -40,6 +41,8 @@ struct Description {
   std::vector<SheetSpec> sheets = {};
   std::vector<Quantity> quantities = {};
   std::vector<Printed> printed = {};
+  // Of tables that the source printed; none: it printed none.
+  std::function<std::vector<TableAudit>()> audit = {};
 };
 
 }  // namespace epure
