@@ -25,7 +25,8 @@ std::unique_ptr<Exercise> make_oscillator_pendulum() {
                     .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.14",
                                "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.14"},
                     .givens = given_specs(),
-                    .printed = printed_by_the_source()};
+                    .printed = printed_by_the_source(),
+                    .audit = audited_tables};
   const auto solve = [](const Givens& givens, Rung rung) { return solved(Problem(givens), rung); };
   return exercise_of_panels(
       std::move(about), solve,
