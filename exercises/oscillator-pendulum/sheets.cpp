@@ -269,7 +269,7 @@ MechanismPanel positions_panel(const Solution& s, const std::string& now) {
     drawn.other_position({"A0", point});
   }
   drawn.point("G", place_of(r, s[pen(at("theta", now))]), Joint::mass, "$G$").body({"A0", "G"}, 2);
-  drawn.axis({0, 0}, {0, -1.3 * r});
+  drawn.axis({0, 0}, {0, -0.8 * r});
   return MechanismPanel(std::make_shared<const Mechanism>(std::move(drawn)));
 }
 
