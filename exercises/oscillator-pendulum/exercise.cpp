@@ -1,8 +1,7 @@
 // Exercise N.14 of Sapienza: a damped oscillator and a compound pendulum, their motion in closed form and by tables.
-#include "exercises/kit/panels/chart_panel.h"
-#include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/oscillator-pendulum/printed.h"
 #include "exercises/oscillator-pendulum/routes.h"
+#include "exercises/oscillator-pendulum/sheets.h"
 
 namespace epure {
 namespace oscillator_pendulum {
@@ -26,9 +25,17 @@ std::unique_ptr<Exercise> make_oscillator_pendulum() {
                     .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.14",
                                "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.14"},
                     .givens = given_specs(),
-                    .printed = printed_by_the_source()};
+                    .printed = printed_by_the_source(),
+                    .audit = audited_tables};
   const auto solve = [](const Givens& givens, Rung rung) { return solved(Problem(givens), rung); };
-  return exercise_of_panels(std::move(about), solve, {});
+  return exercise_of_panels(
+      std::move(about), solve,
+      {{{"motion", {"Motion of the oscillator", "Moto dell'oscillatore"}}, motion_sheet},
+       {{"phase-plane", {"Phase plane of the oscillator", "Piano delle fasi dell'oscillatore"}}, phase_plane_sheet},
+       {{"pendulum-plane", {"Phase plane of the pendulum", "Piano delle fasi del pendolo"}}, pendulum_plane_sheet},
+       {{"positions", {"Positions and forces of the pendulum", "Posizioni e forze del pendolo"}}, positions_sheet},
+       {{"hodograph", {"Hodograph of the reaction", "Odografa della reazione"}}, hodograph_sheet},
+       {{"angle", {"Angle and periods of the pendulum", "Angolo e periodi del pendolo"}}, angle_sheet}});
 }
 
 }  // namespace epure

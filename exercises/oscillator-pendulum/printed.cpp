@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 
+#include "exercises/oscillator-pendulum/printed_tables.h"
 #include "exercises/oscillator-pendulum/quantities.h"
 
 namespace epure::oscillator_pendulum {
@@ -33,14 +34,42 @@ const Words wrong_sign{
     "θ'^2 r cos θ è entrato nell'equazione 2) con il segno sbagliato, in tutte le 101 righe (e la tabella parte con "
     "θ_0 = 1,571, θ_1 = 1,549)"};
 
-double angle_of_source(int i) {
+struct FirstAngles {
+  double first, second;
+};
+constexpr FirstAngles typed{1.571, 1.549}, at_rest{M_PI / 2, M_PI / 2};
+
+double angle_of_table(int i, const FirstAngles& start) {
   constexpr double Omega_squared = 39.24, dt = 0.01;
-  double before = 1.571, now = 1.549;
+  double before = start.first, now = start.second;
   for (int row = 0; row < i; ++row) {
     const double next = 2 * now - before - Omega_squared * dt * dt * std::sin(before);
     before = now, now = next;
   }
   return before;
+}
+
+// `sign`: that of θ'² r cos θ in equation 2).
+SourcePendulumRow pendulum_row(int i, const FirstAngles& start, int sign) {
+  constexpr double dt = 0.01, m_r = 0.25, weight = 49.05;
+  const double theta = angle_of_table(i, start), next = angle_of_table(i + 1, start),
+               second = angle_of_table(i + 2, start), rate = (next - theta) / dt,
+               acceleration = (second + theta - 2 * next) / (dt * dt);
+  return {theta, rate, acceleration, m_r * (acceleration * std::cos(theta) - rate * rate * std::sin(theta)),
+          weight + m_r * (acceleration * std::sin(theta) + sign * rate * rate * std::cos(theta))};
+}
+
+// Row by row.
+std::vector<Rational> column(std::size_t rows, const std::function<double(int)>& value) {
+  std::vector<Rational> all;
+  for (std::size_t i = 0; i < rows; ++i) all.emplace_back(value(static_cast<int>(i)));
+  return all;
+}
+
+// x at t, by the closed form with the true constants.
+double exact_x(double t) {
+  const double b = 0.1 * std::sqrt(5.0);
+  return 0.015 * std::exp(-0.3 * t) * std::sinh(b * t) / b;
 }
 
 struct Text {
@@ -61,13 +90,7 @@ SourceOscillatorRow oscillator_row_of_source(int i) {
   return {a, v, x, analytic, i == 0 ? 0 : (analytic - x) / x};
 }
 
-SourcePendulumRow pendulum_row_of_source(int i) {
-  constexpr double dt = 0.01, m_r = 0.25, weight = 49.05;
-  const double theta = angle_of_source(i), next = angle_of_source(i + 1), second = angle_of_source(i + 2),
-               rate = (next - theta) / dt, acceleration = (second + theta - 2 * next) / (dt * dt);
-  return {theta, rate, acceleration, m_r * (acceleration * std::cos(theta) - rate * rate * std::sin(theta)),
-          weight + m_r * (acceleration * std::sin(theta) - rate * rate * std::cos(theta))};
-}
+SourcePendulumRow pendulum_row_of_source(int i) { return pendulum_row(i, typed, -1); }
 
 std::vector<Printed> printed_by_the_source() {
   std::vector<Printed> all{
@@ -203,5 +226,58 @@ std::vector<Printed> printed_by_the_source() {
   }
   return all;
 }
+
+namespace {
+
+using Mistakes = std::vector<PrintedColumn::Mistake>;
+
+TableAudit oscillator_audit() {
+  const auto printed = read_printed_table(printed_oscillator_table);
+  const std::size_t n = printed.size();
+  const auto of_source = [](double SourceOscillatorRow::*part) {
+    return [part](int i) { return oscillator_row_of_source(i).*part; };
+  };
+  const auto scheme = [&](std::size_t place, const std::string& name, double SourceOscillatorRow::*part) {
+    return PrintedColumn{name, column_of(printed, place), column(n, of_source(part)), {}};
+  };
+  const auto error = [&](int i) { return i == 0 ? 0 : oscillator_row_of_source(i).x / exact_x(0.5 * i) - 1; };
+  return audit({"oscillator, 41 rows", "oscillatore, 41 righe"}, column_of(printed, 0),
+               {scheme(2, "x_ddot_euler", &SourceOscillatorRow::x_ddot),
+                scheme(3, "x_dot_euler", &SourceOscillatorRow::x_dot),
+                scheme(4, "x_euler", &SourceOscillatorRow::x),
+                {"x",
+                 column_of(printed, 6),
+                 column(n, [](int i) { return exact_x(i); }),
+                 {{rounded_constants, column(n, of_source(&SourceOscillatorRow::analytic))}}},
+                {"err_euler",
+                 column_of(printed, 7),
+                 column(n, error),
+                 {{shifted_rows, column(n, of_source(&SourceOscillatorRow::error))}}}});
+}
+
+TableAudit pendulum_audit() {
+  const auto printed = read_printed_table(printed_pendulum_table);
+  const std::size_t n = printed.size();
+  const auto values = [&](double SourcePendulumRow::*part, const FirstAngles& start, int sign) {
+    return column(n, [=](int i) { return pendulum_row(i, start, sign).*part; });
+  };
+  const auto whole = [&](std::size_t place, const std::string& name, double SourcePendulumRow::*part,
+                         const Words& why) {
+    return PrintedColumn{name, column_of(printed, place), values(part, at_rest, 1),
+                         Mistakes{{why, values(part, typed, -1)}}};
+  };
+  return audit({"pendulum, 101 rows, against the recursion from rest",
+                "pendolo, 101 righe, contro la formula ricorsiva dalla quiete"},
+               column_of(printed, 0),
+               {whole(2, "theta", &SourcePendulumRow::theta, another_start),
+                whole(3, "theta_dot", &SourcePendulumRow::theta_dot, another_start),
+                whole(4, "theta_ddot", &SourcePendulumRow::theta_ddot, another_start),
+                whole(5, "R_12_x", &SourcePendulumRow::R_x, another_start),
+                whole(6, "R_12_y", &SourcePendulumRow::R_y, wrong_sign)});
+}
+
+}  // namespace
+
+std::vector<TableAudit> audited_tables() { return {oscillator_audit(), pendulum_audit()}; }
 
 }  // namespace epure::oscillator_pendulum

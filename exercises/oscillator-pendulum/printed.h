@@ -8,6 +8,8 @@
 namespace epure::oscillator_pendulum {
 
 std::vector<Printed> printed_by_the_source();
+// Every entry of its two tables.
+std::vector<TableAudit> audited_tables();
 
 // The source's tables as it made them, of which every printed digit follows.
 struct SourceOscillatorRow {

@@ -95,8 +95,10 @@ struct OscillatorRoutes {
     write.of("alpha", [&] { return number<T>(zeta) * omega(); });
     write.of("beta", with_real_roots<T>(false, [=] { return omega() * b(); }));
     write.of("two_beta", with_real_roots<T>(false, [=] { return T(2) * omega() * b(); }));
-    write.of("C_1", with_real_roots<T>(true, [=] { return quotient(number<T>(of.v_0), T(2) * omega() * b()); }));
-    write.of("C_2", with_real_roots<T>(true, [=] { return quotient(number<T>(-of.v_0), T(2) * omega() * b()); }));
+    write.of("C_1",
+             with_real_roots<T>(true, [=, this] { return quotient(number<T>(of.v_0), T(2) * omega() * b()); }));
+    write.of("C_2",
+             with_real_roots<T>(true, [=, this] { return quotient(number<T>(-of.v_0), T(2) * omega() * b()); }));
     write.of("c", [&] { return number<T>(Rational(2) * zeta * m) * omega(); });
     write.of("k", [&] { return number<T>(m) * square(omega()); });
     write.of("c_critical", [&] { return number<T>(Rational(2) * m) * omega(); });
@@ -140,9 +142,12 @@ struct OscillatorRoutes {
     const auto c_critical = [=] { return T(2) * root(square(number<T>(m) * omega())); };
     write.of("alpha", [&] { return alpha(); });
     write.of("beta", with_real_roots<T>(false, [=] { return beta(); }));
-    write.of("two_beta", with_real_roots<T>(false, [=] { return of.zeta == 1 ? T(0) : lambda_1() - lambda_2(); }));
-    write.of("C_1", with_real_roots<T>(true, [=] { return quotient(number<T>(of.v_0), lambda_1() - lambda_2()); }));
-    write.of("C_2", with_real_roots<T>(true, [=] { return quotient(number<T>(of.v_0), lambda_2() - lambda_1()); }));
+    write.of("two_beta",
+             with_real_roots<T>(false, [=, this] { return of.zeta == 1 ? T(0) : lambda_1() - lambda_2(); }));
+    write.of("C_1",
+             with_real_roots<T>(true, [=, this] { return quotient(number<T>(of.v_0), lambda_1() - lambda_2()); }));
+    write.of("C_2",
+             with_real_roots<T>(true, [=, this] { return quotient(number<T>(of.v_0), lambda_2() - lambda_1()); }));
     write.of("c", [&] { return number<T>(zeta) * c_critical(); });
     write.of("k", [&] { return quotient(square(c_critical()), number<T>(Rational(4) * m)); });
     write.of("c_critical", [&] { return c_critical(); });

@@ -114,11 +114,12 @@ class Swing:
             self.states.append(stepped(*self.states[-1], self.square, self.h))
         return stepped(*self.states[i], self.square, t - i * self.h)
 
-    def first_zero(self, f):
-        i = 1
-        while f(self.at(i * self.h)) * f(self.at(self.h / 100)) > 0:
+    def first_zero(self, f, after=0):
+        i = int(after / self.h) + 1
+        sign = f(self.at(after + self.h / 100))
+        while f(self.at(i * self.h)) * sign > 0:
             i += 1
-        t = findroot(lambda t: f(self.at(t)), ((i - 1) * self.h, i * self.h), solver="anderson",
+        t = findroot(lambda t: f(self.at(t)), (max((i - 1) * self.h, after + self.h / 100), i * self.h), solver="anderson",
                      tol=mpf(10) ** -190, maxsteps=200)
         return t
 
@@ -151,8 +152,11 @@ def pendulum(given):
     if fabs(degrees) <= 30:
         found["t_R_12_x_max"], greatest = mpf(0), reaction(theta_0, mpf(0))[0]
     else:
-        found["t_R_12_x_max"] = swing.first_zero(growth_of_x)
-        greatest = reaction(*swing.at(found["t_R_12_x_max"]))[0]
+        # From high up the reaction has a lesser extreme before the greatest.
+        t = swing.first_zero(growth_of_x)
+        if cos(swing.at(t)[0]) < 0:
+            t = swing.first_zero(growth_of_x, t)
+        found["t_R_12_x_max"], greatest = t, reaction(*swing.at(t))[0]
     found["R_12_x_max"] = fabs(greatest)
     found["R_12_y_at_bottom"] = found["R_12_y_max"] = reaction(*swing.at(bottom))[1]
     if fabs(degrees) <= 90:
