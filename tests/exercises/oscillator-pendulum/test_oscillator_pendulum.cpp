@@ -1,5 +1,5 @@
-// The oscillator and the pendulum: their numbers are those of a corpus of complex exponentials and Taylor series; every
-// printed row is explained; bad givens; every sheet.
+// The oscillator and the pendulum: their numbers are those of a corpus of complex exponentials and Taylor series;
+// every printed row is explained; bad givens; every sheet.
 #include <cmath>
 
 #include "exercises/oscillator-pendulum/printed.h"
@@ -47,7 +47,8 @@ TEST_CASE("oscillator and pendulum: what the source printed, and why it is wrong
 
 TEST_CASE("oscillator and pendulum: nearly critical damping loses no digit", "[oscillator-pendulum]") {
   const double critical = value(tried().checked({"zeta=1"}), "oscillator.x_at_5");
-  for (const char* zeta : {"zeta=1.000000000000001", "zeta=0.999999999999999", "zeta=1.000000000000000000000000000001"}) {
+  for (const char* zeta :
+       {"zeta=1.000000000000001", "zeta=0.999999999999999", "zeta=1.000000000000000000000000000001"}) {
     const CheckedExercise near = tried().checked({zeta});
     CAPTURE(zeta);
     CHECK(near.passed());
