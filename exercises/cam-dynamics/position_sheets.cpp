@@ -225,7 +225,7 @@ PanelSheet maximum_lift_sheet(const Solution& s, Language language) {
       .seen = {"The cam at maximum lift, the polygon of the accelerations and the least closing force",
                "La camma alla massima alzata, il poligono delle accelerazioni e la forza di chiusura minima"},
       .told = {at + "a_B3", at + "F_3_in", at + "P_min", at + "omega_2_contact_loss"},
-      .without_part = {"phi", "n", "m_2"}};
+      .without_part = {"n", "m_2"}};
 }
 
 }  // namespace epure::cam_dynamics
