@@ -67,6 +67,8 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
       "$\\it{H}_{v}$ = $u_{v}$/$u_{t}u_{a}$ and $\\it{H}_{s}$ = $u_{s}$/$u_{t}u_{v}$ centimetres.",
       "Alle scale della fonte (un centimetro vale $u_{t}$, $u_{a}$, $u_{v}$, $u_{s}$) i poli distano "
       "$\\it{H}_{v}$ = $u_{v}$/$u_{t}u_{a}$ e $\\it{H}_{s}$ = $u_{s}$/$u_{t}u_{v}$ centimetri."};
+  const Words distances{"At their ends the polygons stand above the true curves by",
+                        "Agli estremi i poligoni stanno sopra le curve esatte di"};
   return {
       .panels = panels(panel(s)),
       .results = {remark(poles.in(language)), values({name("pole_distance_v"), name("pole_distance_s")}),
@@ -74,7 +76,8 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
                         {{"$v_{g}$ (m/s)", {name("v_1"), name("v_2"), name("v_3")}},
                          {"$v$ (m/s)", {"v_1", "v_2", "v_3"}},
                          {"$s_{g}$ (m)", {name("s_1"), name("s_2"), name("s_3")}},
-                         {"$s$ (m)", {"s_1", "s_2", "s_3"}}})},
+                         {"$s$ (m)", {"s_1", "s_2", "s_3"}}}),
+                  remark(distances.in(language)), values({name("off_v"), name("off_s")})},
       .seen =
           {"Acceleration, and below it velocity and space as integral polygons, each with the pole of its rays",
            "L'accelerazione e, sotto, velocità e spazio come poligoni integrali, ciascuno col polo dei suoi raggi"},

@@ -97,8 +97,7 @@ TEST_CASE("a long table takes as many pages as it needs, and every row stands on
   CHECK_FALSE(holds(written_on(drawn.sheet), "0.333"));
 }
 
-TEST_CASE("numbers that their column's decimals would hide or lengthen are written by their figures",
-          "[long table]") {
+TEST_CASE("a column whose decimals do not suit its numbers has them by their figures", "[long table]") {
   const std::vector<std::string> all = written_on(exercise_with(2)->draw("table", Givens({}), {}).sheet);
   CHECK(
       std::any_of(all.begin(), all.end(), [](const std::string& text) { return text.starts_with("$−1.000·10^{"); }));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "drawings/text/text.h"
 #include "exercises/kit/panels/results.h"
@@ -17,14 +18,21 @@ constexpr double largest_size = 2.6, smallest_size = 1.8;              // mm, of
 constexpr double least_gap = 1.6, widest_gap = 5;                      // mm, between columns
 constexpr std::size_t head_lines = 2;                                  // letters and units
 
-// With the column's decimals; a number that these would not show, or that would be too long, by its figures.
-std::string written(double value, int decimals, Language language) {
+// Whether a column's decimals suit its numbers, none of which is longer than that, and the greatest of which they
+// show.
+bool suits(const LongTable::Column& column) {
   constexpr double longest = 1e7;
+  double greatest = 0;
+  for (const double value : column.values) greatest = std::max(greatest, std::abs(value));
+  return greatest == 0 || (greatest < longest && greatest >= 10 * std::pow(10.0, -column.decimals));
+}
+
+std::string written(double value, std::optional<int> decimals, Language language) {
   constexpr int significant = 4;
-  if (std::abs(value) >= longest || (value != 0 && std::abs(value) < 0.5 * std::pow(10.0, -decimals)))
-    return figures(value, significant, language);
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  if (text.starts_with('-')) text.replace(0, 1, "−");
+  if (!decimals) return figures(value, significant, language);
+  std::string text = fmt::format("{:.{}f}", value, *decimals);
+  const bool is_zero = text.find_first_of("123456789") == std::string::npos;
+  if (text.starts_with('-')) text.replace(0, 1, is_zero ? "" : "−");
   if (const auto point = text.find('.'); language == Language::italian && point != std::string::npos)
     text[point] = ',';
   return text;
@@ -43,8 +51,9 @@ LongTablePanel::LongTablePanel(const LongTable& table, std::size_t first, const 
   for (const LongTable::Column& column : table.columns) {
     const std::string unit = written_unit(column.unit);
     columns_.push_back({{column.letters, unit.empty() ? "" : "(" + unit + ")"}});
+    const std::optional<int> decimals = suits(column) ? std::optional(column.decimals) : std::nullopt;
     for (std::size_t row = first; row < last; ++row)
-      columns_.back().cells.push_back(written(column.values[row], column.decimals, request.language));
+      columns_.back().cells.push_back(written(column.values[row], decimals, request.language));
   }
   const double room = drawings::drawing_area(request.paper).width() - 5 * table_air;
   const double gaps = static_cast<double>(columns_.size() - 1);
