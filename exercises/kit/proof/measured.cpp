@@ -30,10 +30,10 @@ Allowance allowance(const CheckedQuantity& quantity, const Decimal& number, cons
                          shown->sheet)};
   if (CGAL::is_zero(number.half_unit))
     throw geometry::BadGiven(
-        {"a fraction has no last digit to allow half a unit of, and no sheet shows this quantity; "
-         "write a decimal number",
-         "una frazione non ha un'ultima cifra di cui ammettere mezza unità, e nessuna tavola "
-         "mostra questa grandezza; scrivere un numero decimale"});
+        Words{"a fraction has no last digit to allow half a unit of, and no sheet shows this quantity; "
+              "write a decimal number",
+              "una frazione non ha un'ultima cifra di cui ammettere mezza unità, e nessuna tavola "
+              "mostra questa grandezza; scrivere un numero decimale"});
   return {number.half_unit,
           {"half a unit of its last digit, as no sheet shows it",
            "mezza unità dell'ultima cifra, perché nessuna tavola la mostra"}};
