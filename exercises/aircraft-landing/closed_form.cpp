@@ -45,9 +45,8 @@ void by_closed_form(const Landing& of, Extent extent, const Put& put_all) {
   put("wheel_energy_s", [=] { return number(of.J_r / (Rational(2) * of.R * of.R)) * v_squared(); });
   put("drag_work_s", drag);
   put("rolling_work_s", rolling);
-  put("friction_work_s", [=] {
-    return number(of.M() / 2) * (number(of.v_0 * of.v_0) - v_squared()) - gained() - drag() - rolling();
-  });
+  put("friction_work_s",
+      [=] { return number(of.M() / 2) * (number(of.v_0 * of.v_0) - v_squared()) - gained() - drag() - rolling(); });
   const auto at_10ms = [=] { return before_slip_ends(end, geometry::analytic::spun_up); };
   put("v_10ms", [=] { return at_10ms().v; });
   put("omega_10ms", [=] { return at_10ms().omega; });

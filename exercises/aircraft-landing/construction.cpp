@@ -41,8 +41,8 @@ Rolling rolling(const Body& body) {
   const Landing& of = body.of;
   const Vector carried = body.weight() + body.flaps();
   const Deep N = -carried.y, resisting = N * number(of.f_v * of.R);
-  const Deep alpha =
-      (number(of.R) * carried.x - resisting) / number(of.J_r + of.M() * of.R * of.R), a = number(of.R) * alpha;
+  const Deep alpha = (number(of.R) * carried.x - resisting) / number(of.J_r + of.M() * of.R * of.R),
+             a = number(of.R) * alpha;
   const Vector reaction = closing_side(carried, Vector{number(of.M()) * a, Deep(0)});
   return {reaction.y, -reaction.x, a};
 }
@@ -56,8 +56,7 @@ void by_construction(const Landing& of, Extent extent, const Put& put_all) {
   const auto last = [=] { return slipping({of, end().v}); };
   const auto after = [=] { return rolling({of, end().v}); };
   put("v_0", [=] { return geometry::fourth_proportional<Deep>(Deep(36), number(of.v_0 * Rational(36)), Deep(1)); });
-  put("omega_rolling_0",
-      [=] { return geometry::fourth_proportional<Deep>(number(of.R), number(of.v_0), Deep(1)); });
+  put("omega_rolling_0", [=] { return geometry::fourth_proportional<Deep>(number(of.R), number(of.v_0), Deep(1)); });
   put("u", [=] { return geometry::fourth_proportional<Deep>(Deep(1), number(of.f_v), number(of.R)); });
   const auto flaps = [=] { return Body{of, number(of.v_0)}.flaps(); };
   put("F_x_0", [=] { return -flaps().x; });
@@ -89,9 +88,8 @@ void by_construction(const Landing& of, Extent extent, const Put& put_all) {
   put("drag_work_s", [=] { return number(of.c_x) * end().cubes; });
   const auto reaction_per_turning = [=] { return number(Rational(1) / of.turning()); };
   put("rolling_work_s", [=] { return number(of.f_v * of.R) * reaction_per_turning() * end().of_wheel; });
-  put("friction_work_s", [=] {
-    return number(of.f_r) * reaction_per_turning() * (end().of_load - number(of.R) * end().of_wheel);
-  });
+  put("friction_work_s",
+      [=] { return number(of.f_r) * reaction_per_turning() * (end().of_load - number(of.R) * end().of_wheel); });
   const auto at_10ms = [=] { return before_slip_ends(end, geometry::analytic::spun_up_by_series); };
   put("v_10ms", [=] { return at_10ms().v; });
   put("omega_10ms", [=] { return at_10ms().omega; });

@@ -9,8 +9,8 @@ using geometry::Deep;
 using geometry::Rational;
 using geometry::analytic::SpinUp;
 
-// Step after step, as a sheet of numbers has it; or the speed as an iterate of y ← y² + c, and the angular velocity by
-// the impulse of all steps.
+// Step after step, as a sheet of numbers has it; or the speed as an iterate of y ← y² + c, and the angular velocity
+// by the impulse of all steps.
 enum class Arrangement { stepwise, as_map };
 
 struct EulerState {

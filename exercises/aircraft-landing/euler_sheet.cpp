@@ -39,8 +39,7 @@ PanelSheet euler_sheet(const Solution& s, Language language) {
   const double h = CGAL::to_double(s.givens()["Delta_t"]), t_s = s["t_s"], v_0 = s["v_0"];
   const double R = CGAL::to_double(s.givens()["R"]), v_1 = s["euler_100ms.v_1"], rim_1 = R * s["euler_100ms.omega_1"];
   const double least = std::min(0.0, v_1), most = std::max({v_0, rim_1, v_1}), air = 0.08 * (most - least);
-  drawings::Chart coarse =
-      chart_of_speeds(s, 1.1 * std::max(h, t_s), least < 0 ? least - air : 0, most + air);
+  drawings::Chart coarse = chart_of_speeds(s, 1.1 * std::max(h, t_s), least < 0 ? least - air : 0, most + air);
   coarse.curves.push_back({.name = "euler",
                            .runs = {{{0, v_0}, {h, v_1}}, {{0, CGAL::to_double(s.givens()["rim_0"])}, {h, rim_1}}},
                            .meaning = Meaning::force,
@@ -59,15 +58,15 @@ PanelSheet euler_sheet(const Solution& s, Language language) {
   fine.verticals = {{.at = t_s, .label = "$t_{s}$"}};
   const Words overshoot{
       "Above: after the source's first step of Δ$t$ the rim already runs $ω_{1}\\it{R}$/$v_{1}$ times as fast as the "
-      "aircraft; slip had ended within the step. Below: with a hundredth of the step the corners lie on the curves as "
+      "aircraft; slip had ended within the step. Below: with a hundredth of the step the corners lie on the curves "
+      "as "
       "nearly as can be drawn.",
       "Sopra: dopo il primo passo Δ$t$ della fonte la periferia va già $ω_{1}\\it{R}$/$v_{1}$ volte più veloce "
       "dell'aereo; lo strisciamento era finito dentro il passo. Sotto: con un centesimo del passo i vertici stanno "
       "sulle curve, per quanto si può disegnare."};
   return {.panels = panels(ChartPanel(coarse, read), ChartPanel(fine)),
           .results = {remark(overshoot.in(language)), values({"euler_100ms.v_1", "euler_100ms.omega_1"}),
-                      values({"euler_100ms.rim_speed_over_speed_1"}),
-                      values({"t_s"}),
+                      values({"euler_100ms.rim_speed_over_speed_1"}), values({"t_s"}),
                       steps_to_end(s, "Δ$t$/100", "euler_1ms."), values({"euler_1ms.t_s"}),
                       steps_to_end(s, "Δ$t$/1000", "euler_100us."), values({"euler_100us.t_s"}),
                       values({"euler_1ms.v_20", "euler_1ms.omega_20"}),

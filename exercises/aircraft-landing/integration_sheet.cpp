@@ -13,8 +13,8 @@ namespace {
 // Until slip ends, when so much speed is left to lose: between neighbours in a straight line.
 double time_at(const std::vector<SpeedsAt>& falling, double left) {
   const double lost = falling.back().lost - left;
-  const auto after = std::find_if(falling.begin() + 1, falling.end() - 1,
-                                  [&](const SpeedsAt& each) { return each.lost >= lost; });
+  const auto after =
+      std::find_if(falling.begin() + 1, falling.end() - 1, [&](const SpeedsAt& each) { return each.lost >= lost; });
   const SpeedsAt &next = *after, &here = *(after - 1);
   const double t = here.t + (next.t - here.t) * (lost - here.lost) / (next.lost - here.lost);
   return falling.back().t - t;
@@ -56,13 +56,13 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
       "from $v_{s}$, at the left, up to $v_{0}$; the time counts backwards from the end of slip.",
       "d$t$ = −d$v$/|$a$($v$)|, |$a$| = $f_{r}g$ + ($f_{r}c_{y}$ + $c_{x}$)$v^{2}$/($m_{a}$ + $m_{r}$): integrata "
       "da $v_{s}$, a sinistra, fino a $v_{0}$; il tempo si conta all'indietro dalla fine dello strisciamento."};
-  return {.panels = panels(panel),
-          .results = {remark(law_of_time.in(language)), values({"a_0", "a_s"}), values({"v_0", "v_s"}),
-                      values({"t_s"})},
-          .seen = {"The reciprocal of the acceleration over the speed, and its integral polygon, the time",
-                   "Il reciproco dell'accelerazione in funzione della velocità e il suo poligono integrale, il tempo"},
-          .told = {"v_0", "v_s", "t_s"},
-          .without_part = {"f_a", "Delta_t"}};
+  return {
+      .panels = panels(panel),
+      .results = {remark(law_of_time.in(language)), values({"a_0", "a_s"}), values({"v_0", "v_s"}), values({"t_s"})},
+      .seen = {"The reciprocal of the acceleration over the speed, and its integral polygon, the time",
+               "Il reciproco dell'accelerazione in funzione della velocità e il suo poligono integrale, il tempo"},
+      .told = {"v_0", "v_s", "t_s"},
+      .without_part = {"f_a", "Delta_t"}};
 }
 
 }  // namespace epure::aircraft_landing

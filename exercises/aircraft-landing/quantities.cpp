@@ -8,23 +8,23 @@
 namespace epure::aircraft_landing {
 namespace {
 
-const Words at_touch_down{" at touch-down", " al contatto"}, just_before{" just before slip ends",
-                                                                         " appena prima della fine dello "
-                                                                         "strisciamento"},
-    just_after{" just after slip has ended", " appena finito lo strisciamento"}, when_slip_ends{
-                                                                                      " when slip ends",
-                                                                                      " alla fine dello "
-                                                                                      "strisciamento"},
+const Words at_touch_down{" at touch-down", " al contatto"},
+    just_before{" just before slip ends",
+                " appena prima della fine dello "
+                "strisciamento"},
+    just_after{" just after slip has ended", " appena finito lo strisciamento"},
+    when_slip_ends{" when slip ends",
+                   " alla fine dello "
+                   "strisciamento"},
     while_slipping{" while it slips", " durante lo strisciamento"}, at_10ms{" after 10 ms", " dopo 10 ms"};
-const Words speed{"speed of the aircraft", "velocità dell'aereo"}, turning{"angular velocity of the wheel",
-                                                                           "velocità angolare della ruota"},
-    normal{"reaction of the ground, upwards", "reazione verticale del terreno"}, acceleration{
-                                                                                     "acceleration of the aircraft",
-                                                                                     "accelerazione dell'aereo"},
-    angular{"angular acceleration of the wheel", "accelerazione angolare della ruota"}, friction{
-                                                                                            "friction, backwards",
-                                                                                            "forza d'attrito, "
-                                                                                            "all'indietro"};
+const Words speed{"speed of the aircraft", "velocità dell'aereo"},
+    turning{"angular velocity of the wheel", "velocità angolare della ruota"},
+    normal{"reaction of the ground, upwards", "reazione verticale del terreno"},
+    acceleration{"acceleration of the aircraft", "accelerazione dell'aereo"},
+    angular{"angular acceleration of the wheel", "accelerazione angolare della ruota"},
+    friction{"friction, backwards",
+             "forza d'attrito, "
+             "all'indietro"};
 
 const std::vector<Quantity> quantities{
     {"v_0", "$v_{0}$", "m/s", speed + at_touch_down},
@@ -34,9 +34,7 @@ const std::vector<Quantity> quantities{
      {"angular velocity that would roll at touch-down", "velocità angolare di rotolamento al contatto"}},
     {"u", "$u$", "m", {"offset of the reaction, f_v R", "scostamento della reazione, f_v R"}},
     {"F_x_0", "$\\it{F}_{x0}$", "N", Words{"drag of the flaps", "resistenza dei flap"} + at_touch_down},
-    {"F_y_0",
-     "$\\it{F}_{y0}$",
-     "N",
+    {"F_y_0", "$\\it{F}_{y0}$", "N",
      Words{"downward force of the flaps", "forza dei flap verso il basso"} + at_touch_down},
     {"N_0", "$\\it{N}_{0}$", "N", normal + at_touch_down},
     {"F_0", "$\\it{F}_{0}$", "N", friction + at_touch_down},
@@ -53,9 +51,7 @@ const std::vector<Quantity> quantities{
     {"slip_path_s", "$s_{v}$ − $s_{ω}$", "m", {"way slipped", "spazio strisciato"}},
     {"wheel_angle_s", "$θ_{s}$", "rad", Words{"angle of the wheel", "angolo della ruota"} + while_slipping},
     {"friction_work_s", "$\\it{L}_{F}$", "J", {"work lost by sliding friction", "lavoro perso per attrito radente"}},
-    {"wheel_energy_s",
-     "$\\it{E}_{s}$",
-     "J",
+    {"wheel_energy_s", "$\\it{E}_{s}$", "J",
      Words{"kinetic energy of rotation of the wheel", "energia cinetica di rotazione della ruota"} + when_slip_ends},
     {"drag_work_s", "$\\it{L}_{x}$", "J", Words{"work of the drag", "lavoro della resistenza"} + while_slipping},
     {"rolling_work_s",
@@ -84,10 +80,7 @@ const std::vector<Quantity> quantities{
      "1",
      {"speed of the rim over that of the aircraft after the first step",
       "velocità periferica su velocità dell'aereo dopo il primo passo"}},
-    {"steps",
-     "$n$",
-     "1",
-     {"number of the step that ends slip", "numero del passo che conclude lo strisciamento"}}};
+    {"steps", "$n$", "1", {"number of the step that ends slip", "numero del passo che conclude lo strisciamento"}}};
 
 }  // namespace
 

@@ -27,12 +27,14 @@ PanelSheet slip_sheet(const Solution& s, Language language) {
                                      {{0, v_0}, {}, "v_0"}};
   chart.curves.push_back({.name = "end", .meaning = Meaning::text, .points = {{t_s, v_s}}});
   if (const auto v = s.value("v_10ms"), omega = s.value("omega_10ms"); v && omega) {
-    chart.curves.push_back({.name = "at_10ms", .meaning = Meaning::force, .points = {{0.01, *v}, {0.01, R * *omega}}});
+    chart.curves.push_back(
+        {.name = "at_10ms", .meaning = Meaning::force, .points = {{0.01, *v}, {0.01, R * *omega}}});
     read.push_back({{0.01, *v}, {}, "v_10ms"});
     read.push_back({{0.01, R * *omega}, {}, "omega_10ms", 1, 1 / R});
   }
   const Words ways{
-      "The whole area below $v$ is the way $s_{v}$ of the aircraft; that below $ω\\it{R}$ the way $s_{ω}$ of the rim; "
+      "The whole area below $v$ is the way $s_{v}$ of the aircraft; that below $ω\\it{R}$ the way $s_{ω}$ of the "
+      "rim; "
       "between them lies the way slipped. Dashed: the tangents at touch-down, which cross at $t^{*}_{s}$. The "
       "points at 10 ms are the exact solution.",
       "L'intera area sotto $v$ è lo spazio $s_{v}$ dell'aereo; quella sotto $ω\\it{R}$ lo spazio $s_{ω}$ della "
@@ -40,17 +42,18 @@ PanelSheet slip_sheet(const Solution& s, Language language) {
       "$t^{*}_{s}$. I punti a 10 ms sono la soluzione esatta."};
   const Words works{"The wheel takes $\\it{E}_{s}$, and about as much is lost by sliding: $\\it{L}_{F}$.",
                     "La ruota riceve $\\it{E}_{s}$, e circa altrettanto si perde strisciando: $\\it{L}_{F}$."};
-  return {.panels = panels(ChartPanel(chart, read)),
-          .results = {values({"t_s", "v_s"}), values({"omega_s", "omega_rolling_0"}),
-                      values({"t_s_tangents", "v_s_tangents"}), remark(ways.in(language)),
-                      values({"ground_path_s", "rolled_path_s"}), values({"slip_path_s", "wheel_angle_s"}),
-                      values({"v_10ms", "omega_10ms"}), remark(works.in(language)),
-                      values({"wheel_energy_s", "friction_work_s"}), values({"drag_work_s", "rolling_work_s"})},
-          .seen = {"Speeds of aircraft and rim over time until slip ends, with the ways as areas",
-                   "Velocità dell'aereo e della periferia nel tempo fino alla fine dello strisciamento, con gli spazi "
-                   "come aree"},
-          .told = {"t_s", "v_s", "omega_s", "ground_path_s", "rolled_path_s", "slip_path_s"},
-          .without_part = {"f_a", "Delta_t"}};
+  return {
+      .panels = panels(ChartPanel(chart, read)),
+      .results = {values({"t_s", "v_s"}), values({"omega_s", "omega_rolling_0"}),
+                  values({"t_s_tangents", "v_s_tangents"}), remark(ways.in(language)),
+                  values({"ground_path_s", "rolled_path_s"}), values({"slip_path_s", "wheel_angle_s"}),
+                  values({"v_10ms", "omega_10ms"}), remark(works.in(language)),
+                  values({"wheel_energy_s", "friction_work_s"}), values({"drag_work_s", "rolling_work_s"})},
+      .seen = {"Speeds of aircraft and rim over time until slip ends, with the ways as areas",
+               "Velocità dell'aereo e della periferia nel tempo fino alla fine dello strisciamento, con gli spazi "
+               "come aree"},
+      .told = {"t_s", "v_s", "omega_s", "ground_path_s", "rolled_path_s", "slip_path_s"},
+      .without_part = {"f_a", "Delta_t"}};
 }
 
 }  // namespace epure::aircraft_landing

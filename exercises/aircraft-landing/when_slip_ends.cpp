@@ -19,9 +19,8 @@ bool is_not_negative(const Deep& rest) {
 }  // namespace
 
 Put pressing(const Landing& of, Extent extent, const Put& put) {
-  static const std::set<std::string> of_the_whole{"v_0",    "omega_rolling_0", "u",
-                                                  "F_x_0",  "F_y_0",           "drag_work_s",
-                                                  "v_10ms", "omega_10ms",      "rolling_work_s"};
+  static const std::set<std::string> of_the_whole{
+      "v_0", "omega_rolling_0", "u", "F_x_0", "F_y_0", "drag_work_s", "v_10ms", "omega_10ms", "rolling_work_s"};
   const auto airborne = of.airborne();
   return [=](const std::string& name, const Find& find) {
     if (extent == Extent::of_a_case && of_the_whole.contains(name)) return;
@@ -33,8 +32,7 @@ Put pressing(const Landing& of, Extent extent, const Put& put) {
 }
 
 SpinState before_slip_ends(const WhenSlipEnds& end, SpinState (*after)(const SpinUp&, const Deep& t)) {
-  const Words ended{"slip has ended by then, and the wheel rolls",
-                    "lo strisciamento è già finito e la ruota rotola"};
+  const Words ended{"slip has ended by then, and the wheel rolls", "lo strisciamento è già finito e la ruota rotola"};
   const Deep t = number(Rational(1, 100));
   switch (geometry::sign(end().t - t)) {
     case Sign::positive:

@@ -110,8 +110,7 @@ void by_areas(const Pump& of, const Put& put, const Begin& begin) {
   put("tau", [=] { return by.tau(); });
   put("M_r_suction_coefficient", [=] { return by.coefficient(of.p_a); });
   put("M_r_delivery_coefficient", [=] { return -by.coefficient(of.p_m); });
-  put("M_r_harmonic_1",
-      [=] { return by.coefficient(of.p_m - of.p_a) * summed::sine_squared() / pi<Deep>(); });
+  put("M_r_harmonic_1", [=] { return by.coefficient(of.p_m - of.p_a) * summed::sine_squared() / pi<Deep>(); });
   const auto even = [=](int k) {
     return -by.coefficient(of.p_m + of.p_a) * summed::sine_times_cosine(k) / pi<Deep>();
   };

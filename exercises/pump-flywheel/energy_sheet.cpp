@@ -16,8 +16,8 @@ IntegrationPanel integrated(const DrawnPump& pump, double first, double second,
                             std::vector<IntegrationRow::Read> read) {
   std::vector<double> ends;
   for (int i = 0; i <= 6; ++i) ends.push_back(i * half_turn / 6);
-  for (const double later : {first, first + (second - first) / 4, (first + second) / 2,
-                             second - (second - first) / 4, second, half_turn})
+  for (const double later :
+       {first, first + (second - first) / 4, (first + second) / 2, second - (second - first) / 4, second, half_turn})
     ends.push_back(half_turn + later);
   std::vector<double> corners, carried;
   for (const double end : ends) corners.push_back(pump.energy(end));
@@ -44,9 +44,11 @@ Result on_flywheel(const Solution& s, const std::string& of, Language language) 
       s[of + "J_flywheel"] > 0
           ? Words{"Of $\\it{J}$ = $\\it{J}'τ^{2}$ the motor has $\\it{J}_{m}$; the flywheel the rest.",
                   "Di $\\it{J}$ = $\\it{J}'τ^{2}$ il motore ha $\\it{J}_{m}$; il volano il resto."}
-          : Words{"$\\it{J}$ = $\\it{J}'τ^{2}$ is not more than $\\it{J}_{m}$: the motor alone suffices, and no "
-                  "flywheel is needed.",
-                  "$\\it{J}$ = $\\it{J}'τ^{2}$ non supera $\\it{J}_{m}$: il solo motore basta e il volano non occorre."};
+          : Words{
+                "$\\it{J}$ = $\\it{J}'τ^{2}$ is not more than $\\it{J}_{m}$: the motor alone suffices, and no "
+                "flywheel is needed.",
+                "$\\it{J}$ = $\\it{J}'τ^{2}$ non supera $\\it{J}_{m}$: il solo motore basta e il volano non "
+                "occorre."};
   return remark(words.in(language));
 }
 
@@ -58,7 +60,10 @@ PanelSheet energy_sheet(const Solution& s, Language language) {
   return {.panels = panels(integrated(
               pump, first, second,
               {{.quantity = "Delta_T_suction_end", .label = {}, .at = half_turn, .value = s["Delta_T_suction_end"]},
-               {.quantity = "Delta_T_peak", .label = "Δ$\\it{T}_{1}$", .at = half_turn + first, .value = s["Delta_T_peak"]},
+               {.quantity = "Delta_T_peak",
+                .label = "Δ$\\it{T}_{1}$",
+                .at = half_turn + first,
+                .value = s["Delta_T_peak"]},
                {.quantity = "Delta_T_trough",
                 .label = "Δ$\\it{T}_{2}$",
                 .at = half_turn + second,
@@ -80,7 +85,10 @@ PanelSheet energy_with_mass_sheet(const Solution& s, Language language) {
   IntegrationPanel panel = integrated(
       pump, first, second,
       {{.quantity = {}, .label = "Δ$\\it{T}_{1}$", .at = half_turn + first, .value = pump.energy(half_turn + first)},
-       {.quantity = {}, .label = "Δ$\\it{T}_{2}$", .at = half_turn + second, .value = pump.energy(half_turn + second)}});
+       {.quantity = {},
+        .label = "Δ$\\it{T}_{2}$",
+        .at = half_turn + second,
+        .value = pump.energy(half_turn + second)}});
   const Words mass{
       "The reciprocating mass asks for $\\it{M}_{s}$ sin 2$α$, $\\it{M}_{s}$ = $mr^{2}ω^{2}$/2, and gives it back: "
       "over the turn it does no work, but it moves $α_{1}$ and $α_{2}$.",

@@ -34,7 +34,8 @@ struct ByFormulas {
     const HalfTurn turn = delivery(K);
     return suction_end() + closed::energy(turn, closed::first_zero(turn));
   }
-  // And where it lies, from the start of delivery: in suction when the mass asks for more than there the fluid leaves.
+  // And where it lies, from the start of delivery: in suction when the mass asks for more than there the fluid
+  // leaves.
   struct Least {
     Deep energy, angle;
   };

@@ -16,8 +16,8 @@ PanelSheet harmonics_sheet(const Solution& s, Language language) {
   std::vector<std::vector<drawings::Datum>> bars;
   const double least = std::pow(10, std::floor(std::log10(s["M_r_harmonic_30"] / 1.2)));
   for (int k = 1; k <= 30; k += k == 1 ? 1 : 2) {
-    const double amplitude = k == 1 ? s["M_r_harmonic_1"]
-                                    : 2 * (pump.suction + pump.delivery) / (std::numbers::pi * (k * k - 1));
+    const double amplitude =
+        k == 1 ? s["M_r_harmonic_1"] : 2 * (pump.suction + pump.delivery) / (std::numbers::pi * (k * k - 1));
     if (amplitude <= 0) continue;
     amplitudes.push_back({k * n_1, amplitude});
     bars.push_back({{k * n_1, least}, {k * n_1, amplitude}});
@@ -50,17 +50,17 @@ PanelSheet harmonics_sheet(const Solution& s, Language language) {
                                  "Con esso $n'_{t}$ è sotto la fondamentale $n_{1}$: la rigidezza è trascurabile."}
                          : Words{"With it $n'_{t}$ is not below the fundamental $n_{1}$: the stiffness counts.",
                                  "Con esso $n'_{t}$ non è sotto la fondamentale $n_{1}$: la rigidezza conta."};
-  return {.panels = panels(ChartPanel(chart)),
-          .results = {values({"M_r_harmonic_1", "M_r_harmonic_2"}), values({"M_r_harmonic_30"}),
-                      values({"omega_m", "omega_sync"}), values({"M_t", "k_m"}), values({"n_1", "n_30"}),
-                      values({"n_t"}), remark(first.in(language)), values({"n_t_flywheel"}),
-                      remark(then.in(language))},
-          .seen = {"Harmonics of the torque over cycles per turn of the motor, with the cut-off before and after the "
-                   "flywheel",
-                   "Armoniche del momento in cicli per giro del motore, con la frequenza di taglio prima e dopo il "
-                   "volano"},
-          .told = {"n_1", "n_30", "n_t", "n_t_flywheel"},
-          .without_part = {"m"}};
+  return {
+      .panels = panels(ChartPanel(chart)),
+      .results = {values({"M_r_harmonic_1", "M_r_harmonic_2"}), values({"M_r_harmonic_30"}),
+                  values({"omega_m", "omega_sync"}), values({"M_t", "k_m"}), values({"n_1", "n_30"}), values({"n_t"}),
+                  remark(first.in(language)), values({"n_t_flywheel"}), remark(then.in(language))},
+      .seen = {"Harmonics of the torque over cycles per turn of the motor, with the cut-off before and after the "
+               "flywheel",
+               "Armoniche del momento in cicli per giro del motore, con la frequenza di taglio prima e dopo il "
+               "volano"},
+      .told = {"n_1", "n_30", "n_t", "n_t_flywheel"},
+      .without_part = {"m"}};
 }
 
 }  // namespace epure::pump_flywheel

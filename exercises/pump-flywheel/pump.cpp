@@ -11,11 +11,21 @@ std::vector<GivenSpec> given_specs() {
   return {
       {"Q", {"flow", "portata"}, "l/min", "2000", Range::positive, "$\\it{Q}$"},
       {"p_m", {"delivery pressure", "pressione di mandata"}, "kgf/cm^2", "5", Range::positive, "$p_{m}$"},
-      {"p_a", {"suction depression", "depressione all'aspirazione"}, "kgf/cm^2", "0.5", Range::not_negative, "$p_{a}$"},
+      {"p_a",
+       {"suction depression", "depressione all'aspirazione"},
+       "kgf/cm^2",
+       "0.5",
+       Range::not_negative,
+       "$p_{a}$"},
       {"D", {"diameter of the piston", "diametro dello stantuffo"}, "mm", "210", Range::positive, "$\\it{D}$"},
       {"c", {"stroke", "corsa"}, "mm", "280", Range::positive, "$c$"},
       {"W_t", {"power of the motor", "potenza di targa del motore"}, "kW", "18.5", Range::positive, "$\\it{W}_{t}$"},
-      {"n_m", {"rated speed of the motor", "velocità di targa del motore"}, "rpm", "2910", Range::positive, "$n_{m}$"},
+      {"n_m",
+       {"rated speed of the motor", "velocità di targa del motore"},
+       "rpm",
+       "2910",
+       Range::positive,
+       "$n_{m}$"},
       {"n_0", {"synchronous speed", "velocità di sincronismo"}, "rpm", "3000", Range::positive, "$n_{0}$"},
       {"J_m",
        {"moment of inertia of the motor", "momento d'inerzia del motore"},
@@ -46,9 +56,9 @@ Pump::Pump(const Givens& givens)
         "n_m = {} dev'essere minore di n_0 = {}: un motore asincrono gira sotto la velocità di sincronismo",
         givens.text("n_m"), givens.text("n_0")));
   if (i >= Rational(2))
-    throw BadGivens(format_words(
-        "i = {} must be less than 2: at 2 the crank would stand still once a turn",
-        "i = {} dev'essere minore di 2: con 2 la manovella si fermerebbe una volta al giro", shown(i)));
+    throw BadGivens(format_words("i = {} must be less than 2: at 2 the crank would stand still once a turn",
+                                 "i = {} dev'essere minore di 2: con 2 la manovella si fermerebbe una volta al giro",
+                                 shown(i)));
   if (p_a > p_m)
     throw BadGivens(format_words(
         "p_a = {} must not be greater than p_m = {}: the torque would be greatest in suction, and the flywheel is "

@@ -28,8 +28,7 @@ drawings::Box TorquePanel::room_of_chart(const drawings::Box& room, Language lan
 
 std::vector<drawings::Block> TorquePanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   DrawnSheet& onto = plot.onto();
-  const drawings::ChartMap map =
-      drawings::draw(chart_, room_of_chart(room, language), onto.sheet.figure, language);
+  const drawings::ChartMap map = drawings::draw(chart_, room_of_chart(room, language), onto.sheet.figure, language);
   const drawings::Point O{room.low.x + margin, map.at({0, 0}).y};
   const auto radius = [&](double degrees) { return (degrees < 180 ? suction_ : delivery_) / map.y.per_mm(); };
   const auto at = [&](double degrees) {
@@ -54,8 +53,7 @@ std::vector<drawings::Block> TorquePanel::draw(Plot& plot, const drawings::Box& 
   for (const Read& each : read_) {
     const drawings::Point from = map.at(each.from), to = map.at(each.to);
     const bool is_level = each.from.y == each.to.y;
-    onto.measurements.push_back({each.quantity, from, to,
-                                 each.si * (is_level ? map.x.per_mm() : map.y.per_mm()),
+    onto.measurements.push_back({each.quantity, from, to, each.si * (is_level ? map.x.per_mm() : map.y.per_mm()),
                                  is_level ? Measurement::along_x : Measurement::along_y});
   }
   return {};

@@ -14,7 +14,8 @@ class TorquePanel : public Panel {
     double angle;  // of the turn, in degrees
     std::string letters;
   };
-  // Coefficients in N m, both positive; `chart` in degrees and N m, its ordinates from zero. What a ruler reads there:
+  // Coefficients in N m, both positive; `chart` in degrees and N m, its ordinates from zero. What a ruler reads
+  // there:
   struct Read {
     std::string quantity;
     drawings::Datum from, to;

@@ -34,7 +34,8 @@ PanelSheet torque_sheet(const Solution& s, Language language) {
                            {"alpha_2_deg", {180, mean}, {180 + second, mean}, 1},
                            {"M_r_suction_coefficient", {90, 0}, {90, pump.suction}, 1}});
   const Words projection{
-      "The crank of the length $\\it{F}r$: the height of its end is $\\it{M}_{r}$ = $\\it{F}r$ sin $α$. The mean line "
+      "The crank of the length $\\it{F}r$: the height of its end is $\\it{M}_{r}$ = $\\it{F}r$ sin $α$. The mean "
+      "line "
       "$\\it{M}_{m}$ = $\\it{L}_{r}$/2π leaves as much area above as is wanting below; from $α_{1}$ to $α_{2}$, "
       "counted from the start of delivery, the pump asks for more than the motor gives.",
       "La manovella lunga $\\it{F}r$: la quota del suo estremo è $\\it{M}_{r}$ = $\\it{F}r$ sin $α$. La retta media "

@@ -150,8 +150,9 @@ SpinState end_of_slip_by_series(const SpinUp& of) {
         const double last = std::log2(enclosure(here.length()).value);
         // As soon as the greatest rate at which v - R ω falls in the piece allows.
         const Deep slip = now.v - parameter(of.R) * now.omega,
-                   rate = parameter(of.A) + parameter(of.R * of.C) +
-                          (parameter(CGAL::abs(of.B)) + parameter(of.R * CGAL::abs(of.D))) * square(parameter(of.v_0));
+                   rate =
+                       parameter(of.A) + parameter(of.R * of.C) +
+                       (parameter(CGAL::abs(of.B)) + parameter(of.R * CGAL::abs(of.D))) * square(parameter(of.v_0));
         if (sign(slip) != Sign::positive)
           throw Undecided("whether slip lasts at all", "se ci sia dello strisciamento");
         const double first = std::log2(enclosure(slip / rate).lower);

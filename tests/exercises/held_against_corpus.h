@@ -130,14 +130,14 @@ inline void letters_find_room(const Tried& tried, const std::vector<Assignments>
   for (const Assignments& assignments : all)
     for (const SheetSpec& sheet : tried.about().sheets)
       if (!but_for.contains(sheet.name))
-      for (const drawings::Paper paper : {drawings::Paper::a4, drawings::Paper::a3})
-        for (const Language language : {Language::english, Language::italian}) {
-          const DrawnSheet drawn = tried.draw(sheet.name, assignments, {.paper = paper, .language = language});
-          const auto crowded = drawings::overlaps(drawn.sheet);
-          CAPTURE(assignments, sheet.name, paper == drawings::Paper::a4, language == Language::english, crowded);
-          CHECK(crowded.empty());
-          CHECK(untold_steps(drawn.sheet) == std::vector<int>{});
-        }
+        for (const drawings::Paper paper : {drawings::Paper::a4, drawings::Paper::a3})
+          for (const Language language : {Language::english, Language::italian}) {
+            const DrawnSheet drawn = tried.draw(sheet.name, assignments, {.paper = paper, .language = language});
+            const auto crowded = drawings::overlaps(drawn.sheet);
+            CAPTURE(assignments, sheet.name, paper == drawings::Paper::a4, language == Language::english, crowded);
+            CHECK(crowded.empty());
+            CHECK(untold_steps(drawn.sheet) == std::vector<int>{});
+          }
 }
 
 // "1 cm ≙ 2.5 m/s" of the title block, in units a millimetre.

@@ -1,4 +1,5 @@
-// The landing: its numbers are those of a corpus of integrals over the speed, the source's numbers, bad givens, sheets.
+// The landing: its numbers are those of a corpus of integrals over the speed, the source's numbers, bad givens,
+// sheets.
 #include "tests/exercises/held_against_corpus.h"
 
 using namespace epure;
@@ -59,8 +60,8 @@ TEST_CASE("landing: adherence at its limit is decided exactly", "[landing]") {
 }
 
 TEST_CASE("landing: a step that ends slip exactly", "[landing]") {
-  const Assignments constant{"c_x=0", "c_y=0", "f_v=0", "f_r=1",   "g=1",        "m_a=39", "m_r=1",
-                             "R=1",   "J_r=8", "v_0=216", "Delta_t=10"};
+  const Assignments constant{"c_x=0", "c_y=0", "f_v=0", "f_r=1",   "g=1",       "m_a=39",
+                             "m_r=1", "R=1",   "J_r=8", "v_0=216", "Delta_t=10"};
   // a = -1, ω' = 5: 60 m/s fall by 6 a second, so at step 100 of 0.1 s.
   const CheckedExercise result = landing().checked(constant);
   CHECK(result.passed());
