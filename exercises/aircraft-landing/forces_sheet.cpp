@@ -25,12 +25,12 @@ VectorPolygon around(const Solution& s, const std::string& letter, const std::st
                        .length = epure::magnitude(along)};
   };
   std::vector<PolygonSide> right{
-      force("", "$\\vec{\\it{P}}$", "↓", "$mg$", {0, -M * g}),
+      force("", "$\\vec{\\it{P}}$", "↓", "$\\it{M}g$", {0, -M * g}),
       force(at_first ? "F_y_0" : "", "$\\vec{\\it{F}}_{y}$", "↓", "$c_{y}v^{2}$", {0, -c_y * square}),
       force(F, "$\\vec{\\it{F}}" + prime + "$", "←", at_first ? "$f_{r}\\it{N}$" : "$\\it{F}'$", {-s[F], 0}),
       force(at_first ? "F_x_0" : "", "$\\vec{\\it{F}}_{x}$", "←", "$c_{x}v^{2}$", {-c_x * square, 0}),
       force(N, "$\\vec{\\it{N}}$", "↑", "$\\it{P}+\\it{F}_{y}$", {0, s[N]})};
-  const PolygonSide inertia{.label = "−$m\\vec{a}" + prime + "$",
+  const PolygonSide inertia{.label = "−$\\it{M}\\vec{a}" + prime + "$",
                             .direction = "?",
                             .magnitude = "?",
                             .v = {-M * s[a], 0},
@@ -42,11 +42,11 @@ VectorPolygon around(const Solution& s, const std::string& letter, const std::st
 
 PanelSheet forces_sheet(const Solution& s, Language language) {
   const Words moments{
-      "$m$ = $m_{a}$ + $m_{r}$. Moments about the hub, $\\it{N}$ standing $u$ = $f_{v}\\it{R}$ ahead: $\\it{J}_{r}α$ "
-      "= $\\it{F}\\it{R}$ − "
+      "$\\it{M}$ = $m_{a}$ + $m_{r}$. Moments about the hub, $\\it{N}$ standing $u$ = $f_{v}\\it{R}$ ahead: "
+      "$\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − "
       "$\\it{N}u$. As soon as $ω\\it{R}$ = $v$ the wheel rolls; then friction only keeps it in step, and falls to "
       "$\\it{F}'$ = $\\it{J}_{r}a'$/$\\it{R}^{2}$ + $f_{v}\\it{N}$.",
-      "$m$ = $m_{a}$ + $m_{r}$. Momenti rispetto al mozzo, con $\\it{N}$ avanti di $u$ = $f_{v}\\it{R}$: "
+      "$\\it{M}$ = $m_{a}$ + $m_{r}$. Momenti rispetto al mozzo, con $\\it{N}$ avanti di $u$ = $f_{v}\\it{R}$: "
       "$\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − "
       "$\\it{N}u$. Appena $ω\\it{R}$ = $v$ la ruota rotola; allora l'attrito la tiene solo al passo e cade a "
       "$\\it{F}'$ = $\\it{J}_{r}a'$/$\\it{R}^{2}$ + $f_{v}\\it{N}$."};
