@@ -116,10 +116,11 @@ class Swing:
 
     def first_zero(self, f, after=0):
         i = int(after / self.h) + 1
-        sign = f(self.at(after + self.h / 100))
+        begin = after + (self.h / 100 if after > 0 else 0)
+        sign = f(self.at(begin))
         while f(self.at(i * self.h)) * sign > 0:
             i += 1
-        t = findroot(lambda t: f(self.at(t)), (max((i - 1) * self.h, after + self.h / 100), i * self.h), solver="anderson",
+        t = findroot(lambda t: f(self.at(t)), (max((i - 1) * self.h, begin), i * self.h), solver="anderson",
                      tol=mpf(10) ** -190, maxsteps=200)
         return t
 
@@ -144,10 +145,9 @@ def pendulum(given):
         a = -square * s
         return m * r * (a * c - rate ** 2 * s), m * g + m * r * (a * s + rate ** 2 * c)
 
-    # dR_x/dt, with the derivatives of the motion.
+    # dR_x/dθ, with the derivatives of the motion.
     def growth_of_x(state):
-        theta, rate = state
-        return -3 * square * rate * cos(2 * theta) + 2 * square * rate * exact_cosine * cos(theta)
+        return -3 * cos(2 * state[0]) + 2 * exact_cosine * cos(state[0])
 
     if fabs(degrees) <= 30:
         found["t_R_12_x_max"], greatest = mpf(0), reaction(theta_0, mpf(0))[0]
