@@ -170,7 +170,7 @@ ChainedPolygonsPanel with_cone(const Solution& s, const std::string& prefix, con
   if (is_first)
     panel.step(told, apex);
   else
-    panel.likewise(told);
+    panel.likewise(told, apex);
   return panel;
 }
 
