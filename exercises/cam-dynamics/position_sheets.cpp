@@ -95,9 +95,8 @@ namespace {
 struct Forces {
   PolygonSide P, P_3, F_3, R_23, R_13, P_2, F_2, R_32, R_12;
 };
-Forces forces(const Solution& s, Language language) {
-  const std::string upright = Words{"vertical", "verticale"}.in(language),
-                    level = Words{"horizontal", "orizzontale"}.in(language);
+Forces forces(const Solution& s) {
+  const std::string upright = "∥ $y$", level = "∥ $x$";
   const bool is_kept = s.value("R_23").has_value();
   const auto reaction_of = [&](const std::string& name, const std::string& direction, const Arrow2& along) {
     PolygonSide side{.quantity = is_kept ? name : "",
@@ -161,7 +160,7 @@ FreeBodyPanel cam_cut_free(const Solution& s, const Forces& on) {
 }  // namespace
 
 PanelSheet forces_sheet(const Solution& s, Language language) {
-  const Forces on = forces(s, language);
+  const Forces on = forces(s);
   const bool is_kept = s.value("R_23").has_value();
   const Words lost{
       "Contact is lost: to close these polygons the cam would have to pull the follower. It cannot, and "
