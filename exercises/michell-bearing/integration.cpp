@@ -41,20 +41,15 @@ Strips integrated(const Film& film) {
   });
 }
 
-// The pressures of the table's stations, where the polygon has corners there; the greatest with its letters.
+// The pressures of the table's stations, where the polygon has corners there.
 std::vector<IntegrationRow::Read> read(const Solution& s, const Film& film, const Strips& strips) {
   std::vector<IntegrationRow::Read> all;
-  std::size_t greatest = 0;
   for (const Station& at : stations())
     for (const long corner : strips.corners) {
       const std::string quantity = of_film(at_station("p_bezout", at.name).name);
       if (corner == 0 || film.dx * Rational(corner) != at.x || !s.has(quantity)) continue;
-      const auto value = s.value(quantity);
-      if (!value) continue;
-      all.push_back({quantity, "", CGAL::to_double(at.x), *value});
-      if (*value > all[greatest].value) greatest = all.size() - 1;
+      if (const auto value = s.value(quantity)) all.push_back({quantity, "", CGAL::to_double(at.x), *value});
     }
-  if (!all.empty()) all[greatest].label = s.described(all[greatest].quantity).symbol;
   return all;
 }
 

@@ -34,7 +34,7 @@ Words other_film() {
 std::vector<Printed> printed_by_the_source() {
   std::vector<Printed> all{
       plain("R_m", "0.825"),
-      wrong("v", "6.479", {"cut off instead of rounded", "troncata anziché arrotondata"},
+      wrong("v", "6.479", {"cut off instead of rounded", "cifre troncate anziché arrotondate"},
             [] { return std::floor(1000 * stated::R_m * 75 * 2 * stated::pi / 60) / 1000; }),
       plain("b", "0.55"),
       wrong("l", "2.542",

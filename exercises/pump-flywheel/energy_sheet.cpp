@@ -92,7 +92,7 @@ PanelSheet energy_with_mass_sheet(const Solution& s, Language language) {
   const Words mass{
       "The reciprocating mass asks for $\\it{M}_{s}$ sin 2$α$, $\\it{M}_{s}$ = $mr^{2}ω^{2}$/2, and gives it back: "
       "over the turn it does no work, but it moves $α_{1}$ and $α_{2}$.",
-      "Le masse alterne chiedono $\\it{M}_{s}$ sin 2$α$, $\\it{M}_{s}$ = $mr^{2}ω^{2}$/2, e lo restituiscono: nel "
+      "Le masse alterne chiedono $\\it{M}_{s}$ sen 2$α$, $\\it{M}_{s}$ = $mr^{2}ω^{2}$/2, e lo restituiscono: nel "
       "giro non fanno lavoro, ma spostano $α_{1}$ e $α_{2}$."};
   const std::string of = "reciprocating_mass.";
   return {.panels = panels(std::move(panel)),

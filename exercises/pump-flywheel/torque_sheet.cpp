@@ -38,7 +38,7 @@ PanelSheet torque_sheet(const Solution& s, Language language) {
       "line "
       "$\\it{M}_{m}$ = $\\it{L}_{r}$/2π leaves as much area above as is wanting below; from $α_{1}$ to $α_{2}$, "
       "counted from the start of delivery, the pump asks for more than the motor gives.",
-      "La manovella lunga $\\it{F}r$: la quota del suo estremo è $\\it{M}_{r}$ = $\\it{F}r$ sin $α$. La retta media "
+      "La manovella lunga $\\it{F}r$: la quota del suo estremo è $\\it{M}_{r}$ = $\\it{F}r$ sen $α$. La retta media "
       "$\\it{M}_{m}$ = $\\it{L}_{r}$/2π lascia tanta area sopra quanta ne manca sotto; da $α_{1}$ ad $α_{2}$, "
       "contati dall'inizio della mandata, la pompa chiede più di quanto dia il motore."};
   return {.panels = panels(panel),

@@ -24,7 +24,10 @@ PanelSheet wittenbauer_sheet(const Solution& s, Language language) {
   for (const drawings::Datum& each : run) high = std::max(high, each.y), low = std::min(low, each.y);
   const double air = 0.05 * (high - low);
   drawings::Chart chart;
-  chart.x = {.quantity = "$mr^{2}$ sin² $α$", .unit = "kg m²", .low = 0, .high = right};
+  chart.x = {.quantity = Words{"$mr^{2}$ sin² $α$", "$mr^{2}$ sen² $α$"}.in(language),
+             .unit = "kg m²",
+             .low = 0,
+             .high = right};
   chart.y = {.quantity = "$\\it{W}$", .unit = "J", .low = low - air, .high = high + air};
   chart.curves = {{.name = "work", .runs = {run}, .meaning = Meaning::force, .label = "$\\it{W}$"},
                   {.name = "upper",
@@ -45,7 +48,7 @@ PanelSheet wittenbauer_sheet(const Solution& s, Language language) {
       "to the left the curve is seen between two tangents of the slopes $ω^{2}_{max}$/2 and $ω^{2}_{min}$/2. What "
       "they cut off on the axis of works is ($ω^{2}_{max}$ − $ω^{2}_{min}$)/2 = $iω^{2}$ times $\\it{J}'$: so "
       "$\\it{J}'$ = ($\\it{W}_{1}$ − $\\it{W}_{2}$)/($iω^{2}$), with nothing left out.",
-      "$\\it{E}_{0}$ + $\\it{W}$ = ($\\it{J}'$ + $mr^{2}$ sin² $α$)$ω^{2}$/2: dal punto −$\\it{J}'$, −$\\it{E}_{0}$, "
+      "$\\it{E}_{0}$ + $\\it{W}$ = ($\\it{J}'$ + $mr^{2}$ sen² $α$)$ω^{2}$/2: dal punto −$\\it{J}'$, −$\\it{E}_{0}$, "
       "lontano a sinistra, la curva è vista tra due tangenti di pendenza $ω^{2}_{max}$/2 e $ω^{2}_{min}$/2. Ciò che "
       "staccano sull'asse dei lavori è ($ω^{2}_{max}$ − $ω^{2}_{min}$)/2 = $iω^{2}$ per $\\it{J}'$: dunque "
       "$\\it{J}'$ = ($\\it{W}_{1}$ − $\\it{W}_{2}$)/($iω^{2}$), senza trascurare nulla."};

@@ -16,7 +16,7 @@ constexpr double least_pole_distance = 14, most_pole_share = 0.4;  // mm; of the
 constexpr double least_width = 60, least_height = 10;              // mm; of a row
 constexpr double number_size = 2.5, tick = 1;                      // mm
 constexpr double numbers_apart = 5.5, heights_apart = 6;           // mm, of the numbers along the axes
-constexpr int curve_points = 150;
+constexpr int curve_points = 120;
 
 // Of the polygon, the curve and what is carried, with zero; 0 to 1 where all is zero.
 std::pair<double, double> range(const IntegrationRow& row, const std::vector<double>& ends) {

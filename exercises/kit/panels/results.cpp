@@ -72,8 +72,9 @@ Result values_written(const std::vector<std::string>& names,
       if (!value) continue;
       const Quantity& quantity = solution.described(name);
       const auto [number, unit] = in_unit(quantity, *value);
+      const std::string in_words = unit == "rpm" ? Words{"rpm", "giri/min"}.in(language) : unit;
       line += fmt::format("{}{} = {}{}{}", line.empty() ? "" : ",  ", quantity.symbol,
-                          figures(number, significant, language), unit.empty() || unit == "°" ? "" : " ", unit);
+                          figures(number, significant, language), unit.empty() || unit == "°" ? "" : " ", in_words);
     }
     return line.empty() ? std::nullopt : std::optional<drawings::Block>(drawings::Paragraph{line});
   };
