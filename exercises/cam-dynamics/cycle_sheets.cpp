@@ -4,27 +4,15 @@
 
 #include "exercises/cam-dynamics/figures.h"
 #include "exercises/kit/panels/cam_panel.h"
-#include "exercises/kit/panels/chart_panel.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/panels/sized_chart.h"
 
 namespace epure::cam_dynamics {
 namespace {
 
 using drawings::Datum;
 
-// So low that several stand one above the other, and so wide at least (mm).
-class LowChart : public ChartPanel {
- public:
-  LowChart(drawings::Chart chart, std::vector<Read> read, double wide = 72)
-      : ChartPanel(std::move(chart), std::move(read)), wide_(wide) {}
-  drawings::Box extent(const Scale&, const Scale&) const override {
-    constexpr double high = 52;
-    return {{0, 0}, {wide_, high}};
-  }
-
- private:
-  double wide_;
-};
+constexpr ChartSize beside_another{72, 52};
 
 std::string name(const std::string& quantity) { return "cycle." + quantity; }
 
@@ -78,7 +66,7 @@ void mark(drawings::Chart& chart, const Datum& at, const std::string& letters, M
   chart.markers.push_back({.at = at, .label = letters, .meaning = meaning});
 }
 
-LowChart lift_chart(const Solution& s, const Curves& of) {
+SizedChart lift_chart(const Solution& s, const Curves& of) {
   const double low = s[name("y_B_min")];
   drawings::Chart chart =
       over_angle("$h$", "m", over_the_turn([&](double t) { return of.y(t) - low; }), Meaning::velocity);
@@ -93,17 +81,18 @@ LowChart lift_chart(const Solution& s, const Curves& of) {
   mark(chart, lowest, "$φ_{min}$", Meaning::velocity);
   read.push_back({highest, name("angle_at_max_lift_deg"), name("lift")});
   read.push_back({lowest, name("angle_at_min_lift_deg"), {}});
-  return LowChart(chart, read);
+  return SizedChart(chart, read, beside_another);
 }
 
-LowChart pressure_chart(const Solution& s, const Curves& of) {
+SizedChart pressure_chart(const Solution& s, const Curves& of) {
   drawings::Chart chart =
       over_angle("$δ$", "°", over_the_turn([&](double t) { return of.pressure(t) * 180 / M_PI; }), Meaning::locus);
   const Datum greatest{180, s[name("pressure_angle_max_deg")]}, least{0, s[name("pressure_angle_min_deg")]};
   mark(chart, greatest, "$δ_{max}$", Meaning::locus);
   mark(chart, least, "$δ_{min}$", Meaning::locus);
-  return LowChart(chart,
-                  {{greatest, {}, name("pressure_angle_max_deg")}, {least, {}, name("pressure_angle_min_deg")}});
+  return SizedChart(chart,
+                    {{greatest, {}, name("pressure_angle_max_deg")}, {least, {}, name("pressure_angle_min_deg")}},
+                    beside_another);
 }
 
 CamPanel inversion(const Solution& s) {
@@ -175,7 +164,7 @@ PanelSheet closing_force_sheet(const Solution& s, Language language) {
     of_P.push_back({lifted, "maximum_lift.angle_of_A0A_deg", "maximum_lift.P_min"});
   }
   forces.horizontals.push_back({.at = given(s, "P"), .label = "$\\it{P}$"});
-  constexpr double across = 110;  // mm
+  constexpr ChartSize across{110, 52};
   const Words keeps{
       "Contact is kept where $\\it{P}$ + $\\it{P}_{3}$ + $m_{3}a_{B3}$ ≥ 0: over the whole turn it takes the "
       "$\\it{P}$ of the least acceleration, which is that of maximum lift for $e$ = 0 only.",
@@ -186,7 +175,7 @@ PanelSheet closing_force_sheet(const Solution& s, Language language) {
   const Words enough{"$\\it{P}_{min}$ is negative: the weight alone keeps contact.",
                      "$\\it{P}_{min}$ è negativa: basta il peso a mantenere il contatto."};
   return {
-      .panels = panels(LowChart(accelerations, of_a, across), LowChart(forces, of_P, across)),
+      .panels = panels(SizedChart(accelerations, of_a, across), SizedChart(forces, of_P, across)),
       .theory = {{{"Contact", "Contatto"},
                   {remark(keeps.in(language)), remark(s[name("P_min")] < 0 ? enough.in(language) : ""),
                    remark(s.value("maximum_lift.omega_2_contact_loss") ? speed.in(language) : "")}}},

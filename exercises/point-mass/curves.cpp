@@ -1,6 +1,6 @@
 // The six diagrams; the tangents to the space through the centroids of the accelerations; the errors of the tables.
-#include "exercises/kit/panels/chart_panel.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/panels/sized_chart.h"
 #include "exercises/kit/statement/decimal.h"
 #include "exercises/point-mass/exercise.h"
 #include "exercises/point-mass/quantities.h"
@@ -10,17 +10,6 @@ namespace epure::point_mass {
 namespace {
 
 using drawings::Datum;
-
-// As low as six of them, or three, need on one sheet.
-class SmallChart : public ChartPanel {
- public:
-  SmallChart(drawings::Chart chart, std::vector<Read> read, double width, double height)
-      : ChartPanel(std::move(chart), std::move(read)), width_(width), height_(height) {}
-  drawings::Box extent(const Scale&, const Scale&) const override { return {{0, 0}, {width_, height_}}; }
-
- private:
-  double width_, height_;  // mm at least
-};
 
 constexpr int samples = 160;
 
@@ -82,7 +71,7 @@ const std::map<std::string, std::vector<Special>>& specials() {
   return all;
 }
 
-SmallChart small_chart(const Solution& s, const Problem& of, const Drawn& what, Language language) {
+SizedChart small_chart(const Solution& s, const Problem& of, const Drawn& what, Language language) {
   drawings::Chart chart = chart_of(s, of, what);
   std::vector<ChartPanel::Read> read;
   for (int i = 0; i < 3; ++i) {
@@ -103,7 +92,8 @@ SmallChart small_chart(const Solution& s, const Problem& of, const Drawn& what, 
     read.push_back({at, special.abscissa, special.ordinate});
   }
   chart.letters_left = 15;
-  return SmallChart(std::move(chart), std::move(read), 84, 48);
+  constexpr ChartSize one_of_six{84, 48};
+  return SizedChart(std::move(chart), std::move(read), one_of_six);
 }
 
 }  // namespace
@@ -112,7 +102,7 @@ PanelSheet curves_sheet(const Solution& s, Language language) {
   const Problem of(s.givens());
   Panels all;
   for (const Drawn& what : drawn(ByPowers(of)))
-    all.push_back(std::make_unique<SmallChart>(small_chart(s, of, what, language)));
+    all.push_back(std::make_unique<SizedChart>(small_chart(s, of, what, language)));
   const Words formulas{
       "$\\it{F}$ = $\\it{A}t^{3}$ + $\\it{B}t^{2}$ + $\\it{C}t$, $a$ = $\\it{F}$/$m$, $v$ = ∫$a$ d$t$, $q$ = $mv$, "
       "$\\it{E}$ = $mv^{2}$/2, $s$ = ∫$v$ d$t$. Where $\\it{F}$ passes from positive to negative, $v$ and $q$ are "
@@ -172,8 +162,8 @@ PanelSheet tangents_sheet(const Solution& s, Language language) {
       "$s$($t_{k}$) = ∫($t_{k}$ − $τ$) $a$ d$τ$ = $v_{k}$ ($t_{k}$ − $t_{Gk}$): la tangente in $t_{k}$, di pendenza "
       "$v_{k}$, "
       "incontra l'asse sotto il baricentro delle accelerazioni da 0 a $t_{k}$, con le aree sotto l'asse negative."};
-  return {.panels = panels(SmallChart(std::move(accelerations), {}, 110, 70),
-                           SmallChart(std::move(spaces), std::move(read), 110, 80)),
+  return {.panels = panels(SizedChart(std::move(accelerations), {}, {110, 70}),
+                           SizedChart(std::move(spaces), std::move(read), {110, 80})),
           .theory = {{{"The tangents", "Le tangenti"}, {remark(tangent.in(language))}}},
           .results = {table({"", "$t_{1}$", "$t_{2}$", "$t_{3}$"},
                             {{"$v$ (m/s)", {"v_1", "v_2", "v_3"}},

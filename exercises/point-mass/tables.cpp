@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exercises/kit/panels/chart_panel.h"
+#include "exercises/kit/panels/sized_chart.h"
 #include "exercises/kit/statement/decimal.h"
 #include "exercises/point-mass/exercise.h"
 #include "exercises/point-mass/motion.h"
@@ -13,15 +13,7 @@ namespace {
 
 using drawings::Datum;
 
-// Two of them on a sheet.
-class FlatChart : public ChartPanel {
- public:
-  using ChartPanel::ChartPanel;
-  drawings::Box extent(const Scale&, const Scale&) const override {
-    constexpr double wide = 110, high = 74;  // mm at least
-    return {{0, 0}, {wide, high}};
-  }
-};
+constexpr ChartSize one_of_two_in_a_column{110, 74};
 
 // Of Cavalieri-Simpson's formula the odd and the even rows are two sums.
 struct Errors {
@@ -53,7 +45,7 @@ Errors errors(const std::string& kind, const std::string& method, const std::vec
 }
 
 // Whole decades, of a few at least.
-FlatChart chart(const std::vector<Errors>& all, const std::string& letters, double end) {
+SizedChart chart(const std::vector<Errors>& all, const std::string& letters, double end) {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   for (const Errors& each : all)
     for (const auto& run : each.runs)
@@ -75,7 +67,7 @@ FlatChart chart(const std::vector<Errors>& all, const std::string& letters, doub
     if (!each.runs.empty())
       chart.curves.push_back({.name = each.name, .runs = each.runs, .meaning = each.meaning, .label = each.label});
   chart.letters_left = 15;
-  return FlatChart(std::move(chart));
+  return SizedChart(std::move(chart), {}, one_of_two_in_a_column);
 }
 
 // Exact, and by both formulas.
@@ -118,7 +110,7 @@ PanelSheet errors_sheet(const Solution& s, Language language) {
     right.push_back(errors("s", column.method, column.s, table.columns.front().s, of.dt));
   }
   Panels all;
-  all.push_back(std::make_unique<FlatChart>(
+  all.push_back(std::make_unique<SizedChart>(
       chart(right, Words{"|$ε$|, right tables", "|$ε$|, tabelle giuste"}.in(language), end)));
   const Words formulas{
       "Bezout's $v_{B}$ is off by Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). Cavalieri-Simpson's formula is exact for "
@@ -131,7 +123,7 @@ PanelSheet errors_sheet(const Solution& s, Language language) {
   if (s.givens().as_stated()) {
     for (const PrintedAgainstExact& column : printed_columns())
       printed.push_back(errors(column.kind, column.method, column.printed, column.exact, of.dt));
-    all.push_back(std::make_unique<FlatChart>(
+    all.push_back(std::make_unique<SizedChart>(
         chart(printed, Words{"|$ε$|, the source's tables", "|$ε$|, tabelle della fonte"}.in(language), end)));
     const Words mistakes{
         "Below, the source's own table: a hundred to a hundred thousand times worse. Its sums leave out the first "

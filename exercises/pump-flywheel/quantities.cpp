@@ -1,7 +1,6 @@
 #include "exercises/pump-flywheel/quantities.h"
 
-#include <algorithm>
-#include <cassert>
+#include "exercises/kit/statement/quantity_list.h"
 
 namespace epure::pump_flywheel {
 namespace {
@@ -126,11 +125,6 @@ const std::vector<Quantity> quantities{
 
 }  // namespace
 
-const Quantity& quantity(const std::string& name) {
-  const auto found =
-      std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& each) { return each.name == name; });
-  assert(found != quantities.end());
-  return *found;
-}
+const Quantity& quantity(const std::string& name) { return named(quantities, name); }
 
 }  // namespace epure::pump_flywheel

@@ -1,7 +1,6 @@
 #include "exercises/spool-slip/quantities.h"
 
-#include <algorithm>
-#include <cassert>
+#include "exercises/kit/statement/quantity_list.h"
 
 namespace epure::spool_slip {
 namespace {
@@ -65,11 +64,6 @@ const std::vector<Quantity> quantities{
 
 }  // namespace
 
-const Quantity& quantity(const std::string& name) {
-  const auto found =
-      std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& each) { return each.name == name; });
-  assert(found != quantities.end());
-  return *found;
-}
+const Quantity& quantity(const std::string& name) { return named(quantities, name); }
 
 }  // namespace epure::spool_slip
