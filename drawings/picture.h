@@ -207,6 +207,7 @@ struct VectorEquation {
 struct Table {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
+  bool to_fill_in = false;  // rows are high enough to write in by hand, with a rule below each
 };
 using Block = std::variant<Heading, Paragraph, Steps, VectorEquation, Table>;
 
@@ -217,6 +218,8 @@ struct TitleBlock {
   std::string exercise, sheet, source;
   std::vector<std::string> scales;
   int page = 1, pages = 1;
+  std::string heading = {};  // above all: the course, the author
+  std::string number = {};   // instead of "page/pages"
 };
 
 struct Sheet {

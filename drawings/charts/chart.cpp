@@ -72,7 +72,8 @@ class ChartPainter {
  public:
   ChartPainter(const Chart& chart, Box box, Language language) : chart_(chart), box_(box), language_(language) {}
 
-  ChartMap run(Figure& figure) const {
+  enum class Shows { all, axes };
+  ChartMap run(Figure& figure, Shows shows = Shows::all) const {
     Arrangement parts = arrange(chart_.legend);
     ChartMap map = map_of(parts);
     const std::vector<Label> others = marker_labels(chart_, map);
@@ -81,6 +82,10 @@ class ChartPainter {
     if (!names && !chart_.legend) {
       parts = arrange(true);
       map = map_of(parts);
+    }
+    if (shows == Shows::axes) {
+      append(figure, frame_marks(parts, map));
+      return map;
     }
     append(figure, marks(parts, map));
     for (const Writing& name : names.value_or(std::vector<Writing>{})) figure.marks.push_back(name);
@@ -158,14 +163,24 @@ class ChartPainter {
       draw_legend(chart_, how, parts.legend, {map.frame.high.x, top}, figure);
     }
     draw_curves(chart_, how, map, figure);
-    const Box f = map.frame;
-    figure.marks.push_back(
-        Line{polyline({f.low, {f.high.x, f.low.y}, f.high, {f.low.x, f.high.y}}, true), Meaning::text});
+    figure.marks.push_back(border(map.frame));
     for (const Marker& marker : chart_.markers)
-      if (const Point p = on_paper(map, marker.at); contains(grown(f, 1e-6), p))
+      if (const Point p = on_paper(map, marker.at); contains(grown(map.frame, 1e-6), p))
         figure.marks.push_back(DataPoint{p, marker.shape, marker.meaning, marker.name});
     figure.window_of.resize(figure.marks.size(), -1);
     return figure;
+  }
+
+  Figure frame_marks(const Arrangement& parts, const ChartMap& map) const {
+    Figure figure;
+    draw_x_axis(parts, map, figure);
+    draw_y_axis(parts, map, figure);
+    figure.marks.push_back(border(map.frame));
+    figure.window_of.resize(figure.marks.size(), -1);
+    return figure;
+  }
+  static Line border(const Box& f) {
+    return {polyline({f.low, {f.high.x, f.low.y}, f.high, {f.low.x, f.high.y}}, true), Meaning::text};
   }
 
   void draw_references(const ChartMap& map, Figure& figure) const {
@@ -241,11 +256,24 @@ class ChartPainter {
 
 }  // namespace
 
-ChartMap draw(const Chart& chart, Box box, Figure& figure, Language language) {
+namespace {
+
+void require_drawable(const Chart& chart) {
   require_sound(chart.x);
   require_sound(chart.y);
   require_sound(chart);
+}
+
+}  // namespace
+
+ChartMap draw(const Chart& chart, Box box, Figure& figure, Language language) {
+  require_drawable(chart);
   return ChartPainter(chart, box, language).run(figure);
+}
+
+ChartMap draw_axes(const Chart& chart, Box box, Figure& figure, Language language) {
+  require_drawable(chart);
+  return ChartPainter(chart, box, language).run(figure, ChartPainter::Shows::axes);
 }
 
 }  // namespace epure::drawings

@@ -102,4 +102,7 @@ struct ChartMap {
 // ..." when the box leaves the frame less than 20 mm x 15 mm or is not on paper.
 ChartMap draw(const Chart& chart, Box box, Figure& figure, Language language);
 
+// The frame with its numbers alone, where they stand with the curves.
+ChartMap draw_axes(const Chart& chart, Box box, Figure& figure, Language language);
+
 }  // namespace epure::drawings

@@ -10,6 +10,8 @@ namespace epure::drawings {
 
 namespace {
 
+constexpr double room_to_write = 0.9, width_to_write = 8;  // of the letters' size, above the line; where nothing is
+
 // What stands left of the decimal sign, and the rest with sign and unit; no number: no value.
 struct Numeral {
   std::string before, rest;
@@ -56,6 +58,7 @@ TableColumn measure_column(const Table& table, std::size_t index, double size) {
     column.before = std::max(column.before, before);
     column.after = std::max(column.after, cell_width(row[index], size) - before);
   }
+  if (table.to_fill_in && filled == 0) column.body = width_to_write * size;
   // A dash or "?" among numbers does not make them words.
   column.numeric = numbers > 0 && 2 * numbers > filled;
   if (column.numeric) column.body = std::max(column.body, column.before + column.after);
@@ -119,10 +122,10 @@ void set_head(Galley& galley, const std::vector<TableColumn>& columns, double ga
   galley.down(0.25 * size);
 }
 
-void set_row(Galley& galley, const std::vector<std::string>& row, const std::vector<TableColumn>& columns,
-             double gap) {
+void set_row(Galley& galley, const std::vector<std::string>& row, const std::vector<TableColumn>& columns, double gap,
+             double room_above) {
   const double size = galley.size();
-  double above = 0;
+  double above = room_above;
   for (const std::string& cell : row)
     if (!cell.empty()) above = std::max(above, measure(cell, size).ascent - 0.78 * size);
   galley.down(above);
@@ -153,7 +156,10 @@ void set_block(Galley& galley, const Table& table, Language) {
   galley.rule(galley.top(), galley.left(), right, narrow);
   galley.down(0.25 * size);
   set_head(galley, columns, gap, right);
-  for (const auto& row : table.rows) set_row(galley, row, columns, gap);
+  for (const auto& row : table.rows) {
+    set_row(galley, row, columns, gap, table.to_fill_in ? room_to_write * size : 0);
+    if (table.to_fill_in && &row != &table.rows.back()) galley.rule(galley.top(), galley.left(), right, fine);
+  }
   galley.rule(galley.top(), galley.left(), right, narrow);
   galley.down(0.7 * size * galley.air());
 }

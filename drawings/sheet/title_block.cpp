@@ -17,9 +17,10 @@ constexpr double sheet_title_size = 5, text_size = 3, caption_size = 2.2;  // mm
 constexpr double field_height = 8.2, bar_height = 6.2;
 
 struct TitleLines {
-  std::vector<std::string> exercise, sheet, source;
+  std::vector<std::string> heading, exercise, sheet, source;
   double title_part() const {
-    return 1.4 + 4.2 * static_cast<double>(exercise.size()) + 6.0 * static_cast<double>(sheet.size()) + 1.4;
+    return 1.4 + 4.2 * static_cast<double>(heading.size() + exercise.size()) +
+           6.0 * static_cast<double>(sheet.size()) + 1.4;
   }
   double source_part() const { return 3.6 + 3.8 * static_cast<double>(source.size()) + 1.0; }
 };
@@ -30,8 +31,8 @@ TitleLines title_lines(const Sheet& sheet) {
   const auto lines = [&](const std::string& text, double size, Weight weight) {
     return text.empty() ? std::vector<std::string>{} : wrap(text, size, room, weight);
   };
-  return {lines(block.exercise, text_size, Weight::regular), lines(block.sheet, sheet_title_size, Weight::bold),
-          lines(block.source, text_size, Weight::regular)};
+  return {lines(block.heading, text_size, Weight::regular), lines(block.exercise, text_size, Weight::regular),
+          lines(block.sheet, sheet_title_size, Weight::bold), lines(block.source, text_size, Weight::regular)};
 }
 
 class TitleInk {
@@ -90,10 +91,11 @@ class TitleInk {
 double set_titles(TitleInk& block, const TitleLines& lines, const std::string& source_caption) {
   const double left = block.box().low.x + inset;
   double y = block.box().high.y - 1.4;
-  for (const std::string& line : lines.exercise) {
-    block.text(line, {left, y - 3.1}, text_size);
-    y -= 4.2;
-  }
+  for (const auto* part : {&lines.heading, &lines.exercise})
+    for (const std::string& line : *part) {
+      block.text(line, {left, y - 3.1}, text_size);
+      y -= 4.2;
+    }
   for (const std::string& line : lines.sheet) {
     block.text(line, {left, y - 4.7}, sheet_title_size, Weight::bold);
     y -= 6.0;
@@ -145,7 +147,8 @@ std::vector<Primitive> set_title_block(const Sheet& sheet, Box box, std::vector<
   block.rule({sheet_left, top}, {sheet_left, bottom}, fine);
   block.fields(box.low.x, paper_left, top, titles.scales.size() > 1 ? w.scales : w.scale, titles.scales);
   block.field(paper_left, sheet_left, top, w.paper, sheet.paper == Paper::a4 ? "A4" : "A3");
-  block.field(sheet_left, box.high.x, top, w.sheet, fmt::format("{}/{}", titles.page, titles.pages));
+  block.field(sheet_left, box.high.x, top, w.sheet,
+              titles.number.empty() ? fmt::format("{}/{}", titles.page, titles.pages) : titles.number);
   set_check_bar(block, w.check_bar);
   return block.take();
 }

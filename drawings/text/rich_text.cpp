@@ -162,6 +162,12 @@ std::string plain_letters(const std::vector<Node>& nodes) {
 
 std::vector<Node> parse(std::string_view rich_text) { return Parser(rich_text).whole(); }
 
+std::string escaped(const std::string& plain_text) {
+  std::string text;
+  for (const char c : plain_text) text += c == '$' ? std::string("\\$") : std::string(1, c);
+  return text;
+}
+
 std::string plain(const std::string& rich_text) { return plain_letters(parse(rich_text)); }
 
 }  // namespace epure::drawings

@@ -30,6 +30,15 @@ std::vector<std::string> words(const std::string& rich_text) {
 
 }  // namespace
 
+bool can_write(const std::string& plain_text) {
+  try {
+    measure(escaped(plain_text), 1);
+    return true;
+  } catch (const std::invalid_argument&) {  // names the first letter that is missing
+    return false;
+  }
+}
+
 TextSize measure(const std::string& rich_text, double size, Weight weight) {
   return typeset(rich_text, size, weight).extent;
 }

@@ -15,6 +15,9 @@ struct TextSize {
 // the shipped fonts cannot write.
 TextSize measure(const std::string& rich_text, double size, Weight weight = Weight::regular);
 
+// Whether the shipped fonts have all letters of a plain text.
+bool can_write(const std::string& plain_text);
+
 // Broken at spaces and line breaks (never inside $...$) so that no line is wider than `width` mm where possible.
 std::vector<std::string> wrap(const std::string& rich_text, double size, double width,
                               Weight weight = Weight::regular);
@@ -22,5 +25,8 @@ std::vector<std::string> wrap(const std::string& rich_text, double size, double 
 // The text without markup, for search, <desc> and reading aloud: "$\vec{v}_{BA}$" becomes "v_BA", "$a^{n}_{BA}$"
 // "a_BA^n".
 std::string plain(const std::string& rich_text);
+
+// Plain text as rich text that shows it: a dollar sign opens no mathematics.
+std::string escaped(const std::string& plain_text);
 
 }  // namespace epure::drawings

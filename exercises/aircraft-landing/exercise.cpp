@@ -7,13 +7,20 @@ namespace epure {
 
 std::unique_ptr<Exercise> make_aircraft_landing() {
   using namespace aircraft_landing;
-  Description about{.id = "aircraft-landing",
-                    .title = {"Landing: the wheel set turning", "Atterraggio: la ruota messa in moto"},
-                    .document = "macchine",
-                    .item = "Transitorio",
-                    .source = {"Exercises on machines, \"Transitorio\"", "Esercizi di macchine, \"Transitorio\""},
-                    .givens = given_specs(),
-                    .printed = printed_by_the_source()};
+  Description about{
+      .id = "aircraft-landing",
+      .title = {"Landing: the wheel set turning", "Atterraggio: la ruota messa in moto"},
+      .document = "macchine",
+      .item = "Transitorio",
+      .source = {"Exercises on machines, \"Transitorio\"", "Esercizi di macchine, \"Transitorio\""},
+      .question = {"An aircraft touches down with wheels at rest. Find the forces on wheel and aircraft at "
+                   "touch-down and once the wheel rolls, and after how long it rolls without slipping, so that the "
+                   "brakes may act: in closed form, by graphical integration and by Euler's scheme.",
+                   "Un aereo tocca terra con le ruote ferme. Trovare le forze sulla ruota e sull'aereo al contatto e "
+                   "quando la ruota rotola, e dopo quanto tempo essa rotola senza strisciare, così che il freno "
+                   "possa agire: in forma chiusa, per integrazione grafica e con lo schema di Eulero."},
+      .givens = given_specs(),
+      .printed = printed_by_the_source()};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Landing(givens)}, rung); };
   return exercise_of_panels(
       std::move(about), solve,

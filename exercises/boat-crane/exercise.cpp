@@ -8,14 +8,21 @@ namespace epure {
 
 std::unique_ptr<Exercise> make_boat_crane() {
   using namespace boat_crane;
-  Description about{.id = "boat-crane",
-                    .title = {"A crane that lifts boats", "Gru per rimessaggio barche"},
-                    .document = "pisa",
-                    .item = "Esercizio 2",
-                    .source = {"Pisa, mid-term test of 14 June 2006, exercise 2",
-                               "Pisa, verifica intermedia del 14/6/2006, esercizio 2"},
-                    .givens = Crane::givens(),
-                    .printed = printed_by_the_source()};
+  Description about{
+      .id = "boat-crane",
+      .title = {"A crane that lifts boats", "Gru per rimessaggio barche"},
+      .document = "pisa",
+      .item = "Esercizio 2",
+      .source = {"Pisa, mid-term test of 14 June 2006, exercise 2",
+                 "Pisa, verifica intermedia del 14/6/2006, esercizio 2"},
+      .question = {"A crane lifts the boat an unlimited number of times. Find reactions, bending moments and shear "
+                   "of its beam and the force in its column, the elastic line and the sinking of the boat, and check "
+                   "beam and column against yield, fatigue and buckling.",
+                   "Una gru solleva la barca un numero illimitato di volte. Trovare le reazioni, i momenti flettenti "
+                   "e il taglio della trave e la forza nella colonna, la linea elastica e l'abbassamento della "
+                   "barca, e verificare trave e colonna a snervamento, a fatica e a carico di punta."},
+      .givens = Crane::givens(),
+      .printed = printed_by_the_source()};
   const auto solve = [](const Givens& givens, Rung rung) {
     return settle(Routes(Crane(givens), Strength(givens)), rung);
   };

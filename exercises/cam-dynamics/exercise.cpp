@@ -6,14 +6,21 @@ namespace epure {
 
 std::unique_ptr<Exercise> make_cam_dynamics() {
   using namespace cam_dynamics;
-  Description about{.id = "cam-dynamics",
-                    .title = {"Eccentric cam with a roller follower", "Camma eccentrica con cedente a rullo"},
-                    .document = "sapienza",
-                    .item = "N.13",
-                    .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.13",
-                               "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.13"},
-                    .givens = stated_givens(),
-                    .printed = printed_by_the_source()};
+  Description about{
+      .id = "cam-dynamics",
+      .title = {"Eccentric cam with a roller follower", "Camma eccentrica con cedente a rullo"},
+      .document = "sapienza",
+      .item = "N.13",
+      .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.13",
+                 "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.13"},
+      .question = {"An eccentric cam moves a roller follower. In the given position find velocities and "
+                   "accelerations by polar diagrams, the reactions and the driving torque; at maximum lift the least "
+                   "closing force that keeps contact at the second speed.",
+                   "Una camma eccentrica muove una punteria a rotella. Nella posizione data trovare velocità e "
+                   "accelerazioni con i diagrammi polari, le reazioni e la coppia motrice; all'alzata massima la "
+                   "minima forza di chiusura che mantiene il contatto alla seconda velocità."},
+      .givens = stated_givens(),
+      .printed = printed_by_the_source()};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes(cam(givens)), rung); };
   return exercise_of_panels(
       std::move(about), solve,

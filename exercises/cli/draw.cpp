@@ -91,7 +91,7 @@ class Drawing {
   const std::vector<Words>& remarks() const { return remarks_; }
 
   // ID.pdf and ID-SHEET.svg, or ID-SHEET.pdf and ID-SHEET.svg, of a sheet's further pages ID-SHEET-2.svg;
-  // ID-SHEET.csv. A file asked for twice is made once.
+  // ID-SHEET.csv; ID-blank.pdf, ID-SHEET-blank.svg. A file asked for twice is made once.
   std::vector<File> files_in_folder() {
     const std::filesystem::path folder = options_.folder.value_or("out");
     std::vector<File> files;
@@ -105,11 +105,11 @@ class Drawing {
     for (const DrawnTarget& each : drawn_)
       for (const Format format : formats_of(options_)) {
         if (format == Format::pdf)
-          add(folder / (each.target.file_stem() + ".pdf"), [&] { return pdf({each}); });
+          add(folder / (each.target.file_stem() + ending_of_blank() + ".pdf"), [&] { return pdf({each}); });
         else if (format == Format::svg)
           for (const DrawnSheetOf* sheet : each.sheets)
             for (std::size_t i = 0; i < sheet->pages.size(); ++i)
-              add(folder / (stem(*sheet) + (i == 0 ? "" : fmt::format("-{}", i + 1)) + ".svg"),
+              add(folder / (stem(*sheet) + ending_of_blank() + (i == 0 ? "" : fmt::format("-{}", i + 1)) + ".svg"),
                   [sheet, i] { return write_svg(sheet->pages[i]); });
       }
     if (is_asked_for(Format::csv))
@@ -140,6 +140,8 @@ class Drawing {
     const DrawnSheetOf* sheet;
     LongTable table;
   };
+  // A sheet to be solved stands beside the solved one.
+  std::string ending_of_blank() const { return options_.blank ? "-blank" : ""; }
   bool is_asked_for(Format format) const {
     const std::vector<Format> asked = options_.file ? std::vector{format_of_file(options_)} : formats_of(options_);
     return std::find(asked.begin(), asked.end(), format) != asked.end();

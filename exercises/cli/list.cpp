@@ -79,7 +79,8 @@ std::string list(const Catalogue& exercises, const Options& options) {
     throw WrongUsage(format_words("\"{}\" is a sheet; epure list {} shows its exercise",
                                   "\"{}\" è una tavola; epure list {} mostra il suo esercizio", name, about.id));
   return wrapped(about.id + ": " + drawings::plain(about.title.in(chosen)), 0, 2) +
-         wrapped(drawings::plain(about.source.in(chosen)), 0, 2) + sheets(about, chosen) + givens(about, chosen) +
+         wrapped(drawings::plain(about.source.in(chosen)), 0, 2) +
+         wrapped("\n" + drawings::plain(about.question.in(chosen))) + sheets(about, chosen) + givens(about, chosen) +
          quantities(about, chosen);
 }
 

@@ -96,6 +96,17 @@ class Parser {
     add(verb, "--out", options_.folder, {"DIR", "CARTELLA"},
         {"folder to write to (default: out)", "cartella in cui scrivere (predefinita: out)"});
   }
+  void add_titles(CLI::App& verb) {
+    const Words text{"TEXT", "TESTO"};
+    OwnTitles& titles = options_.titles;
+    add(verb, "--course", titles.course, text,
+        {"in the title block: the course", "nel riquadro delle iscrizioni: il corso"});
+    add(verb, "--author", titles.author, text, {"beside it: whose sheet it is", "accanto: di chi è la tavola"});
+    add(verb, "--title", titles.title, text,
+        {"instead of the exercise's title", "al posto del titolo dell'esercizio"});
+    add(verb, "--sheet-number", titles.sheet_number, text,
+        {"instead of 1/4, at most 8 characters", "al posto di 1/4, al massimo 8 caratteri"});
+  }
   void add_paper(CLI::App& verb) {
     add(verb, "--paper", options_.paper, {"PAPER", "CARTA"},
         {"a4 (default) or a3, landscape", "a4 (predefinita) o a3, orizzontale"});
@@ -125,6 +136,10 @@ class Parser {
     add_flag(verb, "--bare", options_.bare,
              {"the figure alone: no frame, no column, no title block",
               "la sola figura: senza squadratura, colonna e riquadro delle iscrizioni"});
+    add_flag(verb, "--blank", options_.blank,
+             {"the sheet to be solved: what is given, the question, an empty table of what is asked",
+              "la tavola da svolgere: i dati, il quesito, una tabella vuota di ciò che si chiede"});
+    add_titles(verb);
     add_flag(verb, "--times", options_.times,
              {"say on standard error where the time went", "dice sullo standard error dove è andato il tempo"});
   }

@@ -16,7 +16,8 @@ struct Options {
   std::vector<std::string> assignments, measured;
   std::optional<std::string> format, folder, file, scale;
   std::string paper = "a4", language = "en", reading = "0.5mm", arithmetic = "exact", seconds = "60";
-  bool bare = false, json = false, times = false;
+  bool bare = false, blank = false, json = false, times = false;
+  OwnTitles titles = {};
   bool colours = false;  // of the terminal, not typed
 };
 

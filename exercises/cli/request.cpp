@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <tuple>
 
 #include "drawings/output.h"
+#include "drawings/text/text.h"
+#include "exercises/cli/printable.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/statement/suggest.h"
 #include "geometry/numbers/given.h"
@@ -47,6 +50,35 @@ Rational scale(std::string text) {
   if (ratio > 0) return ratio;
   throw WrongUsage(format_words("\"{}\" is no scale; write 1:5, 1/5 or 2:1",
                                 "\"{}\" non è una scala; scrivere 1:5, 1/5 o 2:1", typed));
+}
+
+// What fits the title block, and is a line of letters.
+OwnTitles titles(const Options& options) {
+  constexpr std::size_t line = 120, field = 8;  // characters
+  const OwnTitles& all = options.titles;
+  for (const auto& [option, text, most] : {std::tuple{"--course", all.course, line},
+                                           {"--author", all.author, line},
+                                           {"--title", all.title, line},
+                                           {"--sheet-number", all.sheet_number, field}}) {
+    const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
+    const auto length = text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues));
+    if (length > most)
+      throw WrongUsage(format_words("{} has {} characters, and the title block has room for {}",
+                                    "{} ha {} caratteri, e il riquadro delle iscrizioni ne tiene {}",
+                                    std::string(option), length, most));
+    if (printable(text) != text)
+      throw WrongUsage(format_words("{} \"{}\": must be a line of printable letters",
+                                    "{} \"{}\": dev'essere una riga di caratteri stampabili", std::string(option),
+                                    text));
+    if (!drawings::can_write(text))
+      throw WrongUsage(
+          format_words("{} \"{}\": epure's fonts have Latin, Greek and Cyrillic letters, and one of these "
+                       "is none of them",
+                       "{} \"{}\": i caratteri di epure hanno lettere latine, greche e cirilliche, e una "
+                       "di queste non lo è",
+                       std::string(option), text));
+  }
+  return all;
 }
 
 std::optional<Format> format_by_ending(const Options& options) {
@@ -111,7 +143,11 @@ void demand_sensible_output(const Options& options) {
 }
 
 SheetRequest sheet_request(const Options& options) {
-  SheetRequest request{.paper = paper(options), .language = language(options), .bare = options.bare};
+  SheetRequest request{.paper = paper(options),
+                       .language = language(options),
+                       .bare = options.bare,
+                       .blank = options.blank,
+                       .titles = titles(options)};
   if (options.scale) request.scale = scale(*options.scale);
   return request;
 }

@@ -136,14 +136,20 @@ PanelSheet sphere_sheet(const Solution& s, Language language) {
 
 std::unique_ptr<Exercise> make_crane_welds() {
   using namespace crane_welds;
-  Description about{.id = "crane-welds",
-                    .title = {"The welds of the crane's beam", "Le saldature della trave della gru"},
-                    .document = "pisa",
-                    .item = "Esercizio 3",
-                    .source = {"Pisa, mid-term test of 14 June 2006, exercise 3",
-                               "Pisa, verifica intermedia del 14/6/2006, esercizio 3"},
-                    .givens = Welds::givens(),
-                    .printed = printed_by_the_source()};
+  Description about{
+      .id = "crane-welds",
+      .title = {"The welds of the crane's beam", "Le saldature della trave della gru"},
+      .document = "pisa",
+      .item = "Esercizio 3",
+      .source = {"Pisa, mid-term test of 14 June 2006, exercise 3",
+                 "Pisa, verifica intermedia del 14/6/2006, esercizio 3"},
+      .question = {"Web and flanges of the crane's beam are welded, once with full penetration and once with two "
+                   "fillets. Find the shear flow and the stresses at the joint in section C and check both welds.",
+                   "L'anima e le ali della trave della gru sono saldate, una volta a piena penetrazione e una con "
+                   "due cordoni d'angolo. Trovare il flusso di taglio e le tensioni nel giunto alla sezione C e "
+                   "verificare entrambe le saldature."},
+      .givens = Welds::givens(),
+      .printed = printed_by_the_source()};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes(Welds(givens)), rung); };
   return exercise_of_panels(
       std::move(about), solve,

@@ -32,13 +32,18 @@ drawings::Box SpherePanel::extent(const Scale&, const Scale& vectors) const {
   return extent.box();
 }
 
-std::vector<drawings::Block> SpherePanel::draw(Plot& plot, const drawings::Box&, Language) const {
-  const double mm = plot.scale().mm_per_unit, x = half_chord();
-  const drawings::Point O = plot.at({0, 0});
+void SpherePanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+  const double mm = plot.scale().mm_per_unit;
   plot.long_segment({-radius_, 0}, {radius_, 0}, beyond - 4, Meaning::axis);
   plot.long_segment({0, -radius_}, {0, radius_}, beyond - 4, Meaning::axis);
   plot.label("$τ_{∥}$", {radius_ + (beyond - 4) / mm, 0}, Place{0, 0});
   plot.label("$σ_{⊥}$", {0, radius_ + (beyond - 4) / mm}, Place{0, 0});
+}
+
+std::vector<drawings::Block> SpherePanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  const double mm = plot.scale().mm_per_unit, x = half_chord();
+  const drawings::Point O = plot.at({0, 0});
+  draw_given(plot, room, language);
   plot.circle({0, 0}, radius_, Meaning::construction);
   if (cut_ < radius_) {
     const double angle = std::asin(cut_ / radius_);

@@ -24,6 +24,7 @@ class SpherePanel : public Panel {
   Vectors vectors() const override { return {"MPa", 2 * radius_, longest_on_paper}; }
   drawings::Box extent(const Scale&, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override;
 
  private:

@@ -21,7 +21,7 @@ drawings::Box ThroatPanel::extent(const Scale& lengths, const Scale&) const {
   return extent.box();
 }
 
-std::vector<drawings::Block> ThroatPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+void ThroatPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
   const double w = wall_ / 2, b = beside(), d = below();
   const std::vector<Place> flange{{-b, 0}, {b, 0}, {b, wall_}, {-b, wall_}}, web{{-w, -d}, {w, -d}, {w, 0}, {-w, 0}};
   for (const std::vector<Place>& wall : {flange, web}) plot.area(wall, Meaning::plate);
@@ -30,6 +30,11 @@ std::vector<drawings::Block> ThroatPanel::draw(Plot& plot, const drawings::Box&,
                                  {Place{-w, 0}, Place{-w, -d}},
                                  {Place{w, 0}, Place{w, -d}}})
     plot.segment(from, to, Meaning::link);
+}
+
+std::vector<drawings::Block> ThroatPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  const double w = wall_ / 2, d = below();
+  draw_given(plot, room, language);
   for (const double side : {-1.0, 1.0}) {
     const std::vector<Place> fillet{{side * w, 0}, {side * (w + leg_), 0}, {side * w, -leg_}};
     plot.area(fillet, Meaning::force);

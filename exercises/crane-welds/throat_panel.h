@@ -14,6 +14,7 @@ class ThroatPanel : public Panel {
   bool is_in_millimetres() const override { return true; }
   drawings::Box extent(const Scale& lengths, const Scale&) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 
  private:

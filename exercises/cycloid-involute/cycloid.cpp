@@ -63,6 +63,12 @@ class ArchPanel : public WheelPanel {
     return extent.box();
   }
 
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override {
+    draw_guide(plot, -r_, part(divisions).on_line.x);
+    plot.circle(C(), r_, Meaning::link);
+    plot.cross(C(), Meaning::text);
+    plot.label("$C$", C(), P0_);
+  }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override {
     const Place end = part(divisions).on_line;
     const double deviation = draw_path(plot, {of_.wheel(), {}, {}, {}}, {0, 2 * std::numbers::pi});
@@ -119,6 +125,9 @@ class DivisionPanel : public WheelPanel {
     return extent.box();
   }
 
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override {
+    draw_guide(plot, -0.3 * r_, part(explained_part).on_line.x + 10 / plot.scale().mm_per_unit);
+  }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
     const Division& at = part(explained_part);
     constexpr double quarter = std::numbers::pi / 2;

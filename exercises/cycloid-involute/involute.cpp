@@ -56,6 +56,13 @@ class InvolutePanel : public Panel {
     return extent.box();
   }
 
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override {
+    plot.circle(centre(), r_, Meaning::link, "base_circle");
+    plot.long_segment(P0_, part(divisions).on_line, 3, Meaning::link);
+    plot.dot(centre(), Meaning::text);
+    plot.label("$C$", centre(), P0_);
+    plot.label("$P_{0}$", P0_, centre());
+  }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override {
     const RollingGivens line{of_.line(), {}, {}, {}};
     const double to = divisions * CGAL::to_double(part_of_turn) * 2 * std::numbers::pi;

@@ -34,6 +34,7 @@ class ConfigurationsPanel : public Panel {
     extent.include(scale, other_B_, 9);
     return extent.box();
   }
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_.draw_given(plot); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
     const Place &A = mechanism_.at("A"), &B = mechanism_.at("B"), &B0 = mechanism_.at("B0");
     plot.segment(A, other_B_, Meaning::alternative);

@@ -114,14 +114,23 @@ PanelSheet accelerations_sheet(const Solution& s, Language language) {
 }
 
 Description description() {
-  return {.id = "four-bar-analytic",
-          .title = {"Four-bar linkage: analytic methods", "Quadrilatero articolato: metodi analitici"},
-          .document = "sapienza",
-          .item = "N.10",
-          .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.10",
-                     "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.10"},
-          .givens = givens(),
-          .printed = printed_by_the_source()};
+  return {
+      .id = "four-bar-analytic",
+      .title = {"Four-bar linkage: analytic methods", "Quadrilatero articolato: metodi analitici"},
+      .document = "sapienza",
+      .item = "N.10",
+      .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.10",
+                 "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.10"},
+      .question =
+          {"Solve the closure equations of the four-bar linkage in both configurations. Find angular velocities and "
+           "accelerations, velocities and accelerations of the midpoints, the centre of curvature of the path of the "
+           "coupler's midpoint, $ω_{4}$ over a turn of the crank, and the path of the coupler point P.",
+           "Risolvere le equazioni di chiusura del quadrilatero articolato in entrambe le configurazioni. Trovare "
+           "velocità e accelerazioni angolari, velocità e accelerazioni dei punti medi, il centro di curvatura della "
+           "traiettoria del punto medio della biella, $ω_{4}$ in un giro della manovella e la traiettoria del punto "
+           "di biella P."},
+      .givens = givens(),
+      .printed = printed_by_the_source()};
 }
 
 }  // namespace

@@ -246,6 +246,7 @@ class CentresPanel : public Panel {
     if (P24_) extent.include(lengths, *P24_, 9);
     return extent.box();
   }
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_.draw_given(plot); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
     const Place &A0 = mechanism_.at("A0"), &A = mechanism_.at("A"), &B = mechanism_.at("B"),
                 &B0 = mechanism_.at("B0");

@@ -148,14 +148,21 @@ PanelSheet comparison_sheet(const Solution& s, Language language) {
 }
 
 Description description() {
-  return {.id = "four-bar-constraints",
-          .title = {"Four-bar linkage: constraint equations", "Quadrilatero articolato: equazioni di vincolo"},
-          .document = "sapienza",
-          .item = "N.11",
-          .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.11",
-                     "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.11"},
-          .givens = givens(),
-          .printed = printed_by_the_source()};
+  return {
+      .id = "four-bar-constraints",
+      .title = {"Four-bar linkage: constraint equations", "Quadrilatero articolato: equazioni di vincolo"},
+      .document = "sapienza",
+      .item = "N.11",
+      .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.11",
+                 "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.11"},
+      .question =
+          {"Write the constraint equations of the four-bar linkage and solve them by Newton-Raphson from the given "
+           "start. Find velocities and accelerations of the midpoints, and compare with the closure equations.",
+           "Scrivere le equazioni di vincolo del quadrilatero articolato e risolverle con Newton-Raphson dai valori "
+           "iniziali dati. Trovare velocità e accelerazioni dei punti medi, e confrontare con le equazioni di "
+           "chiusura."},
+      .givens = givens(),
+      .printed = printed_by_the_source()};
 }
 
 }  // namespace

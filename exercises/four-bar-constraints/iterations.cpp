@@ -60,6 +60,9 @@ class OpenLinkagePanel : public Panel {
     return extent.box();
   }
 
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override {
+    if (shows_ == Shows::all) mechanism_->draw_given(plot);
+  }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
     constexpr double seen = 1.5;  // mm: such a gap can be drawn with its letters
     const Place &A = mechanism_->at("A"), &B0 = mechanism_->at("B0"), &B = mechanism_->at("B");

@@ -52,6 +52,12 @@ class DeadCentresPanel : public MechanismPanel {
         mechanism_(std::move(mechanism)) {}
 
   // The compasses' arcs that find B₁ and B₂, a little to both sides.
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override {
+    for (const auto& [name, letters] : {std::pair{"A0", "$A_{0}$"}, std::pair{"B0", "$B_{0}$"}}) {
+      plot.mark(drawings::FixedHinge{plot.at(mechanism_->at(name))});
+      plot.label(letters, mechanism_->at(name));
+    }
+  }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     constexpr double half = 0.16;  // radians
     const Place& A0 = mechanism_->at("A0");

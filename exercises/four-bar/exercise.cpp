@@ -25,7 +25,7 @@ std::shared_ptr<const Mechanism> linkage(const Solution& s, const std::string& r
   if (rate.empty()) return std::make_shared<const Mechanism>(std::move(mechanism));
   const auto turning = [&](const char* link, const std::string& about, const std::string& P) {
     const std::string name = of_case + rate + link;
-    mechanism.turning(about, P, s.value(name).value_or(0), s.described(name).symbol);
+    mechanism.turning_found(about, P, s.value(name).value_or(0), s.described(name).symbol);
   };
   // At C outside of the plate: from the side that the arrow leaves.
   const Place &A = mechanism.at("A"), &B = mechanism.at("B"), &C = mechanism.at("C");
@@ -393,6 +393,13 @@ Description description() {
           .item = "N.3",
           .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.3",
                      "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.3"},
+          .question =
+              {"At the given instant find the velocities and accelerations of the linkage's points by the poles and "
+               "by the polar diagrams, inflection and stationarity circles and the centre of curvature of C's path; "
+               "the same at both dead centres of the rocker and where crank and rocker are parallel.",
+               "All'istante dato trovare velocità e accelerazioni dei punti del quadrilatero con i poli e con i "
+               "diagrammi polari, i cerchi dei flessi e di stazionarietà e il centro di curvatura della traiettoria "
+               "di C; lo stesso nei due punti morti del bilanciere e dove manovella e bilanciere sono paralleli."},
           .givens = givens(),
           .printed = printed_by_the_source()};
 }

@@ -21,7 +21,7 @@ Mechanism slider_crank(const Solution& s) {
       .axis(mechanism.at("A0"), mechanism.at("B"))
       .path("A0", "A")
       .turning("A0", "A", 1, "$ω_{2}$")
-      .turning("B", "A", s[named("alpha_3_over_omega_2_squared")], "$α_{3}$");
+      .turning_found("B", "A", s[named("alpha_3_over_omega_2_squared")], "$α_{3}$");
   return mechanism;
 }
 
@@ -35,6 +35,7 @@ class LinesPanel : public Panel {
         v_B_(s.vector(named("v_B"))) {}
 
   bool is_of_vectors() const override { return true; }
+  std::optional<Place> start() const override { return {}; }
   Vectors vectors() const override {
     return {.unit = "$r$", .longest = mechanism_.reach(), .longest_on_paper = 1000};
   }
@@ -45,6 +46,7 @@ class LinesPanel : public Panel {
     return extent.box();
   }
 
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_.draw_given(plot); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
     const Place &A0 = mechanism_.at("A0"), &A = mechanism_.at("A"), &B = mechanism_.at("B");
     const Place end_of_f{K_.x, K_.y + beyond}, end_of_s{K_.x + beyond, K_.y};

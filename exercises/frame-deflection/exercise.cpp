@@ -296,14 +296,20 @@ PanelSheet shares_sheet(const Solution& s, Language language) {
 
 std::unique_ptr<Exercise> make_frame_deflection() {
   using namespace frame_deflection;
-  Description about{.id = "frame-deflection",
-                    .title = {"A frame loaded across its plane", "Un telaio caricato fuori del piano"},
-                    .document = "pisa",
-                    .item = "Quesito 1",
-                    .source = {"Pisa, mid-term test of 14 June 2006, question 1",
-                               "Pisa, verifica intermedia del 14/6/2006, quesito 1"},
-                    .givens = stated_givens(),
-                    .printed = printed_by_the_source()};
+  Description about{
+      .id = "frame-deflection",
+      .title = {"A frame loaded across its plane", "Un telaio caricato fuori del piano"},
+      .document = "pisa",
+      .item = "Quesito 1",
+      .source = {"Pisa, mid-term test of 14 June 2006, question 1",
+                 "Pisa, verifica intermedia del 14/6/2006, quesito 1"},
+      .question = {"A plane frame is clamped in O and loaded in A at right angles to its plane. Draw bending and "
+                   "torsional moments and find how far A sinks, with the shares of bending and torsion of each bar.",
+                   "Un telaio piano è incastrato in O e caricato in A perpendicolarmente al suo piano. Disegnare i "
+                   "momenti flettenti e torcenti e trovare di quanto si abbassa A, con i contributi della flessione "
+                   "e della torsione di ogni asta."},
+      .givens = stated_givens(),
+      .printed = printed_by_the_source()};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{problem(givens)}, rung); };
   return exercise_of_panels(
       std::move(about), solve,

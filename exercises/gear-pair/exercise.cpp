@@ -305,14 +305,22 @@ PanelSheet sliding_sheet(const Solution& s, Language language) {
 
 std::unique_ptr<Exercise> make_gear_pair() {
   using namespace gear_pair;
-  Description about{.id = "gear-pair",
-                    .title = {"A pair of involute gears", "Una coppia di ruote dentate a evolvente"},
-                    .document = "sapienza",
-                    .item = "N.12",
-                    .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.12",
-                               "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.12"},
-                    .givens = givens(),
-                    .printed = printed_by_the_source()};
+  Description about{
+      .id = "gear-pair",
+      .title = {"A pair of involute gears", "Una coppia di ruote dentate a evolvente"},
+      .document = "sapienza",
+      .item = "N.12",
+      .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.12",
+                 "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.12"},
+      .question =
+          {"Draw the mesh of the two involute gears around the pitch point and the wheels with their dimensions. "
+           "Find the path of contact, arcs of approach and recess, contact ratio, the limits of interference, and "
+           "the sliding along the path of contact.",
+           "Disegnare l'ingranamento delle due ruote a evolvente intorno al punto primitivo e le ruote con le loro "
+           "dimensioni. Trovare il segmento dei contatti, gli archi di accesso e recesso, il rapporto di condotta, i "
+           "limiti d'interferenza, e lo strisciamento lungo il segmento dei contatti."},
+      .givens = givens(),
+      .printed = printed_by_the_source()};
   const auto solve = [](const Givens& givens, Rung rung) {
     return settle(Routes(pair_of(givens), givens.angle("n1"), rung == Rung::drawing), rung);
   };

@@ -54,6 +54,9 @@ class MeshPicture {
     mark_faults(plot_, pair_, teeth_, language_);
   }
 
+  // The wheels turn about the ends of the line of centres.
+  void draw_given() const { draw_line_of_centres(); }
+
   std::vector<drawings::Block> missing_outlines() const {
     std::vector<drawings::Block> told;
     for (const int wheel : {1, 2})
@@ -344,6 +347,10 @@ drawings::Box MeshPanel::extent(const Scale& scale, const Scale&) const {
   for (const double x : {-1.3, 1.3})
     for (const double y : {-4.0, 4.0}) extent.include(scale, {x * pair_.pitch, y * pair_.m()});
   return extent.box();
+}
+
+void MeshPanel::draw_given(Plot& plot, const drawings::Box& room, Language language) const {
+  MeshPicture(pair_, plot, room, language).draw_given();
 }
 
 std::vector<drawings::Block> MeshPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {

@@ -48,6 +48,13 @@ void name_zone(drawings::Figure& figure, const drawings::ChartMap& map, double f
     figure.labels.push_back({.text = words, .at = {(x + until) / 2, map.frame.low.y + 2}, .size = letters});
 }
 
+drawings::Box upper_half(const drawings::Box& room) {
+  return {{room.low.x, room.low.y + room.height() / 2 + 1}, room.high};
+}
+drawings::Box lower_half(const drawings::Box& room) {
+  return {room.low, {room.high.x, room.low.y + room.height() / 2 - 1}};
+}
+
 }  // namespace
 
 double SlidingPanel::of_flank(int wheel, const std::string& point) const {
@@ -165,19 +172,31 @@ drawings::Chart SlidingPanel::specific(Language language) const {
   return chart;
 }
 
-std::vector<drawings::Block> SlidingPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+// The velocities, and below them the specific sliding.
+std::pair<drawings::Chart, drawings::Chart> SlidingPanel::charts(Language language) const {
   constexpr double letters_left = 16;  // mm: both frames begin there
+  std::pair<drawings::Chart, drawings::Chart> both{velocities(language), specific(language)};
+  for (drawings::Chart* chart : {&both.first, &both.second}) {
+    chart->verticals = places(chart == &both.first);
+    chart->horizontals = {{.at = 0}};
+    chart->letters_left = letters_left;
+  }
+  return both;
+}
+
+void SlidingPanel::draw_given(Plot& plot, const drawings::Box& room, Language language) const {
+  drawings::Figure& figure = plot.onto().sheet.figure;
+  const auto [velocities, specific] = charts(language);
+  drawings::draw_axes(velocities, upper_half(room), figure, language);
+  drawings::draw_axes(specific, lower_half(room), figure, language);
+}
+
+std::vector<drawings::Block> SlidingPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   DrawnSheet& onto = plot.onto();
   drawings::Figure& figure = onto.sheet.figure;
-  const double middle = room.low.y + room.height() / 2;
-  const auto draw_chart = [&](drawings::Chart chart, bool named, const drawings::Box& box) {
-    chart.verticals = places(named);
-    chart.horizontals = {{.at = 0}};
-    chart.letters_left = letters_left;
-    return drawings::draw(chart, box, figure, language);
-  };
-  const drawings::ChartMap above = draw_chart(velocities(language), true, {{room.low.x, middle + 1}, room.high}),
-                           below = draw_chart(specific(language), false, {room.low, {room.high.x, middle - 1}});
+  const auto [velocities, specific] = charts(language);
+  const drawings::ChartMap above = drawings::draw(velocities, upper_half(room), figure, language),
+                           below = drawings::draw(specific, lower_half(room), figure, language);
   for (const auto& [point, name] : {std::pair{"A", "approach"}, std::pair{"E", "recess"}}) {
     const Datum end{mm(pair_.s[std::string("xi_") + point]), sliding(point)};
     onto.measurements.push_back({std::string("sliding_velocity_") + name, above.at({end.x, 0}), above.at(end),

@@ -16,10 +16,12 @@ class SlidingPanel : public Panel {
   bool has_scale() const override { return false; }
   drawings::Box extent(const Scale&, const Scale&) const override { return {{0, 0}, {110, 150}}; }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
 
  private:
   drawings::Axis path_axis() const;
   std::vector<drawings::ReferenceLine> places(bool named) const;
+  std::pair<drawings::Chart, drawings::Chart> charts(Language language) const;
   drawings::Chart velocities(Language language) const;
   drawings::Chart specific(Language language) const;
   // Along the common tangent, at a point of which the solution holds it; the sliding with its sense.

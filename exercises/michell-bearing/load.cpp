@@ -45,6 +45,10 @@ class FunicularPanel : public Panel {
     return extent.box();
   }
 
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override {
+    const double length = length_ * plot.scale().mm_per_unit;
+    plot.mark(drawings::Ground{plot.at(from_mm(plot, {length, 0})), plot.at(from_mm(plot, {0, 0}))});
+  }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
     const OnPaper on = on_paper(plot.scale(), plot.vector_scale());
     const auto at = [&](const Point& P) { return from_mm(plot, P); };

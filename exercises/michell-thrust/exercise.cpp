@@ -7,13 +7,20 @@ namespace epure {
 
 std::unique_ptr<Exercise> make_michell_thrust() {
   using namespace michell_thrust;
-  Description about{.id = "michell-thrust",
-                    .title = {"Michell thrust bearing", "Cuscinetto reggispinta Michell"},
-                    .document = "macchine",
-                    .item = "Cuscinetto Michell",
-                    .source = {"Notes on machines, Michell bearing", "Appunti di macchine, Cuscinetto Michell"},
-                    .givens = given_specs(),
-                    .printed = printed_by_the_source()};
+  Description about{
+      .id = "michell-thrust",
+      .title = {"Michell thrust bearing", "Cuscinetto reggispinta Michell"},
+      .document = "macchine",
+      .item = "Cuscinetto Michell",
+      .source = {"Notes on machines, Michell bearing", "Appunti di macchine, Cuscinetto Michell"},
+      .question = {"Of the thrust bearing of a turbine find the least and greatest film, the tilt of the pads, the "
+                   "coefficient of friction, the tangential force, the resisting torque and the power lost, by the "
+                   "table of coefficients and by theory.",
+                   "Del cuscinetto reggispinta di una turbina trovare gli spessori minimo e massimo del meato, "
+                   "l'inclinazione dei pattini, il coefficiente d'attrito, la forza tangenziale, la coppia "
+                   "resistente e la potenza persa, con la tabella dei coefficienti e con la teoria."},
+      .givens = given_specs(),
+      .printed = printed_by_the_source()};
   const auto solve = [](const Givens& givens, Rung rung) {
     const Problem problem(givens);
     return settle(Routes{problem}, rung);

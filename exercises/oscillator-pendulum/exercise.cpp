@@ -18,15 +18,21 @@ std::vector<RouteValue> solved(const Problem& problem, Rung rung) {
 
 std::unique_ptr<Exercise> make_oscillator_pendulum() {
   using namespace oscillator_pendulum;
-  Description about{.id = "oscillator-pendulum",
-                    .title = {"Oscillator and pendulum", "Oscillatore e pendolo"},
-                    .document = "sapienza",
-                    .item = "N.14",
-                    .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.14",
-                               "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.14"},
-                    .givens = given_specs(),
-                    .printed = printed_by_the_source(),
-                    .audit = audited_tables};
+  Description about{
+      .id = "oscillator-pendulum",
+      .title = {"Oscillator and pendulum", "Oscillatore e pendolo"},
+      .document = "sapienza",
+      .item = "N.14",
+      .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.14",
+                 "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.14"},
+      .question =
+          {"Find the motion of the damped oscillator and of the compound pendulum: exactly and by the printed "
+           "recursions. Draw the phase planes, the hodograph of the pendulum's reaction, and compare the periods.",
+           "Trovare il moto dell'oscillatore smorzato e del pendolo composto: in modo esatto e con gli schemi "
+           "numerici. Disegnare i piani delle fasi, l'odografo della reazione del pendolo, e confrontare i periodi."},
+      .givens = given_specs(),
+      .printed = printed_by_the_source(),
+      .audit = audited_tables};
   const auto solve = [](const Givens& givens, Rung rung) { return solved(Problem(givens), rung); };
   return exercise_of_panels(
       std::move(about), solve,

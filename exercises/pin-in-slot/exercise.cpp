@@ -37,7 +37,7 @@ std::shared_ptr<const Mechanism> mechanism(const Solution& s, const std::string&
       .axis({std::min(O.x, B.x - R), R}, {B.x + R, R}, "$y$ = $\\it{R}$")
       .angle("O", 0, s["lever_angle"], "$α$")
       .turning("O", "B", sense(s.givens().angle("omega")), "$ω$")
-      .turning("B", "D", s[of_disc], symbol);
+      .turning_found("B", "D", s[of_disc], symbol);
   return std::make_shared<const Mechanism>(std::move(drawn));
 }
 
@@ -271,13 +271,18 @@ PanelSheet balance_sheet(const Solution& s, Language language) {
 
 std::unique_ptr<Exercise> make_pin_in_slot() {
   using namespace pin_in_slot;
-  Description about{.id = "pin-in-slot",
-                    .title = {"Pin in a slot: lever and rolling disc", "Glifo e disco che rotola"},
-                    .document = "glifo",
-                    .item = "1",
-                    .source = {"Slotted lever (glifo), exercise 1", "Glifo, primo esercizio"},
-                    .givens = stated_givens(),
-                    .printed = printed_by_the_source()};
+  Description about{
+      .id = "pin-in-slot",
+      .title = {"Pin in a slot: lever and rolling disc", "Glifo e disco che rotola"},
+      .document = "glifo",
+      .item = "1",
+      .source = {"Slotted lever (glifo), exercise 1", "Glifo, primo esercizio"},
+      .question = {"The crank's pin drives the slotted lever. Find velocities and accelerations with Coriolis' "
+                   "theorem, and the driving torque by force polygons and by the balance of powers.",
+                   "Il perno della manovella muove il glifo. Trovare velocità e accelerazioni con il teorema di "
+                   "Coriolis, e la coppia motrice con i poligoni delle forze e con il bilancio delle potenze."},
+      .givens = stated_givens(),
+      .printed = printed_by_the_source()};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{instant(givens)}, rung); };
   return exercise_of_panels(std::move(about), solve,
                             {{{"kinematics", {"Velocities", "Velocità"}}, velocity_sheet},

@@ -29,6 +29,8 @@ drawings::Box RelativePolePanel::extent_of_near(const Scale& lengths, const Scal
   return extent.box();
 }
 
+void RelativePolePanel::draw_given(Plot& plot, const drawings::Box&, Language) const { mechanism_->draw_given(plot); }
+
 std::vector<drawings::Block> RelativePolePanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   const Place &O = mechanism_->at("O"), &B = mechanism_->at("B"), &D = mechanism_->at("D");
   constexpr double beyond = 4;  // mm

@@ -18,6 +18,7 @@ class RelativePolePanel : public Panel {
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
   // ω₃ as measured on the velocity polygon, and on this figure.
   std::optional<MeasuredTable> measured(const Readings& readings) const override;

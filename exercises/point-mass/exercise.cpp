@@ -14,6 +14,12 @@ std::unique_ptr<Exercise> make_point_mass() {
       .item = "N.5",
       .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.5",
                  "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.5"},
+      .question = {"A body at rest is moved by a force that depends on time. Draw force, acceleration, velocity, "
+                   "momentum, kinetic energy and space over time, by graphical integration and by Bezout's and "
+                   "Cavalieri-Simpson's formulas; values and relative errors at the three instants.",
+                   "Un corpo in quiete è mosso da una forza che dipende dal tempo. Disegnare forza, accelerazione, "
+                   "velocità, quantità di moto, energia cinetica e spazio nel tempo, per integrazione grafica e con "
+                   "le formule di Bezout e di Cavalieri-Simpson; valori ed errori relativi ai tre istanti."},
       .givens = given_specs(),
       .printed = printed_by_the_source(),
       .audit = audit_of_the_table};

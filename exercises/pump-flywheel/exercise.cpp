@@ -13,6 +13,12 @@ std::unique_ptr<Exercise> make_pump_flywheel() {
                     .item = "Irregolarità periodica",
                     .source = {"Exercises on machines, \"Irregolarità periodica\"",
                                "Esercizi di macchine, \"Irregolarità periodica\""},
+                    .question = {"A motor drives a single-acting piston pump. Find the speed of the crank, the mean "
+                                 "resisting torque and the power; whether the motor limits the irregularity by "
+                                 "itself; if not, the flywheel that keeps it to the given value.",
+                                 "Un motore muove una pompa a stantuffo a semplice effetto. Trovare la velocità "
+                                 "della manovella, la coppia resistente media e la potenza; se il motore limita da "
+                                 "solo l'irregolarità; se no, il volano che la contiene entro il valore dato."},
                     .givens = given_specs(),
                     .printed = printed_by_the_source()};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Pump(givens)}, rung); };

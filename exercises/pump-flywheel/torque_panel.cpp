@@ -26,6 +26,10 @@ drawings::Box TorquePanel::room_of_chart(const drawings::Box& room, Language lan
   return box;
 }
 
+void TorquePanel::draw_given(Plot& plot, const drawings::Box& room, Language language) const {
+  drawings::draw_axes(chart_, room_of_chart(room, language), plot.onto().sheet.figure, language);
+}
+
 std::vector<drawings::Block> TorquePanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   DrawnSheet& onto = plot.onto();
   const drawings::ChartMap map = drawings::draw(chart_, room_of_chart(room, language), onto.sheet.figure, language);

@@ -32,6 +32,7 @@ class TorquePanel : public Panel {
   bool has_scale() const override { return false; }
   drawings::Box extent(const Scale&, const Scale&) const override { return {{0, 0}, {150, 80}}; }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
 
  private:
   // The chart as high as the circles find room for, and its part of the room.

@@ -62,7 +62,7 @@ std::shared_ptr<const Mechanism> mechanism(const Solution& s, const CouplerArc& 
       .path("A0", "A")
       .angle("A0", 0, std::fmod(geometry::to_double(instant.crank.crank), 2 * std::numbers::pi), "$φ$")
       .turning("A0", "A", sign_of(instant.crank.n), "$ω_{2}$");
-  if (s[arc.rate] != 0) linkage.turning("A", "B", s[arc.rate], arc.symbol);
+  if (s[arc.rate] != 0) linkage.turning_found("A", "B", s[arc.rate], arc.symbol);
   return std::make_shared<const Mechanism>(std::move(linkage));
 }
 
@@ -185,14 +185,18 @@ PanelSheet acceleration_of_G_sheet(const Solution& s, Language language) {
 }
 
 Description description() {
-  return {.id = "rivals-polygons",
-          .title = {"Slider-crank: Rivals' theorem", "Manovellismo: teorema di Rivals"},
-          .document = "macchine",
-          .item = "Teoremi di Rivals e Coriolis",
-          .source = {"Machines, exercises: Theorems of Rivals and Coriolis",
-                     "Macchine, esercizi: Teoremi di Rivals e Coriolis"},
-          .givens = givens(),
-          .printed = {}};  // the source solves it in letters
+  return {
+      .id = "rivals-polygons",
+      .title = {"Slider-crank: Rivals' theorem", "Manovellismo: teorema di Rivals"},
+      .document = "macchine",
+      .item = "Teoremi di Rivals e Coriolis",
+      .source = {"Machines, exercises: Theorems of Rivals and Coriolis",
+                 "Macchine, esercizi: Teoremi di Rivals e Coriolis"},
+      .question =
+          {"Find velocity and acceleration of B and of G by Rivals' theorem, adding vectors one by one.",
+           "Trovare velocità e accelerazione di B e di G con il teorema di Rivals, sommando i vettori uno per uno."},
+      .givens = givens(),
+      .printed = {}};  // the source solves it in letters
 }
 
 }  // namespace

@@ -46,12 +46,18 @@ auto for_what_rolls(const Make& make) {
 
 std::unique_ptr<Exercise> make_roulette() {
   using namespace roulette;
-  Description about{.id = "roulette",
-                    .title = {"A point carried by a rolling circle", "Un punto portato da un cerchio che rotola"},
-                    .document = "epure",
-                    .item = "roulettes",
-                    .source = {"epure, roulettes", "epure, curve di rotolamento"},
-                    .givens = given_specs()};
+  Description about{
+      .id = "roulette",
+      .title = {"A point carried by a rolling circle", "Un punto portato da un cerchio che rotola"},
+      .document = "epure",
+      .item = "roulettes",
+      .source = {"epure, roulettes", "epure, curve di rotolamento"},
+      .question =
+          {"A circle or a line rolls without slipping. Draw the path of the point that it carries; at the given "
+           "instant find its velocity, acceleration, inflection circle and centre of curvature.",
+           "Una circonferenza o una retta rotola senza strisciare. Tracciare la traiettoria del punto che porta con "
+           "sé; all'istante dato trovarne velocità, accelerazione, cerchio dei flessi e centro di curvatura."},
+      .givens = given_specs()};
   const auto solve = [](const Givens& givens, Rung rung) {
     return settle(Routes{rolling_of(givens), rung != Rung::drawing}, rung);
   };

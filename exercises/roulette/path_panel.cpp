@@ -52,6 +52,13 @@ class PathPanel : public Panel {
     return extent.box();
   }
 
+  void draw_given(Plot& plot, const drawings::Box& room, Language) const override {
+    draw_ground(plot, f_, room);
+    draw_axes(plot, room);
+    draw_start(plot);
+    plot.cross(f_.P0);
+    plot.label("$P_{0}$", f_.P0, f_.C() ? *f_.C() : f_.M, Meaning::locus);
+  }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language) const override {
     draw_ground(plot, f_, room);
     draw_axes(plot, room);

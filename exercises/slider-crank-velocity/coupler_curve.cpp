@@ -32,6 +32,7 @@ class CouplerCurvePanel : public Panel {
     return extent.box();
   }
 
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     for (const Position& at : positions_) {
       plot.polygon({at.A, at.B, at.C}, Meaning::alternative);

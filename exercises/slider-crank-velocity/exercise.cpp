@@ -109,6 +109,10 @@ Description description() {
           .item = "N.1",
           .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.1",
                      "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.1"},
+          .question = {"At the given instant find the velocities by the method of poles and by the polar diagram; "
+                       "draw the fixed and the moving polode of the coupler and the path of its point C.",
+                       "All'istante dato trovare le velocità con il metodo dei poli e con il diagramma polare; "
+                       "tracciare la polare fissa e la polare mobile della biella e la traiettoria del suo punto C."},
           .givens = slider_crank_givens(false),
           .printed = printed_by_the_source()};
 }

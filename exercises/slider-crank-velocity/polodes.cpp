@@ -109,6 +109,7 @@ class PolodesPanel : public Panel {
     return {{x - half_wide, y - half_high}, {x + half_wide, y + half_high}};
   }
 
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     draw_triangles(plot, room);
     for (const auto* lines : {&of_fixed_, &of_moving_})

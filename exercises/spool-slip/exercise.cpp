@@ -309,13 +309,18 @@ PanelSheet limits_sheet(const Solution& s, Language language) {
 
 std::unique_ptr<Exercise> make_spool_slip() {
   using namespace spool_slip;
-  Description about{.id = "spool-slip",
-                    .title = {"A spool drawn by a counterweight", "Una bobina trascinata da un contrappeso"},
-                    .document = "macchine",
-                    .item = "Verifica allo slittamento",
-                    .source = {"Machines, check against slipping", "Macchine, verifica allo slittamento"},
-                    .givens = stated_givens(),
-                    .printed = {}};
+  Description about{
+      .id = "spool-slip",
+      .title = {"A spool drawn by a counterweight", "Una bobina trascinata da un contrappeso"},
+      .document = "macchine",
+      .item = "Verifica allo slittamento",
+      .source = {"Machines, check against slipping", "Macchine, verifica allo slittamento"},
+      .question = {"A counterweight pulls a spool by a rope wound on its core. Find the acceleration with which the "
+                   "counterweight falls, and whether the spool stays, rolls or slips.",
+                   "Un contrappeso tira una bobina con una fune avvolta sul nucleo. Trovare l'accelerazione con cui "
+                   "il contrappeso scende, e se la bobina sta ferma, rotola o striscia."},
+      .givens = stated_givens(),
+      .printed = {}};
   const auto solve = [](const Givens& givens, Rung rung) {
     return settle(Routes{spool(givens), givens["m_b"], givens["m_b_heavy"], givens["m_b_light"]}, rung);
   };

@@ -182,14 +182,19 @@ PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
 
 std::unique_ptr<Exercise> make_velocity_centre() {
   using namespace velocity_centre;
-  Description about{.id = "velocity-centre",
-                    .title = {"A bar on a translating body", "Una barra su un corpo che trasla"},
-                    .document = "pisa",
-                    .item = "Esercizio 4",
-                    .source = {"Pisa, mid-term test of 14 June 2006, exercise 4",
-                               "Pisa, verifica intermedia del 14/6/2006, esercizio 4"},
-                    .givens = givens(),
-                    .printed = printed_by_the_source()};
+  Description about{
+      .id = "velocity-centre",
+      .title = {"A bar on a translating body", "Una barra su un corpo che trasla"},
+      .document = "pisa",
+      .item = "Esercizio 4",
+      .source = {"Pisa, mid-term test of 14 June 2006, exercise 4",
+                 "Pisa, verifica intermedia del 14/6/2006, esercizio 4"},
+      .question = {"A bar turns about a hinge O on a body that translates. Find the velocity centre of the bar, "
+                   "velocity and acceleration of its end A, and the acceleration centre K.",
+                   "Un'asta ruota attorno a una cerniera O su un corpo che trasla. Trovare il centro delle velocità "
+                   "dell'asta, velocità e accelerazione del suo estremo A, e il centro delle accelerazioni K."},
+      .givens = givens(),
+      .printed = printed_by_the_source()};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Instant(givens)}, rung); };
   return exercise_of_panels(
       std::move(about), solve,

@@ -31,7 +31,7 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism(const Solution& solution
       .axis(foot + std::min(-r, b) * along, foot + std::max(r, b) * along)
       .path("A0", "A")
       .turning("A0", "A", sign_of(instant.n), "$ω_{2}$");
-  if (coupler.sense != 0) mechanism.turning("A", "B", coupler.sense, coupler.symbol);
+  if (coupler.sense != 0) mechanism.turning_found("A", "B", coupler.sense, coupler.symbol);
   if (instant.is_offset()) mechanism.offset("A0", foot, b > 0 ? delta + std::numbers::pi : delta, r, "$e$");
   if (!instant.is_offset() && !instant.is_inclined())
     mechanism.angle("A0", 0, std::fmod(geometry::to_double(instant.crank), 2 * std::numbers::pi), "$φ$");

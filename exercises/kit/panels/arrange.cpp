@@ -1,11 +1,16 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
+#include "drawings/text/text.h"
 #include "exercises/kit/panels/edge.h"
 #include "exercises/kit/panels/layout_search.h"
 #include "exercises/kit/panels/panel_sheet.h"
+#include "exercises/kit/panels/problem_sheet.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure {
@@ -26,8 +31,8 @@ void cut(drawings::Figure& figure, const drawings::Box& window) {
 
 // The steps of all panels, numbered through, and their numbers on the pictures. What is decided and not drawn stands
 // between them.
-std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels, DrawnSheet& onto,
-                                          Language language) {
+std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, Language language,
+                                          bool& is_off_sheet) {
   std::vector<drawings::Block> blocks;
   int number = 1;
   for (const PlacedPanel& each : panels) {
@@ -38,10 +43,12 @@ std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels
         blocks.push_back(drawings::Paragraph{text});
         continue;
       }
-      if (is_in(each.room, plot, *step.at))
+      if (is_in(each.room, plot, *step.at)) {
         plot.step(number, *step.at);
-      else
+      } else {
         text += Words{" (Off the sheet.)", " (Fuori del foglio.)"}.in(language);
+        is_off_sheet = true;
+      }
       auto* const steps = blocks.empty() ? nullptr : std::get_if<drawings::Steps>(&blocks.back());
       if (steps)
         steps->lines.push_back(text);
@@ -51,6 +58,25 @@ std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels
     }
   }
   return blocks;
+}
+
+// What cannot be drawn well by hand: short vectors, lines that meet at a small angle, what lies off the sheet.
+void note_awkwardness(const std::string& sheet, const std::vector<PlacedPanel>& panels, bool has_steps_off_sheet,
+                      DrawnSheet& onto) {
+  constexpr double shortest = 10, smallest = 15;  // mm, degrees
+  const auto note = [&](const std::string& what, const Words& sentence) {
+    onto.awkward.push_back({sheet + "/" + what, sentence});
+  };
+  for (const drawings::Mark& mark : onto.sheet.figure.marks)
+    if (const auto* arrow = std::get_if<drawings::Arrow>(&mark); arrow && !arrow->name.empty())
+      if (std::hypot(arrow->to.x - arrow->from.x, arrow->to.y - arrow->from.y) < shortest)
+        note(arrow->name, {"a vector shorter than 10 mm", "un vettore più corto di 10 mm"});
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    for (const double angle : panels[i].panel->crossings())
+      if (angle * 180 < smallest * std::numbers::pi)
+        note(fmt::format("crossing {}", i),
+             {"lines that meet at less than 15°", "rette che si incontrano a meno di 15°"});
+  if (has_steps_off_sheet) note("off", {"a step off the sheet", "un passo fuori del foglio"});
 }
 
 // Which of two figures has which scale.
@@ -114,6 +140,12 @@ void add_section(const Solution& solution, const Section& section, DrawnSheet& o
   for (drawings::Block& block : blocks) onto.sheet.column.push_back(std::move(block));
 }
 
+// The sheet to be solved lies under the solved one point by point.
+void draw_what_is_given(const Panel& panel, Plot& plot, const drawings::Box& room, Language language) {
+  panel.draw_given(plot, room, language);
+  if (const auto start = panel.start()) mark_start(plot, *start);
+}
+
 // What a ruler reads on the sheet as it now is.
 void add_measured(const PanelSheet& shown, DrawnSheet& onto, Language language) {
   const Readings readings(onto);
@@ -139,7 +171,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
                    const PanelSheet& shown, const SheetRequest& request) {
   const Language language = request.language;
   DrawnSheet onto = blank_sheet(about, sheet, solution.givens(), request, shown.without_part);
-  if (!shown.title.empty()) {
+  if (!shown.title.empty() && request.titles.title.empty()) {
     drawings::TitleBlock& block = onto.sheet.title_block;
     block.exercise = shown.title.in(language);
     onto.sheet.title = block.exercise + ": " + block.sheet;
@@ -150,17 +182,28 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   std::vector<drawings::Block> of_drawings;
   for (const PlacedPanel& each : panels) {
     Plot plot = plot_of(each, onto);
-    for (drawings::Block& block : each.panel->draw(plot, each.room, language))
-      of_drawings.push_back(std::move(block));
+    if (request.blank)
+      draw_what_is_given(*each.panel, plot, each.room, language);
+    else
+      for (drawings::Block& block : each.panel->draw(plot, each.room, language))
+        of_drawings.push_back(std::move(block));
     cut(onto.sheet.figure, each.panel->is_cut() ? each.room : drawings::drawing_area(request.paper));
   }
   add_bars(panels, onto, request);
 
+  for (const Result::Asked& each : asked_on(solution, shown)) onto.asked.push_back(each.quantity);
   auto& column = onto.sheet.column;
+  if (request.blank) {
+    for (drawings::Block& block : problem_column(about, solution, shown, request)) column.push_back(std::move(block));
+    onto.sheet.description = drawings::plain(about.question.in(language));
+    return onto;
+  }
   for (const Section& section : shown.first) add_section(solution, section, onto, language);
   for (const auto& panel : shown.panels)
     for (const drawings::VectorEquation& equation : panel->equations()) column.push_back(equation);
-  std::vector<drawings::Block> steps = number_steps(panels, onto, language);
+  bool has_steps_off_sheet = false;
+  std::vector<drawings::Block> steps = number_steps(panels, onto, language, has_steps_off_sheet);
+  note_awkwardness(sheet, panels, has_steps_off_sheet, onto);
   if (!steps.empty()) column.push_back(drawings::Heading{Words{"Construction", "Costruzione"}.in(language)});
   for (drawings::Block& block : steps) column.push_back(std::move(block));
   for (drawings::Block& block : of_drawings) column.push_back(std::move(block));

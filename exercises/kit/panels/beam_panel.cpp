@@ -73,8 +73,7 @@ void BeamPanel::draw(Plot& plot, std::size_t diagram) const {
       figure.labels.push_back(
           {.text = run.letter, .at = plot.at(points.front()), .to = plot.at(points.back()), .size = 3});
   }
-  plot.segment(at({0, 0}), at({length_, 0}), of.is_beam ? Meaning::link : Meaning::axis);
-  plot.label(of.name, at({0, 0}), at({length_ / 2, 0}));
+  draw_axis(plot, diagram);
   for (const BeamDiagram::Ordinate& each : of.ordinates) {
     const Place from = at({each.at, each.from}), to = at({each.at, each.to});
     if (each.is_arrow)
@@ -97,10 +96,26 @@ void BeamPanel::draw(Plot& plot, std::size_t diagram) const {
   for (const BeamDiagram::Letter& letter : of.letters) plot.label(letter.text, at(letter.at), at(letter.away_from));
 }
 
-std::vector<drawings::Block> BeamPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+void BeamPanel::draw_axis(Plot& plot, std::size_t diagram) const {
+  const BeamDiagram& of = diagrams_[diagram];
+  const auto at = [&](const Place& P) { return place(plot, diagram, P); };
+  plot.segment(at({0, 0}), at({length_, 0}), of.is_beam ? Meaning::link : Meaning::axis);
+  plot.label(of.name, at({0, 0}), at({length_ / 2, 0}));
+}
+
+void BeamPanel::draw_lines(Plot& plot) const {
   const double lengths = plot.scale().mm_per_unit;
   const double end = axes(lengths, plot.vector_scale().mm_per_unit).back() / lengths;
   for (const double x : lines_) plot.segment({x, 0}, {x, end}, Meaning::construction);
+}
+
+void BeamPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+  draw_lines(plot);
+  for (std::size_t i = 0; i < diagrams_.size(); ++i) draw_axis(plot, i);
+}
+
+std::vector<drawings::Block> BeamPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+  draw_lines(plot);
   for (std::size_t i = 0; i < diagrams_.size(); ++i) draw(plot, i);
   return {};
 }

@@ -63,6 +63,7 @@ class BeamPanel : public Panel {
   Vectors vectors() const override { return vectors_; }
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override;
 
  private:
@@ -75,6 +76,8 @@ class BeamPanel : public Panel {
   std::vector<double> axes(double mm_of_lengths, double mm_of_vectors) const;
   Place place(const Plot& plot, std::size_t diagram, const Place& at) const;
   void draw(Plot& plot, std::size_t diagram) const;
+  void draw_axis(Plot& plot, std::size_t diagram) const;
+  void draw_lines(Plot& plot) const;
 
   double length_;
   std::vector<BeamDiagram> diagrams_;

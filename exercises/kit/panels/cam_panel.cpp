@@ -22,10 +22,9 @@ drawings::Box CamPanel::extent(const Scale& lengths, const Scale&) const {
   return extent.box();
 }
 
-std::vector<drawings::Block> CamPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+std::vector<drawings::Block> CamPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   const double offset = distance(cam_.A0, cam_.positions.front().foot),
                base = distance(cam_.A0, cam_.positions.front().lowest);
-  plot.circle(cam_.A, cam_.disc, Meaning::link, "cam");
   plot.circle(cam_.A, distance(cam_.A, cam_.positions.front().roller), Meaning::locus, "pitch");
   plot.circle(cam_.A0, base, Meaning::construction);
   if (offset > 0) plot.circle(cam_.A0, offset, Meaning::construction);
@@ -37,13 +36,18 @@ std::vector<drawings::Block> CamPanel::draw(Plot& plot, const drawings::Box&, La
     plot.small_label(at.number, end_of(at, cam_.roller, beyond + 2, plot.scale()), cam_.A0);
     if (!at.lift.empty()) plot.measures(at.lift, at.lowest, at.roller);
   }
+  draw_given(plot, room, language);
+  return {};
+}
+
+void CamPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+  plot.circle(cam_.A, cam_.disc, Meaning::link, "cam");
   plot.segment(cam_.A0, cam_.A, Meaning::link);
   plot.hinge(cam_.A0);
   plot.dot(cam_.A, Meaning::link);
   const Arrow2 apart = cam_.A - cam_.A0;
   plot.label("$A_{0}$", cam_.A0, cam_.A);
   plot.label("$A$", cam_.A, cam_.A0 + (-1.0) * apart);
-  return {};
 }
 
 std::vector<PanelStep> CamPanel::steps(const Plot&, const drawings::Box&) const {

@@ -30,6 +30,7 @@ class CamPanel : public Panel {
   double reach() const override { return 2 * (cam_.disc + 2 * cam_.roller) + distance(cam_.A0, cam_.A); }
   drawings::Box extent(const Scale& lengths, const Scale&) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 
  private:

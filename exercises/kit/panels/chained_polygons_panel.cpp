@@ -82,6 +82,13 @@ std::vector<drawings::VectorEquation> ChainedPolygonsPanel::equations() const {
   return all;
 }
 
+std::vector<double> ChainedPolygonsPanel::crossings() const {
+  std::vector<double> all;
+  for (const Link& link : links_)
+    if (const auto angle = closing_angle(link.polygon)) all.push_back(*angle);
+  return all;
+}
+
 std::vector<PanelStep> ChainedPolygonsPanel::steps(const Plot&, const drawings::Box&) const {
   if (!is_told_) return steps_;
   std::vector<PanelStep> all;

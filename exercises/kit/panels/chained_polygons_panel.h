@@ -29,6 +29,7 @@ class ChainedPolygonsPanel : public Panel {
   drawings::Box extent(const Scale&, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override;
   std::vector<drawings::VectorEquation> equations() const override;
+  std::vector<double> crossings() const override;
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 
  private:

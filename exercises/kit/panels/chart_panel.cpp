@@ -17,6 +17,10 @@ std::string off_chart(const drawings::Chart& chart, const drawings::ChartMap& ma
 
 }  // namespace
 
+void ChartPanel::draw_given(Plot& plot, const drawings::Box& room, Language language) const {
+  drawings::draw_axes(chart_, room, plot.onto().sheet.figure, language);
+}
+
 std::vector<drawings::Block> ChartPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   DrawnSheet& onto = plot.onto();
   const drawings::ChartMap map = drawings::draw(chart_, room, onto.sheet.figure, language);

@@ -27,6 +27,7 @@ class ChartPanel : public Panel {
     return {{0, 0}, {wide, high}};
   }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
 
  protected:
   // What is to be told of how it is drawn.

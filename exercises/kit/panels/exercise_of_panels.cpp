@@ -13,7 +13,7 @@ namespace {
 DrawnSheet over_pages(const Description& about, const std::string& sheet, const Solution& solution, PanelSheet first,
                       const LongTable& table, const SheetRequest& request) {
   const std::size_t rows = rows_of_a_page(request.paper),
-                    pages = std::max<std::size_t>(1, (table.rows() + rows - 1) / rows);
+                    pages = request.blank ? 1 : std::max<std::size_t>(1, (table.rows() + rows - 1) / rows);
   const auto page_of = [&](std::size_t page, PanelSheet shown) {
     shown.panels.push_back(std::make_unique<LongTablePanel>(table, page * rows, request));
     DrawnSheet drawn = arrange(about, sheet, solution, shown, request);

@@ -45,6 +45,7 @@ class FreeBodyPanel : public Panel {
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language) const override;
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { body_->draw(plot); }
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override { return steps_; }
 
  private:

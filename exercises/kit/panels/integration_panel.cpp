@@ -260,14 +260,20 @@ void IntegrationPanel::draw_readings(Plot& plot, std::size_t row) const {
   }
 }
 
-std::vector<drawings::Block> IntegrationPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
+// The strips, the axes, and of the curves the one that is integrated.
+void IntegrationPanel::draw_given(Plot& plot, const drawings::Box&, Language language) const {
   const std::size_t last = rows_.size() - 1;
   for (const double end : along_.ends)
     plot.segment(at(0, end, ranges_[0].second), at(last, end, ranges_[last].first), Meaning::construction);
+  for (std::size_t i = 0; i < rows_.size(); ++i) draw_axes(plot, i, language);
+  draw_curve(plot, 0);
+}
+
+std::vector<drawings::Block> IntegrationPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  draw_given(plot, room, language);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    draw_axes(plot, i, language);
     carry(plot, i, language);
-    draw_curve(plot, i);
+    if (i > 0) draw_curve(plot, i);
     draw_polygon(plot, i);
     draw_readings(plot, i);
   }

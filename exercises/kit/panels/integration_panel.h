@@ -51,10 +51,12 @@ class IntegrationPanel : public Panel {
                    Words mean = {"the ordinate in the middle of each strip", "l'ordinata a metà di ogni striscia"});
 
   bool is_of_vectors() const override { return true; }  // it has no scale of lengths
+  std::optional<Place> start() const override { return {}; }
   std::vector<Scale> own_scales() const override { return scales_; }
   void choose_view(const drawings::Box& whole_room, const SheetRequest& request) override;
   drawings::Box extent(const Scale&, const Scale&) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 
  private:

@@ -39,6 +39,7 @@ class LocusPanel : public Panel {
   bool is_cut() const override { return true; }
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
  private:

@@ -86,6 +86,11 @@ Mechanism& Mechanism::turning(const std::string& about, const std::string& of, d
   turnings_.push_back({about, of, sense, symbol});
   return *this;
 }
+Mechanism& Mechanism::turning_found(const std::string& about, const std::string& of, double sense,
+                                    const std::string& symbol) {
+  turnings_.push_back({about, of, sense, symbol, false});
+  return *this;
+}
 Mechanism& Mechanism::axis(const Place& from, const Place& to, const std::string& name) {
   axes_.push_back({from, to, name});
   return *this;
@@ -375,6 +380,12 @@ void Mechanism::draw_numbers(Plot& plot) const {
 }
 
 void Mechanism::draw(Plot& plot) const {
+  draw_given(plot);
+  for (const Turning& each : turnings_)
+    if (!each.is_given) draw_turning(plot, each);
+}
+
+void Mechanism::draw_given(Plot& plot) const {
   draw_discs(plot);
   draw_axes(plot);
   for (const Offset& offset : offsets_) draw_offset(plot, offset);
@@ -388,7 +399,8 @@ void Mechanism::draw(Plot& plot) const {
   draw_bodies(plot);
   for (const Point& P : points_) draw_joint(plot, P);
   for (const Angle& angle : angles_) draw_angle(plot, angle);
-  for (const Turning& each : turnings_) draw_turning(plot, each);
+  for (const Turning& each : turnings_)
+    if (each.is_given) draw_turning(plot, each);
   for (const Point& P : points_) draw_letters(plot, P);
   draw_numbers(plot);
 }

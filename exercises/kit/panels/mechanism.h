@@ -45,6 +45,8 @@ class Mechanism : public MechanismFigure {
   Mechanism& unnumbered();
   // An arc arrow at the link from `about` to `of`: counter-clockwise (sense > 0), clockwise, or none (0).
   Mechanism& turning(const std::string& about, const std::string& of, double sense, const std::string& symbol);
+  // The same of a rate that the exercise finds.
+  Mechanism& turning_found(const std::string& about, const std::string& of, double sense, const std::string& symbol);
   // A line of centres, a little beyond both ends, with what it is written at the second.
   Mechanism& axis(const Place& from, const Place& to, const std::string& name = {});
   // How far a point lies from a line, of which `foot` is the foot of the perpendicular: dimensioned `clear` metres
@@ -61,6 +63,7 @@ class Mechanism : public MechanismFigure {
   const Place& at(const std::string& name) const { return find(name).at; }
 
   void draw(Plot& plot) const override;
+  void draw_given(Plot& plot) const override;
   void sketch(Plot& plot) const override;
   void include(Extent& extent, const Scale& scale) const override;
   std::vector<Place> corners() const override;
@@ -110,6 +113,7 @@ class Mechanism : public MechanismFigure {
     std::string about, of;
     double sense;
     std::string symbol;
+    bool is_given = true;
   };
   struct Offset {
     std::string point;

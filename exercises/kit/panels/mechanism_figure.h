@@ -11,6 +11,8 @@ class MechanismFigure {
   virtual ~MechanismFigure() = default;
   // With its symbols and letters.
   virtual void draw(Plot& plot) const = 0;
+  // Without what the exercise finds: the senses of rates.
+  virtual void draw_given(Plot& plot) const { draw(plot); }
   // Links, plates and points without symbols, for a picture in which the mechanism is small.
   virtual void sketch(Plot& plot) const = 0;
   // What `draw` covers at a scale, letters included.

@@ -27,6 +27,7 @@ class MechanismPanel : public Panel {
     for (const auto& [name, P] : shown_) plot.measures_coordinates(name, P, mechanism_->corners().front());
     return {};
   }
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
 
  private:
   std::shared_ptr<const MechanismFigure> mechanism_;

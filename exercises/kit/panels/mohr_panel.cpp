@@ -29,14 +29,19 @@ void MohrPanel::measure(Plot& plot, const std::string& name, const Place& from, 
   plot.onto().measurements.push_back({name, plot.at(from), plot.at(to), of_.si / plot.scale().mm_per_unit, kind});
 }
 
-std::vector<drawings::Block> MohrPanel::draw(Plot& plot, const drawings::Box&, Language) const {
-  const Place O{0, 0}, X{of_.sigma, of_.tau}, Y{0, -of_.tau}, pole{of_.sigma, -of_.tau}, C = centre();
-  const Place I{of_.sigma_I, 0}, II{of_.sigma_II, 0};
+void MohrPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+  const Place O{0, 0};
   const double mm = plot.scale().mm_per_unit, high = radius();
-  plot.long_segment({std::min(0.0, of_.sigma_II), 0}, I, 7, Meaning::axis);
+  plot.long_segment({std::min(0.0, of_.sigma_II), 0}, {of_.sigma_I, 0}, 7, Meaning::axis);
   plot.long_segment({0, -high}, {0, high}, 5, Meaning::axis);
   plot.label("$σ$", {of_.sigma_I + 8 / mm, 0}, O);
   plot.label("$τ$", {0, high + 6 / mm}, O);
+}
+
+std::vector<drawings::Block> MohrPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  const Place O{0, 0}, X{of_.sigma, of_.tau}, Y{0, -of_.tau}, pole{of_.sigma, -of_.tau}, C = centre();
+  const Place I{of_.sigma_I, 0}, II{of_.sigma_II, 0};
+  draw_given(plot, room, language);
   plot.circle(C, radius(), Meaning::locus);
   plot.segment(X, Y, Meaning::construction);
   plot.segment(pole, I, Meaning::construction);

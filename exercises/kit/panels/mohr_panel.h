@@ -28,6 +28,7 @@ class MohrPanel : public Panel {
   Vectors vectors() const override;
   drawings::Box extent(const Scale&, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override;
 
  private:

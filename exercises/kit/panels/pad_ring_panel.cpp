@@ -24,7 +24,14 @@ drawings::Box PadRingPanel::extent(const Scale& scale, const Scale&) const {
   return extent.box();
 }
 
-std::vector<drawings::Block> PadRingPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+void PadRingPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+  const Place O{0, 0};
+  plot.circle(O, mean(), Meaning::axis);
+  plot.cross(O, Meaning::text);
+  plot.label("$O$", O, at(1, whole_turn / 3));
+}
+
+std::vector<drawings::Block> PadRingPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   const double angle = ring_.length / mean();
   constexpr int pieces = 12;  // of an arc
   for (int pad = 0; pad < ring_.pads; ++pad) {
@@ -40,10 +47,8 @@ std::vector<drawings::Block> PadRingPanel::draw(Plot& plot, const drawings::Box&
     plot.segment(at(ring_.inner, pivot), at(ring_.outer, pivot), Meaning::axis);
     plot.cross(at(mean(), pivot), Meaning::force);
   }
+  draw_given(plot, room, language);
   const Place O{0, 0};
-  plot.circle(O, mean(), Meaning::axis);
-  plot.cross(O, Meaning::text);
-  plot.label("$O$", O, at(1, whole_turn / 3));
   const Place right = at(ring_.outer, 0), left = at(ring_.inner, whole_turn / 2);
   plot.segment(O, right, Meaning::dimension);
   plot.segment(O, left, Meaning::dimension);

@@ -25,6 +25,7 @@ class PadRingPanel : public Panel {
   double reach() const override { return ring_.outer; }
   drawings::Box extent(const Scale& scale, const Scale&) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 
  private:

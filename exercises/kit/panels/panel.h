@@ -65,6 +65,11 @@ class Panel {
   }
   // Returns what is to be told of the drawing itself, in the column: how near a curve is to the true one.
   virtual std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const = 0;
+  // What a student starts from, at the places that it has on the solved sheet: the mechanism in its position, the
+  // axes of a chart. Nothing of what is to be found.
+  virtual void draw_given(Plot&, const drawings::Box& /*room*/, Language) const {}
+  // Where a polygon begins, which the sheet to be solved marks; none: nothing begins anywhere.
+  virtual std::optional<Place> start() const { return is_of_vectors() ? std::optional(Place{0, 0}) : std::nullopt; }
   // Whether it may reach beyond its room, and is cut there.
   virtual bool is_cut() const { return false; }
   // Where on the paper the plane's origin lies: what it covers, of all or near, stands in the middle of the room.
@@ -73,6 +78,8 @@ class Panel {
   }
 
   virtual std::vector<drawings::VectorEquation> equations() const { return {}; }
+  // The angles (0 to pi/2) between lines that the construction crosses: where they are small, the meeting is unsure.
+  virtual std::vector<double> crossings() const { return {}; }
   // Where the panel stands tells where a step's number does: at the tip of a vector, at the room's edge.
   virtual std::vector<PanelStep> steps(const Plot&, const drawings::Box& /*room*/) const { return {}; }
   virtual std::optional<MeasuredTable> measured(const Readings&) const { return {}; }

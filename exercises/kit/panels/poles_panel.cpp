@@ -191,6 +191,13 @@ void PolesPanel::mark_inclination(Plot& plot, const Carried& X) const {
   plot.label("$γ$", plot.from_paper({c.x + radius * std::cos(middle), c.y + radius * std::sin(middle)}), X.at);
 }
 
+void PolesPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+  if (is_sketched_)
+    mechanism_->sketch(plot);
+  else
+    mechanism_->draw_given(plot);
+}
+
 std::vector<drawings::Block> PolesPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   const bool shows_pole = this->shows_pole(plot, room);
   if (shows_pole)
@@ -214,6 +221,18 @@ std::vector<drawings::Block> PolesPanel::draw(Plot& plot, const drawings::Box& r
   if (pole_ && !is_of_velocity())
     for (const Carried& X : points_) mark_inclination(plot, X);
   return {};
+}
+
+// Of the first two lines on which the pole lies.
+std::vector<double> PolesPanel::crossings() const {
+  if (!pole_) return {};
+  std::vector<Arrow2> lines;
+  for (const auto& [from, through] : lines_) lines.push_back(*pole_ - from);
+  if (lines.empty())
+    for (const Carried& X : points_) lines.push_back(*pole_ - X.at);
+  std::erase_if(lines, [](const Arrow2& line) { return magnitude(line) == 0; });
+  if (lines.size() < 2) return {};
+  return {std::atan2(std::abs(cross(lines[0], lines[1])), std::abs(geometry::dot(lines[0], lines[1])))};
 }
 
 std::vector<PanelStep> PolesPanel::steps(const Plot& plot, const drawings::Box& room) const {

@@ -25,8 +25,12 @@ std::string written_unit(const std::string& unit) {
   return text;
 }
 
+Result::Result(Tell tell, const std::vector<std::string>& asked, bool in_workshop_units) : tell_(std::move(tell)) {
+  for (const std::string& name : asked) asked_.push_back({name, in_workshop_units});
+}
+
 Result components(const VectorQuantity& quantity) {
-  return [quantity](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+  const auto tell = [quantity](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     const auto x = solution.value(quantity.x().name), y = solution.value(quantity.y().name),
                length = solution.value(quantity.length().name);
     if (!x || !y || !length) return {};
@@ -36,20 +40,22 @@ Result components(const VectorQuantity& quantity) {
                                            unit, quantity.length().symbol, figures(*length, significant, language),
                                            unit)};
   };
+  return {tell, {quantity.x().name, quantity.y().name, quantity.length().name}};
 }
 
 Result coordinates(const std::string& name) {
-  return [name](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+  const auto tell = [name](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     const std::optional<Place> P = solution.point(name);
     if (!P) return {};
     return drawings::Paragraph{fmt::format("${}$ = ({}; {}) m", point_letters(name),
                                            figures(P->x, significant, language),
                                            figures(P->y, significant, language))};
   };
+  return {tell, {name + "_x", name + "_y"}};
 }
 
 Result coordinates(const std::vector<std::pair<std::string, std::string>>& points) {
-  return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+  const auto tell = [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     drawings::Table table{{"", "$x$ (m)", "$y$ (m)"}, {}};
     for (const auto& [letters, name] : points) {
       const std::optional<Place> P = solution.point(name);
@@ -58,14 +64,19 @@ Result coordinates(const std::vector<std::pair<std::string, std::string>>& point
     }
     return table;
   };
+  std::vector<std::string> asked;
+  for (const auto& point : points)
+    for (const char* axis : {"_x", "_y"}) asked.push_back(point.second + axis);
+  return {tell, asked};
 }
 
 namespace {
 
 // Values that exist, each after its symbol. `in_unit` says how a quantity's value is written.
 Result values_written(const std::vector<std::string>& names,
-                      std::pair<double, std::string> (*in_unit)(const Quantity& quantity, double value)) {
-  return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+                      std::pair<double, std::string> (*in_unit)(const Quantity& quantity, double value),
+                      bool in_workshop_units) {
+  const auto tell = [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     std::string line;
     for (const std::string& name : names) {
       const auto value = solution.value(name);
@@ -78,6 +89,7 @@ Result values_written(const std::vector<std::string>& names,
     }
     return line.empty() ? std::nullopt : std::optional<drawings::Block>(drawings::Paragraph{line});
   };
+  return {tell, names, in_workshop_units};
 }
 
 std::pair<double, std::string> in_si(const Quantity& quantity, double value) {
@@ -90,20 +102,27 @@ std::pair<double, std::string> in_workshop_unit(const Quantity& quantity, double
 
 }  // namespace
 
-Result values(const std::vector<std::string>& names) { return values_written(names, in_si); }
-Result workshop_values(const std::vector<std::string>& names) { return values_written(names, in_workshop_unit); }
+Result values(const std::vector<std::string>& names) { return values_written(names, in_si, false); }
+Result workshop_values(const std::vector<std::string>& names) {
+  return values_written(names, in_workshop_unit, true);
+}
+
+std::string unit_told(const Quantity& quantity, bool in_workshop_unit_too) {
+  return (in_workshop_unit_too ? in_workshop_unit : in_si)(quantity, 0).second;
+}
 
 Result value_as(const std::string& symbol, const std::string& name) {
-  return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+  const auto tell = [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     const auto value = solution.value(name);
     if (!value) return {};
     return drawings::Paragraph{fmt::format("{} = {} {}", symbol, figures(*value, significant, language),
                                            written_unit(solution.described(name).unit))};
   };
+  return {tell, {name}};
 }
 
 Result by_point(const std::vector<std::string>& points, const std::vector<Column>& columns) {
-  return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+  const auto tell = [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     drawings::Table table{{"$X$"}, {}};
     for (const Column& column : columns) table.head.push_back(column.head);
     for (const std::string& X : points) {
@@ -115,10 +134,14 @@ Result by_point(const std::vector<std::string>& points, const std::vector<Column
     }
     return table;
   };
+  std::vector<std::string> asked;
+  for (const std::string& X : points)
+    for (const Column& column : columns) asked.push_back(fmt::format(fmt::runtime(column.name), X));
+  return {tell, asked};
 }
 
 Result table(const std::vector<std::string>& heads, const std::vector<Row>& rows, int significant) {
-  return [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
+  const auto tell = [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     drawings::Table table{heads, {}};
     for (const Row& row : rows) {
       table.rows.push_back({row.head});
@@ -134,6 +157,11 @@ Result table(const std::vector<std::string>& heads, const std::vector<Row>& rows
     }
     return table;
   };
+  std::vector<Result::Asked> asked;
+  for (const Row& row : rows)
+    for (const std::string& name : row.names)
+      if (!name.empty()) asked.push_back({name, row.is_in_workshop_units});
+  return {tell, asked};
 }
 
 Result remark(const std::string& words) {

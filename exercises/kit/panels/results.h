@@ -1,9 +1,11 @@
 // What the column tells as results: quantities of the solution, and nothing else.
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drawings/picture.h"
@@ -12,7 +14,30 @@
 namespace epure {
 
 // A line or a table; none when the quantities do not exist.
-using Result = std::function<std::optional<drawings::Block>(const Solution&, Language)>;
+class Result {
+ public:
+  using Tell = std::function<std::optional<drawings::Block>(const Solution&, Language)>;
+  // A quantity it tells: the sheet to be solved asks for it, in the unit in which it is told.
+  struct Asked {
+    std::string quantity;
+    bool is_in_workshop_unit = false;
+  };
+
+  // What asks for nothing: words.
+  template <std::convertible_to<Tell> Function>
+  Result(Function tell) : tell_(std::move(tell)) {}
+  Result(Tell tell, std::vector<Asked> asked) : tell_(std::move(tell)), asked_(std::move(asked)) {}
+  Result(Tell tell, const std::vector<std::string>& asked, bool in_workshop_units = false);
+
+  std::optional<drawings::Block> operator()(const Solution& solution, Language language) const {
+    return tell_(solution, language);
+  }
+  const std::vector<Asked>& asked() const { return asked_; }
+
+ private:
+  Tell tell_;
+  std::vector<Asked> asked_ = {};
+};
 
 // "v_A = (12.7; 1.7) m/s,  v_A = 12.8 m/s", with an arrow over the first.
 Result components(const VectorQuantity& quantity);
@@ -43,6 +68,9 @@ struct Row {
 Result table(const std::vector<std::string>& heads, const std::vector<Row>& rows, int significant = 4);
 // Words, in a paragraph of their own; none when they are empty.
 Result remark(const std::string& words);
+
+// "mm/s", "MPa": as it is told in the column, or in the workshop's unit.
+std::string unit_told(const Quantity& quantity, bool in_workshop_unit);
 
 // As sheets write it: "m/s²".
 std::string written_unit(const std::string& unit);

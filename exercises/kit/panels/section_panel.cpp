@@ -80,6 +80,8 @@ void SectionPanel::draw_diagram(Plot& plot, std::size_t i) const {
   }
 }
 
+void SectionPanel::draw_given(Plot& plot, const drawings::Box&, Language) const { draw_section(plot); }
+
 std::vector<drawings::Block> SectionPanel::draw(Plot& plot, const drawings::Box&, Language) const {
   const std::size_t last = diagrams_.size() - 1;
   const double right = place(plot, last, {0, 0}).x + diagrams_[last].right / plot.scale().mm_per_unit;

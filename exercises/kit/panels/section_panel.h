@@ -42,6 +42,7 @@ class SectionPanel : public Panel {
   std::vector<Scale> own_scales() const override;
   drawings::Box extent(const Scale& lengths, const Scale&) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override;
 
  private:

@@ -51,7 +51,7 @@ DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const
                        const SheetRequest& request, const std::set<std::string>& without_part) {
   const Language language = request.language;
   DrawnSheet onto;
-  onto.sheet.id = about.id + "-" + sheet;
+  onto.sheet.id = about.id + "-" + sheet + (request.blank ? "-blank" : "");
   onto.sheet.paper = request.paper;
   onto.sheet.language = language;
   onto.sheet.bare = request.bare;
@@ -65,6 +65,14 @@ DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const
     block.page = static_cast<int>(i) + 1;
   }
   assert(!block.sheet.empty());
+  const auto own = [](const std::string& text) { return drawings::escaped(text); };
+  const OwnTitles& titles = request.titles;
+  std::string heading;
+  for (const std::string& part : {titles.course, titles.author, request.solver.number, request.solver.name})
+    if (!part.empty()) heading += (heading.empty() ? "" : ", ") + part;
+  block.heading = own(heading);
+  block.number = own(titles.sheet_number);
+  if (!titles.title.empty()) block.exercise = own(titles.title);
   if (!givens.as_stated()) block.source += language == Language::english ? ", givens changed" : ", dati cambiati";
   onto.sheet.column.push_back(drawings::Heading{language == Language::english ? "Given" : "Dati"});
   onto.sheet.column.push_back(drawings::Paragraph{in_one_line(givens, without_part, language)});

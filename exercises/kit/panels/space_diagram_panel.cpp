@@ -106,6 +106,8 @@ void SpaceDiagramPanel::draw_frame(Plot& plot) const {
     plot.side("", axes, axes + axis_length * mm * along, Meaning::axis, letter);
 }
 
+void SpaceDiagramPanel::draw_given(Plot& plot, const drawings::Box&, Language) const { draw_frame(plot); }
+
 std::vector<drawings::Block> SpaceDiagramPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
   for (const SpaceBar& bar : bars_) draw_diagram(plot, bar, language);
   draw_frame(plot);

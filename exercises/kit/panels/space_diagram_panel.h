@@ -41,6 +41,7 @@ class SpaceDiagramPanel : public Panel {
   Vectors vectors() const override;
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 
  private:

@@ -172,6 +172,17 @@ void StrungBeamsPanel::draw_polygon(Plot& plot, const StrungBeam& beam, double b
                                       1 / (1000 * plot.vector_scale().mm_per_unit), Measurement::along_y});
 }
 
+void StrungBeamsPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+  const Places at = places(plot.scale().mm_per_unit, plot.vector_scale().mm_per_unit);
+  const double mm = 1 / plot.scale().mm_per_unit;
+  for (std::size_t i = 0; i < beams_.size(); ++i) {
+    const Place from{at.begin[i] * mm, at.diagrams * mm}, to = from + Arrow2{beams_[i].length, 0};
+    plot.segment(from, to, Meaning::link);
+    plot.label(beams_[i].from, from, from + Arrow2{2 * mm, 0});
+    plot.label(beams_[i].to, to, to + Arrow2{-2 * mm, 0});
+  }
+}
+
 std::vector<drawings::Block> StrungBeamsPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
   const Places at = places(plot.scale().mm_per_unit, plot.vector_scale().mm_per_unit);
   for (std::size_t i = 0; i < beams_.size(); ++i) {

@@ -32,6 +32,7 @@ class StrungBeamsPanel : public Panel {
   std::vector<Scale> own_scales() const override { return {moments_, weights_}; }
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override;
 
  private:

@@ -21,6 +21,7 @@ class VectorsPanel : public Panel {
   Vectors vectors() const override;
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
 
  private:
   struct Acting {

@@ -34,21 +34,39 @@ struct Measurement {
   enum Kind { length, along_x, along_y } kind = length;  // along_*: signed, from -> to
 };
 
+// What a teacher writes into the title block instead of what stands there; empty: nothing. Plain text.
+struct OwnTitles {
+  std::string course, title, sheet_number, author;
+};
+// Who is to solve the sheet; empty: left for a pen. Plain text.
+struct Solver {
+  std::string name, number;
+};
 struct SheetRequest {
   drawings::Paper paper = drawings::Paper::a4;
   Language language = Language::english;
   bool bare = false;
   std::optional<Rational> scale = {};  // 1/5 for 1 : 5; none: the largest standard scale that fits
+  bool blank = false;                  // the sheet to be solved: what is given, and what is asked
+  OwnTitles titles = {};
+  Solver solver = {};
 };
 // Something wrong with the mechanism itself, though its numbers exist: teeth that interfere. Rich text.
 struct Flaw {
   Words sentence;
   bool undecided = false;
 };
+// Something that ruler and compass can hardly draw: a vector too short, lines that meet at too small an angle.
+struct Awkwardness {
+  std::string what;  // the same at other givens
+  Words sentence;
+};
 struct DrawnSheet {
   drawings::Sheet sheet;
   std::vector<Measurement> measurements;
   std::vector<drawings::Sheet> further = {};  // pages after the first, of a table that is too long for one
+  std::vector<std::string> asked = {};        // the quantities that the sheet to be solved asks for
+  std::vector<Awkwardness> awkward = {};      // of the solved sheet
 };
 
 class Solution;

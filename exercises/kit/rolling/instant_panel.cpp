@@ -250,6 +250,13 @@ std::string RollingInstantPanel::off_sheet(const Plot& plot, const drawings::Box
   return off.sentence(language);
 }
 
+void RollingInstantPanel::draw_given(Plot& plot, const drawings::Box& room, Language) const {
+  draw_ground(plot, f_, room);
+  draw_body(plot, f_, room);
+  plot.dot(f_.M, Meaning::locus);
+  plot.label("$M$", f_.M, f_.P0, Meaning::locus);
+}
+
 std::vector<drawings::Block> RollingInstantPanel::draw(Plot& plot, const drawings::Box& room,
                                                        Language language) const {
   const bool has_vectors = shows_ != Shows::contact;

@@ -28,6 +28,7 @@ class RollingInstantPanel : public Panel {
   std::string scale_group() const override;
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   bool is_cut() const override { return true; }
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 

@@ -37,6 +37,7 @@ struct Description {
   Words title;
   std::string document, item;  // "sapienza", "N.1"
   Words source;                // as it stands in the title block
+  Words question;              // what is given and what is to be found, in sentences; rich text
   std::vector<GivenSpec> givens;
   std::vector<SheetSpec> sheets = {};
   std::vector<Quantity> quantities = {};

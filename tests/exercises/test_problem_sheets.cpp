@@ -1,0 +1,135 @@
+// Sheets to be solved: what is given lies where it lies on the solved sheet, and nothing tells what is to be found.
+#include <set>
+
+#include "drawings/output.h"
+#include "drawings/page.h"
+#include "tests/exercises/tried_givens.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+namespace {
+
+// Every point through which a line or an area of the picture runs, to the micrometre; letters apart.
+using Outline = std::vector<long>;
+Outline outline_of(const drawings::Path& path) {
+  Outline all;
+  const auto add = [&](const drawings::Point& p) {
+    for (const double x : {p.x, p.y}) all.push_back(std::lround(1000 * x));
+  };
+  add(path.start);
+  for (const drawings::Piece& piece : path.pieces) {
+    if (!piece.straight) {
+      add(piece.first_control);
+      add(piece.second_control);
+    }
+    add(piece.end);
+  }
+  return all;
+}
+
+std::vector<Outline> outlines_of_figure(const drawings::Sheet& sheet) {
+  drawings::Sheet bare = sheet;
+  bare.bare = true;
+  bare.figure.labels.clear();
+  bare.figure.steps.clear();
+  std::vector<Outline> all;
+  for (const drawings::Primitive& primitive : drawings::compose(bare).primitives) {
+    if (const auto* stroke = std::get_if<drawings::Stroke>(&primitive)) all.push_back(outline_of(stroke->path));
+    if (const auto* fill = std::get_if<drawings::Fill>(&primitive)) all.push_back(outline_of(fill->path));
+  }
+  return all;
+}
+
+// Two short strokes: a cross where a polygon begins.
+std::size_t crosses_of_starts(const drawings::Sheet& sheet) {
+  return static_cast<std::size_t>(
+      std::count_if(sheet.figure.marks.begin(), sheet.figure.marks.end(), [](const drawings::Mark& mark) {
+        const auto* cross = std::get_if<drawings::Cross>(&mark);
+        return cross && cross->meaning == drawings::Meaning::construction;
+      }));
+}
+
+bool is_empty_table(const drawings::Table& table) {
+  for (const auto& row : table.rows)
+    for (std::size_t i = 1; i < row.size(); i += 2)
+      if (!row[i].empty()) return false;
+  return table.to_fill_in;
+}
+
+template <class Check>
+void for_all_sheets(const Check& check) {
+  for (const auto& exercise : catalogue()) {
+    std::vector<Assignments> tried{{}};
+    for (const auto& [id, sets] : tried_givens())
+      if (id == exercise.id()) tried = sets;
+    for (std::size_t i = 0; i < tried.size(); ++i) {
+      Givens givens(exercise->about().givens);
+      for (const std::string& assignment : tried[i]) givens.set(assignment);
+      const Solution solution = exercise->solution(givens);
+      SheetRequest request{.language = i % 2 == 0 ? Language::english : Language::italian};
+      for (const SheetSpec& sheet : exercise->about().sheets) {
+        INFO(exercise.id() << "/" << sheet.name << ", set " << i);
+        request.blank = false;
+        const DrawnSheet solved = exercise->draw(sheet.name, solution, request);
+        request.blank = true;
+        check(*exercise, solved, exercise->draw(sheet.name, solution, request));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("What a sheet to be solved shows lies where the solved sheet has it") {
+  std::size_t shared = 0;
+  for_all_sheets([&](const Exercise&, const DrawnSheet& solved, const DrawnSheet& blank) {
+    const std::vector<Outline> all = outlines_of_figure(solved.sheet), given = outlines_of_figure(blank.sheet);
+    const std::set<Outline> there(all.begin(), all.end());
+    const auto is_new = [&](const Outline& each) { return !there.contains(each); };
+    const auto alone = static_cast<std::size_t>(std::count_if(given.begin(), given.end(), is_new));
+    CHECK(alone <= 2 * crosses_of_starts(blank.sheet));
+    CHECK(given.size() < all.size());
+    shared += given.size() - alone;
+    CHECK(blank.sheet.title_block.scales == solved.sheet.title_block.scales);
+  });
+  CHECK(shared > 10000);
+}
+
+TEST_CASE("A sheet to be solved tells the question and leaves the answers open") {
+  for_all_sheets([&](const Exercise& exercise, const DrawnSheet& solved, const DrawnSheet& blank) {
+    CHECK_FALSE(exercise.about().question.english.empty());
+    CHECK_FALSE(exercise.about().question.italian.empty());
+    CHECK(blank.sheet.figure.steps.empty());
+    CHECK(blank.measurements.empty());
+    CHECK(blank.sheet.id == solved.sheet.id + "-blank");
+    CHECK(blank.asked == solved.asked);
+    std::size_t tables = 0;
+    for (const drawings::Block& block : blank.sheet.column) {
+      CHECK_FALSE(std::holds_alternative<drawings::Steps>(block));
+      CHECK_FALSE(std::holds_alternative<drawings::VectorEquation>(block));
+      if (const auto* table = std::get_if<drawings::Table>(&block)) {
+        CHECK(is_empty_table(*table));
+        ++tables;
+      }
+    }
+    CHECK(tables == (blank.asked.empty() ? 1 : 2));
+    std::vector<std::string> conflicts;
+    drawings::compose(blank.sheet, &conflicts);
+    CAPTURE(conflicts);
+    CHECK(conflicts.empty());
+  });
+}
+
+TEST_CASE("A teacher's own titles stand in the title block, a dollar sign as itself") {
+  const auto& exercise = *catalogue().front();
+  const Givens stated(exercise.about().givens);
+  SheetRequest request;
+  request.titles = {"Mechanics 1", "Sheet for $5", "3b", "A. Rossi"};
+  request.solver = {"Ada", "123"};
+  const auto sheet = exercise.draw(exercise.about().sheets.front().name, stated, request).sheet;
+  CHECK(sheet.title_block.heading == "Mechanics 1, A. Rossi, 123, Ada");
+  CHECK(sheet.title_block.exercise == "Sheet for \\$5");
+  CHECK(sheet.title_block.number == "3b");
+  CHECK(drawings::svg(sheet).find("Sheet for $5") != std::string::npos);
+}
