@@ -202,7 +202,7 @@ PanelSheet maximum_lift_sheet(const Solution& s, Language language) {
   const Words source{", as the source has it within its reading", ", come la fonte a meno della lettura"};
   const Words mistake = Words{"With the acceleration of the drawn position at the higher speed",
                               "Con l'accelerazione della configurazione disegnata alla velocità maggiore"} +
-                        (s.givens().as_stated() ? source : Words{}) + decimal(".");
+                        (s.givens().as_stated() ? source : Words{}) + Words{".", "."};
   const double P_3 = s[at + "P_3"];
   return {
       .panels = panels(

@@ -146,7 +146,7 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
   body.step(pressed, foot);
   if (rolls) body.step(single, line);
   if (height) body.step(meets, Place{0, *height});
-  const Words verdict = Words{"With this counterweight ", "Con questo contrappeso "} + name_of(regime) + decimal(".");
+  const Words verdict = Words{"With this counterweight ", "Con questo contrappeso "} + name_of(regime) + Words{".", "."};
   return {
       .panels = panels(body, PolygonPanel(s, force_polygon("a", {on.S}, {on.W, on.T, on.inertia}))),
       .results = {remark(verdict.in(language)), values({"a", "a_G"}), values({"alpha", "T"}),
@@ -176,7 +176,7 @@ ChainedPolygonsPanel with_cone(const Solution& s, const std::string& prefix, con
 
 PanelSheet cones_sheet(const Solution& s, Language language) {
   const Spool of = spool(s.givens());
-  const auto so = [&](const std::string& symbol) { return name_of(of.regime(s.givens()[symbol])) + decimal("."); };
+  const auto so = [&](const std::string& symbol) { return name_of(of.regime(s.givens()[symbol])) + Words{".", "."}; };
   const Words cone{"Dashed, the cone of friction about the vertical, with the half angle $φ_{a}$ = arctan $f_{a}$. ",
                    "A tratti il cono d'attrito attorno alla verticale, di semiapertura $φ_{a}$ = arctan $f_{a}$. "};
   const Words light = cone + Words{"$m_{b,l}$: ", "$m_{b,l}$: "} + so("m_b_light"),

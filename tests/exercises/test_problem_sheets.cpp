@@ -3,6 +3,7 @@
 
 #include "drawings/output.h"
 #include "drawings/page.h"
+#include "exercises/kit/proof/solution.h"
 #include "tests/exercises/tried_givens.h"
 
 using namespace epure;

@@ -174,8 +174,8 @@ PanelStep CirclesPanel::step_to_prime(const Plot& plot, const drawings::Box& roo
       format_words("${0}'$ on the ray ${1}{0}$, by Euler-Savary: ${1}{0}^{{2}}$ = ${2}{0}$·${0}'{0}$, on the side "
                    "of ${2}$ seen from ${0}$.",
                    "${0}'$ sul raggio ${1}{0}$, con Euler-Savary: ${1}{0}^{{2}}$ = ${2}{0}$·${0}'{0}$, dalla parte "
-                   "di ${2}$ rispetto ad ${0}$.",
-                   X.letters, P, X.centre_letters),
+                   "di ${2}$ rispetto a{3} ${0}$.",
+                   X.letters, P, X.centre_letters, std::string(X.letters.starts_with("A") ? "d" : "")),
       X.prime ? std::optional(seen_end(plot, room, X.at, *X.prime)) : X.at};
 }
 

@@ -195,9 +195,17 @@ std::string carrying_line(const PolygonSide& side, const std::string& from, Lang
              ? fmt::format("{} the line {}: the direction of {}.", start.english, side.direction, side.label)
              : fmt::format("{} la retta {}: dà la direzione della {}.", start.italian, side.direction, side.label);
 }
+// Between two corners, which may have no letters: then it starts at the tip of the vector before, or ends where the
+// polygon began.
 std::string closing(const PolygonSide& side, const std::string& from, const std::string& to, Language language) {
-  return language == Language::english ? fmt::format("{}, from {} to {}, closes the polygon.", side.label, from, to)
-                                       : fmt::format("La {}, da {} a {}, chiude il poligono.", side.label, from, to);
+  Words way;
+  if (!from.empty()) way = way + Words{" from ", " da "} + from;
+  if (!to.empty()) way = way + (from.empty() ? Words{" back to ", " e torna in "} : Words{" to ", " a "}) + to;
+  if (language == Language::english)
+    return from.empty() ? fmt::format("{} closes the polygon{}.", side.label, way.english)
+                        : fmt::format("{},{}, closes the polygon.", side.label, way.english);
+  return from.empty() ? fmt::format("La {} chiude il poligono{}.", side.label, way.italian)
+                      : fmt::format("La {},{}, chiude il poligono.", side.label, way.italian);
 }
 std::string meeting(const std::string& corner, Language language) {
   return language == Language::english ? fmt::format(" The two lines meet at {}.", corner)

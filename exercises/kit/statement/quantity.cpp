@@ -18,10 +18,15 @@ std::vector<std::string> points_in(const std::string& of) {
   return points;
 }
 
+// "a B", "ad A".
+std::string to_in_italian(const std::string& point) { return (point.starts_with("A") ? "ad " : "a ") + point; }
+
 // "of B", or "of B relative to A".
 Words of_points(const std::string& of) {
   const std::vector<std::string> points = points_in(of);
-  if (points.size() == 2) return format_words(" of {} relative to {}", " di {} rispetto ad {}", points[0], points[1]);
+  if (points.size() == 2)
+    return format_words(" of {} relative to {}", " di {} rispetto {}", points[0],
+                        Words{points[1], to_in_italian(points[1])});
   return format_words(" of {}", " di {}", of);
 }
 
