@@ -54,7 +54,7 @@ class DeadCentresPanel : public MechanismPanel {
   // The compasses' arcs that find B₁ and B₂, a little to both sides.
   void draw_given(Plot& plot, const drawings::Box&, Language) const override {
     for (const auto& [name, letters] : {std::pair{"A0", "$A_{0}$"}, std::pair{"B0", "$B_{0}$"}}) {
-      plot.mark(drawings::FixedHinge{plot.at(mechanism_->at(name))});
+      plot.cross(mechanism_->at(name), Meaning::construction);
       plot.label(letters, mechanism_->at(name));
     }
   }

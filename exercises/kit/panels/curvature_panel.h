@@ -51,6 +51,7 @@ class OsculatingPanel : public CutPanel {
   // Small as an osculating circle may be, the inflection circle beside it is rather cut.
   double times_smaller() const override { return 1.5; }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
  private:

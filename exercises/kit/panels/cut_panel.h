@@ -21,7 +21,7 @@ class CutPanel : public Panel {
   drawings::Box extent_of_near(const Scale& lengths, const Scale&) const override {
     return covered(lengths, far(), 0);
   }
-  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->sketch(plot); }
   // What is farther still stands in the room as far as there is place for it.
   drawings::Point origin(const drawings::Box& room, const drawings::Box& needed, const Scale& lengths) const override;
 
