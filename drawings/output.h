@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,27 @@ struct File {
 // The same for each of them. None is renamed before all are written and synced, so that a full disk leaves the old
 // ones; what is no ordinary file (a device, standard output) is written last.
 void write_whole(const std::vector<File>& files);
+
+// A file that is written piece by piece, of any length, and appears as write_whole has it when it is finished; left
+// before, it leaves nothing behind, and an older file as it was. What is no ordinary file (a device) gets each piece
+// at once. Not for standard output. All throw CannotWrite. Any thread may write, one at a time.
+class GrowingFile {
+ public:
+  explicit GrowingFile(const std::filesystem::path& path);
+  void write(std::string_view bytes) { way_->write(bytes); }
+  void finish() { way_->finish(); }
+
+  // How pieces reach the disk.
+  class Way {
+   public:
+    virtual ~Way() = default;
+    virtual void write(std::string_view bytes) = 0;
+    virtual void finish() = 0;
+  };
+
+ private:
+  std::unique_ptr<Way> way_;
+};
 
 // Makes `folder` if it is missing. Throws CannotWrite, as writing a file there would; leaves no trace in it.
 void demand_writable(const std::filesystem::path& folder);

@@ -34,7 +34,11 @@ int run_program(int count, char** words, const Bench& bench) {
   std::ios::sync_with_stdio(false);  // else a signal would end a write, where now it is repeated
   const char* const language = std::getenv("EPURE_LANG");
   return run_cli(catalogue(), {words + 1, words + count}, std::cout, std::cerr,
-                 {.language = language ? language : "", .colours = shows_colours(), .bench = bench});
+                 {.language = language ? language : "",
+                  .colours = shows_colours(),
+                  .out_is_terminal = ::isatty(STDOUT_FILENO) == 1,
+                  .err_is_terminal = ::isatty(STDERR_FILENO) == 1,
+                  .bench = bench});
 }
 
 }  // namespace epure

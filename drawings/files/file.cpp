@@ -108,8 +108,10 @@ void make_folder(const fs::path& folder, const std::string& shown) {
     fail({shown, shown}, Words{"folder ", "cartella "} + folder.string() + (": " + system_words(error.value())));
 }
 
+int open_in_place(const fs::path& path) { return ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY); }
+
 void write_in_place(const fs::path& path, std::string_view bytes, const std::string& shown) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+  Descriptor file(open_in_place(path));
   if (file.number() < 0) fail(shown, errno);
   if (!write_all(file.number(), bytes) || !sync(file.number()) || !file.close()) fail(shown, errno);
 }
@@ -127,8 +129,11 @@ class Draft {
   Draft& operator=(const Draft&) = delete;
 
   bool has_name() const { return !name_.empty(); }
-  void fill(std::string_view bytes, const std::optional<struct stat>& old) {
+  void add(std::string_view bytes) {
     if (!write_all(file_.number(), bytes)) fail(shown_, errno);
+  }
+  void fill(std::string_view bytes, const std::optional<struct stat>& old) {
+    add(bytes);
     if (old) take_after(*old);
   }
   void secure() {
@@ -218,8 +223,7 @@ struct Pending {
 };
 
 // Nothing for what is written in place; throws for what cannot become a file.
-std::optional<Pending> begin(const File& file) {
-  const fs::path& path = file.path;
+std::optional<Pending> begin(const fs::path& path) {
   if (is_standard_output(path)) return std::nullopt;
   const std::string shown = path.string();
   if (path.empty()) fail({"a file", "un file"}, {"its name is empty", "il suo nome è vuoto"});
@@ -241,6 +245,52 @@ void write_special(const File& file) {
   if (!write_all(STDOUT_FILENO, file.bytes) || !sync(STDOUT_FILENO))
     fail({"to standard output", "sullo standard output"}, system_words(errno));
 }
+
+// A draft that has a name from the beginning is cleared away before Ctrl-C ends the program: it waits for the next
+// piece.
+class Growth : public GrowingFile::Way {
+ public:
+  explicit Growth(const fs::path& path) : shown_(path.string()) {
+    undisturbed_.emplace();
+    pending_ = begin(path);
+    if (!pending_) device_ = std::make_unique<Descriptor>(open_in_place(path));
+    if (device_ && device_->number() < 0) fail(shown_, errno);
+    if (!pending_ || !pending_->draft->has_name()) undisturbed_.reset();
+  }
+
+  void write(std::string_view bytes) override {
+    if (undisturbed_ && undisturbed_->is_interrupted()) {
+      pending_.reset();
+      undisturbed_.reset();  // which ends the program, as a rule
+      fail(shown_, EINTR);
+    }
+    if (pending_)
+      pending_->draft->add(bytes);
+    else if (!write_all(device_->number(), bytes))
+      fail(shown_, errno);
+  }
+
+  void finish() override {
+    if (!pending_) {
+      if (!sync(device_->number()) || !device_->close()) fail(shown_, errno);
+      return;
+    }
+    pending_->draft->fill({}, pending_->old);
+    pending_->draft->secure();
+    if (!undisturbed_) undisturbed_.emplace();
+    pending_->draft->name();
+    pending_->draft->keep_as(pending_->target);
+    sync_folder(folder_of(pending_->target));
+    undisturbed_.reset();
+  }
+
+ private:
+  std::string shown_;
+  SignalsAsErrors guard_;
+  std::optional<SignalsLater> undisturbed_;
+  std::optional<Pending> pending_;
+  std::unique_ptr<Descriptor> device_;
+};
 
 }  // namespace
 
@@ -273,7 +323,7 @@ void write_whole(const std::vector<File>& files) {
   std::vector<const File*> special;
   for (const File& file : files) {
     if (!undisturbed) undisturbed.emplace();
-    std::optional<Pending> pending = begin(file);
+    std::optional<Pending> pending = begin(file.path);
     any_name = any_name || (pending && pending->draft->has_name());
     if (!any_name) undisturbed.reset();
     if (!pending) {
@@ -295,6 +345,8 @@ void write_whole(const std::vector<File>& files) {
   undisturbed.reset();
   for (const File* file : special) write_special(*file);
 }
+
+GrowingFile::GrowingFile(const fs::path& path) : way_(std::make_unique<Growth>(path)) {}
 
 void demand_writable(const fs::path& folder) {
   const SignalsLater undisturbed;

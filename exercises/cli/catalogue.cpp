@@ -31,16 +31,6 @@ bool has_symbol(const Exercise& exercise, const std::string& symbol) {
   return index_of(givens, symbol) < givens.size();
 }
 
-// The givens' names beside their letters, as plain text, and beside the other names they have.
-std::vector<NameAndLetters> given_names(const Exercise& exercise) {
-  std::vector<NameAndLetters> all;
-  for (const GivenSpec& given : exercise.about().givens) {
-    all.push_back({given.symbol, unicode_symbol(given.letters.empty() ? given.symbol : given.letters)});
-    for (const std::string& name : given.also) all.push_back({given.symbol, name});
-  }
-  return all;
-}
-
 std::string symbol_of(const std::string& assignment) { return assignment.substr(0, assignment.find('=')); }
 
 void refuse_repetitions(const std::vector<std::string>& assignments) {
@@ -74,6 +64,15 @@ void demand_an_owner(const std::vector<const Exercise*>& exercises, const std::s
 }
 
 }  // namespace
+
+std::vector<NameAndLetters> given_names(const Exercise& exercise) {
+  std::vector<NameAndLetters> all;
+  for (const GivenSpec& given : exercise.about().givens) {
+    all.push_back({given.symbol, unicode_symbol(given.letters.empty() ? given.symbol : given.letters)});
+    for (const std::string& name : given.also) all.push_back({given.symbol, name});
+  }
+  return all;
+}
 
 const Exercise& find_exercise(const Catalogue& exercises, const std::string& id) {
   std::vector<std::string> ids;

@@ -23,6 +23,9 @@ struct NameAndLetters {
 // letters belong to several names.
 std::string ascii_name(const std::string& typed, const std::vector<NameAndLetters>& known);
 
+// The givens' names beside their letters, as plain text, and beside the other names they have.
+std::vector<NameAndLetters> given_names(const Exercise& exercise);
+
 // The exercises named, each once, in the order named; "all" stands for all of them.
 std::vector<const Exercise*> find_exercises(const Catalogue& exercises, const std::vector<std::string>& ids);
 

@@ -1,26 +1,18 @@
-#include <cmath>
-#include <nlohmann/json.hpp>
-
 #include "drawings/text/text.h"
 #include "exercises/cli/check_report.h"
+#include "exercises/cli/json_number.h"
 #include "exercises/cli/symbol.h"
 
 namespace epure {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using geometry::Settled;
-
-// Numbers are written with the fewest digits that read back as the same double; what is not finite is null, and a
-// negative zero (the lower end of a point interval) is zero.
-Json number(double value) { return std::isfinite(value) ? Json(value == 0 ? 0.0 : value) : Json(nullptr); }
-Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
 void add_value(Json& json, const Settled& settled) {
   const bool has_number = has_value(settled);
-  json["value"] = has_number ? number(settled.enclosure.value) : Json(nullptr);
-  json["lower"] = has_number ? number(settled.enclosure.lower) : Json(nullptr);
-  json["upper"] = has_number ? number(settled.enclosure.upper) : Json(nullptr);
+  json["value"] = has_number ? json_number(settled.enclosure.value) : Json(nullptr);
+  json["lower"] = has_number ? json_number(settled.enclosure.lower) : Json(nullptr);
+  json["upper"] = has_number ? json_number(settled.enclosure.upper) : Json(nullptr);
   if (settled.kind == Settled::Kind::absent) json["absent"] = settled.reason.english;
   if (settled.kind == Settled::Kind::undecided) json["undecided"] = settled.reason.english;
 }
@@ -28,7 +20,7 @@ void add_value(Json& json, const Settled& settled) {
 Json printed_number(const PrintedVerdict& verdict) {
   Json json = {{"text", verdict.text},
                {"route", verdict.route},
-               {"difference_percent", number(verdict.difference_percent)},
+               {"difference_percent", json_number(verdict.difference_percent)},
                {"verdict", name(verdict.verdict)}};
   if (verdict.explanation) json["explanation"] = drawings::plain(verdict.explanation->in(Language::english));
   return json;
@@ -36,10 +28,10 @@ Json printed_number(const PrintedVerdict& verdict) {
 
 Json measured(const Measured& number_read) {
   return {{"text", number_read.text},
-          {"value", number(number_read.value)},
-          {"difference", number(number_read.difference)},
-          {"difference_percent", number(number_read.difference_percent)},
-          {"allowed", number(number_read.allowed)},
+          {"value", json_number(number_read.value)},
+          {"difference", json_number(number_read.difference)},
+          {"difference_percent", json_number(number_read.difference_percent)},
+          {"allowed", json_number(number_read.allowed)},
           {"allowed_by", number_read.allowed_by.english},
           {"verdict", verdict(number_read).english}};
 }
@@ -66,7 +58,7 @@ Json quantity(const CheckedQuantity& checked) {
     add_value(json["routes"].back(), value.settled);
   }
   if (const OnSheet* shown = farthest_on_sheet(checked))
-    json["on_sheet"] = {{"value", number(shown->value)}, {"resolution", number(shown->resolution)}};
+    json["on_sheet"] = {{"value", json_number(shown->value)}, {"resolution", json_number(shown->resolution)}};
   for (const PrintedVerdict& each : checked.printed) json["printed"].push_back(printed_number(each));
   for (const Measured& each : checked.measured) json["measured"].push_back(measured(each));
   return json;

@@ -12,7 +12,7 @@
 namespace epure {
 namespace {
 
-const std::vector<std::string> verbs = {"list", "draw", "check", "bench"};
+const std::vector<std::string> verbs = {"list", "draw", "check", "sweep", "bench"};
 
 // CLI11 reads the options. What it would say of them depends on its version and is English: the help and the
 // refusals are our own.
@@ -27,6 +27,7 @@ class Parser {
     add_list();
     add_draw();
     add_check();
+    add_sweep();
     add_bench();
   }
 
@@ -160,6 +161,27 @@ class Parser {
          "fast (double), bounded (intervalli) o exact (predefinita: tante cifre quante ne servono)"});
     add_language(verb);
   }
+  void add_sweep() {
+    CLI::App& verb = add_verb("sweep");
+    add_names(verb, {"ID", "ID"}, {"an exercise", "un esercizio"});
+    add_repeatable(verb, "--over", options_.variations, {"SYMBOL=FROM..TO/N", "SIMBOLO=DA..A/N"},
+                   {"N values of a given, both ends among them; or FROM..TO/STEP, or A|B|C",
+                    "N valori di un dato, estremi compresi; o DA..A/PASSO, o A|B|C"});
+    add_repeatable(verb, "--quantity", options_.quantities, {"NAMES", "NOMI"},
+                   {"what to find, such as v_B,omega_3", "che cosa trovare, come v_B,omega_3"});
+    add_givens(verb);
+    add(verb, "--format", options_.format, {"FORMAT", "FORMATO"},
+        {"csv (default), or json: an object a line (schema epure.sweep/1)",
+         "csv (predefinito), o json: un oggetto per riga (schema epure.sweep/1)"});
+    add(verb, "-o", options_.file, {"FILE", "FILE"},
+        {"write a file; - is standard output (default)", "scrive un file; - è lo standard output (predefinito)"});
+    add(verb, "--part", options_.part, {"K/M", "K/M"},
+        {"only the K-th of M parts, one after the other", "solo la K-esima di M parti, una dopo l'altra"});
+    add(verb, "--chart", options_.chart, {"FILE", "FILE"},
+        {"draw the quantities over the first given too: a PDF or SVG",
+         "disegna anche le grandezze sul primo dato: un PDF o SVG"});
+    add_language(verb);
+  }
   void add_bench() {
     CLI::App& verb = add_verb("bench");
     add_flag(
@@ -182,6 +204,7 @@ Help help_of(const std::string& verb) {
   if (verb == "list") return help_of_list();
   if (verb == "draw") return help_of_draw();
   if (verb == "check") return help_of_check();
+  if (verb == "sweep") return help_of_sweep();
   return verb == "bench" ? help_of_bench() : help_of_program();
 }
 
@@ -273,8 +296,8 @@ void refuse_name_as_verb(const Catalogue& exercises, const std::string& name) {
 // The word where the verb should be.
 void demand_verb(const Catalogue& exercises, const std::vector<std::string>& arguments) {
   if (arguments.empty())
-    throw WrongUsage("say what to do: list, draw, check or bench (epure help explains)",
-                     "dire che cosa fare: list, draw, check o bench (epure help spiega)");
+    throw WrongUsage("say what to do: list, draw, check, sweep or bench (epure help explains)",
+                     "dire che cosa fare: list, draw, check, sweep o bench (epure help spiega)");
   const std::string& first = arguments.front();
   if (first.starts_with('-')) return;
   refuse_name_as_verb(exercises, first);
@@ -326,6 +349,7 @@ Parsed parse_options(const Catalogue& exercises, const std::vector<std::string>&
   parsed.options.verb = verb == "list"    ? Options::Verb::list
                         : verb == "draw"  ? Options::Verb::draw
                         : verb == "check" ? Options::Verb::check
+                        : verb == "sweep" ? Options::Verb::sweep
                                           : Options::Verb::bench;
   return parsed;
 }

@@ -11,9 +11,11 @@ namespace epure {
 
 // Texts as typed; what they mean is found where they are used, because their parsing must not depend on a locale.
 struct Options {
-  enum class Verb { list, draw, check, bench } verb = Verb::list;
+  enum class Verb { list, draw, check, bench, sweep } verb = Verb::list;
   std::vector<std::string> names;  // ID, ID/SHEET, all
   std::vector<std::string> assignments, measured;
+  std::vector<std::string> variations, quantities;  // of a sweep
+  std::optional<std::string> part, chart;
   std::optional<std::string> format, folder, file, scale;
   std::string paper = "a4", language = "en", reading = "0.5mm", arithmetic = "exact", seconds = "60";
   bool bare = false, blank = false, json = false, times = false;

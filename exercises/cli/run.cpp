@@ -1,12 +1,11 @@
 #include "exercises/cli/run.h"
 
-#include <cerrno>
 #include <new>
 #include <ostream>
 
-#include "drawings/files/system_words.h"
 #include "drawings/output.h"
 #include "exercises/cli/options.h"
+#include "exercises/cli/print.h"
 #include "exercises/cli/printable.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/verbs.h"
@@ -14,14 +13,6 @@
 
 namespace epure {
 namespace {
-
-void print(std::ostream& out, const std::string& text) {
-  errno = 0;
-  out << text << std::flush;
-  if (out) return;
-  throw drawings::CannotWrite(Words{"cannot write to standard output", "impossibile scrivere sullo standard output"} +
-                              (errno == 0 ? Words{} : ": " + drawings::system_words(errno)));
-}
 
 std::string benchmark(const Catalogue& exercises, const Options& options, std::ostream& err, const Bench& bench) {
   demand_sensible_output(options);
@@ -31,25 +22,28 @@ std::string benchmark(const Catalogue& exercises, const Options& options, std::o
   return bench(exercises, options, err);
 }
 
-Outcome outcome_of(const Catalogue& exercises, const Options& options, std::ostream& err, const Bench& bench) {
+Outcome outcome_of(const Catalogue& exercises, const Options& options, std::ostream& out, std::ostream& err,
+                   const Surroundings& surroundings) {
   switch (options.verb) {
     case Options::Verb::list:
       return {list(exercises, options)};
     case Options::Verb::draw:
       return draw(exercises, options, err);
     case Options::Verb::bench:
-      return {benchmark(exercises, options, err, bench)};
+      return {benchmark(exercises, options, err, surroundings.bench)};
+    case Options::Verb::sweep:
+      return sweep(exercises, options, out, err, surroundings);
     case Options::Verb::check:
       break;
   }
   return check(exercises, options);
 }
 
-Outcome run(const Catalogue& exercises, const std::vector<std::string>& arguments, std::ostream& err,
-            const Surroundings& surroundings) {
+Outcome run(const Catalogue& exercises, const std::vector<std::string>& arguments, std::ostream& out,
+            std::ostream& err, const Surroundings& surroundings) {
   auto [options, text] = parse_options(exercises, arguments, surroundings.language);
   options.colours = surroundings.colours;
-  return text ? Outcome{*text} : outcome_of(exercises, options, err, surroundings.bench);
+  return text ? Outcome{*text} : outcome_of(exercises, options, out, err, surroundings);
 }
 
 }  // namespace
@@ -62,7 +56,7 @@ int run_cli(const Catalogue& exercises, const std::vector<std::string>& argument
     return static_cast<int>(code);
   };
   try {
-    const Outcome outcome = run(exercises, arguments, err, surroundings);
+    const Outcome outcome = run(exercises, arguments, out, err, surroundings);
     print(out, outcome.text);
     for (const Words& remark : outcome.remarks) complain(outcome.exit, remark);
     return static_cast<int>(outcome.exit);

@@ -31,6 +31,7 @@ using Bench = std::function<std::string(const Catalogue& exercises, const Option
 struct Surroundings {
   std::string language = {};  // EPURE_LANG: what --lang says otherwise; empty: English
   bool colours = false;       // `out` is a terminal, and shows them
+  bool out_is_terminal = false, err_is_terminal = false;
   Bench bench = {};
 };
 

@@ -27,6 +27,11 @@ Outcome draw(const Catalogue& exercises, const Options& options, std::ostream& e
 
 Outcome check(const Catalogue& exercises, const Options& options);
 
+// Writes each line, to `out` or a file, as soon as it and those before it are found; the text returned is empty. Who
+// reads `out` may stop reading.
+Outcome sweep(const Catalogue& exercises, const Options& options, std::ostream& out, std::ostream& err,
+              const Surroundings& surroundings);
+
 // "en" or "it". Throws WrongUsage.
 Language language(const Options& options);
 

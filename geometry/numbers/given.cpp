@@ -231,14 +231,18 @@ class Reader {
   Reader(const std::string& text, const Unit& expected)
       : text_(text), plain_(in_plain_characters(text)), rest_(plain_), expected_(expected) {}
 
-  InUnit read() {
+  InUnit read_as_typed() {
     if (text_.size() > longest_text) refuse_long();
     skip_blanks();
     if (rest_.empty()) refuse({"is empty", "è vuoto"});
     const Rational number = read_fraction();
-    const Unit typed = unit_of(read_unit());
-    if (typed.counts_turns != expected_.counts_turns) return {number, typed};
-    return {number * (typed.factor / expected_.factor), expected_};
+    return {number, unit_of(read_unit())};
+  }
+
+  InUnit read() {
+    const InUnit typed = read_as_typed();
+    if (typed.unit.counts_turns != expected_.counts_turns) return typed;
+    return {typed.number * (typed.unit.factor / expected_.factor), expected_};
   }
 
   [[noreturn]] void refuse_pi(const Unit& typed) const {
@@ -408,6 +412,12 @@ InUnit read_given(const std::string& text, const std::string& unit_of_the_given)
   const auto expected = find_unit(unit_of_the_given);
   assert(expected && "the unit of a given must be known");
   return Reader(text, *expected).read();
+}
+
+InUnit read_as_typed(const std::string& text, const std::string& unit_of_the_given) {
+  const auto expected = find_unit(unit_of_the_given);
+  assert(expected && "the unit of a given must be known");
+  return Reader(text, *expected).read_as_typed();
 }
 
 Rational parse_given(const std::string& text, const std::string& unit_of_the_given) {

@@ -80,6 +80,9 @@ std::string in_plain_characters(std::string text);
 // Throws BadGiven; an unknown unit of the given itself is a caller's mistake (assertion).
 InUnit read_given(const std::string& text, const std::string& unit_of_the_given);
 
+// The number as it stands, in the unit that was typed; in the given's where none was. Throws as read_given.
+InUnit read_as_typed(const std::string& text, const std::string& unit_of_the_given);
+
 // The value in the given's own unit. Throws BadGiven as read_given, and where π lies between.
 Rational parse_given(const std::string& text, const std::string& unit_of_the_given);
 

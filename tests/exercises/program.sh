@@ -88,6 +88,38 @@ if one_thread "$epure" --version > /dev/null 2>&1; then
   expect 'and nothing else is' 1 "$(wc -l < said)"
 fi
 
+swept() { # swept VALUES [OPTIONS]: of slider-crank-velocity
+  values=$1
+  shift
+  "$epure" sweep slider-crank-velocity --over "phi=$values" --quantity v_B,P0_x "$@"
+}
+swept 0..360/37 > whole 2> said
+expect 'a sweep exits with 0' 0 $?
+expect 'and tells no progress where there is no terminal' '' "$(cat said)"
+for part in 1 2 3; do swept 0..360/37 --part $part/3; done | cmp - whole
+expect 'the parts of a sweep are the whole' 0 $?
+swept 0..360/1000000 2> said | head -n 3 | cmp -n 100 - whole
+expect 'a reader of a sweep that has enough gets the first lines' 0 $?
+expect 'and nobody complains of it' '' "$(cat said)"
+swept 0..360/37 > /dev/full 2> said
+expect 'a sweep to a full standard output is exit 3' 3 $?
+expect 'and said in one line' 1 "$(grep -c '^epure: ' said)"
+swept 0..360/1000000 -o killed.csv &
+killed=$!
+sleep 0.3
+kill -TERM "$killed"
+wait "$killed"
+expect 'a sweep that is told to end does, by that signal' 143 $?
+expect 'and leaves no file behind' '' "$(find . -name 'killed.csv' -o -name '.epure-*')"
+if parallel --version 2> /dev/null | grep -q 'GNU parallel'; then
+  export epure
+  seq 5 | parallel -k -j1 "$epure" sweep slider-crank-velocity --over phi=0..360/37 --quantity v_B,P0_x \
+    --part '{}/5' | cmp - whole
+  expect 'the parts of a sweep by GNU parallel are the whole' 0 $?
+else
+  echo 'skipped: there is no GNU parallel here to run the parts of a sweep'
+fi
+
 EPURE_LANG=it "$epure" list > italian
 "$epure" list --lang it | cmp - italian
 expect 'EPURE_LANG stands for --lang' 0 $?

@@ -37,7 +37,7 @@ TEST_CASE("help and version") {
   CHECK(version.exit == 0);
   CHECK(version.out.starts_with("epure "));
   for (const Typed& words :
-       {Typed{"--help"}, {"list", "--help"}, {"draw", "--help"}, {"check", "-h"}, {"help"}, {"help", "draw"}}) {
+       {Typed{"--help"}, {"list", "--help"}, {"draw", "--help"}, {"check", "-h"}, {"sweep", "-h"}, {"help"}, {"help", "draw"}}) {
     const Ran help = run(words);
     CAPTURE(words);
     CHECK(help.exit == 0);
@@ -50,15 +50,18 @@ TEST_CASE("help and version") {
   CHECK(run({"help"}).out == run({"--help"}).out);
   CHECK(run({"help", "draw"}).out == run({"draw", "--help"}).out);
   CHECK(run({"-V"}).out == version.out);
-  const std::string draw = run({"draw", "--help"}).out, check = run({"check", "--help"}).out;
+  const std::string draw = run({"draw", "--help"}).out, check = run({"check", "--help"}).out,
+                    sweep = run({"help", "sweep"}).out;
   for (const std::string option : {"--format", "--out", "-o", "--set", "--paper", "--scale", "--lang", "--bare"})
     CHECK(contains(draw, "  " + option));
   for (const std::string option : {"--set", "--measured", "--reading", "--json", "--arithmetic"})
     CHECK(contains(check, "  " + option));
+  for (const std::string option : {"--over", "--quantity", "--set", "--format", "-o", "--part", "--chart", "--lang"})
+    CHECK(contains(sweep, "  " + option));
 }
 
 TEST_CASE("what is no command is refused in one sentence") {
-  refused({}, "list, draw, check or bench");
+  refused({}, "list, draw, check, sweep or bench");
   refused({"chek"}, "did you mean check?");
   refused({"frobnicate", "triangle"}, "known are: list, draw, check");
   refused({"--frob"}, "\"--frob\" is no option of epure; known are: ");
@@ -87,6 +90,9 @@ TEST_CASE("what is no command is refused in one sentence") {
   refused({"list", "triangle", "triangle"}, "one exercise at a time");
   refused({"draw"}, "no exercise named");
   refused({"check"}, "no exercise named");
+  refused({"sweep"}, "sweep takes one exercise");
+  refused({"sweep", "triangle", "--over"}, "--over needs a value: --over SYMBOL=FROM..TO/N");
+  refused({"sweep", "triangle", "--ovr", "a=0..1/3"}, "\"--ovr\" is no option of epure sweep; did you mean --over?");
   refused({"check", "tri\nangle"}, "tri?angle");
 }
 

@@ -41,7 +41,7 @@ std::string last_line(const std::string& text) { return lines_of(text).back(); }
 // Every text for standard output that has lines to measure.
 std::vector<Typed> all_texts() {
   std::vector<Typed> all = {{"help"},          {"help", "list"},  {"help", "draw"},
-                            {"help", "check"}, {"help", "bench"}, {"list"}};
+                            {"help", "check"}, {"help", "sweep"}, {"help", "bench"}, {"list"}};
   for (const auto& exercise : catalogue()) all.push_back({"list", exercise.id()});
   all.push_back({"check", "all"});
   all.push_back({"check", "all", "--arithmetic", "bounded"});
@@ -111,6 +111,28 @@ const std::vector<Typed> refusals = {
     {"check", "roulette", "--set", "how=circle_inside_circle", "--set", "r=3", "--set", "R=1"},
     {"check", "roulette", "--set", "d=-1"},
     {"check", "four-bar-constraints", "--set", "theta_3_start=0", "--set", "theta_4_start=0"},
+    {"sweep", "all"},
+    {"sweep", "roulette"},
+    {"sweep", "roulette", "--over", "phi=0..90/91"},
+    {"sweep", "roulette", "--over", "phi=0..90/91", "--quantity", "vM"},
+    {"sweep", "roulette", "--over", "phi=0..90", "--quantity", "v_M"},
+    {"sweep", "roulette", "--over", "phi=30", "--quantity", "v_M"},
+    {"sweep", "roulette", "--over", "phi=0..90/0.7", "--quantity", "v_M"},
+    {"sweep", "roulette", "--over", "phi=0..90/1", "--quantity", "v_M"},
+    {"sweep", "roulette", "--over", "phi=0..0/3", "--quantity", "v_M"},
+    {"sweep", "roulette", "--over", "phi=0deg..1rad/3", "--quantity", "v_M"},
+    {"sweep", "roulette", "--over", "phi=1|1", "--quantity", "v_M"},
+    {"sweep", "roulette", "--over", "phi=0..1/2000000000", "--quantity", "v_M"},
+    {"sweep", "roulette", "--over", "phi=0..1/1000000", "--over", "r=1..2/1000000", "--quantity", "v_M"},
+    {"sweep", "roulette", "--over", "phi=0..1/2", "--set", "phi=3", "--quantity", "v_M"},
+    {"sweep", "roulette", "--over", "phi=0..1/2", "--over", "phi=0..1/3", "--quantity", "v_M"},
+    {"sweep", "roulette", "--over", "phi=0..1/2", "--quantity", "v_M", "--part", "3/2"},
+    {"sweep", "roulette", "--over", "phi=0..1/2", "--quantity", "v_M", "--format", "pdf"},
+    {"sweep", "roulette", "--over", "phi=0..1/2", "--quantity", "v_M", "--chart", "x.png"},
+    {"sweep", "roulette", "--over", "phi=0..1/2", "--quantity", "v_M", "--chart", "x.pdf", "--part", "1/2"},
+    {"sweep", "roulette", "--over", "phi=0..1/2", "--over", "r=1..2/20", "--quantity", "v_M", "--chart", "x.pdf"},
+    {"sweep", "roulette", "--over", "how=x|y", "--quantity", "v_M"},
+    {"sweep", "roulette", "--over", "phi=0..1/2", "--quantity", "v_M", "-o", "/proc/nowhere/x.csv"},
     {"bench", "--seconds", "-1"},
     {"bench", "--seconds", "x"}};
 

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
 
 #include "drawings/output.h"
 #include "drawings/text/text.h"
+#include "exercises/kit/proof/agreement.h"
 #include "exercises/kit/proof/route_names.h"
 #include "exercises/kit/proof/solution.h"
 #include "exercises/kit/proof/told_numbers.h"
@@ -20,61 +19,12 @@ namespace {
 
 using geometry::Settled;
 
-// Which of two routes knows more of a quantity: the smaller number.
-int rank(const Settled& settled) {
-  switch (settled.kind) {
-    case Settled::Kind::certain:
-      return 0;
-    case Settled::Kind::absent:
-      return 1;
-    case Settled::Kind::enclosed:
-      return 2;
-    case Settled::Kind::unbounded:
-      return 3;
-    case Settled::Kind::undecided:
-      break;
-  }
-  return 4;
-}
-
-// Of two routes that know as much, the one with the narrower enclosure: a proved zero before a tiny interval around
-// it.
-bool knows_more(const Settled& a, const Settled& b) {
-  if (rank(a) != rank(b)) return rank(a) < rank(b);
-  return a.enclosure.upper - a.enclosure.lower < b.enclosure.upper - b.enclosure.lower;
-}
-
-bool are_apart(const geometry::Enclosure& a, const geometry::Enclosure& b) {
-  return a.upper < b.lower || b.upper < a.lower;
-}
-
-// Undecided and unbounded contradict nothing.
-bool contradict(const Settled& a, const Settled& b) {
-  if (rank(a) > 2 || rank(b) > 2) return false;
-  const bool a_absent = a.kind == Settled::Kind::absent, b_absent = b.kind == Settled::Kind::absent;
-  if (a_absent || b_absent) return a_absent != b_absent;
-  return are_apart(a.enclosure, b.enclosure);
-}
-
-Words shortest(double value) { return decimal(fmt::format("{}", value)); }
-
-Words in_words(const Settled& settled) {
-  if (settled.kind == Settled::Kind::absent) return format_words("absent ({})", "assente ({})", settled.reason);
-  return format_words("in [{}, {}]", "in [{}; {}]", shortest(settled.enclosure.lower),
-                      shortest(settled.enclosure.upper));
-}
-
 void complain(std::vector<Complaint>& complaints, const std::string& quantity, const Words& what) {
   complaints.push_back({Complaint::About::quantity, quantity, quantity + ": " + what});
 }
 
 void compare_routes(CheckedExercise& checked, const CheckedQuantity& quantity) {
-  for (auto a = quantity.routes.begin(); a != quantity.routes.end(); ++a)
-    for (auto b = a + 1; b != quantity.routes.end(); ++b)
-      if (contradict(a->settled, b->settled))
-        complain(checked.failures, quantity.spec.name,
-                 format_words("{} by {}, but {} by {}", "{} ({}), ma {} ({})", in_words(a->settled),
-                              route_in_words(a->route), in_words(b->settled), route_in_words(b->route)));
+  for (const Words& each : contradictions(quantity.routes)) complain(checked.failures, quantity.spec.name, each);
 }
 
 // What several routes cannot tell for one reason is said once.
@@ -94,16 +44,9 @@ void demand_settled(CheckedExercise& checked, const CheckedQuantity& quantity) {
              format_words("undecided by {} ({})", "non decisa ({}: {})", routes, reason));
 }
 
-// A true value midway between two doubles has no nearest one: no ball around it tells more than these two.
-bool is_between_neighbours(const geometry::Enclosure& enclosure) {
-  return std::nextafter(enclosure.lower, enclosure.upper) == enclosure.upper;
-}
-
 void demand_certainty(CheckedExercise& checked, const CheckedQuantity& quantity) {
-  if (quantity.settled.kind == Settled::Kind::enclosed && !is_between_neighbours(quantity.settled.enclosure))
-    complain(checked.undecided, quantity.spec.name,
-             format_words("no more is known than that it lies {} ({})", "si sa soltanto che sta {} ({})",
-                          in_words(quantity.settled), quantity.settled.reason));
+  if (const Words why = want_of_certainty(quantity.settled); !why.empty())
+    complain(checked.undecided, quantity.spec.name, why);
   std::set<std::string> routes;
   for (const RouteValue& route : quantity.routes) routes.insert(route.route);
   if (routes.size() < 2)
@@ -121,10 +64,7 @@ void group(CheckedExercise& checked, const std::vector<RouteValue>& values) {
       complain(checked.failures, spec.name, {"no route gives it", "nessuna via la dà"});
       continue;
     }
-    quantity.settled =
-        std::min_element(quantity.routes.begin(), quantity.routes.end(),
-                         [](const RouteValue& a, const RouteValue& b) { return knows_more(a.settled, b.settled); })
-            ->settled;
+    quantity.settled = best_known(quantity.routes);
     checked.quantities.push_back(std::move(quantity));
   }
 }
@@ -161,8 +101,8 @@ void compare_sheet(CheckedExercise& checked, CheckedQuantity& quantity, const On
   if (has_value(quantity.settled) && !shows(shown, quantity.settled.enclosure.value, quantity.spec.unit))
     complain(checked.failures, quantity.spec.name,
              format_words("sheet {} shows {}, which is not {} within {}",
-                          "la tavola {} mostra {}, che non è {} entro {}", shown.sheet, shortest(shown.value),
-                          shortest(quantity.settled.enclosure.value), shortest(shown.resolution)));
+                          "la tavola {} mostra {}, che non è {} entro {}", shown.sheet, all_digits(shown.value),
+                          all_digits(quantity.settled.enclosure.value), all_digits(shown.resolution)));
 }
 
 // None when it cannot be drawn, or something on it could not be decided: the numbers and the other sheets are looked
@@ -213,8 +153,8 @@ void compare_solution(CheckedExercise& checked, const Solution& solution) {
     if (drawn && are_apart(*drawn, quantity.settled.enclosure))
       complain(checked.failures, quantity.spec.name,
                format_words("the sheets take it for {}, which does not lie {}",
-                            "le tavole la prendono per {}, che non sta {}", shortest(drawn->value),
-                            in_words(quantity.settled)));
+                            "le tavole la prendono per {}, che non sta {}", all_digits(drawn->value),
+                            where_it_lies(quantity.settled)));
   }
 }
 

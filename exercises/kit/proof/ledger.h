@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "exercises/kit/proof/asked.h"
 #include "exercises/kit/proof/exercise.h"
 #include "exercises/kit/proof/zero_for_drawing.h"
 #include "geometry/constructions/cycle.h"
@@ -73,13 +74,16 @@ class Ledger {
   void axes_along(const geometry::Vector<T>& x_axis) { x_axis_ = x_axis; }
   void usual_axes() { x_axis_.reset(); }
 
-  // Writes down what `find` returns. What it cannot decide stays undecided; what does not exist is absent.
-  void put(const std::string& quantity, const std::function<T()>& find) { write({case_ + quantity, route_}, find); }
+  // Writes down what `find` returns, if the quantity is asked for. What it cannot decide stays undecided; what does
+  // not exist is absent.
+  void put(const std::string& quantity, const std::function<T()>& find) {
+    if (is_asked(quantity)) write({case_ + quantity, route_}, find);
+  }
   void put(const std::string& quantity, const T& value) {
     put(quantity, [&] { return value; });
   }
   void put(const Quantity& quantity, const std::function<T()>& find) {
-    write({case_ + quantity.name, route_, quantity}, find);
+    if (is_asked(quantity.name)) write({case_ + quantity.name, route_, quantity}, find);
   }
   void put(const Quantity& quantity, const T& value) {
     put(quantity, [&] { return value; });
@@ -106,12 +110,7 @@ class Ledger {
     draws_vector(quantity.name, v);
   }
   // What only drawings show, and sheets may print.
-  void draws(const Quantity& quantity, const std::function<T()>& find) {
-    if constexpr (std::is_same_v<T, geometry::Deep>) {
-      drawn_entries_.push_back({case_ + quantity.name, route_, quantity});
-      drawn_readings_.push_back(geometry::Reading<T>::from(find));
-    }
-  }
+  void draws(const Quantity& quantity, const std::function<T()>& find) { draws(quantity.name, find, quantity); }
   // A point that helps to construct others.
   void draws_point(const std::string& name, const geometry::Point<T>& P) { draws_vector(name, {P.x, P.y}); }
   // One that may not exist: each coordinate looks for it anew.
@@ -184,6 +183,9 @@ class Ledger {
   const std::vector<geometry::Reading<T>>& drawn_readings() const { return drawn_readings_; }
 
  private:
+  bool is_asked(const std::string& quantity) const {
+    return Asked::for_all() || Asked::for_quantity(case_ + quantity);
+  }
   void write(LedgerEntry entry, const std::function<T()>& find) {
     const bool is_wanted = geometry::climbing::Wanted::is(entries_.size());
     if (entry.described) {
@@ -196,6 +198,7 @@ class Ledger {
   template <class Find>
   void draws(const std::string& name, const Find& find, const std::optional<Quantity>& described = {}) {
     if constexpr (std::is_same_v<T, geometry::Deep>) {
+      if (!Asked::for_all()) return;
       drawn_entries_.push_back({case_ + name, route_, described});
       drawn_readings_.push_back(geometry::Reading<T>::from(find));
     }

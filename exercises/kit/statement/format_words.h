@@ -25,6 +25,9 @@ const InOneLanguage<T>& in_language(Language language, const T& argument) {
 // A number with so many significant digits at most.
 inline Words decimal(double value, int significant) { return decimal(fmt::format("{:.{}g}", value, significant)); }
 
+// The same with as few digits as read back as the same double.
+inline Words all_digits(double value) { return decimal(fmt::format("{}", value)); }
+
 // fmt::format in both languages. An argument that is Words comes in the language of the format around it.
 template <class... Arguments>
 Words format_words(fmt::format_string<InOneLanguage<Arguments>...> english,

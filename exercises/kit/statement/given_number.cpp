@@ -17,18 +17,8 @@ constexpr std::size_t longest_number = 14;  // characters: what the sheets' colu
 constexpr int figures_of_a_long_one = 10;
 
 std::optional<std::string> short_decimal(const Rational& magnitude, Language language) {
-  Rational shifted = magnitude;
-  std::size_t decimals = 0;
-  for (; shifted.denominator() != 1; ++decimals) {
-    if (decimals == longest_number) return std::nullopt;
-    shifted *= 10;
-  }
-  std::string digits = geometry::to_text(shifted);
-  if (decimals > 0) {
-    if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
-    digits.insert(digits.size() - decimals, language == Language::italian ? "," : ".");
-  }
-  return digits.size() <= longest_number ? std::optional(digits) : std::nullopt;
+  const auto text = as_decimal(magnitude, longest_number);
+  return text && text->size() <= longest_number ? std::optional(decimal(*text).in(language)) : std::nullopt;
 }
 
 std::optional<std::string> short_fraction(const Rational& magnitude) {
@@ -37,6 +27,21 @@ std::optional<std::string> short_fraction(const Rational& magnitude) {
 }
 
 }  // namespace
+
+std::optional<std::string> as_decimal(const Rational& value, std::size_t most_decimals) {
+  Rational shifted = CGAL::abs(value);
+  std::size_t decimals = 0;
+  for (; shifted.denominator() != 1; ++decimals) {
+    if (decimals == most_decimals) return std::nullopt;
+    shifted *= 10;
+  }
+  std::string digits = geometry::to_text(shifted);
+  if (decimals > 0) {
+    if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
+    digits.insert(digits.size() - decimals, ".");
+  }
+  return (value < 0 ? "-" : "") + digits;
+}
 
 std::string equal_to(const Rational& value, Language language) {
   const Rational magnitude = CGAL::abs(value);

@@ -1,12 +1,16 @@
 // A given's number as a sheet writes it.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "exercises/kit/statement/format_words.h"
 #include "geometry/numbers/number.h"
 
 namespace epure {
+
+// "0.25", "-12": with a decimal point; none when that would take more than so many decimals.
+std::optional<std::string> as_decimal(const geometry::Rational& value, std::size_t most_decimals);
 
 // "= 0.25", "= −1/72": as a decimal or else as a fraction, where one is short; "≈ 0.4123456789" where none is. The
 // blanks do not break.

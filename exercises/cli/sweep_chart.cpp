@@ -1,0 +1,190 @@
+#include "exercises/cli/sweep_chart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "exercises/kit/panels/results.h"
+#include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/statement/suggest.h"
+
+namespace epure {
+namespace {
+
+constexpr std::uint64_t most_curves = 12, most_points = 1000;
+constexpr std::size_t most_charts = 4;
+
+std::string chart_ending(const std::string& file) {
+  const std::string ending = lower_case(std::filesystem::path(file).extension().string());
+  if (ending == ".pdf" || ending == ".svg") return ending;
+  throw WrongUsage(format_words("--chart {}: the file's name must end in .pdf or .svg",
+                                "--chart {}: il nome del file deve finire in .pdf o .svg", file));
+}
+
+std::string letters(const GivenSpec& given) { return given.letters.empty() ? given.symbol : given.letters; }
+
+std::string unit_on_axis(const std::string& unit) {
+  if (unit == "1") return "";
+  return unit == "deg" ? "°" : written_unit(unit);
+}
+
+// "0.25 m", "30°".
+Words value_with_unit(const Variation& of, std::uint64_t place) {
+  if (of.is_of_words()) return {of.text(place), of.text(place)};
+  const std::string unit = unit_on_axis(of.unit());
+  return decimal(of.number(place), 6) + (unit.empty() || unit == "°" ? unit : "\u00a0" + unit);
+}
+
+std::vector<std::string> units_of(const std::vector<Quantity>& quantities) {
+  std::vector<std::string> units;
+  for (const Quantity& each : quantities)
+    if (std::find(units.begin(), units.end(), each.unit) == units.end()) units.push_back(each.unit);
+  return units;
+}
+
+// From the least to the greatest value; where a few of them run away, to infinity or nearly, what the others take,
+// and as much again.
+struct Span {
+  double low, high;
+};
+Span span_of(std::vector<double> values) {
+  if (values.empty()) return {0, 1};
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double part) {
+    return values[static_cast<std::size_t>(std::lround(part * static_cast<double>(values.size() - 1)))];
+  };
+  constexpr double few = 0.05, far = 8;
+  const Span all{values.front(), values.back()}, most{at(few), at(1 - few)};
+  const double width = most.high - most.low;
+  if (width > 0 && all.high - all.low > far * width)
+    return {std::max(all.low, most.low - width / 2), std::min(all.high, most.high + width / 2)};
+  if (all.low < all.high) return all;
+  const double around = all.low == 0 ? 1 : std::abs(all.low) / 10;
+  return {all.low - around, all.high + around};
+}
+
+}  // namespace
+
+SweepChart::SweepChart(const SweepStudy& study, std::string file, Language language)
+    : study_(study), file_(std::move(file)), language_(language) {
+  chart_ending(file_);
+  const Variation& first = study.over.front();
+  if (first.is_of_words())
+    throw WrongUsage(format_words("--chart: {} has words for values and makes no axis; name another given first",
+                                  "--chart: {} ha parole per valori e non fa da asse; nominare prima un altro dato",
+                                  first.given().symbol));
+  others_ = study.size() / first.size();
+  stride_ = (first.size() + most_points - 1) / most_points;
+  if (others_ * study.quantities.size() > most_curves)
+    throw WrongUsage(format_words("--chart would draw {} curves over {}, and a sheet bears {}",
+                                  "--chart disegnerebbe {} curve su {}, e un foglio ne porta {}",
+                                  others_ * study.quantities.size(), first.given().symbol, most_curves));
+  if (const std::size_t units = units_of(study.quantities).size(); units > most_charts)
+    throw WrongUsage(
+        format_words("--chart would draw {} charts, as the quantities have so many units; a sheet bears {}",
+                     "--chart disegnerebbe {} grafici, tante sono le unità delle grandezze; un foglio ne "
+                     "porta {}",
+                     units, most_charts));
+  for (const Quantity& quantity : study.quantities)
+    for (std::uint64_t row = 0; row < others_; ++row) {
+      const std::vector<std::uint64_t> places = study.places(row);
+      drawings::Curve curve{.name = quantity.name, .label = quantity.symbol};
+      for (std::size_t i = 1; i < places.size(); ++i)
+        curve.label +=
+            ", " + letters(study.over[i].given()) + " = " + value_with_unit(study.over[i], places[i]).in(language);
+      if (row > 0) curve.name += fmt::format("-{}", row + 1);
+      curves_.push_back({std::move(curve)});
+    }
+}
+
+void SweepChart::add(const SweptRow& row) {
+  const std::uint64_t place = row.places.front();
+  const bool is_drawn = place % stride_ == 0 || place + 1 == study_.over.front().size();
+  for (std::size_t i = 0; i < row.quantities.size(); ++i) {
+    auto& [curve, is_broken] = curves_[i * others_ + row.number % others_];
+    const SweptQuantity& quantity = row.quantities[i];
+    if (quantity.state != SweptQuantity::State::value) is_broken = true;
+    if (quantity.state != SweptQuantity::State::value || !is_drawn) continue;
+    if (is_broken) curve.runs.emplace_back();
+    is_broken = false;
+    curve.runs.back().push_back({study_.over.front().number(place), quantity.enclosure.value});
+  }
+}
+
+drawings::Axis SweepChart::value_axis(const std::string& unit) const {
+  drawings::Axis axis{.unit = unit_on_axis(unit)};
+  std::vector<double> values;
+  for (std::size_t i = 0; i < study_.quantities.size(); ++i) {
+    if (study_.quantities[i].unit != unit) continue;
+    axis.quantity += (axis.quantity.empty() ? "" : ", ") + study_.quantities[i].symbol;
+    for (std::size_t k = 0; k < others_; ++k)
+      for (const auto& run : curves_[i * others_ + k].curve.runs)
+        for (const drawings::Datum& each : run) values.push_back(each.y);
+  }
+  const Span span = span_of(std::move(values));
+  axis.low = span.low;
+  axis.high = span.high;
+  return axis;
+}
+
+drawings::Chart SweepChart::chart(const std::string& unit) const {
+  const Variation& first = study_.over.front();
+  const auto [low, high] = std::minmax({first.number(0), first.number(first.size() - 1)});
+  drawings::Chart chart;
+  chart.x = {.quantity = letters(first.given()),
+             .unit = unit_on_axis(first.unit()),
+             .low = low,
+             .high = high,
+             .to_ticks = false};
+  if (first.unit() == "deg") chart.x.steps = drawings::degree_steps;
+  chart.y = value_axis(unit);
+  if (chart.y.low < 0 && chart.y.high > 0) chart.horizontals = {{.at = 0}};
+  for (std::size_t i = 0; i < curves_.size(); ++i)
+    if (study_.quantities[i / others_].unit == unit) chart.curves.push_back(curves_[i].curve);
+  constexpr double letters_left = 18;  // mm
+  chart.letters_left = letters_left;
+  return chart;
+}
+
+drawings::Sheet SweepChart::sheet() const {
+  Description about = study_.exercise->about();
+  about.sheets = {{"sweep", {"Sweep", "Variazione"}}};
+  std::set<std::string> swept;
+  for (const Variation& each : study_.over) {
+    swept.insert(each.given().symbol);
+    if (each.given().turned) swept.insert(each.given().turned->instant);
+  }
+  drawings::Sheet sheet = blank_sheet(about, "sweep", study_.givens, {.language = language_}, swept).sheet;
+  sheet.description = sheet.title;
+  sheet.column.push_back(drawings::Heading{Words{"Swept", "Fatti variare"}.in(language_)});
+  for (const Variation& each : study_.over)
+    sheet.column.push_back(
+        drawings::Paragraph{letters(each.given()) + format_words(" from {} to {}, {} values",
+                                                                 " da {} a {}, {} valori", value_with_unit(each, 0),
+                                                                 value_with_unit(each, each.size() - 1), each.size())
+                                                        .in(language_)});
+  sheet.column.push_back(drawings::Heading{Words{"Found", "Trovate"}.in(language_)});
+  for (const Quantity& each : study_.quantities)
+    sheet.column.push_back(drawings::Paragraph{each.symbol + ": " + each.meaning.in(language_)});
+  sheet.title_block.scales = {"–"};
+
+  constexpr double air = 4;  // mm
+  const drawings::Box area = drawings::drawing_area(sheet.paper);
+  const std::vector<std::string> units = units_of(study_.quantities);
+  const double height = (area.height() - air) / static_cast<double>(units.size());
+  double top = area.high.y;
+  for (const std::string& unit : units) {
+    drawings::draw(chart(unit), {{area.low.x + air, top - height}, {area.high.x - air, top - air}}, sheet.figure,
+                   language_);
+    top -= height;
+  }
+  return sheet;
+}
+
+drawings::File SweepChart::drawn() const {
+  const drawings::Sheet drawing = sheet();
+  if (chart_ending(file_) == ".svg") return {file_, drawings::svg(drawing)};
+  return {file_, drawings::pdf({drawing}, drawing.title)};
+}
+
+}  // namespace epure

@@ -1,0 +1,46 @@
+// One position of a sweep: what is known of each quantity there, and how a line holds it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exercises/cli/sweep_study.h"
+
+namespace epure {
+
+struct SweptQuantity {
+  enum class State {
+    value,        // with bounds; when there is a reason all the same, these hold several doubles
+    absent,       // proved not to exist
+    impossible,   // no quantity does at these givens
+    undecided,    // no number could tell
+    disagreement  // two routes cannot both be right, or no route gives it
+  };
+  State state;
+  geometry::Enclosure enclosure = {};  // of a value, SI
+  Words reason = {};
+};
+
+struct SweptRow {
+  std::uint64_t number;                   // from 0
+  std::vector<std::uint64_t> places;      // of the variations
+  std::vector<SweptQuantity> quantities;  // in the study's order
+
+  bool is_possible() const;
+  bool is_undecided() const;  // of something no more is known
+  bool has_disagreement() const;
+};
+
+// By all routes of the exercise, up the numbers. Of each quantity asked for alone, as far as the routes allow it.
+SweptRow swept_row(const SweepStudy& study, std::uint64_t number);
+
+// "phi (deg),v_B (m/s),v_B_lower (m/s),v_B_upper (m/s),v_B_reason", by RFC 4180.
+std::string csv_header(const SweepStudy& study);
+// The same of a row; what is known otherwise than by a number is empty, with the reason.
+std::string csv_line(const SweepStudy& study, const SweptRow& row, Language language);
+
+// Schema epure.sweep/1: one object, in one line. Its words are English.
+std::string json_line(const SweepStudy& study, const SweptRow& row);
+
+}  // namespace epure

@@ -1,0 +1,32 @@
+// Which quantities are asked of an exercise.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace epure {
+
+// In this thread all of them, unless a scope is open that names those. What is not asked for is not written down, and
+// no number is spent on it; what is found on the way to others may be found all the same. Nothing is then found for
+// drawings alone.
+class Asked {
+ public:
+  // `names` must outlive the scope.
+  explicit Asked(const std::vector<std::string>& names) : outer_(std::exchange(names_, &names)) {}
+  ~Asked() { names_ = outer_; }
+  Asked(const Asked&) = delete;
+  Asked& operator=(const Asked&) = delete;
+
+  static bool for_all() { return !names_; }
+  static bool for_quantity(const std::string& name) {
+    return for_all() || std::find(names_->begin(), names_->end(), name) != names_->end();
+  }
+
+ private:
+  inline static thread_local const std::vector<std::string>* names_ = nullptr;
+  const std::vector<std::string>* outer_;
+};
+
+}  // namespace epure
