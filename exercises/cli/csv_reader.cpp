@@ -200,7 +200,7 @@ CsvTable read_csv(const std::string& bytes, const std::string& file) {
     }
     if (row.cells.size() != table.header.size())
       refuse_line(file, row.line,
-                  format_words("{} fields, where the header has {}", "{} campi, mentre l'intestazione ne ha {}",
+                  format_words("fields: {}, but the header has {}", "campi: {}, ma l'intestazione ne ha {}",
                                row.cells.size(), table.header.size()));
     if (table.rows.size() == most_rows)
       refuse_line(file, row.line, format_words("more than {} rows", "più di {} righe di dati", most_rows));

@@ -110,7 +110,7 @@ std::string table_of_marks(const Answers& answers, const Marking& marking, const
 std::string remark_line(const Student& student, const std::string& quantity, const Words& remark, Language language) {
   const std::string who = printable(student.number.empty() ? student.name : student.number);
   std::string text = who + (who.empty() || quantity.empty() ? "" : " ") + quantity;
-  text += (text.empty() ? "" : ": ") + printable(drawings::plain(remark.in(language)));
+  text += (text.empty() ? "" : ": ") + printable(remark.in(language));
   return wrapped(text, 2, 4);
 }
 
@@ -164,14 +164,14 @@ std::string totals_of_marks(const Answers& answers, const Marking& marking, Lang
   const auto students = static_cast<int>(answers.students.size());
   const double share = most == 0 ? 0 : nearest(sum / most * 100);
   const Words text = format_words(
-      "{} students, {} points of {}, mean {} of {} ({} %); answers: {} right, {} slips, {} wrong, {} missing, {} not "
+      "{} {}, {} points of {}, mean {} of {} ({} %); answers: {} right, {} slips, {} wrong, {} missing, {} not "
       "marked",
-      "{} studenti, {} punti su {}, media {} su {} ({} %); risposte: {} giuste, {} sviste, {} sbagliate, {} "
+      "{} {}, {} punti su {}, media {} su {} ({} %); risposte: {} giuste, {} sviste, {} sbagliate, {} "
       "mancanti, "
       "{} non valutate",
-      students, points_in_words(sum), points_in_words(most), decimal(nearest(sum / students), 3),
-      decimal(nearest(most / students), 3), decimal(fmt::format("{:.0f}", share)), counts[0], counts[1], counts[2],
-      counts[3], counts[4]);
+      students, students == 1 ? Words{"student", "studente"} : Words{"students", "studenti"}, points_in_words(sum),
+      points_in_words(most), decimal(nearest(sum / students), 3), decimal(nearest(most / students), 3),
+      decimal(fmt::format("{:.0f}", share)), counts[0], counts[1], counts[2], counts[3], counts[4]);
   return "\n" + wrapped(text.in(language), 0, 2);
 }
 
@@ -210,7 +210,7 @@ std::string mark_csv(const Answers& answers, const Marking& marking, const Marki
     std::vector<std::string> row = {harmless(student.number), harmless(student.name)};
     std::string remarks;
     const auto add_remark = [&](const std::string& remark) {
-      remarks += (remarks.empty() ? "" : "; ") + printable(drawings::plain(remark));
+      remarks += (remarks.empty() ? "" : "; ") + printable(remark);
     };
     for (const Words& each : student.remarks) add_remark(each.in(language));
     for (std::size_t k = 0; k < answers.asked.size(); ++k) {

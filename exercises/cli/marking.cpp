@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawings/text/text.h"
 #include "exercises/cli/abreast.h"
 #include "exercises/cli/slips.h"
 #include "geometry/numbers/given.h"
@@ -48,13 +49,17 @@ const CheckedQuantity* find_checked(const CheckedExercise& checked, const std::s
 
 std::string after_number(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
 
+// Reasons are rich text; what a student typed is none.
+Words in_plain_text(const Words& rich) { return {drawings::plain(rich.english), drawings::plain(rich.italian)}; }
+
 // Why there is no number to hold an answer against.
 Words no_value(const CheckedQuantity* quantity) {
   if (!quantity) return {"not marked: nothing is known of it", "non valutata: non se ne sa nulla"};
   if (quantity->settled.kind == geometry::Settled::Kind::absent)
     return format_words("not marked: it does not exist ({})", "non valutata: non esiste ({})",
-                        quantity->settled.reason);
-  return format_words("not marked: undecided ({})", "non valutata: non decisa ({})", quantity->settled.reason);
+                        in_plain_text(quantity->settled.reason));
+  return format_words("not marked: undecided ({})", "non valutata: non decisa ({})",
+                      in_plain_text(quantity->settled.reason));
 }
 
 Rational most_points(const std::string& quantity, const MarkingRules& rules) {
@@ -106,13 +111,14 @@ class Marker {
     if (answer.empty()) return {Mark::none};
     try {
       const Decimal number = read_measured(answer, spec.unit);
-      const Allowance allowed = allowance_of(number, allowance(checked_, *quantity, ruler));
+      const Allowance by_reading = allowance(checked_, *quantity, ruler);
       const double value = quantity->settled.enclosure.value;
-      if (is_near(number, value, allowed.size, spec.unit)) return {Mark::right};
-      const auto slip = slips_.explain(*quantity, number, allowed, ruler);
-      const Words found = format_words("{}{}, true {} ± {}", "{}{}, vero {} ± {}", decimal(nearest(number.value), 6),
-                                       after_number(spec.unit), decimal(value, 6), decimal(nearest(allowed.size), 2));
-      if (slip) return {Mark::slip, found + ": " + *slip};
+      if (is_near(number, value, allowance_of(number, by_reading).size, spec.unit)) return {Mark::right};
+      const Words found =
+          format_words("{}{}, true {} ± {}", "{}{}, vero {} ± {}", decimal(nearest(number.value), 6),
+                       after_number(spec.unit), decimal(value, 6), decimal(nearest(by_reading.size), 2));
+      if (const auto slip = slips_.explain(*quantity, number, by_reading, ruler))
+        return {Mark::slip, found + ": " + *slip};
       return {Mark::wrong, found};
     } catch (const geometry::BadGiven& unreadable) {
       return {Mark::wrong, unreadable.words()};
@@ -175,7 +181,7 @@ MarkedGroup mark_group(const Exercise& exercise, const Answers& answers, const G
       for (const Quantity& spec : answers.asked)
         if (const CheckedQuantity* quantity = find_checked(checked, spec.name);
             quantity && quantity->settled.kind == geometry::Settled::Kind::undecided)
-          marked.undecided.push_back(called(student, spec.name) + ": " + quantity->settled.reason);
+          marked.undecided.push_back(called(student, spec.name) + ": " + in_plain_text(quantity->settled.reason));
     }
   } catch (const geometry::Undecided& open) {
     for (const std::size_t i : group.students) {

@@ -111,27 +111,29 @@ const std::vector<Slips::Mistaken>& Slips::mistaken() {
   return *mistaken_;
 }
 
-std::optional<Words> Slips::explain(const CheckedQuantity& quantity, const Decimal& number, const Allowance& allowed,
-                                    const Ruler& ruler) {
+std::optional<Words> Slips::explain(const CheckedQuantity& quantity, const Decimal& number,
+                                    const Allowance& by_reading, const Ruler& ruler) {
   const std::string& unit = quantity.spec.unit;
   const double value = quantity.settled.enclosure.value;
+  const auto fits = [&](double mistaken_value, const Rational& size) {
+    return is_near(number, mistaken_value, allowance_of(number, {size, {}}).size, unit);
+  };
   for (const PrintedVerdict& printed : quantity.printed) {
     const Decimal text = read_printed(printed.text);
     if (printed.verdict == Verdict::disagrees && is_near(number, nearest(text.value), text.half_unit, unit))
       return Words{"the number that the source printed", "il numero stampato dalla fonte"};
   }
-  if (number.signed_text && is_near(number, -value, allowed.size, unit))
-    return Words{"the opposite sense", "il verso opposto"};
+  if (number.signed_text && fits(-value, by_reading.size)) return Words{"the opposite sense", "il verso opposto"};
   if (value != 0)
     for (const Multiple& each : multiples_of(unit))
-      if (is_near(number, each.factor * value, Rational(each.factor) * allowed.size, unit)) return each.slip;
+      if (fits(each.factor * value, Rational(each.factor) * by_reading.size)) return each.slip;
   for (const Mistaken& each : mistaken())
     if (const auto found = each.values.find(quantity.spec.name);
-        found != each.values.end() && is_near(number, found->second, allowed.size, unit))
+        found != each.values.end() && fits(found->second, by_reading.size))
       return each.slip;
   for (const CheckedQuantity& other : checked_.quantities)
     if (other.spec.name != quantity.spec.name && other.spec.unit == unit && has_value(other.settled) &&
-        is_near(number, other.settled.enclosure.value, allowance(checked_, other, ruler).size, unit))
+        fits(other.settled.enclosure.value, allowance(checked_, other, ruler).size))
       return format_words("this is {}", "questa è {}", other.spec.name);
   return std::nullopt;
 }

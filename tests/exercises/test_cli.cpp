@@ -36,8 +36,13 @@ TEST_CASE("help and version") {
   const Ran version = run({"--version"});
   CHECK(version.exit == 0);
   CHECK(version.out.starts_with("epure "));
-  for (const Typed& words :
-       {Typed{"--help"}, {"list", "--help"}, {"draw", "--help"}, {"check", "-h"}, {"help"}, {"help", "draw"}}) {
+  for (const Typed& words : {Typed{"--help"},
+                             {"list", "--help"},
+                             {"draw", "--help"},
+                             {"check", "-h"},
+                             {"mark", "-h"},
+                             {"help"},
+                             {"help", "draw"}}) {
     const Ran help = run(words);
     CAPTURE(words);
     CHECK(help.exit == 0);
@@ -53,8 +58,13 @@ TEST_CASE("help and version") {
   const std::string draw = run({"draw", "--help"}).out, check = run({"check", "--help"}).out;
   for (const std::string option : {"--format", "--out", "-o", "--set", "--paper", "--scale", "--lang", "--bare"})
     CHECK(contains(draw, "  " + option));
-  for (const std::string option : {"--set", "--measured", "--reading", "--json", "--arithmetic"})
+  for (const std::string option :
+       {"--set", "--measured", "--reading", "--sheet", "--scale", "--quiet", "--json", "--arithmetic"})
     CHECK(contains(check, "  " + option));
+  const std::string mark = run({"mark", "--help"}).out;
+  for (const std::string option : {"--answers", "--key", "--set", "--reading", "--sheet", "--scale", "--points",
+                                   "--slip-points", "--format", "-o", "--lang"})
+    CHECK(contains(mark, "  " + option));
 }
 
 TEST_CASE("what is no command is refused in one sentence") {

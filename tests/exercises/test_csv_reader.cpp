@@ -62,8 +62,8 @@ TEST_CASE("names are kept as they are, whatever they would do as paths") {
 TEST_CASE("what is no table is refused with its line") {
   refused_table("", "t.csv is empty; a table begins with the names of its columns");
   refused_table("\n\n", "t.csv is empty; a table begins with the names of its columns");
-  refused_table("a,b\n1,2\n1,2,3\n", "t.csv, line 3: 3 fields, where the header has 2");
-  refused_table("a,b\n1\n", "t.csv, line 2: 1 fields, where the header has 2");
+  refused_table("a,b\n1,2\n1,2,3\n", "t.csv, line 3: fields: 3, but the header has 2");
+  refused_table("a,b\n1\n", "t.csv, line 2: fields: 1, but the header has 2");
   refused_table("a,b\n1,\"2\n3,4\n", "t.csv, line 2: a quote is opened and not closed");
   refused_table("a,b\n1,\"2\"x\n",
                 "t.csv, line 2: something follows a closing quote; a quote within quotes is written twice");
@@ -82,7 +82,6 @@ TEST_CASE("columns and numbers that stand there twice, or not at all") {
   CHECK_THROWS_WITH(twice.column("name"), "t.csv: there are two columns \"name\"");
   CHECK_THROWS_WITH(twice.needed_column("nubmer"), "t.csv: there is no column \"nubmer\"; did you mean number?");
   CHECK_THROWS_WITH(twice.demand_distinct(0), "t.csv, line 3: number 1 stands in line 2 already");
-  CHECK_THROWS_WITH(table_of("number\n1\n\"\"\n2\n,\n").demand_distinct(0), Contains("fields"));
   CHECK_THROWS_WITH(table_of("number,x\n1,1\n,2\n").demand_distinct(0), "t.csv, line 3: there is no \"number\"");
 }
 

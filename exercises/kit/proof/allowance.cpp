@@ -153,15 +153,20 @@ std::optional<Allowance> calculated(const CheckedExercise& checked, const Checke
   return Allowance{Rational(chosen.error(value)), chosen.in_words(ruler.reading_mm)};
 }
 
+bool is_angle(const std::string& unit) {
+  const auto known = geometry::find_unit(unit);
+  return known && known->kind == geometry::Kind::angle;
+}
+
 // As calculated from two usual lines.
 Allowance usual(const CheckedQuantity& quantity, const Rational& reading) {
   const Rational relative = 2 * reading / usual_line_mm;
   const Words lines = in_mm(reading) + format_words(" in each of two lines of {} mm",
                                                     " in ciascuno di due segmenti di {} mm", usual_line_mm);
-  const auto unit = geometry::find_unit(quantity.spec.unit);
-  if (unit && unit->kind == geometry::Kind::angle) {
+  if (is_angle(quantity.spec.unit)) {
+    const geometry::Unit unit = *geometry::find_unit(quantity.spec.unit);
     static const Rational radian_in_turns = geometry::parse_given("0.15915494309189533576888376337251436203", "1");
-    return {unit->counts_turns ? relative * radian_in_turns / unit->factor : relative / unit->factor, lines};
+    return {unit.counts_turns ? relative * radian_in_turns / unit.factor : relative / unit.factor, lines};
   }
   const Rational value = has_value(quantity.settled) ? Rational(quantity.settled.enclosure.value) : Rational(0);
   return {relative * CGAL::abs(value), lines};
@@ -172,7 +177,8 @@ Allowance usual(const CheckedQuantity& quantity, const Rational& reading) {
 Allowance allowance(const CheckedExercise& checked, const CheckedQuantity& quantity, const Ruler& ruler) {
   if (const auto line = drawn(quantity, ruler))
     return {ruler.reading_mm * line->per_mm, in_mm(ruler.reading_mm) + line->where};
-  if (const auto from_readings = calculated(checked, quantity, ruler)) return *from_readings;
+  if (!is_angle(quantity.spec.unit))
+    if (const auto from_readings = calculated(checked, quantity, ruler)) return *from_readings;
   return usual(quantity, ruler.reading_mm);
 }
 

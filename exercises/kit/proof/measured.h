@@ -36,7 +36,7 @@ struct Allowance {
 // errors are added (twice that of a square); a given has none. Which way the reader went is not known, so the way
 // with the largest error counts, of those whose lines are all at least 20 mm long (where there is none such, the one
 // with the smallest). What none of them gives: as calculated from two lines of 100 mm, which is 1 % for half a
-// millimetre, and for angles a hundredth of a radian.
+// millimetre. An angle, read off two such lines: a hundredth of a radian.
 Allowance allowance(const CheckedExercise& checked, const CheckedQuantity& quantity, const Ruler& ruler);
 
 // The same for this very number: half a unit of its last digit when that is more, and the number has two digits at
