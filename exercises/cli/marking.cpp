@@ -74,10 +74,10 @@ class Marker {
       : checked_(checked), rules_(rules), slips_(exercise, checked) {}
 
   MarkedStudent mark(const Student& student, const std::vector<Quantity>& asked) {
-    const Ruler ruler = ruler_of(student);
+    Allowances& allowances = allowances_of(student);
     MarkedStudent marked;
     for (std::size_t i = 0; i < asked.size(); ++i) {
-      marked.marks.push_back(mark(asked[i], student.answers[i], ruler));
+      marked.marks.push_back(mark(asked[i], student.answers[i], allowances));
       const Mark& mark = marked.marks.back();
       if (mark.kind == Mark::not_marked) continue;
       marked.most += most_points(asked[i].name, rules_);
@@ -91,34 +91,34 @@ class Marker {
     for (const Quantity& spec : asked)
       if (const CheckedQuantity* quantity = find_checked(checked_, spec.name);
           quantity && has_value(quantity->settled)) {
-        const Allowance allowed = allowance(checked_, *quantity, ruler_of(student));
+        const Allowance& allowed = allowances_of(student).of(*quantity);
         all.push_back({spec.name, quantity->settled.enclosure.value, nearest(allowed.size), allowed.by});
       }
     return all;
   }
 
  private:
-  // With the student's own scales before those that hold for all.
-  Ruler ruler_of(const Student& student) const {
+  // With the student's own scales before those that hold for all. One class mostly draws at one scale.
+  Allowances& allowances_of(const Student& student) {
     Ruler ruler = rules_.ruler;
     ruler.scales.insert(ruler.scales.begin(), student.scales.begin(), student.scales.end());
-    return ruler;
+    if (!allowances_ || allowances_->ruler().scales != ruler.scales) allowances_.emplace(checked_, std::move(ruler));
+    return *allowances_;
   }
 
-  Mark mark(const Quantity& spec, const std::string& answer, const Ruler& ruler) {
+  Mark mark(const Quantity& spec, const std::string& answer, Allowances& allowances) {
     const CheckedQuantity* quantity = find_checked(checked_, spec.name);
     if (!quantity || !has_value(quantity->settled)) return {Mark::not_marked, no_value(quantity)};
     if (answer.empty()) return {Mark::none};
     try {
       const Decimal number = read_measured(answer, spec.unit);
-      const Allowance by_reading = allowance(checked_, *quantity, ruler);
+      const Allowance& by_reading = allowances.of(*quantity);
       const double value = quantity->settled.enclosure.value;
       if (is_near(number, value, allowance_of(number, by_reading).size, spec.unit)) return {Mark::right};
       const Words found =
           format_words("{}{}, true {} ± {}", "{}{}, vero {} ± {}", decimal(nearest(number.value), 6),
                        after_number(spec.unit), decimal(value, 6), decimal(nearest(by_reading.size), 2));
-      if (const auto slip = slips_.explain(*quantity, number, by_reading, ruler))
-        return {Mark::slip, found + ": " + *slip};
+      if (const auto slip = slips_.explain(*quantity, number, allowances)) return {Mark::slip, found + ": " + *slip};
       return {Mark::wrong, found};
     } catch (const geometry::BadGiven& unreadable) {
       return {Mark::wrong, unreadable.words()};
@@ -128,6 +128,7 @@ class Marker {
   const CheckedExercise& checked_;
   const MarkingRules& rules_;
   Slips slips_;
+  std::optional<Allowances> allowances_ = {};
 };
 
 // The student and, where it stands, the quantity: the begin of a sentence.

@@ -111,8 +111,8 @@ const std::vector<Slips::Mistaken>& Slips::mistaken() {
   return *mistaken_;
 }
 
-std::optional<Words> Slips::explain(const CheckedQuantity& quantity, const Decimal& number,
-                                    const Allowance& by_reading, const Ruler& ruler) {
+std::optional<Words> Slips::explain(const CheckedQuantity& quantity, const Decimal& number, Allowances& allowances) {
+  const Allowance& by_reading = allowances.of(quantity);
   const std::string& unit = quantity.spec.unit;
   const double value = quantity.settled.enclosure.value;
   const auto fits = [&](double mistaken_value, const Rational& size) {
@@ -133,7 +133,7 @@ std::optional<Words> Slips::explain(const CheckedQuantity& quantity, const Decim
       return each.slip;
   for (const CheckedQuantity& other : checked_.quantities)
     if (other.spec.name != quantity.spec.name && other.spec.unit == unit && has_value(other.settled) &&
-        fits(other.settled.enclosure.value, allowance(checked_, other, ruler).size))
+        fits(other.settled.enclosure.value, allowances.of(other).size))
       return format_words("this is {}", "questa è {}", other.spec.name);
   return std::nullopt;
 }

@@ -17,13 +17,12 @@ class Slips {
   // Both must outlive it.
   Slips(const Exercise& exercise, const CheckedExercise& checked) : exercise_(exercise), checked_(checked) {}
 
-  // The slip, in a few words; none: nothing explains the number. `by_reading` is what the
-  // quantity may be off; a slip scales that as it scales the number. In this order: the number that the source
+  // The slip, in a few words; none: nothing explains the number. A slip scales what a quantity
+  // may be off as it scales the number. In this order: the number that the source
   // printed, when it is wrong; the opposite sense; a power of ten; rpm for rad/s (squared in an acceleration),
   // degrees for radians; twice or half; an angle's complement, an angle in the other unit, a length doubled or
   // halved; another quantity of the unit.
-  std::optional<Words> explain(const CheckedQuantity& quantity, const Decimal& number, const Allowance& by_reading,
-                               const Ruler& ruler);
+  std::optional<Words> explain(const CheckedQuantity& quantity, const Decimal& number, Allowances& allowances);
 
  private:
   // The exercise solved with one given mistaken.

@@ -146,7 +146,7 @@ std::optional<Allowance> calculated(const CheckedExercise& checked, const Checke
   const std::vector<Formula> formulas = formulas_for(value, *dimension, all);
   if (formulas.empty()) return std::nullopt;
   const Formula& chosen =
-      *std::max_element(formulas.begin(), formulas.end(), [&](const Formula& a, const Formula& b) {
+      *std::max_element(formulas.rbegin(), formulas.rend(), [&](const Formula& a, const Formula& b) {
         if (a.is_of_long_lines() != b.is_of_long_lines()) return b.is_of_long_lines();
         return a.is_of_long_lines() ? a.error(value) < b.error(value) : b.error(value) < a.error(value);
       });

@@ -1,7 +1,9 @@
 // Numbers read off a drawing: how they are typed, and how far from the true value they may lie.
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exercises/kit/proof/checked.h"
@@ -14,6 +16,7 @@ namespace epure {
 struct PaperScale {
   Dimension of;
   Rational per_mm;  // SI
+  bool operator==(const PaperScale&) const = default;
 };
 
 // Who reads what with what.
@@ -38,6 +41,25 @@ struct Allowance {
 // with the smallest). What none of them gives: as calculated from two lines of 100 mm, which is 1 % for half a
 // millimetre. An angle, read off two such lines: a hundredth of a radian.
 Allowance allowance(const CheckedExercise& checked, const CheckedQuantity& quantity, const Ruler& ruler);
+
+// The same of many numbers: what each quantity's allowance is, is found once.
+class Allowances {
+ public:
+  // `checked` must outlive it.
+  Allowances(const CheckedExercise& checked, Ruler ruler) : checked_(checked), ruler_(std::move(ruler)) {}
+
+  const Allowance& of(const CheckedQuantity& quantity) {
+    const auto known = found_.find(quantity.spec.name);
+    if (known != found_.end()) return known->second;
+    return found_.emplace(quantity.spec.name, allowance(checked_, quantity, ruler_)).first->second;
+  }
+  const Ruler& ruler() const { return ruler_; }
+
+ private:
+  const CheckedExercise& checked_;
+  Ruler ruler_;
+  std::map<std::string, Allowance> found_ = {};
+};
 
 // The same for this very number: half a unit of its last digit when that is more, and the number has two digits at
 // least. ("0" for 0.4 says nothing.) So more digits are never worth less than the reading, nor fewer more than they
