@@ -12,7 +12,7 @@
 namespace epure {
 namespace {
 
-const std::vector<std::string> verbs = {"list", "draw", "check", "sweep", "bench"};
+const std::vector<std::string> verbs = {"list", "draw", "check", "class", "mark", "sweep", "bench"};
 
 // CLI11 reads the options. What it would say of them depends on its version and is English: the help and the
 // refusals are our own.
@@ -28,6 +28,8 @@ class Parser {
     add_draw();
     add_check();
     add_sweep();
+    add_class();
+    add_mark();
     add_bench();
   }
 
@@ -93,6 +95,16 @@ class Parser {
     add(verb, "--format", options_.format, {"FORMATS", "FORMATI"},
         Words{"pdf, svg or both (default: pdf,svg)", "pdf, svg o entrambi (predefinito: pdf,svg)"} + more);
   }
+  void add_ruler(CLI::App& verb) {
+    add(verb, "--reading", options_.reading, {"LENGTH", "LUNGHEZZA"},
+        {"how well a ruler is read (default: 0.5mm)", "quanto bene si legge un righello (predefinita: 0,5mm)"});
+    add(verb, "--sheet", options_.sheet, {"SHEET", "TAVOLA"},
+        {"the sheet that was measured (default: of those that show it the smallest in scale)",
+         "la tavola misurata (predefinita: tra quelle che la mostrano la più ridotta)"});
+    add(verb, "--scale", options_.scale, {"SCALE", "SCALA"},
+        {"scale of lengths of the drawing that was measured, such as 1:5 (default: the sheet's)",
+         "scala delle lunghezze del disegno misurato, come 1:5 (predefinita: della tavola)"});
+  }
   void add_folder(CLI::App& verb) {
     add(verb, "--out", options_.folder, {"DIR", "CARTELLA"},
         {"folder to write to (default: out)", "cartella in cui scrivere (predefinita: out)"});
@@ -151,8 +163,9 @@ class Parser {
     add_repeatable(verb, "--measured", options_.measured, {"NAME=VALUE[UNIT]", "NOME=VALORE[UNITÀ]"},
                    {"a number you measured, held against the true one",
                     "un numero che hai misurato, confrontato con quello vero"});
-    add(verb, "--reading", options_.reading, {"LENGTH", "LUNGHEZZA"},
-        {"how well you read a ruler (default: 0.5mm)", "quanto bene leggi un righello (predefinita: 0,5mm)"});
+    add_ruler(verb);
+    add_flag(verb, "--quiet", options_.quiet,
+             {"only what was measured, and the totals", "solo ciò che è misurato, e i totali"});
     add_flag(
         verb, "--json", options_.json,
         {"print the report as JSON (schema epure.check/1)", "stampa il resoconto in JSON (schema epure.check/1)"});
@@ -182,6 +195,55 @@ class Parser {
          "disegna anche le grandezze sul primo dato: un PDF o SVG"});
     add_language(verb);
   }
+  void add_class() {
+    CLI::App& verb = add_verb("class");
+    add_names(verb, {"NAME", "NOME"},
+              {"an exercise or a sheet: ID or ID/SHEET", "un esercizio o una tavola: ID o ID/TAVOLA"});
+    ClassOptions& of = options_.class_set;
+    add(verb, "--students", of.students, {"FILE", "FILE"},
+        {"CSV: number, name; a sheet to be solved and a solution for each",
+         "CSV: number, name; una tavola da svolgere e una soluzione per ciascuno"});
+    add(verb, "--count", of.count, {"N", "N"}, {"so many students without names", "tanti studenti senza nome"});
+    add(verb, "--givens", of.givens, {"FILE", "FILE"},
+        {"CSV: each row's own givens, a column each", "CSV: i dati propri di ogni riga, una colonna ciascuno"});
+    add_repeatable(
+        verb, "--vary", options_.variations, {"SYMBOL=FROM..TO/STEP", "SIMBOLO=DA..A/PASSO"},
+        {"a given drawn by lot; or FROM..TO/COUNT, or A|B|C", "un dato sorteggiato; o DA..A/QUANTI, o A|B|C"});
+    add(verb, "--seed", of.seed, {"TEXT", "TESTO"},
+        {"the same seed draws the same lots (default: 1)", "lo stesso seme dà gli stessi sorteggi (predefinito: 1)"});
+    add_givens(verb);
+    add(verb, "--format", options_.format, {"FORMAT", "FORMATO"},
+        {"pdf (default), or moodle: a question bank", "pdf (predefinito), o moodle: una banca di domande"});
+    add(verb, "--reading", options_.reading, {"LENGTH", "LUNGHEZZA"},
+        {"moodle: what an answer may be off on the sheet (default: 0.5mm)",
+         "moodle: di quanto una risposta può scostarsi sulla tavola (predefinita: 0,5mm)"});
+    add_folder(verb);
+    add_paper(verb);
+    add_titles(verb);
+    add_language(verb);
+  }
+  void add_mark() {
+    CLI::App& verb = add_verb("mark");
+    add_names(verb, {"ID", "ID"}, {"the exercise", "l'esercizio"});
+    add(verb, "--answers", options_.answers, {"FILE", "FILE"},
+        {"CSV: number, name, a column a quantity, as v_B [cm/s]; also scale, givens",
+         "CSV: number, name, una colonna per grandezza, come v_B [cm/s]; anche scale, dati"});
+    add(verb, "--key", options_.key, {"FILE", "FILE"},
+        {"CSV: number and each student's own givens", "CSV: number e i dati propri di ogni studente"});
+    add_givens(verb);
+    add_ruler(verb);
+    add(verb, "--points", options_.points, {"NAME=POINTS,...", "NOME=PUNTI,..."},
+        {"what quantities are worth (default: 1 each)", "quanto valgono le grandezze (predefinito: 1 ciascuna)"});
+    add(verb, "--slip-points", options_.slip_points, {"SHARE", "QUOTA"},
+        {"of the points, for a slip that is named (default: 0.5)",
+         "dei punti, per una svista riconosciuta (predefinita: 0,5)"});
+    add(verb, "--format", options_.format, {"FORMAT", "FORMATO"},
+        {"text (default) or csv", "text (predefinito) o csv"});
+    add(verb, "-o", options_.file, {"FILE", "FILE"},
+        {"write to this file; .csv: as CSV; - is standard output",
+         "scrive in questo file; .csv: in CSV; - è lo standard output"});
+    add_language(verb);
+  }
   void add_bench() {
     CLI::App& verb = add_verb("bench");
     add_flag(
@@ -205,6 +267,8 @@ Help help_of(const std::string& verb) {
   if (verb == "draw") return help_of_draw();
   if (verb == "check") return help_of_check();
   if (verb == "sweep") return help_of_sweep();
+  if (verb == "class") return help_of_class();
+  if (verb == "mark") return help_of_mark();
   return verb == "bench" ? help_of_bench() : help_of_program();
 }
 
@@ -296,8 +360,8 @@ void refuse_name_as_verb(const Catalogue& exercises, const std::string& name) {
 // The word where the verb should be.
 void demand_verb(const Catalogue& exercises, const std::vector<std::string>& arguments) {
   if (arguments.empty())
-    throw WrongUsage("say what to do: list, draw, check, sweep or bench (epure help explains)",
-                     "dire che cosa fare: list, draw, check, sweep o bench (epure help spiega)");
+    throw WrongUsage("say what to do: list, draw, check, class, mark, sweep or bench (epure help explains)",
+                     "dire che cosa fare: list, draw, check, class, mark, sweep o bench (epure help spiega)");
   const std::string& first = arguments.front();
   if (first.starts_with('-')) return;
   refuse_name_as_verb(exercises, first);
@@ -350,6 +414,8 @@ Parsed parse_options(const Catalogue& exercises, const std::vector<std::string>&
                         : verb == "draw"  ? Options::Verb::draw
                         : verb == "check" ? Options::Verb::check
                         : verb == "sweep" ? Options::Verb::sweep
+                        : verb == "class" ? Options::Verb::make_class
+                        : verb == "mark"  ? Options::Verb::mark
                                           : Options::Verb::bench;
   return parsed;
 }

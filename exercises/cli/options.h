@@ -9,17 +9,26 @@
 
 namespace epure {
 
+// Of a class set: who is in it, and the seed of the lots.
+struct ClassOptions {
+  std::optional<std::string> students, givens, count;
+  std::string seed = "1";
+};
+
 // Texts as typed; what they mean is found where they are used, because their parsing must not depend on a locale.
 struct Options {
-  enum class Verb { list, draw, check, bench, sweep } verb = Verb::list;
+  enum class Verb { list, draw, check, make_class, mark, sweep, bench } verb = Verb::list;
   std::vector<std::string> names;  // ID, ID/SHEET, all
   std::vector<std::string> assignments, measured;
-  std::vector<std::string> variations, quantities;  // of a sweep
+  std::vector<std::string> variations, quantities;  // of a sweep, a class
   std::optional<std::string> part, chart;
   std::optional<std::string> format, folder, file, scale;
-  std::string paper = "a4", language = "en", reading = "0.5mm", arithmetic = "exact", seconds = "60";
-  bool bare = false, blank = false, json = false, times = false;
+  std::optional<std::string> sheet, answers, key, points;
+  std::string paper = "a4", language = "en", reading = "0.5mm", arithmetic = "exact", seconds = "60",
+              slip_points = "0.5";
+  bool bare = false, blank = false, json = false, times = false, quiet = false;
   OwnTitles titles = {};
+  ClassOptions class_set = {};
   bool colours = false;  // of the terminal, not typed
 };
 

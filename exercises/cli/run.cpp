@@ -33,6 +33,10 @@ Outcome outcome_of(const Catalogue& exercises, const Options& options, std::ostr
       return {benchmark(exercises, options, err, surroundings.bench)};
     case Options::Verb::sweep:
       return sweep(exercises, options, out, err, surroundings);
+    case Options::Verb::make_class:
+      return make_class(exercises, options, err, surroundings);
+    case Options::Verb::mark:
+      return mark(exercises, options);
     case Options::Verb::check:
       break;
   }

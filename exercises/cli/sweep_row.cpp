@@ -6,7 +6,7 @@
 #include "exercises/cli/json_number.h"
 #include "exercises/kit/proof/agreement.h"
 #include "exercises/kit/proof/asked.h"
-#include "exercises/kit/statement/long_table.h"
+#include "exercises/kit/statement/csv_field.h"
 
 namespace epure {
 namespace {

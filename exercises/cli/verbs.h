@@ -31,6 +31,12 @@ Outcome check(const Catalogue& exercises, const Options& options);
 // reads `out` may stop reading.
 Outcome sweep(const Catalogue& exercises, const Options& options, std::ostream& out, std::ostream& err,
               const Surroundings& surroundings);
+// Writes the files of each student as they are made, and the key at the end.
+Outcome make_class(const Catalogue& exercises, const Options& options, std::ostream& err,
+                   const Surroundings& surroundings);
+
+// Writes the file of -o, if there is one. What could not be decided is named in remarks.
+Outcome mark(const Catalogue& exercises, const Options& options);
 
 // "en" or "it". Throws WrongUsage.
 Language language(const Options& options);

@@ -1,0 +1,116 @@
+#include "exercises/cli/candidate.h"
+
+#include <algorithm>
+#include <map>
+
+#include "drawings/text/text.h"
+#include "exercises/cli/printable.h"
+#include "exercises/kit/statement/suggest.h"
+
+namespace epure {
+namespace {
+
+const std::vector<std::string> names_of_number{"number", "matricola", "id"},
+    names_of_name{"name", "nome", "student", "studente"};
+
+bool is_one_of(const std::vector<std::string>& names, const std::string& head) {
+  return std::find(names.begin(), names.end(), lower_case(head)) != names.end();
+}
+std::optional<std::size_t> column_of(const CsvTable& table, const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < table.header.size(); ++i)
+    if (is_one_of(names, table.header[i])) return i;
+  return std::nullopt;
+}
+
+// No path, no hidden file, nothing that a shell or another system would read otherwise.
+std::string fit_for_file(const std::string& number) {
+  std::string file;
+  for (const char c : number) {
+    const bool is_plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    file += is_plain || (c == '-' && !file.empty()) ? c : '_';
+  }
+  return file;
+}
+
+void demand_line(const CsvTable& table, const CsvRow& row, const std::string& text) {
+  constexpr std::size_t longest = 80;
+  const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
+  const auto length = text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues));
+  if (length > longest)
+    throw BadTable(format_words("{}, line {}: \"{}\" has {} characters, and a sheet has room for {}",
+                                "{}, riga {}: \"{}\" ha {} caratteri, e una tavola ne tiene {}", table.file, row.line,
+                                text, length, longest));
+  if (printable(text) != text)
+    throw BadTable(format_words("{}, line {}: \"{}\" holds characters that cannot be printed",
+                                "{}, riga {}: \"{}\" contiene caratteri non stampabili", table.file, row.line, text));
+  if (!drawings::can_write(text))
+    throw BadTable(
+        format_words("{}, line {}: \"{}\" has letters that epure's fonts have not (these are Latin, Greek "
+                     "and Cyrillic)",
+                     "{}, riga {}: \"{}\" ha lettere che i caratteri di epure non hanno (ne hanno di latine, "
+                     "greche e cirilliche)",
+                     table.file, row.line, text));
+}
+
+void demand_files_apart(const CsvTable& table, const std::vector<Candidate>& students) {
+  std::map<std::string, std::string> seen;
+  for (const Candidate& each : students)
+    if (const auto [other, is_new] = seen.try_emplace(lower_case(each.file), each.number); !is_new)
+      throw BadTable(format_words("{}: the numbers \"{}\" and \"{}\" would name the same files",
+                                  "{}: i numeri \"{}\" e \"{}\" darebbero il nome agli stessi file", table.file,
+                                  other->second, each.number));
+}
+
+std::vector<Candidate> students_in(const CsvTable& table, bool needs_number) {
+  const auto number = column_of(table, names_of_number), name = column_of(table, names_of_name);
+  if (!number && needs_number)
+    throw BadTable(format_words("{}: a column \"number\" (or \"matricola\") is missing; there are {}",
+                                "{}: manca una colonna \"number\" (o \"matricola\"); ci sono {}", table.file,
+                                alternatives(table.header)));
+  if (number) table.demand_distinct(*number);
+  std::vector<Candidate> students;
+  for (const CsvRow& row : table.rows) {
+    Candidate each{
+        number ? row.cells[*number] : std::to_string(students.size() + 1), name ? row.cells[*name] : "", {}};
+    demand_line(table, row, each.number);
+    demand_line(table, row, each.name);
+    each.file = fit_for_file(each.number);
+    students.push_back(std::move(each));
+  }
+  if (students.empty())
+    throw BadTable(format_words("{}: there is no student in it", "{}: non contiene alcuno studente", table.file));
+  demand_files_apart(table, students);
+  return students;
+}
+
+}  // namespace
+
+std::vector<Candidate> candidates_of(const CsvTable& roster) { return students_in(roster, true); }
+
+std::vector<Candidate> variants_of(const CsvTable& table, const Exercise& exercise) {
+  std::vector<Candidate> students = students_in(table, false);
+  const auto& specs = exercise.about().givens;
+  for (std::size_t column = 0; column < table.header.size(); ++column) {
+    const std::string& head = table.header[column];
+    if (is_one_of(names_of_number, head) || is_one_of(names_of_name, head)) continue;
+    if (index_of(specs, head) == specs.size()) {
+      std::vector<std::string> symbols;
+      for (const GivenSpec& spec : specs) symbols.push_back(spec.symbol);
+      throw BadTable(format_words("{}: the column \"{}\" is no given of {}; {}",
+                                  "{}: la colonna \"{}\" non è un dato di {}; {}", table.file, head,
+                                  exercise.about().id, did_you_mean(head, symbols)));
+    }
+    for (std::size_t i = 0; i < students.size(); ++i)
+      if (const std::string& cell = table.rows[i].cells[column]; !cell.empty())
+        students[i].assignments.push_back(head + "=" + cell);
+  }
+  return students;
+}
+
+std::vector<Candidate> numbered_candidates(std::size_t count) {
+  std::vector<Candidate> students;
+  for (std::size_t i = 1; i <= count; ++i) students.push_back({std::to_string(i), "", std::to_string(i)});
+  return students;
+}
+
+}  // namespace epure

@@ -1,0 +1,31 @@
+// The students of a class, as a roster lists them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exercises/cli/csv_reader.h"
+
+namespace epure {
+
+struct Candidate {
+  std::string number, name;
+  std::string file;                           // the number, fit for the name of a file
+  std::vector<std::string> assignments = {};  // givens of his own, as --set takes them
+};
+
+// A row each, out of the columns "number" (also "matricola", "id") and "name" ("nome", "student", "studente"); the
+// number may be missing where `needs_number` is false: then they are counted. Throws BadTable: a column is missing, a
+// number is missing, is there twice, or looks like another's in the name of a file; a name or number that is no line
+// of at most 80 printable characters. Other columns are left alone.
+std::vector<Candidate> candidates_of(const CsvTable& roster);
+
+// The same of a table of variants: each column but these two is headed by a given, whose cells are its values. An
+// empty cell leaves the given as it is. Throws as above, and for a column that is no given of the exercise.
+std::vector<Candidate> variants_of(const CsvTable& table, const Exercise& exercise);
+
+// Students without names, numbered from 1.
+std::vector<Candidate> numbered_candidates(std::size_t count);
+
+}  // namespace epure

@@ -1,0 +1,252 @@
+// A class set: for each student a sheet to be solved and its solution, and a key of all.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "drawings/output.h"
+#include "drawings/page.h"
+#include "drawings/text/text.h"
+#include "exercises/cli/abreast.h"
+#include "exercises/cli/class_journal.h"
+#include "exercises/cli/harmless_cell.h"
+#include "exercises/cli/moodle.h"
+#include "exercises/cli/request.h"
+#include "exercises/cli/sweep_progress.h"
+#include "exercises/cli/variant.h"
+#include "exercises/cli/verbs.h"
+#include "exercises/kit/statement/csv_field.h"
+#include "exercises/kit/statement/suggest.h"
+
+namespace epure {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_students = 100000;
+
+std::vector<Candidate> class_of(const Options& options, const Exercise& exercise) {
+  const ClassOptions& of = options.class_set;
+  const int sources = (of.students ? 1 : 0) + (of.givens ? 1 : 0) + (of.count ? 1 : 0);
+  if (sources != 1)
+    throw WrongUsage("a class needs one of --students ROSTER.csv, --givens VARIANTS.csv and --count N",
+                     "una classe richiede uno fra --students ELENCO.csv, --givens VARIANTI.csv e --count N");
+  if (of.students) return candidates_of(read_csv_file(*of.students));
+  if (of.givens) return variants_of(read_csv_file(*of.givens), exercise);
+  const bool is_number =
+      !of.count->empty() && of.count->size() <= 6 && of.count->find_first_not_of("0123456789") == std::string::npos;
+  const std::size_t count = is_number ? std::stoul(*of.count) : 0;
+  if (count < 1 || count > most_students)
+    throw WrongUsage(format_words("--count {}: must be a whole number from 1 to {}",
+                                  "--count {}: dev'essere un numero intero da 1 a {}", *of.count, most_students));
+  return numbered_candidates(count);
+}
+
+std::vector<Variation> variations_of(const Options& options, const Exercise& exercise) {
+  const auto& specs = exercise.about().givens;
+  std::vector<Variation> all;
+  for (const std::string& typed : options.variations) {
+    const auto equals = typed.find('=');
+    if (equals == std::string::npos)
+      throw WrongUsage(format_words("--vary {}: write it as r=0.18..0.22/0.01 or n=300|360|400",
+                                    "--vary {}: scriverlo come r=0.18..0.22/0.01 o n=300|360|400", typed));
+    const std::string symbol = typed.substr(0, equals);
+    if (index_of(specs, symbol) == specs.size())
+      throw WrongUsage(format_words("--vary {}: {} has no given \"{}\"; epure list {} shows them",
+                                    "--vary {}: {} non ha un dato \"{}\"; epure list {} li mostra", typed,
+                                    exercise.about().id, symbol, exercise.about().id));
+    const GivenSpec& spec = specs[index_of(specs, symbol)];
+    if (std::any_of(all.begin(), all.end(),
+                    [&](const Variation& each) { return each.given().symbol == spec.symbol; }))
+      throw WrongUsage(format_words("--vary {}: {} is varied twice", "--vary {}: {} varia due volte", typed, symbol));
+    all.emplace_back(spec, typed.substr(equals + 1));
+  }
+  return all;
+}
+
+bool wants_moodle(const Options& options) {
+  const std::string format = lower_case(options.format.value_or("pdf"));
+  if (format != "pdf" && format != "moodle")
+    throw WrongUsage(format_words("\"{}\" is no format of a class; choose pdf or moodle",
+                                  "\"{}\" non è un formato di una classe; scegliere pdf o moodle", *options.format));
+  return format == "moodle";
+}
+
+class ClassSet {
+ public:
+  ClassSet(const Target& target, const Options& options)
+      : exercise_(*target.exercise),
+        options_(options),
+        students_(class_of(options, exercise_)),
+        lots_{.exercise = exercise_,
+              .sheets = target.sheets(),
+              .assignments = options.assignments,
+              .variations = variations_of(options, exercise_),
+              .seed = options.class_set.seed,
+              .request = sheet_request(options)},
+        reading_mm_(CGAL::to_double(ruler_asked({&exercise_}, options).reading_mm)),
+        is_moodle_(wants_moodle(options)),
+        folder_(fs::path(options.folder.value_or("out")) / (target.file_stem() + "-class")) {
+    set_givens({&exercise_}, options.assignments);
+    for (const Candidate& student : students_)
+      for (const std::string& assignment : student.assignments) varied_.push_back(symbol_in(assignment));
+    for (const Variation& each : lots_.variations) varied_.push_back(each.given().symbol);
+    std::vector<std::string> once;
+    for (const std::string& symbol : varied_)
+      if (std::find(once.begin(), once.end(), symbol) == once.end()) once.push_back(symbol);
+    varied_ = once;
+  }
+
+  Outcome make(std::ostream& err, bool is_on_terminal) {
+    const std::vector<std::string> awkward_anyway = awkward_as_stated(lots_);
+    ClassJournal journal(folder_, inputs());
+    std::vector<ClassEntry> entries(students_.size());
+    SweepProgress progress(students_.size(), is_on_terminal, err, lots_.request.language);
+    std::mutex one_at_a_time;
+    abreast(students_.size(), [&](std::size_t i) {
+      const Candidate& student = students_[i];
+      if (const ClassEntry* done = journal.entry_of(student); done && has_files(student)) {
+        entries[i] = *done;
+      } else {
+        entries[i] = draw_set(student, awkward_anyway);
+        journal.add(student, entries[i]);
+      }
+      const std::scoped_lock lock(one_at_a_time);
+      progress.has_done(1);
+    });
+    std::vector<drawings::File> files{{folder_ / "key.csv", key(entries)}};
+    if (is_for_moodle()) files.push_back({folder_ / "questions.xml", questions(entries)});
+    drawings::write_whole(files);
+    journal.remove();
+    return {report(entries)};
+  }
+
+ private:
+  static std::string symbol_in(const std::string& assignment) { return assignment.substr(0, assignment.find('=')); }
+  bool is_for_moodle() const { return is_moodle_; }
+
+  // What the files depend on, beside the students.
+  std::string inputs() const {
+    nlohmann::json all{{"epure", EPURE_VERSION},
+                       {"exercise", exercise_.about().id},
+                       {"sheets", lots_.sheets},
+                       {"set", lots_.assignments},
+                       {"vary", options_.variations},
+                       {"seed", lots_.seed},
+                       {"paper", options_.paper},
+                       {"lang", options_.language},
+                       {"bare", options_.bare},
+                       {"scale", options_.scale.value_or("")},
+                       {"course", options_.titles.course},
+                       {"author", options_.titles.author},
+                       {"title", options_.titles.title},
+                       {"number", options_.titles.sheet_number},
+                       {"moodle", is_for_moodle()}};
+    return all.dump();
+  }
+
+  fs::path file(const Candidate& student, const char* ending) const { return folder_ / (student.file + ending); }
+  bool has_files(const Candidate& student) const {
+    std::error_code ignored;
+    if (is_for_moodle()) return true;
+    return fs::exists(file(student, "-blank.pdf"), ignored) && fs::exists(file(student, "-solution.pdf"), ignored);
+  }
+
+  ClassEntry draw_set(const Candidate& student, const std::vector<std::string>& awkward_anyway) const {
+    Variant variant = draw_variant(lots_, student, awkward_anyway);
+    ClassEntry entry{.givens = variant.assignments, .values = {}, .question = "", .rejected = variant.rejected};
+    for (const Quantity& quantity : exercise_.about().quantities) {
+      const auto value = variant.solution.value(quantity.name);
+      entry.values.push_back(value ? csv_field(*value) : "");
+    }
+    SheetRequest request = lots_.request;
+    request.solver = {student.name, student.number};
+    if (is_for_moodle()) {
+      entry.question = moodle_question(exercise_, student, variant, lots_, reading_mm_);
+      return entry;
+    }
+    const auto pdf = [&](bool blank) {
+      request.blank = blank;
+      std::vector<drawings::Page> pages;
+      for (const std::string& sheet : lots_.sheets) {
+        const DrawnSheet drawn = exercise_.draw(sheet, variant.solution, request);
+        pages.push_back(drawings::compose(drawn.sheet));
+        for (const drawings::Sheet& further : drawn.further) pages.push_back(drawings::compose(further));
+      }
+      return drawings::write_pdf(pages, drawings::plain(exercise_.about().title.in(request.language)));
+    };
+    drawings::write_whole({{file(student, "-blank.pdf"), pdf(true)}, {file(student, "-solution.pdf"), pdf(false)}});
+    return entry;
+  }
+
+  // The varied givens of a student under their symbols, in the order of `varied_`.
+  std::vector<std::string> givens_in_order(const ClassEntry& entry) const {
+    std::vector<std::string> cells;
+    for (const std::string& symbol : varied_) {
+      cells.emplace_back();
+      for (const std::string& assignment : entry.givens)
+        if (symbol_in(assignment) == symbol) cells.back() = assignment.substr(symbol.size() + 1);
+    }
+    return cells;
+  }
+
+  std::string key(const std::vector<ClassEntry>& entries) const {
+    std::string text = "number,name";
+    for (const std::string& symbol : varied_) text += "," + csv_field(symbol);
+    for (const Quantity& quantity : exercise_.about().quantities) text += "," + quantity.name;
+    text += "\r\n";
+    for (std::size_t i = 0; i < students_.size(); ++i) {
+      text += csv_field(harmless_cell(students_[i].number)) + "," + csv_field(harmless_cell(students_[i].name));
+      for (const std::string& cell : givens_in_order(entries[i])) text += "," + csv_field(cell);
+      for (const std::string& cell : entries[i].values) text += "," + cell;
+      text += "\r\n";
+    }
+    return text;
+  }
+
+  static std::string questions(const std::vector<ClassEntry>& entries) {
+    std::vector<std::string> all;
+    for (const ClassEntry& entry : entries) all.push_back(entry.question);
+    return moodle_quiz(all);
+  }
+
+  std::string report(const std::vector<ClassEntry>& entries) const {
+    const Language language = lots_.request.language;
+    std::map<std::string, std::size_t> rejected;
+    for (const ClassEntry& entry : entries)
+      for (const auto& [why, count] : entry.rejected) rejected[why] += count;
+    std::string text = (folder_ / "key.csv").string() + "\n";
+    text += format_words("{} students", "{} studenti", students_.size()).in(language) + "\n";
+    for (const auto& [why, count] : rejected)
+      text += format_words("{} variants drawn again: {}", "{} varianti sorteggiate di nuovo: {}", count,
+                           reason_in_words(why))
+                  .in(language) +
+              "\n";
+    return text;
+  }
+
+  const Exercise& exercise_;
+  const Options& options_;
+  std::vector<Candidate> students_;
+  Lots lots_;
+  double reading_mm_;
+  bool is_moodle_;
+  fs::path folder_;
+  std::vector<std::string> varied_;
+};
+
+}  // namespace
+
+Outcome make_class(const Catalogue& exercises, const Options& options, std::ostream& err,
+                   const Surroundings& surroundings) {
+  const std::vector<Target> targets = find_targets(exercises, options.names);
+  if (targets.size() != 1)
+    throw WrongUsage("class takes one exercise or one sheet: ID or ID/SHEET",
+                     "class prende un esercizio o una tavola: ID o ID/TAVOLA");
+  return ClassSet(targets.front(), options).make(err, surroundings.err_is_terminal);
+}
+
+}  // namespace epure

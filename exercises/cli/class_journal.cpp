@@ -1,0 +1,73 @@
+#include "exercises/cli/class_journal.h"
+
+#include <cerrno>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "drawings/files/system_words.h"
+#include "drawings/output.h"
+
+namespace epure {
+
+ClassJournal::ClassJournal(const std::filesystem::path& folder, const std::string& inputs)
+    : path_(folder / "unfinished.jsonl") {
+  drawings::demand_writable(folder);
+  std::ifstream in(path_, std::ios::binary);
+  std::string line;
+  if (in && std::getline(in, line) && line == inputs) {
+    // What was cut short has no line's end, or is no JSON.
+    while (std::getline(in, line) && !in.eof()) {
+      const auto found = nlohmann::json::parse(line, nullptr, false);
+      if (found.is_discarded()) continue;
+      entries_[found.value("student", "")] = {found["givens"], found["values"], found["question"], found["rejected"]};
+    }
+  }
+  in.close();
+  // Begun anew also where it goes on: what was cut short must not run into the next line.
+  std::string text = inputs + "\n";
+  for (const auto& [student, entry] : entries_)
+    text += nlohmann::json{{"student", student},
+                           {"givens", entry.givens},
+                           {"values", entry.values},
+                           {"question", entry.question},
+                           {"rejected", entry.rejected}}
+                .dump() +
+            "\n";
+  drawings::write_whole(path_, text);
+}
+
+std::string ClassJournal::name_of(const Candidate& student) {
+  return nlohmann::json{student.number, student.name, student.assignments}.dump();
+}
+
+const ClassEntry* ClassJournal::entry_of(const Candidate& student) const {
+  const auto found = entries_.find(name_of(student));
+  return found == entries_.end() ? nullptr : &found->second;
+}
+
+void ClassJournal::add(const Candidate& student, const ClassEntry& entry) {
+  write(nlohmann::json{{"student", name_of(student)},
+                       {"givens", entry.givens},
+                       {"values", entry.values},
+                       {"question", entry.question},
+                       {"rejected", entry.rejected}}
+            .dump() +
+        "\n");
+}
+
+void ClassJournal::write(const std::string& line) {
+  const std::scoped_lock lock(one_at_a_time_);
+  errno = 0;
+  std::ofstream out(path_, std::ios::binary | std::ios::app);
+  out << line << std::flush;
+  if (!out)
+    throw drawings::CannotWrite(Words{"cannot write to ", "impossibile scrivere su "} + path_.string() +
+                                (errno == 0 ? Words{} : ": " + drawings::system_words(errno)));
+}
+
+void ClassJournal::remove() const {
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+}  // namespace epure

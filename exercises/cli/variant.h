@@ -1,0 +1,42 @@
+// The givens that a student of a class gets, drawn by lot.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "exercises/cli/candidate.h"
+#include "exercises/cli/variation.h"
+#include "exercises/kit/proof/solution.h"
+
+namespace epure {
+
+// What a variant is drawn from, and how it is to look.
+struct Lots {
+  const Exercise& exercise;
+  std::vector<std::string> sheets;       // of which none must be awkward
+  std::vector<std::string> assignments;  // of all students, as --set takes them
+  std::vector<Variation> variations;
+  std::string seed;
+  SheetRequest request;
+};
+
+struct Variant {
+  std::vector<std::string> assignments;  // what varies, as --set takes it
+  Solution solution;
+  std::vector<DrawnSheet> solved;               // the sheets, one after the other
+  std::map<std::string, std::size_t> rejected;  // why others were not taken (a sentence in English), and how often
+};
+
+// Such a sentence in both languages.
+Words reason_in_words(const std::string& english);
+
+// What is awkward about the exercise's own givens is no reason: it is in the nature of the exercise.
+std::vector<std::string> awkward_as_stated(const Lots& lots);
+
+// The same for the same lots, seed and number, whoever else is in the class. Impossible and awkward ones are drawn
+// again, 200 times at most; a variant without lots is taken as it is, awkward or not. Throws BadGivens: there was
+// none.
+Variant draw_variant(const Lots& lots, const Candidate& student, const std::vector<std::string>& awkward_anyway);
+
+}  // namespace epure
