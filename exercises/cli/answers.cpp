@@ -36,7 +36,7 @@ HeadedBy heading_of(const std::string& column) {
 }
 
 // A given or a quantity that has a column.
-struct Asked {
+struct AskedColumn {
   std::size_t column;
   std::string name, unit;  // as the column has it; empty: the own one
 
@@ -68,11 +68,11 @@ class Columns {
 
   std::optional<std::size_t> numbers, names;
   std::vector<std::size_t> scales;
-  std::vector<Asked> givens, quantities;
+  std::vector<AskedColumn> givens, quantities;
 
  private:
-  static bool stands_in(const std::vector<Asked>& all, const std::string& name) {
-    return std::any_of(all.begin(), all.end(), [&](const Asked& each) { return each.name == name; });
+  static bool stands_in(const std::vector<AskedColumn>& all, const std::string& name) {
+    return std::any_of(all.begin(), all.end(), [&](const AskedColumn& each) { return each.name == name; });
   }
   const Quantity* quantity(const std::string& name) const {
     const auto found = std::find_if(about_.quantities.begin(), about_.quantities.end(),
@@ -138,10 +138,10 @@ class Columns {
 };
 
 // The givens of a row; a remark, and none, when they cannot be.
-void set_row(Student& student, const std::vector<Asked>& columns, const CsvRow& row, const Givens& otherwise) {
+void set_row(Student& student, const std::vector<AskedColumn>& columns, const CsvRow& row, const Givens& otherwise) {
   try {
     Givens givens = otherwise;
-    for (const Asked& each : columns)
+    for (const AskedColumn& each : columns)
       if (const std::string text = each.text(row); !text.empty()) givens.set(each.name + "=" + text);
     student.givens = givens;
   } catch (const BadGivens& wrong) {
@@ -187,7 +187,7 @@ class Key {
     const CsvRow& row = *found->second;
     answered_.push_back(student.number);
     set_row(student, columns_.givens, row, otherwise);
-    for (const Asked& each : columns_.quantities)
+    for (const AskedColumn& each : columns_.quantities)
       if (const std::string text = each.text(row); !text.empty()) student.key.push_back({each.name, text, row.line});
   }
 
@@ -251,7 +251,7 @@ Answers read_answers(const Exercise& exercise, const CsvTable& answers, const Cs
   if (key) rows_of_key.emplace(exercise, *key);
 
   Answers all;
-  for (const Asked& each : columns.quantities)
+  for (const AskedColumn& each : columns.quantities)
     all.asked.push_back(*std::find_if(exercise.about().quantities.begin(), exercise.about().quantities.end(),
                                       [&](const Quantity& spec) { return spec.name == each.name; }));
   for (const CsvRow& row : answers.rows) {
@@ -262,7 +262,7 @@ Answers read_answers(const Exercise& exercise, const CsvTable& answers, const Cs
     else
       set_row(student, columns.givens, row, otherwise);
     read_scales(student, columns.scales, row);
-    for (const Asked& each : columns.quantities) student.answers.push_back(each.text(row));
+    for (const AskedColumn& each : columns.quantities) student.answers.push_back(each.text(row));
     all.students.push_back(std::move(student));
   }
   if (rows_of_key) all.silent = rows_of_key->silent();

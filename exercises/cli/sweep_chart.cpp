@@ -11,7 +11,7 @@
 namespace epure {
 namespace {
 
-constexpr std::uint64_t most_curves = 12, most_points = 1000;
+constexpr std::uint64_t most_curves = 12, most_drawn_points = 1000;
 constexpr std::size_t most_charts = 4;
 
 std::string chart_ending(const std::string& file) {
@@ -74,7 +74,7 @@ SweepChart::SweepChart(const SweepStudy& study, std::string file, Language langu
                                   "--chart: {} ha parole per valori e non fa da asse; nominare prima un altro dato",
                                   first.given().symbol));
   others_ = study.size() / first.size();
-  stride_ = (first.size() + most_points - 1) / most_points;
+  stride_ = (first.size() + most_drawn_points - 1) / most_drawn_points;
   if (others_ * study.quantities.size() > most_curves)
     throw WrongUsage(format_words("--chart would draw {} curves over {}, and a sheet bears {}",
                                   "--chart disegnerebbe {} curve su {}, e un foglio ne porta {}",

@@ -65,7 +65,7 @@ Words reason_in_words(const std::string& english) {
                             {"lines that meet at less than 15°", "rette che si incontrano a meno di 15°"},
                             {"a step off the sheet", "un passo fuori del foglio"}})
     if (each.english == english) return each;
-  return english;
+  return {english, english};
 }
 
 std::vector<std::string> awkward_as_stated(const Lots& lots) {
@@ -95,7 +95,7 @@ Variant draw_variant(const Lots& lots, const Candidate& student, const std::vect
       const std::string why = lots.variations.empty() ? "" : awkwardness(solved, awkward_anyway);
       assignments.insert(assignments.begin(), student.assignments.begin(), student.assignments.end());
       if (why.empty()) return {std::move(assignments), std::move(solution), std::move(solved), std::move(rejected)};
-      reject(why, why);
+      reject(why, reason_in_words(why));
     } catch (const DoesNotFit& why) {
       reject("does not fit the paper", why.words());
     } catch (const drawings::TooFar& why) {
