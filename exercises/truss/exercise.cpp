@@ -1,4 +1,6 @@
 // Trusses with pin joints by Cremona's reciprocal figure: the shape, the loads and the supports are the user's.
+#include <numbers>
+
 #include "exercises/kit/panels/force_plan_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/sheet.h"
@@ -35,7 +37,7 @@ std::shared_ptr<const TrussFigure> figure_of(const LoadedTruss& of, const Soluti
 std::set<std::string> without_part(const LoadedTruss& of) {
   std::set<std::string> all;
   if (!has_panels(of.shape)) all.insert("n");
-  if (of.W == 0) all.insert({"W", "beta"});
+  if (of.W == 0) all.merge(std::set<std::string>{"W", "beta"});
   return all;
 }
 

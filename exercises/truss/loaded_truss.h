@@ -24,9 +24,4 @@ struct LoadedTruss {
 
 std::vector<GivenSpec> given_specs();
 
-// A, B, C ... for joints.
-inline std::string joint_letter(std::size_t joint) { return std::string(1, static_cast<char>('A' + joint)); }
-// a, b, c ... for regions.
-inline std::string region_letter(std::size_t region) { return std::string(1, static_cast<char>('a' + region)); }
-
 }  // namespace epure::truss

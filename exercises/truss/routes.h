@@ -87,7 +87,7 @@ struct Routes {
   template <class T>
   T length(std::size_t bar) const {
     const Vector<Rational> d = geometry::along(of.truss, bar);
-    return geometry::root(number<T>(geometry::length_squared(d)));
+    return geometry::root(number<T>(geometry::dot(d, d)));
   }
 
   // The greater of two, of which nothing has to decide which it is.

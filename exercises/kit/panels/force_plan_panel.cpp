@@ -49,7 +49,7 @@ std::vector<drawings::Block> ForcePlanPanel::draw(Plot& plot, const drawings::Bo
         letters += ", " + TrussFigure::region_letter(s);
       }
     plot.dot(figure_->plan[r]);
-    plot.label(letters, figure_->plan[r]);
+    plot.label("$" + letters + "$", figure_->plan[r]);
   }
   return {};
 }
@@ -69,14 +69,14 @@ std::vector<PanelStep> ForcePlanPanel::steps(const Plot&, const drawings::Box&) 
       return letter(left == step.region ? right : left);
     };
     const std::string first = std::to_string(step.bars[0] + 1), second = std::to_string(step.bars[1] + 1);
-    const std::string lines = beyond(step.bars[0]) + letter(step.region) + " ∥ " + first + ", " +
-                              beyond(step.bars[1]) + letter(step.region) + " ∥ " + second;
-    const std::string at = step.joint ? TrussFigure::joint_letter(*step.joint) + ": " : "";
+    const std::string lines = "$" + beyond(step.bars[0]) + letter(step.region) + "$ ∥ " + first + ", $" +
+                              beyond(step.bars[1]) + letter(step.region) + "$ ∥ " + second;
+    const std::string at = step.joint ? "$" + TrussFigure::joint_letter(*step.joint) + "$: " : "";
     all.push_back({Words{at + lines + ".", at + lines + "."}, figure_->plan[step.region]});
   }
   const std::string last = std::to_string(bow.closing_bar + 1);
   const auto& [left, right] = bow.sides[bow.closing_bar];
-  const std::string line = letter(left) + letter(right);
+  const std::string line = "$" + letter(left) + letter(right) + "$";
   all.push_back({Words{line + " has come out parallel to bar " + last + ": the plan closes.",
                        line + " è risultata parallela all'asta " + last + ": il piano si chiude."}});
   return all;

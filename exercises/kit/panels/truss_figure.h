@@ -33,13 +33,9 @@ struct TrussFigure {
   static Meaning meaning(double force) {
     return force == 0 ? Meaning::alternative : force > 0 ? Meaning::plate : Meaning::link;
   }
-  // "$C$", "$k$".
-  static std::string joint_letter(std::size_t joint) {
-    return "$" + std::string(1, static_cast<char>('A' + joint)) + "$";
-  }
-  static std::string region_letter(std::size_t region) {
-    return "$" + std::string(1, static_cast<char>('a' + region)) + "$";
-  }
+  // "C", "k".
+  static std::string joint_letter(std::size_t joint) { return {static_cast<char>('A' + joint)}; }
+  static std::string region_letter(std::size_t region) { return {static_cast<char>('a' + region)}; }
 };
 
 }  // namespace epure

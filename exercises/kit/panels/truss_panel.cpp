@@ -103,11 +103,11 @@ void TrussPanel::draw_supports(Plot& plot) const {
   plot.mark(drawings::FixedHinge{plot.at(A), figure_->hinge_down});
   constexpr double depth = 4.2, half_base = 3.2, wheel = 0.9, half_ground = 5.5;  // mm
   const Arrow2 down = mm * towards(figure_->roller_down), side = geometry::quarter_turn(down);
-  plot.polygon({B, B + depth * down - half_base * side, B + depth * down + half_base * side}, Meaning::plate);
-  for (const double at : {-0.6, 0.6})
-    plot.circle(B + (depth + wheel) * down + at * half_base * side, wheel * mm, Meaning::plate);
-  const Place ground = B + (depth + 2 * wheel) * down;
-  plot.mark(drawings::Ground{plot.at(ground - half_ground * side), plot.at(ground + half_ground * side)});
+  const Arrow2 foot = depth * down, half = half_base * side, level = (depth + 2 * wheel) * down;
+  plot.polygon({B, B + (foot - half), B + (foot + half)}, Meaning::plate);
+  for (const double at : {-0.6, 0.6}) plot.circle(B + (foot + wheel * down + at * half), wheel * mm, Meaning::plate);
+  const Arrow2 end = half_ground * side;
+  plot.mark(drawings::Ground{plot.at(B + (level - end)), plot.at(B + (level + end))});
 }
 
 // Outside beside the middle of the region's part of the outline, inside in the middle of the region.
@@ -133,7 +133,7 @@ void TrussPanel::letter_regions(Plot& plot) const {
       // Where the middle falls on a joint or near it, the edge's own middle is as good.
       const double part = edges.size() == 1 || left < 0.3 * here || left > 0.7 * here ? 0.5 : left / here;
       const Arrow2 out = letter_off_outline / plot.scale().mm_per_unit * geometry::quarter_turn(unit_vector(Q - P));
-      write_at(plot, TrussFigure::region_letter(region), plot.at(P + part * (Q - P) + out));
+      write_at(plot, "$" + TrussFigure::region_letter(region) + "$", plot.at(P + part * (Q - P) + out));
       break;
     }
   }
@@ -141,7 +141,7 @@ void TrussPanel::letter_regions(Plot& plot) const {
     std::vector<Place> corners;
     for (const std::size_t joint : bow.corners[k]) corners.push_back(figure_->joints[joint]);
     const InscribedCircle within = inscribed(corners);
-    const std::string letter = TrussFigure::region_letter(bow.steps[k].region);
+    const std::string letter = "$" + TrussFigure::region_letter(bow.steps[k].region) + "$";
     if (within.radius * plot.scale().mm_per_unit >= least_inside)
       write_at(plot, letter, plot.at(within.centre));
     else
@@ -161,7 +161,7 @@ std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, 
   }
   for (std::size_t i = 0; i < figure_->joints.size(); ++i) {
     if (i > 0) plot.hinge(figure_->joints[i]);
-    plot.label(TrussFigure::joint_letter(i), figure_->joints[i]);
+    plot.label("$" + TrussFigure::joint_letter(i) + "$", figure_->joints[i]);
   }
   if (regions_ == Regions::lettered) letter_regions(plot);
   const double mm = 1 / plot.scale().mm_per_unit;
