@@ -13,7 +13,8 @@ Panel::Vectors ForcePlanPanel::vectors() const {
   double longest = 0;
   for (const Place& P : figure_->plan)
     for (const Place& Q : figure_->plan) longest = std::max(longest, distance(P, Q));
-  return {"N", longest};
+  constexpr double longest_on_paper = 110;  // mm: longer the truss beside it would have no room
+  return {"N", longest, longest_on_paper};
 }
 
 drawings::Box ForcePlanPanel::extent(const Scale&, const Scale& vectors) const {
