@@ -121,11 +121,12 @@ TEMPLATE_TEST_CASE("a triangle's rafters are pressed, its tie is pulled", "[trus
   const Scope<T> scope;
   const Truss truss = triangle();
   const BowNotation bow = bow_notation(truss);
-  const auto [hinge, roller] = support_reactions<T>({line(place<T>(truss, 2), {T(0), T(-6)})}, place<T>(truss, 0),
-                                                    {place<T>(truss, 1), {T(0), T(7)}});
-  CHECK(is(hinge, {T(0), T(3)}));
-  CHECK(is(roller, {T(0), T(3)}));
-  const auto plan = cremona_plan<T>(truss, bow, {hinge, roller, {T(0), T(-6)}});
+  const Vector<T> load{T(0), T(-6)}, half{T(0), T(3)};
+  const auto [hinge, roller] =
+      support_reactions<T>({line(place<T>(truss, 2), load)}, place<T>(truss, 0), {place<T>(truss, 1), {T(0), T(7)}});
+  CHECK(is(hinge, half));
+  CHECK(is(roller, half));
+  const auto plan = cremona_plan<T>(truss, bow, {hinge, roller, load});
   CHECK(is(force_times_length(truss, bow, plan, 0), number<T>(4 * 8), 100));
   CHECK(is(force_times_length(truss, bow, plan, 1), number<T>(-5 * 5), 100));
   CHECK(is(force_times_length(truss, bow, plan, 2), number<T>(-5 * 5), 100));
@@ -155,7 +156,7 @@ TEMPLATE_TEST_CASE("the plan closes by its last bar, at every joint, and has the
       at_joint[truss.bars[i].from] = at_joint[truss.bars[i].from] + force;
       at_joint[truss.bars[i].to] = at_joint[truss.bars[i].to] - force;
     }
-    for (const Vector<T>& sum : at_joint) CHECK(is(sum, {T(0), T(0)}));
+    for (const Vector<T>& sum : at_joint) CHECK(is(sum, Vector<T>{T(0), T(0)}));
     CHECK(is(densities[truss.bars.size() + 2], solved.outside[1].x));
   }
 }

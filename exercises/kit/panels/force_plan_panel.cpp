@@ -13,7 +13,7 @@ Panel::Vectors ForcePlanPanel::vectors() const {
   double longest = 0;
   for (const Place& P : figure_->plan)
     for (const Place& Q : figure_->plan) longest = std::max(longest, distance(P, Q));
-  constexpr double longest_on_paper = 110;  // mm: longer the truss beside it would have no room
+  constexpr double longest_on_paper = 100;  // mm: longer the truss beside it would have no room
   return {"N", longest, longest_on_paper};
 }
 
