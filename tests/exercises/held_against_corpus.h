@@ -55,6 +55,7 @@ inline double value(const CheckedExercise& checked, const std::string& name) {
 inline Assignments assignments_of(const CorpusCase& c) {
   Assignments all;
   for (const auto& [symbol, given] : c.givens) all.push_back(symbol + "=" + geometry::to_text(given));
+  for (const auto& [symbol, word] : c.choices) all.push_back(symbol + "=" + word);
   return all;
 }
 

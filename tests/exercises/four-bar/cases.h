@@ -15,10 +15,4 @@ inline const std::vector<CorpusCase>& four_bar_corpus() {
   return corpus;
 }
 
-inline Assignments with_choices(const CorpusCase& c) {
-  Assignments all = assignments_of(c);
-  for (const auto& [symbol, word] : c.choices) all.push_back(symbol + "=" + word);
-  return all;
-}
-
 }  // namespace epure::tests

@@ -27,7 +27,7 @@ TEST_CASE("four-bar: every sheet is drawn, whatever is given", "[four-bar][sheet
     for (const SheetSpec& sheet : four_bar().about().sheets) {
       CAPTURE(c.name, sheet.name);
       std::string bytes;
-      CHECK_NOTHROW(bytes = drawings::svg(four_bar().draw(sheet.name, with_choices(c)).sheet));
+      CHECK_NOTHROW(bytes = drawings::svg(four_bar().draw(sheet.name, assignments_of(c)).sheet));
       CHECK(bytes.find("<svg") != std::string::npos);
       for (const char* word : {"-nan", "=\"nan", "=\"inf", " nan ", " inf "})
         CHECK(bytes.find(word) == std::string::npos);

@@ -57,7 +57,7 @@ const std::string& why_absent(const CheckedExercise& in, const std::string& name
 TEST_CASE("four-bar: values are the corpus', to the last bit of a double, by every route", "[four-bar]") {
   int values = 0, none = 0;
   for (const CorpusCase& c : four_bar_corpus()) {
-    const CheckedExercise result = four_bar().checked(with_choices(c));
+    const CheckedExercise result = four_bar().checked(assignments_of(c));
     CAPTURE(c.name, c.why, complaints(result));
     CHECK(result.passed());
     for (const CheckedQuantity& quantity : result.quantities) {
@@ -94,7 +94,7 @@ TEST_CASE("four-bar: units", "[four-bar]") {
 TEST_CASE("four-bar: no report holds NaN or infinity", "[four-bar]") {
   for (const CorpusCase& c : four_bar_corpus()) {
     CAPTURE(c.name);
-    const Ran ran = run({"check", "four-bar", "--json"}, with_choices(c));
+    const Ran ran = run({"check", "four-bar", "--json"}, assignments_of(c));
     CHECK(ran.exit == 0);
     CHECK(ran.err.empty());
     const nlohmann::json report = nlohmann::json::parse(ran.out);

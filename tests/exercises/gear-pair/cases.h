@@ -15,12 +15,6 @@ inline const std::vector<CorpusCase>& gear_cases() {
   return cases;
 }
 
-inline Assignments with_kind(const CorpusCase& c) {
-  Assignments all = assignments_of(c);
-  all.push_back("kind=" + c.choices.at("kind"));
-  return all;
-}
-
 // All but what may be wrong with the gears themselves.
 inline bool numbers_pass(const CheckedExercise& result) {
   const auto of_gears = [](const Complaint& each) { return each.about == Complaint::About::mechanism; };

@@ -9,7 +9,7 @@ using geometry::Settled;
 TEST_CASE("gear pair: every quantity is the corpus', to the last bit of a double, by both routes", "[gear-pair]") {
   CHECK(gear_cases().size() == 25);
   for (const CorpusCase& c : gear_cases()) {
-    const CheckedExercise result = gear_pair().checked(with_kind(c));
+    const CheckedExercise result = gear_pair().checked(assignments_of(c));
     CAPTURE(c.name, c.why, complaints(result));
     CHECK(numbers_pass(result));
     for (const CheckedQuantity& quantity : result.quantities) {

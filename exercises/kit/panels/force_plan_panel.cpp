@@ -1,0 +1,86 @@
+#include "exercises/kit/panels/force_plan_panel.h"
+
+#include <algorithm>
+
+namespace epure {
+namespace {
+
+constexpr double plan_air = 8;  // mm, for letters
+
+}  // namespace
+
+Panel::Vectors ForcePlanPanel::vectors() const {
+  double longest = 0;
+  for (const Place& P : figure_->plan)
+    for (const Place& Q : figure_->plan) longest = std::max(longest, distance(P, Q));
+  constexpr double longest_on_paper = 100;  // mm: longer the truss beside it would have no room
+  return {"N", longest, longest_on_paper};
+}
+
+drawings::Box ForcePlanPanel::extent(const Scale&, const Scale& vectors) const {
+  Extent extent;
+  for (const Place& P : figure_->plan) extent.include(vectors, P, plan_air);
+  return extent.box();
+}
+
+std::vector<drawings::Block> ForcePlanPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+  const geometry::BowNotation& bow = figure_->bow;
+  for (std::size_t i = 0; i < figure_->bars.size(); ++i) {
+    const TrussFigure::Bar& bar = figure_->bars[i];
+    if (bar.force == 0) continue;
+    const Place &P = figure_->plan[bow.sides[i].left], &Q = figure_->plan[bow.sides[i].right];
+    plot.segment(P, Q, TrussFigure::meaning(bar.force), bar.quantity);
+    plot.measures(bar.quantity, P, Q);
+  }
+  for (std::size_t k = 0; k < bow.forces.size(); ++k) {
+    const TrussFigure::Outside& force = figure_->outside[bow.forces[k]];
+    if (magnitude(force.f) == 0) continue;
+    plot.side(force.quantity, figure_->plan[k], figure_->plan[(k + 1) % bow.forces.size()], Meaning::force,
+              force.label);
+  }
+  // Points that the eye cannot tell apart have their letters together.
+  constexpr double together = 0.3;  // mm
+  std::vector<bool> is_written(bow.regions(), false);
+  for (std::size_t r = 0; r < bow.regions(); ++r) {
+    if (is_written[r]) continue;
+    std::string letters = TrussFigure::region_letter(r);
+    for (std::size_t s = r + 1; s < bow.regions(); ++s)
+      if (distance(figure_->plan[r], figure_->plan[s]) * plot.scale().mm_per_unit < together) {
+        is_written[s] = true;
+        letters += ", " + TrussFigure::region_letter(s);
+      }
+    plot.dot(figure_->plan[r]);
+    plot.label("$" + letters + "$", figure_->plan[r]);
+  }
+  return {};
+}
+
+std::vector<PanelStep> ForcePlanPanel::steps(const Plot&, const drawings::Box&) const {
+  const geometry::BowNotation& bow = figure_->bow;
+  const auto letter = TrussFigure::region_letter;
+  std::vector<PanelStep> all{
+      {{"Clockwise round the truss the forces from outside, each between the letters of its regions: loads, then "
+        "reactions. They close.",
+        "In senso orario attorno alla travatura le forze esterne, ognuna tra le lettere delle sue regioni: carichi, "
+        "poi reazioni. Si chiudono."},
+       figure_->plan.front()}};
+  for (const auto& step : bow.steps) {
+    const auto beyond = [&](std::size_t bar) {
+      const auto& [left, right] = bow.sides[bar];
+      return letter(left == step.region ? right : left);
+    };
+    const std::string first = std::to_string(step.bars[0] + 1), second = std::to_string(step.bars[1] + 1);
+    const std::string lines = "$" + beyond(step.bars[0]) + letter(step.region) + "$ ∥ " + first + ", $" +
+                              beyond(step.bars[1]) + letter(step.region) + "$ ∥ " + second;
+    const std::string at = step.joint ? "$" + TrussFigure::joint_letter(*step.joint) + "$: " : "";
+    all.push_back({Words{at + lines + ".", at + lines + "."}, figure_->plan[step.region]});
+  }
+  const std::string last = std::to_string(bow.closing_bar + 1);
+  const auto& [left, right] = bow.sides[bow.closing_bar];
+  const std::string line = "$" + letter(left) + letter(right) + "$";
+  all.push_back({Words{line + " has come out parallel to bar " + last + ": the plan closes.",
+                       line + " è risultata parallela all'asta " + last + ": il piano si chiude."}});
+  return all;
+}
+
+}  // namespace epure

@@ -1,0 +1,41 @@
+// A plane truss with its loads and supports, and Cremona's plan of its forces: what two panels show of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "exercises/kit/panels/plot.h"
+#include "geometry/statics/truss.h"
+
+namespace epure {
+
+struct TrussFigure {
+  struct Bar {
+    std::size_t from, to;  // joints
+    double force;          // N, tension positive
+    std::string quantity;  // "N_3"
+  };
+  struct Outside {
+    std::size_t joint;
+    Arrow2 f;              // N
+    std::string label;     // "$\\it{R}_{A}$"
+    std::string quantity;  // of its size; empty: none that is reported
+  };
+
+  std::vector<Place> joints = {};
+  std::vector<Bar> bars = {};
+  std::vector<Outside> outside = {};  // the hinge's, the roller's, then the loads; one a joint at most
+  geometry::BowNotation bow = {};
+  std::vector<Place> plan = {};            // N, of the regions
+  double hinge_down = 0, roller_down = 0;  // towards the ground, radians
+
+  // As textbooks tell them apart: what is pressed heavy, what is pulled thin; what bears nothing is dashed.
+  static Meaning meaning(double force) {
+    return force == 0 ? Meaning::alternative : force > 0 ? Meaning::plate : Meaning::link;
+  }
+  // "C", "k".
+  static std::string joint_letter(std::size_t joint) { return {static_cast<char>('A' + joint)}; }
+  static std::string region_letter(std::size_t region) { return {static_cast<char>('a' + region)}; }
+};
+
+}  // namespace epure

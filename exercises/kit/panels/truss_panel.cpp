@@ -1,0 +1,178 @@
+#include "exercises/kit/panels/truss_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "drawings/text/text.h"
+
+namespace epure {
+namespace {
+
+constexpr double load_arrow = 12, past_support = 10;          // mm: its length; how far off the joint a reaction's is
+constexpr double letter_off_outline = 8, region_letters = 4;  // mm; their size
+constexpr double truss_letters = 7;                           // mm around all of it
+constexpr double least_inside = 2.6;  // mm from the middle of a region to its bars, for a letter to stand there
+
+Arrow2 unit_vector(const Arrow2& v) { return 1 / magnitude(v) * v; }
+Arrow2 towards(double angle) { return {std::cos(angle), std::sin(angle)}; }
+double counter_clockwise(double from, double to) {
+  const double turn = 2 * std::numbers::pi, by = std::fmod(to - from, turn);
+  return by < 0 ? by + turn : by;
+}
+
+// Letters with their middle here.
+void write_at(Plot& plot, const std::string& text, const drawings::Point& middle) {
+  const drawings::TextSize size = drawings::measure(text, region_letters);
+  plot.mark(drawings::Writing{
+      text, {middle.x - size.width / 2, middle.y - (size.ascent - size.descent) / 2}, region_letters});
+}
+
+struct InscribedCircle {
+  Place centre;
+  double radius;
+};
+InscribedCircle inscribed(const std::vector<Place>& corners) {
+  const Place &P = corners[0], &Q = corners[1], &R = corners[2];
+  const double p = distance(Q, R), q = distance(R, P), r = distance(P, Q), around = p + q + r;
+  return {{(p * P.x + q * Q.x + r * R.x) / around, (p * P.y + q * Q.y + r * R.y) / around},
+          std::abs(cross(Q - P, R - P)) / around};
+}
+
+}  // namespace
+
+double TrussPanel::reach() const {
+  double reach = 0;
+  for (const Place& P : figure_->joints)
+    for (const Place& Q : figure_->joints) reach = std::max(reach, distance(P, Q));
+  return reach;
+}
+
+// The way out of the truss at a joint of its outline: half-way between the two edges there.
+Arrow2 TrussPanel::middle_of_outside(std::size_t joint) const {
+  const auto& outline = figure_->bow.outline;
+  const auto start_of = [&](const geometry::BowNotation::Edge& edge) {
+    const TrussFigure::Bar& bar = figure_->bars[edge.bar];
+    return edge.is_forward ? bar.from : bar.to;
+  };
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    if (start_of(outline[i]) != joint) continue;
+    const TrussFigure::Bar &next = figure_->bars[outline[i].bar],
+                           &before = figure_->bars[outline[(i + outline.size() - 1) % outline.size()].bar];
+    const Place& J = figure_->joints[joint];
+    const auto other_end = [&](const TrussFigure::Bar& bar) {
+      return figure_->joints[bar.from == joint ? bar.to : bar.from];
+    };
+    const double from = direction(J, other_end(next));
+    return towards(from + counter_clockwise(from, direction(J, other_end(before))) / 2);
+  }
+  return {0, 1};
+}
+
+// Outside of the truss: it ends at the joint or begins there. Of reactions it leaves room for the support.
+TrussPanel::OnPaper TrussPanel::arrow_of(std::size_t outside) const {
+  const TrussFigure::Outside& force = figure_->outside[outside];
+  const Arrow2 u = unit_vector(force.f);
+  const bool ends = dot(u, middle_of_outside(force.joint)) < 0;
+  const double near = outside < 2 ? past_support : 0, far = near + load_arrow;
+  return ends ? OnPaper{-far * u, -near * u} : OnPaper{near * u, far * u};
+}
+
+drawings::Box TrussPanel::extent(const Scale& scale, const Scale&) const {
+  Extent extent;
+  for (const Place& P : figure_->joints) extent.include(scale, P, truss_letters);
+  for (std::size_t k = 0; k < figure_->outside.size(); ++k) {
+    const Place& J = figure_->joints[figure_->outside[k].joint];
+    if (k < 2) extent.include(scale, J, past_support + 2);
+    if (magnitude(figure_->outside[k].f) == 0) continue;
+    const OnPaper arrow = arrow_of(k);
+    for (const Arrow2& end : {arrow.to_tail, arrow.to_tip})
+      for (const double air : {-truss_letters, truss_letters})
+        extent.include(scale.mm_per_unit * J.x + end.x + air, scale.mm_per_unit * J.y + end.y + air / 2);
+  }
+  for (const auto& edge : figure_->bow.outline)
+    for (const Place& P :
+         {figure_->joints[figure_->bars[edge.bar].from], figure_->joints[figure_->bars[edge.bar].to]})
+      extent.include(scale, P, letter_off_outline + 3);
+  return extent.box();
+}
+
+void TrussPanel::draw_supports(Plot& plot) const {
+  const double mm = 1 / plot.scale().mm_per_unit;
+  const Place &A = figure_->joints[0], &B = figure_->joints[1];
+  plot.mark(drawings::FixedHinge{plot.at(A), figure_->hinge_down});
+  constexpr double depth = 4.2, half_base = 3.2, wheel = 0.9, half_ground = 5.5;  // mm
+  const Arrow2 down = mm * towards(figure_->roller_down), side = geometry::quarter_turn(down);
+  const Arrow2 foot = depth * down, half = half_base * side, level = (depth + 2 * wheel) * down;
+  plot.polygon({B, B + (foot - half), B + (foot + half)}, Meaning::plate);
+  for (const double at : {-0.6, 0.6}) plot.circle(B + (foot + wheel * down + at * half), wheel * mm, Meaning::plate);
+  const Arrow2 end = half_ground * side;
+  plot.mark(drawings::Ground{plot.at(B + (level - end)), plot.at(B + (level + end))});
+}
+
+// Outside beside the middle of the region's part of the outline, inside in the middle of the region.
+void TrussPanel::letter_regions(Plot& plot) const {
+  const geometry::BowNotation& bow = figure_->bow;
+  for (std::size_t region = 0; region < bow.regions_outside(); ++region) {
+    double length = 0;
+    std::vector<std::pair<Place, Place>> edges;
+    for (const auto& edge : bow.outline) {
+      if (edge.region != region) continue;
+      const Place &P = figure_->joints[figure_->bars[edge.bar].from],
+                  &Q = figure_->joints[figure_->bars[edge.bar].to];
+      edges.push_back(edge.is_forward ? std::pair{P, Q} : std::pair{Q, P});
+      length += distance(P, Q);
+    }
+    double left = length / 2;
+    for (const auto& [P, Q] : edges) {
+      const double here = distance(P, Q);
+      if (left > here) {
+        left -= here;
+        continue;
+      }
+      // Where the middle falls on a joint or near it, the edge's own middle is as good.
+      const double part = edges.size() == 1 || left < 0.3 * here || left > 0.7 * here ? 0.5 : left / here;
+      const Arrow2 out = letter_off_outline / plot.scale().mm_per_unit * geometry::quarter_turn(unit_vector(Q - P));
+      write_at(plot, "$" + TrussFigure::region_letter(region) + "$", plot.at(P + part * (Q - P) + out));
+      break;
+    }
+  }
+  for (std::size_t k = 0; k < bow.steps.size(); ++k) {
+    std::vector<Place> corners;
+    for (const std::size_t joint : bow.corners[k]) corners.push_back(figure_->joints[joint]);
+    const InscribedCircle within = inscribed(corners);
+    const std::string letter = "$" + TrussFigure::region_letter(bow.steps[k].region) + "$";
+    if (within.radius * plot.scale().mm_per_unit >= least_inside)
+      write_at(plot, letter, plot.at(within.centre));
+    else
+      plot.label(letter, within.centre);
+  }
+}
+
+std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+  constexpr double number_size = 2.5;  // mm
+  draw_supports(plot);
+  for (std::size_t i = 0; i < figure_->bars.size(); ++i) {
+    const TrussFigure::Bar& bar = figure_->bars[i];
+    const Place &P = figure_->joints[bar.from], &Q = figure_->joints[bar.to];
+    plot.segment(P, Q, TrussFigure::meaning(bar.force), "bar_" + std::to_string(i + 1));
+    plot.onto().sheet.figure.labels.push_back(
+        {.text = std::to_string(i + 1), .at = plot.at(P), .to = plot.at(Q), .size = number_size});
+  }
+  for (std::size_t i = 0; i < figure_->joints.size(); ++i) {
+    if (i > 0) plot.hinge(figure_->joints[i]);
+    plot.label("$" + TrussFigure::joint_letter(i) + "$", figure_->joints[i]);
+  }
+  if (regions_ == Regions::lettered) letter_regions(plot);
+  const double mm = 1 / plot.scale().mm_per_unit;
+  for (std::size_t k = 0; k < figure_->outside.size(); ++k) {
+    const TrussFigure::Outside& force = figure_->outside[k];
+    if (magnitude(force.f) == 0) continue;
+    const OnPaper arrow = arrow_of(k);
+    const Place& J = figure_->joints[force.joint];
+    plot.side("", J + mm * arrow.to_tail, J + mm * arrow.to_tip, Meaning::force, force.label);
+  }
+  return {};
+}
+
+}  // namespace epure

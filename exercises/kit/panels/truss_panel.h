@@ -1,0 +1,36 @@
+// A truss with its supports, its loads and reactions outside of it, its bars numbered, and the regions of the plane
+// lettered as Bow does: those outside lie between the lines of the forces.
+#pragma once
+
+#include <memory>
+
+#include "exercises/kit/panels/panel.h"
+#include "exercises/kit/panels/truss_figure.h"
+
+namespace epure {
+
+class TrussPanel : public Panel {
+ public:
+  enum class Regions { lettered, without_letters };
+  TrussPanel(std::shared_ptr<const TrussFigure> figure, Regions regions)
+      : figure_(std::move(figure)), regions_(regions) {}
+
+  double reach() const override;
+  drawings::Box extent(const Scale& scale, const Scale&) const override;
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
+
+ private:
+  // An arrow on paper, from its tail.
+  struct OnPaper {
+    Arrow2 to_tail, to_tip;  // from the joint, mm
+  };
+  OnPaper arrow_of(std::size_t outside) const;
+  Arrow2 middle_of_outside(std::size_t joint) const;
+  void draw_supports(Plot& plot) const;
+  void letter_regions(Plot& plot) const;
+
+  std::shared_ptr<const TrussFigure> figure_;
+  Regions regions_;
+};
+
+}  // namespace epure
