@@ -13,6 +13,7 @@ namespace epure::drawings {
 
 struct Colour {
   double red = 0, green = 0, blue = 0, opacity = 1;
+  bool operator==(const Colour&) const = default;
 };
 struct Stroke {
   Path path;
@@ -35,6 +36,7 @@ struct PlacedText {
   double size = 3.5;
   Colour colour;
   Weight weight = Weight::regular;
+  std::optional<std::size_t> row = {};  // of the table it is a cell of
 };
 using Primitive = std::variant<Stroke, Fill, PlacedText>;
 

@@ -148,6 +148,7 @@ struct Writing {  // letters at a fixed place, which labels keep clear of: the n
   Point baseline;  // its left end
   double size = 2.7;
   Meaning ink = Meaning::text;
+  std::optional<std::size_t> row = {};  // of a table, which it is a cell of; its cells follow each other row by row
 };
 struct ScaleBar {  // a graduated bar: `length` mm long in `divisions` parts; captions are rich text
   Point at;        // left end

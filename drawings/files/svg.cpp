@@ -182,14 +182,14 @@ struct Letter {
   long x = 0, y = 0;
 };
 
-// Without spaces. `unit` in mm.
-std::vector<Letter> letters_of(const SetText& set, double unit) {
+// Without spaces. `unit` in mm; `from`: where the text begins (mm, y upwards).
+std::vector<Letter> letters_of(const SetText& set, double unit, Point from = {}) {
   std::vector<Letter> letters;
   for (const GlyphRun& run : set.runs)
     for (const SetGlyph& glyph : run.glyphs)
       if (const Outline& outline = outline_of(run.face, glyph.index); !outline.data.empty())
-        letters.push_back({&outline, run.size / (unit * units_per_em), std::lround(glyph.at.x / unit),
-                           std::lround(-glyph.at.y / unit)});
+        letters.push_back({&outline, run.size / (unit * units_per_em), std::lround((from.x + glyph.at.x) / unit),
+                           std::lround(-(from.y + glyph.at.y) / unit)});
   return letters;
 }
 
@@ -201,7 +201,12 @@ std::string words_of(const SetText& set) {
   return words.find_first_not_of(' ') == words.npos ? "" : words;
 }
 
-bool is_black(const Colour& c) { return c.red == 0 && c.green == 0 && c.blue == 0 && c.opacity == 1; }
+// Whether letters of both stand on one square, as cells of one table.
+bool share_a_table(const PlacedText& a, const PlacedText& b) {
+  return a.row && b.row && a.size == b.size && a.weight == b.weight && a.colour == b.colour;
+}
+
+bool is_black(const Colour& c) { return c == Colour{}; }
 
 bool same(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
 bool same(const Piece& a, const Piece& b) {
@@ -227,6 +232,9 @@ class Writer {
       if (fill && next && is_its_outline(*fill, *next)) {
         outlined(*fill, *next);
         ++i;
+      } else if (const std::vector<PlacedText> cells = table_from(i); cells.size() > 1) {
+        table(cells);
+        i += cells.size() - 1;
       } else {
         std::visit(*this, primitive);
       }
@@ -258,6 +266,17 @@ class Writer {
     const SetText& set = typeset(text.text, text.size, text.weight);
     const std::string words = words_of(set);
     if (words.empty()) return;
+    begin_letters(text);
+    const double unit = text.size / units_per_em;
+    add_letters(letters_of(set, unit));
+    if (!set.arrows.empty()) add_arrows(set.arrows, unit);
+    add_words(words, {}, std::lround(set.extent.width / unit));
+    body_ += "</g>\n";
+  }
+
+ private:
+  // A group on the square of the text's letters.
+  void begin_letters(const PlacedText& text) {
     change_ink("");
     body_ += "<g";
     if (!is_black(text.colour)) add_fill(body_, text.colour);
@@ -269,17 +288,113 @@ class Writer {
     body_ += ") scale(";
     add_decimal(body_, text.size * steps_per_mm / units_per_em, 5);
     body_ += ")\">";
-    const double unit = text.size / units_per_em;
-    add_letters(letters_of(set, unit));
-    if (!set.arrows.empty()) add_arrows(set.arrows, unit);
-    body_ += "<text fill-opacity=\"0\" textLength=\"";
-    add_whole(body_, std::lround(set.extent.width / unit));
-    body_ += "\">";
-    add_escaped(body_, words);
-    body_ += "</text></g>\n";
   }
 
- private:
+  // Unseen, from `at` on.
+  void add_words(const std::string& words, Step at, long length) {
+    body_ += "<text fill-opacity=\"0\"";
+    add_coordinate(body_, 'x', at.x);
+    add_coordinate(body_, 'y', at.y);
+    body_ += " textLength=\"";
+    add_whole(body_, length);
+    body_ += "\">";
+    add_escaped(body_, words);
+    body_ += "</text>";
+  }
+
+  // The cells of one table from this primitive on.
+  std::vector<PlacedText> table_from(std::size_t first) const {
+    std::vector<PlacedText> cells;
+    for (std::size_t i = first; i < page_.primitives.size(); ++i) {
+      const auto* text = std::get_if<PlacedText>(&page_.primitives[i]);
+      if (!text || !share_a_table(*text, cells.empty() ? *text : cells.front()) || !set(*text).arrows.empty()) break;
+      cells.push_back(*text);
+    }
+    return cells;
+  }
+
+  // All cells in one group. Its letters stand in columns, digit below digit, of which the first ones seldom change
+  // from row to row: drawn from above to below they take a quarter of what they take cell by cell. Its words are read
+  // row by row.
+  void table(const std::vector<PlacedText>& cells) {
+    begin_letters(cells.front());
+    const double unit = cells.front().size / units_per_em;
+    std::map<long, Stack> columns;  // by x
+    for (const PlacedText& cell : cells)
+      for (const Letter& letter : letters_of(set(cell), unit, cell.baseline - cells.front().baseline)) {
+        define(*letter.outline);
+        columns[letter.x].push_back({letter.scale == 1 ? letter.outline->id : scaled_id(letter), letter.y});
+      }
+    for (auto& [x, column] : columns)
+      std::stable_sort(column.begin(), column.end(), [](const Stacked& a, const Stacked& b) { return a.y < b.y; });
+    while (joined(columns)) {
+    }
+    for (const auto& [x, column] : columns) {
+      body_ += "<g transform=\"translate(";
+      add_whole(body_, x);
+      body_ += ")\">";
+      for (const Stacked& each : column) add_use(body_, each.id, 0, each.y);
+      body_ += "</g>\n";
+    }
+    for (auto row = cells.begin(); row != cells.end();) {
+      const auto end = std::find_if(row, cells.end(), [&](const PlacedText& cell) { return cell.row != row->row; });
+      add_row(row, end, cells.front().baseline, unit);
+      row = end;
+    }
+    body_ += "</g>\n";
+  }
+
+  using Cell = std::vector<PlacedText>::const_iterator;
+  void add_row(Cell first, Cell end, Point origin, double unit) {
+    std::string words;
+    for (Cell cell = first; cell != end; ++cell) words += (cell == first ? "" : " ") + words_of(set(*cell));
+    const Point from = first->baseline - origin;
+    const double to = (end - 1)->baseline.x - origin.x + set(*(end - 1)).extent.width;
+    add_words(words, {std::lround(from.x / unit), std::lround(-from.y / unit)}, std::lround((to - from.x) / unit));
+    body_ += '\n';
+  }
+
+  static const SetText& set(const PlacedText& text) { return typeset(text.text, text.size, text.weight); }
+
+  // What stands in a column of letters: an element and its y.
+  struct Stacked {
+    std::string id;
+    long y;
+  };
+  using Stack = std::vector<Stacked>;
+
+  // Of the elements that often stand one below the other, at one distance, each two become one; none: false.
+  bool joined(std::map<long, Stack>& columns) {
+    constexpr int often = 3;  // as seldom as it pays
+    using Two = std::tuple<std::string, std::string, long>;
+    std::map<Two, int> times;
+    const auto two = [](const Stack& column, std::size_t i) {
+      return Two{column[i].id, column[i + 1].id, column[i + 1].y - column[i].y};
+    };
+    for (const auto& [x, column] : columns)
+      for (std::size_t i = 0; i + 1 < column.size(); ++i) ++times[two(column, i)];
+    bool any = false;
+    for (auto& [x, column] : columns) {
+      Stack shorter;
+      for (std::size_t i = 0; i < column.size(); ++i) {
+        const auto count = [&](std::size_t at) { return at + 1 < column.size() ? times[two(column, at)] : 0; };
+        shorter.push_back(column[i]);
+        if (count(i) < often || count(i + 1) > count(i)) continue;
+        shorter.back().id = stacked_id(two(column, i++));
+        any = true;
+      }
+      column = std::move(shorter);
+    }
+    return any;
+  }
+  std::string stacked_id(const std::tuple<std::string, std::string, long>& two) {
+    const auto& [upper, lower, y] = two;
+    std::string content = ">";
+    add_use(content, upper, 0, 0);
+    add_use(content, lower, 0, y);
+    return defined("g", 'p', content += "</g>\n");
+  }
+
   std::string head() const {
     const char* language = page_.language == Language::italian ? "it" : "en";
     std::string head =
@@ -380,7 +495,7 @@ class Writer {
 
   void count_pairs() {
     for (const Primitive& primitive : page_.primitives)
-      if (const auto* text = std::get_if<PlacedText>(&primitive)) {
+      if (const auto* text = std::get_if<PlacedText>(&primitive); text && !text->row) {
         const std::vector<Letter> letters =
             letters_of(typeset(text->text, text->size, text->weight), text->size / units_per_em);
         for (std::size_t i = 1; i < letters.size(); ++i)

@@ -273,7 +273,7 @@ void draw_mark(Canvas& canvas, const Dimension& dimension) {
 
 void draw_mark(Canvas& canvas, const Writing& writing) {
   if (writing.text.empty()) return;
-  canvas.text({writing.text, writing.baseline, writing.size, ink(writing.ink), Weight::regular});
+  canvas.text({writing.text, writing.baseline, writing.size, ink(writing.ink), Weight::regular, writing.row});
 }
 
 void centred_text(Canvas& canvas, const std::string& text, Point baseline_middle, double size) {

@@ -2,6 +2,7 @@
 #include "exercises/oscillator-pendulum/printed.h"
 #include "exercises/oscillator-pendulum/routes.h"
 #include "exercises/oscillator-pendulum/sheets.h"
+#include "exercises/oscillator-pendulum/tables.h"
 
 namespace epure {
 namespace oscillator_pendulum {
@@ -41,7 +42,11 @@ std::unique_ptr<Exercise> make_oscillator_pendulum() {
        {{"pendulum-plane", {"Phase plane of the pendulum", "Piano delle fasi del pendolo"}}, pendulum_plane_sheet},
        {{"positions", {"Positions and forces of the pendulum", "Posizioni e forze del pendolo"}}, positions_sheet},
        {{"hodograph", {"Hodograph of the reaction", "Odografa della reazione"}}, hodograph_sheet},
-       {{"angle", {"Angle and periods of the pendulum", "Angolo e periodi del pendolo"}}, angle_sheet}});
+       {{"angle", {"Angle and periods of the pendulum", "Angolo e periodi del pendolo"}}, angle_sheet},
+       {{"oscillator-table", {"Table of the oscillator", "Tabella dell'oscillatore"}},
+        oscillator_table_sheet,
+        oscillator_table},
+       {{"pendulum-table", {"Table of the pendulum", "Tabella del pendolo"}}, pendulum_table_sheet, pendulum_table}});
 }
 
 }  // namespace epure

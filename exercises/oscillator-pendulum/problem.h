@@ -1,6 +1,8 @@
 // What is given of the damped oscillator and of the compound pendulum, in SI units, and when it is impossible.
 #pragma once
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include "exercises/kit/statement/givens.h"
@@ -10,6 +12,9 @@
 namespace epure::oscillator_pendulum {
 
 std::vector<GivenSpec> given_specs();
+// What a sheet of the other one leaves out.
+inline const std::set<std::string> givens_of_pendulum{"m_p", "I_G", "r", "g", "theta_0", "dt_p"},
+    givens_of_oscillator{"zeta", "m", "omega_n", "v_0", "dt"};
 
 // x(0) = 0, x'(0) = v_0.
 struct Oscillator {

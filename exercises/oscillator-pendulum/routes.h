@@ -59,7 +59,7 @@ struct Writer {
 };
 
 struct OscillatorRoutes {
-  const Oscillator& of;
+  Oscillator of;
 
   template <class T>
   Ledger<T> operator()() const {
@@ -69,6 +69,15 @@ struct OscillatorRoutes {
     by_closed_form<T>(write);
     by_matrix<T>(write);
     return ledger;
+  }
+  // Either alone, for what is at the rows of the table (tables.cpp).
+  template <class Write>
+  void one_route(const Write& write) const {
+    by_closed_form<Deep>(write);
+  }
+  template <class Write>
+  void other_route(const Write& write) const {
+    by_matrix<Deep>(write);
   }
 
  private:
@@ -86,8 +95,8 @@ struct OscillatorRoutes {
     return geometry::from_rational<T>(q);
   }
 
-  template <class T>
-  void by_closed_form(const Writer<T>& write) const {
+  template <class T, class Write>
+  void by_closed_form(const Write& write) const {
     const Rational zeta = of.zeta, m = of.m;
     const auto omega = [this] { return geometry::radians<T>(of.omega); };
     const auto b = [=] { return root(number<T>(zeta * zeta - 1)); };
@@ -127,8 +136,8 @@ struct OscillatorRoutes {
     });
   }
 
-  template <class T>
-  void by_matrix(const Writer<T>& write) const {
+  template <class T, class Write>
+  void by_matrix(const Write& write) const {
     write.ledger.route("phase plane");
     const Rational zeta = of.zeta, m = of.m;
     const auto omega = [this] { return geometry::radians<T>(of.omega); };
@@ -231,7 +240,7 @@ struct OscillatorRoutes {
 };
 
 struct PendulumRoutes {
-  const Pendulum& of;
+  Pendulum of;
 
   template <class T>
   Ledger<T> operator()() const {
@@ -241,6 +250,14 @@ struct PendulumRoutes {
     by_means<T>(write);
     by_theta<T>(write);
     return ledger;
+  }
+  template <class Write>
+  void one_route(const Write& write) const {
+    by_means<Deep>(write);
+  }
+  template <class Write>
+  void other_route(const Write& write) const {
+    by_theta<Deep>(write);
   }
 
  private:
@@ -276,8 +293,8 @@ struct PendulumRoutes {
   // The cosine of the angle at which |R_12x| is greatest: where 6 c² - 2 c0 c - 3 = 0, but not above θ_0.
   bool is_greatest_at_start() const { return of.against(30) <= 0; }
 
-  template <class T>
-  void by_means(const Writer<T>& write) const {
+  template <class T, class Write>
+  void by_means(const Write& write) const {
     const T Omega_squared = number<T>(of.Omega_squared());
     const auto c0 = [this] { return cosine_of_start<T>(); };
     write.of("I_A0", [&] { return number<T>(of.I_A0()); });
@@ -351,8 +368,8 @@ struct PendulumRoutes {
   long last_row() const { return static_cast<long>(CGAL::to_double(Rational(1) / of.dt)) + 2; }
 
   // `is_by_axes`: reactions by the source's equations, the start from the given angle itself.
-  template <class T, class At>
-  void at_instants_by(const Writer<T>& write, const At& at, bool is_by_axes) const {
+  template <class T, class Write, class At>
+  void at_instants_by(const Write& write, const At& at, bool is_by_axes) const {
     const auto start = [=](const Rational& t) { return is_by_axes && t == 0; };
     const auto sine = [=, this](const Rational& t) {
       return start(t) ? geometry::sine<Deep>(of.theta_0) : sine_of(at(t));
@@ -386,8 +403,8 @@ struct PendulumRoutes {
     return Deep(2) * geometry::arc_tangent(s.sine_of_half, s.cosine_of_half);
   }
 
-  template <class T>
-  void by_theta(const Writer<T>& write) const {
+  template <class T, class Write>
+  void by_theta(const Write& write) const {
     write.ledger.route("energy integral");
     const T m = number<T>(of.m), r = number<T>(of.r), g = number<T>(of.g);
     const T length = r + quotient(number<T>(of.I_G), m * r);  // to the centre of oscillation

@@ -19,9 +19,6 @@ namespace {
 using drawings::Datum;
 using Line = std::vector<Datum>;
 
-const std::set<std::string> of_pendulum{"m_p", "I_G", "r", "g", "theta_0", "dt_p"},
-    of_oscillator{"zeta", "m", "omega_n", "v_0", "dt"};
-
 std::string osc(const std::string& name) { return "oscillator." + name; }
 std::string pen(const std::string& name) { return "pendulum." + name; }
 std::string at(const std::string& of, const std::string& instant) { return of + "_at_" + instant; }
@@ -387,7 +384,7 @@ PanelSheet motion_sheet(const Solution& s, Language language) {
           .seen = {"The position of the oscillator over time, exact and by Euler's method",
                    "La posizione dell'oscillatore nel tempo, esatta e con il metodo di Eulero"},
           .told = {osc("x_max"), osc("t_x_max"), osc("x_at_5"), osc("x_euler_at_5")},
-          .without_part = of_pendulum};
+          .without_part = givens_of_pendulum};
 }
 
 PanelSheet phase_plane_sheet(const Solution& s, Language language) {
@@ -416,7 +413,7 @@ PanelSheet phase_plane_sheet(const Solution& s, Language language) {
       .seen = {"The phase plane of the oscillator with isoclines, straight trajectories and Euler's polygon",
                "Il piano delle fasi dell'oscillatore con isocline, traiettorie rettilinee e poligono di Eulero"},
       .told = {osc("x_max"), osc("x_dot_min"), osc("E_0"), osc("E_at_x_max")},
-      .without_part = of_pendulum};
+      .without_part = givens_of_pendulum};
 }
 
 PanelSheet pendulum_plane_sheet(const Solution& s, Language language) {
@@ -435,7 +432,7 @@ PanelSheet pendulum_plane_sheet(const Solution& s, Language language) {
           .seen = {"The phase plane of the pendulum: the exact orbit, the spiral of the recursion, the separatrix",
                    "Il piano delle fasi del pendolo: orbita esatta, spirale della formula ricorsiva, separatrice"},
           .told = {pen("theta_dot_max"), pen("energy_ratio_numeric_at_1")},
-          .without_part = of_oscillator};
+          .without_part = givens_of_oscillator};
 }
 
 PanelSheet positions_sheet(const Solution& s, Language language) {
@@ -453,7 +450,7 @@ PanelSheet positions_sheet(const Solution& s, Language language) {
       .seen = {"Positions of the pendulum, and the force polygon of one of them",
                "Posizioni del pendolo, e il poligono delle forze di una di esse"},
       .told = all_pen({at("R_12_x", now), at("R_12_y", now)}),
-      .without_part = of_oscillator};
+      .without_part = givens_of_oscillator};
 }
 
 PanelSheet hodograph_sheet(const Solution& s, Language language) {
@@ -472,7 +469,7 @@ PanelSheet hodograph_sheet(const Solution& s, Language language) {
           .seen = {"The hodograph of the reaction of the frame on the pendulum",
                    "L'odografa della reazione del telaio sul pendolo"},
           .told = all_pen({"R_12_x_max", "R_12_y_max", "R_12_y_min"}),
-          .without_part = of_oscillator};
+          .without_part = givens_of_oscillator};
 }
 
 PanelSheet angle_sheet(const Solution& s, Language language) {
@@ -492,7 +489,7 @@ PanelSheet angle_sheet(const Solution& s, Language language) {
       .seen = {"The angle of the pendulum over time: exact, for small swings, and by the recursion",
                "L'angolo del pendolo nel tempo: esatto, per piccole oscillazioni e con la formula ricorsiva"},
       .told = all_pen({"period", "period_small", "theta_at_1", "theta_numeric_at_1"}),
-      .without_part = of_oscillator};
+      .without_part = givens_of_oscillator};
 }
 
 }  // namespace epure::oscillator_pendulum

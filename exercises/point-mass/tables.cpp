@@ -70,19 +70,19 @@ SizedChart chart(const std::vector<Errors>& all, const std::string& letters, dou
   return SizedChart(std::move(chart), {}, one_of_two_in_a_column);
 }
 
-// Exact, and by both formulas.
+// The motion itself, and by both formulas.
 struct Tabulated {
   std::vector<Rational> t, F, a;
   struct Columns {
     std::string method;
-    std::vector<Rational> v = {}, s = {};
+    std::vector<Rational> v = {}, q = {}, E = {}, s = {};
   };
-  std::vector<Columns> columns;
+  std::vector<Columns> columns = {{""}, {"bezout"}, {"simpson"}};
 };
-Tabulated tabulated(const Problem& of) {
-  const ByPowers motion(of);
-  const BySteps steps(of);
-  Tabulated all{{}, {}, {}, {{""}, {"bezout"}, {"simpson"}}};
+// `motion` and `steps`: either of the two routes to both.
+template <class Motion, class Steps>
+Tabulated tabulated(const Problem& of, const Motion& motion, const Steps& steps) {
+  Tabulated all;
   for (long i = 0; i <= of.rows(); ++i) {
     all.t.push_back(of.dt * Rational(i));
     const Instant<Rational> at = motion.at(all.t.back());
@@ -91,9 +91,24 @@ Tabulated tabulated(const Problem& of) {
     for (Tabulated::Columns& column : all.columns) {
       const TableRow row = column.method.empty() ? TableRow{at.v, at.s} : steps.at(column.method, i);
       column.v.push_back(row.v);
+      column.q.push_back(column.method.empty() ? at.q : of.m * row.v);
+      column.E.push_back(column.method.empty() ? at.E : of.m * row.v * row.v / 2);
       column.s.push_back(row.s);
     }
   }
+  return all;
+}
+
+std::vector<double> in_doubles(const std::vector<Rational>& values) {
+  std::vector<double> all;
+  for (const Rational& value : values) all.push_back(nearest(value));
+  return all;
+}
+// In the order of the long table.
+std::vector<std::vector<double>> in_columns(const Tabulated& table) {
+  std::vector<std::vector<double>> all{in_doubles(table.t), in_doubles(table.F), in_doubles(table.a)};
+  for (const Tabulated::Columns& each : table.columns)
+    for (const auto* column : {&each.v, &each.q, &each.E, &each.s}) all.push_back(in_doubles(*column));
   return all;
 }
 
@@ -102,7 +117,7 @@ Tabulated tabulated(const Problem& of) {
 PanelSheet errors_sheet(const Solution& s, Language language) {
   const Problem of(s.givens());
   const double end = nearest(of.end());
-  const Tabulated table = tabulated(of);
+  const Tabulated table = tabulated(of, ByPowers(of), BySteps(of));
   std::vector<Errors> right, printed;
   for (const Tabulated::Columns& column : table.columns) {
     if (column.method.empty()) continue;
@@ -154,28 +169,20 @@ PanelSheet errors_sheet(const Solution& s, Language language) {
 
 LongTable long_table(const Solution& s) {
   const Problem of(s.givens());
-  const Tabulated all = tabulated(of);
-  LongTable table;
-  const auto add = [&](const std::string& name, const std::string& letters, const std::string& unit, int decimals,
-                       const std::vector<Rational>& values, const std::function<Rational(const Rational&)>& find) {
-    table.columns.push_back({name, letters, unit, decimals, {}});
-    for (const Rational& value : values) table.columns.back().values.push_back(nearest(find(value)));
-  };
-  const auto same = [](const Rational& value) { return value; };
   int decimals = 0;  // of the instants
   for (Rational step = of.dt; step.denominator() != 1 && decimals < 4; step *= 10) ++decimals;
-  add("t", "$t$", "s", decimals, all.t, same);
-  add("F", "$\\it{F}$", "N", 2, all.F, same);
-  add("a", "$a$", "m/s^2", 3, all.a, same);
-  for (const Tabulated::Columns& column : all.columns) {
-    const std::string below = column.method.empty() ? "" : column.method == "bezout" ? "_{B}" : "_{S}";
-    const std::string method = column.method.empty() ? "" : "_" + column.method;
-    add("v" + method, "$v" + below + "$", "m/s", 3, column.v, same);
-    add("q" + method, "$q" + below + "$", "kg*m/s", 2, column.v, [&](const Rational& v) { return of.m * v; });
-    add("E" + method, "$\\it{E}" + below + "$", "J", 1, column.v,
-        [&](const Rational& v) { return of.m * v * v / 2; });
-    add("s" + method, "$s" + below + "$", "m", 3, column.s, same);
+  LongTable table;
+  table.columns = {{"t", "$t$", "s", decimals, {}}, {"F", "$\\it{F}$", "N", 2, {}}, {"a", "$a$", "m/s^2", 3, {}}};
+  for (const std::string method : {"", "_bezout", "_simpson"}) {
+    const std::string below = method.empty() ? "" : method == "_bezout" ? "_{B}" : "_{S}";
+    table.columns.push_back({"v" + method, "$v" + below + "$", "m/s", 3, {}});
+    table.columns.push_back({"q" + method, "$q" + below + "$", "kg*m/s", 2, {}});
+    table.columns.push_back({"E" + method, "$\\it{E}" + below + "$", "J", 1, {}});
+    table.columns.push_back({"s" + method, "$s" + below + "$", "m", 3, {}});
   }
+  const auto values = in_columns(tabulated(of, ByPowers(of), BySteps(of)));
+  for (std::size_t i = 0; i < values.size(); ++i) table.columns[i].values = values[i];
+  table.by_another_route = [of] { return in_columns(tabulated(of, ByQuadrature{of}, InClosedForm(of))); };
   return table;
 }
 

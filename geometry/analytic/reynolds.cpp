@@ -49,10 +49,32 @@ SearchedIn searched_in(double sought) {
   return {within.low - as_near_as_doubles_tell, within.high + as_near_as_doubles_tell};
 }
 
-}  // namespace
+Deep logarithm(const Deep& x) {
+  Ball result;
+  arb_log(result.value, x.ball(), Arithmetic<Deep>::bits());
+  return Deep::from_ball(result.value);
+}
+
+// With s = ln(1 - ε t): t = (1 - e^s)/ε, dt = -e^s ds/ε. The integrand has no pole any more, so a steep wedge costs a
+// few panels and not some for each halving of the film.
+Deep by_logarithm_of_film(int k, int b, const Deep& epsilon, const Deep& to) {
+  return integral(
+             [&](acb_ptr result, const acb_t s, bool, long bits) {
+               ComplexBall film, t;
+               acb_exp(film.value, s, bits);
+               acb_sub_si(t.value, film.value, 1, bits);
+               acb_neg(t.value, t.value);
+               acb_div_arb(t.value, t.value, epsilon.ball(), bits);
+               acb_pow_ui(t.value, t.value, static_cast<ulong>(k), bits);
+               acb_pow_si(film.value, film.value, 1 - b, bits);
+               acb_mul(result, t.value, film.value, bits);
+             },
+             logarithm(Deep(1) - epsilon * to), logarithm(Deep(1) + epsilon)) /
+         epsilon;
+}
 
 // The integrand is infinite around the pole at 1/ε, from where the quadrature then stays away.
-Deep film_integral(int k, int b, const Deep& epsilon, const Deep& to) {
+Deep by_place(int k, int b, const Deep& epsilon, const Deep& to) {
   return integral(
       [&](acb_ptr result, const acb_t t, bool, long bits) {
         ComplexBall film;
@@ -64,6 +86,15 @@ Deep film_integral(int k, int b, const Deep& epsilon, const Deep& to) {
         acb_div(result, result, film.value, bits);
       },
       Deep(-1), to);
+}
+
+}  // namespace
+
+// Of both forms the one that costs less: where ε is small the first one would cancel, where it is nearly 1 the other
+// one is slow. Either holds for every ε, so that an undecided sign decides nothing wrong.
+Deep film_integral(int k, int b, const Deep& epsilon, const Deep& to) {
+  const bool is_steep = sign(Deep(2) * epsilon - Deep(1)) == Sign::positive;
+  return is_steep ? by_logarithm_of_film(k, b, epsilon, to) : by_place(k, b, epsilon, to);
 }
 
 Bounded film_integral(int k, int b, const Bounded& epsilon, const Bounded& to) {

@@ -1,5 +1,5 @@
-// Reynolds' equation for a film between flat walls, integrated by quadrature with proved bounds. No logarithm and no
-// closed form of the pressure is used.
+// Reynolds' equation for a film between flat walls, integrated by quadrature with proved bounds. No closed form of an
+// integral is used; in a steep wedge the quadrature runs over the logarithm of the film.
 //
 //   x = l (1 + t)/2, t from -1 (inlet) to 1 (outlet)      h = h_m (1 - ε t), h_m = (h1 + h2)/2, ε = (h1 - h2)/(h1 +
 //   h2) (h³ p')' = 6 μ V h'   gives   p' = 6 μ V (h - h̄)/h³ with h̄ so that p is zero at both ends:

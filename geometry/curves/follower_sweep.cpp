@@ -1,5 +1,6 @@
 #include "geometry/curves/follower_sweep.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -76,7 +77,9 @@ class SearchOfTurn {
   bool is_convex(const Stretch& of) const {
     return of.high - of.low < std::numbers::pi && sign(at(of).c[4]) == Sign::positive;
   }
-  // c[2] is half the acceleration, c[3] a sixth of its derivative.
+  // c[2] is half the acceleration, c[3] a sixth of its derivative. Where the roller all but reaches its axis they are
+  // huge and cancel badly, but never is y'' less than -y: with f = l - d, g = l + d and their least values p, q
+  //   y'' + y = u'' + u = (3pfg² + 3qf²g + qf³ + pg³ - pq(f + g)²)/4u³ >= (pfg² + 3qf²g)/4u³ > 0.
   std::vector<Stretch> left_of(const std::vector<Stretch>& parts) {
     std::vector<Stretch> left;
     std::vector<double> lowest;
@@ -85,7 +88,7 @@ class SearchOfTurn {
       const Wide over = at(each);
       const Sign slope = sign(over.c[3]);
       if (slope == Sign::positive || slope == Sign::negative) continue;
-      lowest.push_back(over.c[2].inf());
+      lowest.push_back(std::max(-over.c[0].sup() / 2, over.c[2].inf()));
       left.push_back(each);
     }
     std::vector<Stretch> may_be;

@@ -25,7 +25,7 @@ Deep near_power(double exponent) {
 Deep by_secants(const std::function<Deep(const Deep&)>& function, Deep x, Deep y) {
   constexpr int enough = 60;
   const Deep smallest_step = power_of_two(-Arithmetic<Deep>::bits());
-  Deep at_x = midpoint(function(x));
+  Deep at_x = midpoint(function(x)), last_moved;
   for (int step = 0; step < enough; ++step) {
     const Deep at_y = midpoint(function(y)), rise = midpoint(at_y - at_x);
     if (sign(rise) == Sign::zero) return y;
@@ -34,6 +34,9 @@ Deep by_secants(const std::function<Deep(const Deep&)>& function, Deep x, Deep y
     const Deep moved = next - y;
     x = y, at_x = at_y, y = next;
     if (sign(square(moved) - square(smallest_step * y)) != Sign::positive) return y;
+    // Steps shrink until they are the function's own errors.
+    if (step > 1 && sign(square(moved) - square(last_moved)) != Sign::negative) return y;
+    last_moved = moved;
   }
   return y;
 }

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <poppler-font.h>
 #include <poppler-page.h>
 
@@ -73,8 +74,9 @@ Placement placement(pugi::xml_node element) {
   for (pugi::xml_node node = element; node; node = node.parent()) {
     const pugi::xml_attribute transform = node.attribute("transform");
     if (!transform) continue;
-    double x = 0, y = 0, scale = 0;
-    REQUIRE(std::sscanf(transform.value(), "translate(%lf %lf) scale(%lf)", &x, &y, &scale) == 3);
+    double x = 0, y = 0, scale = 1;
+    const int numbers = std::sscanf(transform.value(), "translate(%lf %lf) scale(%lf)", &x, &y, &scale);
+    REQUIRE((numbers == 3 || transform.value() == fmt::format("translate({:.0f})", x)));
     at = {x + scale * at.x, y + scale * at.y, scale * at.scale};
   }
   return at;
@@ -500,6 +502,59 @@ TEST_CASE("letters are drawn as wide and as high as they are measured, at every 
       CHECK(drawn.high.y == Approx(measured[i].high.y).margin(step));
     }
   }
+}
+
+TEST_CASE("the cells of a table are drawn where they would be one by one, and read row by row") {
+  constexpr double size = 2.3, right = 60, line = 4.1, apart = 25;
+  constexpr int rows = 20;
+  std::vector<Primitive> cells, texts;
+  std::vector<std::string> read;
+  for (int row = 0; row < rows; ++row) {
+    read.emplace_back();
+    for (int column = 0; column < 4; ++column) {
+      const double value = (row - 4) * (row + 7.3) * (column == 0 ? 0.01 : 1.2345);
+      const std::string rich = row == 0    ? fmt::format("$v_{{{}}}$", column)
+                               : row == 11 ? fmt::format("$1.2{}·10^{{−7}}$", column)
+                                           : fmt::format("{:.2f}", value);
+      const Point at{right + apart * column - typeset(rich, size, Weight::regular).extent.width, 190 - line * row};
+      texts.emplace_back(PlacedText{rich, at, size, blue, Weight::regular});
+      cells.emplace_back(PlacedText{rich, at, size, blue, Weight::regular, static_cast<std::size_t>(row)});
+      std::string words;
+      for (const GlyphRun& run : typeset(rich, size, Weight::regular).runs)
+        for (const SetGlyph& glyph : run.glyphs) words += glyph.text;
+      read.back() += (column == 0 ? "" : " ") + words;
+    }
+  }
+  const std::string table = write_svg(page(cells)), one_by_one = write_svg(page(texts));
+  CHECK(10 * table.size() < 7 * one_by_one.size());
+  // Letter by letter, by outline. Of both files the place of a text is rounded to the grid, that of a letter to a
+  // unit of the font; the scale has five decimals and is more than 1.
+  using Drawn = std::multimap<std::string, Point>;
+  const auto drawn = [](const std::string& bytes) {
+    const SvgFile svg(bytes);
+    std::vector<PlacedOutline> found;
+    for (const auto& use : svg.xml().select_nodes("/svg/g//use"))
+      follow(svg, use.node(), placement(use.node().parent()), found);
+    Drawn all;
+    for (const PlacedOutline& each : found)
+      all.emplace(fmt::format("{} {:.4f}", each.path.attribute("d").value(), each.at.scale),
+                  svg.mm() * Point{each.at.x, each.at.y});
+    return all;
+  };
+  const Drawn in_table = drawn(table), alone = drawn(one_by_one);
+  CHECK(in_table.size() == alone.size());
+  CHECK(alone.size() > 4 * rows);
+  constexpr double step = file_resolution + size / units_per_em + 5e-6 * 4 * apart;
+  for (const auto& [outline, at] : in_table) {
+    const auto [first, end] = alone.equal_range(outline);
+    CHECK(std::count_if(first, end, [&, at = at](const auto& other) {
+            return std::abs(other.second.x - at.x) < step && std::abs(other.second.y - at.y) < step;
+          }) == 1);
+  }
+  const SvgFile svg(table);
+  std::vector<std::string> words;
+  for (const auto& text : svg.xml().select_nodes("//text")) words.emplace_back(text.node().text().get());
+  CHECK(words == read);
 }
 
 TEST_CASE("a whole sheet is white, a bare one takes the ground it stands on") {

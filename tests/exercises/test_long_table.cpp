@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "exercises/kit/panels/panel_sheet.h"
+#include "exercises/kit/proof/checked.h"
+#include "exercises/kit/proof/table_cells.h"
 #include "tests/exercises/run.h"
 #include "tests/support/catch.h"
 
@@ -70,7 +72,7 @@ TEST_CASE("CSV: a header, records that end in CR LF, quotes where a field needs 
 
 TEST_CASE("a long table takes as many pages as it needs, and every row stands on one of them", "[long table]") {
   for (const drawings::Paper paper : {drawings::Paper::a4, drawings::Paper::a3}) {
-    const std::size_t rows = rows_of_a_page(paper);
+    const std::size_t rows = rows_of_a_page(paper, 3);
     CHECK(rows > 30);
     for (const auto& [count, pages] :
          std::vector<std::pair<std::size_t, std::size_t>>{{1, 1}, {rows, 1}, {rows + 1, 2}, {5 * rows, 5}}) {
@@ -85,7 +87,7 @@ TEST_CASE("a long table takes as many pages as it needs, and every row stands on
         CHECK(holds(more, "(m/s²)"));
         all.insert(all.end(), more.begin(), more.end());
       }
-      CHECK(all.size() == 5 * pages + 3 * count);
+      CHECK(all.size() == 6 * pages + 3 * count);  // letters and units, also the empty one of a number
       CHECK(holds(all, fmt::format("{:.1f}", static_cast<double>(count - 1) / 10)));
     }
   }
@@ -95,6 +97,84 @@ TEST_CASE("a long table takes as many pages as it needs, and every row stands on
   CHECK(drawn.further[1].id == "some-table-3");
   CHECK(holds(written_on(drawn.sheet), "0,333"));
   CHECK_FALSE(holds(written_on(drawn.sheet), "0.333"));
+}
+
+TEST_CASE("a page has no more cells than an SVG of 100 kB holds", "[long table]") {
+  CHECK(rows_of_a_page(drawings::Paper::a4, 15) == 26);
+  CHECK(rows_of_a_page(drawings::Paper::a3, 15) == 26);
+  CHECK(rows_of_a_page(drawings::Paper::a4, 0) == rows_of_a_page(drawings::Paper::a4, 1));
+}
+
+TEST_CASE("every cell of a long table is held against another route, on every page", "[long table]") {
+  LongTable table = table_of_rows(100);
+  table.by_another_route = [columns = table.columns] {
+    std::vector<std::vector<double>> values;
+    for (const LongTable::Column& column : columns) values.push_back(column.values);
+    return values;
+  };
+  const auto wrong = [&table](const auto& spoil) {
+    DrawnSheet drawn = exercise_with(100)->draw("table", Givens({}), {});
+    spoil(drawn);
+    const auto found = wrong_table("table", drawn, table);
+    return found ? found->english : "";
+  };
+  // The cell of a page, counted with the heads.
+  const auto cell = [](drawings::Sheet& page, std::size_t row, std::size_t column) -> std::string& {
+    std::size_t i = 0;
+    for (drawings::Mark& mark : page.figure.marks)
+      if (auto* writing = std::get_if<drawings::Writing>(&mark); writing && writing->row == row && i++ == column)
+        return writing->text;
+    throw std::logic_error("no such cell");
+  };
+  const auto nothing = [](DrawnSheet&) {};
+  CHECK(wrong(nothing).empty());
+  // One unit of the last digit, on the last page; a lost sign; a power of ten.
+  CHECK(wrong([&](DrawnSheet& drawn) {
+          std::string& text = cell(drawn.further[1], 19, 1);
+          CHECK(text == "33.000");
+          text = "33.001";
+        }) == "sheet table: in row 100 of its table x, or \"y\" is 33.001 (in full 33), but 33 by another route");
+  CHECK_FALSE(wrong([&](DrawnSheet& drawn) { cell(drawn.sheet, 2, 2).erase(1, std::string("−").size()); }).empty());
+  CHECK_FALSE(wrong([&](DrawnSheet& drawn) {
+                std::string& text = cell(drawn.further[0], 2, 2);
+                text.replace(text.find('7'), 1, "6");
+              }).empty());
+  CHECK_FALSE(wrong([&](DrawnSheet& drawn) { cell(drawn.sheet, 2, 0).clear(); }).empty());
+  CHECK(wrong([](DrawnSheet& drawn) { drawn.further.pop_back(); }) ==
+        "sheet table: its pages show 82 of the 100 rows of its table");
+  // What a spreadsheet reads, beyond the digits on paper.
+  double& value = table.columns[1].values[7];
+  value = std::nextafter(value, 3);
+  CHECK(wrong(nothing).empty());
+  value = std::nextafter(value, 3);
+  CHECK_FALSE(wrong(nothing).empty());
+}
+
+TEST_CASE("check fails where a cell of a long table is not what another route finds", "[long table]") {
+  for (const double off : {0.0, 0.01}) {
+    Description about;
+    about.id = "some";
+    about.title = {"Some", "Uno"};
+    const auto exercise = exercise_of_panels(about, [](const Givens&, Rung) { return std::vector<RouteValue>{}; },
+                                             {{{"table", {"A table", "Una tabella"}},
+                                               [](const Solution&, Language) {
+                                                 return PanelSheet{.seen = {"numbers", "numeri"}};
+                                               },
+                                               [off](const Solution&) {
+                                                 LongTable table;
+                                                 table.columns = {{"x", "$x$", "m", 2, {1.25, -2.5}}};
+                                                 table.by_another_route = [off] {
+                                                   return std::vector<std::vector<double>>{{1.25, -2.5 + off}};
+                                                 };
+                                                 return table;
+                                               }}});
+    const CheckedExercise checked = check(*exercise, Givens({}), Rung::climb);
+    CHECK(checked.passed() == (off == 0));
+    if (off != 0)
+      CHECK(complaints(checked) ==
+            std::vector<std::string>{
+                "sheet table: in row 2 of its table x is −2.50 (in full -2.5), but -2.49 by another route"});
+  }
 }
 
 TEST_CASE("a column whose decimals do not suit its numbers has them by their figures", "[long table]") {

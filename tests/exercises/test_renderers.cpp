@@ -133,7 +133,7 @@ TEST_CASE("an SVG looks like the PDF") {
   for (const drawings::Sheet& each :
        {sheet("slider-crank-velocity/polodes"), sheet("gear-pair/pitch-point", italian), sheet("gear-pair/sliding"),
         sheet("four-bar-analytic/omega-4", italian), sheet("rivals-polygons/acceleration-of-B"),
-        sheet("pin-in-slot/forces", italian)}) {
+        sheet("pin-in-slot/forces", italian), sheet("point-mass/table", italian)}) {
     INFO(each.id);
     const Picture svg = seen_by(*program, scratch, drawings::svg(each)), pdf = seen_as_pdf(scratch, each);
     CHECK(std::abs(svg.width() - pdf.width()) <= 1);

@@ -12,7 +12,7 @@ namespace {
 // The table after the panels of the first page, a page of it after the other; each is told which of them it is.
 DrawnSheet over_pages(const Description& about, const std::string& sheet, const Solution& solution, PanelSheet first,
                       const LongTable& table, const SheetRequest& request) {
-  const std::size_t rows = rows_of_a_page(request.paper),
+  const std::size_t rows = rows_of_a_page(request.paper, table.columns.size()),
                     pages = request.blank ? 1 : std::max<std::size_t>(1, (table.rows() + rows - 1) / rows);
   const auto page_of = [&](std::size_t page, PanelSheet shown) {
     shown.panels.push_back(std::make_unique<LongTablePanel>(table, page * rows, request));

@@ -13,10 +13,10 @@
 namespace epure {
 namespace {
 
-constexpr double line_height = 3.9, under_heads = 1.5, table_air = 4;  // mm
-constexpr double largest_size = 2.6, smallest_size = 1.8;              // mm, of the letters
-constexpr double least_gap = 1.6, widest_gap = 5;                      // mm, between columns
-constexpr std::size_t head_lines = 2;                                  // letters and units
+constexpr double least_line = 3.8, highest_line = 5.2, under_heads = 1.5, table_air = 4;  // mm
+constexpr double largest_size = 2.6, smallest_size = 1.8;                                 // mm, of the letters
+constexpr double least_gap = 1.6, widest_gap = 5;                                         // mm, between columns
+constexpr std::size_t most_cells = 400;                                                   // of a page
 
 // Whether a column's decimals suit its numbers, none of which is longer than that, and the greatest of which they
 // show.
@@ -38,16 +38,27 @@ std::string written(double value, std::optional<int> decimals, Language language
   return text;
 }
 
+double width_of(const std::string& cell, double size) {
+  return cell.empty() ? 0 : drawings::measure(cell, size).width;
+}
+
+double room_for_lines(drawings::Paper paper) {
+  return drawings::drawing_area(paper).height() - 4 * table_air - under_heads;
+}
+
 }  // namespace
 
-std::size_t rows_of_a_page(drawings::Paper paper) {
-  const double height = drawings::drawing_area(paper).height() - 4 * table_air - under_heads;
-  return static_cast<std::size_t>(height / line_height) - head_lines;
+std::size_t rows_of_a_page(drawings::Paper paper, std::size_t columns) {
+  const auto room = static_cast<std::size_t>(room_for_lines(paper) / least_line) - LongTable::head_lines;
+  return std::min(room, most_cells / std::max<std::size_t>(1, columns));
 }
 
 LongTablePanel::LongTablePanel(const LongTable& table, std::size_t first, const SheetRequest& request) {
-  const std::size_t last = std::min(table.rows(), first + rows_of_a_page(request.paper));
-  lines_ = head_lines + last - first;
+  const std::size_t rows = rows_of_a_page(request.paper, table.columns.size()),
+                    last = std::min(table.rows(), first + rows);
+  lines_ = LongTable::head_lines + last - first;
+  line_room_ =
+      std::min(highest_line, room_for_lines(request.paper) / static_cast<double>(LongTable::head_lines + rows));
   for (const LongTable::Column& column : table.columns) {
     const std::string unit = written_unit(column.unit);
     columns_.push_back({{column.letters, unit.empty() ? "" : "(" + unit + ")"}});
@@ -71,8 +82,7 @@ LongTablePanel::LongTablePanel(const LongTable& table, std::size_t first, const 
 void LongTablePanel::measure(double size) {
   for (Column& column : columns_) {
     column.width = 0;
-    for (const std::string& cell : column.cells)
-      if (!cell.empty()) column.width = std::max(column.width, drawings::measure(cell, size).width);
+    for (const std::string& cell : column.cells) column.width = std::max(column.width, width_of(cell, size));
   }
 }
 
@@ -82,8 +92,15 @@ double LongTablePanel::width() const {
   return all;
 }
 
+// Whole thousandths of the letters' size, in which a file may count: its rows are all alike.
+double LongTablePanel::line_height() const {
+  const double thousandth = size_ / 1000;
+  return thousandth * std::floor(line_room_ / thousandth);
+}
+
 drawings::Box LongTablePanel::extent(const Scale&, const Scale&) const {
-  return {{0, 0}, {width() + 2 * table_air, line_height * static_cast<double>(lines_) + under_heads + 2 * table_air}};
+  return {{0, 0},
+          {width() + 2 * table_air, line_height() * static_cast<double>(lines_) + under_heads + 2 * table_air}};
 }
 
 // From the top of the room, so that all pages begin alike.
@@ -93,21 +110,20 @@ std::vector<drawings::Block> LongTablePanel::draw(Plot& plot, const drawings::Bo
     plot.mark(drawings::Line{drawings::segment({left, y}, {left + width(), y}), Meaning::construction, {}});
   };
   const auto foot = [&](std::size_t line) {
-    return top - line_height * static_cast<double>(line + 1) - (line < head_lines ? 0 : under_heads);
+    return top - line_height() * static_cast<double>(line + 1) - (line < LongTable::head_lines ? 0 : under_heads);
   };
-  double right = left;
-  for (const Column& column : columns_) {
-    right += column.width;
-    for (std::size_t line = 0; line < column.cells.size(); ++line) {
+  for (std::size_t line = 0; line < lines_; ++line) {
+    double right = left;
+    for (const Column& column : columns_) {
       const std::string& cell = column.cells[line];
-      if (cell.empty()) continue;
-      const double x = right - drawings::measure(cell, size_).width;
-      plot.mark(drawings::Writing{cell, {x, foot(line) + 0.3 * line_height}, size_});
+      right += column.width;
+      const drawings::Point at{right - width_of(cell, size_), foot(line) + 0.3 * line_height()};
+      plot.mark(drawings::Writing{.text = cell, .baseline = at, .size = size_, .row = line});
+      right += gap_;
     }
-    right += gap_;
   }
   rule(top);
-  rule(foot(head_lines - 1) - under_heads / 2);
+  rule(foot(LongTable::head_lines - 1) - under_heads / 2);
   rule(foot(lines_ - 1) - under_heads / 2);
   return {};
 }

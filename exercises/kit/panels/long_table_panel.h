@@ -9,8 +9,8 @@
 
 namespace epure {
 
-// How many rows a page of this paper has room for.
-std::size_t rows_of_a_page(drawings::Paper paper);
+// How many rows of so many columns stand on a page of this paper: as it has room for, and an SVG of 100 kB.
+std::size_t rows_of_a_page(drawings::Paper paper, std::size_t columns);
 
 class LongTablePanel : public Panel {
  public:
@@ -28,9 +28,10 @@ class LongTablePanel : public Panel {
   };
   void measure(double size);
   double width() const;
+  double line_height() const;
 
   std::vector<Column> columns_;
-  double size_ = 0, gap_ = 0;  // mm
+  double size_ = 0, gap_ = 0, line_room_ = 0;  // mm
   std::size_t lines_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #include "exercises/kit/proof/agreement.h"
 #include "exercises/kit/proof/route_names.h"
 #include "exercises/kit/proof/solution.h"
+#include "exercises/kit/proof/table_cells.h"
 #include "exercises/kit/proof/told_numbers.h"
 #include "exercises/kit/statement/decimal.h"
 #include "exercises/kit/statement/workshop_unit.h"
@@ -204,6 +205,20 @@ void demand_told(CheckedExercise& checked, const drawings::Sheet& sheet, const s
                                              wrong.number, drawings::plain(wrong.text))});
 }
 
+// Its rows are no quantities: they are held against another route, cell by cell.
+void compare_table(CheckedExercise& checked, const Exercise& exercise, const Solution& solution,
+                   const DrawnSheet& drawn, const std::string& name) {
+  const std::optional<LongTable> table = exercise.long_table(name, solution);
+  if (!table) return;
+  try {
+    if (const std::optional<Words> wrong = wrong_table(name, drawn, *table))
+      checked.failures.push_back({Complaint::About::sheet, "", *wrong});
+  } catch (const geometry::Undecided& open) {
+    checked.undecided.push_back(
+        {Complaint::About::sheet, "", format_words("sheet {}: {}", "tavola {}: {}", name, open.words())});
+  }
+}
+
 void compare_sheets(CheckedExercise& checked, const Exercise& exercise) {
   const std::optional<Solution> solution = drawn_solution(checked, exercise);
   if (!solution) return;
@@ -213,6 +228,7 @@ void compare_sheets(CheckedExercise& checked, const Exercise& exercise) {
     const std::optional<DrawnSheet> drawn = drawn_sheet(checked, exercise, *solution, spec.name);
     if (!drawn) continue;
     demand_told(checked, drawn->sheet, spec.name, known);
+    compare_table(checked, exercise, *solution, *drawn, spec.name);
     for (const Measurement& measurement : drawn->measurements) {
       demand_listed(checked, measurement.quantity, Words{"shown on sheet ", "mostrata sulla tavola "} + spec.name);
       if (CheckedQuantity* quantity = find(checked, measurement.quantity))

@@ -46,8 +46,10 @@ int power_of_ten(std::string_view text, std::size_t& at) {
   return 0;
 }
 
-// The numbers with a decimal point; what is raised or lowered belongs to a symbol.
-std::vector<Told> numbers_in(std::string_view text) {
+enum class Numbers { with_decimals, all };
+
+// What is raised or lowered belongs to a symbol.
+std::vector<Told> numbers_in(std::string_view text, Numbers which = Numbers::with_decimals) {
   std::vector<Told> all;
   for (std::size_t i = 0; i < text.size();) {
     if (const std::size_t behind = after_script(text, i); behind != i) {
@@ -60,13 +62,15 @@ std::vector<Told> numbers_in(std::string_view text) {
     }
     std::size_t end = i;
     while (end < text.size() && is_digit(text[end])) ++end;
-    if (end + 1 >= text.size() || text[end] != '.' || !is_digit(text[end + 1])) {
+    int decimals = 0;
+    if (end + 1 < text.size() && text[end] == '.' && is_digit(text[end + 1])) {
+      const std::size_t point = end++;
+      while (end < text.size() && is_digit(text[end])) ++end;
+      decimals = static_cast<int>(end - point - 1);
+    } else if (which == Numbers::with_decimals) {
       i = end;
       continue;
     }
-    const std::size_t point = end++;
-    while (end < text.size() && is_digit(text[end])) ++end;
-    const auto decimals = static_cast<int>(end - point - 1);
     Told told{.text = {}, .at = i};
     std::from_chars(text.data() + i, text.data() + end, told.value);
     const double scale = std::pow(10.0, power_of_ten(text, end));
@@ -207,6 +211,11 @@ std::vector<WrongNumber> wrong_numbers(const drawings::Sheet& sheet, const std::
     if (table && table->head.back() != "Δ %") reader.read(*table);
   }
   return std::move(reader).wrong();
+}
+
+bool is_rounding_of(const std::string& cell, double value) {
+  const auto told = numbers_in(cell, Numbers::all);
+  return told.size() == 1 && rounds(told.front(), value);
 }
 
 }  // namespace epure

@@ -29,4 +29,8 @@ struct WrongNumber {
 std::vector<WrongNumber> wrong_numbers(const drawings::Sheet& sheet, const std::vector<KnownNumber>& known,
                                        const std::vector<std::string>& quoted = {});
 
+// Whether a cell of a table, as an English sheet writes it ("−12.3", "5", "$1.2·10^{−7}$"), is the value rounded to
+// its digits.
+bool is_rounding_of(const std::string& cell, double value);
+
 }  // namespace epure

@@ -1,7 +1,9 @@
 // The oscillator and the pendulum: their numbers are those of a corpus of complex exponentials and Taylor series;
 // every printed row is explained; bad givens; every sheet.
+#include <algorithm>
 #include <cmath>
 
+#include "exercises/kit/proof/solution.h"
 #include "exercises/oscillator-pendulum/printed.h"
 #include "tests/exercises/held_against_corpus.h"
 
@@ -96,4 +98,39 @@ TEST_CASE("oscillator and pendulum: every sheet is drawn, whatever is given", "[
 
 TEST_CASE("oscillator and pendulum: letters find room", "[oscillator-pendulum][sheets]") {
   letters_find_room(tried(), {{}, {"zeta=0.3", "theta_0=150"}, {"zeta=1", "theta_0=30"}, {"zeta=0", "theta_0=-100"}});
+}
+
+TEST_CASE("oscillator and pendulum: the tables have all their rows, and those that are quantities too", "[sheets]") {
+  const Exercise& exercise = find_exercise(catalogue(), "oscillator-pendulum");
+  const Solution solution = exercise.solution(tried().givens({}));
+  const auto oscillator = exercise.long_table("oscillator-table", solution),
+             pendulum = exercise.long_table("pendulum-table", solution);
+  REQUIRE((oscillator && pendulum));
+  CHECK(oscillator->rows() == 41);
+  CHECK(pendulum->rows() == 101);
+  const auto agrees = [&](const LongTable& table, const std::string& kind, std::size_t row, const std::string& name) {
+    CAPTURE(name);
+    const auto column = std::find_if(table.columns.begin(), table.columns.end(),
+                                     [&](const LongTable::Column& each) { return each.name == kind; });
+    REQUIRE(column != table.columns.end());
+    CHECK(column->values.at(row) == solution[name]);
+  };
+  agrees(*oscillator, "x", 10, "oscillator.x_at_5");
+  agrees(*oscillator, "x_dot_euler", 20, "oscillator.x_dot_euler_at_10");
+  agrees(*oscillator, "x_ddot_euler", 40, "oscillator.x_ddot_euler_at_20");
+  agrees(*pendulum, "theta", 30, "pendulum.theta_at_0p3");
+  agrees(*pendulum, "R_12_y", 100, "pendulum.R_12_y_at_1");
+  agrees(*pendulum, "theta_ddot_numeric", 50, "pendulum.theta_ddot_numeric_at_0p5");
+  agrees(*pendulum, "R_12_x_numeric", 100, "pendulum.R_12_x_numeric_at_1");
+}
+
+TEST_CASE("oscillator and pendulum: a table ends where doubles do, and where its steps do", "[sheets]") {
+  const Exercise& exercise = find_exercise(catalogue(), "oscillator-pendulum");
+  const auto rows = [&](const Assignments& givens, const char* sheet) {
+    return exercise.long_table(sheet, exercise.solution(tried().givens(givens)))->rows();
+  };
+  CHECK(rows({"dt=0.3"}, "oscillator-table") == 67);
+  CHECK(rows({"dt=30"}, "oscillator-table") == 1);
+  CHECK(rows({"dt_p=0.03"}, "pendulum-table") == 34);
+  CHECK(rows({"omega_n=1000000000"}, "oscillator-table") < 41);  // Euler's method grows by 10^9 at each step
 }
