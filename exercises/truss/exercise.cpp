@@ -107,6 +107,10 @@ std::unique_ptr<Exercise> make_truss() {
                     .document = "epure",
                     .item = "trusses",
                     .source = {"epure, trusses", "epure, travature reticolari"},
+                    .question = {"Find the reactions of the truss and the forces in its bars by Cremona's plan: "
+                                 "which bars are in tension, which in compression, and which carry nothing?",
+                                 "Trovare le reazioni della travatura e le forze nelle aste con il piano di Cremona: "
+                                 "quali aste sono tese, quali compresse e quali scariche?"},
                     .givens = given_specs()};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{LoadedTruss(givens)}, rung); };
   return exercise_of_panels(std::move(about), solve,

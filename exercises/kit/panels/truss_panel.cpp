@@ -149,13 +149,13 @@ void TrussPanel::letter_regions(Plot& plot) const {
   }
 }
 
-std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+void TrussPanel::draw_truss(Plot& plot, const std::function<Meaning(const TrussFigure::Bar&)>& meaning) const {
   constexpr double number_size = 2.5;  // mm
   draw_supports(plot);
   for (std::size_t i = 0; i < figure_->bars.size(); ++i) {
     const TrussFigure::Bar& bar = figure_->bars[i];
     const Place &P = figure_->joints[bar.from], &Q = figure_->joints[bar.to];
-    plot.segment(P, Q, TrussFigure::meaning(bar.force), "bar_" + std::to_string(i + 1));
+    plot.segment(P, Q, meaning(bar), "bar_" + std::to_string(i + 1));
     plot.onto().sheet.figure.labels.push_back(
         {.text = std::to_string(i + 1), .at = plot.at(P), .to = plot.at(Q), .size = number_size});
   }
@@ -164,14 +164,26 @@ std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, 
     plot.label("$" + TrussFigure::joint_letter(i) + "$", figure_->joints[i]);
   }
   if (regions_ == Regions::lettered) letter_regions(plot);
+}
+
+void TrussPanel::draw_force(Plot& plot, std::size_t outside) const {
   const double mm = 1 / plot.scale().mm_per_unit;
-  for (std::size_t k = 0; k < figure_->outside.size(); ++k) {
-    const TrussFigure::Outside& force = figure_->outside[k];
-    if (magnitude(force.f) == 0) continue;
-    const OnPaper arrow = arrow_of(k);
-    const Place& J = figure_->joints[force.joint];
-    plot.side("", J + mm * arrow.to_tail, J + mm * arrow.to_tip, Meaning::force, force.label);
-  }
+  const TrussFigure::Outside& force = figure_->outside[outside];
+  if (magnitude(force.f) == 0) return;
+  const OnPaper arrow = arrow_of(outside);
+  const Place& J = figure_->joints[force.joint];
+  plot.side("", J + mm * arrow.to_tail, J + mm * arrow.to_tip, Meaning::force, force.label);
+}
+
+// Without the reactions, and nothing said of tension or compression.
+void TrussPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+  draw_truss(plot, [](const TrussFigure::Bar&) { return Meaning::link; });
+  for (std::size_t k = 2; k < figure_->outside.size(); ++k) draw_force(plot, k);
+}
+
+std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+  draw_truss(plot, [](const TrussFigure::Bar& bar) { return TrussFigure::meaning(bar.force); });
+  for (std::size_t k = 0; k < figure_->outside.size(); ++k) draw_force(plot, k);
   return {};
 }
 

@@ -2,6 +2,7 @@
 // lettered as Bow does: those outside lie between the lines of the forces.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "exercises/kit/panels/panel.h"
@@ -18,6 +19,7 @@ class TrussPanel : public Panel {
   double reach() const override;
   drawings::Box extent(const Scale& scale, const Scale&) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
 
  private:
   // An arrow on paper, from its tail.
@@ -26,6 +28,8 @@ class TrussPanel : public Panel {
   };
   OnPaper arrow_of(std::size_t outside) const;
   Arrow2 middle_of_outside(std::size_t joint) const;
+  void draw_truss(Plot& plot, const std::function<Meaning(const TrussFigure::Bar&)>& meaning) const;
+  void draw_force(Plot& plot, std::size_t outside) const;
   void draw_supports(Plot& plot) const;
   void letter_regions(Plot& plot) const;
 
