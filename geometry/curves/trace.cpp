@@ -21,6 +21,11 @@ constexpr double first_try = 0.25;
 // them.
 constexpr double least_scrap = 0x1p-12;
 
+// Beside a root that touches zero and comes back (a change point) pieces must be as short as the square of their
+// distance from it: a million of them. An arc of the turn gets so many looks; then the shortest piece grows, four
+// times for every so many more, and the gap about the root becomes wider: some 1e-3 radians.
+constexpr int looks_of_an_arc = 1 << 14, looks_until_coarser = 1 << 10;
+
 // What is known of the locus over one piece.
 struct Piece {
   // coarse: near the frame, but the arc deviates too much; unsettled: nothing could be shown.
@@ -57,6 +62,7 @@ class Tracer {
   Trace operator()() {
     for (arc_ = 0; arc_ < turn_arcs; ++arc_) {
       start_.reset();  // its derivative is by another t
+      looks_ = 0;
       march();
     }
     return result();
@@ -71,7 +77,7 @@ class Tracer {
       if (piece.kind == Piece::Kind::coarse || piece.kind == Piece::Kind::unsettled) {
         const bool predictable = piece.kind == Piece::Kind::coarse;
         length_ = length * (predictable ? std::clamp(piece.fitted.growth(tolerance_), 0.125, 0.875) : 0.5);
-        if (length_ < shortest_piece) t = leave_out_unsettled(t);
+        if (length_ < shortest()) t = leave_out_unsettled(t);
         continue;
       }
       length_ = length * (piece.kind == Piece::Kind::drawn ? piece.fitted.growth(tolerance_) : 2.0);
@@ -81,7 +87,7 @@ class Tracer {
         lift_the_pen();
         if (piece.kind == Piece::Kind::absent) leave_out(Gap::Cause::absent, t, end);
       }
-      if (length > least_scrap) stride_ = shortest_piece;
+      if (length > least_scrap) stride_ = shortest();
       t = end;
     }
   }
@@ -92,7 +98,13 @@ class Tracer {
     return pieces <= 1 ? 1 : std::min(1.0, t + std::max(shortest_piece, remaining / pieces));
   }
 
+  double shortest() const {
+    const int beyond = std::max(0, looks_ - looks_of_an_arc);
+    return std::min(least_scrap, std::ldexp(shortest_piece, 2 * (beyond / looks_until_coarser)));
+  }
+
   Piece look(double t, double end) {
+    ++looks_;
     try {
       return judge(t, end, series(Bounded(t, end)));
     } catch (const Impossible&) {
@@ -178,6 +190,7 @@ class Tracer {
   // and longer from gap to gap until the curve is clear again.
   double leave_out_unsettled(double t) {
     lift_the_pen();
+    stride_ = std::max(stride_, shortest());
     double unsettled = t, resumed = t + stride_;
     for (double step = stride_; resumed < 1 && !is_settled(resumed); resumed = unsettled + step) {
       unsettled = resumed;
@@ -205,7 +218,7 @@ class Tracer {
   const View view_;
   const double tolerance_;
 
-  int arc_ = 0;
+  int arc_ = 0, looks_ = 0;           // of this arc
   double length_ = first_try;         // of the next piece to try
   double stride_ = shortest_piece;    // of the next search for the end of a gap
   std::optional<Knot> start_;         // of the piece being tried, once it was needed
