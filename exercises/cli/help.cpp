@@ -158,8 +158,8 @@ Help help_of_mark() {
        "perché nessun foglio di calcolo lo esegua."},
       R"(
   epure mark slider-crank-velocity --answers answers.csv
-  epure mark slider-crank-velocity --answers answers.csv --key key.csv -o marks.csv
-  epure mark slider-crank-velocity --answers answers.csv --scale 1:4 --points v_B=2,omega_3=1
+  epure mark four-bar --answers answers.csv --key key.csv -o marks.csv
+  epure mark four-bar --answers answers.csv --scale 1:4 --points v_B=2
 )"};
 }
 

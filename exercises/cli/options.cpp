@@ -291,7 +291,9 @@ std::string Parser::help() const {
     for (const std::string& verb : verbs) names.push_back({verb, help_of(verb).purpose.in(language_)});
   } else {
     usage += " " + app.get_name() + say({" [OPTIONS]", " [OPZIONI]"}) +
-             (names.empty() ? "" : " [" + names.front().front() + (app.get_name() == "list" ? "]" : "...]"));
+             (names.empty() ? ""
+                            : " [" + names.front().front() +
+                                  (app.get_name() == "list" || app.get_name() == "mark" ? "]" : "...]"));
   }
   return paragraph(help.purpose, language_) + usage + "\n\n" + (names.empty() ? "" : table(names, 2) + "\n") +
          table(options, 2, {26}) + "\n" + paragraph(help.remarks, language_) + say({"Examples:", "Esempi:"}) +

@@ -266,11 +266,13 @@ TEST_CASE("a number calculated from drawn ones may be off by what they may be") 
   Triangle triangle;
   triangle.description.quantities.push_back({"area", "$A$", "m^2", {"area of the square", "area"}});
   triangle.description.quantities.push_back({"slope", "$s$", "1", {"slope", "pendenza"}});
+  triangle.description.quantities.push_back({"odd", "$o$", "m", {"a length", "una lunghezza"}});
   triangle.description.quantities.push_back({"tall", "$t$", "m^2", {"a rectangle", "un rettangolo"}});
   triangle.spoil_values = [](auto& values) {
     for (const std::string route : {"ruler", "analytic"}) {
       values.push_back({"area", route, certain(0.15)});   // c · c_x
       values.push_back({"slope", route, certain(0.6)});   // c_x / c
+      values.push_back({"odd", route, certain(0.15)});    // c · c_x in numbers, but no area
       values.push_back({"tall", route, certain(0.077)});  // of nothing
     }
   };
@@ -278,7 +280,7 @@ TEST_CASE("a number calculated from drawn ones may be off by what they may be") 
   const auto allowed = [&](std::size_t i, const Ruler& ruler) {
     return nearest(allowance(result, result.quantities[i], ruler).size);
   };
-  REQUIRE(result.quantities.size() == 8);
+  REQUIRE(result.quantities.size() == 9);
   // On the smallest sheet: 0.5 ± 0.01, 0.3 ± 0.005. As a given, a = 0.3 has no error; of the ways c · c_x and c · a
   // the first is rougher.
   CHECK(allowed(5, {}) == Approx(0.15 * (0.01 / 0.5 + 0.005 / 0.3)));
@@ -289,7 +291,8 @@ TEST_CASE("a number calculated from drawn ones may be off by what they may be") 
   CHECK(allowed(5, {.scales = {{{1, 0, 0}, Rational(1, 200)}}}) == Approx(0.15 * (0.0025 / 0.5 + 0.0025 / 0.3)));
   CHECK(allowed(6, {}) == Approx(0.6 * (0.01 / 0.5 + 0.005 / 0.3)));
   CHECK(allowance(result, result.quantities[6], {}).by.english == "c_x / c, 0.5 mm in each: 1.7 % + 2 %");
-  CHECK(allowed(7, {}) == Approx(0.00077));
+  CHECK(allowed(7, {}) == Approx(0.0015));
+  CHECK(allowed(8, {}) == Approx(0.00077));
   // On paper of a student's own at 1:50 all lines are below 20 mm: then the way with the smallest error counts, c ·
   // a.
   CHECK(allowed(5, {.scales = {{{1, 0, 0}, Rational(1, 20)}}}) == Approx(0.15 * (0.025 / 0.5)));

@@ -85,8 +85,8 @@ TEST_CASE("a class is marked: a line a student, points, and why not") {
         "    c_x: 0.3 ± 0.005 (0.5 mm on sheet sides)\n"
         "    omega: -2.5 ± 0.025 (0.5 mm in each of two lines of 100 mm)\n"
         "\n"
-        "3 students, 5.5 points of 9, mean 1.83 of 3 (61 %); answers: 4 right, 3 slips,\n"
-        "  1 wrong, 1 missing, 0 not marked\n");
+        "3 students, 5.5 points of 9, mean 1.83 of 3 (61 %); answers: 4 right, 3 slips, 1\n"
+        "  wrong, 1 missing, 0 not marked\n");
 }
 
 TEST_CASE("the same in Italian") {
@@ -137,6 +137,12 @@ TEST_CASE("the tolerance is that of the sheet, of the scale said, of the student
   }
   // A scale of velocities is none of lengths; one that cannot be read is said, and left out.
   CHECK(cell_of("c;scale_velocity\n0,51;1 cm = 2 m/s\n", "c verdict") == "right");
+  CHECK(cell_of("c;scale_velocity\n0,53;1 cm = 2 m/s\n", "c verdict") == "wrong");
+  const Ran two = marked("number;c;scale\n1;0,503;1:5\n2;0,503;1:10\n3;0,503;\n4;0,503;1:5\n", {"--format", "csv"});
+  CHECK(tells(two.out, "1,,0,wrong,0,"));
+  CHECK(tells(two.out, "2,,1,right,1,"));
+  CHECK(tells(two.out, "3,,1,right,1,"));
+  CHECK(tells(two.out, "4,,0,wrong,0,"));
   CHECK(cell_of("c;scale\n0,51;about 1:5\n", "c verdict") == "right");
   CHECK(tells(cell_of("c;scale\n0,51;about 1:5\n", "remarks"), "scale \"about 1:5\" is left out: "));
   CHECK(tells(cell_of("c;scale\n0,51;1 cm = 2 parsec\n", "remarks"), "\"2 parsec\" has no unit that is known"));
@@ -236,6 +242,34 @@ TEST_CASE("each student's own givens, from the key or the answers") {
   CHECK(cell_of("c\n0.72\n", "c verdict", {"--set", "a=0.6"}) == "right");
   CHECK(tells(cell_of("a,c\n-1,0.72\n", "remarks"), "not marked, because of the givens: a = -1: must be positive"));
   CHECK(tells(cell_of("a,c\nx,0.72\n", "remarks"), "not marked, because of the givens: a: \"x\""));
+}
+
+TEST_CASE("a name that a given and a quantity have") {
+  const Scratch scratch;
+  Triangle triangle;
+  triangle.description.quantities.push_back({"b", "$b$", "m", {"height", "altezza"}});
+  triangle.spoil_values = [](auto& values) {
+    for (const std::string route : {"ruler", "analytic"}) values.push_back({"b", route, certain(0.4)});
+  };
+  write_file("answers.csv", "number,b,c\n1,0.4,0.5\n");
+  const auto marks = [&](const std::string& key) {
+    write_file("key.csv", key);
+    return run_on(triangle, {"mark", "triangle", "--answers", "answers.csv", "--key", "key.csv", "--format", "csv"});
+  };
+  // To the right of a quantity it is the quantity, which differs; left of all of them the given.
+  const Ran as_quantity = marks("number,c,b\n1,0.5,0.7\n");
+  CHECK(tells(as_quantity.err, "1 b: 0.7 in the key's line 2, but 0.4 is true"));
+  CHECK(tells(as_quantity.out, "1,,1,right,1,right,2,"));
+  const Ran as_given = marks("number,b,c\n1,0.6m,0.6708203932499369\n");
+  CHECK(as_given.err.empty());
+  CHECK(tells(as_given.out, "1,,1,right,0,wrong,1,"));
+  const Ran as_both = marks("number,b,b,c\n1,0.6m,0.4,0.6708203932499369\n");
+  CHECK(as_both.err.empty());
+  CHECK(tells(as_both.out, "1,,1,right,0,wrong,1,"));
+  CHECK(marks("number,b,b,b\n1,0.6m,0.4,0.4\n").err == "epure: key.csv: there are two columns for b\n");
+  write_file("answers.csv", "b,b,c\n0.6,0.4,0.67\n");
+  const Ran own = run_on(triangle, {"mark", "triangle", "--answers", "answers.csv", "--format", "csv"});
+  CHECK(tells(own.out, ",,1,right,1,right,2,"));
 }
 
 TEST_CASE("columns are told by name or letters, with a unit or none") {
