@@ -2,19 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "exercises/kit/statement/csv_field.h"
+
 namespace epure {
-namespace {
-
-// In quotes where it holds what divides fields.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
-}  // namespace
-
 std::string csv(const LongTable& table) {
   std::string text;
   const auto record = [&](const auto& field_of) {
@@ -22,7 +12,7 @@ std::string csv(const LongTable& table) {
     text += "\r\n";
   };
   record([](const LongTable::Column& column) {
-    return field(column.name + (column.unit == "1" ? "" : " (" + column.unit + ")"));
+    return csv_field(column.name + (column.unit == "1" ? "" : " (" + column.unit + ")"));
   });
   for (std::size_t row = 0; row < table.rows(); ++row)
     record([&](const LongTable::Column& column) {

@@ -1,0 +1,13 @@
+// Characters of UTF-8, one after another.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+namespace epure {
+
+// The character that begins at `at`, and how many bytes it takes; 0 bytes when none does.
+std::pair<char32_t, std::size_t> character(std::string_view text, std::size_t at);
+
+}  // namespace epure
