@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exercises/cli/check_report.h"
+#include "exercises/cli/request.h"
 #include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/statement/suggest.h"
@@ -18,20 +19,6 @@ Rung rung(const Options& options) {
   throw WrongUsage(format_words("\"{}\" is no arithmetic of epure; choose fast, bounded or exact",
                                 "\"{}\" non è un'aritmetica di epure; scegliere fast, bounded o exact",
                                 options.arithmetic));
-}
-
-// In millimetres of paper.
-Rational reading(const Options& options) {
-  Rational length;
-  try {
-    length = geometry::parse_given(options.reading, "mm");
-  } catch (const geometry::BadGiven& unreadable) {
-    throw WrongUsage("--reading: " + unreadable.words());
-  }
-  const Rational too_long = 1000;
-  if (length > 0 && length < too_long) return length;
-  throw WrongUsage(format_words("--reading {}: must be positive and below 1000 mm",
-                                "--reading {}: dev'essere positivo e minore di 1000 mm", options.reading));
 }
 
 // "v_B=5.25m/s", taken apart.
@@ -66,12 +53,12 @@ void demand_known(const std::vector<const Exercise*>& exercises, const std::vect
                                     did_you_mean(text.name, known)));
 }
 
-void add_all_measured(CheckedExercise& checked, const std::vector<MeasuredText>& texts, const Rational& reading_mm) {
+void add_all_measured(CheckedExercise& checked, const std::vector<MeasuredText>& texts, const Ruler& ruler) {
   for (const MeasuredText& text : texts)
     for (CheckedQuantity& quantity : checked.quantities) {
       if (quantity.spec.name != text.name) continue;
       try {
-        add_measured(checked, quantity, text.value, reading_mm);
+        add_measured(checked, quantity, text.value, ruler);
       } catch (const geometry::BadGiven& unreadable) {
         throw WrongUsage("--measured " + text.name + ": " + unreadable.words());
       }
@@ -101,7 +88,7 @@ std::vector<Words> sheets_not_drawn(const std::vector<CheckedExercise>& all) {
 Outcome check(const Catalogue& exercises, const Options& options) {
   const std::vector<const Exercise*> chosen = find_exercises(exercises, options.names);
   const Rung number = rung(options);
-  const Rational reading_mm = reading(options);
+  const Ruler ruler = ruler_asked(chosen, options);
   const std::vector<MeasuredText> texts = measured_texts(chosen, options);
   demand_known(chosen, texts);
   const std::vector<Givens> givens = set_givens(chosen, options.assignments);
@@ -112,8 +99,12 @@ Outcome check(const Catalogue& exercises, const Options& options) {
   std::string report;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     checked.push_back(check(*chosen[i], givens[i], number));
-    add_all_measured(checked.back(), texts, reading_mm);
+    add_all_measured(checked.back(), texts, ruler);
     if (options.json) continue;
+    if (options.quiet) {
+      report += measured_report(checked.back(), reader);
+      continue;
+    }
     report += text_report(checked.back(), reader) + "\n";
     if (chosen.size() > 1) report += closing_line(checked.back(), reader) + "\n";
   }

@@ -239,23 +239,6 @@ std::string audits(const CheckedExercise& checked, Language language) {
   return text;
 }
 
-std::string measured(const CheckedExercise& checked, const Reader& reader) {
-  std::string text;
-  for (const CheckedQuantity& quantity : checked.quantities)
-    for (const Measured& each : quantity.measured) {
-      const Words difference = each.difference ? decimal(fmt::format("{:+.3g}", *each.difference)) : Words{"-", "-"};
-      const Words line = format_words(
-          "{} measured {}: computed {}, difference {} ({}), allowed {} ({}):",
-          "{} misurata {}: calcolata {}, differenza {} ({}), ammessa {} ({}):", quantity.spec.name, each.text,
-          value(quantity), difference, percent(each.difference_percent), decimal(each.allowed, 3), each.allowed_by);
-      text +=
-          wrapped(line.in(reader.language) + " " +
-                      coloured(verdict(each).in(reader.language), each.within ? Ink::good : Ink::bad, reader.colours),
-                  2, 4);
-    }
-  return text.empty() ? "" : "\n" + text;
-}
-
 std::string givens(const Givens& givens) {
   std::vector<std::string> all;
   for (const GivenSpec& given : givens.specs())
@@ -279,15 +262,33 @@ std::string listed(const std::vector<Complaint>& all, const std::string& heading
 
 }  // namespace
 
+std::string measured_report(const CheckedExercise& checked, const Reader& reader) {
+  std::string text;
+  for (const CheckedQuantity& quantity : checked.quantities)
+    for (const Measured& each : quantity.measured) {
+      const Words difference = each.difference ? decimal(fmt::format("{:+.3g}", *each.difference)) : Words{"-", "-"};
+      const Words line = format_words(
+          "{} measured {}: computed {}, difference {} ({}), allowed {} ({}):",
+          "{} misurata {}: calcolata {}, differenza {} ({}), ammessa {} ({}):", quantity.spec.name, each.text,
+          value(quantity), difference, percent(each.difference_percent), decimal(each.allowed, 3), each.allowed_by);
+      text +=
+          wrapped(line.in(reader.language) + " " +
+                      coloured(verdict(each).in(reader.language), each.within ? Ink::good : Ink::bad, reader.colours),
+                  2, 4);
+    }
+  return text;
+}
+
 std::string text_report(const CheckedExercise& checked, const Reader& reader) {
   const Language language = reader.language;
   const Marks marks(checked);
   const std::string title =
       fmt::format("{}: {} ({}, {})", checked.about.id, drawings::plain(checked.about.title.in(language)),
                   checked.about.document, checked.about.item);
+  const std::string numbers = measured_report(checked, reader);
   return wrapped(title, 0, 2) + givens(checked.givens) + marks.key(language) + "\n" +
          quantities(checked, marks, reader) + absences(checked, language) + printed(checked, reader) +
-         explanations(checked, language) + audits(checked, language) + measured(checked, reader) +
+         explanations(checked, language) + audits(checked, language) + (numbers.empty() ? "" : "\n" + numbers) +
          listed(checked.failures, coloured(Words{"FAILED", "FALLITO"}.in(language), Ink::bad, reader.colours),
                 language) +
          listed(checked.undecided,

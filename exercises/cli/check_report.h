@@ -17,6 +17,9 @@ struct Reader {
 // Tables, remarks, and what failed or is undecided. No line is wider than a terminal.
 std::string text_report(const CheckedExercise& checked, const Reader& reader);
 
+// The measured numbers alone; nothing when there are none.
+std::string measured_report(const CheckedExercise& checked, const Reader& reader);
+
 // "ID: N quantities, M routes, passed", for one of several.
 std::string closing_line(const CheckedExercise& checked, const Reader& reader);
 

@@ -31,8 +31,28 @@ drawings::Paper paper(const Options& options) {
 // Beyond them no figure of a metre or of a kilometre is of any use, and the drawing's arithmetic need not hold.
 constexpr int largest_scale = 1000000;
 
-// "1:5" and "1/5" are one fifth, "2:1" is two.
-Rational scale(std::string text) {
+// In millimetres of paper.
+Rational reading_mm(const Options& options) {
+  Rational length;
+  try {
+    length = geometry::parse_given(options.reading, "mm");
+  } catch (const geometry::BadGiven& unreadable) {
+    throw WrongUsage("--reading: " + unreadable.words());
+  }
+  const Rational too_long = 1000;
+  if (length > 0 && length < too_long) return length;
+  throw WrongUsage(format_words("--reading {}: must be positive and below 1000 mm",
+                                "--reading {}: dev'essere positivo e minore di 1000 mm", options.reading));
+}
+
+std::optional<Format> format_by_ending(const Options& options) {
+  const std::string ending = std::filesystem::path(*options.file).extension().string();
+  return ending.empty() ? std::nullopt : format_named(ending.substr(1));
+}
+
+}  // namespace
+
+Rational scale_of_lengths(std::string text) {
   const std::string typed = text;
   if (const auto colon = text.find(':'); colon != std::string::npos) text[colon] = '/';
   Rational ratio = 0;
@@ -42,19 +62,12 @@ Rational scale(std::string text) {
     // the sentence below says what a scale looks like
   }
   if (ratio > largest_scale || (ratio > 0 && ratio * largest_scale < 1))
-    throw WrongUsage(format_words("--scale {}: must lie between 1:{} and {}:1",
-                                  "--scale {}: dev'essere tra 1:{} e {}:1", typed, largest_scale, largest_scale));
+    throw WrongUsage(format_words("{}: a scale must lie between 1:{} and {}:1",
+                                  "{}: una scala dev'essere tra 1:{} e {}:1", typed, largest_scale, largest_scale));
   if (ratio > 0) return ratio;
   throw WrongUsage(format_words("\"{}\" is no scale; write 1:5, 1/5 or 2:1",
                                 "\"{}\" non è una scala; scrivere 1:5, 1/5 o 2:1", typed));
 }
-
-std::optional<Format> format_by_ending(const Options& options) {
-  const std::string ending = std::filesystem::path(*options.file).extension().string();
-  return ending.empty() ? std::nullopt : format_named(ending.substr(1));
-}
-
-}  // namespace
 
 std::vector<Format> formats_of(const Options& options) {
   if (!options.format) return {Format::pdf, Format::svg};
@@ -112,7 +125,7 @@ void demand_sensible_output(const Options& options) {
 
 SheetRequest sheet_request(const Options& options) {
   SheetRequest request{.paper = paper(options), .language = language(options), .bare = options.bare};
-  if (options.scale) request.scale = scale(*options.scale);
+  if (options.scale) request.scale = scale_of_lengths(*options.scale);
   return request;
 }
 
@@ -127,6 +140,19 @@ double seconds_of(const Options& options) {
   if (seconds > 0 && seconds <= longest) return CGAL::to_double(seconds);
   throw WrongUsage(format_words("--seconds {}: must be positive and at most 3600 s",
                                 "--seconds {}: dev'essere positivo e al massimo 3600 s", options.seconds));
+}
+
+Ruler ruler_asked(const std::vector<const Exercise*>& exercises, const Options& options) {
+  Ruler ruler{.reading_mm = reading_mm(options), .sheet = options.sheet.value_or("")};
+  if (options.scale) ruler.scales.push_back({*dimension_of("m"), 1 / (1000 * scale_of_lengths(*options.scale))});
+  if (!options.sheet) return ruler;
+  std::vector<std::string> sheets;
+  for (const Exercise* exercise : exercises)
+    for (const SheetSpec& spec : exercise->about().sheets) sheets.push_back(spec.name);
+  if (std::find(sheets.begin(), sheets.end(), ruler.sheet) == sheets.end())
+    throw WrongUsage(format_words("--sheet: there is no sheet \"{}\"; {}", "--sheet: non c'è la tavola \"{}\"; {}",
+                                  ruler.sheet, did_you_mean(ruler.sheet, sheets)));
+  return ruler;
 }
 
 }  // namespace epure

@@ -1,10 +1,11 @@
-// The options of `draw`, understood. All throw WrongUsage.
+// The options of verbs, understood. All throw WrongUsage.
 #pragma once
 
 #include <vector>
 
 #include "exercises/cli/catalogue.h"
 #include "exercises/cli/options.h"
+#include "exercises/kit/proof/measured.h"
 
 namespace epure {
 
@@ -22,7 +23,13 @@ bool is_standard_output(const Options& options);
 // --out and -o exclude each other, and the formats must be clear, before anything is drawn.
 void demand_sensible_output(const Options& options);
 
+// "1:5" and "1/5" are one fifth, "2:1" is two.
+Rational scale_of_lengths(std::string text);
+
 SheetRequest sheet_request(const Options& options);
+
+// --reading, --sheet and --scale, for exercises one of which must have the sheet.
+Ruler ruler_asked(const std::vector<const Exercise*>& exercises, const Options& options);
 
 // How long `bench` is to measure.
 double seconds_of(const Options& options);

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exercises/kit/proof/checked.h"
+#include "exercises/kit/proof/measured.h"
 #include "tests/exercises/fake.h"
 #include "tests/support/catch.h"
 
@@ -227,33 +227,75 @@ TEST_CASE("a measured number is held against half a millimetre of its drawing") 
   CheckedExercise result = checked(triangle);
   CheckedQuantity& c = result.quantities[0];
   // The smaller of the two sheets: 50 mm a metre, so half a millimetre is worth 0.01 m.
-  add_measured(result, c, "0.51", Rational(1, 2));
+  add_measured(result, c, "0.51", {});
   CHECK(c.measured.back().within);
   CHECK(c.measured.back().allowed == Approx(0.01));
   CHECK(c.measured.back().difference.value() == Approx(0.01));
   CHECK(c.measured.back().difference_percent.value() == Approx(2));
   CHECK(c.measured.back().allowed_by.english == "0.5 mm on sheet small");
   CHECK(result.passed());
-  add_measured(result, c, "48.9 cm", Rational(1, 2));
+  add_measured(result, c, "48.9 cm", {});
   CHECK_FALSE(c.measured.back().within);
   CHECK(mentions(complaints(result), "c: measured 48.9 cm is beyond reading"));
   CHECK_FALSE(result.passed());
 }
 
-TEST_CASE("a measured number of what no sheet shows is held against its own last digit") {
+TEST_CASE("a measured number of what no sheet shows is held against two lines of 100 mm, or its own last digit") {
   const Triangle triangle;
   CheckedExercise result = checked(triangle);
   CheckedQuantity& omega = result.quantities[3];
-  add_measured(result, omega, "2.5", Rational(1, 2));
-  add_measured(result, omega, "-2.54rad/s", 1000);
+  // 1 % of 2.5 for half a millimetre.
+  add_measured(result, omega, "2.5", {});
+  add_measured(result, omega, "-2.54rad/s", {});
   CHECK(omega.measured[0].within);
+  CHECK(omega.measured[0].allowed == Approx(0.05));
+  CHECK(omega.measured[0].allowed_by.english == "half a unit of its last digit");
   CHECK_FALSE(omega.measured[1].within);
-  CHECK(omega.measured[1].allowed == Approx(0.005));
-  CHECK(omega.measured[1].allowed_by.english.find("no sheet shows it") != std::string::npos);
-  CHECK_THROWS_WITH(add_measured(result, omega, "5/2", Rational(1, 2)), Contains("a fraction has no last digit"));
-  add_measured(result, omega, "\u22122.5\u00A0rad/s", Rational(1, 2));
-  CHECK(omega.measured[2].value == -2.5);
-  CHECK(omega.measured[2].allowed == Approx(0.05));
+  CHECK(omega.measured[1].allowed == Approx(0.025));
+  CHECK(omega.measured[1].allowed_by.english == "0.5 mm in each of two lines of 100 mm");
+  add_measured(result, omega, "5/2", {});
+  CHECK(omega.measured[2].within);
+  add_measured(result, omega, "\u22122.5\u00A0rad/s", {});
+  CHECK(omega.measured[3].value == -2.5);
+  add_measured(result, omega, "-3", {});
+  CHECK(omega.measured[4].allowed == Approx(0.025));  // one digit is not rewarded
+}
+
+// What is calculated from two drawn quantities: their relative errors are added.
+TEST_CASE("a number calculated from drawn ones may be off by what they may be") {
+  Triangle triangle;
+  triangle.description.quantities.push_back({"area", "$A$", "m^2", {"area of the square", "area"}});
+  triangle.description.quantities.push_back({"slope", "$s$", "1", {"slope", "pendenza"}});
+  triangle.description.quantities.push_back({"odd", "$o$", "m", {"a length", "una lunghezza"}});
+  triangle.description.quantities.push_back({"tall", "$t$", "m^2", {"a rectangle", "un rettangolo"}});
+  triangle.spoil_values = [](auto& values) {
+    for (const std::string route : {"ruler", "analytic"}) {
+      values.push_back({"area", route, certain(0.15)});   // c · c_x
+      values.push_back({"slope", route, certain(0.6)});   // c_x / c
+      values.push_back({"odd", route, certain(0.15)});    // c · c_x in numbers, but no area
+      values.push_back({"tall", route, certain(0.077)});  // of nothing
+    }
+  };
+  CheckedExercise result = checked(triangle);
+  const auto allowed = [&](std::size_t i, const Ruler& ruler) {
+    return nearest(allowance(result, result.quantities[i], ruler).size);
+  };
+  REQUIRE(result.quantities.size() == 9);
+  // On the smallest sheet: 0.5 ± 0.01, 0.3 ± 0.005. As a given, a = 0.3 has no error; of the ways c · c_x and c · a
+  // the first is rougher.
+  CHECK(allowed(5, {}) == Approx(0.15 * (0.01 / 0.5 + 0.005 / 0.3)));
+  CHECK(allowance(result, result.quantities[5], {}).by.english == "c · c_x, 0.5 mm in each: 2 % + 1.7 %");
+  CHECK(allowance(result, result.quantities[5], {}).by.italian == "c · c_x, 0,5 mm in ciascuna: 2 % + 1,7 %");
+  CHECK(allowed(5, {.sheet = "sides"}) == Approx(0.15 * (0.005 / 0.5 + 0.005 / 0.3)));
+  CHECK(allowed(5, {.reading_mm = 1}) == Approx(0.15 * 2 * (0.01 / 0.5 + 0.005 / 0.3)));
+  CHECK(allowed(5, {.scales = {{{1, 0, 0}, Rational(1, 200)}}}) == Approx(0.15 * (0.0025 / 0.5 + 0.0025 / 0.3)));
+  CHECK(allowed(6, {}) == Approx(0.6 * (0.01 / 0.5 + 0.005 / 0.3)));
+  CHECK(allowance(result, result.quantities[6], {}).by.english == "c_x / c, 0.5 mm in each: 1.7 % + 2 %");
+  CHECK(allowed(7, {}) == Approx(0.0015));
+  CHECK(allowed(8, {}) == Approx(0.00077));
+  // On paper of a student's own at 1:50 all lines are below 20 mm: then the way with the smallest error counts, c ·
+  // a.
+  CHECK(allowed(5, {.scales = {{{1, 0, 0}, Rational(1, 20)}}}) == Approx(0.15 * (0.025 / 0.5)));
 }
 
 TEST_CASE("a measured number of what does not exist fails") {
@@ -262,6 +304,6 @@ TEST_CASE("a measured number of what does not exist fails") {
     for (const std::string route : {"ruler", "analytic"}) value_of(values, "omega", route) = absent("no turning");
   };
   CheckedExercise result = checked(triangle);
-  add_measured(result, result.quantities[3], "2.5", Rational(1, 2));
+  add_measured(result, result.quantities[3], "2.5", {});
   CHECK(mentions(complaints(result), "no value to compare with (no turning)"));
 }

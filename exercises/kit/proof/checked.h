@@ -26,7 +26,7 @@ struct Measured {
   double value = 0;
   std::optional<double> difference = {}, difference_percent = {};  // none when there is no value to compare with
   double allowed = 0;
-  Words allowed_by;  // "0.5 mm on sheet poles", "half a unit of its last digit, as no sheet shows it"
+  Words allowed_by;  // "0.5 mm on sheet poles", "half a unit of its last digit"
   bool within = false;
 };
 
@@ -64,10 +64,10 @@ std::vector<std::string> complaints(const CheckedExercise& checked);
 // climb demands that every quantity is settled, by at least two routes. Throws what the exercise throws.
 CheckedExercise check(const Exercise& exercise, const Givens& givens, Rung rung);
 
-// Adds a measured number to a quantity, with a failure when it is beyond what can be read. `reading` is in mm of
-// paper. Throws geometry::BadGiven for an unreadable text.
-void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std::string& text,
-                  const Rational& reading);
+// Adds a measured number to a quantity, with a failure when it is beyond what can be read (measured.h). Throws
+// geometry::BadGiven for an unreadable text.
+struct Ruler;
+void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std::string& text, const Ruler& ruler);
 
 // The sheet's value of a measurement.
 OnSheet measure(const Measurement& measurement, const std::string& sheet, drawings::Paper paper);

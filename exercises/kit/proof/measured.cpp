@@ -1,43 +1,14 @@
 // Numbers a reader measured with a ruler.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "exercises/kit/proof/checked.h"
-#include "exercises/kit/statement/decimal.h"
+#include "exercises/kit/proof/measured.h"
 #include "geometry/numbers/given.h"
 
 namespace epure {
 namespace {
-
-// Of several sheets the one with the smallest scale: nobody says which one was measured.
-const OnSheet* coarsest(const CheckedQuantity& quantity) {
-  const auto found = std::max_element(quantity.on_sheets.begin(), quantity.on_sheets.end(),
-                                      [](const OnSheet& a, const OnSheet& b) { return a.per_mm < b.per_mm; });
-  return found == quantity.on_sheets.end() ? nullptr : &*found;
-}
-
-struct Allowance {
-  Rational size;
-  Words by;
-};
-Allowance allowance(const CheckedQuantity& quantity, const Decimal& number, const Rational& reading) {
-  if (const OnSheet* shown = coarsest(quantity))
-    return {reading * Rational(shown->per_mm),
-            format_words("{} mm on sheet {}", "{} mm sulla tavola {}", decimal(fmt::format("{}", nearest(reading))),
-                         shown->sheet)};
-  if (CGAL::is_zero(number.half_unit))
-    throw geometry::BadGiven(
-        Words{"a fraction has no last digit to allow half a unit of, and no sheet shows this quantity; "
-              "write a decimal number",
-              "una frazione non ha un'ultima cifra di cui ammettere mezza unità, e nessuna tavola "
-              "mostra questa grandezza; scrivere un numero decimale"});
-  return {number.half_unit,
-          {"half a unit of its last digit, as no sheet shows it",
-           "mezza unità dell'ultima cifra, perché nessuna tavola la mostra"}};
-}
 
 // Also "43deg" in rad and "127rpm" in rad/s. With more digits of 2π than doubles have.
 Decimal read_any_unit(const std::string& text, const std::string& unit) {
@@ -53,6 +24,8 @@ Decimal read_any_unit(const std::string& text, const std::string& unit) {
   return number;
 }
 
+}  // namespace
+
 // Far from where doubles overflow, and beyond all that comes of the largest givens.
 Decimal read_measured(const std::string& text, const std::string& unit) {
   Decimal number = read_any_unit(text, unit);
@@ -64,26 +37,26 @@ Decimal read_measured(const std::string& text, const std::string& unit) {
   return number;
 }
 
-// The same direction, whole turns away, that is nearest to the one measured; of anything else the value itself.
 double nearest_turn(double value, double to, const std::string& unit) {
   const double turn = unit == "deg" ? 360 : unit == "rad" ? 2 * std::numbers::pi : 0;
   return turn == 0 ? value : value + turn * std::round((to - value) / turn);
 }
 
-}  // namespace
+bool is_near(const Decimal& number, double value, const Rational& size, const std::string& unit) {
+  return CGAL::abs(excess(number, nearest_turn(value, nearest(number.value), unit))) <= size;
+}
 
-void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std::string& text,
-                  const Rational& reading) {
+void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std::string& text, const Ruler& ruler) {
   const auto fail = [&](const Words& why) {
     checked.failures.push_back({Complaint::About::quantity, quantity.spec.name, why});
   };
   const Decimal number = read_measured(text, quantity.spec.unit);
-  const Allowance allowed = allowance(quantity, number, reading);
+  const Allowance allowed = allowance_of(number, allowance(checked, quantity, ruler));
   Measured measured{
       .text = text, .value = nearest(number.value), .allowed = nearest(allowed.size), .allowed_by = allowed.by};
   if (has_value(quantity.settled)) {
     const double value = nearest_turn(quantity.settled.enclosure.value, measured.value, quantity.spec.unit);
-    measured.within = CGAL::abs(excess(number, value)) <= allowed.size;
+    measured.within = is_near(number, value, allowed.size, quantity.spec.unit);
     // Told in doubles: that 0.3 as typed is 1e-17 off the double 0.3 is nobody's error.
     measured.difference = measured.value - (number.signed_text ? value : std::abs(value));
     measured.difference_percent = percent(Rational(*measured.difference), value);
