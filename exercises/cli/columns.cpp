@@ -144,6 +144,12 @@ std::size_t display_width(const std::string& text) {
   return width;
 }
 
+std::string cut_to_width(const std::string& text, std::size_t width) {
+  if (display_width(text) <= width) return text;
+  std::string rest = text;
+  return take(rest, width - 1) + "…";
+}
+
 std::string columns(const std::vector<std::vector<std::string>>& rows, std::size_t indent) {
   return set(rows, column_starts(column_widths(rows), indent), std::string::npos);
 }

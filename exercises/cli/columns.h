@@ -11,6 +11,9 @@ constexpr std::size_t terminal_width = 80;
 // Cells the text takes on a terminal: characters of UTF-8; what colours it (ESC [ ... m) takes none.
 std::size_t display_width(const std::string& text);
 
+// The text where it is no wider than that, else its beginning and "…".
+std::string cut_to_width(const std::string& text, std::size_t width);
+
 // Each row a line, its cells padded to the widest of their column and set two blanks apart, after `indent` blanks. No
 // blanks at the end of a line.
 std::string columns(const std::vector<std::vector<std::string>>& rows, std::size_t indent = 0);

@@ -56,19 +56,51 @@ Help help_of_check() {
        "Verifica ogni grandezza: via contro via, contro il disegno, contro il numero stampato."},
       {"A quantity passes when all its routes agree within proved bounds, and when its drawing, as the file holds "
        "it, shows it. A measured number passes when it is within reading: --reading times the scale of its "
-       "drawing; for a quantity that is not drawn, half a unit of the last digit given. A number without a sign "
-       "is a magnitude. fast gives numbers without bounds, so its routes cannot be compared. JSON is English in "
+       "drawing; for a quantity that is calculated, what that is worth in the drawn ones it comes from; in any case "
+       "half a unit of its last digit, when it has two. A number without a sign is a magnitude. fast gives numbers "
+       "without bounds, so its routes cannot be compared. JSON is English in "
        "every language.",
        "Una grandezza riesce quando tutte le sue vie concordano entro limiti dimostrati, e quando il disegno, "
        "come sta nel file, la mostra. Un numero misurato riesce quando è entro l'errore di lettura: --reading "
-       "per la scala del disegno; per una grandezza non disegnata, mezza unità dell'ultima cifra data. Un numero "
-       "senza segno è un modulo. fast dà numeri senza limiti, dunque le sue vie non si possono confrontare. Il "
+       "per la scala del disegno; per una grandezza calcolata, quanto ciò vale nelle disegnate da cui viene; in ogni "
+       "caso mezza unità della sua ultima cifra, se ne ha due. Un numero senza segno è un modulo. fast dà numeri "
+       "senza limiti, dunque le sue vie non si possono confrontare. Il "
        "JSON è in inglese in ogni lingua."},
       R"(
   epure check all
   epure check slider-crank-velocity --set r=25cm
   epure check slider-crank-velocity --measured v_B=5.1m/s --measured omega_3=13
   epure check slider-crank-velocity --json
+)"};
+}
+
+Help help_of_mark() {
+  return {
+      {"Mark what a class measured: points for each quantity, with the typical slips named.",
+       "Valuta ciò che una classe ha misurato: punti per ogni grandezza, con le sviste tipiche riconosciute."},
+      {"The answers are CSV as spreadsheets write it (comma, semicolon or tabulator; decimal commas; UTF-8). An "
+       "answer "
+       "is right when it is within reading: --reading at the student's own scale (column scale: 1:5; scale_velocity "
+       "and so on: 1 cm = 2 m/s, or 2 m/s per cm), else at that of epure's sheet; for what is calculated, what that "
+       "is "
+       "worth in the drawn quantities it comes from. More digits are never worth less; fewer are worth half a unit "
+       "of "
+       "the last one, when there are two. A number without a sign is a magnitude. An answer that is no number costs "
+       "that answer. Givens are those of --key, else of the answers, else of --set, else the stated ones. In CSV a "
+       "name that begins with =, +, - or @ stands behind an apostrophe, so that no spreadsheet runs it.",
+       "Le risposte sono un CSV come lo scrivono i fogli di calcolo (virgola, punto e virgola o tabulatore; virgola "
+       "decimale; UTF-8). Una risposta è giusta quando è entro l'errore di lettura: --reading nella scala dello "
+       "studente (colonna scale: 1:5; scale_velocity e così via: 1 cm = 2 m/s, o 2 m/s al cm), altrimenti in quella "
+       "della tavola di epure; per ciò che è calcolato, quanto ciò vale nelle grandezze disegnate da cui viene. Più "
+       "cifre non valgono mai meno; meno cifre valgono mezza unità dell'ultima, se sono due. Un numero senza segno è "
+       "un modulo. Una risposta che non è un numero costa quella risposta. I dati sono quelli di --key, altrimenti "
+       "delle risposte, di --set o della fonte. Nel CSV un nome che comincia con =, +, - o @ sta dietro un "
+       "apostrofo, "
+       "perché nessun foglio di calcolo lo esegua."},
+      R"(
+  epure mark slider-crank-velocity --answers answers.csv
+  epure mark four-bar --answers answers.csv --key key.csv -o marks.csv
+  epure mark four-bar --answers answers.csv --scale 1:4 --points v_B=2
 )"};
 }
 

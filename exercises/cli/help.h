@@ -15,6 +15,7 @@ Help help_of_program();
 Help help_of_list();
 Help help_of_draw();
 Help help_of_check();
+Help help_of_mark();
 Help help_of_bench();
 
 // What each exit code means; the end of every help.

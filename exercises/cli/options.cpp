@@ -12,7 +12,7 @@
 namespace epure {
 namespace {
 
-const std::vector<std::string> verbs = {"list", "draw", "check", "bench"};
+const std::vector<std::string> verbs = {"list", "draw", "check", "mark", "bench"};
 
 // CLI11 reads the options. What it would say of them depends on its version and is English: the help and the
 // refusals are our own.
@@ -27,6 +27,7 @@ class Parser {
     add_list();
     add_draw();
     add_check();
+    add_mark();
     add_bench();
   }
 
@@ -92,6 +93,16 @@ class Parser {
     add(verb, "--format", options_.format, {"FORMATS", "FORMATI"},
         Words{"pdf, svg or both (default: pdf,svg)", "pdf, svg o entrambi (predefinito: pdf,svg)"} + more);
   }
+  void add_ruler(CLI::App& verb) {
+    add(verb, "--reading", options_.reading, {"LENGTH", "LUNGHEZZA"},
+        {"how well a ruler is read (default: 0.5mm)", "quanto bene si legge un righello (predefinita: 0,5mm)"});
+    add(verb, "--sheet", options_.sheet, {"SHEET", "TAVOLA"},
+        {"the sheet that was measured (default: of those that show it the smallest in scale)",
+         "la tavola misurata (predefinita: tra quelle che la mostrano la più ridotta)"});
+    add(verb, "--scale", options_.scale, {"SCALE", "SCALA"},
+        {"scale of lengths of the drawing that was measured, such as 1:5 (default: the sheet's)",
+         "scala delle lunghezze del disegno misurato, come 1:5 (predefinita: della tavola)"});
+  }
   void add_folder(CLI::App& verb) {
     add(verb, "--out", options_.folder, {"DIR", "CARTELLA"},
         {"folder to write to (default: out)", "cartella in cui scrivere (predefinita: out)"});
@@ -135,14 +146,37 @@ class Parser {
     add_repeatable(verb, "--measured", options_.measured, {"NAME=VALUE[UNIT]", "NOME=VALORE[UNITÀ]"},
                    {"a number you measured, held against the true one",
                     "un numero che hai misurato, confrontato con quello vero"});
-    add(verb, "--reading", options_.reading, {"LENGTH", "LUNGHEZZA"},
-        {"how well you read a ruler (default: 0.5mm)", "quanto bene leggi un righello (predefinita: 0,5mm)"});
+    add_ruler(verb);
+    add_flag(verb, "--quiet", options_.quiet,
+             {"only what was measured, and the totals", "solo ciò che è misurato, e i totali"});
     add_flag(
         verb, "--json", options_.json,
         {"print the report as JSON (schema epure.check/1)", "stampa il resoconto in JSON (schema epure.check/1)"});
     add(verb, "--arithmetic", options_.arithmetic, {"KIND", "TIPO"},
         {"fast (doubles), bounded (intervals) or exact (default: as many digits as it takes)",
          "fast (double), bounded (intervalli) o exact (predefinita: tante cifre quante ne servono)"});
+    add_language(verb);
+  }
+  void add_mark() {
+    CLI::App& verb = add_verb("mark");
+    add_names(verb, {"ID", "ID"}, {"the exercise", "l'esercizio"});
+    add(verb, "--answers", options_.answers, {"FILE", "FILE"},
+        {"CSV: number, name, a column a quantity, as v_B [cm/s]; also scale, givens",
+         "CSV: number, name, una colonna per grandezza, come v_B [cm/s]; anche scale, dati"});
+    add(verb, "--key", options_.key, {"FILE", "FILE"},
+        {"CSV: number and each student's own givens", "CSV: number e i dati propri di ogni studente"});
+    add_givens(verb);
+    add_ruler(verb);
+    add(verb, "--points", options_.points, {"NAME=POINTS,...", "NOME=PUNTI,..."},
+        {"what quantities are worth (default: 1 each)", "quanto valgono le grandezze (predefinito: 1 ciascuna)"});
+    add(verb, "--slip-points", options_.slip_points, {"SHARE", "QUOTA"},
+        {"of the points, for a slip that is named (default: 0.5)",
+         "dei punti, per una svista riconosciuta (predefinita: 0,5)"});
+    add(verb, "--format", options_.format, {"FORMAT", "FORMATO"},
+        {"text (default) or csv", "text (predefinito) o csv"});
+    add(verb, "-o", options_.file, {"FILE", "FILE"},
+        {"write to this file; .csv: as CSV; - is standard output",
+         "scrive in questo file; .csv: in CSV; - è lo standard output"});
     add_language(verb);
   }
   void add_bench() {
@@ -167,6 +201,7 @@ Help help_of(const std::string& verb) {
   if (verb == "list") return help_of_list();
   if (verb == "draw") return help_of_draw();
   if (verb == "check") return help_of_check();
+  if (verb == "mark") return help_of_mark();
   return verb == "bench" ? help_of_bench() : help_of_program();
 }
 
@@ -189,7 +224,9 @@ std::string Parser::help() const {
     for (const std::string& verb : verbs) names.push_back({verb, help_of(verb).purpose.in(language_)});
   } else {
     usage += " " + app.get_name() + say({" [OPTIONS]", " [OPZIONI]"}) +
-             (names.empty() ? "" : " [" + names.front().front() + (app.get_name() == "list" ? "]" : "...]"));
+             (names.empty() ? ""
+                            : " [" + names.front().front() +
+                                  (app.get_name() == "list" || app.get_name() == "mark" ? "]" : "...]"));
   }
   return paragraph(help.purpose, language_) + usage + "\n\n" + (names.empty() ? "" : table(names, 2) + "\n") +
          table(options, 2, {26}) + "\n" + paragraph(help.remarks, language_) + say({"Examples:", "Esempi:"}) +
@@ -258,8 +295,8 @@ void refuse_name_as_verb(const Catalogue& exercises, const std::string& name) {
 // The word where the verb should be.
 void demand_verb(const Catalogue& exercises, const std::vector<std::string>& arguments) {
   if (arguments.empty())
-    throw WrongUsage("say what to do: list, draw, check or bench (epure help explains)",
-                     "dire che cosa fare: list, draw, check o bench (epure help spiega)");
+    throw WrongUsage("say what to do: list, draw, check, mark or bench (epure help explains)",
+                     "dire che cosa fare: list, draw, check, mark o bench (epure help spiega)");
   const std::string& first = arguments.front();
   if (first.starts_with('-')) return;
   refuse_name_as_verb(exercises, first);
@@ -311,6 +348,7 @@ Parsed parse_options(const Catalogue& exercises, const std::vector<std::string>&
   parsed.options.verb = verb == "list"    ? Options::Verb::list
                         : verb == "draw"  ? Options::Verb::draw
                         : verb == "check" ? Options::Verb::check
+                        : verb == "mark"  ? Options::Verb::mark
                                           : Options::Verb::bench;
   return parsed;
 }

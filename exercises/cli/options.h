@@ -11,12 +11,14 @@ namespace epure {
 
 // Texts as typed; what they mean is found where they are used, because their parsing must not depend on a locale.
 struct Options {
-  enum class Verb { list, draw, check, bench } verb = Verb::list;
+  enum class Verb { list, draw, check, mark, bench } verb = Verb::list;
   std::vector<std::string> names;  // ID, ID/SHEET, all
   std::vector<std::string> assignments, measured;
   std::optional<std::string> format, folder, file, scale;
-  std::string paper = "a4", language = "en", reading = "0.5mm", arithmetic = "exact", seconds = "60";
-  bool bare = false, json = false, times = false;
+  std::optional<std::string> sheet, answers, key, points;
+  std::string paper = "a4", language = "en", reading = "0.5mm", arithmetic = "exact", seconds = "60",
+              slip_points = "0.5";
+  bool bare = false, json = false, times = false, quiet = false;
   bool colours = false;  // of the terminal, not typed
 };
 

@@ -39,6 +39,8 @@ Outcome outcome_of(const Catalogue& exercises, const Options& options, std::ostr
       return draw(exercises, options, err);
     case Options::Verb::bench:
       return {benchmark(exercises, options, err, bench)};
+    case Options::Verb::mark:
+      return mark(exercises, options);
     case Options::Verb::check:
       break;
   }

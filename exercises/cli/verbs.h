@@ -27,6 +27,9 @@ Outcome draw(const Catalogue& exercises, const Options& options, std::ostream& e
 
 Outcome check(const Catalogue& exercises, const Options& options);
 
+// Writes the file of -o, if there is one. What could not be decided is named in remarks.
+Outcome mark(const Catalogue& exercises, const Options& options);
+
 // "en" or "it". Throws WrongUsage.
 Language language(const Options& options);
 

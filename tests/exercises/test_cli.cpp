@@ -36,8 +36,13 @@ TEST_CASE("help and version") {
   const Ran version = run({"--version"});
   CHECK(version.exit == 0);
   CHECK(version.out.starts_with("epure "));
-  for (const Typed& words :
-       {Typed{"--help"}, {"list", "--help"}, {"draw", "--help"}, {"check", "-h"}, {"help"}, {"help", "draw"}}) {
+  for (const Typed& words : {Typed{"--help"},
+                             {"list", "--help"},
+                             {"draw", "--help"},
+                             {"check", "-h"},
+                             {"mark", "-h"},
+                             {"help"},
+                             {"help", "draw"}}) {
     const Ran help = run(words);
     CAPTURE(words);
     CHECK(help.exit == 0);
@@ -53,12 +58,17 @@ TEST_CASE("help and version") {
   const std::string draw = run({"draw", "--help"}).out, check = run({"check", "--help"}).out;
   for (const std::string option : {"--format", "--out", "-o", "--set", "--paper", "--scale", "--lang", "--bare"})
     CHECK(contains(draw, "  " + option));
-  for (const std::string option : {"--set", "--measured", "--reading", "--json", "--arithmetic"})
+  for (const std::string option :
+       {"--set", "--measured", "--reading", "--sheet", "--scale", "--quiet", "--json", "--arithmetic"})
     CHECK(contains(check, "  " + option));
+  const std::string mark = run({"mark", "--help"}).out;
+  for (const std::string option : {"--answers", "--key", "--set", "--reading", "--sheet", "--scale", "--points",
+                                   "--slip-points", "--format", "-o", "--lang"})
+    CHECK(contains(mark, "  " + option));
 }
 
 TEST_CASE("what is no command is refused in one sentence") {
-  refused({}, "list, draw, check or bench");
+  refused({}, "list, draw, check, mark or bench");
   refused({"chek"}, "did you mean check?");
   refused({"frobnicate", "triangle"}, "known are: list, draw, check");
   refused({"--frob"}, "\"--frob\" is no option of epure; known are: ");
@@ -518,7 +528,8 @@ TEST_CASE("measured numbers decide the exit code") {
   CHECK(run({"check", "triangle", "--measured", "c=0.52", "--reading", "1"}).exit == 0);
   CHECK(run({"check", "triangle", "--measured", "omega=-2.5rad/s"}).exit == 0);
   CHECK(run({"check", "triangle", "--measured", "omega=+2.5"}).exit == 1);
-  CHECK(run({"check", "triangle", "--measured", "angle=0.8rad"}).exit == 0);
+  CHECK(run({"check", "triangle", "--measured", "angle=0.76rad"}).exit == 0);
+  CHECK(run({"check", "triangle", "--measured", "angle=0.8rad"}).exit == 1);  // one digit
   CHECK(run({"check", "triangle", "--set", "a=0.2", "--measured", "c_x=0.2"}).exit == 0);
   CHECK(run_on_two({"check", "all", "--measured", "omega=2.5"}).exit == 0);  // one of the two has it
   refused({"check", "triangle", "--measured", "omga=1"}, "did you mean omega?");
@@ -561,8 +572,7 @@ TEST_CASE("angles may be measured in degrees, and angular velocities in turns") 
 
 TEST_CASE("a scale beyond all sense is refused with the bounds") {
   for (const std::string scale : {"1:1000000000000", "1:1e400", "1e400", "1000001:1", "1:1000001"})
-    refused({"draw", "triangle", "--scale", scale},
-            "--scale " + scale + ": must lie between 1:1000000 and 1000000:1");
+    refused({"draw", "triangle", "--scale", scale}, scale + ": a scale must lie between 1:1000000 and 1000000:1");
   CHECK(run({"draw", "triangle", "-o", "-", "--scale", "1:1000000"}).exit == 0);
 }
 

@@ -1,0 +1,48 @@
+// What a class answered, row by row, and to which givens.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exercises/cli/csv_reader.h"
+#include "exercises/kit/proof/measured.h"
+
+namespace epure {
+
+// A value as a key states it: the file's cell, and in which line.
+struct KeyValue {
+  std::string quantity, text;
+  std::size_t line;
+};
+
+struct Student {
+  std::string number, name;           // as in the file
+  std::optional<Givens> givens = {};  // none: why is the first remark
+  std::vector<PaperScale> scales = {};
+  std::vector<std::string> answers = {};  // to each quantity asked, with its unit; empty: none
+  std::vector<KeyValue> key = {};
+  std::vector<Words> remarks = {};  // what could not be read
+};
+
+struct Answers {
+  std::vector<Quantity> asked;  // what there are columns for
+  std::vector<Student> students;
+  std::vector<std::string> silent = {};  // numbers that the key has and the answers have not
+};
+
+// "1:5"; "1 cm = 2 m/s" (or with ≙); "2 m/s per cm" (Italian "al cm"). Throws geometry::BadGiven and WrongUsage.
+PaperScale read_paper_scale(const std::string& text);
+
+// `answers` has a column for each quantity asked, under its name or letters, with a unit in brackets if it is not the
+// quantity's own ("v_B [cm/s]"), and as it likes: number, name, date, scale and scale_... (of lengths, velocities ...
+// on the student's own paper), and givens. `key` has number, and as it likes name, date, givens (under their symbols)
+// and quantities, whose values are kept to be compared. With a key the givens are the key's. What neither of them
+// states is as in `otherwise`. A name that both a given and a quantity have is in a key the given, unless a quantity
+// stands to its left; in answers the quantity, unless it stands there twice: then the first is the given.
+//
+// A given or a scale that cannot be read is a remark of the student. Throws BadTable for columns that are none of
+// these or stand there twice, a number that is missing or there twice, and answers without any quantity.
+Answers read_answers(const Exercise& exercise, const CsvTable& answers, const CsvTable* key, const Givens& otherwise);
+
+}  // namespace epure

@@ -1,0 +1,20 @@
+// A marked class as text for people and as CSV for spreadsheets.
+#pragma once
+
+#include <string>
+
+#include "exercises/cli/check_report.h"
+#include "exercises/cli/marking.h"
+
+namespace epure {
+
+// A line for each student, each answer that is not right, the tolerances, and totals; none wider than a terminal.
+std::string mark_report(const Exercise& exercise, const Answers& answers, const Marking& marking,
+                        const Reader& reader);
+
+// By RFC 4180: number, name, for each quantity its points and its verdict, total, remarks. Numbers have a decimal
+// point in every language. A number or name that a spreadsheet would take for a formula, as it begins with = + - or
+// @, stands behind an apostrophe.
+std::string mark_csv(const Answers& answers, const Marking& marking, const MarkingRules& rules, Language language);
+
+}  // namespace epure

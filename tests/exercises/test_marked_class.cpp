@@ -1,0 +1,122 @@
+// A class that measured the slider-crank N.1, each student's crank and speed being another's. The key's values, and
+// the numbers that slips lead to, are by mpmath with 40 digits from v_B = -ω₂ r (sin φ + cos φ · r sin φ / c),
+// ω₃ = -ω₂ r cos φ / c, P₀B = (r cos φ + c) tan φ, where c² = l² - r² sin² φ.
+#include <chrono>
+#include <fstream>
+#include <sstream>
+
+#include "exercises/cli/csv_reader.h"
+#include "exercises/cli/run.h"
+#include "exercises/kit/proof/measured.h"
+#include "tests/exercises/run.h"
+#include "tests/support/catch.h"
+
+using namespace epure;
+
+namespace {
+
+struct RanReal {
+  int exit;
+  std::string out, err;
+};
+RanReal run_real(const std::vector<std::string>& words) {
+  std::ostringstream out, err;
+  const int exit = run_cli(catalogue(), words, out, err);
+  return {exit, out.str(), err.str()};
+}
+
+bool tells(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string examples = EPURE_EXAMPLES;
+
+std::vector<std::string> marking(const std::string& answers, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words = {"mark", "slider-crank-velocity", "--answers", answers};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+// The verdict on one answer to one quantity.
+std::string verdict_on(const std::string& quantity, const std::string& answer,
+                       const std::vector<std::string>& more = {}) {
+  std::ofstream("one.csv") << quantity << "\n\"" << answer << "\"\n";
+  std::vector<std::string> words = marking("one.csv", {"--format", "csv"});
+  words.insert(words.end(), more.begin(), more.end());
+  const RanReal ran = run_real(words);
+  CAPTURE(ran.err);
+  REQUIRE(ran.exit == 0);
+  return read_csv(ran.out, "marks").rows.at(0).cells.at(3) + "; " +
+         read_csv(ran.out, "marks").rows.at(0).cells.back();
+}
+
+}  // namespace
+
+TEST_CASE("the example of the page on marking") {
+  const RanReal ran =
+      run_real(marking(examples + "/answers.csv", {"--key", examples + "/key.csv", "--set", "phi=30deg"}));
+  CHECK(ran.exit == 0);
+  CHECK(ran.err.empty());  // the key is of these givens
+  std::ifstream page(examples + "/marks.txt");
+  std::ostringstream told;
+  told << page.rdbuf();
+  CHECK(ran.out == told.str());
+}
+
+TEST_CASE("a key of another crank angle is noticed") {
+  const RanReal ran =
+      run_real(marking(examples + "/answers.csv", {"--key", examples + "/key.csv", "--set", "phi=31deg"}));
+  CHECK(ran.exit == 0);
+  CHECK(tells(ran.err, "epure: 1001 v_B: 4.78189018818962 in the key's line 2, but "));
+  CHECK(tells(ran.err, "(14 more like it)"));
+}
+
+// v_B / P0B, both read to half a millimetre at 1 cm ≙ 2.5 m/s and 1:5: 13.3286 (0.125/5.10278 + 0.0025/0.382843).
+TEST_CASE("what is calculated from readings may be off by what these may; more digits are not punished") {
+  const Exercise& exercise = *std::find_if(catalogue().begin(), catalogue().end(),
+                                           [](const Listed& each) { return each.id() == "slider-crank-velocity"; })
+                                  ->
+                                  operator->();
+  const CheckedExercise checked = check(exercise, Givens(exercise.about().givens), Rung::climb);
+  for (const CheckedQuantity& quantity : checked.quantities)
+    if (quantity.spec.name == "omega_3") {
+      const Allowance allowed = allowance(checked, quantity, {});
+      CHECK(nearest(allowed.size) == Approx(0.4135422117));
+      CHECK(allowed.by.english == "v_B / P0B, 0.5 mm in each: 2.4 % + 0.65 %");
+    }
+  for (const std::string number : {"13", "13.0", "13.04", "13.0400001", "13.74", "12.92"})
+    CHECK(run_real({"check", "slider-crank-velocity", "--quiet", "--measured", "omega_3=" + number}).exit == 0);
+  for (const std::string number : {"13.75", "12.91", "12", "+13.3"})
+    CHECK(run_real({"check", "slider-crank-velocity", "--quiet", "--measured", "omega_3=" + number}).exit == 1);
+}
+
+TEST_CASE("slips that need solving again") {
+  const Scratch scratch;
+  CHECK(tells(verdict_on("v_B", "7.92"),
+              "slip; v_B: 7.92 m/s, true 5.10278 ± 0.12: sine for cosine (90° - phi for phi)"));
+  CHECK(tells(verdict_on("v_B", "13.24"), ": r doubled (diameter for radius)"));
+  CHECK(tells(verdict_on("v_B", "6.62"), ": l halved (radius for diameter)"));
+  CHECK(tells(verdict_on("v_B", "7.95", {"--scale", "1:5", "--sheet", "polar-diagram"}),
+              ": phi deg taken for radians"));
+  CHECK(tells(verdict_on("v_B", "48.73"), ": rpm taken for rad/s (factor 30/π)"));
+  CHECK(tells(verdict_on("v_B", "7.54"), ": this is v_A"));
+  CHECK(tells(verdict_on("v_B", "8.9"), "wrong; v_B: 8.9 m/s, true 5.10278 ± 0.12"));
+  CHECK(tells(verdict_on("v_B", "5.2"), "right; "));
+}
+
+TEST_CASE("five hundred students of their own givens take seconds") {
+  const Scratch scratch;
+  std::ofstream key("key.csv"), answers("answers.csv");
+  key << "number,r\n";
+  answers << "number,v_B,v_C,v_M,v_BA,omega_3,P0A,P0B,P0C,P0M,v_CA\n";
+  for (int i = 0; i < 500; ++i) {
+    key << i << ",0." << 180 + i % 40 << i << "m\n";
+    answers << i << ",5,4,5,7,13,0.5,0.4,0.3,0.4,9\n";
+  }
+  key.close();
+  answers.close();
+  const auto begin = std::chrono::steady_clock::now();
+  const RanReal ran = run_real(marking("answers.csv", {"--key", "key.csv", "--format", "csv"}));
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  CHECK(ran.exit == 0);
+  CHECK(std::count(ran.out.begin(), ran.out.end(), '\n') == 501);
+  WARN("500 students, 10 quantities: " << taken.count() << " s");
+}
