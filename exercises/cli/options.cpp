@@ -150,8 +150,8 @@ class Parser {
     CLI::App& verb = add_verb("sweep");
     add_names(verb, {"ID", "ID"}, {"an exercise", "un esercizio"});
     add_repeatable(verb, "--over", options_.variations, {"SYMBOL=FROM..TO/N", "SIMBOLO=DA..A/N"},
-                   {"N values of a given, both ends among them; or FROM..TO/STEP, or A|B|C",
-                    "N valori di un dato, estremi compresi; o DA..A/PASSO, o A|B|C"});
+                   {"N values of a given, both ends among them; or FROM..TO/STEP, or 'A|B|C'",
+                    "N valori di un dato, estremi compresi; o DA..A/PASSO, o 'A|B|C'"});
     add_repeatable(verb, "--quantity", options_.quantities, {"NAMES", "NOMI"},
                    {"what to find, such as v_B,omega_3", "che cosa trovare, come v_B,omega_3"});
     add_givens(verb);
@@ -212,7 +212,9 @@ std::string Parser::help() const {
     for (const std::string& verb : verbs) names.push_back({verb, help_of(verb).purpose.in(language_)});
   } else {
     usage += " " + app.get_name() + say({" [OPTIONS]", " [OPZIONI]"}) +
-             (names.empty() ? "" : " [" + names.front().front() + (app.get_name() == "list" ? "]" : "...]"));
+             (names.empty() ? ""
+                            : " [" + names.front().front() +
+                                  (app.get_name() == "list" || app.get_name() == "sweep" ? "]" : "...]"));
   }
   return paragraph(help.purpose, language_) + usage + "\n\n" + (names.empty() ? "" : table(names, 2) + "\n") +
          table(options, 2, {26}) + "\n" + paragraph(help.remarks, language_) + say({"Examples:", "Esempi:"}) +
