@@ -79,32 +79,32 @@ Help help_of_sweep() {
       {"Find quantities of an exercise at all values of some of its givens, each with bounds, for other programs.",
        "Trova grandezze di un esercizio per tutti i valori di alcuni suoi dati, ognuna con limiti, per altri "
        "programmi."},
-      {"Each line holds the values of --over, exactly, and each quantity in SI units: the double nearest to it, or "
-       "beside "
-       "that, and bounds that enclose it. Every route of the exercise finds it; one suffices to prove it, and where "
-       "two "
-       "cannot both be right the line says so (exit 1). What does not exist has its reason. The last --over changes "
-       "with "
-       "every line. After the last slash stands a count when it is a whole number alone, and a step when it has a "
-       "decimal point or a unit. Lines come in order while all processors find the next ones, in as much memory as a "
-       "few of them take; a file appears whole or not at all. The parts one after the other are the whole, to the "
-       "byte. The numbers of CSV and JSON have decimal points, and JSON is English, in every language.",
-       "Ogni riga ha i valori di --over, esatti, e ogni grandezza in unità SI: il double più vicino o quello "
-       "accanto, e i "
-       "limiti che la racchiudono. La trovano tutte le vie dell'esercizio; una basta a dimostrarla, e dove due non "
-       "possono essere giuste insieme la riga lo dice (uscita 1). Ciò che non esiste ha il suo motivo. L'ultimo "
-       "--over "
-       "cambia a ogni riga. Dopo l'ultima barra sta quanti valori quando è un intero da solo, e un passo quando ha "
-       "la "
-       "virgola o un'unità. Le righe escono in ordine mentre tutti i processori trovano le prossime, nella memoria "
-       "che "
-       "ne prendono poche; un file compare intero o non compare. Le parti una dopo l'altra sono il tutto, byte per "
-       "byte. I numeri di CSV e JSON hanno il punto decimale, e il JSON è in inglese, in ogni lingua."},
+      {"Each line holds the values of --over, exactly, and each quantity in SI units: the double nearest "
+       "to it, or beside that, and bounds that enclose it. Every route of the exercise finds it; one "
+       "suffices to prove it, and where two cannot both be right the line says so (exit 1). What does not "
+       "exist has its reason. The last --over changes with every line. After the last slash stands a count "
+       "when it is a whole number alone, and a step when it has a decimal point or a unit. A list is "
+       "quoted, as a shell takes | for its own. Lines come in order while all processors find the next "
+       "ones, in as much memory as a few of them take; a file appears whole or not at all. The parts one "
+       "after the other are the whole, to the byte. The numbers of CSV and JSON have decimal points, and "
+       "JSON is English, in every language.",
+       "Ogni riga ha i valori di --over, esatti, e ogni grandezza in unità SI: il double più vicino o "
+       "quello accanto, e i limiti che la racchiudono. La trovano tutte le vie dell'esercizio; una basta a "
+       "dimostrarla, e dove due non possono essere giuste insieme la riga lo dice (uscita 1). Ciò che non "
+       "esiste ha il suo motivo. L'ultimo --over cambia a ogni riga. Dopo l'ultima barra sta quanti valori "
+       "quando è un intero da solo, e un passo quando ha la virgola o un'unità. Un elenco va tra apici, "
+       "perché la shell prende | per sé. Le righe escono in ordine mentre tutti i processori trovano le "
+       "prossime, nella memoria che ne prendono poche; un file compare intero o non compare. Le parti una "
+       "dopo l'altra sono il tutto, byte per byte. I numeri di CSV e JSON hanno il punto decimale, e il "
+       "JSON è in inglese, in ogni lingua."},
       R"(
-  epure sweep slider-crank-velocity --over phi=0deg..360deg/361 --quantity v_B,P0_x
-  epure sweep slider-crank-velocity --over r=0.18..0.22/0.01 --over phi=0..350/36 --quantity v_B -o v_B.csv
-  epure sweep four-bar-analytic --over branch=left|right --over phi=0..360/1.0 --quantity omega_4
-  epure sweep slider-crank-velocity --over phi=0..360/361 --quantity v_B,omega_3 --chart v_B.pdf -o v_B.json
+  epure sweep slider-crank-velocity --over phi=0deg..360deg/361 --quantity v_B
+  epure sweep slider-crank-velocity --over r=0.18..0.22/0.01 \
+    --over phi=0..350/36 --quantity v_B,P0_x -o v_B.csv
+  epure sweep four-bar-analytic --over 'branch=left|right' \
+    --over phi=0..360/1.0 --quantity omega_4 --format json
+  epure sweep rivals-polygons --over phi=0..360/361 --quantity omega_3 \
+    --chart omega_3.pdf -o omega_3.csv
 )"};
 }
 

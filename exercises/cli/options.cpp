@@ -178,8 +178,8 @@ class Parser {
     CLI::App& verb = add_verb("sweep");
     add_names(verb, {"ID", "ID"}, {"an exercise", "un esercizio"});
     add_repeatable(verb, "--over", options_.variations, {"SYMBOL=FROM..TO/N", "SIMBOLO=DA..A/N"},
-                   {"N values of a given, both ends among them; or FROM..TO/STEP, or A|B|C",
-                    "N valori di un dato, estremi compresi; o DA..A/PASSO, o A|B|C"});
+                   {"N values of a given, both ends among them; or FROM..TO/STEP, or 'A|B|C'",
+                    "N valori di un dato, estremi compresi; o DA..A/PASSO, o 'A|B|C'"});
     add_repeatable(verb, "--quantity", options_.quantities, {"NAMES", "NOMI"},
                    {"what to find, such as v_B,omega_3", "che cosa trovare, come v_B,omega_3"});
     add_givens(verb);
@@ -293,7 +293,7 @@ std::string Parser::help() const {
     usage += " " + app.get_name() + say({" [OPTIONS]", " [OPZIONI]"}) +
              (names.empty() ? ""
                             : " [" + names.front().front() +
-                                  (app.get_name() == "list" || app.get_name() == "mark" ? "]" : "...]"));
+                                  (app.get_name() == "draw" || app.get_name() == "check" ? "...]" : "]"));
   }
   return paragraph(help.purpose, language_) + usage + "\n\n" + (names.empty() ? "" : table(names, 2) + "\n") +
          table(options, 2, {26}) + "\n" + paragraph(help.remarks, language_) + say({"Examples:", "Esempi:"}) +

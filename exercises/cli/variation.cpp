@@ -129,9 +129,9 @@ void Variation::read_range(const std::string& text) {
   if (points == std::string::npos)
     refuse_variation(given_,
                      format_words("\"{0}\" is one value, --set {1}={0}; a range is written FROM..TO/COUNT or "
-                                  "FROM..TO/STEP, a list A|B|C",
+                                  "FROM..TO/STEP, a list 'A|B|C'",
                                   "\"{0}\" è un solo valore, --set {1}={0}; un intervallo si scrive DA..A/QUANTI "
-                                  "o DA..A/PASSO, un elenco A|B|C",
+                                  "o DA..A/PASSO, un elenco 'A|B|C'",
                                   text, given_.symbol));
   const std::string from = text.substr(0, points), rest = text.substr(points + 2);
   if (rest.starts_with('.'))
