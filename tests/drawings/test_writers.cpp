@@ -526,7 +526,7 @@ TEST_CASE("the cells of a table are drawn where they would be one by one, and re
     }
   }
   const std::string table = write_svg(page(cells)), one_by_one = write_svg(page(texts));
-  CHECK(10 * table.size() < 7 * one_by_one.size());
+  CHECK(10 * table.size() < 8 * one_by_one.size());
   // Letter by letter, by outline. Of both files the place of a text is rounded to the grid, that of a letter to a
   // unit of the font; the scale has five decimals and is more than 1.
   using Drawn = std::multimap<std::string, Point>;
