@@ -146,7 +146,8 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
   body.step(pressed, foot);
   if (rolls) body.step(single, line);
   if (height) body.step(meets, Place{0, *height});
-  const Words verdict = Words{"With this counterweight ", "Con questo contrappeso "} + name_of(regime) + Words{".", "."};
+  const Words verdict =
+      Words{"With this counterweight ", "Con questo contrappeso "} + name_of(regime) + Words{".", "."};
   return {
       .panels = panels(body, PolygonPanel(s, force_polygon("a", {on.S}, {on.W, on.T, on.inertia}))),
       .results = {remark(verdict.in(language)), values({"a", "a_G"}), values({"alpha", "T"}),

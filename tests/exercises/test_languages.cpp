@@ -40,8 +40,8 @@ std::string last_line(const std::string& text) { return lines_of(text).back(); }
 
 // Every text for standard output that has lines to measure.
 std::vector<Typed> all_texts() {
-  std::vector<Typed> all = {{"help"},          {"help", "list"},  {"help", "draw"},
-                            {"help", "check"}, {"help", "sweep"}, {"help", "bench"}, {"list"}};
+  std::vector<Typed> all = {{"help"},          {"help", "list"},  {"help", "draw"}, {"help", "check"},
+                            {"help", "sweep"}, {"help", "bench"}, {"list"}};
   for (const auto& exercise : catalogue()) all.push_back({"list", exercise.id()});
   all.push_back({"check", "all"});
   all.push_back({"check", "all", "--arithmetic", "bounded"});
