@@ -1,11 +1,13 @@
 #include "exercises/aircraft-landing/landing.h"
 
+#include "exercises/kit/statement/given_number.h"
+
 #include <cmath>
 
 namespace epure::aircraft_landing {
 namespace {
 
-Words in(const Rational& value) { return decimal(CGAL::to_double(value), 6); }
+Words in(const Rational& value) { return told_value(value); }
 
 }  // namespace
 

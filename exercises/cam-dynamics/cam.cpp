@@ -1,9 +1,11 @@
 #include "exercises/cam-dynamics/cam.h"
 
+#include "exercises/kit/statement/given_number.h"
+
 namespace epure::cam_dynamics {
 namespace {
 
-Words written(const Rational& value) { return decimal(CGAL::to_double(value), 6); }
+Words written(const Rational& value) { return told_value(value); }
 
 }  // namespace
 

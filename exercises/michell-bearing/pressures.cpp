@@ -1,5 +1,6 @@
 // Film, gradients and pressures along the slider.
 #include "exercises/kit/panels/film_chart.h"
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/panels/sized_chart.h"
 #include "exercises/michell-bearing/exercise.h"
@@ -40,23 +41,30 @@ std::vector<Datum> points_of(const std::vector<ChartPanel::Read>& read) {
   return points;
 }
 
-SizedChart gradient_chart(const Solution& s, const geometry::FilmWedge<double>& film) {
+// With many bits: where the walls are nearly parallel doubles lose what the gradient and the pressure are made of.
+using DeepWedge = geometry::FilmWedge<geometry::Deep>;
+std::vector<std::vector<Datum>> deep_run(const Film& film,
+                                         geometry::Deep (DeepWedge::*of)(const geometry::Deep&) const) {
+  return deeply([&] {
+    const DeepWedge wedge = film.wedge<geometry::Deep>();
+    return run_of(0, geometry::from_rational<double>(film.l),
+                  [&](double x) { return to_double((wedge.*of)(geometry::Deep::from_double(x))); });
+  });
+}
+
+SizedChart gradient_chart(const Solution& s, const Film& film) {
   const auto read = read_at_stations(s, "dp_dx");
-  drawings::Chart chart =
-      chart_along(s, "$p'$", "Pa/m", film.gradient(film.l), film.gradient(0) > 0 ? 1.3 * film.gradient(0) : 0);
-  chart.curves = {{.name = "gradient",
-                   .runs = run_of(0, film.l, [&](double x) { return film.gradient(x); }),
-                   .meaning = Meaning::locus,
-                   .points = points_of(read)}};
+  const auto runs = deep_run(film, &DeepWedge::gradient);
+  const double first = runs.front().front().y, last = runs.front().back().y;
+  drawings::Chart chart = chart_along(s, "$p'$", "Pa/m", last, first > 0 ? 1.3 * first : 0);
+  chart.curves = {{.name = "gradient", .runs = runs, .meaning = Meaning::locus, .points = points_of(read)}};
   return SizedChart(chart, read, one_of_three_in_a_column);
 }
 
-SizedChart pressure_chart(const Solution& s, const geometry::FilmWedge<double>& film, Language language) {
+SizedChart pressure_chart(const Solution& s, const Film& film, Language language) {
   auto read = read_at_stations(s, "p_bezout");
   drawings::Chart chart = chart_along(s, "$p$", "Pa", 0, 1.12 * s[of_film("p_max")]);
-  chart.curves = {{.name = "pressure",
-                   .runs = run_of(0, film.l, [&](double x) { return film.pressure(x); }),
-                   .meaning = Meaning::force},
+  chart.curves = {{.name = "pressure", .runs = deep_run(film, &DeepWedge::pressure), .meaning = Meaning::force},
                   {.name = "bezout", .meaning = Meaning::construction, .points = points_of(read)}};
   chart.markers = {{.at = {s[of_film("x_bar")], s[of_film("p_max")]},
                     .label = "$p_{max}$ = " + figures(s[of_film("p_max")], 4, language) + " Pa",
@@ -82,9 +90,9 @@ std::vector<Row> rows(const Solution& s) {
 }  // namespace
 
 PanelSheet pressures_sheet(const Solution& s, Language language) {
-  const auto film = Problem(s.givens()).film.wedge<double>();
+  const Film film = Problem(s.givens()).film;
   return {
-      .panels = panels(FilmChart(film, {{}, {}, of_film("x_bar"), of_film("h_bar")}, letters_left),
+      .panels = panels(FilmChart(film.wedge<double>(), {{}, {}, of_film("x_bar"), of_film("h_bar")}, letters_left),
                        gradient_chart(s, film), pressure_chart(s, film, language)),
       .theory =
           {{{"The film", "Il meato"},

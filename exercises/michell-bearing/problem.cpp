@@ -1,4 +1,5 @@
 #include "exercises/michell-bearing/problem.h"
+#include "exercises/kit/statement/given_number.h"
 
 #include "exercises/kit/statement/decimal.h"
 #include "geometry/numbers/climb.h"
@@ -13,7 +14,7 @@ GivenSpec given(const std::string& symbol, const Words& meaning, const std::stri
   return {.symbol = symbol, .meaning = meaning, .unit = unit, .stated = stated, .letters = letters};
 }
 
-Words in(const Rational& value) { return decimal(CGAL::to_double(value), 6); }
+Words in(const Rational& value) { return told_value(value); }
 
 void demand_film(const Film& film) {
   if (film.h_1 <= film.h_2)

@@ -1,4 +1,5 @@
 #include "exercises/michell-thrust/problem.h"
+#include "exercises/kit/statement/given_number.h"
 
 #include <algorithm>
 
@@ -13,7 +14,7 @@ GivenSpec given(const std::string& symbol, const Words& meaning, const std::stri
   return {.symbol = symbol, .meaning = meaning, .unit = unit, .stated = stated, .letters = letters};
 }
 
-Words in(const Rational& value) { return decimal(CGAL::to_double(value), 6); }
+Words in(const Rational& value) { return told_value(value); }
 
 Rational si(const Givens& givens, const std::string& symbol, const std::string& from, const std::string& to) {
   return givens[symbol] * geometry::conversion(from, to);

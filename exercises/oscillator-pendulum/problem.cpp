@@ -1,4 +1,5 @@
 #include "exercises/oscillator-pendulum/problem.h"
+#include "exercises/kit/statement/given_number.h"
 
 #include "exercises/kit/statement/decimal.h"
 
@@ -9,7 +10,7 @@ void require(bool holds, const Words& otherwise) {
   if (!holds) throw BadGivens(otherwise);
 }
 
-Words in(const Rational& value) { return decimal(nearest(value), 6); }
+Words in(const Rational& value) { return told_value(value); }
 
 void demand_steps(const std::string& symbol, const Rational& dt, const Rational& least, int last) {
   require(dt >= least,

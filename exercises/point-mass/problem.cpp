@@ -1,4 +1,5 @@
 #include "exercises/point-mass/problem.h"
+#include "exercises/kit/statement/given_number.h"
 
 #include "exercises/kit/statement/decimal.h"
 
@@ -12,7 +13,7 @@ GivenSpec given(const char* symbol, const Words& meaning, const char* unit, cons
   return {symbol, meaning, unit, stated, range, letters};
 }
 
-Words in(const Rational& value) { return decimal(nearest(value), 6); }
+Words in(const Rational& value) { return told_value(value); }
 
 void demand_in_order(const Problem& of) {
   for (int i = 0; i < 2; ++i)

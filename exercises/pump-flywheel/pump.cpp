@@ -1,9 +1,11 @@
 #include "exercises/pump-flywheel/pump.h"
 
+#include "exercises/kit/statement/given_number.h"
+
 namespace epure::pump_flywheel {
 namespace {
 
-Words shown(const Rational& value) { return decimal(CGAL::to_double(value), 6); }
+Words shown(const Rational& value) { return told_value(value); }
 
 }  // namespace
 

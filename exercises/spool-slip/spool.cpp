@@ -1,5 +1,7 @@
 #include "exercises/spool-slip/spool.h"
 
+#include "exercises/kit/statement/given_number.h"
+
 #include <algorithm>
 
 namespace epure::spool_slip {
@@ -8,7 +10,7 @@ namespace {
 void require(bool holds, const Words& otherwise) {
   if (!holds) throw BadGivens(otherwise);
 }
-Words written(const Rational& value) { return decimal(CGAL::to_double(value), 6); }
+Words written(const Rational& value) { return told_value(value); }
 
 }  // namespace
 

@@ -1,11 +1,13 @@
 #include "exercises/kit/crane/crane.h"
 
+#include "exercises/kit/statement/given_number.h"
+
 namespace epure {
 namespace {
 
 Rational in_metres(const Givens& givens, const std::string& symbol) { return givens[symbol] / 1000; }
 
-Words millimetres(const Rational& metres) { return decimal(CGAL::to_double(1000 * metres), 6); }
+Words millimetres(const Rational& metres) { return told_value(1000 * metres); }
 
 geometry::analytic::DoubleT section_of(const Givens& givens, const std::string& body) {
   const geometry::analytic::DoubleT of{in_metres(givens, "H_" + body), in_metres(givens, "b_" + body),

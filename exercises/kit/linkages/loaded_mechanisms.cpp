@@ -1,5 +1,7 @@
 #include "exercises/kit/linkages/loaded_mechanisms.h"
 
+#include "exercises/kit/statement/given_number.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -114,7 +116,7 @@ Part short_fairbairn_givens() {
 
 // In degrees, for a message.
 Words in_words(const Angle& angle) { return decimal(geometry::degrees(angle), 6); }
-Words metres(const Rational& length) { return decimal(CGAL::to_double(length), 6); }
+Words metres(const Rational& length) { return told_value(length); }
 
 constexpr int quarters_in_a_turn = 4;
 Angle right_angle() { return {Rational(1, quarters_in_a_turn)}; }

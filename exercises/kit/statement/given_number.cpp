@@ -51,4 +51,10 @@ std::string equal_to(const Rational& value, Language language) {
   return "=\u00a0" + std::string(value < 0 ? "−" : "") + *text;
 }
 
+Words told_value(const Rational& value) {
+  constexpr std::size_t longest = 16;
+  const auto exactly = as_decimal(value, longest);
+  return exactly && exactly->size() <= longest ? decimal(*exactly) : decimal(nearest(value), 12);
+}
+
 }  // namespace epure

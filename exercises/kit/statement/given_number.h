@@ -16,4 +16,7 @@ std::optional<std::string> as_decimal(const geometry::Rational& value, std::size
 // blanks do not break.
 std::string equal_to(const geometry::Rational& value, Language language);
 
+// In a sentence: "0.0029000001" exactly, where a decimal of at most 16 characters is; else rounded to twelve figures.
+Words told_value(const geometry::Rational& value);
+
 }  // namespace epure
