@@ -138,12 +138,24 @@ void set_row(Galley& galley, const std::vector<std::string>& row, const std::vec
   galley.down((1.18 + 0.16 * galley.air()) * size);
 }
 
+// What is to be filled in is narrower where words leave less room.
+void narrow_blanks(std::vector<TableColumn>& columns, double size, double room) {
+  constexpr double narrowest = 4;  // of the letters' size
+  const auto is_blank = [&](const TableColumn& column) { return column.width == width_to_write * size; };
+  const auto blanks = static_cast<double>(std::count_if(columns.begin(), columns.end(), is_blank));
+  const double beyond = total_width(columns) + size * static_cast<double>(columns.size() - 1) - room;
+  if (blanks == 0 || beyond <= 0) return;
+  for (TableColumn& column : columns)
+    if (is_blank(column)) column.width = std::max(narrowest * size, column.width - beyond / blanks);
+}
+
 }  // namespace
 
 void set_block(Galley& galley, const Table& table, Language) {
   const double size = galley.size();
-  const std::vector<TableColumn> columns = measure_columns(table, size, galley.width());
+  std::vector<TableColumn> columns = measure_columns(table, size, galley.width());
   if (columns.empty()) return;
+  if (table.to_fill_in) narrow_blanks(columns, size, galley.width());
   const auto gaps = static_cast<double>(columns.size() - 1);
   const double spare = galley.width() - total_width(columns);
   if (spare < size * gaps)

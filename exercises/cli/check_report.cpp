@@ -12,6 +12,8 @@
 #include "exercises/cli/columns.h"
 #include "exercises/cli/terminal_ink.h"
 #include "exercises/kit/proof/route_names.h"
+#include "exercises/kit/statement/decimal.h"
+#include "exercises/kit/statement/given_number.h"
 
 namespace epure {
 namespace {
@@ -239,11 +241,16 @@ std::string audits(const CheckedExercise& checked, Language language) {
   return text;
 }
 
-std::string givens(const Givens& givens) {
+// As decimals where these have an end.
+std::string givens(const Givens& givens, Language language) {
+  constexpr std::size_t most_decimals = 24;
   std::vector<std::string> all;
   for (const GivenSpec& given : givens.specs())
-    if (const auto read = givens.reading(given.symbol))
-      all.push_back(given.symbol + " = " + with_unit(givens.text(given.symbol), read->unit.symbol) + ",");
+    if (const auto read = givens.reading(given.symbol)) {
+      const auto as_number = given.choices.empty() ? as_decimal(read->number, most_decimals) : std::nullopt;
+      const std::string text = as_number ? decimal(*as_number).in(language) : givens.text(given.symbol);
+      all.push_back(given.symbol + " = " + with_unit(text, read->unit.symbol) + ",");
+    }
   if (!all.empty()) all.back().pop_back();
   return wrapped(all, 2, 4);
 }
@@ -286,7 +293,7 @@ std::string text_report(const CheckedExercise& checked, const Reader& reader) {
       fmt::format("{}: {} ({}, {})", checked.about.id, drawings::plain(checked.about.title.in(language)),
                   checked.about.document, checked.about.item);
   const std::string numbers = measured_report(checked, reader);
-  return wrapped(title, 0, 2) + givens(checked.givens) + marks.key(language) + "\n" +
+  return wrapped(title, 0, 2) + givens(checked.givens, language) + marks.key(language) + "\n" +
          quantities(checked, marks, reader) + absences(checked, language) + printed(checked, reader) +
          explanations(checked, language) + audits(checked, language) + (numbers.empty() ? "" : "\n" + numbers) +
          listed(checked.failures, coloured(Words{"FAILED", "FALLITO"}.in(language), Ink::bad, reader.colours),

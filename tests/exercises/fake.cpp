@@ -49,6 +49,7 @@ Triangle::Triangle() {
       .document = "euclid",
       .item = "I.47",
       .source = {"Euclid, I.47", "Euclide, I.47"},
+      .question = {"Find the hypotenuse.", "Trovare l'ipotenusa."},
       .givens =
           {{.symbol = "a", .meaning = {"base", "base"}, .unit = "m", .stated = "0.30"},
            {.symbol = "b", .meaning = {"height", "altezza"}, .unit = "m", .stated = "0.40"},

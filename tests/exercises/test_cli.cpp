@@ -397,7 +397,7 @@ TEST_CASE("check prints tables and ends with one line of totals") {
   CHECK(ran.exit == 0);
   CHECK(ran.out ==
         "triangle: A right triangle (euclid, I.47)\n"
-        "  a = 3/10 m, b = 2/5 m, load = 0 N, shift = 0 m\n"
+        "  a = 0.3 m, b = 0.4 m, load = 0 N, shift = 0 m\n"
         "  Routes: a ruler, b analytic\n"
         "  Sheets: 1 sides, 2 small\n"
         "\n"

@@ -41,7 +41,7 @@ std::vector<std::string> written(const std::vector<Result::Asked>& asked, const 
 drawings::Table answers(const std::vector<std::string>& asked) {
   drawings::Table table{.head = {}, .rows = {}, .to_fill_in = true};
   // Two in a row where they are many, and short enough to leave room for an answer.
-  const auto is_short = [](const std::string& text) { return drawings::measure(text, 3).width < 24; };
+  const auto is_short = [](const std::string& text) { return drawings::measure(text, 3).width < 30; };
   const bool is_long = asked.size() > most_in_one_column && std::all_of(asked.begin(), asked.end(), is_short);
   const std::size_t rows = is_long ? (asked.size() + 1) / 2 : asked.size();
   for (std::size_t i = 0; i < rows; ++i) {

@@ -33,6 +33,6 @@ TEST_CASE("point mass: the table has all its rows, on paper and for a spreadshee
   CHECK(table->columns[7].name == "v_bezout");
   CHECK(table->columns[7].values[20] == solution["v_bezout_1"]);
   CHECK(table->columns[14].values[56] == solution["s_simpson_2"]);
-  CHECK(exercise.draw("table", solution, {}).further.size() == 2);
+  CHECK(exercise.draw("table", solution, {}).further.size() == 3);
   CHECK_FALSE(exercise.long_table("curves", solution));
 }

@@ -74,7 +74,7 @@ TEST_CASE("point mass: givens that cannot be, each in one sentence", "[point-mas
   refused({"m=-50"}, "must be positive");
   refused({"m=0"}, "must be positive");
   refused({"dt=0.3"}, "dt = 0.3 s does not divide the interval");
-  refused({"dt=0.00002"}, "a table of 1e+06 rows");
+  refused({"dt=0.00002"}, "a table of 1000000 rows");
   refused({"dt=20"}, "at most half of t_3");
   refused({"t_1=14"}, "t_1 = 14 s must be before t_2 = 14 s");
   refused({"t_3=13"}, "t_2 = 14 s must be before t_3 = 13 s");
