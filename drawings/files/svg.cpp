@@ -374,8 +374,8 @@ class Writer {
     for (const auto& [x, column] : columns)
       for (std::size_t i = 0; i + 1 < column.size(); ++i) ++times[two(column, i)];
     bool any = false;
-    for (auto& [x, column] : columns) {
-      Stack shorter;
+    for (auto& each : columns) {
+      Stack &column = each.second, shorter;
       for (std::size_t i = 0; i < column.size(); ++i) {
         const auto count = [&](std::size_t at) { return at + 1 < column.size() ? times[two(column, at)] : 0; };
         shorter.push_back(column[i]);

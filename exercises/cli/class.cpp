@@ -83,21 +83,21 @@ class ClassSet {
         students_(class_of(options, exercise_)),
         lots_{.exercise = exercise_,
               .sheets = target.sheets(),
-              .assignments = options.assignments,
+              .givens = set_givens({&exercise_}, options.assignments).front(),
               .variations = variations_of(options, exercise_),
               .seed = options.class_set.seed,
               .request = sheet_request(options)},
         reading_mm_(CGAL::to_double(ruler_asked({&exercise_}, options).reading_mm)),
         is_moodle_(wants_moodle(options)),
         folder_(fs::path(options.folder.value_or("out")) / (target.file_stem() + "-class")) {
-    set_givens({&exercise_}, options.assignments);
+    const auto vary = [&](const std::string& symbol) {
+      if (std::find(varied_.begin(), varied_.end(), symbol) == varied_.end()) varied_.push_back(symbol);
+    };
+    for (const GivenSpec& spec : lots_.givens.specs())
+      if (lots_.givens.is_changed(spec.symbol)) vary(spec.symbol);
     for (const Candidate& student : students_)
-      for (const std::string& assignment : student.assignments) varied_.push_back(symbol_in(assignment));
-    for (const Variation& each : lots_.variations) varied_.push_back(each.given().symbol);
-    std::vector<std::string> once;
-    for (const std::string& symbol : varied_)
-      if (std::find(once.begin(), once.end(), symbol) == once.end()) once.push_back(symbol);
-    varied_ = once;
+      for (const std::string& assignment : student.assignments) vary(symbol_in(assignment));
+    for (const Variation& each : lots_.variations) vary(each.given().symbol);
   }
 
   Outcome make(std::ostream& err, bool is_on_terminal) {
@@ -133,7 +133,7 @@ class ClassSet {
     nlohmann::json all{{"epure", EPURE_VERSION},
                        {"exercise", exercise_.about().id},
                        {"sheets", lots_.sheets},
-                       {"set", lots_.assignments},
+                       {"set", options_.assignments},
                        {"vary", options_.variations},
                        {"seed", lots_.seed},
                        {"paper", options_.paper},
@@ -182,11 +182,18 @@ class ClassSet {
     return entry;
   }
 
-  // The varied givens of a student under their symbols, in the order of `varied_`.
+  // As --set takes it, without the symbol.
+  std::string of_all(const std::string& symbol) const {
+    const auto read = lots_.givens.reading(symbol);
+    const bool is_word = !lots_.givens.specs()[index_of(lots_.givens.specs(), symbol)].choices.empty();
+    return lots_.givens.text(symbol) + (is_word || !read || read->unit.symbol == "1" ? "" : read->unit.symbol);
+  }
+
+  // The givens of a student that are not the stated ones, in the order of `varied_`.
   std::vector<std::string> givens_in_order(const ClassEntry& entry) const {
     std::vector<std::string> cells;
     for (const std::string& symbol : varied_) {
-      cells.emplace_back();
+      cells.push_back(lots_.givens.is_changed(symbol) ? of_all(symbol) : "");
       for (const std::string& assignment : entry.givens)
         if (symbol_in(assignment) == symbol) cells.back() = assignment.substr(symbol.size() + 1);
     }

@@ -49,7 +49,7 @@ std::string awkwardness(const std::vector<DrawnSheet>& sheets, const std::vector
 }
 
 Givens givens_of(const Lots& lots, const std::vector<std::vector<std::string>>& assignments) {
-  Givens givens(lots.exercise.about().givens);
+  Givens givens = lots.givens;
   for (const auto& some : assignments)
     for (const std::string& each : some) givens.set(each);
   return givens;
@@ -89,8 +89,7 @@ Variant draw_variant(const Lots& lots, const Candidate& student, const std::vect
       last = why;
     };
     try {
-      Solution solution =
-          lots.exercise.solution(givens_of(lots, {lots.assignments, student.assignments, assignments}));
+      Solution solution = lots.exercise.solution(givens_of(lots, {student.assignments, assignments}));
       std::vector<DrawnSheet> solved = drawn(lots, solution);
       const std::string why = lots.variations.empty() ? "" : awkwardness(solved, awkward_anyway);
       assignments.insert(assignments.begin(), student.assignments.begin(), student.assignments.end());

@@ -14,8 +14,8 @@ namespace epure {
 // What a variant is drawn from, and how it is to look.
 struct Lots {
   const Exercise& exercise;
-  std::vector<std::string> sheets;       // of which none must be awkward
-  std::vector<std::string> assignments;  // of all students, as --set takes them
+  std::vector<std::string> sheets;  // of which none must be awkward
+  Givens givens;                    // of all students
   std::vector<Variation> variations;
   std::string seed;
   SheetRequest request;
