@@ -51,3 +51,31 @@ TEST_CASE("attacked: a measured direction may be whole turns away") {
     CHECK(checked.passed() == is_right);
   }
 }
+
+// The coupler curve near its change point took a million pieces, 26 s.
+TEST_CASE("attacked: change points of four-bars on oblique frames") {
+  CHECK(passes("four-bar", {"A0A=0.1", "x_B0=0.3", "y_B0=0.4", "AB=0.4", "B0B=0.2", "AC=0.3"}));
+  CHECK(passes("four-bar", {"A0A=0.68", "x_B0=1.6", "y_B0=3", "AB=4.72", "B0B=2", "AC=2.832", "phi=2.429838rad"}));
+  CHECK(passes("four-bar", {"A0A=0.025", "x_B0=-0.15", "y_B0=0.2", "AB=0.25", "B0B=0.0250000000000000000008",
+                            "AC=0.125", "phi=236"}));
+}
+
+// In doubles its gradient was zero from end to end, and a chart without height ended the program.
+TEST_CASE("attacked: a film whose walls are all but parallel") {
+  CHECK(passes("michell-bearing", {"h_1=1", "h_2=0.99999999999999999"}));
+  CHECK(passes("michell-bearing", {"h_1=3.6", "h_2=3.5999999999999999999"}));
+}
+
+// Both were told rounded, and seemed to be as they ought to.
+TEST_CASE("attacked: a sentence tells by how little a given is wrong") {
+  const auto refused = [](const Assignments& givens) {
+    try {
+      Tried("michell-bearing").checked(givens);
+    } catch (const BadGivens& why) {
+      return why.words().english;
+    }
+    return std::string();
+  };
+  CHECK(refused({"h_1=2.9", "h_2=2.9000001"}).find("h_2 = 0.0029000001 m") != std::string::npos);
+  CHECK(refused({"pads=8.0000001"}).find("pads = 8.0000001:") != std::string::npos);
+}
