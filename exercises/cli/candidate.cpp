@@ -5,6 +5,7 @@
 
 #include "drawings/text/text.h"
 #include "exercises/cli/printable.h"
+#include "exercises/cli/utf8.h"
 #include "exercises/kit/statement/suggest.h"
 
 namespace epure {
@@ -34,8 +35,7 @@ std::string fit_for_file(const std::string& number) {
 
 void demand_line(const CsvTable& table, const CsvRow& row, const std::string& text) {
   constexpr std::size_t longest = 80;
-  const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
-  const auto length = text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues));
+  const std::size_t length = count_characters(text);
   if (length > longest)
     throw BadTable(format_words("{}, line {}: \"{}\" has {} characters, and a sheet has room for {}",
                                 "{}, riga {}: \"{}\" ha {} caratteri, e una tavola ne tiene {}", table.file, row.line,

@@ -1,21 +1,18 @@
 // A class set: for each student a sheet to be solved and its solution, and a key of all.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "drawings/output.h"
-#include "drawings/page.h"
 #include "drawings/text/text.h"
 #include "exercises/cli/abreast.h"
 #include "exercises/cli/class_journal.h"
 #include "exercises/cli/harmless_cell.h"
 #include "exercises/cli/moodle.h"
+#include "exercises/cli/pages.h"
+#include "exercises/cli/progress.h"
 #include "exercises/cli/request.h"
-#include "exercises/cli/sweep_progress.h"
 #include "exercises/cli/variant.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/statement/csv_field.h"
@@ -104,7 +101,7 @@ class ClassSet {
     const std::vector<std::string> awkward_anyway = awkward_as_stated(lots_);
     ClassJournal journal(folder_, inputs());
     std::vector<ClassEntry> entries(students_.size());
-    SweepProgress progress(students_.size(), is_on_terminal, err, lots_.request.language);
+    Progress progress(students_.size(), is_on_terminal, err, lots_.request.language);
     std::mutex one_at_a_time;
     abreast(students_.size(), [&](std::size_t i) {
       const Candidate& student = students_[i];
@@ -118,7 +115,7 @@ class ClassSet {
       progress.has_done(1);
     });
     std::vector<drawings::File> files{{folder_ / "key.csv", key(entries)}};
-    if (is_for_moodle()) files.push_back({folder_ / "questions.xml", questions(entries)});
+    if (is_moodle_) files.push_back({folder_ / "questions.xml", questions(entries)});
     drawings::write_whole(files);
     journal.remove();
     return {report(entries)};
@@ -126,7 +123,6 @@ class ClassSet {
 
  private:
   static std::string symbol_in(const std::string& assignment) { return assignment.substr(0, assignment.find('=')); }
-  bool is_for_moodle() const { return is_moodle_; }
 
   // What the files depend on, beside the students.
   std::string inputs() const {
@@ -138,20 +134,19 @@ class ClassSet {
                        {"seed", lots_.seed},
                        {"paper", options_.paper},
                        {"lang", options_.language},
-                       {"bare", options_.bare},
-                       {"scale", options_.scale.value_or("")},
+                       {"reading", options_.reading},
                        {"course", options_.titles.course},
                        {"author", options_.titles.author},
                        {"title", options_.titles.title},
                        {"number", options_.titles.sheet_number},
-                       {"moodle", is_for_moodle()}};
+                       {"moodle", is_moodle_}};
     return all.dump();
   }
 
   fs::path file(const Candidate& student, const char* ending) const { return folder_ / (student.file + ending); }
   bool has_files(const Candidate& student) const {
     std::error_code ignored;
-    if (is_for_moodle()) return true;
+    if (is_moodle_) return true;
     return fs::exists(file(student, "-blank.pdf"), ignored) && fs::exists(file(student, "-solution.pdf"), ignored);
   }
 
@@ -162,24 +157,25 @@ class ClassSet {
       const auto value = variant.solution.value(quantity.name);
       entry.values.push_back(value ? csv_field(*value) : "");
     }
-    SheetRequest request = lots_.request;
-    request.solver = {student.name, student.number};
-    if (is_for_moodle()) {
+    if (is_moodle_) {
       entry.question = moodle_question(exercise_, student, variant, lots_, reading_mm_);
       return entry;
     }
-    const auto pdf = [&](bool blank) {
-      request.blank = blank;
-      std::vector<drawings::Page> pages;
-      for (const std::string& sheet : lots_.sheets) {
-        const DrawnSheet drawn = exercise_.draw(sheet, variant.solution, request);
-        pages.push_back(drawings::compose(drawn.sheet));
-        for (const drawings::Sheet& further : drawn.further) pages.push_back(drawings::compose(further));
-      }
-      return drawings::write_pdf(pages, drawings::plain(exercise_.about().title.in(request.language)));
-    };
-    drawings::write_whole({{file(student, "-blank.pdf"), pdf(true)}, {file(student, "-solution.pdf"), pdf(false)}});
+    SheetRequest request = lots_.request;
+    request.solver = {student.name, student.number};
+    request.blank = true;
+    std::vector<DrawnSheet> blank;
+    for (const std::string& sheet : lots_.sheets) blank.push_back(exercise_.draw(sheet, variant.solution, request));
+    drawings::write_whole(
+        {{file(student, "-blank.pdf"), pdf(blank)}, {file(student, "-solution.pdf"), pdf(variant.solved)}});
     return entry;
+  }
+
+  std::string pdf(const std::vector<DrawnSheet>& sheets) const {
+    std::vector<drawings::Page> pages;
+    for (const DrawnSheet& sheet : sheets)
+      for (drawings::Page& page : pages_of(sheet)) pages.push_back(std::move(page));
+    return drawings::write_pdf(pages, drawings::plain(exercise_.about().title.in(lots_.request.language)));
   }
 
   // As --set takes it, without the symbol.
@@ -222,14 +218,14 @@ class ClassSet {
 
   std::string report(const std::vector<ClassEntry>& entries) const {
     const Language language = lots_.request.language;
-    std::map<std::string, std::size_t> rejected;
+    Rejections rejected;
     for (const ClassEntry& entry : entries)
       for (const auto& [why, count] : entry.rejected) rejected[why] += count;
     std::string text = (folder_ / "key.csv").string() + "\n";
     text += format_words("{} students", "{} studenti", students_.size()).in(language) + "\n";
     for (const auto& [why, count] : rejected)
       text += format_words("{} variants drawn again: {}", "{} varianti sorteggiate di nuovo: {}", count,
-                           reason_in_words(why))
+                           Words{why.first, why.second})
                   .in(language) +
               "\n";
     return text;

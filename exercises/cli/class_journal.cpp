@@ -8,6 +8,18 @@
 #include "drawings/output.h"
 
 namespace epure {
+namespace {
+
+std::string line_of(const std::string& student, const ClassEntry& entry) {
+  const nlohmann::json line{{"student", student},
+                            {"givens", entry.givens},
+                            {"values", entry.values},
+                            {"question", entry.question},
+                            {"rejected", entry.rejected}};
+  return line.dump() + "\n";
+}
+
+}  // namespace
 
 ClassJournal::ClassJournal(const std::filesystem::path& folder, const std::string& inputs)
     : path_(folder / "unfinished.jsonl") {
@@ -25,14 +37,7 @@ ClassJournal::ClassJournal(const std::filesystem::path& folder, const std::strin
   in.close();
   // Begun anew also where it goes on: what was cut short must not run into the next line.
   std::string text = inputs + "\n";
-  for (const auto& [student, entry] : entries_)
-    text += nlohmann::json{{"student", student},
-                           {"givens", entry.givens},
-                           {"values", entry.values},
-                           {"question", entry.question},
-                           {"rejected", entry.rejected}}
-                .dump() +
-            "\n";
+  for (const auto& [student, entry] : entries_) text += line_of(student, entry);
   drawings::write_whole(path_, text);
 }
 
@@ -45,15 +50,7 @@ const ClassEntry* ClassJournal::entry_of(const Candidate& student) const {
   return found == entries_.end() ? nullptr : &found->second;
 }
 
-void ClassJournal::add(const Candidate& student, const ClassEntry& entry) {
-  write(nlohmann::json{{"student", name_of(student)},
-                       {"givens", entry.givens},
-                       {"values", entry.values},
-                       {"question", entry.question},
-                       {"rejected", entry.rejected}}
-            .dump() +
-        "\n");
-}
+void ClassJournal::add(const Candidate& student, const ClassEntry& entry) { write(line_of(name_of(student), entry)); }
 
 void ClassJournal::write(const std::string& line) {
   const std::scoped_lock lock(one_at_a_time_);

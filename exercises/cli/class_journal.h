@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "exercises/cli/candidate.h"
+#include "exercises/cli/variant.h"
 
 namespace epure {
 
@@ -16,7 +16,7 @@ struct ClassEntry {
   std::vector<std::string> givens;  // what varies, as --set takes it
   std::vector<std::string> values;  // of the exercise's quantities, one after the other; empty: there is none
   std::string question;             // of a question bank
-  std::map<std::string, std::size_t> rejected;
+  Rejections rejected;
 };
 
 // A line for each student in the file unfinished.jsonl of the folder, after a line that says of what run they are. A

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cassert>
 
+#include "exercises/cli/utf8.h"
+
 namespace epure {
 namespace {
 
 constexpr std::size_t between_columns = 2;
-
-bool continues_a_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 // The end of what stands at `at`: a whole character, or a whole colour.
 std::size_t end_of_character(const std::string& text, std::size_t at) {

@@ -15,6 +15,7 @@
 #include "drawings/stopwatch.h"
 #include "drawings/text/text.h"
 #include "exercises/cli/abreast.h"
+#include "exercises/cli/pages.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/panels/fit.h"
@@ -209,10 +210,7 @@ class Drawing {
       const drawings::Timed timed(drawings::Work::construction);
       return wanted.exercise->draw(wanted.name, solving.solution(), request);
     };
-    const DrawnSheet drawn = construct();
-    std::vector<drawings::Page> pages{drawings::compose(drawn.sheet)};
-    for (const drawings::Sheet& further : drawn.further) pages.push_back(drawings::compose(further));
-    return pages;
+    return pages_of(construct());
   }
 
   std::string pdf(const std::vector<DrawnTarget>& targets) const {

@@ -1,4 +1,4 @@
-// Cells of a CSV file that no spreadsheet runs.
+// Cells of a CSV file that no spreadsheet runs (the OWASP rule).
 #pragma once
 
 #include <string>

@@ -7,6 +7,7 @@
 
 #include "drawings/text/text.h"
 #include "exercises/cli/columns.h"
+#include "exercises/cli/harmless_cell.h"
 #include "exercises/cli/printable.h"
 #include "exercises/cli/terminal_ink.h"
 #include "exercises/kit/statement/csv_field.h"
@@ -175,12 +176,6 @@ std::string totals_of_marks(const Answers& answers, const Marking& marking, Lang
   return "\n" + wrapped(text.in(language), 0, 2);
 }
 
-// What a spreadsheet shows, and does not run (the OWASP rule).
-std::string harmless(const std::string& from_file) {
-  const std::string text = printable(from_file);
-  return text.find_first_of("=+-@") == 0 ? "'" + text : text;
-}
-
 }  // namespace
 
 std::string mark_report(const Exercise& exercise, const Answers& answers, const Marking& marking,
@@ -207,7 +202,7 @@ std::string mark_csv(const Answers& answers, const Marking& marking, const Marki
   record(header);
   for (std::size_t i = 0; i < answers.students.size(); ++i) {
     const Student& student = answers.students[i];
-    std::vector<std::string> row = {harmless(student.number), harmless(student.name)};
+    std::vector<std::string> row = {harmless_cell(printable(student.number)), harmless_cell(printable(student.name))};
     std::string remarks;
     const auto add_remark = [&](const std::string& remark) {
       remarks += (remarks.empty() ? "" : "; ") + printable(remark);

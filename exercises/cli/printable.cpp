@@ -25,7 +25,7 @@ bool is_shown(char32_t c) {
 std::string without_middle(const std::string& text, Keep keep) {
   std::vector<std::size_t> begins;
   for (std::size_t at = 0; at < text.size(); ++at)
-    if ((static_cast<unsigned char>(text[at]) & 0xC0) != 0x80) begins.push_back(at);
+    if (!continues_a_character(text[at])) begins.push_back(at);
   if (begins.size() <= keep.longest) return text;
   return text.substr(0, begins[keep.beginning]) + "..." + text.substr(begins[begins.size() - keep.end]);
 }

@@ -8,6 +8,7 @@
 #include "drawings/output.h"
 #include "drawings/text/text.h"
 #include "exercises/cli/printable.h"
+#include "exercises/cli/utf8.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/statement/suggest.h"
 #include "geometry/numbers/given.h"
@@ -82,8 +83,7 @@ OwnTitles titles(const Options& options) {
                                            {"--author", all.author, line},
                                            {"--title", all.title, line},
                                            {"--sheet-number", all.sheet_number, field}}) {
-    const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
-    const auto length = text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues));
+    const std::size_t length = count_characters(text);
     if (length > most)
       throw WrongUsage(format_words("{} has {} characters, and the title block has room for {}",
                                     "{} ha {} caratteri, e il riquadro delle iscrizioni ne tiene {}",

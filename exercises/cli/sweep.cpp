@@ -7,9 +7,9 @@
 
 #include "exercises/cli/in_order.h"
 #include "exercises/cli/print.h"
+#include "exercises/cli/progress.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/sweep_chart.h"
-#include "exercises/cli/sweep_progress.h"
 #include "exercises/cli/verbs.h"
 
 namespace epure {
@@ -94,7 +94,7 @@ class Sweeping {
     drawings::demand_writable(folder.empty() ? "." : folder);
   }
 
-  Outcome run(LinesOut& lines, SweepProgress& progress) {
+  Outcome run(LinesOut& lines, Progress& progress) {
     if (part_.is_first && format_ == RowFormat::csv && !lines.write(csv_header(study_))) return {""};
     const std::uint64_t blocks = (part_.size() + rows_of_a_block - 1) / rows_of_a_block;
     bool is_read = true;
@@ -147,7 +147,7 @@ Outcome sweep(const Catalogue& exercises, const Options& options, std::ostream& 
   Sweeping sweeping(exercises, options);
   LinesOut lines(options, out);
   const bool is_seen = (!options.file || is_standard_output(options)) && surroundings.out_is_terminal;
-  SweepProgress progress(sweeping.size(), surroundings.err_is_terminal && !is_seen, err, language(options));
+  Progress progress(sweeping.size(), surroundings.err_is_terminal && !is_seen, err, language(options));
   return sweeping.run(lines, progress);
 }
 

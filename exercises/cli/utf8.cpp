@@ -1,5 +1,6 @@
 #include "exercises/cli/utf8.h"
 
+#include <algorithm>
 #include <array>
 
 namespace epure {
@@ -29,6 +30,10 @@ std::pair<char32_t, std::size_t> character(std::string_view text, std::size_t at
   const bool is_surrogate = code >= 0xD800 && code < 0xE000;
   if (code < least.at(length) || code > 0x10FFFF || is_surrogate) return {0, 0};
   return {code, length};
+}
+
+std::size_t count_characters(std::string_view text) {
+  return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_a_character));
 }
 
 }  // namespace epure

@@ -33,19 +33,20 @@ class Lot {
   std::mt19937_64 generator_;
 };
 
-std::vector<DrawnSheet> drawn(const Lots& lots, const Solution& solution) {
+std::vector<DrawnSheet> drawn(const Lots& lots, const Solution& solution, const Solver& solver) {
+  SheetRequest request = lots.request;
+  request.solver = solver;
   std::vector<DrawnSheet> all;
-  for (const std::string& sheet : lots.sheets) all.push_back(lots.exercise.draw(sheet, solution, lots.request));
+  for (const std::string& sheet : lots.sheets) all.push_back(lots.exercise.draw(sheet, solution, request));
   return all;
 }
 
 // Why nobody should have to draw it; empty: it is good.
-std::string awkwardness(const std::vector<DrawnSheet>& sheets, const std::vector<std::string>& anyway) {
+Words awkwardness(const std::vector<DrawnSheet>& sheets, const std::vector<std::string>& anyway) {
   for (const DrawnSheet& sheet : sheets)
     for (const Awkwardness& each : sheet.awkward)
-      if (std::find(anyway.begin(), anyway.end(), each.what) == anyway.end())
-        return each.sentence.in(Language::english);
-  return "";
+      if (std::find(anyway.begin(), anyway.end(), each.what) == anyway.end()) return each.sentence;
+  return {};
 }
 
 Givens givens_of(const Lots& lots, const std::vector<std::vector<std::string>>& assignments) {
@@ -57,54 +58,43 @@ Givens givens_of(const Lots& lots, const std::vector<std::vector<std::string>>& 
 
 }  // namespace
 
-Words reason_in_words(const std::string& english) {
-  for (const Words& each : {Words{"does not fit the paper", "non sta sul foglio"},
-                            {"impossible", "impossibile"},
-                            {"could not be decided", "non si è potuto decidere"},
-                            {"a vector shorter than 10 mm", "un vettore più corto di 10 mm"},
-                            {"lines that meet at less than 15°", "rette che si incontrano a meno di 15°"},
-                            {"a step off the sheet", "un passo fuori del foglio"}})
-    if (each.english == english) return each;
-  return {english, english};
-}
-
 std::vector<std::string> awkward_as_stated(const Lots& lots) {
   std::vector<std::string> all;
   const Solution stated = lots.exercise.solution(Givens(lots.exercise.about().givens));
-  for (const DrawnSheet& sheet : drawn(lots, stated))
+  for (const DrawnSheet& sheet : drawn(lots, stated, {}))
     for (const Awkwardness& each : sheet.awkward) all.push_back(each.what);
   return all;
 }
 
 Variant draw_variant(const Lots& lots, const Candidate& student, const std::vector<std::string>& awkward_anyway) {
   Lot lot(lots.seed, student.number);
-  std::map<std::string, std::size_t> rejected;
+  Rejections rejected;
   const std::size_t tries = lots.variations.empty() ? 1 : most_tries;
   Words last;
   for (std::size_t i = 0; i < tries; ++i) {
     std::vector<std::string> assignments;
     for (const Variation& each : lots.variations) assignments.push_back(each.assignment(lot.below(each.size())));
-    const auto reject = [&](const std::string& kind, const Words& why) {
-      ++rejected[kind];
+    const auto reject = [&](const Words& kind, const Words& why) {
+      ++rejected[{kind.english, kind.italian}];
       last = why;
     };
     try {
       Solution solution = lots.exercise.solution(givens_of(lots, {student.assignments, assignments}));
-      std::vector<DrawnSheet> solved = drawn(lots, solution);
-      const std::string why = lots.variations.empty() ? "" : awkwardness(solved, awkward_anyway);
+      std::vector<DrawnSheet> solved = drawn(lots, solution, {student.name, student.number});
+      const Words why = lots.variations.empty() ? Words{} : awkwardness(solved, awkward_anyway);
       assignments.insert(assignments.begin(), student.assignments.begin(), student.assignments.end());
       if (why.empty()) return {std::move(assignments), std::move(solution), std::move(solved), std::move(rejected)};
-      reject(why, reason_in_words(why));
+      reject(why, why);
     } catch (const DoesNotFit& why) {
-      reject("does not fit the paper", why.words());
+      reject({"does not fit the paper", "non sta sul foglio"}, why.words());
     } catch (const drawings::TooFar& why) {
-      reject("does not fit the paper", why.words());
+      reject({"does not fit the paper", "non sta sul foglio"}, why.words());
     } catch (const BadGivens& why) {
-      reject("impossible", why.words());
+      reject({"impossible", "impossibile"}, why.words());
     } catch (const geometry::Impossible& why) {
-      reject("impossible", why.words());
+      reject({"impossible", "impossibile"}, why.words());
     } catch (const geometry::Undecided& why) {
-      reject("could not be decided", why.words());
+      reject({"could not be decided", "non si è potuto decidere"}, why.words());
     }
   }
   if (tries == 1) throw BadGivens(format_words("student {}: {}", "studente {}: {}", student.number, last));

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exercises/cli/candidate.h"
@@ -21,15 +22,15 @@ struct Lots {
   SheetRequest request;
 };
 
+// Why variants were not taken, in English and Italian, and how often.
+using Rejections = std::map<std::pair<std::string, std::string>, std::size_t>;
+
 struct Variant {
   std::vector<std::string> assignments;  // what varies, as --set takes it
   Solution solution;
-  std::vector<DrawnSheet> solved;               // the sheets, one after the other
-  std::map<std::string, std::size_t> rejected;  // why others were not taken (a sentence in English), and how often
+  std::vector<DrawnSheet> solved;  // the sheets with the student's name, one after the other
+  Rejections rejected;
 };
-
-// Such a sentence in both languages.
-Words reason_in_words(const std::string& english);
 
 // What is awkward about the exercise's own givens is no reason: it is in the nature of the exercise.
 std::vector<std::string> awkward_as_stated(const Lots& lots);

@@ -1,4 +1,4 @@
-// How far a sweep has come, told on a terminal.
+// How far a sweep or a class has come, told on a terminal.
 #pragma once
 
 #include <chrono>
@@ -10,15 +10,15 @@
 namespace epure {
 
 // "37 %, 1 min 20 s left" in one line that is written over, and gone at the end. Nothing when it is not shown.
-class SweepProgress {
+class Progress {
  public:
-  SweepProgress(std::uint64_t rows, bool is_shown, std::ostream& err, Language language)
+  Progress(std::uint64_t rows, bool is_shown, std::ostream& err, Language language)
       : rows_(rows), is_shown_(is_shown), err_(err), language_(language), begun_(Clock::now()), told_(begun_) {}
-  ~SweepProgress() {
+  ~Progress() {
     if (is_shown_) err_ << clear_line << std::flush;
   }
-  SweepProgress(const SweepProgress&) = delete;
-  SweepProgress& operator=(const SweepProgress&) = delete;
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
   void has_done(std::uint64_t rows) {
     done_ += rows;
