@@ -14,6 +14,7 @@
 #include <unordered_set>
 
 #include "drawings/files/check_page.h"
+#include "drawings/files/xml.h"
 #include "drawings/page.h"
 #include "drawings/paths/grid.h"
 #include "drawings/paths/vectors.h"
@@ -45,19 +46,6 @@ void add_decimal(std::string& to, double value, int decimals) {
 
 void add_attribute(std::string& to, std::string_view name, std::string_view value) {
   ((((to += ' ') += name) += "=\"") += value) += '"';
-}
-
-void add_escaped(std::string& to, std::string_view text) {
-  for (const char c : text) {
-    if (c == '<')
-      to += "&lt;";
-    else if (c == '&')
-      to += "&amp;";
-    else if (c == '>')
-      to += "&gt;";
-    else
-      to += c;
-  }
 }
 
 // "#0072b2", or "#000" for #000000: eight bits a channel, as a screen has them.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "drawings/files/xml.h"
 #include "drawings/output.h"
 #include "drawings/text/text.h"
 #include "exercises/cli/symbol.h"
@@ -14,6 +15,8 @@
 
 namespace epure {
 namespace {
+
+using drawings::escaped_for_xml;
 
 std::string base64(const std::string& bytes) {
   static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -26,13 +29,6 @@ std::string base64(const std::string& bytes) {
     for (std::size_t k = 0; k < 4; ++k) text += k <= there ? digits[three >> (18 - 6 * k) & 63] : '=';
   }
   return text;
-}
-
-std::string escaped_for_xml(const std::string& text) {
-  std::string all;
-  for (const char c : text)
-    all += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
-  return all;
 }
 
 // How far an answer may be off, by quantity: what half a millimetre or so is worth where the sheets show it.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exercises/kit/panels/crossing.h"
 #include "exercises/kit/panels/edge.h"
 
 namespace epure {
@@ -232,7 +233,7 @@ std::vector<double> PolesPanel::crossings() const {
     for (const Carried& X : points_) lines.push_back(*pole_ - X.at);
   std::erase_if(lines, [](const Arrow2& line) { return magnitude(line) == 0; });
   if (lines.size() < 2) return {};
-  return {std::atan2(std::abs(cross(lines[0], lines[1])), std::abs(geometry::dot(lines[0], lines[1])))};
+  return {crossing_angle(lines[0], lines[1])};
 }
 
 std::vector<PanelStep> PolesPanel::steps(const Plot& plot, const drawings::Box& room) const {

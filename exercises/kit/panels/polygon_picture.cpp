@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "exercises/kit/panels/compare.h"
+#include "exercises/kit/panels/crossing.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure {
@@ -289,7 +290,7 @@ std::optional<double> closing_angle(const VectorPolygon& polygon) {
     for (const PolygonSide& each : *side)
       if (each.is_unknown() && !each.closes_alone()) lines.push_back(magnitude(each.v) > 0 ? each.v : each.along);
   if (lines.size() != 2) return {};
-  return std::atan2(std::abs(cross(lines[0], lines[1])), std::abs(geometry::dot(lines[0], lines[1])));
+  return crossing_angle(lines[0], lines[1]);
 }
 
 double greatest(const VectorPolygon& polygon) {
