@@ -4,15 +4,15 @@
 #include <map>
 #include <string_view>
 
+#include "exercises/cli/harmless_cell.h"
 #include "exercises/cli/request.h"
+#include "exercises/cli/student_columns.h"
 #include "exercises/cli/symbol.h"
 #include "exercises/kit/statement/suggest.h"
 #include "geometry/numbers/given.h"
 
 namespace epure {
 namespace {
-
-constexpr const char* number_column = "number";
 
 bool has_no_unit(const std::string& text) {
   const char last = text.empty() ? '0' : text.back();
@@ -53,15 +53,11 @@ enum class Role { key, answers };
 class Columns {
  public:
   Columns(const Exercise& exercise, const CsvTable& table, Role role)
-      : about_(exercise.about()), table_(table), role_(role) {
-    for (const GivenSpec& given : about_.givens) {
-      given_names_.push_back({given.symbol, unicode_symbol(given.letters.empty() ? given.symbol : given.letters)});
-      for (const std::string& other : given.also) given_names_.push_back({given.symbol, other});
-    }
+      : about_(exercise.about()), table_(table), role_(role), given_names_(given_names(exercise)) {
     for (const Quantity& each : about_.quantities)
       quantity_names_.push_back({each.name, unicode_symbol(each.symbol)});
-    numbers = table.column(number_column);
-    names = table.column("name");
+    numbers = column_of_numbers(table);
+    names = column_of_names(table);
     table.column("date");
     for (std::size_t i = 0; i < table.header.size(); ++i) add(i);
   }
@@ -94,7 +90,7 @@ class Columns {
 
   void add(std::size_t column) {
     const std::string& typed = table_.header[column];
-    if (typed == number_column || typed == "name" || typed == "date") return;
+    if (heads_numbers(typed) || heads_names(typed) || typed == "date") return;
     if (role_ == Role::answers && (typed == "scale" || typed.starts_with("scale_"))) {
       scales.push_back(column);
       return;
@@ -123,7 +119,7 @@ class Columns {
   }
 
   [[noreturn]] void refuse(const std::string& typed, const std::string& name) const {
-    std::vector<std::string> known = {number_column, "name", "scale"};
+    std::vector<std::string> known = {"number", "name", "scale"};
     for (const Quantity& each : about_.quantities) known.push_back(each.name);
     for (const GivenSpec& each : about_.givens) known.push_back(each.symbol);
     throw BadTable(format_words("{}: column \"{}\" is no quantity and no given of {}; {}",
@@ -172,9 +168,9 @@ void read_scales(Student& student, const std::vector<std::size_t>& columns, cons
 class Key {
  public:
   Key(const Exercise& exercise, const CsvTable& table) : columns_(exercise, table, Role::key) {
-    const std::size_t number = table.needed_column(number_column);
+    const std::size_t number = needed_column_of_numbers(table);
     table.demand_distinct(number);
-    for (const CsvRow& row : table.rows) rows_.emplace(row.cells[number], &row);
+    for (const CsvRow& row : table.rows) rows_.emplace(text_of_cell(row.cells[number]), &row);
   }
 
   void state(Student& student, const Givens& otherwise) {
@@ -246,7 +242,7 @@ Answers read_answers(const Exercise& exercise, const CsvTable& answers, const Cs
   if (answers.rows.empty())
     throw BadTable(format_words("{}: a header and no row: nobody answered",
                                 "{}: un'intestazione e nessuna riga: nessuno ha risposto", answers.file));
-  if (key || answers.rows.size() > 1) answers.demand_distinct(answers.needed_column(number_column));
+  if (key || answers.rows.size() > 1) answers.demand_distinct(needed_column_of_numbers(answers));
   std::optional<Key> rows_of_key;
   if (key) rows_of_key.emplace(exercise, *key);
 
@@ -255,8 +251,8 @@ Answers read_answers(const Exercise& exercise, const CsvTable& answers, const Cs
     all.asked.push_back(*std::find_if(exercise.about().quantities.begin(), exercise.about().quantities.end(),
                                       [&](const Quantity& spec) { return spec.name == each.name; }));
   for (const CsvRow& row : answers.rows) {
-    Student student{.number = columns.numbers ? row.cells[*columns.numbers] : "",
-                    .name = columns.names ? row.cells[*columns.names] : ""};
+    Student student{.number = columns.numbers ? text_of_cell(row.cells[*columns.numbers]) : "",
+                    .name = columns.names ? text_of_cell(row.cells[*columns.names]) : ""};
     if (rows_of_key)
       rows_of_key->state(student, otherwise);
     else

@@ -2,26 +2,17 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "drawings/text/text.h"
+#include "exercises/cli/harmless_cell.h"
 #include "exercises/cli/printable.h"
+#include "exercises/cli/student_columns.h"
 #include "exercises/cli/utf8.h"
 #include "exercises/kit/statement/suggest.h"
 
 namespace epure {
 namespace {
-
-const std::vector<std::string> names_of_number{"number", "matricola", "id"},
-    names_of_name{"name", "nome", "student", "studente"};
-
-bool is_one_of(const std::vector<std::string>& names, const std::string& head) {
-  return std::find(names.begin(), names.end(), lower_case(head)) != names.end();
-}
-std::optional<std::size_t> column_of(const CsvTable& table, const std::vector<std::string>& names) {
-  for (std::size_t i = 0; i < table.header.size(); ++i)
-    if (is_one_of(names, table.header[i])) return i;
-  return std::nullopt;
-}
 
 // No path, no hidden file, nothing that a shell or another system would read otherwise.
 std::string fit_for_file(const std::string& number) {
@@ -62,16 +53,14 @@ void demand_files_apart(const CsvTable& table, const std::vector<Candidate>& stu
 }
 
 std::vector<Candidate> students_in(const CsvTable& table, bool needs_number) {
-  const auto number = column_of(table, names_of_number), name = column_of(table, names_of_name);
-  if (!number && needs_number)
-    throw BadTable(format_words("{}: a column \"number\" (or \"matricola\") is missing; there are {}",
-                                "{}: manca una colonna \"number\" (o \"matricola\"); ci sono {}", table.file,
-                                alternatives(table.header)));
+  const auto number = needs_number ? needed_column_of_numbers(table) : column_of_numbers(table);
+  const auto name = column_of_names(table);
   if (number) table.demand_distinct(*number);
   std::vector<Candidate> students;
   for (const CsvRow& row : table.rows) {
-    Candidate each{
-        number ? row.cells[*number] : std::to_string(students.size() + 1), name ? row.cells[*name] : "", {}};
+    Candidate each{number ? text_of_cell(row.cells[*number]) : std::to_string(students.size() + 1),
+                   name ? text_of_cell(row.cells[*name]) : "",
+                   {}};
     demand_line(table, row, each.number);
     demand_line(table, row, each.name);
     each.file = fit_for_file(each.number);
@@ -90,19 +79,26 @@ std::vector<Candidate> candidates_of(const CsvTable& roster) { return students_i
 std::vector<Candidate> variants_of(const CsvTable& table, const Exercise& exercise) {
   std::vector<Candidate> students = students_in(table, false);
   const auto& specs = exercise.about().givens;
+  const std::vector<NameAndLetters> names = given_names(exercise);
+  std::set<std::string> headed;
   for (std::size_t column = 0; column < table.header.size(); ++column) {
     const std::string& head = table.header[column];
-    if (is_one_of(names_of_number, head) || is_one_of(names_of_name, head)) continue;
-    if (index_of(specs, head) == specs.size()) {
+    if (heads_numbers(head) || heads_names(head)) continue;
+    const std::size_t place = index_of(specs, ascii_name(head, names));
+    if (place == specs.size()) {
       std::vector<std::string> symbols;
       for (const GivenSpec& spec : specs) symbols.push_back(spec.symbol);
       throw BadTable(format_words("{}: the column \"{}\" is no given of {}; {}",
                                   "{}: la colonna \"{}\" non è un dato di {}; {}", table.file, head,
                                   exercise.about().id, did_you_mean(head, symbols)));
     }
+    const std::string& symbol = specs[place].symbol;
+    if (!headed.insert(symbol).second)
+      throw BadTable(
+          format_words("{}: there are two columns for {}", "{}: ci sono due colonne per {}", table.file, symbol));
     for (std::size_t i = 0; i < students.size(); ++i)
       if (const std::string& cell = table.rows[i].cells[column]; !cell.empty())
-        students[i].assignments.push_back(head + "=" + cell);
+        students[i].assignments.push_back(symbol + "=" + cell);
   }
   return students;
 }

@@ -21,8 +21,9 @@ struct Candidate {
 // of at most 80 printable characters. Other columns are left alone.
 std::vector<Candidate> candidates_of(const CsvTable& roster);
 
-// The same of a table of variants: each column but these two is headed by a given, whose cells are its values. An
-// empty cell leaves the given as it is. Throws as above, and for a column that is no given of the exercise.
+// The same of a table of variants: each column but these two is headed by a given (its symbol, letters or another
+// name), whose cells are its values. An empty cell leaves the given as it is. Throws as above, and for a column that
+// is no given of the exercise, or the second of one.
 std::vector<Candidate> variants_of(const CsvTable& table, const Exercise& exercise);
 
 // Students without names, numbered from 1.

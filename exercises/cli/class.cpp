@@ -14,6 +14,7 @@
 #include "exercises/cli/progress.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/variant.h"
+#include "exercises/cli/variations.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/statement/csv_field.h"
 #include "exercises/kit/statement/suggest.h"
@@ -42,25 +43,11 @@ std::vector<Candidate> class_of(const Options& options, const Exercise& exercise
   return numbered_candidates(count);
 }
 
-std::vector<Variation> variations_of(const Options& options, const Exercise& exercise) {
-  const auto& specs = exercise.about().givens;
-  std::vector<Variation> all;
-  for (const std::string& typed : options.variations) {
-    const auto equals = typed.find('=');
-    if (equals == std::string::npos)
-      throw WrongUsage(format_words("--vary {}: write it as r=0.18..0.22/0.01 or n=300|360|400",
-                                    "--vary {}: scriverlo come r=0.18..0.22/0.01 o n=300|360|400", typed));
-    const std::string symbol = typed.substr(0, equals);
-    if (index_of(specs, symbol) == specs.size())
-      throw WrongUsage(format_words("--vary {}: {} has no given \"{}\"; epure list {} shows them",
-                                    "--vary {}: {} non ha un dato \"{}\"; epure list {} li mostra", typed,
-                                    exercise.about().id, symbol, exercise.about().id));
-    const GivenSpec& spec = specs[index_of(specs, symbol)];
-    if (std::any_of(all.begin(), all.end(),
-                    [&](const Variation& each) { return each.given().symbol == spec.symbol; }))
-      throw WrongUsage(format_words("--vary {}: {} is varied twice", "--vary {}: {} varia due volte", typed, symbol));
-    all.emplace_back(spec, typed.substr(equals + 1));
-  }
+// What --set and a table of variants say.
+std::vector<std::string> values_of_givens(const Options& options, const std::vector<Candidate>& students) {
+  std::vector<std::string> all = options.assignments;
+  for (const Candidate& student : students)
+    all.insert(all.end(), student.assignments.begin(), student.assignments.end());
   return all;
 }
 
@@ -81,7 +68,8 @@ class ClassSet {
         lots_{.exercise = exercise_,
               .sheets = target.sheets(),
               .givens = set_givens({&exercise_}, options.assignments).front(),
-              .variations = variations_of(options, exercise_),
+              .variations =
+                  read_variations(exercise_, "--vary", options.variations, values_of_givens(options, students_)),
               .seed = options.class_set.seed,
               .request = sheet_request(options)},
         reading_mm_(CGAL::to_double(ruler_asked({&exercise_}, options).reading_mm)),
@@ -222,10 +210,9 @@ class ClassSet {
     for (const ClassEntry& entry : entries)
       for (const auto& [why, count] : entry.rejected) rejected[why] += count;
     std::string text = (folder_ / "key.csv").string() + "\n";
-    text += format_words("{} students", "{} studenti", students_.size()).in(language) + "\n";
+    text += format_words("students: {}", "studenti: {}", students_.size()).in(language) + "\n";
     for (const auto& [why, count] : rejected)
-      text += format_words("{} variants drawn again: {}", "{} varianti sorteggiate di nuovo: {}", count,
-                           Words{why.first, why.second})
+      text += format_words("drawn again, {}: {}", "sorteggiate di nuovo, {}: {}", Words{why.first, why.second}, count)
                   .in(language) +
               "\n";
     return text;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "drawings/files/system_words.h"
+#include "exercises/cli/harmless_cell.h"
 #include "exercises/cli/utf8.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
@@ -176,7 +177,7 @@ void CsvTable::demand_distinct(std::size_t column) const {
   for (const CsvRow& row : rows) {
     const std::string& cell = row.cells[column];
     if (cell.empty()) refuse_line(file, row.line, format_words("there is no \"{}\"", "manca \"{}\"", header[column]));
-    const auto [known, is_new] = lines.emplace(cell, row.line);
+    const auto [known, is_new] = lines.emplace(text_of_cell(cell), row.line);
     if (!is_new)
       refuse_line(file, row.line,
                   format_words("{} {} stands in line {} already", "{} {} è già nella riga {}", header[column], cell,

@@ -28,7 +28,7 @@ struct CsvTable {
   std::optional<std::size_t> column(const std::string& name) const;
   // Throws BadTable when there is none.
   std::size_t needed_column(const std::string& name) const;
-  // Throws BadTable when two rows have the same cell in this column, or one has none.
+  // Throws BadTable when two rows have the same text in this column, or one has none.
   void demand_distinct(std::size_t column) const;
 };
 

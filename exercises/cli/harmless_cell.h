@@ -2,13 +2,20 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace epure {
 
+inline bool looks_like_formula(std::string_view text) {
+  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+}
+
 // A text that a spreadsheet would take for a formula, behind an apostrophe, which it takes for a mark of text.
-inline std::string harmless_cell(const std::string& text) {
-  const bool is_formula = !text.empty() && std::string("=+-@\t\r").find(text.front()) != std::string::npos;
-  return is_formula ? "'" + text : text;
+inline std::string harmless_cell(const std::string& text) { return looks_like_formula(text) ? "'" + text : text; }
+
+// The text again.
+inline std::string text_of_cell(const std::string& cell) {
+  return cell.starts_with('\'') && looks_like_formula(std::string_view(cell).substr(1)) ? cell.substr(1) : cell;
 }
 
 }  // namespace epure

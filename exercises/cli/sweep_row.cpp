@@ -39,6 +39,24 @@ Words reason_in_full(const SweptQuantity& quantity) {
   return reason;
 }
 
+// What may be one says so.
+Words fault_in_full(const Flaw& fault) {
+  const Words sentence{drawings::plain(fault.sentence.english), drawings::plain(fault.sentence.italian)};
+  return fault.undecided ? Words{"undecided: ", "non deciso: "} + sentence : sentence;
+}
+
+std::string faults_in_line(const std::vector<Flaw>& faults, Language language) {
+  std::string line;
+  for (const Flaw& each : faults) line += (line.empty() ? "" : " ") + fault_in_full(each).in(language);
+  return line;
+}
+
+Json json_faults(const std::vector<Flaw>& faults) {
+  Json json = Json::array();
+  for (const Flaw& each : faults) json.push_back(fault_in_full(each).english);
+  return json;
+}
+
 const char* json_key(State state) {
   if (state == State::undecided) return "undecided";
   if (state == State::disagreement) return "disagreement";
@@ -71,9 +89,11 @@ bool SweptRow::is_possible() const {
 }
 
 bool SweptRow::is_undecided() const {
-  return std::any_of(quantities.begin(), quantities.end(), [](const SweptQuantity& each) {
-    return each.state == State::undecided || (each.state == State::value && !each.reason.empty());
-  });
+  return std::any_of(quantities.begin(), quantities.end(),
+                     [](const SweptQuantity& each) {
+                       return each.state == State::undecided || (each.state == State::value && !each.reason.empty());
+                     }) ||
+         std::any_of(faults.begin(), faults.end(), [](const Flaw& each) { return each.undecided; });
 }
 
 bool SweptRow::has_disagreement() const {
@@ -90,6 +110,7 @@ SweptRow swept_row(const SweepStudy& study, std::uint64_t number) {
     const Asked asked(names);
     const std::vector<RouteValue> values = study.exercise->solve(givens, Rung::climb);
     for (const std::string& name : names) row.quantities.push_back(swept_quantity(values, name));
+    row.faults = study.exercise->flaws(givens);
     return row;
   } catch (const geometry::Undecided& open) {
     return row_of_one_state(row, names.size(), State::undecided, open.words());
@@ -107,7 +128,7 @@ std::string csv_header(const SweepStudy& study) {
   for (const Quantity& each : study.quantities)
     line += "," + csv_head(each.name, each.unit) + "," + csv_head(each.name + "_lower", each.unit) + "," +
             csv_head(each.name + "_upper", each.unit) + "," + csv_field(each.name + "_reason");
-  return line + "\r\n";
+  return line + ",faults\r\n";
 }
 
 std::string csv_line(const SweepStudy& study, const SweptRow& row, Language language) {
@@ -120,7 +141,7 @@ std::string csv_line(const SweepStudy& study, const SweptRow& row, Language lang
         each.state == State::value ? "," + csv_field(value) + "," + csv_field(lower) + "," + csv_field(upper) : ",,,";
     line += "," + (each.reason.empty() ? "" : csv_field(reason_in_full(each).in(language)));
   }
-  return line + "\r\n";
+  return line + "," + csv_field(faults_in_line(row.faults, language)) + "\r\n";
 }
 
 std::string json_line(const SweepStudy& study, const SweptRow& row) {
@@ -129,6 +150,7 @@ std::string json_line(const SweepStudy& study, const SweptRow& row) {
     json["givens"][study.over[i].given().symbol] = json_given(study.over[i], row.places[i]);
   for (std::size_t i = 0; i < study.quantities.size(); ++i)
     json["quantities"][study.quantities[i].name] = json_quantity(study.quantities[i], row.quantities[i]);
+  if (!row.faults.empty()) json["faults"] = json_faults(row.faults);
   return json.dump() + "\n";
 }
 

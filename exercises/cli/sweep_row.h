@@ -26,16 +26,18 @@ struct SweptRow {
   std::uint64_t number;                   // from 0
   std::vector<std::uint64_t> places;      // of the variations
   std::vector<SweptQuantity> quantities;  // in the study's order
+  std::vector<Flaw> faults = {};          // of the mechanism itself, though its numbers exist
 
   bool is_possible() const;
-  bool is_undecided() const;  // of something no more is known
+  bool is_undecided() const;  // of something no more is known, or whether there is a fault
   bool has_disagreement() const;
 };
 
 // By all routes of the exercise, up the numbers. Of each quantity asked for alone, as far as the routes allow it.
 SweptRow swept_row(const SweepStudy& study, std::uint64_t number);
 
-// "phi (deg),v_B (m/s),v_B_lower (m/s),v_B_upper (m/s),v_B_reason", by RFC 4180.
+// "phi (deg),v_B (m/s),v_B_lower (m/s),v_B_upper (m/s),v_B_reason", and at the end
+// "faults", by RFC 4180.
 std::string csv_header(const SweepStudy& study);
 // The same of a row; what is known otherwise than by a number is empty, with the reason.
 std::string csv_line(const SweepStudy& study, const SweptRow& row, Language language);

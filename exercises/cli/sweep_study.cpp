@@ -6,6 +6,7 @@
 
 #include "exercises/cli/request.h"
 #include "exercises/cli/symbol.h"
+#include "exercises/cli/variations.h"
 #include "exercises/kit/statement/suggest.h"
 
 namespace epure {
@@ -26,74 +27,6 @@ const Exercise& single_exercise(const Catalogue& exercises, const Options& optio
                                   options.names.front()));
   return *target.exercise;
 }
-
-// Of an angle the instant that states it too, of that instant the angle; else empty.
-std::string other_statement_of(const std::vector<GivenSpec>& givens, const GivenSpec& given) {
-  if (given.turned) return given.turned->instant;
-  for (const GivenSpec& other : givens)
-    if (other.turned && other.turned->instant == given.symbol) return other.symbol;
-  return {};
-}
-
-class VariationsTyped {
- public:
-  VariationsTyped(const Exercise& exercise, const Options& options)
-      : givens_(exercise.about().givens), names_(given_names(exercise)) {
-    for (const std::string& assignment : options.assignments) set_.push_back(symbol_in(assignment));
-    for (const std::string& typed : options.variations) add(typed);
-  }
-
-  std::vector<Variation> read() && { return std::move(read_); }
-
- private:
-  std::string symbol_in(const std::string& typed) const {
-    return ascii_name(typed.substr(0, typed.find('=')), names_);
-  }
-
-  void add(const std::string& typed) {
-    const auto equals = typed.find('=');
-    if (equals == 0 || equals == std::string::npos)
-      throw WrongUsage(format_words("--over {}: write a symbol, = and its values, such as {}=0..1/11",
-                                    "--over {}: scrivere un simbolo, = e i suoi valori, come {}=0..1/11", typed,
-                                    givens_.empty() ? "phi" : givens_.front().symbol));
-    const std::string symbol = symbol_in(typed);
-    const std::size_t place = index_of(givens_, symbol);
-    if (place == givens_.size()) {
-      std::vector<std::string> known;
-      for (const GivenSpec& given : givens_) known.push_back(given.symbol);
-      throw WrongUsage(format_words("--over: \"{}\" is no given here; {}", "--over: \"{}\" qui non è un dato; {}",
-                                    symbol, did_you_mean(symbol, known)));
-    }
-    demand_free(givens_[place]);
-    read_.emplace_back(givens_[place], typed.substr(equals + 1));
-  }
-
-  void demand_free(const GivenSpec& given) const {
-    const std::string other = other_statement_of(givens_, given);
-    for (const std::string& set : set_) {
-      if (set == given.symbol)
-        throw WrongUsage(format_words("{} is set and swept; which of the two is meant?",
-                                      "{} è assegnato e fatto variare; quale dei due si intende?", given.symbol));
-      if (set == other) refuse_two_statements(given.symbol, other);
-    }
-    for (const Variation& before : read_) {
-      if (before.given().symbol == given.symbol)
-        throw WrongUsage(format_words("{} is swept twice; which values are meant?",
-                                      "{} è fatto variare due volte; quali valori si intendono?", given.symbol));
-      if (before.given().symbol == other) refuse_two_statements(given.symbol, other);
-    }
-  }
-
-  [[noreturn]] static void refuse_two_statements(const std::string& one, const std::string& other) {
-    throw WrongUsage(format_words("{} and {} are two ways to state one thing; keep one of them",
-                                  "{} e {} sono due modi di dire la stessa cosa; tenerne uno solo", one, other));
-  }
-
-  const std::vector<GivenSpec>& givens_;
-  std::vector<NameAndLetters> names_;
-  std::vector<std::string> set_;
-  std::vector<Variation> read_;
-};
 
 std::vector<std::string> at_commas(const std::vector<std::string>& lists) {
   std::vector<std::string> items;
@@ -192,7 +125,8 @@ SweepStudy sweep_study(const Catalogue& exercises, const Options& options) {
                      "dire che cosa far variare, come --over {}=DA..A/QUANTI (epure help sweep spiega)",
                      about.givens.front().symbol));
   SweepStudy study{&exercise, set_givens({&exercise}, options.assignments).front(),
-                   VariationsTyped(exercise, options).read(), quantities_asked_for(about, options)};
+                   read_variations(exercise, "--over", options.variations, options.assignments),
+                   quantities_asked_for(about, options)};
   demand_feasible(study.over);
   return study;
 }

@@ -1,13 +1,15 @@
 // Class sets: the same lots for the same seed, files whole and where they belong, keys that say what the sheets show.
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
 
+#include "drawings/output.h"
 #include "exercises/cli/csv_reader.h"
 #include "exercises/cli/run.h"
-#include "exercises/kit/proof/exercise.h"
+#include "exercises/kit/proof/solution.h"
 #include "tests/exercises/run.h"
 #include "tests/support/catch.h"
 
@@ -35,6 +37,42 @@ std::string cell(const CsvTable& table, std::size_t row, const std::string& colu
   return table.rows.at(row).cells.at(table.needed_column(column));
 }
 
+Ran run_real(const std::vector<std::string>& words) {
+  std::ostringstream out, err;
+  const int exit = run_cli(catalogue(), words, out, err);
+  return {exit, out.str(), err.str()};
+}
+
+std::string in_class(const std::string& file) { return std::string(folder) + "/" + file; }
+
+std::string out_of_base64(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0, count = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    bits = bits << 6 | static_cast<unsigned>(digits.find(c));
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes += static_cast<char>(bits >> count & 255);
+  }
+  return bytes;
+}
+
+// "v_B" of the stated slider-crank to "5.10277...:0.125": what stands behind = in the field of this letter.
+std::string field_of(const std::string& question, const std::string& letter) {
+  const auto row = question.find("<tr><td>" + letter + "</td>"), begin = question.find(":=", row) + 2;
+  return row == std::string::npos ? "" : question.substr(begin, question.find('}', begin) - begin);
+}
+double tolerance_in(const std::string& field) { return std::stod(field.substr(field.find(':') + 1)); }
+
+std::string question_in(const std::string& file) {
+  pugi::xml_document quiz;
+  REQUIRE(quiz.load_file(file.c_str()));
+  return quiz.child("quiz").child("question").child("questiontext").child_value("text");
+}
+
 }  // namespace
 
 TEST_CASE("class: a sheet to be solved, a solution and a line of the key for each student", "[class]") {
@@ -43,7 +81,7 @@ TEST_CASE("class: a sheet to be solved, a solution and a line of the key for eac
   const Ran ran = make({"slider-crank-velocity/poles", "--students", "roster.csv"});
   CAPTURE(ran.err);
   REQUIRE(ran.exit == 0);
-  CHECK(ran.out.find("3 students") != std::string::npos);
+  CHECK(ran.out.find("students: 3") != std::string::npos);
   std::set<std::string> files;
   for (const std::string& file : scratch.files()) files.insert(file);
   const std::string in = std::string(folder) + "/";
@@ -101,6 +139,15 @@ TEST_CASE("class: what cannot be drawn well is drawn again, and counted", "[clas
   CHECK(none.err.find("none of 200 variants") != std::string::npos);
 }
 
+TEST_CASE("class: what the exercise itself cannot draw well is let pass", "[class]") {
+  const Scratch scratch;
+  // As stated, several sheets of the four-bar have vectors shorter than 10 mm.
+  const Ran ran = make({"four-bar", "--count", "1"}, {"--vary", "phi=30deg|30.001deg", "--seed", "1"});
+  CAPTURE(ran.err, ran.out);
+  CHECK(ran.exit == 0);
+  CHECK(ran.out.find("drawn again") == std::string::npos);
+}
+
 TEST_CASE("class: a run that was stopped goes on where it stood", "[class]") {
   const Scratch scratch;
   const std::vector<std::string> words{"slider-crank-velocity/poles", "--count", "6"};
@@ -120,6 +167,52 @@ TEST_CASE("class: a run that was stopped goes on where it stood", "[class]") {
   CHECK(fs::last_write_time(std::string(folder) + "/1-blank.pdf") > before);  // the journal knew nothing of it
 }
 
+TEST_CASE("class: what the journal knows is not drawn again, and nothing else is believed", "[class]") {
+  const Scratch scratch;
+  const std::vector<std::string> words{"slider-crank-velocity/poles", "--count", "6"};
+  REQUIRE(make(words).exit == 0);
+  const std::string key = contents(in_class("key.csv"));
+  fs::remove_all("out");
+  // Stopped for real: the last student's sheet cannot be written.
+  fs::create_directories(in_class("6-blank.pdf/in-the-way"));
+  REQUIRE(make(words).exit == 3);
+  CHECK_FALSE(fs::exists(in_class("key.csv")));
+  std::string journal = contents(in_class("unfinished.jsonl"));
+  REQUIRE(std::count(journal.begin(), journal.end(), '\n') == 6);  // the inputs, five students
+  fs::remove_all(in_class("6-blank.pdf"));
+  // Cut short in the middle, as by another program, and at the end, as by a kill.
+  const auto second = journal.find('\n', journal.find('\n') + 1);
+  journal.insert(second + 1, "{\"student\":\n");
+  journal += "{\"student\":\"[";
+  // How many of the five are drawn anew.
+  const auto drawn_anew = [&](const std::vector<std::string>& with, const std::vector<std::string>& more = lots) {
+    write(in_class("unfinished.jsonl"), journal);
+    std::map<std::string, fs::file_time_type> before;
+    for (const char* number : {"1", "2", "3", "4", "5"}) {
+      const std::string file = in_class(number + std::string("-blank.pdf"));
+      before[file] = fs::last_write_time(file);
+    }
+    REQUIRE(make(with, more).exit == 0);
+    CHECK_FALSE(fs::exists(in_class("unfinished.jsonl")));
+    return std::count_if(before.begin(), before.end(),
+                         [](const auto& each) { return fs::last_write_time(each.first) > each.second; });
+  };
+  CHECK(drawn_anew(words) == 0);
+  CHECK(contents(in_class("key.csv")) == key);
+  fs::remove(in_class("1-solution.pdf"));
+  CHECK(drawn_anew(words) == 1);
+  const auto but_for = [&](std::size_t i, const std::string& text) {
+    std::vector<std::string> other = lots;
+    other[i] = text;
+    return other;
+  };
+  CHECK(drawn_anew(words, but_for(5, "july")) == 5);
+  CHECK(drawn_anew(words, but_for(3, "n=300|361|400")) == 5);
+  CHECK(drawn_anew({"slider-crank-velocity/poles", "--count", "6", "--lang", "it"}) == 5);
+  write("one.csv", "number,l\n1,0.51\n");  // the number of a student who is there, with givens of his own
+  CHECK(drawn_anew({"slider-crank-velocity/poles", "--givens", "one.csv"}) == 1);
+}
+
 TEST_CASE("class: no name of a student leaves the folder", "[class]") {
   const Scratch scratch;
   write("roster.csv", "number,name\n../../evil,=1+1\n\"a/b\",\"$(id)\"\n.hidden,\"x\"\"y\"\n");
@@ -127,8 +220,12 @@ TEST_CASE("class: no name of a student leaves the folder", "[class]") {
   for (const std::string& file : scratch.files())
     CHECK((file == "roster.csv" || file.starts_with(std::string(folder) + "/")));
   CHECK(contents(std::string(folder) + "/key.csv").find(",=1+1") == std::string::npos);
-  write("roster.csv", "number,name\na/b,A\na?b,B\n");
-  CHECK(make({"slider-crank-velocity/poles", "--students", "roster.csv"}).exit == 2);
+  for (const char* file : {"______evil-blank.pdf", "a_b-blank.pdf", "_hidden-blank.pdf"})
+    CHECK(fs::exists(in_class(file)));
+  for (const char* same_files : {"number,name\na/b,A\na?b,B\n", "number,name\nab,A\nAB,B\n"}) {
+    write("roster.csv", same_files);
+    CHECK(make({"slider-crank-velocity/poles", "--students", "roster.csv"}).exit == 2);
+  }
 }
 
 TEST_CASE("class: givens as a table states them", "[class]") {
@@ -138,6 +235,139 @@ TEST_CASE("class: givens as a table states them", "[class]") {
   const CsvTable key = key_in(scratch.path());
   CHECK(cell(key, 0, "r") == "0,25");
   CHECK(std::stod(cell(key, 1, "omega_2")) == Approx(400 * 2 * M_PI / 60).epsilon(1e-15));
+  CHECK(cell(key, 0, "n").empty());
+  CHECK(std::stod(cell(key, 0, "omega_2")) == Approx(12 * M_PI).epsilon(1e-15));  // as stated
+  // The same under other names of the givens.
+  write("variants.csv", "matricola,φ\n1,40deg\n");
+  REQUIRE(make({"slider-crank-velocity/poles", "--givens", "variants.csv"}, {}).exit == 0);
+  CHECK(cell(key_in(scratch.path()), 0, "phi") == "40deg");
+  // What does not exist has no value: the pole at a right angle is at infinity.
+  write("variants.csv", "phi\n90deg\n");
+  REQUIRE(make({"slider-crank-velocity/poles", "--givens", "variants.csv"}, {}).exit == 0);
+  CHECK(cell(key_in(scratch.path()), 0, "P0_y").empty());
+  CHECK(cell(key_in(scratch.path()), 0, "omega_3") == "0");
+  // A table is taken as it stands: 3° leaves a vector shorter than 10 mm, which lots would not.
+  write("variants.csv", "phi\n3deg\n");
+  const Ran awkward = make({"slider-crank-velocity/poles", "--givens", "variants.csv"}, {});
+  CHECK(awkward.exit == 0);
+  CHECK(awkward.out.find("drawn again") == std::string::npos);
+  CHECK(make({"slider-crank-velocity/poles", "--count", "1"}, {"--vary", "phi=3deg|3.5deg"}).exit == 2);
+}
+
+TEST_CASE("class: the blank sheet is blank, the solution is solved, both with the student's name", "[class]") {
+  const Scratch scratch;
+  write("roster.csv", "number,name\n77,Ada Lovelace\n");
+  REQUIRE(make({"slider-crank-velocity/poles", "--students", "roster.csv"}, {}).exit == 0);
+  for (const auto& exercise : catalogue()) {
+    if (exercise.id() != "slider-crank-velocity") continue;
+    SheetRequest request{.solver = {"Ada Lovelace", "77"}};
+    for (const auto& [file, is_blank] : {std::pair{"77-blank.pdf", true}, {"77-solution.pdf", false}}) {
+      request.blank = is_blank;
+      const DrawnSheet drawn = exercise->draw("poles", Givens(exercise->about().givens), request);
+      CHECK(contents(in_class(file)) == drawings::pdf({drawn.sheet}, exercise->about().title.english));
+    }
+  }
+}
+
+TEST_CASE("class: each student has lots of his own, and every value is drawn", "[class]") {
+  const Scratch scratch;
+  REQUIRE(make({"slider-crank-velocity/poles", "--count", "60"}).exit == 0);
+  const CsvTable key = key_in(scratch.path());
+  std::map<std::string, int> crank, speed;
+  for (std::size_t row = 0; row < 60; ++row) {
+    ++crank[cell(key, row, "r")];
+    ++speed[cell(key, row, "n")];
+  }
+  // Of 12 and 20 expected; a fair lot leaves these bounds once in more than 10,000 seeds.
+  CHECK(crank.size() == 5);
+  for (const auto& [value, count] : crank) CHECK((1 <= count && count <= 26));
+  CHECK(speed.size() == 3);
+  for (const auto& [value, count] : speed) CHECK((5 <= count && count <= 37));
+}
+
+TEST_CASE("class: why variants were drawn again is added up over the class", "[class]") {
+  const Scratch scratch;
+  // r = 5 m does not close with l = 0.5 m at 30°: half of all lots.
+  const Ran ran = make({"slider-crank-velocity/poles", "--count", "20"}, {"--vary", "r=0.2|5", "--seed", "1"});
+  CAPTURE(ran.out);
+  REQUIRE(ran.exit == 0);
+  const std::string told = "drawn again, impossible: ";
+  const auto at = ran.out.find(told);
+  REQUIRE(at != std::string::npos);
+  const int count = std::stoi(ran.out.substr(at + told.size()));
+  CHECK(count > 5);  // as many as heads before a tail, twenty times
+  CHECK(count < 60);
+}
+
+TEST_CASE("class: a number that begins as a formula stands behind an apostrophe, and mark finds it", "[class]") {
+  const Scratch scratch;
+  write("roster.csv", "number,name\n-7,Ada\n+8,=1+1\n'-9,'@x\n10,'t Hooft\n");
+  REQUIRE(make({"slider-crank-velocity/poles", "--students", "roster.csv"}).exit == 0);
+  const std::string key = contents(in_class("key.csv"));
+  for (const char* line : {"\r\n'-7,Ada,", "\r\n'+8,'=1+1,", "\r\n'-9,'@x,", "\r\n10,'t Hooft,"})
+    CHECK(key.find(line) != std::string::npos);
+  CHECK(fs::exists(in_class("_9-blank.pdf")));
+  // As the student typed it, and as a spreadsheet hands on the key's cell.
+  const CsvTable truth = key_in(scratch.path());
+  std::string answers = "number,name,v_B\n";
+  const std::vector<std::string> numbers{"'-7", "+8", "-9", "10"};
+  for (std::size_t row = 0; row < numbers.size(); ++row)
+    answers += numbers[row] + ",'=n," + cell(truth, row, "v_B") + "\n";
+  write("answers.csv", answers);
+  const Ran marked = run_real(
+      {"mark", "slider-crank-velocity", "--answers", "answers.csv", "--key", in_class("key.csv"), "--format", "csv"});
+  CAPTURE(marked.err, marked.out);
+  REQUIRE(marked.exit == 0);
+  CHECK(marked.err.empty());
+  const CsvTable marks = read_csv(marked.out, "marks");
+  for (std::size_t row = 0; row < numbers.size(); ++row) {
+    CHECK(cell(marks, row, "v_B points") == "1");
+    CHECK(cell(marks, row, "name") == "'=n");
+  }
+  CHECK(cell(marks, 2, "number") == "'-9");
+  write("answers.csv", "number,v_B\n-7,1\n'-7,1\n");
+  const Ran twice = run_real({"mark", "slider-crank-velocity", "--answers", "answers.csv"});
+  CHECK(twice.exit == 2);
+  CHECK(twice.err.find("line 3: number '-7 stands in line 2 already") != std::string::npos);
+}
+
+TEST_CASE("class: --vary takes what --over takes, and refuses what it refuses", "[class]") {
+  const Scratch scratch;
+  const auto varied = [&](const std::vector<std::string>& more) {
+    return make({"slider-crank-velocity/poles", "--count", "1"}, more);
+  };
+  REQUIRE(varied({"--vary", "φ=40deg..60deg/2"}).exit == 0);
+  const std::string phi = cell(key_in(scratch.path()), 0, "phi");
+  CHECK((phi == "40deg" || phi == "60deg"));
+  REQUIRE(varied({"--vary", "t1=1/80s|1/90s"}).exit == 0);
+  const std::string t = cell(key_in(scratch.path()), 0, "t");
+  CHECK((t == "0.0125s" || t == "1/90s"));
+  fs::remove_all("out");
+  write("variants.csv", "number,r\n1,0.2\n");
+  const auto refused = [&](const Ran& ran, const std::string& part) {
+    CAPTURE(ran.err);
+    CHECK(ran.exit == 2);
+    CHECK(std::count(ran.err.begin(), ran.err.end(), '\n') == 1);
+    CHECK(ran.err.find(part) != std::string::npos);
+    CHECK_FALSE(fs::exists("out"));
+  };
+  refused(varied({"--vary", "ph=1|2"}), "--vary: \"ph\" is no given here; did you mean phi?");
+  refused(varied({"--vary", "r"}), "--vary r: write a symbol, = and its values");
+  refused(varied({"--vary", "=1|2"}), "write a symbol");
+  refused(varied({"--vary", "r=1|2", "--vary", "r=3|4"}), "r stands in --vary twice");
+  refused(varied({"--vary", "φ=30|40", "--set", "phi=50"}), "phi is set, and --vary varies it");
+  refused(varied({"--vary", "φ=30|40", "--set", "t=1/60s"}), "phi and t are two ways to state one thing");
+  refused(varied({"--vary", "φ=30|40", "--vary", "t=1/60s|1/50s"}), "t and phi are two ways to state one thing");
+  refused(varied({"--vary", "r=0.1..0.2/1"}), "r: /1 counts fewer values than the two ends");
+  refused(varied({"--vary", "r=0.1..0.2/0"}), "r: /0 counts fewer");
+  refused(varied({"--vary", "r=0.1..0.2/0.03"}), "r: a step of 0.03 m does not lead from 0.1 to 0.2 m");
+  refused(varied({"--vary", "r=0.1..0.2/-0.1"}), "r: a step of -0.1 m: must be positive");
+  refused(varied({"--vary", "r=0.1..0.2/99999999999"}), "r: more than 1000000000 values");
+  refused(varied({"--vary", "r=0.1"}), "r: \"0.1\" is one value");
+  refused(make({"slider-crank-velocity/poles", "--givens", "variants.csv"}, {"--vary", "r=0.2|0.3"}),
+          "r is set, and --vary varies it");
+  write("variants.csv", "phi,φ\n1,2\n");
+  refused(make({"slider-crank-velocity/poles", "--givens", "variants.csv"}, {}), "there are two columns for phi");
 }
 
 TEST_CASE("class --format moodle: a bank of cloze questions with figures inside", "[class]") {
@@ -159,6 +389,47 @@ TEST_CASE("class --format moodle: a bank of cloze questions with figures inside"
   CHECK(row == 3);
 }
 
+TEST_CASE("class --format moodle: fields, figure and words of the stated slider-crank", "[class]") {
+  const Scratch scratch;
+  write("roster.csv", "number,name\nR&D <1>,A\n");
+  const std::vector<std::string> words{"slider-crank-velocity/poles", "--students", "roster.csv", "--format",
+                                       "moodle"};
+  REQUIRE(make(words, {}).exit == 0);
+  pugi::xml_document quiz;
+  REQUIRE(quiz.load_file(in_class("questions.xml").c_str()));
+  const pugi::xml_node question = quiz.child("quiz").child("question");
+  CHECK(std::string(question.child("name").child_value("text")) == "slider-crank-velocity R&D <1>");
+  const std::string text = question_in(in_class("questions.xml"));
+  CAPTURE(text);
+  CHECK(text.find("0.2 m") != std::string::npos);
+  CHECK(text.find("360 rpm") != std::string::npos);
+  // v_B is read off at 1 cm = 2.5 m/s; ω₃ is calculated, as coarsely as the coarsest number read off.
+  CHECK(field_of(text, "v_B").starts_with("5.10277606575526"));
+  CHECK(tolerance_in(field_of(text, "v_B")) == 0.125);
+  const double part = tolerance_in(field_of(text, "ω₃")) / 13.328648814475097;
+  // The shortest length on the sheet is M's ordinate, half of r sin 30°: 50 mm at 1:5, of which 0.5 mm is 5 %.
+  CHECK(part == Approx(0.0025 / 0.05).epsilon(0.005));  // told to three digits
+  // The figure is what draw makes, and holds nothing of what is asked.
+  const pugi::xml_node figure = question.child("questiontext").child("file");
+  CHECK(std::string(figure.attribute("name").value()) == "slider-crank-velocity-poles-blank.svg");
+  const Ran drawn =
+      run_real({"draw", "slider-crank-velocity/poles", "--blank", "--bare", "--format", "svg", "-o", "-"});
+  CHECK(out_of_base64(figure.child_value()) == drawn.out);
+  CHECK(std::string(figure.child_value()).size() % 4 == 0);
+  // Of all sheets the one with the finest scale counts: the polar diagram, at 1 cm = 1 m/s.
+  REQUIRE(make({"slider-crank-velocity", "--count", "1", "--format", "moodle"}, {}).exit == 0);
+  const std::string whole = question_in("out/slider-crank-velocity-class/questions.xml");
+  CHECK(tolerance_in(field_of(whole, "v_B")) == 0.05);
+  CHECK(whole.find("<td>v_B</td>") == whole.rfind("<td>v_B</td>"));  // asked once, though several sheets ask for it
+  // With a coarser ruler everything may be off by twice as much.
+  std::vector<std::string> other = words;
+  other.insert(other.end(), {"--reading", "1mm"});
+  REQUIRE(make(other, {}).exit == 0);
+  const std::string coarser = question_in(in_class("questions.xml"));
+  for (const char* letter : {"v_B", "ω₃"})
+    CHECK(tolerance_in(field_of(coarser, letter)) == Approx(2 * tolerance_in(field_of(text, letter))).epsilon(0.005));
+}
+
 TEST_CASE("class: refusals are one sentence, and nothing is written", "[class]") {
   const Scratch scratch;
   const auto refused = [&](std::vector<std::string> words, const std::string& part) {
@@ -172,8 +443,8 @@ TEST_CASE("class: refusals are one sentence, and nothing is written", "[class]")
   refused({"slider-crank-velocity", "--count", "0"}, "whole number");
   refused({"slider-crank-velocity", "--count", "3", "--students", "x.csv"}, "one of");
   refused({"slider-crank-velocity", "--students", "missing.csv"}, "missing.csv");
-  refused({"slider-crank-velocity", "--count", "3", "--vary", "q=1|2"}, "no given \"q\"");
-  refused({"slider-crank-velocity", "--count", "3", "--vary", "r"}, "write it as");
+  refused({"slider-crank-velocity", "--count", "3", "--vary", "q=1|2"}, "\"q\" is no given here");
+  refused({"slider-crank-velocity", "--count", "3", "--vary", "r"}, "write a symbol");
   refused({"slider-crank-velocity", "gear-pair", "--count", "3"}, "one exercise");
   write("twice.csv", "number\n1\n1\n");
   refused({"slider-crank-velocity", "--students", "twice.csv"}, "1");

@@ -285,11 +285,12 @@ TEST_CASE("columns are told by name or letters, with a unit or none") {
   refused_marking("c,c [cm]\n1,1\n", "answers.csv: there are two columns for c");
   refused_marking("number\n1\n", "answers.csv: no column is a quantity of triangle");
   refused_marking("c\n", "a header and no row");
-  refused_marking("c\n1\n2\n", "answers.csv: there is no column \"number\"");
+  refused_marking("c\n1\n2\n", "answers.csv: a column \"number\" (or \"matricola\") is missing; there are c");
   refused_marking("number,c\n1,1\n1,2\n", "answers.csv, line 3: number 1 stands in line 2 already");
   refused_marking("number,c\n1,1,2\n", "answers.csv, line 2: fields: 3");
   write_file("key.csv", "name,a\nx,1\n");
-  refused_marking("number,c\n1,1\n", "key.csv: there is no column \"number\"", {"--key", "key.csv"});
+  refused_marking("number,c\n1,1\n", "key.csv: a column \"number\" (or \"matricola\") is missing",
+                  {"--key", "key.csv"});
   refused_marking("c\n1\n", "cannot read none.csv", {"--key", "none.csv"});
   refused_marking("c\n1\n", "--sheet: there is no sheet \"side\"; did you mean sides?", {"--sheet", "side"});
   CHECK(run({"mark", "triangle"}).err == "epure: say where the answers are: epure mark ID --answers FILE\n");

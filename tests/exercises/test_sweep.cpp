@@ -187,11 +187,11 @@ TEST_CASE("a sweep of known numbers, to the byte") {
   CHECK(ran.exit == 0);
   CHECK(ran.err.empty());
   CHECK(ran.out ==
-        "a (m),b (m),c (m),c_lower (m),c_upper (m),c_reason,c_y (m),c_y_lower (m),c_y_upper (m),c_y_reason\r\n"
-        "0.3,0.4,0.5,0.5,0.5,,-0.4,-0.4,-0.4,\r\n"
-        "0.3,0.8,0.8544003745317531,0.8544003745317531,0.8544003745317531,,-0.8,-0.8,-0.8,\r\n"
-        "0.6,0.4,0.7211102550927978,0.7211102550927978,0.7211102550927978,,-0.4,-0.4,-0.4,\r\n"
-        "0.6,0.8,1,1,1,,-0.8,-0.8,-0.8,\r\n");
+        "a (m),b (m),c (m),c_lower (m),c_upper (m),c_reason,c_y (m),c_y_lower (m),c_y_upper (m),c_y_reason,faults\r\n"
+        "0.3,0.4,0.5,0.5,0.5,,-0.4,-0.4,-0.4,,\r\n"
+        "0.3,0.8,0.8544003745317531,0.8544003745317531,0.8544003745317531,,-0.8,-0.8,-0.8,,\r\n"
+        "0.6,0.4,0.7211102550927978,0.7211102550927978,0.7211102550927978,,-0.4,-0.4,-0.4,,\r\n"
+        "0.6,0.8,1,1,1,,-0.8,-0.8,-0.8,,\r\n");
   const Typed commas{"sweep",
                      "triangle",
                      "--over=a=0,3|0,6",
@@ -237,7 +237,7 @@ TEST_CASE("what has no value has its reason, and the exit code says of the worst
   spoil(absent("it is \"gone\", all of it"), absent("elsewhere"));
   Ran ran = run_on(spoilt, words);
   CHECK(ran.exit == 0);
-  CHECK(contains(ran.out, "\r\n0.3,,,,\"it is \"\"gone\"\", all of it\",0.3,0.3,0.3,\r\n"));
+  CHECK(contains(ran.out, "\r\n0.3,,,,\"it is \"\"gone\"\", all of it\",0.3,0.3,0.3,,\r\n"));
   CHECK(Json::parse(lines(run_on(spoilt, words + Typed{"--format", "json"}).out)[0])["quantities"]["c"] ==
         Json{{"unit", "m"},
              {"value", nullptr},
@@ -248,7 +248,7 @@ TEST_CASE("what has no value has its reason, and the exit code says of the worst
   spoil(undecided("too near"), undecided("too near"));
   ran = run_on(spoilt, words);
   CHECK(ran.exit == 4);
-  CHECK(contains(ran.out, "\r\n0.3,,,,undecided: too near,0.3,0.3,0.3,\r\n"));
+  CHECK(contains(ran.out, "\r\n0.3,,,,undecided: too near,0.3,0.3,0.3,,\r\n"));
   CHECK(contains(ran.err, "in 2 positions something could not be decided"));
 
   spoil(undecided("too near"), certain(0.5));  // one route suffices
@@ -280,9 +280,9 @@ TEST_CASE("what has no value has its reason, and the exit code says of the worst
 TEST_CASE("impossible givens are the reason of every quantity of their line") {
   const Ran ran = run({"sweep", "triangle", "--over", "a=-1..1/3", "--quantity", "c_x,c_y"});
   CHECK(ran.exit == 0);
-  CHECK(lines(ran.out).at(1) == "-1,,,,a = -1m: must be positive,,,,a = -1m: must be positive");
-  CHECK(lines(ran.out).at(2) == "0,,,,a = 0m: must be positive,,,,a = 0m: must be positive");
-  CHECK(lines(ran.out).at(3) == "1,1,1,1,,-0.4,-0.4,-0.4,");
+  CHECK(lines(ran.out).at(1) == "-1,,,,a = -1m: must be positive,,,,a = -1m: must be positive,");
+  CHECK(lines(ran.out).at(2) == "0,,,,a = 0m: must be positive,,,,a = 0m: must be positive,");
+  CHECK(lines(ran.out).at(3) == "1,1,1,1,,-0.4,-0.4,-0.4,,");
   const Ran none = run({"sweep", "triangle", "--over", "a=-2..-1/2", "--quantity", "c_x", "--format=json"});
   CHECK(none.exit == 2);
   CHECK(lines(none.out).size() == 2);
@@ -308,8 +308,8 @@ TEST_CASE("what cannot be swept is refused in a sentence") {
   refused(here + sought + Typed{"--over", "a"}, "--over a: write a symbol, =");
   refused(here + sought + Typed{"--over", "=0..1/3"}, "write a symbol, =");
   refused(here + sought + Typed{"--over", "a=0s..1/3"}, "a: \"0s\" is a time where a length is asked");
-  refused(here + sought + over + over, "a is swept twice");
-  refused(here + sought + over + Typed{"--set", "a=1"}, "a is set and swept");
+  refused(here + sought + over + over, "a stands in --over twice");
+  refused(here + sought + over + Typed{"--set", "a=1"}, "a is set, and --over varies it");
   refused(here + sought + over + Typed{"--set", "y=1"}, "\"y\" is no given here");
   refused(here + sought + Typed{"--over", "a=0..1/100000", "--over", "b=0..1/100000"},
           "more than 1000000000 positions together");
@@ -326,6 +326,56 @@ TEST_CASE("what cannot be swept is refused in a sentence") {
       {"sweep", "slider-crank-velocity", "--over", "phi=0..90/3", "--set", "t=1/60s", "--quantity", "v_B"});
   CHECK(two_ways.exit == 2);
   CHECK(contains(two_ways.err, "phi and t are two ways to state one thing"));
+}
+
+TEST_CASE("faults of gears stand in a column of their own, as check tells them") {
+  // Pointed teeth, interference with undercut, none; wheels that cannot be.
+  const Typed words{"sweep", "gear-pair", "--over",     "x1=0|0.9|-0.3|9",
+                    "--set", "z1=8",      "--quantity", "contact_ratio"};
+  const Ran ran = run_on_all(words);
+  CAPTURE(ran.err, ran.out);
+  CHECK(ran.exit == 0);
+  const Typed rows = lines(ran.out), objects = lines(run_on_all(words + Typed{"--format", "json"}).out);
+  REQUIRE(rows.size() == 5);
+  REQUIRE(objects.size() == 4);
+  CHECK(rows[0].ends_with(",contact_ratio_reason,faults"));
+  std::size_t told = 0;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const Json row = Json::parse(objects[i]);
+    const std::string x1 = row["givens"]["x1"]["value"];
+    CAPTURE(x1, rows[i + 1]);
+    const Ran check = run_on_all({"check", "gear-pair", "--json", "--set", "z1=8", "--set", "x1=" + x1});
+    if (check.exit == 2) {
+      CHECK_FALSE(row.contains("faults"));
+      CHECK(rows[i + 1].ends_with(","));
+      continue;
+    }
+    const Json checked = Json::parse(check.out)["exercises"][0];
+    Json sentences = Json::array();
+    for (const Json& failure : checked["failures"]) sentences.push_back(failure);
+    CHECK(row.value("faults", Json::array()) == sentences);
+    for (const Json& each : sentences) {
+      CHECK(contains(rows[i + 1], each.get<std::string>()));
+      ++told;
+    }
+  }
+  CHECK(told >= 2);
+  const Ran italian = run_on_all(words + Typed{"--lang", "it"});
+  CHECK(contains(italian.out, "I denti della ruota 1"));
+}
+
+TEST_CASE("a fault that cannot be decided says so") {
+  Triangle faulty;
+  faulty.flaws_of_it = {{{"it may break", "può rompersi"}, true}, {{"it $creaks$", "cigola"}, false}};
+  const Typed words{"sweep", "triangle", "--over", "a=0.1..0.2/2", "--quantity", "c_x"};
+  const Ran ran = run_on(faulty, words);
+  CHECK(ran.exit == 4);
+  CHECK(contains(ran.err, "in 2 positions something could not be decided"));
+  CHECK(lines(ran.out).at(1).ends_with(",undecided: it may break it creaks"));
+  const Json row = Json::parse(lines(run_on(faulty, words + Typed{"--format", "json"}).out).at(0));
+  CHECK(row["faults"] == Json{"undecided: it may break", "it creaks"});
+  faulty.flaws_of_it.erase(faulty.flaws_of_it.begin());
+  CHECK(run_on(faulty, words).exit == 0);
 }
 
 TEST_CASE("the parts one after the other are the whole") {
