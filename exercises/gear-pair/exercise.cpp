@@ -82,13 +82,25 @@ drawings::Table lengths_of_mesh(const Pair& pair, Language language) {
   return table;
 }
 
-Result table_of(drawings::Table table) {
-  return [table = std::move(table)](const Solution&, Language) -> std::optional<drawings::Block> { return table; };
+// Of these quantities, told in millimetres.
+Result table_of(drawings::Table table, const Names& asked = {}) {
+  const auto tell = [table = std::move(table)](const Solution&, Language) -> std::optional<drawings::Block> {
+    return table;
+  };
+  return {tell, asked, true};
 }
+
+const Names asked_of_mesh{"path_of_approach",
+                          "path_of_recess",
+                          "arc_of_approach",
+                          "arc_of_recess",
+                          "contact_ratio",
+                          "interference_limit_approach",
+                          "interference_limit_recess"};
 
 PanelSheet mesh_sheet(const Solution& s, Language language) {
   const Pair pair(s);
-  Section results{{"Results", "Risultati"}, {table_of(lengths_of_mesh(pair, language))}};
+  Section results{{"Results", "Risultati"}, {table_of(lengths_of_mesh(pair, language), asked_of_mesh)}};
   Names told{"base_pitch"};
   if (pair.has_contact()) {
     results.lines.push_back(remark(about_ratio(pair).in(language)));
@@ -194,10 +206,21 @@ Words of_the_cutter(const Pair& pair) {
   return of.k == 0 ? text + "." : text + "; $k$ = " + exactly(of.k) + ".";
 }
 
+// A rack has no circles, and no centre.
+Names asked_of_wheels(const Pair& pair) {
+  Names names;
+  if (pair.is_shifted()) names.push_back("working_pressure_angle_deg");
+  if (!pair.is_rack()) names.push_back("centre_distance");
+  for (const char* name : {"r_base_", "r_tip_", "r_root_", "tooth_thickness_pitch_", "tooth_thickness_tip_"})
+    for (const int wheel : {1, 2})
+      if (!pair.is_rack(wheel)) names.push_back(on(name, wheel));
+  return names;
+}
+
 PanelSheet wheels_sheet(const Solution& s, Language language) {
   const Pair pair(s);
   Section data{{"Gear data", "Dati delle dentature"}, {remark(from_source(pair).in(language))}};
-  data.lines.push_back(table_of(gear_data(pair, language)));
+  data.lines.push_back(table_of(gear_data(pair, language), asked_of_wheels(pair)));
   for (const Words& words : {legend(pair), of_the_pair(pair), of_the_cutter(pair)})
     data.lines.push_back(remark(words.in(language)));
   return {.panels = panels(WheelsPanel(pair)),

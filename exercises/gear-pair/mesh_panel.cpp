@@ -46,7 +46,7 @@ class MeshPicture {
     for (const int wheel : {2, 1}) teeth_.tint(plot_, wheel, tinted_rim * pair_.m());
     for (const int wheel : {2, 1}) teeth_.draw(plot_, wheel, Meaning::link);
     for (const int wheel : {2, 1}) draw_motion(wheel);
-    draw_line_of_centres();
+    draw_line_of_centres([](int) { return true; });
     draw_line_of_action();
     if (pair_.has_contact()) draw_contact();
     draw_heights();
@@ -54,8 +54,17 @@ class MeshPicture {
     mark_faults(plot_, pair_, teeth_, language_);
   }
 
-  // The wheels turn about the ends of the line of centres.
-  void draw_given() const { draw_line_of_centres(); }
+  // The centres mostly lie off the sheet, where no compass reaches the reference circles.
+  void draw_given() const {
+    for (const int wheel : {2, 1}) {
+      if (!pair_.is_placed(wheel)) continue;
+      if (pair_.is_rack(wheel))
+        draw_pitch_line();
+      else
+        draw_reference_circle(wheel);
+    }
+    draw_line_of_centres([this](int wheel) { return pair_.is_placed(wheel); });
+  }
 
   std::vector<drawings::Block> missing_outlines() const {
     std::vector<drawings::Block> told;
@@ -98,17 +107,22 @@ class MeshPicture {
     if (pair_.is_rack(wheel)) {
       level(pair_.tip_at_mesh(wheel).y, Meaning::construction);
       level(pair_.root_at_mesh(wheel).y, Meaning::construction);
-      return level(0, Meaning::axis);
+      return draw_pitch_line();
     }
-    const auto circle = [&](const char* index, double radius, Meaning meaning) {
-      plot_.cycle({.centre = pair_.O(wheel), .radius = radius}, meaning);
-      name_circle(wheel, index, radius, meaning == Meaning::second_locus ? meaning : Meaning::text);
-    };
-    circle("a", pair_("r_tip_", wheel), Meaning::construction);
-    circle("f", pair_("r_root_", wheel), Meaning::construction);
-    circle("b", pair_("r_base_", wheel), Meaning::second_locus);
-    circle(pair_.is_shifted() ? "w" : "", pair_("r_w_", wheel), Meaning::axis);
-    if (pair_.is_shifted()) circle("", pair_("r", wheel), Meaning::construction);
+    draw_circle(wheel, "a", pair_("r_tip_", wheel), Meaning::construction);
+    draw_circle(wheel, "f", pair_("r_root_", wheel), Meaning::construction);
+    draw_circle(wheel, "b", pair_("r_base_", wheel), Meaning::second_locus);
+    if (pair_.is_shifted()) draw_circle(wheel, "w", pair_("r_w_", wheel), Meaning::axis);
+    draw_reference_circle(wheel);
+  }
+  // Where nothing is shifted it is the pitch circle.
+  void draw_reference_circle(int wheel) const {
+    draw_circle(wheel, "", pair_("r", wheel), pair_.is_shifted() ? Meaning::construction : Meaning::axis);
+  }
+  void draw_pitch_line() const { level(0, Meaning::axis); }
+  void draw_circle(int wheel, const char* index, double radius, Meaning meaning) const {
+    plot_.cycle({.centre = pair_.O(wheel), .radius = radius}, meaning);
+    name_circle(wheel, index, radius, meaning == Meaning::second_locus ? meaning : Meaning::text);
   }
 
   // Where it leaves the room on the side, outside of it. Not seen from its centre, which may lie kilometres off the
@@ -142,13 +156,15 @@ class MeshPicture {
                pair_.up(wheel) > 0 ? right_angle + side * away : -right_angle - side * away, half);
   }
 
-  void draw_line_of_centres() const {
+  // With the centres of these wheels, or where they lie.
+  template <class IsShown>
+  void draw_line_of_centres(const IsShown& is_shown) const {
     constexpr double from_border = 4;  // mm
     const double x = plot_.at({0, 0}).x;
     plot_.segment(plot_.from_paper({x, room_.low.y}), plot_.from_paper({x, room_.high.y}), Meaning::axis);
     std::string off_above, off_below;
     for (const int wheel : {1, 2}) {
-      if (pair_.is_rack(wheel)) continue;
+      if (pair_.is_rack(wheel) || !is_shown(wheel)) continue;
       const std::string O = on("$O_{", wheel) + "}$";
       if (inside(pair_.O(wheel))) {
         plot_.hinge(pair_.O(wheel));

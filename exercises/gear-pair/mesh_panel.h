@@ -15,7 +15,6 @@ class MeshPanel : public Panel {
   double reach() const override;
   drawings::Box extent(const Scale& scale, const Scale&) const override;
   void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
-  std::optional<Place> start() const override { return Place{0, 0}; }  // the pitch point
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 

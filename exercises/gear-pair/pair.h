@@ -46,6 +46,9 @@ struct Pair {
   // The working pitch circles are not the reference circles.
   bool is_shifted() const { return geometry::shift_per_tooth(of) != 0; }
 
+  // Where the wheel lies is given with its teeth; else that is asked for: the centre distance of shifted wheels.
+  bool is_placed(int wheel) const { return wheel == 1 || !is_shifted(); }
+
   // "r_tip_" and 1: what is called r_tip_1.
   double operator()(const std::string& name, int wheel) const { return s[on(name, wheel)]; }
   const Place& O(int wheel) const { return centres[static_cast<std::size_t>(wheel - 1)]; }  // no rack

@@ -41,8 +41,7 @@ class WheelsPicture {
       draw_circles(wheel);
       draw_body(wheel);
     }
-    const double x = plot_.at({0, 0}).x;
-    plot_.segment(plot_.from_paper({x, room_.low.y}), plot_.from_paper({x, room_.high.y}), Meaning::axis);
+    draw_line_of_centres();
     draw_line_of_action();
     for (const int wheel : {1, 2}) {
       if (pair_.is_rack(wheel) || !inside(pair_.O(wheel))) continue;
@@ -51,6 +50,15 @@ class WheelsPicture {
     }
     draw_centre_distance();
     mark_colliding_tips(plot_, pair_, language_);
+  }
+
+  // The circles that roll on each other, as far as the teeth alone say which they are.
+  void draw_given() const {
+    for (const int wheel : {2, 1})
+      if (!pair_.is_shifted()) draw_pitch_circle(wheel);
+    draw_line_of_centres();
+    for (const int wheel : {1, 2})
+      if (pair_.is_placed(wheel) && !pair_.is_rack(wheel) && inside(pair_.O(wheel))) draw_centre(wheel);
   }
 
  private:
@@ -80,10 +88,18 @@ class WheelsPicture {
   }
 
   void draw_circles(int wheel) const {
-    if (pair_.is_rack(wheel)) return level(0, Meaning::axis);
+    if (pair_.is_rack(wheel)) return draw_pitch_circle(wheel);
     if (view_ == View::circles) circle(wheel, pair_("r_root_", wheel), Meaning::construction);
     if (on_paper(pair_.m()) >= 1.5) circle(wheel, pair_("r_base_", wheel), Meaning::second_locus);
+    draw_pitch_circle(wheel);
+  }
+  void draw_pitch_circle(int wheel) const {
+    if (pair_.is_rack(wheel)) return level(0, Meaning::axis);
     circle(wheel, pair_("r_w_", wheel), Meaning::axis);
+  }
+  void draw_line_of_centres() const {
+    const double x = plot_.at({0, 0}).x;
+    plot_.segment(plot_.from_paper({x, room_.low.y}), plot_.from_paper({x, room_.high.y}), Meaning::axis);
   }
 
   void draw_line_of_action() const {
@@ -136,16 +152,21 @@ class WheelsPicture {
   // There is no room between the hinge and the teeth.
   bool is_tiny(int wheel) const { return on_paper(pair_("r_root_", wheel)) < least_room; }
 
-  void draw_rotation(int wheel) const {
+  void draw_centre(int wheel) const {
     const Place& O = pair_.O(wheel);
     const std::string letters = on("$O_{", wheel) + "}$";
-    const double up = wheel == 1 ? 90 * degree : 270 * degree, down = up + 180 * degree;
     plot_.hinge(O);
-    if (is_tiny(wheel)) {
+    if (is_tiny(wheel))
       name_outside(letters, wheel, {O.x + mm(), O.y});
+    else
+      plot_.label(letters, O);
+  }
+  void draw_rotation(int wheel) const {
+    const double up = wheel == 1 ? 90 * degree : 270 * degree, down = up + 180 * degree;
+    draw_centre(wheel);
+    if (is_tiny(wheel)) {
       draw_sense(plot_, pair_, wheel, on_paper(pair_("r_tip_", wheel)) + 10, down, 20 * degree);
     } else {
-      plot_.label(letters, O);
       draw_sense(plot_, pair_, wheel, std::clamp(0.45 * on_paper(pair_("r_root_", wheel)), 6.0, 16.0), up,
                  35 * degree);
     }
@@ -207,6 +228,10 @@ void WheelsPanel::choose_view(const drawings::Box& whole_room, const SheetReques
   const double whole = scale_of(View::both_whole), one = scale_of(View::one_whole);
   const bool whole_shows_teeth = whole * pair_.m() >= smallest_module, one_does = one * pair_.m() >= smallest_module;
   view_ = whole_shows_teeth ? View::both_whole : one_does || whole == 0 ? View::one_whole : View::circles;
+}
+
+void WheelsPanel::draw_given(Plot& plot, const drawings::Box& room, Language language) const {
+  WheelsPicture(pair_, view_, plot, room, language).draw_given();
 }
 
 std::vector<drawings::Block> WheelsPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {

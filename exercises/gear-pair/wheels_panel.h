@@ -21,7 +21,7 @@ class WheelsPanel : public Panel {
   // Whole wheels when their teeth can be seen, else one whole wheel, else circles.
   void choose_view(const drawings::Box& whole_room, const SheetRequest& request) override;
   drawings::Box extent(const Scale& scale, const Scale&) const override { return extent_of(view_, scale); }
-  std::optional<Place> start() const override { return Place{0, 0}; }  // the pitch point
+  void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
 
  private:

@@ -51,6 +51,37 @@ std::size_t crosses_of_starts(const drawings::Sheet& sheet) {
       }));
 }
 
+// What a sheet asks for, cell by cell: "$v_{B}$ (m/s)".
+std::vector<std::string> asked_in(const drawings::Table& table) {
+  std::vector<std::string> all;
+  for (const auto& row : table.rows)
+    for (std::size_t i = 0; i < row.size(); i += 2)
+      if (!row[i].empty()) all.push_back(row[i]);
+  return all;
+}
+
+std::vector<drawings::Table> tables_of(const drawings::Sheet& sheet) {
+  std::vector<drawings::Table> all;
+  for (const drawings::Block& block : sheet.column)
+    if (const auto* table = std::get_if<drawings::Table>(&block)) all.push_back(*table);
+  return all;
+}
+
+bool has_label(const DrawnSheet& drawn, const std::string& text) {
+  const auto& labels = drawn.sheet.figure.labels;
+  return std::any_of(labels.begin(), labels.end(), [&](const drawings::Label& each) { return each.text == text; });
+}
+
+DrawnSheet blank_sheet_of(const std::string& id, const std::string& sheet, const Assignments& assignments = {}) {
+  for (const auto& exercise : catalogue()) {
+    if (exercise.id() != id) continue;
+    Givens givens(exercise->about().givens);
+    for (const std::string& assignment : assignments) givens.set(assignment);
+    return exercise->draw(sheet, givens, {.blank = true});
+  }
+  throw std::logic_error("no " + id);
+}
+
 bool is_empty_table(const drawings::Table& table) {
   for (const auto& row : table.rows)
     for (std::size_t i = 1; i < row.size(); i += 2)
@@ -125,6 +156,68 @@ TEST_CASE("A sheet to be solved tells the question and leaves the answers open")
   });
 }
 
+TEST_CASE("A sheet to be solved asks for each thing once, with the unit it is told in") {
+  std::size_t long_ones = 0;
+  for_all_sheets([&](const Exercise& exercise, const DrawnSheet&, const DrawnSheet& blank) {
+    if (blank.asked.empty()) return;
+    const drawings::Table table = tables_of(blank.sheet).front();
+    const std::vector<std::string> asked = asked_in(table);
+    CHECK(asked.size() == blank.asked.size());
+    CHECK(std::set<std::string>(blank.asked.begin(), blank.asked.end()).size() == blank.asked.size());
+    if (table.rows.front().size() == 4) ++long_ones;
+    // In two columns they are read down the first, then down the second.
+    std::vector<std::string> in_order;
+    for (std::size_t column = 0; column < table.rows.front().size(); column += 2)
+      for (const auto& row : table.rows)
+        if (!row[column].empty()) in_order.push_back(row[column]);
+    const auto& quantities = exercise.about().quantities;
+    for (std::size_t i = 0; i < in_order.size() && i < blank.asked.size(); ++i)
+      for (const Quantity& quantity : quantities)
+        if (quantity.name == blank.asked[i]) CHECK(in_order[i].starts_with(quantity.symbol));
+  });
+  CHECK(long_ones > 5);
+  const auto wheels = asked_in(tables_of(blank_sheet_of("gear-pair", "wheels").sheet).front());
+  CHECK(std::find(wheels.begin(), wheels.end(), "$r_{b1}$ (mm)") != wheels.end());
+  CHECK(asked_in(tables_of(blank_sheet_of("gear-pair", "wheels", {"kind=rack"}).sheet).front()).size() ==
+        5);  // wheel 1 alone
+}
+
+TEST_CASE("A polygon begins at a cross with the letter O, and only a polygon does") {
+  const DrawnSheet polygon = blank_sheet_of("slider-crank-velocity", "polar-diagram"),
+                   poles = blank_sheet_of("slider-crank-velocity", "poles");
+  CHECK(crosses_of_starts(polygon.sheet) == 1);
+  CHECK(has_label(polygon, "$O$"));
+  CHECK(crosses_of_starts(poles.sheet) == 0);
+  CHECK_FALSE(has_label(poles, "$O$"));
+}
+
+// Circles that z and m alone tell; where the second wheel lies is asked when they are shifted.
+TEST_CASE("Of gears a student gets the line of centres and the circles that roll on each other") {
+  const DrawnSheet mesh = blank_sheet_of("gear-pair", "pitch-point"),
+                   shifted = blank_sheet_of("gear-pair", "pitch-point", {"x1=0.4"}),
+                   wheels = blank_sheet_of("gear-pair", "wheels"),
+                   shifted_wheels = blank_sheet_of("gear-pair", "wheels", {"x1=0.4"}),
+                   rack = blank_sheet_of("gear-pair", "pitch-point", {"kind=rack"});
+  CHECK(has_label(mesh, "$r_{1}$"));
+  CHECK(has_label(mesh, "to $O_{1}$"));
+  CHECK(has_label(mesh, "to $O_{2}$"));
+  CHECK(has_label(mesh, "$r_{2}$"));
+  CHECK(has_label(shifted, "$r_{1}$"));
+  CHECK_FALSE(has_label(shifted, "$r_{2}$"));
+  CHECK(has_label(rack, "$r_{1}$"));
+  CHECK(has_label(wheels, "$O_{1}$"));
+  CHECK(has_label(wheels, "$O_{2}$"));
+  CHECK(has_label(shifted_wheels, "$O_{1}$"));
+  CHECK_FALSE(has_label(shifted_wheels, "$O_{2}$"));
+  for (const DrawnSheet* each : {&mesh, &shifted, &wheels, &shifted_wheels, &rack})
+    for (const char* sought : {"$r_{a1}$", "$r_{b1}$", "$r_{f1}$", "$P_{0}$", "$T_{1}$", "$A$", "$O$"})
+      CHECK_FALSE(has_label(*each, sought));
+  const auto lines = [](const DrawnSheet& drawn) { return outlines_of_figure(drawn.sheet).size(); };
+  CHECK(lines(mesh) == lines(rack));
+  CHECK(lines(mesh) == lines(shifted) + 1);
+  CHECK(lines(wheels) > lines(shifted_wheels) + 2);
+}
+
 TEST_CASE("A teacher's own titles stand in the title block, a dollar sign as itself") {
   const auto& exercise = *catalogue().front();
   const Givens stated(exercise.about().givens);
@@ -135,5 +228,9 @@ TEST_CASE("A teacher's own titles stand in the title block, a dollar sign as its
   CHECK(sheet.title_block.heading == "Mechanics 1, A. Rossi, 123, Ada");
   CHECK(sheet.title_block.exercise == "Sheet for \\$5");
   CHECK(sheet.title_block.number == "3b");
+  request.blank = true;
+  const auto blank = exercise.draw(exercise.about().sheets.front().name, stated, request).sheet;
+  const drawings::Table who = tables_of(blank).back();
+  CHECK(who.rows == std::vector<std::vector<std::string>>{{"name", "Ada"}, {"number", "123"}, {"date", ""}});
   CHECK(drawings::svg(sheet).find("Sheet for $5") != std::string::npos);
 }

@@ -15,7 +15,12 @@ constexpr std::size_t most_in_one_column = 12;
 
 std::vector<Result::Asked> asked_on(const Solution& solution, const PanelSheet& shown) {
   std::vector<Result::Asked> all, asked;
-  for (const Result& result : shown.results) all.insert(all.end(), result.asked().begin(), result.asked().end());
+  const auto add_all = [&](const std::vector<Result>& results) {
+    for (const Result& result : results) all.insert(all.end(), result.asked().begin(), result.asked().end());
+  };
+  add_all(shown.results);
+  if (all.empty())
+    for (const Section& section : shown.theory) add_all(section.lines);
   if (all.empty())
     for (const std::string& name : shown.told) all.push_back({name});
   std::set<std::string> seen;

@@ -8,8 +8,9 @@
 
 namespace epure {
 
-// The quantities that it asks for, each once, in the order in which the solved sheet tells them. A sheet that tells
-// them in words of its own asks for what it tells somebody who does not see it.
+// The quantities that it asks for, each once, in the order in which the solved sheet tells them. A sheet without
+// results asks for what its other sections tell, and one that tells all in words of its own for what it tells
+// somebody who does not see it.
 std::vector<Result::Asked> asked_on(const Solution& solution, const PanelSheet& shown);
 
 // The question, a table of what the sheet asks for with the units in which it is told, and a place for name, number
