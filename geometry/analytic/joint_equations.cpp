@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -33,9 +34,7 @@ struct End {
 template <class T>
 class JointEquations {
  public:
-  JointEquations(const Linkage& linkage, const std::vector<LinkState<T>>& links) : linkage_(linkage), links_(links) {
-    for (const LinkState<T>& link : links) axes_.push_back({cosine_of_angle(link.theta), sine_of_angle(link.theta)});
-  }
+  JointEquations(const Linkage& linkage, const std::vector<LinkState<T>>& links) : linkage_(linkage), links_(links) {}
 
   std::vector<Equation<T>> all() {
     for (int point = 0; point < linkage_.count_of_points(); ++point) {
@@ -61,7 +60,7 @@ class JointEquations {
     const Complex<T> r = Complex<T>{from_rational<T>(own.x), from_rational<T>(own.y)} * axis(link);
     return {link, r, state.O + r, state.v + state.omega * times_i(r), state.omega};
   }
-  const Complex<T>& axis(int link) const { return axes_[static_cast<std::size_t>(link)]; }
+  const Complex<T>& axis(int link) const { return links_[static_cast<std::size_t>(link)].x; }
   Complex<T> direction(int line) const {
     const Direction& along = linkage_.line(line).along;
     const Complex<T>& x = axis(linkage_.link_of_line(line));
@@ -157,7 +156,6 @@ class JointEquations {
 
   const Linkage& linkage_;
   const std::vector<LinkState<T>>& links_;
-  std::vector<Complex<T>> axes_;
   std::vector<Equation<T>> equations_;
 };
 
@@ -167,9 +165,10 @@ using Column = std::vector<T>;
 template <class T>
 std::vector<LinkState<T>> states(const Column<T>& q) {
   const Complex<T> none{T(0), T(0)};
-  std::vector<LinkState<T>> links{{none, none, none, T(0), T(0), T(0)}};
+  std::vector<LinkState<T>> links{{none, none, none, T(0), T(0), T(0), {T(1), T(0)}}};
   for (std::size_t k = 0; k < q.size(); k += unknowns_of_a_link)
-    links.push_back({{q[k], q[k + 1]}, none, none, q[k + 2], T(0), T(0)});
+    links.push_back(
+        {{q[k], q[k + 1]}, none, none, q[k + 2], T(0), T(0), {cosine_of_angle(q[k + 2]), sine_of_angle(q[k + 2])}});
   return links;
 }
 
@@ -359,8 +358,12 @@ Column<Fast> solved(const std::vector<Equation<Fast>>& rows, const Column<Fast>&
   return {x.data(), x.data() + x.size()};
 }
 
-template <class T, class Solve>
-std::vector<LinkState<T>> with_rates(const Linkage& linkage, const Column<T>& q, const Solve& solve) {
+// The solution of J x = b.
+template <class T>
+using SolveRates = std::function<Column<T>(const std::vector<Equation<T>>& J, const Column<T>& b)>;
+
+template <class T>
+std::vector<LinkState<T>> with_rates(const Linkage& linkage, const Column<T>& q, const SolveRates<T>& solve) {
   std::vector<LinkState<T>> links = states(q);
   const auto take = [&](const Column<T>& rates, bool is_first) {
     for (std::size_t k = 0; k < rates.size(); k += unknowns_of_a_link) {
@@ -383,43 +386,44 @@ Column<Fast> moving_links(const Beginning& beginning) {
   return {beginning.begin() + unknowns_of_a_link, beginning.end()};
 }
 
-}  // namespace
-
-template <>
-std::vector<LinkState<Fast>> solve_joints<Fast>(const Linkage& linkage, const Beginning& beginning) {
-  return with_rates<Fast>(linkage, iterated(linkage, moving_links(beginning)),
-                          [](const auto& rows, const auto& b) { return solved(rows, b); });
+std::vector<LinkState<Fast>> found_in_doubles(const Linkage& linkage, const Beginning& beginning) {
+  return with_rates<Fast>(
+      linkage, iterated(linkage, moving_links(beginning)),
+      [](const std::vector<Equation<Fast>>& rows, const Column<Fast>& b) { return solved(rows, b); });
 }
 
 template <class T>
-std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning& beginning) {
+std::vector<LinkState<T>> found_and_proved(const Linkage& linkage, const Beginning& beginning) {
   const Column<Fast> near = iterated(linkage, moving_links(beginning));
   const Preconditioner<T> Y(matrix(equations(linkage, near)));
   Column<T> start;
   for (const double x : near) start.push_back(from_rational<T>(Rational(x)));
   const Column<T> q = proved_box(linkage, Y, refined(linkage, Y, start));
-  return with_rates<T>(linkage, q, [&](const auto& rows, const auto& b) { return solved(rows, Y, b); });
+  return with_rates<T>(linkage, q,
+                       [&](const std::vector<Equation<T>>& rows, const Column<T>& b) { return solved(rows, Y, b); });
 }
-template std::vector<LinkState<Bounded>> solve_joints<Bounded>(const Linkage&, const Beginning&);
-template std::vector<LinkState<Deep>> solve_joints<Deep>(const Linkage&, const Beginning&);
 
-namespace {
 [[noreturn]] void refuse_angles() {
   throw Undecided("the equations of all joints are solved for angles, which are no algebraic numbers",
                   "le equazioni di tutti i vincoli si risolvono negli angoli, che non sono numeri algebrici");
 }
+
 }  // namespace
-template <>
-std::vector<LinkState<Exact>> solve_joints<Exact>(const Linkage&, const Beginning&) {
-  refuse_angles();
+
+template <class T>
+std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning& beginning) {
+  if constexpr (std::is_same_v<T, Fast>)
+    return found_in_doubles(linkage, beginning);
+  else if constexpr (NumberWithAngles<T>)
+    return found_and_proved<T>(linkage, beginning);
+  else
+    refuse_angles();
 }
-template <>
-std::vector<LinkState<Generic>> solve_joints<Generic>(const Linkage&, const Beginning&) {
-  refuse_angles();
-}
-template <>
-std::vector<LinkState<Calcium>> solve_joints<Calcium>(const Linkage&, const Beginning&) {
-  refuse_angles();
-}
+template std::vector<LinkState<Fast>> solve_joints<Fast>(const Linkage&, const Beginning&);
+template std::vector<LinkState<Bounded>> solve_joints<Bounded>(const Linkage&, const Beginning&);
+template std::vector<LinkState<Deep>> solve_joints<Deep>(const Linkage&, const Beginning&);
+template std::vector<LinkState<Exact>> solve_joints<Exact>(const Linkage&, const Beginning&);
+template std::vector<LinkState<Generic>> solve_joints<Generic>(const Linkage&, const Beginning&);
+template std::vector<LinkState<Calcium>> solve_joints<Calcium>(const Linkage&, const Beginning&);
 
 }  // namespace epure::geometry::analytic

@@ -22,11 +22,13 @@
 
 namespace epure::geometry::analytic {
 
-// Of a link: its origin and the angle of its x axis, and the first and second derivatives of these.
+// Of a link: its origin, the angle of its x axis and this axis, e^{iθ}; first and second derivatives of origin and
+// angle.
 template <class T>
 struct LinkState {
   Complex<T> O, v, a;
   T theta, omega, alpha;
+  Complex<T> x;
 };
 
 // A point given in the axes of its link: metres, m/s, m/s².
@@ -37,8 +39,7 @@ struct PointState {
 
 template <class T>
 PointState<T> point_of(const LinkState<T>& link, const Own& own) {
-  const Complex<T> x{cosine_of_angle(link.theta), sine_of_angle(link.theta)};
-  const Complex<T> r = Complex<T>{from_rational<T>(own.x), from_rational<T>(own.y)} * x;
+  const Complex<T> r = Complex<T>{from_rational<T>(own.x), from_rational<T>(own.y)} * link.x;
   return {link.O + r, link.v + link.omega * times_i(r), link.a + Complex<T>{-square(link.omega), link.alpha} * r};
 }
 
