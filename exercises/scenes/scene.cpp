@@ -162,9 +162,9 @@ class Building {
 
   // --- links -----------------------------------------------------------------------------------------------------
   static int index(std::vector<std::string>& names, const std::string& name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) names.push_back(name);
-    return static_cast<int>((found == names.end() ? names.end() - 1 : found) - names.begin());
+    const auto place = std::find(names.begin(), names.end(), name) - names.begin();
+    if (place == std::ssize(names)) names.push_back(name);
+    return static_cast<int>(place);
   }
   int point(const Tree& at, const std::string& name) const {
     const auto& names = built_.letters.points;
