@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <sstream>
 
+#include "drawings/text/text.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
 
@@ -37,18 +39,33 @@ class File {
                                  did_you_mean(key.text, known)));
   }
 
-  // A text in one language, or in both: {en: ..., it: ...}.
+  // A line of text in one language, or in both: {en: ..., it: ...}.
   Words words(const Tree& at) const {
-    if (at.kind == Tree::Kind::text) return {at.text, at.text};
+    if (at.kind == Tree::Kind::text) return {line(at), line(at)};
     map(at, {"a text is asked here, or {en: ..., it: ...}", "qui si chiede un testo, o {en: ..., it: ...}"});
     demand_keys(at, {"en", "it"});
     const Tree *english = at.find("en"), *italian = at.find("it");
     if (!english && !italian) refuse(at, {"neither en: nor it:", "né en: né it:"});
-    const Words what{"a text is asked here", "qui si chiede un testo"};
-    return {text(english ? *english : *italian, what), text(italian ? *italian : *english, what)};
+    return {line(english ? *english : *italian), line(italian ? *italian : *english)};
   }
 
  private:
+  // That a sheet can print.
+  const std::string& line(const Tree& at) const {
+    constexpr std::size_t longest = 120;
+    const std::string& line = text(at, {"a text is asked here", "qui si chiede un testo"});
+    const bool is_line = line.size() <= longest && std::none_of(line.begin(), line.end(), [](char c) {
+                           return (static_cast<unsigned char>(c) < 0x20) || c == 0x7f;
+                         });
+    if (!is_line)
+      refuse(at, format_words("this must be a line of at most {} printable letters",
+                              "dev'essere una riga di al più {} caratteri stampabili", longest));
+    if (!drawings::can_write(line))
+      refuse(at, {"epure's fonts have Latin, Greek and Cyrillic letters, and one of these is none of them",
+                  "i caratteri di epure hanno lettere latine, greche e cirilliche, e una di queste non lo è"});
+    return line;
+  }
+
   const std::string& name_;
 };
 
@@ -565,12 +582,10 @@ GivenSpec given(const File& file, const Tree& key, const Tree& value) {
   spec.symbol = key.text;
   spec.range = Range::any;
   if (value.kind == Tree::Kind::map) {
-    file.demand_keys(value, {"value", "meaning", "letters"});
+    file.demand_keys(value, {"value", "meaning"});
     number = value.find("value");
     if (!number) file.refuse(value, {"value: is missing", "manca value:"});
     if (const Tree* meaning = value.find("meaning")) spec.meaning = file.words(*meaning);
-    if (const Tree* letters = value.find("letters"))
-      spec.letters = "$" + file.text(*letters, {"letters are asked here", "qui si chiedono lettere"}) + "$";
   }
   const std::string& text = file.text(*number, {"a number with its unit is asked here, such as 120 mm",
                                                 "qui si chiede un numero con la sua unità, come 120 mm"});
@@ -610,7 +625,8 @@ Scene::Scene(std::string file_name, std::string_view bytes)
                                   "\"{}\" non è un id: minuscole, cifre e trattini, prima una lettera", id_));
   const Tree *title = root_.find("title"), *source = root_.find("source");
   title_ = title ? file.words(*title) : Words{id_, id_};
-  source_ = source ? file.words(*source) : Words{file_, file_};
+  const std::string file_alone = std::filesystem::path(file_).filename();
+  source_ = source ? file.words(*source) : Words{file_alone, file_alone};
   if (const Tree* givens = root_.find("givens")) {
     file.map(*givens, {"givens: {r: 120 mm}", "givens: {r: 120 mm}"});
     for (const auto& [key, value] : givens->entries) givens_.push_back(given(file, key, value));

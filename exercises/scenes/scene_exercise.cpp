@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "drawings/text/text.h"
 #include "exercises/kit/panels/mechanism.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/vectors_panel.h"
@@ -49,13 +50,16 @@ PanelSheet diagram(const Scene& scene, const Solution& s, VectorQuantity (*vecto
   return sheet;
 }
 
+// What a file says is text, not markup.
+Words escaped(const Words& words) { return {drawings::escaped(words.english), drawings::escaped(words.italian)}; }
+
 Description described(const Scene& scene) {
   return {
       .id = scene.id(),
-      .title = scene.title(),
+      .title = escaped(scene.title()),
       .document = "scene",
       .item = scene.id(),
-      .source = scene.source(),
+      .source = escaped(scene.source()),
       .question = {"Find the velocities and accelerations of all points, and the angular velocities and "
                    "accelerations of all links.",
                    "Trovare velocità e accelerazioni di tutti i punti, e velocità e accelerazioni angolari di tutti "

@@ -57,6 +57,16 @@ std::vector<int> pins_in(const Linkage& of, int link) {
   return pins;
 }
 
+// Whether a slot can be drawn in a bar: all points of the link are on its lines.
+bool lies_on_its_lines(const Link& link) {
+  return std::all_of(link.lines.begin(), link.lines.end(), [&](const geometry::LinkLine& line) {
+    const auto* along = std::get_if<geometry::Own>(&line.along);
+    return along && std::all_of(link.points.begin(), link.points.end(), [&](const LinkPoint& p) {
+             return along->x * (p.at.y - line.through.y) == along->y * (p.at.x - line.through.x);
+           });
+  });
+}
+
 }  // namespace
 
 std::vector<std::string> moving_points(const Built& built) {
@@ -76,13 +86,16 @@ std::shared_ptr<const Mechanism> figure_of(const Built& built, const Solution& s
     std::vector<std::string> points;
     for (const LinkPoint& p : of.links[i].points) points.push_back(letter(built, p.point));
     const std::vector<int> pins = pins_in(of, static_cast<int>(i));
-    if (!pins.empty() && points.size() == 1) {
+    if (!pins.empty() && lies_on_its_lines(of.links[i])) {
       points.push_back(letter(built, pins.front()));
       figure->slotted(points, built.letters.links[i]);
     } else if (points.size() > 1) {
       figure->body(points, built.letters.links[i]);
     }
   }
+  for (const geometry::Drive& drive : of.drives)
+    if (const auto* cylinder = std::get_if<geometry::Stretched>(&drive))
+      figure->body({letter(built, cylinder->from), letter(built, cylinder->to)});
   for (int p = 0; p < of.count_of_points(); ++p)
     if (const auto line = guide_in_frame(of, p)) figure->guide(letter(built, p), direction(of, *line));
   return figure;

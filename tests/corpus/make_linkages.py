@@ -104,11 +104,11 @@ def jansen():
     e = crank(deg("100"), rpm("30"))
     Q = mpc(-38, "-7.8") * mm
     A = lambda t: 15 * mm * e(t)
-    B = lambda t: left_joint(A(t), Q, 50 * mm, q("41.5") * mm)
-    D = lambda t: right_joint(A(t), Q, q("61.9") * mm, q("39.3") * mm)
-    C = lambda t: on_plate(Q, B(t), q("41.5") * mm, mpc("17.9723", "35.9026") * mm)
-    E = lambda t: left_joint(C(t), D(t), q("39.4") * mm, q("36.7") * mm)
-    F = lambda t: on_plate(D(t), E(t), q("36.7") * mm, mpc("39.2", "-57") * mm)
+    B = lambda t: right_joint(A(t), Q, 50 * mm, q("41.5") * mm)
+    D = lambda t: left_joint(A(t), Q, q("61.9") * mm, q("39.3") * mm)
+    C = lambda t: on_plate(Q, B(t), q("41.5") * mm, mpc("2.61", "40.015") * mm)
+    E = lambda t: right_joint(C(t), D(t), q("39.4") * mm, q("36.7") * mm)
+    F = lambda t: on_plate(D(t), E(t), q("36.7") * mm, mpc("44.447", "48.383") * mm)
     return dict(A=A, B=B, C=C, D=D, E=E, F=F), {
         2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - Q, B), 5: (lambda t: D(t) - A(t), A),
         6: (lambda t: D(t) - Q, D), 7: (lambda t: E(t) - C(t), C), 8: (lambda t: E(t) - D(t), D)}
