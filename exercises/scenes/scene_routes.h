@@ -15,13 +15,18 @@
 
 namespace epure::scenes {
 
-// Where the links are, in doubles: for Newton's iteration to begin. Only near, so that it has something to do.
+// Where the links are, in doubles: for Newton's iteration to begin. Only near, so that it has something to do. Throws
+// Undecided where doubles find no place: they prove nothing.
 inline geometry::analytic::Beginning beginning(const Built& built) {
   const geometry::Arithmetic<geometry::Fast> scope;
   geometry::analytic::Beginning q;
-  for (const auto& link : geometry::CarriedOut<geometry::Fast>(built.linkage, built.steps).position().links)
-    for (const double x : {link.O.x, link.O.y, geometry::arc_tangent(link.x.y, link.x.x)})
-      q.push_back(static_cast<double>(static_cast<float>(x)));
+  try {
+    for (const auto& link : geometry::CarriedOut<geometry::Fast>(built.linkage, built.steps).position().links)
+      for (const double x : {link.O.x, link.O.y, geometry::arc_tangent(link.x.y, link.x.x)})
+        q.push_back(static_cast<double>(static_cast<float>(x)));
+  } catch (const geometry::Impossible& in_doubles) {
+    throw geometry::Undecided(in_doubles.words());
+  }
   return q;
 }
 
@@ -140,11 +145,7 @@ struct SceneRoutes {
     if constexpr (signs_only<T>) {
       return geometry::analytic::solve_joints<T>(built->linkage, {});
     } else {
-      try {
-        return geometry::analytic::solve_joints<T>(built->linkage, beginning(*built));
-      } catch (const geometry::Impossible& in_doubles) {
-        throw geometry::Undecided(in_doubles.words());
-      }
+      return geometry::analytic::solve_joints<T>(built->linkage, beginning(*built));
     }
   }
 

@@ -403,6 +403,24 @@ std::vector<LinkState<T>> found_and_proved(const Linkage& linkage, const Beginni
                        [&](const std::vector<Equation<T>>& rows, const Column<T>& b) { return solved(rows, Y, b); });
 }
 
+// The solution is the one that was meant: where a joint is said to lie beside a line, it does not lie on the other
+// side.
+template <class T>
+void demand_sides(const Linkage& linkage, const std::vector<LinkState<T>>& links) {
+  const auto at = [&](int point) {
+    const int link = linkage.links_at(point).front();
+    return point_of(links[static_cast<std::size_t>(link)], linkage.place(link, point)).z;
+  };
+  for (const Chosen& chosen : linkage.chosen) {
+    const auto* beside = std::get_if<BesideLine>(&chosen);
+    if (!beside) continue;
+    const Complex<T> P = at(beside->from);
+    if (sign(cross(at(beside->to) - P, at(beside->joint) - P)) == (beside->is_left ? Sign::negative : Sign::positive))
+      throw Impossible("a joint lies on the other side of the line than was said",
+                       "un nodo sta dall'altra parte della retta rispetto a quanto detto");
+  }
+}
+
 [[noreturn]] void refuse_angles() {
   throw Undecided("the equations of all joints are solved for angles, which are no algebraic numbers",
                   "le equazioni di tutti i vincoli si risolvono negli angoli, che non sono numeri algebrici");
@@ -412,12 +430,17 @@ std::vector<LinkState<T>> found_and_proved(const Linkage& linkage, const Beginni
 
 template <class T>
 std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning& beginning) {
-  if constexpr (std::is_same_v<T, Fast>)
-    return found_in_doubles(linkage, beginning);
-  else if constexpr (NumberWithAngles<T>)
-    return found_and_proved<T>(linkage, beginning);
-  else
+  if constexpr (!NumberWithAngles<T>) {
     refuse_angles();
+  } else {
+    std::vector<LinkState<T>> links;
+    if constexpr (std::is_same_v<T, Fast>)
+      links = found_in_doubles(linkage, beginning);
+    else
+      links = found_and_proved<T>(linkage, beginning);
+    demand_sides(linkage, links);
+    return links;
+  }
 }
 template std::vector<LinkState<Fast>> solve_joints<Fast>(const Linkage&, const Beginning&);
 template std::vector<LinkState<Bounded>> solve_joints<Bounded>(const Linkage&, const Beginning&);
