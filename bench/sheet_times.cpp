@@ -48,7 +48,6 @@ class Scratch {
   void demand_no_interrupt() const {
     if (signals_.is_interrupted()) throw std::runtime_error("interrupted");
   }
-  const sigset_t& mask_of_programs() const { return signals_.before(); }
 
  private:
   drawings::SignalsLater signals_;  // let through once the folder is gone
@@ -66,13 +65,8 @@ double run(std::vector<std::string> words, const Scratch& scratch) {
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&files, STDERR_FILENO, said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setsigmask(&attributes, &scratch.mask_of_programs());
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   pid_t child = 0;
-  const int failed = posix_spawn(&child, arguments[0], &files, &attributes, arguments.data(), environ);
-  posix_spawnattr_destroy(&attributes);
+  const int failed = posix_spawn(&child, arguments[0], &files, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   if (failed != 0) throw std::runtime_error("cannot start " + words[0]);
   int status = 0;

@@ -9,6 +9,8 @@
 #include "exercises/cli/printable.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/verbs.h"
+#include "exercises/cli/with_scenes.h"
+#include "exercises/scenes/text_tree.h"
 #include "geometry/numbers/given.h"
 
 namespace epure {
@@ -47,6 +49,10 @@ Outcome run(const Catalogue& exercises, const std::vector<std::string>& argument
             std::ostream& err, const Surroundings& surroundings) {
   auto [options, text] = parse_options(exercises, arguments, surroundings.language);
   options.colours = surroundings.colours;
+  if (!text && names_scenes(options)) {
+    const Scenes scenes = read_scenes(options);
+    return outcome_of(scenes.exercises, scenes.options, out, err, surroundings);
+  }
   return text ? Outcome{*text} : outcome_of(exercises, options, out, err, surroundings);
 }
 
@@ -69,6 +75,8 @@ int run_cli(const Catalogue& exercises, const std::vector<std::string>& argument
   } catch (const geometry::Undecided& error) {  // one rung alone may be unable to say anything
     return complain(Exit::undecided, format_words("cannot be decided: {}", "non si può decidere: {}", error.words()));
   } catch (const WrongUsage& error) {
+    return complain(Exit::wrong_usage, error.words());
+  } catch (const scenes::BadScene& error) {
     return complain(Exit::wrong_usage, error.words());
   } catch (const drawings::TooFar& error) {  // by its scale or its givens
     return complain(Exit::wrong_usage, error.words());

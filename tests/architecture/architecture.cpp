@@ -81,8 +81,11 @@ std::string objection(std::string_view file, std::string_view header) {
       !header.starts_with("geometry/numbers/"))
     return "numbers stand below everything else in geometry";
   if (file.starts_with("geometry/analytic/") && header.starts_with("geometry/") &&
-      !starts_with_any(header, {"geometry/numbers/", "geometry/analytic/"}))
-    return "the analytic route shares nothing but numbers with the constructions";
+      !starts_with_any(header, {"geometry/numbers/", "geometry/analytic/", "geometry/linkages/linkage.h"}))
+    return "the analytic route shares nothing but numbers, and what a linkage is, with the constructions";
+  if (file.starts_with("geometry/linkages/linkage.") && header.starts_with("geometry/") &&
+      !starts_with_any(header, {"geometry/numbers/", "geometry/linkages/linkage.h"}))
+    return "what a linkage is says nothing of how it is placed: both routes read it";
   if (file.starts_with("geometry/") && !file.starts_with("geometry/analytic/") &&
       header.starts_with("geometry/analytic/"))
     return "the constructions share nothing with the analytic route";
@@ -103,7 +106,8 @@ std::string objection(std::string_view file, std::string_view header) {
 
   if (const auto from = exercise_folder(file); !from.empty()) {
     const auto to = exercise_folder(header);
-    if (!to.empty() && to != from && to != "kit") return "an exercise includes no other; what they share is in kit";
+    if (!to.empty() && to != from && to != "kit" && !(from == "cli" && to == "scenes"))
+      return "an exercise includes no other; what they share is in kit";
     if (runs_upwards(file, header, "exercises/kit/", kit_rooms)) return "the rooms of kit stand one upon the other";
   }
   return "";

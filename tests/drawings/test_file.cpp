@@ -13,6 +13,8 @@
 #include <fstream>
 #include <functional>
 #include <sstream>
+#include <string>
+#include <thread>
 
 #include "drawings/output.h"
 #include "tests/support/catch.h"
@@ -28,11 +30,12 @@ struct Fault {
   int error = 0;            // errno; 0: the signal instead
   std::size_t at_most = 0;  // write takes no more bytes at once; 0: all
   int signal = SIGKILL;
+  bool to_process = false;  // the signal: to whichever thread takes it
 } fault;
 
 bool strikes(const char* call) {
   if (fault.call != call || fault.after-- > 0) return false;
-  if (fault.error == 0) return raise(fault.signal) != 0;
+  if (fault.error == 0) return (fault.to_process ? kill(getpid(), fault.signal) : raise(fault.signal)) != 0;
   errno = fault.error;
   return true;
 }
@@ -314,6 +317,31 @@ TEST_CASE("interrupted at any moment, nothing is left, and no file is replaced w
           CHECK(folder.entries() == 3);
           for (const File& file : files) CHECK(contents(file.path) == contents(files.front().path));
         }
+}
+
+// The system gives a signal to any thread that lets it through, such as one that a library keeps.
+TEST_CASE("interrupted beside another thread, nothing is left") {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
+    for (const char* call : {"linkat", "rename"}) {
+      CAPTURE(signal, call);
+      const Folder folder;
+      put(folder / "a.svg", old_bytes);
+      const std::string ended = in_child([&]() -> std::string {
+        std::thread([] {
+          for (;;) pause();
+        }).detach();
+        sigset_t held;  // the calling thread does not take it: the other one does
+        sigemptyset(&held);
+        sigaddset(&held, signal);
+        pthread_sigmask(SIG_BLOCK, &held, nullptr);
+        fault = {call, 0, 0, 0, signal, true};
+        write_whole(folder / "a.svg", new_bytes);
+        pthread_sigmask(SIG_UNBLOCK, &held, nullptr);
+        return "not interrupted";
+      });
+      CHECK(ended == "killed by signal " + std::to_string(signal));
+      CHECK(folder.entries() == 1);
+    }
 }
 
 TEST_CASE("a file that is replaced keeps its owner where the system allows it") {

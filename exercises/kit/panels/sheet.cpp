@@ -74,8 +74,10 @@ DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const
   block.number = own(titles.sheet_number);
   if (!titles.title.empty()) block.exercise = own(titles.title);
   if (!givens.as_stated()) block.source += language == Language::english ? ", givens changed" : ", dati cambiati";
-  onto.sheet.column.push_back(drawings::Heading{language == Language::english ? "Given" : "Dati"});
-  onto.sheet.column.push_back(drawings::Paragraph{in_one_line(givens, without_part, language)});
+  if (const std::string given = in_one_line(givens, without_part, language); !given.empty()) {
+    onto.sheet.column.push_back(drawings::Heading{language == Language::english ? "Given" : "Dati"});
+    onto.sheet.column.push_back(drawings::Paragraph{given});
+  }
   onto.sheet.title = block.exercise + ": " + block.sheet;
   return onto;
 }

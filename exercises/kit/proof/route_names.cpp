@@ -25,6 +25,7 @@ Words route_in_words(const std::string& route) {
       {"funicular polygon", "poligono funicolare"},
       {"graphical integration", "integrazione grafica"},
       {"instant centres", "centri d'istantanea rotazione"},
+      {"joint equations", "equazioni dei vincoli"},
       {"matrix powers", "potenze della matrice"},
       {"moments", "momenti"},
       {"natural equation", "equazione naturale"},

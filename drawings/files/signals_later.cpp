@@ -1,0 +1,58 @@
+#include "drawings/files/signals_later.h"
+
+#include <signal.h>
+
+#include <array>
+#include <atomic>
+#include <mutex>
+
+namespace epure::drawings {
+namespace {
+
+// A mask would be a thread's own, and the system gives a signal to any thread that lets it through, also to one of a
+// library's: so they are caught.
+constexpr std::array ends{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+std::atomic<int> waiting{0};
+static_assert(std::atomic<int>::is_always_lock_free, "a handler may not wait");
+
+void note(int signal) { waiting = signal; }
+
+std::mutex lock;
+int living = 0;                                // of SignalsLater
+std::array<bool, ends.size()> is_caught = {};  // which were at their default
+
+void begin_catching() {
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    struct sigaction now {};
+    sigaction(ends[i], nullptr, &now);
+    is_caught[i] = now.sa_handler == SIG_DFL;
+    if (!is_caught[i]) continue;
+    struct sigaction later {};
+    later.sa_handler = note;
+    later.sa_flags = SA_RESTART;  // a write goes on
+    sigaction(ends[i], &later, nullptr);
+  }
+}
+
+void end_catching() {
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (is_caught[i]) ::signal(ends[i], SIG_DFL);
+}
+
+}  // namespace
+
+SignalsLater::SignalsLater() {
+  const std::scoped_lock held(lock);
+  if (living++ == 0) begin_catching();
+}
+
+SignalsLater::~SignalsLater() {
+  const std::scoped_lock held(lock);
+  if (--living > 0) return;
+  end_catching();
+  if (const int signal = waiting.exchange(0)) ::raise(signal);
+}
+
+bool SignalsLater::is_interrupted() { return waiting != 0; }
+
+}  // namespace epure::drawings

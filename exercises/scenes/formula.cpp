@@ -1,0 +1,273 @@
+#include "exercises/scenes/formula.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "exercises/kit/statement/format_words.h"
+#include "exercises/kit/statement/suggest.h"
+
+namespace epure::scenes {
+namespace {
+
+using geometry::InUnit;
+using geometry::Kind;
+using geometry::Unit;
+
+constexpr int deepest_parentheses = 50;
+// A product of products of long numbers has as many digits as all of them.
+constexpr std::size_t most_digits = 10'000;
+
+Amount amount_in(const InUnit& number) {
+  Amount amount{number.unit.kind};
+  if (geometry::turns(amount.kind))
+    amount.angle = geometry::angle_of(number);
+  else
+    amount.value = geometry::in_si(number);
+  return amount;
+}
+
+void demand_shortness(const Rational& q) {
+  if (mpz_sizeinbase(q.numerator().mpz(), 10) > most_digits ||
+      mpz_sizeinbase(q.denominator().mpz(), 10) > most_digits)
+    throw BadFormula(format_words("the number has more than {} digits", "il numero ha più di {} cifre", most_digits));
+}
+
+class Reader {
+ public:
+  Reader(std::string_view text, const Amounts& known) : text_(text), known_(known) {}
+
+  Amount whole() {
+    const Amount amount = sum();
+    blanks();
+    if (place_ != text_.size())
+      throw BadFormula(format_words("\"{}\" cannot be read from \"{}\" on",
+                                    "\"{}\" non si può leggere da \"{}\" in poi", text_, text_.substr(place_)));
+    return amount;
+  }
+
+ private:
+  void blanks() {
+    while (place_ < text_.size() && text_[place_] == ' ') ++place_;
+  }
+  bool takes(char sign) {
+    blanks();
+    if (place_ == text_.size() || text_[place_] != sign) return false;
+    ++place_;
+    return true;
+  }
+
+  Amount sum() {
+    Amount left = product();
+    while (true) {
+      const bool is_plus = takes('+');
+      if (!is_plus && !takes('-')) return left;
+      const Amount right = product();
+      if (left.kind != right.kind)
+        throw BadFormula(format_words("in \"{}\" {} and {} are added", "in \"{}\" si sommano {} e {}", text_,
+                                      name_of(left.kind), name_of(right.kind)));
+      left.value = is_plus ? left.value + right.value : left.value - right.value;
+      left.angle = is_plus ? left.angle + right.angle : left.angle - right.angle;
+    }
+  }
+
+  Amount product() {
+    Amount left = factor();
+    while (true) {
+      if (takes('*'))
+        left = multiplied(left, factor());
+      else if (takes('/'))
+        left = divided(left, factor());
+      else
+        return left;
+      demand_shortness(left.value);
+    }
+  }
+
+  Amount multiplied(const Amount& a, const Amount& b) const {
+    if (a.kind != Kind::pure_number && b.kind != Kind::pure_number)
+      throw BadFormula(format_words("in \"{}\" {} is multiplied by {}; one of two factors must be a pure number",
+                                    "in \"{}\" si moltiplica {} per {}; uno dei fattori dev'essere un numero puro",
+                                    text_, name_of(a.kind), name_of(b.kind)));
+    const Amount &pure = a.kind == Kind::pure_number ? a : b, &other = a.kind == Kind::pure_number ? b : a;
+    return {other.kind, pure.value * other.value, pure.value * other.angle};
+  }
+
+  Amount divided(const Amount& a, const Amount& b) const {
+    if (b.value == 0 && is_zero(b.angle))
+      throw BadFormula(format_words("\"{}\" divides by zero", "\"{}\" divide per zero", text_));
+    if (b.kind == Kind::pure_number) return {a.kind, a.value / b.value, Rational(1 / b.value) * a.angle};
+    if (a.kind != b.kind)
+      throw BadFormula(format_words("in \"{}\" {} is divided by {}", "in \"{}\" si divide {} per {}", text_,
+                                    name_of(a.kind), name_of(b.kind)));
+    if (!geometry::turns(a.kind)) return {Kind::pure_number, a.value / b.value};
+    if (const auto ratio = geometry::ratio(a.angle, b.angle)) return {Kind::pure_number, *ratio};
+    throw BadFormula(
+        format_words("in \"{}\" turns are divided by radians: π lies between, and no fraction says it",
+                     "in \"{}\" si dividono giri per radianti: c'è di mezzo π, e nessuna frazione lo dice", text_));
+  }
+
+  Amount factor() {
+    if (++depth_ > deepest_parentheses)
+      throw BadFormula(format_words("\"{}\" has too many parentheses", "\"{}\" ha troppe parentesi", text_));
+    const Amount amount = takes('-') ? negated(factor()) : takes('(') ? in_parentheses() : number_or_name();
+    --depth_;
+    return amount;
+  }
+  static Amount negated(const Amount& a) { return {a.kind, -a.value, -a.angle}; }
+  Amount in_parentheses() {
+    const Amount amount = sum();
+    if (!takes(')'))
+      throw BadFormula(
+          format_words("in \"{}\" a parenthesis is not closed", "in \"{}\" una parentesi non è chiusa", text_));
+    return amount;
+  }
+
+  static bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+  static bool is_of_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || (c & 0x80);
+  }
+
+  Amount number_or_name() {
+    blanks();
+    const std::size_t begin = place_;
+    if (place_ < text_.size() && (is_digit(text_[place_]) || text_[place_] == '.')) return number();
+    while (place_ < text_.size() && is_of_name(text_[place_])) ++place_;
+    const std::string name(text_.substr(begin, place_ - begin));
+    if (name.empty())
+      throw BadFormula(
+          format_words("in \"{}\" a number or a given is missing", "in \"{}\" manca un numero o un dato", text_));
+    if (const auto found = known_.find(name); found != known_.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [known, amount] : known_) names.push_back(known);
+    if (names.empty())
+      throw BadFormula(
+          format_words("\"{}\" is no given: there are none", "\"{}\" non è un dato: non ce ne sono", name));
+    throw BadFormula(
+        format_words("\"{}\" is no given; {}", "\"{}\" non è un dato; {}", name, did_you_mean(name, names)));
+  }
+
+  // Digits, and the unit right after them if there is one.
+  Amount number() {
+    const std::size_t begin = place_;
+    while (place_ < text_.size() && (is_digit(text_[place_]) || text_[place_] == '.')) ++place_;
+    if (place_ + 1 < text_.size() && (text_[place_] == 'e' || text_[place_] == 'E') &&
+        (is_digit(text_[place_ + 1]) ||
+         (place_ + 2 < text_.size() && (text_[place_ + 1] == '-' || text_[place_ + 1] == '+') &&
+          is_digit(text_[place_ + 2])))) {
+      place_ += 2;
+      while (place_ < text_.size() && is_digit(text_[place_])) ++place_;
+    }
+    const std::string digits(text_.substr(begin, place_ - begin));
+    const std::string unit = unit_here();
+    try {
+      return amount_in(geometry::read_as_typed(digits, unit));
+    } catch (const geometry::BadGiven& bad) {
+      throw BadFormula(bad.words());
+    }
+  }
+
+  // The longest unit that stands here; "1" where none does.
+  std::string unit_here() {
+    const std::size_t before = place_;
+    blanks();
+    std::string longest;
+    for (const Unit& unit : geometry::known_units()) {
+      const std::size_t after = place_ + unit.symbol.size();
+      if (unit.symbol == "1" || unit.symbol == "1/min" || unit.symbol.size() <= longest.size() ||
+          !text_.substr(place_).starts_with(unit.symbol))
+        continue;
+      if (after < text_.size() && (is_of_name(text_[after]) || text_[after] == '^')) continue;
+      longest = unit.symbol;
+    }
+    if (longest.empty()) {
+      if (place_ < text_.size() && is_of_name(text_[place_]))
+        throw BadFormula(format_words("\"{}\" is no unit", "\"{}\" non è un'unità", text_.substr(place_)));
+      place_ = before;
+      return "1";
+    }
+    place_ += longest.size();
+    return longest;
+  }
+
+  std::string_view text_;
+  const Amounts& known_;
+  std::size_t place_ = 0;
+  int depth_ = 0;
+};
+
+// A plain number with its unit, as --set takes it, in which "1/72 s" is a part of a second.
+std::optional<Amount> plain(const std::string& text, const std::string& unit) {
+  try {
+    return amount_in(geometry::read_as_typed(text, unit));
+  } catch (const geometry::BadGiven&) {
+    return {};
+  }
+}
+
+bool has_no_unit(const std::string& text) {
+  return text.find_first_not_of("0123456789.,+-/eE ") == std::string::npos;
+}
+
+}  // namespace
+
+std::string unit_of(Kind kind) {
+  const auto& units = geometry::known_units();
+  return std::find_if(units.begin(), units.end(),
+                      [&](const Unit& unit) { return unit.kind == kind && unit.factor == 1 && !unit.counts_turns; })
+      ->symbol;
+}
+
+Words name_of(Kind kind) {
+  switch (kind) {
+    case Kind::pure_number:
+      return {"a pure number", "un numero puro"};
+    case Kind::length:
+      return {"a length", "una lunghezza"};
+    case Kind::angle:
+      return {"an angle", "un angolo"};
+    case Kind::angular_velocity:
+      return {"an angular velocity", "una velocità angolare"};
+    case Kind::angular_acceleration:
+      return {"an angular acceleration", "un'accelerazione angolare"};
+    case Kind::velocity:
+      return {"a velocity", "una velocità"};
+    case Kind::acceleration:
+      return {"an acceleration", "un'accelerazione"};
+    case Kind::time:
+      return {"a time", "un tempo"};
+    default:
+      return format_words("a number in {}", "un numero in {}", unit_of(kind));
+  }
+}
+
+Amount amount_of(const Givens& givens, const GivenSpec& spec) {
+  const auto reading = givens.reading(spec.symbol);
+  return reading ? amount_in(*reading) : Amount{};
+}
+
+Amount read_amount(const std::string& text, Kind wanted, const std::string& unit_of_bare, const Amounts& known) {
+  const bool is_bare = has_no_unit(text);
+  const std::string unit = unit_of_bare.empty() ? unit_of(wanted) : unit_of_bare;
+  if (!is_bare || !unit_of_bare.empty())
+    if (const auto amount = plain(text, unit); amount && amount->kind == wanted) {
+      demand_shortness(amount->value);
+      return *amount;
+    }
+  Amount amount = Reader(text, known).whole();
+  if (amount.kind == Kind::pure_number && wanted != Kind::pure_number) {
+    if (unit_of_bare.empty() && amount.value != 0)
+      throw BadFormula(format_words("\"{}\" has no unit where {} is asked, such as {}",
+                                    "\"{}\" non ha unità dove si chiede {}, come {}", text, name_of(wanted),
+                                    geometry::turns(wanted) && wanted == Kind::angle ? "deg" : unit_of(wanted)));
+    amount = amount_in({amount.value, *geometry::find_unit(unit)});
+  }
+  if (amount.kind != wanted)
+    throw BadFormula(format_words("\"{}\" is {} where {} is asked", "\"{}\" è {} dove si chiede {}", text,
+                                  name_of(amount.kind), name_of(wanted)));
+  return amount;
+}
+
+}  // namespace epure::scenes

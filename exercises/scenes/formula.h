@@ -1,0 +1,40 @@
+// What a scene says of a number: "120 mm", "-75 deg", "1/3", "AB/2 + 5 mm". Sums, products and quotients of numbers
+// with units and of givens, exact; nothing that could run for ever.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "exercises/kit/statement/givens.h"
+#include "exercises/scenes/text_tree.h"
+
+namespace epure::scenes {
+
+// A number of one kind: in SI units, or of what turns the angle (of one second, of one second squared).
+struct Amount {
+  geometry::Kind kind = geometry::Kind::pure_number;
+  Rational value = 0;
+  Angle angle = {};
+};
+
+// The names that a formula may use.
+using Amounts = std::map<std::string, Amount>;
+
+// What is wrong with a formula, without its place.
+struct BadFormula : Told {
+  using Told::Told;
+};
+
+// The number that the text says, which must be of the kind `wanted`; a number without a unit is taken in
+// `unit_of_bare` (empty: refused). Throws BadFormula.
+Amount read_amount(const std::string& text, geometry::Kind wanted, const std::string& unit_of_bare,
+                   const Amounts& known);
+
+// Of a given, as it stands now.
+Amount amount_of(const Givens& givens, const GivenSpec& spec);
+
+// The unit in which a kind is told, and its name in both languages: "m", "length".
+std::string unit_of(geometry::Kind kind);
+Words name_of(geometry::Kind kind);
+
+}  // namespace epure::scenes

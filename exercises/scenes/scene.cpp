@@ -1,0 +1,642 @@
+#include "exercises/scenes/scene.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "drawings/text/text.h"
+#include "exercises/kit/statement/format_words.h"
+#include "exercises/kit/statement/suggest.h"
+
+namespace epure::scenes {
+namespace {
+
+using namespace geometry;
+using Kind = geometry::Kind;
+using Tree = TextTree;
+
+// Throws with the file's name before each sentence.
+class File {
+ public:
+  explicit File(const std::string& name) : name_(name) {}
+
+  [[noreturn]] void refuse(const Tree& at, const Words& sentence) const { throw bad_scene(name_, at, sentence); }
+
+  const Tree& demand(const Tree& at, Tree::Kind kind, const Words& what) const {
+    if (at.kind != kind) refuse(at, what);
+    return at;
+  }
+  const Tree& map(const Tree& at, const Words& what) const { return demand(at, Tree::Kind::map, what); }
+  const std::string& text(const Tree& at, const Words& what) const { return demand(at, Tree::Kind::text, what).text; }
+
+  void demand_keys(const Tree& map, const std::vector<std::string>& known) const {
+    for (const auto& [key, value] : map.entries)
+      if (std::find(known.begin(), known.end(), key.text) == known.end())
+        refuse(key, format_words("\"{}\" has no meaning here; {}", "\"{}\" qui non ha senso; {}", key.text,
+                                 did_you_mean(key.text, known)));
+  }
+
+  // A line of text in one language, or in both: {en: ..., it: ...}.
+  Words words(const Tree& at) const {
+    if (at.kind == Tree::Kind::text) return {line(at), line(at)};
+    map(at, {"a text is asked here, or {en: ..., it: ...}", "qui si chiede un testo, o {en: ..., it: ...}"});
+    demand_keys(at, {"en", "it"});
+    const Tree *english = at.find("en"), *italian = at.find("it");
+    if (!english && !italian) refuse(at, {"neither en: nor it:", "né en: né it:"});
+    return {line(english ? *english : *italian), line(italian ? *italian : *english)};
+  }
+
+ private:
+  // That a sheet can print.
+  const std::string& line(const Tree& at) const {
+    constexpr std::size_t longest = 120;
+    const std::string& line = text(at, {"a text is asked here", "qui si chiede un testo"});
+    const bool is_line = line.size() <= longest && std::none_of(line.begin(), line.end(), [](char c) {
+                           return (static_cast<unsigned char>(c) < 0x20) || c == 0x7f;
+                         });
+    if (!is_line)
+      refuse(at, format_words("this must be a line of at most {} printable letters",
+                              "dev'essere una riga di al più {} caratteri stampabili", longest));
+    if (!drawings::can_write(line))
+      refuse(at, {"epure's fonts have Latin, Greek and Cyrillic letters, and one of these is none of them",
+                  "i caratteri di epure hanno lettere latine, greche e cirilliche, e una di queste non lo è"});
+    return line;
+  }
+
+  const std::string& name_;
+};
+
+bool is_name(const std::string& text) {
+  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 &&
+         std::all_of(text.begin(), text.end(),
+                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
+}
+
+// Of a point or a line. P12, P13 ... are the instant centres.
+bool is_letter(const std::string& text) {
+  constexpr std::size_t longest = 8;
+  const bool is_centre =
+      text.size() > 2 && text.starts_with("P1") && text.find_first_not_of("0123456789", 2) == std::string::npos;
+  return is_name(text) && text.size() <= longest && text.find('_') == std::string::npos && !is_centre;
+}
+
+std::vector<std::string> parted(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> parts;
+  for (std::string part; in >> part;) parts.push_back(part);
+  return parts;
+}
+
+// What of the text is a unit: what follows the number. Empty for a pure number, none where there is no number.
+std::optional<std::string> unit_after_number(const std::string& text) {
+  std::size_t end = text.find_first_not_of("+-0123456789.,/ ");
+  if (end != std::string::npos && (text[end] == 'e' || text[end] == 'E') && end > 0 && end + 1 < text.size() &&
+      std::string("+-0123456789").find(text[end + 1]) != std::string::npos)
+    end = text.find_first_not_of("+-0123456789.,/ ", end + 1);
+  if (end == std::string::npos) return "";
+  if (end == 0) return {};
+  std::string unit = text.substr(end);
+  // "1/min" is one unit with its number.
+  while (!unit.empty() && unit.back() == ' ') unit.pop_back();
+  return find_unit(unit) ? std::optional(unit) : std::nullopt;
+}
+
+// Builds the linkage of a tree at certain givens.
+class Building {
+ public:
+  Building(const File& file, const Tree& root, const Givens& givens) : file_(file), root_(root) {
+    for (const GivenSpec& spec : givens.specs()) known_[spec.symbol] = amount_of(givens, spec);
+  }
+
+  Built built() {
+    units();
+    where();
+    links();
+    slides();
+    drives();
+    assembly();
+    demand_no_double_place();
+    place();
+    return std::move(built_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const Tree& at, const Words& sentence) const { file_.refuse(at, sentence); }
+
+  // --- numbers ---------------------------------------------------------------------------------------------------
+  void units() {
+    const Tree* all = root_.find("units");
+    if (!all) return;
+    file_.map(*all, {"units: {length: mm, angle: deg}", "units: {length: mm, angle: deg}"});
+    file_.demand_keys(*all, {"length", "angle"});
+    for (const auto& [key, value] : all->entries) {
+      const std::string& unit = file_.text(value, {"a unit is asked here", "qui si chiede un'unità"});
+      const auto found = find_unit(unit);
+      const Kind wanted = key.text == "length" ? Kind::length : Kind::angle;
+      if (!found || found->kind != wanted)
+        refuse(value, format_words("\"{}\" is no unit of {}", "\"{}\" non è unità di {}", unit, name_of(wanted)));
+      (wanted == Kind::length ? length_unit_ : angle_unit_) = unit;
+    }
+  }
+  // Names for formulas: where: {h: l/2}.
+  void where() {
+    const Tree* all = root_.find("where");
+    if (!all) return;
+    file_.map(*all, {"where: {name: formula}", "where: {nome: formula}"});
+    for (const auto& [key, value] : all->entries) {
+      if (!is_name(key.text)) refuse(key, format_words("\"{}\" is no name", "\"{}\" non è un nome", key.text));
+      if (known_.contains(key.text))
+        refuse(key, format_words("\"{}\" is a given already", "\"{}\" è già un dato", key.text));
+      for (const Kind kind : {Kind::length, Kind::angle, Kind::pure_number, Kind::angular_velocity, Kind::velocity}) {
+        try {
+          known_[key.text] =
+              read_amount(file_.text(value, {"a formula is asked", "si chiede una formula"}), kind, "", known_);
+          break;
+        } catch (const BadFormula& bad) {
+          if (kind == Kind::velocity) refuse(value, bad.words());
+        }
+      }
+    }
+  }
+  Amount amount(const Tree& at, Kind kind) const {
+    const std::string& text = file_.text(at, format_words("{} is asked here", "qui si chiede {}", name_of(kind)));
+    const std::string bare = kind == Kind::length ? length_unit_ : kind == Kind::angle ? angle_unit_ : unit_of(kind);
+    try {
+      return read_amount(text, kind, bare, known_);
+    } catch (const BadFormula& bad) {
+      refuse(at, bad.words());
+    }
+  }
+  Rational length(const Tree& at) const { return amount(at, Kind::length).value; }
+  Own own(const Tree& at) const {
+    if (at.kind != Tree::Kind::list || at.items.size() != 2)
+      refuse(at, {"two coordinates are asked, such as [0, 120 mm]", "si chiedono due coordinate, come [0, 120 mm]"});
+    return {length(at.items[0]), length(at.items[1])};
+  }
+
+  // --- links -----------------------------------------------------------------------------------------------------
+  static int index(std::vector<std::string>& names, const std::string& name) {
+    const auto place = std::find(names.begin(), names.end(), name) - names.begin();
+    if (place == std::ssize(names)) names.push_back(name);
+    return static_cast<int>(place);
+  }
+  int point(const Tree& at, const std::string& name) const {
+    const auto& names = built_.letters.points;
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      refuse(at, format_words("no link has a point {}; {}", "nessun membro ha un punto {}; {}", name,
+                              did_you_mean(name, names)));
+    return static_cast<int>(found - names.begin());
+  }
+  int line(const Tree& at, const std::string& name) const {
+    const auto& names = built_.letters.lines;
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      refuse(at, format_words("no link has a line {}{}", "nessun membro ha una retta {}{}", name,
+                              names.empty() ? Words{} : Words{"; ", "; "} + did_you_mean(name, names)));
+    return static_cast<int>(found - names.begin());
+  }
+  bool is_line(const std::string& name) const {
+    const auto& names = built_.letters.lines;
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+
+  void links() {
+    const Tree* all = root_.find("links");
+    if (!all) refuse(root_, {"links: is missing", "manca links:"});
+    file_.map(*all,
+              {"links: {1: ..., 2: ...}, link 1 is the frame", "links: {1: ..., 2: ...}, il membro 1 è il telaio"});
+    read_drawing();
+    const Tree* frame = all->find("1");
+    if (!frame) refuse(*all, {"link 1, the frame, is missing", "manca il membro 1, il telaio"});
+    link(1, *frame);
+    for (const auto& [key, value] : all->entries) {
+      if (key.text == "1") continue;
+      const bool is_number = !key.text.empty() && key.text.size() <= 4 && key.text[0] != '0' &&
+                             key.text.find_first_not_of("0123456789") == std::string::npos;
+      if (!is_number)
+        refuse(key, format_words("\"{}\" is no number of a link: 1 is the frame, then 2, 3 ...",
+                                 "\"{}\" non è un numero di membro: 1 è il telaio, poi 2, 3 ...", key.text));
+      link(std::stoi(key.text), value);
+    }
+  }
+
+  // points: where letters lie on a drawing, from which links take their shapes.
+  void read_drawing() {
+    const Tree* drawing = root_.find("points");
+    if (!drawing) return;
+    file_.map(*drawing, {"points: {A: [x, y]}", "points: {A: [x, y]}"});
+    for (const auto& [key, value] : drawing->entries) {
+      demand_letter(key, key.text);
+      drawn_[key.text] = own(value);
+    }
+  }
+  void demand_letter(const Tree& at, const std::string& name) const {
+    if (!is_letter(name))
+      refuse(at,
+             format_words("\"{}\" is no name of a point or line: a letter, then letters and digits, eight at most "
+                          "(and P12, P13 ... are the instant centres)",
+                          "\"{}\" non è un nome di punto o retta: una lettera, poi lettere e cifre, otto al più (e "
+                          "P12, P13 ... sono i centri di istantanea rotazione)",
+                          name));
+  }
+
+  void link(int number, const Tree& at) {
+    built_.letters.links.push_back(number);
+    built_.linkage.links.emplace_back();
+    if (at.kind == Tree::Kind::text) {
+      for (const std::string& name : parted(at.text)) {
+        const auto drawn = drawn_.find(name);
+        if (drawn == drawn_.end())
+          refuse(at, format_words("{} does not stand under points:", "{} non sta sotto points:", name));
+        add_point(at, name, drawn->second);
+      }
+    } else {
+      file_.map(at, {"a link is {A0 A: length}, {A: [x, y], ...}, or letters of points:",
+                     "un membro è {A0 A: lunghezza}, {A: [x, y], ...}, o lettere di points:"});
+      for (const auto& [key, value] : at.entries) element(key, value);
+    }
+  }
+
+  void element(const Tree& key, const Tree& value) {
+    if (const std::vector<std::string> ends = parted(key.text); ends.size() == 2) {
+      const Rational far = length(value);
+      if (far <= 0)
+        refuse(value, format_words("the bar {} must be longer than zero", "l'asta {} dev'essere più lunga di zero",
+                                   key.text));
+      add_point(key, ends[0], {0, 0});
+      add_point(key, ends[1], {far, 0});
+      return;
+    }
+    demand_letter(key, key.text);
+    if (value.kind == Tree::Kind::list) return add_point(key, key.text, own(value));
+    file_.map(value, {"a point is [x, y], a line {through: [x, y], along: [1, 0] or 20 deg}",
+                      "un punto è [x, y], una retta {through: [x, y], along: [1, 0] o 20 deg}"});
+    file_.demand_keys(value, {"through", "along"});
+    const Tree* through = value.find("through");
+    add_line(key, key.text, through ? own(*through) : Own{0, 0}, direction(value));
+  }
+
+  Direction direction(const Tree& line) const {
+    const Tree* along = line.find("along");
+    if (!along) refuse(line, {"along: is missing", "manca along:"});
+    if (along->kind == Tree::Kind::text) return amount(*along, Kind::angle).angle;
+    if (along->kind != Tree::Kind::list || along->items.size() != 2)
+      refuse(*along, {"a direction is [x, y] or an angle", "una direzione è [x, y] o un angolo"});
+    const bool are_pure = std::all_of(along->items.begin(), along->items.end(), [](const Tree& item) {
+      return item.text.find_first_not_of("+-0123456789./ ") == std::string::npos;
+    });
+    const Kind kind = are_pure ? Kind::pure_number : Kind::length;
+    const Own vector{amount(along->items[0], kind).value, amount(along->items[1], kind).value};
+    if (vector.x == 0 && vector.y == 0) refuse(*along, {"[0, 0] is no direction", "[0, 0] non è una direzione"});
+    return vector;
+  }
+
+  void add_point(const Tree& at, const std::string& name, const Own& place) {
+    demand_letter(at, name);
+    const int number = index(built_.letters.points, name);
+    Link& link = built_.linkage.links.back();
+    for (const LinkPoint& other : link.points) {
+      if (other.point == number)
+        refuse(at, format_words("{} stands twice in link {}", "{} sta due volte nel membro {}", name,
+                                built_.letters.links.back()));
+      if (other.at.x == place.x && other.at.y == place.y)
+        refuse(at, format_words("{} and {} lie in one place of link {}", "{} e {} stanno in un punto del membro {}",
+                                built_.letters.points[static_cast<std::size_t>(other.point)], name,
+                                built_.letters.links.back()));
+    }
+    link.points.push_back({number, place});
+  }
+  void add_line(const Tree& at, const std::string& name, const Own& through, const Direction& along) {
+    if (is_line(name))
+      refuse(at,
+             format_words("the line {} is of another link already", "la retta {} è già di un altro membro", name));
+    built_.linkage.links.back().lines.push_back({index(built_.letters.lines, name), through, along});
+  }
+
+  // --- joints, drives, sides -------------------------------------------------------------------------------------
+  void slides() {
+    const Tree* all = root_.find("slides");
+    if (!all) return;
+    file_.map(*all,
+              {"slides: {A: s}, a point or line on a line", "slides: {A: s}, un punto o una retta su una retta"});
+    for (const auto& [key, value] : all->entries) {
+      const Words what{"the line is asked on which it slides, or several [s, g]",
+                       "si chiede la retta su cui scorre, o più d'una [s, g]"};
+      if (value.kind == Tree::Kind::list)
+        for (const Tree& item : value.items) slide(key, item, file_.text(item, what));
+      else
+        slide(key, value, file_.text(value, what));
+    }
+  }
+  void slide(const Tree& key, const Tree& value, const std::string& guide_name) {
+    const int guide = line(value, guide_name);
+    const int link = built_.linkage.link_of_line(guide);
+    if (is_line(key.text)) {
+      const int moving = line(key, key.text);
+      if (built_.linkage.link_of_line(moving) == link) refuse_own(value, key.text, guide_name);
+      built_.linkage.blocks.push_back({moving, guide});
+      return;
+    }
+    const int pin = point(key, key.text);
+    const std::vector<int> links = built_.linkage.links_at(pin);
+    if (std::find(links.begin(), links.end(), link) != links.end()) refuse_own(value, key.text, guide_name);
+    built_.linkage.pins.push_back({pin, guide});
+  }
+  [[noreturn]] void refuse_own(const Tree& at, const std::string& what, const std::string& guide) const {
+    refuse(at, format_words("{} and {} are of one link: nothing slides there",
+                            "{} e {} sono di uno stesso membro: lì nulla scorre", what, guide));
+  }
+
+  void drives() {
+    const Tree* drive = root_.find("drive");
+    if (!drive)
+      refuse(root_, {"drive: is missing; what moves the mechanism?", "manca drive:; che cosa muove il meccanismo?"});
+    if (drive->kind == Tree::Kind::list)
+      for (const Tree& one : drive->items) this->drive(one);
+    else
+      this->drive(*drive);
+  }
+  void drive(const Tree& at) {
+    file_.map(at,
+              {"drive: {link: 2, angle: 30 deg, speed: 60 rpm}", "drive: {link: 2, angle: 30 deg, speed: 60 rpm}"});
+    if (at.find("link")) return turned(at);
+    if (at.find("slide")) return slid(at);
+    if (at.find("length")) return stretched(at);
+    refuse(at, {"a drive has link:, slide: or length:", "drive vuole link:, slide: o length:"});
+  }
+  const Tree& demand(const Tree& map, const std::string& key) const {
+    const Tree* value = map.find(key);
+    if (!value) refuse(map, format_words("{}: is missing", "manca {}:", key));
+    return *value;
+  }
+  Rational rate(const Tree& drive, const std::string& key, Kind kind) const {
+    const Tree* value = drive.find(key);
+    return value ? amount(*value, kind).value : Rational(0);
+  }
+  Angle turning(const Tree& drive, const std::string& key, Kind kind) const {
+    const Tree* value = drive.find(key);
+    return value ? amount(*value, kind).angle : Angle{};
+  }
+
+  void turned(const Tree& at) {
+    file_.demand_keys(at, {"link", "angle", "speed", "acceleration"});
+    const Tree& number = demand(at, "link");
+    const auto& links = built_.letters.links;
+    const auto found =
+        std::find_if(links.begin(), links.end(), [&](int link) { return std::to_string(link) == number.text; });
+    if (found == links.end() || found == links.begin())
+      refuse(number, format_words("there is no moving link {}", "non c'è un membro mobile {}", number.text));
+    built_.linkage.drives.push_back(TurnedLink{
+        static_cast<int>(found - links.begin()), turning(at, "angle", Kind::angle),
+        turning(at, "speed", Kind::angular_velocity), turning(at, "acceleration", Kind::angular_acceleration)});
+  }
+  void slid(const Tree& at) {
+    file_.demand_keys(at, {"slide", "on", "at", "speed", "acceleration"});
+    const Tree &joint = demand(at, "slide"), &on = demand(at, "on");
+    const Words what{"a letter is asked here", "qui si chiede una lettera"};
+    built_.linkage.drives.push_back(SlidPoint{point(joint, file_.text(joint, what)), line(on, file_.text(on, what)),
+                                              length(demand(at, "at")), rate(at, "speed", Kind::velocity),
+                                              rate(at, "acceleration", Kind::acceleration)});
+  }
+  void stretched(const Tree& at) {
+    file_.demand_keys(at, {"length", "is", "speed", "acceleration"});
+    const Tree& ends_at = demand(at, "length");
+    const std::vector<std::string> ends =
+        parted(file_.text(ends_at, {"two letters are asked, such as A0 B", "si chiedono due lettere, come A0 B"}));
+    if (ends.size() != 2)
+      refuse(ends_at, {"two letters are asked, such as A0 B", "si chiedono due lettere, come A0 B"});
+    const Tree& is = demand(at, "is");
+    const Rational far = length(is);
+    if (far <= 0) refuse(is, {"a cylinder is longer than zero", "un cilindro è più lungo di zero"});
+    built_.linkage.drives.push_back(Stretched{point(ends_at, ends[0]), point(ends_at, ends[1]), far,
+                                              rate(at, "speed", Kind::velocity),
+                                              rate(at, "acceleration", Kind::acceleration)});
+  }
+
+  void assembly() {
+    const Tree* all = root_.find("assembly");
+    if (!all) return;
+    file_.map(*all, {"assembly: {B: left of A B0}", "assembly: {B: left of A B0}"});
+    for (const auto& [key, value] : all->entries) {
+      const std::vector<std::string> words = parted(file_.text(
+          value, {"a side is asked here, such as: left of A B0", "qui si chiede un lato, come: left of A B0"}));
+      chosen_at_.push_back(&key);
+      built_.linkage.chosen.push_back(choice(key, value, words));
+    }
+  }
+  Chosen choice(const Tree& key, const Tree& value, const std::vector<std::string>& words) const {
+    const auto is = [&](std::size_t k, const char* word) { return k < words.size() && words[k] == word; };
+    if (words.size() == 4 && (is(0, "left") || is(0, "right")) && is(1, "of"))
+      return BesideLine{point(key, key.text), point(value, words[2]), point(value, words[3]), is(0, "left")};
+    if (words.size() == 3 && (is(0, "ahead") || is(0, "behind")) && is(1, "on")) {
+      line(value, words[2]);
+      return OnGuide{point(key, key.text), is(0, "ahead")};
+    }
+    if (words.size() == 4 && is(0, "from") && is(2, "towards")) return SlotPoints{line(key, key.text), true};
+    if (words.size() == 5 && is(0, "from") && is(2, "away") && is(3, "from"))
+      return SlotPoints{line(key, key.text), false};
+    refuse(
+        value,
+        {"a side reads: left of A B0, right of A B0, ahead on g, behind on g, from O towards A, from O away from A",
+         "un lato si scrive: left of A B0, right of A B0, ahead on g, behind on g, from O towards A, from O away "
+         "from A"});
+  }
+
+  // --- what the file leaves open -----------------------------------------------------------------------------------
+  void demand_no_double_place() const {
+    const auto& letters = built_.letters;
+    for (std::size_t i = 0; i < letters.links.size(); ++i)
+      if (std::count(letters.links.begin(), letters.links.end(), letters.links[i]) > 1)
+        refuse(root_, format_words("link {} stands twice", "il membro {} sta due volte", letters.links[i]));
+  }
+
+  const std::string& letter(int p) const { return built_.letters.points[static_cast<std::size_t>(p)]; }
+  const std::string& line_letter(int l) const { return built_.letters.lines[static_cast<std::size_t>(l)]; }
+  std::string numbers(const std::vector<int>& links) const {
+    std::string all;
+    for (const int link : links)
+      if (link >= 0)
+        all += (all.empty() ? "" : ", ") + std::to_string(built_.letters.links[static_cast<std::size_t>(link)]);
+    return all;
+  }
+  std::string letters(const std::vector<int>& points) const {
+    std::set<std::string> names;
+    for (const int p : points) names.insert(letter(p));
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : " ") + name;
+    return all;
+  }
+  const Tree& section(const char* name) const {
+    const Tree* found = root_.find(name);
+    return found ? *found : root_;
+  }
+
+  void place() {
+    sides_from_drawing();
+    try {
+      built_.steps = assur_groups(built_.linkage);
+    } catch (const NotPlaced& open) {
+      tell(open);
+    }
+  }
+
+  // A drawing tells on which side of two pins a joint lies, exactly; what the file says of it comes first.
+  void sides_from_drawing() {
+    for (std::size_t asked = 0; !drawn_.empty() && asked < built_.letters.points.size(); ++asked) {
+      try {
+        assur_groups(built_.linkage);
+        return;
+      } catch (const NotPlaced& open) {
+        if (open.why != NotPlaced::Why::side_of_line) return;
+        const auto at = [&](std::size_t k) { return drawn_.find(letter(open.points[k])); };
+        if (at(0) == drawn_.end() || at(1) == drawn_.end() || at(2) == drawn_.end()) return;
+        const Own X = at(0)->second, P = at(1)->second, Q = at(2)->second;
+        const Rational left = (Q.x - P.x) * (X.y - P.y) - (Q.y - P.y) * (X.x - P.x);
+        if (left == 0) return;
+        chosen_at_.push_back(&section("points"));
+        built_.linkage.chosen.push_back(BesideLine{open.points[0], open.points[1], open.points[2], left > 0});
+      }
+    }
+  }
+
+  [[noreturn]] void tell(const NotPlaced& open) const {
+    using Why = NotPlaced::Why;
+    switch (open.why) {
+      case Why::overconstrained:
+        refuse(section("links"),
+               format_words("link {} hangs on more than it can follow ({}): the mechanism cannot move",
+                            "il membro {} è vincolato più di quanto possa seguire ({}): il meccanismo non si muove",
+                            numbers(open.links), letters(open.points)));
+      case Why::freedom:
+        refuse(section("drive"), format_words("links {} are not held: {} more drive(s) or joint(s) are missing",
+                                              "i membri {} non sono trattenuti: mancano ancora {} moventi o vincoli",
+                                              numbers(open.links), open.freedom));
+      case Why::not_dyadic:
+        refuse(
+            section("links"),
+            format_words("links {} move only together, on what stands at {}: ruler and compass place groups of one "
+                         "or two links only",
+                         "i membri {} si muovono solo insieme, su quanto sta in {}: riga e compasso dispongono solo "
+                         "gruppi di uno o due membri",
+                         numbers(open.links), letters(open.points)));
+      case Why::side_of_line:
+        refuse(
+            section("assembly"),
+            format_words("{0} may lie on either side of {1} -> {2}: say under assembly:  {0}: left of {1} {2}  or  "
+                         "{0}: right of {1} {2}",
+                         "{0} può stare da una parte o dall'altra di {1} -> {2}: dire sotto assembly:  {0}: left of "
+                         "{1} {2}  o  {0}: right of {1} {2}",
+                         letter(open.points[0]), letter(open.points[1]), letter(open.points[2])));
+      case Why::along_guide:
+        refuse(
+            section("assembly"),
+            format_words("{0} may lie ahead or behind on {1}: say under assembly:  {0}: ahead on {1}  or  {0}: "
+                         "behind on {1}",
+                         "{0} può stare avanti o indietro su {1}: dire sotto assembly:  {0}: ahead on {1}  o  {0}: "
+                         "behind on {1}",
+                         letter(open.points[0]), line_letter(open.lines[0])));
+      case Why::towards_pin:
+        refuse(
+            section("assembly"),
+            format_words("{0} may point from {1} towards {2} or away: say under assembly:  {0}: from {1} towards "
+                         "{2}  or  {0}: from {1} away from {2}",
+                         "{0} può puntare da {1} verso {2} o via: dire sotto assembly:  {0}: from {1} towards {2}  o "
+                         " {0}: from {1} away from {2}",
+                         line_letter(open.lines[0]), letter(open.points[0]), letter(open.points[1])));
+      case Why::contradicting_side:
+        break;
+    }
+    const Tree& at = *chosen_at_.at(open.chosen);
+    refuse(at, format_words("nothing is open of {} here: leave the line out, or name the points its links hang on",
+                            "di {} qui nulla è aperto: togliere la riga, o nominare i punti a cui i membri pendono",
+                            at.text));
+  }
+
+  const File& file_;
+  const Tree& root_;
+  Amounts known_;
+  std::string length_unit_ = "m", angle_unit_ = {};
+  std::map<std::string, Own> drawn_;
+  std::vector<const Tree*> chosen_at_;
+  Built built_;
+};
+
+bool is_id(const std::string& text) {
+  return !text.empty() && text.size() <= 60 && std::islower(static_cast<unsigned char>(text[0])) != 0 &&
+         std::all_of(text.begin(), text.end(), [](char c) {
+           return std::islower(static_cast<unsigned char>(c)) != 0 ||
+                  std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-';
+         });
+}
+
+GivenSpec given(const File& file, const Tree& key, const Tree& value) {
+  if (!is_name(key.text))
+    file.refuse(key, format_words("\"{}\" is no name of a given: a letter, then letters and digits",
+                                  "\"{}\" non è un nome di dato: una lettera, poi lettere e cifre", key.text));
+  const Tree* number = &value;
+  GivenSpec spec;
+  spec.symbol = key.text;
+  spec.range = Range::any;
+  if (value.kind == Tree::Kind::map) {
+    file.demand_keys(value, {"value", "meaning"});
+    number = value.find("value");
+    if (!number) file.refuse(value, {"value: is missing", "manca value:"});
+    if (const Tree* meaning = value.find("meaning")) spec.meaning = file.words(*meaning);
+  }
+  const std::string& text = file.text(*number, {"a number with its unit is asked here, such as 120 mm",
+                                                "qui si chiede un numero con la sua unità, come 120 mm"});
+  const auto unit = unit_after_number(text);
+  if (!unit)
+    file.refuse(*number, format_words("\"{}\" is no number with a unit; formulas of givens stand under where:",
+                                      "\"{}\" non è un numero con unità; le formule stanno sotto where:", text));
+  spec.unit = unit->empty() ? "1" : *unit;
+  spec.stated = text.substr(0, text.size() - unit->size());
+  while (!spec.stated.empty() && spec.stated.back() == ' ') spec.stated.pop_back();
+  if (spec.meaning.empty()) spec.meaning = {spec.symbol, spec.symbol};
+  try {
+    read_given(spec.stated, spec.unit);
+  } catch (const BadGiven& bad) {
+    file.refuse(*number, bad.words());
+  }
+  return spec;
+}
+
+}  // namespace
+
+Scene::Scene(std::string file_name, std::string_view bytes)
+    : file_(std::move(file_name)), root_(read_text_tree(file_, bytes)) {
+  const File file(file_);
+  file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
+                   "una scena è un elenco di chiavi e valori, come  id: four-bar"});
+  file.demand_keys(root_, {"epure", "id", "title", "source", "givens", "where", "units", "points", "links", "slides",
+                           "drive", "assembly"});
+  const Tree* version = root_.find("epure");
+  if (!version || version->text != "1")
+    file.refuse(version ? *version : root_, {"a scene begins with  epure: 1", "una scena comincia con  epure: 1"});
+  const Tree* id = root_.find("id");
+  if (!id) file.refuse(root_, {"id: is missing", "manca id:"});
+  id_ = file.text(*id, {"an id is asked here", "qui si chiede un id"});
+  if (!is_id(id_))
+    file.refuse(*id, format_words("\"{}\" is no id: small letters, digits and hyphens, a letter first",
+                                  "\"{}\" non è un id: minuscole, cifre e trattini, prima una lettera", id_));
+  const Tree *title = root_.find("title"), *source = root_.find("source");
+  title_ = title ? file.words(*title) : Words{id_, id_};
+  const std::string file_alone = std::filesystem::path(file_).filename();
+  source_ = source ? file.words(*source) : Words{file_alone, file_alone};
+  if (const Tree* givens = root_.find("givens")) {
+    file.map(*givens, {"givens: {r: 120 mm}", "givens: {r: 120 mm}"});
+    for (const auto& [key, value] : givens->entries) givens_.push_back(given(file, key, value));
+  }
+  built(Givens(givens_));
+}
+
+Built Scene::built(const Givens& givens) const {
+  const File file(file_);
+  return Building(file, root_, givens).built();
+}
+
+}  // namespace epure::scenes

@@ -1,0 +1,51 @@
+// A mechanism from a file: its links as plates with letters, its givens, what drives it, on which side its joints
+// lie. docs/scenes.md teaches the format.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exercises/kit/statement/givens.h"
+#include "exercises/scenes/formula.h"
+#include "exercises/scenes/text_tree.h"
+#include "geometry/linkages/assur_groups.h"
+
+namespace epure::scenes {
+
+// The letters of a linkage, in the order of its numbers.
+struct Letters {
+  std::vector<std::string> points, lines;
+  std::vector<int> links;  // as the file numbers them; the frame, 1, first
+};
+
+// A linkage at certain givens, and the order in which it is constructed.
+struct Built {
+  geometry::Linkage linkage;
+  std::vector<geometry::Step> steps;
+  Letters letters;
+};
+
+class Scene {
+ public:
+  // Reads all of it, and builds it once at the stated givens. Throws BadScene. `file` is the name that messages give
+  // it.
+  Scene(std::string file, std::string_view bytes);
+
+  const std::string& id() const { return id_; }
+  const Words& title() const { return title_; }
+  const Words& source() const { return source_; }
+  const std::vector<GivenSpec>& givens() const { return givens_; }
+
+  // At these givens. Throws BadScene where they make a length zero, or a formula divide by zero.
+  Built built(const Givens& givens) const;
+
+ private:
+  std::string file_;
+  TextTree root_;
+  std::string id_;
+  Words title_, source_;
+  std::vector<GivenSpec> givens_;
+};
+
+}  // namespace epure::scenes

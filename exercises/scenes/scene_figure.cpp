@@ -1,0 +1,104 @@
+#include "exercises/scenes/scene_figure.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "exercises/kit/statement/quantity.h"
+
+namespace epure::scenes {
+namespace {
+
+using geometry::LineOnLine;
+using geometry::Link;
+using geometry::Linkage;
+using geometry::LinkPoint;
+using geometry::PinOnLine;
+
+const std::string& letter(const Built& built, int point) {
+  return built.letters.points[static_cast<std::size_t>(point)];
+}
+
+// The guide of the frame on which a point slides, itself or with its link.
+std::optional<int> guide_in_frame(const Linkage& of, int point) {
+  for (const PinOnLine& pin : of.pins)
+    if (pin.point == point && of.link_of_line(pin.line) == 0) return pin.line;
+  for (const LineOnLine& block : of.blocks) {
+    const std::vector<int> links = of.links_at(point);
+    const int moving = of.link_of_line(block.moving), guide = of.link_of_line(block.guide);
+    if (guide == 0 && std::find(links.begin(), links.end(), moving) != links.end()) return block.guide;
+  }
+  return {};
+}
+
+Mechanism::Joint joint(const Linkage& of, int point) {
+  const std::vector<int> links = of.links_at(point);
+  if (links.front() == 0) return Mechanism::Joint::fixed;
+  if (guide_in_frame(of, point)) return Mechanism::Joint::block;
+  return links.size() > 1 ? Mechanism::Joint::hinge : Mechanism::Joint::none;
+}
+
+double direction(const Linkage& of, int line) {
+  const geometry::Direction& along = of.line(line).along;
+  if (const auto* angle = std::get_if<geometry::Angle>(&along)) return geometry::to_double(*angle);
+  const auto& vector = std::get<geometry::Own>(along);
+  return std::atan2(CGAL::to_double(vector.y), CGAL::to_double(vector.x));
+}
+
+// The pins that run in slots of the link, and the joints of blocks that do.
+std::vector<int> pins_in(const Linkage& of, int link) {
+  std::vector<int> pins;
+  for (const PinOnLine& pin : of.pins)
+    if (of.link_of_line(pin.line) == link) pins.push_back(pin.point);
+  for (const LineOnLine& block : of.blocks)
+    for (const auto& [own, other] : {std::pair(block.moving, block.guide), {block.guide, block.moving}})
+      if (of.link_of_line(own) == link && of.link_of_line(other) != 0)
+        for (const LinkPoint& p : of.links[static_cast<std::size_t>(of.link_of_line(other))].points)
+          pins.push_back(p.point);
+  return pins;
+}
+
+// Whether a slot can be drawn in a bar: all points of the link are on its lines.
+bool lies_on_its_lines(const Link& link) {
+  return std::all_of(link.lines.begin(), link.lines.end(), [&](const geometry::LinkLine& line) {
+    const auto* along = std::get_if<geometry::Own>(&line.along);
+    return along && std::all_of(link.points.begin(), link.points.end(), [&](const LinkPoint& p) {
+             return along->x * (p.at.y - line.through.y) == along->y * (p.at.x - line.through.x);
+           });
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> moving_points(const Built& built) {
+  std::vector<std::string> names;
+  for (int p = 0; p < built.linkage.count_of_points(); ++p)
+    if (built.linkage.links_at(p).front() != 0) names.push_back(letter(built, p));
+  return names;
+}
+
+std::shared_ptr<const Mechanism> figure_of(const Built& built, const Solution& solution) {
+  const Linkage& of = built.linkage;
+  auto figure = std::make_shared<Mechanism>();
+  for (int p = 0; p < of.count_of_points(); ++p)
+    figure->point(letter(built, p), solution.place(letter(built, p)), joint(of, p),
+                  "$" + point_letters(letter(built, p)) + "$");
+  for (std::size_t i = 1; i < of.links.size(); ++i) {
+    std::vector<std::string> points;
+    for (const LinkPoint& p : of.links[i].points) points.push_back(letter(built, p.point));
+    const std::vector<int> pins = pins_in(of, static_cast<int>(i));
+    if (!pins.empty() && lies_on_its_lines(of.links[i])) {
+      points.push_back(letter(built, pins.front()));
+      figure->slotted(points, built.letters.links[i]);
+    } else if (points.size() > 1) {
+      figure->body(points, built.letters.links[i]);
+    }
+  }
+  for (const geometry::Drive& drive : of.drives)
+    if (const auto* cylinder = std::get_if<geometry::Stretched>(&drive))
+      figure->body({letter(built, cylinder->from), letter(built, cylinder->to)});
+  for (int p = 0; p < of.count_of_points(); ++p)
+    if (const auto line = guide_in_frame(of, p)) figure->guide(letter(built, p), direction(of, *line));
+  return figure;
+}
+
+}  // namespace epure::scenes

@@ -1,0 +1,19 @@
+// What a scene looks like: its links as bars and plates, its joints, its guides.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "exercises/kit/panels/mechanism.h"
+#include "exercises/kit/proof/solution.h"
+#include "exercises/scenes/scene.h"
+
+namespace epure::scenes {
+
+// The names of the points that move, in the order of the file.
+std::vector<std::string> moving_points(const Built& built);
+
+std::shared_ptr<const Mechanism> figure_of(const Built& built, const Solution& solution);
+
+}  // namespace epure::scenes

@@ -1,0 +1,452 @@
+#include "geometry/analytic/joint_equations.h"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <functional>
+#include <type_traits>
+#include <utility>
+
+namespace epure::geometry::analytic {
+namespace {
+
+constexpr int unknowns_of_a_link = 3;  // x, y, θ
+
+// Φ_k = 0 at one place: what is left of it, its slopes by the unknowns, and what of its second derivative is
+// quadratic in the rates. J q' = rate, J q'' = second_rate - quadratic.
+template <class T>
+struct Equation {
+  T residual;
+  std::vector<std::pair<int, T>> slopes;
+  T quadratic{0}, rate{0}, second_rate{0};
+};
+
+// A vector fixed in a link, in the plane: r, from the link's origin, and with it the point X.
+template <class T>
+struct End {
+  int link;
+  Complex<T> r, X, v;
+  T omega;
+
+  Complex<T> quadratic() const { return -(square(omega) * r); }
+};
+
+// The equations at a place; rates of the links as they stand in `links` (zero where only places are looked for).
+template <class T>
+class JointEquations {
+ public:
+  JointEquations(const Linkage& linkage, const std::vector<LinkState<T>>& links) : linkage_(linkage), links_(links) {}
+
+  std::vector<Equation<T>> all() {
+    for (int point = 0; point < linkage_.count_of_points(); ++point) {
+      const std::vector<int> there = linkage_.links_at(point);
+      for (std::size_t k = 1; k < there.size(); ++k)
+        hinge(end(there[0], linkage_.place(there[0], point)), end(there[k], linkage_.place(there[k], point)));
+    }
+    for (const PinOnLine& pin : linkage_.pins) {
+      const int link = linkage_.links_at(pin.point).front();
+      beside(end(link, linkage_.place(link, pin.point)), pin.line);
+    }
+    for (const LineOnLine& block : linkage_.blocks) {
+      beside(end(linkage_.link_of_line(block.moving), linkage_.line(block.moving).through), block.guide);
+      parallel(block);
+    }
+    for (const Drive& drive : linkage_.drives) std::visit([this](const auto& d) { driven(d); }, drive);
+    return std::move(equations_);
+  }
+
+ private:
+  End<T> end(int link, const Own& own) const {
+    const LinkState<T>& state = links_[static_cast<std::size_t>(link)];
+    const Complex<T> r = Complex<T>{from_rational<T>(own.x), from_rational<T>(own.y)} * axis(link);
+    return {link, r, state.O + r, state.v + state.omega * times_i(r), state.omega};
+  }
+  const Complex<T>& axis(int link) const { return links_[static_cast<std::size_t>(link)].x; }
+  Complex<T> direction(int line) const {
+    const Direction& along = linkage_.line(line).along;
+    const Complex<T>& x = axis(linkage_.link_of_line(line));
+    if (const auto* angle = std::get_if<Angle>(&along)) return Complex<T>{cosine<T>(*angle), sine<T>(*angle)} * x;
+    const Own& own = std::get<Own>(along);
+    const Complex<T> s{from_rational<T>(own.x), from_rational<T>(own.y)};
+    return divided(s, modulus(s)) * x;
+  }
+
+  // Slopes of u . X for a fixed u, as part of an equation.
+  void add(Equation<T>& equation, const End<T>& at, const Complex<T>& u, const T& by_turning) const {
+    if (at.link == 0) return;  // the frame does not move
+    const int first = unknowns_of_a_link * (at.link - 1);
+    equation.slopes.emplace_back(first, u.re);
+    equation.slopes.emplace_back(first + 1, u.im);
+    equation.slopes.emplace_back(first + 2, by_turning);
+  }
+
+  void hinge(const End<T>& i, const End<T>& j) {
+    const Complex<T> gap = i.X - j.X, quadratic = i.quadratic() - j.quadratic();
+    for (const bool is_x : {true, false}) {
+      const Complex<T> u = is_x ? Complex<T>{T(1), T(0)} : Complex<T>{T(0), T(1)};
+      Equation<T> equation{.residual = is_x ? gap.re : gap.im, .slopes = {}};
+      equation.quadratic = is_x ? quadratic.re : quadratic.im;
+      add(equation, i, u, dot(u, times_i(i.r)));
+      add(equation, j, -u, -dot(u, times_i(j.r)));
+      equations_.push_back(std::move(equation));
+    }
+  }
+
+  // X_i on the line: s x (X_i - G) = 0.
+  void beside(const End<T>& i, int line) {
+    const Complex<T> s = direction(line);
+    const End<T> G = end(linkage_.link_of_line(line), linkage_.line(line).through);
+    const Complex<T> D = i.X - G.X, D_rate = i.v - G.v, n = times_i(s);
+    Equation<T> equation{.residual = dot(n, D), .slopes = {}};
+    add(equation, i, n, dot(n, times_i(i.r)));
+    add(equation, G, -n, -dot(s, D) - dot(n, times_i(G.r)));
+    equation.quadratic =
+        -(square(G.omega) * dot(n, D)) - T(2) * G.omega * dot(s, D_rate) + dot(n, i.quadratic() - G.quadratic());
+    equations_.push_back(std::move(equation));
+  }
+
+  // The two lines of a block: s_j x s_i = 0.
+  void parallel(const LineOnLine& block) {
+    const int i = linkage_.link_of_line(block.moving), j = linkage_.link_of_line(block.guide);
+    const Complex<T> s_i = direction(block.moving), s_j = direction(block.guide);
+    const T turn = cross(s_j, s_i), slope = dot(s_j, s_i);
+    const T relative = links_[static_cast<std::size_t>(i)].omega - links_[static_cast<std::size_t>(j)].omega;
+    Equation<T> equation{.residual = turn, .slopes = {}, .quadratic = -(square(relative) * turn)};
+    if (i != 0) equation.slopes.emplace_back(unknowns_of_a_link * i - 1, slope);
+    if (j != 0) equation.slopes.emplace_back(unknowns_of_a_link * j - 1, -slope);
+    equations_.push_back(std::move(equation));
+  }
+
+  void driven(const TurnedLink& drive) {
+    Equation<T> equation{.residual = links_[static_cast<std::size_t>(drive.link)].theta - radians<T>(drive.angle),
+                         .slopes = {{unknowns_of_a_link * drive.link - 1, T(1)}}};
+    equation.rate = radians<T>(drive.omega);
+    equation.second_rate = radians<T>(drive.alpha);
+    equations_.push_back(std::move(equation));
+  }
+
+  void driven(const SlidPoint& drive) {
+    const int link = linkage_.links_at(drive.point).front();
+    const End<T> i = end(link, linkage_.place(link, drive.point));
+    const Complex<T> s = direction(drive.guide);
+    const End<T> G = end(linkage_.link_of_line(drive.guide), linkage_.line(drive.guide).through);
+    const Complex<T> D = i.X - G.X, D_rate = i.v - G.v;
+    Equation<T> equation{.residual = dot(s, D) - from_rational<T>(drive.at), .slopes = {}};
+    add(equation, i, s, dot(s, times_i(i.r)));
+    add(equation, G, -s, cross(s, D) - dot(s, times_i(G.r)));
+    equation.quadratic =
+        -(square(G.omega) * dot(s, D)) + T(2) * G.omega * cross(s, D_rate) + dot(s, i.quadratic() - G.quadratic());
+    equation.rate = from_rational<T>(drive.velocity);
+    equation.second_rate = from_rational<T>(drive.acceleration);
+    equations_.push_back(std::move(equation));
+  }
+
+  void driven(const Stretched& drive) {
+    const int from = linkage_.links_at(drive.from).front(), to = linkage_.links_at(drive.to).front();
+    const End<T> i = end(to, linkage_.place(to, drive.to)), j = end(from, linkage_.place(from, drive.from));
+    const Complex<T> D = i.X - j.X, D_rate = i.v - j.v;
+    const T l = from_rational<T>(drive.length), l_rate = from_rational<T>(drive.velocity);
+    Equation<T> equation{.residual = squared_modulus(D) - square(l), .slopes = {}};
+    add(equation, i, T(2) * D, T(2) * dot(D, times_i(i.r)));
+    add(equation, j, T(-2) * D, T(-2) * dot(D, times_i(j.r)));
+    equation.quadratic = T(2) * (squared_modulus(D_rate) + dot(D, i.quadratic() - j.quadratic()));
+    equation.rate = T(2) * l * l_rate;
+    equation.second_rate = T(2) * (square(l_rate) + l * from_rational<T>(drive.acceleration));
+    equations_.push_back(std::move(equation));
+  }
+
+  const Linkage& linkage_;
+  const std::vector<LinkState<T>>& links_;
+  std::vector<Equation<T>> equations_;
+};
+
+template <class T>
+using Column = std::vector<T>;
+
+template <class T>
+std::vector<LinkState<T>> states(const Column<T>& q) {
+  const Complex<T> none{T(0), T(0)};
+  std::vector<LinkState<T>> links{{none, none, none, T(0), T(0), T(0), {T(1), T(0)}}};
+  for (std::size_t k = 0; k < q.size(); k += unknowns_of_a_link)
+    links.push_back(
+        {{q[k], q[k + 1]}, none, none, q[k + 2], T(0), T(0), {cosine_of_angle(q[k + 2]), sine_of_angle(q[k + 2])}});
+  return links;
+}
+
+template <class T>
+std::vector<Equation<T>> equations(const Linkage& linkage, const std::vector<LinkState<T>>& links) {
+  return JointEquations<T>(linkage, links).all();
+}
+template <class T>
+std::vector<Equation<T>> equations(const Linkage& linkage, const Column<T>& q) {
+  return equations(linkage, states(q));
+}
+
+Eigen::MatrixXd matrix(const std::vector<Equation<Fast>>& rows) {
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index row = 0; row < n; ++row)
+    for (const auto& [column, slope] : rows[static_cast<std::size_t>(row)].slopes) J(row, column) += slope;
+  return J;
+}
+
+// Newton's iteration in doubles: until the step no longer shrinks.
+Column<Fast> iterated(const Linkage& linkage, Column<Fast> q) {
+  constexpr int most_steps = 60;
+  double last = HUGE_VAL;
+  for (int k = 0; k < most_steps; ++k) {
+    const std::vector<Equation<Fast>> rows = equations(linkage, q);
+    Eigen::VectorXd residual(static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i) residual(static_cast<Eigen::Index>(i)) = rows[i].residual;
+    const Eigen::VectorXd step = matrix(rows).partialPivLu().solve(residual);
+    const double size = step.cwiseAbs().maxCoeff();
+    if (!(size < HUGE_VAL)) break;
+    if (size == 0 || (k > 3 && size >= last)) return q;
+    for (std::size_t i = 0; i < q.size(); ++i) q[i] -= step(static_cast<Eigen::Index>(i));
+    last = size;
+  }
+  throw Undecided("Newton's iteration on the equations of all joints comes to no end",
+                  "l'iterazione di Newton sulle equazioni di tutti i vincoli non ha fine");
+}
+
+// A matrix of doubles beside the inverse of the equations' one, as numbers.
+template <class T>
+class Preconditioner {
+ public:
+  explicit Preconditioner(const Eigen::MatrixXd& J) {
+    const Eigen::MatrixXd inverse = J.partialPivLu().inverse();
+    for (Eigen::Index row = 0; row < inverse.rows(); ++row) {
+      Y_.emplace_back();
+      for (Eigen::Index column = 0; column < inverse.cols(); ++column) {
+        if (!std::isfinite(inverse(row, column)))
+          throw Undecided("whether the equations of all joints are independent",
+                          "se le equazioni di tutti i vincoli siano indipendenti");
+        Y_.back().push_back(from_rational<T>(Rational(inverse(row, column))));
+      }
+    }
+  }
+  Column<T> times(const Column<T>& b) const {
+    Column<T> product;
+    for (const Column<T>& row : Y_) {
+      T sum(0);
+      for (std::size_t k = 0; k < b.size(); ++k) sum += row[k] * b[k];
+      product.push_back(sum);
+    }
+    return product;
+  }
+  // 1 - Y J, row by row.
+  std::vector<Column<T>> defect(const std::vector<Equation<T>>& rows) const {
+    std::vector<Column<T>> E(Y_.size(), Column<T>(Y_.size(), T(0)));
+    for (std::size_t i = 0; i < Y_.size(); ++i) {
+      E[i][i] = T(1);
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        for (const auto& [column, slope] : rows[k].slopes) E[i][static_cast<std::size_t>(column)] -= Y_[i][k] * slope;
+    }
+    return E;
+  }
+
+ private:
+  std::vector<Column<T>> Y_;
+};
+
+template <class T>
+T size_of(const T& x) {
+  return root(square(x));
+}
+// At least twice the upper end of what is not negative; an enclosure may reach down to zero.
+template <class T>
+T twice_the_most(const T& x) {
+  return midpoint(T(4) * x);
+}
+template <class T>
+bool may_be_zero_all(const Column<T>& b) {
+  for (const T& x : b)
+    if (const Sign decided = sign(x); decided == Sign::positive || decided == Sign::negative) return false;
+  return true;
+}
+template <class T>
+Column<T> residuals(const std::vector<Equation<T>>& rows) {
+  Column<T> all;
+  for (const Equation<T>& row : rows) all.push_back(row.residual);
+  return all;
+}
+
+// Each step with the inverse of doubles brings some fifteen digits, until they cannot be told from zero.
+template <class T>
+Column<T> refined(const Linkage& linkage, const Preconditioner<T>& Y, Column<T> q) {
+  constexpr int most_steps = 400;
+  for (int k = 0; k < most_steps; ++k) {
+    const Column<T> residual = residuals(equations(linkage, q));
+    if (may_be_zero_all(residual)) break;
+    const Column<T> step = Y.times(residual);
+    for (std::size_t i = 0; i < q.size(); ++i) q[i] = midpoint(q[i] - step[i]);
+  }
+  return q;
+}
+
+// E x for x in ±size.
+template <class T>
+T spread(const Column<T>& row_of_E, const Column<T>& size) {
+  T sum(0);
+  for (std::size_t k = 0; k < size.size(); ++k) sum += size_of(row_of_E[k]) * size[k];
+  return sum;
+}
+
+// Krawczyk: K = m - Y Φ(m) + (1 - Y J(box)) (box - m). Where K lies inside the box there is a solution in it, and one
+// only where the equations are independent all over it, which `solved` demands.
+// (Krawczyk 1969; Neumaier, Interval Methods for Systems of Equations, section 5.1.)
+template <class T>
+Column<T> proved_box(const Linkage& linkage, const Preconditioner<T>& Y, const Column<T>& m) {
+  const Column<T> newton = Y.times(residuals(equations(linkage, m)));
+  Column<T> radius;
+  for (const T& x : newton) radius.push_back(twice_the_most(size_of(x)));
+  constexpr int most_boxes = 30;
+  for (int k = 0; k < most_boxes; ++k) {
+    Column<T> box;
+    for (std::size_t i = 0; i < m.size(); ++i) box.push_back(widened(m[i], radius[i]));
+    const std::vector<Column<T>> E = Y.defect(equations(linkage, box));
+    Column<T> needed, inside;
+    bool is_inside = true;
+    for (std::size_t i = 0; i < m.size(); ++i) {
+      const T around = spread(E[i], radius);
+      needed.push_back(size_of(newton[i]) + around);
+      // An unknown that stands right already, whatever the others are, has a box without width.
+      is_inside = is_inside && (sign(radius[i] - needed[i]) == Sign::positive || sign(needed[i]) == Sign::zero);
+      inside.push_back(widened(m[i] - newton[i], around));
+    }
+    if (is_inside) return inside;
+    for (std::size_t i = 0; i < m.size(); ++i) radius[i] = twice_the_most(needed[i]);
+  }
+  throw Undecided("no box around the last iterate is proved to hold one solution of the equations of all joints",
+                  "di nessun intorno dell'ultima iterata è dimostrato che contenga una soluzione delle equazioni di "
+                  "tutti i vincoli");
+}
+
+// J x = b, enclosed: x0 by the preconditioner until that brings no more, then what may be left.
+template <class T>
+Column<T> solved(const std::vector<Equation<T>>& rows, const Preconditioner<T>& Y, const Column<T>& b) {
+  const std::vector<Column<T>> E = Y.defect(rows);
+  Column<T> x;
+  for (const T& y : Y.times(b)) x.push_back(midpoint(y));
+  const auto left = [&] {
+    Column<T> r = b;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (const auto& [column, slope] : rows[i].slopes) r[i] -= slope * x[static_cast<std::size_t>(column)];
+    return Y.times(r);
+  };
+  Column<T> step = left();
+  constexpr int most_steps = 400;
+  for (int k = 0; k < most_steps && !may_be_zero_all(step); ++k) {
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = midpoint(x[i] + step[i]);
+    step = left();
+  }
+  // |x - x0| <= |step| + |E| |x - x0|, and each row of |E| has a sum below a half.
+  T most(0);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (sign(from_rational<T>(Rational(1, 2)) - spread(E[i], Column<T>(x.size(), T(1)))) != Sign::positive)
+      throw Undecided("whether the equations of all joints are independent",
+                      "se le equazioni di tutti i vincoli siano indipendenti");
+    most += T(2) * size_of(step[i]);
+  }
+  const Column<T> off(x.size(), most);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = widened(x[i] + step[i], spread(E[i], off));
+  return x;
+}
+
+Column<Fast> solved(const std::vector<Equation<Fast>>& rows, const Column<Fast>& b) {
+  const Eigen::VectorXd x = matrix(rows).partialPivLu().solve(
+      Eigen::Map<const Eigen::VectorXd>(b.data(), static_cast<Eigen::Index>(b.size())));
+  return {x.data(), x.data() + x.size()};
+}
+
+// The solution of J x = b.
+template <class T>
+using SolveRates = std::function<Column<T>(const std::vector<Equation<T>>& J, const Column<T>& b)>;
+
+template <class T>
+std::vector<LinkState<T>> with_rates(const Linkage& linkage, const Column<T>& q, const SolveRates<T>& solve) {
+  std::vector<LinkState<T>> links = states(q);
+  const auto take = [&](const Column<T>& rates, bool is_first) {
+    for (std::size_t k = 0; k < rates.size(); k += unknowns_of_a_link) {
+      LinkState<T>& link = links[k / unknowns_of_a_link + 1];
+      (is_first ? link.v : link.a) = Complex<T>{rates[k], rates[k + 1]};
+      (is_first ? link.omega : link.alpha) = rates[k + 2];
+    }
+  };
+  Column<T> b;
+  const std::vector<Equation<T>> at_rest = equations(linkage, links);
+  for (const Equation<T>& row : at_rest) b.push_back(row.rate);
+  take(solve(at_rest, b), true);
+  b.clear();
+  for (const Equation<T>& row : equations(linkage, links)) b.push_back(row.second_rate - row.quadratic);
+  take(solve(at_rest, b), false);
+  return links;
+}
+
+Column<Fast> moving_links(const Beginning& beginning) {
+  return {beginning.begin() + unknowns_of_a_link, beginning.end()};
+}
+
+std::vector<LinkState<Fast>> found_in_doubles(const Linkage& linkage, const Beginning& beginning) {
+  return with_rates<Fast>(
+      linkage, iterated(linkage, moving_links(beginning)),
+      [](const std::vector<Equation<Fast>>& rows, const Column<Fast>& b) { return solved(rows, b); });
+}
+
+template <class T>
+std::vector<LinkState<T>> found_and_proved(const Linkage& linkage, const Beginning& beginning) {
+  const Column<Fast> near = iterated(linkage, moving_links(beginning));
+  const Preconditioner<T> Y(matrix(equations(linkage, near)));
+  Column<T> start;
+  for (const double x : near) start.push_back(from_rational<T>(Rational(x)));
+  const Column<T> q = proved_box(linkage, Y, refined(linkage, Y, start));
+  return with_rates<T>(linkage, q,
+                       [&](const std::vector<Equation<T>>& rows, const Column<T>& b) { return solved(rows, Y, b); });
+}
+
+// The solution is the one that was meant: where a joint is said to lie beside a line, it does not lie on the other
+// side.
+template <class T>
+void demand_sides(const Linkage& linkage, const std::vector<LinkState<T>>& links) {
+  const auto at = [&](int point) {
+    const int link = linkage.links_at(point).front();
+    return point_of(links[static_cast<std::size_t>(link)], linkage.place(link, point)).z;
+  };
+  for (const Chosen& chosen : linkage.chosen) {
+    const auto* beside = std::get_if<BesideLine>(&chosen);
+    if (!beside) continue;
+    const Complex<T> P = at(beside->from);
+    if (sign(cross(at(beside->to) - P, at(beside->joint) - P)) == (beside->is_left ? Sign::negative : Sign::positive))
+      throw Impossible("a joint lies on the other side of the line than was said",
+                       "un nodo sta dall'altra parte della retta rispetto a quanto detto");
+  }
+}
+
+[[noreturn]] void refuse_angles() {
+  throw Undecided("the equations of all joints are solved for angles, which are no algebraic numbers",
+                  "le equazioni di tutti i vincoli si risolvono negli angoli, che non sono numeri algebrici");
+}
+
+}  // namespace
+
+template <class T>
+std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning& beginning) {
+  if constexpr (!NumberWithAngles<T>) {
+    refuse_angles();
+  } else {
+    std::vector<LinkState<T>> links;
+    if constexpr (std::is_same_v<T, Fast>)
+      links = found_in_doubles(linkage, beginning);
+    else
+      links = found_and_proved<T>(linkage, beginning);
+    demand_sides(linkage, links);
+    return links;
+  }
+}
+template std::vector<LinkState<Fast>> solve_joints<Fast>(const Linkage&, const Beginning&);
+template std::vector<LinkState<Bounded>> solve_joints<Bounded>(const Linkage&, const Beginning&);
+template std::vector<LinkState<Deep>> solve_joints<Deep>(const Linkage&, const Beginning&);
+template std::vector<LinkState<Exact>> solve_joints<Exact>(const Linkage&, const Beginning&);
+template std::vector<LinkState<Generic>> solve_joints<Generic>(const Linkage&, const Beginning&);
+template std::vector<LinkState<Calcium>> solve_joints<Calcium>(const Linkage&, const Beginning&);
+
+}  // namespace epure::geometry::analytic

@@ -1,0 +1,55 @@
+// The second route of any linkage: the equations of all its joints at once. The unknowns are the place of every
+// moving link, x and y of its origin and the angle θ of its x axis (Haug, Computer Aided Kinematics and Dynamics,
+// chapter 3):
+//
+//   hinge             (x, y)_i + R_i p_i - (x, y)_j - R_j p_j = 0            two equations
+//   pin on a line     n_j . (X_i - G_j) = 0                                  one
+//   line on a line    n_j . (G_i - G_j) = 0,  s_i x s_j = 0                  two
+//   turned link       θ_i - θ = 0                                            one
+//   slid point        s_j . (X_i - G_j) - at = 0                             one
+//   cylinder          (X_i - X_j)² - l² = 0                                  one
+//
+// solved by Newton's iteration in doubles, proved by a step of Krawczyk's on boxes, and differentiated twice: linear
+// equations with one matrix for the rates. No link is solved before another; of ruler and compass nothing is used but
+// the place where to begin.
+#pragma once
+
+#include <vector>
+
+#include "geometry/analytic/complex.h"
+#include "geometry/linkages/linkage.h"
+#include "geometry/numbers/enclosure.h"
+
+namespace epure::geometry::analytic {
+
+// Of a link: its origin, the angle of its x axis and this axis, e^{iθ}; first and second derivatives of origin and
+// angle.
+template <class T>
+struct LinkState {
+  Complex<T> O, v, a;
+  T theta, omega, alpha;
+  Complex<T> x;
+};
+
+// A point given in the axes of its link: metres, m/s, m/s².
+template <class T>
+struct PointState {
+  Complex<T> z, v, a;
+};
+
+template <class T>
+PointState<T> point_of(const LinkState<T>& link, const Own& own) {
+  const Complex<T> r = Complex<T>{from_rational<T>(own.x), from_rational<T>(own.y)} * link.x;
+  return {link.O + r, link.v + link.omega * times_i(r), link.a + Complex<T>{-square(link.omega), link.alpha} * r};
+}
+
+// Where the iteration begins: x, y, θ of every link, the frame's first (zeros).
+using Beginning = std::vector<double>;
+
+// The state of every link, the frame's first, near the beginning. Bounded and Deep: the only solution in a box about
+// the last iterate, proved. Fast: the last iterate. Throws Undecided where the iteration ends nowhere, where no box
+// is proved (a limit position, for this number), and on exact numbers: angles are not algebraic.
+template <class T>
+std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning& beginning);
+
+}  // namespace epure::geometry::analytic

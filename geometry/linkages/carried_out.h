@@ -1,0 +1,565 @@
+// A linkage placed and moved by ruler and compass, step after step (assur_groups.h), on any number. Metres, radians,
+// seconds; counter-clockwise positive.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/linkages/assur_groups.h"
+#include "geometry/mechanisms/dyad.h"
+#include "geometry/numbers/rational_field.h"
+
+namespace epure::geometry {
+
+// Where a link is: the origin of its axes, and its x axis, a unit vector.
+template <class T>
+struct PlacedLink {
+  Point<T> O;
+  Vector<T> x;
+
+  Vector<T> turned(const Vector<T>& own) const { return own.x * x + own.y * quarter_turn(x); }
+  Point<T> at(const Vector<T>& own) const { return O + turned(own); }
+};
+
+template <class T>
+struct LinkagePosition {
+  std::vector<PlacedLink<T>> links;
+  std::vector<Point<T>> points;
+};
+
+// The two polygons of a step that has any.
+template <class T>
+struct StepPolygons {
+  std::optional<DyadVelocity<T>> velocity;
+  std::optional<DyadAcceleration<T>> acceleration;
+};
+
+template <class T>
+struct LinkageMotion {
+  std::vector<PlaneMotion<T>> links;
+  std::vector<Pin<T>> points;
+  std::vector<StepPolygons<T>> steps;  // as the steps
+};
+
+// A drive's rates as numbers: rad/s and rad/s², or m/s and m/s².
+template <class T>
+struct DriveRates {
+  T first, second;
+};
+
+// The rod of changing length as a side of a dyad: v_P + l'/l PX + ω k x PX; l' and l'' over l are given.
+template <class T>
+struct StretchingBar {
+  Pin<T> P;
+  T first_rate, second_rate;  // l'/l, l''/l
+
+  Vector<T> direction(const Point<T>& X) const { return quarter_turn(X - P.at); }
+  Vector<T> known_velocity(const Point<T>& X) const { return P.v + first_rate * (X - P.at); }
+  AccelerationTerms<T> known_acceleration(const Point<T>& X, const T& omega, const T&) const {
+    const Vector<T> PX = X - P.at, none{T(0), T(0)};
+    return {P.a + second_rate * PX, -(square(omega) * PX), (T(2) * omega * first_rate) * quarter_turn(PX), none};
+  }
+};
+
+// A link of known angular velocity whose line runs over a pin: the link's point there leaves the pin along the line.
+template <class T>
+struct LineOverPin {
+  Pin<T> P;
+  Vector<T> along;
+  T omega;  // of the line
+
+  Vector<T> direction(const Point<T>&) const { return -along; }
+  Vector<T> known_velocity(const Point<T>&) const { return P.v; }
+  AccelerationTerms<T> known_acceleration(const Point<T>&, const T& u, const T&) const {
+    const Vector<T> none{T(0), T(0)};
+    return {P.a, none, -((T(2) * omega * u) * quarter_turn(along)), none};
+  }
+};
+
+// The numbers of a linkage, read once for many positions.
+template <class T>
+class CarriedOut {
+ public:
+  CarriedOut(const Linkage& linkage, const std::vector<Step>& steps);
+
+  // With the drives as they stand. Throws Impossible where a group does not close, Undecided when that cannot be
+  // told.
+  LinkagePosition<T> position() const;
+  // Throws Impossible where a group is at a limit (its polygon does not close), Undecided when that cannot be told.
+  // `rates`: as the drives of the linkage.
+  LinkageMotion<T> motion(const LinkagePosition<T>& at, const std::vector<DriveRates<T>>& rates) const;
+  std::vector<DriveRates<T>> rates() const;
+
+ private:
+  struct OwnLine {
+    int link;
+    Vector<T> through, along;
+  };
+  // A line in the plane, and where it is cut.
+  struct Rail {
+    Point<T> G;
+    Vector<T> s;
+  };
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  const Vector<T>& own(int link, int point) const { return own_[index(link)][index(point)]; }
+  const OwnLine& line(int l) const { return lines_[index(l)]; }
+  T number(const Rational& q) const { return from_rational<T>(q); }
+
+  // Placing.
+  void place(const TurnedCrank& step, LinkagePosition<T>& at) const;
+  void place(const SlidBlock& step, LinkagePosition<T>& at) const;
+  void place(const SlidPin& step, LinkagePosition<T>& at) const;
+  void place(const TwoRods& step, LinkagePosition<T>& at) const;
+  void place(const RodAndTrack& step, LinkagePosition<T>& at) const;
+  void place(const TwoTracks& step, LinkagePosition<T>& at) const;
+  void place(const SlotOnPin& step, LinkagePosition<T>& at) const;
+  void place(const BlockOnPin& step, LinkagePosition<T>& at) const;
+  void place(const CrossedBlock& step, LinkagePosition<T>& at) const;
+
+  Rail in_plane(int l, const LinkagePosition<T>& at) const;
+  // Of the joint on the track.
+  Rail rail(const Track& track, int joint, const LinkagePosition<T>& at) const;
+  // How far left of the line the point lies, in the link's own axes.
+  T left_of(int l, int point) const;
+  Rational squared_length(const Rod& rod, int joint) const;
+  // A link whose own unit vector `along` points in the direction s, with its point `own` in P.
+  void put(int link, const Vector<T>& s, const Vector<T>& along, const Point<T>& P, const Vector<T>& own_point,
+           LinkagePosition<T>& at) const;
+  void put_points(int link, LinkagePosition<T>& at) const;
+  void put_rod(const Rod& rod, int joint, LinkagePosition<T>& at) const;
+  void put_block(const Track& track, int joint, LinkagePosition<T>& at) const;
+  static Point<T> crossing(const Rail& first, const Rail& second);
+
+  // Moving.
+  using Rates = std::vector<DriveRates<T>>;
+  StepPolygons<T> move(const TurnedCrank&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+  StepPolygons<T> move(const SlidBlock&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+  StepPolygons<T> move(const SlidPin&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+  StepPolygons<T> move(const TwoRods&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+  StepPolygons<T> move(const RodAndTrack&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+  StepPolygons<T> move(const TwoTracks&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+  StepPolygons<T> move(const SlotOnPin&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+  StepPolygons<T> move(const BlockOnPin&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+  StepPolygons<T> move(const CrossedBlock&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+
+  void put_motion(int link, const PlaneMotion<T>& motion, const LinkagePosition<T>& at,
+                  LinkageMotion<T>& so_far) const;
+  // Calls `use` with the rod as a side of a dyad, a Bar or a StretchingBar.
+  template <class Use>
+  auto with_side(const Rod& rod, const Rates& rates, const LinkageMotion<T>& so_far, const Use& use) const;
+  void move_rod(const Rod& rod, const T& omega, const T& alpha, const LinkagePosition<T>& at,
+                LinkageMotion<T>& so_far) const;
+  Slide<T> slide(const Track& track, const LinkagePosition<T>& at, const LinkageMotion<T>& so_far) const {
+    return {so_far.links[index(line(track.line).link)], in_plane(track.line, at).s};
+  }
+  // The block goes with its joint and turns with its guide.
+  void move_block(const Track& track, const Pin<T>& joint, const LinkagePosition<T>& at,
+                  LinkageMotion<T>& so_far) const;
+  template <class First, class Second>
+  static StepPolygons<T> polygons(const First& first, const Second& second, const Point<T>& X) {
+    StepPolygons<T> both;
+    both.velocity = dyad_velocity(first, second, X);
+    both.acceleration = dyad_acceleration(first, second, X, *both.velocity);
+    return both;
+  }
+  static Pin<T> joint_of(const StepPolygons<T>& both, const Point<T>& X) {
+    return {X, both.velocity->v_X, both.acceleration->a_X};
+  }
+
+  const Linkage& linkage_;
+  const std::vector<Step>& steps_;
+  std::vector<std::vector<Vector<T>>> own_;  // link, point
+  std::vector<OwnLine> lines_;
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+namespace linkages {
+
+// u v and u v* as complex numbers.
+template <class T>
+Vector<T> times(const Vector<T>& u, const Vector<T>& v) {
+  return v.x * u + v.y * quarter_turn(u);
+}
+template <class T>
+Vector<T> times_mirrored(const Vector<T>& u, const Vector<T>& v) {
+  return v.x * u - v.y * quarter_turn(u);
+}
+
+// The unit vector of a direction: without a root where the vector has a rational length.
+template <class T>
+Vector<T> unit_vector(const Direction& direction) {
+  if (const auto* angle = std::get_if<Angle>(&direction)) return {cosine<T>(*angle), sine<T>(*angle)};
+  const auto& [x, y] = std::get<Own>(direction);
+  const Rational squared = x * x + y * y;
+  if (const auto length = FieldOf<Rational>::root(squared))
+    return {from_rational<T>(x / *length), from_rational<T>(y / *length)};
+  const T over = quotient(T(1), root(from_rational<T>(squared)));
+  return {from_rational<T>(x) * over, from_rational<T>(y) * over};
+}
+
+template <class T>
+T positive_or_zero(const T& squared, const Words& whether, const Words& impossible) {
+  const Sign decided = sign(squared);
+  if (decided == Sign::negative) throw Impossible(impossible);
+  if (decided == Sign::undecided) throw Undecided(whether);
+  return squared;
+}
+
+// The point at the distances from P and Q of which the squares are given, on the named side of P -> Q: circles whose
+// radii need no root. Where both radii are rational, by Heron's formula, as circle.h has it. Errors as there.
+template <class T>
+Point<T> meet(const Point<T>& P, const Rational& PX_squared, const Point<T>& Q, const Rational& QX_squared,
+              Side side) {
+  const auto PX = FieldOf<Rational>::root(PX_squared), QX = FieldOf<Rational>::root(QX_squared);
+  if (PX && QX) return geometry::meet(Circle<T>{P, from_rational<T>(*PX)}, Circle<T>{Q, from_rational<T>(*QX)}, side);
+  const Vector<T> d = Q - P;
+  const T d2 = length_squared(d), r2 = from_rational<T>(PX_squared);
+  if (sign(d2) == Sign::zero) throw Impossible("the circles are concentric", "le circonferenze sono concentriche");
+  const T twice_along = d2 + from_rational<T>(PX_squared - QX_squared);
+  const T across = root(positive_or_zero(T(4) * d2 * r2 - square(twice_along),
+                                         {"whether two circles meet", "se due circonferenze si incontrino"},
+                                         {"the circles do not meet", "le circonferenze non si incontrano"}));
+  const T along_share = quotient(twice_along, T(2) * d2), across_share = quotient(across, T(2) * d2);
+  return P + (along_share * d + (side == Side::left ? across_share : -across_share) * quarter_turn(d));
+}
+
+}  // namespace linkages
+
+template <class T>
+CarriedOut<T>::CarriedOut(const Linkage& linkage, const std::vector<Step>& steps) : linkage_(linkage), steps_(steps) {
+  own_.assign(linkage.links.size(), std::vector<Vector<T>>(index(linkage.count_of_points()), {T(0), T(0)}));
+  lines_.resize(index(linkage.count_of_lines()));
+  for (std::size_t i = 0; i < linkage.links.size(); ++i) {
+    for (const LinkPoint& p : linkage.links[i].points) own_[i][index(p.point)] = {number(p.at.x), number(p.at.y)};
+    for (const LinkLine& l : linkage.links[i].lines)
+      lines_[index(l.line)] = {
+          static_cast<int>(i), {number(l.through.x), number(l.through.y)}, linkages::unit_vector<T>(l.along)};
+  }
+}
+
+template <class T>
+LinkagePosition<T> CarriedOut<T>::position() const {
+  LinkagePosition<T> at{{linkage_.links.size(), {{T(0), T(0)}, {T(1), T(0)}}},
+                        {index(linkage_.count_of_points()), {T(0), T(0)}}};
+  put_points(0, at);
+  for (const Step& step : steps_) std::visit([&](const auto& s) { place(s, at); }, step);
+  return at;
+}
+
+template <class T>
+LinkageMotion<T> CarriedOut<T>::motion(const LinkagePosition<T>& at, const Rates& rates) const {
+  const Vector<T> none{T(0), T(0)};
+  const PlaneMotion<T> at_rest{{T(0), T(0)}, none, none, T(0), T(0)};
+  LinkageMotion<T> so_far{{linkage_.links.size(), at_rest}, {at.points.size(), fixed_pin(Point<T>{T(0), T(0)})}, {}};
+  put_motion(0, at_rest, at, so_far);
+  for (const Step& step : steps_)
+    so_far.steps.push_back(std::visit([&](const auto& s) { return move(s, at, rates, so_far); }, step));
+  return so_far;
+}
+
+template <class T>
+std::vector<DriveRates<T>> CarriedOut<T>::rates() const {
+  Rates all;
+  for (const Drive& drive : linkage_.drives) {
+    if (const auto* turned = std::get_if<TurnedLink>(&drive))
+      all.push_back({radians<T>(turned->omega), radians<T>(turned->alpha)});
+    else if (const auto* slid = std::get_if<SlidPoint>(&drive))
+      all.push_back({number(slid->velocity), number(slid->acceleration)});
+    else
+      all.push_back({number(std::get<Stretched>(drive).velocity), number(std::get<Stretched>(drive).acceleration)});
+  }
+  return all;
+}
+
+template <class T>
+typename CarriedOut<T>::Rail CarriedOut<T>::in_plane(int l, const LinkagePosition<T>& at) const {
+  const PlacedLink<T>& link = at.links[index(line(l).link)];
+  return {link.at(line(l).through), link.turned(line(l).along)};
+}
+
+template <class T>
+T CarriedOut<T>::left_of(int l, int point) const {
+  return cross(line(l).along, own(line(l).link, point) - line(l).through);
+}
+
+template <class T>
+typename CarriedOut<T>::Rail CarriedOut<T>::rail(const Track& track, int joint, const LinkagePosition<T>& at) const {
+  const Rail guide = in_plane(track.line, at);
+  if (track.block == nothing) return guide;
+  return {guide.G + left_of(track.moving, joint) * quarter_turn(guide.s), guide.s};
+}
+
+template <class T>
+Rational CarriedOut<T>::squared_length(const Rod& rod, int joint) const {
+  if (rod.link == nothing) {
+    const Rational& length = std::get<Stretched>(linkage_.drives[index(rod.cylinder)]).length;
+    return length * length;
+  }
+  const auto &P = linkage_.place(rod.link, rod.pin), &X = linkage_.place(rod.link, joint);
+  return (X.x - P.x) * (X.x - P.x) + (X.y - P.y) * (X.y - P.y);
+}
+
+template <class T>
+void CarriedOut<T>::put_points(int link, LinkagePosition<T>& at) const {
+  for (const LinkPoint& p : linkage_.links[index(link)].points)
+    at.points[index(p.point)] = at.links[index(link)].at(own(link, p.point));
+}
+
+template <class T>
+void CarriedOut<T>::put(int link, const Vector<T>& s, const Vector<T>& along, const Point<T>& P,
+                        const Vector<T>& own_point, LinkagePosition<T>& at) const {
+  PlacedLink<T>& placed = at.links[index(link)];
+  placed.x = linkages::times_mirrored(s, along);
+  placed.O = P + -placed.turned(own_point);
+  put_points(link, at);
+}
+
+template <class T>
+void CarriedOut<T>::put_rod(const Rod& rod, int joint, LinkagePosition<T>& at) const {
+  if (rod.link == nothing) return;
+  const Point<T> P = at.points[index(rod.pin)], X = at.points[index(joint)];
+  const Vector<T> w = own(rod.link, joint) - own(rod.link, rod.pin);
+  PlacedLink<T>& placed = at.links[index(rod.link)];
+  placed.x = number(1 / squared_length(rod, joint)) * linkages::times_mirrored(X - P, w);
+  placed.O = P + -placed.turned(own(rod.link, rod.pin));
+  put_points(rod.link, at);
+}
+
+template <class T>
+void CarriedOut<T>::put_block(const Track& track, int joint, LinkagePosition<T>& at) const {
+  if (track.block == nothing) return;
+  put(track.block, in_plane(track.line, at).s, line(track.moving).along, at.points[index(joint)],
+      own(track.block, joint), at);
+}
+
+template <class T>
+Point<T> CarriedOut<T>::crossing(const Rail& first, const Rail& second) {
+  return joint_of_guides(geometry::line(first.G, first.s), geometry::line(second.G, second.s));
+}
+
+template <class T>
+void CarriedOut<T>::place(const TurnedCrank& step, LinkagePosition<T>& at) const {
+  const Angle& angle = std::get<TurnedLink>(linkage_.drives[index(step.drive)]).angle;
+  put(step.link, {cosine<T>(angle), sine<T>(angle)}, {T(1), T(0)}, at.points[index(step.hinge)],
+      own(step.link, step.hinge), at);
+}
+
+template <class T>
+void CarriedOut<T>::place(const SlidPin& step, LinkagePosition<T>& at) const {
+  const auto& drive = std::get<SlidPoint>(linkage_.drives[index(step.drive)]);
+  const Rail guide = in_plane(drive.guide, at);
+  at.points[index(step.point)] = guide.G + number(drive.at) * guide.s;
+}
+
+template <class T>
+void CarriedOut<T>::place(const SlidBlock& step, LinkagePosition<T>& at) const {
+  const Rail on = rail(step.track, step.point, at);
+  at.points[index(step.point)] = on.G + number(std::get<SlidPoint>(linkage_.drives[index(step.drive)]).at) * on.s;
+  put_block(step.track, step.point, at);
+}
+
+template <class T>
+void CarriedOut<T>::place(const TwoRods& step, LinkagePosition<T>& at) const {
+  const Point<T> P = at.points[index(step.first.pin)], Q = at.points[index(step.second.pin)];
+  at.points[index(step.joint)] = linkages::meet(P, squared_length(step.first, step.joint), Q,
+                                                squared_length(step.second, step.joint), step.side);
+  put_rod(step.first, step.joint, at);
+  put_rod(step.second, step.joint, at);
+}
+
+template <class T>
+void CarriedOut<T>::place(const RodAndTrack& step, LinkagePosition<T>& at) const {
+  const Point<T> P = at.points[index(step.rod.pin)];
+  const Rail on = rail(step.track, step.joint, at);
+  const Vector<T> GP = P - on.G;
+  const T half_chord_squared =
+      linkages::positive_or_zero(number(squared_length(step.rod, step.joint)) - square(cross(on.s, GP)),
+                                 {"whether a rod reaches its guide", "se un'asta raggiunga la sua guida"},
+                                 {"the rod does not reach its guide", "l'asta non raggiunge la sua guida"});
+  const T half_chord = root(half_chord_squared);
+  at.points[index(step.joint)] =
+      on.G + (dot(on.s, GP) + (step.which == Along::ahead ? half_chord : -half_chord)) * on.s;
+  put_rod(step.rod, step.joint, at);
+  put_block(step.track, step.joint, at);
+}
+
+template <class T>
+void CarriedOut<T>::place(const TwoTracks& step, LinkagePosition<T>& at) const {
+  at.points[index(step.joint)] = crossing(rail(step.first, step.joint, at), rail(step.second, step.joint, at));
+  put_block(step.first, step.joint, at);
+  put_block(step.second, step.joint, at);
+}
+
+template <class T>
+void CarriedOut<T>::place(const SlotOnPin& step, LinkagePosition<T>& at) const {
+  const Point<T> Q = at.points[index(step.hinge)], P = at.points[index(step.pin)];
+  const T of_pin = step.block == nothing ? T(0) : left_of(step.moving, step.pin);
+  const T right = of_pin - left_of(step.line, step.hinge);
+  const Vector<T> s = step.is_towards_pin ? slot_direction(Q, P, right) : -slot_direction(Q, P, -right);
+  put(step.link, s, line(step.line).along, Q, own(step.link, step.hinge), at);
+  if (step.block != nothing) put(step.block, s, line(step.moving).along, P, own(step.block, step.pin), at);
+}
+
+template <class T>
+void CarriedOut<T>::place(const BlockOnPin& step, LinkagePosition<T>& at) const {
+  // The link first where the origin of its line in the guide is; then as far along it as its other line must go.
+  const Rail guide = in_plane(step.track.line, at);
+  const int link = step.track.block;
+  put(link, guide.s, line(step.track.moving).along, guide.G, line(step.track.moving).through, at);
+  const Rail own_line = in_plane(step.line, at);
+  const Point<T> P = at.points[index(step.pin)];
+  const Point<T> goes_to = crossing({own_line.G, guide.s}, {P, own_line.s});
+  put(link, guide.s, line(step.track.moving).along, goes_to, line(step.line).through, at);
+}
+
+template <class T>
+void CarriedOut<T>::place(const CrossedBlock& step, LinkagePosition<T>& at) const {
+  const Rail guide = in_plane(step.track.line, at);
+  const int block = step.track.block;
+  put(block, guide.s, line(step.track.moving).along, guide.G, line(step.track.moving).through, at);
+  const Rail first = in_plane(step.crossing, at);
+  put(step.link, first.s, line(step.line).along, at.points[index(step.hinge)], own(step.link, step.hinge), at);
+  const Point<T> goes_to = crossing({first.G, guide.s}, in_plane(step.line, at));
+  put(block, guide.s, line(step.track.moving).along, goes_to, line(step.crossing).through, at);
+}
+
+template <class T>
+void CarriedOut<T>::put_motion(int link, const PlaneMotion<T>& motion, const LinkagePosition<T>& at,
+                               LinkageMotion<T>& so_far) const {
+  so_far.links[index(link)] = motion;
+  for (const LinkPoint& p : linkage_.links[index(link)].points)
+    so_far.points[index(p.point)] = pin_on(motion, at.points[index(p.point)]);
+}
+
+template <class T>
+template <class Use>
+auto CarriedOut<T>::with_side(const Rod& rod, const Rates& rates, const LinkageMotion<T>& so_far,
+                              const Use& use) const {
+  const Pin<T>& P = so_far.points[index(rod.pin)];
+  if (rod.link != nothing) return use(Bar<T>{P});
+  const T over = number(1 / std::get<Stretched>(linkage_.drives[index(rod.cylinder)]).length);
+  const DriveRates<T>& rate = rates[index(rod.cylinder)];
+  return use(StretchingBar<T>{P, over * rate.first, over * rate.second});
+}
+
+template <class T>
+void CarriedOut<T>::move_rod(const Rod& rod, const T& omega, const T& alpha, const LinkagePosition<T>& at,
+                             LinkageMotion<T>& so_far) const {
+  if (rod.link == nothing) return;
+  put_motion(rod.link, Bar<T>{so_far.points[index(rod.pin)]}.motion(omega, alpha), at, so_far);
+}
+
+template <class T>
+void CarriedOut<T>::move_block(const Track& track, const Pin<T>& joint, const LinkagePosition<T>& at,
+                               LinkageMotion<T>& so_far) const {
+  if (track.block == nothing) return;
+  const PlaneMotion<T>& body = so_far.links[index(line(track.line).link)];
+  put_motion(track.block, {joint.at, joint.v, joint.a, body.omega, body.alpha}, at, so_far);
+}
+
+template <class T>
+StepPolygons<T> CarriedOut<T>::move(const TurnedCrank& step, const LinkagePosition<T>& at, const Rates& rates,
+                                    LinkageMotion<T>& so_far) const {
+  const DriveRates<T>& rate = rates[index(step.drive)];
+  put_motion(step.link, Bar<T>{so_far.points[index(step.hinge)]}.motion(rate.first, rate.second), at, so_far);
+  return {};
+}
+
+template <class T>
+StepPolygons<T> CarriedOut<T>::move(const SlidPin& step, const LinkagePosition<T>& at, const Rates& rates,
+                                    LinkageMotion<T>& so_far) const {
+  const int guide = std::get<SlidPoint>(linkage_.drives[index(step.drive)]).guide;
+  const DriveRates<T>& rate = rates[index(step.drive)];
+  const Point<T> X = at.points[index(step.point)];
+  const PlaneMotion<T>& body = so_far.links[index(line(guide).link)];
+  const Vector<T> s = in_plane(guide, at).s;
+  so_far.points[index(step.point)] = {
+      X, body.velocity(X) + rate.first * s,
+      body.acceleration(X) + ((T(2) * body.omega * rate.first) * quarter_turn(s) + rate.second * s)};
+  return {};
+}
+
+template <class T>
+StepPolygons<T> CarriedOut<T>::move(const SlidBlock& step, const LinkagePosition<T>& at, const Rates& rates,
+                                    LinkageMotion<T>& so_far) const {
+  move(SlidPin{step.point, step.drive}, at, rates, so_far);
+  move_block(step.track, so_far.points[index(step.point)], at, so_far);
+  return {};
+}
+
+template <class T>
+StepPolygons<T> CarriedOut<T>::move(const TwoRods& step, const LinkagePosition<T>& at, const Rates& rates,
+                                    LinkageMotion<T>& so_far) const {
+  const Point<T> X = at.points[index(step.joint)];
+  const StepPolygons<T> both = with_side(step.first, rates, so_far, [&](const auto& first) {
+    return with_side(step.second, rates, so_far, [&](const auto& second) { return polygons(first, second, X); });
+  });
+  so_far.points[index(step.joint)] = joint_of(both, X);
+  move_rod(step.first, both.velocity->first_rate, both.acceleration->first_rate, at, so_far);
+  move_rod(step.second, both.velocity->second_rate, both.acceleration->second_rate, at, so_far);
+  return both;
+}
+
+template <class T>
+StepPolygons<T> CarriedOut<T>::move(const RodAndTrack& step, const LinkagePosition<T>& at, const Rates& rates,
+                                    LinkageMotion<T>& so_far) const {
+  const Point<T> X = at.points[index(step.joint)];
+  const Slide<T> on_track = slide(step.track, at, so_far);
+  const StepPolygons<T> both =
+      with_side(step.rod, rates, so_far, [&](const auto& rod) { return polygons(rod, on_track, X); });
+  so_far.points[index(step.joint)] = joint_of(both, X);
+  move_rod(step.rod, both.velocity->first_rate, both.acceleration->first_rate, at, so_far);
+  move_block(step.track, joint_of(both, X), at, so_far);
+  return both;
+}
+
+template <class T>
+StepPolygons<T> CarriedOut<T>::move(const TwoTracks& step, const LinkagePosition<T>& at, const Rates&,
+                                    LinkageMotion<T>& so_far) const {
+  const Point<T> X = at.points[index(step.joint)];
+  const StepPolygons<T> both = polygons(slide(step.first, at, so_far), slide(step.second, at, so_far), X);
+  so_far.points[index(step.joint)] = joint_of(both, X);
+  move_block(step.first, joint_of(both, X), at, so_far);
+  move_block(step.second, joint_of(both, X), at, so_far);
+  return both;
+}
+
+template <class T>
+StepPolygons<T> CarriedOut<T>::move(const SlotOnPin& step, const LinkagePosition<T>& at, const Rates&,
+                                    LinkageMotion<T>& so_far) const {
+  const Pin<T> P = so_far.points[index(step.pin)];
+  const Bar<T> lever{so_far.points[index(step.hinge)]};
+  const StepPolygons<T> both = polygons(lever, PinInSlot<T>{P, in_plane(step.line, at).s}, P.at);
+  const PlaneMotion<T> motion = lever.motion(both.velocity->first_rate, both.acceleration->first_rate);
+  put_motion(step.link, motion, at, so_far);
+  if (step.block != nothing) put_motion(step.block, {P.at, P.v, P.a, motion.omega, motion.alpha}, at, so_far);
+  return both;
+}
+
+template <class T>
+StepPolygons<T> CarriedOut<T>::move(const BlockOnPin& step, const LinkagePosition<T>& at, const Rates&,
+                                    LinkageMotion<T>& so_far) const {
+  const Pin<T> P = so_far.points[index(step.pin)];
+  const Slide<T> on_track = slide(step.track, at, so_far);
+  const LineOverPin<T> over{P, in_plane(step.line, at).s, on_track.body.omega};
+  const StepPolygons<T> both = polygons(on_track, over, P.at);
+  move_block(step.track, joint_of(both, P.at), at, so_far);
+  return both;
+}
+
+template <class T>
+StepPolygons<T> CarriedOut<T>::move(const CrossedBlock& step, const LinkagePosition<T>& at, const Rates&,
+                                    LinkageMotion<T>& so_far) const {
+  const Slide<T> on_track = slide(step.track, at, so_far);
+  const Pin<T>& Q = so_far.points[index(step.hinge)];
+  const PlaneMotion<T> hung{Q.at, Q.v, Q.a, on_track.body.omega, on_track.body.alpha};
+  put_motion(step.link, hung, at, so_far);
+  const Rail crossing = in_plane(step.crossing, at);
+  const StepPolygons<T> both = polygons(on_track, Slide<T>{hung, crossing.s}, crossing.G);
+  move_block(step.track, joint_of(both, crossing.G), at, so_far);
+  return both;
+}
+
+}  // namespace epure::geometry

@@ -1,0 +1,58 @@
+#include "geometry/linkages/linkage.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace epure::geometry {
+
+int Linkage::count_of_points() const {
+  int count = 0;
+  for (const Link& link : links)
+    for (const LinkPoint& p : link.points) count = std::max(count, p.point + 1);
+  return count;
+}
+
+int Linkage::count_of_lines() const {
+  int count = 0;
+  for (const Link& link : links)
+    for (const LinkLine& l : link.lines) count = std::max(count, l.line + 1);
+  return count;
+}
+
+std::vector<int> Linkage::links_at(int point) const {
+  std::vector<int> there;
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (std::any_of(links[i].points.begin(), links[i].points.end(),
+                    [&](const LinkPoint& p) { return p.point == point; }))
+      there.push_back(static_cast<int>(i));
+  return there;
+}
+
+int Linkage::link_of_line(int line) const {
+  for (std::size_t i = 0; i < links.size(); ++i)
+    for (const LinkLine& l : links[i].lines)
+      if (l.line == line) return static_cast<int>(i);
+  assert(!"a line of no link");
+  return 0;
+}
+
+const Own& Linkage::place(int link, int point) const {
+  const auto& points = links[static_cast<std::size_t>(link)].points;
+  const auto found = std::find_if(points.begin(), points.end(), [&](const LinkPoint& p) { return p.point == point; });
+  assert(found != points.end());
+  return found->at;
+}
+
+const LinkLine& Linkage::line(int line) const {
+  const auto& lines = links[static_cast<std::size_t>(link_of_line(line))].lines;
+  return *std::find_if(lines.begin(), lines.end(), [&](const LinkLine& l) { return l.line == line; });
+}
+
+int Linkage::freedom() const {
+  int free = 3 * (static_cast<int>(links.size()) - 1);
+  for (int point = 0; point < count_of_points(); ++point)
+    free -= 2 * std::max(0, static_cast<int>(links_at(point).size()) - 1);
+  return free - static_cast<int>(pins.size()) - 2 * static_cast<int>(blocks.size()) - static_cast<int>(drives.size());
+}
+
+}  // namespace epure::geometry

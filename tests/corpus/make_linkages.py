@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+"""Writes linkages.txt: reference values of the scenes in docs/scenes, independent of the C++ code.
+
+Only positions are written down here, each mechanism by formulas of its own (complex numbers, the law of cosines), as
+functions of time. Velocities, accelerations and angular velocities are high-precision numerical derivatives of them
+(mpmath.diff): no polygon, no system of equations, and no file of docs/scenes is read.
+Usage: make_linkages.py > linkages.txt
+"""
+from mpmath import conj, diff, expj, im, log, mp, mpc, mpf, nstr, pi, re, sqrt
+
+mp.dps = 120
+DIGITS = 40
+ZERO = mpf(10) ** -60
+I = mpc(0, 1)
+
+
+def q(text):
+    a, _, b = text.partition("/")
+    return mpf(a) / mpf(b or 1)
+
+
+def deg(x):
+    return pi * q(x) / 180
+
+
+def rpm(x):
+    return 2 * pi * q(x) / 60
+
+
+def crank(angle, omega, alpha=mpf(0)):
+    return lambda t: expj(angle + omega * t + alpha * t ** 2 / 2)
+
+
+def left_joint(P, Q, a, b):
+    """The point at a from P and b from Q, on the left of P -> Q."""
+    d = abs(Q - P)
+    x = (a ** 2 - b ** 2 + d ** 2) / (2 * d)
+    return P + (Q - P) / d * (x + I * sqrt(a ** 2 - x ** 2))
+
+
+def right_joint(P, Q, a, b):
+    return conj(left_joint(conj(P), conj(Q), a, b))
+
+
+def still(t):
+    return mpc(1)
+
+
+def on_plate(P, X, reach, own):
+    """The point of a plate that has P in its origin and X at `reach` on its x axis."""
+    return P + (X - P) / reach * own
+
+
+def four_bar():
+    e = crank(deg("60"), rpm("60"))
+    A = lambda t: q("0.12") * e(t)
+    B = lambda t: left_joint(A(t), q("0.4"), q("0.35"), q("0.28"))
+    return dict(A=A, B=B, P=lambda t: on_plate(A(t), B(t), q("0.35"), mpc(q("0.175"), q("0.1")))), {
+        2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - q("0.4"), B)}
+
+
+def quick_return():
+    e = crank(deg("-75"), rpm("60"))
+    A = lambda t: I * q("0.3") + q("0.175") * e(t)
+    B = lambda t: A(t) / abs(A(t)) * q("0.7")
+    C = lambda t: mpc(re(B(t)) + sqrt(q("0.8") ** 2 - (q("0.65") - im(B(t))) ** 2), q("0.65"))
+    return dict(A=A, B=B, C=C), {2: (e, A), 4: (A, B), 5: (lambda t: C(t) - B(t), B)}
+
+
+def slider_crank():
+    e = crank(deg("75"), rpm("300"), mpf(20))
+    A = lambda t: q("0.12") * e(t)
+    B = lambda t: mpc(re(A(t)) + sqrt(q("0.4") ** 2 - (im(A(t)) + q("0.05")) ** 2), -q("0.05"))
+    return dict(A=A, B=B, G=lambda t: on_plate(A(t), B(t), q("0.4"), mpc(q("0.4") / 3, q("0.04")))), {
+        2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (still, B)}
+
+
+def scotch_yoke():
+    e = crank(deg("35"), rpm("90"))
+    A = lambda t: q("0.1") * e(t)
+    C = lambda t: mpc(re(A(t)) + q("0.25"), 0)
+    return dict(A=A, C=C), {2: (e, A), 3: (still, C)}
+
+
+def watt():
+    # Shapes from the drawing: A stands there at t = 0, and turns with 10 rad/s about A0.
+    drawn = dict(A0=0, B0=q("0.4"), A=mpc(q("0.06"), q("0.104")), B=mpc(q("0.33"), q("0.28")),
+                 C=mpc(q("0.18"), q("0.3")), D=mpc(q("0.48"), q("0.25")), E=mpc(q("0.42"), q("0.48")))
+    d = {k: mpc(v) for k, v in drawn.items()}
+    far = lambda x, y: abs(d[x] - d[y])
+    e = crank(mpf(0), mpf(10))
+    A = lambda t: d["A"] * e(t)
+    B = lambda t: left_joint(A(t), d["B0"], far("A", "B"), far("B", "B0"))
+    C = lambda t: A(t) + (B(t) - A(t)) * (d["C"] - d["A"]) / (d["B"] - d["A"])
+    D = lambda t: d["B0"] + (B(t) - d["B0"]) * (d["D"] - d["B0"]) / (d["B"] - d["B0"])
+    E = lambda t: left_joint(C(t), D(t), far("C", "E"), far("E", "D"))
+    return dict(A=A, B=B, C=C, D=D, E=E), {
+        2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - d["B0"], B), 5: (lambda t: E(t) - C(t), C),
+        6: (lambda t: E(t) - D(t), D)}
+
+
+def jansen():
+    mm = mpf(1) / 1000
+    e = crank(deg("100"), rpm("30"))
+    Q = mpc(-38, "-7.8") * mm
+    A = lambda t: 15 * mm * e(t)
+    B = lambda t: right_joint(A(t), Q, 50 * mm, q("41.5") * mm)
+    D = lambda t: left_joint(A(t), Q, q("61.9") * mm, q("39.3") * mm)
+    C = lambda t: on_plate(Q, B(t), q("41.5") * mm, mpc("2.61", "40.015") * mm)
+    E = lambda t: right_joint(C(t), D(t), q("39.4") * mm, q("36.7") * mm)
+    F = lambda t: on_plate(D(t), E(t), q("36.7") * mm, mpc("44.447", "48.383") * mm)
+    return dict(A=A, B=B, C=C, D=D, E=E, F=F), {
+        2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - Q, B), 5: (lambda t: D(t) - A(t), A),
+        6: (lambda t: D(t) - Q, D), 7: (lambda t: E(t) - C(t), C), 8: (lambda t: E(t) - D(t), D)}
+
+
+def excavator():
+    P = mpc("0.5", "-0.2")
+    own_Q, own_R = mpc(2, "0.3"), mpc(-1, "0.25")
+    Q = lambda t: left_joint(mpc(0), P, abs(own_Q), q("1.8") + q("0.2") * t)
+    boom = lambda t: Q(t) / own_Q
+    B = lambda t: 4 * boom(t)
+    R = lambda t: right_joint(B(t), Q(t), abs(own_R), q("1.4") - q("0.1") * t)
+    stick = lambda t: (R(t) - B(t)) / own_R
+    return dict(Q=Q, B=B, R=R, T=lambda t: B(t) + 2 * stick(t)), {2: (boom, B), 3: (stick, B)}
+
+
+def oldham():
+    # The cross lies where the line of one shaft, along e, and that of the other, across it, meet.
+    e = crank(deg("25"), rpm("120"))
+    d = q("0.03")
+    C = lambda t: re(d * conj(e(t))) * e(t)
+    return dict(C=C), {2: (e, lambda t: mpc(0)), 3: (e, C), 4: (e, lambda t: mpc(d))}
+
+
+def trammel():
+    A = lambda t: mpc(q("0.6") + q("0.5") * t, 0)
+    B = lambda t: I * sqrt(1 - re(A(t)) ** 2)
+    return dict(A=A, B=B, P=lambda t: A(t) + (B(t) - A(t)) / 3), {2: (lambda t: B(t) - A(t), A)}
+
+
+def derivative(f, n):
+    if n == 0:
+        return f(mpf(0))
+    return mpc(diff(lambda t: re(f(t)), 0, n), diff(lambda t: im(f(t)), 0, n))
+
+
+def text(x):
+    return "0" if abs(x) < ZERO else nstr(x, DIGITS, strip_zeros=True)
+
+
+def write(name, file, scene):
+    points, links = scene()
+    print(f"case {name}\nwhy docs/scenes/{file}.yaml as it stands")
+    print("given as_stated 1")
+    for letter, z in points.items():
+        for kind, n in (("", 0), ("v_", 1), ("a_", 2)):
+            w = derivative(z, n)
+            print(f"{kind}{letter}_x {text(re(w))}\n{kind}{letter}_y {text(im(w))}")
+            if n:
+                print(f"{kind}{letter} {text(abs(w))}")
+    for number, (direction, carried) in links.items():
+        turn = lambda t: im(log(direction(t)))
+        omega = diff(turn, 0, 1)
+        print(f"omega_{number} {text(omega)}\nalpha_{number} {text(diff(turn, 0, 2))}")
+        # The point of the link that rests: X with v + i ω (X - carried) = 0.
+        P = carried(mpf(0)) + I * derivative(carried, 1) / omega if abs(omega) > ZERO else None
+        for axis, part in (("x", re), ("y", im)):
+            print(f"P1{number}_{axis} {text(part(P)) if P is not None else 'infinite'}")
+    print()
+
+
+print("""# Reference values of the scenes in docs/scenes, 40 digits. Written by make_linkages.py with mpmath; do not edit by hand.
+# Nothing here is taken from the C++ code.
+""")
+for name, file, scene in (("four-bar", "four-bar", four_bar), ("quick-return", "quick-return", quick_return),
+                          ("slider-crank", "slider-crank", slider_crank), ("scotch-yoke", "scotch-yoke", scotch_yoke),
+                          ("watt", "watt", watt), ("jansen", "jansen", jansen), ("excavator", "excavator", excavator),
+                          ("oldham", "oldham", oldham), ("trammel", "trammel", trammel)):
+    write(name, file, scene)
