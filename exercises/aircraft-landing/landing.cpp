@@ -5,11 +5,7 @@
 #include <cmath>
 
 namespace epure::aircraft_landing {
-namespace {
-
-Words in(const Rational& value) { return told_value(value); }
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<GivenSpec> given_specs() {
   return {{"v_0", {"speed at touch-down", "velocità al contatto"}, "km/h", "250", Range::positive, "$v_{0}$"},
@@ -74,14 +70,14 @@ Landing::Landing(const Givens& givens)
         "aircraft stops first",
         "f_r = {} dev'essere maggiore di f_v = {}: l'attrito volvente trattiene la ruota, lo strisciamento non "
         "finisce mai e l'aereo si ferma prima",
-        in(f_r), in(f_v)));
+        told_value(f_r), told_value(f_v)));
   if (rim_0 >= v_0)
     throw BadGivens(
         format_words("rim_0 = {} m/s must be less than v_0 = {} m/s: the wheel already rolls at touch-down (or spins "
                      "faster), and nothing slips until t_s = 0",
                      "rim_0 = {} m/s dev'essere minore di v_0 = {} m/s: la ruota al contatto rotola già (o gira più "
                      "in fretta), e t_s = 0",
-                     in(rim_0), in(v_0)));
+                     told_value(rim_0), told_value(v_0)));
   if (const auto why = airborne()) throw BadGivens(*why);
 }
 
@@ -91,8 +87,8 @@ std::optional<Words> Landing::airborne() const {
   return format_words(
       "v_0 = {} m/s: the flaps lift the aircraft (N_0 = {} N), and the wheel presses on the ground only below {} "
       "m/s",
-      "v_0 = {} m/s: i flap sollevano l'aereo (N_0 = {} N), e la ruota preme sul terreno solo sotto {} m/s", in(v_0),
-      in(normal(v_0)), decimal(grips_at, 6));
+      "v_0 = {} m/s: i flap sollevano l'aereo (N_0 = {} N), e la ruota preme sul terreno solo sotto {} m/s",
+      told_value(v_0), told_value(normal(v_0)), decimal(grips_at, 6));
 }
 
 Landing Landing::with_doubled_wheel() const {

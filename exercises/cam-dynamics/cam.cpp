@@ -3,11 +3,7 @@
 #include "exercises/kit/statement/given_number.h"
 
 namespace epure::cam_dynamics {
-namespace {
-
-Words written(const Rational& value) { return told_value(value); }
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<GivenSpec> stated_givens() {
   return {
@@ -42,7 +38,7 @@ Cam cam(const Givens& givens) {
         "|e| + A0A = {} m dev'essere minore di r + r_r = {} m: il centro del disco passa a quella distanza dall'asse "
         "del "
         "cedente, il rullo non vi arriva, e il cedente lascia la camma",
-        written(CGAL::abs(e) + of.lengths.eccentricity), written(of.lengths.reach())));
+        told_value(CGAL::abs(e) + of.lengths.eccentricity), told_value(of.lengths.reach())));
   return of;
 }
 

@@ -51,6 +51,12 @@ std::vector<std::string> values_of_givens(const Options& options, const std::vec
   return all;
 }
 
+SheetRequest class_request(const Options& options) {
+  SheetRequest request = sheet_request(options);
+  request.for_class = true;
+  return request;
+}
+
 bool wants_moodle(const Options& options) {
   const std::string format = lower_case(options.format.value_or("pdf"));
   if (format != "pdf" && format != "moodle")
@@ -71,7 +77,7 @@ class ClassSet {
               .variations =
                   read_variations(exercise_, "--vary", options.variations, values_of_givens(options, students_)),
               .seed = options.class_set.seed,
-              .request = sheet_request(options)},
+              .request = class_request(options)},
         reading_mm_(CGAL::to_double(ruler_asked({&exercise_}, options).reading_mm)),
         is_moodle_(wants_moodle(options)),
         folder_(fs::path(options.folder.value_or("out")) / (target.file_stem() + "-class")) {

@@ -65,9 +65,8 @@ std::string givens_in_words(const Solution& solution, Language language) {
     if (givens.follows(spec.symbol) || !spec.choices.empty()) continue;
     if (spec.beyond_source && !givens.is_changed(spec.symbol)) continue;
     const auto read = *givens.reading(spec.symbol);
-    const std::string unit = read.unit.symbol == "1" ? "" : " " + read.unit.symbol;
     all += (all.empty() ? "" : ", ") + unicode_symbol(spec.letters.empty() ? spec.symbol : spec.letters) + " " +
-           equal_to(read.number, language) + unit;
+           equal_to(read.number, language) + unit_after_number(read.unit.symbol, language);
   }
   return all;
 }
@@ -98,7 +97,7 @@ std::string moodle_question(const Exercise& exercise, const Candidate& student, 
     const Quantity& quantity = variant.solution.described(name);
     rows += fmt::format("<tr><td>{}</td><td>{{1:NUMERICAL:={}:{:.3g}}}</td><td>{}</td></tr>\n",
                         escaped_for_xml(unicode_symbol(quantity.symbol)), *value, tolerances.of(name, *value),
-                        escaped_for_xml(written_unit(quantity.unit)));
+                        escaped_for_xml(written_unit(quantity.unit, language)));
   }
   text += "<table>\n" + rows + "</table>\n";
   return fmt::format(

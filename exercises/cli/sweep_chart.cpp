@@ -23,16 +23,10 @@ std::string chart_ending(const std::string& file) {
 
 std::string letters(const GivenSpec& given) { return given.letters.empty() ? given.symbol : given.letters; }
 
-std::string unit_on_axis(const std::string& unit) {
-  if (unit == "1") return "";
-  return unit == "deg" ? "°" : written_unit(unit);
-}
-
 // "0.25 m", "30°".
-Words value_with_unit(const Variation& of, std::uint64_t place) {
-  if (of.is_of_words()) return {of.text(place), of.text(place)};
-  const std::string unit = unit_on_axis(of.unit());
-  return decimal(of.number(place), 6) + (unit.empty() || unit == "°" ? unit : "\u00a0" + unit);
+std::string value_with_unit(const Variation& of, std::uint64_t place, Language language) {
+  if (of.is_of_words()) return of.text(place);
+  return decimal(of.number(place), 6).in(language) + unit_after_number(of.unit(), language);
 }
 
 std::vector<std::string> units_of(const std::vector<Quantity>& quantities) {
@@ -91,7 +85,7 @@ SweepChart::SweepChart(const SweepStudy& study, std::string file, Language langu
       drawings::Curve curve{.name = quantity.name, .label = quantity.symbol};
       for (std::size_t i = 1; i < places.size(); ++i)
         curve.label +=
-            ", " + letters(study.over[i].given()) + " = " + value_with_unit(study.over[i], places[i]).in(language);
+            ", " + letters(study.over[i].given()) + " = " + value_with_unit(study.over[i], places[i], language);
       if (row > 0) curve.name += fmt::format("-{}", row + 1);
       curves_.push_back({std::move(curve)});
     }
@@ -112,7 +106,7 @@ void SweepChart::add(const SweptRow& row) {
 }
 
 drawings::Axis SweepChart::value_axis(const std::string& unit) const {
-  drawings::Axis axis{.unit = unit_on_axis(unit)};
+  drawings::Axis axis{.unit = written_unit(unit, language_)};
   std::vector<double> values;
   for (std::size_t i = 0; i < study_.quantities.size(); ++i) {
     if (study_.quantities[i].unit != unit) continue;
@@ -132,7 +126,7 @@ drawings::Chart SweepChart::chart(const std::string& unit) const {
   const auto [low, high] = std::minmax({first.number(0), first.number(first.size() - 1)});
   drawings::Chart chart;
   chart.x = {.quantity = letters(first.given()),
-             .unit = unit_on_axis(first.unit()),
+             .unit = written_unit(first.unit(), language_),
              .low = low,
              .high = high,
              .to_ticks = false};
@@ -158,11 +152,11 @@ drawings::Sheet SweepChart::sheet() const {
   sheet.description = sheet.title;
   sheet.column.push_back(drawings::Heading{Words{"Swept", "Fatti variare"}.in(language_)});
   for (const Variation& each : study_.over)
-    sheet.column.push_back(
-        drawings::Paragraph{letters(each.given()) + format_words(" from {} to {}, {} values",
-                                                                 " da {} a {}, {} valori", value_with_unit(each, 0),
-                                                                 value_with_unit(each, each.size() - 1), each.size())
-                                                        .in(language_)});
+    sheet.column.push_back(drawings::Paragraph{
+        letters(each.given()) + format_words(" from {} to {}, {} values", " da {} a {}, {} valori",
+                                             value_with_unit(each, 0, language_),
+                                             value_with_unit(each, each.size() - 1, language_), each.size())
+                                    .in(language_)});
   sheet.column.push_back(drawings::Heading{Words{"Found", "Trovate"}.in(language_)});
   for (const Quantity& each : study_.quantities)
     sheet.column.push_back(drawings::Paragraph{each.symbol + ": " + each.meaning.in(language_)});

@@ -76,7 +76,7 @@ Result formula(const std::string& text, Language language) {
 PanelSheet configurations_sheet(const Solution& s, Language language) {
   const auto row = [&](const std::string& name) {
     const Quantity& quantity = s.described(name);
-    return Row{quantity.symbol + " (" + written_unit(quantity.unit) + ")", {name, name + "_other_branch"}};
+    return Row{quantity.symbol + " (" + written_unit(quantity.unit, language) + ")", {name, name + "_other_branch"}};
   };
   const auto of = [&](const char* text) { return formula(text, language); };
   return {

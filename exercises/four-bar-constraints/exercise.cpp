@@ -112,7 +112,7 @@ TablePanel three_methods(const Solution& s, Language language) {
   for (const char* name : {"theta_3", "theta_4", "omega_3", "omega_4", "alpha_3", "alpha_4", "v_G2", "v_G3", "v_G4",
                            "a_G2", "a_G3", "a_G4"}) {
     const Quantity& quantity = s.described(name);
-    rows.push_back({quantity.symbol + " (" + written_unit(quantity.unit) + ")"});
+    rows.push_back({quantity.symbol + " (" + written_unit(quantity.unit, language) + ")"});
     for (const char* route : {by_constraint_equations, analytic, polar_diagram}) {
       const auto value = s.value(name, route);
       rows.back().push_back(value ? figures(*value, 6, language) : "–");

@@ -14,8 +14,6 @@ GivenSpec given(const std::string& symbol, const Words& meaning, const std::stri
   return {.symbol = symbol, .meaning = meaning, .unit = unit, .stated = stated, .letters = letters};
 }
 
-Words in(const Rational& value) { return told_value(value); }
-
 void demand_film(const Film& film) {
   if (film.h_1 <= film.h_2)
     throw BadGivens(format_words(
@@ -23,24 +21,24 @@ void demand_film(const Film& film) {
         "load",
         "h_1 = {} m dev'essere maggiore di h_2 = {} m: n = h_1/h_2 = {}, e un meato che non si restringe non porta "
         "carico",
-        in(film.h_1), in(film.h_2), in(film.n())));
+        told_value(film.h_1), told_value(film.h_2), told_value(film.n())));
   if (const Rational strips = film.l / film.dx;
       strips.denominator() != 1 || strips < Rational(2) || strips > Rational(most_strips))
     throw BadGivens(
         format_words("dx = {} m must divide l = {} m into a whole number of strips, 2 to {}: it makes {}",
                      "dx = {} m deve dividere l = {} m in un numero intero di strisce, da 2 a {}: ne fa {}",
-                     in(film.dx), in(film.l), std::to_string(most_strips), in(strips)));
+                     told_value(film.dx), told_value(film.l), std::to_string(most_strips), told_value(strips)));
   for (const auto& [name, x] : {std::pair("x_1", film.x_1), std::pair("x_3", film.x_3)})
     if (x > film.l)
       throw BadGivens(format_words("{} = {} m must not be greater than l = {} m: the film ends there",
                                    "{} = {} m non può essere maggiore di l = {} m: lì il meato finisce",
-                                   std::string(name), in(x), in(film.l)));
+                                   std::string(name), told_value(x), told_value(film.l)));
 }
 
 void demand_pad(const Pad& pad) {
   if (pad.pads.denominator() != 1 || pad.pads < Rational(1))
-    throw BadGivens(
-        format_words("pads = {}: must be a whole number", "pads = {}: deve essere un numero intero", in(pad.pads)));
+    throw BadGivens(format_words("pads = {}: must be a whole number", "pads = {}: deve essere un numero intero",
+                                 told_value(pad.pads)));
   const Rational c = pad.centre();
   if (c <= Rational(1, 2) || c > Rational(95, 100))
     throw BadGivens(
@@ -54,11 +52,11 @@ void demand_pad(const Pad& pad) {
                      "agisce nel mezzo quando le pareti sono parallele, e tanto più verso l'uscita quanto più si "
                      "stringono (a 0,95, "
                      "h_1/h_2 supera 10^5)",
-                     in(pad.x_N), in(c), in(pad.l)));
+                     told_value(pad.x_N), told_value(c), told_value(pad.l)));
   if (pad.b >= Rational(2) * pad.r_m)
     throw BadGivens(format_words("b = {} m must be less than 2 r_m = {} m: the pads have an inner radius",
                                  "b = {} m deve essere minore di 2 r_m = {} m: i pattini hanno un raggio interno",
-                                 in(pad.b), in(Rational(2) * pad.r_m)));
+                                 told_value(pad.b), told_value(Rational(2) * pad.r_m)));
   const auto gaps = [&]<class T>() {
     const Rational circles = Rational(2) * pad.r_m, covered = pad.pads * pad.l;
     return T(geometry::from_rational<T>(circles) * geometry::pi<T>() - geometry::from_rational<T>(covered));
@@ -70,7 +68,7 @@ void demand_pad(const Pad& pad) {
                      "{} pattini con l_pad = {} m si sovrappongono sulla circonferenza media con r_m = {} m: insieme "
                      "sono lunghi {} "
                      "m, ed essa è più corta",
-                     in(pad.pads), in(pad.l), in(pad.r_m), in(pad.pads * pad.l)));
+                     told_value(pad.pads), told_value(pad.l), told_value(pad.r_m), told_value(pad.pads * pad.l)));
 }
 
 }  // namespace

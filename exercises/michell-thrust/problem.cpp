@@ -14,8 +14,6 @@ GivenSpec given(const std::string& symbol, const Words& meaning, const std::stri
   return {.symbol = symbol, .meaning = meaning, .unit = unit, .stated = stated, .letters = letters};
 }
 
-Words in(const Rational& value) { return told_value(value); }
-
 Rational si(const Givens& givens, const std::string& symbol, const std::string& from, const std::string& to) {
   return givens[symbol] * geometry::conversion(from, to);
 }
@@ -24,10 +22,10 @@ void demand_ring(const Problem& of) {
   if (of.D_i >= of.D_e)
     throw BadGivens(format_words("D_i = {} m must be less than D_e = {} m: the pads have no width",
                                  "D_i = {} m dev'essere minore di D_e = {} m: i pattini non hanno larghezza",
-                                 in(of.D_i), in(of.D_e)));
+                                 told_value(of.D_i), told_value(of.D_e)));
   if (of.pads.denominator() != 1 || of.pads < Rational(1))
     throw BadGivens(
-        format_words("z = {}: must be a whole number", "z = {}: deve essere un numero intero", in(of.pads)));
+        format_words("z = {}: must be a whole number", "z = {}: deve essere un numero intero", told_value(of.pads)));
   const auto lengths = [&]<class T>() {
     const Rational circle = Rational(2) * of.R_m(), gaps = of.pads * of.d;
     return T(geometry::from_rational<T>(circle) * geometry::pi<T>() - geometry::from_rational<T>(gaps));
@@ -37,7 +35,7 @@ void demand_ring(const Problem& of) {
         format_words("{} gaps of d = {} m are longer than the mean circle of R_m = {} m: no room for pads",
                      "{} intervalli con d = {} m sono più lunghi della circonferenza media con R_m = {} m: "
                      "non resta posto per i pattini",
-                     in(of.pads), in(of.d), in(of.R_m())));
+                     told_value(of.pads), told_value(of.d), told_value(of.R_m())));
 }
 
 }  // namespace
@@ -89,7 +87,7 @@ Problem::Problem(const Givens& givens)
         "anywhere between 0.5 and 1)",
         "x_N_over_l = {}: deve stare tra {} e {}, fin dove arriva la tabella della fonte (un pattino piano potrebbe "
         "averla ovunque tra 0,5 e 1)",
-        in(centre), in(rows.front().x_N_over_l), in(rows.back().x_N_over_l)));
+        told_value(centre), told_value(rows.front().x_N_over_l), told_value(rows.back().x_N_over_l)));
   const auto next =
       std::find_if(rows.begin() + 1, rows.end() - 1, [&](const TableRow& row) { return row.x_N_over_l >= centre; });
   after = &*next;

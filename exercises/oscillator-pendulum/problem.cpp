@@ -10,13 +10,11 @@ void require(bool holds, const Words& otherwise) {
   if (!holds) throw BadGivens(otherwise);
 }
 
-Words in(const Rational& value) { return told_value(value); }
-
 void demand_steps(const std::string& symbol, const Rational& dt, const Rational& least, int last) {
   require(dt >= least,
           format_words("{} = {} s: the table would have more than {} rows up to t = {} s, the step is at least {} s",
                        "{} = {} s: la tabella avrebbe più di {} righe fino a t = {} s, il passo è almeno {} s",
-                       symbol, in(dt), in(Rational(last) / least), last, in(least)));
+                       symbol, told_value(dt), told_value(Rational(last) / least), last, told_value(least)));
 }
 
 }  // namespace

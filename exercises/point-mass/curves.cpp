@@ -46,10 +46,10 @@ std::vector<Drawn> drawn(const ByPowers& motion) {
           {"E", "$\\it{E}$", Meaning::locus, motion.E}, {"s", "$s$", Meaning::locus, motion.s}};
 }
 
-drawings::Chart chart_of(const Solution& s, const Problem& of, const Drawn& what) {
+drawings::Chart chart_of(const Solution& s, const Problem& of, const Drawn& what, Language language) {
   const double end = nearest(of.end());
   const std::vector<Datum> points = sampled(what.curve, end);
-  const std::string unit = written_unit(s.described(of_motion(what.kind, "", "1").name).unit);
+  const std::string unit = written_unit(s.described(of_motion(what.kind, "", "1").name).unit, language);
   drawings::Chart chart{.x = time_axis(end), .y = axis_around(points, what.letters, unit)};
   chart.curves = {{.name = what.kind, .runs = {points}, .meaning = what.meaning}};
   chart.horizontals = {{.at = 0}};
@@ -72,7 +72,7 @@ const std::map<std::string, std::vector<Special>>& specials() {
 }
 
 SizedChart small_chart(const Solution& s, const Problem& of, const Drawn& what, Language language) {
-  drawings::Chart chart = chart_of(s, of, what);
+  drawings::Chart chart = chart_of(s, of, what, language);
   std::vector<ChartPanel::Read> read;
   for (int i = 0; i < 3; ++i) {
     const std::string name = of_motion(what.kind, "", instants[i]).name;
@@ -129,7 +129,7 @@ PanelSheet curves_sheet(const Solution& s, Language language) {
 PanelSheet tangents_sheet(const Solution& s, Language language) {
   const Problem of(s.givens());
   const std::vector<Drawn> all = drawn(ByPowers(of));
-  drawings::Chart accelerations = chart_of(s, of, all[1]), spaces = chart_of(s, of, all[5]);
+  drawings::Chart accelerations = chart_of(s, of, all[1], language), spaces = chart_of(s, of, all[5], language);
   const double end = nearest(of.end());
   std::vector<ChartPanel::Read> read;
   for (int i = 0; i < 3; ++i) {

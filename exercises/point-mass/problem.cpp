@@ -13,8 +13,6 @@ GivenSpec given(const char* symbol, const Words& meaning, const char* unit, cons
   return {symbol, meaning, unit, stated, range, letters};
 }
 
-Words in(const Rational& value) { return told_value(value); }
-
 void demand_in_order(const Problem& of) {
   for (int i = 0; i < 2; ++i)
     if (of.t[i] >= of.t[i + 1])
@@ -23,7 +21,7 @@ void demand_in_order(const Problem& of) {
                        "last ends the diagrams",
                        "t_{} = {} s deve precedere t_{} = {} s: gli istanti si susseguono, e l'ultimo "
                        "chiude i diagrammi",
-                       i + 1, in(of.t[i]), i + 2, in(of.t[i + 1])));
+                       i + 1, told_value(of.t[i]), i + 2, told_value(of.t[i + 1])));
 }
 
 void demand_rows(const Problem& of) {
@@ -31,24 +29,25 @@ void demand_rows(const Problem& of) {
   if (rows > most_rows)
     throw BadGivens(format_words("dt = {} s makes a table of {} rows from 0 to t_3 = {} s: at most {} are made",
                                  "dt = {} s dà una tabella di {} righe da 0 a t_3 = {} s: se ne fanno al più {}",
-                                 in(of.dt), in(rows), in(of.end()), most_rows));
+                                 told_value(of.dt), told_value(rows), told_value(of.end()), most_rows));
   if (rows.denominator() != 1)
     throw BadGivens(
         format_words("dt = {} s does not divide the interval from 0 to t_3 = {} s into whole steps: it "
                      "makes {} of them",
-                     "dt = {} s non divide l'intervallo da 0 a t_3 = {} s in passi interi: ne fa {}", in(of.dt),
-                     in(of.end()), in(rows)));
+                     "dt = {} s non divide l'intervallo da 0 a t_3 = {} s in passi interi: ne fa {}",
+                     told_value(of.dt), told_value(of.end()), told_value(rows)));
   if (rows < 2)
     throw BadGivens(
         format_words("dt = {} s must be at most half of t_3 = {} s: Cavalieri-Simpson's formula takes "
                      "two steps at a time",
                      "dt = {} s deve essere al più la metà di t_3 = {} s: la formula di "
                      "Cavalieri-Simpson prende due passi alla volta",
-                     in(of.dt), in(of.end())));
+                     told_value(of.dt), told_value(of.end())));
   if (of.end() / of.strip > most_strips)
     throw BadGivens(format_words("strip = {} s makes {} strips from 0 to t_3 = {} s: at most {} are drawn",
                                  "strip = {} s dà {} strisce da 0 a t_3 = {} s: se ne disegnano al più {}",
-                                 in(of.strip), in(of.end() / of.strip), in(of.end()), most_strips));
+                                 told_value(of.strip), told_value(of.end() / of.strip), told_value(of.end()),
+                                 most_strips));
 }
 
 }  // namespace

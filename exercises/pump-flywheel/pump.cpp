@@ -3,11 +3,7 @@
 #include "exercises/kit/statement/given_number.h"
 
 namespace epure::pump_flywheel {
-namespace {
-
-Words shown(const Rational& value) { return told_value(value); }
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<GivenSpec> given_specs() {
   return {
@@ -60,7 +56,7 @@ Pump::Pump(const Givens& givens)
   if (i >= Rational(2))
     throw BadGivens(format_words("i = {} must be less than 2: at 2 the crank would stand still once a turn",
                                  "i = {} dev'essere minore di 2: con 2 la manovella si fermerebbe una volta al giro",
-                                 shown(i)));
+                                 told_value(i)));
   if (p_a > p_m)
     throw BadGivens(format_words(
         "p_a = {} must not be greater than p_m = {}: the torque would be greatest in suction, and the flywheel is "

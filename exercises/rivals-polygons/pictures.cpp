@@ -46,11 +46,6 @@ std::vector<drawings::VectorEquation> PicturePanel::equations() const {
   return {equation(polygon_)};
 }
 
-std::vector<double> PicturePanel::crossings() const {
-  const auto angle = closing_angle(polygon_);
-  return angle ? std::vector{*angle} : std::vector<double>{};
-}
-
 std::vector<PanelStep> PicturePanel::steps(const Plot&, const drawings::Box&) const {
   const auto english = steps_of(polygon_, Language::english), italian = steps_of(polygon_, Language::italian);
   const std::vector<Place> places = places_of_steps(polygon_);

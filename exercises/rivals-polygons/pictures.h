@@ -19,7 +19,7 @@ class PicturePanel : public Panel {
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   // The equation stands on the sheet once, with the whole polygon; its vectors are measured there.
   std::vector<drawings::VectorEquation> equations() const override;
-  std::vector<double> crossings() const override;
+  std::vector<double> crossings() const override { return crossings_of(polygon_); }
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
   std::optional<MeasuredTable> measured(const Readings& readings) const override;
 

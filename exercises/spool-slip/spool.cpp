@@ -10,8 +10,6 @@ namespace {
 void require(bool holds, const Words& otherwise) {
   if (!holds) throw BadGivens(otherwise);
 }
-Words written(const Rational& value) { return told_value(value); }
-
 }  // namespace
 
 std::vector<GivenSpec> stated_givens() {
@@ -70,14 +68,14 @@ Spool spool(const Givens& givens) {
                    "below it would not roll the spool to the right",
                    "r = {} m dev'essere minore di R = {} m: la fune lascia il nocciolo R - r sopra il piano, e al "
                    "suo livello o sotto non farebbe rotolare la bobina verso destra",
-                   written(of.r), written(of.R)));
+                   told_value(of.r), told_value(of.R)));
   require(
       of.f_r <= of.f_a,
       format_words("f_r = {} is more than f_a = {}: what slides is not held better than what adheres, and between "
                    "them the spool could neither roll nor slip",
                    "f_r = {} supera f_a = {}: ciò che striscia non è trattenuto meglio di ciò che aderisce, e fra i "
                    "due la bobina non potrebbe né rotolare né strisciare",
-                   written(of.f_r), written(of.f_a)));
+                   told_value(of.f_r), told_value(of.f_a)));
   return of;
 }
 

@@ -77,7 +77,7 @@ DrawnSheet blank_sheet_of(const std::string& id, const std::string& sheet, const
     if (exercise.id() != id) continue;
     Givens givens(exercise->about().givens);
     for (const std::string& assignment : assignments) givens.set(assignment);
-    return exercise->draw(sheet, givens, {.blank = true});
+    return exercise->draw(sheet, givens, {.blank = true, .for_class = true});
   }
   throw std::logic_error("no " + id);
 }
@@ -99,7 +99,7 @@ void for_all_sheets(const Check& check) {
       Givens givens(exercise->about().givens);
       for (const std::string& assignment : tried[i]) givens.set(assignment);
       const Solution solution = exercise->solution(givens);
-      SheetRequest request{.language = i % 2 == 0 ? Language::english : Language::italian};
+      SheetRequest request{.language = i % 2 == 0 ? Language::english : Language::italian, .for_class = true};
       for (const SheetSpec& sheet : exercise->about().sheets) {
         INFO(exercise.id() << "/" << sheet.name << ", set " << i);
         request.blank = false;

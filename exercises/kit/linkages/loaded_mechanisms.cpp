@@ -116,8 +116,6 @@ Part short_fairbairn_givens() {
 
 // In degrees, for a message.
 Words in_words(const Angle& angle) { return decimal(geometry::degrees(angle), 6); }
-Words metres(const Rational& length) { return told_value(length); }
-
 constexpr int quarters_in_a_turn = 4;
 Angle right_angle() { return {Rational(1, quarters_in_a_turn)}; }
 
@@ -141,7 +139,7 @@ Wedge wedge(const Givens& givens) {
     throw BadGivens(format_words("{} = {} m must lie above {} = {} m: the collar has no length",
                                  "{} = {} m deve stare sopra {} = {} m: il "
                                  "collare non ha lunghezza",
-                                 of("y_upper"), metres(wedge.y_upper), of("y_lower"), metres(wedge.y_lower)));
+                                 of("y_upper"), told_value(wedge.y_upper), of("y_lower"), told_value(wedge.y_lower)));
   return wedge;
 }
 
@@ -169,7 +167,7 @@ void require_contact(const std::string& name, const Levers& of) {
   const auto refuse = [&](const Words& why) {
     throw BadGivens(format_words("{}.nu = {}°, {}.x_C = {} m, {}.y_C = {} m: {}",
                                  "{}.nu = {}°, {}.x_C = {} m, {}.y_C = {} m: {}", name, in_words(of.nu), name,
-                                 metres(of.x_C), name, metres(of.y_C), why));
+                                 told_value(of.x_C), name, told_value(of.y_C), why));
   };
   if (contact == Sign::zero)
     refuse({"the contact's normal passes through the hinge of the lever that Q loads, and cannot hold it",
@@ -183,7 +181,7 @@ void require_contact(const std::string& name, const Levers& of) {
                      "lever, and the contact carries nothing",
                      "{}.direction_Q = {}°, {}.x_Q = {} m: la retta di Q passa per la cerniera della sua "
                      "leva, e il contatto non porta nulla",
-                     name, in_words(of.direction_Q), name, metres(of.x_Q)));
+                     name, in_words(of.direction_Q), name, told_value(of.x_Q)));
   if (contact == load)
     refuse({"Q and the contact's force turn the lever the same way: the levers would part in C",
             "Q e la forza di contatto fanno ruotare la leva nello stesso verso: le leve si staccherebbero in C"});
@@ -228,7 +226,7 @@ Fairbairn fairbairn(const Givens& givens, const std::string& name) {
         "{} = {} m: the crank does not reach the lever, which passes A at {} m; B does not "
         "exist",
         "{} = {} m: la manovella non raggiunge la leva, che passa a {} m da A; B non esiste", of("AB"),
-        metres(made.AB), decimal(CGAL::to_double(made.AC) * std::abs(geometry::sine<double>(made.theta)), 6)));
+        told_value(made.AB), decimal(CGAL::to_double(made.AC) * std::abs(geometry::sine<double>(made.theta)), 6)));
   made.touches = reaches == Sign::zero;
   return made;
 }

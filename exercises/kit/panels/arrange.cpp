@@ -161,7 +161,7 @@ std::string description(const Solution& solution, const PanelSheet& shown, Langu
   std::vector<Value> values;
   for (const std::string& name : shown.told)
     if (const auto value = solution.value(name))
-      values.push_back({name, *value, written_unit(solution.described(name).unit)});
+      values.push_back({name, *value, written_unit(solution.described(name).unit, language)});
   return in_words(shown.seen, values, language);
 }
 
@@ -191,7 +191,8 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   }
   add_bars(panels, onto, request);
 
-  for (const Result::Asked& each : asked_on(solution, shown)) onto.asked.push_back(each.quantity);
+  if (request.for_class)
+    for (const Result::Asked& each : asked_on(solution, shown)) onto.asked.push_back(each.quantity);
   auto& column = onto.sheet.column;
   if (request.blank) {
     for (drawings::Block& block : problem_column(about, solution, shown, request)) column.push_back(std::move(block));
@@ -203,7 +204,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
     for (const drawings::VectorEquation& equation : panel->equations()) column.push_back(equation);
   bool has_steps_off_sheet = false;
   std::vector<drawings::Block> steps = number_steps(panels, onto, language, has_steps_off_sheet);
-  note_awkwardness(sheet, panels, has_steps_off_sheet, onto);
+  if (request.for_class) note_awkwardness(sheet, panels, has_steps_off_sheet, onto);
   if (!steps.empty()) column.push_back(drawings::Heading{Words{"Construction", "Costruzione"}.in(language)});
   for (drawings::Block& block : steps) column.push_back(std::move(block));
   for (drawings::Block& block : of_drawings) column.push_back(std::move(block));

@@ -85,7 +85,7 @@ std::vector<drawings::VectorEquation> ChainedPolygonsPanel::equations() const {
 std::vector<double> ChainedPolygonsPanel::crossings() const {
   std::vector<double> all;
   for (const Link& link : links_)
-    if (const auto angle = closing_angle(link.polygon)) all.push_back(*angle);
+    for (const double angle : crossings_of(link.polygon)) all.push_back(angle);
   return all;
 }
 

@@ -60,7 +60,7 @@ LongTablePanel::LongTablePanel(const LongTable& table, std::size_t first, const 
   line_room_ =
       std::min(highest_line, room_for_lines(request.paper) / static_cast<double>(LongTable::head_lines + rows));
   for (const LongTable::Column& column : table.columns) {
-    const std::string unit = written_unit(column.unit);
+    const std::string unit = written_unit(column.unit, request.language);
     columns_.push_back({{column.letters, unit.empty() ? "" : "(" + unit + ")"}});
     const std::optional<int> decimals = suits(column) ? std::optional(column.decimals) : std::nullopt;
     for (std::size_t row = first; row < last; ++row)

@@ -76,11 +76,6 @@ std::vector<drawings::VectorEquation> PolygonPanel::equations() const {
   return all;
 }
 
-std::vector<double> PolygonPanel::crossings() const {
-  const auto angle = closing_angle(polygon_);
-  return angle ? std::vector{*angle} : std::vector<double>{};
-}
-
 std::vector<PanelStep> PolygonPanel::steps(const Plot&, const drawings::Box&) const {
   const std::vector<std::string> english = steps_of(polygon_, Language::english),
                                  italian = steps_of(polygon_, Language::italian);

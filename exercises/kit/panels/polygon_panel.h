@@ -44,7 +44,7 @@ class PolygonPanel : public Panel {
   drawings::Box extent(const Scale&, const Scale& vectors) const override { return extent_of(polygon_, vectors); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<drawings::VectorEquation> equations() const override;
-  std::vector<double> crossings() const override;
+  std::vector<double> crossings() const override { return crossings_of(polygon_); }
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
   std::optional<MeasuredTable> measured(const Readings& readings) const override;
 

@@ -284,13 +284,13 @@ drawings::Table measured_table(const DrawnSheet& sheet, const VectorPolygon& pol
                           {"on the sheet", "sul foglio"}, language);
 }
 
-std::optional<double> closing_angle(const VectorPolygon& polygon) {
+std::vector<double> crossings_of(const VectorPolygon& polygon) {
   std::vector<Arrow2> lines;
   for (const auto* side : {&polygon.left, &polygon.right})
     for (const PolygonSide& each : *side)
       if (each.is_unknown() && !each.closes_alone()) lines.push_back(magnitude(each.v) > 0 ? each.v : each.along);
   if (lines.size() != 2) return {};
-  return crossing_angle(lines[0], lines[1]);
+  return {crossing_angle(lines[0], lines[1])};
 }
 
 double greatest(const VectorPolygon& polygon) {

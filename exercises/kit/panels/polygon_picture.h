@@ -70,8 +70,8 @@ drawings::Table measured_table(const DrawnSheet& sheet, const VectorPolygon& pol
 // The rows of such a table: what is too short for a ruler has none.
 std::vector<Comparison> measured_rows(const Readings& readings, const VectorPolygon& polygon);
 
-// The angle (0 to pi/2) between the two lines that close it; none where a single vector does.
-std::optional<double> closing_angle(const VectorPolygon& polygon);
+// The angle (0 to pi/2) between the two lines that close it; nothing where a single vector does.
+std::vector<double> crossings_of(const VectorPolygon& polygon);
 
 // The longest vector.
 double greatest(const VectorPolygon& polygon);

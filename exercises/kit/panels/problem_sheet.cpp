@@ -36,8 +36,7 @@ std::vector<std::string> written(const std::vector<Result::Asked>& asked, const 
   std::vector<std::string> all;
   for (const Result::Asked& each : asked) {
     const Quantity& quantity = solution.described(each.quantity);
-    std::string unit = unit_told(quantity, each.is_in_workshop_unit);
-    if (unit == "rpm") unit = Words{"rpm", "giri/min"}.in(language);
+    const std::string unit = unit_told(quantity, each.is_in_workshop_unit, language);
     all.push_back(quantity.symbol + (unit.empty() ? "" : " (" + unit + ")"));
   }
   return all;

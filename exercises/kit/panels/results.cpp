@@ -15,14 +15,20 @@ constexpr int significant = 4;
 
 }  // namespace
 
-std::string written_unit(const std::string& unit) {
+std::string written_unit(const std::string& unit, Language language) {
   if (unit == "deg") return "°";
+  if (unit == "rpm") return Words{"rpm", "giri/min"}.in(language);
   std::string text = unit == "1" ? "" : unit;
   std::replace(text.begin(), text.end(), '*', ' ');
   for (const auto& [power, raised] : {std::pair{"^2", "²"}, {"^3", "³"}, {"^4", "⁴"}})
     for (auto at = text.find(power); at != std::string::npos; at = text.find(power))
       text = text.substr(0, at) + raised + text.substr(at + std::string_view(power).size());
   return text;
+}
+
+std::string unit_after_number(const std::string& unit, Language language) {
+  const std::string written = written_unit(unit, language);
+  return (written.empty() || written == "°" ? "" : "\u00a0") + written;
 }
 
 Result::Result(Tell tell, const std::vector<std::string>& asked, bool in_workshop_units) : tell_(std::move(tell)) {
@@ -34,7 +40,7 @@ Result components(const VectorQuantity& quantity) {
     const auto x = solution.value(quantity.x().name), y = solution.value(quantity.y().name),
                length = solution.value(quantity.length().name);
     if (!x || !y || !length) return {};
-    const std::string unit = written_unit(quantity.unit);
+    const std::string unit = written_unit(quantity.unit, language);
     return drawings::Paragraph{fmt::format("{} = ({}; {}) {},  {} = {} {}", quantity.arrow(),
                                            figures(*x, significant, language), figures(*y, significant, language),
                                            unit, quantity.length().symbol, figures(*length, significant, language),
@@ -74,7 +80,8 @@ namespace {
 
 // Values that exist, each after its symbol. `in_unit` says how a quantity's value is written.
 Result values_written(const std::vector<std::string>& names,
-                      std::pair<double, std::string> (*in_unit)(const Quantity& quantity, double value),
+                      std::pair<double, std::string> (*in_unit)(const Quantity& quantity, double value,
+                                                                Language language),
                       bool in_workshop_units) {
   const auto tell = [=](const Solution& solution, Language language) -> std::optional<drawings::Block> {
     std::string line;
@@ -82,22 +89,21 @@ Result values_written(const std::vector<std::string>& names,
       const auto value = solution.value(name);
       if (!value) continue;
       const Quantity& quantity = solution.described(name);
-      const auto [number, unit] = in_unit(quantity, *value);
-      const std::string in_words = unit == "rpm" ? Words{"rpm", "giri/min"}.in(language) : unit;
+      const auto [number, unit] = in_unit(quantity, *value, language);
       line += fmt::format("{}{} = {}{}{}", line.empty() ? "" : ",  ", quantity.symbol,
-                          figures(number, significant, language), unit.empty() || unit == "°" ? "" : " ", in_words);
+                          figures(number, significant, language), unit.empty() || unit == "°" ? "" : " ", unit);
     }
     return line.empty() ? std::nullopt : std::optional<drawings::Block>(drawings::Paragraph{line});
   };
   return {tell, names, in_workshop_units};
 }
 
-std::pair<double, std::string> in_si(const Quantity& quantity, double value) {
-  return {value, written_unit(quantity.unit)};
+std::pair<double, std::string> in_si(const Quantity& quantity, double value, Language language) {
+  return {value, written_unit(quantity.unit, language)};
 }
-std::pair<double, std::string> in_workshop_unit(const Quantity& quantity, double value) {
+std::pair<double, std::string> in_workshop_unit(const Quantity& quantity, double value, Language language) {
   const auto unit = workshop_unit(quantity.unit);
-  return unit ? std::pair{unit->per_si * value, std::string(unit->symbol)} : in_si(quantity, value);
+  return unit ? std::pair{unit->per_si * value, std::string(unit->symbol)} : in_si(quantity, value, language);
 }
 
 }  // namespace
@@ -107,8 +113,8 @@ Result workshop_values(const std::vector<std::string>& names) {
   return values_written(names, in_workshop_unit, true);
 }
 
-std::string unit_told(const Quantity& quantity, bool in_workshop_unit_too) {
-  return (in_workshop_unit_too ? in_workshop_unit : in_si)(quantity, 0).second;
+std::string unit_told(const Quantity& quantity, bool in_workshop_unit_too, Language language) {
+  return (in_workshop_unit_too ? in_workshop_unit : in_si)(quantity, 0, language).second;
 }
 
 Result value_as(const std::string& symbol, const std::string& name) {
@@ -116,7 +122,7 @@ Result value_as(const std::string& symbol, const std::string& name) {
     const auto value = solution.value(name);
     if (!value) return {};
     return drawings::Paragraph{fmt::format("{} = {} {}", symbol, figures(*value, significant, language),
-                                           written_unit(solution.described(name).unit))};
+                                           written_unit(solution.described(name).unit, language))};
   };
   return {tell, {name}};
 }
@@ -152,7 +158,8 @@ Result table(const std::vector<std::string>& heads, const std::vector<Row>& rows
           continue;
         }
         const auto in_unit = row.is_in_workshop_units ? in_workshop_unit : in_si;
-        table.rows.back().push_back(figures(in_unit(solution.described(name), *value).first, significant, language));
+        table.rows.back().push_back(
+            figures(in_unit(solution.described(name), *value, language).first, significant, language));
       }
     }
     return table;

@@ -70,9 +70,11 @@ Result table(const std::vector<std::string>& heads, const std::vector<Row>& rows
 Result remark(const std::string& words);
 
 // "mm/s", "MPa": as it is told in the column, or in the workshop's unit.
-std::string unit_told(const Quantity& quantity, bool in_workshop_unit);
+std::string unit_told(const Quantity& quantity, bool in_workshop_unit, Language language);
 
-// As sheets write it: "m/s²".
-std::string written_unit(const std::string& unit);
+// As sheets write it: "m/s²", "°", in Italian "giri/min" for rpm; nothing of a pure number.
+std::string written_unit(const std::string& unit, Language language);
+// The same behind a number, from which it does not part: "°", and others after a blank.
+std::string unit_after_number(const std::string& unit, Language language);
 
 }  // namespace epure

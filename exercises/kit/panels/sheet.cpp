@@ -20,14 +20,6 @@ constexpr double bar_distance = 78;  // mm from one bar to the next, where there
 // been taken for one.
 constexpr const char* no_break = "\u00a0";
 
-// " m/s²", "°": what follows a number of the unit.
-std::string after_number(const std::string& unit, Language language) {
-  if (unit == "1") return "";
-  if (unit == "deg" || unit == "°") return "°";
-  if (unit == "rpm") return no_break + Words{"rpm", "giri/min"}.in(language);
-  return no_break + written_unit(unit);
-}
-
 std::string in_one_line(const Givens& givens, const std::set<std::string>& without_part, Language language) {
   std::string line;
   for (const GivenSpec& spec : givens.specs()) {
@@ -40,7 +32,7 @@ std::string in_one_line(const Givens& givens, const std::set<std::string>& witho
     }
     const auto read = *givens.reading(spec.symbol);
     line += (spec.letters.empty() ? spec.symbol : spec.letters) + no_break + equal_to(read.number, language) +
-            after_number(read.unit.symbol, language);
+            unit_after_number(read.unit.symbol, language);
   }
   return line;
 }

@@ -19,7 +19,8 @@ Panel::Vectors VectorsPanel::vectors() const {
   constexpr double longest_on_paper = 80;  // mm
   double longest = 0;
   for (const Acting& each : acting_) longest = std::max(longest, magnitude(each.v));
-  return {written_unit(acting_.front().quantity.unit), longest, longest_on_paper};
+  const std::string unit = written_unit(acting_.front().quantity.unit, Language::english);  // no vector is in words
+  return {unit, longest, longest_on_paper};
 }
 
 drawings::Box VectorsPanel::extent(const Scale& lengths, const Scale& vectors) const {

@@ -48,6 +48,7 @@ struct SheetRequest {
   bool bare = false;
   std::optional<Rational> scale = {};  // 1/5 for 1 : 5; none: the largest standard scale that fits
   bool blank = false;                  // the sheet to be solved: what is given, and what is asked
+  bool for_class = false;              // tells what is asked and what is awkward, which lots are drawn by
   OwnTitles titles = {};
   Solver solver = {};
 };
@@ -65,8 +66,9 @@ struct DrawnSheet {
   drawings::Sheet sheet;
   std::vector<Measurement> measurements;
   std::vector<drawings::Sheet> further = {};  // pages after the first, of a table that is too long for one
-  std::vector<std::string> asked = {};        // the quantities that the sheet to be solved asks for
-  std::vector<Awkwardness> awkward = {};      // of the solved sheet
+  // Of a sheet for a class alone.
+  std::vector<std::string> asked = {};    // the quantities that the sheet to be solved asks for
+  std::vector<Awkwardness> awkward = {};  // of the solved sheet
 };
 
 class Solution;
