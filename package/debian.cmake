@@ -3,6 +3,7 @@ set(debian ${CMAKE_CURRENT_BINARY_DIR}/debian)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME epure)
 set(CPACK_PACKAGE_VENDOR "the epure authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "graphical constructions of applied mechanics, exact and checked")
 set(CPACK_PACKAGE_CONTACT "The epure authors <epure@localhost>")
 string(REPLACE "-" "~" CPACK_PACKAGE_VERSION ${EPURE_VERSION})  # "1.0.0~rc" comes before 1.0.0
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -18,12 +19,11 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME epure)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "graphical constructions of applied mechanics, exact and checked
- epure carries out the graphical constructions of applied mechanics exactly
- (instantaneous centres, polar diagrams of velocity and acceleration, polodes,
- inflection circles, force polygons, involute gears), draws them to scale as
- PDF and SVG, and checks every length measured on the sheet against a value
- computed by an independent route.")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "epure carries out the graphical constructions of applied mechanics exactly
+(instantaneous centres, polar diagrams of velocity and acceleration, polodes,
+inflection circles, force polygons, involute gears), draws them to scale as
+PDF and SVG, and checks every length measured on the sheet against a value
+computed by an independent route.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libepure-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
@@ -32,11 +32,10 @@ if("flint-arb" IN_LIST flint_libraries)
   list(APPEND needed libflint-arb-dev libantic-dev libcalcium-dev)
 endif()
 list(JOIN needed ", " CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS)
-set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "exact plane geometry and motion of mechanisms (C++20)
- The library that epure proves its numbers with: constructions, mechanisms and
- closed formulas as templates over six numbers, from doubles by intervals and
- balls to exact fields, and the climb from one to the next. Headers, a static
- library, and what CMake and pkg-config need to find them.")
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The library that epure proves its numbers with: constructions, mechanisms and
+closed formulas as templates over six numbers, from doubles by intervals and
+balls to exact fields, and the climb from one to the next. Headers, a static
+library, and what CMake and pkg-config need to find them.")
 
 # What Debian wants beside the files, in both packages: the copyright, the changes.
 set(debian_version ${CPACK_PACKAGE_VERSION})
