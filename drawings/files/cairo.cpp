@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "drawings/files/check_page.h"
+#include "drawings/libraries.h"
 #include "drawings/page.h"
 #include "drawings/paths/grid.h"
 #include "drawings/paths/vectors.h"
@@ -257,6 +258,13 @@ FontContext unhinted_context(FcConfig* known) {
   FontContext context(pango_font_map_create_context(map.get()));
   pango_cairo_context_set_font_options(context.get(), unhinted().get());
   return context;
+}
+
+Libraries libraries() {
+  const int fontconfig = FcGetVersion();
+  return {{"Cairo", cairo_version_string()},
+          {"Pango", pango_version_string()},
+          {"Fontconfig", fmt::format("{}.{}.{}", fontconfig / 10000, fontconfig / 100 % 100, fontconfig % 100)}};
 }
 
 }  // namespace epure::drawings

@@ -24,6 +24,7 @@ Help help_of_list() {
   epure list
   epure list slider-crank-velocity
   epure list slider-crank-velocity --lang it
+  epure list --json > exercises.json
 )"};
 }
 

@@ -1,7 +1,9 @@
 #include "drawings/text/text.h"
 #include "exercises/cli/check_report.h"
+#include "exercises/cli/json_given.h"
 #include "exercises/cli/json_number.h"
 #include "exercises/cli/symbol.h"
+#include "exercises/cli/version.h"
 
 namespace epure {
 namespace {
@@ -83,22 +85,13 @@ Json audit(const TableAudit& of) {
   return json;
 }
 
-// Under its one name; the names it had are beside it, for who looks for them.
-Json given(const Givens& givens, const GivenSpec& spec) {
-  Json json = {{"symbol", spec.symbol},
-               {"value", givens.text(spec.symbol)},
-               {"unit", givens.reading(spec.symbol)->unit.symbol}};
-  if (!spec.also.empty()) json["also"] = spec.also;
-  return json;
-}
-
 Json exercise(const CheckedExercise& checked) {
   Json json = {{"id", checked.about.id},
                {"source", {{"document", checked.about.document}, {"item", checked.about.item}}},
                {"givens", Json::array()},
                {"quantities", Json::array()}};
   for (const GivenSpec& spec : checked.givens.specs())
-    if (checked.givens.reading(spec.symbol)) json["givens"].push_back(given(checked.givens, spec));
+    if (checked.givens.reading(spec.symbol)) json["givens"].push_back(json_given(checked.givens, spec));
   for (const CheckedQuantity& each : checked.quantities) {
     json["quantities"].push_back(quantity(each));
     add_doubt(json["quantities"].back(), each.spec.name, checked);
@@ -114,7 +107,7 @@ Json exercise(const CheckedExercise& checked) {
 }  // namespace
 
 std::string json_report(const std::vector<CheckedExercise>& all) {
-  Json json = {{"schema", "epure.check/1"}, {"exercises", Json::array()}};
+  Json json = {{"schema", "epure.check/1"}, {"epure", version_for_programs()}, {"exercises", Json::array()}};
   for (const CheckedExercise& checked : all) json["exercises"].push_back(exercise(checked));
   return json.dump(1) + "\n";
 }

@@ -3,6 +3,7 @@
 #include "drawings/text/text.h"
 #include "exercises/cli/cases.h"
 #include "exercises/cli/columns.h"
+#include "exercises/cli/list_json.h"
 #include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/statement/suggest.h"
@@ -63,21 +64,31 @@ std::string quantities(const Description& about, Language language) {
   return heading({"Quantities", "Grandezze"}, language) + table(rows, 2, {22, 8, 7});
 }
 
+std::vector<const Exercise*> exercises_listed(const Catalogue& exercises, std::vector<std::string> names) {
+  if (names.empty()) names = {"all"};
+  std::vector<const Exercise*> found;
+  for (const Target& target : find_targets(exercises, names)) {
+    const std::string& id = target.exercise->about().id;
+    if (!target.sheet.empty())
+      throw WrongUsage(format_words("\"{0}/{1}\" is a sheet; epure list {0} shows its exercise",
+                                    "\"{0}/{1}\" è una tavola; epure list {0} mostra il suo esercizio", id,
+                                    target.sheet));
+    found.push_back(target.exercise);
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string list(const Catalogue& exercises, const Options& options) {
   const Language chosen = language(options);
+  if (options.json) return json_list(exercises_listed(exercises, options.names));
   if (options.names.empty()) return one_line_each(exercises, chosen);
   if (options.names.size() > 1)
     throw WrongUsage("list shows one exercise at a time; name one, or none for all",
                      "list mostra un esercizio alla volta; nominarne uno, o nessuno per tutti");
-  const std::string& name = options.names.front();
-  if (name == "all") return one_line_each(exercises, chosen);
-  const Target target = find_targets(exercises, {name}).front();
-  const Description& about = target.exercise->about();
-  if (!target.sheet.empty())
-    throw WrongUsage(format_words("\"{}\" is a sheet; epure list {} shows its exercise",
-                                  "\"{}\" è una tavola; epure list {} mostra il suo esercizio", name, about.id));
+  if (options.names.front() == "all") return one_line_each(exercises, chosen);
+  const Description& about = exercises_listed(exercises, options.names).front()->about();
   return wrapped(about.id + ": " + drawings::plain(about.title.in(chosen)), 0, 2) +
          wrapped(drawings::plain(about.source.in(chosen)), 0, 2) +
          wrapped("\n" + drawings::plain(about.question.in(chosen))) + sheets(about, chosen) + givens(about, chosen) +

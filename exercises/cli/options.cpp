@@ -4,15 +4,13 @@
 #include <algorithm>
 
 #include "exercises/cli/catalogue.h"
-#include "exercises/cli/columns.h"
 #include "exercises/cli/help.h"
+#include "exercises/cli/version.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
 
 namespace epure {
 namespace {
-
-const std::vector<std::string> verbs = {"list", "draw", "check", "class", "mark", "sweep", "bench"};
 
 // CLI11 reads the options. What it would say of them depends on its version and is English: the help and the
 // refusals are our own.
@@ -21,7 +19,9 @@ class Parser {
   Parser(Options& options, Language language) : options_(options), language_(language) {
     program_.require_subcommand(0, 1);  // none is answered here, in our own words
     program_
-        .set_version_flag("--version,-V", "epure " EPURE_VERSION, say({"print the version", "mostra la versione"}))
+        .set_version_flag(
+            "--version,-V", version_for_people,
+            say({"print the version, and those of the libraries", "mostra la versione, e quelle delle librerie"}))
         ->disable_flag_override();
     prepare(program_);
     add_list();
@@ -46,7 +46,10 @@ class Parser {
     return found.empty() ? program_ : *found.front();
   }
 
-  std::string help() const;
+  HelpPage help_page(const CLI::App& app) const;
+  HelpPage help_page(const std::string& verb) const {
+    return help_page(verb.empty() ? program_ : *program_.get_subcommand(verb));
+  }
 
   // Why the argument, or the option that CLI11's sentence names, cannot be read.
   [[noreturn]] void refuse(const std::string& typed) const;
@@ -130,6 +133,8 @@ class Parser {
     add_names(
         verb, {"ID", "ID"},
         {"an exercise: show its sheets, givens and quantities", "un esercizio: mostra tavole, dati e grandezze"});
+    add_flag(verb, "--json", options_.json,
+             {"print all this as JSON (schema epure.list/1)", "stampa tutto ciò in JSON (schema epure.list/1)"});
     add_language(verb);
   }
   void add_draw() {
@@ -272,32 +277,26 @@ Help help_of(const std::string& verb) {
   return verb == "bench" ? help_of_bench() : help_of_program();
 }
 
-std::string paragraph(const Words& words, Language language) {
-  return words.empty() ? "" : wrapped(words.in(language)) + "\n";
-}
-
-std::string Parser::help() const {
-  const CLI::App& app = chosen();
+HelpPage Parser::help_page(const CLI::App& app) const {
   const bool is_program = &app == &program_;
-  const Help help = help_of(app.get_name());
-  std::vector<std::vector<std::string>> names, options;
+  HelpPage page{.verb = is_program ? "" : app.get_name(), .help = help_of(app.get_name())};
   for (const CLI::Option* each : app.get_options())
-    (each->get_positional() ? names : options)
-        .push_back({each->get_name(false, true) + (each->get_positional() ? "" : " " + each->get_type_name()),
-                    each->get_description()});
-  std::string usage = say({"Usage: epure", "Uso: epure"});
+    (each->get_positional() ? page.names : page.options)
+        .push_back({.name = each->get_name(false, true),
+                    .type = each->get_positional() ? "" : each->get_type_name(),
+                    .meaning = each->get_description()});
+  page.usage = "epure";
   if (is_program) {
-    usage += say({" VERB [OPTIONS]", " VERBO [OPZIONI]"});
-    for (const std::string& verb : verbs) names.push_back({verb, help_of(verb).purpose.in(language_)});
+    page.usage += say({" VERB [OPTIONS]", " VERBO [OPZIONI]"});
+    for (const std::string& verb : verbs())
+      page.names.push_back({.name = verb, .meaning = help_of(verb).purpose.in(language_)});
   } else {
-    usage += " " + app.get_name() + say({" [OPTIONS]", " [OPZIONI]"}) +
-             (names.empty() ? ""
-                            : " [" + names.front().front() +
-                                  (app.get_name() == "draw" || app.get_name() == "check" ? "...]" : "]"));
+    page.usage += " " + app.get_name() + say({" [OPTIONS]", " [OPZIONI]"}) +
+                  (page.names.empty() ? ""
+                                      : " [" + page.names.front().name +
+                                            (app.get_name() == "draw" || app.get_name() == "check" ? "...]" : "]"));
   }
-  return paragraph(help.purpose, language_) + usage + "\n\n" + (names.empty() ? "" : table(names, 2) + "\n") +
-         table(options, 2, {26}) + "\n" + paragraph(help.remarks, language_) + say({"Examples:", "Esempi:"}) +
-         help.examples + "\n" + wrapped(exit_codes().in(language_));
+  return page;
 }
 
 void Parser::refuse(const std::string& typed) const {
@@ -367,9 +366,9 @@ void demand_verb(const Catalogue& exercises, const std::vector<std::string>& arg
   const std::string& first = arguments.front();
   if (first.starts_with('-')) return;
   refuse_name_as_verb(exercises, first);
-  if (std::find(verbs.begin(), verbs.end(), first) == verbs.end())
+  if (std::find(verbs().begin(), verbs().end(), first) == verbs().end())
     throw WrongUsage(format_words("\"{}\" is nothing epure can do; {}", "\"{}\" non è cosa che epure sappia fare; {}",
-                                  first, did_you_mean(first, verbs)));
+                                  first, did_you_mean(first, verbs())));
 }
 
 // "help" is "--help", and "help draw" is "draw --help".
@@ -382,6 +381,16 @@ std::vector<std::string> with_help_as_option(std::vector<std::string> arguments)
 }
 
 }  // namespace
+
+const std::vector<std::string>& verbs() {
+  static const std::vector<std::string> all{"list", "draw", "check", "class", "mark", "sweep", "bench"};
+  return all;
+}
+
+HelpPage help_page(const std::string& verb, Language language) {
+  Options unused;
+  return Parser(unused, language).help_page(verb);
+}
 
 Language language_of_messages(const std::vector<std::string>& arguments, const std::string& otherwise) {
   const std::string option = "--lang";
@@ -398,14 +407,15 @@ Parsed parse_options(const Catalogue& exercises, const std::vector<std::string>&
   demand_verb(exercises, arguments);
   Parsed parsed;
   if (!language.empty()) parsed.options.language = language;
-  Parser parser(parsed.options, language_of_messages(arguments, language));
+  const Language messages = language_of_messages(arguments, language);
+  Parser parser(parsed.options, messages);
   try {
     parser.parse(arguments);
   } catch (const CLI::CallForHelp&) {
-    parsed.text = parser.help();
+    parsed.text = help_text(parser.help_page(parser.chosen()), messages);
     return parsed;
   } catch (const CLI::CallForVersion& version) {
-    parsed.text = std::string(version.what()) + "\n";
+    parsed.text = version.what();
     return parsed;
   } catch (const CLI::ParseError& error) {
     parser.refuse_value(error.what());

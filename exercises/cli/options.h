@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "exercises/cli/help_page.h"
 #include "exercises/kit/proof/exercise.h"
 
 namespace epure {
@@ -31,6 +32,12 @@ struct Options {
   ClassOptions class_set = {};
   bool colours = false;  // of the terminal, not typed
 };
+
+// What may stand first, in the order of the help.
+const std::vector<std::string>& verbs();
+
+// What --help says of a verb, or of the program (empty).
+HelpPage help_page(const std::string& verb, Language language);
 
 // Either the options, or a text to show instead (help, version). Throws WrongUsage.
 struct Parsed {

@@ -139,3 +139,5 @@ void epure_calcium_enclose(arb_t result, const epure_calcium_number* x, slong bi
   arb_set(result, acb_realref(ball));
   acb_clear(ball);
 }
+
+const char* epure_calcium_version(void) { return calcium_version(); }

@@ -55,6 +55,8 @@ epure_calcium_truth epure_calcium_is_zero(const epure_calcium_number* x, epure_c
 /* A ball around the real part. */
 void epure_calcium_enclose(arb_t result, const epure_calcium_number* x, slong bits, epure_calcium_context* context);
 
+const char* epure_calcium_version(void);
+
 #ifdef __cplusplus
 }
 #endif

@@ -92,6 +92,8 @@ std::string objection(std::string_view file, std::string_view header) {
 
   if (file.starts_with("words/") && header.find('/') != header.npos) return "words stand below every room";
 
+  if (header.starts_with("package/") && !starts_with_any(file, {"package/", "tests/"}))
+    return "what is installed beside the program stands above all";
   if (header.starts_with("bench/") && !starts_with_any(file, {"bench/", "tests/"}))
     return "the bench stands above all";
   if (file.starts_with("bench/floor/") && starts_with_any(header, {"geometry/", "drawings/", "exercises/"}))
@@ -191,7 +193,7 @@ std::string reminder(const std::string& text) {
 }  // namespace
 
 TEST_CASE("includes follow the arrows between the rooms") {
-  for (const std::string room : {"geometry", "drawings", "exercises", "bench", "tests", "words"}) {
+  for (const std::string room : {"geometry", "drawings", "exercises", "bench", "package", "tests", "words"}) {
     const auto all = includes(room);
     {
       INFO(room << " reads nearly empty");
@@ -296,6 +298,9 @@ TEST_CASE("each rule objects to what it forbids and to nothing else") {
       {"bench/benchmark.cpp", "exercises/cli/request.h", true},
       {"tests/bench/test_report.cpp", "bench/results.h", true},
       {"exercises/cli/run.cpp", "bench/benchmark.h", false},
+      {"package/documents.cpp", "package/completion.h", true},
+      {"package/completion.cpp", "exercises/cli/options.h", true},
+      {"exercises/cli/options.cpp", "package/completion.h", false},
       {"drawings/marks/canvas.h", "drawings/page.h", true},
       {"drawings/marks/canvas.h", "drawings/labels/obstacles.h", true},
       {"drawings/labels/labels.cpp", "drawings/marks/canvas.h", false},

@@ -36,6 +36,8 @@ TEST_CASE("help and version") {
   const Ran version = run({"--version"});
   CHECK(version.exit == 0);
   CHECK(version.out.starts_with("epure "));
+  for (const std::string library : {"FLINT", "MPFR", "CGAL", "Cairo", "Pango", "Fontconfig"})
+    CHECK(contains(version.out, library));
   for (const Typed& words : {Typed{"--help"},
                              {"list", "--help"},
                              {"draw", "--help"},
@@ -592,6 +594,9 @@ TEST_CASE("a folder without a name is refused") {
 TEST_CASE("list knows all, and says what is a sheet") {
   CHECK(run_on_two({"list", "all"}).out == run_on_two({"list"}).out);
   refused({"list", "triangle/sides"}, "\"triangle/sides\" is a sheet; epure list triangle shows its exercise");
+  refused({"list", "triangle/sides", "--json"},
+          "\"triangle/sides\" is a sheet; epure list triangle shows its exercise");
+  refused({"list", "triangel", "--json"}, "there is no exercise \"triangel\"");
 }
 
 TEST_CASE("letters on a terminal bear no markup") {

@@ -42,7 +42,7 @@ void has_value_keys(const json& object) {
 }
 
 void holds_schema(const json& report) {
-  has_keys(report, {"schema", "exercises"});
+  has_keys(report, {"schema", "epure", "exercises"});
   CHECK(report.at("schema") == "epure.check/1");
   REQUIRE(report.at("exercises").is_array());
   REQUIRE_FALSE(report["exercises"].empty());
@@ -53,7 +53,7 @@ void holds_schema(const json& report) {
     CHECK(exercise.at("passed").is_boolean());
     REQUIRE_FALSE(exercise.at("givens").empty());
     for (const json& given : exercise["givens"]) {
-      has_keys(given, {"symbol", "value", "unit"});
+      has_keys(given, {"symbol", "value", "unit"}, {"number"});
       CHECK(given.at("value").is_string());
     }
     REQUIRE_FALSE(exercise.at("quantities").empty());
@@ -98,8 +98,8 @@ TEST_CASE("the report of the triangle, number by number") {
   const json triangle = report({});
   CHECK(triangle["id"] == "triangle");
   CHECK(triangle["source"] == json{{"document", "euclid"}, {"item", "I.47"}});
-  CHECK(triangle["givens"][0] == json{{"symbol", "a"}, {"value", "3/10"}, {"unit", "m"}});
-  CHECK(triangle["givens"][2] == json{{"symbol", "load"}, {"value", "0"}, {"unit", "N"}});
+  CHECK(triangle["givens"][0] == json{{"symbol", "a"}, {"value", "3/10"}, {"unit", "m"}, {"number", 0.3}});
+  CHECK(triangle["givens"][2] == json{{"symbol", "load"}, {"value", "0"}, {"unit", "N"}, {"number", 0}});
   CHECK(triangle["passed"] == true);
   const json& c = triangle["quantities"][0];
   CHECK(c["name"] == "c");
@@ -134,7 +134,34 @@ TEST_CASE("numbers are written with the fewest digits that read back the same") 
 TEST_CASE("other givens are reported, and the source's numbers are not") {
   const json triangle = report({"--set", "a=25cm"});
   CHECK(triangle["givens"][0]["value"] == "1/4");
+  CHECK(triangle["givens"][0]["number"] == 0.25);
   for (const json& quantity : triangle["quantities"]) CHECK_FALSE(quantity.contains("printed"));
+}
+
+TEST_CASE("list as JSON tells what exercises state, whatever the language") {
+  const Ran ran = run({"list", "--json"});
+  CHECK(ran.exit == 0);
+  const json all = json::parse(ran.out);
+  CHECK(all["schema"] == "epure.list/1");
+  CHECK(all["epure"] == json::parse(run({"check", "triangle", "--json"}).out)["epure"]);
+  CHECK(all["epure"]["libraries"].contains("Cairo"));
+  REQUIRE(all["exercises"].size() == 1);
+  const json& triangle = all["exercises"][0];
+  CHECK(triangle["question"] == "Find the hypotenuse.");
+  CHECK(triangle["givens"][0] == json{{"symbol", "a"},
+                                      {"value", "3/10"},
+                                      {"unit", "m"},
+                                      {"number", 0.3},
+                                      {"letters", "a"},
+                                      {"meaning", "base"},
+                                      {"range", "positive"}});
+  CHECK(triangle["givens"][2]["range"] == "not negative");
+  CHECK(triangle["quantities"][0]["symbol"] == "c₀");
+  CHECK(run({"list", "triangle", "--json", "--lang", "it"}).out == ran.out);
+  const json two = json::parse(run_on_two({"list", "other", "triangle", "--json"}).out)["exercises"];
+  CHECK(two[0]["id"] == "other");
+  CHECK(two[1]["id"] == "triangle");
+  CHECK(run_on_two({"list", "--json"}).out == run_on_two({"list", "all", "--json"}).out);
 }
 
 TEST_CASE("a failed check is JSON all the same") {

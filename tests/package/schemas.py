@@ -1,0 +1,159 @@
+"""What the program writes for other programs, against the schemas in docs/schema, by a validator that is not ours.
+
+    python3 schemas.py PATH/TO/epure FOLDER_OF_SCHEMAS
+
+The schemas let later versions add fields. Here each of their objects is closed, so that what is written and not
+described is found too. Then documents broken on purpose: the schemas as they are published must refuse each.
+"""
+
+import copy
+import json
+import subprocess
+import sys
+from fractions import Fraction
+
+from jsonschema import Draft202012Validator
+
+program, folder = sys.argv[1], sys.argv[2]
+failures = 0
+
+
+def fail(sentence):
+    global failures
+    failures += 1
+    print("FAILED:", sentence)
+
+
+def output(*arguments):
+    """What the program prints; checks may fail and sheets stay undrawn, which reports tell too."""
+    ran = subprocess.run([program, *arguments], capture_output=True, text=True, encoding="utf-8")
+    if ran.returncode not in (0, 1, 2, 4) or not ran.stdout:
+        fail(f"epure {' '.join(arguments)}: exit {ran.returncode}, {ran.stderr.strip()}")
+        return "{}"
+    return ran.stdout
+
+
+def closed(schema):
+    """The same, where an object holds nothing but what is described."""
+    if isinstance(schema, list):
+        return [closed(each) for each in schema]
+    if not isinstance(schema, dict):
+        return schema
+    tight = {key: closed(value) for key, value in schema.items()}
+    if tight.get("type") == "object" and "properties" in tight:
+        tight["additionalProperties"] = False
+    return tight
+
+
+def read(name):
+    with open(f"{folder}/{name}.json", encoding="utf-8") as file:
+        schema = json.load(file)
+    Draft202012Validator.check_schema(schema)
+    return schema
+
+
+schemas = {name: read(name) for name in ("check", "list", "sweep")}
+seen = set()  # fields met anywhere, by schema
+
+
+def note_fields(name, document):
+    if isinstance(document, dict):
+        for key, value in document.items():
+            seen.add((name, key))
+            note_fields(name, value)
+    elif isinstance(document, list):
+        for each in document:
+            note_fields(name, each)
+
+
+def holds(name, document, what):
+    note_fields(name, document)
+    for error in list(Draft202012Validator(closed(schemas[name])).iter_errors(document))[:3]:
+        fail(f"{what}: {'/'.join(map(str, error.absolute_path))}: {error.message[:200]}")
+
+
+def refused(name, document, path, change, what):
+    """The document with a change at the place that the path leads to."""
+    broken = copy.deepcopy(document)
+    place = broken
+    for step in path:
+        place = place[step]
+    change(place)
+    if Draft202012Validator(schemas[name]).is_valid(broken):
+        fail(f"{name}: a document is let through {what}")
+
+
+# Everything there is; a check with numbers measured; one at other givens; what is not drawn, or has no value.
+list_all = json.loads(output("list", "--json"))
+holds("list", list_all, "list --json")
+list_one = json.loads(output("list", "slider-crank-velocity", "--json"))
+holds("list", list_one, "list ID --json")
+check_all = json.loads(output("check", "all", "--json"))
+holds("check", check_all, "check all --json")
+measured = json.loads(output("check", "slider-crank-velocity", "--json", "--measured", "v_B=5", "--set", "r=1/7"))
+holds("check", measured, "check --measured --json")
+for givens in (["four-bar-analytic", "--set", "branch=right"], ["slider-crank-velocity", "--set", "phi=90deg"]):
+    holds("check", json.loads(output("check", *givens, "--json")), " ".join(givens))
+sweeps = []
+for arguments in (
+    ["slider-crank-velocity", "--over", "phi=0deg..360deg/9", "--quantity", "v_B,P0_x"],
+    ["four-bar-analytic", "--over", "branch=left|right", "--over", "A0A=0.1..2/5", "--quantity", "omega_4"],
+):
+    for line in output("sweep", *arguments, "--format", "json").splitlines():
+        sweeps.append(json.loads(line))
+        holds("sweep", sweeps[-1], " ".join(arguments))
+
+# What is told agrees with itself.
+if [each["id"] for each in list_all["exercises"]] != [each["id"] for each in check_all["exercises"]]:
+    fail("list and check tell other exercises")
+if list_one["exercises"] != [each for each in list_all["exercises"] if each["id"] == "slider-crank-velocity"]:
+    fail("list ID tells another exercise than list")
+if list_all["epure"] != check_all["epure"]:
+    fail("list and check tell other versions")
+for exercise in list_all["exercises"] + check_all["exercises"] + measured["exercises"]:
+    for given in exercise["givens"]:
+        if "number" in given and float(Fraction(given["value"])) != given["number"]:
+            fail(f"{exercise['id']}: {given['symbol']} = {given['value']} is not {given['number']}")
+        if "choices" in given and given["value"] not in [choice["word"] for choice in given["choices"]]:
+            fail(f"{exercise['id']}: {given['symbol']} is none of its words")
+if not any(given.get("value") == "1/7" for given in measured["exercises"][0]["givens"]):
+    fail("check tells another value than was set")
+
+# Fields that would be described and never tried. Not here: what only an undecided or failing check has.
+for field in (
+    ("check", "audit"), ("check", "mistake"), ("check", "explanation"), ("check", "absent"), ("check", "measured"),
+    ("check", "printed"), ("check", "on_sheet"), ("check", "also"), ("list", "choices"), ("list", "or"),
+    ("sweep", "absent"), ("sweep", "impossible"), ("sweep", "number"),
+):
+    if field not in seen:
+        fail(f"{field[1]} of {field[0]} was not met")
+
+quantity = ["exercises", 0, "quantities", 0]
+given = ["exercises", 0, "givens", 0]
+for name, document, path, change, what in (
+    ("check", check_all, [], lambda all: all.update(schema="epure.check/2"), "of another schema"),
+    ("check", check_all, [], lambda all: all.pop("epure"), "without the version"),
+    ("check", check_all, ["epure"], lambda it: it.update(version=1), "with a number for a version"),
+    ("check", check_all, ["exercises"], lambda all: all.clear(), "without exercises"),
+    ("check", check_all, quantity, lambda it: it.update(value="5.2"), "with a value that is text"),
+    ("check", check_all, quantity, lambda it: it.pop("lower"), "without a bound"),
+    ("check", check_all, quantity, lambda it: it.update(name="ω₃"), "with a name that is not ASCII"),
+    ("check", check_all, given, lambda it: it.update(value=0.2), "with a given that is not exact"),
+    ("check", check_all, given, lambda it: it.update(value="1/0"), "with a fraction of zero"),
+    ("check", check_all, given, lambda it: it.update(number="0.2"), "with a given's number that is text"),
+    ("check", measured, quantity, lambda it: it["routes"].append({"route": "mine"}), "with a route without value"),
+    ("check", check_all, ["exercises", 0], lambda it: it.update(passed="yes"), "with passed that is text"),
+    ("check", check_all, ["exercises", 0], lambda it: it.update(failures=[]), "with failures that are none"),
+    ("list", list_all, [], lambda all: all.pop("exercises"), "without exercises"),
+    ("list", list_all, ["exercises", 0], lambda it: it.update(id="Slider Crank"), "with an id that is none"),
+    ("list", list_all, given, lambda it: it.pop("meaning"), "with a given without meaning"),
+    ("list", list_all, given, lambda it: it.update(range="negative"), "with a range that is none"),
+    ("list", list_all, quantity, lambda it: it.pop("unit"), "with a quantity without unit"),
+    ("sweep", sweeps[0], [], lambda it: it.update(row=-1), "with a row before the first"),
+    ("sweep", sweeps[0], ["quantities", "v_B"], lambda it: it.update(value=None), "with no value and no reason"),
+    ("sweep", sweeps[0], ["givens", "phi"], lambda it: it.update(value=0), "with a given that is not exact"),
+):
+    refused(name, document, path, change, what)
+
+print("every document holds its schema" if failures == 0 else f"{failures} failures")
+sys.exit(failures != 0)
