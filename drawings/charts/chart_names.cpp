@@ -5,6 +5,7 @@
 
 #include "drawings/charts/chart_curves.h"
 #include "drawings/labels/candidates.h"
+#include "drawings/labels/namesakes.h"
 #include "drawings/marks/canvas.h"
 #include "drawings/marks/symbols.h"
 #include "drawings/paths/vectors.h"
@@ -140,7 +141,11 @@ std::optional<std::vector<Writing>> direct_names(const Chart& chart, const Chart
   const Obstacles drawn = canvas.obstacles();
   FreePlaces places(chart, map, drawn, box);
   std::vector<LabelBox> boxes;
-  for (const Label& label : others) boxes.push_back(box_of(label));
+  const Namesakes namesakes(figure, others, box);
+  for (const Label& label : others) {
+    boxes.push_back(box_of(label));
+    boxes.back().naming = namesakes.of(label, boxes.back().width);
+  }
   for (const Place& place : place_labels(boxes, drawn, box))
     if (place.found) places.keep_clear(place.box);
   std::vector<Writing> names;

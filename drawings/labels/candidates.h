@@ -2,14 +2,11 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "drawings/labels/labels.h"
 
 namespace epure::drawings {
-
-using Segment = std::pair<Point, Point>;
 
 struct Candidate {
   Box box;
@@ -27,7 +24,8 @@ inline constexpr double crowded = 8;            // as near to a line as possible
 inline constexpr double leader = 14;            // more than any bad choice of side
 inline constexpr double leader_crossing = 1.5;  // a line under the leader
 inline constexpr double touch_thin = 45, touch_heavy = 70, inside = 6;  // then a millimetre of line under it
-inline constexpr double stranger = 5;         // nearer to another label's point than to its own
+inline constexpr double stranger = 42;        // nearer to another thing of the kind it names: a leader is better
+inline constexpr double near_stranger = 5;    // as near
 inline constexpr double overlap = 120;        // of two labels
 inline constexpr double leader_through = 60;  // a leader through another label
 inline constexpr double leaders_crossed = 10;

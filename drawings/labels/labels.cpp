@@ -36,23 +36,23 @@ class Placement {
   enum class Kinds { clear, with_leader, all };
 
   void add_options(std::size_t i, std::vector<Candidate> more) {
-    if (!labels_[i].to) add_strangers(i, more);
+    if (labels_[i].naming) add_strangers(*labels_[i].naming, more);
     std::vector<Candidate>& options = options_[i];
     options.insert(options.end(), more.begin(), more.end());
     std::stable_sort(options.begin(), options.end(),
                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
   }
 
-  // A label must not seem to name a point that another label names.
-  void add_strangers(std::size_t i, std::vector<Candidate>& options) const {
+  // A label must not seem to name anything but its own.
+  static void add_strangers(const Naming& naming, std::vector<Candidate>& options) {
+    constexpr double clearly_nearer = 1;  // mm
     for (Candidate& option : options) {
       if (option.leader) continue;
-      const double own = distance(labels_[i].at, nearest_in(option.box, labels_[i].at));
-      for (std::size_t j = 0; j < labels_.size(); ++j) {
-        if (j == i || labels_[j].to || distance(labels_[i].at, labels_[j].at) < 0.5) continue;
-        if (distance(labels_[j].at, nearest_in(option.box, labels_[j].at)) < own + 0.3)
-          option.cost += price::stranger;
-      }
+      const double own = gap(option.box, naming.own.first, naming.own.second), reach = own + clearly_nearer;
+      double nearest = reach;
+      for (const auto& [from, to] : naming.others)
+        if (!is_beyond(reach, option.box, from, to)) nearest = std::min(nearest, gap(option.box, from, to));
+      option.cost += nearest <= own ? price::stranger : price::near_stranger * (reach - nearest) / clearly_nearer;
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drawings/labels/obstacles.h"
@@ -11,17 +12,27 @@
 
 namespace epure::drawings {
 
+using Segment = std::pair<Point, Point>;
+
+// A vector, a line or a point (a segment of no length) that letters name, and others that they seem to name when they
+// stand nearer to these.
+struct Naming {
+  Segment own;
+  std::vector<Segment> others;
+};
+
 // What is to be placed: a box of known size that belongs to a point, or to the segment at-to.
 struct LabelBox {
   double width = 0, height = 0;
   Point at;
   std::optional<Point> to = {};
   std::optional<Point> away_from = {};
+  std::optional<Naming> naming = {};  // none: it names nothing
 };
 
 struct Place {
   Box box;
-  std::optional<std::pair<Point, Point>> leader = {};  // from the box to what it names
+  std::optional<Segment> leader = {};  // from the box to what it names
   bool found = false;  // false: what it belongs to lies outside the area, or the area is too small for it
   bool touches_drawing = false;
   std::vector<std::size_t> touches = {};  // other labels

@@ -4,8 +4,10 @@
 #include <stdexcept>
 
 #include "drawings/labels/labels.h"
+#include "drawings/labels/namesakes.h"
 #include "drawings/marks/canvas.h"
 #include "drawings/marks/symbols.h"
+#include "drawings/marks/window.h"
 #include "drawings/output.h"
 #include "drawings/paths/vectors.h"
 #include "drawings/sheet/column.h"
@@ -18,15 +20,6 @@
 namespace epure::drawings {
 
 namespace {
-
-Box window_of(const Figure& figure, std::size_t mark, Box area) {
-  if (mark >= figure.window_of.size() || figure.window_of[mark] < 0) return area;
-  const auto window = static_cast<std::size_t>(figure.window_of[mark]);
-  if (window >= figure.windows.size()) return area;
-  const Box box = intersection(figure.windows[window], area);
-  if (is_nothing(box)) throw std::invalid_argument(fmt::format("window {} lies outside the drawing area", window));
-  return box;
-}
 
 void draw_marks(Canvas& canvas, const Figure& figure, Box area) {
   for (std::size_t i = 0; i < figure.marks.size(); ++i) {
@@ -63,10 +56,15 @@ Placeable placeable(const Label& label) {
           .colour = ink(label.ink)};
 }
 
-std::vector<Placeable> placeables(const Figure& figure) {
+std::vector<Placeable> placeables(const Figure& figure, Box area) {
+  const Namesakes namesakes(figure, figure.labels, area);
   std::vector<Placeable> all;
-  for (const Label& label : figure.labels)
-    if (!label.text.empty()) all.push_back(placeable(label));
+  for (const Label& label : figure.labels) {
+    if (label.text.empty()) continue;
+    all.push_back(placeable(label));
+    LabelBox& box = all.back().box;
+    box.naming = namesakes.of(label, box.width);
+  }
   for (const Mark& mark : figure.marks) {
     const auto* dimension = std::get_if<Dimension>(&mark);
     if (!dimension || dimension->text.empty()) continue;
@@ -115,7 +113,7 @@ void report(std::vector<std::string>& conflicts, const std::vector<Placeable>& i
 std::vector<Primitive> figure_ink(const Figure& figure, Box area, std::vector<std::string>* conflicts) {
   Canvas canvas(area);
   draw_marks(canvas, figure, area);
-  const std::vector<Placeable> items = placeables(figure);
+  const std::vector<Placeable> items = placeables(figure, area);
   std::vector<LabelBox> boxes;
   for (const Placeable& item : items) {
     require_numbers(canvas, item);

@@ -1,6 +1,8 @@
 // Vector equations as the course writes them: vectors on the first line, under each its direction and magnitude.
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <utility>
+#include <vector>
 
 #include "drawings/sheet/column.h"
 #include "drawings/text/sheet_words.h"
@@ -12,73 +14,115 @@ namespace {
 
 using Term = VectorEquation::Term;
 
-struct EquationColumns {
-  std::vector<double> operators, terms;  // widths
-  double gap = 0;                        // on both sides of an operator, between terms
-  double gaps = 0;                       // how many of them
-  double width() const {
-    return std::accumulate(terms.begin(), terms.end(), 0.0) +
-           std::accumulate(operators.begin(), operators.end(), 0.0) + gap * gaps;
-  }
+// One term's place: its operator and itself.
+struct TermColumn {
+  const Term* term;
+  double before, width;  // of the operator, 0 without one; of the widest of vector, direction and magnitude
 };
+using EquationLine = std::vector<TermColumn>;
 
-EquationColumns measure_columns(const VectorEquation& equation, double size) {
-  EquationColumns columns;
-  columns.gap = 0.75 * size;
-  for (const Term& term : equation.terms) {
-    columns.operators.push_back(term.before.empty() ? 0 : measure(term.before, size).width);
-    columns.terms.push_back(std::max({measure(term.vector, size).width, measure(term.direction, size).width,
-                                      measure(term.magnitude, size).width}));
-    columns.gaps += (columns.terms.size() > 1 ? 1 : 0) + (term.before.empty() ? 0 : 1);
-  }
+EquationLine measure_columns(const VectorEquation& equation, double size) {
+  EquationLine columns;
+  for (const Term& term : equation.terms)
+    columns.push_back({&term, term.before.empty() ? 0 : measure(term.before, size).width,
+                       std::max({measure(term.vector, size).width, measure(term.direction, size).width,
+                                 measure(term.magnitude, size).width})});
   return columns;
+}
+
+// With `gap` between terms, and between an operator and its term.
+double width(const EquationLine& line, double gap) {
+  double sum = 0;
+  for (const TermColumn& column : line)
+    sum += (&column == line.data() ? 0 : gap) + column.before + (column.before > 0 ? gap : 0) + column.width;
+  return sum;
+}
+
+double widest(const std::vector<EquationLine>& lines, double gap) {
+  double most = 0;
+  for (const EquationLine& line : lines) most = std::max(most, width(line, gap));
+  return most;
+}
+
+// Broken before operators, so that no line is wider than `room` if a term is not.
+std::vector<EquationLine> filled(const EquationLine& all, double room, double gap) {
+  std::vector<EquationLine> lines(1);
+  for (const TermColumn& column : all) {
+    EquationLine longer = lines.back();
+    longer.push_back(column);
+    if (lines.back().empty() || width(longer, gap) <= room)
+      lines.back() = std::move(longer);
+    else
+      lines.push_back({column});
+  }
+  return lines;
+}
+
+// In as few lines as fit the room, of nearly one length.
+std::vector<EquationLine> broken(const EquationLine& all, double room, double gap) {
+  constexpr double narrower = 0.5;  // mm
+  std::vector<EquationLine> best = filled(all, room, gap);
+  while (best.size() > 1) {
+    std::vector<EquationLine> lines = filled(all, widest(best, gap) - narrower, gap);
+    if (lines.size() > best.size() || widest(lines, gap) >= widest(best, gap)) break;
+    best = std::move(lines);
+  }
+  return best;
 }
 
 void centred(Galley& galley, const std::string& text, double middle, double baseline, double size) {
   if (!text.empty()) galley.text(text, {middle - measure(text, size).width / 2, baseline}, size);
 }
 
-double tallest(const VectorEquation& equation, double size) {
+double tallest(const EquationLine& line, double size) {
   double height = 0;
-  for (const Term& term : equation.terms) height = std::max(height, measure(term.vector, size).ascent);
+  for (const TermColumn& column : line) height = std::max(height, measure(column.term->vector, size).ascent);
   return height;
+}
+
+// The vectors, a rule, under it their directions and magnitudes, these rows named.
+void set_line(Galley& galley, const EquationLine& line, double left, double gap, Language language) {
+  const double size = galley.size(), small = 0.85 * size, row = 1.5 * size;
+  galley.down(0.2 * size * galley.air());
+  const double first = galley.top() - std::max(tallest(line, size), 0.76 * size);
+  const double rule = first - 0.6 * size, second = rule - 1.15 * size, third = second - row;
+  galley.text(words(language).direction, {galley.left(), second}, small, Weight::regular, grey);
+  galley.text(words(language).magnitude, {galley.left(), third}, small, Weight::regular, grey);
+  // One rule for the whole line: short ones would turn vectors and directions into fractions.
+  galley.rule(rule, galley.left(), galley.right(), fine);
+  double x = left;
+  for (const TermColumn& column : line) {
+    centred(galley, column.term->before, x + column.before / 2, first, size);
+    x += column.before + (column.before > 0 ? gap : 0);
+    const double middle = x + column.width / 2;
+    centred(galley, column.term->vector, middle, first, size);
+    centred(galley, column.term->direction, middle, second, size);
+    centred(galley, column.term->magnitude, middle, third, size);
+    x += column.width + gap;
+  }
+  galley.down(galley.top() - third + (0.5 + 0.75 * galley.air()) * size);
 }
 
 }  // namespace
 
 void set_block(Galley& galley, const VectorEquation& equation, Language language) {
   const double size = galley.size(), small = 0.85 * size;
-  const std::string &direction = words(language).direction, &magnitude = words(language).magnitude;
-  const EquationColumns columns = measure_columns(equation, size);
-  const double captions = std::max(measure(direction, small).width, measure(magnitude, small).width) + size;
-  if (columns.width() > galley.width())
+  const double captions =
+      std::max(measure(words(language).direction, small).width, measure(words(language).magnitude, small).width) +
+      size;
+  const double room = galley.width() - captions;
+  const EquationLine columns = measure_columns(equation, size);
+  constexpr std::array gaps{0.75, 0.55, 0.4};  // of the letters' size: closer together before on several lines
+  const auto* fitting =
+      std::find_if(gaps.begin(), gaps.end(), [&](double each) { return width(columns, each * size) <= room; });
+  const double gap = size * (fitting == gaps.end() ? gaps.front() : *fitting);
+  const std::vector<EquationLine> lines = broken(columns, room, gap);
+  const double left_over = room - widest(lines, gap);
+  if (left_over < 0)
     galley.complaints.push_back("a vector equation is wider than the column: " +
-                                (equation.terms.empty() ? std::string{} : plain(equation.terms.front().vector)));
-  // The rows are named where there is room for it.
-  const bool named = captions + columns.width() <= galley.width();
-  const double row = 1.5 * size;
-  galley.down(0.2 * size * galley.air());
-  const double first = galley.top() - std::max(tallest(equation, size), 0.76 * size);
-  const double rule = first - 0.6 * size, second = rule - 1.15 * size, third = second - row;
-  if (named) {
-    galley.text(direction, {galley.left(), second}, small, Weight::regular, grey);
-    galley.text(magnitude, {galley.left(), third}, small, Weight::regular, grey);
-  }
-  const double room = galley.width() - (named ? captions : 0);
-  double x = galley.right() - room + std::max(0.0, (room - columns.width()) / 2);
-  // One rule for the whole line: short ones would turn vectors and directions into fractions.
-  galley.rule(rule, named ? galley.left() : x, named ? galley.right() : x + columns.width(), fine);
-  for (std::size_t i = 0; i < equation.terms.size(); ++i) {
-    const Term& term = equation.terms[i];
-    centred(galley, term.before, x + columns.operators[i] / 2, first, size);
-    x += columns.operators[i] + (columns.operators[i] > 0 ? columns.gap : 0);
-    const double middle = x + columns.terms[i] / 2;
-    centred(galley, term.vector, middle, first, size);
-    centred(galley, term.direction, middle, second, size);
-    centred(galley, term.magnitude, middle, third, size);
-    x += columns.terms[i] + columns.gap;
-  }
-  galley.down(galley.top() - third + (0.5 + 0.75 * galley.air()) * size);
+                                plain(equation.terms.front().vector));
+  const double left = galley.left() + captions + std::max(0.0, left_over / 2);
+  for (const EquationLine& line : lines) set_line(galley, line, left, gap, language);
 }
 
 }  // namespace epure::drawings

@@ -230,8 +230,8 @@ PanelSheet convergence_sheet(const Solution& s, Language language) {
   return {
       .panels = panels(ChartPanel(chart_of_convergence(s, language))),
       .theory = {{{"The iteration", "L'iterazione"},
-                  {remark(format_words("{} steps, until the residual is zero in double precision.",
-                                       "{} passi, finché il residuo è nullo in doppia precisione.", steps)
+                  {remark(format_words("{} steps, until the computed residual is zero.",
+                                       "{} passi, finché il residuo calcolato è nullo.", steps)
                               .in(language)),
                    remark(of_zero.in(language)),
                    remark(Words{"Near the solution each step doubles the number of right digits: the iteration "
@@ -239,10 +239,9 @@ PanelSheet convergence_sheet(const Solution& s, Language language) {
                                 "Vicino alla soluzione ogni passo raddoppia le cifre esatte: la convergenza è "
                                 "quadratica."}
                               .in(language)),
-                   remark(Words{"That one solution, and only one, lies in a box around the last iterate is proved "
-                                "by a Krawczyk interval step; what is reported follows from the box.",
-                                "Che intorno all'ultima iterata ci sia una e una sola soluzione lo prova un passo "
-                                "a intervalli di Krawczyk; quanto si riporta segue da quella scatola."}
+                   remark(Words{
+                       "There is one solution, and only one, near the last iterate; what is reported are its values.",
+                       "Vicino all'ultima iterata c'è una sola soluzione; i valori riportati sono i suoi."}
                               .in(language))}},
                  {{"Iterates", "Iterate"}, {table_of_iterates}}},
       .seen = {"Residual and errors of the angles against the number of Newton-Raphson steps",

@@ -214,6 +214,51 @@ TEST_CASE("labels that must overlap each other are reported") {
   CHECK(touching > 0);
 }
 
+namespace {
+
+// The places of a figure's labels, in their order.
+std::vector<Box> boxes(const Figure& figure) {
+  std::vector<Box> all;
+  for (const PlacedText& text : probe::all<PlacedText>(compose(bare(figure)))) all.push_back(probe::text_box(text));
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("letters stand nearer to what they name than to another thing of its kind") {
+  const Point from = middle(a4_area), to = from + Point{30, 12}, aside{-1.5, 3.75};
+  Figure figure;
+  SECTION("of two vectors side by side") {
+    figure.marks = {Arrow{from, to}, Arrow{from + aside, to + aside}};
+    figure.labels = {{"$v_{1}$", from, to, Meaning::velocity, from - 3 * aside},
+                     {"$v_{2}$", from + aside, to + aside, Meaning::velocity, from + 4 * aside}};
+    const auto placed = boxes(figure);
+    CHECK(gap(placed[0], from, to) < gap(placed[0], from + aside, to + aside));
+    CHECK(gap(placed[1], from + aside, to + aside) < gap(placed[1], from, to));
+  }
+  SECTION("of three links too close for letters between them the middle one has a leader") {
+    const Point close = 0.6 * aside;
+    figure.marks = {Line{segment(from, to), Meaning::link}, Line{segment(from + close, to + close), Meaning::link},
+                    Line{segment(from - close, to - close), Meaning::link}};
+    figure.labels = {{"7", between(from, to, 0.5)}};
+    REQUIRE(boxes(figure).size() == 1);
+    CHECK(probe::all<Stroke>(compose(bare(figure))).size() == 4);
+  }
+  SECTION("a vector of another kind is not mistaken") {
+    figure.marks = {Arrow{from, to}, Arrow{from + aside, to + aside, Meaning::acceleration},
+                    Arrow{from - aside, to - aside, Meaning::acceleration}};
+    figure.labels = {{"$v$", from, to, Meaning::velocity}};
+    CHECK(probe::all<Stroke>(compose(bare(figure))).size() == 3);
+  }
+  SECTION("of two points") {
+    const Point other = from + Point{4, 4};
+    figure.marks = {Dot{from}, Dot{other}};
+    figure.labels = {{"A", from}};
+    const Box box = boxes(figure).at(0);
+    CHECK(gap(box, from, from) < gap(box, other, other));
+  }
+}
+
 TEST_CASE("labels of things off the drawing are left out and reported") {
   Figure figure;
   figure.labels = {{"far", {500, 500}}, {"near", middle(a4_area)}};

@@ -110,7 +110,13 @@ bool tells_pairs_that_belong_together(const std::string& text, const Solution& s
   return true;
 }
 
-// Both values of a row lie as near to its quantity as a ruler can tell.
+// Half a unit of the last digit of a number without a power of ten.
+double half_a_unit(const std::string& number) {
+  const auto point = number.find_first_of(".,");
+  return point == std::string::npos ? 0.5 : 0.5 * std::pow(10.0, -static_cast<double>(number.size() - point - 1));
+}
+
+// Both values of a row lie as near to its quantity as a ruler can tell, and their last digits.
 bool measures_its_quantity(const std::vector<std::string>& row, const Solution& solution) {
   const auto read = [](std::string text) {
     std::replace(text.begin(), text.end(), ',', '.');
@@ -119,7 +125,8 @@ bool measures_its_quantity(const std::vector<std::string>& row, const Solution& 
   for (const RouteValue& value : solution.values()) {
     if (!value.described || row[0].find(value.described->symbol) > 1) continue;  // perhaps after "|"
     const double known = std::abs(solution[value.quantity]);
-    return std::abs(read(row[1]) - known) <= 2e-3 * known && std::abs(read(row[2]) - known) <= 2e-3 * known;
+    return std::abs(read(row[1]) - known) <= 2e-3 * known + half_a_unit(row[1]) &&
+           std::abs(read(row[2]) - known) <= 2e-3 * known + half_a_unit(row[2]);
   }
   return false;
 }

@@ -91,6 +91,17 @@ std::string position(const PlacedPanel& panel, const PlacedPanel& other, Languag
   return words.in(language);
 }
 
+// Where a sheet shows vectors of one unit at two scales, as it does forces: whose this one is.
+std::string whose(const PlacedPanel& panel, const std::vector<PlacedPanel>& panels, Language language) {
+  const std::string unit = panel.panel->vectors().unit;
+  const bool is_only = std::all_of(panels.begin(), panels.end(), [&](const PlacedPanel& other) {
+    return other.panel->vectors().unit != unit || other.vectors.caption == panel.vectors.caption;
+  });
+  if (is_only) return {};
+  return (panel.panel->is_of_vectors() ? Words{" polygons", " poligoni"} : Words{" on the bodies", " sui corpi"})
+      .in(language);
+}
+
 // One bar for each scale: of lengths, with the figure it is of where two differ; then of vectors.
 void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const SheetRequest& request) {
   std::vector<const PlacedPanel*> figures;
@@ -114,6 +125,7 @@ void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const Sh
       if (scale.caption.empty() || std::find(captions.begin(), captions.end(), scale.caption) != captions.end())
         continue;
       bars.push_back(scale);
+      if (scale.caption == each.vectors.caption) bars.back().caption += whose(each, panels, request.language);
       captions.push_back(scale.caption);
     }
   }

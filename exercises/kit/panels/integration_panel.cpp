@@ -16,7 +16,7 @@ constexpr double least_pole_distance = 14, most_pole_share = 0.4;  // mm; of the
 constexpr double least_width = 60, least_height = 10;              // mm; of a row
 constexpr double number_size = 2.5, tick = 1;                      // mm
 constexpr double numbers_apart = 5.5, heights_apart = 6;           // mm, of the numbers along the axes
-constexpr int curve_points = 120;
+constexpr int curve_points = 100;
 
 // Of the polygon, the curve and what is carried, with zero; 0 to 1 where all is zero.
 std::pair<double, double> range(const IntegrationRow& row, const std::vector<double>& ends) {
@@ -173,12 +173,18 @@ void IntegrationPanel::draw_axes(Plot& plot, std::size_t row, Language language)
   const std::string name = title(rows_[row].letters, rows_[row].unit);
   write(name, at(row, first, high) + Arrow2{-1.5 - drawings::measure(name, number_size).width, 3.6});
   if (row + 1 < rows_.size()) return;
-  const double below = at(row, first, low).y - 4;
+  // The numbers are those of ticks under the strips, which have other widths: all ticks in one line with their axis.
+  const double foot = at(row, first, low).y, below = foot - 4;
+  std::vector<drawings::Point> ticks{plot.at({0, foot})};
   const double abscissa_step = readable_step(scales_[0], numbers_apart);
   for (double i = std::ceil(first / abscissa_step - 1e-9); i * abscissa_step <= last + 1e-9 * (last - first); ++i) {
     const std::string text = short_number(i * abscissa_step, language);
-    write(text, {at(row, i * abscissa_step, 0).x - drawings::measure(text, number_size).width / 2, below});
+    const Place mark{at(row, i * abscissa_step, 0).x, foot};
+    for (const double down : {0.0, -tick, 0.0}) ticks.push_back(plot.at(mark + Arrow2{0, down}));
+    write(text, {mark.x - drawings::measure(text, number_size).width / 2, below});
   }
+  ticks.push_back(plot.at({right.x, foot}));
+  plot.mark(drawings::Line{drawings::polyline(ticks, false), Meaning::construction});
   write(title(along_.letters, along_.unit), {right.x + 3, below});
 }
 

@@ -48,44 +48,62 @@ Size size_of(const Division& part, const std::vector<Size>& panels) {
   return {std::max(a.width, b.width), a.height + between_panels + b.height};
 }
 
-// What is left over goes in equal shares to both parts.
-void place(const Division& part, const std::vector<Size>& panels, const drawings::Box& room,
-           std::vector<drawings::Box>& rooms) {
+// How much of what is left over the first of two parts gets: what is left out of each comes first, in proportion
+// where that is too much; the rest goes in equal shares to both.
+double first_share(double left_over, double first_lacks, double second_lacks) {
+  const double lack = first_lacks + second_lacks;
+  return lack > left_over ? left_over * first_lacks / lack : first_lacks + (left_over - lack) / 2;
+}
+
+// `whole`: the panels with what may be cut.
+void place(const Division& part, const std::vector<Size>& panels, const std::vector<Size>& whole,
+           const drawings::Box& room, std::vector<drawings::Box>& rooms) {
   if (!part.first) {
     rooms[part.panel] = room;
     return;
   }
   const Size a = size_of(*part.first, panels), b = size_of(*part.second, panels);
+  const Size whole_a = size_of(*part.first, whole), whole_b = size_of(*part.second, whole);
   drawings::Box one = room, other = room;
   if (part.side_by_side) {
     const double left_over = room.width() - a.width - between_panels - b.width;
-    one.high.x = room.low.x + a.width + left_over / 2;
+    one.high.x = room.low.x + a.width + first_share(left_over, whole_a.width - a.width, whole_b.width - b.width);
     other.low.x = one.high.x + between_panels;
   } else {
     const double left_over = room.height() - a.height - between_panels - b.height;
-    one.low.y = room.high.y - a.height - left_over / 2;
+    one.low.y = room.high.y - a.height - first_share(left_over, whole_a.height - a.height, whole_b.height - b.height);
     other.high.y = one.low.y - between_panels;
   }
-  place(*part.first, panels, one, rooms);
-  place(*part.second, panels, other, rooms);
+  place(*part.first, panels, whole, one, rooms);
+  place(*part.second, panels, whole, other, rooms);
 }
 
-// The scales that can be chosen: the lengths of each panel that shows a plane of them, the vectors of each unit.
+// The scales that can be chosen: the lengths of each panel that shows a plane of them, the vectors of each group.
 struct Choice {
   Scale scale;
   bool is_fixed = false;
 };
 struct Choices {
   std::vector<Choice> lengths;            // by panel
-  std::map<std::string, Choice> vectors;  // by unit
+  std::map<std::string, Choice> vectors;  // by group
 };
+
+// Those whose vectors have one scale; empty for a panel without vectors. Bodies with their forces, which tell where
+// these act, have one of their own: polygons are read, and need not be as small as those must be.
+std::string group_of_vectors(const Panel& panel) {
+  const std::string unit = panel.vectors().unit, bodies = panel.scale_group();
+  return unit.empty() || bodies.empty() ? unit : unit + " on " + bodies;
+}
 
 class Search {
  public:
   enum class Of { all, near };
   Search(const Panels& panels, Of of, const drawings::Box& room, const SheetRequest& request)
       : panels_(panels), of_(of), room_(room), language_(request.language) {
-    for (const auto& panel : panels) vectors_.push_back(panel->vectors());
+    for (const auto& panel : panels) {
+      vectors_.push_back(panel->vectors());
+      groups_.push_back(group_of_vectors(*panel));
+    }
     largest_ = largest(request.scale);
   }
 
@@ -105,7 +123,7 @@ class Search {
 
   std::vector<PlacedPanel> placed(const Found& found) {
     std::vector<drawings::Box> rooms(panels_.size());
-    place(*found.division, sizes(found.choices), room_, rooms);
+    place(*found.division, sizes(found.choices), whole_sizes(found.choices), room_, rooms);
     std::vector<PlacedPanel> all;
     for (std::size_t i = 0; i < panels_.size(); ++i)
       all.push_back({panels_[i].get(), rooms[i], found.choices.lengths[i].scale, vectors_of(found.choices, i),
@@ -116,7 +134,7 @@ class Search {
  private:
   const Scale& vectors_of(const Choices& choices, std::size_t panel) const {
     static const Scale none;
-    const auto found = choices.vectors.find(vectors_[panel].unit);
+    const auto found = choices.vectors.find(groups_[panel]);
     return found == choices.vectors.end() ? none : found->second.scale;
   }
 
@@ -134,6 +152,17 @@ class Search {
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       const drawings::Box& box = extent(choices, i);
       all.push_back({box.width(), box.height()});
+    }
+    return all;
+  }
+
+  // With what is left out of those that are cut, and no less than what is needed of them.
+  std::vector<Size> whole_sizes(const Choices& choices) {
+    std::vector<Size> all = sizes(choices);
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      if (!panels_[i]->is_cut()) continue;
+      const drawings::Box box = panels_[i]->extent(choices.lengths[i].scale, vectors_of(choices, i));
+      all[i] = {std::max(all[i].width, box.width()), std::max(all[i].height, box.height())};
     }
     return all;
   }
@@ -161,15 +190,14 @@ class Search {
         is_asked = false;
       }
     }
-    std::map<std::string, double> mm_per_unit;
-    for (const Panel::Vectors& shown : vectors_) {
+    for (std::size_t i = 0; i < vectors_.size(); ++i) {
+      const Panel::Vectors& shown = vectors_[i];
       if (shown.unit.empty()) continue;
       const double most = shown.longest_on_paper / (shown.longest > 0 ? shown.longest : 1);
-      const auto [at, is_new] = mm_per_unit.try_emplace(shown.unit, most);
-      if (!is_new) at->second = std::min(at->second, most);
+      const Scale scale = largest_vector_scale(most, shown.unit, language_);
+      const auto [at, is_new] = choices.vectors.try_emplace(groups_[i], Choice{scale});
+      if (!is_new && scale.mm_per_unit < at->second.scale.mm_per_unit) at->second.scale = scale;
     }
-    for (const auto& [unit, most] : mm_per_unit)
-      choices.vectors[unit] = {largest_vector_scale(most, unit, language_)};
     keep_in_step(choices);
     return choices;
   }
@@ -189,9 +217,10 @@ class Search {
       all.back().lengths[i].scale = largest_length_scale(smaller * choices.lengths[i].scale.mm_per_unit);
       keep_in_step(all.back());
     }
-    for (const auto& [unit, choice] : choices.vectors) {
+    for (const auto& [group, choice] : choices.vectors) {
       all.push_back(choices);
-      all.back().vectors[unit].scale = largest_vector_scale(smaller * choice.scale.mm_per_unit, unit, language_);
+      all.back().vectors[group].scale =
+          largest_vector_scale(smaller * choice.scale.mm_per_unit, choice.scale.unit, language_);
     }
     return all;
   }
@@ -235,9 +264,10 @@ class Search {
         larger.lengths[i] = before.lengths[i];
         keep_in_step(larger);
       });
-    for (const auto& [unit, choice] : largest_.vectors)
-      try_with(
-          [&unit = unit](Choices& larger, const Choices& before) { larger.vectors[unit] = before.vectors.at(unit); });
+    for (const auto& [group, choice] : largest_.vectors)
+      try_with([&group = group](Choices& larger, const Choices& before) {
+        larger.vectors[group] = before.vectors.at(group);
+      });
     return choices;
   }
 
@@ -252,15 +282,15 @@ class Search {
   double size_of_all(const Choices& choices) const {
     double size = 0;
     for (const Choice& choice : choices.lengths) size += std::log(choice.scale.mm_per_unit);
-    for (const auto& [unit, choice] : choices.vectors) size += planes(unit) * std::log(choice.scale.mm_per_unit);
+    for (const auto& [group, choice] : choices.vectors) size += planes(group) * std::log(choice.scale.mm_per_unit);
     return size;
   }
 
   // How many panels are planes of these vectors; one, where a panel of lengths shows them.
-  double planes(const std::string& unit) const {
+  double planes(const std::string& group) const {
     double count = 0;
     for (std::size_t i = 0; i < panels_.size(); ++i)
-      if (panels_[i]->is_of_vectors() && vectors_[i].unit == unit) ++count;
+      if (panels_[i]->is_of_vectors() && groups_[i] == group) ++count;
     return std::max(count, 1.0);
   }
 
@@ -269,6 +299,7 @@ class Search {
   drawings::Box room_;
   Language language_;
   std::vector<Panel::Vectors> vectors_ = {};
+  std::vector<std::string> groups_ = {};  // of vectors at one scale, by panel
   Choices largest_;
   std::map<std::tuple<std::size_t, double, double>, drawings::Box> known_;  // extents
 };

@@ -22,6 +22,37 @@ drawings::Point beside(drawings::Point p, double direction, double along, double
   return {p.x + along * c - across * s, p.y + along * s + across * c};
 }
 
+// The usual radius of an angle's arc (mm), or one near it, so that the arc falls on none of the circles about its
+// vertex.
+double clear_of(const std::vector<double>& circles, double usual, const Scale& scale) {
+  constexpr double apart = 3;  // mm
+  for (const double radius : {usual, usual - apart, usual + apart, usual - 2 * apart})
+    if (std::none_of(circles.begin(), circles.end(),
+                     [&](double circle) { return std::abs(scale.mm_per_unit * circle - radius) < apart; }))
+      return radius;
+  return usual;
+}
+
+constexpr double one_direction = 0.02;  // radians
+
+bool has_direction(const std::vector<double>& lines, double direction) {
+  return std::any_of(lines.begin(), lines.end(), [&](double line) {
+    return std::abs(std::remainder(line - direction, 2 * std::numbers::pi)) < one_direction;
+  });
+}
+
+bool is_on_line(const Place& P, const Place& from, const Place& to) {
+  const Arrow2 along = to - from, there = P - from;
+  return std::abs(cross(along, there)) <= one_direction * magnitude(along) * magnitude(there);
+}
+
+// The side of an angle that is no line of the mechanism: thin, a little beyond the arc.
+void draw_leg(Plot& plot, const Place& vertex, double direction, double radius) {
+  constexpr double past_arc = 3;  // mm
+  const double length = (radius + past_arc) / plot.scale().mm_per_unit;
+  plot.segment(vertex, vertex + length * Arrow2{std::cos(direction), std::sin(direction)}, Meaning::construction);
+}
+
 double distance_to_segment(const Place& X, const Place& P, const Place& Q) {
   const Arrow2 along = Q - P;
   const double length_squared = dot(along, along);
@@ -305,15 +336,26 @@ void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
   const double opening = angle.to - angle.from;
   if (std::abs(opening) * angle_radius < shortest_arc || plot.scale().mm_per_unit * reach() < angle_radius) return;
   const Place& O = at(angle.at);
-  const double radius = radius_of(angle);
-  if (angle.is_directed) {
-    const drawings::Point o = plot.at(O);
-    plot.segment(O, plot.from_paper({o.x + radius + 3, o.y}), Meaning::construction);
-    plot.mark(drawings::Rotation{o, radius, angle.from, angle.to, Meaning::dimension});
-  } else {
+  std::vector<double> circles;
+  for (const Path& path : paths_)
+    if (path.about == angle.at) circles.push_back(distance(O, at(path.of)));
+  for (const Swing& swing : swings_)
+    if (swing.about == angle.at) circles.push_back(distance(O, at(swing.of)));
+  for (const Disc& disc : discs_)
+    if (disc.centre == angle.at) circles.push_back(this->radius(disc));
+  const double radius = clear_of(circles, radius_of(angle), plot.scale());
+
+  std::vector<double> lines = directions_at(angle.at);
+  for (const Axis& axis : axes_)
+    for (const Place& end : {axis.from, axis.to})
+      if (is_on_line(O, axis.from, axis.to) && distance(O, end) > 0) lines.push_back(direction(O, end));
+  for (const double side : {angle.from, angle.to})
+    if (!has_direction(lines, side)) draw_leg(plot, O, side, radius);
+  if (angle.is_directed)
+    plot.mark(drawings::Rotation{plot.at(O), radius, angle.from, angle.to, Meaning::dimension});
+  else
     plot.mark(drawings::AngleMark{plot.at(O), radius, std::min(angle.from, angle.to), std::max(angle.from, angle.to),
                                   Meaning::dimension});
-  }
   const double out = radius / plot.scale().mm_per_unit, middle = (angle.from + angle.to) / 2;
   plot.label(angle.symbol, {O.x + out * std::cos(middle), O.y + out * std::sin(middle)}, O);
 }

@@ -102,7 +102,7 @@ std::string figures(double value, int count, Language language) {
 }
 
 std::string percent(double value, Language language) {
-  std::string text = fmt::format("{:.3f}", value);
+  std::string text = fmt::format("{:.1f}", value);
   if (language == Language::italian) text.replace(text.find('.'), 1, ",");
   return text;
 }

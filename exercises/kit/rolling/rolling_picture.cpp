@@ -126,9 +126,9 @@ std::vector<drawings::Block> told_of_curve(const Words& name, const Words& equat
                                            Language language) {
   const Words proved{
       "The line through the points is the true {}; as drawn it is nowhere more than {} mm of paper off "
-      "it (proved).",
+      "it.",
       "La linea per i punti è la vera {}; così disegnata non se ne scosta in alcun punto più di {} mm sul "
-      "foglio (dimostrato)."};
+      "foglio."};
   return {drawings::Heading{Words{"The curve", "La curva"}.in(language)}, drawings::Paragraph{equation.in(language)},
           drawings::Paragraph{
               fmt::format(fmt::runtime(proved.in(language)), name.in(language), figures(deviation, 1, language))}};

@@ -103,5 +103,5 @@ TEST_CASE("landing: every sheet is drawn, whatever is given", "[landing][sheets]
 }
 
 TEST_CASE("landing: letters find room", "[landing][sheets]") {
-  letters_find_room(landing(), {{}, {"c_y=-2"}, {"J_r=400", "Delta_t=0.7"}}, {"integration"});
+  letters_find_room(landing(), {{}, {"c_y=-2"}, {"J_r=400", "Delta_t=0.7"}});
 }

@@ -78,6 +78,5 @@ TEST_CASE("pump: givens that cannot be, each in one sentence", "[pump]") {
 TEST_CASE("pump: every sheet is drawn, whatever is given", "[pump][sheets]") { draws_every_sheet(pump(), corpus()); }
 
 TEST_CASE("pump: letters find room", "[pump][sheets]") {
-  // Beside the rays of a graphical integration the numbers of strips of one ordinate stand close.
-  letters_find_room(pump(), {{}, {"m=0"}, {"m=300"}, {"p_a=4", "i=0.2"}}, {"energy", "energy-with-mass"});
+  letters_find_room(pump(), {{}, {"m=0"}, {"m=300"}, {"p_a=4", "i=0.2"}});
 }

@@ -1,0 +1,98 @@
+#include "drawings/labels/namesakes.h"
+
+#include <algorithm>
+
+#include "drawings/marks/window.h"
+#include "drawings/paths/clip.h"
+#include "drawings/paths/vectors.h"
+
+namespace epure::drawings {
+
+namespace {
+
+constexpr double on_it = 0.05;    // mm: the label was given the mark's own ends
+constexpr double one_mark = 0.5;  // mm: nearer than this, two marks are one to the eye
+
+double between_point(Point p, const Segment& mark) { return gap(Box{p, p}, mark.first, mark.second); }
+
+bool is_one_mark(const Segment& first, const Segment& second) {
+  const auto lies_on = [](const Segment& a, const Segment& b) {
+    return between_point(between(a.first, a.second, 0.5), b) < one_mark;
+  };
+  return lies_on(first, second) || lies_on(second, first);
+}
+
+std::optional<Point> point_of(const Mark& mark) {
+  if (const auto* dot = std::get_if<Dot>(&mark)) return dot->at;
+  if (const auto* cross = std::get_if<Cross>(&mark)) return cross->at;
+  if (const auto* hinge = std::get_if<Hinge>(&mark)) return hinge->at;
+  if (const auto* fixed = std::get_if<FixedHinge>(&mark)) return fixed->at;
+  return {};
+}
+
+}  // namespace
+
+Namesakes::Namesakes(const Figure& figure, const std::vector<Label>& labels, Box area) {
+  for (std::size_t i = 0; i < figure.marks.size(); ++i) {
+    const Mark& mark = figure.marks[i];
+    const Box window = window_of(figure, i, area);
+    if (const auto* arrow = std::get_if<Arrow>(&mark)) {
+      add(vectors_, arrow->from, arrow->to, arrow->meaning, window);
+    } else if (const auto* line = std::get_if<Line>(&mark)) {
+      Point at = line->path.start;
+      for (const Piece& piece : line->path.pieces) {
+        if (piece.straight) add(lines_, at, piece.end, line->meaning, window);
+        at = piece.end;
+      }
+      if (line->path.closed) add(lines_, at, line->path.start, line->meaning, window);
+    } else if (const auto point = point_of(mark)) {
+      add(points_, *point, *point, Meaning::text, window);
+    }
+  }
+  for (const Label& label : labels)
+    if (!label.to) add(labelled_points_, label.at, label.at, Meaning::text, area);
+}
+
+void Namesakes::add(Kind& kind, Point from, Point to, Meaning meaning, Box window) {
+  if (const auto seen = clip_segment(from, to, window)) kind.push_back({{from, to}, *seen, meaning});
+}
+
+const Namesakes::Shown* Namesakes::on_one(const Kind& kind, Point at, Point to) {
+  const auto found = std::find_if(kind.begin(), kind.end(), [&](const Shown& each) {
+    return between_point(at, each.whole) < on_it && between_point(to, each.whole) < on_it;
+  });
+  return found == kind.end() ? nullptr : &*found;
+}
+
+void Namesakes::add_others(Naming& naming, const Kind& kind, const Label& label, const Shown& own, double reach) {
+  const Box around = grown(include(include(nothing(), own.seen.first), own.seen.second), reach);
+  for (const Shown& each : kind) {
+    if (each.meaning != own.meaning || is_beyond(0, around, each.seen.first, each.seen.second)) continue;
+    if (is_one_mark(own.seen, each.seen) || (!label.to && between_point(label.at, each.seen) < one_mark)) continue;
+    naming.others.push_back(each.seen);
+  }
+}
+
+Naming Namesakes::of(const Label& label, double width) const {
+  constexpr double farthest_off = 6;  // mm: from what they name, without a leader, with what is clearly nearer
+  const double reach = width + farthest_off;
+  const Point at = label.at, to = label.to.value_or(label.at);
+  Naming naming{{at, to}, {}};
+  const auto is_among = [&](const Kind& kind) {
+    const Shown* own = on_one(kind, at, to);
+    if (!own) return false;
+    if (!label.to) naming.own = own->seen;
+    add_others(naming, kind, label, {{at, to}, {at, to}, own->meaning}, reach);
+    return true;
+  };
+  if (label.to) {
+    if (!is_among(vectors_)) is_among(lines_);
+  } else if (on_one(points_, at, at) || !is_among(lines_)) {
+    const Shown point{{at, at}, {at, at}, Meaning::text};
+    add_others(naming, points_, label, point, reach);
+    add_others(naming, labelled_points_, label, point, reach);
+  }
+  return naming;
+}
+
+}  // namespace epure::drawings

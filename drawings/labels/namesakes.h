@@ -1,0 +1,36 @@
+// What letters name on a figure, and what else of its kind they could be taken to name.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "drawings/labels/labels.h"
+
+namespace epure::drawings {
+
+class Namesakes {
+ public:
+  // Of the marks as far as they show, in their window and in `area`, and of the points that labels are given.
+  Namesakes(const Figure& figure, const std::vector<Label>& labels, Box area);
+
+  // A label of a segment names the vector or line it lies on, one of a point what is drawn there, or else the line
+  // through it. The others are the vectors or lines of that meaning, or points, as far as letters `width` mm wide
+  // beside their own can come near them; none of them is what the eye cannot tell from its own, nor a line through
+  // its point.
+  Naming of(const Label& label, double width) const;
+
+ private:
+  struct Shown {
+    Segment whole, seen;
+    Meaning meaning = Meaning::text;
+  };
+  using Kind = std::vector<Shown>;
+  static void add(Kind& kind, Point from, Point to, Meaning meaning, Box window);
+  static const Shown* on_one(const Kind& kind, Point at, Point to);
+  static void add_others(Naming& naming, const Kind& kind, const Label& label, const Shown& own, double reach);
+
+  Kind vectors_, lines_, points_, labelled_points_;
+};
+
+}  // namespace epure::drawings
