@@ -29,8 +29,9 @@ std::vector<drawings::File> files_of(const Report& report, const std::filesystem
 
 std::string benchmark(const Catalogue& exercises, const Options& options, std::ostream& err) {
   for (const Format format : formats_of(options))
-    if (format == Format::csv)
-      throw WrongUsage("bench writes pdf, svg or both, and no csv", "bench scrive pdf, svg o entrambi, e non csv");
+    if (format != Format::pdf && format != Format::svg)
+      throw WrongUsage("bench writes pdf, svg or both, and nothing else",
+                       "bench scrive pdf, svg o entrambi, e nient'altro");
   const std::filesystem::path folder = options.folder.value_or("out");
   drawings::demand_writable(folder);  // a minute's work is not to be lost for a folder
   const Report report = run_bench(exercises, seconds_of(options), [&](const std::string& what) {

@@ -185,13 +185,13 @@ std::size_t lines_needed(const MeasuredCurve& of, double tolerance) {
 // Bytes that paths add to a PDF, 150 mm for a metre.
 std::size_t bytes_of(const std::vector<drawings::Path>& paths) {
   drawings::Page page{"curve", "curve", "", {{0, 0}, {297, 210}}, drawings::Language::english, {}};
-  const std::size_t empty = drawings::write_pdf({page}, "").size();
+  const std::size_t empty = drawings::write_pdf({page}, {}).size();
   for (const drawings::Path& path : paths) {
     drawings::Stroke stroke;
     stroke.path = path;
     page.primitives.emplace_back(stroke);
   }
-  return drawings::write_pdf({page}, "").size() - empty;
+  return drawings::write_pdf({page}, {}).size() - empty;
 }
 
 drawings::Point on_paper(const Place& P) { return {150 + 150 * P.x, 100 + 150 * P.y}; }

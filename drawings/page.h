@@ -54,7 +54,31 @@ struct Page {
 // finite, TooFar (output.h) for one that is too large.
 Page compose(const Sheet& sheet, std::vector<std::string>* conflicts = nullptr);
 
-std::string write_pdf(const std::vector<Page>& pages, const std::string& document_title);
+// What a PDF says of itself, and what its reader shows beside the pages. Plain text; an empty one is left out.
+struct Bookmark {
+  std::string title;
+  std::size_t page = 0;    // from 0
+  bool is_within = false;  // below the last one that is not
+};
+struct Document {
+  std::string title;
+  std::string author = {}, subject = {};
+  std::vector<Bookmark> bookmarks = {};
+};
+
+// All throw as pdf() and svg() do (output.h); bytes depend on the pages alone.
+std::string write_pdf(const std::vector<Page>& pages, const Document& document);
 std::string write_svg(const Page& page);
+// For TeX and others that take no PDF. PostScript knows no transparency: the light areas are mixed with white, and
+// lie below all else.
+std::string write_eps(const Page& page);
+// Its background is transparent unless the page is paper. The file says how large it is.
+std::string write_png(const Page& page, double dots_per_inch);
+struct Pixels {
+  long width = 0, height = 0;
+};
+Pixels pixels(const Page& page, double dots_per_inch);
+// A picture takes four bytes a pixel while it is painted.
+inline constexpr long most_pixels = 80'000'000;
 
 }  // namespace epure::drawings

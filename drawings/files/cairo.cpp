@@ -1,5 +1,6 @@
 // Pages painted by Cairo, with Pango's fonts. The only file that knows Cairo.
 #include <cairo-pdf.h>
+#include <cairo-ps.h>
 #include <cairo.h>
 #include <fmt/format.h>
 #include <pango/pangocairo.h>
@@ -10,6 +11,8 @@
 #include <stdexcept>
 
 #include "drawings/files/check_page.h"
+#include "drawings/files/flattened.h"
+#include "drawings/files/resolution.h"
 #include "drawings/libraries.h"
 #include "drawings/page.h"
 #include "drawings/paths/grid.h"
@@ -55,9 +58,13 @@ cairo_scaled_font_t* scaled_font(Face face) {
   return pango_cairo_font_get_scaled_font(PANGO_CAIRO_FONT(pango_fonts()[face]));
 }
 
+// A picture takes the outlines: Cairo before 1.18 would move each letter to a whole pixel.
+enum class Letters { text, outlines };
+
 class Painter {
  public:
-  Painter(cairo_t* context, const Box& extent) : context_(context), frame_(extent) {}
+  Painter(cairo_t* context, const Box& extent, Letters letters)
+      : context_(context), frame_(extent), letters_(letters) {}
 
   void operator()(const Stroke& stroke) {
     cairo_save(context_);
@@ -138,6 +145,12 @@ class Painter {
         clusters.push_back({static_cast<int>(glyph.text.size()), 1});
       letters += glyph.text;
     }
+    if (letters_ == Letters::outlines) {
+      cairo_new_path(context_);
+      cairo_glyph_path(context_, glyphs.data(), static_cast<int>(glyphs.size()));
+      cairo_fill(context_);
+      return;
+    }
     cairo_show_text_glyphs(context_, letters.data(), static_cast<int>(letters.size()), glyphs.data(),
                            static_cast<int>(glyphs.size()), clusters.data(), static_cast<int>(clusters.size()),
                            cairo_text_cluster_flags_t{});
@@ -145,6 +158,7 @@ class Painter {
 
   cairo_t* context_;
   Frame frame_;
+  Letters letters_;
 };
 
 // Metrics and outlines as designed, at every size.
@@ -163,15 +177,19 @@ Context open(cairo_surface_t* surface) {
   return context;
 }
 
-void paint(cairo_surface_t* surface, const Page& page) {
-  cairo_pdf_surface_set_size(surface, page.extent.width() * points_per_mm, page.extent.height() * points_per_mm);
-  const Context context = open(surface);
-  Painter painter(context.get(), page.extent);
+void paint(cairo_t* context, const Page& page, Letters letters) {
+  Painter painter(context, page.extent, letters);
   for (const Primitive& primitive : page.primitives) {
     const MemoryWatch memory;
     std::visit(painter, primitive);
     memory.demand();
   }
+  demand(cairo_status(context));
+}
+
+void paint_sheet_of_document(cairo_surface_t* surface, const Page& page) {
+  const Context context = open(surface);
+  paint(context.get(), page, Letters::text);
   const MemoryWatch memory;
   cairo_show_page(context.get());
   memory.demand();
@@ -186,12 +204,38 @@ std::string finish(cairo_surface_t* surface, Memory& memory) {
   return std::move(memory.bytes);
 }
 
-void set_metadata(cairo_surface_t* surface, const std::string& title) {
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, title.c_str());
+void set_metadata(cairo_surface_t* surface, const Document& document) {
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, document.title.c_str());
+  if (!document.author.empty())
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_AUTHOR, document.author.c_str());
+  if (!document.subject.empty())
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_SUBJECT, document.subject.c_str());
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "epure " EPURE_VERSION);
   // Cairo writes the present time unless it is given a date; one it cannot read makes it write none. The same
   // drawing is then the same file.
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "none");
+}
+
+void add_bookmarks(cairo_surface_t* surface, const std::vector<Bookmark>& bookmarks) {
+  int above = CAIRO_PDF_OUTLINE_ROOT;
+  for (const Bookmark& each : bookmarks) {
+    const int parent = each.is_within ? above : CAIRO_PDF_OUTLINE_ROOT;
+    const int id =
+        cairo_pdf_surface_add_outline(surface, parent, each.title.c_str(),
+                                      fmt::format("page={}", each.page + 1).c_str(), CAIRO_PDF_OUTLINE_FLAG_OPEN);
+    if (!each.is_within) above = id;
+  }
+}
+
+void check(const Document& document, std::size_t pages) {
+  check_plain_text(document.title, "the title of the document");
+  check_plain_text(document.author, "the author of the document");
+  check_plain_text(document.subject, "the subject of the document");
+  for (const Bookmark& each : document.bookmarks) {
+    check_plain_text(each.title, "a bookmark");
+    if (each.title.empty() || each.page >= pages)
+      throw std::invalid_argument(fmt::format("bookmark '{}' to page {} of {}", each.title, each.page + 1, pages));
+  }
 }
 
 // Cairo's y points down, and after a contour it moves once more to where that began.
@@ -217,21 +261,64 @@ std::vector<Path> contours(const cairo_path_t& path) {
 
 }  // namespace
 
-std::string write_pdf(const std::vector<Page>& pages, const std::string& document_title) {
+std::string write_pdf(const std::vector<Page>& pages, const Document& document) {
   const Timed timed(Work::pdf);
   if (pages.empty()) throw std::invalid_argument("a document needs at least one page");
-  check_plain_text(document_title, "the title of the document");
+  check(document, pages.size());
   for (const Page& page : pages) check(page);
 
   Memory memory;
   const Surface surface(cairo_pdf_surface_create_for_stream(keep, &memory, 72, 72));
   demand(cairo_surface_status(surface.get()));
-  set_metadata(surface.get(), document_title);
-  for (const Page& page : pages) paint(surface.get(), page);
+  set_metadata(surface.get(), document);
+  for (const Page& page : pages) {
+    cairo_pdf_surface_set_size(surface.get(), page.extent.width() * points_per_mm,
+                               page.extent.height() * points_per_mm);
+    paint_sheet_of_document(surface.get(), page);
+  }
   const MemoryWatch watch;
+  add_bookmarks(surface.get(), document.bookmarks);
   std::string bytes = finish(surface.get(), memory);
   watch.demand();
   return bytes;
+}
+
+std::string write_eps(const Page& page) {
+  check(page);
+  Memory memory;
+  const Surface surface(cairo_ps_surface_create_for_stream(keep, &memory, page.extent.width() * points_per_mm,
+                                                           page.extent.height() * points_per_mm));
+  demand(cairo_surface_status(surface.get()));
+  cairo_ps_surface_set_eps(surface.get(), 1);
+  paint_sheet_of_document(surface.get(), flattened(page));
+  const MemoryWatch watch;
+  std::string bytes = finish(surface.get(), memory);
+  watch.demand();
+  return without_date(std::move(bytes));
+}
+
+std::string write_png(const Page& page, double dots_per_inch) {
+  check(page);
+  const Pixels size = pixels(page, dots_per_inch);
+  if (size.width < 1 || size.height < 1 || size.width > most_pixels / size.height)
+    throw std::invalid_argument(fmt::format("page '{}' of {} x {} pixels", page.id, size.width, size.height));
+  const Surface surface(
+      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(size.width), static_cast<int>(size.height)));
+  demand(cairo_surface_status(surface.get()));
+  const Context context = open(surface.get());
+  cairo_scale(context.get(), dots_per_inch / points_per_inch, dots_per_inch / points_per_inch);
+  if (page.is_paper) {
+    cairo_set_source_rgb(context.get(), 1, 1, 1);
+    cairo_paint(context.get());
+  }
+  paint(context.get(), page, Letters::outlines);
+  Memory memory;
+  const MemoryWatch watch;
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), keep, &memory);
+  if (memory.failed) throw std::bad_alloc();
+  demand(status);
+  watch.demand();
+  return with_resolution(std::move(memory.bytes), dots_per_inch);
 }
 
 std::vector<Path> glyph_outline(Face face, unsigned glyph) {

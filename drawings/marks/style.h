@@ -18,6 +18,9 @@ LineStyle line_style(Meaning meaning, LineType type);
 Colour ink(Meaning meaning);   // letters, arrow heads and points of this meaning
 Colour tint(Meaning meaning);  // the light fill of an area
 
+// The ink that stands for one of these on a dark ground, as opaque; what is none of them stays as it is.
+Colour light_ink(const Colour& ink);
+
 // The pattern stretched a little, so that the line begins and ends with a full dash (a closed one meets itself
 // between dashes); continuous when the line is too short to show its pattern.
 std::vector<double> fitted_dashes(const std::vector<double>& pattern, double length, bool closed);

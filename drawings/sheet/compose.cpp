@@ -10,6 +10,7 @@
 #include "drawings/marks/window.h"
 #include "drawings/output.h"
 #include "drawings/paths/vectors.h"
+#include "drawings/sheet/bars_below.h"
 #include "drawings/sheet/column.h"
 #include "drawings/sheet/ink.h"
 #include "drawings/sheet/layout.h"
@@ -144,17 +145,27 @@ Stroke frame_line(Box frame) {
           {}};
 }
 
+// The figure, its scale bars right under it.
+std::vector<Primitive> bare_ink(const Sheet& sheet, std::vector<std::string>* conflicts) {
+  Figure figure = sheet.figure;
+  std::vector<ScaleBar> bars = taken_out(figure);
+  std::vector<Primitive> primitives = figure_ink(figure, drawing_area(sheet.paper), conflicts);
+  append(primitives, bars_below(ink_box(primitives), std::move(bars), conflicts));
+  return primitives;
+}
+
 }  // namespace
 
 Page compose(const Sheet& sheet, std::vector<std::string>* conflicts) {
   const Timed timed(Work::layout);
   Page page{sheet.id, sheet.title, sheet.description, paper_box(sheet.paper), sheet.language, {}, !sheet.bare};
-  page.primitives = figure_ink(sheet.figure, drawing_area(sheet.paper), conflicts);
   if (sheet.bare) {
+    page.primitives = bare_ink(sheet, conflicts);
     const Box box = ink_box(page.primitives);
     if (!is_nothing(box)) page.extent = grown(box, 2);
     return page;
   }
+  page.primitives = figure_ink(sheet.figure, drawing_area(sheet.paper), conflicts);
   const Layout parts = layout(sheet.paper, title_block_height(sheet));
   page.primitives.push_back(frame_line(parts.frame));
   append(page.primitives, set_title_block(sheet, parts.title_block, conflicts));

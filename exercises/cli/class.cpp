@@ -169,7 +169,8 @@ class ClassSet {
     std::vector<drawings::Page> pages;
     for (const DrawnSheet& sheet : sheets)
       for (drawings::Page& page : pages_of(sheet)) pages.push_back(std::move(page));
-    return drawings::write_pdf(pages, drawings::plain(exercise_.about().title.in(lots_.request.language)));
+    return drawings::write_pdf(pages, {.title = drawings::plain(exercise_.about().title.in(lots_.request.language)),
+                                       .author = lots_.request.titles.author});
   }
 
   // As --set takes it, without the symbol.

@@ -10,11 +10,13 @@
 #include <set>
 #include <utility>
 
+#include "drawings/files/tex.h"
 #include "drawings/output.h"
 #include "drawings/page.h"
 #include "drawings/stopwatch.h"
 #include "drawings/text/text.h"
 #include "exercises/cli/abreast.h"
+#include "exercises/cli/documents.h"
 #include "exercises/cli/pages.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/verbs.h"
@@ -59,7 +61,8 @@ struct DrawnTarget {
 
 class Drawing {
  public:
-  Drawing(const std::vector<Target>& targets, const Options& options) : options_(options) {
+  Drawing(const std::vector<Target>& targets, const Options& options)
+      : options_(options), looks_(looks_asked(options)) {
     std::vector<const Exercise*> exercises;
     for (const Target& target : targets)
       if (std::find(exercises.begin(), exercises.end(), target.exercise) == exercises.end())
@@ -71,7 +74,8 @@ class Drawing {
     }
     for (std::size_t i = 0; i < exercises.size(); ++i) solving_.emplace_back(exercises[i], givens[i]);
     if (wants_only_tables()) return;
-    const SheetRequest request = sheet_request(options);
+    SheetRequest request = sheet_request(options);
+    request.bare = is_bare(options);
     abreast(sheets_.size(), [&](std::size_t i) {
       DrawnSheetOf& each = sheets_[i];
       try {
@@ -86,13 +90,14 @@ class Drawing {
       }
     });
     leave_out_undecided();
+    demand_paintable_pages();
   }
 
   // Of each sheet left out, why.
   const std::vector<Words>& remarks() const { return remarks_; }
 
   // ID.pdf and ID-SHEET.svg, or ID-SHEET.pdf and ID-SHEET.svg, of a sheet's further pages ID-SHEET-2.svg;
-  // ID-SHEET.csv; ID-blank.pdf, ID-SHEET-blank.svg. A file asked for twice is made once.
+  // ID-SHEET.csv; ID-blank.pdf, ID-SHEET-blank.svg. png, eps and tex as svg. A file asked for twice is made once.
   std::vector<File> files_in_folder() {
     const std::filesystem::path folder = options_.folder.value_or("out");
     std::vector<File> files;
@@ -107,11 +112,14 @@ class Drawing {
       for (const Format format : formats_of(options_)) {
         if (format == Format::pdf)
           add(folder / (each.target.file_stem() + ending_of_blank() + ".pdf"), [&] { return pdf({each}); });
-        else if (format == Format::svg)
+        else if (format != Format::csv)
           for (const DrawnSheetOf* sheet : each.sheets)
-            for (std::size_t i = 0; i < sheet->pages.size(); ++i)
-              add(folder / (stem(*sheet) + ending_of_blank() + (i == 0 ? "" : fmt::format("-{}", i + 1)) + ".svg"),
-                  [sheet, i] { return write_svg(sheet->pages[i]); });
+            for (std::size_t i = 0; i < sheet->pages.size(); ++i) {
+              const std::string name =
+                  stem(*sheet) + ending_of_blank() + (i == 0 ? "" : fmt::format("-{}", i + 1)) + ending_of(format);
+              for (FileToMake& file : files_of(format, sheet->pages[i], folder / name))
+                add(file.path, std::move(file.maker));
+            }
       }
     if (is_asked_for(Format::csv))
       for (const TableOf& table : tables())
@@ -120,20 +128,24 @@ class Drawing {
     return files;
   }
 
-  // Of a sheet of several pages an SVG file holds the first, which says so.
-  File single_file() {
+  // That of -o, and what belongs to it. Of a sheet of several pages a file of one page holds the first, which says
+  // so.
+  std::vector<File> files_of_one() {
     const Format format = format_of_file(options_);
-    if (format == Format::pdf) return {*options_.file, pdf(drawn_)};
-    if (format == Format::csv) return {*options_.file, single_table()};
+    if (format == Format::pdf) return {{*options_.file, pdf(drawn_)}};
+    if (format == Format::csv) return {{*options_.file, single_table()}};
     const DrawnTarget& first = drawn_.front();
     std::size_t count = 0;
     for (const DrawnTarget& each : drawn_) count += each.sheets.size();
     if (count != 1)
-      throw WrongUsage(
-          format_words("an SVG file holds one sheet, and {} are asked for; name one, such as {}/{}",
-                       "un file SVG contiene una tavola, e ne sono chieste {}; nominarne una, come {}/{}", count,
-                       first.target.exercise->about().id, first.target.sheets().front()));
-    return {*options_.file, write_svg(first.sheets.front()->pages.front())};
+      throw WrongUsage(format_words(
+          "a file in {} holds one sheet, and {} are asked for; name one, such as {}/{}",
+          "un file in {} contiene una tavola, e ne sono chieste {}; nominarne una, come {}/{}",
+          ending_of(format).substr(1), count, first.target.exercise->about().id, first.target.sheets().front()));
+    std::vector<File> files;
+    for (const FileToMake& file : files_of(format, first.sheets.front()->pages.front(), *options_.file))
+      files.push_back({file.path, file.maker()});
+    return files;
   }
 
  private:
@@ -143,12 +155,35 @@ class Drawing {
   };
   // A sheet to be solved stands beside the solved one.
   std::string ending_of_blank() const { return options_.blank ? "-blank" : ""; }
-  bool is_asked_for(Format format) const {
-    const std::vector<Format> asked = options_.file ? std::vector{format_of_file(options_)} : formats_of(options_);
-    return std::find(asked.begin(), asked.end(), format) != asked.end();
-  }
+  bool is_asked_for(Format format) const { return epure::is_asked_for(format, options_); }
   bool wants_only_tables() const {
-    return is_asked_for(Format::csv) && !is_asked_for(Format::pdf) && !is_asked_for(Format::svg);
+    return is_asked_for(Format::csv) && (options_.file || formats_of(options_).size() == 1);
+  }
+
+  // Of the formats whose files hold a page.
+  static std::string ending_of(Format format) {
+    return format == Format::svg ? ".svg" : format == Format::png ? ".png" : format == Format::eps ? ".eps" : ".tex";
+  }
+
+  struct FileToMake {
+    std::filesystem::path path;
+    std::function<std::string()> maker;
+  };
+  // The page in such a format, in the file of this path and what belongs to it.
+  std::vector<FileToMake> files_of(Format format, const drawings::Page& page,
+                                   const std::filesystem::path& path) const {
+    if (format == Format::svg) return {{path, [&page] { return write_svg(page); }}};
+    if (format == Format::eps) return {{path, [&page] { return write_eps(page); }}};
+    if (format == Format::png)
+      return {{path, [&page, dots = looks_.dots_per_inch] { return write_png(page, dots); }}};
+    const std::filesystem::path picture = path.parent_path() / (path.stem().string() + "-art.pdf");
+    return {{path, [&page, picture] { return write_tex(page, picture.filename().string()); }},
+            {picture, [&page] { return drawings::write_pdf({without_letters(page)}, {.title = page.title}); }}};
+  }
+  void demand_paintable_pages() const {
+    if (!is_asked_for(Format::png)) return;
+    for (const DrawnSheetOf& sheet : sheets_)
+      for (const drawings::Page& page : sheet.pages) demand_paintable(page, looks_.dots_per_inch);
   }
   Solving& solving_of(const Exercise& exercise) {
     return *std::find_if(solving_.begin(), solving_.end(),
@@ -204,31 +239,61 @@ class Drawing {
     return &sheets_.emplace_back(DrawnSheetOf{&exercise, name});
   }
 
-  static std::vector<drawings::Page> compose(const DrawnSheetOf& wanted, Solving& solving,
-                                             const SheetRequest& request) {
-    const auto construct = [&] {
+  std::vector<drawings::Page> compose(const DrawnSheetOf& wanted, Solving& solving,
+                                      const SheetRequest& request) const {
+    const auto construct = [&](const SheetRequest& one) {
       const drawings::Timed timed(drawings::Work::construction);
-      return wanted.exercise->draw(wanted.name, solving.solution(), request);
+      return wanted.exercise->draw(wanted.name, solving.solution(), one);
     };
-    return pages_of(construct());
+    std::vector<drawings::Page> pages = looks_.width_mm ? pages_within(*looks_.width_mm,
+                                                                       [&](double room) {
+                                                                         SheetRequest within = request;
+                                                                         within.room_width = room;
+                                                                         return pages_of(construct(within));
+                                                                       })
+                                                        : pages_of(construct(request));
+    if (looks_.background)
+      for (drawings::Page& page : pages) page = on_background(std::move(page), *looks_.background);
+    return pages;
   }
 
   std::string pdf(const std::vector<DrawnTarget>& targets) const {
+    drawings::Document document{.title = title(targets), .author = options_.titles.author};
+    if (is_of_one_exercise(targets))
+      document.subject = drawings::plain(in_language(targets.front().target.exercise->about().source));
     std::vector<drawings::Page> pages;
+    const Exercise* above = nullptr;
     for (const DrawnTarget& each : targets)
-      for (const DrawnSheetOf* sheet : each.sheets)
+      for (const DrawnSheetOf* sheet : each.sheets) {
+        const bool is_within = !is_of_one_exercise(targets);
+        if (is_within && std::exchange(above, sheet->exercise) != sheet->exercise)
+          document.bookmarks.push_back({title(*sheet->exercise), pages.size()});
+        document.bookmarks.push_back({title(*sheet), pages.size(), is_within});
         pages.insert(pages.end(), sheet->pages.begin(), sheet->pages.end());
-    return drawings::write_pdf(pages, title(targets));
+      }
+    if (pages.size() == 1) document.bookmarks.clear();
+    return drawings::write_pdf(pages, document);
+  }
+
+  static bool is_of_one_exercise(const std::vector<DrawnTarget>& targets) {
+    return std::all_of(targets.begin(), targets.end(),
+                       [&](const auto& each) { return each.target.exercise == targets.front().target.exercise; });
   }
 
   std::string title(const std::vector<DrawnTarget>& targets) const {
-    const Exercise* first = targets.front().target.exercise;
-    const bool one_exercise =
-        std::all_of(targets.begin(), targets.end(), [&](const auto& each) { return each.target.exercise == first; });
-    return one_exercise ? drawings::plain(first->about().title.in(language(options_))) : "Epure";
+    return is_of_one_exercise(targets) ? title(*targets.front().target.exercise) : "Epure";
   }
+  std::string title(const Exercise& exercise) const { return drawings::plain(in_language(exercise.about().title)); }
+  std::string title(const DrawnSheetOf& sheet) const {
+    const std::vector<SheetSpec>& all = sheet.exercise->about().sheets;
+    const auto spec =
+        std::find_if(all.begin(), all.end(), [&](const SheetSpec& each) { return each.name == sheet.name; });
+    return drawings::plain(in_language(spec->title));
+  }
+  const std::string& in_language(const Words& words) const { return words.in(language(options_)); }
 
   const Options& options_;
+  Looks looks_;
   std::deque<Solving> solving_;
   std::deque<DrawnSheetOf> sheets_;  // which stay where they are
   std::vector<DrawnTarget> drawn_;
@@ -252,7 +317,7 @@ Outcome draw(const Catalogue& exercises, const Options& options, std::ostream& e
   const std::vector<Target> targets = find_targets(exercises, options.names);
   demand_sensible_output(options);
   Drawing drawing(targets, options);
-  const std::vector<File> files = options.file ? std::vector{drawing.single_file()} : drawing.files_in_folder();
+  const std::vector<File> files = options.file ? drawing.files_of_one() : drawing.files_in_folder();
   std::string written;
   if (is_standard_output(options)) {
     written = files.front().bytes;

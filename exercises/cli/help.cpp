@@ -35,19 +35,25 @@ Help help_of_draw() {
        "that sheet alone in both formats. A long table takes as many pages as it needs: of its sheet the further "
        "ones "
        "are out/ID-SHEET-2.svg and so on, and --format csv writes its numbers to out/ID-SHEET.csv, for a "
-       "spreadsheet. Files appear whole or not at all. A value is a number such as 0.25, 1/4 "
+       "spreadsheet. png and eps hold a page each; pdf+tex is a bare figure whose letters LaTeX sets: \\input "
+       "ID-SHEET.tex, beside ID-SHEET-art.pdf. Files appear whole or not at all. A value is a number such as 0.25, "
+       "1/4 "
        "or 2.5e-1, with a unit (25cm) or in that which list shows.",
        "draw ID scrive out/ID.pdf con una pagina per tavola, e out/ID-TAVOLA.svg per ogni tavola; draw ID/TAVOLA "
        "scrive quella sola tavola in entrambi i formati. Una tabella lunga prende quante pagine le servono: della "
        "sua "
        "tavola le altre sono out/ID-TAVOLA-2.svg e così via, e --format csv ne scrive i numeri in out/ID-TAVOLA.csv, "
-       "per un foglio di calcolo. I file compaiono interi o non compaiono. Un valore è un "
+       "per un foglio di calcolo. png ed eps contengono una pagina ciascuno; pdf+tex è una figura nuda di cui LaTeX "
+       "compone le lettere: \\input ID-TAVOLA.tex, accanto a ID-TAVOLA-art.pdf. I file compaiono interi o non "
+       "compaiono. Un valore è un "
        "numero come 0,25, 1/4 o 2,5e-1, con un'unità (25cm) o in quella che list mostra."},
       R"(
   epure draw slider-crank-velocity
   epure draw slider-crank-velocity --set r=25cm --set n=400rpm --paper a3
   epure draw slider-crank-velocity/poles --scale 1:10 -o poles.pdf
   epure draw slider-crank-velocity/poles --bare --format svg -o - > poles.svg
+  epure draw slider-crank-velocity/poles --width 120mm -o poles.tex
+  epure draw slider-crank-velocity/poles --bare --format png --dpi 300 --background '#1e1e2e'
 )"};
 }
 

@@ -128,6 +128,21 @@ class Parser {
         {"a4 (default) or a3, landscape", "a4 (predefinita) o a3, orizzontale"});
   }
 
+  void add_document(CLI::App& verb) {
+    DocumentOptions& of = options_.document;
+    add(verb, "--width", of.width, {"LENGTH", "LUNGHEZZA"},
+        {"--bare, no wider than this: the largest standard scale at which it is not, such as 120mm",
+         "--bare, non più larga di così: la maggiore scala normalizzata con cui non lo è, come 120mm"});
+    add(verb, "--dpi", of.dpi, {"NUMBER", "NUMERO"},
+        {"png: dots per inch, 20 to 1200 (default: 150)", "png: punti per pollice, da 20 a 1200 (predefinito: 150)"});
+    add(verb, "--background", of.background, {"COLOUR", "COLORE"},
+        {"white, none or #rrggbb (default: white; of --bare none)",
+         "white, none o #rrggbb (predefinito: white; di --bare none)"});
+    add(verb, "--ink", of.ink, {"INK", "INCHIOSTRO"},
+        {"dark, or light for dark pages (default: what is read best on the background)",
+         "dark, o light per pagine scure (predefinito: ciò che si legge meglio sullo sfondo)"});
+  }
+
   void add_list() {
     CLI::App& verb = add_verb("list");
     add_names(
@@ -141,7 +156,8 @@ class Parser {
     CLI::App& verb = add_verb("draw");
     add_names(verb, {"NAME", "NOME"},
               {"exercises or single sheets: ID, ID/SHEET or all", "esercizi o singole tavole: ID, ID/TAVOLA o all"});
-    add_formats(verb, {"; csv: the long table of a sheet", "; csv: la tabella lunga di una tavola"});
+    add_formats(verb, {"; also png, eps, pdf+tex; csv: the long table of a sheet",
+                       "; anche png, eps, pdf+tex; csv: la tabella lunga di una tavola"});
     add_folder(verb);
     add(verb, "-o", options_.file, {"FILE", "FILE"},
         {"write one file instead; - is standard output", "scrive invece un solo file; - è lo standard output"});
@@ -154,6 +170,7 @@ class Parser {
     add_flag(verb, "--bare", options_.bare,
              {"the figure alone: no frame, no column, no title block",
               "la sola figura: senza squadratura, colonna e riquadro delle iscrizioni"});
+    add_document(verb);
     add_flag(verb, "--blank", options_.blank,
              {"the sheet to be solved: what is given, the question, an empty table of what is asked",
               "la tavola da svolgere: i dati, il quesito, una tabella vuota di ciò che si chiede"});

@@ -16,6 +16,11 @@ struct ClassOptions {
   std::string seed = "1";
 };
 
+// What a drawing is to be like where it is put into a document.
+struct DocumentOptions {
+  std::optional<std::string> width, dpi, background, ink;
+};
+
 // Texts as typed; what they mean is found where they are used, because their parsing must not depend on a locale.
 struct Options {
   enum class Verb { list, draw, check, make_class, mark, sweep, bench } verb = Verb::list;
@@ -29,6 +34,7 @@ struct Options {
               slip_points = "0.5";
   bool bare = false, blank = false, json = false, times = false, quiet = false;
   OwnTitles titles = {};
+  DocumentOptions document = {};
   ClassOptions class_set = {};
   bool colours = false;  // of the terminal, not typed
 };

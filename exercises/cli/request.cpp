@@ -20,6 +20,9 @@ std::optional<Format> format_named(const std::string& typed) {
   const std::string name = lower_case(typed);
   if (name == "pdf") return Format::pdf;
   if (name == "svg") return Format::svg;
+  if (name == "png") return Format::png;
+  if (name == "eps") return Format::eps;
+  if (name == "pdf+tex" || name == "tex") return Format::tex;
   if (name == "csv") return Format::csv;
   return std::nullopt;
 }
@@ -103,6 +106,24 @@ OwnTitles titles(const Options& options) {
   return all;
 }
 
+// Two files stand beside each other, and one of them names the other.
+void demand_name_for_tex(const Options& options) {
+  if (is_standard_output(options))
+    throw WrongUsage(
+        "--format pdf+tex writes two files, and standard output is one; name a file, such as -o figure.tex",
+        "--format pdf+tex scrive due file, e lo standard output è uno; nominare un file, come -o "
+        "figura.tex");
+  const std::string name = std::filesystem::path(*options.file).filename().string();
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
+           c == '-';
+  };
+  if (!std::all_of(name.begin(), name.end(), is_plain))
+    throw WrongUsage(format_words(
+        "-o \"{}\": a file for TeX has a name of letters without accents, digits, . _ and -",
+        "-o \"{}\": un file per TeX ha un nome di lettere senza accenti, cifre, . _ e -", *options.file));
+}
+
 }  // namespace
 
 std::vector<Format> formats_of(const Options& options) {
@@ -112,9 +133,9 @@ std::vector<Format> formats_of(const Options& options) {
   for (auto comma = rest.find(','); comma != std::string::npos; comma = rest.find(',')) {
     const auto format = format_named(rest.substr(0, comma));
     if (!format)
-      throw WrongUsage(format_words("\"{}\" is no format of epure; choose pdf, svg, pdf,svg or csv",
-                                    "\"{}\" non è un formato di epure; scegliere pdf, svg, pdf,svg o csv",
-                                    *options.format));
+      throw WrongUsage(format_words(
+          "\"{}\" is no format of epure; choose among pdf, svg, png, eps, pdf+tex and csv",
+          "\"{}\" non è un formato di epure; scegliere fra pdf, svg, png, eps, pdf+tex e csv", *options.format));
     if (std::find(formats.begin(), formats.end(), *format) == formats.end()) formats.push_back(*format);
     rest.erase(0, comma + 1);
   }
@@ -130,19 +151,25 @@ Format format_of_file(const Options& options) {
   if (!options.format) {
     if (by_ending) return *by_ending;
     if (is_standard_output(options)) return Format::pdf;
-    throw WrongUsage(format_words("\"{}\" tells no format; end it in .pdf, .svg or .csv, or add --format",
-                                  "\"{}\" non dice il formato; farlo finire in .pdf, .svg o .csv, o aggiungere "
-                                  "--format",
-                                  *options.file));
+    throw WrongUsage(
+        format_words("\"{}\" tells no format; end it in .pdf, .svg, .png, .eps, .tex or .csv, or add --format",
+                     "\"{}\" non dice il formato; farlo finire in .pdf, .svg, .png, .eps, .tex o .csv, o aggiungere "
+                     "--format",
+                     *options.file));
   }
   const std::vector<Format> asked = formats_of(options);
   if (asked.size() != 1)
-    throw WrongUsage("-o writes one file; choose --format pdf, --format svg or --format csv",
-                     "-o scrive un solo file; scegliere --format pdf, --format svg o --format csv");
+    throw WrongUsage("-o writes one file; choose one format, such as --format pdf",
+                     "-o scrive un solo file; scegliere un solo formato, come --format pdf");
   if (by_ending && *by_ending != asked.front())
     throw WrongUsage(format_words("\"{}\" is not the ending of --format {}",
                                   "\"{}\" non finisce come vuole --format {}", *options.file, *options.format));
   return asked.front();
+}
+
+bool is_asked_for(Format format, const Options& options) {
+  const std::vector<Format> asked = options.file ? std::vector{format_of_file(options)} : formats_of(options);
+  return std::find(asked.begin(), asked.end(), format) != asked.end();
 }
 
 void demand_sensible_output(const Options& options) {
@@ -156,7 +183,7 @@ void demand_sensible_output(const Options& options) {
   if (options.folder)
     throw WrongUsage("-o names one file and --out a folder; choose one of them",
                      "-o nomina un file e --out una cartella; scegliere uno dei due");
-  format_of_file(options);
+  if (format_of_file(options) == Format::tex) demand_name_for_tex(options);
 }
 
 SheetRequest sheet_request(const Options& options) {

@@ -9,13 +9,16 @@
 
 namespace epure {
 
-enum class Format { pdf, svg, csv };
+enum class Format { pdf, svg, png, eps, tex, csv };  // tex: what sets the letters, and a PDF without them
 
 // What --format asks for, each once; PDF and SVG when it says nothing.
 std::vector<Format> formats_of(const Options& options);
 
 // The format of the one file -o names: from its ending, else from --format, else (standard output only) PDF.
 Format format_of_file(const Options& options);
+
+// Whether it asks for this format, or -o does.
+bool is_asked_for(Format format, const Options& options);
 
 // -o - and its other names.
 bool is_standard_output(const Options& options);

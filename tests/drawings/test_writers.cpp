@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <poppler-font.h>
 #include <poppler-page.h>
+#include <poppler-toc.h>
 
 #include <algorithm>
 #include <clocale>
@@ -8,6 +9,7 @@
 #include <locale>
 #include <map>
 #include <random>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -60,7 +62,7 @@ std::string complaint(const Page& bad) {
     message = error.what();
   }
   // Both writers refuse the same things.
-  if (!message.empty()) CHECK_THROWS_WITH(write_pdf({bad}, "t"), message);
+  if (!message.empty()) CHECK_THROWS_WITH(write_pdf({bad}, {"t"}), message);
   return message;
 }
 
@@ -114,7 +116,7 @@ TEST_CASE("PDF and SVG hold each position where as_filed says, on whole pages an
       const Page drawn = page({line(a, b, "v")}, extent);
       const Point a_filed = as_filed(a, Paper::a4), b_filed = as_filed(b, Paper::a4);
 
-      const auto lines = drawn_lines(commands_of(write_pdf({drawn}, "t")));
+      const auto lines = drawn_lines(commands_of(write_pdf({drawn}, {"t"})));
       REQUIRE(lines.size() == 1);
       // Three decimals of a point are printed.
       CHECK(distance(lines[0].from, in_points_from_top(a_filed, extent)) < 0.0005 * std::sqrt(2) + 1e-9);
@@ -144,7 +146,7 @@ TEST_CASE("as_filed moves a point by at most half a step and then leaves it") {
 TEST_CASE("the PDF has pages of the right size, its title, no author and no dates") {
   const std::string bytes =
       write_pdf({page({line({1, 1}, {9, 9})}), page({}, {{10, 20}, {110, 70}}), page({}, {{0, 0}, {420, 297}})},
-                "Slider-crank – è <title>");
+                {"Slider-crank – è <title>"});
   const auto document = open_pdf(bytes);
   REQUIRE(document->pages() == 3);
   const double sizes[3][2] = {{297, 210}, {100, 50}, {420, 297}};
@@ -161,19 +163,68 @@ TEST_CASE("the PDF has pages of the right size, its title, no author and no date
   CHECK(bytes.find("ModDate") == bytes.npos);
 }
 
+TEST_CASE("a PDF names its author and subject, and has bookmarks to its pages, in two levels") {
+  const std::vector<Page> pages{page({}, {{0, 0}, {100, 50}}), page({}, {{0, 0}, {100, 50}}),
+                                page({}, {{0, 0}, {100, 50}})};
+  const std::string bytes = write_pdf(
+      pages,
+      {.title = "t",
+       .author = "Müller, (A) \\ B",
+       .subject = "N.1",
+       .bookmarks = {
+           {"Slider-crank", 0}, {"Poles", 0, true}, {"Polodes – ω", 1, true}, {"Four-bar", 2}, {"Poles", 2, true}}});
+  const auto document = open_pdf(bytes);
+  const auto info = [&](const std::string& key) {
+    const poppler::byte_array utf8 = document->info_key(key).to_utf8();
+    return std::string(utf8.begin(), utf8.end());
+  };
+  CHECK(info("Author") == "Müller, (A) \\ B");
+  CHECK(info("Subject") == "N.1");
+  const std::unique_ptr<poppler::toc> outline(document->create_toc());
+  REQUIRE(outline);
+  std::vector<std::string> titles;
+  for (const poppler::toc_item* above : outline->root()->children()) {
+    const auto add = [&](const std::string& indent, const poppler::toc_item& item) {
+      const poppler::byte_array utf8 = item.title().to_utf8();
+      titles.push_back(indent + std::string(utf8.begin(), utf8.end()));
+    };
+    add("", *above);
+    for (const poppler::toc_item* within : above->children()) add("  ", *within);
+  }
+  CHECK(titles == std::vector<std::string>{"Slider-crank", "  Poles", "  Polodes – ω", "Four-bar", "  Poles"});
+  // In the order of the bookmarks' objects: which page each leads to.
+  const auto objects = [&](const std::regex& pattern) {
+    std::vector<std::string> found;
+    for (std::sregex_iterator at(bytes.begin(), bytes.end(), pattern), end; at != end; ++at)
+      found.push_back((*at)[1]);
+    return found;
+  };
+  const std::vector<std::string> kids = objects(std::regex(R"(/Kids \[ (.*) \])")),
+                                 leads = objects(std::regex(R"(/Dest \[(\d+ 0 R))"));
+  REQUIRE(kids.size() == 1);
+  REQUIRE(leads.size() == 5);
+  CHECK(leads[0] == leads[1]);
+  CHECK(leads[3] == leads[4]);
+  CHECK(kids[0] == leads[0] + " " + leads[2] + " " + leads[3]);
+
+  CHECK_THROWS_AS(write_pdf(pages, {.title = "t", .bookmarks = {{"beyond", 3}}}), std::invalid_argument);
+  CHECK_THROWS_AS(write_pdf(pages, {.title = "t", .author = "\xFF"}), std::invalid_argument);
+  CHECK_THROWS_AS(write_pdf(pages, {.title = "t", .bookmarks = {{"\xFF", 0}}}), std::invalid_argument);
+}
+
 TEST_CASE("the text of a PDF can be searched and copied") {
-  const auto document = open_pdf(write_pdf({rich_page()}, "t"));
+  const auto document = open_pdf(write_pdf({rich_page()}, {"t"}));
   const std::string found = text_of(*document, 0);
   CHECK_THAT(found, Contains("v_BA ⊥ BA"));
   CHECK_THAT(found, Contains("1 cm ≙ 2.5 m/s"));
   CHECK_THAT(found, Contains("v_B = 2.45 m/s, ω_3 = −13.2 rad/s"));
   CHECK_THAT(found, Contains("Slider-crank"));
-  CHECK_THAT(text_of(*open_pdf(write_pdf({page({text("affine efficiency", {20, 20})})}, "t")), 0),
+  CHECK_THAT(text_of(*open_pdf(write_pdf({page({text("affine efficiency", {20, 20})})}, {"t"})), 0),
              Contains("affine efficiency"));
 }
 
 TEST_CASE("the PDF carries its fonts and no pixels") {
-  const std::string bytes = write_pdf({rich_page()}, "t");
+  const std::string bytes = write_pdf({rich_page()}, {"t"});
   const auto document = open_pdf(bytes);
   const auto fonts = document->fonts();
   CHECK(fonts.size() >= 3);
@@ -190,7 +241,7 @@ TEST_CASE("a page looks as it was composed: y upwards, colours, clips, order") {
   Stroke arc{segment({10, 100}, {110, 100}), 2, {}, {0, 0.5, 0, 1}, Box{{50, 90}, {80, 110}}, ""};
   const Page drawn = page({square({10, 180}, 20, blue), square({15, 185}, 10, {1, 1, 1, 1}), clipped, arc,
                            square({100, 10}, 20, {0, 0, 0, 0.5})});
-  const auto document = open_pdf(write_pdf({drawn}, "t"));
+  const auto document = open_pdf(write_pdf({drawn}, {"t"}));
   const Picture seen(*document, 0, 4);
   const auto looks = [&](double x, double y, Colour c) {
     const Colour found = seen.at(x, 210 - y);
@@ -216,7 +267,7 @@ TEST_CASE("the PDF shows dashes in millimetres, and arrows over vectors") {
   const PlacedText vector{"$\\vec{v}$", {150, 50}, 60, {}, Weight::regular};
   const SetText set = typeset(vector.text, vector.size, vector.weight);
   REQUIRE(set.arrows.size() == 1);
-  const auto document = open_pdf(write_pdf({page({dashed, vector})}, "t"));
+  const auto document = open_pdf(write_pdf({page({dashed, vector})}, {"t"}));
   const Picture seen(*document, 0, 4);
   const auto is_inked = [&](Point p) { return seen.at(p.x, 210 - p.y).red < 0.5; };
   for (int i = 0; i < 6; ++i) {
@@ -583,14 +634,14 @@ TEST_CASE("an area without a name and the line around it are one element") {
 }
 
 TEST_CASE("the same page is the same file, whatever was drawn before and in whatever locale") {
-  const std::string pdf = write_pdf({rich_page()}, "Title"), svg = write_svg(rich_page());
-  CHECK(write_pdf({rich_page()}, "Title") == pdf);
+  const std::string pdf = write_pdf({rich_page()}, {"Title"}), svg = write_svg(rich_page());
+  CHECK(write_pdf({rich_page()}, {"Title"}) == pdf);
   CHECK(write_svg(rich_page()) == svg);
   for (int i = 0; i < 5; ++i) {
     write_svg(rich_page("other"));
-    write_pdf({rich_page("other"), page({text("αβγ ①", {20, 20})})}, "Other");
+    write_pdf({rich_page("other"), page({text("αβγ ①", {20, 20})})}, {"Other"});
   }
-  CHECK(write_pdf({rich_page()}, "Title") == pdf);
+  CHECK(write_pdf({rich_page()}, {"Title"}) == pdf);
   CHECK(write_svg(rich_page()) == svg);
 
   struct Comma : std::numpunct<char> {
@@ -601,7 +652,7 @@ TEST_CASE("the same page is the same file, whatever was drawn before and in what
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
   const char* taken = std::setlocale(LC_ALL, "it_IT.UTF-8");
   if (!taken) taken = std::setlocale(LC_ALL, "de_DE.UTF-8");
-  const std::string pdf_comma = write_pdf({rich_page()}, "Title"), svg_comma = write_svg(rich_page());
+  const std::string pdf_comma = write_pdf({rich_page()}, {"Title"}), svg_comma = write_svg(rich_page());
   std::setlocale(LC_ALL, "C");
   std::locale::global(before);
   CHECK(pdf_comma == pdf);
@@ -663,12 +714,12 @@ TEST_CASE("names and titles that would break a file are refused") {
   bad = page({});
   bad.description = "\xFF";
   CHECK_THAT(complaint(bad), Contains("description"));
-  CHECK_THROWS_AS(write_pdf({page({})}, "\xFF"), std::invalid_argument);
-  CHECK_THROWS_AS(write_pdf({}, "t"), std::invalid_argument);
+  CHECK_THROWS_AS(write_pdf({page({})}, {"\xFF"}), std::invalid_argument);
+  CHECK_THROWS_AS(write_pdf({}, {"t"}), std::invalid_argument);
 }
 
 TEST_CASE("the largest dashed circle that is accepted stays cheap") {
   const Stroke large{circle({0, 0}, 9990), 0.18, {1, 0.5}, {}, Box{{0, 0}, {297, 210}}, "c"};
-  CHECK(write_pdf({page({large})}, "t").size() < 20000);
+  CHECK(write_pdf({page({large})}, {"t"}).size() < 20000);
   CHECK(write_svg(page({large})).size() < 20000);
 }

@@ -60,7 +60,8 @@ TEST_CASE("help and version") {
   CHECK(run({"-V"}).out == version.out);
   const std::string draw = run({"draw", "--help"}).out, check = run({"check", "--help"}).out,
                     sweep = run({"help", "sweep"}).out;
-  for (const std::string option : {"--format", "--out", "-o", "--set", "--paper", "--scale", "--lang", "--bare"})
+  for (const std::string option : {"--format", "--out", "-o", "--set", "--paper", "--scale", "--lang", "--bare",
+                                   "--width", "--dpi", "--background", "--ink"})
     CHECK(contains(draw, "  " + option));
   for (const std::string option :
        {"--set", "--measured", "--reading", "--sheet", "--scale", "--quiet", "--json", "--arithmetic"})
@@ -116,7 +117,7 @@ TEST_CASE("unknown names are refused with a suggestion") {
   refused({"draw", "triangle/side"}, "did you mean sides?");
   refused({"draw", "triangle/"}, "has no sheet \"\"");
   refused({"check", "triangle/sides"}, "is a sheet");
-  refused({"draw", "triangle", "--format", "png"}, "\"png\" is no format");
+  refused({"draw", "triangle", "--format", "gif"}, "\"gif\" is no format");
   refused({"draw", "triangle", "--format", "pdf,"}, "is no format");
   refused({"draw", "triangle", "--paper", "a5"}, "\"a5\" is no paper");
   refused({"draw", "triangle", "--lang", "fr"}, "\"fr\" is no language");
@@ -262,9 +263,9 @@ TEST_CASE("-o writes one file, in the format of its ending or of --format") {
   refused({"draw", "triangle", "-o", "t2.svg"},
           "holds one sheet, and 2 are asked for; name one, such as triangle/sides");
   refused({"draw", "triangle", "-o", "t2"}, "tells no format");
-  refused({"draw", "triangle", "-o", "t2.png"}, "tells no format");
+  refused({"draw", "triangle", "-o", "t2.gif"}, "tells no format");
   refused({"draw", "triangle", "-o", "t2.pdf", "--format", "svg"}, "is not the ending");
-  refused({"draw", "triangle", "-o", "t2", "--format", "pdf,svg"}, "choose --format");
+  refused({"draw", "triangle", "-o", "t2", "--format", "pdf,svg"}, "choose one format");
   refused({"draw", "triangle", "-o", "t2.pdf", "--out", "x"}, "choose one of them");
   refused({"draw", "triangle", "-o", ""}, "tells no format");
   CHECK(scratch.files().size() == 5);

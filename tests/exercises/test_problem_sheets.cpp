@@ -35,6 +35,13 @@ std::vector<Outline> outlines_of_figure(const drawings::Sheet& sheet) {
   bare.figure.labels.clear();
   bare.figure.steps.clear();
   std::vector<Outline> all;
+  // The scale bars, which a bare figure has right under it, as they stand on the sheet: after all other marks.
+  while (!bare.figure.marks.empty()) {
+    const auto* bar = std::get_if<drawings::ScaleBar>(&bare.figure.marks.back());
+    if (!bar) break;
+    all.push_back(outline_of(drawings::segment(bar->at, {bar->at.x + bar->length, bar->at.y})));
+    bare.figure.marks.pop_back();
+  }
   for (const drawings::Primitive& primitive : drawings::compose(bare).primitives) {
     if (const auto* stroke = std::get_if<drawings::Stroke>(&primitive)) all.push_back(outline_of(stroke->path));
     if (const auto* fill = std::get_if<drawings::Fill>(&primitive)) all.push_back(outline_of(fill->path));

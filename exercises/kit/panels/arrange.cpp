@@ -16,10 +16,15 @@
 namespace epure {
 namespace {
 
-Plot plot_of(const PlacedPanel& placed, DrawnSheet& onto) {
+// Where a panel's marks may show.
+drawings::Box window_of(const PlacedPanel& placed, const SheetRequest& request) {
+  return placed.panel->is_cut() ? placed.room : figure_area(request);
+}
+
+Plot plot_of(const PlacedPanel& placed, DrawnSheet& onto, const SheetRequest& request) {
   Plot plot(onto, placed.origin, placed.panel->is_of_vectors() ? placed.vectors : placed.lengths);
   plot.vectors_at(placed.vectors);
-  if (placed.panel->is_cut()) plot.keep_within(placed.room);
+  plot.keep_within(window_of(placed, request));
   return plot;
 }
 
@@ -31,14 +36,14 @@ void cut(drawings::Figure& figure, const drawings::Box& window) {
 
 // The steps of all panels, numbered through, and their numbers on the pictures. What is decided and not drawn stands
 // between them.
-std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, Language language,
-                                          bool& is_off_sheet) {
+std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels, DrawnSheet& onto,
+                                          const SheetRequest& request, bool& is_off_sheet) {
   std::vector<drawings::Block> blocks;
   int number = 1;
   for (const PlacedPanel& each : panels) {
-    Plot plot = plot_of(each, onto);
+    Plot plot = plot_of(each, onto, request);
     for (const PanelStep& step : each.panel->steps(plot, each.room)) {
-      std::string text = step.text.in(language);
+      std::string text = step.text.in(request.language);
       if (!step.at) {
         blocks.push_back(drawings::Paragraph{text});
         continue;
@@ -46,7 +51,7 @@ std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels
       if (is_in(each.room, plot, *step.at)) {
         plot.step(number, *step.at);
       } else {
-        text += Words{" (Off the sheet.)", " (Fuori del foglio.)"}.in(language);
+        text += Words{" (Off the sheet.)", " (Fuori del foglio.)"}.in(request.language);
         is_off_sheet = true;
       }
       auto* const steps = blocks.empty() ? nullptr : std::get_if<drawings::Steps>(&blocks.back());
@@ -139,7 +144,7 @@ drawings::Box room_for(const Panels& panels, const SheetRequest& request) {
   if (std::any_of(panels.begin(), panels.end(), [](const auto& panel) { return panel->has_scale(); }))
     return room_above_scale_bars(request);
   constexpr double air = 4;  // mm
-  const drawings::Box area = drawings::drawing_area(request.paper);
+  const drawings::Box area = figure_area(request);
   return {{area.low.x + air, area.low.y + air}, {area.high.x - air, area.high.y - air}};
 }
 
@@ -193,13 +198,13 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   const std::vector<PlacedPanel> panels = laid_out(shown.panels, whole_room, request);
   std::vector<drawings::Block> of_drawings;
   for (const PlacedPanel& each : panels) {
-    Plot plot = plot_of(each, onto);
+    Plot plot = plot_of(each, onto, request);
     if (request.blank)
       draw_what_is_given(*each.panel, plot, each.room, language);
     else
       for (drawings::Block& block : each.panel->draw(plot, each.room, language))
         of_drawings.push_back(std::move(block));
-    cut(onto.sheet.figure, each.panel->is_cut() ? each.room : drawings::drawing_area(request.paper));
+    cut(onto.sheet.figure, window_of(each, request));
   }
   add_bars(panels, onto, request);
 
@@ -215,7 +220,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   for (const auto& panel : shown.panels)
     for (const drawings::VectorEquation& equation : panel->equations()) column.push_back(equation);
   bool has_steps_off_sheet = false;
-  std::vector<drawings::Block> steps = number_steps(panels, onto, language, has_steps_off_sheet);
+  std::vector<drawings::Block> steps = number_steps(panels, onto, request, has_steps_off_sheet);
   if (request.for_class) note_awkwardness(sheet, panels, has_steps_off_sheet, onto);
   if (!steps.empty()) column.push_back(drawings::Heading{Words{"Construction", "Costruzione"}.in(language)});
   for (drawings::Block& block : steps) column.push_back(std::move(block));

@@ -66,7 +66,7 @@ LongTablePanel::LongTablePanel(const LongTable& table, std::size_t first, const 
     for (std::size_t row = first; row < last; ++row)
       columns_.back().cells.push_back(written(column.values[row], decimals, request.language));
   }
-  const double room = drawings::drawing_area(request.paper).width() - 5 * table_air;
+  const double room = figure_area(request).width() - 5 * table_air;
   const double gaps = static_cast<double>(columns_.size() - 1);
   for (size_ = largest_size;; size_ *= 0.97) {
     if (size_ < smallest_size)

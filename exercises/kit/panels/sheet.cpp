@@ -74,8 +74,14 @@ DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const
   return onto;
 }
 
+drawings::Box figure_area(const SheetRequest& request) {
+  drawings::Box area = drawings::drawing_area(request.paper);
+  if (request.room_width) area.high.x = std::min(area.high.x, area.low.x + *request.room_width);
+  return area;
+}
+
 drawings::Box room_above_scale_bars(const SheetRequest& request) {
-  drawings::Box room = drawings::drawing_area(request.paper);
+  drawings::Box room = figure_area(request);
   room.low = {room.low.x + 1, room.low.y + bar_strip};
   room.high = {room.high.x - 1, room.high.y - 1};
   return room;

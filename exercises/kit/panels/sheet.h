@@ -14,10 +14,14 @@ namespace epure {
 DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const Givens& givens,
                        const SheetRequest& request, const std::set<std::string>& without_part = {});
 
-// The part of the drawing area above the strip in which the scale bars stand.
+// Where the panels may draw: the drawing area of the paper, or as much of its left part as the request has room for.
+drawings::Box figure_area(const SheetRequest& request);
+
+// The part of it above the strip in which the scale bars stand.
 drawings::Box room_above_scale_bars(const SheetRequest& request);
 
-// Puts the bars side by side at the foot of the drawing area, and their captions into the title block.
+// Puts the bars side by side at the foot of the drawing area (of a bare figure they move up to it), and their
+// captions into the title block.
 void add_scale_bars(DrawnSheet& onto, const std::vector<Scale>& scales, const SheetRequest& request);
 
 // A number as the sheet writes it, with `figures` significant figures.
