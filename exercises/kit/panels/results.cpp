@@ -17,6 +17,7 @@ constexpr int significant = 4;
 
 std::string written_unit(const std::string& unit) {
   if (unit == "deg") return "°";
+  if (unit == "um") return "µm";
   std::string text = unit == "1" ? "" : unit;
   std::replace(text.begin(), text.end(), '*', ' ');
   for (const auto& [power, raised] : {std::pair{"^2", "²"}, {"^3", "³"}, {"^4", "⁴"}})
