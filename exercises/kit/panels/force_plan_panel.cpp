@@ -12,6 +12,8 @@ constexpr double plan_air = 8;  // mm, for letters
 
 // Number and sign beside the line, where no other bar's lies on it and there is room for them.
 void ForcePlanPanel::sign_bar(Plot& plot, std::size_t bar) const {
+  constexpr std::size_t most_bars = 20;  // of more the truss above tells the signs
+  if (figure_->bars.size() > most_bars) return;
   constexpr double shortest = 14, size = 2.5, apart = 0.3;  // mm
   const auto ends = [&](std::size_t i) {
     const auto& [left, right] = figure_->bow.sides[i];
