@@ -5,8 +5,8 @@
 #include "exercises/boat-crane/sheets.h"
 #include "exercises/kit/crane/section_diagrams.h"
 #include "exercises/kit/panels/chart_panel.h"
-#include "exercises/kit/panels/mechanism.h"
 #include "exercises/kit/panels/mechanism_panel.h"
+#include "exercises/kit/panels/mechanism_with_blocks.h"
 #include "exercises/kit/panels/mohr_panel.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/panels/table_panel.h"
@@ -17,17 +17,19 @@ namespace {
 constexpr double mega = 1e6;
 const std::string with_600 = "mass_600kg.";
 
-std::shared_ptr<const Mechanism> whole_crane(const Solution& s) {
+std::shared_ptr<const MechanismFigure> whole_crane(const Solution& s) {
   using Joint = Mechanism::Joint;
   const double L = CGAL::to_double(s.givens()["L"]), H = CGAL::to_double(s.givens()["H_0"]);
   Mechanism drawn;
   drawn.point("B", {0, 0}, Joint::fixed, "$B$")
-      .point("C", {L, 0}, Joint::hinge, "$C$")
+      .point("C", {L, 0}, Joint::corner, "$C$")
       .point("D", {3 * L, 0}, Joint::none, "$D$")
       .point("A", {L, -H}, Joint::fixed, "$A$")
       .body({"B", "C", "D"})
       .body({"C", "A"});
-  return std::make_shared<const Mechanism>(std::move(drawn));
+  MechanismWithBlocks crane(std::move(drawn));
+  crane.hinge_under({L, 0}, {L, -H});
+  return std::make_shared<const MechanismWithBlocks>(std::move(crane));
 }
 
 }  // namespace

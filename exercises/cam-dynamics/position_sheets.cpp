@@ -147,6 +147,7 @@ FreeBodyPanel cam_cut_free(const Solution& s, const Forces& on) {
   const Place A0 = s.place("A0"), A = s.place("A_at"), C = s.place("contact_at");
   FreeBodyPanel body(std::make_shared<const Mechanism>(cam_figure(s, "", Shown::cam)));
   body.force(on.P_2, A).force(on.F_2, A).force(on.R_32, C, FreeBodyPanel::Arrow::ends).force(on.R_12, A0);
+  body.arm(A0, A, on.P_2.v, "$d_{2}$", "").arm(A0, C, on.R_32.v, "$d_{32}$", "");
   if (const auto M = s.value("M_m")) body.couple("$\\it{M}_{m}$", A0, *M);
   body.moments(
       {"The cam cut free. Moments about $A_{0}$: $\\it{M}_{m}$ balances those of $\\vec{\\it{P}}_{2}$, arm "

@@ -66,9 +66,9 @@ class ConfigurationsPanel : public Panel {
   Place other_B_;
 };
 
-// "{0}" is the sine.
+// "{0}" is the sine, "{1}" the tangent.
 Result formula(const std::string& text, Language language) {
-  return remark(fmt::format(fmt::runtime(text), Words{"sin", "sen"}.in(language)));
+  return remark(fmt::format(fmt::runtime(text), Words{"sin", "sen"}.in(language), Words{"tan", "tg"}.in(language)));
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ PanelSheet configurations_sheet(const Solution& s, Language language) {
           {{{"Closure", "Chiusura"},
             {remark("$\\vec{r}_{2}$ + $\\vec{r}_{3}$ + $\\vec{r}_{4}$ − $\\vec{r}_{1}$ = 0"),
              remark("$r_{1}$ = $A_{0}B_{0}$, $r_{2}$ = $A_{0}A$, $r_{3}$ = $AB$, $r_{4}$ = $BB_{0}$"),
-             of("$k_{{1}}$ cos $θ_{{4}}$ + $k_{{2}}$ {0} $θ_{{4}}$ + $k_{{3}}$ = 0;  $t$ = tan($θ_{{4}}$/2):"),
+             of("$k_{{1}}$ cos $θ_{{4}}$ + $k_{{2}}$ {0} $θ_{{4}}$ + $k_{{3}}$ = 0;  $t$ = {1}($θ_{{4}}$/2):"),
              of("($k_{{3}}$ − $k_{{1}}$)$t^{{2}}$ + 2$k_{{2}}$$t$ + $k_{{3}}$ + $k_{{1}}$ = 0"),
              values({"closure_k1"}), values({"closure_k2"}), values({"closure_k3"})}},
            {{"Rates", "Derivate"},

@@ -136,7 +136,7 @@ PanelSheet comparison_sheet(const Solution& s, Language language) {
                            .in(language)),
                    remark(Words{"Closure solved (N.10): one quadratic equation in tan($θ_{4}$/2) for both "
                                 "configurations, then its derivatives.",
-                                "Chiusura risolta (N.10): un'equazione di secondo grado in tan($θ_{4}$/2) per le due "
+                                "Chiusura risolta (N.10): un'equazione di secondo grado in tg($θ_{4}$/2) per le due "
                                 "configurazioni, poi le derivate."}
                               .in(language)),
                    remark(Words{"Polar diagrams: two polygons of vectors; the midpoints halve their sides.",

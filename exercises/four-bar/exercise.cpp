@@ -317,7 +317,7 @@ std::vector<PolesStep> steps_to_accelerations(const Solution& s) {
        "C"},
       {{"The same angle $γ$ leads from each acceleration to its ray $XK$, counter-clockwise when $α_{3}$ > 0: tan "
         "$γ$ = $α_{3}$ / $ω^{2}_{3}$.",
-        "Lo stesso angolo $γ$ porta da ogni accelerazione al suo raggio $XK$, antiorario se $α_{3}$ > 0: tan $γ$ "
+        "Lo stesso angolo $γ$ porta da ogni accelerazione al suo raggio $XK$, antiorario se $α_{3}$ > 0: tg $γ$ "
         "= $α_{3}$ / $ω^{2}_{3}$."},
        Where::point,
        "A"},

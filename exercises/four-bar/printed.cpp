@@ -87,7 +87,7 @@ std::vector<Printed> by_poles() {
       {"alpha_4", "3.24", "poles", 0.354,
        Explanation{{"ω₄²·tan γ: but γ belongs to the coupler, tan γ = α₃/ω₃²; and 1.95²·0.9 = 3.42, printed with its "
                     "last digits exchanged",
-                    "ω₄²·tan γ: ma γ è della biella, tan γ = α₃/ω₃²; e 1,95²·0,9 = 3,42, stampato con le ultime "
+                    "ω₄²·tg γ: ma γ è della biella, tg γ = α₃/ω₃²; e 1,95²·0,9 = 3,42, stampato con le ultime "
                     "cifre scambiate"},
                    [] { return with_last_digits_swapped(square(1.95) * 0.9); }}},
       {"KB", "0.36", "poles", 0.0165, enlarged_figure("B")},

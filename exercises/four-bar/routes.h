@@ -25,9 +25,9 @@ inline Quantity rocker_angle(const std::string& unit = "rad") {
 }
 
 inline constexpr Phrase no_value_of_gamma{"tan γ has no value: ω₃ and α₃ are zero",
-                                          "tan γ non ha valore: ω₃ e α₃ sono zero"};
+                                          "tg γ non ha valore: ω₃ e α₃ sono zero"};
 inline constexpr Phrase no_gamma{"tan γ grows beyond all bounds: ω₃ is zero",
-                                 "tan γ cresce oltre ogni limite: ω₃ è zero"};
+                                 "tg γ cresce oltre ogni limite: ω₃ è zero"};
 
 // From a right triangle with this angle: its legs beside and across.
 template <class T>

@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "exercises/friction-efficiency/motion.h"
 #include "exercises/friction-efficiency/problem.h"
 #include "exercises/kit/linkages/angles.h"
 #include "exercises/kit/linkages/loaded_routes.h"
@@ -13,30 +14,6 @@
 namespace epure::friction_efficiency {
 
 using namespace loaded;
-
-enum class Motion { ideal, direct, retrograde };
-inline constexpr std::array<Motion, 3> motions{Motion::ideal, Motion::direct, Motion::retrograde};
-inline constexpr std::array<Motion, 2> with_friction{Motion::direct, Motion::retrograde};
-inline std::string suffix(Motion motion) { return motion == Motion::direct ? "_direct" : "_retrograde"; }
-inline Words words_of(Motion motion) {
-  return motion == Motion::direct ? Words{", direct motion", ", moto diretto"}
-                                  : Words{", retrograde motion", ", moto retrogrado"};
-}
-inline VectorQuantity in(Motion motion, VectorQuantity quantity) {
-  quantity.name += suffix(motion);
-  quantity.meaning = quantity.meaning + words_of(motion);
-  quantity.size = quantity.size + words_of(motion);
-  return quantity;
-}
-// In the retrograde motion with a prime, as the source writes P'.
-inline Quantity in(Motion motion, const Quantity& quantity) {
-  std::string symbol = quantity.symbol;
-  if (motion == Motion::retrograde) symbol.insert(symbol.size() - 1, "'");
-  return {quantity.name + suffix(motion), symbol, quantity.unit, quantity.meaning + words_of(motion)};
-}
-inline PointQuantity in(Motion motion, const PointQuantity& P) {
-  return {P.name + suffix(motion), P.of + words_of(motion), point_letters(P.name)};
-}
 
 inline constexpr Phrase no_sliding{"the bodies do not slide on each other",
                                    "i corpi non strisciano l'uno sull'altro"};
@@ -122,7 +99,8 @@ inline Quantity effort(const Names& names, Motion motion) {
                            ? Words{"couple on the crank", "coppia sulla manovella"}
                            : Words{"driving force, along its direction", "forza motrice, lungo la sua direzione"}};
   if (motion == Motion::ideal)
-    return {plain.name + "_i", plain.symbol, plain.unit, plain.meaning + Words{", ideal", ", ideale"}};
+    return {plain.name + "_i", "$\\it{" + names.effort.name + "}_{i}$", plain.unit,
+            plain.meaning + Words{", ideal", ", ideale"}};
   return in(motion, plain);
 }
 inline Quantity efficiency(Motion motion) {
@@ -318,9 +296,9 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
   const Wedge of = problem.of.wedge;
   const Angle phi = problem.phi;
   const VectorQuantity upper =
-                           force_between(1, 3, "upper", "^{{'}}", {", at the upper end", ", all'estremo superiore"}),
+                           force_between(1, 3, "upper", "^{{u}}", {", at the upper end", ", all'estremo superiore"}),
                        lower =
-                           force_between(1, 3, "lower", "^{{''}}", {", at the lower end", ", all'estremo inferiore"});
+                           force_between(1, 3, "lower", "^{{l}}", {", at the lower end", ", all'estremo inferiore"});
   ledger.begin_case("wedge_collar_two_point.", {", collar with two forces", ", collare con due forze"});
   const Motions<T> all = wedge_motions<T>(problem, Collar::two_forces);
   write_motions<T>(ledger, names_of_P(), all, {T(1), T(0)}, {force_between(1, 2), upper, lower, force_between(2, 3)},
@@ -505,7 +483,7 @@ void write_double_slider(Ledger<T>& ledger, const Problem& problem) {
   ledger.put(tilt, [=] { return tilt_deg(); });
   for (const Motion motion : with_friction)
     ledger.put(
-        Quantity{"link_line_angle" + suffix(motion) + "_deg", "$ψ$", "deg",
+        Quantity{"link_line_angle" + suffix(motion) + "_deg", motion == Motion::direct ? "$ψ$" : "$ψ'$", "deg",
                  Words{"direction of the link's force on slider 2", "direzione della forza dell'asta sul pattino 2"} +
                      words_of(motion)},
         [=] { return given_in_degrees<T>(theta) + (motion == Motion::direct ? -tilt_deg() : tilt_deg()); });

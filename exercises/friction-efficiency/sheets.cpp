@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "exercises/friction-efficiency/exercise.h"
+#include "exercises/friction-efficiency/motion.h"
 #include "exercises/kit/linkages/loaded_figures.h"
 #include "exercises/kit/panels/chained_polygons_panel.h"
 #include "exercises/kit/panels/chart_panel.h"
@@ -18,14 +19,16 @@ using Joint = Mechanism::Joint;
 
 const std::string direct = "_direct", retrograde = "_retrograde";
 
-VectorQuantity moving(VectorQuantity quantity, const std::string& suffix) {
-  quantity.name += suffix;
-  return quantity;
+VectorQuantity moving(const VectorQuantity& quantity, const std::string& suffix) {
+  return in(suffix == direct ? Motion::direct : Motion::retrograde, quantity);
 }
-VectorQuantity P_of(const std::string& suffix) {
-  VectorQuantity P = moving(applied_force("P", {}), suffix);
-  if (suffix == retrograde) P.letters = "\\it{{P}}^{{'}}{}";
-  return P;
+VectorQuantity P_of(const std::string& suffix) { return moving(applied_force("P", {}), suffix); }
+// What body i does to body j, known from the polygon before: the same force the other way, or passed on by a link.
+PolygonSide passed_on(const PolygonSide& force, const VectorQuantity& known, int i, int j, const std::string& suffix,
+                      const std::string& tip = {}) {
+  PolygonSide side = reaction(force, moving(force_between(i, j), suffix).arrow(), known.length().symbol);
+  side.tip = tip;
+  return side;
 }
 
 // "φ from r₂": turned by the friction angle.
@@ -33,11 +36,13 @@ std::string turned_from(const std::string& normal, Language language) {
   return "$φ$ " + Words{"from ", "da "}.in(language) + normal;
 }
 
-// The edges of the friction cone about a normal through X.
-void add_cone(FreeBodyPanel& panel, const Place& X, const Arrow2& normal, double phi, double length) {
-  const double n = std::atan2(normal.y, normal.x);
-  for (const double side : {-phi, phi})
-    panel.string(X, X + length * Arrow2{std::cos(n + side), std::sin(n + side)}, "");
+// A contact's force that presses on a body in X from outside: its angle with the normal, which stands on the same
+// side.
+void press(FreeBodyPanel& panel, const Case& of, const PolygonSide& R, const Place& X, double normal) {
+  panel.force(R, X, Arrow::ends);
+  if (is_zero(of.s.givens().angle("phi")) || magnitude(R.v) == 0) return;
+  const double force = std::atan2(-R.v.y, -R.v.x);
+  panel.turned(X, force - std::remainder(force - normal, std::numbers::pi), force, "$φ$");
 }
 
 const Words the_other_way{"Retrograde motion: the same polygons with the forces turned the other way.",
@@ -55,14 +60,14 @@ std::vector<Arrow2> laid_end_to_end(const std::vector<Arrow2>& vectors) {
 struct Chain {
   std::string loaded, driven;                    // letters of the bodies
   VectorQuantity contact, on_loaded, on_driven;  // R_ij
-  int i, j;                                      // the contact's force acts from i on j
+  int passed_by;  // the body that acts on the driven one by the contact's force turned round
   std::string along_Q, along_contact, along_loaded, along_driven, along_P;
 };
 ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::string& suffix) {
   const PolygonSide Q = of.load("Q", chain.along_Q, "$a$"),
                     contact = of.sought(moving(chain.contact, suffix), chain.along_contact, "$b$"),
                     on_loaded = of.sought(moving(chain.on_loaded, suffix), chain.along_loaded),
-                    back = reversed(contact, chain.j, chain.i, "$a$"),
+                    back = passed_on(contact, chain.contact, chain.passed_by, std::stoi(chain.driven), suffix, "$a$"),
                     P = of.sought(P_of(suffix), chain.along_P, "$c$"),
                     on_driven = of.sought(moving(chain.on_driven, suffix), chain.along_driven);
   ChainedPolygonsPanel panel(force_polygon(chain.loaded, {on_loaded}, {Q, contact}));
@@ -91,14 +96,12 @@ const Words turned_against{
 PanelSheet wedge(const Solution& s, Language language) {
   const Case of(s, "wedge_collar");
   const WedgeFigure at(of);
-  const double phi = geometry::to_double(s.givens().angle("phi")), slope = of.radians("theta");
-  const Arrow2 n{std::sin(slope), std::cos(slope)};
+  const double normal = std::numbers::pi / 2 - of.radians("theta");
   const Chain chain{"3",
                     "2",
                     force_between(2, 3),
                     force_between(1, 3),
                     force_between(1, 2),
-                    2,
                     3,
                     "∥ $r_{1}$",
                     turned_from("$r_{2}$", language),
@@ -115,24 +118,17 @@ PanelSheet wedge(const Solution& s, Language language) {
   const PolygonSide Q = of.load("Q", "", ""), R_23 = of.known(moving(chain.contact, direct), "", ""),
                     R_32 = reversed(R_23, 3, 2), R_12 = of.known(moving(chain.on_driven, direct), "", ""),
                     P = of.known(P_of(direct), "", "");
-  constexpr double cone = 0.05;  // m
-  on_rod.to_scale()
-      .at_most(200)
-      .force(Q, {0, at.top}, Arrow::ends)
-      .force(R_23, {0, 0}, Arrow::ends)
-      .force(of.known(moving(chain.on_loaded, direct), "", ""), {0, 0}, Arrow::ends);
-  add_cone(on_rod, {0, 0}, -n, phi, cone);
+  on_rod.to_scale().at_most(200).force(Q, {0, at.top}, Arrow::ends);
+  press(on_rod, of, R_23, {0, 0}, normal);
+  press(on_rod, of, of.known(moving(chain.on_loaded, direct), "", ""), {0, 0}, 0);
   on_rod.step(turned_against, {0, 0});
   // Where R_32 and P meet, from the triangle of directions.
   const Place H{R_32.v.y == 0 ? 0 : at.line_of_P * R_32.v.x / R_32.v.y, at.line_of_P};
   const Place foot{H.x + (at.floor - H.y) * R_12.v.x / R_12.v.y, at.floor};
-  on_wedge.to_scale()
-      .at_most(200)
-      .force(R_32, {0, 0}, Arrow::ends)
-      .force(P, {at.left.x, at.line_of_P}, Arrow::ends)
-      .force(R_12, foot, Arrow::ends);
+  on_wedge.to_scale().at_most(200).force(P, {at.left.x, at.line_of_P}, Arrow::ends);
+  press(on_wedge, of, R_32, {0, 0}, normal);
+  press(on_wedge, of, R_12, foot, -std::numbers::pi / 2);
   on_wedge.meeting("", "$\\it{H}_{2}$", H);
-  add_cone(on_wedge, foot, {0, -1}, phi, cone);
   std::vector<Result> results = efficiencies(of, "P");
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
   return {.panels = panels(on_rod, on_wedge, polygons(of, chain, direct), polygons(of, chain, retrograde)),
@@ -147,8 +143,7 @@ PanelSheet wedge(const Solution& s, Language language) {
 PanelSheet two_forces(const Solution& s, Language language) {
   const Case of(s, "wedge_collar_two_point", "wedge_collar");
   const WedgeFigure at(of);
-  const VectorQuantity upper = force_between(1, 3, "upper", "^{{'}}"),
-                       lower = force_between(1, 3, "lower", "^{{''}}");
+  const VectorQuantity upper = force_between(1, 3, "upper", "^{{u}}"), lower = force_between(1, 3, "lower", "^{{l}}");
   Mechanism rod;
   rod.point("O", {0, 0}, Joint::none, "$O$");
   add_rod(rod, at);
@@ -160,11 +155,11 @@ PanelSheet two_forces(const Solution& s, Language language) {
                       second = of.sought(moving(lower, suffix), turned_from("$x$", language), "$d$");
     PolygonSide sum = of.sought(moving(upper, suffix), "∥ $OK$");
     sum.quantity.clear();
-    sum.label = "$\\vec{\\it{R}}_{13}$";
+    sum.label = moving(force_between(1, 3), suffix).arrow();
     sum.length.reset();
     sum.v = first.v + second.v;
     ChainedPolygonsPanel panel(force_polygon("3", {sum}, {Q, R_23}));
-    PolygonSide minus = reaction(sum, "−$\\vec{\\it{R}}_{13}$", "$\\it{R}_{13}$");
+    PolygonSide minus = reaction(sum, "−" + sum.label, "$\\it{R}_{13}$");
     minus.tip = "$b$";
     panel.then(force_polygon("3", {first}, {minus, second}), {0, 0});
     const Arrow2 contact = of.vector("R_23_ideal");
@@ -172,14 +167,14 @@ PanelSheet two_forces(const Solution& s, Language language) {
     if (suffix == retrograde) panel.likewise(the_other_way, Q.v);
     return panel;
   };
-  on_rod.to_scale()
-      .force(of.load("Q", "", ""), {0, at.top}, Arrow::ends)
-      .force(of.known(moving(force_between(2, 3), direct), "", ""), {0, 0}, Arrow::ends);
-  on_rod.force(of.known(moving(upper, direct), "", ""), {-at.w / 2, at.upper}, Arrow::ends)
-      .force(of.known(moving(lower, direct), "", ""), {at.w / 2, at.lower}, Arrow::ends);
+  on_rod.to_scale().force(of.load("Q", "", ""), {0, at.top}, Arrow::ends);
+  press(on_rod, of, of.known(moving(force_between(2, 3), direct), "", ""), {0, 0},
+        std::numbers::pi / 2 - of.radians("theta"));
+  press(on_rod, of, of.known(moving(upper, direct), "", ""), {-at.w / 2, at.upper}, 0);
+  press(on_rod, of, of.known(moving(lower, direct), "", ""), {at.w / 2, at.lower}, 0);
   const auto K = of.point("K_direct");
   on_rod.meeting(of.name("K_direct"), "$K$", K);
-  if (K) on_rod.string({0, 0}, Place{0, 0} + 0.25 * (*K - Place{0, 0}), "$OK$");
+  if (K) on_rod.line_to({0, 0}, *K, "$OK$");
   on_rod.step({"The collar's forces, each turned by $φ$, meet in $K$. $\\vec{\\it{Q}}$ and $\\vec{\\it{R}}_{23}$ "
                "meet in $O$: the collar's two forces "
                "together run along $OK$, Culmann's line.",
@@ -209,7 +204,6 @@ PanelSheet double_slider(const Solution& s, Language language) {
                     force_between(1, 2),
                     force_between(1, 4),
                     3,
-                    2,
                     "⊥ $x$",
                     Words{"by both circles", "per i due cerchi"}.in(language),
                     turned_from("$x$", language),
@@ -225,9 +219,18 @@ PanelSheet double_slider(const Solution& s, Language language) {
         .point("circle", {P.x, P.y - rho}, Joint::corner, "");
     pin.disc(X, "rim", false).disc(X, "circle", false).axis(P + -1.5 * r * along, P + 1.5 * r * along, "$AB$");
     FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(pin)));
-    PolygonSide R = of.known(moving(force_between(3, 2), direct), "", "");
+    PolygonSide R = of.known(moving(chain.contact, direct), "", "");
     R.quantity.clear();
     panel.force(is_reversed ? reversed(R, 3, 4) : R, of.place("on_" + X + direct));
+    return panel;
+  };
+  // The angles at which the forces of the guides leave their normals.
+  const auto with_guides = [&](const std::string& suffix) {
+    ChainedPolygonsPanel panel = polygons(of, chain, suffix);
+    const Arrow2 R_12 = of.vector(chain.on_loaded.name + suffix), R_14 = of.vector(chain.on_driven.name + suffix),
+                 b = -R_12;
+    constexpr double downwards = -std::numbers::pi / 2;
+    panel.angle({0, 0}, 0, std::atan2(b.y, b.x), "$φ$").angle(b, downwards, std::atan2(-R_14.y, -R_14.x), "$φ$");
     return panel;
   };
   FreeBodyPanel A = detail("A", false), B = detail("B", true);
@@ -240,13 +243,15 @@ PanelSheet double_slider(const Solution& s, Language language) {
          of.place("on_A" + direct));
   std::vector<Result> results = efficiencies(of, "P");
   results.push_back(of.results({"friction_circle_radius", "link_line_tilt_angle_deg"}));
-  const Words hinges{"With ideal hinges:", "Con cerniere ideali:"};
-  results.push_back(remark(hinges.in(language)));
-  results.push_back(ideal.results({"P_direct", "P_retrograde"}));
-  results.push_back(ideal.results({"eta_direct", "eta_retrograde"}));
+  const auto row = [&](const Words& hinges, const Case& each) {
+    return Row{hinges.in(language), each.names({"P_direct", "P_retrograde", "eta_direct", "eta_retrograde"})};
+  };
+  results.push_back(
+      table({Words{"hinges", "cerniere"}.in(language), "$\\it{P}$ (N)", "$\\it{P}'$ (N)", "$η_{D}$", "$η_{R}$"},
+            {row({"with friction", "con attrito"}, of), row({"ideal", "ideali"}, ideal)}));
   results.push_back(ideal.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
   return {
-      .panels = panels(A, B, polygons(of, chain, direct), polygons(of, chain, retrograde)),
+      .panels = panels(A, B, with_guides(direct), with_guides(retrograde)),
       .results = results,
       .seen = {"The pins of the double slider with their friction circles, and the polygons of the direct and of the "
                "retrograde motion",
@@ -258,7 +263,7 @@ PanelSheet double_slider(const Solution& s, Language language) {
 PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, Language language) {
   const LeverFigure at(s, name, loaded_lever);
   const Case& of = at.of;
-  const double phi = geometry::to_double(s.givens().angle("phi")), nu = of.radians("nu");
+  const double nu = of.radians("nu");
   const std::string j = std::to_string(at.loaded), i = std::to_string(at.driven);
   const auto hinge_line = [&](int lever) {
     return "∥ " + at.letters(lever) + "$\\it{H}_{" + std::to_string(lever) + "}$";
@@ -268,7 +273,6 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
                     force_between(at.driven, at.loaded),
                     force_between(1, at.loaded),
                     force_between(1, at.driven),
-                    at.driven,
                     at.loaded,
                     "$δ_{Q}$",
                     turned_from("$n$", language),
@@ -284,12 +288,9 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
     FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
     const std::string k = std::to_string(lever);
     panel.to_scale().force(is_loaded ? of.load("Q", "", "") : of.known(P_of(direct), "", ""), at.attacked(lever));
-    panel.force(is_loaded ? contact : reversed(contact, at.loaded, at.driven), at.C, Arrow::ends);
+    press(panel, of, is_loaded ? contact : reversed(contact, at.loaded, at.driven), at.C, nu);
     panel.force(of.known(moving(force_between(1, lever), direct), "", ""), at.hinge(lever), Arrow::ends);
     panel.meeting(of.name("H_" + k + direct), "$\\it{H}_{" + k + "}$", of.point("H_" + k + direct));
-    constexpr double cone = 0.06;  // m
-    const double side = is_loaded ? -1 : 1;
-    add_cone(panel, at.C, {side * std::cos(nu), side * std::sin(nu)}, phi, cone);
     return panel;
   };
   FreeBodyPanel first = body(at.loaded);
@@ -315,7 +316,7 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
     const PolygonSide F = of.load("F", "∥ $x$", "$a$"),
                       R_56 = of.sought(moving(force_between(5, 6), suffix), turned_from("$x$", language), "$b$"),
                       R_16 = of.sought(moving(force_between(1, 6), suffix), turned_from("⊥ $x$", language)),
-                      R_54 = reversed(R_56, 5, 4, "$a$"),
+                      R_54 = passed_on(R_56, force_between(5, 6), 5, 4, suffix, "$a$"),
                       R_34 = of.sought(moving(force_between(3, 4), suffix), turned_from("⊥ $CD$", language), "$c$"),
                       R_14 = of.sought(moving(force_between(1, 4), suffix), "∥ $CH$");
     ChainedPolygonsPanel panel(force_polygon("6", {R_16}, {F, R_56}));
@@ -338,25 +339,25 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
   const PolygonSide R_34 = of.known(moving(force_between(3, 4), direct), "", ""),
                     R_54 = reversed(of.known(moving(force_between(5, 6), direct), "", ""), 5, 4),
                     R_32 = reversed(R_34, 3, 2);
-  on_4.to_scale()
-      .at_most(50)
-      .force(R_54, D)
-      .force(R_34, B, Arrow::ends)
-      .force(of.known(moving(force_between(1, 4), direct), "", ""), C, Arrow::ends);
+  on_4.to_scale().at_most(50).force(of.known(moving(force_between(1, 4), direct), "", ""), C, Arrow::ends);
+  press(on_4, of, R_34, B, -of.radians("theta"));
+  press(on_4, of, R_54, D, 0);
   on_4.meeting(of.name("H_direct"), "$\\it{H}$", of.point("H_direct"));
   on_4.step(turned_against, of.point("H_direct").value_or(B));
   on_2.to_scale().at_most(50).force(R_32, B).force(reaction(R_32, "$\\vec{\\it{R}}_{12}$", ""), A);
-  on_2.couple("$\\it{M}$", A, of["M_direct"]);
+  on_2.couple("$\\it{M}$", A, of["M_direct"]).arm(A, B, R_32.v, "$d$", of.name("d_direct"));
   on_2.moments({"$\\it{M}$ = $\\it{F}_{23}$·$d$.", "$\\it{M}$ = $\\it{F}_{23}$·$d$."}, A);
+  FreeBodyPanel all(fairbairn_figure(of));
+  all.to_scale().at_most(50);
   std::vector<Result> results = efficiencies(of, "M");
   results.push_back(of.results({"F_23_direct", "d_direct"}));
   results.push_back(of.results({"F_23_retrograde", "d_retrograde"}));
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  return {.panels = panels(on_4, on_2, polygon(direct), polygon(retrograde)),
+  return {.panels = panels(all, on_4, on_2, polygon(direct), polygon(retrograde)),
           .results = results,
-          .seen = {"Lever and crank of Fairbairn's mechanism cut free, and the polygons of ram and lever in the "
+          .seen = {"Fairbairn's mechanism, its lever and crank cut free, and the polygons of ram and lever in the "
                    "direct and in the retrograde motion",
-                   "Leva e manovella della guida di Fairbairn isolate, e i poligoni di slitta e leva nel moto "
+                   "La guida di Fairbairn, leva e manovella isolate, e i poligoni di slitta e leva nel moto "
                    "diretto e nel retrogrado"},
           .told = of.names({"M_direct", "M_retrograde", "eta_direct", "eta_retrograde"}),
           .without_part = of.without({}, {"phi"})};

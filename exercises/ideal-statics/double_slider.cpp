@@ -26,8 +26,10 @@ PanelSheet sheet(const Solution& s, Language) {
   const Case of(s, "double_slider");
   const Place A = of.place("A"), B = of.place("B");
   const PolygonSide Q = of.load("Q", "⊥ $x$", "$a$"), R_32 = of.sought(force_between(3, 2), "∥ $AB$", "$b$"),
-                    R_12 = of.sought(force_between(1, 2), "∥ $x$"), R_34 = reversed(R_32, 3, 4, "$a$"),
-                    driving = of.sought(P(), "∥ $x$", "$c$"), R_14 = of.sought(force_between(1, 4), "⊥ $x$");
+                    R_12 = of.sought(force_between(1, 2), "∥ $x$"), driving = of.sought(P(), "∥ $x$", "$c$"),
+                    R_14 = of.sought(force_between(1, 4), "⊥ $x$");
+  PolygonSide R_34 = reaction(R_32, force_between(3, 4).arrow(), force_between(3, 2).length().symbol);
+  R_34.tip = "$a$";
   const double half = of.given("l") / 30;
   const auto slider = [&](const std::string& name, const Place& P, bool is_upright) {
     const double x = is_upright ? half : 2 * half, y = is_upright ? 2 * half : half;

@@ -3,27 +3,13 @@
 #include <numbers>
 
 #include "exercises/ideal-statics/sheets.h"
+#include "exercises/kit/linkages/loaded_figures.h"
 
 namespace epure::ideal_statics {
 namespace {
 
 using Arrow = FreeBodyPanel::Arrow;
 using Joint = Mechanism::Joint;
-
-std::shared_ptr<const Mechanism> whole(const Case& of) {
-  const Place A = of.place("A"), B = of.place("B"), C = of.place("C"), D = of.place("D");
-  Mechanism drawn;
-  drawn.point("A", A, Joint::fixed, "$A$")
-      .point("B", B, Joint::hinge, "$B$")
-      .point("C", C, Joint::fixed, "$C$")
-      .point("D", D, Joint::block, "$D$")
-      .body({"A", "B"}, 2)
-      .body({"C", "D"}, 4)
-      .guide("D", 0)
-      .axis(C, A)
-      .angle("C", std::numbers::pi / 2 - of.radians("theta"), std::numbers::pi / 2, "$θ$");
-  return std::make_shared<const Mechanism>(std::move(drawn));
-}
 
 PanelSheet polygons(const Solution& s, const std::string& name) {
   const Case of(s, name);
@@ -44,8 +30,8 @@ PanelSheet polygons(const Solution& s, const std::string& name) {
   on_4.to_scale().force(F, D).force(R_34, B, Arrow::ends).force(R_14, C, Arrow::ends);
   on_4.meeting(of.name("H"), "$\\it{H}$", of.point("H"));
   on_2.to_scale().force(R_32, B).force(R_12, A);
-  on_2.couple("$\\it{M}$", A, of["M"]);
-  FreeBodyPanel all(whole(of));
+  on_2.couple("$\\it{M}$", A, of["M"]).arm(A, B, R_32.v, "$d$", of.name("d"));
+  FreeBodyPanel all(fairbairn_figure(of));
   all.to_scale();
   on_4.step(
       {"The ram is held by $\\vec{\\it{F}}$ and the slot's force alone, both along $x$ through $D$: so on the lever "
@@ -76,16 +62,15 @@ PanelSheet virtual_work(const Solution& s, const std::string& name) {
   Mechanism drawn;
   drawn.point("C", C, Joint::fixed, "$C$")
       .point("A", A, Joint::fixed, "$A$")
-      .point("B", B, Joint::hinge, "$B$")
-      .point("D", D, Joint::block, "$D$")
+      .point("B", B, Joint::corner, "")
+      .point("end", D, Joint::corner, "")
       .point("P24", P24, Joint::none, "$P_{24}$")
       .body({"A", "B"}, 2)
-      .body({"C", "D"}, 4)
-      .guide("D", 0)
+      .body({"C", "end"}, 4)
       .axis(C, P24)
       .axis(B, P24)
       .right_angle("B", "P24", "C");
-  FreeBodyPanel poles(std::make_shared<const Mechanism>(std::move(drawn)));
+  FreeBodyPanel poles(with_ram(std::move(drawn), of));
   poles.step(
       {"The normal to the lever in $B$ meets the line $CA$ in $P_{24}$: crank and lever have one velocity there, "
        "$ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$.",

@@ -32,6 +32,8 @@ FreeBodyPanel cut_free(const LeverFigure& at, int lever, const PolygonSide& appl
       .force(applied, at.attacked(lever))
       .force(contact, at.C, Arrow::ends)
       .force(pivot, at.hinge(lever), Arrow::ends);
+  const std::string arm = lever == 2 ? "A0" : "B0";
+  panel.arm(at.hinge(lever), at.C, contact.v, "$b_{" + arm + "}$", at.of.name("arm_normal_" + arm));
   const auto meeting = at.of.point("H_" + i);
   panel.meeting(at.of.name("H_" + i), H, meeting);
   panel.step(

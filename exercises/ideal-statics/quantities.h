@@ -30,10 +30,10 @@ inline Quantity v_Q_over_v_P() {
           {"virtual displacement along Q over that along P", "spostamento virtuale lungo Q su quello lungo P"}};
 }
 inline VectorQuantity R_13_upper() {
-  return force_between(1, 3, "upper", "^{{'}}", {", at the upper end", ", all'estremo superiore"});
+  return force_between(1, 3, "upper", "^{{u}}", {", at the upper end", ", all'estremo superiore"});
 }
 inline VectorQuantity R_13_lower() {
-  return force_between(1, 3, "lower", "^{{''}}", {", at the lower end", ", all'estremo inferiore"});
+  return force_between(1, 3, "lower", "^{{l}}", {", at the lower end", ", all'estremo inferiore"});
 }
 inline Quantity R_13_resultant_x() {
   return {"R_13_resultant_x",

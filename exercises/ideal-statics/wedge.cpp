@@ -107,15 +107,15 @@ PanelSheet two_forces(const Solution& s, Language) {
   const auto string = [&](const std::string& from, const std::string& to, const std::string& letters) {
     rod.string(of.place(from), of.place(to), letters);
   };
-  string("on_upper", "on_resultant", "1'");
-  string("on_resultant", "on_lower", "2'");
-  string("on_lower", "on_upper", "3'");
+  string("on_upper", "on_resultant", "1′");
+  string("on_resultant", "on_lower", "2′");
+  string("on_lower", "on_upper", "3′");
   rod.step(
-      {"Funicular polygon: 1' parallel to the ray 1, from the line of $\\vec{\\it{R}}^{'}_{13}$ to that of "
-       "$\\vec{\\it{R}}_{13}$ through $O$; 2' parallel to 2, to the line of $\\vec{\\it{R}}^{''}_{13}$; 3' closes "
+      {"Funicular polygon: 1′ parallel to the ray 1, from the line of $\\vec{\\it{R}}^{u}_{13}$ to that of "
+       "$\\vec{\\it{R}}_{13}$ through $O$; 2′ parallel to 2, to the line of $\\vec{\\it{R}}^{l}_{13}$; 3′ closes "
        "it.",
-       "Poligono funicolare: 1' parallela al raggio 1, dalla retta della $\\vec{\\it{R}}^{'}_{13}$ a quella della "
-       "$\\vec{\\it{R}}_{13}$ per $O$; 2' parallela a 2, fino alla retta della $\\vec{\\it{R}}^{''}_{13}$; 3' lo "
+       "Poligono funicolare: 1′ parallela al raggio 1, dalla retta della $\\vec{\\it{R}}^{u}_{13}$ a quella della "
+       "$\\vec{\\it{R}}_{13}$ per $O$; 2′ parallela a 2, fino alla retta della $\\vec{\\it{R}}^{l}_{13}$; 3′ lo "
        "chiude."},
       of.place("on_resultant"));
   PolygonSide R_13 = of.known(force_between(1, 3), "∥ $x$", "?");
@@ -127,10 +127,10 @@ PanelSheet two_forces(const Solution& s, Language) {
   shared.step({"A pole $O_{f}$ beside $\\vec{\\it{R}}_{13}$, and the rays 1 and 2 to its ends.",
                "Un polo $O_{f}$ accanto alla $\\vec{\\it{R}}_{13}$, e i raggi 1 e 2 ai suoi estremi."},
               SharedLoadPanel::At::pole);
-  shared.step({"The ray 3 parallel to 3' parts $\\vec{\\it{R}}_{13}$ into $\\vec{\\it{R}}^{'}_{13}$ and "
-               "$\\vec{\\it{R}}^{''}_{13}$.",
-               "Il raggio 3 parallelo a 3' divide la $\\vec{\\it{R}}_{13}$ in $\\vec{\\it{R}}^{'}_{13}$ e "
-               "$\\vec{\\it{R}}^{''}_{13}$."},
+  shared.step({"The ray 3 parallel to 3′ parts $\\vec{\\it{R}}_{13}$ into $\\vec{\\it{R}}^{u}_{13}$ and "
+               "$\\vec{\\it{R}}^{l}_{13}$.",
+               "Il raggio 3 parallelo a 3′ divide la $\\vec{\\it{R}}_{13}$ in $\\vec{\\it{R}}^{u}_{13}$ e "
+               "$\\vec{\\it{R}}^{l}_{13}$."},
               SharedLoadPanel::At::between);
   VectorPolygon of_wedge = force_polygon("2", {on.R_12}, {on.R_32, on.P});  // as with one force
   of_wedge.origin = "$b$";

@@ -138,7 +138,7 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
                          "tan $φ$ = $f_{m}$. The triangle has another scale across than upwards: $φ$ would not be "
                          "seen. $\\it{M}$ = $z$ $\\it{T}_{p}$ $\\it{R}_{m}$, $\\it{W}$ = $\\it{M}$ $ω$.",
                          "$\\it{T}_{p}$ = $f_{m}$ $\\it{N}_{p}$ ruota la forza del pattino dell'angolo "
-                         "d'attrito $φ$, tan $φ$ = $f_{m}$. Il triangolo ha una scala diversa in orizzontale e in "
+                         "d'attrito $φ$, tg $φ$ = $f_{m}$. Il triangolo ha una scala diversa in orizzontale e in "
                          "verticale: $φ$ non si vedrebbe. $\\it{M}$ = $z$ $\\it{T}_{p}$ $\\it{R}_{m}$, $\\it{W}$ = "
                          "$\\it{M}$ $ω$."},
                         language)}}},

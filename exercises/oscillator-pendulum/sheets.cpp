@@ -121,10 +121,12 @@ ChartPanel motion_chart(const Solution& s, Language language) {
   return ChartPanel(chart, all);
 }
 
-std::string law_in_words(const Rational& zeta) {
-  if (zeta == 1) return "$x$ = $v_{0}t$e$^{−αt}$";
-  if (zeta < 1) return "$x$ = ($v_{0}$/$b$)e$^{−αt}$sin $bt$, $b$ = $ω_{n}$√(1 − $ζ^{2}$)";
-  return "$x$ = e$^{−αt}$($\\it{C}_{1}$e$^{βt}$ + $\\it{C}_{2}$e$^{−βt}$)";
+Words law_in_words(const Rational& zeta) {
+  if (zeta == 1) return decimal("$x$ = $v_{0}t$e$^{−αt}$");
+  if (zeta < 1)
+    return {"$x$ = ($v_{0}$/$b$)e$^{−αt}$sin $bt$, $b$ = $ω_{n}$√(1 − $ζ^{2}$)",
+            "$x$ = ($v_{0}$/$b$)e$^{−αt}$sen $bt$, $b$ = $ω_{n}$√(1 − $ζ^{2}$)"};
+  return decimal("$x$ = e$^{−αt}$($\\it{C}_{1}$e$^{βt}$ + $\\it{C}_{2}$e$^{−βt}$)");
 }
 
 // Straight lines through the origin, of which all points have one direction of motion.
@@ -373,18 +375,19 @@ PanelSheet motion_sheet(const Solution& s, Language language) {
       "$x'_{i+1}$ = $x'_{i}$ + $x''_{i}$Δ$t$. $e$ = ($x_{E}$ − $x$)/$x$ at one instant.",
       "Il poligono di Eulero prosegue da ogni punto per Δ$t$ lungo la tangente: $x_{i+1}$ = $x_{i}$ + $x'_{i}$Δ$t$, "
       "$x'_{i+1}$ = $x'_{i}$ + $x''_{i}$Δ$t$. $e$ = ($x_{E}$ − $x$)/$x$ allo stesso istante."};
-  return {.panels = panels(motion_chart(s, language)),
-          .theory = {{{"Law of motion", "Legge del moto"},
-                      {remark("$x''$ + 2$ζω_{n}x'$ + $ω_{n}^{2}x$ = 0; " + law_in_words(s.givens()["zeta"])),
-                       remark(euler.in(language))}}},
-          .results = {values({osc("alpha"), osc("beta")}), values({osc("C_1"), osc("C_2")}),
-                      values({osc("t_x_max"), osc("x_max")}), values({osc("t_inflection"), osc("x_inflection")}),
-                      table({"$t$ (s)", "$x$ (m)", "$x_{E}$ (m)", "$e$"},
-                            rows_of_oscillator({"x", "x_euler", "err_euler"}))},
-          .seen = {"The position of the oscillator over time, exact and by Euler's method",
-                   "La posizione dell'oscillatore nel tempo, esatta e con il metodo di Eulero"},
-          .told = {osc("x_max"), osc("t_x_max"), osc("x_at_5"), osc("x_euler_at_5")},
-          .without_part = givens_of_pendulum};
+  return {
+      .panels = panels(motion_chart(s, language)),
+      .theory = {{{"Law of motion", "Legge del moto"},
+                  {remark("$x''$ + 2$ζω_{n}x'$ + $ω_{n}^{2}x$ = 0; " + law_in_words(s.givens()["zeta"]).in(language)),
+                   remark(euler.in(language))}}},
+      .results = {values({osc("alpha"), osc("beta")}), values({osc("C_1"), osc("C_2")}),
+                  values({osc("t_x_max"), osc("x_max")}), values({osc("t_inflection"), osc("x_inflection")}),
+                  table({"$t$ (s)", "$x$ (m)", "$x_{E}$ (m)", "$e$"},
+                        rows_of_oscillator({"x", "x_euler", "err_euler"}))},
+      .seen = {"The position of the oscillator over time, exact and by Euler's method",
+               "La posizione dell'oscillatore nel tempo, esatta e con il metodo di Eulero"},
+      .told = {osc("x_max"), osc("t_x_max"), osc("x_at_5"), osc("x_euler_at_5")},
+      .without_part = givens_of_pendulum};
 }
 
 PanelSheet phase_plane_sheet(const Solution& s, Language language) {

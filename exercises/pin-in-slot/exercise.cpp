@@ -62,9 +62,11 @@ PolygonSide drawn(const Solution& s, const VectorQuantity& quantity, const std::
 Result signs(Language language) {
   return remark(
       Words{"Counter-clockwise is positive: $ω_{2}$ = −$ω$, $α_{2}$ = −d$ω$/d$t$, as $ω$, d$ω$/d$t$ and "
-            "$\\it{C}$ are the source's, clockwise.",
+            "$\\it{C}$ are the source's, clockwise. Components with their sign: $v_{B}$, $a_{B}$ along the guide, "
+            "$v_{rel}$, $a_{rel}$ along the slot, away from $O$.",
             "Positivo il verso antiorario: $ω_{2}$ = −$ω$, $α_{2}$ = −d$ω$/d$t$, perché $ω$, d$ω$/d$t$ e "
-            "$\\it{C}$ sono quelle della fonte, orarie."}
+            "$\\it{C}$ sono quelle della fonte, orarie. Componenti con il loro segno: $v_{B}$, $a_{B}$ lungo la "
+            "guida, $v_{rel}$, $a_{rel}$ lungo l'asola, uscendo da $O$."}
           .in(language));
 }
 
@@ -72,7 +74,7 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
   const Arrow2 slot = s.vector("slot");
   const VectorPolygon polygon = velocity_polygon(
       {unknown(s, v_B(), along_guide.in(language), {1, 0})},
-      {side(s, v_Bstar(), "⊥ $OB$", "$ω$·$OB$", "$b*$"), unknown(s, v_rel(), "∥ $OB$", slot, "$b'$")});
+      {side(s, v_Bstar(), "⊥ $OB$", "|$ω$|·$OB$", "$b*$"), unknown(s, v_rel(), "∥ $OB$", slot, "$b'$")});
   return {.panels = panels(RelativePolePanel(s, mechanism(s, "omega_disc", "$ω_{3}$")), PolygonPanel(s, polygon)),
           .results = {values({"v_B", "b_dot", "omega_disc"}), signs(language)},
           .seen = {"The slotted lever with the disc it rolls, and the polygon of the velocities of the pin B",
@@ -83,11 +85,11 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
 
 // The tangential part first: so neighbours are square to each other, and a_cor never runs back over it.
 VectorPolygon accelerations(const Solution& s, Language language) {
-  PolygonSide coriolis = side(s, a_cor(), "⊥ $OB$", "2$ω$·|$v_{rel}$|", "$c$");
+  PolygonSide coriolis = side(s, a_cor(), "⊥ $OB$", "2|$ω$|·|$v_{rel}$|", "$c$");
   coriolis.square = true;
   VectorPolygon polygon = acceleration_polygon(
       {unknown(s, a_B(), along_guide.in(language), {1, 0})},
-      {drawn(s, a_Bstar_t(), "⊥ $OB$", "(d$ω$/d$t$)·$OB$"), drawn(s, a_Bstar_n(), "∥ $BO$", "$ω^{2}$·$OB$"), coriolis,
+      {drawn(s, a_Bstar_t(), "⊥ $OB$", "|d$ω$/d$t$|·$OB$"), drawn(s, a_Bstar_n(), "∥ $BO$", "$ω^{2}$·$OB$"), coriolis,
        unknown(s, a_rel(), "∥ $OB$", s.vector("slot"), "$b'$")});
   polygon.images = {{.absolute = side(s, a_Bstar(), {}, {}, "$b*$"),
                      .relative = {},
@@ -98,9 +100,10 @@ VectorPolygon accelerations(const Solution& s, Language language) {
 
 PanelSheet acceleration_sheet(const Solution& s, Language language) {
   const Words remarks{
-      "$\\vec{a}_{cor}$ is $\\vec{v}_{rel}$ turned by 90° in the sense of $ω$, times 2$ω$. The disc's pole $D$ stays "
+      "$\\vec{a}_{cor}$ is $\\vec{v}_{rel}$ turned by 90° in the sense of $ω$, times 2|$ω$|. The disc's pole $D$ "
+      "stays "
       "below $B$, so $a_{B}$ = −$α_{3}$·$\\it{R}$.",
-      "$\\vec{a}_{cor}$ è $\\vec{v}_{rel}$ ruotata di 90° nel verso di $ω$, per 2$ω$. Il polo $D$ del disco resta "
+      "$\\vec{a}_{cor}$ è $\\vec{v}_{rel}$ ruotata di 90° nel verso di $ω$, per 2|$ω$|. Il polo $D$ del disco resta "
       "sotto $B$, perciò $a_{B}$ = −$α_{3}$·$\\it{R}$."};
   return {.panels = panels(MechanismPanel(mechanism(s, "alpha_disc", "$α_{3}$")),
                            PolygonPanel(s, accelerations(s, language))),
@@ -120,7 +123,7 @@ Forces forces(const Solution& s, Language language) {
   const std::string &guide = along_guide.in(language), &vertical = upright.in(language);
   const PolygonSide R_23 = unknown(s, pin_in_slot::R_23(), "⊥ $OB$", geometry::quarter_turn(s.vector("slot")), "$e$");
   return {.T_13 = side(s, T_13(), guide, "$\\it{J}_{B}$|$α_{3}$|/$\\it{R}$"),
-          .F_B = drawn(s, inertia_force("B"), guide, "$\\it{M}_{B}a_{B}$"),
+          .F_B = drawn(s, inertia_force("B"), guide, "$\\it{M}_{B}$|$a_{B}$|"),
           .W_B = drawn(s, weight("B"), vertical, "$\\it{M}_{B}g$"),
           .R_23 = R_23,
           .N_13 = unknown(s, N_13(), vertical, {0, 1}),

@@ -55,7 +55,9 @@ PanelSheet polar_diagram_sheet(const Solution& s, Language language) {
                             {"$\\vec{a}^{t}_{CA}$", "⊥ $CA$", "|$α_{3}$|·$CA$", "+"}}}});
   return {.panels = panels(MechanismPanel(with_angular_acceleration(s, instant)), polygon),
           .results = {values({"omega_3", "alpha_3", "gamma_deg"}),
-                      remark("|$α_{3}$| = $a^{t}_{BA}$ / $AB$,  tan $γ$ = $α_{3}$ / $ω^{2}_{3}$")},
+                      remark(Words{"|$α_{3}$| = $a^{t}_{BA}$ / $AB$,  tan $γ$ = $α_{3}$ / $ω^{2}_{3}$",
+                                   "|$α_{3}$| = $a^{t}_{BA}$ / $AB$,  tg $γ$ = $α_{3}$ / $ω^{2}_{3}$"}
+                                 .in(language))},
           .seen = {"The polygon of the accelerations of the slider-crank, with the images of C and M",
                    "Il poligono delle accelerazioni del manovellismo, con le immagini di C e M"},
           .told = {"alpha_3", "a_A", "a_B", "a_C", "a_M"}};
@@ -91,7 +93,7 @@ std::vector<PolesStep> steps_to_accelerations() {
        "M"},
       {{"The same angle $γ$ leads from each acceleration to its ray $XK$, counter-clockwise when $α_{3}$ > 0: tan "
         "$γ$ = $α_{3}$ / $ω^{2}_{3}$.",
-        "Lo stesso angolo $γ$ porta da ogni accelerazione al suo raggio $XK$, antiorario se $α_{3}$ > 0: tan $γ$ = "
+        "Lo stesso angolo $γ$ porta da ogni accelerazione al suo raggio $XK$, antiorario se $α_{3}$ > 0: tg $γ$ = "
         "$α_{3}$ / $ω^{2}_{3}$."},
        Where::point,
        "C"}};

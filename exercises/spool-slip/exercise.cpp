@@ -1,6 +1,7 @@
 // A spool drawn over a plane by a counterweight: does it stay, roll or slip?
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "exercises/kit/panels/chained_polygons_panel.h"
 #include "exercises/kit/panels/chart_panel.h"
@@ -133,6 +134,9 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
   if (regime == Regime::slipping) body.couple("−$\\it{J}α$", G, -s["alpha"]);
   const auto height = s.value("resultant_height");
   if (height) body.meeting("", "$\\it{H}$", Place{0, *height});
+  const double beside = 1.25 * G.y;  // clear of the spool
+  if (rolls && on.inertia.is_drawn()) body.arm({-beside, 0}, line, {1, 0}, "$h_{i}$", "");
+  if (height) body.arm({beside, 0}, {0, *height}, {1, 0}, "$h_{r}$", "");
   const Words pressed{"The normal reaction stands $u$ ahead of the foot of $G$.",
                       "La reazione normale è spostata di $u$ oltre il piede di $G$."};
   const Words single{"The force of inertia and its couple are one force, in the line at $h_{i}$ above the plane.",
@@ -168,6 +172,7 @@ ChainedPolygonsPanel with_cone(const Solution& s, const std::string& prefix, con
   ChainedPolygonsPanel panel(force_polygon(letter, {on.S}, {on.W, on.T, on.inertia}));
   panel.over({apex + Arrow2{-wide, wide == 0 ? N : wide * N / s["F_max"]}, apex,
               apex + Arrow2{wide, wide == 0 ? N : wide * N / s["F_max"]}});
+  panel.angle(apex, std::numbers::pi / 2, std::numbers::pi / 2 + s["friction_cone_half_angle"], "$φ_{a}$");
   if (is_first)
     panel.step(told, apex);
   else
@@ -179,7 +184,7 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
   const Spool of = spool(s.givens());
   const auto so = [&](const std::string& symbol) { return name_of(of.regime(s.givens()[symbol])) + Words{".", "."}; };
   const Words cone{"Dashed, the cone of friction about the vertical, with the half angle $φ_{a}$ = arctan $f_{a}$. ",
-                   "A tratti il cono d'attrito attorno alla verticale, di semiapertura $φ_{a}$ = arctan $f_{a}$. "};
+                   "A tratti il cono d'attrito attorno alla verticale, di semiapertura $φ_{a}$ = arctg $f_{a}$. "};
   const Words light = cone + Words{"$m_{b,l}$: ", "$m_{b,l}$: "} + so("m_b_light"),
               main = Words{"$m_{b}$: ", "$m_{b}$: "} + so("m_b");
   const bool slips = of.regime(s.givens()["m_b_heavy"]) == Regime::slipping;

@@ -46,9 +46,9 @@ PanelSheet plan_sheet(const Solution& s, Language language) {
   const auto figure = figure_of(of, s);
   const Words senses{
       "Going clockwise round a joint, the plan gives the sense of each force on it: towards the joint is compression "
-      "(heavy), away from it tension (thin); dashed bars bear nothing.",
+      "(heavy, −), away from it tension (thin, +); dashed bars bear nothing.",
       "Girando in senso orario attorno a un nodo, il piano dà il verso di ogni forza su di esso: verso il nodo è "
-      "compressione (linea grossa), dal nodo trazione (sottile); le aste tratteggiate sono scariche."};
+      "compressione (linea grossa, −), dal nodo trazione (sottile, +); le aste tratteggiate sono scariche."};
   return {
       .panels = panels(TrussPanel(figure, TrussPanel::Regions::lettered), ForcePlanPanel(figure)),
       .theory = {{{"Senses", "Versi"}, {remark(senses.in(language))}}},
@@ -63,33 +63,33 @@ PanelSheet plan_sheet(const Solution& s, Language language) {
 PanelSheet forces_sheet(const Solution& s, Language language) {
   const LoadedTruss of(s.givens());
   const auto figure = figure_of(of, s);
-  // Side by side where they are many.
-  constexpr std::size_t most_rows = 16;
+  // Side by side, so that the truss keeps the greater part of the sheet.
+  constexpr std::size_t most_rows = 10;
   const std::size_t blocks = (of.bars() + most_rows - 1) / most_rows, rows = (of.bars() + blocks - 1) / blocks;
   std::vector<std::string> heads;
   std::vector<std::vector<std::string>> cells(rows);
   for (std::size_t b = 0; b < blocks; ++b) {
     for (const std::string& head :
-         {Words{"bar", "asta"}.in(language), std::string("$l$ (m)"), std::string("$\\it{N}$ (N)"), std::string()})
+         {Words{"bar", "asta"}.in(language), std::string("$l$ (m)"), std::string("$\\it{N}$ (N)")})
       heads.push_back(head);
     for (std::size_t row = 0; row < rows; ++row) {
       const std::size_t i = b * rows + row;
       if (i >= of.bars()) {
-        cells[row].insert(cells[row].end(), 4, "");
+        cells[row].insert(cells[row].end(), 3, "");
         continue;
       }
       const TrussFigure::Bar& bar = figure->bars[i];
-      const Words kind = bar.force == 0  ? Words{"–", "–"}
-                         : bar.force > 0 ? Words{"tension", "trazione"}
-                                         : Words{"compression", "compressione"};
-      cells[row].insert(
-          cells[row].end(),
-          {std::to_string(i + 1) + " " + TrussFigure::joint_letter(bar.from) + TrussFigure::joint_letter(bar.to),
-           figures(s[bar_length(i).name], 4, language), figures(bar.force, 4, language), kind.in(language)});
+      cells[row].insert(cells[row].end(), {std::to_string(i + 1) + " " + TrussFigure::joint_letter(bar.from) +
+                                               TrussFigure::joint_letter(bar.to),
+                                           figures(s[bar_length(i).name], 4, language),
+                                           (bar.force > 0 ? "+" : "") + figures(bar.force, 4, language)});
     }
   }
+  const Words signs{"Heavy and −: compression. Thin and +: tension. Dashed: the bar carries nothing.",
+                    "Linea grossa e −: compressione. Sottile e +: trazione. Tratteggiata: asta scarica."};
   return {
       .panels = panels(TrussPanel(figure, TrussPanel::Regions::without_letters), TablePanel(heads, cells)),
+      .theory = {{{"Senses", "Versi"}, {remark(signs.in(language))}}},
       .results = {components(reaction_of_hinge()), values({"R_B"}), values({"N_max", "N_min"}), values({"sum_N_l"})},
       .seen = {"The truss, its bars drawn by what they bear, and a table of their forces",
                "La travatura, le aste disegnate secondo lo sforzo, e la tabella degli sforzi"},

@@ -13,33 +13,34 @@ namespace velocity_centre {
 namespace {
 
 std::vector<GivenSpec> givens() {
-  return {{"L", {"length of the bar OA", "lunghezza della barra OA"}, "m", "0.8", Range::positive, "$L$"},
-          {.symbol = "phi",
-           .meaning = {"direction of OA, counter-clockwise from x", "direzione di OA, antioraria da x"},
-           .unit = "deg",
-           .stated = "45",
-           .range = Range::any,
-           .letters = "$θ$",
-           .also = {"angle"}},
-          {"omega",
-           {"angular velocity of the bar, counter-clockwise", "velocità angolare della barra, antioraria"},
-           "rad/s",
-           "3",
-           Range::any,
-           "$ω$"},
-          {"omega_dot",
-           {"angular acceleration of the bar, counter-clockwise", "accelerazione angolare della barra, antioraria"},
-           "rad/s^2",
-           "-3",
-           Range::any,
-           "d$ω$/d$t$"},
-          {"V", {"velocity of the body, along x", "velocità del corpo, lungo x"}, "m/s", "12", Range::any, "$V$"},
-          {"a",
-           {"acceleration of the body, along x", "accelerazione del corpo, lungo x"},
-           "m/s^2",
-           "4.5",
-           Range::any,
-           "$a$"}};
+  return {
+      {"L", {"length of the bar OA", "lunghezza della barra OA"}, "m", "0.8", Range::positive, "$\\it{L}$"},
+      {.symbol = "phi",
+       .meaning = {"direction of OA, counter-clockwise from x", "direzione di OA, antioraria da x"},
+       .unit = "deg",
+       .stated = "45",
+       .range = Range::any,
+       .letters = "$θ$",
+       .also = {"angle"}},
+      {"omega",
+       {"angular velocity of the bar, counter-clockwise", "velocità angolare della barra, antioraria"},
+       "rad/s",
+       "3",
+       Range::any,
+       "$ω$"},
+      {"omega_dot",
+       {"angular acceleration of the bar, counter-clockwise", "accelerazione angolare della barra, antioraria"},
+       "rad/s^2",
+       "-3",
+       Range::any,
+       "d$ω$/d$t$"},
+      {"V", {"velocity of the body, along x", "velocità del corpo, lungo x"}, "m/s", "12", Range::any, "$\\it{V}$"},
+      {"a",
+       {"acceleration of the body, along x", "accelerazione del corpo, lungo x"},
+       "m/s^2",
+       "4.5",
+       Range::any,
+       "$a$"}};
 }
 
 // The source calculated all of it; the velocity centre as the meet of two normals.
@@ -63,16 +64,16 @@ std::shared_ptr<const Mechanism> bar_on_its_body(const Solution& s) {
 }
 
 VectorPolygon velocities(const Solution& s) {
-  return velocity_polygon(
-      {side(s, velocity("A"), "?", "?")},
-      {side(s, velocity("O"), "∥ $x$", "$V$", "$o'$"), side(s, velocity("AO"), "⊥ $OA$", "$ω$·$OA$", "$a'$")});
+  return velocity_polygon({side(s, velocity("A"), "?", "?")},
+                          {side(s, velocity("O"), "∥ $x$", "|$\\it{V}$|", "$o'$"),
+                           side(s, velocity("AO"), "⊥ $OA$", "|$ω$|·$OA$", "$a'$")});
 }
 
 VectorPolygon accelerations(const Solution& s) {
-  PolygonSide tangential = side(s, tangential_acceleration("AO"), "⊥ $OA$", "d$ω$/d$t$·$OA$", "$a'$");
+  PolygonSide tangential = side(s, tangential_acceleration("AO"), "⊥ $OA$", "|d$ω$/d$t$|·$OA$", "$a'$");
   tangential.square = true;
   return acceleration_polygon({side(s, acceleration("A"), "?", "?")},
-                              {side(s, acceleration("O"), "∥ $x$", "$a$", "$o'$"),
+                              {side(s, acceleration("O"), "∥ $x$", "|$a$|", "$o'$"),
                                side(s, normal_acceleration("AO"), "∥ $AO$", "$ω^{2}$·$OA$"), tangential});
 }
 
@@ -94,8 +95,9 @@ std::vector<PolesStep> steps_to_centre(const Solution& s, Language language) {
                 "."},
            Where::ray,
            "A"},
-          {{"The velocity centre $P_{0}$ lies on both: $P_{0}O$ = $V$/$ω$, $v_{A}$ = $ω$·$P_{0}A$.",
-            "Il centro delle velocità $P_{0}$ sta su entrambe: $P_{0}O$ = $V$/$ω$, $v_{A}$ = $ω$·$P_{0}A$."},
+          {{"The velocity centre $P_{0}$ lies on both: $P_{0}O$ = |$\\it{V}$/$ω$|, $v_{A}$ = |$ω$|·$P_{0}A$.",
+            "Il centro delle velocità $P_{0}$ sta su entrambe: $P_{0}O$ = |$\\it{V}$/$ω$|, $v_{A}$ = "
+            "|$ω$|·$P_{0}A$."},
            Where::pole}};
     }
     case Centre::by_the_tips:
@@ -107,8 +109,8 @@ std::vector<PolesStep> steps_to_centre(const Solution& s, Language language) {
                 "La retta per gli estremi dei due vettori la incontra nel centro delle velocità $P_{0}$."},
                Where::pole}};
     case Centre::is_O:
-      return {{{"$V$ = 0: $O$ rests, and is the velocity centre $P_{0}$. $v_{A}$ = $ω$·$OA$.",
-                "$V$ = 0: $O$ è fermo, ed è il centro delle velocità $P_{0}$. $v_{A}$ = $ω$·$OA$."},
+      return {{{"$\\it{V}$ = 0: $O$ rests, and is the velocity centre $P_{0}$. $v_{A}$ = |$ω$|·$OA$.",
+                "$\\it{V}$ = 0: $O$ è fermo, ed è il centro delle velocità $P_{0}$. $v_{A}$ = |$ω$|·$OA$."},
                Where::pole}};
     case Centre::at_infinity:
       return {
@@ -119,8 +121,9 @@ std::vector<PolesStep> steps_to_centre(const Solution& s, Language language) {
     case Centre::everywhere:
       break;
   }
-  return {{{"$ω$ = 0 and $V$ = 0: the bar rests, and no point of it is the velocity centre more than another.",
-            "$ω$ = 0 e $V$ = 0: la barra è ferma, e nessun suo punto è centro delle velocità più di un altro."}}};
+  return {
+      {{"$ω$ = 0 and $\\it{V}$ = 0: the bar rests, and no point of it is the velocity centre more than another.",
+        "$ω$ = 0 e $\\it{V}$ = 0: la barra è ferma, e nessun suo punto è centro delle velocità più di un altro."}}};
 }
 
 std::vector<PolesStep> steps_to_accelerations(const Solution& s) {
@@ -132,7 +135,7 @@ std::vector<PolesStep> steps_to_accelerations(const Solution& s) {
   const Words of_O = decimal("$a_{O}$ = $KO$·√($ω^{4}$ + (d$ω$/d$t$)$^{2}$)");
   return {{{"Rays through $O$ and $A$, at the angle $γ$ to $\\vec{a}_{O}$ and to $\\vec{a}_{A}$, tan $γ$ = "
             "(d$ω$/d$t$)/$ω^{2}$: they meet in $K$, where the acceleration is zero.",
-            "Raggi per $O$ e per $A$, all'angolo $γ$ dalla $\\vec{a}_{O}$ e dalla $\\vec{a}_{A}$, tan $γ$ = "
+            "Raggi per $O$ e per $A$, all'angolo $γ$ dalla $\\vec{a}_{O}$ e dalla $\\vec{a}_{A}$, tg $γ$ = "
             "(d$ω$/d$t$)/$ω^{2}$: si incontrano in $K$, dove l'accelerazione è nulla."},
            Where::pole},
           {of_O + ".", Where::ray, "O"},
@@ -147,7 +150,7 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
   const Instant instant(s.givens());
   const auto bar = bar_on_its_body(s);
   PolesPanel poles(s, bar, PolesPanel::of_velocity("P0"), {"O", "A"}, steps_to_centre(s, language));
-  poles.sketched().compared_with(geometry::to_double(instant.omega), "ω");
+  poles.sketched().compared_with(geometry::to_double(instant.omega), "|ω|");
   if (centre_of(instant) == Centre::by_the_tips) poles.by_the_tips();
   return {
       .panels = panels(MechanismPanel(bar, {{"A", s.place("A")}}), PolygonPanel(s, velocities(s)), poles),

@@ -1,6 +1,7 @@
 // Each step that a sheet lists has its number on the picture, or is named as off the sheet; and nothing is numbered
 // on the picture that is not listed.
 #include <map>
+#include <set>
 
 #include "drawings/paths/vectors.h"
 #include "tests/exercises/tried_givens.h"
@@ -26,7 +27,45 @@ bool is_off_the_sheet(const std::string& line) {
   return line.ends_with("(Off the sheet.)") || line.ends_with("(Fuori del foglio.)");
 }
 
+// The letters that stand on the picture.
+std::set<std::string> written_on(const drawings::Figure& figure) {
+  std::set<std::string> all;
+  for (const drawings::Label& label : figure.labels) all.insert(label.text);
+  for (const drawings::Mark& mark : figure.marks)
+    if (const auto* dimension = std::get_if<drawings::Dimension>(&mark)) all.insert(dimension->text);
+  return all;
+}
+
 }  // namespace
+
+TEST_CASE("angles and arms that the steps speak of are drawn, as stated") {
+  const std::map<std::string, std::set<std::string>> constructed{{"friction-efficiency", {"$φ$", "$d$"}},
+                                                                 {"ideal-statics", {"$d$"}},
+                                                                 {"cam-dynamics", {"$d_{2}$", "$d_{32}$"}},
+                                                                 {"spool-slip", {"$h_{i}$", "$φ_{a}$"}}};
+  std::map<std::string, int> seen;
+  for (const auto& [id, letters] : constructed)
+    for (const Language language : {Language::english, Language::italian}) {
+      const Exercise& exercise = find_exercise(catalogue(), id);
+      const Solution solution = exercise.solution(Tried(id).givens({}));
+      for (const SheetSpec& spec : exercise.about().sheets) {
+        const drawings::Sheet sheet = exercise.draw(spec.name, solution, {.language = language}).sheet;
+        const std::set<std::string> written = written_on(sheet.figure);
+        for (const auto& [number, line] : listed(sheet))
+          for (const std::string& letter : letters) {
+            if (line.find(letter) == std::string::npos) continue;
+            CAPTURE(id, spec.name, static_cast<int>(language), number, line, letter);
+            CHECK(written.contains(letter));
+            ++seen[id + " " + letter];
+          }
+      }
+    }
+  for (const auto& [id, letters] : constructed)
+    for (const std::string& letter : letters) {
+      CAPTURE(id, letter);
+      CHECK(seen[id + " " + letter] > 0);
+    }
+}
 
 TEST_CASE("each step has its number on the picture, or is named as off the sheet") {
   int seen = 0, off = 0;

@@ -10,7 +10,7 @@
 #include "exercises/kit/linkages/case_of_mechanism.h"
 #include "exercises/kit/linkages/loaded_mechanisms.h"
 #include "exercises/kit/panels/free_body_panel.h"
-#include "exercises/kit/panels/mechanism.h"
+#include "exercises/kit/panels/mechanism_with_blocks.h"
 
 namespace epure::loaded {
 
@@ -111,5 +111,35 @@ struct LeverFigure {
         .profile(centre(lever), radius(lever), towards_C - half, towards_C + half);
   }
 };
+
+// With the block 3 on the lever, the ram 6 in its guide and the block 5 in the ram's upright slot. `drawn`: crank and
+// lever.
+inline std::shared_ptr<const MechanismFigure> with_ram(Mechanism drawn, const Case& of) {
+  const Place B = of.place("B"), D = of.place("D");
+  const double AB = of.given("AB");
+  const Place end = D + AB * Arrow2{1, 0};
+  drawn.point("D", D, Mechanism::Joint::corner, "")
+      .point("ram", end, Mechanism::Joint::corner, "")
+      .body({"D", "ram"}, 6);
+  drawn.surface(D + AB * Arrow2{0.5, -0.06}, D + AB * Arrow2{0.9, -0.06});
+  MechanismWithBlocks whole(std::move(drawn));
+  whole.block(B, std::numbers::pi / 2 - of.radians("theta"), MechanismWithBlocks::Slides::on_body, "$B$")
+      .block(D, std::numbers::pi / 2, MechanismWithBlocks::Slides::in_slot, "$D$");
+  return std::make_shared<const MechanismWithBlocks>(std::move(whole));
+}
+
+inline std::shared_ptr<const MechanismFigure> fairbairn_figure(const Case& of) {
+  const Place A = of.place("A"), B = of.place("B"), C = of.place("C"), D = of.place("D");
+  Mechanism drawn;
+  drawn.point("A", A, Mechanism::Joint::fixed, "$A$")
+      .point("B", B, Mechanism::Joint::corner, "")
+      .point("C", C, Mechanism::Joint::fixed, "$C$")
+      .point("end", D, Mechanism::Joint::corner, "")
+      .body({"A", "B"}, 2)
+      .body({"C", "end"}, 4)
+      .axis(C, A)
+      .angle("C", std::numbers::pi / 2 - of.radians("theta"), std::numbers::pi / 2, "$θ$");
+  return with_ram(std::move(drawn), of);
+}
 
 }  // namespace epure::loaded

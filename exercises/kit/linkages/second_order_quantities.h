@@ -51,7 +51,7 @@ inline PointQuantity centre_of_curvature(const std::string& X) {
 }
 
 // The angle from the acceleration of a point of body 3 to its ray from K.
-inline Quantity inclination() { return {"gamma", "$γ$", "rad", {"tan γ = α₃/ω₃²", "tan γ = α₃/ω₃²"}}; }
+inline Quantity inclination() { return {"gamma", "$γ$", "rad", {"tan γ = α₃/ω₃²", "tg γ = α₃/ω₃²"}}; }
 inline Quantity inclination_in_degrees() { return {"gamma_deg", "$γ$", "deg", {"γ in degrees", "γ in gradi"}}; }
 
 }  // namespace epure

@@ -20,6 +20,39 @@ void keep_once(std::vector<drawings::Label>& labels, std::size_t first_new) {
     if (stands_before(i)) labels.erase(labels.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
+// Whether the letters of a polygon's sides would stand on the other side of it: all its corners lie that near to the
+// line of its last known side.
+bool is_slim(const VectorPolygon& polygon, const Scale& scale) {
+  constexpr double letters_high = 6;  // mm
+  const Arrow2& side = polygon.right.back().v;
+  Arrow2 corner{0, 0};
+  double width = 0;
+  for (const PolygonSide& each : polygon.right) {
+    width = std::max(width, std::abs(cross(side, corner)));
+    corner = corner + each.v;
+  }
+  return width * scale.mm_per_unit < letters_high * magnitude(side);
+}
+
+// The side that a polygon has from one before bears the letters of both, one on either side of it; where that one is
+// too slim to hold them both stand outside of it, as an equation.
+void write_together(std::vector<drawings::Label>& labels, std::size_t first_new, const std::string& of_shared) {
+  constexpr double same_place = 0.5;  // mm
+  const auto near = [](drawings::Point p, drawings::Point q) {
+    return std::hypot(p.x - q.x, p.y - q.y) < same_place;
+  };
+  const auto start = labels.begin() + static_cast<std::ptrdiff_t>(first_new);
+  const auto shared =
+      std::find_if(start, labels.end(), [&](const auto& label) { return label.to && label.text == of_shared; });
+  if (shared == labels.end()) return;
+  const auto other = std::find_if(labels.begin(), start, [&](const auto& label) {
+    return label.to && near(label.at, *shared->to) && near(*label.to, shared->at);
+  });
+  if (other == start) return;
+  other->text += " = −" + shared->text;
+  labels.erase(shared);
+}
+
 }  // namespace
 
 ChainedPolygonsPanel& ChainedPolygonsPanel::then(VectorPolygon polygon, const Arrow2& from) {
@@ -29,6 +62,12 @@ ChainedPolygonsPanel& ChainedPolygonsPanel::then(VectorPolygon polygon, const Ar
 
 ChainedPolygonsPanel& ChainedPolygonsPanel::over(std::vector<Arrow2> corners) {
   under_.push_back(std::move(corners));
+  return *this;
+}
+
+ChainedPolygonsPanel& ChainedPolygonsPanel::angle(const Arrow2& at, double from, double to,
+                                                  const std::string& letters) {
+  if (from != to) angles_.push_back({at, from, to, letters});
   return *this;
 }
 
@@ -58,10 +97,24 @@ drawings::Box ChainedPolygonsPanel::extent(const Scale&, const Scale& vectors) c
   return extent.box();
 }
 
+void ChainedPolygonsPanel::draw_angle(Plot& plot, const Angle& angle) {
+  constexpr double narrow = 0.25;  // radians: seen farther out only
+  const double radius = std::abs(angle.to - angle.from) < narrow ? 24 : 12, leg = radius + 4;  // mm
+  const drawings::Point corner = plot.at({angle.at.x, angle.at.y});
+  const auto at = [&](double direction, double along) {
+    return plot.from_paper({corner.x + along * std::cos(direction), corner.y + along * std::sin(direction)});
+  };
+  plot.segment(at(angle.from, 0), at(angle.from, leg), Meaning::axis);
+  plot.mark(drawings::AngleMark{corner, radius, std::min(angle.from, angle.to), std::max(angle.from, angle.to),
+                                Meaning::dimension});
+  plot.small_label(angle.letters, at((angle.from + angle.to) / 2, radius), at(angle.from, 0));
+}
+
 std::vector<drawings::Block> ChainedPolygonsPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
   for (const auto& corners : under_)
     for (std::size_t i = 0; i + 1 < corners.size(); ++i)
       plot.segment({corners[i].x, corners[i].y}, {corners[i + 1].x, corners[i + 1].y}, Meaning::alternative);
+  for (const Angle& each : angles_) draw_angle(plot, each);
   for (const Link& link : links_) {
     Plot moved(plot.onto(), plot.at({link.from.x, link.from.y}), plot.scale());
     auto& labels = plot.onto().sheet.figure.labels;
@@ -71,6 +124,8 @@ std::vector<drawings::Block> ChainedPolygonsPanel::draw(Plot& plot, const drawin
     whole.language = language;
     draw_polygon(moved, link.polygon, whole);
     keep_once(labels, before);
+    if (&link != &links_.front() && is_slim(links_.front().polygon, plot.scale()))
+      write_together(labels, before, link.polygon.right.front().label);
   }
   return {};
 }

@@ -19,6 +19,8 @@ class ChainedPolygonsPanel : public Panel {
   ChainedPolygonsPanel& then(VectorPolygon polygon, const Arrow2& from);
   // Other polygons under these, dashed and without letters, through these corners: to compare with.
   ChainedPolygonsPanel& over(std::vector<Arrow2> corners);
+  // An angle at a corner from one direction to another (radians), with its letters and a line in the first.
+  ChainedPolygonsPanel& angle(const Arrow2& at, double from, double to, const std::string& letters);
   // Made as the figure before it, whose steps and equations tell how: one step tells so, where the other way begins.
   ChainedPolygonsPanel& likewise(const Words& text, const Arrow2& at);
   // What the figure shows beside: told, and where.
@@ -33,11 +35,20 @@ class ChainedPolygonsPanel : public Panel {
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 
  private:
+  struct Angle;
+  static void draw_angle(Plot& plot, const Angle& angle);
+
   struct Link {
     VectorPolygon polygon;
     Arrow2 from;
   };
+  struct Angle {
+    Arrow2 at;
+    double from, to;
+    std::string letters;
+  };
   std::vector<Link> links_;
+  std::vector<Angle> angles_;
   std::vector<std::vector<Arrow2>> under_;
   bool is_told_ = true;
   std::vector<PanelStep> steps_;

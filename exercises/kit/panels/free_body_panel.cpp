@@ -11,6 +11,9 @@ namespace {
 
 constexpr double arrow_length = 14, line_beyond = 7;  // mm of an arrow, and of its line of action past both ends
 constexpr double couple_radius = 9;                   // mm
+constexpr double leg = 28;                            // mm of the lines at an angle of friction
+
+Arrow2 direction_of(double radians) { return {std::cos(radians), std::sin(radians)}; }
 
 Place on_line(const Place& at, const Arrow2& along, double mm, double mm_per_unit) {
   return at + mm / mm_per_unit * along;
@@ -69,6 +72,24 @@ FreeBodyPanel& FreeBodyPanel::string(const Place& from, const Place& to, const s
   return *this;
 }
 
+FreeBodyPanel& FreeBodyPanel::line_to(const Place& from, const Place& to, const std::string& letters) {
+  lines_.push_back({from, to, letters});
+  return *this;
+}
+
+FreeBodyPanel& FreeBodyPanel::turned(const Place& X, double normal, double force, const std::string& angle) {
+  turned_.push_back({X, normal, force, angle});
+  return *this;
+}
+
+FreeBodyPanel& FreeBodyPanel::arm(const Place& about, const Place& on_line, const Arrow2& along,
+                                  const std::string& letters, const std::string& quantity) {
+  if (magnitude(along) == 0) return *this;
+  const Arrow2 u = (1 / magnitude(along)) * along;
+  arms_.push_back({about, on_line, on_line + dot(about - on_line, u) * u, letters, quantity});
+  return *this;
+}
+
 FreeBodyPanel& FreeBodyPanel::step(const Words& text, const Place& at) {
   steps_.push_back({text, at});
   return *this;
@@ -110,6 +131,11 @@ drawings::Box FreeBodyPanel::extent_of_near(const Scale& scale, const Scale& vec
   for (const Couple& couple : couples_) extent.include(scale, couple.about, couple_radius + letters);
   for (const String& each : strings_)
     for (const Place& P : {each.from, each.to}) extent.include(scale, P, letters);
+  for (const Turned& each : turned_)
+    for (const double side : {each.force, 2 * each.normal - each.force})
+      extent.include(scale, on_line(each.X, direction_of(side), leg + letters, scale.mm_per_unit), 0);
+  for (const Arm& each : arms_)
+    for (const Place& P : {each.about, each.foot}) extent.include(scale, P, letters);
   return extent.box();
 }
 
@@ -131,6 +157,30 @@ void FreeBodyPanel::draw_force(Plot& plot, const Force& force) const {
                Meaning::construction);
   if (unit_.empty()) return plot.side("", at(arrow.tail), at(arrow.tip), Meaning::force, force.label);
   plot.vector_on(force.quantity, at(arrow.tail), force.size * force.along, Meaning::force, force.label);
+}
+
+// The arc so far out that it can be seen.
+void FreeBodyPanel::draw_turned(Plot& plot, const Turned& turned) const {
+  constexpr double widest = 24, clear = 2;  // mm
+  const double mm = plot.scale().mm_per_unit;
+  const auto at = [&](double direction, double along) {
+    return on_line(turned.X, direction_of(direction), along, mm);
+  };
+  plot.segment(at(turned.normal, -line_beyond), at(turned.normal, leg), Meaning::axis);
+  for (const double side : {turned.force, 2 * turned.normal - turned.force})
+    plot.segment(turned.X, at(side, leg), Meaning::construction);
+  const auto [from, to] = std::minmax(turned.force, turned.normal);
+  plot.mark(drawings::AngleMark{plot.at(turned.X), widest, from, to, Meaning::dimension});
+  plot.small_label(turned.angle, at((from + to) / 2, widest + clear), turned.X);
+}
+
+void FreeBodyPanel::draw_arm(Plot& plot, const Arm& arm) const {
+  constexpr double shortest = 3;  // mm
+  if (distance(arm.about, arm.foot) * plot.scale().mm_per_unit < shortest) return;
+  plot.segment(arm.on_line, arm.foot, Meaning::construction);
+  plot.right_angle(arm.foot, arm.about, arm.foot + geometry::quarter_turn(arm.about - arm.foot));
+  plot.mark(drawings::Dimension{plot.at(arm.about), plot.at(arm.foot), 0, arm.letters});
+  if (!arm.quantity.empty()) plot.measures(arm.quantity, arm.about, arm.foot);
 }
 
 // Lines that pass by it are not drawn there.
@@ -156,6 +206,13 @@ std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box
     plot.label(each.letters, each.from + 0.5 * (each.to - each.from));
     plot.dot(each.to);
   }
+  for (const Line& each : lines_) {
+    const Place end = seen_end(plot, room, each.from, each.to);
+    plot.segment(each.from, end, Meaning::construction);
+    plot.label(each.letters, each.from + 0.5 * (end - each.from));
+  }
+  for (const Turned& each : turned_) draw_turned(plot, each);
+  for (const Arm& each : arms_) draw_arm(plot, each);
   for (const Force& force : forces_) draw_force(plot, force);
   for (const Couple& couple : couples_)
     draw_arc_arrow(plot, couple.about,

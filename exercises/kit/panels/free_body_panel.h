@@ -29,6 +29,15 @@ class FreeBodyPanel : public Panel {
   FreeBodyPanel& meeting(const std::string& name, const std::string& letters, const std::optional<Place>& H);
   // A line of a construction on the body, with what it is called at its end: a string of a funicular polygon.
   FreeBodyPanel& string(const Place& from, const Place& to, const std::string& letters);
+  // The line from a point to another, with its name: as far as the paper reaches, where the other is off it.
+  FreeBodyPanel& line_to(const Place& from, const Place& to, const std::string& letters);
+  // The force of a contact in X, turned from the normal there by an angle: the normal, the angle with its name, and
+  // the other edge of the friction cone. Directions (radians) from X to where the force stands.
+  FreeBodyPanel& turned(const Place& X, double normal, double force, const std::string& angle);
+  // How far a line of action passes by a point: the perpendicular with its name, measured as this quantity
+  // where it is reported (else empty).
+  FreeBodyPanel& arm(const Place& about, const Place& on_line, const Arrow2& along, const std::string& letters,
+                     const std::string& quantity);
   // Another step of the construction, and where it happens.
   FreeBodyPanel& step(const Words& text, const Place& at);
   // Counter-clockwise for sense > 0, clockwise for sense < 0, none for 0. It stands clear of the forces at this point
@@ -66,6 +75,19 @@ class FreeBodyPanel : public Panel {
     Place from, to;
     std::string letters;
   };
+  struct Line {
+    Place from, to;
+    std::string letters;
+  };
+  struct Turned {
+    Place X;
+    double normal, force;
+    std::string angle;
+  };
+  struct Arm {
+    Place about, on_line, foot;
+    std::string letters, quantity;
+  };
   struct Meeting {
     std::string name, letters;
     Place H;
@@ -81,6 +103,8 @@ class FreeBodyPanel : public Panel {
   double length_of(const Force& force, const Scale& vectors) const;
   OnPaper on_paper(const Force& force, const Scale& vectors) const;
   void draw_force(Plot& plot, const Force& force) const;
+  void draw_turned(Plot& plot, const Turned& turned) const;
+  void draw_arm(Plot& plot, const Arm& arm) const;
   void draw_meeting(Plot& plot, const drawings::Box& room, const Meeting& meeting) const;
 
   std::shared_ptr<const MechanismFigure> body_;
@@ -88,6 +112,9 @@ class FreeBodyPanel : public Panel {
   std::vector<Couple> couples_;
   std::vector<Meeting> meetings_;
   std::vector<String> strings_;
+  std::vector<Line> lines_;
+  std::vector<Turned> turned_;
+  std::vector<Arm> arms_;
   std::vector<PanelStep> steps_;
   std::string unit_;  // of forces to scale
   double least_reach_ = 0;

@@ -117,7 +117,7 @@ struct Drawing {
 // Letters stand outside the polygon. Where it has no outside, because its vectors lie in one line, those of the right
 // side stand on the left of their vectors, and those of the left side on the right: so no two seem to name one.
 Place away_from(const Drawing& on, const PlacedSide& s, bool of_left_side) {
-  constexpr double in_line = 1;  // mm from the vector's line to the middle
+  constexpr double in_line = 0.2;  // mm from the vector's line to the middle
   const drawings::Point p = on.plot.at(s.from), q = on.plot.at(s.to), m = on.plot.at(on.middle);
   const double x = q.x - p.x, y = q.y - p.y, length = std::hypot(x, y);
   if (length == 0 || std::abs(x * (m.y - p.y) - y * (m.x - p.x)) > in_line * length) return on.middle;

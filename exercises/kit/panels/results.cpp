@@ -18,6 +18,7 @@ constexpr int significant = 4;
 std::string written_unit(const std::string& unit, Language language) {
   if (unit == "deg") return "°";
   if (unit == "rpm") return Words{"rpm", "giri/min"}.in(language);
+  if (unit == "um") return "µm";
   std::string text = unit == "1" ? "" : unit;
   std::replace(text.begin(), text.end(), '*', ' ');
   for (const auto& [power, raised] : {std::pair{"^2", "²"}, {"^3", "³"}, {"^4", "⁴"}})

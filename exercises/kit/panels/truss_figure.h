@@ -33,6 +33,8 @@ struct TrussFigure {
   static Meaning meaning(double force) {
     return force == 0 ? Meaning::alternative : force > 0 ? Meaning::plate : Meaning::link;
   }
+  // Of tension and compression, after the number of the bar; what bears nothing has none, as "3 0" would read thirty.
+  static std::string sign(double force) { return force == 0 ? "" : force > 0 ? " +" : " −"; }
   // "C", "k".
   static std::string joint_letter(std::size_t joint) { return {static_cast<char>('A' + joint)}; }
   static std::string region_letter(std::size_t region) { return {static_cast<char>('a' + region)}; }

@@ -149,7 +149,8 @@ void TrussPanel::letter_regions(Plot& plot) const {
   }
 }
 
-void TrussPanel::draw_truss(Plot& plot, const std::function<Meaning(const TrussFigure::Bar&)>& meaning) const {
+void TrussPanel::draw_truss(Plot& plot, const std::function<Meaning(const TrussFigure::Bar&)>& meaning,
+                            const std::function<std::string(const TrussFigure::Bar&)>& sign) const {
   constexpr double number_size = 2.5;  // mm
   draw_supports(plot);
   for (std::size_t i = 0; i < figure_->bars.size(); ++i) {
@@ -157,7 +158,7 @@ void TrussPanel::draw_truss(Plot& plot, const std::function<Meaning(const TrussF
     const Place &P = figure_->joints[bar.from], &Q = figure_->joints[bar.to];
     plot.segment(P, Q, meaning(bar), "bar_" + std::to_string(i + 1));
     plot.onto().sheet.figure.labels.push_back(
-        {.text = std::to_string(i + 1), .at = plot.at(P), .to = plot.at(Q), .size = number_size});
+        {.text = std::to_string(i + 1) + sign(bar), .at = plot.at(P), .to = plot.at(Q), .size = number_size});
   }
   for (std::size_t i = 0; i < figure_->joints.size(); ++i) {
     if (i > 0) plot.hinge(figure_->joints[i]);
@@ -177,12 +178,16 @@ void TrussPanel::draw_force(Plot& plot, std::size_t outside) const {
 
 // Without the reactions, and nothing said of tension or compression.
 void TrussPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
-  draw_truss(plot, [](const TrussFigure::Bar&) { return Meaning::link; });
+  draw_truss(
+      plot, [](const TrussFigure::Bar&) { return Meaning::link; },
+      [](const TrussFigure::Bar&) { return std::string(); });
   for (std::size_t k = 2; k < figure_->outside.size(); ++k) draw_force(plot, k);
 }
 
 std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, Language) const {
-  draw_truss(plot, [](const TrussFigure::Bar& bar) { return TrussFigure::meaning(bar.force); });
+  draw_truss(
+      plot, [](const TrussFigure::Bar& bar) { return TrussFigure::meaning(bar.force); },
+      [](const TrussFigure::Bar& bar) { return TrussFigure::sign(bar.force); });
   for (std::size_t k = 0; k < figure_->outside.size(); ++k) draw_force(plot, k);
   return {};
 }

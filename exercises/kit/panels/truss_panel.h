@@ -28,7 +28,9 @@ class TrussPanel : public Panel {
   };
   OnPaper arrow_of(std::size_t outside) const;
   Arrow2 middle_of_outside(std::size_t joint) const;
-  void draw_truss(Plot& plot, const std::function<Meaning(const TrussFigure::Bar&)>& meaning) const;
+  // With what stands beside the number of each bar.
+  void draw_truss(Plot& plot, const std::function<Meaning(const TrussFigure::Bar&)>& meaning,
+                  const std::function<std::string(const TrussFigure::Bar&)>& sign) const;
   void draw_force(Plot& plot, std::size_t outside) const;
   void draw_supports(Plot& plot) const;
   void letter_regions(Plot& plot) const;
