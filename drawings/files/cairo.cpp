@@ -14,6 +14,7 @@
 #include "drawings/files/flattened.h"
 #include "drawings/files/resolution.h"
 #include "drawings/libraries.h"
+#include "drawings/output.h"
 #include "drawings/page.h"
 #include "drawings/paths/grid.h"
 #include "drawings/paths/vectors.h"
@@ -33,6 +34,9 @@ using FontOptions = Held<cairo_font_options_t, cairo_font_options_destroy>;
 
 void demand(cairo_status_t status) {
   if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+  if (status == CAIRO_STATUS_FILE_NOT_FOUND || status == CAIRO_STATUS_READ_ERROR)  // it reads nothing but fonts
+    throw Unavailable(fmt::format("a font cannot be read: {}", cairo_status_to_string(status)),
+                      fmt::format("un carattere non si può leggere: {}", cairo_status_to_string(status)));
   if (status != CAIRO_STATUS_SUCCESS)
     throw std::runtime_error(fmt::format("Cairo: {}", cairo_status_to_string(status)));
 }

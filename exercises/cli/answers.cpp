@@ -80,10 +80,10 @@ class Columns {
     return i == about_.givens.size() ? nullptr : &about_.givens[i];
   }
 
-  // Of a name that a given and a quantity have.
+  // Of a name that a given and a quantity have. A key's givens have their units in the cells, not in the heading.
   bool means_given(const HeadedBy& heading, const GivenSpec& spec, std::size_t column) const {
     if (stands_in(givens, spec.symbol)) return false;
-    if (role_ == Role::key) return quantities.empty();
+    if (role_ == Role::key) return quantities.empty() && heading.unit.empty();
     return std::any_of(table_.header.begin() + static_cast<std::ptrdiff_t>(column) + 1, table_.header.end(),
                        [&](const std::string& later) { return heading_of(later).name == heading.name; });
   }

@@ -194,7 +194,7 @@ class ClassSet {
   std::string key(const std::vector<ClassEntry>& entries) const {
     std::string text = "number,name";
     for (const std::string& symbol : varied_) text += "," + csv_field(symbol);
-    for (const Quantity& quantity : exercise_.about().quantities) text += "," + quantity.name;
+    for (const Quantity& quantity : exercise_.about().quantities) text += "," + csv_field(heading(quantity));
     text += "\r\n";
     for (std::size_t i = 0; i < students_.size(); ++i) {
       text += csv_field(harmless_cell(students_[i].number)) + "," + csv_field(harmless_cell(students_[i].name));
@@ -203,6 +203,13 @@ class ClassSet {
       text += "\r\n";
     }
     return text;
+  }
+
+  // Of a quantity that has the name of a given, with its unit: which of the two it is, who marks must know.
+  std::string heading(const Quantity& quantity) const {
+    const auto& specs = exercise_.about().givens;
+    const bool is_alone = index_of(specs, quantity.name) == specs.size() || quantity.unit == "1";
+    return is_alone ? quantity.name : quantity.name + " [" + quantity.unit + "]";
   }
 
   static std::string questions(const std::vector<ClassEntry>& entries) {

@@ -41,6 +41,8 @@ std::vector<std::string> units_of(const std::vector<Quantity>& quantities) {
 struct Span {
   double low, high;
 };
+// An axis that is narrower has no numbers of its own.
+double narrowest(double low, double high) { return 1e-7 * std::max(std::abs(low), std::abs(high)); }
 Span span_of(std::vector<double> values) {
   if (values.empty()) return {0, 1};
   std::sort(values.begin(), values.end());
@@ -52,7 +54,7 @@ Span span_of(std::vector<double> values) {
   const double width = most.high - most.low;
   if (width > 0 && all.high - all.low > far * width)
     return {std::max(all.low, most.low - width / 2), std::min(all.high, most.high + width / 2)};
-  if (all.low < all.high) return all;
+  if (all.high - all.low > narrowest(all.low, all.high)) return all;
   const double around = all.low == 0 ? 1 : std::abs(all.low) / 10;
   return {all.low - around, all.high + around};
 }
@@ -67,6 +69,11 @@ SweepChart::SweepChart(const SweepStudy& study, std::string file, Language langu
     throw WrongUsage(format_words("--chart: {} has words for values and makes no axis; name another given first",
                                   "--chart: {} ha parole per valori e non fa da asse; nominare prima un altro dato",
                                   first.given().symbol));
+  const auto [low, high] = std::minmax({first.number(0), first.number(first.size() - 1)});
+  if (high - low <= narrowest(low, high))
+    throw WrongUsage(format_words("--chart: from {} to {} is too narrow an axis for its numbers",
+                                  "--chart: da {} a {} l'asse è troppo corto per i suoi numeri", first.text(0),
+                                  first.text(first.size() - 1)));
   others_ = study.size() / first.size();
   stride_ = (first.size() + most_drawn_points - 1) / most_drawn_points;
   if (others_ * study.quantities.size() > most_curves)

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -214,12 +215,16 @@ class Ledger {
   std::vector<geometry::Reading<T>> readings_, drawn_readings_;
 };
 
-// With 256 bits, and up to 2048 while these leave the scene undecided, or do not tell a value from zero.
+// With 256 bits, and up to 2048 while these leave the scene undecided, do not tell a value from zero, or tell less of
+// it than sheets print.
 template <class Scene>
 std::vector<geometry::Settled> settled_for_drawing(const Scene& scene) {
   constexpr long most_bits = 2048;
   const auto is_known = [](const geometry::Settled& value, long bits) {
-    return value.kind != geometry::Settled::Kind::enclosed || !may_be_zero(value.enclosure) ||
+    constexpr double printed = 1e-7;
+    const auto& [lower, middle, upper] = value.enclosure;
+    return value.kind != geometry::Settled::Kind::enclosed ||
+           (!may_be_zero(value.enclosure) && upper - lower <= printed * std::abs(middle)) ||
            is_zero_for_drawing(value.enclosure, bits);
   };
   for (long bits = 256;; bits *= 2) {

@@ -42,7 +42,9 @@ std::string point_letters(const std::string& name) {
   if (name.ends_with(prime)) return point_letters(name.substr(0, name.size() - prime.size())) + "'";
   std::size_t digits = name.size();
   while (digits > 0 && std::isdigit(static_cast<unsigned char>(name[digits - 1])) != 0) --digits;
-  return digits == name.size() ? name : name.substr(0, digits) + "_{" + name.substr(digits) + "}";
+  if (digits == name.size()) return name;
+  const std::size_t letters = digits > 1 && name[digits - 1] == '_' ? digits - 1 : digits;  // "H_2" as "H2"
+  return name.substr(0, letters) + "_{" + name.substr(digits) + "}";
 }
 
 Quantity VectorQuantity::component(const std::string& axis, const Words& along) const {
