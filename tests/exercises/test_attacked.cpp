@@ -1,12 +1,24 @@
 // What attacks from outside found, each with the command that found it. Right answers are the checks' own, which hold
 // sheets against proved values.
+#include <fstream>
+#include <sstream>
+
+#include "exercises/cli/csv_reader.h"
+#include "exercises/cli/run.h"
 #include "exercises/kit/proof/measured.h"
 #include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/run.h"
 
 using namespace epure;
 using namespace epure::tests;
 
 namespace {
+
+Ran run_real(const std::vector<std::string>& words) {
+  std::ostringstream out, err;
+  const int exit = run_cli(catalogue(), words, out, err);
+  return {exit, out.str(), err.str()};
+}
 
 bool passes(const std::string& id, const Assignments& assignments) {
   const CheckedExercise checked = Tried(id).checked(assignments);
@@ -64,6 +76,40 @@ TEST_CASE("attacked: change points of four-bars on oblique frames") {
 TEST_CASE("attacked: a film whose walls are all but parallel") {
   CHECK(passes("michell-bearing", {"h_1=1", "h_2=0.99999999999999999"}));
   CHECK(passes("michell-bearing", {"h_1=3.6", "h_2=3.5999999999999999999"}));
+}
+
+// 256 bits know four digits of a pressure there, and the sheet printed others.
+TEST_CASE("attacked: a film parallel to 35 digits") {
+  CHECK(passes("michell-bearing", {"h_1=3", "h_2=2.99999999999999999999999999999999998"}));
+}
+
+// v_0 in m/s is a quantity, v_0 in km/h a given: who wrote the key's own numbers got no points.
+TEST_CASE("attacked: a key that class wrote is read as it was meant") {
+  const Scratch scratch;
+  REQUIRE(run_real({"class", "aircraft-landing", "--count", "1", "--vary", "c_y=1.9|2.1", "--out", "o"}).exit == 0);
+  const std::string key_file = "o/aircraft-landing-class/key.csv";
+  const CsvTable key = read_csv_file(key_file);
+  const auto column = key.column("t_s");
+  REQUIRE(column);
+  std::ofstream("answers.csv") << "number,t_s\n1," << key.rows.front().cells[*column] << "\n";
+  const Ran marked = run_real({"mark", "aircraft-landing", "--answers", "answers.csv", "--key", key_file});
+  INFO(marked.out << marked.err);
+  CHECK(marked.exit == 0);
+  CHECK(marked.out.find("1 points of 1") + marked.out.find("1 point of 1") != 2 * std::string::npos);
+}
+
+TEST_CASE("attacked: charts of a sweep") {
+  const Scratch scratch;
+  CHECK(run_real({"sweep", "friction-efficiency", "--over", "phi=1..5/3", "--quantity", "sliding_levers.H_2_direct_x",
+                  "--chart", "c.svg"})
+            .exit == 0);
+  const Ran narrow =
+      run_real({"sweep", "boat-crane", "--over", "Psi=1.5..1.5000000015/3", "--quantity", "P", "--chart", "d.svg"});
+  CHECK(narrow.exit == 2);
+  CHECK(narrow.err == "epure: --chart: from 1.5 to 1.5000000015 is too narrow an axis for its numbers\n");
+  CHECK(run_real({"sweep", "slider-crank-acceleration", "--over", "delta=1..1.000000001/3", "--quantity", "a_MA",
+                  "--chart", "e.svg"})
+            .exit == 2);
 }
 
 // Both were told rounded, and seemed to be as they ought to.
