@@ -33,7 +33,9 @@ struct OfFewWords {
 const std::vector<OfFewWords> options_of_few_words{
     {{"list", "draw", "check", "class", "mark", "sweep", "bench"}, "--lang", {"en", "it"}},
     {{"draw", "class", "bench"}, "--paper", {"a4", "a3"}},
-    {{"draw"}, "--format", {"pdf", "svg", "csv"}},
+    {{"draw"}, "--format", {"pdf", "svg", "png", "eps", "pdf+tex", "csv"}},
+    {{"draw"}, "--background", {"white", "none"}},
+    {{"draw"}, "--ink", {"dark", "light"}},
     {{"bench"}, "--format", {"pdf", "svg"}},
     {{"class"}, "--format", {"pdf", "moodle"}},
     {{"mark"}, "--format", {"text", "csv"}},
