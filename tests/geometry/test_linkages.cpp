@@ -1,7 +1,7 @@
 // Linkages of any kind: placed and moved group by group against the equations of all their joints.
 #include "geometry/analytic/joint_equations.h"
 #include "geometry/linkages/carried_out.h"
-#include "support/catch.h"
+#include "tests/support/catch.h"
 
 #include <cmath>
 #include <functional>
