@@ -12,13 +12,22 @@ namespace {
 // A mask would be a thread's own, and the system gives a signal to any thread that lets it through, also to one of a
 // library's: so they are caught.
 constexpr std::array ends{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
-std::atomic<int> waiting{0};
+std::atomic<int> waiting{0}, living{0};  // a signal; SignalsLater
 static_assert(std::atomic<int>::is_always_lock_free, "a handler may not wait");
 
-void note(int signal) { waiting = signal; }
+void let_through() {
+  if (const int signal = waiting.exchange(0)) {
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
+  }
+}
+// Another thread may come to this when the last one that made it wait has ended.
+void note(int signal) {
+  waiting = signal;
+  if (living == 0) let_through();
+}
 
 std::mutex lock;
-int living = 0;                                // of SignalsLater
 std::array<bool, ends.size()> is_caught = {};  // which were at their default
 
 void begin_catching() {
@@ -50,7 +59,7 @@ SignalsLater::~SignalsLater() {
   const std::scoped_lock held(lock);
   if (--living > 0) return;
   end_catching();
-  if (const int signal = waiting.exchange(0)) ::raise(signal);
+  let_through();
 }
 
 bool SignalsLater::is_interrupted() { return waiting != 0; }

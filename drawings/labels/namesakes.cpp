@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "drawings/marks/window.h"
+#include "drawings/labels/window.h"
 #include "drawings/paths/clip.h"
 #include "drawings/paths/vectors.h"
 

@@ -7,7 +7,7 @@
 #include "drawings/labels/namesakes.h"
 #include "drawings/marks/canvas.h"
 #include "drawings/marks/symbols.h"
-#include "drawings/marks/window.h"
+#include "drawings/labels/window.h"
 #include "drawings/output.h"
 #include "drawings/paths/vectors.h"
 #include "drawings/sheet/bars_below.h"

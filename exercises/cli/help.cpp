@@ -53,7 +53,7 @@ Help help_of_draw() {
   epure draw slider-crank-velocity/poles --scale 1:10 -o poles.pdf
   epure draw slider-crank-velocity/poles --bare --format svg -o - > poles.svg
   epure draw slider-crank-velocity/poles --width 120mm -o poles.tex
-  epure draw slider-crank-velocity/poles --bare --format png --dpi 300 --background '#1e1e2e'
+  epure draw slider-crank-velocity/poles -o poles.png --background '#1e1e2e'
 )"};
 }
 

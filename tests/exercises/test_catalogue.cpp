@@ -16,7 +16,7 @@ std::vector<std::string> folders() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(EPURE_EXERCISES)) {
     const std::string name = entry.path().filename().string();
-    if (entry.is_directory() && name != "kit" && name != "cli") names.push_back(name);
+    if (entry.is_directory() && name != "kit" && name != "cli" && name != "scenes") names.push_back(name);
   }
   std::sort(names.begin(), names.end());
   return names;

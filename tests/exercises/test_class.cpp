@@ -401,8 +401,8 @@ TEST_CASE("class --format moodle: fields, figure and words of the stated slider-
   CHECK(std::string(question.child("name").child_value("text")) == "slider-crank-velocity R&D <1>");
   const std::string text = question_in(in_class("questions.xml"));
   CAPTURE(text);
-  CHECK(text.find("0.2 m") != std::string::npos);
-  CHECK(text.find("360 rpm") != std::string::npos);
+  CHECK(text.find("0.2\u00a0m") != std::string::npos);
+  CHECK(text.find("360\u00a0rpm") != std::string::npos);
   // v_B is read off at 1 cm = 2.5 m/s; ω₃ is calculated, as coarsely as the coarsest number read off.
   CHECK(field_of(text, "v_B").starts_with("5.10277606575526"));
   CHECK(tolerance_in(field_of(text, "v_B")) == 0.125);

@@ -68,7 +68,7 @@ const std::vector<Typed> refusals = {
     {"list", "four-bar/poles"},
     {"list", "four-bar", "gear-pair"},
     {"check", "four-bar/poles"},
-    {"draw", "four-bar", "--format", "png"},
+    {"draw", "four-bar", "--format", "gif"},
     {"draw", "four-bar", "--format", "pdf", "-o", "x.svg"},
     {"draw", "four-bar", "-o", "x.svg"},
     {"draw", "four-bar", "-o", "x"},

@@ -196,6 +196,6 @@ TEST_CASE("a sheet tells of a polygon what it shows", "[polygon]") {
   const drawings::Table table = measured_table(drawn(two_magnitudes(), {}), two_magnitudes(), Language::english);
   REQUIRE(table.rows.size() == 4);
   CHECK(table.rows[0][0] == "$p$ (m/s)");
-  CHECK(table.rows[0][1] == "3.0000");
+  CHECK(table.rows[0][1] == "3.00");
   CHECK(std::stod(table.rows[0][2]) == Approx(3).margin(1e-3));
 }

@@ -128,11 +128,13 @@ TEST_CASE("JSON tells a given under its one name, with its others", "[positions]
     return nlohmann::json();
   };
   const auto stated = givens("slider-crank-velocity", {});
-  CHECK(find(stated, "t") == nlohmann::json{{"symbol", "t"}, {"value", "1/72"}, {"unit", "s"}, {"also", {"t1"}}});
-  CHECK(find(stated, "phi") == nlohmann::json{{"symbol", "phi"}, {"value", "30"}, {"unit", "deg"}});
-  CHECK(find(stated, "r") == nlohmann::json{{"symbol", "r"}, {"value", "1/5"}, {"unit", "m"}});
+  CHECK(find(stated, "t") ==
+        nlohmann::json{{"symbol", "t"}, {"value", "1/72"}, {"number", 1.0 / 72}, {"unit", "s"}, {"also", {"t1"}}});
+  CHECK(find(stated, "phi") == nlohmann::json{{"symbol", "phi"}, {"value", "30"}, {"number", 30.0}, {"unit", "deg"}});
+  CHECK(find(stated, "r") == nlohmann::json{{"symbol", "r"}, {"value", "1/5"}, {"number", 0.2}, {"unit", "m"}});
   const auto in_radians = givens("slider-crank-velocity", {"n=37.7rad/s", "phi=75deg"});
-  CHECK(find(in_radians, "n") == nlohmann::json{{"symbol", "n"}, {"value", "377/10"}, {"unit", "rad/s"}});
+  CHECK(find(in_radians, "n") ==
+        nlohmann::json{{"symbol", "n"}, {"value", "377/10"}, {"number", 37.7}, {"unit", "rad/s"}});
   CHECK(find(in_radians, "t").is_null());  // 75 deg at 37.7 rad/s: no fraction of a second
   CHECK(find(in_radians, "phi")["value"] == "75");
 }

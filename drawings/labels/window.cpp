@@ -1,4 +1,4 @@
-#include "drawings/marks/window.h"
+#include "drawings/labels/window.h"
 
 #include <fmt/format.h>
 
