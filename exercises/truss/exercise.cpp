@@ -41,6 +41,13 @@ std::set<std::string> without_part(const LoadedTruss& of) {
   return all;
 }
 
+// "+2500", "−1200": a number with a power of ten begins with the dollar sign of its letters.
+std::string with_sign(double force, Language language) {
+  const std::string number = figures(force, 4, language);
+  if (force <= 0) return number;
+  return number.starts_with('$') ? "$+" + number.substr(1) : "+" + number;
+}
+
 PanelSheet plan_sheet(const Solution& s, Language language) {
   const LoadedTruss of(s.givens());
   const auto figure = figure_of(of, s);
@@ -79,10 +86,10 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
         continue;
       }
       const TrussFigure::Bar& bar = figure->bars[i];
-      cells[row].insert(cells[row].end(), {std::to_string(i + 1) + " " + TrussFigure::joint_letter(bar.from) +
-                                               TrussFigure::joint_letter(bar.to),
-                                           figures(s[bar_length(i).name], 4, language),
-                                           (bar.force > 0 ? "+" : "") + figures(bar.force, 4, language)});
+      cells[row].insert(
+          cells[row].end(),
+          {std::to_string(i + 1) + " " + TrussFigure::joint_letter(bar.from) + TrussFigure::joint_letter(bar.to),
+           figures(s[bar_length(i).name], 4, language), with_sign(bar.force, language)});
     }
   }
   const Words signs{"Heavy and −: compression. Thin and +: tension. Dashed: the bar carries nothing.",

@@ -99,12 +99,13 @@ std::string position(const PlacedPanel& panel, const PlacedPanel& other, Languag
 // Where a sheet shows vectors of one unit at two scales, as it does forces: whose this one is.
 std::string whose(const PlacedPanel& panel, const std::vector<PlacedPanel>& panels, Language language) {
   const std::string unit = panel.panel->vectors().unit;
-  const bool is_only = std::all_of(panels.begin(), panels.end(), [&](const PlacedPanel& other) {
-    return other.panel->vectors().unit != unit || other.vectors.caption == panel.vectors.caption;
+  const auto other = std::find_if(panels.begin(), panels.end(), [&](const PlacedPanel& each) {
+    return each.panel->vectors().unit == unit && each.vectors.caption != panel.vectors.caption;
   });
-  if (is_only) return {};
-  return (panel.panel->is_of_vectors() ? Words{" polygons", " poligoni"} : Words{" on the bodies", " sui corpi"})
-      .in(language);
+  if (other == panels.end()) return {};
+  const bool is_polygon = panel.panel->is_of_vectors();
+  if (other->panel->is_of_vectors() == is_polygon) return position(panel, *other, language);
+  return (is_polygon ? Words{" polygons", " poligoni"} : Words{" on the bodies", " sui corpi"}).in(language);
 }
 
 // One bar for each scale: of lengths, with the figure it is of where two differ; then of vectors.
