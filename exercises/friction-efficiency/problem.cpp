@@ -1,5 +1,8 @@
 #include "exercises/friction-efficiency/problem.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "geometry/numbers/climb.h"
 
 namespace epure::friction_efficiency {
@@ -21,11 +24,6 @@ void require_below(const Angle& phi, const Angle& limit, const std::string& mech
       format_words("phi = {}°: {} jams in the direct motion at {}°, beyond which no force P moves it",
                    "phi = {}°: {} s'impunta nel moto diretto a {}°, oltre i quali nessuna forza P lo muove",
                    of_degrees(phi), mechanism, of_degrees(limit)));
-}
-
-Problem::Locking locking(const Angle& phi, const Angle& limit) {
-  const int beyond = sign_of(phi - limit);
-  return {beyond >= 0, beyond == 0};
 }
 
 // The rod jams when the line of the wedge's force on it passes through K, where the collar's two forces meet:
@@ -56,6 +54,41 @@ void require_sliding(const Levers& of, const Angle& phi, const std::string& name
       name));
 }
 
+// Turned by friction past the hinge of the lever that Q loads, the contact could hold that lever only by pulling it.
+void require_pressure(const Levers& of, const Angle& phi, const std::string& name) {
+  const Sign ideal = turned_from_C(of, of.loaded, of.nu);
+  for (const Angle& direction : {of.nu - phi, of.nu + phi})
+    if (turned_from_C(of, of.loaded, direction) != ideal)
+      throw BadGivens(format_words(
+          "phi = {}°: {} jams, no force P moves it: the contact's force, at {}° then, does not pass its hinge "
+          "on the side on which it holds the lever that Q loads",
+          "phi = {}°: {} s'impunta, nessuna forza P lo muove: la forza di contatto, allora a {}°, non passa dalla "
+          "parte della cerniera dalla quale regge la leva caricata da Q",
+          of_degrees(phi), name, of_degrees(direction)));
+}
+
+// The contact's force passes through the hinge of P's lever. (Not in the direct motion, in which P has to supply what
+// Q takes and friction loses.)
+bool is_at_limit(const Levers& of, const Angle& phi) {
+  const auto passes = [&](const Angle& direction) { return turned_from_C(of, of.driven(), direction) == Sign::zero; };
+  return passes(of.nu - phi) || passes(of.nu + phi);
+}
+
+// The link's force must stand above the friction cone of slider 4: sin(θ - φ) > sin δ = 2 r sin φ/l.
+void require_moving_link(const DoubleSlider& of, const Angle& phi, const Rational& radius) {
+  const Sign above = geometry::decide([&]<class T>() {
+                       return geometry::from_rational<T>(of.l) * geometry::sine<T>(of.theta - phi) -
+                              geometry::from_rational<T>(2 * radius) * geometry::sine<T>(phi);
+                     }).sign;
+  if (above == Sign::positive) return;
+  const double theta = geometry::to_double(of.theta), ratio = CGAL::to_double(2 * radius / of.l);
+  const double limit = std::atan2(std::sin(theta), ratio + std::cos(theta)) * 180 / std::numbers::pi;
+  throw BadGivens(format_words(
+      "phi = {}°: double_slider_pins jams in the direct motion at {}°, beyond which no force P moves it",
+      "phi = {}°: double_slider_pins s'impunta nel moto diretto a {}°, oltre i quali nessuna forza P lo muove",
+      of_degrees(phi), decimal(limit, 6)));
+}
+
 }  // namespace
 
 std::vector<GivenSpec> stated_givens() {
@@ -84,8 +117,14 @@ Problem::Problem(const Givens& givens)
   require_moving_rod(of.wedge, phi);
   require_sliding(of.levers, phi, "sliding_levers");
   require_sliding(of.levers_Q_on_2, phi, "sliding_levers_Q_on_2");
-  wedge = locking(phi, Rational(1, 2) * theta);
-  double_slider = locking(phi, right_angle() - slope);
+  require_pressure(of.levers, phi, "sliding_levers");
+  require_pressure(of.levers_Q_on_2, phi, "sliding_levers_Q_on_2");
+  if (is_zero(phi) || 2 * radius == of.double_slider.l) tilt = phi;
+  wedge_at_limit = phi == Rational(1, 2) * theta;
+  double_slider_at_limit = phi == right_angle() - slope;
+  pins_at_limit = tilt && phi + *tilt == right_angle() - slope;
+  levers_at_limit = is_at_limit(of.levers, phi);
+  levers_Q_on_2_at_limit = is_at_limit(of.levers_Q_on_2, phi);
   const Sign reaches = geometry::decide([&]<class T>() {
                          return geometry::from_rational<T>(of.double_slider.l) -
                                 geometry::from_rational<T>(2 * radius) * geometry::sine<T>(phi);
@@ -95,6 +134,7 @@ Problem::Problem(const Givens& givens)
                                  "double_slider_pins.r = {} m: i cerchi d'attrito sono più larghi della lunghezza "
                                  "dell'asta",
                                  decimal(CGAL::to_double(radius), 6)));
+  require_moving_link(of.double_slider, phi, radius);
 }
 
 }  // namespace epure::friction_efficiency

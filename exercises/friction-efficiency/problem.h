@@ -1,6 +1,8 @@
 // The mechanisms with friction: the givens beside those of the mechanisms, and what is decided on them.
 #pragma once
 
+#include <optional>
+
 #include "exercises/kit/linkages/loaded_mechanisms.h"
 
 namespace epure::friction_efficiency {
@@ -10,11 +12,13 @@ struct Problem {
   Angle phi;        // of friction, at every contact
   Rational radius;  // of the pins
 
-  // Whether P holds nothing back in the retrograde motion; at the limit it is zero exactly.
-  struct Locking {
-    bool locks = false, is_limit = false;
-  };
-  Locking wedge, double_slider;
+  // From AB to the link's force, with friction in its pins, where that is a given angle: δ of sin δ = 2 r sin φ/l is
+  // φ for 2 r = l. Otherwise no sum of given angles is δ, unless the link jams: sines of rational angles have a
+  // rational ratio only when they are equal, or those of 30° and 90°; sines of angles in radians only when they are
+  // equal.
+  std::optional<Angle> tilt;
+  // Exactly at the limit of self-locking, where P is zero in the retrograde motion.
+  bool wedge_at_limit, double_slider_at_limit, pins_at_limit, levers_at_limit, levers_Q_on_2_at_limit;
 
   // Throws BadGivens also where the direct motion jams.
   explicit Problem(const Givens& givens);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 
 #include "exercises/friction-efficiency/motion.h"
 #include "exercises/friction-efficiency/problem.h"
@@ -19,6 +20,7 @@ inline constexpr Phrase no_sliding{"the bodies do not slide on each other",
                                    "i corpi non strisciano l'uno sull'altro"};
 inline constexpr Phrase never_locks{"no friction angle locks it", "nessun angolo d'attrito lo rende irreversibile"};
 inline constexpr Phrase never_jams{"no friction angle jams it", "nessun angolo d'attrito lo fa impuntare"};
+inline constexpr Phrase no_effort{"there is no effort to compare with", "non c'è uno sforzo con cui confrontare"};
 inline constexpr Phrase parallel_collar{"it is at infinity: without friction the collar's forces are parallel",
                                         "è all'infinito: senza attrito le forze del collare sono parallele"};
 
@@ -38,12 +40,22 @@ struct Turned {
   Motion motion;
 
   int sense() const { return motion == Motion::ideal ? 0 : motion == Motion::direct ? 1 : -1; }
+  // To the left of n, +1; to the right, -1; 0 without friction.
+  template <class T>
+  int side(const Vector<T>& n, const Vector<T>& sliding) const {
+    if (motion == Motion::ideal || is_zero(phi)) return 0;
+    return -sense() * sense_of<T>(geometry::dot(sliding, geometry::quarter_turn(n)));
+  }
   template <class T>
   XY<T> components(const Vector<T>& n, const Vector<T>& sliding) const {
-    if (motion == Motion::ideal || is_zero(phi)) return xy(n);
-    const Vector<T> left = geometry::quarter_turn(n);
-    const int turn = -sense() * sense_of<T>(geometry::dot(sliding, left));
-    return xy(geometry::cosine<T>(phi) * n + T(turn) * (geometry::sine<T>(phi) * left));
+    const int turn = side(n, sliding);
+    if (turn == 0) return xy(n);
+    return xy(geometry::cosine<T>(phi) * n + T(turn) * (geometry::sine<T>(phi) * geometry::quarter_turn(n)));
+  }
+  // The angle of these components, where that of n is known.
+  template <class T>
+  Angle direction(const Angle& of_n, const Vector<T>& n, const Vector<T>& sliding) const {
+    return of_n + Rational(side(n, sliding)) * phi;
   }
   // The same of a normal known by its angle.
   template <class T>
@@ -128,9 +140,9 @@ template <class T, class Find>
 void put_efforts(Ledger<T>& ledger, const Names& names, const Find& find) {
   for (const Motion motion : motions) ledger.put(effort(names, motion), [=] { return find(motion); });
   ledger.put(efficiency(Motion::direct),
-             [=] { return geometry::quotient(find(Motion::ideal), find(Motion::direct)); });
+             [=] { return Ledger<T>::ratio(find(Motion::ideal), find(Motion::direct), no_effort); });
   ledger.put(efficiency(Motion::retrograde),
-             [=] { return geometry::quotient(find(Motion::retrograde), find(Motion::ideal)); });
+             [=] { return Ledger<T>::ratio(find(Motion::retrograde), find(Motion::ideal), no_effort); });
 }
 template <class T>
 T locks(const T& retrograde) {
@@ -140,19 +152,24 @@ T locks(const T& retrograde) {
   return sign == geometry::Sign::positive ? T(0) : T(1);
 }
 
+// Exactly at the limit of self-locking P is zero.
+inline std::set<Motion> without_effort(bool is_at_limit) {
+  return is_at_limit ? std::set{Motion::retrograde} : std::set<Motion>{};
+}
+
+// `without`: the motions in which the effort is known to be zero.
 template <class T>
 void write_motions(Ledger<T>& ledger, const Names& names, const Motions<T>& all, const XY<T>& along,
-                   const std::vector<VectorQuantity>& forces, const Problem::Locking& locking) {
+                   const std::vector<VectorQuantity>& forces, const std::set<Motion>& without = {}) {
   const std::string name = names.effort.name;
   const bool is_couple = names.is_couple;
-  const auto zero_at_limit = [locking](Motion motion) { return motion == Motion::retrograde && locking.is_limit; };
   const auto constructed = [=](Motion motion) -> T {
-    if (zero_at_limit(motion)) return T(0);
+    if (without.contains(motion)) return T(0);
     const auto& model = all.bodies.at(motion)();
     return is_couple ? model.moment(name) : model.along(name);
   };
   const auto computed = [=](Motion motion) -> T {
-    if (zero_at_limit(motion)) return T(0);
+    if (without.contains(motion)) return T(0);
     const Equations<T>& equations = all.equations.at(motion)();
     return is_couple ? equations.forces.at(name).m
                      : analytic::dot(complex(along), complex(xy(equations.force(name))));
@@ -205,11 +222,6 @@ void put_whole(Ledger<T>& ledger, const Quantity& limit, const Angle& angle) {
   ledger.put(limit, [=] { return given_in_degrees<T>(angle); });
 }
 
-// Exactly at the limit of self-locking the load's force on the driven body is in line with that of its guide.
-inline bool limits(const Problem::Locking& locking, const Turned& turned) {
-  return locking.is_limit && turned.motion == Motion::retrograde;
-}
-
 // ---------------------------------------------------------------------------------------------------------------------
 // The wedge.
 
@@ -220,7 +232,9 @@ auto wedge_motions(const Problem& problem, Collar collar) {
     const T c = geometry::cosine<T>(of.theta), s = geometry::sine<T>(of.theta);
     const Vector<T> v_2{T(1), T(0)}, up{T(0), T(1)}, left{T(-1), T(0)}, n{s, c};
     const Vector<T> v_3 = geometry::close_polygon(v_2, Vector<T>{c, -s}, up).of_second * up;
-    if (limits(problem.wedge, turned)) model.parallel("R_23", "R_12");
+    model.directed("Q", quarter());
+    model.directed("R_23", turned.direction<T>(quarter() - of.theta, n, v_3 - v_2));
+    model.directed("R_12", turned.direction<T>(quarter(), up, v_2));
     const bool is_one = collar == Collar::one_force;
     epure::describe(
         model, of,
@@ -245,7 +259,8 @@ template <class T>
 void write_wedge(Ledger<T>& ledger, const Problem& problem) {
   ledger.begin_case("wedge_collar.", {", wedge and collar", ", cuneo e collare"});
   write_motions<T>(ledger, names_of_P(), wedge_motions<T>(problem, Collar::one_force), {T(1), T(0)},
-                   {force_between(1, 2), force_between(1, 3), force_between(2, 3)}, problem.wedge);
+                   {force_between(1, 2), force_between(1, 3), force_between(2, 3)},
+                   without_effort(problem.wedge_at_limit));
   put_half(ledger, self_locking_angle(), problem.of.wedge.theta);
   put_half(ledger, jamming_angle(), quarter() - problem.of.wedge.theta);
 }
@@ -302,7 +317,7 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
   ledger.begin_case("wedge_collar_two_point.", {", collar with two forces", ", collare con due forze"});
   const Motions<T> all = wedge_motions<T>(problem, Collar::two_forces);
   write_motions<T>(ledger, names_of_P(), all, {T(1), T(0)}, {force_between(1, 2), upper, lower, force_between(2, 3)},
-                   problem.wedge);
+                   without_effort(problem.wedge_at_limit));
   put_half(ledger, self_locking_angle(), of.theta);
   for (const Motion motion : with_friction) {
     const PointQuantity K = in(
@@ -336,19 +351,20 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
     // K from the collar's ends: a = 2 x tan φ along it. The sum of the two forces runs from O to K.
     ledger.route("equilibrium equations");
     const T sense = motion == Motion::direct ? T(1) : T(-1);
-    const auto mu = [=] { return sense * geometry::quotient(geometry::sine<T>(phi), geometry::cosine<T>(phi)); };
-    ledger.put(K.x(), [=] {
+    const auto of_K = [=] {
       if (is_zero(phi)) throw geometry::Impossible(parallel_collar);
-      return geometry::quotient(number<T>((of.y_upper - of.y_lower) / 2), mu());
-    });
-    ledger.put(K.y(), [=] {
-      if (is_zero(phi)) throw geometry::Impossible(parallel_collar);
-      return number<T>((of.y_upper + of.y_lower) / 2) - mu() * number<T>(of.w / 2);
-    });
+      const T mu = sense * geometry::quotient(geometry::sine<T>(phi), geometry::cosine<T>(phi));
+      return Vector<T>{geometry::quotient(number<T>((of.y_upper - of.y_lower) / 2), mu),
+                       number<T>((of.y_upper + of.y_lower) / 2) - mu * number<T>(of.w / 2)};
+    };
+    ledger.put(K.x(), [=] { return of_K().x; });
+    ledger.put(K.y(), [=] { return of_K().y; });
     ledger.put(culmann_deg, [=] {
-      if (is_zero(phi)) throw geometry::Impossible(parallel_collar);
+      // In line with Q the wedge's force leaves nothing for the collar, and no sum has a direction.
+      const bool is_free = motion == Motion::retrograde && of.theta == phi;
+      const Vector<T> OK = of_K();
       const Equations<T>& equations = all.equations.at(motion)();
-      const Vector<T> R = slope(equations.force("R_13_upper") + equations.force("R_13_lower"));
+      const Vector<T> R = slope(is_free ? OK : equations.force("R_13_upper") + equations.force("R_13_lower"));
       return part_of_turn_in_degrees(slope_by_its_half(Complex<T>{R.x, R.y}));
     });
   }
@@ -439,7 +455,10 @@ Motions<T> double_slider_motions(const Problem& problem, bool has_pins) {
   const auto constructed = [=](auto& model, const Turned& turned) {
     const auto [A, B] = points();
     const Vector<T> right{T(1), T(0)}, up{T(0), T(1)};  // sliding of 4 and of 2
-    if (!has_pins && limits(problem.double_slider, turned)) model.parallel("R_32", "R_14");
+    model.directed("Q", quarter());
+    if (const auto tilt = has_pins ? problem.tilt : Angle{})
+      model.directed("R_32", of.theta - Rational(turned.sense()) * *tilt);
+    model.directed("R_14", turned.direction<T>(quarter(), up, right));
     describe_by_link<std::decay_t<decltype(model)>, T>(model, of, A, B, middle(A, B), link_at(turned),
                                                        turned.components<T>(-right, up),
                                                        turned.components<T>(up, right));
@@ -459,13 +478,14 @@ void write_double_slider(Ledger<T>& ledger, const Problem& problem) {
   const std::vector<VectorQuantity> forces{force_between(1, 2), force_between(1, 4), force_between(3, 2)};
   ledger.begin_case("double_slider.", {", double slider", ", doppio pattino"});
   write_motions<T>(ledger, names_of_P(), double_slider_motions<T>(problem, false), {T(1), T(0)}, forces,
-                   problem.double_slider);
+                   without_effort(problem.double_slider_at_limit));
   put_whole(ledger, self_locking_angle(), quarter() - problem.of.double_slider.theta);
   put_whole(ledger, jamming_angle(), problem.of.double_slider.theta);
 
   ledger.begin_case("double_slider_pins.",
                     {", double slider with friction in the pins", ", doppio pattino con attrito nei perni"});
-  write_motions<T>(ledger, names_of_P(), double_slider_motions<T>(problem, true), {T(1), T(0)}, forces, {});
+  write_motions<T>(ledger, names_of_P(), double_slider_motions<T>(problem, true), {T(1), T(0)}, forces,
+                   without_effort(problem.pins_at_limit));
   const Quantity circle{
       "friction_circle_radius", "$ρ$", "m", {"radius of the friction circles", "raggio dei cerchi d'attrito"}};
   const Quantity tilt{"link_line_tilt_angle_deg",
@@ -549,18 +569,24 @@ void put_locking_angle(Ledger<T>& ledger, const Find& triangle) {
 }
 
 template <class T>
-void write_levers(Ledger<T>& ledger, const Problem& problem, const Levers& of) {
+void write_levers(Ledger<T>& ledger, const Problem& problem, const Levers& of, bool is_at_limit) {
   const LeverPoints<T> at = points_of<T>(of);
   const Angle phi = problem.phi;
   const auto constructed = [=](auto& model, const Turned& turned) {
-    epure::describe(model, of, LeversAt<T>{xy(at.C), turned.components<T>(at.n, sliding_in_C(of, at))});
+    const Vector<T> sliding = sliding_in_C(of, at);
+    if (is_at_limit && turned.motion == Motion::retrograde)
+      model.through(of.contact(), "R_1" + std::to_string(of.driven()));
+    epure::describe(
+        model, of,
+        LeversAt<T>{xy(at.C), turned.components<T>(at.n, sliding), turned.direction<T>(of.nu, at.n, sliding)});
   };
   const Complex<T> C{number<T>(of.x_C), number<T>(of.y_C)};
   const auto angle = [=](const Turned& turned, const Equations<T>* ideal) {
     return turned.angle<T>(of.nu, velocity_of(ideal, of.loaded, C) - velocity_of(ideal, of.driven(), C));
   };
   const auto analysed = [=](auto& model, const Turned& turned, const Equations<T>* ideal) {
-    epure::describe(model, of, LeversAt<T>{{C.re, C.im}, unit<T>(angle(turned, ideal))});
+    const Angle along = angle(turned, ideal);
+    epure::describe(model, of, LeversAt<T>{{C.re, C.im}, unit<T>(along), along});
   };
   const Motions<T> all = in_all_motions<T>(3, "P", phi, constructed, analysed);
   const VectorQuantity contact = force_between(of.driven(), of.loaded);
@@ -569,7 +595,7 @@ void write_levers(Ledger<T>& ledger, const Problem& problem, const Levers& of) {
                                 std::pair{"A", at.A}, std::pair{"B", at.B}})
     ledger.draws_point(name, P);
   write_motions<T>(ledger, names_of_P(), all, unit<T>(of.direction_P),
-                   {force_between(1, 2), force_between(1, 3), contact}, {});
+                   {force_between(1, 2), force_between(1, 3), contact}, without_effort(is_at_limit));
   for (const Motion motion : with_friction) {
     const Quantity direction{
         "contact_force_angle" + suffix(motion) + "_deg",
@@ -595,6 +621,9 @@ void write_levers(Ledger<T>& ledger, const Problem& problem, const Levers& of) {
           ledger, H,
           [=] {
             const bool is_loaded = lever == of.loaded;
+            if (geometry::are_parallel(angle({phi, motion}, &all.equations.at(Motion::ideal)()),
+                                       is_loaded ? of.direction_Q : of.direction_P))
+              throw geometry::Impossible(parallel_forces);
             const XY<T> X = is_loaded ? XY<T>{number<T>(of.x_Q), T(0)} : foot_of_P<T>(of);
             return on_reaction<T>({number<T>(of.hinge(lever)), T(0)},
                                   all.equations.at(motion)().force("R_1" + std::to_string(lever)), complex(X),
@@ -622,6 +651,12 @@ T pressing(const T& upwards) {
   return sign == geometry::Sign::positive ? T(-1) : T(1);
 }
 
+// With the crank across it the lever rests, and nothing but friction loads the crank.
+inline std::set<Motion> at_dead_centre(const Fairbairn& of, const Angle& phi) {
+  if (!of.touches) return {};
+  return is_zero(phi) ? std::set<Motion>(motions.begin(), motions.end()) : std::set{Motion::ideal};
+}
+
 template <class T>
 void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn& of) {
   const Angle phi = problem.phi;
@@ -631,27 +666,41 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
     const FairbairnPoints<T>& P = at();
     const Vector<T> across = quarter_turn(P.lever), x{T(1), T(0)}, y{T(0), T(1)}, v_B2 = quarter_turn(P.B - P.A);
     const auto [along, turning] = geometry::close_polygon(v_B2, P.lever, across);
-    const T omega_4 = geometry::quotient(turning, geometry::dot(P.B - P.C, P.lever));
+    const T omega_4 = of.touches ? T(0) : geometry::quotient(turning, geometry::dot(P.B - P.C, P.lever));
     const Vector<T> v_D5 = omega_4 * quarter_turn(P.D - P.C), v_D6{v_D5.x, T(0)};
     const XY<T> R_56 = turned.components<T>(-x, v_D6 - v_D5);
+    model.directed("F", Angle{});
+    model.directed("R_56", turned.direction<T>(half(), -x, v_D6 - v_D5));
+    model.directed("R_34", turned.direction<T>(half() - of.theta, across, along * P.lever));
     epure::describe(model, of,
                     FairbairnAt<T>{xy(P.A), xy(P.B), xy(P.D), turned.components<T>(across, along * P.lever), R_56,
                                    turned.components<T>(pressing<T>(R_56.y) * y, v_D6)});
   };
+  const auto by_sines = [=] {
+    const T CD = number<T>(of.CD);
+    return std::pair{crank_by_sines<T>(of) + Complex<T>{T(0), number<T>(of.AC)},
+                     Complex<T>{CD * geometry::sine<T>(of.theta), CD * geometry::cosine<T>(of.theta)}};
+  };
+  // Of R_56 and R_34.
+  const auto angles = [=](const Turned& turned, const Equations<T>* ideal) {
+    const auto [B, D] = by_sines();
+    const auto slides = [&](int j, int i, const Complex<T>& X) {
+      return velocity_of(ideal, j, X) - velocity_of(ideal, i, X);
+    };
+    return std::pair{turned.angle<T>(half(), slides(6, 5, D)), turned.angle<T>(half() - of.theta, slides(4, 3, B))};
+  };
   const auto analysed = [=](auto& model, const Turned& turned, const Equations<T>* ideal) {
-    const T AC = number<T>(of.AC), CD = number<T>(of.CD), s = geometry::sine<T>(of.theta),
-            c = geometry::cosine<T>(of.theta);
-    const Complex<T> B = crank_by_sines<T>(of) + Complex<T>{T(0), AC}, D{CD * s, CD * c};
-    const auto v = [&](int body, const Complex<T>& X) { return velocity_of(ideal, body, X); };
-    const XY<T> R_56 = unit<T>(turned.angle<T>(half(), v(6, D) - v(5, D)));
+    const auto [B, D] = by_sines();
+    const auto [of_R_56, of_R_34] = angles(turned, ideal);
+    const XY<T> R_56 = unit<T>(of_R_56);
     const Angle R_16 = geometry::sign(pressing<T>(R_56.y)) == geometry::Sign::positive ? quarter() : -quarter();
     epure::describe(model, of,
-                    FairbairnAt<T>{{T(0), AC},
+                    FairbairnAt<T>{{T(0), number<T>(of.AC)},
                                    {B.re, B.im},
                                    {D.re, D.im},
-                                   unit<T>(turned.angle<T>(half() - of.theta, v(4, B) - v(3, B))),
+                                   unit<T>(of_R_34),
                                    R_56,
-                                   unit<T>(turned.angle<T>(R_16, v(6, D)))});
+                                   unit<T>(turned.angle<T>(R_16, velocity_of(ideal, 6, D)))});
   };
   const Motions<T> all = in_all_motions<T>(6, "M", phi, constructed, analysed);
   ledger.route("construction");
@@ -660,7 +709,8 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
   ledger.draws_point("C", [=] { return at().C; });
   ledger.draws_point("D", [=] { return at().D; });
   write_motions<T>(ledger, names_of_M(), all, {T(1), T(0)},
-                   {force_between(5, 6), force_between(1, 6), force_between(1, 4), force_between(3, 4)}, {});
+                   {force_between(5, 6), force_between(1, 6), force_between(1, 4), force_between(3, 4)},
+                   at_dead_centre(of, phi));
   for (const Motion motion : with_friction) {
     const Quantity F_23 =
         in(motion,
@@ -687,9 +737,9 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
         ledger, H,
         [=] {
           const Equations<T>& equations = all.equations.at(motion)();
-          const T CD = number<T>(of.CD);
-          return on_reaction<T>({T(0), T(0)}, equations.force("R_14"),
-                                {CD * geometry::sine<T>(of.theta), CD * geometry::cosine<T>(of.theta)},
+          const auto [of_R_56, of_R_34] = angles({phi, motion}, &all.equations.at(Motion::ideal)());
+          if (geometry::are_parallel(of_R_56, of_R_34)) throw geometry::Impossible(parallel_forces);
+          return on_reaction<T>({T(0), T(0)}, equations.force("R_14"), by_sines().second,
                                 complex(xy(equations.force("R_56"))));
         },
         parallel_forces);
@@ -721,9 +771,9 @@ struct Routes {
     write_two_point_wedge(ledger, problem);
     write_double_slider(ledger, problem);
     ledger.begin_case("sliding_levers.", {", sliding levers", ", leve striscianti"});
-    write_levers(ledger, problem, problem.of.levers);
+    write_levers(ledger, problem, problem.of.levers, problem.levers_at_limit);
     ledger.begin_case("sliding_levers_Q_on_2.", {", sliding levers with Q on 2", ", leve striscianti con Q sulla 2"});
-    write_levers(ledger, problem, problem.of.levers_Q_on_2);
+    write_levers(ledger, problem, problem.of.levers_Q_on_2, problem.levers_Q_on_2_at_limit);
     ledger.begin_case("fairbairn.", {", Fairbairn's mechanism", ", guida di Fairbairn"});
     write_fairbairn(ledger, problem, problem.of.fairbairn);
     ledger.begin_case("fairbairn_short_lever.",

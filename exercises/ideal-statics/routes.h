@@ -287,7 +287,7 @@ void by_analysis(Ledger<T>& ledger, const Levers& of, const Equal& equations) {
 template <class T>
 void write_levers(Ledger<T>& ledger, const Levers& of) {
   const LeverPoints<T> at = points_of<T>(of);
-  const auto describe = [=](auto& model) { epure::describe(model, of, LeversAt<T>{xy(at.C), xy(at.n)}); };
+  const auto describe = [=](auto& model) { epure::describe(model, of, LeversAt<T>{xy(at.C), xy(at.n), of.nu}); };
   const auto bodies = solved_bodies<T>(3, describe);
   const auto equations = solved_equations<T>(3, "P", describe);
   put_P(ledger, bodies, equations, unit<T>(of.direction_P));

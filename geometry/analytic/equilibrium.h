@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "geometry/analytic/complex.h"
+#include "geometry/numbers/angle.h"
 
 namespace epure::geometry::analytic {
 
@@ -97,8 +98,9 @@ class Equilibrium {
   }
   void couple(const std::string& name, int j) { unknowns_.push_back({name, 0, j, {T(0), T(0), T(1)}}); }
 
-  // The equations do not need to know.
-  void parallel(const std::string&, const std::string&) {}
+  // The equations do not need to know what is known of a line.
+  void directed(const std::string&, const Angle&) {}
+  void through(const std::string&, const std::string&) {}
 
   // What acts on a body: force, and moment about the origin. Of velocities: that of the origin, and the rate.
   struct Wrench {

@@ -17,11 +17,13 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "geometry/constructions/vector_polygon.h"
+#include "geometry/numbers/parallel_angles.h"
 
 namespace epure::geometry {
 
@@ -191,8 +193,11 @@ class FreeBodies {
   }
   void couple(const std::string& name, int j) { actions_.push_back({name, 0, j, Kind::couple, {}}); }
 
-  // What is known of two lines of action by their names, and cannot be asked of every number.
-  void parallel(const std::string& one, const std::string& other) { parallels_.push_back({one, other}); }
+  // Of a force whose line stands at a known angle. Whether two such lines are parallel is decided on their angles,
+  // as it cannot be asked of every number.
+  void directed(const std::string& name, const Angle& direction) { directions_.insert_or_assign(name, direction); }
+  // Of a force whose line is known to pass through a hinge, which cannot be asked of every number either.
+  void through(const std::string& name, const std::string& hinge) { through_.insert({name, hinge}); }
 
   // Solves body after body. Throws Impossible, naming the body, when one cannot be in equilibrium, and when none can
   // be solved of what is left.
@@ -274,7 +279,8 @@ class FreeBodies {
       put(j, *guides[0], found.through_point);
     } else if (count(1, 1, 0, 0)) {
       const ThreeForces<T> found =
-          three_forces(sum, lines[0]->at, projective(points[0]->at.at), are_parallel(load, *lines[0]));
+          three_forces(sum, lines[0]->at, projective(points[0]->at.at), are_parallel(load, *lines[0]),
+                       through_.contains({load, points[0]->name}));
       meeting_.insert_or_assign(j, found.H);
       put(j, *lines[0], found.on_line);
       put(j, *points[0], found.through_point);
@@ -306,6 +312,8 @@ class FreeBodies {
       return false;
     for (const auto* ends : {&points, &guides})
       for (const Action* end : *ends) bars_.push_back({end->name, bar});
+    if (!guides.empty() && directions_.contains(guides[0]->name))
+      directed(points[0]->name, directions_.at(guides[0]->name));
     for (Action& action : actions_)
       for (const auto& [name, at] : bars_)
         if (action.name == name) action.kind = Kind::line, action.at = at;
@@ -313,9 +321,8 @@ class FreeBodies {
   }
 
   bool are_parallel(const std::string& one, const Action& other) const {
-    for (const auto& [a, b] : parallels_)
-      if ((a == one && b == other.name) || (b == one && a == other.name)) return true;
-    return false;
+    const auto a = directions_.find(one), b = directions_.find(other.name);
+    return a != directions_.end() && b != directions_.end() && geometry::are_parallel(a->second, b->second);
   }
   static ProjectivePoint<T> direction_of(const Action& guide) { return {guide.at.along.x, guide.at.along.y, T(0)}; }
 
@@ -329,7 +336,8 @@ class FreeBodies {
   std::map<int, ProjectivePoint<T>> meeting_;
   std::map<int, Culmann<T>> three_lines_;
   std::vector<std::pair<std::string, LineOfAction<T>>> bars_;
-  std::vector<std::pair<std::string, std::string>> parallels_;
+  std::map<std::string, Angle> directions_;
+  std::set<std::pair<std::string, std::string>> through_;
 };
 
 }  // namespace epure::geometry

@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from mpmath import asin, atan, atan2, cos, degrees, exp, fabs, findroot, im, mp, mpc, mpf, nstr, pi, radians, re, sign, sin, sqrt, tan
 
-from make_ideal_statics import STATED, cross, meet, number, text, unit
+from make_ideal_statics import STATED, ZERO, cross, meet, number, text, unit
 
 mp.dps = 80
 
@@ -25,6 +25,29 @@ CASES = [
      {"phi": "311/37", "wedge_collar.theta": "311/13", "double_slider.theta": "517/11", "double_slider.l": "19/23",
       "sliding_levers.x_C": "173/1000", "sliding_levers_Q_on_2.x_Q": "41/100", "fairbairn.AC": "31/71",
       "fairbairn.theta": "207/10", "fairbairn_short_lever.F": "997/9"}),
+    ("Q_along_the_normal", "Q parallel to the contact's normal, which its force is not",
+     {"sliding_levers.nu": "90", "sliding_levers_Q_on_2.nu": "60"}),
+    ("P_along_the_normal", "P parallel to the contact's normal, which its force is not",
+     {"sliding_levers.direction_P": "73", "sliding_levers_Q_on_2.direction_P": "577/2"}),
+    ("Q_along_the_force", "Q parallel to the contact's force in one motion",
+     {"sliding_levers.direction_Q": "-102", "sliding_levers_Q_on_2.direction_Q": "-133/2"}),
+    ("Q_along_the_other_force", "Q parallel to the contact's force in the other motion",
+     {"sliding_levers.direction_Q": "-112", "sliding_levers_Q_on_2.direction_Q": "-153/2"}),
+    ("P_along_the_force", "P parallel to the contact's force in one motion",
+     {"sliding_levers.direction_P": "78", "sliding_levers_Q_on_2.direction_P": "207/2"}),
+    ("P_near_the_force", "the same missed by 1e-9 and 1e-30 degrees",
+     {"sliding_levers.direction_P": "78000000001/1000000000",
+      "sliding_levers_Q_on_2.direction_P": str(Fraction(207, 2) + Fraction(1, 10 ** 30))}),
+    ("P_along_the_other_force", "P parallel to the contact's force in the other motion",
+     {"sliding_levers.direction_P": "68", "sliding_levers_Q_on_2.direction_P": "227/2"}),
+    ("on_the_cones", "the load on the edge of the friction cone: the wedge's force upright, the collar without load; "
+     "Fairbairn's forces on the lever parallel; a link on both friction circles as wide as itself",
+     {"wedge_collar.theta": "5", "fairbairn.theta": "10", "fairbairn_short_lever.theta": "-10",
+      "double_slider.theta": "80", "double_slider_pins.r": "3/20"}),
+    ("upright_link", "the link's force upright, on friction circles as wide as the link",
+     {"double_slider.theta": "85", "double_slider_pins.r": "3/20"}),
+    ("levers_at_the_limit", "the contact's force passes through the hinge of the lever of P",
+     {"sliding_levers.x_C": "19/100", "sliding_levers.y_C": "19/100", "sliding_levers.nu": "50"}),
 ]
 
 
@@ -43,7 +66,7 @@ def point(found, name, P):
 def efforts(found, letter, ideal, direct, retrograde):
     found.update({letter + "_i": ideal, letter + "_direct": direct, letter + "_retrograde": retrograde,
                   "eta_direct": ideal / direct, "eta_retrograde": retrograde / ideal,
-                  "self_locking": mpf(1 if retrograde <= 0 else 0)})
+                  "self_locking": mpf(1 if retrograde <= ZERO else 0)})
 
 
 def wedge(given, phi):
@@ -67,8 +90,8 @@ def wedge(given, phi):
         k = (y_u - m * w / 2) / (y_l - m * w / 2)
         # R_23 (s, c) with s N = (k - 1) u and c N = Q + m (1 + k) u.
         s, c = sin(theta + f), cos(theta + f)
-        u = Q / ((k - 1) * c / s - m * (1 + k))
-        return (k - 1) * u / s, u, k * u, m
+        part = Q / ((k - 1) * c - m * (1 + k) * s)
+        return (k - 1) * part, s * part, k * s * part, m
 
     P = []
     for name, f in (("", mpf(0)), ("_direct", phi), ("_retrograde", -phi)):
@@ -168,7 +191,7 @@ def fairbairn(given, phi):
     found = {}
 
     def forces(f):
-        R_56 = F * cos(f) / (cos(2 * f) if f > 0 else 1) * mpc(-cos(f), sin(f))
+        R_56 = F * cos(f) / (cos(2 * f) if f > 0 else 1) * mpc(-cos(f), sign(s) * sin(f))  # block 5 rises with D
         R_16 = -F - R_56
         e = n * turn(-turning * f)
         N = -cross(D, -R_56) / cross(B, e)

@@ -1,5 +1,7 @@
 // Bodies cut free: forces known beforehand, what is unstable, what is undetermined.
 #include "geometry/statics/free_bodies.h"
+
+#include "geometry/numbers/enclosure.h"
 #include "tests/support/catch.h"
 
 using namespace epure;
@@ -88,4 +90,35 @@ TEST_CASE("what cannot be in equilibrium is named", "[statics]") {
   through_hinge.solve();
   is(through_hinge, "roller", 0, 0);
   is(through_hinge, "hinge", 0, 10);
+}
+
+TEST_CASE("lines at known angles: what intervals cannot tell is decided on the angles", "[statics]") {
+  using Number = Bounded;
+  const Arithmetic<Number> scope;
+  const Angle twenty{Rational(20, 360)}, five{Rational(5, 360)};
+  const auto along = [](const Angle& angle) { return Vector<Number>{cosine<Number>(angle), sine<Number>(angle)}; };
+  // The roller's line is that of the load: 20° turned by 5°.
+  const Vector<Number> F = along(twenty + five), turned = cosine<Number>(five) * along(twenty) +
+                                                          sine<Number>(five) * quarter_turn(along(twenty));
+  const auto solved = [&](double x, bool knows_angles, bool knows_hinge) {
+    FreeBodies<Number> bodies(2);
+    bodies.load("F", 2, Number(1), Number(0), -F.x, -F.y);
+    if (knows_hinge) {
+      bodies.contact("roller", 1, 2, Number(x), Number(0), Number(0), Number(1));
+      bodies.hinge("hinge", 1, 2, Number(1) - turned.x, -turned.y);
+      bodies.through("F", "hinge");
+    } else {
+      bodies.contact("roller", 1, 2, Number(x), Number(0), turned.x, turned.y);
+      bodies.hinge("hinge", 1, 2, Number(0), Number(0));
+    }
+    if (knows_angles) {
+      bodies.directed("F", twenty + five);
+      bodies.directed("roller", twenty + five);
+    }
+    bodies.solve();
+    return enclosure(bodies.along("roller")).value;
+  };
+  CHECK_THROWS_AS(solved(4, false, false), Undecided);
+  CHECK(solved(4, true, false) == Approx(0.25).epsilon(1e-14));
+  CHECK(solved(4, false, true) == 0);
 }

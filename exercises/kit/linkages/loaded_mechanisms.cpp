@@ -161,9 +161,8 @@ Sign sign_of_arm(const Angle& direction, const Rational& x, const Rational& y) {
 
 // The contact's force and Q must turn the loaded lever opposite ways, or the levers part.
 void require_contact(const std::string& name, const Levers& of) {
-  const Rational hinge = of.hinge(of.loaded), other = of.hinge(of.driven());
-  const Sign contact = sign_of_arm(of.nu, of.x_C - hinge, of.y_C),
-             load = sign_of_arm(of.direction_Q, of.x_Q - hinge, 0);
+  const Sign contact = turned_from_C(of, of.loaded, of.nu),
+             load = sign_of_arm(of.direction_Q, of.x_Q - of.hinge(of.loaded), 0);
   const auto refuse = [&](const Words& why) {
     throw BadGivens(format_words("{}.nu = {}°, {}.x_C = {} m, {}.y_C = {} m: {}",
                                  "{}.nu = {}°, {}.x_C = {} m, {}.y_C = {} m: {}", name, in_words(of.nu), name,
@@ -172,7 +171,7 @@ void require_contact(const std::string& name, const Levers& of) {
   if (contact == Sign::zero)
     refuse({"the contact's normal passes through the hinge of the lever that Q loads, and cannot hold it",
             "la normale di contatto passa per la cerniera della leva caricata da Q, e non può reggerla"});
-  if (sign_of_arm(of.nu, of.x_C - other, of.y_C) == Sign::zero)
+  if (turned_from_C(of, of.driven(), of.nu) == Sign::zero)
     refuse({"the contact's normal passes through the hinge of the lever of P, which then holds any load without P",
             "la normale di contatto passa per la cerniera della leva di P, che regge allora ogni carico senza P"});
   if (load == Sign::zero)
@@ -232,6 +231,10 @@ Fairbairn fairbairn(const Givens& givens, const std::string& name) {
 }
 
 }  // namespace
+
+Sign turned_from_C(const Levers& of, int lever, const Angle& direction) {
+  return sign_of_arm(direction, of.x_C - of.hinge(lever), of.y_C);
+}
 
 std::vector<GivenSpec> givens_of_loaded_mechanisms() {
   std::vector<GivenSpec> all;

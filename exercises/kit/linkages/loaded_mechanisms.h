@@ -9,6 +9,7 @@
 #include <string>
 
 #include "exercises/kit/statement/givens.h"
+#include "geometry/numbers/parallel_angles.h"
 
 namespace epure {
 
@@ -84,11 +85,13 @@ struct Levers {
   std::string contact() const { return loaded == 3 ? "R_23" : "R_32"; }
   Rational hinge(int lever) const { return lever == 2 ? Rational(0) : b; }
 };
-// Decided on the given angles.
-inline bool are_parallel(const Angle& one, const Angle& other) { return is_whole_turns(Rational(2) * (one - other)); }
+// Which way a force in C at this angle turns a lever about its hinge: positive counter-clockwise; zero through the
+// hinge.
+geometry::Sign turned_from_C(const Levers& of, int lever, const Angle& direction);
 template <class T>
 struct LeversAt {
-  XY<T> C, along;  // contact, and direction of its force on the loaded lever
+  XY<T> C, along;   // contact, and direction of its force on the loaded lever
+  Angle direction;  // the same, as the sum of given angles that it is
 };
 template <class T>
 XY<T> foot_of_P(const Levers& of) {
@@ -103,8 +106,9 @@ void describe(Model& model, const Levers& of, const LeversAt<T>& at) {
   model.load("Q", of.loaded, geometry::from_rational<T>(of.x_Q), T(0), Q * q.x, Q * q.y);
   model.contact(of.contact(), of.driven(), of.loaded, at.C.x, at.C.y, at.along.x, at.along.y);
   model.effort("P", of.driven(), foot.x, foot.y, p.x, p.y);
-  if (are_parallel(of.nu, of.direction_Q)) model.parallel("Q", of.contact());
-  if (are_parallel(of.nu, of.direction_P)) model.parallel("P", of.contact());
+  model.directed("Q", of.direction_Q);
+  model.directed(of.contact(), at.direction);
+  model.directed("P", of.direction_P);
   model.hinge("R_12", 1, 2, T(0), T(0));
   model.hinge("R_13", 1, 3, geometry::from_rational<T>(of.b), T(0));
 }

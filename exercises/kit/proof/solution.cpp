@@ -50,8 +50,10 @@ std::optional<geometry::Enclosure> Solution::enclosure(const std::string& quanti
 
 double Solution::operator[](const std::string& quantity) const {
   const std::optional<double> known = value(quantity);
-  if (!known) throw geometry::Undecided(find(quantity).settled.reason);
-  return *known;
+  if (known) return *known;
+  const geometry::Settled& settled = find(quantity).settled;
+  if (settled.kind == geometry::Settled::Kind::absent) throw geometry::Impossible(settled.reason);
+  throw geometry::Undecided(settled.reason);
 }
 
 const Quantity& Solution::described(const std::string& quantity) const {

@@ -9,7 +9,7 @@ using namespace epure::tests;
 
 TEST_CASE("friction: values are the corpus', to the last bit of a double, by every route", "[friction-efficiency]") {
   const std::vector<CorpusCase> corpus = read_corpus(EPURE_CORPUS "/friction_efficiency.txt");
-  CHECK(corpus.size() == 6);
+  CHECK(corpus.size() == 16);
   holds_against(friction(), corpus);
 }
 
@@ -52,6 +52,17 @@ TEST_CASE("friction: what jams is said with the angle at which it does", "[frict
   CHECK(friction().checked({"phi=18.71"}).passed());
   refused({"phi=8", "double_slider.theta=8"}, "double_slider jams in the direct motion at 8°");
   refused({"double_slider_pins.r=2"}, "wider than the link is long");
+  // The link's force falls into the friction cone of slider 4: sin δ = 2 sin 5°, δ + 5° = 15.0386°; in the middle of
+  // the row δ = φ and the limit is hit.
+  refused({"double_slider_pins.r=0.3", "double_slider.theta=15.038"}, "double_slider_pins jams in the direct motion");
+  refused({"double_slider_pins.r=0.15", "double_slider.theta=10"},
+          "double_slider_pins jams in the direct motion at 5°");
+  refused({"double_slider_pins.r=0.3", "double_slider.theta=10"}, "jams in the direct motion at 3.32956°");
+  CHECK(friction().checked({"double_slider_pins.r=0.3", "double_slider.theta=15.039"}).passed());
+  // From C the hinge of the loaded lever lies at 165.2°, or 14.8° below +x.
+  refused({"phi=10", "sliding_levers.nu=160"}, "the contact's force, at 170° then, does not pass its hinge");
+  refused({"phi=10", "sliding_levers.nu=156"}, "at 166° then");
+  CHECK(friction().checked({"phi=10", "sliding_levers.nu=155"}).passed());
   refused({"sliding_levers.y_C=0"}, "friction has no sense");
 }
 
@@ -67,4 +78,30 @@ TEST_CASE("friction: the source's numbers", "[friction-efficiency]") {
   CHECK(verdicts[Verdict::rounding] == 4);
   CHECK(verdicts[Verdict::reading] == 5);
   CHECK(verdicts[Verdict::disagrees] == 11);
+}
+
+TEST_CASE("friction: what does not slide has no friction, and no sheet", "[friction-efficiency]") {
+  const auto rests = [](const Assignments& assignments, const std::string& mechanism, double without_friction) {
+    const CheckedExercise result = friction().checked(assignments);
+    CAPTURE(assignments, complaints(result));
+    CHECK(result.failures.empty());
+    CHECK(result.undecided.empty());
+    REQUIRE(result.not_drawn.size() == 1);
+    CHECK_THAT(result.not_drawn.front().sentence.english, Contains("the bodies do not slide on each other"));
+    CHECK(find(result, mechanism + ".M_direct").settled.kind == geometry::Settled::Kind::absent);
+    CHECK(value(result, mechanism + ".M_i") == Approx(without_friction).epsilon(1e-14));
+  };
+  // F CD AB/(AC + AB), lever and crank upright.
+  rests({"fairbairn.theta=0"}, "fairbairn", 50 * 0.95 * 0.2 / 0.649);
+  rests({"fairbairn_short_lever.theta=0"}, "fairbairn_short_lever", 50 * 0.714 * 0.2 / 0.623);
+  // The crank across the lever, which rests.
+  rests({"fairbairn_short_lever.theta=30", "fairbairn_short_lever.AC=0.4"}, "fairbairn_short_lever", 0);
+  // Without friction nothing need slide; of no couple no efficiency is known.
+  const CheckedExercise smooth =
+      friction().checked({"phi=0", "fairbairn_short_lever.theta=30", "fairbairn_short_lever.AC=0.4"});
+  CAPTURE(complaints(smooth));
+  CHECK(smooth.failures.empty());
+  CHECK(smooth.undecided.empty());
+  CHECK(value(smooth, "fairbairn_short_lever.M_direct") == 0);
+  CHECK(find(smooth, "fairbairn_short_lever.eta_direct").settled.kind == geometry::Settled::Kind::absent);
 }
