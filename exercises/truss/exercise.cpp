@@ -70,9 +70,10 @@ PanelSheet plan_sheet(const Solution& s, Language language) {
 PanelSheet forces_sheet(const Solution& s, Language language) {
   const LoadedTruss of(s.givens());
   const auto figure = figure_of(of, s);
-  // Side by side, so that the truss keeps the greater part of the sheet.
-  constexpr std::size_t most_rows = 10;
-  const std::size_t blocks = (of.bars() + most_rows - 1) / most_rows, rows = (of.bars() + blocks - 1) / blocks;
+  // Side by side, so that the truss keeps the greater part of the sheet; no more than it is wide.
+  constexpr std::size_t most_rows = 10, most_blocks = 3;
+  const std::size_t blocks = std::min(most_blocks, (of.bars() + most_rows - 1) / most_rows),
+                    rows = (of.bars() + blocks - 1) / blocks;
   std::vector<std::string> heads;
   std::vector<std::vector<std::string>> cells(rows);
   for (std::size_t b = 0; b < blocks; ++b) {
