@@ -1,6 +1,8 @@
 // Trusses with pin joints by Cremona's reciprocal figure: the shape, the loads and the supports are the user's.
 #include <numbers>
 
+#include <algorithm>
+
 #include "exercises/kit/panels/force_plan_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/sheet.h"
