@@ -1,7 +1,6 @@
 // Trusses with pin joints by Cremona's reciprocal figure: the shape, the loads and the supports are the user's.
-#include <numbers>
-
 #include <algorithm>
+#include <numbers>
 
 #include "exercises/kit/panels/force_plan_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
