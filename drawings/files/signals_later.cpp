@@ -16,10 +16,7 @@ std::atomic<int> waiting{0}, living{0};  // a signal; SignalsLater
 static_assert(std::atomic<int>::is_always_lock_free, "a handler may not wait");
 
 void let_through() {
-  if (const int signal = waiting.exchange(0)) {
-    ::signal(signal, SIG_DFL);
-    ::raise(signal);
-  }
+  if (const int signal = waiting.exchange(0)) ::raise(signal);
 }
 // Another thread may come to this when the last one that made it wait has ended.
 void note(int signal) {
@@ -28,24 +25,20 @@ void note(int signal) {
 }
 
 std::mutex lock;
-std::array<bool, ends.size()> is_caught = {};  // which were at their default
+std::array<struct sigaction, ends.size()> before;
 
 void begin_catching() {
+  struct sigaction later {};
+  later.sa_handler = note;
+  later.sa_flags = SA_RESTART;  // a write goes on
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    struct sigaction now {};
-    sigaction(ends[i], nullptr, &now);
-    is_caught[i] = now.sa_handler == SIG_DFL;
-    if (!is_caught[i]) continue;
-    struct sigaction later {};
-    later.sa_handler = note;
-    later.sa_flags = SA_RESTART;  // a write goes on
-    sigaction(ends[i], &later, nullptr);
+    sigaction(ends[i], nullptr, &before[i]);
+    if (before[i].sa_handler != SIG_IGN) sigaction(ends[i], &later, nullptr);
   }
 }
 
 void end_catching() {
-  for (std::size_t i = 0; i < ends.size(); ++i)
-    if (is_caught[i]) ::signal(ends[i], SIG_DFL);
+  for (std::size_t i = 0; i < ends.size(); ++i) sigaction(ends[i], &before[i], nullptr);
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ Scenes read_scenes(const Options& options) {
     if (!scenes::is_scene_file(name))
       throw WrongUsage(format_words("\"{}\" stands beside a file; name files alone, or exercises alone",
                                     "\"{}\" sta accanto a un file; nominare solo file, o solo esercizi", name));
-    const auto [file, sheet] = file_and_sheet(name);
+    const auto parts = file_and_sheet(name);
+    const std::string &file = parts.first, &sheet = parts.second;
     auto found = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == file; });
     if (found == known.end()) {
       std::unique_ptr<Exercise> exercise = scenes::scene_exercise(file);

@@ -68,9 +68,9 @@ class Placing {
     for (const LinkPoint& p : linkage_.links[static_cast<std::size_t>(link)].points)
       is_known_[static_cast<std::size_t>(p.point)] = true;
   }
-  bool take(Step step) {
+  bool take(const Step& step) {
     for (const int link : placed_by(step)) place(link);
-    steps_.push_back(std::move(step));
+    steps_.push_back(step);
     return true;
   }
 

@@ -19,7 +19,7 @@ void ForcePlanPanel::sign_bar(Plot& plot, std::size_t bar) const {
     const auto& [left, right] = figure_->bow.sides[i];
     return std::pair{plot.at(figure_->plan[left]), plot.at(figure_->plan[right])};
   };
-  const auto [p, q] = ends(bar);
+  const drawings::Point p = ends(bar).first, q = ends(bar).second;
   const double x = q.x - p.x, y = q.y - p.y, length = std::hypot(x, y);
   if (length < shortest) return;
   const auto from_line = [&](drawings::Point of) { return std::abs(x * (of.y - p.y) - y * (of.x - p.x)) / length; };
