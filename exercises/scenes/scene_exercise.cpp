@@ -80,7 +80,7 @@ std::unique_ptr<Exercise> scene_exercise(const std::string& file) {
   return scene_exercise(std::make_shared<const Scene>(file, bytes_of(file)));
 }
 
-std::unique_ptr<Exercise> scene_exercise(std::shared_ptr<const Scene> scene) {
+std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& scene) {
   const auto solve = [scene](const Givens& givens, Rung rung) { return solved(*scene, givens, rung); };
   return exercise_of_panels(described(*scene), solve,
                             {{{"velocities", {"Velocities", "Velocità"}},

@@ -15,6 +15,6 @@ bool is_scene_file(const std::string& name);
 
 // The exercise of a file. Throws BadScene, also where the file cannot be read.
 std::unique_ptr<Exercise> scene_exercise(const std::string& file);
-std::unique_ptr<Exercise> scene_exercise(std::shared_ptr<const Scene> scene);
+std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& scene);
 
 }  // namespace epure::scenes
