@@ -10,6 +10,7 @@
 #include "exercises/cli/class_journal.h"
 #include "exercises/cli/harmless_cell.h"
 #include "exercises/cli/moodle.h"
+#include "exercises/cli/must_be_told.h"
 #include "exercises/cli/pages.h"
 #include "exercises/cli/progress.h"
 #include "exercises/cli/request.h"
@@ -85,7 +86,7 @@ class ClassSet {
       if (std::find(varied_.begin(), varied_.end(), symbol) == varied_.end()) varied_.push_back(symbol);
     };
     for (const GivenSpec& spec : lots_.givens.specs())
-      if (lots_.givens.is_changed(spec.symbol)) vary(spec.symbol);
+      if (must_be_told(lots_.givens, spec)) vary(spec.symbol);
     for (const Candidate& student : students_)
       for (const std::string& assignment : student.assignments) vary(symbol_in(assignment));
     for (const Variation& each : lots_.variations) vary(each.given().symbol);
@@ -184,7 +185,8 @@ class ClassSet {
   std::vector<std::string> givens_in_order(const ClassEntry& entry) const {
     std::vector<std::string> cells;
     for (const std::string& symbol : varied_) {
-      cells.push_back(lots_.givens.is_changed(symbol) ? of_all(symbol) : "");
+      const auto& specs = lots_.givens.specs();
+      cells.push_back(must_be_told(lots_.givens, specs[index_of(specs, symbol)]) ? of_all(symbol) : "");
       for (const std::string& assignment : entry.givens)
         if (symbol_in(assignment) == symbol) cells.back() = assignment.substr(symbol.size() + 1);
     }

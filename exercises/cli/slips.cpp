@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exercises/cli/must_be_told.h"
 #include "exercises/kit/proof/verdict.h"
 
 namespace epure {
@@ -64,7 +65,7 @@ Givens with(const Givens& givens, const std::string& symbol, const std::string& 
     const bool states_it = spec.turned && spec.turned->instant == symbol;
     const GivenSpec& changed = givens.specs()[index_of(givens.specs(), symbol)];
     const bool stated_by_it = changed.turned && changed.turned->instant == spec.symbol;
-    if (spec.symbol == symbol || states_it || stated_by_it || !givens.is_changed(spec.symbol)) continue;
+    if (spec.symbol == symbol || states_it || stated_by_it || !must_be_told(givens, spec)) continue;
     const std::string unit = spec.choices.empty() ? givens.reading(spec.symbol)->unit.symbol : "";
     other.set(spec.symbol + "=" + givens.text(spec.symbol) + (unit == "1" ? "" : unit));
   }

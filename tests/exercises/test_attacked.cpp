@@ -98,6 +98,21 @@ TEST_CASE("attacked: a key that class wrote is read as it was meant") {
   CHECK(marked.out.find("1 points of 1") + marked.out.find("1 point of 1") != 2 * std::string::npos);
 }
 
+// A reader's find: φ set to the angle that t says at the stated speed was forgotten at another speed, and the answer
+// of the wrong φ (5.79 m/s, at t = 1/72 s) explained by a length that has no part in it.
+TEST_CASE("attacked: an angle that was set holds at another speed") {
+  const Scratch scratch;
+  std::ofstream("answers.csv") << "number,v_B\n1,5.79\n";
+  const Ran marked = run_real({"mark", "slider-crank-velocity", "--answers", "answers.csv", "--set", "r=0.19m",
+                               "--set", "n=400rpm", "--set", "phi=30deg"});
+  INFO(marked.out);
+  CHECK(marked.out.find("doubled") == std::string::npos);
+  REQUIRE(run_real({"class", "slider-crank-velocity", "--count", "1", "--vary", "n=360|400", "--set", "phi=30deg",
+                    "--out", "o"})
+              .exit == 0);
+  CHECK(read_csv_file("o/slider-crank-velocity-class/key.csv").column("phi"));
+}
+
 TEST_CASE("attacked: charts of a sweep") {
   const Scratch scratch;
   CHECK(run_real({"sweep", "friction-efficiency", "--over", "phi=1..5/3", "--quantity", "sliding_levers.H_2_direct_x",
