@@ -28,7 +28,8 @@ double width_asked(const std::string& typed, const Options& options) {
   } catch (const geometry::BadGiven& unreadable) {
     throw WrongUsage("--width: " + unreadable.words());
   }
-  if (width <= 0 || width > widest)
+  const bool is_positive = width > 0, is_on_paper = width <= widest;
+  if (!is_positive || !is_on_paper)
     throw WrongUsage(format_words("--width {}: must be positive and at most {} mm",
                                   "--width {}: dev'essere positiva e al massimo {} mm", typed, widest));
   if (options.scale)

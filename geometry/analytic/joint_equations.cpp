@@ -382,19 +382,28 @@ std::vector<LinkState<T>> with_rates(const Linkage& linkage, const Column<T>& q,
   return links;
 }
 
-Column<Fast> moving_links(const Beginning& beginning) {
-  return {beginning.begin() + unknowns_of_a_link, beginning.end()};
+// Without the frame; the angle of a link that is turned by as many whole turns as it is given with, or the first step
+// would turn the link by these.
+Column<Fast> moving_links(const Linkage& linkage, const Beginning& beginning) {
+  Column<Fast> q{beginning.begin() + unknowns_of_a_link, beginning.end()};
+  for (const Drive& drive : linkage.drives)
+    if (const auto* turned = std::get_if<TurnedLink>(&drive)) {
+      double& theta = q[static_cast<std::size_t>(unknowns_of_a_link * turned->link - 1)];
+      const double turn = 2 * pi<Fast>();
+      theta += turn * std::round((to_double(turned->angle) - theta) / turn);
+    }
+  return q;
 }
 
 std::vector<LinkState<Fast>> found_in_doubles(const Linkage& linkage, const Beginning& beginning) {
   return with_rates<Fast>(
-      linkage, iterated(linkage, moving_links(beginning)),
+      linkage, iterated(linkage, moving_links(linkage, beginning)),
       [](const std::vector<Equation<Fast>>& rows, const Column<Fast>& b) { return solved(rows, b); });
 }
 
 template <class T>
 std::vector<LinkState<T>> found_and_proved(const Linkage& linkage, const Beginning& beginning) {
-  const Column<Fast> near = iterated(linkage, moving_links(beginning));
+  const Column<Fast> near = iterated(linkage, moving_links(linkage, beginning));
   const Preconditioner<T> Y(matrix(equations(linkage, near)));
   Column<T> start;
   for (const double x : near) start.push_back(from_rational<T>(Rational(x)));

@@ -215,6 +215,17 @@ void check_both_routes(const Named& named) {
 
 }  // namespace
 
+// The angle of a crank is told from 0 to 360°, and beyond; where a link is, from -180° to 180°.
+TEST_CASE("A linkage is found by both routes all round a turn") {
+  const Arithmetic<Bounded> scope;
+  for (const char* degrees : {"-170", "10", "100", "181", "200", "240", "300", "345", "700", "-3000"}) {
+    Linkage of = four_bar();
+    std::get<TurnedLink>(of.drives[0]).angle = degrees_of(degrees);
+    CAPTURE(degrees);
+    check_both_routes<Bounded>({"four-bar", of});
+  }
+}
+
 TEST_CASE("A linkage placed group by group moves as the equations of all its joints say") {
   for (const Named& named : twelve_linkages()) {
     REQUIRE(named.linkage.freedom() == 0);
