@@ -5,9 +5,9 @@
 
 #include "drawings/labels/labels.h"
 #include "drawings/labels/namesakes.h"
+#include "drawings/labels/window.h"
 #include "drawings/marks/canvas.h"
 #include "drawings/marks/symbols.h"
-#include "drawings/labels/window.h"
 #include "drawings/output.h"
 #include "drawings/paths/vectors.h"
 #include "drawings/sheet/bars_below.h"
