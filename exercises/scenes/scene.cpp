@@ -99,7 +99,6 @@ std::optional<std::string> unit_after_number(const std::string& text) {
   if (end == std::string::npos) return "";
   if (end == 0) return {};
   std::string unit = text.substr(end);
-  // "1/min" is one unit with its number.
   while (!unit.empty() && unit.back() == ' ') unit.pop_back();
   return find_unit(unit) ? std::optional(unit) : std::nullopt;
 }
@@ -118,7 +117,6 @@ class Building {
     slides();
     drives();
     assembly();
-    demand_no_double_place();
     place();
     return std::move(built_);
   }
@@ -447,13 +445,6 @@ class Building {
   }
 
   // --- what the file leaves open -----------------------------------------------------------------------------------
-  void demand_no_double_place() const {
-    const auto& letters = built_.letters;
-    for (std::size_t i = 0; i < letters.links.size(); ++i)
-      if (std::count(letters.links.begin(), letters.links.end(), letters.links[i]) > 1)
-        refuse(root_, format_words("link {} stands twice", "il membro {} sta due volte", letters.links[i]));
-  }
-
   const std::string& letter(int p) const { return built_.letters.points[static_cast<std::size_t>(p)]; }
   const std::string& line_letter(int l) const { return built_.letters.lines[static_cast<std::size_t>(l)]; }
   std::string numbers(const std::vector<int>& links) const {

@@ -69,11 +69,14 @@ Description described(const Scene& scene) {
 
 }  // namespace
 
-bool is_scene_file(const std::string& name) {
-  for (const char* ending : {".yaml", ".yml"}) {
-    if (name.ends_with(ending) || name.find(std::string(ending) + "/") != std::string::npos) return true;
-  }
-  return false;
+std::optional<SceneName> scene_name(const std::string& name) {
+  for (const std::string ending : {".yaml", ".yml"})
+    if (const auto place = name.rfind(ending + "/"); place != std::string::npos) {
+      const std::size_t slash = place + ending.size();
+      return SceneName{name.substr(0, slash), name.substr(slash)};
+    }
+  if (name.ends_with(".yaml") || name.ends_with(".yml")) return SceneName{name, ""};
+  return {};
 }
 
 std::unique_ptr<Exercise> scene_exercise(const std::string& file) {

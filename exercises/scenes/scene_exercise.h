@@ -2,16 +2,19 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "exercises/kit/proof/exercise.h"
 #include "exercises/scenes/scene.h"
 
 namespace epure::scenes {
 
-// Whether a name on the command line is that of a file: ID.yaml, or ID.yaml/SHEET.
-bool is_scene_file(const std::string& name);
+// A name on the command line that is one of a file: ID.yaml, or ID.yaml/SHEET; none: it is that of an exercise.
+struct SceneName {
+  std::string file, sheet;  // "/SHEET", or empty
+};
+std::optional<SceneName> scene_name(const std::string& name);
 
 // The exercise of a file. Throws BadScene, also where the file cannot be read.
 std::unique_ptr<Exercise> scene_exercise(const std::string& file);
