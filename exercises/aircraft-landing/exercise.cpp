@@ -20,7 +20,7 @@ std::unique_ptr<Exercise> make_aircraft_landing() {
                    "quando la ruota rotola, e dopo quanto tempo essa rotola senza strisciare, così che il freno "
                    "possa agire: in forma chiusa, per integrazione grafica e con lo schema di Eulero."},
       .givens = given_specs(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Landing(givens)}, rung); };
   return exercise_of_panels(
       std::move(about), solve,

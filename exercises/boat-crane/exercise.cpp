@@ -22,7 +22,7 @@ std::unique_ptr<Exercise> make_boat_crane() {
                    "e il taglio della trave e la forza nella colonna, la linea elastica e l'abbassamento della "
                    "barca, e verificare trave e colonna a snervamento, a fatica e a carico di punta."},
       .givens = Crane::givens(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) {
     return settle(Routes(Crane(givens), Strength(givens)), rung);
   };

@@ -20,7 +20,7 @@ std::unique_ptr<Exercise> make_cam_dynamics() {
                    "accelerazioni con i diagrammi polari, le reazioni e la coppia motrice; all'alzata massima la "
                    "minima forza di chiusura che mantiene il contatto alla seconda velocità."},
       .givens = stated_givens(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes(cam(givens)), rung); };
   return exercise_of_panels(
       std::move(about), solve,

@@ -149,7 +149,7 @@ std::unique_ptr<Exercise> make_crane_welds() {
                    "due cordoni d'angolo. Trovare il flusso di taglio e le tensioni nel giunto alla sezione C e "
                    "verificare entrambe le saldature."},
       .givens = Welds::givens(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes(Welds(givens)), rung); };
   return exercise_of_panels(
       std::move(about), solve,

@@ -20,7 +20,7 @@ std::unique_ptr<Exercise> make_cycloid_involute() {
            "accelerazione e centro di curvatura del punto che descrive ciascuna curva, e la lunghezza dell'arco "
            "percorso."},
       .givens = given_specs(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return solved(Problem(givens), rung); };
   return exercise_of_panels(
       std::move(about), solve,

@@ -130,7 +130,7 @@ Description description() {
            "traiettoria del punto medio della biella, $ω_{4}$ in un giro della manovella e la traiettoria del punto "
            "di biella P."},
       .givens = givens(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
 }
 
 }  // namespace

@@ -23,7 +23,9 @@ namespace {
 constexpr const char *by_constraint_equations = "constraint equations", *analytic = "analytic",
                      *polar_diagram = "polar diagram";
 
-std::vector<RouteValue> solve(const Givens& givens, Rung rung) { return settle(Routes(problem(givens)), rung); }
+std::vector<RouteValue> solve(const Givens& givens, Rung rung) {
+  return settle(Routes(problem(givens)), rung, Drawn::by_every_route);  // the last sheet compares them
+}
 
 // Of the source's own givens.
 double as_stated(const std::string& quantity) {
@@ -162,7 +164,7 @@ Description description() {
            "iniziali dati. Trovare velocità e accelerazioni dei punti medi, e confrontare con le equazioni di "
            "chiusura."},
       .givens = givens(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
 }
 
 }  // namespace

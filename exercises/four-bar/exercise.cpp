@@ -401,7 +401,7 @@ Description description() {
                "diagrammi polari, i cerchi dei flessi e di stazionarietà e il centro di curvatura della traiettoria "
                "di C; lo stesso nei due punti morti del bilanciere e dove manovella e bilanciere sono paralleli."},
           .givens = givens(),
-          .printed = printed_by_the_source()};
+          .printed = printed_by_the_source};
 }
 
 std::vector<SheetMaker> sheets() {

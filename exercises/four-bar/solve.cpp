@@ -9,7 +9,7 @@ namespace {
 // by the closed formulas.
 std::vector<RouteValue> absent(const std::string& prefix, const Words& why, const Words& analysis, Rung rung) {
   static const Problem source = problem(Givens(givens()));
-  static const std::vector<RouteValue> reported = solve(source, Rung::fast), drawn = solve(source, Rung::drawing);
+  static const std::vector<RouteValue> reported = solve(source, Rung::names), drawn = solve(source, Rung::drawing);
   std::vector<RouteValue> values;
   for (const RouteValue& value : rung == Rung::drawing ? drawn : reported) {
     if (!value.quantity.starts_with(prefix)) continue;

@@ -309,7 +309,7 @@ std::unique_ptr<Exercise> make_frame_deflection() {
                    "momenti flettenti e torcenti e trovare di quanto si abbassa A, con i contributi della flessione "
                    "e della torsione di ogni asta."},
       .givens = stated_givens(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{problem(givens)}, rung); };
   return exercise_of_panels(
       std::move(about), solve,

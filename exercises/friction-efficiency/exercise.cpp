@@ -19,7 +19,7 @@ std::unique_ptr<Exercise> make_friction_efficiency() {
                    "motrice nel moto diretto e la forza che trattiene nel moto retrogrado, i due rendimenti, e gli "
                    "angoli d'attrito a cui iniziano l'arresto spontaneo e l'impuntamento."},
       .givens = stated_givens(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
   return exercise_of_panels(std::move(about), solve, sheets());
 }
 

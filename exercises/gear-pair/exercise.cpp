@@ -343,7 +343,7 @@ std::unique_ptr<Exercise> make_gear_pair() {
            "dimensioni. Trovare il segmento dei contatti, gli archi di accesso e recesso, il rapporto di condotta, i "
            "limiti d'interferenza, e lo strisciamento lungo il segmento dei contatti."},
       .givens = givens(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) {
     return settle(Routes(pair_of(givens), givens.angle("n1"), rung == Rung::drawing), rung);
   };

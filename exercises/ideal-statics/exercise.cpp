@@ -21,7 +21,7 @@ std::unique_ptr<Exercise> make_ideal_statics() {
            "reazioni, isolando i corpi e disegnando i poligoni delle forze; poi la stessa forza con i lavori "
            "virtuali."},
       .givens = givens_of_loaded_mechanisms(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
   std::vector<SheetMaker> sheets;
   for (const auto& of_one : {wedge_sheets(), double_slider_sheets(), lever_sheets(), fairbairn_sheets()})
     sheets.insert(sheets.end(), of_one.begin(), of_one.end());

@@ -20,7 +20,7 @@ std::unique_ptr<Exercise> make_michell_thrust() {
                    "l'inclinazione dei pattini, il coefficiente d'attrito, la forza tangenziale, la coppia "
                    "resistente e la potenza persa, con la tabella dei coefficienti e con la teoria."},
       .givens = given_specs(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) {
     const Problem problem(givens);
     return settle(Routes{problem}, rung);

@@ -32,7 +32,7 @@ std::unique_ptr<Exercise> make_oscillator_pendulum() {
            "Trovare il moto dell'oscillatore smorzato e del pendolo composto: in modo esatto e con gli schemi "
            "numerici. Disegnare i piani delle fasi, l'odografo della reazione del pendolo, e confrontare i periodi."},
       .givens = given_specs(),
-      .printed = printed_by_the_source(),
+      .printed = printed_by_the_source,
       .audit = audited_tables};
   const auto solve = [](const Givens& givens, Rung rung) { return solved(Problem(givens), rung); };
   return exercise_of_panels(

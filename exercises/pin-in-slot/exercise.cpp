@@ -285,7 +285,7 @@ std::unique_ptr<Exercise> make_pin_in_slot() {
                    "Il perno della manovella muove il glifo. Trovare velocità e accelerazioni con il teorema di "
                    "Coriolis, e la coppia motrice con i poligoni delle forze e con il bilancio delle potenze."},
       .givens = stated_givens(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{instant(givens)}, rung); };
   return exercise_of_panels(std::move(about), solve,
                             {{{"kinematics", {"Velocities", "Velocità"}}, velocity_sheet},

@@ -21,7 +21,7 @@ std::unique_ptr<Exercise> make_point_mass() {
                    "velocità, quantità di moto, energia cinetica e spazio nel tempo, per integrazione grafica e con "
                    "le formule di Bezout e di Cavalieri-Simpson; valori ed errori relativi ai tre istanti."},
       .givens = given_specs(),
-      .printed = printed_by_the_source(),
+      .printed = printed_by_the_source,
       .audit = audit_of_the_table};
   const auto solve = [](const Givens& givens, Rung rung) { return solved(Routes(Problem(givens)), rung); };
   return exercise_of_panels(

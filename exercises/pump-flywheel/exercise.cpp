@@ -20,7 +20,7 @@ std::unique_ptr<Exercise> make_pump_flywheel() {
                                  "della manovella, la coppia resistente media e la potenza; se il motore limita da "
                                  "solo l'irregolarità; se no, il volano che la contiene entro il valore dato."},
                     .givens = given_specs(),
-                    .printed = printed_by_the_source()};
+                    .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Pump(givens)}, rung); };
   return exercise_of_panels(
       std::move(about), solve,

@@ -155,7 +155,7 @@ Description description() {
                "All'istante dato trovare le accelerazioni con il diagramma polare, i cerchi dei flessi e di "
                "stazionarietà, il polo K e con esso le accelerazioni, e i centri di curvatura delle traiettorie."},
           .givens = slider_crank_givens(true),
-          .printed = printed_by_the_source()};
+          .printed = printed_by_the_source};
 }
 
 }  // namespace

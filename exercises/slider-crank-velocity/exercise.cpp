@@ -114,7 +114,7 @@ Description description() {
                        "All'istante dato trovare le velocità con il metodo dei poli e con il diagramma polare; "
                        "tracciare la polare fissa e la polare mobile della biella e la traiettoria del suo punto C."},
           .givens = slider_crank_givens(false),
-          .printed = printed_by_the_source()};
+          .printed = printed_by_the_source};
 }
 
 }  // namespace

@@ -197,7 +197,7 @@ std::unique_ptr<Exercise> make_velocity_centre() {
                    "Un'asta ruota attorno a una cerniera O su un corpo che trasla. Trovare il centro delle velocità "
                    "dell'asta, velocità e accelerazione del suo estremo A, e il centro delle accelerazioni K."},
       .givens = givens(),
-      .printed = printed_by_the_source()};
+      .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Instant(givens)}, rung); };
   return exercise_of_panels(
       std::move(about), solve,

@@ -9,7 +9,7 @@ using namespace epure::tests;
 namespace {
 
 const Printed& printed(const std::string& id, const std::string& quantity, const std::string& text) {
-  for (const Printed& each : exercise(id).about().printed)
+  for (const Printed& each : exercise(id).about().printed())
     if (each.quantity == quantity && each.text == text) return each;
   throw std::logic_error("nothing like it is printed");
 }
@@ -36,7 +36,7 @@ TEST_CASE("every printed number has its verdict, and a mistake gives its digits"
         if (verdict.verdict != Verdict::disagrees) continue;
         ++(verdict.explanation ? explained : unexplained);
       }
-    CHECK(count == result.about.printed.size());
+    CHECK(count == result.about.printed().size());
   }
   CHECK(explained >= 11);
   CHECK(unexplained == 0);

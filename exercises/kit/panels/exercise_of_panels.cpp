@@ -34,7 +34,7 @@ class ExerciseOfPanels : public Exercise {
   ExerciseOfPanels(Description about, Solve solve, std::vector<SheetMaker> sheets, FindFlaws flaws)
       : about_(std::move(about)), solve_(std::move(solve)), sheets_(std::move(sheets)), flaws_(std::move(flaws)) {
     for (const SheetMaker& sheet : sheets_) about_.sheets.push_back(sheet.spec);
-    const Solution stated(Givens(about_.givens), solve_(Givens(about_.givens), Rung::fast));
+    const Solution stated(Givens(about_.givens), solve_(Givens(about_.givens), Rung::names));
     for (const RouteValue& value : stated.values())
       if (value.described) about_.quantities.push_back(*value.described);
   }

@@ -1,4 +1,4 @@
-// Which quantities are asked of an exercise.
+// Which quantities are asked of an exercise, and by how many routes.
 #pragma once
 
 #include <algorithm>
@@ -28,5 +28,26 @@ class Asked {
   inline static thread_local const std::vector<std::string>* names_ = nullptr;
   const std::vector<std::string>* outer_;
 };
+
+// While one lives, what its name says holds in this thread.
+template <class What>
+class Holding {
+ public:
+  explicit Holding(bool holds) : outer_(std::exchange(holds_, holds)) {}
+  ~Holding() { holds_ = outer_; }
+  Holding(const Holding&) = delete;
+  Holding& operator=(const Holding&) = delete;
+
+  static bool holds() { return holds_; }
+
+ private:
+  inline static thread_local bool holds_ = false;
+  bool outer_;
+};
+
+// A quantity is found by the first route that knows it; the others are not asked.
+using FirstRouteOnly = Holding<struct FirstRouteOnlyHolds>;
+// What would be found is written down, and nothing is found.
+using NamesOnly = Holding<struct NamesOnlyHolds>;
 
 }  // namespace epure

@@ -186,7 +186,7 @@ std::vector<KnownNumber> known_numbers(const CheckedExercise& checked, const Sol
 // What sheets repeat in words: what the source prints, with the mistake that explains it, and faults.
 std::vector<std::string> quoted(const CheckedExercise& checked) {
   std::vector<std::string> all;
-  for (const Printed& printed : checked.about.printed) {
+  for (const Printed& printed : checked.about.printed()) {
     all.push_back(printed.text);
     if (printed.explanation) all.push_back(printed.explanation->sentence.english);
   }
@@ -238,7 +238,7 @@ void compare_sheets(CheckedExercise& checked, const Exercise& exercise) {
 }
 
 void compare_printed(CheckedExercise& checked) {
-  for (const Printed& printed : checked.about.printed) {
+  for (const Printed& printed : checked.about.printed()) {
     demand_listed(checked, printed.quantity, {"printed by the source", "stampata dalla fonte"});
     CheckedQuantity* quantity = find(checked, printed.quantity);
     if (!quantity) continue;

@@ -14,9 +14,9 @@
 
 namespace epure {
 
-// How a number is to be computed: with the climb; on one rung to show what that rung is worth; or with the 256 bits
-// that drawings are made with.
-enum class Rung { fast, bounded, climb, drawing };
+// How a number is to be computed: with the climb; on one rung to show what that rung is worth; with the 256 bits that
+// drawings are made with; or not at all, where only the names of what would be found are asked for.
+enum class Rung { names, fast, bounded, climb, drawing };
 
 // One quantity by one route, with what its exercise says of it (nothing where that is listed apart, or of what only a
 // drawing needs).

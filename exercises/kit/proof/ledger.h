@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -188,13 +189,17 @@ class Ledger {
     return Asked::for_all() || Asked::for_quantity(case_ + quantity);
   }
   void write(LedgerEntry entry, const std::function<T()>& find) {
-    const bool is_wanted = geometry::climbing::Wanted::is(entries_.size());
+    if (FirstRouteOnly::holds() && known_.contains(entry.quantity)) return;
+    const bool is_wanted = !NamesOnly::holds() && geometry::climbing::Wanted::is(entries_.size());
     if (entry.described) {
       entry.described->name = entry.quantity;
       entry.described->meaning = entry.described->meaning + words_of_case_;
     }
     entries_.push_back(std::move(entry));
     readings_.push_back(is_wanted ? geometry::Reading<T>::from(find) : geometry::Reading<T>::undecided({}));
+    if (FirstRouteOnly::holds() &&
+        geometry::climbing::finding_of(readings_.back()).kind == geometry::climbing::Finding::Kind::value)
+      known_.insert(entries_.back().quantity);
   }
   template <class Find>
   void draws(const std::string& name, const Find& find, const std::optional<Quantity>& described = {}) {
@@ -211,6 +216,7 @@ class Ledger {
   std::optional<geometry::Vector<T>> x_axis_;
   std::string route_, case_;
   Words words_of_case_;
+  std::set<std::string> known_;  // with FirstRouteOnly
   std::vector<LedgerEntry> entries_, drawn_entries_;
   std::vector<geometry::Reading<T>> readings_, drawn_readings_;
 };
@@ -239,9 +245,14 @@ std::vector<geometry::Settled> settled_for_drawing(const Scene& scene) {
   }
 }
 
+// By how many routes a drawing wants a quantity: most show it once.
+enum class Drawn { by_first_route, by_every_route };
+
 // Runs `write<T>()`, which returns a Ledger<T> with the same keys for every T, up the numbers as `rung` says.
 template <class Write>
-std::vector<RouteValue> settle(const Write& write, Rung rung) {
+std::vector<RouteValue> settle(const Write& write, Rung rung, Drawn drawn = Drawn::by_first_route) {
+  const FirstRouteOnly once(rung == Rung::drawing && drawn == Drawn::by_first_route);
+  const NamesOnly nothing(rung == Rung::names);
   std::vector<LedgerEntry> entries;
   const auto scene = [&]<class T>() {
     const Ledger<T> ledger = write.template operator()<T>();
@@ -260,7 +271,8 @@ std::vector<RouteValue> settle(const Write& write, Rung rung) {
         return false;
     return true;
   };
-  const std::vector<geometry::Settled> settled = rung == Rung::fast      ? geometry::only_fast(scene)
+  const std::vector<geometry::Settled> settled = rung == Rung::names || rung == Rung::fast
+                                                     ? geometry::only_fast(scene)
                                                  : rung == Rung::bounded ? geometry::only_bounded(scene)
                                                  : rung == Rung::drawing ? settled_for_drawing(scene)
                                                                          : geometry::climb(scene, is_open);

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "exercises/kit/statement/format_words.h"
@@ -32,6 +36,31 @@ struct Printed {
   std::optional<Explanation> explanation = {};
 };
 
+// The numbers that a source printed, found once, when they are first looked at: those of a long table take longer
+// than a sheet to draw. Copies share them.
+class PrintedNumbers {
+ public:
+  PrintedNumbers() : PrintedNumbers([] { return std::vector<Printed>{}; }) {}
+  template <class Find>
+  requires std::is_invocable_r_v<std::vector<Printed>, Find> PrintedNumbers(Find find)
+      : found_(std::make_shared<Found>()) {  // NOLINT(google-explicit-constructor)
+    found_->find = std::move(find);
+  }
+
+  const std::vector<Printed>& operator()() const {
+    std::call_once(found_->once, [&] { found_->numbers = found_->find(); });
+    return found_->numbers;
+  }
+
+ private:
+  struct Found {
+    std::function<std::vector<Printed>()> find;
+    std::once_flag once;
+    std::vector<Printed> numbers;
+  };
+  std::shared_ptr<Found> found_;
+};
+
 struct Description {
   std::string id;  // "slider-crank-velocity"
   Words title;
@@ -41,7 +70,7 @@ struct Description {
   std::vector<GivenSpec> givens;
   std::vector<SheetSpec> sheets = {};
   std::vector<Quantity> quantities = {};
-  std::vector<Printed> printed = {};
+  PrintedNumbers printed = {};
   // Of tables that the source printed; none: it printed none.
   std::function<std::vector<TableAudit>()> audit = {};
 };
