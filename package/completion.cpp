@@ -40,6 +40,7 @@ const std::vector<OfFewWords> options_of_few_words{
     {{"class"}, "--format", {"pdf", "moodle"}},
     {{"mark"}, "--format", {"text", "csv"}},
     {{"sweep"}, "--format", {"csv", "json"}},
+    {{"draw", "class", "mark", "sweep"}, "--csv", {"plain", "excel"}},
     {{"check"}, "--arithmetic", {"fast", "bounded", "exact"}}};
 
 std::string values_of_options() {

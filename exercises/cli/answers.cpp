@@ -1,137 +1,24 @@
 #include "exercises/cli/answers.h"
 
 #include <algorithm>
-#include <map>
 #include <string_view>
 
+#include "exercises/cli/answer_columns.h"
 #include "exercises/cli/harmless_cell.h"
+#include "exercises/cli/key_rows.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/student_columns.h"
-#include "exercises/cli/symbol.h"
 #include "exercises/kit/statement/suggest.h"
 #include "geometry/numbers/given.h"
 
 namespace epure {
 namespace {
 
-bool has_no_unit(const std::string& text) {
-  const char last = text.empty() ? '0' : text.back();
-  return (last >= '0' && last <= '9') || last == '.' || last == ',';
-}
-
 std::string trimmed(std::string_view text) {
   while (text.starts_with(' ')) text.remove_prefix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);
   return std::string(text);
 }
-
-// "v_B [cm/s]", taken apart.
-struct HeadedBy {
-  std::string name, unit;
-};
-HeadedBy heading_of(const std::string& column) {
-  const auto open = column.find('[');
-  if (open == std::string::npos || !column.ends_with(']')) return {column, {}};
-  return {trimmed(column.substr(0, open)), trimmed(column.substr(open + 1, column.size() - open - 2))};
-}
-
-// A given or a quantity that has a column.
-struct AskedColumn {
-  std::size_t column;
-  std::string name, unit;  // as the column has it; empty: the own one
-
-  // The cell with the unit of its column, when it has none itself.
-  std::string text(const CsvRow& row) const {
-    const std::string& cell = row.cells[column];
-    return cell.empty() || unit.empty() || !has_no_unit(cell) ? cell : cell + " " + unit;
-  }
-};
-
-enum class Role { key, answers };
-
-// What the columns of a table stand for.
-class Columns {
- public:
-  Columns(const Exercise& exercise, const CsvTable& table, Role role)
-      : about_(exercise.about()), table_(table), role_(role), given_names_(given_names(exercise)) {
-    for (const Quantity& each : about_.quantities)
-      quantity_names_.push_back({each.name, unicode_symbol(each.symbol)});
-    numbers = column_of_numbers(table);
-    names = column_of_names(table);
-    table.column("date");
-    for (std::size_t i = 0; i < table.header.size(); ++i) add(i);
-  }
-
-  std::optional<std::size_t> numbers, names;
-  std::vector<std::size_t> scales;
-  std::vector<AskedColumn> givens, quantities;
-
- private:
-  static bool stands_in(const std::vector<AskedColumn>& all, const std::string& name) {
-    return std::any_of(all.begin(), all.end(), [&](const AskedColumn& each) { return each.name == name; });
-  }
-  const Quantity* quantity(const std::string& name) const {
-    const auto found = std::find_if(about_.quantities.begin(), about_.quantities.end(),
-                                    [&](const Quantity& each) { return each.name == name; });
-    return found == about_.quantities.end() ? nullptr : &*found;
-  }
-  const GivenSpec* given(const std::string& name) const {
-    const std::size_t i = index_of(about_.givens, ascii_name(name, given_names_));
-    return i == about_.givens.size() ? nullptr : &about_.givens[i];
-  }
-
-  // Of a name that a given and a quantity have. A key's givens have their units in the cells, not in the heading.
-  bool means_given(const HeadedBy& heading, const GivenSpec& spec, std::size_t column) const {
-    if (stands_in(givens, spec.symbol)) return false;
-    if (role_ == Role::key) return quantities.empty() && heading.unit.empty();
-    return std::any_of(table_.header.begin() + static_cast<std::ptrdiff_t>(column) + 1, table_.header.end(),
-                       [&](const std::string& later) { return heading_of(later).name == heading.name; });
-  }
-
-  void add(std::size_t column) {
-    const std::string& typed = table_.header[column];
-    if (heads_numbers(typed) || heads_names(typed) || typed == "date") return;
-    if (role_ == Role::answers && (typed == "scale" || typed.starts_with("scale_"))) {
-      scales.push_back(column);
-      return;
-    }
-    const HeadedBy heading = heading_of(typed);
-    const GivenSpec* as_given = given(heading.name);
-    const Quantity* as_quantity = quantity(ascii_name(heading.name, quantity_names_));
-    if (as_given && as_quantity && !means_given(heading, *as_given, column)) as_given = nullptr;
-    if (!as_given && !as_quantity) refuse(typed, heading.name);
-    const std::string& found = as_given ? as_given->symbol : as_quantity->name;
-    if (stands_in(as_given ? givens : quantities, found))
-      throw BadTable(
-          format_words("{}: there are two columns for {}", "{}: ci sono due colonne per {}", table_.file, found));
-    demand_unit(typed, heading.unit, as_given ? as_given->unit : as_quantity->unit);
-    (as_given ? givens : quantities).push_back({column, found, heading.unit});
-  }
-
-  void demand_unit(const std::string& column, const std::string& unit, const std::string& own) const {
-    if (unit.empty() || unit == own) return;
-    try {
-      read_measured("1 " + unit, own);
-    } catch (const geometry::BadGiven& wrong) {
-      throw BadTable(
-          format_words("{}, column \"{}\": {}", "{}, colonna \"{}\": {}", table_.file, column, wrong.words()));
-    }
-  }
-
-  [[noreturn]] void refuse(const std::string& typed, const std::string& name) const {
-    std::vector<std::string> known = {"number", "name", "scale"};
-    for (const Quantity& each : about_.quantities) known.push_back(each.name);
-    for (const GivenSpec& each : about_.givens) known.push_back(each.symbol);
-    throw BadTable(format_words("{}: column \"{}\" is no quantity and no given of {}; {}",
-                                "{}: la colonna \"{}\" non è una grandezza né un dato di {}; {}", table_.file, typed,
-                                about_.id, did_you_mean(name, known)));
-  }
-
-  const Description& about_;
-  const CsvTable& table_;
-  Role role_;
-  std::vector<NameAndLetters> given_names_, quantity_names_;
-};
 
 // The givens of a row; a remark, and none, when they cannot be.
 void set_row(Student& student, const std::vector<AskedColumn>& columns, const CsvRow& row, const Givens& otherwise) {
@@ -164,42 +51,120 @@ void read_scales(Student& student, const std::vector<std::size_t>& columns, cons
   }
 }
 
-// Rows by the student's number.
+// Not found in the key; with what stands there, has no answers, and is written nearly so.
+Words not_in_key(const std::string& number, const std::vector<std::string>& silent) {
+  const std::vector<std::string> near = near_names(number, silent);
+  return Words{"not marked: the key has no such number", "non valutato: la chiave non ha questo numero"} +
+         (near.empty() ? Words{}
+                       : format_words("; {} stands there, without answers", "; vi sta {}, senza risposte",
+                                      alternatives(near)));
+}
+
+// "4, 7, 9 and 12 more".
+Words some_of(const std::vector<std::string>& all) {
+  constexpr std::size_t most_named = 3;
+  std::string named;
+  for (std::size_t i = 0; i < std::min(all.size(), most_named); ++i) named += (i == 0 ? "" : ", ") + all[i];
+  if (all.size() <= most_named) return {named, named};
+  return format_words("{} and {} more", "{} e altri {}", named, all.size() - most_named);
+}
+
+// What a key says of each student's givens.
 class Key {
  public:
-  Key(const Exercise& exercise, const CsvTable& table) : columns_(exercise, table, Role::key) {
-    const std::size_t number = needed_column_of_numbers(table);
-    table.demand_distinct(number);
-    for (const CsvRow& row : table.rows) rows_.emplace(text_of_cell(row.cells[number]), &row);
+  Key(const Exercise& exercise, const CsvTable& table, const CsvTable& answers,
+      const std::vector<std::string>& answered)
+      : columns_(exercise, table, TableRole::key), rows_(table, answered), table_(table), answers_(answers) {
+    const std::size_t known = columns_.givens.size() + columns_.quantities.size();
+    if (columns_.left_out.size() > known)
+      throw BadTable(
+          format_words("{} is no key of {}: {} of its columns are no given and no quantity of it, such as "
+                       "\"{}\"",
+                       "{} non è una chiave di {}: {} delle sue colonne non ne sono dati né grandezze, come "
+                       "\"{}\"",
+                       table.file, exercise.about().id, columns_.left_out.size(), columns_.left_out.front()));
+    if (known == 0)
+      throw BadTable(format_words("{} is no key: no column is a given or a quantity of {}",
+                                  "{} non è una chiave: nessuna colonna è un dato o una grandezza di {}", table.file,
+                                  exercise.about().id));
   }
 
   void state(Student& student, const Givens& otherwise) {
-    const auto found = rows_.find(student.number);
-    if (found == rows_.end()) {
-      student.remarks.push_back(
-          {"not marked: the key has no such number", "non valutato: la chiave non ha questo numero"});
+    const CsvRow* const row = rows_.row_of(student.number);
+    if (!row) {
+      student.remarks.push_back(not_in_key(student.number, rows_.silent()));
+      missing_.push_back(student.number);
       return;
     }
-    const CsvRow& row = *found->second;
-    answered_.push_back(student.number);
-    set_row(student, columns_.givens, row, otherwise);
+    ++found_;
+    if (const std::string number = rows_.number_of(student.number); number != student.number)
+      without_zeros_.push_back(student.number);
+    set_row(student, columns_.givens, *row, otherwise);
     for (const AskedColumn& each : columns_.quantities)
-      if (const std::string text = each.text(row); !text.empty()) student.key.push_back({each.name, text, row.line});
+      if (const std::string text = each.text(*row); !text.empty())
+        student.key.push_back({each.name, text, row->line});
   }
 
-  std::vector<std::string> silent() {
-    std::sort(answered_.begin(), answered_.end());
-    std::vector<std::string> numbers;
-    for (const auto& [number, row] : rows_)
-      if (!std::binary_search(answered_.begin(), answered_.end(), number)) numbers.push_back(number);
-    return numbers;
+  const std::vector<std::string>& silent() const { return rows_.silent(); }
+  const std::vector<std::string>& left_out() const { return columns_.left_out; }
+
+  // Throws BadTable when it has none of the numbers.
+  std::vector<Words> remarks() const {
+    if (found_ == 0)
+      throw BadTable(
+          format_words("none of the {} numbers in {}, such as {}, stands in {}: is it the key of another "
+                       "class?",
+                       "dei {} numeri di {}, come {}, nessuno sta in {}: è la chiave di un'altra classe?",
+                       missing_.size(), answers_.file, missing_.front(), table_.file));
+    std::vector<Words> all;
+    if (!without_zeros_.empty())
+      all.push_back(format_words("{}: numbers found in {} with zeros before them, which a spreadsheet takes away: {}",
+                                 "{}: numeri trovati in {} con zeri davanti, che un foglio di calcolo toglie: {}",
+                                 answers_.file, table_.file, some_of(without_zeros_)));
+    if (!missing_.empty())
+      all.push_back(
+          format_words("{}: not in {}: {} ({} of {} students)", "{}: non in {}: {} ({} di {} studenti)",
+                       answers_.file, table_.file, some_of(missing_), missing_.size(), missing_.size() + found_) +
+          (missing_.size() > found_ ? Words{"; is it the key of another class?", "; è la chiave di un'altra classe?"}
+                                    : Words{}));
+    return all;
   }
 
  private:
-  Columns columns_;
-  std::map<std::string, const CsvRow*> rows_;
-  std::vector<std::string> answered_;
+  AnswerColumns columns_;
+  KeyRows rows_;
+  const CsvTable &table_, &answers_;
+  std::size_t found_ = 0;
+  std::vector<std::string> missing_, without_zeros_;
 };
+
+// Whether the answers' own givens are others than those that count.
+bool states_other_givens(const Student& student, const std::vector<AskedColumn>& columns, const CsvRow& row) {
+  if (!student.givens) return false;
+  try {
+    Givens stated = *student.givens;
+    for (const AskedColumn& each : columns)
+      if (const std::string text = each.text(row); !text.empty()) stated.set(each.name + "=" + text);
+    return std::any_of(columns.begin(), columns.end(), [&](const AskedColumn& each) {
+      const auto own = stated.reading(each.name), counting = student.givens->reading(each.name);
+      return own && counting && (own->number != counting->number || own->unit.symbol != counting->unit.symbol);
+    });
+  } catch (const BadGivens&) {
+    return true;
+  }
+}
+
+Words left_out(const std::vector<std::string>& columns, const std::string& file, const std::string& exercise) {
+  std::string names;
+  for (std::size_t i = 0; i < columns.size(); ++i) names += (i == 0 ? "\"" : ", \"") + columns[i] + "\"";
+  return columns.size() == 1
+             ? format_words("{}: the column {} is no quantity and no given of {} and is left out",
+                            "{}: la colonna {} non è una grandezza né un dato di {} ed è tralasciata", file, names,
+                            exercise)
+             : format_words("{}: the columns {} are no quantities and no givens of {} and are left out",
+                            "{}: le colonne {} non sono grandezze né dati di {} e sono tralasciate", file, names,
+                            exercise);
+}
 
 // "2 m/s", in SI units.
 PaperScale worth_of_a_millimetre(const std::string& worth, const std::string& paper) {
@@ -234,7 +199,8 @@ PaperScale read_paper_scale(const std::string& text) {
 
 Answers read_answers(const Exercise& exercise, const CsvTable& answers, const CsvTable* key,
                      const Givens& otherwise) {
-  const Columns columns(exercise, answers, Role::answers);
+  const AnswerColumns columns(exercise, answers, TableRole::answers);
+  const NameColumns names(answers);
   if (columns.quantities.empty())
     throw BadTable(format_words("{}: no column is a quantity of {} (epure list {} shows them)",
                                 "{}: nessuna colonna è una grandezza di {} (epure list {} le mostra)", answers.file,
@@ -243,25 +209,40 @@ Answers read_answers(const Exercise& exercise, const CsvTable& answers, const Cs
     throw BadTable(format_words("{}: a header and no row: nobody answered",
                                 "{}: un'intestazione e nessuna riga: nessuno ha risposto", answers.file));
   if (key || answers.rows.size() > 1) answers.demand_distinct(needed_column_of_numbers(answers));
-  std::optional<Key> rows_of_key;
-  if (key) rows_of_key.emplace(exercise, *key);
 
   Answers all;
   for (const AskedColumn& each : columns.quantities)
     all.asked.push_back(*std::find_if(exercise.about().quantities.begin(), exercise.about().quantities.end(),
                                       [&](const Quantity& spec) { return spec.name == each.name; }));
-  for (const CsvRow& row : answers.rows) {
-    Student student{.number = columns.numbers ? text_of_cell(row.cells[*columns.numbers]) : "",
-                    .name = columns.names ? text_of_cell(row.cells[*columns.names]) : ""};
-    if (rows_of_key)
+  std::vector<std::string> numbers;
+  for (const CsvRow& row : answers.rows)
+    numbers.push_back(columns.numbers ? text_of_cell(row.cells[*columns.numbers]) : "");
+  std::optional<Key> rows_of_key;
+  if (key) rows_of_key.emplace(exercise, *key, answers, numbers);
+  std::vector<std::string> of_other_givens;
+  for (std::size_t i = 0; i < answers.rows.size(); ++i) {
+    const CsvRow& row = answers.rows[i];
+    Student student{.number = numbers[i], .name = names.name_in(row)};
+    if (rows_of_key) {
       rows_of_key->state(student, otherwise);
-    else
+      if (states_other_givens(student, columns.givens, row)) of_other_givens.push_back(student.number);
+    } else {
       set_row(student, columns.givens, row, otherwise);
+    }
     read_scales(student, columns.scales, row);
     for (const AskedColumn& each : columns.quantities) student.answers.push_back(each.text(row));
     all.students.push_back(std::move(student));
   }
-  if (rows_of_key) all.silent = rows_of_key->silent();
+  if (!columns.left_out.empty()) all.remarks.push_back(left_out(columns.left_out, answers.file, exercise.about().id));
+  if (!rows_of_key) return all;
+  if (!rows_of_key->left_out().empty())
+    all.remarks.push_back(left_out(rows_of_key->left_out(), key->file, exercise.about().id));
+  for (Words& each : rows_of_key->remarks()) all.remarks.push_back(std::move(each));
+  if (!of_other_givens.empty())
+    all.remarks.push_back(format_words("{} states other givens than {}, which count: {}",
+                                       "{} dà altri dati di {}, che valgono: {}", answers.file, key->file,
+                                       some_of(of_other_givens)));
+  all.silent = rows_of_key->silent();
   return all;
 }
 

@@ -29,6 +29,7 @@ struct Answers {
   std::vector<Quantity> asked;  // what there are columns for
   std::vector<Student> students;
   std::vector<std::string> silent = {};  // numbers that the key has and the answers have not
+  std::vector<Words> remarks = {};       // on the tables as wholes
 };
 
 // "1:5"; "1 cm = 2 m/s" (or with ≙); "2 m/s per cm" (Italian "al cm"). Throws geometry::BadGiven and WrongUsage.
@@ -38,11 +39,11 @@ PaperScale read_paper_scale(const std::string& text);
 // quantity's own ("v_B [cm/s]"), and as it likes: number, name, date, scale and scale_... (of lengths, velocities ...
 // on the student's own paper), and givens. `key` has number, and as it likes name, date, givens (under their symbols)
 // and quantities, whose values are kept to be compared. With a key the givens are the key's. What neither of them
-// states is as in `otherwise`. A name that both a given and a quantity have is in a key the given, unless a quantity
-// stands to its left; in answers the quantity, unless it stands there twice: then the first is the given.
+// states is as in `otherwise`. Which column is what: answer_columns.h; whose row of the key it is: key_rows.h.
 //
-// A given or a scale that cannot be read is a remark of the student. Throws BadTable for columns that are none of
-// these or stand there twice, a number that is missing or there twice, and answers without any quantity.
+// A given or a scale that cannot be read is a remark of the student; a column that is none of these, one on the
+// table. Throws BadTable for columns that stand there twice or are nearly one of these, a number that is missing or
+// there twice, answers without any quantity, and a key that has none of the students or is none of this exercise.
 Answers read_answers(const Exercise& exercise, const CsvTable& answers, const CsvTable* key, const Givens& otherwise);
 
 }  // namespace epure

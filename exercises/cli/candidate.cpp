@@ -54,13 +54,12 @@ void demand_files_apart(const CsvTable& table, const std::vector<Candidate>& stu
 
 std::vector<Candidate> students_in(const CsvTable& table, bool needs_number) {
   const auto number = needs_number ? needed_column_of_numbers(table) : column_of_numbers(table);
-  const auto name = column_of_names(table);
+  const NameColumns names(table);
   if (number) table.demand_distinct(*number);
   std::vector<Candidate> students;
   for (const CsvRow& row : table.rows) {
-    Candidate each{number ? text_of_cell(row.cells[*number]) : std::to_string(students.size() + 1),
-                   name ? text_of_cell(row.cells[*name]) : "",
-                   {}};
+    Candidate each{
+        number ? text_of_cell(row.cells[*number]) : std::to_string(students.size() + 1), names.name_in(row), {}};
     demand_line(table, row, each.number);
     demand_line(table, row, each.name);
     each.file = fit_for_file(each.number);

@@ -15,15 +15,14 @@ struct Candidate {
   std::vector<std::string> assignments = {};  // givens of his own, as --set takes them
 };
 
-// A row each, out of the columns "number" (also "matricola", "id") and "name" ("nome", "student", "studente"); the
-// number may be missing where `needs_number` is false: then they are counted. Throws BadTable: a column is missing, a
+// A row each, out of the columns of numbers and names (student_columns.h). Throws BadTable: a column is missing, a
 // number is missing, is there twice, or looks like another's in the name of a file; a name or number that is no line
 // of at most 80 printable characters. Other columns are left alone.
 std::vector<Candidate> candidates_of(const CsvTable& roster);
 
-// The same of a table of variants: each column but these two is headed by a given (its symbol, letters or another
-// name), whose cells are its values. An empty cell leaves the given as it is. Throws as above, and for a column that
-// is no given of the exercise, or the second of one.
+// The same of a table of variants, which may have no numbers: then they are counted. Each other column is headed by a
+// given (its symbol, letters or another name), whose cells are its values. An empty cell leaves the given as it is.
+// Throws as above, and for a column that is no given of the exercise, or the second of one.
 std::vector<Candidate> variants_of(const CsvTable& table, const Exercise& exercise);
 
 // Students without names, numbered from 1.

@@ -1,8 +1,11 @@
 // A class set: for each student a sheet to be solved and its solution, and a key of all.
 #include <algorithm>
+#include <array>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <set>
 
 #include "drawings/output.h"
 #include "drawings/text/text.h"
@@ -10,6 +13,7 @@
 #include "exercises/cli/class_journal.h"
 #include "exercises/cli/harmless_cell.h"
 #include "exercises/cli/moodle.h"
+#include "exercises/cli/moved_by_speed.h"
 #include "exercises/cli/must_be_told.h"
 #include "exercises/cli/pages.h"
 #include "exercises/cli/progress.h"
@@ -17,7 +21,7 @@
 #include "exercises/cli/variant.h"
 #include "exercises/cli/variations.h"
 #include "exercises/cli/verbs.h"
-#include "exercises/kit/statement/csv_field.h"
+#include "exercises/kit/panels/problem_sheet.h"
 #include "exercises/kit/statement/suggest.h"
 
 namespace epure {
@@ -52,6 +56,32 @@ std::vector<std::string> values_of_givens(const Options& options, const std::vec
   return all;
 }
 
+// What the key has no value for, and why; and what is beyond the paper.
+Words key_remarks(const Variant& variant) {
+  std::vector<std::pair<Words, std::string>> reasons;
+  const auto add = [&](const Words& reason, const std::string& quantity) {
+    const auto known = std::find_if(reasons.begin(), reasons.end(),
+                                    [&](const auto& each) { return each.first.english == reason.english; });
+    if (known == reasons.end())
+      reasons.emplace_back(reason, quantity);
+    else
+      known->second += ", " + quantity;
+  };
+  for (const RouteValue& value : variant.solution.values())
+    if (variant.solution.is_reported(value.quantity) && !variant.solution.value(value.quantity))
+      add({drawings::plain(value.settled.reason.english), drawings::plain(value.settled.reason.italian)},
+          value.quantity);
+  std::set<std::string> seen;
+  for (const DrawnSheet& sheet : variant.solved)
+    for (const Awkwardness& each : sheet.awkward)
+      if (const auto name = quantity_not_asked(each);
+          name && variant.solution.value(*name) && seen.insert(*name).second)
+        add({"off the sheet, not asked", "fuori del foglio, non richiesto"}, *name);
+  Words all;
+  for (const auto& [reason, quantities] : reasons) all = all + (all.empty() ? "" : "; ") + quantities + ": " + reason;
+  return all;
+}
+
 SheetRequest class_request(const Options& options) {
   SheetRequest request = sheet_request(options);
   request.for_class = true;
@@ -79,7 +109,8 @@ class ClassSet {
                   read_variations(exercise_, "--vary", options.variations, values_of_givens(options, students_)),
               .seed = options.class_set.seed,
               .request = class_request(options)},
-        reading_mm_(CGAL::to_double(ruler_asked({&exercise_}, options).reading_mm)),
+        ruler_(ruler_asked({&exercise_}, options)),
+        style_(csv_style(options)),
         is_moodle_(wants_moodle(options)),
         folder_(fs::path(options.folder.value_or("out")) / (target.file_stem() + "-class")) {
     const auto vary = [&](const std::string& symbol) {
@@ -113,7 +144,7 @@ class ClassSet {
     if (is_moodle_) files.push_back({folder_ / "questions.xml", questions(entries)});
     drawings::write_whole(files);
     journal.remove();
-    return {report(entries)};
+    return {report(entries), Exit::success, remarks()};
   }
 
  private:
@@ -134,7 +165,8 @@ class ClassSet {
                        {"author", options_.titles.author},
                        {"title", options_.titles.title},
                        {"number", options_.titles.sheet_number},
-                       {"moodle", is_moodle_}};
+                       {"moodle", is_moodle_},
+                       {"csv", style_.is_for_spreadsheet}};
     return all.dump();
   }
 
@@ -147,13 +179,17 @@ class ClassSet {
 
   ClassEntry draw_set(const Candidate& student, const std::vector<std::string>& awkward_anyway) const {
     Variant variant = draw_variant(lots_, student, awkward_anyway);
-    ClassEntry entry{.givens = variant.assignments, .values = {}, .question = "", .rejected = variant.rejected};
+    ClassEntry entry{.givens = variant.assignments,
+                     .values = {},
+                     .remarks = key_remarks(variant).in(style_.language(lots_.request.language)),
+                     .question = "",
+                     .rejected = variant.rejected};
     for (const Quantity& quantity : exercise_.about().quantities) {
       const auto value = variant.solution.value(quantity.name);
-      entry.values.push_back(value ? csv_field(*value) : "");
+      entry.values.push_back(value ? style_.number(*value) : "");
     }
     if (is_moodle_) {
-      entry.question = moodle_question(exercise_, student, variant, lots_, reading_mm_);
+      entry.question = moodle_question(exercise_, variant, lots_, ruler_);
       return entry;
     }
     SheetRequest request = lots_.request;
@@ -194,15 +230,20 @@ class ClassSet {
   }
 
   std::string key(const std::vector<ClassEntry>& entries) const {
-    std::string text = "number,name";
-    for (const std::string& symbol : varied_) text += "," + csv_field(symbol);
-    for (const Quantity& quantity : exercise_.about().quantities) text += "," + csv_field(heading(quantity));
-    text += "\r\n";
+    const Language language = style_.language(lots_.request.language);
+    const bool has_remarks =
+        std::any_of(entries.begin(), entries.end(), [](const ClassEntry& each) { return !each.remarks.empty(); });
+    std::vector<std::string> fields{Words{"number", "matricola"}.in(language), Words{"name", "nome"}.in(language)};
+    for (const std::string& symbol : varied_) fields.push_back(style_.field(symbol));
+    for (const Quantity& quantity : exercise_.about().quantities) fields.push_back(style_.field(heading(quantity)));
+    if (has_remarks) fields.push_back(Words{"remarks", "osservazioni"}.in(language));
+    std::string text = std::string(style_.begin()) + style_.record(fields);
     for (std::size_t i = 0; i < students_.size(); ++i) {
-      text += csv_field(harmless_cell(students_[i].number)) + "," + csv_field(harmless_cell(students_[i].name));
-      for (const std::string& cell : givens_in_order(entries[i])) text += "," + csv_field(cell);
-      for (const std::string& cell : entries[i].values) text += "," + cell;
-      text += "\r\n";
+      fields = {style_.field(harmless_cell(students_[i].number)), style_.field(harmless_cell(students_[i].name))};
+      for (const std::string& cell : givens_in_order(entries[i])) fields.push_back(style_.field(style_.typed(cell)));
+      fields.insert(fields.end(), entries[i].values.begin(), entries[i].values.end());
+      if (has_remarks) fields.push_back(style_.field(entries[i].remarks));
+      text += style_.record(fields);
     }
     return text;
   }
@@ -214,10 +255,16 @@ class ClassSet {
     return is_alone ? quantity.name : quantity.name + " [" + quantity.unit + "]";
   }
 
-  static std::string questions(const std::vector<ClassEntry>& entries) {
-    std::vector<std::string> all;
-    for (const ClassEntry& entry : entries) all.push_back(entry.question);
-    return moodle_quiz(all);
+  std::string questions(const std::vector<ClassEntry>& entries) const {
+    const std::string& own_title = lots_.request.titles.title;
+    std::vector<MoodleQuestion> all;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const std::string& number = students_[i].number;
+      const std::string named = number == std::to_string(i + 1) ? "" : " " + number;
+      all.push_back({exercise_.about().id + named, entries[i].question});
+    }
+    return moodle_quiz(
+        own_title.empty() ? drawings::plain(exercise_.about().title.in(lots_.request.language)) : own_title, all);
   }
 
   std::string report(const std::vector<ClassEntry>& entries) const {
@@ -226,19 +273,74 @@ class ClassSet {
     for (const ClassEntry& entry : entries)
       for (const auto& [why, count] : entry.rejected) rejected[why] += count;
     std::string text = (folder_ / "key.csv").string() + "\n";
+    if (is_moodle_) text += (folder_ / "questions.xml").string() + "\n";
     text += format_words("students: {}", "studenti: {}", students_.size()).in(language) + "\n";
     for (const auto& [why, count] : rejected)
       text += format_words("drawn again, {}: {}", "sorteggiate di nuovo, {}: {}", Words{why.first, why.second}, count)
                   .in(language) +
               "\n";
-    return text;
+    return text + equal_variants(entries).in(language);
   }
+
+  // A student's lots hang on the seed and on his number alone, so that nobody's change when the class does: two may
+  // be equal. Then it is told how many are.
+  Words equal_variants(const std::vector<ClassEntry>& entries) const {
+    if (lots_.variations.empty()) return {};
+    std::map<std::vector<std::string>, std::size_t> students;
+    for (const ClassEntry& each : entries) ++students[each.givens];
+    std::size_t equal = 0;
+    for (const auto& [givens, count] : students) equal += count > 1 ? count : 0;
+    if (equal == 0) return {};
+    double variants = 1;
+    for (const Variation& each : lots_.variations) variants *= static_cast<double>(each.size());
+    return format_words(
+        "students with the same givens as another: {} (of at most {:.6g} variants; more values in "
+        "--vary, fewer such)\n",
+        "studenti con gli stessi dati di un altro: {} (su {:.6g} varianti al massimo; con più valori in "
+        "--vary, meno)\n",
+        equal, variants);
+  }
+
+  std::vector<Words> remarks() const {
+    std::vector<Words> all = moved_by_speed(lots_.givens, varied_);
+    const std::vector<std::string> stale = files_of_others();
+    if (!stale.empty())
+      all.push_back(format_words(
+          "{} still holds {} of an earlier class, such as {}; delete what is not of this one, or choose another "
+          "--out",
+          "{} contiene ancora {} di una classe precedente, come {}; cancellare ciò che non è di questa, o scegliere "
+          "un'altra --out",
+          folder_.string(),
+          stale.size() == 1 ? Words{"a file", "un file"} : format_words("{} files", "{} file", stale.size()),
+          stale.front()));
+    return all;
+  }
+
+  // What is named as sheets of a class are, and this run has not written.
+  std::vector<std::string> files_of_others() const {
+    std::set<std::string> own;
+    for (const Candidate& each : students_)
+      for (const char* ending : endings) own.insert(each.file + ending);
+    std::vector<std::string> others;
+    std::error_code ignored;
+    for (const fs::directory_entry& each : fs::directory_iterator(folder_, ignored)) {
+      const std::string name = each.path().filename().string();
+      const bool is_sheet =
+          std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return name.ends_with(ending); });
+      if (is_moodle_ ? is_sheet : name == "questions.xml" || (is_sheet && !own.contains(name)))
+        others.push_back(name);
+    }
+    std::sort(others.begin(), others.end());
+    return others;
+  }
+  static constexpr std::array<const char*, 2> endings{"-blank.pdf", "-solution.pdf"};
 
   const Exercise& exercise_;
   const Options& options_;
   std::vector<Candidate> students_;
   Lots lots_;
-  double reading_mm_;
+  Ruler ruler_;
+  CsvStyle style_;
   bool is_moodle_;
   fs::path folder_;
   std::vector<std::string> varied_;

@@ -132,12 +132,20 @@ bool is_blank_row(const CsvRow& row) {
   return std::all_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return cell.empty(); });
 }
 
-void demand_names(const CsvTable& table, std::size_t line) {
-  for (std::size_t i = 0; i < table.header.size(); ++i)
-    if (table.header[i].empty())
+// A spreadsheet writes a column whose cells were only touched: without name and content it is left out.
+void demand_names(CsvTable& table, std::size_t line) {
+  for (std::size_t i = table.header.size(); i-- > 0;) {
+    if (!table.header[i].empty()) continue;
+    if (std::any_of(table.rows.begin(), table.rows.end(), [&](const CsvRow& row) { return !row.cells[i].empty(); }))
       refuse_line(
           table.file, line,
           format_words("column {} of the header has no name", "la colonna {} dell'intestazione non ha nome", i + 1));
+    const auto erase_cell = [i](std::vector<std::string>& cells) {
+      cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(i));
+    };
+    erase_cell(table.header);
+    for (CsvRow& row : table.rows) erase_cell(row.cells);
+  }
 }
 
 std::string bytes_of(const std::string& path) {
@@ -191,12 +199,13 @@ CsvTable read_csv(const std::string& bytes, const std::string& file) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   Records records(text, file);
   CsvTable table{file, {}, {}};
+  std::size_t line_of_header = 0;
   while (!records.is_at_end()) {
     CsvRow row = records.next();
     if (is_blank_row(row)) continue;
     if (table.header.empty()) {
       table.header = std::move(row.cells);
-      demand_names(table, row.line);
+      line_of_header = row.line;
       continue;
     }
     if (row.cells.size() != table.header.size())
@@ -210,6 +219,7 @@ CsvTable read_csv(const std::string& bytes, const std::string& file) {
   if (table.header.empty())
     throw BadTable(format_words("{} is empty; a table begins with the names of its columns",
                                 "{} è vuoto; una tabella comincia coi nomi delle colonne", file));
+  demand_names(table, line_of_header);
   return table;
 }
 

@@ -35,9 +35,10 @@ struct CsvTable {
 // By RFC 4180, and as spreadsheets write it: UTF-8 with or without a byte order mark, lines that end in LF, CR LF or
 // CR, fields divided by what divides those of the header (comma, semicolon or tabulator), quotes doubled inside of
 // quotes; also quotes in a field that does not begin with one, which stand for themselves. Blanks around a field
-// without quotes are left out, and so are lines of nothing. Throws BadTable for bytes that are no UTF-8, a NUL, a
-// quote that does not close or is followed by something, rows of more or fewer fields than the header, a column
-// without a name, more than 100,000 rows, a row of more than a million bytes, and no header at all.
+// without quotes are left out, and so are lines of nothing and columns without name and content. Throws BadTable for
+// bytes that are no UTF-8, a NUL, a quote that does not close or is followed by something, rows of more or fewer
+// fields than the header, a column without a name, more than 100,000 rows, a row of more than a million bytes, and no
+// header at all.
 CsvTable read_csv(const std::string& bytes, const std::string& file);
 
 // The same of a file; throws BadTable when it cannot be read, or holds more than 256 MB.

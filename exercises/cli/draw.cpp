@@ -123,7 +123,8 @@ class Drawing {
       }
     if (is_asked_for(Format::csv))
       for (const TableOf& table : tables())
-        add(folder / (stem(*table.sheet) + ".csv"), [table] { return csv(table.table); });
+        add(folder / (stem(*table.sheet) + ".csv"),
+            [table, style = csv_style(options_)] { return csv(table.table, style); });
     abreast(files.size(), [&](std::size_t i) { files[i].bytes = makers[i](); });
     return files;
   }
@@ -217,7 +218,7 @@ class Drawing {
                        "un file CSV contiene una tabella, e ne sono chieste {}; nominare una tavola, come "
                        "{}/{}",
                        all.size(), all.front().sheet->exercise->about().id, all.front().sheet->name));
-    return csv(all.front().table);
+    return csv(all.front().table, csv_style(options_));
   }
 
   // A target none of whose sheets is left has no files; when nothing is left at all, that is the answer.

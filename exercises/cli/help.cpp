@@ -94,8 +94,9 @@ Help help_of_sweep() {
        "when it is a whole number alone, and a step when it has a decimal point or a unit. A list is "
        "quoted, as a shell takes | for its own. Lines come in order while all processors find the next "
        "ones, in as much memory as a few of them take; a file appears whole or not at all. The parts one "
-       "after the other are the whole, to the byte. The numbers of CSV and JSON have decimal points, and "
-       "JSON is English, in every language.",
+       "after the other are the whole, to the byte. CSV and JSON have decimal points and are English in "
+       "every language, but for --csv excel. A chart's axis is the given of the first --over, and each value of the "
+       "others has a curve: so name the one with the many values first.",
        "Ogni riga ha i valori di --over, esatti, e ogni grandezza in unità SI: il double più vicino o "
        "quello accanto, e i limiti che la racchiudono. La trovano tutte le vie dell'esercizio; una basta a "
        "dimostrarla, e dove due non possono essere giuste insieme la riga lo dice (uscita 1). Ciò che non "
@@ -105,8 +106,9 @@ Help help_of_sweep() {
        "quando è un intero da solo, e un passo quando ha la virgola o un'unità. Un elenco va tra apici, "
        "perché la shell prende | per sé. Le righe escono in ordine mentre tutti i processori trovano le "
        "prossime, nella memoria che ne prendono poche; un file compare intero o non compare. Le parti una "
-       "dopo l'altra sono il tutto, byte per byte. I numeri di CSV e JSON hanno il punto decimale, e il "
-       "JSON è in inglese, in ogni lingua."},
+       "dopo l'altra sono il tutto, byte per byte. CSV e JSON hanno il punto decimale e sono in inglese "
+       "in ogni lingua, tranne con --csv excel. L'asse di un grafico è il dato del primo --over, e ogni valore degli "
+       "altri ha una curva: nominare dunque per primo quello che ha molti valori."},
       R"(
   epure sweep slider-crank-velocity --over phi=0deg..360deg/361 --quantity v_B
   epure sweep slider-crank-velocity --over r=0.18..0.22/0.01 \
@@ -115,6 +117,9 @@ Help help_of_sweep() {
     --over phi=0..360/1.0 --quantity omega_4 --format json
   epure sweep rivals-polygons --over phi=0..360/361 --quantity omega_3 \
     --chart omega_3.pdf -o omega_3.csv
+  epure sweep slider-crank-velocity --over phi=0..360/361 \
+    --over 'r=0.18|0.2|0.22' --quantity v_B \
+    --chart v_B.pdf --csv excel -o v_B.csv
 )"};
 }
 
@@ -125,21 +130,29 @@ Help help_of_class() {
       {"Files go to ID-class in the folder of --out: NUMBER-blank.pdf, NUMBER-solution.pdf and key.csv, which mark "
        "reads. Givens are drawn by lot, each student's by the seed and his number alone; what is impossible, or "
        "cannot be "
-       "drawn well (a vector below 10 mm, lines that meet at less than 15°, a step off the paper), is drawn again, "
-       "and "
-       "counted. A run that was stopped goes on where it stood. moodle writes questions.xml instead of the sheets, "
+       "drawn well (a vector below 10 mm, lines that meet at less than 15°, a step off the paper, a point at "
+       "infinity), "
+       "is drawn again, and counted; so are students with equal givens. What lies off the paper or at infinity is "
+       "not "
+       "asked. A run that was stopped goes on where it stood. moodle writes questions.xml instead of the sheets, "
        "cloze "
-       "questions with the figure inside.",
+       "questions with the figure inside. --csv excel writes a key that a spreadsheet with decimal commas opens; "
+       "mark "
+       "reads both.",
        "I file vanno in ID-class nella cartella di --out: NUMERO-blank.pdf, NUMERO-solution.pdf e key.csv, che mark "
        "legge. I dati sono sorteggiati, quelli di ogni studente secondo il seme e il suo numero soltanto; ciò che è "
        "impossibile o si disegna male (un vettore sotto i 10 mm, rette che si incontrano a meno di 15°, un passo "
-       "fuori "
-       "del foglio) è sorteggiato di nuovo, e contato. Un'esecuzione interrotta riprende da dov'era. moodle scrive "
-       "questions.xml al posto delle tavole, domande cloze con la figura dentro."},
+       "fuori del foglio, un punto all'infinito) è sorteggiato di nuovo, e contato; contati sono anche gli studenti "
+       "con "
+       "dati uguali. Ciò che sta fuori del foglio o all'infinito non si chiede. Un'esecuzione interrotta riprende da "
+       "dov'era. moodle scrive questions.xml al posto delle tavole, domande cloze con la figura dentro. --csv excel "
+       "scrive una chiave che un foglio di calcolo con virgole decimali apre; mark le legge entrambe."},
       R"(
-  epure class slider-crank-velocity --students roster.csv --vary r=0.18..0.22/0.01
+  epure class slider-crank-velocity --students roster.csv \
+    --vary r=0.18..0.22/0.01
   epure class four-bar/poles --count 30 --vary "phi=20|35|50|65" --seed june
-  epure class slider-crank-velocity/poles --count 40 --vary phi=20deg..160deg/29 --format moodle
+  epure class slider-crank-velocity/poles --count 40 \
+    --vary phi=20deg..70deg/26 --format moodle
 )"};
 }
 
@@ -155,14 +168,18 @@ Help help_of_mark() {
        "worth in the drawn quantities it comes from. More digits are never worth less; fewer are worth half a unit "
        "of "
        "the last one, when there are two. A number without a sign is a magnitude. An answer that is no number costs "
-       "that answer. Givens are those of --key, else of the answers, else of --set, else the stated ones. In CSV a "
+       "that answer, a column that is no quantity that column; one that nearly is a quantity is refused. Givens are "
+       "those "
+       "of --key, else of the answers, else of --set, else the stated ones. In CSV a "
        "name that begins with =, +, - or @ stands behind an apostrophe, so that no spreadsheet runs it.",
        "Le risposte sono un CSV come lo scrivono i fogli di calcolo (virgola, punto e virgola o tabulatore; virgola "
        "decimale; UTF-8). Una risposta è giusta quando è entro l'errore di lettura: --reading nella scala dello "
        "studente (colonna scale: 1:5; scale_velocity e così via: 1 cm = 2 m/s, o 2 m/s al cm), altrimenti in quella "
        "della tavola di epure; per ciò che è calcolato, quanto ciò vale nelle grandezze disegnate da cui viene. Più "
        "cifre non valgono mai meno; meno cifre valgono mezza unità dell'ultima, se sono due. Un numero senza segno è "
-       "un modulo. Una risposta che non è un numero costa quella risposta. I dati sono quelli di --key, altrimenti "
+       "un modulo. Una risposta che non è un numero costa quella risposta, una colonna che non è una grandezza "
+       "quella "
+       "colonna; una che quasi lo è viene rifiutata. I dati sono quelli di --key, altrimenti "
        "delle risposte, di --set o della fonte. Nel CSV un nome che comincia con =, +, - o @ sta dietro un "
        "apostrofo, "
        "perché nessun foglio di calcolo lo esegua."},
@@ -170,6 +187,8 @@ Help help_of_mark() {
   epure mark slider-crank-velocity --answers answers.csv
   epure mark four-bar --answers answers.csv --key key.csv -o marks.csv
   epure mark four-bar --answers answers.csv --scale 1:4 --points v_B=2
+  epure mark four-bar --answers risposte.csv --key key.csv \
+    --lang it --csv excel -o voti.csv
 )"};
 }
 

@@ -25,12 +25,15 @@ bool ends_in_csv(const Options& options) {
 }
 
 bool wants_csv(const Options& options) {
-  if (!options.format) return ends_in_csv(options);
-  const std::string format = lower_case(*options.format);
+  if (!options.format && !options.csv) return ends_in_csv(options);
+  const std::string format = lower_case(options.format.value_or("csv"));
   if (format == "csv") return true;
   if (format != "text")
     throw WrongUsage(format_words("\"{}\" is no format of marks; choose text or csv",
                                   "\"{}\" non è un formato di valutazioni; scegliere text o csv", *options.format));
+  if (options.csv)
+    throw WrongUsage("--csv says how CSV is written, and --format text is none; leave one of them out",
+                     "--csv dice come scrivere il CSV, e --format text non lo è; togliere uno dei due");
   if (ends_in_csv(options))
     throw WrongUsage(format_words("\"{}\" is not the ending of --format text",
                                   "\"{}\" non finisce come vuole --format text", *options.file));
@@ -79,14 +82,33 @@ std::map<std::string, Rational> points_asked(const Options& options, const std::
   return points;
 }
 
-// What is to be said beside the marks: a key that does not fit, once, and what is undecided, each.
-std::vector<Words> remarks_on(const Marking& marking) {
-  std::vector<Words> remarks;
-  if (!marking.other_key.empty()) {
-    const std::size_t more = marking.other_key.size() - 1;
-    remarks.push_back(marking.other_key.front() +
-                      (more == 0 ? Words{} : format_words(" ({} more like it)", " (altri {} simili)", more)));
-  }
+// The first of the key's values that are not true, and how many more there are.
+Words other_key(const Marking& marking) {
+  const std::size_t more = marking.other_key.size() - 1;
+  return marking.other_key.front() +
+         (more == 0 ? Words{} : format_words(" ({} more like it)", " (altri {} simili)", more));
+}
+
+// A key whose values are others than true for most of its students is none of these exercises, and marks by its
+// givens would be wrong; so would no marks at all be for marks.
+void demand_use_of_key(const Answers& answers, const Marking& marking) {
+  if (2 * marking.contradicted > marking.keyed) throw BadTable(other_key(marking));
+  const bool is_of_use = std::any_of(marking.students.begin(), marking.students.end(), [](const auto& student) {
+    return std::any_of(student.marks.begin(), student.marks.end(),
+                       [](const Mark& mark) { return mark.kind != Mark::not_marked || !mark.remark.empty(); });
+  });
+  if (is_of_use || !marking.undecided.empty()) return;
+  const auto told = std::find_if(answers.students.begin(), answers.students.end(),
+                                 [](const Student& each) { return !each.remarks.empty(); });
+  throw BadTable(format_words("nothing can be marked by this key; {}: {}",
+                              "con questa chiave non si può valutare nulla; {}: {}", told->number,
+                              told->remarks.front()));
+}
+
+// What is to be said beside the marks: of the tables, a key that does not fit, once, and what is undecided, each.
+std::vector<Words> remarks_on(const Answers& answers, const Marking& marking) {
+  std::vector<Words> remarks = answers.remarks;
+  if (!marking.other_key.empty()) remarks.push_back(other_key(marking));
   for (const Words& each : marking.undecided)
     remarks.push_back(format_words("cannot be decided: {}", "non si può decidere: {}", each));
   return remarks;
@@ -97,6 +119,7 @@ std::vector<Words> remarks_on(const Marking& marking) {
 Outcome mark(const Catalogue& exercises, const Options& options) {
   const Exercise& exercise = exercise_to_mark(exercises, options);
   const bool as_csv = wants_csv(options);
+  const CsvStyle style = csv_style(options);
   const Reader reader{language(options), options.colours && !options.file};
   const Givens givens = set_givens({&exercise}, options.assignments).front();
   MarkingRules rules{.ruler = ruler_asked({&exercise}, options),
@@ -111,12 +134,13 @@ Outcome mark(const Catalogue& exercises, const Options& options) {
   rules.points = points_asked(options, answers.asked);
 
   const Marking marking = mark_answers(exercise, answers, rules);
-  const std::string text =
-      as_csv ? mark_csv(answers, marking, rules, reader.language) : mark_report(exercise, answers, marking, reader);
+  if (key) demand_use_of_key(answers, marking);
+  const std::string text = as_csv ? mark_csv(answers, marking, rules, style, reader.language)
+                                  : mark_report(exercise, answers, marking, reader);
   const Exit exit = marking.undecided.empty() ? Exit::success : Exit::undecided;
-  if (!options.file || is_standard_output(options)) return {text, exit, remarks_on(marking)};
+  if (!options.file || is_standard_output(options)) return {text, exit, remarks_on(answers, marking)};
   drawings::write_whole(*options.file, text);
-  return {*options.file + "\n", exit, remarks_on(marking)};
+  return {*options.file + "\n", exit, remarks_on(answers, marking)};
 }
 
 }  // namespace epure

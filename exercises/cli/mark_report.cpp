@@ -10,7 +10,6 @@
 #include "exercises/cli/harmless_cell.h"
 #include "exercises/cli/printable.h"
 #include "exercises/cli/terminal_ink.h"
-#include "exercises/kit/statement/csv_field.h"
 
 namespace epure {
 namespace {
@@ -165,11 +164,10 @@ std::string totals_of_marks(const Answers& answers, const Marking& marking, Lang
   const auto students = static_cast<int>(answers.students.size());
   const double share = most == 0 ? 0 : nearest(sum / most * 100);
   const Words text = format_words(
-      "{} {}, {} points of {}, mean {} of {} ({} %); answers: {} right, {} slips, {} wrong, {} missing, {} not "
-      "marked",
-      "{} {}, {} punti su {}, media {} su {} ({} %); risposte: {} giuste, {} sviste, {} sbagliate, {} "
-      "mancanti, "
-      "{} non valutate",
+      "{} {}, {} points of {}, mean {} of {} ({} %); answers: right {}, slips {}, wrong {}, missing {}, not marked "
+      "{}",
+      "{} {}, {} punti su {}, media {} su {} ({} %); risposte: giuste {}, sviste {}, sbagliate {}, mancanti {}, non "
+      "valutate {}",
       students, students == 1 ? Words{"student", "studente"} : Words{"students", "studenti"}, points_in_words(sum),
       points_in_words(most), decimal(nearest(sum / students), 3), decimal(nearest(most / students), 3),
       decimal(fmt::format("{:.0f}", share)), counts[0], counts[1], counts[2], counts[3], counts[4]);
@@ -187,22 +185,21 @@ std::string mark_report(const Exercise& exercise, const Answers& answers, const 
          totals_of_marks(answers, marking, language);
 }
 
-std::string mark_csv(const Answers& answers, const Marking& marking, const MarkingRules& rules, Language language) {
-  std::string text;
-  const auto record = [&](const std::vector<std::string>& fields) {
-    for (std::size_t i = 0; i < fields.size(); ++i) text += (i == 0 ? "" : ",") + csv_field(fields[i]);
-    text += "\r\n";
-  };
-  std::vector<std::string> header = {"number", "name"};
+std::string mark_csv(const Answers& answers, const Marking& marking, const MarkingRules& rules, const CsvStyle& style,
+                     Language asked) {
+  const Language language = style.language(asked);
+  const auto words = [&](const Words& of) { return style.field(of.in(language)); };
+  std::vector<std::string> header = {words({"number", "matricola"}), words({"name", "nome"})};
   for (const Quantity& each : answers.asked) {
-    header.push_back(each.name + " points");
-    header.push_back(each.name + " verdict");
+    header.push_back(words(Words{each.name, each.name} + Words{" points", " punti"}));
+    header.push_back(words(Words{each.name, each.name} + Words{" verdict", " giudizio"}));
   }
-  header.insert(header.end(), {"total", "remarks"});
-  record(header);
+  header.insert(header.end(), {words({"total", "totale"}), words({"remarks", "osservazioni"})});
+  std::string text = std::string(style.begin()) + style.record(header);
   for (std::size_t i = 0; i < answers.students.size(); ++i) {
     const Student& student = answers.students[i];
-    std::vector<std::string> row = {harmless_cell(printable(student.number)), harmless_cell(printable(student.name))};
+    std::vector<std::string> row = {style.field(harmless_cell(printable(student.number))),
+                                    style.field(harmless_cell(printable(student.name)))};
     std::string remarks;
     const auto add_remark = [&](const std::string& remark) {
       remarks += (remarks.empty() ? "" : "; ") + printable(remark);
@@ -210,15 +207,14 @@ std::string mark_csv(const Answers& answers, const Marking& marking, const Marki
     for (const Words& each : student.remarks) add_remark(each.in(language));
     for (std::size_t k = 0; k < answers.asked.size(); ++k) {
       const Mark& mark = marking.students[i].marks[k];
-      row.push_back(mark.kind == Mark::not_marked
-                        ? ""
-                        : fmt::format("{}", nearest(points_given(mark, answers.asked[k].name, rules))));
-      row.push_back(sign_of(mark.kind).meaning.in(language));
+      const bool is_marked = mark.kind != Mark::not_marked;
+      row.push_back(is_marked ? style.number(nearest(points_given(mark, answers.asked[k].name, rules))) : "");
+      row.push_back(words(sign_of(mark.kind).meaning));
       if (!mark.remark.empty()) add_remark(answers.asked[k].name + ": " + mark.remark.in(language));
     }
-    row.push_back(fmt::format("{}", nearest(marking.students[i].points)));
-    row.push_back(remarks);
-    record(row);
+    row.push_back(style.number(nearest(marking.students[i].points)));
+    row.push_back(style.field(remarks));
+    text += style.record(row);
   }
   return text;
 }

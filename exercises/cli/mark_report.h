@@ -5,6 +5,7 @@
 
 #include "exercises/cli/check_report.h"
 #include "exercises/cli/marking.h"
+#include "exercises/kit/statement/csv_style.h"
 
 namespace epure {
 
@@ -12,9 +13,9 @@ namespace epure {
 std::string mark_report(const Exercise& exercise, const Answers& answers, const Marking& marking,
                         const Reader& reader);
 
-// By RFC 4180: number, name, for each quantity its points and its verdict, total, remarks. Numbers have a decimal
-// point in every language. A number or name that a spreadsheet would take for a formula, as it begins with = + - or
-// @, stands behind an apostrophe.
-std::string mark_csv(const Answers& answers, const Marking& marking, const MarkingRules& rules, Language language);
+// Number, name, for each quantity its points and its verdict, total, remarks. A number or name that a spreadsheet
+// would take for a formula, as it begins with = + - or @, stands behind an apostrophe.
+std::string mark_csv(const Answers& answers, const Marking& marking, const MarkingRules& rules, const CsvStyle& style,
+                     Language language);
 
 }  // namespace epure

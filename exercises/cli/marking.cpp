@@ -67,6 +67,20 @@ Rational most_points(const std::string& quantity, const MarkingRules& rules) {
   return found == rules.points.end() ? Rational(1) : found->second;
 }
 
+// "1.234" is read as 1.234; where 1234 would be right, that is told and not guessed.
+Words as_thousands(const std::string& answer, const Decimal& number, double value, const Allowance& allowed,
+                   const std::string& unit) {
+  const auto separator = answer.find_first_of(".,");
+  if (separator == std::string::npos || separator == 0) return {};
+  const auto digits = std::min(answer.find_first_not_of("0123456789", separator + 1), answer.size()) - separator - 1;
+  Decimal thousandfold = number;
+  thousandfold.value *= 1000;
+  thousandfold.half_unit *= 1000;
+  if (digits != 3 || !is_near(thousandfold, value, allowed.size, unit)) return {};
+  return format_words("; or is its \"{}\" a separator of thousands?", "; o il suo \"{}\" separa le migliaia?",
+                      answer.substr(separator, 1));
+}
+
 // Marks answers for one set of givens.
 class Marker {
  public:
@@ -118,7 +132,8 @@ class Marker {
       const Words found =
           format_words("{}{}, true {} ± {}", "{}{}, vero {} ± {}", decimal(nearest(number.value), 6),
                        after_number(spec.unit), decimal(value, 6), decimal(nearest(by_reading.size), 2));
-      if (const auto slip = slips_.explain(*quantity, number, allowances)) return {Mark::slip, found + ": " + *slip};
+      if (const auto slip = slips_.explain(*quantity, number, allowances))
+        return {Mark::slip, found + ": " + *slip + as_thousands(answer, number, value, by_reading, spec.unit)};
       return {Mark::wrong, found};
     } catch (const geometry::BadGiven& unreadable) {
       return {Mark::wrong, unreadable.words()};
@@ -166,6 +181,7 @@ struct MarkedGroup {
   std::vector<MarkedStudent> students;
   std::vector<Tolerance> tolerances;
   std::vector<Words> undecided, other_key;
+  std::size_t keyed = 0, contradicted = 0;
   std::optional<Words> refused;  // why the givens cannot be
 };
 
@@ -179,7 +195,10 @@ MarkedGroup mark_group(const Exercise& exercise, const Answers& answers, const G
     for (const std::size_t i : group.students) {
       const Student& student = answers.students[i];
       marked.students.push_back(marker.mark(student, answers.asked));
-      for (const Words& each : differences(student, checked)) marked.other_key.push_back(each);
+      const std::vector<Words> other = differences(student, checked);
+      marked.other_key.insert(marked.other_key.end(), other.begin(), other.end());
+      marked.keyed += student.key.empty() ? 0 : 1;
+      marked.contradicted += other.empty() ? 0 : 1;
       for (const Quantity& spec : answers.asked)
         if (const CheckedQuantity* quantity = find_checked(checked, spec.name);
             quantity && quantity->settled.kind == geometry::Settled::Kind::undecided)
@@ -229,6 +248,8 @@ Marking mark_answers(const Exercise& exercise, Answers& answers, const MarkingRu
     if (all.tolerances.empty()) all.tolerances = std::move(marked[g].tolerances);
     all.undecided.insert(all.undecided.end(), marked[g].undecided.begin(), marked[g].undecided.end());
     all.other_key.insert(all.other_key.end(), marked[g].other_key.begin(), marked[g].other_key.end());
+    all.keyed += marked[g].keyed;
+    all.contradicted += marked[g].contradicted;
   }
   return all;
 }

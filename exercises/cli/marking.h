@@ -44,10 +44,11 @@ struct Tolerance {
 };
 
 struct Marking {
-  std::vector<MarkedStudent> students;  // in the order of the answers
-  std::vector<Tolerance> tolerances;    // of the first student with givens
-  std::vector<Words> undecided = {};    // true values that could not be decided: of which student and quantity
-  std::vector<Words> other_key = {};    // where the key's value is not the true one
+  std::vector<MarkedStudent> students;      // in the order of the answers
+  std::vector<Tolerance> tolerances;        // of the first student with givens
+  std::vector<Words> undecided = {};        // true values that could not be decided: of which student and quantity
+  std::vector<Words> other_key = {};        // where the key's value is not the true one
+  std::size_t keyed = 0, contradicted = 0;  // students of whom the key states values; of these, others than true
 };
 
 // Each set of givens is solved once, proved, by as many threads as there are processors. Adds remarks to students

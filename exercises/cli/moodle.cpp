@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
+#include <array>
+#include <set>
+#include <string_view>
 
 #include "drawings/files/xml.h"
 #include "drawings/output.h"
 #include "drawings/text/text.h"
 #include "exercises/cli/symbol.h"
+#include "exercises/kit/panels/problem_sheet.h"
 #include "exercises/kit/panels/results.h"
 #include "exercises/kit/statement/given_number.h"
 
@@ -31,32 +33,62 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-// How far an answer may be off, by quantity: what half a millimetre or so is worth where the sheets show it.
-class Tolerances {
- public:
-  Tolerances(const Variant& variant, double reading) : variant_(variant) {
-    for (const DrawnSheet& sheet : variant.solved)
-      for (const Measurement& each : sheet.measurements) {
-        const double worth = reading * each.per_mm;
-        const auto [known, is_new] = shown_.try_emplace(each.quantity, worth);
-        known->second = is_new ? worth : std::min(known->second, worth);  // the finest scale
-      }
-    for (const auto& [quantity, worth] : shown_)
-      if (const auto value = variant_.solution.has(quantity) ? variant_.solution.value(quantity) : std::nullopt;
-          value && std::abs(*value) > worth)
-        coarsest_ = std::max(coarsest_, worth / std::abs(*value));
+// What an answer is held against: as mark has it, by all sheets of the exercise.
+CheckedExercise checked_by_sheets(const Exercise& exercise, const Variant& variant, const Lots& lots) {
+  std::vector<std::pair<std::string, std::vector<Measurement>>> sheets;
+  for (const SheetSpec& spec : exercise.about().sheets) {
+    const auto solved = std::find(lots.sheets.begin(), lots.sheets.end(), spec.name);
+    try {
+      sheets.emplace_back(spec.name,
+                          solved != lots.sheets.end()
+                              ? variant.solved[static_cast<std::size_t>(solved - lots.sheets.begin())].measurements
+                              : exercise.draw(spec.name, variant.solution, lots.request).measurements);
+    } catch (const Told&) {
+      // A sheet that cannot be drawn at these givens shows nothing.
+    }
   }
-  double of(const std::string& quantity, double value) const {
-    const auto shown = shown_.find(quantity);
-    return shown != shown_.end() ? shown->second : std::max(coarsest_, least_part) * std::abs(value);
+  CheckedExercise checked{exercise.about(), variant.solution.givens(), {}};
+  for (const RouteValue& value : variant.solution.values()) {
+    if (!variant.solution.is_reported(value.quantity)) continue;
+    CheckedQuantity quantity{variant.solution.described(value.quantity), value.settled, {}};
+    quantity.spec.name = value.quantity;
+    if (const auto known = variant.solution.value(value.quantity)) quantity.settled.enclosure.value = *known;
+    for (const auto& [sheet, measurements] : sheets)
+      for (const Measurement& each : measurements)
+        if (each.quantity == value.quantity) quantity.on_sheets.push_back(measure(each, sheet, lots.request.paper));
+    checked.quantities.push_back(std::move(quantity));
   }
+  return checked;
+}
 
- private:
-  static constexpr double least_part = 0.01;  // of a calculated number, where no sheet shows anything
-  const Variant& variant_;
-  std::map<std::string, double> shown_;
-  double coarsest_ = 0;
-};
+// Which sense is positive, of what has one among the quantities asked.
+Words senses(const std::vector<std::string>& asked, const Solution& solution) {
+  const std::array<std::string_view, 4> along_axes{"m", "m/s", "m/s^2", "N"};
+  bool turns = false, has_axes = false;
+  for (const std::string& name : asked) {
+    const Quantity& quantity = solution.described(name);
+    turns = turns || quantity.meaning.english.find("counter-clockwise") != std::string::npos;
+    has_axes = has_axes || ((name.ends_with("_x") || name.ends_with("_y")) &&
+                            std::find(along_axes.begin(), along_axes.end(), quantity.unit) != along_axes.end());
+  }
+  Words text;
+  if (turns) text = {"counter-clockwise", "antiorario"};
+  if (has_axes)
+    text = text + (turns ? Words{"; ", "; "} : Words{}) + Words{"x to the right, y upwards", "x a destra, y in alto"};
+  return text.empty() ? text : Words{"Positive sense: ", "Verso positivo: "} + text + ".";
+}
+
+// Of all sheets, each once, as the blank sheets say it; but for what another of them asks.
+std::vector<Words> not_asked(const Variant& variant, const std::vector<std::string>& asked) {
+  std::set<std::string> seen(asked.begin(), asked.end());
+  std::vector<std::string> without_value, off_sheet;
+  for (const DrawnSheet& sheet : variant.solved)
+    for (const Awkwardness& each : sheet.awkward)
+      if (const auto name = quantity_not_asked(each); name && seen.insert(*name).second)
+        (variant.solution.value(*name) ? off_sheet : without_value)
+            .push_back(unicode_symbol(variant.solution.described(*name).symbol));
+  return sentences_of_not_asked(without_value, off_sheet);
+}
 
 std::string givens_in_words(const Solution& solution, Language language) {
   std::string all;
@@ -73,14 +105,13 @@ std::string givens_in_words(const Solution& solution, Language language) {
 
 }  // namespace
 
-std::string moodle_question(const Exercise& exercise, const Candidate& student, const Variant& variant,
-                            const Lots& lots, double reading) {
+std::string moodle_question(const Exercise& exercise, const Variant& variant, const Lots& lots, const Ruler& ruler) {
   const Language language = lots.request.language;
+  const auto paragraph = [](const std::string& of) { return "<p>" + escaped_for_xml(of) + "</p>\n"; };
   SheetRequest request = lots.request;
   request.blank = request.bare = true;
-  const Tolerances tolerances(variant, reading);
-  std::string text = "<p>" + escaped_for_xml(drawings::plain(exercise.about().question.in(language))) + "</p>\n<p>" +
-                     escaped_for_xml(givens_in_words(variant.solution, language)) + "</p>\n",
+  std::string text = paragraph(drawings::plain(exercise.about().question.in(language))) +
+                     paragraph(givens_in_words(variant.solution, language)),
               files, rows;
   std::vector<std::string> asked;
   for (std::size_t i = 0; i < lots.sheets.size(); ++i) {
@@ -91,25 +122,38 @@ std::string moodle_question(const Exercise& exercise, const Candidate& student, 
     for (const std::string& quantity : variant.solved[i].asked)
       if (std::find(asked.begin(), asked.end(), quantity) == asked.end()) asked.push_back(quantity);
   }
+  const CheckedExercise checked = checked_by_sheets(exercise, variant, lots);
+  Ruler on_it = ruler;
+  if (lots.sheets.size() == 1) on_it.sheet = lots.sheets.front();
   for (const std::string& name : asked) {
-    const auto value = variant.solution.value(name);
-    if (!value) continue;
-    const Quantity& quantity = variant.solution.described(name);
-    rows += fmt::format("<tr><td>{}</td><td>{{1:NUMERICAL:={}:{:.3g}}}</td><td>{}</td></tr>\n",
-                        escaped_for_xml(unicode_symbol(quantity.symbol)), *value, tolerances.of(name, *value),
-                        escaped_for_xml(written_unit(quantity.unit, language)));
+    const auto quantity = std::find_if(checked.quantities.begin(), checked.quantities.end(),
+                                       [&](const CheckedQuantity& each) { return each.spec.name == name; });
+    rows += fmt::format("<tr><td>{}</td><td>{{1:NUMERICAL:={}:{:.3g}}}</td><td>{}</td><td>{}</td></tr>\n",
+                        escaped_for_xml(unicode_symbol(quantity->spec.symbol)), variant.solution[name],
+                        nearest(allowance(checked, *quantity, on_it).size),
+                        escaped_for_xml(written_unit(quantity->spec.unit, language)),
+                        escaped_for_xml(drawings::plain(quantity->spec.meaning.in(language))));
   }
+  if (const Words sense = senses(asked, variant.solution); !sense.empty()) text += paragraph(sense.in(language));
   text += "<table>\n" + rows + "</table>\n";
-  return fmt::format(
-      "<question type=\"cloze\">\n<name><text>{}</text></name>\n<questiontext format=\"html\">\n<text><![CDATA[{}]]>"
-      "</text>\n{}</questiontext>\n<generalfeedback format=\"html\"><text></text></generalfeedback>\n"
-      "<penalty>0.3333333</penalty>\n<hidden>0</hidden>\n</question>\n",
-      escaped_for_xml(exercise.about().id + " " + student.number), text, files);
+  for (const Words& each : not_asked(variant, asked)) text += paragraph(each.in(language));
+  return fmt::format("<questiontext format=\"html\">\n<text><![CDATA[{}]]></text>\n{}</questiontext>\n", text, files);
 }
 
-std::string moodle_quiz(const std::vector<std::string>& questions) {
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n";
-  for (const std::string& question : questions) text += question;
+std::string moodle_quiz(const std::string& category, const std::vector<MoodleQuestion>& questions) {
+  std::string path;
+  for (const char c : category) path += c == '/' ? "//" : std::string(1, c);  // a slash of its own
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n<question type=\"category\">\n<category>"
+      "<text>$course$/top/epure/{}</text></category>\n</question>\n",
+      escaped_for_xml(path));
+  const std::size_t digits = std::max<std::size_t>(3, std::to_string(questions.size()).size());
+  for (std::size_t i = 0; i < questions.size(); ++i)
+    text += fmt::format(
+        "<question type=\"cloze\">\n<name><text>{:0{}} {}</text></name>\n{}"
+        "<generalfeedback format=\"html\"><text></text></generalfeedback>\n"
+        "<penalty>0.3333333</penalty>\n<hidden>0</hidden>\n</question>\n",
+        i + 1, digits, escaped_for_xml(questions[i].name), questions[i].text);
   return text + "</quiz>\n";
 }
 

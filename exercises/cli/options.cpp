@@ -123,6 +123,22 @@ class Parser {
     add(verb, "--sheet-number", titles.sheet_number, text,
         {"instead of 1/4, at most 8 characters", "al posto di 1/4, al massimo 8 caratteri"});
   }
+  // Of a verb that has few formats of its own.
+  void add_format(CLI::App& verb, const Words& meaning) {
+    add(verb, "--format", options_.format, {"FORMAT", "FORMATO"}, meaning);
+  }
+  void add_file(CLI::App& verb, const Words& meaning) { add(verb, "-o", options_.file, {"FILE", "FILE"}, meaning); }
+  void add_csv(CLI::App& verb) {
+    add(verb, "--csv", options_.csv, {"STYLE", "STILE"},
+        {"plain (default), or excel: semicolons, decimal commas, words by --lang",
+         "plain (predefinito), o excel: punti e virgola, virgole decimali, parole di --lang"});
+  }
+  // What sheets for people have: whose they are, on which paper.
+  void add_sheets(CLI::App& verb) {
+    add_folder(verb);
+    add_paper(verb);
+    add_titles(verb);
+  }
   void add_paper(CLI::App& verb) {
     add(verb, "--paper", options_.paper, {"PAPER", "CARTA"},
         {"a4 (default) or a3, landscape", "a4 (predefinita) o a3, orizzontale"});
@@ -158,11 +174,11 @@ class Parser {
               {"exercises or single sheets: ID, ID/SHEET or all", "esercizi o singole tavole: ID, ID/TAVOLA o all"});
     add_formats(verb, {"; also png, eps, pdf+tex; csv: the long table of a sheet",
                        "; anche png, eps, pdf+tex; csv: la tabella lunga di una tavola"});
-    add_folder(verb);
-    add(verb, "-o", options_.file, {"FILE", "FILE"},
-        {"write one file instead; - is standard output", "scrive invece un solo file; - è lo standard output"});
+    add_csv(verb);
+    add_file(verb,
+             {"write one file instead; - is standard output", "scrive invece un solo file; - è lo standard output"});
     add_givens(verb);
-    add_paper(verb);
+    add_sheets(verb);
     add(verb, "--scale", options_.scale, {"SCALE", "SCALA"},
         {"scale of lengths, such as 1:5 (default: the largest standard one)",
          "scala delle lunghezze, come 1:5 (predefinita: la maggiore normalizzata)"});
@@ -174,7 +190,6 @@ class Parser {
     add_flag(verb, "--blank", options_.blank,
              {"the sheet to be solved: what is given, the question, an empty table of what is asked",
               "la tavola da svolgere: i dati, il quesito, una tabella vuota di ciò che si chiede"});
-    add_titles(verb);
     add_flag(verb, "--times", options_.times,
              {"say on standard error where the time went", "dice sullo standard error dove è andato il tempo"});
   }
@@ -205,16 +220,16 @@ class Parser {
     add_repeatable(verb, "--quantity", options_.quantities, {"NAMES", "NOMI"},
                    {"what to find, such as v_B,omega_3", "che cosa trovare, come v_B,omega_3"});
     add_givens(verb);
-    add(verb, "--format", options_.format, {"FORMAT", "FORMATO"},
-        {"csv (default), or json: an object a line (schema epure.sweep/1)",
-         "csv (predefinito), o json: un oggetto per riga (schema epure.sweep/1)"});
-    add(verb, "-o", options_.file, {"FILE", "FILE"},
-        {"write a file; - is standard output (default)", "scrive un file; - è lo standard output (predefinito)"});
+    add_format(verb, {"csv (default), or json: an object a line (schema epure.sweep/1)",
+                      "csv (predefinito), o json: un oggetto per riga (schema epure.sweep/1)"});
+    add_csv(verb);
+    add_file(verb, {"write a file; - is standard output (default)",
+                    "scrive un file; - è lo standard output (predefinito)"});
     add(verb, "--part", options_.part, {"K/M", "K/M"},
         {"only the K-th of M parts, one after the other", "solo la K-esima di M parti, una dopo l'altra"});
     add(verb, "--chart", options_.chart, {"FILE", "FILE"},
-        {"draw the quantities over the first given too: a PDF or SVG",
-         "disegna anche le grandezze sul primo dato: un PDF o SVG"});
+        {"draw them too, PDF or SVG: over the first --over, a curve for each value of the others",
+         "le disegna anche, in PDF o SVG: sul primo --over, una curva per ogni valore degli altri"});
     add_language(verb);
   }
   void add_class() {
@@ -223,8 +238,8 @@ class Parser {
               {"an exercise or a sheet: ID or ID/SHEET", "un esercizio o una tavola: ID o ID/TAVOLA"});
     ClassOptions& of = options_.class_set;
     add(verb, "--students", of.students, {"FILE", "FILE"},
-        {"CSV: number, name; a sheet to be solved and a solution for each",
-         "CSV: number, name; una tavola da svolgere e una soluzione per ciascuno"});
+        {"CSV: number, name (or surname, name); a sheet to be solved and a solution for each",
+         "CSV: matricola, nome (o cognome, nome); una tavola da svolgere e una soluzione per ciascuno"});
     add(verb, "--count", of.count, {"N", "N"}, {"so many students without names", "tanti studenti senza nome"});
     add(verb, "--givens", of.givens, {"FILE", "FILE"},
         {"CSV: each row's own givens, a column each", "CSV: i dati propri di ogni riga, una colonna ciascuno"});
@@ -234,14 +249,13 @@ class Parser {
     add(verb, "--seed", of.seed, {"TEXT", "TESTO"},
         {"the same seed draws the same lots (default: 1)", "lo stesso seme dà gli stessi sorteggi (predefinito: 1)"});
     add_givens(verb);
-    add(verb, "--format", options_.format, {"FORMAT", "FORMATO"},
-        {"pdf (default), or moodle: a question bank", "pdf (predefinito), o moodle: una banca di domande"});
+    add_format(verb,
+               {"pdf (default), or moodle: a question bank", "pdf (predefinito), o moodle: una banca di domande"});
+    add_csv(verb);
     add(verb, "--reading", options_.reading, {"LENGTH", "LUNGHEZZA"},
         {"moodle: what an answer may be off on the sheet (default: 0.5mm)",
          "moodle: di quanto una risposta può scostarsi sulla tavola (predefinita: 0,5mm)"});
-    add_folder(verb);
-    add_paper(verb);
-    add_titles(verb);
+    add_sheets(verb);
     add_language(verb);
   }
   void add_mark() {
@@ -249,9 +263,9 @@ class Parser {
     add_names(verb, {"ID", "ID"}, {"the exercise", "l'esercizio"});
     add(verb, "--answers", options_.answers, {"FILE", "FILE"},
         {"CSV: number, name, a column a quantity, as v_B [cm/s]; also scale, givens",
-         "CSV: number, name, una colonna per grandezza, come v_B [cm/s]; anche scale, dati"});
+         "CSV: matricola, nome, una colonna per grandezza, come v_B [cm/s]; anche scala, dati"});
     add(verb, "--key", options_.key, {"FILE", "FILE"},
-        {"CSV: number and each student's own givens", "CSV: number e i dati propri di ogni studente"});
+        {"CSV: number and each student's own givens", "CSV: matricola e i dati propri di ogni studente"});
     add_givens(verb);
     add_ruler(verb);
     add(verb, "--points", options_.points, {"NAME=POINTS,...", "NOME=PUNTI,..."},
@@ -259,11 +273,10 @@ class Parser {
     add(verb, "--slip-points", options_.slip_points, {"SHARE", "QUOTA"},
         {"of the points, for a slip that is named (default: 0.5)",
          "dei punti, per una svista riconosciuta (predefinita: 0,5)"});
-    add(verb, "--format", options_.format, {"FORMAT", "FORMATO"},
-        {"text (default) or csv", "text (predefinito) o csv"});
-    add(verb, "-o", options_.file, {"FILE", "FILE"},
-        {"write to this file; .csv: as CSV; - is standard output",
-         "scrive in questo file; .csv: in CSV; - è lo standard output"});
+    add_format(verb, {"text (default) or csv", "text (predefinito) o csv"});
+    add_csv(verb);
+    add_file(verb, {"write to this file; .csv: as CSV; - is standard output",
+                    "scrive in questo file; .csv: in CSV; - è lo standard output"});
     add_language(verb);
   }
   void add_bench() {

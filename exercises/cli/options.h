@@ -29,7 +29,7 @@ struct Options {
   std::vector<std::string> variations, quantities;  // of a sweep, a class
   std::optional<std::string> part, chart;
   std::optional<std::string> format, folder, file, scale;
-  std::optional<std::string> sheet, answers, key, points;
+  std::optional<std::string> sheet, answers, key, points, csv;
   std::string paper = "a4", language = "en", reading = "0.5mm", arithmetic = "exact", seconds = "60",
               slip_points = "0.5";
   bool bare = false, blank = false, json = false, times = false, quiet = false;

@@ -196,6 +196,14 @@ SheetRequest sheet_request(const Options& options) {
   return request;
 }
 
+CsvStyle csv_style(const Options& options) {
+  const std::string style = lower_case(options.csv.value_or("plain"));
+  if (style != "plain" && style != "excel")
+    throw WrongUsage(format_words("--csv: \"{}\" is no style of epure's; choose plain or excel",
+                                  "--csv: \"{}\" non è uno stile di epure; scegliere plain o excel", *options.csv));
+  return {style == "excel"};
+}
+
 double seconds_of(const Options& options) {
   Rational seconds = 0;
   const Rational longest = 3600;

@@ -6,6 +6,7 @@
 #include "exercises/cli/catalogue.h"
 #include "exercises/cli/options.h"
 #include "exercises/kit/proof/measured.h"
+#include "exercises/kit/statement/csv_style.h"
 
 namespace epure {
 
@@ -33,6 +34,9 @@ SheetRequest sheet_request(const Options& options);
 
 // --reading, --sheet and --scale, for exercises one of which must have the sheet.
 Ruler ruler_asked(const std::vector<const Exercise*>& exercises, const Options& options);
+
+// --csv: plain, or excel.
+CsvStyle csv_style(const Options& options);
 
 // How long `bench` is to measure.
 double seconds_of(const Options& options);

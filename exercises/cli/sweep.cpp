@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "exercises/cli/in_order.h"
+#include "exercises/cli/moved_by_speed.h"
 #include "exercises/cli/print.h"
 #include "exercises/cli/progress.h"
 #include "exercises/cli/request.h"
@@ -84,7 +85,9 @@ class Sweeping {
       : language_(language(options)),
         study_(sweep_study(exercises, options)),
         part_(part_of_rows(options, study_.size())),
-        format_(row_format(options)) {
+        format_(row_format(options)),
+        style_(csv_style(options)) {
+    if (options.csv && format_ != RowFormat::csv) refuse_csv_of_json();
     if (!options.chart) return;
     if (!part_.is_whole)
       throw WrongUsage("--chart draws a whole sweep, and --part is one of its parts; leave one of them out",
@@ -95,7 +98,7 @@ class Sweeping {
   }
 
   Outcome run(LinesOut& lines, Progress& progress) {
-    if (part_.is_first && format_ == RowFormat::csv && !lines.write(csv_header(study_))) return {""};
+    if (part_.is_first && format_ == RowFormat::csv && !lines.write(csv_header(study_, style_))) return {""};
     const std::uint64_t blocks = (part_.size() + rows_of_a_block - 1) / rows_of_a_block;
     bool is_read = true;
     in_order(
@@ -114,19 +117,28 @@ class Sweeping {
                        *tally_.why_impossible);
     lines.finish();
     if (chart_) drawings::write_whole({chart_->drawn()});
-    return outcome_of_sweep(tally_);
+    Outcome outcome = outcome_of_sweep(tally_);
+    std::vector<std::string> swept;
+    for (const Variation& each : study_.over) swept.push_back(each.given().symbol);
+    for (Words& each : moved_by_speed(study_.givens, swept)) outcome.remarks.push_back(std::move(each));
+    return outcome;
   }
 
   std::uint64_t size() const { return part_.size(); }
 
  private:
+  [[noreturn]] static void refuse_csv_of_json() {
+    throw WrongUsage("--csv says how CSV is written, and --format json is none; leave one of them out",
+                     "--csv dice come scrivere il CSV, e --format json non lo è; togliere uno dei due");
+  }
+
   BlockOfRows block_of_rows(std::uint64_t block) const {
     BlockOfRows made;
     const std::uint64_t first = part_.first + block * rows_of_a_block,
                         end = std::min(first + rows_of_a_block, part_.end);
     for (std::uint64_t number = first; number < end; ++number) {
       made.rows.push_back(swept_row(study_, number));
-      made.lines += format_ == RowFormat::csv ? csv_line(study_, made.rows.back(), language_)
+      made.lines += format_ == RowFormat::csv ? csv_line(study_, made.rows.back(), style_, language_)
                                               : json_line(study_, made.rows.back());
     }
     return made;
@@ -136,6 +148,7 @@ class Sweeping {
   SweepStudy study_;
   PartOfRows part_;
   RowFormat format_;
+  CsvStyle style_;
   std::optional<SweepChart> chart_;
   SweepTally tally_;
 };

@@ -59,6 +59,16 @@ Span span_of(std::vector<double> values) {
   return {all.low - around, all.high + around};
 }
 
+// Whether another given as the axis would leave few enough curves.
+Words better_order(const SweepStudy& study) {
+  for (const Variation& axis : study.over)
+    if (!axis.is_of_words() && study.size() / axis.size() * study.quantities.size() <= most_curves)
+      return format_words("; the axis is the first --over: name {} first, as it has {} values",
+                          "; l'asse è il primo --over: nominare prima {}, che ha {} valori", axis.given().symbol,
+                          axis.size());
+  return {};
+}
+
 }  // namespace
 
 SweepChart::SweepChart(const SweepStudy& study, std::string file, Language language)
@@ -66,8 +76,8 @@ SweepChart::SweepChart(const SweepStudy& study, std::string file, Language langu
   chart_ending(file_);
   const Variation& first = study.over.front();
   if (first.is_of_words())
-    throw WrongUsage(format_words("--chart: {} has words for values and makes no axis; name another given first",
-                                  "--chart: {} ha parole per valori e non fa da asse; nominare prima un altro dato",
+    throw WrongUsage(format_words("--chart: {} has words for values and makes no axis; name another --over first",
+                                  "--chart: {} ha parole per valori e non fa da asse; nominare prima un altro --over",
                                   first.given().symbol));
   const auto [low, high] = std::minmax({first.number(0), first.number(first.size() - 1)});
   if (high - low <= narrowest(low, high))
@@ -79,7 +89,8 @@ SweepChart::SweepChart(const SweepStudy& study, std::string file, Language langu
   if (others_ * study.quantities.size() > most_curves)
     throw WrongUsage(format_words("--chart would draw {} curves over {}, and a sheet bears {}",
                                   "--chart disegnerebbe {} curve su {}, e un foglio ne porta {}",
-                                  others_ * study.quantities.size(), first.given().symbol, most_curves));
+                                  others_ * study.quantities.size(), first.given().symbol, most_curves) +
+                     better_order(study));
   if (const std::size_t units = units_of(study.quantities).size(); units > most_charts)
     throw WrongUsage(
         format_words("--chart would draw {} charts, as the quantities have so many units; a sheet bears {}",

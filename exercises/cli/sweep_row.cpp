@@ -6,7 +6,6 @@
 #include "exercises/cli/json_number.h"
 #include "exercises/kit/proof/agreement.h"
 #include "exercises/kit/proof/asked.h"
-#include "exercises/kit/statement/csv_field.h"
 
 namespace epure {
 namespace {
@@ -121,27 +120,33 @@ SweptRow swept_row(const SweepStudy& study, std::uint64_t number) {
   }
 }
 
-std::string csv_header(const SweepStudy& study) {
-  std::string line;
-  for (const Variation& each : study.over)
-    line += (line.empty() ? "" : ",") + csv_head(each.given().symbol, each.unit());
-  for (const Quantity& each : study.quantities)
-    line += "," + csv_head(each.name, each.unit) + "," + csv_head(each.name + "_lower", each.unit) + "," +
-            csv_head(each.name + "_upper", each.unit) + "," + csv_field(each.name + "_reason");
-  return line + ",faults\r\n";
+std::string csv_header(const SweepStudy& study, const CsvStyle& style) {
+  std::vector<std::string> fields;
+  for (const Variation& each : study.over) fields.push_back(style.head(each.given().symbol, each.unit()));
+  for (const Quantity& each : study.quantities) {
+    for (const char* const which : {"", "_lower", "_upper"})
+      fields.push_back(style.head(each.name + which, each.unit));
+    fields.push_back(style.field(each.name + "_reason"));
+  }
+  fields.emplace_back("faults");
+  return std::string(style.begin()) + style.record(fields);
 }
 
-std::string csv_line(const SweepStudy& study, const SweptRow& row, Language language) {
-  std::string line;
-  for (std::size_t i = 0; i < study.over.size(); ++i)
-    line += (i == 0 ? "" : ",") + csv_field(study.over[i].text(row.places[i]));
-  for (const SweptQuantity& each : row.quantities) {
-    const auto [lower, value, upper] = each.enclosure;
-    line +=
-        each.state == State::value ? "," + csv_field(value) + "," + csv_field(lower) + "," + csv_field(upper) : ",,,";
-    line += "," + (each.reason.empty() ? "" : csv_field(reason_in_full(each).in(language)));
+std::string csv_line(const SweepStudy& study, const SweptRow& row, const CsvStyle& style, Language asked) {
+  const Language language = style.language(asked);
+  std::vector<std::string> fields;
+  for (std::size_t i = 0; i < study.over.size(); ++i) {
+    const Variation& over = study.over[i];
+    fields.push_back(style.is_for_spreadsheet && !over.is_of_words() ? style.number(over.number(row.places[i]))
+                                                                     : style.field(over.text(row.places[i])));
   }
-  return line + "," + csv_field(faults_in_line(row.faults, language)) + "\r\n";
+  for (const SweptQuantity& each : row.quantities) {
+    for (const double number : {each.enclosure.value, each.enclosure.lower, each.enclosure.upper})
+      fields.push_back(each.state == State::value ? style.number(number) : "");
+    fields.push_back(each.reason.empty() ? "" : style.field(reason_in_full(each).in(language)));
+  }
+  fields.push_back(style.field(faults_in_line(row.faults, language)));
+  return style.record(fields);
 }
 
 std::string json_line(const SweepStudy& study, const SweptRow& row) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exercises/cli/sweep_study.h"
+#include "exercises/kit/statement/csv_style.h"
 
 namespace epure {
 
@@ -37,10 +38,11 @@ struct SweptRow {
 SweptRow swept_row(const SweepStudy& study, std::uint64_t number);
 
 // "phi (deg),v_B (m/s),v_B_lower (m/s),v_B_upper (m/s),v_B_reason", and at the end
-// "faults", by RFC 4180.
-std::string csv_header(const SweepStudy& study);
-// The same of a row; what is known otherwise than by a number is empty, with the reason.
-std::string csv_line(const SweepStudy& study, const SweptRow& row, Language language);
+// "faults".
+std::string csv_header(const SweepStudy& study, const CsvStyle& style);
+// The same of a row; what is known otherwise than by a number is empty, with the reason. A position that no decimal
+// says is a fraction, for a spreadsheet the nearest double.
+std::string csv_line(const SweepStudy& study, const SweptRow& row, const CsvStyle& style, Language language);
 
 // Schema epure.sweep/1: one object, in one line. Its words are English.
 std::string json_line(const SweepStudy& study, const SweptRow& row);

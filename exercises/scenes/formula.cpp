@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "exercises/kit/statement/bare_number.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
 
@@ -205,10 +206,6 @@ std::optional<Amount> plain(const std::string& text, const std::string& unit) {
   } catch (const geometry::BadGiven&) {
     return {};
   }
-}
-
-bool has_no_unit(const std::string& text) {
-  return text.find_first_not_of("0123456789.,+-/eE ") == std::string::npos;
 }
 
 }  // namespace

@@ -189,16 +189,57 @@ Words name_of(Kind kind) {
   return {};
 }
 
-// As the list of units spells it: "m/s²" and "m/s2" as "m/s^2".
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+// "s^-2", "s-2" and "sec" of a product of units: the unit, and its power where that is negative.
+struct Factor {
+  std::string unit;
+  std::string power;  // "2" of s^-2; empty: not negative
+};
+Factor factor_of(std::string text) {
+  const std::size_t minus = text.find('-');
+  std::string power;
+  if (minus != std::string::npos && minus > 0 && minus + 1 < text.size() &&
+      text.find_first_not_of("0123456789", minus + 1) == std::string::npos) {
+    power = text.substr(minus + 1);
+    text.erase(text[minus - 1] == '^' ? minus - 1 : minus);
+  }
+  return {text, power};
+}
+
+// "m*s^-1" and "m s-1" as "m/s": what has a negative power stands behind the slash. Others stay as they are.
+std::string with_slash(const std::string& symbol) {
+  if (symbol.find('-') == std::string::npos) return symbol;
+  std::string above, below, rest = symbol;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find_first_of(" *"), rest.size());
+    const Factor factor = factor_of(rest.substr(0, end));
+    rest.erase(0, std::min(end + 1, rest.size()));
+    if (factor.unit.empty()) continue;
+    std::string& side = factor.power.empty() ? above : below;
+    side += (side.empty() ? "" : " ") + factor.unit + (factor.power.empty() || factor.power == "1" ? "" : "^") +
+            (factor.power == "1" ? "" : factor.power);
+  }
+  return below.empty() ? symbol : (above.empty() ? "1" : above) + "/" + below;
+}
+
+// As the list of units spells it: "m/s²", "m/s2", "m·s⁻²" and "m/sec^2" as "m/s^2".
 std::string spelled(std::string symbol) {
-  const auto replace = [&](std::string_view from, std::string_view to) {
-    for (auto at = symbol.find(from); at != std::string::npos; at = symbol.find(from, at + to.size()))
-      symbol.replace(at, from.size(), to);
-  };
-  replace("²", "^2");
-  replace("³", "^3");
-  replace("·", "*");
-  replace("μ", "µ");  // the Greek letter, for the sign
+  constexpr std::array<std::string_view, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  replace_all(symbol, "⁻", "^-");
+  for (std::size_t digit = 0; digit < raised.size(); ++digit) {
+    const std::string plain = std::to_string(digit);
+    replace_all(symbol, "^-" + std::string(raised[digit]), "^-" + plain);
+    replace_all(symbol, raised[digit], "^" + plain);
+  }
+  for (const std::string_view dot : {"·", "⋅", "∙"}) replace_all(symbol, dot, "*");
+  replace_all(symbol, "μ", "µ");  // the Greek letter, for the sign
+  symbol = with_slash(symbol);
+  replace_all(symbol, "sec", "s");
+  replace_all(symbol, "gradi", "deg");
   if (symbol.ends_with("/s2") || symbol.ends_with("/s3") || symbol.ends_with("m2"))
     symbol.insert(symbol.size() - 1, "^");
   return symbol;
@@ -219,7 +260,7 @@ std::string units_like(const Unit& unit) {
 
 Words example(const Unit& unit) {
   const std::string symbol = unit.symbol == "1" ? "" : unit.symbol;
-  return {"a number such as 0.25" + symbol + " or 1/4" + symbol, "un numero come 0.25" + symbol + " o 1/4" + symbol};
+  return {"a number such as 0.25" + symbol + " or 1/4" + symbol, "un numero come 0,25" + symbol + " o 1/4" + symbol};
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -346,7 +387,7 @@ class Reader {
 
   Unit unit_of(const std::string& symbol) const {
     if (symbol.empty()) return expected_;
-    if (symbol == "1/s" && expected_.kind == Kind::angular_velocity)
+    if (spelled(symbol) == "1/s" && expected_.kind == Kind::angular_velocity)
       refuse({"may be in turns or in radians per second", "può essere in giri o in radianti al secondo"},
              accepted_units());
     const auto unit = find_unit(symbol);
@@ -384,11 +425,14 @@ class Reader {
 }  // namespace
 
 std::string in_plain_characters(std::string text) {
-  constexpr std::array<std::pair<std::string_view, char>, 4> printed{
-      {{"\u00A0", ' '}, {"\u2009", ' '}, {"\u202F", ' '}, {"\u2212", '-'}}};
-  for (const auto& [character, plain] : printed)
-    for (auto at = text.find(character); at != std::string::npos; at = text.find(character, at))
-      text.replace(at, character.size(), 1, plain);
+  constexpr std::array<std::pair<std::string_view, char>, 7> printed{{{"\u00A0", ' '},
+                                                                      {"\u2007", ' '},
+                                                                      {"\u2009", ' '},
+                                                                      {"\u200A", ' '},
+                                                                      {"\u202F", ' '},
+                                                                      {"\u2212", '-'},
+                                                                      {"\u2013", '-'}}};
+  for (const auto& [character, plain] : printed) replace_all(text, character, std::string_view(&plain, 1));
   return text;
 }
 

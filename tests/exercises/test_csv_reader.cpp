@@ -54,6 +54,13 @@ TEST_CASE("blanks around fields, blank lines, and quotes inside of a field") {
   CHECK(table.rows[1].cells == Cells{"\" kept \"", "x"});
 }
 
+TEST_CASE("columns that a spreadsheet adds without name and content are left out") {
+  const CsvTable table = table_of("number;;v_B;;\n1;;5,25;;\n");
+  CHECK(table.header == Cells{"number", "v_B"});
+  CHECK(table.rows[0].cells == Cells{"1", "5,25"});
+  refused_table("a;;b\n1;;2\n1;x;2\n", "t.csv, line 1: column 2 of the header has no name");
+}
+
 TEST_CASE("names are kept as they are, whatever they would do as paths") {
   CHECK(table_of("name\n../../etc/passwd\n").rows[0].cells == Cells{"../../etc/passwd"});
   CHECK(table_of("name\n=1+1\n").rows[0].cells == Cells{"=1+1"});

@@ -85,8 +85,8 @@ TEST_CASE("a class is marked: a line a student, points, and why not") {
         "    c_x: 0.3 ± 0.005 (0.5 mm on sheet sides)\n"
         "    omega: -2.5 ± 0.025 (0.5 mm in each of two lines of 100 mm)\n"
         "\n"
-        "3 students, 5.5 points of 9, mean 1.83 of 3 (61 %); answers: 4 right, 3 slips, 1\n"
-        "  wrong, 1 missing, 0 not marked\n");
+        "3 students, 5.5 points of 9, mean 1.83 of 3 (61 %); answers: right 4, slips 3,\n"
+        "  wrong 1, missing 1, not marked 0\n");
 }
 
 TEST_CASE("the same in Italian") {
@@ -224,17 +224,25 @@ TEST_CASE("each student's own givens, from the key or the answers") {
   const std::string answers = "number,c,c_x\n1,0.72,0.6\n2,0.50,0.6\n3,0.447,0.2\n4,0.5,0.3\n";
   const Ran ran = marked(answers, {"--key", "key.csv", "--format", "csv"});
   CHECK(ran.exit == 0);
-  CHECK(ran.err.empty());  // 0.4472135955 is the value as far as it goes
+  // Nothing of values: 0.4472135955 is the value as far as it goes.
+  CHECK(ran.err == "epure: answers.csv: not in key.csv: 4 (1 of 4 students)\n");
   CHECK(tells(ran.out, "1,,1,right,1,right,2,\r\n2,,1,right,0.5,slip,1.5,"));
   CHECK(tells(ran.out, "3,,1,right,1,right,2,\r\n"));
   CHECK(tells(ran.out, "4,,,not marked,,not marked,0,not marked: the key has no such number\r\n"));
   CHECK(tells(marked(answers, {"--key", "key.csv"}).out, "In the key, and without answers: 9\n"));
-  write_file("key.csv", "number,a,c\n1,0.6m,0.73\n2,0.3,0.6\n");
+  // A slip in a key is told; a key that is nobody's marks nobody.
+  write_file("key.csv", "number,a,c\n1,0.6m,0.73\n2,0.3,0.5\n");
   const Ran other = marked("number,c\n1,0.72\n2,0.5\n", {"--key", "key.csv"});
   CHECK(other.exit == 0);
   CHECK(other.err ==
         "epure: 1 c: 0.73 in the key's line 2, but 0.72111 is true: is it the key of another version, or of other "
-        "--set? (1 more like it)\n");
+        "--set?\n");
+  write_file("key.csv", "number,a,c\n1,0.6m,0.73\n2,0.3,0.6\n");
+  refused_marking(
+      "number,c\n1,0.72\n2,0.5\n",
+      "epure: 1 c: 0.73 in the key's line 2, but 0.72111 is true: is it the key of another version, or of "
+      "other --set? (1 more like it)\n",
+      {"--key", "key.csv"});
   // Without a key: the answers' own givens, else --set.
   CHECK(cell_of("a,c\n0.6m,0.72\n", "c verdict") == "right");
   CHECK(cell_of("a [cm],c [cm]\n60,72\n", "c verdict") == "right");
@@ -259,7 +267,7 @@ TEST_CASE("a name that a given and a quantity have") {
   // To the right of a quantity it is the quantity, which differs; left of all of them the given.
   const Ran as_quantity = marks("number,c,b\n1,0.5,0.7\n");
   CHECK(tells(as_quantity.err, "1 b: 0.7 in the key's line 2, but 0.4 is true"));
-  CHECK(tells(as_quantity.out, "1,,1,right,1,right,2,"));
+  CHECK(as_quantity.exit == 2);
   const Ran as_given = marks("number,b,c\n1,0.6m,0.6708203932499369\n");
   CHECK(as_given.err.empty());
   CHECK(tells(as_given.out, "1,,1,right,0,wrong,1,"));
@@ -281,7 +289,7 @@ TEST_CASE("columns are told by name or letters, with a unit or none") {
   CHECK(cell_of("omega [rpm]\n-23.9\n", "omega verdict") == "right");
   CHECK(cell_of("angle [deg]\n43\n", "angle verdict") == "right");
   refused_marking("c [s]\n1\n", "answers.csv, column \"c [s]\": \"1 s\" is a time where a length is asked");
-  refused_marking("q\n1\n", "answers.csv: column \"q\" is no quantity and no given of triangle; known are: ");
+  refused_marking("q\n1\n", "answers.csv: no column is a quantity of triangle");
   refused_marking("c,c [cm]\n1,1\n", "answers.csv: there are two columns for c");
   refused_marking("number\n1\n", "answers.csv: no column is a quantity of triangle");
   refused_marking("c\n", "a header and no row");
@@ -296,6 +304,159 @@ TEST_CASE("columns are told by name or letters, with a unit or none") {
   CHECK(run({"mark", "triangle"}).err == "epure: say where the answers are: epure mark ID --answers FILE\n");
   CHECK(run({"mark", "--answers", "answers.csv"}).exit == 2);
   CHECK(run({"mark", "all", "--answers", "answers.csv"}).exit == 2);
+}
+
+TEST_CASE("a column that is no quantity costs itself, one that nearly is one is refused") {
+  const Scratch scratch;
+  const std::string answers = "Email;number;c;Note (max 20);Voto;Data\nx@y;1;0,5;late;;3/6\n";
+  const Ran ran = marked(answers, {"--format", "csv"});
+  CHECK(ran.exit == 0);
+  CHECK(tells(ran.out, "1,,1,right,1,"));
+  CHECK(ran.err ==
+        "epure: answers.csv: the columns \"Email\", \"Note (max 20)\", \"Voto\" are no quantities and no givens of "
+        "triangle and are left out\n");
+  CHECK(tells(marked("c;Voto\n0,5;\n", {"--lang", "it"}).err,
+              "answers.csv: la colonna \"Voto\" non è una grandezza né un dato di triangle ed è tralasciata"));
+  for (const auto& [head, meant] : {std::pair{"omgea", "omega"},
+                                    {"C_X", "c_x"},
+                                    {"cx", "c_x"},
+                                    {"angel (rad)", "angle"},
+                                    {"omega misurata", "omega"},
+                                    {"c (letto) e poi", "c"}})
+    refused_marking("c_y;" + std::string(head) + "\n1;1\n",
+                    "is no quantity and no given of triangle; did you mean " + std::string(meant) + "?");
+  // Units in parentheses, as sweep writes them.
+  CHECK(cell_of("c (cm)\n51\n", "c verdict") == "right");
+  CHECK(cell_of("c;;\n0,51;;\n", "c verdict") == "right");  // columns that a spreadsheet adds
+}
+
+TEST_CASE("numbers and units as people write them") {
+  const Scratch scratch;
+  for (const std::string right : {"0,50 ± 0,01", "0,50 ± 0,01 m", "0,50 m ± 1 cm", "(50 ± 1) cm", "50 +/- 1 cm",
+                                  "≈ 0,5", "~0.5 m", "circa 0,5", "5.0e-1", "0,5\u202Fm", "ca. 50 cm"}) {
+    CAPTURE(right);
+    CHECK(judged("c", right) == "right");
+  }
+  for (const std::string right : {"−2,5", "–2,5", "-2.5 rad·s⁻¹", "-2.5 rad s^-1", "-2,5 rad s-1", "-2.5 rad/sec"}) {
+    CAPTURE(right);
+    CHECK(judged("omega", right) == "right");
+  }
+  // The unit of the cell counts before that of the column, also when a digit ends it.
+  CHECK(cell_of("omega [rpm]\n\"-2,5 rad s-1\"\n", "omega verdict") == "right");
+  CHECK(cell_of("c [cm]\n\"50 ± 1\"\n", "c verdict") == "right");
+  CHECK(cell_of("c [cm]\n\"0,50 m ± 0,01\"\n", "c verdict") == "right");
+  // What may be thousands is told, not guessed.
+  CHECK(tells(remark_of("c", "1'234.5"), "more than a decimal point or comma"));
+  CHECK(tells(remark_of("c", "1.234,5"), "more than a decimal point or comma"));
+  CHECK(judged("c", "0,50 ±") == "wrong");
+  Triangle large;
+  large.spoil_values = [](auto& values) {
+    for (const std::string route : {"ruler", "analytic"}) value_of(values, "omega", route) = certain(1234);
+  };
+  write_file("answers.csv", "omega\n1.234\n");
+  const Ran thousands = run_on(large, {"mark", "triangle", "--answers", "answers.csv", "--format", "csv"});
+  CHECK(tells(thousands.out, "too small (factor 1/10^3); or is its \"\".\"\" a separator of thousands?"));
+}
+
+TEST_CASE("a calculated quantity that is zero may be off, too") {
+  const Scratch scratch;
+  Triangle still;
+  still.spoil_values = [](auto& values) {
+    for (const std::string route : {"ruler", "analytic"}) value_of(values, "omega", route) = certain(0);
+  };
+  const auto verdict = [&](const std::string& answer) {
+    write_file("answers.csv", "omega\n" + answer + "\n");
+    return run_on(still, {"mark", "triangle", "--answers", "answers.csv", "--format", "csv"}).out;
+  };
+  // Nothing drawn is of its kind: a hundredth of the unit.
+  CHECK(tells(verdict("0.009"), ",right,"));
+  CHECK(tells(verdict("0.011"), ",wrong,"));
+}
+
+TEST_CASE("numbers that lost their zeros are found where only one is meant") {
+  const Scratch scratch;
+  write_file("key.csv", "number,a\n0123456,0.6m\n0123457,0.3m\n00123458,0.3m\n0123458,0.3m\n");
+  const Ran ran = marked("number,c\n123456,0.72\n123457,0.5\n123458,0.5\n", {"--key", "key.csv", "--format", "csv"});
+  CHECK(ran.exit == 0);
+  CHECK(tells(ran.out, "123456,,1,right,1,\r\n123457,,1,right,1,\r\n"));
+  CHECK(tells(ran.out, "123458,,,not marked,0,\"not marked: the key has no such number; "));
+  CHECK(tells(ran.out, "0123458 or 00123458 stands there, without answers"));
+  CHECK(tells(ran.err,
+              "answers.csv: numbers found in key.csv with zeros before them, which a spreadsheet takes away: "
+              "123456, 123457\n"));
+  CHECK(tells(ran.err, "answers.csv: not in key.csv: 123458 (1 of 3 students)\n"));
+  // The other way round, and what is written twice.
+  write_file("key.csv", "number,a\n7,0.6m\n8,0.3m\n");
+  CHECK(tells(marked("number,c\n007,0.72\n8,0.5\n", {"--key", "key.csv", "--format", "csv"}).out, "007,,1,right,1,"));
+  CHECK(tells(marked("number,c\n007,0.72\n07,0.5\n8,0.5\n", {"--key", "key.csv", "--format", "csv"}).out,
+              "007,,,not marked,0,"));
+  CHECK(
+      tells(marked("number,c\n7,0.72\n07,0.5\n", {"--key", "key.csv", "--format", "csv"}).out, "07,,,not marked,0,"));
+  // Near, and not it.
+  write_file("key.csv", "number,a\n123465,0.6m\n999,0.3m\n");
+  const Ran near = marked("number,c\n123456,0.72\n999,0.5\n", {"--key", "key.csv", "--format", "csv"});
+  CHECK(tells(near.out, "not marked: the key has no such number; 123465 stands there, without answers"));
+}
+
+TEST_CASE("a key that is none of theirs is told, and one that is of no use refused") {
+  const Scratch scratch;
+  const auto refused_key = [](const std::string& key, const std::string& why) {
+    write_file("key.csv", key);
+    refused_marking("number,c\n1,0.5\n2,0.5\n3,0.5\n", why, {"--key", "key.csv"});
+  };
+  refused_key("number,a\n11,0.3m\n12,0.3m\n",
+              "none of the 3 numbers in answers.csv, such as 1, stands in key.csv: is it the key of another class?");
+  refused_key("number,name\n1,A\n2,B\n3,C\n", "key.csv is no key: no column is a given or a quantity of triangle");
+  refused_key("number,a,v_B,P0A,v_BA\n1,0.3m,1,1,1\n",
+              "key.csv is no key of triangle: 3 of its columns are no given and no quantity of it, such as \"v_B\"");
+  refused_key("number,a\n1,-1m\n2,-2m\n3,x\n",
+              "nothing can be marked by this key; 1: not marked, because of the givens");
+  refused_key("number,c\n1,0.7\n2,0.7\n3,0.5\n", "1 c: 0.7 in the key's line 2, but 0.5 is true");
+  const std::string one = "number,a\n1,0.3m\n";
+  write_file("key.csv", one);
+  const Ran few = marked("number,c\n1,0.5\n2,0.5\n3,0.5\n", {"--key", "key.csv"});
+  CHECK(few.exit == 0);
+  CHECK(few.err == "epure: answers.csv: not in key.csv: 2, 3 (2 of 3 students); is it the key of another class?\n");
+  write_file("key.csv", "number,a,Note\n1,0.3m,x\n");
+  const Ran own = marked("number,a,c\n1,0.6,0.5\n", {"--key", "key.csv"});
+  CHECK(own.exit == 0);
+  CHECK(tells(own.err, "key.csv: the column \"Note\" is no quantity and no given of triangle and is left out\n"));
+  CHECK(tells(own.err, "answers.csv states other givens than key.csv, which count: 1\n"));
+  CHECK_FALSE(tells(marked("number,a,c\n1,30cm,0.5\n", {"--key", "key.csv"}).err, "other givens"));
+}
+
+TEST_CASE("surname and name in two columns are one name") {
+  const Scratch scratch;
+  const auto name_of = [](const std::string& head) {
+    return cell_of(head + ";c;number\nDe Rossi;Anna;0,5;1\n", "name");
+  };
+  for (const std::string head : {"Cognome;Nome", "surname;name", "Last name;First name", "LAST_NAME;FIRST_NAME",
+                                 "Family Name;Given Name", "cognome;nome proprio"}) {
+    CAPTURE(head);
+    CHECK(name_of(head) == "De Rossi Anna");
+  }
+  CHECK(cell_of("Nome;Cognome;c\nAnna;De Rossi;0,5\n", "name") == "Anna De Rossi");
+  CHECK(cell_of("Cognome e Nome;c\nDe Rossi Anna;0,5\n", "name") == "De Rossi Anna");
+  CHECK(cell_of("cognome;c\nDe Rossi;0,5\n", "name") == "De Rossi");
+  CHECK(cell_of("N. Matricola;c\n7;0,5\n", "number") == "7");
+  refused_marking("cognome;surname;c\na;b;0,5\n", "\"cognome\" and \"surname\" mean the same; keep one of them");
+}
+
+TEST_CASE("marks for programs and for a spreadsheet with decimal commas") {
+  const Scratch scratch;
+  const std::string answers = "number;name;c;c_y\n1;Anna;0,5;0,7\n2;B;1,0;\n";
+  // For programs nothing depends on the language.
+  CHECK(marked(answers, {"--format", "csv", "--lang", "it"}).out == marked(answers, {"--format", "csv"}).out);
+  const Ran excel = marked(answers, {"--csv", "excel", "--lang", "it"});
+  CHECK(excel.out ==
+        "\xEF\xBB\xBFmatricola;nome;c punti;c giudizio;c_y punti;c_y giudizio;totale;osservazioni\r\n"
+        "1;Anna;1;giusta;0,5;svista;1,5;c_y: 0,7 m, vero -0,4 ± 0,005: il numero stampato dalla fonte\r\n"
+        "2;B;0,5;svista;0;nessuna risposta;0,5;c: 1 m, vero 0,5 ± 0,01: doppia del vero (fattore 2)\r\n");
+  const CsvTable back = read_csv(excel.out, "marks");
+  CHECK(back.rows.at(1).cells.at(back.needed_column("totale")) == "0,5");
+  CHECK(tells(marked(answers, {"--csv", "excel"}).out, ";c points;c verdict;"));
+  refused_marking(answers, "--csv: \"it\" is no style of epure's; choose plain or excel", {"--csv", "it"});
+  refused_marking(answers, "--csv says how CSV is written", {"--csv", "excel", "--format", "text"});
 }
 
 TEST_CASE("what others wrote into names harms neither terminal nor spreadsheet") {

@@ -3,6 +3,7 @@
 
 #include "drawings/output.h"
 #include "drawings/page.h"
+#include "exercises/kit/panels/problem_sheet.h"
 #include "exercises/kit/proof/solution.h"
 #include "tests/exercises/tried_givens.h"
 
@@ -187,6 +188,45 @@ TEST_CASE("A sheet to be solved asks for each thing once, with the unit it is to
   CHECK(std::find(wheels.begin(), wheels.end(), "$r_{b1}$ (mm)") != wheels.end());
   CHECK(asked_in(tables_of(blank_sheet_of("gear-pair", "wheels", {"kind=rack"}).sheet).front()).size() ==
         5);  // wheel 1 alone
+}
+
+// What the solved sheet measures is on it, so it is asked; and what it asks for has a value.
+TEST_CASE("A sheet to be solved does not ask for what is off it, or is nowhere") {
+  std::size_t off = 0, nowhere = 0, measured = 0;
+  for_all_sheets([&](const Exercise& exercise, const DrawnSheet& solved, const DrawnSheet& blank) {
+    std::set<std::string> shown;
+    for (const Measurement& each : solved.measurements) shown.insert(each.quantity);
+    for (const Awkwardness& each : solved.awkward) {
+      const auto name = quantity_not_asked(each);
+      if (!name) continue;
+      INFO(*name);
+      CHECK_FALSE(shown.contains(*name));
+      CHECK(std::find(blank.asked.begin(), blank.asked.end(), *name) == blank.asked.end());
+      (each.sentence.english.find("off") != std::string::npos ? off : nowhere) += 1;
+      if (each.sentence.english.find("off") != std::string::npos) WARN(exercise.about().id << " " << each.what);
+    }
+    for (const std::string& each : blank.asked) measured += shown.contains(each) ? 1 : 0;
+  });
+  CHECK(off > 20);
+  CHECK(nowhere > 20);
+  CHECK(measured > 1000);
+  // The rod of the slider-crank translates: its pole is at infinity, its rate is zero.
+  const DrawnSheet blank = blank_sheet_of("slider-crank-velocity", "poles", {"phi=90deg"});
+  for (const char* gone : {"P0_x", "P0_y", "P0A", "P0B", "P0C", "P0M"})
+    CHECK(std::find(blank.asked.begin(), blank.asked.end(), gone) == blank.asked.end());
+  CHECK(std::find(blank.asked.begin(), blank.asked.end(), "omega_3") != blank.asked.end());
+  std::string paragraphs;
+  for (const drawings::Block& block : blank.sheet.column)
+    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) paragraphs += paragraph->text + "\n";
+  CHECK(paragraphs.find("Not asked, as it lies at infinity or does not exist: ") != std::string::npos);
+}
+
+TEST_CASE("The blank sheet of a long table is the empty table") {
+  const DrawnSheet blank = blank_sheet_of("point-mass", "table");
+  std::size_t heads = 0;
+  for (const drawings::Mark& mark : blank.sheet.figure.marks)
+    if (const auto* writing = std::get_if<drawings::Writing>(&mark)) heads += writing->row == 0 ? 1 : 0;
+  CHECK(heads == 15);  // t, F, a and v, q, E, s three times
 }
 
 TEST_CASE("A polygon begins at a cross with the letter O, and only a polygon does") {

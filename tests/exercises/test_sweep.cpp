@@ -205,6 +205,30 @@ TEST_CASE("a sweep of known numbers, to the byte") {
   CHECK(run(commas).out == ran.out);  // letters stand for the name, and a decimal comma for the point
 }
 
+TEST_CASE("a sweep for a spreadsheet with decimal commas") {
+  const Typed words{"sweep", "triangle", "--over", "a=0.1..0.3/4", "--quantity", "c_x", "--csv", "excel"};
+  const Ran ran = run(words);
+  CHECK(ran.exit == 0);
+  // 1/6 as a spreadsheet would not take it for a day in June.
+  CHECK(
+      ran.out.starts_with("\xEF\xBB\xBF"
+                          "a (m);c_x (m);c_x_lower (m);c_x_upper (m);c_x_reason;faults\r\n"
+                          "0,1;0,1;0,1;0,1;;\r\n"
+                          "0,16666666666666666;"));
+  CHECK(run(words + Typed{"--part", "2/2"}).out.starts_with("0,2333"));
+  CHECK(run(words + Typed{"--format", "json"}).err ==
+        "epure: --csv says how CSV is written, and --format json is none; leave one of them out\n");
+}
+
+TEST_CASE("an angle that moves with its speed is told, with what keeps it") {
+  const Typed words{"sweep", "slider-crank-velocity", "--over", "n=300|360", "--quantity", "omega_2"};
+  const Ran ran = run_on_all(words);
+  CHECK(ran.exit == 0);
+  CHECK(ran.err == "epure: phi changes with n, as the instant t is what is stated; --set phi=30deg keeps it\n");
+  CHECK(run_on_all(words + Typed{"--set", "phi=30deg"}).err.empty());
+  CHECK(run_on_all(words + Typed{"--over", "phi=10|20"}).err.empty());
+}
+
 TEST_CASE("each line of JSON is an object by itself") {
   const Ran ran = run({"sweep", "triangle", "--over", "a=10cm..30cm/4", "--quantity", "c_x", "--format", "json"});
   CHECK(ran.exit == 0);
@@ -268,7 +292,9 @@ TEST_CASE("what has no value has its reason, and the exit code says of the worst
   CHECK(contains(ran.out,
                  "\r\n0.3,,,,\"the routes disagree: in [0.5, 0.5] by ruler, but in [0.75, 0.75] by analytic\",0.3,"));
   CHECK(contains(ran.err, "in 2 positions the routes disagree"));
-  CHECK(contains(run_on(spoilt, words + Typed{"--lang", "it"}).out, "le vie discordano: in [0,5; 0,5] ("));
+  CHECK(run_on(spoilt, words + Typed{"--lang", "it"}).out == ran.out);  // for programs, in every language
+  CHECK(contains(run_on(spoilt, words + Typed{"--lang", "it", "--csv", "excel"}).out,
+                 "le vie discordano: in [0,5; 0,5] ("));
 
   spoil(certain(0.5), absent("gone"));
   CHECK(run_on(spoilt, words).exit == 1);
@@ -360,7 +386,7 @@ TEST_CASE("faults of gears stand in a column of their own, as check tells them")
     }
   }
   CHECK(told >= 2);
-  const Ran italian = run_on_all(words + Typed{"--lang", "it"});
+  const Ran italian = run_on_all(words + Typed{"--lang", "it", "--csv", "excel"});
   CHECK(contains(italian.out, "I denti della ruota 1"));
 }
 
@@ -586,4 +612,14 @@ TEST_CASE("charts: one for each unit, with gaps") {
   CHECK(!contains(svg, "-sweep-v_B-4\""));
   CHECK(run_on_all(words + Typed{"--chart", "c.pdf", "-o", "rows.csv", "--lang", "it"}).exit == 0);
   CHECK(contents("c.pdf").starts_with("%PDF-"));
+}
+
+TEST_CASE("a chart over the wrong given says which to name first") {
+  const Scratch scratch;
+  const Typed words{
+      "sweep",  "slider-crank-velocity", "--quantity", "v_B", "--chart", "c.svg", "--over", "r=0.18|0.2",
+      "--over", "phi=0..360/37"};
+  CHECK(run_on_all(words).err ==
+        "epure: --chart would draw 37 curves over r, and a sheet bears 12; the axis is the first --over: name phi "
+        "first, as it has 37 values\n");
 }

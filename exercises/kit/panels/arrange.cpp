@@ -175,6 +175,18 @@ void add_measured(const PanelSheet& shown, DrawnSheet& onto, Language language) 
   }
 }
 
+// Whether no panel that shows lengths has room for the point; never where none shows any.
+bool is_off_sheet(const Place& P, const std::vector<PlacedPanel>& panels, DrawnSheet& onto,
+                  const SheetRequest& request) {
+  bool shows_lengths = false;
+  for (const PlacedPanel& each : panels) {
+    if (each.panel->is_of_vectors() || !each.panel->has_scale()) continue;
+    shows_lengths = true;
+    if (is_in(each.room, plot_of(each, onto, request), P)) return false;
+  }
+  return shows_lengths;
+}
+
 std::string description(const Solution& solution, const PanelSheet& shown, Language language) {
   std::vector<Value> values;
   for (const std::string& name : shown.told)
@@ -209,11 +221,14 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   }
   add_bars(panels, onto, request);
 
-  if (request.for_class)
-    for (const Result::Asked& each : asked_on(solution, shown)) onto.asked.push_back(each.quantity);
   auto& column = onto.sheet.column;
+  AskedOnSheet asked;
+  if (request.for_class || request.blank)
+    asked = asked_on(solution, shown, [&](const Place& P) { return is_off_sheet(P, panels, onto, request); });
+  if (request.for_class)
+    for (const Result::Asked& each : asked.asked) onto.asked.push_back(each.quantity);
   if (request.blank) {
-    for (drawings::Block& block : problem_column(about, solution, shown, request)) column.push_back(std::move(block));
+    for (drawings::Block& block : problem_column(about, solution, asked, request)) column.push_back(std::move(block));
     onto.sheet.description = drawings::plain(about.question.in(language));
     return onto;
   }
@@ -222,7 +237,10 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
     for (const drawings::VectorEquation& equation : panel->equations()) column.push_back(equation);
   bool has_steps_off_sheet = false;
   std::vector<drawings::Block> steps = number_steps(panels, onto, request, has_steps_off_sheet);
-  if (request.for_class) note_awkwardness(sheet, panels, has_steps_off_sheet, onto);
+  if (request.for_class) {
+    note_awkwardness(sheet, panels, has_steps_off_sheet, onto);
+    note_not_asked(sheet, asked, onto.awkward);
+  }
   if (!steps.empty()) column.push_back(drawings::Heading{Words{"Construction", "Costruzione"}.in(language)});
   for (drawings::Block& block : steps) column.push_back(std::move(block));
   for (drawings::Block& block : of_drawings) column.push_back(std::move(block));

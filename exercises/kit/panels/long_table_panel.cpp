@@ -103,8 +103,15 @@ drawings::Box LongTablePanel::extent(const Scale&, const Scale&) const {
           {width() + 2 * table_air, line_height() * static_cast<double>(lines_) + under_heads + 2 * table_air}};
 }
 
-// From the top of the room, so that all pages begin alike.
 std::vector<drawings::Block> LongTablePanel::draw(Plot& plot, const drawings::Box& room, Language) const {
+  draw(plot, room, false);
+  return {};
+}
+
+void LongTablePanel::draw_given(Plot& plot, const drawings::Box& room, Language) const { draw(plot, room, true); }
+
+// From the top of the room, so that all pages begin alike.
+void LongTablePanel::draw(Plot& plot, const drawings::Box& room, bool is_empty) const {
   const double left = (room.low.x + room.high.x - width()) / 2, top = room.high.y - table_air;
   const auto rule = [&](double y) {
     plot.mark(drawings::Line{drawings::segment({left, y}, {left + width(), y}), Meaning::construction, {}});
@@ -118,14 +125,14 @@ std::vector<drawings::Block> LongTablePanel::draw(Plot& plot, const drawings::Bo
       const std::string& cell = column.cells[line];
       right += column.width;
       const drawings::Point at{right - width_of(cell, size_), foot(line) + 0.3 * line_height()};
-      plot.mark(drawings::Writing{.text = cell, .baseline = at, .size = size_, .row = line});
+      if (!is_empty || line < LongTable::head_lines || &column == &columns_.front())
+        plot.mark(drawings::Writing{.text = cell, .baseline = at, .size = size_, .row = line});
       right += gap_;
     }
   }
   rule(top);
   rule(foot(LongTable::head_lines - 1) - under_heads / 2);
   rule(foot(lines_ - 1) - under_heads / 2);
-  return {};
 }
 
 }  // namespace epure

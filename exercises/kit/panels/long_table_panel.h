@@ -20,6 +20,8 @@ class LongTablePanel : public Panel {
   bool has_scale() const override { return false; }
   drawings::Box extent(const Scale&, const Scale&) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language) const override;
+  // The heads, and the first column, by which rows are told.
+  void draw_given(Plot& plot, const drawings::Box& room, Language) const override;
 
  private:
   struct Column {
@@ -29,6 +31,7 @@ class LongTablePanel : public Panel {
   void measure(double size);
   double width() const;
   double line_height() const;
+  void draw(Plot& plot, const drawings::Box& room, bool is_empty) const;
 
   std::vector<Column> columns_;
   double size_ = 0, gap_ = 0, line_room_ = 0;  // mm

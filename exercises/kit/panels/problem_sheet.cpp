@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "drawings/text/text.h"
@@ -11,10 +12,27 @@ namespace {
 
 constexpr std::size_t most_in_one_column = 12;
 
+// In what is awkward, between the sheet and the quantity.
+constexpr std::string_view without_value = "/without value: ", off_sheet = "/off sheet: ";
+
+// The point whose coordinate or distance from another it is: P0 of P0_x and of P0A, Cprime of Cprime_C. Else empty.
+std::string point_of(const std::string& quantity, const Solution& solution) {
+  if (solution.described(quantity).unit != "m") return {};
+  for (std::size_t end = 1; end < quantity.size(); ++end) {
+    const std::string rest = quantity.substr(end), point = quantity.substr(0, end);
+    const bool is_coordinate = rest == "_x" || rest == "_y";
+    const std::size_t first = rest.starts_with('_') ? 1 : 0;
+    const bool is_distance = first < rest.size() && rest[first] >= 'A' && rest[first] <= 'Z';
+    if ((is_coordinate || is_distance) && solution.has(point + "_x") && solution.has(point + "_y")) return point;
+  }
+  return {};
+}
+
 }  // namespace
 
-std::vector<Result::Asked> asked_on(const Solution& solution, const PanelSheet& shown) {
-  std::vector<Result::Asked> all, asked;
+AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
+                      const std::function<bool(const Place&)>& is_off_sheet) {
+  std::vector<Result::Asked> all;
   const auto add_all = [&](const std::vector<Result>& results) {
     for (const Result& result : results) all.insert(all.end(), result.asked().begin(), result.asked().end());
   };
@@ -23,10 +41,53 @@ std::vector<Result::Asked> asked_on(const Solution& solution, const PanelSheet& 
     for (const Section& section : shown.theory) add_all(section.lines);
   if (all.empty())
     for (const std::string& name : shown.told) all.push_back({name});
+  AskedOnSheet found;
   std::set<std::string> seen;
-  for (const Result::Asked& each : all)
-    if (solution.is_reported(each.quantity) && seen.insert(each.quantity).second) asked.push_back(each);
-  return asked;
+  for (const Result::Asked& each : all) {
+    if (!solution.is_reported(each.quantity) || !seen.insert(each.quantity).second) continue;
+    const std::string point = point_of(each.quantity, solution);
+    const std::optional<Place> place = point.empty() ? std::nullopt : solution.point(point);
+    if (!solution.value(each.quantity))
+      found.without_value.push_back(each.quantity);
+    else if (place && is_off_sheet(*place))
+      found.off_sheet.push_back(each.quantity);
+    else
+      found.asked.push_back(each);
+  }
+  return found;
+}
+
+void note_not_asked(const std::string& sheet, const AskedOnSheet& asked, std::vector<Awkwardness>& awkward) {
+  for (const std::string& each : asked.without_value)
+    awkward.push_back({sheet + std::string(without_value) + each,
+                       {"something asked that does not exist, or lies at infinity",
+                        "qualcosa di richiesto che non esiste, o sta all'infinito"}});
+  for (const std::string& each : asked.off_sheet)
+    awkward.push_back({sheet + std::string(off_sheet) + each, {"a step off the sheet", "un passo fuori del foglio"}});
+}
+
+std::optional<std::string> quantity_not_asked(const Awkwardness& noted) {
+  for (const std::string_view between : {without_value, off_sheet})
+    if (const auto at = noted.what.find(between); at != std::string::npos)
+      return noted.what.substr(at + between.size());
+  return std::nullopt;
+}
+
+std::vector<Words> sentences_of_not_asked(const std::vector<std::string>& nowhere,
+                                          const std::vector<std::string>& elsewhere) {
+  const auto listed = [](const std::vector<std::string>& symbols) {
+    std::string list;
+    for (std::size_t i = 0; i < symbols.size(); ++i) list += (i == 0 ? "" : ", ") + symbols[i];
+    return list;
+  };
+  std::vector<Words> all;
+  if (!nowhere.empty())
+    all.push_back(format_words("Not asked, as it lies at infinity or does not exist: {}.",
+                               "Non si chiede, perché sta all'infinito o non esiste: {}.", listed(nowhere)));
+  if (!elsewhere.empty())
+    all.push_back(format_words("Not asked, as it lies off the sheet: {}.",
+                               "Non si chiede, perché sta fuori del foglio: {}.", listed(elsewhere)));
+  return all;
 }
 
 namespace {
@@ -60,7 +121,7 @@ drawings::Table answers(const std::vector<std::string>& asked) {
 }  // namespace
 
 std::vector<drawings::Block> problem_column(const Description& about, const Solution& solution,
-                                            const PanelSheet& shown, const SheetRequest& request) {
+                                            const AskedOnSheet& asked, const SheetRequest& request) {
   const Language language = request.language;
   const auto heading = [&](const Words& words) { return drawings::Heading{words.in(language)}; };
   std::vector<drawings::Block> column;
@@ -68,10 +129,17 @@ std::vector<drawings::Block> problem_column(const Description& about, const Solu
     column.emplace_back(heading({"Question", "Quesito"}));
     column.emplace_back(drawings::Paragraph{about.question.in(language)});
   }
-  if (const auto asked = written(asked_on(solution, shown), solution, language); !asked.empty()) {
+  if (const auto cells = written(asked.asked, solution, language); !cells.empty()) {
     column.emplace_back(heading({"Asked on this sheet", "Richiesto in questa tavola"}));
-    column.emplace_back(answers(asked));
+    column.emplace_back(answers(cells));
   }
+  const auto symbols = [&](const std::vector<std::string>& quantities) {
+    std::vector<std::string> all;
+    for (const std::string& each : quantities) all.push_back(solution.described(each).symbol);
+    return all;
+  };
+  for (const Words& each : sentences_of_not_asked(symbols(asked.without_value), symbols(asked.off_sheet)))
+    column.emplace_back(drawings::Paragraph{each.in(language)});
   column.emplace_back(heading({"Solved by", "Svolto da"}));
   drawings::Table who{.head = {}, .rows = {}, .to_fill_in = true};
   for (const auto& [field, known] : {std::pair{Words{"name", "nome"}, request.solver.name},

@@ -1,6 +1,8 @@
 // What stands beside the figure of a sheet that is to be solved.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,15 +10,30 @@
 
 namespace epure {
 
-// The quantities that it asks for, each once, in the order in which the solved sheet tells them. A sheet without
-// results asks for what its other sections tell, and one that tells all in words of its own for what it tells
-// somebody who does not see it.
-std::vector<Result::Asked> asked_on(const Solution& solution, const PanelSheet& shown);
+// What a sheet to be solved asks for, and what it would ask for at other givens.
+struct AskedOnSheet {
+  std::vector<Result::Asked> asked;
+  std::vector<std::string> without_value, off_sheet;  // quantities: it does not exist; its point is not on the paper
+};
+
+// The quantities, each once, in the order in which the solved sheet tells them. A sheet without results asks for what
+// its other sections tell, and one that tells all in words of its own for what it tells somebody who does not see it.
+// What does not exist nobody can find; and of a point that `is_off_sheet` nobody measures a coordinate or distance.
+AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
+                      const std::function<bool(const Place&)>& is_off_sheet);
 
 // The question, a table of what the sheet asks for with the units in which it is told, and a place for name, number
 // and date.
 std::vector<drawings::Block> problem_column(const Description& about, const Solution& solution,
-                                            const PanelSheet& shown, const SheetRequest& request);
+                                            const AskedOnSheet& asked, const SheetRequest& request);
+
+// That a sheet does not ask for these is awkward for a class, whose other students it does ask.
+void note_not_asked(const std::string& sheet, const AskedOnSheet& asked, std::vector<Awkwardness>& awkward);
+// The quantity of such a note; none of another.
+std::optional<std::string> quantity_not_asked(const Awkwardness& noted);
+// "Not asked, as they lie off the sheet: ..." of the symbols of quantities; nothing when there is none.
+std::vector<Words> sentences_of_not_asked(const std::vector<std::string>& without_value,
+                                          const std::vector<std::string>& off_sheet);
 
 // A small cross with the letter O, where a polygon begins.
 void mark_start(Plot& plot, const Place& at);

@@ -172,14 +172,45 @@ Allowance usual(const CheckedQuantity& quantity, const Rational& reading) {
   return {relative * CGAL::abs(value), lines};
 }
 
+// Of nothing no part is anything. What the reading is worth in what is drawn of the same kind; else in a product or
+// quotient of two lines that is of the kind, whose value says nothing here, as the quantity is zero; the roughest
+// counts.
+Allowance of_zero(const CheckedExercise& checked, const CheckedQuantity& quantity, const Ruler& ruler) {
+  const auto dimension = dimension_of(quantity.spec.unit);
+  const std::vector<Operand> all = operands(checked, ruler);
+  const Words reading = in_mm(ruler.reading_mm);
+  const auto drawn_like_it = [&](const Operand& each) { return !each.is_given && dimension == each.dimension; };
+  const Operand* like_it = nullptr;
+  for (const Operand& each : all)
+    if (drawn_like_it(each) && (!like_it || each.error > like_it->error)) like_it = &each;
+  if (like_it) return {Rational(like_it->error), reading + format_words(" in {}", " in {}", like_it->name)};
+  Allowance found{Rational(0), {}};
+  for (const Operand& x : all)
+    for (const Operand& y : all) {
+      if (&x == &y || x.is_given || x.mm < shortest_line_mm || y.mm < shortest_line_mm || !(y.value > 0)) continue;
+      for (const auto kind : {Formula::quotient, Formula::product}) {
+        const double error = kind == Formula::quotient ? x.error / y.value : x.error * y.value;
+        if (dimension != Formula{kind, &x, &y}.dimension() || Rational(error) <= found.size) continue;
+        found = {Rational(error), reading + format_words(" in {}, {} {}", " in {}, {} {}", x.name,
+                                                         kind == Formula::quotient ? "/" : "·", y.name)};
+      }
+    }
+  if (found.size > 0) return found;
+  const Rational hundredth = 2 * ruler.reading_mm / usual_line_mm;
+  return {hundredth, format_words("{} of the unit, as it is zero", "{} dell'unità, perché è nulla",
+                                  decimal(fmt::format("{}", nearest(hundredth))))};
+}
+
 }  // namespace
 
 Allowance allowance(const CheckedExercise& checked, const CheckedQuantity& quantity, const Ruler& ruler) {
   if (const auto line = drawn(quantity, ruler))
     return {ruler.reading_mm * line->per_mm, in_mm(ruler.reading_mm) + line->where};
   if (!is_angle(quantity.spec.unit))
-    if (const auto from_readings = calculated(checked, quantity, ruler)) return *from_readings;
-  return usual(quantity, ruler.reading_mm);
+    if (const auto from_readings = calculated(checked, quantity, ruler); from_readings && from_readings->size > 0)
+      return *from_readings;
+  const Allowance by_lines = usual(quantity, ruler.reading_mm);
+  return by_lines.size > 0 ? by_lines : of_zero(checked, quantity, ruler);
 }
 
 Allowance allowance_of(const Decimal& number, const Allowance& by_reading) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "exercises/kit/proof/measured.h"
+#include "exercises/kit/statement/bare_number.h"
 #include "geometry/numbers/given.h"
 
 namespace epure {
@@ -24,11 +25,38 @@ Decimal read_any_unit(const std::string& text, const std::string& unit) {
   return number;
 }
 
+std::string without_outer_blanks(const std::string& text) {
+  const auto first = text.find_first_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+// "≈ 4.5", "4,5 ± 0,1 m/s" and "(4,5 ± 0,1) m/s" as the value they tell: how sure of it who read it was, allowance
+// does not ask.
+std::string without_uncertainty(const std::string& typed) {
+  std::string text = without_outer_blanks(geometry::in_plain_characters(typed));
+  for (const std::string_view about : {"≈", "~", "circa ", "ca. ", "about "})
+    if (text.starts_with(about)) text = without_outer_blanks(text.substr(about.size()));
+  for (const std::string_view sign : {"±", "+/-", "+-"}) {
+    const auto at = text.find(sign);
+    if (at == std::string::npos) continue;
+    std::string value = without_outer_blanks(text.substr(0, at)), by = text.substr(at + sign.size());
+    if (const auto close = by.find(')'); value.starts_with('(') && close != std::string::npos) {
+      value.erase(0, 1);
+      by.erase(close, 1);
+    }
+    const auto end = by.find_first_not_of("0123456789.,/ ");
+    if (by.find_first_of("0123456789") > std::min(end, by.size())) return typed;  // no number follows the sign
+    const std::string unit = end == std::string::npos ? "" : by.substr(end);
+    return has_no_unit(value) && unit != "%" ? value + " " + unit : value;
+  }
+  return text;
+}
+
 }  // namespace
 
 // Far from where doubles overflow, and beyond all that comes of the largest givens.
 Decimal read_measured(const std::string& text, const std::string& unit) {
-  Decimal number = read_any_unit(text, unit);
+  Decimal number = read_any_unit(without_uncertainty(text), unit);
   const Rational largest = geometry::parse_given("1e60", "1");
   if (CGAL::abs(number.value) > largest || number.half_unit > largest)
     throw geometry::BadGiven(format_words("\"{}\" must lie between -1e60 and 1e60{}",

@@ -39,7 +39,8 @@ struct Allowance {
 // errors are added (twice that of a square); a given has none. Which way the reader went is not known, so the way
 // with the largest error counts, of those whose lines are all at least 20 mm long (where there is none such, the one
 // with the smallest). What none of them gives: as calculated from two lines of 100 mm, which is 1 % for half a
-// millimetre. An angle, read off two such lines: a hundredth of a radian.
+// millimetre. An angle, read off two such lines: a hundredth of a radian. Of a zero, which has no parts, what the
+// reading is worth in what is drawn of the same kind; so it is never nothing.
 Allowance allowance(const CheckedExercise& checked, const CheckedQuantity& quantity, const Ruler& ruler);
 
 // The same of many numbers: what each quantity's allowance is, is found once.
@@ -66,8 +67,8 @@ class Allowances {
 // say.
 Allowance allowance_of(const Decimal& number, const Allowance& by_reading);
 
-// "5.25", "5,25 m/s"; also "43deg" for a quantity in rad, and "127rpm" in rad/s. Throws geometry::BadGiven, also
-// beyond ±1e60.
+// "5.25", "5,25 m/s"; also "43deg" for a quantity in rad, and "127rpm" in rad/s; of "≈ 5.25" and "5.25 ± 0.05 m/s"
+// the value. Throws geometry::BadGiven, also beyond ±1e60.
 Decimal read_measured(const std::string& text, const std::string& unit);
 
 // The same direction as `value`, whole turns away, that is nearest to `to`; of what is no angle the value itself.

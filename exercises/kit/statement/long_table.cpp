@@ -1,19 +1,9 @@
 #include "exercises/kit/statement/long_table.h"
 
-#include "exercises/kit/statement/csv_field.h"
+#include "exercises/kit/statement/csv_style.h"
 
 namespace epure {
 
-std::string csv(const LongTable& table) {
-  std::string text;
-  const auto record = [&](const auto& field_of) {
-    for (std::size_t i = 0; i < table.columns.size(); ++i) text += (i == 0 ? "" : ",") + field_of(table.columns[i]);
-    text += "\r\n";
-  };
-  record([](const LongTable::Column& column) { return csv_head(column.name, column.unit); });
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    record([&](const LongTable::Column& column) { return csv_field(column.values[row]); });
-  return text;
-}
+std::string csv(const LongTable& table) { return csv(table, CsvStyle{}); }
 
 }  // namespace epure

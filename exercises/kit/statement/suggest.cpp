@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t most_listed = 12, most_suggested = 3;
 
 // Insertions, deletions, replacements and exchanges of two neighbours that lead from one word to the other.
-std::size_t distance(const std::string& a, const std::string& b) {
+std::size_t edits_between(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> apart(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   std::iota(apart[0].begin(), apart[0].end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -33,22 +33,6 @@ std::string join(const std::vector<std::string>& names, const std::string& befor
   return text;
 }
 
-// A third of the letters may be wrong, and a name may be unfinished; one letter alone is no beginning.
-std::vector<std::string> near_names(const std::string& wrong, const std::vector<std::string>& known) {
-  const std::string typed = lower_case(wrong);
-  std::vector<std::pair<std::size_t, std::string>> found;
-  for (const std::string& name : known) {
-    const bool is_begun = typed.size() > 1 && lower_case(name).starts_with(typed);
-    const std::size_t apart = is_begun ? 0 : distance(typed, lower_case(name));
-    if (apart <= std::max(typed.size(), name.size()) / 3) found.emplace_back(apart, name);
-  }
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<std::string> names;
-  for (const auto& [apart, name] : found)
-    if (names.size() < most_suggested) names.push_back(name);
-  return names;
-}
-
 }  // namespace
 
 std::string lower_case(std::string text) {
@@ -59,9 +43,26 @@ std::string lower_case(std::string text) {
 
 Words alternatives(const std::vector<std::string>& names) { return {join(names, " or "), join(names, " o ")}; }
 
+// A third of the letters may be wrong, and a name may be unfinished; one letter alone is no beginning.
+std::vector<std::string> near_names(const std::string& wrong, const std::vector<std::string>& known) {
+  constexpr std::size_t longest_compared = 100;  // a longer word is no slip of the finger, and would take long
+  if (wrong.size() > longest_compared) return {};
+  const std::string typed = lower_case(wrong);
+  std::vector<std::pair<std::size_t, std::string>> found;
+  for (const std::string& name : known) {
+    const bool is_begun = typed.size() > 1 && lower_case(name).starts_with(typed);
+    const std::size_t apart = is_begun ? 0 : edits_between(typed, lower_case(name));
+    if (apart <= std::max(typed.size(), name.size()) / 3) found.emplace_back(apart, name);
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> names;
+  for (const auto& [apart, name] : found)
+    if (names.size() < most_suggested) names.push_back(name);
+  return names;
+}
+
 Words did_you_mean(const std::string& wrong, const std::vector<std::string>& known) {
-  // A long word is no slip of the finger, and comparing it would take long.
-  const auto near = wrong.size() <= 100 ? near_names(wrong, known) : std::vector<std::string>{};
+  const std::vector<std::string> near = near_names(wrong, known);
   if (!near.empty()) return Words{"did you mean ", "si intendeva "} + alternatives(near) + "?";
   const Words known_are = {"known are: ", "si conoscono: "};
   if (known.size() <= most_listed) return known_are + join(known, ", ");

@@ -13,6 +13,9 @@ namespace epure {
 // the end of a sentence.
 Words did_you_mean(const std::string& wrong, const std::vector<std::string>& known);
 
+// Those names, the nearest first; none when none is near.
+std::vector<std::string> near_names(const std::string& wrong, const std::vector<std::string>& known);
+
 // Without capitals: A to Z only, as names have no others.
 std::string lower_case(std::string text);
 

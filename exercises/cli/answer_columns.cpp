@@ -1,0 +1,162 @@
+#include "exercises/cli/answer_columns.h"
+
+#include <algorithm>
+#include <array>
+
+#include "exercises/cli/student_columns.h"
+#include "exercises/cli/symbol.h"
+#include "exercises/kit/proof/measured.h"
+#include "exercises/kit/statement/bare_number.h"
+#include "exercises/kit/statement/suggest.h"
+
+namespace epure {
+namespace {
+
+// "v_B [cm/s]" or "v_B (cm/s)", taken apart.
+struct HeadedBy {
+  std::string name, unit;
+};
+HeadedBy heading_of(const std::string& column) {
+  for (const auto& [open, close] : {std::pair{'[', ']'}, {'(', ')'}}) {
+    const auto at = column.find(open);
+    if (at == std::string::npos || !column.ends_with(close)) continue;
+    const auto end = column.find_last_not_of(' ', at == 0 ? 0 : at - 1);
+    return {column.substr(0, at == 0 || end == std::string::npos ? 0 : end + 1),
+            column.substr(at + 1, column.size() - at - 2)};
+  }
+  return {column, {}};
+}
+
+bool heads_scale(const std::string& head) {
+  const std::array<std::string_view, 2> names{"scale", "scala"};
+  return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+    return head == name || head.starts_with(std::string(name) + "_") || head.starts_with(std::string(name) + " ");
+  });
+}
+
+// What stands in tables of ours, or of any teacher's, and is nothing to be marked.
+bool is_of_no_account(const std::string& head) {
+  const std::array<std::string_view, 4> names{"date", "data", "remarks", "osservazioni"};
+  return std::find(names.begin(), names.end(), lower_case(head)) != names.end();
+}
+
+// Letters and digits alone: "vB" and "v_B" as "vb".
+std::string bones(const std::string& name) {
+  std::string all;
+  for (const char c : lower_case(name))
+    if (static_cast<unsigned char>(c) >= 0x80 || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) all += c;
+  return all;
+}
+
+// "v_B misurata" begins with v_B, "number" does not begin with n.
+bool begins_with(const std::string& head, const std::string& name) {
+  return head.size() > name.size() && head.starts_with(name) && bones(head.substr(name.size(), 1)).empty() &&
+         head[name.size()] != '_';
+}
+
+class ColumnReader {
+ public:
+  ColumnReader(const Exercise& exercise, const CsvTable& table, TableRole role, AnswerColumns& found)
+      : about_(exercise.about()), table_(table), role_(role), found_(found), given_names_(given_names(exercise)) {
+    for (const Quantity& each : about_.quantities)
+      quantity_names_.push_back({each.name, unicode_symbol(each.symbol)});
+  }
+
+  void read() {
+    found_.numbers = column_of_numbers(table_);
+    table_.column("date");
+    for (std::size_t i = 0; i < table_.header.size(); ++i) add(i);
+  }
+
+ private:
+  static bool stands_in(const std::vector<AskedColumn>& all, const std::string& name) {
+    return std::any_of(all.begin(), all.end(), [&](const AskedColumn& each) { return each.name == name; });
+  }
+  const Quantity* quantity(const std::string& name) const {
+    const auto found = std::find_if(about_.quantities.begin(), about_.quantities.end(),
+                                    [&](const Quantity& each) { return each.name == name; });
+    return found == about_.quantities.end() ? nullptr : &*found;
+  }
+  const GivenSpec* given(const std::string& name) const {
+    const std::size_t i = index_of(about_.givens, ascii_name(name, given_names_));
+    return i == about_.givens.size() ? nullptr : &about_.givens[i];
+  }
+
+  // Of a name that a given and a quantity have. A key's givens have their units in the cells, not in the heading.
+  bool means_given(const HeadedBy& heading, const GivenSpec& spec, std::size_t column) const {
+    if (stands_in(found_.givens, spec.symbol)) return false;
+    if (role_ == TableRole::key) return found_.quantities.empty() && heading.unit.empty();
+    return std::any_of(table_.header.begin() + static_cast<std::ptrdiff_t>(column) + 1, table_.header.end(),
+                       [&](const std::string& later) { return heading_of(later).name == heading.name; });
+  }
+
+  void add(std::size_t column) {
+    const std::string& typed = table_.header[column];
+    if (heads_numbers(typed) || heads_names(typed) || is_of_no_account(typed)) return;
+    if (role_ == TableRole::answers && heads_scale(typed)) {
+      found_.scales.push_back(column);
+      return;
+    }
+    const HeadedBy heading = heading_of(typed);
+    const GivenSpec* as_given = given(heading.name);
+    const Quantity* as_quantity = quantity(ascii_name(heading.name, quantity_names_));
+    if (as_given && as_quantity && !means_given(heading, *as_given, column)) as_given = nullptr;
+    if (!as_given && !as_quantity) {
+      demand_far(typed, heading.name);
+      found_.left_out.push_back(typed);
+      return;
+    }
+    const std::string& name = as_given ? as_given->symbol : as_quantity->name;
+    if (stands_in(as_given ? found_.givens : found_.quantities, name))
+      throw BadTable(
+          format_words("{}: there are two columns for {}", "{}: ci sono due colonne per {}", table_.file, name));
+    demand_unit(typed, heading.unit, as_given ? as_given->unit : as_quantity->unit);
+    (as_given ? found_.givens : found_.quantities).push_back({column, name, heading.unit});
+  }
+
+  void demand_unit(const std::string& column, const std::string& unit, const std::string& own) const {
+    if (unit.empty() || unit == own) return;
+    try {
+      read_measured("1 " + unit, own);
+    } catch (const geometry::BadGiven& wrong) {
+      throw BadTable(
+          format_words("{}, column \"{}\": {}", "{}, colonna \"{}\": {}", table_.file, column, wrong.words()));
+    }
+  }
+
+  // What nearly is the name of something that is asked is no column of something else.
+  void demand_far(const std::string& typed, const std::string& name) const {
+    std::vector<std::string> known, meant;
+    for (const Quantity& each : about_.quantities) known.push_back(each.name);
+    for (const GivenSpec& each : about_.givens) known.push_back(each.symbol);
+    for (const std::string& each : known)
+      if (bones(each) == bones(name) || begins_with(name, each)) meant.push_back(each);
+    if (meant.empty()) meant = near_names(name, known);
+    if (meant.empty()) return;
+    throw BadTable(
+        format_words("{}: column \"{}\" is no quantity and no given of {}; did you mean {}? (Rename the "
+                     "column, or take it out.)",
+                     "{}: la colonna \"{}\" non è una grandezza né un dato di {}; si intendeva {}? "
+                     "(Rinominare la colonna, o toglierla.)",
+                     table_.file, typed, about_.id, alternatives(meant)));
+  }
+
+  const Description& about_;
+  const CsvTable& table_;
+  TableRole role_;
+  AnswerColumns& found_;
+  std::vector<NameAndLetters> given_names_, quantity_names_;
+};
+
+}  // namespace
+
+std::string AskedColumn::text(const CsvRow& row) const {
+  const std::string& cell = row.cells[column];
+  return cell.empty() || unit.empty() || !has_no_unit(cell) ? cell : cell + " " + unit;
+}
+
+AnswerColumns::AnswerColumns(const Exercise& exercise, const CsvTable& table, TableRole role) {
+  ColumnReader(exercise, table, role, *this).read();
+}
+
+}  // namespace epure

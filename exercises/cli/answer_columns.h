@@ -1,0 +1,36 @@
+// What the columns of a table of answers, or of a key, stand for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exercises/cli/csv_reader.h"
+
+namespace epure {
+
+// A given or a quantity that has a column.
+struct AskedColumn {
+  std::size_t column;
+  std::string name, unit;  // as the column has it; empty: the own one
+
+  // The cell with the unit of its column, when it has none itself.
+  std::string text(const CsvRow& row) const;
+};
+
+enum class TableRole { key, answers };
+
+struct AnswerColumns {
+  // A name that both a given and a quantity have is in a key the given, unless a quantity stands to its left; in
+  // answers the quantity, unless it stands there twice: then the first is the given. Throws BadTable for two columns
+  // of one thing, a unit that is none of it, and a column whose name is near one of a quantity or given: what is
+  // marked must not hang on a slip of the finger.
+  AnswerColumns(const Exercise& exercise, const CsvTable& table, TableRole role);
+
+  std::optional<std::size_t> numbers = {};
+  std::vector<std::size_t> scales = {};
+  std::vector<AskedColumn> givens = {}, quantities = {};
+  std::vector<std::string> left_out = {};  // the heads of what is none of all this
+};
+
+}  // namespace epure
