@@ -66,7 +66,10 @@ std::vector<Candidate> students_in(const CsvTable& table, bool needs_number) {
     students.push_back(std::move(each));
   }
   if (students.empty())
-    throw BadTable(format_words("{}: there is no student in it", "{}: non contiene alcuno studente", table.file));
+    throw BadTable(needs_number
+                       ? format_words("{}: there is no student in it", "{}: non contiene alcuno studente", table.file)
+                       : format_words("{}: there is no row below its header",
+                                      "{}: non c'è alcuna riga sotto l'intestazione", table.file));
   demand_files_apart(table, students);
   return students;
 }
@@ -75,29 +78,25 @@ std::vector<Candidate> students_in(const CsvTable& table, bool needs_number) {
 
 std::vector<Candidate> candidates_of(const CsvTable& roster) { return students_in(roster, true); }
 
-std::vector<Candidate> variants_of(const CsvTable& table, const Exercise& exercise) {
+std::vector<Candidate> variants_of(const CsvTable& table, const std::vector<const Exercise*>& exercises) {
   std::vector<Candidate> students = students_in(table, false);
-  const auto& specs = exercise.about().givens;
-  const std::vector<NameAndLetters> names = given_names(exercise);
+  for (std::size_t i = 0; i < students.size(); ++i)
+    students[i].place = format_words("{}, line {}", "{}, riga {}", table.file, table.rows[i].line);
   std::set<std::string> headed;
   for (std::size_t column = 0; column < table.header.size(); ++column) {
     const std::string& head = table.header[column];
     if (heads_numbers(head) || heads_names(head)) continue;
-    const std::size_t place = index_of(specs, ascii_name(head, names));
-    if (place == specs.size()) {
-      std::vector<std::string> symbols;
-      for (const GivenSpec& spec : specs) symbols.push_back(spec.symbol);
+    const auto symbol = given_meant(head, exercises);
+    if (!symbol)
       throw BadTable(format_words("{}: the column \"{}\" is no given of {}; {}",
                                   "{}: la colonna \"{}\" non è un dato di {}; {}", table.file, head,
-                                  exercise.about().id, did_you_mean(head, symbols)));
-    }
-    const std::string& symbol = specs[place].symbol;
-    if (!headed.insert(symbol).second)
+                                  names_of(exercises), did_you_mean(head, symbols_of(exercises))));
+    if (!headed.insert(*symbol).second)
       throw BadTable(
-          format_words("{}: there are two columns for {}", "{}: ci sono due colonne per {}", table.file, symbol));
+          format_words("{}: there are two columns for {}", "{}: ci sono due colonne per {}", table.file, *symbol));
     for (std::size_t i = 0; i < students.size(); ++i)
       if (const std::string& cell = table.rows[i].cells[column]; !cell.empty())
-        students[i].assignments.push_back(symbol + "=" + cell);
+        students[i].assignments.push_back(*symbol + "=" + cell);
   }
   return students;
 }

@@ -51,16 +51,9 @@ std::string in_ascii(const Exercise& exercise, const std::string& assignment) {
 // Among several exercises a symbol may be unknown to some, but not to all.
 void demand_an_owner(const std::vector<const Exercise*>& exercises, const std::string& assignment) {
   const std::string symbol = symbol_of(assignment);
-  if (std::any_of(exercises.begin(), exercises.end(),
-                  [&](auto exercise) { return has_symbol(*exercise, ascii_name(symbol, given_names(*exercise))); }))
-    return;
-  std::vector<std::string> known;
-  for (const Exercise* exercise : exercises)
-    for (const GivenSpec& given : exercise->about().givens)
-      if (std::find(known.begin(), known.end(), given.symbol) == known.end()) known.push_back(given.symbol);
-  throw WrongUsage(format_words("\"{}\" is no given of any exercise named; {}",
-                                "\"{}\" non è un dato di alcun esercizio nominato; {}", symbol,
-                                did_you_mean(symbol, known)));
+  if (given_meant(symbol, exercises)) return;
+  throw WrongUsage(format_words("\"{}\" is no given of {}; {}", "\"{}\" non è un dato di {}; {}", symbol,
+                                names_of(exercises), did_you_mean(symbol, symbols_of(exercises))));
 }
 
 }  // namespace
@@ -72,6 +65,29 @@ std::vector<NameAndLetters> given_names(const Exercise& exercise) {
     for (const std::string& name : given.also) all.push_back({given.symbol, name});
   }
   return all;
+}
+
+std::optional<std::string> given_meant(const std::string& name, const std::vector<const Exercise*>& exercises) {
+  for (const Exercise* exercise : exercises) {
+    const auto& specs = exercise->about().givens;
+    const std::size_t place = index_of(specs, ascii_name(name, given_names(*exercise)));
+    if (place < specs.size()) return specs[place].symbol;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> symbols_of(const std::vector<const Exercise*>& exercises) {
+  std::vector<std::string> known;
+  for (const Exercise* exercise : exercises)
+    for (const GivenSpec& given : exercise->about().givens)
+      if (std::find(known.begin(), known.end(), given.symbol) == known.end()) known.push_back(given.symbol);
+  return known;
+}
+
+Words names_of(const std::vector<const Exercise*>& exercises) {
+  if (exercises.size() > 1) return {"any exercise named", "alcun esercizio nominato"};
+  const std::string& id = exercises.front()->about().id;
+  return {id, id};
 }
 
 const Exercise& find_exercise(const Catalogue& exercises, const std::string& id) {

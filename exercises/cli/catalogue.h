@@ -1,6 +1,7 @@
 // Finding exercises and sheets by the names a user types.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,14 @@ std::string ascii_name(const std::string& typed, const std::vector<NameAndLetter
 
 // The givens' names beside their letters, as plain text, and beside the other names they have.
 std::vector<NameAndLetters> given_names(const Exercise& exercise);
+
+// The symbol of the given that is meant by this name, its letters or another name of it, in the first of the
+// exercises that has one; none: there is none. Throws as ascii_name.
+std::optional<std::string> given_meant(const std::string& name, const std::vector<const Exercise*>& exercises);
+// Of all of them, each once.
+std::vector<std::string> symbols_of(const std::vector<const Exercise*>& exercises);
+// "four-bar", or "any exercise named".
+Words names_of(const std::vector<const Exercise*>& exercises);
 
 // The exercises named, each once, in the order named; "all" stands for all of them.
 std::vector<const Exercise*> find_exercises(const Catalogue& exercises, const std::vector<std::string>& ids);

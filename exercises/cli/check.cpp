@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exercises/cli/check_report.h"
+#include "exercises/cli/givens_file.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
@@ -65,6 +66,8 @@ void add_all_measured(CheckedExercise& checked, const std::vector<MeasuredText>&
     }
 }
 
+}  // namespace
+
 Exit exit_of(const std::vector<CheckedExercise>& all) {
   Exit exit = Exit::success;
   for (const CheckedExercise& checked : all) {
@@ -75,12 +78,39 @@ Exit exit_of(const std::vector<CheckedExercise>& all) {
   return exit;
 }
 
-// Why, once for an exercise: its other sheets mostly fail for the same reason.
 std::vector<Words> sheets_not_drawn(const std::vector<CheckedExercise>& all) {
   std::vector<Words> remarks;
   for (const CheckedExercise& checked : all)
     if (!checked.not_drawn.empty()) remarks.push_back(checked.about.id + ": " + checked.not_drawn.front().sentence);
   return remarks;
+}
+
+namespace {
+
+// One that says nothing, where there is no file.
+GivensFile rows_asked(const std::vector<const Exercise*>& exercises, const Options& options) {
+  if (!options.givens_file) return {{Candidate{}}};
+  GivensFile file = read_givens_file(*options.givens_file, exercises, options.assignments);
+  if (file.rows.size() > 1 && !options.measured.empty())
+    throw WrongUsage(format_words("--measured is of one drawing, and {} has {} rows",
+                                  "--measured è di un solo disegno, e {} ha {} righe", *options.givens_file,
+                                  file.rows.size()));
+  return file;
+}
+
+CheckedExercise check_at(const Candidate& row, const Exercise& exercise, const Givens& givens, Rung number) {
+  try {
+    return check(exercise, givens, number);
+  } catch (const BadGivens& why) {
+    throw BadGivens(in_place(row, why.words()));
+  } catch (const geometry::Impossible& why) {
+    throw BadGivens(in_place(row, why.words()));
+  }
+}
+
+// "variants.csv, line 3: 12345 Rossi"
+std::string heading_of(const Candidate& row, Language language) {
+  return row.place.in(language) + ": " + row.number + (row.name.empty() ? "" : " " + row.name) + "\n";
 }
 
 }  // namespace
@@ -91,24 +121,30 @@ Outcome check(const Catalogue& exercises, const Options& options) {
   const Ruler ruler = ruler_asked(chosen, options);
   const std::vector<MeasuredText> texts = measured_texts(chosen, options);
   demand_known(chosen, texts);
-  const std::vector<Givens> givens = set_givens(chosen, options.assignments);
+  const GivensFile rows = rows_asked(chosen, options);
 
   const Reader reader{language(options), options.colours};
 
   std::vector<CheckedExercise> checked;
+  std::vector<Candidate> row_of_each;
   std::string report;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    checked.push_back(check(*chosen[i], givens[i], number));
-    add_all_measured(checked.back(), texts, ruler);
-    if (options.json) continue;
-    if (options.quiet) {
-      report += measured_report(checked.back(), reader);
-      continue;
+  for (const Candidate& row : rows.rows) {
+    const std::vector<Givens> givens = givens_in(row, chosen, options.assignments);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      checked.push_back(check_at(row, *chosen[i], givens[i], number));
+      if (rows.is_table) row_of_each.push_back(row);
+      add_all_measured(checked.back(), texts, ruler);
+      if (options.json) continue;
+      if (rows.is_table && !options.quiet) report += heading_of(row, reader.language);
+      if (options.quiet) {
+        report += measured_report(checked.back(), reader);
+        continue;
+      }
+      report += text_report(checked.back(), reader) + "\n";
+      if (chosen.size() * rows.rows.size() > 1) report += closing_line(checked.back(), reader) + "\n";
     }
-    report += text_report(checked.back(), reader) + "\n";
-    if (chosen.size() > 1) report += closing_line(checked.back(), reader) + "\n";
   }
-  return {options.json ? json_report(checked) : report + totals(checked, reader), exit_of(checked),
+  return {options.json ? json_report(checked, row_of_each) : report + totals(checked, reader), exit_of(checked),
           sheets_not_drawn(checked)};
 }
 

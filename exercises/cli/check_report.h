@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "exercises/cli/candidate.h"
 #include "exercises/kit/proof/checked.h"
 
 namespace epure {
@@ -27,8 +28,9 @@ std::string closing_line(const CheckedExercise& checked, const Reader& reader);
 // what the source printed.
 std::string totals(const std::vector<CheckedExercise>& all, const Reader& reader);
 
-// Schema epure.check/1. Its words are English: it is read by programs.
-std::string json_report(const std::vector<CheckedExercise>& all);
+// Schema epure.check/1. Its words are English: it is read by programs. `rows`: of each exercise, the row of a table
+// that its givens come from; empty: there is no table.
+std::string json_report(const std::vector<CheckedExercise>& all, const std::vector<Candidate>& rows = {});
 
 // "within reading" or "beyond reading".
 Words verdict(const Measured& measured);

@@ -11,6 +11,7 @@
 #include "drawings/text/text.h"
 #include "exercises/cli/abreast.h"
 #include "exercises/cli/class_journal.h"
+#include "exercises/cli/givens_file.h"
 #include "exercises/cli/harmless_cell.h"
 #include "exercises/cli/moodle.h"
 #include "exercises/cli/moved_by_speed.h"
@@ -33,12 +34,12 @@ constexpr std::size_t most_students = 100000;
 
 std::vector<Candidate> class_of(const Options& options, const Exercise& exercise) {
   const ClassOptions& of = options.class_set;
-  const int sources = (of.students ? 1 : 0) + (of.givens ? 1 : 0) + (of.count ? 1 : 0);
+  const int sources = (of.students ? 1 : 0) + (options.givens_file ? 1 : 0) + (of.count ? 1 : 0);
   if (sources != 1)
     throw WrongUsage("a class needs one of --students ROSTER.csv, --givens VARIANTS.csv and --count N",
                      "una classe richiede uno fra --students ELENCO.csv, --givens VARIANTI.csv e --count N");
   if (of.students) return candidates_of(read_csv_file(*of.students));
-  if (of.givens) return variants_of(read_csv_file(*of.givens), exercise);
+  if (options.givens_file) return read_givens_file(*options.givens_file, {&exercise}, options.assignments).rows;
   const bool is_number =
       !of.count->empty() && of.count->size() <= 6 && of.count->find_first_not_of("0123456789") == std::string::npos;
   const std::size_t count = is_number ? std::stoul(*of.count) : 0;

@@ -19,10 +19,7 @@ namespace {
 constexpr std::size_t most_rows = 100000;
 constexpr std::size_t longest_row = 1000000;
 constexpr std::size_t largest_file = 256000000;
-
-[[noreturn]] void refuse_line(const std::string& file, std::size_t line, const Words& why) {
-  throw BadTable(format_words("{}, line {}: {}", "{}, riga {}: {}", file, line, why));
-}
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 void demand_text(std::string_view bytes, const std::string& file) {
   std::size_t line = 1;
@@ -196,7 +193,7 @@ void CsvTable::demand_distinct(std::size_t column) const {
 CsvTable read_csv(const std::string& bytes, const std::string& file) {
   demand_text(bytes, file);
   std::string_view text = bytes;
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   Records records(text, file);
   CsvTable table{file, {}, {}};
   std::size_t line_of_header = 0;
@@ -224,5 +221,16 @@ CsvTable read_csv(const std::string& bytes, const std::string& file) {
 }
 
 CsvTable read_csv_file(const std::string& path) { return read_csv(bytes_of(path), path); }
+
+std::string read_text_file(const std::string& path) {
+  std::string text = bytes_of(path);
+  demand_text(text, path);
+  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+  return text;
+}
+
+void refuse_line(const std::string& file, std::size_t line, const Words& why) {
+  throw BadTable(format_words("{}, line {}: {}", "{}, riga {}: {}", file, line, why));
+}
 
 }  // namespace epure

@@ -44,4 +44,11 @@ CsvTable read_csv(const std::string& bytes, const std::string& file);
 // The same of a file; throws BadTable when it cannot be read, or holds more than 256 MB.
 CsvTable read_csv_file(const std::string& path);
 
+// A file of text, without a byte order mark. Throws BadTable as these do for what cannot be read, bytes that are no
+// UTF-8, and a NUL.
+std::string read_text_file(const std::string& path);
+
+// Why a line of a file cannot be understood.
+[[noreturn]] void refuse_line(const std::string& file, std::size_t line, const Words& why);
+
 }  // namespace epure

@@ -7,7 +7,6 @@
 #include <functional>
 #include <mutex>
 #include <ostream>
-#include <set>
 #include <utility>
 
 #include "drawings/files/tex.h"
@@ -17,6 +16,8 @@
 #include "drawings/text/text.h"
 #include "exercises/cli/abreast.h"
 #include "exercises/cli/documents.h"
+#include "exercises/cli/file_names.h"
+#include "exercises/cli/givens_file.h"
 #include "exercises/cli/pages.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/verbs.h"
@@ -28,66 +29,93 @@ namespace {
 
 using drawings::File;
 
-// An exercise with its givens. Its sheets are drawn by several threads: the first of them solves it for all.
+std::vector<const Exercise*> exercises_of(const std::vector<Target>& targets) {
+  std::vector<const Exercise*> exercises;
+  for (const Target& target : targets)
+    if (std::find(exercises.begin(), exercises.end(), target.exercise) == exercises.end())
+      exercises.push_back(target.exercise);
+  return exercises;
+}
+
+// An exercise with one set of givens. Its sheets are drawn by several threads: the first of them solves it for all.
 class Solving {
  public:
-  Solving(const Exercise* exercise, Givens givens) : exercise_(exercise), givens_(std::move(givens)) {}
+  Solving(const Exercise* exercise, Givens givens, const Candidate& row, std::size_t row_number)
+      : exercise_(exercise), givens_(std::move(givens)), row_(row), row_number_(row_number) {}
 
   const Exercise* exercise() const { return exercise_; }
+  const Candidate& row() const { return row_; }
+  Drawn drawn() const { return {*exercise_, givens_, row_, row_number_}; }
   const Solution& solution() {
     std::call_once(once_, [&] { found_ = exercise_->solution(givens_); });
     return *found_;
+  }
+  // What tells it apart from the others: its id, and the row of its givens.
+  Words name() const {
+    const std::string& id = exercise_->about().id;
+    return row_.place.empty() ? Words{id, id} : id + (" (" + row_.place + ")");
   }
 
  private:
   const Exercise* exercise_;
   Givens givens_;
+  const Candidate& row_;
+  std::size_t row_number_;
   std::once_flag once_ = {};
   std::optional<Solution> found_ = {};
 };
 
-// A sheet of an exercise, each once, and what became of it. Layout and labels' places serve both formats.
+// A sheet of an exercise with its givens, each once, and what became of it. Layout and labels' places serve both
+// formats.
 struct DrawnSheetOf {
-  const Exercise* exercise;
+  Solving* solving;
   std::string name;
   std::vector<drawings::Page> pages = {};  // several of a long table
   std::optional<Words> undecided = {};     // why there are none
+
+  const Exercise& exercise() const { return *solving->exercise(); }
+  std::string path() const { return exercise().about().id + "/" + name; }
 };
 
 struct DrawnTarget {
   Target target;
+  Solving* solving;
   std::vector<const DrawnSheetOf*> sheets;
+};
+
+// Rows of givens, counted from `first`; is_table: students have their names on the sheets.
+struct RowsToDraw {
+  std::vector<Candidate> rows;
+  bool is_table = false;
+  std::size_t first = 1;
 };
 
 class Drawing {
  public:
-  Drawing(const std::vector<Target>& targets, const Options& options)
+  Drawing(const std::vector<Target>& targets, const Options& options, const RowsToDraw& rows)
       : options_(options), looks_(looks_asked(options)) {
-    std::vector<const Exercise*> exercises;
-    for (const Target& target : targets)
-      if (std::find(exercises.begin(), exercises.end(), target.exercise) == exercises.end())
-        exercises.push_back(target.exercise);
-    const std::vector<Givens> givens = set_givens(exercises, options.assignments);
-    for (const Target& target : targets) {
-      drawn_.push_back({target, {}});
-      for (const std::string& sheet : target.sheets()) drawn_.back().sheets.push_back(add(*target.exercise, sheet));
+    const std::vector<const Exercise*> exercises = exercises_of(targets);
+    for (std::size_t row = 0; row < rows.rows.size(); ++row) {
+      const Candidate& each = rows.rows[row];
+      const std::vector<Givens> givens = givens_in(each, exercises, options.assignments);
+      const std::size_t before = solving_.size();
+      for (std::size_t i = 0; i < exercises.size(); ++i)
+        solving_.emplace_back(exercises[i], givens[i], each, rows.first + row);
+      for (const Target& target : targets) {
+        Solving& solving = *std::find_if(solving_.begin() + static_cast<std::ptrdiff_t>(before), solving_.end(),
+                                         [&](const Solving& one) { return one.exercise() == target.exercise; });
+        drawn_.push_back({target, &solving, {}});
+        for (const std::string& sheet : target.sheets()) drawn_.back().sheets.push_back(add(solving, sheet));
+      }
     }
-    for (std::size_t i = 0; i < exercises.size(); ++i) solving_.emplace_back(exercises[i], givens[i]);
     if (wants_only_tables()) return;
     SheetRequest request = sheet_request(options);
     request.bare = is_bare(options);
     abreast(sheets_.size(), [&](std::size_t i) {
       DrawnSheetOf& each = sheets_[i];
-      try {
-        each.pages = compose(each, solving_of(*each.exercise), request);
-      } catch (const geometry::Undecided& open) {
-        each.undecided = open.words();
-      } catch (const DoesNotFit& why) {
-        if (sheets_.size() == 1) throw;
-        throw DoesNotFit(each.exercise->about().id + "/" + each.name + ": " + why.words());
-      } catch (const drawings::TooFar& why) {
-        throw drawings::TooFar(each.exercise->about().id + "/" + each.name + ": " + why.words());
-      }
+      SheetRequest own = request;
+      if (rows.is_table) own.solver = {each.solving->row().name, each.solving->row().number};
+      compose_or_tell(each, own);
     });
     leave_out_undecided();
     demand_paintable_pages();
@@ -96,34 +124,48 @@ class Drawing {
   // Of each sheet left out, why.
   const std::vector<Words>& remarks() const { return remarks_; }
 
-  // ID.pdf and ID-SHEET.svg, or ID-SHEET.pdf and ID-SHEET.svg, of a sheet's further pages ID-SHEET-2.svg;
-  // ID-SHEET.csv; ID-blank.pdf, ID-SHEET-blank.svg. png, eps and tex as svg. A file asked for twice is made once.
-  std::vector<File> files_in_folder() {
+  // Named by `names`: a PDF for each target, or sheet where the names tell it; of a sheet's further pages -2.svg;
+  // SHEET.csv. Of a sheet to be solved -blank. png, eps and tex as svg. A file asked for twice is made once.
+  std::vector<File> files_in_folder(FileNames& names) {
     const std::filesystem::path folder = options_.folder.value_or("out");
     std::vector<File> files;
     std::vector<std::function<std::string()>> makers;
-    std::set<std::filesystem::path> seen;
-    const auto add = [&](const std::filesystem::path& path, std::function<std::string()> maker) {
-      if (!seen.insert(path).second) return;
+    const auto add = [&](const std::filesystem::path& path, const Words& content,
+                         std::function<std::string()> maker) {
+      if (!names.claim(path, content.in(language(options_)))) return;
       files.push_back({path, {}});
       makers.push_back(std::move(maker));
     };
+    const auto stem = [&](const Solving& solving, const std::string& sheet) {
+      return names.stem(solving.drawn(), sheet);
+    };
+    const auto add_pdf = [&](const DrawnTarget& each) {
+      const std::string& sheet = each.target.sheet;
+      add(folder / (stem(*each.solving, sheet) + ending_of_blank() + ".pdf"),
+          sheet.empty() ? each.solving->name() : name_of(*each.sheets.front()), [this, each] { return pdf({each}); });
+    };
     for (const DrawnTarget& each : drawn_)
       for (const Format format : formats_of(options_)) {
-        if (format == Format::pdf)
-          add(folder / (each.target.file_stem() + ending_of_blank() + ".pdf"), [&] { return pdf({each}); });
+        if (format == Format::pdf && !names.tells_sheet())
+          add_pdf(each);
         else if (format != Format::csv)
-          for (const DrawnSheetOf* sheet : each.sheets)
-            for (std::size_t i = 0; i < sheet->pages.size(); ++i) {
-              const std::string name =
-                  stem(*sheet) + ending_of_blank() + (i == 0 ? "" : fmt::format("-{}", i + 1)) + ending_of(format);
-              for (FileToMake& file : files_of(format, sheet->pages[i], folder / name))
-                add(file.path, std::move(file.maker));
+          for (const DrawnSheetOf* sheet : each.sheets) {
+            if (format == Format::pdf) {
+              add_pdf({{each.target.exercise, sheet->name}, each.solving, {sheet}});
+              continue;
             }
+            for (std::size_t i = 0; i < sheet->pages.size(); ++i) {
+              const std::string further = i == 0 ? "" : fmt::format("-{}", i + 1),
+                                name = stem(*sheet->solving, sheet->name) + ending_of_blank() + further +
+                                       ending_of(format);
+              for (FileToMake& file : files_of(format, sheet->pages[i], folder / name))
+                add(file.path, name_of(*sheet) + further + file.part, std::move(file.maker));
+            }
+          }
       }
     if (is_asked_for(Format::csv))
       for (const TableOf& table : tables())
-        add(folder / (stem(*table.sheet) + ".csv"),
+        add(folder / (stem(*table.sheet->solving, table.sheet->name) + ".csv"), name_of(*table.sheet),
             [table, style = csv_style(options_)] { return csv(table.table, style); });
     abreast(files.size(), [&](std::size_t i) { files[i].bytes = makers[i](); });
     return files;
@@ -169,6 +211,7 @@ class Drawing {
   struct FileToMake {
     std::filesystem::path path;
     std::function<std::string()> maker;
+    std::string part = {};  // where a page is more than one file, which of them it is
   };
   // The page in such a format, in the file of this path and what belongs to it.
   std::vector<FileToMake> files_of(Format format, const drawings::Page& page,
@@ -178,30 +221,31 @@ class Drawing {
     if (format == Format::png)
       return {{path, [&page, dots = looks_.dots_per_inch] { return write_png(page, dots); }}};
     const std::filesystem::path picture = path.parent_path() / (path.stem().string() + "-art.pdf");
-    return {{path, [&page, picture] { return write_tex(page, picture.filename().string()); }},
-            {picture, [&page] { return drawings::write_pdf({without_letters(page)}, {.title = page.title}); }}};
+    return {
+        {path, [&page, picture] { return write_tex(page, picture.filename().string()); }},
+        {picture, [&page] { return drawings::write_pdf({without_letters(page)}, {.title = page.title}); }, "-art"}};
   }
   void demand_paintable_pages() const {
     if (!is_asked_for(Format::png)) return;
     for (const DrawnSheetOf& sheet : sheets_)
       for (const drawings::Page& page : sheet.pages) demand_paintable(page, looks_.dots_per_inch);
   }
-  Solving& solving_of(const Exercise& exercise) {
-    return *std::find_if(solving_.begin(), solving_.end(),
-                         [&](const Solving& one) { return one.exercise() == &exercise; });
+  static Words name_of(const DrawnSheetOf& sheet) {
+    const Candidate& row = sheet.solving->row();
+    const std::string path = sheet.path();
+    return row.place.empty() ? Words{path, path} : path + (" (" + row.place + ")");
   }
-  static std::string stem(const DrawnSheetOf& sheet) { return sheet.exercise->about().id + "-" + sheet.name; }
 
   // Those of all sheets that hold one. A sheet that was named must.
   std::vector<TableOf> tables() {
     std::vector<TableOf> all;
     for (const DrawnTarget& each : drawn_)
       for (const DrawnSheetOf* sheet : each.sheets) {
-        auto table = each.target.exercise->long_table(sheet->name, solving_of(*each.target.exercise).solution());
+        auto table = each.target.exercise->long_table(sheet->name, each.solving->solution());
         if (!table && !each.target.sheet.empty())
-          throw WrongUsage(format_words("{}/{} holds no long table that --format csv could write",
-                                        "{}/{} non contiene una tabella lunga che --format csv possa scrivere",
-                                        each.target.exercise->about().id, sheet->name));
+          throw WrongUsage(format_words("{} holds no long table that --format csv could write",
+                                        "{} non contiene una tabella lunga che --format csv possa scrivere",
+                                        sheet->path()));
         if (table) all.push_back({sheet, std::move(*table)});
       }
     if (all.empty())
@@ -214,10 +258,9 @@ class Drawing {
     const std::vector<TableOf> all = tables();
     if (all.size() != 1)
       throw WrongUsage(
-          format_words("a CSV file holds one table, and {} are asked for; name one sheet, such as {}/{}",
-                       "un file CSV contiene una tabella, e ne sono chieste {}; nominare una tavola, come "
-                       "{}/{}",
-                       all.size(), all.front().sheet->exercise->about().id, all.front().sheet->name));
+          format_words("a CSV file holds one table, and {} are asked for; name one sheet, such as {}",
+                       "un file CSV contiene una tabella, e ne sono chieste {}; nominare una tavola, come {}",
+                       all.size(), all.front().sheet->path()));
     return csv(all.front().table, csv_style(options_));
   }
 
@@ -225,26 +268,43 @@ class Drawing {
   void leave_out_undecided() {
     for (const DrawnSheetOf& each : sheets_)
       if (each.undecided)
-        remarks_.push_back(format_words("{}/{} cannot be drawn, as it cannot be decided: {}",
-                                        "{}/{} non si può disegnare, perché non si può decidere: {}",
-                                        each.exercise->about().id, each.name, *each.undecided));
+        remarks_.push_back(format_words("{} cannot be drawn, as it cannot be decided: {}",
+                                        "{} non si può disegnare, perché non si può decidere: {}", name_of(each),
+                                        *each.undecided));
     for (DrawnTarget& each : drawn_)
       std::erase_if(each.sheets, [](const DrawnSheetOf* sheet) { return sheet->undecided.has_value(); });
     std::erase_if(drawn_, [](const DrawnTarget& each) { return each.sheets.empty(); });
     if (drawn_.empty()) throw geometry::Undecided(*sheets_.front().undecided);
   }
 
-  const DrawnSheetOf* add(const Exercise& exercise, const std::string& name) {
+  const DrawnSheetOf* add(Solving& solving, const std::string& name) {
     for (const DrawnSheetOf& each : sheets_)
-      if (each.exercise == &exercise && each.name == name) return &each;
-    return &sheets_.emplace_back(DrawnSheetOf{&exercise, name});
+      if (each.solving == &solving && each.name == name) return &each;
+    return &sheets_.emplace_back(DrawnSheetOf{&solving, name});
   }
 
-  std::vector<drawings::Page> compose(const DrawnSheetOf& wanted, Solving& solving,
-                                      const SheetRequest& request) const {
+  // What cannot be drawn is told with the row of its givens, and with its name where there are others.
+  void compose_or_tell(DrawnSheetOf& each, const SheetRequest& request) const {
+    const Candidate& row = each.solving->row();
+    try {
+      each.pages = compose(each, request);
+    } catch (const geometry::Undecided& open) {
+      each.undecided = open.words();
+    } catch (const DoesNotFit& why) {
+      throw DoesNotFit(in_place(row, sheets_.size() == 1 ? why.words() : each.path() + ": " + why.words()));
+    } catch (const drawings::TooFar& why) {
+      throw drawings::TooFar(in_place(row, each.path() + ": " + why.words()));
+    } catch (const BadGivens& why) {
+      throw BadGivens(in_place(row, why.words()));
+    } catch (const geometry::Impossible& why) {
+      throw BadGivens(in_place(row, why.words()));
+    }
+  }
+
+  std::vector<drawings::Page> compose(const DrawnSheetOf& wanted, const SheetRequest& request) const {
     const auto construct = [&](const SheetRequest& one) {
       const drawings::Timed timed(drawings::Work::construction);
-      return wanted.exercise->draw(wanted.name, solving.solution(), one);
+      return wanted.exercise().draw(wanted.name, wanted.solving->solution(), one);
     };
     std::vector<drawings::Page> pages = looks_.width_mm ? pages_within(*looks_.width_mm,
                                                                        [&](double room) {
@@ -263,12 +323,12 @@ class Drawing {
     if (is_of_one_exercise(targets))
       document.subject = drawings::plain(in_language(targets.front().target.exercise->about().source));
     std::vector<drawings::Page> pages;
-    const Exercise* above = nullptr;
+    const Solving* above = nullptr;
+    const bool is_within = !is_of_one_solving(targets);
     for (const DrawnTarget& each : targets)
       for (const DrawnSheetOf* sheet : each.sheets) {
-        const bool is_within = !is_of_one_exercise(targets);
-        if (is_within && std::exchange(above, sheet->exercise) != sheet->exercise)
-          document.bookmarks.push_back({title(*sheet->exercise), pages.size()});
+        if (is_within && std::exchange(above, sheet->solving) != sheet->solving)
+          document.bookmarks.push_back({title(*sheet->solving), pages.size()});
         document.bookmarks.push_back({title(*sheet), pages.size(), is_within});
         pages.insert(pages.end(), sheet->pages.begin(), sheet->pages.end());
       }
@@ -280,13 +340,23 @@ class Drawing {
     return std::all_of(targets.begin(), targets.end(),
                        [&](const auto& each) { return each.target.exercise == targets.front().target.exercise; });
   }
+  static bool is_of_one_solving(const std::vector<DrawnTarget>& targets) {
+    return std::all_of(targets.begin(), targets.end(),
+                       [&](const auto& each) { return each.solving == targets.front().solving; });
+  }
 
   std::string title(const std::vector<DrawnTarget>& targets) const {
     return is_of_one_exercise(targets) ? title(*targets.front().target.exercise) : "Epure";
   }
+  // With whose it is, where it is somebody's.
+  std::string title(const Solving& solving) const {
+    const Candidate& row = solving.row();
+    if (row.number.empty()) return title(*solving.exercise());
+    return title(*solving.exercise()) + " (" + row.number + (row.name.empty() ? "" : " " + row.name) + ")";
+  }
   std::string title(const Exercise& exercise) const { return drawings::plain(in_language(exercise.about().title)); }
   std::string title(const DrawnSheetOf& sheet) const {
-    const std::vector<SheetSpec>& all = sheet.exercise->about().sheets;
+    const std::vector<SheetSpec>& all = sheet.exercise().about().sheets;
     const auto spec =
         std::find_if(all.begin(), all.end(), [&](const SheetSpec& each) { return each.name == sheet.name; });
     return drawings::plain(in_language(spec->title));
@@ -311,24 +381,55 @@ std::string in_words(const drawings::WorkTimes& times) {
   return text;
 }
 
+Outcome draw_one_file(const std::vector<Target>& targets, const Options& options, const RowsToDraw& rows) {
+  Drawing drawing(targets, options, rows);
+  const std::vector<File> files = drawing.files_of_one();
+  Outcome outcome{.text = "", .remarks = drawing.remarks()};
+  if (is_standard_output(options)) {
+    outcome.text = files.front().bytes;
+  } else {
+    drawings::write_whole(files);
+    for (const File& file : files) outcome.text += file.path.string() + "\n";
+  }
+  return outcome;
+}
+
+// All is drawn before any of it is written, and each row's pages are let go before the next one's.
+Outcome draw_in_folder(const std::vector<Target>& targets, const Options& options, const RowsToDraw& rows,
+                       FileNames& names) {
+  Outcome outcome;
+  std::vector<std::vector<File>> of_rows;
+  for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+    const RowsToDraw row{{rows.rows[i]}, rows.is_table, i + 1};
+    Drawing drawing(targets, options, row);
+    of_rows.push_back(drawing.files_in_folder(names));
+    outcome.remarks.insert(outcome.remarks.end(), drawing.remarks().begin(), drawing.remarks().end());
+  }
+  for (const std::vector<File>& files : of_rows) {
+    drawings::write_whole(files);
+    for (const File& file : files) outcome.text += file.path.string() + "\n";
+  }
+  return outcome;
+}
+
 }  // namespace
 
 Outcome draw(const Catalogue& exercises, const Options& options, std::ostream& err) {
   if (options.times) drawings::Stopwatch::begin();
   const std::vector<Target> targets = find_targets(exercises, options.names);
   demand_sensible_output(options);
-  Drawing drawing(targets, options);
-  const std::vector<File> files = options.file ? drawing.files_of_one() : drawing.files_in_folder();
-  std::string written;
-  if (is_standard_output(options)) {
-    written = files.front().bytes;
-  } else {
-    drawings::write_whole(files);
-    for (const File& file : files) written += file.path.string() + "\n";
+  const std::vector<const Exercise*> drawn = exercises_of(targets);
+  RowsToDraw rows{{Candidate{}}};
+  if (options.givens_file) {
+    GivensFile file = read_givens_file(*options.givens_file, drawn, options.assignments);
+    rows = {std::move(file.rows), file.is_table};
   }
+  FileNames names(options, drawn, rows.is_table);
+  Outcome outcome =
+      options.file ? draw_one_file(targets, options, rows) : draw_in_folder(targets, options, rows, names);
   if (options.times) err << "epure: processor time: " << in_words(drawings::Stopwatch::times()) << '\n';
-  const Exit exit = drawing.remarks().empty() ? Exit::success : Exit::undecided;
-  return {written, exit, drawing.remarks()};
+  if (!outcome.remarks.empty()) outcome.exit = Exit::undecided;
+  return outcome;
 }
 
 }  // namespace epure

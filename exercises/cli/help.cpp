@@ -38,7 +38,9 @@ Help help_of_draw() {
        "spreadsheet. png and eps hold a page each; pdf+tex is a bare figure whose letters LaTeX sets: \\input "
        "ID-SHEET.tex, beside ID-SHEET-art.pdf. Files appear whole or not at all. A value is a number such as 0.25, "
        "1/4 "
-       "or 2.5e-1, with a unit (25cm) or in that which list shows.",
+       "or 2.5e-1, with a unit (25cm) or in that which list shows. --givens reads such values from a file; of a "
+       "table "
+       "each row is drawn, to out/ID-NUMBER.pdf and out/ID-SHEET-NUMBER.svg, or as --name has it.",
        "draw ID scrive out/ID.pdf con una pagina per tavola, e out/ID-TAVOLA.svg per ogni tavola; draw ID/TAVOLA "
        "scrive quella sola tavola in entrambi i formati. Una tabella lunga prende quante pagine le servono: della "
        "sua "
@@ -46,7 +48,10 @@ Help help_of_draw() {
        "per un foglio di calcolo. png ed eps contengono una pagina ciascuno; pdf+tex è una figura nuda di cui LaTeX "
        "compone le lettere: \\input ID-TAVOLA.tex, accanto a ID-TAVOLA-art.pdf. I file compaiono interi o non "
        "compaiono. Un valore è un "
-       "numero come 0,25, 1/4 o 2,5e-1, con un'unità (25cm) o in quella che list mostra."},
+       "numero come 0,25, 1/4 o 2,5e-1, con un'unità (25cm) o in quella che list mostra. --givens legge tali valori "
+       "da un "
+       "file; di una tabella si disegna ogni riga, in out/ID-NUMERO.pdf e out/ID-TAVOLA-NUMERO.svg, o come vuole "
+       "--name."},
       R"(
   epure draw slider-crank-velocity
   epure draw slider-crank-velocity --set r=25cm --set n=400rpm --paper a3
@@ -54,6 +59,7 @@ Help help_of_draw() {
   epure draw slider-crank-velocity/poles --bare --format svg -o - > poles.svg
   epure draw slider-crank-velocity/poles --width 120mm -o poles.tex
   epure draw slider-crank-velocity/poles -o poles.png --background '#1e1e2e'
+  epure draw slider-crank-velocity --givens students.csv --name '{id}-{student}-{sheet}'
 )"};
 }
 

@@ -106,9 +106,14 @@ Json exercise(const CheckedExercise& checked) {
 
 }  // namespace
 
-std::string json_report(const std::vector<CheckedExercise>& all) {
+std::string json_report(const std::vector<CheckedExercise>& all, const std::vector<Candidate>& rows) {
   Json json = {{"schema", "epure.check/1"}, {"epure", version_for_programs()}, {"exercises", Json::array()}};
-  for (const CheckedExercise& checked : all) json["exercises"].push_back(exercise(checked));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    json["exercises"].push_back(exercise(all[i]));
+    if (i >= rows.size()) continue;
+    json["exercises"].back()["row"] = {{"number", rows[i].number}};
+    if (!rows[i].name.empty()) json["exercises"].back()["row"]["name"] = rows[i].name;
+  }
   return json.dump(1) + "\n";
 }
 

@@ -90,6 +90,9 @@ class Parser {
     add_repeatable(verb, "--set", options_.assignments, {"SYMBOL=VALUE[UNIT]", "SIMBOLO=VALORE[UNITÀ]"},
                    {"another value for a given", "un altro valore per un dato"});
   }
+  void add_givens_file(CLI::App& verb, const Words& meaning) {
+    add(verb, "--givens", options_.givens_file, {"FILE", "FILE"}, meaning);
+  }
   void add_language(CLI::App& verb) {
     add(verb, "--lang", options_.language, {"LANGUAGE", "LINGUA"},
         {"en or it (default: EPURE_LANG, else en)", "en o it (predefinita: EPURE_LANG, altrimenti en)"});
@@ -177,7 +180,12 @@ class Parser {
     add_csv(verb);
     add_file(verb,
              {"write one file instead; - is standard output", "scrive invece un solo file; - è lo standard output"});
+    add(verb, "--name", options_.name, {"PATTERN", "MODELLO"},
+        {"names of the files, such as {id}-{sheet}-{r}; also {lang}; of a table {number}, {student}, {row}",
+         "nomi dei file, come {id}-{sheet}-{r}; anche {lang}; di una tabella {number}, {student}, {row}"});
     add_givens(verb);
+    add_givens_file(verb, {"givens from lines such as r = 25 cm; or CSV: a column each, and each row is drawn",
+                           "dati da righe come r = 25 cm; o CSV: una colonna ciascuno, e si disegna ogni riga"});
     add_sheets(verb);
     add(verb, "--scale", options_.scale, {"SCALE", "SCALA"},
         {"scale of lengths, such as 1:5 (default: the largest standard one)",
@@ -197,6 +205,8 @@ class Parser {
     CLI::App& verb = add_verb("check");
     add_names(verb, {"ID", "ID"}, {"exercises, or all", "esercizi, o all"});
     add_givens(verb);
+    add_givens_file(verb, {"givens from lines such as r = 25 cm; or CSV: a column each, and each row is checked",
+                           "dati da righe come r = 25 cm; o CSV: una colonna ciascuno, e si verifica ogni riga"});
     add_repeatable(verb, "--measured", options_.measured, {"NAME=VALUE[UNIT]", "NOME=VALORE[UNITÀ]"},
                    {"a number you measured, held against the true one",
                     "un numero che hai misurato, confrontato con quello vero"});
@@ -220,6 +230,8 @@ class Parser {
     add_repeatable(verb, "--quantity", options_.quantities, {"NAMES", "NOMI"},
                    {"what to find, such as v_B,omega_3", "che cosa trovare, come v_B,omega_3"});
     add_givens(verb);
+    add_givens_file(verb, {"givens from lines such as r = 25 cm, or CSV of one row",
+                           "dati da righe come r = 25 cm, o CSV di una riga"});
     add_format(verb, {"csv (default), or json: an object a line (schema epure.sweep/1)",
                       "csv (predefinito), o json: un oggetto per riga (schema epure.sweep/1)"});
     add_csv(verb);
@@ -241,8 +253,8 @@ class Parser {
         {"CSV: number, name (or surname, name); a sheet to be solved and a solution for each",
          "CSV: matricola, nome (o cognome, nome); una tavola da svolgere e una soluzione per ciascuno"});
     add(verb, "--count", of.count, {"N", "N"}, {"so many students without names", "tanti studenti senza nome"});
-    add(verb, "--givens", of.givens, {"FILE", "FILE"},
-        {"CSV: each row's own givens, a column each", "CSV: i dati propri di ogni riga, una colonna ciascuno"});
+    add_givens_file(verb, {"CSV: each row's own givens, a column each; or lines such as r = 25 cm",
+                           "CSV: i dati propri di ogni riga, una colonna ciascuno; o righe come r = 25 cm"});
     add_repeatable(
         verb, "--vary", options_.variations, {"SYMBOL=FROM..TO/STEP", "SIMBOLO=DA..A/PASSO"},
         {"a given drawn by lot; or FROM..TO/COUNT, or A|B|C", "un dato sorteggiato; o DA..A/QUANTI, o A|B|C"});

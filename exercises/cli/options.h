@@ -12,7 +12,7 @@ namespace epure {
 
 // Of a class set: who is in it, and the seed of the lots.
 struct ClassOptions {
-  std::optional<std::string> students, givens, count;
+  std::optional<std::string> students, count;
   std::string seed = "1";
 };
 
@@ -26,9 +26,10 @@ struct Options {
   enum class Verb { list, draw, check, make_class, mark, sweep, bench } verb = Verb::list;
   std::vector<std::string> names;  // ID, ID/SHEET, all
   std::vector<std::string> assignments, measured;
+  std::optional<std::string> givens_file;
   std::vector<std::string> variations, quantities;  // of a sweep, a class
   std::optional<std::string> part, chart;
-  std::optional<std::string> format, folder, file, scale;
+  std::optional<std::string> format, folder, file, scale, name;
   std::optional<std::string> sheet, answers, key, points, csv;
   std::string paper = "a4", language = "en", reading = "0.5mm", arithmetic = "exact", seconds = "60",
               slip_points = "0.5";

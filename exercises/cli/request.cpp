@@ -106,25 +106,27 @@ OwnTitles titles(const Options& options) {
   return all;
 }
 
-// Two files stand beside each other, and one of them names the other.
-void demand_name_for_tex(const Options& options) {
+void demand_file_for_tex(const Options& options) {
   if (is_standard_output(options))
     throw WrongUsage(
         "--format pdf+tex writes two files, and standard output is one; name a file, such as -o figure.tex",
         "--format pdf+tex scrive due file, e lo standard output è uno; nominare un file, come -o "
         "figura.tex");
-  const std::string name = std::filesystem::path(*options.file).filename().string();
+  demand_name_for_tex("-o", std::filesystem::path(*options.file).filename().string());
+}
+
+}  // namespace
+
+void demand_name_for_tex(const std::string& option, const std::string& name) {
   const auto is_plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
            c == '-';
   };
   if (!std::all_of(name.begin(), name.end(), is_plain))
-    throw WrongUsage(format_words(
-        "-o \"{}\": a file for TeX has a name of letters without accents, digits, . _ and -",
-        "-o \"{}\": un file per TeX ha un nome di lettere senza accenti, cifre, . _ e -", *options.file));
+    throw WrongUsage(
+        format_words("{} \"{}\": a file for TeX has a name of letters without accents, digits, . _ and -",
+                     "{} \"{}\": un file per TeX ha un nome di lettere senza accenti, cifre, . _ e -", option, name));
 }
-
-}  // namespace
 
 std::vector<Format> formats_of(const Options& options) {
   if (!options.format) return {Format::pdf, Format::svg};
@@ -183,7 +185,7 @@ void demand_sensible_output(const Options& options) {
   if (options.folder)
     throw WrongUsage("-o names one file and --out a folder; choose one of them",
                      "-o nomina un file e --out una cartella; scegliere uno dei due");
-  if (format_of_file(options) == Format::tex) demand_name_for_tex(options);
+  if (format_of_file(options) == Format::tex) demand_file_for_tex(options);
 }
 
 SheetRequest sheet_request(const Options& options) {

@@ -27,6 +27,10 @@ bool is_standard_output(const Options& options);
 // --out and -o exclude each other, and the formats must be clear, before anything is drawn.
 void demand_sensible_output(const Options& options);
 
+// Two files stand beside each other for TeX, and one of them names the other: in letters that TeX takes for
+// themselves.
+void demand_name_for_tex(const std::string& option, const std::string& name);
+
 // "1:5" and "1/5" are one fifth, "2:1" is two.
 Rational scale_of_lengths(std::string text);
 

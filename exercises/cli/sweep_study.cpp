@@ -4,6 +4,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "exercises/cli/givens_file.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/symbol.h"
 #include "exercises/cli/variations.h"
@@ -93,6 +94,19 @@ std::optional<RowFormat> row_format_named(const std::string& typed) {
   return std::nullopt;
 }
 
+// What --set and --givens say.
+std::vector<std::string> all_assignments(const Exercise& exercise, const Options& options) {
+  std::vector<std::string> all = options.assignments;
+  if (!options.givens_file) return all;
+  const GivensFile file = read_givens_file(*options.givens_file, {&exercise}, options.assignments);
+  if (file.rows.size() > 1)
+    throw WrongUsage(format_words("{} has {} rows, and a sweep has one set of givens; vary them by --over",
+                                  "{} ha {} righe, e sweep prende una sola serie di dati; farli variare con --over",
+                                  *options.givens_file, file.rows.size()));
+  all.insert(all.end(), file.rows.front().assignments.begin(), file.rows.front().assignments.end());
+  return all;
+}
+
 }  // namespace
 
 std::uint64_t SweepStudy::size() const {
@@ -124,8 +138,9 @@ SweepStudy sweep_study(const Catalogue& exercises, const Options& options) {
         format_words("say what to sweep over, such as --over {}=FROM..TO/COUNT (epure help sweep explains)",
                      "dire che cosa far variare, come --over {}=DA..A/QUANTI (epure help sweep spiega)",
                      about.givens.front().symbol));
-  SweepStudy study{&exercise, set_givens({&exercise}, options.assignments).front(),
-                   read_variations(exercise, "--over", options.variations, options.assignments),
+  const std::vector<std::string> assignments = all_assignments(exercise, options);
+  SweepStudy study{&exercise, set_givens({&exercise}, assignments).front(),
+                   read_variations(exercise, "--over", options.variations, assignments),
                    quantities_asked_for(about, options)};
   demand_feasible(study.over);
   return study;

@@ -10,6 +10,7 @@ import copy
 import json
 import subprocess
 import sys
+import tempfile
 from fractions import Fraction
 
 from jsonschema import Draft202012Validator
@@ -94,6 +95,13 @@ measured = json.loads(output("check", "slider-crank-velocity", "--json", "--meas
 holds("check", measured, "check --measured --json")
 for givens in (["four-bar-analytic", "--set", "branch=right"], ["slider-crank-velocity", "--set", "phi=90deg"]):
     holds("check", json.loads(output("check", *givens, "--json")), " ".join(givens))
+with tempfile.NamedTemporaryFile("w", suffix=".csv") as table:
+    table.write("number,name,r\n17,Anna,25cm\n18,,\n")
+    table.flush()
+    rows = json.loads(output("check", "slider-crank-velocity", "--givens", table.name, "--json"))
+holds("check", rows, "check --givens --json")
+if [each["row"] for each in rows["exercises"]] != [{"number": "17", "name": "Anna"}, {"number": "18"}]:
+    fail("check tells other rows than its table has")
 sweeps = []
 for arguments in (
     ["slider-crank-velocity", "--over", "phi=0deg..360deg/9", "--quantity", "v_B,P0_x"],
@@ -122,7 +130,7 @@ if not any(given.get("value") == "1/7" for given in measured["exercises"][0]["gi
 # Fields that would be described and never tried. Not here: what only an undecided or failing check has.
 for field in (
     ("check", "audit"), ("check", "mistake"), ("check", "explanation"), ("check", "absent"), ("check", "measured"),
-    ("check", "printed"), ("check", "on_sheet"), ("check", "also"), ("list", "choices"), ("list", "or"),
+    ("check", "printed"), ("check", "on_sheet"), ("check", "also"), ("check", "row"), ("list", "choices"), ("list", "or"),
     ("sweep", "absent"), ("sweep", "impossible"), ("sweep", "number"),
 ):
     if field not in seen:
