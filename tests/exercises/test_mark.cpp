@@ -333,7 +333,7 @@ TEST_CASE("a column that is no quantity costs itself, one that nearly is one is 
 TEST_CASE("numbers and units as people write them") {
   const Scratch scratch;
   for (const std::string right : {"0,50 ± 0,01", "0,50 ± 0,01 m", "0,50 m ± 1 cm", "(50 ± 1) cm", "50 +/- 1 cm",
-                                  "≈ 0,5", "~0.5 m", "circa 0,5", "5.0e-1", "0,5\u202Fm", "ca. 50 cm"}) {
+                                  "≈ 0,5", "~0.5 m", "5.0e-1", "0,5\u202Fm"}) {
     CAPTURE(right);
     CHECK(judged("c", right) == "right");
   }
@@ -349,6 +349,8 @@ TEST_CASE("numbers and units as people write them") {
   CHECK(tells(remark_of("c", "1'234.5"), "more than a decimal point or comma"));
   CHECK(tells(remark_of("c", "1.234,5"), "more than a decimal point or comma"));
   CHECK(judged("c", "0,50 ±") == "wrong");
+  CHECK(judged("c", "about 0.5") == "wrong");
+  CHECK(cell_of("c [cm]\n≈ 50\n", "c verdict") == "right");
   Triangle large;
   large.spoil_values = [](auto& values) {
     for (const std::string route : {"ruler", "analytic"}) value_of(values, "omega", route) = certain(1234);

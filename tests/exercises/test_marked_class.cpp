@@ -61,10 +61,11 @@ TEST_CASE("the example of the page on marking") {
   CHECK(ran.out == told.str());
 }
 
-TEST_CASE("a key of another crank angle is noticed") {
+TEST_CASE("a key of another crank angle is refused") {
   const RanReal ran =
       run_real(marking(examples + "/answers.csv", {"--key", examples + "/key.csv", "--set", "phi=31deg"}));
-  CHECK(ran.exit == 0);
+  CHECK(ran.exit == 2);
+  CHECK(ran.out.empty());
   CHECK(tells(ran.err, "epure: 1001 v_B: 4.78189018818962 in the key's line 2, but "));
   CHECK(tells(ran.err, "(14 more like it)"));
 }

@@ -34,7 +34,7 @@ std::string without_outer_blanks(const std::string& text) {
 // does not ask.
 std::string without_uncertainty(const std::string& typed) {
   std::string text = without_outer_blanks(geometry::in_plain_characters(typed));
-  for (const std::string_view about : {"≈", "~", "circa ", "ca. ", "about "})
+  for (const std::string_view about : {"≈", "~"})
     if (text.starts_with(about)) text = without_outer_blanks(text.substr(about.size()));
   for (const std::string_view sign : {"±", "+/-", "+-"}) {
     const auto at = text.find(sign);
