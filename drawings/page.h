@@ -60,10 +60,17 @@ struct Bookmark {
   std::size_t page = 0;    // from 0
   bool is_within = false;  // below the last one that is not
 };
+// Leads from an area of one page to another page; both from 0.
+struct Link {
+  std::size_t on_page = 0;
+  Box area;
+  std::size_t to_page = 0;
+};
 struct Document {
   std::string title;
   std::string author = {}, subject = {};
   std::vector<Bookmark> bookmarks = {};
+  std::vector<Link> links = {};
 };
 
 // All throw as pdf() and svg() do (output.h); bytes depend on the pages alone.

@@ -55,7 +55,7 @@ _epure_offer_names() { # of VERB
           _epure_offer -P "$id/" "$(_epure_words sheet "$id")" ;;
         *) _epure_offer "$(_epure_words exercise) all" ;;
       esac ;;
-    list | check) _epure_offer "$(_epure_words exercise) all" ;;
+    list | check | booklet) _epure_offer "$(_epure_words exercise) all" ;;
     *) _epure_offer "$(_epure_words exercise)" ;;
   esac
 }

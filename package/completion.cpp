@@ -31,12 +31,13 @@ struct OfFewWords {
   std::vector<std::string> words;
 };
 const std::vector<OfFewWords> options_of_few_words{
-    {{"list", "draw", "check", "class", "mark", "sweep", "bench"}, "--lang", {"en", "it"}},
-    {{"draw", "class", "bench"}, "--paper", {"a4", "a3"}},
+    {{"list", "draw", "check", "report", "booklet", "class", "mark", "sweep", "bench"}, "--lang", {"en", "it"}},
+    {{"draw", "booklet", "class", "bench"}, "--paper", {"a4", "a3"}},
     {{"draw"}, "--format", {"pdf", "svg", "png", "eps", "pdf+tex", "csv"}},
     {{"draw"}, "--background", {"white", "none"}},
     {{"draw"}, "--ink", {"dark", "light"}},
     {{"bench"}, "--format", {"pdf", "svg"}},
+    {{"report"}, "--format", {"md", "tex", "html"}},
     {{"class"}, "--format", {"pdf", "moodle"}},
     {{"mark"}, "--format", {"text", "csv"}},
     {{"sweep"}, "--format", {"csv", "json"}},

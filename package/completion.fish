@@ -57,7 +57,7 @@ function __epure_names
       end
   end
   __epure_words exercise
-  contains -- $verb draw list check; and printf 'all\tevery exercise\n'
+  contains -- $verb draw list check booklet; and printf 'all\tevery exercise\n'
 end
 
 function __epure_has_verb

@@ -43,7 +43,7 @@ _epure_offer_names() { # of VERB
       else
         _epure_offer exercise "$ids"$'\nall:every exercise'
       fi ;;
-    list | check) _epure_offer exercise "$ids"$'\nall:every exercise' ;;
+    list | check | booklet) _epure_offer exercise "$ids"$'\nall:every exercise' ;;
     *) _epure_offer exercise "$ids" ;;
   esac
 }

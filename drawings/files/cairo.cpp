@@ -6,12 +6,14 @@
 #include <pango/pangocairo.h>
 #include <pango/pangofc-fontmap.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 
 #include "drawings/files/check_page.h"
 #include "drawings/files/flattened.h"
+#include "drawings/files/pdf_language.h"
 #include "drawings/files/resolution.h"
 #include "drawings/libraries.h"
 #include "drawings/output.h"
@@ -191,9 +193,35 @@ void paint(cairo_t* context, const Page& page, Letters letters) {
   demand(cairo_status(context));
 }
 
-void paint_sheet_of_document(cairo_surface_t* surface, const Page& page) {
+// Pages that are led to have a name: Cairo before 1.18 finds no page by its number before it is painted.
+std::string name_of_page(std::size_t page) { return fmt::format("page{}", page + 1); }
+
+void add_links(cairo_t* context, const Box& extent, std::size_t number, const std::vector<Link>& links) {
+  const bool is_led_to =
+      std::any_of(links.begin(), links.end(), [&](const Link& link) { return link.to_page == number; });
+  if (is_led_to) {
+    cairo_tag_begin(context, CAIRO_TAG_DEST, fmt::format("name='{}' x=0 y=0", name_of_page(number)).c_str());
+    cairo_tag_end(context, CAIRO_TAG_DEST);
+  }
+  for (const Link& link : links) {
+    if (link.on_page != number) continue;
+    const double x = (link.area.low.x - extent.low.x) * points_per_mm,
+                 y = (extent.high.y - link.area.high.y) * points_per_mm;
+    cairo_tag_begin(context, CAIRO_TAG_LINK,
+                    fmt::format("dest='{}' rect=[{:.2f} {:.2f} {:.2f} {:.2f}]", name_of_page(link.to_page), x, y,
+                                link.area.width() * points_per_mm, link.area.height() * points_per_mm)
+                        .c_str());
+    cairo_tag_end(context, CAIRO_TAG_LINK);
+  }
+  demand(cairo_status(context));
+}
+
+// `number`: of the page in its document, from 0.
+void paint_sheet_of_document(cairo_surface_t* surface, const Page& page, std::size_t number = 0,
+                             const std::vector<Link>& links = {}) {
   const Context context = open(surface);
   paint(context.get(), page, Letters::text);
+  if (!links.empty()) add_links(context.get(), page.extent, number, links);
   const MemoryWatch memory;
   cairo_show_page(context.get());
   memory.demand();
@@ -240,6 +268,10 @@ void check(const Document& document, std::size_t pages) {
     if (each.title.empty() || each.page >= pages)
       throw std::invalid_argument(fmt::format("bookmark '{}' to page {} of {}", each.title, each.page + 1, pages));
   }
+  for (const Link& each : document.links)
+    if (each.on_page >= pages || each.to_page >= pages)
+      throw std::invalid_argument(
+          fmt::format("a link from page {} to page {} of {}", each.on_page + 1, each.to_page + 1, pages));
 }
 
 // Cairo's y points down, and after a contour it moves once more to where that began.
@@ -275,16 +307,16 @@ std::string write_pdf(const std::vector<Page>& pages, const Document& document) 
   const Surface surface(cairo_pdf_surface_create_for_stream(keep, &memory, 72, 72));
   demand(cairo_surface_status(surface.get()));
   set_metadata(surface.get(), document);
-  for (const Page& page : pages) {
-    cairo_pdf_surface_set_size(surface.get(), page.extent.width() * points_per_mm,
-                               page.extent.height() * points_per_mm);
-    paint_sheet_of_document(surface.get(), page);
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const Box& extent = pages[i].extent;
+    cairo_pdf_surface_set_size(surface.get(), extent.width() * points_per_mm, extent.height() * points_per_mm);
+    paint_sheet_of_document(surface.get(), pages[i], i, document.links);
   }
   const MemoryWatch watch;
   add_bookmarks(surface.get(), document.bookmarks);
   std::string bytes = finish(surface.get(), memory);
   watch.demand();
-  return bytes;
+  return in_language(std::move(bytes), pages.front().language);
 }
 
 std::string write_eps(const Page& page) {

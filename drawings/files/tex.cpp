@@ -50,10 +50,32 @@ constexpr std::array in_mathematics_only{Written{U'<', "<"},
                                          Written{U'×', "\\times "},
                                          Written{U'±', "\\pm "},
                                          Written{U'°', "{}^{\\circ}"},
-                                         Written{U'′', "{}^{\\prime}"},
-                                         Written{U'″', "{}^{\\prime\\prime}"},
+                                         Written{U'′', "'"},
+                                         Written{U'″', "''"},
                                          Written{U'²', "{}^{2}"},
                                          Written{U'³', "{}^{3}"},
+                                         Written{U'₀', "{}_{0}"},
+                                         Written{U'₁', "{}_{1}"},
+                                         Written{U'₂', "{}_{2}"},
+                                         Written{U'₃', "{}_{3}"},
+                                         Written{U'₄', "{}_{4}"},
+                                         Written{U'₅', "{}_{5}"},
+                                         Written{U'₆', "{}_{6}"},
+                                         Written{U'₇', "{}_{7}"},
+                                         Written{U'₈', "{}_{8}"},
+                                         Written{U'₉', "{}_{9}"},
+                                         Written{U'⁰', "{}^{0}"},
+                                         Written{U'¹', "{}^{1}"},
+                                         Written{U'⁴', "{}^{4}"},
+                                         Written{U'⁷', "{}^{7}"},
+                                         Written{U'⁻', "{}^{-}"},
+                                         Written{U'½', "\\frac{1}{2}"},
+                                         Written{U'⅓', "\\frac{1}{3}"},
+                                         Written{U'≡', "\\equiv "},
+                                         Written{U'←', "\\leftarrow "},
+                                         Written{U'↑', "\\uparrow "},
+                                         Written{U'↓', "\\downarrow "},
+                                         Written{U'𝑊', "W"},
                                          Written{U'⊥', "\\perp "},
                                          Written{U'∥', "\\parallel "},
                                          Written{U'≙', "\\mathrel{\\stackrel{\\wedge}{=}}"},
@@ -126,15 +148,17 @@ std::string text_of(const std::string& letters) {
   return tex;
 }
 
-// Letters within mathematics; what is upright stands in \mathrm, and what mathematics cannot set in \mbox.
+// Letters within mathematics; upright ones stand in \mathrm, and what mathematics cannot set in \mbox.
 std::string mathematics_of(const std::string& letters, bool italic) {
   std::string tex;
+  bool is_upright = false;
   for (const char32_t c : characters(letters)) {
-    const bool is_letter =
-        c < 128 && ((c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z') || (c >= U'0' && c <= U'9'));
-    const bool is_sign = c < 128 && std::u32string_view(U"+=/()[]:;!*").find(c) != std::u32string_view::npos;
+    const bool is_letter = c < 128 && ((c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z'));
+    const bool is_sign =
+        c < 128 && std::u32string_view(U"0123456789+=/()[]:;!*").find(c) != std::u32string_view::npos;
+    if (std::exchange(is_upright, is_letter && !italic) != is_upright) tex += is_upright ? "\\mathrm{" : "}";
     if (is_letter)
-      tex += italic ? utf8(c) : fmt::format("\\mathrm{{{}}}", utf8(c));
+      tex += utf8(c);
     else if (const Written* symbol = found_in(in_mathematics_only, c))
       tex += symbol->tex;
     else if (c == U'.' || c == U',')  // of a number: no space follows
@@ -144,7 +168,7 @@ std::string mathematics_of(const std::string& letters, bool italic) {
     else
       tex += is_sign ? utf8(c) : fmt::format("\\mbox{{{}}}", text_of(utf8(c)));
   }
-  return tex;
+  return is_upright ? tex + "}" : tex;
 }
 
 std::string mathematics_of(const std::vector<Node>& nodes) {
@@ -159,10 +183,6 @@ std::string mathematics_of(const std::vector<Node>& nodes) {
     if (!node.above.empty()) tex += fmt::format("^{{{}}}", mathematics_of(node.above));
   }
   return tex;
-}
-
-bool is_text(const Node& node) {
-  return !node.italic && node.group.empty() && node.below.empty() && node.above.empty();
 }
 
 std::string in_colour(const Colour& c, const std::string& tex) {
@@ -185,6 +205,12 @@ Page without_letters(Page page) {
   std::erase_if(page.primitives, [](const Primitive& each) { return std::holds_alternative<PlacedText>(each); });
   return page;
 }
+
+bool is_text(const Node& node) {
+  return !node.italic && node.group.empty() && node.below.empty() && node.above.empty();
+}
+
+std::string tex_of_mathematics(const std::vector<Node>& nodes) { return mathematics_of(nodes); }
 
 std::string tex_of(const std::string& rich_text) {
   std::string tex;

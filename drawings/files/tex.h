@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "drawings/page.h"
+#include "drawings/text/rich_text.h"
 
 namespace epure::drawings {
 
@@ -17,5 +19,9 @@ std::string write_tex(const Page& page, const std::string& picture);
 
 // Rich text as LaTeX that shows it, whatever it holds; for text, not mathematics.
 std::string tex_of(const std::string& rich_text);
+// What stands within mathematics, as LaTeX between dollar signs.
+std::string tex_of_mathematics(const std::vector<Node>& nodes);
+// Letters as they are: nothing that only mathematics can set.
+bool is_text(const Node& node);
 
 }  // namespace epure::drawings

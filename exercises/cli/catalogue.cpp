@@ -140,8 +140,8 @@ std::vector<const Exercise*> find_exercises(const Catalogue& exercises, const st
   std::vector<const Exercise*> found;
   for (const Target& target : find_targets(exercises, ids)) {
     if (!target.sheet.empty())
-      throw WrongUsage(format_words("\"{}/{}\" is a sheet; only whole exercises can be checked",
-                                    "\"{}/{}\" è una tavola; si verificano solo esercizi interi",
+      throw WrongUsage(format_words("\"{}/{}\" is a sheet, and whole exercises are wanted here",
+                                    "\"{}/{}\" è una tavola, e qui si vogliono esercizi interi",
                                     target.exercise->about().id, target.sheet));
     found.push_back(target.exercise);
   }

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 
 #include "drawings/text/text.h"
 #include "exercises/cli/cases.h"
+#include "exercises/cli/check_words.h"
 #include "exercises/cli/columns.h"
 #include "exercises/cli/terminal_ink.h"
 #include "exercises/kit/proof/route_names.h"
@@ -20,32 +19,6 @@ namespace {
 
 using geometry::Settled;
 using Rows = std::vector<std::vector<std::string>>;
-
-// Enough to be held against any printed number; --json has all digits.
-Words digits(double value) { return decimal(value, 6); }
-
-std::string with_unit(const std::string& number, const std::string& unit) {
-  return unit == "1" ? number : number + " " + unit;
-}
-
-// Of a number whose last digit is a hundredth of a per cent at best.
-Words percent(const std::optional<double>& value) {
-  if (!value) return {"-", "-"};
-  if (std::abs(*value) < 0.005) return {"0 %", "0 %"};
-  return decimal(std::abs(*value) < 100 ? fmt::format("{:+.2g} %", *value) : fmt::format("{:+.0f} %", *value));
-}
-
-Words value(const CheckedQuantity& quantity) {
-  const Settled& settled = quantity.settled;
-  if (settled.kind == Settled::Kind::absent) return {"absent", "assente"};
-  if (settled.kind == Settled::Kind::undecided) return {"undecided", "non decisa"};
-  const auto [lower, middle, upper] = settled.enclosure;
-  const bool shown_by_one_number = settled.kind == Settled::Kind::unbounded ||
-                                   (digits(lower) == digits(middle) && digits(upper) == digits(middle));
-  const Words number =
-      shown_by_one_number ? digits(middle) : format_words("[{}, {}]", "[{}; {}]", digits(lower), digits(upper));
-  return {with_unit(number.english, quantity.spec.unit), with_unit(number.italian, quantity.spec.unit)};
-}
 
 // What a report calls its routes and sheets by: a letter each, and a number each.
 class Marks {
@@ -93,11 +66,8 @@ std::string routes_of(const CheckedQuantity& quantity, const Marks& marks) {
   return text;
 }
 
-// What lies within the resolution of zero is zero as far as a sheet can tell.
 std::string shown(const OnSheet& on, const Marks& marks, Language language) {
-  const Words number = std::abs(on.value) <= on.resolution ? Words{"0", "0"} : digits(on.value);
-  return fmt::format("{} ± {} ({})", number.in(language), decimal(on.resolution, 1).in(language),
-                     marks.of_sheet(on.sheet));
+  return fmt::format("{} ({})", on_sheet_in_words(on).in(language), marks.of_sheet(on.sheet));
 }
 
 std::string quantities(const CheckedExercise& checked, const Marks& marks, const Reader& reader) {
@@ -110,7 +80,7 @@ std::string quantities(const CheckedExercise& checked, const Marks& marks, const
   for (const CheckedQuantity& quantity : checked.quantities) {
     const std::string name = cases.within(quantity.spec.name, rows);
     const bool open = quantity.settled.kind == Settled::Kind::undecided;
-    const std::string text = value(quantity).in(language);
+    const std::string text = value_in_words(quantity).in(language);
     std::vector<std::string> row = {name, open ? coloured(text, Ink::doubtful, reader.colours) : text,
                                     routes_of(quantity, marks), ""};
     for (const OnSheet& on : quantity.on_sheets) {
@@ -121,11 +91,6 @@ std::string quantities(const CheckedExercise& checked, const Marks& marks, const
     if (quantity.on_sheets.empty()) rows.push_back(row);
   }
   return table(rows, 2, {24, 19, 6});
-}
-
-Words in_words(Verdict verdict) {
-  static const std::array<std::string, 3> italian = {"arrotondata", "lettura", "discorda"};
-  return {name(verdict), italian.at(static_cast<std::size_t>(verdict))};
 }
 
 Ink ink_of(Verdict verdict) {
@@ -142,7 +107,8 @@ std::string printed(const CheckedExercise& checked, const Reader& reader) {
     if (quantity.printed.empty()) continue;
     std::string name = cases.within(quantity.spec.name, rows);
     for (const PrintedVerdict& each : quantity.printed) {
-      const Words found = has_value(quantity.settled) ? digits(quantity.settled.enclosure.value) : value(quantity);
+      const Words found =
+          has_value(quantity.settled) ? shown_digits(quantity.settled.enclosure.value) : value_in_words(quantity);
       rows.push_back({name, decimal(each.text).in(language), route_in_words(each.route).in(language),
                       found.in(language), percent(each.difference_percent).in(language),
                       coloured(in_words(each.verdict).in(language), ink_of(each.verdict), reader.colours)});
@@ -152,39 +118,21 @@ std::string printed(const CheckedExercise& checked, const Reader& reader) {
   return rows.size() == 1 ? "" : "\n" + table(rows, 2, {16, 8, 13, 10, 10});
 }
 
-// Remarks in the order they were first made, each with all it applies to: one slip often explains several numbers.
-class Remarks {
- public:
-  void add(const std::string& subject, const std::string& remark) {
-    const auto known =
-        std::find_if(all_.begin(), all_.end(), [&](const auto& entry) { return entry.remark == remark; });
-    if (known == all_.end() || subject.empty())
-      all_.push_back({subject, remark});
-    else
-      known->subjects += ", " + subject;
-  }
-  // Each after the heading, if there is one.
-  std::string text(const std::string& heading = {}) const {
-    std::string text = all_.empty() ? "" : "\n";
-    for (const auto& [subjects, remark] : all_)
-      text +=
-          wrapped(heading + (heading.empty() ? "" : " ") + subjects + (subjects.empty() ? "" : ": ") + remark, 2, 4);
-    return text;
-  }
-
- private:
-  struct Entry {
-    std::string subjects, remark;
-  };
-  std::vector<Entry> all_;
-};
+// Each after the heading, if there is one.
+std::string text_of(const Remarks& remarks, const std::string& heading = {}) {
+  std::string text = remarks.all().empty() ? "" : "\n";
+  for (const auto& [subjects, remark] : remarks.all())
+    text +=
+        wrapped(heading + (heading.empty() ? "" : " ") + subjects + (subjects.empty() ? "" : ": ") + remark, 2, 4);
+  return text;
+}
 
 std::string absences(const CheckedExercise& checked, Language language) {
   Remarks remarks;
   for (const CheckedQuantity& quantity : checked.quantities)
     if (quantity.settled.kind == Settled::Kind::absent)
       remarks.add(quantity.spec.name, quantity.settled.reason.in(language));
-  return remarks.text();
+  return text_of(remarks);
 }
 
 std::string explanations(const CheckedExercise& checked, Language language) {
@@ -195,32 +143,7 @@ std::string explanations(const CheckedExercise& checked, Language language) {
         remarks.add(
             format_words("{} printed {}", "{}, stampata {}", quantity.spec.name, decimal(each.text)).in(language),
             drawings::plain(each.explanation->in(language)));
-  return remarks.text();
-}
-
-Words in_words(RowVerdict verdict) {
-  static const std::array<std::string, 4> italian = {"giuste", "arrotondate", "spostate", "sbagliate"};
-  return {name(verdict), italian.at(static_cast<std::size_t>(verdict))};
-}
-
-// "0,1 to 20,0 (200 rows) wrong, 3 of them right all the same: the first strip is missing"
-std::string block_in_words(const TableAudit& of, const AuditedBlock& block, Language language) {
-  const std::size_t count = block.last - block.first + 1;
-  const auto more = [&](std::size_t number, const Words& words) {
-    return number == 0 ? Words{} : format_words(", {} ", ", {} ", number) + words;
-  };
-  const bool is_right = block.verdict == RowVerdict::right;
-  const Words rows = count == 1
-                         ? decimal(of.rows.at(block.first))
-                         : format_words("{} to {} ({} rows)", "da {} a {} ({} righe)",
-                                        decimal(of.rows.at(block.first)), decimal(of.rows.at(block.last)), count);
-  const Words why = !block.mistake.empty() ? ": " + block.mistake
-                    : is_right             ? Words{}
-                                           : Words{": unexplained", ": senza spiegazione"};
-  return (rows + " " + in_words(block.verdict) +
-          more(block.rounded, {"off by one in the last digit", "con l'ultima cifra diversa di uno"}) +
-          more(is_right ? 0 : block.right, {"right all the same", "giuste lo stesso"}) + why)
-      .in(language);
+  return text_of(remarks);
 }
 
 // Columns with the same blocks are told together.
@@ -231,12 +154,12 @@ std::string audits(const CheckedExercise& checked, Language language) {
     for (const AuditedColumn& column : each.columns) {
       std::string blocks;
       for (const AuditedBlock& block : column.blocks)
-        blocks += (blocks.empty() ? "" : "; ") + drawings::plain(block_in_words(each, block, language));
+        blocks += (blocks.empty() ? "" : "; ") + drawings::plain(block_in_words(each, block).in(language));
       remarks.add(column.name, blocks);
     }
     text +=
         "\n" + wrapped(format_words("Printed {}, row by row:", "Riga per riga, {}:", each.table).in(language), 2, 4);
-    text += remarks.text().substr(1);
+    text += text_of(remarks).substr(1);
   }
   return text;
 }
@@ -264,7 +187,7 @@ std::string listed(const std::vector<Complaint>& all, const std::string& heading
     else
       remarks.add({}, sentence);
   }
-  return remarks.text(heading);
+  return text_of(remarks, heading);
 }
 
 }  // namespace
@@ -274,10 +197,11 @@ std::string measured_report(const CheckedExercise& checked, const Reader& reader
   for (const CheckedQuantity& quantity : checked.quantities)
     for (const Measured& each : quantity.measured) {
       const Words difference = each.difference ? decimal(fmt::format("{:+.3g}", *each.difference)) : Words{"-", "-"};
-      const Words line = format_words(
-          "{} measured {}: computed {}, difference {} ({}), allowed {} ({}):",
-          "{} misurata {}: calcolata {}, differenza {} ({}), ammessa {} ({}):", quantity.spec.name, each.text,
-          value(quantity), difference, percent(each.difference_percent), decimal(each.allowed, 3), each.allowed_by);
+      const Words line =
+          format_words("{} measured {}: computed {}, difference {} ({}), allowed {} ({}):",
+                       "{} misurata {}: calcolata {}, differenza {} ({}), ammessa {} ({}):", quantity.spec.name,
+                       each.text, value_in_words(quantity), difference, percent(each.difference_percent),
+                       decimal(each.allowed, 3), each.allowed_by);
       text +=
           wrapped(line.in(reader.language) + " " +
                       coloured(verdict(each).in(reader.language), each.within ? Ink::good : Ink::bad, reader.colours),

@@ -87,6 +87,43 @@ Help help_of_check() {
 )"};
 }
 
+Help help_of_report() {
+  return {
+      {"Write a worked solution: question, givens, figures, each step, results with bounds, the source's numbers.",
+       "Scrive una soluzione svolta: quesito, dati, figure, ogni passo, risultati con limiti, i numeri della fonte."},
+      {"Writes out/ID-report.md and out/ID-report-SHEET.svg; for tex the figures are PDFs, true to scale at the "
+       "width "
+       "of the page, and html holds them itself. Markdown has mathematics between dollar signs, as pandoc, GitHub "
+       "and "
+       "notebooks read it. Every number is one that epure check has checked; it exits as check does.",
+       "Scrive out/ID-report.md e out/ID-report-TAVOLA.svg; per tex le figure sono PDF, in scala alla larghezza "
+       "della "
+       "pagina, e html le contiene. Il Markdown ha la matematica tra segni di dollaro, come la leggono pandoc, "
+       "GitHub "
+       "e i notebook. Ogni numero è uno che epure check ha verificato; esce come check."},
+      R"(
+  epure report slider-crank-velocity
+  epure report slider-crank-velocity --set r=25cm -o solution.html
+  epure report four-bar --format tex --lang it --out reports
+)"};
+}
+
+Help help_of_booklet() {
+  return {
+      {"Bind all exercises, or those named, into one PDF with a title page and contents.",
+       "Raccoglie tutti gli esercizi, o quelli nominati, in un PDF con frontespizio e indice."},
+      {"Writes out/booklet.pdf, or the file of -o. The contents lead to the sheets, whose title blocks tell the "
+       "page; "
+       "a reader shows exercises and sheets as bookmarks.",
+       "Scrive out/booklet.pdf, o il file di -o. L'indice conduce alle tavole, il cui riquadro dice la pagina; un "
+       "lettore mostra esercizi e tavole come segnalibri."},
+      R"(
+  epure booklet
+  epure booklet slider-crank-velocity four-bar --lang it -o lezioni.pdf
+  epure booklet --paper a3 --course "Applied mechanics" --out print
+)"};
+}
+
 Help help_of_sweep() {
   return {
       {"Find quantities of an exercise at all values of some of its givens, each with bounds, for other programs.",

@@ -15,6 +15,8 @@ Help help_of_program();
 Help help_of_list();
 Help help_of_draw();
 Help help_of_check();
+Help help_of_report();
+Help help_of_booklet();
 Help help_of_sweep();
 Help help_of_class();
 Help help_of_mark();

@@ -27,6 +27,8 @@ class Parser {
     add_list();
     add_draw();
     add_check();
+    add_report();
+    add_booklet();
     add_sweep();
     add_class();
     add_mark();
@@ -115,12 +117,17 @@ class Parser {
     add(verb, "--out", options_.folder, {"DIR", "CARTELLA"},
         {"folder to write to (default: out)", "cartella in cui scrivere (predefinita: out)"});
   }
-  void add_titles(CLI::App& verb) {
+  void add_course(CLI::App& verb) {
     const Words text{"TEXT", "TESTO"};
     OwnTitles& titles = options_.titles;
     add(verb, "--course", titles.course, text,
         {"in the title block: the course", "nel riquadro delle iscrizioni: il corso"});
     add(verb, "--author", titles.author, text, {"beside it: whose sheet it is", "accanto: di chi è la tavola"});
+  }
+  void add_titles(CLI::App& verb) {
+    const Words text{"TEXT", "TESTO"};
+    OwnTitles& titles = options_.titles;
+    add_course(verb);
     add(verb, "--title", titles.title, text,
         {"instead of the exercise's title", "al posto del titolo dell'esercizio"});
     add(verb, "--sheet-number", titles.sheet_number, text,
@@ -221,6 +228,31 @@ class Parser {
          "fast (double), bounded (intervalli) o exact (predefinita: tante cifre quante ne servono)"});
     add_language(verb);
   }
+  void add_report() {
+    CLI::App& verb = add_verb("report");
+    add_names(verb, {"ID", "ID"}, {"an exercise", "un esercizio"});
+    add(verb, "--format", options_.format, {"FORMAT", "FORMATO"},
+        {"md (default), tex or html", "md (predefinito), tex o html"});
+    add_folder(verb);
+    add(verb, "-o", options_.file, {"FILE", "FILE"},
+        {"write this file, and its figures beside it; - is standard output, for html",
+         "scrive questo file, e le figure accanto; - è lo standard output, per html"});
+    add_givens(verb);
+    add_givens_file(verb, {"givens from lines such as r = 25 cm, or CSV of one row",
+                           "dati da righe come r = 25 cm, o CSV di una riga"});
+    add_language(verb);
+  }
+  void add_booklet() {
+    CLI::App& verb = add_verb("booklet");
+    add_names(verb, {"ID", "ID"}, {"exercises (default: all)", "esercizi (predefiniti: tutti)"});
+    add_folder(verb);
+    add(verb, "-o", options_.file, {"FILE", "FILE"},
+        {"write this PDF; - is standard output", "scrive questo PDF; - è lo standard output"});
+    add_paper(verb);
+    add_course(verb);
+    add(verb, "--title", options_.titles.title, {"TEXT", "TESTO"}, {"of the first page", "della prima pagina"});
+    add_language(verb);
+  }
   void add_sweep() {
     CLI::App& verb = add_verb("sweep");
     add_names(verb, {"ID", "ID"}, {"an exercise", "un esercizio"});
@@ -313,11 +345,15 @@ Help help_of(const std::string& verb) {
   if (verb == "list") return help_of_list();
   if (verb == "draw") return help_of_draw();
   if (verb == "check") return help_of_check();
+  if (verb == "report") return help_of_report();
+  if (verb == "booklet") return help_of_booklet();
   if (verb == "sweep") return help_of_sweep();
   if (verb == "class") return help_of_class();
   if (verb == "mark") return help_of_mark();
   return verb == "bench" ? help_of_bench() : help_of_program();
 }
+
+bool takes_several_names(const std::string& verb) { return verb == "draw" || verb == "check" || verb == "booklet"; }
 
 HelpPage Parser::help_page(const CLI::App& app) const {
   const bool is_program = &app == &program_;
@@ -333,10 +369,10 @@ HelpPage Parser::help_page(const CLI::App& app) const {
     for (const std::string& verb : verbs())
       page.names.push_back({.name = verb, .meaning = help_of(verb).purpose.in(language_)});
   } else {
-    page.usage += " " + app.get_name() + say({" [OPTIONS]", " [OPZIONI]"}) +
-                  (page.names.empty() ? ""
-                                      : " [" + page.names.front().name +
-                                            (app.get_name() == "draw" || app.get_name() == "check" ? "...]" : "]"));
+    page.usage +=
+        " " + app.get_name() + say({" [OPTIONS]", " [OPZIONI]"}) +
+        (page.names.empty() ? ""
+                            : " [" + page.names.front().name + (takes_several_names(app.get_name()) ? "...]" : "]"));
   }
   return page;
 }
@@ -403,8 +439,9 @@ void refuse_name_as_verb(const Catalogue& exercises, const std::string& name) {
 // The word where the verb should be.
 void demand_verb(const Catalogue& exercises, const std::vector<std::string>& arguments) {
   if (arguments.empty())
-    throw WrongUsage("say what to do: list, draw, check, class, mark, sweep or bench (epure help explains)",
-                     "dire che cosa fare: list, draw, check, class, mark, sweep o bench (epure help spiega)");
+    throw WrongUsage(
+        "say what to do: list, draw, check, report, booklet, class, mark, sweep or bench (epure help explains)",
+        "dire che cosa fare: list, draw, check, report, booklet, class, mark, sweep o bench (epure help spiega)");
   const std::string& first = arguments.front();
   if (first.starts_with('-')) return;
   refuse_name_as_verb(exercises, first);
@@ -425,7 +462,8 @@ std::vector<std::string> with_help_as_option(std::vector<std::string> arguments)
 }  // namespace
 
 const std::vector<std::string>& verbs() {
-  static const std::vector<std::string> all{"list", "draw", "check", "class", "mark", "sweep", "bench"};
+  static const std::vector<std::string> all{"list",  "draw", "check", "report", "booklet",
+                                            "class", "mark", "sweep", "bench"};
   return all;
 }
 
@@ -464,13 +502,15 @@ Parsed parse_options(const Catalogue& exercises, const std::vector<std::string>&
   }
   const std::string verb = parser.chosen().get_name();
   if (verb == "epure") demand_verb(exercises, {});
-  parsed.options.verb = verb == "list"    ? Options::Verb::list
-                        : verb == "draw"  ? Options::Verb::draw
-                        : verb == "check" ? Options::Verb::check
-                        : verb == "sweep" ? Options::Verb::sweep
-                        : verb == "class" ? Options::Verb::make_class
-                        : verb == "mark"  ? Options::Verb::mark
-                                          : Options::Verb::bench;
+  parsed.options.verb = verb == "list"      ? Options::Verb::list
+                        : verb == "draw"    ? Options::Verb::draw
+                        : verb == "check"   ? Options::Verb::check
+                        : verb == "report"  ? Options::Verb::report
+                        : verb == "booklet" ? Options::Verb::booklet
+                        : verb == "sweep"   ? Options::Verb::sweep
+                        : verb == "class"   ? Options::Verb::make_class
+                        : verb == "mark"    ? Options::Verb::mark
+                                            : Options::Verb::bench;
   return parsed;
 }
 

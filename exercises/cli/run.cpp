@@ -39,6 +39,10 @@ Outcome outcome_of(const Catalogue& exercises, const Options& options, std::ostr
       return make_class(exercises, options, err, surroundings);
     case Options::Verb::mark:
       return mark(exercises, options);
+    case Options::Verb::report:
+      return report(exercises, options);
+    case Options::Verb::booklet:
+      return booklet(exercises, options);
     case Options::Verb::check:
       break;
   }

@@ -8,6 +8,7 @@
 #include "exercises/cli/catalogue.h"
 #include "exercises/cli/options.h"
 #include "exercises/cli/run.h"
+#include "exercises/kit/proof/checked.h"
 
 namespace epure {
 
@@ -26,6 +27,17 @@ struct Outcome {
 Outcome draw(const Catalogue& exercises, const Options& options, std::ostream& err);
 
 Outcome check(const Catalogue& exercises, const Options& options);
+
+// What exercises that were checked come to; and why sheets were not drawn, once for an exercise, as its other sheets
+// mostly fail for the same reason.
+Exit exit_of(const std::vector<CheckedExercise>& all);
+std::vector<Words> sheets_not_drawn(const std::vector<CheckedExercise>& all);
+
+// Writes the document and its figures, or none of them. It exits as check does.
+Outcome report(const Catalogue& exercises, const Options& options);
+
+// Writes its file. What could not be decided is left out, and named in remarks.
+Outcome booklet(const Catalogue& exercises, const Options& options);
 
 // Writes each line, to `out` or a file, as soon as it and those before it are found; the text returned is empty. Who
 // reads `out` may stop reading.

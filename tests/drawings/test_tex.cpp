@@ -7,10 +7,12 @@
 using namespace epure::drawings;
 
 TEST_CASE("rich text becomes LaTeX that shows the same") {
-  CHECK(tex_of("$P_{0}$") == "${\\mathrm{P}}_{\\mathrm{0}}$");
-  CHECK(tex_of("$ω_{3}$") == "${\\omega }_{\\mathrm{3}}$");
+  CHECK(tex_of("$P_{0}$") == "${\\mathrm{P}}_{0}$");
+  CHECK(tex_of("$ω_{3}$") == "${\\omega }_{3}$");
+  CHECK(tex_of("$b'$") == "$b$\\ensuremath{'}");
   CHECK(tex_of("$v_B$") == "${v}_{\\mathrm{B}}$");
-  CHECK(tex_of("$\\vec{v}_{BA}$") == "${\\vec{v}}_{\\mathrm{B}\\mathrm{A}}$");
+  CHECK(tex_of("$\\vec{v}_{BA}$") == "${\\vec{v}}_{\\mathrm{BA}}$");
+  CHECK(tex_of("$2ab_{A1B}$") == "2$a$${b}_{\\mathrm{A}1\\mathrm{B}}$");
   CHECK(tex_of("1 : 5") == "1 : 5");
   CHECK(tex_of("1 cm ≙ 2.5 m/s") == "1 cm \\ensuremath{\\mathrel{\\stackrel{\\wedge}{=}}} 2.5 m/s");
   CHECK(tex_of("2,5") == "2,5");

@@ -42,7 +42,9 @@ for shell in bash zsh fish; do
     echo "skipped: $shell is not here"
     continue
   fi
-  expect $shell 'epure ' list draw check class mark sweep bench help ...
+  expect $shell 'epure ' list draw check report booklet class mark sweep bench help ...
+  expect $shell 'epure report slider-crank-velocity --format ' html md tex
+  expect $shell 'epure booklet velocity-' velocity-centre
   expect $shell 'epure dr' draw
   expect $shell 'epure help sw' sweep
   expect $shell 'epure draw four-bar-' four-bar-analytic four-bar-constraints

@@ -8,6 +8,7 @@ described is found too. Then documents broken on purpose: the schemas as they ar
 
 import copy
 import json
+import os
 import subprocess
 import sys
 import tempfile
@@ -53,7 +54,7 @@ def read(name):
     return schema
 
 
-schemas = {name: read(name) for name in ("check", "list", "sweep")}
+schemas = {name: read(name) for name in ("bench", "check", "list", "sweep")}
 seen = set()  # fields met anywhere, by schema
 
 
@@ -111,6 +112,14 @@ for arguments in (
         sweeps.append(json.loads(line))
         holds("sweep", sweeps[-1], " ".join(arguments))
 
+# The bench is a program of its own; where it was not built, documents broken on purpose are tried on one typed here.
+bench = {"schema": "epure.bench/1", "results": [{"family": "f", "number": "fast", "ns_per_result": 1.5,
+         "max_relative_error": 1e-16, "max_relative_bound": None, "handed_over": 0}]}
+if os.path.exists(os.path.join(os.path.dirname(os.path.realpath(program)), "epure-bench")):
+    with tempfile.TemporaryDirectory() as drawn:
+        bench = json.loads(output("bench", "--json", "--seconds", "0.001", "--out", drawn))
+holds("bench", bench, "bench --json")
+
 # What is told agrees with itself.
 if [each["id"] for each in list_all["exercises"]] != [each["id"] for each in check_all["exercises"]]:
     fail("list and check tell other exercises")
@@ -158,6 +167,10 @@ for name, document, path, change, what in (
     ("list", list_all, given, lambda it: it.update(range="negative"), "with a range that is none"),
     ("list", list_all, quantity, lambda it: it.pop("unit"), "with a quantity without unit"),
     ("sweep", sweeps[0], [], lambda it: it.update(row=-1), "with a row before the first"),
+    ("bench", bench, ["results"], lambda all: all.clear(), "without results"),
+    ("bench", bench, ["results", 0], lambda it: it.update(number="slow"), "with a number that is none"),
+    ("bench", bench, ["results", 0], lambda it: it.update(handed_over=-1), "with fewer than no cases"),
+    ("bench", bench, ["results", 0], lambda it: it.pop("max_relative_bound"), "without a bound or null"),
     ("sweep", sweeps[0], ["quantities", "v_B"], lambda it: it.update(value=None), "with no value and no reason"),
     ("sweep", sweeps[0], ["givens", "phi"], lambda it: it.update(value=0), "with a given that is not exact"),
 ):

@@ -1,0 +1,114 @@
+// One HTML file that needs no other: figures are inline SVG. Legible light and dark, and on paper.
+#include <fmt/format.h>
+
+#include "drawings/files/xml.h"
+#include "drawings/text/rich_text.h"
+#include "drawings/text/text.h"
+#include "exercises/cli/report_document.h"
+
+namespace epure {
+namespace {
+
+using drawings::Node;
+
+constexpr const char* style = R"(
+:root { color-scheme: light dark; }
+body { font: 1rem/1.5 "STIX Two Text", Georgia, "Times New Roman", serif; max-width: 46rem; margin: 2rem auto;
+  padding: 0 1rem; }
+h1, h2, h3 { line-height: 1.2; break-after: avoid; }
+figure { margin: 1.5rem 0; break-inside: avoid; }
+figure svg { background: #fff; color-scheme: light; max-width: 100%; height: auto; display: block; margin: auto; }
+.table { overflow-x: auto; margin: 1rem 0; }
+table { border-collapse: collapse; font-size: .9rem; }
+th, td { text-align: left; vertical-align: top; padding: .2rem .9rem .2rem 0; border-bottom: 1px solid #8888; }
+tr { break-inside: avoid; }
+sub, sup { line-height: 0; }
+.vector { position: relative; }
+.vector::before { content: "→"; position: absolute; left: 0; right: 0; top: -.75em; text-align: center;
+  font-style: normal; font-size: .75em; }
+@media print { body { max-width: none; margin: 0; padding: 0; font-size: 10.5pt; } .table { overflow: visible; } }
+@page { size: A4; margin: 20mm; }
+)";
+
+std::string html(const std::vector<Node>& nodes) {
+  std::string set;
+  for (const Node& node : nodes) {
+    std::string nucleus = drawings::escaped_for_xml(node.letters) + html(node.group);
+    if (node.italic) nucleus = "<i>" + nucleus + "</i>";
+    if (node.arrow) nucleus = "<span class=\"vector\">" + nucleus + "</span>";
+    set += nucleus;
+    if (!node.below.empty()) set += "<sub>" + html(node.below) + "</sub>";
+    if (!node.above.empty()) set += "<sup>" + html(node.above) + "</sup>";
+  }
+  return set;
+}
+
+std::string html(const std::string& rich_text) {
+  std::string set;
+  for (const std::string& part : labels_in(rich_text)) set += html(drawings::parse(part));
+  return set;
+}
+
+std::string element(const char* name, const std::string& rich_text) {
+  return fmt::format("<{0}>{1}</{0}>\n", name, html(rich_text));
+}
+
+class Html {
+ public:
+  void operator()(const ReportHeading& heading) { text_ += element(heading.level == 1 ? "h2" : "h3", heading.text); }
+  void operator()(const drawings::Paragraph& words) { text_ += element("p", words.text); }
+  void operator()(const drawings::Steps& steps) {
+    text_ += steps.first == 1 ? std::string("<ol>\n") : fmt::format("<ol start=\"{}\">\n", steps.first);
+    for (const std::string& line : steps.lines) text_ += element("li", line);
+    text_ += "</ol>\n";
+  }
+  void operator()(const ReportList& list) {
+    text_ += "<ul>\n";
+    for (const std::string& item : list.items) text_ += element("li", item);
+    text_ += "</ul>\n";
+  }
+  void operator()(const drawings::Table& table) {
+    text_ += "<div class=\"table\" tabindex=\"0\"><table>\n";
+    if (!table.head.empty()) {
+      text_ += "<thead>";
+      add_row("th scope=\"col\"", "th", table.head);
+      text_ += "</thead>\n";
+    }
+    text_ += "<tbody>\n";
+    for (const auto& row : table.rows) add_row("td", "td", row);
+    text_ += "</tbody></table></div>\n";
+  }
+  void operator()(const ReportFigure& figure) {
+    std::string svg = drawings::write_svg(figure.page);
+    svg.erase(0, svg.find("<svg"));  // the declaration is that of a file of its own
+    text_ += "<figure>\n" + svg + "</figure>\n";
+  }
+  std::string text() && { return std::move(text_); }
+
+ private:
+  void add_row(const char* open, const char* close, const std::vector<std::string>& cells) {
+    text_ += "<tr>";
+    for (const std::string& cell : cells) text_ += fmt::format("<{}>{}</{}>", open, html(cell), close);
+    text_ += "</tr>\n";
+  }
+
+  std::string text_;
+};
+
+}  // namespace
+
+std::string html_of(const ReportDocument& document) {
+  Html writer;
+  for (const ReportBlock& block : document.blocks) std::visit(writer, block);
+  return fmt::format(
+             "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+             "<meta name=\"generator\" content=\"epure " EPURE_VERSION
+             "\"/>\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
+             document.language == Language::english ? "en" : "it",
+             drawings::escaped_for_xml(drawings::plain(document.title)), style) +
+         element("h1", document.title) + element("p", document.source) + std::move(writer).text() +
+         "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace epure
