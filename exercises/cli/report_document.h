@@ -18,7 +18,7 @@ struct ReportList {
   std::vector<std::string> items;
 };
 struct ReportFigure {
-  std::string name;  // of its file, without folder and ending
+  std::string name;     // of its file, without folder and ending
   std::string caption;  // for who does not see it
   drawings::Page page;
 };

@@ -8,6 +8,7 @@
 
 #include "exercises/friction-efficiency/motion.h"
 #include "exercises/friction-efficiency/problem.h"
+#include "exercises/friction-efficiency/rod_in_collar.h"
 #include "exercises/kit/linkages/angles.h"
 #include "exercises/kit/linkages/loaded_routes.h"
 #include "exercises/kit/statement/forces.h"
@@ -19,7 +20,6 @@ using namespace loaded;
 inline constexpr Phrase no_sliding{"the bodies do not slide on each other",
                                    "i corpi non strisciano l'uno sull'altro"};
 inline constexpr Phrase never_locks{"no friction angle locks it", "nessun angolo d'attrito lo rende irreversibile"};
-inline constexpr Phrase never_jams{"no friction angle jams it", "nessun angolo d'attrito lo fa impuntare"};
 inline constexpr Phrase no_effort{"there is no effort to compare with", "non c'è uno sforzo con cui confrontare"};
 inline constexpr Phrase parallel_collar{"it is at infinity: without friction the collar's forces are parallel",
                                         "è all'infinito: senza attrito le forze del collare sono parallele"};
@@ -265,47 +265,6 @@ void write_wedge(Ledger<T>& ledger, const Problem& problem) {
   put_half(ledger, jamming_angle(), quarter() - problem.of.wedge.theta);
 }
 
-// Of a = 0 at the friction coefficient μ: positive as long as the rod moves. K times μ, against the wedge's force.
-template <class T>
-T room_of_rod(const Wedge& of, const T& mu) {
-  const T c = geometry::cosine<T>(of.theta), s = geometry::sine<T>(of.theta), half_w = number<T>(of.w / 2);
-  const geometry::Line<T> upper = line(Point<T>{-half_w, number<T>(of.y_upper)}, Vector<T>{T(1), -mu}),
-                          lower = line(Point<T>{half_w, number<T>(of.y_lower)}, Vector<T>{T(-1), -mu});
-  const ProjectivePoint<T> K = meet(upper, lower);
-  const T turned = geometry::cross(Vector<T>{s + c * mu, c - s * mu}, Vector<T>{K.x, K.y});
-  return -turned;
-}
-
-// Between two rationals at which a function that is positive first and negative then is known.
-template <class T, class Function>
-T first_zero(const Function& of) {
-  if constexpr (signs_only<T>) {
-    (void)of;
-    return T(1);
-  } else {
-    const auto sign_at = [&](const Rational& mu) { return geometry::sign(of(number<T>(mu))); };
-    const Rational step(1, 16), farthest(64);
-    Rational low(0), high = step;
-    const geometry::Sign first = sign_at(low + step / 1024);
-    while (sign_at(high) == first && high < farthest) low = high, high += step;
-    if (high >= farthest) throw geometry::Impossible(never_jams);
-    constexpr int most_halvings = 2100;  // beyond the bits of any number here
-    for (int i = 0; i < most_halvings; ++i) {
-      const Rational middle = (low + high) / 2;
-      const geometry::Sign sign = sign_at(middle);
-      if (sign == geometry::Sign::undecided || sign == geometry::Sign::zero) break;
-      (sign == first ? low : high) = middle;
-    }
-    const T middle = number<T>((low + high) / 2), around = number<T>((high - low) / 2);
-    if constexpr (std::is_same_v<T, geometry::Fast>)
-      return middle;
-    else if constexpr (std::is_same_v<T, geometry::Bounded>)
-      return middle + around * geometry::Bounded(-1, 1);
-    else
-      return middle + around * geometry::Deep::from_bounded(geometry::Bounded(-1, 1));
-  }
-}
-
 template <class T>
 void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
   const Wedge of = problem.of.wedge;
@@ -368,15 +327,14 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
       return part_of_turn_in_degrees(slope_by_its_half(Complex<T>{R.x, R.y}));
     });
   }
-  const auto in_angle = [](const T& mu) {
-    if constexpr (signs_only<T>)
-      return mu;
-    else
-      return in_degrees(geometry::arc_tangent(mu, T(1)));
-  };
   ledger.route("force polygon");
-  ledger.put(jamming_angle(),
-             [=] { return in_angle(first_zero<T>([&](const T& mu) { return room_of_rod(of, mu); })); });
+  ledger.put(jamming_angle(), [=]() -> T {
+    if constexpr (signs_only<T>)
+      return T(1);
+    else
+      return geometry::on_balls<T>(
+          [=] { return in_degrees(geometry::arc_tangent(jamming_coefficient(of), Deep(1))); });
+  });
   // The cubic by its trigonometric roots.
   ledger.route("analytic");
   ledger.put(jamming_angle(), [=]() -> T {
@@ -397,13 +355,15 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
       const T inside = geometry::square(T(2) * cube) - geometry::square(q);
       const geometry::Sign has_three = geometry::sign(inside);
       if (has_three == geometry::Sign::negative) throw geometry::Impossible(never_jams);  // the only root is negative
-      if (has_three != geometry::Sign::positive)
+      if (has_three != geometry::Sign::positive && !jams_at_one_coefficient(of))
         throw geometry::Undecided("how many friction angles jam the rod",
                                   "quanti angoli d'attrito facciano impuntare l'asta");
-      const T alpha = third * geometry::arc_tangent(geometry::root(inside), T(-q));
+      const T width = has_three == geometry::Sign::positive ? geometry::root(inside) : T(0);
+      const T alpha = third * geometry::arc_tangent(width, T(-q));
       // The middle one of the three: the least is negative.
       const T mu = T(2) * spread * geometry::cosine_of_angle(alpha - number<T>(Rational(2, 3)) * geometry::pi<T>()) -
                    third * b2;
+      if (geometry::sign(mu) == geometry::Sign::negative) throw geometry::Impossible(never_jams);  // all three are
       return part_of_turn_in_degrees(slope_by_its_half(Complex<T>{T(1), mu}));
     }
   });
