@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -175,16 +176,30 @@ void add_measured(const PanelSheet& shown, DrawnSheet& onto, Language language) 
   }
 }
 
-// Whether no panel that shows lengths has room for the point; never where none shows any.
+// Whether the point is beyond where the marks of every panel that shows lengths may be; never where none shows any.
 bool is_off_sheet(const Place& P, const std::vector<PlacedPanel>& panels, DrawnSheet& onto,
                   const SheetRequest& request) {
   bool shows_lengths = false;
   for (const PlacedPanel& each : panels) {
     if (each.panel->is_of_vectors() || !each.panel->has_scale()) continue;
     shows_lengths = true;
-    if (is_in(each.room, plot_of(each, onto, request), P)) return false;
+    if (is_in(window_of(each, request), plot_of(each, onto, request), P)) return false;
   }
   return shows_lengths;
+}
+
+// What a ruler can read off the solved sheet, which the sheet to be solved lies under.
+std::set<std::string> measured_on(const std::vector<PlacedPanel>& panels, const DrawnSheet& onto,
+                                  const SheetRequest& request) {
+  DrawnSheet solved = onto;
+  if (request.blank)
+    for (const PlacedPanel& each : panels) {
+      Plot plot = plot_of(each, solved, request);
+      each.panel->draw(plot, each.room, request.language);
+    }
+  std::set<std::string> names;
+  for (const Measurement& each : solved.measurements) names.insert(each.quantity);
+  return names;
 }
 
 std::string description(const Solution& solution, const PanelSheet& shown, Language language) {
@@ -223,8 +238,12 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
 
   auto& column = onto.sheet.column;
   AskedOnSheet asked;
-  if (request.for_class || request.blank)
-    asked = asked_on(solution, shown, [&](const Place& P) { return is_off_sheet(P, panels, onto, request); });
+  if (request.for_class || request.blank) {
+    const std::set<std::string> measured = measured_on(panels, onto, request);
+    asked = asked_on(solution, shown, [&](const std::string& quantity, const Place& P) {
+      return !measured.contains(quantity) && is_off_sheet(P, panels, onto, request);
+    });
+  }
   if (request.for_class)
     for (const Result::Asked& each : asked.asked) onto.asked.push_back(each.quantity);
   if (request.blank) {

@@ -31,7 +31,7 @@ std::string point_of(const std::string& quantity, const Solution& solution) {
 }  // namespace
 
 AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
-                      const std::function<bool(const Place&)>& is_off_sheet) {
+                      const std::function<bool(const std::string& quantity, const Place&)>& is_off_sheet) {
   std::vector<Result::Asked> all;
   const auto add_all = [&](const std::vector<Result>& results) {
     for (const Result& result : results) all.insert(all.end(), result.asked().begin(), result.asked().end());
@@ -49,7 +49,7 @@ AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
     const std::optional<Place> place = point.empty() ? std::nullopt : solution.point(point);
     if (!solution.value(each.quantity))
       found.without_value.push_back(each.quantity);
-    else if (place && is_off_sheet(*place))
+    else if (place && is_off_sheet(each.quantity, *place))
       found.off_sheet.push_back(each.quantity);
     else
       found.asked.push_back(each);

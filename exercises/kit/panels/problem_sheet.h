@@ -20,7 +20,7 @@ struct AskedOnSheet {
 // its other sections tell, and one that tells all in words of its own for what it tells somebody who does not see it.
 // What does not exist nobody can find; and of a point that `is_off_sheet` nobody measures a coordinate or distance.
 AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
-                      const std::function<bool(const Place&)>& is_off_sheet);
+                      const std::function<bool(const std::string& quantity, const Place&)>& is_off_sheet);
 
 // The question, a table of what the sheet asks for with the units in which it is told, and a place for name, number
 // and date.
