@@ -21,7 +21,7 @@ using Cubic = std::array<T, 4>;
 
 // The cubic that has the room's values at 0, 1, -1 and 2.
 template <class T>
-Cubic<T> cubic_of_room(const loaded::Wedge& of) {
+Cubic<T> cubic_of_room(const Wedge& of) {
   const auto room = [&](int mu) { return room_of_rod<T>(of, T(mu)); };
   const T at_0 = room(0), at_1 = room(1), at_minus_1 = room(-1), half = geometry::from_rational<T>(Rational(1, 2));
   const T even = half * (at_1 + at_minus_1) - at_0, odd = half * (at_1 - at_minus_1);
@@ -59,7 +59,7 @@ Deep lowest_place(const Cubic<Deep>& of) {
 
 }  // namespace
 
-bool jams_at_one_coefficient(const loaded::Wedge& of) {
+bool jams_at_one_coefficient(const Wedge& of) {
   const geometry::Decision decision = geometry::decide([&]<class T>() { return discriminant(cubic_of_room<T>(of)); });
   if (decision.sign == Sign::undecided) throw_undecided();
   return decision.sign == Sign::zero;
@@ -67,7 +67,7 @@ bool jams_at_one_coefficient(const loaded::Wedge& of) {
 
 // Of the two places where the room ends, the first. From no friction on it is sought upwards; where it is nearer to
 // the lowest place, downwards from there, as there the cubic is too flat to be told from zero.
-Deep jamming_coefficient(const loaded::Wedge& of) {
+Deep jamming_coefficient(const Wedge& of) {
   const Cubic<Deep> cubic = cubic_of_room<Deep>(of);
   const Deep lowest = lowest_place(cubic), least = room_of_rod<Deep>(of, lowest);
   const Sign room = geometry::sign(least);

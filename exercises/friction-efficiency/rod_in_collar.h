@@ -12,7 +12,7 @@ inline constexpr Phrase never_jams{"no friction angle jams it", "nessun angolo d
 // Positive as long as the rod moves at the friction coefficient μ: K, where the collar's forces meet, times μ,
 // against the wedge's force. A cubic in μ that is positive without friction.
 template <class T>
-T room_of_rod(const loaded::Wedge& of, const T& mu) {
+T room_of_rod(const Wedge& of, const T& mu) {
   using geometry::Point;
   using geometry::Vector;
   const auto number = [](const Rational& q) { return geometry::from_rational<T>(q); };
@@ -24,9 +24,9 @@ T room_of_rod(const loaded::Wedge& of, const T& mu) {
 }
 
 // Whether the rod jams at one coefficient alone, and moves again beyond it: decided exactly. Throws Undecided.
-bool jams_at_one_coefficient(const loaded::Wedge& of);
+bool jams_at_one_coefficient(const Wedge& of);
 
 // The least μ at which the rod has no room. Throws Impossible(never_jams); Undecided.
-geometry::Deep jamming_coefficient(const loaded::Wedge& of);
+geometry::Deep jamming_coefficient(const Wedge& of);
 
 }  // namespace epure::friction_efficiency

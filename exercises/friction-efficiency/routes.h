@@ -12,6 +12,7 @@
 #include "exercises/kit/linkages/angles.h"
 #include "exercises/kit/linkages/loaded_routes.h"
 #include "exercises/kit/statement/forces.h"
+#include "geometry/numbers/accurate.h"
 
 namespace epure::friction_efficiency {
 
@@ -333,7 +334,7 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
       return T(1);
     else
       return geometry::on_balls<T>(
-          [=] { return in_degrees(geometry::arc_tangent(jamming_coefficient(of), Deep(1))); });
+          [=] { return in_degrees(geometry::arc_tangent(jamming_coefficient(of), geometry::Deep(1))); });
   });
   // The cubic by its trigonometric roots.
   ledger.route("analytic");

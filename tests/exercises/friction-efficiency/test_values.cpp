@@ -66,6 +66,32 @@ TEST_CASE("friction: what jams is said with the angle at which it does", "[frict
   refused({"sliding_levers.y_C=0"}, "friction has no sense");
 }
 
+// The least positive zero of μ³ + (t - 2m/w) μ² - 2 y_u t/w μ + a/w, t = tan θ, 2m = y_u + y_l, a = y_u - y_l, by
+// mpmath.
+TEST_CASE("friction: where the rod jams in its collar, however near the next place where it moves again",
+          "[friction-efficiency]") {
+  const char* name = "wedge_collar_two_point.jamming_friction_angle_deg";
+  const auto checked = [](const char* w, const char* upper, const char* lower, const char* theta, const char* phi) {
+    const std::string of = "wedge_collar.";
+    CheckedExercise result = friction().checked({of + "w=" + w, of + "y_upper=" + upper, of + "y_lower=" + lower,
+                                                 of + "theta=" + theta, std::string("phi=") + phi});
+    CAPTURE(w, upper, lower, theta, complaints(result));
+    CHECK(result.passed());
+    return result;
+  };
+  const auto rod = [&](const char* w, const char* upper, const char* lower, const char* theta, const char* phi) {
+    return value(checked(w, upper, lower, theta, phi), name);
+  };
+  CHECK(rod("1", "0.152", "0.148", "0.1", "10") == 10.67634344695067548);       // and again free from 11.888°
+  CHECK(rod("1e-7", "1", "-0.9998", "0.01", "0.001") == 89.43677059416023850);  // μ = 101.7
+  CHECK(rod("1", "177/736", "127/736", "45", "1") == 14.03624346792647858);     // μ = 1/4 alone
+  // The same with the upper end 1e-30 lower, and higher.
+  const char* lower = "5531249999999999999999999999977/23000000000000000000000000000000";
+  const char* higher = "5531250000000000000000000000023/23000000000000000000000000000000";
+  CHECK(rod("1", lower, "127/736", "45", "1") == 14.03624346792644774);
+  CHECK(find(checked("1", higher, "127/736", "45", "1"), name).settled.kind == geometry::Settled::Kind::absent);
+}
+
 TEST_CASE("friction: the source's numbers", "[friction-efficiency]") {
   const CheckedExercise result = friction().checked({});
   std::map<Verdict, int> verdicts;
