@@ -60,6 +60,7 @@ std::string lower_case(std::string text) {
 Words alternatives(const std::vector<std::string>& names) { return {join(names, " or "), join(names, " o ")}; }
 
 Words did_you_mean(const std::string& wrong, const std::vector<std::string>& known) {
+  if (known.empty()) return {"there are none", "non ce ne sono"};
   // A long word is no slip of the finger, and comparing it would take long.
   const auto near = wrong.size() <= 100 ? near_names(wrong, known) : std::vector<std::string>{};
   if (!near.empty()) return Words{"did you mean ", "si intendeva "} + alternatives(near) + "?";
