@@ -55,7 +55,10 @@ Outcome run(const Catalogue& exercises, const std::vector<std::string>& argument
   options.colours = surroundings.colours;
   if (!text && names_scenes(options)) {
     const Scenes scenes = read_scenes(options);
-    return outcome_of(scenes.exercises, scenes.options, out, err, surroundings);
+    Outcome outcome = outcome_of(scenes.exercises, scenes.options, out, err, surroundings);
+    if (options.verb == Options::Verb::check || options.verb == Options::Verb::draw)
+      for (Words& remark : remarks(scenes)) outcome.remarks.push_back(std::move(remark));
+    return outcome;
   }
   return text ? Outcome{*text} : outcome_of(exercises, options, out, err, surroundings);
 }

@@ -4,9 +4,24 @@
 
 #include "exercises/cli/catalogue.h"
 #include "exercises/kit/statement/format_words.h"
+#include "exercises/kit/statement/suggest.h"
+#include "exercises/scenes/coincidences.h"
 #include "exercises/scenes/scene_exercise.h"
 
 namespace epure {
+
+namespace {
+
+// In the name of the file, which is what was typed.
+void demand_sheet(const Exercise& exercise, const std::string& file, const std::string& sheet) {
+  std::vector<std::string> names;
+  for (const SheetSpec& spec : exercise.about().sheets) names.push_back(spec.name);
+  if (std::find(names.begin(), names.end(), sheet) == names.end())
+    throw WrongUsage(format_words("{} has no sheet \"{}\"; {}", "{} non ha la tavola \"{}\"; {}", file, sheet,
+                                  did_you_mean(sheet, names)));
+}
+
+}  // namespace
 
 bool names_scenes(const Options& options) {
   return std::any_of(options.names.begin(), options.names.end(),
@@ -14,7 +29,7 @@ bool names_scenes(const Options& options) {
 }
 
 Scenes read_scenes(const Options& options) {
-  Scenes read{{}, options};
+  Scenes read{.exercises = {}, .options = options};
   std::vector<std::pair<std::string, std::string>> known;  // file, id
   for (std::string& name : read.options.names) {
     const auto scene = scenes::scene_name(name);
@@ -24,7 +39,8 @@ Scenes read_scenes(const Options& options) {
     const std::string& file = scene->file;
     auto found = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == file; });
     if (found == known.end()) {
-      std::unique_ptr<Exercise> exercise = scenes::scene_exercise(file);
+      read.files.push_back(scenes::read_scene(file));
+      std::unique_ptr<Exercise> exercise = scenes::scene_exercise(read.files.back());
       const std::string id = exercise->about().id;
       if (std::any_of(known.begin(), known.end(), [&](const auto& k) { return k.second == id; }))
         throw WrongUsage(format_words("two files have the id {}; their drawings would be one file",
@@ -32,9 +48,22 @@ Scenes read_scenes(const Options& options) {
       read.exercises.emplace_back(std::move(exercise));
       found = known.insert(known.end(), {file, id});
     }
+    if (!scene->sheet.empty())
+      demand_sheet(*read.exercises[static_cast<std::size_t>(found - known.begin())], file, scene->sheet.substr(1));
     name = found->second + scene->sheet;
   }
   return read;
+}
+
+std::vector<Words> remarks(const Scenes& read) {
+  std::vector<const Exercise*> exercises;
+  for (const Listed& each : read.exercises) exercises.push_back(&*each);
+  const std::vector<Givens> givens = set_givens(exercises, read.options.assignments);
+  std::vector<Words> all;
+  for (std::size_t i = 0; i < givens.size(); ++i)
+    for (const Words& each : scenes::coincidences(read.files[i]->built(givens[i])))
+      all.push_back(read.files[i]->id() + ": " + each);
+  return all;
 }
 
 }  // namespace epure

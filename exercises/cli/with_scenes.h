@@ -1,8 +1,12 @@
 // Mechanisms from files, named on the command line like exercises: epure check quick-return.yaml
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "exercises/cli/options.h"
 #include "exercises/kit/proof/exercise.h"
+#include "exercises/scenes/scene.h"
 
 namespace epure {
 
@@ -14,7 +18,11 @@ bool names_scenes(const Options& options);
 struct Scenes {
   Catalogue exercises;
   Options options;
+  std::vector<std::shared_ptr<const scenes::Scene>> files = {};
 };
 Scenes read_scenes(const Options& options);
+
+// What looks wrong in the files at these givens, though nothing forbids it.
+std::vector<Words> remarks(const Scenes& read);
 
 }  // namespace epure

@@ -9,6 +9,7 @@
 #include "exercises/kit/statement/bare_number.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
+#include "exercises/scenes/greek.h"
 
 namespace epure::scenes {
 namespace {
@@ -136,7 +137,7 @@ class Reader {
     const std::size_t begin = place_;
     if (place_ < text_.size() && (is_digit(text_[place_]) || text_[place_] == '.')) return number();
     while (place_ < text_.size() && is_of_name(text_[place_])) ++place_;
-    const std::string name(text_.substr(begin, place_ - begin));
+    const std::string name = spelled_out(std::string(text_.substr(begin, place_ - begin)));
     if (name.empty())
       throw BadFormula(
           format_words("in \"{}\" a number or a given is missing", "in \"{}\" manca un numero o un dato", text_));
@@ -184,8 +185,7 @@ class Reader {
       longest = unit.symbol;
     }
     if (longest.empty()) {
-      if (place_ < text_.size() && is_of_name(text_[place_]))
-        throw BadFormula(format_words("\"{}\" is no unit", "\"{}\" non è un'unità", text_.substr(place_)));
+      if (place_ < text_.size() && is_of_name(text_[place_])) throw BadFormula(no_unit(text_.substr(place_)));
       place_ = before;
       return "1";
     }
@@ -209,6 +209,16 @@ std::optional<Amount> plain(const std::string& text, const std::string& unit) {
 }
 
 }  // namespace
+
+Words no_unit(std::string_view text) {
+  constexpr Kind told[] = {Kind::length,   Kind::angle,       Kind::angular_velocity, Kind::angular_acceleration,
+                           Kind::velocity, Kind::acceleration};
+  std::string known;
+  for (const Kind kind : told)
+    for (const Unit& unit : geometry::known_units())
+      if (unit.kind == kind) known += (known.empty() ? "" : ", ") + unit.symbol;
+  return format_words("\"{}\" is no unit; known are: {}", "\"{}\" non è un'unità; si conoscono: {}", text, known);
+}
 
 std::string unit_of(Kind kind) {
   const auto& units = geometry::known_units();

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "exercises/kit/statement/givens.h"
 #include "exercises/scenes/text_tree.h"
@@ -32,6 +33,9 @@ Amount read_amount(const std::string& text, geometry::Kind wanted, const std::st
 
 // Of a given, as it stands now.
 Amount amount_of(const Givens& givens, const GivenSpec& spec);
+
+// That this is no unit, and which are.
+Words no_unit(std::string_view text);
 
 // The unit in which a kind is told, and its name in both languages: "m", "length".
 std::string unit_of(geometry::Kind kind);

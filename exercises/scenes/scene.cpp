@@ -10,6 +10,9 @@
 #include "drawings/text/text.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
+#include "exercises/scenes/greek.h"
+#include "exercises/scenes/refusals.h"
+#include "exercises/scenes/scene_routes.h"
 
 namespace epure::scenes {
 namespace {
@@ -90,17 +93,25 @@ std::vector<std::string> parted(const std::string& text) {
   return parts;
 }
 
-// What of the text is a unit: what follows the number. Empty for a pure number, none where there is no number.
+std::vector<std::string> units_of(Kind kind) {
+  std::vector<std::string> symbols;
+  for (const Unit& unit : known_units())
+    if (unit.kind == kind) symbols.push_back(unit.symbol);
+  return symbols;
+}
+
+// What of the text is a unit, or would be one: what follows the number. Empty for a pure number, none where there is
+// no number, or a formula.
 std::optional<std::string> unit_after_number(const std::string& text) {
   std::size_t end = text.find_first_not_of("+-0123456789.,/ ");
   if (end != std::string::npos && (text[end] == 'e' || text[end] == 'E') && end > 0 && end + 1 < text.size() &&
       std::string("+-0123456789").find(text[end + 1]) != std::string::npos)
     end = text.find_first_not_of("+-0123456789.,/ ", end + 1);
   if (end == std::string::npos) return "";
-  if (end == 0) return {};
+  if (end == 0 || text[end] == '*' || text[end] == '(') return {};
   std::string unit = text.substr(end);
   while (!unit.empty() && unit.back() == ' ') unit.pop_back();
-  return find_unit(unit) ? std::optional(unit) : std::nullopt;
+  return unit;
 }
 
 // Builds the linkage of a tree at certain givens.
@@ -114,6 +125,7 @@ class Building {
     units();
     where();
     links();
+    demand_no_centres();
     slides();
     drives();
     assembly();
@@ -135,7 +147,8 @@ class Building {
       const auto found = find_unit(unit);
       const Kind wanted = key.text == "length" ? Kind::length : Kind::angle;
       if (!found || found->kind != wanted)
-        refuse(value, format_words("\"{}\" is no unit of {}", "\"{}\" non è unità di {}", unit, name_of(wanted)));
+        refuse(value, format_words("\"{}\" is no unit of {}; {}", "\"{}\" non è unità di {}; {}", unit,
+                                   name_of(wanted), did_you_mean(unit, units_of(wanted))));
       (wanted == Kind::length ? length_unit_ : angle_unit_) = unit;
     }
   }
@@ -145,12 +158,13 @@ class Building {
     if (!all) return;
     file_.map(*all, {"where: {name: formula}", "where: {nome: formula}"});
     for (const auto& [key, value] : all->entries) {
-      if (!is_name(key.text)) refuse(key, format_words("\"{}\" is no name", "\"{}\" non è un nome", key.text));
-      if (known_.contains(key.text))
+      const std::string name = spelled_out(key.text);
+      if (!is_name(name)) refuse(key, format_words("\"{}\" is no name", "\"{}\" non è un nome", key.text));
+      if (known_.contains(name))
         refuse(key, format_words("\"{}\" is a given already", "\"{}\" è già un dato", key.text));
       for (const Kind kind : {Kind::length, Kind::angle, Kind::pure_number, Kind::angular_velocity, Kind::velocity}) {
         try {
-          known_[key.text] =
+          known_[name] =
               read_amount(file_.text(value, {"a formula is asked", "si chiede una formula"}), kind, "", known_);
           break;
         } catch (const BadFormula& bad) {
@@ -210,7 +224,7 @@ class Building {
     read_drawing();
     const Tree* frame = all->find("1");
     if (!frame) refuse(*all, {"link 1, the frame, is missing", "manca il membro 1, il telaio"});
-    link(1, *frame);
+    link(*frame, 1, *frame);
     for (const auto& [key, value] : all->entries) {
       if (key.text == "1") continue;
       const bool is_number = !key.text.empty() && key.text.size() <= 4 && key.text[0] != '0' &&
@@ -218,7 +232,7 @@ class Building {
       if (!is_number)
         refuse(key, format_words("\"{}\" is no number of a link: 1 is the frame, then 2, 3 ...",
                                  "\"{}\" non è un numero di membro: 1 è il telaio, poi 2, 3 ...", key.text));
-      link(std::stoi(key.text), value);
+      link(key, std::stoi(key.text), value);
     }
   }
 
@@ -242,7 +256,8 @@ class Building {
                           name));
   }
 
-  void link(int number, const Tree& at) {
+  void link(const Tree& told_at, int number, const Tree& at) {
+    link_at_.push_back(&told_at);
     built_.letters.links.push_back(number);
     built_.linkage.links.emplace_back();
     if (at.kind == Tree::Kind::text) {
@@ -409,7 +424,9 @@ class Building {
       refuse(ends_at, {"two letters are asked, such as A0 B", "si chiedono due lettere, come A0 B"});
     const Tree& is = demand(at, "is");
     const Rational far = length(is);
-    if (far <= 0) refuse(is, {"a cylinder is longer than zero", "un cilindro è più lungo di zero"});
+    if (far <= 0)
+      refuse(is, format_words("the cylinder {} must be longer than zero",
+                              "il cilindro {} dev'essere più lungo di zero", ends_at.text));
     built_.linkage.drives.push_back(Stretched{point(ends_at, ends[0]), point(ends_at, ends[1]), far,
                                               rate(at, "speed", Kind::velocity),
                                               rate(at, "acceleration", Kind::acceleration)});
@@ -446,105 +463,75 @@ class Building {
 
   // --- what the file leaves open -----------------------------------------------------------------------------------
   const std::string& letter(int p) const { return built_.letters.points[static_cast<std::size_t>(p)]; }
-  const std::string& line_letter(int l) const { return built_.letters.lines[static_cast<std::size_t>(l)]; }
-  std::string numbers(const std::vector<int>& links) const {
-    std::string all;
-    for (const int link : links)
-      if (link >= 0)
-        all += (all.empty() ? "" : ", ") + std::to_string(built_.letters.links[static_cast<std::size_t>(link)]);
-    return all;
-  }
-  std::string letters(const std::vector<int>& points) const {
-    std::set<std::string> names;
-    for (const int p : points) names.insert(letter(p));
-    std::string all;
-    for (const std::string& name : names) all += (all.empty() ? "" : " ") + name;
-    return all;
-  }
   const Tree& section(const char* name) const {
     const Tree* found = root_.find(name);
     return found ? *found : root_;
   }
 
+  // P23 is the instant centre of links 2 and 3.
+  void demand_no_centres() const {
+    const auto& numbers = built_.letters.links;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      for (const LinkPoint& p : built_.linkage.links[i].points)
+        for (std::size_t a = 0; a < numbers.size(); ++a)
+          for (std::size_t b = a + 1; b < numbers.size(); ++b)
+            if (letter(p.point) == instant_centre(numbers[a], numbers[b]).name)
+              refuse(*link_at_[i],
+                     format_words("{} is the instant centre of links {} and {}: name the point otherwise",
+                                  "{} è il centro di istantanea rotazione dei membri {} e {}: dare al punto un altro "
+                                  "nome",
+                                  letter(p.point), numbers[a], numbers[b]));
+  }
+
   void place() {
-    sides_from_drawing();
     try {
       built_.steps = assur_groups(built_.linkage);
     } catch (const NotPlaced& open) {
-      tell(open);
+      if (!take_sides_from_drawing(open)) tell(open);
+      place();
     }
   }
 
   // A drawing tells on which side of two pins a joint lies, exactly; what the file says of it comes first.
-  void sides_from_drawing() {
-    for (std::size_t asked = 0; !drawn_.empty() && asked < built_.letters.points.size(); ++asked) {
-      try {
-        assur_groups(built_.linkage);
-        return;
-      } catch (const NotPlaced& open) {
-        if (open.why != NotPlaced::Why::side_of_line) return;
-        const auto at = [&](std::size_t k) { return drawn_.find(letter(open.points[k])); };
-        if (at(0) == drawn_.end() || at(1) == drawn_.end() || at(2) == drawn_.end()) return;
-        const Own X = at(0)->second, P = at(1)->second, Q = at(2)->second;
-        const Rational left = (Q.x - P.x) * (X.y - P.y) - (Q.y - P.y) * (X.x - P.x);
-        if (left == 0) return;
-        chosen_at_.push_back(&section("points"));
-        built_.linkage.chosen.push_back(BesideLine{open.points[0], open.points[1], open.points[2], left > 0});
-      }
+  bool take_sides_from_drawing(const NotPlaced& open) {
+    bool are_all = open.why == NotPlaced::Why::open_sides;
+    for (const OpenSide& side : open.sides) {
+      const auto X = drawn_.find(side.joint == nothing ? "" : letter(side.joint)), none = drawn_.end();
+      const auto P = side.from == nothing ? none : drawn_.find(letter(side.from)),
+                 Q = side.to == nothing ? none : drawn_.find(letter(side.to));
+      const Rational left =
+          X == none || P == none || Q == none ? Rational(0) : left_of(X->second, P->second, Q->second);
+      are_all = are_all && left != 0;
+      if (left == 0) continue;
+      chosen_at_.push_back(&section("points"));
+      built_.linkage.chosen.push_back(BesideLine{side.joint, side.from, side.to, left > 0});
     }
+    return are_all;
+  }
+  // X of P -> Q.
+  static Rational left_of(const Own& X, const Own& P, const Own& Q) {
+    return (Q.x - P.x) * (X.y - P.y) - (Q.y - P.y) * (X.x - P.x);
   }
 
   [[noreturn]] void tell(const NotPlaced& open) const {
     using Why = NotPlaced::Why;
-    switch (open.why) {
-      case Why::overconstrained:
-        refuse(section("links"),
-               format_words("link {} hangs on more than it can follow ({}): the mechanism cannot move",
-                            "il membro {} è vincolato più di quanto possa seguire ({}): il meccanismo non si muove",
-                            numbers(open.links), letters(open.points)));
-      case Why::freedom:
-        refuse(section("drive"), format_words("links {} are not held: {} more drive(s) or joint(s) are missing",
-                                              "i membri {} non sono trattenuti: mancano ancora {} moventi o vincoli",
-                                              numbers(open.links), open.freedom));
-      case Why::not_dyadic:
-        refuse(
-            section("links"),
-            format_words("links {} move only together, on what stands at {}: ruler and compass place groups of one "
-                         "or two links only",
-                         "i membri {} si muovono solo insieme, su quanto sta in {}: riga e compasso dispongono solo "
-                         "gruppi di uno o due membri",
-                         numbers(open.links), letters(open.points)));
-      case Why::side_of_line:
-        refuse(
-            section("assembly"),
-            format_words("{0} may lie on either side of {1} -> {2}: say under assembly:  {0}: left of {1} {2}  or  "
-                         "{0}: right of {1} {2}",
-                         "{0} può stare da una parte o dall'altra di {1} -> {2}: dire sotto assembly:  {0}: left of "
-                         "{1} {2}  o  {0}: right of {1} {2}",
-                         letter(open.points[0]), letter(open.points[1]), letter(open.points[2])));
-      case Why::along_guide:
-        refuse(
-            section("assembly"),
-            format_words("{0} may lie ahead or behind on {1}: say under assembly:  {0}: ahead on {1}  or  {0}: "
-                         "behind on {1}",
-                         "{0} può stare avanti o indietro su {1}: dire sotto assembly:  {0}: ahead on {1}  o  {0}: "
-                         "behind on {1}",
-                         letter(open.points[0]), line_letter(open.lines[0])));
-      case Why::towards_pin:
-        refuse(
-            section("assembly"),
-            format_words("{0} may point from {1} towards {2} or away: say under assembly:  {0}: from {1} towards "
-                         "{2}  or  {0}: from {1} away from {2}",
-                         "{0} può puntare da {1} verso {2} o via: dire sotto assembly:  {0}: from {1} towards {2}  o "
-                         " {0}: from {1} away from {2}",
-                         line_letter(open.lines[0]), letter(open.points[0]), letter(open.points[1])));
-      case Why::contradicting_side:
-        break;
+    if (open.why == Why::contradicting_side) {
+      const Tree& at = *chosen_at_.at(open.chosen);
+      refuse(at, format_words("nothing is open of {} here: leave the line out, or name the points its links hang on",
+                              "di {} qui nulla è aperto: togliere la riga, o nominare i punti a cui i membri pendono",
+                              at.text));
     }
-    const Tree& at = *chosen_at_.at(open.chosen);
-    refuse(at, format_words("nothing is open of {} here: leave the line out, or name the points its links hang on",
-                            "di {} qui nulla è aperto: togliere la riga, o nominare i punti a cui i membri pendono",
-                            at.text));
+    if (open.why == Why::open_sides) {
+      // What the drawing says of the others need not be written.
+      NotPlaced rest(Why::open_sides);
+      try {
+        assur_groups(built_.linkage);
+      } catch (const NotPlaced& still_open) {
+        rest.sides = still_open.sides;
+      }
+      refuse(section("assembly"), in_words(rest, built_));
+    }
+    refuse(*link_at_.at(static_cast<std::size_t>(open.links.front())), in_words(open, built_));
   }
 
   const File& file_;
@@ -552,7 +539,7 @@ class Building {
   Amounts known_;
   std::string length_unit_ = "m", angle_unit_ = {};
   std::map<std::string, Own> drawn_;
-  std::vector<const Tree*> chosen_at_;
+  std::vector<const Tree*> chosen_at_, link_at_;  // where the file says so
   Built built_;
 };
 
@@ -565,12 +552,14 @@ bool is_id(const std::string& text) {
 }
 
 GivenSpec given(const File& file, const Tree& key, const Tree& value) {
-  if (!is_name(key.text))
+  const std::string symbol = spelled_out(key.text);
+  if (!is_name(symbol))
     file.refuse(key, format_words("\"{}\" is no name of a given: a letter, then letters and digits",
                                   "\"{}\" non è un nome di dato: una lettera, poi lettere e cifre", key.text));
   const Tree* number = &value;
   GivenSpec spec;
-  spec.symbol = key.text;
+  spec.symbol = symbol;
+  spec.letters = given_letters(symbol);
   spec.range = Range::any;
   if (value.kind == Tree::Kind::map) {
     file.demand_keys(value, {"value", "meaning"});
@@ -584,6 +573,7 @@ GivenSpec given(const File& file, const Tree& key, const Tree& value) {
   if (!unit)
     file.refuse(*number, format_words("\"{}\" is no number with a unit; formulas of givens stand under where:",
                                       "\"{}\" non è un numero con unità; le formule stanno sotto where:", text));
+  if (!unit->empty() && !find_unit(*unit)) file.refuse(*number, no_unit(*unit));
   spec.unit = unit->empty() ? "1" : *unit;
   spec.stated = text.substr(0, text.size() - unit->size());
   while (!spec.stated.empty() && spec.stated.back() == ' ') spec.stated.pop_back();
@@ -604,7 +594,7 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
                    "una scena è un elenco di chiavi e valori, come  id: four-bar"});
   file.demand_keys(root_, {"epure", "id", "title", "source", "givens", "where", "units", "points", "links", "slides",
-                           "drive", "assembly"});
+                           "drive", "assembly", "sheets"});
   const Tree* version = root_.find("epure");
   if (!version || version->text != "1")
     file.refuse(version ? *version : root_, {"a scene begins with  epure: 1", "una scena comincia con  epure: 1"});
@@ -620,9 +610,43 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   source_ = source ? file.words(*source) : Words{file_alone, file_alone};
   if (const Tree* givens = root_.find("givens")) {
     file.map(*givens, {"givens: {r: 120 mm}", "givens: {r: 120 mm}"});
-    for (const auto& [key, value] : givens->entries) givens_.push_back(given(file, key, value));
+    for (const auto& [key, value] : givens->entries) {
+      givens_.push_back(given(file, key, value));
+      if (const auto first = index_of(givens_, givens_.back().symbol); first + 1 < givens_.size())
+        file.refuse(key, format_words("\"{}\" and \"{}\" are one name", "\"{}\" e \"{}\" sono un solo nome",
+                                      givens->entries[first].first.text, key.text));
+    }
   }
   built(Givens(givens_));
+}
+
+std::vector<std::size_t> Scene::chosen_sheets(const std::vector<std::string>& names) const {
+  std::vector<std::size_t> chosen;
+  const Tree* asked = root_.find("sheets");
+  if (!asked) {
+    for (std::size_t i = 0; i < names.size(); ++i) chosen.push_back(i);
+    return chosen;
+  }
+  const File file(file_);
+  file.demand(*asked, Tree::Kind::list,
+              {"sheets: [velocities, instant-centres]", "sheets: [velocities, instant-centres]"});
+  if (asked->items.empty()) file.refuse(*asked, {"no sheet is asked for", "non si chiede alcuna tavola"});
+  for (const Tree& item : asked->items) {
+    const std::string& name =
+        file.text(item, {"the name of a sheet is asked here", "qui si chiede il nome di una tavola"});
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      file.refuse(item, format_words("this mechanism has no sheet \"{}\"; {}",
+                                     "questo meccanismo non ha la tavola "
+                                     "\"{}\"; {}",
+                                     name, did_you_mean(name, names)));
+    const auto place = static_cast<std::size_t>(found - names.begin());
+    if (std::find(chosen.begin(), chosen.end(), place) != chosen.end())
+      file.refuse(item,
+                  format_words("the sheet \"{}\" stands here twice", "la tavola \"{}\" sta qui due volte", name));
+    chosen.push_back(place);
+  }
+  return chosen;
 }
 
 Built Scene::built(const Givens& givens) const {

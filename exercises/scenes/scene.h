@@ -13,6 +13,9 @@
 
 namespace epure::scenes {
 
+// The numbers of points, lines and links as places in lists.
+inline std::size_t index(int number) { return static_cast<std::size_t>(number); }
+
 // The letters of a linkage, in the order of its numbers.
 struct Letters {
   std::vector<std::string> points, lines;
@@ -36,6 +39,10 @@ class Scene {
   const Words& title() const { return title_; }
   const Words& source() const { return source_; }
   const std::vector<GivenSpec>& givens() const { return givens_; }
+
+  // Those of the sheets that the file asks for, in its order; all where it does not say. Throws BadScene for a name
+  // that is none of them.
+  std::vector<std::size_t> chosen_sheets(const std::vector<std::string>& names) const;
 
   // At these givens. Throws BadScene where they make a length zero, or a formula divide by zero.
   Built built(const Givens& givens) const;

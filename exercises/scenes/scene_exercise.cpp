@@ -1,5 +1,6 @@
 #include "exercises/scenes/scene_exercise.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -7,8 +8,12 @@
 
 #include "drawings/text/text.h"
 #include "exercises/kit/panels/mechanism.h"
+#include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/vectors_panel.h"
+#include "exercises/scenes/centres_sheets.h"
+#include "exercises/scenes/polygon_sheets.h"
+#include "exercises/scenes/refusals.h"
 #include "exercises/scenes/scene_figure.h"
 #include "exercises/scenes/scene_routes.h"
 
@@ -30,23 +35,37 @@ std::string bytes_of(const std::string& file) {
 }
 
 std::vector<RouteValue> solved(const Scene& scene, const Givens& givens, Rung rung) {
+  const auto built = std::make_shared<const Built>(scene.built(givens));
   try {
-    return settle(SceneRoutes{std::make_shared<const Built>(scene.built(givens))}, rung);
-  } catch (const geometry::Impossible& open) {
+    return by_both_routes(built, rung);
+  } catch (const geometry::NotClosed& open) {
     throw BadGivens(
-        format_words("the mechanism does not close: {}", "il meccanismo non si chiude: {}", open.words()));
+        format_words("the mechanism does not close: {}", "il meccanismo non si chiude: {}", in_words(open, *built)));
   }
 }
 
-PanelSheet diagram(const Scene& scene, const Solution& s, VectorQuantity (*vector)(const std::string&)) {
+// The mechanism with the vectors of its points, and how its links turn.
+PanelSheet diagram(const Scene& scene, const Solution& s, bool is_of_velocities) {
   const Built built = scene.built(s.givens());
+  const auto vector = is_of_velocities ? velocity : acceleration;
   PanelSheet sheet;
-  std::vector<std::string> moving;
+  std::vector<std::string> moving, rates;
   for (const std::string& name : moving_points(built)) {
     if (s.value(vector(name).name)) moving.push_back(name);
     sheet.results.push_back(components(vector(name)));
   }
-  sheet.panels = panels(VectorsPanel(s, figure_of(built, s), vector, moving));
+  for (std::size_t i = 1; i < built.linkage.links.size(); ++i)
+    rates.push_back((is_of_velocities ? angular_velocity : angular_acceleration)(built.letters.links[i]).name);
+  constexpr std::size_t in_a_line = 3;
+  for (std::size_t i = 0; i < rates.size(); i += in_a_line)
+    sheet.results.push_back(
+        values({rates.begin() + static_cast<std::ptrdiff_t>(i),
+                rates.begin() + static_cast<std::ptrdiff_t>(std::min(i + in_a_line, rates.size()))}));
+  const auto figure = std::make_shared<const Mechanism>(figure_of(built, s));
+  if (moving.empty())
+    sheet.panels = panels(MechanismPanel(figure));
+  else
+    sheet.panels = panels(VectorsPanel(s, figure, vector, moving));
   return sheet;
 }
 
@@ -79,17 +98,23 @@ std::optional<SceneName> scene_name(const std::string& name) {
   return {};
 }
 
-std::unique_ptr<Exercise> scene_exercise(const std::string& file) {
-  return scene_exercise(std::make_shared<const Scene>(file, bytes_of(file)));
+std::shared_ptr<const Scene> read_scene(const std::string& file) {
+  return std::make_shared<const Scene>(file, bytes_of(file));
 }
 
 std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& scene) {
   const auto solve = [scene](const Givens& givens, Rung rung) { return solved(*scene, givens, rung); };
-  return exercise_of_panels(described(*scene), solve,
-                            {{{"velocities", {"Velocities", "Velocità"}},
-                              [scene](const Solution& s, Language) { return diagram(*scene, s, velocity); }},
-                             {{"accelerations", {"Accelerations", "Accelerazioni"}},
-                              [scene](const Solution& s, Language) { return diagram(*scene, s, acceleration); }}});
+  std::vector<SheetMaker> sheets{{{"velocities", {"Velocities", "Velocità"}},
+                                  [scene](const Solution& s, Language) { return diagram(*scene, s, true); }},
+                                 {{"accelerations", {"Accelerations", "Accelerazioni"}},
+                                  [scene](const Solution& s, Language) { return diagram(*scene, s, false); }}};
+  for (SheetMaker& sheet : polygon_sheets(scene)) sheets.push_back(std::move(sheet));
+  for (SheetMaker& sheet : centres_sheets(scene)) sheets.push_back(std::move(sheet));
+  std::vector<std::string> names;
+  for (const SheetMaker& sheet : sheets) names.push_back(sheet.spec.name);
+  std::vector<SheetMaker> chosen;
+  for (const std::size_t i : scene->chosen_sheets(names)) chosen.push_back(std::move(sheets[i]));
+  return exercise_of_panels(described(*scene), solve, std::move(chosen));
 }
 
 }  // namespace epure::scenes

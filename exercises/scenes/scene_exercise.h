@@ -16,8 +16,8 @@ struct SceneName {
 };
 std::optional<SceneName> scene_name(const std::string& name);
 
-// The exercise of a file. Throws BadScene, also where the file cannot be read.
-std::unique_ptr<Exercise> scene_exercise(const std::string& file);
+// The scene of a file, and the exercise of a scene. Throws BadScene, also where the file cannot be read.
+std::shared_ptr<const Scene> read_scene(const std::string& file);
 std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& scene);
 
 }  // namespace epure::scenes

@@ -34,7 +34,9 @@ Mechanism::Joint joint(const Linkage& of, int point) {
   const std::vector<int> links = of.links_at(point);
   if (links.front() == 0) return Mechanism::Joint::fixed;
   if (guide_in_frame(of, point)) return Mechanism::Joint::block;
-  return links.size() > 1 ? Mechanism::Joint::hinge : Mechanism::Joint::none;
+  const bool runs_in_a_slot =
+      std::any_of(of.pins.begin(), of.pins.end(), [&](const PinOnLine& pin) { return pin.point == point; });
+  return links.size() > 1 || runs_in_a_slot ? Mechanism::Joint::hinge : Mechanism::Joint::none;
 }
 
 double direction(const Linkage& of, int line) {
@@ -67,6 +69,15 @@ bool lies_on_its_lines(const Link& link) {
   });
 }
 
+// The hinge of a link on the frame, and another of its points; none where there are not both.
+std::optional<std::pair<int, int>> crank_of(const Linkage& of, int link) {
+  std::optional<int> hinge, pin;
+  for (const LinkPoint& p : of.links[static_cast<std::size_t>(link)].points)
+    (of.links_at(p.point).front() == 0 ? hinge : pin) = p.point;
+  if (!hinge || !pin) return {};
+  return std::pair{*hinge, *pin};
+}
+
 }  // namespace
 
 std::vector<std::string> moving_points(const Built& built) {
@@ -76,28 +87,33 @@ std::vector<std::string> moving_points(const Built& built) {
   return names;
 }
 
-std::shared_ptr<const Mechanism> figure_of(const Built& built, const Solution& solution) {
+Mechanism figure_of(const Built& built, const Solution& solution) {
   const Linkage& of = built.linkage;
-  auto figure = std::make_shared<Mechanism>();
+  Mechanism figure;
   for (int p = 0; p < of.count_of_points(); ++p)
-    figure->point(letter(built, p), solution.place(letter(built, p)), joint(of, p),
-                  "$" + point_letters(letter(built, p)) + "$");
+    figure.point(letter(built, p), solution.place(letter(built, p)), joint(of, p),
+                 "$" + point_letters(letter(built, p)) + "$");
   for (std::size_t i = 1; i < of.links.size(); ++i) {
     std::vector<std::string> points;
     for (const LinkPoint& p : of.links[i].points) points.push_back(letter(built, p.point));
     const std::vector<int> pins = pins_in(of, static_cast<int>(i));
     if (!pins.empty() && lies_on_its_lines(of.links[i])) {
       points.push_back(letter(built, pins.front()));
-      figure->slotted(points, built.letters.links[i]);
+      figure.slotted(points, built.letters.links[i]);
     } else if (points.size() > 1) {
-      figure->body(points, built.letters.links[i]);
+      figure.body(points, built.letters.links[i]);
     }
   }
   for (const geometry::Drive& drive : of.drives)
     if (const auto* cylinder = std::get_if<geometry::Stretched>(&drive))
-      figure->body({letter(built, cylinder->from), letter(built, cylinder->to)});
+      figure.cylinder(letter(built, cylinder->from), letter(built, cylinder->to));
   for (int p = 0; p < of.count_of_points(); ++p)
-    if (const auto line = guide_in_frame(of, p)) figure->guide(letter(built, p), direction(of, *line));
+    if (const auto line = guide_in_frame(of, p)) figure.guide(letter(built, p), direction(of, *line));
+  for (const geometry::Drive& drive : of.drives)
+    if (const auto* turned = std::get_if<geometry::TurnedLink>(&drive))
+      if (const auto crank = crank_of(of, turned->link))
+        figure.turning(letter(built, crank->first), letter(built, crank->second), sign_of(turned->omega),
+                       angular_velocity(built.letters.links[static_cast<std::size_t>(turned->link)]).symbol);
   return figure;
 }
 

@@ -1,7 +1,6 @@
 // What a scene looks like: its links as bars and plates, its joints, its guides.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,6 @@ namespace epure::scenes {
 // The names of the points that move, in the order of the file.
 std::vector<std::string> moving_points(const Built& built);
 
-std::shared_ptr<const Mechanism> figure_of(const Built& built, const Solution& solution);
+Mechanism figure_of(const Built& built, const Solution& solution);
 
 }  // namespace epure::scenes

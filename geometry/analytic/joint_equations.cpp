@@ -54,6 +54,14 @@ class JointEquations {
     return std::move(equations_);
   }
 
+  // Of what slides in a guide, the equations hold for both ways it can lie there.
+  void demand_same_ways() const {
+    for (const LineOnLine& block : linkage_.blocks)
+      if (sign(dot(direction(block.moving), direction(block.guide))) == Sign::negative)
+        throw Impossible("a block lies in its guide the other way round",
+                         "un corsoio sta nella sua guida al contrario");
+  }
+
  private:
   End<T> end(int link, const Own& own) const {
     const LinkState<T>& state = links_[static_cast<std::size_t>(link)];
@@ -117,11 +125,19 @@ class JointEquations {
   }
 
   void driven(const TurnedLink& drive) {
-    Equation<T> equation{.residual = links_[static_cast<std::size_t>(drive.link)].theta - radians<T>(drive.angle),
-                         .slopes = {{unknowns_of_a_link * drive.link - 1, T(1)}}};
-    equation.rate = radians<T>(drive.omega);
-    equation.second_rate = radians<T>(drive.alpha);
+    Equation<T> equation{.residual = off_angle(drive), .slopes = {{unknowns_of_a_link * drive.link - 1, T(1)}}};
+    const bool counts_turns = !NumberWithAngles<T> && linkage_.is_turned_steadily();
+    equation.rate = counts_turns ? from_rational<T>(drive.omega.turns) : radians<T>(drive.omega);
+    equation.second_rate = counts_turns ? T(0) : radians<T>(drive.alpha);
     equations_.push_back(std::move(equation));
+  }
+  // θ_i - θ; the square of the distance between the two axes where the number has no angles.
+  T off_angle(const TurnedLink& drive) const {
+    const LinkState<T>& link = links_[static_cast<std::size_t>(drive.link)];
+    if constexpr (NumberWithAngles<T>)
+      return link.theta - radians<T>(drive.angle);
+    else
+      return squared_modulus(link.x - Complex<T>{cosine<T>(drive.angle), sine<T>(drive.angle)});
   }
 
   void driven(const SlidPoint& drive) {
@@ -181,11 +197,16 @@ std::vector<Equation<T>> equations(const Linkage& linkage, const Column<T>& q) {
   return equations(linkage, states(q));
 }
 
-Eigen::MatrixXd matrix(const std::vector<Equation<Fast>>& rows) {
+double near(Fast x) { return x; }
+double near(const Deep& x) { return enclosure(x).value; }
+
+// J, in doubles.
+template <class T>
+Eigen::MatrixXd matrix(const std::vector<Equation<T>>& rows) {
   const auto n = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index row = 0; row < n; ++row)
-    for (const auto& [column, slope] : rows[static_cast<std::size_t>(row)].slopes) J(row, column) += slope;
+    for (const auto& [column, slope] : rows[static_cast<std::size_t>(row)].slopes) J(row, column) += near(slope);
   return J;
 }
 
@@ -362,6 +383,37 @@ Column<Fast> solved(const std::vector<Equation<Fast>>& rows, const Column<Fast>&
 template <class T>
 using SolveRates = std::function<Column<T>(const std::vector<Equation<T>>& J, const Column<T>& b)>;
 
+// Of the row: J y.
+template <class T>
+T along(const Equation<T>& row, const Column<T>& y) {
+  T sum(0);
+  for (const auto& [column, slope] : row.slopes) sum += slope * y[static_cast<std::size_t>(column)];
+  return sum;
+}
+
+template <class T>
+void demand_zero(const T& x) {
+  const Sign decided = sign(x);
+  if (decided == Sign::undecided)
+    throw Undecided("whether what was constructed satisfies the equations of all joints",
+                    "se quanto costruito soddisfi le equazioni di tutti i vincoli");
+  if (decided != Sign::zero)
+    throw Impossible("what was constructed does not satisfy the equations of all joints",
+                     "quanto costruito non soddisfa le equazioni di tutti i vincoli");
+}
+
+// The first derivatives of the unknowns, or the second ones.
+template <class T>
+Column<T> rates_of(const std::vector<LinkState<T>>& links, bool is_first) {
+  Column<T> rates;
+  for (std::size_t i = 1; i < links.size(); ++i) {
+    const Complex<T>& of_origin = is_first ? links[i].v : links[i].a;
+    for (const T& rate : {of_origin.re, of_origin.im, is_first ? links[i].omega : links[i].alpha})
+      rates.push_back(rate);
+  }
+  return rates;
+}
+
 template <class T>
 std::vector<LinkState<T>> with_rates(const Linkage& linkage, const Column<T>& q, const SolveRates<T>& solve) {
   std::vector<LinkState<T>> links = states(q);
@@ -403,10 +455,10 @@ std::vector<LinkState<Fast>> found_in_doubles(const Linkage& linkage, const Begi
 
 template <class T>
 std::vector<LinkState<T>> found_and_proved(const Linkage& linkage, const Beginning& beginning) {
-  const Column<Fast> near = iterated(linkage, moving_links(linkage, beginning));
-  const Preconditioner<T> Y(matrix(equations(linkage, near)));
+  const Column<Fast> last = iterated(linkage, moving_links(linkage, beginning));
+  const Preconditioner<T> Y(matrix(equations(linkage, last)));
   Column<T> start;
-  for (const double x : near) start.push_back(from_rational<T>(Rational(x)));
+  for (const double x : last) start.push_back(from_rational<T>(Rational(x)));
   const Column<T> q = proved_box(linkage, Y, refined(linkage, Y, start));
   return with_rates<T>(linkage, q,
                        [&](const std::vector<Equation<T>>& rows, const Column<T>& b) { return solved(rows, Y, b); });
@@ -451,6 +503,35 @@ std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning& 
     return links;
   }
 }
+
+template <class T>
+void demand_joints(const Linkage& linkage, const std::vector<LinkState<T>>& state, UpTo order) {
+  const std::vector<Equation<T>> rows = equations(linkage, state);
+  if (order == UpTo::place) {
+    for (const LinkState<T>& link : state) demand_zero(squared_modulus(link.x) - T(1));
+    for (const Equation<T>& row : rows) demand_zero(row.residual);
+    JointEquations<T>(linkage, state).demand_same_ways();
+    demand_sides(linkage, state);
+    return;
+  }
+  const bool is_first = order == UpTo::velocity;
+  const Column<T> rates = rates_of(state, is_first);
+  for (const Equation<T>& row : rows)
+    demand_zero(along(row, rates) - (is_first ? row.rate : row.second_rate - row.quadratic));
+}
+template void demand_joints<Exact>(const Linkage&, const std::vector<LinkState<Exact>>&, UpTo);
+template void demand_joints<Generic>(const Linkage&, const std::vector<LinkState<Generic>>&, UpTo);
+template void demand_joints<Calcium>(const Linkage&, const std::vector<LinkState<Calcium>>&, UpTo);
+
+void demand_independent(const Linkage& linkage, const std::vector<LinkState<Deep>>& place) {
+  const std::vector<Equation<Deep>> rows = equations(linkage, place);
+  const Column<Deep> ones(rows.size(), Deep(1));
+  for (const Column<Deep>& row : Preconditioner<Deep>(matrix(rows)).defect(rows))
+    if (sign(Deep(1) - spread(row, ones)) != Sign::positive)
+      throw Undecided("whether the equations of all joints are independent",
+                      "se le equazioni di tutti i vincoli siano indipendenti");
+}
+
 template std::vector<LinkState<Fast>> solve_joints<Fast>(const Linkage&, const Beginning&);
 template std::vector<LinkState<Bounded>> solve_joints<Bounded>(const Linkage&, const Beginning&);
 template std::vector<LinkState<Deep>> solve_joints<Deep>(const Linkage&, const Beginning&);

@@ -52,4 +52,17 @@ using Beginning = std::vector<double>;
 template <class T>
 std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning& beginning);
 
+// On exact numbers nothing is solved. A state that was found elsewhere (its angles are not read, only its axes) is
+// put into the equations of all joints, into their first derivatives, into their second ones: where all hold, and the
+// equations are independent at that place, it is the state. So a zero of it is proved, which no enclosure can do.
+enum class UpTo { place, velocity, acceleration };
+
+// The equations hold exactly. Throws Impossible where one does not, Undecided where that cannot be told. Where
+// Linkage::is_turned_steadily, the rates are those of a radian for each 2π.
+template <class T>
+void demand_joints(const Linkage& linkage, const std::vector<LinkState<T>>& state, UpTo order);
+
+// The equations are independent at every place that these enclosures hold. Throws Undecided.
+void demand_independent(const Linkage& linkage, const std::vector<LinkState<Deep>>& place);
+
 }  // namespace epure::geometry::analytic

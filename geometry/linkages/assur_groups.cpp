@@ -5,12 +5,11 @@
 
 namespace epure::geometry {
 
-NotPlaced::NotPlaced(Why why_, std::vector<int> links_, std::vector<int> points_, std::vector<int> lines_)
+NotPlaced::NotPlaced(Why why_, std::vector<int> links_, std::vector<int> points_)
     : std::runtime_error("the links of a linkage cannot be placed one after the other"),
       why(why_),
       links(std::move(links_)),
-      points(std::move(points_)),
-      lines(std::move(lines_)) {}
+      points(std::move(points_)) {}
 
 namespace {
 
@@ -43,9 +42,14 @@ class Placing {
     for (int i = 0; i < count(); ++i)
       if (!is_placed(i)) left.push_back(i);
     if (!left.empty()) refuse(left);
+    if (!open_.empty()) {
+      NotPlaced refused(Why::open_sides);
+      refused.sides = open_;
+      throw refused;
+    }
     for (std::size_t k = 0; k < is_used_.size(); ++k)
       if (!is_used_[k]) {
-        NotPlaced refused(Why::contradicting_side, {});
+        NotPlaced refused(Why::contradicting_side);
         refused.chosen = k;
         throw refused;
       }
@@ -221,24 +225,25 @@ class Placing {
     return nullptr;
   }
 
+  // Where nothing is said of a side, the others are placed all the same, and all that is open is told at once.
   TwoRods two_rods(const Rod& first, const Rod& second, int joint) {
     const auto* said = chosen<BesideLine>([&](const BesideLine& beside) {
       return beside.joint == joint && ((beside.from == first.pin && beside.to == second.pin) ||
                                        (beside.from == second.pin && beside.to == first.pin));
     });
-    if (!said) throw NotPlaced(Why::side_of_line, {first.link, second.link}, {joint, first.pin, second.pin});
-    const bool is_left = said->is_left == (said->from == first.pin);
+    if (!said) open_.push_back({OpenSide::Kind::beside_line, joint, first.pin, second.pin});
+    const bool is_left = said && said->is_left == (said->from == first.pin);
     return {first, second, joint, is_left ? Side::left : Side::right};
   }
   RodAndTrack rod_and_track(const Rod& rod, const Track& track, int joint) {
     const auto* said = chosen<OnGuide>([&](const OnGuide& on) { return on.joint == joint; });
-    if (!said) throw NotPlaced(Why::along_guide, {rod.link}, {joint}, {track.line});
-    return {rod, track, joint, said->is_ahead ? Along::ahead : Along::behind};
+    if (!said) open_.push_back({.kind = OpenSide::Kind::on_guide, .joint = joint, .line = track.line});
+    return {rod, track, joint, said && said->is_ahead ? Along::ahead : Along::behind};
   }
   bool is_towards(int line, int hinge, int pin) {
     const auto* said = chosen<SlotPoints>([&](const SlotPoints& slot) { return slot.line == line; });
-    if (!said) throw NotPlaced(Why::towards_pin, {}, {hinge, pin}, {line});
-    return said->is_towards_pin;
+    if (!said) open_.push_back({.kind = OpenSide::Kind::along_slot, .from = hinge, .to = pin, .line = line});
+    return said && said->is_towards_pin;
   }
 
   static std::vector<int> points_of(const std::vector<Hold>& holds) {
@@ -264,6 +269,7 @@ class Placing {
   const Linkage& linkage_;
   std::vector<bool> is_placed_, is_known_, is_used_;
   std::vector<Step> steps_;
+  std::vector<OpenSide> open_;
 };
 
 }  // namespace

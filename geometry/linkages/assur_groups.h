@@ -86,20 +86,30 @@ using Step = std::variant<TurnedCrank, SlidBlock, SlidPin, TwoRods, RodAndTrack,
 // The links that a step places.
 std::vector<int> placed_by(const Step& step);
 
+// Which of two places is meant, where nothing says it. The numbers are those of the linkage.
+struct OpenSide {
+  enum class Kind {
+    beside_line,  // the joint: on which side of from -> to?
+    on_guide,     // the joint: ahead or behind on the line?
+    along_slot    // the line through `from`: towards `to` or away?
+  };
+  Kind kind;
+  int joint = nothing, from = nothing, to = nothing, line = nothing;
+};
+
 // Why a linkage has no such order; the numbers are those of the linkage, for who knows its letters.
 struct NotPlaced : std::runtime_error {
   enum class Why {
     overconstrained,    // `links` hang on more than they can follow
     freedom,            // `links` are not held: `freedom` drives are missing
     not_dyadic,         // `links` move only together, on what stands at `points`
-    side_of_line,       // the joint points[0]: on which side of points[1] -> points[2]?
-    along_guide,        // the joint points[0]: ahead or behind on lines[0]?
-    towards_pin,        // lines[0] through points[0]: towards points[1] or away?
+    open_sides,         // all of them, in the order of the construction
     contradicting_side  // chosen[chosen] says so of nothing that is open
   };
-  NotPlaced(Why why, std::vector<int> links, std::vector<int> points = {}, std::vector<int> lines = {});
+  explicit NotPlaced(Why why, std::vector<int> links = {}, std::vector<int> points = {});
   Why why;
-  std::vector<int> links, points, lines;
+  std::vector<int> links, points;
+  std::vector<OpenSide> sides = {};
   int freedom = 0;
   std::size_t chosen = 0;
 };

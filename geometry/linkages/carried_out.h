@@ -41,6 +41,12 @@ struct LinkageMotion {
   std::vector<StepPolygons<T>> steps;  // as the steps
 };
 
+// A group of links does not close, or is at a limit: which step.
+struct NotClosed : Impossible {
+  NotClosed(std::size_t step_, const Words& why) : Impossible(why), step(step_) {}
+  std::size_t step;
+};
+
 // A drive's rates as numbers: rad/s and rad/s², or m/s and m/s².
 template <class T>
 struct DriveRates {
@@ -82,10 +88,11 @@ class CarriedOut {
  public:
   CarriedOut(const Linkage& linkage, const std::vector<Step>& steps);
 
-  // With the drives as they stand. Throws Impossible where a group does not close, Undecided when that cannot be
-  // told.
-  LinkagePosition<T> position() const;
-  // Throws Impossible where a group is at a limit (its polygon does not close), Undecided when that cannot be told.
+  // With the drives as they stand. Throws NotClosed, Undecided when that cannot be told.
+  LinkagePosition<T> position() const { return position_before(steps_.size()); }
+  // What the steps before this one place.
+  LinkagePosition<T> position_before(std::size_t step) const;
+  // Throws NotClosed where a group is at a limit (its polygon does not close), Undecided when that cannot be told.
   // `rates`: as the drives of the linkage.
   LinkageMotion<T> motion(const LinkagePosition<T>& at, const std::vector<DriveRates<T>>& rates) const;
   std::vector<DriveRates<T>> rates() const;
@@ -105,6 +112,15 @@ class CarriedOut {
   const Vector<T>& own(int link, int point) const { return own_[index(link)][index(point)]; }
   const OwnLine& line(int l) const { return lines_[index(l)]; }
   T number(const Rational& q) const { return from_rational<T>(q); }
+
+  template <class Do>
+  static void at_step(std::size_t step, const Do& carry_out) {
+    try {
+      carry_out();
+    } catch (const Impossible& why) {
+      throw NotClosed(step, why.words());
+    }
+  }
 
   // Placing.
   void place(const TurnedCrank& step, LinkagePosition<T>& at) const;
@@ -240,11 +256,12 @@ CarriedOut<T>::CarriedOut(const Linkage& linkage, const std::vector<Step>& steps
 }
 
 template <class T>
-LinkagePosition<T> CarriedOut<T>::position() const {
+LinkagePosition<T> CarriedOut<T>::position_before(std::size_t step) const {
   LinkagePosition<T> at{{linkage_.links.size(), {{T(0), T(0)}, {T(1), T(0)}}},
                         {index(linkage_.count_of_points()), {T(0), T(0)}}};
   put_points(0, at);
-  for (const Step& step : steps_) std::visit([&](const auto& s) { place(s, at); }, step);
+  for (std::size_t k = 0; k < step; ++k)
+    at_step(k, [&] { std::visit([&](const auto& s) { place(s, at); }, steps_[k]); });
   return at;
 }
 
@@ -254,8 +271,10 @@ LinkageMotion<T> CarriedOut<T>::motion(const LinkagePosition<T>& at, const Rates
   const PlaneMotion<T> at_rest{{T(0), T(0)}, none, none, T(0), T(0)};
   LinkageMotion<T> so_far{{linkage_.links.size(), at_rest}, {at.points.size(), fixed_pin(Point<T>{T(0), T(0)})}, {}};
   put_motion(0, at_rest, at, so_far);
-  for (const Step& step : steps_)
-    so_far.steps.push_back(std::visit([&](const auto& s) { return move(s, at, rates, so_far); }, step));
+  for (std::size_t k = 0; k < steps_.size(); ++k)
+    at_step(k, [&] {
+      so_far.steps.push_back(std::visit([&](const auto& s) { return move(s, at, rates, so_far); }, steps_[k]));
+    });
   return so_far;
 }
 

@@ -55,4 +55,9 @@ int Linkage::freedom() const {
   return free - static_cast<int>(pins.size()) - 2 * static_cast<int>(blocks.size()) - static_cast<int>(drives.size());
 }
 
+bool Linkage::is_turned_steadily() const {
+  const auto* turned = drives.size() == 1 ? std::get_if<TurnedLink>(&drives[0]) : nullptr;
+  return turned && turned->omega.radians == 0 && is_zero(turned->alpha);
+}
+
 }  // namespace epure::geometry

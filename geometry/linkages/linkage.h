@@ -101,6 +101,9 @@ struct Linkage {
   const LinkLine& line(int line) const;
   // 3 for each moving link, less what joints and drives take.
   int freedom() const;
+  // One drive, a link that turns steadily by so many turns a second: who asks for nothing but signs counts a radian
+  // for each 2π of it, and π stays out.
+  bool is_turned_steadily() const;
 };
 
 }  // namespace epure::geometry

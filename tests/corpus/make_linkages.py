@@ -55,8 +55,9 @@ def four_bar():
     e = crank(deg("60"), rpm("60"))
     A = lambda t: q("0.12") * e(t)
     B = lambda t: left_joint(A(t), q("0.4"), q("0.35"), q("0.28"))
-    return dict(A=A, B=B, P=lambda t: on_plate(A(t), B(t), q("0.35"), mpc(q("0.175"), q("0.1")))), {
-        2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - q("0.4"), B)}
+    return Scene(dict(A=A, B=B, P=lambda t: on_plate(A(t), B(t), q("0.35"), mpc(q("0.175"), q("0.1")))),
+                 {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - q("0.4"), B)},
+                 rods=[("A", 0), ("B", "A"), ("B", q("0.4"))])
 
 
 def quick_return():
@@ -64,22 +65,23 @@ def quick_return():
     A = lambda t: I * q("0.3") + q("0.175") * e(t)
     B = lambda t: A(t) / abs(A(t)) * q("0.7")
     C = lambda t: mpc(re(B(t)) + sqrt(q("0.8") ** 2 - (q("0.65") - im(B(t))) ** 2), q("0.65"))
-    return dict(A=A, B=B, C=C), {2: (e, A), 4: (A, B), 5: (lambda t: C(t) - B(t), B)}
+    return Scene(dict(A=A, B=B, C=C), {2: (e, A), 4: (A, B), 5: (lambda t: C(t) - B(t), B)},
+                 rods=[("A", I * q("0.3")), ("A", 4, 0), ("C", "B")], slides=[("A", 4, True, False)])
 
 
 def slider_crank():
     e = crank(deg("75"), rpm("300"), mpf(20))
     A = lambda t: q("0.12") * e(t)
     B = lambda t: mpc(re(A(t)) + sqrt(q("0.4") ** 2 - (im(A(t)) + q("0.05")) ** 2), -q("0.05"))
-    return dict(A=A, B=B, G=lambda t: on_plate(A(t), B(t), q("0.4"), mpc(q("0.4") / 3, q("0.04")))), {
-        2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (still, B)}
+    return Scene(dict(A=A, B=B, G=lambda t: on_plate(A(t), B(t), q("0.4"), mpc(q("0.4") / 3, q("0.04")))),
+                 {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (still, B)}, rods=[("A", 0), ("B", "A")])
 
 
 def scotch_yoke():
     e = crank(deg("35"), rpm("90"))
     A = lambda t: q("0.1") * e(t)
     C = lambda t: mpc(re(A(t)) + q("0.25"), 0)
-    return dict(A=A, C=C), {2: (e, A), 3: (still, C)}
+    return Scene(dict(A=A, C=C), {2: (e, A), 3: (still, C)}, rods=[("A", 0)], slides=[("A", 3, False, True)])
 
 
 def watt():
@@ -94,9 +96,10 @@ def watt():
     C = lambda t: A(t) + (B(t) - A(t)) * (d["C"] - d["A"]) / (d["B"] - d["A"])
     D = lambda t: d["B0"] + (B(t) - d["B0"]) * (d["D"] - d["B0"]) / (d["B"] - d["B0"])
     E = lambda t: left_joint(C(t), D(t), far("C", "E"), far("E", "D"))
-    return dict(A=A, B=B, C=C, D=D, E=E), {
-        2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - d["B0"], B), 5: (lambda t: E(t) - C(t), C),
-        6: (lambda t: E(t) - D(t), D)}
+    return Scene(dict(A=A, B=B, C=C, D=D, E=E),
+                 {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - d["B0"], B),
+                  5: (lambda t: E(t) - C(t), C), 6: (lambda t: E(t) - D(t), D)},
+                 rods=[("A", 0), ("B", "A"), ("B", d["B0"]), ("E", "C"), ("E", "D")])
 
 
 def jansen():
@@ -109,9 +112,10 @@ def jansen():
     C = lambda t: on_plate(Q, B(t), q("41.5") * mm, mpc("2.61", "40.015") * mm)
     E = lambda t: right_joint(C(t), D(t), q("39.4") * mm, q("36.7") * mm)
     F = lambda t: on_plate(D(t), E(t), q("36.7") * mm, mpc("44.447", "48.383") * mm)
-    return dict(A=A, B=B, C=C, D=D, E=E, F=F), {
-        2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - Q, B), 5: (lambda t: D(t) - A(t), A),
-        6: (lambda t: D(t) - Q, D), 7: (lambda t: E(t) - C(t), C), 8: (lambda t: E(t) - D(t), D)}
+    return Scene(dict(A=A, B=B, C=C, D=D, E=E, F=F),
+                 {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - Q, B), 5: (lambda t: D(t) - A(t), A),
+                  6: (lambda t: D(t) - Q, D), 7: (lambda t: E(t) - C(t), C), 8: (lambda t: E(t) - D(t), D)},
+                 rods=[("A", 0), ("B", "A"), ("B", Q), ("D", "A"), ("D", Q), ("E", "C"), ("E", "D")])
 
 
 def excavator():
@@ -122,7 +126,8 @@ def excavator():
     B = lambda t: 4 * boom(t)
     R = lambda t: right_joint(B(t), Q(t), abs(own_R), q("1.4") - q("0.1") * t)
     stick = lambda t: (R(t) - B(t)) / own_R
-    return dict(Q=Q, B=B, R=R, T=lambda t: B(t) + 2 * stick(t)), {2: (boom, B), 3: (stick, B)}
+    return Scene(dict(Q=Q, B=B, R=R, T=lambda t: B(t) + 2 * stick(t)), {2: (boom, B), 3: (stick, B)},
+                 rods=[("Q", 0), ("R", "B")], cylinders=[("Q", P, "P"), ("R", "Q", "Q")])
 
 
 def oldham():
@@ -130,13 +135,24 @@ def oldham():
     e = crank(deg("25"), rpm("120"))
     d = q("0.03")
     C = lambda t: re(d * conj(e(t))) * e(t)
-    return dict(C=C), {2: (e, lambda t: mpc(0)), 3: (e, C), 4: (e, lambda t: mpc(d))}
+    return Scene(dict(C=C), {2: (e, lambda t: mpc(0)), 3: (e, C), 4: (e, lambda t: mpc(d))},
+                 rods=[("C", 2, 0), ("C", 4, d)], slides=[("C", 2, True, False), ("C", 4, True, False)])
 
 
 def trammel():
     A = lambda t: mpc(q("0.6") + q("0.5") * t, 0)
     B = lambda t: I * sqrt(1 - re(A(t)) ** 2)
-    return dict(A=A, B=B, P=lambda t: A(t) + (B(t) - A(t)) / 3), {2: (lambda t: B(t) - A(t), A)}
+    return Scene(dict(A=A, B=B, P=lambda t: A(t) + (B(t) - A(t)) / 3), {2: (lambda t: B(t) - A(t), A)},
+                 rods=[("B", "A")])
+
+
+def parallelogram():
+    e = crank(deg("50"), rpm("30"))
+    A = lambda t: q("0.2") * e(t)
+    B = lambda t: A(t) + q("0.5")
+    C = lambda t: A(t) + mpc(q("0.25"), q("0.15"))
+    return Scene(dict(A=A, B=B, C=C), {2: (e, A), 3: (still, A), 4: (e, B)},
+                 rods=[("A", 0), ("B", "A"), ("B", q("0.5"))])
 
 
 def derivative(f, n):
@@ -149,24 +165,116 @@ def text(x):
     return "0" if abs(x) < ZERO else nstr(x, DIGITS, strip_zeros=True)
 
 
+def along(z, u):
+    return abs(re(z * conj(u))) / abs(u)
+
+
+def across(z, u):
+    return abs(im(z * conj(u))) / abs(u)
+
+
+class Scene:
+    """Points and links as functions of time, and what of their relative motion the polygons of the scene show."""
+
+    def __init__(self, points, links, rods=(), slides=(), cylinders=()):
+        self.points, self.links = points, {1: (still, lambda t: mpc(0)), **links}
+        self.rods, self.slides, self.cylinders = rods, slides, cylinders
+
+    def derivatives(self, f):
+        return [derivative(f, n) for n in (0, 1, 2)]
+
+    def point(self, X):
+        return self.points[X] if isinstance(X, str) else (lambda t: mpc(X))
+
+    def own(self, X, link):
+        """The link's own point that lies under X at t = 0."""
+        direction, carried = self.links[link]
+        unit = lambda t: direction(t) / abs(direction(t))
+        place = (self.point(X)(mpf(0)) - carried(mpf(0))) / unit(mpf(0))
+        return lambda t: carried(t) + place * unit(t)
+
+    def values(self):
+        yield from self.of_points()
+        yield from self.of_links()
+        yield from self.of_rods()
+        yield from self.of_slides()
+        yield from self.of_cylinders()
+
+    def of_points(self):
+        for letter, z in self.points.items():
+            for kind, w in zip(("", "v_", "a_"), self.derivatives(z)):
+                yield f"{kind}{letter}_x", re(w)
+                yield f"{kind}{letter}_y", im(w)
+                if kind:
+                    yield f"{kind}{letter}", abs(w)
+
+    def of_links(self):
+        turning = {}
+        for number, (direction, carried) in self.links.items():
+            turn = lambda t: im(log(direction(t)))
+            turning[number] = diff(turn, 0, 1), derivative(carried, 1), carried(mpf(0))
+            if number > 1:
+                yield f"omega_{number}", turning[number][0]
+                yield f"alpha_{number}", diff(turn, 0, 2)
+        # The point of two links with one velocity: c + i ω P is the same of both.
+        for i in turning:
+            for j in turning:
+                if i >= j:
+                    continue
+                (w, v, O), (w2, v2, O2) = turning[i], turning[j]
+                P = I * ((v - I * w * O) - (v2 - I * w2 * O2)) / (w - w2) if abs(w - w2) > ZERO else None
+                apart = "_" if i > 1 and j > 9 else ""
+                for axis, part in (("x", re), ("y", im)):
+                    yield f"P{i}{apart}{j}_{axis}", "infinite" if P is None else part(P)
+
+    def of_rods(self):
+        """X about P, which moves, or rests and is a number; of one whose place is that of a link, (X, link, pivot)."""
+        for rod in self.rods:
+            X, P = rod[0], rod[-1]
+            if len(rod) == 3:
+                far, name = self.own(X, rod[1]), f"{X}_on_{rod[1]}"
+                yield f"v_{name}", abs(derivative(far, 1))
+            else:
+                far, name = self.point(X), X if not isinstance(P, str) else X + P
+            r, v, a = (x - y for x, y in zip(self.derivatives(far), self.derivatives(self.point(P))))
+            if isinstance(P, str):
+                yield f"v_{name}", abs(v)
+            yield f"a_{name}_n", along(a, r)
+            yield f"a_{name}_t", across(a, r)
+
+    def of_slides(self):
+        """X over a link."""
+        for X, link, has_coriolis, is_whole in self.slides:
+            direction = self.links[link][0]
+            omega = diff(lambda t: im(log(direction(t))), 0, 1)
+            _, v, a = (x - y for x, y in zip(self.derivatives(self.point(X)), self.derivatives(self.own(X, link))))
+            yield f"v_{X}_rel_{link}", abs(v)
+            if has_coriolis:
+                yield f"a_{X}_rel_{link}_c", abs(2 * omega * v)
+            yield f"a_{X}_rel_{link}", abs(a - 2 * I * omega * v)
+            if is_whole:
+                _, v, a = self.derivatives(self.own(X, link))
+                yield f"v_{X}_on_{link}", abs(v)
+                yield f"a_{X}_on_{link}", abs(a)
+
+    def of_cylinders(self):
+        for X, P, letter in self.cylinders:
+            r, v, a = (x - y for x, y in zip(self.derivatives(self.point(X)), self.derivatives(self.point(P))))
+            name, rate = X + letter, im(v / r)
+            stretch = re(v / r)
+            yield f"v_{name}_s", along(v, r)
+            yield f"v_{name}_t", across(v, r)
+            yield f"a_{name}_n", abs(rate ** 2 * r)
+            yield f"a_{name}_s", abs((re(a / r) + rate ** 2) * r)
+            yield f"a_{name}_c", abs(2 * rate * stretch * r)
+            yield f"a_{name}_t", abs((im(a / r) - 2 * rate * stretch) * r)
+
+
 def write(name, file, scene):
-    points, links = scene()
     print(f"case {name}\nwhy docs/scenes/{file}.yaml as it stands")
     print("given as_stated 1")
-    for letter, z in points.items():
-        for kind, n in (("", 0), ("v_", 1), ("a_", 2)):
-            w = derivative(z, n)
-            print(f"{kind}{letter}_x {text(re(w))}\n{kind}{letter}_y {text(im(w))}")
-            if n:
-                print(f"{kind}{letter} {text(abs(w))}")
-    for number, (direction, carried) in links.items():
-        turn = lambda t: im(log(direction(t)))
-        omega = diff(turn, 0, 1)
-        print(f"omega_{number} {text(omega)}\nalpha_{number} {text(diff(turn, 0, 2))}")
-        # The point of the link that rests: X with v + i ω (X - carried) = 0.
-        P = carried(mpf(0)) + I * derivative(carried, 1) / omega if abs(omega) > ZERO else None
-        for axis, part in (("x", re), ("y", im)):
-            print(f"P1{number}_{axis} {text(part(P)) if P is not None else 'infinite'}")
+    for quantity, value in scene().values():
+        print(quantity, value if isinstance(value, str) else text(value))
     print()
 
 
@@ -176,5 +284,6 @@ print("""# Reference values of the scenes in docs/scenes, 40 digits. Written by 
 for name, file, scene in (("four-bar", "four-bar", four_bar), ("quick-return", "quick-return", quick_return),
                           ("slider-crank", "slider-crank", slider_crank), ("scotch-yoke", "scotch-yoke", scotch_yoke),
                           ("watt", "watt", watt), ("jansen", "jansen", jansen), ("excavator", "excavator", excavator),
-                          ("oldham", "oldham", oldham), ("trammel", "trammel", trammel)):
+                          ("oldham", "oldham", oldham), ("trammel", "trammel", trammel),
+                          ("parallelogram", "parallelogram", parallelogram)):
     write(name, file, scene)

@@ -155,6 +155,38 @@ TEST_CASE("a term that is zero stands in the equation", "[polygon]") {
   CHECK(written.terms[2].magnitude == "0");
 }
 
+// v = (3, 0) - (0, -4) - (4, 4) = (-1, 0): the same corners.
+TEST_CASE("what is subtracted is drawn towards the corner before it", "[polygon]") {
+  VectorPolygon polygon = two_magnitudes();
+  for (std::size_t i : {2U, 3U}) {
+    polygon.right[i].is_subtracted = true;
+    polygon.right[i].v = -polygon.right[i].v;
+  }
+  polygon.right[2].square = false;
+  polygon.right[2].tip.clear();
+  const drawings::VectorEquation written = equation(polygon);
+  CHECK(written.terms[3].before == "−");
+  CHECK(written.terms[4].before == "−");
+  CHECK(steps_of(polygon, Language::english) ==
+        std::vector<std::string>{
+            "From $O$ the known $\\vec{p}$, ∥ $x$.",
+            "The known $\\vec{q}$, ⊥ $x$, is subtracted: its tip lies there.",
+            "Through its start the line ∥ $m$: the direction of $\\vec{r}$.",
+            "Through $O$ the line ∥ $x$: the direction of $\\vec{v}$. The two lines meet at $r$."});
+  const DrawnSheet sheet = drawn(polygon, {});
+  const auto arrow = [&](const std::string& name) {
+    for (const drawings::Mark& mark : sheet.sheet.figure.marks)
+      if (const auto* found = std::get_if<drawings::Arrow>(&mark); found && found->name == name) return *found;
+    return drawings::Arrow{};
+  };
+  CHECK(arrow("q").to.x == 120);  // where p ends
+  CHECK(arrow("q").to.y == 90);
+  CHECK(arrow("q").from.y == 130);
+  CHECK(arrow("r").to.y == 130);  // where q begins
+  CHECK(arrow("r").from.x == 80);
+  CHECK(arrow("r").from.y == 90);
+}
+
 TEST_CASE("a polygon lies within its extent, lines and all", "[polygon]") {
   const Scale scale{.mm_per_unit = 10, .caption = "", .unit = "m/s"};
   for (const VectorPolygon& polygon : {two_magnitudes(), one_vector()}) {

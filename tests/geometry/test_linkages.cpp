@@ -1,6 +1,5 @@
 // Linkages of any kind: placed and moved group by group against the equations of all their joints.
-#include "geometry/analytic/joint_equations.h"
-#include "geometry/linkages/carried_out.h"
+#include "tests/geometry/linkage_routes.h"
 #include "tests/support/catch.h"
 
 #include <cmath>
@@ -61,16 +60,17 @@ Linkage quick_return(bool has_block) {
   return of;
 }
 
-Linkage scotch_yoke() {
+Linkage scotch_yoke_at(const Rational& turns) {
   return {.links = {{.points = {{0, own("0", "0")}}, .lines = {{0, own("0", "0"), Direction{own("1", "0")}}}},
                     {.points = {{0, own("0", "0")}, {1, own("1/10", "0")}}},
                     {.points = {{2, own("1/2", "0")}},
                      .lines = {{1, own("0", "0"), Direction{own("1", "0")}},
-                               {2, own("0", "0"), Direction{degrees_of("80")}}}}},
+                               {2, own("0", "0"), Direction{degrees_of("60")}}}}},
           .pins = {{1, 2}},
           .blocks = {{1, 0}},
-          .drives = {TurnedLink{1, degrees_of("35"), ten_rad_s, three_rad_s2}}};
+          .drives = {TurnedLink{1, Angle{turns}, ten_rad_s, three_rad_s2}}};
 }
+Linkage scotch_yoke() { return scotch_yoke_at(Rational(35, 360)); }
 
 // Oldham's coupling: a cross between two shafts out of line.
 Linkage oldham() {
@@ -168,17 +168,6 @@ std::vector<Named> twelve_linkages() {
           {"Watt", watt()}};
 }
 
-// Where the placed links are, to a hundredth.
-analytic::Beginning beginning(const Linkage& linkage) {
-  const Arithmetic<Fast> scope;
-  const std::vector<Step> steps = assur_groups(linkage);
-  analytic::Beginning q;
-  for (const PlacedLink<Fast>& link : CarriedOut<Fast>(linkage, steps).position().links)
-    for (const double x : {link.O.x, link.O.y, std::atan2(link.x.y, link.x.x)})
-      q.push_back(std::round(x * 100) / 100);
-  return q;
-}
-
 template <class T>
 void check_overlap(const std::string& what, const T& one, const T& other) {
   INFO(what << ": " << enclosure(one).value << " and " << enclosure(other).value);
@@ -189,28 +178,54 @@ void check_overlap(const std::string& what, const T& one, const T& other) {
 
 template <class T>
 void check_both_routes(const Named& named) {
-  const Linkage& linkage = named.linkage;
+  const std::vector<Step> steps = assur_groups(named.linkage);
+  tests::compare_routes<T>(named.linkage, steps, tests::beginning(named.linkage, steps),
+                           [&](const std::string& what, const T& one, const T& other) {
+                             check_overlap<T>(std::string(named.name) + ", " + what, one, other);
+                           });
+}
+
+// What is constructed, as the equations of the joints have it.
+template <class T>
+std::vector<analytic::LinkState<T>> constructed(const Linkage& linkage) {
   const std::vector<Step> steps = assur_groups(linkage);
   const CarriedOut<T> carried_out(linkage, steps);
   const LinkagePosition<T> at = carried_out.position();
   const LinkageMotion<T> motion = carried_out.motion(at, carried_out.rates());
-  const std::vector<analytic::LinkState<T>> states = analytic::solve_joints<T>(linkage, beginning(linkage));
-  for (std::size_t i = 0; i < linkage.links.size(); ++i) {
-    const std::string link = std::string(named.name) + ", link " + std::to_string(i + 1);
-    check_overlap<T>(link + ", omega", motion.links[i].omega, states[i].omega);
-    check_overlap<T>(link + ", alpha", motion.links[i].alpha, states[i].alpha);
-    for (const LinkPoint& p : linkage.links[i].points) {
-      const auto k = static_cast<std::size_t>(p.point);
-      const analytic::PointState<T> point = analytic::point_of(states[i], p.at);
-      const std::string name = link + ", point " + std::to_string(p.point);
-      check_overlap<T>(name + ", x", at.points[k].x, point.z.re);
-      check_overlap<T>(name + ", y", at.points[k].y, point.z.im);
-      check_overlap<T>(name + ", v_x", motion.points[k].v.x, point.v.re);
-      check_overlap<T>(name + ", v_y", motion.points[k].v.y, point.v.im);
-      check_overlap<T>(name + ", a_x", motion.points[k].a.x, point.a.re);
-      check_overlap<T>(name + ", a_y", motion.points[k].a.y, point.a.im);
-    }
+  const auto complex = [](const Vector<T>& v) { return analytic::Complex<T>{v.x, v.y}; };
+  std::vector<analytic::LinkState<T>> states;
+  for (std::size_t i = 0; i < at.links.size(); ++i) {
+    const auto& [O, x] = at.links[i];
+    states.push_back({{O.x, O.y},
+                      complex(motion.links[i].velocity(O)),
+                      complex(motion.links[i].acceleration(O)),
+                      T(0),
+                      motion.links[i].omega,
+                      motion.links[i].alpha,
+                      complex(x)});
   }
+  return states;
+}
+
+// In line, each turned by 0° or 180°, their origins on the x axis.
+std::vector<analytic::LinkState<Deep>> in_line(const std::vector<std::pair<const char*, int>>& links) {
+  std::vector<analytic::LinkState<Deep>> states;
+  const analytic::Complex<Deep> none{Deep(0), Deep(0)};
+  for (const auto& [x, way] : links)
+    states.push_back(
+        {{from_rational<Deep>(Rational(x)), Deep(0)}, none, none, Deep(0), Deep(0), Deep(0), {Deep(way), Deep(0)}});
+  return states;
+}
+
+template <class Number>
+void demand_exactly(const Linkage& linkage,
+                    const std::function<void(std::vector<analytic::LinkState<Number>>&)>& change) {
+  const Arithmetic<Number> scope;
+  std::vector<analytic::LinkState<Number>> states = constructed<Number>(linkage);
+  change(states);
+  using analytic::UpTo;
+  for (const UpTo order : {UpTo::place, UpTo::velocity, UpTo::acceleration})
+    analytic::demand_joints(linkage, states, order);
 }
 
 }  // namespace
@@ -238,4 +253,31 @@ TEST_CASE("A linkage placed group by group moves as the equations of all its joi
       check_both_routes<Deep>(named);
     }
   }
+}
+
+TEST_CASE("What is constructed satisfies the equations of all joints exactly, and nothing beside it does") {
+  using States = std::vector<analytic::LinkState<Exact>>;
+  for (const Linkage& linkage : {four_bar(), ladder(), scotch_yoke_at(Rational(1, 12))}) {
+    CHECK_NOTHROW(demand_exactly<Exact>(linkage, [](States&) {}));
+    for (const std::function<void(States&)>& change : std::vector<std::function<void(States&)>>{
+             [](States& s) { s.back().O.re += Exact(Rational(1, 1'000'000)); },
+             [](States& s) { s.back().x = -s.back().x; }, [](States& s) { s[1].x = Exact(2) * s[1].x; },
+             [](States& s) { s.back().omega += Exact(Rational(1, 1'000'000)); },
+             [](States& s) { s.back().v.im += Exact(1); }, [](States& s) { s[1].alpha += Exact(1); },
+             [](States& s) { s.back().a.re -= Exact(1); }})
+      CHECK_THROWS_AS(demand_exactly<Exact>(linkage, change), Impossible);
+  }
+}
+
+// A0A and AB in line, and B0B with them: stretched out, the two bars can still go either way. Folded otherwise they
+// cannot.
+TEST_CASE("The equations of all joints are independent, but for a group at its limit") {
+  const Arithmetic<Deep> scope(256);
+  Linkage linkage = four_bar();
+  linkage.links[2].points[1].at = own("16/100", "0");
+  linkage.links[3].points[1].at = own("12/100", "0");
+  CHECK_THROWS_AS(analytic::demand_independent(linkage, in_line({{"0", 1}, {"0", 1}, {"12/100", 1}, {"4/10", -1}})),
+                  Undecided);
+  const std::vector<analytic::LinkState<Deep>> bent = constructed<Deep>(four_bar());
+  CHECK_NOTHROW(analytic::demand_independent(four_bar(), bent));
 }

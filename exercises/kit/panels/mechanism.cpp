@@ -74,6 +74,10 @@ Mechanism& Mechanism::slotted(const std::vector<std::string>& points, int number
   bodies_.push_back({points, number, true});
   return *this;
 }
+Mechanism& Mechanism::cylinder(const std::string& from, const std::string& to) {
+  bodies_.push_back({{from, to}, 0, false, true});
+  return *this;
+}
 Mechanism& Mechanism::disc(const std::string& centre, const std::string& rim, bool rolls, int number) {
   discs_.push_back({centre, rim, rolls, number});
   return *this;
@@ -294,7 +298,12 @@ void Mechanism::draw_bodies(Plot& plot) const {
     if (corners.size() > 2 && !body.is_slotted) plot.area(corners, Meaning::plate);
   }
   for (const auto& [from, to] : edges(other_positions_)) plot.segment(from, to, Meaning::alternative);
-  for (const auto& [from, to] : edges(bodies_)) plot.segment(from, to, Meaning::link);
+  for (const Body& body : bodies_) {
+    if (body.is_cylinder)
+      draw_cylinder(plot, body);
+    else
+      for (const auto& [from, to] : edges({body})) plot.segment(from, to, Meaning::link);
+  }
   for (const auto& [from, to] : surfaces_) plot.mark(drawings::Ground{plot.at(from), plot.at(to)});
   for (const auto& [centre, radius, from, to] : profiles_)
     plot.mark(drawings::Line{
@@ -306,6 +315,25 @@ void Mechanism::draw_bodies(Plot& plot) const {
     plot.mark(drawings::Slot{plot.at(near), plot.at(far), width});
   }
   for (const auto& [P, one, other] : right_angles_) plot.right_angle(at(P), at(one), at(other));
+}
+
+// Its barrel over the first part of the way, the piston in it, the rod from there on.
+void Mechanism::draw_cylinder(Plot& plot, const Body& body) const {
+  constexpr double widest = 2.2, clear_of_hinge = 3.5, shortest = 12;       // mm
+  constexpr double end_of_barrel = 0.62, piston = 0.48, half_width = 0.08;  // of the way
+  const Place &from = at(body.points[0]), &to = at(body.points[1]);
+  const drawings::Point p = plot.at(from), q = plot.at(to);
+  const double long_way = std::hypot(q.x - p.x, q.y - p.y), along = std::atan2(q.y - p.y, q.x - p.x);
+  if (long_way < shortest) return plot.segment(from, to, Meaning::link);
+  const auto on_it = [&](double way, double across) { return plot.from_paper(beside(p, along, way, across)); };
+  const double end = end_of_barrel * long_way, half_wide = std::min(widest, half_width * long_way);
+  const std::vector<Place> barrel{on_it(clear_of_hinge, -half_wide), on_it(end, -half_wide), on_it(end, half_wide),
+                                  on_it(clear_of_hinge, half_wide)};
+  plot.area(barrel, Meaning::plate);
+  plot.polygon(barrel, Meaning::link);
+  plot.segment(from, on_it(clear_of_hinge, 0), Meaning::link);
+  plot.segment(on_it(piston * long_way, -half_wide), on_it(piston * long_way, half_wide), Meaning::link);
+  plot.segment(on_it(piston * long_way, 0), to, Meaning::link);
 }
 
 void Mechanism::draw_joint(Plot& plot, const Point& P) const {

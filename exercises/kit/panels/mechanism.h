@@ -26,6 +26,8 @@ class Mechanism : public MechanismFigure {
   Mechanism& body(const std::vector<std::string>& points, int number = 0);
   // A straight link through these points, the last of them the pin of another body that runs in a slot of it.
   Mechanism& slotted(const std::vector<std::string>& points, int number = 0);
+  // A cylinder hinged at `from`, and its piston's rod hinged at `to`.
+  Mechanism& cylinder(const std::string& from, const std::string& to);
   // A round body about a point, with another on its rim; there it `rolls` on the frame, or not.
   Mechanism& disc(const std::string& centre, const std::string& rim, bool rolls, int number = 0);
   // A surface of the frame, hatched on the right of from -> to.
@@ -79,7 +81,7 @@ class Mechanism : public MechanismFigure {
   struct Body {
     std::vector<std::string> points;
     int number;
-    bool is_slotted;
+    bool is_slotted, is_cylinder = false;
   };
   struct Disc {
     std::string centre, rim;
@@ -152,6 +154,7 @@ class Mechanism : public MechanismFigure {
   void draw_surface(Plot& plot, const Disc& disc) const;
   void draw_axes(Plot& plot) const;
   void draw_bodies(Plot& plot) const;
+  void draw_cylinder(Plot& plot, const Body& body) const;
   void draw_joint(Plot& plot, const Point& P) const;
   void draw_angle(Plot& plot, const Angle& angle) const;
   void draw_turning(Plot& plot, const Turning& each) const;

@@ -10,6 +10,7 @@
 #include "exercises/kit/panels/compare.h"
 #include "exercises/kit/panels/crossing.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/statement/format_words.h"
 
 namespace epure {
 namespace {
@@ -24,14 +25,17 @@ Place between(const Place& P, const Place& Q, double t) { return {P.x + t * (Q.x
 struct PlacedSide {
   const PolygonSide* side;
   Place from, to;
+  // Where the next side begins.
+  const Place& corner() const { return side->is_subtracted ? from : to; }
 };
 std::vector<PlacedSide> placed(const std::vector<PolygonSide>& chain) {
   std::vector<PlacedSide> sides;
   Place at{0, 0};
   for (const PolygonSide& side : chain) {
     if (!side.is_drawn()) continue;
-    sides.push_back({&side, at, after(at, side.v)});
-    at = sides.back().to;
+    sides.push_back(side.is_subtracted ? PlacedSide{&side, after(at, -side.v), at}
+                                       : PlacedSide{&side, at, after(at, side.v)});
+    at = sides.back().corner();
   }
   return sides;
 }
@@ -61,7 +65,7 @@ std::vector<PlacedSide> in_order(const VectorPolygon& polygon) {
 Place middle_of(const VectorPolygon& polygon) {
   const auto sides = in_order(polygon);
   Place sum{0, 0};
-  for (const PlacedSide& s : sides) sum = {sum.x + s.to.x, sum.y + s.to.y};
+  for (const PlacedSide& s : sides) sum = {sum.x + s.corner().x, sum.y + s.corner().y};
   const auto count = static_cast<double>(sides.size()) + 1;
   return {sum.x / count, sum.y / count};
 }
@@ -70,8 +74,9 @@ Place middle_of(const VectorPolygon& polygon) {
 // starts to past where it ends. None when nothing tells its direction.
 std::optional<std::pair<drawings::Point, drawings::Point>> carrier_of(const PlacedSide& s, double mm_per_unit) {
   constexpr double shortest = 6;  // mm; a shorter vector does not show its line
-  const drawings::Point p{mm_per_unit * s.from.x, mm_per_unit * s.from.y};
-  drawings::Point q{mm_per_unit * s.to.x, mm_per_unit * s.to.y};
+  const Place& begin = s.side->is_subtracted ? s.to : s.from;
+  const drawings::Point p{mm_per_unit * begin.x, mm_per_unit * begin.y};
+  drawings::Point q{mm_per_unit * s.corner().x, mm_per_unit * s.corner().y};
   if (std::hypot(q.x - p.x, q.y - p.y) < shortest) {
     const double length = std::hypot(s.side->along.x, s.side->along.y);
     if (length == 0) return {};
@@ -89,7 +94,7 @@ void draw_carrier(Plot& plot, const PlacedSide& s) {
   if (s.side->closes_alone()) {
     plot.long_segment(s.from, towards, beyond_vector, Meaning::construction);
   } else {
-    plot.direction_line(s.from, towards, beyond_vector, s.side->direction);
+    plot.direction_line({p.x / mm_per_unit, p.y / mm_per_unit}, towards, beyond_vector, s.side->direction);
   }
 }
 
@@ -147,7 +152,7 @@ std::string letters_of(const Drawing& on, const PolygonSide& side) {
 void draw_vector(const Drawing& on, const PlacedSide& s, bool of_left_side) {
   on.plot.side(on.whole ? s.side->quantity : "", s.from, s.to, on.polygon.meaning, letters_of(on, *s.side),
                away_from(on, s, of_left_side));
-  if (!s.side->tip.empty()) on.plot.label(s.side->tip, s.to, on.middle, on.polygon.meaning);
+  if (!s.side->tip.empty()) on.plot.label(s.side->tip, s.corner(), on.middle, on.polygon.meaning);
 }
 
 // Unknown vectors appear when the polygon is closed; until then a line alone.
@@ -182,16 +187,24 @@ void draw_image(Plot& plot, const VectorPolygon& polygon, const PolygonImage& im
   plot.label(image.absolute.tip, c, O, polygon.meaning);
 }
 
-// `from`: the letter of the corner; empty: the tip of the vector before.
+// `from`: the letter of the corner; empty: the end of the vector before.
 std::string known_vector(const PolygonSide& side, const std::string& from, Language language) {
+  if (side.is_subtracted) {
+    const Words end = from.empty() ? Words{"there", "di seguito"} : Words{"in " + from, "in " + from};
+    return format_words("The known {}, {}, is subtracted: its tip lies {}.",
+                        "La {} nota, {}, si sottrae: la sua punta sta {}.", side.label, side.direction, end)
+        .in(language);
+  }
   const Words start = from.empty() ? Words{"At its tip", "Di seguito"} : Words{"From " + from, "Da " + from};
   return language == Language::english
              ? fmt::format("{} the known {}, {}.", start.english, side.label, side.direction)
              : fmt::format("{} la {} nota, {}.", start.italian, side.label, side.direction);
 }
-std::string carrying_line(const PolygonSide& side, const std::string& from, Language language) {
-  const Words start =
-      from.empty() ? Words{"Through its tip", "Per il suo estremo"} : Words{"Through " + from, "Per " + from};
+std::string carrying_line(const PolygonSide& side, const std::string& from, bool is_after_subtracted,
+                          Language language) {
+  const Words start = !from.empty()         ? Words{"Through " + from, "Per " + from}
+                      : is_after_subtracted ? Words{"Through its start", "Per la sua origine"}
+                                            : Words{"Through its tip", "Per il suo estremo"};
   return language == Language::english
              ? fmt::format("{} the line {}: the direction of {}.", start.english, side.direction, side.label)
              : fmt::format("{} la retta {}: dà la direzione della {}.", start.italian, side.direction, side.label);
@@ -219,7 +232,8 @@ drawings::VectorEquation equation(const VectorPolygon& polygon) {
   drawings::VectorEquation written;
   const auto add = [&](const std::vector<PolygonSide>& chain, const char* first) {
     for (std::size_t i = 0; i < chain.size(); ++i) {
-      written.terms.push_back({chain[i].label, chain[i].direction, chain[i].magnitude, i == 0 ? first : "+"});
+      const char* sign = i == 0 ? first : chain[i].is_subtracted ? "−" : "+";
+      written.terms.push_back({chain[i].label, chain[i].direction, chain[i].magnitude, sign});
     }
   };
   if (polygon.loop) {
@@ -238,13 +252,15 @@ std::vector<std::string> steps_of(const VectorPolygon& polygon, Language languag
   const std::string& corner = polygon.right.back().tip;
   for (const auto* chain : {&polygon.right, &polygon.left}) {
     std::string from = polygon.origin;
+    bool is_after_subtracted = false;
     for (const PolygonSide& side : *chain) {
       if (!side.is_drawn()) continue;
       lines.push_back(side.closes_alone()
                           ? closing(side, polygon.loop ? corner : from, polygon.loop ? from : corner, language)
-                      : side.is_unknown() ? carrying_line(side, from, language)
+                      : side.is_unknown() ? carrying_line(side, from, is_after_subtracted, language)
                                           : known_vector(side, from, language));
       from = side.tip;
+      is_after_subtracted = side.is_subtracted;
     }
   }
   if (!lines.empty() && !polygon.left.back().closes_alone()) lines.back() += meeting(corner, language);
@@ -305,7 +321,7 @@ drawings::Box extent_of(const VectorPolygon& polygon, const Scale& scale) {
   Extent extent;
   extent.include(scale, {0, 0}, air);
   for (const PlacedSide& s : in_order(polygon)) {
-    extent.include(scale, s.to, air);
+    extent.include(scale, s.corner(), air);
     if (s.side->is_unknown()) include_carrier(extent, s, scale);
   }
   for (const PolygonImage& image : polygon.images) extent.include(scale, after({0, 0}, image.absolute.v), air);

@@ -3,6 +3,8 @@
 // Both sides of the equation start at the origin O and end in the same point. Either two magnitudes are unknown:
 //   left side: its known vectors, then the sought one;  right side: the known ones, then the closing one.
 // Or one vector is, in direction and magnitude: the only one of the left side; on the right all are known.
+// What is subtracted (left = a - b) is drawn towards the polygon: its tip lies where the side before it ends, and the
+// next side begins where it begins.
 // A polygon of forces in equilibrium is a loop: right + left = 0, so the left side is drawn backwards and leads from
 // the corner where the right one ends to the origin again.
 // The polygon is drawn in steps, as with set squares: each known vector, then the line that carries the last vector
@@ -29,7 +31,8 @@ struct PolygonSide {
   std::string tip = {};  // letter at its end, "$b'$"; empty: none
   Arrow2 along = {};     // of an unknown: the line it lies on, which its vector does not tell when it is zero
   std::optional<double> length = {};  // its value, told where the vector is too short for an arrow
-  bool square = false;  // to the side before it, which a mark says: a tangential part after the normal one
+  bool square = false;         // to the side before it, which a mark says: a tangential part after the normal one
+  bool is_subtracted = false;  // then `tip` stands where it begins
   bool is_drawn() const { return magnitude != "0"; }
   bool is_unknown() const { return magnitude == "?"; }
   bool closes_alone() const { return is_unknown() && direction == "?"; }

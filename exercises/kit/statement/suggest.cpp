@@ -62,6 +62,7 @@ std::vector<std::string> near_names(const std::string& wrong, const std::vector<
 }
 
 Words did_you_mean(const std::string& wrong, const std::vector<std::string>& known) {
+  if (known.empty()) return {"there are none", "non ce ne sono"};
   const std::vector<std::string> near = near_names(wrong, known);
   if (!near.empty()) return Words{"did you mean ", "si intendeva "} + alternatives(near) + "?";
   const Words known_are = {"known are: ", "si conoscono: "};

@@ -1,0 +1,115 @@
+#include "exercises/scenes/centres_panel.h"
+
+#include <algorithm>
+#include <set>
+
+#include "exercises/kit/panels/crossing.h"
+#include "exercises/kit/panels/edge.h"
+
+namespace epure::scenes {
+namespace {
+
+constexpr double letters_around = 9;  // mm
+
+std::optional<Arrow2> direction_of(const std::pair<OnLine, OnLine>& line) {
+  const auto& [one, other] = line;
+  if (one.at && other.at) return *other.at - *one.at;
+  return one.towards ? one.towards : other.towards;
+}
+
+}  // namespace
+
+drawings::Box CentresPanel::extent(const Scale& lengths, const Scale&) const {
+  constexpr double not_tried = 20;  // reaches of the mechanism
+  Extent extent;
+  mechanism_->include(extent, lengths);
+  for (const DrawnCentre& centre : centres_)
+    if (centre.at && distance(mechanism_->corners().front(), *centre.at) < not_tried * mechanism_->reach())
+      extent.include(lengths, *centre.at, letters_around);
+  return extent.box();
+}
+
+// The mechanism, and what lies beside it.
+drawings::Box CentresPanel::extent_of_near(const Scale& lengths, const Scale&) const {
+  constexpr double beside = 1.2;  // reaches of the mechanism
+  Extent extent;
+  mechanism_->include(extent, lengths);
+  for (const DrawnCentre& centre : centres_)
+    if (centre.at && distance(mechanism_->corners().front(), *centre.at) < beside * mechanism_->reach())
+      extent.include(lengths, *centre.at, letters_around);
+  return extent.box();
+}
+
+// Through what of the line lies on the sheet, a little beyond; towards the centre where that is off it.
+void CentresPanel::draw_line(Plot& plot, const drawings::Box& room, const DrawnCentre& centre,
+                             const std::pair<OnLine, OnLine>& line, Language language) const {
+  constexpr double beyond = 4;  // mm
+  std::vector<Place> shown;
+  for (const OnLine* on : {&line.first, &line.second})
+    if (on->at && is_in(room, plot, *on->at)) shown.push_back(*on->at);
+  const bool shows_centre = centre.at && is_in(room, plot, *centre.at);
+  if (shows_centre) shown.push_back(*centre.at);
+  if (shown.empty()) return;
+  const auto along = direction_of(line);
+  if (!along) return;
+  const auto ahead = [&](const Place& P, const Place& Q) { return dot(*along, P - Q) < 0; };
+  const auto [first, last] = std::minmax_element(shown.begin(), shown.end(), ahead);
+  if (distance(*first, *last) > 0) plot.long_segment(*first, *last, beyond, Meaning::construction);
+  if (!shows_centre)
+    draw_towards(plot, room, shown.front(), centre.at ? *centre.at : shown.front() + *along, centre.letters,
+                 language);
+}
+
+void CentresPanel::draw_earlier(Plot& plot, const drawings::Box& room) const {
+  std::set<std::string> drawn{""};
+  for (const DrawnCentre& centre : centres_) drawn.insert(centre.letters);
+  for (const DrawnCentre& centre : centres_)
+    for (const auto& [one, other] : centre.lines)
+      for (const OnLine* on : {&one, &other})
+        if (on->at && is_in(room, plot, *on->at) && drawn.insert(on->letters).second) {
+          plot.cross(*on->at, Meaning::construction);
+          plot.label(on->letters, *on->at, mechanism_->corners().front());
+        }
+}
+
+std::vector<drawings::Block> CentresPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  for (const DrawnCentre& centre : centres_)
+    for (const auto& line : centre.lines) draw_line(plot, room, centre, line, language);
+  mechanism_->draw(plot);
+  draw_earlier(plot, room);
+  const Place& from = mechanism_->corners().front();
+  for (const DrawnCentre& centre : centres_) {
+    if (!centre.at || !is_in(room, plot, *centre.at)) continue;
+    plot.cross(*centre.at);
+    plot.label(centre.letters, *centre.at, from, Meaning::locus);
+    plot.measures_coordinates(centre.quantity, *centre.at, from);
+  }
+  return {};
+}
+
+std::vector<double> CentresPanel::crossings() const {
+  std::vector<double> angles;
+  for (const DrawnCentre& centre : centres_) {
+    if (centre.lines.size() != 2) continue;
+    const auto one = direction_of(centre.lines[0]), other = direction_of(centre.lines[1]);
+    if (one && other && magnitude(*one) > 0 && magnitude(*other) > 0) angles.push_back(crossing_angle(*one, *other));
+  }
+  return angles;
+}
+
+std::vector<PanelStep> CentresPanel::steps(const Plot& plot, const drawings::Box& room) const {
+  std::vector<PanelStep> all;
+  if (!joints_.empty()) all.push_back({joints_, {}});
+  for (const DrawnCentre& centre : centres_) {
+    PanelStep step{centre.step, centre.at};
+    // Off the sheet its number stands where one of its lines leaves.
+    if (!centre.at || !is_in(room, plot, *centre.at))
+      for (const auto& [one, other] : centre.lines)
+        for (const OnLine* on : {&one, &other})
+          if (on->at && is_in(room, plot, *on->at)) step.at = on->at;
+    all.push_back(std::move(step));
+  }
+  return all;
+}
+
+}  // namespace epure::scenes

@@ -1,0 +1,53 @@
+// Instant centres where lines meet, drawn on the mechanism.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exercises/kit/panels/mechanism_figure.h"
+#include "exercises/kit/panels/panel.h"
+
+namespace epure::scenes {
+
+// A centre on a line: a point of the plane, or at infinity in a direction; neither: it is not known.
+struct OnLine {
+  std::string letters;  // of one that was found before; empty: a joint gives it
+  std::optional<Place> at;
+  std::optional<Arrow2> towards;
+};
+struct DrawnCentre {
+  std::string quantity;  // "P24"
+  std::string letters;   // "$P_{24}$"
+  std::optional<Place> at;
+  std::vector<std::pair<OnLine, OnLine>> lines;  // the two that it lies on, each through two centres
+  Words step;
+};
+
+class CentresPanel : public Panel {
+ public:
+  CentresPanel(std::shared_ptr<const MechanismFigure> mechanism, std::vector<DrawnCentre> centres, Words joints)
+      : mechanism_(std::move(mechanism)), centres_(std::move(centres)), joints_(std::move(joints)) {}
+
+  double reach() const override { return mechanism_->reach(); }
+  double times_smaller() const override { return 2; }
+  drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
+  drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const override;
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
+  std::vector<double> crossings() const override;
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
+
+ private:
+  void draw_line(Plot& plot, const drawings::Box& room, const DrawnCentre& centre,
+                 const std::pair<OnLine, OnLine>& line, Language language) const;
+  // What the lines start from and another sheet found.
+  void draw_earlier(Plot& plot, const drawings::Box& room) const;
+
+  std::shared_ptr<const MechanismFigure> mechanism_;
+  std::vector<DrawnCentre> centres_;
+  Words joints_;  // what the joints give, before the steps
+};
+
+}  // namespace epure::scenes

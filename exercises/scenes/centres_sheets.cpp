@@ -1,0 +1,136 @@
+#include "exercises/scenes/centres_sheets.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "exercises/kit/statement/format_words.h"
+#include "exercises/scenes/centres_panel.h"
+#include "exercises/scenes/scene_figure.h"
+#include "exercises/scenes/scene_routes.h"
+#include "geometry/linkages/centre_plan.h"
+
+namespace epure::scenes {
+namespace {
+
+using geometry::CentrePlan;
+using geometry::FoundCentre;
+using geometry::PermanentCentre;
+
+constexpr std::size_t most_on_a_sheet = 6;
+
+class CentresOfScene {
+ public:
+  CentresOfScene(const Built& built, const CentrePlan& plan, const Solution& s) : built_(built), plan_(plan), s_(s) {}
+
+  // The found centres of links, in their order.
+  std::vector<DrawnCentre> all() const {
+    std::vector<DrawnCentre> drawn;
+    for (const FoundCentre& centre : plan_.found) drawn.push_back(of(centre));
+    return drawn;
+  }
+  // "P₁₂ = A₀, P₂₃ = A: hinges. P₁₄ at infinity, square to g."
+  Words joints() const {
+    std::string hinges;
+    Words slides;
+    for (const PermanentCentre& centre : plan_.permanent) {
+      if (!is_link(centre.i) || !is_link(centre.j)) continue;
+      if (centre.point != geometry::nothing)
+        hinges += (hinges.empty() ? "" : ", ") + letters(centre.i, centre.j) + " = " + point(centre.point);
+      else
+        slides = slides + " " +
+                 format_words("{} is at infinity, ⊥ ${}$.", "{} è all'infinito, ⊥ ${}$.", letters(centre.i, centre.j),
+                              point_letters(built_.letters.lines[index(centre.line)]));
+    }
+    return (hinges.empty() ? Words{} : Words{hinges + ".", hinges + "."}) + slides;
+  }
+
+ private:
+  bool is_link(int body) const { return index(body) < built_.linkage.links.size(); }
+  std::string point(int p) const { return "$" + point_letters(built_.letters.points[index(p)]) + "$"; }
+  PointQuantity quantity(int i, int j) const {
+    return instant_centre(built_.letters.links[index(i)], built_.letters.links[index(j)]);
+  }
+  std::string letters(int i, int j) const {
+    const auto [a, b] = std::minmax(built_.letters.links[index(i)], built_.letters.links[index(j)]);
+    return "$P_{" + std::to_string(a) + (b < 10 ? "" : ",") + std::to_string(b) + "}$";
+  }
+
+  OnLine on_line(int i, int j) const {
+    if (const PermanentCentre* joint = plan_.permanent_of(i, j)) {
+      if (joint->point != geometry::nothing) return {{}, s_.place(built_.letters.points[index(joint->point)]), {}};
+      return {{}, {}, geometry::quarter_turn(s_.vector("along_" + built_.letters.lines[index(joint->line)]))};
+    }
+    return {letters(i, j), s_.point(quantity(i, j).name), {}};
+  }
+
+  // "P₁₂P₂₃"; of what slides, "the line through A square to s".
+  Words line_in_words(int i, int k, int j) const {
+    const PermanentCentre *first = plan_.permanent_of(i, k), *second = plan_.permanent_of(k, j);
+    for (const auto& [slide, other, body] : {std::tuple(first, second, j), {second, first, i}}) {
+      if (!slide || slide->line == geometry::nothing || (other && other->line != geometry::nothing)) continue;
+      return format_words("the line ⊥ ${}$ through {}", "la retta ⊥ ${}$ per {}",
+                          point_letters(built_.letters.lines[index(slide->line)]),
+                          other ? point(other->point) : letters(k, body));
+    }
+    return {letters(i, k) + letters(k, j), letters(i, k) + letters(k, j)};
+  }
+
+  DrawnCentre of(const FoundCentre& centre) const {
+    const auto& [i, j, k, l] = centre;
+    DrawnCentre drawn{.quantity = quantity(i, j).name, .letters = letters(i, j), .at = {}, .lines = {}, .step = {}};
+    drawn.at = s_.point(drawn.quantity);
+    drawn.lines = {{on_line(i, k), on_line(k, j)}, {on_line(i, l), on_line(l, j)}};
+    const Words one = line_in_words(i, k, j), other = line_in_words(i, l, j);
+    drawn.step = drawn.at ? format_words("{} where {} and {} meet.", "{} dove si incontrano {} e {}.", drawn.letters,
+                                         one, other)
+                          : format_words("{} at infinity: {} and {} are parallel.",
+                                         "{} all'infinito: {} e {} sono parallele.", drawn.letters, one, other);
+    return drawn;
+  }
+
+  const Built& built_;
+  const CentrePlan& plan_;
+  const Solution& s_;
+};
+
+PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page) {
+  const Built built = scene.built(s.givens());
+  const CentrePlan plan = centre_plan_of(built);
+  const CentresOfScene centres(built, plan, s);
+  std::vector<DrawnCentre> all = centres.all();
+  const std::size_t first = std::min(all.size(), page * most_on_a_sheet),
+                    last = std::min(all.size(), first + most_on_a_sheet);
+  std::vector<DrawnCentre> shown(all.begin() + static_cast<std::ptrdiff_t>(first),
+                                 all.begin() + static_cast<std::ptrdiff_t>(last));
+  PanelSheet sheet;
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const DrawnCentre& centre : shown) {
+    rows.emplace_back(centre.letters, centre.quantity);
+    for (const char* axis : {"_x", "_y"}) sheet.told.push_back(centre.quantity + axis);
+  }
+  if (!rows.empty()) sheet.results.push_back(coordinates(rows));
+  sheet.panels = panels(CentresPanel(std::make_shared<const Mechanism>(figure_of(built, s)), std::move(shown),
+                                     page == 0 ? centres.joints() : Words{}));
+  sheet.seen = {"The mechanism, and the instant centres of its links with the lines on which they lie",
+                "Il meccanismo, e i centri di istantanea rotazione dei suoi membri con le rette su cui stanno"};
+  return sheet;
+}
+
+}  // namespace
+
+std::vector<SheetMaker> centres_sheets(const std::shared_ptr<const Scene>& scene) {
+  const Built built = scene->built(Givens(scene->givens()));
+  const CentrePlan plan = centre_plan_of(built);
+  const std::size_t pages = (plan.found.size() + most_on_a_sheet - 1) / most_on_a_sheet;
+  std::vector<SheetMaker> sheets;
+  for (std::size_t page = 0; page < pages; ++page) {
+    const std::string number = std::to_string(page + 1);
+    const Words title{"Instant centres", "Centri di istantanea rotazione"};
+    sheets.push_back({{page == 0 ? "instant-centres" : "instant-centres-" + number,
+                       pages == 1 ? title : title + " (" + number + ")"},
+                      [scene, page](const Solution& s, Language) { return centres_sheet(*scene, s, page); }});
+  }
+  return sheets;
+}
+
+}  // namespace epure::scenes

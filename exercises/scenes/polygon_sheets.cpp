@@ -1,0 +1,148 @@
+#include "exercises/scenes/polygon_sheets.h"
+
+#include <algorithm>
+#include <array>
+
+#include "exercises/kit/panels/mechanism_panel.h"
+#include "exercises/kit/panels/polygon_panel.h"
+#include "exercises/scenes/dyad_equations.h"
+#include "exercises/scenes/scene_figure.h"
+
+namespace epure::scenes {
+namespace {
+
+class Drawn {
+ public:
+  Drawn(const Solution& solution, const DyadEquation& equation, bool is_of_velocities)
+      : s_(solution), equation_(equation), is_of_velocities_(is_of_velocities) {}
+
+  VectorPolygon polygon() const {
+    const auto &left = is_of_velocities_ ? equation_.v_left : equation_.a_left,
+               &right = is_of_velocities_ ? equation_.v_right : equation_.a_right;
+    VectorPolygon drawn = (is_of_velocities_ ? velocity_polygon : acceleration_polygon)(sides(left), sides(right));
+    for (const std::string& X : equation_.sums)
+      drawn.images.push_back({.absolute = side(s_, of(X), {}, {}), .relative = {}, .explained = {}});
+    for (const Image& image : equation_.images)
+      drawn.images.push_back(
+          {.absolute = side(s_, of(image.point), {}, {}, tip(image)), .relative = {}, .explained = explained(image)});
+    return drawn;
+  }
+
+  // The lengths of its sides that are no velocities or accelerations of points.
+  std::vector<std::string> parts() const {
+    std::vector<std::string> names;
+    for (const auto* chain : is_of_velocities_ ? std::array{&equation_.v_right, &equation_.v_left}
+                                               : std::array{&equation_.a_right, &equation_.a_left})
+      for (const Term& term : *chain)
+        if (term.source && term.magnitude != "0") names.push_back(term.quantity.name);
+    return names;
+  }
+
+  // The points whose vectors are read off the polygon.
+  std::vector<std::string> vectors() const {
+    std::vector<std::string> names;
+    if (s_.has(of(equation_.joint).name)) names.push_back(equation_.joint);
+    for (const Image& image : equation_.images) names.push_back(image.point);
+    return names;
+  }
+  VectorQuantity of(const std::string& X) const { return is_of_velocities_ ? velocity(X) : acceleration(X); }
+
+ private:
+  std::vector<PolygonSide> sides(const std::vector<Term>& terms) const {
+    std::vector<PolygonSide> all;
+    for (const Term& term : terms) {
+      PolygonSide one = side(s_, term.quantity, term.direction, term.magnitude, term.tip);
+      one.square = term.is_square;
+      one.is_subtracted = term.is_subtracted;
+      if (!term.along_line.empty()) one.along = s_.vector("along_" + term.along_line);
+      if (!term.across_from.empty())
+        one.along = geometry::quarter_turn(s_.place(term.across_to) - s_.place(term.across_from));
+      all.push_back(std::move(one));
+    }
+    return all;
+  }
+
+  static std::string tip(const Image& image) { return in_mathematics(image.last); }
+  Words explained(const Image& image) const {
+    const std::string origin = is_of_velocities_ ? "O_{v}" : "O_{a}";
+    const std::string images = in_mathematics((image.first.empty() ? origin : image.first) + image.base + image.last);
+    const std::string body = in_mathematics(image.body);
+    if (image.is_in_line)
+      return format_words("{}: {} lie in line, in the proportion of {}.",
+                          "{}: {} stanno in linea, nella proporzione di {}.", tip(image), images, body);
+    return format_words("{}: {} is similar to {}, in the same sense.", "{}: {} è simile a {}, nello stesso verso.",
+                        tip(image), images, body);
+  }
+
+  const Solution& s_;
+  const DyadEquation& equation_;
+  bool is_of_velocities_;
+};
+
+// How the links turn that the polygon is of, or how their rotation grows.
+std::shared_ptr<const Mechanism> with_rates(Mechanism figure, const Solution& s, const DyadEquation& equation,
+                                            bool is_of_velocities) {
+  for (const auto& [link, from, to] : equation.rods) {
+    const Quantity rate = (is_of_velocities ? angular_velocity : angular_acceleration)(link);
+    figure.turning_found(from, to, s.value(rate.name).value_or(0), rate.symbol);
+  }
+  return std::make_shared<const Mechanism>(std::move(figure));
+}
+
+// Two on a line.
+void add_values(PanelSheet& sheet, const std::vector<std::string>& names) {
+  constexpr std::ptrdiff_t in_a_line = 2;
+  for (auto from = names.begin(); from != names.end(); from += std::min(in_a_line, names.end() - from))
+    sheet.results.push_back(values({from, from + std::min(in_a_line, names.end() - from)}));
+}
+
+PanelSheet polygon_sheet(const Scene& scene, const Solution& s, std::size_t which, bool is_of_velocities) {
+  const Built built = scene.built(s.givens());
+  const DyadEquation equation = dyad_equations(built).at(which);
+  const Drawn drawn(s, equation, is_of_velocities);
+  PanelSheet sheet{.panels = panels(MechanismPanel(with_rates(figure_of(built, s), s, equation, is_of_velocities)),
+                                    PolygonPanel(s, drawn.polygon()))};
+  for (const std::string& X : drawn.vectors()) {
+    sheet.results.push_back(components(drawn.of(X)));
+    sheet.told.push_back(drawn.of(X).name);
+  }
+  add_values(sheet, drawn.parts());
+  for (const std::string& rate :
+       is_of_velocities ? equation.rates_from_velocities : equation.rates_from_accelerations)
+    sheet.results.push_back(remark(rate + "."));
+  std::vector<std::string> rates;
+  for (const int link : equation.links)
+    rates.push_back((is_of_velocities ? angular_velocity : angular_acceleration)(link).name);
+  sheet.results.push_back(values(rates));
+  sheet.told.insert(sheet.told.end(), rates.begin(), rates.end());
+  sheet.seen = is_of_velocities
+                   ? format_words("The mechanism, and the polygon of the velocities of {}",
+                                  "Il meccanismo, e il poligono delle velocità di {}", equation.joint)
+                   : format_words("The mechanism, and the polygon of the accelerations of {}",
+                                  "Il meccanismo, e il poligono delle accelerazioni di {}", equation.joint);
+  return sheet;
+}
+
+}  // namespace
+
+std::vector<SheetMaker> polygon_sheets(const std::shared_ptr<const Scene>& scene) {
+  const std::vector<DyadEquation> equations = dyad_equations(scene->built(Givens(scene->givens())));
+  std::vector<SheetMaker> sheets;
+  for (const bool is_of_velocities : {true, false})
+    for (std::size_t i = 0; i < equations.size(); ++i) {
+      const std::string& joint = equations[i].joint;
+      const bool is_alone = equations.size() == 1;
+      const std::string name =
+          (is_of_velocities ? "velocity-polygon" : "acceleration-polygon") + (is_alone ? std::string() : "-" + joint);
+      const Words whose = is_alone ? Words{} : format_words(" of {}", " di {}", joint);
+      const Words title = (is_of_velocities ? Words{"Velocity polygon", "Poligono delle velocità"}
+                                            : Words{"Acceleration polygon", "Poligono delle accelerazioni"}) +
+                          whose;
+      sheets.push_back({{name, title}, [scene, i, is_of_velocities](const Solution& s, Language) {
+                          return polygon_sheet(*scene, s, i, is_of_velocities);
+                        }});
+    }
+  return sheets;
+}
+
+}  // namespace epure::scenes

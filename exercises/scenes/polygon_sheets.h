@@ -1,0 +1,16 @@
+// The polygons of velocities and accelerations of a scene, a sheet a group of links.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "exercises/kit/panels/panel_sheet.h"
+#include "exercises/scenes/scene.h"
+
+namespace epure::scenes {
+
+// For the groups that the scene has at its stated givens. A group's sheet is named after its joint, where there are
+// several: "velocity-polygon-B".
+std::vector<SheetMaker> polygon_sheets(const std::shared_ptr<const Scene>& scene);
+
+}  // namespace epure::scenes

@@ -1,0 +1,267 @@
+#include "exercises/scenes/refusals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "exercises/kit/statement/format_words.h"
+
+namespace epure::scenes {
+namespace {
+
+using namespace geometry;
+
+class InLetters {
+ public:
+  explicit InLetters(const Built& built) : built_(built) {}
+
+  const std::string& point(int p) const { return built_.letters.points[index(p)]; }
+  const std::string& line(int l) const { return built_.letters.lines[index(l)]; }
+  // "link 3", "links 3 and 4".
+  Words links(const std::vector<int>& links) const {
+    std::vector<std::string> numbers;
+    for (const int link : links)
+      if (link != nothing) numbers.push_back(std::to_string(built_.letters.links[index(link)]));
+    return (numbers.size() == 1 ? Words{"link ", "membro "} : Words{"links ", "membri "}) + enumerated(numbers);
+  }
+  Words points(const std::vector<int>& points) const {
+    std::vector<std::string> names;
+    for (const int p : points)
+      if (std::find(names.begin(), names.end(), point(p)) == names.end()) names.push_back(point(p));
+    std::sort(names.begin(), names.end());
+    return enumerated(names);
+  }
+
+  // What may be said under assembly:, one way and the other.
+  std::pair<std::string, std::string> choices(const OpenSide& side) const {
+    const auto both = [](const std::string& of, const std::string& one, const std::string& other) {
+      return std::pair{of + ": " + one, of + ": " + other};
+    };
+    switch (side.kind) {
+      case OpenSide::Kind::beside_line: {
+        const std::string between = " of " + point(side.from) + " " + point(side.to);
+        return both(point(side.joint), "left" + between, "right" + between);
+      }
+      case OpenSide::Kind::on_guide:
+        return both(point(side.joint), "ahead on " + line(side.line), "behind on " + line(side.line));
+      case OpenSide::Kind::along_slot:
+        break;
+    }
+    const std::string from = "from " + point(side.from) + " ";
+    return both(line(side.line), from + "towards " + point(side.to), from + "away from " + point(side.to));
+  }
+
+  Words open(const OpenSide& side) const {
+    const auto [one, other] = choices(side);
+    Words where;
+    switch (side.kind) {
+      case OpenSide::Kind::beside_line:
+        where = format_words("{0} may lie on either side of {1} -> {2}",
+                             "{0} può stare da una parte o dall'altra di {1} -> {2}", point(side.joint),
+                             point(side.from), point(side.to));
+        break;
+      case OpenSide::Kind::on_guide:
+        where = format_words("{} may lie ahead or behind on {}", "{} può stare avanti o indietro su {}",
+                             point(side.joint), line(side.line));
+        break;
+      case OpenSide::Kind::along_slot:
+        where = format_words("{} may point from {} towards {} or away",
+                             "{} può puntare da {} verso {} o dall'altra parte", line(side.line), point(side.from),
+                             point(side.to));
+    }
+    return where + format_words(": say under assembly:  {}  or  {}", ": dire sotto assembly:  {}  o  {}", one, other);
+  }
+
+  Words open(const std::vector<OpenSide>& sides) const {
+    if (sides.size() == 1) return open(sides.front());
+    Words all = format_words("{} joints may lie in two places each: say under assembly:",
+                             "{} nodi possono stare in due posti ciascuno: dire sotto assembly:", sides.size());
+    for (const OpenSide& side : sides) {
+      const auto [one, other] = choices(side);
+      all = all + format_words("{}  {}  or  {}", "{}  {}  o  {}", &side == &sides.front() ? "" : ";", one, other);
+    }
+    return all;
+  }
+
+  Words overconstrained(const NotPlaced& open) const {
+    if (open.links.size() == 1)
+      return format_words("{} hangs on more than it can follow ({}): the mechanism cannot move",
+                          "{} è vincolato più di quanto possa seguire ({}): il meccanismo non si muove",
+                          links(open.links), points(open.points));
+    return format_words("{} hang on more than they can follow ({}): the mechanism cannot move",
+                        "{} sono vincolati più di quanto possano seguire ({}): il meccanismo non si muove",
+                        links(open.links), points(open.points));
+  }
+
+  Words free(const NotPlaced& open) const {
+    const Words held = open.links.size() == 1
+                           ? format_words("{} is not held", "{} non è trattenuto", links(open.links))
+                           : format_words("{} are not held", "{} non sono trattenuti", links(open.links));
+    return held + (open.freedom == 1 ? Words{": a drive or joint is missing", ": manca un movente o un vincolo"}
+                                     : format_words(": {} more drives or joints are missing",
+                                                    ": mancano ancora {} moventi o vincoli", open.freedom));
+  }
+
+  Words not_dyadic(const NotPlaced& open) const {
+    const Words all =
+        open.links.size() == 1
+            ? format_words("{} cannot be placed on what stands at {}", "{} non si può disporre su quanto sta in {}",
+                           links(open.links), points(open.points))
+            : format_words(
+                  "{} move only together, on what stands at {}: ruler and compass place groups of one or "
+                  "two links only",
+                  "{} si muovono solo insieme, su quanto sta in {}: riga e compasso dispongono solo gruppi "
+                  "di uno o due membri",
+                  links(open.links), points(open.points));
+    const Stretched* cylinder = within(open.links);
+    if (!cylinder) return all;
+    const int driven = built_.linkage.links_at(cylinder->from).front();
+    return all + format_words(
+                     "; the cylinder {0} {1} lies between two of them: drive one by its angle instead, as  drive: "
+                     "{{link: {2}, angle: ..., speed: ...}}",
+                     "; il cilindro {0} {1} sta fra due di essi: muoverne invece uno con il suo angolo, come  "
+                     "drive: {{link: {2}, angle: ..., speed: ...}}",
+                     point(cylinder->from), point(cylinder->to), built_.letters.links[index(driven)]);
+  }
+
+ private:
+  // A cylinder both ends of which are of these links alone.
+  const Stretched* within(const std::vector<int>& links) const {
+    const auto is_one = [&](int point) {
+      const std::vector<int> there = built_.linkage.links_at(point);
+      return std::all_of(there.begin(), there.end(),
+                         [&](int link) { return std::find(links.begin(), links.end(), link) != links.end(); });
+    };
+    for (const Drive& drive : built_.linkage.drives)
+      if (const auto* cylinder = std::get_if<Stretched>(&drive))
+        if (is_one(cylinder->from) && is_one(cylinder->to)) return cylinder;
+    return nullptr;
+  }
+
+  const Built& built_;
+};
+
+// To four figures: enough to see what to change.
+Words metres(double x) { return decimal(x, 4) + " m"; }
+
+double length_of(const Rod& rod, int joint, const Linkage& linkage) {
+  if (rod.link == nothing) return CGAL::to_double(std::get<Stretched>(linkage.drives[index(rod.cylinder)]).length);
+  const Own &P = linkage.place(rod.link, rod.pin), &X = linkage.place(rod.link, joint);
+  return std::hypot(CGAL::to_double(X.x - P.x), CGAL::to_double(X.y - P.y));
+}
+
+// Where a step fails: in doubles, to tell by how much.
+class Missing {
+ public:
+  Missing(const Built& built, std::size_t step)
+      : built_(built), told_(built), at_(CarriedOut<Fast>(built.linkage, built.steps).position_before(step)) {}
+
+  Words at(const TwoRods& step) const {
+    const double a = length_of(step.first, step.joint, built_.linkage),
+                 b = length_of(step.second, step.joint, built_.linkage);
+    const Point<Fast>&P = at_.points[index(step.first.pin)], &Q = at_.points[index(step.second.pin)];
+    const double apart = std::hypot(Q.x - P.x, Q.y - P.y);
+    const bool is_too_far = apart > a + b;
+    return format_words("{}: {} and {} do not meet, for {} {} is {}, {} too {}",
+                        "{}: {} e {} non si incontrano, poiché {} {} è {}, {} {}", told_.point(step.joint),
+                        rod(step.first, step.joint, a), rod(step.second, step.joint, b), told_.point(step.first.pin),
+                        told_.point(step.second.pin), metres(apart),
+                        metres(is_too_far ? apart - a - b : std::abs(a - b) - apart),
+                        is_too_far ? Words{"far", "di troppo"} : Words{"near", "di meno del necessario"});
+  }
+
+  Words at(const RodAndTrack& step) const {
+    const double length = length_of(step.rod, step.joint, built_.linkage);
+    const Point<Fast>& P = at_.points[index(step.rod.pin)];
+    const auto [G, s] = in_plane(step.track.line);
+    const double away = std::abs(cross(s, P - G) - offset(step.track, step.joint));
+    return format_words("{}: {} does not reach {}, which is {} away from {}: {} are missing",
+                        "{}: {} non raggiunge {}, che dista {} da {}: mancano {}", told_.point(step.joint),
+                        rod(step.rod, step.joint, length), told_.line(step.track.line), metres(away),
+                        told_.point(step.rod.pin), metres(away - length));
+  }
+
+ private:
+  Words rod(const Rod& rod, int joint, double length) const {
+    return told_.point(rod.pin) + " " + told_.point(joint) + " (" + metres(length) + ")";
+  }
+  std::pair<Point<Fast>, Vector<Fast>> in_plane(int line) const {
+    const LinkLine& own = built_.linkage.line(line);
+    const PlacedLink<Fast>& link = at_.links[index(built_.linkage.link_of_line(line))];
+    return {link.at({CGAL::to_double(own.through.x), CGAL::to_double(own.through.y)}),
+            link.turned(linkages::unit_vector<Fast>(own.along))};
+  }
+  // How far left of its guide the joint of a block stays.
+  double offset(const Track& track, int joint) const {
+    if (track.block == nothing) return 0;
+    const LinkLine& own = built_.linkage.line(track.moving);
+    const Own& X = built_.linkage.place(track.block, joint);
+    return cross(linkages::unit_vector<Fast>(own.along),
+                 {CGAL::to_double(X.x - own.through.x), CGAL::to_double(X.y - own.through.y)});
+  }
+
+  const Built& built_;
+  InLetters told_;
+  LinkagePosition<Fast> at_;
+};
+
+// The joint of a step, by its letter.
+std::string joint_of(const Step& step, const InLetters& told) {
+  return std::visit(
+      [&](const auto& s) -> std::string {
+        if constexpr (requires { s.joint; })
+          return told.point(s.joint);
+        else if constexpr (requires { s.pin; })
+          return told.point(s.pin);
+        else if constexpr (requires { s.hinge; })
+          return told.point(s.hinge);
+        else
+          return told.point(s.point);
+      },
+      step);
+}
+
+}  // namespace
+
+Words enumerated(const std::vector<std::string>& names) {
+  Words all;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    all = all + (i == 0 ? Words{} : i + 1 == names.size() ? Words{" and ", " e "} : Words{", ", ", "}) + names[i];
+  return all;
+}
+
+Words in_words(const NotPlaced& open, const Built& built) {
+  using Why = NotPlaced::Why;
+  const InLetters told(built);
+  switch (open.why) {
+    case Why::overconstrained:
+      return told.overconstrained(open);
+    case Why::freedom:
+      return told.free(open);
+    case Why::not_dyadic:
+      return told.not_dyadic(open);
+    case Why::open_sides:
+      return told.open(open.sides);
+    case Why::contradicting_side:
+      break;
+  }
+  return {};
+}
+
+Words in_words(const NotClosed& open, const Built& built) {
+  const Arithmetic<Fast> scope;
+  const Step& step = built.steps[open.step];
+  try {
+    if (const auto* rods = std::get_if<TwoRods>(&step)) return Missing(built, open.step).at(*rods);
+    if (const auto* rod = std::get_if<RodAndTrack>(&step)) return Missing(built, open.step).at(*rod);
+  } catch (const Impossible&) {
+    // what comes before fails in doubles
+  } catch (const Undecided&) {
+  }
+  return in_words_at_limit(open, built);
+}
+
+Words in_words_at_limit(const NotClosed& open, const Built& built) {
+  return joint_of(built.steps[open.step], InLetters(built)) + ": " + open.words();
+}
+
+}  // namespace epure::scenes

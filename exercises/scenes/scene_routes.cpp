@@ -1,0 +1,258 @@
+#include "exercises/scenes/scene_routes.h"
+
+#include <algorithm>
+#include <string>
+
+#include "exercises/kit/statement/format_words.h"
+#include "exercises/scenes/relative_motion.h"
+
+namespace epure::scenes {
+namespace {
+
+using namespace geometry;
+using analytic::Complex;
+
+struct SceneRoutes {
+  std::shared_ptr<const Built> built;
+  std::vector<Term> vectors = relative_vectors(dyad_equations(*built));
+  CentrePlan plan = centre_plan_of(*built);
+
+  template <class T>
+  Ledger<T> operator()() const {
+    Ledger<T> ledger("construction");
+    const Constructed<T> constructed(*built);
+    by_construction(ledger, constructed);
+    ledger.route("joint equations");
+    const ByJoints<T> by_joints(*built, constructed);
+    by_joint_equations(ledger, by_joints);
+    ledger.route("instant centres");
+    by_centres(ledger, constructed);
+    return ledger;
+  }
+
+ private:
+  bool moves(int point) const { return built->linkage.links_at(point).front() != 0; }
+  int link_with(int point) const { return built->linkage.links_at(point).front(); }
+  const std::string& letter(int point) const { return built->letters.points[index(point)]; }
+
+  // Calls `of_link(index, number)` for every moving link and `of_point(point, name)` for every point that moves.
+  template <class OfLink, class OfPoint>
+  void for_all(const OfLink& of_link, const OfPoint& of_point) const {
+    for (int p = 0; p < built->linkage.count_of_points(); ++p)
+      if (moves(p)) of_point(p, letter(p));
+    for (std::size_t i = 1; i < built->linkage.links.size(); ++i) of_link(i, built->letters.links[i]);
+  }
+
+  template <class T>
+  void by_construction(Ledger<T>& ledger, const Constructed<T>& constructed) const {
+    const auto& at = constructed.at;
+    const auto& motion = constructed.motion;
+    for (int p = 0; p < built->linkage.count_of_points(); ++p)
+      if (!moves(p)) ledger.draws_point(letter(p), at.points[index(p)]);
+    for_all(
+        [&](std::size_t i, int number) {
+          ledger.put(angular_velocity(number), [&motion, i] { return motion.get().links[i].omega; });
+          ledger.put(angular_acceleration(number), [&motion, i] { return motion.get().links[i].alpha; });
+        },
+        [&](int point, const std::string& name) {
+          const auto p = index(point);
+          ledger.put(epure::point(name), at.points[p]);
+          put(ledger, velocity(name), [&motion, p] { return motion.get().points[p].v; });
+          put(ledger, acceleration(name), [&motion, p] { return motion.get().points[p].a; });
+        });
+    put_vectors(ledger, VectorsConstructed<T>(*built, constructed));
+    put_centres(
+        ledger, [&](int point) { return projective(at.points[index(point)]); },
+        [&](std::size_t i, std::size_t j) {
+          const PlaneMotion<T>&a = motion.get().links[i], &b = motion.get().links[j];
+          return at_rest_against(a.omega - b.omega, of_origin(a) - of_origin(b));
+        });
+    for (int l = 0; l < built->linkage.count_of_lines(); ++l)
+      ledger.draws_vector("along_" + built->letters.lines[index(l)],
+                          at.links[index(built->linkage.link_of_line(l))].turned(
+                              linkages::unit_vector<T>(built->linkage.line(l).along)));
+  }
+
+  template <class T>
+  void by_joint_equations(Ledger<T>& ledger, const ByJoints<T>& by_joints) const {
+    const auto link = [&](std::size_t i, UpTo order) -> const LinkState<T>& { return by_joints.states(order)[i]; };
+    const auto state = [&](int point, UpTo order) {
+      const int on = link_with(point);
+      return analytic::point_of(link(index(on), order), built->linkage.place(on, point));
+    };
+    const auto as_vector = [](const Complex<T>& z) { return Vector<T>{z.re, z.im}; };
+    for_all(
+        [&](std::size_t i, int number) {
+          ledger.put(angular_velocity(number), [&, i] { return link(i, UpTo::velocity).omega; });
+          ledger.put(angular_acceleration(number), [&, i] { return link(i, UpTo::acceleration).alpha; });
+        },
+        [&](int p, const std::string& name) {
+          ledger.put(epure::point(name).x(), [&, p] { return state(p, UpTo::place).z.re; });
+          ledger.put(epure::point(name).y(), [&, p] { return state(p, UpTo::place).z.im; });
+          put(ledger, velocity(name), [&, p] { return as_vector(state(p, UpTo::velocity).v); });
+          put(ledger, acceleration(name), [&, p] { return as_vector(state(p, UpTo::acceleration).a); });
+        });
+    put_vectors(ledger, VectorsByJoints<T>(*built, by_joints));
+    put_centres(
+        ledger,
+        [&](int point) {
+          const Complex<T> z = state(point, UpTo::place).z;
+          return ProjectivePoint<T>{z.re, z.im, T(1)};
+        },
+        [&](std::size_t i, std::size_t j) {
+          // v + i ω (P - O) = 0 of the difference.
+          const LinkState<T>&a = link(i, UpTo::velocity), &b = link(j, UpTo::velocity);
+          const Complex<T> P = a.omega * a.O - b.omega * b.O + analytic::times_i(a.v - b.v);
+          return ProjectivePoint<T>{P.re, P.im, a.omega - b.omega};
+        });
+  }
+
+  // P_ij of all links by their lines, as they are drawn; it is a centre only of links that move against each other.
+  template <class T>
+  void by_centres(Ledger<T>& ledger, const Constructed<T>& constructed) const {
+    const WhenAsked<Centres<T>> centres([&] { return Centres<T>(plan, built->linkage, constructed.at); });
+    for (const FoundCentre& centre : plan.found) {
+      const auto i = index(centre.i), j = index(centre.j);
+      put_centre(ledger, i, j, [&, i, j] {
+        const auto &a = constructed.motion.get().links[i], &b = constructed.motion.get().links[j];
+        demand_motion(i, j, at_rest_against(a.omega - b.omega, of_origin(a) - of_origin(b)));
+        return centres.get().of(centre.i, centre.j);
+      });
+    }
+  }
+
+  // The velocity of the body's point in the origin of the plane.
+  template <class T>
+  static Vector<T> of_origin(const PlaneMotion<T>& body) {
+    return body.velocity({T(0), T(0)});
+  }
+  // P with c + ω k x P = 0.
+  template <class T>
+  static ProjectivePoint<T> at_rest_against(const T& omega, const Vector<T>& c) {
+    const Vector<T> n = quarter_turn(c);
+    return {n.x, n.y, omega};
+  }
+
+  // Of vectors that polygons show beside those of points the length is reported.
+  template <class T, class Find>
+  void put_vectors(Ledger<T>& ledger, const Find& find) const {
+    for (const Term& term : vectors) {
+      const VectorSource& source = *term.source;
+      ledger.put(term.quantity.length(), [&] { return size(find(source)); });
+      ledger.draws_point(term.quantity.name, std::function<Point<T>()>([&] {
+                           const Vector<T> v = find(source);
+                           return Point<T>{v.x, v.y};
+                         }));
+    }
+  }
+
+  // Of all pairs of links: what a joint gives, or what `find` finds of the two.
+  template <class T, class OfPoint, class Find>
+  void put_centres(Ledger<T>& ledger, const OfPoint& of_point, const Find& find) const {
+    const std::size_t count = built->linkage.links.size();
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i + 1; j < count; ++j) {
+        const PermanentCentre* joint = plan.permanent_of(static_cast<int>(i), static_cast<int>(j));
+        if (!joint)
+          put_centre(ledger, i, j, [&, i, j] { return find(i, j); });
+        else if (joint->point != nothing)
+          put_centre(ledger, i, j, [&] { return of_point(joint->point); });
+        else
+          put_centre(ledger, i, j, [&]() -> ProjectivePoint<T> {
+            throw Impossible(format_words("it is at infinity, square to {}, on which the two slide",
+                                          "è all'infinito, normale a {}, su cui i due scorrono",
+                                          built->letters.lines[index(joint->line)]));
+          });
+      }
+  }
+  template <class T, class Find>
+  void put_centre(Ledger<T>& ledger, std::size_t i, std::size_t j, const Find& find) const {
+    const PointQuantity P = instant_centre(built->letters.links[i], built->letters.links[j]);
+    ledger.put(P.x(), [this, i, j, &find] {
+      const auto found = find();
+      return coordinate(i, j, found, found.x);
+    });
+    ledger.put(P.y(), [this, i, j, &find] {
+      const auto found = find();
+      return coordinate(i, j, found, found.y);
+    });
+  }
+
+  // One of P's. Throws Impossible, with the direction in which it is, where the links are proved not to turn against
+  // each other.
+  template <class T>
+  T coordinate(std::size_t i, std::size_t j, const ProjectivePoint<T>& P, const T& of_P) const {
+    const Sign turns = sign(P.w);
+    if (turns == Sign::positive || turns == Sign::negative) return quotient(of_P, P.w);
+    const std::string a = std::to_string(built->letters.links[i]), b = std::to_string(built->letters.links[j]);
+    if (turns == Sign::undecided)
+      throw Undecided(i == 0 ? format_words("whether link {} turns", "se il membro {} ruoti", b)
+                             : format_words("whether links {} and {} turn alike",
+                                            "se i membri {} e {} ruotino ugualmente", a, b));
+    demand_motion(i, j, P);
+    if (i != 0)
+      throw Impossible(format_words("it is at infinity: links {} and {} turn alike",
+                                    "è all'infinito: i membri {} e {} ruotano ugualmente", a, b));
+    const auto& points = built->linkage.links[j].points;
+    const Words whose = points.empty() ? Words{"its velocity", "sua velocità"}
+                                       : Words{"the velocity of ", "velocità di "} + letter(points.front().point);
+    throw Impossible(format_words("it is at infinity, square to {}: link {} does not turn",
+                                  "è all'infinito, normale alla {}: il membro {} non ruota", whose, b));
+  }
+  // Throws where the two are proved to rest against each other, or that cannot be told: then each point is one.
+  template <class T>
+  void demand_motion(std::size_t i, std::size_t j, const ProjectivePoint<T>& P) const {
+    bool is_at_rest = true;
+    for (const T& x : {P.x, P.y, P.w}) {
+      const Sign moves = sign(x);
+      if (moves == Sign::positive || moves == Sign::negative) return;
+      is_at_rest = is_at_rest && moves == Sign::zero;
+    }
+    const std::string a = std::to_string(built->letters.links[i]), b = std::to_string(built->letters.links[j]);
+    if (!is_at_rest)
+      throw Undecided(i == 0 ? format_words("whether link {} rests", "se il membro {} sia fermo", b)
+                             : format_words("whether links {} and {} move against each other",
+                                            "se i membri {} e {} si muovano l'uno rispetto all'altro", a, b));
+    throw Impossible(i == 0 ? format_words("link {} rests: each of its points is one",
+                                           "il membro {} è fermo: ogni suo punto lo è", b)
+                            : format_words("links {} and {} do not move against each other",
+                                           "i membri {} e {} non si muovono l'uno rispetto all'altro", a, b));
+  }
+
+  template <class T, class Find>
+  static void put(Ledger<T>& ledger, const VectorQuantity& quantity, const Find& find) {
+    ledger.put(quantity.x(), [find] { return find().x; });
+    ledger.put(quantity.y(), [find] { return find().y; });
+    ledger.put(quantity.length(), [find] { return size(find()); });
+  }
+};
+
+}  // namespace
+
+std::vector<RouteValue> by_both_routes(const std::shared_ptr<const Built>& built, Rung rung) {
+  return settle(SceneRoutes{.built = built}, rung);
+}
+
+CentrePlan centre_plan_of(const Built& built) {
+  const Arithmetic<Fast> scope;
+  try {
+    return centre_plan(built.linkage, CarriedOut<Fast>(built.linkage, built.steps).position());
+  } catch (const geometry::Impossible&) {  // no place in doubles: nothing is drawn of it
+  } catch (const geometry::Undecided&) {
+  }
+  return {};
+}
+
+PointQuantity instant_centre(int one, int other) {
+  constexpr int two_digits = 10;
+  const auto [i, j] = std::minmax(one, other);
+  const bool is_apart = i > 1 && j >= two_digits;  // P1 and 12 is nobody else's name
+  const std::string first = "P" + std::to_string(i), second = std::to_string(j);
+  const Words of = i == 1 ? format_words(" of the instant centre of link {} on the frame",
+                                         " del centro di istantanea rotazione del membro {} sul telaio", j)
+                          : format_words(" of the instant centre of links {} and {}",
+                                         " del centro di istantanea rotazione dei membri {} e {}", i, j);
+  return {first + (is_apart ? "_" : "") + second, of, first + (is_apart ? "," : "") + second};
+}
+
+}  // namespace epure::scenes

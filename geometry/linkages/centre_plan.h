@@ -1,0 +1,76 @@
+// The instant centres of all pairs of links of a linkage: joints give some, and by the theorem of Aronhold and
+// Kennedy each of the others is where two lines meet, P_ij on P_ik P_kj and on P_il P_lj. Which lines are crossed is
+// chosen once, in doubles, so that they meet well; carried out on any number, by the construction that is drawn.
+//
+// A pin in a slot is a hinge and a slide with a stone between them: a body more.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/linkages/carried_out.h"
+#include "geometry/motion/instant_centres.h"
+
+namespace epure::geometry {
+
+// A centre that a joint gives: the hinge `point`; or, of what slides along `line`, at infinity square to it. i < j;
+// links first, in the order of the linkage, then stones.
+struct PermanentCentre {
+  int i, j;
+  int point = nothing, line = nothing;
+};
+// P_ij of two links on the line of P_ik and P_kj, and on that of P_il and P_lj.
+struct FoundCentre {
+  int i, j, k, l;
+};
+struct CentrePlan {
+  int bodies = 0;
+  std::vector<PermanentCentre> permanent;
+  std::vector<FoundCentre> found;  // in the order in which they are found
+
+  // What a joint gives of the two bodies, in either order; none: no joint does.
+  const PermanentCentre* permanent_of(int i, int j) const;
+};
+
+// With several drives, or one at rest, joints alone do not tell how links move against each other: nothing is found.
+CentrePlan centre_plan(const Linkage& linkage, const LinkagePosition<Fast>& at);
+
+template <class T>
+class Centres {
+ public:
+  Centres(const CentrePlan& plan, const Linkage& linkage, const LinkagePosition<T>& at) : bodies_(plan.bodies) {
+    at_.resize(static_cast<std::size_t>(bodies_ * bodies_));
+    for (const PermanentCentre& centre : plan.permanent) put(centre.i, centre.j, of_joint(centre, linkage, at));
+    for (const FoundCentre& centre : plan.found)
+      put(centre.i, centre.j,
+          scaled(meet(line(of(centre.i, centre.k), of(centre.k, centre.j)),
+                      line(of(centre.i, centre.l), of(centre.l, centre.j)))));
+  }
+  // One that the plan has.
+  const ProjectivePoint<T>& of(int i, int j) const { return *at_[static_cast<std::size_t>(i * bodies_ + j)]; }
+
+ private:
+  void put(int i, int j, const ProjectivePoint<T>& P) {
+    at_[static_cast<std::size_t>(i * bodies_ + j)] = P;
+    at_[static_cast<std::size_t>(j * bodies_ + i)] = P;
+  }
+  static ProjectivePoint<T> of_joint(const PermanentCentre& centre, const Linkage& linkage,
+                                     const LinkagePosition<T>& at) {
+    const auto point = [&](int p) { return at.points[static_cast<std::size_t>(p)]; };
+    if (centre.point != nothing) return projective(point(centre.point));
+    const Vector<T> along = at.links[static_cast<std::size_t>(linkage.link_of_line(centre.line))].turned(
+        linkages::unit_vector<T>(linkage.line(centre.line).along));
+    const Vector<T> n = quarter_turn(along);
+    return {n.x, n.y, T(0)};
+  }
+  // With w = 1 unless it is or may be at infinity: else coordinates grow to the fourth power at each step.
+  static ProjectivePoint<T> scaled(const ProjectivePoint<T>& P) {
+    const Sign w = sign(P.w);
+    return w == Sign::positive || w == Sign::negative ? projective(finite(P)) : P;
+  }
+
+  int bodies_;
+  std::vector<std::optional<ProjectivePoint<T>>> at_;
+};
+
+}  // namespace epure::geometry
