@@ -20,7 +20,7 @@ T room_of_rod(const Wedge& of, const T& mu) {
   const geometry::Line<T> upper = line(Point<T>{-half_w, number(of.y_upper)}, Vector<T>{T(1), -mu}),
                           lower = line(Point<T>{half_w, number(of.y_lower)}, Vector<T>{T(-1), -mu});
   const geometry::ProjectivePoint<T> K = meet(upper, lower);
-  return -geometry::cross(Vector<T>{s + c * mu, c - s * mu}, Vector<T>{K.x, K.y});
+  return geometry::cross(Vector<T>{s + c * mu, c - s * mu}, Vector<T>{K.x, K.y});
 }
 
 // Whether the rod jams at one coefficient alone, and moves again beyond it: decided exactly. Throws Undecided.

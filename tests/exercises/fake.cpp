@@ -65,10 +65,13 @@ Triangle::Triangle() {
                      {"c_y", "$c_{31}$", "m", {"its ordinate", "la sua ordinata"}},
                      {"omega", "$ω$", "rad/s", {"turning", "rotazione"}},
                      {"angle", "$φ$", "rad", {"angle", "angolo"}}},
-      .printed = {{"c", "0.5", "ruler"},
-                  {"c", "0.51", "ruler", 0.01},
-                  {"c_y", "0.7", "adding", 0.01,
-                   Explanation{{"the catheti were added", "i cateti sono stati sommati"}, [] { return 0.7; }}}}};
+      .printed = [] {
+        return std::vector<Printed>{
+            {"c", "0.5", "ruler"},
+            {"c", "0.51", "ruler", 0.01},
+            {"c_y", "0.7", "adding", 0.01,
+             Explanation{{"the catheti were added", "i cateti sono stati sommati"}, [] { return 0.7; }}}};
+      }};
 }
 
 std::vector<RouteValue> Triangle::solve(const Givens& givens, Rung rung) const {

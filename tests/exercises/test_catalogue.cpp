@@ -95,7 +95,7 @@ TEST_CASE("every exercise speaks both languages") {
     for (const GivenSpec& given : about.givens) all.push_back(given.meaning);
     for (const SheetSpec& sheet : about.sheets) all.push_back(sheet.title);
     for (const Quantity& quantity : about.quantities) all.push_back(quantity.meaning);
-    for (const Printed& printed : about.printed)
+    for (const Printed& printed : about.printed())
       if (printed.explanation) all.push_back(printed.explanation->sentence);
     for (const Words& words : all) {
       INFO(about.id << ": " << words.english << " / " << words.italian);
@@ -146,7 +146,7 @@ TEST_CASE("printed numbers name a route of their exercise") {
     std::set<std::string> routes;
     for (const RouteValue& value : exercise->solve(Givens(exercise->about().givens), Rung::fast))
       routes.insert(value.route);
-    for (const Printed& printed : exercise->about().printed) {
+    for (const Printed& printed : exercise->about().printed()) {
       INFO(exercise->about().id << ": " << printed.quantity << " printed " << printed.text << " by "
                                 << printed.route);
       CHECK(routes.contains(printed.route));

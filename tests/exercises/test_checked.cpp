@@ -215,10 +215,13 @@ TEST_CASE("printed numbers are judged for the source's givens only, and explanat
   changed.set("a=0.2");
   for (const CheckedQuantity& quantity : check(triangle, changed, Rung::climb).quantities)
     CHECK(quantity.printed.empty());
-  triangle.description.printed.back().explanation->evaluate = [] { return 0.8; };
+  std::vector<Printed> printed = triangle.description.printed();
+  printed.back().explanation->evaluate = [] { return 0.8; };
+  triangle.description.printed = [printed] { return printed; };
   CHECK(mentions(complaints(checked(triangle)),
                  "c_y: the mistake that is to explain the printed 0.7 does not give it"));
-  triangle.description.printed.back().quantity = "q";
+  printed.back().quantity = "q";
+  triangle.description.printed = [printed] { return printed; };
   CHECK(mentions(complaints(checked(triangle)), "q: printed by the source, but is not among"));
 }
 

@@ -39,7 +39,7 @@ struct ThreeRoutes {
     Ledger<T> ledger("cannot");
     ledger.put("x", [this]() -> T {
       ++asked[0];
-      throw geometry::Undecided({"", ""});
+      throw geometry::Undecided("whether it is", "se sia");
     });
     ledger.route("can");
     ledger.put("x", [this] {
@@ -65,7 +65,7 @@ TEST_CASE("ledger: a drawing asks one route after the other, until one knows the
   const Solution solution(Givens({}), found);
   CHECK(solution["x"] == 2);
 
-  const std::vector<RouteValue> every = settle(ThreeRoutes{asked}, Rung::drawing, Drawn::by_every_route);
+  const std::vector<RouteValue> every = settle(ThreeRoutes{asked}, Rung::drawing, epure::Drawn::by_every_route);
   CHECK(every.size() == 3);
   CHECK(asked[2] > 0);
 }

@@ -73,7 +73,7 @@ std::set<std::string> printable_numbers(const Exercise& exercise, const Solution
     if (spec.choices.empty() && !solution.givens().follows(spec.symbol))
       add_numbers(decimal(nearest(solution.givens()[spec.symbol]), 6).in(language));
   for (const Flaw& flaw : exercise.flaws(solution.givens())) add_numbers(flaw.sentence.in(language));
-  for (const Printed& printed : exercise.about().printed) {
+  for (const Printed& printed : exercise.about().printed()) {
     add_numbers(decimal(printed.text).in(language));
     if (printed.explanation) add_numbers(printed.explanation->sentence.in(language));
   }

@@ -76,7 +76,7 @@ TEST_CASE("solution: what each route says is kept apart, and what a sheet tells 
     ledger.put("both", T(2));
     return ledger;
   };
-  const Solution solution(Givens({}), settle(write, Rung::drawing, Drawn::by_every_route));
+  const Solution solution(Givens({}), settle(write, Rung::drawing, epure::Drawn::by_every_route));
   CHECK(solution.value("both", "first") == 1);
   CHECK(solution.value("both", "second") == 2);
   CHECK_FALSE(solution.value("both", "third").has_value());

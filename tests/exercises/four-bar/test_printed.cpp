@@ -7,7 +7,7 @@ using namespace epure::tests;
 namespace {
 
 const Printed& printed(const std::string& quantity, const std::string& text) {
-  for (const Printed& each : four_bar().about().printed)
+  for (const Printed& each : four_bar().about().printed())
     if (each.quantity == quantity && each.text == text) return each;
   throw std::logic_error("nothing like it is printed");
 }
@@ -64,7 +64,7 @@ const std::vector<Expected>& expected() {
 }  // namespace
 
 TEST_CASE("four-bar: every printed number has the verdict it deserves", "[four-bar][printed]") {
-  CHECK(expected().size() == four_bar().about().printed.size());
+  CHECK(expected().size() == four_bar().about().printed().size());
   for (const auto& [quantity, text, verdict, explained] : expected()) {
     CAPTURE(quantity, text);
     const PrintedVerdict judged = verdict_on(printed(quantity, text));

@@ -23,7 +23,7 @@ std::set<std::string> routes_of(const CheckedQuantity& quantity) {
 }
 
 const Printed& printed(const std::string& text) {
-  for (const Printed& each : pin_in_slot().about().printed)
+  for (const Printed& each : pin_in_slot().about().printed())
     if (each.text == text) return each;
   throw std::logic_error("nothing like it is printed");
 }
@@ -127,7 +127,7 @@ TEST_CASE("every printed number has its verdict, and each mistake gives its digi
   const CheckedExercise result = checked({});
   std::size_t count = 0;
   for (const CheckedQuantity& quantity : result.quantities) count += quantity.printed.size();
-  CHECK(count == result.about.printed.size());
+  CHECK(count == result.about.printed().size());
   for (const char* rounded : {"0.8", "-4", "3.1", "-15.5"}) {
     CAPTURE(rounded);
     CHECK(verdict_on(printed(rounded)).verdict == Verdict::rounding);
