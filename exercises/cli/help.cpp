@@ -59,7 +59,7 @@ Help help_of_draw() {
   epure draw slider-crank-velocity/poles --bare --format svg -o - > poles.svg
   epure draw slider-crank-velocity/poles --width 120mm -o poles.tex
   epure draw slider-crank-velocity/poles -o poles.png --background '#1e1e2e'
-  epure draw slider-crank-velocity --givens students.csv --name '{id}-{student}-{sheet}'
+  epure draw four-bar --givens students.csv --name '{id}-{student}-{sheet}'
 )"};
 }
 

@@ -61,14 +61,14 @@ class Search {
  private:
   using Table = std::vector<char>;
   Table table(const std::vector<PermanentCentre>& of) const {
-    Table known(static_cast<std::size_t>(plan_.bodies * plan_.bodies));
+    Table known(in_square(plan_.bodies, 0, plan_.bodies));
     for (const PermanentCentre& centre : of) mark(known, centre.i, centre.j);
     return known;
   }
   void mark(Table& known, int i, int j) const {
-    known[static_cast<std::size_t>(i * plan_.bodies + j)] = known[static_cast<std::size_t>(j * plan_.bodies + i)] = 1;
+    known[in_square(i, j, plan_.bodies)] = known[in_square(j, i, plan_.bodies)] = 1;
   }
-  bool is_known(int i, int j) const { return known_[static_cast<std::size_t>(i * plan_.bodies + j)] != 0; }
+  bool is_known(int i, int j) const { return known_[in_square(i, j, plan_.bodies)] != 0; }
 
   // What is found in a round serves the next one: so each centre is found by as few others as can be.
   bool round() {

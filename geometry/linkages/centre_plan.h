@@ -35,11 +35,16 @@ struct CentrePlan {
 // With several drives, or one at rest, joints alone do not tell how links move against each other: nothing is found.
 CentrePlan centre_plan(const Linkage& linkage, const LinkagePosition<Fast>& at);
 
+// Of row i and column j in a square table.
+inline std::size_t in_square(int i, int j, int side) {
+  return static_cast<std::size_t>(i) * static_cast<std::size_t>(side) + static_cast<std::size_t>(j);
+}
+
 template <class T>
 class Centres {
  public:
   Centres(const CentrePlan& plan, const Linkage& linkage, const LinkagePosition<T>& at) : bodies_(plan.bodies) {
-    at_.resize(static_cast<std::size_t>(bodies_ * bodies_));
+    at_.resize(in_square(bodies_, 0, bodies_));
     for (const PermanentCentre& centre : plan.permanent) put(centre.i, centre.j, of_joint(centre, linkage, at));
     for (const FoundCentre& centre : plan.found)
       put(centre.i, centre.j,
@@ -47,12 +52,12 @@ class Centres {
                       line(of(centre.i, centre.l), of(centre.l, centre.j)))));
   }
   // One that the plan has.
-  const ProjectivePoint<T>& of(int i, int j) const { return *at_[static_cast<std::size_t>(i * bodies_ + j)]; }
+  const ProjectivePoint<T>& of(int i, int j) const { return *at_[in_square(i, j, bodies_)]; }
 
  private:
   void put(int i, int j, const ProjectivePoint<T>& P) {
-    at_[static_cast<std::size_t>(i * bodies_ + j)] = P;
-    at_[static_cast<std::size_t>(j * bodies_ + i)] = P;
+    at_[in_square(i, j, bodies_)] = P;
+    at_[in_square(j, i, bodies_)] = P;
   }
   static ProjectivePoint<T> of_joint(const PermanentCentre& centre, const Linkage& linkage,
                                      const LinkagePosition<T>& at) {

@@ -160,7 +160,7 @@ const std::set<std::string> english = {
     "coupler", "pole",  "poles",  "circle", "to",     "an",      "needs",  "between", "option"};
 
 std::string english_in(const std::string& text, const std::set<std::string>& names) {
-  static const std::regex options("--[a-z-]+");
+  static const std::regex options("--[a-z-]+|[{][a-z]+[}]");  // and fields of a pattern of names
   std::string found;
   for (const std::string& word : words_in(std::regex_replace(text, options, "")))
     if (english.contains(word) && !names.contains(word)) found += word + " ";
