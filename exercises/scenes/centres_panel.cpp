@@ -20,22 +20,21 @@ std::optional<Arrow2> direction_of(const std::pair<OnLine, OnLine>& line) {
 }  // namespace
 
 drawings::Box CentresPanel::extent(const Scale& lengths, const Scale&) const {
-  constexpr double not_tried = 20;  // reaches of the mechanism
-  Extent extent;
-  mechanism_->include(extent, lengths);
-  for (const DrawnCentre& centre : centres_)
-    if (centre.at && distance(mechanism_->corners().front(), *centre.at) < not_tried * mechanism_->reach())
-      extent.include(lengths, *centre.at, letters_around);
-  return extent.box();
+  constexpr double not_tried = 20;
+  return extent_within(not_tried, lengths);
 }
 
 // The mechanism, and what lies beside it.
 drawings::Box CentresPanel::extent_of_near(const Scale& lengths, const Scale&) const {
-  constexpr double beside = 1.2;  // reaches of the mechanism
+  constexpr double beside = 1.2;
+  return extent_within(beside, lengths);
+}
+
+drawings::Box CentresPanel::extent_within(double reaches, const Scale& lengths) const {
   Extent extent;
   mechanism_->include(extent, lengths);
   for (const DrawnCentre& centre : centres_)
-    if (centre.at && distance(mechanism_->corners().front(), *centre.at) < beside * mechanism_->reach())
+    if (centre.at && distance(mechanism_->corners().front(), *centre.at) < reaches * mechanism_->reach())
       extent.include(lengths, *centre.at, letters_around);
   return extent.box();
 }

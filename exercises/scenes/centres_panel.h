@@ -40,6 +40,8 @@ class CentresPanel : public Panel {
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
  private:
+  // Of the mechanism, and of centres not farther from it than so many times its reach.
+  drawings::Box extent_within(double reaches, const Scale& lengths) const;
   void draw_line(Plot& plot, const drawings::Box& room, const DrawnCentre& centre,
                  const std::pair<OnLine, OnLine>& line, Language language) const;
   // What the lines start from and another sheet found.
