@@ -45,7 +45,7 @@ class Solving {
 
   const Exercise* exercise() const { return exercise_; }
   const Candidate& row() const { return row_; }
-  Drawn drawn() const { return {*exercise_, givens_, row_, row_number_}; }
+  DrawnVariant drawn() const { return {*exercise_, givens_, row_, row_number_}; }
   const Solution& solution() {
     std::call_once(once_, [&] { found_ = exercise_->solution(givens_); });
     return *found_;

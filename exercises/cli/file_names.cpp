@@ -114,7 +114,7 @@ bool FileNames::has_field(const std::string& name) const {
                      [&](const Part& part) { return part.is_field && part.text == name; });
 }
 
-std::string FileNames::value(const std::string& field, const Drawn& drawn, const std::string& sheet) const {
+std::string FileNames::value(const std::string& field, const DrawnVariant& drawn, const std::string& sheet) const {
   if (field == "id") return drawn.exercise.about().id;
   if (field == "sheet") return sheet;
   if (field == "lang") return language_;
@@ -124,7 +124,7 @@ std::string FileNames::value(const std::string& field, const Drawn& drawn, const
   return fit(value_of(drawn.givens, *given_meant(field, {&drawn.exercise})));
 }
 
-std::string FileNames::stem(const Drawn& drawn, const std::string& sheet) const {
+std::string FileNames::stem(const DrawnVariant& drawn, const std::string& sheet) const {
   std::string name;
   for (const Part& part : parts_) {
     const bool is_left_out = part.is_field && part.text == "sheet" && sheet.empty();

@@ -12,7 +12,7 @@
 namespace epure {
 
 // What is drawn with one set of givens.
-struct Drawn {
+struct DrawnVariant {
   const Exercise& exercise;
   const Givens& givens;
   const Candidate& row;  // of --givens
@@ -30,7 +30,7 @@ class FileNames {
 
   // Without its ending; `sheet` may be empty, and is then left out with the hyphen before it. Throws WrongUsage: no
   // name, one that is hidden, looks like an option or is too long.
-  std::string stem(const Drawn& drawn, const std::string& sheet) const;
+  std::string stem(const DrawnVariant& drawn, const std::string& sheet) const;
 
   // True the first time; false for the same content again. Throws WrongUsage where two contents would be one file.
   bool claim(const std::filesystem::path& path, const std::string& content);
@@ -44,7 +44,7 @@ class FileNames {
   void read(const std::string& pattern);
   void demand_known(const std::string& field, const std::vector<const Exercise*>& exercises, bool has_table) const;
   bool has_field(const std::string& name) const;
-  std::string value(const std::string& field, const Drawn& drawn, const std::string& sheet) const;
+  std::string value(const std::string& field, const DrawnVariant& drawn, const std::string& sheet) const;
 
   std::string language_;
   bool is_asked_, is_for_tex_;

@@ -43,15 +43,15 @@ inline Sign sign_of(const LinkSum& sum, const FourBarLengths& of) {
   }
 }
 
-enum class Link { frame, crank, coupler, rocker };  // A₀B₀, A₀A, AB, B₀B
+enum class FourBarLink { frame, crank, coupler, rocker };  // A₀B₀, A₀A, AB, B₀B
 
-inline LinkSum length_of(Link link, const FourBarLengths& of) {
+inline LinkSum length_of(FourBarLink link, const FourBarLengths& of) {
   switch (link) {
-    case Link::crank:
+    case FourBarLink::crank:
       return {of.A0A, 0};
-    case Link::coupler:
+    case FourBarLink::coupler:
       return {of.AB, 0};
-    case Link::rocker:
+    case FourBarLink::rocker:
       return {of.B0B, 0};
     default:
       return {0, 1};
@@ -71,15 +71,18 @@ enum class LinkageClass {
 
 struct Grashof {
   LinkageClass is;
-  std::vector<Link> shortest;  // more than one when they are equally short (then never one of the first four classes)
-  LinkSum excess;              // shortest + longest - the other two: its sign decides
+  std::vector<FourBarLink>
+      shortest;    // more than one when they are equally short (then never one of the first four classes)
+  LinkSum excess;  // shortest + longest - the other two: its sign decides
 };
 
 // Throws Impossible when a link has no length, or the longest is longer than the other three together.
 inline Grashof grashof(const FourBarLengths& of) {
-  std::array<Link, 4> links{Link::frame, Link::crank, Link::coupler, Link::rocker};
-  const auto length = [&](Link link) { return length_of(link, of); };
-  const auto is_shorter = [&](Link a, Link b) { return sign_of(length(a) - length(b), of) == Sign::negative; };
+  std::array<FourBarLink, 4> links{FourBarLink::frame, FourBarLink::crank, FourBarLink::coupler, FourBarLink::rocker};
+  const auto length = [&](FourBarLink link) { return length_of(link, of); };
+  const auto is_shorter = [&](FourBarLink a, FourBarLink b) {
+    return sign_of(length(a) - length(b), of) == Sign::negative;
+  };
   std::stable_sort(links.begin(), links.end(), is_shorter);
   const auto [s, p, q, l] = links;
   if (sign_of(length(s), of) != Sign::positive)
@@ -90,7 +93,7 @@ inline Grashof grashof(const FourBarLengths& of) {
                      "il quadrilatero non si chiude: il membro più lungo supera gli altri tre insieme");
 
   Grashof result{LinkageClass::triple_rocker, {}, length(s) + length(l) - length(p) - length(q)};
-  for (const Link link : links)
+  for (const FourBarLink link : links)
     if (!is_shorter(s, link)) result.shortest.push_back(link);
   const Sign excess = sign_of(result.excess, of);
   if (beyond_all == Sign::zero) {

@@ -19,7 +19,7 @@ TEST_CASE("grashof: Norton's three linkages in all their inversions", "[grashof]
                                                    on_x(p, q, l, s)};
     const std::array fulfils{LinkageClass::crank_rocker, LinkageClass::double_rocker, LinkageClass::rocker_crank,
                              LinkageClass::double_crank};
-    const std::array shortest{Link::crank, Link::coupler, Link::rocker, Link::frame};
+    const std::array shortest{FourBarLink::crank, FourBarLink::coupler, FourBarLink::rocker, FourBarLink::frame};
     for (std::size_t i = 0; i < 4; ++i) {
       const Grashof found = grashof(inversions[i]);
       CHECK(found.is == (k == 0 ? fulfils[i] : k == 1 ? LinkageClass::triple_rocker : LinkageClass::change_point));
@@ -32,7 +32,7 @@ TEST_CASE("grashof: on the borders", "[grashof]") {
   CHECK(grashof(on_x(2, 5, 4, 7)).is == LinkageClass::change_point);
   const Grashof parallelogram = grashof(on_x(3, 5, 3, 5));
   CHECK(parallelogram.is == LinkageClass::change_point);
-  CHECK(parallelogram.shortest == std::vector{Link::crank, Link::rocker});
+  CHECK(parallelogram.shortest == std::vector{FourBarLink::crank, FourBarLink::rocker});
   CHECK(grashof(on_x(1, 1, 1, 1)).shortest.size() == 4);
   CHECK(grashof(on_x(3, 5, 5, 3)).is == LinkageClass::change_point);  // kite
   // Stretched to the full, and torn.
