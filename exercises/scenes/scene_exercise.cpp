@@ -12,6 +12,7 @@
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/vectors_panel.h"
 #include "exercises/scenes/centres_sheets.h"
+#include "exercises/scenes/limits.h"
 #include "exercises/scenes/polygon_sheets.h"
 #include "exercises/scenes/refusals.h"
 #include "exercises/scenes/scene_figure.h"
@@ -37,6 +38,8 @@ std::string bytes_of(const std::string& file) {
 std::vector<RouteValue> solved(const Scene& scene, const Givens& givens, Rung rung) {
   const auto built = std::make_shared<const Built>(scene.built(givens));
   try {
+    if (rung != Rung::names && rung != Rung::fast)
+      if (const auto at_limit = limit_of(*built)) throw BadGivens(*at_limit);
     return by_both_routes(built, rung);
   } catch (const geometry::NotClosed& open) {
     throw BadGivens(
