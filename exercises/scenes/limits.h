@@ -1,4 +1,5 @@
-// A mechanism at a dead centre or change point: its links have a place there, but the drives do not tell how they move.
+// A mechanism at a dead centre or change point: its links have a place there, but the drives do not tell how they
+// move.
 #pragma once
 
 #include <optional>

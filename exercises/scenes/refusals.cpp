@@ -189,10 +189,9 @@ class Missing {
     if (a == b && apart < a)
       return format_words("{0} and {1} lie in one place, and {0} {2} is as long as {1} {2}",
                           "{0} e {1} stanno in un punto, e {0} {2} è lungo quanto {1} {2}", P, Q, X);
-    return format_words("{0} {2} and {1} {2} lie in one line, {3}", "{0} {2} e {1} {2} stanno su una retta, {3}", P, Q,
-                        X,
-                        apart > std::max(a, b) ? Words{"stretched out", "l'uno dopo l'altro"}
-                                               : Words{"folded", "l'uno sull'altro"});
+    return format_words(
+        "{0} {2} and {1} {2} lie in one line, {3}", "{0} {2} e {1} {2} stanno su una retta, {3}", P, Q, X,
+        apart > std::max(a, b) ? Words{"stretched out", "l'uno dopo l'altro"} : Words{"folded", "l'uno sull'altro"});
   }
   Words at_limit(const RodAndTrack& step) const {
     return format_words("{} {} stands square to {}", "{} {} sta normale a {}", told_.point(step.rod.pin),

@@ -92,8 +92,14 @@ class CarriedOut {
   LinkagePosition<T> position() const { return position_before(steps_.size()); }
   // What the steps before this one place.
   LinkagePosition<T> position_before(std::size_t step) const;
-  // How far a step is from its limit, where the steps before it are placed: positive where there is room to move, zero
-  // at a dead centre or change point, where the joints do not tell how its links move, negative where it does not close.
+  // How far left of a line a point is.
+  T left_in_plane(int line, int point, const LinkagePosition<T>& at) const {
+    const Rail on = in_plane(line, at);
+    return cross(on.s, at.points[index(point)] - on.G);
+  }
+  // How far a step is from its limit, where the steps before it are placed: positive where there is room to move,
+  // zero at a dead centre or change point, where the joints do not tell how its links move, negative where it does
+  // not close.
   T from_limit(std::size_t step, const LinkagePosition<T>& at) const {
     return std::visit([&](const auto& s) { return room(s, at); }, steps_[step]);
   }
