@@ -631,7 +631,7 @@ Printed printed_number(const File& file, const Tree& at) {
   };
   const Tree& value = demand("value");
   number(value);
-  Printed printed{demand("quantity").text, value.text + (unit->symbol == "1" ? "" : " " + unit->symbol),
+  Printed printed{demand("quantity").text, value.text + (unit->factor == 1 ? "" : " " + unit->symbol),
                   file.words(demand("place")).english};
   if (at.find("reading")) {
     const Rational reading = number(demand("reading"));
