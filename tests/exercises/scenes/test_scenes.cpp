@@ -395,6 +395,16 @@ TEST_CASE("what is odd of a scene is said beside what was asked; a wrong sheet i
   std::filesystem::remove(file);
 }
 
+TEST_CASE("list has no heading of givens for a mechanism without any", "[scenes]") {
+  const auto listed = [](const std::string& name) {
+    std::ostringstream out, err;
+    run_cli(catalogue(), {"list", EPURE_SCENES "/" + name + ".yaml"}, out, err);
+    return out.str();
+  };
+  CHECK(listed("watt").find("Givens") == std::string::npos);
+  CHECK(listed("four-bar").find("Givens") != std::string::npos);
+}
+
 // No enclosure proves that a link does not turn; what was constructed, put into the equations of all joints, does.
 TEST_CASE("a link that only translates has its centre at infinity by every route, whatever turns it", "[scenes]") {
   for (const char* drive : {"{link: 2, angle: 50 deg, speed: 30 rpm}", "{link: 2, angle: 23.4 deg, speed: 2 rad/s}",
