@@ -42,6 +42,7 @@ std::string other_names(const GivenSpec& given, Language language) {
 }
 
 std::string givens(const Description& about, Language language) {
+  if (about.givens.empty()) return "";
   std::vector<std::vector<std::string>> rows;
   const Givens stated(about.givens);
   for (const GivenSpec& given : about.givens)

@@ -76,7 +76,7 @@ std::vector<drawings::Block> CentresPanel::draw(Plot& plot, const drawings::Box&
     for (const auto& line : centre.lines) draw_line(plot, room, centre, line, language);
   mechanism_->draw(plot);
   draw_earlier(plot, room);
-  const Place& from = mechanism_->corners().front();
+  const Place from = mechanism_->corners().front();  // of a list that does not stay
   for (const DrawnCentre& centre : centres_) {
     if (!centre.at || !is_in(room, plot, *centre.at)) continue;
     plot.cross(*centre.at);

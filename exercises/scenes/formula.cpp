@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -22,9 +23,45 @@ constexpr int deepest_parentheses = 50;
 // A product of products of long numbers has as many digits as all of them.
 constexpr std::size_t most_digits = 10'000;
 
+struct OfKind {
+  Kind kind;
+  Dimension dimension;
+};
+constexpr bool it_turns = true;
+const std::vector<OfKind>& dimensions() {
+  static const std::vector<OfKind> all = {{Kind::pure_number, {}},
+                                          {Kind::length, {1, 0}},
+                                          {Kind::time, {0, 1}},
+                                          {Kind::velocity, {1, -1}},
+                                          {Kind::acceleration, {1, -2}},
+                                          {Kind::area, {2, 0}},
+                                          {Kind::angle, {0, 0, it_turns}},
+                                          {Kind::angular_velocity, {0, -1, it_turns}},
+                                          {Kind::angular_acceleration, {0, -2, it_turns}}};
+  return all;
+}
+Dimension dimension_of(Kind kind) {
+  for (const OfKind& each : dimensions())
+    if (each.kind == kind) return each.dimension;
+  return {.own = kind};
+}
+bool is_pure(const Amount& amount) { return amount.dimension == Dimension{}; }
+
+// "a length"; of what has no name its unit: "a number in m^3".
+Words in_words(const Dimension& dimension) {
+  if (dimension.own) return name_of(*dimension.own);
+  for (const OfKind& each : dimensions())
+    if (each.dimension == dimension) return name_of(each.kind);
+  std::string unit;
+  for (const auto& [letter, power] : {std::pair{"m", dimension.metres}, std::pair{"s", dimension.seconds}})
+    if (power != 0)
+      unit += (unit.empty() ? "" : " ") + std::string(letter) + (power == 1 ? "" : "^" + std::to_string(power));
+  return format_words("a number in {}", "un numero in {}", unit);
+}
+
 Amount amount_in(const InUnit& number) {
-  Amount amount{number.unit.kind};
-  if (geometry::turns(amount.kind))
+  Amount amount{.dimension = dimension_of(number.unit.kind), .is_bare = number.unit.kind == Kind::pure_number};
+  if (amount.dimension.turns)
     amount.angle = geometry::angle_of(number);
   else
     amount.value = geometry::in_si(number);
@@ -35,6 +72,13 @@ void demand_shortness(const Rational& q) {
   if (mpz_sizeinbase(q.numerator().mpz(), 10) > most_digits ||
       mpz_sizeinbase(q.denominator().mpz(), 10) > most_digits)
     throw BadFormula(format_words("the number has more than {} digits", "il numero ha più di {} cifre", most_digits));
+}
+
+// What is told in 1/s, where something that turns is asked for.
+Amount turning_like(const Amount& amount, const Dimension& wanted) {
+  const Dimension without{wanted.metres, wanted.seconds};
+  if (!wanted.turns || wanted.seconds == 0 || amount.dimension != without) return amount;
+  return {.dimension = wanted, .angle = {.radians = amount.value}};
 }
 
 class Reader {
@@ -66,13 +110,20 @@ class Reader {
     while (true) {
       const bool is_plus = takes('+');
       if (!is_plus && !takes('-')) return left;
-      const Amount right = product();
-      if (left.kind != right.kind)
+      Amount right = product();
+      make_alike(left, right);
+      if (left.dimension != right.dimension)
         throw BadFormula(format_words("in \"{}\" {} and {} are added", "in \"{}\" si sommano {} e {}", text_,
-                                      name_of(left.kind), name_of(right.kind)));
+                                      in_words(left.dimension), in_words(right.dimension)));
       left.value = is_plus ? left.value + right.value : left.value - right.value;
       left.angle = is_plus ? left.angle + right.angle : left.angle - right.angle;
+      left.is_bare = left.is_bare && right.is_bare;
     }
+  }
+  // 1/s beside what turns is rad/s.
+  static void make_alike(Amount& a, Amount& b) {
+    if (a.dimension.turns) b = turning_like(b, a.dimension);
+    if (b.dimension.turns) a = turning_like(a, b.dimension);
   }
 
   Amount product() {
@@ -89,26 +140,49 @@ class Reader {
   }
 
   Amount multiplied(const Amount& a, const Amount& b) const {
-    if (a.kind != Kind::pure_number && b.kind != Kind::pure_number)
-      throw BadFormula(format_words("in \"{}\" {} is multiplied by {}; one of two factors must be a pure number",
-                                    "in \"{}\" si moltiplica {} per {}; uno dei fattori dev'essere un numero puro",
-                                    text_, name_of(a.kind), name_of(b.kind)));
-    const Amount &pure = a.kind == Kind::pure_number ? a : b, &other = a.kind == Kind::pure_number ? b : a;
-    return {other.kind, pure.value * other.value, pure.value * other.angle};
+    if (is_pure(a) || is_pure(b)) {
+      const Amount &pure = is_pure(a) ? a : b, &other = is_pure(a) ? b : a;
+      return {other.dimension, pure.value * other.value, pure.value * other.angle, a.is_bare && b.is_bare};
+    }
+    const Amount x = without_turns(a), y = without_turns(b);
+    return {of_powers(x.dimension, y.dimension, 1), x.value * y.value};
   }
 
   Amount divided(const Amount& a, const Amount& b) const {
     if (b.value == 0 && is_zero(b.angle))
       throw BadFormula(format_words("\"{}\" divides by zero", "\"{}\" divide per zero", text_));
-    if (b.kind == Kind::pure_number) return {a.kind, a.value / b.value, Rational(1 / b.value) * a.angle};
-    if (a.kind != b.kind)
-      throw BadFormula(format_words("in \"{}\" {} is divided by {}", "in \"{}\" si divide {} per {}", text_,
-                                    name_of(a.kind), name_of(b.kind)));
-    if (!geometry::turns(a.kind)) return {Kind::pure_number, a.value / b.value};
-    if (const auto ratio = geometry::ratio(a.angle, b.angle)) return {Kind::pure_number, *ratio};
-    throw BadFormula(
-        format_words("in \"{}\" turns are divided by radians: π lies between, and no fraction says it",
-                     "in \"{}\" si dividono giri per radianti: c'è di mezzo π, e nessuna frazione lo dice", text_));
+    if (is_pure(b)) return {a.dimension, a.value / b.value, Rational(1 / b.value) * a.angle, a.is_bare && b.is_bare};
+    if (a.dimension == b.dimension && a.dimension.own) return {{}, a.value / b.value};
+    if (a.dimension == b.dimension && a.dimension.turns)
+      if (const auto ratio = geometry::ratio(a.angle, b.angle)) return {{}, *ratio};
+    const Amount x = without_turns(a), y = without_turns(b);
+    return {of_powers(x.dimension, y.dimension, -1), x.value / y.value};
+  }
+
+  Dimension of_powers(const Dimension& a, const Dimension& b, int sign) const {
+    constexpr int highest = 20;
+    const Dimension both{a.metres + sign * b.metres, a.seconds + sign * b.seconds};
+    for (const Dimension& one : {a, b})
+      if (one.own)
+        throw BadFormula(format_words("in \"{}\" {} stands in a product or quotient with {}",
+                                      "in \"{}\" {} sta in un prodotto o quoziente con {}", text_, in_words(a),
+                                      in_words(b)));
+    if (std::max(std::abs(both.metres), std::abs(both.seconds)) > highest)
+      throw BadFormula(format_words("\"{}\" is a number in {}: beyond the power {}",
+                                    "\"{}\" è un numero in {}: oltre la potenza {}", text_, in_words(both), highest));
+    return both;
+  }
+  // Radians are no unit: v = ω r.
+  Amount without_turns(const Amount& a) const {
+    if (!a.dimension.turns) return a;
+    if (a.angle.turns != 0)
+      throw BadFormula(
+          format_words("in \"{}\" degrees or turns stand in a product with units: π lies between, and no "
+                       "fraction says it; give them in radians",
+                       "in \"{}\" gradi o giri stanno in un prodotto con unità: c'è di mezzo π, e nessuna "
+                       "frazione lo dice; darli in radianti",
+                       text_));
+    return {{a.dimension.metres, a.dimension.seconds}, a.angle.radians};
   }
 
   Amount factor() {
@@ -118,7 +192,7 @@ class Reader {
     --depth_;
     return amount;
   }
-  static Amount negated(const Amount& a) { return {a.kind, -a.value, -a.angle}; }
+  static Amount negated(const Amount& a) { return {a.dimension, -a.value, -a.angle, a.is_bare}; }
   Amount in_parentheses() {
     const Amount amount = sum();
     if (!takes(')'))
@@ -255,25 +329,32 @@ Amount amount_of(const Givens& givens, const GivenSpec& spec) {
   return reading ? amount_in(*reading) : Amount{};
 }
 
+Amount read_any_amount(const std::string& text, const Amounts& known) {
+  for (const OfKind& each : dimensions())
+    if (const auto amount = plain(text, unit_of(each.kind)); amount && !has_no_unit(text)) return *amount;
+  return Reader(text, known).whole();
+}
+
 Amount read_amount(const std::string& text, Kind wanted, const std::string& unit_of_bare, const Amounts& known) {
-  const bool is_bare = has_no_unit(text);
+  const bool has_unit = !has_no_unit(text);
   const std::string unit = unit_of_bare.empty() ? unit_of(wanted) : unit_of_bare;
-  if (!is_bare || !unit_of_bare.empty())
-    if (const auto amount = plain(text, unit); amount && amount->kind == wanted) {
+  const Dimension asked = dimension_of(wanted);
+  if (has_unit || !unit_of_bare.empty())
+    if (const auto amount = plain(text, unit); amount && amount->dimension == asked) {
       demand_shortness(amount->value);
       return *amount;
     }
-  Amount amount = Reader(text, known).whole();
-  if (amount.kind == Kind::pure_number && wanted != Kind::pure_number) {
+  Amount amount = turning_like(Reader(text, known).whole(), asked);
+  if (amount.is_bare && wanted != Kind::pure_number) {
     if (unit_of_bare.empty() && amount.value != 0)
       throw BadFormula(format_words("\"{}\" has no unit where {} is asked, such as {}",
                                     "\"{}\" non ha unità dove si chiede {}, come {}", text, name_of(wanted),
                                     geometry::turns(wanted) && wanted == Kind::angle ? "deg" : unit_of(wanted)));
     amount = amount_in({amount.value, *geometry::find_unit(unit)});
   }
-  if (amount.kind != wanted)
+  if (amount.dimension != asked)
     throw BadFormula(format_words("\"{}\" is {} where {} is asked", "\"{}\" è {} dove si chiede {}", text,
-                                  name_of(amount.kind), name_of(wanted)));
+                                  in_words(amount.dimension), name_of(wanted)));
   return amount;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,11 +12,20 @@
 
 namespace epure::scenes {
 
-// A number of one kind: in SI units, or of what turns the angle (of one second, of one second squared).
+// Of what a number is: m^a s^b, an angle (over s^b), or of a kind of its own (a force).
+struct Dimension {
+  int metres = 0, seconds = 0;
+  bool turns = false;
+  std::optional<geometry::Kind> own = {};
+  bool operator==(const Dimension&) const = default;
+};
+
+// In SI units, or of what turns the angle (of one second, of one second squared).
 struct Amount {
-  geometry::Kind kind = geometry::Kind::pure_number;
+  Dimension dimension = {};
   Rational value = 0;
   Angle angle = {};
+  bool is_bare = false;  // typed without a unit, not a ratio: it may be taken in any
 };
 
 // The names that a formula may use.
@@ -30,6 +40,9 @@ struct BadFormula : Told {
 // `unit_of_bare` (empty: refused). Throws BadFormula.
 Amount read_amount(const std::string& text, geometry::Kind wanted, const std::string& unit_of_bare,
                    const Amounts& known);
+
+// The same of whatever kind it is.
+Amount read_any_amount(const std::string& text, const Amounts& known);
 
 // Of a given, as it stands now.
 Amount amount_of(const Givens& givens, const GivenSpec& spec);

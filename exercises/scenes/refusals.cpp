@@ -158,8 +158,7 @@ class Missing {
   Words at(const TwoRods& step) const {
     const double a = length_of(step.first, step.joint, built_.linkage),
                  b = length_of(step.second, step.joint, built_.linkage);
-    const Point<Fast>&P = at_.points[index(step.first.pin)], &Q = at_.points[index(step.second.pin)];
-    const double apart = std::hypot(Q.x - P.x, Q.y - P.y);
+    const double apart = distance(step.first.pin, step.second.pin);
     const bool is_too_far = apart > a + b;
     return format_words("{}: {} and {} do not meet, for {} {} is {}, {} too {}",
                         "{}: {} e {} non si incontrano, poiché {} {} è {}, {} {}", told_.point(step.joint),
@@ -180,7 +179,42 @@ class Missing {
                         told_.point(step.rod.pin), metres(away - length));
   }
 
+  // What is special where it closes without room to move.
+  Words at_limit(const TwoRods& step) const {
+    const double a = length_of(step.first, step.joint, built_.linkage),
+                 b = length_of(step.second, step.joint, built_.linkage);
+    const std::string &P = told_.point(step.first.pin), &Q = told_.point(step.second.pin),
+                      &X = told_.point(step.joint);
+    const double apart = distance(step.first.pin, step.second.pin);
+    if (a == b && apart < a)
+      return format_words("{0} and {1} lie in one place, and {0} {2} is as long as {1} {2}",
+                          "{0} e {1} stanno in un punto, e {0} {2} è lungo quanto {1} {2}", P, Q, X);
+    return format_words(
+        "{0} {2} and {1} {2} lie in one line, {3}", "{0} {2} e {1} {2} stanno su una retta, {3}", P, Q, X,
+        apart > std::max(a, b) ? Words{"stretched out", "l'uno dopo l'altro"} : Words{"folded", "l'uno sull'altro"});
+  }
+  Words at_limit(const RodAndTrack& step) const {
+    return format_words("{} {} stands square to {}", "{} {} sta normale a {}", told_.point(step.rod.pin),
+                        told_.point(step.joint), told_.line(step.track.line));
+  }
+  Words at_limit(const TwoTracks& step) const {
+    return format_words("{} and {} are parallel", "{} e {} sono parallele", told_.line(step.first.line),
+                        told_.line(step.second.line));
+  }
+  Words at_limit(const SlotOnPin& step) const {
+    return format_words("{} is as near to {} as {} lets it come", "{} è vicino a {} quanto {} permette",
+                        told_.point(step.pin), told_.point(step.hinge), told_.line(step.line));
+  }
+  template <class WithoutLimit>
+  static Words at_limit(const WithoutLimit&) {
+    return {};
+  }
+
  private:
+  double distance(int one, int other) const {
+    const Point<Fast>&P = at_.points[index(one)], &Q = at_.points[index(other)];
+    return std::hypot(Q.x - P.x, Q.y - P.y);
+  }
   Words rod(const Rod& rod, int joint, double length) const {
     return told_.point(rod.pin) + " " + told_.point(joint) + " (" + metres(length) + ")";
   }
@@ -258,6 +292,23 @@ Words in_words(const NotClosed& open, const Built& built) {
   } catch (const Undecided&) {
   }
   return in_words_at_limit(open, built);
+}
+
+Words limit_in_words(std::size_t step, const Built& built) {
+  const Arithmetic<Fast> scope;
+  const InLetters told(built);
+  Words special;
+  try {
+    special = ": " + std::visit([&](const auto& s) { return Missing(built, step).at_limit(s); }, built.steps[step]);
+  } catch (const Impossible&) {
+    // what comes before fails in doubles
+  } catch (const Undecided&) {
+  }
+  const std::vector<int> links = placed_by(built.steps[step]);
+  const Words whose = links.empty() ? Words{} : " (" + told.links(links) + ")";
+  return joint_of(built.steps[step], told) + special +
+         format_words(": at this dead centre or change point the drive does not determine the motion{}",
+                      ": in questo punto morto o di biforcazione il movente non determina il moto{}", whose);
 }
 
 Words in_words_at_limit(const NotClosed& open, const Built& built) {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "drawings/text/text.h"
+#include "exercises/kit/statement/decimal.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
 #include "exercises/scenes/greek.h"
@@ -129,6 +130,7 @@ class Building {
     slides();
     drives();
     assembly();
+    offsets();
     place();
     return std::move(built_);
   }
@@ -162,14 +164,10 @@ class Building {
       if (!is_name(name)) refuse(key, format_words("\"{}\" is no name", "\"{}\" non è un nome", key.text));
       if (known_.contains(name))
         refuse(key, format_words("\"{}\" is a given already", "\"{}\" è già un dato", key.text));
-      for (const Kind kind : {Kind::length, Kind::angle, Kind::pure_number, Kind::angular_velocity, Kind::velocity}) {
-        try {
-          known_[name] =
-              read_amount(file_.text(value, {"a formula is asked", "si chiede una formula"}), kind, "", known_);
-          break;
-        } catch (const BadFormula& bad) {
-          if (kind == Kind::velocity) refuse(value, bad.words());
-        }
+      try {
+        known_[name] = read_any_amount(file_.text(value, {"a formula is asked", "si chiede una formula"}), known_);
+      } catch (const BadFormula& bad) {
+        refuse(value, bad.words());
       }
     }
   }
@@ -461,6 +459,24 @@ class Building {
          "from A"});
   }
 
+  // offsets: {e: P from g}.
+  void offsets() {
+    const Tree* all = root_.find("offsets");
+    if (!all) return;
+    file_.map(*all, {"offsets: {e: P from g}, how far a point is left of a line",
+                     "offsets: {e: P from g}, quanto un punto sta a sinistra di una retta"});
+    for (const auto& [key, value] : all->entries) {
+      const std::string name = spelled_out(key.text);
+      demand_letter(key, name);
+      if (known_.contains(name))
+        refuse(key, format_words("\"{}\" is a given already", "\"{}\" è già un dato", key.text));
+      const Words what{"an offset reads: P from g", "uno scostamento si scrive: P from g"};
+      const std::vector<std::string> words = parted(file_.text(value, what));
+      if (words.size() != 3 || words[1] != "from") refuse(value, what);
+      built_.offsets.push_back({name, point(value, words[0]), line(value, words[2])});
+    }
+  }
+
   // --- what the file leaves open -----------------------------------------------------------------------------------
   const std::string& letter(int p) const { return built_.letters.points[static_cast<std::size_t>(p)]; }
   const Tree& section(const char* name) const {
@@ -586,6 +602,45 @@ GivenSpec given(const File& file, const Tree& key, const Tree& value) {
   return spec;
 }
 
+// {quantity: omega_3, value: -1.42, unit: rad/s, place: "page 57", reading: 0.02}.
+Printed printed_number(const File& file, const Tree& at) {
+  const Words what{"a printed number is {quantity: omega_3, value: -1.42, unit: rad/s, place: page 57}",
+                   "un numero stampato è {quantity: omega_3, value: -1.42, unit: rad/s, place: pagina 57}"};
+  file.map(at, what);
+  file.demand_keys(at, {"quantity", "value", "unit", "place", "reading"});
+  const auto demand = [&](const char* key) -> const Tree& {
+    const Tree* value = at.find(key);
+    if (!value) file.refuse(at, format_words("{}: is missing", "manca {}:", key));
+    file.text(*value, what);
+    return *value;
+  };
+  const Tree& unit_at = demand("unit");
+  const auto unit = find_unit(unit_at.text);
+  if (!unit) file.refuse(unit_at, no_unit(unit_at.text));
+  if (unit->counts_turns)
+    file.refuse(unit_at,
+                format_words("{} counts turns, and epure tells radians: π lies between; write the number in rad",
+                             "{} conta giri, ed epure dice radianti: c'è di mezzo π; scrivere il numero in rad",
+                             unit->symbol));
+  const auto number = [&](const Tree& told) {
+    try {
+      return read_decimal(told.text, "1").value;
+    } catch (const BadGiven& bad) {
+      file.refuse(told, bad.words());
+    }
+  };
+  const Tree& value = demand("value");
+  number(value);
+  Printed printed{demand("quantity").text, value.text + (unit->factor == 1 ? "" : " " + unit->symbol),
+                  file.words(demand("place")).english};
+  if (at.find("reading")) {
+    const Rational reading = number(demand("reading"));
+    if (reading < 0) file.refuse(*at.find("reading"), {"it is below zero", "è sotto lo zero"});
+    printed.reading = CGAL::to_double(reading * unit->factor);
+  }
+  return printed;
+}
+
 }  // namespace
 
 Scene::Scene(std::string file_name, std::string_view bytes)
@@ -594,7 +649,7 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
                    "una scena è un elenco di chiavi e valori, come  id: four-bar"});
   file.demand_keys(root_, {"epure", "id", "title", "source", "givens", "where", "units", "points", "links", "slides",
-                           "drive", "assembly", "sheets"});
+                           "drive", "assembly", "offsets", "sheets", "printed"});
   const Tree* version = root_.find("epure");
   if (!version || version->text != "1")
     file.refuse(version ? *version : root_, {"a scene begins with  epure: 1", "una scena comincia con  epure: 1"});
@@ -617,7 +672,31 @@ Scene::Scene(std::string file_name, std::string_view bytes)
                                       givens->entries[first].first.text, key.text));
     }
   }
+  if (const Tree* printed = root_.find("printed")) {
+    file.demand(*printed, Tree::Kind::list,
+                {"printed: a list of what the book prints", "printed: un elenco di quanto il libro stampa"});
+    for (const Tree& item : printed->items) printed_.push_back(printed_number(file, item));
+  }
   built(Givens(givens_));
+}
+
+void Scene::demand_printed(const std::vector<Quantity>& quantities) const {
+  const File file(file_);
+  std::vector<std::string> names;
+  for (const Quantity& quantity : quantities) names.push_back(quantity.name);
+  for (std::size_t i = 0; i < printed_.size(); ++i) {
+    const Tree &item = root_.find("printed")->items[i], &unit = *item.find("unit");
+    const auto found = std::find(names.begin(), names.end(), printed_[i].quantity);
+    if (found == names.end())
+      file.refuse(*item.find("quantity"),
+                  format_words("this mechanism has no quantity \"{}\"; {}",
+                               "questo meccanismo non ha la grandezza \"{}\"; {}", printed_[i].quantity,
+                               did_you_mean(printed_[i].quantity, names)));
+    const Quantity& quantity = quantities[static_cast<std::size_t>(found - names.begin())];
+    if (find_unit(unit.text)->kind != find_unit(quantity.unit)->kind)
+      file.refuse(unit, format_words("{} is told in {}, not in {}", "{} si dice in {}, non in {}", quantity.name,
+                                     quantity.unit, unit.text));
+  }
 }
 
 std::vector<std::size_t> Scene::chosen_sheets(const std::vector<std::string>& names) const {

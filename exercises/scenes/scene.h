@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "exercises/kit/statement/givens.h"
+#include "exercises/kit/statement/description.h"
 #include "exercises/scenes/formula.h"
 #include "exercises/scenes/text_tree.h"
 #include "geometry/linkages/assur_groups.h"
@@ -22,11 +22,18 @@ struct Letters {
   std::vector<int> links;  // as the file numbers them; the frame, 1, first
 };
 
+// How far a point is left of a line, under a name.
+struct PointOffset {
+  std::string name;
+  int point, line;
+};
+
 // A linkage at certain givens, and the order in which it is constructed.
 struct Built {
   geometry::Linkage linkage;
   std::vector<geometry::Step> steps;
   Letters letters;
+  std::vector<PointOffset> offsets = {};
 };
 
 class Scene {
@@ -44,6 +51,11 @@ class Scene {
   // that is none of them.
   std::vector<std::size_t> chosen_sheets(const std::vector<std::string>& names) const;
 
+  // The numbers that a book printed, and where.
+  const std::vector<Printed>& printed() const { return printed_; }
+  // Throws BadScene where one of them is of none of these quantities, or in a unit of something else.
+  void demand_printed(const std::vector<Quantity>& quantities) const;
+
   // At these givens. Throws BadScene where they make a length zero, or a formula divide by zero.
   Built built(const Givens& givens) const;
 
@@ -53,6 +65,7 @@ class Scene {
   std::string id_;
   Words title_, source_;
   std::vector<GivenSpec> givens_;
+  std::vector<Printed> printed_;
 };
 
 }  // namespace epure::scenes

@@ -12,6 +12,7 @@
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/vectors_panel.h"
 #include "exercises/scenes/centres_sheets.h"
+#include "exercises/scenes/limits.h"
 #include "exercises/scenes/polygon_sheets.h"
 #include "exercises/scenes/refusals.h"
 #include "exercises/scenes/scene_figure.h"
@@ -37,6 +38,8 @@ std::string bytes_of(const std::string& file) {
 std::vector<RouteValue> solved(const Scene& scene, const Givens& givens, Rung rung) {
   const auto built = std::make_shared<const Built>(scene.built(givens));
   try {
+    if (rung != Rung::names && rung != Rung::fast)
+      if (const auto at_limit = limit_of(*built)) throw BadGivens(*at_limit);
     return by_both_routes(built, rung);
   } catch (const geometry::NotClosed& open) {
     throw BadGivens(
@@ -61,6 +64,8 @@ PanelSheet diagram(const Scene& scene, const Solution& s, bool is_of_velocities)
     sheet.results.push_back(
         values({rates.begin() + static_cast<std::ptrdiff_t>(i),
                 rates.begin() + static_cast<std::ptrdiff_t>(std::min(i + in_a_line, rates.size()))}));
+  if (is_of_velocities)
+    for (const PointOffset& offset : built.offsets) sheet.results.push_back(values({offset.name}));
   const auto figure = std::make_shared<const Mechanism>(figure_of(built, s));
   if (moving.empty())
     sheet.panels = panels(MechanismPanel(figure));
@@ -83,7 +88,8 @@ Description described(const Scene& scene) {
                    "accelerations of all links.",
                    "Trovare velocità e accelerazioni di tutti i punti, e velocità e accelerazioni angolari di tutti "
                    "i membri."},
-      .givens = scene.givens()};
+      .givens = scene.givens(),
+      .printed = [printed = scene.printed()] { return printed; }};
 }
 
 }  // namespace
@@ -114,7 +120,9 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   for (const SheetMaker& sheet : sheets) names.push_back(sheet.spec.name);
   std::vector<SheetMaker> chosen;
   for (const std::size_t i : scene->chosen_sheets(names)) chosen.push_back(std::move(sheets[i]));
-  return exercise_of_panels(described(*scene), solve, std::move(chosen));
+  auto exercise = exercise_of_panels(described(*scene), solve, std::move(chosen));
+  scene->demand_printed(exercise->about().quantities);
+  return exercise;
 }
 
 }  // namespace epure::scenes

@@ -46,14 +46,16 @@ double direction(const Linkage& of, int line) {
   return std::atan2(CGAL::to_double(vector.y), CGAL::to_double(vector.x));
 }
 
-// The pins that run in slots of the link, and the joints of blocks that do.
+// The pins that run in slots of the link, and the joints of blocks that do. Of a block between two moving links the
+// guide is slotted, and the block where it is no bar itself.
 std::vector<int> pins_in(const Linkage& of, int link) {
   std::vector<int> pins;
   for (const PinOnLine& pin : of.pins)
     if (of.link_of_line(pin.line) == link) pins.push_back(pin.point);
   for (const LineOnLine& block : of.blocks)
     for (const auto& [own, other] : {std::pair(block.moving, block.guide), {block.guide, block.moving}})
-      if (of.link_of_line(own) == link && of.link_of_line(other) != 0)
+      if (of.link_of_line(own) == link && of.link_of_line(other) != 0 &&
+          (own == block.guide || of.links[static_cast<std::size_t>(link)].points.size() < 2))
         for (const LinkPoint& p : of.links[static_cast<std::size_t>(of.link_of_line(other))].points)
           pins.push_back(p.point);
   return pins;
@@ -76,6 +78,21 @@ std::optional<std::pair<int, int>> crank_of(const Linkage& of, int link) {
     (of.links_at(p.point).front() == 0 ? hinge : pin) = p.point;
   if (!hinge || !pin) return {};
   return std::pair{*hinge, *pin};
+}
+
+// The lines of the frame that points are told from.
+void add_lines(Mechanism& figure, const Built& built) {
+  for (const PointOffset& offset : built.offsets) {
+    const Linkage& of = built.linkage;
+    if (of.link_of_line(offset.line) != 0) continue;
+    const auto& through = of.line(offset.line).through;
+    const Place G{CGAL::to_double(through.x), CGAL::to_double(through.y)}, P = figure.at(letter(built, offset.point));
+    const double towards = direction(of, offset.line), ux = std::cos(towards), uy = std::sin(towards),
+                 along = (P.x - G.x) * ux + (P.y - G.y) * uy, half = figure.reach() / 3;
+    figure.axis({G.x + (along - half) * ux, G.y + (along - half) * uy},
+                {G.x + (along + half) * ux, G.y + (along + half) * uy},
+                "$" + point_letters(built.letters.lines[static_cast<std::size_t>(offset.line)]) + "$");
+  }
 }
 
 }  // namespace
@@ -114,6 +131,7 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
       if (const auto crank = crank_of(of, turned->link))
         figure.turning(letter(built, crank->first), letter(built, crank->second), sign_of(turned->omega),
                        angular_velocity(built.letters.links[static_cast<std::size_t>(turned->link)]).symbol);
+  add_lines(figure, built);
   return figure;
 }
 

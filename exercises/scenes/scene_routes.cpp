@@ -4,6 +4,7 @@
 #include <string>
 
 #include "exercises/kit/statement/format_words.h"
+#include "exercises/scenes/greek.h"
 #include "exercises/scenes/relative_motion.h"
 
 namespace epure::scenes {
@@ -61,6 +62,8 @@ struct SceneRoutes {
           put(ledger, acceleration(name), [&motion, p] { return motion.get().points[p].a; });
         });
     put_vectors(ledger, VectorsConstructed<T>(*built, constructed));
+    for (const PointOffset& offset : built->offsets)
+      ledger.put(described(offset), constructed.carried_out.left_in_plane(offset.line, offset.point, at));
     put_centres(
         ledger, [&](int point) { return projective(at.points[index(point)]); },
         [&](std::size_t i, std::size_t j) {
@@ -93,6 +96,13 @@ struct SceneRoutes {
           put(ledger, acceleration(name), [&, p] { return as_vector(state(p, UpTo::acceleration).a); });
         });
     put_vectors(ledger, VectorsByJoints<T>(*built, by_joints));
+    for (const PointOffset& offset : built->offsets)
+      ledger.put(described(offset), [&] {
+        const LinkLine& line = built->linkage.line(offset.line);
+        const auto on = index(built->linkage.link_of_line(offset.line));
+        const Complex<T> G = analytic::point_of(link(on, UpTo::place), line.through).z;
+        return cross(analytic::direction(line, link(on, UpTo::place)), state(offset.point, UpTo::place).z - G);
+      });
     put_centres(
         ledger,
         [&](int point) {
@@ -119,6 +129,12 @@ struct SceneRoutes {
         return centres.get().of(centre.i, centre.j);
       });
     }
+  }
+
+  Quantity described(const PointOffset& offset) const {
+    const std::string &P = letter(offset.point), &g = built->letters.lines[index(offset.line)];
+    return {offset.name, given_letters(offset.name), "m",
+            format_words("offset of {} from {}, to its left", "scostamento di {} da {}, a sinistra", P, g)};
   }
 
   // The velocity of the body's point in the origin of the plane.

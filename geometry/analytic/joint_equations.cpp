@@ -70,12 +70,7 @@ class JointEquations {
   }
   const Complex<T>& axis(int link) const { return links_[static_cast<std::size_t>(link)].x; }
   Complex<T> direction(int line) const {
-    const Direction& along = linkage_.line(line).along;
-    const Complex<T>& x = axis(linkage_.link_of_line(line));
-    if (const auto* angle = std::get_if<Angle>(&along)) return Complex<T>{cosine<T>(*angle), sine<T>(*angle)} * x;
-    const Own& own = std::get<Own>(along);
-    const Complex<T> s{from_rational<T>(own.x), from_rational<T>(own.y)};
-    return divided(s, modulus(s)) * x;
+    return analytic::direction(linkage_.line(line), links_[static_cast<std::size_t>(linkage_.link_of_line(line))]);
   }
 
   // Slopes of u . X for a fixed u, as part of an equation.

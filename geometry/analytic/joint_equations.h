@@ -43,6 +43,16 @@ PointState<T> point_of(const LinkState<T>& link, const Own& own) {
   return {link.O + r, link.v + link.omega * times_i(r), link.a + Complex<T>{-square(link.omega), link.alpha} * r};
 }
 
+// A line's direction in the plane, of length one.
+template <class T>
+Complex<T> direction(const LinkLine& line, const LinkState<T>& link) {
+  if (const auto* angle = std::get_if<Angle>(&line.along))
+    return Complex<T>{cosine<T>(*angle), sine<T>(*angle)} * link.x;
+  const Own& own = std::get<Own>(line.along);
+  const Complex<T> s{from_rational<T>(own.x), from_rational<T>(own.y)};
+  return divided(s, modulus(s)) * link.x;
+}
+
 // Where the iteration begins: x, y, θ of every link, the frame's first (zeros).
 using Beginning = std::vector<double>;
 

@@ -92,6 +92,17 @@ class CarriedOut {
   LinkagePosition<T> position() const { return position_before(steps_.size()); }
   // What the steps before this one place.
   LinkagePosition<T> position_before(std::size_t step) const;
+  // How far left of a line a point is.
+  T left_in_plane(int line, int point, const LinkagePosition<T>& at) const {
+    const Rail on = in_plane(line, at);
+    return cross(on.s, at.points[index(point)] - on.G);
+  }
+  // How far a step is from its limit, where the steps before it are placed: positive where there is room to move,
+  // zero at a dead centre or change point, where the joints do not tell how its links move, negative where it does
+  // not close.
+  T from_limit(std::size_t step, const LinkagePosition<T>& at) const {
+    return std::visit([&](const auto& s) { return room(s, at); }, steps_[step]);
+  }
   // Throws NotClosed where a group is at a limit (its polygon does not close), Undecided when that cannot be told.
   // `rates`: as the drives of the linkage.
   LinkageMotion<T> motion(const LinkagePosition<T>& at, const std::vector<DriveRates<T>>& rates) const;
@@ -132,6 +143,16 @@ class CarriedOut {
   void place(const SlotOnPin& step, LinkagePosition<T>& at) const;
   void place(const BlockOnPin& step, LinkagePosition<T>& at) const;
   void place(const CrossedBlock& step, LinkagePosition<T>& at) const;
+
+  T room(const TwoRods& step, const LinkagePosition<T>& at) const;
+  T room(const RodAndTrack& step, const LinkagePosition<T>& at) const;
+  T room(const TwoTracks& step, const LinkagePosition<T>& at) const;
+  T room(const SlotOnPin& step, const LinkagePosition<T>& at) const;
+  // The others have no limit, whatever their place.
+  template <class Other>
+  T room(const Other&, const LinkagePosition<T>&) const {
+    return T(1);
+  }
 
   Rail in_plane(int l, const LinkagePosition<T>& at) const;
   // Of the joint on the track.
@@ -442,6 +463,29 @@ void CarriedOut<T>::place(const CrossedBlock& step, LinkagePosition<T>& at) cons
   put(step.link, first.s, line(step.line).along, at.points[index(step.hinge)], own(step.link, step.hinge), at);
   const Point<T> goes_to = crossing({first.G, guide.s}, in_plane(step.line, at));
   put(block, guide.s, line(step.track.moving).along, goes_to, line(step.crossing).through, at);
+}
+
+// 16 times the square of the area of the triangle that the rods and their pins make (Heron).
+template <class T>
+T CarriedOut<T>::room(const TwoRods& step, const LinkagePosition<T>& at) const {
+  const Rational a2 = squared_length(step.first, step.joint), b2 = squared_length(step.second, step.joint);
+  const T d2 = length_squared(at.points[index(step.second.pin)] - at.points[index(step.first.pin)]);
+  return T(4) * d2 * number(a2) - square(d2 + number(a2 - b2));
+}
+template <class T>
+T CarriedOut<T>::room(const RodAndTrack& step, const LinkagePosition<T>& at) const {
+  const Rail on = rail(step.track, step.joint, at);
+  return number(squared_length(step.rod, step.joint)) - square(cross(on.s, at.points[index(step.rod.pin)] - on.G));
+}
+template <class T>
+T CarriedOut<T>::room(const TwoTracks& step, const LinkagePosition<T>& at) const {
+  return square(cross(rail(step.first, step.joint, at).s, rail(step.second, step.joint, at).s));
+}
+template <class T>
+T CarriedOut<T>::room(const SlotOnPin& step, const LinkagePosition<T>& at) const {
+  const T of_pin = step.block == nothing ? T(0) : left_of(step.moving, step.pin);
+  return length_squared(at.points[index(step.pin)] - at.points[index(step.hinge)]) -
+         square(of_pin - left_of(step.line, step.hinge));
 }
 
 template <class T>

@@ -155,6 +155,86 @@ def parallelogram():
                  rods=[("A", 0), ("B", "A"), ("B", q("0.5"))])
 
 
+def stephenson():
+    e = crank(deg("50"), rpm("120"))
+    E0 = mpc("0.21", "0.18")
+    A = lambda t: q("0.06") * e(t)
+    B = lambda t: left_joint(A(t), q("0.18"), q("0.15"), q("0.14"))
+    C = lambda t: on_plate(A(t), B(t), q("0.15"), mpc("0.09", "0.1"))
+    E = lambda t: left_joint(C(t), E0, q("0.19"), q("0.12"))
+    return Scene(dict(A=A, B=B, C=C, E=E),
+                 {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - q("0.18"), B),
+                  5: (lambda t: E(t) - C(t), C), 6: (lambda t: E(t) - E0, E)},
+                 rods=[("A", 0), ("B", "A"), ("B", q("0.18")), ("E", "C"), ("E", E0)])
+
+
+def peaucellier():
+    # The inverse of A in the circle of radius sqrt(l^2 - s^2) about O, and the rhombus about the middle of A and P.
+    e = crank(deg("60"), rpm("30"))
+    A = lambda t: q("0.1") + q("0.1") * e(t)
+    P = lambda t: (q("0.26") ** 2 - q("0.1") ** 2) / conj(A(t))
+    half = lambda t: I * A(t) / abs(A(t)) * sqrt(q("0.1") ** 2 - abs(P(t) - A(t)) ** 2 / 4)
+    B = lambda t: (A(t) + P(t)) / 2 + half(t)
+    D = lambda t: (A(t) + P(t)) / 2 - half(t)
+    x = (q("0.26") ** 2 - q("0.1") ** 2) / q("0.2")
+    return Scene(dict(A=A, B=B, D=D, P=P),
+                 {2: (e, A), 3: (B, B), 4: (D, D), 5: (lambda t: B(t) - A(t), A), 6: (lambda t: D(t) - A(t), A),
+                  7: (lambda t: P(t) - B(t), B), 8: (lambda t: P(t) - D(t), D)},
+                 rods=[("A", q("0.1")), ("B", 0), ("B", "A"), ("D", 0), ("D", "A"), ("P", "B"), ("P", "D")],
+                 offsets=[("e", "P", x, I)])
+
+
+def chebyshev():
+    # A and B are 0.1 apart, and as far from the pivots: of the two places the one where the cranks cross.
+    e = crank(deg("45"), rpm("30"))
+    A = lambda t: q("0.25") * e(t)
+    B = lambda t: right_joint(A(t), q("0.2"), q("0.1"), q("0.25"))
+    P = lambda t: (A(t) + B(t)) / 2
+    return Scene(dict(A=A, B=B, P=P),
+                 {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - q("0.2"), B)},
+                 rods=[("A", 0), ("B", "A"), ("B", q("0.2"))], offsets=[("e", "P", mpc(0, "0.2"), 1)])
+
+
+def roberts():
+    e = crank(deg("75"), rpm("20"))
+    A = lambda t: q("0.26") * e(t)
+    B = lambda t: left_joint(A(t), q("0.4"), q("0.2"), q("0.26"))
+    P = lambda t: on_plate(A(t), B(t), q("0.2"), mpc("0.1", "-0.24"))
+    return Scene(dict(A=A, B=B, P=P),
+                 {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - q("0.4"), B)},
+                 rods=[("A", 0), ("B", "A"), ("B", q("0.4"))], offsets=[("e", "P", mpc(0), 1)])
+
+
+def cardan():
+    # The rod turns as fast as the crank, the other way.
+    e = crank(deg("35"), rpm("60"))
+    r = q("0.15")
+    M = lambda t: r * e(t)
+    A = lambda t: mpc(2 * r * re(e(t)), 0)
+    B = lambda t: mpc(0, 2 * r * im(e(t)))
+    P = lambda t: M(t) + r / 2 * I * conj(e(t))
+    return Scene(dict(M=M, A=A, B=B, P=P), {2: (e, M), 3: (lambda t: conj(e(t)), M)}, rods=[("M", 0), ("A", "M")],
+                 offsets=[("e", "B", mpc(0), I)])
+
+
+def oscillating_cylinder():
+    e = crank(deg("70"), rpm("150"))
+    C = q("0.32")
+    A = lambda t: q("0.08") * e(t)
+    K = lambda t: A(t) - (A(t) - C) / abs(A(t) - C) * q("0.24")
+    swing = lambda t: A(t) - C
+    return Scene(dict(A=A, K=K), {2: (e, A), 3: (swing, lambda t: C), 4: (swing, A)},
+                 rods=[("A", 0), ("A", 3, C)], slides=[("A", 3, True, False)])
+
+
+def geneva():
+    e = crank(deg("150"), rpm("60"))
+    A = lambda t: q("0.1") * e(t)
+    wheel = lambda t: A(t) + q("0.2")
+    return Scene(dict(A=A), {2: (e, A), 3: (wheel, lambda t: mpc("-0.2"))}, rods=[("A", 0), ("A", 3, mpc("-0.2"))],
+                 slides=[("A", 3, True, False)])
+
+
 def derivative(f, n):
     if n == 0:
         return f(mpf(0))
@@ -176,9 +256,9 @@ def across(z, u):
 class Scene:
     """Points and links as functions of time, and what of their relative motion the polygons of the scene show."""
 
-    def __init__(self, points, links, rods=(), slides=(), cylinders=()):
+    def __init__(self, points, links, rods=(), slides=(), cylinders=(), offsets=()):
         self.points, self.links = points, {1: (still, lambda t: mpc(0)), **links}
-        self.rods, self.slides, self.cylinders = rods, slides, cylinders
+        self.rods, self.slides, self.cylinders, self.offsets = rods, slides, cylinders, offsets
 
     def derivatives(self, f):
         return [derivative(f, n) for n in (0, 1, 2)]
@@ -199,6 +279,8 @@ class Scene:
         yield from self.of_rods()
         yield from self.of_slides()
         yield from self.of_cylinders()
+        for name, X, through, along in self.offsets:  # left of a line of the frame
+            yield name, im((self.point(X)(mpf(0)) - through) * conj(along))
 
     def of_points(self):
         for letter, z in self.points.items():
@@ -285,5 +367,10 @@ for name, file, scene in (("four-bar", "four-bar", four_bar), ("quick-return", "
                           ("slider-crank", "slider-crank", slider_crank), ("scotch-yoke", "scotch-yoke", scotch_yoke),
                           ("watt", "watt", watt), ("jansen", "jansen", jansen), ("excavator", "excavator", excavator),
                           ("oldham", "oldham", oldham), ("trammel", "trammel", trammel),
-                          ("parallelogram", "parallelogram", parallelogram)):
+                          ("parallelogram", "parallelogram", parallelogram),
+                          ("stephenson", "stephenson", stephenson), ("peaucellier", "peaucellier", peaucellier),
+                          ("chebyshev", "chebyshev", chebyshev), ("roberts", "roberts", roberts),
+                          ("cardan-circles", "cardan-circles", cardan),
+                          ("oscillating-cylinder", "oscillating-cylinder", oscillating_cylinder),
+                          ("geneva", "geneva", geneva)):
     write(name, file, scene)

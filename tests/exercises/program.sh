@@ -40,6 +40,24 @@ expect 'every file there is named' "$(sort written)" "$(find one -type f | sort)
 LC_ALL=it_IT.UTF-8 "$epure" draw "$first" --out two > /dev/null
 expect 'two runs write the same bytes, whatever the locale' '' "$(diff -r one two 2>&1)"
 
+cat > six-bar.yaml << 'SCENE'
+epure: 1
+id: six-bar
+links:
+  1: {A0: [0, 0], B0: [180 mm, 0], E0: [210 mm, 180 mm]}
+  2: {A0 A: 60 mm}
+  3: {A: [0, 0], B: [150 mm, 0], C: [90 mm, 100 mm]}
+  4: {B0 B: 140 mm}
+  5: {C E: 190 mm}
+  6: {E0 E: 120 mm}
+drive: {link: 2, angle: 50 deg, speed: 120 rpm}
+assembly: {B: left of A B0, E: left of C E0}
+SCENE
+for run in 1 2 3 4 5 6 7 8 9; do
+  "$epure" draw six-bar.yaml --format svg --out "scene_$run" > /dev/null
+  expect "a mechanism from a file is drawn with the same bytes, run $run" '' "$(diff -rq scene_1 "scene_$run" 2>&1)"
+done
+
 "$epure" draw all --out all_one > /dev/null
 expect 'drawing all exits with 0' 0 $?
 "$epure" draw all --out all_two > /dev/null

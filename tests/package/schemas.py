@@ -7,6 +7,7 @@ described is found too. Then documents broken on purpose: the schemas as they ar
 """
 
 import copy
+import glob
 import json
 import os
 import subprocess
@@ -14,6 +15,7 @@ import sys
 import tempfile
 from fractions import Fraction
 
+import yaml
 from jsonschema import Draft202012Validator
 
 program, folder = sys.argv[1], sys.argv[2]
@@ -175,6 +177,110 @@ for name, document, path, change, what in (
     ("sweep", sweeps[0], ["givens", "phi"], lambda it: it.update(value=0), "with a given that is not exact"),
 ):
     refused(name, document, path, change, what)
+
+# Scenes, which people write: an editor takes numbers for numbers, and keys for texts. What the schema refuses the program
+# refuses too.
+class AsEditorsRead(yaml.SafeLoader):
+    """YAML 1.2: `on` is a word."""
+
+    yaml_implicit_resolvers = {
+        first: [(tag, found) for tag, found in resolvers if tag.endswith((":int", ":float", ":null"))]
+        for first, resolvers in yaml.SafeLoader.yaml_implicit_resolvers.items()
+    }
+
+
+def with_texts_for_keys(tree):
+    if isinstance(tree, dict):
+        return {str(key): with_texts_for_keys(value) for key, value in tree.items()}
+    return [with_texts_for_keys(each) for each in tree] if isinstance(tree, list) else tree
+
+
+scene_schema = Draft202012Validator(read("scene"))
+scene_keys = set()
+
+
+def scene_errors(text):
+    document = with_texts_for_keys(yaml.load(text, AsEditorsRead))
+    if isinstance(document, dict):
+        scene_keys.update(document)
+    return [f"{'/'.join(map(str, error.absolute_path))}: {error.message[:200]}" for error in scene_schema.iter_errors(document)]
+
+
+def is_read(text):
+    with tempfile.NamedTemporaryFile("w", suffix=".yaml", encoding="utf-8") as file:
+        file.write(text)
+        file.flush()
+        return subprocess.run([program, "list", file.name], capture_output=True).returncode == 0
+
+
+scenes = sorted(glob.glob(os.path.join(folder, "..", "scenes", "*.yaml")))
+if len(scenes) < 10:
+    fail(f"{len(scenes)} scenes in docs/scenes")
+for name in scenes:
+    with open(name, encoding="utf-8") as file:
+        for error in scene_errors(file.read())[:3]:
+            fail(f"{os.path.basename(name)}: {error}")
+
+four_bar = """epure: 1
+id: four-bar
+title: {en: Four-bar, it: Quadrilatero}
+source: A book
+units: {length: mm, angle: deg}
+givens: {φ: 60 deg, r: {value: 120 mm, meaning: crank}}
+where: {h: r/2 + 5 mm}
+points: {B0: [400, 0], B: [360, 280]}
+links:
+  1: {A0: [0, 0], B0: [400, 0], g: {through: [0, h], along: 20 deg}}
+  2: {A0 A: r}
+  3: {A: [0, 0], B: [350, 0], P: [175, 100]}
+  4: B0 B
+drive: {link: 2, angle: 60, speed: 60 rpm, acceleration: 2 rad/s^2}
+assembly: {B: left of A B0}
+offsets: {e: P from g}
+sheets: [velocities, velocity-polygon]
+printed: [{quantity: omega_3, value: "-1.40", unit: rad/s, place: page 57, reading: 0.02}]
+"""
+for error in scene_errors(four_bar)[:3]:
+    fail(f"a scene that has everything: {error}")
+if not is_read(four_bar):
+    fail("a scene that has everything is not read")
+for before, after, what in (
+    ("epure: 1", "epure: 2", "of another format"),
+    ("id: four-bar\n", "", "without id"),
+    ("id: four-bar", "id: ../four-bar", "with an id that leads elsewhere"),
+    ("{en: Four-bar,", "{de: Viergelenk,", "in a third language"),
+    ("source: A book", "source: [A book]", "with a list for a source"),
+    ("length: mm", "length: parsec", "in parsecs"),
+    ("r: {value: 120 mm,", "r: {", "with a given without value"),
+    ("meaning: crank", "means: crank", "with an unknown key of a given"),
+    ("where: {h: r/2 + 5 mm}", "where: [h]", "with a list of formulas"),
+    ("B: [360, 280]}", "B: [360]}", "with one coordinate"),
+    ("  1: {A0", "  frame: {A0", "with a link without number"),
+    ("{through: [0, h], along: 20 deg}", "{through: [0, h]}", "with a line without direction"),
+    ("{through: [0, h], along: 20 deg}", "{from: [0, h], along: 20 deg}", "with an unknown key of a line"),
+    ("2: {A0 A: r}", "2: {A0 A C: r}", "with a bar of three points"),
+    ("3: {A: [0, 0]", "3: {P12: [0, 0]", "with a point named as a centre"),
+    ("drive: {link: 2, angle: 60, speed: 60 rpm, acceleration: 2 rad/s^2}\n", "", "without a drive"),
+    ("{link: 2, angle: 60", "{angle: 60", "with a drive of nothing"),
+    ("acceleration: 2 rad/s^2", "jerk: 2", "with an unknown key of a drive"),
+    ("left of A B0", "above A B0", "with a side that is none"),
+    ("P from g", "P of g", "with an offset that is none"),
+    ("[velocities, velocity-polygon]", "[velocity]", "with a sheet that is none"),
+    ("[velocities, velocity-polygon]", "[velocities, velocities]", "with a sheet twice"),
+    ("value: \"-1.40\"", "value: about one", "with a printed number that is none"),
+    ("unit: rad/s, ", "unit: rpm, ", "with a printed number in turns"),
+    (", place: page 57", "", "with a printed number of no place"),
+    ("offsets:", "offset:", "with an unknown key"),
+):
+    wrong = four_bar.replace(before, after, 1)
+    if wrong == four_bar:
+        fail(f"nothing is wrong of a scene {what}")
+    if not scene_errors(wrong):
+        fail(f"a scene is let through by its schema {what}")
+    if is_read(wrong):
+        fail(f"a scene is read {what}")
+if missed := set(scene_schema.schema["properties"]) - scene_keys:
+    fail(f"keys of a scene were not met: {missed}")
 
 print("every document holds its schema" if failures == 0 else f"{failures} failures")
 sys.exit(failures != 0)

@@ -47,7 +47,7 @@ double value_in(const std::string& text, const std::string& quantity) {
 
 TEST_CASE("every scene of the docs holds against the corpus, to the last bit, by both routes", "[scenes]") {
   const std::vector<CorpusCase> corpus = read_corpus(EPURE_CORPUS "/linkages.txt");
-  CHECK(corpus.size() == 10);
+  CHECK(corpus.size() == 17);
   for (const CorpusCase& c : corpus) {
     const auto exercise = exercise_of(c.name);
     const CheckedExercise checked = check(*exercise, Givens(exercise->about().givens), Rung::climb);
@@ -82,6 +82,95 @@ TEST_CASE("a number is read exactly, with any unit, and formulas of givens", "[s
   CHECK(value_in(four_bar("drive: {link: 2, angle: 0 deg}\ngivens: {r: 100 mm, k: 3}\nwhere: {h: r/k}",
                           "assembly: {B: left of A B0}", "2: {A0 A: (h + 2*h)/1.0 + 20 mm}"),
                  A_x) == 0.12);
+}
+
+TEST_CASE("formulas keep their dimensions: a ratio of lengths is a number, and no length", "[scenes]") {
+  const std::string A_x = "A_x";
+  const auto where = [](const std::string& names, const std::string& length,
+                        const std::string& drive = "{link: 2, angle: 0 deg}") {
+    return four_bar(
+        "drive: " + drive + "\ngivens: {r: 100 mm, l: 400 mm, v: 0.5 m/s, n: 60 rpm}\nwhere: {" + names + "}",
+        "assembly: {B: left of A B0}", "2: {A0 A: " + length + "}");
+  };
+  CHECK(value_in(where("k: r/l", "k*l + 20 mm"), A_x) == 0.12);
+  CHECK(value_in(where("k: 1 + r/l, q: k*r*l", "q/(5*r)"), A_x) == 0.1);
+  CHECK(value_in(where("h: 1/50 m", "h + r"), A_x) == 0.12);
+  CHECK(value_in(where("w: v/r", "r", "{link: 2, angle: 0 deg, speed: w + 1 rad/s}"), "omega_2") == 6);
+  const auto why = [&](const std::string& names, const std::string& length) { return refusal(where(names, length)); };
+  CHECK(why("k: r/l", "k") == "5:13: \"k\" is a pure number where a length is asked");
+  CHECK(why("k: r*l", "k") == "5:13: \"k\" is a number in m^2 where a length is asked");
+  CHECK(why("k: r/l", "k + r") == "5:13: in \"k + r\" a pure number and a length are added");
+  CHECK(why("k: r*r*r", "k") == "5:13: \"k\" is a number in m^3 where a length is asked");
+  CHECK(why("k: n*r", "r").starts_with("10:12: in \"n*r\" degrees or turns stand in a product with units"));
+}
+
+TEST_CASE("a group at a dead centre or change point is named, with what is special", "[scenes]") {
+  const auto why = [](const std::string& file, const std::vector<std::string>& set) -> std::string {
+    const auto exercise = exercise_of(file);
+    Givens givens(exercise->about().givens);
+    for (const std::string& each : set) givens.set(each);
+    try {
+      check(*exercise, givens, Rung::climb);
+    } catch (const BadGivens& bad) {
+      return bad.what();
+    }
+    return {};
+  };
+  const std::string end = ": at this dead centre or change point the drive does not determine the motion";
+  CHECK(why("parallelogram", {"phi=0deg"}) == "B: A B and B0 B lie in one line, folded" + end + " (links 3 and 4)");
+  CHECK(why("parallelogram", {"phi=180deg"}) ==
+        "B: A B and B0 B lie in one line, stretched out" + end + " (links 3 and 4)");
+  CHECK(why("parallelogram", {"phi=0deg", "r=0.5m"}) ==
+        "B: A and B0 lie in one place, and A B is as long as B0 B" + end + " (links 3 and 4)");
+  CHECK(why("parallelogram", {"phi=0.001deg"}).empty());
+  CHECK(why("trammel", {"a=1m"}) == "B: A B stands square to y" + end + " (link 2)");
+  CHECK(why("quick-return", {"O2A=300mm", "theta=-90deg"}) ==
+        "A: A is as near to O4 as s lets it come" + end + " (link 4)");
+}
+
+TEST_CASE("what a book printed has its verdict; a number of nothing, or in a wrong unit, is refused", "[scenes]") {
+  const auto printed = [](const std::string& number) {
+    const auto scene = std::make_shared<const scenes::Scene>("f", four_bar() + "printed: [{" + number + "}]\n");
+    const auto exercise = scenes::scene_exercise(scene);
+    return find(check(*exercise, Givens(scene->givens()), Rung::climb), "omega_3").printed.at(0);
+  };
+  const std::string omega_3 = "quantity: omega_3, unit: rad/s, place: page 57, value: ";
+  CHECK(printed(omega_3 + "-1.42").verdict == Verdict::rounding);
+  CHECK(printed(omega_3 + "1.42").verdict == Verdict::rounding);
+  CHECK(printed(omega_3 + "-1.44").verdict == Verdict::disagrees);
+  CHECK(printed(omega_3 + "-1.44, reading: 0.03").verdict == Verdict::reading);
+  CHECK(printed(omega_3 + "-1.42").route == "page 57");
+  const auto why = [&](const std::string& number) -> std::string {
+    try {
+      printed(number);
+    } catch (const scenes::BadScene& bad) {
+      return std::string(bad.what()).substr(2);
+    }
+    return {};
+  };
+  CHECK(why("quantity: omega_3, unit: mm, place: p, value: 1") == "10:37: omega_3 is told in rad/s, not in mm");
+  CHECK(why("quantity: omega_33, unit: rad/s, place: p, value: 1")
+            .starts_with("10:22: this mechanism has no quantity \"omega_33\"; did you mean omega_3"));
+  CHECK(why("quantity: omega_3, unit: rpm, place: p, value: 1").starts_with("10:37: rpm counts turns"));
+  CHECK(why("quantity: omega_3, unit: rad/s, place: p, value: x").starts_with("10:61: "));
+  CHECK(why("quantity: omega_3, unit: rad/s, value: 1") == "10:11: place: is missing");
+}
+
+TEST_CASE("straight lines are proved: an offset that is zero is exactly so, in every place", "[scenes]") {
+  const auto offset = [](const std::string& file, const std::string& set) {
+    const auto exercise = exercise_of(file);
+    Givens givens(exercise->about().givens);
+    givens.set(set);
+    const CheckedExercise checked = check(*exercise, givens, Rung::climb);
+    CAPTURE(file, set, complaints(checked));
+    CHECK(checked.passed());
+    return find(checked, "e").settled.enclosure;
+  };
+  for (const char* theta : {"theta=60deg", "theta=-45deg", "theta=23.4deg"})
+    CHECK(offset("peaucellier", theta).upper == 0);
+  for (const char* phi : {"phi=35deg", "phi=-70deg"}) CHECK(offset("cardan-circles", phi).upper == 0);
+  CHECK(offset("chebyshev", "theta=45deg").lower > 0);
+  CHECK(offset("roberts", "theta=75deg").upper < 0);
 }
 
 TEST_CASE("a file that is wrong is refused with its place and a sentence", "[scenes]") {
@@ -304,6 +393,16 @@ TEST_CASE("what is odd of a scene is said beside what was asked; a wrong sheet i
   CHECK(said({"draw", file.string() + "/velocity"}) ==
         "2 epure: " + file.string() + " has no sheet \"velocity\"; did you mean velocities?\n");
   std::filesystem::remove(file);
+}
+
+TEST_CASE("list has no heading of givens for a mechanism without any", "[scenes]") {
+  const auto listed = [](const std::string& name) {
+    std::ostringstream out, err;
+    run_cli(catalogue(), {"list", EPURE_SCENES "/" + name + ".yaml"}, out, err);
+    return out.str();
+  };
+  CHECK(listed("watt").find("Givens") == std::string::npos);
+  CHECK(listed("four-bar").find("Givens") != std::string::npos);
 }
 
 // No enclosure proves that a link does not turn; what was constructed, put into the equations of all joints, does.
