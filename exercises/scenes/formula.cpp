@@ -9,6 +9,7 @@
 
 #include "exercises/kit/statement/bare_number.h"
 #include "exercises/kit/statement/format_words.h"
+#include "exercises/kit/statement/sensible_size.h"
 #include "exercises/kit/statement/suggest.h"
 #include "exercises/scenes/greek.h"
 
@@ -72,6 +73,16 @@ void demand_shortness(const Rational& q) {
   if (mpz_sizeinbase(q.numerator().mpz(), 10) > most_digits ||
       mpz_sizeinbase(q.denominator().mpz(), 10) > most_digits)
     throw BadFormula(format_words("the number has more than {} digits", "il numero ha più di {} cifre", most_digits));
+}
+
+// Of lengths in metres, of what turns both in turns and in radians.
+const Amount& of_sensible_size(const Amount& amount, const std::string& text) {
+  for (const Rational& size : {amount.value, amount.angle.turns, amount.angle.radians})
+    if (!has_sensible_size(size))
+      throw BadFormula(format_words("\"{}\" must be zero or, without its sign, lie between {} and {} in SI units",
+                                    "\"{}\" deve essere zero o, senza segno, stare tra {} e {} in unità SI", text,
+                                    std::string(smallest_size), std::string(largest_size)));
+  return amount;
 }
 
 // What is told in 1/s, where something that turns is asked for.
@@ -342,7 +353,7 @@ Amount read_amount(const std::string& text, Kind wanted, const std::string& unit
   if (has_unit || !unit_of_bare.empty())
     if (const auto amount = plain(text, unit); amount && amount->dimension == asked) {
       demand_shortness(amount->value);
-      return *amount;
+      return of_sensible_size(*amount, text);
     }
   Amount amount = turning_like(Reader(text, known).whole(), asked);
   if (amount.is_bare && wanted != Kind::pure_number) {
@@ -355,7 +366,7 @@ Amount read_amount(const std::string& text, Kind wanted, const std::string& unit
   if (amount.dimension != asked)
     throw BadFormula(format_words("\"{}\" is {} where {} is asked", "\"{}\" è {} dove si chiede {}", text,
                                   in_words(amount.dimension), name_of(wanted)));
-  return amount;
+  return of_sensible_size(amount, text);
 }
 
 }  // namespace epure::scenes

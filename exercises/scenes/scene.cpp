@@ -131,6 +131,7 @@ class Building {
     drives();
     assembly();
     offsets();
+    demand_near_origin();
     place();
     return std::move(built_);
   }
@@ -485,6 +486,33 @@ class Building {
   }
 
   // P23 is the instant centre of links 2 and 3.
+  // A sheet is drawn in doubles: far from the origin they would part more than a pen does.
+  void demand_near_origin() const {
+    constexpr int most_sizes = 1'000'000'000;
+    Rational far = 0, size = 0, lowest[2], highest[2];
+    bool is_first = true;
+    const auto fixed = [&](const Own& at) {
+      for (const auto& [axis, x] : {std::pair(0, at.x), std::pair(1, at.y)}) {
+        far = std::max<Rational>(far, CGAL::abs(x));
+        if (is_first || x < lowest[axis]) lowest[axis] = x;
+        if (is_first || x > highest[axis]) highest[axis] = x;
+        size = std::max<Rational>(size, highest[axis] - lowest[axis]);
+      }
+      is_first = false;
+    };
+    const auto moving = [&](const Own& at) { size = std::max<Rational>(size, CGAL::abs(at.x) + CGAL::abs(at.y)); };
+    for (std::size_t i = 0; i < built_.linkage.links.size(); ++i) {
+      for (const LinkPoint& point : built_.linkage.links[i].points) i == 0 ? fixed(point.at) : moving(point.at);
+      for (const LinkLine& line : built_.linkage.links[i].lines) i == 0 ? fixed(line.through) : moving(line.through);
+    }
+    if (size != 0 && far > most_sizes * size)
+      refuse(*root_.find("links"),
+             format_words("the mechanism lies over {} times its size from the origin of link 1, too far to be drawn",
+                          "il meccanismo sta oltre {} volte la sua grandezza dall'origine del membro 1, troppo per "
+                          "disegnarlo",
+                          "1e9"));
+  }
+
   void demand_no_centres() const {
     const auto& numbers = built_.letters.links;
     for (std::size_t i = 0; i < numbers.size(); ++i)

@@ -18,15 +18,16 @@ namespace epure::scenes {
 using geometry::analytic::LinkState;
 using geometry::analytic::UpTo;
 
-// Where the links are, in doubles: for Newton's iteration to begin. Only near, so that it has something to do. Throws
-// Undecided where doubles find no place: they prove nothing.
+// Where the links are, in doubles: for Newton's iteration to begin. Their angles are only near, so that it has
+// something to do; far from the origin their places are only near anyway. Throws Undecided where doubles find no
+// place: they prove nothing.
 inline geometry::analytic::Beginning beginning(const Built& built) {
   const geometry::Arithmetic<geometry::Fast> scope;
   geometry::analytic::Beginning q;
   try {
     for (const auto& link : geometry::CarriedOut<geometry::Fast>(built.linkage, built.steps).position().links)
-      for (const double x : {link.O.x, link.O.y, geometry::arc_tangent(link.x.y, link.x.x)})
-        q.push_back(static_cast<double>(static_cast<float>(x)));
+      q.insert(q.end(), {link.O.x, link.O.y,
+                         static_cast<double>(static_cast<float>(geometry::arc_tangent(link.x.y, link.x.x)))});
   } catch (const geometry::Impossible& in_doubles) {
     throw geometry::Undecided(in_doubles.words());
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "exercises/kit/statement/sensible_size.h"
 #include "exercises/kit/statement/suggest.h"
 
 namespace epure {
@@ -12,10 +13,6 @@ namespace epure {
 using geometry::InUnit;
 
 namespace {
-
-// What stays inside is far from where doubles overflow: a fourth power of 1e12 times a million is still below 1e60.
-const char* const smallest_size = "1e-12";
-const char* const largest_size = "1e12";
 
 std::vector<std::string> symbols(const std::vector<GivenSpec>& specs) {
   std::vector<std::string> names;
@@ -30,10 +27,7 @@ std::optional<Words> violated(const GivenSpec& spec, const InUnit& read) {
   const Rational& value = read.number;
   if (spec.range == Range::positive && value <= 0) return Words{"must be positive", "deve essere positivo"};
   if (spec.range == Range::not_negative && value < 0) return Words{"must not be negative", "non può essere negativo"};
-  const Rational size = CGAL::abs(value);
-  const bool zero = size == 0;  // where it may be zero: a positive given got no further
-  if (zero || (size >= geometry::parse_given(smallest_size, "1") && size <= geometry::parse_given(largest_size, "1")))
-    return std::nullopt;
+  if (has_sensible_size(value)) return std::nullopt;  // or is zero where it may be: a positive given got no further
   const Words without_sign =
       value < 0 ? Words{"without its sign it must ", "senza segno deve "} : Words{"must ", "deve "};
   const Words or_zero = spec.range == Range::positive ? Words{} : Words{"be zero or ", "essere zero o "};
