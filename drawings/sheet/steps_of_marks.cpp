@@ -115,17 +115,20 @@ class Finder {
     if (words_.empty()) return found_;
     for_each<Arrow>([this](const Arrow& arrow) { return of(arrow); });
     for_each<Line>([this](const Line& line) { return of(line); });
+    for_each<RightAngle>([this](const RightAngle& a) { return between_lines(a.at, a.first, a.second); });
+    for_each<AngleMark>(
+        [this](const AngleMark& a) { return std::max(beside(a.at, a.radius), between_lines(a.at, a.from, a.to)); });
+    for_each<Rotation>([this](const Rotation& r) { return beside(r.centre, r.radius); });
     for (std::size_t i = 0; i < figure_.labels.size(); ++i) found_.labels[i] = of(figure_.labels[i]);
     for_each<Area>([this](const Area& area) { return area.meaning == Meaning::plate ? 0 : of_curve(area.path); });
     for_each<Dot>([this](const Dot& dot) { return of_point(dot.at).value_or(earliest_through(dot.at)); });
     for_each<Cross>([this](const Cross& cross) { return of_point(cross.at).value_or(earliest_through(cross.at)); });
     for_each<DataPoint>([this](const DataPoint& p) { return of_point(p.at).value_or(earliest_through(p.at)); });
-    for_each<RightAngle>([this](const RightAngle& a) { return between_lines(a.at, a.first, a.second); });
-    for_each<AngleMark>(
-        [this](const AngleMark& a) { return std::max(beside(a.at, a.radius), between_lines(a.at, a.from, a.to)); });
-    for_each<Rotation>([this](const Rotation& r) { return beside(r.centre, r.radius); });
     for_each<ParallelMark>([this](const ParallelMark& mark) { return earliest_through(mark.at); });
-    for_each<Dimension>([this](const Dimension& dimension) { return first_to_speak_of(dimension.text); });
+    for_each<Dimension>([this](const Dimension& dimension) {
+      const int told = first_to_speak_of(dimension.text);
+      return told > 0 ? told : std::max(of_point(dimension.from).value_or(0), of_point(dimension.to).value_or(0));
+    });
     return found_;
   }
 
@@ -147,12 +150,16 @@ class Finder {
   void note_given(const FixedHinge& hinge) { given_.push_back(hinge.at); }
   void note_given(const Slider& slider) { given_.push_back(slider.at); }
   void note_given(const Line& line) {
-    if (line.meaning != Meaning::link && line.meaning != Meaning::ground) return;
+    if (!is_of_mechanism(line)) return;
     given_.push_back(line.path.start);
     for (const Piece& piece : line.path.pieces) given_.push_back(piece.end);
   }
   template <class Other>
   void note_given(const Other&) {}
+  // Where links stand for what they bear, as in the plan of a truss, each has its name.
+  static bool is_of_mechanism(const Line& line) {
+    return (line.meaning == Meaning::link && line.name.empty()) || line.meaning == Meaning::ground;
+  }
 
   bool is_given(Point p) const {
     return std::any_of(given_.begin(), given_.end(), [&](Point g) { return is_same(g, p); });
@@ -162,7 +169,7 @@ class Finder {
   int first_to_speak_of(std::string text) const {
     text = text.substr(0, text.find(" = "));
     if (text.find('$') != text.npos && std::count(text.begin(), text.end(), '$') % 2 != 0) text += '$';
-    const std::vector<std::string> wanted = symbols(text);
+    const std::vector<std::string> wanted = are_letters(text) ? symbols(text) : std::vector<std::string>{};
     for (const Told& step : words_) {
       const bool has = wanted.empty() ? !text.empty() && step.words.find(text) != text.npos
                                       : std::search(step.symbols.begin(), step.symbols.end(), wanted.begin(),
@@ -171,6 +178,9 @@ class Finder {
     }
     return 0;
   }
+
+  // Of a point or a quantity; what begins otherwise are words: "∥ $AB$".
+  static bool are_letters(const std::string& text) { return text.starts_with('$'); }
 
   // The first number that stands on it, at no point with letters of its own; or at any.
   template <class DistanceTo>
@@ -197,7 +207,7 @@ class Finder {
     };
     if (first == 0)
       for (const Label& label : figure_.labels)
-        if (!label.to && is_same(label.at, p) && !symbols(label.text).empty()) maybe(first_to_speak_of(label.text));
+        if (!label.to && is_same(label.at, p) && are_letters(label.text)) maybe(first_to_speak_of(label.text));
     for (std::size_t i = 0; i < figure_.marks.size(); ++i)
       if (const auto* arrow = std::get_if<Arrow>(&figure_.marks[i]); arrow && is_same(arrow->to, p))
         maybe(found_.marks[i]);
@@ -205,40 +215,56 @@ class Finder {
     return first;
   }
 
-  // A vector lies on its line before its length is known; so it comes with the last of the lines that meet at its
-  // ends.
+  // A vector lies on its line before its length is known; so it comes with the line that ends it.
   int of(const Arrow& arrow) const {
-    const auto distance_of = [&](Point p) { return distance_to(p, arrow.from, arrow.to); };
-    int step = numbered(distance_of, false);
+    int step = numbered_on(arrow.from, arrow.to);
     for (const Label& label : figure_.labels)
       if (step == 0 && label.to && is_same(label.at, arrow.from) && is_same(*label.to, arrow.to))
         step = first_to_speak_of(label.text);
     if (step == 0) step = numbered([&](Point p) { return distance(p, arrow.to); }, true);
-    if (step == 0) return std::max(of_point(arrow.from).value_or(0), of_label_at(arrow.to));
-    int last = step;
+    if (step == 0) return of_letters_at(is_given(arrow.from) ? arrow.from : arrow.to);
     bool has_line = false;
-    for (const Mark& mark : figure_.marks) {
-      const auto* line = std::get_if<Line>(&mark);
-      const auto ends = line && line->meaning == Meaning::construction ? straight(line->path) : std::nullopt;
-      if (!ends) continue;
-      const bool at_start = distance_to(arrow.from, ends->first, ends->second) < same_place,
-                 at_end = distance_to(arrow.to, ends->first, ends->second) < same_place;
-      has_line = has_line || (at_start && at_end);
-      if (at_start || at_end)
-        last = std::max(last, numbered([&](Point p) { return distance_to(p, ends->first, ends->second); }, false));
-    }
-    return has_line ? last : step;
+    for (const Mark& mark : figure_.marks)
+      if (const auto line = line_of_construction(mark))
+        has_line = has_line || (is_on(arrow.from, *line) && is_on(arrow.to, *line));
+    if (!has_line) return step;
+    return std::max(ended_at(arrow.from, arrow, step), ended_at(arrow.to, arrow, step));
   }
 
-  int of_label_at(Point p) const {
+  using Ends = std::pair<Point, Point>;
+  static bool is_on(Point p, const Ends& ends) { return distance_to(p, ends.first, ends.second) < same_place; }
+  static std::optional<Ends> line_of_construction(const Mark& mark) {
+    const auto* line = std::get_if<Line>(&mark);
+    return line && line->meaning == Meaning::construction ? straight(line->path) : std::nullopt;
+  }
+  int numbered_on(Point from, Point to) const {
+    return numbered([&](Point p) { return distance_to(p, from, to); }, false);
+  }
+
+  // The end of a vector whose line is drawn in `step`: there already when another line or vector passed through it
+  // before, else there with the next one that does.
+  int ended_at(Point end, const Arrow& of, int step) const {
+    int next = 0;
+    for (const Mark& mark : figure_.marks) {
+      auto ends = line_of_construction(mark);
+      if (const auto* arrow = std::get_if<Arrow>(&mark)) ends = Ends{arrow->from, arrow->to};
+      if (!ends || !is_on(end, *ends) || (is_on(of.from, *ends) && is_on(of.to, *ends))) continue;
+      const int other = numbered_on(ends->first, ends->second);
+      if (other > 0 && other < step) return step;
+      if (other > step && (next == 0 || other < next)) next = other;
+    }
+    return std::max(step, next);
+  }
+
+  int of_letters_at(Point p) const {
+    if (is_given(p)) return 0;
     for (const Label& label : figure_.labels)
       if (!label.to && is_same(label.at, p)) return first_to_speak_of(label.text);
     return 0;
   }
 
   int of(const Line& line) const {
-    if (line.meaning == Meaning::link || line.meaning == Meaning::ground || line.meaning == Meaning::dimension)
-      return 0;
+    if (is_of_mechanism(line) || line.meaning == Meaning::dimension) return 0;
     const auto ends = straight(line.path);
     if (!ends) return of_curve(line.path, line.name);
     const auto& [from, to] = *ends;
@@ -291,7 +317,7 @@ class Finder {
   int of_letters_on(const Path& path) const {
     const std::vector<Point> chords = flatten(path);
     for (const Label& label : figure_.labels)
-      if (!label.to && symbols(label.text).empty() && distance_to_chords(label.at, chords) < same_place)
+      if (!label.to && !are_letters(label.text) && distance_to_chords(label.at, chords) < same_place)
         if (const int step = first_to_speak_of(label.text)) return step;
     return 0;
   }
@@ -303,6 +329,7 @@ class Finder {
       return std::max(first_to_speak_of(label.text),
                       std::max(of_point(label.at).value_or(0), of_point(*label.to).value_or(0)));
     }
+    if (const int step = of_arc_beside(label.at)) return step;
     if (const auto step = of_point(label.at)) return *step;
     if (const int step = earliest_through(label.at)) return step;
     return first_to_speak_of(label.text);
@@ -345,6 +372,14 @@ class Finder {
     for (const Label& label : figure_.labels)
       if (!label.to && std::abs(distance(label.at, centre) - radius) < same_place)
         if (const int step = first_to_speak_of(label.text)) return step;
+    return 0;
+  }
+
+  int of_arc_beside(Point p) const {
+    for (std::size_t i = 0; i < figure_.marks.size(); ++i)
+      if (const auto* angle = std::get_if<AngleMark>(&figure_.marks[i]);
+          angle && std::abs(distance(p, angle->at) - angle->radius) < same_place)
+        return found_.marks[i];
     return 0;
   }
 

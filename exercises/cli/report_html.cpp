@@ -4,6 +4,7 @@
 #include "drawings/files/xml.h"
 #include "drawings/text/text.h"
 #include "exercises/cli/html_words.h"
+#include "exercises/cli/inline_svg.h"
 #include "exercises/cli/report_document.h"
 
 namespace epure {
@@ -53,11 +54,7 @@ class Html {
     for (const auto& row : table.rows) add_row("td", "td", row);
     text_ += "</tbody></table></div>\n";
   }
-  void operator()(const ReportFigure& figure) {
-    std::string svg = drawings::write_svg(figure.page);
-    svg.erase(0, svg.find("<svg"));  // the declaration is that of a file of its own
-    text_ += "<figure>\n" + svg + "</figure>\n";
-  }
+  void operator()(const ReportFigure& figure) { text_ += "<figure>\n" + svgs_.add(figure.page) + "</figure>\n"; }
   std::string text() && { return std::move(text_); }
 
  private:
@@ -68,6 +65,7 @@ class Html {
   }
 
   std::string text_;
+  InlineSvgs svgs_;
 };
 
 }  // namespace

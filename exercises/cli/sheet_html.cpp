@@ -9,6 +9,7 @@
 #include "drawings/marks/background.h"
 #include "drawings/text/text.h"
 #include "exercises/cli/html_words.h"
+#include "exercises/cli/inline_svg.h"
 #include "exercises/cli/sheet_html_parts.h"
 
 namespace epure {
@@ -96,10 +97,8 @@ std::string sheet_html(const std::vector<drawings::Page>& pages, SheetOnScreen a
       first.language == Language::english ? "en" : "it", title, style_of_sheet, style_of_words,
       print_style(pages, as.is_bare), as.follows_reader ? dark_style(pages) : "", title);
   text += "<figure class=\"sheet\">\n";
-  for (const drawings::Page& page : pages) {
-    const std::string svg = drawings::write_svg(page);
-    text.append(svg, svg.find("<svg"));  // the declaration is that of a file of its own
-  }
+  InlineSvgs svgs;
+  for (const drawings::Page& page : pages) text += svgs.add(page);
   text += "</figure>\n";
   if (!first.steps.empty()) text += controls(first);
   return text + "<div class=\"tip\" aria-hidden=\"true\" hidden=\"\"></div>\n<script>" + script_of_sheet +
