@@ -329,7 +329,9 @@ TEST_CASE("in a browser the slider, the keys and the marks do what they say") {
     slider.value = 3; slider.dispatchEvent(new Event('input')); state('slid');
     const visible = name => getComputedStyle(document.querySelector('#slider-crank-velocity-polar-diagram-' + name)).visibility;
     seen.push('v_B:' + visible('v_B') + ' v_C:' + visible('v_C'));
-    document.querySelector('#slider-crank-velocity-polar-diagram-v_B').focus();
+    const mark = document.querySelector('#slider-crank-velocity-polar-diagram-v_B');
+    mark.focus(); seen.push('focus:' + (document.activeElement === mark));
+    mark.dispatchEvent(new Event('focus'));  // a window that is not shown has none
     seen.push('tip:' + document.querySelector('.tip').textContent + document.querySelector('.tip').hidden);
     press('Escape'); seen.push('gone:' + document.querySelector('.tip').hidden);
     press('End'); press('ArrowRight'); state('end');
@@ -346,6 +348,7 @@ TEST_CASE("in a browser the slider, the keys and the marks do what they say") {
   CHECK(says("slid:3:true:true:Step 3/5. Through"));
   CHECK(says("v_B:visible v_C:hidden"));
   CHECK(says("tip:v_B = 5.103&nbsp;m/s, speed of Bfalse"));
+  CHECK(says("focus:true"));
   CHECK(says("gone:true"));
   CHECK(says("end:6:false:false:The whole sheet."));
 
