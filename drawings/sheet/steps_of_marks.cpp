@@ -117,8 +117,8 @@ class Finder {
     for_each<Line>([this](const Line& line) { return of(line); });
     for_each<RightAngle>([this](const RightAngle& a) { return between_lines(a.at, a.first, a.second); });
     for_each<AngleMark>(
-        [this](const AngleMark& a) { return std::max(beside(a.at, a.radius), between_lines(a.at, a.from, a.to)); });
-    for_each<Rotation>([this](const Rotation& r) { return beside(r.centre, r.radius); });
+        [this](const AngleMark& a) { return std::max(beside(a), between_lines(a.at, a.from, a.to)); });
+    for_each<Rotation>([this](const Rotation& r) { return of_point(r.centre).value_or(beside(r)); });
     for (std::size_t i = 0; i < figure_.labels.size(); ++i) found_.labels[i] = of(figure_.labels[i]);
     for_each<Area>([this](const Area& area) { return area.meaning == Meaning::plate ? 0 : of_curve(area.path); });
     for_each<Dot>([this](const Dot& dot) { return of_point(dot.at).value_or(earliest_through(dot.at)); });
@@ -167,6 +167,8 @@ class Finder {
 
   // The first step whose words have these letters; 0: none has.
   int first_to_speak_of(std::string text) const {
+    constexpr std::size_t shortest_word = 3;  // the number of a link stands in many words
+    if (!are_letters(text) && text.size() < shortest_word) return 0;
     text = text.substr(0, text.find(" = "));
     if (text.find('$') != text.npos && std::count(text.begin(), text.end(), '$') % 2 != 0) text += '$';
     const std::vector<std::string> wanted = are_letters(text) ? symbols(text) : std::vector<std::string>{};
@@ -177,6 +179,13 @@ class Finder {
       if (has) return step.number;
     }
     return 0;
+  }
+
+  // "$v_{X}$" for "$v_{B}$": words may tell of all points at once.
+  static std::string of_any_point(std::string text) {
+    const auto from = text.find("_{");
+    if (from != text.npos) text.replace(from, text.find('}', from) - from, "_{X");
+    return text;
   }
 
   // Of a point or a quantity; what begins otherwise are words: "∥ $AB$".
@@ -222,6 +231,9 @@ class Finder {
       if (step == 0 && label.to && is_same(label.at, arrow.from) && is_same(*label.to, arrow.to))
         step = first_to_speak_of(label.text);
     if (step == 0) step = numbered([&](Point p) { return distance(p, arrow.to); }, true);
+    for (const Label& label : figure_.labels)
+      if (step == 0 && label.to && is_same(label.at, arrow.from) && is_same(*label.to, arrow.to))
+        step = first_to_speak_of(of_any_point(label.text));
     if (step == 0) return of_letters_at(is_given(arrow.from) ? arrow.from : arrow.to);
     bool has_line = false;
     for (const Mark& mark : figure_.marks)
@@ -329,7 +341,7 @@ class Finder {
       return std::max(first_to_speak_of(label.text),
                       std::max(of_point(label.at).value_or(0), of_point(*label.to).value_or(0)));
     }
-    if (const int step = of_arc_beside(label.at)) return step;
+    if (const auto step = of_arc_beside(label)) return *step;
     if (const auto step = of_point(label.at)) return *step;
     if (const int step = earliest_through(label.at)) return step;
     return first_to_speak_of(label.text);
@@ -368,19 +380,30 @@ class Finder {
   }
 
   // Of an arc with letters beside it.
-  int beside(Point centre, double radius) const {
+  template <class Arc>
+  int beside(const Arc& arc) const {
     for (const Label& label : figure_.labels)
-      if (!label.to && std::abs(distance(label.at, centre) - radius) < same_place)
+      if (is_beside(label, arc))
         if (const int step = first_to_speak_of(label.text)) return step;
     return 0;
   }
+  static Point centre_of(const AngleMark& arc) { return arc.at; }
+  static Point centre_of(const Rotation& arc) { return arc.centre; }
+  template <class Arc>
+  bool is_beside(const Label& label, const Arc& arc) const {
+    constexpr double beside = 1.6;  // mm
+    if (label.to || is_given(label.at)) return false;
+    const Point from_centre = label.at - centre_of(arc), middle = direction((arc.from + arc.to) / 2);
+    return std::abs(length(from_centre) - arc.radius) < beside && dot(from_centre, middle) > 0;
+  }
 
-  int of_arc_beside(Point p) const {
-    for (std::size_t i = 0; i < figure_.marks.size(); ++i)
-      if (const auto* angle = std::get_if<AngleMark>(&figure_.marks[i]);
-          angle && std::abs(distance(p, angle->at) - angle->radius) < same_place)
-        return found_.marks[i];
-    return 0;
+  std::optional<int> of_arc_beside(const Label& label) const {
+    for (std::size_t i = 0; i < figure_.marks.size(); ++i) {
+      const auto* angle = std::get_if<AngleMark>(&figure_.marks[i]);
+      const auto* rotation = std::get_if<Rotation>(&figure_.marks[i]);
+      if ((angle && is_beside(label, *angle)) || (rotation && is_beside(label, *rotation))) return found_.marks[i];
+    }
+    return {};
   }
 
   const Figure& figure_;

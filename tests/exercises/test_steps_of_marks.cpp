@@ -20,11 +20,12 @@ struct Polygon {
                            {.text = "∥ $x$", .at = {140, 138}},
                            {.text = "$b'$", .at = b},
                            {.text = "$m'$", .at = m},
-                           {.text = "$A$", .at = hinge}},
+                           {.text = "$A$", .at = hinge},
+                           {.text = "4", .at = {45, 23}}},
                 .steps = {{1, {112, 100}}, {2, {140, 109}}, {3, {112, 109}}, {4, m}}};
   std::vector<Block> column{Heading{"Construction"},
                             Steps{{"From $O_{v}$ the known $\\vec{v}_{A}$, ∥ $y$.", "Through $a'$ the line ∥ $x$.",
-                                   "The line of $\\vec{v}_{B}$. The two meet at $b'$."}},
+                                   "The line of $\\vec{v}_{B}$. The two meet at $b'$, not in 4."}},
                             Paragraph{"Between them, a thought."}, Steps{{"$m'$ halves $a'b'$, not $A$."}, 4}};
 };
 
@@ -49,7 +50,7 @@ TEST_CASE("a point comes with its number or its letters, the mechanism before al
   CHECK(found.marks[8] == 2);   // between the first vector and the line
   CHECK(found.marks[9] == 1);   // where the first vector begins
   CHECK(found.marks[10] == 4);  // a line, when both its ends were there
-  CHECK(found.labels == std::vector<int>{1, 2, 3, 4, 0});
+  CHECK(found.labels == std::vector<int>{1, 2, 3, 4, 0, 0});
 }
 
 TEST_CASE("without steps all was there before the first") {
