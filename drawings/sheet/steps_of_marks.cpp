@@ -148,7 +148,10 @@ class Finder {
   // Points of the mechanism.
   void note_given(const Hinge& hinge) { given_.push_back(hinge.at); }
   void note_given(const FixedHinge& hinge) { given_.push_back(hinge.at); }
-  void note_given(const Slider& slider) { given_.push_back(slider.at); }
+  void note_given(const Slider& slider) {
+    given_.push_back(slider.at);
+    blocks_.push_back(slider.at);
+  }
   void note_given(const Line& line) {
     if (!is_of_mechanism(line)) return;
     given_.push_back(line.path.start);
@@ -163,6 +166,12 @@ class Finder {
 
   bool is_given(Point p) const {
     return std::any_of(given_.begin(), given_.end(), [&](Point g) { return is_same(g, p); });
+  }
+
+  // A slider's letters stand at a corner of its block.
+  bool is_on_block(Point p) const {
+    constexpr double to_corner = 5.9;  // mm: of 10 mm x 6 mm
+    return std::any_of(blocks_.begin(), blocks_.end(), [&](Point b) { return distance(b, p) < to_corner; });
   }
 
   // The first step whose words have these letters; 0: none has.
@@ -341,6 +350,7 @@ class Finder {
       return std::max(first_to_speak_of(label.text),
                       std::max(of_point(label.at).value_or(0), of_point(*label.to).value_or(0)));
     }
+    if (is_on_block(label.at)) return 0;
     if (const auto step = of_arc_beside(label)) return *step;
     if (const auto step = of_point(label.at)) return *step;
     if (const int step = earliest_through(label.at)) return step;
@@ -409,6 +419,7 @@ class Finder {
   const Figure& figure_;
   std::vector<Told> words_;
   std::vector<Point> given_;
+  std::vector<Point> blocks_;  // of sliders: their middles
   StepsOfMarks found_;
 };
 

@@ -15,7 +15,7 @@ h1 { font-size: 1.05rem; margin: .5rem 1rem; }
 .sheet svg { display: block; width: 100%; height: auto; max-height: calc(100vh - 9rem); margin: 0 auto .5rem; }
 .later { visibility: hidden; }
 .now { filter: drop-shadow(0 0 300px var(--now)) drop-shadow(0 0 120px var(--now)); }
-g.now { filter: drop-shadow(0 0 1px var(--now)) drop-shadow(0 0 200px var(--now)); }
+g.now { filter: drop-shadow(0 0 300px var(--now)); }
 .area { stroke: transparent; stroke-width: 1800; stroke-dasharray: none; fill: none; pointer-events: stroke;
   filter: none; cursor: help; }
 .sheet [aria-label]:focus { outline: none; }

@@ -11,18 +11,20 @@ namespace {
 // end each other in b'; then the middle m' of v_BA (4). The mechanism stands beside it.
 struct Polygon {
   Point O{100, 100}, a{140, 100}, b{140, 130}, m{140, 115}, hinge{20, 20};
-  Figure figure{.marks = {Arrow{O, a, Meaning::velocity, "v_A"}, Line{segment({140, 92}, {140, 138})},
-                          Arrow{a, b, Meaning::velocity, "v_BA"}, Line{segment({93.6, 95.2}, {146.4, 134.8})},
-                          Arrow{O, b, Meaning::velocity, "v_B"}, Dot{m}, Hinge{hinge},
-                          Line{segment(hinge, {60, 20}), Meaning::link},
-                          RightAngle{a, 3.141592653589793, 1.5707963267948966}, Dot{O}, Line{segment(m, hinge)}},
-                .labels = {{.text = "$\\vec{v}_{A}$", .at = O, .to = a},
-                           {.text = "∥ $x$", .at = {140, 138}},
-                           {.text = "$b'$", .at = b},
-                           {.text = "$m'$", .at = m},
-                           {.text = "$A$", .at = hinge},
-                           {.text = "4", .at = {45, 23}}},
-                .steps = {{1, {112, 100}}, {2, {140, 109}}, {3, {112, 109}}, {4, m}}};
+  Figure figure{
+      .marks = {Arrow{O, a, Meaning::velocity, "v_A"}, Line{segment({140, 92}, {140, 138})},
+                Arrow{a, b, Meaning::velocity, "v_BA"}, Line{segment({93.6, 95.2}, {146.4, 134.8})},
+                Arrow{O, b, Meaning::velocity, "v_B"}, Dot{m}, Hinge{hinge},
+                Line{segment(hinge, {60, 20}), Meaning::link}, RightAngle{a, 3.141592653589793, 1.5707963267948966},
+                Dot{O}, Line{segment(m, hinge)}, Slider{{60, 20}}},
+      .labels = {{.text = "$\\vec{v}_{A}$", .at = O, .to = a},
+                 {.text = "∥ $x$", .at = {140, 138}},
+                 {.text = "$b'$", .at = b},
+                 {.text = "$m'$", .at = m},
+                 {.text = "$A$", .at = hinge},
+                 {.text = "4", .at = {45, 23}},
+                 {.text = "$b'$", .at = {65, 23}}},
+      .steps = {{1, {112, 100}}, {2, {140, 109}}, {3, {112, 109}}, {4, m}}};
   std::vector<Block> column{Heading{"Construction"},
                             Steps{{"From $O_{v}$ the known $\\vec{v}_{A}$, ∥ $y$.", "Through $a'$ the line ∥ $x$.",
                                    "The line of $\\vec{v}_{B}$. The two meet at $b'$, not in 4."}},
@@ -50,7 +52,7 @@ TEST_CASE("a point comes with its number or its letters, the mechanism before al
   CHECK(found.marks[8] == 2);   // between the first vector and the line
   CHECK(found.marks[9] == 1);   // where the first vector begins
   CHECK(found.marks[10] == 4);  // a line, when both its ends were there
-  CHECK(found.labels == std::vector<int>{1, 2, 3, 4, 0, 0});
+  CHECK(found.labels == std::vector<int>{1, 2, 3, 4, 0, 0, 0});
 }
 
 TEST_CASE("without steps all was there before the first") {
