@@ -2,6 +2,7 @@
 // (symbols, line types, label places) is decided before this point; how a file holds it, after.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -22,12 +23,14 @@ struct Stroke {
   Colour colour;
   std::optional<Box> clip = {};
   std::string name = {};  // id, or empty
+  int step = 0;           // of the construction, which drew it; 0: it was there before, or nobody asked
 };
 struct Fill {
   Path path;
   Colour colour;
   std::optional<Box> clip = {};
   std::string name = {};
+  int step = 0;
 };
 enum class Weight { regular, bold };
 struct PlacedText {
@@ -37,8 +40,15 @@ struct PlacedText {
   Colour colour;
   Weight weight = Weight::regular;
   std::optional<std::size_t> row = {};  // of the table it is a cell of
+  int step = 0;
 };
 using Primitive = std::variant<Stroke, Fill, PlacedText>;
+
+// Those from this one on are drawn by the step.
+inline void belongs_to(int step, std::vector<Primitive>& primitives, std::size_t from = 0) {
+  for (std::size_t i = from; i < primitives.size(); ++i)
+    std::visit([step](auto& primitive) { primitive.step = step; }, primitives[i]);
+}
 
 struct Page {
   std::string id, title, description;
@@ -47,12 +57,18 @@ struct Page {
   std::vector<Primitive> primitives;
   bool is_paper =
       false;  // a whole sheet is white paper also on a screen's dark page; a bare drawing takes its ground
+  std::vector<std::string> steps = {};           // the construction's, from the first, in words (rich text)
+  std::map<std::string, std::string> told = {};  // plain text of marks, by their names: for who points at them
 };
 
 // Layout, symbols, styles, label placement. Deterministic. `conflicts`, when given, receives a sentence for every
 // label that had to overlap something. Throws std::invalid_argument naming the mark for a coordinate that is not
 // finite, TooFar (output.h) for one that is too large.
 Page compose(const Sheet& sheet, std::vector<std::string>* conflicts = nullptr);
+// The same page, on which each primitive says which step drew it; and the steps.
+Page compose_in_steps(const Sheet& sheet);
+// What the page shows after this step.
+Page after_step(Page page, int step);
 
 // What a PDF says of itself, and what its reader shows beside the pages. Plain text; an empty one is left out.
 struct Bookmark {

@@ -33,7 +33,7 @@ struct OfFewWords {
 const std::vector<OfFewWords> options_of_few_words{
     {{"list", "draw", "check", "report", "booklet", "class", "mark", "sweep", "bench"}, "--lang", {"en", "it"}},
     {{"draw", "booklet", "class", "bench"}, "--paper", {"a4", "a3"}},
-    {{"draw"}, "--format", {"pdf", "svg", "png", "eps", "pdf+tex", "csv"}},
+    {{"draw"}, "--format", {"pdf", "svg", "html", "png", "eps", "pdf+tex", "csv"}},
     {{"draw"}, "--background", {"white", "none"}},
     {{"draw"}, "--ink", {"dark", "light"}},
     {{"bench"}, "--format", {"pdf", "svg"}},

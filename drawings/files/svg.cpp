@@ -14,6 +14,7 @@
 #include <unordered_set>
 
 #include "drawings/files/check_page.h"
+#include "drawings/files/svg_colour.h"
 #include "drawings/files/xml.h"
 #include "drawings/page.h"
 #include "drawings/paths/grid.h"
@@ -46,19 +47,6 @@ void add_decimal(std::string& to, double value, int decimals) {
 
 void add_attribute(std::string& to, std::string_view name, std::string_view value) {
   ((((to += ' ') += name) += "=\"") += value) += '"';
-}
-
-// "#0072b2", or "#000" for #000000: eight bits a channel, as a screen has them.
-void add_colour(std::string& to, const Colour& colour) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  const auto level_of = [](double part) { return static_cast<unsigned>(std::floor(part * 255 + 0.5)); };
-  const std::array levels{level_of(colour.red), level_of(colour.green), level_of(colour.blue)};
-  const bool is_short = std::all_of(levels.begin(), levels.end(), [](unsigned level) { return level % 17 == 0; });
-  to += '#';
-  for (const unsigned level : levels) {
-    if (!is_short) to += digits[level / 16];
-    to += digits[level % 16];
-  }
 }
 
 // Whole steps: y downwards.
@@ -191,7 +179,7 @@ std::string words_of(const SetText& set) {
 
 // Whether letters of both stand on one square, as cells of one table.
 bool share_a_table(const PlacedText& a, const PlacedText& b) {
-  return a.row && b.row && a.size == b.size && a.weight == b.weight && a.colour == b.colour;
+  return a.row && b.row && a.step == b.step && a.size == b.size && a.weight == b.weight && a.colour == b.colour;
 }
 
 bool is_black(const Colour& c) { return c == Colour{}; }
@@ -267,6 +255,7 @@ class Writer {
   void begin_letters(const PlacedText& text) {
     change_ink("");
     body_ += "<g";
+    add_step(text.step);
     if (!is_black(text.colour)) add_fill(body_, text.colour);
     const Point at = frame_.unrounded(text.baseline);
     body_ += " transform=\"translate(";
@@ -401,7 +390,9 @@ class Writer {
     head += '"';
     add_attribute(head, "lang", language);
     add_attribute(head, "xml:lang", language);
-    head += " role=\"img\">\n<title>";
+    // What is within an image is not read aloud, and marks that tell something are to be.
+    head += page_.told.empty() ? " role=\"img\"" : " role=\"group\"";
+    head += ">\n<title>";
     add_escaped(head, page_.title);
     head += "</title>\n";
     if (!page_.description.empty()) {
@@ -414,7 +405,7 @@ class Writer {
 
   // An area and the line around it, as one element: half the bytes. With names of their own they stay apart.
   static bool is_its_outline(const Fill& fill, const Stroke& stroke) {
-    return fill.name.empty() && fill.clip.has_value() == stroke.clip.has_value() &&
+    return fill.name.empty() && fill.step == stroke.step && fill.clip.has_value() == stroke.clip.has_value() &&
            (!fill.clip || (same(fill.clip->low, stroke.clip->low) && same(fill.clip->high, stroke.clip->high))) &&
            same(fill.path, stroke.path);
   }
@@ -438,10 +429,23 @@ class Writer {
   void add_mark(const Mark& mark) {
     body_ += "<path";
     if (!mark.name.empty()) add_attribute(body_, "id", mark_id(mark.name));
+    add_step(mark.step);
+    if (const auto told = page_.told.find(mark.name); told != page_.told.end()) add_told(told->second);
     if (mark.clip) add_attribute(body_, "clip-path", "url(#" + clip_id(*mark.clip) + ")");
     body_ += " d=\"";
     PathData(body_).add(mark.path, [this](Point p) { return on_page(p); });
     body_ += "\"/>\n";
+  }
+
+  // By which style sheets and scripts find what a step draws.
+  void add_step(int step) {
+    if (step != 0) add_attribute(body_, "class", "step-" + std::to_string(step));
+  }
+
+  // Reached by the keyboard too, and read aloud.
+  void add_told(const std::string& words) {
+    body_ += " tabindex=\"0\" role=\"img\"";
+    add_attribute(body_, "aria-label", escaped_for_attribute(words));
   }
 
   static void add_stroke(std::string& to, const Stroke& stroke) {

@@ -25,4 +25,11 @@ inline std::string escaped_for_xml(std::string_view text) {
   return all;
 }
 
+// ... and as the value of an attribute, between double quotes.
+inline std::string escaped_for_attribute(std::string_view text) {
+  std::string all = escaped_for_xml(text);
+  for (auto quote = all.find('"'); quote != all.npos; quote = all.find('"', quote)) all.replace(quote, 1, "&quot;");
+  return all;
+}
+
 }  // namespace epure::drawings

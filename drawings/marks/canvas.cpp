@@ -45,7 +45,10 @@ void Canvas::require(const Path& path) const {
   }
 }
 
-void Canvas::put(Primitive primitive) { (raised_ ? above_ : below_).push_back(std::move(primitive)); }
+void Canvas::put(Primitive primitive) {
+  std::visit([this](auto& p) { p.step = step_; }, primitive);
+  (raised_ ? above_ : below_).push_back(std::move(primitive));
+}
 
 void Canvas::remember(const Path& path, double width) {
   const std::vector<Point> points = flatten(path);

@@ -18,6 +18,8 @@ class Canvas {
   // Where the marks drawn from now on may show.
   void clip_to(Box clip) { clip_ = clip; }
   Box clip() const { return clip_; }
+  // The step that draws them.
+  void in_step(int step) { step_ = step; }
 
   // Throws std::invalid_argument unless the number is finite, and TooFar beyond 10,000 km; compose() adds the mark's
   // name to the former.
@@ -49,6 +51,7 @@ class Canvas {
   void area(const Path& path, Colour colour, const std::string& name, double tolerance);
 
   Box clip_;
+  int step_ = 0;
   bool raised_ = false;
   Obstacles drawn_;
   std::vector<std::pair<std::string, Box>> texts_;

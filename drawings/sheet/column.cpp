@@ -25,9 +25,11 @@ void set_block(Galley& galley, const Steps& steps, Language) {
   int number = steps.first;
   for (const std::string& line : steps.lines) {
     // The circle's middle at half the height of capitals, so that number and line read as one.
+    const std::size_t before = galley.count();
     const Point centre{galley.left() + diameter / 2, galley.baseline() + 0.33 * galley.size()};
     galley.add(circled_number(centre, number, diameter, black));
     galley.lines(wrap(line, galley.size(), galley.width() - indent), galley.left() + indent);
+    galley.since(before, number);
     galley.down(0.26 * galley.size() * galley.air());
     ++number;
   }

@@ -9,7 +9,8 @@
 namespace epure::drawings {
 
 // Set in the room from its top down. When it does not fit, first the white space shrinks, then the letters, to no
-// less than 2.2 mm; what still does not fit is said in `conflicts`.
+// less than 2.2 mm; what still does not fit is said in `conflicts`. The
+// lines of a step belong to it.
 std::vector<Primitive> set_column(const std::vector<Block>& blocks, Box room, Language language,
                                   std::vector<std::string>* conflicts);
 

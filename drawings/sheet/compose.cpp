@@ -1,6 +1,7 @@
 // From a sheet of marks with meanings to a page of primitives.
 #include <fmt/format.h>
 
+#include <optional>
 #include <stdexcept>
 
 #include "drawings/labels/labels.h"
@@ -14,6 +15,7 @@
 #include "drawings/sheet/column.h"
 #include "drawings/sheet/ink.h"
 #include "drawings/sheet/layout.h"
+#include "drawings/sheet/steps_of_marks.h"
 #include "drawings/sheet/title_block.h"
 #include "drawings/stopwatch.h"
 #include "drawings/text/text.h"
@@ -22,9 +24,11 @@ namespace epure::drawings {
 
 namespace {
 
-void draw_marks(Canvas& canvas, const Figure& figure, Box area) {
+// `steps`, here and below: which step draws what; null where nobody asks.
+void draw_marks(Canvas& canvas, const Figure& figure, Box area, const StepsOfMarks* steps) {
   for (std::size_t i = 0; i < figure.marks.size(); ++i) {
     canvas.clip_to(window_of(figure, i, area));
+    if (steps) canvas.in_step(steps->marks[i]);
     try {
       draw(canvas, figure.marks[i]);
     } catch (const std::invalid_argument& wrong) {
@@ -42,9 +46,10 @@ struct Placeable {
   std::string text;  // empty: the number of a step
   double size = 0, descent = 0;
   Colour colour;
-  int step = 0;
+  int number = 0;
+  int step = 0;  // that draws it
   std::string name() const {
-    return text.empty() ? fmt::format("step {}", step) : fmt::format("label '{}'", plain(text));
+    return text.empty() ? fmt::format("step {}", number) : fmt::format("label '{}'", plain(text));
   }
 };
 
@@ -57,23 +62,30 @@ Placeable placeable(const Label& label) {
           .colour = ink(label.ink)};
 }
 
-std::vector<Placeable> placeables(const Figure& figure, Box area) {
+std::vector<Placeable> placeables(const Figure& figure, Box area, const StepsOfMarks* steps) {
   const Namesakes namesakes(figure, figure.labels, area);
   std::vector<Placeable> all;
-  for (const Label& label : figure.labels) {
+  for (std::size_t i = 0; i < figure.labels.size(); ++i) {
+    const Label& label = figure.labels[i];
     if (label.text.empty()) continue;
     all.push_back(placeable(label));
+    if (steps) all.back().step = steps->labels[i];
     LabelBox& box = all.back().box;
     box.naming = namesakes.of(label, box.width);
   }
-  for (const Mark& mark : figure.marks) {
-    const auto* dimension = std::get_if<Dimension>(&mark);
+  for (std::size_t i = 0; i < figure.marks.size(); ++i) {
+    const auto* dimension = std::get_if<Dimension>(&figure.marks[i]);
     if (!dimension || dimension->text.empty()) continue;
     const auto [from, to] = dimension_line(*dimension);
     all.push_back(placeable(Label{.text = dimension->text, .at = from, .to = to}));
+    if (steps) all.back().step = steps->marks[i];
   }
   for (const StepNumber& step : figure.steps)
-    all.push_back({.box = {step_diameter, step_diameter, step.at}, .text = {}, .colour = black, .step = step.number});
+    all.push_back({.box = {step_diameter, step_diameter, step.at},
+                   .text = {},
+                   .colour = black,
+                   .number = step.number,
+                   .step = steps ? step.number : 0});
   return all;
 }
 
@@ -85,20 +97,22 @@ void require_numbers(const Canvas& canvas, const Placeable& item) {
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(fmt::format("{}: {}", item.name(), wrong.what()));
   } catch (const TooFar& why) {
-    throw TooFar((item.text.empty() ? fmt::format("{}", item.step) : plain(item.text)) + ": " + why.words());
+    throw TooFar((item.text.empty() ? fmt::format("{}", item.number) : plain(item.text)) + ": " + why.words());
   }
 }
 
 void draw_placed(std::vector<Primitive>& ink, const Placeable& item, const Place& place) {
+  const std::size_t before = ink.size();
   if (place.leader)
     ink.push_back(Stroke{segment(place.leader->first, place.leader->second), fine, {}, black, {}, {}});
   if (item.text.empty()) {
-    const auto circled = circled_number(middle(place.box), item.step, step_diameter, item.colour);
+    const auto circled = circled_number(middle(place.box), item.number, step_diameter, item.colour);
     ink.insert(ink.end(), circled.begin(), circled.end());
   } else {
     ink.push_back(PlacedText{
         item.text, {place.box.low.x, place.box.low.y + item.descent}, item.size, item.colour, Weight::regular});
   }
+  belongs_to(item.step, ink, before);
 }
 
 void report(std::vector<std::string>& conflicts, const std::vector<Placeable>& items,
@@ -111,10 +125,15 @@ void report(std::vector<std::string>& conflicts, const std::vector<Placeable>& i
   }
 }
 
-std::vector<Primitive> figure_ink(const Figure& figure, Box area, std::vector<std::string>* conflicts) {
+// `told`: the column, whose steps are asked for; null: they are not.
+std::vector<Primitive> figure_ink(const Figure& figure, Box area, const std::vector<Block>* told,
+                                  std::vector<std::string>* conflicts) {
+  std::optional<StepsOfMarks> of_marks;
+  if (told) of_marks = steps_of_marks(figure, *told);
+  const StepsOfMarks* const steps = of_marks ? &*of_marks : nullptr;
   Canvas canvas(area);
-  draw_marks(canvas, figure, area);
-  const std::vector<Placeable> items = placeables(figure, area);
+  draw_marks(canvas, figure, area, steps);
+  const std::vector<Placeable> items = placeables(figure, area, steps);
   std::vector<LabelBox> boxes;
   for (const Placeable& item : items) {
     require_numbers(canvas, item);
@@ -146,30 +165,51 @@ Stroke frame_line(Box frame) {
 }
 
 // The figure, its scale bars right under it.
-std::vector<Primitive> bare_ink(const Sheet& sheet, std::vector<std::string>* conflicts) {
+std::vector<Primitive> bare_ink(const Sheet& sheet, const std::vector<Block>* told,
+                                std::vector<std::string>* conflicts) {
   Figure figure = sheet.figure;
   std::vector<ScaleBar> bars = taken_out(figure);
-  std::vector<Primitive> primitives = figure_ink(figure, drawing_area(sheet.paper), conflicts);
+  std::vector<Primitive> primitives = figure_ink(figure, drawing_area(sheet.paper), told, conflicts);
   append(primitives, bars_below(ink_box(primitives), std::move(bars), conflicts));
   return primitives;
 }
 
-}  // namespace
-
-Page compose(const Sheet& sheet, std::vector<std::string>* conflicts) {
+Page composed(const Sheet& sheet, bool in_steps, std::vector<std::string>* conflicts) {
   const Timed timed(Work::layout);
+  const std::vector<Block>* const told = in_steps ? &sheet.column : nullptr;
   Page page{sheet.id, sheet.title, sheet.description, paper_box(sheet.paper), sheet.language, {}, !sheet.bare};
   if (sheet.bare) {
-    page.primitives = bare_ink(sheet, conflicts);
+    page.primitives = bare_ink(sheet, told, conflicts);
     const Box box = ink_box(page.primitives);
     if (!is_nothing(box)) page.extent = grown(box, 2);
     return page;
   }
-  page.primitives = figure_ink(sheet.figure, drawing_area(sheet.paper), conflicts);
+  page.primitives = figure_ink(sheet.figure, drawing_area(sheet.paper), told, conflicts);
   const Layout parts = layout(sheet.paper, title_block_height(sheet));
   page.primitives.push_back(frame_line(parts.frame));
   append(page.primitives, set_title_block(sheet, parts.title_block, conflicts));
-  append(page.primitives, set_column(sheet.column, parts.column, sheet.language, conflicts));
+  std::vector<Primitive> column = set_column(sheet.column, parts.column, sheet.language, conflicts);
+  if (!in_steps) belongs_to(0, column);
+  append(page.primitives, std::move(column));
+  return page;
+}
+
+}  // namespace
+
+Page compose(const Sheet& sheet, std::vector<std::string>* conflicts) { return composed(sheet, false, conflicts); }
+
+Page compose_in_steps(const Sheet& sheet) {
+  Page page = composed(sheet, true, nullptr);
+  for (const Block& block : sheet.column)
+    if (const auto* steps = std::get_if<Steps>(&block))
+      page.steps.insert(page.steps.end(), steps->lines.begin(), steps->lines.end());
+  return page;
+}
+
+Page after_step(Page page, int step) {
+  std::erase_if(page.primitives, [&](const Primitive& primitive) {
+    return std::visit([](const auto& p) { return p.step; }, primitive) > step;
+  });
   return page;
 }
 

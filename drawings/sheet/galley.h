@@ -40,6 +40,9 @@ class Galley {
     ink_.push_back(Stroke{segment({from, y}, {to, y}), width, {}, black, {}, {}});
   }
   void add(std::vector<Primitive> primitives) { ink_.insert(ink_.end(), primitives.begin(), primitives.end()); }
+  // What was set since there were so many primitives belongs to this step.
+  std::size_t count() const { return ink_.size(); }
+  void since(std::size_t before, int step) { belongs_to(step, ink_, before); }
   // Lines one under the other from the cursor; tall ones (arrows over letters, exponents) get the room they need.
   void lines(const std::vector<std::string>& lines, double left, Weight weight = Weight::regular);
 

@@ -20,6 +20,8 @@
 #include "exercises/cli/givens_file.h"
 #include "exercises/cli/pages.h"
 #include "exercises/cli/request.h"
+#include "exercises/cli/sheet_html.h"
+#include "exercises/cli/staged_pages.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/panels/fit.h"
 #include "exercises/kit/proof/solution.h"
@@ -70,8 +72,9 @@ class Solving {
 struct DrawnSheetOf {
   Solving* solving;
   std::string name;
-  std::vector<drawings::Page> pages = {};  // several of a long table
-  std::optional<Words> undecided = {};     // why there are none
+  std::vector<drawings::Page> pages = {};   // several of a long table; none where only staged ones are wanted
+  std::vector<drawings::Page> staged = {};  // the same in steps, where they are wanted
+  std::optional<Words> undecided = {};      // why there are none
 
   const Exercise& exercise() const { return *solving->exercise(); }
   std::string path() const { return exercise().about().id + "/" + name; }
@@ -154,11 +157,17 @@ class Drawing {
               add_pdf({{each.target.exercise, sheet->name}, each.solving, {sheet}});
               continue;
             }
-            for (std::size_t i = 0; i < sheet->pages.size(); ++i) {
+            if (format == Format::html) {
+              add(folder / (stem(*sheet->solving, sheet->name) + ending_of_blank() + ".html"), name_of(*sheet),
+                  [this, sheet] { return html(*sheet); });
+              continue;
+            }
+            const std::vector<drawings::Page>& pages = pages_of_file(*sheet);
+            for (std::size_t i = 0; i < pages.size(); ++i) {
               const std::string further = i == 0 ? "" : fmt::format("-{}", i + 1),
                                 name = stem(*sheet->solving, sheet->name) + ending_of_blank() + further +
                                        ending_of(format);
-              for (FileToMake& file : files_of(format, sheet->pages[i], folder / name))
+              for (FileToMake& file : files_of(format, pages[i], folder / name))
                 add(file.path, name_of(*sheet) + further + file.part, std::move(file.maker));
             }
           }
@@ -186,7 +195,8 @@ class Drawing {
           "un file in {} contiene una tavola, e ne sono chieste {}; nominarne una, come {}/{}",
           ending_of(format).substr(1), count, first.target.exercise->about().id, first.target.sheets().front()));
     std::vector<File> files;
-    for (const FileToMake& file : files_of(format, first.sheets.front()->pages.front(), *options_.file))
+    if (format == Format::html) return {{*options_.file, html(*first.sheets.front())}};
+    for (const FileToMake& file : files_of(format, pages_of_file(*first.sheets.front()).front(), *options_.file))
       files.push_back({file.path, file.maker()});
     return files;
   }
@@ -205,7 +215,11 @@ class Drawing {
 
   // Of the formats whose files hold a page.
   static std::string ending_of(Format format) {
-    return format == Format::svg ? ".svg" : format == Format::png ? ".png" : format == Format::eps ? ".eps" : ".tex";
+    return format == Format::svg    ? ".svg"
+           : format == Format::html ? ".html"
+           : format == Format::png  ? ".png"
+           : format == Format::eps  ? ".eps"
+                                    : ".tex";
   }
 
   struct FileToMake {
@@ -216,7 +230,8 @@ class Drawing {
   // The page in such a format, in the file of this path and what belongs to it.
   std::vector<FileToMake> files_of(Format format, const drawings::Page& page,
                                    const std::filesystem::path& path) const {
-    if (format == Format::svg) return {{path, [&page] { return write_svg(page); }}};
+    if (format == Format::svg)
+      return {{path, [this, &page] { return options_.steps ? write_svg(silent(page)) : write_svg(page); }}};
     if (format == Format::eps) return {{path, [&page] { return write_eps(page); }}};
     if (format == Format::png)
       return {{path, [&page, dots = looks_.dots_per_inch] { return write_png(page, dots); }}};
@@ -224,6 +239,18 @@ class Drawing {
     return {
         {path, [&page, picture] { return write_tex(page, picture.filename().string()); }},
         {picture, [&page] { return drawings::write_pdf({without_letters(page)}, {.title = page.title}); }, "-art"}};
+  }
+  // Those of a PDF, an SVG or a picture.
+  const std::vector<drawings::Page>& pages_of_file(const DrawnSheetOf& sheet) const {
+    return options_.steps ? sheet.staged : sheet.pages;
+  }
+  std::string html(const DrawnSheetOf& sheet) const {
+    return sheet_html(sheet.staged, {.is_bare = is_bare(options_), .follows_reader = !looks_.background});
+  }
+  bool wants_staged_pages() const { return options_.steps || is_asked_for(Format::html); }
+  bool wants_plain_pages() const {
+    const bool is_only_html = is_asked_for(Format::html) && (options_.file || formats_of(options_).size() == 1);
+    return !options_.steps && !is_only_html;
   }
   void demand_paintable_pages() const {
     if (!is_asked_for(Format::png)) return;
@@ -287,7 +314,11 @@ class Drawing {
   void compose_or_tell(DrawnSheetOf& each, const SheetRequest& request) const {
     const Candidate& row = each.solving->row();
     try {
-      each.pages = compose(each, request);
+      if (wants_plain_pages()) each.pages = compose(each, request, pages_of);
+      if (wants_staged_pages())
+        each.staged = compose(each, request, [&](DrawnSheet drawn) {
+          return staged_pages(std::move(drawn), each.solving->solution(), request.language);
+        });
     } catch (const geometry::Undecided& open) {
       each.undecided = open.words();
     } catch (const DoesNotFit& why) {
@@ -301,7 +332,9 @@ class Drawing {
     }
   }
 
-  std::vector<drawings::Page> compose(const DrawnSheetOf& wanted, const SheetRequest& request) const {
+  std::vector<drawings::Page> compose(
+      const DrawnSheetOf& wanted, const SheetRequest& request,
+      const std::function<std::vector<drawings::Page>(DrawnSheet)>& pages_of_drawn) const {
     const auto construct = [&](const SheetRequest& one) {
       const drawings::Timed timed(drawings::Work::construction);
       return wanted.exercise().draw(wanted.name, wanted.solving->solution(), one);
@@ -310,9 +343,9 @@ class Drawing {
                                                                        [&](double room) {
                                                                          SheetRequest within = request;
                                                                          within.room_width = room;
-                                                                         return pages_of(construct(within));
+                                                                         return pages_of_drawn(construct(within));
                                                                        })
-                                                        : pages_of(construct(request));
+                                                        : pages_of_drawn(construct(request));
     if (looks_.background)
       for (drawings::Page& page : pages) page = on_background(std::move(page), *looks_.background);
     return pages;
@@ -330,7 +363,12 @@ class Drawing {
         if (is_within && std::exchange(above, sheet->solving) != sheet->solving)
           document.bookmarks.push_back({title(*sheet->solving), pages.size()});
         document.bookmarks.push_back({title(*sheet), pages.size(), is_within});
-        pages.insert(pages.end(), sheet->pages.begin(), sheet->pages.end());
+        for (const drawings::Page& page : pages_of_file(*sheet)) {
+          if (options_.steps)
+            for (drawings::Page& each_step : page_of_each_step(page)) pages.push_back(std::move(each_step));
+          else
+            pages.push_back(page);
+        }
       }
     if (pages.size() == 1) document.bookmarks.clear();
     return drawings::write_pdf(pages, document);

@@ -35,7 +35,8 @@ Help help_of_draw() {
        "that sheet alone in both formats. A long table takes as many pages as it needs: of its sheet the further "
        "ones "
        "are out/ID-SHEET-2.svg and so on, and --format csv writes its numbers to out/ID-SHEET.csv, for a "
-       "spreadsheet. png and eps hold a page each; pdf+tex is a bare figure whose letters LaTeX sets: \\input "
+       "spreadsheet. html is a page for a browser, with a slider through the steps of the construction. png and eps "
+       "hold a page each; pdf+tex is a bare figure whose letters LaTeX sets: \\input "
        "ID-SHEET.tex, beside ID-SHEET-art.pdf. Files appear whole or not at all. A value is a number such as 0.25, "
        "1/4 "
        "or 2.5e-1, with a unit (25cm) or in that which list shows. --givens reads such values from a file; of a "
@@ -45,7 +46,8 @@ Help help_of_draw() {
        "scrive quella sola tavola in entrambi i formati. Una tabella lunga prende quante pagine le servono: della "
        "sua "
        "tavola le altre sono out/ID-TAVOLA-2.svg e così via, e --format csv ne scrive i numeri in out/ID-TAVOLA.csv, "
-       "per un foglio di calcolo. png ed eps contengono una pagina ciascuno; pdf+tex è una figura nuda di cui LaTeX "
+       "per un foglio di calcolo. html è una pagina per il browser, con un cursore per i passi della costruzione. "
+       "png ed eps contengono una pagina ciascuno; pdf+tex è una figura nuda di cui LaTeX "
        "compone le lettere: \\input ID-TAVOLA.tex, accanto a ID-TAVOLA-art.pdf. I file compaiono interi o non "
        "compaiono. Un valore è un "
        "numero come 0,25, 1/4 o 2,5e-1, con un'unità (25cm) o in quella che list mostra. --givens legge tali valori "
@@ -59,6 +61,8 @@ Help help_of_draw() {
   epure draw slider-crank-velocity/poles --bare --format svg -o - > poles.svg
   epure draw slider-crank-velocity/poles --width 120mm -o poles.tex
   epure draw slider-crank-velocity/poles -o poles.png --background '#1e1e2e'
+  epure draw slider-crank-velocity/polar-diagram -o polar-diagram.html
+  epure draw slider-crank-velocity --steps --bare -o overlays.pdf
   epure draw four-bar --givens students.csv --name '{id}-{student}-{sheet}'
 )"};
 }

@@ -182,8 +182,8 @@ class Parser {
     CLI::App& verb = add_verb("draw");
     add_names(verb, {"NAME", "NOME"},
               {"exercises or single sheets: ID, ID/SHEET or all", "esercizi o singole tavole: ID, ID/TAVOLA o all"});
-    add_formats(verb, {"; also png, eps, pdf+tex; csv: the long table of a sheet",
-                       "; anche png, eps, pdf+tex; csv: la tabella lunga di una tavola"});
+    add_formats(verb, {"; also html, png, eps, pdf+tex; csv: the long table of a sheet",
+                       "; anche html, png, eps, pdf+tex; csv: la tabella lunga di una tavola"});
     add_csv(verb);
     add_file(verb,
              {"write one file instead; - is standard output", "scrive invece un solo file; - è lo standard output"});
@@ -205,6 +205,10 @@ class Parser {
     add_flag(verb, "--blank", options_.blank,
              {"the sheet to be solved: what is given, the question, an empty table of what is asked",
               "la tavola da svolgere: i dati, il quesito, una tabella vuota di ciò che si chiede"});
+    add_flag(verb, "--steps", options_.steps,
+             {"a page of the PDF for each step of the construction; in SVG what step 3 draws has the class step-3",
+              "una pagina del PDF per ogni passo della costruzione; in SVG ciò che il passo 3 disegna ha la classe "
+              "step-3"});
     add_flag(verb, "--times", options_.times,
              {"say on standard error where the time went", "dice sullo standard error dove è andato il tempo"});
   }

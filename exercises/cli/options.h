@@ -33,7 +33,7 @@ struct Options {
   std::optional<std::string> sheet, answers, key, points, csv;
   std::string paper = "a4", language = "en", reading = "0.5mm", arithmetic = "exact", seconds = "60",
               slip_points = "0.5";
-  bool bare = false, blank = false, json = false, times = false, quiet = false;
+  bool bare = false, blank = false, steps = false, json = false, times = false, quiet = false;
   OwnTitles titles = {};
   DocumentOptions document = {};
   ClassOptions class_set = {};

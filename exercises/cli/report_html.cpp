@@ -2,14 +2,13 @@
 #include <fmt/format.h>
 
 #include "drawings/files/xml.h"
-#include "drawings/text/rich_text.h"
 #include "drawings/text/text.h"
+#include "exercises/cli/html_words.h"
+#include "exercises/cli/inline_svg.h"
 #include "exercises/cli/report_document.h"
 
 namespace epure {
 namespace {
-
-using drawings::Node;
 
 constexpr const char* style = R"(
 :root { color-scheme: light dark; }
@@ -22,32 +21,9 @@ figure svg { background: #fff; color-scheme: light; max-width: 100%; height: aut
 table { border-collapse: collapse; font-size: .9rem; }
 th, td { text-align: left; vertical-align: top; padding: .2rem .9rem .2rem 0; border-bottom: 1px solid #8888; }
 tr { break-inside: avoid; }
-sub, sup { line-height: 0; }
-.vector { position: relative; }
-.vector::before { content: "→"; position: absolute; left: 0; right: 0; top: -.75em; text-align: center;
-  font-style: normal; font-size: .75em; }
 @media print { body { max-width: none; margin: 0; padding: 0; font-size: 10.5pt; } .table { overflow: visible; } }
 @page { size: A4; margin: 20mm; }
 )";
-
-std::string html(const std::vector<Node>& nodes) {
-  std::string set;
-  for (const Node& node : nodes) {
-    std::string nucleus = drawings::escaped_for_xml(node.letters) + html(node.group);
-    if (node.italic) nucleus = "<i>" + nucleus + "</i>";
-    if (node.arrow) nucleus = "<span class=\"vector\">" + nucleus + "</span>";
-    set += nucleus;
-    if (!node.below.empty()) set += "<sub>" + html(node.below) + "</sub>";
-    if (!node.above.empty()) set += "<sup>" + html(node.above) + "</sup>";
-  }
-  return set;
-}
-
-std::string html(const std::string& rich_text) {
-  std::string set;
-  for (const std::string& part : labels_in(rich_text)) set += html(drawings::parse(part));
-  return set;
-}
 
 std::string element(const char* name, const std::string& rich_text) {
   return fmt::format("<{0}>{1}</{0}>\n", name, html(rich_text));
@@ -78,11 +54,7 @@ class Html {
     for (const auto& row : table.rows) add_row("td", "td", row);
     text_ += "</tbody></table></div>\n";
   }
-  void operator()(const ReportFigure& figure) {
-    std::string svg = drawings::write_svg(figure.page);
-    svg.erase(0, svg.find("<svg"));  // the declaration is that of a file of its own
-    text_ += "<figure>\n" + svg + "</figure>\n";
-  }
+  void operator()(const ReportFigure& figure) { text_ += "<figure>\n" + svgs_.add(figure.page) + "</figure>\n"; }
   std::string text() && { return std::move(text_); }
 
  private:
@@ -93,6 +65,7 @@ class Html {
   }
 
   std::string text_;
+  InlineSvgs svgs_;
 };
 
 }  // namespace
@@ -104,9 +77,9 @@ std::string html_of(const ReportDocument& document) {
              "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n"
              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
              "<meta name=\"generator\" content=\"epure " EPURE_VERSION
-             "\"/>\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
+             "\"/>\n<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n",
              document.language == Language::english ? "en" : "it",
-             drawings::escaped_for_xml(drawings::plain(document.title)), style) +
+             drawings::escaped_for_xml(drawings::plain(document.title)), style, style_of_words) +
          element("h1", document.title) + element("p", document.source) + std::move(writer).text() +
          "</main>\n</body>\n</html>\n";
 }

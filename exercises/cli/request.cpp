@@ -20,6 +20,7 @@ std::optional<Format> format_named(const std::string& typed) {
   const std::string name = lower_case(typed);
   if (name == "pdf") return Format::pdf;
   if (name == "svg") return Format::svg;
+  if (name == "html") return Format::html;
   if (name == "png") return Format::png;
   if (name == "eps") return Format::eps;
   if (name == "pdf+tex" || name == "tex") return Format::tex;
@@ -135,9 +136,10 @@ std::vector<Format> formats_of(const Options& options) {
   for (auto comma = rest.find(','); comma != std::string::npos; comma = rest.find(',')) {
     const auto format = format_named(rest.substr(0, comma));
     if (!format)
-      throw WrongUsage(format_words(
-          "\"{}\" is no format of epure; choose among pdf, svg, png, eps, pdf+tex and csv",
-          "\"{}\" non è un formato di epure; scegliere fra pdf, svg, png, eps, pdf+tex e csv", *options.format));
+      throw WrongUsage(
+          format_words("\"{}\" is no format of epure; choose among pdf, svg, html, png, eps, pdf+tex and csv",
+                       "\"{}\" non è un formato di epure; scegliere fra pdf, svg, html, png, eps, pdf+tex e csv",
+                       *options.format));
     if (std::find(formats.begin(), formats.end(), *format) == formats.end()) formats.push_back(*format);
     rest.erase(0, comma + 1);
   }
@@ -153,11 +155,11 @@ Format format_of_file(const Options& options) {
   if (!options.format) {
     if (by_ending) return *by_ending;
     if (is_standard_output(options)) return Format::pdf;
-    throw WrongUsage(
-        format_words("\"{}\" tells no format; end it in .pdf, .svg, .png, .eps, .tex or .csv, or add --format",
-                     "\"{}\" non dice il formato; farlo finire in .pdf, .svg, .png, .eps, .tex o .csv, o aggiungere "
-                     "--format",
-                     *options.file));
+    throw WrongUsage(format_words(
+        "\"{}\" tells no format; end it in .pdf, .svg, .html, .png, .eps, .tex or .csv, or add --format",
+        "\"{}\" non dice il formato; farlo finire in .pdf, .svg, .html, .png, .eps, .tex o .csv, o aggiungere "
+        "--format",
+        *options.file));
   }
   const std::vector<Format> asked = formats_of(options);
   if (asked.size() != 1)
@@ -174,7 +176,26 @@ bool is_asked_for(Format format, const Options& options) {
   return std::find(asked.begin(), asked.end(), format) != asked.end();
 }
 
+namespace {
+
+void demand_steps_are_shown(const Options& options) {
+  if (!options.steps) return;
+  if (options.blank)
+    throw WrongUsage("--blank draws the sheet to be solved, which has no --steps; choose one of them",
+                     "--blank disegna la tavola da svolgere, che non ha passi (--steps); scegliere uno dei due");
+  for (const Format format : {Format::png, Format::eps, Format::tex, Format::csv})
+    if (is_asked_for(format, options))
+      throw WrongUsage(
+          "--steps makes a page of a PDF, a class in an SVG and a place of the slider in HTML of each step; other "
+          "formats hold one picture, so choose among pdf, svg and html",
+          "--steps fa di ogni passo una pagina di un PDF, una classe in un SVG e un posto del cursore in HTML; gli "
+          "altri formati tengono una figura sola: scegliere fra pdf, svg e html");
+}
+
+}  // namespace
+
 void demand_sensible_output(const Options& options) {
+  demand_steps_are_shown(options);
   if (options.folder && options.folder->empty())
     throw WrongUsage("--out \"\" names no folder; name one, such as . or out",
                      "--out \"\" non nomina una cartella; nominarne una, come . o out");

@@ -10,7 +10,7 @@
 
 namespace epure {
 
-enum class Format { pdf, svg, png, eps, tex, csv };  // tex: what sets the letters, and a PDF without them
+enum class Format { pdf, svg, html, png, eps, tex, csv };  // tex: what sets the letters, and a PDF without them
 
 // What --format asks for, each once; PDF and SVG when it says nothing.
 std::vector<Format> formats_of(const Options& options);

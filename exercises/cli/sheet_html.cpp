@@ -1,0 +1,108 @@
+#include "exercises/cli/sheet_html.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "drawings/files/svg_colour.h"
+#include "drawings/files/xml.h"
+#include "drawings/marks/background.h"
+#include "drawings/text/text.h"
+#include "exercises/cli/html_words.h"
+#include "exercises/cli/inline_svg.h"
+#include "exercises/cli/sheet_html_parts.h"
+
+namespace epure {
+namespace {
+
+using drawings::Colour;
+using drawings::in_css;
+
+// Each colour of the pages becomes what it is on a dark page: the SVG itself stays as it is in a file.
+std::string dark_style(const std::vector<drawings::Page>& pages) {
+  const drawings::Background dark{drawings::dark_background, drawings::Inks::light};
+  std::map<std::string, std::string> becomes;
+  const auto map = [&](const drawings::Page& page) {
+    const drawings::Page on_dark = on_background(page, dark);
+    for (std::size_t i = 0; i < page.primitives.size(); ++i) {
+      const auto colour = [](const drawings::Primitive& primitive) {
+        return in_css(std::visit([](const auto& p) { return p.colour; }, primitive));
+      };
+      becomes[colour(page.primitives[i])] = colour(on_dark.primitives[i + 1]);  // the first is its ground
+    }
+  };
+  for (const drawings::Page& page : pages) map(page);
+  drawings::Page paper{};  // with the letters that have no colour of their own
+  paper.primitives = {drawings::Fill{}, drawings::Fill{{}, {1, 1, 1, 1}, {}, {}}};
+  map(paper);
+  std::string rules = fmt::format(
+      "@media screen and (prefers-color-scheme: dark) {{\n"
+      ":root {{ --ground: {}; --ink: #eee; --now: #fc0; }}\n.sheet svg {{ fill: {}; }}\n",
+      in_css(drawings::dark_background), becomes[in_css(Colour{})]);
+  for (const auto& [from, to] : becomes)
+    rules +=
+        fmt::format(".sheet [fill=\"{0}\"] {{ fill: {1}; }} .sheet [stroke=\"{0}\"] {{ stroke: {1}; }}\n", from, to);
+  return rules + "}\n";
+}
+
+// Paper as large as the sheet; of a bare figure the smallest that holds it.
+std::string print_style(const std::vector<drawings::Page>& pages, bool is_bare) {
+  const drawings::Box extent = pages.front().extent;
+  const double width = extent.width(), height = extent.height();
+  const std::string size =
+      fmt::format("@media print {{ .sheet svg {{ width: {:.5f}mm; height: {:.5f}mm; }} }}\n", width, height);
+  if (!is_bare) return size + fmt::format("@page {{ size: {:.0f}mm {:.0f}mm; margin: 0; }}\n", width, height);
+  constexpr double margin = 10;
+  const bool fits_a4 = width + 2 * margin <= 297 && height + 2 * margin <= 210;
+  return size + fmt::format("@page {{ size: {} landscape; margin: {}mm; }}\n", fits_a4 ? "A4" : "A3", margin);
+}
+
+std::string say(const Words& words, const drawings::Page& page) { return words.in(page.language); }
+
+std::string state(const std::string& name, const std::string& words) {
+  return fmt::format("<li data-name=\"{}\">{}</li>\n", drawings::escaped_for_attribute(name), words);
+}
+
+std::string controls(const drawings::Page& page) {
+  const std::size_t count = page.steps.size();
+  const std::string given = say({"What is given.", "Ciò che è dato."}, page),
+                    whole = say({"The whole sheet.", "La tavola intera."}, page);
+  std::string html_text = fmt::format(
+      "<div class=\"controls\" role=\"group\" aria-label=\"{0}\" hidden=\"\">\n<div class=\"moves\">\n"
+      "<button type=\"button\" class=\"previous\">{1}</button>\n"
+      "<input type=\"range\" class=\"slider\" min=\"0\" max=\"{2}\" step=\"1\" value=\"{2}\" aria-label=\"{3}\"/>\n"
+      "<button type=\"button\" class=\"next\">{4}</button>\n</div>\n"
+      "<p class=\"words\" aria-live=\"polite\"></p>\n</div>\n"
+      "<details class=\"states\"><summary>{5}</summary>\n<ol start=\"0\">\n",
+      say({"Construction", "Costruzione"}, page), say({"Previous", "Indietro"}, page), count + 1,
+      say({"Step", "Passo"}, page), say({"Next", "Avanti"}, page), say({"All steps", "Tutti i passi"}, page));
+  html_text += state(given, given);
+  for (std::size_t i = 0; i < count; ++i)
+    html_text += state(fmt::format("{} {}/{}.", say({"Step", "Passo"}, page), i + 1, count), html(page.steps[i]));
+  return html_text + state(whole, whole) + "</ol></details>\n";
+}
+
+}  // namespace
+
+std::string sheet_html(const std::vector<drawings::Page>& pages, SheetOnScreen as) {
+  const drawings::Page& first = pages.front();
+  const std::string title = drawings::escaped_for_xml(first.title);
+  std::string text = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+      "script-src 'unsafe-inline'\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+      "<meta name=\"generator\" content=\"epure " EPURE_VERSION
+      "\"/>\n<title>{}</title>\n<style>{}{}{}{}</style>\n</head>\n<body>\n<main class=\"epure\">\n<h1>{}</h1>\n",
+      first.language == Language::english ? "en" : "it", title, style_of_sheet, style_of_words,
+      print_style(pages, as.is_bare), as.follows_reader ? dark_style(pages) : "", title);
+  text += "<figure class=\"sheet\">\n";
+  InlineSvgs svgs;
+  for (const drawings::Page& page : pages) text += svgs.add(page);
+  text += "</figure>\n";
+  if (!first.steps.empty()) text += controls(first);
+  return text + "<div class=\"tip\" aria-hidden=\"true\" hidden=\"\"></div>\n<script>" + script_of_sheet +
+         "</script>\n</main>\n</body>\n</html>\n";
+}
+
+}  // namespace epure

@@ -1,0 +1,364 @@
+// Sheets as pages for a browser, and sheets in their steps.
+#include <poppler-document.h>
+#include <poppler-page.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <pugixml.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "drawings/files/xml.h"
+#include "tests/exercises/run.h"
+#include "tests/support/catch.h"
+
+using namespace epure;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Typed = std::vector<std::string>;
+
+Ran run_on_all(const Typed& words) {
+  std::ostringstream out, err;
+  const int exit = run_cli(catalogue(), words, out, err);
+  return {exit, out.str(), err.str()};
+}
+
+std::string drawn(Typed words) {
+  words.insert(words.begin(), "draw");
+  words.insert(words.end(), {"-o", "-"});
+  const Ran ran = run_on_all(words);
+  CAPTURE(words, ran.err);
+  REQUIRE(ran.exit == 0);
+  return ran.out;
+}
+
+struct Page {
+  explicit Page(const std::string& bytes) : html(bytes) {
+    const auto read = xml.load_buffer(html.data(), html.size(), pugi::parse_default | pugi::parse_doctype);
+    CAPTURE(read.description(),
+            html.substr(static_cast<std::size_t>(std::max<std::ptrdiff_t>(read.offset - 80, 0)), 160));
+    REQUIRE(read);
+  }
+  template <class See>
+  void each(See see) const {
+    struct Walker : pugi::xml_tree_walker {
+      explicit Walker(See s) : see(s) {}
+      bool for_each(pugi::xml_node& node) override {
+        see(node);
+        return true;
+      }
+      See see;
+    } walker(see);
+    const_cast<pugi::xml_document&>(xml).traverse(walker);
+  }
+  int count(const char* path) const { return static_cast<int>(xml.select_nodes(path).size()); }
+  int steps() const { return std::max(0, count("//ol/li") - 2); }
+  // Of the figure, without its column: the elements of a step.
+  std::map<int, int> marks_of_steps() const {
+    std::map<int, int> marks;
+    each([&](const pugi::xml_node& node) {
+      const std::string name = node.attribute("class").value();
+      if (name.starts_with("step-")) ++marks[std::stoi(name.substr(5))];
+    });
+    return marks;
+  }
+
+  std::string html;
+  pugi::xml_document xml;
+};
+
+std::string text_of(pugi::xml_node node) {
+  std::string text = node.value();
+  for (const pugi::xml_node child : node) text += text_of(child);
+  return text;
+}
+
+bool is_off_the_sheet(const std::string& line) {
+  return line.ends_with("(Off the sheet.)") || line.ends_with("(Fuori del foglio.)");
+}
+
+// An id once, and what refers to one finds it.
+void demand_clear_ids(const Page& page) {
+  std::set<std::string> ids, wanted;
+  page.each([&](const pugi::xml_node& node) {
+    if (const pugi::xml_attribute id = node.attribute("id")) {
+      if (!ids.insert(id.value()).second) FAIL_CHECK(id.value() << " stands twice");
+    }
+    if (const pugi::xml_attribute link = node.attribute("xlink:href"))
+      wanted.insert(std::string(link.value()).substr(1));
+    const std::string clip = node.attribute("clip-path").value();
+    if (!clip.empty()) wanted.insert(clip.substr(5, clip.size() - 6));
+  });
+  for (const std::string& id : wanted)
+    if (!ids.contains(id)) FAIL_CHECK(id << " is nowhere");
+  CHECK(ids.size() > 10);
+}
+
+// Nothing is fetched: names of name spaces are no addresses.
+void demand_self_contained(const Page& page) {
+  page.each([](const pugi::xml_node& node) {
+    const std::string name = node.name();
+    for (const char* element : {"link", "img", "iframe", "object", "embed", "image", "base"})
+      if (name == element) FAIL_CHECK(name << " on the page");
+    for (const pugi::xml_attribute attribute : node.attributes()) {
+      const std::string of = attribute.name(), value = attribute.value();
+      if (of.starts_with("xmlns")) continue;
+      const bool leads_out = value.find("://") != std::string::npos || of == "src" || of.starts_with("on") ||
+                             (of.ends_with("href") && !value.starts_with("#"));
+      if (leads_out) FAIL_CHECK(name << " has " << of << " " << value);
+    }
+  });
+  for (const char* element : {"//script", "//style"}) {
+    const std::string text = std::regex_replace(text_of(page.xml.select_node(element).node()),
+                                                std::regex("http://www.w3.org/2000/svg"), "");
+    CHECK(text.find("://") == std::string::npos);
+    CHECK(text.find("@import") == std::string::npos);
+    CHECK(text.find("url(") == std::string::npos);
+  }
+  CHECK(page.html.find("Content-Security-Policy\" content=\"default-src 'none'") != std::string::npos);
+}
+
+bool is_at_hand(const std::string& program) {
+  return std::system(("command -v " + program + " > /dev/null 2>&1").c_str()) == 0;
+}
+
+void write(const fs::path& path, const std::string& bytes) {
+  std::ofstream out(path, std::ios::binary);
+  out << bytes;
+  REQUIRE(out.flush());
+}
+
+// The browser, without a window.
+std::string chromium(const Scratch& scratch, const std::string& options, const std::string& page) {
+  const std::string command =
+      "timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
+      "--disable-background-networking --disable-component-update --disable-sync --window-size=1200,800 "
+      "--user-data-dir='" +
+      (scratch.path() / "profile").string() + "' " + options + " 'file://" + (scratch.path() / page).string() +
+      "' > seen.txt 2> /dev/null";
+  CAPTURE(command);
+  REQUIRE(std::system(command.c_str()) == 0);
+  return contents("seen.txt");
+}
+
+}  // namespace
+
+TEST_CASE("every sheet is a page of its own in both languages, and each of its steps draws something") {
+  for (const std::string language : {"en", "it"}) {
+    const Scratch scratch;
+    REQUIRE(run_on_all({"draw", "all", "--format", "html", "--lang", language, "--out", "."}).exit == 0);
+    int with_steps = 0, told = 0;
+    for (const std::string& file : scratch.files()) {
+      CAPTURE(language, file);
+      const Page page(contents(file));
+      demand_clear_ids(page);
+      demand_self_contained(page);
+      CHECK(page.xml.child("html").attribute("lang").value() == language);
+      CHECK(page.count("//figure/*") >= 1);
+      CHECK(page.count("//script") == 1);
+      const std::map<int, int> marks = page.marks_of_steps();
+      const int steps = page.steps();
+      CHECK((marks.empty() || marks.rbegin()->first <= steps));
+      CHECK(page.count("//input[@type='range']") == (steps > 0 ? 1 : 0));
+      if (steps > 0) CHECK(page.xml.select_node("//input").node().attribute("max").as_int() == steps + 1);
+      int number = 0;
+      for (const pugi::xpath_node line : page.xml.select_nodes("//ol/li")) {
+        const int step = number++;
+        if (step == 0 || step > steps) continue;
+        // Its words in the column are a circle, a number and lines; the sheet shows its number and a mark besides.
+        const auto found = marks.find(step);
+        const int least = is_off_the_sheet(text_of(line.node())) ? 1 : 4;
+        CAPTURE(step, text_of(line.node()));
+        CHECK((found != marks.end() && found->second >= least));
+      }
+      with_steps += steps > 0;
+      page.each([&](const pugi::xml_node& node) { told += node.attribute("tabindex") ? 1 : 0; });
+    }
+    CHECK(with_steps > 80);
+    CHECK(told > 400);
+  }
+}
+
+TEST_CASE("a mark tells the quantity that it shows") {
+  const std::string page = drawn({"slider-crank-velocity/polar-diagram", "--format", "html"});
+  CHECK(page.find("id=\"slider-crank-velocity-polar-diagram-v_B\" class=\"step-3\" tabindex=\"0\" role=\"img\" "
+                  "aria-label=\"v_B = 5.103 m/s, speed of B\"") != std::string::npos);
+  const std::string italian = drawn({"slider-crank-velocity/polar-diagram", "--format", "html", "--lang", "it"});
+  CHECK(italian.find("aria-label=\"v_B = 5,103 m/s, velocità di B\"") != std::string::npos);
+  // A point by its coordinates, which the mark itself has no name for.
+  const std::string poles = drawn({"four-bar/poles", "--format", "html"});
+  CHECK(poles.find("aria-label=\"P31 = (−0.1789; −0.1033) m\"") != std::string::npos);
+}
+
+TEST_CASE("what a user types is text in the page, whatever it looks like") {
+  const std::string hostile = "</title></script><script>alert(1)</script>\"'&amp;<img src=x>";
+  CHECK(drawings::escaped_for_attribute("\"<&>'") == "&quot;&lt;&amp;&gt;'");
+  const Scratch scratch;
+  write("students.csv", "number,name,r\n7,\"<b onload=x>\"\"&\",0.2\n");
+  REQUIRE(run_on_all({"draw", "slider-crank-velocity/poles", "--format", "html", "--title", hostile, "--givens",
+                      "students.csv", "--out", "."})
+              .exit == 0);
+  for (const std::string& file : scratch.files()) {
+    if (!file.ends_with(".html")) continue;
+    const Page page(contents(file));
+    demand_self_contained(page);
+    CHECK(page.count("//script") == 1);
+    CHECK(page.count("//img") == 0);
+    CHECK(page.count("//b") == 0);
+    CHECK(text_of(page.xml.select_node("//head/title").node()).starts_with(hostile));
+    CHECK(text_of(page.xml.select_node("//h1").node()).starts_with(hostile));
+  }
+}
+
+TEST_CASE("a page prints on paper of its sheet's size, at true scale") {
+  const std::string a4 = drawn({"slider-crank-velocity/poles", "--format", "html"}),
+                    a3 = drawn({"slider-crank-velocity/poles", "--format", "html", "--paper", "a3"}),
+                    bare = drawn({"slider-crank-velocity/poles", "--format", "html", "--bare"});
+  const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+  CHECK(has(a4, "@page { size: 297mm 210mm; margin: 0; }"));
+  CHECK(has(a4, ".sheet svg { width: 297.00000mm; height: 210.00000mm; }"));
+  CHECK(has(a3, "@page { size: 420mm 297mm; margin: 0; }"));
+  CHECK(has(bare, "@page { size: A4 landscape; margin: 10mm; }"));
+  // With a ground of its own it keeps it, light and dark.
+  CHECK(has(a4, "prefers-color-scheme: dark"));
+  CHECK_FALSE(has(drawn({"slider-crank-velocity/poles", "--format", "html", "--background", "white"}),
+                  "prefers-color-scheme: dark"));
+}
+
+TEST_CASE("a PDF in steps has a page for each, and the last is the sheet") {
+  for (const std::string sheet : {"slider-crank-velocity/polar-diagram", "four-bar/circles"}) {
+    const auto pages = [](const std::string& pdf) {
+      return std::unique_ptr<poppler::document>(
+          poppler::document::load_from_raw_data(pdf.data(), static_cast<int>(pdf.size())));
+    };
+    const std::string in_steps = drawn({sheet, "--format", "pdf", "--steps"}),
+                      whole = drawn({sheet, "--format", "pdf"});
+    const auto steps = pages(in_steps), alone = pages(whole);
+    const auto text = [](const poppler::document& of, int page) {
+      const auto utf8 = std::unique_ptr<poppler::page>(of.create_page(page))->text().to_utf8();
+      return std::string(utf8.begin(), utf8.end());
+    };
+    REQUIRE(steps->pages() == 5);
+    CHECK(text(*steps, 4) == text(*alone, 0));
+    CHECK(text(*steps, 0).size() < text(*steps, 1).size());
+    for (int i = 0; i < 5; ++i)
+      CHECK(std::unique_ptr<poppler::page>(steps->create_page(i))->page_rect().width() ==
+            std::unique_ptr<poppler::page>(alone->create_page(0))->page_rect().width());
+  }
+}
+
+TEST_CASE("an SVG in steps is the same drawing with their classes") {
+  const std::string plain = drawn({"four-bar/velocity-diagram", "--format", "svg"}),
+                    staged = drawn({"four-bar/velocity-diagram", "--format", "svg", "--steps"});
+  CHECK(plain.find("class=") == std::string::npos);
+  for (int step = 1; step <= 4; ++step)
+    CHECK(staged.find("class=\"step-" + std::to_string(step) + "\"") != std::string::npos);
+  CHECK(staged.find("class=\"step-5\"") == std::string::npos);
+  CHECK(staged.find("aria-label") == std::string::npos);
+  CHECK(staged.find("role=\"img\"") != std::string::npos);
+}
+
+TEST_CASE("steps where there can be none are refused, and nothing is written") {
+  for (const char* format : {"png", "eps", "pdf+tex", "csv", "svg,png"}) {
+    const Scratch scratch;
+    for (const char* language : {"en", "it"}) {
+      const Ran ran = run_on_all({"draw", "four-bar", "--steps", "--format", format, "--lang", language});
+      CAPTURE(format, ran.err);
+      CHECK(ran.exit == 2);
+      CHECK(ran.err.find("--steps") != std::string::npos);
+      CHECK(std::count(ran.err.begin(), ran.err.end(), '\n') == 1);
+    }
+    CHECK(scratch.files().empty());
+  }
+  CHECK(run_on_all({"draw", "four-bar", "--steps", "--blank", "--format", "pdf", "-o", "-"}).exit == 2);
+  // A sheet to be solved is a page without steps.
+  CHECK(Page(drawn({"four-bar/poles", "--blank", "--format", "html"})).steps() == 0);
+}
+
+TEST_CASE("a page that cannot be written leaves no file") {
+  const Scratch scratch;
+  CHECK(run_on_all({"draw", "four-bar/poles", "-o", "/dev/full", "--format", "html"}).exit == 3);
+  write("file", "");
+  CHECK(run_on_all({"draw", "four-bar/poles", "--format", "html", "--out", "file/in"}).exit == 3);
+  write("old.html", "old");
+  rlimit before{};
+  REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+  const rlimit small{10000, before.rlim_max};
+  REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
+  const int exit = run_on_all({"draw", "four-bar/poles", "-o", "old.html"}).exit;
+  REQUIRE(setrlimit(RLIMIT_FSIZE, &before) == 0);
+  CHECK(exit == 3);
+  CHECK(scratch.files() == std::vector<std::string>{"file", "old.html"});
+  CHECK(contents("old.html") == "old");
+}
+
+TEST_CASE("the figures of a report share what is the same, and no id stands twice") {
+  const Scratch scratch;
+  for (const char* id : {"four-bar", "gear-pair", "point-mass"}) {
+    CAPTURE(id);
+    REQUIRE(run_on_all({"report", id, "-o", "report.html"}).exit <= 1);
+    demand_clear_ids(Page(contents("report.html")));
+  }
+}
+
+TEST_CASE("in a browser the slider, the keys and the marks do what they say") {
+  if (!is_at_hand("chromium")) {
+    WARN("no chromium: the page was not driven");
+    return;
+  }
+  const Scratch scratch;
+  std::string html = drawn({"slider-crank-velocity/polar-diagram", "--format", "html"});
+  write("sheet.html", html);
+  const std::string driver = R"(<script>
+    const seen = [], slider = document.querySelector('.slider');
+    const later = () => document.querySelectorAll('.later').length, now = () => document.querySelectorAll('.now').length;
+    const state = name => seen.push(name + ':' + slider.value + ':' + (later() > 0) + ':' + (now() > 0) + ':' +
+                                    document.querySelector('.words').textContent);
+    const press = key => document.dispatchEvent(new KeyboardEvent('keydown', { key: key }));
+    state('first');
+    document.querySelector('.previous').click(); state('previous');
+    press('Home'); state('home');
+    press('ArrowRight'); state('right');
+    slider.value = 3; slider.dispatchEvent(new Event('input')); state('slid');
+    const visible = name => getComputedStyle(document.querySelector('#slider-crank-velocity-polar-diagram-' + name)).visibility;
+    seen.push('v_B:' + visible('v_B') + ' v_C:' + visible('v_C'));
+    const mark = document.querySelector('#slider-crank-velocity-polar-diagram-v_B');
+    mark.focus(); seen.push('focus:' + (document.activeElement === mark));
+    mark.dispatchEvent(new Event('focus'));  // a window that is not shown has none
+    seen.push('tip:' + document.querySelector('.tip').textContent + document.querySelector('.tip').hidden);
+    press('Escape'); seen.push('gone:' + document.querySelector('.tip').hidden);
+    press('End'); press('ArrowRight'); state('end');
+    document.body.innerHTML = '<pre>' + seen.join('\n') + '\n</pre>';
+  </script></body>)";
+  write("driven.html", std::regex_replace(html, std::regex("</body>"), driver));
+  const std::string seen = chromium(scratch, "--dump-dom", "driven.html");
+  CAPTURE(seen);
+  const auto says = [&](const char* line) { return seen.find(line) != std::string::npos; };
+  CHECK(says("first:6:false:false:The whole sheet."));
+  CHECK(says("previous:5:false:true:Step 5/5. "));
+  CHECK(says("home:0:true:false:What is given."));
+  CHECK(says("right:1:true:true:Step 1/5. From"));
+  CHECK(says("slid:3:true:true:Step 3/5. Through"));
+  CHECK(says("v_B:visible v_C:hidden"));
+  CHECK(says("tip:v_B = 5.103&nbsp;m/s, speed of Bfalse"));
+  CHECK(says("focus:true"));
+  CHECK(says("gone:true"));
+  CHECK(says("end:6:false:false:The whole sheet."));
+
+  chromium(scratch, "--no-pdf-header-footer --print-to-pdf=printed.pdf", "sheet.html");
+  const std::string pdf = contents("printed.pdf");
+  const std::unique_ptr<poppler::document> printed(
+      poppler::document::load_from_raw_data(pdf.data(), static_cast<int>(pdf.size())));
+  REQUIRE(printed);
+  CHECK(printed->pages() == 1);
+  const poppler::rectf paper = std::unique_ptr<poppler::page>(printed->create_page(0))->page_rect();
+  CHECK(std::abs(paper.width() - 297 / 25.4 * 72) < 1);
+  CHECK(std::abs(paper.height() - 210 / 25.4 * 72) < 1);
+}
