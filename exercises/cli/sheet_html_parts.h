@@ -1,11 +1,12 @@
-// What a page of a sheet looks like and does. No framework: the sheet is inline SVG, in which `step-3` is the class of
-// what step 3 drew, and `aria-label` what a mark tells. Neither text has an ampersand or a less-than, so that a parser
-// of XML reads the page as a browser does.
+// What a page of a sheet looks like and does. No framework: the sheet is inline SVG, in which `step-3` is the class
+// of what step 3 drew, and `aria-label` what a mark tells. Neither text has an ampersand or a less-than, so that a
+// parser of XML reads the page as a browser does.
 #pragma once
 
 namespace epure {
 
-inline constexpr const char* style_of_sheet = R"(:root { color-scheme: light dark; --ground: #fff; --ink: #111; --edge: #8888; --now: #f90; }
+inline constexpr const char* style_of_sheet =
+    R"(:root { color-scheme: light dark; --ground: #fff; --ink: #111; --edge: #8888; --now: #f90; }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--ground); color: var(--ink);
   font: 1rem/1.4 "STIX Two Text", Georgia, "Times New Roman", serif; }

@@ -75,13 +75,13 @@ void demand_shortness(const Rational& q) {
     throw BadFormula(format_words("the number has more than {} digits", "il numero ha più di {} cifre", most_digits));
 }
 
-// Of lengths in metres, of what turns both in turns and in radians.
+// In SI units; what turns may be as small as it likes, a turn being what it is counted in.
 const Amount& of_sensible_size(const Amount& amount, const std::string& text) {
-  for (const Rational& size : {amount.value, amount.angle.turns, amount.angle.radians})
-    if (!has_sensible_size(size))
-      throw BadFormula(format_words("\"{}\" must be zero or, without its sign, lie between {} and {} in SI units",
-                                    "\"{}\" deve essere zero o, senza segno, stare tra {} e {} in unità SI", text,
-                                    std::string(smallest_size), std::string(largest_size)));
+  const auto is_large = [](const Rational& q) { return !has_sensible_size(q) && CGAL::abs(q) > 1; };
+  if (!has_sensible_size(amount.value) || is_large(amount.angle.turns) || is_large(amount.angle.radians))
+    throw BadFormula(format_words("\"{}\" must be zero or, without its sign, lie between {} and {} in SI units",
+                                  "\"{}\" deve essere zero o, senza segno, stare tra {} e {} in unità SI", text,
+                                  std::string(smallest_size), std::string(largest_size)));
   return amount;
 }
 
