@@ -289,7 +289,7 @@ class Finder {
     const auto ends = straight(line.path);
     if (!ends) return of_curve(line.path, line.name);
     const auto& [from, to] = *ends;
-    const auto distance_of = [&](Point p) { return distance_to(p, from, to); };
+    const auto distance_of = [&a = from, &b = to](Point p) { return distance_to(p, a, b); };
     if (const int step = numbered(distance_of, false)) return step;
     const auto first = of_end(from, to), second = of_end(to, from);
     if (first && second) return std::max(*first, *second);
