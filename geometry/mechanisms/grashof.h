@@ -71,8 +71,8 @@ enum class LinkageClass {
 
 struct Grashof {
   LinkageClass is;
-  std::vector<FourBarLink>
-      shortest;    // more than one when they are equally short (then never one of the first four classes)
+  // More than one when they are equally short (then never one of the first four classes).
+  std::vector<FourBarLink> shortest;
   LinkSum excess;  // shortest + longest - the other two: its sign decides
 };
 

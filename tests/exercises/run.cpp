@@ -8,15 +8,13 @@
 #include <stdexcept>
 
 namespace epure {
-namespace {
 
-Ran run_catalogue(const Catalogue& catalogue, const std::vector<std::string>& arguments) {
+Ran run_catalogue(const Catalogue& catalogue, const std::vector<std::string>& arguments,
+                  const Surroundings& surroundings) {
   std::ostringstream out, err;
-  const int exit = run_cli(catalogue, arguments, out, err);
+  const int exit = run_cli(catalogue, arguments, out, err, surroundings);
   return {exit, out.str(), err.str()};
 }
-
-}  // namespace
 
 Ran run_on(Triangle triangle, const std::vector<std::string>& arguments) {
   Catalogue catalogue;

@@ -21,6 +21,13 @@ Ran run(const std::vector<std::string>& arguments);
 Ran run_on_two(const std::vector<std::string>& arguments);
 Ran run_on(Triangle triangle, const std::vector<std::string>& arguments);
 
+Ran run_catalogue(const Catalogue& catalogue, const std::vector<std::string>& arguments,
+                  const Surroundings& surroundings = {});
+// On all the real exercises: for test programs that are linked with them.
+inline Ran run_on_all(const std::vector<std::string>& arguments, const Surroundings& surroundings = {}) {
+  return run_catalogue(catalogue(), arguments, surroundings);
+}
+
 // An empty folder that is the working folder while it lives, then gone.
 class Scratch {
  public:

@@ -23,9 +23,7 @@ const std::vector<std::string> lots{"--vary", "r=0.18..0.22/0.01", "--vary", "n=
 Ran make(std::vector<std::string> words, const std::vector<std::string>& more = lots) {
   words.insert(words.begin(), "class");
   words.insert(words.end(), more.begin(), more.end());
-  std::ostringstream out, err;
-  const int exit = run_cli(catalogue(), words, out, err);
-  return {exit, out.str(), err.str()};
+  return run_on_all(words);
 }
 
 void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }

@@ -21,12 +21,6 @@ namespace {
 
 using Typed = std::vector<std::string>;
 
-Ran run_on_all(const Typed& words) {
-  std::ostringstream out, err;
-  const int exit = run_cli(catalogue(), words, out, err);
-  return {exit, out.str(), err.str()};
-}
-
 void refused(const Typed& words, const std::string& part) {
   const Scratch scratch;
   const Ran ran = run_on_all(words);

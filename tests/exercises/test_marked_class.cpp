@@ -15,16 +15,6 @@ using namespace epure;
 
 namespace {
 
-struct RanReal {
-  int exit;
-  std::string out, err;
-};
-RanReal run_real(const std::vector<std::string>& words) {
-  std::ostringstream out, err;
-  const int exit = run_cli(catalogue(), words, out, err);
-  return {exit, out.str(), err.str()};
-}
-
 bool tells(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 const std::string examples = EPURE_EXAMPLES;
@@ -41,7 +31,7 @@ std::string verdict_on(const std::string& quantity, const std::string& answer,
   std::ofstream("one.csv") << quantity << "\n\"" << answer << "\"\n";
   std::vector<std::string> words = marking("one.csv", {"--format", "csv"});
   words.insert(words.end(), more.begin(), more.end());
-  const RanReal ran = run_real(words);
+  const Ran ran = run_on_all(words);
   CAPTURE(ran.err);
   REQUIRE(ran.exit == 0);
   return read_csv(ran.out, "marks").rows.at(0).cells.at(3) + "; " +
@@ -51,8 +41,8 @@ std::string verdict_on(const std::string& quantity, const std::string& answer,
 }  // namespace
 
 TEST_CASE("the example of the page on marking") {
-  const RanReal ran =
-      run_real(marking(examples + "/answers.csv", {"--key", examples + "/key.csv", "--set", "phi=30deg"}));
+  const Ran ran =
+      run_on_all(marking(examples + "/answers.csv", {"--key", examples + "/key.csv", "--set", "phi=30deg"}));
   CHECK(ran.exit == 0);
   CHECK(ran.err.empty());  // the key is of these givens
   std::ifstream page(examples + "/marks.txt");
@@ -62,8 +52,8 @@ TEST_CASE("the example of the page on marking") {
 }
 
 TEST_CASE("a key of another crank angle is refused") {
-  const RanReal ran =
-      run_real(marking(examples + "/answers.csv", {"--key", examples + "/key.csv", "--set", "phi=31deg"}));
+  const Ran ran =
+      run_on_all(marking(examples + "/answers.csv", {"--key", examples + "/key.csv", "--set", "phi=31deg"}));
   CHECK(ran.exit == 2);
   CHECK(ran.out.empty());
   CHECK(tells(ran.err, "epure: 1001 v_B: 4.78189018818962 in the key's line 2, but "));
@@ -84,9 +74,9 @@ TEST_CASE("what is calculated from readings may be off by what these may; more d
       CHECK(allowed.by.english == "v_B / P0B, 0.5 mm in each: 2.4 % + 0.65 %");
     }
   for (const std::string number : {"13", "13.0", "13.04", "13.0400001", "13.74", "12.92"})
-    CHECK(run_real({"check", "slider-crank-velocity", "--quiet", "--measured", "omega_3=" + number}).exit == 0);
+    CHECK(run_on_all({"check", "slider-crank-velocity", "--quiet", "--measured", "omega_3=" + number}).exit == 0);
   for (const std::string number : {"13.75", "12.91", "12", "+13.3"})
-    CHECK(run_real({"check", "slider-crank-velocity", "--quiet", "--measured", "omega_3=" + number}).exit == 1);
+    CHECK(run_on_all({"check", "slider-crank-velocity", "--quiet", "--measured", "omega_3=" + number}).exit == 1);
 }
 
 TEST_CASE("slips that need solving again") {
@@ -114,7 +104,7 @@ TEST_CASE("five hundred students of their own givens take seconds") {
   key.close();
   answers.close();
   const auto begin = std::chrono::steady_clock::now();
-  const RanReal ran = run_real(marking("answers.csv", {"--key", "key.csv", "--format", "csv"}));
+  const Ran ran = run_on_all(marking("answers.csv", {"--key", "key.csv", "--format", "csv"}));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   CHECK(ran.exit == 0);
   CHECK(std::count(ran.out.begin(), ran.out.end(), '\n') == 501);

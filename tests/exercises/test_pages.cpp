@@ -24,12 +24,6 @@ namespace {
 
 using Typed = std::vector<std::string>;
 
-Ran run_on_all(const Typed& words) {
-  std::ostringstream out, err;
-  const int exit = run_cli(catalogue(), words, out, err);
-  return {exit, out.str(), err.str()};
-}
-
 std::string drawn(Typed words) {
   words.insert(words.begin(), "draw");
   words.insert(words.end(), {"-o", "-"});

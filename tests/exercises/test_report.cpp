@@ -21,12 +21,6 @@ namespace {
 
 using Typed = std::vector<std::string>;
 
-Ran run_on_all(const Typed& words) {
-  std::ostringstream out, err;
-  const int exit = run_cli(catalogue(), words, out, err);
-  return {exit, out.str(), err.str()};
-}
-
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 pugi::xml_document parsed(const std::string& html) {

@@ -29,12 +29,6 @@ Typed operator+(Typed words, const Typed& more) {
   return words;
 }
 
-Ran run_on_all(const Typed& arguments, const Surroundings& surroundings = {}) {
-  std::ostringstream out, err;
-  const int exit = run_cli(catalogue(), arguments, out, err, surroundings);
-  return {exit, out.str(), err.str()};
-}
-
 const GivenSpec length{.symbol = "r", .meaning = {}, .unit = "m", .stated = "0.2"};
 const GivenSpec any_length{.symbol = "e", .meaning = {}, .unit = "m", .stated = "0", .range = Range::any};
 const GivenSpec angle{.symbol = "phi", .meaning = {}, .unit = "deg", .stated = "30", .range = Range::any};
