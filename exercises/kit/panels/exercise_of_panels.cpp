@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "exercises/kit/panels/long_table_panel.h"
@@ -34,9 +35,10 @@ class ExerciseOfPanels : public Exercise {
   ExerciseOfPanels(Description about, Solve solve, std::vector<SheetMaker> sheets, FindFlaws flaws)
       : about_(std::move(about)), solve_(std::move(solve)), sheets_(std::move(sheets)), flaws_(std::move(flaws)) {
     for (const SheetMaker& sheet : sheets_) about_.sheets.push_back(sheet.spec);
-    const Solution stated(Givens(about_.givens), solve_(Givens(about_.givens), Rung::names));
-    for (const RouteValue& value : stated.values())
-      if (value.described) about_.quantities.push_back(*value.described);
+    std::set<std::string> names;  // what the first route says of a quantity counts
+    for (RouteValue& value : solve_(Givens(about_.givens), Rung::names))
+      if (names.insert(value.quantity).second && value.described)
+        about_.quantities.push_back(std::move(*value.described));
   }
 
   const Description& about() const override { return about_; }
