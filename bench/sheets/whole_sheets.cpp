@@ -63,9 +63,10 @@ drawings::Sheet whole_sheets(const Drawn& drawn) {
                   "Millisecondi di tempo di processore, dall'inizio alla fine del processo, il minore di alcune "
                   "esecuzioni alternate. PDF e SVG di una tavola, scritti fino al disco."},
                  {"The floor is a bare program: it opens the fonts, shapes each run of letters once, makes the "
-                  "recorded calls of Cairo for both files and writes them. Its SVG stays as Cairo made it.",
+                  "recorded calls of Cairo for the PDF, writes the SVG plainly, and both files whole or not at all.",
                   "Il minimo è un programma nudo: apre i caratteri, compone ogni gruppo di lettere una volta, fa le "
-                  "chiamate registrate di Cairo per i due file e li scrive. Il suo SVG resta come lo fa Cairo."},
+                  "chiamate registrate di Cairo per il PDF, scrive l'SVG in modo semplice, e i due file interi o "
+                  "per niente."},
                  {"The parts are the program's own account, of its fastest run with --times; the end of the process "
                   "is in none of them.",
                   "Le parti sono il conto del programma stesso, della sua esecuzione più rapida con --times; la fine "
