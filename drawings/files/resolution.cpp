@@ -4,16 +4,12 @@
 #include <cmath>
 #include <cstdint>
 
+#include "drawings/files/big_endian.h"
 #include "drawings/page.h"
 #include "drawings/paths/grid.h"
 
 namespace epure::drawings {
 namespace {
-
-// The most significant byte first, as PNG has all numbers.
-void add_number(std::string& to, std::uint32_t number) {
-  for (int shift = 24; shift >= 0; shift -= 8) to += static_cast<char>(number >> shift & 0xff);
-}
 
 // Its length, what it is, its content, and the checksum of the latter two.
 std::string chunk(const std::string& kind, const std::string& content) {

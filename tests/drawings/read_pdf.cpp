@@ -1,33 +1,21 @@
 #include "read_pdf.h"
 #include "tests/support/catch.h"
+#include "tests/support/unpacked.h"
 
+#include <poppler-global.h>
 #include <poppler-page-renderer.h>
 #include <poppler-page.h>
-#include <zlib.h>
 
-#include <array>
 #include <regex>
 #include <sstream>
 
 namespace epure::drawings {
 namespace {
 
-std::string inflated(std::string_view packed) {
-  z_stream stream = {};
-  REQUIRE(inflateInit(&stream) == Z_OK);
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // zlib only reads it
-  stream.avail_in = static_cast<uInt>(packed.size());
-  std::string plain;
-  int status = Z_OK;
-  while (status == Z_OK) {
-    std::array<Bytef, 65536> part;
-    stream.next_out = part.data();
-    stream.avail_out = part.size();
-    status = inflate(&stream, Z_NO_FLUSH);
-    plain.append(reinterpret_cast<const char*>(part.data()), part.size() - stream.avail_out);
-  }
-  inflateEnd(&stream);
-  return status == Z_STREAM_END ? plain : "";
+unsigned long last_number(const std::string& bytes, const std::string& word) {
+  const auto at = bytes.rfind(word);
+  REQUIRE(at != bytes.npos);
+  return std::stoul(bytes.substr(at + word.size(), 20));
 }
 
 }  // namespace
@@ -37,6 +25,42 @@ std::unique_ptr<poppler::document> open_pdf(const std::string& bytes) {
   std::unique_ptr<poppler::document> document(poppler::document::load_from_data(&data));
   REQUIRE(document);
   return document;
+}
+
+std::string complaints_of(const std::string& bytes) {
+  std::string complaints;
+  poppler::set_debug_error_function(
+      [](const std::string& complaint, void* all) { *static_cast<std::string*>(all) += complaint + "\n"; },
+      &complaints);
+  const auto document = open_pdf(bytes);
+  for (int i = 0; i < document->pages(); ++i) text_of(*document, i);
+  poppler::set_debug_error_function([](const std::string&, void*) {}, nullptr);
+  return complaints;
+}
+
+std::string root_of(const std::string& bytes) {
+  const std::size_t table = last_number(bytes, "startxref\n"), root = last_number(bytes, "/Root ");
+  std::size_t place = 0;
+  if (bytes.compare(table, 7, "xref\n0 ") == 0) {  // of all objects, 20 bytes each
+    place = std::stoul(bytes.substr(bytes.find('\n', table + 5) + 1 + 20 * root, 10));
+  } else {  // packed: of the root and of itself, what kind of place each has, and four bytes that say where
+    const std::string own = std::to_string(last_number(bytes, "/Size ") - 1);
+    REQUIRE(bytes.compare(table, own.size() + 7, own + " 0 obj\n") == 0);
+    REQUIRE(bytes.find("/Index [" + std::to_string(root) + " 1 " + own + " 1]", table) != bytes.npos);
+    const std::string places = unpacked(std::string_view(bytes).substr(bytes.find("stream\n", table) + 7));
+    REQUIRE(places.size() == 10);
+    CHECK((places[0] == 1 && places[5] == 1));
+    const auto read = [&](std::size_t at) {
+      std::size_t number = 0;
+      for (const char digit : places.substr(at, 4)) number = 256 * number + static_cast<unsigned char>(digit);
+      return number;
+    };
+    CHECK(read(6) == table);
+    place = read(1);
+  }
+  const std::string begin = std::to_string(root) + " 0 obj\n";
+  REQUIRE(bytes.compare(place, begin.size(), begin) == 0);
+  return bytes.substr(place + begin.size(), bytes.find("endobj\n", place) - place - begin.size());
 }
 
 std::string text_of(const poppler::document& document, int page) {
@@ -54,7 +78,7 @@ std::string commands_of(const std::string& bytes) {
   constexpr std::string_view begins = "stream\n", ends = "\nendstream";
   for (std::size_t at = bytes.find("\nstream\n"); at != bytes.npos; at = bytes.find("\nstream\n", at + 1)) {
     const std::size_t start = at + 1 + begins.size();
-    const std::string plain = inflated({bytes.data() + start, bytes.find(ends, start) - start});
+    const std::string plain = unpacked({bytes.data() + start, bytes.find(ends, start) - start});
     if (plain.starts_with("1 0 0 -1 0 ")) commands += plain;  // the frame Cairo gives the contents of a page
   }
   REQUIRE_FALSE(commands.empty());

@@ -12,6 +12,10 @@
 namespace epure::drawings {
 
 std::unique_ptr<poppler::document> open_pdf(const std::string& bytes);
+// What poppler complains of as it reads the document and its pages; it mends much, and tells of it.
+std::string complaints_of(const std::string& bytes);
+// The object that a document is read from, found as a reader finds it, by the last table of objects.
+std::string root_of(const std::string& bytes);
 // The text of a page as a reader copies it, white space reduced to single spaces.
 std::string text_of(const poppler::document& document, int page);
 // The decompressed drawing commands of all pages, one after the other.

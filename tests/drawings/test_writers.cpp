@@ -21,6 +21,7 @@
 #include "read_pdf.h"
 #include "tests/support/catch.h"
 #include "tests/support/read_svg.h"
+#include "tests/support/unpacked.h"
 
 using namespace epure::drawings;
 
@@ -193,9 +194,10 @@ TEST_CASE("a PDF names its author and subject, and has bookmarks to its pages, i
   }
   CHECK(titles == std::vector<std::string>{"Slider-crank", "  Poles", "  Polodes – ω", "Four-bar", "  Poles"});
   // In the order of the bookmarks' objects: which page each leads to.
+  const std::string plain = epure::with_packed_objects(bytes);
   const auto objects = [&](const std::regex& pattern) {
     std::vector<std::string> found;
-    for (std::sregex_iterator at(bytes.begin(), bytes.end(), pattern), end; at != end; ++at)
+    for (std::sregex_iterator at(plain.begin(), plain.end(), pattern), end; at != end; ++at)
       found.push_back((*at)[1]);
     return found;
   };
@@ -210,6 +212,19 @@ TEST_CASE("a PDF names its author and subject, and has bookmarks to its pages, i
   CHECK_THROWS_AS(write_pdf(pages, {.title = "t", .bookmarks = {{"beyond", 3}}}), std::invalid_argument);
   CHECK_THROWS_AS(write_pdf(pages, {.title = "t", .author = "\xFF"}), std::invalid_argument);
   CHECK_THROWS_AS(write_pdf(pages, {.title = "t", .bookmarks = {{"\xFF", 0}}}), std::invalid_argument);
+}
+
+TEST_CASE("a PDF tells its language in its root, and is whole") {
+  for (const Language language : {Language::english, Language::italian})
+    for (const std::vector<Bookmark>& bookmarks : {std::vector<Bookmark>{}, {{"Poles", 0}, {"Polodes", 1, true}}}) {
+      std::vector<Page> pages{rich_page("a"), rich_page("b")};
+      for (Page& each : pages) each.language = language;
+      const std::string bytes = write_pdf(pages, {.title = "/Type /Catalog", .bookmarks = bookmarks});
+      const std::string told = language == Language::english ? "(en)" : "(it)";
+      CHECK_THAT(root_of(bytes), StartsWith("<< /Type /Catalog\n   /Lang " + told + "\n   /Pages "));
+      CHECK(complaints_of(bytes).empty());
+      CHECK(open_pdf(bytes)->pages() == 2);
+    }
 }
 
 TEST_CASE("the text of a PDF can be searched and copied") {

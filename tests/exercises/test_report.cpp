@@ -14,6 +14,7 @@
 #include "exercises/cli/report_document.h"
 #include "tests/exercises/run.h"
 #include "tests/support/catch.h"
+#include "tests/support/unpacked.h"
 
 using namespace epure;
 
@@ -255,20 +256,15 @@ TEST_CASE("a booklet has contents, which lead to every sheet") {
   const std::unique_ptr<poppler::toc> toc(pdf->create_toc());
   REQUIRE(toc);
   CHECK(toc->root()->children().size() == 3);  // contents, and two exercises
+  const std::string plain = with_packed_objects(bytes);
   const std::regex link("/Subtype\\s*/Link");
-  CHECK(std::distance(std::sregex_iterator(bytes.begin(), bytes.end(), link), std::sregex_iterator()) == 6);
-  for (const std::string page : {"page3", "page4", "page5", "page6"}) CHECK(has(bytes, page));
+  CHECK(std::distance(std::sregex_iterator(plain.begin(), plain.end(), link), std::sregex_iterator()) == 6);
+  for (const std::string page : {"page3", "page4", "page5", "page6"}) CHECK(has(plain, page));
   CHECK(run_on_two({"booklet", "triangle", "-o", "-"}).out.starts_with("%PDF"));
 }
 
-TEST_CASE("a PDF tells its language, and is whole") {
-  const Scratch scratch;
-  for (const std::string language : {"en", "it"}) {
-    const std::string bytes = run({"draw", "triangle", "-o", "-", "--lang", language}).out;
-    if (!has(bytes, "/Type /Catalog")) continue;  // packed, by Cairo 1.18
-    CHECK(has(bytes, "/Type /Catalog\n   /Lang (" + language + ")"));
-    const std::string told = "startxref\n";
-    const std::size_t table = std::stoul(bytes.substr(bytes.rfind(told) + told.size()));
-    CHECK(bytes.compare(table, 5, "xref\n") == 0);
-  }
+TEST_CASE("a PDF tells the language of its words") {
+  for (const std::string language : {"en", "it"})
+    CHECK(has(run({"draw", "triangle", "-o", "-", "--lang", language}).out,
+              "/Type /Catalog\n   /Lang (" + language + ")\n"));
 }
