@@ -9,11 +9,13 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "drawings/files/left_drafts.h"
 #include "drawings/files/signals_later.h"
 #include "drawings/files/system_words.h"
 #include "drawings/output.h"
@@ -95,6 +97,19 @@ fs::path behind_links(fs::path path) {
     path = target.is_absolute() ? target : path.parent_path() / target;
   }
   return path;
+}
+
+// The temporary name of a file that is written. The number tells apart drafts of one process.
+std::string name_of_draft(pid_t process, unsigned number) {
+  return fmt::format(".epure-{}-{}.part", process, number);
+}
+
+// Whose draft has this name; 0: it is the name of none.
+pid_t process_of_draft(const std::string& name) {
+  pid_t process = 0;
+  unsigned number = 0;
+  const bool is_read = std::sscanf(name.c_str(), ".epure-%d-%u.part", &process, &number) == 2;
+  return is_read && process > 0 && name_of_draft(process, number) == name ? process : 0;
 }
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
@@ -179,12 +194,12 @@ class Draft {
       return ::linkat(AT_FDCWD, here.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0;
     });
   }
-  // Temporary names that nothing has yet. The number tells apart drafts of one process.
+  // Temporary names that nothing has yet.
   template <class Take>
   void try_names(Take take) {
     static std::atomic<unsigned> count = 0;
     for (int attempt = 0; attempt < 1000; ++attempt) {
-      const fs::path path = folder_ / fmt::format(".epure-{}-{}.part", ::getpid(), ++count);
+      const fs::path path = folder_ / name_of_draft(::getpid(), ++count);
       if (take(path)) {
         name_ = path;
         return;
@@ -352,6 +367,16 @@ void demand_writable(const fs::path& folder) {
   const SignalsLater undisturbed;
   make_folder(folder, folder.string());
   const Draft trial(folder, folder.string());
+}
+
+void remove_left_drafts(const fs::path& folder) {
+  std::error_code ignored;
+  std::vector<fs::path> left;
+  for (const fs::directory_entry& each : fs::directory_iterator(folder, ignored)) {
+    const pid_t process = process_of_draft(each.path().filename().string());
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) left.push_back(each.path());
+  }
+  for (const fs::path& each : left) fs::remove(each, ignored);
 }
 
 void write_whole(const fs::path& path, std::string_view bytes) {

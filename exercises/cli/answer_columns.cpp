@@ -133,12 +133,13 @@ class ColumnReader {
       if (bones(each) == bones(name) || begins_with(name, each)) meant.push_back(each);
     if (meant.empty()) meant = near_names(name, known);
     if (meant.empty()) return;
-    throw BadTable(
-        format_words("{}: column \"{}\" is no quantity and no given of {}; did you mean {}? (Rename the "
-                     "column, or take it out.)",
-                     "{}: la colonna \"{}\" non è una grandezza né un dato di {}; si intendeva {}? "
-                     "(Rinominare la colonna, o toglierla.)",
-                     table_.file, typed, about_.id, alternatives(meant)));
+    const Words what_to_do =
+        role_ == TableRole::key
+            ? Words{"Or is it the key of another exercise?", "O è la chiave di un altro esercizio?"}
+            : Words{"(Rename the column, or take it out.)", "(Rinominare la colonna, o toglierla.)"};
+    throw BadTable(format_words("{}: column \"{}\" is no quantity and no given of {}; did you mean {}? {}",
+                                "{}: la colonna \"{}\" non è una grandezza né un dato di {}; si intendeva {}? {}",
+                                table_.file, typed, about_.id, alternatives(meant), what_to_do));
   }
 
   const Description& about_;

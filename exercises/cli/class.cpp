@@ -32,13 +32,18 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_students = 100000;
 
-std::vector<Candidate> class_of(const Options& options, const Exercise& exercise) {
+// With what is to be said of the file that lists them.
+std::vector<Candidate> class_of(const Options& options, const Exercise& exercise, std::vector<Words>& remarks) {
   const ClassOptions& of = options.class_set;
   const int sources = (of.students ? 1 : 0) + (options.givens_file ? 1 : 0) + (of.count ? 1 : 0);
   if (sources != 1)
     throw WrongUsage("a class needs one of --students ROSTER.csv, --givens VARIANTS.csv and --count N",
                      "una classe richiede uno fra --students ELENCO.csv, --givens VARIANTI.csv e --count N");
-  if (of.students) return candidates_of(read_csv_file(*of.students));
+  if (of.students) {
+    const CsvTable roster = read_csv_file(*of.students);
+    if (!roster.remark.empty()) remarks.push_back(roster.remark);
+    return candidates_of(roster);
+  }
   if (options.givens_file) return read_givens_file(*options.givens_file, {&exercise}, options.assignments).rows;
   const bool is_number =
       !of.count->empty() && of.count->size() <= 6 && of.count->find_first_not_of("0123456789") == std::string::npos;
@@ -102,7 +107,7 @@ class ClassSet {
   ClassSet(const Target& target, const Options& options)
       : exercise_(*target.exercise),
         options_(options),
-        students_(class_of(options, exercise_)),
+        students_(class_of(options, exercise_, remarks_on_roster_)),
         lots_{.exercise = exercise_,
               .sheets = target.sheets(),
               .givens = set_givens({&exercise_}, options.assignments).front(),
@@ -303,7 +308,8 @@ class ClassSet {
   }
 
   std::vector<Words> remarks() const {
-    std::vector<Words> all = moved_by_speed(lots_.givens, varied_);
+    std::vector<Words> all = remarks_on_roster_;
+    for (Words& each : moved_by_speed(lots_.givens, varied_)) all.push_back(std::move(each));
     const std::vector<std::string> stale = files_of_others();
     if (!stale.empty())
       all.push_back(format_words(
@@ -338,6 +344,7 @@ class ClassSet {
 
   const Exercise& exercise_;
   const Options& options_;
+  std::vector<Words> remarks_on_roster_;
   std::vector<Candidate> students_;
   Lots lots_;
   Ruler ruler_;

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "drawings/files/left_drafts.h"
 #include "drawings/files/system_words.h"
 #include "drawings/output.h"
 
@@ -21,6 +22,7 @@ std::string line_of(const std::string& student, const ClassEntry& entry) {
 ClassJournal::ClassJournal(const std::filesystem::path& folder, const std::string& inputs)
     : path_(folder / "unfinished.jsonl") {
   drawings::demand_writable(folder);
+  drawings::remove_left_drafts(folder);
   std::ifstream in(path_, std::ios::binary);
   std::string line;
   if (in && std::getline(in, line) && line == inputs) {

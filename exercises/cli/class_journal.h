@@ -24,7 +24,7 @@ struct ClassEntry {
 // journal of another run is begun anew; a line that was cut short counts for nothing. Several threads may use it.
 class ClassJournal {
  public:
-  // Makes the folder. Throws drawings::CannotWrite.
+  // Makes the folder, and clears away the drafts that a killed run left in it. Throws drawings::CannotWrite.
   ClassJournal(const std::filesystem::path& folder, const std::string& inputs);
 
   // None: he has still to be drawn.

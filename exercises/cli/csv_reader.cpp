@@ -10,6 +10,7 @@
 #include "drawings/files/system_words.h"
 #include "exercises/cli/harmless_cell.h"
 #include "exercises/cli/utf8.h"
+#include "exercises/cli/windows_1252.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
 
@@ -20,6 +21,15 @@ constexpr std::size_t most_rows = 100000;
 constexpr std::size_t longest_row = 1000000;
 constexpr std::size_t largest_file = 256000000;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+bool is_utf8(std::string_view bytes) {
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t length = character(bytes, at).second;
+    if (length == 0) return false;
+    at += length;
+  }
+  return true;
+}
 
 void demand_text(std::string_view bytes, const std::string& file) {
   std::size_t line = 1;
@@ -195,7 +205,7 @@ CsvTable read_csv(const std::string& bytes, const std::string& file) {
   std::string_view text = bytes;
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   Records records(text, file);
-  CsvTable table{file, {}, {}};
+  CsvTable table{.file = file, .header = {}, .rows = {}};
   std::size_t line_of_header = 0;
   while (!records.is_at_end()) {
     CsvRow row = records.next();
@@ -220,7 +230,18 @@ CsvTable read_csv(const std::string& bytes, const std::string& file) {
   return table;
 }
 
-CsvTable read_csv_file(const std::string& path) { return read_csv(bytes_of(path), path); }
+CsvTable read_csv_file(const std::string& path) {
+  const std::string bytes = bytes_of(path);
+  const auto converted = is_utf8(bytes) ? std::nullopt : from_windows_1252(bytes);
+  if (!converted) return read_csv(bytes, path);
+  CsvTable table = read_csv(*converted, path);
+  table.remark =
+      format_words("{} is not UTF-8 and was read as Windows-1252, in which Excel saves CSV: look at the names",
+                   "{} non è UTF-8 ed è stato letto come Windows-1252, in cui Excel salva il CSV: "
+                   "controllare i nomi",
+                   path);
+  return table;
+}
 
 std::string read_text_file(const std::string& path) {
   std::string text = bytes_of(path);

@@ -23,6 +23,7 @@ struct CsvTable {
   std::string file;  // as it was named
   std::vector<std::string> header;
   std::vector<CsvRow> rows;  // each with as many cells as the header
+  Words remark = {};         // on how the file was read
 
   // The place of the column with this name; none: there is no such column. Throws BadTable when there are several.
   std::optional<std::size_t> column(const std::string& name) const;
@@ -41,7 +42,8 @@ struct CsvTable {
 // header at all.
 CsvTable read_csv(const std::string& bytes, const std::string& file);
 
-// The same of a file; throws BadTable when it cannot be read, or holds more than 256 MB.
+// The same of a file; one in Windows-1252, as Excel writes "CSV" in Western Europe, is read as that, with a remark.
+// Throws BadTable when it cannot be read, or holds more than 256 MB.
 CsvTable read_csv_file(const std::string& path);
 
 // A file of text, without a byte order mark. Throws BadTable as these do for what cannot be read, bytes that are no

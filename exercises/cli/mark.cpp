@@ -131,6 +131,10 @@ Outcome mark(const Catalogue& exercises, const Options& options) {
   std::optional<CsvTable> key;
   if (options.key) key = read_csv_file(*options.key);
   Answers answers = read_answers(exercise, table, key ? &*key : nullptr, givens);
+  std::vector<Words> on_files;
+  if (!table.remark.empty()) on_files.push_back(table.remark);
+  if (key && !key->remark.empty()) on_files.push_back(key->remark);
+  answers.remarks.insert(answers.remarks.begin(), on_files.begin(), on_files.end());
   rules.points = points_asked(options, answers.asked);
 
   const Marking marking = mark_answers(exercise, answers, rules);

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <set>
-#include <string_view>
 
 #include "drawings/files/xml.h"
 #include "drawings/output.h"
@@ -61,21 +60,16 @@ CheckedExercise checked_by_sheets(const Exercise& exercise, const Variant& varia
   return checked;
 }
 
-// Which sense is positive, of what has one among the quantities asked.
-Words senses(const std::vector<std::string>& asked, const Solution& solution) {
-  const std::array<std::string_view, 4> along_axes{"m", "m/s", "m/s^2", "N"};
-  bool turns = false, has_axes = false;
-  for (const std::string& name : asked) {
-    const Quantity& quantity = solution.described(name);
-    turns = turns || quantity.meaning.english.find("counter-clockwise") != std::string::npos;
-    has_axes = has_axes || ((name.ends_with("_x") || name.ends_with("_y")) &&
-                            std::find(along_axes.begin(), along_axes.end(), quantity.unit) != along_axes.end());
-  }
-  Words text;
-  if (turns) text = {"counter-clockwise", "antiorario"};
-  if (has_axes)
-    text = text + (turns ? Words{"; ", "; "} : Words{}) + Words{"x to the right, y upwards", "x a destra, y in alto"};
-  return text.empty() ? text : Words{"Positive sense: ", "Verso positivo: "} + text + ".";
+// What Moodle takes for right, as mark does: the value; of a direction also a whole turn away; and the magnitude,
+// where nobody was told which sense is positive.
+std::string right_answers(const Quantity& quantity, double value, double tolerance) {
+  std::vector<double> right{value};
+  if (const double turn = whole_turn(quantity.unit); turn > 0 && value != 0)
+    right.push_back(value - std::copysign(turn, value));
+  if (value < 0 && !has_told_sense(quantity)) right.push_back(-value);
+  std::string all;
+  for (const double each : right) all += fmt::format("{}={}:{:.3g}", all.empty() ? "" : "~", each, tolerance);
+  return all;
 }
 
 // Of all sheets, each once, as the blank sheets say it; but for what another of them asks.
@@ -128,13 +122,15 @@ std::string moodle_question(const Exercise& exercise, const Variant& variant, co
   for (const std::string& name : asked) {
     const auto quantity = std::find_if(checked.quantities.begin(), checked.quantities.end(),
                                        [&](const CheckedQuantity& each) { return each.spec.name == name; });
-    rows += fmt::format("<tr><td>{}</td><td>{{1:NUMERICAL:={}:{:.3g}}}</td><td>{}</td><td>{}</td></tr>\n",
-                        escaped_for_xml(unicode_symbol(quantity->spec.symbol)), variant.solution[name],
-                        nearest(allowance(checked, *quantity, on_it).size),
-                        escaped_for_xml(written_unit(quantity->spec.unit, language)),
-                        escaped_for_xml(drawings::plain(quantity->spec.meaning.in(language))));
+    rows += fmt::format(
+        "<tr><td>{}</td><td>{{1:NUMERICAL:{}}}</td><td>{}</td><td>{}</td></tr>\n",
+        escaped_for_xml(unicode_symbol(quantity->spec.symbol)),
+        right_answers(quantity->spec, variant.solution[name], nearest(allowance(checked, *quantity, on_it).size)),
+        escaped_for_xml(written_unit(quantity->spec.unit, language)),
+        escaped_for_xml(drawings::plain(quantity->spec.meaning.in(language))));
   }
-  if (const Words sense = senses(asked, variant.solution); !sense.empty()) text += paragraph(sense.in(language));
+  if (const Words senses = positive_senses(asked, variant.solution); !senses.empty())
+    text += paragraph(senses.in(language));
   text += "<table>\n" + rows + "</table>\n";
   for (const Words& each : not_asked(variant, asked)) text += paragraph(each.in(language));
   return fmt::format("<questiontext format=\"html\">\n<text><![CDATA[{}]]></text>\n{}</questiontext>\n", text, files);

@@ -1,11 +1,10 @@
 #include "exercises/cli/symbol.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace epure {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string subscript_digits(const std::string& digits) {
   std::string text;
@@ -14,6 +13,24 @@ std::string subscript_digits(const std::string& digits) {
     text += static_cast<char>('\x80' + (digit - '0'));
   }
   return text;
+}
+
+// Of the brace that text begins with; npos: it stays open.
+std::size_t closing_brace(std::string_view text) {
+  int depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '{') ++depth;
+    if (text[at] == '}' && --depth == 0) return at;
+  }
+  return std::string_view::npos;
+}
+
+// "3" and "3'" stand lowered as they are; for "B" or "G₃'" there are no such letters.
+std::string lowered(const std::string& subscript) {
+  const std::size_t end = std::min(subscript.find_first_not_of("0123456789"), subscript.size());
+  const std::string rest = subscript.substr(end);
+  const bool is_number = end > 0 && rest.find_first_not_of('\'') == std::string::npos;
+  return is_number ? subscript_digits(subscript.substr(0, end)) + rest : "_" + unicode_symbol(subscript);
 }
 
 void remove_all(std::string& text, const std::string& what) {
@@ -28,15 +45,14 @@ std::string unicode_symbol(const std::string& rich_text) {
   remove_all(rest, "\\vec");
   remove_all(rest, "\\it");
   while (!rest.empty()) {
-    const auto close = rest.find('}');
-    if (!rest.starts_with("_{") || close == std::string::npos) {
+    const std::size_t close = rest.starts_with("_{") ? closing_brace(rest.substr(1)) : std::string::npos;
+    if (close == std::string::npos) {
       if (rest.front() != '{' && rest.front() != '}') plain += rest.front();
       rest.erase(0, 1);
       continue;
     }
-    const std::string lowered = rest.substr(2, close - 2);
-    plain += std::all_of(lowered.begin(), lowered.end(), is_digit) ? subscript_digits(lowered) : "_" + lowered;
-    rest.erase(0, close + 1);
+    plain += lowered(rest.substr(2, close - 1));
+    rest.erase(0, close + 2);
   }
   return plain;
 }

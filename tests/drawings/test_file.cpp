@@ -16,6 +16,7 @@
 #include <string>
 #include <thread>
 
+#include "drawings/files/left_drafts.h"
 #include "drawings/output.h"
 #include "tests/support/catch.h"
 
@@ -398,6 +399,23 @@ TEST_CASE("a file that happens to have the temporary name is not touched") {
   CHECK(folder.entries() == traps + 1);
   for (const auto& entry : fs::directory_iterator(folder.path()))
     if (entry.path().filename() != "drawing.pdf" && contents(entry.path()) != "precious") FAIL(entry.path());
+}
+
+TEST_CASE("drafts of processes that are no more are cleared away, and nothing else") {
+  const Folder folder;
+  const auto draft = [&](const std::string& process, const std::string& rest) {
+    return folder / (".epure-" + process + rest);
+  };
+  const std::string gone = in_child([] { return std::to_string(getpid()); }), here = std::to_string(getpid());
+  for (const char* rest : {"-1.part", "-27.part"}) put(draft(gone, rest), old_bytes);
+  std::vector<fs::path> others = {draft(here, "-1.part"), draft("1", "-1.part"), draft("0", "-1.part"),
+                                  draft("-1", "-1.part"), folder / "drawing.pdf"};
+  for (const char* rest : {"-01.part", "-1.part~", "-1", "-.part", "-1.pdf"}) others.push_back(draft(gone, rest));
+  for (const fs::path& each : others) put(each, "precious");
+  remove_left_drafts(folder.path());
+  CHECK(folder.entries() == others.size());
+  for (const fs::path& each : others) CHECK(contents(each) == "precious");
+  remove_left_drafts(folder / "nowhere");
 }
 
 TEST_CASE("a limit on the size of files is an error, not the end of the program") {

@@ -158,10 +158,12 @@ TEST_CASE("class: a run that was stopped goes on where it stood", "[class]") {
     fs::remove(std::string(folder) + "/" + number + "-solution.pdf");
   }
   write(std::string(folder) + "/unfinished.jsonl", "{\"cut");
+  write(std::string(folder) + "/.epure-99999999-1.part", "a draft of a process that is no more");
   const auto before = fs::last_write_time(std::string(folder) + "/1-blank.pdf");
   REQUIRE(make(words).exit == 0);
   CHECK(contents(std::string(folder) + "/key.csv") == key);
   CHECK_FALSE(fs::exists(std::string(folder) + "/unfinished.jsonl"));
+  CHECK_FALSE(fs::exists(std::string(folder) + "/.epure-99999999-1.part"));
   CHECK(fs::last_write_time(std::string(folder) + "/1-blank.pdf") > before);  // the journal knew nothing of it
 }
 
@@ -449,6 +451,42 @@ TEST_CASE("class --format moodle: which sense is positive is said where it is as
   CHECK(told("michell-bearing", "en").find("counter-clockwise") == std::string::npos);
 }
 
+TEST_CASE("class --format moodle: whose sense is not told is right without its sign, and so are whole turns",
+          "[class]") {
+  const Scratch scratch;
+  const auto asked = [&](const std::string& id, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words{id, "--count", "1", "--format", "moodle"};
+    words.insert(words.end(), more.begin(), more.end());
+    REQUIRE(make(words, {}).exit == 0);
+    return question_in("out/" + id + "-class/questions.xml");
+  };
+  const auto alternatives = [](const std::string& field) {
+    std::vector<double> all;
+    std::istringstream in("=" + field);
+    for (std::string each; std::getline(in, each, '~');) {
+      CHECK(each.substr(each.find(':')) == field.substr(field.rfind(':')));  // all as far off as the first
+      all.push_back(std::stod(each.substr(each.find('=') + 1)));
+    }
+    return all;
+  };
+  // A bending moment, of which the question does not say which is positive; a force "upwards"; a displacement.
+  const std::string crane = asked("boat-crane");
+  CHECK(alternatives(field_of(crane, "M_C")) == std::vector<double>{-17651.97, 17651.97});
+  CHECK(alternatives(field_of(crane, "Y_B")) == std::vector<double>{-5883.99});
+  const std::string analytic = asked("four-bar-analytic");
+  CAPTURE(analytic);
+  CHECK(alternatives(field_of(analytic, "ω₃")) == std::vector<double>{-18.425284259084822});
+  CHECK(alternatives(field_of(analytic, "a_Bx")) == std::vector<double>{-263.8573241560314});
+  const std::vector<double> direction = alternatives(field_of(analytic, "θ₄"));
+  REQUIRE(direction.size() == 2);
+  CHECK(direction[0] == Approx(-0.8807969085934083).epsilon(1e-14));
+  CHECK(direction[1] == Approx(5.402388398586178).epsilon(1e-14));
+  CHECK(field_of(analytic, "x_G₃'").starts_with("-0.4135829"));
+  const std::vector<double> in_degrees = alternatives(field_of(asked("slider-crank-acceleration"), "γ"));
+  REQUIRE(in_degrees.size() == 2);
+  CHECK(in_degrees[0] - in_degrees[1] == Approx(360).epsilon(1e-14));
+}
+
 TEST_CASE("class --format moodle: an answer may be off by what mark allows, also where it is zero", "[class]") {
   const Scratch scratch;
   write("variants.csv", "phi\n90deg\n");
@@ -522,6 +560,18 @@ TEST_CASE("class: a roster of Italian Excel, and a key for it", "[class]") {
   CHECK(right.exit == 0);
   CHECK(right.out.find("12345;De Rossi Anna;1;giusta;1;\r\n12346;Verdi Bruno;1;giusta;1;\r\n") != std::string::npos);
   CHECK(right.err.find("numeri trovati") != std::string::npos);
+}
+
+TEST_CASE("class: a roster in Windows-1252 is read, and it is told", "[class]") {
+  const Scratch scratch;
+  write("elenco.csv", "Matricola;Cognome;Nome\r\n7;Sar\xE0;Niccol\xF2\r\n");
+  const Ran ran = make({"slider-crank-velocity/poles", "--students", "elenco.csv"});
+  REQUIRE(ran.exit == 0);
+  CHECK(ran.err.starts_with("epure: elenco.csv is not UTF-8 and was read as Windows-1252"));
+  CHECK(cell(key_in(scratch.path()), 0, "name") == "Sarà Niccolò");
+  write("risposte.csv", "Matricola;v_B;Fiche\r\n7;5;\xE8\r\n");
+  CHECK(run_real({"mark", "slider-crank-velocity", "--answers", "risposte.csv", "--lang", "it"})
+            .err.starts_with("epure: risposte.csv non è UTF-8 ed è stato letto come Windows-1252"));
 }
 
 TEST_CASE("class: files of an earlier class are told, and left alone", "[class]") {

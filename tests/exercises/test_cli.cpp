@@ -604,6 +604,7 @@ TEST_CASE("letters on a terminal bear no markup") {
   CHECK(unicode_symbol("$\\it{M}_{12}$") == "M₁₂");
   CHECK(unicode_symbol("d$\\it{E}_{k}$/d$t$") == "dE_k/dt");
   CHECK(unicode_symbol("$\\vec{v}_{BA}$") == "v_BA");
+  CHECK(unicode_symbol("$x_{G_{3'}}$, $x_{G_{3B}}$, $x_{}$, $x_{A") == "x_G₃', x_G_3B, x_, x_A");
 }
 
 TEST_CASE("a symbol may be typed as the sheet writes it") {

@@ -82,6 +82,26 @@ TEST_CASE("what is no table is refused with its line") {
   refused_table("a,b\n1,\"" + std::string(1000001, 'x') + "\"\n", "t.csv, line 2: is longer than 1000000 bytes");
 }
 
+TEST_CASE("a file in Windows-1252, as Excel saves CSV, is read as that, and it is told") {
+  const Scratch scratch;
+  const auto read = [](const std::string& bytes) {
+    std::ofstream("t.csv", std::ios::binary) << bytes;
+    return read_csv_file("t.csv");
+  };
+  const CsvTable table = read("Nome;Quota\r\nNiccol\xF2 D\x92Urso;5 \x80\r\n\xC8ve;\xB1 3\r\n");
+  REQUIRE(table.rows.size() == 2);
+  CHECK(table.rows[0].cells == Cells{"Niccolò D’Urso", "5 €"});
+  CHECK(table.rows[1].cells == Cells{"Ève", "± 3"});
+  CHECK(table.remark.english.starts_with("t.csv is not UTF-8 and was read as Windows-1252"));
+  CHECK(read("Nome\nNiccolò\n").remark.empty());
+  const auto refused = [&](const std::string& bytes) {
+    CHECK_THROWS_WITH(read(bytes), "t.csv, line 2: is not UTF-8; save the table as CSV UTF-8");
+  };
+  refused("a\n\xFF\x81\n");                // stands for nothing there
+  refused("a\n\xF2 Niccolò\n");            // UTF-8 with a fault
+  refused(std::string("a\n\xF2\0\n", 5));  // UTF-16 has such
+}
+
 TEST_CASE("columns and numbers that stand there twice, or not at all") {
   const CsvTable twice = table_of("number,name,name\n1,2,3\n1,4,5\n,6,7\n");
   CHECK(twice.column("number") == 0);

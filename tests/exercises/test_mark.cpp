@@ -411,6 +411,9 @@ TEST_CASE("a key that is none of theirs is told, and one that is of no use refus
   refused_key("number,name\n1,A\n2,B\n3,C\n", "key.csv is no key: no column is a given or a quantity of triangle");
   refused_key("number,a,v_B,P0A,v_BA\n1,0.3m,1,1,1\n",
               "key.csv is no key of triangle: 3 of its columns are no given and no quantity of it, such as \"v_B\"");
+  refused_key(
+      "number,a,c_\n1,0.3m,0.5\n",
+      "key.csv: column \"c_\" is no quantity and no given of triangle; did you mean c? Or is it the key of another ");
   refused_key("number,a\n1,-1m\n2,-2m\n3,x\n",
               "nothing can be marked by this key; 1: not marked, because of the givens");
   refused_key("number,c\n1,0.7\n2,0.7\n3,0.5\n", "1 c: 0.7 in the key's line 2, but 0.5 is true");

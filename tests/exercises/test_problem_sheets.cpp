@@ -220,6 +220,19 @@ TEST_CASE("A sheet to be solved does not ask for what is off it, or is nowhere")
   CHECK(paragraphs.find("Not asked, as it lies at infinity or does not exist: ") != std::string::npos);
 }
 
+TEST_CASE("A sheet to be solved says which sense is positive of what it asks") {
+  const auto paragraphs = [](const DrawnSheet& blank) {
+    std::string all;
+    for (const drawings::Block& block : blank.sheet.column)
+      if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) all += paragraph->text + "\n";
+    return all;
+  };
+  CHECK(paragraphs(blank_sheet_of("slider-crank-velocity", "poles")).find("\nPositive sense: counter-clockwise.\n") !=
+        std::string::npos);
+  CHECK(paragraphs(blank_sheet_of("four-bar", "circles")).find("x to the right, y upwards.\n") != std::string::npos);
+  CHECK(paragraphs(blank_sheet_of("michell-bearing", "load")).find("Positive sense") == std::string::npos);
+}
+
 TEST_CASE("The blank sheet of a long table is the empty table") {
   const DrawnSheet blank = blank_sheet_of("point-mass", "table");
   std::size_t heads = 0;

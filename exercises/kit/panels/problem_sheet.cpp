@@ -1,6 +1,7 @@
 #include "exercises/kit/panels/problem_sheet.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -28,7 +29,39 @@ std::string point_of(const std::string& quantity, const Solution& solution) {
   return {};
 }
 
+// Counter-clockwise, and said to be so or told from one direction to another.
+bool is_turning(const Quantity& quantity) {
+  const std::string& meaning = quantity.meaning.english;
+  const bool is_angle = quantity.unit == "rad" || quantity.unit == "deg";
+  return meaning.find("counter-clockwise") != std::string::npos ||
+         (is_angle && meaning.find("from ") != std::string::npos);
+}
+
+bool lies_along_axis(const Quantity& quantity) {
+  const std::array<std::string_view, 4> units{"m", "m/s", "m/s^2", "N"};
+  return (quantity.name.ends_with("_x") || quantity.name.ends_with("_y")) &&
+         std::find(units.begin(), units.end(), quantity.unit) != units.end();
+}
+
 }  // namespace
+
+bool has_told_sense(const Quantity& quantity) {
+  return is_turning(quantity) || lies_along_axis(quantity) ||
+         quantity.meaning.english.find("upwards") != std::string::npos;
+}
+
+Words positive_senses(const std::vector<std::string>& quantities, const Solution& solution) {
+  const auto any = [&](bool (*is_so)(const Quantity&)) {
+    return std::any_of(quantities.begin(), quantities.end(),
+                       [&](const std::string& name) { return is_so(solution.described(name)); });
+  };
+  const bool some_turn = any(is_turning), some_lie = any(lies_along_axis);
+  if (!some_turn && !some_lie) return {};
+  return Words{"Positive sense: ", "Verso positivo: "} +
+         (some_turn ? Words{"counter-clockwise", "antiorario"} : Words{}) +
+         (some_turn && some_lie ? Words{"; ", "; "} : Words{}) +
+         (some_lie ? Words{"x to the right, y upwards", "x a destra, y in alto"} : Words{}) + ".";
+}
 
 AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
                       const std::function<bool(const std::string& quantity, const Place&)>& is_off_sheet) {
@@ -133,6 +166,10 @@ std::vector<drawings::Block> problem_column(const Description& about, const Solu
     column.emplace_back(heading({"Asked on this sheet", "Richiesto in questa tavola"}));
     column.emplace_back(answers(cells));
   }
+  std::vector<std::string> names;
+  for (const Result::Asked& each : asked.asked) names.push_back(each.quantity);
+  if (const Words senses = positive_senses(names, solution); !senses.empty())
+    column.emplace_back(drawings::Paragraph{senses.in(language)});
   const auto symbols = [&](const std::vector<std::string>& quantities) {
     std::vector<std::string> all;
     for (const std::string& each : quantities) all.push_back(solution.described(each).symbol);

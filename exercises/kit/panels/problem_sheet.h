@@ -22,8 +22,8 @@ struct AskedOnSheet {
 AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
                       const std::function<bool(const std::string& quantity, const Place&)>& is_off_sheet);
 
-// The question, a table of what the sheet asks for with the units in which it is told, and a place for name, number
-// and date.
+// The question, a table of what the sheet asks for with the units in which it is told, which senses are positive, and
+// a place for name, number and date.
 std::vector<drawings::Block> problem_column(const Description& about, const Solution& solution,
                                             const AskedOnSheet& asked, const SheetRequest& request);
 
@@ -34,6 +34,12 @@ std::optional<std::string> quantity_not_asked(const Awkwardness& noted);
 // "Not asked, as they lie off the sheet: ..." of the symbols of quantities; nothing when there is none.
 std::vector<Words> sentences_of_not_asked(const std::vector<std::string>& without_value,
                                           const std::vector<std::string>& off_sheet);
+
+// Whether the sense that is positive is told: by the sentence below, or by the quantity's own meaning.
+bool has_told_sense(const Quantity& quantity);
+// "Positive sense: counter-clockwise; x to the right, y upwards.", of what turns or lies along an axis among these;
+// empty: nothing does.
+Words positive_senses(const std::vector<std::string>& quantities, const Solution& solution);
 
 // A small cross with the letter O, where a polygon begins.
 void mark_start(Plot& plot, const Place& at);

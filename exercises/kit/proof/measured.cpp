@@ -65,8 +65,10 @@ Decimal read_measured(const std::string& text, const std::string& unit) {
   return number;
 }
 
+double whole_turn(const std::string& unit) { return unit == "deg" ? 360 : unit == "rad" ? 2 * std::numbers::pi : 0; }
+
 double nearest_turn(double value, double to, const std::string& unit) {
-  const double turn = unit == "deg" ? 360 : unit == "rad" ? 2 * std::numbers::pi : 0;
+  const double turn = whole_turn(unit);
   return turn == 0 ? value : value + turn * std::round((to - value) / turn);
 }
 

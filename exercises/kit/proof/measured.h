@@ -71,6 +71,8 @@ Allowance allowance_of(const Decimal& number, const Allowance& by_reading);
 // the value. Throws geometry::BadGiven, also beyond ±1e60.
 Decimal read_measured(const std::string& text, const std::string& unit);
 
+// 360, 2π; 0 of what is no angle.
+double whole_turn(const std::string& unit);
 // The same direction as `value`, whole turns away, that is nearest to `to`; of what is no angle the value itself.
 double nearest_turn(double value, double to, const std::string& unit);
 
