@@ -71,12 +71,19 @@ Landing::Landing(const Givens& givens)
         "f_r = {} dev'essere maggiore di f_v = {}: l'attrito volvente trattiene la ruota, lo strisciamento non "
         "finisce mai e l'aereo si ferma prima",
         told_value(f_r), told_value(f_v)));
-  if (rim_0 >= v_0)
+  if (rim_0 == v_0)
     throw BadGivens(
-        format_words("rim_0 = {} m/s must be less than v_0 = {} m/s: the wheel already rolls at touch-down (or spins "
-                     "faster), and nothing slips until t_s = 0",
-                     "rim_0 = {} m/s dev'essere minore di v_0 = {} m/s: la ruota al contatto rotola già (o gira più "
-                     "in fretta), e t_s = 0",
+        format_words("rim_0 = {} m/s must be less than v_0 = {} m/s: the wheel already rolls at touch-down, and "
+                     "nothing slips",
+                     "rim_0 = {} m/s dev'essere minore di v_0 = {} m/s: la ruota al contatto rotola già, e "
+                     "nulla striscia",
+                     told_value(rim_0), told_value(v_0)));
+  if (rim_0 > v_0)
+    throw BadGivens(
+        format_words("rim_0 = {} m/s must be less than v_0 = {} m/s: the wheel spins faster than it would roll, "
+                     "and slips forwards, which is not the landing that is asked about",
+                     "rim_0 = {} m/s dev'essere minore di v_0 = {} m/s: la ruota gira più in fretta di quanto "
+                     "rotolerebbe, e striscia in avanti: non è l'atterraggio in esame",
                      told_value(rim_0), told_value(v_0)));
   if (const auto why = airborne()) throw BadGivens(*why);
 }

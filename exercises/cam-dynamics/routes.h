@@ -418,9 +418,9 @@ class Routes {
   // ω² m_3 |y''| = P + P_3.
   template <class T>
   T speed_of_loss(const T& y2) const {
-    if (of.m_3 == 0) throw geometry::Impossible(never_lost);
     const Rational closing = of.P + of.m_3 * of.g;
-    if (closing < 0) throw geometry::Impossible(pulled_off);
+    if (closing < 0 || (closing == 0 && of.m_3 == 0)) throw geometry::Impossible(pulled_off);
+    if (of.m_3 == 0) throw geometry::Impossible(never_lost);
     const T squared = quotient(number<T>(Rational(closing / of.m_3)), y2);
     if constexpr (signs_only<T>) {
       return squared;

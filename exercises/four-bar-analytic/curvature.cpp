@@ -54,10 +54,10 @@ class CurvatureOfG3 : public CutPanel {
       return end ? std::optional(seen_end(plot, room, X, *end)) : std::nullopt;
     };
     if (!P0_)
-      return {{{"Crank and rocker are parallel: $P_{0}$ is at infinity, the rays are parallel and the inflection "
-                "circle is a line.",
-                "Manovella e bilanciere sono paralleli: $P_{0}$ è all'infinito, i raggi sono paralleli e la "
-                "circonferenza dei flessi è una retta."}},
+      return {{{"Crank and rocker are parallel: $P_{0}$ is at infinity, the rays are parallel and there is no "
+                "inflection circle.",
+                "Manovella e bilanciere sono paralleli: $P_{0}$ è all'infinito, i raggi sono paralleli e non c'è "
+                "circonferenza dei flessi."}},
               {{"$Ω_{G3}$ on the normal to $\\vec{v}_{G3}$, at $ρ_{G3}$ = $v^{2}_{G3}$ / $a^{n}_{G3}$.",
                 "$Ω_{G3}$ sulla normale a $\\vec{v}_{G3}$, a $ρ_{G3}$ = $v^{2}_{G3}$ / $a^{n}_{G3}$."},
                at_end(G3_, centre_)}};

@@ -170,7 +170,7 @@ template <class T, class Extended, class Folded>
 void write_zeros(Ledger<T>& ledger, bool extended_first, const Extended& extended, const Folded& folded) {
   const auto zero = [&](std::size_t number) {
     std::vector<geometry::Vector<T>> found;
-    Words why_not;
+    std::vector<Words> why_not;
     for (const bool is_extended : {extended_first, !extended_first}) {
       try {
         const geometry::Vector<T> crank = is_extended ? extended() : folded();
@@ -179,10 +179,10 @@ void write_zeros(Ledger<T>& ledger, bool extended_first, const Extended& extende
                                      "tutte le cerniere sono allineate, e omega_4 non è determinata");
         found.push_back(crank);
       } catch (const geometry::Impossible& none) {
-        why_not = none.words();
+        why_not.push_back(none.words());
       }
     }
-    if (number >= found.size()) throw geometry::Impossible(why_not);
+    if (number >= found.size()) throw geometry::Impossible(why_not[number - found.size()]);
     return in_degrees(angle_within_turn(found[number]));
   };
   ledger.put(theta_2_at_zero(1), [&] { return zero(0); });

@@ -6,12 +6,17 @@
 namespace epure::four_bar_constraints {
 namespace {
 
+// A start may be given in any unit of an angle.
+double radians_of(const Givens& givens, const char* start) {
+  return geometry::radians<geometry::Fast>(givens.angle(start));
+}
+
 constexpr int most_steps = 60;
 
 Words start_in_words(const Givens& givens) {
   return format_words("from the start θ₃ = {} rad, θ₄ = {} rad", "dalla partenza θ₃ = {} rad, θ₄ = {} rad",
-                      decimal(CGAL::to_double(givens["theta_3_start"]), 6),
-                      decimal(CGAL::to_double(givens["theta_4_start"]), 6));
+                      decimal(radians_of(givens, "theta_3_start"), 6),
+                      decimal(radians_of(givens, "theta_4_start"), 6));
 }
 
 [[noreturn]] void refuse(const Givens& givens, const geometry::analytic::NewtonRun& run) {
@@ -53,9 +58,9 @@ Problem problem(const Givens& givens) {
   Problem of{.instant = four_bar_on_x(givens, geometry::Side::left), .run = {}};
   require_drivable(of.instant);  // whichever branch
   const auto crank = geometry::analytic::crank_at<Fast>(of.instant.crank, 1.0, 0.0);
-  of.run = geometry::analytic::newton_raphson(of.instant.analytic_lengths(), crank,
-                                              CGAL::to_double(givens["theta_3_start"]),
-                                              CGAL::to_double(givens["theta_4_start"]), most_steps);
+  of.run =
+      geometry::analytic::newton_raphson(of.instant.analytic_lengths(), crank, radians_of(givens, "theta_3_start"),
+                                         radians_of(givens, "theta_4_start"), most_steps);
   if (of.run.end != geometry::analytic::NewtonEnd::converged) refuse(givens, of.run);
   if (of.run.iterates.back().determinant > 0) {
     of.instant.side = geometry::Side::right;

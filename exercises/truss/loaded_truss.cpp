@@ -98,7 +98,7 @@ LoadedTruss::LoadedTruss(const Givens& givens)
     throw BadGivens(
         format_words("delta = {}°: the roller's line of action passes through the hinge, and the truss is not held",
                      "delta = {}°: la retta d'azione del carrello passa per la cerniera, e la travatura è labile",
-                     to_text(givens["delta"])));
+                     to_text(Rational(360) * givens.angle("delta").turns)));
   try {
     bow = geometry::bow_notation(truss);
   } catch (const geometry::Impossible& why) {

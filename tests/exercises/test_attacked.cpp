@@ -140,3 +140,15 @@ TEST_CASE("attacked: a sentence tells by how little a given is wrong") {
   CHECK(refused({"h_1=2.9", "h_2=2.9000001"}).find("h_2 = 0.0029000001 m") != std::string::npos);
   CHECK(refused({"pads=8.0000001"}).find("pads = 8.0000001:") != std::string::npos);
 }
+
+// Folded, all hinges lie in line; extended, crank and coupler reach beyond frame and rocker: 0.7 > 0.5.
+TEST_CASE("attacked: of two dead centres that there are not, each has its own reason") {
+  const CheckedExercise checked =
+      Tried("four-bar-analytic").checked({"A0A=0.2", "AB=0.5", "B0B=0.4", "A0B0=0.1", "phi=45"});
+  std::string reasons;
+  for (const char* number : {"1", "2"})
+    reasons += find(checked, "theta_2_at_omega_4_zero_" + std::string(number) + "_deg").settled.reason.english + "; ";
+  CAPTURE(reasons);
+  CHECK(reasons.find("no such dead centre") != std::string::npos);
+  CHECK(reasons.find("all hinges are in line") != std::string::npos);
+}

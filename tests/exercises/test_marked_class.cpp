@@ -79,6 +79,20 @@ TEST_CASE("what is calculated from readings may be off by what these may; more d
     CHECK(run_on_all({"check", "slider-crank-velocity", "--quiet", "--measured", "omega_3=" + number}).exit == 1);
 }
 
+// The value of z2 is also that of a radius over a short clearance, that of a weight also a force over a coefficient
+// of another case; the slope of the beam at B is 0.000783.
+TEST_CASE("no way of calculating makes a number right that is far from it") {
+  const auto exit_of = [](const std::string& id, const std::string& measured) {
+    return run_on_all({"check", id, "--quiet", "--measured", measured}).exit;
+  };
+  CHECK(exit_of("gear-pair", "z2=33") == 1);
+  CHECK(exit_of("spool-slip", "weight_b=500") == 1);
+  CHECK(exit_of("spool-slip", "weight_b=296") == 0);
+  for (const char* wrong : {"-0.004", "0.0009", "0.01"})
+    CHECK(exit_of("boat-crane", "theta_B=" + std::string(wrong)) == 1);
+  CHECK(exit_of("boat-crane", "theta_B=0.00079") == 0);
+}
+
 TEST_CASE("slips that need solving again") {
   const Scratch scratch;
   CHECK(tells(verdict_on("v_B", "7.92"),

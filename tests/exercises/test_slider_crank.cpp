@@ -248,7 +248,13 @@ TEST_CASE("the impossible is one clear sentence and exit code 2", "[slider-crank
       // By 1e-19 of a metre, less than a double between the two lengths shows.
       {{"r=1", "l=0.9999999999999999999", "AC=0.7", "BC=0.7", "n=60", "t=0.25"}, {"too short by 1e-19 m"}},
       {{"r=0.4", "l=0.2", "AC=0.15", "BC=0.1", "t1=1/72"}, {"square to the guide", "30°"}},
-      {{"l=0.2", "AC=0.15", "BC=0.1", "t1=1/24"}, {"square to the guide", "90°"}},
+      // Crank and coupler square to the guide: s = r cos ψ ± √(l² - (r sin ψ - e)²) by hand, to the first order.
+      {{"l=0.2", "AC=0.15", "BC=0.1", "t1=1/24"},
+       {"change point", "90°", "ω₃/ω₂ = 1 and v_B/ω₂ = 0 m, or ω₃/ω₂ = -1 and v_B/ω₂ = -0.4 m"}},
+      {{"l=0.2", "AC=0.15", "BC=0.1", "phi=-90"}, {"ω₃/ω₂ = 1 and v_B/ω₂ = 0 m, or ω₃/ω₂ = -1 and v_B/ω₂ = 0.4 m"}},
+      {{"r=0.3", "e=-0.2", "phi=90"},
+       {"ω₃/ω₂ = 0.774597 and v_B/ω₂ = 0.0872983 m, or ω₃/ω₂ = -0.774597 and v_B/ω₂ = -0.687298 m"}},
+      {{"r=0.5", "l=0.4", "e=0.9", "phi=90"}, {"closes at this angle alone, and cannot move"}},
       {{"AC=0.05"}, {"the plate ABC does not close", "AB = 0.5 m", "AC + BC = 0.45 m", "by 0.05 m"}},
       {{"BC=1"}, {"the plate ABC does not close", "BC = 1 m", "AB + AC = 0.8 m", "by 0.2 m"}},
       {{"AC=1"}, {"the plate ABC does not close", "AC = 1 m", "AB + BC = 0.9 m", "by 0.1 m"}},

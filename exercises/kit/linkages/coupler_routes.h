@@ -15,10 +15,15 @@
 namespace epure {
 
 inline constexpr Phrase no_inflection_circle{
-    "the inflection circle is a line: the plane does not turn and its pole is at infinity",
-    "la circonferenza dei flessi è una retta: il piano non ruota e il suo polo è all'infinito"};
-inline constexpr Phrase no_stationarity_circle{"the stationarity circle is a line: ω₃ or α₃ is zero",
-                                               "la circonferenza di stazionarietà è una retta: ω₃ o α₃ è zero"};
+    "there is no inflection circle: ω₃ is zero, so the points with an inflection lie on a line, and nowhere when α₃ "
+    "is "
+    "zero too",
+    "non c'è circonferenza dei flessi: ω₃ è zero, e i punti di flesso stanno su una retta, e in nessun luogo quando "
+    "anche α₃ è zero"};
+inline constexpr Phrase no_stationarity_circle{
+    "there is no stationarity circle: where ω₃ or α₃ is zero it is a line, and where both are, all points or none",
+    "non c'è circonferenza di stazionarietà: con ω₃ o α₃ zero è una retta, con entrambe zero tutti i punti o "
+    "nessuno"};
 inline constexpr Phrase no_acceleration_pole{"the acceleration pole K is at infinity: ω₃ and α₃ are zero",
                                              "il polo delle accelerazioni K è all'infinito: ω₃ e α₃ sono zero"};
 inline constexpr Phrase no_point_on_ray{"the ray from the pole meets the inflection circle at infinity",

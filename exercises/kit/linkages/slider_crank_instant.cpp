@@ -46,6 +46,48 @@ Words angles_at_which_it_closes(const SliderCrankInstant& at) {
                       decimal(CGAL::to_double(CGAL::abs(at.lengths.e)), 6));
 }
 
+// The crank is square to the guide: a decision on the rational number of quarter turns between them. Radians in that
+// angle never make it one, π being irrational.
+bool is_square_to_guide(const SliderCrankInstant& at) {
+  const Angle psi = at.crank_from_guide();
+  const Rational quarters = 4 * psi.turns;
+  return psi.radians == 0 && quarters.denominator() == 1 && mpz_odd_p(quarters.numerator().mpz()) != 0;
+}
+
+// The coupler stands square to the guide, at the end of its reach: there the crank is at a limit of its way, unless
+// it is square to the guide itself. B lies at s = r cos ψ ± √(l² - (r sin ψ - e)²) along the guide, and from ψ = ±90°
+// on the root is √(r l) |dψ| to the first order (two motions), or imaginary on both sides, when |e| = r + l.
+[[noreturn]] void refuse_at_reach(const SliderCrankInstant& at) {
+  const Words phi = decimal(degrees(at.crank), 6);
+  const double r = CGAL::to_double(at.lengths.r), l = CGAL::to_double(at.lengths.l);
+  if (!is_square_to_guide(at))
+    throw BadGivens(format_words(
+        "at crank angle {}° the coupler AB = {} m stands square to the guide, where the crank cannot drive "
+        "the slider: its velocity does not exist",
+        "con la manovella a {}° la biella AB = {} m è perpendicolare alla guida, dove la manovella non può "
+        "muovere il corsoio: la sua velocità non esiste",
+        phi, decimal(l, 6)));
+  if (CGAL::abs(at.lengths.e) == at.lengths.r + at.lengths.l)
+    throw BadGivens(format_words(
+        "at crank angle {}° crank and coupler are stretched square to the guide: the linkage closes at this "
+        "angle alone, and cannot move",
+        "con la manovella a {}° manovella e biella sono distese perpendicolari alla guida: il meccanismo "
+        "si chiude a questo angolo soltanto, e non può muoversi",
+        phi));
+  const double up = within_one_turn(at.crank_from_guide()).turns == Rational(1, 4) ? 1 : -1;
+  const auto motion = [&](double omega_3) {  // + 0.0: no zero with a sign
+    return format_words("ω₃/ω₂ = {} and v_B/ω₂ = {} m", "ω₃/ω₂ = {} e v_B/ω₂ = {} m", decimal(omega_3, 6),
+                        decimal(up * (omega_3 * l - r) + 0.0, 6));
+  };
+  throw BadGivens(format_words(
+      "at crank angle {}° crank and coupler AB = {} m are both square to the guide: a change point, which two "
+      "motions "
+      "leave, with {}, or {}; choose another crank angle, if only a little greater",
+      "con la manovella a {}° manovella e biella AB = {} m sono entrambe perpendicolari alla guida: un punto di "
+      "cambiamento, da cui partono due moti, con {}, o {}; scegliere un altro angolo, anche di poco maggiore",
+      phi, decimal(l, 6), motion(std::sqrt(r / l)), motion(-std::sqrt(r / l))));
+}
+
 void require_closure(const SliderCrankInstant& at) {
   const Sign reach =
       geometry::decide([&]<class T>() {
@@ -68,20 +110,7 @@ void require_closure(const SliderCrankInstant& at) {
         "AB = {} m è troppo corta di {} m{}",
         decimal(phi, 6), decimal(height, 6), decimal(l, 6), decimal(missing, 3), angles_at_which_it_closes(at)));
   }
-  throw BadGivens(format_words(
-      "at crank angle {}° the coupler AB = {} m stands square to the guide, where the crank cannot drive "
-      "the slider: its velocity does not exist",
-      "con la manovella a {}° la biella AB = {} m è perpendicolare alla guida, dove la manovella non può "
-      "muovere il corsoio: la sua velocità non esiste",
-      decimal(phi, 6), decimal(l, 6)));
-}
-
-// The crank is square to the guide: a decision on the rational number of quarter turns between them. Radians in that
-// angle never make it one, π being irrational.
-bool is_square_to_guide(const SliderCrankInstant& at) {
-  const Angle psi = at.crank_from_guide();
-  const Rational quarters = 4 * psi.turns;
-  return psi.radians == 0 && quarters.denominator() == 1 && mpz_odd_p(quarters.numerator().mpz()) != 0;
+  refuse_at_reach(at);
 }
 
 // A₀, A and B in line. Seen from the guide, crank at ψ and coupler have the same sine when the crank points ahead,

@@ -15,6 +15,9 @@ namespace {
 constexpr double shortest_line_mm = 20;
 // What is calculated in a way that epure does not know: from lines of this length.
 constexpr int usual_line_mm = 100;
+// Who calculates takes a way that tells more than this part of the number, and some ways that have the number's value
+// have it by chance. (What is drawn may be as short as it is.)
+const Rational roughest_calculated(1, 10);
 
 const OnSheet* sheet_measured(const CheckedQuantity& quantity, const std::string& sheet) {
   const auto named = std::find_if(quantity.on_sheets.begin(), quantity.on_sheets.end(),
@@ -120,18 +123,20 @@ struct Formula {
   }
 };
 
-// All that have the quantity's value and dimension. A zero comes of a zero over something only.
+// All that have the quantity's value and dimension. A zero comes of a zero over something only. None where two givens
+// tell it: then nothing was read.
 std::vector<Formula> formulas_for(double value, const Dimension& dimension, const std::vector<Operand>& all) {
   std::vector<Formula> found;
   for (const Operand& x : all)
     for (const Operand& y : all) {
-      if (&x == &y || (x.is_given && y.is_given)) continue;
+      if (&x == &y) continue;
       for (const auto kind : {Formula::product, Formula::quotient, Formula::square_quotient}) {
         const Formula formula{kind, &x, &y};
         const bool is_twin = kind == Formula::product && &y < &x;
         const bool is_sense = y.value > 0 && (x.value > 0 || kind == Formula::quotient);
-        if (!is_twin && is_sense && formula.dimension() == dimension && formula.gives(value))
-          found.push_back(formula);
+        if (is_twin || !is_sense || formula.dimension() != dimension || !formula.gives(value)) continue;
+        if (x.is_given && y.is_given) return {};
+        found.push_back(formula);
       }
     }
   return found;
@@ -172,6 +177,14 @@ Allowance usual(const CheckedQuantity& quantity, const Rational& reading) {
   return {relative * CGAL::abs(value), lines};
 }
 
+// Angles in degrees are directions, which are read off as they are; in radians they are slopes, which are calculated.
+Allowance no_rougher(const Allowance& found, const CheckedQuantity& quantity) {
+  if (!has_value(quantity.settled) || quantity.spec.unit == "deg") return found;
+  const Rational most = roughest_calculated * CGAL::abs(Rational(quantity.settled.enclosure.value));
+  if (most == 0 || found.size <= most) return found;
+  return {most, {"a tenth of what is calculated", "un decimo di ciò che si calcola"}};
+}
+
 // Of nothing no part is anything. What the reading is worth in what is drawn of the same kind; else in a product or
 // quotient of two lines that is of the kind, whose value says nothing here, as the quantity is zero; the roughest
 // counts.
@@ -208,9 +221,9 @@ Allowance allowance(const CheckedExercise& checked, const CheckedQuantity& quant
     return {ruler.reading_mm * line->per_mm, in_mm(ruler.reading_mm) + line->where};
   if (!is_angle(quantity.spec.unit))
     if (const auto from_readings = calculated(checked, quantity, ruler); from_readings && from_readings->size > 0)
-      return *from_readings;
+      return no_rougher(*from_readings, quantity);
   const Allowance by_lines = usual(quantity, ruler.reading_mm);
-  return by_lines.size > 0 ? by_lines : of_zero(checked, quantity, ruler);
+  return by_lines.size > 0 ? no_rougher(by_lines, quantity) : of_zero(checked, quantity, ruler);
 }
 
 Allowance allowance_of(const Decimal& number, const Allowance& by_reading) {

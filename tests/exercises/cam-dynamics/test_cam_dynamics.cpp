@@ -46,6 +46,18 @@ TEST_CASE("a follower that leaves the cam has no reactions, and all its kinemati
   CHECK(value(lost, "a_B3_y") == value(cam().checked({}), "a_B3_y"));
 }
 
+TEST_CASE("a pulled follower without mass never presses, at whatever speed", "[cam-dynamics]") {
+  for (const char* P : {"P=-20", "P=0"}) {
+    const CheckedExercise pulled = cam().checked({P, "m_3=0", "g=0"});
+    const std::string why = find(pulled, "maximum_lift.omega_2_contact_loss").settled.reason.english;
+    CAPTURE(P, why);
+    CHECK(why.find("lost at any speed") != std::string::npos);
+  }
+  const CheckedExercise pressed = cam().checked({"m_3=0"});
+  CHECK(find(pressed, "maximum_lift.omega_2_contact_loss").settled.reason.english.find("never lost") !=
+        std::string::npos);
+}
+
 TEST_CASE("the source's least closing force is that of the drawn position", "[cam-dynamics]") {
   const CheckedExercise stated = cam().checked({});
   int rounded = 0, read = 0, explained = 0, unexplained = 0;

@@ -89,6 +89,17 @@ TEST_CASE("four-bar-constraints: the iterates are Newton's", "[four-bar-constrai
   }
 }
 
+TEST_CASE("four-bar-constraints: a start in degrees or in turns is an angle all the same", "[four-bar-constraints]") {
+  for (const Assignments& start : {Assignments{"theta_3_start=70deg", "theta_4_start=-50deg"},
+                                   Assignments{"theta_3_start=7/36turn", "theta_4_start=-5/36turn"}}) {
+    const auto of = four_bar_constraints::problem(givens_of(id, start));
+    CAPTURE(start);
+    CHECK(of.run.iterates.front().q(0) == Approx(1.2217304763960306).epsilon(1e-15));  // 70 π/180
+    CHECK(of.run.iterates.front().q(1) == Approx(-0.8726646259971648).epsilon(1e-15));
+    CHECK(of.run.iterates.size() <= 4);
+  }
+}
+
 TEST_CASE("four-bar-constraints: a singular start and other impossible givens are one sentence",
           "[four-bar-constraints]") {
   const std::vector<std::pair<Assignments, std::string>> all{
