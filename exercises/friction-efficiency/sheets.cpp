@@ -118,14 +118,14 @@ PanelSheet wedge(const Solution& s, Language language) {
   const PolygonSide Q = of.load("Q", "", ""), R_23 = of.known(moving(chain.contact, direct), "", ""),
                     R_32 = reversed(R_23, 3, 2), R_12 = of.known(moving(chain.on_driven, direct), "", ""),
                     P = of.known(P_of(direct), "", "");
-  on_rod.to_scale().at_most(200).force(Q, {0, at.top}, Arrow::ends);
+  on_rod.to_scale().at_most(200).load(Q, {0, at.top}, Arrow::ends);
   press(on_rod, of, R_23, {0, 0}, normal);
   press(on_rod, of, of.known(moving(chain.on_loaded, direct), "", ""), {0, 0}, 0);
   on_rod.step(turned_against, {0, 0});
   // Where R_32 and P meet, from the triangle of directions.
   const Place H{R_32.v.y == 0 ? 0 : at.line_of_P * R_32.v.x / R_32.v.y, at.line_of_P};
   const Place foot{H.x + (at.floor - H.y) * R_12.v.x / R_12.v.y, at.floor};
-  on_wedge.to_scale().at_most(200).force(P, {at.left.x, at.line_of_P}, Arrow::ends);
+  on_wedge.to_scale().at_most(200).effort(P, {at.left.x, at.line_of_P}, Arrow::ends);
   press(on_wedge, of, R_32, {0, 0}, normal);
   press(on_wedge, of, R_12, foot, -std::numbers::pi / 2);
   on_wedge.meeting("", "$\\it{H}_{2}$", H);
@@ -167,7 +167,7 @@ PanelSheet two_forces(const Solution& s, Language language) {
     if (suffix == retrograde) panel.likewise(the_other_way, Q.v);
     return panel;
   };
-  on_rod.to_scale().force(of.load("Q", "", ""), {0, at.top}, Arrow::ends);
+  on_rod.to_scale().load(of.load("Q", "", ""), {0, at.top}, Arrow::ends);
   press(on_rod, of, of.known(moving(force_between(2, 3), direct), "", ""), {0, 0},
         std::numbers::pi / 2 - of.radians("theta"));
   press(on_rod, of, of.known(moving(upper, direct), "", ""), {-at.w / 2, at.upper}, 0);
@@ -287,7 +287,11 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
     drawn.point("C", at.C, Joint::none, "$C$");
     FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
     const std::string k = std::to_string(lever);
-    panel.to_scale().force(is_loaded ? of.load("Q", "", "") : of.known(P_of(direct), "", ""), at.attacked(lever));
+    panel.to_scale();
+    if (is_loaded)
+      panel.load(of.load("Q", "", ""), at.attacked(lever));
+    else
+      panel.effort(of.known(P_of(direct), "", ""), at.attacked(lever));
     press(panel, of, is_loaded ? contact : reversed(contact, at.loaded, at.driven), at.C, nu);
     panel.force(of.known(moving(force_between(1, lever), direct), "", ""), at.hinge(lever), Arrow::ends);
     panel.meeting(of.name("H_" + k + direct), "$\\it{H}_{" + k + "}$", of.point("H_" + k + direct));

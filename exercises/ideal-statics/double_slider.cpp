@@ -43,8 +43,8 @@ PanelSheet sheet(const Solution& s, Language) {
     return std::make_shared<const Mechanism>(std::move(block));
   };
   FreeBodyPanel on_2(slider("A", A, true)), on_4(slider("B", B, false));
-  on_2.to_scale().force(Q, A).force(R_32, A, Arrow::ends).force(R_12, A, Arrow::ends);
-  on_4.to_scale().force(R_34, B, Arrow::ends).force(driving, B, Arrow::ends).force(R_14, B, Arrow::ends);
+  on_2.to_scale().load(Q, A).force(R_32, A, Arrow::ends).force(R_12, A, Arrow::ends);
+  on_4.to_scale().force(R_34, B, Arrow::ends).effort(driving, B, Arrow::ends).force(R_14, B, Arrow::ends);
   on_2.step({"The link is loaded in its hinges only: its forces run along $AB$. On slider 2 $\\vec{\\it{Q}}$, "
              "$\\vec{\\it{R}}_{32}$ and $\\vec{\\it{R}}_{12}$ meet in $A$.",
              "L'asta è caricata solo nelle cerniere: le sue forze corrono lungo $AB$. Sul pattino 2 la "

@@ -27,7 +27,7 @@ PanelSheet polygons(const Solution& s, const std::string& name) {
   crank.point("A", A, Joint::hinge, "$A$").point("B", B, Joint::hinge, "$B$").body({"A", "B"}, 2);
   FreeBodyPanel on_4(std::make_shared<const Mechanism>(std::move(lever))),
       on_2(std::make_shared<const Mechanism>(std::move(crank)));
-  on_4.to_scale().force(F, D).force(R_34, B, Arrow::ends).force(R_14, C, Arrow::ends);
+  on_4.to_scale().load(F, D).force(R_34, B, Arrow::ends).force(R_14, C, Arrow::ends);
   on_4.meeting(of.name("H"), "$\\it{H}$", of.point("H"));
   on_2.to_scale().force(R_32, B).force(R_12, A);
   on_2.couple("$\\it{M}$", A, of["M"]).arm(A, B, R_32.v, "$d$", of.name("d"));

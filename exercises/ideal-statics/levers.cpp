@@ -28,10 +28,12 @@ FreeBodyPanel cut_free(const LeverFigure& at, int lever, const PolygonSide& appl
   body.point("C", at.C, Joint::none, "$C$");
   FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(body)));
   const std::string i = std::to_string(lever), H = "$\\it{H}_{" + i + "}$";
-  panel.to_scale()
-      .force(applied, at.attacked(lever))
-      .force(contact, at.C, Arrow::ends)
-      .force(pivot, at.hinge(lever), Arrow::ends);
+  panel.to_scale();
+  if (lever == at.loaded)
+    panel.load(applied, at.attacked(lever));
+  else
+    panel.effort(applied, at.attacked(lever));
+  panel.force(contact, at.C, Arrow::ends).force(pivot, at.hinge(lever), Arrow::ends);
   const std::string arm = lever == 2 ? "A0" : "B0";
   panel.arm(at.hinge(lever), at.C, contact.v, "$b_{" + arm + "}$", at.of.name("arm_normal_" + arm));
   const auto meeting = at.of.point("H_" + i);

@@ -31,7 +31,7 @@ FreeBodyPanel wedge_cut_free(const WedgeFigure& at, const Forces& on) {
   panel.to_scale()
       .at_most(200)
       .force(on.R_32, {0, 0}, Arrow::ends)
-      .force(on.P, {at.left.x, at.line_of_P}, Arrow::ends);
+      .effort(on.P, {at.left.x, at.line_of_P}, Arrow::ends);
   panel.force(on.R_12, {x_H, at.floor}, Arrow::ends).meeting("", "$\\it{H}_{2}$", Place{x_H, at.line_of_P});
   panel.step(
       {"Wedge: $\\vec{\\it{R}}_{32}$ = −$\\vec{\\it{R}}_{23}$ along $r_{2}$ and $\\vec{\\it{P}}$ along $r_{3}$ "
@@ -48,7 +48,7 @@ FreeBodyPanel rod_cut_free(const WedgeFigure& at, const Forces& on) {
   rod.point("O", {0, 0}, Joint::none, "$O$");
   add_rod(rod, at);
   FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(rod)));
-  panel.to_scale().at_most(200).force(on.Q, {0, at.top}, Arrow::ends).force(on.R_23, {0, 0}, Arrow::ends);
+  panel.to_scale().at_most(200).load(on.Q, {0, at.top}, Arrow::ends).force(on.R_23, {0, 0}, Arrow::ends);
   return panel;
 }
 

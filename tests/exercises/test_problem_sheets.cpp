@@ -1,4 +1,6 @@
 // Sheets to be solved: what is given lies where it lies on the solved sheet, and nothing tells what is to be found.
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "drawings/output.h"
@@ -231,6 +233,40 @@ TEST_CASE("A sheet to be solved says which sense is positive of what it asks") {
         std::string::npos);
   CHECK(paragraphs(blank_sheet_of("four-bar", "circles")).find("x to the right, y upwards.\n") != std::string::npos);
   CHECK(paragraphs(blank_sheet_of("michell-bearing", "load")).find("Positive sense") == std::string::npos);
+}
+
+TEST_CASE("A sheet of forces to be solved shows the load, and of the effort the line of action alone") {
+  const auto forces = [](const DrawnSheet& drawn) {
+    const auto& marks = drawn.sheet.figure.marks;
+    return std::count_if(marks.begin(), marks.end(), [](const drawings::Mark& mark) {
+      const auto* arrow = std::get_if<drawings::Arrow>(&mark);
+      return arrow && arrow->meaning == drawings::Meaning::force;
+    });
+  };
+  // Its length says nothing of how large the force is found to be.
+  const auto lines_of_action = [](const DrawnSheet& drawn) {
+    const auto& marks = drawn.sheet.figure.marks;
+    return std::count_if(marks.begin(), marks.end(), [](const drawings::Mark& mark) {
+      const auto* line = std::get_if<drawings::Line>(&mark);
+      if (!line || line->meaning != drawings::Meaning::construction || line->path.pieces.size() != 1) return false;
+      const drawings::Point from = line->path.start, to = line->path.pieces.front().end;
+      return std::abs(std::hypot(to.x - from.x, to.y - from.y) - 28) < 1e-6;
+    });
+  };
+  for (const auto& [id, sheets] :
+       {std::pair{"ideal-statics", std::vector<std::string>{"wedge", "two-forces", "double-slider", "levers"}},
+        std::pair{"friction-efficiency", std::vector<std::string>{"wedge", "levers"}}})
+    for (const std::string& sheet : sheets) {
+      INFO(id << "/" << sheet);
+      const DrawnSheet blank = blank_sheet_of(id, sheet);
+      CHECK(forces(blank) == 1);
+      CHECK(has_label(blank, "$\\vec{\\it{Q}}$"));
+      if (sheet == "two-forces") continue;  // it shows the rod alone, on which the wedge presses
+      CHECK(has_label(blank, "$\\vec{\\it{P}}$"));
+      CHECK(lines_of_action(blank) == 1);
+    }
+  CHECK(forces(blank_sheet_of("friction-efficiency", "two-forces")) == 1);
+  CHECK(forces(blank_sheet_of("ideal-statics", "fairbairn")) == 1);
 }
 
 TEST_CASE("The blank sheet of a long table is the empty table") {

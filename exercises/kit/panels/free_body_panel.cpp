@@ -34,12 +34,22 @@ FreeBodyPanel::OnPaper FreeBodyPanel::on_paper(const Force& force, const Scale& 
   return {tail, tail + length};
 }
 
-// One arrow after the other, where two stand on the same side of a point and would cover each other.
 FreeBodyPanel& FreeBodyPanel::force(const PolygonSide& side, const Place& at, Arrow there) {
+  return add(side, at, there, Given::nothing);
+}
+FreeBodyPanel& FreeBodyPanel::load(const PolygonSide& side, const Place& at, Arrow there) {
+  return add(side, at, there, Given::all);
+}
+FreeBodyPanel& FreeBodyPanel::effort(const PolygonSide& side, const Place& at, Arrow there) {
+  return add(side, at, there, Given::line);
+}
+
+// One arrow after the other, where two stand on the same side of a point and would cover each other.
+FreeBodyPanel& FreeBodyPanel::add(const PolygonSide& side, const Place& at, Arrow there, Given given) {
   const double size = magnitude(side.v);
   if (size == 0) return *this;
   constexpr double too_near = 0.3;  // radians
-  Force added{side.label, at, (1 / size) * side.v, size, -1, there == Arrow::ends, side.quantity};
+  Force added{side.label, at, (1 / size) * side.v, size, -1, there == Arrow::ends, side.quantity, given};
   const Arrow2 out = added.ends ? -added.along : added.along;
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     const Force& other = forces_[i];
@@ -125,7 +135,9 @@ drawings::Box FreeBodyPanel::extent_of_near(const Scale& scale, const Scale& vec
   body_->include(extent, scale);
   for (const Force& force : forces_) {
     const OnPaper arrow = on_paper(force, vectors);
-    for (const double end : {arrow.tail - line_beyond, arrow.tip + line_beyond})
+    std::vector<double> ends{arrow.tail - line_beyond, arrow.tip + line_beyond};
+    if (force.given == Given::line) ends.insert(ends.end(), {-arrow_length, arrow_length});
+    for (const double end : ends)
       extent.include(scale, on_line(force.at, force.along, end, scale.mm_per_unit), letters);
   }
   for (const Couple& couple : couples_) extent.include(scale, couple.about, couple_radius + letters);
@@ -147,6 +159,13 @@ drawings::Box FreeBodyPanel::extent(const Scale& scale, const Scale& vectors) co
   extent.include(near.high.x, near.high.y);
   for (const Meeting& each : meetings_) extent.include(scale, each.H, letters);
   return extent.box();
+}
+
+// So long, whatever the force is: how large it is found to be, the line must not tell.
+void FreeBodyPanel::draw_line_of_action(Plot& plot, const Force& force) const {
+  const double mm = plot.scale().mm_per_unit;
+  plot.segment(on_line(force.at, force.along, -arrow_length, mm), on_line(force.at, force.along, arrow_length, mm),
+               Meaning::construction);
 }
 
 void FreeBodyPanel::draw_force(Plot& plot, const Force& force) const {
@@ -183,6 +202,18 @@ void FreeBodyPanel::draw_arm(Plot& plot, const Arm& arm) const {
   if (!arm.quantity.empty()) plot.measures(arm.quantity, arm.about, arm.foot);
 }
 
+void FreeBodyPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+  body_->draw(plot);
+  for (const Force& force : forces_) {
+    if (force.given == Given::all) draw_force(plot, force);
+    if (force.given != Given::line) continue;
+    draw_line_of_action(plot, force);
+    plot.label(force.label,
+               on_line(force.at, force.along, force.ends ? -arrow_length : arrow_length, plot.scale().mm_per_unit),
+               force.at, Meaning::force);
+  }
+}
+
 // Lines that pass by it are not drawn there.
 void FreeBodyPanel::draw_meeting(Plot& plot, const drawings::Box& room, const Meeting& meeting) const {
   constexpr double same = 1e-9;  // of the distance: what doubles leave of a line through H
@@ -213,7 +244,10 @@ std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box
   }
   for (const Turned& each : turned_) draw_turned(plot, each);
   for (const Arm& each : arms_) draw_arm(plot, each);
-  for (const Force& force : forces_) draw_force(plot, force);
+  for (const Force& force : forces_) {
+    if (force.given == Given::line) draw_line_of_action(plot, force);
+    draw_force(plot, force);
+  }
   for (const Couple& couple : couples_)
     draw_arc_arrow(plot, couple.about,
                    {middle_of(couple), couple.sense, couple.label, couple_radius, Meaning::force});

@@ -21,6 +21,10 @@ class FreeBodyPanel : public Panel {
   // A force of a polygon, where it acts; none when it is zero. What presses on the body from outside ends there.
   enum class Arrow { starts, ends };
   FreeBodyPanel& force(const PolygonSide& side, const Place& at, Arrow there = Arrow::starts);
+  // The same of what is given, and stands on the sheet to be solved too: a load; and of an effort that balances it,
+  // the line of action.
+  FreeBodyPanel& load(const PolygonSide& side, const Place& at, Arrow there = Arrow::starts);
+  FreeBodyPanel& effort(const PolygonSide& side, const Place& at, Arrow there = Arrow::starts);
   // At the scale of the sheet's forces, in this unit: a ruler reads them. All such bodies have one scale of lengths.
   FreeBodyPanel& to_scale(const std::string& unit = "N");
   // The bodies no larger than so many millimetres a metre: their forces are what is to be seen.
@@ -54,10 +58,11 @@ class FreeBodyPanel : public Panel {
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language) const override;
-  void draw_given(Plot& plot, const drawings::Box&, Language) const override { body_->draw(plot); }
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override;
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override { return steps_; }
 
  private:
+  enum class Given { nothing, line, all };
   struct Force {
     std::string label;
     Place at;
@@ -66,6 +71,7 @@ class FreeBodyPanel : public Panel {
     int after;  // another force, which would cover it: it stands behind that one
     bool ends;
     std::string quantity;
+    Given given;
   };
   // On paper, mm from the point along the force.
   struct OnPaper {
@@ -99,10 +105,12 @@ class FreeBodyPanel : public Panel {
     std::vector<double> clear_of;
   };
 
+  FreeBodyPanel& add(const PolygonSide& side, const Place& at, Arrow there, Given given);
   double middle_of(const Couple& couple) const;
   double length_of(const Force& force, const Scale& vectors) const;
   OnPaper on_paper(const Force& force, const Scale& vectors) const;
   void draw_force(Plot& plot, const Force& force) const;
+  void draw_line_of_action(Plot& plot, const Force& force) const;
   void draw_turned(Plot& plot, const Turned& turned) const;
   void draw_arm(Plot& plot, const Arm& arm) const;
   void draw_meeting(Plot& plot, const drawings::Box& room, const Meeting& meeting) const;
