@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "exercises/cycloid-involute/exercise.h"
+#include "exercises/kit/panels/compass.h"
 #include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/rolling/rolling_picture.h"
 #include "geometry/motion/roulette_divisions.h"
@@ -186,7 +187,8 @@ PanelSheet cycloid_sheet(const Solution& s, Language) {
                    "each, and the curve through them",
                    "La ruota in dodici parti, la guida in altrettante, i dodici punti della cicloide per due archi "
                    "ciascuno, e la curva che li unisce"},
-          .told = {"cycloid.arch_base"}};
+          .told = {"cycloid.arch_base"},
+          .without_part = givens_of_involute};
 }
 
 }  // namespace epure::cycloid_involute

@@ -41,6 +41,10 @@ struct Problem {
 inline const InstantNames at_phi{"cycloid."}, at_s{"cycloid.", "_at_s4"}, at_t1{"involute.", "_t1"},
     at_t2{"involute.", "_t2"};
 
+// The givens that a sheet of one curve leaves to the other.
+inline const std::set<std::string> givens_of_involute{"d_0", "omega_2", "t1", "phi_1", "t2", "phi_2"},
+    givens_of_cycloid{"d", "omega_1", "phi", "s"};
+
 // Each curve as a student draws it, by twelve divisions, ...
 PanelSheet cycloid_sheet(const Solution& solution, Language language);
 PanelSheet involute_sheet(const Solution& solution, Language language);

@@ -112,7 +112,8 @@ PanelSheet cycloid_instants_sheet(const Solution& s, Language language) {
                    "curvature, velocity and acceleration of M",
                    "La ruota sulla guida in due istanti, con punto di contatto, circonferenza dei flessi e centro di "
                    "curvatura, velocità e accelerazione di M"},
-          .told = {"cycloid.v_M", "cycloid.rho_M", "cycloid.v_M_at_s4"}};
+          .told = {"cycloid.v_M", "cycloid.rho_M", "cycloid.v_M_at_s4"},
+          .without_part = givens_of_involute};
 }
 
 PanelSheet involute_instants_sheet(const Solution& s, Language language) {
@@ -161,6 +162,7 @@ PanelSheet involute_instants_sheet(const Solution& s, Language language) {
       "La retta sul suo cerchio in due istanti, con l'evolvente percorsa, velocità e accelerazione di M, e "
       "il contatto in scala maggiore"};
   sheet.told = {"involute.v_M_t1", "involute.v_M_t2"};
+  sheet.without_part = givens_of_cycloid;
   return sheet;
 }
 

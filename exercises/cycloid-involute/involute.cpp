@@ -160,7 +160,8 @@ PanelSheet involute_sheet(const Solution& s, Language) {
       .seen = {"The base circle with twelve tangents, each as long as the arc unrolled from it, and the involute "
                "through their ends",
                "Il cerchio di base con dodici tangenti, lunghe ciascuna quanto l'arco svolto, e l'evolvente per i "
-               "loro estremi"}};
+               "loro estremi"},
+      .without_part = givens_of_cycloid};
 }
 
 }  // namespace epure::cycloid_involute

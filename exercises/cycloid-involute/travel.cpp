@@ -118,7 +118,8 @@ PanelSheet cycloid_travel_sheet(const Solution& s, Language language) {
                       values({"cycloid.arc_length_at_phi", "cycloid.arch_length"})},
           .seen = {"The arc of the cycloid travelled against time, and the speed",
                    "Lo spazio percorso sulla cicloide in funzione del tempo, e la velocità"},
-          .told = {"cycloid.time_at_phi", "cycloid.arc_length_at_phi", "cycloid.t_at_s4"}};
+          .told = {"cycloid.time_at_phi", "cycloid.arc_length_at_phi", "cycloid.t_at_s4"},
+          .without_part = givens_of_involute};
 }
 
 PanelSheet involute_travel_sheet(const Solution& s, Language language) {
@@ -153,7 +154,8 @@ PanelSheet involute_travel_sheet(const Solution& s, Language language) {
                                                          {"$a^{t}_{M}$ (m/s²)", {at_t1("a_t"), at_t2("a_t")}}})},
           .seen = {"The arc of the involute travelled against time, and the speed",
                    "Lo spazio percorso sull'evolvente in funzione del tempo, e la velocità"},
-          .told = {at_t1("arc_length"), at_t2("arc_length")}};
+          .told = {at_t1("arc_length"), at_t2("arc_length")},
+          .without_part = givens_of_cycloid};
 }
 
 }  // namespace epure::cycloid_involute

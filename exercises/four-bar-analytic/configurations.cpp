@@ -4,19 +4,11 @@
 #include <cmath>
 
 #include "exercises/four-bar-analytic/exercise.h"
+#include "exercises/kit/panels/compass.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure::four_bar_analytic {
 namespace {
-
-// What compasses leave behind near B.
-void draw_arc(Plot& plot, const Place& centre, const Place& B) {
-  constexpr double half = 7;  // mm
-  const double radius = distance(centre, B) * plot.scale().mm_per_unit, middle = direction(centre, B);
-  plot.mark(drawings::Line{drawings::arc(plot.at(centre), radius, middle - half / radius, middle + half / radius),
-                           Meaning::construction,
-                           {}});
-}
 
 class ConfigurationsPanel : public Panel {
  public:
@@ -40,7 +32,7 @@ class ConfigurationsPanel : public Panel {
     plot.segment(A, other_B_, Meaning::alternative);
     plot.segment(B0, other_B_, Meaning::alternative);
     for (const Place& centre : {A, B0})
-      for (const Place& end : {B, other_B_}) draw_arc(plot, centre, end);
+      for (const Place& end : {B, other_B_}) compass_arc(plot, centre, end);
     mechanism_.draw(plot);
     plot.hinge(other_B_);
     plot.label("$B'$", other_B_, B);
@@ -102,7 +94,8 @@ PanelSheet configurations_sheet(const Solution& s, Language language) {
           {row("theta_3"), row("theta_4"), row("omega_3"), row("omega_4"), row("alpha_3"), row("alpha_4")}, 5)},
       .seen = {"Both configurations of the four-bar linkage, with the angles of its closure equations",
                "Le due configurazioni del quadrilatero articolato, con le anomalie delle equazioni di chiusura"},
-      .told = {"theta_3", "theta_4", "omega_3", "omega_4"}};
+      .told = {"theta_3", "theta_4", "omega_3", "omega_4"},
+      .without_part = {"AP_along", "AP_across"}};
 }
 
 }  // namespace epure::four_bar_analytic

@@ -91,7 +91,7 @@ std::vector<PanelStep> steps_to_curve(const Solution& s, const std::vector<Locus
 
 // The rocker's way reaches all positions of B.
 Mechanism with_P(const Solution& s, const Problem& of, const std::vector<LocusPanel::Position>& positions) {
-  Mechanism mechanism = linkage(s, {"P"});
+  Mechanism mechanism = linkage(s, {"P"}, false);
   mechanism.unnumbered();
   if (!is_on_AB(of)) mechanism.body({"A", "B", "P"});
   const Place &B0 = mechanism.at("B0"), &B = mechanism.at("B");

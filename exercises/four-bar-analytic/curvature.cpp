@@ -1,4 +1,5 @@
-// Sheet 4: the inflection circle by P₀, A' and B', then G₃' on it and the centre of curvature of G₃'s path.
+// Sheet 4: the inflection circle by A', B' and the inflection pole J, then G₃' on it and the centre of curvature of
+// G₃'s path.
 #include <cmath>
 
 #include "exercises/four-bar-analytic/exercise.h"
@@ -29,6 +30,7 @@ class CurvatureOfG3 : public CutPanel {
 
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     draw_rays(plot, room, language);
+    draw_perpendiculars(plot, room, language);
     plot.cycle(inflection_, Meaning::locus, "inflection_circle");
     const Place A0 = mechanism_->corners().front();
     if (P0_) {
@@ -69,9 +71,11 @@ class CurvatureOfG3 : public CutPanel {
              at_end(A_, A_prime_)},
             {{"Likewise $B'$: $P_{0}B^{2}$ = $B_{0}B$·$B'B$.", "Analogamente $B'$: $P_{0}B^{2}$ = $B_{0}B$·$B'B$."},
              at_end(B_, B_prime_)},
-            {{"Inflection circle through $P_{0}$, $A'$, $B'$: centre $F$, diameter $P_{0}J$.",
-              "Circonferenza dei flessi per $P_{0}$, $A'$, $B'$: centro $F$, diametro $P_{0}J$."},
-             at_end(*P0_, F_)},
+            {{"The perpendiculars to the rays at $A'$ and $B'$ meet at $J$: the inflection circle has the diameter "
+              "$P_{0}J$ and the centre $F$.",
+              "Le normali ai raggi in $A'$ e $B'$ si incontrano in $J$: la circonferenza dei flessi ha il diametro "
+              "$P_{0}J$ e il centro $F$."},
+             at_end(*P0_, J_)},
             {{"$G'_{3}$, where the ray $P_{0}G_{3}$ meets it again.",
               "$G'_{3}$, dove il raggio $P_{0}G_{3}$ la incontra ancora."},
              at_end(G3_, G3_prime_)},
@@ -102,6 +106,14 @@ class CurvatureOfG3 : public CutPanel {
       if (!is_in(room, plot, *prime)) continue;
       plot.dot(*prime, Meaning::locus);
       plot.label(letters, *prime, X, Meaning::locus);
+    }
+  }
+
+  void draw_perpendiculars(Plot& plot, const drawings::Box& room, Language language) const {
+    for (const std::optional<Place>& prime : {A_prime_, B_prime_}) {
+      if (!prime || !J_) continue;
+      draw_to(plot, room, *prime, *J_, "$J$", language);
+      plot.right_angle(*prime, *P0_, *J_);
     }
   }
 
@@ -170,7 +182,8 @@ PanelSheet curvature_sheet(const Solution& s, Language language) {
       .results = {table({"$X$", "$x$ (m)", "$y$ (m)"}, rows), values({"rho_G3"}), values({"inflection_diameter"})},
       .seen = {"The inflection circle of the coupler and the centre of curvature of the path of its midpoint",
                "La circonferenza dei flessi della biella e il centro di curvatura della traiettoria della mezzeria"},
-      .told = {"rho_G3", "curvature_centre_G3_x", "curvature_centre_G3_y"}};
+      .told = {"rho_G3", "curvature_centre_G3_x", "curvature_centre_G3_y"},
+      .without_part = {"AP_along", "AP_across"}};
 }
 
 }  // namespace epure::four_bar_analytic

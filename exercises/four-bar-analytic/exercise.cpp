@@ -10,8 +10,8 @@ namespace four_bar_analytic {
 
 std::vector<RouteValue> solve(const Givens& givens, Rung rung) { return settle(Routes(problem(givens)), rung); }
 
-Mechanism linkage(const Solution& s, const std::vector<std::string>& points) {
-  Mechanism mechanism = four_bar_mechanism(s, sign_of(s.givens().angle("n")));
+Mechanism linkage(const Solution& s, const std::vector<std::string>& points, bool with_sense) {
+  Mechanism mechanism = four_bar_mechanism(s, with_sense ? sign_of(s.givens().angle("n")) : 0);
   for (const std::string& X : points)
     mechanism.point(X, s.place(X), Mechanism::Joint::none, "$" + point_letters(X) + "$");
   return mechanism;
@@ -47,7 +47,7 @@ VectorPolygon velocities(const Solution& s) {
   v_B.along = across(s.place("B0"), s.place("B"));
   v_BA.along = across(s.place("A"), s.place("B"));
   VectorPolygon polygon =
-      velocity_polygon({v_B}, {side(s, velocity("A"), "⊥ $A_{0}A$", "$ω_{2}$·$A_{0}A$", "$a'$"), v_BA});
+      velocity_polygon({v_B}, {side(s, velocity("A"), "⊥ $A_{0}A$", "|$ω_{2}$|·$A_{0}A$", "$a'$"), v_BA});
   polygon.images = images_of_midpoints(s, velocity, "$O_{v}$");
   return polygon;
 }
@@ -94,7 +94,8 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
                                 language)},
       .seen = {"The polygon of the velocities of the four-bar, with the images of the links' midpoints",
                "Il poligono delle velocità del quadrilatero, con le immagini delle mezzerie"},
-      .told = {"omega_3", "omega_4", "v_B", "v_G3"}};
+      .told = {"omega_3", "omega_4", "v_B", "v_G3"},
+      .without_part = {"AP_along", "AP_across"}};
 }
 
 PanelSheet accelerations_sheet(const Solution& s, Language language) {
@@ -110,7 +111,8 @@ PanelSheet accelerations_sheet(const Solution& s, Language language) {
                           language)},
           .seen = {"The polygon of the accelerations of the four-bar, with the images of the links' midpoints",
                    "Il poligono delle accelerazioni del quadrilatero, con le immagini delle mezzerie"},
-          .told = {"alpha_3", "alpha_4", "a_B", "a_G3"}};
+          .told = {"alpha_3", "alpha_4", "a_B", "a_G3"},
+          .without_part = {"AP_along", "AP_across"}};
 }
 
 Description description() {

@@ -33,8 +33,9 @@ Problem problem(const Givens& givens);
 std::vector<Printed> printed_by_the_source();
 std::vector<RouteValue> solve(const Givens& givens, Rung rung);
 
-// The linkage with points of its links, and how it is written: "G2".
-Mechanism linkage(const Solution& solution, const std::vector<std::string>& points);
+// The linkage with points of its links, and how it is written: "G2". Among many positions there is no room for the
+// arrow that tells the crank's sense.
+Mechanism linkage(const Solution& solution, const std::vector<std::string>& points, bool with_sense = true);
 
 // The sheets that have panels of their own.
 PanelSheet configurations_sheet(const Solution& solution, Language language);

@@ -327,7 +327,8 @@ PanelSheet omega_4_sheet(const Solution& s, Language language) {
           .results = {extremes_and_zeros, values({"omega_4"})},
           .seen = {"The angular velocity of the rocker over a full turn of the crank, for both configurations",
                    "La velocità angolare del bilanciere in un giro della manovella, per le due configurazioni"},
-          .told = {"omega_4_min", "omega_4_max"}};
+          .told = {"omega_4_min", "omega_4_max"},
+          .without_part = {"AP_along", "AP_across"}};
 }
 
 }  // namespace epure::four_bar_analytic

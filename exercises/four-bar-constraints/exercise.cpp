@@ -48,8 +48,9 @@ std::vector<Printed> printed_by_the_source() {
           cut("a_G2", "175.459", 3),   cut("a_G3", "370.445", 3),    number("a_G4", "208.656")};
 }
 
-std::shared_ptr<const Mechanism> linkage_with_midpoints(const Solution& s) {
-  Mechanism mechanism = four_bar_mechanism(s, sign_of(s.givens().angle("n")));
+// Without the sense of the crank where an acceleration crosses its arrow, and does not depend on it.
+std::shared_ptr<const Mechanism> linkage_with_midpoints(const Solution& s, bool with_sense = true) {
+  Mechanism mechanism = four_bar_mechanism(s, with_sense ? sign_of(s.givens().angle("n")) : 0);
   for (const char* G : {"G2", "G3", "G4"})
     mechanism.point(G, s.place(G), Mechanism::Joint::none, "$" + point_letters(G) + "$");
   return std::make_shared<const Mechanism>(std::move(mechanism));
@@ -91,7 +92,7 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
 }
 
 PanelSheet accelerations_sheet(const Solution& s, Language language) {
-  return {.panels = panels(VectorsPanel(s, linkage_with_midpoints(s), acceleration, {"G2", "G3", "G4"})),
+  return {.panels = panels(VectorsPanel(s, linkage_with_midpoints(s, false), acceleration, {"G2", "G3", "G4"})),
           .theory = {{{"Differentiated constraints", "Vincoli derivati"},
                       {remark("($α_{3}$, $α_{4}$) = −$ψ^{−1}_{y}$ ($ψ_{x}$$α_{2}$ + $(ψ_{y}\\vec{ω})_{y}\\vec{ω}$ + "
                               "$(ψ_{x}ω_{2})_{x}$$ω_{2}$)"),

@@ -68,8 +68,8 @@ class OpenLinkagePanel : public Panel {
     const Place &A = mechanism_->at("A"), &B0 = mechanism_->at("B0"), &B = mechanism_->at("B");
     for (std::size_t k = 0; k < iterates(solution_) && gap(solution_, k) * plot.scale().mm_per_unit > seen; ++k) {
       const Place on_coupler = solution_.place(end_of_coupler(k)), on_rocker = solution_.place(end_of_rocker(k));
-      plot.segment(A, on_coupler, Meaning::alternative);
-      plot.segment(B0, on_rocker, Meaning::alternative);
+      draw_link(plot, A, on_coupler, Meaning::alternative);
+      draw_link(plot, B0, on_rocker, Meaning::alternative);
       plot.side("", on_rocker, on_coupler, Meaning::dimension, fmt::format("$\\vec{{ψ}}^{{{}}}$", k), B);
       plot.dot(on_coupler);
       plot.dot(on_rocker);
@@ -80,8 +80,8 @@ class OpenLinkagePanel : public Panel {
       mechanism_->draw(plot);
       return {};
     }
-    plot.segment(A, B, Meaning::link);
-    plot.segment(B0, B, Meaning::link);
+    draw_link(plot, A, B, Meaning::link);
+    draw_link(plot, B0, B, Meaning::link);
     plot.hinge(B);
     plot.label("$B$", B, Place{(A.x + B0.x) / 2, (A.y + B0.y) / 2});
     return {};
@@ -90,6 +90,14 @@ class OpenLinkagePanel : public Panel {
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override { return steps_; }
 
  private:
+  // Beside the gap no more of it than its end.
+  void draw_link(Plot& plot, const Place& from, const Place& end, Meaning meaning) const {
+    constexpr double end_of_link = 40;  // mm
+    const double length = distance(from, end) * plot.scale().mm_per_unit;
+    const bool is_whole = shows_ == Shows::all || length <= end_of_link;
+    plot.segment(is_whole ? from : end + end_of_link / length * (from - end), end, meaning);
+  }
+
   const Solution& solution_;
   std::shared_ptr<const Mechanism> mechanism_;
   Shows shows_;
@@ -101,12 +109,15 @@ Panels open_linkage(const Solution& s) {
                                                    // other scale
   using Shows = OpenLinkagePanel::Shows;
   const Place A = s.place("A"), on_coupler = s.place(end_of_coupler(0)), on_rocker = s.place(end_of_rocker(0));
-  std::vector<PanelStep> start{
+  const double share = gap(s, 0) / linkage(s)->reach();
+  const bool is_beside = share > smallest && share < clear;
+  std::vector<PanelStep> steps{
       {{"The start: link 3 at $θ^{0}_{3}$ about $A$, link 4 at $θ^{0}_{4}$ to $B_{0}$. The linkage is open at $B$.",
         "La partenza: il membro 3 a $θ^{0}_{3}$ intorno ad $A$, il 4 a $θ^{0}_{4}$ verso $B_{0}$. Il quadrilatero è "
         "aperto in $B$."},
-       Place{(A.x + 2 * on_coupler.x) / 3, (A.y + 2 * on_coupler.y) / 3}}};
-  std::vector<PanelStep> closing{
+       is_beside ? on_coupler + 0.6 * gap(s, 0) / distance(on_coupler, A) * (A - on_coupler)
+                 : Place{(A.x + 2 * on_coupler.x) / 3, (A.y + 2 * on_coupler.y) / 3}}};
+  const std::vector<PanelStep> closing{
       {{"$\\vec{ψ}^{k}$ leads from $B^{k}_{4}$, the end of link 4, to $B^{k}_{3}$, the end of link 3.",
         "$\\vec{ψ}^{k}$ va da $B^{k}_{4}$, estremo del membro 4, a $B^{k}_{3}$, estremo del membro 3."},
        Place{(on_coupler.x + 2 * on_rocker.x) / 3, (on_coupler.y + 2 * on_rocker.y) / 3}},
@@ -115,11 +126,9 @@ Panels open_linkage(const Solution& s) {
            "Ogni passo ruota i due membri di −$ψ^{{−1}}_{{y}}$ $ψ^{{k}}$; dopo {} passi si incontrano in $B$.",
            iterates(s) - 1),
        s.place("B")}};
-  const double share = gap(s, 0) / linkage(s)->reach();
-  if (share > smallest && share < clear)
-    return panels(OpenLinkagePanel(s, Shows::all, start), OpenLinkagePanel(s, Shows::gap, closing));
-  start.insert(start.end(), closing.begin(), closing.end());
-  return panels(OpenLinkagePanel(s, Shows::all, start));
+  steps.insert(steps.end(), closing.begin(), closing.end());
+  if (is_beside) return panels(OpenLinkagePanel(s, Shows::all, {}), OpenLinkagePanel(s, Shows::gap, steps));
+  return panels(OpenLinkagePanel(s, Shows::all, steps));
 }
 
 // With as many figures after the decimal sign in every row.

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "exercises/four-bar/linkage.h"
+#include "exercises/kit/panels/compass.h"
 #include "exercises/kit/panels/mechanism_panel.h"
 
 namespace epure::four_bar {
@@ -59,14 +60,7 @@ class DeadCentresPanel : public MechanismPanel {
     }
   }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
-    constexpr double half = 0.16;  // radians
-    const Place& A0 = mechanism_->at("A0");
-    for (const char* B : {"B1", "B2"}) {
-      const double middle = direction(A0, mechanism_->at(B)),
-                   radius = distance(A0, mechanism_->at(B)) * plot.scale().mm_per_unit;
-      plot.mark(drawings::Line{
-          drawings::arc(plot.at(A0), radius, middle - half, middle + half), Meaning::construction, {}});
-    }
+    for (const char* B : {"B1", "B2"}) compass_arc(plot, mechanism_->at("A0"), mechanism_->at(B), 16);
     return MechanismPanel::draw(plot, room, language);
   }
 

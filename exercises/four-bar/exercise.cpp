@@ -6,6 +6,7 @@
 
 #include "exercises/four-bar/linkage.h"
 #include "exercises/kit/panels/circles_panel.h"
+#include "exercises/kit/panels/compass.h"
 #include "exercises/kit/panels/curvature_panel.h"
 #include "exercises/kit/panels/curve.h"
 #include "exercises/kit/panels/mechanism_panel.h"
@@ -127,7 +128,9 @@ PanelSheet poles_sheet(const Solution& s, Language language) {
   kind.times_smaller = 2.5;
   PolesPanel poles(s, mechanism, kind, {"A", "B", "C"}, steps_to_velocities(s, language));
   poles.on_lines({{s.place("A0"), "A"}, {s.place("B0"), "B"}}).compared_with(s["omega_3"], "|ω_{3}|");
-  return {.panels = panels(BothPolesPanel(std::move(poles), s, *mechanism)),
+  const Place A = s.place("A"), B = s.place("B"), C = s.place("C"), middle = A + 0.5 * (B - A);
+  return {.panels = panels(FoundByArcs(BothPolesPanel(std::move(poles), s, *mechanism),
+                                       {{A, B}, {s.place("B0"), B}, {A, C}, {middle, C}})),
           .results = {values({"omega_2", "omega_3", "omega_4"}),
                       by_point({"A", "B", "C"}, {{"$P_{31}X$ (m)", "P31{}"}, {"$v_{X}$ (m/s)", "v_{}"}})},
           .seen = {"The four-bar linkage with the poles P₃₁ and P₄₂ and the velocities of A, B and C",

@@ -1,6 +1,7 @@
 // Crank and rocker parallel, in the same sense and in opposite senses: the two positions of the drawn branch, and the
 // numbers of all four.
 #include "exercises/four-bar/linkage.h"
+#include "exercises/kit/panels/compass.h"
 #include "exercises/kit/panels/mechanism_panel.h"
 
 namespace epure::four_bar {
@@ -93,12 +94,7 @@ class ParallelPanel : public MechanismPanel {
 
   // Both circles near Q, and the coupler carried along the line of the crank.
   void draw_construction(Plot& plot) const {
-    constexpr double half = 0.3;  // radians
-    for (const char* centre : {"A0", "B0"}) {
-      const double middle = direction(at(centre), Q_), radius = distance(at(centre), Q_) * plot.scale().mm_per_unit;
-      plot.mark(drawings::Line{
-          drawings::arc(plot.at(at(centre)), radius, middle - half, middle + half), Meaning::construction, {}});
-    }
+    for (const char* centre : {"A0", "B0"}) compass_arc(plot, at(centre), Q_, 11);
     plot.long_segment(at("A0"), Q_, 6, Meaning::construction);
     plot.segment(at("A"), Q_, Meaning::construction);
     plot.segment(Q_, at("B0"), Meaning::alternative);

@@ -192,16 +192,16 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
       "$\\vec{\\it{W}}_{A}$, $\\vec{\\it{W}}_{B}$: pesi; $\\vec{\\it{F}}_{A}$ = −$\\it{M}_{A}\\vec{a}_{A}$, "
       "$\\vec{\\it{F}}_{B}$ = −$\\it{M}_{B}\\vec{a}_{B}$: forze d'inerzia; $\\vec{\\it{R}}_{23}$: del membro 2 sul "
       "3."};
-  return {
-      .panels = panels(
-          disc_cut_free(s, on), PolygonPanel(s, force_polygon("3", {on.N_13}, {on.T_13, on.F_B, on.W_B, on.R_23})),
-          lever_cut_free(s, on), PolygonPanel(s, force_polygon("2", {on.R_12}, {on.R_32, on.W_A, on.F_A}))),
-      .results = {values({"slot_force_on_pin", "ground_normal_force"}),
-                  values({"ground_friction_force", "required_friction_coefficient"}), values({"pivot_force", "C"}),
-                  friction(s, language), remark(letters.in(language)), signs(language)},
-      .seen = {"Disc and lever cut free, and the polygons of their forces",
-               "Disco e glifo isolati, e i poligoni delle loro forze"},
-      .told = {"slot_force_on_pin", "ground_normal_force", "ground_friction_force", "pivot_force", "C"}};
+  return {.panels = panels(disc_cut_free(s, on),
+                           PolygonPanel(s, force_polygon("3", {on.N_13}, {on.T_13, on.F_B, on.W_B, on.R_23})),
+                           lever_cut_free(s, on),
+                           PolygonPanel(s, force_polygon("2", {on.R_12}, {on.R_32, on.W_A, on.F_A}))),
+          .results = {values({"slot_force_on_pin", "ground_normal_force"}),
+                      values({"ground_friction_force", "required_friction_coefficient"}),
+                      values({"pivot_force", "C"}), friction(s, language), remark(letters.in(language))},
+          .seen = {"Disc and lever cut free, and the polygons of their forces",
+                   "Disco e glifo isolati, e i poligoni delle loro forze"},
+          .told = {"slot_force_on_pin", "ground_normal_force", "ground_friction_force", "pivot_force", "C"}};
 }
 
 // v_B/ω over OB: the parabola OB²/R, and the straight line that meets it at this instant.

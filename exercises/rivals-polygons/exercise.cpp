@@ -66,7 +66,7 @@ std::shared_ptr<const Mechanism> mechanism(const Solution& s, const CouplerArc& 
   return std::make_shared<const Mechanism>(std::move(linkage));
 }
 
-PolygonSide v_A(const Solution& s) { return side(s, velocity("A"), "⊥ $A_{0}A$", "$ω_{2}$·$A_{0}A$", "$a'$"); }
+PolygonSide v_A(const Solution& s) { return side(s, velocity("A"), "⊥ $A_{0}A$", "|$ω_{2}$|·$A_{0}A$", "$a'$"); }
 
 // An unknown side has a line, which its vector does not tell when it is zero.
 PolygonSide on_line(PolygonSide side, const Arrow2& along) {
@@ -97,7 +97,7 @@ VectorPolygon accelerations(const Solution& s, const PolygonSide& sought, const 
   return acceleration_polygon(
       {sought}, {side(s, normal_acceleration("A"), "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$", speeds_up ? "" : "$a'$"),
                  after_normal_part(side(s, tangential_acceleration("A"), speeds_up ? "⊥ $A_{0}A$" : "–",
-                                        speeds_up ? "$α_{2}$·$A_{0}A$" : "0", "$a'$")),
+                                        speeds_up ? "|$α_{2}$|·$A_{0}A$" : "0", "$a'$")),
                  normal, after_normal_part(tangential)});
 }
 

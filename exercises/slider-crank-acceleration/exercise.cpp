@@ -26,7 +26,7 @@ VectorPolygon accelerations(const Solution& s, const SliderCrankInstant& instant
                   side(s, normal_acceleration("A"), "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$", speeds_up ? "" : "$a'$"),
               a_A_t = side(s, tangential_acceleration("A"), "–", "0", "$a'$"),
               a_BA_t = side(s, tangential_acceleration("BA"), "⊥ $BA$", "?", "$b'$");
-  if (speeds_up) a_A_t.direction = "⊥ $A_{0}A$", a_A_t.magnitude = "$α_{2}$·$A_{0}A$";
+  if (speeds_up) a_A_t.direction = "⊥ $A_{0}A$", a_A_t.magnitude = "|$α_{2}$|·$A_{0}A$";
   a_A_t.square = a_BA_t.square = true;
   VectorPolygon polygon =
       acceleration_polygon({side(s, acceleration("B"), parallel_to_guide(instant, language), "?")},

@@ -37,6 +37,7 @@ class CouplerCurvePanel : public Panel {
     for (const Position& at : positions_) {
       plot.polygon({at.A, at.B, at.C}, Meaning::alternative);
       plot.dot(at.A, Meaning::construction);
+      plot.dot(at.B, Meaning::construction);
       plot.dot(at.C, Meaning::locus);
       plot.small_label(at.label, at.A, mechanism_->at("A0"));
       plot.small_label(at.label, at.C, Place{(at.A.x + at.B.x) / 2, (at.A.y + at.B.y) / 2});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "exercises/kit/linkages/slider_crank_mechanism.h"
+#include "exercises/kit/panels/compass.h"
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/poles_panel.h"
 #include "exercises/kit/panels/polygon_panel.h"
@@ -28,7 +29,7 @@ std::vector<PolesStep> steps_of_poles(const Solution& s, Language language) {
         "$C$ con gli archi $AC$ e $BC$, a sinistra di $AB$. $M$ è il punto medio di $AB$."},
        Where::point,
        "C"},
-      {{"$A$ moves square to the crank: $P_{0}$ lies on the line $A_{0}A$.",
+      {{"$A$ moves perpendicularly to the crank: $P_{0}$ lies on the line $A_{0}A$.",
         "$A$ si muove normalmente alla manovella: $P_{0}$ sta sulla retta $A_{0}A$."},
        Where::ray,
        "A"}};
@@ -47,10 +48,10 @@ std::vector<PolesStep> steps_of_poles(const Solution& s, Language language) {
   add({"$B$ moves along the guide: $P_{0}$ lies on the perpendicular to it through $B$.",
        "$B$ si muove lungo la guida: $P_{0}$ sta sulla normale alla guida per $B$."},
       Where::ray, "B");
-  add({"$v_{A}$ = $ω_{2}$·$A_{0}A$, |$ω_{3}$| = $v_{A}$ / $P_{0}A$.",
-       "$v_{A}$ = $ω_{2}$·$A_{0}A$, |$ω_{3}$| = $v_{A}$ / $P_{0}A$."},
+  add({"$v_{A}$ = |$ω_{2}$|·$A_{0}A$, |$ω_{3}$| = $v_{A}$ / $P_{0}A$.",
+       "$v_{A}$ = |$ω_{2}$|·$A_{0}A$, |$ω_{3}$| = $v_{A}$ / $P_{0}A$."},
       Where::tip, "A");
-  add({"$v_{X}$ = |$ω_{3}$|·$P_{0}X$, square to the ray $P_{0}X$.",
+  add({"$v_{X}$ = |$ω_{3}$|·$P_{0}X$, perpendicular to the ray $P_{0}X$.",
        "$v_{X}$ = |$ω_{3}$|·$P_{0}X$, normale al raggio $P_{0}X$."},
       Where::tip, "C");
   return steps;
@@ -63,29 +64,35 @@ PanelSheet poles_sheet(const Solution& s, Language language) {
   kind.times_smaller = 2.6;    // one standard scale
   PolesPanel poles(s, slider_crank_mechanism(s, instant), kind, {"A", "B", "C", "M"}, steps_of_poles(s, language));
   poles.on_lines({{s.place("A0"), "A"}, {s.place("B"), "B"}}).turning(s.value("omega_3").value_or(0), "$ω_{3}$");
-  return {.panels = panels(poles),
-          .results = {values({"omega_2", "omega_3"}),
-                      by_point({"A", "B", "C", "M"}, {{"$P_{0}X$ (m)", "P0{}"}, {"$v_{X}$ (m/s)", "v_{}"}}),
-                      remark(swing_in_words(s, language))},
-          .seen = {"The slider-crank, its pole P₀ by two lines, and the velocities of A, B, C and M square to their "
-                   "rays",
-                   "Il manovellismo, il polo P₀ con due rette, e le velocità di A, B, C e M normali ai loro raggi"},
-          .told = {"crank_angle_phi_deg", "omega_3", "P0_x", "P0_y", "v_A", "v_B", "v_C", "v_M"}};
+  const Place A = s.place("A"), B = s.place("B"), C = s.place("C");
+  return {
+      .panels = panels(FoundByArcs(std::move(poles), {{A, B}, {A, C}, {B, C}})),
+      .results = {values({"omega_2", "omega_3"}),
+                  by_point({"A", "B", "C", "M"}, {{"$P_{0}X$ (m)", "P0{}"}, {"$v_{X}$ (m/s)", "v_{}"}}),
+                  remark(swing_in_words(s, language))},
+      .seen =
+          {"The slider-crank, its pole P₀ by two lines, and the velocities of A, B, C and M perpendicular to their "
+           "rays",
+           "Il manovellismo, il polo P₀ con due rette, e le velocità di A, B, C e M normali ai loro raggi"},
+      .told = {"crank_angle_phi_deg", "omega_3", "P0_x", "P0_y", "v_A", "v_B", "v_C", "v_M"}};
 }
 
 VectorPolygon velocities(const Solution& s, const SliderCrankInstant& instant, Language language) {
   VectorPolygon polygon = velocity_polygon({side(s, velocity("B"), parallel_to_guide(instant, language), "?")},
-                                           {side(s, velocity("A"), "⊥ $A_{0}A$", "$ω_{2}$·$A_{0}A$", "$a'$"),
+                                           {side(s, velocity("A"), "⊥ $A_{0}A$", "|$ω_{2}$|·$A_{0}A$", "$a'$"),
                                             side(s, velocity("BA"), "⊥ $BA$", "?", "$b'$")});
   polygon.images = {
       image(
           s, velocity("C"), velocity("CA"), "$c'$",
-          {"$c'$: square to $AC$ through $a'$, square to $BC$ through $b'$. The triangle $a'b'c'$ is the image of "
+          {"$c'$: perpendicular to $AC$ through $a'$, perpendicular to $BC$ through $b'$. The triangle $a'b'c'$ is "
+           "the image of "
            "$ABC$.",
            "$c'$: normale ad $AC$ per $a'$, normale a $BC$ per $b'$. Il triangolo $a'b'c'$ è l'immagine di $ABC$."}),
       image(s, velocity("M"), velocity("MA"), "$m'$",
             {"$m'$ halves $a'b'$, as $M$ halves $AB$.", "$m'$ è il punto medio di $a'b'$, come $M$ di $AB$."})};
   polygon.images.back().relative.label.clear();  // it lies on v_BA
+  polygon.images.push_back({.absolute = {.v = s.vector("v_C")},
+                            .relative = {.label = velocity("CB").arrow(), .v = s.vector("v_C") - s.vector("v_B")}});
   return polygon;
 }
 
@@ -93,7 +100,7 @@ PanelSheet polar_diagram_sheet(const Solution& s, Language language) {
   const SliderCrankInstant instant = slider_crank_instant(s.givens());
   PolygonPanel polygon(s, velocities(s, instant, language), PolygonPanel::Table::measured);
   polygon.with_equations({{{{"$\\vec{v}_{C}$", "?", "?", ""},
-                            {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "$ω_{2}$·$A_{0}A$", "="},
+                            {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "|$ω_{2}$|·$A_{0}A$", "="},
                             {"$\\vec{v}_{CA}$", "⊥ $CA$", "|$ω_{3}$|·$CA$", "+"}}}});
   return {.panels = panels(MechanismPanel(slider_crank_mechanism(s, instant)), polygon),
           .results = {values({"omega_3"}), by_point({"A", "B", "C", "M"}, {{"$v_{X}$ (m/s)", "v_{}"}})},

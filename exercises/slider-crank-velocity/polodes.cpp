@@ -9,6 +9,7 @@
 #include "exercises/kit/panels/edge.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/statement/format_words.h"
 #include "exercises/slider-crank-velocity/loci.h"
 
 namespace epure::slider_crank_velocity {
@@ -51,7 +52,8 @@ std::vector<std::string> step_texts(const SliderCrankInstant& instant, Language 
   return english
              ? std::vector<
                    std::string>{division(instant, english) +
-                                    ". In each position $P_{0}$ on $A_{0}A$ and square to the guide through $B$: "
+                                    ". In each position $P_{0}$ on $A_{0}A$ and on the perpendicular to the guide "
+                                    "through $B$: "
                                     "the points of the fixed polode $p$.",
                                 "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the "
                                 "$AB$ "
@@ -59,7 +61,8 @@ std::vector<std::string> step_texts(const SliderCrankInstant& instant, Language 
                                 "The curves through the points. They touch in the $P_{0}$ of the position drawn and "
                                 "roll on each "
                                 "other.",
-                                "Where the crank is square to the guide $P_{0}$ goes to infinity: the dash-dot lines "
+                                "Where the crank is perpendicular to the guide $P_{0}$ goes to infinity: the "
+                                "dash-dot lines "
                                 "are the asymptotes."}
              : std::vector<std::string>{
                    division(instant, english) +
@@ -125,7 +128,9 @@ class PolodesPanel : public Panel {
     }
     if (const auto at = middle_of(p, plot, room)) plot.label("$p$", *at, {}, Meaning::locus);
     if (const auto at = middle_of(pi, plot, room)) plot.label("$π$", *at, {}, Meaning::second_locus);
-    return of_curves(p, pi, plot.scale(), language);
+    std::vector<drawings::Block> told = of_curves(p, pi, plot.scale(), language);
+    for (const Words& each : left_out(plot, room)) told.emplace_back(drawings::Paragraph{each.in(language)});
+    return told;
   }
 
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override {
@@ -178,6 +183,28 @@ class PolodesPanel : public Panel {
       plot.dot(at.A, Meaning::construction);
       plot.small_label(at.label, at.A, A0);
     }
+  }
+
+  // Of the twelve positions those whose points are not on the sheet, and why.
+  std::vector<Words> left_out(const Plot& plot, const drawings::Box& room) const {
+    std::string off_fixed, off_moving, infinite;
+    const auto add = [](std::string& list, const std::string& label) { list += (list.empty() ? "" : ", ") + label; };
+    for (const Position& at : positions_) {
+      if (!at.P0) {
+        add(infinite, at.label);
+        continue;
+      }
+      if (!is_in(room, plot, *at.P0)) add(off_fixed, at.label);
+      if (at.P0_on_coupler && !is_in(room, plot, *at.P0_on_coupler)) add(off_moving, at.label);
+    }
+    std::vector<Words> all;
+    for (const auto& [letter, list] : {std::pair{"p", off_fixed}, std::pair{"π", off_moving}})
+      if (!list.empty())
+        all.push_back(
+            format_words("Points of ${}$ off the sheet: {}.", "Punti di ${}$ fuori del foglio: {}.", letter, list));
+    if (!infinite.empty())
+      all.push_back(format_words("$P_{{0}}$ at infinity: {}.", "$P_{{0}}$ all'infinito: {}.", infinite));
+    return all;
   }
 
   static std::vector<drawings::Block> of_curves(const geometry::Trace& p, const geometry::Trace& pi,

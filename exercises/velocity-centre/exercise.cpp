@@ -134,13 +134,14 @@ std::vector<PolesStep> steps_to_accelerations(const Solution& s) {
                          "Lo stesso $γ$ si trova in ogni punto della barra."};
   const Words of_O = decimal("$a_{O}$ = $KO$·√($ω^{4}$ + (d$ω$/d$t$)$^{2}$)");
   return {{{"Rays through $O$ and $A$, at the angle $γ$ to $\\vec{a}_{O}$ and to $\\vec{a}_{A}$, tan $γ$ = "
-            "(d$ω$/d$t$)/$ω^{2}$: they meet in $K$, where the acceleration is zero.",
+            "(d$ω$/d$t$)/$ω^{2}$, counter-clockwise when d$ω$/d$t$ > 0: they meet at $K$, where the acceleration is "
+            "zero.",
             "Raggi per $O$ e per $A$, all'angolo $γ$ dalla $\\vec{a}_{O}$ e dalla $\\vec{a}_{A}$, tg $γ$ = "
-            "(d$ω$/d$t$)/$ω^{2}$: si incontrano in $K$, dove l'accelerazione è nulla."},
+            "(d$ω$/d$t$)/$ω^{2}$, antiorario se d$ω$/d$t$ > 0: si incontrano in $K$, dove l'accelerazione è nulla."},
            Where::pole},
           {of_O + ".", Where::ray, "O"},
-          {{"So is $a_{A}$ with $KA$: $a_{A}$ : $a_{O}$ = $KA$ : $KO$.",
-            "Così $a_{A}$ con $KA$: $a_{A}$ : $a_{O}$ = $KA$ : $KO$."},
+          {{"Likewise $a_{A}$ with $KA$: $a_{A}$ : $a_{O}$ = $KA$ : $KO$.",
+            "Analogamente $a_{A}$ con $KA$: $a_{A}$ : $a_{O}$ = $KA$ : $KO$."},
            Where::ray,
            "A"},
           {same_gamma, Where::point, "A"}};
@@ -159,7 +160,8 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
                "to the velocities of O and A meet",
                "La barra sul suo corpo, il poligono delle velocità di A, e il centro delle velocità dove si "
                "incontrano le normali alle velocità di O e A"},
-      .told = {"v_A", "v_A_x", "v_A_y", "P0_x", "P0_y"}};
+      .told = {"v_A", "v_A_x", "v_A_y", "P0_x", "P0_y"},
+      .without_part = {"omega_dot", "a"}};
 }
 
 PanelSheet acceleration_sheet(const Solution& s, Language) {

@@ -223,9 +223,9 @@ PanelStep CirclesPanel::step_to_S(const Plot& plot, const drawings::Box& room) c
       case_.driven_speeds_up
           ? format_words(
                 "${0}''$ on the ray ${1}{0}$, where the acceleration along the path is zero: ${0}''{0}$ = "
-                "$a^{{t}}_{{{0}}}$ / $α_{{3}}$. ",
+                "|$a^{{t}}_{{{0}}}$ / $α_{{3}}$|. ",
                 "${0}''$ sul raggio ${1}{0}$, dove l'accelerazione lungo la traiettoria è nulla: ${0}''{0}$ = "
-                "$a^{{t}}_{{{0}}}$ / $α_{{3}}$. ",
+                "|$a^{{t}}_{{{0}}}$ / $α_{{3}}$|. ",
                 X, P)
           : format_words("The acceleration of ${0}$ is all normal. ", "L'accelerazione di ${0}$ è tutta normale. ",
                          X);

@@ -44,7 +44,7 @@ class CirclesPanel : public CutPanel {
     bool has_prime() const { return !is_straight() && !known.is_pole; }
   };
 
-  double far() const override { return 5; }
+  double far() const override { return 7; }
   drawings::Box covered(const Scale& lengths, double points, double circles) const override;
 
   Builder builder(const Solution& solution, const Known& known) const;

@@ -1,5 +1,6 @@
 #include "exercises/kit/panels/curvature_panel.h"
 
+#include "drawings/paths/vectors.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/quantity.h"
 
@@ -115,11 +116,21 @@ void OsculatingPanel::draw_centre(Plot& plot, const drawings::Box& room, const O
   plot.measures_coordinates(curved_.prefix + "curvature_centre_" + X.name, *X.centre, mechanism_->corners().front());
 }
 
+// What else of the path the tracer found is cut off.
+void OsculatingPanel::draw_piece_of_path(Plot& plot, const drawings::Box& room, const OnPath& X) const {
+  const drawings::Point at = plot.at(X.at);
+  const drawings::Box around{{at.x - along_path, at.y - along_path}, {at.x + along_path, at.y + along_path}};
+  if (!drawings::contains(room, at)) return;
+  draw_path_(plot, X.name, around);
+  drawings::Figure& figure = plot.onto().sheet.figure;
+  figure.windows.push_back(drawings::intersection(room, around));
+  figure.window_of.resize(figure.marks.size(), static_cast<int>(figure.windows.size()) - 1);
+}
+
 std::vector<drawings::Block> OsculatingPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   const Place O = mechanism_->corners().front();
   for (const OnPath& X : points_) {
-    const drawings::Point at = plot.at(X.at);
-    draw_path_(plot, X.name, {{at.x - along_path, at.y - along_path}, {at.x + along_path, at.y + along_path}});
+    draw_piece_of_path(plot, room, X);
     if (!P0_) continue;
     draw_to(plot, room, X.at, *P0_, "$" + point_letters(curved_.pole) + "$", language);
     plot.measures(curved_.prefix + curved_.pole + X.name, *P0_, X.at);

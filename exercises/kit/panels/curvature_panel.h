@@ -63,6 +63,7 @@ class OsculatingPanel : public CutPanel {
   };
   double far() const override { return 1.2; }
   drawings::Box covered(const Scale& lengths, double points, double circles) const override;
+  void draw_piece_of_path(Plot& plot, const drawings::Box& room, const OnPath& X) const;
   void draw_centre(Plot& plot, const drawings::Box& room, const OnPath& X, Language language) const;
   Words step_to(const OnPath& X, bool is_first) const;
 

@@ -371,6 +371,11 @@ void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
     if (swing.about == angle.at) circles.push_back(distance(O, at(swing.of)));
   for (const Disc& disc : discs_)
     if (disc.centre == angle.at) circles.push_back(this->radius(disc));
+  for (const Angle& each : angles_) {  // of two angles at a point each has an arc of its own
+    if (&each == &angle) break;
+    if (each.at != angle.at) continue;
+    circles.push_back(clear_of(circles, radius_of(each), plot.scale()) / plot.scale().mm_per_unit);
+  }
   const double radius = clear_of(circles, radius_of(angle), plot.scale());
 
   std::vector<double> lines = directions_at(angle.at);
@@ -466,8 +471,13 @@ void Mechanism::draw_given(Plot& plot) const {
     plot.mark(drawings::Line{drawings::arc(plot.at(O), radius, now + each.from, now + each.to), Meaning::axis, {}});
   }
   for (const Guide& guide : guides_) draw_guide(plot, guide);
+  // Supports stand behind the links, which run over them where there is no other room.
+  const auto is_fixed = [](const Point& P) { return P.joint == Joint::fixed; };
+  for (const Point& P : points_)
+    if (is_fixed(P)) draw_joint(plot, P);
   draw_bodies(plot);
-  for (const Point& P : points_) draw_joint(plot, P);
+  for (const Point& P : points_)
+    if (!is_fixed(P)) draw_joint(plot, P);
   for (const Angle& angle : angles_) draw_angle(plot, angle);
   for (const Turning& each : turnings_)
     if (each.is_given) draw_turning(plot, each);

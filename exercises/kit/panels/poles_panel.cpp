@@ -257,7 +257,7 @@ std::vector<PanelStep> PolesPanel::steps(const Plot& plot, const drawings::Box& 
 // Velocities by the rate; accelerations in the proportion of their rays, from that of the first point, which is
 // known.
 std::optional<MeasuredTable> PolesPanel::measured(const Readings& readings) const {
-  MeasuredTable table{.heading = {"The two methods, as measured", "I due metodi, come misurati"},
+  MeasuredTable table{.heading = {"Comparison, measured on the sheet", "Confronto, misure sul foglio"},
                       .rows = {},
                       .first = {"poles", "poli"},
                       .second = {"exact", "esatto"}};

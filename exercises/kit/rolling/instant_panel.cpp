@@ -262,7 +262,7 @@ std::vector<drawings::Block> RollingInstantPanel::draw(Plot& plot, const drawing
   const bool has_vectors = shows_ != Shows::contact;
   draw_ground(plot, f_, room);
   if (has_vectors) draw_osculating_circle(plot, room, language);
-  draw_path(plot, f_.given, way_);
+  if (has_vectors) draw_path(plot, f_.given, way_);
   draw_inflection_circle(plot);
   draw_body(plot, f_, room);
   draw_ray(plot);

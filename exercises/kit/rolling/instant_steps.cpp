@@ -38,11 +38,12 @@ Words inflection_pole(const Rolled& f) {
 // ω² P0J at the pole carried over to M: ω² MJ, and what α adds. MJ = MM' + M'J, along the ray and across it.
 Words acceleration_step(const Rolled& f) {
   const bool angular = !is_zero(f.given.alpha);
-  const std::string of_alpha = " + $α$·$P_{0}M$", parts = "$\\vec{a}_{M}$ = $\\vec{a}^{n}_{M}$ + $\\vec{a}^{t}_{M}$";
+  const std::string of_alpha = " + |$α$|·$P_{0}M$",
+                    parts = "$\\vec{a}_{M}$ = $\\vec{a}^{n}_{M}$ + $\\vec{a}^{t}_{M}$";
   const std::string tangential = "$a^{t}_{M}$ = $ω^{2}$·$M'J$" + (angular ? of_alpha : "");
   if (is_zero(f.given.omega))
-    return {"$ω$ = 0: $a_{M}$ = $α$·$P_{0}M$, perpendicular to the ray.",
-            "$ω$ = 0: $a_{M}$ = $α$·$P_{0}M$, normale al raggio."};
+    return {"$ω$ = 0: $a_{M}$ = |$α$|·$P_{0}M$, perpendicular to the ray.",
+            "$ω$ = 0: $a_{M}$ = |$α$|·$P_{0}M$, normale al raggio."};
   if (angular)
     return {tangential + ", perpendicular to the ray, each with its sense. " + parts + ".",
             tangential + ", normali al raggio, ciascuno col suo verso. " + parts + "."};
@@ -100,7 +101,7 @@ std::vector<InstantStep> instant_steps(const Rolled& f) {
     for (InstantStep& step : at_cusp(f)) steps.push_back(std::move(step));
     return steps;
   }
-  const std::string velocity = "$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = $ω$·$P_{0}M$.";
+  const std::string velocity = "$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = |$ω$|·$P_{0}M$.";
   steps.push_back({decimal(velocity), At::tip_of_velocity});
   steps.push_back({foot_step(f), At::foot});
   steps.push_back({acceleration_step(f), At::tip_of_acceleration});

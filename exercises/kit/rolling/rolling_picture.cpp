@@ -134,14 +134,6 @@ std::vector<drawings::Block> told_of_curve(const Words& name, const Words& equat
               fmt::format(fmt::runtime(proved.in(language)), name.in(language), figures(deviation, 1, language))}};
 }
 
-void compass_arc(Plot& plot, const Place& centre, const Place& P, double half_mm) {
-  const drawings::Point c = plot.at(centre), p = plot.at(P);
-  const double radius = std::hypot(p.x - c.x, p.y - c.y), at = std::atan2(p.y - c.y, p.x - c.x);
-  if (radius < 1) return;  // mm: no compass is set so narrow
-  const double half = std::min(half_mm / radius, 1.0);
-  plot.mark(drawings::Line{drawings::arc(c, radius, at - half, at + half), Meaning::construction, {}});
-}
-
 void include_circle(Extent& extent, const Scale& scale, const Place& centre, double radius) {
   extent.include(scale, {centre.x - radius, centre.y - radius}, letters_room / 2);
   extent.include(scale, {centre.x + radius, centre.y + radius}, letters_room / 2);

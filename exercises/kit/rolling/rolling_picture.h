@@ -24,8 +24,6 @@ std::vector<Place> samples_of_path(const RollingGivens& given, const Way& way);
 // What the column tells of a path constructed point by point: its equation, and how near to it the drawn line is.
 std::vector<drawings::Block> told_of_curve(const Words& name, const Words& equation, double deviation,
                                            Language language);
-// A short arc about `centre` through P, as the compass leaves it.
-void compass_arc(Plot& plot, const Place& centre, const Place& P, double half_mm);
 
 // A circle about a point of the plane, with room for letters.
 void include_circle(Extent& extent, const Scale& scale, const Place& centre, double radius);

@@ -58,3 +58,52 @@ TEST_CASE("four-bar: the pole stands on its sheet, or its rays say where it is",
   CHECK(rays_to_pole({"t=0.42"}) == 2);  // 17 m away
   CHECK(rays_to_pole({"A0A=0.15", "B0B=0.15", "AB=0.3", "x_B0=0.3", "y_B0=0", "AC=0.2", "branch=left"}) == 2);
 }
+
+TEST_CASE("four-bar: two angles at one hinge have each an arc of its own", "[four-bar][sheets]") {
+  std::vector<drawings::AngleMark> arcs;
+  for (const drawings::Mark& mark : four_bar().draw("dead-centres", {}).sheet.figure.marks)
+    if (const auto* arc = std::get_if<drawings::AngleMark>(&mark)) arcs.push_back(*arc);
+  REQUIRE(arcs.size() == 3);  // φ₁ and φ₂ at A₀, Δϑ₄ at B₀
+  CHECK(arcs[0].at.x == arcs[1].at.x);
+  CHECK(std::abs(arcs[0].radius - arcs[1].radius) > 2);
+}
+
+TEST_CASE("four-bar: supports stand behind the links", "[four-bar][sheets]") {
+  const drawings::Figure figure = four_bar().draw("dead-centre-folded", {}).sheet.figure;
+  std::size_t last_support = 0, first_link = figure.marks.size();
+  for (std::size_t i = 0; i < figure.marks.size(); ++i) {
+    if (std::holds_alternative<drawings::FixedHinge>(figure.marks[i])) last_support = i;
+    if (const auto* line = std::get_if<drawings::Line>(&figure.marks[i]);
+        line && line->meaning == drawings::Meaning::link)
+      first_link = std::min(first_link, i);
+  }
+  CHECK(last_support > 0);
+  CHECK(last_support < first_link);
+}
+
+// The tracer finds more of the path than the piece at C that belongs to the osculating circle.
+TEST_CASE("four-bar: of the path of C no more than a piece at C is seen", "[four-bar][sheets]") {
+  const drawings::Figure figure = four_bar().draw("curvature", {}).sheet.figure;
+  int pieces = 0;
+  for (std::size_t i = 0; i < figure.marks.size(); ++i) {
+    const auto* line = std::get_if<drawings::Line>(&figure.marks[i]);
+    if (!line || line->name != "path_of_C") continue;
+    ++pieces;
+    const drawings::Box seen = figure.windows[static_cast<std::size_t>(figure.window_of[i])];
+    CHECK(seen.width() <= 30.001);
+    CHECK(seen.height() <= 30.001);
+  }
+  CHECK(pieces > 0);
+}
+
+TEST_CASE("four-bar: B and C are found by arcs that are drawn", "[four-bar][sheets]") {
+  const DrawnSheet drawn = four_bar().draw("poles", {});
+  int arcs = 0;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* line = std::get_if<drawings::Line>(&mark))
+      arcs += line->meaning == drawings::Meaning::construction && !line->path.pieces.empty() &&
+                      !line->path.pieces.front().straight
+                  ? 1
+                  : 0;
+  CHECK(arcs == 4);
+}

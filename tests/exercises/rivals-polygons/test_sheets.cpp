@@ -62,7 +62,7 @@ TEST_CASE("Rivals: the table of knowns and unknowns is the source's", "[rivals][
     return text;
   };
   CHECK(table(rivals().draw("velocity-of-B", {})) ==
-        " $\\vec{v}_{B}$ ∥ $A_{0}B$ ?; = $\\vec{v}_{A}$ ⊥ $A_{0}A$ $ω_{2}$·$A_{0}A$; + $\\vec{v}_{BA}$ ⊥ $BA$ ?; ");
+        " $\\vec{v}_{B}$ ∥ $A_{0}B$ ?; = $\\vec{v}_{A}$ ⊥ $A_{0}A$ |$ω_{2}$|·$A_{0}A$; + $\\vec{v}_{BA}$ ⊥ $BA$ ?; ");
   CHECK(table(rivals().draw("acceleration-of-B", {})) ==
         " $\\vec{a}_{B}$ ∥ $A_{0}B$ ?; = $\\vec{a}^{n}_{A}$ ∥ $AA_{0}$ $ω^{2}_{2}$·$A_{0}A$; + $\\vec{a}^{t}_{A}$ – "
         "0; + "
