@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <clocale>
 #include <cstdio>
+#include <fstream>
 #include <locale>
 #include <map>
 #include <random>
@@ -13,6 +14,7 @@
 #include <set>
 #include <sstream>
 
+#include "drawings/files/pdf_language.h"
 #include "drawings/page.h"
 #include "drawings/paths/grid.h"
 #include "drawings/paths/vectors.h"
@@ -210,6 +212,32 @@ TEST_CASE("a PDF names its author and subject, and has bookmarks to its pages, i
   CHECK_THROWS_AS(write_pdf(pages, {.title = "t", .bookmarks = {{"beyond", 3}}}), std::invalid_argument);
   CHECK_THROWS_AS(write_pdf(pages, {.title = "t", .author = "\xFF"}), std::invalid_argument);
   CHECK_THROWS_AS(write_pdf(pages, {.title = "t", .bookmarks = {{"\xFF", 0}}}), std::invalid_argument);
+}
+
+// Two pages, a link and a bookmark, by Cairo 1.18.4.
+TEST_CASE("a PDF whose catalogue is packed gets another one that tells its language") {
+  std::ifstream file(EPURE_PACKED_PDF, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  const std::string packed = bytes.str(), told = in_language(packed, Language::italian);
+  REQUIRE(packed.size() > 1000);
+  CHECK(told.starts_with(packed));
+  const std::string behind = told.substr(packed.size());
+  CHECK_THAT(behind, StartsWith("26 0 obj\n<< /Type /Catalog\n   /Lang (it)\n"));
+  for (const char* entry : {"/Pages", "/Outlines", "/Names"}) CHECK_THAT(behind, Contains(entry));
+  const auto document = open_pdf(told);
+  REQUIRE(document);
+  CHECK(document->pages() == 2);
+  const std::unique_ptr<poppler::toc> outline(document->create_toc());
+  REQUIRE(outline);
+  CHECK(outline->root()->children().size() == 1);
+  // What is no whole PDF stays as it is.
+  for (const std::size_t length : {std::size_t{0}, std::size_t{9}, packed.size() / 2, packed.size() - 8})
+    CHECK(in_language(packed.substr(0, length), Language::italian) == packed.substr(0, length));
+  std::string spoilt = packed;
+  for (auto at = spoilt.find("stream\n"); at != spoilt.npos; at = spoilt.find("stream\n", at + 1))
+    if (at + 7 < spoilt.size()) spoilt[at + 7] = 'x';
+  CHECK(in_language(spoilt, Language::italian) == spoilt);
 }
 
 TEST_CASE("the text of a PDF can be searched and copied") {
