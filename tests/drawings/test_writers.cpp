@@ -236,7 +236,7 @@ TEST_CASE("a PDF whose catalogue is packed gets another one that tells its langu
     CHECK(in_language(packed.substr(0, length), Language::italian) == packed.substr(0, length));
   std::string spoilt = packed;
   for (auto at = spoilt.find("stream\n"); at != spoilt.npos; at = spoilt.find("stream\n", at + 1))
-    if (at + 7 < spoilt.size()) spoilt[at + 7] = 'x';
+    if (at + 7 < spoilt.size()) spoilt[at + 7] = '\0';
   CHECK(in_language(spoilt, Language::italian) == spoilt);
 }
 
