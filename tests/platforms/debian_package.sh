@@ -36,6 +36,4 @@ inside 'set -e
   for page in epure epure-draw; do zcat /usr/share/man/man1/$page.1.gz | grep -q "SH EXAMPLES"; done && echo manual
   test -s /usr/share/bash-completion/completions/epure && test -s /usr/share/doc/epure/copyright
   ! ldd /usr/bin/epure | grep "not found"
-  DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends man-db > /dev/null 2>&1
-  as_user man epure-draw | grep -q "^EXAMPLES" && as_user env LC_ALL=C.UTF-8 man -L it epure-draw | grep -q "^ESEMPI" && echo man
   apt-get remove -y epure > /dev/null 2>&1 && ! test -e /usr/share/epure && echo "removed without a trace"'
