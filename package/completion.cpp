@@ -40,7 +40,7 @@ const std::vector<OfFewWords> options_of_few_words{
     {{"report"}, "--format", {"md", "tex", "html"}},
     {{"class"}, "--format", {"pdf", "moodle"}},
     {{"mark"}, "--format", {"text", "csv"}},
-    {{"sweep"}, "--format", {"csv", "json"}},
+    {{"sweep"}, "--format", {"csv", "json", "html"}},
     {{"draw", "class", "mark", "sweep"}, "--csv", {"plain", "excel"}},
     {{"check"}, "--arithmetic", {"fast", "bounded", "exact"}}};
 

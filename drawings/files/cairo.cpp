@@ -14,6 +14,7 @@
 #include "drawings/files/check_page.h"
 #include "drawings/files/flattened.h"
 #include "drawings/files/pdf_language.h"
+#include "drawings/files/pdf_objects.h"
 #include "drawings/files/resolution.h"
 #include "drawings/libraries.h"
 #include "drawings/output.h"
@@ -316,7 +317,7 @@ std::string write_pdf(const std::vector<Page>& pages, const Document& document) 
   add_bookmarks(surface.get(), document.bookmarks);
   std::string bytes = finish(surface.get(), memory);
   watch.demand();
-  return in_language(std::move(bytes), pages.front().language);
+  return without_missing_objects(in_language(std::move(bytes), pages.front().language));
 }
 
 std::string write_eps(const Page& page) {

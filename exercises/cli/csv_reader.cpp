@@ -157,7 +157,7 @@ void demand_names(CsvTable& table, std::size_t line) {
 
 std::string bytes_of(const std::string& path) {
   errno = 0;
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in(path == "-" ? "/dev/stdin" : path, std::ios::binary);
   std::string bytes;
   std::array<char, 65536> block = {};
   while (in && bytes.size() <= largest_file) {

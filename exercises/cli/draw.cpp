@@ -364,6 +364,9 @@ class Drawing {
           document.bookmarks.push_back({title(*sheet->solving), pages.size()});
         document.bookmarks.push_back({title(*sheet), pages.size(), is_within});
         for (const drawings::Page& page : pages_of_file(*sheet)) {
+          for (std::size_t i = 0; !is_within && i < page.steps.size(); ++i)
+            document.bookmarks.push_back(
+                {fmt::format("{}. {}", i + 1, drawings::plain(page.steps[i])), pages.size() + i, true});
           if (options_.steps)
             for (drawings::Page& each_step : page_of_each_step(page)) pages.push_back(std::move(each_step));
           else

@@ -167,6 +167,8 @@ Help help_of_sweep() {
   epure sweep slider-crank-velocity --over phi=0..360/361 \
     --over 'r=0.18|0.2|0.22' --quantity v_B \
     --chart v_B.pdf --csv excel -o v_B.csv
+  epure sweep slider-crank-velocity --over phi=0..360/73 --quantity v_B \
+    -o v_B.html
 )"};
 }
 

@@ -268,8 +268,11 @@ class Parser {
     add_givens(verb);
     add_givens_file(verb, {"givens from lines such as r = 25 cm, or CSV of one row",
                            "dati da righe come r = 25 cm, o CSV di una riga"});
-    add_format(verb, {"csv (default), or json: an object a line (schema epure.sweep/1)",
-                      "csv (predefinito), o json: un oggetto per riga (schema epure.sweep/1)"});
+    add_format(
+        verb,
+        {"csv (default); json: an object a line (schema epure.sweep/1); or html: a page on which the mechanism moves",
+         "csv (predefinito); json: un oggetto per riga (schema epure.sweep/1); o html: una pagina su cui il "
+         "meccanismo si muove"});
     add_csv(verb);
     add_file(verb, {"write a file; - is standard output (default)",
                     "scrive un file; - è lo standard output (predefinito)"});

@@ -12,6 +12,7 @@
 #include "exercises/cli/pages.h"
 #include "exercises/cli/report_document.h"
 #include "exercises/cli/request.h"
+#include "exercises/cli/typographic.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/panels/fit.h"
 #include "exercises/kit/panels/results.h"
@@ -79,23 +80,6 @@ fs::path path_of(const Exercise& exercise, ReportFormat format, const Options& o
         "file, o scegliere --format html, che le contiene");
   if (format == ReportFormat::latex) demand_name_for_tex("-o", path.filename().string());
   return path;
-}
-
-std::string with_true_minus(std::string text) {
-  if (text.starts_with('-')) text.replace(0, 1, text == "-" ? "–" : "−");
-  return text;
-}
-
-// As sheets write numbers: "−12.3", "1.2·10⁻⁷".
-std::string typographic(std::string number) {
-  const auto power = number.find('e');
-  std::string exponent = power == std::string::npos ? "" : number.substr(power + 1);
-  number = number.substr(0, power);
-  number = with_true_minus(number);
-  if (exponent.empty()) return number;
-  const std::string sign = exponent.starts_with('-') ? "−" : "";
-  exponent.erase(0, std::min(exponent.find_first_not_of("+-0"), exponent.size() - 1));
-  return "$" + number + "·10^{" + sign + exponent + "}$";
 }
 
 std::string words_as_numbers(const std::string& text) {

@@ -67,7 +67,7 @@ std::string paragraph(const std::string& rich_text) {
 
 // The dashes below a column's head: pandoc makes columns of long tables as wide as these are to each other.
 std::vector<std::size_t> widths_of(const drawings::Table& table) {
-  constexpr std::size_t least = 3, most = 40;
+  constexpr std::size_t least = 3, most = 24;
   std::vector<std::size_t> widths;
   const auto add = [&](const std::vector<std::string>& row) {
     widths.resize(std::max(widths.size(), row.size()), least);

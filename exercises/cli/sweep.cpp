@@ -11,6 +11,7 @@
 #include "exercises/cli/progress.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/sweep_chart.h"
+#include "exercises/cli/sweep_html.h"
 #include "exercises/cli/verbs.h"
 
 namespace epure {
@@ -87,12 +88,15 @@ class Sweeping {
         part_(part_of_rows(options, study_.size())),
         format_(row_format(options)),
         style_(csv_style(options)) {
-    if (options.csv && format_ != RowFormat::csv) refuse_csv_of_json();
+    if (options.csv && format_ != RowFormat::csv) refuse_csv();
+    if (format_ == RowFormat::html) begin_page();
     if (!options.chart) return;
     if (!part_.is_whole)
       throw WrongUsage("--chart draws a whole sweep, and --part is one of its parts; leave one of them out",
                        "--chart disegna tutte le posizioni, e --part è una loro parte; togliere uno dei due");
-    chart_.emplace(study_, *options.chart, language_);
+    demand_chart_file(*options.chart);
+    chart_.emplace(study_, "--chart", language_);
+    chart_file_ = *options.chart;
     const std::filesystem::path folder = std::filesystem::path(*options.chart).parent_path();
     drawings::demand_writable(folder.empty() ? "." : folder);
   }
@@ -107,7 +111,9 @@ class Sweeping {
           for (const SweptRow& row : block.rows) {
             tally_.add(row);
             if (chart_) chart_->add(row);
+            if (page_chart_) page_chart_->add(row);
           }
+          if (page_chart_) rows_.insert(rows_.end(), block.rows.begin(), block.rows.end());
           progress.has_done(block.rows.size());
           return is_read = lines.write(block.lines);
         });
@@ -115,8 +121,9 @@ class Sweeping {
     if (part_.is_whole && tally_.possible == 0)
       throw WrongUsage(Words{"no position of the sweep is possible: ", "nessuna posizione è possibile: "} +
                        *tally_.why_impossible);
+    if (page_chart_ && !lines.write(sweep_html(study_, rows_, *page_chart_, language_))) return {""};
     lines.finish();
-    if (chart_) drawings::write_whole({chart_->drawn()});
+    if (chart_) drawings::write_whole({chart_->drawn(chart_file_)});
     Outcome outcome = outcome_of_sweep(tally_);
     std::vector<std::string> swept;
     for (const Variation& each : study_.over) swept.push_back(each.given().symbol);
@@ -127,9 +134,24 @@ class Sweeping {
   std::uint64_t size() const { return part_.size(); }
 
  private:
-  [[noreturn]] static void refuse_csv_of_json() {
-    throw WrongUsage("--csv says how CSV is written, and --format json is none; leave one of them out",
-                     "--csv dice come scrivere il CSV, e --format json non lo è; togliere uno dei due");
+  [[noreturn]] void refuse_csv() const {
+    const char* const other = format_ == RowFormat::json ? "json" : "html";
+    throw WrongUsage(format_words("--csv says how CSV is written, and --format {} is none; leave one of them out",
+                                  "--csv dice come scrivere il CSV, e --format {} non lo è; togliere uno dei due",
+                                  other));
+  }
+
+  // A page needs all rows, and has charts of its own.
+  void begin_page() {
+    if (!part_.is_whole)
+      throw WrongUsage(
+          "--format html is a page of a whole sweep, and --part is one of its parts; leave one of them out",
+          "--format html è la pagina di tutte le posizioni, e --part è una loro parte; togliere uno dei due");
+    if (study_.size() > most_positions_of_page)
+      throw WrongUsage(format_words("a page bears {} positions, and the values of --over make {}",
+                                    "una pagina porta {} posizioni, e i valori di --over ne fanno {}",
+                                    most_positions_of_page, study_.size()));
+    page_chart_.emplace(study_, "--format html", language_);
   }
 
   BlockOfRows block_of_rows(std::uint64_t block) const {
@@ -138,8 +160,8 @@ class Sweeping {
                         end = std::min(first + rows_of_a_block, part_.end);
     for (std::uint64_t number = first; number < end; ++number) {
       made.rows.push_back(swept_row(study_, number));
-      made.lines += format_ == RowFormat::csv ? csv_line(study_, made.rows.back(), style_, language_)
-                                              : json_line(study_, made.rows.back());
+      if (format_ == RowFormat::csv) made.lines += csv_line(study_, made.rows.back(), style_, language_);
+      if (format_ == RowFormat::json) made.lines += json_line(study_, made.rows.back());
     }
     return made;
   }
@@ -149,7 +171,9 @@ class Sweeping {
   PartOfRows part_;
   RowFormat format_;
   CsvStyle style_;
-  std::optional<SweepChart> chart_;
+  std::optional<SweepChart> chart_, page_chart_;
+  std::string chart_file_;
+  std::vector<SweptRow> rows_;  // of a page
   SweepTally tally_;
 };
 

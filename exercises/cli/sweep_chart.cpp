@@ -4,6 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "drawings/text/text.h"
+#include "exercises/cli/sweep_words.h"
 #include "exercises/kit/panels/results.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/statement/suggest.h"
@@ -19,14 +21,6 @@ std::string chart_ending(const std::string& file) {
   if (ending == ".pdf" || ending == ".svg") return ending;
   throw WrongUsage(format_words("--chart {}: the file's name must end in .pdf or .svg",
                                 "--chart {}: il nome del file deve finire in .pdf o .svg", file));
-}
-
-std::string letters(const GivenSpec& given) { return given.letters.empty() ? given.symbol : given.letters; }
-
-// "0.25 m", "30°".
-std::string value_with_unit(const Variation& of, std::uint64_t place, Language language) {
-  if (of.is_of_words()) return of.text(place);
-  return decimal(of.number(place), 6).in(language) + unit_after_number(of.unit(), language);
 }
 
 std::vector<std::string> units_of(const std::vector<Quantity>& quantities) {
@@ -71,39 +65,39 @@ Words better_order(const SweepStudy& study) {
 
 }  // namespace
 
-SweepChart::SweepChart(const SweepStudy& study, std::string file, Language language)
-    : study_(study), file_(std::move(file)), language_(language) {
-  chart_ending(file_);
+void demand_chart_file(const std::string& file) { chart_ending(file); }
+
+SweepChart::SweepChart(const SweepStudy& study, std::string option, Language language)
+    : study_(study), option_(std::move(option)), language_(language) {
   const Variation& first = study.over.front();
   if (first.is_of_words())
-    throw WrongUsage(format_words("--chart: {} has words for values and makes no axis; name another --over first",
-                                  "--chart: {} ha parole per valori e non fa da asse; nominare prima un altro --over",
-                                  first.given().symbol));
+    throw WrongUsage(format_words("{}: {} has words for values and makes no axis; name another --over first",
+                                  "{}: {} ha parole per valori e non fa da asse; nominare prima un altro --over",
+                                  option_, first.given().symbol));
   const auto [low, high] = std::minmax({first.number(0), first.number(first.size() - 1)});
   if (high - low <= narrowest(low, high))
-    throw WrongUsage(format_words("--chart: from {} to {} is too narrow an axis for its numbers",
-                                  "--chart: da {} a {} l'asse è troppo corto per i suoi numeri", first.text(0),
+    throw WrongUsage(format_words("{}: from {} to {} is too narrow an axis for its numbers",
+                                  "{}: da {} a {} l'asse è troppo corto per i suoi numeri", option_, first.text(0),
                                   first.text(first.size() - 1)));
   others_ = study.size() / first.size();
   stride_ = (first.size() + most_drawn_points - 1) / most_drawn_points;
   if (others_ * study.quantities.size() > most_curves)
-    throw WrongUsage(format_words("--chart would draw {} curves over {}, and a sheet bears {}",
-                                  "--chart disegnerebbe {} curve su {}, e un foglio ne porta {}",
+    throw WrongUsage(format_words("{} would draw {} curves over {}, and a sheet bears {}",
+                                  "{} disegnerebbe {} curve su {}, e un foglio ne porta {}", option_,
                                   others_ * study.quantities.size(), first.given().symbol, most_curves) +
                      better_order(study));
   if (const std::size_t units = units_of(study.quantities).size(); units > most_charts)
-    throw WrongUsage(
-        format_words("--chart would draw {} charts, as the quantities have so many units; a sheet bears {}",
-                     "--chart disegnerebbe {} grafici, tante sono le unità delle grandezze; un foglio ne "
-                     "porta {}",
-                     units, most_charts));
+    throw WrongUsage(format_words("{} would draw {} charts, as the quantities have so many units; a sheet bears {}",
+                                  "{} disegnerebbe {} grafici, tante sono le unità delle grandezze; un foglio ne "
+                                  "porta {}",
+                                  option_, units, most_charts));
   for (const Quantity& quantity : study.quantities)
     for (std::uint64_t row = 0; row < others_; ++row) {
       const std::vector<std::uint64_t> places = study.places(row);
       drawings::Curve curve{.name = quantity.name, .label = quantity.symbol};
       for (std::size_t i = 1; i < places.size(); ++i)
-        curve.label +=
-            ", " + letters(study.over[i].given()) + " = " + value_with_unit(study.over[i], places[i], language);
+        curve.label += ", " + letters_of_given(study.over[i].given()) + " = " +
+                       value_with_unit(study.over[i], places[i], language);
       if (row > 0) curve.name += fmt::format("-{}", row + 1);
       curves_.push_back({std::move(curve)});
     }
@@ -143,7 +137,7 @@ drawings::Chart SweepChart::chart(const std::string& unit) const {
   const Variation& first = study_.over.front();
   const auto [low, high] = std::minmax({first.number(0), first.number(first.size() - 1)});
   drawings::Chart chart;
-  chart.x = {.quantity = letters(first.given()),
+  chart.x = {.quantity = letters_of_given(first.given()),
              .unit = written_unit(first.unit(), language_),
              .low = low,
              .high = high,
@@ -171,10 +165,10 @@ drawings::Sheet SweepChart::sheet() const {
   sheet.column.push_back(drawings::Heading{Words{"Swept", "Fatti variare"}.in(language_)});
   for (const Variation& each : study_.over)
     sheet.column.push_back(drawings::Paragraph{
-        letters(each.given()) + format_words(" from {} to {}, {} values", " da {} a {}, {} valori",
-                                             value_with_unit(each, 0, language_),
-                                             value_with_unit(each, each.size() - 1, language_), each.size())
-                                    .in(language_)});
+        letters_of_given(each.given()) + format_words(" from {} to {}, {} values", " da {} a {}, {} valori",
+                                                      value_with_unit(each, 0, language_),
+                                                      value_with_unit(each, each.size() - 1, language_), each.size())
+                                             .in(language_)});
   sheet.column.push_back(drawings::Heading{Words{"Found", "Trovate"}.in(language_)});
   for (const Quantity& each : study_.quantities)
     sheet.column.push_back(drawings::Paragraph{each.symbol + ": " + each.meaning.in(language_)});
@@ -182,21 +176,48 @@ drawings::Sheet SweepChart::sheet() const {
 
   constexpr double air = 4;  // mm
   const drawings::Box area = drawings::drawing_area(sheet.paper);
-  const std::vector<std::string> units = units_of(study_.quantities);
-  const double height = (area.height() - air) / static_cast<double>(units.size());
-  double top = area.high.y;
-  for (const std::string& unit : units) {
-    drawings::draw(chart(unit), {{area.low.x + air, top - height}, {area.high.x - air, top - air}}, sheet.figure,
-                   language_);
-    top -= height;
-  }
+  draw_charts({{area.low.x + air, area.low.y}, {area.high.x - air, area.high.y}}, sheet.figure);
   return sheet;
 }
 
-drawings::File SweepChart::drawn() const {
+std::vector<drawings::ChartMap> SweepChart::draw_charts(const drawings::Box& area, drawings::Figure& figure) const {
+  constexpr double air = 4;  // mm
+  const std::vector<std::string> units = units_of(study_.quantities);
+  const double height = (area.height() - air) / static_cast<double>(units.size());
+  std::vector<drawings::ChartMap> maps;
+  double top = area.high.y;
+  for (const std::string& unit : units) {
+    maps.push_back(
+        drawings::draw(chart(unit), {{area.low.x, top - height}, {area.high.x, top - air}}, figure, language_));
+    top -= height;
+  }
+  return maps;
+}
+
+SweepChart::Charts SweepChart::charts() const {
+  const std::vector<std::string> units = units_of(study_.quantities);
+  constexpr double width = 165, height_of_each = 75, height_of_all = 175;  // mm: on A4 beside their margins
+  const drawings::Point corner = drawings::drawing_area(drawings::Paper::a4).low;
+  const double height = std::min(height_of_each * static_cast<double>(units.size()), height_of_all);
+  drawings::Sheet sheet;
+  sheet.id = study_.exercise->about().id + "-charts";
+  sheet.language = language_;
+  sheet.bare = true;
+  for (const Quantity& each : study_.quantities)
+    sheet.title += (sheet.title.empty() ? "" : ", ") + drawings::plain(each.symbol);
+  Charts charts;
+  charts.maps = draw_charts({corner, {corner.x + width, corner.y + height}}, sheet.figure);
+  charts.page = drawings::compose(sheet);
+  for (const Quantity& each : study_.quantities)
+    charts.chart_of.push_back(
+        static_cast<std::size_t>(std::find(units.begin(), units.end(), each.unit) - units.begin()));
+  return charts;
+}
+
+drawings::File SweepChart::drawn(const std::string& file) const {
   const drawings::Sheet drawing = sheet();
-  if (chart_ending(file_) == ".svg") return {file_, drawings::svg(drawing)};
-  return {file_, drawings::pdf({drawing}, drawing.title)};
+  if (chart_ending(file) == ".svg") return {file, drawings::svg(drawing)};
+  return {file, drawings::pdf({drawing}, drawing.title)};
 }
 
 }  // namespace epure

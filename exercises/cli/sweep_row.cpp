@@ -30,24 +30,10 @@ SweptRow row_of_one_state(SweptRow row, std::size_t quantities, State state, con
   return row;
 }
 
-// What is no plain absence says so.
-Words reason_in_full(const SweptQuantity& quantity) {
-  const Words reason{drawings::plain(quantity.reason.english), drawings::plain(quantity.reason.italian)};
-  if (quantity.state == State::undecided) return Words{"undecided: ", "non decisa: "} + reason;
-  if (quantity.state == State::disagreement) return Words{"the routes disagree: ", "le vie discordano: "} + reason;
-  return reason;
-}
-
 // What may be one says so.
 Words fault_in_full(const Flaw& fault) {
   const Words sentence{drawings::plain(fault.sentence.english), drawings::plain(fault.sentence.italian)};
   return fault.undecided ? Words{"undecided: ", "non deciso: "} + sentence : sentence;
-}
-
-std::string faults_in_line(const std::vector<Flaw>& faults, Language language) {
-  std::string line;
-  for (const Flaw& each : faults) line += (line.empty() ? "" : " ") + fault_in_full(each).in(language);
-  return line;
 }
 
 Json json_faults(const std::vector<Flaw>& faults) {
@@ -100,12 +86,24 @@ bool SweptRow::has_disagreement() const {
                      [](const SweptQuantity& each) { return each.state == State::disagreement; });
 }
 
+Words reason_in_full(const SweptQuantity& quantity) {
+  const Words reason{drawings::plain(quantity.reason.english), drawings::plain(quantity.reason.italian)};
+  if (quantity.state == State::undecided) return Words{"undecided: ", "non decisa: "} + reason;
+  if (quantity.state == State::disagreement) return Words{"the routes disagree: ", "le vie discordano: "} + reason;
+  return reason;
+}
+
+std::string faults_in_line(const std::vector<Flaw>& faults, Language language) {
+  std::string line;
+  for (const Flaw& each : faults) line += (line.empty() ? "" : " ") + fault_in_full(each).in(language);
+  return line;
+}
+
 SweptRow swept_row(const SweepStudy& study, std::uint64_t number) {
   SweptRow row{number, study.places(number), {}};
   const std::vector<std::string> names = study.quantity_names();
   try {
-    Givens givens = study.givens;
-    for (std::size_t i = 0; i < study.over.size(); ++i) givens.set(study.over[i].assignment(row.places[i]));
+    const Givens givens = study.givens_at(number);
     const Asked asked(names);
     const std::vector<RouteValue> values = study.exercise->solve(givens, Rung::climb);
     for (const std::string& name : names) row.quantities.push_back(swept_quantity(values, name));

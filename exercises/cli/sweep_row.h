@@ -37,6 +37,12 @@ struct SweptRow {
 // By all routes of the exercise, up the numbers. Of each quantity asked for alone, as far as the routes allow it.
 SweptRow swept_row(const SweepStudy& study, std::uint64_t number);
 
+// Plain text: why there is no value, or not one double alone; what is no plain absence says so. Empty: nothing is to
+// be said.
+Words reason_in_full(const SweptQuantity& quantity);
+// Their sentences one behind the other; what may be one says so.
+std::string faults_in_line(const std::vector<Flaw>& faults, Language language);
+
 // "phi (deg),v_B (m/s),v_B_lower (m/s),v_B_upper (m/s),v_B_reason", and at the end
 // "faults".
 std::string csv_header(const SweepStudy& study, const CsvStyle& style);

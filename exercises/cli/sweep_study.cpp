@@ -91,6 +91,7 @@ std::optional<RowFormat> row_format_named(const std::string& typed) {
   const std::string name = lower_case(typed);
   if (name == "csv") return RowFormat::csv;
   if (name == "json" || name == "jsonl" || name == "ndjson") return RowFormat::json;
+  if (name == "html") return RowFormat::html;
   return std::nullopt;
 }
 
@@ -122,6 +123,13 @@ std::vector<std::uint64_t> SweepStudy::places(std::uint64_t row) const {
     row /= over[i].size();
   }
   return found;
+}
+
+Givens SweepStudy::givens_at(std::uint64_t row) const {
+  Givens set = givens;
+  const std::vector<std::uint64_t> at = places(row);
+  for (std::size_t i = 0; i < over.size(); ++i) set.set(over[i].assignment(at[i]));
+  return set;
 }
 
 std::vector<std::string> SweepStudy::quantity_names() const {
@@ -163,8 +171,8 @@ RowFormat row_format(const Options& options) {
   if (!options.format) return by_ending.value_or(RowFormat::csv);
   const auto asked = row_format_named(*options.format);
   if (!asked)
-    throw WrongUsage(format_words("\"{}\" is no format of a sweep; choose csv or json",
-                                  "\"{}\" non è un formato di sweep; scegliere csv o json", *options.format));
+    throw WrongUsage(format_words("\"{}\" is no format of a sweep; choose csv, json or html",
+                                  "\"{}\" non è un formato di sweep; scegliere csv, json o html", *options.format));
   if (by_ending && by_ending != asked)
     throw WrongUsage(format_words("\"{}\" is not the ending of --format {}",
                                   "\"{}\" non finisce come vuole --format {}", *options.file, *options.format));

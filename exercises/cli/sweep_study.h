@@ -29,6 +29,8 @@ struct SweepStudy {
   std::uint64_t size() const;
   // The place of each variation in this row.
   std::vector<std::uint64_t> places(std::uint64_t row) const;
+  // Throws BadGivens.
+  Givens givens_at(std::uint64_t row) const;
   std::vector<std::string> quantity_names() const;
 };
 
@@ -38,7 +40,7 @@ SweepStudy sweep_study(const Catalogue& exercises, const Options& options);
 // --part 3/40: of so many contiguous parts, as equal as can be, the third.
 PartOfRows part_of_rows(const Options& options, std::uint64_t rows);
 
-enum class RowFormat { csv, json };
+enum class RowFormat { csv, json, html };  // html: a page of all rows
 // From --format, or the ending of the file -o names, else CSV.
 RowFormat row_format(const Options& options);
 

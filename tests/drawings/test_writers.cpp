@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <clocale>
 #include <cstdio>
+#include <fstream>
 #include <locale>
 #include <map>
 #include <random>
@@ -13,6 +14,7 @@
 #include <set>
 #include <sstream>
 
+#include "drawings/files/pdf_language.h"
 #include "drawings/page.h"
 #include "drawings/paths/grid.h"
 #include "drawings/paths/vectors.h"

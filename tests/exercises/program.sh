@@ -40,6 +40,12 @@ expect 'every file there is named' "$(sort written)" "$(find one -type f | sort)
 LC_ALL=it_IT.UTF-8 "$epure" draw "$first" --out two > /dev/null
 expect 'two runs write the same bytes, whatever the locale' '' "$(diff -r one two 2>&1)"
 
+printf 'r = 25 cm\n' | "$epure" draw slider-crank-velocity/poles --givens - --format svg -o piped.svg > /dev/null
+expect 'givens come from standard input' 0 $?
+"$epure" draw slider-crank-velocity/poles --set r=25cm --format svg -o set.svg > /dev/null
+expect 'and are those of --set' '' "$(cmp piped.svg set.svg 2>&1)"
+rm -f piped.svg set.svg
+
 cat > six-bar.yaml << 'SCENE'
 epure: 1
 id: six-bar

@@ -1,6 +1,7 @@
 // Sheets as pages for a browser, and sheets in their steps.
 #include <poppler-document.h>
 #include <poppler-page.h>
+#include <poppler-toc.h>
 #include <sys/resource.h>
 
 #include <cmath>
@@ -15,6 +16,7 @@
 
 #include "drawings/files/xml.h"
 #include "tests/exercises/run.h"
+#include "tests/exercises/web_page.h"
 #include "tests/support/catch.h"
 
 using namespace epure;
@@ -33,113 +35,8 @@ std::string drawn(Typed words) {
   return ran.out;
 }
 
-struct Page {
-  explicit Page(const std::string& bytes) : html(bytes) {
-    const auto read = xml.load_buffer(html.data(), html.size(), pugi::parse_default | pugi::parse_doctype);
-    CAPTURE(read.description(),
-            html.substr(static_cast<std::size_t>(std::max<std::ptrdiff_t>(read.offset - 80, 0)), 160));
-    REQUIRE(read);
-  }
-  template <class See>
-  void each(See see) const {
-    struct Walker : pugi::xml_tree_walker {
-      explicit Walker(See s) : see(s) {}
-      bool for_each(pugi::xml_node& node) override {
-        see(node);
-        return true;
-      }
-      See see;
-    } walker(see);
-    const_cast<pugi::xml_document&>(xml).traverse(walker);
-  }
-  int count(const char* path) const { return static_cast<int>(xml.select_nodes(path).size()); }
-  int steps() const { return std::max(0, count("//ol/li") - 2); }
-  // Of the figure, without its column: the elements of a step.
-  std::map<int, int> marks_of_steps() const {
-    std::map<int, int> marks;
-    each([&](const pugi::xml_node& node) {
-      const std::string name = node.attribute("class").value();
-      if (name.starts_with("step-")) ++marks[std::stoi(name.substr(5))];
-    });
-    return marks;
-  }
-
-  std::string html;
-  pugi::xml_document xml;
-};
-
-std::string text_of(pugi::xml_node node) {
-  std::string text = node.value();
-  for (const pugi::xml_node child : node) text += text_of(child);
-  return text;
-}
-
 bool is_off_the_sheet(const std::string& line) {
   return line.ends_with("(Off the sheet.)") || line.ends_with("(Fuori del foglio.)");
-}
-
-// An id once, and what refers to one finds it.
-void demand_clear_ids(const Page& page) {
-  std::set<std::string> ids, wanted;
-  page.each([&](const pugi::xml_node& node) {
-    if (const pugi::xml_attribute id = node.attribute("id")) {
-      if (!ids.insert(id.value()).second) FAIL_CHECK(id.value() << " stands twice");
-    }
-    if (const pugi::xml_attribute link = node.attribute("xlink:href"))
-      wanted.insert(std::string(link.value()).substr(1));
-    const std::string clip = node.attribute("clip-path").value();
-    if (!clip.empty()) wanted.insert(clip.substr(5, clip.size() - 6));
-  });
-  for (const std::string& id : wanted)
-    if (!ids.contains(id)) FAIL_CHECK(id << " is nowhere");
-  CHECK(ids.size() > 10);
-}
-
-// Nothing is fetched: names of name spaces are no addresses.
-void demand_self_contained(const Page& page) {
-  page.each([](const pugi::xml_node& node) {
-    const std::string name = node.name();
-    for (const char* element : {"link", "img", "iframe", "object", "embed", "image", "base"})
-      if (name == element) FAIL_CHECK(name << " on the page");
-    for (const pugi::xml_attribute attribute : node.attributes()) {
-      const std::string of = attribute.name(), value = attribute.value();
-      if (of.starts_with("xmlns")) continue;
-      const bool leads_out = value.find("://") != std::string::npos || of == "src" || of.starts_with("on") ||
-                             (of.ends_with("href") && !value.starts_with("#"));
-      if (leads_out) FAIL_CHECK(name << " has " << of << " " << value);
-    }
-  });
-  for (const char* element : {"//script", "//style"}) {
-    const std::string text = std::regex_replace(text_of(page.xml.select_node(element).node()),
-                                                std::regex("http://www.w3.org/2000/svg"), "");
-    CHECK(text.find("://") == std::string::npos);
-    CHECK(text.find("@import") == std::string::npos);
-    CHECK(text.find("url(") == std::string::npos);
-  }
-  CHECK(page.html.find("Content-Security-Policy\" content=\"default-src 'none'") != std::string::npos);
-}
-
-bool is_at_hand(const std::string& program) {
-  return std::system(("command -v " + program + " > /dev/null 2>&1").c_str()) == 0;
-}
-
-void write(const fs::path& path, const std::string& bytes) {
-  std::ofstream out(path, std::ios::binary);
-  out << bytes;
-  REQUIRE(out.flush());
-}
-
-// The browser, without a window.
-std::string chromium(const Scratch& scratch, const std::string& options, const std::string& page) {
-  const std::string command =
-      "timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
-      "--disable-background-networking --disable-component-update --disable-sync --window-size=1200,800 "
-      "--user-data-dir='" +
-      (scratch.path() / "profile").string() + "' " + options + " 'file://" + (scratch.path() / page).string() +
-      "' > seen.txt 2> /dev/null";
-  CAPTURE(command);
-  REQUIRE(std::system(command.c_str()) == 0);
-  return contents("seen.txt");
 }
 
 }  // namespace
@@ -151,7 +48,7 @@ TEST_CASE("every sheet is a page of its own in both languages, and each of its s
     int with_steps = 0, told = 0;
     for (const std::string& file : scratch.files()) {
       CAPTURE(language, file);
-      const Page page(contents(file));
+      const WebPage page(contents(file));
       demand_clear_ids(page);
       demand_self_contained(page);
       CHECK(page.xml.child("html").attribute("lang").value() == language);
@@ -201,7 +98,7 @@ TEST_CASE("what a user types is text in the page, whatever it looks like") {
               .exit == 0);
   for (const std::string& file : scratch.files()) {
     if (!file.ends_with(".html")) continue;
-    const Page page(contents(file));
+    const WebPage page(contents(file));
     demand_self_contained(page);
     CHECK(page.count("//script") == 1);
     CHECK(page.count("//img") == 0);
@@ -240,6 +137,13 @@ TEST_CASE("a PDF in steps has a page for each, and the last is the sheet") {
       return std::string(utf8.begin(), utf8.end());
     };
     REQUIRE(steps->pages() == 5);
+    const std::unique_ptr<poppler::toc> toc(steps->create_toc());
+    REQUIRE(toc);
+    REQUIRE(toc->root()->children().size() == 1);
+    const std::vector<poppler::toc_item*> bookmarks = toc->root()->children().front()->children();
+    REQUIRE(bookmarks.size() == 5);
+    const auto fourth = bookmarks[3]->title().to_utf8();
+    CHECK(std::string(fourth.begin(), fourth.end()).starts_with("4. "));
     CHECK(text(*steps, 4) == text(*alone, 0));
     CHECK(text(*steps, 0).size() < text(*steps, 1).size());
     for (int i = 0; i < 5; ++i)
@@ -273,7 +177,7 @@ TEST_CASE("steps where there can be none are refused, and nothing is written") {
   }
   CHECK(run_on_all({"draw", "four-bar", "--steps", "--blank", "--format", "pdf", "-o", "-"}).exit == 2);
   // A sheet to be solved is a page without steps.
-  CHECK(Page(drawn({"four-bar/poles", "--blank", "--format", "html"})).steps() == 0);
+  CHECK(WebPage(drawn({"four-bar/poles", "--blank", "--format", "html"})).steps() == 0);
 }
 
 TEST_CASE("a page that cannot be written leaves no file") {
@@ -298,7 +202,7 @@ TEST_CASE("the figures of a report share what is the same, and no id stands twic
   for (const char* id : {"four-bar", "gear-pair", "point-mass"}) {
     CAPTURE(id);
     REQUIRE(run_on_all({"report", id, "-o", "report.html"}).exit <= 1);
-    demand_clear_ids(Page(contents("report.html")));
+    demand_clear_ids(WebPage(contents("report.html")));
   }
 }
 

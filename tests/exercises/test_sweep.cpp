@@ -333,7 +333,8 @@ TEST_CASE("what cannot be swept is refused in a sentence") {
   refused(here + sought + over + Typed{"--set", "y=1"}, "\"y\" is no given here");
   refused(here + sought + Typed{"--over", "a=0..1/100000", "--over", "b=0..1/100000"},
           "more than 1000000000 positions together");
-  refused(here + sought + over + Typed{"--format", "pdf"}, "\"pdf\" is no format of a sweep; choose csv or json");
+  refused(here + sought + over + Typed{"--format", "pdf"},
+          "\"pdf\" is no format of a sweep; choose csv, json or html");
   refused(here + sought + over + Typed{"--format", "json", "-o", "x.csv"},
           "\"x.csv\" is not the ending of --format json");
   for (const std::string part : {"0/3", "4/3", "3", "1/0", "a/3", "1/x", "-1/3", "1/3/5", ""})

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "exercises/kit/panels/long_table_panel.h"
-#include "exercises/kit/panels/panel_sheet.h"
+#include "exercises/kit/panels/panels_of.h"
 
 namespace epure {
 namespace {
@@ -55,6 +55,10 @@ class ExerciseOfPanels : public Exercise {
     return over_pages(about_, sheet, solution, std::move(first), maker.table(solution), request);
   }
 
+  PanelSheet panels(const std::string& sheet, const Solution& solution, Language language) const {
+    return maker_of(sheet).make(solution, language);
+  }
+
   std::optional<LongTable> long_table(const std::string& sheet, const Solution& solution) const override {
     const SheetMaker& maker = maker_of(sheet);
     return maker.table ? std::optional(maker.table(solution)) : std::nullopt;
@@ -73,6 +77,12 @@ class ExerciseOfPanels : public Exercise {
 };
 
 }  // namespace
+
+std::optional<PanelSheet> panel_sheet(const Exercise& exercise, const std::string& sheet, const Solution& solution,
+                                      Language language) {
+  const auto* of_panels = dynamic_cast<const ExerciseOfPanels*>(&exercise);
+  return of_panels ? std::optional(of_panels->panels(sheet, solution, language)) : std::nullopt;
+}
 
 std::unique_ptr<Exercise> exercise_of_panels(Description about, Solve solve, std::vector<SheetMaker> sheets,
                                              FindFlaws flaws) {
