@@ -67,8 +67,11 @@ Words where_the_centre_is(const Solution& s) {
     return {"$Ω_{P}$, by Euler-Savary as for $G_{3}$; thin: the circle that osculates the path now.",
             "$Ω_{P}$, con Euler-Savary come per $G_{3}$; sottile: il cerchio osculatore."};
   if (s["v_P"] == 0)
-    return {"Now $P$ is the pole $P_{0}$ and at rest: the path has a cusp, and no $Ω_{P}$.",
-            "Ora $P$ è il polo $P_{0}$, fermo: la traiettoria ha una cuspide, e non c'è $Ω_{P}$."};
+    return {
+        "Now $P$ is the pole $P_{0}$ and at rest: the path has a cusp or goes back on itself; no ray leads to "
+        "$Ω_{P}$.",
+        "Ora $P$ è il polo $P_{0}$, fermo: la traiettoria ha una cuspide o torna su sé stessa; nessun raggio porta a "
+        "$Ω_{P}$."};
   return {"Now the path is straight: $Ω_{P}$ is at infinity.",
           "Ora la traiettoria è diritta: $Ω_{P}$ è all'infinito."};
 }

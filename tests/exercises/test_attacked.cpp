@@ -152,3 +152,19 @@ TEST_CASE("attacked: of two dead centres that there are not, each has its own re
   CHECK(reasons.find("no such dead centre") != std::string::npos);
   CHECK(reasons.find("all hinges are in line") != std::string::npos);
 }
+
+// 0.7 = 0.3 + 0.2 + 0.2, also with the frame along the diagonal of 0.42 and 0.56, and with the crank as the long one.
+TEST_CASE("attacked: a four-bar that closes in one position alone cannot move at all") {
+  const auto refused = [](const std::string& id, const Assignments& givens) {
+    try {
+      Tried(id).checked(givens);
+    } catch (const BadGivens& why) {
+      return why.words().english;
+    }
+    return std::string("accepted");
+  };
+  const auto cannot_move = Contains("closes in this position alone, and cannot move");
+  CHECK_THAT(refused("four-bar-analytic", {"A0A=0.3", "AB=0.2", "B0B=0.2", "A0B0=0.7", "phi=0"}), cannot_move);
+  CHECK_THAT(refused("four-bar-analytic", {"A0A=0.7", "AB=0.2", "B0B=0.2", "A0B0=0.3", "phi=0"}), cannot_move);
+  CHECK_THAT(refused("four-bar-analytic", {"A0A=0.3", "AB=0.3", "B0B=0.2", "A0B0=0.2", "phi=0"}), !cannot_move);
+}

@@ -31,8 +31,10 @@ inline constexpr Phrase no_point_on_ray{"the ray from the pole meets the inflect
 inline constexpr Phrase no_curvature{
     "the path is straight to the second order: the point lies on the inflection circle",
     "la traiettoria è rettilinea al secondo ordine: il punto sta sulla circonferenza dei flessi"};
-inline constexpr Phrase no_ray{"the point is the pole: its path has a cusp, and no ray leads to it",
-                               "il punto è il polo: la sua traiettoria ha una cuspide, e nessun raggio vi porta"};
+inline constexpr Phrase no_ray{
+    "the point is the pole: it rests, its path has a cusp there or goes back on itself, and no ray leads to it",
+    "il punto è il polo: è fermo, la sua traiettoria ha lì una cuspide o torna su sé stessa, e nessun raggio vi "
+    "porta"};
 
 // A point of the plane, under the letter it has in the names of quantities.
 template <class P>

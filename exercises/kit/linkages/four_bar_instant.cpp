@@ -55,7 +55,23 @@ Words motions_from_change_point(const FourBarInstant& at) {
   return {};
 }
 
+// The longest of the four links is as long as the three others: they lie in line, stretched, and in no other way.
+bool closes_only_stretched(const geometry::FourBarLengths& of) {
+  const Rational a = of.A0A, b = of.AB, c = of.B0B, d2 = geometry::frame_squared(of);
+  if (d2 == (a + b + c) * (a + b + c)) return true;
+  for (const Rational& d : {Rational(a - b - c), Rational(b - a - c), Rational(c - a - b)})
+    if (d > 0 && d2 == d * d) return true;
+  return false;
+}
+
 [[noreturn]] void refuse_flat_position(const FourBarInstant& at) {
+  if (closes_only_stretched(at.lengths))
+    throw BadGivens(
+        format_words("{}, and all hinges are in line: one link is as long as the three others, so the "
+                     "linkage closes in this position alone, and cannot move",
+                     "{}, e tutte le cerniere sono allineate: un'asta è lunga quanto le altre tre, quindi "
+                     "il meccanismo si chiude in questa sola posizione, e non può muoversi",
+                     place(at)));
   const geometry::Truth two_motions =
       geometry::ask([&]<class T>() {
         const geometry::Vector<T> crank{geometry::cosine<T>(at.crank), geometry::sine<T>(at.crank)};

@@ -155,9 +155,12 @@ std::vector<drawings::Block> OsculatingPanel::draw(Plot& plot, const drawings::B
 Words OsculatingPanel::step_to(const OnPath& X, bool is_first) const {
   const std::string P = point_letters(curved_.pole);
   if (X.is_pole)
-    return format_words("${0}$ is the pole: its path has a cusp there, and no centre of curvature.",
-                        "${0}$ è il polo: lì la sua traiettoria ha una cuspide, e nessun centro di curvatura.",
-                        X.letters);
+    return format_words(
+        "${0}$ is the pole: its path has a cusp there or goes back on itself, and no ray leads to a centre of "
+        "curvature.",
+        "${0}$ è il polo: lì la sua traiettoria ha una cuspide o torna su sé stessa, e nessun raggio porta a un "
+        "centro di curvatura.",
+        X.letters);
   if (!X.centre)
     return format_words(
         "${0}$ lies on the inflection circle: its path is straight to the second order.",
