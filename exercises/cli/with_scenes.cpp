@@ -7,6 +7,7 @@
 #include "exercises/kit/statement/suggest.h"
 #include "exercises/scenes/coincidences.h"
 #include "exercises/scenes/scene_exercise.h"
+#include "exercises/scenes/truss_file.h"
 
 namespace epure {
 
@@ -39,8 +40,9 @@ Scenes read_scenes(const Options& options) {
     const std::string& file = scene->file;
     auto found = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == file; });
     if (found == known.end()) {
-      read.files.push_back(scenes::read_scene(file));
-      std::unique_ptr<Exercise> exercise = scenes::scene_exercise(read.files.back());
+      std::unique_ptr<Exercise> exercise = scenes::truss_of_file(file);
+      read.files.push_back(exercise ? nullptr : scenes::read_scene(file));
+      if (!exercise) exercise = scenes::scene_exercise(read.files.back());
       const std::string id = exercise->about().id;
       if (std::any_of(known.begin(), known.end(), [&](const auto& k) { return k.second == id; }))
         throw WrongUsage(format_words("two files have the id {}; their drawings would be one file",
@@ -60,9 +62,11 @@ std::vector<Words> remarks(const Scenes& read) {
   for (const Listed& each : read.exercises) exercises.push_back(&*each);
   const std::vector<Givens> givens = set_givens(exercises, read.options.assignments);
   std::vector<Words> all;
-  for (std::size_t i = 0; i < givens.size(); ++i)
+  for (std::size_t i = 0; i < givens.size(); ++i) {
+    if (!read.files[i]) continue;
     for (const Words& each : scenes::coincidences(read.files[i]->built(givens[i])))
       all.push_back(read.files[i]->id() + ": " + each);
+  }
   return all;
 }
 

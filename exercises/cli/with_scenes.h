@@ -18,7 +18,7 @@ bool names_scenes(const Options& options);
 struct Scenes {
   Catalogue exercises;
   Options options;
-  std::vector<std::shared_ptr<const scenes::Scene>> files = {};
+  std::vector<std::shared_ptr<const scenes::Scene>> files = {};  // none where it is a truss
 };
 Scenes read_scenes(const Options& options);
 

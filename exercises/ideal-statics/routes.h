@@ -324,8 +324,6 @@ void write_levers(Ledger<T>& ledger, const Levers& of) {
   const auto foot_from = [=](const Point<T>& hinge) { return geometry::foot(hinge, line(at.C, at.n)); };
   ledger.put(arm_of_normal("A0"), [=] { return geometry::distance(at.A0, foot_from(at.A0)); });
   ledger.put(arm_of_normal("B0"), [=] { return geometry::distance(at.B0, foot_from(at.B0)); });
-  ledger.draws_point("foot_A0", [=] { return foot_from(at.A0); });
-  ledger.draws_point("foot_B0", [=] { return foot_from(at.B0); });
   by_poles(ledger, of, at);
   by_velocity_diagram(ledger, of, at);
   put_virtual_work(ledger, equations, of.Q);

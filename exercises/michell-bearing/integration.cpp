@@ -2,6 +2,7 @@
 #include "exercises/kit/panels/integration_panel.h"
 #include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/michell-bearing/along_film.h"
 #include "exercises/michell-bearing/exercise.h"
 #include "geometry/constructions/graphical_integral.h"
 
@@ -57,7 +58,6 @@ std::vector<IntegrationRow::Read> read(const Solution& s, const Film& film, cons
 
 PanelSheet integration_sheet(const Solution& s, Language language) {
   const Film film = Problem(s.givens()).film;
-  const auto wedge = film.wedge<double>();
   const Strips strips = integrated(film);
   const Words mean{"the mean of the gradients at both ends of each strip",
                    "la media dei gradienti ai due estremi di ogni striscia"};
@@ -65,13 +65,13 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
                                             {{.letters = "$p'$",
                                               .unit = "Pa/m",
                                               .meaning = Meaning::locus,
-                                              .curve = [wedge](double x) { return wedge.gradient(x); },
+                                              .curve = along(film, &DeepWedge::gradient),
                                               .carried = strips.means},
                                              {.letters = "$p$",
                                               .unit = "Pa",
                                               .meaning = Meaning::force,
                                               .id = "p-polygon",
-                                              .curve = [wedge](double x) { return wedge.pressure(x); },
+                                              .curve = along(film, &DeepWedge::pressure),
                                               .corners = strips.pressures,
                                               .read = read(s, film, strips)}},
                                             mean)),

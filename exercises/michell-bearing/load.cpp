@@ -2,6 +2,7 @@
 #include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/panels/sized_chart.h"
+#include "exercises/michell-bearing/along_film.h"
 #include "exercises/michell-bearing/exercise.h"
 #include "geometry/statics/funicular.h"
 
@@ -168,23 +169,22 @@ class FunicularPanel : public Panel {
   double load_;
 };
 
-SizedChart strips_chart(const Solution& s, const geometry::FilmWedge<double>& film) {
+SizedChart strips_chart(const Solution& s, const Film& film) {
   drawings::Chart chart;
-  chart.x = {.quantity = "$x$", .unit = "m", .low = 0, .high = film.l, .to_ticks = false};
+  const double length = geometry::from_rational<double>(film.l);
+  chart.x = {.quantity = "$x$", .unit = "m", .low = 0, .high = length, .to_ticks = false};
   chart.y = {.quantity = "$p$", .unit = "Pa", .low = 0, .high = 1.1 * s[of_film("p_max")]};
   std::vector<std::vector<drawings::Datum>> strips_drawn;
   std::vector<drawings::Datum> middles;
-  const double half = film.l / (2 * strips_of_load);
-  for (const Strip& strip : strips_of(Problem(s.givens()).film)) {
+  const double half = length / (2 * strips_of_load);
+  for (const Strip& strip : strips_of(film)) {
     middles.push_back({strip.x, strip.pressure});
     strips_drawn.push_back({{strip.x - half, 0},
                             {strip.x - half, strip.pressure},
                             {strip.x + half, strip.pressure},
                             {strip.x + half, 0}});
   }
-  chart.curves = {{.name = "pressure",
-                   .runs = run_of(0, film.l, [&](double x) { return film.pressure(x); }),
-                   .meaning = Meaning::force},
+  chart.curves = {{.name = "pressure", .runs = run_along(film, &DeepWedge::pressure), .meaning = Meaning::force},
                   {.name = "strips", .runs = strips_drawn, .meaning = Meaning::construction, .points = middles}};
   chart.verticals = {{.at = s[of_film("x_N")], .label = "$x_{N}$", .meaning = Meaning::force}};
   return SizedChart(chart, {{{s[of_film("x_N")], 0}, of_film("x_N"), {}}}, one_of_three_in_a_column);
@@ -193,9 +193,9 @@ SizedChart strips_chart(const Solution& s, const geometry::FilmWedge<double>& fi
 }  // namespace
 
 PanelSheet load_sheet(const Solution& s, Language language) {
-  const auto film = Problem(s.givens()).film.wedge<double>();
+  const Film film = Problem(s.givens()).film;
   return {
-      .panels = panels(strips_chart(s, film), FunicularPanel(Problem(s.givens()).film, s[of_film("N_funicular")])),
+      .panels = panels(strips_chart(s, film), FunicularPanel(film, s[of_film("N_funicular")])),
       .results = {told({"By the strips, by Bezout's table, and exactly:",
                         "Con le strisce, con la tabella di Bezout, ed esattamente:"},
                        language),

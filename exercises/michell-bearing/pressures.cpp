@@ -1,8 +1,8 @@
 // Film, gradients and pressures along the slider.
 #include "exercises/kit/panels/film_chart.h"
-#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/panels/sized_chart.h"
+#include "exercises/michell-bearing/along_film.h"
 #include "exercises/michell-bearing/exercise.h"
 
 namespace epure::michell_bearing {
@@ -41,20 +41,9 @@ std::vector<Datum> points_of(const std::vector<ChartPanel::Read>& read) {
   return points;
 }
 
-// With many bits: where the walls are nearly parallel doubles lose what the gradient and the pressure are made of.
-using DeepWedge = geometry::FilmWedge<geometry::Deep>;
-std::vector<std::vector<Datum>> deep_run(const Film& film,
-                                         geometry::Deep (DeepWedge::*of)(const geometry::Deep&) const) {
-  return deeply([&] {
-    const DeepWedge wedge = film.wedge<geometry::Deep>();
-    return run_of(0, geometry::from_rational<double>(film.l),
-                  [&](double x) { return to_double((wedge.*of)(geometry::Deep::from_double(x))); });
-  });
-}
-
 SizedChart gradient_chart(const Solution& s, const Film& film) {
   const auto read = read_at_stations(s, "dp_dx");
-  const auto runs = deep_run(film, &DeepWedge::gradient);
+  const auto runs = run_along(film, &DeepWedge::gradient);
   const double first = runs.front().front().y, last = runs.front().back().y;
   drawings::Chart chart = chart_along(s, "$p'$", "Pa/m", last, first > 0 ? 1.3 * first : 0);
   chart.curves = {{.name = "gradient", .runs = runs, .meaning = Meaning::locus, .points = points_of(read)}};
@@ -64,7 +53,7 @@ SizedChart gradient_chart(const Solution& s, const Film& film) {
 SizedChart pressure_chart(const Solution& s, const Film& film, Language language) {
   auto read = read_at_stations(s, "p_bezout");
   drawings::Chart chart = chart_along(s, "$p$", "Pa", 0, 1.12 * s[of_film("p_max")]);
-  chart.curves = {{.name = "pressure", .runs = deep_run(film, &DeepWedge::pressure), .meaning = Meaning::force},
+  chart.curves = {{.name = "pressure", .runs = run_along(film, &DeepWedge::pressure), .meaning = Meaning::force},
                   {.name = "bezout", .meaning = Meaning::construction, .points = points_of(read)}};
   chart.markers = {{.at = {s[of_film("x_bar")], s[of_film("p_max")]},
                     .label = "$p_{max}$ = " + figures(s[of_film("p_max")], 4, language) + " Pa",

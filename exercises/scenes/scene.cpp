@@ -1,16 +1,12 @@
 #include "exercises/scenes/scene.h"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <optional>
 #include <set>
-#include <sstream>
 
-#include "drawings/text/text.h"
-#include "exercises/kit/statement/decimal.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
+#include "exercises/scenes/file_head.h"
 #include "exercises/scenes/greek.h"
 #include "exercises/scenes/refusals.h"
 #include "exercises/scenes/scene_routes.h"
@@ -22,63 +18,6 @@ using namespace geometry;
 using Kind = geometry::Kind;
 using Tree = TextTree;
 
-// Throws with the file's name before each sentence.
-class File {
- public:
-  explicit File(const std::string& name) : name_(name) {}
-
-  [[noreturn]] void refuse(const Tree& at, const Words& sentence) const { throw bad_scene(name_, at, sentence); }
-
-  const Tree& demand(const Tree& at, Tree::Kind kind, const Words& what) const {
-    if (at.kind != kind) refuse(at, what);
-    return at;
-  }
-  const Tree& map(const Tree& at, const Words& what) const { return demand(at, Tree::Kind::map, what); }
-  const std::string& text(const Tree& at, const Words& what) const { return demand(at, Tree::Kind::text, what).text; }
-
-  void demand_keys(const Tree& map, const std::vector<std::string>& known) const {
-    for (const auto& [key, value] : map.entries)
-      if (std::find(known.begin(), known.end(), key.text) == known.end())
-        refuse(key, format_words("\"{}\" has no meaning here; {}", "\"{}\" qui non ha senso; {}", key.text,
-                                 did_you_mean(key.text, known)));
-  }
-
-  // A line of text in one language, or in both: {en: ..., it: ...}.
-  Words words(const Tree& at) const {
-    if (at.kind == Tree::Kind::text) return {line(at), line(at)};
-    map(at, {"a text is asked here, or {en: ..., it: ...}", "qui si chiede un testo, o {en: ..., it: ...}"});
-    demand_keys(at, {"en", "it"});
-    const Tree *english = at.find("en"), *italian = at.find("it");
-    if (!english && !italian) refuse(at, {"neither en: nor it:", "né en: né it:"});
-    return {line(english ? *english : *italian), line(italian ? *italian : *english)};
-  }
-
- private:
-  // That a sheet can print.
-  const std::string& line(const Tree& at) const {
-    constexpr std::size_t longest = 120;
-    const std::string& line = text(at, {"a text is asked here", "qui si chiede un testo"});
-    const bool is_line = line.size() <= longest && std::none_of(line.begin(), line.end(), [](char c) {
-                           return (static_cast<unsigned char>(c) < 0x20) || c == 0x7f;
-                         });
-    if (!is_line)
-      refuse(at, format_words("this must be a line of at most {} printable letters",
-                              "dev'essere una riga di al più {} caratteri stampabili", longest));
-    if (!drawings::can_write(line))
-      refuse(at, {"epure's fonts have Latin, Greek and Cyrillic letters, and one of these is none of them",
-                  "i caratteri di epure hanno lettere latine, greche e cirilliche, e una di queste non lo è"});
-    return line;
-  }
-
-  const std::string& name_;
-};
-
-bool is_name(const std::string& text) {
-  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 &&
-         std::all_of(text.begin(), text.end(),
-                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
-}
-
 // Of a point or a line. P12, P13 ... are the instant centres.
 bool is_letter(const std::string& text) {
   constexpr std::size_t longest = 8;
@@ -87,32 +26,11 @@ bool is_letter(const std::string& text) {
   return is_name(text) && text.size() <= longest && text.find('_') == std::string::npos && !is_centre;
 }
 
-std::vector<std::string> parted(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> parts;
-  for (std::string part; in >> part;) parts.push_back(part);
-  return parts;
-}
-
 std::vector<std::string> units_of(Kind kind) {
   std::vector<std::string> symbols;
   for (const Unit& unit : known_units())
     if (unit.kind == kind) symbols.push_back(unit.symbol);
   return symbols;
-}
-
-// What of the text is a unit, or would be one: what follows the number. Empty for a pure number, none where there is
-// no number, or a formula.
-std::optional<std::string> unit_after_number(const std::string& text) {
-  std::size_t end = text.find_first_not_of("+-0123456789.,/ ");
-  if (end != std::string::npos && (text[end] == 'e' || text[end] == 'E') && end > 0 && end + 1 < text.size() &&
-      std::string("+-0123456789").find(text[end + 1]) != std::string::npos)
-    end = text.find_first_not_of("+-0123456789.,/ ", end + 1);
-  if (end == std::string::npos) return "";
-  if (end == 0 || text[end] == '*' || text[end] == '(') return {};
-  std::string unit = text.substr(end);
-  while (!unit.empty() && unit.back() == ' ') unit.pop_back();
-  return unit;
 }
 
 // Builds the linkage of a tree at certain givens.
@@ -587,88 +505,6 @@ class Building {
   Built built_;
 };
 
-bool is_id(const std::string& text) {
-  return !text.empty() && text.size() <= 60 && std::islower(static_cast<unsigned char>(text[0])) != 0 &&
-         std::all_of(text.begin(), text.end(), [](char c) {
-           return std::islower(static_cast<unsigned char>(c)) != 0 ||
-                  std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-';
-         });
-}
-
-GivenSpec given(const File& file, const Tree& key, const Tree& value) {
-  const std::string symbol = spelled_out(key.text);
-  if (!is_name(symbol))
-    file.refuse(key, format_words("\"{}\" is no name of a given: a letter, then letters and digits",
-                                  "\"{}\" non è un nome di dato: una lettera, poi lettere e cifre", key.text));
-  const Tree* number = &value;
-  GivenSpec spec;
-  spec.symbol = symbol;
-  spec.letters = given_letters(symbol);
-  spec.range = Range::any;
-  if (value.kind == Tree::Kind::map) {
-    file.demand_keys(value, {"value", "meaning"});
-    number = value.find("value");
-    if (!number) file.refuse(value, {"value: is missing", "manca value:"});
-    if (const Tree* meaning = value.find("meaning")) spec.meaning = file.words(*meaning);
-  }
-  const std::string& text = file.text(*number, {"a number with its unit is asked here, such as 120 mm",
-                                                "qui si chiede un numero con la sua unità, come 120 mm"});
-  const auto unit = unit_after_number(text);
-  if (!unit)
-    file.refuse(*number, format_words("\"{}\" is no number with a unit; formulas of givens stand under where:",
-                                      "\"{}\" non è un numero con unità; le formule stanno sotto where:", text));
-  if (!unit->empty() && !find_unit(*unit)) file.refuse(*number, no_unit(*unit));
-  spec.unit = unit->empty() ? "1" : *unit;
-  spec.stated = text.substr(0, text.size() - unit->size());
-  while (!spec.stated.empty() && spec.stated.back() == ' ') spec.stated.pop_back();
-  if (spec.meaning.empty()) spec.meaning = {spec.symbol, spec.symbol};
-  try {
-    read_given(spec.stated, spec.unit);
-  } catch (const BadGiven& bad) {
-    file.refuse(*number, bad.words());
-  }
-  return spec;
-}
-
-// {quantity: omega_3, value: -1.42, unit: rad/s, place: "page 57", reading: 0.02}.
-Printed printed_number(const File& file, const Tree& at) {
-  const Words what{"a printed number is {quantity: omega_3, value: -1.42, unit: rad/s, place: page 57}",
-                   "un numero stampato è {quantity: omega_3, value: -1.42, unit: rad/s, place: pagina 57}"};
-  file.map(at, what);
-  file.demand_keys(at, {"quantity", "value", "unit", "place", "reading"});
-  const auto demand = [&](const char* key) -> const Tree& {
-    const Tree* value = at.find(key);
-    if (!value) file.refuse(at, format_words("{}: is missing", "manca {}:", key));
-    file.text(*value, what);
-    return *value;
-  };
-  const Tree& unit_at = demand("unit");
-  const auto unit = find_unit(unit_at.text);
-  if (!unit) file.refuse(unit_at, no_unit(unit_at.text));
-  if (unit->counts_turns)
-    file.refuse(unit_at,
-                format_words("{} counts turns, and epure tells radians: π lies between; write the number in rad",
-                             "{} conta giri, ed epure dice radianti: c'è di mezzo π; scrivere il numero in rad",
-                             unit->symbol));
-  const auto number = [&](const Tree& told) {
-    try {
-      return read_decimal(told.text, "1").value;
-    } catch (const BadGiven& bad) {
-      file.refuse(told, bad.words());
-    }
-  };
-  const Tree& value = demand("value");
-  number(value);
-  Printed printed{demand("quantity").text, value.text + (unit->factor == 1 ? "" : " " + unit->symbol),
-                  file.words(demand("place")).english};
-  if (at.find("reading")) {
-    const Rational reading = number(demand("reading"));
-    if (reading < 0) file.refuse(*at.find("reading"), {"it is below zero", "è sotto lo zero"});
-    printed.reading = CGAL::to_double(reading * unit->factor);
-  }
-  return printed;
-}
-
 }  // namespace
 
 Scene::Scene(std::string file_name, std::string_view bytes)
@@ -678,33 +514,12 @@ Scene::Scene(std::string file_name, std::string_view bytes)
                    "una scena è un elenco di chiavi e valori, come  id: four-bar"});
   file.demand_keys(root_, {"epure", "id", "title", "source", "givens", "where", "units", "points", "links", "slides",
                            "drive", "assembly", "offsets", "sheets", "printed"});
-  const Tree* version = root_.find("epure");
-  if (!version || version->text != "1")
-    file.refuse(version ? *version : root_, {"a scene begins with  epure: 1", "una scena comincia con  epure: 1"});
-  const Tree* id = root_.find("id");
-  if (!id) file.refuse(root_, {"id: is missing", "manca id:"});
-  id_ = file.text(*id, {"an id is asked here", "qui si chiede un id"});
-  if (!is_id(id_))
-    file.refuse(*id, format_words("\"{}\" is no id: small letters, digits and hyphens, a letter first",
-                                  "\"{}\" non è un id: minuscole, cifre e trattini, prima una lettera", id_));
-  const Tree *title = root_.find("title"), *source = root_.find("source");
-  title_ = title ? file.words(*title) : Words{id_, id_};
-  const std::string file_alone = std::filesystem::path(file_).filename();
-  source_ = source ? file.words(*source) : Words{file_alone, file_alone};
-  if (const Tree* givens = root_.find("givens")) {
-    file.map(*givens, {"givens: {r: 120 mm}", "givens: {r: 120 mm}"});
-    for (const auto& [key, value] : givens->entries) {
-      givens_.push_back(given(file, key, value));
-      if (const auto first = index_of(givens_, givens_.back().symbol); first + 1 < givens_.size())
-        file.refuse(key, format_words("\"{}\" and \"{}\" are one name", "\"{}\" e \"{}\" sono un solo nome",
-                                      givens->entries[first].first.text, key.text));
-    }
-  }
-  if (const Tree* printed = root_.find("printed")) {
-    file.demand(*printed, Tree::Kind::list,
-                {"printed: a list of what the book prints", "printed: un elenco di quanto il libro stampa"});
-    for (const Tree& item : printed->items) printed_.push_back(printed_number(file, item));
-  }
+  const FileHead head = read_head(file, root_);
+  id_ = head.id;
+  title_ = head.title;
+  source_ = head.source;
+  givens_ = head.givens;
+  printed_ = head.printed;
   built(Givens(givens_));
 }
 

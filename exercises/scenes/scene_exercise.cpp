@@ -1,17 +1,14 @@
 #include "exercises/scenes/scene_exercise.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
-#include "drawings/text/text.h"
 #include "exercises/kit/panels/mechanism.h"
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/vectors_panel.h"
 #include "exercises/scenes/centres_sheets.h"
+#include "exercises/scenes/file_head.h"
 #include "exercises/scenes/limits.h"
 #include "exercises/scenes/polygon_sheets.h"
 #include "exercises/scenes/refusals.h"
@@ -20,20 +17,6 @@
 
 namespace epure::scenes {
 namespace {
-
-std::string bytes_of(const std::string& file) {
-  std::error_code unknown;
-  if (!std::filesystem::exists(file, unknown))
-    throw BadScene(format_words("{}: there is no such file", "{}: non c'è un file così", file));
-  if (!std::filesystem::is_regular_file(file, unknown))
-    throw BadScene(format_words("{}: this is no file to be read, but a folder or a device",
-                                "{}: non è un file da leggere, ma una cartella o un dispositivo", file));
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (!in) throw BadScene(format_words("{}: the file cannot be read", "{}: il file non si può leggere", file));
-  return std::move(bytes).str();
-}
 
 std::vector<RouteValue> solved(const Scene& scene, const Givens& givens, Rung rung) {
   const auto built = std::make_shared<const Built>(scene.built(givens));
@@ -73,9 +56,6 @@ PanelSheet diagram(const Scene& scene, const Solution& s, bool is_of_velocities)
     sheet.panels = panels(VectorsPanel(s, figure, vector, moving));
   return sheet;
 }
-
-// What a file says is text, not markup.
-Words escaped(const Words& words) { return {drawings::escaped(words.english), drawings::escaped(words.italian)}; }
 
 Description described(const Scene& scene) {
   return {

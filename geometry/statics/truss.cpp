@@ -10,7 +10,15 @@ using Joint = std::size_t;
 using HalfEdge = std::size_t;  // of bar b: 2b from its first joint to its second, 2b + 1 back
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-Words counted(std::size_t place) { return Words{} + std::to_string(place + 1); }
+Words told_joint(const Truss& truss, Joint joint) {
+  return Words{} + (truss.names.empty() ? std::to_string(joint + 1) : truss.names[joint]);
+}
+// "3", or "3 (A C)".
+Words told_bar(const Truss& truss, std::size_t bar) {
+  const std::string count = std::to_string(bar + 1);
+  if (truss.names.empty()) return Words{} + count;
+  return Words{} + (count + " (" + truss.names[truss.bars[bar].from] + " " + truss.names[truss.bars[bar].to] + ")");
+}
 
 int turn(const Vector<Rational>& u, const Vector<Rational>& v) { return CGAL::sign(cross(u, v)); }
 int turn(const Point<Rational>& P, const Point<Rational>& Q, const Point<Rational>& R) { return turn(Q - P, R - P); }
@@ -48,14 +56,14 @@ void demand_flat(const Truss& truss) {
   for (Joint i = 0; i < truss.joints.size(); ++i)
     for (Joint k = 0; k < i; ++k)
       if (coincide(truss.joints[i], truss.joints[k]))
-        throw Impossible(Words{"joints ", "i nodi "} + counted(k) + Words{" and ", " e "} + counted(i) +
-                         Words{" are in one place", " sono nello stesso punto"});
+        throw Impossible(Words{"joints ", "i nodi "} + told_joint(truss, k) + Words{" and ", " e "} +
+                         told_joint(truss, i) + Words{" are in one place", " sono nello stesso punto"});
   for (std::size_t i = 0; i < truss.bars.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) {
       const TrussBar &a = truss.bars[k], &b = truss.bars[i];
       if (have_common_joint(a, b) ? lie_on_each_other(truss, k, i) : meet_anywhere(truss, a, b))
         throw Impossible(
-            Words{"bars ", "le aste "} + counted(k) + Words{" and ", " e "} + counted(i) +
+            Words{"bars ", "le aste "} + told_bar(truss, k) + Words{" and ", " e "} + told_bar(truss, i) +
             Words{" cross or touch: the truss is not flat, and has no regions between its bars",
                   " si incrociano o si toccano: la travatura non è piana, e non ha regioni tra le aste"});
     }
@@ -97,7 +105,7 @@ class Faces {
     }
     for (Joint i = 0; i < truss.joints.size(); ++i)
       if (round_[i].empty())
-        throw Impossible(Words{"no bar ends in joint ", "nessuna asta arriva al nodo "} + counted(i));
+        throw Impossible(Words{"no bar ends in joint ", "nessuna asta arriva al nodo "} + told_joint(truss, i));
   }
 
   Joint origin(HalfEdge h) const { return h % 2 == 0 ? truss_.bars[h / 2].from : truss_.bars[h / 2].to; }
@@ -172,7 +180,7 @@ void part_outside(const Truss& truss, const Faces& faces, BowNotation& bow) {
     if (!is_placed[k])
       throw Impossible(Words{"a force acts inside of the truss, at joint ",
                              "una forza agisce all'interno della travatura, nel nodo "} +
-                       counted(truss.outside[k]) + Words{": it parts no regions", ": non separa regioni"});
+                       told_joint(truss, truss.outside[k]) + Words{": it parts no regions", ": non separa regioni"});
 }
 
 std::optional<Joint> common_joint(const TrussBar& a, const TrussBar& b) {

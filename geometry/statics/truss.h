@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/constructions/plane.h"
@@ -20,7 +21,8 @@ struct TrussBar {
 struct Truss {
   std::vector<Point<Rational>> joints;
   std::vector<TrussBar> bars;
-  std::vector<std::size_t> outside;  // joints of the forces from outside, loads and reactions, one entry a force
+  std::vector<std::size_t> outside;     // joints of the forces from outside, loads and reactions, one entry a force
+  std::vector<std::string> names = {};  // of the joints, for sentences; none: they are counted from 1
 };
 
 inline Vector<Rational> along(const Truss& truss, std::size_t bar) {
@@ -63,7 +65,7 @@ struct BowNotation {
 //   has fewer bars than hold it (unstable) or more (statically undetermined): b + 3 = 2j;
 //   is not simple: of what is left no region has two known neighbours. So are compound trusses (Fink's), and those
 //   that are unstable for all the number of their bars.
-// Bars and joints are counted from 1 in these sentences. `outside` must not be empty.
+// Bars are counted from 1 in these sentences, and joints where they have no names. `outside` must not be empty.
 BowNotation bow_notation(const Truss& truss);
 
 }  // namespace epure::geometry

@@ -37,7 +37,7 @@ std::string exercise_folder(std::string_view path) {
 
 // The rooms within a room, from the lowest; what lies beside them is lower still.
 const std::vector<std::string> drawings_rooms{"paths", "text", "labels", "marks", "charts", "sheet", "files"};
-const std::vector<std::string> kit_rooms{"statement", "proof", "panels", "linkages", "rolling", "crane"};
+const std::vector<std::string> kit_rooms{"statement", "proof", "panels", "linkages", "rolling", "crane", "trusses"};
 
 // How high the file stands among the rooms of `below`, which ends with a slash: -1 beside them, none elsewhere.
 std::optional<std::ptrdiff_t> storey(std::string_view path, std::string_view below,

@@ -102,7 +102,7 @@ std::vector<PanelStep> ForcePlanPanel::steps(const Plot&, const drawings::Box&) 
     const std::string first = std::to_string(step.bars[0] + 1), second = std::to_string(step.bars[1] + 1);
     const std::string lines = "$" + beyond(step.bars[0]) + letter(step.region) + "$ ∥ " + first + ", $" +
                               beyond(step.bars[1]) + letter(step.region) + "$ ∥ " + second;
-    const std::string at = step.joint ? "$" + TrussFigure::joint_letter(*step.joint) + "$: " : "";
+    const std::string at = step.joint ? "$" + figure_->letters[*step.joint] + "$: " : "";
     all.push_back({Words{at + lines + ".", at + lines + "."}, figure_->plan[step.region]});
   }
   const std::string last = std::to_string(bow.closing_bar + 1);

@@ -22,12 +22,13 @@ struct TrussFigure {
     std::string quantity;  // of its size; empty: none that is reported
   };
 
+  std::vector<std::string> letters = {};  // of the joints: "A", "C_{3}"
   std::vector<Place> joints = {};
   std::vector<Bar> bars = {};
   std::vector<Outside> outside = {};  // the hinge's, the roller's, then the loads; one a joint at most
   geometry::BowNotation bow = {};
-  std::vector<Place> plan = {};            // N, of the regions
-  double hinge_down = 0, roller_down = 0;  // towards the ground, radians
+  std::vector<Place> plan = {};  // N, of the regions
+  double roller_down = 0;        // towards its ground, radians
 
   // As textbooks tell them apart: what is pressed heavy, what is pulled thin; what bears nothing is dashed.
   static Meaning meaning(double force) {
@@ -35,9 +36,12 @@ struct TrussFigure {
   }
   // Of tension and compression, after the number of the bar; what bears nothing has none, as "3 0" would read thirty.
   static std::string sign(double force) { return force == 0 ? "" : force > 0 ? " +" : " −"; }
-  // "C", "k".
-  static std::string joint_letter(std::size_t joint) { return {static_cast<char>('A' + joint)}; }
-  static std::string region_letter(std::size_t region) { return {static_cast<char>('a' + region)}; }
+  // "k"; after "z" come "a_{1}", "b_{1}".
+  static std::string region_letter(std::size_t region) {
+    constexpr std::size_t alphabet = 26;
+    const std::string letter{static_cast<char>('a' + region % alphabet)};
+    return region < alphabet ? letter : letter + "_{" + std::to_string(region / alphabet) + "}";
+  }
 };
 
 }  // namespace epure

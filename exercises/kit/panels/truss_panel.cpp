@@ -48,8 +48,7 @@ double TrussPanel::reach() const {
   return reach;
 }
 
-// The way out of the truss at a joint of its outline: half-way between the two edges there.
-Arrow2 TrussPanel::middle_of_outside(std::size_t joint) const {
+TrussPanel::Opening TrussPanel::outside_of(std::size_t joint) const {
   const auto& outline = figure_->bow.outline;
   const auto start_of = [&](const geometry::BowNotation::Edge& edge) {
     const TrussFigure::Bar& bar = figure_->bars[edge.bar];
@@ -64,9 +63,25 @@ Arrow2 TrussPanel::middle_of_outside(std::size_t joint) const {
       return figure_->joints[bar.from == joint ? bar.to : bar.from];
     };
     const double from = direction(J, other_end(next));
-    return towards(from + counter_clockwise(from, direction(J, other_end(before))) / 2);
+    return {from, counter_clockwise(from, direction(J, other_end(before)))};
   }
-  return {0, 1};
+  return {0, 2 * std::numbers::pi};
+}
+
+// The way out of the truss: half-way between the two edges there.
+Arrow2 TrussPanel::middle_of_outside(std::size_t joint) const {
+  const Opening opening = outside_of(joint);
+  return towards(opening.from + opening.angle / 2);
+}
+
+// The hinge stands on level or upright ground as the roller does, where that is no inside of the truss.
+double TrussPanel::hinge_down() const {
+  constexpr double quarter = std::numbers::pi / 2;
+  const auto upright = [](double angle) { return quarter * std::round(angle / quarter); };
+  const Opening opening = outside_of(figure_->outside[0].joint);
+  const double as_roller = upright(figure_->roller_down);
+  return counter_clockwise(opening.from, as_roller) < opening.angle ? as_roller
+                                                                    : upright(opening.from + opening.angle / 2);
 }
 
 // Outside of the truss: it ends at the joint or begins there. Of reactions it leaves room for the support.
@@ -99,8 +114,8 @@ drawings::Box TrussPanel::extent(const Scale& scale, const Scale&) const {
 
 void TrussPanel::draw_supports(Plot& plot) const {
   const double mm = 1 / plot.scale().mm_per_unit;
-  const Place &A = figure_->joints[0], &B = figure_->joints[1];
-  plot.mark(drawings::FixedHinge{plot.at(A), figure_->hinge_down});
+  const Place &A = figure_->joints[figure_->outside[0].joint], &B = figure_->joints[figure_->outside[1].joint];
+  plot.mark(drawings::FixedHinge{plot.at(A), hinge_down()});
   constexpr double depth = 4.2, half_base = 3.2, wheel = 0.9, half_ground = 5.5;  // mm
   const Arrow2 down = mm * towards(figure_->roller_down), side = geometry::quarter_turn(down);
   const Arrow2 foot = depth * down, half = half_base * side, level = (depth + 2 * wheel) * down;
@@ -161,8 +176,8 @@ void TrussPanel::draw_truss(Plot& plot, const std::function<Meaning(const TrussF
         {.text = std::to_string(i + 1) + sign(bar), .at = plot.at(P), .to = plot.at(Q), .size = number_size});
   }
   for (std::size_t i = 0; i < figure_->joints.size(); ++i) {
-    if (i > 0) plot.hinge(figure_->joints[i]);
-    plot.label("$" + TrussFigure::joint_letter(i) + "$", figure_->joints[i]);
+    if (i != figure_->outside[0].joint) plot.hinge(figure_->joints[i]);
+    plot.label("$" + figure_->letters[i] + "$", figure_->joints[i]);
   }
   if (regions_ == Regions::lettered) letter_regions(plot);
 }

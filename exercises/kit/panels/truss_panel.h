@@ -27,7 +27,13 @@ class TrussPanel : public Panel {
     Arrow2 to_tail, to_tip;  // from the joint, mm
   };
   OnPaper arrow_of(std::size_t outside) const;
+  // Where it lies outside of the truss at a joint of its outline: radians, and how far counter-clockwise.
+  struct Opening {
+    double from, angle;
+  };
+  Opening outside_of(std::size_t joint) const;
   Arrow2 middle_of_outside(std::size_t joint) const;
+  double hinge_down() const;
   // With what stands beside the number of each bar.
   void draw_truss(Plot& plot, const std::function<Meaning(const TrussFigure::Bar&)>& meaning,
                   const std::function<std::string(const TrussFigure::Bar&)>& sign) const;

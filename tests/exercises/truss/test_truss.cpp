@@ -61,7 +61,8 @@ TEST_CASE("a truss that cannot be is refused with the value and the condition", 
         "delta = 90°: the roller's line of action passes through the hinge, and the truss is not held");
   CHECK(refusal({"shape=bracket", "delta=-450"}).starts_with("delta = -450°: "));
   CHECK(refusal({"shape=polonceau", "h=9"}) ==
-        "L = 12 m, h = 9 m: bars 6 and 9 cross or touch: the truss is not flat, and has no regions between its bars");
+        "L = 12 m, h = 9 m: bars 6 (C F) and 9 (D G) cross or touch: the truss is not flat, and has no regions "
+        "between its bars");
   for (const char* wrong : {"L=0", "h=-1", "n=0"}) {
     CAPTURE(wrong);
     CHECK_FALSE(refusal({wrong}).empty());

@@ -1,6 +1,7 @@
-#include "exercises/truss/loaded_truss.h"
+#include "exercises/truss/given_truss.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/numbers/given.h"
 
@@ -76,22 +77,27 @@ std::vector<GivenSpec> given_specs() {
            "$δ$"}};
 }
 
-LoadedTruss::LoadedTruss(const Givens& givens)
-    : shape(static_cast<Shape>(static_cast<int>(givens["shape"].to_double()))),
-      P(givens["P"]),
-      W(givens["W"]),
-      beta(givens.angle("beta")),
-      roller(givens.angle("delta") + Angle{stands_on_wall(shape) ? Rational(0) : Rational(1, 4)}) {
+Shape shape_of(const Givens& givens) { return static_cast<Shape>(static_cast<int>(givens["shape"].to_double())); }
+
+trusses::LoadedTruss given_truss(const Givens& givens) {
+  const Shape shape = shape_of(givens);
+  const Rational &P = givens["P"], &W = givens["W"];
   const Built built = truss::built(shape, givens["L"], givens["h"], panels_of(givens, shape));
-  truss = {built.joints, built.bars, {0, 1}};
+  std::vector<trusses::Load> loads;
+  std::vector<std::string> names;
   for (std::size_t joint = 0; joint < built.joints.size(); ++joint) {
+    names.push_back({static_cast<char>('A' + joint)});
     const bool by_P = P != 0 && contains(built.loaded, joint), by_W = W != 0 && contains(built.windward, joint);
     if (!by_P && !by_W) continue;
-    truss.outside.push_back(joint);
-    has_P.push_back(by_P);
-    has_W.push_back(by_W);
+    loads.push_back({.joint = joint,
+                     .components = {0, by_P ? Rational(-P) : Rational(0)},
+                     .size = by_W ? W : Rational(0),
+                     .along = givens.angle("beta"),
+                     .label = !by_W   ? "$\\it{P}$"
+                              : !by_P ? "$\\it{W}$"
+                                      : "$\\vec{\\it{P}}$+$\\vec{\\it{W}}$"});
   }
-  if (loads() == 0)
+  if (loads.empty())
     throw BadGivens(
         Words{"P = 0 N, W = 0 N: nothing loads the truss", "P = 0 N, W = 0 N: nulla carica la travatura"});
   if (is_whole_turns(Rational(2) * givens.angle("delta") - Angle{Rational(1, 2)}))
@@ -99,8 +105,9 @@ LoadedTruss::LoadedTruss(const Givens& givens)
         format_words("delta = {}°: the roller's line of action passes through the hinge, and the truss is not held",
                      "delta = {}°: la retta d'azione del carrello passa per la cerniera, e la travatura è labile",
                      to_text(Rational(360) * givens.angle("delta").turns)));
+  const Angle roller = givens.angle("delta") + Angle{stands_on_wall(shape) ? Rational(0) : Rational(1, 4)};
   try {
-    bow = geometry::bow_notation(truss);
+    return {{built.joints, built.bars, {0, 1}, std::move(names)}, roller, std::move(loads)};
   } catch (const geometry::Impossible& why) {
     throw BadGivens(format_words("L = {} m, h = {} m: {}", "L = {} m, h = {} m: {}", to_text(givens["L"]),
                                  to_text(givens["h"]), why.words()));

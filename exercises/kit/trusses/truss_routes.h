@@ -1,27 +1,33 @@
-// The bars' forces by Cremona's plan and by the equations of all joints.
+// The forces of a truss by Cremona's plan and by the equations of all joints.
 #pragma once
 
 #include "exercises/kit/proof/ledger.h"
 #include "exercises/kit/proof/once.h"
-#include "exercises/truss/loaded_truss.h"
+#include "exercises/kit/trusses/loaded_truss.h"
 #include "geometry/analytic/truss_equations.h"
 #include "geometry/statics/cremona.h"
 
-namespace epure::truss {
+namespace epure::trusses {
 
 using geometry::Point;
 using geometry::Vector;
 
-inline VectorQuantity reaction_of_hinge() {
+inline VectorQuantity reaction_of_hinge(const LoadedTruss& of) {
   const Words meaning{"force of the hinge on the truss", "forza della cerniera sulla travatura"};
-  return {"R_A", "\\it{{R}}_{{{}}}", "A", "N", meaning, meaning};
+  const std::string& A = of.truss.names[of.hinge()];
+  return {"R_" + A, "\\it{{R}}_{{{}}}", A, "N", meaning, meaning};
 }
-inline Quantity reaction_of_roller() {
-  return {"R_B",
-          "$\\it{R}_{B}$",
+inline Quantity reaction_of_roller(const LoadedTruss& of) {
+  const std::string& B = of.truss.names[of.roller_at()];
+  return {"R_" + B,
+          "$\\it{R}_{" + B + "}$",
           "N",
           {"force of the roller on the truss, positive away from its plane",
            "forza del carrello sulla travatura, positiva dal piano verso la travatura"}};
+}
+inline VectorQuantity load_at(const LoadedTruss& of, const Load& load) {
+  const Words meaning{"load", "carico"};
+  return {"F_" + of.truss.names[load.joint], "\\it{{F}}_{{{}}}", of.truss.names[load.joint], "N", meaning, meaning};
 }
 inline Quantity bar_force(std::size_t bar) {
   const std::string i = std::to_string(bar + 1);
@@ -54,6 +60,7 @@ inline Quantity sum_of_forces_times_lengths() {
 
 struct Routes {
   LoadedTruss of;
+  std::size_t most_bars;  // that the truss of these givens can have: the quantities are always as many
 
   template <class T>
   Ledger<T> operator()() const {
@@ -61,6 +68,13 @@ struct Routes {
     by_plan(ledger);
     by_equations(ledger);
     for (std::size_t i = 0; i < of.bars(); ++i) ledger.tells(bar_length(i), [&] { return length<T>(i); });
+    for (std::size_t k = 0; k < of.loads.size(); ++k)
+      if (of.loads[k].is_told) {
+        const VectorQuantity F = load_at(of, of.loads[k]);
+        ledger.tells(F.x(), [&] { return load<T>(k).x; });
+        ledger.tells(F.y(), [&] { return load<T>(k).y; });
+        ledger.tells(F.length(), [&] { return size(load<T>(k)); });
+      }
     return ledger;
   }
 
@@ -75,10 +89,11 @@ struct Routes {
   }
   template <class T>
   Vector<T> load(std::size_t k) const {
-    Vector<T> f{T(0), T(0)};
-    if (of.has_P[k]) f = f + Vector<T>{T(0), -number<T>(of.P)};
-    if (of.has_W[k]) f = f + number<T>(of.W) * Vector<T>{geometry::cosine<T>(of.beta), geometry::sine<T>(of.beta)};
-    return f;
+    const Load& of_it = of.loads[k];
+    const Vector<T> components{number<T>(of_it.components.x), number<T>(of_it.components.y)};
+    if (of_it.size == 0) return components;
+    return components +
+           number<T>(of_it.size) * Vector<T>{geometry::cosine<T>(of_it.along), geometry::sine<T>(of_it.along)};
   }
   template <class T>
   Vector<T> along_roller() const {
@@ -113,10 +128,11 @@ struct Routes {
   }
 
   template <class T, class Find>
-  static void put_hinge(Ledger<T>& ledger, const Find& find) {
-    ledger.put(reaction_of_hinge().x(), [&] { return Vector<T>(find()).x; });
-    ledger.put(reaction_of_hinge().y(), [&] { return Vector<T>(find()).y; });
-    ledger.put(reaction_of_hinge().length(), [&] { return size(Vector<T>(find())); });
+  void put_hinge(Ledger<T>& ledger, const Find& find) const {
+    const VectorQuantity R = reaction_of_hinge(of);
+    ledger.put(R.x(), [&] { return Vector<T>(find()).x; });
+    ledger.put(R.y(), [&] { return Vector<T>(find()).y; });
+    ledger.put(R.length(), [&] { return size(Vector<T>(find())); });
   }
   template <class T, class Forces>
   void put_forces(Ledger<T>& ledger, const Forces& forces) const {
@@ -141,11 +157,14 @@ struct Routes {
   Plan<T> plan() const {
     std::vector<geometry::Line<T>> lines;
     std::vector<Vector<T>> outside(2);
-    for (std::size_t k = 0; k < of.loads(); ++k) {
+    for (std::size_t k = 0; k < of.loads.size(); ++k) {
       outside.push_back(load<T>(k));
-      lines.push_back(geometry::line(joint<T>(of.truss.outside[k + 2]), outside.back()));
+      lines.push_back(geometry::line(joint<T>(of.loads[k].joint), outside.back()));
     }
-    Plan<T> found{geometry::support_reactions<T>(lines, joint<T>(0), {joint<T>(1), along_roller<T>()}), {}, {}};
+    Plan<T> found{
+        geometry::support_reactions<T>(lines, joint<T>(of.hinge()), {joint<T>(of.roller_at()), along_roller<T>()}),
+        {},
+        {}};
     outside[0] = found.reactions.hinge;
     outside[1] = found.reactions.roller;
     found.regions = geometry::cremona_plan<T>(of.truss, of.bow, outside);
@@ -158,7 +177,7 @@ struct Routes {
   void by_plan(Ledger<T>& ledger) const {
     const auto found = once([this] { return plan<T>(); });
     put_hinge(ledger, [found] { return found().reactions.hinge; });
-    ledger.put(reaction_of_roller(), [&] { return geometry::dot(found().reactions.roller, along_roller<T>()); });
+    ledger.put(reaction_of_roller(of), [&] { return geometry::dot(found().reactions.roller, along_roller<T>()); });
     put_forces(ledger, once([this, found] {
                  std::vector<T> forces;
                  for (std::size_t i = 0; i < of.bars(); ++i)
@@ -173,7 +192,7 @@ struct Routes {
     });
     for (std::size_t r = 0; r < of.bow.regions(); ++r)
       ledger.draws_point("region_" + std::to_string(r), [&, r] { return found().regions[r]; });
-    for (std::size_t k = 0; k < of.loads(); ++k) ledger.draws_vector("load_" + std::to_string(k), load<T>(k));
+    for (std::size_t k = 0; k < of.loads.size(); ++k) ledger.draws_vector("load_" + std::to_string(k), load<T>(k));
     ledger.draws_point("roller", [&] { return Point<T>{T(0), T(0)} + found().reactions.roller; });
   }
 
@@ -184,12 +203,12 @@ struct Routes {
     for (const auto& J : of.truss.joints) joints.push_back({number<T>(J.x), number<T>(J.y)});
     geometry::analytic::TrussEquations<T> equations(joints);
     for (const geometry::TrussBar& bar : of.truss.bars) equations.bar(bar.from, bar.to);
-    equations.support(0, {T(1), T(0)});
-    equations.support(0, {T(0), T(1)});
-    equations.support(1, {geometry::cosine<T>(of.roller), geometry::sine<T>(of.roller)});
-    for (std::size_t k = 0; k < of.loads(); ++k) {
+    equations.support(of.hinge(), {T(1), T(0)});
+    equations.support(of.hinge(), {T(0), T(1)});
+    equations.support(of.roller_at(), {geometry::cosine<T>(of.roller), geometry::sine<T>(of.roller)});
+    for (std::size_t k = 0; k < of.loads.size(); ++k) {
       const Vector<T> f = load<T>(k);
-      equations.load(of.truss.outside[k + 2], {f.x, f.y});
+      equations.load(of.loads[k].joint, {f.x, f.y});
     }
     return equations.solve();
   }
@@ -200,7 +219,7 @@ struct Routes {
     const auto found = once([this] { return solved<T>(); });
     const auto reaction = [this, found](std::size_t component) { return found()[of.bars() + component]; };
     put_hinge(ledger, [reaction] { return Vector<T>{reaction(0), reaction(1)}; });
-    ledger.put(reaction_of_roller(), [&] { return reaction(2); });
+    ledger.put(reaction_of_roller(of), [&] { return reaction(2); });
     put_forces(ledger, once([this, found] {
                  std::vector<T> forces;
                  for (std::size_t i = 0; i < of.bars(); ++i)
@@ -208,17 +227,15 @@ struct Routes {
                  return forces;
                }));
     ledger.put(sum_of_forces_times_lengths(), [&] {
-      const Point<T> B = joint<T>(1);
-      const Vector<T> u = along_roller<T>();
-      T sum = reaction(2) * (B.x * u.x + B.y * u.y);
-      for (std::size_t k = 0; k < of.loads(); ++k) {
-        const Point<T> J = joint<T>(of.truss.outside[k + 2]);
-        const Vector<T> f = load<T>(k);
-        sum = sum + J.x * f.x + J.y * f.y;
+      // From the hinge: its own force has no part in it.
+      const Point<T> A = joint<T>(of.hinge());
+      T sum = reaction(2) * geometry::dot(joint<T>(of.roller_at()) - A, along_roller<T>());
+      for (std::size_t k = 0; k < of.loads.size(); ++k) {
+        sum = sum + geometry::dot(joint<T>(of.loads[k].joint) - A, load<T>(k));
       }
       return sum;
     });
   }
 };
 
-}  // namespace epure::truss
+}  // namespace epure::trusses
