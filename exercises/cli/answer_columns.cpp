@@ -40,12 +40,27 @@ bool is_of_no_account(const std::string& head) {
   return std::find(names.begin(), names.end(), lower_case(head)) != names.end();
 }
 
-// Letters and digits alone: "vB" and "v_B" as "vb".
+// Lowered digits as digits: "ω₃" as "ω3".
+std::string raised(std::string letters) {
+  const std::string before = "\xE2\x82";  // U+2080 and the nine after it
+  for (auto at = letters.find(before); at != std::string::npos; at = letters.find(before, at + 1)) {
+    const auto digit = at + 2 < letters.size() ? static_cast<unsigned char>(letters[at + 2]) - 0x80 : -1;
+    if (digit >= 0 && digit <= 9) letters.replace(at, 3, 1, static_cast<char>('0' + digit));
+  }
+  return letters;
+}
+
+// Letters and digits alone: "vB" and "v_B" as "vb", "ω₃" and "ω_3" as "ω3".
 std::string bones(const std::string& name) {
   std::string all;
-  for (const char c : lower_case(name))
+  for (const char c : lower_case(raised(name)))
     if (static_cast<unsigned char>(c) >= 0x80 || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) all += c;
   return all;
+}
+
+// "distanza P0A" has the name in it. (A lone letter is a word of its own in many a heading.)
+bool has_word(const std::string& head, const std::string& name) {
+  return name.size() > 2 && (" " + head + " ").find(" " + name + " ") != std::string::npos;
 }
 
 // "v_B misurata" begins with v_B, "number" does not begin with n.
@@ -130,7 +145,10 @@ class ColumnReader {
     for (const Quantity& each : about_.quantities) known.push_back(each.name);
     for (const GivenSpec& each : about_.givens) known.push_back(each.symbol);
     for (const std::string& each : known)
-      if (bones(each) == bones(name) || begins_with(name, each)) meant.push_back(each);
+      if (bones(each) == bones(name) || begins_with(name, each) || has_word(name, each)) meant.push_back(each);
+    if (meant.empty())
+      for (const auto& [each, letters] : quantity_names_)
+        if (bones(letters) == bones(name)) meant.push_back(each);
     if (meant.empty()) meant = near_names(name, known);
     if (meant.empty()) return;
     const Words what_to_do =

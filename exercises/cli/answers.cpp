@@ -1,6 +1,7 @@
 #include "exercises/cli/answers.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "exercises/cli/answer_columns.h"
@@ -18,6 +19,14 @@ std::string trimmed(std::string_view text) {
   while (text.starts_with(' ')) text.remove_prefix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);
   return std::string(text);
+}
+
+// What stands for no answer: nothing, dashes, "n.d.", "don't know".
+bool says_nothing(const std::string& answer) {
+  static const std::array<std::string_view, 12> words{"-", "--",   "---", "–",   "—",      "/",
+                                                      "?", "n.d.", "nd",  "n/a", "non so", "don't know"};
+  const std::string said = lower_case(trimmed(answer));
+  return said.empty() || std::find(words.begin(), words.end(), said) != words.end();
 }
 
 // The givens of a row; a remark, and none, when they cannot be.
@@ -230,7 +239,8 @@ Answers read_answers(const Exercise& exercise, const CsvTable& answers, const Cs
       set_row(student, columns.givens, row, otherwise);
     }
     read_scales(student, columns.scales, row);
-    for (const AskedColumn& each : columns.quantities) student.answers.push_back(each.text(row));
+    for (const AskedColumn& each : columns.quantities)
+      student.answers.push_back(says_nothing(row.cells[each.column]) ? "" : each.text(row));
     all.students.push_back(std::move(student));
   }
   if (!columns.left_out.empty()) all.remarks.push_back(left_out(columns.left_out, answers.file, exercise.about().id));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "drawings/output.h"
 #include "exercises/cli/mark_report.h"
@@ -105,9 +106,34 @@ void demand_use_of_key(const Answers& answers, const Marking& marking) {
                               told->remarks.front()));
 }
 
+// Who has drawn and measured is right more often than not; a whole class that is not has other givens.
+std::optional<Words> doubt_in_givens(const Marking& marking, bool has_key) {
+  std::size_t right = 0, answered = 0;
+  for (const MarkedStudent& student : marking.students)
+    for (const Mark& each : student.marks) {
+      right += each.kind == Mark::right ? 1 : 0;
+      answered += each.kind == Mark::none || each.kind == Mark::not_marked ? 0 : 1;
+    }
+  constexpr std::size_t a_class = 20;  // answers; a few may well be wrong
+  if (answered < a_class || 2 * right >= answered) return {};
+  return has_key ? format_words(
+                       "only {} of {} answers are right: is it the key of the sheets that were handed out "
+                       "(the same --seed, --vary and --set)?",
+                       "solo {} risposte su {} sono giuste: è la chiave delle tavole distribuite (stessi "
+                       "--seed, --vary e --set)?",
+                       right, answered)
+                 : format_words(
+                       "only {} of {} answers are right: are the givens those of the sheets that were handed "
+                       "out (--key, --set)?",
+                       "solo {} risposte su {} sono giuste: i dati sono quelli delle tavole distribuite (--key, "
+                       "--set)?",
+                       right, answered);
+}
+
 // What is to be said beside the marks: of the tables, a key that does not fit, once, and what is undecided, each.
-std::vector<Words> remarks_on(const Answers& answers, const Marking& marking) {
+std::vector<Words> remarks_on(const Answers& answers, const Marking& marking, bool has_key) {
   std::vector<Words> remarks = answers.remarks;
+  if (const auto doubt = doubt_in_givens(marking, has_key)) remarks.push_back(*doubt);
   if (!marking.other_key.empty()) remarks.push_back(other_key(marking));
   for (const Words& each : marking.undecided)
     remarks.push_back(format_words("cannot be decided: {}", "non si può decidere: {}", each));
@@ -142,9 +168,10 @@ Outcome mark(const Catalogue& exercises, const Options& options) {
   const std::string text = as_csv ? mark_csv(answers, marking, rules, style, reader.language)
                                   : mark_report(exercise, answers, marking, reader);
   const Exit exit = marking.undecided.empty() ? Exit::success : Exit::undecided;
-  if (!options.file || is_standard_output(options)) return {text, exit, remarks_on(answers, marking)};
+  if (!options.file || is_standard_output(options))
+    return {text, exit, remarks_on(answers, marking, key.has_value())};
   drawings::write_whole(*options.file, text);
-  return {*options.file + "\n", exit, remarks_on(answers, marking)};
+  return {*options.file + "\n", exit, remarks_on(answers, marking, key.has_value())};
 }
 
 }  // namespace epure

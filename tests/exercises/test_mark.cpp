@@ -322,12 +322,35 @@ TEST_CASE("a column that is no quantity costs itself, one that nearly is one is 
                                     {"cx", "c_x"},
                                     {"angel (rad)", "angle"},
                                     {"omega misurata", "omega"},
+                                    {"velocità omega letta", "omega"},
                                     {"c (letto) e poi", "c"}})
     refused_marking("c_y;" + std::string(head) + "\n1;1\n",
                     "is no quantity and no given of triangle; did you mean " + std::string(meant) + "?");
   // Units in parentheses, as sweep writes them.
   CHECK(cell_of("c (cm)\n51\n", "c verdict") == "right");
   CHECK(cell_of("c;;\n0,51;;\n", "c verdict") == "right");  // columns that a spreadsheet adds
+}
+
+TEST_CASE("what stands for no answer is none") {
+  const Scratch scratch;
+  for (const char* nothing : {"-", " — ", "/", "?", "n.d.", "Non so", "don't know"})
+    CHECK(cell_of("c;omega\n" + std::string(nothing) + ";-2,5\n", "c verdict") == "none");
+  CHECK(cell_of("c;omega\nboh;-2,5\n", "c verdict") == "wrong");
+}
+
+// Whose answers are mostly wrong has other givens, by all appearance; a few wrong ones say nothing.
+TEST_CASE("a class that is mostly wrong is told of") {
+  const Scratch scratch;
+  const auto of = [](int right, int wrong) {
+    std::string answers = "number;c\n";
+    for (int i = 0; i < right + wrong; ++i) answers += std::to_string(i + 1) + (i < right ? ";0,5\n" : ";0,3\n");
+    return marked(answers);
+  };
+  CHECK(of(9, 11).err ==
+        "epure: only 9 of 20 answers are right: are the givens those of the sheets that were handed out (--key, "
+        "--set)?\n");
+  CHECK(of(10, 10).err.empty());
+  CHECK(of(0, 19).err.empty());
 }
 
 TEST_CASE("numbers and units as people write them") {
