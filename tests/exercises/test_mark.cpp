@@ -334,7 +334,7 @@ TEST_CASE("a column that is no quantity costs itself, one that nearly is one is 
 TEST_CASE("what stands for no answer is none") {
   const Scratch scratch;
   for (const char* nothing : {"-", " — ", "/", "?", "n.d.", "Non so", "don't know"})
-    CHECK(cell_of("c;omega\n" + std::string(nothing) + ";-2,5\n", "c verdict") == "none");
+    CHECK(cell_of("c;omega\n" + std::string(nothing) + ";-2,5\n", "c verdict") == "no answer");
   CHECK(cell_of("c;omega\nboh;-2,5\n", "c verdict") == "wrong");
 }
 
