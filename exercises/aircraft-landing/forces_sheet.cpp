@@ -1,6 +1,7 @@
 // The forces on aircraft and wheel at touch-down, and after the wheel has taken hold.
 #include "exercises/aircraft-landing/landing.h"
 #include "exercises/aircraft-landing/sheets.h"
+#include "exercises/kit/panels/chained_polygons_panel.h"
 #include "exercises/kit/panels/polygon_panel.h"
 #include "exercises/kit/panels/sheet.h"
 
@@ -54,8 +55,14 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
                                                "|$\\it{F}'$| ≤ $f_{a}\\it{N}$: la ruota aderisce."}
                                        : Words{"|$\\it{F}'$| > $f_{a}\\it{N}$: the wheel does not adhere.",
                                                "|$\\it{F}'$| > $f_{a}\\it{N}$: la ruota non aderisce."};
-  return {.panels = panels(PolygonPanel(s, around(s, "1", "v_0", "N_0", "F_0", "a_0", "")),
-                           PolygonPanel(s, around(s, "2", "v_s", "N_s", "F_after", "a_after", "'"))),
+  ChainedPolygonsPanel rolling(around(s, "2", "v_s", "N_s", "F_after", "a_after", "'"));
+  rolling.likewise(
+      {"Once the wheel rolls, likewise, with the friction $\\vec{\\it{F}}'$ that keeps it in step and the "
+       "acceleration $\\vec{a}'$.",
+       "Quando la ruota rotola, allo stesso modo, con l'attrito $\\vec{\\it{F}}'$ che la tiene al passo e "
+       "l'accelerazione $\\vec{a}'$."},
+      {0, 0});
+  return {.panels = panels(PolygonPanel(s, around(s, "1", "v_0", "N_0", "F_0", "a_0", "")), rolling),
           .results = {values({"F_x_0", "F_y_0"}), values({"N_0", "F_0"}), values({"a_0", "omega_dot_0"}),
                       remark(moments.in(language)), values({"N_s", "F_after"}), values({"a_after", "F_after_over_N"}),
                       values({"u"}), remark(grip.in(language))},

@@ -1,12 +1,10 @@
 #include "exercises/aircraft-landing/landing.h"
 
-#include "exercises/kit/statement/given_number.h"
-
 #include <cmath>
 
-namespace epure::aircraft_landing {
-namespace {}  // namespace
+#include "exercises/kit/statement/given_number.h"
 
+namespace epure::aircraft_landing {
 std::vector<GivenSpec> given_specs() {
   return {{"v_0", {"speed at touch-down", "velocità al contatto"}, "km/h", "250", Range::positive, "$v_{0}$"},
           {"m_a", {"mass of the aircraft", "massa dell'aereo"}, "kg", "9000", Range::positive, "$m_{a}$"},

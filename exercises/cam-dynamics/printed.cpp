@@ -22,6 +22,14 @@ double rest_along_AB() {
   return fast * fast * drawn_A0B() * std::cos(lean) + fast_v_B32 * fast_v_B32 / AB - 2 * fast * fast_v_B32;
 }
 
+// v_B32 of the drawn position: A₀ from P₂₃ to B, square to AB.
+double read_short() {
+  const double angle = 21 * M_PI / 180, x_A = 0.03 * std::cos(angle), y_A = 0.03 * std::sin(angle), x = 0.0486,
+               y = y_A + std::sqrt(AB * AB - (x - x_A) * (x - x_A)), P23 = x_A - y_A * (x - x_A) / (y - y_A);
+  const double true_speed = 2 * M_PI * 350 / 60 * std::hypot(x - P23, y), mm = 6.11 / 80;
+  return true_speed - mm / 3;
+}
+
 Explanation chain(const std::string& english, const std::string& italian, double value) {
   return {{english, italian}, [value] { return value; }};
 }
@@ -83,7 +91,13 @@ std::vector<Printed> printed_by_the_source() {
        Explanation{{"36.65 was cut off, not rounded", "36,65 è stato troncato, non arrotondato"}, speed_cut_off}},
       {lift + "v_B3", "0.98", polar, 0, Explanation{drawn_again, [] { return 7 * v_B3; }}},
       {lift + "v_B2", "6.11", polar, 0, Explanation{drawn_again, [] { return 2 * M_PI * 350 / 60 * drawn_A0B(); }}},
-      {lift + "v_B32", "5.87", polar},
+      {lift + "v_B32", "5.87", polar, 0,
+       Explanation{
+           drawn_again + Words{". There it is 5.90 m/s, read a third of a millimetre short where 6.11 m/s are "
+                               "80 mm",
+                               ". Lì vale 5,90 m/s, letta un terzo di millimetro in meno dove 6,11 m/s sono "
+                               "80 mm"},
+           read_short}},
       {lift + "a_B3", "20", polar, 0,
        Explanation{
            drawn_again + Words{" (a conjecture: with the printed speeds what closes it along AB is 20.4)",

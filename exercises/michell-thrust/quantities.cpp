@@ -50,4 +50,30 @@ Quantity quantity(const std::string& name) {
   return {name, kind.symbol, kind.unit, kind.meaning};
 }
 
+Quantity on_the_chord(const std::string& name) {
+  static const std::map<std::string, std::string> symbols{{"n", "$n_{c}$"},
+                                                          {"A", "$\\it{A}_{c}$"},
+                                                          {"A_n_minus_1_squared", "$\\it{A}_{c}$($n_{c}$ − 1)$^{2}$"},
+                                                          {"k", "$k_{c}$"},
+                                                          {"h_2", "$h_{2c}$"},
+                                                          {"h_1", "$h_{1c}$"},
+                                                          {"alpha", "$α_{c}$"},
+                                                          {"alpha_deg", "$α_{c}$"},
+                                                          {"f_m", "$f_{mc}$"},
+                                                          {"T", "$\\it{T}_{c}$"},
+                                                          {"T_p", "$\\it{T}_{pc}$"},
+                                                          {"M", "$\\it{M}_{c}$"},
+                                                          {"dissipated_power", "$\\it{W}_{c}$"}};
+  Quantity of = quantity(name);
+  if (const auto found = symbols.find(name); found != symbols.end()) of.symbol = found->second;
+  return of;
+}
+
+Quantity of_infinite_width(const std::string& name) {
+  Quantity of = on_the_chord(name);
+  if (name == "h_2") of.symbol = "$h_{2∞}$";
+  if (name == "h_1") of.symbol = "$h_{1∞}$";
+  return of;
+}
+
 }  // namespace epure::michell_thrust

@@ -103,7 +103,8 @@ struct Routes {
   template <class T>
   struct Put {
     Ledger<T>& ledger;
-    void operator()(const char* name, const std::function<T()>& find) const { ledger.put(quantity(name), find); }
+    Quantity (*described)(const std::string&) = quantity;
+    void operator()(const char* name, const std::function<T()>& find) const { ledger.put(described(name), find); }
   };
 
   // The load on a width, with or without leakage in the friction.
@@ -157,7 +158,7 @@ struct Routes {
 
   template <class T>
   void as_the_source_goes(Ledger<T>& ledger, const Bearing<T>& at) const {
-    const Put<T> put{ledger};
+    const Put<T> put{ledger, on_the_chord};
     const Coefficients<T> table = by_chord<T>(of);
     const T b_eff = at.c * at.b, N = quotient(at.N_p, b_eff);
     put("R_m", [&] { return at.R; });
@@ -178,14 +179,14 @@ struct Routes {
     put("x_N", [&] { return number<T>(of.centre) * at.l; });
     put("c_prime", [&] { return at.c_prime; });
     const auto film = [&](const T& load) { return at.l * root(quotient(table.A() * at.mu * at.v, load)); };
-    const auto films = [&](const T& load) {
+    const auto films = [&](const Put<T>& put_all, const T& load) {
       put_films<T>(
-          put, at, [=] { return film(load); }, [=] { return table.n() * film(load); }, Angles::whole);
+          put_all, at, [=] { return film(load); }, [=] { return table.n() * film(load); }, Angles::whole);
     };
-    films(N);
+    films(put, N);
     put_friction<T>(put, at, {b_eff, at.c_prime}, table.k);
     begin_without_leakage(ledger);
-    films(quotient(at.N_p, at.b));
+    films({ledger, of_infinite_width}, quotient(at.N_p, at.b));
     put_friction<T>(put, at, {at.b, T(1)}, table.k);
     begin_nominal(ledger);
     put_friction<T>(put, at, {at.b, at.c_prime}, table.k);
@@ -195,7 +196,7 @@ struct Routes {
   template <class T>
   void by_power(Ledger<T>& ledger, const Bearing<T>& at) const {
     ledger.route("power balance");
-    const Put<T> put{ledger};
+    const Put<T> put{ledger, on_the_chord};
     const Coefficients<T> table = by_weights<T>(of);
     const Rational outer = of.D_e / 2, inner = of.D_i / 2, mean = inner + (outer - inner) / 2;
     const T circle = T(2) * Bearing<T>::round() * number<T>(mean), b = number<T>(outer - inner);
@@ -229,15 +230,15 @@ struct Routes {
     put("k", table.k);
     put("x_N", [&] { return number<T>(of.centre / of.pads) * (circle - at.z * number<T>(of.d)); });
     put("c_prime", [&] { return root(T(1) + quotient(T(4) * l(), b)); });
-    const auto films = [&](const T& width) {
+    const auto films = [&](const Put<T>& put_all, const T& width) {
       const auto h_2 = [=] { return root(quotient(table.A() * at.mu * at.v * square(at.l) * width, at.N_p)); };
       put_films<T>(
-          put, at, h_2, [=] { return h_2() + (table.n() - T(1)) * h_2(); }, Angles::halves);
+          put_all, at, h_2, [=] { return h_2() + (table.n() - T(1)) * h_2(); }, Angles::halves);
     };
-    films(b_eff);
+    films(put, b_eff);
     put_friction_by_power<T>(put, at, {b_eff, at.c_prime}, table.k);
     begin_without_leakage(ledger);
-    films(b);
+    films({ledger, of_infinite_width}, b);
     put_friction_by_power<T>(put, at, {b, T(1)}, table.k);
     begin_nominal(ledger);
     put_friction_by_power<T>(put, at, {b, at.c_prime}, table.k);

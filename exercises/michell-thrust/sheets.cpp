@@ -93,7 +93,7 @@ PanelSheet coefficients_sheet(const Solution& s, Language language) {
                       language)}},
                  {{"By the theory", "Secondo la teoria"},
                   {table({"$n$", "$\\it{A}$", "$\\it{A}$($n$−1)$^{2}$", "$x_{N}$/$l$", "$k$"}, exact)}}},
-      .results = {told({"On the chord of the table:", "Sulla corda della tabella:"}, language),
+      .results = {told({"On the chord of the table ($c$):", "Sulla corda della tabella ($c$):"}, language),
                   values({"n", "A", "k"}), told({"By the theory:", "Secondo la teoria:"}, language),
                   values({"theory.n", "theory.A", "theory.k"})},
       .seen = {"Place of the load, A and k against n, with the points of the source's table",
