@@ -10,6 +10,8 @@ namespace epure::scenes {
 namespace {
 
 constexpr double letters_around = 9;  // mm
+constexpr double axis_arrow = 8;      // mm, of the two arrows at the origin
+constexpr Place plane_origin{0, 0};   // of the axes of link 1, in which coordinates are told
 
 std::optional<Arrow2> direction_of(const std::pair<OnLine, OnLine>& line) {
   const auto& [one, other] = line;
@@ -36,7 +38,23 @@ drawings::Box CentresPanel::extent_within(double reaches, const Scale& lengths) 
   for (const DrawnCentre& centre : centres_)
     if (centre.at && distance(mechanism_->corners().front(), *centre.at) < reaches * mechanism_->reach())
       extent.include(lengths, *centre.at, letters_around);
+  if (shows_axes() && distance(mechanism_->corners().front(), plane_origin) < reaches * mechanism_->reach())
+    extent.include(lengths, plane_origin, axis_arrow + letters_around);
   return extent.box();
+}
+
+bool CentresPanel::shows_axes() const {
+  const std::vector<Place> corners = mechanism_->corners();
+  return std::none_of(corners.begin(), corners.end(), [](const Place& P) { return P.x == 0 && P.y == 0; });
+}
+
+void CentresPanel::draw_axes(Plot& plot, const drawings::Box& room) const {
+  if (!shows_axes() || !is_in(room, plot, plane_origin)) return;
+  const double far = axis_arrow / plot.scale().mm_per_unit;
+  for (const auto& [tip, letters] : {std::pair(Place{far, 0}, "$x$"), std::pair(Place{0, far}, "$y$")}) {
+    plot.mark(drawings::Arrow{plot.at(plane_origin), plot.at(tip), Meaning::dimension, {}});
+    plot.label(letters, tip, plane_origin);
+  }
 }
 
 // Through what of the line lies on the sheet, a little beyond; towards the centre where that is off it.
@@ -74,6 +92,7 @@ void CentresPanel::draw_earlier(Plot& plot, const drawings::Box& room) const {
 std::vector<drawings::Block> CentresPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   for (const DrawnCentre& centre : centres_)
     for (const auto& line : centre.lines) draw_line(plot, room, centre, line, language);
+  draw_axes(plot, room);
   mechanism_->draw(plot);
   draw_earlier(plot, room);
   const Place from = mechanism_->corners().front();  // of a list that does not stay
@@ -81,7 +100,7 @@ std::vector<drawings::Block> CentresPanel::draw(Plot& plot, const drawings::Box&
     if (!centre.at || !is_in(room, plot, *centre.at)) continue;
     plot.cross(*centre.at);
     plot.label(centre.letters, *centre.at, from, Meaning::locus);
-    plot.measures_coordinates(centre.quantity, *centre.at, from);
+    plot.measures_coordinates(centre.quantity, *centre.at, plane_origin);
   }
   return {};
 }

@@ -35,7 +35,10 @@ class CentresPanel : public Panel {
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
-  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
+  void draw_given(Plot& plot, const drawings::Box& room, Language) const override {
+    draw_axes(plot, room);
+    mechanism_->draw_given(plot);
+  }
   std::vector<double> crossings() const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
@@ -44,6 +47,9 @@ class CentresPanel : public Panel {
   drawings::Box extent_within(double reaches, const Scale& lengths) const;
   void draw_line(Plot& plot, const drawings::Box& room, const DrawnCentre& centre,
                  const std::pair<OnLine, OnLine>& line, Language language) const;
+  // Where coordinates count from no point of the mechanism, which marks it anyway.
+  bool shows_axes() const;
+  void draw_axes(Plot& plot, const drawings::Box& room) const;
   // What the lines start from and another sheet found.
   void draw_earlier(Plot& plot, const drawings::Box& room) const;
 

@@ -30,18 +30,23 @@ class CentresOfScene {
   }
   // "P₁₂ = A₀, P₂₃ = A: hinges. P₁₄ at infinity, square to g."
   Words joints() const {
-    std::string hinges;
+    std::string hinges, wheels;
     Words slides;
     for (const PermanentCentre& centre : plan_.permanent) {
       if (!is_link(centre.i) || !is_link(centre.j)) continue;
       if (centre.point != geometry::nothing)
         hinges += (hinges.empty() ? "" : ", ") + letters(centre.i, centre.j) + " = " + point(centre.point);
+      else if (centre.gear != geometry::nothing)
+        wheels += (wheels.empty() ? "" : ", ") + letters(centre.i, centre.j);
       else
         slides = slides + " " +
                  format_words("{} is at infinity, ⊥ ${}$.", "{} è all'infinito, ⊥ ${}$.", letters(centre.i, centre.j),
                               point_letters(built_.letters.lines[index(centre.line)]));
     }
-    return (hinges.empty() ? Words{} : Words{hinges + ".", hinges + "."}) + slides;
+    const Words touching = wheels.empty()
+                               ? Words{}
+                               : format_words(" {} where the wheels touch.", " {} dove le ruote si toccano.", wheels);
+    return (hinges.empty() ? Words{} : Words{hinges + ".", hinges + "."}) + touching + slides;
   }
 
  private:
@@ -56,7 +61,7 @@ class CentresOfScene {
   }
 
   OnLine on_line(int i, int j) const {
-    if (const PermanentCentre* joint = plan_.permanent_of(i, j)) {
+    if (const PermanentCentre* joint = plan_.permanent_of(i, j); joint && joint->gear == geometry::nothing) {
       if (joint->point != geometry::nothing) return {{}, s_.place(built_.letters.points[index(joint->point)]), {}};
       return {{}, {}, geometry::quarter_turn(s_.vector("along_" + built_.letters.lines[index(joint->line)]))};
     }
@@ -67,7 +72,7 @@ class CentresOfScene {
   Words line_in_words(int i, int k, int j) const {
     const PermanentCentre *first = plan_.permanent_of(i, k), *second = plan_.permanent_of(k, j);
     for (const auto& [slide, other, body] : {std::tuple(first, second, j), {second, first, i}}) {
-      if (!slide || slide->line == geometry::nothing || (other && other->line != geometry::nothing)) continue;
+      if (!slide || slide->line == geometry::nothing || (other && other->point == geometry::nothing)) continue;
       return format_words("the line ⊥ ${}$ through {}", "la retta ⊥ ${}$ per {}",
                           point_letters(built_.letters.lines[index(slide->line)]),
                           other ? point(other->point) : letters(k, body));

@@ -177,10 +177,23 @@ class Writer {
       if (const auto O = pivot(link)) return std::pair{link, *O};
     return {};
   }
-  const TurnedLink* turned_by_drive(int link) const {
-    for (const Drive& drive : linkage().drives)
-      if (const auto* turned = std::get_if<TurnedLink>(&drive); turned && turned->link == link) return turned;
-    return nullptr;
+  // Whether the turning of a link grows; none where neither a drive nor gears turn it.
+  std::optional<bool> speeds_up(int link) const {
+    const auto grows = [&](std::size_t drive) {
+      const auto* turned = std::get_if<TurnedLink>(&linkage().drives[drive]);
+      return turned && !is_zero(turned->alpha);
+    };
+    for (std::size_t k = 0; k < linkage().drives.size(); ++k)
+      if (const auto* turned = std::get_if<TurnedLink>(&linkage().drives[k]); turned && turned->link == link)
+        return grows(k);
+    for (const Step& step : built_.steps)
+      if (const auto* wheel = std::get_if<GearedWheel>(&step); wheel && wheel->link == link) {
+        bool any = false;
+        for (std::size_t k = 0; k < linkage().drives.size(); ++k)
+          any = any || (wheel->turn.times[k] != 0 && grows(k));
+        return any;
+      }
+    return {};
   }
 
   // --- what is known of a pin ------------------------------------------------------------------------------------
@@ -191,14 +204,13 @@ class Writer {
       const auto [link, O] = *turning;
       const std::string rod = "$" + letters(O) + letters(P) + "$";
       chain.v.push_back({velocity(name(P)), "⊥ " + rod, "|" + omega(link) + "|·" + rod, tip(P)});
-      const TurnedLink* drive = turned_by_drive(link);
-      if (drive) {
-        const bool speeds_up = !is_zero(drive->alpha);
+      if (const auto known = speeds_up(link)) {
+        const bool grows = *known;
         chain.a.push_back({of_.relative(P, O, false, Part::normal), "∥ $" + letters(P) + letters(O) + "$",
-                           omega_squared(link) + "·" + rod, speeds_up ? "" : tip(P),
+                           omega_squared(link) + "·" + rod, grows ? "" : tip(P),
                            VectorSource{.kind = Source::rod_normal, .point = P, .link = link, .about = O}});
-        Term tangential{of_.relative(P, O, false, Part::tangential), speeds_up ? "⊥ " + rod : "–",
-                        speeds_up ? "|" + alpha(link) + "|·" + rod : "0", tip(P),
+        Term tangential{of_.relative(P, O, false, Part::tangential), grows ? "⊥ " + rod : "–",
+                        grows ? "|" + alpha(link) + "|·" + rod : "0", tip(P),
                         VectorSource{.kind = Source::rod_tangential, .point = P, .link = link, .about = O}};
         tangential.is_square = true;
         chain.a.push_back(std::move(tangential));
@@ -316,8 +328,8 @@ class Writer {
     chain.v.push_back({of_.on_link(X, j, true), "⊥ " + rod, "|" + omega(j) + "|·" + rod, end, v});
     chain.a.push_back({of_.on_link(X, j, false, Part::normal), "∥ " + back, omega_squared(j) + "·" + rod, "",
                        VectorSource{.kind = Source::rod_normal, .point = X, .link = j, .about = *O}});
-    const TurnedLink* drive = turned_by_drive(j);
-    const bool is_none = drive && is_zero(drive->alpha);
+    const auto grows = speeds_up(j);
+    const bool is_none = grows && !*grows;
     if (is_none) chain.a.back().tip = end;
     chain.a.push_back({of_.on_link(X, j, false, Part::tangential), is_none ? "–" : "⊥ " + rod,
                        is_none ? "0" : "|" + alpha(j) + "|·" + rod, end,
@@ -493,6 +505,7 @@ class Writer {
     return written;
   }
   static Found write(const TurnedCrank&) { return {}; }
+  static Found write(const GearedWheel&) { return {}; }
   static Found write(const SlidPin&) { return {}; }
   static Found write(const SlidBlock&) { return {}; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
@@ -10,6 +11,7 @@
 #include "exercises/scenes/greek.h"
 #include "exercises/scenes/refusals.h"
 #include "exercises/scenes/scene_routes.h"
+#include "geometry/linkages/every_place.h"
 
 namespace epure::scenes {
 namespace {
@@ -46,11 +48,15 @@ class Building {
     links();
     demand_no_centres();
     slides();
+    gears();
     drives();
     assembly();
     offsets();
+    paths();
     demand_near_origin();
     place();
+    built_.linkage = with_sides_in_full(std::move(built_.linkage), built_.steps);
+    demand_paths_end();
     return std::move(built_);
   }
 
@@ -281,6 +287,85 @@ class Building {
                             "{} e {} sono di uno stesso membro: lì nulla scorre", what, guide));
   }
 
+  // gears: [{wheels: 1 3, on: 2, teeth: [60, 20], inside: yes}].
+  void gears() {
+    const Tree* all = root_.find("gears");
+    if (!all) return;
+    const Words what{"gears: [{wheels: 2 4, on: 1, teeth: [20, 40]}]",
+                     "gears: [{wheels: 2 4, on: 1, teeth: [20, 40]}]"};
+    file_.demand(*all, Tree::Kind::list, what);
+    for (const Tree& item : all->items) {
+      file_.map(item, what);
+      file_.demand_keys(item, {"wheels", "on", "teeth", "inside", "phase"});
+      built_.linkage.gears.push_back(gear(item, what));
+    }
+  }
+  GearPair gear(const Tree& at, const Words& what) const {
+    const Tree &wheels = demand(at, "wheels"), &on = demand(at, "on"), &teeth = demand(at, "teeth");
+    const std::vector<std::string> both = parted(file_.text(wheels, what));
+    if (both.size() != 2)
+      refuse(wheels, {"two links mesh, as in  wheels: 2 4", "ingranano due membri, come in  wheels: 2 4"});
+    GearPair gear{link_of_number(wheels, both[0]), link_of_number(wheels, both[1]),
+                  link_of_number(on, file_.text(on, what)), 1, 1};
+    if (gear.first == gear.second || gear.first == gear.carrier || gear.second == gear.carrier)
+      refuse(wheels, {"two wheels and the link that carries them are three links",
+                      "due ruote e il membro che le porta sono tre membri"});
+    for (const int wheel : {gear.first, gear.second})
+      if (built_.linkage.hinge_of(wheel, gear.carrier) == nothing)
+        refuse(on, format_words("links {} and {} have no hinge: what carries a wheel has its centre",
+                                "i membri {} e {} non hanno una cerniera: chi porta una ruota ne ha il centro",
+                                built_.letters.links[static_cast<std::size_t>(wheel)],
+                                built_.letters.links[static_cast<std::size_t>(gear.carrier)]));
+    if (built_.linkage.hinge_of(gear.first, gear.carrier) == built_.linkage.hinge_of(gear.second, gear.carrier))
+      refuse(on, {"the two wheels have one centre", "le due ruote hanno un solo centro"});
+    std::tie(gear.first_teeth, gear.second_teeth) = sizes(teeth);
+    gear.is_inside = is_inside(at);
+    if (gear.is_inside && gear.first_teeth == gear.second_teeth)
+      refuse(teeth,
+             {"of two wheels as large none lies inside the other", "di due ruote uguali nessuna sta dentro l'altra"});
+    gear.phase = turning(at, "phase", Kind::angle);
+    return gear;
+  }
+  int link_of_number(const Tree& at, const std::string& number) const {
+    const auto& links = built_.letters.links;
+    const auto found =
+        std::find_if(links.begin(), links.end(), [&](int link) { return std::to_string(link) == number; });
+    if (found == links.end()) refuse(at, format_words("there is no link {}", "non c'è un membro {}", number));
+    return static_cast<int>(found - links.begin());
+  }
+  // Numbers of teeth, or two radii.
+  std::pair<Rational, Rational> sizes(const Tree& teeth) const {
+    if (teeth.kind != Tree::Kind::list || teeth.items.size() != 2)
+      refuse(teeth, {"two numbers of teeth are asked, such as [20, 40], or two radii",
+                     "si chiedono due numeri di denti, come [20, 40], o due raggi"});
+    std::pair<Rational, Rational> both;
+    std::optional<Kind> kind;
+    for (const bool is_first : {true, false}) {
+      const Tree& item = teeth.items[is_first ? 0 : 1];
+      if (!kind) kind = kind_of_size(item);
+      Rational& size = is_first ? both.first : both.second;
+      size = amount(item, *kind).value;
+      if (size <= 0) refuse(item, {"a wheel has more than no teeth", "una ruota ha più di zero denti"});
+    }
+    return both;
+  }
+  Kind kind_of_size(const Tree& item) const {
+    try {
+      read_amount(file_.text(item, {"a number of teeth is asked here", "qui si chiede un numero di denti"}),
+                  Kind::pure_number, "1", known_);
+      return Kind::pure_number;
+    } catch (const BadFormula&) {
+      return Kind::length;
+    }
+  }
+  bool is_inside(const Tree& gear) const {
+    const Tree* inside = gear.find("inside");
+    if (!inside) return false;
+    if (inside->text == "yes" || inside->text == "true") return true;
+    if (inside->text == "no" || inside->text == "false") return false;
+    refuse(*inside, {"inside: yes or no", "inside: yes o no"});
+  }
+
   void drives() {
     const Tree* drive = root_.find("drive");
     if (!drive)
@@ -365,12 +450,12 @@ class Building {
     if (words.size() == 4 && (is(0, "left") || is(0, "right")) && is(1, "of"))
       return BesideLine{point(key, key.text), point(value, words[2]), point(value, words[3]), is(0, "left")};
     if (words.size() == 3 && (is(0, "ahead") || is(0, "behind")) && is(1, "on")) {
-      line(value, words[2]);
-      return OnGuide{point(key, key.text), is(0, "ahead")};
+      return OnGuide{point(key, key.text), is(0, "ahead"), line(value, words[2])};
     }
-    if (words.size() == 4 && is(0, "from") && is(2, "towards")) return SlotPoints{line(key, key.text), true};
+    if (words.size() == 4 && is(0, "from") && is(2, "towards"))
+      return SlotPoints{line(key, key.text), true, point(value, words[1]), point(value, words[3])};
     if (words.size() == 5 && is(0, "from") && is(2, "away") && is(3, "from"))
-      return SlotPoints{line(key, key.text), false};
+      return SlotPoints{line(key, key.text), false, point(value, words[1]), point(value, words[4])};
     refuse(
         value,
         {"a side reads: left of A B0, right of A B0, ahead on g, behind on g, from O towards A, from O away from A",
@@ -396,6 +481,38 @@ class Building {
     }
   }
 
+  // paths: [P, Q].
+  void paths() {
+    const Tree* all = root_.find("paths");
+    if (!all) return;
+    const Words what{"paths: [P, Q], the points whose paths are asked for",
+                     "paths: [P, Q], i punti di cui si chiede la traiettoria"};
+    file_.demand(*all, Tree::Kind::list, what);
+    for (const Tree& item : all->items) {
+      const int P = point(item, file_.text(item, what));
+      if (built_.linkage.links_at(P).front() == 0)
+        refuse(item,
+               format_words("{} is of the frame: it has no path", "{} è del telaio: non ha traiettoria", letter(P)));
+      if (std::find(built_.paths.begin(), built_.paths.end(), P) != built_.paths.end())
+        refuse(item, format_words("{} stands here twice", "{} sta qui due volte", letter(P)));
+      built_.paths.push_back(P);
+    }
+    if (!built_.paths.empty() && built_.linkage.drives.size() != 1)
+      refuse(*all, format_words("with {} drives a point has no one path",
+                                "con {} moventi un punto non ha una sola "
+                                "traiettoria",
+                                built_.linkage.drives.size()));
+  }
+
+  void demand_paths_end() const {
+    if (built_.paths.empty()) return;
+    try {
+      EveryPlace(built_.linkage, built_.steps);
+    } catch (const Impossible& endless) {
+      refuse(section("paths"), endless.words());
+    }
+  }
+
   // --- what the file leaves open -----------------------------------------------------------------------------------
   const std::string& letter(int p) const { return built_.letters.points[static_cast<std::size_t>(p)]; }
   const Tree& section(const char* name) const {
@@ -409,9 +526,12 @@ class Building {
     constexpr int most_sizes = 1'000'000'000;
     Rational far = 0, size = 0, lowest[2], highest[2];
     bool is_first = true;
+    const auto far_off = [&](const Own& at) {
+      far = std::max({far, Rational(CGAL::abs(at.x)), Rational(CGAL::abs(at.y))});
+    };
     const auto fixed = [&](const Own& at) {
+      far_off(at);
       for (const auto& [axis, x] : {std::pair(0, at.x), std::pair(1, at.y)}) {
-        far = std::max<Rational>(far, CGAL::abs(x));
         if (is_first || x < lowest[axis]) lowest[axis] = x;
         if (is_first || x > highest[axis]) highest[axis] = x;
         size = std::max<Rational>(size, highest[axis] - lowest[axis]);
@@ -421,7 +541,9 @@ class Building {
     const auto moving = [&](const Own& at) { size = std::max<Rational>(size, CGAL::abs(at.x) + CGAL::abs(at.y)); };
     for (std::size_t i = 0; i < built_.linkage.links.size(); ++i) {
       for (const LinkPoint& point : built_.linkage.links[i].points) i == 0 ? fixed(point.at) : moving(point.at);
-      for (const LinkLine& line : built_.linkage.links[i].lines) i == 0 ? fixed(line.through) : moving(line.through);
+      // A line is as long as it needs to be: where the frame's is given through tells nothing of the size.
+      for (const LinkLine& line : built_.linkage.links[i].lines)
+        i == 0 ? far_off(line.through) : moving(line.through);
     }
     if (size != 0 && far > most_sizes * size)
       refuse(*root_.find("links"),
@@ -513,7 +635,7 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
                    "una scena è un elenco di chiavi e valori, come  id: four-bar"});
   file.demand_keys(root_, {"epure", "id", "title", "source", "givens", "where", "units", "points", "links", "slides",
-                           "drive", "assembly", "offsets", "sheets", "printed"});
+                           "gears", "drive", "assembly", "offsets", "paths", "sheets", "printed"});
   const FileHead head = read_head(file, root_);
   id_ = head.id;
   title_ = head.title;

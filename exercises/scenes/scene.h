@@ -34,6 +34,7 @@ struct Built {
   std::vector<geometry::Step> steps;
   Letters letters;
   std::vector<PointOffset> offsets = {};
+  std::vector<int> paths = {};  // the points whose paths are asked for
 };
 
 class Scene {

@@ -7,9 +7,11 @@
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/vectors_panel.h"
+#include "exercises/scenes/accelerations_panel.h"
 #include "exercises/scenes/centres_sheets.h"
 #include "exercises/scenes/file_head.h"
 #include "exercises/scenes/limits.h"
+#include "exercises/scenes/path_sheets.h"
 #include "exercises/scenes/polygon_sheets.h"
 #include "exercises/scenes/refusals.h"
 #include "exercises/scenes/scene_figure.h"
@@ -30,8 +32,19 @@ std::vector<RouteValue> solved(const Scene& scene, const Givens& givens, Rung ru
   }
 }
 
+// Of links without a pivot, where they have one.
+std::vector<AccelerationsPanel::Centre> acceleration_centres(const Built& built, const Solution& s) {
+  std::vector<AccelerationsPanel::Centre> centres;
+  for (const std::size_t i : links_without_pivot(built)) {
+    const int link = built.letters.links[i];
+    const std::string K = acceleration_centre(link).name;
+    if (const auto at = s.point(K)) centres.push_back({K, "$K_{" + std::to_string(link) + "}$", *at});
+  }
+  return centres;
+}
+
 // The mechanism with the vectors of its points, and how its links turn.
-PanelSheet diagram(const Scene& scene, const Solution& s, bool is_of_velocities) {
+PanelSheet diagram(const Scene& scene, const Solution& s, bool is_of_velocities, Language language) {
   const Built built = scene.built(s.givens());
   const auto vector = is_of_velocities ? velocity : acceleration;
   PanelSheet sheet;
@@ -50,8 +63,18 @@ PanelSheet diagram(const Scene& scene, const Solution& s, bool is_of_velocities)
   if (is_of_velocities)
     for (const PointOffset& offset : built.offsets) sheet.results.push_back(values({offset.name}));
   const auto figure = std::make_shared<const Mechanism>(figure_of(built, s));
+  const std::vector<AccelerationsPanel::Centre> centres = acceleration_centres(built, s);
+  if (!is_of_velocities && !centres.empty()) {
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (const AccelerationsPanel::Centre& K : centres) rows.emplace_back(K.letters, K.quantity);
+    sheet.results.push_back(remark(
+        Words{"Without acceleration now, of the links:", "Senza accelerazione ora, dei membri:"}.in(language)));
+    sheet.results.push_back(coordinates(rows));
+  }
   if (moving.empty())
     sheet.panels = panels(MechanismPanel(figure));
+  else if (!is_of_velocities)
+    sheet.panels = panels(AccelerationsPanel(s, figure, moving, centres));
   else
     sheet.panels = panels(VectorsPanel(s, figure, vector, moving));
   return sheet;
@@ -90,12 +113,14 @@ std::shared_ptr<const Scene> read_scene(const std::string& file) {
 
 std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& scene) {
   const auto solve = [scene](const Givens& givens, Rung rung) { return solved(*scene, givens, rung); };
-  std::vector<SheetMaker> sheets{{{"velocities", {"Velocities", "Velocità"}},
-                                  [scene](const Solution& s, Language) { return diagram(*scene, s, true); }},
-                                 {{"accelerations", {"Accelerations", "Accelerazioni"}},
-                                  [scene](const Solution& s, Language) { return diagram(*scene, s, false); }}};
+  std::vector<SheetMaker> sheets{
+      {{"velocities", {"Velocities", "Velocità"}},
+       [scene](const Solution& s, Language language) { return diagram(*scene, s, true, language); }},
+      {{"accelerations", {"Accelerations", "Accelerazioni"}},
+       [scene](const Solution& s, Language language) { return diagram(*scene, s, false, language); }}};
   for (SheetMaker& sheet : polygon_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : centres_sheets(scene)) sheets.push_back(std::move(sheet));
+  for (SheetMaker& sheet : path_sheets(scene)) sheets.push_back(std::move(sheet));
   std::vector<std::string> names;
   for (const SheetMaker& sheet : sheets) names.push_back(sheet.spec.name);
   std::vector<SheetMaker> chosen;

@@ -1,6 +1,8 @@
 #include "exercises/scenes/scene_figure.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "exercises/kit/statement/quantity.h"
@@ -71,6 +73,16 @@ bool lies_on_its_lines(const Link& link) {
   });
 }
 
+// The first pin that stands apart from the last of the link's own points, if it has any: a slot has a direction.
+std::optional<int> pin_apart(const std::vector<int>& pins, const std::vector<std::string>& own,
+                             const Mechanism& figure, const Built& built) {
+  constexpr double apart = 1e-6;  // of the whole
+  for (const int pin : pins)
+    if (!own.empty() && distance(figure.at(own.back()), figure.at(letter(built, pin))) > apart * figure.reach())
+      return pin;
+  return {};
+}
+
 // The hinge of a link on the frame, and another of its points; none where there are not both.
 std::optional<std::pair<int, int>> crank_of(const Linkage& of, int link) {
   std::optional<int> hinge, pin;
@@ -78,6 +90,38 @@ std::optional<std::pair<int, int>> crank_of(const Linkage& of, int link) {
     (of.links_at(p.point).front() == 0 ? hinge : pin) = p.point;
   if (!hinge || !pin) return {};
   return std::pair{*hinge, *pin};
+}
+
+// Wheels by their pitch circles: filled where they are round bodies, and a ring by its circle alone.
+void add_wheels(Mechanism& figure, const Built& built) {
+  const Linkage& of = built.linkage;
+  const auto hidden = [&](const std::string& name, const Place& at) {
+    figure.point(name, at, Mechanism::Joint::corner, "");
+    return name;
+  };
+  for (const geometry::GearPair& gear : of.gears)
+    for (const bool is_first : {true, false}) {
+      const int wheel = is_first ? gear.first : gear.second, centre = of.hinge_of(wheel, gear.carrier),
+                other = of.hinge_of(is_first ? gear.second : gear.first, gear.carrier);
+      const double own = CGAL::to_double(is_first ? gear.first_teeth : gear.second_teeth),
+                   others = CGAL::to_double(is_first ? gear.second_teeth : gear.first_teeth);
+      const Place O = figure.at(letter(built, centre)), Q = figure.at(letter(built, other));
+      const double radius = distance(O, Q) * own / std::abs(gear.is_inside ? own - others : own + others);
+      const bool is_ring = gear.is_inside && own > others;
+      const std::string name = std::to_string(wheel) + "*" + std::to_string(is_first ? gear.second : gear.first);
+      if (!is_ring) {
+        const double square = epure::direction(O, Q) + std::numbers::pi / 2;
+        const bool is_bar = of.links[static_cast<std::size_t>(wheel)].points.size() > 1;
+        figure.disc(letter(built, centre),
+                    hidden(name, {O.x + radius * std::cos(square), O.y + radius * std::sin(square)}), false,
+                    is_bar || wheel == 0 ? 0 : built.letters.links[static_cast<std::size_t>(wheel)]);
+        continue;
+      }
+      figure.profile(O, radius, 0, 2 * std::numbers::pi);
+      for (const int quarter : {0, 1, 2, 3})
+        hidden(name + std::to_string(quarter), {O.x + radius * std::cos(quarter * std::numbers::pi / 2),
+                                                O.y + radius * std::sin(quarter * std::numbers::pi / 2)});
+    }
 }
 
 // The lines of the frame that points are told from.
@@ -113,9 +157,9 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
   for (std::size_t i = 1; i < of.links.size(); ++i) {
     std::vector<std::string> points;
     for (const LinkPoint& p : of.links[i].points) points.push_back(letter(built, p.point));
-    const std::vector<int> pins = pins_in(of, static_cast<int>(i));
-    if (!pins.empty() && lies_on_its_lines(of.links[i])) {
-      points.push_back(letter(built, pins.front()));
+    if (const auto pin = pin_apart(pins_in(of, static_cast<int>(i)), points, figure, built);
+        pin && lies_on_its_lines(of.links[i])) {
+      points.push_back(letter(built, *pin));
       figure.slotted(points, built.letters.links[i]);
     } else if (points.size() > 1) {
       figure.body(points, built.letters.links[i]);
@@ -131,6 +175,7 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
       if (const auto crank = crank_of(of, turned->link))
         figure.turning(letter(built, crank->first), letter(built, crank->second), sign_of(turned->omega),
                        angular_velocity(built.letters.links[static_cast<std::size_t>(turned->link)]).symbol);
+  add_wheels(figure, built);
   add_lines(figure, built);
   return figure;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "exercises/kit/linkages/coupler_routes.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/scenes/greek.h"
 #include "exercises/scenes/relative_motion.h"
@@ -17,6 +18,7 @@ struct SceneRoutes {
   std::shared_ptr<const Built> built;
   std::vector<Term> vectors = relative_vectors(dyad_equations(*built));
   CentrePlan plan = centre_plan_of(*built);
+  std::vector<std::size_t> floating = links_without_pivot(*built);
 
   template <class T>
   Ledger<T> operator()() const {
@@ -70,6 +72,10 @@ struct SceneRoutes {
           const PlaneMotion<T>&a = motion.get().links[i], &b = motion.get().links[j];
           return at_rest_against(a.omega - b.omega, of_origin(a) - of_origin(b));
         });
+    for (const std::size_t i : floating)
+      put_projective(ledger, acceleration_centre(built->letters.links[i]), no_acceleration_centre(i),
+                     [&motion, i] { return motion.get().links[i].acceleration_pole(); });
+    for (const int P : built->paths) put_curvature(ledger, P, constructed);
     for (int l = 0; l < built->linkage.count_of_lines(); ++l)
       ledger.draws_vector("along_" + built->letters.lines[index(l)],
                           at.links[index(built->linkage.link_of_line(l))].turned(
@@ -103,6 +109,23 @@ struct SceneRoutes {
         const Complex<T> G = analytic::point_of(link(on, UpTo::place), line.through).z;
         return cross(analytic::direction(line, link(on, UpTo::place)), state(offset.point, UpTo::place).z - G);
       });
+    const auto body = [&](std::size_t i) {
+      const LinkState<T>& moving = link(i, UpTo::acceleration);
+      return analytic::PlaneMotion<T>{moving.O, moving.v, moving.a, moving.omega, moving.alpha};
+    };
+    for (const std::size_t i : floating)
+      put_point<T>(ledger, acceleration_centre(built->letters.links[i]), [&, i] {
+        const auto K = body(i).acceleration_pole();
+        if (!K) throw Impossible(no_acceleration_centre(i));
+        return *K;
+      });
+    for (const int P : built->paths) {
+      const auto centre = [&, P] {
+        return present(body(index(link_with(P))).centre_of_curvature(state(P, UpTo::place).z), no_curvature);
+      };
+      put_point<T>(ledger, centre_of_curvature(letter(P)), centre);
+      put_length<T>(ledger, radius_of_curvature(letter(P)), [&, P] { return centre() - state(P, UpTo::place).z; });
+    }
     put_centres(
         ledger,
         [&](int point) {
@@ -121,6 +144,9 @@ struct SceneRoutes {
   template <class T>
   void by_centres(Ledger<T>& ledger, const Constructed<T>& constructed) const {
     const WhenAsked<Centres<T>> centres([&] { return Centres<T>(plan, built->linkage, constructed.at); });
+    for (const PermanentCentre& centre : plan.permanent)
+      if (centre.gear != nothing)
+        put_centre(ledger, index(centre.i), index(centre.j), [&] { return centres.get().of(centre.i, centre.j); });
     for (const FoundCentre& centre : plan.found) {
       const auto i = index(centre.i), j = index(centre.j);
       put_centre(ledger, i, j, [&, i, j] {
@@ -129,6 +155,52 @@ struct SceneRoutes {
         return centres.get().of(centre.i, centre.j);
       });
     }
+  }
+
+  Words no_acceleration_centre(std::size_t i) const {
+    return format_words("it is at infinity: link {} neither turns nor begins to",
+                        "è all'infinito: il membro {} non ruota, né comincia a farlo", built->letters.links[i]);
+  }
+
+  // Ω of the path of P, by the pole of a link that carries it, and its distance from P.
+  template <class T>
+  void put_curvature(Ledger<T>& ledger, int P, const Constructed<T>& constructed) const {
+    const auto& at = constructed.at.points[index(P)];
+    const auto centre = [&, P] {
+      const PlaneMotion<T>& body = constructed.motion.get().links[index(link_with(P))];
+      if (sign(length_squared(body.velocity(at))) == Sign::zero)
+        throw Impossible("the point is at rest: its path has no curvature there",
+                         "il punto è fermo: lì la sua traiettoria non ha curvatura");
+      return body.centre_of_curvature(at);
+    };
+    put_projective(ledger, centre_of_curvature(letter(P)), Words(no_curvature), centre);
+    ledger.put(radius_of_curvature(letter(P)), [&] {
+      const ProjectivePoint<T> found = centre();
+      const Vector<T> far{found.x - at.x * found.w, found.y - at.y * found.w};
+      if constexpr (signs_only<T>)
+        return Ledger<T>::ratio(size(far), square(found.w), no_curvature);
+      else
+        return Ledger<T>::ratio(size(far), absolute(found.w), no_curvature);
+    });
+  }
+  // Each coordinate looks for it anew.
+  template <class T, class Find>
+  static void put_projective(Ledger<T>& ledger, const PointQuantity& quantity, const Words& at_infinity,
+                             const Find& find) {
+    const auto over_w = [&](const T& of_P, const T& w) {
+      const Sign decided = sign(w);
+      if (decided == Sign::zero) throw Impossible(at_infinity);
+      if (decided == Sign::undecided) throw Undecided(Words{"whether ", "se "} + at_infinity);
+      return quotient(of_P, w);
+    };
+    ledger.put(quantity.x(), [&] {
+      const ProjectivePoint<T> P = find();
+      return over_w(P.x, P.w);
+    });
+    ledger.put(quantity.y(), [&] {
+      const ProjectivePoint<T> P = find();
+      return over_w(P.y, P.w);
+    });
   }
 
   Quantity described(const PointOffset& offset) const {
@@ -169,7 +241,7 @@ struct SceneRoutes {
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = i + 1; j < count; ++j) {
         const PermanentCentre* joint = plan.permanent_of(static_cast<int>(i), static_cast<int>(j));
-        if (!joint)
+        if (!joint || joint->gear != nothing)
           put_centre(ledger, i, j, [&, i, j] { return find(i, j); });
         else if (joint->point != nothing)
           put_centre(ledger, i, j, [&] { return of_point(joint->point); });
@@ -257,6 +329,24 @@ CentrePlan centre_plan_of(const Built& built) {
   } catch (const geometry::Undecided&) {
   }
   return {};
+}
+
+std::vector<std::size_t> links_without_pivot(const Built& built) {
+  std::vector<std::size_t> all;
+  for (std::size_t i = 1; i < built.linkage.links.size(); ++i) {
+    const auto& points = built.linkage.links[i].points;
+    if (std::none_of(points.begin(), points.end(),
+                     [&](const LinkPoint& p) { return built.linkage.links_at(p.point).front() == 0; }))
+      all.push_back(i);
+  }
+  return all;
+}
+
+PointQuantity acceleration_centre(int link) {
+  const std::string number = std::to_string(link);
+  return {"K_" + number,
+          format_words(" of the acceleration pole of link {}", " del polo delle accelerazioni del membro {}", link),
+          "K," + number};
 }
 
 PointQuantity instant_centre(int one, int other) {

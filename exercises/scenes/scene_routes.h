@@ -20,4 +20,10 @@ geometry::CentrePlan centre_plan_of(const Built& built);
 // P_ij, of the links as the file numbers them, in either order: "P13", "P2_13".
 PointQuantity instant_centre(int one, int other);
 
+// The links that no joint pins to the frame, by their places in the linkage: of these the point without acceleration
+// is reported.
+std::vector<std::size_t> links_without_pivot(const Built& built);
+// K_3, of the link as the file numbers it.
+PointQuantity acceleration_centre(int link);
+
 }  // namespace epure::scenes

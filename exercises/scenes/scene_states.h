@@ -28,6 +28,10 @@ inline geometry::analytic::Beginning beginning(const Built& built) {
     for (const auto& link : geometry::CarriedOut<geometry::Fast>(built.linkage, built.steps).position().links)
       q.insert(q.end(), {link.O.x, link.O.y,
                          static_cast<double>(static_cast<float>(geometry::arc_tangent(link.x.y, link.x.x)))});
+    for (const geometry::Step& step : built.steps)  // wheels with the turns that they have made
+      if (const auto* wheel = std::get_if<geometry::GearedWheel>(&step))
+        q[3 * index(wheel->link) + 2] =
+            static_cast<double>(static_cast<float>(to_double(angle_of(wheel->turn, built.linkage))));
   } catch (const geometry::Impossible& in_doubles) {
     throw geometry::Undecided(in_doubles.words());
   }

@@ -50,16 +50,9 @@ class JointEquations {
       beside(end(linkage_.link_of_line(block.moving), linkage_.line(block.moving).through), block.guide);
       parallel(block);
     }
+    for (const GearPair& gear : linkage_.gears) meshing(gear);
     for (const Drive& drive : linkage_.drives) std::visit([this](const auto& d) { driven(d); }, drive);
     return std::move(equations_);
-  }
-
-  // Of what slides in a guide, the equations hold for both ways it can lie there.
-  void demand_same_ways() const {
-    for (const LineOnLine& block : linkage_.blocks)
-      if (sign(dot(direction(block.moving), direction(block.guide))) == Sign::negative)
-        throw Impossible("a block lies in its guide the other way round",
-                         "un corsoio sta nella sua guida al contrario");
   }
 
  private:
@@ -117,6 +110,42 @@ class JointEquations {
     if (i != 0) equation.slopes.emplace_back(unknowns_of_a_link * i - 1, slope);
     if (j != 0) equation.slopes.emplace_back(unknowns_of_a_link * j - 1, -slope);
     equations_.push_back(std::move(equation));
+  }
+
+  void meshing(const GearPair& gear) {
+    const Rational m = gear.turns_of_second();
+    Equation<T> equation{.residual = off_mesh(gear), .slopes = {}};
+    for (const auto& [link, times] :
+         {std::pair(gear.second, Rational(1)), {gear.first, Rational(-m)}, {gear.carrier, Rational(m - 1)}})
+      if (link != 0) equation.slopes.emplace_back(unknowns_of_a_link * link - 1, from_rational<T>(times));
+    equations_.push_back(std::move(equation));
+  }
+  // Where the number has no angles: of whole times of them all, the square of the distance between two axes.
+  T off_mesh(const GearPair& gear) const {
+    const Rational m = gear.turns_of_second();
+    if constexpr (NumberWithAngles<T>) {
+      const auto theta = [&](int link) { return links_[static_cast<std::size_t>(link)].theta; };
+      return theta(gear.second) - theta(gear.carrier) - radians<T>(gear.phase) -
+             from_rational<T>(m) * (theta(gear.first) - theta(gear.carrier));
+    } else {
+      constexpr int most = 100;
+      const double whole = CGAL::to_double(Rational(m.denominator())), of_first = CGAL::to_double(m) * whole;
+      if (whole > most || std::abs(of_first) > most)
+        throw Undecided("the ratio of gears with that many teeth on exact numbers",
+                        "il rapporto di ruote con tanti denti su numeri esatti");
+      const int q = static_cast<int>(whole), p = static_cast<int>(std::round(of_first));
+      const Angle phase = Rational(q) * gear.phase;
+      const Complex<T> all =
+          power(axis(gear.second), q) * power(axis(gear.first), -p) * power(axis(gear.carrier), p - q);
+      return squared_modulus(all - Complex<T>{cosine<T>(phase), sine<T>(phase)});
+    }
+  }
+  // Of a unit vector.
+  static Complex<T> power(const Complex<T>& unit, int times) {
+    const Complex<T> each = times < 0 ? conjugate(unit) : unit;
+    Complex<T> all{T(1), T(0)};
+    for (int i = std::abs(times); i > 0; --i) all = all * each;
+    return all;
   }
 
   void driven(const TurnedLink& drive) {
@@ -459,23 +488,62 @@ std::vector<LinkState<T>> found_and_proved(const Linkage& linkage, const Beginni
                        [&](const std::vector<Equation<T>>& rows, const Column<T>& b) { return solved(rows, Y, b); });
 }
 
-// The solution is the one that was meant: where a joint is said to lie beside a line, it does not lie on the other
-// side.
+// `ahead` is positive in the place that is meant, negative in the other; where it is zero the two are one.
 template <class T>
-void demand_sides(const Linkage& linkage, const std::vector<LinkState<T>>& links) {
-  const auto at = [&](int point) {
-    const int link = linkage.links_at(point).front();
-    return point_of(links[static_cast<std::size_t>(link)], linkage.place(link, point)).z;
-  };
-  for (const Chosen& chosen : linkage.chosen) {
-    const auto* beside = std::get_if<BesideLine>(&chosen);
-    if (!beside) continue;
-    const Complex<T> P = at(beside->from);
-    if (sign(cross(at(beside->to) - P, at(beside->joint) - P)) == (beside->is_left ? Sign::negative : Sign::positive))
-      throw Impossible("a joint lies on the other side of the line than was said",
-                       "un nodo sta dall'altra parte della retta rispetto a quanto detto");
-  }
+void demand_positive(const T& ahead) {
+  const Sign decided = sign(ahead);
+  if (decided == Sign::undecided)
+    throw Undecided("whether a joint lies on the side that was said", "se un nodo stia dalla parte che si è detta");
+  if (decided == Sign::negative)
+    throw Impossible("a joint lies on the other side than was said",
+                     "un nodo sta dalla parte opposta a quella che si è detta");
 }
+
+// The solution is the one that was meant, proved of it whatever it was looked for from.
+template <class T>
+class Sides {
+ public:
+  Sides(const Linkage& linkage, const std::vector<LinkState<T>>& links) : linkage_(linkage), links_(links) {}
+
+  void demand() const {
+    for (const Chosen& chosen : linkage_.chosen) std::visit([this](const auto& side) { demand(side); }, chosen);
+    for (const LineOnLine& block : linkage_.blocks)  // the equations hold for both ways it can lie in its guide
+      demand_positive(dot(direction(block.moving), direction(block.guide)));
+  }
+
+ private:
+  void demand(const BesideLine& side) const {
+    const Complex<T> P = at(side.from);
+    const T left = cross(at(side.to) - P, at(side.joint) - P);
+    demand_positive(side.is_left ? left : -left);
+  }
+  void demand(const OnGuide& side) const {
+    demand_told(side.guide != nothing && side.other_end != nothing);
+    const T ahead = dot(direction(side.guide), at(side.joint) - at(side.other_end));
+    demand_positive(side.is_ahead ? ahead : -ahead);
+  }
+  void demand(const SlotPoints& side) const {
+    demand_told(side.hinge != nothing && side.pin != nothing);
+    const T towards = dot(direction(side.line), at(side.pin) - at(side.hinge));
+    demand_positive(side.is_towards_pin ? towards : -towards);
+  }
+  static void demand_told(bool is_told) {
+    if (!is_told)
+      throw Undecided("a side is not told in full: from which point",
+                      "un lato non è detto per intero: da quale punto");
+  }
+
+  Complex<T> at(int point) const {
+    const int link = linkage_.links_at(point).front();
+    return point_of(links_[static_cast<std::size_t>(link)], linkage_.place(link, point)).z;
+  }
+  Complex<T> direction(int line) const {
+    return analytic::direction(linkage_.line(line), links_[static_cast<std::size_t>(linkage_.link_of_line(line))]);
+  }
+
+  const Linkage& linkage_;
+  const std::vector<LinkState<T>>& links_;
+};
 
 [[noreturn]] void refuse_angles() {
   throw Undecided("the equations of all joints are solved for angles, which are no algebraic numbers",
@@ -494,7 +562,7 @@ std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning& 
       links = found_in_doubles(linkage, beginning);
     else
       links = found_and_proved<T>(linkage, beginning);
-    demand_sides(linkage, links);
+    Sides<T>(linkage, links).demand();
     return links;
   }
 }
@@ -505,8 +573,7 @@ void demand_joints(const Linkage& linkage, const std::vector<LinkState<T>>& stat
   if (order == UpTo::place) {
     for (const LinkState<T>& link : state) demand_zero(squared_modulus(link.x) - T(1));
     for (const Equation<T>& row : rows) demand_zero(row.residual);
-    JointEquations<T>(linkage, state).demand_same_ways();
-    demand_sides(linkage, state);
+    Sides<T>(linkage, state).demand();
     return;
   }
   const bool is_first = order == UpTo::velocity;

@@ -6,6 +6,7 @@
 //   pin on a line     n_j . (X_i - G_j) = 0                                  one
 //   line on a line    n_j . (G_i - G_j) = 0,  s_i x s_j = 0                  two
 //   turned link       θ_i - θ = 0                                            one
+//   gears             θ_j - θ_c - phase - m (θ_i - θ_c) = 0                  one
 //   slid point        s_j . (X_i - G_j) - at = 0                             one
 //   cylinder          (X_i - X_j)² - l² = 0                                  one
 //
@@ -58,7 +59,9 @@ using Beginning = std::vector<double>;
 
 // The state of every link, the frame's first, near the beginning. Bounded and Deep: the only solution in a box about
 // the last iterate, proved. Fast: the last iterate. Throws Undecided where the iteration ends nowhere, where no box
-// is proved (a limit position, for this number), and on exact numbers: angles are not algebraic.
+// is proved (a limit position, for this number), where a joint is not proved to lie on its side, told in full
+// (with_sides_in_full), and on exact numbers: angles are not algebraic. Throws Impossible where one is proved to lie
+// on the other side.
 template <class T>
 std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning& beginning);
 

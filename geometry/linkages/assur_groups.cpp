@@ -17,7 +17,7 @@ using Why = NotPlaced::Why;
 
 // How a link that is not placed hangs on what is.
 struct Hold {
-  enum class Kind { turned, hinge, pin_on_line, line_on_pin, block, cylinder, slid } kind;
+  enum class Kind { turned, geared, hinge, pin_on_line, line_on_pin, block, cylinder, slid } kind;
   int drive = nothing;   // of turned, cylinder, slid
   int point = nothing;   // hinge; the pin; the cylinder's end on the link; the slid point
   int line = nothing;    // the line that the pin is on; of a block the one that is placed
@@ -25,10 +25,81 @@ struct Hold {
   int taken() const { return kind == Kind::hinge || kind == Kind::block ? 2 : 1; }
 };
 
+// The angles of links as gears and drives determine them: linear equations for all at once, each with a part for
+// every drive and a constant one. A row that has one link left tells it.
+class GearedTurns {
+ public:
+  explicit GearedTurns(const Linkage& linkage) : linkage_(linkage), links_(linkage.links.size()) {
+    if (linkage.gears.empty()) return;
+    for (std::size_t k = 0; k < linkage.drives.size(); ++k)
+      if (const auto* turned = std::get_if<TurnedLink>(&linkage.drives[k])) {
+        Row row = empty();
+        row.links[static_cast<std::size_t>(turned->link)] = 1;
+        row.turn.times[k] = 1;
+        rows_.push_back(std::move(row));
+      }
+    for (const GearPair& gear : linkage.gears) {
+      Row row = empty();
+      const Rational of_second = gear.turns_of_second();
+      row.links[static_cast<std::size_t>(gear.second)] += 1;
+      row.links[static_cast<std::size_t>(gear.first)] -= of_second;
+      row.links[static_cast<std::size_t>(gear.carrier)] += of_second - 1;
+      row.links[0] = 0;  // the frame does not turn
+      row.turn.rest = gear.phase;
+      rows_.push_back(std::move(row));
+    }
+    eliminate();
+  }
+
+  std::optional<GearedTurn> of(int link) const {
+    for (const Row& row : rows_) {
+      const auto others = std::count_if(row.links.begin(), row.links.end(), [](const Rational& x) { return x != 0; });
+      if (others == 1 && row.links[static_cast<std::size_t>(link)] != 0) return row.turn;
+    }
+    return {};
+  }
+
+ private:
+  // The sum of so many times each link's angle is the turn.
+  struct Row {
+    std::vector<Rational> links;
+    GearedTurn turn;
+  };
+  Row empty() const {
+    return {std::vector<Rational>(links_, Rational(0)),
+            {Angle{}, std::vector<Rational>(linkage_.drives.size(), Rational(0))}};
+  }
+  static void add(Row& to, const Rational& times, const Row& from) {
+    for (std::size_t i = 0; i < to.links.size(); ++i) to.links[i] += times * from.links[i];
+    for (std::size_t k = 0; k < to.turn.times.size(); ++k) to.turn.times[k] += times * from.turn.times[k];
+    to.turn.rest = to.turn.rest + times * from.turn.rest;
+  }
+  // Gauss and Jordan; the leading link of each row has the factor 1.
+  void eliminate() {
+    std::size_t done = 0;
+    for (std::size_t link = 1; link < links_ && done < rows_.size(); ++link) {
+      const auto found = std::find_if(rows_.begin() + static_cast<std::ptrdiff_t>(done), rows_.end(),
+                                      [&](const Row& row) { return row.links[link] != 0; });
+      if (found == rows_.end()) continue;
+      std::swap(rows_[done], *found);
+      const Row lead = rows_[done];
+      add(rows_[done], 1 / lead.links[link] - 1, lead);
+      for (std::size_t k = 0; k < rows_.size(); ++k)
+        if (k != done) add(rows_[k], Rational(-rows_[k].links[link]), Row(rows_[done]));
+      ++done;
+    }
+  }
+
+  const Linkage& linkage_;
+  std::size_t links_;
+  std::vector<Row> rows_ = {};
+};
+
 class Placing {
  public:
   explicit Placing(const Linkage& linkage)
       : linkage_(linkage),
+        turns_(linkage),
         is_placed_(linkage.links.size(), false),
         is_known_(static_cast<std::size_t>(linkage.count_of_points()), false),
         is_used_(linkage.chosen.size(), false) {
@@ -42,6 +113,7 @@ class Placing {
     for (int i = 0; i < count(); ++i)
       if (!is_placed(i)) left.push_back(i);
     if (!left.empty()) refuse(left);
+    if (linkage_.freedom() < 0) refuse(held_twice());
     if (!open_.empty()) {
       NotPlaced refused(Why::open_sides);
       refused.sides = open_;
@@ -81,10 +153,13 @@ class Placing {
   std::vector<Hold> holds(int link) const {
     using Kind = Hold::Kind;
     std::vector<Hold> all;
+    bool is_turned = false;
     for (std::size_t k = 0; k < linkage_.drives.size(); ++k) {
       const int drive = static_cast<int>(k);
-      if (const auto* turned = std::get_if<TurnedLink>(&linkage_.drives[k]); turned && turned->link == link)
+      if (const auto* turned = std::get_if<TurnedLink>(&linkage_.drives[k]); turned && turned->link == link) {
         all.push_back({.kind = Kind::turned, .drive = drive});
+        is_turned = true;
+      }
       if (const auto* slid = std::get_if<SlidPoint>(&linkage_.drives[k]);
           slid && has(link, slid->point) && !is_known(slid->point) && is_line_placed(slid->guide))
         all.push_back({.kind = Kind::slid, .drive = drive, .point = slid->point, .line = slid->guide});
@@ -94,6 +169,7 @@ class Placing {
             all.push_back({.kind = Kind::cylinder, .drive = drive, .point = own});
       }
     }
+    if (!is_turned && turns_.of(link)) all.push_back({.kind = Kind::geared});
     for (const LinkPoint& p : linkage_.links[static_cast<std::size_t>(link)].points)
       if (is_known(p.point)) all.push_back({.kind = Kind::hinge, .point = p.point});
     for (const PinOnLine& pin : linkage_.pins) {
@@ -146,6 +222,8 @@ class Placing {
       switch (of_one.kind) {
         case Kind::turned:
           return take(TurnedCrank{link, hinge, of_one.drive});
+        case Kind::geared:
+          return take(GearedWheel{link, hinge, *turns_.of(link)});
         case Kind::cylinder:
           return take(two_rods({hinge, link}, {other_end(of_one), nothing, of_one.drive}, of_one.point));
         case Kind::pin_on_line:
@@ -214,6 +292,8 @@ class Placing {
     return drive.from == cylinder.point ? drive.to : drive.from;
   }
 
+  static bool is_untold_or(int meant, int told) { return told == nothing || told == meant; }
+
   // What was chosen of the kind `Said` for which `is_meant` holds.
   template <class Said, class IsMeant>
   const Said* chosen(const IsMeant& is_meant) {
@@ -236,12 +316,16 @@ class Placing {
     return {first, second, joint, is_left ? Side::left : Side::right};
   }
   RodAndTrack rod_and_track(const Rod& rod, const Track& track, int joint) {
-    const auto* said = chosen<OnGuide>([&](const OnGuide& on) { return on.joint == joint; });
+    const auto* said = chosen<OnGuide>([&](const OnGuide& on) {
+      return on.joint == joint && is_untold_or(track.line, on.guide) && is_untold_or(rod.pin, on.other_end);
+    });
     if (!said) open_.push_back({.kind = OpenSide::Kind::on_guide, .joint = joint, .line = track.line});
     return {rod, track, joint, said && said->is_ahead ? Along::ahead : Along::behind};
   }
   bool is_towards(int line, int hinge, int pin) {
-    const auto* said = chosen<SlotPoints>([&](const SlotPoints& slot) { return slot.line == line; });
+    const auto* said = chosen<SlotPoints>([&](const SlotPoints& slot) {
+      return slot.line == line && is_untold_or(hinge, slot.hinge) && is_untold_or(pin, slot.pin);
+    });
     if (!said) open_.push_back({.kind = OpenSide::Kind::along_slot, .from = hinge, .to = pin, .line = line});
     return said && said->is_towards_pin;
   }
@@ -266,7 +350,18 @@ class Placing {
     throw refused;
   }
 
+  // All stand, and more than needed holds them: wheels, which turn so without their gears, or whatever there is.
+  std::vector<int> held_twice() const {
+    std::vector<int> all;
+    for (const GearPair& gear : linkage_.gears)
+      for (const int wheel : {gear.first, gear.second})
+        if (wheel != 0 && std::find(all.begin(), all.end(), wheel) == all.end()) all.push_back(wheel);
+    for (int link = 1; all.empty() && link < count(); ++link) all.push_back(link);
+    return all;
+  }
+
   const Linkage& linkage_;
+  GearedTurns turns_;
   std::vector<bool> is_placed_, is_known_, is_used_;
   std::vector<Step> steps_;
   std::vector<OpenSide> open_;
@@ -278,7 +373,7 @@ std::vector<int> placed_by(const Step& step) {
   const auto links = std::visit(
       [](const auto& s) -> std::vector<int> {
         using S = std::decay_t<decltype(s)>;
-        if constexpr (std::is_same_v<S, TurnedCrank>) return {s.link};
+        if constexpr (std::is_same_v<S, TurnedCrank> || std::is_same_v<S, GearedWheel>) return {s.link};
         if constexpr (std::is_same_v<S, SlidBlock> || std::is_same_v<S, BlockOnPin>) return {s.track.block};
         if constexpr (std::is_same_v<S, SlidPin>) return {};
         if constexpr (std::is_same_v<S, TwoRods>) return {s.first.link, s.second.link};
@@ -293,6 +388,31 @@ std::vector<int> placed_by(const Step& step) {
   return placed;
 }
 
+Angle angle_of(const GearedTurn& turn, const Linkage& linkage) {
+  Angle angle = turn.rest;
+  for (std::size_t k = 0; k < turn.times.size(); ++k)
+    if (const auto* turned = std::get_if<TurnedLink>(&linkage.drives[k]))
+      angle = angle + turn.times[k] * turned->angle;
+  return angle;
+}
+
 std::vector<Step> assur_groups(const Linkage& linkage) { return Placing(linkage).all(); }
+
+Linkage with_sides_in_full(Linkage linkage, const std::vector<Step>& steps) {
+  for (const Step& step : steps)
+    for (Chosen& chosen : linkage.chosen) {
+      const auto* rod = std::get_if<RodAndTrack>(&step);
+      if (auto* on = std::get_if<OnGuide>(&chosen); on && rod && on->joint == rod->joint) {
+        on->guide = rod->track.line;
+        on->other_end = rod->rod.pin;
+      }
+      const auto* lever = std::get_if<SlotOnPin>(&step);
+      if (auto* slot = std::get_if<SlotPoints>(&chosen); slot && lever && slot->line == lever->line) {
+        slot->hinge = lever->hinge;
+        slot->pin = lever->pin;
+      }
+    }
+  return linkage;
+}
 
 }  // namespace epure::geometry

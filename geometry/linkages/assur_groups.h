@@ -4,6 +4,7 @@
 //
 //   step            what is placed                                                       by
 //   TurnedCrank     a link on a hinge, its angle given                                   the angle
+//   GearedWheel     a link on a hinge, its angle given by gears and drives               the angle
 //   SlidBlock       a link in a guide, its place given                                   a length set off
 //   SlidPin         a point in a slot, its place given                                   the same
 //   TwoRods         RRR: the joint of two rods (one may be a cylinder)                   two circles
@@ -24,8 +25,6 @@
 
 namespace epure::geometry {
 
-inline constexpr int nothing = -1;  // nor point, line, drive
-
 // What keeps a joint at a distance from the point `pin`, which is placed: a link that has both, or a cylinder.
 struct Rod {
   int pin;
@@ -41,6 +40,15 @@ struct Track {
 
 struct TurnedCrank {
   int link, hinge, drive;
+};
+// Of a link that gears and drives turn: its angle is that of the drives, each so many times, and the rest of it.
+struct GearedTurn {
+  Angle rest;
+  std::vector<Rational> times;  // as the drives: of those that turn a link
+};
+struct GearedWheel {
+  int link, hinge;
+  GearedTurn turn;
 };
 struct SlidBlock {
   Track track;
@@ -80,8 +88,8 @@ struct CrossedBlock {
   Track track;
   int crossing;
 };
-using Step = std::variant<TurnedCrank, SlidBlock, SlidPin, TwoRods, RodAndTrack, TwoTracks, SlotOnPin, BlockOnPin,
-                          CrossedBlock>;
+using Step = std::variant<TurnedCrank, GearedWheel, SlidBlock, SlidPin, TwoRods, RodAndTrack, TwoTracks, SlotOnPin,
+                          BlockOnPin, CrossedBlock>;
 
 // The links that a step places.
 std::vector<int> placed_by(const Step& step);
@@ -114,7 +122,14 @@ struct NotPlaced : std::runtime_error {
   std::size_t chosen = 0;
 };
 
+// Where the drives turn such a link to.
+Angle angle_of(const GearedTurn& turn, const Linkage& linkage);
+
 // Throws NotPlaced.
 std::vector<Step> assur_groups(const Linkage& linkage);
+
+// The linkage with its sides told in full: with the guide and the bar's other end that a joint on a guide is seen
+// from, and the hinge and the pin of a slot.
+Linkage with_sides_in_full(Linkage linkage, const std::vector<Step>& steps);
 
 }  // namespace epure::geometry

@@ -2,6 +2,8 @@
 // seconds; counter-clockwise positive.
 #pragma once
 
+#include <cassert>
+#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -21,10 +23,21 @@ struct PlacedLink {
   Point<T> at(const Vector<T>& own) const { return O + turned(own); }
 };
 
+// One of the drives, elsewhere than the linkage says: its link's x axis in this direction, turned so many times from
+// +x (wheels may make a part of its turns), or its point or cylinder so far along.
+template <class T>
+struct DriveAt {
+  int drive;
+  Vector<T> direction;
+  T way;
+  int times = 1;
+};
+
 template <class T>
 struct LinkagePosition {
   std::vector<PlacedLink<T>> links;
   std::vector<Point<T>> points;
+  std::optional<DriveAt<T>> elsewhere = {};
 };
 
 // The two polygons of a step that has any.
@@ -88,10 +101,13 @@ class CarriedOut {
  public:
   CarriedOut(const Linkage& linkage, const std::vector<Step>& steps);
 
-  // With the drives as they stand. Throws NotClosed, Undecided when that cannot be told.
-  LinkagePosition<T> position() const { return position_before(steps_.size()); }
+  // With the drives as they stand, but for one that is elsewhere. Throws NotClosed, Undecided when that cannot be
+  // told.
+  LinkagePosition<T> position(const std::optional<DriveAt<T>>& elsewhere = {}) const {
+    return position_before(steps_.size(), elsewhere);
+  }
   // What the steps before this one place.
-  LinkagePosition<T> position_before(std::size_t step) const;
+  LinkagePosition<T> position_before(std::size_t step, const std::optional<DriveAt<T>>& elsewhere = {}) const;
   // How far left of a line a point is.
   T left_in_plane(int line, int point, const LinkagePosition<T>& at) const {
     const Rail on = in_plane(line, at);
@@ -135,6 +151,7 @@ class CarriedOut {
 
   // Placing.
   void place(const TurnedCrank& step, LinkagePosition<T>& at) const;
+  void place(const GearedWheel& step, LinkagePosition<T>& at) const;
   void place(const SlidBlock& step, LinkagePosition<T>& at) const;
   void place(const SlidPin& step, LinkagePosition<T>& at) const;
   void place(const TwoRods& step, LinkagePosition<T>& at) const;
@@ -160,6 +177,18 @@ class CarriedOut {
   // How far left of the line the point lies, in the link's own axes.
   T left_of(int l, int point) const;
   Rational squared_length(const Rod& rod, int joint) const;
+  // Where the drive is, if it is not where the linkage says.
+  static const DriveAt<T>* elsewhere(int drive, const LinkagePosition<T>& at) {
+    return at.elsewhere && drive != nothing && at.elsewhere->drive == drive ? &*at.elsewhere : nullptr;
+  }
+  T way_slid(int drive, const LinkagePosition<T>& at) const {
+    if (const DriveAt<T>* there = elsewhere(drive, at)) return there->way;
+    return number(std::get<SlidPoint>(linkage_.drives[index(drive)]).at);
+  }
+  T squared_length(const Rod& rod, int joint, const LinkagePosition<T>& at) const {
+    if (const DriveAt<T>* there = elsewhere(rod.cylinder, at)) return square(there->way);
+    return number(squared_length(rod, joint));
+  }
   // A link whose own unit vector `along` points in the direction s, with its point `own` in P.
   void put(int link, const Vector<T>& s, const Vector<T>& along, const Point<T>& P, const Vector<T>& own_point,
            LinkagePosition<T>& at) const;
@@ -171,6 +200,7 @@ class CarriedOut {
   // Moving.
   using Rates = std::vector<DriveRates<T>>;
   StepPolygons<T> move(const TurnedCrank&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+  StepPolygons<T> move(const GearedWheel&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
   StepPolygons<T> move(const SlidBlock&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
   StepPolygons<T> move(const SlidPin&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
   StepPolygons<T> move(const TwoRods&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
@@ -224,16 +254,31 @@ Vector<T> times_mirrored(const Vector<T>& u, const Vector<T>& v) {
   return v.x * u - v.y * quarter_turn(u);
 }
 
+// What does not change while a drive moves: of a series it is made of its coefficients (every_place.h).
+template <class T>
+struct Constant {
+  static Vector<T> direction(const Angle& angle) { return {cosine<T>(angle), sine<T>(angle)}; }
+};
+
 // The unit vector of a direction: without a root where the vector has a rational length.
 template <class T>
 Vector<T> unit_vector(const Direction& direction) {
-  if (const auto* angle = std::get_if<Angle>(&direction)) return {cosine<T>(*angle), sine<T>(*angle)};
+  if (const auto* angle = std::get_if<Angle>(&direction)) return Constant<T>::direction(*angle);
   const auto& [x, y] = std::get<Own>(direction);
   const Rational squared = x * x + y * y;
   if (const auto length = FieldOf<Rational>::root(squared))
     return {from_rational<T>(x / *length), from_rational<T>(y / *length)};
   const T over = quotient(T(1), root(from_rational<T>(squared)));
   return {from_rational<T>(x) * over, from_rational<T>(y) * over};
+}
+
+// A unit vector turned from +x by so many times its angle.
+template <class T>
+Vector<T> turned_times(const Vector<T>& direction, int times) {
+  const Vector<T> each = times < 0 ? Vector<T>{direction.x, -direction.y} : direction;
+  Vector<T> all{T(1), T(0)};
+  for (int i = std::abs(times); i > 0; --i) all = linkages::times(all, each);
+  return all;
 }
 
 template <class T>
@@ -244,22 +289,27 @@ T positive_or_zero(const T& squared, const Words& whether, const Words& impossib
   return squared;
 }
 
-// The point at the distances from P and Q of which the squares are given, on the named side of P -> Q: circles whose
-// radii need no root. Where both radii are rational, by Heron's formula, as circle.h has it. Errors as there.
+// The point at the distances from P and Q of which the squares are given (r2, and by how much it is greater than the
+// other), on the named side of P -> Q: circles whose radii need no root. Errors as in circle.h.
 template <class T>
-Point<T> meet(const Point<T>& P, const Rational& PX_squared, const Point<T>& Q, const Rational& QX_squared,
-              Side side) {
-  const auto PX = FieldOf<Rational>::root(PX_squared), QX = FieldOf<Rational>::root(QX_squared);
-  if (PX && QX) return geometry::meet(Circle<T>{P, from_rational<T>(*PX)}, Circle<T>{Q, from_rational<T>(*QX)}, side);
+Point<T> meet_by_squares(const Point<T>& P, const T& r2, const Point<T>& Q, const T& greater, Side side) {
   const Vector<T> d = Q - P;
-  const T d2 = length_squared(d), r2 = from_rational<T>(PX_squared);
+  const T d2 = length_squared(d);
   if (sign(d2) == Sign::zero) throw Impossible("the circles are concentric", "le circonferenze sono concentriche");
-  const T twice_along = d2 + from_rational<T>(PX_squared - QX_squared);
+  const T twice_along = d2 + greater;
   const T across = root(positive_or_zero(T(4) * d2 * r2 - square(twice_along),
                                          {"whether two circles meet", "se due circonferenze si incontrino"},
                                          {"the circles do not meet", "le circonferenze non si incontrano"}));
   const T along_share = quotient(twice_along, T(2) * d2), across_share = quotient(across, T(2) * d2);
   return P + (along_share * d + (side == Side::left ? across_share : -across_share) * quarter_turn(d));
+}
+// Where both radii are rational, by Heron's formula, as circle.h has it.
+template <class T>
+Point<T> meet(const Point<T>& P, const Rational& PX_squared, const Point<T>& Q, const Rational& QX_squared,
+              Side side) {
+  const auto PX = FieldOf<Rational>::root(PX_squared), QX = FieldOf<Rational>::root(QX_squared);
+  if (PX && QX) return geometry::meet(Circle<T>{P, from_rational<T>(*PX)}, Circle<T>{Q, from_rational<T>(*QX)}, side);
+  return meet_by_squares(P, from_rational<T>(PX_squared), Q, from_rational<T>(PX_squared - QX_squared), side);
 }
 
 }  // namespace linkages
@@ -277,9 +327,11 @@ CarriedOut<T>::CarriedOut(const Linkage& linkage, const std::vector<Step>& steps
 }
 
 template <class T>
-LinkagePosition<T> CarriedOut<T>::position_before(std::size_t step) const {
+LinkagePosition<T> CarriedOut<T>::position_before(std::size_t step,
+                                                  const std::optional<DriveAt<T>>& elsewhere) const {
   LinkagePosition<T> at{{linkage_.links.size(), {{T(0), T(0)}, {T(1), T(0)}}},
-                        {index(linkage_.count_of_points()), {T(0), T(0)}}};
+                        {index(linkage_.count_of_points()), {T(0), T(0)}},
+                        elsewhere};
   put_points(0, at);
   for (std::size_t k = 0; k < step; ++k)
     at_step(k, [&] { std::visit([&](const auto& s) { place(s, at); }, steps_[k]); });
@@ -382,29 +434,47 @@ Point<T> CarriedOut<T>::crossing(const Rail& first, const Rail& second) {
 template <class T>
 void CarriedOut<T>::place(const TurnedCrank& step, LinkagePosition<T>& at) const {
   const Angle& angle = std::get<TurnedLink>(linkage_.drives[index(step.drive)]).angle;
-  put(step.link, {cosine<T>(angle), sine<T>(angle)}, {T(1), T(0)}, at.points[index(step.hinge)],
-      own(step.link, step.hinge), at);
+  const DriveAt<T>* there = elsewhere(step.drive, at);
+  const Vector<T> x =
+      there ? linkages::turned_times(there->direction, there->times) : linkages::Constant<T>::direction(angle);
+  put(step.link, x, {T(1), T(0)}, at.points[index(step.hinge)], own(step.link, step.hinge), at);
+}
+
+template <class T>
+void CarriedOut<T>::place(const GearedWheel& step, LinkagePosition<T>& at) const {
+  Vector<T> x = linkages::Constant<T>::direction(at.elsewhere ? step.turn.rest : angle_of(step.turn, linkage_));
+  if (at.elsewhere) {  // of the only drive
+    const Rational times = at.elsewhere->times * step.turn.times[index(at.elsewhere->drive)];
+    assert(times.denominator() == 1);
+    x = linkages::times(x, linkages::turned_times(at.elsewhere->direction, static_cast<int>(CGAL::to_double(times))));
+  }
+  put(step.link, x, {T(1), T(0)}, at.points[index(step.hinge)], own(step.link, step.hinge), at);
 }
 
 template <class T>
 void CarriedOut<T>::place(const SlidPin& step, LinkagePosition<T>& at) const {
   const auto& drive = std::get<SlidPoint>(linkage_.drives[index(step.drive)]);
   const Rail guide = in_plane(drive.guide, at);
-  at.points[index(step.point)] = guide.G + number(drive.at) * guide.s;
+  at.points[index(step.point)] = guide.G + way_slid(step.drive, at) * guide.s;
 }
 
 template <class T>
 void CarriedOut<T>::place(const SlidBlock& step, LinkagePosition<T>& at) const {
   const Rail on = rail(step.track, step.point, at);
-  at.points[index(step.point)] = on.G + number(std::get<SlidPoint>(linkage_.drives[index(step.drive)]).at) * on.s;
+  at.points[index(step.point)] = on.G + way_slid(step.drive, at) * on.s;
   put_block(step.track, step.point, at);
 }
 
 template <class T>
 void CarriedOut<T>::place(const TwoRods& step, LinkagePosition<T>& at) const {
   const Point<T> P = at.points[index(step.first.pin)], Q = at.points[index(step.second.pin)];
-  at.points[index(step.joint)] = linkages::meet(P, squared_length(step.first, step.joint), Q,
-                                                squared_length(step.second, step.joint), step.side);
+  if (elsewhere(step.first.cylinder, at) || elsewhere(step.second.cylinder, at)) {
+    const T a2 = squared_length(step.first, step.joint, at), b2 = squared_length(step.second, step.joint, at);
+    at.points[index(step.joint)] = linkages::meet_by_squares<T>(P, a2, Q, a2 - b2, step.side);
+  } else {
+    at.points[index(step.joint)] = linkages::meet(P, squared_length(step.first, step.joint), Q,
+                                                  squared_length(step.second, step.joint), step.side);
+  }
   put_rod(step.first, step.joint, at);
   put_rod(step.second, step.joint, at);
 }
@@ -415,7 +485,7 @@ void CarriedOut<T>::place(const RodAndTrack& step, LinkagePosition<T>& at) const
   const Rail on = rail(step.track, step.joint, at);
   const Vector<T> GP = P - on.G;
   const T half_chord_squared =
-      linkages::positive_or_zero(number(squared_length(step.rod, step.joint)) - square(cross(on.s, GP)),
+      linkages::positive_or_zero(squared_length(step.rod, step.joint, at) - square(cross(on.s, GP)),
                                  {"whether a rod reaches its guide", "se un'asta raggiunga la sua guida"},
                                  {"the rod does not reach its guide", "l'asta non raggiunge la sua guida"});
   const T half_chord = root(half_chord_squared);
@@ -468,14 +538,14 @@ void CarriedOut<T>::place(const CrossedBlock& step, LinkagePosition<T>& at) cons
 // 16 times the square of the area of the triangle that the rods and their pins make (Heron).
 template <class T>
 T CarriedOut<T>::room(const TwoRods& step, const LinkagePosition<T>& at) const {
-  const Rational a2 = squared_length(step.first, step.joint), b2 = squared_length(step.second, step.joint);
+  const T a2 = squared_length(step.first, step.joint, at), b2 = squared_length(step.second, step.joint, at);
   const T d2 = length_squared(at.points[index(step.second.pin)] - at.points[index(step.first.pin)]);
-  return T(4) * d2 * number(a2) - square(d2 + number(a2 - b2));
+  return T(4) * d2 * a2 - square(d2 + a2 - b2);
 }
 template <class T>
 T CarriedOut<T>::room(const RodAndTrack& step, const LinkagePosition<T>& at) const {
   const Rail on = rail(step.track, step.joint, at);
-  return number(squared_length(step.rod, step.joint)) - square(cross(on.s, at.points[index(step.rod.pin)] - on.G));
+  return squared_length(step.rod, step.joint, at) - square(cross(on.s, at.points[index(step.rod.pin)] - on.G));
 }
 template <class T>
 T CarriedOut<T>::room(const TwoTracks& step, const LinkagePosition<T>& at) const {
@@ -527,6 +597,19 @@ StepPolygons<T> CarriedOut<T>::move(const TurnedCrank& step, const LinkagePositi
                                     LinkageMotion<T>& so_far) const {
   const DriveRates<T>& rate = rates[index(step.drive)];
   put_motion(step.link, Bar<T>{so_far.points[index(step.hinge)]}.motion(rate.first, rate.second), at, so_far);
+  return {};
+}
+
+template <class T>
+StepPolygons<T> CarriedOut<T>::move(const GearedWheel& step, const LinkagePosition<T>& at, const Rates& rates,
+                                    LinkageMotion<T>& so_far) const {
+  T omega(0), alpha(0);
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    if (step.turn.times[k] == 0) continue;
+    omega += number(step.turn.times[k]) * rates[k].first;
+    alpha += number(step.turn.times[k]) * rates[k].second;
+  }
+  put_motion(step.link, Bar<T>{so_far.points[index(step.hinge)]}.motion(omega, alpha), at, so_far);
   return {};
 }
 

@@ -13,11 +13,11 @@
 
 namespace epure::geometry {
 
-// A centre that a joint gives: the hinge `point`; or, of what slides along `line`, at infinity square to it. i < j;
-// links first, in the order of the linkage, then stones.
+// A centre that a joint gives: the hinge `point`; or, of what slides along `line`, at infinity square to it; or where
+// the wheels of a `gear` touch. i < j; links first, in the order of the linkage, then stones.
 struct PermanentCentre {
   int i, j;
-  int point = nothing, line = nothing;
+  int point = nothing, line = nothing, gear = nothing;
 };
 // P_ij of two links on the line of P_ik and P_kj, and on that of P_il and P_lj.
 struct FoundCentre {
@@ -63,6 +63,12 @@ class Centres {
                                      const LinkagePosition<T>& at) {
     const auto point = [&](int p) { return at.points[static_cast<std::size_t>(p)]; };
     if (centre.point != nothing) return projective(point(centre.point));
+    if (centre.gear != nothing) {
+      const GearPair& gear = linkage.gears[static_cast<std::size_t>(centre.gear)];
+      const Own on_carrier = linkage.pitch_point(gear);
+      return projective(at.links[static_cast<std::size_t>(gear.carrier)].at(
+          Vector<T>{from_rational<T>(on_carrier.x), from_rational<T>(on_carrier.y)}));
+    }
     const Vector<T> along = at.links[static_cast<std::size_t>(linkage.link_of_line(centre.line))].turned(
         linkages::unit_vector<T>(linkage.line(centre.line).along));
     const Vector<T> n = quarter_turn(along);

@@ -48,11 +48,29 @@ const LinkLine& Linkage::line(int line) const {
   return *std::find_if(lines.begin(), lines.end(), [&](const LinkLine& l) { return l.line == line; });
 }
 
+int Linkage::hinge_of(int one, int other) const {
+  for (const LinkPoint& p : links[static_cast<std::size_t>(one)].points) {
+    const std::vector<int> there = links_at(p.point);
+    if (std::find(there.begin(), there.end(), other) != there.end()) return p.point;
+  }
+  return nothing;
+}
+
+// Inside, beyond the centre of the smaller wheel; else between the two.
+Own Linkage::pitch_point(const GearPair& gear) const {
+  const Own &O = place(gear.carrier, hinge_of(gear.first, gear.carrier)),
+            &Q = place(gear.carrier, hinge_of(gear.second, gear.carrier));
+  const Rational share = gear.first_teeth / (gear.is_inside ? Rational(gear.first_teeth - gear.second_teeth)
+                                                            : Rational(gear.first_teeth + gear.second_teeth));
+  return {O.x + share * (Q.x - O.x), O.y + share * (Q.y - O.y)};
+}
+
 int Linkage::freedom() const {
   int free = 3 * (static_cast<int>(links.size()) - 1);
   for (int point = 0; point < count_of_points(); ++point)
     free -= 2 * std::max(0, static_cast<int>(links_at(point).size()) - 1);
-  return free - static_cast<int>(pins.size()) - 2 * static_cast<int>(blocks.size()) - static_cast<int>(drives.size());
+  return free - static_cast<int>(pins.size()) - 2 * static_cast<int>(blocks.size()) - static_cast<int>(gears.size()) -
+         static_cast<int>(drives.size());
 }
 
 bool Linkage::is_turned_steadily() const {

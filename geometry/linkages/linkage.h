@@ -15,6 +15,8 @@
 
 namespace epure::geometry {
 
+inline constexpr int nothing = -1;  // nor point, line, drive
+
 // In the axes of a link.
 struct Own {
   Rational x, y;
@@ -47,6 +49,21 @@ struct PinOnLine {
 struct LineOnLine {
   int moving, guide;
 };
+// Two wheels that mesh, both hinged on a third link, the carrier: seen from there they turn in the inverse ratio of
+// their teeth (or radii), against each other or, where one lies inside the other, the same way. Where the first one's
+// x axis lies on the carrier's, the second one's is turned by the phase from it.
+struct GearPair {
+  int first, second, carrier;
+  Rational first_teeth, second_teeth;
+  bool is_inside = false;
+  Angle phase = {};
+
+  // Of the turns seen from the carrier: second = phase - ratio first, inside phase + ratio first.
+  Rational turns_of_second() const {
+    const Rational ratio = first_teeth / second_teeth;
+    return is_inside ? ratio : Rational(-ratio);
+  }
+};
 
 // What drives: each with its rates, of the instant that is looked at.
 // The link's x axis is at the angle from the x axis of the frame.
@@ -76,11 +93,13 @@ struct BesideLine {
 struct OnGuide {
   int joint;
   bool is_ahead;
+  int guide = nothing, other_end = nothing;  // where they are told
 };
 // The line of a link that hangs on a hinge points from there towards the pin that runs in it, or away from it.
 struct SlotPoints {
   int line;
   bool is_towards_pin;
+  int hinge = nothing, pin = nothing;  // where they are told
 };
 using Chosen = std::variant<BesideLine, OnGuide, SlotPoints>;
 
@@ -88,6 +107,7 @@ struct Linkage {
   std::vector<Link> links;  // the frame first
   std::vector<PinOnLine> pins = {};
   std::vector<LineOnLine> blocks = {};
+  std::vector<GearPair> gears = {};
   std::vector<Drive> drives = {};
   std::vector<Chosen> chosen = {};
 
@@ -99,7 +119,11 @@ struct Linkage {
   // Both of what a link has: a caller's mistake otherwise (assertion).
   const Own& place(int link, int point) const;
   const LinkLine& line(int line) const;
-  // 3 for each moving link, less what joints and drives take.
+  // A hinge of both links; none: `nothing`.
+  int hinge_of(int one, int other) const;
+  // Where two wheels touch, in the axes of their carrier.
+  Own pitch_point(const GearPair& gear) const;
+  // 3 for each moving link, less what joints, gears and drives take.
   int freedom() const;
   // One drive, a link that turns steadily by so many turns a second: who asks for nothing but signs counts a radian
   // for each 2π of it, and π stays out.

@@ -57,7 +57,7 @@ def four_bar():
     B = lambda t: left_joint(A(t), q("0.4"), q("0.35"), q("0.28"))
     return Scene(dict(A=A, B=B, P=lambda t: on_plate(A(t), B(t), q("0.35"), mpc(q("0.175"), q("0.1")))),
                  {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - q("0.4"), B)},
-                 rods=[("A", 0), ("B", "A"), ("B", q("0.4"))])
+                 rods=[("A", 0), ("B", "A"), ("B", q("0.4"))], floating=[3], paths=["P"])
 
 
 def quick_return():
@@ -66,7 +66,8 @@ def quick_return():
     B = lambda t: A(t) / abs(A(t)) * q("0.7")
     C = lambda t: mpc(re(B(t)) + sqrt(q("0.8") ** 2 - (q("0.65") - im(B(t))) ** 2), q("0.65"))
     return Scene(dict(A=A, B=B, C=C), {2: (e, A), 4: (A, B), 5: (lambda t: C(t) - B(t), B)},
-                 rods=[("A", I * q("0.3")), ("A", 4, 0), ("C", "B")], slides=[("A", 4, True, False)])
+                 rods=[("A", I * q("0.3")), ("A", 4, 0), ("C", "B")], slides=[("A", 4, True, False)],
+                 floating=[5])
 
 
 def slider_crank():
@@ -74,14 +75,16 @@ def slider_crank():
     A = lambda t: q("0.12") * e(t)
     B = lambda t: mpc(re(A(t)) + sqrt(q("0.4") ** 2 - (im(A(t)) + q("0.05")) ** 2), -q("0.05"))
     return Scene(dict(A=A, B=B, G=lambda t: on_plate(A(t), B(t), q("0.4"), mpc(q("0.4") / 3, q("0.04")))),
-                 {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (still, B)}, rods=[("A", 0), ("B", "A")])
+                 {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (still, B)}, rods=[("A", 0), ("B", "A")],
+                 floating=[3, 4])
 
 
 def scotch_yoke():
     e = crank(deg("35"), rpm("90"))
     A = lambda t: q("0.1") * e(t)
     C = lambda t: mpc(re(A(t)) + q("0.25"), 0)
-    return Scene(dict(A=A, C=C), {2: (e, A), 3: (still, C)}, rods=[("A", 0)], slides=[("A", 3, False, True)])
+    return Scene(dict(A=A, C=C), {2: (e, A), 3: (still, C)}, rods=[("A", 0)], slides=[("A", 3, False, True)],
+                 floating=[3])
 
 
 def watt():
@@ -99,7 +102,7 @@ def watt():
     return Scene(dict(A=A, B=B, C=C, D=D, E=E),
                  {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - d["B0"], B),
                   5: (lambda t: E(t) - C(t), C), 6: (lambda t: E(t) - D(t), D)},
-                 rods=[("A", 0), ("B", "A"), ("B", d["B0"]), ("E", "C"), ("E", "D")])
+                 rods=[("A", 0), ("B", "A"), ("B", d["B0"]), ("E", "C"), ("E", "D")], floating=[3, 5, 6])
 
 
 def jansen():
@@ -115,7 +118,8 @@ def jansen():
     return Scene(dict(A=A, B=B, C=C, D=D, E=E, F=F),
                  {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - Q, B), 5: (lambda t: D(t) - A(t), A),
                   6: (lambda t: D(t) - Q, D), 7: (lambda t: E(t) - C(t), C), 8: (lambda t: E(t) - D(t), D)},
-                 rods=[("A", 0), ("B", "A"), ("B", Q), ("D", "A"), ("D", Q), ("E", "C"), ("E", "D")])
+                 rods=[("A", 0), ("B", "A"), ("B", Q), ("D", "A"), ("D", Q), ("E", "C"), ("E", "D")],
+                 floating=[3, 5, 7, 8], paths=["F"])
 
 
 def excavator():
@@ -127,7 +131,7 @@ def excavator():
     R = lambda t: right_joint(B(t), Q(t), abs(own_R), q("1.4") - q("0.1") * t)
     stick = lambda t: (R(t) - B(t)) / own_R
     return Scene(dict(Q=Q, B=B, R=R, T=lambda t: B(t) + 2 * stick(t)), {2: (boom, B), 3: (stick, B)},
-                 rods=[("Q", 0), ("R", "B")], cylinders=[("Q", P, "P"), ("R", "Q", "Q")])
+                 rods=[("Q", 0), ("R", "B")], cylinders=[("Q", P, "P"), ("R", "Q", "Q")], floating=[3])
 
 
 def oldham():
@@ -136,14 +140,15 @@ def oldham():
     d = q("0.03")
     C = lambda t: re(d * conj(e(t))) * e(t)
     return Scene(dict(C=C), {2: (e, lambda t: mpc(0)), 3: (e, C), 4: (e, lambda t: mpc(d))},
-                 rods=[("C", 2, 0), ("C", 4, d)], slides=[("C", 2, True, False), ("C", 4, True, False)])
+                 rods=[("C", 2, 0), ("C", 4, d)], slides=[("C", 2, True, False), ("C", 4, True, False)],
+                 floating=[3])
 
 
 def trammel():
     A = lambda t: mpc(q("0.6") + q("0.5") * t, 0)
     B = lambda t: I * sqrt(1 - re(A(t)) ** 2)
     return Scene(dict(A=A, B=B, P=lambda t: A(t) + (B(t) - A(t)) / 3), {2: (lambda t: B(t) - A(t), A)},
-                 rods=[("B", "A")])
+                 rods=[("B", "A")], floating=[2], paths=["P"])
 
 
 def parallelogram():
@@ -152,7 +157,7 @@ def parallelogram():
     B = lambda t: A(t) + q("0.5")
     C = lambda t: A(t) + mpc(q("0.25"), q("0.15"))
     return Scene(dict(A=A, B=B, C=C), {2: (e, A), 3: (still, A), 4: (e, B)},
-                 rods=[("A", 0), ("B", "A"), ("B", q("0.5"))])
+                 rods=[("A", 0), ("B", "A"), ("B", q("0.5"))], floating=[3])
 
 
 def stephenson():
@@ -165,7 +170,7 @@ def stephenson():
     return Scene(dict(A=A, B=B, C=C, E=E),
                  {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - q("0.18"), B),
                   5: (lambda t: E(t) - C(t), C), 6: (lambda t: E(t) - E0, E)},
-                 rods=[("A", 0), ("B", "A"), ("B", q("0.18")), ("E", "C"), ("E", E0)])
+                 rods=[("A", 0), ("B", "A"), ("B", q("0.18")), ("E", "C"), ("E", E0)], floating=[3, 5])
 
 
 def peaucellier():
@@ -181,7 +186,7 @@ def peaucellier():
                  {2: (e, A), 3: (B, B), 4: (D, D), 5: (lambda t: B(t) - A(t), A), 6: (lambda t: D(t) - A(t), A),
                   7: (lambda t: P(t) - B(t), B), 8: (lambda t: P(t) - D(t), D)},
                  rods=[("A", q("0.1")), ("B", 0), ("B", "A"), ("D", 0), ("D", "A"), ("P", "B"), ("P", "D")],
-                 offsets=[("e", "P", x, I)])
+                 offsets=[("e", "P", x, I)], floating=[5, 6, 7, 8], paths=["P"])
 
 
 def chebyshev():
@@ -192,7 +197,8 @@ def chebyshev():
     P = lambda t: (A(t) + B(t)) / 2
     return Scene(dict(A=A, B=B, P=P),
                  {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - q("0.2"), B)},
-                 rods=[("A", 0), ("B", "A"), ("B", q("0.2"))], offsets=[("e", "P", mpc(0, "0.2"), 1)])
+                 rods=[("A", 0), ("B", "A"), ("B", q("0.2"))], offsets=[("e", "P", mpc(0, "0.2"), 1)],
+                 floating=[3], paths=["P"])
 
 
 def roberts():
@@ -202,7 +208,8 @@ def roberts():
     P = lambda t: on_plate(A(t), B(t), q("0.2"), mpc("0.1", "-0.24"))
     return Scene(dict(A=A, B=B, P=P),
                  {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - q("0.4"), B)},
-                 rods=[("A", 0), ("B", "A"), ("B", q("0.4"))], offsets=[("e", "P", mpc(0), 1)])
+                 rods=[("A", 0), ("B", "A"), ("B", q("0.4"))], offsets=[("e", "P", mpc(0), 1)],
+                 floating=[3], paths=["P"])
 
 
 def cardan():
@@ -214,7 +221,7 @@ def cardan():
     B = lambda t: mpc(0, 2 * r * im(e(t)))
     P = lambda t: M(t) + r / 2 * I * conj(e(t))
     return Scene(dict(M=M, A=A, B=B, P=P), {2: (e, M), 3: (lambda t: conj(e(t)), M)}, rods=[("M", 0), ("A", "M")],
-                 offsets=[("e", "B", mpc(0), I)])
+                 offsets=[("e", "B", mpc(0), I)], floating=[3], paths=["P"])
 
 
 def oscillating_cylinder():
@@ -224,7 +231,7 @@ def oscillating_cylinder():
     K = lambda t: A(t) - (A(t) - C) / abs(A(t) - C) * q("0.24")
     swing = lambda t: A(t) - C
     return Scene(dict(A=A, K=K), {2: (e, A), 3: (swing, lambda t: C), 4: (swing, A)},
-                 rods=[("A", 0), ("A", 3, C)], slides=[("A", 3, True, False)])
+                 rods=[("A", 0), ("A", 3, C)], slides=[("A", 3, True, False)], floating=[4])
 
 
 def geneva():
@@ -233,6 +240,35 @@ def geneva():
     wheel = lambda t: A(t) + q("0.2")
     return Scene(dict(A=A), {2: (e, A), 3: (wheel, lambda t: mpc("-0.2"))}, rods=[("A", 0), ("A", 3, mpc("-0.2"))],
                  slides=[("A", 3, True, False)])
+
+
+def planetary_gear():
+    # Rolling: the planet turns back by the arc of the ring over its own radius; Willis for the sun.
+    e = crank(deg("50"), rpm("60"))
+    C = lambda t: q("0.08") * e(t)
+    planet = lambda t: conj(e(t)) ** 2
+    P = lambda t: C(t) + q("0.03") * planet(t)
+    return Scene(dict(C=C, P=P), {2: (e, C), 3: (planet, C), 4: (lambda t: e(t) ** 4, lambda t: mpc(0))},
+                 floating=[3], paths=["P"])
+
+
+def cardan_gear():
+    e = crank(deg("35"), rpm("120"))
+    C = lambda t: q("0.06") * e(t)
+    P = lambda t: mpc(q("0.12") * re(e(t)), 0)
+    return Scene(dict(C=C, P=P), {2: (e, C), 3: (lambda t: conj(e(t)), C)}, offsets=[("e", "P", mpc(0), 1)],
+                 floating=[3], paths=["P"])
+
+
+def geared_five_bar():
+    e = crank(deg("40"), rpm("60"))
+    f = lambda t: expj(deg("60")) / e(t) ** 2
+    A = lambda t: q("0.05") * e(t)
+    D = lambda t: q("0.12") + q("0.03") * f(t)
+    B = lambda t: left_joint(A(t), D(t), q("0.14"), q("0.12"))
+    return Scene(dict(A=A, B=B, D=D),
+                 {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - D(t), D), 5: (f, D)},
+                 rods=[("A", 0), ("B", "A"), ("B", "D"), ("D", q("0.12"))], floating=[3, 4], paths=["B"])
 
 
 def derivative(f, n):
@@ -256,9 +292,10 @@ def across(z, u):
 class Scene:
     """Points and links as functions of time, and what of their relative motion the polygons of the scene show."""
 
-    def __init__(self, points, links, rods=(), slides=(), cylinders=(), offsets=()):
+    def __init__(self, points, links, rods=(), slides=(), cylinders=(), offsets=(), floating=(), paths=()):
         self.points, self.links = points, {1: (still, lambda t: mpc(0)), **links}
         self.rods, self.slides, self.cylinders, self.offsets = rods, slides, cylinders, offsets
+        self.floating, self.paths = floating, paths  # links without a pivot; points whose paths are asked for
 
     def derivatives(self, f):
         return [derivative(f, n) for n in (0, 1, 2)]
@@ -279,6 +316,8 @@ class Scene:
         yield from self.of_rods()
         yield from self.of_slides()
         yield from self.of_cylinders()
+        yield from self.of_acceleration_centres()
+        yield from self.of_paths()
         for name, X, through, along in self.offsets:  # left of a line of the frame
             yield name, im((self.point(X)(mpf(0)) - through) * conj(along))
 
@@ -339,6 +378,26 @@ class Scene:
                 yield f"v_{X}_on_{link}", abs(v)
                 yield f"a_{X}_on_{link}", abs(a)
 
+    def of_acceleration_centres(self):
+        """Where a point of the link has no acceleration: the zero of what is linear in its place."""
+        for number in self.floating:
+            direction, carried = self.links[number]
+            unit = lambda t: direction(t) / abs(direction(t))
+            a_O, turned = derivative(carried, 2), derivative(unit, 2) / unit(mpf(0))
+            K = carried(mpf(0)) - a_O / turned if abs(turned) > ZERO else None
+            for axis, part in (("x", re), ("y", im)):
+                yield f"K_{number}_{axis}", "infinite" if K is None else part(K)
+
+    def of_paths(self):
+        """Centre and radius of curvature."""
+        for X in self.paths:
+            z, v, a = self.derivatives(self.point(X))
+            bend = im(conj(v) * a)
+            centre = z + I * v * abs(v) ** 2 / bend if abs(bend) > ZERO else None
+            yield f"rho_{X}", "infinite" if centre is None else abs(centre - z)
+            for axis, part in (("x", re), ("y", im)):
+                yield f"curvature_centre_{X}_{axis}", "infinite" if centre is None else part(centre)
+
     def of_cylinders(self):
         for X, P, letter in self.cylinders:
             r, v, a = (x - y for x, y in zip(self.derivatives(self.point(X)), self.derivatives(self.point(P))))
@@ -372,5 +431,8 @@ for name, file, scene in (("four-bar", "four-bar", four_bar), ("quick-return", "
                           ("chebyshev", "chebyshev", chebyshev), ("roberts", "roberts", roberts),
                           ("cardan-circles", "cardan-circles", cardan),
                           ("oscillating-cylinder", "oscillating-cylinder", oscillating_cylinder),
-                          ("geneva", "geneva", geneva)):
+                          ("geneva", "geneva", geneva),
+                          ("planetary-gear", "planetary-gear", planetary_gear),
+                          ("cardan-gear", "cardan-gear", cardan_gear),
+                          ("geared-five-bar", "geared-five-bar", geared_five_bar)):
     write(name, file, scene)

@@ -18,6 +18,10 @@ inline geometry::analytic::Beginning beginning(const geometry::Linkage& linkage,
   for (const auto& link : geometry::CarriedOut<geometry::Fast>(linkage, steps).position().links)
     for (const double x : {link.O.x, link.O.y, std::atan2(link.x.y, link.x.x)})
       q.push_back(std::round(x * 100) / 100);
+  for (const geometry::Step& step : steps)
+    if (const auto* wheel = std::get_if<geometry::GearedWheel>(&step))
+      q[3 * static_cast<std::size_t>(wheel->link) + 2] =
+          std::round(geometry::to_double(geometry::angle_of(wheel->turn, linkage)) * 100) / 100;
   return q;
 }
 
@@ -29,7 +33,8 @@ void compare_routes(const geometry::Linkage& linkage, const std::vector<geometry
   const CarriedOut<T> carried_out(linkage, steps);
   const LinkagePosition<T> at = carried_out.position();
   const LinkageMotion<T> motion = carried_out.motion(at, carried_out.rates());
-  const std::vector<analytic::LinkState<T>> states = analytic::solve_joints<T>(linkage, start);
+  const std::vector<analytic::LinkState<T>> states =
+      analytic::solve_joints<T>(with_sides_in_full(linkage, steps), start);
   for (std::size_t i = 0; i < linkage.links.size(); ++i) {
     const std::string link = "link " + std::to_string(i + 1);
     compare(link + ", omega", motion.links[i].omega, states[i].omega);

@@ -144,6 +144,43 @@ Linkage slid_on_a_crank() {
           .chosen = {OnGuide{2, true}}};
 }
 
+// A lever whose slot runs over the pin of a crank.
+Linkage lever() {
+  return {.links = {{.points = {{0, own("0", "0")}, {1, own("0", "3/10")}}},
+                    {.points = {{1, own("0", "0")}, {2, own("175/1000", "0")}}},
+                    {.points = {{0, own("0", "1/50")}}, .lines = {{0, own("0", "0"), Direction{own("1", "0")}}}}},
+          .pins = {{2, 0}},
+          .drives = {TurnedLink{1, degrees_of("-75"), ten_rad_s, three_rad_s2}},
+          .chosen = {SlotPoints{0, true}}};
+}
+
+// Ring, carrier, planet with a point, sun: what is driven is the sun, so that the gears tell the carrier's angle.
+Linkage planetary() {
+  return {
+      .links = {{.points = {{0, own("0", "0")}}},
+                {.points = {{0, own("0", "0")}, {1, own("2/10", "0")}}},
+                {.points = {{1, own("0", "0")}, {2, own("1/20", "1/30")}}},
+                {.points = {{0, own("0", "0")}}}},
+      .gears =
+          {{.first = 0, .second = 2, .carrier = 1, .first_teeth = 70, .second_teeth = 20, .is_inside = true},
+           {.first = 2, .second = 3, .carrier = 1, .first_teeth = 20, .second_teeth = 30, .phase = degrees_of("20")}},
+      .drives = {TurnedLink{3, degrees_of("200"), ten_rad_s, three_rad_s2}}};
+}
+
+// Two cranks that gears hold together, and two rods.
+Linkage geared_five_bar() {
+  return {
+      .links = {{.points = {{0, own("0", "0")}, {1, own("12/100", "0")}}},
+                {.points = {{0, own("0", "0")}, {2, own("5/100", "0")}}},
+                {.points = {{2, own("0", "0")}, {4, own("14/100", "0")}}},
+                {.points = {{3, own("0", "0")}, {4, own("12/100", "0")}}},
+                {.points = {{1, own("0", "0")}, {3, own("3/100", "0")}}}},
+      .gears =
+          {{.first = 1, .second = 4, .carrier = 0, .first_teeth = 40, .second_teeth = 30, .phase = degrees_of("60")}},
+      .drives = {TurnedLink{1, degrees_of("500"), ten_rad_s, three_rad_s2}},
+      .chosen = {BesideLine{4, 2, 3, true}}};
+}
+
 Linkage watt() {
   Linkage of = four_bar();
   of.links[3].points.push_back({5, own("1/10", "2/10")});
@@ -153,7 +190,7 @@ Linkage watt() {
   return of;
 }
 
-std::vector<Named> twelve_linkages() {
+std::vector<Named> all_linkages() {
   return {{"four-bar", four_bar()},
           {"slider-crank", slider_crank()},
           {"quick return", quick_return(false)},
@@ -165,6 +202,8 @@ std::vector<Named> twelve_linkages() {
           {"driven twice", driven_twice()},
           {"yoke on a crank", yoke_on_a_crank()},
           {"slid on a crank", slid_on_a_crank()},
+          {"planetary gear", planetary()},
+          {"geared five-bar", geared_five_bar()},
           {"Watt", watt()}};
 }
 
@@ -218,9 +257,9 @@ std::vector<analytic::LinkState<Deep>> in_line(const std::vector<std::pair<const
 }
 
 template <class Number>
-void demand_exactly(const Linkage& linkage,
-                    const std::function<void(std::vector<analytic::LinkState<Number>>&)>& change) {
+void demand_exactly(const Linkage& of, const std::function<void(std::vector<analytic::LinkState<Number>>&)>& change) {
   const Arithmetic<Number> scope;
+  const Linkage linkage = with_sides_in_full(of, assur_groups(of));
   std::vector<analytic::LinkState<Number>> states = constructed<Number>(linkage);
   change(states);
   using analytic::UpTo;
@@ -242,7 +281,7 @@ TEST_CASE("A linkage is found by both routes all round a turn") {
 }
 
 TEST_CASE("A linkage placed group by group moves as the equations of all its joints say") {
-  for (const Named& named : twelve_linkages()) {
+  for (const Named& named : all_linkages()) {
     REQUIRE(named.linkage.freedom() == 0);
     SECTION(named.name) {
       {
@@ -255,9 +294,40 @@ TEST_CASE("A linkage placed group by group moves as the equations of all its joi
   }
 }
 
+// Willis: ring fixed, the sun makes 1 + ring/sun turns for each of the carrier, the planet 1 - ring/planet.
+TEST_CASE("Gears tell the angles of links that no drive turns") {
+  const Linkage linkage = planetary();
+  const std::vector<Step> steps = assur_groups(linkage);
+  const auto turn_of = [&](int link) {
+    for (const Step& step : steps)
+      if (const auto* wheel = std::get_if<GearedWheel>(&step); wheel && wheel->link == link) return wheel->turn;
+    FAIL("no gears turn link " << link);
+    return GearedTurn{};
+  };
+  const GearedTurn carrier = turn_of(1), planet = turn_of(2);
+  CHECK(carrier.times.at(0) == Rational(3, 10));
+  CHECK(planet.times.at(0) == Rational(3, 10) * (1 - Rational(7, 2)));
+  // The sun stands at the phase where carrier and planet are in line with the frame.
+  Linkage at_phase = linkage;
+  std::get<TurnedLink>(at_phase.drives[0]).angle = degrees_of("20");
+  CHECK(is_zero(angle_of(carrier, at_phase)));
+  CHECK(is_zero(angle_of(planet, at_phase)));
+  // Gears between two driven cranks.
+  Linkage twice = geared_five_bar();
+  twice.drives.push_back(TurnedLink{4, degrees_of("10"), ten_rad_s, three_rad_s2});
+  try {
+    assur_groups(twice);
+    FAIL("a gear too many");
+  } catch (const NotPlaced& refused) {
+    CHECK(refused.why == NotPlaced::Why::overconstrained);
+  }
+}
+
 TEST_CASE("What is constructed satisfies the equations of all joints exactly, and nothing beside it does") {
   using States = std::vector<analytic::LinkState<Exact>>;
-  for (const Linkage& linkage : {four_bar(), ladder(), scotch_yoke_at(Rational(1, 12))}) {
+  Linkage geared = planetary();
+  std::get<TurnedLink>(geared.drives[0]).angle = degrees_of("120");  // the carrier then at 30°, the planet at -75°
+  for (const Linkage& linkage : {four_bar(), ladder(), scotch_yoke_at(Rational(1, 12)), geared}) {
     CHECK_NOTHROW(demand_exactly<Exact>(linkage, [](States&) {}));
     for (const std::function<void(States&)>& change : std::vector<std::function<void(States&)>>{
              [](States& s) { s.back().O.re += Exact(Rational(1, 1'000'000)); },
@@ -267,6 +337,34 @@ TEST_CASE("What is constructed satisfies the equations of all joints exactly, an
              [](States& s) { s.back().a.re -= Exact(1); }})
       CHECK_THROWS_AS(demand_exactly<Exact>(linkage, change), Impossible);
   }
+}
+
+// Begun at the other place of a joint, the iteration ends there, and that is not what was meant.
+TEST_CASE("The equations of all joints prove on which side each joint lies") {
+  const auto all = []<class T>() {
+    const Arithmetic<T> scope;
+    for (const Linkage& linkage : {four_bar(), slider_crank(), ladder(), lever()}) {
+      Linkage other = linkage;
+      if (auto* beside = std::get_if<BesideLine>(&other.chosen[0])) beside->is_left = !beside->is_left;
+      if (auto* on = std::get_if<OnGuide>(&other.chosen[0])) on->is_ahead = !on->is_ahead;
+      if (auto* slot = std::get_if<SlotPoints>(&other.chosen[0])) slot->is_towards_pin = !slot->is_towards_pin;
+      const std::vector<Step> steps = assur_groups(linkage), other_steps = assur_groups(other);
+      const analytic::Beginning start = tests::beginning(other, other_steps);
+      CHECK_NOTHROW(analytic::solve_joints<T>(with_sides_in_full(other, other_steps), start));
+      CHECK_THROWS_AS(analytic::solve_joints<T>(with_sides_in_full(linkage, steps), start), Impossible);
+    }
+    // The block turned round in its guide.
+    const std::vector<Step> steps = assur_groups(slider_crank());
+    const Linkage full = with_sides_in_full(slider_crank(), steps);
+    analytic::Beginning start = tests::beginning(slider_crank(), steps);
+    CHECK_NOTHROW(analytic::solve_joints<T>(full, start));
+    start.back() += 3;
+    CHECK_THROWS_AS(analytic::solve_joints<T>(full, start), Impossible);
+    // Of which the bar's other end is not told.
+    CHECK_THROWS_AS(analytic::solve_joints<T>(slider_crank(), tests::beginning(slider_crank(), steps)), Undecided);
+  };
+  all.operator()<Fast>();
+  all.operator()<Bounded>();
 }
 
 // A0A and AB in line, and B0B with them: stretched out, the two bars can still go either way. Folded otherwise they

@@ -4,6 +4,11 @@
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure {
+namespace {
+
+constexpr Place plane_origin{0, 0};
+
+}  // namespace
 
 LocusPanel::LocusPanel(std::shared_ptr<const Mechanism> mechanism, std::string point, std::vector<Position> positions,
                        DrawCurve draw_curve, std::vector<PanelStep> steps)
@@ -45,7 +50,7 @@ std::vector<drawings::Block> LocusPanel::draw(Plot& plot, const drawings::Box& r
   }
   const geometry::Trace path = draw_curve_(plot, room);
   mechanism_->draw(plot);
-  plot.measures_coordinates(point_, mechanism_->at(point_), mechanism_->corners().front());
+  plot.measures_coordinates(point_, mechanism_->at(point_), plane_origin);
   const Words sentence =
       format_words("{} Bezier arcs, at most {} mm on this sheet from the true path.",
                    "{} archi di Bézier, su questo foglio a non più di {} mm dalla traiettoria vera.", path.arcs(),
@@ -67,7 +72,7 @@ std::vector<drawings::Block> LocusPanel::draw_osculating(Plot& plot, const drawi
     plot.cross(*centre_);
     plot.label(centre_letters_, *centre_, P, Meaning::locus);
     plot.measures("rho_" + point_, *centre_, P);
-    plot.measures_coordinates(centre_quantity_, *centre_, mechanism_->corners().front());
+    plot.measures_coordinates(centre_quantity_, *centre_, plane_origin);
   } else {
     draw_towards(plot, room, P, *centre_, centre_letters_, language);
   }

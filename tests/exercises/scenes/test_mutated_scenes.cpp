@@ -162,7 +162,7 @@ Counted run(unsigned first, unsigned count) {
 
 }  // namespace
 
-TEST_CASE("a scene to which anything was done is checked and drawn, or refused with a sentence", "[.][mutated]") {
+TEST_CASE("a scene to which anything was done is checked and drawn, or refused with a sentence", "[scenes]") {
   const Counted counted = run(1, 400);
   CHECK(counted.passed > 40);
   CHECK(counted.refused > 100);

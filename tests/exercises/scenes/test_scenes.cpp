@@ -47,7 +47,7 @@ double value_in(const std::string& text, const std::string& quantity) {
 
 TEST_CASE("every scene of the docs holds against the corpus, to the last bit, by both routes", "[scenes]") {
   const std::vector<CorpusCase> corpus = read_corpus(EPURE_CORPUS "/linkages.txt");
-  CHECK(corpus.size() == 17);
+  CHECK(corpus.size() == 20);
   for (const CorpusCase& c : corpus) {
     const auto exercise = exercise_of(c.name);
     const CheckedExercise checked = check(*exercise, Givens(exercise->about().givens), Rung::climb);
@@ -169,6 +169,7 @@ TEST_CASE("straight lines are proved: an offset that is zero is exactly so, in e
   for (const char* theta : {"theta=60deg", "theta=-45deg", "theta=23.4deg"})
     CHECK(offset("peaucellier", theta).upper == 0);
   for (const char* phi : {"phi=35deg", "phi=-70deg"}) CHECK(offset("cardan-circles", phi).upper == 0);
+  for (const char* phi : {"phi=35deg", "phi=-70deg", "phi=1.25rad"}) CHECK(offset("cardan-gear", phi).upper == 0);
   CHECK(offset("chebyshev", "theta=45deg").lower > 0);
   CHECK(offset("roberts", "theta=75deg").upper < 0);
 }
@@ -336,12 +337,12 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 TEST_CASE("a scene has polygons group by group, and its instant centres", "[scenes]") {
   CHECK(sheets_of(*exercise_of("four-bar")) == std::vector<std::string>{"velocities", "accelerations",
                                                                         "velocity-polygon", "acceleration-polygon",
-                                                                        "instant-centres"});
+                                                                        "instant-centres", "path"});
   CHECK(sheets_of(*exercise_of("jansen")) ==
         std::vector<std::string>{"velocities", "accelerations", "velocity-polygon-B", "velocity-polygon-D",
                                  "velocity-polygon-E", "acceleration-polygon-B", "acceleration-polygon-D",
                                  "acceleration-polygon-E", "instant-centres", "instant-centres-2",
-                                 "instant-centres-3"});
+                                 "instant-centres-3", "path"});
   CHECK(sheets_of(*exercise_of("excavator")).size() == 6);  // two drives: no centres
 }
 
@@ -356,6 +357,130 @@ TEST_CASE("a polygon is told as it is drawn, Coriolis' acceleration subtracted",
   CHECK(has(english[5], "lie in line, in the proportion of O"));
   CHECK(has(italian[1], "si sottrae: la sua punta sta in a"));
   CHECK(has(italian[2], "Per la sua origine la retta ∥ s"));
+}
+
+// Every number that lies somewhere moves with the frame, on sheets too.
+TEST_CASE("a mechanism need not stand in the origin of its frame", "[scenes]") {
+  const auto at = [](const std::string& O2, const std::string& O3) {
+    const auto scene = std::make_shared<const scenes::Scene>(
+        "f", "epure: 1\nid: f\nlinks:\n  1: {O2: " + O2 + ", O3: " + O3 +
+                 "}\n  2: {O2 A: 0.1 m}\n  3: {O3: [0, 0], s: {along: [1, 0]}}\nslides: {A: s}\ndrive: {link: 2, "
+                 "angle: 150 deg, speed: 60 rpm}\nassembly: {s: from O3 towards A}\n");
+    return check(*scenes::scene_exercise(scene), Givens(scene->givens()), Rung::climb);
+  };
+  const CheckedExercise here = at("[0, 0]", "[-0.2 m, 0]"), there = at("[0.1 m, 0.05 m]", "[-0.1 m, 0.05 m]"),
+                        far = at("[40 m, 0]", "[39.8 m, 0]");
+  for (const CheckedExercise* each : {&here, &there, &far}) {
+    CAPTURE(complaints(*each));
+    CHECK(each->passed());
+  }
+  CHECK(value(there, "P23_x") == Approx(value(here, "P23_x") + 0.1));
+  CHECK(value(there, "P23_y") == Approx(value(here, "P23_y") + 0.05));
+  CHECK_FALSE(find(here, "P23_x").on_sheets.empty());
+  CHECK_FALSE(find(there, "P23_x").on_sheets.empty());
+  CHECK(find(far, "P23_x").on_sheets.empty());  // its origin is not on the sheet
+}
+
+TEST_CASE("a point has a path where one drive moves it, and each path its sheet", "[scenes]") {
+  const auto scene = [](const std::string& more) {
+    return std::make_shared<const scenes::Scene>(
+        "f", four_bar("drive: {link: 2, angle: 60 deg, speed: 60 rpm}", "assembly: {B: left of A B0}",
+                      "2: {A0 A: 120 mm, Q: [60 mm, 10 mm]}") +
+                 more + "\n");
+  };
+  CHECK(sheets_of(*scenes::scene_exercise(scene("paths: [Q]"))).back() == "path");
+  CHECK(sheets_of(*scenes::scene_exercise(scene("paths: [Q, B]"))).back() == "path-B");
+  CHECK(sheets_of(*scenes::scene_exercise(scene("paths: []"))).size() == 5);
+  const auto why = [&](const std::string& more) -> std::string {
+    try {
+      scene(more);
+    } catch (const scenes::BadScene& bad) {
+      return bad.what();
+    }
+    return {};
+  };
+  CHECK(why("paths: [B0]") == "f:10:9: B0 is of the frame: it has no path");
+  CHECK(why("paths: [Q, Q]") == "f:10:12: Q stands here twice");
+  CHECK(why("paths: Q") == "f:10:8: paths: [P, Q], the points whose paths are asked for");
+  CHECK(why("paths: [R]").starts_with("f:10:9: no link has a point R"));
+  CHECK(refusal("epure: 1\nid: f\nlinks:\n  1: {O: [0, 0]}\n  2: {O A: 1 m}\n  3: {A B: 1 m}\ndrive: [{link: 2}, "
+                "{link: 3}]\npaths: [B]\n") == "8:8: with 2 drives a point has no one path");
+  // A point of the crank: its path is the crank's circle, and so is the one that osculates it.
+  const auto crank = scene("paths: [Q]");
+  const CheckedExercise checked = check(*scenes::scene_exercise(crank), Givens(crank->givens()), Rung::climb);
+  CHECK(checked.passed());
+  CHECK(value(checked, "rho_Q") == Approx(std::hypot(0.06, 0.01)));
+  CHECK(value(checked, "curvature_centre_Q_x") == 0);
+}
+
+TEST_CASE("paths are told as they are drawn, also of what slides and of cylinders", "[scenes]") {
+  const std::vector<std::string> english = steps_of("chebyshev", "path", Language::english),
+                                 italian = steps_of("trammel", "path", Language::italian);
+  REQUIRE(english.size() == 4);
+  CHECK(has(english[0], "The axis of link 2 in 12 directions, from +x on: the positions of A."));
+  CHECK(has(english[1], "In each B; on tracing paper P goes with link 3 and marks a point."));
+  REQUIRE(italian.size() == 4);
+  CHECK(has(italian[0], "A in 9 posti su x, fin dove il meccanismo si chiude."));
+  // A cylinder lifts a beam: its end goes along a circle, as far as the cylinder lets it.
+  const std::string lift =
+      "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], P: [1 m, 0]}\n  2: {O: [0, 0], Q: [1 m, 0], R: [2 m, 0]}\ndrive: "
+      "{length: P Q, is: 1 m, speed: 1 m/s}\nassembly: {Q: left of O P}\npaths: [R]\n";
+  const auto scene = std::make_shared<const scenes::Scene>("f", lift);
+  const auto exercise = scenes::scene_exercise(scene);
+  const CheckedExercise checked = check(*exercise, Givens(scene->givens()), Rung::climb);
+  CAPTURE(complaints(checked));
+  CHECK(checked.passed());
+  CHECK(value(checked, "rho_R") == Approx(2));
+}
+
+TEST_CASE("gears are told by wheels, carrier and teeth; what cannot mesh is refused", "[scenes]") {
+  const auto gears = [](const std::string& gear, const std::string& drive = "{link: 2, angle: 20 deg}") {
+    return "epure: 1\nid: f\ngivens: {z: 30, r: 20 mm}\nlinks:\n  1: {O: [0, 0], Q: [90 mm, 0]}\n  2: {O A: 30 mm}\n "
+           " 3: {Q "
+           "B: 30 mm}\ngears: [{" +
+           gear + "}]\ndrive: " + drive + "\n";
+  };
+  const auto omega_3 = [&](const std::string& gear) {
+    return value_in(gears(gear, "{link: 2, angle: 20 deg, speed: 6 rad/s}"), "omega_3");
+  };
+  CHECK(omega_3("wheels: 2 3, on: 1, teeth: [z, 2*z]") == -3);
+  CHECK(omega_3("wheels: 3 2, on: 1, teeth: [z, 2*z]") == -12);
+  CHECK(omega_3("wheels: 2 3, on: 1, teeth: [r, 3*r], inside: yes") == 2);
+  CHECK(omega_3("wheels: 2 3, on: 1, teeth: [z, 2*z], inside: no, phase: 40 deg") == -3);
+  CHECK(value_in(gears("wheels: 2 3, on: 1, teeth: [z, z], phase: 20 deg"), "B_y") == 0);
+  const auto why = [&](const std::string& gear) { return refusal(gears(gear)); };
+  CHECK(why("wheels: 2, on: 1, teeth: [z, z]") == "8:18: two links mesh, as in  wheels: 2 4");
+  CHECK(why("wheels: 2 7, on: 1, teeth: [z, z]") == "8:18: there is no link 7");
+  CHECK(why("wheels: 2 3, on: 2, teeth: [z, z]") ==
+        "8:18: two wheels and the link that carries them are three links");
+  CHECK(why("wheels: 1 3, on: 2, teeth: [z, z]").starts_with("8:27: links 3 and 2 have no hinge"));
+  CHECK(why("wheels: 2 3, on: 1, teeth: [z, z], inside: yes").starts_with("8:37: of two wheels as large"));
+  CHECK(why("wheels: 2 3, on: 1, teeth: [z, 0]") == "8:41: a wheel has more than no teeth");
+  CHECK(why("wheels: 2 3, on: 1, teeth: [z, r]").starts_with("8:41: \"r\" is a length where a pure number"));
+  CHECK(why("wheels: 2 3, on: 1, teeth: z") ==
+        "8:37: two numbers of teeth are asked, such as [20, 40], or two radii");
+  CHECK(why("wheels: 2 3, on: 1, teeth: [z, z], inside: perhaps") == "8:53: inside: yes or no");
+  CHECK(why("wheels: 2 3, on: 1, tooth: [z, z]").starts_with("8:30: \"tooth\" has no meaning here"));
+  CHECK(refusal(gears("wheels: 2 3, on: 1, teeth: [31, 37]") + "paths: [B]\n") ==
+        "10:8: the gears come back to where they were after more than 12 turns of the drive only");
+}
+
+TEST_CASE("a side names what the links hang on", "[scenes]") {
+  const auto lever = [](const std::string& side) {
+    return refusal(
+        "epure: 1\nid: f\nlinks:\n  1: {O2: [0, 0], O3: [-0.2 m, 0]}\n  2: {O2 A: 0.1 m}\n  3: {O3: [0, 0], s: "
+        "{along: "
+        "[1, 0]}}\nslides: {A: s}\ndrive: {link: 2, angle: 150 deg}\nassembly: {s: " +
+        side + "}\n");
+  };
+  CHECK(lever("from O3 towards A").empty());
+  CHECK(lever("from O3 away from A").empty());
+  const std::string open =
+      ": s may point from O3 towards A or away: say under assembly:  s: from O3 towards A  or  s: from O3 away from "
+      "A";
+  CHECK(lever("from O2 towards A") == "9:11" + open);
+  CHECK(lever("from O3 towards O2") == "9:11" + open);
+  CHECK(lever("from O3 towards X").starts_with("9:15: no link has a point X"));
 }
 
 TEST_CASE("a file chooses among its sheets", "[scenes]") {

@@ -1,0 +1,327 @@
+#include "exercises/scenes/path_sheets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "exercises/kit/linkages/second_order_quantities.h"
+#include "exercises/kit/panels/curve.h"
+#include "exercises/kit/panels/locus_panel.h"
+#include "exercises/scenes/dyad_equations.h"
+#include "exercises/scenes/refusals.h"
+#include "exercises/scenes/scene_figure.h"
+#include "geometry/linkages/every_place.h"
+
+namespace epure::scenes {
+namespace {
+
+using geometry::Fast;
+using geometry::LinkPoint;
+using geometry::Stretched;
+using geometry::TurnedLink;
+
+constexpr int shown_directions = 12, shown_ways = 9;
+
+double angle_of_direction(const Arrow2& d) { return std::atan2(d.y, d.x); }
+double within_turn(double angle) {
+  const double turn = 2 * std::numbers::pi;
+  return angle - turn * std::floor(angle / turn);
+}
+
+// Of the turn of directions, what the drive reaches from where it is: on to the first of the parts in which the
+// mechanism is proved not to close, and back to the last.
+struct Reached {
+  double now = 0, first_end = 2 * std::numbers::pi, last_begin = 0;
+
+  void leave_out(const geometry::Gap& gap) {
+    first_end = std::min(first_end, within_turn(angle_of_direction(gap.from) - now));
+    last_begin = std::max(last_begin, within_turn(angle_of_direction(gap.to) - now));
+    is_whole = false;
+  }
+  bool has(double angle) const {
+    const double turned = within_turn(angle - now);
+    return is_whole || turned <= first_end || turned >= last_begin;
+  }
+  bool has(const geometry::Branch& branch) const {
+    const double from = angle_of_direction(branch.from);
+    return branch.closed || has(from + within_turn(angle_of_direction(branch.to) - from) / 2);
+  }
+  bool is_whole = true;
+};
+
+class PathOfScene {
+ public:
+  PathOfScene(std::shared_ptr<const Built> built, int point)
+      : built_(std::move(built)),
+        point_(point),
+        carrier_(carrier()),
+        driven_(driven()),
+        places_(built_->linkage, built_->steps) {
+    const geometry::Arithmetic<Fast> scope;
+    find_reached();
+    find_positions();
+  }
+
+  const std::string& name() const { return letter(point_); }
+  const std::vector<LocusPanel::Position>& positions() const { return positions_; }
+
+  LocusPanel::DrawCurve curve() const {
+    return [built = built_, point = point_, reached = reached_, name = "path_of_" + name()](
+               Plot& plot, const drawings::Box& room) {
+      geometry::Trace trace = geometry::EveryPlace(built->linkage, built->steps)
+                                  .path(point, frame_of(plot, room), curve_tolerance_mm / plot.scale().mm_per_unit);
+      trace.branches.erase(std::remove_if(trace.branches.begin(), trace.branches.end(),
+                                          [&](const geometry::Branch& branch) { return !reached.has(branch); }),
+                           trace.branches.end());
+      draw_branches(plot, trace, Meaning::locus, name);
+      return trace;
+    };
+  }
+
+  std::vector<PanelStep> steps(const Solution& s) const {
+    const auto place = [&](std::size_t share, std::size_t which) -> std::optional<Place> {
+      if (positions_.empty()) return {};
+      const auto& points = positions_[positions_.size() * share / shown_directions].points;
+      return points[std::min(which, points.size() - 1)].at;
+    };
+    std::vector<PanelStep> all{{drive_in_words(), place(7, 0)}};
+    if (const Words between = joints_in_words(); !between.empty()) all.push_back({between, place(2, 1)});
+    all.push_back({format_words("The curve through the points: the path of {}.",
+                                "La curva per i punti: la traiettoria di {}.", written(point_)),
+                   place(5, 1)});
+    all.push_back({centre_in_words(s), s.point(centre_of_curvature(name()).name)});
+    return all;
+  }
+
+  // Of a turned link, where it cannot turn fully.
+  Words range_in_words() const {
+    if (reached_.is_whole || !std::holds_alternative<TurnedLink>(drive())) return {};
+    return {"The drive cannot go all round: where the curve ends the mechanism closes no further.",
+            "Il movente non fa il giro completo: dove la curva finisce il meccanismo non si chiude oltre."};
+  }
+
+ private:
+  const geometry::Linkage& linkage() const { return built_->linkage; }
+  const geometry::Drive& drive() const { return linkage().drives.front(); }
+  const std::string& letter(int p) const { return built_->letters.points[index(p)]; }
+  std::string written(int p) const { return "$" + point_letters(letter(p)) + "$"; }
+
+  // The link that carries the point: of several the one that has most of it, and not the driven one if there is
+  // another.
+  int carrier() const {
+    int best = linkage().links_at(point_).front();
+    for (const int link : linkage().links_at(point_))
+      if (linkage().links[index(link)].points.size() >= linkage().links[index(best)].points.size()) best = link;
+    return best;
+  }
+  // What the drive moves and can be numbered: the pin of a turned link, the slid point, the end of a cylinder.
+  std::optional<int> driven() const {
+    if (const auto* turned = std::get_if<TurnedLink>(&drive())) {
+      for (const LinkPoint& p : linkage().links[index(turned->link)].points)
+        if (linkage().links_at(p.point).front() != 0) return p.point;
+      return {};
+    }
+    if (const auto* slid = std::get_if<geometry::SlidPoint>(&drive())) return slid->point;
+    const auto& cylinder = std::get<Stretched>(drive());
+    return linkage().links_at(cylinder.to).front() != 0 ? cylinder.to : cylinder.from;
+  }
+
+  std::optional<geometry::LinkagePosition<Fast>> closed_at(const geometry::DriveAt<Fast>& there) const {
+    try {
+      return geometry::CarriedOut<Fast>(linkage(), built_->steps).position(there);
+    } catch (const geometry::Impossible&) {
+    } catch (const geometry::Undecided&) {
+      // At a limit of the motion.
+    }
+    return {};
+  }
+  geometry::DriveAt<Fast> turned_by(int part) const {
+    const double angle = 2 * std::numbers::pi * part / shown_directions;
+    return {0, {std::cos(angle), std::sin(angle)}, 0, places_.turns()};
+  }
+  static geometry::DriveAt<Fast> at_way(double way) { return {0, {1, 0}, way}; }
+  double way_now() const {
+    if (const auto* slid = std::get_if<geometry::SlidPoint>(&drive())) return CGAL::to_double(slid->at);
+    return CGAL::to_double(std::get<Stretched>(drive()).length);
+  }
+
+  void find_positions() {
+    if (std::holds_alternative<TurnedLink>(drive())) {
+      for (int part = 0; part < shown_directions; ++part)
+        if (reached_.has(2 * std::numbers::pi * part / shown_directions)) add(closed_at(turned_by(part)), part);
+      return;
+    }
+    const double low = farthest(-1), high = farthest(1);
+    for (int part = 0; part < shown_ways; ++part)
+      add(closed_at(at_way(low + (high - low) * part / (shown_ways - 1))), part);
+  }
+  void find_reached() {
+    if (const auto* turned = std::get_if<TurnedLink>(&drive()))
+      reached_.now = geometry::to_double(turned->angle) / places_.turns();
+    else if (std::holds_alternative<Stretched>(drive()))
+      reached_.now = std::numbers::pi / 2;
+    constexpr double wide = 10, coarse = 100;
+    const double size = reach();
+    const Place O = geometry::CarriedOut<Fast>(linkage(), built_->steps).position().points.front();
+    const geometry::Trace all = places_.path(
+        point_, {O.x - wide * size, O.y - wide * size, O.x + wide * size, O.y + wide * size}, size / coarse);
+    for (const geometry::Gap& gap : all.gaps)
+      if (gap.cause == geometry::Gap::Cause::absent) reached_.leave_out(gap);
+  }
+  // As far as the mechanism closes, in doubles, or some of its sizes.
+  double farthest(double sense) const {
+    const double now = way_now(), size = reach();
+    double closes = 0, open = 4 * size;
+    if (std::holds_alternative<Stretched>(drive()) && sense < 0) open = std::min(open, now);
+    constexpr int looks = 64, halvings = 40;
+    for (int look = 1; look <= looks; ++look)
+      if (const double to = open * look / looks; closed_at(at_way(now + sense * to))) {
+        closes = to;
+      } else {
+        open = to;
+        break;
+      }
+    for (int i = 0; i < halvings && closes < open; ++i)
+      (closed_at(at_way(now + sense * (closes + open) / 2)) ? closes : open) = (closes + open) / 2;
+    return now + sense * closes;
+  }
+  double reach() const {
+    double far = 0;
+    const auto now = geometry::CarriedOut<Fast>(linkage(), built_->steps).position().points;
+    for (const Place& P : now) far = std::max(far, distance(now.front(), P));
+    return far;
+  }
+
+  void add(const std::optional<geometry::LinkagePosition<Fast>>& at, int number) {
+    if (!at) return;
+    LocusPanel::Position position;
+    const auto place = [&](int p) { return at->points[index(p)]; };
+    for (const LinkPoint& p : linkage().links[index(carrier_)].points) position.body.push_back(place(p.point));
+    const std::string label = std::to_string(number);
+    const Place P = place(point_);
+    Place middle{0, 0};
+    for (const Place& corner : position.body)
+      middle = {middle.x + corner.x / static_cast<double>(position.body.size()),
+                middle.y + corner.y / static_cast<double>(position.body.size())};
+    if (driven_ && *driven_ != point_)
+      position.points.push_back({label, place(*driven_), hinge_of_driven(*at), Meaning::construction});
+    position.points.push_back({label, P, middle, Meaning::locus});
+    positions_.push_back(std::move(position));
+  }
+  Place hinge_of_driven(const geometry::LinkagePosition<Fast>& at) const {
+    if (const auto* turned = std::get_if<TurnedLink>(&drive()))
+      for (const LinkPoint& p : linkage().links[index(turned->link)].points)
+        if (linkage().links_at(p.point).front() == 0) return at.points[index(p.point)];
+    return at.points[index(*driven_)];
+  }
+
+  Words drive_in_words() const {
+    const auto positions_of_driven = [&] {
+      return driven_ ? format_words(": the positions of {}", ": le posizioni di {}", written(*driven_)) : Words{};
+    };
+    if (const auto* turned = std::get_if<TurnedLink>(&drive()))
+      return format_words("The axis of link {} in {} directions, from +x on",
+                          "L'asse del membro {} in {} direzioni, da +x", built_->letters.links[index(turned->link)],
+                          shown_directions) +
+             (places_.turns() == 1
+                  ? Words{}
+                  : format_words(", evenly over {} turns", ", spaziate su {} giri", places_.turns())) +
+             positions_of_driven() + ".";
+    if (const auto* slid = std::get_if<geometry::SlidPoint>(&drive()))
+      return format_words("{} in {} places on ${}$, as far as the mechanism closes.",
+                          "{} in {} posti su ${}$, fin dove il meccanismo si chiude.", written(slid->point),
+                          shown_ways, point_letters(built_->letters.lines[index(slid->guide)]));
+    const auto& cylinder = std::get<Stretched>(drive());
+    return format_words("The cylinder {}{} in {} lengths, as far as the mechanism closes",
+                        "Il cilindro {}{} in {} lunghezze, fin dove il meccanismo si chiude", written(cylinder.from),
+                        written(cylinder.to), shown_ways) +
+           positions_of_driven() + ".";
+  }
+
+  // The joints that are found in each position until the point is.
+  Words joints_in_words() const {
+    std::vector<std::string> joints;
+    for (const DyadEquation& equation : dyad_equations(*built_)) {
+      if (equation.joint != letter(point_)) joints.push_back("$" + point_letters(equation.joint) + "$");
+      const auto& placed = equation.links;
+      const int number = built_->letters.links[index(carrier_)];
+      if (equation.joint == letter(point_) || std::find(placed.begin(), placed.end(), number) != placed.end()) break;
+    }
+    if (linkage().links_at(point_).size() == 1) {
+      const bool is_first = joints.empty();
+      const Words with = format_words("{} tracing paper {} goes with link {} and marks a point.",
+                                      "{} carta da lucido {} va con il membro {} e segna un punto.",
+                                      is_first ? Words{"On", "Su"} : Words{"on", "su"}, written(point_),
+                                      built_->letters.links[index(carrier_)]);
+      return is_first ? with : Words{"In each ", "In ognuna "} + enumerated(joints) + "; " + with;
+    }
+    if (point_ == driven_) return {};
+    if (joints.empty()) return format_words("In each {}.", "In ognuna {}.", written(point_));
+    return Words{"In each ", "In ognuna "} + enumerated(joints) +
+           format_words(", and {}.", ", e {}.", written(point_));
+  }
+
+  Words centre_in_words(const Solution& s) const {
+    const std::string Omega = "$Ω_{" + point_letters(name()) + "}$", P = written(point_);
+    if (s.point(centre_of_curvature(name()).name))
+      return format_words(
+          "{0} on the normal of the path, at {1} = $v^{{2}}_{{{2}}}$ / $a^{{n}}_{{{2}}}$ from {3}; "
+          "thin: the circle that osculates the path now.",
+          "{0} sulla normale alla traiettoria, a {1} = $v^{{2}}_{{{2}}}$ / $a^{{n}}_{{{2}}}$ da {3}; "
+          "sottile: il cerchio osculatore.",
+          Omega, radius_of_curvature(name()).symbol, point_letters(name()), P);
+    if (s.value(velocity(name()).name) == 0.0)
+      return format_words("Now {} is at rest, and there is no {}.", "Ora {} è fermo, e non c'è {}.", P, Omega);
+    return format_words("Now the path is straight: {} is at infinity.",
+                        "Ora la traiettoria è diritta: {} è all'infinito.", Omega);
+  }
+
+  std::shared_ptr<const Built> built_;
+  int point_, carrier_;
+  std::optional<int> driven_;
+  geometry::EveryPlace places_;
+  std::vector<LocusPanel::Position> positions_;
+  Reached reached_;
+};
+
+PanelSheet path_sheet(const Scene& scene, const Solution& s, std::size_t which) {
+  const auto built = std::make_shared<const Built>(scene.built(s.givens()));
+  const PathOfScene path(built, built->paths.at(which));
+  const std::string &P = path.name(), letters = point_letters(P), centre = centre_of_curvature(P).name;
+  LocusPanel panel(std::make_shared<const Mechanism>(figure_of(*built, s)), P, path.positions(), path.curve(),
+                   path.steps(s));
+  panel.osculated(s.point(centre), centre, "$Ω_{" + letters + "}$");
+  const std::string none = s.value(velocity(P).name) == 0.0 ? "–" : "∞";
+  PanelSheet sheet;
+  sheet.panels = panels(panel);
+  sheet.results = {
+      [words = path.range_in_words()](const Solution&, Language language) -> std::optional<drawings::Block> {
+        if (words.empty()) return {};
+        return drawings::Paragraph{words.in(language)};
+      },
+      table({"", "$x$", "$y$"}, {{"$" + letters + "$ (m)", {P + "_x", P + "_y"}},
+                                 {"$v_{" + letters + "}$ (m/s)", {"v_" + P + "_x", "v_" + P + "_y"}},
+                                 {"$a_{" + letters + "}$ (m/s²)", {"a_" + P + "_x", "a_" + P + "_y"}},
+                                 {"$Ω_{" + letters + "}$ (m)", {centre + "_x", centre + "_y"}, none}}),
+      values({radius_of_curvature(P).name})};
+  sheet.seen = format_words("The path of {}, with the link that carries it in several positions; {} now",
+                            "La traiettoria di {}, con il membro che lo porta in più posizioni; {} ora", P, P);
+  sheet.told = {P + "_x", P + "_y"};
+  return sheet;
+}
+
+}  // namespace
+
+std::vector<SheetMaker> path_sheets(const std::shared_ptr<const Scene>& scene) {
+  const Built built = scene->built(Givens(scene->givens()));
+  std::vector<SheetMaker> sheets;
+  for (std::size_t i = 0; i < built.paths.size(); ++i) {
+    const std::string& P = built.letters.points[index(built.paths[i])];
+    sheets.push_back(
+        {{built.paths.size() == 1 ? "path" : "path-" + P, format_words("Path of {}", "Traiettoria di {}", P)},
+         [scene, i](const Solution& s, Language) { return path_sheet(*scene, s, i); }});
+  }
+  return sheets;
+}
+
+}  // namespace epure::scenes

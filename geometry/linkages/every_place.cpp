@@ -1,0 +1,46 @@
+#include "geometry/linkages/every_place.h"
+
+#include <algorithm>
+#include <cassert>
+#include <memory>
+
+namespace epure::geometry {
+namespace {
+
+template <class X>
+std::function<ProjectivePoint<X>(const Vector<X>&)> path_over(const EveryPlace& places, const Linkage& linkage,
+                                                              const std::vector<Step>& steps, std::size_t point) {
+  const auto carried_out = std::make_shared<const CarriedOut<X>>(linkage, steps);
+  return [carried_out, &places, point](const Vector<X>& direction) {
+    return projective(carried_out->position(places.drive(direction)).points[point]);
+  };
+}
+
+}  // namespace
+
+EveryPlace::EveryPlace(const Linkage& linkage, const std::vector<Step>& steps) : linkage_(linkage), steps_(steps) {
+  assert(linkage.drives.size() == 1);
+  for (const Link& link : linkage.links)
+    for (const LinkPoint& p : link.points)
+      size_ = std::max({size_, Rational(CGAL::abs(p.at.x)), Rational(CGAL::abs(p.at.y))});
+  if (size_ == 0) size_ = 1;
+  for (const Step& step : steps)
+    if (const auto* wheel = std::get_if<GearedWheel>(&step)) {
+      const Rational part = turns_ * wheel->turn.times.front();
+      const double more = CGAL::to_double(Rational(part.denominator()));
+      if (turns_ * more > most_turns)
+        throw Impossible("the gears come back to where they were after more than 12 turns of the drive only",
+                         "gli ingranaggi tornano dov'erano solo dopo più di 12 giri del movente");
+      turns_ *= static_cast<int>(more);
+    }
+}
+
+Trace EveryPlace::path(int point, const Frame& frame, double tolerance) const {
+  const Arithmetic<Bounded> scope;
+  const auto p = static_cast<std::size_t>(point);
+  return trace(TracedLocus{path_over<BoundedSeries>(*this, linkage_, steps_, p),
+                           path_over<BoundedTangent>(*this, linkage_, steps_, p)},
+               frame, tolerance);
+}
+
+}  // namespace epure::geometry
