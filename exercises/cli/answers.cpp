@@ -22,7 +22,7 @@ std::string trimmed(std::string_view text) {
 }
 
 // What stands for no answer: nothing, dashes, "n.d.", "don't know".
-bool says_nothing(const std::string& answer) {
+bool stands_for_nothing(const std::string& answer) {
   static const std::array<std::string_view, 12> words{"-", "--",   "---", "–",   "—",      "/",
                                                       "?", "n.d.", "nd",  "n/a", "non so", "don't know"};
   const std::string said = lower_case(trimmed(answer));
@@ -240,7 +240,7 @@ Answers read_answers(const Exercise& exercise, const CsvTable& answers, const Cs
     }
     read_scales(student, columns.scales, row);
     for (const AskedColumn& each : columns.quantities)
-      student.answers.push_back(says_nothing(row.cells[each.column]) ? "" : each.text(row));
+      student.answers.push_back(stands_for_nothing(row.cells[each.column]) ? "" : each.text(row));
     all.students.push_back(std::move(student));
   }
   if (!columns.left_out.empty()) all.remarks.push_back(left_out(columns.left_out, answers.file, exercise.about().id));
