@@ -26,7 +26,7 @@ struct Triangle {
 };
 
 // The sentence that it is refused with, without the file's name; empty when it is read.
-std::string refusal(const Triangle& of) {
+std::string file_refusal(const Triangle& of) {
   try {
     scenes::truss_of_text("f", of.text());
   } catch (const scenes::BadScene& bad) {
@@ -89,23 +89,27 @@ TEST_CASE("brackets and inclined rollers of the docs", "[truss]") {
 }
 
 TEST_CASE("what no plan can be drawn of is refused with its place and a sentence", "[truss]") {
-  CHECK(refusal({}).empty());
-  CHECK(refusal({.joints = "{A: [0, 0], B: [4 m, 0], C: [4 m, 0]}"}) == "4:3: joints B and C are in one place");
-  CHECK(refusal({.bars = "[A C, C B]"}).starts_with("4:3: the truss is unstable: 2 bars and 3 components"));
-  CHECK(refusal({.joints = "{A: [0, 0], B: [4, 0], C: [4, 4], D: [0, 4]}", .bars = "[A B, B C, C D, D A, A C, B D]"})
+  CHECK(file_refusal({}).empty());
+  CHECK(file_refusal({.joints = "{A: [0, 0], B: [4 m, 0], C: [4 m, 0]}"}) == "4:3: joints B and C are in one place");
+  CHECK(file_refusal({.bars = "[A C, C B]"}).starts_with("4:3: the truss is unstable: 2 bars and 3 components"));
+  CHECK(file_refusal(
+            {.joints = "{A: [0, 0], B: [4, 0], C: [4, 4], D: [0, 4]}", .bars = "[A B, B C, C D, D A, A C, B D]"})
             .starts_with("4:3: bars 5 (A C) and 6 (B D) cross or touch"));
-  CHECK(refusal({.joints = "{A: [0, 0], B: [4, 0], C: [2, 3], D: [2, 1]}", .bars = "[A B, B C, C A, A D, B D, C D]"})
+  CHECK(file_refusal(
+            {.joints = "{A: [0, 0], B: [4, 0], C: [2, 3], D: [2, 1]}", .bars = "[A B, B C, C A, A D, B D, C D]"})
             .find("statically undetermined") != std::string::npos);
-  CHECK(refusal({.bars = "[A C, C B, A D]"}).find("there is no joint D") != std::string::npos);
-  CHECK(refusal({.joints = "{a: [0, 0], B: [4, 0], C: [2, 3]}"}).find("is no name of a joint") != std::string::npos);
-  CHECK(refusal({.supports = "{A: hinge, B: hinge}"}).find("stands on a hinge and a roller") != std::string::npos);
-  CHECK(refusal({.supports = "{A: hinge}"}).find("stands on a hinge and a roller") != std::string::npos);
-  CHECK(refusal({.supports = "{A: hinge, B: {roller: 90 deg}}"}) ==
+  CHECK(file_refusal({.bars = "[A C, C B, A D]"}).find("there is no joint D") != std::string::npos);
+  CHECK(file_refusal({.joints = "{a: [0, 0], B: [4, 0], C: [2, 3]}"}).find("is no name of a joint") !=
+        std::string::npos);
+  CHECK(file_refusal({.supports = "{A: hinge, B: hinge}"}).find("stands on a hinge and a roller") !=
+        std::string::npos);
+  CHECK(file_refusal({.supports = "{A: hinge}"}).find("stands on a hinge and a roller") != std::string::npos);
+  CHECK(file_refusal({.supports = "{A: hinge, B: {roller: 90 deg}}"}) ==
         "6:13: the truss is unstable: the roller's line of action passes through the hinge");
-  CHECK(refusal({.supports = "{A: hinge, B: {roller: 89.999999999 deg}}"}).empty());
-  CHECK(refusal({.loads = "{C: [0, 0]}"}).find("nothing loads the truss") != std::string::npos);
-  CHECK(refusal({.loads = "{C: [0, -3 m]}"}).find("is a length where") != std::string::npos);
-  CHECK(refusal({.loads = "{C: {force: 3 kN}}"}).find("angle: is missing") != std::string::npos);
+  CHECK(file_refusal({.supports = "{A: hinge, B: {roller: 89.999999999 deg}}"}).empty());
+  CHECK(file_refusal({.loads = "{C: [0, 0]}"}).find("nothing loads the truss") != std::string::npos);
+  CHECK(file_refusal({.loads = "{C: [0, -3 m]}"}).find("is a length where") != std::string::npos);
+  CHECK(file_refusal({.loads = "{C: {force: 3 kN}}"}).find("angle: is missing") != std::string::npos);
 }
 
 TEST_CASE("a bar through which nothing runs is told from one through which almost nothing does", "[truss]") {
