@@ -18,15 +18,28 @@ Explanation of_printed(const std::string& of, double numerator, double denominat
           [=] { return numerator / denominator; }};
 }
 
-// F23 d of the figure with the shorter lever in the retrograde motion: to that figure the source's polygons belong.
-double retrograde_couple_on_a_shorter_lever() {
-  const double degree = std::numbers::pi / 180, AC = 0.423, AB = 0.2, CD = 0.714, theta = 23.5 * degree,
-               phi = 5 * degree;
-  const double along = std::sqrt(AB * AB - std::pow(AC * std::sin(theta), 2)), CB = AC * std::cos(theta) + along;
-  const double F_23 = 50 * CD * std::cos(theta + phi) / CB;
+// The figure with the shorter lever, to which the source's polygons belong; `turned`: by φ, in the direct motion -φ.
+struct ShorterLever {
+  static constexpr double degree = std::numbers::pi / 180, AC = 0.423, AB = 0.2, CD = 0.714, theta = 23.5 * degree,
+                          phi = 5 * degree;
+  double turned;
+
   // B from A: `along` the lever, AC sin θ across it.
-  const double half_mm = 1.25;  // N
-  return half_mm * std::round(F_23 / half_mm) * (along * std::cos(phi) - AC * std::sin(theta) * std::sin(phi));
+  double along() const { return std::sqrt(AB * AB - std::pow(AC * std::sin(theta), 2)); }
+  double F_23() const {
+    return 50 * CD * std::cos(theta + turned) / ((AC * std::cos(theta) + along()) * std::cos(phi - turned));
+  }
+  double d() const { return along() * std::cos(turned) - AC * std::sin(theta) * std::sin(turned); }
+};
+constexpr double half_mm = 1.25;  // N
+
+double retrograde_couple_on_a_shorter_lever() {
+  const ShorterLever of{ShorterLever::phi};
+  return half_mm * std::round(of.F_23() / half_mm) * of.d();
+}
+double direct_couple_on_a_shorter_lever() {
+  const ShorterLever of{-ShorterLever::phi};
+  return (of.F_23() - half_mm) * std::round(100 * of.d()) / 100;
 }
 
 }  // namespace
@@ -60,7 +73,12 @@ std::vector<Printed> printed_by_the_source() {
        Explanation{{"follows from F23 = 66 N of N.4, which belongs to another figure: 66·0.11",
                     "segue dalla F23 = 66 N della N.4, che appartiene a un'altra figura: 66·0,11"},
                    [] { return 66 * 0.11; }}},
-      {"fairbairn.M_direct", "8.2", polygon},
+      {"fairbairn.M_direct", "8.2", polygon, 0,
+       Explanation{{"the polygon belongs to the figure with the shorter lever (8.45 N m): F23 = 69.4 N, read half a "
+                    "millimetre short, 1.25 N, times its arm 0.122 m, read as 0.12 m",
+                    "il poligono appartiene alla figura con la leva più corta (8,45 N m): F23 = 69,4 N, letta mezzo "
+                    "millimetro in meno, 1,25 N, per il braccio 0,122 m, letto 0,12 m"},
+                   direct_couple_on_a_shorter_lever}},
       {"fairbairn.M_retrograde", "5.9", polygon, 0,
        Explanation{{"the polygon belongs to the figure with the shorter lever (CD = 0.714 m, AC = 0.423 m, θ = "
                     "23.5°): F'23 = 63.3 N, read to half a millimetre, 1.25 N, times its arm 0.0924 m",

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exercises/kit/statement/given_number.h"
 #include "geometry/numbers/climb.h"
 
 namespace epure::friction_efficiency {
@@ -15,7 +16,10 @@ const Angle& right_angle() {
   return quarter;
 }
 
-Words of_degrees(const Angle& angle) { return decimal(geometry::degrees(angle), 6); }
+Words of_degrees(const Angle& angle) {
+  if (angle.radians == 0) return told_value(360 * angle.turns);
+  return decimal(geometry::degrees(angle), 6);
+}
 
 // P would be infinite: `limit` is the friction angle at which it becomes so.
 void require_below(const Angle& phi, const Angle& limit, const std::string& mechanism) {
@@ -28,19 +32,33 @@ void require_below(const Angle& phi, const Angle& limit, const std::string& mech
 
 // The rod jams when the line of the wedge's force on it passes through K, where the collar's two forces meet:
 //   a - (a t + 2 m t) μ + (w t - 2 m) μ² + w μ³ = 0,   a and m the collar's length and the height of its middle.
+template <class T>
+T room_before_jam(const Wedge& of, const T& mu) {
+  const auto number = [](const Rational& q) { return geometry::from_rational<T>(q); };
+  const T t = geometry::quotient(geometry::sine<T>(of.theta), geometry::cosine<T>(of.theta));
+  const T a = number(of.y_upper - of.y_lower), twice_m = number(of.y_upper + of.y_lower), w = number(of.w);
+  return a - (a + twice_m) * t * mu + (w * t - twice_m) * geometry::square(mu) + w * mu * geometry::square(mu);
+}
 void require_moving_rod(const Wedge& of, const Angle& phi) {
   const Sign left =
       geometry::decide([&]<class T>() {
-        const auto number = [](const Rational& q) { return geometry::from_rational<T>(q); };
-        const T mu = geometry::quotient(geometry::sine<T>(phi), geometry::cosine<T>(phi)),
-                t = geometry::quotient(geometry::sine<T>(of.theta), geometry::cosine<T>(of.theta));
-        const T a = number(of.y_upper - of.y_lower), twice_m = number(of.y_upper + of.y_lower), w = number(of.w);
-        return a - (a + twice_m) * t * mu + (w * t - twice_m) * geometry::square(mu) + w * mu * geometry::square(mu);
+        return room_before_jam<T>(of, geometry::quotient(geometry::sine<T>(phi), geometry::cosine<T>(phi)));
       }).sign;
   if (left == Sign::positive) return;
-  throw BadGivens(format_words("phi = {}°: the rod jams in its collar in the direct motion; no force P moves it",
-                               "phi = {}°: l'asta s'impunta nel collare nel moto diretto; nessuna forza P la muove",
-                               of_degrees(phi)));
+  // For the sentence, in doubles: the first of what may be several such angles.
+  constexpr int steps = 4096, halvings = 60;
+  const double at_most = std::tan(geometry::to_double(phi));
+  int step = 1;
+  while (step < steps && room_before_jam<double>(of, at_most * step / steps) > 0) ++step;
+  double moves = at_most * (step - 1) / steps, jams = at_most * step / steps;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (moves + jams) / 2;
+    (room_before_jam<double>(of, middle) > 0 ? moves : jams) = middle;
+  }
+  throw BadGivens(format_words(
+      "phi = {}°: the rod jams in its collar in the direct motion at {}°, beyond which no force P moves it",
+      "phi = {}°: l'asta s'impunta nel collare nel moto diretto a {}°, oltre i quali nessuna forza P la muove",
+      of_degrees(phi), decimal(std::atan(jams) * 180 / std::numbers::pi, 6)));
 }
 
 // On the line of hinges the contact is the levers' relative pole: they roll there, and friction has no sense.

@@ -374,9 +374,9 @@ struct PendulumRoutes {
     const auto sine = [=, this](const Rational& t) {
       return start(t) ? geometry::sine<Deep>(of.theta_0) : sine_of(at(t));
     };
-    const auto cosine = [=, this](const Rational& t) {
-      return start(t) ? cosine_of_start<Deep>() : cosine_of(at(t));
-    };
+    // At the start by both routes from the given angle: where it is level, the cosine is zero and no series proves
+    // it.
+    const auto cosine = [=, this](const Rational& t) { return t == 0 ? cosine_of_start<Deep>() : cosine_of(at(t)); };
     const auto rate = [=](const Rational& t) { return start(t) ? Deep(0) : at(t).rate; };
     const auto acceleration = [=, this](const Rational& t) { return -number<Deep>(of.Omega_squared()) * sine(t); };
     const auto force = [=, this](const Rational& t) {

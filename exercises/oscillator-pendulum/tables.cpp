@@ -11,12 +11,14 @@
 namespace epure::oscillator_pendulum {
 namespace {
 
-constexpr long table_bits = 512;
+// Most tables need no more than a few; what they leave open, or would take for zero, is asked of many.
+constexpr long few_bits = 128, many_bits = 512;
 
 // The double nearest to it, or one of the two beside a value midway.
 double in_double(const Deep& x) {
   const geometry::Enclosure ends = geometry::enclosure(x);
-  if (is_zero_for_drawing(ends, table_bits)) return 0;
+  const long bits = geometry::Arithmetic<Deep>::bits();
+  if (bits == many_bits && is_zero_for_drawing(ends, bits)) return 0;
   if (!certain_double(x) && std::nextafter(ends.lower, ends.upper) != ends.upper && std::isfinite(ends.value))
     throw geometry::Undecided("a number of the table", "un numero della tabella");
   return ends.value;
@@ -59,15 +61,25 @@ std::vector<Rational> instants_of_rows(const Rational& dt, int end) {
 
 // In the order of the specs. `take` has a route write into what it is given.
 template <class Take>
-std::vector<std::vector<double>> columns_of(const std::vector<Spec>& specs, const std::vector<Rational>& rows,
-                                            const Take& take) {
-  const geometry::Arithmetic<Deep> scope(table_bits);
+std::vector<std::vector<double>> columns_with(long bits, const std::vector<Spec>& specs,
+                                              const std::vector<Rational>& rows, const Take& take) {
+  const geometry::Arithmetic<Deep> scope(bits);
   RowWriter::Columns found;
   for (const Spec& spec : specs) found[spec.name];
   take(RowWriter(rows, found));
   std::vector<std::vector<double>> all;
   for (const Spec& spec : specs) all.push_back(found.at(spec.name));
   return all;
+}
+
+template <class Take>
+std::vector<std::vector<double>> columns_of(const std::vector<Spec>& specs, const std::vector<Rational>& rows,
+                                            const Take& take) {
+  try {
+    return columns_with(few_bits, specs, rows, take);
+  } catch (const geometry::Undecided&) {
+    return columns_with(many_bits, specs, rows, take);
+  }
 }
 
 std::size_t rows_within_doubles(const std::vector<std::vector<double>>& columns) {

@@ -219,7 +219,8 @@ std::unique_ptr<Exercise> truss_of_text(const std::string& name, std::string_vie
   if (!of->root.find("truss")) return {};
   const File file(of->name);
   file.demand_keys(of->root, {"epure", "id", "title", "source", "givens", "truss"});
-  const FileHead head = read_head(file, of->root);
+  FileHead head = read_head(file, of->root);
+  for (GivenSpec& given : head.givens) given.letters = letters_of_force(given.symbol);  // no point is among them
   const std::size_t bars = of->built(Givens(head.givens)).bars();
   Description about{.id = head.id,
                     .title = escaped(head.title),
