@@ -15,7 +15,7 @@ SpinUp law_of(const CorpusCase& c) {
   return {of("A"), of("B"), of("C"), of("D"), of("v_0"), of("omega_0"), of("R")};
 }
 
-void holds(const CorpusCase& c, const SpinState& found) {
+void state_holds(const CorpusCase& c, const SpinState& found) {
   holds(c, "t", found.t);
   holds(c, "v", found.v);
   holds(c, "omega", found.omega);
@@ -34,8 +34,8 @@ TEST_CASE("slip ends as the reference has it, in closed form and by series, and 
   const Arithmetic<Deep> scope(512);
   CHECK(spins().size() == 5);
   for (const CorpusCase& c : spins()) {
-    holds(c, end_of_slip(law_of(c)));
-    holds(c, end_of_slip_by_series(law_of(c)));
+    state_holds(c, end_of_slip(law_of(c)));
+    state_holds(c, end_of_slip_by_series(law_of(c)));
   }
 }
 
