@@ -300,13 +300,13 @@ class Building {
       built_.linkage.gears.push_back(gear(item, what));
     }
   }
-  GearPair gear(const Tree& at, const Words& what) const {
+  MeshingLinks gear(const Tree& at, const Words& what) const {
     const Tree &wheels = demand(at, "wheels"), &on = demand(at, "on"), &teeth = demand(at, "teeth");
     const std::vector<std::string> both = parted(file_.text(wheels, what));
     if (both.size() != 2)
       refuse(wheels, {"two links mesh, as in  wheels: 2 4", "ingranano due membri, come in  wheels: 2 4"});
-    GearPair gear{link_of_number(wheels, both[0]), link_of_number(wheels, both[1]),
-                  link_of_number(on, file_.text(on, what)), 1, 1};
+    MeshingLinks gear{link_of_number(wheels, both[0]), link_of_number(wheels, both[1]),
+                      link_of_number(on, file_.text(on, what)), 1, 1};
     if (gear.first == gear.second || gear.first == gear.carrier || gear.second == gear.carrier)
       refuse(wheels, {"two wheels and the link that carries them are three links",
                       "due ruote e il membro che le porta sono tre membri"});

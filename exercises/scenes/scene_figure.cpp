@@ -99,7 +99,7 @@ void add_wheels(Mechanism& figure, const Built& built) {
     figure.point(name, at, Mechanism::Joint::corner, "");
     return name;
   };
-  for (const geometry::GearPair& gear : of.gears)
+  for (const geometry::MeshingLinks& gear : of.gears)
     for (const bool is_first : {true, false}) {
       const int wheel = is_first ? gear.first : gear.second, centre = of.hinge_of(wheel, gear.carrier),
                 other = of.hinge_of(is_first ? gear.second : gear.first, gear.carrier);

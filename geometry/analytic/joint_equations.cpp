@@ -50,7 +50,7 @@ class JointEquations {
       beside(end(linkage_.link_of_line(block.moving), linkage_.line(block.moving).through), block.guide);
       parallel(block);
     }
-    for (const GearPair& gear : linkage_.gears) meshing(gear);
+    for (const MeshingLinks& gear : linkage_.gears) meshing(gear);
     for (const Drive& drive : linkage_.drives) std::visit([this](const auto& d) { driven(d); }, drive);
     return std::move(equations_);
   }
@@ -112,7 +112,7 @@ class JointEquations {
     equations_.push_back(std::move(equation));
   }
 
-  void meshing(const GearPair& gear) {
+  void meshing(const MeshingLinks& gear) {
     const Rational m = gear.turns_of_second();
     Equation<T> equation{.residual = off_mesh(gear), .slopes = {}};
     for (const auto& [link, times] :
@@ -121,7 +121,7 @@ class JointEquations {
     equations_.push_back(std::move(equation));
   }
   // Where the number has no angles: of whole times of them all, the square of the distance between two axes.
-  T off_mesh(const GearPair& gear) const {
+  T off_mesh(const MeshingLinks& gear) const {
     const Rational m = gear.turns_of_second();
     if constexpr (NumberWithAngles<T>) {
       const auto theta = [&](int link) { return links_[static_cast<std::size_t>(link)].theta; };

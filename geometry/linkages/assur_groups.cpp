@@ -38,7 +38,7 @@ class GearedTurns {
         row.turn.times[k] = 1;
         rows_.push_back(std::move(row));
       }
-    for (const GearPair& gear : linkage.gears) {
+    for (const MeshingLinks& gear : linkage.gears) {
       Row row = empty();
       const Rational of_second = gear.turns_of_second();
       row.links[static_cast<std::size_t>(gear.second)] += 1;
@@ -353,7 +353,7 @@ class Placing {
   // All stand, and more than needed holds them: wheels, which turn so without their gears, or whatever there is.
   std::vector<int> held_twice() const {
     std::vector<int> all;
-    for (const GearPair& gear : linkage_.gears)
+    for (const MeshingLinks& gear : linkage_.gears)
       for (const int wheel : {gear.first, gear.second})
         if (wheel != 0 && std::find(all.begin(), all.end(), wheel) == all.end()) all.push_back(wheel);
     for (int link = 1; all.empty() && link < count(); ++link) all.push_back(link);

@@ -64,7 +64,7 @@ class Centres {
     const auto point = [&](int p) { return at.points[static_cast<std::size_t>(p)]; };
     if (centre.point != nothing) return projective(point(centre.point));
     if (centre.gear != nothing) {
-      const GearPair& gear = linkage.gears[static_cast<std::size_t>(centre.gear)];
+      const MeshingLinks& gear = linkage.gears[static_cast<std::size_t>(centre.gear)];
       const Own on_carrier = linkage.pitch_point(gear);
       return projective(at.links[static_cast<std::size_t>(gear.carrier)].at(
           Vector<T>{from_rational<T>(on_carrier.x), from_rational<T>(on_carrier.y)}));

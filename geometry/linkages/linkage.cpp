@@ -57,7 +57,7 @@ int Linkage::hinge_of(int one, int other) const {
 }
 
 // Inside, beyond the centre of the smaller wheel; else between the two.
-Own Linkage::pitch_point(const GearPair& gear) const {
+Own Linkage::pitch_point(const MeshingLinks& gear) const {
   const Own &O = place(gear.carrier, hinge_of(gear.first, gear.carrier)),
             &Q = place(gear.carrier, hinge_of(gear.second, gear.carrier));
   const Rational share = gear.first_teeth / (gear.is_inside ? Rational(gear.first_teeth - gear.second_teeth)

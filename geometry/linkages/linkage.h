@@ -52,7 +52,7 @@ struct LineOnLine {
 // Two wheels that mesh, both hinged on a third link, the carrier: seen from there they turn in the inverse ratio of
 // their teeth (or radii), against each other or, where one lies inside the other, the same way. Where the first one's
 // x axis lies on the carrier's, the second one's is turned by the phase from it.
-struct GearPair {
+struct MeshingLinks {
   int first, second, carrier;
   Rational first_teeth, second_teeth;
   bool is_inside = false;
@@ -107,7 +107,7 @@ struct Linkage {
   std::vector<Link> links;  // the frame first
   std::vector<PinOnLine> pins = {};
   std::vector<LineOnLine> blocks = {};
-  std::vector<GearPair> gears = {};
+  std::vector<MeshingLinks> gears = {};
   std::vector<Drive> drives = {};
   std::vector<Chosen> chosen = {};
 
@@ -122,7 +122,7 @@ struct Linkage {
   // A hinge of both links; none: `nothing`.
   int hinge_of(int one, int other) const;
   // Where two wheels touch, in the axes of their carrier.
-  Own pitch_point(const GearPair& gear) const;
+  Own pitch_point(const MeshingLinks& gear) const;
   // 3 for each moving link, less what joints, gears and drives take.
   int freedom() const;
   // One drive, a link that turns steadily by so many turns a second: who asks for nothing but signs counts a radian

@@ -92,7 +92,7 @@ TEST_CASE("landing: givens that cannot be, each in one sentence", "[landing]") {
   refused({"f_r=0.001"}, "slip never ends");
   refused({"c_y=-20"}, "only below 66.6628 m/s");
   refused({"rim_0=70"}, "spins faster");
-  refused({"v_0=60", "rim_0=60"}, "already rolls");
+  refused({"v_0=60m/s", "rim_0=60"}, "already rolls");
   refused({"m_a=-1"}, "must be positive");
   refused({"v_0=0"}, "must be positive");
   CHECK(landing().checked({"f_r=0.001000001"}).passed());

@@ -71,8 +71,8 @@ TEST_CASE("the source's least closing force is that of the drawn position", "[ca
     }
   CHECK(rounded == 10);
   CHECK(read == 7);
-  CHECK(explained == 14);
-  CHECK(unexplained == 1);  // 5.87 m/s, read off the polygon of the drawn position
+  CHECK(explained == 15);
+  CHECK(unexplained == 0);
   const auto& P_min = find(stated, "maximum_lift.P_min").printed.front();
   REQUIRE(P_min.explanation);
   CHECK(P_min.explanation->english.find("drawn position") != std::string::npos);

@@ -206,8 +206,10 @@ TEST_CASE("four-bar-analytic: the impossible is one sentence", "[four-bar-analyt
                                  {{"n=0"}, {"n = 0", "must turn"}},
                                  {{"AB=0"}, {"AB = 0", "must be positive"}},
                                  {{"branch=up"}, {"branch", "left or right"}},
-                                 // AB₀ = 1.2 - 0 = AB + B₀B
-                                 {{"A0B0=1.4", "theta_2=0"}, {"limit position"}},
+                                 // AB₀ = 1.4 - 0.2 = AB + B₀B: stretched, and so it closes in no other position.
+                                 {{"A0B0=1.4", "theta_2=0"}, {"in this position alone", "cannot move"}},
+                                 // AB₀ = 5 = AB + B₀B
+                                 {{"A0B0=4", "A0A=3", "AB=2", "B0B=3", "theta_2=90"}, {"limit position"}},
                                  // All in line, and 2 + 8 = 6 + 4: 20 ω₄² - 8 ω₄ - 4 = 0, ω₄ = (8 ± √384)/40.
                                  {{"A0B0=8", "A0A=2", "AB=6", "B0B=4", "theta_2=180"},
                                   {"change point", "two motions", "ω₄/ω₂ = 0.689898", "ω₄/ω₂ = -0.289898"}}};
