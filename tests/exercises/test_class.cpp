@@ -136,6 +136,24 @@ TEST_CASE("class: a student's givens depend on the seed and on the number alone"
   CHECK(drawn == std::set<std::string>{"0.18m", "0.19m", "0.2m", "0.21m", "0.22m"});
 }
 
+TEST_CASE("class: another seed draws other lots", "[class]") {
+  const Scratch scratch;
+  const auto drawn = [&](const std::string& seed) {
+    REQUIRE(make({"slider-crank-velocity/poles", "--count", "12"},
+                 {"--vary", "r=0.18..0.22/0.01", "--vary", "phi=25..50/26", "--seed", seed})
+                .exit == 0);
+    std::vector<std::string> all;
+    const CsvTable key = key_in(scratch.path());
+    for (std::size_t row = 0; row < 12; ++row) all.push_back(cell(key, row, "r") + cell(key, row, "phi"));
+    return all;
+  };
+  const std::vector<std::string> june = drawn("june"), july = drawn("july");
+  std::size_t equal = 0;
+  for (std::size_t i = 0; i < 12; ++i) equal += june[i] == july[i] ? 1 : 0;
+  CHECK(equal < 4);  // of 130 variants; more once in 10,000,000 seeds
+  CHECK(drawn("june") == june);
+}
+
 TEST_CASE("class: what cannot be drawn well is drawn again, and counted", "[class]") {
   const Scratch scratch;
   // Near its dead centres, and at them, the crank's circle leaves vectors too short or lines too flat.
@@ -222,6 +240,14 @@ TEST_CASE("class: what the journal knows is not drawn again, and nothing else is
   CHECK(drawn_anew(words, but_for(3, "n=300|361|400")) == 5);
   CHECK(drawn_anew({"slider-crank-velocity/poles", "--count", "6", "--lang", "it"}) == 5);
   CHECK(drawn_anew({"slider-crank-velocity/poles", "--count", "6", "--scale", "1:20"}) == 5);
+  // Also where both scales were asked for.
+  fs::remove_all("out");
+  fs::create_directories(in_class("6-blank.pdf/in-the-way"));
+  REQUIRE(make({"slider-crank-velocity/poles", "--count", "6", "--scale", "1:20"}).exit == 3);
+  journal = contents(in_class("unfinished.jsonl"));
+  fs::remove_all(in_class("6-blank.pdf"));
+  CHECK(drawn_anew({"slider-crank-velocity/poles", "--count", "6", "--scale", "1:50"}) == 5);
+  CHECK(cell(key_in(scratch.path()), 0, "scale poles") == "0.02");
   write("one.csv", "number,l\n1,0.51\n");  // the number of a student who is there, with givens of his own
   CHECK(drawn_anew({"slider-crank-velocity/poles", "--givens", "one.csv"}) == 1);
 }
@@ -862,4 +888,23 @@ TEST_CASE("class --format moodle: of one sheet its own question is asked, of all
   const std::string whole = asked("slider-crank-velocity", "slider-crank-velocity");
   CHECK_FALSE(holds(whole, own));
   CHECK(holds(whole, "by the method of poles and by the polar diagram; draw the fixed"));
+}
+
+TEST_CASE("class: of one sheet its own scale counts, in Moodle and for mark by the key", "[class]") {
+  const Scratch scratch;
+  // On sheet poles, which has not been handed out, 1 cm is 2.5 m/s; on this one 1 m/s.
+  const std::string sheet = "slider-crank-velocity/polar-diagram",
+                    made = "out/slider-crank-velocity-polar-diagram-class/";
+  REQUIRE(make({sheet, "--count", "1", "--format", "moodle"}, {}).exit == 0);
+  CHECK(tolerance_in(field_of(question_in(made + "questions.xml"), "v_B")) == 0.05);
+  const double v_B = std::stod(cell(read_csv_file(made + "key.csv"), 0, "v_B"));
+  const auto verdict = [&](double off) {
+    write("answers.csv", "number,v_B\n1," + std::to_string(v_B + off) + "\n");
+    const Ran ran = run_real(
+        {"mark", "slider-crank-velocity", "--answers", "answers.csv", "--key", made + "key.csv", "--format", "csv"});
+    REQUIRE(ran.exit == 0);
+    return cell(read_csv(ran.out, "marks"), 0, "v_B verdict");
+  };
+  CHECK(verdict(0.049) == "right");
+  CHECK(verdict(0.051) == "wrong");
 }

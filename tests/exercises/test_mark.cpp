@@ -233,6 +233,12 @@ TEST_CASE("each student's own givens, from the key or the answers") {
   CHECK(tells(marked(answers, {"--key", "key.csv"}).out, "In the key, and without answers: 9 Late\n"));
   CHECK(tells(marked(answers, {"--key", "key.csv"}).out,
               "4 students, 5.5 points of 6,"));  // the absent are not among them
+  // More than half of them missing is another class, half of them is not.
+  write_file("key.csv", "number,a\n1,0.6m\n");
+  CHECK(marked("number,c\n1,0.72\n2,0.5\n", {"--key", "key.csv"}).err ==
+        "epure: answers.csv: not in key.csv: 2 (1 of 2 students)\n");
+  CHECK(marked("number,c\n1,0.72\n2,0.5\n3,1\n", {"--key", "key.csv"}).err ==
+        "epure: answers.csv: not in key.csv: 2, 3 (2 of 3 students); is it the key of another class?\n");
   // A slip in a key is told; a key that is nobody's marks nobody.
   write_file("key.csv", "number,a,c\n1,0.6m,0.73\n2,0.3,0.5\n");
   const Ran other = marked("number,c\n1,0.72\n2,0.5\n", {"--key", "key.csv"});
