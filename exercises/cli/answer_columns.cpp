@@ -27,6 +27,7 @@ HeadedBy heading_of(const std::string& column) {
   return {column, {}};
 }
 
+constexpr std::size_t scale_and_blank = 6;  // "scale ", "scala "
 bool heads_scale(const std::string& head) {
   const std::array<std::string_view, 2> names{"scale", "scala"};
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
@@ -97,6 +98,14 @@ class ColumnReader {
     return i == about_.givens.size() ? nullptr : &about_.givens[i];
   }
 
+  // That of "scale poles".
+  const SheetSpec* sheet_to_scale(const std::string& head) const {
+    if (!heads_scale(head) || head.size() < scale_and_blank) return nullptr;
+    const auto found = std::find_if(about_.sheets.begin(), about_.sheets.end(),
+                                    [&](const SheetSpec& each) { return each.name == head.substr(scale_and_blank); });
+    return found == about_.sheets.end() ? nullptr : &*found;
+  }
+
   // Of a name that a given and a quantity have. A key's givens have their units in the cells, not in the heading.
   bool means_given(const HeadedBy& heading, const GivenSpec& spec, std::size_t column) const {
     if (stands_in(found_.givens, spec.symbol)) return false;
@@ -110,6 +119,10 @@ class ColumnReader {
     if (heads_numbers(typed) || heads_names(typed) || is_of_no_account(typed)) return;
     if (role_ == TableRole::answers && heads_scale(typed)) {
       found_.scales.push_back(column);
+      return;
+    }
+    if (const SheetSpec* sheet = role_ == TableRole::key ? sheet_to_scale(typed) : nullptr) {
+      found_.sheets.push_back({column, sheet->name, ""});
       return;
     }
     const HeadedBy heading = heading_of(typed);
