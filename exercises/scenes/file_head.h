@@ -40,6 +40,9 @@ class File {
   const std::string& name_;
 };
 
+// For the name of a file.
+inline constexpr const char* standard_input = "-";
+
 // Throws BadScene where it cannot be read.
 std::string bytes_of(const std::string& file);
 

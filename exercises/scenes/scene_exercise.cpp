@@ -103,12 +103,9 @@ std::optional<SceneName> scene_name(const std::string& name) {
       const std::size_t slash = place + ending.size();
       return SceneName{name.substr(0, slash), name.substr(slash)};
     }
-  if (name.ends_with(".yaml") || name.ends_with(".yml")) return SceneName{name, ""};
+  if (name.ends_with(".yaml") || name.ends_with(".yml") || name == standard_input) return SceneName{name, ""};
+  if (name.starts_with("-/")) return SceneName{standard_input, name.substr(1)};
   return {};
-}
-
-std::shared_ptr<const Scene> read_scene(const std::string& file) {
-  return std::make_shared<const Scene>(file, bytes_of(file));
 }
 
 std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& scene) {
