@@ -103,8 +103,10 @@ std::optional<SceneName> scene_name(const std::string& name) {
       const std::size_t slash = place + ending.size();
       return SceneName{name.substr(0, slash), name.substr(slash)};
     }
-  if (name.ends_with(".yaml") || name.ends_with(".yml") || name == standard_input) return SceneName{name, ""};
-  if (name.starts_with("-/")) return SceneName{standard_input, name.substr(1)};
+  if (name.ends_with(".yaml") || name.ends_with(".yml")) return SceneName{name, ""};
+  const std::string piped = standard_input;
+  if (name == "-" || name == piped) return SceneName{piped, ""};
+  if (name.starts_with(piped + "/")) return SceneName{piped, name.substr(piped.size())};
   return {};
 }
 

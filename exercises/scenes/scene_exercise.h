@@ -10,8 +10,8 @@
 
 namespace epure::scenes {
 
-// A name on the command line that is one of a file: ID.yaml, or ID.yaml/SHEET; of standard input: -, or -/SHEET;
-// none: it is that of an exercise.
+// A name on the command line that is one of a file: ID.yaml, or ID.yaml/SHEET; of standard input: -, or
+// /dev/stdin/SHEET. None: it is that of an exercise.
 struct SceneName {
   std::string file, sheet;  // "/SHEET", or empty
 };

@@ -67,7 +67,7 @@ done
 "$epure" draw - --format svg --out scene_piped < six-bar.yaml > /dev/null
 expect 'a mechanism comes from standard input' 0 $?
 expect 'and is that of the file' '' "$(diff -rq scene_1 scene_piped 2>&1)"
-"$epure" draw -/velocities --format svg -o - < six-bar.yaml > piped.svg
+"$epure" draw /dev/stdin/velocities --format svg -o - < six-bar.yaml > piped.svg
 expect 'so does one sheet of it' '' "$(cmp piped.svg scene_1/six-bar-velocities.svg 2>&1)"
 rm -f piped.svg
 
