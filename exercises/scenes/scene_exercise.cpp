@@ -104,11 +104,10 @@ std::optional<SceneName> scene_name(const std::string& name) {
       return SceneName{name.substr(0, slash), name.substr(slash)};
     }
   if (name.ends_with(".yaml") || name.ends_with(".yml")) return SceneName{name, ""};
+  const std::string piped = standard_input;
+  if (name == "-" || name == piped) return SceneName{piped, ""};
+  if (name.starts_with(piped + "/")) return SceneName{piped, name.substr(piped.size())};
   return {};
-}
-
-std::shared_ptr<const Scene> read_scene(const std::string& file) {
-  return std::make_shared<const Scene>(file, bytes_of(file));
 }
 
 std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& scene) {

@@ -64,6 +64,13 @@ for run in 1 2 3 4 5 6 7 8 9; do
   expect "a mechanism from a file is drawn with the same bytes, run $run" '' "$(diff -rq scene_1 "scene_$run" 2>&1)"
 done
 
+"$epure" draw - --format svg --out scene_piped < six-bar.yaml > /dev/null
+expect 'a mechanism comes from standard input' 0 $?
+expect 'and is that of the file' '' "$(diff -rq scene_1 scene_piped 2>&1)"
+"$epure" draw /dev/stdin/velocities --format svg -o - < six-bar.yaml > piped.svg
+expect 'so does one sheet of it' '' "$(cmp piped.svg scene_1/six-bar-velocities.svg 2>&1)"
+rm -f piped.svg
+
 "$epure" draw all --out all_one > /dev/null
 expect 'drawing all exits with 0' 0 $?
 "$epure" draw all --out all_two > /dev/null
