@@ -266,7 +266,11 @@ PanelSheet double_slider(const Solution& s, Language language) {
   results.push_back(
       table({Words{"hinges", "cerniere"}.in(language), "$\\it{P}$ (N)", "$\\it{P}'$ (N)", "$η_{D}$", "$η_{R}$"},
             {row({"with friction", "con attrito"}, of), row({"ideal", "ideali"}, ideal)}));
-  results.push_back(ideal.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
+  const auto limits = [&](const Words& hinges, const Case& each) {
+    return Row{hinges.in(language), each.names({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"})};
+  };
+  results.push_back(table({Words{"hinges", "cerniere"}.in(language), "$φ_{R}$ (°)", "$φ_{D}$ (°)"},
+                          {limits({"with friction", "con attrito"}, of), limits({"ideal", "ideali"}, ideal)}));
   return {
       .panels = panels(A, B, with_guides(direct), with_guides(retrograde)),
       .results = results,
