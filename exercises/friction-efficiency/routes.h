@@ -223,6 +223,20 @@ void put_whole(Ledger<T>& ledger, const Quantity& limit, const Angle& angle) {
   ledger.put(limit, [=] { return given_in_degrees<T>(angle); });
 }
 
+// A limit of the link with friction in its pins: in the triangle of the sides l and 2 r, whose directions stand at
+// `whole`, the angle beside 2 r. Constructed, and by the law of tangents.
+template <class T>
+void put_limit_with_pins(Ledger<T>& ledger, const Quantity& limit, const Angle& whole, const T& l, const T& twice_r) {
+  const T c = geometry::cosine<T>(whole), s = geometry::sine<T>(whole);
+  ledger.route("construction");
+  ledger.put(limit, [=] { return in_degrees(slope_angle(Vector<T>{twice_r + l * c, l * s})); });
+  ledger.route("analytic");
+  ledger.put(limit, [=] {
+    const Complex<T> half_difference{(l + twice_r) * (T(1) + c), (l - twice_r) * s};
+    return given_in_degrees<T>(Rational(1, 2) * whole) + part_of_turn_in_degrees(slope_by_its_half(half_difference));
+  });
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // The wedge.
 
@@ -472,7 +486,10 @@ void write_double_slider(Ledger<T>& ledger, const Problem& problem) {
   ledger.put(circle, [=] { return number<T>(problem.radius) * geometry::cosine<T>(quarter() - phi); });
   ledger.put(tilt, [=] { return tilt_by_half(); });
   const Motions<T> all = double_slider_motions<T>(problem, true);
-  const T l = number<T>(problem.of.double_slider.l);
+  const T l = number<T>(problem.of.double_slider.l), twice_r = number<T>(2 * problem.radius);
+  put_limit_with_pins(ledger, self_locking_angle(), quarter() - theta, l, twice_r);
+  put_limit_with_pins(ledger, jamming_angle(), theta, l, twice_r);
+  ledger.route("construction");
   const Point<T> A{T(0), l * geometry::sine<T>(theta)}, B{-(l * geometry::cosine<T>(theta)), T(0)};
   ledger.draws_point("A", A);
   ledger.draws_point("B", B);

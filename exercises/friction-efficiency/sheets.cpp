@@ -47,6 +47,17 @@ void press(FreeBodyPanel& panel, const Case& of, const PolygonSide& R, const Pla
 
 const Words the_other_way{"Retrograde motion: the same polygons with the forces turned the other way.",
                           "Moto retrogrado: gli stessi poligoni con le forze ruotate dall'altra parte."};
+// The same where lines of action are to be found anew.
+Words other_lines(const std::string& english, const std::string& italian) {
+  return {"Retrograde motion: the same polygons with the forces turned the other way, along the other edges of the "
+          "cones; dashed on the bodies, with " +
+              english + ".",
+          "Moto retrogrado: gli stessi poligoni con le forze ruotate dall'altra parte, lungo gli altri lati dei coni; "
+          "a tratti sui corpi, con " +
+              italian + "."};
+}
+// What the retrograde motion has in place of something.
+std::string prime(const std::string& suffix) { return suffix == retrograde ? "'" : ""; }
 
 // A chain of vectors from the origin on, for what lies under a polygon.
 std::vector<Arrow2> laid_end_to_end(const std::vector<Arrow2>& vectors) {
@@ -62,6 +73,7 @@ struct Chain {
   VectorQuantity contact, on_loaded, on_driven;  // R_ij
   int passed_by;  // the body that acts on the driven one by the contact's force turned round
   std::string along_Q, along_contact, along_loaded, along_driven, along_P;
+  Words other_way = the_other_way;
 };
 ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::string& suffix) {
   const PolygonSide Q = of.load("Q", chain.along_Q, "$a$"),
@@ -77,7 +89,7 @@ ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::str
   const Arrow2 ideal_contact = of.vector(chain.contact.name + "_ideal"), b = Q.v + ideal_contact;
   panel.over(laid_end_to_end({Q.v, ideal_contact, of.vector(chain.on_loaded.name + "_ideal")}));
   panel.over({b, b - ideal_contact, b - ideal_contact + of.vector("P_ideal"), b});
-  if (suffix == retrograde) panel.likewise(the_other_way, Q.v);
+  if (suffix == retrograde) panel.likewise(chain.other_way, Q.v);
   return panel;
 }
 
@@ -153,7 +165,7 @@ PanelSheet two_forces(const Solution& s, Language language) {
                       R_23 = of.sought(moving(force_between(2, 3), suffix), turned_from("$r_{2}$", language), "$b$"),
                       first = of.sought(moving(upper, suffix), turned_from("$x$", language)),
                       second = of.sought(moving(lower, suffix), turned_from("$x$", language), "$d$");
-    PolygonSide sum = of.sought(moving(upper, suffix), "∥ $OK$");
+    PolygonSide sum = of.sought(moving(upper, suffix), "∥ $OK" + prime(suffix) + "$");
     sum.quantity.clear();
     sum.label = moving(force_between(1, 3), suffix).arrow();
     sum.length.reset();
@@ -164,7 +176,7 @@ PanelSheet two_forces(const Solution& s, Language language) {
     panel.then(force_polygon("3", {first}, {minus, second}), {0, 0});
     const Arrow2 contact = of.vector("R_23_ideal");
     panel.over(laid_end_to_end({Q.v, contact, of.vector("R_13_lower_ideal"), of.vector("R_13_upper_ideal")}));
-    if (suffix == retrograde) panel.likewise(the_other_way, Q.v);
+    if (suffix == retrograde) panel.likewise(other_lines("$K'$ and $OK'$", "$K'$ e $OK'$"), Q.v);
     return panel;
   };
   on_rod.to_scale().load(of.load("Q", "", ""), {0, at.top}, Arrow::ends);
@@ -175,6 +187,11 @@ PanelSheet two_forces(const Solution& s, Language language) {
   const auto K = of.point("K_direct");
   on_rod.meeting(of.name("K_direct"), "$K$", K);
   if (K) on_rod.line_to({0, 0}, *K, "$OK$");
+  if (const auto other = of.point("K_retrograde"))
+    on_rod.otherwise(of.name("K_retrograde"), "$K'$", other,
+                     {{{-at.w / 2, at.upper}, of.vector("R_13_upper_retrograde")},
+                      {{at.w / 2, at.lower}, of.vector("R_13_lower_retrograde")},
+                      {{0, 0}, Place{0, 0} - *other}});
   on_rod.step({"The collar's forces, each turned by $φ$, meet in $K$. $\\vec{\\it{Q}}$ and $\\vec{\\it{R}}_{23}$ "
                "meet in $O$: the collar's two forces "
                "together run along $OK$, Culmann's line.",
@@ -249,7 +266,11 @@ PanelSheet double_slider(const Solution& s, Language language) {
   results.push_back(
       table({Words{"hinges", "cerniere"}.in(language), "$\\it{P}$ (N)", "$\\it{P}'$ (N)", "$η_{D}$", "$η_{R}$"},
             {row({"with friction", "con attrito"}, of), row({"ideal", "ideali"}, ideal)}));
-  results.push_back(ideal.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
+  const auto limits = [&](const Words& hinges, const Case& each) {
+    return Row{hinges.in(language), each.names({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"})};
+  };
+  results.push_back(table({Words{"hinges", "cerniere"}.in(language), "$φ_{R}$ (°)", "$φ_{D}$ (°)"},
+                          {limits({"with friction", "con attrito"}, of), limits({"ideal", "ideali"}, ideal)}));
   return {
       .panels = panels(A, B, with_guides(direct), with_guides(retrograde)),
       .results = results,
@@ -265,20 +286,28 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   const Case& of = at.of;
   const double nu = of.radians("nu");
   const std::string j = std::to_string(at.loaded), i = std::to_string(at.driven);
-  const auto hinge_line = [&](int lever) {
-    return "∥ " + at.letters(lever) + "$\\it{H}_{" + std::to_string(lever) + "}$";
+  const auto H = [](int lever, const std::string& suffix) {
+    return "$\\it{H}" + prime(suffix) + "_{" + std::to_string(lever) + "}$";
   };
-  const Chain chain{j,
-                    i,
-                    force_between(at.driven, at.loaded),
-                    force_between(1, at.loaded),
-                    force_between(1, at.driven),
-                    at.loaded,
-                    "$δ_{Q}$",
-                    turned_from("$n$", language),
-                    hinge_line(at.loaded),
-                    hinge_line(at.driven),
-                    "$δ_{P}$"};
+  const auto hinge_line = [&](int lever, const std::string& suffix) {
+    return "∥ " + at.letters(lever) + H(lever, suffix);
+  };
+  const std::string other_H = H(2, retrograde), other_H_3 = H(3, retrograde);
+  const auto chained = [&](const std::string& suffix) {
+    return Chain{j,
+                 i,
+                 force_between(at.driven, at.loaded),
+                 force_between(1, at.loaded),
+                 force_between(1, at.driven),
+                 at.loaded,
+                 "$δ_{Q}$",
+                 turned_from("$n$", language),
+                 hinge_line(at.loaded, suffix),
+                 hinge_line(at.driven, suffix),
+                 "$δ_{P}$",
+                 other_lines(other_H + " and " + other_H_3, other_H + " e " + other_H_3)};
+  };
+  const Chain chain = chained(direct);
   const PolygonSide contact = of.known(moving(chain.contact, direct), "", "");
   const auto body = [&](int lever) {
     const bool is_loaded = lever == at.loaded;
@@ -294,7 +323,11 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
       panel.effort(of.known(P_of(direct), "", ""), at.attacked(lever));
     press(panel, of, is_loaded ? contact : reversed(contact, at.loaded, at.driven), at.C, nu);
     panel.force(of.known(moving(force_between(1, lever), direct), "", ""), at.hinge(lever), Arrow::ends);
-    panel.meeting(of.name("H_" + k + direct), "$\\it{H}_{" + k + "}$", of.point("H_" + k + direct));
+    panel.meeting(of.name("H_" + k + direct), H(lever, direct), of.point("H_" + k + direct));
+    panel.otherwise(of.name("H_" + k + retrograde), H(lever, retrograde), of.point("H_" + k + retrograde),
+                    {{at.attacked(lever), of.vector(is_loaded ? "Q" : "P_ideal")},
+                     {at.C, of.vector(chain.contact.name + retrograde)},
+                     {at.hinge(lever), of.vector("R_1" + k + retrograde)}});
     return panel;
   };
   FreeBodyPanel first = body(at.loaded);
@@ -303,7 +336,7 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   results.push_back(of.results({"contact_force_angle_direct_deg", "contact_force_angle_retrograde_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg"}));
   return {
-      .panels = panels(first, body(at.driven), polygons(of, chain, direct), polygons(of, chain, retrograde)),
+      .panels = panels(first, body(at.driven), polygons(of, chain, direct), polygons(of, chained(retrograde), retrograde)),
       .results = results,
       .seen =
           {"The two levers cut free with the friction cone of their contact, and the polygons of the direct and of "
@@ -322,14 +355,14 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
                       R_16 = of.sought(moving(force_between(1, 6), suffix), turned_from("⊥ $x$", language)),
                       R_54 = passed_on(R_56, force_between(5, 6), 5, 4, suffix, "$a$"),
                       R_34 = of.sought(moving(force_between(3, 4), suffix), turned_from("⊥ $CD$", language), "$c$"),
-                      R_14 = of.sought(moving(force_between(1, 4), suffix), "∥ $CH$");
+                      R_14 = of.sought(moving(force_between(1, 4), suffix), "∥ $CH" + prime(suffix) + "$");
     ChainedPolygonsPanel panel(force_polygon("6", {R_16}, {F, R_56}));
     VectorPolygon second = force_polygon("4", {R_14}, {R_54, R_34});
     second.origin = "$b$";
     panel.then(second, F.v + R_56.v);
     const Arrow2 ideal = of.vector("R_34_ideal"), b = F.v + of.vector("R_56_ideal");
     panel.over({b, b + F.v, b + F.v + ideal, b});
-    if (suffix == retrograde) panel.likewise(the_other_way, F.v);
+    if (suffix == retrograde) panel.likewise(other_lines("$\\it{H}'$ and $d'$", "$\\it{H}'$ e $d'$"), F.v);
     return panel;
   };
   Mechanism lever, crank;
@@ -347,9 +380,13 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
   press(on_4, of, R_34, B, -of.radians("theta"));
   press(on_4, of, R_54, D, 0);
   on_4.meeting(of.name("H_direct"), "$\\it{H}$", of.point("H_direct"));
+  const Arrow2 other_R_34 = of.vector("R_34" + retrograde);
+  on_4.otherwise(of.name("H" + retrograde), "$\\it{H}'$", of.point("H" + retrograde),
+                 {{B, other_R_34}, {D, of.vector("R_56" + retrograde)}, {C, of.vector("R_14" + retrograde)}});
   on_4.step(turned_against, of.point("H_direct").value_or(B));
   on_2.to_scale().at_most(50).force(R_32, B).force(reaction(R_32, "$\\vec{\\it{R}}_{12}$", ""), A);
   on_2.couple("$\\it{M}$", A, of["M_direct"]).arm(A, B, R_32.v, "$d$", of.name("d_direct"));
+  on_2.otherwise("", "", {}, {{B, other_R_34}}).arm(A, B, other_R_34, "$d'$", of.name("d_retrograde"));
   on_2.moments({"$\\it{M}$ = $\\it{F}_{23}$·$d$.", "$\\it{M}$ = $\\it{F}_{23}$·$d$."}, A);
   FreeBodyPanel all(fairbairn_figure(of));
   all.to_scale().at_most(50);

@@ -77,6 +77,12 @@ FreeBodyPanel& FreeBodyPanel::meeting(const std::string& name, const std::string
   return *this;
 }
 
+FreeBodyPanel& FreeBodyPanel::otherwise(const std::string& name, const std::string& letters,
+                                        const std::optional<Place>& H, const std::vector<LineOfForce>& lines) {
+  otherwise_.push_back({name, letters, H, lines});
+  return *this;
+}
+
 FreeBodyPanel& FreeBodyPanel::string(const Place& from, const Place& to, const std::string& letters) {
   strings_.push_back({from, to, letters});
   return *this;
@@ -158,6 +164,8 @@ drawings::Box FreeBodyPanel::extent(const Scale& scale, const Scale& vectors) co
   extent.include(near.low.x, near.low.y);
   extent.include(near.high.x, near.high.y);
   for (const Meeting& each : meetings_) extent.include(scale, each.H, letters);
+  for (const Otherwise& each : otherwise_)
+    if (each.H) extent.include(scale, *each.H, letters);
   return extent.box();
 }
 
@@ -202,6 +210,23 @@ void FreeBodyPanel::draw_arm(Plot& plot, const Arm& arm) const {
   if (!arm.quantity.empty()) plot.measures(arm.quantity, arm.about, arm.foot);
 }
 
+void FreeBodyPanel::draw_otherwise(Plot& plot, const drawings::Box& room, const Otherwise& motion) {
+  const double mm = plot.scale().mm_per_unit;
+  for (const LineOfForce& line : motion.lines) {
+    const double size = magnitude(line.along);
+    if (size == 0) continue;
+    const Arrow2 along = (1 / size) * line.along;
+    if (motion.H)
+      plot.segment(line.at, seen_end(plot, room, line.at, *motion.H), Meaning::alternative);
+    else
+      plot.segment(on_line(line.at, along, -leg, mm), on_line(line.at, along, leg, mm), Meaning::alternative);
+  }
+  if (!motion.H || !is_in(room, plot, *motion.H)) return;
+  plot.cross(*motion.H, Meaning::force);
+  plot.label(motion.letters, *motion.H, {}, Meaning::force);
+  if (!motion.name.empty()) plot.measures_coordinates(motion.name, *motion.H, {0, 0});
+}
+
 void FreeBodyPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
   body_->draw(plot);
   for (const Force& force : forces_) {
@@ -230,6 +255,7 @@ void FreeBodyPanel::draw_meeting(Plot& plot, const drawings::Box& room, const Me
 
 std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box& room, Language) const {
   body_->draw(plot);
+  for (const Otherwise& each : otherwise_) draw_otherwise(plot, room, each);
   for (const Meeting& each : meetings_) draw_meeting(plot, room, each);
   for (const String& each : strings_) {
     plot.segment(each.from, each.to, Meaning::construction);
