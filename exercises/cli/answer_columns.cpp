@@ -74,7 +74,7 @@ class ColumnReader {
  public:
   ColumnReader(const Exercise& exercise, const CsvTable& table, TableRole role, AnswerColumns& found)
       : about_(exercise.about()), table_(table), role_(role), found_(found), given_names_(given_names(exercise)) {
-    for (const Quantity& each : about_.quantities)
+    for (const Quantity& each : about_.quantities())
       quantity_names_.push_back({each.name, unicode_symbol(each.symbol)});
   }
 
@@ -89,9 +89,9 @@ class ColumnReader {
     return std::any_of(all.begin(), all.end(), [&](const AskedColumn& each) { return each.name == name; });
   }
   const Quantity* quantity(const std::string& name) const {
-    const auto found = std::find_if(about_.quantities.begin(), about_.quantities.end(),
+    const auto found = std::find_if(about_.quantities().begin(), about_.quantities().end(),
                                     [&](const Quantity& each) { return each.name == name; });
-    return found == about_.quantities.end() ? nullptr : &*found;
+    return found == about_.quantities().end() ? nullptr : &*found;
   }
   const GivenSpec* given(const std::string& name) const {
     const std::size_t i = index_of(about_.givens, ascii_name(name, given_names_));
@@ -155,7 +155,7 @@ class ColumnReader {
   // What nearly is the name of something that is asked is no column of something else.
   void demand_far(const std::string& typed, const std::string& name) const {
     std::vector<std::string> known, meant;
-    for (const Quantity& each : about_.quantities) known.push_back(each.name);
+    for (const Quantity& each : about_.quantities()) known.push_back(each.name);
     for (const GivenSpec& each : about_.givens) known.push_back(each.symbol);
     for (const std::string& each : known)
       if (bones(each) == bones(name) || begins_with(name, each) || has_word(name, each)) meant.push_back(each);

@@ -277,7 +277,7 @@ Answers read_answers(const Exercise& exercise, const CsvTable& answers, const Cs
 
   Answers all;
   for (const AskedColumn& each : columns.quantities)
-    all.asked.push_back(*std::find_if(exercise.about().quantities.begin(), exercise.about().quantities.end(),
+    all.asked.push_back(*std::find_if(exercise.about().quantities().begin(), exercise.about().quantities().end(),
                                       [&](const Quantity& spec) { return spec.name == each.name; }));
   std::vector<std::string> numbers;
   for (const CsvRow& row : answers.rows)

@@ -219,7 +219,7 @@ class ClassSet {
                      .remarks = key_remarks(variant).in(style_.language(lots_.request.language)),
                      .question = "",
                      .rejected = variant.rejected};
-    for (const Quantity& quantity : exercise_.about().quantities) {
+    for (const Quantity& quantity : exercise_.about().quantities()) {
       const auto value = variant.solution.value(quantity.name);
       entry.values.push_back(value ? style_.number(*value) : "");
     }
@@ -291,7 +291,7 @@ class ClassSet {
         std::any_of(entries.begin(), entries.end(), [](const ClassEntry& each) { return !each.remarks.empty(); });
     std::vector<std::string> fields{Words{"number", "matricola"}.in(language), Words{"name", "nome"}.in(language)};
     for (const std::string& symbol : varied_) fields.push_back(style_.field(symbol));
-    for (const Quantity& quantity : exercise_.about().quantities) fields.push_back(style_.field(heading(quantity)));
+    for (const Quantity& quantity : exercise_.about().quantities()) fields.push_back(style_.field(heading(quantity)));
     const std::vector<std::size_t> to_scale = sheets_to_scale(entries);
     for (const std::size_t k : to_scale)
       fields.push_back(style_.field(Words{"scale ", "scala "}.in(language) + lots_.sheets[k]));

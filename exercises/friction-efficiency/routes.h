@@ -139,11 +139,11 @@ inline Quantity jamming_angle() {
 // P, or M, in all motions by one route; `find(motion)` gives it.
 template <class T, class Find>
 void put_efforts(Ledger<T>& ledger, const Names& names, const Find& find) {
-  for (const Motion motion : motions) ledger.put(effort(names, motion), [=] { return find(motion); });
+  for (const Motion motion : motions) ledger.put(effort(names, motion), [&] { return find(motion); });
   ledger.put(efficiency(Motion::direct),
-             [=] { return Ledger<T>::ratio(find(Motion::ideal), find(Motion::direct), no_effort); });
+             [&] { return Ledger<T>::ratio(find(Motion::ideal), find(Motion::direct), no_effort); });
   ledger.put(efficiency(Motion::retrograde),
-             [=] { return Ledger<T>::ratio(find(Motion::retrograde), find(Motion::ideal), no_effort); });
+             [&] { return Ledger<T>::ratio(find(Motion::retrograde), find(Motion::ideal), no_effort); });
 }
 template <class T>
 T locks(const T& retrograde) {
@@ -164,12 +164,12 @@ void write_motions(Ledger<T>& ledger, const Names& names, const Motions<T>& all,
                    const std::vector<VectorQuantity>& forces, const std::set<Motion>& without = {}) {
   const std::string name = names.effort.name;
   const bool is_couple = names.is_couple;
-  const auto constructed = [=](Motion motion) -> T {
+  const auto constructed = [&](Motion motion) -> T {
     if (without.contains(motion)) return T(0);
     const auto& model = all.bodies.at(motion)();
     return is_couple ? model.moment(name) : model.along(name);
   };
-  const auto computed = [=](Motion motion) -> T {
+  const auto computed = [&](Motion motion) -> T {
     if (without.contains(motion)) return T(0);
     const Equations<T>& equations = all.equations.at(motion)();
     return is_couple ? equations.forces.at(name).m
@@ -177,26 +177,26 @@ void write_motions(Ledger<T>& ledger, const Names& names, const Motions<T>& all,
   };
   ledger.route("force polygon");
   put_efforts(ledger, names, constructed);
-  ledger.put(self_locking(), [=] { return locks<T>(constructed(Motion::retrograde)); });
+  ledger.put(self_locking(), [&] { return locks<T>(constructed(Motion::retrograde)); });
   ledger.route("equilibrium equations");
   put_efforts(ledger, names, computed);
-  ledger.put(self_locking(), [=] { return locks<T>(computed(Motion::retrograde)); });
+  ledger.put(self_locking(), [&] { return locks<T>(computed(Motion::retrograde)); });
   for (const VectorQuantity& R : forces)
     for (const Motion motion : with_friction) {
       ledger.route("force polygon");
-      put_vector(ledger, in(motion, R), [=, R_ij = R.name] { return all.bodies.at(motion)().force(R_ij); });
+      put_vector(ledger, in(motion, R), [&] { return all.bodies.at(motion)().force(R.name); });
       ledger.route("equilibrium equations");
-      put_vector(ledger, in(motion, R), [=, R_ij = R.name] { return all.equations.at(motion)().force(R_ij); });
+      put_vector(ledger, in(motion, R), [&] { return all.equations.at(motion)().force(R.name); });
     }
   ledger.route("force polygon");
   const std::string load = is_couple ? "F" : "Q";
-  draw_vector(ledger, load, [=] { return all.bodies.at(Motion::ideal)().force(load); });
+  draw_vector(ledger, load, [&] { return all.bodies.at(Motion::ideal)().force(load); });
   for (const Motion motion : motions) {
     const std::string of = motion == Motion::ideal ? "_ideal" : suffix(motion);
     for (const VectorQuantity& R : forces)
       if (motion == Motion::ideal)
-        draw_vector(ledger, R.name + of, [=, R_ij = R.name] { return all.bodies.at(motion)().force(R_ij); });
-    if (!is_couple) draw_vector(ledger, name + of, [=] { return all.bodies.at(motion)().force(name); });
+        draw_vector(ledger, R.name + of, [&] { return all.bodies.at(motion)().force(R.name); });
+    if (!is_couple) draw_vector(ledger, name + of, [&] { return all.bodies.at(motion)().force(name); });
   }
 }
 
@@ -207,20 +207,20 @@ inline Names names_of_M() { return {applied_force("M", {}), true}; }
 template <class T>
 void put_half(Ledger<T>& ledger, const Quantity& limit, const Angle& whole) {
   ledger.route("construction");
-  ledger.put(limit, [=] {
+  ledger.put(limit, [&] {
     return in_degrees(angle_of(Vector<T>{T(1) + geometry::cosine<T>(whole), geometry::sine<T>(whole)}));
   });
   ledger.route("analytic");
-  ledger.put(limit, [=] { return given_in_degrees<T>(Rational(1, 2) * whole); });
+  ledger.put(limit, [&] { return given_in_degrees<T>(Rational(1, 2) * whole); });
 }
 template <class T>
 void put_whole(Ledger<T>& ledger, const Quantity& limit, const Angle& angle) {
   ledger.route("construction");
-  ledger.put(limit, [=] {
+  ledger.put(limit, [&] {
     return in_degrees(angle_of(Vector<T>{geometry::cosine<T>(angle), geometry::sine<T>(angle)}));
   });
   ledger.route("analytic");
-  ledger.put(limit, [=] { return given_in_degrees<T>(angle); });
+  ledger.put(limit, [&] { return given_in_degrees<T>(angle); });
 }
 
 // A limit of the link with friction in its pins: in the triangle of the sides l and 2 r, whose directions stand at
@@ -317,7 +317,7 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
         throw geometry::Undecided("whether Culmann's line is upright", "se la retta di Culmann sia verticale");
       return right == geometry::Sign::negative ? -v : v;
     };
-    ledger.put(culmann_deg, [=] {
+    ledger.put(culmann_deg, [&] {
       const ProjectivePoint<T> P = found();
       const Point<T> at = geometry::finite(P);
       return in_degrees(angle_of(slope({at.x, at.y})));
@@ -331,9 +331,9 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
       return Vector<T>{geometry::quotient(number<T>((of.y_upper - of.y_lower) / 2), mu),
                        number<T>((of.y_upper + of.y_lower) / 2) - mu * number<T>(of.w / 2)};
     };
-    ledger.put(K.x(), [=] { return of_K().x; });
-    ledger.put(K.y(), [=] { return of_K().y; });
-    ledger.put(culmann_deg, [=] {
+    ledger.put(K.x(), [&] { return of_K().x; });
+    ledger.put(K.y(), [&] { return of_K().y; });
+    ledger.put(culmann_deg, [&] {
       // In line with Q the wedge's force leaves nothing for the collar, and no sum has a direction.
       const bool is_free = motion == Motion::retrograde && of.theta == phi;
       const Vector<T> OK = of_K();
@@ -343,7 +343,7 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
     });
   }
   ledger.route("force polygon");
-  ledger.put(jamming_angle(), [=]() -> T {
+  ledger.put(jamming_angle(), [&]() -> T {
     if constexpr (signs_only<T>)
       return T(1);
     else
@@ -352,7 +352,7 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
   });
   // The cubic by its trigonometric roots.
   ledger.route("analytic");
-  ledger.put(jamming_angle(), [=]() -> T {
+  ledger.put(jamming_angle(), [&]() -> T {
     if constexpr (signs_only<T>) {
       return T(1);
     } else {
@@ -474,8 +474,8 @@ void write_double_slider(Ledger<T>& ledger, const Problem& problem) {
     return part_of_turn_in_degrees(slope_by_its_half(Complex<T>{at().cosine, at().sine}));
   };
   ledger.route("construction");
-  ledger.put(circle, [=] { return number<T>(problem.radius) * geometry::sine<T>(phi); });
-  ledger.put(tilt, [=] { return tilt_deg(); });
+  ledger.put(circle, [&] { return number<T>(problem.radius) * geometry::sine<T>(phi); });
+  ledger.put(tilt, [&] { return tilt_deg(); });
   for (const Motion motion : with_friction)
     ledger.put(
         Quantity{"link_line_angle" + suffix(motion) + "_deg", motion == Motion::direct ? "$ψ$" : "$ψ'$", "deg",
@@ -483,8 +483,8 @@ void write_double_slider(Ledger<T>& ledger, const Problem& problem) {
                      words_of(motion)},
         [=] { return given_in_degrees<T>(theta) + (motion == Motion::direct ? -tilt_deg() : tilt_deg()); });
   ledger.route("analytic");
-  ledger.put(circle, [=] { return number<T>(problem.radius) * geometry::cosine<T>(quarter() - phi); });
-  ledger.put(tilt, [=] { return tilt_by_half(); });
+  ledger.put(circle, [&] { return number<T>(problem.radius) * geometry::cosine<T>(quarter() - phi); });
+  ledger.put(tilt, [&] { return tilt_by_half(); });
   const Motions<T> all = double_slider_motions<T>(problem, true);
   const T l = number<T>(problem.of.double_slider.l), twice_r = number<T>(2 * problem.radius);
   put_limit_with_pins(ledger, self_locking_angle(), quarter() - theta, l, twice_r);
@@ -497,8 +497,8 @@ void write_double_slider(Ledger<T>& ledger, const Problem& problem) {
     const auto touched = [=](const Point<T>& X) {
       return geometry::foot(X, all.bodies.at(motion)().line_of("R_32"));
     };
-    ledger.draws_point("on_A" + suffix(motion), [=] { return touched(A); });
-    ledger.draws_point("on_B" + suffix(motion), [=] { return touched(B); });
+    ledger.draws_point("on_A" + suffix(motion), [&] { return touched(A); });
+    ledger.draws_point("on_B" + suffix(motion), [&] { return touched(B); });
   }
   ledger.route("equilibrium equations");
   for (const Motion motion : with_friction)
@@ -538,9 +538,9 @@ Vector<T> to_line(const Vector<T>& n, const Vector<T>& from_hinge, const T& turn
 template <class T, class Find>
 void put_locking_angle(Ledger<T>& ledger, const Find& triangle) {
   ledger.route("construction");
-  ledger.put(self_locking_angle(), [=] { return in_degrees(slope_angle(Vector<T>(triangle()))); });
+  ledger.put(self_locking_angle(), [&] { return in_degrees(slope_angle(Vector<T>(triangle()))); });
   ledger.route("analytic");
-  ledger.put(self_locking_angle(), [=] {
+  ledger.put(self_locking_angle(), [&] {
     const Vector<T> v = triangle();
     return part_of_turn_in_degrees(slope_by_its_half(Complex<T>{v.x, v.y}));
   });
@@ -580,9 +580,9 @@ void write_levers(Ledger<T>& ledger, const Problem& problem, const Levers& of, b
         "$ν_{" + std::string(motion == Motion::direct ? "D" : "R") + "}$", "deg",
         Words{"direction of the contact's force", "direzione della forza di contatto"} + words_of(motion)};
     ledger.route("force polygon");
-    ledger.put(direction, [=] { return in_degrees(angle_of(all.bodies.at(motion)().force(contact.name))); });
+    ledger.put(direction, [&] { return in_degrees(angle_of(all.bodies.at(motion)().force(contact.name))); });
     ledger.route("equilibrium equations");
-    ledger.put(direction, [=] {
+    ledger.put(direction, [&] {
       const Angle found = geometry::within_one_turn(angle({phi, motion}, &all.equations.at(Motion::ideal)()));
       return given_in_degrees<T>(sign_of(half() - found) < 0 ? found - Angle{1} : found);
     });
@@ -593,7 +593,7 @@ void write_levers(Ledger<T>& ledger, const Problem& problem, const Levers& of, b
                                                                   std::to_string(lever)});
       ledger.route("force polygon");
       put_point(
-          ledger, H, [=] { return all.bodies.at(motion)().H(lever); }, parallel_forces);
+          ledger, H, [&] { return all.bodies.at(motion)().H(lever); }, parallel_forces);
       ledger.route("equilibrium equations");
       put_point(
           ledger, H,
@@ -610,7 +610,7 @@ void write_levers(Ledger<T>& ledger, const Problem& problem, const Levers& of, b
           parallel_forces);
     }
   }
-  put_locking_angle(ledger, [=] {
+  put_locking_angle(ledger, [&] {
     const Vector<T> sliding = sliding_in_C(of, at), left = geometry::quarter_turn(at.n);
     return to_line<T>(at.n, at.C - (of.driven() == 2 ? at.A0 : at.B0), T(sense_of<T>(geometry::dot(sliding, left))));
   });
@@ -682,10 +682,10 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
   };
   const Motions<T> all = in_all_motions<T>(6, "M", phi, constructed, analysed);
   ledger.route("construction");
-  ledger.draws_point("A", [=] { return at().A; });
-  ledger.draws_point("B", [=] { return at().B; });
-  ledger.draws_point("C", [=] { return at().C; });
-  ledger.draws_point("D", [=] { return at().D; });
+  ledger.draws_point("A", [&] { return at().A; });
+  ledger.draws_point("B", [&] { return at().B; });
+  ledger.draws_point("C", [&] { return at().C; });
+  ledger.draws_point("D", [&] { return at().D; });
   write_motions<T>(ledger, names_of_M(), all, {T(1), T(0)},
                    {force_between(5, 6), force_between(1, 6), force_between(1, 4), force_between(3, 4)},
                    at_dead_centre(of, phi));
@@ -699,15 +699,15 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
                                                      {" of the meeting point of the forces on the lever",
                                                       " del punto d'incontro delle forze sulla leva"}});
     ledger.route("force polygon");
-    ledger.put(F_23, [=] { return size(all.bodies.at(motion)().force("R_23")); });
-    ledger.put(d, [=] {
+    ledger.put(F_23, [&] { return size(all.bodies.at(motion)().force("R_23")); });
+    ledger.put(d, [&] {
       return geometry::distance(at().A, geometry::foot(at().A, all.bodies.at(motion)().line_of("R_23")));
     });
     put_point(
-        ledger, H, [=] { return all.bodies.at(motion)().H(4); }, parallel_forces);
+        ledger, H, [&] { return all.bodies.at(motion)().H(4); }, parallel_forces);
     ledger.route("equilibrium equations");
-    ledger.put(F_23, [=] { return size(all.equations.at(motion)().force("R_23")); });
-    ledger.put(d, [=] {
+    ledger.put(F_23, [&] { return size(all.equations.at(motion)().force("R_23")); });
+    ledger.put(d, [&] {
       const Equations<T>& equations = all.equations.at(motion)();
       return geometry::quotient(magnitude_of<T>(equations.forces.at("M").m), size(equations.force("R_23")));
     });
@@ -722,7 +722,7 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
         },
         parallel_forces);
   }
-  put_locking_angle(ledger, [=] {
+  put_locking_angle(ledger, [&] {
     const FairbairnPoints<T>& P = at();
     const Vector<T> across = geometry::quarter_turn(P.lever), v_B2 = geometry::quarter_turn(P.B - P.A);
     const T along = geometry::close_polygon(v_B2, P.lever, across).of_first;  // the lever on the block, along it
@@ -739,9 +739,9 @@ struct Routes {
     Ledger<T> ledger("construction");
     const Quantity friction{"friction_coefficient", "$f$", "1", {"friction coefficient", "coefficiente d'attrito"}};
     const T c = geometry::cosine<T>(problem.phi), s = geometry::sine<T>(problem.phi);
-    ledger.put(friction, [=] { return geometry::quotient(s, c); });
+    ledger.put(friction, [&] { return geometry::quotient(s, c); });
     ledger.route("analytic");
-    ledger.put(friction, [=] {  // by the half angle
+    ledger.put(friction, [&] {  // by the half angle
       const T h = geometry::quotient(s, T(1) + c);
       return geometry::quotient(T(2) * h, T(1) - geometry::square(h));
     });

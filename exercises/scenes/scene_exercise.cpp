@@ -125,7 +125,7 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   std::vector<SheetMaker> chosen;
   for (const std::size_t i : scene->chosen_sheets(names)) chosen.push_back(std::move(sheets[i]));
   auto exercise = exercise_of_panels(described(*scene), solve, std::move(chosen));
-  scene->demand_printed(exercise->about().quantities);
+  scene->demand_printed(exercise->about().quantities());
   return exercise;
 }
 

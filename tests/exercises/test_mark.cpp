@@ -264,7 +264,7 @@ TEST_CASE("each student's own givens, from the key or the answers") {
 TEST_CASE("a name that a given and a quantity have") {
   const Scratch scratch;
   Triangle triangle;
-  triangle.description.quantities.push_back({"b", "$b$", "m", {"height", "altezza"}});
+  triangle.change_quantities([](auto& all) { all.push_back({"b", "$b$", "m", {"height", "altezza"}}); });
   triangle.spoil_values = [](auto& values) {
     for (const std::string route : {"ruler", "analytic"}) values.push_back({"b", route, certain(0.4)});
   };
@@ -590,7 +590,9 @@ TEST_CASE("many quantities and long names stay within 80 columns") {
   Triangle triangle;
   std::string header = "number;name;c", row = "12345678901234567890;Maria Antonietta Guglielmina dei Conti;0,5";
   for (int i = 1; i <= 12; ++i) {
-    triangle.description.quantities.push_back({"side_" + std::to_string(i), "$s$", "m", {"side", "lato"}});
+    triangle.change_quantities([i](auto& all) {
+      all.push_back({"side_" + std::to_string(i), "$s$", "m", {"side", "lato"}});
+    });
     header += ";side_" + std::to_string(i);
     row += ";2";
   }

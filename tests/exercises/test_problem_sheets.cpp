@@ -186,7 +186,7 @@ TEST_CASE("A sheet to be solved asks for each thing once, with the unit it is to
     for (std::size_t column = 0; column < table.rows.front().size(); column += 2)
       for (const auto& row : table.rows)
         if (!row[column].empty()) in_order.push_back(row[column]);
-    const auto& quantities = exercise.about().quantities;
+    const auto& quantities = exercise.about().quantities();
     for (std::size_t i = 0; i < in_order.size() && i < blank.asked.size(); ++i)
       for (const Quantity& quantity : quantities)
         if (quantity.name == blank.asked[i]) CHECK(in_order[i].starts_with(quantity.symbol));

@@ -460,7 +460,7 @@ TEST_CASE("a sweep shows what check shows, at every position looked at") {
     Typed names = wished;
     for (const Listed& each : catalogue())
       if (each.id() == id && names.empty())
-        for (std::size_t i = 0; i < 4; ++i) names.push_back(each->about().quantities.at(i).name);
+        for (std::size_t i = 0; i < 4; ++i) names.push_back(each->about().quantities().at(i).name);
     Typed words{"sweep", id, "--over", "phi=0deg..360deg/73", "--format", "json"};
     for (const std::string& name : names) words = words + Typed{"--quantity", name};
     const Ran ran = run_on_all(words);
@@ -534,7 +534,7 @@ TEST_CASE("what is asked alone is what is found among all") {
     if (exercise.id() == "oscillator-pendulum") continue;  // a second and more for each run
     const Givens givens(exercise->about().givens);
     const std::vector<RouteValue> all = exercise->solve(givens, Rung::climb);
-    const auto& quantities = exercise->about().quantities;
+    const auto& quantities = exercise->about().quantities();
     const Typed names{quantities.front().name, quantities[quantities.size() / 2].name, quantities.back().name};
     const Asked asked(names);
     const std::vector<RouteValue> few = exercise->solve(givens, Rung::climb);

@@ -208,7 +208,7 @@ TEST_CASE("every exercise has such a page, with or without a mechanism") {
     CAPTURE(about.id, given->symbol);
     const Ran ran =
         run_on_all({"sweep", about.id, "--over", given->symbol + "=" + given->stated + "|1.01" + given->unit,
-                    "--quantity", about.quantities.front().name, "--format", "html"});
+                    "--quantity", about.quantities().front().name, "--format", "html"});
     CAPTURE(ran.err);
     CHECK(ran.exit == 0);
     if (ran.exit != 0) continue;
