@@ -15,6 +15,7 @@
 #include "drawings/output.h"
 #include "drawings/paths/flatten.h"
 #include "drawings/paths/vectors.h"
+#include "drawings/sheet/layout.h"
 #include "drawings/text/text.h"
 
 namespace epure::drawings {
@@ -127,10 +128,9 @@ bool is_equal(const Primitive& a, const Primitive& b) {
          std::visit([&](const auto& p) { return is_equal(p, std::get<std::decay_t<decltype(p)>>(b)); }, a);
 }
 
-// Nothing of what cannot be drawn: it is refused where it is.
+// Nothing of what is off the paper, or cannot be drawn: that is refused where it is.
 std::vector<Primitive> ink_of(const Mark& mark) {
-  constexpr double far = 1e7;  // mm: nothing is cut
-  Canvas canvas({{-far, -far}, {far, far}});
+  Canvas canvas(paper_box(Paper::a3));  // the largest
   try {
     draw(canvas, mark);
   } catch (const std::invalid_argument&) {

@@ -49,6 +49,7 @@ rm -f piped.svg set.svg
 cat > six-bar.yaml << 'SCENE'
 epure: 1
 id: six-bar
+source: own
 links:
   1: {A0: [0, 0], B0: [180 mm, 0], E0: [210 mm, 180 mm]}
   2: {A0 A: 60 mm}

@@ -33,7 +33,8 @@ struct Polygon {
                             Paragraph{"Between them, a thought."}, Steps{{"$m'$ halves $a'b'$, not $A$."}, 4}};
   // Of the sheet to be solved: the mechanism and its letters.
   Figure given{.marks = {Hinge{hinge}, Line{segment(hinge, {60, 20}), Meaning::link}, Slider{{60, 20}}},
-               .labels = {figure.labels[4], figure.labels[5], figure.labels[6]}};
+               .labels = {figure.labels[4], figure.labels[5], figure.labels[6]},
+               .steps = {}};
   StepsOfMarks found() const { return steps_of_marks(figure, column, given); }
 };
 
