@@ -97,12 +97,29 @@ PanelSheet virtual_work(const Solution& s, const std::string& name) {
 }  // namespace
 
 std::vector<SheetMaker> fairbairn_sheets() {
-  return {{{"fairbairn", {"Fairbairn's mechanism", "Guida di Fairbairn"}},
-           [](const Solution& s, Language) { return polygons(s, "fairbairn"); }},
-          {{"fairbairn-virtual-work", {"Fairbairn's mechanism: virtual work", "Guida di Fairbairn: lavori virtuali"}},
-           [](const Solution& s, Language) { return virtual_work(s, "fairbairn"); }},
-          {{"fairbairn-short-lever", {"Fairbairn's mechanism, shorter lever", "Guida di Fairbairn, leva più corta"}},
-           [](const Solution& s, Language) { return polygons(s, "fairbairn_short_lever"); }}};
+  return {
+      {{"fairbairn",
+        {"Fairbairn's mechanism", "Guida di Fairbairn"},
+        {"Fairbairn's mechanism carries its load. There is no friction. Find the force (or couple) that balances the "
+         "load and all reactions by cutting the bodies free and drawing force polygons.",
+         "La guida di Fairbairn porta il suo carico. Non c'è attrito. Trovare la forza (o la coppia) che equilibra "
+         "il carico e tutte le reazioni, isolando i corpi e disegnando i poligoni delle forze."}},
+       [](const Solution& s, Language) { return polygons(s, "fairbairn"); }},
+      {{"fairbairn-virtual-work",
+        {"Fairbairn's mechanism: virtual work", "Guida di Fairbairn: lavori virtuali"},
+        {"Fairbairn's mechanism carries its load. There is no friction. Find the force (or couple) that balances the "
+         "load by virtual work.",
+         "La guida di Fairbairn porta il suo carico. Non c'è attrito. Trovare la forza (o la coppia) che equilibra "
+         "il carico con i lavori virtuali."}},
+       [](const Solution& s, Language) { return virtual_work(s, "fairbairn"); }},
+      {{"fairbairn-short-lever",
+        {"Fairbairn's mechanism, shorter lever", "Guida di Fairbairn, leva più corta"},
+        {"Fairbairn's mechanism with the shorter lever carries its load. There is no friction. Find the force (or "
+         "couple) that balances the load and all reactions by cutting the bodies free and drawing force polygons.",
+         "La guida di Fairbairn con la leva più corta porta il suo carico. Non c'è attrito. Trovare la forza (o la "
+         "coppia) che equilibra il carico e tutte le reazioni, isolando i corpi e disegnando i poligoni delle "
+         "forze."}},
+       [](const Solution& s, Language) { return polygons(s, "fairbairn_short_lever"); }}};
 }
 
 }  // namespace epure::ideal_statics

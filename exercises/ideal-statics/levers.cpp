@@ -128,15 +128,35 @@ PanelSheet virtual_work(const LeverFigure& at) {
 }  // namespace
 
 std::vector<SheetMaker> lever_sheets() {
-  return {{{"levers", {"Sliding levers, Q on lever 3", "Leve striscianti, Q sulla leva 3"}},
-           [](const Solution& s, Language) { return polygons(LeverFigure(s, "sliding_levers", 3)); }},
-          {{"levers-virtual-work", {"Sliding levers: virtual work", "Leve striscianti: lavori virtuali"}},
-           [](const Solution& s, Language) { return virtual_work(LeverFigure(s, "sliding_levers", 3)); }},
-          {{"levers-Q-on-2", {"Sliding levers, Q on lever 2", "Leve striscianti, Q sulla leva 2"}},
-           [](const Solution& s, Language) { return polygons(LeverFigure(s, "sliding_levers_Q_on_2", 2)); }},
-          {{"levers-Q-on-2-virtual-work",
-            {"Sliding levers, Q on lever 2: virtual work", "Leve striscianti, Q sulla leva 2: lavori virtuali"}},
-           [](const Solution& s, Language) { return virtual_work(LeverFigure(s, "sliding_levers_Q_on_2", 2)); }}};
+  return {
+      {{"levers",
+        {"Sliding levers, Q on lever 3", "Leve striscianti, Q sulla leva 3"},
+        {"One lever slides on another, with the load on lever 3. There is no friction. Find the force (or couple) "
+         "that balances the load and all reactions by cutting the bodies free and drawing force polygons.",
+         "Una leva striscia sull'altra, con il carico sulla leva 3. Non c'è attrito. Trovare la forza (o la coppia) "
+         "che equilibra il carico e tutte le reazioni, isolando i corpi e disegnando i poligoni delle forze."}},
+       [](const Solution& s, Language) { return polygons(LeverFigure(s, "sliding_levers", 3)); }},
+      {{"levers-virtual-work",
+        {"Sliding levers: virtual work", "Leve striscianti: lavori virtuali"},
+        {"One lever slides on another, with the load on lever 3. There is no friction. Find the force (or couple) "
+         "that balances the load by virtual work.",
+         "Una leva striscia sull'altra, con il carico sulla leva 3. Non c'è attrito. Trovare la forza (o la coppia) "
+         "che equilibra il carico con i lavori virtuali."}},
+       [](const Solution& s, Language) { return virtual_work(LeverFigure(s, "sliding_levers", 3)); }},
+      {{"levers-Q-on-2",
+        {"Sliding levers, Q on lever 2", "Leve striscianti, Q sulla leva 2"},
+        {"One lever slides on another, with the load on lever 2. There is no friction. Find the force (or couple) "
+         "that balances the load and all reactions by cutting the bodies free and drawing force polygons.",
+         "Una leva striscia sull'altra, con il carico sulla leva 2. Non c'è attrito. Trovare la forza (o la coppia) "
+         "che equilibra il carico e tutte le reazioni, isolando i corpi e disegnando i poligoni delle forze."}},
+       [](const Solution& s, Language) { return polygons(LeverFigure(s, "sliding_levers_Q_on_2", 2)); }},
+      {{"levers-Q-on-2-virtual-work",
+        {"Sliding levers, Q on lever 2: virtual work", "Leve striscianti, Q sulla leva 2: lavori virtuali"},
+        {"One lever slides on another, with the load on lever 2. There is no friction. Find the force (or couple) "
+         "that balances the load by virtual work.",
+         "Una leva striscia sull'altra, con il carico sulla leva 2. Non c'è attrito. Trovare la forza (o la coppia) "
+         "che equilibra il carico con i lavori virtuali."}},
+       [](const Solution& s, Language) { return virtual_work(LeverFigure(s, "sliding_levers_Q_on_2", 2)); }}};
 }
 
 }  // namespace epure::ideal_statics

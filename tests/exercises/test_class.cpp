@@ -883,7 +883,7 @@ TEST_CASE("class --format moodle: of one sheet its own question is asked, of all
     REQUIRE(make({name, "--count", "1", "--format", "moodle"}, {}).exit == 0);
     return question_in("out/" + folder_of + "-class/questions.xml");
   };
-  const std::string own = "<p>On this sheet: Method of poles. The whole exercise: At the given instant find ";
+  const std::string own = "<p>At the given instant find the velocities by the method of poles.</p>";
   CHECK(holds(asked("slider-crank-velocity/poles", "slider-crank-velocity-poles"), own));
   const std::string whole = asked("slider-crank-velocity", "slider-crank-velocity");
   CHECK_FALSE(holds(whole, own));

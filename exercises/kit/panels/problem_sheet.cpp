@@ -151,6 +151,7 @@ drawings::Table answers(const std::vector<std::string>& asked) {
 Words question_of(const Description& about, const std::string& sheet) {
   const auto spec = std::find_if(about.sheets.begin(), about.sheets.end(),
                                  [&](const SheetSpec& each) { return each.name == sheet; });
+  if (!spec->question.empty()) return spec->question;
   if (about.sheets.size() == 1 || about.question.empty()) return about.question;
   return format_words("On this sheet: {}. The whole exercise: {}", "In questa tavola: {}. L'esercizio intero: {}",
                       spec->title, about.question);

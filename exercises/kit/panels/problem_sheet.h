@@ -22,8 +22,7 @@ struct AskedOnSheet {
 AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
                       const std::function<bool(const std::string& quantity, const Place&)>& is_off_sheet);
 
-// Which part of the exercise's question a sheet is, and that question; the question alone where there is one sheet.
-// Rich text.
+// The sheet's own question; of a sheet without one which part of the exercise's it is, and that question. Rich text.
 Words question_of(const Description& about, const std::string& sheet);
 
 // The question, a table of what the sheet asks for with the units in which it is told, which senses are positive, and

@@ -20,6 +20,7 @@ namespace epure {
 struct SheetSpec {
   std::string name;  // "polar-diagram"
   Words title;
+  Words question = {};  // of this sheet, where it is to be solved; empty: its part of the exercise's
 };
 
 // A number the source printed, and by which of its methods. `reading` is what half a millimetre on the source's own
