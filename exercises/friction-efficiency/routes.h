@@ -229,9 +229,9 @@ template <class T>
 void put_limit_with_pins(Ledger<T>& ledger, const Quantity& limit, const Angle& whole, const T& l, const T& twice_r) {
   const T c = geometry::cosine<T>(whole), s = geometry::sine<T>(whole);
   ledger.route("construction");
-  ledger.put(limit, [=] { return in_degrees(slope_angle(Vector<T>{twice_r + l * c, l * s})); });
+  ledger.put(limit, [&] { return in_degrees(slope_angle(Vector<T>{twice_r + l * c, l * s})); });
   ledger.route("analytic");
-  ledger.put(limit, [=] {
+  ledger.put(limit, [&] {
     const Complex<T> half_difference{(l + twice_r) * (T(1) + c), (l - twice_r) * s};
     return given_in_degrees<T>(Rational(1, 2) * whole) + part_of_turn_in_degrees(slope_by_its_half(half_difference));
   });
@@ -240,13 +240,26 @@ void put_limit_with_pins(Ledger<T>& ledger, const Quantity& limit, const Angle& 
 // ---------------------------------------------------------------------------------------------------------------------
 // The wedge.
 
+// When the wedge moves by 1 along x.
+template <class T>
+Vector<T> velocity_of_rod(const Wedge& of) {
+  const Vector<T> v_2{T(1), T(0)}, up{T(0), T(1)},
+      along_face{geometry::cosine<T>(of.theta), -geometry::sine<T>(of.theta)};
+  return geometry::close_polygon(v_2, along_face, up).of_second * up;
+}
+template <class T>
+void draw_sliding_of_wedge(Ledger<T>& ledger, const Wedge& of) {
+  draw_vector(ledger, "v_21", [] { return Vector<T>{T(1), T(0)}; });
+  draw_vector(ledger, "v_31", [&] { return velocity_of_rod<T>(of); });
+  draw_vector(ledger, "v_32", [&] { return velocity_of_rod<T>(of) - Vector<T>{T(1), T(0)}; });
+}
+
 template <class T>
 auto wedge_motions(const Problem& problem, Collar collar) {
   const Wedge of = problem.of.wedge;
   const auto constructed = [=](auto& model, const Turned& turned) {
     const T c = geometry::cosine<T>(of.theta), s = geometry::sine<T>(of.theta);
-    const Vector<T> v_2{T(1), T(0)}, up{T(0), T(1)}, left{T(-1), T(0)}, n{s, c};
-    const Vector<T> v_3 = geometry::close_polygon(v_2, Vector<T>{c, -s}, up).of_second * up;
+    const Vector<T> v_2{T(1), T(0)}, up{T(0), T(1)}, left{T(-1), T(0)}, n{s, c}, v_3 = velocity_of_rod<T>(of);
     model.directed("Q", quarter());
     model.directed("R_23", turned.direction<T>(quarter() - of.theta, n, v_3 - v_2));
     model.directed("R_12", turned.direction<T>(quarter(), up, v_2));
@@ -276,6 +289,7 @@ void write_wedge(Ledger<T>& ledger, const Problem& problem) {
   write_motions<T>(ledger, names_of_P(), wedge_motions<T>(problem, Collar::one_force), {T(1), T(0)},
                    {force_between(1, 2), force_between(1, 3), force_between(2, 3)},
                    without_effort(problem.wedge_at_limit));
+  draw_sliding_of_wedge(ledger, problem.of.wedge);
   put_half(ledger, self_locking_angle(), problem.of.wedge.theta);
   put_half(ledger, jamming_angle(), quarter() - problem.of.wedge.theta);
 }
@@ -292,6 +306,7 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
   const Motions<T> all = wedge_motions<T>(problem, Collar::two_forces);
   write_motions<T>(ledger, names_of_P(), all, {T(1), T(0)}, {force_between(1, 2), upper, lower, force_between(2, 3)},
                    without_effort(problem.wedge_at_limit));
+  draw_sliding_of_wedge(ledger, of);
   put_half(ledger, self_locking_angle(), of.theta);
   for (const Motion motion : with_friction) {
     const PointQuantity K = in(
@@ -574,6 +589,7 @@ void write_levers(Ledger<T>& ledger, const Problem& problem, const Levers& of, b
     ledger.draws_point(name, P);
   write_motions<T>(ledger, names_of_P(), all, unit<T>(of.direction_P),
                    {force_between(1, 2), force_between(1, 3), contact}, without_effort(is_at_limit));
+  draw_vector(ledger, "sliding", [&] { return sliding_in_C(of, at); });
   for (const Motion motion : with_friction) {
     const Quantity direction{
         "contact_force_angle" + suffix(motion) + "_deg",
@@ -635,24 +651,40 @@ inline std::set<Motion> at_dead_centre(const Fairbairn& of, const Angle& phi) {
   return is_zero(phi) ? std::set<Motion>(motions.begin(), motions.end()) : std::set{Motion::ideal};
 }
 
+// How the blocks slide when the crank turns by 1: 5 on the ram, the lever on block 3, the ram in its guide.
 template <class T>
-void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn& of) {
+struct SlidingOfFairbairn {
+  Vector<T> v_56, v_43, v_61;
+};
+template <class T>
+SlidingOfFairbairn<T> sliding_of(const Fairbairn& of, const FairbairnPoints<T>& at) {
+  using geometry::quarter_turn;
+  const auto [along, turning] = geometry::close_polygon(quarter_turn(at.B - at.A), at.lever, quarter_turn(at.lever));
+  const T omega_4 = of.touches ? T(0) : geometry::quotient(turning, geometry::dot(at.B - at.C, at.lever));
+  const Vector<T> v_D5 = omega_4 * quarter_turn(at.D - at.C), v_D6{v_D5.x, T(0)};
+  return {v_D5 - v_D6, along * at.lever, v_D6};
+}
+
+template <class T>
+void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn& of, const std::string& name) {
   const Angle phi = problem.phi;
   const auto at = once([=] { return points_of<T>(of); });
+  const auto require_sliding = [=](const Turned& turned) {
+    if (turned.motion != Motion::ideal && !is_zero(turned.phi) && (of.touches || is_zero(of.theta)))
+      throw geometry::Impossible(why_no_sliding(of, name));
+  };
   const auto constructed = [=](auto& model, const Turned& turned) {
-    using geometry::quarter_turn;
+    require_sliding(turned);
     const FairbairnPoints<T>& P = at();
-    const Vector<T> across = quarter_turn(P.lever), x{T(1), T(0)}, y{T(0), T(1)}, v_B2 = quarter_turn(P.B - P.A);
-    const auto [along, turning] = geometry::close_polygon(v_B2, P.lever, across);
-    const T omega_4 = of.touches ? T(0) : geometry::quotient(turning, geometry::dot(P.B - P.C, P.lever));
-    const Vector<T> v_D5 = omega_4 * quarter_turn(P.D - P.C), v_D6{v_D5.x, T(0)};
-    const XY<T> R_56 = turned.components<T>(-x, v_D6 - v_D5);
+    const Vector<T> across = geometry::quarter_turn(P.lever), x{T(1), T(0)}, y{T(0), T(1)};
+    const auto [v_56, v_43, v_61] = sliding_of(of, P);
+    const XY<T> R_56 = turned.components<T>(-x, -v_56);
     model.directed("F", Angle{});
-    model.directed("R_56", turned.direction<T>(half(), -x, v_D6 - v_D5));
-    model.directed("R_34", turned.direction<T>(half() - of.theta, across, along * P.lever));
+    model.directed("R_56", turned.direction<T>(half(), -x, -v_56));
+    model.directed("R_34", turned.direction<T>(half() - of.theta, across, v_43));
     epure::describe(model, of,
-                    FairbairnAt<T>{xy(P.A), xy(P.B), xy(P.D), turned.components<T>(across, along * P.lever), R_56,
-                                   turned.components<T>(pressing<T>(R_56.y) * y, v_D6)});
+                    FairbairnAt<T>{xy(P.A), xy(P.B), xy(P.D), turned.components<T>(across, v_43), R_56,
+                                   turned.components<T>(pressing<T>(R_56.y) * y, v_61)});
   };
   const auto by_sines = [=] {
     const T CD = number<T>(of.CD);
@@ -668,6 +700,7 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
     return std::pair{turned.angle<T>(half(), slides(6, 5, D)), turned.angle<T>(half() - of.theta, slides(4, 3, B))};
   };
   const auto analysed = [=](auto& model, const Turned& turned, const Equations<T>* ideal) {
+    require_sliding(turned);
     const auto [B, D] = by_sines();
     const auto [of_R_56, of_R_34] = angles(turned, ideal);
     const XY<T> R_56 = unit<T>(of_R_56);
@@ -686,6 +719,8 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
   ledger.draws_point("B", [&] { return at().B; });
   ledger.draws_point("C", [&] { return at().C; });
   ledger.draws_point("D", [&] { return at().D; });
+  draw_vector(ledger, "v_56", [&] { return sliding_of(of, at()).v_56; });
+  draw_vector(ledger, "v_43", [&] { return sliding_of(of, at()).v_43; });
   write_motions<T>(ledger, names_of_M(), all, {T(1), T(0)},
                    {force_between(5, 6), force_between(1, 6), force_between(1, 4), force_between(3, 4)},
                    at_dead_centre(of, phi));
@@ -753,10 +788,10 @@ struct Routes {
     ledger.begin_case("sliding_levers_Q_on_2.", {", sliding levers with Q on 2", ", leve striscianti con Q sulla 2"});
     write_levers(ledger, problem, problem.of.levers_Q_on_2, problem.levers_Q_on_2_at_limit);
     ledger.begin_case("fairbairn.", {", Fairbairn's mechanism", ", guida di Fairbairn"});
-    write_fairbairn(ledger, problem, problem.of.fairbairn);
+    write_fairbairn(ledger, problem, problem.of.fairbairn, "fairbairn");
     ledger.begin_case("fairbairn_short_lever.",
                       {", Fairbairn's mechanism, shorter lever", ", guida di Fairbairn, leva più corta"});
-    write_fairbairn(ledger, problem, problem.of.fairbairn_short_lever);
+    write_fairbairn(ledger, problem, problem.of.fairbairn_short_lever, "fairbairn_short_lever");
     return ledger;
   }
 };
