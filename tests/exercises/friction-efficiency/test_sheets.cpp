@@ -34,12 +34,12 @@ TEST_CASE("friction: the polygons of the retrograde motion name their own points
   for (const char* sheet : {"levers", "levers-Q-on-2"}) {
     named(sheet, "∥ $A_{0}$$\\it{H}_{2}$", "∥ $A_{0}$$\\it{H}'_{2}$");
     named(sheet, "∥ $B_{0}$$\\it{H}_{3}$", "∥ $B_{0}$$\\it{H}'_{3}$");
-    for (const char* H : {"H_2_retrograde_x", "H_3_retrograde_y"}) {
-      const DrawnSheet drawn = friction().draw(sheet, {});
-      CHECK(std::any_of(drawn.measurements.begin(), drawn.measurements.end(),
-                        [&](const Measurement& each) { return each.quantity.ends_with(H); }));
-    }
   }
+  // The origin of their coordinates lies on the paper here.
+  const DrawnSheet drawn = friction().draw("levers-Q-on-2", {});
+  for (const char* H : {"H_2_retrograde_x", "H_3_retrograde_y"})
+    CHECK(std::any_of(drawn.measurements.begin(), drawn.measurements.end(),
+                      [&](const Measurement& each) { return each.quantity.ends_with(H); }));
   named("fairbairn", "∥ $CH$", "∥ $CH'$");
   named("two-forces", "∥ $OK$", "∥ $OK'$");
 }

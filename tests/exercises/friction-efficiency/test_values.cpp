@@ -51,7 +51,7 @@ TEST_CASE("friction: what jams is said with the angle at which it does", "[frict
           "phi = 24.5°: must be less than 24.5°, at which the wedge jams in the direct motion: the force P is "
           "infinite there");
   refused({"phi=18.72"},
-          "phi = 18.72°: must be less than 18.7139°, at which the rod in its collar of two forces jams");
+          "phi = 18.72°: must be less than 18.7149°, at which the rod in its collar of two forces jams");
   CHECK(friction().checked({"phi=18.71"}).passed());
   refused({"phi=8", "double_slider.theta=8"}, "must be less than 8°, at which the double slider jams");
   refused({"double_slider_pins.r=2"}, "wider than the link is long");
