@@ -12,7 +12,8 @@ using namespace epure::tests;
 namespace {
 
 CheckedExercise checked(const std::string& file, const std::vector<std::string>& set) {
-  const auto exercise = scenes::scene_exercise(scenes::read_scene(EPURE_SCENES "/" + file + ".yaml"));
+  const std::string path = EPURE_SCENES "/" + file + ".yaml";
+  const auto exercise = scenes::scene_exercise(std::make_shared<const scenes::Scene>(path, scenes::bytes_of(path)));
   Givens givens(exercise->about().givens);
   for (const std::string& each : set) givens.set(each);
   return check(*exercise, givens, Rung::climb);
