@@ -1,6 +1,7 @@
 // The sheets: bodies cut free in the direct motion with their friction cones, the polygons of both motions over those
 // without friction, the details of the pins, and the efficiencies over the friction angle.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -53,13 +54,8 @@ const Words the_other_way{"Retrograde motion: the same polygons with the forces 
                           "Moto retrogrado: gli stessi poligoni con le forze ruotate dall'altra parte."};
 // The same where lines of action are to be found anew.
 Words other_lines(const std::string& english, const std::string& italian) {
-  return {
-      "Retrograde motion: the same polygons with the forces turned the other way, along the other edges of the "
-      "cones; dashed on the bodies, with " +
-          english + ".",
-      "Moto retrogrado: gli stessi poligoni con le forze ruotate dall'altra parte, lungo gli altri lati dei coni; "
-      "a tratti sui corpi, con " +
-          italian + "."};
+  return {"Retrograde motion: forces turned the other way, dashed on the bodies, with " + english + ".",
+          "Moto retrogrado: forze ruotate dall'altra parte, a tratti sui corpi, con " + italian + "."};
 }
 // What the retrograde motion has in place of something.
 std::string prime(const std::string& suffix) { return suffix == retrograde ? "'" : ""; }
@@ -136,11 +132,10 @@ std::vector<Result> efficiencies(const Case& of, const std::string& effort, Lang
           whether_it_locks(of, effort, language)};
 }
 const Words turned_against{
-    "In the direct motion body $j$ slides on body $i$ as $\\vec{v}_{ji}$ shows; the contact's force on it is turned "
-    "from the normal by $φ$ against that. Dashed beside the polygons: those without friction.",
-    "Nel moto diretto il corpo $j$ striscia sul corpo $i$ come mostra $\\vec{v}_{ji}$; la forza di contatto su di "
-    "esso "
-    "è ruotata di $φ$ dalla normale, in verso contrario. A tratti accanto ai poligoni: quelli senza attrito."};
+    "Body $j$ slides on $i$ as $\\vec{v}_{ji}$ shows; the force on it is turned by $φ$ against that. Dashed "
+    "polygons: without friction.",
+    "Il corpo $j$ striscia su $i$ come mostra $\\vec{v}_{ji}$; la forza su di esso è ruotata di $φ$ in verso "
+    "contrario. Poligoni a tratti: senza attrito."};
 
 PanelSheet wedge(const Solution& s, Language language) {
   const Case of(s, "wedge_collar");
@@ -200,6 +195,19 @@ PanelSheet two_forces(const Solution& s, Language language) {
   FreeBodyPanel on_rod(std::make_shared<const Mechanism>(std::move(rod)));
   const auto K = of.point("K_direct");  // without friction at infinity
   std::optional<SharedOut> shared;
+  const auto R = [](const VectorQuantity& force) { return moving(force, direct).arrow(); };
+  const std::string on_rod_sum =
+                        "$\\vec{\\it{Q}}$ + " + R(force_between(2, 3)) + " + " + R(force_between(1, 3)) + " = 0: ",
+                    split = R(force_between(1, 3)) + " = " + R(upper) + " + " + R(lower) + ": ",
+                    on_wedge_sum = "−" + R(force_between(2, 3)) + " + " + P_of(direct).arrow() + " + " +
+                                   R(force_between(1, 2)) + " = 0: ";
+  const std::array<Words, 3> three_polygons{
+      Words{on_rod_sum + "$φ$ from $r_{2}$ through $a$, ∥ $OK$ through $O_{3}$, to $b$.",
+            on_rod_sum + "$φ$ da $r_{2}$ per $a$, ∥ $OK$ per $O_{3}$, fino a $b$."},
+      Words{split + "$φ$ from $x$ through $O_{3}$ and $b$, to $d$.",
+            split + "$φ$ da $x$ per $O_{3}$ e $b$, fino a $d$."},
+      Words{on_wedge_sum + "∥ $x$ through $a$, $φ$ from ⊥ $x$ through $b$, to $c$.",
+            on_wedge_sum + "∥ $x$ per $a$, $φ$ da ⊥ $x$ per $b$, fino a $c$."}};
   const auto polygon = [&](const std::string& suffix) {
     const PolygonSide Q = of.load("Q", "∥ $r_{1}$", "$a$"),
                       R_23 = of.sought(moving(force_between(2, 3), suffix), turned_from("$r_{2}$", language), "$b$"),
@@ -224,6 +232,10 @@ PanelSheet two_forces(const Solution& s, Language language) {
     panel.then(of_wedge, Q.v + R_23.v);
     const Arrow2 contact = of.vector("R_23_ideal");
     panel.over(laid_end_to_end({Q.v, contact, of.vector("R_13_lower_ideal"), of.vector("R_13_upper_ideal")}));
+    if (K && suffix == direct)  // three polygons, told in a step each
+      panel.likewise(three_polygons[0], Q.v + 0.5 * R_23.v)
+          .step(three_polygons[1], -0.5 * first.v)
+          .step(three_polygons[2], Q.v + 0.5 * of_wedge.right.back().v);
     if (suffix == retrograde) panel.likewise(other_lines("$K'$ and $OK'$", "$K'$ e $OK'$"), Q.v);
     return panel;
   };
@@ -248,13 +260,12 @@ PanelSheet two_forces(const Solution& s, Language language) {
                       {{at.w / 2, at.lower}, of.vector("R_13_lower_retrograde")},
                       {{0, 0}, Place{0, 0} - *other}});
   if (K)
-    on_rod.step({"The collar's forces, each turned by $φ$, meet in $K$. $\\vec{\\it{Q}}$ and $\\vec{\\it{R}}_{23}$ "
-                 "meet in $O$: the collar's two forces "
-                 "together run along $OK$, Culmann's line.",
-                 "Le forze del collare, ciascuna ruotata di $φ$, si incontrano in $K$. La $\\vec{\\it{Q}}$ e la "
-                 "$\\vec{\\it{R}}_{23}$ si incontrano in $O$: le due "
-                 "forze del collare insieme corrono lungo $OK$, la retta di Culmann."},
-                {0, 0});
+    on_rod.step(
+        {"The collar's forces meet in $K$, $\\vec{\\it{Q}}$ and $\\vec{\\it{R}}_{23}$ in $O$: the collar's two "
+         "together run along $OK$, Culmann's line.",
+         "Le forze del collare si incontrano in $K$, $\\vec{\\it{Q}}$ e $\\vec{\\it{R}}_{23}$ in $O$: le due del "
+         "collare insieme corrono lungo $OK$, la retta di Culmann."},
+        {0, 0});
   all.insert(all.begin(), std::make_unique<FreeBodyPanel>(std::move(on_rod)));
   std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"K_direct_x", "K_direct_y", "culmann_angle_direct_deg"}));

@@ -27,17 +27,15 @@ double F_23_on_a_shorter_lever() {
   return 50 * CD * c / (AC * c + std::sqrt(AB * AB - AC * s * AC * s));
 }
 
-// 2 R'13 taken from R''13 would leave 1 - 0.035/0.085 = 0.588 of R''13 - R'13.
+// 2 R'13 taken from R''13 would leave 1 - 0.035/0.085 = 0.588 of R''13 - R'13. That it was so is a conjecture.
 constexpr double drawn_too_small = 0.59;
 Explanation too_small(std::function<double()> value, const Words& more) {
-  return {
-      Words{
-          "the collar's two forces are right, but the triangle of the wedge is 0.59 of its size (a conjecture: R'13 "
-          "was taken twice from R''13, which leaves 0.588 of R''13 - R'13): ",
-          "le due forze del collare sono giuste, ma il triangolo del cuneo è 0,59 del vero (una congettura: R'13 fu "
-          "tolta due volte da R''13, il che lascia 0,588 di R''13 - R'13): "} +
-          more,
-      std::move(value)};
+  return {Words{"a conjecture: the collar's two forces are right, but R'13 was taken twice from R''13, which leaves "
+                "0.588 of R''13 - R'13 and with it, drawn as 0.59, of the wedge's triangle: ",
+                "una congettura: le due forze del collare sono giuste, ma R'13 fu tolta due volte da R''13, il che "
+                "lascia 0,588 di R''13 - R'13 e con essa, disegnato come 0,59, del triangolo del cuneo: "} +
+              more,
+          std::move(value)};
 }
 
 }  // namespace
