@@ -20,6 +20,16 @@ Ran run_real(const std::vector<std::string>& words) {
   return {exit, out.str(), err.str()};
 }
 
+// Why it is.
+std::string refused(const std::string& id, const Assignments& givens) {
+  try {
+    Tried(id).checked(givens);
+  } catch (const BadGivens& why) {
+    return why.words().english;
+  }
+  return "accepted";
+}
+
 bool passes(const std::string& id, const Assignments& assignments) {
   const CheckedExercise checked = Tried(id).checked(assignments);
   for (const auto* all : {&checked.failures, &checked.undecided, &checked.not_drawn})
@@ -129,16 +139,8 @@ TEST_CASE("attacked: charts of a sweep") {
 
 // Both were told rounded, and seemed to be as they ought to.
 TEST_CASE("attacked: a sentence tells by how little a given is wrong") {
-  const auto refused = [](const Assignments& givens) {
-    try {
-      Tried("michell-bearing").checked(givens);
-    } catch (const BadGivens& why) {
-      return why.words().english;
-    }
-    return std::string();
-  };
-  CHECK(refused({"h_1=2.9", "h_2=2.9000001"}).find("h_2 = 0.0029000001 m") != std::string::npos);
-  CHECK(refused({"pads=8.0000001"}).find("pads = 8.0000001:") != std::string::npos);
+  CHECK(refused("michell-bearing", {"h_1=2.9", "h_2=2.9000001"}).find("h_2 = 0.0029000001 m") != std::string::npos);
+  CHECK(refused("michell-bearing", {"pads=8.0000001"}).find("pads = 8.0000001:") != std::string::npos);
 }
 
 // Folded, all hinges lie in line; extended, crank and coupler reach beyond frame and rocker: 0.7 > 0.5.
@@ -155,14 +157,6 @@ TEST_CASE("attacked: of two dead centres that there are not, each has its own re
 
 // 0.7 = 0.3 + 0.2 + 0.2, also with the frame along the diagonal of 0.42 and 0.56, and with the crank as the long one.
 TEST_CASE("attacked: a four-bar that closes in one position alone cannot move at all") {
-  const auto refused = [](const std::string& id, const Assignments& givens) {
-    try {
-      Tried(id).checked(givens);
-    } catch (const BadGivens& why) {
-      return why.words().english;
-    }
-    return std::string("accepted");
-  };
   const auto cannot_move = Contains("closes in this position alone, and cannot move");
   CHECK_THAT(refused("four-bar-analytic", {"A0A=0.3", "AB=0.2", "B0B=0.2", "A0B0=0.7", "phi=0"}), cannot_move);
   CHECK_THAT(refused("four-bar-analytic", {"A0A=0.7", "AB=0.2", "B0B=0.2", "A0B0=0.3", "phi=0"}), cannot_move);
@@ -179,14 +173,6 @@ TEST_CASE("attacked: a rhombus missed by less than drawings need else") {
 }
 
 TEST_CASE("attacked: a linkage that closes in a hair of a turn does not close at one angle only") {
-  const auto refused = [](const std::string& id, const Assignments& givens) {
-    try {
-      Tried(id).checked(givens);
-    } catch (const BadGivens& why) {
-      return why.words().english;
-    }
-    return std::string("accepted");
-  };
   const Assignments slider{"phi=315", "delta=90", "r=0.1145", "l=0.241"};
   const auto with_offset = [&](const std::string& e) {
     Assignments all = slider;

@@ -1,4 +1,5 @@
 // The sheets of the mechanisms with friction, whatever is given.
+#include "tests/exercises/arrows_of.h"
 #include "tests/exercises/friction-efficiency/cases.h"
 
 using namespace epure;
@@ -13,13 +14,6 @@ namespace {
 bool has_label(const DrawnSheet& drawn, const std::string& text) {
   return std::any_of(drawn.sheet.figure.labels.begin(), drawn.sheet.figure.labels.end(),
                      [&](const drawings::Label& label) { return label.text.find(text) != std::string::npos; });
-}
-std::vector<drawings::Arrow> arrows_of(const DrawnSheet& drawn, drawings::Meaning meaning) {
-  std::vector<drawings::Arrow> all;
-  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
-    if (const auto* arrow = std::get_if<drawings::Arrow>(&mark); arrow && arrow->meaning == meaning)
-      all.push_back(*arrow);
-  return all;
 }
 
 }  // namespace

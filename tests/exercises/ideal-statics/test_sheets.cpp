@@ -1,4 +1,5 @@
 // The sheets of the mechanisms in equilibrium, whatever is given.
+#include "tests/exercises/arrows_of.h"
 #include "tests/exercises/ideal-statics/cases.h"
 
 using namespace epure;
@@ -11,13 +12,6 @@ const std::vector<Assignments> usual{{},
                                      {"sliding_levers.direction_P=73", "fairbairn.theta=10"},
                                      {"sliding_levers.y_C=0", "fairbairn.AB=0.5"}};
 
-std::vector<drawings::Arrow> arrows_of(const DrawnSheet& drawn, drawings::Meaning meaning) {
-  std::vector<drawings::Arrow> all;
-  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
-    if (const auto* arrow = std::get_if<drawings::Arrow>(&mark); arrow && arrow->meaning == meaning)
-      all.push_back(*arrow);
-  return all;
-}
 bool meet(const drawings::Point& p, const drawings::Point& q) { return std::hypot(p.x - q.x, p.y - q.y) < 1e-9; }
 
 // How often three arrows follow each other round a triangle: forces in equilibrium.
