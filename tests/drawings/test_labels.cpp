@@ -250,12 +250,41 @@ TEST_CASE("letters stand nearer to what they name than to another thing of its k
     figure.labels = {{"$v$", from, to, Meaning::velocity}};
     CHECK(probe::all<Stroke>(compose(bare(figure))).size() == 3);
   }
+  SECTION("of two arcs about one vertex") {
+    const double inner = 13, outer = 16;  // mm
+    figure.marks = {AngleMark{from, outer, 0, 2.8}, AngleMark{from, inner, 0, 2.2}};
+    const Point at = from + inner * direction(1.1);
+    figure.labels = {{"$φ_{2}$", at, {}, Meaning::text, from}};
+    const Box box = boxes(figure).at(0);
+    const auto to_arc = [&](double radius) {
+      double nearest = INFINITY;
+      for (int i = 0; i < 100; ++i)
+        nearest = std::min(nearest,
+                           gap(box, from + radius * direction(i / 50.0), from + radius * direction((i + 1) / 50.0)));
+      return nearest;
+    };
+    CHECK(to_arc(inner) < to_arc(outer));
+  }
   SECTION("of two points") {
     const Point other = from + Point{4, 4};
     figure.marks = {Dot{from}, Dot{other}};
     figure.labels = {{"A", from}};
     const Box box = boxes(figure).at(0);
     CHECK(gap(box, from, from) < gap(box, other, other));
+  }
+}
+
+TEST_CASE("letters in one line stand so far apart that they are not read as one word") {
+  constexpr double space = 2;  // mm
+  const Point at = middle(a4_area);
+  for (const double apart : {3.0, 4.0, 5.0, 6.0}) {
+    Figure figure;
+    figure.marks = {Dot{at}, Dot{at + Point{apart, 0}}};
+    figure.labels = {{"$a^{n}_{GA}$", at}, {"$a'$", at + Point{apart, 0}}};
+    const auto placed = boxes(figure);
+    CAPTURE(apart);
+    const double shared = std::min(placed[0].high.y, placed[1].high.y) - std::max(placed[0].low.y, placed[1].low.y);
+    CHECK((gap(placed[0], placed[1]) > space || shared < 1));
   }
 }
 
