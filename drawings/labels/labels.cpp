@@ -97,21 +97,15 @@ class Placement {
     return meets(a.leader, b.box) || meets(b.leader, a.box);
   }
 
-  // Letters beside each other are read as one word, unless more than a space parts them.
-  static constexpr double word_space = 2.2;  // mm
-  static bool is_one_line(Box a, Box b) {
-    return std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y) > 0.5 * std::min(a.height(), b.height());
-  }
-
   static double together(const Candidate& a, const Candidate& b) {
     // Nearly all pairs: far from each other, and no line between letters and what they name.
-    if (!a.leader && !b.leader && apart(grown(a.box, word_space), b.box)) return 0;
+    if (!a.leader && !b.leader && apart(grown(a.box, label_clearance), b.box)) return 0;
     double cost = 0;
     if (leader_meets(a, b)) cost += price::leader_through;
     if (leaders_cross(a, b)) cost += price::leaders_crossed;
-    const double d = gap(a.box, b.box), air = is_one_line(a.box, b.box) ? word_space : label_clearance;
-    if (d >= air) return cost;
-    const double lack = 1 - d / air;
+    const double d = gap(a.box, b.box);
+    if (d >= label_clearance) return cost;
+    const double lack = 1 - d / label_clearance;
     cost += price::crowded * lack * lack;
     if (d > 0) return cost;
     const Box common = intersection(a.box, b.box);

@@ -274,20 +274,6 @@ TEST_CASE("letters stand nearer to what they name than to another thing of its k
   }
 }
 
-TEST_CASE("letters in one line stand so far apart that they are not read as one word") {
-  constexpr double space = 2;  // mm
-  const Point at = middle(a4_area);
-  for (const double apart : {3.0, 4.0, 5.0, 6.0}) {
-    Figure figure;
-    figure.marks = {Dot{at}, Dot{at + Point{apart, 0}}};
-    figure.labels = {{"$a^{n}_{GA}$", at}, {"$a'$", at + Point{apart, 0}}};
-    const auto placed = boxes(figure);
-    CAPTURE(apart);
-    const double shared = std::min(placed[0].high.y, placed[1].high.y) - std::max(placed[0].low.y, placed[1].low.y);
-    CHECK((gap(placed[0], placed[1]) > space || shared < 1));
-  }
-}
-
 TEST_CASE("labels of things off the drawing are left out and reported") {
   Figure figure;
   figure.labels = {{"far", {500, 500}}, {"near", middle(a4_area)}};

@@ -275,11 +275,6 @@ double Mechanism::direction_of_support(const Point& P, const Scale& scale) const
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto* bodies : {&bodies_, &other_positions_})
       for (const auto& [from, to] : edges(*bodies)) nearest = std::min(nearest, distance_to_segment(foot, from, to));
-    for (const Angle& angle : angles_)  // nor on the side of an angle that is no link
-      for (const double side : {angle.from, angle.to})
-        if (angle.at == P.name)
-          nearest = std::min(
-              nearest, distance_to_segment(foot, P.at, P.at + radius_of(angle) / scale.mm_per_unit * unit_at(side)));
     return nearest * scale.mm_per_unit;
   };
   double best = -right_angle;

@@ -5,11 +5,14 @@
 
 namespace epure {
 
-void draw_osculating_arc(Plot& plot, const Place& X, const Place& centre, const std::string& name) {
-  constexpr double half_length = 28, widest = std::numbers::pi / 3;  // mm, radians to each side
-  constexpr double straight = 1e9;  // mm: from there on the arc rises by less than a micrometre
+void draw_osculating_arc(Plot& plot, const Place& X, const Place& centre, double half_length,
+                         const std::string& name) {
+  constexpr double small = 6;                      // mm: so small a circle is seen as a whole
+  constexpr double widest = std::numbers::pi / 3;  // radians to each side
+  constexpr double straight = 1e9;                 // mm: from there on the arc rises by less than a micrometre
   const double radius = distance(centre, X) * plot.scale().mm_per_unit;
-  const double half = std::min(half_length / radius, widest), middle = direction(centre, X);
+  const double half = radius < small ? std::numbers::pi : std::min(half_length / radius, widest),
+               middle = direction(centre, X);
   if (radius < straight) {
     plot.mark(drawings::Line{drawings::arc(plot.at(centre), radius, middle - half, middle + half),
                              Meaning::construction, name});

@@ -6,6 +6,9 @@
 
 namespace epure {
 
-void draw_osculating_arc(Plot& plot, const Place& X, const Place& centre, const std::string& name = {});
+constexpr double beside_piece_of_path = 28, beside_whole_path = 60;  // mm of the arc to each side of the point
+
+void draw_osculating_arc(Plot& plot, const Place& X, const Place& centre, double half_length = beside_piece_of_path,
+                         const std::string& name = {});
 
 }  // namespace epure

@@ -129,7 +129,7 @@ void RollingInstantPanel::draw_osculating_circle(Plot& plot, const drawings::Box
     return;
   }
   plot.segment(f_.M, *f_.centre, Meaning::construction);
-  if (!f_.given.unwinds()) draw_osculating_arc(plot, f_.M, *f_.centre, "osculating_circle");
+  if (!f_.given.unwinds()) draw_osculating_arc(plot, f_.M, *f_.centre, beside_whole_path, "osculating_circle");
 }
 
 // With the line P0J, which the stationarity circle is when the speed is constant.
@@ -175,9 +175,12 @@ void RollingInstantPanel::draw_acceleration(Plot& plot) const {
     start = f_.M + (beside / (plot.scale().mm_per_unit * f_.P0M())) * (f_.M - f_.P0);
     plot.segment(f_.M, start, Meaning::construction);
   }
-  plot.vector_on(f_.names("a_M"), start, f_.a, Meaning::acceleration, "$\\vec{a}_{M}$");
-  if (!shows_parts(plot.vector_scale())) return;
+  const bool has_parts = shows_parts(plot.vector_scale());
   const Place tip = plot.tip(f_.M, f_.a_n);
+  // The line of the tangential part, which leads to the tip: there a_M stays, though it may lie on MC.
+  if (has_parts) plot.segment(tip, plot.tip(f_.M, f_.a), Meaning::construction);
+  plot.vector_on(f_.names("a_M"), start, f_.a, Meaning::acceleration, "$\\vec{a}_{M}$");
+  if (!has_parts) return;
   plot.vector_on(f_.names(f_.names.normal), f_.M, f_.a_n, Meaning::acceleration, "$\\vec{a}^{n}_{M}$");
   const std::string tangential = f_.names("a_t");
   plot.vector_on(solution_.has(tangential) ? tangential : "", tip, f_.a_t, Meaning::acceleration,

@@ -1,5 +1,6 @@
 // The four-bar's sheets: all are drawn whatever is given, letters find room, and a ruler on the file reads the
 // quantities.
+#include "drawings/paths/vectors.h"
 #include "tests/exercises/four-bar/cases.h"
 
 using namespace epure;
