@@ -45,6 +45,11 @@ Namesakes::Namesakes(const Figure& figure, const std::vector<Label>& labels, Box
         at = piece.end;
       }
       if (line->path.closed) add(lines_, at, line->path.start, line->meaning, window);
+    } else if (const auto* angle = std::get_if<AngleMark>(&mark)) {
+      arcs_.push_back({angle->at, angle->radius, angle->from, angle->to});
+    } else if (const auto* turning = std::get_if<Rotation>(&mark)) {
+      arcs_.push_back({turning->centre, turning->radius, std::min(turning->from, turning->to),
+                       std::max(turning->from, turning->to)});
     } else if (const auto point = point_of(mark)) {
       add(points_, *point, *point, Meaning::text, window);
     }
@@ -73,6 +78,38 @@ void Namesakes::add_others(Naming& naming, const Kind& kind, const Label& label,
   }
 }
 
+bool Namesakes::is_on(const Arc& arc, Point at) {
+  if (std::abs(distance(arc.centre, at) - arc.radius) > on_it) return false;
+  constexpr double turn = 2 * std::numbers::pi;
+  const double there = angle_of(at - arc.centre) - arc.from;
+  return there - turn * std::floor(there / turn) <= arc.to - arc.from;
+}
+
+void Namesakes::add_arcs(Naming& naming, Point at, double reach) const {
+  const auto own = std::find_if(arcs_.begin(), arcs_.end(), [&](const Arc& arc) { return is_on(arc, at); });
+  if (own == arcs_.end()) return;
+  constexpr double chord = 0.1;  // radians
+  const Box around = grown(Box{at, at}, reach);
+  double nearest = INFINITY;
+  for (const Arc& arc : arcs_) {
+    const auto pieces = static_cast<int>(std::ceil((arc.to - arc.from) / chord));
+    const auto on_arc = [&](int i) {
+      return arc.centre + arc.radius * direction(arc.from + (arc.to - arc.from) * i / pieces);
+    };
+    for (int i = 0; i < pieces; ++i) {
+      const Segment piece{on_arc(i), on_arc(i + 1)};
+      if (&arc == &*own) {
+        if (between_point(at, piece) < nearest) {
+          nearest = between_point(at, piece);
+          naming.own = piece;
+        }
+      } else if (!is_beyond(0, around, piece.first, piece.second)) {
+        naming.others.push_back(piece);
+      }
+    }
+  }
+}
+
 Naming Namesakes::of(const Label& label, double width) const {
   constexpr double farthest_off = 6;  // mm: from what they name, without a leader, with what is clearly nearer
   const double reach = width + farthest_off;
@@ -87,7 +124,8 @@ Naming Namesakes::of(const Label& label, double width) const {
   };
   if (label.to) {
     if (!is_among(vectors_)) is_among(lines_);
-  } else if (on_one(points_, at, at) || !is_among(lines_)) {
+  } else if (const bool is_point = on_one(points_, at, at); is_point || !is_among(lines_)) {
+    if (!is_point) add_arcs(naming, at, reach);
     const Shown point{{at, at}, {at, at}, Meaning::text};
     add_others(naming, points_, label, point, reach);
     add_others(naming, labelled_points_, label, point, reach);

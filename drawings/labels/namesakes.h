@@ -15,9 +15,9 @@ class Namesakes {
   Namesakes(const Figure& figure, const std::vector<Label>& labels, Box area);
 
   // A label of a segment names the vector or line it lies on, one of a point what is drawn there, or else the line
-  // through it. The others are the vectors or lines of that meaning, or points, as far as letters `width` mm wide
-  // beside their own can come near them; none of them is what the eye cannot tell from its own, nor a line through
-  // its point.
+  // or the arc through it. The others are the vectors or lines of that meaning, or points, as far as letters `width`
+  // mm wide beside their own can come near them; none of them is what the eye cannot tell from its own, nor a line
+  // through its point.
   Naming of(const Label& label, double width) const;
 
  private:
@@ -30,7 +30,17 @@ class Namesakes {
   static const Shown* on_one(const Kind& kind, Point at, Point to);
   static void add_others(Naming& naming, const Kind& kind, const Label& label, const Shown& own, double reach);
 
+  // Of angles and senses of turning: by their chords.
+  struct Arc {
+    Point centre;
+    double radius, from, to;
+  };
+  static bool is_on(const Arc& arc, Point at);
+  // What letters at a point of an arc name, and the other arcs near it.
+  void add_arcs(Naming& naming, Point at, double reach) const;
+
   Kind vectors_, lines_, points_, labelled_points_;
+  std::vector<Arc> arcs_;
 };
 
 }  // namespace epure::drawings

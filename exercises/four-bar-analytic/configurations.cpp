@@ -79,7 +79,11 @@ PanelSheet configurations_sheet(const Solution& s, Language language) {
              remark("$r_{1}$ = $A_{0}B_{0}$, $r_{2}$ = $A_{0}A$, $r_{3}$ = $AB$, $r_{4}$ = $BB_{0}$"),
              of("$k_{{1}}$ cos $θ_{{4}}$ + $k_{{2}}$ {0} $θ_{{4}}$ + $k_{{3}}$ = 0;  $t$ = {1}($θ_{{4}}$/2):"),
              of("($k_{{3}}$ − $k_{{1}}$)$t^{{2}}$ + 2$k_{{2}}$$t$ + $k_{{3}}$ + $k_{{1}}$ = 0"),
-             values({"closure_k1"}), values({"closure_k2"}), values({"closure_k3"})}},
+             of("$k_{{1}}$ = −2$r_{{4}}$($r_{{1}}$ − $r_{{2}}$ cos $θ_{{2}}$),  "
+                "$k_{{2}}$ = 2$r_{{2}}$$r_{{4}}$ {0} $θ_{{2}}$"),
+             of("$k_{{3}}$ = $r^{{2}}_{{1}}$ + $r^{{2}}_{{2}}$ + $r^{{2}}_{{4}}$ − $r^{{2}}_{{3}}$ − "
+                "2$r_{{1}}$$r_{{2}}$ cos $θ_{{2}}$"),
+             values({"closure_k1", "closure_k2"}), values({"closure_k3"})}},
            {{"Rates", "Derivate"},
             {remark("$θ_{ij}$ = $θ_{i}$ − $θ_{j}$"),
              of("$ω_{{3}}$ = −$r_{{2}}$$ω_{{2}}$ {0} $θ_{{24}}$ / ($r_{{3}}$ {0} $θ_{{34}}$)"),
@@ -91,7 +95,7 @@ PanelSheet configurations_sheet(const Solution& s, Language language) {
                 "$θ_{{43}}$)")}}},
       .results = {table(
           {"", "$B$", "$B'$"},
-          {row("theta_3"), row("theta_4"), row("omega_3"), row("omega_4"), row("alpha_3"), row("alpha_4")}, 5)},
+          {row("theta_3"), row("theta_4"), row("omega_3"), row("omega_4"), row("alpha_3"), row("alpha_4")}, 4)},
       .seen = {"Both configurations of the four-bar linkage, with the angles of its closure equations",
                "Le due configurazioni del quadrilatero articolato, con le anomalie delle equazioni di chiusura"},
       .told = {"theta_3", "theta_4", "omega_3", "omega_4"},

@@ -52,6 +52,13 @@ VectorPolygon velocities(const Solution& s) {
   return polygon;
 }
 
+// Of a_A, from where a_A starts, or to where it ends.
+PolygonImage part_of_a_A(const Solution& s, const VectorQuantity& part) {
+  const PolygonSide drawn{.label = part.arrow(), .v = s.vector(part.name)}, a_A{.v = s.vector("a_A")};
+  if (part.name == normal_acceleration("A").name) return {.absolute = drawn, .relative = {}, .explained = {}};
+  return {.absolute = a_A, .relative = drawn, .explained = {}};
+}
+
 VectorPolygon accelerations(const Solution& s) {
   const bool is_steady = is_zero(s.givens().angle("alpha_2"));
   PolygonSide a_A = side(s, acceleration("A"), is_steady ? "∥ $AA_{0}$" : "$\\vec{a}^{n}_{A}$ + $\\vec{a}^{t}_{A}$",
@@ -70,6 +77,9 @@ VectorPolygon accelerations(const Solution& s) {
                                  "$\\vec{a}_{B}$ da $O_{a}$ a $b'$, $\\vec{a}_{BA}$ da $a'$ a $b'$."}};
   polygon.images = images_of_midpoints(s, acceleration, "$O_{a}$");
   polygon.images.insert(polygon.images.begin(), a_B);
+  if (!is_steady)
+    for (const VectorQuantity& part : {normal_acceleration("A"), tangential_acceleration("A")})
+      polygon.images.push_back(part_of_a_A(s, part));
   return polygon;
 }
 
@@ -84,8 +94,12 @@ Result on_the_source(const Solution& s, const Words& words, Language language) {
 }
 
 PanelSheet velocities_sheet(const Solution& s, Language language) {
+  PolygonPanel polygon(s, velocities(s));
+  polygon.with_equations({{{{"$\\vec{v}_{G3}$", "?", "?", ""},
+                            {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "|$ω_{2}$|·$A_{0}A$", "="},
+                            {"$\\vec{v}_{G3A}$", "⊥ $AB$", "|$ω_{3}$|·$AG_{3}$", "+"}}}});
   return {
-      .panels = panels(MechanismPanel(with_midpoints(s)), PolygonPanel(s, velocities(s))),
+      .panels = panels(MechanismPanel(with_midpoints(s)), polygon),
       .results = {remark("|$ω_{3}$| = $v_{BA}$ / $AB$,  |$ω_{4}$| = $v_{B}$ / $B_{0}B$"),
                   values({"omega_3", "omega_4"}), vectors_by_point("v", "m/s"),
                   on_the_source(s,

@@ -106,6 +106,9 @@ void by_polar_diagram(Ledger<T>& ledger, const Problem& of, const geometry::Four
   ledger.put_length(tangential_acceleration("B"), a.second.closing);
   ledger.put(acceleration("B"), a_B);
   ledger.draws_vector("a_BA", a_BA);
+  const T alpha_2 = geometry::radians<T>(of.instant.alpha_2);
+  ledger.draws_vector("a_A_t", alpha_2 * quarter_turn(A0A));
+  ledger.draws_vector("a_A_n", a_A - alpha_2 * quarter_turn(A0A));
   const MidpointMotion<T> images = midpoint_images(v_A, v_B, a_A, a_B);
   write_midpoint_motion(ledger, images);
   ledger.put(component_along_AB(), [&] { return component(dot(AB, images.a_G3), AB); });

@@ -65,7 +65,7 @@ Result midpoints_table(const std::string& letter, const std::string& unit) {
   const auto head = [&](const std::string& index) {
     return "$" + letter + (index.empty() ? "" : "_{" + index + "}") + "$ (" + unit + ")";
   };
-  return table({"$X$", head("x"), head("y"), head("")}, rows, 6);
+  return table({"$X$", head("x"), head("y"), head("")}, rows, 4);
 }
 
 const char* const unit_vectors =
@@ -96,7 +96,7 @@ PanelSheet accelerations_sheet(const Solution& s, Language language) {
           .theory = {{{"Differentiated constraints", "Vincoli derivati"},
                       {remark("($α_{3}$, $α_{4}$) = −$ψ^{−1}_{y}$ ($ψ_{x}$$α_{2}$ + $(ψ_{y}\\vec{ω})_{y}\\vec{ω}$ + "
                               "$(ψ_{x}ω_{2})_{x}$$ω_{2}$)"),
-                       values({"alpha_3"}), values({"alpha_4"})}},
+                       remark("$\\vec{ω}$ = ($ω_{3}$, $ω_{4}$)"), values({"alpha_3"}), values({"alpha_4"})}},
                      {{"Midpoints", "Mezzerie"},
                       {remark(with_sine(unit_vectors, language)),
                        remark("$\\vec{a}_{A}$ = $r_{2}$($α_{2}$$\\vec{n}_{2}$ − $ω^{2}_{2}$$\\vec{u}_{2}$),  "

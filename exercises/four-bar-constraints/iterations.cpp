@@ -166,6 +166,7 @@ drawings::Curve curve_of(const Solution& s, const Quantity& quantity, Meaning me
 
 drawings::Chart chart_of_convergence(const Solution& s, Language language) {
   constexpr double finest = 1e-17;  // below what doubles hold of an angle
+  constexpr double beside = 0.25;   // of a step: no point lies on the frame
   drawings::Chart chart;
   double low = 1, high = finest;
   using Shape = drawings::PointShape;
@@ -183,8 +184,8 @@ drawings::Chart chart_of_convergence(const Solution& s, Language language) {
     chart.curves.push_back(std::move(curve));
   }
   chart.x = {.quantity = "$k$",
-             .low = 0,
-             .high = std::max(1.0, static_cast<double>(iterates(s)) - 1),
+             .low = -beside,
+             .high = std::max(1.0, static_cast<double>(iterates(s)) - 1) + beside,
              .steps = drawings::whole_steps};
   chart.y = {.quantity = "$|ψ|$ (m), $|Δθ_{3}|$, $|Δθ_{4}|$ (rad)",
              .low = std::max(finest, low / 10),

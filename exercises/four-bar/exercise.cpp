@@ -18,11 +18,13 @@
 namespace epure {
 namespace four_bar {
 
-std::shared_ptr<const Mechanism> linkage(const Solution& s, const std::string& rate, const std::string& of_case) {
+std::shared_ptr<const Mechanism> linkage(const Solution& s, const std::string& rate, const std::string& of_case,
+                                         bool marks_phi) {
   const Problem of = problem(s.givens());
   Mechanism mechanism = four_bar_mechanism(s, sign_of(of.instant.n), of_case);
   if (of.AC < of.instant.lengths.AB) mechanism.right_angle("C", "A", "B");
-  if (of_case.empty()) mechanism.angle("A0", 0, geometry::to_double(within_one_turn(of.instant.crank)), "$φ$");
+  if (of_case.empty() && marks_phi)
+    mechanism.angle("A0", 0, geometry::to_double(within_one_turn(of.instant.crank)), "$φ$");
   if (rate.empty()) return std::make_shared<const Mechanism>(std::move(mechanism));
   const auto turning = [&](const char* link, const std::string& about, const std::string& P) {
     const std::string name = of_case + rate + link;
@@ -110,7 +112,8 @@ std::vector<PolesStep> steps_to_velocities(const Solution& s, Language language)
                     "$B$ si muove normalmente al bilanciere: $P_{31}$ sta sulla retta $B_{0}B$."},
                    Where::ray,
                    "B"});
-  steps.push_back({decimal("$v_{A}$ = |$ω_{2}$|·$A_{0}A$, |$ω_{3}$| = $v_{A}$ / $P_{31}A$."), Where::tip, "A"});
+  const std::string rate = "$v_{A}$ = |$ω_{2}$|·$A_{0}A$, |$ω_{3}$| = $v_{A}$ / $P_{31}A$.";
+  steps.push_back({{rate, rate}, Where::tip, "A"});
   steps.push_back({{"$v_{B}$ = |$ω_{3}$|·$P_{31}B$, perpendicular to $P_{31}B$; |$ω_{4}$| = $v_{B}$ / $B_{0}B$.",
                     "$v_{B}$ = |$ω_{3}$|·$P_{31}B$, normale a $P_{31}B$; |$ω_{4}$| = $v_{B}$ / $B_{0}B$."},
                    Where::tip,
@@ -234,8 +237,11 @@ Result rates_of_acceleration() {
 }
 
 PanelSheet velocity_diagram_sheet(const Solution& s, Language) {
-  return {.panels = panels(MechanismPanel(linkage(s, "omega")),
-                           PolygonPanel(s, velocities({s}), PolygonPanel::Table::measured)),
+  PolygonPanel polygon(s, velocities({s}), PolygonPanel::Table::measured);
+  polygon.with_equations({{{{"$\\vec{v}_{C}$", "?", "?", ""},
+                            {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "|$ω_{2}$|·$A_{0}A$", "="},
+                            {"$\\vec{v}_{CA}$", "⊥ $CA$", "|$ω_{3}$|·$CA$", "+"}}}});
+  return {.panels = panels(MechanismPanel(linkage(s, "omega")), polygon),
           .results = {values({"omega_2", "omega_3", "omega_4"}), rates_of_velocity()},
           .seen = {"The polygon of the velocities of the four-bar linkage, with the image of C",
                    "Il poligono delle velocità del quadrilatero articolato, con l'immagine di C"},
@@ -255,13 +261,15 @@ PanelSheet acceleration_diagram_sheet(const Solution& s, Language) {
 
 PanelSheet circles_of(const Solution& s, const std::string& prefix) {
   const bool rocker_rests = s.value(prefix + "P31B") == 0;
+  CirclesPanel circles(s, linkage(s, {}, prefix),
+                       {.pole = "P31",
+                        .driven = {"A", "A0"},
+                        .other = {"B", "B0", rocker_rests},
+                        .driven_speeds_up = crank_speeds_up(s),
+                        .prefix = prefix});
+  CirclesPanel detail = circles;
   return {
-      .panels = panels(CirclesPanel(s, linkage(s, {}, prefix),
-                                    {.pole = "P31",
-                                     .driven = {"A", "A0"},
-                                     .other = {"B", "B0", rocker_rests},
-                                     .driven_speeds_up = crank_speeds_up(s),
-                                     .prefix = prefix})),
+      .panels = circles.needs_detail() ? panels(circles.beside_detail(), detail.detail()) : panels(circles),
       .results = {values({prefix + "omega_3", prefix + "alpha_3"}), coordinates(CirclesPanel::points("P31", prefix)),
                   values({prefix + "inflection_diameter", prefix + "stationarity_diameter"})},
       .seen = {"Inflection and stationarity circle of the coupler, which meet in P₃₁ and K",
@@ -329,7 +337,8 @@ std::vector<PolesStep> steps_to_accelerations(const Solution& s) {
 
 PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
   const std::vector<std::string> points{"A", "B", "C"};
-  PolesPanel poles(s, linkage(s, "alpha"), PolesPanel::of_acceleration(), points, steps_to_accelerations(s));
+  const auto mechanism = linkage(s, "alpha", {}, false);  // γ has the place of φ
+  PolesPanel poles(s, mechanism, PolesPanel::of_acceleration(), points, steps_to_accelerations(s));
   return {.panels = panels(AccelerationsPanel(std::move(poles), s)),
           .results = {values({"omega_3", "alpha_3", "gamma_deg"}), coordinates("K"),
                       by_point(points, {{"$KX$ (m)", "K{}"}, {"$a_{X}$ (m/s²)", "a_{}"}}),
@@ -348,7 +357,7 @@ PanelSheet curvature_sheet(const Solution& s, Language) {
       const geometry::FourBar<X> at = geometry::four_bar(of.instant.lengths, crank, of.instant.side);
       return geometry::projective(geometry::right_angled_corner(at.A, at.B, of.instant.lengths.AB, of.AC, of.C_side));
     };
-    draw_locus(plot, C, around, Meaning::second_locus, "path_of_C");
+    draw_locus(plot, C, around, Meaning::locus, "path_of_C");
   };
   return {
       .panels = panels(RaysPanel(s, mechanism, path), OsculatingPanel(s, mechanism, path, draw_path)),
@@ -363,6 +372,18 @@ PanelSheet curvature_sheet(const Solution& s, Language) {
 
 const std::set<std::string> of_the_instant{"t", "phi"};
 
+// Velocities all in one line but those of C: the room is the linkage's, whose links are close together here.
+class VelocitiesAtDeadCentre : public PolygonPanel {
+ public:
+  using PolygonPanel::PolygonPanel;
+  Vectors vectors() const override {
+    constexpr double longest = 60;  // mm
+    Vectors shown = PolygonPanel::vectors();
+    shown.longest_on_paper = longest;
+    return shown;
+  }
+};
+
 PanelSheet dead_centre_sheet(const Solution& s, Language language, geometry::Reach reach) {
   const std::string prefix = dead_centre(reach).prefix;
   if (!s.value(prefix + "A_x")) return no_dead_centre(s, language);
@@ -371,8 +392,8 @@ PanelSheet dead_centre_sheet(const Solution& s, Language language, geometry::Rea
     return all;
   };
   return {
-      .panels = panels(MechanismPanel(linkage(s, "alpha", prefix)), PolygonPanel(s, velocities({s, prefix})),
-                       acceleration_panel({s, prefix})),
+      .panels = panels(MechanismPanel(linkage(s, "alpha", prefix)),
+                       VelocitiesAtDeadCentre(s, velocities({s, prefix})), acceleration_panel({s, prefix})),
       .results = {values(names({"crank_angle_deg", "rocker_angle_deg"})),
                   values({"omega_2", prefix + "omega_3", prefix + "omega_4"}), values(names({"alpha_3", "alpha_4"}))},
       .seen = {"The four-bar linkage with its rocker at a dead centre: the polygons of velocity and acceleration",

@@ -6,9 +6,9 @@
 
 namespace epure::four_bar {
 
-// With the senses in which coupler and rocker turn: by "omega", by "alpha", or none.
+// With the senses in which coupler and rocker turn: by "omega", by "alpha", or none; and the angle of the crank.
 std::shared_ptr<const Mechanism> linkage(const Solution& solution, const std::string& rate = {},
-                                         const std::string& of_case = {});
+                                         const std::string& of_case = {}, bool marks_phi = true);
 
 template <class OfQuantity>
 OfQuantity of_case(const std::string& prefix, OfQuantity quantity) {

@@ -41,7 +41,7 @@ class ParallelPanel : public MechanismPanel {
     return extent.box();
   }
 
-  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override {
     draw_construction(plot);
     mechanism_->draw(plot);
     plot.dot(Q_);
@@ -55,7 +55,9 @@ class ParallelPanel : public MechanismPanel {
     }
     const Words title =
         sense_ == Sense::same ? Words{"Same sense", "Concordi"} : Words{"Opposite senses", "Discordi"};
-    plot.mark(drawings::Writing{title.in(language), {room.low.x + 3, room.high.y - title_ + 1}, 3.5});
+    const drawings::Box box = extent(plot.scale(), plot.vector_scale());
+    const drawings::Point O = plot.at({0, 0});
+    plot.mark(drawings::Writing{title.in(language), {O.x + box.low.x, O.y + box.high.y - title_ + 1}, 3.5});
     return {};
   }
 

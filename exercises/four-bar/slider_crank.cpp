@@ -21,7 +21,7 @@ Mechanism slider_crank(const Solution& s) {
       .axis(mechanism.at("A0"), mechanism.at("B"))
       .path("A0", "A")
       .turning("A0", "A", 1, "$ω_{2}$")
-      .turning_found("B", "A", s[named("alpha_3_over_omega_2_squared")], "$α_{3}$");
+      .turning_found("A", "B", s[named("alpha_3_over_omega_2_squared")], "$α_{3}$");
   return mechanism;
 }
 

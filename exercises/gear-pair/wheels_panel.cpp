@@ -126,8 +126,11 @@ class WheelsPicture {
       const Place end = O + Arrow2{r * std::cos(angle), r * std::sin(angle)};
       if (!inside(end)) continue;
       const std::string text = on(std::string("$r_{") + radius.index, wheel) + "}$ = " + in_mm(r).in(language_);
-      plot_.mark(drawings::Dimension{plot_.at(O), plot_.at(end), 0, roomy ? text : ""});
-      if (!roomy) name_outside(text, wheel, end);
+      plot_.mark(drawings::Arrow{plot_.at(O), plot_.at(end), Meaning::dimension, {}});  // of a radius: one head
+      if (roomy)
+        plot_.onto().sheet.figure.labels.push_back({.text = text, .at = plot_.at(O), .to = plot_.at(end)});
+      else
+        name_outside(text, wheel, end);
       plot_.measures(on(radius.name, wheel), O, end);
     }
   }

@@ -76,7 +76,8 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
       {unknown(s, v_B(), along_guide.in(language), {1, 0})},
       {side(s, v_Bstar(), "⊥ $OB$", "|$ω$|·$OB$", "$b*$"), unknown(s, v_rel(), "∥ $OB$", slot, "$b'$")});
   return {.panels = panels(RelativePolePanel(s, mechanism(s, "omega_disc", "$ω_{3}$")), PolygonPanel(s, polygon)),
-          .results = {values({"v_B", "b_dot", "omega_disc"}), signs(language)},
+          .results = {remark(Words{"sin $α$ = $\\it{R}$ / $OB$", "sen $α$ = $\\it{R}$ / $OB$"}.in(language)),
+                      values({"lever_angle"}), values({"v_B", "b_dot", "omega_disc"}), signs(language)},
           .seen = {"The slotted lever with the disc it rolls, and the polygon of the velocities of the pin B",
                    "Il glifo con il disco che fa rotolare, e il poligono delle velocità del piolo B"},
           .told = {"v_B", "b_dot", "omega_disc"},
@@ -161,9 +162,9 @@ FreeBodyPanel lever_cut_free(const Solution& s, const Forces& on) {
   panel.force(on.W_A, A).force(on.F_A, A).force(on.R_32, B, FreeBodyPanel::Arrow::ends).force(on.R_12, O);
   panel.couple("$\\it{C}$", O, -s["C"], {direction(O, A), direction(O, B)});
   // The disc, when it is braked, drives the lever on.
-  const Words moments = decimal("$\\it{C}$ = " + std::string(on.R_23.v.x < 0 ? "−" : "") +
-                                "$\\it{R}_{23}$·$OB$ + $\\it{W}_{A}$·$AO$ cos $α$ + "
-                                "$\\it{M}_{A}$·$AO^{2}$·d$ω$/d$t$.");
+  const std::string moments = "$\\it{C}$ = " + std::string(on.R_23.v.x < 0 ? "−" : "") +
+                              "$\\it{R}_{23}$·$OB$ + $\\it{W}_{A}$·$AO$ cos $α$ + "
+                              "$\\it{M}_{A}$·$AO^{2}$·d$ω$/d$t$.";
   panel.moments(
       Words{"The lever cut free; its moments about $O$, clockwise: ", "Il glifo isolato; i momenti in $O$, orari: "} +
           moments,

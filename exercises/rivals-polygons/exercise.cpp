@@ -124,9 +124,11 @@ std::vector<std::string> told(const VectorPolygon& polygon) {
 
 PanelSheet sheet(const Solution& s, const CouplerArc& arc, const VectorPolygon& polygon,
                  const std::vector<int>& figures, const Words& seen, const Words& formula, Language language) {
+  std::vector<std::string> rates{"omega_2", rotation.rate};
+  if (arc.rate != rotation.rate) rates.push_back(arc.rate);
   PanelSheet shown{
       .panels = panels(MechanismPanel(mechanism(s, arc))),
-      .results = {values({"omega_2", arc.rate}),
+      .results = {values(rates),
                   remark(formula.in(language) +
                          Words{" Counter-clockwise is positive.", " Positivi in verso antiorario."}.in(language))},
       .seen = seen,

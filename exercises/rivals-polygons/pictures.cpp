@@ -32,6 +32,7 @@ drawings::Box PicturePanel::extent(const Scale&, const Scale& vectors) const {
 std::vector<drawings::Block> PicturePanel::draw(Plot& plot, const drawings::Box&, Language language) const {
   PolygonStage stage = stage_;
   stage.numbered = false;  // the sheet numbers its steps
+  stage.language = language;
   draw_polygon(plot, polygon_, stage);
   const drawings::Box box = extent(plot.scale(), plot.vector_scale());
   const drawings::Point O = plot.at({0, 0});

@@ -43,6 +43,9 @@ VectorPolygon accelerations(const Solution& s, const SliderCrankInstant& instant
   polygon.images[1].relative.label.clear();  // it lies on a_BA
   polygon.images[2].absolute.label.clear();  // a side
   if (speeds_up) polygon.images.push_back({.absolute = side(s, acceleration("A"), "", "")});
+  polygon.images.push_back(
+      {.absolute = {.v = s.vector("a_C")},
+       .relative = {.label = acceleration("CB").arrow(), .v = s.vector("a_C") - s.vector("a_B")}});
   return polygon;
 }
 
@@ -50,7 +53,8 @@ PanelSheet polar_diagram_sheet(const Solution& s, Language language) {
   const SliderCrankInstant instant = slider_crank_instant(s.givens());
   PolygonPanel polygon(s, accelerations(s, instant, language), PolygonPanel::Table::measured);
   polygon.with_equations({{{{"$\\vec{a}_{C}$", "?", "?", ""},
-                            {"$\\vec{a}_{A}$", "", "", "="},
+                            {"$\\vec{a}_{A}$", is_zero(instant.alpha_2) ? "∥ $AA_{0}$" : "",
+                             is_zero(instant.alpha_2) ? "$ω^{2}_{2}$·$A_{0}A$" : "", "="},
                             {"$\\vec{a}^{n}_{CA}$", "∥ $CA$", "$ω^{2}_{3}$·$CA$", "+"},
                             {"$\\vec{a}^{t}_{CA}$", "⊥ $CA$", "|$α_{3}$|·$CA$", "+"}}}});
   return {.panels = panels(MechanismPanel(with_angular_acceleration(s, instant)), polygon),

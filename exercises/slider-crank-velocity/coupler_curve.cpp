@@ -2,9 +2,11 @@
 // position.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "exercises/kit/linkages/slider_crank_mechanism.h"
+#include "exercises/kit/panels/compass.h"
 #include "exercises/kit/panels/curve.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/sheet.h"
@@ -35,13 +37,15 @@ class CouplerCurvePanel : public Panel {
   void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     for (const Position& at : positions_) {
-      plot.polygon({at.A, at.B, at.C}, Meaning::alternative);
+      compass_arc(plot, at.A, at.B, found_by);
+      plot.segment(at.B, at.C, Meaning::construction);
       plot.dot(at.A, Meaning::construction);
       plot.dot(at.B, Meaning::construction);
       plot.dot(at.C, Meaning::locus);
       plot.small_label(at.label, at.A, mechanism_->at("A0"));
       plot.small_label(at.label, at.C, Place{(at.A.x + at.B.x) / 2, (at.A.y + at.B.y) / 2});
     }
+    number_B(plot);
     const geometry::Arithmetic<geometry::Bounded> scope;
     const Reference reference = reference_of(instant_);
     const auto curve = [&](const geometry::SliderCrankLoop<geometry::Bounded>& loop) {
@@ -73,6 +77,18 @@ class CouplerCurvePanel : public Panel {
   }
 
  private:
+  static constexpr double found_by = 4;  // mm of the arcs on either side
+
+  // Two positions of the crank, as a rule, have one B: it bears both their numbers.
+  void number_B(Plot& plot) const {
+    constexpr double below = 10;  // mm
+    const double mm = plot.scale().mm_per_unit;
+    std::vector<std::pair<Place, std::string>> each;
+    for (const Position& at : positions_) each.emplace_back(at.B, at.label);
+    for (const auto& [B, numbers] : numbered_together(plot, each))
+      plot.small_label(numbers, B, B + Arrow2{0, below / mm}, Meaning::construction);
+  }
+
   // Where there is room; a swinging crank does not reach every position.
   const Position& position(int number) const {
     for (const Position& at : positions_)

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "exercises/kit/panels/rounded.h"
 
 namespace epure::slider_crank_velocity {
@@ -55,6 +57,22 @@ std::string division_in_words(const SliderCrankInstant& instant, Language langua
   const char* text = circuit == Circuit::crank ? circle : circuit == Circuit::both ? both : coupler;
   const Words x_axis{"the $x$ axis", "dall'asse $x$"};
   return fmt::format(fmt::runtime(text), positions, (circuit == Circuit::crank ? from : x_axis).in(language));
+}
+
+std::vector<std::pair<Place, std::string>> numbered_together(
+    const Plot& plot, const std::vector<std::pair<Place, std::string>>& points) {
+  constexpr double one_point = 0.5;  // mm
+  std::vector<std::pair<Place, std::string>> together;
+  for (const auto& each : points) {
+    const auto known = std::find_if(together.begin(), together.end(), [&](const auto& one) {
+      return distance(one.first, each.first) * plot.scale().mm_per_unit < one_point;
+    });
+    if (known == together.end())
+      together.push_back(each);
+    else
+      known->second += ", " + each.second;
+  }
+  return together;
 }
 
 }  // namespace epure::slider_crank_velocity

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exercises/kit/linkages/slider_crank_loops.h"
@@ -20,6 +21,10 @@ struct Position {
   Place C;                                 // the reference triangle carried here
 };
 std::vector<Position> divided_positions(const SliderCrankInstant& instant);
+
+// Points with their numbers; those that are one point on the paper bear all of theirs.
+std::vector<std::pair<Place, std::string>> numbered_together(
+    const Plot& plot, const std::vector<std::pair<Place, std::string>>& points);
 
 // How the positions were found, as the first step of a construction.
 std::string division_in_words(const SliderCrankInstant& instant, Language language);

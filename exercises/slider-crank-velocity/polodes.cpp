@@ -168,9 +168,10 @@ class PolodesPanel : public Panel {
 
   void draw_triangles(Plot& plot, const drawings::Box& room) const {
     const Place A0 = mechanism_->at("A0"), A = mechanism_->at("A"), B = mechanism_->at("B");
+    std::vector<std::pair<Place, std::string>> of_moving_polode;
     for (const Position& at : positions_) {
       if (at.P0 && is_in(room, plot, *at.P0)) {
-        plot.polygon({at.A, at.B, *at.P0}, Meaning::alternative);
+        plot.polygon({at.A, at.B, *at.P0}, Meaning::construction);
         plot.dot(*at.P0, Meaning::locus);
         plot.small_label(at.label, *at.P0, at.A);
       }
@@ -178,11 +179,12 @@ class PolodesPanel : public Panel {
         plot.segment(A, *at.P0_on_coupler, Meaning::construction);
         plot.segment(B, *at.P0_on_coupler, Meaning::construction);
         plot.dot(*at.P0_on_coupler, Meaning::second_locus);
-        plot.small_label(at.label, *at.P0_on_coupler, A);
+        of_moving_polode.emplace_back(*at.P0_on_coupler, at.label);
       }
       plot.dot(at.A, Meaning::construction);
       plot.small_label(at.label, at.A, A0);
     }
+    for (const auto& [P0, numbers] : numbered_together(plot, of_moving_polode)) plot.small_label(numbers, P0, A);
   }
 
   // Of the twelve positions those whose points are not on the sheet, and why.

@@ -170,7 +170,8 @@ PanelSheet acceleration_sheet(const Solution& s, Language) {
           .results = {components(acceleration("A"))},
           .seen = {"The bar on its body, and the polygon of the accelerations of A",
                    "La barra sul suo corpo, e il poligono delle accelerazioni di A"},
-          .told = {"a_A", "a_A_x", "a_A_y"}};
+          .told = {"a_A", "a_A_x", "a_A_y"},
+          .without_part = {"V"}};
 }
 
 PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
@@ -179,7 +180,8 @@ PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
           .results = {coordinates("K"), components(acceleration("A"))},
           .seen = {"The bar on its body, its acceleration centre K, and the accelerations of O and A",
                    "La barra sul suo corpo, il centro delle accelerazioni K, e le accelerazioni di O e A"},
-          .told = {"a_O", "a_A", "K_x", "K_y"}};
+          .told = {"a_O", "a_A", "K_x", "K_y"},
+          .without_part = {"V"}};
 }
 
 }  // namespace

@@ -250,6 +250,21 @@ TEST_CASE("letters stand nearer to what they name than to another thing of its k
     figure.labels = {{"$v$", from, to, Meaning::velocity}};
     CHECK(probe::all<Stroke>(compose(bare(figure))).size() == 3);
   }
+  SECTION("of two arcs about one vertex") {
+    const double inner = 13, outer = 16;  // mm
+    figure.marks = {AngleMark{from, outer, 0, 2.8}, AngleMark{from, inner, 0, 2.2}};
+    const Point at = from + inner * direction(1.1);
+    figure.labels = {{"$φ_{2}$", at, {}, Meaning::text, from}};
+    const Box box = boxes(figure).at(0);
+    const auto to_arc = [&](double radius) {
+      double nearest = INFINITY;
+      for (int i = 0; i < 100; ++i)
+        nearest = std::min(nearest,
+                           gap(box, from + radius * direction(i / 50.0), from + radius * direction((i + 1) / 50.0)));
+      return nearest;
+    };
+    CHECK(to_arc(inner) < to_arc(outer));
+  }
   SECTION("of two points") {
     const Point other = from + Point{4, 4};
     figure.marks = {Dot{from}, Dot{other}};

@@ -1,6 +1,7 @@
 // Each step that a sheet lists has its number on the picture, or is named as off the sheet; and nothing is numbered
 // on the picture that is not listed.
 #include <map>
+#include <regex>
 #include <set>
 
 #include "drawings/paths/vectors.h"
@@ -67,6 +68,26 @@ TEST_CASE("angles and arms that the steps speak of are drawn, as stated") {
     }
 }
 
+TEST_CASE("numbers on the pictures of Italian sheets have decimal commas") {
+  const std::regex with_point("[0-9]\\.[0-9]"), with_comma("[0-9],[0-9]");
+  int commas = 0;
+  const auto look = [&](const std::string& id, const Assignments& assignments) {
+    const Exercise& exercise = find_exercise(catalogue(), id);
+    const Solution solution = exercise.solution(Tried(id).givens(assignments));
+    for (const SheetSpec& spec : exercise.about().sheets)
+      for (const std::string& text :
+           written_on(exercise.draw(spec.name, solution, {.language = Language::italian}).sheet.figure)) {
+        CAPTURE(id, assignments, spec.name, text);
+        CHECK_FALSE(std::regex_search(text, with_point));
+        commas += std::regex_search(text, with_comma) ? 1 : 0;
+      }
+  };
+  for (const auto& [id, sets] : tried_givens())
+    for (const Assignments& assignments : sets) look(id, assignments);
+  look("rivals-polygons", {"phi=250", "alpha_2=-700", "AG=0.45"});  // vectors so short that they tell their values
+  CHECK(commas > 0);
+}
+
 TEST_CASE("each step has its number on the picture, or is named as off the sheet") {
   int seen = 0, off = 0;
   for (const auto& [id, sets] : tried_givens())
@@ -79,7 +100,11 @@ TEST_CASE("each step has its number on the picture, or is named as off the sheet
           const drawings::Sheet sheet = exercise.draw(spec.name, solution, {.language = language}).sheet;
           std::map<int, std::string> lines = listed(sheet);
           int number = 0;
-          for (const auto& [listed_number, line] : lines) CHECK(listed_number == ++number);
+          for (const auto& [listed_number, line] : lines) {
+            CAPTURE(line);
+            CHECK(listed_number == ++number);
+            CHECK_FALSE(line.ends_with(','));  // a full stop is no decimal point
+          }
           for (const drawings::StepNumber& step : sheet.figure.steps) {
             CAPTURE(step.number);
             CHECK(drawings::contains(drawings::drawing_area(sheet.paper), step.at));

@@ -56,15 +56,32 @@ CirclesPanel::Builder CirclesPanel::builder(const Solution& s, const Known& know
   return X;
 }
 
+bool CirclesPanel::needs_detail() const {
+  constexpr double too_large = 2.5;  // reaches of the mechanism
+  return J_ && S_prime_ && inflection_.centre && 2 * inflection_.radius > too_large * mechanism_->reach() &&
+         2 * stationarity_.radius < too_large * mechanism_->reach();
+}
+CirclesPanel& CirclesPanel::detail() {
+  shows_ = Shows::detail;
+  return *this;
+}
+CirclesPanel& CirclesPanel::beside_detail() {
+  shows_ = Shows::inflection_circle;
+  return *this;
+}
+
 std::string CirclesPanel::pole_letters() const { return point_letters(case_.pole); }
 
 drawings::Box CirclesPanel::covered(const Scale& lengths, double points, double circles) const {
   Extent extent;
   for (const Place& P : mechanism_->corners()) extent.include(lengths, P, 7);
-  include(extent, lengths, inflection_, circles);
-  include(extent, lengths, stationarity_, circles);
-  for (const auto& P : {P0_, J_, K_, S_prime_, A_double_, driven_.prime, other_.prime})
-    include(extent, lengths, P, points);
+  if (shows_ != Shows::inflection_circle) {
+    include(extent, lengths, stationarity_, circles);
+    for (const auto& P : {P0_, K_, S_prime_, A_double_}) include(extent, lengths, P, points);
+  }
+  if (shows_ == Shows::detail) return extent.box();
+  include(extent, lengths, inflection_, shows_ == Shows::inflection_circle ? far() : circles);
+  for (const auto& P : {P0_, J_, driven_.prime, other_.prime}) include(extent, lengths, P, points);
   return extent.box();
 }
 
@@ -74,13 +91,14 @@ void CirclesPanel::draw_builder(Plot& plot, const drawings::Box& room, const Bui
   if (!X.prime) return;
   if (!X.known.is_pole) plot.segment(*P0_, X.at, Meaning::construction);
   if (X.has_prime()) draw_to(plot, room, X.at, *X.prime, "$" + X.letters + "'$", language);
+  if (X.has_prime()) {
+    plot.dot(*X.prime, Meaning::locus);
+    plot.label("$" + X.letters + "'$", *X.prime, X.at, Meaning::locus);
+  }
   if (!J_) return;
   draw_to(plot, room, *X.prime, *J_, "$J$", language);
   const Arrow2 to_J = *J_ - *X.prime;
   mark_right_angle(plot, *X.prime, X.known.is_pole ? *X.prime + Arrow2{-to_J.y, to_J.x} : *P0_, *J_);
-  if (!X.has_prime() || is_on(plot, X.at, *X.prime)) return;
-  plot.dot(*X.prime, Meaning::locus);
-  plot.label("$" + X.letters + "'$", *X.prime, X.at, Meaning::locus);
 }
 
 // On the circle where it is farthest from the mechanism, of places that are on the sheet.
@@ -100,6 +118,7 @@ void CirclesPanel::name_circle(Plot& plot, const drawings::Box& room, const Draw
 void CirclesPanel::draw_inflection_circle(Plot& plot, const drawings::Box& room, Language language) const {
   plot.cycle(inflection_, Meaning::locus, "inflection_circle");
   if (translates() || !J_ || !F_) return;
+  if (shows_ == Shows::detail) return draw_to(plot, room, *P0_, *J_, "$J$", language, Meaning::axis);
   for (const Builder* X : {&driven_, &other_}) draw_builder(plot, room, *X, language);
   draw_to(plot, room, *P0_, *J_, "$J$", language, Meaning::axis);
   draw_named(plot, J_, "$J$", *P0_);
@@ -139,12 +158,14 @@ void CirclesPanel::draw_stationarity_circle(Plot& plot, const drawings::Box& roo
 void CirclesPanel::draw_poles(Plot& plot) const {
   const Place O = mechanism_->corners().front();
   draw_named(plot, P0_, "$" + pole_letters() + "$", middle());
+  if (P0_ && shows_ != Shows::detail) plot.measures_coordinates(case_.prefix + case_.pole, *P0_, O);
+  if (shows_ == Shows::inflection_circle) return;
   draw_named(plot, K_, "$K$", middle(), Meaning::acceleration);
-  if (P0_) plot.measures_coordinates(case_.prefix + case_.pole, *P0_, O);
   if (K_) plot.measures_coordinates(case_.prefix + "K", *K_, O);
 }
 
 std::string CirclesPanel::left_out(const Plot& plot, const drawings::Box& room, Language language) const {
+  if (shows_ == Shows::detail) return {};
   OffSheet off(plot, room);
   for (const Builder* X : {&driven_, &other_})
     if (X->has_prime()) off.point("$" + X->letters + "'$", X->prime);
@@ -154,13 +175,14 @@ std::string CirclesPanel::left_out(const Plot& plot, const drawings::Box& room, 
                                    std::pair{std::string("$S$"), S_}, std::pair{std::string("$S'$"), S_prime_}})
     off.point(letters, P);
   off.circle({"part of the inflection circle", "parte della circonferenza dei flessi"}, inflection_);
-  off.circle({"part of the stationarity circle", "parte della circonferenza di stazionarietà"}, stationarity_);
+  if (shows_ == Shows::all)
+    off.circle({"part of the stationarity circle", "parte della circonferenza di stazionarietà"}, stationarity_);
   return off.sentence(language);
 }
 
 std::vector<drawings::Block> CirclesPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   draw_inflection_circle(plot, room, language);
-  draw_stationarity_circle(plot, room, language);
+  if (shows_ != Shows::inflection_circle) draw_stationarity_circle(plot, room, language);
   mechanism_->sketch(plot);
   draw_poles(plot);
   const std::string off = left_out(plot, room, language);
@@ -273,9 +295,12 @@ std::vector<PanelStep> CirclesPanel::steps_to_lines() const {
 std::vector<PanelStep> CirclesPanel::steps(const Plot& plot, const drawings::Box& room) const {
   if (translates()) return steps_to_lines();
   std::vector<PanelStep> steps;
-  for (const Builder* X : {&driven_, &other_})
-    if (X->has_prime()) steps.push_back(step_to_prime(plot, room, *X));
-  steps.push_back(step_to_J(plot, room));
+  if (shows_ != Shows::detail) {
+    for (const Builder* X : {&driven_, &other_})
+      if (X->has_prime()) steps.push_back(step_to_prime(plot, room, *X));
+    steps.push_back(step_to_J(plot, room));
+  }
+  if (shows_ == Shows::inflection_circle) return steps;
   steps.push_back(step_to_S(plot, room));
   if (!K_) return steps;
   const std::string P = pole_letters();

@@ -26,6 +26,13 @@ class CirclesPanel : public CutPanel {
   // "_along", of the points "Aprime", of the driven one "Adoubleprime" (see coupler_routes.h).
   CirclesPanel(const Solution& solution, std::shared_ptr<const MechanismFigure> mechanism, const Case& of);
 
+  // The inflection circle is so much larger than the mechanism that this needs a picture of its own.
+  bool needs_detail() const;
+  // The picture of the mechanism, the stationarity circle and K beside that of the whole inflection circle, each with
+  // its own steps.
+  CirclesPanel& detail();
+  CirclesPanel& beside_detail();
+
   double reach() const override { return mechanism_->reach(); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
@@ -65,6 +72,7 @@ class CirclesPanel : public CutPanel {
   PanelStep step_to_S(const Plot& plot, const drawings::Box& room) const;
   std::vector<PanelStep> steps_to_lines() const;
 
+  enum class Shows { all, inflection_circle, detail } shows_ = Shows::all;
   Case case_;
   std::optional<Place> P0_, J_, K_, F_, S_, S_prime_, A_double_;
   DrawnCycle inflection_, stationarity_;

@@ -1,13 +1,14 @@
 #include "exercises/kit/panels/curvature_panel.h"
 
 #include "drawings/paths/vectors.h"
+#include "exercises/kit/panels/osculating_arc.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/quantity.h"
 
 namespace epure {
 namespace {
 
-constexpr double along_path = 15;  // mm of a path to each side of its point
+constexpr double along_path = 18;  // mm of a path to each side of its point
 
 std::string centre_of(const std::string& letters) { return "$Ω_{" + letters + "}$"; }
 std::string primed(const std::string& letters) { return "$" + letters + "'$"; }
@@ -91,12 +92,12 @@ OsculatingPanel::OsculatingPanel(const Solution& s, std::shared_ptr<const Mechan
 }
 
 // The mechanism, and the points with a piece of their paths.
-drawings::Box OsculatingPanel::covered(const Scale& lengths, double points, double circles) const {
+drawings::Box OsculatingPanel::covered(const Scale& lengths, double points, double /*circles*/) const {
   Extent extent;
   for (const OnPath& X : points_) {
-    extent.include(lengths, X.at, along_path + 2);
+    constexpr double needed = 17;  // mm of the path
+    extent.include(lengths, X.at, needed);
     include(extent, lengths, X.centre, points);
-    if (X.centre) include(extent, lengths, circle_through(X.at, *X.centre), circles);
   }
   include(extent, lengths, P0_, points);
   mechanism_->include(extent, lengths);
@@ -105,7 +106,7 @@ drawings::Box OsculatingPanel::covered(const Scale& lengths, double points, doub
 
 void OsculatingPanel::draw_centre(Plot& plot, const drawings::Box& room, const OnPath& X, Language language) const {
   if (!X.centre) return;
-  plot.cycle(circle_through(X.at, *X.centre), Meaning::construction);
+  draw_osculating_arc(plot, X.at, *X.centre);
   if (!is_in(room, plot, *X.centre)) {
     draw_towards(plot, room, X.at, *X.centre, centre_of(X.letters), language);
     return;
@@ -121,16 +122,19 @@ void OsculatingPanel::draw_piece_of_path(Plot& plot, const drawings::Box& room, 
   const drawings::Point at = plot.at(X.at);
   const drawings::Box around{{at.x - along_path, at.y - along_path}, {at.x + along_path, at.y + along_path}};
   if (!drawings::contains(room, at)) return;
-  draw_path_(plot, X.name, around);
   drawings::Figure& figure = plot.onto().sheet.figure;
-  figure.windows.push_back(drawings::intersection(room, around));
-  figure.window_of.resize(figure.marks.size(), static_cast<int>(figure.windows.size()) - 1);
+  const auto cut = [&](const drawings::Box& window) {
+    figure.windows.push_back(window);
+    figure.window_of.resize(figure.marks.size(), static_cast<int>(figure.windows.size()) - 1);
+  };
+  cut(room);
+  draw_path_(plot, X.name, around);
+  cut(drawings::intersection(room, around));
 }
 
 std::vector<drawings::Block> OsculatingPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   const Place O = mechanism_->corners().front();
   for (const OnPath& X : points_) {
-    draw_piece_of_path(plot, room, X);
     if (!P0_) continue;
     draw_to(plot, room, X.at, *P0_, "$" + point_letters(curved_.pole) + "$", language);
     plot.measures(curved_.prefix + curved_.pole + X.name, *P0_, X.at);
@@ -142,10 +146,7 @@ std::vector<drawings::Block> OsculatingPanel::draw(Plot& plot, const drawings::B
   for (const OnPath& X : points_) {
     draw_centre(plot, room, X, language);
     off.point(centre_of(X.letters), X.centre);
-    if (X.centre)
-      off.circle(
-          format_words("part of the circle about {0}", "parte del cerchio di centro {0}", centre_of(X.letters)),
-          circle_through(X.at, *X.centre));
+    draw_piece_of_path(plot, room, X);  // over the arc, which it nearly covers
   }
   const std::string sentence = off.sentence(language);
   if (sentence.empty()) return {};
@@ -177,10 +178,10 @@ Words OsculatingPanel::step_to(const OnPath& X, bool is_first) const {
                         "Analogamente $Ω_{{{0}}}$: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$.", X.letters, P);
   return format_words(
       "Euler-Savary: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$ gives $Ω_{{{0}}}$ on the ray, on the same "
-      "side of ${0}$ as ${0}'$. The thin circle about it osculates the path of ${0}$, of which a piece "
+      "side of ${0}$ as ${0}'$. The thin arc about it osculates the path of ${0}$, of which a piece "
       "is drawn.",
       "Euler-Savary: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$ dà $Ω_{{{0}}}$ sul raggio, dalla stessa "
-      "parte di ${0}'$ rispetto a ${0}$. Il cerchio sottile di questo centro oscula la traiettoria di "
+      "parte di ${0}'$ rispetto a ${0}$. L'arco sottile di questo centro oscula la traiettoria di "
       "${0}$, della quale è disegnato un tratto.",
       X.letters, P);
 }

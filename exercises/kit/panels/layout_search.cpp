@@ -232,7 +232,7 @@ class Search {
     while (tried.size() < most_steps) {
       const Choices& choices = tried.back();
       const double now = excess(division, choices);
-      if (now == 0) return enlarged(division, tried);
+      if (now == 0) return exchanged(division, tried);
       std::optional<Choices> best;
       double best_gain = 0;
       for (const Choices& next : next_smaller(choices)) {
@@ -247,27 +247,51 @@ class Search {
     return {};
   }
 
-  // The last of those tried, each of its scales as large again as it was before, where there is room after all.
-  Choices enlarged(const Division& division, const std::vector<Choices>& tried) {
-    Choices choices = tried.back();
+  // One scale a step smaller for the others as large as there is then room for them, as long as that is better.
+  Choices exchanged(const Division& division, const std::vector<Choices>& tried) {
+    constexpr double better = 1e-6;  // merit
+    Choices best = enlarged(division, tried, tried.back());
+    for (bool improved = true; improved;) {
+      improved = false;
+      for (const Choices& smaller : next_smaller(best)) {
+        const Choices other = enlarged(division, tried, smaller, best);
+        if (merit(other) <= merit(best) + better) continue;
+        best = other;
+        improved = true;
+        break;
+      }
+    }
+    return best;
+  }
+
+  // Each of the scales as large again as it was when tried, where there is room after all. What is smaller than in
+  // `before` stays so.
+  Choices enlarged(const Division& division, const std::vector<Choices>& tried, Choices choices,
+                   const std::optional<Choices>& before = {}) {
+    const auto stays = [](const Choice& now, const Choice& then) {
+      return now.scale.mm_per_unit < then.scale.mm_per_unit;
+    };
+    const Choices start = choices;
     const auto try_with = [&](const auto& set) {
-      for (const Choices& before : tried) {
+      for (const Choices& known : tried) {
         Choices larger = choices;
-        set(larger, before);
+        set(larger, known);
         if (excess(division, larger) > 0) continue;
         choices = larger;
         return;
       }
     };
     for (std::size_t i = 0; i < choices.lengths.size(); ++i)
-      try_with([this, i](Choices& larger, const Choices& before) {
-        larger.lengths[i] = before.lengths[i];
-        keep_in_step(larger);
-      });
+      if (!before || !stays(start.lengths[i], before->lengths[i]))
+        try_with([this, i](Choices& larger, const Choices& known) {
+          larger.lengths[i] = known.lengths[i];
+          keep_in_step(larger);
+        });
     for (const auto& [group, choice] : largest_.vectors)
-      try_with([&group = group](Choices& larger, const Choices& before) {
-        larger.vectors[group] = before.vectors.at(group);
-      });
+      if (!before || !stays(start.vectors.at(group), before->vectors.at(group)))
+        try_with([&group = group](Choices& larger, const Choices& known) {
+          larger.vectors[group] = known.vectors.at(group);
+        });
     return choices;
   }
 
@@ -286,11 +310,13 @@ class Search {
     return size;
   }
 
-  // How many panels are planes of these vectors; one, where a panel of lengths shows them.
+  // How many panels are planes of these vectors; one, where a panel of lengths shows them. A plane counts a little
+  // more than a picture of lengths: it is read with a ruler.
   double planes(const std::string& group) const {
+    constexpr double of_plane = 1.1;
     double count = 0;
     for (std::size_t i = 0; i < panels_.size(); ++i)
-      if (panels_[i]->is_of_vectors() && groups_[i] == group) ++count;
+      if (panels_[i]->is_of_vectors() && groups_[i] == group) count += of_plane;
     return std::max(count, 1.0);
   }
 

@@ -1,6 +1,7 @@
 #include "exercises/kit/panels/locus_panel.h"
 
 #include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/osculating_arc.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure {
@@ -40,9 +41,9 @@ drawings::Box LocusPanel::extent(const Scale& scale, const Scale&) const {
 std::vector<drawings::Block> LocusPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   for (const Position& position : positions_) {
     if (position.body.size() > 2)
-      plot.polygon(position.body, Meaning::alternative);
+      plot.polygon(position.body, Meaning::construction);
     else
-      plot.segment(position.body.front(), position.body.back(), Meaning::alternative);
+      plot.segment(position.body.front(), position.body.back(), Meaning::construction);
     for (const Numbered& point : position.points) {
       plot.dot(point.at, point.ink);
       if (!point.label.empty()) plot.small_label(point.label, point.at, point.away_from, point.ink);
@@ -61,12 +62,11 @@ std::vector<drawings::Block> LocusPanel::draw(Plot& plot, const drawings::Box& r
   return told;
 }
 
-// The figure is the path's: a circle too large for it is drawn as far as it reaches.
 std::vector<drawings::Block> LocusPanel::draw_osculating(Plot& plot, const drawings::Box& room,
                                                          Language language) const {
   if (!centre_) return {};
   const Place& P = mechanism_->at(point_);
-  plot.cycle(circle_through(P, *centre_), Meaning::construction);
+  draw_osculating_arc(plot, P, *centre_);
   if (is_in(room, plot, *centre_)) {
     plot.segment(*centre_, P, Meaning::dimension);
     plot.cross(*centre_);
@@ -78,7 +78,6 @@ std::vector<drawings::Block> LocusPanel::draw_osculating(Plot& plot, const drawi
   }
   OffSheet off(plot, room);
   off.point(centre_letters_, centre_);
-  off.circle({"part of the osculating circle", "parte del cerchio osculatore"}, circle_through(P, *centre_));
   const std::string sentence = off.sentence(language);
   if (sentence.empty()) return {};
   return {drawings::Paragraph{sentence}};

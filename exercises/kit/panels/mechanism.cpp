@@ -15,6 +15,7 @@ constexpr double half_block = 5, block_top = 3;          // mm from the hinge
 constexpr double angle_radius = 19, from_x_radius = 13;  // mm
 constexpr double surface_beyond = 9;                     // mm of the frame on either side of a disc
 constexpr double axis_beyond = 8;                        // mm
+constexpr double support_height = 7;                     // mm
 
 // From p, `along` mm in a direction and `across` mm to its left.
 drawings::Point beside(drawings::Point p, double direction, double along, double across) {
@@ -46,6 +47,16 @@ bool is_on_line(const Place& P, const Place& from, const Place& to) {
   return std::abs(cross(along, there)) <= one_direction * magnitude(along) * magnitude(there);
 }
 
+// How long a link is that leaves O in this direction; infinite where none does.
+double shortest_leg(const std::vector<std::pair<Place, Place>>& links, const Place& O, double side) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& [from, to] : links)
+    for (const auto& [here, there] : {std::pair{from, to}, std::pair{to, from}})
+      if (distance(O, here) == 0 && has_direction({direction(here, there)}, side))
+        shortest = std::min(shortest, distance(here, there));
+  return shortest;
+}
+
 // The side of an angle that is no line of the mechanism: thin, a little beyond the arc.
 void draw_leg(Plot& plot, const Place& vertex, double direction, double radius) {
   constexpr double past_arc = 3;  // mm
@@ -53,11 +64,45 @@ void draw_leg(Plot& plot, const Place& vertex, double direction, double radius) 
   plot.segment(vertex, vertex + length * Arrow2{std::cos(direction), std::sin(direction)}, Meaning::construction);
 }
 
+// Of a polygon: a ray from X to the right crosses its outline an odd number of times.
+bool is_inside(const Place& X, const std::vector<Place>& corners) {
+  bool inside = false;
+  for (std::size_t i = 0, before = corners.size() - 1; i < corners.size(); before = i++) {
+    const Place &P = corners[i], &Q = corners[before];
+    if ((P.y > X.y) != (Q.y > X.y) && X.x < P.x + (X.y - P.y) / (Q.y - P.y) * (Q.x - P.x)) inside = !inside;
+  }
+  return inside;
+}
+
 double distance_to_segment(const Place& X, const Place& P, const Place& Q) {
   const Arrow2 along = Q - P;
   const double length_squared = dot(along, along);
   const double t = length_squared > 0 ? std::clamp(dot(X - P, along) / length_squared, 0.0, 1.0) : 0;
   return distance(X, P + t * along);
+}
+
+Arrow2 unit_at(double direction) { return {std::cos(direction), std::sin(direction)}; }
+
+// In the middle of a body, or a little off it where another point is near: halfway from there to a corner.
+Place place_of_number(const std::vector<Place>& corners, const std::vector<Place>& points) {
+  Place middle{0, 0};
+  double size = 0;
+  for (const Place& P : corners) {
+    const double share = 1 / static_cast<double>(corners.size());
+    middle = middle + share * (P - Place{0, 0});
+    size = std::max(size, distance(P, corners.front()));
+  }
+  const auto room = [&](const Place& X) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Place& P : points) nearest = std::min(nearest, distance(X, P));
+    return nearest;
+  };
+  constexpr double enough = 0.15;  // of the size
+  Place best = middle;
+  if (room(middle) >= enough * size) return best;
+  for (const Place& P : corners)
+    if (const Place X = middle + 0.5 * (P - middle); room(X) > room(best)) best = X;
+  return best;
 }
 
 }  // namespace
@@ -140,8 +185,11 @@ Mechanism& Mechanism::angle(const std::string& at, double from, double to, const
   return *this;
 }
 
+// About a hinge of the frame within a turn, as such an angle is given.
 Mechanism& Mechanism::angle_from_x(const std::string& at, const std::string& of, const std::string& symbol) {
-  angles_.push_back({at, 0, direction(find(at).at, find(of).at), symbol, true});
+  double to = direction(find(at).at, find(of).at);
+  if (find(at).joint == Joint::fixed && to < 0) to += 2 * std::numbers::pi;
+  angles_.push_back({at, 0, to, symbol, true});
   return *this;
 }
 
@@ -212,10 +260,18 @@ std::vector<std::pair<Place, Place>> Mechanism::edges(const std::vector<Body>& b
 }
 
 double Mechanism::direction_of_support(const Point& P, const Scale& scale) const {
-  constexpr double high = 7, half_wide = 5.4;  // mm of the support
+  constexpr double half_wide = 5.4;  // mm of the support
   constexpr double right_angle = std::numbers::pi / 2;
+  const auto is_on_plate = [&](const Place& X) {
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
+      std::vector<Place> corners;
+      for (const std::string& name : body.points) corners.push_back(at(name));
+      return corners.size() > 2 && !body.is_slotted && is_inside(X, corners);
+    });
+  };
   const auto room = [&](double direction) {
-    const Place foot = P.at + high / scale.mm_per_unit * Arrow2{std::cos(direction), std::sin(direction)};
+    const Place foot = P.at + support_height / scale.mm_per_unit * unit_at(direction);
+    if (is_on_plate(foot)) return 0.0;
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto* bodies : {&bodies_, &other_positions_})
       for (const auto& [from, to] : edges(*bodies)) nearest = std::min(nearest, distance_to_segment(foot, from, to));
@@ -364,6 +420,14 @@ void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
   const double opening = angle.to - angle.from;
   if (std::abs(opening) * angle_radius < shortest_arc || plot.scale().mm_per_unit * reach() < angle_radius) return;
   const Place& O = at(angle.at);
+  const std::vector<std::pair<Place, Place>> links = edges(bodies_), others = edges(other_positions_);
+  const auto usual = [&](const Angle& each) {
+    constexpr double share = 0.6, least = 5;  // of the leg, mm
+    double leg = std::numeric_limits<double>::infinity();
+    for (const double side : {each.from, each.to})
+      leg = std::min({leg, shortest_leg(links, O, side), shortest_leg(others, O, side)});
+    return std::min(radius_of(each), std::max(share * leg * plot.scale().mm_per_unit, least));
+  };
   std::vector<double> circles;
   for (const Path& path : paths_)
     if (path.about == angle.at) circles.push_back(distance(O, at(path.of)));
@@ -374,9 +438,9 @@ void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
   for (const Angle& each : angles_) {  // of two angles at a point each has an arc of its own
     if (&each == &angle) break;
     if (each.at != angle.at) continue;
-    circles.push_back(clear_of(circles, radius_of(each), plot.scale()) / plot.scale().mm_per_unit);
+    circles.push_back(clear_of(circles, usual(each), plot.scale()) / plot.scale().mm_per_unit);
   }
-  const double radius = clear_of(circles, radius_of(angle), plot.scale());
+  const double radius = clear_of(circles, usual(angle), plot.scale());
 
   std::vector<double> lines = directions_at(angle.at);
   for (const Axis& axis : axes_)
@@ -437,10 +501,15 @@ void Mechanism::draw_numbers(Plot& plot) const {
       plot.label(std::to_string(body.number), P + 0.5 * (Q - P));
       continue;
     }
-    Place sum{0, 0};
-    for (const std::string& name : body.points) sum = {sum.x + at(name).x, sum.y + at(name).y};
-    const auto count = static_cast<double>(body.points.size());
-    plot.label(std::to_string(body.number), {sum.x / count, sum.y / count}, middle());
+    std::vector<Place> corners, all;
+    for (const std::string& name : body.points) corners.push_back(at(name));
+    for (const Point& P : points_) {
+      all.push_back(P.at);
+      if (P.joint == Joint::fixed)  // its support too
+        all.push_back(P.at +
+                      support_height / plot.scale().mm_per_unit * unit_at(direction_of_support(P, plot.scale())));
+    }
+    plot.label(std::to_string(body.number), place_of_number(corners, all), middle());
   }
   for (const Disc& disc : discs_) {
     const Place &O = at(disc.centre), &D = at(disc.rim);

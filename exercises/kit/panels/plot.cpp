@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -34,6 +35,58 @@ std::optional<std::pair<drawings::Point, drawings::Point>> near_paper(drawings::
     return t == 1 ? q : drawings::Point{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
   };
   return swapped ? std::pair{at(to), at(from)} : std::pair{at(from), at(to)};
+}
+
+// How a straight line that is a link, or a locus, runs on from a point of it: both ways.
+std::vector<drawings::Point> ways_along(const drawings::Line& line, drawings::Point from) {
+  constexpr double on_it = 0.1, shortest = 3;  // mm
+  std::vector<drawings::Point> ways;
+  const bool hides =
+      line.meaning == Meaning::link || line.meaning == Meaning::locus || line.meaning == Meaning::second_locus;
+  if (!hides || line.path.closed || line.path.pieces.size() != 1 || !line.path.pieces.front().straight) return ways;
+  const drawings::Point p = line.path.start, q = line.path.pieces.front().end;
+  const double length = drawings::distance(p, q);
+  if (length < shortest) return ways;
+  const drawings::Point along = drawings::unit(p, q);
+  const double there = dot(from - p, along);
+  if (std::abs(dot(from - p, drawings::left_of(along))) > on_it || there < -on_it || there > length + on_it)
+    return ways;
+  if (there > shortest) ways.push_back(p - from);
+  if (there < length - shortest) ways.push_back(q - from);
+  return ways;
+}
+
+bool leads_to(const drawings::Mark& mark, drawings::Point tip) {
+  constexpr double on_it = 0.05;  // mm
+  const auto* line = std::get_if<drawings::Line>(&mark);
+  if (!line || line->meaning != Meaning::construction || line->path.pieces.size() != 1) return false;
+  const drawings::Point p = line->path.start, q = line->path.pieces.front().end;
+  const drawings::Point along = drawings::unit(p, q);
+  const double there = dot(tip - p, along);
+  return there > -on_it && there < drawings::distance(p, q) + on_it &&
+         std::abs(dot(tip - p, drawings::left_of(along))) < on_it;
+}
+
+// How far aside a vector stands that would else lie on such a line, so that both are seen: on the side to which
+// it leans. Where lines of the construction lead to its tip it stays there.
+drawings::Point aside(const std::vector<drawings::Mark>& marks, drawings::Point from, drawings::Point to) {
+  constexpr double by = 1.3, shortest = 4;  // mm
+  const double one_way = std::cos(7 * std::numbers::pi / 180);
+  const drawings::Point v = to - from;
+  const double length = drawings::length(v);
+  if (length < shortest ||
+      std::any_of(marks.begin(), marks.end(), [&](const drawings::Mark& mark) { return leads_to(mark, to); }))
+    return {0, 0};
+  for (const drawings::Mark& mark : marks) {
+    const auto* line = std::get_if<drawings::Line>(&mark);
+    if (!line) continue;
+    for (const drawings::Point way : ways_along(*line, from)) {
+      if (dot(v, way) < one_way * length * drawings::length(way)) continue;
+      const double side = dot(v, drawings::left_of(way)) < 0 ? -by : by;
+      return side * drawings::left_of(drawings::unit({}, v));
+    }
+  }
+  return {0, 0};
 }
 
 }  // namespace
@@ -163,9 +216,10 @@ Place Plot::tip(const Place& from, const Arrow2& v) const {
 void Plot::vector_on(const std::string& name, const Place& from, const Arrow2& v, Meaning meaning,
                      const std::string& label) {
   const Place to = tip(from, v);
-  mark(drawings::Arrow{at(from), at(to), meaning, name});
-  onto_.sheet.figure.labels.push_back({.text = label, .at = at(from), .to = at(to), .ink = meaning});
-  if (!name.empty()) measure(name, from, to, 1 / vectors_.mm_per_unit, Measurement::length);
+  const drawings::Point by = aside(onto_.sheet.figure.marks, at(from), at(to)), p = at(from) + by, q = at(to) + by;
+  mark(drawings::Arrow{p, q, meaning, name});
+  onto_.sheet.figure.labels.push_back({.text = label, .at = p, .to = q, .ink = meaning});
+  if (!name.empty()) measure(name, from_paper(p), from_paper(q), 1 / vectors_.mm_per_unit, Measurement::length);
 }
 
 void Plot::label(const std::string& text, const Place& P, std::optional<Place> away_from, Meaning ink) {

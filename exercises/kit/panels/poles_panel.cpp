@@ -201,14 +201,18 @@ void PolesPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
 
 std::vector<drawings::Block> PolesPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   const bool shows_pole = this->shows_pole(plot, room);
-  if (shows_pole)
-    draw_rays(plot);
-  else
-    draw_leaving_rays(plot, room, language);
+  const auto draw_all_rays = [&] {
+    if (shows_pole)
+      draw_rays(plot);
+    else
+      draw_leaving_rays(plot, room, language);
+  };
+  if (is_of_velocity()) draw_all_rays();
   if (is_sketched_)
     mechanism_->sketch(plot);
   else
     mechanism_->draw(plot);
+  if (!is_of_velocity()) draw_all_rays();  // over blocks, or γ would have but one side there
   if (shows_pole) {
     draw_pole(plot);
     draw_turning(plot);

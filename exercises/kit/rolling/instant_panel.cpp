@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/osculating_arc.h"
 
 namespace epure {
 namespace {
@@ -19,6 +20,15 @@ constexpr double title_height = 7;           // mm
 Place middle(const Place& P, const Place& Q) { return {(P.x + Q.x) / 2, (P.y + Q.y) / 2}; }
 
 DrawnCycle inflection_circle(const Rolled& f) { return circle_through(f.P0, middle(f.P0, f.J)); }
+
+// On the side that M leaves free.
+void name_inflection_circle(Plot& plot, const Rolled& f, Language language) {
+  const Place centre = middle(f.P0, f.J);
+  const Arrow2 left = geometry::quarter_turn(centre - f.P0);
+  const Place beside = centre + (dot(left, f.M - centre) > 0 ? -1.0 : 1.0) * left;
+  if (plot.shows(beside))
+    plot.small_label(Words{"inflection circle", "cerchio dei flessi"}.in(language), beside, centre);
+}
 
 }  // namespace
 
@@ -119,8 +129,7 @@ void RollingInstantPanel::draw_osculating_circle(Plot& plot, const drawings::Box
     return;
   }
   plot.segment(f_.M, *f_.centre, Meaning::construction);
-  if (!f_.given.unwinds())
-    plot.circle(*f_.centre, distance(*f_.centre, f_.M), Meaning::construction, "osculating_circle");
+  if (!f_.given.unwinds()) draw_osculating_arc(plot, f_.M, *f_.centre, beside_whole_path, "osculating_circle");
 }
 
 // With the line P0J, which the stationarity circle is when the speed is constant.
@@ -166,9 +175,12 @@ void RollingInstantPanel::draw_acceleration(Plot& plot) const {
     start = f_.M + (beside / (plot.scale().mm_per_unit * f_.P0M())) * (f_.M - f_.P0);
     plot.segment(f_.M, start, Meaning::construction);
   }
-  plot.vector_on(f_.names("a_M"), start, f_.a, Meaning::acceleration, "$\\vec{a}_{M}$");
-  if (!shows_parts(plot.vector_scale())) return;
+  const bool has_parts = shows_parts(plot.vector_scale());
   const Place tip = plot.tip(f_.M, f_.a_n);
+  // The line of the tangential part, which leads to the tip: there a_M stays, though it may lie on MC.
+  if (has_parts) plot.segment(tip, plot.tip(f_.M, f_.a), Meaning::construction);
+  plot.vector_on(f_.names("a_M"), start, f_.a, Meaning::acceleration, "$\\vec{a}_{M}$");
+  if (!has_parts) return;
   plot.vector_on(f_.names(f_.names.normal), f_.M, f_.a_n, Meaning::acceleration, "$\\vec{a}^{n}_{M}$");
   const std::string tangential = f_.names("a_t");
   plot.vector_on(solution_.has(tangential) ? tangential : "", tip, f_.a_t, Meaning::acceleration,
@@ -244,10 +256,10 @@ std::string RollingInstantPanel::off_sheet(const Plot& plot, const drawings::Box
   off.point("$M'$", f_.M_prime);
   off.point("$Ω$", f_.centre);
   off.circle({"part of the inflection circle", "parte del cerchio dei flessi"}, inflection_circle(f_));
-  if (f_.centre && !f_.is_at_cusp && !f_.given.unwinds() && is_in(room, plot, *f_.centre))
-    off.circle({"part of the osculating circle", "parte del cerchio osculatore"}, circle_through(f_.M, *f_.centre));
   if (f_.O()) off.circle({"part of $p$", "parte di $p$"}, circle_through(f_.P0, *f_.O()));
-  return off.sentence(language);
+  std::string sentence = off.sentence(language);
+  if (!sentence.empty() && !title_.empty()) sentence.insert(sentence.size() - 1, " (" + title_ + ")");
+  return sentence;
 }
 
 void RollingInstantPanel::draw_given(Plot& plot, const drawings::Box& room, Language) const {
@@ -264,6 +276,7 @@ std::vector<drawings::Block> RollingInstantPanel::draw(Plot& plot, const drawing
   if (has_vectors) draw_osculating_circle(plot, room, language);
   if (has_vectors) draw_path(plot, f_.given, way_);
   draw_inflection_circle(plot);
+  if (title_.empty()) name_inflection_circle(plot, f_, language);
   draw_body(plot, f_, room);
   draw_ray(plot);
   if (has_vectors) {

@@ -102,7 +102,7 @@ std::vector<InstantStep> instant_steps(const Rolled& f) {
     return steps;
   }
   const std::string velocity = "$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = |$ω$|·$P_{0}M$.";
-  steps.push_back({decimal(velocity), At::tip_of_velocity});
+  steps.push_back({{velocity, velocity}, At::tip_of_velocity});
   steps.push_back({foot_step(f), At::foot});
   steps.push_back({acceleration_step(f), At::tip_of_acceleration});
   if (!f.runs_straight()) steps.push_back({curvature_step(f), At::centre_of_curvature});

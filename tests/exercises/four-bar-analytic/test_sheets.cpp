@@ -219,7 +219,7 @@ TEST_CASE("four-bar-analytic: what the border leaves out is named", "[four-bar-a
         "Off the sheet: $A'$, $B'$, $F$, $J$, $G'_{3}$, part of the inflection circle.");
   CHECK(off_sheet(draw(id, "coupler-curve", {})).empty());
   const DrawnSheet far = draw(id, "coupler-curve", {"A0A=0.6"}, {.language = Language::italian});
-  CHECK(off_sheet(far) == "Fuori del foglio: $Ω_{P}$, parte del cerchio osculatore.");
+  CHECK(off_sheet(far) == "Fuori del foglio: $Ω_{P}$.");
   CHECK(written(far, "verso $Ω_{P}$") == 1);
 }
 
@@ -242,4 +242,24 @@ TEST_CASE("four-bar-analytic: the coefficients of the closure equation are no po
     for (const char* point : {"$A$", "$B$", "$C$"}) CHECK(paragraph->text.find(point) == std::string::npos);
   }
   CHECK(found);
+}
+
+TEST_CASE("four-bar-analytic: the arc of a given angle goes counter-clockwise, as it is given",
+          "[four-bar-analytic][sheets]") {
+  const DrawnSheet drawn = draw(id, "configurations", {"theta_2=235"});
+  constexpr double given = 235 * std::numbers::pi / 180;
+  const auto is_given = [](const drawings::Mark& mark) {
+    const auto* arc = std::get_if<drawings::Rotation>(&mark);
+    return arc && arc->from == 0 && std::abs(arc->to - given) < 1e-9;
+  };
+  const auto& marks = drawn.sheet.figure.marks;
+  CHECK(std::count_if(marks.begin(), marks.end(), is_given) == 1);
+}
+
+TEST_CASE("four-bar-analytic: the parts of a_A that are told are drawn", "[four-bar-analytic][sheets]") {
+  const DrawnSheet steady = draw(id, "accelerations", {}), faster = draw(id, "accelerations", {"alpha_2=800"});
+  for (const char* part : {"$\\vec{a}^{n}_{A}$", "$\\vec{a}^{t}_{A}$"}) {
+    CHECK(written(steady, part) == 0);
+    CHECK(written(faster, part) == 1);
+  }
 }
