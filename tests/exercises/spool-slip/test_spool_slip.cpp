@@ -31,7 +31,7 @@ std::string refusal(const Assignments& assignments) {
 TEST_CASE("its values are the corpus', to the last bit of a double, by every route", "[spool-slip]") {
   CHECK(corpus().size() == 18);
   holds_against(spool(), corpus());
-  CHECK(spool().checked({}).quantities.size() == 55);
+  CHECK(spool().checked({}).quantities.size() == 56);
 }
 
 TEST_CASE("at the limits it still holds, and beyond them by however little it does not", "[spool-slip]") {
@@ -61,6 +61,18 @@ TEST_CASE("what slips is told from what would roll, and a limit that is not ther
   };
   CHECK(reason({"f_a=4"}).find("however heavy") != std::string::npos);
   CHECK(reason({"f_v=3"}).find("before it can roll") != std::string::npos);
+}
+
+TEST_CASE("what must hold is told apart from what does", "[spool-slip]") {
+  for (const char* m_b : {"m_b=30", "m_b=100"}) {
+    const CheckedExercise result = spool().checked({m_b});
+    const double needed = value(result, "F_required");
+    CAPTURE(m_b, needed);
+    CHECK(value(result, "F_over_N") == Approx(needed / value(result, "N")));
+    CHECK(value(result, "slip_margin") == Approx(value(result, "F_max") - needed));
+    CHECK((value(result, "F") < needed) == (value(result, "slips") == 1));
+    CHECK(find(result, "F_over_N").spec.symbol == find(result, "F_required").spec.symbol + "/$\\it{N}$");
+  }
 }
 
 TEST_CASE("a spool that cannot be is refused with the value and the condition", "[spool-slip]") {
