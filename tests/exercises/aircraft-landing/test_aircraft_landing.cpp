@@ -123,6 +123,11 @@ TEST_CASE("landing: what is told of Euler's steps holds for these givens", "[lan
   CHECK(drawn_of({"Delta_t=0.0001"}, "euler_1000") == 0);
 }
 
+TEST_CASE("landing: what a wheel that turned before has taken is less than what it has", "[landing][sheets]") {
+  CHECK_THAT(told("slip", {}), Contains("as much, if"));
+  CHECK_THAT(told("slip", {"rim_0=60"}), Contains("which had") && !Contains("as much"));
+}
+
 TEST_CASE("landing: every sheet is drawn, whatever is given", "[landing][sheets]") {
   draws_every_sheet(landing(), corpus());
 }
