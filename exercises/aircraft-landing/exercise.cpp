@@ -25,6 +25,7 @@ std::unique_ptr<Exercise> make_aircraft_landing() {
   return exercise_of_panels(
       std::move(about), solve,
       {{{"forces", {"Forces at touch-down and after", "Forze al contatto e dopo"}}, forces_sheet},
+       {{"wheel", {"The wheel cut free", "La ruota isolata"}}, wheel_sheet},
        {{"slip", {"Speeds until slip ends", "Velocità fino alla fine dello strisciamento"}}, slip_sheet},
        {{"integration", {"The time by graphical integration", "Il tempo per integrazione grafica"}},
         integration_sheet},

@@ -128,6 +128,14 @@ TEST_CASE("landing: what a wheel that turned before has taken is less than what 
   CHECK_THAT(told("slip", {"rim_0=60"}), Contains("which had") && !Contains("as much"));
 }
 
+TEST_CASE("landing: a ruler reads the hub's force off the wheel's polygon", "[landing][sheets]") {
+  for (const Assignments& given : {Assignments{}, {"m_r=3000", "rim_0=20"}, {"J_r=250", "c_y=-18"}}) {
+    ruler_reads(landing(), {"wheel", {"N_0", "F_0", "hub_force_0", "N_s", "hub_force_after"}}, given);
+    const CheckedExercise result = landing().checked(given);
+    CHECK(value(result, "hub_force_0") > value(result, "F_0"));
+  }
+}
+
 TEST_CASE("landing: every sheet is drawn, whatever is given", "[landing][sheets]") {
   draws_every_sheet(landing(), corpus());
 }
