@@ -75,6 +75,36 @@ TEST_CASE("what must hold is told apart from what does", "[spool-slip]") {
   }
 }
 
+TEST_CASE("no friction cone runs into the polygon beside it", "[spool-slip][sheets]") {
+  for (const Assignments& given : {Assignments{}, {"m_b_light=0.1"}, {"m_b=0.1"}, {"m_b_heavy=20"}}) {
+    const DrawnSheet drawn = spool().draw("friction-cone", given);
+    // The cone's legs come before its polygon.
+    std::vector<drawings::Box> covered;
+    int legs = 0;
+    const auto include = [&](drawings::Point p) {
+      auto& [low, high] = covered.back();
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)}, high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    };
+    for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
+      if (const auto* line = std::get_if<drawings::Line>(&mark);
+          line && line->meaning == drawings::Meaning::alternative) {
+        if (++legs % 2 == 1) covered.push_back({line->path.start, line->path.start});
+        include(line->path.start), include(line->path.pieces.back().end);
+      }
+      if (const auto* arrow = std::get_if<drawings::Arrow>(&mark); arrow && !covered.empty())
+        include(arrow->from), include(arrow->to);
+    }
+    CHECK(covered.size() == 4);
+    for (std::size_t i = 0; i < covered.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        CAPTURE(given, i, j);
+        const bool apart = covered[i].low.x > covered[j].high.x || covered[j].low.x > covered[i].high.x ||
+                           covered[i].low.y > covered[j].high.y || covered[j].low.y > covered[i].high.y;
+        CHECK(apart);
+      }
+  }
+}
+
 TEST_CASE("a spool that cannot be is refused with the value and the condition", "[spool-slip]") {
   CHECK(refusal({"r=0.5"}).find("r = 0.5 m must be less than R = 0.5 m") != std::string::npos);
   CHECK(refusal({"r=0.7"}).find("r = 0.7 m") != std::string::npos);
