@@ -91,6 +91,15 @@ TEST_CASE("pump: what exceeds the mean torque is filled as such, in suction too"
   CHECK_THAT(told_on(pump(), "torque", {}), !Contains("In suction too"));
 }
 
+TEST_CASE("pump: no flywheel is told of where none is needed", "[pump][sheets]") {
+  for (const auto& [language, none, some] : {std::tuple(Language::english, "no flywheel", "With the flywheel"),
+                                             {Language::italian, "non richiede volano", "Con il volano"}}) {
+    CHECK_THAT(told_on(pump(), "harmonics", {}, language), Contains(some) && Contains("n'_{t}") && !Contains(none));
+    CHECK_THAT(told_on(pump(), "harmonics", {"J_m=10"}, language),
+               Contains(none) && !Contains("n'_{t}") && !Contains(some));
+  }
+}
+
 TEST_CASE("pump: every sheet is drawn, whatever is given", "[pump][sheets]") { draws_every_sheet(pump(), corpus()); }
 
 TEST_CASE("pump: letters find room", "[pump][sheets]") {
