@@ -1,5 +1,6 @@
 // The spool drawn by a counterweight: every route holds against a corpus that tries all regimes; limits hit, and
 // missed by 1e-9 and 1e-30; what is refused; and what a ruler reads off the sheets.
+#include "exercises/cli/check_words.h"
 #include "tests/exercises/held_against_corpus.h"
 
 using namespace epure;
@@ -73,6 +74,13 @@ TEST_CASE("what must hold is told apart from what does", "[spool-slip]") {
     CHECK((value(result, "F") < needed) == (value(result, "slips") == 1));
     CHECK(find(result, "F_over_N").spec.symbol == find(result, "F_required").spec.symbol + "/$\\it{N}$");
   }
+}
+
+TEST_CASE("a value halfway between two of six digits is shown by a seventh", "[spool-slip]") {
+  CHECK(number_in_words(find(spool().checked({}), "heavy_if_rolling.a")).english == "3.654225");
+  CHECK(percent(-99.9).english == "-99.9 %");
+  CHECK(percent(-99.4).english == "-99 %");
+  CHECK(percent(-100.2).english == "-100 %");
 }
 
 TEST_CASE("no friction cone runs into the polygon beside it", "[spool-slip][sheets]") {
