@@ -12,6 +12,7 @@
 #include "exercises/kit/statement/decimal.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/oscillator-pendulum/drawn_curves.h"
+#include "exercises/oscillator-pendulum/problem.h"
 #include "exercises/oscillator-pendulum/quantities.h"
 
 namespace epure::oscillator_pendulum {
@@ -523,7 +524,6 @@ PanelSheet hodograph_sheet(const Solution& s, Language language) {
 
 PanelSheet angle_sheet(const Solution& s, Language language) {
   const RunOfTable run = run_of_table(angle_of_table(s), s[pen("Omega")]);
-  constexpr int significant = 4;
   const Words exact{
       "$\\it{T}$ = 4$\\it{K}$/$Ω$ of the exact motion, $\\it{T}_{0}$ = 2$π$/$Ω$ of small swings",
       "$\\it{T}$ = 4$\\it{K}$/$Ω$ del moto esatto, $\\it{T}_{0}$ = 2$π$/$Ω$ delle piccole oscillazioni"},
@@ -531,15 +531,10 @@ PanelSheet angle_sheet(const Solution& s, Language language) {
            ". La formula ricorsiva passa per il punto più alto e non ha periodo."},
       not_yet{". The recursion has not swung to and fro by then.",
               ". La formula ricorsiva non ha ancora compiuto un'oscillazione."};
-  const Words recursion =
-      run.period ? format_words(
-                       ", $\\it{{T}}_{{n}}$ = {} s of the recursion: the row of its table in which it rests again "
-                       "on its side.",
-                       ", $\\it{{T}}_{{n}}$ = {} s della formula ricorsiva: la riga della tabella in cui si ferma "
-                       "di nuovo dalla sua parte.",
-                       decimal(*run.period, significant))
-      : run.goes_over ? over
-                      : not_yet;
+  const Words of_row{
+      ", $\\it{T}_{n}$ of the recursion: the step at which it rests again on the side where it began.",
+      ", $\\it{T}_{n}$ della formula ricorsiva: il passo in cui si ferma di nuovo dalla parte da cui è partita."};
+  const Words recursion = run.period ? of_row : run.goes_over ? over : not_yet;
   const Words periods = exact + recursion;
   return {
       .panels = panels(angle_chart(s, language)),
