@@ -56,6 +56,14 @@ void by_closed_form(const Landing& of, Extent extent, const Put& put_all) {
   const auto F_after = [=] { return number(of.J_r / (of.R * of.R)) * a_after() + number(of.f_v) * N(); };
   put("a_after", a_after);
   put("F_after", F_after);
+  // The aircraft cut free from its wheel: the hub holds its weight and flaps, and brakes it.
+  const auto hub_force = [=](const Deep& v2_now, const Deep& a) {
+    const Deep level = number(of.m_a) * a + number(of.c_x) * v2_now,
+               upright = number(of.m_a * of.g) + number(of.c_y) * v2_now;
+    return geometry::root(square(level) + square(upright));
+  };
+  put("hub_force_0", [=] { return hub_force(number(v2), number(a_0)); });
+  put("hub_force_after", [=] { return hub_force(v_squared(), a_after()); });
   put("F_after_over_N", [=] { return F_after() / N(); });
   put("adheres", [=] { return adheres(of, F_after(), N()); });
 }

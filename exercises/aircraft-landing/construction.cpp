@@ -95,6 +95,14 @@ void by_construction(const Landing& of, Extent extent, const Put& put_all) {
   put("omega_10ms", [=] { return at_10ms().omega; });
   put("a_after", [=] { return after().a; });
   put("F_after", [=] { return after().F; });
+  // Closes the polygon of the wheel: its weight, the ground's reaction and the force of inertia.
+  const auto hub_force = [=](const Deep& N, const Deep& F, const Deep& a) {
+    const Vector others =
+        Vector{Deep(0), -number(of.m_r * of.g)} + Vector{-F, N} + Vector{-(number(of.m_r) * a), Deep(0)};
+    return geometry::length(others);
+  };
+  put("hub_force_0", [=] { return hub_force(first().N, first().F, first().a); });
+  put("hub_force_after", [=] { return hub_force(after().N, after().F, after().a); });
   put("F_after_over_N", [=] { return after().F / after().N; });
   put("adheres", [=] { return adheres(of, after().F, after().N); });
 }

@@ -31,6 +31,13 @@ std::unique_ptr<Exercise> make_aircraft_landing() {
           "Un aereo tocca terra con le ruote ferme. Trovare le forze sulla ruota e sull'aereo al contatto e quando "
           "la ruota rotola."}},
         forces_sheet},
+       {{"wheel",
+         {"The wheel cut free", "La ruota isolata"},
+         {"An aircraft touches down with wheels at rest. Cut the wheel free and find the forces on it, at touch-down "
+          "and once it rolls.",
+          "Un aereo tocca terra con le ruote ferme. Isolare la ruota e trovare le forze su di essa, al contatto e "
+          "quando rotola."}},
+        wheel_sheet},
        {{"slip",
          {"Speeds until slip ends", "Velocità fino alla fine dello strisciamento"},
          {"An aircraft touches down with wheels at rest. Draw the speeds of aircraft and rim over time, and find "

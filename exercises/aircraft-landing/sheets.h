@@ -6,6 +6,7 @@
 namespace epure::aircraft_landing {
 
 PanelSheet forces_sheet(const Solution& s, Language language);
+PanelSheet wheel_sheet(const Solution& s, Language language);
 PanelSheet slip_sheet(const Solution& s, Language language);
 PanelSheet euler_sheet(const Solution& s, Language language);
 PanelSheet integration_sheet(const Solution& s, Language language);

@@ -40,8 +40,16 @@ PanelSheet slip_sheet(const Solution& s, Language language) {
       "L'intera area sotto $v$ è lo spazio $s_{v}$ dell'aereo; quella sotto $ω\\it{R}$ lo spazio $s_{ω}$ della "
       "periferia; tra le due sta lo spazio strisciato. A tratti le tangenti al contatto, che si incontrano in "
       "$t^{*}_{s}$. I punti a 10 ms sono la soluzione esatta."};
-  const Words works{"The wheel takes $\\it{E}_{s}$, and about as much is lost by sliding: $\\it{L}_{F}$.",
-                    "La ruota riceve $\\it{E}_{s}$, e circa altrettanto si perde strisciando: $\\it{L}_{F}$."};
+  const Words works =
+      s.givens()["rim_0"] == 0
+          ? Words{"The wheel takes $\\it{E}_{s}$, and $\\it{L}_{F}$ is lost by sliding: as much, if $v$ and $\\it{F}$ did "
+                  "not change and $f_{v}$ were 0.",
+                  "La ruota riceve $\\it{E}_{s}$ e si perde $\\it{L}_{F}$ strisciando: altrettanto, se $v$ e $\\it{F}$ "
+                  "non cambiassero e $f_{v}$ fosse 0."}
+          : Words{"The wheel, which had $\\it{J}_{r}ω_{0}^{2}$/2, takes what is wanting to $\\it{E}_{s}$; "
+                  "$\\it{L}_{F}$ is lost by sliding.",
+                  "La ruota, che aveva $\\it{J}_{r}ω_{0}^{2}$/2, riceve quanto manca a $\\it{E}_{s}$; si perde "
+                  "$\\it{L}_{F}$ strisciando."};
   return {
       .panels = panels(ChartPanel(chart, read)),
       .results = {values({"t_s", "v_s"}), values({"omega_s", "omega_rolling_0"}),

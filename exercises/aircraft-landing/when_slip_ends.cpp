@@ -21,7 +21,8 @@ bool is_not_negative(const Deep& rest) {
 
 Put pressing(const Landing& of, Extent extent, const Put& put) {
   static const std::set<std::string> of_the_whole{
-      "v_0", "omega_rolling_0", "u", "F_x_0", "F_y_0", "drag_work_s", "v_10ms", "omega_10ms", "rolling_work_s"};
+      "v_0",        "omega_rolling_0", "u",           "F_x_0",          "F_y_0", "drag_work_s", "v_10ms",
+      "omega_10ms", "rolling_work_s",  "hub_force_0", "hub_force_after"};
   const auto airborne = of.airborne();
   return [=](const std::string& name, const Find& find) {
     if (extent == Extent::of_a_case && of_the_whole.contains(name)) return;

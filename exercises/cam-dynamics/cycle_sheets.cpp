@@ -160,7 +160,7 @@ PanelSheet closing_force_sheet(const Solution& s, Language language) {
     of_a = {{least, name("angle_at_P_min_deg"), name("a_B3_y_min")}};
     of_P = {{most, name("angle_at_P_min_deg"), name("P_min")}};
     const Datum lifted{s["maximum_lift.angle_of_A0A_deg"], s["maximum_lift.P_min"]};
-    mark(forces, lifted, "", Meaning::force);
+    mark(forces, lifted, Words{"maximum lift", "alzata massima"}.in(language), Meaning::force);
     of_P.push_back({lifted, "maximum_lift.angle_of_A0A_deg", "maximum_lift.P_min"});
   }
   forces.horizontals.push_back({.at = given(s, "P"), .label = "$\\it{P}$"});
@@ -170,21 +170,26 @@ PanelSheet closing_force_sheet(const Solution& s, Language language) {
       "$\\it{P}$ of the least acceleration, which is that of maximum lift for $e$ = 0 only.",
       "Il contatto resta dove $\\it{P}$ + $\\it{P}_{3}$ + $m_{3}a_{B3}$ ≥ 0: per l'intero giro occorre la "
       "$\\it{P}$ dell'accelerazione minima, che è quella della massima alzata solo per $e$ = 0."};
-  const Words speed{"With the given $\\it{P}$ contact is lost at maximum lift beyond $ω_{2,l}$.",
-                    "Con la $\\it{P}$ data, alla massima alzata il contatto si perde oltre $ω_{2,l}$."};
+  const Words first{
+      "With the given $\\it{P}$ contact is first lost beyond $ω_{2,P}$, where the acceleration is least",
+      "Con la $\\it{P}$ data il contatto si perde dapprima oltre $ω_{2,P}$, dove l'accelerazione è minima"};
+  const Words speed = first + (s.givens()["e"] == 0 ? Words{": at maximum lift.", ": alla massima alzata."}
+                                                    : Words{"; at maximum lift only beyond $ω_{2,l}$.",
+                                                            "; alla massima alzata solo oltre $ω_{2,l}$."});
   const Words enough{"$\\it{P}_{min}$ is negative: the weight alone keeps contact.",
                      "$\\it{P}_{min}$ è negativa: basta il peso a mantenere il contatto."};
-  return {
-      .panels = panels(SizedChart(accelerations, of_a, across), SizedChart(forces, of_P, across)),
-      .theory = {{{"Contact", "Contatto"},
-                  {remark(keeps.in(language)), remark(s[name("P_min")] < 0 ? enough.in(language) : ""),
-                   remark(s.value("maximum_lift.omega_2_contact_loss") ? speed.in(language) : "")}}},
-      .results = {values({"maximum_lift.omega_2"}), values({name("a_B3_y_min"), name("P_min")}),
-                  values({name("angle_at_P_min_deg")}), values({"maximum_lift.omega_2_contact_loss"})},
-      .seen = {"The follower's acceleration and the closing force that keeps contact, over the turn",
-               "L'accelerazione del cedente e la forza di chiusura che mantiene il contatto, nel giro"},
-      .told = {name("a_B3_y_min"), name("P_min"), name("angle_at_P_min_deg"), "maximum_lift.omega_2_contact_loss"},
-      .without_part = {"phi", "m_2", "n"}};
+  return {.panels = panels(SizedChart(accelerations, of_a, across), SizedChart(forces, of_P, across)),
+          .theory = {{{"Contact", "Contatto"},
+                      {remark(keeps.in(language)), remark(s[name("P_min")] < 0 ? enough.in(language) : ""),
+                       remark(s.value(name("omega_2_first_loss")) ? speed.in(language) : "")}}},
+          .results = {values({"maximum_lift.omega_2"}), values({name("a_B3_y_min"), name("P_min")}),
+                      values({name("angle_at_P_min_deg")}), values({name("omega_2_first_loss")}),
+                      values({"maximum_lift.omega_2_contact_loss"})},
+          .seen = {"The follower's acceleration and the closing force that keeps contact, over the turn",
+                   "L'accelerazione del cedente e la forza di chiusura che mantiene il contatto, nel giro"},
+          .told = {name("a_B3_y_min"), name("P_min"), name("angle_at_P_min_deg"), name("omega_2_first_loss"),
+                   "maximum_lift.omega_2_contact_loss"},
+          .without_part = {"phi", "m_2", "n"}};
 }
 
 }  // namespace epure::cam_dynamics

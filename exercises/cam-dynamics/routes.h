@@ -377,7 +377,7 @@ class Routes {
     ledger.put(force("P_3").length(), m_3 * number<T>(of.g));
     ledger.put(force("F_3_in").length(), m_3 * a);
     ledger.put(quantity("P_min"), m_3 * (a - number<T>(of.g)));
-    ledger.put(quantity("omega_2_contact_loss"), [&] { return speed_of_loss<T>(y2); });
+    ledger.put(quantity("omega_2_contact_loss"), [&] { return speed_of_loss<T>([&] { return y2; }); });
   }
 
   template <class T>
@@ -404,7 +404,7 @@ class Routes {
     ledger.put(quantity("omega_2_contact_loss"), [&] {
       const auto slow = geometry::relative_motion(
           geometry::roller_cam_at<T>(geometry::DeadCentre::farthest, of.lengths, upwards<T>()), T(1));
-      return speed_of_loss<T>(-slow.a_B3.y);
+      return speed_of_loss<T>([&] { return T(-slow.a_B3.y); });
     });
   }
 
@@ -416,12 +416,12 @@ class Routes {
   }
 
   // ω² m_3 |y''| = P + P_3.
-  template <class T>
-  T speed_of_loss(const T& y2) const {
+  template <class T, class Find>
+  T speed_of_loss(const Find& curving) const {
     const Rational closing = of.P + of.m_3 * of.g;
     if (closing < 0 || (closing == 0 && of.m_3 == 0)) throw geometry::Impossible(pulled_off);
     if (of.m_3 == 0) throw geometry::Impossible(never_lost);
-    const T squared = quotient(number<T>(Rational(closing / of.m_3)), y2);
+    const T squared = quotient(number<T>(Rational(closing / of.m_3)), curving());
     if constexpr (signs_only<T>) {
       return squared;
     } else {
@@ -534,6 +534,8 @@ class Routes {
     ledger.put(quantity("a_B3_y_min"), acceleration);
     ledger.put(quantity("P_min"),
                [&] { return of.m_3 == 0 ? T(0) : T(-(m_3 * acceleration()) - weight<T>(of.m_3)); });
+    ledger.put(quantity("omega_2_first_loss"),
+               [&] { return speed_of_loss<T>([&] { return T(-way().template least<T>()); }); });
   }
 
   Cam of;

@@ -12,7 +12,11 @@ namespace epure {
 
 using geometry::Settled;
 
-Words shown_digits(double value) { return decimal(value, 6); }
+namespace {
+constexpr int digits_shown = 6;
+}  // namespace
+
+Words shown_digits(double value) { return decimal(value, digits_shown); }
 
 std::string with_unit(const std::string& number, const std::string& unit) {
   return unit == "1" ? number : number + " " + unit;
@@ -21,7 +25,11 @@ std::string with_unit(const std::string& number, const std::string& unit) {
 Words percent(const std::optional<double>& value) {
   if (!value) return {"-", "-"};
   if (std::abs(*value) < 0.005) return {"0 %", "0 %"};
-  return decimal(std::abs(*value) < 100 ? fmt::format("{:+.2g} %", *value) : fmt::format("{:+.0f} %", *value));
+  // From where on two digits would make it a hundred.
+  constexpr double nearly_all = 99.5;
+  return decimal(std::abs(*value) < nearly_all ? fmt::format("{:+.2g} %", *value)
+                 : std::abs(*value) < 100      ? fmt::format("{:+.1f} %", *value)
+                                               : fmt::format("{:+.0f} %", *value));
 }
 
 Words number_in_words(const CheckedQuantity& quantity) {
@@ -29,11 +37,12 @@ Words number_in_words(const CheckedQuantity& quantity) {
   if (settled.kind == Settled::Kind::absent) return {"absent", "assente"};
   if (settled.kind == Settled::Kind::undecided) return {"undecided", "non decisa"};
   const auto [lower, middle, upper] = settled.enclosure;
-  const bool shown_by_one_number =
-      settled.kind == Settled::Kind::unbounded ||
-      (shown_digits(lower) == shown_digits(middle) && shown_digits(upper) == shown_digits(middle));
-  return shown_by_one_number ? shown_digits(middle)
-                             : format_words("[{}, {}]", "[{}; {}]", shown_digits(lower), shown_digits(upper));
+  if (settled.kind == Settled::Kind::unbounded) return shown_digits(middle);
+  // A value in the middle between two numbers of so many digits is shown by the next digit.
+  for (int digits = digits_shown; digits <= digits_shown + 1; ++digits)
+    if (decimal(lower, digits) == decimal(middle, digits) && decimal(upper, digits) == decimal(middle, digits))
+      return decimal(middle, digits);
+  return format_words("[{}, {}]", "[{}; {}]", shown_digits(lower), shown_digits(upper));
 }
 
 Words value_in_words(const CheckedQuantity& quantity) {

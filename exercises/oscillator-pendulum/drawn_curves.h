@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "exercises/kit/proof/solution.h"
@@ -20,6 +21,13 @@ std::vector<Moving> euler_polygon(const Givens& givens, double to);
 std::vector<Moving> swing(const Givens& givens, double Omega, double to, int steps);
 // Rows of the printed recursion.
 std::vector<Moving> swing_of_table(const Givens& givens, double Omega, double to);
+
+// What a run of these rows does: over the top, or to and fro, gaining energy with every step or not.
+struct RunOfTable {
+  bool goes_over, gains_always;
+  std::optional<double> period;  // until it rests again on the side where it began, by the step
+};
+RunOfTable run_of_table(const std::vector<Moving>& rows, double Omega);
 
 // For how long the oscillator is shown: as long as Euler's table, or a few of its own times where that is less.
 double time_shown(const Givens& givens);

@@ -10,7 +10,9 @@
 #include "exercises/kit/panels/phase_plane_panel.h"
 #include "exercises/kit/panels/polygon_panel.h"
 #include "exercises/kit/statement/decimal.h"
+#include "exercises/kit/statement/format_words.h"
 #include "exercises/oscillator-pendulum/drawn_curves.h"
+#include "exercises/oscillator-pendulum/problem.h"
 #include "exercises/oscillator-pendulum/quantities.h"
 
 namespace epure::oscillator_pendulum {
@@ -194,13 +196,13 @@ PhasePlanePanel oscillator_plane(const Solution& s, Language language) {
 }
 
 // θ' = a sin θ, of which all points have the direction dθ'/dθ = -Ω²/a.
-std::vector<Line> sine_isoclines(double greatest) {
+std::vector<Line> sine_isoclines(double greatest, double wide) {
   std::vector<Line> all;
   for (const double part : {-1.2, -0.8, -0.4, 0.4, 0.8, 1.2}) {
     Line line;
     constexpr int points = 60;
     for (int k = -points; k <= points; ++k) {
-      const double theta = M_PI * k / points;
+      const double theta = wide * k / points;
       line.push_back({theta, part * greatest * std::sin(theta)});
     }
     all.push_back(line);
@@ -208,35 +210,56 @@ std::vector<Line> sine_isoclines(double greatest) {
   return all;
 }
 
+// As far as the phase plane shows it.
+std::vector<Moving> spiral_of_table(const Solution& s) {
+  constexpr double table = 1;
+  return swing_of_table(s.givens(), s[pen("Omega")], std::min(2.5 * table, 3 * s[pen("period")]));
+}
+// As far as the chart of the angle does.
+double end_of_angle_chart(const Solution& s) { return 1.12 * s[pen("period")]; }
+std::vector<Moving> angle_of_table(const Solution& s) {
+  return swing_of_table(s.givens(), s[pen("Omega")], std::min(end_of_angle_chart(s), 5.0));
+}
+
+// Half again as far as there is need for, or the whole of it where that is less.
+double with_room(const Line& line, double Datum::*along, double whole) {
+  double most = 0;
+  for (const Datum& each : line) most = std::max(most, std::abs(each.*along));
+  return std::min(whole, 1.5 * most);
+}
+
 PhasePlanePanel pendulum_plane(const Solution& s, Language language) {
   const Givens& givens = s.givens();
   const double Omega = s[pen("Omega")], period = s[pen("period")];
-  constexpr double table = 1;
   const Line exact = in_phase_plane(swing(givens, Omega, period, smooth)),
-             spiral = thinned(in_phase_plane(swing_of_table(givens, Omega, std::min(2.5 * table, 3 * period))), 300);
+             spiral = thinned(in_phase_plane(spiral_of_table(s)), 300);
   Line above, below;
   for (int k = -smooth / 4; k <= smooth / 4; ++k) {
     const double theta = 4 * M_PI * k / smooth, rate = 2 * Omega * std::cos(theta / 2);
     above.push_back({theta, rate});
     below.push_back({theta, -rate});
   }
-  const double most = 2.1 * Omega;
-  PhasePlane plane{.x = axis("$θ$", "rad", {-M_PI, M_PI}),
+  // Small swings are shown larger, and the separatrix then lies outside.
+  Line both = exact;
+  both.insert(both.end(), spiral.begin(), spiral.end());
+  const double wide = with_room(both, &Datum::x, M_PI), most = with_room(both, &Datum::y, 2.1 * Omega);
+  PhasePlane plane{.x = axis("$θ$", "rad", {-wide, wide}),
                    .y = axis("$θ'$", "rad/s", {-most, most}),
                    .motion = [=](const Datum& p) {
                      return Arrow2{p.y, -Omega * Omega * std::sin(p.x)};
                    }};
-  plane.isoclines = sine_isoclines(2 * Omega);
-  plane.orbits = {{.name = "separatrix",
-                   .label = Words{"separatrix", "separatrice"}.in(language),
-                   .runs = {above, below},
-                   .meaning = Meaning::second_locus,
-                   .line = drawings::LineType::dashed},
-                  {.name = "orbit", .label = Words{"exact", "esatta"}.in(language), .runs = {exact}},
-                  {.name = "table",
-                   .label = Words{"recursion", "ricorsiva"}.in(language),
-                   .runs = {spiral},
-                   .meaning = Meaning::velocity}};
+  plane.isoclines = sine_isoclines(most / 1.05 / std::sin(std::min(wide, M_PI / 2)), wide);
+  if (2 * Omega * std::cos(wide / 2) < most)
+    plane.orbits.push_back({.name = "separatrix",
+                            .label = Words{"separatrix", "separatrice"}.in(language),
+                            .runs = {above, below},
+                            .meaning = Meaning::second_locus,
+                            .line = drawings::LineType::dashed});
+  plane.orbits.push_back({.name = "orbit", .label = Words{"exact", "esatta"}.in(language), .runs = {exact}});
+  plane.orbits.push_back({.name = "table",
+                          .label = Words{"recursion", "ricorsiva"}.in(language),
+                          .runs = {spiral},
+                          .meaning = Meaning::velocity});
   for (const std::string& name : instants("theta_dot")) {
     const auto theta = s.value(pen(at("theta", name))), rate = s.value(pen(at("theta_dot", name)));
     if (!theta || !rate) continue;
@@ -259,16 +282,24 @@ MechanismPanel positions_panel(const Solution& s, const std::string& now) {
   using Joint = Mechanism::Joint;
   const double r = nearest(s.givens()["r"]);
   Mechanism drawn;
-  drawn.point("A0", {0, 0}, Joint::fixed, "$A_{0}$");
+  const double lowest = -0.8 * r;
+  drawn.point("A0", {0, 0}, Joint::fixed, "$A_{0}$").point("below", {0, lowest}, Joint::corner, "");
+  // Positions whose letters would cover those of another have none.
+  constexpr double letters_wide = 0.1;  // of the radius
+  std::vector<double> lettered{s[pen(at("theta", now))]};
   for (const char* name : {"0", "0p1", "0p3", "0p4", "0p5"}) {
     const auto theta = s.value(pen(at("theta", name)));
     if (!theta || name == now) continue;
     const std::string point = std::string("G") + name;
-    drawn.point(point, place_of(r, *theta), Joint::none, geometry::to_text(instant(name) * 1000) + " ms");
+    const bool is_clear = std::all_of(lettered.begin(), lettered.end(),
+                                      [&](double other) { return std::abs(*theta - other) > letters_wide; });
+    if (is_clear) lettered.push_back(*theta);
+    drawn.point(point, place_of(r, *theta), Joint::none,
+                is_clear ? geometry::to_text(instant(name) * 1000) + " ms" : "");
     drawn.other_position({"A0", point});
   }
   drawn.point("G", place_of(r, s[pen(at("theta", now))]), Joint::mass, "$G$").body({"A0", "G"}, 2);
-  drawn.axis({0, 0}, {0, -0.8 * r});
+  drawn.axis({0, 0}, {0, lowest});
   return MechanismPanel(std::make_shared<const Mechanism>(std::move(drawn)));
 }
 
@@ -304,14 +335,22 @@ HodographPanel hodograph_panel(const Solution& s, Language language) {
     curve.points.push_back({m_r * (a * cosine - square * sine), weight + m_r * (a * sine + square * cosine)});
   }
   hodograph.curves = {curve};
+  double longest = 0;
+  for (const Place& tip : curve.points) longest = std::max(longest, std::hypot(tip.x, tip.y));
+  constexpr double letters_wide = 0.04;  // of the longest
+  std::vector<Place> lettered;
   for (const std::string& name : instants("R_12_x")) {
     const auto x = s.value(pen(at("R_12_x", name))), y = s.value(pen(at("R_12_y", name)));
-    if (x && y)
-      hodograph.instants.push_back({.tip = {*x, *y},
-                                    .label = in_seconds(name, language),
-                                    .along_x = pen(at("R_12_x", name)),
-                                    .along_y = pen(at("R_12_y", name)),
-                                    .with_arrow = name == "0" || name == "0p1" || name == "0p2" || name == "0p3"});
+    if (!x || !y) continue;
+    const bool is_clear = std::all_of(lettered.begin(), lettered.end(), [&](const Place& other) {
+      return std::hypot(other.x - *x, other.y - *y) > letters_wide * longest;
+    });
+    if (is_clear) lettered.push_back({*x, *y});
+    hodograph.instants.push_back({.tip = {*x, *y},
+                                  .label = is_clear ? in_seconds(name, language) : "",
+                                  .along_x = pen(at("R_12_x", name)),
+                                  .along_y = pen(at("R_12_y", name)),
+                                  .with_arrow = name == "0" || name == "0p1" || name == "0p2" || name == "0p3"});
   }
   hodograph.steps = {
       {{"From the pole $\\it{O}$ the reaction at every instant, to one scale: its tip runs through the hodograph to "
@@ -326,8 +365,8 @@ HodographPanel hodograph_panel(const Solution& s, Language language) {
 ChartPanel angle_chart(const Solution& s, Language language) {
   const Givens& givens = s.givens();
   const double Omega = s[pen("Omega")], period = s[pen("period")], small = s[pen("period_small")],
-               theta_0 = geometry::to_double(givens.angle("theta_0")), end = 1.12 * period;
-  const std::vector<Moving> table = swing_of_table(givens, Omega, std::min(end, 5.0));
+               theta_0 = geometry::to_double(givens.angle("theta_0")), end = end_of_angle_chart(s);
+  const std::vector<Moving> table = angle_of_table(s);
   Line cosine;
   for (int i = 0; i <= smooth; ++i)
     cosine.push_back({end * i / smooth, theta_0 * std::cos(Omega * end * i / smooth)});
@@ -338,10 +377,8 @@ ChartPanel angle_chart(const Solution& s, Language language) {
   chart.horizontals = {{.at = 0}};
   chart.verticals = {{.at = period, .label = "$\\it{T}$", .meaning = Meaning::locus},
                      {.at = small, .label = "$\\it{T}_{0}$"}};
-  // Where the table's pendulum comes to rest again on the side it began.
-  for (std::size_t i = 1, turns = 0; i < table.size(); ++i)
-    if (table[i].rate * table[i - 1].rate < 0 && ++turns == 2)
-      chart.verticals.push_back({.at = table[i].t, .label = "$\\it{T}_{n}$", .meaning = Meaning::velocity});
+  if (const auto of_table = run_of_table(table, Omega).period)
+    chart.verticals.push_back({.at = *of_table, .label = "$\\it{T}_{n}$", .meaning = Meaning::velocity});
   chart.curves = {
       {.name = "theta",
        .runs = {over_time(swing(givens, Omega, end, smooth))},
@@ -420,13 +457,23 @@ PanelSheet phase_plane_sheet(const Solution& s, Language language) {
 }
 
 PanelSheet pendulum_plane_sheet(const Solution& s, Language language) {
-  const Words orbit{
-      "The exact orbit is closed: $θ'^{2}$ = 2$Ω^{2}$(cos $θ$ − cos $θ_{0}$). The recursion adds energy at every "
-      "step "
-      "and winds outwards; rings: its values after 500 ms and 1000 ms. Numbers: $t$ in s.",
-      "L'orbita esatta è chiusa: $θ'^{2}$ = 2$Ω^{2}$(cos $θ$ − cos $θ_{0}$). La formula ricorsiva aggiunge energia a "
-      "ogni "
-      "passo e si apre in spirale; anelli: i suoi valori dopo 500 ms e 1000 ms. Numeri: $t$ in s."};
+  const RunOfTable run = run_of_table(spiral_of_table(s), s[pen("Omega")]);
+  const Words closed{"The exact orbit is closed: $θ'^{2}$ = 2$Ω^{2}$(cos $θ$ − cos $θ_{0}$). ",
+                     "L'orbita esatta è chiusa: $θ'^{2}$ = 2$Ω^{2}$(cos $θ$ − cos $θ_{0}$). "},
+      winds{"The recursion adds energy at every step and winds outwards",
+            "La formula ricorsiva aggiunge energia a ogni passo e si apre in spirale"},
+      wavers{"The recursion does not keep the energy: some steps add to it, others take from it",
+             "La formula ricorsiva non conserva l'energia: alcuni passi ne aggiungono, altri ne tolgono"},
+      over{"; it goes over the top", "; passa per il punto più alto"}, stop{". ", ". "};
+  std::string rings;
+  for (const char* name : {"0p5", "1"})
+    if (s.value(pen(at("theta_numeric", name))))
+      rings += (rings.empty() ? "" : ", ") + geometry::to_text(instant(name) * 1000) + " ms";
+  const Words told_rings =
+      rings.empty() ? Words{}
+                    : format_words("Rings: its values after {}. ", "Anelli: i suoi valori dopo {}. ", rings);
+  const Words orbit = closed + (run.gains_always ? winds : wavers) + (run.goes_over ? over + stop : stop) +
+                      told_rings + Words{"Numbers: $t$ in s.", "Numeri: $t$ in s."};
   return {.panels = panels(pendulum_plane(s, language)),
           .theory = {{{"The plane", "Il piano"}, {remark(orbit.in(language))}}},
           .results = {values(all_pen({"I_A0", "equivalent_length"})), values(all_pen({"Omega", "theta_dot_max"})),
@@ -476,13 +523,19 @@ PanelSheet hodograph_sheet(const Solution& s, Language language) {
 }
 
 PanelSheet angle_sheet(const Solution& s, Language language) {
-  const Words periods{
-      "$\\it{T}$ = 4$\\it{K}$/$Ω$ of the exact motion, $\\it{T}_{0}$ = 2$π$/$Ω$ of small swings, $\\it{T}_{n}$ of "
-      "the "
-      "recursion, which swings ever farther.",
-      "$\\it{T}$ = 4$\\it{K}$/$Ω$ del moto esatto, $\\it{T}_{0}$ = 2$π$/$Ω$ delle piccole oscillazioni, "
-      "$\\it{T}_{n}$ "
-      "della formula ricorsiva, che oscilla sempre più."};
+  const RunOfTable run = run_of_table(angle_of_table(s), s[pen("Omega")]);
+  const Words exact{
+      "$\\it{T}$ = 4$\\it{K}$/$Ω$ of the exact motion, $\\it{T}_{0}$ = 2$π$/$Ω$ of small swings",
+      "$\\it{T}$ = 4$\\it{K}$/$Ω$ del moto esatto, $\\it{T}_{0}$ = 2$π$/$Ω$ delle piccole oscillazioni"},
+      over{". The recursion goes over the top, and has no period.",
+           ". La formula ricorsiva passa per il punto più alto e non ha periodo."},
+      not_yet{". The recursion has not swung to and fro by then.",
+              ". La formula ricorsiva non ha ancora compiuto un'oscillazione."};
+  const Words of_row{
+      ", $\\it{T}_{n}$ of the recursion: the step at which it rests again on the side where it began.",
+      ", $\\it{T}_{n}$ della formula ricorsiva: il passo in cui si ferma di nuovo dalla parte da cui è partita."};
+  const Words recursion = run.period ? of_row : run.goes_over ? over : not_yet;
+  const Words periods = exact + recursion;
   return {
       .panels = panels(angle_chart(s, language)),
       .theory = {{{"Periods", "Periodi"}, {remark(periods.in(language))}}},

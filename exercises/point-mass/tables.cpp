@@ -141,11 +141,13 @@ PanelSheet errors_sheet(const Solution& s, Language language) {
     all.push_back(std::make_unique<SizedChart>(
         chart(printed, Words{"|$ε$|, the source's tables", "|$ε$|, tabelle della fonte"}.in(language), end)));
     const Words mistakes{
-        "Below, the source's own table: a hundred to a hundred thousand times worse. Its sums leave out the first "
+        "Below, the source's own table: worse nearly everywhere, mostly by several powers of ten. Its sums leave out "
+        "the first "
         "strip "
         "(Bezout), and those of the velocities stand a row too high; or the first two (Cavalieri-Simpson: its first "
         "three rows are zero). Every number of these columns follows from that; check tells it row by row.",
-        "Sotto, la tabella della fonte: da cento a centomila volte peggio. Le sue somme tralasciano la prima "
+        "Sotto, la tabella della fonte: peggiore quasi ovunque, per lo più di varie potenze di dieci. Le sue somme "
+        "tralasciano la prima "
         "striscia "
         "(Bezout), e quelle delle velocità stanno una riga troppo in alto; o le prime due (Cavalieri-Simpson: le sue "
         "prime tre righe sono nulle). Ne segue ogni numero di queste colonne; check lo dice riga per riga."};

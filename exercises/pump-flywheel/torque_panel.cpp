@@ -12,7 +12,40 @@ constexpr double share = 0.46, margin = 9;
 
 double available(const drawings::Box& room) { return share * room.width() - 2 * margin; }
 
+drawings::Point centre(const drawings::Box& room, const drawings::ChartMap& map) {
+  return {room.low.x + margin, map.at({0, 0}).y};
+}
+
 }  // namespace
+
+double TorquePanel::radius(const drawings::ChartMap& map, double degrees) const {
+  return (degrees < 180 ? suction_ : delivery_) / map.y.per_mm();
+}
+
+drawings::Point TorquePanel::end_of_crank(const drawings::Box& room, const drawings::ChartMap& map,
+                                          double degrees) const {
+  const drawings::Point O = centre(room, map);
+  const double r = radius(map, degrees), alpha = degrees * std::numbers::pi / 180;
+  return {O.x + r * std::abs(std::cos(alpha)), O.y + r * std::abs(std::sin(alpha))};
+}
+
+std::vector<PanelStep> TorquePanel::steps(const Plot& plot, const drawings::Box& room) const {
+  drawings::Figure trial;
+  const drawings::ChartMap map =
+      drawings::draw(chart_, room_of_chart(room, Language::english), trial, Language::english);
+  constexpr double shown = 240, of_mean = 45;  // degrees
+  const drawings::Point end = end_of_crank(room, map, shown);
+  return {
+      {{"The crank of the length $\\it{F}r$, at the scale of the torques, in its positions of the turn.",
+        "La manovella lunga $\\it{F}r$, nella scala dei momenti, nelle sue posizioni lungo il giro."},
+       plot.from_paper(end)},
+      {{"The height of its end, $\\it{M}_{r}$ = $\\it{F}r$ sin $α$, is carried level to the ordinate of its angle.",
+        "La quota del suo estremo, $\\it{M}_{r}$ = $\\it{F}r$ sen $α$, si riporta sull'ordinata del suo angolo."},
+       plot.from_paper({map.x.at(shown), end.y})},
+      {{"The mean line: as much area above it as is wanting below.",
+        "La retta media: tanta area sopra di essa quanta ne manca sotto."},
+       plot.from_paper(map.at({of_mean, chart_.horizontals.front().at}))}};
+}
 
 drawings::Box TorquePanel::room_of_chart(const drawings::Box& room, Language language) const {
   drawings::Box box = room;
@@ -33,26 +66,23 @@ void TorquePanel::draw_given(Plot& plot, const drawings::Box& room, Language lan
 std::vector<drawings::Block> TorquePanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   DrawnSheet& onto = plot.onto();
   const drawings::ChartMap map = drawings::draw(chart_, room_of_chart(room, language), onto.sheet.figure, language);
-  const drawings::Point O{room.low.x + margin, map.at({0, 0}).y};
-  const auto radius = [&](double degrees) { return (degrees < 180 ? suction_ : delivery_) / map.y.per_mm(); };
-  const auto at = [&](double degrees) {
-    const double alpha = degrees * std::numbers::pi / 180;
-    return drawings::Point{O.x + radius(degrees) * std::abs(std::cos(alpha)),
-                           O.y + radius(degrees) * std::abs(std::sin(alpha))};
-  };
+  const drawings::Point O = centre(room, map);
   const auto line = [&](drawings::Point from, drawings::Point to, Meaning meaning) {
     plot.mark(drawings::Line{drawings::segment(from, to), meaning, {}});
   };
   for (const double half : {0.0, 180.0})
-    if (radius(half) > 0)
-      plot.mark(drawings::Line{drawings::arc(O, radius(half), 0, std::numbers::pi / 2), Meaning::construction, {}});
-  line({O.x - margin / 2, O.y}, {O.x + radius(180) + margin / 2, O.y}, Meaning::axis);
-  line({O.x, O.y - margin / 2}, {O.x, O.y + radius(180) + margin / 2}, Meaning::axis);
+    if (radius(map, half) > 0)
+      plot.mark(
+          drawings::Line{drawings::arc(O, radius(map, half), 0, std::numbers::pi / 2), Meaning::construction, {}});
+  const double far = radius(map, 180) + margin / 2;
+  line({O.x - margin / 2, O.y}, {O.x + far, O.y}, Meaning::axis);
+  line({O.x, O.y - margin / 2}, {O.x, O.y + far}, Meaning::axis);
   for (const Projected& each : projected_) {
-    const drawings::Point end = at(each.angle), there{map.x.at(each.angle), end.y};
+    const drawings::Point end = end_of_crank(room, map, each.angle), there{map.x.at(each.angle), end.y};
     line(O, end, Meaning::link);
     line(end, there, Meaning::construction);
-    onto.sheet.figure.labels.push_back({.text = each.letters, .at = end});
+    plot.mark(drawings::Dot{there, Meaning::construction, {}});
+    if (!each.letters.empty()) onto.sheet.figure.labels.push_back({.text = each.letters, .at = end});
   }
   for (const Read& each : read_) {
     const drawings::Point from = map.at(each.from), to = map.at(each.to);

@@ -11,8 +11,8 @@ namespace epure::pump_flywheel {
 class TorquePanel : public Panel {
  public:
   struct Projected {
-    double angle;  // of the turn, in degrees
-    std::string letters;
+    double angle;         // of the turn, in degrees
+    std::string letters;  // empty: none
   };
   // Coefficients in N m, both positive; `chart` in degrees and N m, its ordinates from zero. What a ruler reads
   // there:
@@ -33,10 +33,15 @@ class TorquePanel : public Panel {
   drawings::Box extent(const Scale&, const Scale&) const override { return {{0, 0}, {150, 80}}; }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
  private:
   // The chart as high as the circles find room for, and its part of the room.
   drawings::Box room_of_chart(const drawings::Box& room, Language language) const;
+
+  // The end of the crank, at an angle of the turn.
+  drawings::Point end_of_crank(const drawings::Box& room, const drawings::ChartMap& map, double degrees) const;
+  double radius(const drawings::ChartMap& map, double degrees) const;  // mm
 
   double suction_, delivery_;
   std::vector<Projected> projected_;

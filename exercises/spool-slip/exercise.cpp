@@ -167,6 +167,7 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
 ChainedPolygonsPanel with_cone(const Solution& s, const std::string& prefix, const std::string& letter,
                                const Words& told, bool is_first, Language language) {
   Forces on = forces(s, prefix, language);
+  on.inertia.magnitude = "$m_{a}a'$";  // the first polygon's equation is that of all
   const Arrow2 apex = on.W.v + on.T.v + on.inertia.v;
   const double N = s["N"], wide = std::min(s["F_max"], 0.7 * N);
   ChainedPolygonsPanel panel(force_polygon(letter, {on.S}, {on.W, on.T, on.inertia}));
@@ -185,8 +186,14 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
   const auto so = [&](const std::string& symbol) { return name_of(of.regime(s.givens()[symbol])) + Words{".", "."}; };
   const Words cone{"Dashed, the cone of friction about the vertical, with the half angle $φ_{a}$ = arctan $f_{a}$. ",
                    "A tratti il cono d'attrito attorno alla verticale, di semiapertura $φ_{a}$ = arctg $f_{a}$. "};
+  const Words main_slips{
+      "$m_{b}$: it slips with $\\it{F}$ = $f_{r}\\it{N}$; not to slip it would take $\\it{F}^{*}$, outside of the "
+      "cone.",
+      "$m_{b}$: striscia con $\\it{F}$ = $f_{r}\\it{N}$; per non strisciare occorrerebbe $\\it{F}^{*}$, fuori dal "
+      "cono."};
   const Words light = cone + Words{"$m_{b,l}$: ", "$m_{b,l}$: "} + so("m_b_light"),
-              main = Words{"$m_{b}$: ", "$m_{b}$: "} + so("m_b");
+              main = of.regime(s.givens()["m_b"]) == Regime::slipping ? main_slips
+                                                                      : Words{"$m_{b}$: ", "$m_{b}$: "} + so("m_b");
   const bool slips = of.regime(s.givens()["m_b_heavy"]) == Regime::slipping;
   const Words tried =
       slips ? Words{"$m_{b,h}$, as if it rolled: the reaction leaves the cone, and this polygon cannot be.",
@@ -198,8 +205,13 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
                     "Striscia: $\\it{F}$ = $f_{r}\\it{N}$, e altro tiro e altra inerzia chiudono il poligono."}
             : Words{"$m_{b,h}$: ", "$m_{b,h}$: "} + so("m_b_heavy");
   const std::string tried_head = Words{"$m_{b,h}$, rolling", "$m_{b,h}$, se rotola"}.in(language);
-  const Words margin{"$m_{F}$ = $\\it{F}_{max}$ − $\\it{F}$: negative where the reaction leaves the cone.",
-                     "$m_{F}$ = $\\it{F}_{max}$ − $\\it{F}$: negativo dove la reazione esce dal cono."};
+  const Words margin{
+      "$\\it{F}^{*}$ is the friction that must hold if it is not to slip; $m_{F}$ = $\\it{F}_{max}$ − $\\it{F}^{*}$ "
+      "is "
+      "negative where it slips.",
+      "$\\it{F}^{*}$ è l'attrito che occorre perché non strisci; $m_{F}$ = $\\it{F}_{max}$ − $\\it{F}^{*}$ è "
+      "negativo "
+      "dove striscia."};
   return {
       .panels =
           panels(with_cone(s, "light.", "l", light, true, language), with_cone(s, "", "m", main, false, language),
@@ -211,15 +223,16 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
                          {"$m_{b}$", {"T", "F"}},
                          {tried_head, {"heavy_if_rolling.T", "heavy_if_rolling.F"}},
                          {"$m_{b,h}$", {"heavy.T", "heavy.F"}}}),
-                  table({"", "$m_{F}$ (N)"},
-                        {{"$m_{b}$", {"slip_margin"}}, {tried_head, {"heavy_if_rolling.slip_margin"}}}),
+                  table({"", "$\\it{F}^{*}$ (N)", "$m_{F}$ (N)"},
+                        {{"$m_{b}$", {"F_required", "slip_margin"}},
+                         {"$m_{b,h}$", {"heavy_if_rolling.F", "heavy_if_rolling.slip_margin"}}}),
                   values({"heavy.a_G", "heavy.alpha"}), values({"heavy.slip_acceleration", "light.u_required"}),
                   remark(margin.in(language))},
       .seen = {"The force polygons of the spool with the friction cone for a light, a middle and a heavy "
                "counterweight",
                "I poligoni delle forze della bobina con il cono d'attrito per un contrappeso leggero, uno medio e "
                "uno pesante"},
-      .told = {"light.F", "F", "heavy_if_rolling.F", "heavy.F", "F_max"}};
+      .told = {"light.F", "F", "F_required", "heavy_if_rolling.F", "heavy.F", "F_max"}};
 }
 
 // F/N over m_b/m_a: what must hold, and what holds.
@@ -271,8 +284,13 @@ drawings::Chart chart(const Solution& s, Language language) {
                      .horizontals = {{.at = f_a, .label = "$f_{a}$"}}};
   if (slip) of.verticals.push_back({.at = *slip, .label = "$μ_{s}$"});
   if (start > 0) of.verticals.push_back({.at = start, .label = "$μ_{p}$"});
-  of.markers = {{.at = {middle, s["F_over_N"]}, .label = "$m_{b}$", .meaning = Meaning::force},
-                {.at = {heavy, s["heavy_if_rolling.F_over_N"]}, .label = "$m_{b,h}$", .meaning = Meaning::force}};
+  const auto mark = [&](double at, double must_hold, const std::string& letters) {
+    of.markers.push_back({.at = {at, must_hold}, .label = letters, .meaning = Meaning::force});
+    if (must_hold > f_a) of.markers.push_back({.at = {at, f_r}, .label = letters, .meaning = Meaning::force});
+  };
+  mark(light, needed(light), "$m_{b,l}$");
+  mark(middle, s["F_over_N"], "$m_{b}$");
+  mark(heavy, s["heavy_if_rolling.F_over_N"], "$m_{b,h}$");
   return of;
 }
 
@@ -295,6 +313,8 @@ PanelSheet limits_sheet(const Solution& s, Language language) {
   const Words never{"It rolls however heavy the counterweight.", "Rotola per quanto pesi il contrappeso."};
   const Words before{"$\\it{F}$/$\\it{N}$ comes to $f_{a}$ at rest: it slips before it can roll.",
                      "$\\it{F}$/$\\it{N}$ arriva a $f_{a}$ in quiete: striscia prima di poter rotolare."};
+  const Words required{"$\\it{F}^{*}$: the friction that must hold if it is not to slip.",
+                       "$\\it{F}^{*}$: l'attrito che occorre perché non strisci."};
   const Spool of = spool(s.givens());
   const std::string exception = of.slips_from_rest() ? before.in(language)
                                 : of.always_rolls()  ? never.in(language)
@@ -303,7 +323,8 @@ PanelSheet limits_sheet(const Solution& s, Language language) {
           .theory = {{{"What must hold", "Che cosa deve trattenere"},
                       {remark(rest.in(language)), remark(rolls.in(language)), remark(exception)}}},
           .results = {values({"mass_ratio_start", "m_b_start"}), values({"mass_ratio_slip", "m_b_slip"}),
-                      table({"", "$\\it{F}$/$\\it{N}$"},
+                      remark(required.in(language)),
+                      table({"", "$\\it{F}^{*}$/$\\it{N}$"},
                             {{"$m_{b}$", {"F_over_N"}}, {"$m_{b,h}$", {"heavy_if_rolling.F_over_N"}}})},
           .seen = {"The friction that must hold over the normal reaction, against the ratio of the masses",
                    "L'attrito che deve trattenere sulla reazione normale, in funzione del rapporto delle masse"},

@@ -284,6 +284,7 @@ struct Routes {
                     tried = regime == Regime::slipping ? way.motion(mass, trial(mass)) : at;
     motion(ledger, way, at);
     const T F_max = Numbers<T>::number(of.f_a) * way.N();
+    if (named.prefix.empty()) ledger.put(quantity("F_required"), tried.F);  // if it rolled, F itself
     ledger.put(quantity("F_over_N"), geometry::quotient(tried.F, way.N()));
     ledger.put(quantity("slip_margin"), F_max - tried.F);
     ledger.put(quantity("resultant_height"), [&] { return way.resultant_height(at); });

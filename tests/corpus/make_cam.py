@@ -144,6 +144,8 @@ class Cam:
         v[p + "angle_at_P_min_deg"] = degrees(at - 2 * pi * floor(at / (2 * pi))) if w else None
         v[p + "a_B3_y_min"] = least
         v[p + "P_min"] = -self.m_3 * (least + self.g)
+        closing = self.P + self.m_3 * self.g
+        v[p + "omega_2_first_loss"] = sqrt(closing / (self.m_3 * -second(at))) if self.m_3 and closing >= 0 else None
 
     def values(self):
         v = {}

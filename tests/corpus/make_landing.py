@@ -9,7 +9,7 @@ speed at which slip ends is the zero of R ω - v. Euler's scheme is run as it st
 """
 from fractions import Fraction
 
-from mpmath import findroot, mp, mpf, nstr, quad
+from mpmath import findroot, mp, mpc, mpf, nstr, quad
 
 mp.dps = 45
 STATED = dict(v_0="250", m_a="9000", m_r="60", R="2/5", J_r="49/10", c_x="2", c_y="2", f_r="1", f_a="6/5",
@@ -79,6 +79,9 @@ class Landing:
         a = -(self.c_x * v_s ** 2 + self.f_v * N_s) / (M + J / R ** 2)
         F = -(M * a + self.c_x * v_s ** 2)
         found.update(a_after=a, F_after=F, F_after_over_N=F / N_s, adheres=mpf(1 if abs(F) <= self.f_a * N_s else 0))
+        # What turns the wheel's momentum, but for its weight and the ground.
+        hub = lambda N, F, a: abs(mpc(self.m_r * a + F, self.m_r * self.g - N))
+        found.update(hub_force_0=hub(N_0, self.f_r * N_0, -self.deceleration(v_0)), hub_force_after=hub(N_s, F, a))
         crossing = (v_0 - self.rim_0) / (R * self.spin(v_0) + self.deceleration(v_0))
         found.update(t_s_tangents=crossing, v_s_tangents=v_0 - self.deceleration(v_0) * crossing)
         return found

@@ -116,6 +116,8 @@ class Spool:
         def judged(prefix, m, at):
             write(prefix, at)
             needed = self.held(m)["F"]
+            if not prefix:
+                v["F_required"] = needed
             v[prefix + "F_over_N"] = needed / self.N
             v[prefix + "slip_margin"] = self.f_a * self.N - needed
             v[prefix + "resultant_height"] = self.N * at["offset"] / at["F"] if at["F"] else None

@@ -95,6 +95,9 @@ drawings::Box ChainedPolygonsPanel::extent(const Scale&, const Scale& vectors) c
     for (const drawings::Point corner : {box.low, box.high})
       extent.include(corner.x + vectors.mm_per_unit * link.from.x, corner.y + vectors.mm_per_unit * link.from.y);
   }
+  for (const auto& corners : under_)
+    for (const Arrow2& corner : corners)
+      extent.include(vectors.mm_per_unit * corner.x, vectors.mm_per_unit * corner.y);
   return extent.box();
 }
 

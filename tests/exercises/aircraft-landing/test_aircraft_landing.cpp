@@ -1,6 +1,6 @@
 // The landing: its numbers are those of a corpus of integrals over the speed, the source's numbers, bad givens,
 // sheets.
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/told_words.h"
 
 using namespace epure;
 using namespace epure::tests;
@@ -97,6 +97,43 @@ TEST_CASE("landing: givens that cannot be, each in one sentence", "[landing]") {
   refused({"v_0=0"}, "must be positive");
   CHECK(landing().checked({"f_r=0.001000001"}).passed());
   CHECK(landing().checked({"rim_0=69.4444444444444444444444444444444"}).passed());
+}
+
+namespace {
+std::string told(const std::string& sheet, const Assignments& given, Language language = Language::english) {
+  return told_on(landing(), sheet, given, language);
+}
+std::size_t drawn_of(const Assignments& given, const std::string& curve) {
+  std::size_t found = 0;
+  for (const drawings::Mark& mark : landing().draw("euler", given).sheet.figure.marks)
+    if (const auto* line = std::get_if<drawings::Line>(&mark)) found += line->name.starts_with(curve);
+  return found;
+}
+}  // namespace
+
+TEST_CASE("landing: what is told of Euler's steps holds for these givens", "[landing][sheets]") {
+  CHECK_THAT(told("euler", {}), Contains("already runs") && Contains("had ended within the step"));
+  CHECK_THAT(told("euler", {"Delta_t=0.01"}), Contains("of the aircraft's speed; slip ends later"));
+  CHECK_THAT(told("euler", {"Delta_t=0.01"}, Language::italian), Contains("lo strisciamento finisce dopo"));
+  CHECK_THAT(told("euler", {"Delta_t=10"}), Contains("no longer go ahead"));
+  // 431 and 4308 steps, of which one corner in 11 is drawn; and more than are carried out.
+  CHECK_THAT(told("euler", {"Delta_t=0.005"}), Contains("one corner in 11"));
+  CHECK(drawn_of({"Delta_t=0.005"}, "euler_1000") > 0);
+  CHECK_THAT(told("euler", {"Delta_t=0.0001"}), Contains("more than 20000 steps, not carried out"));
+  CHECK(drawn_of({"Delta_t=0.0001"}, "euler_1000") == 0);
+}
+
+TEST_CASE("landing: what a wheel that turned before has taken is less than what it has", "[landing][sheets]") {
+  CHECK_THAT(told("slip", {}), Contains("as much, if"));
+  CHECK_THAT(told("slip", {"rim_0=60"}), Contains("which had") && !Contains("as much"));
+}
+
+TEST_CASE("landing: a ruler reads the hub's force off the wheel's polygon", "[landing][sheets]") {
+  for (const Assignments& given : {Assignments{}, {"m_r=3000", "rim_0=20"}, {"J_r=250", "c_y=-18"}}) {
+    ruler_reads(landing(), {"wheel", {"N_0", "F_0", "hub_force_0", "N_s", "hub_force_after"}}, given);
+    const CheckedExercise result = landing().checked(given);
+    CHECK(value(result, "hub_force_0") > value(result, "F_0"));
+  }
 }
 
 TEST_CASE("landing: every sheet is drawn, whatever is given", "[landing][sheets]") {

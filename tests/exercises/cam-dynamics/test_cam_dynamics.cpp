@@ -32,7 +32,7 @@ std::string refusal(const Assignments& assignments) {
 TEST_CASE("its values are the corpus', to the last bit of a double, by every route", "[cam-dynamics]") {
   CHECK(corpus().size() == 19);
   holds_against(cam(), corpus());
-  CHECK(cam().checked({}).quantities.size() == 93);
+  CHECK(cam().checked({}).quantities.size() == 94);
 }
 
 TEST_CASE("a follower that leaves the cam has no reactions, and all its kinematics", "[cam-dynamics]") {
@@ -44,6 +44,19 @@ TEST_CASE("a follower that leaves the cam has no reactions, and all its kinemati
   }
   CHECK(lost.passed());
   CHECK(value(lost, "a_B3_y") == value(cam().checked({}), "a_B3_y"));
+}
+
+TEST_CASE("over the turn contact is lost before it is at maximum lift, and there for e = 0", "[cam-dynamics]") {
+  const CheckedExercise stated = cam().checked({});
+  CHECK(value(stated, "cycle.omega_2_first_loss") == Approx(30.930).margin(0.0005));
+  CHECK(value(stated, "cycle.angle_at_P_min_deg") == Approx(81.1).margin(0.05));
+  CHECK(value(stated, "maximum_lift.omega_2_contact_loss") == Approx(31.08).margin(0.005));
+  // At that speed P is just what is needed.
+  CHECK(value(cam().checked({"n_lift=30.9302rad/s"}), "cycle.P_min") == Approx(50).margin(0.01));
+  const CheckedExercise middle = cam().checked({"e=0"});
+  CHECK(value(middle, "cycle.omega_2_first_loss") == Approx(value(middle, "maximum_lift.omega_2_contact_loss")));
+  // The cam at rest has no place that needs more force; what it would lose contact at, it has.
+  CHECK(value(cam().checked({"n_lift=0"}), "cycle.omega_2_first_loss") == Approx(30.930).margin(0.0005));
 }
 
 TEST_CASE("a pulled follower without mass never presses, at whatever speed", "[cam-dynamics]") {

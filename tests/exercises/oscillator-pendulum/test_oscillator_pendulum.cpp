@@ -5,7 +5,7 @@
 
 #include "exercises/kit/proof/solution.h"
 #include "exercises/oscillator-pendulum/printed.h"
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/told_words.h"
 
 using namespace epure;
 using namespace epure::tests;
@@ -92,12 +92,28 @@ TEST_CASE("oscillator and pendulum: givens that cannot be, each in one sentence"
   refused({"theta_0=-181"}, "no full turn");
 }
 
+TEST_CASE("oscillator and pendulum: what is told of the recursion holds for these givens", "[sheets]") {
+  const auto plane = [](const Assignments& given) { return told_on(tried(), "pendulum-plane", given); };
+  CHECK_THAT(plane({}), Contains("adds energy at every step") && Contains("after 500 ms, 1000 ms"));
+  CHECK_THAT(plane({"theta_0=170", "dt_p=0.03"}),
+             Contains("others take from it") && Contains("goes over the top") && !Contains("Rings"));
+  CHECK_THAT(plane({"theta_0=86", "dt_p=0.1"}), Contains("others take from it"));
+  const auto angle = [](const Assignments& given) { return told_on(tried(), "angle", given); };
+  CHECK_THAT(angle({}), Contains("_{n}$ of the recursion: the step at which"));
+  CHECK_THAT(angle({"theta_0=170", "dt_p=0.03"}), Contains("goes over the top, and has no period"));
+}
+
 TEST_CASE("oscillator and pendulum: every sheet is drawn, whatever is given", "[oscillator-pendulum][sheets]") {
   draws_every_sheet(tried(), corpus());
 }
 
 TEST_CASE("oscillator and pendulum: letters find room", "[oscillator-pendulum][sheets]") {
-  letters_find_room(tried(), {{}, {"zeta=0.3", "theta_0=150"}, {"zeta=1", "theta_0=30"}, {"zeta=0", "theta_0=-100"}});
+  letters_find_room(tried(), {{},
+                              {"zeta=0.3", "theta_0=150"},
+                              {"zeta=1", "theta_0=30"},
+                              {"zeta=0", "theta_0=-100"},
+                              {"theta_0=5"},
+                              {"theta_0=-170"}});
 }
 
 TEST_CASE("oscillator and pendulum: the tables have all their rows, and those that are quantities too", "[sheets]") {

@@ -1,5 +1,5 @@
 // The pump: its numbers are those of a corpus that samples the turn, the source's numbers, bad givens, sheets.
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/told_words.h"
 
 using namespace epure;
 using namespace epure::tests;
@@ -73,6 +73,31 @@ TEST_CASE("pump: givens that cannot be, each in one sentence", "[pump]") {
   CHECK(pump().checked({"n_m=2999.999999999999999999999999999999"}).passed());
   CHECK(pump().checked({"p_a=4.999999999999999999999999999999"}).passed());
   CHECK(pump().checked({"i=1.999999999"}).passed());
+}
+
+TEST_CASE("pump: what exceeds the mean torque is filled as such, in suction too", "[pump][sheets]") {
+  const auto areas = [](const Assignments& given) {
+    int above = 0, below = 0;
+    for (const drawings::Mark& mark : pump().draw("torque", given).sheet.figure.marks)
+      if (const auto* area = std::get_if<drawings::Area>(&mark)) {
+        above += area->meaning == drawings::Meaning::force;
+        below += area->meaning == drawings::Meaning::velocity;
+      }
+    return std::pair(above, below);
+  };
+  CHECK(areas({}) == std::pair(1, 2));
+  CHECK(areas({"p_a=3"}) == std::pair(2, 3));
+  CHECK_THAT(told_on(pump(), "torque", {"p_a=3"}), Contains("In suction too"));
+  CHECK_THAT(told_on(pump(), "torque", {}), !Contains("In suction too"));
+}
+
+TEST_CASE("pump: no flywheel is told of where none is needed", "[pump][sheets]") {
+  for (const auto& [language, none, some] : {std::tuple(Language::english, "no flywheel", "With the flywheel"),
+                                             {Language::italian, "non richiede volano", "Con il volano"}}) {
+    CHECK_THAT(told_on(pump(), "harmonics", {}, language), Contains(some) && Contains("n'_{t}") && !Contains(none));
+    CHECK_THAT(told_on(pump(), "harmonics", {"J_m=10"}, language),
+               Contains(none) && !Contains("n'_{t}") && !Contains(some));
+  }
 }
 
 TEST_CASE("pump: every sheet is drawn, whatever is given", "[pump][sheets]") { draws_every_sheet(pump(), corpus()); }

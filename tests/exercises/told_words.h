@@ -1,0 +1,18 @@
+// What a sheet says in its column: its paragraphs, line by line.
+#pragma once
+
+#include <string>
+
+#include "tests/exercises/held_against_corpus.h"
+
+namespace epure::tests {
+
+inline std::string told_on(const Tried& tried, const std::string& sheet, const Assignments& given,
+                           Language language = Language::english) {
+  std::string all;
+  for (const drawings::Block& block : tried.draw(sheet, given, {.language = language}).sheet.column)
+    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) all += paragraph->text + "\n";
+  return all;
+}
+
+}  // namespace epure::tests
