@@ -11,6 +11,7 @@ namespace {
 using drawings::Datum;
 
 constexpr double letters_left = 16;  // mm, of all three
+constexpr double load_arrow = 0.6;   // of the greatest pressure: where the arrow of the load ends
 
 drawings::Chart chart_along(const Solution& s, const std::string& quantity, const std::string& unit, double low,
                             double high) {
@@ -50,7 +51,7 @@ SizedChart gradient_chart(const Solution& s, const Film& film) {
   return SizedChart(chart, read, one_of_three_in_a_column);
 }
 
-SizedChart pressure_chart(const Solution& s, const Film& film, Language language) {
+MarkedChart pressure_chart(const Solution& s, const Film& film, Language language) {
   auto read = read_at_stations(s, "p_bezout");
   drawings::Chart chart = chart_along(s, "$p$", "Pa", 0, 1.12 * s[of_film("p_max")]);
   chart.curves = {{.name = "pressure", .runs = run_along(film, &DeepWedge::pressure), .meaning = Meaning::force},
@@ -58,10 +59,21 @@ SizedChart pressure_chart(const Solution& s, const Film& film, Language language
   chart.markers = {{.at = {s[of_film("x_bar")], s[of_film("p_max")]},
                     .label = "$p_{max}$ = " + figures(s[of_film("p_max")], 4, language) + " Pa",
                     .meaning = Meaning::force}};
-  chart.verticals.push_back({.at = s[of_film("x_N")], .label = "$x_{N}$", .meaning = Meaning::force});
+  chart.verticals.push_back({.at = s[of_film("x_N")], .label = "$x_{N}$", .meaning = Meaning::construction});
   read.push_back({{s[of_film("x_bar")], s[of_film("p_max")]}, of_film("x_bar"), of_film("p_max")});
   read.push_back({{s[of_film("x_N")], 0}, of_film("x_N"), {}});
-  return SizedChart(chart, read, one_of_three_in_a_column);
+  return MarkedChart(chart, read, one_of_three_in_a_column,
+                     force_at(s[of_film("x_N")], load_arrow * s[of_film("p_max")],
+                              "$\\it{N}$ = " + figures(s[of_film("N")], 4, language) + " N/m", "N"));
+}
+
+// Where the shear vanishes on a wall, if it does anywhere.
+std::vector<FilmSection> sections_without_shear(const Solution& s) {
+  std::vector<FilmSection> all;
+  for (const auto& [name, letters] :
+       {std::pair("x_shear_zero_fixed", "$x_{0}$"), std::pair("x_shear_zero_moving", "$x_{h}$")})
+    if (const auto x = s.value(of_film(name))) all.push_back({*x, letters, of_film(name)});
+  return all;
 }
 
 std::vector<Row> rows(const Solution& s) {
@@ -81,8 +93,12 @@ std::vector<Row> rows(const Solution& s) {
 PanelSheet pressures_sheet(const Solution& s, Language language) {
   const Film film = Problem(s.givens()).film;
   return {
-      .panels = panels(FilmChart(film.wedge<double>(), {{}, {}, of_film("x_bar"), of_film("h_bar")}, letters_left),
-                       gradient_chart(s, film), pressure_chart(s, film, language)),
+      .panels = panels(
+          FilmChart(film.wedge<double>(), {.quantities = {.x_bar = of_film("x_bar"), .h_bar = of_film("h_bar")},
+                                           .speed_letters = "$\\it{V}$",
+                                           .sections = sections_without_shear(s),
+                                           .letters_left = letters_left}),
+          gradient_chart(s, film), pressure_chart(s, film, language)),
       .theory =
           {{{"The film", "Il meato"},
             {told({"$h$ = $h_{1}$ − ($h_{1}$ − $h_{2}$)·$x$/$l$; $p'$ = 6 $μ$ $\\it{V}$ ($h$ − $h^{*}$)/$h^{3}$ is "
@@ -90,10 +106,16 @@ PanelSheet pressures_sheet(const Solution& s, Language language) {
                    "$h$ = $h_{1}$ − ($h_{1}$ − $h_{2}$)·$x$/$l$; $p'$ = 6 $μ$ $\\it{V}$ ($h$ − $h^{*}$)/$h^{3}$ si "
                    "annulla dove $h$ = $h^{*}$ = 2 $h_{1}$ $h_{2}$/($h_{1}$ + $h_{2}$)."},
                   language),
+             told(
+                 {"$h^{*}$, $x^{*}$ are $h$ and $x$ with a bar in the source. The depth $z$ is counted from the pad. "
+                  "The shear is zero at $x_{0}$ on the pad, at $x_{h}$ on the moving wall, where these exist.",
+                  "$h^{*}$, $x^{*}$ sono $h$ e $x$ soprassegnati nella fonte. La quota $z$ si conta dal pattino. Lo "
+                  "sforzo si annulla in $x_{0}$ sul pattino, in $x_{h}$ sulla parete mobile, se esistono."},
+                 language),
              told({"Points of the pressure: Bezout's formula, each strip with the mean of the gradients at its "
-                   "ends. The curve is the true one.",
+                   "ends. The curve is the true one. The arrow $\\it{N}$ is not to scale.",
                    "Punti della pressione: formula di Bezout, ogni striscia con la media dei gradienti ai suoi "
-                   "estremi. La curva è quella esatta."},
+                   "estremi. La curva è quella esatta. La freccia $\\it{N}$ non è in scala."},
                   language)}}},
       .results = {table({"$x$ (mm)", "$p'$ (Pa/m)", "$p_{B}$ (Pa)"}, rows(s)),
                   values({of_film("h_bar"), of_film("x_bar")}), values({of_film("p_max")}),

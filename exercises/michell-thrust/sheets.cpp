@@ -106,7 +106,9 @@ PanelSheet pad_sheet(const Solution& s, Language language) {
   const geometry::FilmWedge<double> film{s["l"], s["v"], s["mu"], s["theory.h_1"], s["theory.h_2"]};
   return {
       .panels =
-          panels(FilmChart(film, {"theory.h_1", "theory.h_2", "theory.x_p_max", "theory.h_p_max"}, letters_left),
+          panels(FilmChart(film, {.quantities = {"theory.h_1", "theory.h_2", "theory.x_p_max", "theory.h_p_max"},
+                                      .speed_letters = "$v$",
+                                      .letters_left = letters_left}),
                  pressure_chart(s, film, language)),
       .results = {told({"With the table:", "Con la tabella:"}, language), workshop_values({"h_2", "h_1"}),
                   values({"alpha_deg"}), told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),

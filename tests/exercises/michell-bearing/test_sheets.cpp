@@ -1,4 +1,5 @@
-// The sheets of the Michell bearing, whatever is given.
+// The sheets of the Michell bearing, whatever is given, and what stands on them.
+#include "tests/exercises/drawn_marks.h"
 #include "tests/exercises/michell-bearing/cases.h"
 
 using namespace epure;
@@ -11,4 +12,27 @@ TEST_CASE("michell bearing: every sheet is drawn, whatever is given", "[michell-
 TEST_CASE("michell bearing: letters find room", "[michell-bearing][sheets]") {
   letters_find_room(bearing(), {{}, {"h_1=1.6"}, {"x_N=0.038"}, {"pads=6", "r_m=0.12"}});
   letters_find_room(bearing(), {{"h_1=0.32"}}, {"integration"});  // forty strips leave a step's number no room
+}
+
+TEST_CASE("michell bearing: the flat wall runs to the narrow end, the inclined one rests",
+          "[michell-bearing][sheets]") {
+  const DrawnSheet drawn = bearing().draw("pressures", {});
+  const auto pad = ends_of(line(drawn, "h")), runner = ends_of(line(drawn, "runner"));
+  const drawings::Arrow speed = arrow(drawn, "runner_speed");
+  CHECK(pad.first.y > pad.second.y);
+  CHECK(runner.first.y == runner.second.y);
+  CHECK(speed.to.x > speed.from.x);
+  CHECK(speed.to.y == speed.from.y);
+  CHECK(speed.to.y < runner.first.y);
+  // Hatched on its right from the outlet to the inlet: above.
+  const std::vector<drawings::Ground> hatched = all_of<drawings::Ground>(drawn);
+  REQUIRE(hatched.size() == 1);
+  CHECK(hatched[0].from.x == Approx(pad.second.x));
+  CHECK(hatched[0].to.y == Approx(pad.first.y));
+}
+
+TEST_CASE("michell bearing: how high the film is drawn, however high it is", "[michell-bearing][sheets]") {
+  CHECK(tells(bearing().draw("pressures", {}), "times higher than long"));
+  CHECK(tells(bearing().draw("pressures", {"h_1=400", "h_2=160"}), "times longer than high"));
+  CHECK_FALSE(tells(bearing().draw("pressures", {"h_1=400", "h_2=160"}), " 0 times"));
 }
