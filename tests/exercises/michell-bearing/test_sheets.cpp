@@ -36,3 +36,25 @@ TEST_CASE("michell bearing: how high the film is drawn, however high it is", "[m
   CHECK(tells(bearing().draw("pressures", {"h_1=400", "h_2=160"}), "times longer than high"));
   CHECK_FALSE(tells(bearing().draw("pressures", {"h_1=400", "h_2=160"}), " 0 times"));
 }
+
+TEST_CASE("michell bearing: both parts of a velocity are added head to tail, and what runs back is hatched",
+          "[michell-bearing][sheets]") {
+  const auto strokes = [](const DrawnSheet& drawn) {
+    std::size_t count = 0;
+    for (const drawings::Line& each : all_of<drawings::Line>(drawn))
+      count += each.meaning == drawings::Meaning::velocity && each.name.empty() ? 1 : 0;
+    return count;
+  };
+  const DrawnSheet forwards = bearing().draw("velocities", {});
+  CHECK(strokes(forwards) == 0);
+  CHECK(strokes(bearing().draw("velocities", {"h_1=0.8", "x_1=0.05"})) > 5);
+  std::vector<drawings::Arrow> couette, poiseuille;
+  for (const drawings::Arrow& each : all_of<drawings::Arrow>(forwards))
+    (each.name == "couette_part" ? couette : poiseuille).push_back(each);
+  REQUIRE(couette.size() == 17);  // 6, 5 and 3 depths, and three middles
+  REQUIRE(poiseuille.size() == couette.size());
+  for (std::size_t i = 0; i < couette.size(); ++i) {
+    CHECK(couette[i].to.x == poiseuille[i].from.x);
+    CHECK(couette[i].to.y == poiseuille[i].from.y);
+  }
+}
