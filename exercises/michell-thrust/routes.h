@@ -26,6 +26,15 @@ struct Coefficients {
   std::function<T()> n, A, k;
 };
 
+inline const Phrase off_the_table{
+    "the source's table has no row on one side of the pivot: it reaches from x_N/l = 0.548 to 0.608",
+    "la tabella della fonte non ha righe da un lato della cerniera: va da x_N/l = 0,548 a 0,608"};
+
+inline const RowsBeside& rows_beside_pivot(const Problem& of) {
+  if (!of.beside) throw geometry::Impossible(off_the_table);
+  return *of.beside;
+}
+
 // Of the table, on the chord between two of its rows.
 template <class T>
 Coefficients<T> by_chord(const Problem& of) {
@@ -33,7 +42,8 @@ Coefficients<T> by_chord(const Problem& of) {
     const auto point = [&](const TableRow& row) {
       return geometry::Point<T>{number<T>(row.x_N_over_l), number<T>(row.*what)};
     };
-    return geometry::ordinate(geometry::line(point(*of.before), point(*of.after)), number<T>(of.centre));
+    const RowsBeside& rows = rows_beside_pivot(of);
+    return geometry::ordinate(geometry::line(point(*rows.before), point(*rows.after)), number<T>(of.centre));
   };
   return {[=] { return on_chord(&TableRow::n); }, [=] { return on_chord(&TableRow::A); },
           [=] { return on_chord(&TableRow::k); }};
@@ -42,9 +52,10 @@ Coefficients<T> by_chord(const Problem& of) {
 template <class T>
 Coefficients<T> by_weights(const Problem& of) {
   const auto mean = [&of](const Rational TableRow::*what) {
-    const Rational width = of.after->x_N_over_l - of.before->x_N_over_l;
-    const Rational far = (of.centre - of.before->x_N_over_l) / width, near = Rational(1) - far;
-    return number<T>(near * (of.before->*what) + far * (of.after->*what));
+    const auto [before, after] = rows_beside_pivot(of);
+    const Rational width = after->x_N_over_l - before->x_N_over_l;
+    const Rational far = (of.centre - before->x_N_over_l) / width, near = Rational(1) - far;
+    return number<T>(near * (before->*what) + far * (after->*what));
   };
   return {[=] { return mean(&TableRow::n); }, [=] { return mean(&TableRow::A); }, [=] { return mean(&TableRow::k); }};
 }
