@@ -63,13 +63,35 @@ SizedChart force_triangle(const Solution& s) {
   return SizedChart(chart, {{{T, N}, "theory.T_p", "N_p"}}, beside_the_ring);
 }
 
+SliderPoint point_of(const TableRow& row) {
+  return {CGAL::to_double(row.n), CGAL::to_double(row.x_N_over_l), CGAL::to_double(row.A), CGAL::to_double(row.k)};
+}
+Result chord_told(const Solution& s, Language language) {
+  return told(s.value("n")
+                  ? Words{"Detail: at the $x_{N}$/$l$ of the pivot the chord between two rings gives $n_{c}$, "
+                          "the curve $n$.",
+                          "Dettaglio: alla $x_{N}$/$l$ della cerniera la corda tra due cerchietti dà $n_{c}$, "
+                          "la curva $n$."}
+                  : Words{"The pivot is outside the table: there is no chord.",
+                          "La cerniera è fuori della tabella: non c'è corda."},
+              language);
+}
+// The heading of what the table's chord gives, where there is one.
+Result on_chord(const Solution& s, const Words& heading, Language language) {
+  return told(s.value("n") ? heading : Words{}, language);
+}
+// None where the pivot is off the table.
+std::optional<SliderChord> chord_of(const Solution& s) {
+  const Problem of(s.givens());
+  if (!of.beside) return {};
+  return SliderChord{point_of(*of.beside->before), point_of(*of.beside->after), s["n"], "$n_{c}$", "n"};
+}
+
 }  // namespace
 
 PanelSheet coefficients_sheet(const Solution& s, Language language) {
   std::vector<SliderPoint> rows;
-  for (const TableRow& row : table_1())
-    rows.push_back(
-        {CGAL::to_double(row.n), CGAL::to_double(row.x_N_over_l), CGAL::to_double(row.A), CGAL::to_double(row.k)});
+  for (const TableRow& row : table_1()) rows.push_back(point_of(row));
   const double centre = geometry::from_rational<double>(s.givens()["x_N_over_l"]);
   std::vector<Row> exact;
   for (const TableRow& row : table_1()) {
@@ -78,22 +100,25 @@ PanelSheet coefficients_sheet(const Solution& s, Language language) {
                      {prefix + "A", prefix + "A_n_minus_1_squared", prefix + "x_N_over_l", prefix + "k"}});
   }
   return {
-      .panels = slider_charts({.up_to = 3.2,
+      .panels = slider_charts({.up_to = std::max(3.2, 1.25 * s["theory.n"]),
                                .table = rows,
+                               .chord = chord_of(s),
                                .found = {s["theory.n"], centre, s["theory.A"], s["theory.k"]},
+                               .ratio_quantity = "theory.n",
                                .load_quantity = "theory.A",
                                .friction_quantity = "theory.k"},
                               language),
       .theory = {{{"The slider", "Il pattino"},
                   {told(
-                      {"Curves: the flat slider of infinite width (Reynolds). Rings: the table of the source, which "
-                       "interpolates on chords between them.",
-                       "Curve: il pattino piano di larghezza infinita (Reynolds). Cerchietti: la tabella della "
-                       "fonte, che interpola sulle corde tra essi."},
-                      language)}},
+                       {"Curves: the flat slider of infinite width (Reynolds). Rings: the table of the source, which "
+                        "interpolates on chords between them.",
+                        "Curve: il pattino piano di larghezza infinita (Reynolds). Cerchietti: la tabella della "
+                        "fonte, che interpola sulle corde tra essi."},
+                       language),
+                   chord_told(s, language)}},
                  {{"By the theory", "Secondo la teoria"},
                   {table({"$n$", "$\\it{A}$", "$\\it{A}$($n$−1)$^{2}$", "$x_{N}$/$l$", "$k$"}, exact)}}},
-      .results = {told({"On the chord of the table ($c$):", "Sulla corda della tabella ($c$):"}, language),
+      .results = {on_chord(s, {"On the chord of the table ($c$):", "Sulla corda della tabella ($c$):"}, language),
                   values({"n", "A", "k"}), told({"By the theory:", "Secondo la teoria:"}, language),
                   values({"theory.n", "theory.A", "theory.k"})},
       .seen = {"Place of the load, A and k against n, with the points of the source's table",
@@ -104,21 +129,22 @@ PanelSheet coefficients_sheet(const Solution& s, Language language) {
 
 PanelSheet pad_sheet(const Solution& s, Language language) {
   const geometry::FilmWedge<double> film{s["l"], s["v"], s["mu"], s["theory.h_1"], s["theory.h_2"]};
-  return {
-      .panels =
-          panels(FilmChart(film, {.quantities = {"theory.h_1", "theory.h_2", "theory.x_p_max", "theory.h_p_max"},
+  return {.panels =
+              panels(FilmChart(film, {.quantities = {"theory.h_1", "theory.h_2", "theory.x_p_max", "theory.h_p_max"},
                                       .speed_letters = "$v$",
                                       .letters_left = letters_left}),
-                 pressure_chart(s, film, language)),
-      .results = {told({"With the table:", "Con la tabella:"}, language), workshop_values({"h_2", "h_1"}),
-                  values({"alpha_deg"}), told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),
-                  workshop_values({"theory.h_2", "theory.h_1"}), values({"theory.alpha_deg"}),
-                  workshop_values({"theory.x_p_max", "theory.h_p_max"}), workshop_values({"theory.p_max", "p_m"}),
-                  told({"Without side leakage:", "Senza fuoriuscite laterali:"}, language),
-                  workshop_values({"no_side_leakage.h_2", "no_side_leakage.h_1"})},
-      .seen = {"Film and pressure along a pad", "Meato e pressioni lungo un pattino"},
-      .told = {"h_2", "h_1", "theory.h_2", "theory.h_1", "theory.p_max"},
-      .without_part = {"D_e", "D_i", "d", "z"}};
+                     pressure_chart(s, film, language)),
+          .results =
+              {on_chord(s, {"With the table:", "Con la tabella:"}, language), workshop_values({"h_2", "h_1"}),
+               values({"alpha_deg"}), told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),
+               workshop_values({"theory.h_2", "theory.h_1"}), values({"theory.alpha_deg"}),
+               workshop_values({"theory.x_p_max", "theory.h_p_max"}), workshop_values({"theory.p_max", "p_m"}),
+               on_chord(s, {"Without side leakage, with the table:", "Senza fuoriuscite laterali, con la tabella:"},
+                        language),
+               workshop_values({"no_side_leakage.h_2", "no_side_leakage.h_1"})},
+          .seen = {"Film and pressure along a pad", "Meato e pressioni lungo un pattino"},
+          .told = {"h_2", "h_1", "theory.h_2", "theory.h_1", "theory.p_max"},
+          .without_part = {"D_e", "D_i", "d", "z"}};
 }
 
 PanelSheet forces_sheet(const Solution& s, Language language) {
@@ -145,7 +171,7 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
                          "$\\it{M}$ $ω$."},
                         language)}}},
       .results = {values({"R_m", "b", "l"}), values({"v", "omega"}), values({"c", "b_eff", "c_prime"}),
-                  values({"N_p", "N"}), told({"With the table:", "Con la tabella:"}, language),
+                  values({"N_p", "N"}), on_chord(s, {"With the table:", "Con la tabella:"}, language),
                   values({"f_m", "T_p"}), values({"M", "dissipated_power"}),
                   told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),
                   values({"theory.f_m", "theory.T_p"}), values({"theory.M", "theory.dissipated_power"})},
