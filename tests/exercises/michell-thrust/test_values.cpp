@@ -21,10 +21,11 @@ TEST_CASE("michell thrust: the source's table is right but for the places of the
       CHECK(verdict.explanation_holds);
       if (verdict.verdict == Verdict::disagrees) (verdict.explanation ? explained : wrong).insert(quantity.spec.name);
     }
-  CHECK(wrong == std::set<std::string>{"table_n_2_0.x_N_over_l"});
+  CHECK(wrong.empty());
   CHECK(explained == std::set<std::string>{"v", "l", "c", "N", "k", "h_2", "h_1", "alpha_deg", "c_prime",
                                            "table_n_1_6.x_N_over_l", "table_n_1_8.x_N_over_l",
-                                           "table_n_1_8.A_n_minus_1_squared", "table_n_2_2.x_N_over_l", "table_n_3_0.x_N_over_l"});
+                                           "table_n_1_8.A_n_minus_1_squared", "table_n_2_0.x_N_over_l",
+                                           "table_n_2_2.x_N_over_l", "table_n_3_0.x_N_over_l"});
 }
 
 TEST_CASE("michell thrust: givens that cannot be, each in one sentence", "[michell-thrust]") {
