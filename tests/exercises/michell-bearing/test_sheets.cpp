@@ -37,6 +37,13 @@ TEST_CASE("michell bearing: how high the film is drawn, however high it is", "[m
   CHECK_FALSE(tells(bearing().draw("pressures", {"h_1=400", "h_2=160"}), " 0 times"));
 }
 
+TEST_CASE("michell bearing: a polygon that misses its end is not said to close nearly", "[michell-bearing][sheets]") {
+  CHECK(tells(bearing().draw("integration", {}), "does not quite close"));
+  const DrawnSheet coarse = bearing().draw("integration", {"h_1=160"});
+  CHECK(tells(coarse, "too coarse"));
+  CHECK_FALSE(tells(coarse, "does not quite close"));
+}
+
 TEST_CASE("michell bearing: both parts of a velocity are added head to tail, and what runs back is hatched",
           "[michell-bearing][sheets]") {
   const auto strokes = [](const DrawnSheet& drawn) {
