@@ -1,4 +1,7 @@
 // The sheets: the coefficients with the table's points; the pad's film and pressure; the ring and its forces.
+#include <cmath>
+#include <numbers>
+
 #include "exercises/kit/panels/film_chart.h"
 #include "exercises/kit/panels/pad_ring_panel.h"
 #include "exercises/kit/panels/sheet.h"
@@ -21,10 +24,13 @@ drawings::Chart along_pad(const Solution& s, const std::string& quantity, const 
   return chart;
 }
 
-SizedChart pressure_chart(const Solution& s, const geometry::FilmWedge<double>& film, Language language) {
+// p is x (l - x)/h² times a constant: of nearly parallel walls a double holds that, and not what they narrow by.
+MarkedChart pressure_chart(const Solution& s, const geometry::FilmWedge<double>& film, Language language) {
   drawings::Chart chart = along_pad(s, "$p$", "Pa", s["theory.p_max"]);
+  const auto shape = [&](double x) { return x * (film.l - x) / geometry::square(film.h(x)); };
+  const double constant = s["theory.p_max"] / shape(s["theory.x_p_max"]);
   chart.curves = {{.name = "pressure",
-                   .runs = run_of(0, film.l, [&](double x) { return film.pressure(x); }),
+                   .runs = run_of(0, film.l, [&](double x) { return constant * shape(x); }),
                    .meaning = Meaning::force}};
   chart.markers = {{.at = {s["theory.x_p_max"], s["theory.p_max"]},
                     .label = "$p_{max}$ = " + figures(s["theory.p_max"], 4, language) + " Pa",
@@ -36,31 +42,37 @@ SizedChart pressure_chart(const Solution& s, const geometry::FilmWedge<double>& 
     read.push_back({{share * s["l"], s[name]}, {}, name});
     chart.markers.push_back({.at = {share * s["l"], s[name]}, .meaning = Meaning::force});
   }
-  chart.verticals = {{.at = s["x_N"], .label = "$x_{N}$", .meaning = Meaning::force}};
-  return SizedChart(chart, read, one_of_three_in_a_column);
+  chart.verticals = {{.at = s["x_N"], .label = "$x_{N}$", .meaning = Meaning::construction}};
+  constexpr double load_arrow = 0.6;  // of the greatest pressure
+  return MarkedChart(chart, read, one_of_three_in_a_column,
+                     force_at(s["x_N"], load_arrow * s["theory.p_max"],
+                              "$\\it{N}$ = " + figures(s["N"], 4, language) + " N/m", "N"));
 }
 
-// N_p upwards, T_p across, each at a scale of its own.
-SizedChart force_triangle(const Solution& s) {
+// N_p upwards, T_p across, each at a scale of its own; φ as far as that lets it be seen.
+MarkedChart force_triangle(const Solution& s) {
   const double N = s["N_p"], T = s["theory.T_p"];
   drawings::Chart chart;
   chart.x = {.quantity = "$\\it{T}_{p}$", .unit = "N", .low = -0.2 * T, .high = 1.3 * T};
   chart.y = {.quantity = "$\\it{N}_{p}$", .unit = "N", .low = 0, .high = 1.1 * N};
-  chart.curves = {{.name = "N_p", .runs = {{{0, 0}, {0, N}}}, .meaning = Meaning::force, .label = "$\\it{N}_{p}$"},
-                  {.name = "T_p",
-                   .runs = {{{0, N}, {T, N}}},
-                   .meaning = Meaning::force,
-                   .line = drawings::LineType::continuous,
-                   .label = "$\\it{T}_{p}$"},
-                  {.name = "R",
-                   .runs = {{{0, 0}, {T, N}}},
-                   .meaning = Meaning::force,
-                   .line = drawings::LineType::continuous,
-                   .label = "$\\it{R}$"}};
-  chart.markers = {{.at = {0, 0}, .label = "$φ$", .meaning = Meaning::force},
-                   {.at = {T, N}, .meaning = Meaning::force}};
   constexpr ChartSize beside_the_ring{40, 100};
-  return SizedChart(chart, {{{T, N}, "theory.T_p", "N_p"}}, beside_the_ring);
+  const auto forces = [=](Plot& plot, const drawings::ChartMap& map) {
+    const drawings::Point foot = map.at({0, 0}), corner = map.at({0, N}), tip = map.at({T, N});
+    const auto add = [&](const char* name, const char* letters, drawings::Point from, drawings::Point to) {
+      plot.mark(drawings::Arrow{from, to, Meaning::force, name});
+      plot.onto().sheet.figure.labels.push_back({letters, from, to, Meaning::force});
+    };
+    add("N_p", "$\\it{N}_{p}$", foot, corner);
+    add("T_p", "$\\it{T}_{p}$", corner, tip);
+    add("R", "$\\it{R}$", foot, tip);
+    constexpr double share = 0.45;  // of N_p, where the arc is wide enough for a letter
+    const double radius = share * (corner.y - foot.y), upwards = std::numbers::pi / 2,
+                 along = std::atan2(tip.y - foot.y, tip.x - foot.x), middle = (upwards + along) / 2;
+    plot.mark(drawings::AngleMark{foot, radius, along, upwards, Meaning::force});
+    write_beside(plot, "$φ$", {foot.x + radius * std::cos(middle), foot.y + radius * std::sin(middle)}, foot,
+                 Meaning::force);
+  };
+  return MarkedChart(chart, {{{T, N}, "theory.T_p", "N_p"}}, beside_the_ring, forces);
 }
 
 SliderPoint point_of(const TableRow& row) {
@@ -139,6 +151,11 @@ PanelSheet pad_sheet(const Solution& s, Language language) {
                values({"alpha_deg"}), told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),
                workshop_values({"theory.h_2", "theory.h_1"}), values({"theory.alpha_deg"}),
                workshop_values({"theory.x_p_max", "theory.h_p_max"}), workshop_values({"theory.p_max", "p_m"}),
+               told({"$p_{m}$ is the mean over the whole pad, $b$·$l$; $p_{max}$ is that of the film, whose load "
+                     "$\\it{N}$ (its arrow is not to scale) acts on $b'$ alone.",
+                     "$p_{m}$ è la media su tutto il pattino, $b$·$l$; $p_{max}$ è quella del meato, il cui carico "
+                     "$\\it{N}$ (la freccia non è in scala) agisce sulla sola $b'$."},
+                    language),
                on_chord(s, {"Without side leakage, with the table:", "Senza fuoriuscite laterali, con la tabella:"},
                         language),
                workshop_values({"no_side_leakage.h_2", "no_side_leakage.h_1"})},

@@ -65,3 +65,11 @@ TEST_CASE("michell bearing: both parts of a velocity are added head to tail, and
     CHECK(couette[i].to.y == poiseuille[i].from.y);
   }
 }
+
+TEST_CASE("michell bearing: one pad around the whole ring is round", "[michell-bearing][sheets]") {
+  const DrawnSheet drawn = bearing().draw("bearing", {"pads=1", "l_pad=0.6", "x_N=0.36"});
+  std::size_t corners = 0;
+  for (const drawings::Line& each : all_of<drawings::Line>(drawn))
+    if (each.meaning == drawings::Meaning::link) corners = std::max(corners, each.path.pieces.size());
+  CHECK(corners > 300);
+}

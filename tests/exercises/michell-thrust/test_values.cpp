@@ -72,3 +72,17 @@ TEST_CASE("michell thrust: the root and the chord's n are measured back", "[mich
   CHECK(chord.second.x > chord.first.x);
   CHECK(tells(thrust().draw("coefficients", {"x_N_over_l=0.7"}), "there is no chord"));
 }
+
+TEST_CASE("michell thrust: forces have heads, the friction angle lies within them", "[michell-thrust][sheets]") {
+  const DrawnSheet drawn = thrust().draw("forces", {});
+  const drawings::Arrow N_p = arrow(drawn, "N_p"), T_p = arrow(drawn, "T_p"), R = arrow(drawn, "R");
+  CHECK(T_p.from.x == N_p.to.x);
+  CHECK(T_p.to.x == R.to.x);
+  CHECK(T_p.to.y == R.to.y);
+  const std::vector<drawings::AngleMark> angles = all_of<drawings::AngleMark>(drawn);
+  REQUIRE(angles.size() == 1);
+  CHECK(angles[0].to == Approx(std::numbers::pi / 2));
+  CHECK(std::tan(angles[0].from) == Approx((R.to.y - R.from.y) / (R.to.x - R.from.x)));
+  CHECK(tells(drawn, "not to scale"));
+  CHECK(arrow(thrust().draw("pad", {}), "N").to.y > arrow(thrust().draw("pad", {}), "N").from.y);
+}
