@@ -176,6 +176,8 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
                                      .length_letters = "$l$",
                                      .drag_letters = "$\\it{T}_{p}$",
                                      .couple_letters = "$\\it{M}$",
+                                     .width_letters = "$b$",
+                                     .gap_letters = "$d$",
                                      .mean_quantity = "R_m"}),
                        force_triangle(s)),
       .theory = {{{"Forces", "Forze"},

@@ -44,6 +44,21 @@ TEST_CASE("michell bearing: a polygon that misses its end is not said to close n
   CHECK_FALSE(tells(coarse, "does not quite close"));
 }
 
+TEST_CASE("michell bearing: tangents, sections without shear and the ratio of films are measured back",
+          "[michell-bearing][sheets]") {
+  for (const Assignments& assignments : {Assignments{}, Assignments{"h_1=0.8", "x_1=0.05"}}) {
+    const CheckedExercise result = bearing().checked(assignments);
+    CAPTURE(assignments, complaints(result));
+    CHECK(result.passed());
+    for (const char* name : {"inverse.tau_0_at_x_1", "inverse.tau_h_at_x_1", "inverse.tau_0_at_x_2",
+                             "inverse.tau_h_at_x_2", "inverse.tau_0_at_x_3", "inverse.tau_h_at_x_3",
+                             "inverse.x_shear_zero_fixed", "inverse.x_shear_zero_moving", "direct.n"}) {
+      CAPTURE(name);
+      CHECK_FALSE(find(result, name).on_sheets.empty());
+    }
+  }
+}
+
 TEST_CASE("michell bearing: both parts of a velocity are added head to tail, and what runs back is hatched",
           "[michell-bearing][sheets]") {
   const auto strokes = [](const DrawnSheet& drawn) {
