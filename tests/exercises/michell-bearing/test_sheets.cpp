@@ -81,6 +81,28 @@ TEST_CASE("michell bearing: both parts of a velocity are added head to tail, and
   }
 }
 
+TEST_CASE("michell bearing: the load stands as an arrow, and its strips above their lines of action",
+          "[michell-bearing][sheets]") {
+  CHECK(arrow(bearing().draw("pressures", {}), "N").to.y > arrow(bearing().draw("pressures", {}), "N").from.y);
+  const DrawnSheet drawn = bearing().draw("load", {});
+  const drawings::Arrow sum = arrow(drawn, "N_funicular");
+  CHECK(sum.from.x == sum.to.x);
+  // The curve of the pressures is as long as the slider below it.
+  const auto curve = ends_of(line(drawn, "pressure"));
+  const auto slider = all_of<drawings::Ground>(drawn).front();
+  CHECK(curve.first.x == Approx(slider.to.x));
+  CHECK(curve.second.x == Approx(slider.from.x));
+}
+
+TEST_CASE("michell bearing: every fifth of forty strips is numbered, and its ray", "[michell-bearing][sheets]") {
+  std::multiset<std::string> numbers;
+  for (const drawings::Writing& each : all_of<drawings::Writing>(bearing().draw("integration", {})))
+    numbers.insert(each.text);
+  for (const char* strip : {"1", "7", "39"}) CHECK(numbers.count(strip) == 0);
+  for (const char* both : {"35", "40"}) CHECK(numbers.count(both) == 2);
+  CHECK(numbers.count("5") >= 1);
+}
+
 TEST_CASE("michell bearing: one pad around the whole ring is round", "[michell-bearing][sheets]") {
   const DrawnSheet drawn = bearing().draw("bearing", {"pads=1", "l_pad=0.6", "x_N=0.36"});
   std::size_t corners = 0;
