@@ -83,7 +83,8 @@ std::vector<Row> rows(const Solution& s) {
     if (!s.value(of_film(at_station("h", x).name)) || at.x == 0) continue;
     all.push_back({geometry::to_text(at.x * 1000),
                    {of_film(at_station("dp_dx", x).name), of_film(at_station("p_bezout", x).name)},
-                   "–"});
+                   "–",
+                   true});
   }
   return all;
 }
@@ -117,7 +118,7 @@ PanelSheet pressures_sheet(const Solution& s, Language language) {
                    "Punti della pressione: formula di Bezout, ogni striscia con la media dei gradienti ai suoi "
                    "estremi. La curva è quella esatta. La freccia $\\it{N}$ non è in scala."},
                   language)}}},
-      .results = {table({"$x$ (mm)", "$p'$ (Pa/m)", "$p_{B}$ (Pa)"}, rows(s)),
+      .results = {table({"$x$ (mm)", "$p'$ (MPa/m)", "$p_{B}$ (MPa)"}, rows(s)),
                   values({of_film("h_bar"), of_film("x_bar")}), values({of_film("p_max")}),
                   values({of_film("N"), of_film("x_N")})},
       .seen = {"Film, gradients and pressures along the slider, one above the other",

@@ -178,7 +178,7 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
     bool is_in_workshop_units;
   };
   for (const Head& head :
-       {Head{"$h$ (mm)", "h", true}, Head{"$p'$ (Pa/m)", "dp_dx", false}, Head{"$p$ (MPa)", "p", true},
+       {Head{"$h$ (mm)", "h", true}, Head{"$p'$ (MPa/m)", "dp_dx", true}, Head{"$p$ (MPa)", "p", true},
         Head{"$τ_{0}$ (Pa)", "tau_0", false}, Head{"$τ_{h}$ (Pa)", "tau_h", false}}) {
     rows.push_back({head.words, {}, "–", head.is_in_workshop_units});
     for (const CrossSection& each : at) rows.back().names.push_back(of_film(at_station(head.of, each.station).name));

@@ -96,6 +96,7 @@ Problem::Problem(const Givens& givens)
       d(si(givens, "d", "mm", "m")),
       centre(givens["x_N_over_l"]),
       mu(si(givens, "mu", "kgf s/m^2", "Pa s")),
+      mu_in_kgf(givens["mu"]),
       pads(givens["z"]),
       speed(givens.angle("n_g")),
       beside(rows_beside(centre)) {

@@ -23,7 +23,7 @@ struct RowsBeside {
 };
 
 struct Problem {
-  Rational Q, D_e, D_i, d, centre, mu, pads;
+  Rational Q, D_e, D_i, d, centre, mu, mu_in_kgf, pads;
   Angle speed;
   // The rows of the table on both sides of the pivot; none where it is off the table.
   std::optional<RowsBeside> beside;

@@ -103,6 +103,10 @@ TEST_CASE("michell bearing: every fifth of forty strips is numbered, and its ray
   CHECK(numbers.count("5") >= 1);
 }
 
+TEST_CASE("michell bearing: a unit of several words stays with its number", "[michell-bearing][sheets]") {
+  CHECK(tells(bearing().draw("direct", {}), "0.035\u00a0Pa\u00a0s"));
+}
+
 TEST_CASE("michell bearing: one pad around the whole ring is round", "[michell-bearing][sheets]") {
   const DrawnSheet drawn = bearing().draw("bearing", {"pads=1", "l_pad=0.6", "x_N=0.36"});
   std::size_t corners = 0;
