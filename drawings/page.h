@@ -65,8 +65,9 @@ struct Page {
 // label that had to overlap something. Throws std::invalid_argument naming the mark for a coordinate that is not
 // finite, TooFar (output.h) for one that is too large.
 Page compose(const Sheet& sheet, std::vector<std::string>* conflicts = nullptr);
-// The same page, on which each primitive says which step drew it; and the steps.
-Page compose_in_steps(const Sheet& sheet);
+// The same page, on which each primitive says which step drew it; and the steps. `given`: the figure of the sheet to
+// be solved, which is there before the first.
+Page compose_in_steps(const Sheet& sheet, const Figure& given);
 // What the page shows after this step.
 Page after_step(Page page, int step);
 

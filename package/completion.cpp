@@ -73,7 +73,7 @@ std::string lines_of(const Description& about) {
     lines += fmt::format("sheet\t{}\t{}\t{}\n", about.id, sheet.name, harmless(sheet.title));
   for (const GivenSpec& given : about.givens)
     lines += fmt::format("given\t{}\t{}\t{}\n", about.id, given.symbol, harmless(given.meaning));
-  for (const Quantity& quantity : about.quantities)
+  for (const Quantity& quantity : about.quantities())
     lines += fmt::format("quantity\t{}\t{}\t{}\n", about.id, quantity.name, harmless(quantity.meaning));
   return lines;
 }

@@ -87,8 +87,7 @@ class FreePlaces {
     double least = unclear;
     for (const Point at : wished(stations(chart_.curves[i], map_), chart_.curves[i], map_)) {
       wanted.at = at;
-      for (const Candidate& candidate : clear_places_around_point(wanted, obstacles_, room)) {
-        if (candidate.cost >= least) continue;
+      for (const Candidate& candidate : clear_places_around_point(wanted, obstacles_, room, least)) {
         const double cost = candidate.cost + ambiguity(i, candidate.box);
         if (cost >= least) continue;
         least = cost;

@@ -161,8 +161,14 @@ bool cross(const Segment& first, const Segment& second) {
   return parted(first, second) && parted(second, first);
 }
 
-std::vector<Candidate> clear_places_around_point(const LabelBox& label, const Obstacles& obstacles, Box area) {
-  return clear_of(around_point(label, label.at, area), obstacles);
+std::vector<Candidate> clear_places_around_point(const LabelBox& label, const Obstacles& obstacles, Box area,
+                                                 double below) {
+  std::vector<Candidate> places = around_point(label, label.at, area);
+  const auto is_dear = [=](const Candidate& place) { return place.cost >= below; };
+  std::erase_if(places, is_dear);  // before lines close to it cost more, which takes long to find
+  places = clear_of(std::move(places), obstacles);
+  std::erase_if(places, is_dear);
+  return places;
 }
 
 std::vector<Candidate> clear_places(const LabelBox& label, const Obstacles& obstacles, Box area) {

@@ -33,8 +33,9 @@ inline constexpr double leaders_crossed = 10;
 
 bool cross(const Segment& first, const Segment& second);
 
-// Places inside `area` around the point the label belongs to, where it touches nothing.
-std::vector<Candidate> clear_places_around_point(const LabelBox& label, const Obstacles& obstacles, Box area);
+// Places inside `area` around the point the label belongs to, where it touches nothing, that cost less than `below`.
+std::vector<Candidate> clear_places_around_point(const LabelBox& label, const Obstacles& obstacles, Box area,
+                                                 double below);
 // The same beside the point or the segment it belongs to.
 std::vector<Candidate> clear_places(const LabelBox& label, const Obstacles& obstacles, Box area);
 // Farther off, with leaders, touching nothing: each costs at least price::leader.

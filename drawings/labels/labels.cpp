@@ -134,15 +134,14 @@ class Placement {
     return best;
   }
 
+  // Each in turn, until all stand best beside the others as they stand.
   void improve() {
-    for (int round = 0; round < 20; ++round) {
-      bool moved = false;
-      for (std::size_t i = 0; i < labels_.size(); ++i) {
-        const std::size_t best = best_option(i);
-        moved = moved || best != chosen_[i];
-        chosen_[i] = best;
-      }
-      if (!moved) return;
+    constexpr std::size_t rounds = 20;
+    std::size_t content = 0;  // labels in a row
+    for (std::size_t turn = 0; turn < rounds * labels_.size() && content < labels_.size(); ++turn) {
+      const std::size_t i = turn % labels_.size(), best = best_option(i);
+      content = best == chosen_[i] ? content + 1 : 1;
+      chosen_[i] = best;
     }
   }
 

@@ -125,11 +125,17 @@ void report(std::vector<std::string>& conflicts, const std::vector<Placeable>& i
   }
 }
 
-// `told`: the column, whose steps are asked for; null: they are not.
-std::vector<Primitive> figure_ink(const Figure& figure, Box area, const std::vector<Block>* told,
+// The column, whose steps are asked for, and the figure of the sheet to be solved.
+struct Construction {
+  const std::vector<Block>& column;
+  const Figure& given;
+};
+
+// `told`: null where nobody asks for steps.
+std::vector<Primitive> figure_ink(const Figure& figure, Box area, const Construction* told,
                                   std::vector<std::string>* conflicts) {
   std::optional<StepsOfMarks> of_marks;
-  if (told) of_marks = steps_of_marks(figure, *told);
+  if (told) of_marks = steps_of_marks(figure, told->column, told->given);
   const StepsOfMarks* const steps = of_marks ? &*of_marks : nullptr;
   Canvas canvas(area);
   draw_marks(canvas, figure, area, steps);
@@ -165,8 +171,7 @@ Stroke frame_line(Box frame) {
 }
 
 // The figure, its scale bars right under it.
-std::vector<Primitive> bare_ink(const Sheet& sheet, const std::vector<Block>* told,
-                                std::vector<std::string>* conflicts) {
+std::vector<Primitive> bare_ink(const Sheet& sheet, const Construction* told, std::vector<std::string>* conflicts) {
   Figure figure = sheet.figure;
   std::vector<ScaleBar> bars = taken_out(figure);
   std::vector<Primitive> primitives = figure_ink(figure, drawing_area(sheet.paper), told, conflicts);
@@ -174,9 +179,8 @@ std::vector<Primitive> bare_ink(const Sheet& sheet, const std::vector<Block>* to
   return primitives;
 }
 
-Page composed(const Sheet& sheet, bool in_steps, std::vector<std::string>* conflicts) {
+Page composed(const Sheet& sheet, const Construction* told, std::vector<std::string>* conflicts) {
   const Timed timed(Work::layout);
-  const std::vector<Block>* const told = in_steps ? &sheet.column : nullptr;
   Page page{sheet.id, sheet.title, sheet.description, paper_box(sheet.paper), sheet.language, {}, !sheet.bare};
   if (sheet.bare) {
     page.primitives = bare_ink(sheet, told, conflicts);
@@ -189,17 +193,18 @@ Page composed(const Sheet& sheet, bool in_steps, std::vector<std::string>* confl
   page.primitives.push_back(frame_line(parts.frame));
   append(page.primitives, set_title_block(sheet, parts.title_block, conflicts));
   std::vector<Primitive> column = set_column(sheet.column, parts.column, sheet.language, conflicts);
-  if (!in_steps) belongs_to(0, column);
+  if (!told) belongs_to(0, column);
   append(page.primitives, std::move(column));
   return page;
 }
 
 }  // namespace
 
-Page compose(const Sheet& sheet, std::vector<std::string>* conflicts) { return composed(sheet, false, conflicts); }
+Page compose(const Sheet& sheet, std::vector<std::string>* conflicts) { return composed(sheet, nullptr, conflicts); }
 
-Page compose_in_steps(const Sheet& sheet) {
-  Page page = composed(sheet, true, nullptr);
+Page compose_in_steps(const Sheet& sheet, const Figure& given) {
+  const Construction told{sheet.column, given};
+  Page page = composed(sheet, &told, nullptr);
   for (const Block& block : sheet.column)
     if (const auto* steps = std::get_if<Steps>(&block))
       page.steps.insert(page.steps.end(), steps->lines.begin(), steps->lines.end());

@@ -4,12 +4,18 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
+#include "drawings/marks/canvas.h"
+#include "drawings/marks/symbols.h"
+#include "drawings/output.h"
 #include "drawings/paths/flatten.h"
 #include "drawings/paths/vectors.h"
+#include "drawings/sheet/layout.h"
 #include "drawings/text/text.h"
 
 namespace epure::drawings {
@@ -99,14 +105,78 @@ std::optional<std::pair<Point, Point>> straight(const Path& path) {
   return std::pair{path.start, path.pieces.front().end};
 }
 
+// What both sheets were given is drawn at the same numbers.
+bool is_equal(Point a, Point b) { return a.x == b.x && a.y == b.y; }
+bool is_equal(const Path& a, const Path& b) {
+  const auto same = [](const Piece& p, const Piece& q) {
+    return p.straight == q.straight && is_equal(p.end, q.end) &&
+           (p.straight ||
+            (is_equal(p.first_control, q.first_control) && is_equal(p.second_control, q.second_control)));
+  };
+  return a.closed == b.closed && is_equal(a.start, b.start) &&
+         std::equal(a.pieces.begin(), a.pieces.end(), b.pieces.begin(), b.pieces.end(), same);
+}
+bool is_equal(const Stroke& a, const Stroke& b) {
+  return a.width == b.width && a.dashes == b.dashes && a.colour == b.colour && is_equal(a.path, b.path);
+}
+bool is_equal(const Fill& a, const Fill& b) { return a.colour == b.colour && is_equal(a.path, b.path); }
+bool is_equal(const PlacedText& a, const PlacedText& b) {
+  return a.text == b.text && a.size == b.size && is_equal(a.baseline, b.baseline);
+}
+bool is_equal(const Primitive& a, const Primitive& b) {
+  return a.index() == b.index() &&
+         std::visit([&](const auto& p) { return is_equal(p, std::get<std::decay_t<decltype(p)>>(b)); }, a);
+}
+
+// Nothing of what is off the paper, or cannot be drawn: that is refused where it is.
+std::vector<Primitive> ink_of(const Mark& mark) {
+  Canvas canvas(paper_box(Paper::a3));  // the largest
+  try {
+    draw(canvas, mark);
+  } catch (const std::invalid_argument&) {
+    return {};
+  } catch (const TooFar&) {
+    return {};
+  }
+  return canvas.take();
+}
+
+// The marks and letters of the sheet to be solved.
+class GivenInk {
+ public:
+  explicit GivenInk(const Figure& figure) : labels_(figure.labels) {
+    for (const Mark& mark : figure.marks) inks_.push_back(ink_of(mark));
+  }
+  bool has(const Mark& mark) const {
+    const std::vector<Primitive> ink = ink_of(mark);
+    return std::any_of(inks_.begin(), inks_.end(), [&](const std::vector<Primitive>& given) {
+      return std::equal(given.begin(), given.end(), ink.begin(), ink.end(),
+                        [](const Primitive& a, const Primitive& b) { return is_equal(a, b); });
+    });
+  }
+  bool has(const Label& label) const {
+    return std::any_of(labels_.begin(), labels_.end(), [&](const Label& given) {
+      return given.text == label.text && is_equal(given.at, label.at) && given.to.has_value() == label.to.has_value();
+    });
+  }
+
+ private:
+  std::vector<std::vector<Primitive>> inks_;
+  const std::vector<Label>& labels_;
+};
+
 class Finder {
  public:
-  Finder(const Figure& figure, const std::vector<Block>& column) : figure_(figure) {
+  Finder(const Figure& figure, const std::vector<Block>& column, const Figure& given) : figure_(figure) {
+    const GivenInk givens(given);
+    for (const Mark& mark : figure.marks) is_given_mark_.push_back(givens.has(mark));
+    for (const Label& label : figure.labels) is_given_label_.push_back(givens.has(label));
     for (const Block& block : column)
       if (const auto* steps = std::get_if<Steps>(&block))
         for (std::size_t i = 0; i < steps->lines.size(); ++i)
           words_.push_back({steps->first + static_cast<int>(i), symbols(steps->lines[i]), steps->lines[i]});
-    for (const Mark& mark : figure.marks) std::visit([this](const auto& m) { note_given(m); }, mark);
+    for (std::size_t i = 0; i < figure.marks.size(); ++i)
+      if (is_given_mark_[i]) std::visit([this](const auto& m) { note_given(m); }, figure.marks[i]);
   }
 
   StepsOfMarks find() {
@@ -119,8 +189,9 @@ class Finder {
     for_each<AngleMark>(
         [this](const AngleMark& a) { return std::max(beside(a), between_lines(a.at, a.from, a.to)); });
     for_each<Rotation>([this](const Rotation& r) { return of_point(r.centre).value_or(beside(r)); });
-    for (std::size_t i = 0; i < figure_.labels.size(); ++i) found_.labels[i] = of(figure_.labels[i]);
-    for_each<Area>([this](const Area& area) { return area.meaning == Meaning::plate ? 0 : of_curve(area.path); });
+    for (std::size_t i = 0; i < figure_.labels.size(); ++i)
+      if (!is_given_label_[i]) found_.labels[i] = of(figure_.labels[i]);
+    for_each<Area>([this](const Area& area) { return of_curve(area.path); });
     for_each<Dot>([this](const Dot& dot) { return of_point(dot.at).value_or(earliest_through(dot.at)); });
     for_each<Cross>([this](const Cross& cross) { return of_point(cross.at).value_or(earliest_through(cross.at)); });
     for_each<DataPoint>([this](const DataPoint& p) { return of_point(p.at).value_or(earliest_through(p.at)); });
@@ -129,10 +200,33 @@ class Finder {
       const int told = first_to_speak_of(dimension.text);
       return told > 0 ? told : std::max(of_point(dimension.from).value_or(0), of_point(dimension.to).value_or(0));
     });
+    show_the_rest_late();
     return found_;
   }
 
  private:
+  // What is drawn alike is mostly drawn together: the twelve positions of a mechanism, of which one has the number.
+  // Where nothing tells, a mark comes with the last of its kind, and where nothing of it is known with the last step.
+  void show_the_rest_late() {
+    using Kind = std::tuple<std::size_t, int, bool, bool>;
+    const auto kind_of = [](const Mark& mark) {
+      const auto* line = std::get_if<Line>(&mark);
+      return Kind{mark.index(), line ? static_cast<int>(line->meaning) : 0, line && line->path.closed,
+                  line && straight(line->path)};
+    };
+    std::map<Kind, int> last_of_kind;
+    for (std::size_t i = 0; i < figure_.marks.size(); ++i)
+      if (int& last = last_of_kind[kind_of(figure_.marks[i])]; found_.marks[i] > last) last = found_.marks[i];
+    const int last_step = words_.back().number;
+    for (std::size_t i = 0; i < figure_.marks.size(); ++i)
+      if (!is_given_mark_[i] && found_.marks[i] == 0) {
+        const int last = last_of_kind[kind_of(figure_.marks[i])];
+        found_.marks[i] = last > 0 ? last : last_step;
+      }
+    for (std::size_t i = 0; i < figure_.labels.size(); ++i)
+      if (!is_given_label_[i] && found_.labels[i] == 0) found_.labels[i] = last_step;
+  }
+
   struct Told {
     int number;
     std::vector<std::string> symbols;
@@ -142,36 +236,23 @@ class Finder {
   template <class Kind, class Find>
   void for_each(Find find) {
     for (std::size_t i = 0; i < figure_.marks.size(); ++i)
-      if (const auto* mark = std::get_if<Kind>(&figure_.marks[i])) found_.marks[i] = find(*mark);
+      if (const auto* mark = std::get_if<Kind>(&figure_.marks[i]); mark && !is_given_mark_[i])
+        found_.marks[i] = find(*mark);
   }
 
   // Points of the mechanism.
   void note_given(const Hinge& hinge) { given_.push_back(hinge.at); }
   void note_given(const FixedHinge& hinge) { given_.push_back(hinge.at); }
-  void note_given(const Slider& slider) {
-    given_.push_back(slider.at);
-    blocks_.push_back(slider.at);
-  }
+  void note_given(const Slider& slider) { given_.push_back(slider.at); }
   void note_given(const Line& line) {
-    if (!is_of_mechanism(line)) return;
+    if (line.meaning != Meaning::link && line.meaning != Meaning::ground) return;
     given_.push_back(line.path.start);
     for (const Piece& piece : line.path.pieces) given_.push_back(piece.end);
   }
   template <class Other>
   void note_given(const Other&) {}
-  // Where links stand for what they bear, as in the plan of a truss, each has its name.
-  static bool is_of_mechanism(const Line& line) {
-    return (line.meaning == Meaning::link && line.name.empty()) || line.meaning == Meaning::ground;
-  }
-
   bool is_given(Point p) const {
     return std::any_of(given_.begin(), given_.end(), [&](Point g) { return is_same(g, p); });
-  }
-
-  // A slider's letters stand at a corner of its block.
-  bool is_on_block(Point p) const {
-    constexpr double to_corner = 5.9;  // mm: of 10 mm x 6 mm
-    return std::any_of(blocks_.begin(), blocks_.end(), [&](Point b) { return distance(b, p) < to_corner; });
   }
 
   // The first step whose words have these letters; 0: none has.
@@ -285,7 +366,6 @@ class Finder {
   }
 
   int of(const Line& line) const {
-    if (is_of_mechanism(line) || line.meaning == Meaning::dimension) return 0;
     const auto ends = straight(line.path);
     if (!ends) return of_curve(line.path, line.name);
     const auto& [from, to] = *ends;
@@ -350,7 +430,6 @@ class Finder {
       return std::max(first_to_speak_of(label.text),
                       std::max(of_point(label.at).value_or(0), of_point(*label.to).value_or(0)));
     }
-    if (is_on_block(label.at)) return 0;
     if (const auto step = of_arc_beside(label)) return *step;
     if (const auto step = of_point(label.at)) return *step;
     if (const int step = earliest_through(label.at)) return step;
@@ -419,14 +498,14 @@ class Finder {
   const Figure& figure_;
   std::vector<Told> words_;
   std::vector<Point> given_;
-  std::vector<Point> blocks_;  // of sliders: their middles
+  std::vector<bool> is_given_mark_, is_given_label_;
   StepsOfMarks found_;
 };
 
 }  // namespace
 
-StepsOfMarks steps_of_marks(const Figure& figure, const std::vector<Block>& column) {
-  return Finder(figure, column).find();
+StepsOfMarks steps_of_marks(const Figure& figure, const std::vector<Block>& column, const Figure& given) {
+  return Finder(figure, column, given).find();
 }
 
 }  // namespace epure::drawings

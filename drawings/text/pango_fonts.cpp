@@ -66,8 +66,12 @@ PangoFont* load(PangoContext* context, const Shipped& wanted) {
         fmt::format("{} does not hold its font: Pango found {} instead", wanted.file, name.get()),
         fmt::format("{} non contiene il suo carattere: Pango ha trovato invece {}", wanted.file, name.get()));
   }
-  if (hb_face_get_upem(hb_font_get_face(pango_font_get_hb_font(font.get()))) != static_cast<unsigned>(units_per_em))
-
+  hb_face_t* const face = hb_font_get_face(pango_font_get_hb_font(font.get()));
+  // Of a file that was there but could not be opened again HarfBuzz makes a face without any glyph.
+  if (hb_face_get_glyph_count(face) == 0)
+    throw Unavailable(fmt::format("the font {} cannot be read", wanted.file),
+                      fmt::format("il carattere {} non si può leggere", wanted.file));
+  if (hb_face_get_upem(face) != static_cast<unsigned>(units_per_em))
     throw Unavailable(fmt::format("{} is drawn in other units than {} to the em", wanted.file, units_per_em),
                       fmt::format("{} è disegnato in unità diverse da {} per em", wanted.file, units_per_em));
   return font.release();

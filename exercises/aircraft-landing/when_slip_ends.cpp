@@ -7,6 +7,7 @@
 namespace epure::aircraft_landing {
 namespace {
 
+using geometry::at_each_precision;
 using geometry::Sign;
 
 bool is_not_negative(const Deep& rest) {
@@ -69,8 +70,9 @@ void by_euler(const Landing& of, const EulerCase& scheme, bool as_map, const Put
   const Rational step = scheme.step;
   for (const int k : scheme.after) {
     const std::string index = std::to_string(k);
-    put("v_" + index, [=] { return after_steps(law, step, k, how).v; });
-    put("omega_" + index, [=] { return after_steps(law, step, k, how).omega; });
+    const auto after = at_each_precision([=] { return after_steps(law, step, k, how); });
+    put("v_" + index, [=] { return after().v; });
+    put("omega_" + index, [=] { return after().omega; });
   }
   if (scheme.after.front() == 1) {
     put("rim_speed_over_speed_1", [=] {
@@ -82,8 +84,9 @@ void by_euler(const Landing& of, const EulerCase& scheme, bool as_map, const Put
     });
     return;
   }
-  put("steps", [=] { return Deep(end_of_slip(law, step, how).steps); });
-  put("t_s", [=] { return end_of_slip(law, step, how).t_s; });
+  const auto end = at_each_precision([=] { return end_of_slip(law, step, how); });
+  put("steps", [=] { return Deep(end().steps); });
+  put("t_s", [=] { return end().t_s; });
 }
 
 }  // namespace epure::aircraft_landing

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "exercises/aircraft-landing/routes.h"
+#include "geometry/numbers/at_each_precision.h"
 
 namespace epure::aircraft_landing {
 
@@ -10,18 +11,14 @@ using geometry::analytic::SpinUp;
 
 class WhenSlipEnds {
  public:
-  WhenSlipEnds(SpinUp law, SpinState (*find)(const SpinUp&)) : law_(std::move(law)), find_(find) {}
+  WhenSlipEnds(const SpinUp& law, SpinState (*find)(const SpinUp&))
+      : law_(law), found_(geometry::at_each_precision([=] { return find(law); })) {}
   const SpinUp& law() const { return law_; }
-  const SpinState& operator()() const {
-    const long bits = geometry::Arithmetic<Deep>::bits();
-    const auto found = found_->find(bits);
-    return found != found_->end() ? found->second : found_->emplace(bits, find_(law_)).first->second;
-  }
+  const SpinState& operator()() const { return found_(); }
 
  private:
   SpinUp law_;
-  SpinState (*find_)(const SpinUp&);
-  std::shared_ptr<std::map<long, SpinState>> found_ = std::make_shared<std::map<long, SpinState>>();
+  std::function<const SpinState&()> found_;
 };
 
 // Writes what is reported in this extent; absent where the wheel does not press on the ground.

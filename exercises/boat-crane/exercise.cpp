@@ -28,13 +28,40 @@ std::unique_ptr<Exercise> make_boat_crane() {
   };
   return exercise_of_panels(
       std::move(about), solve,
-      {{{"reactions", {"Reactions, moments, shear", "Reazioni, momenti, taglio"}}, reactions_sheet},
-       {{"elastic-line", {"Elastic line and sinking of the boat", "Linea elastica e abbassamento della barca"}},
+      {{{"reactions",
+         {"Reactions, moments, shear", "Reazioni, momenti, taglio"},
+         {"A crane lifts a boat. Find reactions, bending moments and shear of its beam and the force in its column.",
+          "Una gru solleva una barca. Trovare le reazioni, i momenti flettenti e il taglio della trave e la forza "
+          "nella colonna."}},
+        reactions_sheet},
+       {{"elastic-line",
+         {"Elastic line and sinking of the boat", "Linea elastica e abbassamento della barca"},
+         {"A crane lifts a boat. Find the elastic line of its beam and how far the boat sinks.",
+          "Una gru solleva una barca. Trovare la linea elastica della trave e di quanto si abbassa la barca."}},
         elastic_sheet},
-       {{"section", {"Stresses of section C", "Tensioni nella sezione C"}}, section_sheet},
-       {{"fatigue", {"Fatigue: Soderberg's diagram", "Fatica: diagramma di Soderberg"}}, fatigue_sheet},
-       {{"buckling", {"Buckling: Euler's hyperbola", "Instabilità: iperbole di Eulero"}}, buckling_sheet},
-       {{"checks", {"All checks, both masses", "Tutte le verifiche, le due masse"}}, checks_sheet}});
+       {{"section",
+         {"Stresses of section C", "Tensioni nella sezione C"},
+         {"A crane lifts a boat. Find the stresses of its beam in section C and check it against yield.",
+          "Una gru solleva una barca. Trovare le tensioni della trave nella sezione C e verificarla a snervamento."}},
+        section_sheet},
+       {{"fatigue",
+         {"Fatigue: Soderberg's diagram", "Fatica: diagramma di Soderberg"},
+         {"A crane lifts a boat an unlimited number of times. Check its beam against fatigue by Soderberg's diagram.",
+          "Una gru solleva una barca un numero illimitato di volte. Verificare la trave a fatica con il diagramma di "
+          "Soderberg."}},
+        fatigue_sheet},
+       {{"buckling",
+         {"Buckling: Euler's hyperbola", "Instabilità: iperbole di Eulero"},
+         {"A crane lifts a boat. Check its column against buckling by Euler's hyperbola.",
+          "Una gru solleva una barca. Verificare la colonna a carico di punta con l'iperbole di Eulero."}},
+        buckling_sheet},
+       {{"checks",
+         {"All checks, both masses", "Tutte le verifiche, le due masse"},
+         {"A crane lifts a boat an unlimited number of times. Check beam and column against yield, fatigue and "
+          "buckling, for both masses.",
+          "Una gru solleva una barca un numero illimitato di volte. Verificare trave e colonna a snervamento, a "
+          "fatica e a carico di punta, per le due masse."}},
+        checks_sheet}});
 }
 
 }  // namespace epure

@@ -117,15 +117,27 @@ PanelSheet fatigue_sheet(const Solution& s, Language language) {
   state(with_600, "1 (600 kg)");
   chart.markers.push_back(
       {.at = {-in_MPa("sigma_m2"), -in_MPa("sigma_zN")}, .label = "2", .meaning = Meaning::force});
-  const Words how{
+  const Words no_range{
+      "The mean stress of the state 1 reaches the yield stress: no range of stress is left, there is no line and no "
+      "$Δσ_{eff}$, and the check does not hold. ",
+      "La tensione media dello stato 1 raggiunge lo snervamento: non resta ampiezza alcuna, non ci sono la retta né "
+      "la "
+      "$Δσ_{eff}$, e la verifica non vale. "};
+  const Words by_line{
       "The line from the yield stress through the state 1 of the beam meets the axis of $Δσ$ in $Δσ_{eff}$, the "
       "range that is worth it with a mean stress of zero. The check holds when that is not above $Δσ_{L}$/$Ψ$: "
-      "when the state lies below the dashed line. 2: the column, with magnitudes; its signed "
-      "$Δσ_{eff2}$ takes the compression for a help.",
+      "when the state lies below the dashed line. ",
       "La retta dallo snervamento per lo stato 1 della trave incontra l'asse delle $Δσ$ in $Δσ_{eff}$, "
       "l'ampiezza equivalente a tensione media nulla. La verifica vale se non supera $Δσ_{L}$/$Ψ$: se lo stato "
-      "sta sotto la linea tratteggiata. 2: la colonna, con i moduli; la sua $Δσ_{eff2}$ con segno conta la "
-      "compressione come un aiuto."};
+      "sta sotto la linea tratteggiata. "};
+  const Words column{
+      "2: the column, with magnitudes; its signed $Δσ_{eff2}$ takes the compression for a help, so that its check "
+      "may "
+      "hold with the point above the dashed line.",
+      "2: la colonna, con i moduli; la sua $Δσ_{eff2}$ con segno conta la compressione come un aiuto, sicché la "
+      "verifica "
+      "può valere con il punto sopra la linea tratteggiata."};
+  const Words how = (s.value("Delta_sigma_eff") ? by_line : no_range) + column;
   return {.panels = panels(ChartPanel(std::move(chart), std::move(reads))),
           .theory = {{{"Construction", "Costruzione"}, {remark(how.in(language))}}},
           .results = {workshop_values({"Delta_sigma", "sigma_m"}),
@@ -168,37 +180,41 @@ PanelSheet buckling_sheet(const Solution& s, Language language) {
                    .runs = {{{0, yield}, {limit, yield}}},
                    .meaning = Meaning::second_locus,
                    .label = "$σ_{S}$"}};
-  chart.markers = {
-      {.at = {slenderness, critical}, .label = "$\\it{P}_{cr}$/$\\it{A}_{2}$", .meaning = Meaning::locus},
-      {.at = {slenderness, load("")}, .label = "|$σ_{zN}$|", .meaning = Meaning::force},
-      {.at = {slenderness, load(with_600)}, .label = "|$σ_{zN}$| (600 kg)", .meaning = Meaning::force},
-      {.at = {limit, yield}, .label = "$λ_{lim}$", .meaning = Meaning::locus}};
+  chart.markers = {{.at = {slenderness, load("")}, .label = "|$σ_{zN}$|", .meaning = Meaning::force},
+                   {.at = {slenderness, load(with_600)}, .label = "|$σ_{zN}$| (600 kg)", .meaning = Meaning::force},
+                   {.at = {limit, yield}, .label = "$λ_{lim}$", .meaning = Meaning::locus}};
+  std::vector<ChartPanel::Read> reads{{{limit, yield}, "slenderness_limit", ""}};
+  const bool is_slender = slenderness >= limit;
+  if (is_slender) {
+    chart.markers.push_back(
+        {.at = {slenderness, critical}, .label = "$\\it{P}_{cr}$/$\\it{A}_{2}$", .meaning = Meaning::locus});
+    reads.push_back({{slenderness, critical}, "slenderness", "P_cr", 1, A * mega});
+  }
   chart.verticals = {{slenderness, "$λ$"}};
   const Words axis = s["J_y2"] <= s["J_x2"]
                          ? Words{"The column is weaker about the axis $y$, in the plane of its flanges: ",
                                  "La colonna è più debole attorno all'asse $y$, nel piano delle piattabande: "}
                          : Words{"The column is weaker about the axis $x$, in the plane of its web: ",
                                  "La colonna è più debole attorno all'asse $x$, nel piano dell'anima: "};
-  const Words how =
-      axis + Words{
-                 "$i_{min}$ = √($\\it{J}_{min}$/$\\it{A}_{2}$), $λ$ = $\\it{H}_{0}$/$i_{min}$. Above it the "
-                 "hyperbola has Euler's stress; times $\\it{A}_{2}$ it is the critical load.",
-                 "$i_{min}$ = √($\\it{J}_{min}$/$\\it{A}_{2}$), $λ$ = $\\it{H}_{0}$/$i_{min}$. Sopra, "
-                 "l'iperbole dà la tensione di Eulero; per $\\it{A}_{2}$ è il carico critico."};
+  const Words ratio = axis + Words{"$i_{min}$ = √($\\it{J}_{min}$/$\\it{A}_{2}$), $λ$ = $\\it{H}_{0}$/$i_{min}$.",
+                                   "$i_{min}$ = √($\\it{J}_{min}$/$\\it{A}_{2}$), $λ$ = $\\it{H}_{0}$/$i_{min}$."};
+  const Words above{" Above it the hyperbola has Euler's stress; times $\\it{A}_{2}$ it is the critical load.",
+                    " Sopra, l'iperbole dà la tensione di Eulero; per $\\it{A}_{2}$ è il carico critico."};
+  const Words how = is_slender ? ratio + above : ratio;
   const Words valid =
-      slenderness >= limit
+      is_slender
           ? Words{"$λ$ is beyond $λ_{lim}$: the column buckles before it yields.",
                   "$λ$ supera $λ_{lim}$: la colonna s'inflette prima di snervarsi."}
           : Words{"$λ$ is below $λ_{lim}$: the column yields before Euler's load, which does not hold there.",
                   "$λ$ è minore di $λ_{lim}$: la colonna si snerva prima del carico di Eulero, che lì non vale."};
   return {
-      .panels = panels(ChartPanel(std::move(chart), {{{slenderness, critical}, "slenderness", "P_cr", 1, A * mega},
-                                                     {{limit, yield}, "slenderness_limit", ""}})),
+      .panels = panels(ChartPanel(std::move(chart), std::move(reads))),
       .theory = {{{"Construction", "Costruzione"}, {remark(how.in(language)), remark(valid.in(language))}}},
       .results = {workshop_values({"A_2"}), workshop_values({"J_x2", "J_y2"}), workshop_values({"J_min", "i_min"}),
                   values({"slenderness", "slenderness_limit"}), values({"P_cr", "P_cr_over_Psi"}),
                   values({"P_cr_strong_axis"}), workshop_values({"N_2", "sigma_zN"}),
-                  values({"buckling_utilisation", "buckling_safety_factor"})},
+                  values(is_slender ? std::vector<std::string>{"buckling_utilisation", "buckling_safety_factor"}
+                                    : std::vector<std::string>{})},
       .seen = {"Euler's hyperbola of the column with its points",
                "L'iperbole di Eulero della colonna con i suoi punti"},
       .told = {"slenderness", "slenderness_limit", "P_cr", "N_2", "buckling_safety_factor"},

@@ -24,12 +24,44 @@ std::unique_ptr<Exercise> make_cam_dynamics() {
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes(cam(givens)), rung); };
   return exercise_of_panels(
       std::move(about), solve,
-      {{{"velocities", {"Velocities", "Velocità"}}, velocity_sheet},
-       {{"accelerations", {"Accelerations", "Accelerazioni"}}, acceleration_sheet},
-       {{"forces", {"Forces and torque", "Forze e coppia"}}, forces_sheet},
-       {{"maximum-lift", {"Maximum lift", "Massima alzata"}}, maximum_lift_sheet},
-       {{"inversion", {"Lift by inversion", "Alzata per inversione"}}, lift_sheet},
-       {{"closing-force", {"Closing force over the turn", "Forza di chiusura nel giro"}}, closing_force_sheet}});
+      {{{"velocities",
+         {"Velocities", "Velocità"},
+         {"An eccentric cam moves a roller follower. In the given position find the velocities by the polar diagram.",
+          "Una camma eccentrica muove una punteria a rotella. Nella posizione data trovare le velocità con il "
+          "diagramma polare."}},
+        velocity_sheet},
+       {{"accelerations",
+         {"Accelerations", "Accelerazioni"},
+         {"An eccentric cam moves a roller follower. In the given position find the accelerations by the polar "
+          "diagram.",
+          "Una camma eccentrica muove una punteria a rotella. Nella posizione data trovare le accelerazioni con il "
+          "diagramma polare."}},
+        acceleration_sheet},
+       {{"forces",
+         {"Forces and torque", "Forze e coppia"},
+         {"An eccentric cam moves a roller follower. In the given position find the reactions and the driving "
+          "torque.",
+          "Una camma eccentrica muove una punteria a rotella. Nella posizione data trovare le reazioni e la coppia "
+          "motrice."}},
+        forces_sheet},
+       {{"maximum-lift",
+         {"Maximum lift", "Massima alzata"},
+         {"An eccentric cam moves a roller follower. At maximum lift find the least closing force that keeps contact "
+          "at the second speed.",
+          "Una camma eccentrica muove una punteria a rotella. All'alzata massima trovare la minima forza di chiusura "
+          "che mantiene il contatto alla seconda velocità."}},
+        maximum_lift_sheet},
+       {{"inversion",
+         {"Lift by inversion", "Alzata per inversione"},
+         {"An eccentric cam moves a roller follower. Find the lift over the turn by inversion of the motion.",
+          "Una camma eccentrica muove una punteria a rotella. Trovare l'alzata nel giro per inversione del moto."}},
+        lift_sheet},
+       {{"closing-force",
+         {"Closing force over the turn", "Forza di chiusura nel giro"},
+         {"An eccentric cam moves a roller follower. Find the closing force that keeps contact over the turn.",
+          "Una camma eccentrica muove una punteria a rotella. Trovare la forza di chiusura che mantiene il contatto "
+          "nel giro."}},
+        closing_force_sheet}});
 }
 
 }  // namespace epure

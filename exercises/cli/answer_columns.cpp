@@ -27,6 +27,7 @@ HeadedBy heading_of(const std::string& column) {
   return {column, {}};
 }
 
+constexpr std::size_t scale_and_blank = 6;  // "scale ", "scala "
 bool heads_scale(const std::string& head) {
   const std::array<std::string_view, 2> names{"scale", "scala"};
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
@@ -73,7 +74,7 @@ class ColumnReader {
  public:
   ColumnReader(const Exercise& exercise, const CsvTable& table, TableRole role, AnswerColumns& found)
       : about_(exercise.about()), table_(table), role_(role), found_(found), given_names_(given_names(exercise)) {
-    for (const Quantity& each : about_.quantities)
+    for (const Quantity& each : about_.quantities())
       quantity_names_.push_back({each.name, unicode_symbol(each.symbol)});
   }
 
@@ -88,13 +89,21 @@ class ColumnReader {
     return std::any_of(all.begin(), all.end(), [&](const AskedColumn& each) { return each.name == name; });
   }
   const Quantity* quantity(const std::string& name) const {
-    const auto found = std::find_if(about_.quantities.begin(), about_.quantities.end(),
+    const auto found = std::find_if(about_.quantities().begin(), about_.quantities().end(),
                                     [&](const Quantity& each) { return each.name == name; });
-    return found == about_.quantities.end() ? nullptr : &*found;
+    return found == about_.quantities().end() ? nullptr : &*found;
   }
   const GivenSpec* given(const std::string& name) const {
     const std::size_t i = index_of(about_.givens, ascii_name(name, given_names_));
     return i == about_.givens.size() ? nullptr : &about_.givens[i];
+  }
+
+  // That of "scale poles".
+  const SheetSpec* sheet_to_scale(const std::string& head) const {
+    if (!heads_scale(head) || head.size() < scale_and_blank) return nullptr;
+    const auto found = std::find_if(about_.sheets.begin(), about_.sheets.end(),
+                                    [&](const SheetSpec& each) { return each.name == head.substr(scale_and_blank); });
+    return found == about_.sheets.end() ? nullptr : &*found;
   }
 
   // Of a name that a given and a quantity have. A key's givens have their units in the cells, not in the heading.
@@ -110,6 +119,10 @@ class ColumnReader {
     if (heads_numbers(typed) || heads_names(typed) || is_of_no_account(typed)) return;
     if (role_ == TableRole::answers && heads_scale(typed)) {
       found_.scales.push_back(column);
+      return;
+    }
+    if (const SheetSpec* sheet = role_ == TableRole::key ? sheet_to_scale(typed) : nullptr) {
+      found_.sheets.push_back({column, sheet->name, ""});
       return;
     }
     const HeadedBy heading = heading_of(typed);
@@ -142,7 +155,7 @@ class ColumnReader {
   // What nearly is the name of something that is asked is no column of something else.
   void demand_far(const std::string& typed, const std::string& name) const {
     std::vector<std::string> known, meant;
-    for (const Quantity& each : about_.quantities) known.push_back(each.name);
+    for (const Quantity& each : about_.quantities()) known.push_back(each.name);
     for (const GivenSpec& each : about_.givens) known.push_back(each.symbol);
     for (const std::string& each : known)
       if (bones(each) == bones(name) || begins_with(name, each) || has_word(name, each)) meant.push_back(each);

@@ -30,6 +30,7 @@ struct AnswerColumns {
   std::optional<std::size_t> numbers = {};
   std::vector<std::size_t> scales = {};
   std::vector<AskedColumn> givens = {}, quantities = {};
+  std::vector<AskedColumn> sheets = {};    // of a key: at which scale they were drawn, 0.2 for 1 : 5
   std::vector<std::string> left_out = {};  // the heads of what is none of all this
 };
 

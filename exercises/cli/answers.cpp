@@ -29,6 +29,32 @@ bool stands_for_nothing(const std::string& answer) {
   return said.empty() || std::find(words.begin(), words.end(), said) != words.end();
 }
 
+// "3.2 m/s" of "circa 3.2 m/s", "ca. 3.2 m/s", "~3.2 m/s" and "3.2? m/s"; the text itself of one without doubt.
+std::string without_doubt(const std::string& answer) {
+  static const std::array<std::string_view, 11> about{
+      "circa ", "ca. ", "ca ", "c.a ", "about ", "approx. ", "approx ", "approximately ", "≈", "~", "∼"};
+  std::string text = trimmed(answer);
+  if (text.find_first_of("0123456789") == std::string::npos) return text;
+  for (const std::string_view word : about)
+    if (lower_case(text).starts_with(word)) text = trimmed(std::string_view(text).substr(word.size()));
+  if (const std::string_view after = " circa"; text.ends_with(after)) text.resize(text.size() - after.size());
+  std::erase(text, '?');
+  return trimmed(text);
+}
+
+// The answer to a quantity; none where the cell says nothing.
+std::string answer_in(const CsvRow& row, const AskedColumn& asked, Student& student) {
+  const std::string& cell = row.cells[asked.column];
+  if (stands_for_nothing(cell)) return {};
+  const std::string sure = without_doubt(cell);
+  if (sure != trimmed(cell))
+    student.remarks.push_back(asked.name + format_words(": \"{}\" is read as {}", ": \"{}\" è letto come {}",
+                                                        cell.substr(0, 60), sure.substr(0, 60)));
+  CsvRow of_sure = row;
+  of_sure.cells[asked.column] = sure;
+  return asked.text(of_sure);
+}
+
 // The givens of a row; a remark, and none, when they cannot be.
 void set_row(Student& student, const std::vector<AskedColumn>& columns, const CsvRow& row, const Givens& otherwise) {
   try {
@@ -83,7 +109,11 @@ class Key {
  public:
   Key(const Exercise& exercise, const CsvTable& table, const CsvTable& answers,
       const std::vector<std::string>& answered)
-      : columns_(exercise, table, TableRole::key), rows_(table, answered), table_(table), answers_(answers) {
+      : columns_(exercise, table, TableRole::key),
+        names_(table),
+        rows_(table, answered),
+        table_(table),
+        answers_(answers) {
     const std::size_t known = columns_.givens.size() + columns_.quantities.size();
     if (columns_.left_out.size() > known)
       throw BadTable(
@@ -106,15 +136,28 @@ class Key {
       return;
     }
     ++found_;
-    if (const std::string number = rows_.number_of(student.number); number != student.number)
+    if (const std::string number = rows_.number_of(student.number); number != student.number) {
       without_zeros_.push_back(student.number);
+      if (number.size() > student.number.size()) student.number = number;
+    }
+    for (const AskedColumn& each : columns_.sheets) set_scale(student, each, *row);
     set_row(student, columns_.givens, *row, otherwise);
     for (const AskedColumn& each : columns_.quantities)
       if (const std::string text = each.text(*row); !text.empty())
         student.key.push_back({each.name, text, row->line});
   }
 
-  const std::vector<std::string>& silent() const { return rows_.silent(); }
+  std::vector<Student> absent() const {
+    std::vector<Student> all;
+    for (const std::string& number : rows_.silent())
+      all.push_back({.number = number, .name = names_.name_in(*rows_.row_of(number))});
+    return all;
+  }
+  std::vector<std::string> sheets() const {
+    std::vector<std::string> all;
+    for (const AskedColumn& each : columns_.sheets) all.push_back(each.name);
+    return all;
+  }
   const std::vector<std::string>& left_out() const { return columns_.left_out; }
 
   // Throws BadTable when it has none of the numbers.
@@ -140,7 +183,20 @@ class Key {
   }
 
  private:
+  static void set_scale(Student& student, const AskedColumn& sheet, const CsvRow& row) {
+    const std::string& text = row.cells[sheet.column];
+    if (text.empty()) return;
+    try {
+      student.sheets.emplace(sheet.name, scale_of_lengths(text));
+    } catch (const WrongUsage& wrong) {
+      student.remarks.push_back(format_words("the key's scale of sheet {} is left out: {}",
+                                             "la scala della tavola {} nella chiave è tralasciata: {}", sheet.name,
+                                             wrong.words()));
+    }
+  }
+
   AnswerColumns columns_;
+  NameColumns names_;
   KeyRows rows_;
   const CsvTable &table_, &answers_;
   std::size_t found_ = 0;
@@ -221,7 +277,7 @@ Answers read_answers(const Exercise& exercise, const CsvTable& answers, const Cs
 
   Answers all;
   for (const AskedColumn& each : columns.quantities)
-    all.asked.push_back(*std::find_if(exercise.about().quantities.begin(), exercise.about().quantities.end(),
+    all.asked.push_back(*std::find_if(exercise.about().quantities().begin(), exercise.about().quantities().end(),
                                       [&](const Quantity& spec) { return spec.name == each.name; }));
   std::vector<std::string> numbers;
   for (const CsvRow& row : answers.rows)
@@ -239,8 +295,7 @@ Answers read_answers(const Exercise& exercise, const CsvTable& answers, const Cs
       set_row(student, columns.givens, row, otherwise);
     }
     read_scales(student, columns.scales, row);
-    for (const AskedColumn& each : columns.quantities)
-      student.answers.push_back(stands_for_nothing(row.cells[each.column]) ? "" : each.text(row));
+    for (const AskedColumn& each : columns.quantities) student.answers.push_back(answer_in(row, each, student));
     all.students.push_back(std::move(student));
   }
   if (!columns.left_out.empty()) all.remarks.push_back(left_out(columns.left_out, answers.file, exercise.about().id));
@@ -252,7 +307,8 @@ Answers read_answers(const Exercise& exercise, const CsvTable& answers, const Cs
     all.remarks.push_back(format_words("{} states other givens than {}, which count: {}",
                                        "{} dà altri dati di {}, che valgono: {}", answers.file, key->file,
                                        some_of(of_other_givens)));
-  all.silent = rows_of_key->silent();
+  all.absent = rows_of_key->absent();
+  all.sheets = rows_of_key->sheets();
   return all;
 }
 

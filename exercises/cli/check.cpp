@@ -29,7 +29,7 @@ struct MeasuredText {
 std::vector<MeasuredText> measured_texts(const std::vector<const Exercise*>& exercises, const Options& options) {
   std::vector<NameAndLetters> known;
   for (const Exercise* exercise : exercises)
-    for (const Quantity& spec : exercise->about().quantities)
+    for (const Quantity& spec : exercise->about().quantities())
       known.push_back({spec.name, unicode_symbol(spec.symbol)});
   std::vector<MeasuredText> texts;
   for (const std::string& typed : options.measured) {
@@ -45,7 +45,7 @@ std::vector<MeasuredText> measured_texts(const std::vector<const Exercise*>& exe
 void demand_known(const std::vector<const Exercise*>& exercises, const std::vector<MeasuredText>& texts) {
   std::vector<std::string> known;
   for (const Exercise* exercise : exercises)
-    for (const Quantity& spec : exercise->about().quantities)
+    for (const Quantity& spec : exercise->about().quantities())
       if (std::find(known.begin(), known.end(), spec.name) == known.end()) known.push_back(spec.name);
   for (const MeasuredText& text : texts)
     if (std::find(known.begin(), known.end(), text.name) == known.end())

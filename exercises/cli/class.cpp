@@ -11,6 +11,8 @@
 #include "drawings/text/text.h"
 #include "exercises/cli/abreast.h"
 #include "exercises/cli/class_journal.h"
+#include "exercises/cli/class_record.h"
+#include "exercises/cli/class_scale.h"
 #include "exercises/cli/givens_file.h"
 #include "exercises/cli/harmless_cell.h"
 #include "exercises/cli/moodle.h"
@@ -118,7 +120,12 @@ class ClassSet {
         ruler_(ruler_asked({&exercise_}, options)),
         style_(csv_style(options)),
         is_moodle_(wants_moodle(options)),
-        folder_(fs::path(options.folder.value_or("out")) / (target.file_stem() + "-class")) {
+        folder_(fs::path(options.folder.value_or("out")) / (target.file_stem() + "-class")),
+        record_(target.exercise->about().id + (target.sheet.empty() ? "" : "/" + target.sheet), options) {
+    if (is_moodle_ && options.class_set.booklet)
+      throw WrongUsage("--booklet binds sheets, and --format moodle writes none; leave one of them out",
+                       "--booklet rilega tavole, e --format moodle non ne scrive; togliere uno dei due");
+    record_.demand_same_in(folder_);
     const auto vary = [&](const std::string& symbol) {
       if (std::find(varied_.begin(), varied_.end(), symbol) == varied_.end()) varied_.push_back(symbol);
     };
@@ -131,7 +138,9 @@ class ClassSet {
 
   Outcome make(std::ostream& err, bool is_on_terminal) {
     const std::vector<std::string> awkward_anyway = awkward_as_stated(lots_);
+    choose_scales(awkward_anyway);
     ClassJournal journal(folder_, inputs());
+    record_.write_to(folder_);
     std::vector<ClassEntry> entries(students_.size());
     Progress progress(students_.size(), is_on_terminal, err, lots_.request.language);
     std::mutex one_at_a_time;
@@ -148,6 +157,9 @@ class ClassSet {
     });
     std::vector<drawings::File> files{{folder_ / "key.csv", key(entries)}};
     if (is_moodle_) files.push_back({folder_ / "questions.xml", questions(entries)});
+    if (options_.class_set.booklet)
+      for (const bool blank : {true, false})
+        files.push_back({folder_ / (blank ? "blanks.pdf" : "solutions.pdf"), booklet(entries, blank)});
     drawings::write_whole(files);
     journal.remove();
     return {report(entries), Exit::success, remarks()};
@@ -155,6 +167,13 @@ class ClassSet {
 
  private:
   static std::string symbol_in(const std::string& assignment) { return assignment.substr(0, assignment.find('=')); }
+
+  void choose_scales(const std::vector<std::string>& awkward_anyway) {
+    if (lots_.request.scale) return;
+    ClassScales found = class_scales(lots_, students_, awkward_anyway);
+    lots_.scales = std::move(found.of_sheets);
+    too_different_ = std::move(found.too_different);
+  }
 
   // What the files depend on, beside the students.
   std::string inputs() const {
@@ -164,6 +183,8 @@ class ClassSet {
                        {"set", options_.assignments},
                        {"vary", options_.variations},
                        {"seed", lots_.seed},
+                       {"scale", options_.scale.value_or("")},
+                       {"scales", scales_in_words()},
                        {"paper", options_.paper},
                        {"lang", options_.language},
                        {"reading", options_.reading},
@@ -183,37 +204,66 @@ class ClassSet {
     return fs::exists(file(student, "-blank.pdf"), ignored) && fs::exists(file(student, "-solution.pdf"), ignored);
   }
 
+  // Of the sheets that have one for all students.
+  std::map<std::string, std::string> scales_in_words() const {
+    std::map<std::string, std::string> all;
+    for (const auto& [sheet, scale] : lots_.scales) all.emplace(sheet, scale_in_words(scale));
+    return all;
+  }
+
   ClassEntry draw_set(const Candidate& student, const std::vector<std::string>& awkward_anyway) const {
     Variant variant = draw_variant(lots_, student, awkward_anyway);
     ClassEntry entry{.givens = variant.assignments,
                      .values = {},
+                     .scales = {},
                      .remarks = key_remarks(variant).in(style_.language(lots_.request.language)),
                      .question = "",
                      .rejected = variant.rejected};
-    for (const Quantity& quantity : exercise_.about().quantities) {
+    for (const Quantity& quantity : exercise_.about().quantities()) {
       const auto value = variant.solution.value(quantity.name);
       entry.values.push_back(value ? style_.number(*value) : "");
+    }
+    for (const DrawnSheet& sheet : variant.solved) {
+      const auto scale = scale_shown(sheet);
+      entry.scales.push_back(scale ? style_.number(nearest(*scale)) : "");
     }
     if (is_moodle_) {
       entry.question = moodle_question(exercise_, variant, lots_, ruler_);
       return entry;
     }
-    SheetRequest request = lots_.request;
-    request.solver = {student.name, student.number};
-    request.blank = true;
-    std::vector<DrawnSheet> blank;
-    for (const std::string& sheet : lots_.sheets) blank.push_back(exercise_.draw(sheet, variant.solution, request));
-    drawings::write_whole(
-        {{file(student, "-blank.pdf"), pdf(blank)}, {file(student, "-solution.pdf"), pdf(variant.solved)}});
+    const std::vector<DrawnSheet> blank = sheets_of(lots_, variant.solution, student, true);
+    drawings::write_whole({{file(student, "-blank.pdf"), drawings::write_pdf(pages(blank), document())},
+                           {file(student, "-solution.pdf"), drawings::write_pdf(pages(variant.solved), document())}});
     return entry;
   }
 
-  std::string pdf(const std::vector<DrawnSheet>& sheets) const {
-    std::vector<drawings::Page> pages;
+  static std::vector<drawings::Page> pages(const std::vector<DrawnSheet>& sheets) {
+    std::vector<drawings::Page> all;
     for (const DrawnSheet& sheet : sheets)
-      for (drawings::Page& page : pages_of(sheet)) pages.push_back(std::move(page));
-    return drawings::write_pdf(pages, {.title = drawings::plain(exercise_.about().title.in(lots_.request.language)),
-                                       .author = lots_.request.titles.author});
+      for (drawings::Page& page : pages_of(sheet)) all.push_back(std::move(page));
+    return all;
+  }
+
+  drawings::Document document() const {
+    return {.title = drawings::plain(exercise_.about().title.in(lots_.request.language)),
+            .author = lots_.request.titles.author};
+  }
+
+  // The sheets of all students, one after the other, with a bookmark for each. Drawn again: a run that goes on where
+  // another stopped has those of the others in files only.
+  std::string booklet(const std::vector<ClassEntry>& entries, bool blank) const {
+    std::vector<std::vector<drawings::Page>> of_students(students_.size());
+    abreast(students_.size(), [&](std::size_t i) {
+      of_students[i] = pages(sheets_of(lots_, solution_of(lots_, entries[i].givens), students_[i], blank));
+    });
+    drawings::Document all = document();
+    std::vector<drawings::Page> bound;
+    for (std::size_t i = 0; i < students_.size(); ++i) {
+      const Candidate& student = students_[i];
+      all.bookmarks.push_back({student.number + (student.name.empty() ? "" : " " + student.name), bound.size()});
+      for (drawings::Page& page : of_students[i]) bound.push_back(std::move(page));
+    }
+    return drawings::write_pdf(bound, all);
   }
 
   // As --set takes it, without the symbol.
@@ -241,17 +291,31 @@ class ClassSet {
         std::any_of(entries.begin(), entries.end(), [](const ClassEntry& each) { return !each.remarks.empty(); });
     std::vector<std::string> fields{Words{"number", "matricola"}.in(language), Words{"name", "nome"}.in(language)};
     for (const std::string& symbol : varied_) fields.push_back(style_.field(symbol));
-    for (const Quantity& quantity : exercise_.about().quantities) fields.push_back(style_.field(heading(quantity)));
+    for (const Quantity& quantity : exercise_.about().quantities()) fields.push_back(style_.field(heading(quantity)));
+    const std::vector<std::size_t> to_scale = sheets_to_scale(entries);
+    for (const std::size_t k : to_scale)
+      fields.push_back(style_.field(Words{"scale ", "scala "}.in(language) + lots_.sheets[k]));
     if (has_remarks) fields.push_back(Words{"remarks", "osservazioni"}.in(language));
     std::string text = std::string(style_.begin()) + style_.record(fields);
     for (std::size_t i = 0; i < students_.size(); ++i) {
       fields = {style_.field(harmless_cell(students_[i].number)), style_.field(harmless_cell(students_[i].name))};
       for (const std::string& cell : givens_in_order(entries[i])) fields.push_back(style_.field(style_.typed(cell)));
       fields.insert(fields.end(), entries[i].values.begin(), entries[i].values.end());
+      for (const std::size_t k : to_scale) fields.push_back(entries[i].scales[k]);
       if (has_remarks) fields.push_back(style_.field(entries[i].remarks));
       text += style_.record(fields);
     }
     return text;
+  }
+
+  // The places of the sheets that show lengths. In the key a scale stands as a number, 0.2 for 1 : 5, which a
+  // spreadsheet would take for five past one.
+  std::vector<std::size_t> sheets_to_scale(const std::vector<ClassEntry>& entries) const {
+    std::vector<std::size_t> all;
+    for (std::size_t k = 0; k < lots_.sheets.size(); ++k)
+      if (std::any_of(entries.begin(), entries.end(), [k](const auto& each) { return !each.scales[k].empty(); }))
+        all.push_back(k);
+    return all;
   }
 
   // Of a quantity that has the name of a given, with its unit: which of the two it is, who marks must know.
@@ -280,12 +344,22 @@ class ClassSet {
       for (const auto& [why, count] : entry.rejected) rejected[why] += count;
     std::string text = (folder_ / "key.csv").string() + "\n";
     if (is_moodle_) text += (folder_ / "questions.xml").string() + "\n";
-    text += format_words("students: {}", "studenti: {}", students_.size()).in(language) + "\n";
+    if (options_.class_set.booklet)
+      for (const char* bound : {"blanks.pdf", "solutions.pdf"}) text += (folder_ / bound).string() + "\n";
+    text += format_words("students: {}", "studenti: {}", students_.size()).in(language) + "\n" +
+            told_scales().in(language);
     for (const auto& [why, count] : rejected)
       text += format_words("drawn again, {}: {}", "sorteggiate di nuovo, {}: {}", Words{why.first, why.second}, count)
                   .in(language) +
               "\n";
     return text + equal_variants(entries).in(language);
+  }
+
+  Words told_scales() const {
+    std::string text;
+    for (const auto& [sheet, scale] : scales_in_words())
+      text += (text.empty() ? "" : ", ") + (lots_.sheets.size() == 1 ? "" : sheet + " ") + scale;
+    return text.empty() ? Words{} : format_words("scale of lengths: {}\n", "scala delle lunghezze: {}\n", text);
   }
 
   // A student's lots hang on the seed and on his number alone, so that nobody's change when the class does: two may
@@ -310,6 +384,12 @@ class ClassSet {
   std::vector<Words> remarks() const {
     std::vector<Words> all = remarks_on_roster_;
     for (Words& each : moved_by_speed(lots_.givens, varied_)) all.push_back(std::move(each));
+    for (const std::string& sheet : too_different_)
+      all.push_back(
+          format_words("{}: no one scale fits all variants well, so each has its own (--scale sets one)",
+                       "{}: nessuna scala va bene a tutte le varianti, e ognuna ha la sua (--scale ne fissa "
+                       "una)",
+                       sheet));
     const std::vector<std::string> stale = files_of_others();
     if (!stale.empty())
       all.push_back(format_words(
@@ -334,7 +414,8 @@ class ClassSet {
       const std::string name = each.path().filename().string();
       const bool is_sheet =
           std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return name.ends_with(ending); });
-      if (is_moodle_ ? is_sheet : name == "questions.xml" || (is_sheet && !own.contains(name)))
+      const bool is_bound = (name == "blanks.pdf" || name == "solutions.pdf") && !options_.class_set.booklet;
+      if (is_bound || (is_moodle_ ? is_sheet : name == "questions.xml" || (is_sheet && !own.contains(name))))
         others.push_back(name);
     }
     std::sort(others.begin(), others.end());
@@ -351,7 +432,8 @@ class ClassSet {
   CsvStyle style_;
   bool is_moodle_;
   fs::path folder_;
-  std::vector<std::string> varied_;
+  ClassRecord record_;
+  std::vector<std::string> varied_, too_different_;
 };
 
 }  // namespace

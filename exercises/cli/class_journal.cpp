@@ -12,8 +12,9 @@ namespace epure {
 namespace {
 
 std::string line_of(const std::string& student, const ClassEntry& entry) {
-  const nlohmann::json line{{"student", student},       {"givens", entry.givens},     {"values", entry.values},
-                            {"remarks", entry.remarks}, {"question", entry.question}, {"rejected", entry.rejected}};
+  const nlohmann::json line{{"student", student},        {"givens", entry.givens},   {"values", entry.values},
+                            {"scales", entry.scales},    {"remarks", entry.remarks}, {"question", entry.question},
+                            {"rejected", entry.rejected}};
   return line.dump() + "\n";
 }
 
@@ -30,8 +31,8 @@ ClassJournal::ClassJournal(const std::filesystem::path& folder, const std::strin
     while (std::getline(in, line) && !in.eof()) {
       const auto found = nlohmann::json::parse(line, nullptr, false);
       if (found.is_discarded()) continue;
-      entries_[found.value("student", "")] = {found["givens"], found["values"], found["remarks"], found["question"],
-                                              found["rejected"]};
+      entries_[found.value("student", "")] = {found["givens"],  found["values"],   found["scales"],
+                                              found["remarks"], found["question"], found["rejected"]};
     }
   }
   in.close();

@@ -15,6 +15,7 @@ namespace epure {
 struct ClassEntry {
   std::vector<std::string> givens;  // what varies, as --set takes it
   std::vector<std::string> values;  // of the exercise's quantities, one after the other; empty: there is none
+  std::vector<std::string> scales;  // of lengths, sheet after sheet; empty: it shows none
   std::string remarks;              // of the key: why values are missing
   std::string question;             // of a question bank
   Rejections rejected;

@@ -314,10 +314,14 @@ class Drawing {
   void compose_or_tell(DrawnSheetOf& each, const SheetRequest& request) const {
     const Candidate& row = each.solving->row();
     try {
-      if (wants_plain_pages()) each.pages = compose(each, request, pages_of);
+      if (wants_plain_pages())
+        each.pages = compose(request, [&](const SheetRequest& one) { return pages_of(constructed(each, one)); });
       if (wants_staged_pages())
-        each.staged = compose(each, request, [&](DrawnSheet drawn) {
-          return staged_pages(std::move(drawn), each.solving->solution(), request.language);
+        each.staged = compose(request, [&](const SheetRequest& one) {
+          SheetRequest to_solve = one;
+          to_solve.blank = true;
+          return staged_pages(constructed(each, one), constructed(each, to_solve).sheet.figure,
+                              each.solving->solution(), request.language);
         });
     } catch (const geometry::Undecided& open) {
       each.undecided = open.words();
@@ -332,20 +336,21 @@ class Drawing {
     }
   }
 
+  static DrawnSheet constructed(const DrawnSheetOf& wanted, const SheetRequest& request) {
+    const drawings::Timed timed(drawings::Work::construction);
+    return wanted.exercise().draw(wanted.name, wanted.solving->solution(), request);
+  }
+
   std::vector<drawings::Page> compose(
-      const DrawnSheetOf& wanted, const SheetRequest& request,
-      const std::function<std::vector<drawings::Page>(DrawnSheet)>& pages_of_drawn) const {
-    const auto construct = [&](const SheetRequest& one) {
-      const drawings::Timed timed(drawings::Work::construction);
-      return wanted.exercise().draw(wanted.name, wanted.solving->solution(), one);
-    };
+      const SheetRequest& request,
+      const std::function<std::vector<drawings::Page>(const SheetRequest&)>& pages_of_request) const {
     std::vector<drawings::Page> pages = looks_.width_mm ? pages_within(*looks_.width_mm,
                                                                        [&](double room) {
                                                                          SheetRequest within = request;
                                                                          within.room_width = room;
-                                                                         return pages_of_drawn(construct(within));
+                                                                         return pages_of_request(within);
                                                                        })
-                                                        : pages_of_drawn(construct(request));
+                                                        : pages_of_request(request);
     if (looks_.background)
       for (drawings::Page& page : pages) page = on_background(std::move(page), *looks_.background);
     return pages;

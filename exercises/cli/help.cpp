@@ -183,7 +183,9 @@ Help help_of_class() {
        "infinity), "
        "is drawn again, and counted; so are students with equal givens. What lies off the paper or at infinity is "
        "not "
-       "asked. A run that was stopped goes on where it stood. moodle writes questions.xml instead of the sheets, "
+       "asked. A run that was stopped goes on where it stood; class.txt has its command, and over a class of other "
+       "--seed, --vary or --set none is made. All have one scale of lengths where one fits all. moodle writes "
+       "questions.xml instead of the sheets, "
        "cloze "
        "questions with the figure inside. --csv excel writes a key that a spreadsheet with decimal commas opens; "
        "mark "
@@ -194,11 +196,14 @@ Help help_of_class() {
        "fuori del foglio, un punto all'infinito) è sorteggiato di nuovo, e contato; contati sono anche gli studenti "
        "con "
        "dati uguali. Ciò che sta fuori del foglio o all'infinito non si chiede. Un'esecuzione interrotta riprende da "
-       "dov'era. moodle scrive questions.xml al posto delle tavole, domande cloze con la figura dentro. --csv excel "
-       "scrive una chiave che un foglio di calcolo con virgole decimali apre; mark le legge entrambe."},
+       "dov'era; class.txt ne ha il comando, e sopra una classe di altri --seed, --vary o --set non se ne fa "
+       "un'altra. "
+       "Tutti hanno una sola scala delle lunghezze, se va bene a tutti. moodle scrive questions.xml al posto delle "
+       "tavole, domande cloze con la figura dentro. --csv excel scrive una chiave che un foglio di calcolo con "
+       "virgole decimali apre; mark le legge entrambe."},
       R"(
   epure class slider-crank-velocity --students roster.csv \
-    --vary r=0.18..0.22/0.01
+    --vary r=0.18..0.22/0.01 --scale 1:10 --booklet
   epure class four-bar/poles --count 30 --vary "phi=20|35|50|65" --seed june
   epure class slider-crank-velocity/poles --count 40 \
     --vary phi=20deg..70deg/26 --format moodle
@@ -216,8 +221,10 @@ Help help_of_mark() {
        "is "
        "worth in the drawn quantities it comes from. More digits are never worth less; fewer are worth half a unit "
        "of "
-       "the last one, when there are two. A number without a sign is a magnitude. An answer that is no number costs "
-       "that answer, a column that is no quantity that column; one that nearly is a quantity is refused. Givens are "
+       "the last one, when there are two. A number without a sign is a magnitude, also for Moodle. Of \"circa 3.2\" "
+       "or "
+       "\"3.2?\" the number counts, and a remark tells it. An answer that is no number costs that answer, a column "
+       "that is no quantity that column; one that nearly is a quantity is refused. Givens are "
        "those "
        "of --key, else of the answers, else of --set, else the stated ones. In CSV a "
        "name that begins with =, +, - or @ stands behind an apostrophe, so that no spreadsheet runs it.",
@@ -226,7 +233,8 @@ Help help_of_mark() {
        "studente (colonna scale: 1:5; scale_velocity e così via: 1 cm = 2 m/s, o 2 m/s al cm), altrimenti in quella "
        "della tavola di epure; per ciò che è calcolato, quanto ciò vale nelle grandezze disegnate da cui viene. Più "
        "cifre non valgono mai meno; meno cifre valgono mezza unità dell'ultima, se sono due. Un numero senza segno è "
-       "un modulo. Una risposta che non è un numero costa quella risposta, una colonna che non è una grandezza "
+       "un modulo, anche per Moodle. Di \"circa 3,2\" o \"3,2?\" vale il numero, e un'osservazione lo dice. Una "
+       "risposta che non è un numero costa quella risposta, una colonna che non è una grandezza "
        "quella "
        "colonna; una che quasi lo è viene rifiutata. I dati sono quelli di --key, altrimenti "
        "delle risposte, di --set o della fonte. Nel CSV un nome che comincia con =, +, - o @ sta dietro un "
@@ -234,7 +242,8 @@ Help help_of_mark() {
        "perché nessun foglio di calcolo lo esegua."},
       R"(
   epure mark slider-crank-velocity --answers answers.csv
-  epure mark four-bar --answers answers.csv --key key.csv -o marks.csv
+  epure mark four-bar --answers answers.csv --key key.csv --out-of 30 \
+    -o marks.csv
   epure mark four-bar --answers answers.csv --scale 1:4 --points v_B=2
   epure mark four-bar --answers risposte.csv --key key.csv \
     --lang it --csv excel -o voti.csv

@@ -57,7 +57,7 @@ std::string givens(const Description& about, Language language) {
 std::string quantities(const Description& about, Language language) {
   std::vector<std::vector<std::string>> rows;
   Cases cases;
-  for (const Quantity& quantity : about.quantities) {
+  for (const Quantity& quantity : about.quantities()) {
     const std::string name = cases.within(quantity.name, rows);
     rows.push_back(
         {name, unicode_symbol(quantity.symbol), quantity.unit, drawings::plain(quantity.meaning.in(language))});

@@ -45,7 +45,7 @@ Json listed_exercise(const Description& about) {
     json["sheets"].push_back({{"name", sheet.name}, {"title", english(sheet.title)}});
   const Givens stated(about.givens);
   for (const GivenSpec& given : about.givens) json["givens"].push_back(listed_given(stated, given));
-  for (const Quantity& quantity : about.quantities)
+  for (const Quantity& quantity : about.quantities())
     json["quantities"].push_back({{"name", quantity.name},
                                   {"symbol", unicode_symbol(quantity.symbol)},
                                   {"unit", quantity.unit},

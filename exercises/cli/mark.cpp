@@ -54,6 +54,16 @@ Rational points_typed(const std::string& option, const std::string& text, int mo
       format_words("{} {}: must lie between 0 and {}", "{} {}: deve stare tra 0 e {}", option, text, most));
 }
 
+// --out-of: the mark that all points are.
+std::optional<Rational> best_mark(const Options& options) {
+  constexpr int most = 1000;
+  if (!options.out_of) return {};
+  const Rational best = points_typed("--out-of", *options.out_of, most);
+  if (best > 0) return best;
+  throw WrongUsage(
+      format_words("--out-of {}: must be more than 0", "--out-of {}: dev'essere più di 0", *options.out_of));
+}
+
 // "v_B=2,omega_3=1", of quantities that are asked.
 std::map<std::string, Rational> points_asked(const Options& options, const std::vector<Quantity>& asked) {
   constexpr int most_points = 1000;
@@ -149,7 +159,8 @@ Outcome mark(const Catalogue& exercises, const Options& options) {
   const Reader reader{language(options), options.colours && !options.file};
   const Givens givens = set_givens({&exercise}, options.assignments).front();
   MarkingRules rules{.ruler = ruler_asked({&exercise}, options),
-                     .slip_points = points_typed("--slip-points", options.slip_points, 1)};
+                     .slip_points = points_typed("--slip-points", options.slip_points, 1),
+                     .out_of = best_mark(options)};
   if (!options.answers)
     throw WrongUsage("say where the answers are: epure mark ID --answers FILE",
                      "dire dove sono le risposte: epure mark ID --answers FILE");
@@ -162,11 +173,12 @@ Outcome mark(const Catalogue& exercises, const Options& options) {
   if (key && !key->remark.empty()) on_files.push_back(key->remark);
   answers.remarks.insert(answers.remarks.begin(), on_files.begin(), on_files.end());
   rules.points = points_asked(options, answers.asked);
+  if (rules.ruler.sheet.empty() && answers.sheets.size() == 1) rules.ruler.sheet = answers.sheets.front();
 
   const Marking marking = mark_answers(exercise, answers, rules);
   if (key) demand_use_of_key(answers, marking);
   const std::string text = as_csv ? mark_csv(answers, marking, rules, style, reader.language)
-                                  : mark_report(exercise, answers, marking, reader);
+                                  : mark_report(exercise, answers, marking, rules, reader);
   const Exit exit = marking.undecided.empty() ? Exit::success : Exit::undecided;
   if (!options.file || is_standard_output(options))
     return {text, exit, remarks_on(answers, marking, key.has_value())};

@@ -76,7 +76,13 @@ class MarkColumns {
   std::vector<std::string> headings_;
 };
 
-std::string table_of_marks(const Answers& answers, const Marking& marking, const Reader& reader) {
+// "/30": what heads the marks.
+std::string out_of_in_words(const Rational& best, Language language) {
+  return "/" + points_in_words(best).in(language);
+}
+
+std::string table_of_marks(const Answers& answers, const Marking& marking, const MarkingRules& rules,
+                           const Reader& reader) {
   const Language language = reader.language;
   const std::string number = Words{"number", "numero"}.in(language), name = Words{"name", "nome"}.in(language),
                     points = Words{"points", "punti"}.in(language);
@@ -89,16 +95,21 @@ std::string table_of_marks(const Answers& answers, const Marking& marking, const
     width_of_names = std::max(width_of_names, display_width(students.back()[1]));
   }
   constexpr std::size_t indent = 2, between = 2, widest_points = 7;
+  const std::size_t of_points = widest_points + (rules.out_of ? between + widest_points : 0);
   const MarkColumns heads(answers.asked,
-                          terminal_width - indent - width - between - width_of_names - between - widest_points);
+                          terminal_width - indent - width - between - width_of_names - between - of_points);
   Lines rows = {{number, name}};
   rows[0].insert(rows[0].end(), heads.headings().begin(), heads.headings().end());
   rows[0].push_back(points);
+  if (rules.out_of) rows[0].push_back(out_of_in_words(*rules.out_of, language));
   for (std::size_t i = 0; i < students.size(); ++i) {
     rows.push_back(students[i]);
     for (std::size_t k = 0; k < heads.headings().size(); ++k)
       rows.back().push_back(shown_sign(marking.students[i].marks[k], reader));
     rows.back().push_back(points_in_words(marking.students[i].points).in(language));
+    if (!rules.out_of) continue;
+    const auto mark = mark_out_of(*rules.out_of, marking.students[i]);
+    rows.back().push_back(mark ? points_in_words(*mark).in(language) : "–");
   }
   std::vector<std::string> legend;
   for (const auto kind : {Mark::right, Mark::slip, Mark::wrong, Mark::none, Mark::not_marked})
@@ -144,11 +155,12 @@ std::string tolerances(const Answers& answers, const Marking& marking, Language 
   return text;
 }
 
-std::string silent_students(const Answers& answers, Language language) {
-  if (answers.silent.empty()) return "";
+std::string absent_students(const Answers& answers, Language language) {
+  if (answers.absent.empty()) return "";
   std::vector<std::string> pieces = {
       Words{"In the key, and without answers:", "Nella chiave, e senza risposte:"}.in(language)};
-  for (const std::string& number : answers.silent) pieces.push_back(printable(number) + ",");
+  for (const Student& each : answers.absent)
+    pieces.push_back(printable(each.number + (each.name.empty() ? "" : " " + each.name)) + ",");
   pieces.back().pop_back();
   return "\n" + wrapped(pieces, 2, 4);
 }
@@ -177,11 +189,11 @@ std::string totals_of_marks(const Answers& answers, const Marking& marking, Lang
 }  // namespace
 
 std::string mark_report(const Exercise& exercise, const Answers& answers, const Marking& marking,
-                        const Reader& reader) {
+                        const MarkingRules& rules, const Reader& reader) {
   const Language language = reader.language;
   return wrapped(exercise.about().id + ": " + drawings::plain(exercise.about().title.in(language)), 0, 2) + "\n" +
-         table_of_marks(answers, marking, reader) + remarks_on_answers(answers, marking, language) +
-         tolerances(answers, marking, language) + silent_students(answers, language) +
+         table_of_marks(answers, marking, rules, reader) + remarks_on_answers(answers, marking, language) +
+         tolerances(answers, marking, language) + absent_students(answers, language) +
          totals_of_marks(answers, marking, language);
 }
 
@@ -194,12 +206,17 @@ std::string mark_csv(const Answers& answers, const Marking& marking, const Marki
     header.push_back(words(Words{each.name, each.name} + Words{" points", " punti"}));
     header.push_back(words(Words{each.name, each.name} + Words{" verdict", " giudizio"}));
   }
-  header.insert(header.end(), {words({"total", "totale"}), words({"remarks", "osservazioni"})});
+  header.push_back(words({"total", "totale"}));
+  if (rules.out_of) header.push_back(words(Words{"out of ", "su "} + style.number(nearest(*rules.out_of))));
+  header.push_back(words({"remarks", "osservazioni"}));
+  const auto who = [&](const Student& student) -> std::vector<std::string> {
+    return {style.field(harmless_cell(printable(student.number))),
+            style.field(harmless_cell(printable(student.name)))};
+  };
   std::string text = std::string(style.begin()) + style.record(header);
   for (std::size_t i = 0; i < answers.students.size(); ++i) {
     const Student& student = answers.students[i];
-    std::vector<std::string> row = {style.field(harmless_cell(printable(student.number))),
-                                    style.field(harmless_cell(printable(student.name)))};
+    std::vector<std::string> row = who(student);
     std::string remarks;
     const auto add_remark = [&](const std::string& remark) {
       remarks += (remarks.empty() ? "" : "; ") + printable(remark);
@@ -213,7 +230,17 @@ std::string mark_csv(const Answers& answers, const Marking& marking, const Marki
       if (!mark.remark.empty()) add_remark(answers.asked[k].name + ": " + mark.remark.in(language));
     }
     row.push_back(style.number(nearest(marking.students[i].points)));
+    if (rules.out_of) {
+      const auto mark = mark_out_of(*rules.out_of, marking.students[i]);
+      row.push_back(mark ? style.number(nearest(*mark)) : "");
+    }
     row.push_back(style.field(remarks));
+    text += style.record(row);
+  }
+  for (const Student& each : answers.absent) {
+    std::vector<std::string> row = who(each);
+    row.resize(header.size());
+    row.back() = words({"absent: in the key, and without answers", "assente: nella chiave, e senza risposte"});
     text += style.record(row);
   }
   return text;

@@ -7,24 +7,27 @@
 
 #include "drawings/text/text.h"
 #include "exercises/cli/abreast.h"
+#include "exercises/cli/as_handed_out.h"
 #include "exercises/cli/slips.h"
 #include "geometry/numbers/given.h"
 
 namespace epure {
 namespace {
 
-// The students of one set of givens.
+// The students of one set of givens, whose sheets were drawn alike.
 struct Group {
   const Givens* givens;
+  const std::map<std::string, Rational>* sheets;
   std::vector<std::size_t> students;
 };
 
-std::string text_of(const Givens& givens) {
+std::string text_of(const Givens& givens, const std::map<std::string, Rational>& sheets) {
   std::string text;
   for (const GivenSpec& spec : givens.specs()) {
     const auto read = givens.reading(spec.symbol);
     text += givens.text(spec.symbol) + (read ? read->unit.symbol : "") + ";";
   }
+  for (const auto& [sheet, scale] : sheets) text += sheet + geometry::to_text(scale) + ";";
   return text;
 }
 
@@ -32,10 +35,10 @@ std::vector<Group> groups_of(const Answers& answers) {
   std::vector<Group> groups;
   std::map<std::string, std::size_t> known;
   for (std::size_t i = 0; i < answers.students.size(); ++i) {
-    const auto& givens = answers.students[i].givens;
+    const auto& [givens, sheets] = std::tie(answers.students[i].givens, answers.students[i].sheets);
     if (!givens) continue;
-    const auto [place, is_new] = known.emplace(text_of(*givens), groups.size());
-    if (is_new) groups.push_back({&*givens, {}});
+    const auto [place, is_new] = known.emplace(text_of(*givens, sheets), groups.size());
+    if (is_new) groups.push_back({&*givens, &sheets, {}});
     groups[place->second].students.push_back(i);
   }
   return groups;
@@ -189,7 +192,8 @@ MarkedGroup mark_group(const Exercise& exercise, const Answers& answers, const G
                        const MarkingRules& rules) {
   MarkedGroup marked;
   try {
-    const CheckedExercise checked = check(exercise, *group.givens, Rung::climb);
+    CheckedExercise checked = check(exercise, *group.givens, Rung::climb);
+    measure_as_handed_out(checked, exercise, *group.sheets);
     Marker marker(exercise, checked, rules);
     marked.tolerances = marker.tolerances(answers.students[group.students.front()], answers.asked);
     for (const std::size_t i : group.students) {
@@ -227,6 +231,12 @@ MarkedGroup mark_group(const Exercise& exercise, const Answers& answers, const G
 Rational points_given(const Mark& mark, const std::string& quantity, const MarkingRules& rules) {
   if (mark.kind == Mark::right) return most_points(quantity, rules);
   return mark.kind == Mark::slip ? Rational(most_points(quantity, rules) * rules.slip_points) : Rational(0);
+}
+
+std::optional<Rational> mark_out_of(const Rational& all, const MarkedStudent& student) {
+  if (student.most == 0) return {};
+  const Rational tenths = 10 * all * student.points / student.most;
+  return Rational(std::floor(nearest(tenths + Rational(1, 2)))) / 10;
 }
 
 Marking mark_answers(const Exercise& exercise, Answers& answers, const MarkingRules& rules) {

@@ -15,6 +15,7 @@ struct MarkingRules {
   Ruler ruler;
   std::map<std::string, Rational> points = {};  // by quantity; others: 1
   Rational slip_points = Rational(1, 2);        // of its points, for a wrong number that a slip explains
+  std::optional<Rational> out_of = {};          // the mark that all points are; none: points only
 };
 
 struct Mark {
@@ -35,6 +36,9 @@ struct MarkedStudent {
   std::vector<Mark> marks;        // one for each quantity asked
   Rational points = 0, most = 0;  // what is not marked gives none and costs none
 };
+
+// "27.5": of as many as all points are, to a tenth, a half upwards; none of a student of whom nothing is marked.
+std::optional<Rational> mark_out_of(const Rational& all, const MarkedStudent& student);
 
 // A quantity's tolerance where a student's givens and scale apply.
 struct Tolerance {

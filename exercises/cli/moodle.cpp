@@ -60,13 +60,14 @@ CheckedExercise checked_by_sheets(const Exercise& exercise, const Variant& varia
   return checked;
 }
 
-// What Moodle takes for right, as mark does: the value; of a direction also a whole turn away; and the magnitude,
-// where nobody was told which sense is positive.
+// What Moodle takes for right, as mark does: the value; of a direction also a whole turn away; and the magnitude, as
+// a number without a sign is one.
 std::string right_answers(const Quantity& quantity, double value, double tolerance) {
   std::vector<double> right{value};
   if (const double turn = whole_turn(quantity.unit); turn > 0 && value != 0)
     right.push_back(value - std::copysign(turn, value));
-  if (value < 0 && !has_told_sense(quantity)) right.push_back(-value);
+  for (std::size_t i = 0, count = right.size(); i < count; ++i)
+    if (right[i] < 0) right.push_back(-right[i]);
   std::string all;
   for (const double each : right) all += fmt::format("{}={}:{:.3g}", all.empty() ? "" : "~", each, tolerance);
   return all;
@@ -102,13 +103,15 @@ std::string givens_in_words(const Solution& solution, Language language) {
 std::string moodle_question(const Exercise& exercise, const Variant& variant, const Lots& lots, const Ruler& ruler) {
   const Language language = lots.request.language;
   const auto paragraph = [](const std::string& of) { return "<p>" + escaped_for_xml(of) + "</p>\n"; };
-  SheetRequest request = lots.request;
-  request.blank = request.bare = true;
-  std::string text = paragraph(drawings::plain(exercise.about().question.in(language))) +
+  const Words question =
+      lots.sheets.size() == 1 ? question_of(exercise.about(), lots.sheets.front()) : exercise.about().question;
+  std::string text = paragraph(drawings::plain(question.in(language))) +
                      paragraph(givens_in_words(variant.solution, language)),
               files, rows;
   std::vector<std::string> asked;
   for (std::size_t i = 0; i < lots.sheets.size(); ++i) {
+    SheetRequest request = lots.request_of(lots.sheets[i]);
+    request.blank = request.bare = true;
     const std::string name = exercise.about().id + "-" + lots.sheets[i] + "-blank.svg";
     text += fmt::format("<p><img src=\"@@PLUGINFILE@@/{}\" alt=\"{}\" /></p>\n", name, lots.sheets[i]);
     files += fmt::format("<file name=\"{}\" path=\"/\" encoding=\"base64\">{}</file>\n", name,

@@ -113,6 +113,13 @@ class Parser {
         {"scale of lengths of the drawing that was measured, such as 1:5 (default: the sheet's)",
          "scala delle lunghezze del disegno misurato, come 1:5 (predefinita: della tavola)"});
   }
+  // Of what is drawn.
+  void add_scale(CLI::App& verb, const Words& more = {}) {
+    add(verb, "--scale", options_.scale, {"SCALE", "SCALA"},
+        Words{"scale of lengths, such as 1:5 (default: the largest standard one",
+              "scala delle lunghezze, come 1:5 (predefinita: la maggiore normalizzata"} +
+            more + ")");
+  }
   void add_folder(CLI::App& verb) {
     add(verb, "--out", options_.folder, {"DIR", "CARTELLA"},
         {"folder to write to (default: out)", "cartella in cui scrivere (predefinita: out)"});
@@ -194,9 +201,7 @@ class Parser {
     add_givens_file(verb, {"givens from lines such as r = 25 cm; or CSV: a column each, and each row is drawn",
                            "dati da righe come r = 25 cm; o CSV: una colonna ciascuno, e si disegna ogni riga"});
     add_sheets(verb);
-    add(verb, "--scale", options_.scale, {"SCALE", "SCALA"},
-        {"scale of lengths, such as 1:5 (default: the largest standard one)",
-         "scala delle lunghezze, come 1:5 (predefinita: la maggiore normalizzata)"});
+    add_scale(verb);
     add_language(verb);
     add_flag(verb, "--bare", options_.bare,
              {"the figure alone: no frame, no column, no title block",
@@ -300,6 +305,12 @@ class Parser {
     add(verb, "--seed", of.seed, {"TEXT", "TESTO"},
         {"the same seed draws the same lots (default: 1)", "lo stesso seme dà gli stessi sorteggi (predefinito: 1)"});
     add_givens(verb);
+    add_scale(verb,
+              {"; of a class the largest one that fits all", "; di una classe la maggiore che va bene a tutti"});
+    add_flag(verb, "--booklet", of.booklet,
+             {"also all sheets to be solved in one PDF to print, blanks.pdf, and all solutions, solutions.pdf",
+              "anche tutte le tavole da svolgere in un PDF da stampare, blanks.pdf, e tutte le soluzioni, "
+              "solutions.pdf"});
     add_format(verb,
                {"pdf (default), or moodle: a question bank", "pdf (predefinito), o moodle: una banca di domande"});
     add_csv(verb);
@@ -324,6 +335,9 @@ class Parser {
     add(verb, "--slip-points", options_.slip_points, {"SHARE", "QUOTA"},
         {"of the points, for a slip that is named (default: 0.5)",
          "dei punti, per una svista riconosciuta (predefinita: 0,5)"});
+    add(verb, "--out-of", options_.out_of, {"MARK", "VOTO"},
+        {"also the mark that all points would be, such as 30",
+         "anche il voto, su tanti che valgano tutti i punti, come 30"});
     add_format(verb, {"text (default) or csv", "text (predefinito) o csv"});
     add_csv(verb);
     add_file(verb, {"write to this file; .csv: as CSV; - is standard output",

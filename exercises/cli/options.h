@@ -14,6 +14,7 @@ namespace epure {
 struct ClassOptions {
   std::optional<std::string> students, count;
   std::string seed = "1";
+  bool booklet = false;  // all in one PDF too
 };
 
 // What a drawing is to be like where it is put into a document.
@@ -30,7 +31,7 @@ struct Options {
   std::vector<std::string> variations, quantities;  // of a sweep, a class
   std::optional<std::string> part, chart;
   std::optional<std::string> format, folder, file, scale, name;
-  std::optional<std::string> sheet, answers, key, points, csv;
+  std::optional<std::string> sheet, answers, key, points, out_of, csv;
   std::string paper = "a4", language = "en", reading = "0.5mm", arithmetic = "exact", seconds = "60",
               slip_points = "0.5";
   bool bare = false, blank = false, steps = false, json = false, times = false, quiet = false;

@@ -3,6 +3,7 @@
 
 #include "drawings/files/xml.h"
 #include "drawings/text/text.h"
+#include "exercises/cli/html_page.h"
 #include "exercises/cli/html_words.h"
 #include "exercises/cli/inline_svg.h"
 #include "exercises/cli/report_document.h"
@@ -73,15 +74,11 @@ class Html {
 std::string html_of(const ReportDocument& document) {
   Html writer;
   for (const ReportBlock& block : document.blocks) std::visit(writer, block);
-  return fmt::format(
-             "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-             "<meta name=\"generator\" content=\"epure " EPURE_VERSION
-             "\"/>\n<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n",
-             document.language == Language::english ? "en" : "it",
-             drawings::escaped_for_xml(drawings::plain(document.title)), style, style_of_words) +
-         element("h1", document.title) + element("p", document.source) + std::move(writer).text() +
-         "</main>\n</body>\n</html>\n";
+  return html_page({.language = document.language,
+                    .title = drawings::plain(document.title),
+                    .style = std::string(style) + style_of_words,
+                    .body = "<main>\n" + element("h1", document.title) + element("p", document.source) +
+                            std::move(writer).text() + "</main>\n"});
 }
 
 }  // namespace epure

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "drawings/files/xml.h"
 #include "drawings/text/text.h"
+#include "exercises/cli/html_page.h"
 #include "exercises/cli/html_words.h"
 #include "exercises/cli/inline_svg.h"
 #include "exercises/cli/screen_style.h"
@@ -53,23 +56,19 @@ std::string controls(const drawings::Page& page) {
 
 std::string sheet_html(const std::vector<drawings::Page>& pages, SheetOnScreen as) {
   const drawings::Page& first = pages.front();
-  const std::string title = drawings::escaped_for_xml(first.title);
-  std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
-      "script-src 'unsafe-inline'\"/>\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-      "<meta name=\"generator\" content=\"epure " EPURE_VERSION
-      "\"/>\n<title>{}</title>\n<style>{}{}{}{}</style>\n</head>\n<body>\n<main class=\"epure\">\n<h1>{}</h1>\n",
-      first.language == Language::english ? "en" : "it", title, style_of_sheet, style_of_words,
-      print_style(pages, as.is_bare), as.follows_reader ? dark_style(pages) : "", title);
-  text += "<figure class=\"sheet\">\n";
+  std::string body =
+      "<main class=\"epure\">\n<h1>" + drawings::escaped_for_xml(first.title) + "</h1>\n<figure class=\"sheet\">\n";
   InlineSvgs svgs;
-  for (const drawings::Page& page : pages) text += svgs.add(page);
-  text += "</figure>\n";
-  if (!first.steps.empty()) text += controls(first);
-  return text + "<div class=\"tip\" aria-hidden=\"true\" hidden=\"\"></div>\n<script>" + script_of_sheet +
-         "</script>\n</main>\n</body>\n</html>\n";
+  for (const drawings::Page& page : pages) body += svgs.add(page);
+  body += "</figure>\n";
+  if (!first.steps.empty()) body += controls(first);
+  body +=
+      "<div class=\"tip\" aria-hidden=\"true\" hidden=\"\"></div>\n" + script_of_page(script_of_sheet) + "</main>\n";
+  return html_page({.language = first.language,
+                    .title = first.title,
+                    .style = std::string(style_of_moved_page) + style_of_sheet + style_of_words +
+                             print_style(pages, as.is_bare) + (as.follows_reader ? dark_style(pages) : ""),
+                    .body = std::move(body)});
 }
 
 }  // namespace epure

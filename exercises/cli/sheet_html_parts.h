@@ -6,12 +6,8 @@
 namespace epure {
 
 inline constexpr const char* style_of_sheet =
-    R"(:root { color-scheme: light dark; --ground: #fff; --ink: #111; --edge: #8888; --now: #f90; }
-* { box-sizing: border-box; }
-body { margin: 0; background: var(--ground); color: var(--ink);
-  font: 1rem/1.4 "STIX Two Text", Georgia, "Times New Roman", serif; }
+    R"(:root { --now: #f90; }
 .epure { display: flex; flex-direction: column; min-height: 100vh; }
-h1 { font-size: 1.05rem; margin: .5rem 1rem; }
 .sheet { flex: auto; margin: 0; padding: 0 1rem; }
 .sheet svg { display: block; width: 100%; height: auto; max-height: calc(100vh - 9rem); margin: 0 auto .5rem; }
 .later { visibility: hidden; }
@@ -21,17 +17,11 @@ g.now { filter: drop-shadow(0 0 300px var(--now)); }
   filter: none; cursor: help; }
 .sheet [aria-label]:focus { outline: none; }
 .sheet [aria-label]:focus-visible { filter: drop-shadow(0 0 200px #0af) drop-shadow(0 0 120px #0af); }
-.controls { position: sticky; bottom: 0; padding: .5rem 1rem; border-top: 1px solid var(--edge);
-  background: var(--ground); }
-.moves { display: flex; gap: .7rem; align-items: center; max-width: 60rem; margin: auto; }
-.moves input { flex: auto; min-width: 4rem; }
-.moves button { font: inherit; padding: .1rem .7rem; }
 .words { max-width: 60rem; min-height: 2.8em; margin: .3rem auto 0; }
 .states { max-width: 60rem; margin: 0 auto; padding: .5rem 1rem 1rem; }
 .states li:first-child, .states li:last-child { list-style: none; }
 .tip { position: fixed; z-index: 1; max-width: 22rem; padding: .2rem .5rem; border: 1px solid var(--edge);
   background: var(--ground); pointer-events: none; }
-[hidden] { display: none; }
 @media print {
   h1, .controls, .states, .tip { display: none; }
   .epure { display: block; min-height: 0; }
@@ -42,10 +32,6 @@ g.now { filter: drop-shadow(0 0 300px var(--now)); }
 )";
 
 inline constexpr const char* script_of_sheet = R"(
-(() => {
-  'use strict';
-  const page = document.currentScript.parentElement;
-  const find = selector => page.querySelector(selector);
 
   // Steps. The slider goes from what is given (0) over each step to the whole sheet, which is shown at first.
   const controls = find('.controls');
@@ -73,12 +59,7 @@ inline constexpr const char* script_of_sheet = R"(
     find('.previous').addEventListener('click', () => move(-1));
     find('.next').addEventListener('click', () => move(1));
     const keys = { ArrowLeft: () => move(-1), ArrowRight: () => move(1), Home: () => show(0), End: () => show(whole) };
-    document.addEventListener('keydown', event => {
-      const is_modified = event.altKey || event.ctrlKey || event.metaKey || event.shiftKey;
-      if (is_modified || event.target === slider || !(event.key in keys)) return;
-      event.preventDefault();
-      keys[event.key]();
-    });
+    on_keys(keys, element => element === slider);
     controls.hidden = false;
     show(whole);
   }
@@ -111,7 +92,6 @@ inline constexpr const char* script_of_sheet = R"(
     mark.addEventListener('blur', silence);
   });
   document.addEventListener('keydown', event => { if (event.key === 'Escape') silence(); });
-})();
 )";
 
 }  // namespace epure

@@ -91,9 +91,10 @@ const std::string* name_of(const drawings::Primitive& primitive) {
 
 }  // namespace
 
-std::vector<drawings::Page> staged_pages(DrawnSheet drawn, const Solution& solution, Language language) {
+std::vector<drawings::Page> staged_pages(DrawnSheet drawn, const drawings::Figure& given, const Solution& solution,
+                                         Language language) {
   name_what_is_measured(drawn);
-  std::vector<drawings::Page> pages{drawings::compose_in_steps(drawn.sheet)};
+  std::vector<drawings::Page> pages{drawings::compose_in_steps(drawn.sheet, given)};
   for (const drawings::Sheet& further : drawn.further) pages.push_back(drawings::compose(further));
   const Tell tell(solution, language);
   for (drawings::Page& page : pages)

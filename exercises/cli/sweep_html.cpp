@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "drawings/files/xml.h"
 #include "drawings/paths/grid.h"
 #include "drawings/text/text.h"
+#include "exercises/cli/html_page.h"
 #include "exercises/cli/html_words.h"
 #include "exercises/cli/inline_svg.h"
 #include "exercises/cli/screen_style.h"
@@ -32,16 +34,7 @@ class SweepPage {
 
   std::string text() {
     const std::string title = study_.exercise->about().title.in(language_) + ": " + say({"Sweep", "Variazione"});
-    const std::string plain_title = drawings::escaped_for_xml(drawings::plain(title));
-    std::string all = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
-        "script-src 'unsafe-inline'\"/>\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-        "<meta name=\"generator\" content=\"epure " EPURE_VERSION
-        "\"/>\n<title>{}</title>\n<style>{}{}{}{}</style>\n</head>\n<body>\n<main class=\"epure\">\n<h1>{}</h1>\n",
-        language_ == Language::english ? "en" : "it", plain_title, style_of_sweep, style_of_words, print_style(),
-        dark_style(pages()), html(title));
+    std::string all = "<main class=\"epure\">\n<h1>" + html(title) + "</h1>\n";
     add_values(all);
     all += fmt::format("<div class=\"show{}\">\n", pictures_ ? " both" : "");
     if (pictures_) add_pictures(all);
@@ -49,7 +42,12 @@ class SweepPage {
     all += "</div>\n";
     add_controls(all);
     add_all_positions(all);
-    return all + "<script>" + script_of_sweep + "</script>\n</main>\n</body>\n</html>\n";
+    all += script_of_page(script_of_sweep) + "</main>\n";
+    return html_page({.language = language_,
+                      .title = drawings::plain(title),
+                      .style = std::string(style_of_moved_page) + style_of_sweep + style_of_words + print_style() +
+                               dark_style(pages()),
+                      .body = std::move(all)});
   }
 
  private:

@@ -6,11 +6,7 @@
 namespace epure {
 
 inline constexpr const char* style_of_sweep =
-    R"(:root { color-scheme: light dark; --ground: #fff; --ink: #111; --edge: #8888; --now: #c40; }
-* { box-sizing: border-box; }
-body { margin: 0; background: var(--ground); color: var(--ink);
-  font: 1rem/1.4 "STIX Two Text", Georgia, "Times New Roman", serif; }
-h1 { font-size: 1.05rem; margin: .5rem 1rem; }
+    R"(:root { --now: #c40; }
 .show { display: grid; gap: 0 1.5rem; padding: 0 1rem; align-items: start; }
 @media (min-width: 60rem) { .show.both { grid-template-columns: 1fr 1fr; } }
 .sheet { margin: 0; }
@@ -32,15 +28,9 @@ th { font-weight: normal; }
 .values { margin: .5rem 0; padding: 0 1rem; }
 .values .value { min-width: 14rem; }
 .name { font-weight: bold; margin: .3rem 0; }
-.controls { position: sticky; bottom: 0; padding: .5rem 1rem; border-top: 1px solid var(--edge);
-  background: var(--ground); }
-.moves { display: flex; gap: .7rem; align-items: center; max-width: 60rem; margin: auto; }
-.moves input { flex: auto; min-width: 4rem; }
-.moves button { font: inherit; padding: .1rem .7rem; }
 .all { max-width: 60rem; margin: 0 auto; padding: .5rem 1rem 1rem; }
 .scroll { overflow-x: auto; }
 .all tr[aria-current] { outline: 2px solid var(--now); }
-[hidden] { display: none; }
 @media print {
   body { font-size: 10pt; }
   h1 { margin: 0; }
@@ -55,10 +45,6 @@ th { font-weight: normal; }
 )";
 
 inline constexpr const char* script_of_sweep = R"(
-(() => {
-  'use strict';
-  const page = document.currentScript.parentElement;
-  const find = selector => page.querySelector(selector);
   const all = selector => [...page.querySelectorAll(selector)];
   const rows = all('.all tbody tr'), last = rows.length - 1;
   const pictures = all('.position'), values = all('.values .value'), told = find('.values');
@@ -128,12 +114,7 @@ inline constexpr const char* script_of_sweep = R"(
   // Of what has the focus: buttons are pressed by the space bar, the slider and the table move by arrows.
   const is_own = (element, key) => key === ' ' ? ['BUTTON', 'SUMMARY'].includes(element.tagName)
                                                : element === slider || element.className === 'scroll';
-  document.addEventListener('keydown', event => {
-    const is_modified = event.altKey || event.ctrlKey || event.metaKey || event.shiftKey;
-    if (is_modified || !(event.key in keys) || is_own(event.target, event.key)) return;
-    event.preventDefault();
-    keys[event.key]();
-  });
+  on_keys(keys, is_own);
 
   // To point at a chart goes to the position that is nearest on the axis, on the same curve.
   const pick = event => {
@@ -150,7 +131,6 @@ inline constexpr const char* script_of_sweep = R"(
 
   find('.controls').hidden = false;
   show(0);
-})();
 )";
 
 }  // namespace epure

@@ -44,7 +44,7 @@ std::vector<std::string> at_commas(const std::vector<std::string>& lists) {
 std::vector<Quantity> quantities_asked_for(const Description& about, const Options& options) {
   std::vector<NameAndLetters> names;
   std::vector<std::string> known;
-  for (const Quantity& quantity : about.quantities) {
+  for (const Quantity& quantity : about.quantities()) {
     names.push_back({quantity.name, unicode_symbol(quantity.symbol)});
     known.push_back(quantity.name);
   }
@@ -65,7 +65,7 @@ std::vector<Quantity> quantities_asked_for(const Description& about, const Optio
                                     "--quantity: non c'è alcuna grandezza \"{}\"; {} (epure list {} le mostra)", name,
                                     did_you_mean(name, known), about.id));
     if (std::none_of(asked.begin(), asked.end(), [&](const Quantity& one) { return one.name == name; }))
-      asked.push_back(about.quantities[static_cast<std::size_t>(place - known.begin())]);
+      asked.push_back(about.quantities()[static_cast<std::size_t>(place - known.begin())]);
   }
   return asked;
 }

@@ -33,14 +33,6 @@ class Lot {
   std::mt19937_64 generator_;
 };
 
-std::vector<DrawnSheet> drawn(const Lots& lots, const Solution& solution, const Solver& solver) {
-  SheetRequest request = lots.request;
-  request.solver = solver;
-  std::vector<DrawnSheet> all;
-  for (const std::string& sheet : lots.sheets) all.push_back(lots.exercise.draw(sheet, solution, request));
-  return all;
-}
-
 // Why nobody should have to draw it; empty: it is good.
 Words awkwardness(const std::vector<DrawnSheet>& sheets, const std::vector<std::string>& anyway) {
   for (const DrawnSheet& sheet : sheets)
@@ -58,12 +50,35 @@ Givens givens_of(const Lots& lots, const std::vector<std::vector<std::string>>& 
 
 }  // namespace
 
+SheetRequest Lots::request_of(const std::string& sheet) const {
+  SheetRequest of_sheet = request;
+  if (const auto found = scales.find(sheet); found != scales.end()) of_sheet.scale = found->second;
+  return of_sheet;
+}
+
 std::vector<std::string> awkward_as_stated(const Lots& lots) {
   std::vector<std::string> all;
   const Solution stated = lots.exercise.solution(Givens(lots.exercise.about().givens));
-  for (const DrawnSheet& sheet : drawn(lots, stated, {}))
-    for (const Awkwardness& each : sheet.awkward) all.push_back(each.what);
+  SheetRequest request = lots.request;
+  request.scale.reset();
+  for (const std::string& sheet : lots.sheets)
+    for (const Awkwardness& each : lots.exercise.draw(sheet, stated, request).awkward) all.push_back(each.what);
   return all;
+}
+
+std::vector<DrawnSheet> sheets_of(const Lots& lots, const Solution& solution, const Candidate& student, bool blank) {
+  std::vector<DrawnSheet> all;
+  for (const std::string& sheet : lots.sheets) {
+    SheetRequest request = lots.request_of(sheet);
+    request.solver = {student.name, student.number};
+    request.blank = blank;
+    all.push_back(lots.exercise.draw(sheet, solution, request));
+  }
+  return all;
+}
+
+Solution solution_of(const Lots& lots, const std::vector<std::string>& assignments) {
+  return lots.exercise.solution(givens_of(lots, {assignments}));
 }
 
 Variant draw_variant(const Lots& lots, const Candidate& student, const std::vector<std::string>& awkward_anyway) {
@@ -80,7 +95,7 @@ Variant draw_variant(const Lots& lots, const Candidate& student, const std::vect
     };
     try {
       Solution solution = lots.exercise.solution(givens_of(lots, {student.assignments, assignments}));
-      std::vector<DrawnSheet> solved = drawn(lots, solution, {student.name, student.number});
+      std::vector<DrawnSheet> solved = sheets_of(lots, solution, student, false);
       const Words why = lots.variations.empty() ? Words{} : awkwardness(solved, awkward_anyway);
       assignments.insert(assignments.begin(), student.assignments.begin(), student.assignments.end());
       if (why.empty()) return {std::move(assignments), std::move(solution), std::move(solved), std::move(rejected)};

@@ -20,6 +20,9 @@ struct Lots {
   std::vector<Variation> variations;
   std::string seed;
   SheetRequest request;
+  std::map<std::string, Rational> scales = {};  // of lengths, by sheet; others: the largest at which a variant fits
+
+  SheetRequest request_of(const std::string& sheet) const;
 };
 
 // Why variants were not taken, in English and Italian, and how often.
@@ -32,12 +35,18 @@ struct Variant {
   Rejections rejected;
 };
 
-// What is awkward about the exercise's own givens is no reason: it is in the nature of the exercise.
+// What is awkward about the exercise's own givens, at the scale that fits these, is no reason: it is in the nature of
+// the exercise.
 std::vector<std::string> awkward_as_stated(const Lots& lots);
 
 // The same for the same lots, seed and number, whoever else is in the class. Impossible and awkward ones are drawn
 // again, 200 times at most; a variant without lots is taken as it is, awkward or not. Throws BadGivens: there was
 // none.
 Variant draw_variant(const Lots& lots, const Candidate& student, const std::vector<std::string>& awkward_anyway);
+
+// Its sheets with the student's name, to be solved or solved, one after the other.
+std::vector<DrawnSheet> sheets_of(const Lots& lots, const Solution& solution, const Candidate& student, bool blank);
+// What he was given, by what was drawn for him.
+Solution solution_of(const Lots& lots, const std::vector<std::string>& assignments);
 
 }  // namespace epure

@@ -6,6 +6,7 @@
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
 #include "exercises/scenes/coincidences.h"
+#include "exercises/scenes/file_head.h"
 #include "exercises/scenes/scene_exercise.h"
 #include "exercises/scenes/truss_file.h"
 
@@ -40,8 +41,9 @@ Scenes read_scenes(const Options& options) {
     const std::string& file = scene->file;
     auto found = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == file; });
     if (found == known.end()) {
-      std::unique_ptr<Exercise> exercise = scenes::truss_of_file(file);
-      read.files.push_back(exercise ? nullptr : scenes::read_scene(file));
+      const std::string bytes = scenes::bytes_of(file);
+      std::unique_ptr<Exercise> exercise = scenes::truss_of_text(file, bytes);
+      read.files.push_back(exercise ? nullptr : std::make_shared<const scenes::Scene>(file, bytes));
       if (!exercise) exercise = scenes::scene_exercise(read.files.back());
       const std::string id = exercise->about().id;
       if (std::any_of(known.begin(), known.end(), [&](const auto& k) { return k.second == id; }))

@@ -153,10 +153,33 @@ std::unique_ptr<Exercise> make_crane_welds() {
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes(Welds(givens)), rung); };
   return exercise_of_panels(
       std::move(about), solve,
-      {{{"shear-flow", {"Shear flow at the joint", "Flusso di taglio al giunto"}}, flow_sheet},
-       {{"throat", {"Throat of the fillets", "Sezione di gola dei cordoni"}}, throat_sheet},
-       {{"mohr", {"Mohr's circle at the joint", "Cerchio di Mohr al giunto"}}, mohr_sheet},
-       {{"sphere", {"Fillets: the truncated sphere", "Cordoni: la sfera mozza"}}, sphere_sheet}});
+      {{{"shear-flow",
+         {"Shear flow at the joint", "Flusso di taglio al giunto"},
+         {"Web and flanges of the crane's beam are welded. Find the shear flow at the joint in section C.",
+          "L'anima e le ali della trave della gru sono saldate. Trovare il flusso di taglio nel giunto alla sezione "
+          "C."}},
+        flow_sheet},
+       {{"throat",
+         {"Throat of the fillets", "Sezione di gola dei cordoni"},
+         {"Web and flanges of the crane's beam are welded with two fillets. Find the stresses of their throats in "
+          "section C and check the weld.",
+          "L'anima e le ali della trave della gru sono saldate con due cordoni d'angolo. Trovare le tensioni nelle "
+          "loro sezioni di gola alla sezione C e verificare la saldatura."}},
+        throat_sheet},
+       {{"mohr",
+         {"Mohr's circle at the joint", "Cerchio di Mohr al giunto"},
+         {"Web and flanges of the crane's beam are welded with full penetration. Find the principal stresses at the "
+          "joint in section C by Mohr's circle and check the weld.",
+          "L'anima e le ali della trave della gru sono saldate a piena penetrazione. Trovare le tensioni principali "
+          "nel giunto alla sezione C con il cerchio di Mohr e verificare la saldatura."}},
+        mohr_sheet},
+       {{"sphere",
+         {"Fillets: the truncated sphere", "Cordoni: la sfera mozza"},
+         {"Web and flanges of the crane's beam are welded with two fillets. Check the weld in section C by the "
+          "truncated sphere.",
+          "L'anima e le ali della trave della gru sono saldate con due cordoni d'angolo. Verificare la saldatura "
+          "alla sezione C con la sfera mozza."}},
+        sphere_sheet}});
 }
 
 }  // namespace epure

@@ -142,13 +142,39 @@ std::unique_ptr<Exercise> make_four_bar_analytic() {
   using namespace four_bar_analytic;
   return exercise_of_panels(
       description(), solve,
-      {{{"configurations", {"Both configurations", "Le due configurazioni"}}, configurations_sheet},
-       {{"velocities", {"Polar diagram of velocity", "Diagramma polare delle velocità"}}, velocities_sheet},
-       {{"accelerations", {"Polar diagram of acceleration", "Diagramma polare delle accelerazioni"}},
+      {{{"configurations",
+         {"Both configurations", "Le due configurazioni"},
+         {"Solve the closure equations of the four-bar linkage in both configurations.",
+          "Risolvere le equazioni di chiusura del quadrilatero articolato in entrambe le configurazioni."}},
+        configurations_sheet},
+       {{"velocities",
+         {"Polar diagram of velocity", "Diagramma polare delle velocità"},
+         {"Find the angular velocities of the four-bar linkage and the velocities of the midpoints by the polar "
+          "diagram.",
+          "Trovare le velocità angolari del quadrilatero articolato e le velocità dei punti medi con il diagramma "
+          "polare."}},
+        velocities_sheet},
+       {{"accelerations",
+         {"Polar diagram of acceleration", "Diagramma polare delle accelerazioni"},
+         {"Find the angular accelerations of the four-bar linkage and the accelerations of the midpoints by the "
+          "polar diagram.",
+          "Trovare le accelerazioni angolari del quadrilatero articolato e le accelerazioni dei punti medi con il "
+          "diagramma polare."}},
         accelerations_sheet},
-       {{"curvature", {"Curvature of the path of G₃", "Curvatura della traiettoria di G₃"}}, curvature_sheet},
-       {{"omega-4", {"ω₄ over a turn of the crank", "ω₄ in un giro della manovella"}}, omega_4_sheet},
-       {{"coupler-curve", {"Path of the coupler point P", "Traiettoria del punto di biella P"}},
+       {{"curvature",
+         {"Curvature of the path of G₃", "Curvatura della traiettoria di G₃"},
+         {"Find the centre of curvature of the path of the coupler's midpoint.",
+          "Trovare il centro di curvatura della traiettoria del punto medio della biella."}},
+        curvature_sheet},
+       {{"omega-4",
+         {"ω₄ over a turn of the crank", "ω₄ in un giro della manovella"},
+         {"Find $ω_{4}$ of the four-bar linkage over a turn of the crank.",
+          "Trovare $ω_{4}$ del quadrilatero articolato in un giro della manovella."}},
+        omega_4_sheet},
+       {{"coupler-curve",
+         {"Path of the coupler point P", "Traiettoria del punto di biella P"},
+         {"Draw the path of the coupler point P of the four-bar linkage.",
+          "Tracciare la traiettoria del punto di biella P del quadrilatero articolato."}},
         coupler_curve_sheet}});
 }
 

@@ -146,14 +146,25 @@ T degrees_for_drawing(const geometry::Vector<T>& crank) {
   }
 }
 
+// Beside a fold, however near, with as many bits as the linkage takes to close.
+template <class Find>
+geometry::Deep for_drawing(const Find& find) {
+  try {
+    return find();
+  } catch (const geometry::Undecided&) {
+    return geometry::with_enough_bits(find);
+  }
+}
+
 template <class T>
 void write_for_chart(Ledger<T>& ledger, Configuration of, const RatioByClosure& ratio,
                      const StationaryRatio<RatioByClosure>& stationary, const FourBarInstant& at) {
   if constexpr (std::is_same_v<T, geometry::Deep>) {
     for (std::size_t i = 0; i < stationary.positions.size(); ++i) {
-      const geometry::Vector<T> crank = RatioByClosure::crank<T>(stationary.positions[i]);
-      ledger.tells(stationary_omega_4(of, i), [&] { return T(at.omega_2<T>() * ratio.ratio(crank)); });
-      ledger.tells(stationary_theta_2(of, i), [&] { return degrees_for_drawing(crank); });
+      const auto crank = [&] { return RatioByClosure::crank<T>(stationary.positions[i]); };
+      ledger.tells(stationary_omega_4(of, i),
+                   [&] { return for_drawing([&] { return T(at.omega_2<T>() * ratio.ratio(crank())); }); });
+      ledger.tells(stationary_theta_2(of, i), [&] { return degrees_for_drawing(crank()); });
     }
     for (const geometry::Reach reach : {geometry::Reach::extended, geometry::Reach::folded})
       ledger.tells(dead_centre_theta_2(of, reach), [&] {

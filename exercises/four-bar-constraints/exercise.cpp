@@ -175,12 +175,37 @@ std::unique_ptr<Exercise> make_four_bar_constraints() {
   using namespace four_bar_constraints;
   return exercise_of_panels(
       description(), solve,
-      {{{"iterations", {"Newton-Raphson on the open linkage", "Newton-Raphson sul quadrilatero aperto"}},
+      {{{"iterations",
+         {"Newton-Raphson on the open linkage", "Newton-Raphson sul quadrilatero aperto"},
+         {"Write the constraint equations of the four-bar linkage and solve them by Newton-Raphson from the given "
+          "start.",
+          "Scrivere le equazioni di vincolo del quadrilatero articolato e risolverle con Newton-Raphson dai valori "
+          "iniziali dati."}},
         iterations_sheet},
-       {{"convergence", {"Convergence of the iteration", "Convergenza dell'iterazione"}}, convergence_sheet},
-       {{"velocities", {"Velocities of the midpoints", "Velocità delle mezzerie"}}, velocities_sheet},
-       {{"accelerations", {"Accelerations of the midpoints", "Accelerazioni delle mezzerie"}}, accelerations_sheet},
-       {{"comparison", {"Three methods compared", "Confronto dei tre metodi"}}, comparison_sheet}});
+       {{"convergence",
+         {"Convergence of the iteration", "Convergenza dell'iterazione"},
+         {"Solve the constraint equations of the four-bar linkage by Newton-Raphson from the given start, and draw "
+          "how the residuals become smaller.",
+          "Risolvere le equazioni di vincolo del quadrilatero articolato con Newton-Raphson dai valori iniziali "
+          "dati, e disegnare come diminuiscono i residui."}},
+        convergence_sheet},
+       {{"velocities",
+         {"Velocities of the midpoints", "Velocità delle mezzerie"},
+         {"Find the velocities of the midpoints of the four-bar linkage from the constraint equations.",
+          "Trovare le velocità dei punti medi del quadrilatero articolato dalle equazioni di vincolo."}},
+        velocities_sheet},
+       {{"accelerations",
+         {"Accelerations of the midpoints", "Accelerazioni delle mezzerie"},
+         {"Find the accelerations of the midpoints of the four-bar linkage from the constraint equations.",
+          "Trovare le accelerazioni dei punti medi del quadrilatero articolato dalle equazioni di vincolo."}},
+        accelerations_sheet},
+       {{"comparison",
+         {"Three methods compared", "Confronto dei tre metodi"},
+         {"Find velocities and accelerations of the midpoints of the four-bar linkage by constraint equations, "
+          "closure equations and polar diagrams, and compare.",
+          "Trovare velocità e accelerazioni dei punti medi del quadrilatero articolato con le equazioni di vincolo, "
+          "le equazioni di chiusura e i diagrammi polari, e confrontare."}},
+        comparison_sheet}});
 }
 
 }  // namespace epure

@@ -413,27 +413,83 @@ std::vector<SheetMaker> sheets() {
   };
   const auto extended = geometry::Reach::extended, folded = geometry::Reach::folded;
   return {
-      {{"poles", {"Velocities by the poles", "Velocità col metodo dei poli"}}, poles_sheet},
-      {{"velocity-diagram", {"Polar diagram of velocity", "Diagramma polare delle velocità"}},
+      {{"poles",
+        {"Velocities by the poles", "Velocità col metodo dei poli"},
+        {"At the given instant find the velocities of the linkage's points by the method of poles.",
+         "All'istante dato trovare le velocità dei punti del quadrilatero con il metodo dei poli."}},
+       poles_sheet},
+      {{"velocity-diagram",
+        {"Polar diagram of velocity", "Diagramma polare delle velocità"},
+        {"At the given instant find the velocities of the linkage's points by the polar diagram.",
+         "All'istante dato trovare le velocità dei punti del quadrilatero con il diagramma polare."}},
        velocity_diagram_sheet},
-      {{"acceleration-diagram", {"Polar diagram of acceleration", "Diagramma polare delle accelerazioni"}},
+      {{"acceleration-diagram",
+        {"Polar diagram of acceleration", "Diagramma polare delle accelerazioni"},
+        {"At the given instant find the accelerations of the linkage's points by the polar diagram.",
+         "All'istante dato trovare le accelerazioni dei punti del quadrilatero con il diagramma polare."}},
        acceleration_diagram_sheet},
-      {{"circles", {"Inflection and stationarity circles", "Circonferenze dei flessi e di stazionarietà"}},
+      {{"circles",
+        {"Inflection and stationarity circles", "Circonferenze dei flessi e di stazionarietà"},
+        {"At the given instant find the inflection and stationarity circles of the coupler and its acceleration pole "
+         "K.",
+         "All'istante dato trovare le circonferenze dei flessi e di stazionarietà della biella e il suo polo delle "
+         "accelerazioni K."}},
        circles_sheet},
-      {{"acceleration-pole", {"Accelerations by the pole K", "Accelerazioni col metodo dei poli"}},
+      {{"acceleration-pole",
+        {"Accelerations by the pole K", "Accelerazioni col metodo dei poli"},
+        {"At the given instant find the accelerations of the linkage's points by the acceleration pole K.",
+         "All'istante dato trovare le accelerazioni dei punti del quadrilatero con il polo delle accelerazioni K."}},
        acceleration_pole_sheet},
-      {{"curvature", {"Curvature of C's path (Euler-Savary)", "Curvatura della traiettoria di C"}}, curvature_sheet},
-      {{"dead-centres", {"The rocker's dead centres", "I punti morti del bilanciere"}}, dead_centres_sheet},
-      {{"dead-centre-extended", {"Dead centre, extended", "Punto morto: manovella e biella distese"}},
+      {{"curvature",
+        {"Curvature of C's path (Euler-Savary)", "Curvatura della traiettoria di C"},
+        {"At the given instant find the centre of curvature of the path of C by the formula of Euler-Savary.",
+         "All'istante dato trovare il centro di curvatura della traiettoria di C con la formula di Euler-Savary."}},
+       curvature_sheet},
+      {{"dead-centres",
+        {"The rocker's dead centres", "I punti morti del bilanciere"},
+        {"Find both dead centres of the rocker.", "Trovare i due punti morti del bilanciere."}},
+       dead_centres_sheet},
+      {{"dead-centre-extended",
+        {"Dead centre, extended", "Punto morto: manovella e biella distese"},
+        {"At the dead centre of the rocker where crank and coupler are extended find velocities and accelerations by "
+         "the polar diagrams.",
+         "Nel punto morto del bilanciere con manovella e biella distese trovare velocità e accelerazioni con i "
+         "diagrammi polari."}},
        at(dead_centre_sheet, extended)},
-      {{"dead-centre-folded", {"Dead centre, folded", "Punto morto: manovella e biella sovrapposte"}},
+      {{"dead-centre-folded",
+        {"Dead centre, folded", "Punto morto: manovella e biella sovrapposte"},
+        {"At the dead centre of the rocker where crank and coupler are folded find velocities and accelerations by "
+         "the polar diagrams.",
+         "Nel punto morto del bilanciere con manovella e biella sovrapposte trovare velocità e accelerazioni con i "
+         "diagrammi polari."}},
        at(dead_centre_sheet, folded)},
-      {{"circles-extended", {"Circles, extended dead centre", "Circonferenze, punto morto disteso"}},
+      {{"circles-extended",
+        {"Circles, extended dead centre", "Circonferenze, punto morto disteso"},
+        {"At the dead centre of the rocker where crank and coupler are extended find the inflection and stationarity "
+         "circles of the coupler.",
+         "Nel punto morto del bilanciere con manovella e biella distese trovare le circonferenze dei flessi e di "
+         "stazionarietà della biella."}},
        at(circles_at_dead_centre, extended)},
-      {{"circles-folded", {"Circles, folded dead centre", "Circonferenze, punto morto sovrapposto"}},
+      {{"circles-folded",
+        {"Circles, folded dead centre", "Circonferenze, punto morto sovrapposto"},
+        {"At the dead centre of the rocker where crank and coupler are folded find the inflection and stationarity "
+         "circles of the coupler.",
+         "Nel punto morto del bilanciere con manovella e biella sovrapposte trovare le circonferenze dei flessi e di "
+         "stazionarietà della biella."}},
        at(circles_at_dead_centre, folded)},
-      {{"parallel-links", {"Crank and rocker parallel", "Manovella e bilanciere paralleli"}}, parallel_links_sheet},
-      {{"slider-crank", {"Circles that are lines", "Circonferenze degeneri in rette"}}, slider_crank_sheet}};
+      {{"parallel-links",
+        {"Crank and rocker parallel", "Manovella e bilanciere paralleli"},
+        {"Where crank and rocker are parallel find the velocities and accelerations of the linkage's points.",
+         "Dove manovella e bilanciere sono paralleli trovare velocità e accelerazioni dei punti del quadrilatero."}},
+       parallel_links_sheet},
+      {{"slider-crank",
+        {"Circles that are lines", "Circonferenze degeneri in rette"},
+        {"In a slider-crank whose crank stands square to the guide the coupler translates for the instant. Find the "
+         "lines that its inflection and stationarity circles become, and its acceleration pole K.",
+         "In un manovellismo di spinta con la manovella perpendicolare alla guida la biella trasla per un istante. "
+         "Trovare le rette in cui degenerano le sue circonferenze dei flessi e di stazionarietà, e il suo polo delle "
+         "accelerazioni K."}},
+       slider_crank_sheet}};
 }
 
 }  // namespace

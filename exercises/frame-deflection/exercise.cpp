@@ -313,10 +313,34 @@ std::unique_ptr<Exercise> make_frame_deflection() {
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{problem(givens)}, rung); };
   return exercise_of_panels(
       std::move(about), solve,
-      {{{"moments", {"Bending and torsion", "Flessione e torsione"}}, moments_sheet},
-       {{"second-polygon", {"Mohr's second polygon", "Secondo poligono di Mohr"}}, strings_sheet},
-       {{"displacement-plan", {"Displacement plan", "Piano degli spostamenti"}}, plan_sheet},
-       {{"shares", {"Five shares of the deflection", "Cinque parti dell'abbassamento"}}, shares_sheet}});
+      {{{"moments",
+         {"Bending and torsion", "Flessione e torsione"},
+         {"A plane frame is clamped in O and loaded in A at right angles to its plane. Draw its bending and "
+          "torsional moments.",
+          "Un telaio piano è incastrato in O e caricato in A perpendicolarmente al suo piano. Disegnarne i momenti "
+          "flettenti e torcenti."}},
+        moments_sheet},
+       {{"second-polygon",
+         {"Mohr's second polygon", "Secondo poligono di Mohr"},
+         {"A plane frame is clamped in O and loaded in A at right angles to its plane. Find the shares of bending in "
+          "the sinking of A by Mohr's second polygon.",
+          "Un telaio piano è incastrato in O e caricato in A perpendicolarmente al suo piano. Trovare i contributi "
+          "della flessione all'abbassamento di A con il secondo poligono di Mohr."}},
+        strings_sheet},
+       {{"displacement-plan",
+         {"Displacement plan", "Piano degli spostamenti"},
+         {"A plane frame is clamped in O and loaded in A at right angles to its plane. Find how far A sinks by the "
+          "displacement plan.",
+          "Un telaio piano è incastrato in O e caricato in A perpendicolarmente al suo piano. Trovare di quanto si "
+          "abbassa A con il piano degli spostamenti."}},
+        plan_sheet},
+       {{"shares",
+         {"Five shares of the deflection", "Cinque parti dell'abbassamento"},
+         {"A plane frame is clamped in O and loaded in A at right angles to its plane. Find the shares of bending "
+          "and torsion of each bar in the sinking of A.",
+          "Un telaio piano è incastrato in O e caricato in A perpendicolarmente al suo piano. Trovare i contributi "
+          "della flessione e della torsione di ogni asta all'abbassamento di A."}},
+        shares_sheet}});
 }
 
 }  // namespace epure

@@ -21,13 +21,17 @@ Words of_degrees(const Angle& angle) {
   return decimal(geometry::degrees(angle), 6);
 }
 
-// P would be infinite: `limit` is the friction angle at which it becomes so.
-void require_below(const Angle& phi, const Angle& limit, const std::string& mechanism) {
-  if (sign_of(limit - phi) > 0) return;
+// `limit`: the friction angle at which the mechanism jams.
+[[noreturn]] void refuse_jammed(const Angle& phi, const Words& mechanism, const Words& limit) {
   throw BadGivens(
-      format_words("phi = {}°: {} jams in the direct motion at {}°, beyond which no force P moves it",
-                   "phi = {}°: {} s'impunta nel moto diretto a {}°, oltre i quali nessuna forza P lo muove",
-                   of_degrees(phi), mechanism, of_degrees(limit)));
+      format_words("phi = {}°: must be less than {}°, at which {} jams in the direct motion: the force P is "
+                   "infinite there",
+                   "phi = {}°: dev'essere minore di {}°, a cui {} s'impunta nel moto diretto: la forza P vi "
+                   "è infinita",
+                   of_degrees(phi), limit, mechanism));
+}
+void require_below(const Angle& phi, const Angle& limit, const Words& mechanism) {
+  if (sign_of(limit - phi) <= 0) refuse_jammed(phi, mechanism, of_degrees(limit));
 }
 
 // The rod jams when the line of the wedge's force on it passes through K, where the collar's two forces meet:
@@ -55,10 +59,8 @@ void require_moving_rod(const Wedge& of, const Angle& phi) {
     const double middle = (moves + jams) / 2;
     (room_before_jam<double>(of, middle) > 0 ? moves : jams) = middle;
   }
-  throw BadGivens(format_words(
-      "phi = {}°: the rod jams in its collar in the direct motion at {}°, beyond which no force P moves it",
-      "phi = {}°: l'asta s'impunta nel collare nel moto diretto a {}°, oltre i quali nessuna forza P la muove",
-      of_degrees(phi), decimal(std::atan(jams) * 180 / std::numbers::pi, 6)));
+  refuse_jammed(phi, {"the rod in its collar of two forces", "l'asta nel collare a due forze"},
+                decimal(std::atan(jams) * 180 / std::numbers::pi, 6));
 }
 
 // On the line of hinges the contact is the levers' relative pole: they roll there, and friction has no sense.
@@ -73,16 +75,16 @@ void require_sliding(const Levers& of, const Angle& phi, const std::string& name
 }
 
 // Turned by friction past the hinge of the lever that Q loads, the contact could hold that lever only by pulling it.
-void require_pressure(const Levers& of, const Angle& phi, const std::string& name) {
+void require_pressure(const Levers& of, const Angle& phi, const Words& which) {
   const Sign ideal = turned_from_C(of, of.loaded, of.nu);
   for (const Angle& direction : {of.nu - phi, of.nu + phi})
     if (turned_from_C(of, of.loaded, direction) != ideal)
       throw BadGivens(format_words(
-          "phi = {}°: {} jams, no force P moves it: the contact's force, at {}° then, does not pass its hinge "
+          "phi = {}°: {} jam, and no force P moves them: the contact's force, at {}° then, does not pass its hinge "
           "on the side on which it holds the lever that Q loads",
-          "phi = {}°: {} s'impunta, nessuna forza P lo muove: la forza di contatto, allora a {}°, non passa dalla "
-          "parte della cerniera dalla quale regge la leva caricata da Q",
-          of_degrees(phi), name, of_degrees(direction)));
+          "phi = {}°: {} s'impuntano, e nessuna forza P le muove: la forza di contatto, allora a {}°, non passa "
+          "dalla parte della cerniera dalla quale regge la leva caricata da Q",
+          of_degrees(phi), which, of_degrees(direction)));
 }
 
 // The contact's force passes through the hinge of P's lever. (Not in the direct motion, in which P has to supply what
@@ -101,10 +103,8 @@ void require_moving_link(const DoubleSlider& of, const Angle& phi, const Rationa
   if (above == Sign::positive) return;
   const double theta = geometry::to_double(of.theta), ratio = CGAL::to_double(2 * radius / of.l);
   const double limit = std::atan2(std::sin(theta), ratio + std::cos(theta)) * 180 / std::numbers::pi;
-  throw BadGivens(format_words(
-      "phi = {}°: double_slider_pins jams in the direct motion at {}°, beyond which no force P moves it",
-      "phi = {}°: double_slider_pins s'impunta nel moto diretto a {}°, oltre i quali nessuna forza P lo muove",
-      of_degrees(phi), decimal(limit, 6)));
+  refuse_jammed(phi, {"the double slider with friction in its pins", "il doppio pattino con attrito nei perni"},
+                decimal(limit, 6));
 }
 
 }  // namespace
@@ -126,17 +126,26 @@ std::vector<GivenSpec> stated_givens() {
   return all;
 }
 
+Words why_no_sliding(const Fairbairn& of, const std::string& name) {
+  const Words where = of.touches ? Words{"the crank stands square to the lever, which rests",
+                                         "la manovella sta normale alla leva, che è ferma"}
+                                 : Words{"the lever stands upright", "la leva è verticale"};
+  return format_words("{}.theta = {}°: {}: the bodies do not slide on each other, and friction has no sense",
+                      "{}.theta = {}°: {}: i corpi non strisciano l'uno sull'altro, e l'attrito non ha verso", name,
+                      of_degrees(of.theta), where);
+}
+
 Problem::Problem(const Givens& givens)
     : of(givens), phi(givens.angle("phi")), radius(givens["double_slider_pins.r"]) {
   const Angle &theta = of.wedge.theta, &slope = of.double_slider.theta;
-  require_below(phi, Rational(1, 2) * (right_angle() - theta), "wedge_collar");
-  require_below(phi, slope, "double_slider");
-  require_below(phi, Rational(1, 2) * right_angle(), "fairbairn");
+  // Fairbairn's ram jams at 45°, beyond any wedge.
+  require_below(phi, Rational(1, 2) * (right_angle() - theta), {"the wedge", "il cuneo"});
+  require_below(phi, slope, {"the double slider", "il doppio pattino"});
   require_moving_rod(of.wedge, phi);
   require_sliding(of.levers, phi, "sliding_levers");
   require_sliding(of.levers_Q_on_2, phi, "sliding_levers_Q_on_2");
-  require_pressure(of.levers, phi, "sliding_levers");
-  require_pressure(of.levers_Q_on_2, phi, "sliding_levers_Q_on_2");
+  require_pressure(of.levers, phi, {"the sliding levers with Q on 3", "le leve striscianti con Q sulla 3"});
+  require_pressure(of.levers_Q_on_2, phi, {"the sliding levers with Q on 2", "le leve striscianti con Q sulla 2"});
   if (is_zero(phi) || 2 * radius == of.double_slider.l) tilt = phi;
   wedge_at_limit = phi == Rational(1, 2) * theta;
   double_slider_at_limit = phi == right_angle() - slope;

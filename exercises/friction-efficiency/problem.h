@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "exercises/kit/linkages/loaded_mechanisms.h"
 
@@ -24,5 +25,7 @@ struct Problem {
   explicit Problem(const Givens& givens);
 };
 std::vector<GivenSpec> stated_givens();
+// Of Fairbairn's mechanism with its lever upright, or across the crank.
+Words why_no_sliding(const Fairbairn& of, const std::string& name);
 
 }  // namespace epure::friction_efficiency

@@ -139,11 +139,11 @@ inline Quantity jamming_angle() {
 // P, or M, in all motions by one route; `find(motion)` gives it.
 template <class T, class Find>
 void put_efforts(Ledger<T>& ledger, const Names& names, const Find& find) {
-  for (const Motion motion : motions) ledger.put(effort(names, motion), [=] { return find(motion); });
+  for (const Motion motion : motions) ledger.put(effort(names, motion), [&] { return find(motion); });
   ledger.put(efficiency(Motion::direct),
-             [=] { return Ledger<T>::ratio(find(Motion::ideal), find(Motion::direct), no_effort); });
+             [&] { return Ledger<T>::ratio(find(Motion::ideal), find(Motion::direct), no_effort); });
   ledger.put(efficiency(Motion::retrograde),
-             [=] { return Ledger<T>::ratio(find(Motion::retrograde), find(Motion::ideal), no_effort); });
+             [&] { return Ledger<T>::ratio(find(Motion::retrograde), find(Motion::ideal), no_effort); });
 }
 template <class T>
 T locks(const T& retrograde) {
@@ -164,12 +164,12 @@ void write_motions(Ledger<T>& ledger, const Names& names, const Motions<T>& all,
                    const std::vector<VectorQuantity>& forces, const std::set<Motion>& without = {}) {
   const std::string name = names.effort.name;
   const bool is_couple = names.is_couple;
-  const auto constructed = [=](Motion motion) -> T {
+  const auto constructed = [&](Motion motion) -> T {
     if (without.contains(motion)) return T(0);
     const auto& model = all.bodies.at(motion)();
     return is_couple ? model.moment(name) : model.along(name);
   };
-  const auto computed = [=](Motion motion) -> T {
+  const auto computed = [&](Motion motion) -> T {
     if (without.contains(motion)) return T(0);
     const Equations<T>& equations = all.equations.at(motion)();
     return is_couple ? equations.forces.at(name).m
@@ -177,26 +177,26 @@ void write_motions(Ledger<T>& ledger, const Names& names, const Motions<T>& all,
   };
   ledger.route("force polygon");
   put_efforts(ledger, names, constructed);
-  ledger.put(self_locking(), [=] { return locks<T>(constructed(Motion::retrograde)); });
+  ledger.put(self_locking(), [&] { return locks<T>(constructed(Motion::retrograde)); });
   ledger.route("equilibrium equations");
   put_efforts(ledger, names, computed);
-  ledger.put(self_locking(), [=] { return locks<T>(computed(Motion::retrograde)); });
+  ledger.put(self_locking(), [&] { return locks<T>(computed(Motion::retrograde)); });
   for (const VectorQuantity& R : forces)
     for (const Motion motion : with_friction) {
       ledger.route("force polygon");
-      put_vector(ledger, in(motion, R), [=, R_ij = R.name] { return all.bodies.at(motion)().force(R_ij); });
+      put_vector(ledger, in(motion, R), [&] { return all.bodies.at(motion)().force(R.name); });
       ledger.route("equilibrium equations");
-      put_vector(ledger, in(motion, R), [=, R_ij = R.name] { return all.equations.at(motion)().force(R_ij); });
+      put_vector(ledger, in(motion, R), [&] { return all.equations.at(motion)().force(R.name); });
     }
   ledger.route("force polygon");
   const std::string load = is_couple ? "F" : "Q";
-  draw_vector(ledger, load, [=] { return all.bodies.at(Motion::ideal)().force(load); });
+  draw_vector(ledger, load, [&] { return all.bodies.at(Motion::ideal)().force(load); });
   for (const Motion motion : motions) {
     const std::string of = motion == Motion::ideal ? "_ideal" : suffix(motion);
     for (const VectorQuantity& R : forces)
       if (motion == Motion::ideal)
-        draw_vector(ledger, R.name + of, [=, R_ij = R.name] { return all.bodies.at(motion)().force(R_ij); });
-    if (!is_couple) draw_vector(ledger, name + of, [=] { return all.bodies.at(motion)().force(name); });
+        draw_vector(ledger, R.name + of, [&] { return all.bodies.at(motion)().force(R.name); });
+    if (!is_couple) draw_vector(ledger, name + of, [&] { return all.bodies.at(motion)().force(name); });
   }
 }
 
@@ -207,32 +207,59 @@ inline Names names_of_M() { return {applied_force("M", {}), true}; }
 template <class T>
 void put_half(Ledger<T>& ledger, const Quantity& limit, const Angle& whole) {
   ledger.route("construction");
-  ledger.put(limit, [=] {
+  ledger.put(limit, [&] {
     return in_degrees(angle_of(Vector<T>{T(1) + geometry::cosine<T>(whole), geometry::sine<T>(whole)}));
   });
   ledger.route("analytic");
-  ledger.put(limit, [=] { return given_in_degrees<T>(Rational(1, 2) * whole); });
+  ledger.put(limit, [&] { return given_in_degrees<T>(Rational(1, 2) * whole); });
 }
 template <class T>
 void put_whole(Ledger<T>& ledger, const Quantity& limit, const Angle& angle) {
   ledger.route("construction");
-  ledger.put(limit, [=] {
+  ledger.put(limit, [&] {
     return in_degrees(angle_of(Vector<T>{geometry::cosine<T>(angle), geometry::sine<T>(angle)}));
   });
   ledger.route("analytic");
-  ledger.put(limit, [=] { return given_in_degrees<T>(angle); });
+  ledger.put(limit, [&] { return given_in_degrees<T>(angle); });
+}
+
+// A limit of the link with friction in its pins: in the triangle of the sides l and 2 r, whose directions stand at
+// `whole`, the angle beside 2 r. Constructed, and by the law of tangents.
+template <class T>
+void put_limit_with_pins(Ledger<T>& ledger, const Quantity& limit, const Angle& whole, const T& l, const T& twice_r) {
+  const T c = geometry::cosine<T>(whole), s = geometry::sine<T>(whole);
+  ledger.route("construction");
+  ledger.put(limit, [&] { return in_degrees(slope_angle(Vector<T>{twice_r + l * c, l * s})); });
+  ledger.route("analytic");
+  ledger.put(limit, [&] {
+    const Complex<T> half_difference{(l + twice_r) * (T(1) + c), (l - twice_r) * s};
+    return given_in_degrees<T>(Rational(1, 2) * whole) + part_of_turn_in_degrees(slope_by_its_half(half_difference));
+  });
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The wedge.
+
+// When the wedge moves by 1 along x.
+template <class T>
+Vector<T> velocity_of_rod(const Wedge& of) {
+  const Vector<T> v_2{T(1), T(0)}, up{T(0), T(1)},
+      along_face{geometry::cosine<T>(of.theta), -geometry::sine<T>(of.theta)};
+  return geometry::close_polygon(v_2, along_face, up).of_second * up;
+}
+template <class T>
+void draw_sliding_of_wedge(Ledger<T>& ledger, const Wedge& of) {
+  draw_vector(ledger, "v_21", [] { return Vector<T>{T(1), T(0)}; });
+  draw_vector(ledger, "v_31", [&] { return velocity_of_rod<T>(of); });
+  draw_vector(ledger, "v_32", [&] { return velocity_of_rod<T>(of) - Vector<T>{T(1), T(0)}; });
+}
 
 template <class T>
 auto wedge_motions(const Problem& problem, Collar collar) {
   const Wedge of = problem.of.wedge;
   const auto constructed = [=](auto& model, const Turned& turned) {
     const T c = geometry::cosine<T>(of.theta), s = geometry::sine<T>(of.theta);
-    const Vector<T> v_2{T(1), T(0)}, up{T(0), T(1)}, left{T(-1), T(0)}, n{s, c};
-    const Vector<T> v_3 = geometry::close_polygon(v_2, Vector<T>{c, -s}, up).of_second * up;
+    const Vector<T> v_2{T(1), T(0)}, up{T(0), T(1)}, left{T(-1), T(0)}, n{s, c}, v_3 = velocity_of_rod<T>(of);
     model.directed("Q", quarter());
     model.directed("R_23", turned.direction<T>(quarter() - of.theta, n, v_3 - v_2));
     model.directed("R_12", turned.direction<T>(quarter(), up, v_2));
@@ -262,6 +289,7 @@ void write_wedge(Ledger<T>& ledger, const Problem& problem) {
   write_motions<T>(ledger, names_of_P(), wedge_motions<T>(problem, Collar::one_force), {T(1), T(0)},
                    {force_between(1, 2), force_between(1, 3), force_between(2, 3)},
                    without_effort(problem.wedge_at_limit));
+  draw_sliding_of_wedge(ledger, problem.of.wedge);
   put_half(ledger, self_locking_angle(), problem.of.wedge.theta);
   put_half(ledger, jamming_angle(), quarter() - problem.of.wedge.theta);
 }
@@ -278,6 +306,7 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
   const Motions<T> all = wedge_motions<T>(problem, Collar::two_forces);
   write_motions<T>(ledger, names_of_P(), all, {T(1), T(0)}, {force_between(1, 2), upper, lower, force_between(2, 3)},
                    without_effort(problem.wedge_at_limit));
+  draw_sliding_of_wedge(ledger, of);
   put_half(ledger, self_locking_angle(), of.theta);
   for (const Motion motion : with_friction) {
     const PointQuantity K = in(
@@ -303,7 +332,7 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
         throw geometry::Undecided("whether Culmann's line is upright", "se la retta di Culmann sia verticale");
       return right == geometry::Sign::negative ? -v : v;
     };
-    ledger.put(culmann_deg, [=] {
+    ledger.put(culmann_deg, [&] {
       const ProjectivePoint<T> P = found();
       const Point<T> at = geometry::finite(P);
       return in_degrees(angle_of(slope({at.x, at.y})));
@@ -317,9 +346,9 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
       return Vector<T>{geometry::quotient(number<T>((of.y_upper - of.y_lower) / 2), mu),
                        number<T>((of.y_upper + of.y_lower) / 2) - mu * number<T>(of.w / 2)};
     };
-    ledger.put(K.x(), [=] { return of_K().x; });
-    ledger.put(K.y(), [=] { return of_K().y; });
-    ledger.put(culmann_deg, [=] {
+    ledger.put(K.x(), [&] { return of_K().x; });
+    ledger.put(K.y(), [&] { return of_K().y; });
+    ledger.put(culmann_deg, [&] {
       // In line with Q the wedge's force leaves nothing for the collar, and no sum has a direction.
       const bool is_free = motion == Motion::retrograde && of.theta == phi;
       const Vector<T> OK = of_K();
@@ -329,7 +358,7 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
     });
   }
   ledger.route("force polygon");
-  ledger.put(jamming_angle(), [=]() -> T {
+  ledger.put(jamming_angle(), [&]() -> T {
     if constexpr (signs_only<T>)
       return T(1);
     else
@@ -338,7 +367,7 @@ void write_two_point_wedge(Ledger<T>& ledger, const Problem& problem) {
   });
   // The cubic by its trigonometric roots.
   ledger.route("analytic");
-  ledger.put(jamming_angle(), [=]() -> T {
+  ledger.put(jamming_angle(), [&]() -> T {
     if constexpr (signs_only<T>) {
       return T(1);
     } else {
@@ -460,8 +489,8 @@ void write_double_slider(Ledger<T>& ledger, const Problem& problem) {
     return part_of_turn_in_degrees(slope_by_its_half(Complex<T>{at().cosine, at().sine}));
   };
   ledger.route("construction");
-  ledger.put(circle, [=] { return number<T>(problem.radius) * geometry::sine<T>(phi); });
-  ledger.put(tilt, [=] { return tilt_deg(); });
+  ledger.put(circle, [&] { return number<T>(problem.radius) * geometry::sine<T>(phi); });
+  ledger.put(tilt, [&] { return tilt_deg(); });
   for (const Motion motion : with_friction)
     ledger.put(
         Quantity{"link_line_angle" + suffix(motion) + "_deg", motion == Motion::direct ? "$ψ$" : "$ψ'$", "deg",
@@ -469,10 +498,13 @@ void write_double_slider(Ledger<T>& ledger, const Problem& problem) {
                      words_of(motion)},
         [=] { return given_in_degrees<T>(theta) + (motion == Motion::direct ? -tilt_deg() : tilt_deg()); });
   ledger.route("analytic");
-  ledger.put(circle, [=] { return number<T>(problem.radius) * geometry::cosine<T>(quarter() - phi); });
-  ledger.put(tilt, [=] { return tilt_by_half(); });
+  ledger.put(circle, [&] { return number<T>(problem.radius) * geometry::cosine<T>(quarter() - phi); });
+  ledger.put(tilt, [&] { return tilt_by_half(); });
   const Motions<T> all = double_slider_motions<T>(problem, true);
-  const T l = number<T>(problem.of.double_slider.l);
+  const T l = number<T>(problem.of.double_slider.l), twice_r = number<T>(2 * problem.radius);
+  put_limit_with_pins(ledger, self_locking_angle(), quarter() - theta, l, twice_r);
+  put_limit_with_pins(ledger, jamming_angle(), theta, l, twice_r);
+  ledger.route("construction");
   const Point<T> A{T(0), l * geometry::sine<T>(theta)}, B{-(l * geometry::cosine<T>(theta)), T(0)};
   ledger.draws_point("A", A);
   ledger.draws_point("B", B);
@@ -480,8 +512,8 @@ void write_double_slider(Ledger<T>& ledger, const Problem& problem) {
     const auto touched = [=](const Point<T>& X) {
       return geometry::foot(X, all.bodies.at(motion)().line_of("R_32"));
     };
-    ledger.draws_point("on_A" + suffix(motion), [=] { return touched(A); });
-    ledger.draws_point("on_B" + suffix(motion), [=] { return touched(B); });
+    ledger.draws_point("on_A" + suffix(motion), [&] { return touched(A); });
+    ledger.draws_point("on_B" + suffix(motion), [&] { return touched(B); });
   }
   ledger.route("equilibrium equations");
   for (const Motion motion : with_friction)
@@ -521,9 +553,9 @@ Vector<T> to_line(const Vector<T>& n, const Vector<T>& from_hinge, const T& turn
 template <class T, class Find>
 void put_locking_angle(Ledger<T>& ledger, const Find& triangle) {
   ledger.route("construction");
-  ledger.put(self_locking_angle(), [=] { return in_degrees(slope_angle(Vector<T>(triangle()))); });
+  ledger.put(self_locking_angle(), [&] { return in_degrees(slope_angle(Vector<T>(triangle()))); });
   ledger.route("analytic");
-  ledger.put(self_locking_angle(), [=] {
+  ledger.put(self_locking_angle(), [&] {
     const Vector<T> v = triangle();
     return part_of_turn_in_degrees(slope_by_its_half(Complex<T>{v.x, v.y}));
   });
@@ -557,15 +589,16 @@ void write_levers(Ledger<T>& ledger, const Problem& problem, const Levers& of, b
     ledger.draws_point(name, P);
   write_motions<T>(ledger, names_of_P(), all, unit<T>(of.direction_P),
                    {force_between(1, 2), force_between(1, 3), contact}, without_effort(is_at_limit));
+  draw_vector(ledger, "sliding", [&] { return sliding_in_C(of, at); });
   for (const Motion motion : with_friction) {
     const Quantity direction{
         "contact_force_angle" + suffix(motion) + "_deg",
         "$ν_{" + std::string(motion == Motion::direct ? "D" : "R") + "}$", "deg",
         Words{"direction of the contact's force", "direzione della forza di contatto"} + words_of(motion)};
     ledger.route("force polygon");
-    ledger.put(direction, [=] { return in_degrees(angle_of(all.bodies.at(motion)().force(contact.name))); });
+    ledger.put(direction, [&] { return in_degrees(angle_of(all.bodies.at(motion)().force(contact.name))); });
     ledger.route("equilibrium equations");
-    ledger.put(direction, [=] {
+    ledger.put(direction, [&] {
       const Angle found = geometry::within_one_turn(angle({phi, motion}, &all.equations.at(Motion::ideal)()));
       return given_in_degrees<T>(sign_of(half() - found) < 0 ? found - Angle{1} : found);
     });
@@ -576,7 +609,7 @@ void write_levers(Ledger<T>& ledger, const Problem& problem, const Levers& of, b
                                                                   std::to_string(lever)});
       ledger.route("force polygon");
       put_point(
-          ledger, H, [=] { return all.bodies.at(motion)().H(lever); }, parallel_forces);
+          ledger, H, [&] { return all.bodies.at(motion)().H(lever); }, parallel_forces);
       ledger.route("equilibrium equations");
       put_point(
           ledger, H,
@@ -593,7 +626,7 @@ void write_levers(Ledger<T>& ledger, const Problem& problem, const Levers& of, b
           parallel_forces);
     }
   }
-  put_locking_angle(ledger, [=] {
+  put_locking_angle(ledger, [&] {
     const Vector<T> sliding = sliding_in_C(of, at), left = geometry::quarter_turn(at.n);
     return to_line<T>(at.n, at.C - (of.driven() == 2 ? at.A0 : at.B0), T(sense_of<T>(geometry::dot(sliding, left))));
   });
@@ -618,24 +651,40 @@ inline std::set<Motion> at_dead_centre(const Fairbairn& of, const Angle& phi) {
   return is_zero(phi) ? std::set<Motion>(motions.begin(), motions.end()) : std::set{Motion::ideal};
 }
 
+// How the blocks slide when the crank turns by 1: 5 on the ram, the lever on block 3, the ram in its guide.
 template <class T>
-void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn& of) {
+struct SlidingOfFairbairn {
+  Vector<T> v_56, v_43, v_61;
+};
+template <class T>
+SlidingOfFairbairn<T> sliding_of(const Fairbairn& of, const FairbairnPoints<T>& at) {
+  using geometry::quarter_turn;
+  const auto [along, turning] = geometry::close_polygon(quarter_turn(at.B - at.A), at.lever, quarter_turn(at.lever));
+  const T omega_4 = of.touches ? T(0) : geometry::quotient(turning, geometry::dot(at.B - at.C, at.lever));
+  const Vector<T> v_D5 = omega_4 * quarter_turn(at.D - at.C), v_D6{v_D5.x, T(0)};
+  return {v_D5 - v_D6, along * at.lever, v_D6};
+}
+
+template <class T>
+void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn& of, const std::string& name) {
   const Angle phi = problem.phi;
   const auto at = once([=] { return points_of<T>(of); });
+  const auto require_sliding = [=](const Turned& turned) {
+    if (turned.motion != Motion::ideal && !is_zero(turned.phi) && (of.touches || is_zero(of.theta)))
+      throw geometry::Impossible(why_no_sliding(of, name));
+  };
   const auto constructed = [=](auto& model, const Turned& turned) {
-    using geometry::quarter_turn;
+    require_sliding(turned);
     const FairbairnPoints<T>& P = at();
-    const Vector<T> across = quarter_turn(P.lever), x{T(1), T(0)}, y{T(0), T(1)}, v_B2 = quarter_turn(P.B - P.A);
-    const auto [along, turning] = geometry::close_polygon(v_B2, P.lever, across);
-    const T omega_4 = of.touches ? T(0) : geometry::quotient(turning, geometry::dot(P.B - P.C, P.lever));
-    const Vector<T> v_D5 = omega_4 * quarter_turn(P.D - P.C), v_D6{v_D5.x, T(0)};
-    const XY<T> R_56 = turned.components<T>(-x, v_D6 - v_D5);
+    const Vector<T> across = geometry::quarter_turn(P.lever), x{T(1), T(0)}, y{T(0), T(1)};
+    const auto [v_56, v_43, v_61] = sliding_of(of, P);
+    const XY<T> R_56 = turned.components<T>(-x, -v_56);
     model.directed("F", Angle{});
-    model.directed("R_56", turned.direction<T>(half(), -x, v_D6 - v_D5));
-    model.directed("R_34", turned.direction<T>(half() - of.theta, across, along * P.lever));
+    model.directed("R_56", turned.direction<T>(half(), -x, -v_56));
+    model.directed("R_34", turned.direction<T>(half() - of.theta, across, v_43));
     epure::describe(model, of,
-                    FairbairnAt<T>{xy(P.A), xy(P.B), xy(P.D), turned.components<T>(across, along * P.lever), R_56,
-                                   turned.components<T>(pressing<T>(R_56.y) * y, v_D6)});
+                    FairbairnAt<T>{xy(P.A), xy(P.B), xy(P.D), turned.components<T>(across, v_43), R_56,
+                                   turned.components<T>(pressing<T>(R_56.y) * y, v_61)});
   };
   const auto by_sines = [=] {
     const T CD = number<T>(of.CD);
@@ -651,6 +700,7 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
     return std::pair{turned.angle<T>(half(), slides(6, 5, D)), turned.angle<T>(half() - of.theta, slides(4, 3, B))};
   };
   const auto analysed = [=](auto& model, const Turned& turned, const Equations<T>* ideal) {
+    require_sliding(turned);
     const auto [B, D] = by_sines();
     const auto [of_R_56, of_R_34] = angles(turned, ideal);
     const XY<T> R_56 = unit<T>(of_R_56);
@@ -665,10 +715,12 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
   };
   const Motions<T> all = in_all_motions<T>(6, "M", phi, constructed, analysed);
   ledger.route("construction");
-  ledger.draws_point("A", [=] { return at().A; });
-  ledger.draws_point("B", [=] { return at().B; });
-  ledger.draws_point("C", [=] { return at().C; });
-  ledger.draws_point("D", [=] { return at().D; });
+  ledger.draws_point("A", [&] { return at().A; });
+  ledger.draws_point("B", [&] { return at().B; });
+  ledger.draws_point("C", [&] { return at().C; });
+  ledger.draws_point("D", [&] { return at().D; });
+  draw_vector(ledger, "v_56", [&] { return sliding_of(of, at()).v_56; });
+  draw_vector(ledger, "v_43", [&] { return sliding_of(of, at()).v_43; });
   write_motions<T>(ledger, names_of_M(), all, {T(1), T(0)},
                    {force_between(5, 6), force_between(1, 6), force_between(1, 4), force_between(3, 4)},
                    at_dead_centre(of, phi));
@@ -682,15 +734,15 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
                                                      {" of the meeting point of the forces on the lever",
                                                       " del punto d'incontro delle forze sulla leva"}});
     ledger.route("force polygon");
-    ledger.put(F_23, [=] { return size(all.bodies.at(motion)().force("R_23")); });
-    ledger.put(d, [=] {
+    ledger.put(F_23, [&] { return size(all.bodies.at(motion)().force("R_23")); });
+    ledger.put(d, [&] {
       return geometry::distance(at().A, geometry::foot(at().A, all.bodies.at(motion)().line_of("R_23")));
     });
     put_point(
-        ledger, H, [=] { return all.bodies.at(motion)().H(4); }, parallel_forces);
+        ledger, H, [&] { return all.bodies.at(motion)().H(4); }, parallel_forces);
     ledger.route("equilibrium equations");
-    ledger.put(F_23, [=] { return size(all.equations.at(motion)().force("R_23")); });
-    ledger.put(d, [=] {
+    ledger.put(F_23, [&] { return size(all.equations.at(motion)().force("R_23")); });
+    ledger.put(d, [&] {
       const Equations<T>& equations = all.equations.at(motion)();
       return geometry::quotient(magnitude_of<T>(equations.forces.at("M").m), size(equations.force("R_23")));
     });
@@ -705,7 +757,7 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
         },
         parallel_forces);
   }
-  put_locking_angle(ledger, [=] {
+  put_locking_angle(ledger, [&] {
     const FairbairnPoints<T>& P = at();
     const Vector<T> across = geometry::quarter_turn(P.lever), v_B2 = geometry::quarter_turn(P.B - P.A);
     const T along = geometry::close_polygon(v_B2, P.lever, across).of_first;  // the lever on the block, along it
@@ -722,9 +774,9 @@ struct Routes {
     Ledger<T> ledger("construction");
     const Quantity friction{"friction_coefficient", "$f$", "1", {"friction coefficient", "coefficiente d'attrito"}};
     const T c = geometry::cosine<T>(problem.phi), s = geometry::sine<T>(problem.phi);
-    ledger.put(friction, [=] { return geometry::quotient(s, c); });
+    ledger.put(friction, [&] { return geometry::quotient(s, c); });
     ledger.route("analytic");
-    ledger.put(friction, [=] {  // by the half angle
+    ledger.put(friction, [&] {  // by the half angle
       const T h = geometry::quotient(s, T(1) + c);
       return geometry::quotient(T(2) * h, T(1) - geometry::square(h));
     });
@@ -736,10 +788,10 @@ struct Routes {
     ledger.begin_case("sliding_levers_Q_on_2.", {", sliding levers with Q on 2", ", leve striscianti con Q sulla 2"});
     write_levers(ledger, problem, problem.of.levers_Q_on_2, problem.levers_Q_on_2_at_limit);
     ledger.begin_case("fairbairn.", {", Fairbairn's mechanism", ", guida di Fairbairn"});
-    write_fairbairn(ledger, problem, problem.of.fairbairn);
+    write_fairbairn(ledger, problem, problem.of.fairbairn, "fairbairn");
     ledger.begin_case("fairbairn_short_lever.",
                       {", Fairbairn's mechanism, shorter lever", ", guida di Fairbairn, leva più corta"});
-    write_fairbairn(ledger, problem, problem.of.fairbairn_short_lever);
+    write_fairbairn(ledger, problem, problem.of.fairbairn_short_lever, "fairbairn_short_lever");
     return ledger;
   }
 };

@@ -1,11 +1,13 @@
 // The sheets: bodies cut free in the direct motion with their friction cones, the polygons of both motions over those
 // without friction, the details of the pins, and the efficiencies over the friction angle.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "exercises/friction-efficiency/exercise.h"
 #include "exercises/friction-efficiency/motion.h"
 #include "exercises/kit/linkages/loaded_figures.h"
+#include "exercises/kit/linkages/shared_out.h"
 #include "exercises/kit/panels/chained_polygons_panel.h"
 #include "exercises/kit/panels/chart_panel.h"
 #include "exercises/kit/panels/mechanism_panel.h"
@@ -37,16 +39,30 @@ std::string turned_from(const std::string& normal, Language language) {
 }
 
 // A contact's force that presses on a body in X from outside: its angle with the normal, which stands on the same
-// side.
-void press(FreeBodyPanel& panel, const Case& of, const PolygonSide& R, const Place& X, double normal) {
+// side. `v` is the sliding of body j on body i, "ji", against which the force is turned.
+void press(FreeBodyPanel& panel, const Case& of, const PolygonSide& R, const Place& X, double normal, const Arrow2& v,
+           const std::string& ji) {
   panel.force(R, X, Arrow::ends);
   if (is_zero(of.s.givens().angle("phi")) || magnitude(R.v) == 0) return;
   const double force = std::atan2(-R.v.y, -R.v.x);
   panel.turned(X, force - std::remainder(force - normal, std::numbers::pi), force, "$φ$");
+  panel.sliding(X, v, -R.v, "$\\vec{v}_{" + ji + "}$");
 }
 
 const Words the_other_way{"Retrograde motion: the same polygons with the forces turned the other way.",
                           "Moto retrogrado: gli stessi poligoni con le forze ruotate dall'altra parte."};
+// The same where lines of action are to be found anew.
+Words other_lines(const std::string& english, const std::string& italian) {
+  return {
+      "Retrograde motion: the same polygons with the forces turned the other way, along the other edges of the "
+      "cones; dashed on the bodies, with " +
+          english + ".",
+      "Moto retrogrado: gli stessi poligoni con le forze ruotate dall'altra parte, lungo gli altri lati dei coni; "
+      "a tratti sui corpi, con " +
+          italian + "."};
+}
+// What the retrograde motion has in place of something.
+std::string prime(const std::string& suffix) { return suffix == retrograde ? "'" : ""; }
 
 // A chain of vectors from the origin on, for what lies under a polygon.
 std::vector<Arrow2> laid_end_to_end(const std::vector<Arrow2>& vectors) {
@@ -62,36 +78,69 @@ struct Chain {
   VectorQuantity contact, on_loaded, on_driven;  // R_ij
   int passed_by;  // the body that acts on the driven one by the contact's force turned round
   std::string along_Q, along_contact, along_loaded, along_driven, along_P;
+  Words other_way = the_other_way;
 };
+struct Sides {
+  PolygonSide Q, contact, on_loaded, back, P, on_driven;
+
+  VectorPolygon first(const Chain& chain) const { return force_polygon(chain.loaded, {on_loaded}, {Q, contact}); }
+  VectorPolygon second(const Chain& chain) const {
+    VectorPolygon polygon = force_polygon(chain.driven, {on_driven}, {back, P});
+    polygon.origin = "$b$";
+    return polygon;
+  }
+};
+Sides sides(const Case& of, const Chain& chain, const std::string& suffix) {
+  const PolygonSide contact = of.sought(moving(chain.contact, suffix), chain.along_contact, "$b$");
+  return {of.load("Q", chain.along_Q, "$a$"),
+          contact,
+          of.sought(moving(chain.on_loaded, suffix), chain.along_loaded),
+          passed_on(contact, chain.contact, chain.passed_by, std::stoi(chain.driven), suffix, "$a$"),
+          of.sought(P_of(suffix), chain.along_P, "$c$"),
+          of.sought(moving(chain.on_driven, suffix), chain.along_driven)};
+}
 ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::string& suffix) {
-  const PolygonSide Q = of.load("Q", chain.along_Q, "$a$"),
-                    contact = of.sought(moving(chain.contact, suffix), chain.along_contact, "$b$"),
-                    on_loaded = of.sought(moving(chain.on_loaded, suffix), chain.along_loaded),
-                    back = passed_on(contact, chain.contact, chain.passed_by, std::stoi(chain.driven), suffix, "$a$"),
-                    P = of.sought(P_of(suffix), chain.along_P, "$c$"),
-                    on_driven = of.sought(moving(chain.on_driven, suffix), chain.along_driven);
-  ChainedPolygonsPanel panel(force_polygon(chain.loaded, {on_loaded}, {Q, contact}));
-  VectorPolygon second = force_polygon(chain.driven, {on_driven}, {back, P});
-  second.origin = "$b$";
-  panel.then(second, Q.v + contact.v);
+  const Sides on = sides(of, chain, suffix);
+  const PolygonSide& Q = on.Q;
+  ChainedPolygonsPanel panel(on.first(chain));
+  panel.then(on.second(chain), Q.v + on.contact.v);
   const Arrow2 ideal_contact = of.vector(chain.contact.name + "_ideal"), b = Q.v + ideal_contact;
   panel.over(laid_end_to_end({Q.v, ideal_contact, of.vector(chain.on_loaded.name + "_ideal")}));
   panel.over({b, b - ideal_contact, b - ideal_contact + of.vector("P_ideal"), b});
-  if (suffix == retrograde) panel.likewise(the_other_way, Q.v);
+  if (suffix == retrograde) panel.likewise(chain.other_way, Q.v);
   return panel;
 }
 
-std::vector<Result> efficiencies(const Case& of, const std::string& effort) {
+// Whether the load alone does not drive it back.
+Result whether_it_locks(const Case& of, const std::string& effort, Language language) {
+  const auto retrograde_effort = of.s.value(of.name(effort + retrograde)), ideal = of.s.value(of.name(effort + "_i"));
+  if (!retrograde_effort || !ideal || *ideal <= 0 || *retrograde_effort > 0) return remark("");
+  const std::string letter = "$\\it{" + effort + "}'$";
+  return remark(*retrograde_effort == 0
+                    ? letter + Words{" = 0: exactly at the limit of self-locking.",
+                                     " = 0: esattamente al limite dell'arresto spontaneo."}
+                                   .in(language)
+                    : letter +
+                          Words{" < 0: self-locking. The load alone does not drive it back: ",
+                                " < 0: arresto spontaneo. Il carico da solo non lo fa tornare indietro: "}
+                              .in(language) +
+                          letter +
+                          Words{" must push the other way.", " deve spingere nel verso opposto."}.in(language));
+}
+
+std::vector<Result> efficiencies(const Case& of, const std::string& effort, Language language) {
   return {of.results({effort + "_i"}), of.results({effort + direct, effort + retrograde}),
           of.results({"eta_direct", "eta_retrograde"}),
           remark("$η_{D}$ = $\\it{" + effort + "}_{i}$/$\\it{" + effort + "}$, $η_{R}$ = $\\it{" + effort +
-                 "}'$/$\\it{" + effort + "}_{i}$")};
+                 "}'$/$\\it{" + effort + "}_{i}$"),
+          whether_it_locks(of, effort, language)};
 }
 const Words turned_against{
-    "Every contact's force is turned from the normal by $φ$ against the sliding of the body it acts on. Dashed: the "
-    "polygons without friction.",
-    "La forza di ogni contatto è ruotata di $φ$ dalla normale, contro lo strisciamento del corpo su cui agisce. A "
-    "tratti: i poligoni senza attrito."};
+    "In the direct motion body $j$ slides on body $i$ as $\\vec{v}_{ji}$ shows; the contact's force on it is turned "
+    "from the normal by $φ$ against that. Dashed beside the polygons: those without friction.",
+    "Nel moto diretto il corpo $j$ striscia sul corpo $i$ come mostra $\\vec{v}_{ji}$; la forza di contatto su di "
+    "esso "
+    "è ruotata di $φ$ dalla normale, in verso contrario. A tratti accanto ai poligoni: quelli senza attrito."};
 
 PanelSheet wedge(const Solution& s, Language language) {
   const Case of(s, "wedge_collar");
@@ -119,17 +168,18 @@ PanelSheet wedge(const Solution& s, Language language) {
                     R_32 = reversed(R_23, 3, 2), R_12 = of.known(moving(chain.on_driven, direct), "", ""),
                     P = of.known(P_of(direct), "", "");
   on_rod.to_scale().at_most(200).load(Q, {0, at.top}, Arrow::ends);
-  press(on_rod, of, R_23, {0, 0}, normal);
-  press(on_rod, of, of.known(moving(chain.on_loaded, direct), "", ""), {0, 0}, 0);
+  const Arrow2 v_32 = of.vector("v_32"), v_31 = of.vector("v_31"), v_21 = of.vector("v_21");
+  press(on_rod, of, R_23, {0, 0}, normal, v_32, "32");
+  press(on_rod, of, of.known(moving(chain.on_loaded, direct), "", ""), {0, 0}, 0, v_31, "31");
   on_rod.step(turned_against, {0, 0});
   // Where R_32 and P meet, from the triangle of directions.
   const Place H{R_32.v.y == 0 ? 0 : at.line_of_P * R_32.v.x / R_32.v.y, at.line_of_P};
   const Place foot{H.x + (at.floor - H.y) * R_12.v.x / R_12.v.y, at.floor};
   on_wedge.to_scale().at_most(200).effort(P, {at.left.x, at.line_of_P}, Arrow::ends);
-  press(on_wedge, of, R_32, {0, 0}, normal);
-  press(on_wedge, of, R_12, foot, -std::numbers::pi / 2);
+  press(on_wedge, of, R_32, {0, 0}, normal, -v_32, "23");
+  press(on_wedge, of, R_12, foot, -std::numbers::pi / 2, v_21, "21");
   on_wedge.meeting("", "$\\it{H}_{2}$", H);
-  std::vector<Result> results = efficiencies(of, "P");
+  std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
   return {.panels = panels(on_rod, on_wedge, polygons(of, chain, direct), polygons(of, chain, retrograde)),
           .results = results,
@@ -148,12 +198,14 @@ PanelSheet two_forces(const Solution& s, Language language) {
   rod.point("O", {0, 0}, Joint::none, "$O$");
   add_rod(rod, at);
   FreeBodyPanel on_rod(std::make_shared<const Mechanism>(std::move(rod)));
+  const auto K = of.point("K_direct");  // without friction at infinity
+  std::optional<SharedOut> shared;
   const auto polygon = [&](const std::string& suffix) {
     const PolygonSide Q = of.load("Q", "∥ $r_{1}$", "$a$"),
                       R_23 = of.sought(moving(force_between(2, 3), suffix), turned_from("$r_{2}$", language), "$b$"),
                       first = of.sought(moving(upper, suffix), turned_from("$x$", language)),
                       second = of.sought(moving(lower, suffix), turned_from("$x$", language), "$d$");
-    PolygonSide sum = of.sought(moving(upper, suffix), "∥ $OK$");
+    PolygonSide sum = of.sought(moving(upper, suffix), K ? "∥ $OK" + prime(suffix) + "$" : "∥ $x$");
     sum.quantity.clear();
     sum.label = moving(force_between(1, 3), suffix).arrow();
     sum.length.reset();
@@ -161,31 +213,53 @@ PanelSheet two_forces(const Solution& s, Language language) {
     ChainedPolygonsPanel panel(force_polygon("3", {sum}, {Q, R_23}));
     PolygonSide minus = reaction(sum, "−" + sum.label, "$\\it{R}_{13}$");
     minus.tip = "$b$";
-    panel.then(force_polygon("3", {first}, {minus, second}), {0, 0});
+    if (K) panel.then(force_polygon("3", {first}, {minus, second}), {0, 0});
+    if (!K && suffix == direct) {
+      shared.emplace(minus, Place{0, 0}, first, Place{-at.w / 2, at.upper}, second, Place{at.w / 2, at.lower});
+    }
+    VectorPolygon of_wedge = force_polygon(
+        "2", {of.sought(moving(force_between(1, 2), suffix), turned_from("⊥ $x$", language))},
+        {passed_on(R_23, force_between(2, 3), 3, 2, suffix, "$a$"), of.sought(P_of(suffix), "∥ $x$", "$c$")});
+    of_wedge.origin = "$b$";
+    panel.then(of_wedge, Q.v + R_23.v);
     const Arrow2 contact = of.vector("R_23_ideal");
     panel.over(laid_end_to_end({Q.v, contact, of.vector("R_13_lower_ideal"), of.vector("R_13_upper_ideal")}));
-    if (suffix == retrograde) panel.likewise(the_other_way, Q.v);
+    if (suffix == retrograde) panel.likewise(other_lines("$K'$ and $OK'$", "$K'$ e $OK'$"), Q.v);
     return panel;
   };
   on_rod.to_scale().load(of.load("Q", "", ""), {0, at.top}, Arrow::ends);
   press(on_rod, of, of.known(moving(force_between(2, 3), direct), "", ""), {0, 0},
-        std::numbers::pi / 2 - of.radians("theta"));
-  press(on_rod, of, of.known(moving(upper, direct), "", ""), {-at.w / 2, at.upper}, 0);
-  press(on_rod, of, of.known(moving(lower, direct), "", ""), {at.w / 2, at.lower}, 0);
-  const auto K = of.point("K_direct");
+        std::numbers::pi / 2 - of.radians("theta"), of.vector("v_32"), "32");
+  const Arrow2 v_31 = of.vector("v_31");
+  press(on_rod, of, of.known(moving(upper, direct), "", ""), {-at.w / 2, at.upper}, 0, v_31, "31");
+  press(on_rod, of, of.known(moving(lower, direct), "", ""), {at.w / 2, at.lower}, 0, v_31, "31");
+  on_rod.step(turned_against, {-at.w / 2, at.upper});
   on_rod.meeting(of.name("K_direct"), "$K$", K);
+  Panels all = panels(polygon(direct), polygon(retrograde));
+  if (shared) {
+    shared->draw_strings(on_rod);
+    all.insert(all.begin() + 1,
+               std::make_unique<SharedLoadPanel>(shared->polygon(moving(force_between(1, 3), direct).arrow())));
+  }
   if (K) on_rod.line_to({0, 0}, *K, "$OK$");
-  on_rod.step({"The collar's forces, each turned by $φ$, meet in $K$. $\\vec{\\it{Q}}$ and $\\vec{\\it{R}}_{23}$ "
-               "meet in $O$: the collar's two forces "
-               "together run along $OK$, Culmann's line.",
-               "Le forze del collare, ciascuna ruotata di $φ$, si incontrano in $K$. La $\\vec{\\it{Q}}$ e la "
-               "$\\vec{\\it{R}}_{23}$ si incontrano in $O$: le due "
-               "forze del collare insieme corrono lungo $OK$, la retta di Culmann."},
-              {0, 0});
-  std::vector<Result> results = efficiencies(of, "P");
+  if (const auto other = of.point("K_retrograde"))
+    on_rod.otherwise(of.name("K_retrograde"), "$K'$", other,
+                     {{{-at.w / 2, at.upper}, of.vector("R_13_upper_retrograde")},
+                      {{at.w / 2, at.lower}, of.vector("R_13_lower_retrograde")},
+                      {{0, 0}, Place{0, 0} - *other}});
+  if (K)
+    on_rod.step({"The collar's forces, each turned by $φ$, meet in $K$. $\\vec{\\it{Q}}$ and $\\vec{\\it{R}}_{23}$ "
+                 "meet in $O$: the collar's two forces "
+                 "together run along $OK$, Culmann's line.",
+                 "Le forze del collare, ciascuna ruotata di $φ$, si incontrano in $K$. La $\\vec{\\it{Q}}$ e la "
+                 "$\\vec{\\it{R}}_{23}$ si incontrano in $O$: le due "
+                 "forze del collare insieme corrono lungo $OK$, la retta di Culmann."},
+                {0, 0});
+  all.insert(all.begin(), std::make_unique<FreeBodyPanel>(std::move(on_rod)));
+  std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"K_direct_x", "K_direct_y", "culmann_angle_direct_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  return {.panels = panels(on_rod, polygon(direct), polygon(retrograde)),
+  return {.panels = std::move(all),
           .results = results,
           .seen = {"The rod with the two forces of its collar and Culmann's line, and the polygons of the direct and "
                    "of the retrograde motion",
@@ -241,7 +315,7 @@ PanelSheet double_slider(const Solution& s, Language language) {
           "parti che ne ostacolano la rotazione; perciò "
           "taglia $AB$ sotto l'angolo $δ$, sen $δ$ = 2$ρ$/$l$."},
          of.place("on_A" + direct));
-  std::vector<Result> results = efficiencies(of, "P");
+  std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"friction_circle_radius", "link_line_tilt_angle_deg"}));
   const auto row = [&](const Words& hinges, const Case& each) {
     return Row{hinges.in(language), each.names({"P_direct", "P_retrograde", "eta_direct", "eta_retrograde"})};
@@ -249,7 +323,11 @@ PanelSheet double_slider(const Solution& s, Language language) {
   results.push_back(
       table({Words{"hinges", "cerniere"}.in(language), "$\\it{P}$ (N)", "$\\it{P}'$ (N)", "$η_{D}$", "$η_{R}$"},
             {row({"with friction", "con attrito"}, of), row({"ideal", "ideali"}, ideal)}));
-  results.push_back(ideal.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
+  const auto limits = [&](const Words& hinges, const Case& each) {
+    return Row{hinges.in(language), each.names({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"})};
+  };
+  results.push_back(table({Words{"hinges", "cerniere"}.in(language), "$φ_{R}$ (°)", "$φ_{D}$ (°)"},
+                          {limits({"with friction", "con attrito"}, of), limits({"ideal", "ideali"}, ideal)}));
   return {
       .panels = panels(A, B, with_guides(direct), with_guides(retrograde)),
       .results = results,
@@ -265,21 +343,40 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   const Case& of = at.of;
   const double nu = of.radians("nu");
   const std::string j = std::to_string(at.loaded), i = std::to_string(at.driven);
-  const auto hinge_line = [&](int lever) {
-    return "∥ " + at.letters(lever) + "$\\it{H}_{" + std::to_string(lever) + "}$";
+  const auto H = [](int lever, const std::string& suffix) {
+    return "$\\it{H}" + prime(suffix) + "_{" + std::to_string(lever) + "}$";
   };
-  const Chain chain{j,
-                    i,
-                    force_between(at.driven, at.loaded),
-                    force_between(1, at.loaded),
-                    force_between(1, at.driven),
-                    at.loaded,
-                    "$δ_{Q}$",
-                    turned_from("$n$", language),
-                    hinge_line(at.loaded),
-                    hinge_line(at.driven),
-                    "$δ_{P}$"};
+  const auto hinge_line = [&](int lever, const std::string& suffix) {
+    if (of.point("H_" + std::to_string(lever) + suffix)) return "∥ " + at.letters(lever) + H(lever, suffix);
+    return std::string(lever == at.loaded ? "$δ_{Q}$" : "$δ_{P}$");  // parallel forces
+  };
+  const std::string other_H = H(2, retrograde), other_H_3 = H(3, retrograde);
+  const auto chained = [&](const std::string& suffix) {
+    return Chain{j,
+                 i,
+                 force_between(at.driven, at.loaded),
+                 force_between(1, at.loaded),
+                 force_between(1, at.driven),
+                 at.loaded,
+                 "$δ_{Q}$",
+                 turned_from("$n$", language),
+                 hinge_line(at.loaded, suffix),
+                 hinge_line(at.driven, suffix),
+                 "$δ_{P}$",
+                 other_lines(other_H + " and " + other_H_3, other_H + " e " + other_H_3)};
+  };
+  const Chain chain = chained(direct);
   const PolygonSide contact = of.known(moving(chain.contact, direct), "", "");
+  const Sides on = sides(of, chain, direct);
+  const auto is_shared = [&](int lever) {
+    return is_out_of_reach(of.point("H_" + std::to_string(lever) + direct), at.C, at.hinge(lever),
+                           at.attacked(lever));
+  };
+  std::optional<SharedOut> shared_j, shared_i;
+  if (is_shared(at.loaded))
+    shared_j.emplace(on.Q, at.attacked(at.loaded), on.contact, at.C, on.on_loaded, at.hinge(at.loaded));
+  if (is_shared(at.driven))
+    shared_i.emplace(on.back, at.C, on.P, at.attacked(at.driven), on.on_driven, at.hinge(at.driven));
   const auto body = [&](int lever) {
     const bool is_loaded = lever == at.loaded;
     Mechanism drawn;
@@ -292,18 +389,34 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
       panel.load(of.load("Q", "", ""), at.attacked(lever));
     else
       panel.effort(of.known(P_of(direct), "", ""), at.attacked(lever));
-    press(panel, of, is_loaded ? contact : reversed(contact, at.loaded, at.driven), at.C, nu);
+    const Arrow2 v = of.vector("sliding");  // of the loaded lever on the other
+    press(panel, of, is_loaded ? contact : reversed(contact, at.loaded, at.driven), at.C, nu, is_loaded ? v : -v,
+          is_loaded ? j + i : i + j);
     panel.force(of.known(moving(force_between(1, lever), direct), "", ""), at.hinge(lever), Arrow::ends);
-    panel.meeting(of.name("H_" + k + direct), "$\\it{H}_{" + k + "}$", of.point("H_" + k + direct));
+    if (const auto& shared = is_loaded ? shared_j : shared_i)
+      shared->draw_strings(panel);
+    else
+      panel.meeting(of.name("H_" + k + direct), H(lever, direct), of.point("H_" + k + direct));
+    panel.otherwise(of.name("H_" + k + retrograde), H(lever, retrograde), of.point("H_" + k + retrograde),
+                    {{at.attacked(lever), of.vector(is_loaded ? "Q" : "P_ideal")},
+                     {at.C, of.vector(chain.contact.name + retrograde)},
+                     {at.hinge(lever), of.vector("R_1" + k + retrograde)}});
     return panel;
   };
   FreeBodyPanel first = body(at.loaded);
   first.step(turned_against, at.C);
-  std::vector<Result> results = efficiencies(of, "P");
+  std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"contact_force_angle_direct_deg", "contact_force_angle_retrograde_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg"}));
+  Panels all = panels(first, body(at.driven));
+  if (shared_j || shared_i)
+    add_polygons(all, on.first(chain), on.second(chain), on.Q.v + on.contact.v, {&shared_j, &shared_i},
+                 {"−" + on.Q.label, on.contact.label});
+  else
+    all.push_back(std::make_unique<ChainedPolygonsPanel>(polygons(of, chain, direct)));
+  all.push_back(std::make_unique<ChainedPolygonsPanel>(polygons(of, chained(retrograde), retrograde)));
   return {
-      .panels = panels(first, body(at.driven), polygons(of, chain, direct), polygons(of, chain, retrograde)),
+      .panels = std::move(all),
       .results = results,
       .seen =
           {"The two levers cut free with the friction cone of their contact, and the polygons of the direct and of "
@@ -316,27 +429,35 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
 PanelSheet fairbairn(const Solution& s, const std::string& name, Language language) {
   const Case of(s, name);
   const Place A = of.place("A"), B = of.place("B"), C = of.place("C"), D = of.place("D");
+  std::optional<SharedOut> shared;
+  if (is_out_of_reach(of.point("H_direct"), B, C, D)) {
+    const PolygonSide R_54 = reversed(of.known(moving(force_between(5, 6), direct), "", ""), 5, 4);
+    shared.emplace(R_54, D, of.known(moving(force_between(3, 4), direct), "", ""), B,
+                   of.known(moving(force_between(1, 4), direct), "", ""), C);
+  }
   const auto polygon = [&](const std::string& suffix) {
+    const std::string H = of.point("H" + suffix) ? "∥ $CH" + prime(suffix) + "$" : turned_from("$x$", language);
     const PolygonSide F = of.load("F", "∥ $x$", "$a$"),
                       R_56 = of.sought(moving(force_between(5, 6), suffix), turned_from("$x$", language), "$b$"),
                       R_16 = of.sought(moving(force_between(1, 6), suffix), turned_from("⊥ $x$", language)),
                       R_54 = passed_on(R_56, force_between(5, 6), 5, 4, suffix, "$a$"),
                       R_34 = of.sought(moving(force_between(3, 4), suffix), turned_from("⊥ $CD$", language), "$c$"),
-                      R_14 = of.sought(moving(force_between(1, 4), suffix), "∥ $CH$");
+                      R_14 = of.sought(moving(force_between(1, 4), suffix), H);
     ChainedPolygonsPanel panel(force_polygon("6", {R_16}, {F, R_56}));
     VectorPolygon second = force_polygon("4", {R_14}, {R_54, R_34});
     second.origin = "$b$";
-    panel.then(second, F.v + R_56.v);
+    if (!shared || suffix != direct) panel.then(second, F.v + R_56.v);
     const Arrow2 ideal = of.vector("R_34_ideal"), b = F.v + of.vector("R_56_ideal");
     panel.over({b, b + F.v, b + F.v + ideal, b});
-    if (suffix == retrograde) panel.likewise(the_other_way, F.v);
+    if (suffix == retrograde) panel.likewise(other_lines("$\\it{H}'$ and $d'$", "$\\it{H}'$ e $d'$"), F.v);
     return panel;
   };
   Mechanism lever, crank;
   lever.point("C", C, Joint::hinge, "$C$")
       .point("B", B, Joint::none, "$B$")
       .point("D", D, Joint::hinge, "$D$")
-      .body({"C", "D"}, 4);
+      .point("end", end_of_lever(of), Joint::corner, "")
+      .body({"C", "end"}, 4);
   crank.point("A", A, Joint::hinge, "$A$").point("B", B, Joint::hinge, "$B$").body({"A", "B"}, 2);
   FreeBodyPanel on_4(std::make_shared<const Mechanism>(std::move(lever))),
       on_2(std::make_shared<const Mechanism>(std::move(crank)));
@@ -344,20 +465,31 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
                     R_54 = reversed(of.known(moving(force_between(5, 6), direct), "", ""), 5, 4),
                     R_32 = reversed(R_34, 3, 2);
   on_4.to_scale().at_most(50).force(of.known(moving(force_between(1, 4), direct), "", ""), C, Arrow::ends);
-  press(on_4, of, R_34, B, -of.radians("theta"));
-  press(on_4, of, R_54, D, 0);
-  on_4.meeting(of.name("H_direct"), "$\\it{H}$", of.point("H_direct"));
+  press(on_4, of, R_34, B, -of.radians("theta"), of.vector("v_43"), "43");
+  press(on_4, of, R_54, D, 0, of.vector("v_56"), "56");
+  if (shared)
+    shared->draw_strings(on_4);
+  else
+    on_4.meeting(of.name("H_direct"), "$\\it{H}$", of.point("H_direct"));
+  const Arrow2 other_R_34 = of.vector("R_34" + retrograde);
+  on_4.otherwise(of.name("H" + retrograde), "$\\it{H}'$", of.point("H" + retrograde),
+                 {{B, other_R_34}, {D, of.vector("R_56" + retrograde)}, {C, of.vector("R_14" + retrograde)}});
   on_4.step(turned_against, of.point("H_direct").value_or(B));
   on_2.to_scale().at_most(50).force(R_32, B).force(reaction(R_32, "$\\vec{\\it{R}}_{12}$", ""), A);
   on_2.couple("$\\it{M}$", A, of["M_direct"]).arm(A, B, R_32.v, "$d$", of.name("d_direct"));
+  on_2.otherwise("", "", {}, {{B, other_R_34}}).arm(A, B, other_R_34, "$d'$", of.name("d_retrograde"));
   on_2.moments({"$\\it{M}$ = $\\it{F}_{23}$·$d$.", "$\\it{M}$ = $\\it{F}_{23}$·$d$."}, A);
   FreeBodyPanel all(fairbairn_figure(of));
   all.to_scale().at_most(50);
-  std::vector<Result> results = efficiencies(of, "M");
+  std::vector<Result> results = efficiencies(of, "M", language);
   results.push_back(of.results({"F_23_direct", "d_direct"}));
   results.push_back(of.results({"F_23_retrograde", "d_retrograde"}));
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  return {.panels = panels(all, on_4, on_2, polygon(direct), polygon(retrograde)),
+  Panels shown = panels(all, on_4, on_2, polygon(direct));
+  if (shared)
+    shown.push_back(std::make_unique<SharedLoadPanel>(shared->polygon(moving(force_between(5, 6), direct).arrow())));
+  shown.push_back(std::make_unique<ChainedPolygonsPanel>(polygon(retrograde)));
+  return {.panels = std::move(shown),
           .results = results,
           .seen = {"Fairbairn's mechanism, its lever and crank cut free, and the polygons of ram and lever in the "
                    "direct and in the retrograde motion",
@@ -376,9 +508,19 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
   const std::vector<Plotted> all{{"wedge_collar", {"wedge", "cuneo"}},
                                  {"wedge_collar_two_point", {"two forces", "due forze"}},
                                  {"double_slider", {"double slider", "doppio pattino"}},
+                                 {"double_slider_pins", {"with pins", "con perni"}},
                                  {"sliding_levers", {"levers", "leve"}},
                                  {"fairbairn", {"Fairbairn", "Fairbairn"}}};
-  constexpr int most = 26, steps_a_degree = 2;
+  // Every limit stands on the charts.
+  const auto limit_of = [&](const Plotted& each, int k) {
+    const std::string name = each.name + (k == 0 ? ".jamming" : ".self_locking") + "_friction_angle_deg";
+    return s.has(name) ? s.value(name) : std::nullopt;
+  };
+  double farthest = 0;
+  for (const Plotted& each : all)
+    for (const int k : {0, 1}) farthest = std::max(farthest, limit_of(each, k).value_or(0));
+  const int most = std::min(90, 10 * (static_cast<int>(farthest / 10) + 1));
+  constexpr int steps_a_degree = 1;
   std::map<std::string, std::array<std::vector<drawings::Datum>, 2>> runs;
   for (int i = 1; i <= most * steps_a_degree; ++i) {
     const double degrees = static_cast<double>(i) / steps_a_degree;
@@ -388,24 +530,32 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
           if (quantity == each.name + (k == 0 ? ".eta_direct" : ".eta_retrograde") && value > 0 && value <= 1) {
             auto& run = runs[each.name][static_cast<std::size_t>(k)];
             if (i == 1) run.push_back({0, 1});  // without friction nothing is lost
-            const bool goes_on = run.empty() || degrees - run.back().x < 0.75;
+            const bool goes_on = run.empty() || degrees - run.back().x < 1.5 / steps_a_degree;
             if (goes_on) run.push_back({degrees, value});
           }
   }
   const double phi = geometry::degrees(s.givens().angle("phi"));
   const auto chart = [&](int k) {
-    drawings::Chart drawn{
-        .x = {.quantity = "$φ$", .unit = "°", .low = 0, .high = most, .steps = drawings::degree_steps},
-        .y = {.quantity = k == 0 ? "$η_{D}$" : "$η_{R}$", .unit = "", .low = 0, .high = 1}};
+    drawings::Chart drawn{.x = {.quantity = "$φ$",
+                                .unit = "°",
+                                .low = 0,
+                                .high = static_cast<double>(most),
+                                .steps = drawings::degree_steps},
+                          .y = {.quantity = k == 0 ? "$η_{D}$" : "$η_{R}$", .unit = "", .low = 0, .high = 1}};
     std::vector<ChartPanel::Read> read;
     for (const Plotted& each : all) {
       auto& run = runs[each.name][static_cast<std::size_t>(k)];
       const std::string limit = each.name + (k == 0 ? ".jamming" : ".self_locking") + "_friction_angle_deg";
-      if (const auto angle = s.has(limit) ? s.value(limit) : std::nullopt; angle && *angle <= most) {
+      if (const auto angle = limit_of(each, k)) {
         run.push_back({*angle, 0});
         read.push_back({run.back(), limit, {}});
-        drawn.markers.push_back(
-            {.at = run.back(), .label = k == 0 ? "$φ_{D}$" : "$φ_{R}$", .shape = drawings::PointShape::ring});
+        // Which one it is, its curve says; two that lie on each other are one mark.
+        const bool stands = std::any_of(drawn.markers.begin(), drawn.markers.end(), [&](const auto& marker) {
+          return marker.at.x == *angle && marker.at.y == 0;
+        });
+        if (!stands)
+          drawn.markers.push_back(
+              {.at = run.back(), .label = k == 0 ? "$φ_{D}$" : "$φ_{R}$", .shape = drawings::PointShape::diamond});
       }
       const std::string eta = each.name + (k == 0 ? ".eta_direct" : ".eta_retrograde");
       if (const auto value = s.value(eta); value && *value > 0 && phi <= most) {
@@ -445,18 +595,66 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
 
 std::vector<SheetMaker> sheets() {
   return {
-      {{"wedge", {"Wedge and collar", "Cuneo e collare"}}, wedge},
-      {{"two-forces", {"Collar with two forces", "Collare con due forze"}}, two_forces},
-      {{"double-slider", {"Double slider", "Doppio pattino"}}, double_slider},
-      {{"levers", {"Sliding levers, Q on lever 3", "Leve striscianti, Q sulla leva 3"}},
+      {{"wedge",
+        {"Wedge and collar", "Cuneo e collare"},
+        {"A wedge lifts a rod in its collar. All pairs rub. Find the driving force in direct motion, the force that "
+         "holds back in retrograde motion by force polygons, and both efficiencies.",
+         "Un cuneo solleva un'asta nel suo collare. In tutte le coppie c'è attrito. Trovare con i poligoni delle "
+         "forze la forza motrice nel moto diretto, la forza che trattiene nel moto retrogrado, e i due rendimenti."}},
+       wedge},
+      {{"two-forces",
+        {"Collar with two forces", "Collare con due forze"},
+        {"A wedge lifts a rod in its collar, which answers with two forces. All pairs rub. Find the driving force in "
+         "direct motion, the force that holds back in retrograde motion by force polygons, and both efficiencies.",
+         "Un cuneo solleva un'asta nel suo collare, che risponde con due forze. In tutte le coppie c'è attrito. "
+         "Trovare con i poligoni delle forze la forza motrice nel moto diretto, la forza che trattiene nel moto "
+         "retrogrado, e i due rendimenti."}},
+       two_forces},
+      {{"double-slider",
+        {"Double slider", "Doppio pattino"},
+        {"A bar joins two sliders. All pairs rub. Find the driving force in direct motion, the force that holds back "
+         "in retrograde motion by force polygons, and both efficiencies.",
+         "Un'asta unisce due pattini. In tutte le coppie c'è attrito. Trovare con i poligoni delle forze la forza "
+         "motrice nel moto diretto, la forza che trattiene nel moto retrogrado, e i due rendimenti."}},
+       double_slider},
+      {{"levers",
+        {"Sliding levers, Q on lever 3", "Leve striscianti, Q sulla leva 3"},
+        {"One lever slides on another, with the load on lever 3. All pairs rub. Find the driving force in direct "
+         "motion, the force that holds back in retrograde motion by force polygons, and both efficiencies.",
+         "Una leva striscia sull'altra, con il carico sulla leva 3. In tutte le coppie c'è attrito. Trovare con i "
+         "poligoni delle forze la forza motrice nel moto diretto, la forza che trattiene nel moto retrogrado, e i "
+         "due rendimenti."}},
        [](const Solution& s, Language language) { return levers(s, "sliding_levers", 3, language); }},
-      {{"levers-Q-on-2", {"Sliding levers, Q on lever 2", "Leve striscianti, Q sulla leva 2"}},
+      {{"levers-Q-on-2",
+        {"Sliding levers, Q on lever 2", "Leve striscianti, Q sulla leva 2"},
+        {"One lever slides on another, with the load on lever 2. All pairs rub. Find the driving force in direct "
+         "motion, the force that holds back in retrograde motion by force polygons, and both efficiencies.",
+         "Una leva striscia sull'altra, con il carico sulla leva 2. In tutte le coppie c'è attrito. Trovare con i "
+         "poligoni delle forze la forza motrice nel moto diretto, la forza che trattiene nel moto retrogrado, e i "
+         "due rendimenti."}},
        [](const Solution& s, Language language) { return levers(s, "sliding_levers_Q_on_2", 2, language); }},
-      {{"fairbairn", {"Fairbairn's mechanism", "Guida di Fairbairn"}},
+      {{"fairbairn",
+        {"Fairbairn's mechanism", "Guida di Fairbairn"},
+        {"Fairbairn's mechanism carries its load. All pairs rub. Find the driving force in direct motion, the force "
+         "that holds back in retrograde motion by force polygons, and both efficiencies.",
+         "La guida di Fairbairn porta il suo carico. In tutte le coppie c'è attrito. Trovare con i poligoni delle "
+         "forze la forza motrice nel moto diretto, la forza che trattiene nel moto retrogrado, e i due rendimenti."}},
        [](const Solution& s, Language language) { return fairbairn(s, "fairbairn", language); }},
-      {{"fairbairn-short-lever", {"Fairbairn's mechanism, shorter lever", "Guida di Fairbairn, leva più corta"}},
+      {{"fairbairn-short-lever",
+        {"Fairbairn's mechanism, shorter lever", "Guida di Fairbairn, leva più corta"},
+        {"Fairbairn's mechanism with the shorter lever carries its load. All pairs rub. Find the driving force in "
+         "direct motion, the force that holds back in retrograde motion by force polygons, and both efficiencies.",
+         "La guida di Fairbairn con la leva più corta porta il suo carico. In tutte le coppie c'è attrito. Trovare "
+         "con i poligoni delle forze la forza motrice nel moto diretto, la forza che trattiene nel moto retrogrado, "
+         "e i due rendimenti."}},
        [](const Solution& s, Language language) { return fairbairn(s, "fairbairn_short_lever", language); }},
-      {{"efficiencies", {"Efficiency and friction angle", "Rendimento e angolo d'attrito"}}, over_friction_angle}};
+      {{"efficiencies",
+        {"Efficiency and friction angle", "Rendimento e angolo d'attrito"},
+        {"All pairs of the wedge and its collar rub. Find how the efficiencies depend on the friction angle, and at "
+         "which one self-locking and jamming begin.",
+         "In tutte le coppie del cuneo e del collare c'è attrito. Trovare come i rendimenti dipendono dall'angolo "
+         "d'attrito, e a quale iniziano l'arresto spontaneo e l'impuntamento."}},
+       over_friction_angle}};
 }
 
 }  // namespace epure::friction_efficiency

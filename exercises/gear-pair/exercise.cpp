@@ -355,9 +355,23 @@ std::unique_ptr<Exercise> make_gear_pair() {
   };
   return exercise_of_panels(
       std::move(about), solve,
-      {{{"pitch-point", {"The mesh around the pitch point", "L'ingranamento intorno al punto P₀"}}, mesh_sheet},
-       {{"wheels", {"The wheels", "Le ruote"}}, wheels_sheet},
-       {{"sliding", {"Sliding along the path of contact", "Strisciamento lungo l'ingranamento"}}, sliding_sheet}},
+      {{{"pitch-point",
+         {"The mesh around the pitch point", "L'ingranamento intorno al punto P₀"},
+         {"Draw the mesh of the two involute gears around the pitch point. Find the path of contact, arcs of "
+          "approach and recess, contact ratio and the limits of interference.",
+          "Disegnare l'ingranamento delle due ruote a evolvente intorno al punto primitivo. Trovare il segmento dei "
+          "contatti, gli archi di accesso e recesso, il rapporto di condotta e i limiti d'interferenza."}},
+        mesh_sheet},
+       {{"wheels",
+         {"The wheels", "Le ruote"},
+         {"Draw the two involute gears with their dimensions.",
+          "Disegnare le due ruote a evolvente con le loro dimensioni."}},
+        wheels_sheet},
+       {{"sliding",
+         {"Sliding along the path of contact", "Strisciamento lungo l'ingranamento"},
+         {"Find the sliding of the two involute gears along the path of contact.",
+          "Trovare lo strisciamento delle due ruote a evolvente lungo il segmento dei contatti."}},
+        sliding_sheet}},
       flaws);
 }
 

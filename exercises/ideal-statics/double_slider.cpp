@@ -101,8 +101,19 @@ PanelSheet virtual_work(const Solution& s, Language) {
 }  // namespace
 
 std::vector<SheetMaker> double_slider_sheets() {
-  return {{{"double-slider", {"Double slider", "Doppio pattino"}}, sheet},
-          {{"double-slider-virtual-work", {"Double slider: virtual work", "Doppio pattino: lavori virtuali"}},
+  return {{{"double-slider",
+            {"Double slider", "Doppio pattino"},
+            {"A bar joins two sliders. There is no friction. Find the force (or couple) that balances the load and "
+             "all reactions by cutting the bodies free and drawing force polygons.",
+             "Un'asta unisce due pattini. Non c'è attrito. Trovare la forza (o la coppia) che equilibra il carico e "
+             "tutte le reazioni, isolando i corpi e disegnando i poligoni delle forze."}},
+           sheet},
+          {{"double-slider-virtual-work",
+            {"Double slider: virtual work", "Doppio pattino: lavori virtuali"},
+            {"A bar joins two sliders. There is no friction. Find the force (or couple) that balances the load by "
+             "virtual work.",
+             "Un'asta unisce due pattini. Non c'è attrito. Trovare la forza (o la coppia) che equilibra il carico "
+             "con i lavori virtuali."}},
            virtual_work}};
 }
 

@@ -4,6 +4,7 @@
 
 #include "exercises/ideal-statics/sheets.h"
 #include "exercises/kit/linkages/loaded_figures.h"
+#include "exercises/kit/linkages/shared_out.h"
 
 namespace epure::ideal_statics {
 namespace {
@@ -23,31 +24,38 @@ PanelSheet polygons(const Solution& s, const std::string& name) {
   lever.point("C", C, Joint::hinge, "$C$")
       .point("B", B, Joint::none, "$B$")
       .point("D", D, Joint::hinge, "$D$")
-      .body({"C", "D"}, 4);
+      .point("end", end_of_lever(of), Joint::corner, "")
+      .body({"C", "end"}, 4);
   crank.point("A", A, Joint::hinge, "$A$").point("B", B, Joint::hinge, "$B$").body({"A", "B"}, 2);
   FreeBodyPanel on_4(std::make_shared<const Mechanism>(std::move(lever))),
       on_2(std::make_shared<const Mechanism>(std::move(crank)));
   on_4.to_scale().load(F, D).force(R_34, B, Arrow::ends).force(R_14, C, Arrow::ends);
-  on_4.meeting(of.name("H"), "$\\it{H}$", of.point("H"));
+  const auto H = of.point("H");
+  std::optional<SharedOut> shared;
+  if (is_out_of_reach(H, B, C, D)) shared.emplace(F, D, R_34, B, R_14, C);
+  if (!shared) on_4.meeting(of.name("H"), "$\\it{H}$", H);
   on_2.to_scale().force(R_32, B).force(R_12, A);
   on_2.couple("$\\it{M}$", A, of["M"]).arm(A, B, R_32.v, "$d$", of.name("d"));
   FreeBodyPanel all(fairbairn_figure(of));
   all.to_scale();
-  on_4.step(
-      {"The ram is held by $\\vec{\\it{F}}$ and the slot's force alone, both along $x$ through $D$: so on the lever "
-       "$\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Block 3 presses square to the lever, in $B$. The two meet in "
-       "$\\it{H}$; "
-       "$\\vec{\\it{R}}_{14}$ runs through $C$ and $\\it{H}$.",
-       "La slitta è in equilibrio per la $\\vec{\\it{F}}$ e la forza della guida a croce, entrambe lungo $x$ per "
-       "$D$: sulla leva "
-       "$\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Il corsoio 3 preme in $B$, normale alla leva. Le due si incontrano "
-       "in $\\it{H}$; "
-       "la $\\vec{\\it{R}}_{14}$ passa per $C$ e $\\it{H}$."},
-      of.point("H").value_or(D));
+  const Words ram{
+      "The ram is held by $\\vec{\\it{F}}$ and the slot's force alone, both along $x$ through $D$: so on the lever "
+      "$\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Block 3 presses square to the lever, in $B$.",
+      "La slitta è in equilibrio per la $\\vec{\\it{F}}$ e la forza della guida a croce, entrambe lungo $x$ per $D$: "
+      "sulla leva $\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Il corsoio 3 preme in $B$, normale alla leva."};
+  const Words meet{" The two meet in $\\it{H}$; $\\vec{\\it{R}}_{14}$ runs through $C$ and $\\it{H}$.",
+                   " Le due si incontrano in $\\it{H}$; la $\\vec{\\it{R}}_{14}$ passa per $C$ e $\\it{H}$."};
+  on_4.step(shared ? ram : ram + meet, shared ? D : *H);
+  if (shared) shared->draw_strings(on_4);
   on_2.moments({"Crank: a couple of forces $\\it{F}_{23}$ with the arm $d$; $\\it{M}$ = $\\it{F}_{23}$·$d$.",
                 "Manovella: una coppia di forze $\\it{F}_{23}$ di braccio $d$; $\\it{M}$ = $\\it{F}_{23}$·$d$."},
                A);
-  return {.panels = panels(all, on_4, on_2, PolygonPanel(s, force_polygon("4", {R_14}, {F, R_34}))),
+  Panels shown = panels(all, on_4, on_2);
+  if (shared)
+    shown.push_back(std::make_unique<SharedLoadPanel>(shared->polygon("−" + F.label)));
+  else
+    shown.push_back(std::make_unique<PolygonPanel>(s, force_polygon("4", {R_14}, {F, R_34})));
+  return {.panels = std::move(shown),
           .results = {of.results({"F_23", "d", "M"}), of.results({"R_14", "R_12"})},
           .seen = {"Fairbairn's mechanism, its lever and crank cut free, and the triangle of the lever's forces",
                    "La guida di Fairbairn, leva e manovella isolate, e il triangolo delle forze della leva"},
@@ -63,7 +71,7 @@ PanelSheet virtual_work(const Solution& s, const std::string& name) {
   drawn.point("C", C, Joint::fixed, "$C$")
       .point("A", A, Joint::fixed, "$A$")
       .point("B", B, Joint::corner, "")
-      .point("end", D, Joint::corner, "")
+      .point("end", end_of_lever(of), Joint::corner, "")
       .point("P24", P24, Joint::none, "$P_{24}$")
       .body({"A", "B"}, 2)
       .body({"C", "end"}, 4)
@@ -78,6 +86,12 @@ PanelSheet virtual_work(const Solution& s, const std::string& name) {
        "leva, "
        "$ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$."},
       P24);
+  poles.load(of.load("F", "", ""), D);
+  poles.step(
+      {"$\\it{M}$·$ω_{2}$ = $\\it{F}$·$v_{D6}$: the couple supplies what the force takes. This gives $\\it{M}$.",
+       "$\\it{M}$·$ω_{2}$ = $\\it{F}$·$v_{D6}$: la coppia fornisce quel che la forza prende. Ciò dà la "
+       "$\\it{M}$."},
+      D);
   const std::string v_D4 = "$v_{B4}$·$CD$/$CB$";
   ChainedPolygonsPanel velocities(velocity_polygon(
       {of.moves("B4", "⊥ $CD$", "?")},
@@ -97,12 +111,29 @@ PanelSheet virtual_work(const Solution& s, const std::string& name) {
 }  // namespace
 
 std::vector<SheetMaker> fairbairn_sheets() {
-  return {{{"fairbairn", {"Fairbairn's mechanism", "Guida di Fairbairn"}},
-           [](const Solution& s, Language) { return polygons(s, "fairbairn"); }},
-          {{"fairbairn-virtual-work", {"Fairbairn's mechanism: virtual work", "Guida di Fairbairn: lavori virtuali"}},
-           [](const Solution& s, Language) { return virtual_work(s, "fairbairn"); }},
-          {{"fairbairn-short-lever", {"Fairbairn's mechanism, shorter lever", "Guida di Fairbairn, leva più corta"}},
-           [](const Solution& s, Language) { return polygons(s, "fairbairn_short_lever"); }}};
+  return {
+      {{"fairbairn",
+        {"Fairbairn's mechanism", "Guida di Fairbairn"},
+        {"Fairbairn's mechanism carries its load. There is no friction. Find the force (or couple) that balances the "
+         "load and all reactions by cutting the bodies free and drawing force polygons.",
+         "La guida di Fairbairn porta il suo carico. Non c'è attrito. Trovare la forza (o la coppia) che equilibra "
+         "il carico e tutte le reazioni, isolando i corpi e disegnando i poligoni delle forze."}},
+       [](const Solution& s, Language) { return polygons(s, "fairbairn"); }},
+      {{"fairbairn-virtual-work",
+        {"Fairbairn's mechanism: virtual work", "Guida di Fairbairn: lavori virtuali"},
+        {"Fairbairn's mechanism carries its load. There is no friction. Find the force (or couple) that balances the "
+         "load by virtual work.",
+         "La guida di Fairbairn porta il suo carico. Non c'è attrito. Trovare la forza (o la coppia) che equilibra "
+         "il carico con i lavori virtuali."}},
+       [](const Solution& s, Language) { return virtual_work(s, "fairbairn"); }},
+      {{"fairbairn-short-lever",
+        {"Fairbairn's mechanism, shorter lever", "Guida di Fairbairn, leva più corta"},
+        {"Fairbairn's mechanism with the shorter lever carries its load. There is no friction. Find the force (or "
+         "couple) that balances the load and all reactions by cutting the bodies free and drawing force polygons.",
+         "La guida di Fairbairn con la leva più corta porta il suo carico. Non c'è attrito. Trovare la forza (o la "
+         "coppia) che equilibra il carico e tutte le reazioni, isolando i corpi e disegnando i poligoni delle "
+         "forze."}},
+       [](const Solution& s, Language) { return polygons(s, "fairbairn_short_lever"); }}};
 }
 
 }  // namespace epure::ideal_statics

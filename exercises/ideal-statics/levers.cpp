@@ -4,6 +4,7 @@
 
 #include "exercises/ideal-statics/sheets.h"
 #include "exercises/kit/linkages/loaded_figures.h"
+#include "exercises/kit/linkages/shared_out.h"
 
 namespace epure::ideal_statics {
 namespace {
@@ -11,18 +12,18 @@ namespace {
 using Arrow = FreeBodyPanel::Arrow;
 using Joint = Mechanism::Joint;
 
-FreeBodyPanel whole(const LeverFigure& at) {
+FreeBodyPanel whole(const LeverFigure& at, bool to_scale = true) {
   Mechanism drawn;
   at.add(drawn, 2, Joint::fixed);
   at.add(drawn, 3, Joint::fixed);
   drawn.point("C", at.C, Joint::none, "$C$").axis(at.A, at.B, "$n$");
   FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
-  panel.to_scale();
+  if (to_scale) panel.to_scale();
   return panel;
 }
 
 FreeBodyPanel cut_free(const LeverFigure& at, int lever, const PolygonSide& applied, const PolygonSide& contact,
-                       const PolygonSide& pivot) {
+                       const PolygonSide& pivot, const std::optional<SharedOut>& shared) {
   Mechanism body;
   at.add(body, lever, Joint::hinge);
   body.point("C", at.C, Joint::none, "$C$");
@@ -37,6 +38,10 @@ FreeBodyPanel cut_free(const LeverFigure& at, int lever, const PolygonSide& appl
   const std::string arm = lever == 2 ? "A0" : "B0";
   panel.arm(at.hinge(lever), at.C, contact.v, "$b_{" + arm + "}$", at.of.name("arm_normal_" + arm));
   const auto meeting = at.of.point("H_" + i);
+  if (shared) {
+    shared->draw_strings(panel);
+    return panel;
+  }
   panel.meeting(at.of.name("H_" + i), H, meeting);
   panel.step(
       Words{"Lever " + i + ": " + applied.label + " and " + contact.label + ", along the normal $n$, meet in " + H +
@@ -56,14 +61,21 @@ PanelSheet polygons(const LeverFigure& at) {
                     pivot_j = of.sought(force_between(1, j), "∥ " + at.letters(j) + H_j),
                     back = reversed(contact, j, i, "$a$"), driving = of.sought(P(), "$δ_{P}$", "$c$"),
                     pivot_i = of.sought(force_between(1, i), "∥ " + at.letters(i) + H_i);
-  ChainedPolygonsPanel chained(force_polygon(std::to_string(j), {pivot_j}, {Q, contact}));
+  const VectorPolygon first = force_polygon(std::to_string(j), {pivot_j}, {Q, contact});
   VectorPolygon second = force_polygon(std::to_string(i), {pivot_i}, {back, driving});
+  // Where a meeting point is out of reach the funicular polygon finds what the triangle cannot.
+  std::optional<SharedOut> shared_j, shared_i;
+  if (is_out_of_reach(of.point("H_" + std::to_string(j)), at.C, at.hinge(j), at.attacked(j)))
+    shared_j.emplace(Q, at.attacked(j), contact, at.C, pivot_j, at.hinge(j));
+  if (is_out_of_reach(of.point("H_" + std::to_string(i)), at.C, at.hinge(i), at.attacked(i)))
+    shared_i.emplace(back, at.C, driving, at.attacked(i), pivot_i, at.hinge(i));
+  Panels all = panels(whole(at), cut_free(at, j, Q, contact, pivot_j, shared_j),
+                      cut_free(at, i, driving, back, pivot_i, shared_i));
   second.origin = "$b$";
-  chained.then(second, Q.v + contact.v);
+  add_polygons(all, first, second, Q.v + contact.v, {&shared_j, &shared_i}, {"−" + Q.label, contact.label});
   const std::string R_ij = "R_" + std::to_string(i) + std::to_string(j);
   return {
-      .panels =
-          panels(whole(at), cut_free(at, j, Q, contact, pivot_j), cut_free(at, i, driving, back, pivot_i), chained),
+      .panels = std::move(all),
       .results = {of.results({"P"}), of.results({"R_12", "R_13", R_ij}),
                   of.results({"arm_normal_A0", "arm_normal_B0"})},
       .seen =
@@ -111,11 +123,22 @@ PanelSheet virtual_work(const LeverFigure& at) {
                       "normale incontra $A_{0}B_{0}$ in $P_{23}$, che dà lo stesso rapporto."},
                      Where::tip,
                      "B"}});
+  const PolygonSide Q = of.load("Q", "", ""), driving = of.known(P(), "", "");
+  const std::string i = std::to_string(at.driven), j = std::to_string(at.loaded);
+  FreeBodyPanel arms = whole(at, false);
+  arms.load(Q, at.attacked(at.loaded)).effort(driving, at.attacked(at.driven));
+  arms.arm(at.hinge(at.loaded), at.attacked(at.loaded), Q.v, "$b_{Q}$", of.name("arm_Q"))
+      .arm(at.hinge(at.driven), at.attacked(at.driven), at.p, "$b_{P}$", "");
+  arms.step({"$\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0, with $v_{P}$ = $ω_{" + i + "}$·$b_{P}$ and $v_{Q}$ = $ω_{" +
+                 j + "}$·$b_{Q}$.",
+             "$\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0, con $v_{P}$ = $ω_{" + i + "}$·$b_{P}$ e $v_{Q}$ = $ω_{" + j +
+                 "}$·$b_{Q}$."},
+            at.attacked(at.loaded));
   const VectorPolygon polygon = velocity_polygon(
       {of.moves("B", "⊥ $B_{0}B$", "?")},
       {of.moves("A", "⊥ $A_{0}A$", "$ω_{2}$·$A_{0}A$", "$a$"), of.moves("BA", "⊥ $AB$", "?", "$b$")});
   return {
-      .panels = panels(poles, PolygonPanel(of.s, polygon)),
+      .panels = panels(poles, PolygonPanel(of.s, polygon), arms),
       .results = {of.results({"A0A", "B0B"}), of.results({"P41A", "P41B", "P23_x"}),
                   of.results({"omega_3_over_omega_2", "omega_4_over_omega_2"}), of.results({"arm_Q", "v_Q_over_v_P"}),
                   of.results({"P_virtual_work", "P"})},
@@ -128,15 +151,35 @@ PanelSheet virtual_work(const LeverFigure& at) {
 }  // namespace
 
 std::vector<SheetMaker> lever_sheets() {
-  return {{{"levers", {"Sliding levers, Q on lever 3", "Leve striscianti, Q sulla leva 3"}},
-           [](const Solution& s, Language) { return polygons(LeverFigure(s, "sliding_levers", 3)); }},
-          {{"levers-virtual-work", {"Sliding levers: virtual work", "Leve striscianti: lavori virtuali"}},
-           [](const Solution& s, Language) { return virtual_work(LeverFigure(s, "sliding_levers", 3)); }},
-          {{"levers-Q-on-2", {"Sliding levers, Q on lever 2", "Leve striscianti, Q sulla leva 2"}},
-           [](const Solution& s, Language) { return polygons(LeverFigure(s, "sliding_levers_Q_on_2", 2)); }},
-          {{"levers-Q-on-2-virtual-work",
-            {"Sliding levers, Q on lever 2: virtual work", "Leve striscianti, Q sulla leva 2: lavori virtuali"}},
-           [](const Solution& s, Language) { return virtual_work(LeverFigure(s, "sliding_levers_Q_on_2", 2)); }}};
+  return {
+      {{"levers",
+        {"Sliding levers, Q on lever 3", "Leve striscianti, Q sulla leva 3"},
+        {"One lever slides on another, with the load on lever 3. There is no friction. Find the force (or couple) "
+         "that balances the load and all reactions by cutting the bodies free and drawing force polygons.",
+         "Una leva striscia sull'altra, con il carico sulla leva 3. Non c'è attrito. Trovare la forza (o la coppia) "
+         "che equilibra il carico e tutte le reazioni, isolando i corpi e disegnando i poligoni delle forze."}},
+       [](const Solution& s, Language) { return polygons(LeverFigure(s, "sliding_levers", 3)); }},
+      {{"levers-virtual-work",
+        {"Sliding levers: virtual work", "Leve striscianti: lavori virtuali"},
+        {"One lever slides on another, with the load on lever 3. There is no friction. Find the force (or couple) "
+         "that balances the load by virtual work.",
+         "Una leva striscia sull'altra, con il carico sulla leva 3. Non c'è attrito. Trovare la forza (o la coppia) "
+         "che equilibra il carico con i lavori virtuali."}},
+       [](const Solution& s, Language) { return virtual_work(LeverFigure(s, "sliding_levers", 3)); }},
+      {{"levers-Q-on-2",
+        {"Sliding levers, Q on lever 2", "Leve striscianti, Q sulla leva 2"},
+        {"One lever slides on another, with the load on lever 2. There is no friction. Find the force (or couple) "
+         "that balances the load and all reactions by cutting the bodies free and drawing force polygons.",
+         "Una leva striscia sull'altra, con il carico sulla leva 2. Non c'è attrito. Trovare la forza (o la coppia) "
+         "che equilibra il carico e tutte le reazioni, isolando i corpi e disegnando i poligoni delle forze."}},
+       [](const Solution& s, Language) { return polygons(LeverFigure(s, "sliding_levers_Q_on_2", 2)); }},
+      {{"levers-Q-on-2-virtual-work",
+        {"Sliding levers, Q on lever 2: virtual work", "Leve striscianti, Q sulla leva 2: lavori virtuali"},
+        {"One lever slides on another, with the load on lever 2. There is no friction. Find the force (or couple) "
+         "that balances the load by virtual work.",
+         "Una leva striscia sull'altra, con il carico sulla leva 2. Non c'è attrito. Trovare la forza (o la coppia) "
+         "che equilibra il carico con i lavori virtuali."}},
+       [](const Solution& s, Language) { return virtual_work(LeverFigure(s, "sliding_levers_Q_on_2", 2)); }}};
 }
 
 }  // namespace epure::ideal_statics

@@ -21,24 +21,21 @@ namespace {
 constexpr double sine_of(double degrees) { return std::sin(degrees * std::numbers::pi / 180); }
 constexpr double cosine_of(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
 
-// R'13 and R''13 of the source's collar, from 0.035 to 0.120 m above O.
-double upper_force() { return 200 * sine_of(41) / cosine_of(41) * 0.035 / (0.120 - 0.035); }
-double lower_force() { return 200 * sine_of(41) / cosine_of(41) * 0.120 / (0.120 - 0.035); }
-double driving_force_with_R_13_upper_twice() { return std::trunc(lower_force()) - 2 * std::trunc(upper_force()); }
-
 // F23 on the figure with the shorter lever.
 double F_23_on_a_shorter_lever() {
   const double AC = 0.423, AB = 0.2, CD = 0.714, s = sine_of(23.5), c = cosine_of(23.5);
   return 50 * CD * c / (AC * c + std::sqrt(AB * AB - AC * s * AC * s));
 }
 
-Explanation twice_upper(std::function<double()> value, const Words& more) {
+// 2 R'13 taken from R''13 would leave 1 - 0.035/0.085 = 0.588 of R''13 - R'13.
+constexpr double drawn_too_small = 0.59;
+Explanation too_small(std::function<double()> value, const Words& more) {
   return {
-      Words{"a conjecture: the collar's two forces are right, and P and R12 are 0.59 of what they must be. The "
-            "triangle of the wedge was drawn on R''13 - 2 R'13 instead of R''13 - R'13, with their whole newtons: ",
-            "una congettura: le due forze del collare sono giuste, P e R12 sono 0,59 di quel che devono. Il "
-            "triangolo del cuneo fu disegnato su R''13 - 2 R'13 anziché su R''13 - R'13, con i loro newton "
-            "interi: "} +
+      Words{
+          "the collar's two forces are right, but the triangle of the wedge is 0.59 of its size (a conjecture: R'13 "
+          "was taken twice from R''13, which leaves 0.588 of R''13 - R'13): ",
+          "le due forze del collare sono giuste, ma il triangolo del cuneo è 0,59 del vero (una congettura: R'13 fu "
+          "tolta due volte da R''13, il che lascia 0,588 di R''13 - R'13): "} +
           more,
       std::move(value)};
 }
@@ -56,12 +53,11 @@ std::vector<Printed> printed_by_the_source() {
       {"wedge_collar.R_13", "174", polygon, wedge},
       {"wedge_collar.P_virtual_work", "174", "velocity diagram"},
       {"wedge_collar_two_point.P", "103", polygon, wedge,
-       twice_upper(driving_force_with_R_13_upper_twice, {"245 - 2·71", "245 - 2·71"})},
+       too_small([] { return drawn_too_small * 174; }, {"0.59·174", "0,59·174"})},
       {"wedge_collar_two_point.R_12", "120", polygon, wedge,
-       twice_upper(
-           [] { return 10 * std::round(driving_force_with_R_13_upper_twice() / sine_of(41) * cosine_of(41) / 10); },
-           Words{"P/tan 41°, read to half a millimetre, 10 N", "P/tg 41°, letta al mezzo millimetro, 10 N"} +
-               not_balanced)},
+       too_small([] { return 10 * std::round(drawn_too_small * 200 / 10); },
+                 Words{"0.59·200, read to half a millimetre, 10 N", "0,59·200, letta al mezzo millimetro, 10 N"} +
+                     not_balanced)},
       {"wedge_collar_two_point.R_13_upper", "72", polygon, wedge},
       {"wedge_collar_two_point.R_13_lower", "245", polygon, wedge},
       {"double_slider.P", "60", polygon, slider},

@@ -151,9 +151,29 @@ PanelSheet two_forces(const Solution& s, Language) {
 }  // namespace
 
 std::vector<SheetMaker> wedge_sheets() {
-  return {{{"wedge", {"Wedge and collar", "Cuneo e collare"}}, one_force},
-          {{"wedge-virtual-work", {"Wedge: virtual work", "Cuneo: lavori virtuali"}}, virtual_work_of_wedge},
-          {{"two-forces", {"Collar with two forces", "Collare con due forze"}}, two_forces}};
+  return {
+      {{"wedge",
+        {"Wedge and collar", "Cuneo e collare"},
+        {"A wedge lifts a rod in its collar. There is no friction. Find the force (or couple) that balances the load "
+         "and all reactions by cutting the bodies free and drawing force polygons.",
+         "Un cuneo solleva un'asta nel suo collare. Non c'è attrito. Trovare la forza (o la coppia) che equilibra il "
+         "carico e tutte le reazioni, isolando i corpi e disegnando i poligoni delle forze."}},
+       one_force},
+      {{"wedge-virtual-work",
+        {"Wedge: virtual work", "Cuneo: lavori virtuali"},
+        {"A wedge lifts a rod in its collar. There is no friction. Find the force (or couple) that balances the load "
+         "by virtual work.",
+         "Un cuneo solleva un'asta nel suo collare. Non c'è attrito. Trovare la forza (o la coppia) che equilibra il "
+         "carico con i lavori virtuali."}},
+       virtual_work_of_wedge},
+      {{"two-forces",
+        {"Collar with two forces", "Collare con due forze"},
+        {"A wedge lifts a rod in its collar, which answers with two forces. There is no friction. Find the force (or "
+         "couple) that balances the load and all reactions by cutting the bodies free and drawing force polygons.",
+         "Un cuneo solleva un'asta nel suo collare, che risponde con due forze. Non c'è attrito. Trovare la forza (o "
+         "la coppia) che equilibra il carico e tutte le reazioni, isolando i corpi e disegnando i poligoni delle "
+         "forze."}},
+       two_forces}};
 }
 
 }  // namespace epure::ideal_statics

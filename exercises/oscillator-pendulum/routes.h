@@ -371,22 +371,29 @@ struct PendulumRoutes {
   template <class T, class Write, class At>
   void at_instants_by(const Write& write, const At& at, bool is_by_axes) const {
     const auto start = [=](const Rational& t) { return is_by_axes && t == 0; };
-    const auto sine = [=, this](const Rational& t) {
-      return start(t) ? geometry::sine<Deep>(of.theta_0) : sine_of(at(t));
+    // What moves at t, which one number asks for up to four times, `now`.
+    const auto state = [&at](const Rational& t) { return once([&at, t] { return at(t); }); };
+    const auto sine = [=, this](const Rational& t, const auto& now) {
+      return start(t) ? geometry::sine<Deep>(of.theta_0) : sine_of(now());
     };
     // At the start by both routes from the given angle: where it is level, the cosine is zero and no series proves
     // it.
-    const auto cosine = [=, this](const Rational& t) { return t == 0 ? cosine_of_start<Deep>() : cosine_of(at(t)); };
-    const auto rate = [=](const Rational& t) { return start(t) ? Deep(0) : at(t).rate; };
-    const auto acceleration = [=, this](const Rational& t) { return -number<Deep>(of.Omega_squared()) * sine(t); };
+    const auto cosine = [=, this](const Rational& t, const auto& now) {
+      return t == 0 ? cosine_of_start<Deep>() : cosine_of(now());
+    };
+    const auto rate = [=](const Rational& t, const auto& now) { return start(t) ? Deep(0) : now().rate; };
+    const auto acceleration = [=, this](const Rational& t, const auto& now) {
+      return -number<Deep>(of.Omega_squared()) * sine(t, now);
+    };
     const auto force = [=, this](const Rational& t) {
-      return is_by_axes ? reaction<Deep>(sine(t), cosine(t), rate(t), acceleration(t))
-                        : from_components<Deep>(sine(t), cosine(t), square(rate(t)));
+      const auto now = state(t);
+      return is_by_axes ? reaction<Deep>(sine(t, now), cosine(t, now), rate(t, now), acceleration(t, now))
+                        : from_components<Deep>(sine(t, now), cosine(t, now), square(rate(t, now)));
     };
     write.at_instants(
         "theta", [&](const Rational& t) { return start(t) ? geometry::radians<Deep>(of.theta_0) : angle_of(at(t)); });
-    write.at_instants("theta_dot", rate);
-    write.at_instants("theta_ddot", acceleration);
+    write.at_instants("theta_dot", [&](const Rational& t) { return rate(t, state(t)); });
+    write.at_instants("theta_ddot", [&](const Rational& t) { return acceleration(t, state(t)); });
     write.at_instants("R_12_x", [&](const Rational& t) { return force(t).x; });
     write.at_instants("R_12_y", [&](const Rational& t) { return force(t).y; });
   }

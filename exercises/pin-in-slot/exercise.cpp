@@ -287,11 +287,28 @@ std::unique_ptr<Exercise> make_pin_in_slot() {
       .givens = stated_givens(),
       .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{instant(givens)}, rung); };
-  return exercise_of_panels(std::move(about), solve,
-                            {{{"kinematics", {"Velocities", "Velocità"}}, velocity_sheet},
-                             {{"acceleration", {"Accelerations", "Accelerazioni"}}, acceleration_sheet},
-                             {{"forces", {"Forces (Newton-Euler)", "Forze (Newton-Eulero)"}}, forces_sheet},
-                             {{"power-balance", {"Balance of powers", "Bilancio delle potenze"}}, balance_sheet}});
+  return exercise_of_panels(
+      std::move(about), solve,
+      {{{"kinematics",
+         {"Velocities", "Velocità"},
+         {"The crank's pin drives the slotted lever. Find the velocities with the theorem of relative motion.",
+          "Il perno della manovella muove il glifo. Trovare le velocità con il teorema dei moti relativi."}},
+        velocity_sheet},
+       {{"acceleration",
+         {"Accelerations", "Accelerazioni"},
+         {"The crank's pin drives the slotted lever. Find the accelerations with Coriolis' theorem.",
+          "Il perno della manovella muove il glifo. Trovare le accelerazioni con il teorema di Coriolis."}},
+        acceleration_sheet},
+       {{"forces",
+         {"Forces (Newton-Euler)", "Forze (Newton-Eulero)"},
+         {"The crank's pin drives the slotted lever. Find the driving torque by force polygons.",
+          "Il perno della manovella muove il glifo. Trovare la coppia motrice con i poligoni delle forze."}},
+        forces_sheet},
+       {{"power-balance",
+         {"Balance of powers", "Bilancio delle potenze"},
+         {"The crank's pin drives the slotted lever. Find the driving torque by the balance of powers.",
+          "Il perno della manovella muove il glifo. Trovare la coppia motrice con il bilancio delle potenze."}},
+        balance_sheet}});
 }
 
 }  // namespace epure

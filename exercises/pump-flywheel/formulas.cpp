@@ -1,9 +1,11 @@
 // The formulas, and the primitive of the torque between its zeros.
 #include "exercises/pump-flywheel/routes.h"
+#include "geometry/numbers/at_each_precision.h"
 
 namespace epure::pump_flywheel {
 namespace {
 
+using geometry::at_each_precision;
 using geometry::pi;
 using geometry::square;
 
@@ -130,7 +132,7 @@ void by_formulas(const Pump& of, const Put& put, const Begin& begin) {
   put("Delta_T_suction_end", [=] { return by.suction_end(); });
   put("Delta_T_peak", [=] { return by.peak(none()); });
   put("Delta_T_trough", [=] { return by.trough(none()).energy; });
-  const auto change = [=] { return by.greatest_change(none()); };
+  const auto change = at_each_precision([=] { return by.greatest_change(none()); });
   put("Delta_T_max", change);
   put_inertia(put, by, change);
   put("stiffness_negligible_with_flywheel",
@@ -141,13 +143,13 @@ void by_formulas(const Pump& of, const Put& put, const Begin& begin) {
 
   begin("reciprocating_mass.", with_mass);
   const auto K = [=] { return by.K(by.omega()); };
-  const auto first = [=] { return closed::first_zero(by.delivery(K())); };
-  const auto second = [=] { return closed::second_zero(by.delivery(K())); };
+  const auto first = at_each_precision([=] { return closed::first_zero(by.delivery(K())); });
+  const auto second = at_each_precision([=] { return closed::second_zero(by.delivery(K())); });
   put("alpha_1", first);
   put("alpha_2", second);
   put("alpha_1_deg", [=] { return in_degrees(first()); });
   put("alpha_2_deg", [=] { return in_degrees(second()); });
-  const auto with_mass_change = [=] { return by.greatest_change(K()); };
+  const auto with_mass_change = at_each_precision([=] { return by.greatest_change(K()); });
   put("Delta_T_max", with_mass_change);
   put_inertia(put, by, with_mass_change);
 
@@ -155,13 +157,15 @@ void by_formulas(const Pump& of, const Put& put, const Begin& begin) {
   begin("wittenbauer.", by_wittenbauer);
   const auto upper = [=] { return by.K(by.omega_max()); };
   const auto lower = [=] { return by.K(by.omega_min()); };
+  const auto highest = at_each_precision([=] { return by.peak(upper()); });
+  const auto lowest = at_each_precision([=] { return by.trough(lower()); });
   put("slope_max", [=] { return square(by.omega_max()) / Deep(2); });
   put("slope_min", [=] { return square(by.omega_min()) / Deep(2); });
   put("alpha_1", [=] { return closed::first_zero(by.delivery(upper())); });
-  put("alpha_2", [=] { return by.trough(lower()).angle; });
-  put("intercept_max", [=] { return by.peak(upper()); });
-  put("intercept_min", [=] { return by.trough(lower()).energy; });
-  put_inertia(put, by, [=] { return by.peak(upper()) - by.trough(lower()).energy; });
+  put("alpha_2", [=] { return lowest().angle; });
+  put("intercept_max", highest);
+  put("intercept_min", [=] { return lowest().energy; });
+  put_inertia(put, by, [=] { return highest() - lowest().energy; });
 
   begin("text_diameter.", of_the_text);
   const Rational D = Pump::diameter_of_the_text();

@@ -207,11 +207,25 @@ std::unique_ptr<Exercise> make_rivals_polygons() {
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Instant(givens)}, rung); };
   return exercise_of_panels(
       description(), solve,
-      {{{"velocity-of-B", {"Velocity of B, step by step", "Velocità di B, passo per passo"}}, velocity_of_B_sheet},
-       {{"velocity-of-G", {"Velocity of G, step by step", "Velocità di G, passo per passo"}}, velocity_of_G_sheet},
-       {{"acceleration-of-B", {"Acceleration of B, step by step", "Accelerazione di B, passo per passo"}},
+      {{{"velocity-of-B",
+         {"Velocity of B, step by step", "Velocità di B, passo per passo"},
+         {"Find the velocity of B by Rivals' theorem, adding vectors one by one.",
+          "Trovare la velocità di B con il teorema di Rivals, sommando i vettori uno per uno."}},
+        velocity_of_B_sheet},
+       {{"velocity-of-G",
+         {"Velocity of G, step by step", "Velocità di G, passo per passo"},
+         {"Find the velocity of G by Rivals' theorem, adding vectors one by one.",
+          "Trovare la velocità di G con il teorema di Rivals, sommando i vettori uno per uno."}},
+        velocity_of_G_sheet},
+       {{"acceleration-of-B",
+         {"Acceleration of B, step by step", "Accelerazione di B, passo per passo"},
+         {"Find the acceleration of B by Rivals' theorem, adding vectors one by one.",
+          "Trovare l'accelerazione di B con il teorema di Rivals, sommando i vettori uno per uno."}},
         acceleration_of_B_sheet},
-       {{"acceleration-of-G", {"Acceleration of G, step by step", "Accelerazione di G, passo per passo"}},
+       {{"acceleration-of-G",
+         {"Acceleration of G, step by step", "Accelerazione di G, passo per passo"},
+         {"Find the acceleration of G by Rivals' theorem, adding vectors one by one.",
+          "Trovare l'accelerazione di G con il teorema di Rivals, sommando i vettori uno per uno."}},
         acceleration_of_G_sheet}});
 }
 

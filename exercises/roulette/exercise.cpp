@@ -63,8 +63,18 @@ std::unique_ptr<Exercise> make_roulette() {
   };
   return exercise_of_panels(
       std::move(about), solve,
-      {{{"path", {"Path of the point", "Traiettoria del punto"}}, for_what_rolls(path_sheet)},
-       {{"instant", {"Velocity, acceleration, curvature", "Velocità, accelerazione, curvatura"}},
+      {{{"path",
+         {"Path of the point", "Traiettoria del punto"},
+         {"A circle or a line rolls without slipping. Draw the path of the point that it carries.",
+          "Una circonferenza o una retta rotola senza strisciare. Tracciare la traiettoria del punto che porta con "
+          "sé."}},
+        for_what_rolls(path_sheet)},
+       {{"instant",
+         {"Velocity, acceleration, curvature", "Velocità, accelerazione, curvatura"},
+         {"A circle or a line rolls without slipping. At the given instant find velocity, acceleration, inflection "
+          "circle and centre of curvature of the point that it carries.",
+          "Una circonferenza o una retta rotola senza strisciare. All'istante dato trovare velocità, accelerazione, "
+          "cerchio dei flessi e centro di curvatura del punto che porta con sé."}},
         for_what_rolls(instant_sheet)}});
 }
 

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -165,6 +167,7 @@ std::vector<std::string> parted(const std::string& text) {
 }
 
 std::string bytes_of(const std::string& file) {
+  if (file == standard_input) return {std::istreambuf_iterator<char>(std::cin), {}};
   std::error_code unknown;
   if (!std::filesystem::exists(file, unknown))
     throw BadScene(format_words("{}: there is no such file", "{}: non c'è un file così", file));

@@ -40,6 +40,9 @@ class File {
   const std::string& name_;
 };
 
+// As the name of a file; a hyphen with a sheet behind it would be an option.
+inline constexpr const char* standard_input = "/dev/stdin";
+
 // Throws BadScene where it cannot be read.
 std::string bytes_of(const std::string& file);
 

@@ -1,8 +1,8 @@
 #include "exercises/scenes/refusals.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/statement/format_words.h"
 
 namespace epure::scenes {
@@ -143,55 +143,50 @@ class InLetters {
 // To four figures: enough to see what to change.
 Words metres(double x) { return decimal(x, 4) + " m"; }
 
-double length_of(const Rod& rod, int joint, const Linkage& linkage) {
-  if (rod.link == nothing) return CGAL::to_double(std::get<Stretched>(linkage.drives[index(rod.cylinder)]).length);
-  const Own &P = linkage.place(rod.link, rod.pin), &X = linkage.place(rod.link, joint);
-  return std::hypot(CGAL::to_double(X.x - P.x), CGAL::to_double(X.y - P.y));
-}
-
-// Where a step fails: in doubles, to tell by how much.
+// Where a step fails, to tell by how much: with as many bits as that takes, for it may be far less than what it is a
+// difference of. Within deeply().
 class Missing {
  public:
   Missing(const Built& built, std::size_t step)
-      : built_(built), told_(built), at_(CarriedOut<Fast>(built.linkage, built.steps).position_before(step)) {}
+      : built_(built), told_(built), at_(CarriedOut<Deep>(built.linkage, built.steps).position_before(step)) {}
 
   Words at(const TwoRods& step) const {
-    const double a = length_of(step.first, step.joint, built_.linkage),
-                 b = length_of(step.second, step.joint, built_.linkage);
-    const double apart = distance(step.first.pin, step.second.pin);
-    const bool is_too_far = apart > a + b;
+    const Deep a = length_of(step.first, step.joint), b = length_of(step.second, step.joint);
+    const Deep apart = distance(step.first.pin, step.second.pin);
+    const bool is_too_far = is_positive(apart - a - b);
     return format_words("{}: {} and {} do not meet, for {} {} is {}, {} too {}",
                         "{}: {} e {} non si incontrano, poiché {} {} è {}, {} {}", told_.point(step.joint),
                         rod(step.first, step.joint, a), rod(step.second, step.joint, b), told_.point(step.first.pin),
                         told_.point(step.second.pin), metres(apart),
-                        metres(is_too_far ? apart - a - b : std::abs(a - b) - apart),
+                        missing(is_too_far ? apart - a - b : size_of(a - b) - apart),
                         is_too_far ? Words{"far", "di troppo"} : Words{"near", "di meno del necessario"});
   }
 
   Words at(const RodAndTrack& step) const {
-    const double length = length_of(step.rod, step.joint, built_.linkage);
-    const Point<Fast>& P = at_.points[index(step.rod.pin)];
+    const Deep length = length_of(step.rod, step.joint);
+    const Point<Deep>& P = at_.points[index(step.rod.pin)];
     const auto [G, s] = in_plane(step.track.line);
-    const double away = std::abs(cross(s, P - G) - offset(step.track, step.joint));
+    const Deep away = size_of(cross(s, P - G) - offset(step.track, step.joint));
     return format_words("{}: {} does not reach {}, which is {} away from {}: {} are missing",
                         "{}: {} non raggiunge {}, che dista {} da {}: mancano {}", told_.point(step.joint),
                         rod(step.rod, step.joint, length), told_.line(step.track.line), metres(away),
-                        told_.point(step.rod.pin), metres(away - length));
+                        told_.point(step.rod.pin), missing(away - length));
   }
 
   // What is special where it closes without room to move.
   Words at_limit(const TwoRods& step) const {
-    const double a = length_of(step.first, step.joint, built_.linkage),
-                 b = length_of(step.second, step.joint, built_.linkage);
+    const Rational a2 = squared_length(step.first, step.joint), b2 = squared_length(step.second, step.joint);
     const std::string &P = told_.point(step.first.pin), &Q = told_.point(step.second.pin),
                       &X = told_.point(step.joint);
-    const double apart = distance(step.first.pin, step.second.pin);
-    if (a == b && apart < a)
+    // The difference of the rods, or their sum.
+    const bool is_stretched =
+        is_positive(square(distance(step.first.pin, step.second.pin)) - from_rational<Deep>(std::max(a2, b2)));
+    if (a2 == b2 && !is_stretched)
       return format_words("{0} and {1} lie in one place, and {0} {2} is as long as {1} {2}",
                           "{0} e {1} stanno in un punto, e {0} {2} è lungo quanto {1} {2}", P, Q, X);
     return format_words(
         "{0} {2} and {1} {2} lie in one line, {3}", "{0} {2} e {1} {2} stanno su una retta, {3}", P, Q, X,
-        apart > std::max(a, b) ? Words{"stretched out", "l'uno dopo l'altro"} : Words{"folded", "l'uno sull'altro"});
+        is_stretched ? Words{"stretched out", "l'uno dopo l'altro"} : Words{"folded", "l'uno sull'altro"});
   }
   Words at_limit(const RodAndTrack& step) const {
     return format_words("{} {} stands square to {}", "{} {} sta normale a {}", told_.point(step.rod.pin),
@@ -211,31 +206,53 @@ class Missing {
   }
 
  private:
-  double distance(int one, int other) const {
-    const Point<Fast>&P = at_.points[index(one)], &Q = at_.points[index(other)];
-    return std::hypot(Q.x - P.x, Q.y - P.y);
+  static Words metres(const Deep& x) { return epure::scenes::metres(to_double(x)); }
+  static bool is_positive(const Deep& x) {
+    const Sign decided = sign(x);
+    if (decided == Sign::undecided)
+      throw Undecided("by how much a joint does not close", "di quanto un nodo non si chiuda");
+    return decided == Sign::positive;
   }
-  Words rod(const Rod& rod, int joint, double length) const {
+  // However little: all figures that are told are its own.
+  static Words missing(const Deep& x) {
+    const Enclosure known = enclosure(x);
+    if (!is_positive(x) || known.upper - known.lower > 1e-6 * known.lower)
+      throw Undecided("by how much a joint does not close", "di quanto un nodo non si chiuda");
+    return epure::scenes::metres(known.value);
+  }
+  static Deep size_of(const Deep& x) { return is_positive(x) ? x : -x; }
+  Deep distance(int one, int other) const {
+    return root(length_squared(at_.points[index(other)] - at_.points[index(one)]));
+  }
+  Rational squared_length(const Rod& rod, int joint) const {
+    if (rod.link == nothing) {
+      const Rational& length = std::get<Stretched>(built_.linkage.drives[index(rod.cylinder)]).length;
+      return length * length;
+    }
+    const Own &P = built_.linkage.place(rod.link, rod.pin), &X = built_.linkage.place(rod.link, joint);
+    return (X.x - P.x) * (X.x - P.x) + (X.y - P.y) * (X.y - P.y);
+  }
+  Deep length_of(const Rod& rod, int joint) const { return root(from_rational<Deep>(squared_length(rod, joint))); }
+  Words rod(const Rod& rod, int joint, const Deep& length) const {
     return told_.point(rod.pin) + " " + told_.point(joint) + " (" + metres(length) + ")";
   }
-  std::pair<Point<Fast>, Vector<Fast>> in_plane(int line) const {
+  std::pair<Point<Deep>, Vector<Deep>> in_plane(int line) const {
     const LinkLine& own = built_.linkage.line(line);
-    const PlacedLink<Fast>& link = at_.links[index(built_.linkage.link_of_line(line))];
-    return {link.at({CGAL::to_double(own.through.x), CGAL::to_double(own.through.y)}),
-            link.turned(linkages::unit_vector<Fast>(own.along))};
+    const PlacedLink<Deep>& link = at_.links[index(built_.linkage.link_of_line(line))];
+    return {link.at(vector(own.through)), link.turned(linkages::unit_vector<Deep>(own.along))};
   }
   // How far left of its guide the joint of a block stays.
-  double offset(const Track& track, int joint) const {
-    if (track.block == nothing) return 0;
+  Deep offset(const Track& track, int joint) const {
+    if (track.block == nothing) return Deep(0);
     const LinkLine& own = built_.linkage.line(track.moving);
-    const Own& X = built_.linkage.place(track.block, joint);
-    return cross(linkages::unit_vector<Fast>(own.along),
-                 {CGAL::to_double(X.x - own.through.x), CGAL::to_double(X.y - own.through.y)});
+    return cross(linkages::unit_vector<Deep>(own.along),
+                 vector(built_.linkage.place(track.block, joint)) - vector(own.through));
   }
+  static Vector<Deep> vector(const Own& own) { return {from_rational<Deep>(own.x), from_rational<Deep>(own.y)}; }
 
   const Built& built_;
   InLetters told_;
-  LinkagePosition<Fast> at_;
+  LinkagePosition<Deep> at_;
 };
 
 // The joint of a step, by its letter.
@@ -282,31 +299,24 @@ Words in_words(const NotPlaced& open, const Built& built) {
 }
 
 Words in_words(const NotClosed& open, const Built& built) {
-  const Arithmetic<Fast> scope;
   const Step& step = built.steps[open.step];
+  const auto missing = [&](const auto& at) { return deeply([&] { return Missing(built, open.step).at(at); }); };
   try {
-    if (const auto* rods = std::get_if<TwoRods>(&step)) return Missing(built, open.step).at(*rods);
-    if (const auto* rod = std::get_if<RodAndTrack>(&step)) return Missing(built, open.step).at(*rod);
-  } catch (const Impossible&) {
-    // what comes before fails in doubles
+    if (const auto* rods = std::get_if<TwoRods>(&step)) return missing(*rods);
+    if (const auto* rod = std::get_if<RodAndTrack>(&step)) return missing(*rod);
   } catch (const Undecided&) {
+    // a step before is at its limit
   }
   return in_words_at_limit(open, built);
 }
 
 Words limit_in_words(std::size_t step, const Built& built) {
-  const Arithmetic<Fast> scope;
   const InLetters told(built);
-  Words special;
-  try {
-    special = ": " + std::visit([&](const auto& s) { return Missing(built, step).at_limit(s); }, built.steps[step]);
-  } catch (const Impossible&) {
-    // what comes before fails in doubles
-  } catch (const Undecided&) {
-  }
+  const Words special = deeply(
+      [&] { return std::visit([&](const auto& s) { return Missing(built, step).at_limit(s); }, built.steps[step]); });
   const std::vector<int> links = placed_by(built.steps[step]);
   const Words whose = links.empty() ? Words{} : " (" + told.links(links) + ")";
-  return joint_of(built.steps[step], told) + special +
+  return joint_of(built.steps[step], told) + ": " + special +
          format_words(": at this dead centre or change point the drive does not determine the motion{}",
                       ": in questo punto morto o di biforcazione il movente non determina il moto{}", whose);
 }

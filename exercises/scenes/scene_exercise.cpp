@@ -104,11 +104,10 @@ std::optional<SceneName> scene_name(const std::string& name) {
       return SceneName{name.substr(0, slash), name.substr(slash)};
     }
   if (name.ends_with(".yaml") || name.ends_with(".yml")) return SceneName{name, ""};
+  const std::string piped = standard_input;
+  if (name == "-" || name == piped) return SceneName{piped, ""};
+  if (name.starts_with(piped + "/")) return SceneName{piped, name.substr(piped.size())};
   return {};
-}
-
-std::shared_ptr<const Scene> read_scene(const std::string& file) {
-  return std::make_shared<const Scene>(file, bytes_of(file));
 }
 
 std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& scene) {
@@ -126,7 +125,7 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   std::vector<SheetMaker> chosen;
   for (const std::size_t i : scene->chosen_sheets(names)) chosen.push_back(std::move(sheets[i]));
   auto exercise = exercise_of_panels(described(*scene), solve, std::move(chosen));
-  scene->demand_printed(exercise->about().quantities);
+  scene->demand_printed(exercise->about().quantities());
   return exercise;
 }
 

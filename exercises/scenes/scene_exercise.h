@@ -10,14 +10,13 @@
 
 namespace epure::scenes {
 
-// A name on the command line that is one of a file: ID.yaml, or ID.yaml/SHEET; none: it is that of an exercise.
+// A name on the command line that is one of a file: ID.yaml, or ID.yaml/SHEET; of standard input: -, or
+// /dev/stdin/SHEET. None: it is that of an exercise.
 struct SceneName {
   std::string file, sheet;  // "/SHEET", or empty
 };
 std::optional<SceneName> scene_name(const std::string& name);
 
-// The scene of a file, and the exercise of a scene. Throws BadScene, also where the file cannot be read.
-std::shared_ptr<const Scene> read_scene(const std::string& file);
 std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& scene);
 
 }  // namespace epure::scenes

@@ -18,26 +18,6 @@ namespace epure::scenes {
 using geometry::analytic::LinkState;
 using geometry::analytic::UpTo;
 
-// Where the links are, in doubles: for Newton's iteration to begin. Their angles are only near, so that it has
-// something to do; far from the origin their places are only near anyway. Throws Undecided where doubles find no
-// place: they prove nothing.
-inline geometry::analytic::Beginning beginning(const Built& built) {
-  const geometry::Arithmetic<geometry::Fast> scope;
-  geometry::analytic::Beginning q;
-  try {
-    for (const auto& link : geometry::CarriedOut<geometry::Fast>(built.linkage, built.steps).position().links)
-      q.insert(q.end(), {link.O.x, link.O.y,
-                         static_cast<double>(static_cast<float>(geometry::arc_tangent(link.x.y, link.x.x)))});
-    for (const geometry::Step& step : built.steps)  // wheels with the turns that they have made
-      if (const auto* wheel = std::get_if<geometry::GearedWheel>(&step))
-        q[3 * index(wheel->link) + 2] =
-            static_cast<double>(static_cast<float>(to_double(angle_of(wheel->turn, built.linkage))));
-  } catch (const geometry::Impossible& in_doubles) {
-    throw geometry::Undecided(in_doubles.words());
-  }
-  return q;
-}
-
 // What a computation gives when it is first asked for, or how it fails: thrown anew for each quantity that asks.
 template <class Result>
 class WhenAsked {
@@ -110,12 +90,22 @@ struct Constructed {
   WhenAsked<geometry::LinkageMotion<T>> motion;
 };
 
+// Where the links are, and what turns wheels have made.
+template <class T>
+geometry::analytic::Beginning<T> beginning(const Built& built, const Constructed<T>& constructed) {
+  geometry::analytic::Beginning<T> links = constructed.states(false);
+  for (const geometry::Step& step : built.steps)
+    if (const auto* wheel = std::get_if<geometry::GearedWheel>(&step))
+      links[index(wheel->link)].theta = geometry::radians<T>(angle_of(wheel->turn, built.linkage));
+  return links;
+}
+
 // The equations of all joints, solved.
 template <class T, bool has_signs_only = signs_only<T>>
 class ByJoints {
  public:
-  ByJoints(const Built& built, const Constructed<T>&)
-      : states_([&built] { return geometry::analytic::solve_joints<T>(built.linkage, beginning(built)); }) {}
+  ByJoints(const Built& built, const Constructed<T>& constructed)
+      : states_([&] { return geometry::analytic::solve_joints<T>(built.linkage, beginning(built, constructed)); }) {}
   const std::vector<LinkState<T>>& states(UpTo) const { return states_.get(); }
 
  private:
@@ -141,9 +131,19 @@ class ByJoints<T, true> {
   }
   States at_independent_place() const {
     States states = holding(constructed_.states(false), UpTo::place);
-    const geometry::Arithmetic<geometry::Deep> scope(256);
-    geometry::analytic::demand_independent(built_.linkage, Constructed<geometry::Deep>(built_).states(false));
+    demand_independent(256);
     return states;
+  }
+  // Near a dead centre only many bits can tell.
+  void demand_independent(long bits) const {
+    constexpr long most_bits = 4096;
+    try {
+      const geometry::Arithmetic<geometry::Deep> scope(bits);
+      geometry::analytic::demand_independent(built_.linkage, Constructed<geometry::Deep>(built_).states(false));
+    } catch (const geometry::Undecided&) {
+      if (bits >= most_bits) throw;
+      demand_independent(4 * bits);
+    }
   }
   States moving() const {
     place_.get();

@@ -212,8 +212,6 @@ struct TrussFile {
 
 }  // namespace
 
-std::unique_ptr<Exercise> truss_of_file(const std::string& file) { return truss_of_text(file, bytes_of(file)); }
-
 std::unique_ptr<Exercise> truss_of_text(const std::string& name, std::string_view bytes) {
   const auto of = std::make_shared<const TrussFile>(TrussFile{name, read_text_tree(name, bytes)});
   if (!of->root.find("truss")) return {};

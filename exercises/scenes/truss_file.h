@@ -9,8 +9,7 @@
 
 namespace epure::scenes {
 
-// None where the file is one of a mechanism. Throws BadScene, also where it cannot be read.
-std::unique_ptr<Exercise> truss_of_file(const std::string& file);
+// None where the file is one of a mechanism. Throws BadScene.
 std::unique_ptr<Exercise> truss_of_text(const std::string& file, std::string_view bytes);
 
 }  // namespace epure::scenes

@@ -168,12 +168,27 @@ std::unique_ptr<Exercise> make_slider_crank_acceleration() {
   };
   return exercise_of_panels(
       description(), solve,
-      {{{"polar-diagram", {"Polar diagram of acceleration", "Diagramma polare delle accelerazioni"}},
+      {{{"polar-diagram",
+         {"Polar diagram of acceleration", "Diagramma polare delle accelerazioni"},
+         {"At the given instant find the accelerations by the polar diagram.",
+          "All'istante dato trovare le accelerazioni con il diagramma polare."}},
         polar_diagram_sheet},
-       {{"circles", {"Inflection and stationarity circles", "Circonferenze dei flessi e di stazionarietà"}},
+       {{"circles",
+         {"Inflection and stationarity circles", "Circonferenze dei flessi e di stazionarietà"},
+         {"At the given instant find the inflection and stationarity circles of the coupler and its acceleration "
+          "pole K.",
+          "All'istante dato trovare le circonferenze dei flessi e di stazionarietà della biella e il suo polo delle "
+          "accelerazioni K."}},
         circles_sheet},
-       {{"poles", {"Accelerations by the pole K", "Accelerazioni col metodo dei poli"}}, poles_sheet},
-       {{"curvature", {"Centres of curvature (Euler-Savary)", "Centri di curvatura (Euler-Savary)"}},
+       {{"poles",
+         {"Accelerations by the pole K", "Accelerazioni col metodo dei poli"},
+         {"At the given instant find the accelerations by the acceleration pole K.",
+          "All'istante dato trovare le accelerazioni con il polo delle accelerazioni K."}},
+        poles_sheet},
+       {{"curvature",
+         {"Centres of curvature (Euler-Savary)", "Centri di curvatura (Euler-Savary)"},
+         {"At the given instant find the centres of curvature of the paths by the formula of Euler-Savary.",
+          "All'istante dato trovare i centri di curvatura delle traiettorie con la formula di Euler-Savary."}},
         curvature_sheet}});
 }
 

@@ -134,10 +134,24 @@ std::unique_ptr<Exercise> make_slider_crank_velocity() {
   };
   return exercise_of_panels(
       description(), solve,
-      {{{"poles", {"Method of poles", "Metodo dei poli"}}, poles_sheet},
-       {{"polar-diagram", {"Polar diagram of velocity", "Diagramma polare delle velocità"}}, polar_diagram_sheet},
-       {{"polodes", {"Fixed and moving polode", "Polare fissa e polare mobile"}}, polodes_sheet},
-       {{"coupler-curve", {"Path of the coupler point C", "Traiettoria del punto di biella C"}},
+      {{{"poles",
+         {"Method of poles", "Metodo dei poli"},
+         {"At the given instant find the velocities by the method of poles.",
+          "All'istante dato trovare le velocità con il metodo dei poli."}},
+        poles_sheet},
+       {{"polar-diagram",
+         {"Polar diagram of velocity", "Diagramma polare delle velocità"},
+         {"At the given instant find the velocities by the polar diagram.",
+          "All'istante dato trovare le velocità con il diagramma polare."}},
+        polar_diagram_sheet},
+       {{"polodes",
+         {"Fixed and moving polode", "Polare fissa e polare mobile"},
+         {"Draw the fixed and the moving polode of the coupler.",
+          "Tracciare la polare fissa e la polare mobile della biella."}},
+        polodes_sheet},
+       {{"coupler-curve",
+         {"Path of the coupler point C", "Traiettoria del punto di biella C"},
+         {"Draw the path of the coupler point C.", "Tracciare la traiettoria del punto di biella C."}},
         coupler_curve_sheet}});
 }
 

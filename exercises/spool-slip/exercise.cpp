@@ -330,12 +330,35 @@ std::unique_ptr<Exercise> make_spool_slip() {
   const auto solve = [](const Givens& givens, Rung rung) {
     return settle(Routes{spool(givens), givens["m_b"], givens["m_b_heavy"], givens["m_b_light"]}, rung);
   };
-  return exercise_of_panels(
-      std::move(about), solve,
-      {{{"velocities", {"Velocities about the contact", "Velocità attorno al contatto"}}, velocity_sheet},
-       {{"forces", {"Forces on the spool", "Forze sulla bobina"}}, forces_sheet},
-       {{"friction-cone", {"Friction cones", "Coni d'attrito"}}, cones_sheet},
-       {{"limits", {"At rest, rolling, slipping", "Quiete, rotolamento, strisciamento"}}, limits_sheet}});
+  return exercise_of_panels(std::move(about), solve,
+                            {{{"velocities",
+                               {"Velocities about the contact", "Velocità attorno al contatto"},
+                               {"A counterweight pulls a spool by a rope wound on its core. Find the velocities of "
+                                "the spool when it rolls, about its contact with the ground.",
+                                "Un contrappeso tira una bobina con una fune avvolta sul nucleo. Trovare le velocità "
+                                "della bobina quando rotola, attorno al contatto con il suolo."}},
+                              velocity_sheet},
+                             {{"forces",
+                               {"Forces on the spool", "Forze sulla bobina"},
+                               {"A counterweight pulls a spool by a rope wound on its core. Find the forces on the "
+                                "spool and the acceleration with which the counterweight falls.",
+                                "Un contrappeso tira una bobina con una fune avvolta sul nucleo. Trovare le forze "
+                                "sulla bobina e l'accelerazione con cui il contrappeso scende."}},
+                              forces_sheet},
+                             {{"friction-cone",
+                               {"Friction cones", "Coni d'attrito"},
+                               {"A counterweight pulls a spool by a rope wound on its core. By the friction cones "
+                                "find whether the spool stays, rolls or slips.",
+                                "Un contrappeso tira una bobina con una fune avvolta sul nucleo. Trovare con i coni "
+                                "d'attrito se la bobina sta ferma, rotola o striscia."}},
+                              cones_sheet},
+                             {{"limits",
+                               {"At rest, rolling, slipping", "Quiete, rotolamento, strisciamento"},
+                               {"A counterweight pulls a spool by a rope wound on its core. Find between which "
+                                "limits the spool stays, rolls or slips.",
+                                "Un contrappeso tira una bobina con una fune avvolta sul nucleo. Trovare entro quali "
+                                "limiti la bobina sta ferma, rotola o striscia."}},
+                              limits_sheet}});
 }
 
 }  // namespace epure

@@ -203,9 +203,25 @@ std::unique_ptr<Exercise> make_velocity_centre() {
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Instant(givens)}, rung); };
   return exercise_of_panels(
       std::move(about), solve,
-      {{{"velocities", {"Velocity centre of the bar", "Centro delle velocità"}}, velocity_sheet},
-       {{"accelerations", {"Acceleration of A", "Accelerazione di A"}}, acceleration_sheet},
-       {{"acceleration-pole", {"Acceleration centre K", "Centro delle accelerazioni K"}}, acceleration_pole_sheet}});
+      {{{"velocities",
+         {"Velocity centre of the bar", "Centro delle velocità"},
+         {"A bar turns about a hinge O on a body that translates. Find the velocity centre of the bar and the "
+          "velocity of its end A.",
+          "Un'asta ruota attorno a una cerniera O su un corpo che trasla. Trovare il centro delle velocità dell'asta "
+          "e la velocità del suo estremo A."}},
+        velocity_sheet},
+       {{"accelerations",
+         {"Acceleration of A", "Accelerazione di A"},
+         {"A bar turns about a hinge O on a body that translates. Find the acceleration of its end A.",
+          "Un'asta ruota attorno a una cerniera O su un corpo che trasla. Trovare l'accelerazione del suo estremo "
+          "A."}},
+        acceleration_sheet},
+       {{"acceleration-pole",
+         {"Acceleration centre K", "Centro delle accelerazioni K"},
+         {"A bar turns about a hinge O on a body that translates. Find the acceleration centre K of the bar.",
+          "Un'asta ruota attorno a una cerniera O su un corpo che trasla. Trovare il centro delle accelerazioni K "
+          "dell'asta."}},
+        acceleration_pole_sheet}});
 }
 
 }  // namespace epure

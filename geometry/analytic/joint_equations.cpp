@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "geometry/analytic/inverse.h"
+
 namespace epure::geometry::analytic {
 namespace {
 
@@ -221,16 +223,11 @@ std::vector<Equation<T>> equations(const Linkage& linkage, const Column<T>& q) {
   return equations(linkage, states(q));
 }
 
-double near(Fast x) { return x; }
-double near(const Deep& x) { return enclosure(x).value; }
-
-// J, in doubles.
-template <class T>
-Eigen::MatrixXd matrix(const std::vector<Equation<T>>& rows) {
+Eigen::MatrixXd matrix(const std::vector<Equation<Fast>>& rows) {
   const auto n = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index row = 0; row < n; ++row)
-    for (const auto& [column, slope] : rows[static_cast<std::size_t>(row)].slopes) J(row, column) += near(slope);
+    for (const auto& [column, slope] : rows[static_cast<std::size_t>(row)].slopes) J(row, column) += slope;
   return J;
 }
 
@@ -253,21 +250,19 @@ Column<Fast> iterated(const Linkage& linkage, Column<Fast> q) {
                   "l'iterazione di Newton sulle equazioni di tutti i vincoli non ha fine");
 }
 
-// A matrix of doubles beside the inverse of the equations' one, as numbers.
+// A matrix beside the inverse of the equations' one.
 template <class T>
 class Preconditioner {
  public:
-  explicit Preconditioner(const Eigen::MatrixXd& J) {
-    const Eigen::MatrixXd inverse = J.partialPivLu().inverse();
-    for (Eigen::Index row = 0; row < inverse.rows(); ++row) {
-      Y_.emplace_back();
-      for (Eigen::Index column = 0; column < inverse.cols(); ++column) {
-        if (!std::isfinite(inverse(row, column)))
-          throw Undecided("whether the equations of all joints are independent",
-                          "se le equazioni di tutti i vincoli siano indipendenti");
-        Y_.back().push_back(from_rational<T>(Rational(inverse(row, column))));
-      }
-    }
+  explicit Preconditioner(const std::vector<Equation<T>>& rows) {
+    std::vector<Column<T>> J(rows.size(), Column<T>(rows.size(), T(0)));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (const auto& [column, slope] : rows[i].slopes) J[i][static_cast<std::size_t>(column)] += slope;
+    std::optional<std::vector<Column<T>>> near = inverse_near(J);
+    if (!near)
+      throw Undecided("whether the equations of all joints are independent",
+                      "se le equazioni di tutti i vincoli siano indipendenti");
+    Y_ = std::move(*near);
   }
   Column<T> times(const Column<T>& b) const {
     Column<T> product;
@@ -293,6 +288,12 @@ class Preconditioner {
   std::vector<Column<T>> Y_;
 };
 
+double near(Fast x) { return x; }
+template <class T>
+double near(const T& x) {
+  return enclosure(x).value;
+}
+
 template <class T>
 T size_of(const T& x) {
   return root(square(x));
@@ -315,14 +316,14 @@ Column<T> residuals(const std::vector<Equation<T>>& rows) {
   return all;
 }
 
-// Each step with the inverse of doubles brings some fifteen digits, until they cannot be told from zero.
+// Each step with the inverse at its place, until what is left of the equations cannot be told from zero.
 template <class T>
-Column<T> refined(const Linkage& linkage, const Preconditioner<T>& Y, Column<T> q) {
-  constexpr int most_steps = 400;
+Column<T> refined(const Linkage& linkage, Column<T> q) {
+  constexpr int most_steps = 40;
   for (int k = 0; k < most_steps; ++k) {
-    const Column<T> residual = residuals(equations(linkage, q));
-    if (may_be_zero_all(residual)) break;
-    const Column<T> step = Y.times(residual);
+    const std::vector<Equation<T>> rows = equations(linkage, q);
+    if (may_be_zero_all(residuals(rows))) break;
+    const Column<T> step = Preconditioner<T>(rows).times(residuals(rows));
     for (std::size_t i = 0; i < q.size(); ++i) q[i] = midpoint(q[i] - step[i]);
   }
   return q;
@@ -458,74 +459,101 @@ std::vector<LinkState<T>> with_rates(const Linkage& linkage, const Column<T>& q,
   return links;
 }
 
-// Without the frame; the angle of a link that is turned by as many whole turns as it is given with, or the first step
-// would turn the link by these.
-Column<Fast> moving_links(const Linkage& linkage, const Beginning& beginning) {
-  Column<Fast> q{beginning.begin() + unknowns_of_a_link, beginning.end()};
+Fast point_in(Fast x) { return x; }
+Bounded point_in(const Bounded& x) { return midpoint(x); }
+Deep point_in(const Deep& x) { return midpoint(x); }
+
+// With half of the digits.
+Fast about(Fast x) { return static_cast<double>(static_cast<float>(x)); }
+Bounded about(const Bounded& x) { return about(enclosure(x).value); }
+Deep about(const Deep& x) {
+  const Arithmetic<Deep> scope(Arithmetic<Deep>::bits() / 2);
+  return midpoint(x + Deep(0));
+}
+
+// Without the frame. The angle of a link that is turned has as many whole turns as it is given with, or the first
+// step would turn the link by these.
+template <class T>
+Column<T> moving_links(const Linkage& linkage, const Beginning<T>& beginning) {
+  std::vector<double> turned;
+  for (const LinkState<T>& link : beginning) turned.push_back(near(link.theta));
   for (const Drive& drive : linkage.drives)
-    if (const auto* turned = std::get_if<TurnedLink>(&drive)) {
-      double& theta = q[static_cast<std::size_t>(unknowns_of_a_link * turned->link - 1)];
-      const double turn = 2 * pi<Fast>();
-      theta += turn * std::round((to_double(turned->angle) - theta) / turn);
-    }
+    if (const auto* crank = std::get_if<TurnedLink>(&drive))
+      turned[static_cast<std::size_t>(crank->link)] = to_double(crank->angle);
+  Column<T> q;
+  for (std::size_t i = 1; i < beginning.size(); ++i) {
+    const auto &O = beginning[i].O, &x = beginning[i].x;
+    const T angle = about(arc_tangent(point_in(x.im), point_in(x.re)));
+    const double turns = std::round((turned[i] - near(angle)) / (2 * pi<Fast>()));
+    const T theta = angle + from_rational<T>(Rational(2 * turns)) * pi<T>();
+    q.insert(q.end(), {point_in(O.re), point_in(O.im), point_in(theta)});
+  }
   return q;
 }
 
-std::vector<LinkState<Fast>> found_in_doubles(const Linkage& linkage, const Beginning& beginning) {
+std::vector<LinkState<Fast>> found(const Linkage& linkage, const Beginning<Fast>& beginning) {
   return with_rates<Fast>(
       linkage, iterated(linkage, moving_links(linkage, beginning)),
       [](const std::vector<Equation<Fast>>& rows, const Column<Fast>& b) { return solved(rows, b); });
 }
 
 template <class T>
-std::vector<LinkState<T>> found_and_proved(const Linkage& linkage, const Beginning& beginning) {
-  const Column<Fast> last = iterated(linkage, moving_links(linkage, beginning));
-  const Preconditioner<T> Y(matrix(equations(linkage, last)));
-  Column<T> start;
-  for (const double x : last) start.push_back(from_rational<T>(Rational(x)));
-  const Column<T> q = proved_box(linkage, Y, refined(linkage, Y, start));
+std::vector<LinkState<T>> proved_near(const Linkage& linkage, const Column<T>& last) {
+  const Preconditioner<T> Y(equations(linkage, last));
+  const Column<T> q = proved_box(linkage, Y, last);
   return with_rates<T>(linkage, q,
                        [&](const std::vector<Equation<T>>& rows, const Column<T>& b) { return solved(rows, Y, b); });
 }
 
-// `ahead` is positive in the place that is meant, negative in the other; where it is zero the two are one.
-template <class T>
-void demand_positive(const T& ahead) {
-  const Sign decided = sign(ahead);
-  if (decided == Sign::undecided)
-    throw Undecided("whether a joint lies on the side that was said", "se un nodo stia dalla parte che si è detta");
-  if (decided == Sign::negative)
-    throw Impossible("a joint lies on the other side than was said",
-                     "un nodo sta dalla parte opposta a quella che si è detta");
+std::vector<LinkState<Bounded>> found(const Linkage& linkage, const Beginning<Bounded>& beginning) {
+  Column<Fast> start;
+  for (const Bounded& x : moving_links(linkage, beginning)) start.push_back(near(x));
+  Column<Bounded> last;
+  for (const double x : iterated(linkage, start)) last.emplace_back(x);
+  return proved_near(linkage, refined(linkage, last));
 }
 
-// The solution is the one that was meant, proved of it whatever it was looked for from.
+std::vector<LinkState<Deep>> found(const Linkage& linkage, const Beginning<Deep>& beginning) {
+  return proved_near(linkage, refined(linkage, moving_links(linkage, beginning)));
+}
+
+// Whether a solution is the one that was meant, whatever it was looked for from.
 template <class T>
 class Sides {
  public:
   Sides(const Linkage& linkage, const std::vector<LinkState<T>>& links) : linkage_(linkage), links_(links) {}
 
-  void demand() const {
-    for (const Chosen& chosen : linkage_.chosen) std::visit([this](const auto& side) { demand(side); }, chosen);
+  // Of every joint: no where one is proved to lie on the other side.
+  Truth are_as_meant() const {
+    bool is_open = false;
+    const auto look = [&](const T& ahead) {  // zero where the two places are one
+      const Sign decided = sign(ahead);
+      is_open = is_open || decided == Sign::undecided;
+      return decided != Sign::negative;
+    };
+    for (const Chosen& chosen : linkage_.chosen)
+      if (!look(std::visit([this](const auto& side) { return ahead(side); }, chosen))) return Truth::no;
     for (const LineOnLine& block : linkage_.blocks)  // the equations hold for both ways it can lie in its guide
-      demand_positive(dot(direction(block.moving), direction(block.guide)));
+      if (!look(dot(direction(block.moving), direction(block.guide)))) return Truth::no;
+    return is_open ? Truth::undecided : Truth::yes;
   }
 
  private:
-  void demand(const BesideLine& side) const {
+  // Positive in the place that is meant, negative in the other.
+  T ahead(const BesideLine& side) const {
     const Complex<T> P = at(side.from);
     const T left = cross(at(side.to) - P, at(side.joint) - P);
-    demand_positive(side.is_left ? left : -left);
+    return side.is_left ? left : -left;
   }
-  void demand(const OnGuide& side) const {
+  T ahead(const OnGuide& side) const {
     demand_told(side.guide != nothing && side.other_end != nothing);
     const T ahead = dot(direction(side.guide), at(side.joint) - at(side.other_end));
-    demand_positive(side.is_ahead ? ahead : -ahead);
+    return side.is_ahead ? ahead : -ahead;
   }
-  void demand(const SlotPoints& side) const {
+  T ahead(const SlotPoints& side) const {
     demand_told(side.hinge != nothing && side.pin != nothing);
     const T towards = dot(direction(side.line), at(side.pin) - at(side.hinge));
-    demand_positive(side.is_towards_pin ? towards : -towards);
+    return side.is_towards_pin ? towards : -towards;
   }
   static void demand_told(bool is_told) {
     if (!is_told)
@@ -545,6 +573,16 @@ class Sides {
   const std::vector<LinkState<T>>& links_;
 };
 
+template <class T>
+void demand_sides(const Linkage& linkage, const std::vector<LinkState<T>>& links) {
+  const Truth as_meant = Sides<T>(linkage, links).are_as_meant();
+  if (as_meant == Truth::undecided)
+    throw Undecided("whether a joint lies on the side that was said", "se un nodo stia dalla parte che si è detta");
+  if (as_meant == Truth::no)
+    throw Impossible("a joint lies on the other side than was said",
+                     "un nodo sta dalla parte opposta a quella che si è detta");
+}
+
 [[noreturn]] void refuse_angles() {
   throw Undecided("the equations of all joints are solved for angles, which are no algebraic numbers",
                   "le equazioni di tutti i vincoli si risolvono negli angoli, che non sono numeri algebrici");
@@ -553,16 +591,17 @@ class Sides {
 }  // namespace
 
 template <class T>
-std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning& beginning) {
+std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning<T>& beginning) {
   if constexpr (!NumberWithAngles<T>) {
     refuse_angles();
   } else {
-    std::vector<LinkState<T>> links;
-    if constexpr (std::is_same_v<T, Fast>)
-      links = found_in_doubles(linkage, beginning);
-    else
-      links = found_and_proved<T>(linkage, beginning);
-    Sides<T>(linkage, links).demand();
+    std::vector<LinkState<T>> links = found(linkage, beginning);
+    // An iteration that went astray says nothing of the linkage.
+    if (Sides<T>(linkage, links).are_as_meant() == Truth::no &&
+        Sides<T>(linkage, beginning).are_as_meant() != Truth::no)
+      throw Undecided("the iteration came to the place of a joint on the other side than was said",
+                      "l'iterazione è arrivata al posto di un nodo dalla parte opposta a quella detta");
+    demand_sides(linkage, links);
     return links;
   }
 }
@@ -573,7 +612,7 @@ void demand_joints(const Linkage& linkage, const std::vector<LinkState<T>>& stat
   if (order == UpTo::place) {
     for (const LinkState<T>& link : state) demand_zero(squared_modulus(link.x) - T(1));
     for (const Equation<T>& row : rows) demand_zero(row.residual);
-    Sides<T>(linkage, state).demand();
+    demand_sides(linkage, state);
     return;
   }
   const bool is_first = order == UpTo::velocity;
@@ -588,17 +627,17 @@ template void demand_joints<Calcium>(const Linkage&, const std::vector<LinkState
 void demand_independent(const Linkage& linkage, const std::vector<LinkState<Deep>>& place) {
   const std::vector<Equation<Deep>> rows = equations(linkage, place);
   const Column<Deep> ones(rows.size(), Deep(1));
-  for (const Column<Deep>& row : Preconditioner<Deep>(matrix(rows)).defect(rows))
+  for (const Column<Deep>& row : Preconditioner<Deep>(rows).defect(rows))
     if (sign(Deep(1) - spread(row, ones)) != Sign::positive)
       throw Undecided("whether the equations of all joints are independent",
                       "se le equazioni di tutti i vincoli siano indipendenti");
 }
 
-template std::vector<LinkState<Fast>> solve_joints<Fast>(const Linkage&, const Beginning&);
-template std::vector<LinkState<Bounded>> solve_joints<Bounded>(const Linkage&, const Beginning&);
-template std::vector<LinkState<Deep>> solve_joints<Deep>(const Linkage&, const Beginning&);
-template std::vector<LinkState<Exact>> solve_joints<Exact>(const Linkage&, const Beginning&);
-template std::vector<LinkState<Generic>> solve_joints<Generic>(const Linkage&, const Beginning&);
-template std::vector<LinkState<Calcium>> solve_joints<Calcium>(const Linkage&, const Beginning&);
+template std::vector<LinkState<Fast>> solve_joints<Fast>(const Linkage&, const Beginning<Fast>&);
+template std::vector<LinkState<Bounded>> solve_joints<Bounded>(const Linkage&, const Beginning<Bounded>&);
+template std::vector<LinkState<Deep>> solve_joints<Deep>(const Linkage&, const Beginning<Deep>&);
+template std::vector<LinkState<Exact>> solve_joints<Exact>(const Linkage&, const Beginning<Exact>&);
+template std::vector<LinkState<Generic>> solve_joints<Generic>(const Linkage&, const Beginning<Generic>&);
+template std::vector<LinkState<Calcium>> solve_joints<Calcium>(const Linkage&, const Beginning<Calcium>&);
 
 }  // namespace epure::geometry::analytic

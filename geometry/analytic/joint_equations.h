@@ -10,9 +10,9 @@
 //   slid point        s_j . (X_i - G_j) - at = 0                             one
 //   cylinder          (X_i - X_j)² - l² = 0                                  one
 //
-// solved by Newton's iteration in doubles, proved by a step of Krawczyk's on boxes, and differentiated twice: linear
-// equations with one matrix for the rates. No link is solved before another; of ruler and compass nothing is used but
-// the place where to begin.
+// solved by Newton's iteration, proved by a step of Krawczyk's on boxes, and differentiated twice: linear equations
+// with one matrix for the rates. No link is solved before another; of ruler and compass nothing is used but the place
+// where to begin.
 #pragma once
 
 #include <vector>
@@ -54,16 +54,20 @@ Complex<T> direction(const LinkLine& line, const LinkState<T>& link) {
   return divided(s, modulus(s)) * link.x;
 }
 
-// Where the iteration begins: x, y, θ of every link, the frame's first (zeros).
-using Beginning = std::vector<double>;
+// Where the iteration begins: the state of every link, the frame's first. Only origins and axes are read, and of the
+// angles how many whole turns are in them.
+template <class T>
+using Beginning = std::vector<LinkState<T>>;
 
-// The state of every link, the frame's first, near the beginning. Bounded and Deep: the only solution in a box about
+// The state of every link, the frame's first, near the beginning: from its origins, and its angles with half of their
+// digits, so that something is left to find. Bounded: iterated in doubles. Deep: with as many bits as the scope has,
+// for near a dead centre the place and its mirror image may be one in doubles. Both: the only solution in a box about
 // the last iterate, proved. Fast: the last iterate. Throws Undecided where the iteration ends nowhere, where no box
 // is proved (a limit position, for this number), where a joint is not proved to lie on its side, told in full
-// (with_sides_in_full), and on exact numbers: angles are not algebraic. Throws Impossible where one is proved to lie
-// on the other side.
+// (with_sides_in_full), where one lies on the other side though the beginning is not proved to, and on exact numbers:
+// angles are not algebraic. Throws Impossible where one lies on the other side as in the beginning.
 template <class T>
-std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning& beginning);
+std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning<T>& beginning);
 
 // On exact numbers nothing is solved. A state that was found elsewhere (its angles are not read, only its axes) is
 // put into the equations of all joints, into their first derivatives, into their second ones: where all hold, and the

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/curves/taylor.h"
+#include "geometry/numbers/at_each_precision.h"
 #include "geometry/numbers/increasing_root.h"
 
 namespace epure::geometry {
@@ -106,28 +107,23 @@ class SearchOfTurn {
 FollowerSweep::FollowerSweep(const Rational& r, const Rational& l, const Rational& e) : r_(r), l_(l), e_(e) {
   const Arithmetic<Bounded> scope;
   try {
-    const Stretch found = SearchOfTurn(r, l, e).run();
-    from_ = found.low;
-    width_ = found.high - found.low;
+    found_ = at_each_precision([r, l, e, part = SearchOfTurn(r, l, e).run()] {
+      const Lengths<Deep> of(r, l, e);
+      const Deep from = Deep::from_double(part.low);
+      const double high = std::log2(part.high - part.low);
+      return Deep(from + increasing_root([&](const Deep& x) { return lift<Narrow>(of, Deep(from + x)).c[3]; },
+                                         high - 60, high));
+    });
   } catch (const Undecided& open) {
-    open_ = open;
+    found_ = [open]() -> Deep { throw open; };
   }
 }
 
-Deep FollowerSweep::found() const {
-  if (open_) throw *open_;
-  const Lengths<Deep> of(r_, l_, e_);
-  const Deep from = Deep::from_double(from_);
-  const double high = std::log2(width_);
-  return from +
-         increasing_root([&](const Deep& x) { return lift<Narrow>(of, Deep(from + x)).c[3]; }, high - 60, high);
-}
-
 Deep FollowerSweep::angle_now() const {
-  const Deep angle = found();
+  const Deep angle = found_();
   return sign(angle) == Sign::negative ? Deep(2) * pi<Deep>() + angle : angle;
 }
 
-Deep FollowerSweep::least_now() const { return Deep(2) * lift<Narrow>(Lengths<Deep>(r_, l_, e_), found()).c[2]; }
+Deep FollowerSweep::least_now() const { return Deep(2) * lift<Narrow>(Lengths<Deep>(r_, l_, e_), found_()).c[2]; }
 
 }  // namespace epure::geometry

@@ -4,7 +4,7 @@
 // derivative is zero.
 #pragma once
 
-#include <optional>
+#include <functional>
 
 #include "geometry/numbers/accurate.h"
 
@@ -27,14 +27,11 @@ class FollowerSweep {
   }
 
  private:
-  // From the least angle that may be it on; a turn may have to be added.
-  Deep found() const;
   Deep angle_now() const;
   Deep least_now() const;
 
   Rational r_, l_, e_;
-  double from_ = 0, width_ = 0;  // radians
-  std::optional<Undecided> open_;
+  std::function<Deep()> found_;  // the angle, a turn less where it is negative
 };
 
 }  // namespace epure::geometry

@@ -122,6 +122,14 @@ def wedge(given, phi):
     return found, two
 
 
+def root(rising, most):
+    low, high = mpf(0), most
+    while high - low > mpf(10) ** -60:
+        middle = (low + high) / 2
+        low, high = (middle, high) if rising(middle) < 0 else (low, middle)
+    return low
+
+
 def double_slider(given, phi, r):
     Q, l = number(given["Q"]), number(given["l"])
     theta = radians(number(given["theta"]))
@@ -130,6 +138,10 @@ def double_slider(given, phi, r):
     plain = dict(self_locking_friction_angle_deg=90 - degrees(theta), jamming_friction_angle_deg=degrees(theta))
     pins = dict(friction_circle_radius=rho, link_line_tilt_angle_deg=degrees(delta),
                 link_line_angle_direct_deg=degrees(theta - delta), link_line_angle_retrograde_deg=degrees(theta + delta))
+    # Where P vanishes, and where it is infinite: the link's force upright on the cone of slider 4, and in it.
+    tilt = lambda f: asin(2 * r * sin(f) / l)
+    pins["self_locking_friction_angle_deg"] = degrees(root(lambda f: theta + tilt(f) + f - pi / 2, pi / 2 - theta))
+    pins["jamming_friction_angle_deg"] = degrees(root(lambda f: tilt(f) + f - theta, theta))
     for found, d in ((plain, mpf(0)), (pins, delta)):
         P = lambda f, psi: Q / tan(psi - f)
         efforts(found, "P", P(0, theta), P(phi, theta - d), P(-phi, theta + d))

@@ -60,18 +60,28 @@ Triangle::Triangle() {
             .range = Range::not_negative},
            {.symbol = "shift", .meaning = {"shift", "spostamento"}, .unit = "m", .stated = "0", .range = Range::any}},
       .sheets = {{"sides", {"The sides", "I lati"}}, {"small", {"The same, smaller", "Lo stesso, più piccolo"}}},
-      .quantities = {{"c", "$c_{0}$", "m", {"hypotenuse", "ipotenusa"}},
-                     {"c_x", "$\\vec{c}_{AB}$", "m", {"its abscissa", "la sua ascissa"}},
-                     {"c_y", "$c_{31}$", "m", {"its ordinate", "la sua ordinata"}},
-                     {"omega", "$ω$", "rad/s", {"turning", "rotazione"}},
-                     {"angle", "$φ$", "rad", {"angle", "angolo"}}},
-      .printed = [] {
-        return std::vector<Printed>{
-            {"c", "0.5", "ruler"},
-            {"c", "0.51", "ruler", 0.01},
-            {"c_y", "0.7", "adding", 0.01,
-             Explanation{{"the catheti were added", "i cateti sono stati sommati"}, [] { return 0.7; }}}};
-      }};
+      .quantities =
+          [] {
+            return std::vector<Quantity>{{"c", "$c_{0}$", "m", {"hypotenuse", "ipotenusa"}},
+                                         {"c_x", "$\\vec{c}_{AB}$", "m", {"its abscissa", "la sua ascissa"}},
+                                         {"c_y", "$c_{31}$", "m", {"its ordinate", "la sua ordinata"}},
+                                         {"omega", "$ω$", "rad/s", {"turning", "rotazione"}},
+                                         {"angle", "$φ$", "rad", {"angle", "angolo"}}};
+          },
+      .printed =
+          [] {
+            return std::vector<Printed>{
+                {"c", "0.5", "ruler"},
+                {"c", "0.51", "ruler", 0.01},
+                {"c_y", "0.7", "adding", 0.01,
+                 Explanation{{"the catheti were added", "i cateti sono stati sommati"}, [] { return 0.7; }}}};
+          }};
+}
+
+void Triangle::change_quantities(const std::function<void(std::vector<Quantity>&)>& change) {
+  std::vector<Quantity> quantities = description.quantities();
+  change(quantities);
+  description.quantities = [quantities] { return quantities; };
 }
 
 std::vector<RouteValue> Triangle::solve(const Givens& givens, Rung rung) const {

@@ -22,6 +22,7 @@ class Triangle : public Exercise {
   DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override;
 
   Description description;
+  void change_quantities(const std::function<void(std::vector<Quantity>&)>& change);
   // Applied to what solve and draw return.
   std::function<void(std::vector<RouteValue>&)> spoil_values = [](auto&) {};
   std::function<void(DrawnSheet&)> spoil_sheet = [](auto&) {};

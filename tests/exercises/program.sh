@@ -49,6 +49,7 @@ rm -f piped.svg set.svg
 cat > six-bar.yaml << 'SCENE'
 epure: 1
 id: six-bar
+source: own
 links:
   1: {A0: [0, 0], B0: [180 mm, 0], E0: [210 mm, 180 mm]}
   2: {A0 A: 60 mm}
@@ -63,6 +64,13 @@ for run in 1 2 3 4 5 6 7 8 9; do
   "$epure" draw six-bar.yaml --format svg --out "scene_$run" > /dev/null
   expect "a mechanism from a file is drawn with the same bytes, run $run" '' "$(diff -rq scene_1 "scene_$run" 2>&1)"
 done
+
+"$epure" draw - --format svg --out scene_piped < six-bar.yaml > /dev/null
+expect 'a mechanism comes from standard input' 0 $?
+expect 'and is that of the file' '' "$(diff -rq scene_1 scene_piped 2>&1)"
+"$epure" draw /dev/stdin/velocities --format svg -o - < six-bar.yaml > piped.svg
+expect 'so does one sheet of it' '' "$(cmp piped.svg scene_1/six-bar-velocities.svg 2>&1)"
+rm -f piped.svg
 
 "$epure" draw all --out all_one > /dev/null
 expect 'drawing all exits with 0' 0 $?

@@ -28,7 +28,8 @@ Ran run_on_two(const std::vector<std::string>& arguments) {
   Triangle other;
   other.description.id = "other";
   other.description.givens.push_back({.symbol = "k", .meaning = {}, .unit = "1", .stated = "1"});
-  std::erase_if(other.description.quantities, [](const Quantity& spec) { return spec.name == "omega"; });
+  other.change_quantities(
+      [](auto& all) { std::erase_if(all, [](const Quantity& spec) { return spec.name == "omega"; }); });
   other.spoil_values = [](auto& values) {
     std::erase_if(values, [](const RouteValue& value) { return value.quantity == "omega"; });
   };

@@ -168,3 +168,50 @@ TEST_CASE("attacked: a four-bar that closes in one position alone cannot move at
   CHECK_THAT(refused("four-bar-analytic", {"A0A=0.7", "AB=0.2", "B0B=0.2", "A0B0=0.3", "phi=0"}), cannot_move);
   CHECK_THAT(refused("four-bar-analytic", {"A0A=0.3", "AB=0.3", "B0B=0.2", "A0B0=0.2", "phi=0"}), !cannot_move);
 }
+
+// Where A comes within the miss of B0 its square is all that tells the sheet's curve from one that ends.
+TEST_CASE("attacked: a rhombus missed by less than drawings need else") {
+  for (const int places : {36, 38, 45, 58, 60, 80}) {
+    CAPTURE(places);
+    const std::string frame = "0.746" + std::string(static_cast<std::size_t>(places - 3), '9');
+    CHECK(passes("four-bar-analytic", {"phi=315deg", "A0A=0.747", "AB=0.747", "B0B=0.747", "n=60", "A0B0=" + frame}));
+  }
+}
+
+TEST_CASE("attacked: a linkage that closes in a hair of a turn does not close at one angle only") {
+  const auto refused = [](const std::string& id, const Assignments& givens) {
+    try {
+      Tried(id).checked(givens);
+    } catch (const BadGivens& why) {
+      return why.words().english;
+    }
+    return std::string("accepted");
+  };
+  const Assignments slider{"phi=315", "delta=90", "r=0.1145", "l=0.241"};
+  const auto with_offset = [&](const std::string& e) {
+    Assignments all = slider;
+    all.push_back("e=" + e);
+    return refused("slider-crank-acceleration", all);
+  };
+  // √(2·1e-16/r) of a radian.
+  CHECK_THAT(with_offset("0.3554999999999999"), Contains("it closes within 2.4e-06° of 180° only"));
+  CHECK_THAT(with_offset("0.35549999999999999999999999999999999999999999"), Contains("it closes within "));
+  CHECK_THAT(with_offset("0.3555"), Contains("it closes at 180° only"));
+  // The other way round: a hair of a turn is all that lacks, and the crank is in it.
+  for (const int nines : {19, 45}) {
+    const std::string l = "l=0." + std::string(static_cast<std::size_t>(nines), '9');
+    const std::string sentence =
+        refused("slider-crank-acceleration", {"r=1", l, "AC=0.7", "BC=0.7", "n=60", "phi=90"});
+    CAPTURE(sentence);
+    CHECK(sentence.find("; it closes from -90") != std::string::npos);
+    CHECK(sentence.find(" 90°") == sentence.rfind(" 90°"));  // the crank's alone
+  }
+  const auto four_bar = [&](const std::string& frame) {
+    return refused("four-bar-analytic", {"A0A=0.3", "AB=0.2", "B0B=0.2", "A0B0=" + frame, "phi=1"});
+  };
+  const std::string hardly = "0.6999999999999999999999999999999999999999";
+  CHECK_THAT(four_bar(hardly), Contains("it closes from -1.1183e-18° to 1.1183e-18°"));
+  CHECK_THAT(refused("four-bar", {"A0A=0.3", "AB=0.2", "B0B=0.2", "AC=0.1", "x_B0=-" + hardly, "y_B0=0", "t=0.001"}),
+             Contains("it closes within ") && Contains(" of 180° only"));
+  CHECK_THAT(four_bar("0.7"), Contains("it closes at 0° only"));
+}

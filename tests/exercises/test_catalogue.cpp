@@ -83,7 +83,7 @@ TEST_CASE("within an exercise every name is used once") {
     INFO(about.id);
     are_distinct(about.givens, [](const GivenSpec& given) { return given.symbol; });
     are_distinct(about.sheets, [](const SheetSpec& sheet) { return sheet.name; });
-    are_distinct(about.quantities, [](const Quantity& quantity) { return quantity.name; });
+    are_distinct(about.quantities(), [](const Quantity& quantity) { return quantity.name; });
     CHECK(Givens(about.givens).as_stated());
   }
 }
@@ -94,7 +94,7 @@ TEST_CASE("every exercise speaks both languages") {
     std::vector<Words> all = {about.title, about.source};
     for (const GivenSpec& given : about.givens) all.push_back(given.meaning);
     for (const SheetSpec& sheet : about.sheets) all.push_back(sheet.title);
-    for (const Quantity& quantity : about.quantities) all.push_back(quantity.meaning);
+    for (const Quantity& quantity : about.quantities()) all.push_back(quantity.meaning);
     for (const Printed& printed : about.printed())
       if (printed.explanation) all.push_back(printed.explanation->sentence);
     for (const Words& words : all) {
@@ -119,7 +119,7 @@ TEST_CASE("every exercise reports each name, in its unit, that was promised") {
   std::ifstream promised(EPURE_NAMES);
   std::set<std::string> reported;
   for (const auto& exercise : catalogue())
-    for (const Quantity& quantity : exercise->about().quantities)
+    for (const Quantity& quantity : exercise->about().quantities())
       reported.insert(exercise->about().id + " " + quantity.name + " " + quantity.unit);
   int names = 0;
   for (std::string line; std::getline(promised, line);) {

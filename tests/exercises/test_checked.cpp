@@ -267,10 +267,12 @@ TEST_CASE("a measured number of what no sheet shows is held against two lines of
 // What is calculated from two drawn quantities: their relative errors are added.
 TEST_CASE("a number calculated from drawn ones may be off by what they may be") {
   Triangle triangle;
-  triangle.description.quantities.push_back({"area", "$A$", "m^2", {"area of the square", "area"}});
-  triangle.description.quantities.push_back({"slope", "$s$", "1", {"slope", "pendenza"}});
-  triangle.description.quantities.push_back({"odd", "$o$", "m", {"a length", "una lunghezza"}});
-  triangle.description.quantities.push_back({"tall", "$t$", "m^2", {"a rectangle", "un rettangolo"}});
+  triangle.change_quantities([](auto& all) {
+    all.push_back({"area", "$A$", "m^2", {"area of the square", "area"}});
+    all.push_back({"slope", "$s$", "1", {"slope", "pendenza"}});
+    all.push_back({"odd", "$o$", "m", {"a length", "una lunghezza"}});
+    all.push_back({"tall", "$t$", "m^2", {"a rectangle", "un rettangolo"}});
+  });
   triangle.spoil_values = [](auto& values) {
     for (const std::string route : {"ruler", "analytic"}) {
       values.push_back({"area", route, certain(0.15)});   // c · c_x

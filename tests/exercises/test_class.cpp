@@ -1,4 +1,8 @@
 // Class sets: the same lots for the same seed, files whole and where they belong, keys that say what the sheets show.
+#include <poppler-document.h>
+#include <poppler-page.h>
+#include <poppler-toc.h>
+
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -20,10 +24,18 @@ namespace {
 
 const std::vector<std::string> lots{"--vary", "r=0.18..0.22/0.01", "--vary", "n=300|360|400", "--seed", "june"};
 
-Ran make(std::vector<std::string> words, const std::vector<std::string>& more = lots) {
+Ran make_over(std::vector<std::string> words, const std::vector<std::string>& more = lots) {
   words.insert(words.begin(), "class");
   words.insert(words.end(), more.begin(), more.end());
   return run_on_all(words);
+}
+
+// Whatever class the folder holds: as if nothing there told which.
+Ran make(const std::vector<std::string>& words, const std::vector<std::string>& more = lots) {
+  if (fs::exists("out"))
+    for (const fs::directory_entry& each : fs::recursive_directory_iterator("out"))
+      if (each.path().filename() == "class.txt") fs::remove(each.path());
+  return make_over(words, more);
 }
 
 void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
@@ -83,9 +95,9 @@ TEST_CASE("class: a sheet to be solved, a solution and a line of the key for eac
   std::set<std::string> files;
   for (const std::string& file : scratch.files()) files.insert(file);
   const std::string in = std::string(folder) + "/";
-  CHECK(files == std::set<std::string>{"roster.csv", in + "key.csv", in + "77-blank.pdf", in + "77-solution.pdf",
-                                       in + "78-blank.pdf", in + "78-solution.pdf", in + "79-blank.pdf",
-                                       in + "79-solution.pdf"});
+  CHECK(files == std::set<std::string>{"roster.csv", in + "class.txt", in + "key.csv", in + "77-blank.pdf",
+                                       in + "77-solution.pdf", in + "78-blank.pdf", in + "78-solution.pdf",
+                                       in + "79-blank.pdf", in + "79-solution.pdf"});
   const CsvTable key = key_in(scratch.path());
   CHECK(cell(key, 1, "name") == "Rossi; Anna");
   for (std::size_t row = 0; row < 3; ++row) {
@@ -122,6 +134,24 @@ TEST_CASE("class: a student's givens depend on the seed and on the number alone"
   const CsvTable many = read_csv_file("many" + in + "key.csv");
   for (std::size_t row = 0; row < 40; ++row) drawn.insert(cell(many, row, "r"));
   CHECK(drawn == std::set<std::string>{"0.18m", "0.19m", "0.2m", "0.21m", "0.22m"});
+}
+
+TEST_CASE("class: another seed draws other lots", "[class]") {
+  const Scratch scratch;
+  const auto drawn = [&](const std::string& seed) {
+    REQUIRE(make({"slider-crank-velocity/poles", "--count", "12"},
+                 {"--vary", "r=0.18..0.22/0.01", "--vary", "phi=25..50/26", "--seed", seed})
+                .exit == 0);
+    std::vector<std::string> all;
+    const CsvTable key = key_in(scratch.path());
+    for (std::size_t row = 0; row < 12; ++row) all.push_back(cell(key, row, "r") + cell(key, row, "phi"));
+    return all;
+  };
+  const std::vector<std::string> june = drawn("june"), july = drawn("july");
+  std::size_t equal = 0;
+  for (std::size_t i = 0; i < 12; ++i) equal += june[i] == july[i] ? 1 : 0;
+  CHECK(equal < 4);  // of 130 variants; more once in 10,000,000 seeds
+  CHECK(drawn("june") == june);
 }
 
 TEST_CASE("class: what cannot be drawn well is drawn again, and counted", "[class]") {
@@ -209,6 +239,15 @@ TEST_CASE("class: what the journal knows is not drawn again, and nothing else is
   CHECK(drawn_anew(words, but_for(5, "july")) == 5);
   CHECK(drawn_anew(words, but_for(3, "n=300|361|400")) == 5);
   CHECK(drawn_anew({"slider-crank-velocity/poles", "--count", "6", "--lang", "it"}) == 5);
+  CHECK(drawn_anew({"slider-crank-velocity/poles", "--count", "6", "--scale", "1:20"}) == 5);
+  // Also where both scales were asked for.
+  fs::remove_all("out");
+  fs::create_directories(in_class("6-blank.pdf/in-the-way"));
+  REQUIRE(make({"slider-crank-velocity/poles", "--count", "6", "--scale", "1:20"}).exit == 3);
+  journal = contents(in_class("unfinished.jsonl"));
+  fs::remove_all(in_class("6-blank.pdf"));
+  CHECK(drawn_anew({"slider-crank-velocity/poles", "--count", "6", "--scale", "1:50"}) == 5);
+  CHECK(cell(key_in(scratch.path()), 0, "scale poles") == "0.02");
   write("one.csv", "number,l\n1,0.51\n");  // the number of a student who is there, with givens of his own
   CHECK(drawn_anew({"slider-crank-velocity/poles", "--givens", "one.csv"}) == 1);
 }
@@ -451,7 +490,7 @@ TEST_CASE("class --format moodle: which sense is positive is said where it is as
   CHECK(told("michell-bearing", "en").find("counter-clockwise") == std::string::npos);
 }
 
-TEST_CASE("class --format moodle: whose sense is not told is right without its sign, and so are whole turns",
+TEST_CASE("class --format moodle: a number without a sign is a magnitude, as for mark; whole turns are right",
           "[class]") {
   const Scratch scratch;
   const auto asked = [&](const std::string& id, const std::vector<std::string>& more = {}) {
@@ -469,22 +508,26 @@ TEST_CASE("class --format moodle: whose sense is not told is right without its s
     }
     return all;
   };
-  // A bending moment, of which the question does not say which is positive; a force "upwards"; a displacement.
+  // Whether the question says which sense is positive (a force "upwards", what turns) or not (a bending moment).
   const std::string crane = asked("boat-crane");
   CHECK(alternatives(field_of(crane, "M_C")) == std::vector<double>{-17651.97, 17651.97});
-  CHECK(alternatives(field_of(crane, "Y_B")) == std::vector<double>{-5883.99});
+  CHECK(alternatives(field_of(crane, "Y_B")) == std::vector<double>{-5883.99, 5883.99});
   const std::string analytic = asked("four-bar-analytic");
   CAPTURE(analytic);
-  CHECK(alternatives(field_of(analytic, "ω₃")) == std::vector<double>{-18.425284259084822});
-  CHECK(alternatives(field_of(analytic, "a_Bx")) == std::vector<double>{-263.8573241560314});
+  CHECK(alternatives(field_of(analytic, "ω₃")) == std::vector<double>{-18.425284259084822, 18.425284259084822});
+  CHECK(alternatives(field_of(analytic, "a_Bx")) == std::vector<double>{-263.8573241560314, 263.8573241560314});
   const std::vector<double> direction = alternatives(field_of(analytic, "θ₄"));
-  REQUIRE(direction.size() == 2);
+  REQUIRE(direction.size() == 3);
   CHECK(direction[0] == Approx(-0.8807969085934083).epsilon(1e-14));
   CHECK(direction[1] == Approx(5.402388398586178).epsilon(1e-14));
+  CHECK(direction[2] == -direction[0]);
+  CHECK(alternatives(field_of(analytic, "θ₃")).front() > 0);
+  CHECK(alternatives(field_of(analytic, "θ₃")).size() == 3);  // a whole turn away, with its sign and without
   CHECK(field_of(analytic, "x_G₃'").starts_with("-0.4135829"));
   const std::vector<double> in_degrees = alternatives(field_of(asked("slider-crank-acceleration"), "γ"));
-  REQUIRE(in_degrees.size() == 2);
+  REQUIRE(in_degrees.size() == 3);
   CHECK(in_degrees[0] - in_degrees[1] == Approx(360).epsilon(1e-14));
+  CHECK(in_degrees[2] == -in_degrees[1]);
 }
 
 TEST_CASE("class --format moodle: an answer may be off by what mark allows, also where it is zero", "[class]") {
@@ -558,7 +601,8 @@ TEST_CASE("class: a roster of Italian Excel, and a key for it", "[class]") {
                               in_class("key.csv"), "--csv", "excel", "--lang", "it"});
   CAPTURE(right.err, right.out);
   CHECK(right.exit == 0);
-  CHECK(right.out.find("12345;De Rossi Anna;1;giusta;1;\r\n12346;Verdi Bruno;1;giusta;1;\r\n") != std::string::npos);
+  CHECK(right.out.find("\n0012345;De Rossi Anna;1;giusta;1;\r\n0012346;Verdi Bruno;1;giusta;1;\r\n") !=
+        std::string::npos);
   CHECK(right.err.find("numeri trovati") != std::string::npos);
 }
 
@@ -629,4 +673,238 @@ TEST_CASE("class: refusals are one sentence, and nothing is written", "[class]")
   refused({"slider-crank-velocity", "--students", "twice.csv"}, "1");
   write("column.csv", "nummer\n1\n");
   refused({"slider-crank-velocity", "--students", "column.csv"}, "number");
+}
+
+TEST_CASE("class: one scale of lengths for all, that of the lots and not of the roster", "[class]") {
+  const Scratch scratch;
+  const Ran ran = make({"slider-crank-velocity/poles", "--count", "20"});
+  REQUIRE(ran.exit == 0);
+  CHECK(ran.out.find("\nscale of lengths: 1:10\n") != std::string::npos);
+  const CsvTable key = key_in(scratch.path());
+  for (std::size_t row = 0; row < 20; ++row) CHECK(cell(key, row, "scale poles") == "0.1");
+  const std::string of_seven = contents(in_class("7-blank.pdf"));
+  // Drawn alone, some of them would have 1:5.
+  std::set<std::string> alone;
+  for (const auto& exercise : catalogue()) {
+    if (exercise.id() != "slider-crank-velocity") continue;
+    for (std::size_t row = 0; row < 20; ++row) {
+      Givens givens(exercise->about().givens);
+      for (const char* given : {"r", "n"}) givens.set(std::string(given) + "=" + cell(key, row, given));
+      alone.insert(exercise->draw("poles", givens, {}).sheet.title_block.scales.front());
+    }
+  }
+  CHECK(alone == std::set<std::string>{"1 : 10", "1 : 5"});
+  write("one.csv", "number\n7\n");
+  REQUIRE(make({"slider-crank-velocity/poles", "--students", "one.csv"}).exit == 0);
+  CHECK(contents(in_class("7-blank.pdf")) == of_seven);
+  // What is shown is at that scale.
+  REQUIRE(make({"slider-crank-velocity/poles", "--count", "5", "--format", "moodle"}).exit == 0);
+  pugi::xml_document quiz;
+  REQUIRE(quiz.load_file(in_class("questions.xml").c_str()));
+  for (const pugi::xml_node question : quiz.child("quiz").children("question"))
+    if (const pugi::xml_node figure = question.child("questiontext").child("file"))
+      CHECK(out_of_base64(figure.child_value()).find("1 : 10") != std::string::npos);
+}
+
+TEST_CASE("class: --scale is kept, and what does not fit at it is drawn again", "[class]") {
+  const Scratch scratch;
+  const std::vector<std::string> words{"slider-crank-velocity/poles", "--count", "12", "--scale"};
+  const auto at = [&](const std::string& scale) {
+    std::vector<std::string> all = words;
+    all.push_back(scale);
+    return make(all);
+  };
+  const Ran large = at("1:5");
+  REQUIRE(large.exit == 0);
+  CHECK(large.out.find("drawn again, does not fit the paper: ") != std::string::npos);
+  CsvTable key = key_in(scratch.path());
+  for (std::size_t row = 0; row < 12; ++row) CHECK(cell(key, row, "scale poles") == "0.2");
+  const Ran small = at("1:20");
+  REQUIRE(small.exit == 0);
+  CHECK(small.out.find("does not fit") == std::string::npos);
+  CHECK(cell(key_in(scratch.path()), 3, "scale poles") == "0.05");
+  const Ran none = at("1:1");
+  CHECK(none.exit == 2);
+  CHECK(none.err.find("none of 200 variants can be drawn well; of the last one: at scale 1 : 1 the figure takes") !=
+        std::string::npos);
+  CHECK(at("five").exit == 2);
+}
+
+TEST_CASE("class: where no one scale fits well each variant has its own, which is told", "[class]") {
+  const Scratch scratch;
+  const auto made_of = [&](const std::string& times) {
+    write("variants.csv", "number,r,l,BC,AC\n1,0.2,0.5,0.4,0.3\n2," + times + "\n");
+    return make({"slider-crank-velocity/poles", "--givens", "variants.csv"}, {});
+  };
+  const auto scale = [&](std::size_t row) { return cell(key_in(scratch.path()), row, "scale poles"); };
+  const Ran apart = made_of("2,5,4,3");
+  REQUIRE(apart.exit == 0);
+  CHECK(apart.err.find("poles: no one scale fits all variants well") != std::string::npos);
+  CHECK(apart.out.find("scale of lengths") == std::string::npos);
+  CHECK(scale(0) == "0.2");
+  CHECK(scale(1) == "0.02");
+  const Ran near = made_of("0.4,1,0.8,0.6");
+  CHECK(near.err.empty());
+  CHECK(scale(0) == "0.1");
+  CHECK(scale(1) == "0.1");
+  CHECK(made_of("0.8,2,1.6,1.2").err.empty());
+  CHECK(scale(0) == "0.05");
+  // Five times as small as could be is the most.
+  write("variants.csv", "number,r,l,BC,AC\n1,0.4,1,0.8,0.6\n2,2,5,4,3\n");
+  CHECK(make({"slider-crank-velocity/poles", "--givens", "variants.csv"}, {}).err.empty());
+  CHECK(scale(0) == "0.02");
+}
+
+TEST_CASE("class: each sheet has its own scale, which the key tells under its name", "[class]") {
+  const Scratch scratch;
+  const Ran ran = make({"slider-crank-velocity", "--count", "3"}, {});
+  REQUIRE(ran.exit == 0);
+  const std::string told = "scale of lengths: coupler-curve 1:5, polar-diagram 1:10, poles 1:5, polodes 1:10\n";
+  CAPTURE(ran.out);
+  CHECK(ran.out.find(told) != std::string::npos);
+  const CsvTable key = read_csv_file("out/slider-crank-velocity-class/key.csv");
+  for (std::size_t row = 0; row < 3; ++row) {
+    CHECK(cell(key, row, "scale coupler-curve") == "0.2");
+    CHECK(cell(key, row, "scale polar-diagram") == "0.1");
+  }
+}
+
+TEST_CASE("class: mark reads what the class's own scale allows", "[class]") {
+  const Scratch scratch;
+  REQUIRE(make({"slider-crank-velocity/poles", "--count", "1", "--scale", "1:20"}, {}).exit == 0);
+  // Half a millimetre at 1:20 is 10 mm.
+  const double P0B = std::stod(cell(key_in(scratch.path()), 0, "P0B"));
+  const auto verdict = [&](double off) {
+    write("answers.csv", "number,P0B\n1," + std::to_string(P0B + off) + "\n");
+    const Ran ran = run_real({"mark", "slider-crank-velocity", "--answers", "answers.csv", "--key",
+                              in_class("key.csv"), "--format", "csv"});
+    CAPTURE(ran.err);
+    REQUIRE(ran.exit == 0);
+    CHECK(ran.err.empty());
+    return cell(read_csv(ran.out, "marks"), 0, "P0B verdict");
+  };
+  CHECK(verdict(0.0099) == "right");
+  CHECK(verdict(0.0101) != "right");
+  // And on A3, for which a larger scale was asked.
+  REQUIRE(make({"slider-crank-velocity/poles", "--count", "1", "--scale", "1:4", "--paper", "a3"}, {}).exit == 0);
+  CHECK(verdict(0.00199) == "right");
+  CHECK(verdict(0.00201) != "right");
+}
+
+TEST_CASE("class: another class is not made over one that is there", "[class]") {
+  const Scratch scratch;
+  const std::vector<std::string> words{"slider-crank-velocity/poles", "--count", "2", "--course", "Rossi's course"};
+  REQUIRE(make_over(words).exit == 0);
+  CHECK(contents(in_class("class.txt")) ==
+        "epure class slider-crank-velocity/poles --seed june --vary r=0.18..0.22/0.01 --vary 'n=300|360|400' \\\n"
+        "  --count 2 --paper a4 --reading 0.5mm --course 'Rossi'\\''s course' --lang en\n");
+  const std::string key = contents(in_class("key.csv"));
+  const auto refused = [&](std::size_t i, const std::string& text) {
+    std::vector<std::string> other = lots;
+    other[i] = text;
+    const Ran ran = make_over(words, other);
+    CHECK(ran.exit == 2);
+    CHECK(ran.err.find(std::string(folder) + " holds the class of another command (epure class "
+                                             "slider-crank-velocity/poles --seed june --vary ") != std::string::npos);
+    CHECK(ran.err.find("; choose another --out, or delete the folder") != std::string::npos);
+    CHECK(contents(in_class("key.csv")) == key);
+  };
+  refused(5, "july");
+  refused(1, "r=0.18..0.23/0.01");
+  std::vector<std::string> set = lots;
+  set.insert(set.end(), {"--set", "phi=30deg"});
+  CHECK(make_over(words, set).exit == 2);
+  // Who is in it, and how it looks, may change.
+  CHECK(make_over({"slider-crank-velocity/poles", "--count", "3", "--lang", "it", "--scale", "1:20"}).exit == 0);
+  CHECK(contents(in_class("class.txt")).find("--count 3 --scale 1:20 --paper a4") != std::string::npos);
+  // Also one that was stopped.
+  fs::remove_all("out");
+  fs::create_directories(in_class("2-blank.pdf/in-the-way"));
+  REQUIRE(make_over(words).exit == 3);
+  CHECK(make_over(words, {"--vary", "r=0.18|0.2"}).exit == 2);
+}
+
+namespace {
+
+std::vector<std::string> texts_of_pages(const std::string& file) {
+  const std::unique_ptr<poppler::document> document(poppler::document::load_from_file(file));
+  REQUIRE(document);
+  CHECK(std::unique_ptr<poppler::toc>(document->create_toc()));
+  std::vector<std::string> all;
+  for (int i = 0; i < document->pages(); ++i) {
+    const poppler::byte_array utf8 = std::unique_ptr<poppler::page>(document->create_page(i))->text().to_utf8();
+    all.emplace_back(utf8.begin(), utf8.end());
+  }
+  return all;
+}
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("class --booklet: all sheets to be solved in one PDF, and all solutions, in the order of the roster",
+          "[class]") {
+  const Scratch scratch;
+  write("roster.csv", "number,name\n88,D'Angelo\n77,Rossi\n");
+  const std::vector<std::string> words{"slider-crank-velocity", "--students", "roster.csv", "--booklet"};
+  const std::string in = "out/slider-crank-velocity-class/";
+  const Ran ran = make(words);
+  REQUIRE(ran.exit == 0);
+  CHECK(holds(ran.out, in + "blanks.pdf\n" + in + "solutions.pdf\n"));
+  const std::vector<std::string> blanks = texts_of_pages(in + "blanks.pdf"),
+                                 solutions = texts_of_pages(in + "solutions.pdf");
+  REQUIRE(blanks.size() == 8);
+  REQUIRE(solutions.size() == 8);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const std::string own = i < 4 ? "D'Angelo" : "Rossi", other = i < 4 ? "Rossi" : "D'Angelo";
+    for (const auto* pages : {&blanks, &solutions}) {
+      CHECK(holds((*pages)[i], own));
+      CHECK_FALSE(holds((*pages)[i], other));
+    }
+    CHECK(holds(blanks[i], "Question"));
+    CHECK_FALSE(holds(solutions[i], "Question"));
+    CHECK(holds(solutions[i], "Construction"));
+  }
+  // The pages of the files, also where a run goes on.
+  const std::unique_ptr<poppler::document> alone(poppler::document::load_from_file(in + "77-solution.pdf"));
+  const poppler::byte_array utf8 = std::unique_ptr<poppler::page>(alone->create_page(2))->text().to_utf8();
+  CHECK(std::string(utf8.begin(), utf8.end()) == solutions[6]);
+  // Of an earlier class they are told.
+  const std::vector<std::string> without{"slider-crank-velocity", "--students", "roster.csv"};
+  CHECK(holds(make(without).err, "still holds 2 files of an earlier class, such as blanks.pdf"));
+  const Ran moodle = make({"slider-crank-velocity", "--count", "1", "--booklet", "--format", "moodle"});
+  CHECK(moodle.exit == 2);
+  CHECK(holds(moodle.err, "--booklet binds sheets, and --format moodle writes none"));
+}
+
+TEST_CASE("class --format moodle: of one sheet its own question is asked, of all the exercise's", "[class]") {
+  const Scratch scratch;
+  const auto asked = [&](const std::string& name, const std::string& folder_of) {
+    REQUIRE(make({name, "--count", "1", "--format", "moodle"}, {}).exit == 0);
+    return question_in("out/" + folder_of + "-class/questions.xml");
+  };
+  const std::string own = "<p>At the given instant find the velocities by the method of poles.</p>";
+  CHECK(holds(asked("slider-crank-velocity/poles", "slider-crank-velocity-poles"), own));
+  const std::string whole = asked("slider-crank-velocity", "slider-crank-velocity");
+  CHECK_FALSE(holds(whole, own));
+  CHECK(holds(whole, "by the method of poles and by the polar diagram; draw the fixed"));
+}
+
+TEST_CASE("class: of one sheet its own scale counts, in Moodle and for mark by the key", "[class]") {
+  const Scratch scratch;
+  // On sheet poles, which has not been handed out, 1 cm is 2.5 m/s; on this one 1 m/s.
+  const std::string sheet = "slider-crank-velocity/polar-diagram",
+                    made = "out/slider-crank-velocity-polar-diagram-class/";
+  REQUIRE(make({sheet, "--count", "1", "--format", "moodle"}, {}).exit == 0);
+  CHECK(tolerance_in(field_of(question_in(made + "questions.xml"), "v_B")) == 0.05);
+  const double v_B = std::stod(cell(read_csv_file(made + "key.csv"), 0, "v_B"));
+  const auto verdict = [&](double off) {
+    write("answers.csv", "number,v_B\n1," + std::to_string(v_B + off) + "\n");
+    const Ran ran = run_real(
+        {"mark", "slider-crank-velocity", "--answers", "answers.csv", "--key", made + "key.csv", "--format", "csv"});
+    REQUIRE(ran.exit == 0);
+    return cell(read_csv(ran.out, "marks"), 0, "v_B verdict");
+  };
+  CHECK(verdict(0.049) == "right");
+  CHECK(verdict(0.051) == "wrong");
 }

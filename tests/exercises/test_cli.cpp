@@ -617,7 +617,7 @@ TEST_CASE("a symbol may be typed as the sheet writes it") {
   CHECK(run({"check", "triangle", "--measured", "ω=2.5"}).exit == 0);
   CHECK(run({"check", "triangle", "--measured", "c₀=0.52"}).exit == 1);
   CHECK(run_on_two({"check", "all", "--measured", "φ=0.75"}).exit == 0);
-  greek.description.quantities[4].symbol = "$ω$";
+  greek.change_quantities([](auto& all) { all[4].symbol = "$ω$"; });
   const Ran several = run_on(greek, {"check", "triangle", "--measured", "ω=2.5"});
   CHECK(several.exit == 2);
   CHECK(contains(several.err, "\"ω\" may mean several; write omega or angle"));

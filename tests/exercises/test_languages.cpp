@@ -178,7 +178,7 @@ std::set<std::string> names() {
     const Description& about = exercise->about();
     add(about.id);
     for (const SheetSpec& sheet : about.sheets) add(sheet.name);
-    for (const Quantity& quantity : about.quantities) add(quantity.name);
+    for (const Quantity& quantity : about.quantities()) add(quantity.name);
     for (const GivenSpec& given : about.givens) {
       add(given.symbol);
       for (const Choice& choice : given.choices) add(choice.word);

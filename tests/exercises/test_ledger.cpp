@@ -1,5 +1,7 @@
 // What is written down is computed when it is asked for.
+#include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/proof/ledger.h"
+#include "exercises/kit/proof/once.h"
 #include "exercises/kit/proof/solution.h"
 #include "tests/support/catch.h"
 
@@ -80,6 +82,74 @@ TEST_CASE("ledger: for names nothing is found, and the names are those of a chec
     CHECK(names[i].quantity == checked[i].quantity);
     CHECK(names[i].route == checked[i].route);
   }
+}
+
+TEST_CASE("ledger: names are those of all quantities, whatever is asked") {
+  int asked[3] = {0, 0, 0};
+  const std::vector<std::string> another{"y"};
+  const Asked scope(another);
+  CHECK(settle(ThreeRoutes{asked}, Rung::names).size() == 3);
+  CHECK(settle(ThreeRoutes{asked}, Rung::fast).empty());
+}
+
+TEST_CASE("ledger: components and size of a vector are named as the vector is, and found by the first route alone") {
+  const auto write = [&]<class T>() {
+    Ledger<T> ledger("first");
+    const geometry::Vector<T> v{T(3), T(4)}, other{T(5), T(6)};
+    ledger.put(velocity("B"), v);
+    ledger.put(point("P"), geometry::Point<T>{T(1), T(2)});
+    ledger.route("second");
+    ledger.put(velocity("B"), other);
+    return ledger;
+  };
+  const std::vector<RouteValue> drawn = settle(write, Rung::drawing), all = settle(write, Rung::fast);
+  CHECK(all.size() == 8);
+  REQUIRE(drawn.size() == 5);
+  const std::vector<std::string> names{"v_B_x", "v_B_y", "v_B", "P_x", "P_y"};
+  const std::vector<double> values{3, 4, 5, 1, 2};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    CHECK(drawn[i].quantity == names[i]);
+    CHECK(drawn[i].route == "first");
+    CHECK(drawn[i].settled.enclosure.value == values[i]);
+    REQUIRE(drawn[i].described);
+    CHECK(drawn[i].described->name == names[i]);
+  }
+}
+
+TEST_CASE("once: copies share what is found, and the finding") {
+  int times = 0;
+  const auto alive = std::make_shared<int>(7);
+  const auto find = once([&times, alive] {
+    ++times;
+    return *alive;
+  });
+  const auto copy = find;
+  CHECK(alive.use_count() == 2);
+  CHECK(times == 0);
+  CHECK(copy() + find() == 14);
+  CHECK(times == 1);
+}
+
+TEST_CASE("exercise: its quantities are listed when they are first asked for") {
+  int runs = 0;
+  const auto exercise = exercise_of_panels({},
+                                           [&runs](const Givens&, Rung rung) {
+                                             ++runs;
+                                             return settle(
+                                                 []<class T>() {
+                                                   Ledger<T> ledger("route");
+                                                   ledger.put(distance("A", "B"), T(2));
+                                                   ledger.put("not described", T(3));
+                                                   return ledger;
+                                                 },
+                                                 rung);
+                                           },
+                                           {}, {});
+  const Description copy = exercise->about();
+  CHECK(runs == 0);
+  REQUIRE(copy.quantities().size() == 1);
+  CHECK(exercise->about().quantities().front().name == "AB");
+  CHECK(runs == 1);
 }
 
 TEST_CASE("description: printed numbers are found when they are first looked at, and once") {

@@ -229,7 +229,16 @@ TEST_CASE("each student's own givens, from the key or the answers") {
   CHECK(tells(ran.out, "1,,1,right,1,right,2,\r\n2,,1,right,0.5,slip,1.5,"));
   CHECK(tells(ran.out, "3,,1,right,1,right,2,\r\n"));
   CHECK(tells(ran.out, "4,,,not marked,,not marked,0,not marked: the key has no such number\r\n"));
-  CHECK(tells(marked(answers, {"--key", "key.csv"}).out, "In the key, and without answers: 9\n"));
+  CHECK(tells(ran.out, "\n9,Late,,,,,,\"absent: in the key, and without answers\"\r\n"));
+  CHECK(tells(marked(answers, {"--key", "key.csv"}).out, "In the key, and without answers: 9 Late\n"));
+  CHECK(tells(marked(answers, {"--key", "key.csv"}).out,
+              "4 students, 5.5 points of 6,"));  // the absent are not among them
+  // More than half of them missing is another class, half of them is not.
+  write_file("key.csv", "number,a\n1,0.6m\n");
+  CHECK(marked("number,c\n1,0.72\n2,0.5\n", {"--key", "key.csv"}).err ==
+        "epure: answers.csv: not in key.csv: 2 (1 of 2 students)\n");
+  CHECK(marked("number,c\n1,0.72\n2,0.5\n3,1\n", {"--key", "key.csv"}).err ==
+        "epure: answers.csv: not in key.csv: 2, 3 (2 of 3 students); is it the key of another class?\n");
   // A slip in a key is told; a key that is nobody's marks nobody.
   write_file("key.csv", "number,a,c\n1,0.6m,0.73\n2,0.3,0.5\n");
   const Ran other = marked("number,c\n1,0.72\n2,0.5\n", {"--key", "key.csv"});
@@ -255,7 +264,7 @@ TEST_CASE("each student's own givens, from the key or the answers") {
 TEST_CASE("a name that a given and a quantity have") {
   const Scratch scratch;
   Triangle triangle;
-  triangle.description.quantities.push_back({"b", "$b$", "m", {"height", "altezza"}});
+  triangle.change_quantities([](auto& all) { all.push_back({"b", "$b$", "m", {"height", "altezza"}}); });
   triangle.spoil_values = [](auto& values) {
     for (const std::string route : {"ruler", "analytic"}) values.push_back({"b", route, certain(0.4)});
   };
@@ -331,6 +340,53 @@ TEST_CASE("a column that is no quantity costs itself, one that nearly is one is 
   CHECK(cell_of("c;;\n0,51;;\n", "c verdict") == "right");  // columns that a spreadsheet adds
 }
 
+TEST_CASE("a number of which the student was not sure counts, and that is told") {
+  const Scratch scratch;
+  for (const char* doubtful : {"circa 0,5", "Circa 0,5 m", "ca. 50 cm", "ca 0.5", "c.a 0.5", "about 0.5 m",
+                               "approx. 0.5", "approx 0.5", "approximately 0.5", "≈ 0.5", "~0.5", "∼ 0.5", "0.5?",
+                               "0.5 m ?", "0.5? m", "0,5 circa", "circa ~0.5 ± 0.1"}) {
+    CAPTURE(doubtful);
+    CHECK(judged("c", doubtful) == "right");
+    const std::string told = remark_of("c", doubtful);
+    CHECK(told.starts_with("c: \"" + std::string(doubtful) + "\" is read as "));
+    CHECK(told.find_first_of("?~", told.find("read as")) == std::string::npos);
+  }
+  CHECK(cell_of("c\n\"circa 0,5 m\"\n", "osservazioni", {"--lang", "it", "--csv", "excel"}) ==
+        "c: \"circa 0,5 m\" è letto come 0,5 m");
+  CHECK(remark_of("c", "0.5 ± 0.1").empty());
+  CHECK(remark_of("c", "circa 0.7") == "c: \"circa 0.7\" is read as 0.7; c: 0.7 m, true 0.5 ± 0.01");
+  // Of what holds no number nothing is made.
+  CHECK(judged("c", "circa boh") == "wrong");
+  CHECK(judged("c", "che cosa?") == "wrong");
+}
+
+TEST_CASE("marks out of thirty") {
+  const Scratch scratch;
+  const std::string answers = "number,c,c_x,omega\n1,0.5,0.3,-2.5\n2,0.5,0.6,\n3,0.5,,7\n";
+  const Ran ran = marked(answers, {"--out-of", "30", "--format", "csv"});
+  const CsvTable marks = read_csv(ran.out, "marks");
+  const std::size_t column = marks.needed_column("out of 30");
+  CHECK(marks.header.at(column - 1) == "total");
+  CHECK(marks.rows.at(0).cells.at(column) == "30");
+  CHECK(marks.rows.at(1).cells.at(column) == "15");  // 1 + a slip of 3
+  CHECK(marks.rows.at(2).cells.at(column) == "10");
+  const Ran table = marked(answers, {"--out-of", "30"});
+  CHECK(tells(table.out, "points  /30\n"));
+  CHECK(tells(table.out, "1.5     15\n"));
+  // To a tenth, a half upwards.
+  CHECK(cell_of("c,c_x,omega\n0.5,,\n", "out of 10", {"--out-of", "10"}) == "3.3");
+  CHECK(cell_of("c,c_x,omega\n0.5,0.3,\n", "out of 10", {"--out-of", "10"}) == "6.7");
+  CHECK(cell_of("c,c_x\n0.5,\n", "out of 0.5", {"--out-of", "0.5"}) == "0.3");
+  // What is not marked costs nothing.
+  write_file("key.csv", "number,a\n1,0.3m\n");
+  const Ran none = marked("number,c\n1,0.5\n2,0.5\n", {"--key", "key.csv", "--out-of", "30", "--format", "csv"});
+  CHECK(tells(none.out, "\n1,,1,right,1,30,\r\n2,,,not marked,0,,"));
+  CHECK(cell_of("number;c\n1;0,5\n", "su 30", {"--out-of", "30", "--lang", "it", "--csv", "excel"}) == "30");
+  refused_marking(answers, "--out-of 0: must be more than 0", {"--out-of", "0"});
+  refused_marking(answers, "--out-of -1: must lie between 0 and 1000", {"--out-of", "-1"});
+  refused_marking(answers, "--out-of", {"--out-of", "trenta"});
+}
+
 TEST_CASE("what stands for no answer is none") {
   const Scratch scratch;
   for (const char* nothing : {"-", " — ", "/", "?", "n.d.", "Non so", "don't know"})
@@ -372,7 +428,7 @@ TEST_CASE("numbers and units as people write them") {
   CHECK(tells(remark_of("c", "1'234.5"), "more than a decimal point or comma"));
   CHECK(tells(remark_of("c", "1.234,5"), "more than a decimal point or comma"));
   CHECK(judged("c", "0,50 ±") == "wrong");
-  CHECK(judged("c", "about 0.5") == "wrong");
+  CHECK(judged("c", "etwa 0.5") == "wrong");
   CHECK(cell_of("c [cm]\n≈ 50\n", "c verdict") == "right");
   Triangle large;
   large.spoil_values = [](auto& values) {
@@ -403,7 +459,7 @@ TEST_CASE("numbers that lost their zeros are found where only one is meant") {
   write_file("key.csv", "number,a\n0123456,0.6m\n0123457,0.3m\n00123458,0.3m\n0123458,0.3m\n");
   const Ran ran = marked("number,c\n123456,0.72\n123457,0.5\n123458,0.5\n", {"--key", "key.csv", "--format", "csv"});
   CHECK(ran.exit == 0);
-  CHECK(tells(ran.out, "123456,,1,right,1,\r\n123457,,1,right,1,\r\n"));
+  CHECK(tells(ran.out, "\n0123456,,1,right,1,\r\n0123457,,1,right,1,\r\n"));
   CHECK(tells(ran.out, "123458,,,not marked,0,\"not marked: the key has no such number; "));
   CHECK(tells(ran.out, "0123458 or 00123458 stands there, without answers"));
   CHECK(tells(ran.err,
@@ -412,11 +468,14 @@ TEST_CASE("numbers that lost their zeros are found where only one is meant") {
   CHECK(tells(ran.err, "answers.csv: not in key.csv: 123458 (1 of 3 students)\n"));
   // The other way round, and what is written twice.
   write_file("key.csv", "number,a\n7,0.6m\n8,0.3m\n");
-  CHECK(tells(marked("number,c\n007,0.72\n8,0.5\n", {"--key", "key.csv", "--format", "csv"}).out, "007,,1,right,1,"));
+  CHECK(
+      tells(marked("number,c\n007,0.72\n8,0.5\n", {"--key", "key.csv", "--format", "csv"}).out, "\n007,,1,right,1,"));
   CHECK(tells(marked("number,c\n007,0.72\n07,0.5\n8,0.5\n", {"--key", "key.csv", "--format", "csv"}).out,
               "007,,,not marked,0,"));
   CHECK(
       tells(marked("number,c\n7,0.72\n07,0.5\n", {"--key", "key.csv", "--format", "csv"}).out, "07,,,not marked,0,"));
+  write_file("key.csv", "number,a\n000,0.6m\n8,0.3m\n");
+  CHECK(tells(marked("number,c\n0,0.72\n8,0.5\n", {"--key", "key.csv", "--format", "csv"}).out, "\n000,,1,right,1,"));
   // Near, and not it.
   write_file("key.csv", "number,a\n123465,0.6m\n999,0.3m\n");
   const Ran near = marked("number,c\n123456,0.72\n999,0.5\n", {"--key", "key.csv", "--format", "csv"});
@@ -531,7 +590,9 @@ TEST_CASE("many quantities and long names stay within 80 columns") {
   Triangle triangle;
   std::string header = "number;name;c", row = "12345678901234567890;Maria Antonietta Guglielmina dei Conti;0,5";
   for (int i = 1; i <= 12; ++i) {
-    triangle.description.quantities.push_back({"side_" + std::to_string(i), "$s$", "m", {"side", "lato"}});
+    triangle.change_quantities([i](auto& all) {
+      all.push_back({"side_" + std::to_string(i), "$s$", "m", {"side", "lato"}});
+    });
     header += ";side_" + std::to_string(i);
     row += ";2";
   }

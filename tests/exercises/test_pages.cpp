@@ -212,9 +212,8 @@ TEST_CASE("in a browser the slider, the keys and the marks do what they say") {
     return;
   }
   const Scratch scratch;
-  std::string html = drawn({"slider-crank-velocity/polar-diagram", "--format", "html"});
-  write("sheet.html", html);
-  const std::string driver = R"(<script>
+  const std::string html = drawn({"slider-crank-velocity/polar-diagram", "--format", "html"});
+  const std::string seen = driven(scratch, html, R"(
     const seen = [], slider = document.querySelector('.slider');
     const later = () => document.querySelectorAll('.later').length, now = () => document.querySelectorAll('.now').length;
     const state = name => seen.push(name + ':' + slider.value + ':' + (later() > 0) + ':' + (now() > 0) + ':' +
@@ -234,9 +233,7 @@ TEST_CASE("in a browser the slider, the keys and the marks do what they say") {
     press('Escape'); seen.push('gone:' + document.querySelector('.tip').hidden);
     press('End'); press('ArrowRight'); state('end');
     document.body.innerHTML = '<pre>' + seen.join('\n') + '\n</pre>';
-  </script></body>)";
-  write("driven.html", std::regex_replace(html, std::regex("</body>"), driver));
-  const std::string seen = chromium(scratch, "--dump-dom", "driven.html");
+  )");
   CAPTURE(seen);
   const auto says = [&](const char* line) { return seen.find(line) != std::string::npos; };
   CHECK(says("first:6:false:false:The whole sheet."));
@@ -250,13 +247,7 @@ TEST_CASE("in a browser the slider, the keys and the marks do what they say") {
   CHECK(says("gone:true"));
   CHECK(says("end:6:false:false:The whole sheet."));
 
-  chromium(scratch, "--no-pdf-header-footer --print-to-pdf=printed.pdf", "sheet.html");
-  const std::string pdf = contents("printed.pdf");
-  const std::unique_ptr<poppler::document> printed(
-      poppler::document::load_from_raw_data(pdf.data(), static_cast<int>(pdf.size())));
-  REQUIRE(printed);
-  CHECK(printed->pages() == 1);
-  const poppler::rectf paper = std::unique_ptr<poppler::page>(printed->create_page(0))->page_rect();
-  CHECK(std::abs(paper.width() - 297 / 25.4 * 72) < 1);
-  CHECK(std::abs(paper.height() - 210 / 25.4 * 72) < 1);
+  const drawings::Point paper = paper_of_print(scratch, html);
+  CHECK(std::abs(paper.x - 297) < 0.4);
+  CHECK(std::abs(paper.y - 210) < 0.4);
 }

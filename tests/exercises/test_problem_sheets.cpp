@@ -82,6 +82,12 @@ bool has_label(const DrawnSheet& drawn, const std::string& text) {
   return std::any_of(labels.begin(), labels.end(), [&](const drawings::Label& each) { return each.text == text; });
 }
 
+std::string letter_at(const DrawnSheet& drawn, const drawings::Point& at) {
+  for (const drawings::Label& each : drawn.sheet.figure.labels)
+    if (!each.to && each.at.x == at.x && each.at.y == at.y) return each.text;
+  return {};
+}
+
 DrawnSheet blank_sheet_of(const std::string& id, const std::string& sheet, const Assignments& assignments = {}) {
   for (const auto& exercise : catalogue()) {
     if (exercise.id() != id) continue;
@@ -180,7 +186,7 @@ TEST_CASE("A sheet to be solved asks for each thing once, with the unit it is to
     for (std::size_t column = 0; column < table.rows.front().size(); column += 2)
       for (const auto& row : table.rows)
         if (!row[column].empty()) in_order.push_back(row[column]);
-    const auto& quantities = exercise.about().quantities;
+    const auto& quantities = exercise.about().quantities();
     for (std::size_t i = 0; i < in_order.size() && i < blank.asked.size(); ++i)
       for (const Quantity& quantity : quantities)
         if (quantity.name == blank.asked[i]) CHECK(in_order[i].starts_with(quantity.symbol));
@@ -277,13 +283,71 @@ TEST_CASE("The blank sheet of a long table is the empty table") {
   CHECK(heads == 15);  // t, F, a and v, q, E, s three times
 }
 
-TEST_CASE("A polygon begins at a cross with the letter O, and only a polygon does") {
+TEST_CASE("A polygon begins at a cross, and only a polygon does") {
   const DrawnSheet polygon = blank_sheet_of("slider-crank-velocity", "polar-diagram"),
                    poles = blank_sheet_of("slider-crank-velocity", "poles");
   CHECK(crosses_of_starts(polygon.sheet) == 1);
-  CHECK(has_label(polygon, "$O$"));
+  CHECK(has_label(polygon, "$O_{v}$"));
   CHECK(crosses_of_starts(poles.sheet) == 0);
-  CHECK_FALSE(has_label(poles, "$O$"));
+  CHECK_FALSE(has_label(poles, "$O_{v}$"));
+}
+
+// Where a cross stands, as its letter does on both sheets.
+TEST_CASE("Where a polygon begins has one letter on the blank sheet and on the solved one") {
+  std::size_t lettered = 0;
+  for (const auto& exercise : catalogue()) {
+    const Givens stated(exercise->about().givens);
+    for (const SheetSpec& spec : exercise->about().sheets) {
+      CAPTURE(exercise.id(), spec.name);
+      SheetRequest request;
+      const DrawnSheet solved = exercise->draw(spec.name, stated, request);
+      request.blank = true;
+      const DrawnSheet blank = exercise->draw(spec.name, stated, request);
+      for (const drawings::Mark& mark : blank.sheet.figure.marks) {
+        const auto* cross = std::get_if<drawings::Cross>(&mark);
+        if (!cross || cross->meaning != drawings::Meaning::construction) continue;
+        const std::string letter = letter_at(blank, cross->at);
+        CHECK(letter == letter_at(solved, cross->at));
+        CHECK(letter != "$O$");
+        lettered += letter.empty() ? 0 : 1;
+      }
+    }
+  }
+  CHECK(lettered > 20);
+}
+
+TEST_CASE("A sheet to be solved asks its own question, in both languages") {
+  std::set<std::string> seen;
+  for (const auto& exercise : catalogue()) {
+    const Description& about = exercise->about();
+    for (const SheetSpec& spec : about.sheets) {
+      CAPTURE(about.id, spec.name);
+      const Words question = question_of(about, spec.name);
+      if (about.id != "truss") {  // which asks for all bars on both its sheets
+        CHECK(question.english == spec.question.english);
+        CHECK_FALSE(spec.question.english.empty());
+        CHECK_FALSE(spec.question.italian.empty());
+        CHECK(question.english != about.question.english);
+        CHECK(seen.insert(about.id + question.english).second);
+        CHECK(seen.insert(about.id + question.italian).second);
+      } else {
+        CHECK(question.english.starts_with("On this sheet: " + spec.title.english + ". The whole exercise: "));
+        CHECK(question.italian.starts_with("In questa tavola: " + spec.title.italian + ". L'esercizio intero: "));
+        CHECK(seen.insert(about.id + question.english).second);
+        CHECK(seen.insert(about.id + question.italian).second);
+      }
+      for (const Language language : {Language::english, Language::italian}) {
+        SheetRequest request{.language = language, .blank = true};
+        const DrawnSheet blank = exercise->draw(spec.name, Givens(about.givens), request);
+        const auto& column = blank.sheet.column;
+        CHECK(std::any_of(column.begin(), column.end(), [&](const drawings::Block& block) {
+          const auto* paragraph = std::get_if<drawings::Paragraph>(&block);
+          return paragraph && paragraph->text == question.in(language);
+        }));
+      }
+    }
+  }
+  CHECK(seen.size() > 200);
 }
 
 // Circles that z and m alone tell; where the second wheel lies is asked when they are shifted.

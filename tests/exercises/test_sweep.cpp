@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "exercises/cli/csv_reader.h"
 #include "exercises/cli/in_order.h"
 #include "exercises/cli/variation.h"
 #include "exercises/kit/proof/agreement.h"
@@ -459,7 +460,7 @@ TEST_CASE("a sweep shows what check shows, at every position looked at") {
     Typed names = wished;
     for (const Listed& each : catalogue())
       if (each.id() == id && names.empty())
-        for (std::size_t i = 0; i < 4; ++i) names.push_back(each->about().quantities.at(i).name);
+        for (std::size_t i = 0; i < 4; ++i) names.push_back(each->about().quantities().at(i).name);
     Typed words{"sweep", id, "--over", "phi=0deg..360deg/73", "--format", "json"};
     for (const std::string& name : names) words = words + Typed{"--quantity", name};
     const Ran ran = run_on_all(words);
@@ -467,8 +468,22 @@ TEST_CASE("a sweep shows what check shows, at every position looked at") {
     CHECK(ran.exit == 0);
     const Typed rows = lines(ran.out);
     REQUIRE(rows.size() == 73);
+    Typed as_csv = words;
+    as_csv[5] = "csv";
+    const CsvTable table = read_csv(run_on_all(as_csv).out, "rows");
+    const auto column = [&](const std::string& of) {
+      const auto& head = table.header;
+      const auto found = std::find_if(head.begin(), head.end(), [&](const std::string& each) {
+        return each == of || each.starts_with(of + " (");
+      });
+      return static_cast<std::size_t>(found - head.begin());
+    };
     for (const std::size_t i : {0U, 1U, 7U, 18U, 36U, 50U, 72U}) {
       const Json row = Json::parse(rows[i]);
+      for (const std::string& name : names)
+        for (const char* const bound : {"lower", "upper"})
+          if (const Json& of_object = row["quantities"][name][bound]; !of_object.is_null())
+            CHECK(of_object == std::stod(table.rows.at(i).cells.at(column(name + "_" + bound))));
       const Ran check = run_on_all({"check", id, "--set", fmt::format("phi={}deg", 5 * i), "--json"});
       CAPTURE(i);
       REQUIRE(check.exit != 2);
@@ -519,7 +534,7 @@ TEST_CASE("what is asked alone is what is found among all") {
     if (exercise.id() == "oscillator-pendulum") continue;  // a second and more for each run
     const Givens givens(exercise->about().givens);
     const std::vector<RouteValue> all = exercise->solve(givens, Rung::climb);
-    const auto& quantities = exercise->about().quantities;
+    const auto& quantities = exercise->about().quantities();
     const Typed names{quantities.front().name, quantities[quantities.size() / 2].name, quantities.back().name};
     const Asked asked(names);
     const std::vector<RouteValue> few = exercise->solve(givens, Rung::climb);

@@ -1,9 +1,5 @@
 // Sweeps as pages for a browser, on which the mechanism moves.
-#include <poppler-document.h>
-#include <poppler-page.h>
-
 #include <cmath>
-#include <memory>
 #include <sstream>
 
 #include "tests/exercises/run.h"
@@ -212,7 +208,7 @@ TEST_CASE("every exercise has such a page, with or without a mechanism") {
     CAPTURE(about.id, given->symbol);
     const Ran ran =
         run_on_all({"sweep", about.id, "--over", given->symbol + "=" + given->stated + "|1.01" + given->unit,
-                    "--quantity", about.quantities.front().name, "--format", "html"});
+                    "--quantity", about.quantities().front().name, "--format", "html"});
     CAPTURE(ran.err);
     CHECK(ran.exit == 0);
     if (ran.exit != 0) continue;
@@ -231,8 +227,7 @@ TEST_CASE("in a browser the mechanism moves with its curves") {
   }
   const Scratch scratch;
   const std::string html = page_of(turn);
-  write("sweep.html", html);
-  const std::string driver = R"(<script>
+  const std::string seen = driven(scratch, html, R"(
     const seen = [], slider = document.querySelector('.slider'), play = document.querySelector('.play');
     const marks = [...document.querySelectorAll('.mark')];
     const state = name => {
@@ -270,9 +265,8 @@ TEST_CASE("in a browser the mechanism moves with its curves") {
         document.body.innerHTML = '<pre>' + seen.join('\n') + '\n</pre>';
       }, 2000);
     }, 3000);
-  </script></body>)";
-  write("driven.html", std::regex_replace(html, std::regex("</body>"), driver));
-  const std::string seen = chromium(scratch, "--virtual-time-budget=20000 --dump-dom", "driven.html");
+  )",
+                                  "--virtual-time-budget=20000");
   CAPTURE(seen);
   const auto says = [&](const char* line) { return seen.find(line) != std::string::npos; };
   CHECK(says("first:0:0:φ = 0°:0"));
@@ -292,12 +286,5 @@ TEST_CASE("in a browser the mechanism moves with its curves") {
   CHECK(says("scales:true"));
 
   // Printed, the position is at true scale: the bar of its lengths is as long as it says.
-  chromium(scratch, "--no-pdf-header-footer --print-to-pdf=printed.pdf", "sweep.html");
-  const std::string pdf = contents("printed.pdf");
-  const std::unique_ptr<poppler::document> printed(
-      poppler::document::load_from_raw_data(pdf.data(), static_cast<int>(pdf.size())));
-  REQUIRE(printed);
-  CHECK(printed->pages() == 1);
-  const poppler::rectf paper = std::unique_ptr<poppler::page>(printed->create_page(0))->page_rect();
-  CHECK(std::abs(paper.width() - 210 / 25.4 * 72) < 1);
+  CHECK(std::abs(paper_of_print(scratch, html).x - 210) < 0.4);
 }

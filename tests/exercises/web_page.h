@@ -1,15 +1,20 @@
 // Pages for a browser, read as XML and shown by Chromium without a window.
 #pragma once
 
+#include <poppler-document.h>
+#include <poppler-page.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <pugixml.hpp>
 #include <regex>
 #include <set>
 #include <string>
 
+#include "drawings/picture.h"
 #include "tests/exercises/run.h"
 #include "tests/support/catch.h"
 
@@ -119,6 +124,26 @@ inline std::string chromium(const Scratch& scratch, const std::string& options, 
   CAPTURE(command);
   REQUIRE(std::system(command.c_str()) == 0);
   return contents("seen.txt");
+}
+
+// What is seen of a page in which this script has run.
+inline std::string driven(const Scratch& scratch, const std::string& html, const std::string& script,
+                          const std::string& options = {}) {
+  write("driven.html", std::regex_replace(html, std::regex("</body>"), "<script>" + script + "</script></body>"));
+  return chromium(scratch, options + " --dump-dom", "driven.html");
+}
+
+// The paper, in mm, of a page that is printed on one sheet.
+inline drawings::Point paper_of_print(const Scratch& scratch, const std::string& html) {
+  write("page.html", html);
+  chromium(scratch, "--no-pdf-header-footer --print-to-pdf=printed.pdf", "page.html");
+  const std::string pdf = contents("printed.pdf");
+  const std::unique_ptr<poppler::document> printed(
+      poppler::document::load_from_raw_data(pdf.data(), static_cast<int>(pdf.size())));
+  REQUIRE(printed);
+  CHECK(printed->pages() == 1);
+  const poppler::rectf paper = std::unique_ptr<poppler::page>(printed->create_page(0))->page_rect();
+  return {paper.width() / 72 * 25.4, paper.height() / 72 * 25.4};
 }
 
 }  // namespace epure

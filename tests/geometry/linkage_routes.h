@@ -10,25 +10,43 @@
 
 namespace epure::tests {
 
+// A link there, at rest.
+template <class T>
+geometry::analytic::LinkState<T> link_at(double x, double y, double theta) {
+  using namespace geometry;
+  const auto number = [](double d) { return from_rational<T>(Rational(d)); };
+  const analytic::Complex<T> none{T(0), T(0)};
+  return {{number(x), number(y)},
+          none,
+          none,
+          number(theta),
+          T(0),
+          T(0),
+          {number(std::cos(theta)), number(std::sin(theta))}};
+}
+
 // Where the placed links are, to a hundredth.
-inline geometry::analytic::Beginning beginning(const geometry::Linkage& linkage,
-                                               const std::vector<geometry::Step>& steps) {
+template <class T>
+geometry::analytic::Beginning<T> beginning(const geometry::Linkage& linkage,
+                                           const std::vector<geometry::Step>& steps) {
   const geometry::Arithmetic<geometry::Fast> scope;
-  geometry::analytic::Beginning q;
-  for (const auto& link : geometry::CarriedOut<geometry::Fast>(linkage, steps).position().links)
-    for (const double x : {link.O.x, link.O.y, std::atan2(link.x.y, link.x.x)})
-      q.push_back(std::round(x * 100) / 100);
+  const auto hundredths = [](double x) { return std::round(x * 100) / 100; };
+  std::vector<double> angles;
+  const auto placed = geometry::CarriedOut<geometry::Fast>(linkage, steps).position().links;
+  for (const auto& link : placed) angles.push_back(std::atan2(link.x.y, link.x.x));
   for (const geometry::Step& step : steps)
     if (const auto* wheel = std::get_if<geometry::GearedWheel>(&step))
-      q[3 * static_cast<std::size_t>(wheel->link) + 2] =
-          std::round(geometry::to_double(geometry::angle_of(wheel->turn, linkage)) * 100) / 100;
-  return q;
+      angles[static_cast<std::size_t>(wheel->link)] = geometry::to_double(geometry::angle_of(wheel->turn, linkage));
+  geometry::analytic::Beginning<T> links;
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    links.push_back(link_at<T>(hundredths(placed[i].O.x), hundredths(placed[i].O.y), hundredths(angles[i])));
+  return links;
 }
 
 // What one route says and the other does: rates of every link, place, velocity and acceleration of every point.
 template <class T, class Compare>
 void compare_routes(const geometry::Linkage& linkage, const std::vector<geometry::Step>& steps,
-                    const geometry::analytic::Beginning& start, const Compare& compare) {
+                    const geometry::analytic::Beginning<T>& start, const Compare& compare) {
   using namespace geometry;
   const CarriedOut<T> carried_out(linkage, steps);
   const LinkagePosition<T> at = carried_out.position();

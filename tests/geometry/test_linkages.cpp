@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 using namespace epure;
 using namespace epure::geometry;
@@ -218,7 +219,7 @@ void check_overlap(const std::string& what, const T& one, const T& other) {
 template <class T>
 void check_both_routes(const Named& named) {
   const std::vector<Step> steps = assur_groups(named.linkage);
-  tests::compare_routes<T>(named.linkage, steps, tests::beginning(named.linkage, steps),
+  tests::compare_routes<T>(named.linkage, steps, tests::beginning<T>(named.linkage, steps),
                            [&](const std::string& what, const T& one, const T& other) {
                              check_overlap<T>(std::string(named.name) + ", " + what, one, other);
                            });
@@ -349,22 +350,47 @@ TEST_CASE("The equations of all joints prove on which side each joint lies") {
       if (auto* on = std::get_if<OnGuide>(&other.chosen[0])) on->is_ahead = !on->is_ahead;
       if (auto* slot = std::get_if<SlotPoints>(&other.chosen[0])) slot->is_towards_pin = !slot->is_towards_pin;
       const std::vector<Step> steps = assur_groups(linkage), other_steps = assur_groups(other);
-      const analytic::Beginning start = tests::beginning(other, other_steps);
+      const analytic::Beginning<T> start = tests::beginning<T>(other, other_steps);
       CHECK_NOTHROW(analytic::solve_joints<T>(with_sides_in_full(other, other_steps), start));
       CHECK_THROWS_AS(analytic::solve_joints<T>(with_sides_in_full(linkage, steps), start), Impossible);
     }
     // The block turned round in its guide.
     const std::vector<Step> steps = assur_groups(slider_crank());
     const Linkage full = with_sides_in_full(slider_crank(), steps);
-    analytic::Beginning start = tests::beginning(slider_crank(), steps);
+    analytic::Beginning<T> start = tests::beginning<T>(slider_crank(), steps);
     CHECK_NOTHROW(analytic::solve_joints<T>(full, start));
-    start.back() += 3;
+    start.back().x = -start.back().x;
     CHECK_THROWS_AS(analytic::solve_joints<T>(full, start), Impossible);
     // Of which the bar's other end is not told.
-    CHECK_THROWS_AS(analytic::solve_joints<T>(slider_crank(), tests::beginning(slider_crank(), steps)), Undecided);
+    CHECK_THROWS_AS(analytic::solve_joints<T>(slider_crank(), tests::beginning<T>(slider_crank(), steps)), Undecided);
   };
   all.operator()<Fast>();
   all.operator()<Bounded>();
+}
+
+// Begun on the right side, though nearer to the other place, or far from both.
+TEST_CASE("An iteration that comes to the other place of a joint proves nothing of the linkage") {
+  int astray = 0;
+  const auto from = [&]<class T, class... Bits>(double theta, Bits... bits) {
+    const Arithmetic<T> scope(bits...);
+    const Linkage linkage = with_sides_in_full(ladder(), assur_groups(ladder()));
+    const double at = 0.6;  // the pin in the horizontal guide
+    const analytic::Beginning<T> start{tests::link_at<T>(0, 0, 0), tests::link_at<T>(at, 0, theta)};
+    try {
+      const T theta_found = analytic::solve_joints<T>(linkage, start)[1].theta;
+      CHECK(std::sin(enclosure(theta_found).value) == Approx(0.8));
+    } catch (const Undecided&) {
+      ++astray;
+    }
+  };
+  for (int degrees = 2; degrees < 180; degrees += 2) {
+    CAPTURE(degrees);
+    const double theta = degrees * std::numbers::pi / 180;
+    from.operator()<Bounded>(theta);
+    from.operator()<Deep>(theta, 256L);
+  }
+  CHECK(astray > 0);
+  CHECK(astray < 60);
 }
 
 // A0A and AB in line, and B0B with them: stretched out, the two bars can still go either way. Folded otherwise they

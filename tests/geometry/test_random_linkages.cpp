@@ -210,7 +210,7 @@ std::string run(unsigned first, unsigned count) {
     INFO("seed " << seed << ", " << linkage.links.size() << " links");
     try {
       tests::compare_routes<Bounded>(
-          linkage, steps, tests::beginning(linkage, steps),
+          linkage, steps, tests::beginning<Bounded>(linkage, steps),
           [](const std::string& what, const Bounded& one, const Bounded& other) {
             const Sign apart = sign(one - other);
             if (apart == Sign::zero || apart == Sign::undecided) return;

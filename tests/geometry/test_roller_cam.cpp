@@ -5,6 +5,7 @@
 #include "geometry/analytic/roller_cam_formulas.h"
 #include "geometry/curves/follower_sweep.h"
 #include "geometry/mechanisms/roller_cam.h"
+#include "geometry/numbers/at_each_precision.h"
 #include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 
@@ -108,4 +109,20 @@ TEST_CASE("the least acceleration is found where the roller reaches its axis by 
       CHECK(least.lower <= swept.upper);
     }
   }
+}
+
+TEST_CASE("what several formulas need is found once for each number of bits, and with as many", "[roller-cam]") {
+  int times = 0;
+  const auto third = at_each_precision([&times] {
+    ++times;
+    return Deep(1) / Deep(3);
+  });
+  const auto copy = third;
+  const auto width = [](const Deep& x) { return arb_rel_accuracy_bits(x.ball()); };
+  for (const long bits : {128L, 512L, 128L}) {
+    const Arithmetic<Deep> scope(bits);
+    CHECK(width(third()) >= bits - 2);
+    CHECK(width(copy()) <= bits + 2);
+  }
+  CHECK(times == 2);
 }

@@ -27,15 +27,31 @@ GivenSpec crank_angle_given() {
       .turned = TurnedThrough{.instant = "t", .speed = "n"}};
 }
 
+namespace {
+
+// An end of a range, with as many digits as part it from the crank, which is not there.
+Words end_in_words(double end, double inwards, double crank) {
+  const double apart = end == crank ? std::nextafter(end, inwards) : end;
+  int digits = 6;
+  constexpr int all_digits = 17;
+  while (digits < all_digits && decimal(apart, digits) == decimal(crank, digits)) ++digits;
+  return decimal(apart, digits);
+}
+
+}  // namespace
+
 Words where_it_closes(const std::vector<AngleRange>& ranges, const Angle& crank) {
+  const double at = geometry::degrees(crank);
   Words text;
   for (const AngleRange& range : ranges) {
-    const double middle = (range.from + range.to) / 2;
-    const double turns = std::trunc((geometry::degrees(crank) - middle) / 360);
-    const Words from = decimal(range.from + 360 * turns, 6), to = decimal(range.to + 360 * turns, 6);
+    const double turned = 360 * std::trunc((at - (range.from + range.to) / 2) / 360);
+    const double first = range.from + turned, last = range.to + turned, middle = (first + last) / 2;
+    const Words from = end_in_words(first, middle, at), to = end_in_words(last, middle, at);
     text = text + (text.empty() ? Words{"; it closes ", "; si chiude "} : Words{" and ", " e "}) +
-           (from == to ? format_words("at {}° only", "solo a {}°", from)
-                       : format_words("from {}° to {}°", "da {}° a {}°", from, to));
+           (range.from == range.to ? format_words("at {}° only", "solo a {}°", from)
+            : from == to           ? format_words("within {}° of {}° only", "solo entro {}° da {}°",
+                                                  decimal((range.to - range.from) / 2, 2), decimal(middle, 15))
+                                   : format_words("from {}° to {}°", "da {}° a {}°", from, to));
   }
   return text;
 }

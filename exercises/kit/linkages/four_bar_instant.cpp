@@ -95,8 +95,8 @@ bool closes_only_stretched(const geometry::FourBarLengths& of) {
                    place(at)));
 }
 
-// The arcs in which the crank can be; none when it turns fully. Throws geometry::Impossible when there is no place
-// for it at all.
+// The arcs in which the crank can be; none when it turns fully. Ends that are one in doubles are kept apart, but
+// where the linkage closes in one position alone. Throws geometry::Impossible when there is no place for it at all.
 std::vector<AngleRange> crank_swings(const FourBarInstant& at) {
   std::vector<AngleRange> ranges;
   const auto direction = [](const geometry::CrankLimit<geometry::Fast>& limit) {
@@ -104,8 +104,8 @@ std::vector<AngleRange> crank_swings(const FourBarInstant& at) {
     return geometry::arc_tangent(y, x) * 180 / std::numbers::pi;
   };
   for (const auto& arc : geometry::crank_range<geometry::Fast>(at.lengths).arcs) {
-    const double from = direction(arc.from), to = direction(arc.to);
-    ranges.push_back({from, to < from ? to + 360 : to});
+    const double from = direction(arc.from), end = direction(arc.to), to = end < from ? end + 360 : end;
+    ranges.push_back({from, from == to && !closes_only_stretched(at.lengths) ? std::nextafter(to, HUGE_VAL) : to});
   }
   return ranges;
 }

@@ -112,6 +112,12 @@ struct LeverFigure {
   }
 };
 
+// The lever from C is drawn as far as this: to D, or to B where that lies farther out.
+inline Place end_of_lever(const Case& of) {
+  const Place B = of.place("B"), C = of.place("C"), D = of.place("D");
+  return distance(C, B) > distance(C, D) ? B : D;
+}
+
 // With the block 3 on the lever, the ram 6 in its guide and the block 5 in the ram's upright slot. `drawn`: crank and
 // lever.
 inline std::shared_ptr<const MechanismFigure> with_ram(Mechanism drawn, const Case& of) {
@@ -129,12 +135,12 @@ inline std::shared_ptr<const MechanismFigure> with_ram(Mechanism drawn, const Ca
 }
 
 inline std::shared_ptr<const MechanismFigure> fairbairn_figure(const Case& of) {
-  const Place A = of.place("A"), B = of.place("B"), C = of.place("C"), D = of.place("D");
+  const Place A = of.place("A"), B = of.place("B"), C = of.place("C");
   Mechanism drawn;
   drawn.point("A", A, Mechanism::Joint::fixed, "$A$")
       .point("B", B, Mechanism::Joint::corner, "")
       .point("C", C, Mechanism::Joint::fixed, "$C$")
-      .point("end", D, Mechanism::Joint::corner, "")
+      .point("end", end_of_lever(of), Mechanism::Joint::corner, "")
       .body({"A", "B"}, 2)
       .body({"C", "end"}, 4)
       .axis(C, A)

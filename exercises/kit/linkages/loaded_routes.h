@@ -52,24 +52,24 @@ Point<T> origin() {
 // A vector, or a point, that is looked for when it is wanted.
 template <class T, class Find>
 void put_vector(Ledger<T>& ledger, const VectorQuantity& quantity, const Find& find) {
-  ledger.put(quantity.x(), [find] { return Vector<T>(find()).x; });
-  ledger.put(quantity.y(), [find] { return Vector<T>(find()).y; });
-  ledger.put(quantity.length(), [find] { return size(Vector<T>(find())); });
+  ledger.put_x(quantity, [&] { return Vector<T>(find()).x; });
+  ledger.put_y(quantity, [&] { return Vector<T>(find()).y; });
+  ledger.put_size(quantity, [&] { return size(Vector<T>(find())); });
 }
 template <class T, class Find>
 void put_point(Ledger<T>& ledger, const PointQuantity& quantity, const Find& find, const Phrase& at_infinity) {
-  ledger.put(quantity.x(), [=] {
+  ledger.put_x(quantity, [&] {
     const ProjectivePoint<T> P = find();
     return Ledger<T>::ratio(P.x, P.w, at_infinity);
   });
-  ledger.put(quantity.y(), [=] {
+  ledger.put_y(quantity, [&] {
     const ProjectivePoint<T> P = find();
     return Ledger<T>::ratio(P.y, P.w, at_infinity);
   });
 }
 template <class T, class Find>
 void draw_vector(Ledger<T>& ledger, const std::string& name, const Find& find) {
-  ledger.draws_point(name, [=]() -> Point<T> { return origin<T>() + Vector<T>(find()); });
+  ledger.draws_point(name, [&]() -> Point<T> { return origin<T>() + Vector<T>(find()); });
 }
 
 // One model of a mechanism, solved when it is first asked.
@@ -108,9 +108,9 @@ void put_forces(Ledger<T>& ledger, const Bodies& bodies, const Equal& equations,
                 const std::vector<VectorQuantity>& forces) {
   for (const VectorQuantity& R : forces) {
     ledger.route("force polygon");
-    put_vector(ledger, R, [=, name = R.name] { return bodies().force(name); });
+    put_vector(ledger, R, [&] { return bodies().force(R.name); });
     ledger.route("equilibrium equations");
-    put_vector(ledger, R, [=, name = R.name] { return equations().force(name); });
+    put_vector(ledger, R, [&] { return equations().force(R.name); });
   }
 }
 // The profiles' centres on the contact's normal n: the loaded lever's ahead of C, the other's behind it.

@@ -210,12 +210,16 @@ std::vector<Deep> crank_limits(const SliderCrankInstant& at) {
   return {delta + low, delta + high, delta + half - high, delta + half - low};
 }
 
+// Ends that are one in doubles are kept apart, but where the linkage is stretched square to its guide.
 std::vector<AngleRange> crank_swings(const SliderCrankInstant& at) {
+  const bool is_one_place = CGAL::abs(at.lengths.e) == at.lengths.r + at.lengths.l;
   return deeply([&] {
     const std::vector<Deep> limits = crank_limits(at);
     std::vector<AngleRange> ranges;
-    for (std::size_t i = 0; i < limits.size(); i += 2)
-      ranges.push_back({to_double(limits[i]), to_double(limits[i + 1])});
+    for (std::size_t i = 0; i < limits.size(); i += 2) {
+      const double from = to_double(limits[i]), to = to_double(limits[i + 1]);
+      ranges.push_back({from, from == to && !is_one_place ? std::nextafter(to, HUGE_VAL) : to});
+    }
     return ranges;
   });
 }

@@ -159,10 +159,26 @@ void add_section(const Solution& solution, const Section& section, DrawnSheet& o
   for (drawings::Block& block : blocks) onto.sheet.column.push_back(std::move(block));
 }
 
+// The letter that the solved sheet has there; empty: none.
+std::string letter_at(const drawings::Point& at, const PlacedPanel& placed, const DrawnSheet& onto,
+                      const SheetRequest& request) {
+  DrawnSheet solved = onto;
+  solved.sheet.figure.labels.clear();
+  Plot plot = plot_of(placed, solved, request);
+  placed.panel->draw(plot, placed.room, request.language);
+  const auto& labels = solved.sheet.figure.labels;
+  const auto found = std::find_if(labels.begin(), labels.end(), [&](const drawings::Label& each) {
+    return !each.to && each.at.x == at.x && each.at.y == at.y;
+  });
+  return found == labels.end() ? "" : found->text;
+}
+
 // The sheet to be solved lies under the solved one point by point.
-void draw_what_is_given(const Panel& panel, Plot& plot, const drawings::Box& room, Language language) {
-  panel.draw_given(plot, room, language);
-  if (const auto start = panel.start()) mark_start(plot, *start);
+void draw_what_is_given(const PlacedPanel& placed, DrawnSheet& onto, const SheetRequest& request) {
+  Plot plot = plot_of(placed, onto, request);
+  placed.panel->draw_given(plot, placed.room, request.language);
+  if (const auto start = placed.panel->start())
+    mark_start(plot, *start, letter_at(plot.at(*start), placed, onto, request));
 }
 
 // What a ruler reads on the sheet as it now is.
@@ -226,12 +242,13 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   const std::vector<PlacedPanel> panels = laid_out(shown.panels, whole_room, request);
   std::vector<drawings::Block> of_drawings;
   for (const PlacedPanel& each : panels) {
-    Plot plot = plot_of(each, onto, request);
-    if (request.blank)
-      draw_what_is_given(*each.panel, plot, each.room, language);
-    else
+    if (request.blank) {
+      draw_what_is_given(each, onto, request);
+    } else {
+      Plot plot = plot_of(each, onto, request);
       for (drawings::Block& block : each.panel->draw(plot, each.room, language))
         of_drawings.push_back(std::move(block));
+    }
     cut(onto.sheet.figure, window_of(each, request));
   }
   add_bars(panels, onto, request);
@@ -247,8 +264,10 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   if (request.for_class)
     for (const Result::Asked& each : asked.asked) onto.asked.push_back(each.quantity);
   if (request.blank) {
-    for (drawings::Block& block : problem_column(about, solution, asked, request)) column.push_back(std::move(block));
-    onto.sheet.description = drawings::plain(about.question.in(language));
+    const Words question = question_of(about, sheet);
+    for (drawings::Block& block : problem_column(question, solution, asked, request))
+      column.push_back(std::move(block));
+    onto.sheet.description = drawings::plain(question.in(language));
     return onto;
   }
   for (const Section& section : shown.first) add_section(solution, section, onto, language);

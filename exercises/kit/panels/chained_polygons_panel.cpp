@@ -49,7 +49,8 @@ void write_together(std::vector<drawings::Label>& labels, std::size_t first_new,
     return label.to && near(label.at, *shared->to) && near(*label.to, shared->at);
   });
   if (other == start) return;
-  other->text += " = −" + shared->text;
+  const std::string minus = "−";
+  if (shared->text != minus + other->text) other->text += " = " + minus + shared->text;
   labels.erase(shared);
 }
 

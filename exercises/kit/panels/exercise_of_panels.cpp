@@ -30,15 +30,21 @@ DrawnSheet over_pages(const Description& about, const std::string& sheet, const 
   return drawn;
 }
 
+// Every quantity once: what the first route says of it counts.
+std::vector<Quantity> reported(const Solve& solve, const std::vector<GivenSpec>& givens) {
+  std::vector<Quantity> quantities;
+  std::set<std::string> names;
+  for (RouteValue& value : solve(Givens(givens), Rung::names))
+    if (names.insert(value.quantity).second && value.described) quantities.push_back(std::move(*value.described));
+  return quantities;
+}
+
 class ExerciseOfPanels : public Exercise {
  public:
   ExerciseOfPanels(Description about, Solve solve, std::vector<SheetMaker> sheets, FindFlaws flaws)
       : about_(std::move(about)), solve_(std::move(solve)), sheets_(std::move(sheets)), flaws_(std::move(flaws)) {
     for (const SheetMaker& sheet : sheets_) about_.sheets.push_back(sheet.spec);
-    std::set<std::string> names;  // what the first route says of a quantity counts
-    for (RouteValue& value : solve_(Givens(about_.givens), Rung::names))
-      if (names.insert(value.quantity).second && value.described)
-        about_.quantities.push_back(std::move(*value.described));
+    about_.quantities = [solve = solve_, givens = about_.givens] { return reported(solve, givens); };
   }
 
   const Description& about() const override { return about_; }

@@ -19,6 +19,15 @@ Place on_line(const Place& at, const Arrow2& along, double mm, double mm_per_uni
   return at + mm / mm_per_unit * along;
 }
 
+// As far as H, or to the edge of the room, where letters say where it leads.
+void lead_to(Plot& plot, const drawings::Box& room, const Place& from, const Place& H, const std::string& letters,
+             Language language, Meaning meaning) {
+  const Place end = seen_end(plot, room, from, H);
+  plot.segment(from, end, meaning);
+  if (!is_in(room, plot, H) && is_in(room, plot, from))
+    plot.small_label(Words{"to ", "verso "}.in(language) + letters, end, from);
+}
+
 }  // namespace
 
 double FreeBodyPanel::length_of(const Force& force, const Scale& vectors) const {
@@ -74,6 +83,19 @@ FreeBodyPanel& FreeBodyPanel::at_most(double mm_per_metre) {
 FreeBodyPanel& FreeBodyPanel::meeting(const std::string& name, const std::string& letters,
                                       const std::optional<Place>& H) {
   if (H) meetings_.push_back({name, letters, *H});
+  return *this;
+}
+
+FreeBodyPanel& FreeBodyPanel::sliding(const Place& X, const Arrow2& v, const Arrow2& from,
+                                      const std::string& letters) {
+  if (magnitude(v) == 0 || magnitude(from) == 0) return *this;
+  sliding_.push_back({X, (1 / magnitude(v)) * v, (1 / magnitude(from)) * from, letters});
+  return *this;
+}
+
+FreeBodyPanel& FreeBodyPanel::otherwise(const std::string& name, const std::string& letters,
+                                        const std::optional<Place>& H, const std::vector<LineOfForce>& lines) {
+  otherwise_.push_back({name, letters, H, lines});
   return *this;
 }
 
@@ -146,6 +168,10 @@ drawings::Box FreeBodyPanel::extent_of_near(const Scale& scale, const Scale& vec
   for (const Turned& each : turned_)
     for (const double side : {each.force, 2 * each.normal - each.force})
       extent.include(scale, on_line(each.X, direction_of(side), leg + letters, scale.mm_per_unit), 0);
+  for (const Sliding& each : sliding_) {
+    constexpr double reached = 14;  // mm of the arrow along the surface
+    extent.include(scale, on_line(each.X, each.along, reached, scale.mm_per_unit), letters);
+  }
   for (const Arm& each : arms_)
     for (const Place& P : {each.about, each.foot}) extent.include(scale, P, letters);
   return extent.box();
@@ -158,6 +184,8 @@ drawings::Box FreeBodyPanel::extent(const Scale& scale, const Scale& vectors) co
   extent.include(near.low.x, near.low.y);
   extent.include(near.high.x, near.high.y);
   for (const Meeting& each : meetings_) extent.include(scale, each.H, letters);
+  for (const Otherwise& each : otherwise_)
+    if (each.H) extent.include(scale, *each.H, letters);
   return extent.box();
 }
 
@@ -202,6 +230,32 @@ void FreeBodyPanel::draw_arm(Plot& plot, const Arm& arm) const {
   if (!arm.quantity.empty()) plot.measures(arm.quantity, arm.about, arm.foot);
 }
 
+void FreeBodyPanel::draw_sliding(Plot& plot, const Sliding& sliding) {
+  constexpr double clear = 3, start = 4, length = 9;  // mm from the surface, and along it
+  const double mm = plot.scale().mm_per_unit;
+  const Place beside = on_line(sliding.X, sliding.from, clear, mm);
+  plot.side("", on_line(beside, sliding.along, start, mm), on_line(beside, sliding.along, start + length, mm),
+            Meaning::velocity, sliding.letters);
+}
+
+void FreeBodyPanel::draw_otherwise(Plot& plot, const drawings::Box& room, const Otherwise& motion,
+                                   Language language) {
+  const double mm = plot.scale().mm_per_unit;
+  for (const LineOfForce& line : motion.lines) {
+    const double size = magnitude(line.along);
+    if (size == 0) continue;
+    const Arrow2 along = (1 / size) * line.along;
+    if (motion.H)
+      lead_to(plot, room, line.at, *motion.H, motion.letters, language, Meaning::alternative);
+    else
+      plot.segment(on_line(line.at, along, -leg, mm), on_line(line.at, along, leg, mm), Meaning::alternative);
+  }
+  if (!motion.H || !is_in(room, plot, *motion.H)) return;
+  plot.cross(*motion.H, Meaning::force);
+  plot.label(motion.letters, *motion.H, {}, Meaning::force);
+  if (!motion.name.empty()) plot.measures_coordinates(motion.name, *motion.H, {0, 0});
+}
+
 void FreeBodyPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
   body_->draw(plot);
   for (const Force& force : forces_) {
@@ -215,12 +269,13 @@ void FreeBodyPanel::draw_given(Plot& plot, const drawings::Box&, Language) const
 }
 
 // Lines that pass by it are not drawn there.
-void FreeBodyPanel::draw_meeting(Plot& plot, const drawings::Box& room, const Meeting& meeting) const {
+void FreeBodyPanel::draw_meeting(Plot& plot, const drawings::Box& room, const Meeting& meeting,
+                                 Language language) const {
   constexpr double same = 1e-9;  // of the distance: what doubles leave of a line through H
   for (const Force& force : forces_) {
     const Arrow2 to = meeting.H - force.at;
     if (std::abs(cross(force.along, to)) > same * (magnitude(to) + body_->reach())) continue;
-    plot.segment(force.at, seen_end(plot, room, force.at, meeting.H), Meaning::construction);
+    lead_to(plot, room, force.at, meeting.H, meeting.letters, language, Meaning::construction);
   }
   if (!is_in(room, plot, meeting.H)) return;
   plot.cross(meeting.H, Meaning::force);
@@ -228,9 +283,10 @@ void FreeBodyPanel::draw_meeting(Plot& plot, const drawings::Box& room, const Me
   if (!meeting.name.empty()) plot.measures_coordinates(meeting.name, meeting.H, {0, 0});
 }
 
-std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box& room, Language) const {
+std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   body_->draw(plot);
-  for (const Meeting& each : meetings_) draw_meeting(plot, room, each);
+  for (const Otherwise& each : otherwise_) draw_otherwise(plot, room, each, language);
+  for (const Meeting& each : meetings_) draw_meeting(plot, room, each, language);
   for (const String& each : strings_) {
     plot.segment(each.from, each.to, Meaning::construction);
     if (each.letters.empty()) continue;
@@ -244,6 +300,7 @@ std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box
   }
   for (const Turned& each : turned_) draw_turned(plot, each);
   for (const Arm& each : arms_) draw_arm(plot, each);
+  for (const Sliding& each : sliding_) draw_sliding(plot, each);
   for (const Force& force : forces_) {
     if (force.given == Given::line) draw_line_of_action(plot, force);
     draw_force(plot, force);

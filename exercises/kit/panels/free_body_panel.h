@@ -31,6 +31,16 @@ class FreeBodyPanel : public Panel {
   FreeBodyPanel& at_most(double mm_per_metre);
   // Where lines of action meet: they are drawn as far as there, or as the paper reaches.
   FreeBodyPanel& meeting(const std::string& name, const std::string& letters, const std::optional<Place>& H);
+  // The lines of action in another motion, dashed, with where they meet there: as far as it, or a piece of each about
+  // its point where they do not meet.
+  struct LineOfForce {
+    Place at;
+    Arrow2 along;
+  };
+  FreeBodyPanel& otherwise(const std::string& name, const std::string& letters, const std::optional<Place>& H,
+                           const std::vector<LineOfForce>& lines);
+  // How the body slides in X on what presses on it there, `from` outside: an arrow beside the surface, of one length.
+  FreeBodyPanel& sliding(const Place& X, const Arrow2& v, const Arrow2& from, const std::string& letters);
   // A line of a construction on the body, with what it is called at its end: a string of a funicular polygon.
   FreeBodyPanel& string(const Place& from, const Place& to, const std::string& letters);
   // The line from a point to another, with its name: as far as the paper reaches, where the other is off it.
@@ -85,6 +95,16 @@ class FreeBodyPanel : public Panel {
     Place from, to;
     std::string letters;
   };
+  struct Otherwise {
+    std::string name, letters;
+    std::optional<Place> H;
+    std::vector<LineOfForce> lines;
+  };
+  struct Sliding {
+    Place X;
+    Arrow2 along, from;  // unit vectors
+    std::string letters;
+  };
   struct Turned {
     Place X;
     double normal, force;
@@ -113,7 +133,9 @@ class FreeBodyPanel : public Panel {
   void draw_line_of_action(Plot& plot, const Force& force) const;
   void draw_turned(Plot& plot, const Turned& turned) const;
   void draw_arm(Plot& plot, const Arm& arm) const;
-  void draw_meeting(Plot& plot, const drawings::Box& room, const Meeting& meeting) const;
+  static void draw_sliding(Plot& plot, const Sliding& sliding);
+  static void draw_otherwise(Plot& plot, const drawings::Box& room, const Otherwise& motion, Language language);
+  void draw_meeting(Plot& plot, const drawings::Box& room, const Meeting& meeting, Language language) const;
 
   std::shared_ptr<const MechanismFigure> body_;
   std::vector<Force> forces_;
@@ -122,6 +144,8 @@ class FreeBodyPanel : public Panel {
   std::vector<String> strings_;
   std::vector<Line> lines_;
   std::vector<Turned> turned_;
+  std::vector<Sliding> sliding_;
+  std::vector<Otherwise> otherwise_;
   std::vector<Arm> arms_;
   std::vector<PanelStep> steps_;
   std::string unit_;  // of forces to scale

@@ -45,11 +45,6 @@ bool lies_along_axis(const Quantity& quantity) {
 
 }  // namespace
 
-bool has_told_sense(const Quantity& quantity) {
-  return is_turning(quantity) || lies_along_axis(quantity) ||
-         quantity.meaning.english.find("upwards") != std::string::npos;
-}
-
 Words positive_senses(const std::vector<std::string>& quantities, const Solution& solution) {
   const auto any = [&](bool (*is_so)(const Quantity&)) {
     return std::any_of(quantities.begin(), quantities.end(),
@@ -153,14 +148,23 @@ drawings::Table answers(const std::vector<std::string>& asked) {
 
 }  // namespace
 
-std::vector<drawings::Block> problem_column(const Description& about, const Solution& solution,
+Words question_of(const Description& about, const std::string& sheet) {
+  const auto spec = std::find_if(about.sheets.begin(), about.sheets.end(),
+                                 [&](const SheetSpec& each) { return each.name == sheet; });
+  if (!spec->question.empty()) return spec->question;
+  if (about.sheets.size() == 1 || about.question.empty()) return about.question;
+  return format_words("On this sheet: {}. The whole exercise: {}", "In questa tavola: {}. L'esercizio intero: {}",
+                      spec->title, about.question);
+}
+
+std::vector<drawings::Block> problem_column(const Words& question, const Solution& solution,
                                             const AskedOnSheet& asked, const SheetRequest& request) {
   const Language language = request.language;
   const auto heading = [&](const Words& words) { return drawings::Heading{words.in(language)}; };
   std::vector<drawings::Block> column;
-  if (!about.question.empty()) {
+  if (!question.empty()) {
     column.emplace_back(heading({"Question", "Quesito"}));
-    column.emplace_back(drawings::Paragraph{about.question.in(language)});
+    column.emplace_back(drawings::Paragraph{question.in(language)});
   }
   if (const auto cells = written(asked.asked, solution, language); !cells.empty()) {
     column.emplace_back(heading({"Asked on this sheet", "Richiesto in questa tavola"}));
@@ -187,9 +191,9 @@ std::vector<drawings::Block> problem_column(const Description& about, const Solu
   return column;
 }
 
-void mark_start(Plot& plot, const Place& at) {
+void mark_start(Plot& plot, const Place& at, const std::string& letter) {
   plot.cross(at, Meaning::construction);
-  plot.label("$O$", at);
+  if (!letter.empty()) plot.label(letter, at);
 }
 
 }  // namespace epure

@@ -22,9 +22,12 @@ struct AskedOnSheet {
 AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
                       const std::function<bool(const std::string& quantity, const Place&)>& is_off_sheet);
 
+// The sheet's own question; of a sheet without one which part of the exercise's it is, and that question. Rich text.
+Words question_of(const Description& about, const std::string& sheet);
+
 // The question, a table of what the sheet asks for with the units in which it is told, which senses are positive, and
 // a place for name, number and date.
-std::vector<drawings::Block> problem_column(const Description& about, const Solution& solution,
+std::vector<drawings::Block> problem_column(const Words& question, const Solution& solution,
                                             const AskedOnSheet& asked, const SheetRequest& request);
 
 // That a sheet does not ask for these is awkward for a class, whose other students it does ask.
@@ -35,13 +38,11 @@ std::optional<std::string> quantity_not_asked(const Awkwardness& noted);
 std::vector<Words> sentences_of_not_asked(const std::vector<std::string>& without_value,
                                           const std::vector<std::string>& off_sheet);
 
-// Whether the sense that is positive is told: by the sentence below, or by the quantity's own meaning.
-bool has_told_sense(const Quantity& quantity);
 // "Positive sense: counter-clockwise; x to the right, y upwards.", of what turns or lies along an axis among these;
 // empty: nothing does.
 Words positive_senses(const std::vector<std::string>& quantities, const Solution& solution);
 
-// A small cross with the letter O, where a polygon begins.
-void mark_start(Plot& plot, const Place& at);
+// A small cross where a polygon begins, with its letter if it has one.
+void mark_start(Plot& plot, const Place& at, const std::string& letter);
 
 }  // namespace epure

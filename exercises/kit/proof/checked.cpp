@@ -57,7 +57,7 @@ void demand_certainty(CheckedExercise& checked, const CheckedQuantity& quantity)
 
 // Quantities in the order of the description, each with its routes.
 void group(CheckedExercise& checked, const std::vector<RouteValue>& values) {
-  for (const Quantity& spec : checked.about.quantities) {
+  for (const Quantity& spec : checked.about.quantities()) {
     CheckedQuantity quantity{.spec = spec, .settled = {}, .routes = {}};
     std::copy_if(values.begin(), values.end(), std::back_inserter(quantity.routes),
                  [&](const RouteValue& value) { return value.quantity == spec.name; });
@@ -78,7 +78,7 @@ CheckedQuantity* find(CheckedExercise& checked, const std::string& name) {
 
 // What an exercise says of a quantity it does not list would be lost in silence.
 void demand_listed(CheckedExercise& checked, const std::string& name, const Words& where) {
-  const auto& listed = checked.about.quantities;
+  const auto& listed = checked.about.quantities();
   if (std::none_of(listed.begin(), listed.end(), [&](const Quantity& spec) { return spec.name == name; }))
     complain(checked.failures, name,
              format_words("{}, but is not among the exercise's quantities",
@@ -170,7 +170,7 @@ std::vector<KnownNumber> known_numbers(const CheckedExercise& checked, const Sol
   };
   for (const CheckedQuantity& quantity : checked.quantities)
     if (has_value(quantity.settled)) add(quantity.spec, quantity.settled.enclosure.value);
-  const auto& reported = checked.about.quantities;
+  const auto& reported = checked.about.quantities();
   for (const RouteValue& told : solution.values()) {
     if (!told.described || std::any_of(reported.begin(), reported.end(),
                                        [&](const Quantity& each) { return each.name == told.quantity; }))

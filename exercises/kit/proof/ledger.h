@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
@@ -92,24 +93,37 @@ class Ledger {
   }
   void put(const VectorQuantity& quantity, const geometry::Vector<T>& v) {
     const geometry::Vector<T> seen = in_usual_axes(v);
-    put(quantity.x(), seen.x);
-    put(quantity.y(), seen.y);
-    put(quantity.length(), [&] { return size(v); });
+    put_x(quantity, [&] { return seen.x; });
+    put_y(quantity, [&] { return seen.y; });
+    put_size(quantity, [&] { return size(v); });
   }
   void put(const PointQuantity& quantity, const geometry::Point<T>& P) {
     const geometry::Vector<T> seen = in_usual_axes({P.x, P.y});
-    put(quantity.x(), seen.x);
-    put(quantity.y(), seen.y);
+    put_x(quantity, [&] { return seen.x; });
+    put_y(quantity, [&] { return seen.y; });
   }
   void put(const PointQuantity& quantity, const geometry::ProjectivePoint<T>& P, const Phrase& at_infinity) {
     const geometry::Vector<T> seen = in_usual_axes({P.x, P.y});
-    put(quantity.x(), [&] { return ratio(seen.x, P.w, at_infinity); });
-    put(quantity.y(), [&] { return ratio(seen.y, P.w, at_infinity); });
+    put_x(quantity, [&] { return ratio(seen.x, P.w, at_infinity); });
+    put_y(quantity, [&] { return ratio(seen.y, P.w, at_infinity); });
   }
   // A vector of which the length alone is reported; it is drawn all the same.
   void put_length(const VectorQuantity& quantity, const geometry::Vector<T>& v) {
-    put(quantity.length(), [&] { return size(v); });
+    put_size(quantity, [&] { return size(v); });
     draws_vector(quantity.name, v);
+  }
+  // Components of a vector or a point, and the length of a vector, which `find` gives along the usual axes. What is
+  // said of a component is put together only where it is asked for: often that takes longer than to find it.
+  template <class Located>
+  void put_x(const Located& quantity, const std::function<T()>& find) {
+    if (is_asked(quantity.name + "_x")) put(quantity.x(), find);
+  }
+  template <class Located>
+  void put_y(const Located& quantity, const std::function<T()>& find) {
+    if (is_asked(quantity.name + "_y")) put(quantity.y(), find);
+  }
+  void put_size(const VectorQuantity& quantity, const std::function<T()>& find) {
+    if (is_asked(quantity.name)) put(quantity.length(), find);
   }
   // What only drawings show, and sheets may print.
   void draws(const Quantity& quantity, const std::function<T()>& find) { draws(quantity.name, find, quantity); }
@@ -178,18 +192,20 @@ class Ledger {
     }
   }
 
-  const std::vector<LedgerEntry>& entries() const { return entries_; }
-  const std::vector<geometry::Reading<T>>& readings() const { return readings_; }
+  std::vector<LedgerEntry>& entries() { return entries_; }
+  std::vector<geometry::Reading<T>>& readings() { return readings_; }
   // What only drawings need; empty but on their number.
-  const std::vector<LedgerEntry>& drawn_entries() const { return drawn_entries_; }
-  const std::vector<geometry::Reading<T>>& drawn_readings() const { return drawn_readings_; }
+  std::vector<LedgerEntry>& drawn_entries() { return drawn_entries_; }
+  std::vector<geometry::Reading<T>>& drawn_readings() { return drawn_readings_; }
 
  private:
+  // A list of all that would be found is one of all, whatever is asked.
   bool is_asked(const std::string& quantity) const {
-    return Asked::for_all() || Asked::for_quantity(case_ + quantity);
+    const std::string name = case_ + quantity;
+    if (FirstRouteOnly::holds() && known_.contains(name)) return false;
+    return NamesOnly::holds() || Asked::for_quantity(name);
   }
   void write(LedgerEntry entry, const std::function<T()>& find) {
-    if (FirstRouteOnly::holds() && known_.contains(entry.quantity)) return;
     const bool is_wanted = !NamesOnly::holds() && geometry::climbing::Wanted::is(entries_.size());
     if (entry.described) {
       entry.described->name = entry.quantity;
@@ -255,12 +271,12 @@ std::vector<RouteValue> settle(const Write& write, Rung rung, Drawn drawn = Draw
   const NamesOnly nothing(rung == Rung::names);
   std::vector<LedgerEntry> entries;
   const auto scene = [&]<class T>() {
-    const Ledger<T> ledger = write.template operator()<T>();
-    entries = ledger.entries();
-    std::vector<geometry::Reading<T>> readings = ledger.readings();
+    Ledger<T> ledger = write.template operator()<T>();
+    entries = std::move(ledger.entries());
+    std::vector<geometry::Reading<T>> readings = std::move(ledger.readings());
     if (rung == Rung::drawing) {
-      entries.insert(entries.end(), ledger.drawn_entries().begin(), ledger.drawn_entries().end());
-      readings.insert(readings.end(), ledger.drawn_readings().begin(), ledger.drawn_readings().end());
+      std::move(ledger.drawn_entries().begin(), ledger.drawn_entries().end(), std::back_inserter(entries));
+      std::move(ledger.drawn_readings().begin(), ledger.drawn_readings().end(), std::back_inserter(readings));
     }
     return readings;
   };
@@ -271,14 +287,17 @@ std::vector<RouteValue> settle(const Write& write, Rung rung, Drawn drawn = Draw
         return false;
     return true;
   };
-  const std::vector<geometry::Settled> settled = rung == Rung::names || rung == Rung::fast
-                                                     ? geometry::only_fast(scene)
-                                                 : rung == Rung::bounded ? geometry::only_bounded(scene)
-                                                 : rung == Rung::drawing ? settled_for_drawing(scene)
-                                                                         : geometry::climb(scene, is_open);
+  std::vector<geometry::Settled> settled = rung == Rung::names || rung == Rung::fast ? geometry::only_fast(scene)
+                                           : rung == Rung::bounded                   ? geometry::only_bounded(scene)
+                                           : rung == Rung::drawing                   ? settled_for_drawing(scene)
+                                                                   : geometry::climb(scene, is_open);
   std::vector<RouteValue> values;
-  for (std::size_t i = 0; i < settled.size(); ++i)
-    values.push_back({entries[i].quantity, entries[i].route, settled[i], entries[i].described});
+  values.reserve(settled.size());
+  for (std::size_t i = 0; i < settled.size(); ++i) {
+    LedgerEntry& entry = entries[i];
+    values.push_back(
+        {std::move(entry.quantity), std::move(entry.route), std::move(settled[i]), std::move(entry.described)});
+  }
   return values;
 }
 

@@ -7,13 +7,17 @@
 
 namespace epure {
 
-// A function that calls `find` once, and again only when that threw. Copies share what was found.
+// A function that calls `find` once, and again only when that threw. Copies share what was found, and `find` itself,
+// which holds much and is copied often.
 template <class Find>
 auto once(Find find) {
-  using Found = decltype(find());
-  return [find = std::move(find), found = std::make_shared<std::optional<Found>>()]() -> const Found& {
-    if (!*found) found->emplace(find());
-    return **found;
+  struct Kept {
+    Find find;
+    std::optional<decltype(find())> found;
+  };
+  return [kept = std::make_shared<Kept>(Kept{std::move(find), std::nullopt})]() -> const auto& {
+    if (!kept->found) kept->found.emplace(kept->find());
+    return *kept->found;
   };
 }
 

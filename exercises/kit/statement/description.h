@@ -20,6 +20,7 @@ namespace epure {
 struct SheetSpec {
   std::string name;  // "polar-diagram"
   Words title;
+  Words question = {};  // of this sheet, where it is to be solved; empty: its part of the exercise's
 };
 
 // A number the source printed, and by which of its methods. `reading` is what half a millimetre on the source's own
@@ -36,27 +37,28 @@ struct Printed {
   std::optional<Explanation> explanation = {};
 };
 
-// The numbers that a source printed, found once, when they are first looked at: those of a long table take longer
-// than a sheet to draw. Copies share them.
-class PrintedNumbers {
+// A list that is found once, when it is first looked at, as no sheet needs it and it takes long: what a source
+// printed of a long table, longer than a sheet to draw. Copies share it.
+template <class Entry>
+class LateList {
  public:
-  PrintedNumbers() : PrintedNumbers([] { return std::vector<Printed>{}; }) {}
+  LateList() : LateList([] { return std::vector<Entry>{}; }) {}
   template <class Find>
-  requires std::is_invocable_r_v<std::vector<Printed>, Find> PrintedNumbers(Find find)
+  requires std::is_invocable_r_v<std::vector<Entry>, Find> LateList(Find find)
       : found_(std::make_shared<Found>()) {  // NOLINT(google-explicit-constructor)
     found_->find = std::move(find);
   }
 
-  const std::vector<Printed>& operator()() const {
-    std::call_once(found_->once, [&] { found_->numbers = found_->find(); });
-    return found_->numbers;
+  const std::vector<Entry>& operator()() const {
+    std::call_once(found_->once, [&] { found_->list = found_->find(); });
+    return found_->list;
   }
 
  private:
   struct Found {
-    std::function<std::vector<Printed>()> find;
+    std::function<std::vector<Entry>()> find;
     std::once_flag once;
-    std::vector<Printed> numbers;
+    std::vector<Entry> list;
   };
   std::shared_ptr<Found> found_;
 };
@@ -69,8 +71,8 @@ struct Description {
   Words question;              // what is given and what is to be found, in sentences; rich text
   std::vector<GivenSpec> givens;
   std::vector<SheetSpec> sheets = {};
-  std::vector<Quantity> quantities = {};
-  PrintedNumbers printed = {};
+  LateList<Quantity> quantities = {};
+  LateList<Printed> printed = {};
   // Of tables that the source printed; none: it printed none.
   std::function<std::vector<TableAudit>()> audit = {};
 };

@@ -8,6 +8,106 @@ TEST_CASE("friction: every sheet is drawn, whatever is given", "[friction-effici
   draws_every_sheet(friction(), read_corpus(EPURE_CORPUS "/friction_efficiency.txt"));
 }
 
+namespace {
+
+bool has_label(const DrawnSheet& drawn, const std::string& text) {
+  return std::any_of(drawn.sheet.figure.labels.begin(), drawn.sheet.figure.labels.end(),
+                     [&](const drawings::Label& label) { return label.text.find(text) != std::string::npos; });
+}
+std::vector<drawings::Arrow> arrows_of(const DrawnSheet& drawn, drawings::Meaning meaning) {
+  std::vector<drawings::Arrow> all;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* arrow = std::get_if<drawings::Arrow>(&mark); arrow && arrow->meaning == meaning)
+      all.push_back(*arrow);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("friction: the polygons of the retrograde motion name their own points", "[friction-efficiency][sheets]") {
+  const auto named = [](const char* sheet, const char* of_direct, const char* of_retrograde) {
+    CAPTURE(sheet);
+    const DrawnSheet drawn = friction().draw(sheet, {});
+    CHECK(has_label(drawn, of_direct));
+    CHECK(has_label(drawn, of_retrograde));
+  };
+  for (const char* sheet : {"levers", "levers-Q-on-2"}) {
+    named(sheet, "∥ $A_{0}$$\\it{H}_{2}$", "∥ $A_{0}$$\\it{H}'_{2}$");
+    named(sheet, "∥ $B_{0}$$\\it{H}_{3}$", "∥ $B_{0}$$\\it{H}'_{3}$");
+  }
+  // The origin of their coordinates lies on the paper here.
+  const DrawnSheet drawn = friction().draw("levers-Q-on-2", {});
+  for (const char* H : {"H_2_retrograde_x", "H_3_retrograde_y"})
+    CHECK(std::any_of(drawn.measurements.begin(), drawn.measurements.end(),
+                      [&](const Measurement& each) { return each.quantity.ends_with(H); }));
+  named("fairbairn", "∥ $CH$", "∥ $CH'$");
+  named("two-forces", "∥ $OK$", "∥ $OK'$");
+}
+
+TEST_CASE("friction: the sense of sliding stands at every contact, and the force against it",
+          "[friction-efficiency][sheets]") {
+  const auto shows = [](const char* sheet, std::size_t contacts) {
+    CAPTURE(sheet);
+    const DrawnSheet drawn = friction().draw(sheet, {});
+    const auto velocities = arrows_of(drawn, drawings::Meaning::velocity),
+               forces = arrows_of(drawn, drawings::Meaning::force);
+    CHECK(velocities.size() == contacts);
+    for (const auto& v : velocities) {
+      int found = 0;
+      for (const auto& R : forces) {
+        if (std::abs(std::hypot(R.to.x - v.from.x, R.to.y - v.from.y) - 5) > 0.5) continue;
+        const double along = (R.to.x - R.from.x) * (v.to.x - v.from.x) + (R.to.y - R.from.y) * (v.to.y - v.from.y);
+        found += along < 0 ? 1 : 0;
+      }
+      CHECK(found >= 1);
+    }
+  };
+  shows("wedge", 4);
+  shows("two-forces", 3);
+  shows("levers", 2);
+  shows("levers-Q-on-2", 2);
+  shows("fairbairn", 2);
+}
+
+TEST_CASE("friction: parallel forces do not meet: the funicular polygon shares them out",
+          "[friction-efficiency][sheets]") {
+  const auto is_shared = [](const char* sheet, const Assignments& assignments) {
+    return has_label(friction().draw(sheet, assignments), "$O_{f}$");
+  };
+  CHECK(!is_shared("two-forces", {}));
+  CHECK(is_shared("two-forces", {"phi=0"}));
+  CHECK(!is_shared("levers", {}));
+  CHECK(is_shared("levers", {"sliding_levers.direction_P=78"}));  // as the contact's force in the direct motion
+  CHECK(!is_shared("fairbairn", {}));
+  CHECK(is_shared("fairbairn", {"phi=0", "fairbairn.theta=0"}));
+}
+
+TEST_CASE("friction: no force is negated twice", "[friction-efficiency][sheets]") {
+  CHECK(!has_label(friction().draw("two-forces", {"phi=18"}), "−−"));
+}
+
+TEST_CASE("friction: every limit stands on the chart", "[friction-efficiency][sheets]") {
+  const DrawnSheet drawn = friction().draw("efficiencies", {});
+  std::set<std::string> measured;
+  for (const Measurement& each : drawn.measurements)
+    if (each.quantity.ends_with("_friction_angle_deg")) measured.insert(each.quantity);
+  CHECK(measured.size() == 11);  // six that lock, five that jam
+}
+
+TEST_CASE("friction: self-locking is said", "[friction-efficiency][sheets]") {
+  const auto told = [](const Assignments& assignments) {
+    std::string all;
+    const DrawnSheet drawn = friction().draw("wedge", assignments);
+    for (const drawings::Block& block : drawn.sheet.column)
+      if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) all += paragraph->text + "\n";
+    return all;
+  };
+  CHECK_THAT(told({}), !Contains("self-locking"));
+  CHECK_THAT(told({"wedge_collar.theta=8"}), Contains("must push the other way"));
+  CHECK_THAT(told({"wedge_collar.theta=10"}), Contains("exactly at the limit of self-locking"));
+  CHECK_THAT(told({"wedge_collar.theta=10.000000001"}), !Contains("self-locking"));
+}
+
 TEST_CASE("friction: letters find room", "[friction-efficiency][sheets]") {
   letters_find_room(friction(), {{}, {"phi=12"}, {"wedge_collar.theta=25", "fairbairn.theta=10"}});
 }

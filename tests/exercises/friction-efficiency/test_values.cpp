@@ -47,23 +47,51 @@ TEST_CASE("friction: what jams is said with the angle at which it does", "[frict
     CAPTURE(assignments);
     CHECK_THROWS_WITH(friction().checked(assignments), Contains(because));
   };
-  refused({"phi=24.5"}, "wedge_collar jams in the direct motion at 24.5°");
-  refused({"phi=18.72"}, "the rod jams in its collar");
+  refused({"phi=24.5"},
+          "phi = 24.5°: must be less than 24.5°, at which the wedge jams in the direct motion: the force P is "
+          "infinite there");
+  refused({"phi=18.72"},
+          "phi = 18.72°: must be less than 18.7149°, at which the rod in its collar of two forces jams");
   CHECK(friction().checked({"phi=18.71"}).passed());
-  refused({"phi=8", "double_slider.theta=8"}, "double_slider jams in the direct motion at 8°");
+  refused({"phi=8", "double_slider.theta=8"}, "must be less than 8°, at which the double slider jams");
   refused({"double_slider_pins.r=2"}, "wider than the link is long");
   // The link's force falls into the friction cone of slider 4: sin δ = 2 sin 5°, δ + 5° = 15.0386°; in the middle of
   // the row δ = φ and the limit is hit.
-  refused({"double_slider_pins.r=0.3", "double_slider.theta=15.038"}, "double_slider_pins jams in the direct motion");
+  refused({"double_slider_pins.r=0.3", "double_slider.theta=15.038"},
+          "at which the double slider with friction in its pins jams");
   refused({"double_slider_pins.r=0.15", "double_slider.theta=10"},
-          "double_slider_pins jams in the direct motion at 5°");
-  refused({"double_slider_pins.r=0.3", "double_slider.theta=10"}, "jams in the direct motion at 3.32956°");
+          "must be less than 5°, at which the double slider with friction in its pins jams");
+  refused({"double_slider_pins.r=0.3", "double_slider.theta=10"}, "must be less than 3.32956°");
   CHECK(friction().checked({"double_slider_pins.r=0.3", "double_slider.theta=15.039"}).passed());
   // From C the hinge of the loaded lever lies at 165.2°, or 14.8° below +x.
   refused({"phi=10", "sliding_levers.nu=160"}, "the contact's force, at 170° then, does not pass its hinge");
   refused({"phi=10", "sliding_levers.nu=156"}, "at 166° then");
   CHECK(friction().checked({"phi=10", "sliding_levers.nu=155"}).passed());
   refused({"sliding_levers.y_C=0"}, "friction has no sense");
+}
+
+// cot(θ) of the pins' link: φ + δ = 90° - θ and φ + δ = θ, sin δ = 2 r sin φ/l. Beyond the first the pins lock where
+// ideal hinges do not.
+TEST_CASE("friction: pins lock and jam before ideal hinges do", "[friction-efficiency]") {
+  const auto sign_of_P = [](const std::string& phi) {
+    const CheckedExercise result =
+        friction().checked({"phi=" + phi, "wedge_collar.y_upper=10", "wedge_collar.theta=10"});
+    CAPTURE(phi, complaints(result));
+    CHECK(result.passed());
+    CHECK(value(result, "double_slider.P_retrograde") > 0);
+    return value(result, "double_slider_pins.P_retrograde");
+  };
+  CHECK(sign_of_P("19.711557023388043") > 0);
+  CHECK(sign_of_P("19.711557023388044") < 0);
+}
+
+TEST_CASE("friction: the source drew the double slider's friction angles too small", "[friction-efficiency]") {
+  const CheckedExercise result = friction().checked({});
+  const auto explained = [&](const char* name) {
+    return find(result, name).printed.front().explanation.value().english;
+  };
+  CHECK_THAT(explained("double_slider.eta_direct"), Contains("150 cot 67.2° = 63.1 N and 150 cot 70.8° = 52.2 N"));
+  CHECK_THAT(explained("double_slider.eta_retrograde"), Contains("follows from the printed forces: 53/60"));
 }
 
 // The least positive zero of μ³ + (t - 2m/w) μ² - 2 y_u t/w μ + a/w, t = tan θ, 2m = y_u + y_l, a = y_u - y_l, by
@@ -107,21 +135,26 @@ TEST_CASE("friction: the source's numbers", "[friction-efficiency]") {
 }
 
 TEST_CASE("friction: what does not slide has no friction, and no sheet", "[friction-efficiency]") {
-  const auto rests = [](const Assignments& assignments, const std::string& mechanism, double without_friction) {
+  const auto rests = [](const Assignments& assignments, const std::string& mechanism, const std::string& where,
+                        double without_friction) {
     const CheckedExercise result = friction().checked(assignments);
     CAPTURE(assignments, complaints(result));
     CHECK(result.failures.empty());
     CHECK(result.undecided.empty());
     REQUIRE(result.not_drawn.size() == 1);
     CHECK_THAT(result.not_drawn.front().sentence.english, Contains("the bodies do not slide on each other"));
+    CHECK_THAT(result.not_drawn.front().sentence.english, Contains(where));
     CHECK(find(result, mechanism + ".M_direct").settled.kind == geometry::Settled::Kind::absent);
     CHECK(value(result, mechanism + ".M_i") == Approx(without_friction).epsilon(1e-14));
   };
   // F CD AB/(AC + AB), lever and crank upright.
-  rests({"fairbairn.theta=0"}, "fairbairn", 50 * 0.95 * 0.2 / 0.649);
-  rests({"fairbairn_short_lever.theta=0"}, "fairbairn_short_lever", 50 * 0.714 * 0.2 / 0.623);
+  rests({"fairbairn.theta=0"}, "fairbairn", "fairbairn.theta = 0°: the lever stands upright",
+        50 * 0.95 * 0.2 / 0.649);
+  rests({"fairbairn_short_lever.theta=0"}, "fairbairn_short_lever", "fairbairn_short_lever.theta = 0°",
+        50 * 0.714 * 0.2 / 0.623);
   // The crank across the lever, which rests.
-  rests({"fairbairn_short_lever.theta=30", "fairbairn_short_lever.AC=0.4"}, "fairbairn_short_lever", 0);
+  rests({"fairbairn_short_lever.theta=30", "fairbairn_short_lever.AC=0.4"}, "fairbairn_short_lever",
+        "theta = 30°: the crank stands square to the lever", 0);
   // Without friction nothing need slide; of no couple no efficiency is known.
   const CheckedExercise smooth =
       friction().checked({"phi=0", "fairbairn_short_lever.theta=30", "fairbairn_short_lever.AC=0.4"});

@@ -39,10 +39,67 @@ int sums(const std::vector<drawings::Arrow>& all) {
   return found;
 }
 
+std::string told_by(const DrawnSheet& drawn) {
+  std::string all;
+  for (const drawings::Block& block : drawn.sheet.column)
+    if (const auto* steps = std::get_if<drawings::Steps>(&block))
+      for (const std::string& line : steps->lines) all += line + "\n";
+  return all;
+}
+
 }  // namespace
 
 TEST_CASE("ideal statics: every sheet is drawn, whatever is given", "[ideal-statics][sheets]") {
   draws_every_sheet(statics(), read_corpus(EPURE_CORPUS "/ideal_statics.txt"));
+}
+
+TEST_CASE("ideal statics: parallel forces do not meet: the funicular polygon shares them out",
+          "[ideal-statics][sheets]") {
+  const auto shared = [](const char* sheet, const Assignments& assignments, bool is_shared,
+                         const std::vector<std::string>& found) {
+    CAPTURE(sheet, assignments);
+    const DrawnSheet drawn = statics().draw(sheet, assignments);
+    CHECK((told_by(drawn).find("Funicular polygon") != std::string::npos) == is_shared);
+    for (const std::string& name : found) {  // a ruler reads it here as in a triangle
+      CAPTURE(name);
+      CHECK(std::any_of(drawn.measurements.begin(), drawn.measurements.end(),
+                        [&](const Measurement& each) { return each.quantity.ends_with("." + name); }));
+    }
+  };
+  const std::vector<std::string> of_levers{"P", "R_12", "R_13"};
+  shared("levers", {}, false, of_levers);
+  for (const char* direction : {"73", "73.000000001", "73.000000000000000000000000000001"})
+    shared("levers", {std::string("sliding_levers.direction_P=") + direction}, true, of_levers);
+  shared("levers", {"sliding_levers.direction_Q=-107"}, true, of_levers);
+  shared("levers-Q-on-2", {"sliding_levers_Q_on_2.direction_P=108.5"}, true, of_levers);
+  shared("fairbairn", {"fairbairn.theta=0"}, true, {"R_14"});
+  shared("fairbairn", {}, false, {"R_14"});
+}
+
+TEST_CASE("ideal statics: the equation of virtual work is told", "[ideal-statics][sheets]") {
+  for (const char* sheet :
+       {"wedge-virtual-work", "double-slider-virtual-work", "levers-virtual-work", "levers-Q-on-2-virtual-work"}) {
+    CAPTURE(sheet);
+    CHECK(told_by(statics().draw(sheet, {})).find("$\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0") != std::string::npos);
+  }
+  CHECK(told_by(statics().draw("fairbairn-virtual-work", {})).find("$\\it{M}$·$ω_{2}$ = $\\it{F}$·$v_{D6}$") !=
+        std::string::npos);
+}
+
+// A link from C to B, which the block slides on.
+TEST_CASE("ideal statics: the lever reaches its block, also beyond D", "[ideal-statics][sheets]") {
+  const DrawnSheet drawn = statics().draw("fairbairn", {"fairbairn.theta=15", "fairbairn.CD=0.3"});
+  std::vector<double> links, dots;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* line = std::get_if<drawings::Line>(&mark); line && line->meaning == drawings::Meaning::link)
+      if (line->path.pieces.size() == 1)
+        links.push_back(std::hypot(line->path.pieces[0].end.x - line->path.start.x,
+                                   line->path.pieces[0].end.y - line->path.start.y));
+  // C cos θ + √(AB² - (AC sin θ)²) = 0.5959 m; longer than any link but this: CD = 0.3 m, AB = 0.2 m.
+  REQUIRE(!links.empty());
+  const double longest = *std::max_element(links.begin(), links.end()),
+               AB = *std::min_element(links.begin(), links.end());
+  CHECK(longest / AB == Approx(0.5959 / 0.2).epsilon(0.01));
 }
 
 TEST_CASE("ideal statics: letters find room", "[ideal-statics][sheets]") { letters_find_room(statics(), usual); }

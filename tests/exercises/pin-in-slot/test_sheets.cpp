@@ -159,7 +159,7 @@ TEST_CASE("pin in slot: no quantity is written as a point of the polygons is", "
     const auto& labels = drawn.sheet.figure.labels;
     CHECK(std::count_if(labels.begin(), labels.end(), corners) == 2);  // b* and b'
     for (const drawings::Label& label : labels)
-      for (const Quantity& quantity : pin_in_slot().about().quantities)
+      for (const Quantity& quantity : pin_in_slot().about().quantities())
         if (corners(label)) CHECK_FALSE(quantity.symbol.starts_with(label.text.substr(0, label.text.size() - 1)));
   }
 }

@@ -7,6 +7,7 @@
 #include "drawings/text/text.h"
 #include "exercises/cli/run.h"
 #include "exercises/scenes/coincidences.h"
+#include "exercises/scenes/file_head.h"
 #include "exercises/scenes/scene.h"
 #include "exercises/scenes/scene_exercise.h"
 #include "tests/exercises/held_against_corpus.h"
@@ -17,7 +18,8 @@ using namespace epure::tests;
 namespace {
 
 std::unique_ptr<Exercise> exercise_of(const std::string& name) {
-  return scenes::scene_exercise(scenes::read_scene(EPURE_SCENES "/" + name + ".yaml"));
+  const std::string file = EPURE_SCENES "/" + name + ".yaml";
+  return scenes::scene_exercise(std::make_shared<const scenes::Scene>(file, scenes::bytes_of(file)));
 }
 
 // The sentence that a file is refused with, its name left out; empty when it is read.

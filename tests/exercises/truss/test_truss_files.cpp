@@ -2,6 +2,7 @@
 // place; sheets.
 #include <cmath>
 
+#include "exercises/scenes/file_head.h"
 #include "exercises/scenes/text_tree.h"
 #include "exercises/scenes/truss_file.h"
 #include "tests/exercises/held_against_corpus.h"
@@ -12,7 +13,7 @@ using namespace epure::tests;
 namespace {
 
 std::unique_ptr<Exercise> file(const std::string& name) {
-  return scenes::truss_of_file(EPURE_TRUSSES "/" + name + ".yaml");
+  return scenes::truss_of_text(name, scenes::bytes_of(EPURE_TRUSSES "/" + name + ".yaml"));
 }
 
 // A triangle, with one of its parts put otherwise.
