@@ -11,6 +11,7 @@ namespace {
 using drawings::Datum;
 
 constexpr double letters_left = 16;  // mm, of all three
+constexpr double mega = 1e6;         // both charts and the table beside them have MPa
 constexpr double load_arrow = 0.6;   // of the greatest pressure: where the arrow of the load ends
 
 drawings::Chart chart_along(const Solution& s, const std::string& quantity, const std::string& unit, double low,
@@ -32,7 +33,8 @@ std::vector<ChartPanel::Read> read_at_stations(const Solution& s, const std::str
   for (const Station& at : stations()) {
     const std::string quantity = of_film(at_station(of, at.name).name);
     if (!s.has(quantity)) continue;
-    if (const auto value = s.value(quantity)) all.push_back({{CGAL::to_double(at.x), *value}, {}, quantity});
+    if (const auto value = s.value(quantity))
+      all.push_back({{CGAL::to_double(at.x), *value / mega}, {}, quantity, 1, mega});
   }
   return all;
 }
@@ -42,28 +44,36 @@ std::vector<Datum> points_of(const std::vector<ChartPanel::Read>& read) {
   return points;
 }
 
+std::vector<std::vector<Datum>> run_in_mega(const Film& film, OfFilm of) {
+  auto runs = run_along(film, of);
+  for (auto& run : runs)
+    for (Datum& each : run) each.y /= mega;
+  return runs;
+}
+
 SizedChart gradient_chart(const Solution& s, const Film& film) {
   const auto read = read_at_stations(s, "dp_dx");
-  const auto runs = run_along(film, &DeepWedge::gradient);
+  const auto runs = run_in_mega(film, &DeepWedge::gradient);
   const double first = runs.front().front().y, last = runs.front().back().y;
-  drawings::Chart chart = chart_along(s, "$p'$", "Pa/m", last, first > 0 ? 1.3 * first : 0);
+  drawings::Chart chart = chart_along(s, "$p'$", "MPa/m", last, first > 0 ? 1.3 * first : 0);
   chart.curves = {{.name = "gradient", .runs = runs, .meaning = Meaning::locus, .points = points_of(read)}};
   return SizedChart(chart, read, one_of_three_in_a_column);
 }
 
 MarkedChart pressure_chart(const Solution& s, const Film& film, Language language) {
   auto read = read_at_stations(s, "p_bezout");
-  drawings::Chart chart = chart_along(s, "$p$", "Pa", 0, 1.12 * s[of_film("p_max")]);
-  chart.curves = {{.name = "pressure", .runs = run_along(film, &DeepWedge::pressure), .meaning = Meaning::force},
+  const double greatest = s[of_film("p_max")] / mega;
+  drawings::Chart chart = chart_along(s, "$p$", "MPa", 0, 1.12 * greatest);
+  chart.curves = {{.name = "pressure", .runs = run_in_mega(film, &DeepWedge::pressure), .meaning = Meaning::force},
                   {.name = "bezout", .meaning = Meaning::construction, .points = points_of(read)}};
-  chart.markers = {{.at = {s[of_film("x_bar")], s[of_film("p_max")]},
-                    .label = "$p_{max}$ = " + figures(s[of_film("p_max")], 4, language) + " Pa",
+  chart.markers = {{.at = {s[of_film("x_bar")], greatest},
+                    .label = "$p_{max}$ = " + figures(greatest, 4, language) + " MPa",
                     .meaning = Meaning::force}};
   chart.verticals.push_back({.at = s[of_film("x_N")], .label = "$x_{N}$", .meaning = Meaning::construction});
-  read.push_back({{s[of_film("x_bar")], s[of_film("p_max")]}, of_film("x_bar"), of_film("p_max")});
+  read.push_back({{s[of_film("x_bar")], greatest}, of_film("x_bar"), of_film("p_max"), 1, mega});
   read.push_back({{s[of_film("x_N")], 0}, of_film("x_N"), {}});
   return MarkedChart(chart, read, one_of_three_in_a_column,
-                     force_at(s[of_film("x_N")], load_arrow * s[of_film("p_max")],
+                     force_at(s[of_film("x_N")], load_arrow * greatest,
                               "$\\it{N}$ = " + figures(s[of_film("N")], 4, language) + " N/m", "N"));
 }
 

@@ -107,6 +107,17 @@ TEST_CASE("michell bearing: a unit of several words stays with its number", "[mi
   CHECK(tells(bearing().draw("direct", {}), "0.035\u00a0Pa\u00a0s"));
 }
 
+TEST_CASE("michell bearing: charts and table of the pressures have one unit", "[michell-bearing][sheets]") {
+  const DrawnSheet drawn = bearing().draw("pressures", {});
+  const auto writes = [&](const std::string& title) {
+    for (const drawings::Writing& each : all_of<drawings::Writing>(drawn))
+      if (each.text.find(title) != std::string::npos) return true;
+    return false;
+  };
+  CHECK(writes("MPa/m"));
+  CHECK_FALSE(writes("}$ Pa"));  // a power of ten before Pa, or Pa/m
+}
+
 TEST_CASE("michell bearing: one pad around the whole ring is round", "[michell-bearing][sheets]") {
   const DrawnSheet drawn = bearing().draw("bearing", {"pads=1", "l_pad=0.6", "x_N=0.36"});
   std::size_t corners = 0;
