@@ -24,13 +24,14 @@ PanelSheet direct_sheet(const Solution& s, Language language) {
   return {
       .panels = slider_charts({.up_to = std::max(4.0, 1.25 * s[of_pad("n")]),
                                .found = {s[of_pad("n")], s[of_pad("x_N_over_l")], s[of_pad("A")], s[of_pad("k")]},
+                               .ratio_quantity = of_pad("n"),
                                .load_quantity = of_pad("A"),
                                .friction_quantity = of_pad("k")},
                               language),
       .theory =
           {{{"The way", "Il procedimento"},
-            {told({"$x_{N}$/$l_{p}$ of the pivot gives $n$ on the first chart; below it $\\it{A}$ and $k$.",
-                   "$x_{N}$/$l_{p}$ della cerniera dà $n$ sul primo grafico; sotto, $\\it{A}$ e $k$."},
+            {told({"$x_{N}$/$l$ of the pivot gives $n$ on the first chart; below it $\\it{A}$ and $k$.",
+                   "$x_{N}$/$l$ della cerniera dà $n$ sul primo grafico; sotto, $\\it{A}$ e $k$."},
                   language),
              told(
                  {"$h_{2}$ = $l_{p}$ √($\\it{A}$ $μ$ $\\it{V}$/$\\it{N}$), $f_{m}$ = $k$ √($μ$ $\\it{V}$/$\\it{N}$).",
@@ -56,6 +57,10 @@ PanelSheet bearing_sheet(const Solution& s, Language language) {
                                          .pivot = s[of_pad("x_N_over_l")],
                                          .mean_letters = "$r_{m}$",
                                          .length_letters = "$l_{p}$",
+                                         .width_letters = "$b$",
+                                         .pivot_letters = "$x_{N}$",
+                                         .pitch_letters = "$p_{c}$",
+                                         .gap_letters = "$d$",
                                          .outer_quantity = of_pad("R_outer"),
                                          .inner_quantity = of_pad("R_inner")})),
           .results = {values({of_pad("R_outer"), of_pad("R_inner")}), values({of_pad("pitch"), of_pad("gap")}),

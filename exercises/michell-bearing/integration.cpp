@@ -1,4 +1,6 @@
 // Pressures by graphical integration of the gradients: the table's column by Bezout's formula.
+#include <cmath>
+
 #include "exercises/kit/panels/integration_panel.h"
 #include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/sheet.h"
@@ -54,6 +56,19 @@ std::vector<IntegrationRow::Read> read(const Solution& s, const Film& film, cons
   return all;
 }
 
+// How well the polygon comes back to zero at the outlet, where the true pressure is zero.
+Words closure(const Strips& strips, double p_max) {
+  constexpr double coarse = 0.05;
+  if (std::abs(strips.pressures.back()) <= coarse * p_max)
+    return {"The polygon does not quite close: Bezout's formula takes each arc for its chord.",
+            "Il poligono non si chiude del tutto: la formula di Bezout prende ogni arco per la sua corda."};
+  return {
+      "The grid is too coarse for this film: at the outlet the polygon misses zero by more than a twentieth of "
+      "$p_{max}$. Its pressures and its load say nothing of the film.",
+      "La griglia è troppo rada per questo meato: all'uscita il poligono manca lo zero di più di un ventesimo di "
+      "$p_{max}$. Le sue pressioni e la sua portanza non dicono nulla del meato."};
+}
+
 }  // namespace
 
 PanelSheet integration_sheet(const Solution& s, Language language) {
@@ -77,10 +92,7 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
                                             mean)),
           .results = {values({of_film("p_max_bezout"), of_film("p_max")}),
                       values({of_film("N_bezout"), of_film("x_N_bezout")}), values({of_film("N"), of_film("x_N")}),
-                      told({"The polygon does not quite close: Bezout's formula takes each arc for its chord.",
-                            "Il poligono non si chiude del tutto: la formula di Bezout prende ogni arco per la sua "
-                            "corda."},
-                           language)},
+                      told(closure(strips, s[of_film("p_max")]), language)},
           .seen = {"The gradients in strips with pole and rays, and below them the polygon of the pressures",
                    "I gradienti in strisce con polo e raggi, e sotto il poligono delle pressioni"},
           .told = {of_film("p_max_bezout"), of_film("p_max"), of_film("N_bezout"), of_film("x_N_bezout")},

@@ -1,7 +1,6 @@
-// The load and its place: eight strips of the pressure as forces, force polygon and funicular polygon.
+// The load and its place: eight strips of the pressure, below them their forces, force polygon and funicular polygon.
 #include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/sheet.h"
-#include "exercises/kit/panels/sized_chart.h"
 #include "exercises/michell-bearing/along_film.h"
 #include "exercises/michell-bearing/exercise.h"
 #include "geometry/statics/funicular.h"
@@ -28,20 +27,32 @@ std::vector<Strip> strips_of(const Film& film) {
   });
 }
 
-// On paper, in mm from the inlet on the slider's line: forces upwards, strings below, the force polygon at the right.
+// On paper, in mm from the inlet on the slider's line: forces upwards, above them the pressures at the same scale of
+// lengths, strings below, the force polygon at the right.
 class FunicularPanel : public Panel {
  public:
-  FunicularPanel(const Film& film, double load)
-      : length_(geometry::from_rational<double>(film.l)), strips_(strips_of(film)), load_(load) {}
+  FunicularPanel(const Film& film, const Solution& s)
+      : length_(geometry::from_rational<double>(film.l)),
+        strips_(strips_of(film)),
+        pressure_(along(film, &DeepWedge::pressure)),
+        load_(s[of_film("N_funicular")]),
+        greatest_(s[of_film("p_max")]),
+        x_N_(s[of_film("x_N")]) {}
 
   double reach() const override { return length_; }
   Vectors vectors() const override { return {"N/m", load_, 90}; }
+  std::vector<Scale> own_scales() const override { return {pressures_}; }
+  void choose_view(const drawings::Box&, const SheetRequest& request) override {
+    constexpr double high = 45;  // mm
+    pressures_ = largest_vector_scale(high / greatest_, "Pa", request.language);
+  }
 
   drawings::Box extent(const Scale& scale, const Scale& forces) const override {
     const OnPaper on = on_paper(scale, forces);
     Extent extent;
     extent.include(-6, on.lowest() - 8);
-    extent.include(on.load_line + 12, std::max(on.tallest() + 12, on.corner(on.polygon.corners.back()).y + 6));
+    extent.include(on.load_line + 24,
+                   std::max(on.pressures + high() + 10, on.corner(on.polygon.corners.back()).y + 6));
     extent.include(0, on.corner(0).y - 6);
     return extent.box();
   }
@@ -54,6 +65,7 @@ class FunicularPanel : public Panel {
     const OnPaper on = on_paper(plot.scale(), plot.vector_scale());
     const auto at = [&](const Point& P) { return from_mm(plot, P); };
     plot.mark(drawings::Ground{plot.at(at({on.length, 0})), plot.at(at({0, 0}))});
+    draw_pressures(plot, on);
     draw_forces(plot, on);
     draw_force_polygon(plot, on);
     draw_strings(plot, on);
@@ -62,6 +74,9 @@ class FunicularPanel : public Panel {
                                         1 / plot.vector_scale().mm_per_unit, Measurement::along_y});
     plot.onto().measurements.push_back({of_film("x_N_funicular"), plot.at(at({0, 0})), plot.at(at(on.meet())),
                                         1 / plot.scale().mm_per_unit, Measurement::along_x});
+    plot.onto().measurements.push_back({of_film("x_N"), plot.at(at({0, on.pressures})),
+                                        plot.at(at({x_N_ * plot.scale().mm_per_unit, on.pressures})),
+                                        1 / plot.scale().mm_per_unit, Measurement::along_x});
     return {};
   }
 
@@ -69,26 +84,29 @@ class FunicularPanel : public Panel {
     const OnPaper on = on_paper(plot.scale(), plot.vector_scale());
     const auto beside = [&](const Point& P, double x, double y) { return from_mm(plot, {P.x + x, P.y + y}); };
     const auto& vertices = on.polygon.vertices;
-    return {{{"Eight strips of the film: each pushes with its width times the pressure in its middle, there.",
-              "Otto strisce di meato: ognuna spinge con la sua larghezza per la pressione nel mezzo, lì."},
-             beside({on.forces.front().at, on.forces.front().up}, 0, 7)},
-            {{"The forces end to end on the load line, joined to a pole at any distance.",
-              "Le forze una dopo l'altra sulla retta dei carichi, proiettate da un polo a distanza qualsiasi."},
-             beside(on.pole(), -5, 0)},
-            {{"String after string parallel to the rays, from one line of action to the next.",
-              "Lato dopo lato parallelo ai raggi, da una retta d'azione alla successiva."},
-             beside(vertices[2], -5, -4)},
-            {{"The first string and the last meet on the line of the resultant $\\it{N}_{f}$: its place is $x_{Nf}$.",
-              "Il primo lato e l'ultimo si incontrano sulla retta della risultante $\\it{N}_{f}$: il suo posto è "
-              "$x_{Nf}$."},
-             beside(on.meet(), 6, -3)}};
+    return {
+        {{"Eight strips of the film: each pushes with its width times the pressure in its middle, there.",
+          "Otto strisce di meato: ognuna spinge con la sua larghezza per la pressione nel mezzo, lì."},
+         beside({on.forces.front().at, on.pressures}, 0, 9)},
+        {{"The forces end to end on the load line, their sum $\\it{N}_{f}$ beside it; joined to a pole, of which the "
+          "place is free: the last strings meet on one line wherever it stands.",
+          "Le forze una dopo l'altra sulla retta dei carichi, accanto la somma $\\it{N}_{f}$; proiettate da un polo "
+          "scelto a piacere: dovunque stia, gli ultimi lati si incontrano sulla stessa retta."},
+         beside(on.pole(), -5, 0)},
+        {{"String after string parallel to the rays, from one line of action to the next.",
+          "Lato dopo lato parallelo ai raggi, da una retta d'azione alla successiva."},
+         beside(vertices[2], -5, -4)},
+        {{"The first string and the last meet on the line of the resultant $\\it{N}_{f}$: its place is $x_{Nf}$.",
+          "Il primo lato e l'ultimo si incontrano sulla retta della risultante $\\it{N}_{f}$: il suo posto è "
+          "$x_{Nf}$."},
+         beside(on.meet(), 6, -3)}};
   }
 
  private:
   using Point = geometry::Point<double>;
 
   struct OnPaper {
-    double length, load_line, foot;  // foot: how high the load line begins
+    double length, load_line, foot, pressures;  // how high the load line begins, and the axis of the pressures
     std::vector<geometry::VerticalForce<double>> forces;
     geometry::FunicularPolygon<double> polygon;
 
@@ -114,14 +132,43 @@ class FunicularPanel : public Panel {
       sum += forces.back().up;
     }
     const double distance = pole_distance * sum;
-    OnPaper on{length, length + beside_slider + distance, 0, forces,
-               geometry::funicular<double>(forces, {distance, pole_height * sum}, {0, -below_slider})};
+    OnPaper on{length, length + beside_slider + distance,
+               0,      0,
+               forces, geometry::funicular<double>(forces, {distance, pole_height * sum}, {0, -below_slider})};
     on.foot = (on.tallest() + on.lowest() - sum) / 2;
+    constexpr double above_forces = 14;  // mm: room for their numbers, and for the letters of the resultant
+    on.pressures = on.tallest() + above_forces;
     return on;
   }
 
   static Place from_mm(const Plot& plot, const Point& P) {
     return {P.x / plot.scale().mm_per_unit, P.y / plot.scale().mm_per_unit};
+  }
+
+  double high() const { return greatest_ * pressures_.mm_per_unit; }
+
+  void draw_pressures(Plot& plot, const OnPaper& on) const {
+    const auto at = [&](double x, double p) {
+      return from_mm(plot, {x * plot.scale().mm_per_unit, on.pressures + p * pressures_.mm_per_unit});
+    };
+    const double half = length_ / (2 * strips_of_load);
+    for (const Strip& strip : strips_) {
+      plot.polygon({at(strip.x - half, 0), at(strip.x - half, strip.pressure), at(strip.x + half, strip.pressure),
+                    at(strip.x + half, 0)},
+                   Meaning::construction);
+      plot.dot(at(strip.x, strip.pressure));
+      plot.segment(at(strip.x, 0), from_mm(plot, {strip.x * plot.scale().mm_per_unit, 0}), Meaning::construction);
+    }
+    std::vector<drawings::Point> curve;
+    const auto runs = run_of(0, length_, pressure_);
+    for (const drawings::Datum& each : runs.front()) curve.push_back(plot.at(at(each.x, each.y)));
+    plot.mark(drawings::Line{drawings::polyline(curve, false), Meaning::force, "pressure"});
+    plot.segment(at(0, 0), at(length_, 0), Meaning::dimension);
+    constexpr double beyond = 6;  // mm
+    const Place top = at(x_N_, (high() + beyond) / pressures_.mm_per_unit);
+    plot.segment(at(x_N_, 0), top, Meaning::axis);
+    plot.label("$x_{N}$", top, at(x_N_, 0));
+    plot.label("$p$", at(length_ - half, strips_.back().pressure), at(0, 0), Meaning::force);
   }
 
   void draw_forces(Plot& plot, const OnPaper& on) const {
@@ -145,6 +192,11 @@ class FunicularPanel : public Panel {
                        from_mm(plot, {on.load_line, (on.corner(corners[i - 1]).y + on.corner(corners[i]).y) / 2}),
                        pole);
     }
+    constexpr double beside = 10;  // mm, of the sum
+    const auto sum_at = [&](double up) { return from_mm(plot, {on.load_line + beside, on.corner(up).y}); };
+    plot.mark(drawings::Arrow{plot.at(sum_at(corners.front())), plot.at(sum_at(corners.back())), Meaning::force,
+                              "N_funicular"});
+    plot.label("$\\it{N}_{f}$", sum_at((corners.front() + corners.back()) / 2), pole, Meaning::force);
     plot.dot(pole);
     plot.label("$O$", pole, from_mm(plot, on.corner(corners.front())));
   }
@@ -158,7 +210,7 @@ class FunicularPanel : public Panel {
       plot.segment(from_mm(plot, all[i - 1]), from_mm(plot, all[i]), Meaning::link);
     plot.segment(from_mm(plot, vertices.front()), meet, Meaning::construction);
     plot.segment(from_mm(plot, vertices.back()), meet, Meaning::construction);
-    const Place above = from_mm(plot, {on.meet().x, on.tallest() + 8});
+    const Place above = from_mm(plot, {on.meet().x, on.tallest() + 6});
     plot.segment(meet, above, Meaning::force);
     plot.dot(meet, Meaning::force);
     plot.label("$\\it{N}_{f}$", above, meet, Meaning::force);
@@ -166,36 +218,16 @@ class FunicularPanel : public Panel {
 
   double length_;
   std::vector<Strip> strips_;
-  double load_;
+  std::function<double(double)> pressure_;
+  double load_, greatest_, x_N_;
+  Scale pressures_;
 };
-
-SizedChart strips_chart(const Solution& s, const Film& film) {
-  drawings::Chart chart;
-  const double length = geometry::from_rational<double>(film.l);
-  chart.x = {.quantity = "$x$", .unit = "m", .low = 0, .high = length, .to_ticks = false};
-  chart.y = {.quantity = "$p$", .unit = "Pa", .low = 0, .high = 1.1 * s[of_film("p_max")]};
-  std::vector<std::vector<drawings::Datum>> strips_drawn;
-  std::vector<drawings::Datum> middles;
-  const double half = length / (2 * strips_of_load);
-  for (const Strip& strip : strips_of(film)) {
-    middles.push_back({strip.x, strip.pressure});
-    strips_drawn.push_back({{strip.x - half, 0},
-                            {strip.x - half, strip.pressure},
-                            {strip.x + half, strip.pressure},
-                            {strip.x + half, 0}});
-  }
-  chart.curves = {{.name = "pressure", .runs = run_along(film, &DeepWedge::pressure), .meaning = Meaning::force},
-                  {.name = "strips", .runs = strips_drawn, .meaning = Meaning::construction, .points = middles}};
-  chart.verticals = {{.at = s[of_film("x_N")], .label = "$x_{N}$", .meaning = Meaning::force}};
-  return SizedChart(chart, {{{s[of_film("x_N")], 0}, of_film("x_N"), {}}}, one_of_three_in_a_column);
-}
 
 }  // namespace
 
 PanelSheet load_sheet(const Solution& s, Language language) {
-  const Film film = Problem(s.givens()).film;
   return {
-      .panels = panels(strips_chart(s, film), FunicularPanel(film, s[of_film("N_funicular")])),
+      .panels = panels(FunicularPanel(Problem(s.givens()).film, s)),
       .results = {told({"By the strips, by Bezout's table, and exactly:",
                         "Con le strisce, con la tabella di Bezout, ed esattamente:"},
                        language),

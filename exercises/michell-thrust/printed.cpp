@@ -38,14 +38,22 @@ Printed printed_centre(const std::string& quantity, const std::string& text, dou
   if (n == 2.2)
     return wrong(quantity, text, {"0.5779, cut off instead of rounded", "0,5779, troncato anziché arrotondato"},
                  [=] { return std::floor(1000 * centre(n, std::log(n))) / 1000; });
-  if (n == 2.0) return plain(quantity, text);
+  if (n == 2.0)
+    return wrong(
+        quantity, text,
+        {"two neighbouring digits of ln 2 exchanged, 0.693174 for 0.693147 (a conjecture): the row's A and k "
+         "stay right so, as they hardly depend on it",
+         "due cifre vicine di ln 2 scambiate, 0,693174 per 0,693147 (una congettura): A e k della riga "
+         "restano giusti così, perché ne dipendono appena"},
+        [=] { return centre(n, 0.693174); });
   return wrong(
       quantity, text,
-      {"the natural logarithm was taken as 2.3026 times the decimal one: the closed form cancels for small n, "
-       "and the fifth digit counts (the column's other values, but for n = 2.0 and 2.2, stay right so)",
-       "il logaritmo naturale preso come 2,3026 volte il decimale: la formula chiusa per n piccoli si "
-       "cancella, e la quinta cifra conta (gli altri valori della colonna, tranne n = 2,0 e 2,2, restano "
-       "giusti così)"},
+      {"the natural logarithm was taken as 2.3026 times the decimal one (a conjecture): the closed form cancels for "
+       "small n, and the fifth digit counts (the column's other values, but for n = 2.0 and 2.2, stay right so). Or "
+       "numerator and denominator were rounded to four decimals",
+       "il logaritmo naturale preso come 2,3026 volte il decimale (una congettura): la formula chiusa per n piccoli "
+       "si cancella, e la quinta cifra conta (gli altri valori della colonna, tranne n = 2,0 e 2,2, restano giusti "
+       "così). Oppure numeratore e denominatore arrotondati a quattro decimali"},
       [=] { return centre(n, 2.3026 * std::log10(n)); });
 }
 
@@ -76,9 +84,10 @@ std::vector<Printed> printed_by_the_source() {
       wrong("h_2", "46.476e-6", other_film(), film_of_the_source),
       wrong("h_1", "88.305e-6", other_film(), [] { return 1.9 * film_of_the_source(); }),
       wrong("alpha_deg", "9e-7",
-            {"(h_1 - h_2) was divided by h_2 instead of l, and micrometres were kept for metres (a conjecture)",
-             "(h_1 - h_2) diviso per h_2 anziché per l, e micrometri presi per metri (una congettura)"},
-            [] { return (88.305 - 46.476) / 46.476 * 1e-6; }),
+            {"l was taken in centimetres, the films in metres, and the radians that came out called degrees (a "
+             "conjecture)",
+             "l preso in centimetri, gli spessori in metri, e i radianti ottenuti detti gradi (una congettura)"},
+            [] { return (88.305e-6 - 46.476e-6) / (100 * stated::l); }),
       wrong("c_prime", "2.09865",
             {"with l = 0.4681 m (π taken as 3.14), and cut off", "con l = 0,4681 m (π = 3,14), e troncato"},
             [] { return std::floor(1e5 * std::sqrt((4 * stated::l + stated::b) / stated::b)) / 1e5; })};

@@ -38,6 +38,27 @@ void demand_ring(const Problem& of) {
                      told_value(of.pads), told_value(of.d), told_value(of.R_m())));
 }
 
+// As far as a flat pad can have it, and as films can be made: the same as of the bearing of N.6.
+void demand_pivot(const Rational& centre) {
+  if (centre <= Rational(1, 2) || centre > Rational(95, 100))
+    throw BadGivens(format_words(
+        "x_N_over_l = {}: must be more than 0.5 and at most 0.95: the load of a flat pad acts in its middle where "
+        "its "
+        "walls are parallel, and nearer to the outlet the more they narrow (at 0.95, h_1/h_2 is beyond 10^5)",
+        "x_N_over_l = {}: deve essere più di 0,5 e al più 0,95: il carico di un pattino piano agisce nel mezzo "
+        "quando "
+        "le pareti sono parallele, e tanto più verso l'uscita quanto più si stringono (a 0,95, h_1/h_2 supera 10^5)",
+        told_value(centre)));
+}
+
+std::optional<RowsBeside> rows_beside(const Rational& centre) {
+  const auto& rows = table_1();
+  if (centre < rows.front().x_N_over_l || centre > rows.back().x_N_over_l) return {};
+  const auto next =
+      std::find_if(rows.begin() + 1, rows.end() - 1, [&](const TableRow& row) { return row.x_N_over_l >= centre; });
+  return RowsBeside{&*(next - 1), &*next};
+}
+
 }  // namespace
 
 const std::vector<TableRow>& table_1() {
@@ -75,23 +96,12 @@ Problem::Problem(const Givens& givens)
       d(si(givens, "d", "mm", "m")),
       centre(givens["x_N_over_l"]),
       mu(si(givens, "mu", "kgf s/m^2", "Pa s")),
+      mu_in_kgf(givens["mu"]),
       pads(givens["z"]),
       speed(givens.angle("n_g")),
-      before(nullptr),
-      after(nullptr) {
+      beside(rows_beside(centre)) {
   demand_ring(*this);
-  const auto& rows = table_1();
-  if (centre < rows.front().x_N_over_l || centre > rows.back().x_N_over_l)
-    throw BadGivens(format_words(
-        "x_N_over_l = {}: must lie between {} and {}, as far as the source's table reaches (a flat pad could have it "
-        "anywhere between 0.5 and 1)",
-        "x_N_over_l = {}: deve stare tra {} e {}, fin dove arriva la tabella della fonte (un pattino piano potrebbe "
-        "averla ovunque tra 0,5 e 1)",
-        told_value(centre), told_value(rows.front().x_N_over_l), told_value(rows.back().x_N_over_l)));
-  const auto next =
-      std::find_if(rows.begin() + 1, rows.end() - 1, [&](const TableRow& row) { return row.x_N_over_l >= centre; });
-  after = &*next;
-  before = &*(next - 1);
+  demand_pivot(centre);
 }
 
 }  // namespace epure::michell_thrust

@@ -1,6 +1,7 @@
 // What is given of the thrust bearing, in SI units, and the table of coefficients that its source prints.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "exercises/kit/statement/givens.h"
@@ -17,15 +18,19 @@ struct TableRow {
 };
 const std::vector<TableRow>& table_1();
 
-struct Problem {
-  Rational Q, D_e, D_i, d, centre, mu, pads;
-  Angle speed;
-  // The rows of the table on both sides of the pivot.
+struct RowsBeside {
   const TableRow *before, *after;
+};
+
+struct Problem {
+  Rational Q, D_e, D_i, d, centre, mu, mu_in_kgf, pads;
+  Angle speed;
+  // The rows of the table on both sides of the pivot; none where it is off the table.
+  std::optional<RowsBeside> beside;
 
   Rational R_m() const { return (D_e + D_i) / 4; }
   Rational b() const { return (D_e - D_i) / 2; }
-  // Throws BadGivens: a ring without width, pads that overlap, a pivot off the table.
+  // Throws BadGivens: a ring without width, pads that overlap, a pivot where no flat pad can have it.
   explicit Problem(const Givens& givens);
 };
 

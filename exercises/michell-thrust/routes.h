@@ -26,6 +26,15 @@ struct Coefficients {
   std::function<T()> n, A, k;
 };
 
+inline const Phrase off_the_table{
+    "the source's table has no row on one side of the pivot: it reaches from x_N/l = 0.548 to 0.608",
+    "la tabella della fonte non ha righe da un lato della cerniera: va da x_N/l = 0,548 a 0,608"};
+
+inline const RowsBeside& rows_beside_pivot(const Problem& of) {
+  if (!of.beside) throw geometry::Impossible(off_the_table);
+  return *of.beside;
+}
+
 // Of the table, on the chord between two of its rows.
 template <class T>
 Coefficients<T> by_chord(const Problem& of) {
@@ -33,7 +42,8 @@ Coefficients<T> by_chord(const Problem& of) {
     const auto point = [&](const TableRow& row) {
       return geometry::Point<T>{number<T>(row.x_N_over_l), number<T>(row.*what)};
     };
-    return geometry::ordinate(geometry::line(point(*of.before), point(*of.after)), number<T>(of.centre));
+    const RowsBeside& rows = rows_beside_pivot(of);
+    return geometry::ordinate(geometry::line(point(*rows.before), point(*rows.after)), number<T>(of.centre));
   };
   return {[=] { return on_chord(&TableRow::n); }, [=] { return on_chord(&TableRow::A); },
           [=] { return on_chord(&TableRow::k); }};
@@ -42,9 +52,10 @@ Coefficients<T> by_chord(const Problem& of) {
 template <class T>
 Coefficients<T> by_weights(const Problem& of) {
   const auto mean = [&of](const Rational TableRow::*what) {
-    const Rational width = of.after->x_N_over_l - of.before->x_N_over_l;
-    const Rational far = (of.centre - of.before->x_N_over_l) / width, near = Rational(1) - far;
-    return number<T>(near * (of.before->*what) + far * (of.after->*what));
+    const auto [before, after] = rows_beside_pivot(of);
+    const Rational width = after->x_N_over_l - before->x_N_over_l;
+    const Rational far = (of.centre - before->x_N_over_l) / width, near = Rational(1) - far;
+    return number<T>(near * (before->*what) + far * (after->*what));
   };
   return {[=] { return mean(&TableRow::n); }, [=] { return mean(&TableRow::A); }, [=] { return mean(&TableRow::k); }};
 }
@@ -60,10 +71,10 @@ struct Routes {
   template <class T>
   Ledger<T> operator()() const {
     Ledger<T> ledger("closed form");
-    const Bearing<T> bearing(of);
+    const Bearing<T> bearing = Bearing<T>::as_the_source_goes(of), again = Bearing<T>::of_the_circle(of);
     as_the_source_goes(ledger, bearing);
-    by_power(ledger, bearing);
-    by_theory(ledger, bearing);
+    by_power(ledger, again);
+    by_theory(ledger, bearing, again);
     return ledger;
   }
 
@@ -72,18 +83,6 @@ struct Routes {
   template <class T>
   struct Bearing {
     T R, z, b, N_p, mu, omega, v, l, c, c_prime;
-
-    explicit Bearing(const Problem& of)
-        : R(number<T>(of.R_m())),
-          z(number<T>(of.pads)),
-          b(number<T>(of.b())),
-          N_p(number<T>(of.Q / of.pads)),
-          mu(number<T>(of.mu)),
-          omega(angular(of.speed)),
-          v(omega * R),
-          l(quotient(T(2) * round() * R, z) - number<T>(of.d)),
-          c(quotient(b, b + l)),
-          c_prime(root(quotient(T(4) * l + b, b))) {}
 
     // For signs alone neither π nor what it takes part in is needed.
     static T round() {
@@ -99,6 +98,44 @@ struct Routes {
         return geometry::radians<T>(speed);
     }
     T half_turn_in_degrees() const { return quotient(T(180), round()); }
+
+    static Bearing as_the_source_goes(const Problem& of) {
+      const T R = number<T>(of.R_m()), z = number<T>(of.pads), b = number<T>(of.b()), omega = angular(of.speed),
+              l = quotient(T(2) * round() * R, z) - number<T>(of.d);
+      return {.R = R,
+              .z = z,
+              .b = b,
+              .N_p = number<T>(of.Q / of.pads),
+              .mu = number<T>(of.mu),
+              .omega = omega,
+              .v = omega * R,
+              .l = l,
+              .c = quotient(b, b + l),
+              .c_prime = root(quotient(T(4) * l + b, b))};
+    }
+    // All of it once more, of the circle that the pads stand on, and μ of a kilogram's weight, 9.80665 N.
+    static Bearing of_the_circle(const Problem& of) {
+      const Rational outer = of.D_e / 2, inner = of.D_i / 2, mean = inner + (outer - inner) / 2;
+      const T R = number<T>(mean), z = number<T>(of.pads), b = number<T>(outer - inner), circle = T(2) * round() * R,
+              l = quotient(circle - z * number<T>(of.d), z), slenderness = quotient(l, b);
+      const T v = circle * turns(of.speed);
+      return {.R = R,
+              .z = z,
+              .b = b,
+              .N_p = quotient(number<T>(of.Q), z),
+              .mu = number<T>(of.mu_in_kgf * Rational(980665, 100000)),
+              .omega = quotient(v, R),
+              .v = v,
+              .l = l,
+              .c = quotient(T(1), T(1) + slenderness),
+              .c_prime = root(T(1) + T(4) * slenderness)};
+    }
+    static T turns(const Angle& speed) {
+      if constexpr (signs_only<T>)
+        return T(1);
+      else
+        return geometry::quotient_of<T>(speed, Angle{1});
+    }
   };
   template <class T>
   struct Put {
@@ -198,38 +235,24 @@ struct Routes {
     ledger.route("power balance");
     const Put<T> put{ledger, on_the_chord};
     const Coefficients<T> table = by_weights<T>(of);
-    const Rational outer = of.D_e / 2, inner = of.D_i / 2, mean = inner + (outer - inner) / 2;
-    const T circle = T(2) * Bearing<T>::round() * number<T>(mean), b = number<T>(outer - inner);
-    const auto v = [&] {
-      if constexpr (signs_only<T>)
-        return at.v;
-      else
-        return circle * geometry::quotient_of<T>(of.speed, Angle{1});
-    };
-    const auto l = [&] { return quotient(circle - at.z * number<T>(of.d), at.z); };
-    const auto c = [&] { return quotient(T(1), T(1) + quotient(l(), b)); };
-    const T b_eff = c() * b;
-    put("R_m", [&] { return number<T>(mean); });
-    put("omega", [&] { return quotient(v(), number<T>(mean)); });
-    put("v", v);
-    put("b", [&] { return b; });
-    put("l", l);
-    put("N_p", [&] { return quotient(number<T>(of.Q), at.z); });
-    put("p_m", [&] { return quotient(number<T>(of.Q), b * (circle - at.z * number<T>(of.d))); });
-    put("c", c);
+    const T b_eff = at.c * at.b;
+    put("R_m", [&] { return at.R; });
+    put("omega", [&] { return at.omega; });
+    put("v", [&] { return at.v; });
+    put("b", [&] { return at.b; });
+    put("l", [&] { return at.l; });
+    put("N_p", [&] { return at.N_p; });
+    put("p_m", [&] { return quotient(number<T>(of.Q), at.b * at.z * at.l); });
+    put("c", [&] { return at.c; });
     put("b_eff", [&] { return b_eff; });
-    put("N", [&] { return quotient(at.N_p * (b + l()), square(b)); });
-    // What the film of h_2 needs to carry N.
-    put("mu", [&] {
-      const T h_2 = root(quotient(table.A() * at.mu * at.v * square(at.l) * b_eff, at.N_p));
-      return quotient(at.N_p * square(h_2), b_eff * table.A() * at.v * square(at.l));
-    });
+    put("N", [&] { return quotient(at.N_p * (at.b + at.l), square(at.b)); });
+    put("mu", [&] { return at.mu; });
     put("n", table.n);
     put("A", table.A);
     put("A_n_minus_1_squared", [&] { return square(root(table.A()) * (table.n() - T(1))); });
     put("k", table.k);
-    put("x_N", [&] { return number<T>(of.centre / of.pads) * (circle - at.z * number<T>(of.d)); });
-    put("c_prime", [&] { return root(T(1) + quotient(T(4) * l(), b)); });
+    put("x_N", [&] { return quotient(at.l, T(2)) + number<T>(of.centre - Rational(1, 2)) * at.l; });
+    put("c_prime", [&] { return at.c_prime; });
     const auto films = [&](const Put<T>& put_all, const T& width) {
       const auto h_2 = [=] { return root(quotient(table.A() * at.mu * at.v * square(at.l) * width, at.N_p)); };
       put_films<T>(
@@ -238,17 +261,16 @@ struct Routes {
     films(put, b_eff);
     put_friction_by_power<T>(put, at, {b_eff, at.c_prime}, table.k);
     begin_without_leakage(ledger);
-    films({ledger, of_infinite_width}, b);
-    put_friction_by_power<T>(put, at, {b, T(1)}, table.k);
+    films({ledger, of_infinite_width}, at.b);
+    put_friction_by_power<T>(put, at, {at.b, T(1)}, table.k);
     begin_nominal(ledger);
-    put_friction_by_power<T>(put, at, {b, at.c_prime}, table.k);
+    put_friction_by_power<T>(put, at, {at.b, at.c_prime}, table.k);
     ledger.begin_case("");
   }
 
   // The rows of the table, and the pad with the exact coefficients.
   template <class T>
-  void by_theory(Ledger<T>& ledger, const Bearing<T>& at) const {
-    const T b_eff = at.c * at.b, N = quotient(at.N_p, b_eff);
+  void by_theory(Ledger<T>& ledger, const Bearing<T>& at, const Bearing<T>& again) const {
     ledger.route("closed form");
     for (const auto& [name, n] : rows_of_theory()) {
       begin_row(ledger, name, n);
@@ -263,8 +285,8 @@ struct Routes {
       const geometry::analytic::FilmByQuadrature<T> by_t(number<T>((n - 1) / (n + 1)));
       put_row<T>(ledger, n, coefficients(by_t), [&] { return quotient(T(1) + by_t.centre(), T(2)); });
     }
-    by_theory_in_closed_form(ledger, at, b_eff, N);
-    by_theory_by_quadrature(ledger, at, b_eff, N);
+    by_theory_in_closed_form(ledger, at);
+    by_theory_by_quadrature(ledger, again);
   }
 
   template <class T>
@@ -278,7 +300,8 @@ struct Routes {
   }
 
   template <class T>
-  void by_theory_in_closed_form(Ledger<T>& ledger, const Bearing<T>& at, const T& b_eff, const T& N) const {
+  void by_theory_in_closed_form(Ledger<T>& ledger, const Bearing<T>& at) const {
+    const T b_eff = at.c * at.b, N = quotient(at.N_p, b_eff);
     const Put<T> put{ledger};
     ledger.route("closed form");
     ledger.begin_case("theory.", words_of_theory());
@@ -305,7 +328,8 @@ struct Routes {
   }
 
   template <class T>
-  void by_theory_by_quadrature(Ledger<T>& ledger, const Bearing<T>& at, const T& b_eff, const T& N) const {
+  void by_theory_by_quadrature(Ledger<T>& ledger, const Bearing<T>& at) const {
+    const T b_eff = at.c * at.b, N = quotient(at.N_p, b_eff);
     const Put<T> put{ledger};
     ledger.route("quadrature");
     using Film = geometry::analytic::ReynoldsFilm<T>;

@@ -6,7 +6,7 @@
 Of the film only integrals of Reynolds' equation are used (make_michell_bearing.py); the coefficients of the printed
 table are taken from it by the two-point formula.
 """
-from mpmath import atan, exp, findroot, mp, mpf, pi, sqrt
+from mpmath import atan, exp, findroot, log, mp, mpf, pi, sqrt
 
 from make_michell_bearing import Wedge, centre, number, text
 
@@ -19,6 +19,9 @@ CASES = [("stated", "the exercise as it is stated", {}),
          ("first_row", "the pivot on a row of the table, its first", dict(x_N_over_l="137/250")),
          ("last_row", "the pivot on the last row", dict(x_N_over_l="76/125")),
          ("on_a_row", "the pivot on a row within", dict(x_N_over_l="577/1000")),
+         ("parallel", "n = 1 + 1e-15: walls that hardly narrow; the pivot is off the table",
+          dict(x_N_over_l="5000000000000001/10000000000000000")),
+         ("narrow", "n is about a thousand; the pivot is off the table", dict(x_N_over_l="9/10")),
          ("odd", "no round number anywhere", dict(Q="1234/7", n_g="1000/13", D_e="29/17", D_i="31/41", d="191/7",
                                                   x_N_over_l="463/791", mu="3/1117", z="7"))]
 
@@ -39,7 +42,8 @@ def values(g):
     c, c_prime = b / (b + l), sqrt((4 * l + b) / b)
     xi = g["x_N_over_l"]
     rows = [tuple(mpf(x) for x in row) for row in TABLE]
-    i = max(k for k in range(len(rows) - 1) if rows[k][2] <= xi)
+    is_off_table = not rows[0][2] <= xi <= rows[-1][2]
+    i = 0 if is_off_table else max(k for k in range(len(rows) - 1) if rows[k][2] <= xi)
     share = (xi - rows[i][2]) / (rows[i + 1][2] - rows[i][2])
     n, A, k = (rows[i][j] + share * (rows[i + 1][j] - rows[i][j]) for j in (0, 1, 3))
 
@@ -59,17 +63,21 @@ def values(g):
     out.update({"R_m": R, "omega": omega, "v": v, "b": b, "l": l, "N_p": N_p, "p_m": N_p / (b * l), "c": c,
                 "b_eff": c * b, "N": N_p / (c * b), "mu": mu, "n": n, "A": A, "A_n_minus_1_squared": A * (n - 1) ** 2,
                 "k": k, "x_N": xi * l, "c_prime": c_prime})
+    before = set(out) - {"n", "A", "A_n_minus_1_squared", "k"}
     films("", n, A, N_p / (c * b))
     friction("", k, c_prime, c * b)
     films("no_side_leakage.", n, A, N_p / b)
     friction("no_side_leakage.", k, mpf(1), b)
     friction("nominal_load.", k, c_prime, b)
+    if is_off_table:  # then there is no chord
+        out.update({name: None for name in set(out) - before})
     for m in ("1.6", "1.8", "1.9", "2.0", "2.2", "2.4", "2.6", "2.8", "3.0"):
         prefix, m = "table_n_%s." % m.replace(".", "_"), mpf(m)
         A_m, k_m = coefficients(Wedge(mpf(1), mpf(1), mpf(1), m, mpf(1)), m)
         out.update({prefix + "A": A_m, prefix + "A_n_minus_1_squared": A_m * (m - 1) ** 2,
                     prefix + "x_N_over_l": centre(m), prefix + "k": k_m})
-    y = findroot(lambda y: centre(1 + exp(y)) - xi, (mpf(0), mpf("0.01")), tol=mpf(10) ** -150)
+    start = 10 * (xi - mpf(1) / 2) if xi < mpf("0.65") else exp(2 + mpf(1) / 2 / (1 - xi)) * mpf("0.3")
+    y = findroot(lambda y: centre(1 + exp(y)) - xi, (log(start), log(start) + mpf("0.01")), tol=mpf(10) ** -150)
     n = 1 + exp(y)
     A, k = coefficients(Wedge(mpf(1), mpf(1), mpf(1), n, mpf(1)), n)
     out.update({"theory.n": n, "theory.A": A, "theory.k": k})

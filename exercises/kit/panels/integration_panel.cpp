@@ -207,6 +207,14 @@ void IntegrationPanel::draw_polygon(Plot& plot, std::size_t row) const {
   plot.mark(drawings::Line{drawings::polyline(points, false), rows_[row].meaning, rows_[row].id});
 }
 
+// Of many strips every fifth has its number, and its ray the same one.
+constexpr std::size_t most_numbered = 20;
+constexpr std::size_t every_numbered = 5;
+bool are_many(std::size_t strips) { return strips > most_numbered; }
+bool has_number(std::size_t strip, std::size_t strips) {
+  return !are_many(strips) || (strip + 1) % every_numbered == 0;
+}
+
 // Whether a number can stand at the axis beside the ray of this height, on the side away from the pole's, where no
 // other ray comes so near. Of several at one height the first has it.
 bool is_free(const std::vector<double>& heights, std::size_t ray, double pole_distance) {
@@ -239,9 +247,11 @@ void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) con
     const std::string number = std::to_string(i + 1);
     const double width = drawings::measure(number, number_size).width;
     const auto write = [&](Place from) { plot.mark(drawings::Writing{number, plot.at(from), number_size}); };
+    if (!has_number(i, carried.size())) continue;
     if (is_free(heights, i, -pole.x))
       write(on_axis + Arrow2{-apart - width, heights[i] < 0 ? -apart - digit_height : apart});
-    if (row == 0 && (along_.ends[i + 1] - along_.ends[i]) * scales_[0].mm_per_unit > width + apart)
+    const auto strips_to_next = static_cast<double>(are_many(carried.size()) ? every_numbered : 1);
+    if (row == 0 && strips_to_next * (along_.ends[i + 1] - along_.ends[i]) * scales_[0].mm_per_unit > width + apart)
       write({mean.x - width / 2, foot - apart - digit_height});
   }
   plot.dot(pole);
@@ -312,7 +322,9 @@ std::vector<PanelStep> IntegrationPanel::steps(const Plot&, const drawings::Box&
                       "{}: in ogni striscia parallela al suo raggio, di vertice in vertice. A tratti, la curva "
                       "esatta.",
                       next.letters),
-         at(i + 1, x, (next.corners[middle] + next.corners[middle + 1]) / 2)});
+         // Among many strips a number's leader would cross the axis' numbers: it stands where the polygon begins.
+         are_many(along_.ends.size() - 1) ? at(i + 1, along_.ends.front(), next.corners.front())
+                                          : at(i + 1, x, (next.corners[middle] + next.corners[middle + 1]) / 2)});
   }
   return all;
 }

@@ -15,7 +15,8 @@ struct PadRing {
   std::string mean_letters, length_letters;  // what the dimensions are called
   std::string drag_letters = {},
               couple_letters = {};  // of what the film does to each pad, and to all; empty: not shown
-  std::string outer_quantity = {}, inner_quantity = {}, mean_quantity = {};  // that a ruler reads
+  std::string width_letters = {}, pivot_letters = {}, pitch_letters = {}, gap_letters = {};  // empty: not dimensioned
+  std::string outer_quantity = {}, inner_quantity = {}, mean_quantity = {};                  // that a ruler reads
 };
 
 class PadRingPanel : public Panel {
@@ -33,6 +34,12 @@ class PadRingPanel : public Panel {
   // Of the pad's leading edge, its pivot, its trailing edge; the runner turns clockwise.
   double leading(int pad) const;
   static Place at(double radius, double angle);
+  double angle() const { return ring_.length / mean(); }  // of a pad
+  void draw_pads(Plot& plot) const;
+  void draw_radii(Plot& plot) const;
+  // An arc of the mean circle with a head at both ends.
+  void dimension_arc(Plot& plot, double from, double to, const std::string& letters) const;
+  void dimension_pads(Plot& plot) const;
   void draw_drags(Plot& plot) const;
 
   PadRing ring_;

@@ -28,7 +28,8 @@ std::string written_unit(const std::string& unit, Language language) {
 }
 
 std::string unit_after_number(const std::string& unit, Language language) {
-  const std::string written = written_unit(unit, language);
+  std::string written = written_unit(unit, language);
+  for (auto at = written.find(' '); at != std::string::npos; at = written.find(' ')) written.replace(at, 1, "\u00a0");
   return (written.empty() || written == "°" ? "" : "\u00a0") + written;
 }
 

@@ -2,6 +2,7 @@
 // friction.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,14 +14,21 @@ namespace epure {
 struct SliderPoint {
   double n = 1, centre = 0, load = 0, friction = 0;
 };
+// Between which rows someone's table is interpolated, and what its chord gives at the centre that was sought.
+struct SliderChord {
+  SliderPoint before, after;
+  double n;
+  std::string letters, quantity;
+};
 struct SliderCharts {
-  double up_to = 4;                     // the greatest n shown
-  std::vector<SliderPoint> table = {};  // of someone's table
-  SliderPoint found;                    // with the quantities that a ruler reads there:
-  std::string load_quantity, friction_quantity;
+  double up_to = 4;                       // the greatest n shown
+  std::vector<SliderPoint> table = {};    // of someone's table
+  std::optional<SliderChord> chord = {};  // beside the root, in a detail of its own
+  SliderPoint found;                      // with the quantities that a ruler reads there:
+  std::string ratio_quantity, load_quantity, friction_quantity;
 };
 
-// Three charts of one abscissa, in this order.
+// Three charts of one abscissa, in this order, and the detail behind the first.
 Panels slider_charts(const SliderCharts& of, Language language);
 
 }  // namespace epure

@@ -15,8 +15,12 @@ struct WorkshopUnit {
 
 // None where drawings use the SI unit itself.
 inline std::optional<WorkshopUnit> workshop_unit(std::string_view si) {
-  static constexpr std::array<WorkshopUnit, 5> units{
-      {{"Pa", "MPa", 1e-6}, {"m", "mm", 1e3}, {"m^2", "mm²", 1e6}, {"m^3", "mm³", 1e9}, {"m^4", "mm⁴", 1e12}}};
+  static constexpr std::array<WorkshopUnit, 6> units{{{"Pa", "MPa", 1e-6},
+                                                      {"Pa/m", "MPa/m", 1e-6},
+                                                      {"m", "mm", 1e3},
+                                                      {"m^2", "mm²", 1e6},
+                                                      {"m^3", "mm³", 1e9},
+                                                      {"m^4", "mm⁴", 1e12}}};
   for (const WorkshopUnit& unit : units)
     if (unit.si == si) return unit;
   return std::nullopt;
