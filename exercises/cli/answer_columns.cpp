@@ -182,8 +182,7 @@ class ColumnReader {
 
 }  // namespace
 
-std::string AskedColumn::text(const CsvRow& row) const {
-  const std::string& cell = row.cells[column];
+std::string AskedColumn::with_unit(const std::string& cell) const {
   return cell.empty() || unit.empty() || !has_no_unit(cell) ? cell : cell + " " + unit;
 }
 

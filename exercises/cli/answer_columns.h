@@ -14,8 +14,9 @@ struct AskedColumn {
   std::size_t column;
   std::string name, unit;  // as the column has it; empty: the own one
 
-  // The cell with the unit of its column, when it has none itself.
-  std::string text(const CsvRow& row) const;
+  // A cell of it with the unit of the column, when it has none itself.
+  std::string with_unit(const std::string& cell) const;
+  std::string text(const CsvRow& row) const { return with_unit(row.cells[column]); }
 };
 
 enum class TableRole { key, answers };

@@ -50,9 +50,7 @@ std::string answer_in(const CsvRow& row, const AskedColumn& asked, Student& stud
   if (sure != trimmed(cell))
     student.remarks.push_back(asked.name + format_words(": \"{}\" is read as {}", ": \"{}\" è letto come {}",
                                                         cell.substr(0, 60), sure.substr(0, 60)));
-  CsvRow of_sure = row;
-  of_sure.cells[asked.column] = sure;
-  return asked.text(of_sure);
+  return asked.with_unit(sure);
 }
 
 // The givens of a row; a remark, and none, when they cannot be.

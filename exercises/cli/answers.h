@@ -21,8 +21,8 @@ struct Student {
   std::string number, name;           // as in the file
   std::optional<Givens> givens = {};  // none: why is the first remark
   std::vector<PaperScale> scales = {};
-  std::map<std::string, Rational> sheets = {};  // at which scale they were drawn for him
-  std::vector<std::string> answers = {};        // to each quantity asked, with its unit; empty: none
+  SheetScales sheets = {};                // at which scale they were drawn for him
+  std::vector<std::string> answers = {};  // to each quantity asked, with its unit; empty: none
   std::vector<KeyValue> key = {};
   std::vector<Words> remarks = {};  // what could not be read
 };

@@ -7,7 +7,6 @@
 
 #include "drawings/text/text.h"
 #include "exercises/cli/abreast.h"
-#include "exercises/cli/as_handed_out.h"
 #include "exercises/cli/slips.h"
 #include "geometry/numbers/given.h"
 
@@ -17,11 +16,11 @@ namespace {
 // The students of one set of givens, whose sheets were drawn alike.
 struct Group {
   const Givens* givens;
-  const std::map<std::string, Rational>* sheets;
+  const SheetScales* sheets;
   std::vector<std::size_t> students;
 };
 
-std::string text_of(const Givens& givens, const std::map<std::string, Rational>& sheets) {
+std::string text_of(const Givens& givens, const SheetScales& sheets) {
   std::string text;
   for (const GivenSpec& spec : givens.specs()) {
     const auto read = givens.reading(spec.symbol);
@@ -192,8 +191,7 @@ MarkedGroup mark_group(const Exercise& exercise, const Answers& answers, const G
                        const MarkingRules& rules) {
   MarkedGroup marked;
   try {
-    CheckedExercise checked = check(exercise, *group.givens, Rung::climb);
-    measure_as_handed_out(checked, exercise, *group.sheets);
+    const CheckedExercise checked = check(exercise, *group.givens, Rung::climb, *group.sheets);
     Marker marker(exercise, checked, rules);
     marked.tolerances = marker.tolerances(answers.students[group.students.front()], answers.asked);
     for (const std::size_t i : group.students) {

@@ -106,16 +106,33 @@ void compare_sheet(CheckedExercise& checked, CheckedQuantity& quantity, const On
                           all_digits(quantity.settled.enclosure.value), all_digits(shown.resolution)));
 }
 
+// At the scale it is handed out at, on the smallest paper that has room for it; else at the largest that fits.
+DrawnSheet as_handed_out(const Exercise& exercise, const Solution& solution, const std::string& name,
+                         const SheetScales& scales) {
+  if (const auto scale = scales.find(name); scale != scales.end())
+    for (const drawings::Paper paper : {drawings::Paper::a4, drawings::Paper::a3}) {
+      try {
+        SheetRequest request;
+        request.paper = paper;
+        request.scale = scale->second;
+        return exercise.draw(name, solution, request);
+      } catch (const BadGivens&) {
+        // then on the larger one
+      }
+    }
+  return exercise.draw(name, solution, {});
+}
+
 // None when it cannot be drawn, or something on it could not be decided: the numbers and the other sheets are looked
 // at all the same. (Givens that no exercise can have were refused by solve.)
 std::optional<DrawnSheet> drawn_sheet(CheckedExercise& checked, const Exercise& exercise, const Solution& solution,
-                                      const std::string& name) {
+                                      const std::string& name, const SheetScales& scales) {
   const auto leave_out = [&](const Words& why) {
     checked.not_drawn.push_back(
         {Complaint::About::sheet, "", format_words("sheet {}: {}", "tavola {}: {}", name, why)});
   };
   try {
-    return exercise.draw(name, solution, {});
+    return as_handed_out(exercise, solution, name, scales);
   } catch (const geometry::Undecided& open) {
     checked.undecided.push_back(
         {Complaint::About::sheet, "", format_words("sheet {}: {}", "tavola {}: {}", name, open.words())});
@@ -219,13 +236,13 @@ void compare_table(CheckedExercise& checked, const Exercise& exercise, const Sol
   }
 }
 
-void compare_sheets(CheckedExercise& checked, const Exercise& exercise) {
+void compare_sheets(CheckedExercise& checked, const Exercise& exercise, const SheetScales& scales) {
   const std::optional<Solution> solution = drawn_solution(checked, exercise);
   if (!solution) return;
   compare_solution(checked, *solution);
   const std::vector<KnownNumber> known = known_numbers(checked, *solution);
   for (const SheetSpec& spec : checked.about.sheets) {
-    const std::optional<DrawnSheet> drawn = drawn_sheet(checked, exercise, *solution, spec.name);
+    const std::optional<DrawnSheet> drawn = drawn_sheet(checked, exercise, *solution, spec.name, scales);
     if (!drawn) continue;
     demand_told(checked, drawn->sheet, spec.name, known);
     compare_table(checked, exercise, *solution, *drawn, spec.name);
@@ -259,7 +276,7 @@ std::vector<std::string> complaints(const CheckedExercise& checked) {
   return sentences;
 }
 
-CheckedExercise check(const Exercise& exercise, const Givens& givens, Rung rung) {
+CheckedExercise check(const Exercise& exercise, const Givens& givens, Rung rung, const SheetScales& scales) {
   CheckedExercise checked{.about = exercise.about(), .givens = givens, .quantities = {}};
   const std::vector<RouteValue> values = exercise.solve(givens, rung);
   group(checked, values);
@@ -271,7 +288,7 @@ CheckedExercise check(const Exercise& exercise, const Givens& givens, Rung rung)
     if (rung == Rung::climb) demand_certainty(checked, quantity);
   }
   look_for_flaws(checked, exercise);
-  compare_sheets(checked, exercise);
+  compare_sheets(checked, exercise, scales);
   if (givens.as_stated()) compare_printed(checked);
   if (givens.as_stated() && checked.about.audit) checked.audits = checked.about.audit();
   return checked;

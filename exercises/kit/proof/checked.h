@@ -2,6 +2,7 @@
 // source.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,9 +61,13 @@ struct CheckedExercise {
 // All that failed, then all that is undecided, in English.
 std::vector<std::string> complaints(const CheckedExercise& checked);
 
+// The scales of lengths at which sheets were drawn (1/5 for 1 : 5), by name: those of a class share one.
+using SheetScales = std::map<std::string, Rational>;
+
 // On rung fast nothing has bounds, so routes are not compared; on the others their enclosures must meet. Only the
-// climb demands that every quantity is settled, by at least two routes. Throws what the exercise throws.
-CheckedExercise check(const Exercise& exercise, const Givens& givens, Rung rung);
+// climb demands that every quantity is settled, by at least two routes. Sheets are measured at these scales; others,
+// and those for which no paper has room, at the largest that fits. Throws what the exercise throws.
+CheckedExercise check(const Exercise& exercise, const Givens& givens, Rung rung, const SheetScales& scales = {});
 
 // Adds a measured number to a quantity, with a failure when it is beyond what can be read (measured.h). Throws
 // geometry::BadGiven for an unreadable text.
