@@ -23,8 +23,9 @@ std::string trimmed(std::string_view text) {
 
 // What stands for no answer: nothing, dashes, "n.d.", "don't know".
 bool stands_for_nothing(const std::string& answer) {
-  static const std::array<std::string_view, 12> words{"-", "--",   "---", "–",   "—",      "/",
-                                                      "?", "n.d.", "nd",  "n/a", "non so", "don't know"};
+  static const std::array<std::string_view, 16> words{"-",      "--",         "---",     "–",     "—",    "/",
+                                                      "?",      "n.d.",       "nd",      "n/a",   "#n/d", "#n/a",
+                                                      "non so", "don't know", "assente", "absent"};
   const std::string said = lower_case(trimmed(answer));
   return said.empty() || std::find(words.begin(), words.end(), said) != words.end();
 }
@@ -37,7 +38,8 @@ std::string without_doubt(const std::string& answer) {
   if (text.find_first_of("0123456789") == std::string::npos) return text;
   for (const std::string_view word : about)
     if (lower_case(text).starts_with(word)) text = trimmed(std::string_view(text).substr(word.size()));
-  if (const std::string_view after = " circa"; text.ends_with(after)) text.resize(text.size() - after.size());
+  for (const std::string_view after : {" circa", " (circa)", " (about)"})
+    if (lower_case(text).ends_with(after)) text.resize(text.size() - after.size());
   std::erase(text, '?');
   return trimmed(text);
 }

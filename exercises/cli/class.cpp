@@ -15,12 +15,14 @@
 #include "exercises/cli/class_scale.h"
 #include "exercises/cli/givens_file.h"
 #include "exercises/cli/harmless_cell.h"
+#include "exercises/cli/kept_inputs.h"
 #include "exercises/cli/moodle.h"
 #include "exercises/cli/moved_by_speed.h"
 #include "exercises/cli/must_be_told.h"
 #include "exercises/cli/pages.h"
 #include "exercises/cli/progress.h"
 #include "exercises/cli/request.h"
+#include "exercises/cli/student_columns.h"
 #include "exercises/cli/variant.h"
 #include "exercises/cli/variations.h"
 #include "exercises/cli/verbs.h"
@@ -126,6 +128,8 @@ class ClassSet {
       throw WrongUsage("--booklet binds sheets, and --format moodle writes none; leave one of them out",
                        "--booklet rilega tavole, e --format moodle non ne scrive; togliere uno dei due");
     record_.demand_same_in(folder_);
+    demand_students_of_key();
+    for (const char* written : {"key.csv", "questions.xml", "class.txt"}) demand_not_read(folder_ / written, options);
     const auto vary = [&](const std::string& symbol) {
       if (std::find(varied_.begin(), varied_.end(), symbol) == varied_.end()) varied_.push_back(symbol);
     };
@@ -167,6 +171,32 @@ class ClassSet {
 
  private:
   static std::string symbol_in(const std::string& assignment) { return assignment.substr(0, assignment.find('=')); }
+
+  // Sheets that are handed out would have lost their key.
+  void demand_students_of_key() const {
+    const fs::path path = folder_ / "key.csv";
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) return;
+    const CsvTable key = read_csv_file(path.string());
+    const auto numbers = column_of_numbers(key);
+    if (!numbers) return;
+    std::set<std::string> students;
+    for (const Candidate& each : students_) students.insert(harmless_cell(each.number));
+    std::vector<std::string> others;
+    for (const CsvRow& row : key.rows)
+      if (!students.contains(row.cells[*numbers])) others.push_back(row.cells[*numbers]);
+    if (others.empty()) return;
+    throw WrongUsage(format_words(
+        "{} has {} who {} not in this class, such as {}, and would lose {}; choose another --out, or delete the "
+        "folder",
+        "{} ha {} che non {} in questa classe, come {}, e {} perderebbe; scegliere un'altra --out, o cancellare la "
+        "cartella",
+        path.string(),
+        others.size() == 1 ? Words{"a student", "uno studente"}
+                           : format_words("{} students", "{} studenti", others.size()),
+        others.size() == 1 ? Words{"is", "è"} : Words{"are", "sono"}, others.front(),
+        others.size() == 1 ? Words{"him", "lo"} : Words{"them", "li"}));
+  }
 
   void choose_scales(const std::vector<std::string>& awkward_anyway) {
     if (lots_.request.scale) return;
@@ -365,20 +395,24 @@ class ClassSet {
   // A student's lots hang on the seed and on his number alone, so that nobody's change when the class does: two may
   // be equal. Then it is told how many are.
   Words equal_variants(const std::vector<ClassEntry>& entries) const {
-    if (lots_.variations.empty()) return {};
     std::map<std::vector<std::string>, std::size_t> students;
     for (const ClassEntry& each : entries) ++students[each.givens];
+    if (lots_.variations.empty())
+      return students.size() > 1 || entries.size() == 1
+                 ? Words{}
+                 : Words{"all students have the same givens; --vary draws lots for each\n",
+                         "tutti gli studenti hanno gli stessi dati; --vary li sorteggia per ciascuno\n"};
     std::size_t equal = 0;
     for (const auto& [givens, count] : students) equal += count > 1 ? count : 0;
     if (equal == 0) return {};
     double variants = 1;
     for (const Variation& each : lots_.variations) variants *= static_cast<double>(each.size());
     return format_words(
-        "students with the same givens as another: {} (of at most {:.6g} variants; more values in "
+        "students with the same givens as another: {} ({} different variants were drawn, of {:.6g}; more values in "
         "--vary, fewer such)\n",
-        "studenti con gli stessi dati di un altro: {} (su {:.6g} varianti al massimo; con più valori in "
+        "studenti con gli stessi dati di un altro: {} ({} varianti diverse sorteggiate, su {:.6g}; con più valori in "
         "--vary, meno)\n",
-        equal, variants);
+        equal, students.size(), variants);
   }
 
   std::vector<Words> remarks() const {

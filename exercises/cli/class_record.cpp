@@ -31,15 +31,15 @@ ClassRecord::ClassRecord(const std::string& target, const Options& options) {
   lots_ = "epure class " + quoted(target) + " --seed " + quoted(options.class_set.seed);
   for (const std::string& each : options.variations) lots_ += " --vary " + quoted(each);
   for (const std::string& each : options.assignments) lots_ += " --set " + quoted(each);
+  if (options.scale) lots_ += " --scale " + quoted(*options.scale);
+  lots_ += " --paper " + quoted(options.paper);
   text_ = lots_ + " \\\n ";
-  const std::optional<std::string> language = options.language, paper = options.paper, reading = options.reading;
+  const std::optional<std::string> language = options.language, reading = options.reading;
   const auto typed = [](const std::string& text) { return text.empty() ? std::nullopt : std::optional(text); };
   const OwnTitles& titles = options.titles;
   for (const auto& [option, value] : {std::pair{"--students", options.class_set.students},
                                       {"--count", options.class_set.count},
                                       {"--givens", options.givens_file},
-                                      {"--scale", options.scale},
-                                      {"--paper", paper},
                                       {"--format", options.format},
                                       {"--csv", options.csv},
                                       {"--reading", reading},

@@ -16,7 +16,8 @@ class ClassRecord {
   // Of the file class.txt: what the lots hang on in its first line, all other options in its second.
   const std::string& text() const { return text_; }
 
-  // Throws WrongUsage when the folder holds the class of another seed, other --vary or other --set.
+  // Throws WrongUsage when the folder holds the class of another seed, other --vary or other --set, another --scale
+  // or another --paper: what does not fit is drawn again, with other lots.
   void demand_same_in(const std::filesystem::path& folder) const;
   void write_to(const std::filesystem::path& folder) const;
 

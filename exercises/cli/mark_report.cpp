@@ -168,10 +168,12 @@ std::string absent_students(const Answers& answers, Language language) {
 std::string totals_of_marks(const Answers& answers, const Marking& marking, Language language) {
   std::array<std::size_t, 5> counts = {};
   Rational sum = 0, most = 0;
+  int marked = 0;  // not who is in no key
   for (const MarkedStudent& student : marking.students) {
     for (const Mark& mark : student.marks) ++counts.at(mark.kind);
     sum += student.points;
     most += student.most;
+    marked += student.most > 0 ? 1 : 0;
   }
   const auto students = static_cast<int>(answers.students.size());
   const double share = most == 0 ? 0 : nearest(sum / most * 100);
@@ -181,8 +183,9 @@ std::string totals_of_marks(const Answers& answers, const Marking& marking, Lang
       "{} {}, {} punti su {}, media {} su {} ({} %); risposte: giuste {}, sviste {}, sbagliate {}, mancanti {}, non "
       "valutate {}",
       students, students == 1 ? Words{"student", "studente"} : Words{"students", "studenti"}, points_in_words(sum),
-      points_in_words(most), decimal(nearest(sum / students), 3), decimal(nearest(most / students), 3),
-      decimal(fmt::format("{:.0f}", share)), counts[0], counts[1], counts[2], counts[3], counts[4]);
+      points_in_words(most), decimal(nearest(sum / std::max(marked, 1)), 3),
+      decimal(nearest(most / std::max(marked, 1)), 3), decimal(fmt::format("{:.0f}", share)), counts[0], counts[1],
+      counts[2], counts[3], counts[4]);
   return "\n" + wrapped(text.in(language), 0, 2);
 }
 

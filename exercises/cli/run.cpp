@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "drawings/output.h"
+#include "exercises/cli/kept_inputs.h"
 #include "exercises/cli/options.h"
 #include "exercises/cli/print.h"
 #include "exercises/cli/printable.h"
@@ -53,6 +54,8 @@ Outcome run(const Catalogue& exercises, const std::vector<std::string>& argument
             std::ostream& err, const Surroundings& surroundings) {
   auto [options, text] = parse_options(exercises, arguments, surroundings.language);
   options.colours = surroundings.colours;
+  for (const auto& written : {options.file, options.chart})
+    if (written) demand_not_read(*written, options);
   if (!text && names_scenes(options)) {
     const Scenes scenes = read_scenes(options);
     Outcome outcome = outcome_of(scenes.exercises, scenes.options, out, err, surroundings);

@@ -116,6 +116,7 @@ std::optional<Words> Slips::explain(const CheckedQuantity& quantity, const Decim
   const Allowance& by_reading = allowances.of(quantity);
   const std::string& unit = quantity.spec.unit;
   const double value = quantity.settled.enclosure.value;
+  if (number.value == 0) return std::nullopt;  // which any other zero would explain
   const auto fits = [&](double mistaken_value, const Rational& size) {
     return is_near(number, mistaken_value, allowance_of(number, {size, {}}).size, unit);
   };
@@ -132,9 +133,12 @@ std::optional<Words> Slips::explain(const CheckedQuantity& quantity, const Decim
     if (const auto found = each.values.find(quantity.spec.name);
         found != each.values.end() && fits(found->second, by_reading.size))
       return each.slip;
+  const auto is_told_from_zero = [&](const CheckedQuantity& other) {
+    return std::abs(other.settled.enclosure.value) > nearest(allowances.of(other).size);
+  };
   for (const CheckedQuantity& other : checked_.quantities)
     if (other.spec.name != quantity.spec.name && other.spec.unit == unit && has_value(other.settled) &&
-        fits(other.settled.enclosure.value, allowances.of(other).size))
+        is_told_from_zero(other) && fits(other.settled.enclosure.value, allowances.of(other).size))
       return format_words("this is {}", "questa è {}", other.spec.name);
   return std::nullopt;
 }

@@ -34,7 +34,7 @@ Ran make_over(std::vector<std::string> words, const std::vector<std::string>& mo
 Ran make(const std::vector<std::string>& words, const std::vector<std::string>& more = lots) {
   if (fs::exists("out"))
     for (const fs::directory_entry& each : fs::recursive_directory_iterator("out"))
-      if (each.path().filename() == "class.txt") fs::remove(each.path());
+      if (each.path().filename() == "class.txt" || each.path().filename() == "key.csv") fs::remove(each.path());
   return make_over(words, more);
 }
 
@@ -636,10 +636,17 @@ TEST_CASE("class: how many have the givens of another is told", "[class]") {
   // Three variants for four students: two at least are equal.
   const Ran ran = make({"slider-crank-velocity/poles", "--count", "4"}, {"--vary", "r=0.18|0.2|0.22"});
   CHECK(ran.out.find("students with the same givens as another: ") != std::string::npos);
-  CHECK(ran.out.find("(of at most 3 variants; ") != std::string::npos);
+  const auto told = ran.out.find(" different variants were drawn, of 3; ");
+  REQUIRE(told != std::string::npos);
+  const CsvTable key = key_in(scratch.path());
+  std::set<std::string> drawn;
+  for (std::size_t i = 0; i < 4; ++i) drawn.insert(cell(key, i, "r"));
+  CHECK(ran.out.substr(told - 1, 1) == std::to_string(drawn.size()));
   CHECK(make({"slider-crank-velocity/poles", "--count", "1"}, {"--vary", "r=0.18|0.2"}).out.find("same givens") ==
         std::string::npos);
-  CHECK(make({"slider-crank-velocity/poles", "--count", "3"}, {}).out.find("same givens") == std::string::npos);
+  CHECK(make({"slider-crank-velocity/poles", "--count", "3"}, {}).out.find("all students have the same givens") !=
+        std::string::npos);
+  CHECK(make({"slider-crank-velocity/poles", "--count", "1"}, {}).out.find("same givens") == std::string::npos);
 }
 
 TEST_CASE("class: a crank that moves because its speed varies is told", "[class]") {
@@ -791,13 +798,54 @@ TEST_CASE("class: mark reads what the class's own scale allows", "[class]") {
   CHECK(verdict(0.00201) != "right");
 }
 
+TEST_CASE("class: nobody who is in the key loses it", "[class]") {
+  const Scratch scratch;
+  REQUIRE(make_over({"slider-crank-velocity/poles", "--count", "4"}).exit == 0);
+  const std::string key = contents(in_class("key.csv"));
+  const Ran fewer = make_over({"slider-crank-velocity/poles", "--count", "2"});
+  CHECK(fewer.exit == 2);
+  CHECK(fewer.err.find("key.csv has 2 students who are not in this class, such as 3, and would lose them; choose "
+                       "another --out, or delete the folder") != std::string::npos);
+  const Ran one = make_over({"slider-crank-velocity/poles", "--count", "3", "--lang", "it"});
+  CHECK(one.exit == 2);
+  CHECK(one.err.find("key.csv ha uno studente che non è in questa classe, come 4, e lo perderebbe") !=
+        std::string::npos);
+  CHECK(contents(in_class("key.csv")) == key);
+  CHECK(make_over({"slider-crank-velocity/poles", "--count", "5"}).exit == 0);
+}
+
+TEST_CASE("class and mark do not write over what they read", "[class]") {
+  const Scratch scratch;
+  REQUIRE(make_over({"slider-crank-velocity/poles", "--count", "2"}).exit == 0);
+  const std::string key = in_class("key.csv"), bytes = contents(key);
+  CHECK(make_over({"slider-crank-velocity/poles", "--students", key}).exit == 2);
+  CHECK(contents(key) == bytes);
+  write("answers.csv", "number,v_B\n1,5.1\n2,5.2\n");
+  fs::create_hard_link("answers.csv", "linked.csv");
+  fs::create_symlink("answers.csv", "led.csv");
+  const auto marks_into = [&](const std::string& file) {
+    return run_real({"mark", "slider-crank-velocity", "--answers", "answers.csv", "--key", key, "-o", file});
+  };
+  for (const std::string& file :
+       {std::string("answers.csv"), std::string("./linked.csv"), std::string("led.csv"), key}) {
+    const Ran ran = marks_into(file);
+    CAPTURE(file, ran.err);
+    CHECK(ran.exit == 2);
+    CHECK(ran.err == "epure: " + file + " is read by this command, which would write over it; choose another name\n");
+  }
+  CHECK(contents("answers.csv") == "number,v_B\n1,5.1\n2,5.2\n");
+  CHECK(contents(key) == bytes);
+  CHECK(marks_into("marks.csv").exit == 0);
+}
+
 TEST_CASE("class: another class is not made over one that is there", "[class]") {
   const Scratch scratch;
   const std::vector<std::string> words{"slider-crank-velocity/poles", "--count", "2", "--course", "Rossi's course"};
   REQUIRE(make_over(words).exit == 0);
   CHECK(contents(in_class("class.txt")) ==
-        "epure class slider-crank-velocity/poles --seed june --vary r=0.18..0.22/0.01 --vary 'n=300|360|400' \\\n"
-        "  --count 2 --paper a4 --reading 0.5mm --course 'Rossi'\\''s course' --lang en\n");
+        "epure class slider-crank-velocity/poles --seed june --vary r=0.18..0.22/0.01 --vary 'n=300|360|400' --paper "
+        "a4 "
+        "\\\n  --count 2 --reading 0.5mm --course 'Rossi'\\''s course' --lang en\n");
   const std::string key = contents(in_class("key.csv"));
   const auto refused = [&](std::size_t i, const std::string& text) {
     std::vector<std::string> other = lots;
@@ -814,9 +862,12 @@ TEST_CASE("class: another class is not made over one that is there", "[class]") 
   std::vector<std::string> set = lots;
   set.insert(set.end(), {"--set", "phi=30deg"});
   CHECK(make_over(words, set).exit == 2);
-  // Who is in it, and how it looks, may change.
-  CHECK(make_over({"slider-crank-velocity/poles", "--count", "3", "--lang", "it", "--scale", "1:20"}).exit == 0);
-  CHECK(contents(in_class("class.txt")).find("--count 3 --scale 1:20 --paper a4") != std::string::npos);
+  // What does not fit is drawn again, with other lots.
+  CHECK(make_over({"slider-crank-velocity/poles", "--count", "2", "--scale", "1:20"}).exit == 2);
+  CHECK(make_over({"slider-crank-velocity/poles", "--count", "2", "--paper", "a3"}).exit == 2);
+  // More may be in it, and how it looks may change.
+  CHECK(make_over({"slider-crank-velocity/poles", "--count", "3", "--lang", "it"}).exit == 0);
+  CHECK(contents(in_class("class.txt")).find("--count 3 --reading 0.5mm --lang it") != std::string::npos);
   // Also one that was stopped.
   fs::remove_all("out");
   fs::create_directories(in_class("2-blank.pdf/in-the-way"));

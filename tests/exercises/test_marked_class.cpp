@@ -106,6 +106,22 @@ TEST_CASE("slips that need solving again") {
   CHECK(tells(verdict_on("v_B", "5.2"), "right; "));
 }
 
+// In this position B lies on the axis: B_y and v_B_y are zero.
+TEST_CASE("a zero is nobody's slip") {
+  const Scratch scratch;
+  CHECK(verdict_on("v_B", "0").starts_with("wrong; "));
+  CHECK(verdict_on("v_B", "0.00 m/s").starts_with("wrong; "));
+  CHECK(verdict_on("P0B", "0").starts_with("wrong; "));
+  CHECK(verdict_on("v_B", "0.01").starts_with("wrong; "));
+  CHECK(verdict_on("v_B_y", "0").starts_with("right; "));
+}
+
+TEST_CASE("what stands for no answer, and how sure an answer is") {
+  const Scratch scratch;
+  for (const char* none : {"assente", "#N/D", "absent"}) CHECK(verdict_on("v_B", none) == "no answer; ");
+  CHECK(verdict_on("v_B", "5.1 m/s (circa)").starts_with("right; "));
+}
+
 TEST_CASE("five hundred students of their own givens take seconds") {
   const Scratch scratch;
   std::ofstream key("key.csv"), answers("answers.csv");
