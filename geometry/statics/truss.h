@@ -63,8 +63,9 @@ struct BowNotation {
 //   is no flat figure: joints that coincide, bars that cross or touch or lie on each other, parts that are apart;
 //   has a force at a joint that is not on its outline;
 //   has fewer bars than hold it (unstable) or more (statically undetermined): b + 3 = 2j;
-//   is not simple: of what is left no region has two known neighbours. So are compound trusses (Fink's), and those
-//   that are unstable for all the number of their bars.
+//   is not simple: of what is left no region has two known neighbours. So are compound trusses (Fink's), those that
+//   are unstable for all the number of their bars, and some with a joint inside at which two bars meet and bear
+//   nothing.
 // Bars are counted from 1 in these sentences, and joints where they have no names. `outside` must not be empty.
 BowNotation bow_notation(const Truss& truss);
 
