@@ -3,12 +3,17 @@
 // quadrature of the energy integral with theta series; its table row by row, and summed up.
 #pragma once
 
+#include <functional>
+#include <map>
+#include <type_traits>
+
 #include "exercises/kit/proof/ledger.h"
 #include "exercises/kit/proof/once.h"
 #include "exercises/oscillator-pendulum/problem.h"
 #include "exercises/oscillator-pendulum/quantities.h"
 #include "geometry/analytic/oscillation_by_matrix.h"
 #include "geometry/analytic/pendulum_by_theta.h"
+#include "geometry/numbers/at_each_precision.h"
 #include "geometry/numbers/increasing_root.h"
 #include "geometry/numbers/on_balls.h"
 #include "geometry/vibration/pendulum.h"
@@ -371,8 +376,14 @@ struct PendulumRoutes {
   template <class T, class Write, class At>
   void at_instants_by(const Write& write, const At& at, bool is_by_axes) const {
     const auto start = [=](const Rational& t) { return is_by_axes && t == 0; };
-    // What moves at t, which one number asks for up to four times, `now`.
-    const auto state = [&at](const Rational& t) { return once([&at, t] { return at(t); }); };
+    // How it moves at t, `now`, for which five numbers ask, some of them four times.
+    using State = std::decay_t<decltype(at(Rational()))>;
+    std::map<Rational, std::function<const State&()>> states;
+    const auto state = [&](const Rational& t) {
+      const auto [known, is_new] = states.try_emplace(t);
+      if (is_new) known->second = geometry::at_each_precision([&at, t] { return at(t); });
+      return known->second;
+    };
     const auto sine = [=, this](const Rational& t, const auto& now) {
       return start(t) ? geometry::sine<Deep>(of.theta_0) : sine_of(now());
     };
@@ -390,8 +401,9 @@ struct PendulumRoutes {
       return is_by_axes ? reaction<Deep>(sine(t, now), cosine(t, now), rate(t, now), acceleration(t, now))
                         : from_components<Deep>(sine(t, now), cosine(t, now), square(rate(t, now)));
     };
-    write.at_instants(
-        "theta", [&](const Rational& t) { return start(t) ? geometry::radians<Deep>(of.theta_0) : angle_of(at(t)); });
+    write.at_instants("theta", [&](const Rational& t) {
+      return start(t) ? geometry::radians<Deep>(of.theta_0) : angle_of(state(t)());
+    });
     write.at_instants("theta_dot", [&](const Rational& t) { return rate(t, state(t)); });
     write.at_instants("theta_ddot", [&](const Rational& t) { return acceleration(t, state(t)); });
     write.at_instants("R_12_x", [&](const Rational& t) { return force(t).x; });
