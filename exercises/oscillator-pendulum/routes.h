@@ -5,7 +5,9 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <type_traits>
+#include <vector>
 
 #include "exercises/kit/proof/ledger.h"
 #include "exercises/kit/proof/once.h"
@@ -35,6 +37,15 @@ inline const Phrase between_steps{"the step does not divide this instant: the ta
                                   "il passo non divide questo istante: la tabella non ha una riga per esso"};
 inline const Phrase beyond_doubles{"its size is beyond 10^300 or below 10^-300",
                                    "supera 10^300 o è minore di 10^-300"};
+
+inline const Phrase over_the_top{"the table goes over the top, and does not come back",
+                                 "la tabella passa per il punto più alto, e non torna"};
+inline const Phrase too_many_rows{"in 2000 rows the table has not come back",
+                                  "in 2000 righe la tabella non è tornata"};
+
+// The row, of those from 1 on that are given, in which a table of the pendulum rests again on the side where it
+// began: the second in which the angle turns. Throws Impossible where it goes over the top before.
+std::optional<std::size_t> row_of_return(const std::vector<Deep>& theta, const std::vector<Deep>& rates);
 
 // What no double can tell is no value.
 Deep within_doubles(Deep x);
@@ -361,12 +372,30 @@ struct PendulumRoutes {
     write.at_instants("theta_ddot_numeric", acceleration);
     write.at_instants("R_12_x_numeric", [&](const Rational& t) { return force(t).x; });
     write.at_instants("R_12_y_numeric", [&](const Rational& t) { return force(t).y; });
+    write.ball("period_numeric", [this] {
+      return time_of_return([this](long n) {
+        const std::vector<Deep> angles = geometry::row_by_row(of.table(), n);
+        std::vector<Deep> gained;
+        for (std::size_t i = 0; i + 1 < angles.size(); ++i) gained.push_back(angles[i + 1] - angles[i]);
+        return row_of_return(angles, gained);
+      });
+    });
     write.ball("energy_ratio_numeric_at_1", [&] {
       const Deep one(1), lever = number<Deep>(of.m * of.g * of.r);
       return (number<Deep>(of.I_A0() / 2) * square(rate(1)) +
               lever * (one - geometry::cosine_of_angle(theta(1, 0)))) /
              (lever * (one - cosine_of_start<Deep>()));
     });
+  }
+
+  // `row`: of the table with so many rows, that of its return. Tables twice as long are tried until it is there.
+  template <class Row>
+  Deep time_of_return(const Row& row) const {
+    constexpr long most = 2000;
+    for (long n = last_row();; n = std::min(2 * n, most)) {
+      if (const auto found = row(n)) return number<Deep>(of.dt * Rational(static_cast<long>(*found)));
+      if (n == most) throw geometry::Impossible(too_many_rows);
+    }
   }
 
   // As far as rows are needed for what is reported at t = 1 s.
@@ -493,6 +522,12 @@ struct PendulumRoutes {
     });
     write.at_instants("R_12_x_numeric", [&](const Rational& t) { return force(t).x; });
     write.at_instants("R_12_y_numeric", [&](const Rational& t) { return force(t).y; });
+    write.ball("period_numeric", [this] {
+      return time_of_return([this](long n) {
+        const geometry::SummedUp summed = geometry::summed_up(of.table(), n);
+        return row_of_return(summed.theta, summed.sums);  // θ' is -Ω² Δt times the sum
+      });
+    });
     write.ball("energy_ratio_numeric_at_1", [&] {
       const auto height = [](const Deep& angle) { return square(geometry::sine_of_angle(angle / Deep(2))); };
       return (square(rate(1)) / number<Deep>(Rational(4) * of.Omega_squared()) + height(table().theta.at(row(1)))) /
