@@ -129,9 +129,6 @@ Forces forces(const Solution& s) {
 FreeBodyPanel follower_cut_free(const Solution& s, const Forces& on) {
   const Place B = s.place("B_at"), C = s.place("contact_at"), G3 = centre_of_follower(s, "");
   FreeBodyPanel body(std::make_shared<const Mechanism>(cam_figure(s, "", Shown::follower)));
-  // The cam, with its two arms, is to be the larger of the two.
-  constexpr double one_to_five = 200;  // mm a metre
-  body.at_most(one_to_five);
   body.force(on.P, G3 + (G3 - B), FreeBodyPanel::Arrow::ends)
       .force(on.P_3, G3)
       .force(on.F_3, G3)
