@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "exercises/kit/panels/chained_polygons_panel.h"
 #include "exercises/kit/panels/chart_panel.h"
@@ -238,8 +239,7 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
 // F/N over m_b/m_a: what must hold, and what holds; or as a detail the start of it, where it lies near the axis.
 struct Shown {
   double far;
-  bool is_detail;
-  bool marks_light;
+  bool is_detail, marks_light;
 };
 drawings::Chart chart(const Solution& s, const Shown& shown, Language language) {
   const double k = s["rope_to_centre_velocity_ratio"], f_a = given(s, "f_a"), f_r = given(s, "f_r"),
@@ -294,6 +294,7 @@ drawings::Chart chart(const Solution& s, const Shown& shown, Language language) 
   if (slip) of.verticals.push_back({.at = *slip, .label = "$μ_{s}$"});
   if (start > 0) of.verticals.push_back({.at = start, .label = "$μ_{p}$"});
   const auto mark = [&](double at, double must_hold, const std::string& letters) {
+    if (at > far) return;
     of.markers.push_back({.at = {at, must_hold}, .label = letters, .meaning = Meaning::force});
     if (must_hold > f_a) of.markers.push_back({.at = {at, f_r}, .label = letters, .meaning = Meaning::force});
   };
@@ -303,17 +304,27 @@ drawings::Chart chart(const Solution& s, const Shown& shown, Language language) 
   return of;
 }
 
-// The whole, and where it is too near the axis to be seen in that how it starts to roll.
-Panels charts(const Solution& s, const std::vector<ChartPanel::Read>& read, Language language) {
-  const double m_a = given(s, "m_a"), start = s["mass_ratio_start"], light = given(s, "m_b_light") / m_a,
-               far = 1.15 * std::max({given(s, "m_b_heavy") / m_a, given(s, "m_b") / m_a, light,
-                                      s.value("mass_ratio_slip").value_or(0), 2 * start}),
-               near = 3 * start;
+// Where the start of rolling is too near the axis to be seen, a detail shows it: as far as this.
+std::optional<double> end_of_detail(const Solution& s, double far) {
   constexpr double too_near = 0.1;  // of the chart's width
-  if (start == 0 || near > too_near * far || spool(s.givens()).slips_from_rest())
-    return panels(ChartPanel(chart(s, {far == 0 ? 1 : far, false, true}, language), read));
-  return panels(ChartPanel(chart(s, {far, false, light >= near}, language), read),
-                ChartPanel(chart(s, {near, true, light < near}, language)));
+  const double near = 3 * s["mass_ratio_start"];
+  if (near == 0 || near > too_near * far || spool(s.givens()).slips_from_rest()) return {};
+  return near;
+}
+double end_of_chart(const Solution& s) {
+  const double m_a = given(s, "m_a"),
+               of_masses = std::max({given(s, "m_b_heavy"), given(s, "m_b"), given(s, "m_b_light")}),
+               far = 1.15 *
+                     std::max({of_masses / m_a, s.value("mass_ratio_slip").value_or(0), 2 * s["mass_ratio_start"]});
+  return far == 0 ? 1 : far;
+}
+
+Panels charts(const Solution& s, const std::vector<ChartPanel::Read>& read, Language language) {
+  const double far = end_of_chart(s), light = given(s, "m_b_light") / given(s, "m_a");
+  const auto near = end_of_detail(s, far);
+  if (!near) return panels(ChartPanel(chart(s, {far, false, true}, language), read));
+  return panels(ChartPanel(chart(s, {far, false, light > *near}, language), read),
+                ChartPanel(chart(s, {*near, true, light <= *near}, language)));
 }
 
 PanelSheet limits_sheet(const Solution& s, Language language) {
@@ -335,6 +346,7 @@ PanelSheet limits_sheet(const Solution& s, Language language) {
   const Words never{"It rolls however heavy the counterweight.", "Rotola per quanto pesi il contrappeso."};
   const Words before{"$\\it{F}$/$\\it{N}$ comes to $f_{a}$ at rest: it slips before it can roll.",
                      "$\\it{F}$/$\\it{N}$ arriva a $f_{a}$ in quiete: striscia prima di poter rotolare."};
+  const Words below{"Below, enlarged: how it begins to roll.", "Sotto, ingrandito: come comincia a rotolare."};
   const Words required{"$\\it{F}^{*}$: the friction that must hold if it is not to slip.",
                        "$\\it{F}^{*}$: l'attrito che occorre perché non strisci."};
   const Spool of = spool(s.givens());
@@ -343,7 +355,8 @@ PanelSheet limits_sheet(const Solution& s, Language language) {
                                                      : "";
   return {.panels = charts(s, read, language),
           .theory = {{{"What must hold", "Che cosa deve trattenere"},
-                      {remark(rest.in(language)), remark(rolls.in(language)), remark(exception)}}},
+                      {remark(rest.in(language)), remark(rolls.in(language)), remark(exception),
+                       remark(end_of_detail(s, end_of_chart(s)) ? below.in(language) : "")}}},
           .results = {values({"mass_ratio_start", "m_b_start"}), values({"mass_ratio_slip", "m_b_slip"}),
                       remark(required.in(language)),
                       table({"", "$\\it{F}^{*}$/$\\it{N}$"},
