@@ -56,9 +56,15 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
       "from $v_{s}$, at the left, up to $v_{0}$; the time counts backwards from the end of slip.",
       "d$t$ = −d$v$/|$a$($v$)|, |$a$| = $f_{r}g$ + ($f_{r}c_{y}$ + $c_{x}$)$v^{2}$/($m_{a}$ + $m_{r}$): integrata "
       "da $v_{s}$, a sinistra, fino a $v_{0}$; il tempo si conta all'indietro dalla fine dello strisciamento."};
+  const Words off_the_curve{
+      "At its corners the polygon lies on the true curve, as the areas are equal; between them it is off by at most "
+      "Δ$v^{2}$/8 times the steepest slope of 1/|$a$| in the strip of the width Δ$v$.",
+      "Nei vertici il poligono sta sulla curva esatta, poiché le aree sono uguali; fra l'uno e l'altro se ne scosta "
+      "al più di Δ$v^{2}$/8 per la massima pendenza di 1/|$a$| nella striscia larga Δ$v$."};
   return {
       .panels = panels(panel),
-      .results = {remark(law_of_time.in(language)), values({"a_0", "a_s"}), values({"v_0", "v_s"}), values({"t_s"})},
+      .results = {remark(law_of_time.in(language)), remark(off_the_curve.in(language)), values({"a_0", "a_s"}),
+                  values({"v_0", "v_s"}), values({"t_s"})},
       .seen = {"The reciprocal of the acceleration over the speed, and its integral polygon, the time",
                "Il reciproco dell'accelerazione in funzione della velocità e il suo poligono integrale, il tempo"},
       .told = {"v_0", "v_s", "t_s"},

@@ -90,13 +90,11 @@ std::vector<Moving> swing_of_table(const Givens& givens, double Omega, double to
 }
 
 RunOfTable run_of_table(const std::vector<Moving>& rows, double Omega) {
-  RunOfTable run{.goes_over = false, .gains_always = true, .period = {}};
+  RunOfTable run{.goes_over = false, .gains_always = true};
   const auto energy = [&](const Moving& at) { return at.rate * at.rate / 2 - Omega * Omega * std::cos(at.position); };
-  int turns = 0;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     run.goes_over = run.goes_over || std::abs(rows[i].position) > std::numbers::pi;
     run.gains_always = run.gains_always && energy(rows[i]) > energy(rows[i - 1]);
-    if (rows[i].rate * rows[i - 1].rate < 0 && ++turns == 2 && !run.goes_over) run.period = rows[i].t;
   }
   return run;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "exercises/kit/proof/solution.h"
@@ -25,7 +24,6 @@ std::vector<Moving> swing_of_table(const Givens& givens, double Omega, double to
 // What a run of these rows does: over the top, or to and fro, gaining energy with every step or not.
 struct RunOfTable {
   bool goes_over, gains_always;
-  std::optional<double> period;  // until it rests again on the side where it began, by the step
 };
 RunOfTable run_of_table(const std::vector<Moving>& rows, double Omega);
 

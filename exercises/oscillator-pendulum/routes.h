@@ -3,12 +3,19 @@
 // quadrature of the energy integral with theta series; its table row by row, and summed up.
 #pragma once
 
+#include <functional>
+#include <map>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
 #include "exercises/kit/proof/ledger.h"
 #include "exercises/kit/proof/once.h"
 #include "exercises/oscillator-pendulum/problem.h"
 #include "exercises/oscillator-pendulum/quantities.h"
 #include "geometry/analytic/oscillation_by_matrix.h"
 #include "geometry/analytic/pendulum_by_theta.h"
+#include "geometry/numbers/at_each_precision.h"
 #include "geometry/numbers/increasing_root.h"
 #include "geometry/numbers/on_balls.h"
 #include "geometry/vibration/pendulum.h"
@@ -30,6 +37,15 @@ inline const Phrase between_steps{"the step does not divide this instant: the ta
                                   "il passo non divide questo istante: la tabella non ha una riga per esso"};
 inline const Phrase beyond_doubles{"its size is beyond 10^300 or below 10^-300",
                                    "supera 10^300 o è minore di 10^-300"};
+
+inline const Phrase over_the_top{"the table goes over the top, and does not come back",
+                                 "la tabella passa per il punto più alto, e non torna"};
+inline const Phrase too_many_rows{"in 2000 rows the table has not come back",
+                                  "in 2000 righe la tabella non è tornata"};
+
+// The row, of those from 1 on that are given, in which a table of the pendulum rests again on the side where it
+// began: the second in which the angle turns. Throws Impossible where it goes over the top before.
+std::optional<std::size_t> row_of_return(const std::vector<Deep>& theta, const std::vector<Deep>& rates);
 
 // What no double can tell is no value.
 Deep within_doubles(Deep x);
@@ -356,12 +372,30 @@ struct PendulumRoutes {
     write.at_instants("theta_ddot_numeric", acceleration);
     write.at_instants("R_12_x_numeric", [&](const Rational& t) { return force(t).x; });
     write.at_instants("R_12_y_numeric", [&](const Rational& t) { return force(t).y; });
+    write.ball("period_numeric", [this] {
+      return time_of_return([this](long n) {
+        const std::vector<Deep> angles = geometry::row_by_row(of.table(), n);
+        std::vector<Deep> gained;
+        for (std::size_t i = 0; i + 1 < angles.size(); ++i) gained.push_back(angles[i + 1] - angles[i]);
+        return row_of_return(angles, gained);
+      });
+    });
     write.ball("energy_ratio_numeric_at_1", [&] {
       const Deep one(1), lever = number<Deep>(of.m * of.g * of.r);
       return (number<Deep>(of.I_A0() / 2) * square(rate(1)) +
               lever * (one - geometry::cosine_of_angle(theta(1, 0)))) /
              (lever * (one - cosine_of_start<Deep>()));
     });
+  }
+
+  // `row`: of the table with so many rows, that of its return. Tables twice as long are tried until it is there.
+  template <class Row>
+  Deep time_of_return(const Row& row) const {
+    constexpr long most = 2000;
+    for (long n = last_row();; n = std::min(2 * n, most)) {
+      if (const auto found = row(n)) return number<Deep>(of.dt * Rational(static_cast<long>(*found)));
+      if (n == most) throw geometry::Impossible(too_many_rows);
+    }
   }
 
   // As far as rows are needed for what is reported at t = 1 s.
@@ -371,8 +405,14 @@ struct PendulumRoutes {
   template <class T, class Write, class At>
   void at_instants_by(const Write& write, const At& at, bool is_by_axes) const {
     const auto start = [=](const Rational& t) { return is_by_axes && t == 0; };
-    // What moves at t, which one number asks for up to four times, `now`.
-    const auto state = [&at](const Rational& t) { return once([&at, t] { return at(t); }); };
+    // How it moves at t, `now`, for which five numbers ask, some of them four times.
+    using State = std::decay_t<decltype(at(Rational()))>;
+    std::map<Rational, std::function<const State&()>> states;
+    const auto state = [&](const Rational& t) {
+      const auto [known, is_new] = states.try_emplace(t);
+      if (is_new) known->second = geometry::at_each_precision([&at, t] { return at(t); });
+      return known->second;
+    };
     const auto sine = [=, this](const Rational& t, const auto& now) {
       return start(t) ? geometry::sine<Deep>(of.theta_0) : sine_of(now());
     };
@@ -390,8 +430,9 @@ struct PendulumRoutes {
       return is_by_axes ? reaction<Deep>(sine(t, now), cosine(t, now), rate(t, now), acceleration(t, now))
                         : from_components<Deep>(sine(t, now), cosine(t, now), square(rate(t, now)));
     };
-    write.at_instants(
-        "theta", [&](const Rational& t) { return start(t) ? geometry::radians<Deep>(of.theta_0) : angle_of(at(t)); });
+    write.at_instants("theta", [&](const Rational& t) {
+      return start(t) ? geometry::radians<Deep>(of.theta_0) : angle_of(state(t)());
+    });
     write.at_instants("theta_dot", [&](const Rational& t) { return rate(t, state(t)); });
     write.at_instants("theta_ddot", [&](const Rational& t) { return acceleration(t, state(t)); });
     write.at_instants("R_12_x", [&](const Rational& t) { return force(t).x; });
@@ -481,6 +522,12 @@ struct PendulumRoutes {
     });
     write.at_instants("R_12_x_numeric", [&](const Rational& t) { return force(t).x; });
     write.at_instants("R_12_y_numeric", [&](const Rational& t) { return force(t).y; });
+    write.ball("period_numeric", [this] {
+      return time_of_return([this](long n) {
+        const geometry::SummedUp summed = geometry::summed_up(of.table(), n);
+        return row_of_return(summed.theta, summed.sums);  // θ' is -Ω² Δt times the sum
+      });
+    });
     write.ball("energy_ratio_numeric_at_1", [&] {
       const auto height = [](const Deep& angle) { return square(geometry::sine_of_angle(angle / Deep(2))); };
       return (square(rate(1)) / number<Deep>(Rational(4) * of.Omega_squared()) + height(table().theta.at(row(1)))) /

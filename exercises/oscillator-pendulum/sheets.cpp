@@ -216,7 +216,9 @@ std::vector<Moving> spiral_of_table(const Solution& s) {
   return swing_of_table(s.givens(), s[pen("Omega")], std::min(2.5 * table, 3 * s[pen("period")]));
 }
 // As far as the chart of the angle does.
-double end_of_angle_chart(const Solution& s) { return 1.12 * s[pen("period")]; }
+double end_of_angle_chart(const Solution& s) {
+  return 1.12 * std::max(s[pen("period")], s.value(pen("period_numeric")).value_or(0));
+}
 std::vector<Moving> angle_of_table(const Solution& s) {
   return swing_of_table(s.givens(), s[pen("Omega")], std::min(end_of_angle_chart(s), 5.0));
 }
@@ -377,8 +379,8 @@ ChartPanel angle_chart(const Solution& s, Language language) {
   chart.horizontals = {{.at = 0}};
   chart.verticals = {{.at = period, .label = "$\\it{T}$", .meaning = Meaning::locus},
                      {.at = small, .label = "$\\it{T}_{0}$"}};
-  if (const auto of_table = run_of_table(table, Omega).period)
-    chart.verticals.push_back({.at = *of_table, .label = "$\\it{T}_{n}$", .meaning = Meaning::velocity});
+  const auto of_table = s.value(pen("period_numeric"));
+  if (of_table) chart.verticals.push_back({.at = *of_table, .label = "$\\it{T}_{n}$", .meaning = Meaning::velocity});
   chart.curves = {
       {.name = "theta",
        .runs = {over_time(swing(givens, Omega, end, smooth))},
@@ -395,6 +397,7 @@ ChartPanel angle_chart(const Solution& s, Language language) {
   all.push_back({{s[pen("t_first_bottom")], 0}, pen("t_first_bottom"), {}});
   all.push_back({{period, 0}, pen("period"), {}});
   all.push_back({{small, 0}, pen("period_small"), {}});
+  if (of_table) all.push_back({{*of_table, 0}, pen("period_numeric"), {}});
   return ChartPanel(chart, all);
 }
 
@@ -534,13 +537,13 @@ PanelSheet angle_sheet(const Solution& s, Language language) {
   const Words of_row{
       ", $\\it{T}_{n}$ of the recursion: the step at which it rests again on the side where it began.",
       ", $\\it{T}_{n}$ della formula ricorsiva: il passo in cui si ferma di nuovo dalla parte da cui è partita."};
-  const Words recursion = run.period ? of_row : run.goes_over ? over : not_yet;
+  const Words recursion = s.value(pen("period_numeric")) ? of_row : run.goes_over ? over : not_yet;
   const Words periods = exact + recursion;
   return {
       .panels = panels(angle_chart(s, language)),
       .theory = {{{"Periods", "Periodi"}, {remark(periods.in(language))}}},
-      .results = {values(all_pen({"k", "K"})), values(all_pen({"period", "period_small", "period_ratio"})),
-                  values(all_pen({"t_first_bottom"})),
+      .results = {values(all_pen({"k", "K"})), values(all_pen({"period", "period_small", "period_numeric"})),
+                  values(all_pen({"period_ratio"})), values(all_pen({"t_first_bottom"})),
                   table({"$t$ (ms)", "$θ$ (rad)", "$θ_{n}$ (rad)"}, rows_of_pendulum({"theta", "theta_numeric"}))},
       .seen = {"The angle of the pendulum over time: exact, for small swings, and by the recursion",
                "L'angolo del pendolo nel tempo: esatto, per piccole oscillazioni e con la formula ricorsiva"},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <variant>
 
 namespace epure::pump_flywheel {
 namespace {
@@ -14,6 +16,17 @@ double available(const drawings::Box& room) { return share * room.width() - 2 * 
 
 drawings::Point centre(const drawings::Box& room, const drawings::ChartMap& map) {
   return {room.low.x + margin, map.at({0, 0}).y};
+}
+
+// The numbers left of the frame whose height a level line has: the first of them, or none.
+std::optional<double> number_at(const drawings::Figure& figure, const drawings::ChartMap& map, double y) {
+  constexpr double clear = 0.5;  // mm
+  for (const drawings::Mark& mark : figure.marks)
+    if (const auto* number = std::get_if<drawings::Writing>(&mark); number && number->baseline.x < map.frame.low.x &&
+                                                                    y > number->baseline.y - clear &&
+                                                                    y < number->baseline.y + number->size + clear)
+      return number->baseline.x - clear;
+  return {};
 }
 
 }  // namespace
@@ -80,7 +93,10 @@ std::vector<drawings::Block> TorquePanel::draw(Plot& plot, const drawings::Box& 
   for (const Projected& each : projected_) {
     const drawings::Point end = end_of_crank(room, map, each.angle), there{map.x.at(each.angle), end.y};
     line(O, end, Meaning::link);
-    line(end, there, Meaning::construction);
+    // A number of the axis is not struck through.
+    const auto number = number_at(onto.sheet.figure, map, end.y);
+    if (number) line(end, {*number, end.y}, Meaning::construction);
+    line(number ? drawings::Point{map.frame.low.x, end.y} : end, there, Meaning::construction);
     plot.mark(drawings::Dot{there, Meaning::construction, {}});
     if (!each.letters.empty()) onto.sheet.figure.labels.push_back({.text = each.letters, .at = end});
   }

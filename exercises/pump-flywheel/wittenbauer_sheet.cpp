@@ -40,7 +40,14 @@ PanelSheet wittenbauer_sheet(const Solution& s, Language language) {
                    .label = "$ω^{2}_{min}$/2"}};
   chart.horizontals = {{.at = 0}};
   chart.markers = {{.at = at(std::numbers::pi + s[of + "alpha_1"]), .label = "$α_{1}$"},
-                   {.at = at(std::numbers::pi + s[of + "alpha_2"]), .label = "$α_{2}$"}};
+                   {.at = at(std::numbers::pi + s[of + "alpha_2"]), .label = "$α_{2}$"},
+                   {.at = {0, upper}, .label = "$\\it{W}_{1}$", .meaning = Meaning::velocity},
+                   {.at = {0, lower}, .label = "$\\it{W}_{2}$", .meaning = Meaning::locus}};
+  // How the curve is run through: the angles that no other point has.
+  for (const int degrees : {30, 60, 120, 150, 240, 300})
+    if (most > 0)
+      chart.markers.push_back(
+          {.at = at(degrees * degree), .label = std::to_string(degrees) + "°", .meaning = Meaning::force});
   const ChartPanel panel(chart, {{{0, upper}, {}, of + "intercept_max"}, {{0, lower}, {}, of + "intercept_min"}});
   const Words tangents{
       "$\\it{E}_{0}$ + $\\it{W}$ = ($\\it{J}'$ + $mr^{2}$ sin² $α$)$ω^{2}$/2: from the point −$\\it{J}'$, "

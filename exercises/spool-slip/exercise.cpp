@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "exercises/kit/panels/chained_polygons_panel.h"
 #include "exercises/kit/panels/chart_panel.h"
@@ -46,7 +47,7 @@ std::shared_ptr<const Mechanism> whole(const Solution& s) {
       .point("b2", hook + Arrow2{-side, -2 * side}, Joint::corner, "")
       .point("b3", hook + Arrow2{side, -2 * side}, Joint::corner, "")
       .point("b4", hook + Arrow2{side, 0}, Joint::corner, "")
-      .point("b", hook + Arrow2{0, -side}, Joint::mass, "$b$")
+      .point("b", hook + Arrow2{0, -side}, Joint::mass, "$m_{b}$")
       .disc("Q", "right", false)
       .body({"A", "top"})
       .body({"right", "hook"})
@@ -166,8 +167,7 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
 // The polygon of one counterweight, with the cone of friction about the vertical where the reaction starts.
 ChainedPolygonsPanel with_cone(const Solution& s, const std::string& prefix, const std::string& letter,
                                const Words& told, bool is_first, Language language) {
-  Forces on = forces(s, prefix, language);
-  on.inertia.magnitude = "$m_{a}a'$";  // the first polygon's equation is that of all
+  const Forces on = forces(s, prefix, language);
   const Arrow2 apex = on.W.v + on.T.v + on.inertia.v;
   const double N = s["N"], wide = std::min(s["F_max"], 0.7 * N);
   ChainedPolygonsPanel panel(force_polygon(letter, {on.S}, {on.W, on.T, on.inertia}));
@@ -191,9 +191,10 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
       "cone.",
       "$m_{b}$: striscia con $\\it{F}$ = $f_{r}\\it{N}$; per non strisciare occorrerebbe $\\it{F}^{*}$, fuori dal "
       "cono."};
-  const Words light = cone + Words{"$m_{b,l}$: ", "$m_{b,l}$: "} + so("m_b_light"),
-              main = of.regime(s.givens()["m_b"]) == Regime::slipping ? main_slips
-                                                                      : Words{"$m_{b}$: ", "$m_{b}$: "} + so("m_b");
+  const Words light = Words{"$m_{b,l}$: ", "$m_{b,l}$: "} + so("m_b_light"),
+              main = cone + (of.regime(s.givens()["m_b"]) == Regime::slipping
+                                 ? main_slips
+                                 : Words{"$m_{b}$: ", "$m_{b}$: "} + so("m_b"));
   const bool slips = of.regime(s.givens()["m_b_heavy"]) == Regime::slipping;
   const Words tried =
       slips ? Words{"$m_{b,h}$, as if it rolled: the reaction leaves the cone, and this polygon cannot be.",
@@ -214,7 +215,7 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
       "dove striscia."};
   return {
       .panels =
-          panels(with_cone(s, "light.", "l", light, true, language), with_cone(s, "", "m", main, false, language),
+          panels(with_cone(s, "", "m", main, true, language), with_cone(s, "light.", "l", light, false, language),
                  with_cone(s, "heavy_if_rolling.", "t", tried, false, language),
                  with_cone(s, "heavy.", "h", instead, false, language)),
       .results = {values({"F_max", "friction_cone_half_angle"}),
@@ -235,8 +236,12 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
       .told = {"light.F", "F", "F_required", "heavy_if_rolling.F", "heavy.F", "F_max"}};
 }
 
-// F/N over m_b/m_a: what must hold, and what holds.
-drawings::Chart chart(const Solution& s, Language language) {
+// F/N over m_b/m_a: what must hold, and what holds; or as a detail the start of it, where it lies near the axis.
+struct Shown {
+  double far;
+  bool is_detail, marks_light;
+};
+drawings::Chart chart(const Solution& s, const Shown& shown, Language language) {
   const double k = s["rope_to_centre_velocity_ratio"], f_a = given(s, "f_a"), f_r = given(s, "f_r"),
                f_v = given(s, "f_v"), m_a = given(s, "m_a"), start = s["mass_ratio_start"];
   const auto slip = s.value("mass_ratio_slip");
@@ -244,9 +249,8 @@ drawings::Chart chart(const Solution& s, Language language) {
     return mu <= start ? mu : (mu * (1.25 - k + f_v * k) + f_v) / (1.25 + k * k * mu);
   };
   const double heavy = given(s, "m_b_heavy") / m_a, middle = given(s, "m_b") / m_a,
-               light = given(s, "m_b_light") / m_a;
-  double far = 1.15 * std::max({heavy, middle, light, slip.value_or(0), 2 * start});
-  if (far == 0) far = 1;
+               light = given(s, "m_b_light") / m_a, far = shown.far;
+  const std::string of_detail = shown.is_detail ? "detail-" : "";
   const double edge = slip ? *slip : needed(far) > f_a ? f_a : far;
   const auto run = [&](double from, double to, const auto& y) {
     constexpr int pieces = 200;
@@ -259,9 +263,12 @@ drawings::Chart chart(const Solution& s, Language language) {
   };
   const double rest_end = std::min(start, edge);
   std::vector<drawings::Curve> curves{
-      {.name = "rest", .runs = {run(0, rest_end, needed)}, .meaning = Meaning::locus}};
+      {.name = of_detail + "rest",
+       .runs = {run(0, rest_end, needed)},
+       .meaning = Meaning::locus,
+       .label = shown.is_detail ? Words{"at rest", "in quiete"}.in(language) : std::string()}};
   if (edge > rest_end)
-    curves.push_back({.name = "rolling",
+    curves.push_back({.name = of_detail + "rolling",
                       .runs = {run(rest_end, edge, needed)},
                       .meaning = Meaning::force,
                       .line = drawings::LineType::continuous,
@@ -277,7 +284,9 @@ drawings::Chart chart(const Solution& s, Language language) {
                       .meaning = Meaning::force,
                       .label = Words{"slipping, $f_{r}$", "strisciamento, $f_{r}$"}.in(language)});
   }
-  const double high = 1.2 * std::max({needed(far), std::min(f_a, 2 * needed(far)), edge < far ? f_r : 0.0});
+  const double high =
+      1.2 * (shown.is_detail ? needed(far)
+                             : std::max({needed(far), std::min(f_a, 2 * needed(far)), edge < far ? f_r : 0.0}));
   drawings::Chart of{.x = {.quantity = "$m_{b}$/$m_{a}$", .unit = "1", .low = 0, .high = far},
                      .y = {.quantity = "$\\it{F}$/$\\it{N}$", .unit = "1", .low = 0, .high = high > 0 ? high : 1},
                      .curves = curves,
@@ -285,13 +294,37 @@ drawings::Chart chart(const Solution& s, Language language) {
   if (slip) of.verticals.push_back({.at = *slip, .label = "$μ_{s}$"});
   if (start > 0) of.verticals.push_back({.at = start, .label = "$μ_{p}$"});
   const auto mark = [&](double at, double must_hold, const std::string& letters) {
+    if (at > far) return;
     of.markers.push_back({.at = {at, must_hold}, .label = letters, .meaning = Meaning::force});
     if (must_hold > f_a) of.markers.push_back({.at = {at, f_r}, .label = letters, .meaning = Meaning::force});
   };
-  mark(light, needed(light), "$m_{b,l}$");
+  if (shown.marks_light) mark(light, needed(light), "$m_{b,l}$");
   mark(middle, s["F_over_N"], "$m_{b}$");
   mark(heavy, s["heavy_if_rolling.F_over_N"], "$m_{b,h}$");
   return of;
+}
+
+// Where the start of rolling is too near the axis to be seen, a detail shows it: as far as this.
+std::optional<double> end_of_detail(const Solution& s, double far) {
+  constexpr double too_near = 0.1;  // of the chart's width
+  const double near = 3 * s["mass_ratio_start"];
+  if (near == 0 || near > too_near * far || spool(s.givens()).slips_from_rest()) return {};
+  return near;
+}
+double end_of_chart(const Solution& s) {
+  const double m_a = given(s, "m_a"),
+               of_masses = std::max({given(s, "m_b_heavy"), given(s, "m_b"), given(s, "m_b_light")}),
+               far = 1.15 *
+                     std::max({of_masses / m_a, s.value("mass_ratio_slip").value_or(0), 2 * s["mass_ratio_start"]});
+  return far == 0 ? 1 : far;
+}
+
+Panels charts(const Solution& s, const std::vector<ChartPanel::Read>& read, Language language) {
+  const double far = end_of_chart(s), light = given(s, "m_b_light") / given(s, "m_a");
+  const auto near = end_of_detail(s, far);
+  if (!near) return panels(ChartPanel(chart(s, {far, false, true}, language), read));
+  return panels(ChartPanel(chart(s, {far, false, light > *near}, language), read),
+                ChartPanel(chart(s, {*near, true, light <= *near}, language)));
 }
 
 PanelSheet limits_sheet(const Solution& s, Language language) {
@@ -313,15 +346,17 @@ PanelSheet limits_sheet(const Solution& s, Language language) {
   const Words never{"It rolls however heavy the counterweight.", "Rotola per quanto pesi il contrappeso."};
   const Words before{"$\\it{F}$/$\\it{N}$ comes to $f_{a}$ at rest: it slips before it can roll.",
                      "$\\it{F}$/$\\it{N}$ arriva a $f_{a}$ in quiete: striscia prima di poter rotolare."};
+  const Words below{"Below, enlarged: how it begins to roll.", "Sotto, ingrandito: come comincia a rotolare."};
   const Words required{"$\\it{F}^{*}$: the friction that must hold if it is not to slip.",
                        "$\\it{F}^{*}$: l'attrito che occorre perché non strisci."};
   const Spool of = spool(s.givens());
   const std::string exception = of.slips_from_rest() ? before.in(language)
                                 : of.always_rolls()  ? never.in(language)
                                                      : "";
-  return {.panels = panels(ChartPanel(chart(s, language), read)),
+  return {.panels = charts(s, read, language),
           .theory = {{{"What must hold", "Che cosa deve trattenere"},
-                      {remark(rest.in(language)), remark(rolls.in(language)), remark(exception)}}},
+                      {remark(rest.in(language)), remark(rolls.in(language)), remark(exception),
+                       remark(end_of_detail(s, end_of_chart(s)) ? below.in(language) : "")}}},
           .results = {values({"mass_ratio_start", "m_b_start"}), values({"mass_ratio_slip", "m_b_slip"}),
                       remark(required.in(language)),
                       table({"", "$\\it{F}^{*}$/$\\it{N}$"},

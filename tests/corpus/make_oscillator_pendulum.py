@@ -200,6 +200,15 @@ def pendulum(given):
         if each == "1":
             found["energy_ratio_numeric_at_1"] = (I * rate ** 2 / 2 + m * g * r * (1 - c)) / (
                 m * g * r * (1 - cos(theta_0)))
+    # Once more with the velocities kept, which loses no digits, until it turns the second time.
+    theta, gained, turns, found["period_numeric"] = theta_0, mpf(0), 0, None
+    for i in range(1, 2000):
+        before, gained = gained, gained - m * r * g * dt ** 2 * sin(theta) / I
+        theta += before
+        turns += before * gained < 0
+        if fabs(theta) > pi or turns == 2:
+            found["period_numeric"] = None if fabs(theta) > pi else i * dt
+            break
     return {f"pendulum.{name}": value for name, value in found.items()}
 
 
