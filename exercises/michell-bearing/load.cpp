@@ -40,7 +40,7 @@ class FunicularPanel : public Panel {
         x_N_(s[of_film("x_N")]) {}
 
   double reach() const override { return length_; }
-  Vectors vectors() const override { return {"N/m", load_, 90}; }
+  Vectors vectors() const override { return {"N/m", load_, 100}; }
   std::vector<Scale> own_scales() const override { return {pressures_}; }
   void choose_view(const drawings::Box&, const SheetRequest& request) override {
     constexpr double high = 45;  // mm
