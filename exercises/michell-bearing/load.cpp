@@ -1,6 +1,7 @@
 // The load and its place: eight strips of the pressure, below them their forces, force polygon and funicular polygon.
 #include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/panels/slider_charts.h"
 #include "exercises/michell-bearing/along_film.h"
 #include "exercises/michell-bearing/exercise.h"
 #include "geometry/statics/funicular.h"
@@ -228,6 +229,9 @@ class FunicularPanel : public Panel {
 PanelSheet load_sheet(const Solution& s, Language language) {
   return {
       .panels = panels(FunicularPanel(Problem(s.givens()).film, s)),
+      .theory = {{{"Exactly", "Esattamente"},
+                  {remark("$\\it{N}$ = $\\it{A}$ $μ$ $\\it{V}$ $l^{2}$/$h_{2}^{2}$, $n$ = $h_{1}$/$h_{2}$"),
+                   remark(slider_formulas()[1]), remark(slider_formulas()[0])}}},
       .results = {told({"By the strips, by Bezout's table, and exactly:",
                         "Con le strisce, con la tabella di Bezout, ed esattamente:"},
                        language),
