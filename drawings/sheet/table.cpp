@@ -141,9 +141,10 @@ void set_row(Galley& galley, const std::vector<std::string>& row, const std::vec
 // What is to be filled in is narrower where words leave less room.
 void narrow_blanks(std::vector<TableColumn>& columns, double size, double room) {
   constexpr double narrowest = 4;  // of the letters' size
+  constexpr double hair = 0.01;    // mm to spare, so that what is narrowed to fit is not too wide by a rounding
   const auto is_blank = [&](const TableColumn& column) { return column.width == width_to_write * size; };
   const auto blanks = static_cast<double>(std::count_if(columns.begin(), columns.end(), is_blank));
-  const double beyond = total_width(columns) + size * static_cast<double>(columns.size() - 1) - room;
+  const double beyond = total_width(columns) + size * static_cast<double>(columns.size() - 1) - room + hair;
   if (blanks == 0 || beyond <= 0) return;
   for (TableColumn& column : columns)
     if (is_blank(column)) column.width = std::max(narrowest * size, column.width - beyond / blanks);

@@ -23,7 +23,8 @@ std::unique_ptr<Exercise> make_michell_bearing() {
            "spessori, pressione media e coefficiente d'attrito sotto la spinta data, e se la lubrificazione è "
            "idrodinamica."},
       .givens = given_specs(),
-      .printed = printed_by_the_source};
+      .printed = printed_by_the_source,
+      .audit = audits};
   const auto solve = [](const Givens& givens, Rung rung) { return solved(Problem(givens), rung); };
   return exercise_of_panels(
       std::move(about), solve,

@@ -6,12 +6,14 @@
 
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/statement/description.h"
+#include "exercises/kit/statement/table_audit.h"
 #include "exercises/michell-bearing/problem.h"
 #include "exercises/michell-bearing/quantities.h"
 
 namespace epure::michell_bearing {
 
 std::vector<Printed> printed_by_the_source();
+std::vector<TableAudit> audits();  // of its two tables
 
 inline std::string of_film(const std::string& quantity) { return "inverse." + quantity; }
 inline std::string of_pad(const std::string& quantity) { return "direct." + quantity; }

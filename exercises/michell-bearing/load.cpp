@@ -1,6 +1,7 @@
 // The load and its place: eight strips of the pressure, below them their forces, force polygon and funicular polygon.
 #include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/panels/slider_charts.h"
 #include "exercises/michell-bearing/along_film.h"
 #include "exercises/michell-bearing/exercise.h"
 #include "geometry/statics/funicular.h"
@@ -40,7 +41,7 @@ class FunicularPanel : public Panel {
         x_N_(s[of_film("x_N")]) {}
 
   double reach() const override { return length_; }
-  Vectors vectors() const override { return {"N/m", load_, 90}; }
+  Vectors vectors() const override { return {"N/m", load_, 100}; }
   std::vector<Scale> own_scales() const override { return {pressures_}; }
   void choose_view(const drawings::Box&, const SheetRequest& request) override {
     constexpr double high = 45;  // mm
@@ -228,6 +229,9 @@ class FunicularPanel : public Panel {
 PanelSheet load_sheet(const Solution& s, Language language) {
   return {
       .panels = panels(FunicularPanel(Problem(s.givens()).film, s)),
+      .theory = {{{"Exactly", "Esattamente"},
+                  {remark("$\\it{N}$ = $\\it{A}$ $μ$ $\\it{V}$ $l^{2}$/$h_{2}^{2}$, $n$ = $h_{1}$/$h_{2}$"),
+                   remark(slider_formulas()[1]), remark(slider_formulas()[0])}}},
       .results = {told({"By the strips, by Bezout's table, and exactly:",
                         "Con le strisce, con la tabella di Bezout, ed esattamente:"},
                        language),

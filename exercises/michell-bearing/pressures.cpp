@@ -117,6 +117,7 @@ PanelSheet pressures_sheet(const Solution& s, Language language) {
                    "$h$ = $h_{1}$ − ($h_{1}$ − $h_{2}$)·$x$/$l$; $p'$ = 6 $μ$ $\\it{V}$ ($h$ − $h^{*}$)/$h^{3}$ si "
                    "annulla dove $h$ = $h^{*}$ = 2 $h_{1}$ $h_{2}$/($h_{1}$ + $h_{2}$)."},
                   language),
+             remark("$p$ = 6 $μ$ $\\it{V}$ ($h_{1}$ − $h_{2}$) $x$ ($l$ − $x$) / [$l$ ($h_{1}$ + $h_{2}$) $h^{2}$]"),
              told(
                  {"$h^{*}$, $x^{*}$ are $h$ and $x$ with a bar in the source. The depth $z$ is counted from the pad. "
                   "The shear is zero at $x_{0}$ on the pad, at $x_{h}$ on the moving wall, where these exist.",
@@ -128,8 +129,8 @@ PanelSheet pressures_sheet(const Solution& s, Language language) {
                    "Punti della pressione: formula di Bezout, ogni striscia con la media dei gradienti ai suoi "
                    "estremi. La curva è quella esatta. La freccia $\\it{N}$ non è in scala."},
                   language)}}},
-      .results = {table({"$x$ (mm)", "$p'$ (MPa/m)", "$p_{B}$ (MPa)"}, rows(s)),
-                  values({of_film("h_bar"), of_film("x_bar")}), values({of_film("p_max")}),
+      .results = {table({"$x$ (mm)", "$p'$ (MPa/m)", "$p_{B}$ (MPa)"}, rows(s)), workshop_values({of_film("h_bar")}),
+                  values({of_film("x_bar")}), workshop_values({of_film("p_max")}),
                   values({of_film("N"), of_film("x_N")})},
       .seen = {"Film, gradients and pressures along the slider, one above the other",
                "Meato, gradienti e pressioni lungo la slitta, l'uno sopra l'altro"},

@@ -46,7 +46,7 @@ Printed of_velocity(const std::string& station, const std::string& depth, const 
                         "manca la parte dovuta alla pressione: l'intera colonna in "} +
                       station + Words{" is the straight line V·z/h, with h = ", " è la retta V·z/h, con h = "} + h +
                       (station == "x_2" ? Words{" mm, the film at x = 0.23 m", " mm, il meato in x = 0,23 m"}
-                                        : Words{" mm", " mm"}),
+                                        : Words{" mm (fitted to the column)", " mm (adattato alla colonna)"}),
                   [=] { return V * z / straight; }}};
 }
 Printed plain(const std::string& quantity, const std::string& text) { return {quantity, text, "closed form"}; }

@@ -137,7 +137,13 @@ MarkedChart chart_of(const Solution& s, VelocityProfile of, const Speeds& speeds
   for (const ChartPanel::Read& each : read) of.points.push_back(each.at);
   drawings::Chart chart;
   chart.x = {.quantity = "$u$(" + of.at.letters + ")", .unit = "m/s", .low = speeds.low, .high = 1.05 * speeds.high};
-  chart.y = {.quantity = "$z$", .unit = "µm", .low = 0, .high = 1.04 * micrometres * highest};
+  // In fifties, as the depths of the table are.
+  chart.y = {.quantity = "$z$",
+             .unit = "µm",
+             .low = 0,
+             .high = 1.04 * micrometres * highest,
+             .steps = {50, 100, 500, 1000},
+             .to_ticks = false};
   if (of.runs_back()) chart.areas = {{backflow(of), Meaning::velocity}};
   const std::string& station = of.at.station;
   chart.curves = {{.name = "velocity_" + station,
@@ -193,8 +199,10 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
                          "Tratteggiata: la retta di Couette $\\it{V}$·$z$/$h$. A tratto e punto: la parabola di "
                          "Poiseuille −$p'$·($h$ − $z$)·$z$/(2 $μ$), che frena dove $p'$ > 0. La somma è $u$."},
                         language),
-                   told({"At the dots both parts are added as vectors. $z$ is counted from the pad, which rests.",
-                         "Nei punti le due parti si sommano come vettori. $z$ si conta dal pattino, che è fermo."},
+                   told({"At the dots both parts are added as vectors. $z$ is counted from the pad, which rests "
+                         "(here below).",
+                         "Nei punti le due parti si sommano come vettori. $z$ si conta dal pattino, che è fermo "
+                         "(qui in basso)."},
                         language),
                    told({"The tangents at the walls have the slope $τ$/$μ$. It vanishes at the pad where $h$ = "
                          "3/2 $h^{*}$ ($x_{0}$), at the moving wall where $h$ = 3/4 $h^{*}$ ($x_{h}$), if $n$ ≥ 2. "

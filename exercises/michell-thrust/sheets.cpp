@@ -26,27 +26,30 @@ drawings::Chart along_pad(const Solution& s, const std::string& quantity, const 
 
 // p is x (l - x)/h² times a constant: of nearly parallel walls a double holds that, and not what they narrow by.
 MarkedChart pressure_chart(const Solution& s, const geometry::FilmWedge<double>& film, Language language) {
-  drawings::Chart chart = along_pad(s, "$p$", "Pa", s["theory.p_max"]);
+  constexpr double mega = 1e6;
+  const double greatest = s["theory.p_max"] / mega;
+  drawings::Chart chart = along_pad(s, "$p$", "MPa", greatest);
   const auto shape = [&](double x) { return x * (film.l - x) / geometry::square(film.h(x)); };
-  const double constant = s["theory.p_max"] / shape(s["theory.x_p_max"]);
+  const double constant = greatest / shape(s["theory.x_p_max"]);
   chart.curves = {{.name = "pressure",
                    .runs = run_of(0, film.l, [&](double x) { return constant * shape(x); }),
                    .meaning = Meaning::force}};
-  chart.markers = {{.at = {s["theory.x_p_max"], s["theory.p_max"]},
-                    .label = "$p_{max}$ = " + figures(s["theory.p_max"], 4, language) + " Pa",
+  chart.markers = {{.at = {s["theory.x_p_max"], greatest},
+                    .label = "$p_{max}$ = " + figures(greatest, 4, language) + " MPa",
                     .meaning = Meaning::force}};
-  std::vector<ChartPanel::Read> read{{{s["theory.x_p_max"], s["theory.p_max"]}, {}, "theory.p_max"},
+  std::vector<ChartPanel::Read> read{{{s["theory.x_p_max"], greatest}, {}, "theory.p_max", 1, mega},
                                      {{s["x_N"], 0}, "x_N", {}}};
   for (const auto& [name, share] :
        {std::pair("theory.p_1_4", 0.25), std::pair("theory.p_1_2", 0.5), std::pair("theory.p_3_4", 0.75)}) {
-    read.push_back({{share * s["l"], s[name]}, {}, name});
-    chart.markers.push_back({.at = {share * s["l"], s[name]}, .meaning = Meaning::force});
+    const drawings::Datum at{share * s["l"], s[name] / mega};
+    read.push_back({at, {}, name, 1, mega});
+    chart.markers.push_back({.at = at, .meaning = Meaning::force});
   }
   chart.verticals = {{.at = s["x_N"], .label = "$x_{N}$", .meaning = Meaning::construction}};
   constexpr double load_arrow = 0.6;  // of the greatest pressure
-  return MarkedChart(chart, read, one_of_three_in_a_column,
-                     force_at(s["x_N"], load_arrow * s["theory.p_max"],
-                              "$\\it{N}$ = " + figures(s["N"], 4, language) + " N/m", "N"));
+  return MarkedChart(
+      chart, read, one_of_three_in_a_column,
+      force_at(s["x_N"], load_arrow * greatest, "$\\it{N}$ = " + figures(s["N"], 4, language) + " N/m", "N"));
 }
 
 // N_p upwards, T_p across, each at a scale of its own; φ as far as that lets it be seen.
@@ -127,7 +130,8 @@ PanelSheet coefficients_sheet(const Solution& s, Language language) {
                         "Curve: il pattino piano di larghezza infinita (Reynolds). Cerchietti: la tabella della "
                         "fonte, che interpola sulle corde tra essi."},
                        language),
-                   chord_told(s, language)}},
+                   chord_told(s, language), remark(slider_formulas()[0]), remark(slider_formulas()[1]),
+                   remark(slider_formulas()[2])}},
                  {{"By the theory", "Secondo la teoria"},
                   {table({"$n$", "$\\it{A}$", "$\\it{A}$($n$−1)$^{2}$", "$x_{N}$/$l$", "$k$"}, exact)}}},
       .results = {on_chord(s, {"On the chord of the table ($c$):", "Sulla corda della tabella ($c$):"}, language),
@@ -141,27 +145,34 @@ PanelSheet coefficients_sheet(const Solution& s, Language language) {
 
 PanelSheet pad_sheet(const Solution& s, Language language) {
   const geometry::FilmWedge<double> film{s["l"], s["v"], s["mu"], s["theory.h_1"], s["theory.h_2"]};
-  return {.panels =
-              panels(FilmChart(film, {.quantities = {"theory.h_1", "theory.h_2", "theory.x_p_max", "theory.h_p_max"},
-                                      .speed_letters = "$v$",
-                                      .letters_left = letters_left}),
-                     pressure_chart(s, film, language)),
-          .results =
-              {on_chord(s, {"With the table:", "Con la tabella:"}, language), workshop_values({"h_2", "h_1"}),
-               values({"alpha_deg"}), told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),
-               workshop_values({"theory.h_2", "theory.h_1"}), values({"theory.alpha_deg"}),
-               workshop_values({"theory.x_p_max", "theory.h_p_max"}), workshop_values({"theory.p_max", "p_m"}),
-               told({"$p_{m}$ is the mean over the whole pad, $b$·$l$; $p_{max}$ is that of the film, whose load "
-                     "$\\it{N}$ (its arrow is not to scale) acts on $b'$ alone.",
-                     "$p_{m}$ è la media su tutto il pattino, $b$·$l$; $p_{max}$ è quella del meato, il cui carico "
-                     "$\\it{N}$ (la freccia non è in scala) agisce sulla sola $b'$."},
-                    language),
-               on_chord(s, {"Without side leakage, with the table:", "Senza fuoriuscite laterali, con la tabella:"},
-                        language),
-               workshop_values({"no_side_leakage.h_2", "no_side_leakage.h_1"})},
-          .seen = {"Film and pressure along a pad", "Meato e pressioni lungo un pattino"},
-          .told = {"h_2", "h_1", "theory.h_2", "theory.h_1", "theory.p_max"},
-          .without_part = {"D_e", "D_i", "d", "z"}};
+  return {
+      .panels =
+          panels(FilmChart(film, {.quantities = {"theory.h_1", "theory.h_2", "theory.x_p_max", "theory.h_p_max"},
+                                  .speed_letters = "$v$",
+                                  .letters_left = letters_left}),
+                 pressure_chart(s, film, language)),
+      .theory = {{{"The film", "Il meato"},
+                  {remark(
+                      "$h_{2}$ = $l$ √($\\it{A}$ $μ$ $v$/$\\it{N}$), $h_{1}$ = $n$ $h_{2}$, $α$ = arctan(($h_{1}$ "
+                      "− $h_{2}$)/$l$)")}}},
+      .results = {values({"l", "v", "N"}), on_chord(s, {"With the table:", "Con la tabella:"}, language),
+                  workshop_values({"h_2", "h_1"}), values({"alpha_deg"}),
+                  told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),
+                  workshop_values({"theory.h_2", "theory.h_1"}), values({"theory.alpha_deg"}),
+                  workshop_values({"theory.x_p_max", "theory.h_p_max"}), workshop_values({"theory.p_max", "p_m"}),
+                  told(
+                      {"$p_{m}$ is the mean over the whole pad, $b$·$l$; $p_{max}$ is that of the film, whose load "
+                       "$\\it{N}$ (its arrow is not to scale) acts on $b'$ alone.",
+                       "$p_{m}$ è la media su tutto il pattino, $b$·$l$; $p_{max}$ è quella del meato, il cui carico "
+                       "$\\it{N}$ (la freccia non è in scala) agisce sulla sola $b'$."},
+                      language),
+                  on_chord(s,
+                           {"Without side leakage, with the table:", "Senza fuoriuscite laterali, con la tabella:"},
+                           language),
+                  workshop_values({"no_side_leakage.h_2", "no_side_leakage.h_1"})},
+      .seen = {"Film and pressure along a pad", "Meato e pressioni lungo un pattino"},
+      .told = {"h_2", "h_1", "theory.h_2", "theory.h_1", "theory.p_max"},
+      .without_part = {"D_e", "D_i", "d", "z"}};
 }
 
 PanelSheet forces_sheet(const Solution& s, Language language) {
@@ -181,7 +192,9 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
                                      .mean_quantity = "R_m"}),
                        force_triangle(s)),
       .theory = {{{"Forces", "Forze"},
-                  {told({"$\\it{T}_{p}$ = $f_{m}$ $\\it{N}_{p}$ turns the pad's force by the friction angle $φ$, "
+                  {remark("$c$ = $b$/($b$ + $l$), $b'$ = $c$ $b$, $c'$ = √((4 $l$ + $b$)/$b$), $\\it{N}$ = "
+                          "$\\it{N}_{p}$/$b'$, $f_{m}$ = $k$ $c'$ √($μ$ $v$/$\\it{N}$)"),
+                   told({"$\\it{T}_{p}$ = $f_{m}$ $\\it{N}_{p}$ turns the pad's force by the friction angle $φ$, "
                          "tan $φ$ = $f_{m}$. The triangle has another scale across than upwards: $φ$ would not be "
                          "seen. $\\it{M}$ = $z$ $\\it{T}_{p}$ $\\it{R}_{m}$, $\\it{W}$ = $\\it{M}$ $ω$.",
                          "$\\it{T}_{p}$ = $f_{m}$ $\\it{N}_{p}$ ruota la forza del pattino dell'angolo "

@@ -61,20 +61,24 @@ FilmChart::FilmChart(const geometry::FilmWedge<double>& film, const FilmShown& s
       speed_letters_(shown.speed_letters) {}
 
 std::string FilmChart::told_of(const drawings::ChartMap& map, Language language) const {
+  constexpr double countable = 1e6;
   const double times = map.x.per_mm() * micrometres / map.y.per_mm();
   const double larger = std::max(times, 1 / times), digit = std::pow(10, std::floor(std::log10(larger)) - 1);
-  const std::string told = short_number(std::round(larger / digit) * digit, language);  // two digits
+  const std::string two_digits = short_number(std::round(larger / digit) * digit, language);
+  const Words told = larger < countable ? Words{"about ", "circa "} + two_digits
+                                        : Words{"more than a million", "più di un milione di"};
   const Words walls =
       format_words("The pad rests (hatched); below it the flat runner moves at {} to the narrow end. ",
                    "Il pattino è fermo (tratteggiato); sotto, la parete piana scorre con {} verso "
                    "l'estremo stretto. ",
                    speed_letters_);
-  const Words scale = told == "1" ? Words{"The film is drawn about as high as it is, beside its length.",
-                                          "Il meato è disegnato con altezza e lunghezza quasi alla stessa scala."}
-                      : times > 1 ? format_words("The film is drawn about {} times higher than long.",
-                                                 "Il meato è disegnato circa {} volte più alto che lungo.", told)
-                                  : format_words("The film is drawn about {} times longer than high.",
-                                                 "Il meato è disegnato circa {} volte più lungo che alto.", told);
+  const Words scale = two_digits == "1"
+                          ? Words{"The film is drawn about as high as it is, beside its length.",
+                                  "Il meato è disegnato con altezza e lunghezza quasi alla stessa scala."}
+                      : times > 1 ? format_words("The film is drawn {} times higher than long.",
+                                                 "Il meato è disegnato {} volte più alto che lungo.", told)
+                                  : format_words("The film is drawn {} times longer than high.",
+                                                 "Il meato è disegnato {} volte più lungo che alto.", told);
   return (walls + scale).in(language);
 }
 

@@ -228,8 +228,8 @@ bool is_free(const std::vector<double>& heights, std::size_t ray, double pole_di
   return true;
 }
 
-// What is carried from the strips, and the rays; as many of these are numbered as find room, and the strips under the
-// first diagram.
+// What is carried from the strips, and the rays; as many of these are numbered as find room. The strips are numbered
+// under the first diagram; many that are narrower than a number above it, where their lines end.
 void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) const {
   const std::vector<double>& carried = rows_[row].carried;
   if (carried.empty()) return;
@@ -237,7 +237,10 @@ void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) con
   const Place pole{-pole_distance(row), axes_[row]};
   std::vector<double> heights;
   for (const double mean : carried) heights.push_back(mean * scales_[row + 1].mm_per_unit);
-  const double foot = at(row, along_.ends.front(), ranges_[row].first).y;
+  const double foot = at(row, along_.ends.front(), ranges_[row].first).y,
+               head = at(row, along_.ends.front(), ranges_[row].second).y;
+  const double widest = drawings::measure(std::to_string(carried.size()), number_size).width;
+  const bool many = are_many(carried.size());
   for (std::size_t i = 0; i < carried.size(); ++i) {
     const Place mean = at(row, (along_.ends[i] + along_.ends[i + 1]) / 2, carried[i]);
     const Place on_axis{0, mean.y};
@@ -250,9 +253,12 @@ void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) con
     if (!has_number(i, carried.size())) continue;
     if (is_free(heights, i, -pole.x))
       write(on_axis + Arrow2{-apart - width, heights[i] < 0 ? -apart - digit_height : apart});
-    const auto strips_to_next = static_cast<double>(are_many(carried.size()) ? every_numbered : 1);
-    if (row == 0 && strips_to_next * (along_.ends[i + 1] - along_.ends[i]) * scales_[0].mm_per_unit > width + apart)
+    if (row > 0) continue;
+    const double strip = (along_.ends[i + 1] - along_.ends[i]) * scales_[0].mm_per_unit;
+    if (strip > (many ? widest : width) + apart)
       write({mean.x - width / 2, foot - apart - digit_height});
+    else if (many && every_numbered * strip > widest + apart)
+      write({mean.x - width / 2, head + apart});
   }
   plot.dot(pole);
   plot.label(rows_.size() > 2 ? "$O_{" + std::to_string(row + 1) + "}$" : "$O$", pole, Place{0, axes_[row]});
@@ -306,8 +312,15 @@ std::vector<PanelStep> IntegrationPanel::steps(const Plot&, const drawings::Box&
     const Words of = i == 0 ? mean_
                             : Words{"the ordinate of the polygon in the middle of each strip",
                                     "l'ordinata del poligono a metà di ogni striscia"};
+    // What its numbers mean where not every strip has one.
+    const Words numbered =
+        are_many(row.carried.size())
+            ? Words{" Every fifth strip has its number, and its ray the same where it finds room.",
+                    " Una striscia su cinque ha il suo numero, e così il suo raggio dove c'è posto."}
+            : Words{};
     all.push_back({format_words("{}: {} is carried to the axis of ordinates.",
-                                "{}: {} si riporta sull'asse delle ordinate.", row.letters, of),
+                                "{}: {} si riporta sull'asse delle ordinate.", row.letters, of) +
+                       numbered,
                    at(i, x, row.carried[middle])});
     all.push_back(
         {format_words(

@@ -120,4 +120,12 @@ Panels slider_charts(const SliderCharts& of, Language language) {
   return all;
 }
 
+std::vector<std::string> slider_formulas() {
+  return {
+      "$x_{N}$/$l$ = [1 + 4 $n$ − 5 $n^{2}$ + 2 $n$ ($n$ + 2) ln\u00a0$n$] / [2 ($n^{2}$ − 1) ln\u00a0$n$ − 4 ($n$ − "
+      "1)$^{2}$]",
+      "$\\it{A}$ = 6 [($n$ + 1) ln\u00a0$n$ − 2 ($n$ − 1)] / [($n$ + 1) ($n$ − 1)$^{2}$]",
+      "$k$ = 2 [2 ($n$ + 1) ln\u00a0$n$ − 3 ($n$ − 1)] / [($n^{2}$ − 1) √$\\it{A}$]"};
+}
+
 }  // namespace epure

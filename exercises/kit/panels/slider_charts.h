@@ -31,4 +31,7 @@ struct SliderCharts {
 // Three charts of one abscissa, in this order, and the detail behind the first.
 Panels slider_charts(const SliderCharts& of, Language language);
 
+// What the three curves are: x_N/l, A, k. In each language the same signs.
+std::vector<std::string> slider_formulas();
+
 }  // namespace epure

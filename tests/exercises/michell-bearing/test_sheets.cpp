@@ -35,6 +35,7 @@ TEST_CASE("michell bearing: how high the film is drawn, however high it is", "[m
   CHECK(tells(bearing().draw("pressures", {}), "times higher than long"));
   CHECK(tells(bearing().draw("pressures", {"h_1=400", "h_2=160"}), "times longer than high"));
   CHECK_FALSE(tells(bearing().draw("pressures", {"h_1=400", "h_2=160"}), " 0 times"));
+  CHECK(tells(bearing().draw("pressures", {"h_1=0.0000004", "h_2=0.00000016"}), "more than a million times higher"));
 }
 
 TEST_CASE("michell bearing: a polygon that misses its end is not said to close nearly", "[michell-bearing][sheets]") {

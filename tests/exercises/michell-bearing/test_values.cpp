@@ -59,3 +59,24 @@ TEST_CASE("michell bearing: givens that cannot be, each in one sentence", "[mich
   refused({"b=0.2"}, "inner radius");
   CHECK(bearing().checked({"x_N=0.03675000000001"}).passed());
 }
+
+TEST_CASE("michell bearing: both tables of the source, row by row", "[michell-bearing]") {
+  const CheckedExercise result = bearing().checked({});
+  REQUIRE(result.audits.size() == 2);
+  CHECK(result.audits[0].rows.size() == 41);
+  CHECK(result.audits[1].rows.size() == 32);
+  const auto is_one_block = [](const AuditedColumn& column, RowVerdict verdict) {
+    CAPTURE(column.name);
+    REQUIRE(column.blocks.size() == 1);
+    CHECK(column.blocks.front().verdict == verdict);
+    CHECK(column.blocks.front().rounded == 0);
+    CHECK(column.blocks.front().mistake.empty() == (verdict == RowVerdict::right));
+  };
+  REQUIRE(result.audits[0].columns.size() == 3);
+  is_one_block(result.audits[0].columns[0], RowVerdict::right);
+  is_one_block(result.audits[0].columns[1], RowVerdict::wrong);
+  is_one_block(result.audits[0].columns[2], RowVerdict::wrong);
+  REQUIRE(result.audits[1].columns.size() == 3);
+  for (const AuditedColumn& column : result.audits[1].columns) is_one_block(column, RowVerdict::wrong);
+  CHECK(bearing().checked({"dx=0.02"}).audits.empty());
+}
