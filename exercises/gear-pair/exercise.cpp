@@ -133,9 +133,9 @@ Words exactly(const Rational& x) { return decimal(nearest(x), 6); }
 
 // Both wheels column by column; a rack has what a wheel has but circles.
 drawings::Table gear_data(const Pair& pair, Language language) {
-  drawings::Table table{{"mm", "1", "2"}, {}};
+  drawings::Table table{{"", "1", "2"}, {}};
   const auto lengths = [&](const std::string& letters, const std::string& of_1, const std::string& of_2) {
-    table.rows.push_back({"$" + letters + "$"});
+    table.rows.push_back({"$" + letters + "$ (mm)"});
     for (const std::string& name : {of_1, of_2}) {
       const auto value = pair.s.has(name) ? pair.s.value(name) : std::nullopt;
       table.rows.back().push_back(value ? to_micrometre(*value).in(language) : none);
@@ -356,7 +356,7 @@ std::unique_ptr<Exercise> make_gear_pair() {
   return exercise_of_panels(
       std::move(about), solve,
       {{{"pitch-point",
-         {"The mesh around the pitch point", "L'ingranamento intorno al punto P₀"},
+         {"Mesh at the pitch point", "Ingranamento nel punto P₀"},
          {"Draw the mesh of the two involute gears around the pitch point. Find the path of contact, arcs of "
           "approach and recess, contact ratio and the limits of interference.",
           "Disegnare l'ingranamento delle due ruote a evolvente intorno al punto primitivo. Trovare il segmento dei "
