@@ -133,9 +133,9 @@ Words exactly(const Rational& x) { return decimal(nearest(x), 6); }
 
 // Both wheels column by column; a rack has what a wheel has but circles.
 drawings::Table gear_data(const Pair& pair, Language language) {
-  drawings::Table table{{"", "1", "2"}, {}};
+  drawings::Table table{{"mm", "1", "2"}, {}};
   const auto lengths = [&](const std::string& letters, const std::string& of_1, const std::string& of_2) {
-    table.rows.push_back({"$" + letters + "$ (mm)"});
+    table.rows.push_back({"$" + letters + "$"});
     for (const std::string& name : {of_1, of_2}) {
       const auto value = pair.s.has(name) ? pair.s.value(name) : std::nullopt;
       table.rows.back().push_back(value ? to_micrometre(*value).in(language) : none);
