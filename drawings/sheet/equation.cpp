@@ -112,7 +112,7 @@ void set_block(Galley& galley, const VectorEquation& equation, Language language
       size;
   const double room = galley.width() - captions;
   const EquationLine columns = measure_columns(equation, size);
-  constexpr std::array gaps{0.75, 0.55, 0.4};  // of the letters' size: closer together before on several lines
+  constexpr std::array gaps{0.75, 0.55, 0.4, 0.28};  // of the letters' size: closer together before on several lines
   const auto* fitting =
       std::find_if(gaps.begin(), gaps.end(), [&](double each) { return width(columns, each * size) <= room; });
   const double gap = size * (fitting == gaps.end() ? gaps.front() : *fitting);

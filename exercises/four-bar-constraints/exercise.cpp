@@ -77,7 +77,9 @@ std::string with_sine(std::string text, Language language) {
 }
 
 PanelSheet velocities_sheet(const Solution& s, Language language) {
-  return {.panels = panels(VectorsPanel(s, linkage_with_midpoints(s), velocity, {"G2", "G3", "G4"})),
+  VectorsPanel vectors(s, linkage_with_midpoints(s), velocity, {"G2", "G3", "G4"});
+  vectors.square_to("G2", "A").square_to("G4", "B0");
+  return {.panels = panels(vectors),
           .theory = {{{"Differentiated constraints", "Vincoli derivati"},
                       {remark("($ω_{3}$, $ω_{4}$) = −$ψ^{−1}_{y}$ $ψ_{x}$ $ω_{2}$,  $ψ_{x}$ = ∂$ψ$/∂$θ_{2}$"),
                        values({"omega_3"}), values({"omega_4"})}},
@@ -129,7 +131,8 @@ TablePanel three_methods(const Solution& s, Language language) {
 
 PanelSheet comparison_sheet(const Solution& s, Language language) {
   return {
-      .panels = panels(MechanismPanel(linkage_with_midpoints(s)), three_methods(s, language)),
+      .panels = panels(VectorsPanel(s, linkage_with_midpoints(s), velocity, {"G2", "G3", "G4"}),
+                       three_methods(s, language)),
       .theory = {{{"Three methods", "Tre metodi"},
                   {remark(
                        Words{"Constraint equations: Newton-Raphson for the angles, then two linear systems with the "
@@ -176,7 +179,7 @@ std::unique_ptr<Exercise> make_four_bar_constraints() {
   return exercise_of_panels(
       description(), solve,
       {{{"iterations",
-         {"Newton-Raphson on the open linkage", "Newton-Raphson sul quadrilatero aperto"},
+         {"Newton-Raphson: the iterates", "Newton-Raphson: le iterate"},
          {"Write the constraint equations of the four-bar linkage and solve them by Newton-Raphson from the given "
           "start.",
           "Scrivere le equazioni di vincolo del quadrilatero articolato e risolverle con Newton-Raphson dai valori "

@@ -31,6 +31,13 @@ namespace {
 
 double gap(const Solution& s, std::size_t k) { return s[iterate(residual(), k).name]; }
 
+// The gap can be drawn, but not so that it is seen on the whole linkage.
+bool is_beside_gap(const Solution& s) {
+  constexpr double smallest = 1e-9, clear = 0.08;  // of the linkage
+  const double share = gap(s, 0) / linkage(s)->reach();
+  return share > smallest && share < clear;
+}
+
 class OpenLinkagePanel : public Panel {
  public:
   enum class Shows { all, gap };
@@ -64,7 +71,8 @@ class OpenLinkagePanel : public Panel {
     if (shows_ == Shows::all) mechanism_->draw_given(plot);
   }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
-    constexpr double seen = 1.5;  // mm: such a gap can be drawn with its letters
+    constexpr double seen = 1.5;                     // mm: such a gap can be drawn with its letters
+    constexpr double ring = 5, ring_in_detail = 33;  // mm: about what is shown larger; to the links' numbers there
     const Place &A = mechanism_->at("A"), &B0 = mechanism_->at("B0"), &B = mechanism_->at("B");
     for (std::size_t k = 0; k < iterates(solution_) && gap(solution_, k) * plot.scale().mm_per_unit > seen; ++k) {
       const Place on_coupler = solution_.place(end_of_coupler(k)), on_rocker = solution_.place(end_of_rocker(k));
@@ -78,10 +86,15 @@ class OpenLinkagePanel : public Panel {
     }
     if (shows_ == Shows::all) {
       mechanism_->draw(plot);
+      if (is_beside_gap(solution_))
+        plot.mark(drawings::Line{drawings::circle(plot.at(B), ring), Meaning::construction, {}});
       return {};
     }
     draw_link(plot, A, B, Meaning::link);
     draw_link(plot, B0, B, Meaning::link);
+    const double number_at = ring_in_detail / plot.scale().mm_per_unit;
+    for (const auto& [number, end, side] : {std::tuple{"3", A, B0}, {"4", B0, A}})
+      plot.label(number, B + number_at / distance(B, end) * (end - B), side);
     plot.hinge(B);
     plot.label("$B$", B, Place{(A.x + B0.x) / 2, (A.y + B0.y) / 2});
     return {};
@@ -105,12 +118,9 @@ class OpenLinkagePanel : public Panel {
 };
 
 Panels open_linkage(const Solution& s) {
-  constexpr double smallest = 1e-9, clear = 0.08;  // of the linkage: a gap that cannot be drawn; one that needs no
-                                                   // other scale
   using Shows = OpenLinkagePanel::Shows;
   const Place A = s.place("A"), on_coupler = s.place(end_of_coupler(0)), on_rocker = s.place(end_of_rocker(0));
-  const double share = gap(s, 0) / linkage(s)->reach();
-  const bool is_beside = share > smallest && share < clear;
+  const bool is_beside = is_beside_gap(s);
   std::vector<PanelStep> steps{
       {{"The start: link 3 at $θ^{0}_{3}$ about $A$, link 4 at $θ^{0}_{4}$ to $B_{0}$. The linkage is open at $B$.",
         "La partenza: il membro 3 a $θ^{0}_{3}$ intorno ad $A$, il 4 a $θ^{0}_{4}$ verso $B_{0}$. Il quadrilatero è "
@@ -215,7 +225,7 @@ PanelSheet iterations_sheet(const Solution& s, Language language) {
             {table({"$ψ_{q}$ (m)", "∂/∂$θ_{2}$", "∂/∂$θ_{3}$", "∂/∂$θ_{4}$"},
                    {{"$ψ_{1}$", {"jacobian_psi_1_theta_2", "jacobian_psi_1_theta_3", "jacobian_psi_1_theta_4"}},
                     {"$ψ_{2}$", {"jacobian_psi_2_theta_2", "jacobian_psi_2_theta_3", "jacobian_psi_2_theta_4"}}}),
-             remark("∂$ψ$/∂$θ_{i}$ = $r_{i}$ (−" + sin + " $θ_{i}$, cos $θ_{i}$)"),
+             remark("∂$ψ$/∂$θ_{i}$ = $r_{i}$ (−" + sin + " $θ_{i}$, cos $θ_{i}$);  $ψ_{y}$: ∂/∂$θ_{3}$, ∂/∂$θ_{4}$"),
              remark("det $ψ_{y}$ = $r_{3}$ $r_{4}$ " + sin + "($θ_{4}$ − $θ_{3}$)"),
              values({"jacobian_determinant_psi_y"})}},
            {{"The source", "La fonte"},
@@ -248,6 +258,9 @@ PanelSheet convergence_sheet(const Solution& s, Language language) {
                                 "converges quadratically.",
                                 "Vicino alla soluzione ogni passo raddoppia le cifre esatte: la convergenza è "
                                 "quadratica."}
+                              .in(language)),
+                   remark(Words{"The last errors are the rounding of doubles, no longer convergence.",
+                                "Gli ultimi errori sono arrotondamento dei double, non più convergenza."}
                               .in(language)),
                    remark(Words{
                        "There is one solution, and only one, near the last iterate; what is reported are its values.",

@@ -30,15 +30,17 @@ class ParallelPanel : public MechanismPanel {
     Extent extent;
     const drawings::Box mechanism = MechanismPanel::extent(lengths, vectors);
     extent.include(mechanism.low.x, mechanism.low.y);
-    extent.include(mechanism.high.x, mechanism.high.y + title_);
-    extent.include(lengths, Q_, 9);
+    extent.include(mechanism.high.x, mechanism.high.y);
+    extent.include(lengths, Q_, compass_ + 1);
     for (const auto& [X, v] : {std::pair{at("A"), v_A_}, {at("B"), v_B_}}) {
       const double x = lengths.mm_per_unit * X.x + vectors.mm_per_unit * v.x,
                    y = lengths.mm_per_unit * X.y + vectors.mm_per_unit * v.y;
       extent.include(x - 7, y - 7);
       extent.include(x + 7, y + 7);
     }
-    return extent.box();
+    drawings::Box box = extent.box();
+    box.high.y += title_;
+    return box;
   }
 
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override {
@@ -80,10 +82,11 @@ class ParallelPanel : public MechanismPanel {
                     "$A$ sulla retta $A_{0}Q$; la biella $QB_{0}$, traslata lungo di essa fino ad $A$, è $AB$."},
                    at("A")});
     all.push_back(
-        {{"$P_{31}$ is at infinity, $ω_{3}$ = 0, $\\vec{v}_{A}$ = $\\vec{v}_{B}$ = $\\vec{v}_{C}$; |$ω_{4}$| "
-          "= |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. But $α_{3}$ is not zero.",
-          "$P_{31}$ è all'infinito, $ω_{3}$ = 0, $\\vec{v}_{A}$ = $\\vec{v}_{B}$ = $\\vec{v}_{C}$; |$ω_{4}$| "
-          "= |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. Ma $α_{3}$ non è nulla."},
+        {{"$P_{31}$ is at infinity, $ω_{3}$ = 0: all points of the coupler have $\\vec{v}_{A}$ = $\\vec{v}_{B}$; "
+          "|$ω_{4}$| = |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. But $α_{3}$ is not zero: by the polygon of sheet 3.",
+          "$P_{31}$ è all'infinito, $ω_{3}$ = 0: tutti i punti della biella hanno $\\vec{v}_{A}$ = "
+          "$\\vec{v}_{B}$; |$ω_{4}$| = |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. Ma $α_{3}$ non è nulla: col poligono della "
+          "tavola 3."},
          plot.tip(at("B"), v_B_)});
     return all;
   }
@@ -91,12 +94,13 @@ class ParallelPanel : public MechanismPanel {
  private:
   static constexpr double along_link = 0.62;  // clear of its number
   static constexpr double title_ = 6;         // mm
+  static constexpr double compass_ = 8;       // mm of an arc to either side of Q
 
   const Place& at(const std::string& name) const { return mechanism_->at(name); }
 
   // Both circles near Q, and the coupler carried along the line of the crank.
   void draw_construction(Plot& plot) const {
-    for (const char* centre : {"A0", "B0"}) compass_arc(plot, at(centre), Q_, 11);
+    for (const char* centre : {"A0", "B0"}) compass_arc(plot, at(centre), Q_, compass_);
     plot.long_segment(at("A0"), Q_, 6, Meaning::construction);
     plot.segment(at("A"), Q_, Meaning::construction);
     plot.segment(Q_, at("B0"), Meaning::alternative);

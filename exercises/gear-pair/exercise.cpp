@@ -356,7 +356,7 @@ std::unique_ptr<Exercise> make_gear_pair() {
   return exercise_of_panels(
       std::move(about), solve,
       {{{"pitch-point",
-         {"The mesh around the pitch point", "L'ingranamento intorno al punto P₀"},
+         {"Mesh at the pitch point", "Ingranamento nel punto P₀"},
          {"Draw the mesh of the two involute gears around the pitch point. Find the path of contact, arcs of "
           "approach and recess, contact ratio and the limits of interference.",
           "Disegnare l'ingranamento delle due ruote a evolvente intorno al punto primitivo. Trovare il segmento dei "

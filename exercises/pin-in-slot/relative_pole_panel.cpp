@@ -43,8 +43,8 @@ std::vector<drawings::Block> RelativePolePanel::draw(Plot& plot, const drawings:
   } else {
     draw_towards(plot, room, B, B + normal_, "$P_{23}$", language);
   }
-  plot.right_angle(B, B + normal_, B + geometry::quarter_turn(normal_));
   mechanism_->draw(plot);
+  plot.right_angle(B, B + normal_, B + geometry::quarter_turn(normal_));  // over the slot, which would hide it
   plot.measures_abscissa("B_x", D, O);
   return {};
 }

@@ -16,8 +16,9 @@ namespace epure {
 namespace slider_crank_acceleration {
 namespace {
 
-std::shared_ptr<const Mechanism> with_angular_acceleration(const Solution& s, const SliderCrankInstant& instant) {
-  return slider_crank_mechanism(s, instant, {s["alpha_3"], "$α_{3}$"});
+std::shared_ptr<const Mechanism> with_angular_acceleration(const Solution& s, const SliderCrankInstant& instant,
+                                                           bool marks_phi = true) {
+  return slider_crank_mechanism(s, instant, {s["alpha_3"], "$α_{3}$", marks_phi});
 }
 
 VectorPolygon accelerations(const Solution& s, const SliderCrankInstant& instant, Language language) {
@@ -106,8 +107,8 @@ std::vector<PolesStep> steps_to_accelerations() {
 PanelSheet poles_sheet(const Solution& s, Language) {
   const SliderCrankInstant instant = slider_crank_instant(s.givens());
   const std::vector<std::string> points{"A", "B", "C", "M"};
-  return {.panels = panels(PolesPanel(s, with_angular_acceleration(s, instant), PolesPanel::of_acceleration(), points,
-                                      steps_to_accelerations())),
+  const auto mechanism = with_angular_acceleration(s, instant, false);  // γ has the place of φ
+  return {.panels = panels(PolesPanel(s, mechanism, PolesPanel::of_acceleration(), points, steps_to_accelerations())),
           .results = {values({"omega_3", "alpha_3", "gamma_deg"}), coordinates("K"),
                       by_point(points, {{"$KX$ (m)", "K{}"}, {"$a_{X}$ (m/s²)", "a_{}"}})},
           .seen = {"Accelerations of A, B, C and M, proportional to their distances from the acceleration pole K",

@@ -81,12 +81,15 @@ class CouplerCurvePanel : public Panel {
 
   // Two positions of the crank, as a rule, have one B: it bears both their numbers.
   void number_B(Plot& plot) const {
-    constexpr double below = 10;  // mm
+    constexpr double below = 10, half_guide = 14, hatched = 6;  // mm
     const double mm = plot.scale().mm_per_unit;
     std::vector<std::pair<Place, std::string>> each;
     for (const Position& at : positions_) each.emplace_back(at.B, at.label);
-    for (const auto& [B, numbers] : numbered_together(plot, each))
-      plot.small_label(numbers, B, B + Arrow2{0, below / mm}, Meaning::construction);
+    for (const auto& [B, numbers] : numbered_together(plot, each)) {
+      const bool is_on_guide = distance(B, mechanism_->at("B")) * mm < half_guide;  // below its hatching then
+      plot.small_label(numbers, is_on_guide ? B + Arrow2{0, -hatched / mm} : B, B + Arrow2{0, below / mm},
+                       Meaning::construction);
+    }
   }
 
   // Where there is room; a swinging crank does not reach every position.

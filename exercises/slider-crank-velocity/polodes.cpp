@@ -2,6 +2,7 @@
 // the fixed polode) and is carried back onto the AB of the instant (P₀ then draws the moving polode).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "exercises/kit/linkages/slider_crank_mechanism.h"
@@ -117,6 +118,8 @@ class PolodesPanel : public Panel {
     draw_triangles(plot, room);
     for (const auto* lines : {&of_fixed_, &of_moving_})
       for (const geometry::Line<double>& line : *lines) draw_line(plot, line, Meaning::axis);
+    name_asymptotes(plot, room, of_fixed_, "$p$", language);
+    name_asymptotes(plot, room, of_moving_, "$π$", language);
     const geometry::Trace p = draw_loci(
         plot, instant_, [&](const Loop& loop) { return fixed(loop); }, room, Meaning::locus, "fixed_polode");
     const geometry::Trace pi = draw_loci(
@@ -164,6 +167,24 @@ class PolodesPanel : public Panel {
   Place on_asymptote() const {
     const auto& [a, b, c] = of_fixed_.front();
     return along_guide(dot(Place{-a * c, -b * c} - along_guide(0), guide()), -size_);
+  }
+
+  // Each where it leaves the room below, two in one line once.
+  static void name_asymptotes(Plot& plot, const drawings::Box& room, const std::vector<geometry::Line<double>>& lines,
+                              const std::string& curve, Language language) {
+    constexpr double above_end = 5, one_line = 1;  // mm
+    const Place P0 = plot.from_paper({room.low.x, room.low.y + above_end});
+    std::vector<Place> named;
+    for (const auto& [a, b, c] : lines) {
+      if (std::abs(a) < std::abs(b)) continue;  // too flat to leave below
+      const Place P{-(b * P0.y + c) / a, P0.y};
+      const bool is_named = std::any_of(named.begin(), named.end(), [&](const Place& Q) {
+        return distance(P, Q) * plot.scale().mm_per_unit < one_line;
+      });
+      if (is_named || !is_in(room, plot, P)) continue;
+      plot.small_label(Words{"asymptote of ", "asintoto di "}.in(language) + curve, P, P);
+      named.push_back(P);
+    }
   }
 
   void draw_triangles(Plot& plot, const drawings::Box& room) const {

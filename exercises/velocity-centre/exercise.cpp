@@ -50,17 +50,19 @@ std::vector<Printed> printed_by_the_source() {
           {"normal_slope", "-6.071", "poles"}, {"P0_y", "4", "poles"}};
 }
 
-std::shared_ptr<const Mechanism> bar_on_its_body(const Solution& s) {
+std::shared_ptr<const Mechanism> bar_on_its_body(const Solution& s, bool speeds_up = false) {
   const Instant instant(s.givens());
   const double theta = sign_of(instant.angle) < 0 ? -geometry::to_double(within_one_turn(-instant.angle))
                                                   : geometry::to_double(within_one_turn(instant.angle));
-  return std::make_shared<const Mechanism>(Mechanism()
-                                               .point("O", s.place("O"), Mechanism::Joint::block, "$O$")
-                                               .point("A", s.place("A"), Mechanism::Joint::none, "$A$")
-                                               .body({"O", "A"})
-                                               .guide("O", 0, "$x$")
-                                               .angle("O", 0, theta, "$θ$")
-                                               .turning("O", "A", sign_of(instant.omega), "$ω$"));
+  Mechanism mechanism;
+  mechanism.point("O", s.place("O"), Mechanism::Joint::block, "$O$")
+      .point("A", s.place("A"), Mechanism::Joint::none, "$A$")
+      .body({"O", "A"})
+      .guide("O", 0, "$x$")
+      .angle("O", 0, theta, "$θ$")
+      .turning("O", "A", sign_of(instant.omega), "$ω$");
+  if (speeds_up) mechanism.turning("A", "O", sign_of(instant.omega_dot), "d$ω$/d$t$");
+  return std::make_shared<const Mechanism>(std::move(mechanism));
 }
 
 VectorPolygon velocities(const Solution& s) {
@@ -165,7 +167,7 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
 }
 
 PanelSheet acceleration_sheet(const Solution& s, Language) {
-  return {.panels = panels(MechanismPanel(bar_on_its_body(s)),
+  return {.panels = panels(MechanismPanel(bar_on_its_body(s, true)),
                            PolygonPanel(s, accelerations(s), PolygonPanel::Table::measured)),
           .results = {components(acceleration("A"))},
           .seen = {"The bar on its body, and the polygon of the accelerations of A",
@@ -175,7 +177,7 @@ PanelSheet acceleration_sheet(const Solution& s, Language) {
 }
 
 PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
-  return {.panels = panels(PolesPanel(s, bar_on_its_body(s), PolesPanel::of_acceleration(), {"O", "A"},
+  return {.panels = panels(PolesPanel(s, bar_on_its_body(s, true), PolesPanel::of_acceleration(), {"O", "A"},
                                       steps_to_accelerations(s))),
           .results = {coordinates("K"), components(acceleration("A"))},
           .seen = {"The bar on its body, its acceleration centre K, and the accelerations of O and A",

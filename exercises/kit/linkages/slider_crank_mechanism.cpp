@@ -33,7 +33,7 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism(const Solution& solution
       .turning("A0", "A", sign_of(instant.n), "$ω_{2}$");
   if (coupler.sense != 0) mechanism.turning_found("A", "B", coupler.sense, coupler.symbol);
   if (instant.is_offset()) mechanism.offset("A0", foot, b > 0 ? delta + std::numbers::pi : delta, r, "$e$");
-  if (!instant.is_offset() && !instant.is_inclined())
+  if (coupler.marks_phi && !instant.is_offset() && !instant.is_inclined())
     mechanism.angle("A0", 0, std::fmod(geometry::to_double(instant.crank), 2 * std::numbers::pi), "$φ$");
   return std::make_shared<const Mechanism>(std::move(mechanism));
 }

@@ -13,6 +13,7 @@ namespace epure {
 struct CouplerTurning {
   double sense = 0;
   std::string symbol = {};
+  bool marks_phi = true;  // the angle of the crank
 };
 // A0, A, B, C and M must be in the solution.
 std::shared_ptr<const Mechanism> slider_crank_mechanism(const Solution& solution, const SliderCrankInstant& instant,

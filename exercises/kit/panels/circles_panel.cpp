@@ -149,7 +149,7 @@ void CirclesPanel::draw_stationarity_circle(Plot& plot, const drawings::Box& roo
     }
   }
   if (!J_ || !K_) return;
-  mark_right_angle(plot, *P0_, *J_, *S_prime_);
+  mark_right_angle(plot, *P0_, *P0_ + (*P0_ - *J_), *S_prime_);  // away from the right angles at the rays
   plot.segment(*J_, *S_prime_, Meaning::construction);
   draw_to(plot, room, *P0_, *K_, "$K$", language);
   mark_right_angle(plot, *K_, *P0_, *S_prime_);

@@ -1,5 +1,7 @@
 #include "exercises/kit/panels/curvature_panel.h"
 
+#include <cmath>
+
 #include "drawings/paths/vectors.h"
 #include "exercises/kit/panels/osculating_arc.h"
 #include "exercises/kit/statement/format_words.h"
@@ -35,6 +37,14 @@ drawings::Box RaysPanel::covered(const Scale& lengths, double points, double cir
   return extent.box();
 }
 
+// Opposite the mechanism, where it is on the sheet.
+void RaysPanel::name_circle(Plot& plot, const drawings::Box& room, Language language) const {
+  const double away = direction(middle(), *F_);
+  const Place P = *F_ + inflection_.radius * Arrow2{std::cos(away), std::sin(away)};
+  if (is_in(room, plot, P))
+    plot.small_label(Words{"inflection circle", "circonferenza dei flessi"}.in(language), P, *F_);
+}
+
 std::vector<drawings::Block> RaysPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   const Place O = mechanism_->corners().front();
   plot.cycle(inflection_, Meaning::locus);
@@ -42,6 +52,7 @@ std::vector<drawings::Block> RaysPanel::draw(Plot& plot, const drawings::Box& ro
     draw_to(plot, room, *P0_, *J_, "$J$", language, Meaning::axis);
     draw_named(plot, J_, "$J$", *P0_);
     draw_named(plot, F_, "$F$", *P0_);
+    if (F_) name_circle(plot, room, language);
   }
   mechanism_->sketch(plot);
   for (const OnRay& X : points_) {

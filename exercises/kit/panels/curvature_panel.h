@@ -32,6 +32,7 @@ class RaysPanel : public CutPanel {
   };
   double far() const override { return 5; }
   drawings::Box covered(const Scale& lengths, double points, double circles) const override;
+  void name_circle(Plot& plot, const drawings::Box& room, Language language) const;
 
   Curved curved_;
   std::optional<Place> P0_, J_, F_;

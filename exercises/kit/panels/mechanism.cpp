@@ -271,11 +271,11 @@ double Mechanism::direction_of_support(const Point& P, const Scale& scale) const
   };
   const auto room = [&](double direction) {
     const Place foot = P.at + support_height / scale.mm_per_unit * unit_at(direction);
-    if (is_on_plate(foot)) return 0.0;
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto* bodies : {&bodies_, &other_positions_})
       for (const auto& [from, to] : edges(*bodies)) nearest = std::min(nearest, distance_to_segment(foot, from, to));
-    return nearest * scale.mm_per_unit;
+    constexpr double worse_on_plate = 1000;  // mm: more than all room beside one
+    return nearest * scale.mm_per_unit - (is_on_plate(foot) ? worse_on_plate : 0);
   };
   double best = -right_angle;
   if (room(best) >= half_wide) return best;

@@ -56,6 +56,12 @@ std::vector<drawings::Point> ways_along(const drawings::Line& line, drawings::Po
   return ways;
 }
 
+bool ends_at(const drawings::Mark& mark, drawings::Point tip) {
+  constexpr double on_it = 0.05;  // mm
+  const auto* vector = std::get_if<drawings::Arrow>(&mark);
+  return vector && drawings::distance(vector->to, tip) < on_it;
+}
+
 bool leads_to(const drawings::Mark& mark, drawings::Point tip) {
   constexpr double on_it = 0.05;  // mm
   const auto* line = std::get_if<drawings::Line>(&mark);
@@ -68,14 +74,16 @@ bool leads_to(const drawings::Mark& mark, drawings::Point tip) {
 }
 
 // How far aside a vector stands that would else lie on such a line, so that both are seen: on the side to which
-// it leans. Where lines of the construction lead to its tip it stays there.
+// it leans. Where lines of the construction lead to its tip it stays there, and at the tip of another vector too:
+// they are sides of a polygon.
 drawings::Point aside(const std::vector<drawings::Mark>& marks, drawings::Point from, drawings::Point to) {
   constexpr double by = 1.3, shortest = 4;  // mm
   const double one_way = std::cos(7 * std::numbers::pi / 180);
   const drawings::Point v = to - from;
   const double length = drawings::length(v);
-  if (length < shortest ||
-      std::any_of(marks.begin(), marks.end(), [&](const drawings::Mark& mark) { return leads_to(mark, to); }))
+  if (length < shortest || std::any_of(marks.begin(), marks.end(), [&](const drawings::Mark& mark) {
+        return leads_to(mark, to) || ends_at(mark, to) || ends_at(mark, from);
+      }))
     return {0, 0};
   for (const drawings::Mark& mark : marks) {
     const auto* line = std::get_if<drawings::Line>(&mark);

@@ -148,11 +148,22 @@ std::string letters_of(const Drawing& on, const PolygonSide& side) {
                      on.polygon.unit);
 }
 
+// Away from what the letters of a corner stand: from a short side at it, beside which are letters too, or else from
+// the middle.
+Place clear_of_sides(const Drawing& on, const PlacedSide& s, const PlacedSide* next) {
+  constexpr double needs_room = 15;  // mm
+  for (const PlacedSide* side : {&s, next})
+    if (side && distance(side->from, side->to) * on.plot.scale().mm_per_unit < needs_room &&
+        (distance(side->from, s.corner()) == 0 || distance(side->to, s.corner()) == 0))
+      return between(side->from, side->to, 0.5);
+  return on.middle;
+}
+
 // Only the whole polygon is measured: the same vector stands on other pictures too.
-void draw_vector(const Drawing& on, const PlacedSide& s, bool of_left_side) {
+void draw_vector(const Drawing& on, const PlacedSide& s, const PlacedSide* next, bool of_left_side) {
   on.plot.side(on.whole ? s.side->quantity : "", s.from, s.to, on.polygon.meaning, letters_of(on, *s.side),
                away_from(on, s, of_left_side));
-  if (!s.side->tip.empty()) on.plot.label(s.side->tip, s.corner(), on.middle, on.polygon.meaning);
+  if (!s.side->tip.empty()) on.plot.label(s.side->tip, s.corner(), clear_of_sides(on, s, next), on.polygon.meaning);
 }
 
 // Unknown vectors appear when the polygon is closed; until then a line alone.
@@ -166,7 +177,7 @@ void draw_sides(const Drawing& on, const std::vector<PlacedSide>& sides, const P
     if (!of_left_side) --right_ones;
     if (steps-- <= 0) return;
     if (s.side->is_unknown() && !(closed && s.side->closes_alone())) draw_carrier(on.plot, s);
-    if (!s.side->is_unknown() || closed) draw_vector(on, s, of_left_side);
+    if (!s.side->is_unknown() || closed) draw_vector(on, s, &s == &sides.back() ? nullptr : &s + 1, of_left_side);
     if (s.side->square && before && closed) on.plot.right_angle(s.from, before->from, s.to);
     before = &s;
   }

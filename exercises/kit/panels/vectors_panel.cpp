@@ -37,6 +37,10 @@ std::vector<drawings::Block> VectorsPanel::draw(Plot& plot, const drawings::Box&
   for (const Acting& each : acting_)
     plot.vector_on(each.quantity.name, each.at, each.v,
                    each.quantity.unit == "m/s" ? Meaning::velocity : Meaning::acceleration, each.quantity.arrow());
+  for (const auto& [point, other] : squares_)
+    for (const Acting& each : acting_)
+      if (const Place& X = mechanism_->at(point); distance(each.at, X) == 0)
+        plot.right_angle(X, plot.tip(X, each.v), mechanism_->at(other));
   return {};
 }
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exercises/kit/panels/mechanism.h"
@@ -16,6 +17,12 @@ class VectorsPanel : public Panel {
   // `vector`: velocity or acceleration. The points must be of the mechanism.
   VectorsPanel(const Solution& solution, std::shared_ptr<const Mechanism> mechanism,
                VectorQuantity (*vector)(const std::string& of), const std::vector<std::string>& points);
+
+  // The vector of a point is perpendicular to the way from it to another: marked.
+  VectorsPanel& square_to(const std::string& point, const std::string& other) {
+    squares_.emplace_back(point, other);
+    return *this;
+  }
 
   double reach() const override { return mechanism_->reach(); }
   Vectors vectors() const override;
@@ -31,6 +38,7 @@ class VectorsPanel : public Panel {
   };
   std::shared_ptr<const Mechanism> mechanism_;
   std::vector<Acting> acting_;
+  std::vector<std::pair<std::string, std::string>> squares_;
 };
 
 }  // namespace epure

@@ -88,8 +88,8 @@ void draw_sense(Plot& plot, const Rolled& f) {
   draw_sense_of_line(plot, f.P0, ends_of_line(f).second, f.turning());
 }
 
-void draw_sense_of_line(Plot& plot, const Place& P0, const Place& end, double sense) {
-  constexpr double least = 11, share = 0.6, gap = 2, length = 14;  // mm
+void draw_sense_of_line(Plot& plot, const Place& P0, const Place& end, double sense, double share) {
+  constexpr double least = 11, gap = 2, length = 14;  // mm
   const double radius = std::max(least, share * distance(P0, end) * plot.scale().mm_per_unit);
   const double way = sense > 0 ? 1 : -1, from = direction(P0, end) + way * gap / radius, by = way * length / radius;
   const drawings::Point centre = plot.at(P0);

@@ -15,7 +15,7 @@ std::pair<Place, Place> ends_of_line(const Rolled& f);
 // The arc arrow of ω: about C, or ahead of a line. None when the body does not turn.
 void draw_sense(Plot& plot, const Rolled& f);
 // Ahead of a line from the contact P0 to `end`, turning counter-clockwise (sense > 0) or clockwise.
-void draw_sense_of_line(Plot& plot, const Place& P0, const Place& end, double sense);
+void draw_sense_of_line(Plot& plot, const Place& P0, const Place& end, double sense, double share = 0.6);
 // Returns how far, in mm of paper, the drawn path may be from the true one, proved.
 double draw_path(Plot& plot, const RollingGivens& given, const Way& way, Meaning ink = Meaning::locus);
 // Points of the path, as many as show how far it reaches.
