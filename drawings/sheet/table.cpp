@@ -35,6 +35,15 @@ std::optional<Numeral> as_numeral(const std::string& cell) {
   return Numeral{text.substr(0, i), text.substr(i)};
 }
 
+// A cell of a table to be filled in may have a caption after a line break: it stands in small letters above the text.
+struct Captioned {
+  std::string text, caption;
+};
+Captioned parts_of(const std::string& cell) {
+  const auto end = cell.find('\n');
+  return end == std::string::npos ? Captioned{cell, {}} : Captioned{cell.substr(0, end), cell.substr(end + 1)};
+}
+
 struct TableColumn {
   bool numeric = false;
   double before = 0, after = 0;  // widest parts of its numbers on both sides of the decimal sign
@@ -50,7 +59,7 @@ TableColumn measure_column(const Table& table, std::size_t index, double size) {
   for (const auto& row : table.rows) {
     if (index >= row.size() || row[index].empty()) continue;
     ++filled;
-    column.body = std::max(column.body, cell_width(row[index], size));
+    column.body = std::max(column.body, cell_width(parts_of(row[index]).text, size));
     const auto numeral = as_numeral(row[index]);
     if (!numeral) continue;
     ++numbers;
@@ -122,17 +131,42 @@ void set_head(Galley& galley, const std::vector<TableColumn>& columns, double ga
   galley.down(0.25 * size);
 }
 
+// Each as wide as there is room before the next one; whether there are any.
+bool set_captions(Galley& galley, const std::vector<std::string>& row, const std::vector<TableColumn>& columns,
+                  double gap, double right) {
+  constexpr double small = 2.2, line = 1.12 * small;  // mm
+  std::size_t most = 0;
+  double x = galley.left();
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::string caption = parts_of(row[i]).caption;
+    if (!caption.empty()) {
+      double end = x + columns[i].width;
+      for (std::size_t k = i + 1; k < row.size() && row[k].empty(); ++k) end += gap + columns[k].width;
+      const auto lines = wrap(caption, small, std::min(end, right) - x);
+      for (std::size_t k = 0; k < lines.size(); ++k)
+        galley.text(lines[k], {x, galley.top() - 1.25 * small - line * static_cast<double>(k)}, small,
+                    Weight::regular, grey);
+      most = std::max(most, lines.size());
+    }
+    x += columns[i].width + gap;
+  }
+  if (most > 0) galley.down(0.25 * small + line * static_cast<double>(most));
+  return most > 0;
+}
+
 void set_row(Galley& galley, const std::vector<std::string>& row, const std::vector<TableColumn>& columns, double gap,
              double room_above) {
   const double size = galley.size();
   double above = room_above;
   for (const std::string& cell : row)
-    if (!cell.empty()) above = std::max(above, measure(cell, size).ascent - 0.78 * size);
+    if (!cell.empty()) above = std::max(above, measure(parts_of(cell).text, size).ascent - 0.78 * size);
   galley.down(above);
   double x = galley.left();
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (i < row.size() && !row[i].empty())
-      galley.text(row[i], {cell_left(columns[i], row[i], x, size), galley.baseline()}, size);
+    if (i < row.size() && !row[i].empty()) {
+      const std::string text = parts_of(row[i]).text;
+      galley.text(text, {cell_left(columns[i], text, x, size), galley.baseline()}, size);
+    }
     x += columns[i].width + gap;
   }
   galley.down((1.18 + 0.16 * galley.air()) * size);
@@ -170,7 +204,10 @@ void set_block(Galley& galley, const Table& table, Language) {
   galley.down(0.25 * size);
   set_head(galley, columns, gap, right);
   for (const auto& row : table.rows) {
-    set_row(galley, row, columns, gap, table.to_fill_in ? room_to_write * size : 0);
+    double room_above = 0;
+    if (table.to_fill_in)  // below a caption, which is seldom as long as the row, there is room already
+      room_above = (set_captions(galley, row, columns, gap, right) ? 0.7 : 1) * room_to_write * size;
+    set_row(galley, row, columns, gap, room_above);
     if (table.to_fill_in && &row != &table.rows.back()) galley.rule(galley.top(), galley.left(), right, fine);
   }
   galley.rule(galley.top(), galley.left(), right, narrow);

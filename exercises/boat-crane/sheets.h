@@ -1,9 +1,15 @@
 // The crane's sheets.
 #pragma once
 
+#include <memory>
+
+#include "exercises/kit/panels/mechanism_figure.h"
 #include "exercises/kit/panels/panel_sheet.h"
 
 namespace epure::boat_crane {
+
+// Beam and column on their supports.
+std::shared_ptr<const MechanismFigure> whole_crane(const Solution& s);
 
 PanelSheet reactions_sheet(const Solution& s, Language language);
 PanelSheet elastic_sheet(const Solution& s, Language language);

@@ -2,6 +2,7 @@
 // of the boat with the column's shortening.
 #include "exercises/boat-crane/sheets.h"
 #include "exercises/kit/panels/beam_panel.h"
+#include "exercises/kit/panels/free_body_panel.h"
 #include "exercises/kit/panels/load_line_panel.h"
 #include "exercises/kit/panels/sheet.h"
 
@@ -64,12 +65,19 @@ LoadLinePanel force_plan(const Solution& s, Language language) {
             {0, b}}}});
 }
 
+// With the boat's weight, all that a student starts from.
+FreeBodyPanel loaded_crane(const Solution& s) {
+  FreeBodyPanel crane(whole_crane(s));
+  crane.load({.label = "$\\it{P}$", .v = {0, -s["P"]}}, {3 * length(s), 0});
+  return crane;
+}
+
 }  // namespace
 
 PanelSheet reactions_sheet(const Solution& s, Language language) {
   const double L = length(s), y = s["moment_ordinate"];
   BeamPanel beam(3 * L,
-                 {cut_free(L, {{"$\\it{R}_{B}$", 0, -1}, {"$\\it{Y}_{A}$", L, 1}, {"$\\it{P}$", 3 * L, -1}}),
+                 {cut_free(L, {{"$\\it{R}_{B}$", 0, -1}, {"$\\it{Y}_{A}$", L, 1}, {"$\\it{P}$", 3 * L, -1, true}}),
                   moments(s), shear(s)},
                  {.unit = "N", .longest = s["P"] + s["R_B"], .longest_on_paper = 60});
   beam.lines_at({0, L, 3 * L});
@@ -97,18 +105,18 @@ PanelSheet reactions_sheet(const Solution& s, Language language) {
       "600 kg/$\\it{W}_{b}$ times the force.",
       "Con 600 kg, come calcola la fonte, vale la stessa figura se un centimetro si conta per "
       "600 kg/$\\it{W}_{b}$ volte la forza."};
-  return {
-      .panels = panels(force_plan(s, language), beam),
-      .results = {values({"P", "Y_A"}), values({"Y_B", "R_B", "X_B"}), values({"T_1_BC", "T_1_CD"}),
-                  values({"M_1_mid_BC", "M_1_mid_CD"}), values({"M_C", "N_2"}), remark(scale.in(language)),
-                  remark(doubled.in(language))},
-      .seen =
-          {"The beam cut free, its plan of forces with pole and rays, the funicular polygon as diagram of moments, "
-           "and the shear beneath",
-           "La trave isolata, il piano delle forze con polo e raggi, il poligono funicolare come diagramma dei "
-           "momenti, e sotto il taglio"},
-      .told = {"P", "Y_A", "Y_B", "M_C", "T_1_BC", "T_1_CD"},
-      .without_part = {"H_0", "s_1", "H_1", "b_1", "s_2", "H_2", "b_2", "sigma_S", "Delta_sigma_L", "Psi", "E"}};
+  return {.panels = panels(loaded_crane(s), force_plan(s, language), beam),
+          .results = {values({"P", "Y_A"}), values({"Y_B", "R_B", "X_B"}), values({"T_1_BC", "T_1_CD"}),
+                      values({"M_1_mid_BC", "M_1_mid_CD"}), values({"M_C", "N_2"}), remark(scale.in(language)),
+                      remark(doubled.in(language))},
+          .seen = {"The crane, its beam cut free, the plan of forces with pole and rays, the funicular polygon as "
+                   "diagram of moments, "
+                   "and the shear beneath",
+                   "La gru, la trave isolata, il piano delle forze con polo e raggi, il poligono funicolare come "
+                   "diagramma dei "
+                   "momenti, e sotto il taglio"},
+          .told = {"P", "Y_A", "Y_B", "M_C", "T_1_BC", "T_1_CD"},
+          .without_part = {"H_0", "s_1", "H_1", "b_1", "s_2", "H_2", "b_2", "sigma_S", "Delta_sigma_L", "Psi", "E"}};
 }
 
 namespace {

@@ -17,6 +17,8 @@ namespace {
 constexpr double mega = 1e6;
 const std::string with_600 = "mass_600kg.";
 
+}  // namespace
+
 std::shared_ptr<const MechanismFigure> whole_crane(const Solution& s) {
   using Joint = Mechanism::Joint;
   const double L = CGAL::to_double(s.givens()["L"]), H = CGAL::to_double(s.givens()["H_0"]);
@@ -31,8 +33,6 @@ std::shared_ptr<const MechanismFigure> whole_crane(const Solution& s) {
   crane.hinge_under({L, 0}, {L, -H});
   return std::make_shared<const MechanismWithBlocks>(std::move(crane));
 }
-
-}  // namespace
 
 PanelSheet section_sheet(const Solution& s, Language language) {
   const double H = half_depth(s), sigma = s["sigma_z_max"] / mega, tau = s["tau_max_Jourawsky"] / mega;
@@ -240,6 +240,11 @@ Words does_not_hold(const Solution& s) {
 }  // namespace
 
 PanelSheet checks_sheet(const Solution& s, Language language) {
+  // The picture's table tells them; the sheet to be solved asks for them.
+  std::vector<std::string> utilisations;
+  for (const char* const check : {"beam_static", "beam_fatigue", "column_static", "column_fatigue", "buckling"})
+    for (const std::string& of : {std::string(), with_600}) utilisations.push_back(of + check + "_utilisation");
+  const Result asked_for([](const Solution&, Language) { return std::optional<drawings::Block>(); }, utilisations);
   std::vector<std::vector<std::string>> rows;
   const auto cell = [&](const std::string& name, double unit) {
     const auto value = s.value(name);
@@ -280,7 +285,8 @@ PanelSheet checks_sheet(const Solution& s, Language language) {
       "Una verifica vale se l'impiego $u$ non supera 1."};
   return {.panels = panels(MechanismPanel(whole_crane(s)), std::move(table)),
           .theory = {{{"Both masses", "Le due masse"}, {remark(why.in(language))}}},
-          .results = {remark(kept.in(language)), values({"P"}), value_as("$\\it{P}$ (600 kg)", with_600 + "P")},
+          .results = {remark(kept.in(language)), values({"P"}), value_as("$\\it{P}$ (600 kg)", with_600 + "P"),
+                      asked_for},
           .seen = {"All checks of the crane, with the mass that is stated and with 600 kg",
                    "Tutte le verifiche della gru, con la massa dichiarata e con 600 kg"},
           .told = {"beam_static_utilisation", "beam_fatigue_utilisation", "column_static_utilisation",

@@ -85,17 +85,39 @@ std::vector<Words> not_asked(const Variant& variant, const std::vector<std::stri
   return sentences_of_not_asked(without_value, off_sheet);
 }
 
-std::string givens_in_words(const Solution& solution, Language language) {
-  std::string all;
+const Words& title_of(const Description& about, const std::string& sheet) {
+  return std::find_if(about.sheets.begin(), about.sheets.end(),
+                      [&](const SheetSpec& each) { return each.name == sheet; })
+      ->title;
+}
+
+// The mechanism, of several in an exercise, that a given belongs to, which its meaning ends in; empty: there is one.
+std::string mechanism_of(const GivenSpec& given, Language language) {
+  if (given.symbol.find('.') == std::string::npos) return {};
+  const std::string meaning = drawings::plain(given.meaning.in(language));
+  const auto at = meaning.rfind(", ");
+  return at == std::string::npos ? std::string() : meaning.substr(at + 2);
+}
+
+// A line of them for each mechanism, under its name.
+std::vector<std::string> givens_in_words(const Solution& solution, Language language) {
+  std::vector<std::string> lines;
+  std::optional<std::string> before;
   const Givens& givens = solution.givens();
   for (const GivenSpec& spec : givens.specs()) {
     if (givens.follows(spec.symbol) || !spec.choices.empty()) continue;
     if (spec.beyond_source && !givens.is_changed(spec.symbol)) continue;
+    const std::string mechanism = mechanism_of(spec, language);
+    if (before != mechanism)
+      lines.push_back(mechanism.empty() ? "" : mechanism + ": ");
+    else
+      lines.back() += ", ";
+    before = mechanism;
     const auto read = *givens.reading(spec.symbol);
-    all += (all.empty() ? "" : ", ") + unicode_symbol(spec.letters.empty() ? spec.symbol : spec.letters) + " " +
-           equal_to(read.number, language) + unit_after_number(read.unit.symbol, language);
+    lines.back() += unicode_symbol(spec.letters.empty() ? spec.symbol : spec.letters) + " " +
+                    equal_to(read.number, language) + unit_after_number(read.unit.symbol, language);
   }
-  return all;
+  return lines;
 }
 
 }  // namespace
@@ -105,19 +127,21 @@ std::string moodle_question(const Exercise& exercise, const Variant& variant, co
   const auto paragraph = [](const std::string& of) { return "<p>" + escaped_for_xml(of) + "</p>\n"; };
   const Words question =
       lots.sheets.size() == 1 ? question_of(exercise.about(), lots.sheets.front()) : exercise.about().question;
-  std::string text = paragraph(drawings::plain(question.in(language))) +
-                     paragraph(givens_in_words(variant.solution, language)),
-              files, rows;
+  std::string text = paragraph(drawings::plain(question.in(language))), files, rows, origin;
+  for (const std::string& line : givens_in_words(variant.solution, language)) text += paragraph(line);
   std::vector<std::string> asked;
   for (std::size_t i = 0; i < lots.sheets.size(); ++i) {
     SheetRequest request = lots.request_of(lots.sheets[i]);
     request.blank = request.bare = true;
     const std::string name = exercise.about().id + "-" + lots.sheets[i] + "-blank.svg";
-    text += fmt::format("<p><img src=\"@@PLUGINFILE@@/{}\" alt=\"{}\" /></p>\n", name, lots.sheets[i]);
+    text += fmt::format(
+        "<p><img src=\"@@PLUGINFILE@@/{}\" alt=\"{}\" /></p>\n", name,
+        drawings::escaped_for_attribute(drawings::plain(title_of(exercise.about(), lots.sheets[i]).in(language))));
     files += fmt::format("<file name=\"{}\" path=\"/\" encoding=\"base64\">{}</file>\n", name,
                          base64(drawings::svg(exercise.draw(lots.sheets[i], variant.solution, request).sheet)));
     for (const std::string& quantity : variant.solved[i].asked)
       if (std::find(asked.begin(), asked.end(), quantity) == asked.end()) asked.push_back(quantity);
+    if (origin.empty()) origin = letter_of_origin(variant.solved[i].asked, variant.solution, variant.solved[i]);
   }
   const CheckedExercise checked = checked_by_sheets(exercise, variant, lots);
   Ruler on_it = ruler;
@@ -132,8 +156,8 @@ std::string moodle_question(const Exercise& exercise, const Variant& variant, co
         escaped_for_xml(written_unit(quantity->spec.unit, language)),
         escaped_for_xml(drawings::plain(quantity->spec.meaning.in(language))));
   }
-  if (const Words senses = positive_senses(asked, variant.solution); !senses.empty())
-    text += paragraph(senses.in(language));
+  if (const Words senses = positive_senses(asked, variant.solution, origin); !senses.empty())
+    text += paragraph(drawings::plain(senses.in(language)));
   text += "<table>\n" + rows + "</table>\n";
   for (const Words& each : not_asked(variant, asked)) text += paragraph(each.in(language));
   return fmt::format("<questiontext format=\"html\">\n<text><![CDATA[{}]]></text>\n{}</questiontext>\n", text, files);

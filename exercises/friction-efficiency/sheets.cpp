@@ -60,6 +60,11 @@ Words other_lines(const std::string& english, const std::string& italian) {
 // What the retrograde motion has in place of something.
 std::string prime(const std::string& suffix) { return suffix == retrograde ? "'" : ""; }
 
+// Where the polygon of a body begins.
+std::string origin(const std::string& body, const std::string& suffix) {
+  return "$O" + prime(suffix) + "_{" + body + "}$";
+}
+
 // A chain of vectors from the origin on, for what lies under a polygon.
 std::vector<Arrow2> laid_end_to_end(const std::vector<Arrow2>& vectors) {
   std::vector<Arrow2> corners{{0, 0}};
@@ -98,7 +103,9 @@ Sides sides(const Case& of, const Chain& chain, const std::string& suffix) {
 ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::string& suffix) {
   const Sides on = sides(of, chain, suffix);
   const PolygonSide& Q = on.Q;
-  ChainedPolygonsPanel panel(on.first(chain));
+  VectorPolygon first = on.first(chain);
+  first.origin = origin(chain.loaded, suffix);
+  ChainedPolygonsPanel panel(std::move(first));
   panel.then(on.second(chain), Q.v + on.contact.v);
   const Arrow2 ideal_contact = of.vector(chain.contact.name + "_ideal"), b = Q.v + ideal_contact;
   panel.over(laid_end_to_end({Q.v, ideal_contact, of.vector(chain.on_loaded.name + "_ideal")}));
@@ -218,7 +225,9 @@ PanelSheet two_forces(const Solution& s, Language language) {
     sum.label = moving(force_between(1, 3), suffix).arrow();
     sum.length.reset();
     sum.v = first.v + second.v;
-    ChainedPolygonsPanel panel(force_polygon("3", {sum}, {Q, R_23}));
+    VectorPolygon of_rod = force_polygon("3", {sum}, {Q, R_23});
+    of_rod.origin = origin("3", suffix);
+    ChainedPolygonsPanel panel(std::move(of_rod));
     PolygonSide minus = reaction(sum, "−" + sum.label, "$\\it{R}_{13}$");
     minus.tip = "$b$";
     if (K) panel.then(force_polygon("3", {first}, {minus, second}), {0, 0});
@@ -318,6 +327,8 @@ PanelSheet double_slider(const Solution& s, Language language) {
     panel.angle({0, 0}, 0, std::atan2(b.y, b.x), "$φ$").angle(b, downwards, std::atan2(-R_14.y, -R_14.x), "$φ$");
     return panel;
   };
+  FreeBodyPanel whole(double_slider_figure(of));
+  whole.load(of.load("Q", "", ""), of.place("A")).effort(of.known(P_of(direct), "", ""), of.place("B"), Arrow::ends);
   FreeBodyPanel A = detail("A", false), B = detail("B", true);
   A.step({"The pins turn in the link: its force touches both friction circles, $ρ$ = $r$ sin $φ$, on the sides on "
           "which it hinders their turning; so it "
@@ -340,11 +351,12 @@ PanelSheet double_slider(const Solution& s, Language language) {
   results.push_back(table({Words{"hinges", "cerniere"}.in(language), "$φ_{R}$ (°)", "$φ_{D}$ (°)"},
                           {limits({"with friction", "con attrito"}, of), limits({"ideal", "ideali"}, ideal)}));
   return {
-      .panels = panels(A, B, with_guides(direct), with_guides(retrograde)),
+      .panels = panels(whole, A, B, with_guides(direct), with_guides(retrograde)),
       .results = results,
-      .seen = {"The pins of the double slider with their friction circles, and the polygons of the direct and of the "
-               "retrograde motion",
-               "I perni del doppio pattino con i cerchi d'attrito, e i poligoni del moto diretto e del retrogrado"},
+      .seen =
+          {"The double slider, its pins with their friction circles, and the polygons of the direct and of the "
+           "retrograde motion",
+           "Il doppio pattino, i suoi perni con i cerchi d'attrito, e i poligoni del moto diretto e del retrogrado"},
       .told = of.names({"P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
       .without_part = of.without({}, {"phi", "double_slider_pins.r"})};
 }
@@ -454,7 +466,9 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
                       R_54 = passed_on(R_56, force_between(5, 6), 5, 4, suffix, "$a$"),
                       R_34 = of.sought(moving(force_between(3, 4), suffix), turned_from("⊥ $CD$", language), "$c$"),
                       R_14 = of.sought(moving(force_between(1, 4), suffix), H);
-    ChainedPolygonsPanel panel(force_polygon("6", {R_16}, {F, R_56}));
+    VectorPolygon of_ram = force_polygon("6", {R_16}, {F, R_56});
+    of_ram.origin = origin("6", suffix);
+    ChainedPolygonsPanel panel(std::move(of_ram));
     VectorPolygon second = force_polygon("4", {R_14}, {R_54, R_34});
     second.origin = "$b$";
     if (!shared || suffix != direct) panel.then(second, F.v + R_56.v);

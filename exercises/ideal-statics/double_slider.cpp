@@ -1,8 +1,8 @@
 // The double slider: force triangle, and the link's pole.
-#include <cmath>
-#include <numbers>
+#include <memory>
 
 #include "exercises/ideal-statics/sheets.h"
+#include "exercises/kit/linkages/loaded_figures.h"
 
 namespace epure::ideal_statics {
 namespace {
@@ -10,17 +10,35 @@ namespace {
 using Arrow = FreeBodyPanel::Arrow;
 using Joint = Mechanism::Joint;
 
-std::shared_ptr<const Mechanism> link(const Case& of) {
-  Mechanism drawn;
-  drawn.point("O", {0, 0}, Joint::corner, "")
-      .point("A", of.place("A"), Joint::block, "$A$")
-      .point("B", of.place("B"), Joint::block, "$B$")
-      .body({"B", "A"}, 3)
-      .guide("A", std::numbers::pi / 2)
-      .guide("B", 0)
-      .angle("B", 0, of.radians("theta"), "$θ$");
-  return std::make_shared<const Mechanism>(std::move(drawn));
-}
+// With the load on slider 2, and the line along which the sought force drives slider 4.
+class LoadedSlider : public MechanismFigure {
+ public:
+  explicit LoadedSlider(const Case& of) : link_(double_slider_figure(of)), A_(of.place("A")), B_(of.place("B")) {}
+
+  void draw(Plot& plot) const override {
+    link_->draw(plot);
+    const auto from = [&](const Place& P, double x, double y) {
+      return P + 1 / plot.scale().mm_per_unit * Arrow2{x, y};
+    };
+    plot.side("", A_, from(A_, 0, -length), Meaning::force, "$\\vec{\\it{Q}}$");
+    plot.segment(from(B_, -length, 0), from(B_, length, 0), Meaning::construction);
+    plot.label("$\\vec{\\it{P}}$", from(B_, -length, 0), B_, Meaning::force);
+  }
+  void sketch(Plot& plot) const override { link_->sketch(plot); }
+  void include(Extent& extent, const Scale& scale) const override {
+    link_->include(extent, scale);
+    constexpr double letters = 6;  // mm
+    for (const Place& P : corners()) extent.include(scale, P, length + letters);
+  }
+  std::vector<Place> corners() const override { return link_->corners(); }
+  double reach() const override { return link_->reach(); }
+
+ private:
+  static constexpr double length = 14;  // mm
+
+  std::shared_ptr<const Mechanism> link_;
+  Place A_, B_;
+};
 
 PanelSheet sheet(const Solution& s, Language) {
   const Case of(s, "double_slider");
@@ -55,11 +73,11 @@ PanelSheet sheet(const Solution& s, Language) {
   VectorPolygon of_4 = force_polygon("4", {R_14}, {R_34, driving});
   of_4.origin = "$b$";
   polygons.then(of_4, Q.v + R_32.v);
-  FreeBodyPanel whole(link(of));
+  FreeBodyPanel whole(double_slider_figure(of));
   whole.to_scale();
   return {.panels = panels(whole, on_2, on_4, polygons),
           .results = {of.results({"P", "R_12", "R_14"}), of.results({"R_32"}),
-                      of.results({"v_Q_over_v_P", "P_virtual_work"})},
+                      for_comparison(of.results({"v_Q_over_v_P", "P_virtual_work"}))},
           .seen = {"The double slider, its two sliders cut free, and the triangles of their forces",
                    "Il doppio pattino, i suoi due pattini isolati, e i triangoli delle loro forze"},
           .told = of.names({"P", "R_12", "R_14", "R_32"}),
@@ -71,7 +89,7 @@ PanelSheet virtual_work(const Solution& s, Language) {
   const Case of(s, "double_slider");
   using Where = PolesStep::Where;
   const std::string pole = "$P_{31}$";
-  PolesPanel poles(s, link(of), of.pole("P31"), {"A", "B"},
+  PolesPanel poles(s, std::make_shared<const LoadedSlider>(of), of.pole("P31"), {"A", "B"},
                    {{{"The normals to the two guides, in $A$ and in $B$, meet in " + pole + ", the link's pole.",
                       "Le normali alle due guide, in $A$ e in $B$, si incontrano in " + pole + ", polo dell'asta."},
                      Where::pole},
@@ -90,7 +108,7 @@ PanelSheet virtual_work(const Solution& s, Language) {
   return {
       .panels = panels(poles, PolygonPanel(s, polygon)),
       .results = {of.results({"P31_x", "P31_y"}), of.results({"v_Q_over_v_P"}), of.results({"P_virtual_work"}),
-                  of.results({"P"})},
+                  for_comparison(of.results({"P"}))},
       .seen = {"The double slider with the pole of its link and the virtual displacements of the sliders, and their "
                "polygon",
                "Il doppio pattino con il polo dell'asta e gli spostamenti virtuali dei pattini, e il loro poligono"},

@@ -101,7 +101,7 @@ PanelSheet virtual_work(const Solution& s, const std::string& name) {
                   {0, 0});
   return {.panels = panels(poles, velocities),
           .results = {of.results({"P24C", "P24A"}), of.results({"omega_4_over_omega_2", "v_D6_over_omega_2"}),
-                      of.results({"M_virtual_work"}), of.results({"M"})},
+                      of.results({"M_virtual_work"}), for_comparison(of.results({"M"}))},
           .seen = {"Fairbairn's mechanism with the pole of crank and lever, and the polygons of velocities",
                    "La guida di Fairbairn con il polo di manovella e leva, e i poligoni delle velocità"},
           .told = of.names({"P24C", "P24A", "omega_4_over_omega_2", "v_D6_over_omega_2", "M_virtual_work"}),

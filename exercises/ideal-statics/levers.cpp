@@ -141,7 +141,7 @@ PanelSheet virtual_work(const LeverFigure& at) {
       .panels = panels(poles, PolygonPanel(of.s, polygon), arms),
       .results = {of.results({"A0A", "B0B"}), of.results({"P41A", "P41B", "P23_x"}),
                   of.results({"omega_3_over_omega_2", "omega_4_over_omega_2"}), of.results({"arm_Q", "v_Q_over_v_P"}),
-                  of.results({"P_virtual_work", "P"})},
+                  of.results({"P_virtual_work"}), for_comparison(of.results({"P"}))},
       .seen = {"The equivalent four-bar of the sliding levers with its poles, and the polygon of velocities",
                "Il quadrilatero equivalente delle leve striscianti con i suoi poli, e il poligono delle velocità"},
       .told = of.names({"P41_x", "P41_y", "omega_3_over_omega_2", "v_Q_over_v_P", "P_virtual_work"}),

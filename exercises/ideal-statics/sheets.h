@@ -19,6 +19,11 @@ namespace epure::ideal_statics {
 
 using namespace loaded;
 
+// Told beside what the sheet finds, and not asked: another sheet finds it.
+inline Result for_comparison(const Result& result) {
+  return [result](const Solution& s, Language language) { return result(s, language); };
+}
+
 std::vector<SheetMaker> wedge_sheets();
 std::vector<SheetMaker> double_slider_sheets();
 std::vector<SheetMaker> lever_sheets();

@@ -89,12 +89,13 @@ PanelSheet virtual_work_of_wedge(const Solution& s, Language language) {
                   "Il cuneo si muove lungo $x$, l'asta lungo $r_{1}$, e l'uno sull'altra scorrono lungo la faccia: "
                   "$v_{Q}$ : $v_{P}$ = tg $θ$. $\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0."},
                  {0, 0});
-  return {.panels = panels(mechanism, PolygonPanel(s, displacements)),
-          .results = {of.results({"v_Q_over_v_P"}), of.results({"P_virtual_work"}), of.results({"P"})},
-          .seen = {"The wedge and the rod in its collar, and the polygon of their virtual velocities",
-                   "Il cuneo e l'asta nel collare, e il poligono delle loro velocità virtuali"},
-          .told = of.names({"v_Q_over_v_P", "P_virtual_work"}),
-          .without_part = of.without({"w", "y_lower", "y_upper"})};
+  return {
+      .panels = panels(mechanism, PolygonPanel(s, displacements)),
+      .results = {of.results({"v_Q_over_v_P"}), of.results({"P_virtual_work"}), for_comparison(of.results({"P"}))},
+      .seen = {"The wedge and the rod in its collar, and the polygon of their virtual velocities",
+               "Il cuneo e l'asta nel collare, e il poligono delle loro velocità virtuali"},
+      .told = of.names({"v_Q_over_v_P", "P_virtual_work"}),
+      .without_part = of.without({"w", "y_lower", "y_upper"})};
 }
 
 PanelSheet two_forces(const Solution& s, Language) {

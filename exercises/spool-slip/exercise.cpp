@@ -8,6 +8,7 @@
 #include "exercises/kit/panels/chart_panel.h"
 #include "exercises/kit/panels/free_body_panel.h"
 #include "exercises/kit/panels/mechanism.h"
+#include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/poles_panel.h"
 #include "exercises/kit/panels/polygon_panel.h"
@@ -35,10 +36,10 @@ Mechanism spool_of(const Solution& s, const std::string& letters_of_C = "$C$") {
 }
 
 // With rope, pulley and counterweight.
-std::shared_ptr<const Mechanism> whole(const Solution& s) {
+std::shared_ptr<const Mechanism> whole(const Solution& s, const std::string& letters_of_C) {
   const double R = given(s, "R"), h = s.place("A").y, pulley = R / 4, far = 1.7 * R, side = 0.2 * R;
   const Place centre{far, h - pulley}, hook{far + pulley, centre.y - 0.6 * R};
-  Mechanism drawn = spool_of(s, "");  // C is the pole's
+  Mechanism drawn = spool_of(s, letters_of_C);
   drawn.point("top", {far, h}, Joint::corner, "")
       .point("Q", centre, Joint::hinge, "")
       .point("right", {far + pulley, centre.y}, Joint::corner, "")
@@ -60,7 +61,7 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
   PolesPanel::Kind about = PolesPanel::of_velocity("C");
   about.letters = "$C$";
   PolesPanel poles(
-      s, whole(s), about, {"G", "A"},
+      s, whole(s, ""), about, {"G", "A"},  // C is the pole's
       {{{"It rolls: $C$ rests, and is the instantaneous centre. $\\vec{v}_{G}$ is laid off for $ω$ = 1 rad/s.",
          "Rotola: $C$ è fermo, ed è il centro d'istantanea rotazione. Si riporta $\\vec{v}_{G}$ per $ω$ = 1 rad/s."},
         Where::tip,
@@ -213,27 +214,28 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
       "$\\it{F}^{*}$ è l'attrito che occorre perché non strisci; $m_{F}$ = $\\it{F}_{max}$ − $\\it{F}^{*}$ è "
       "negativo "
       "dove striscia."};
-  return {
-      .panels =
-          panels(with_cone(s, "", "m", main, true, language), with_cone(s, "light.", "l", light, false, language),
-                 with_cone(s, "heavy_if_rolling.", "t", tried, false, language),
-                 with_cone(s, "heavy.", "h", instead, false, language)),
-      .results = {values({"F_max", "friction_cone_half_angle"}),
-                  table({"", "$\\it{T}$ (N)", "$\\it{F}$ (N)"},
-                        {{"$m_{b,l}$", {"light.T", "light.F"}},
-                         {"$m_{b}$", {"T", "F"}},
-                         {tried_head, {"heavy_if_rolling.T", "heavy_if_rolling.F"}},
-                         {"$m_{b,h}$", {"heavy.T", "heavy.F"}}}),
-                  table({"", "$\\it{F}^{*}$ (N)", "$m_{F}$ (N)"},
-                        {{"$m_{b}$", {"F_required", "slip_margin"}},
-                         {"$m_{b,h}$", {"heavy_if_rolling.F", "heavy_if_rolling.slip_margin"}}}),
-                  values({"heavy.a_G", "heavy.alpha"}), values({"heavy.slip_acceleration", "light.u_required"}),
-                  remark(margin.in(language))},
-      .seen = {"The force polygons of the spool with the friction cone for a light, a middle and a heavy "
-               "counterweight",
-               "I poligoni delle forze della bobina con il cono d'attrito per un contrappeso leggero, uno medio e "
-               "uno pesante"},
-      .told = {"light.F", "F", "F_required", "heavy_if_rolling.F", "heavy.F", "F_max"}};
+  return {.panels = panels(MechanismPanel(whole(s, "$C$")), with_cone(s, "", "m", main, true, language),
+                           with_cone(s, "light.", "l", light, false, language),
+                           with_cone(s, "heavy_if_rolling.", "t", tried, false, language),
+                           with_cone(s, "heavy.", "h", instead, false, language)),
+          .results = {values({"F_max", "friction_cone_half_angle"}),
+                      table({"", "$\\it{T}$ (N)", "$\\it{F}$ (N)"},
+                            {{"$m_{b,l}$", {"light.T", "light.F"}},
+                             {"$m_{b}$", {"T", "F"}},
+                             {tried_head, {"heavy_if_rolling.T", "heavy_if_rolling.F"}},
+                             {"$m_{b,h}$", {"heavy.T", "heavy.F"}}}),
+                      table({"", "$\\it{F}^{*}$ (N)", "$m_{F}$ (N)"},
+                            {{"$m_{b}$", {"F_required", "slip_margin"}},
+                             {"$m_{b,h}$", {"heavy_if_rolling.F", "heavy_if_rolling.slip_margin"}}}),
+                      values({"heavy.a_G", "heavy.alpha"}), values({"heavy.slip_acceleration", "light.u_required"}),
+                      remark(margin.in(language))},
+          .seen = {"The spool with its counterweight, and its force polygons with the friction cone for a light, a "
+                   "middle and a heavy "
+                   "counterweight",
+                   "La bobina con il contrappeso, e i suoi poligoni delle forze con il cono d'attrito per un "
+                   "contrappeso leggero, uno medio e "
+                   "uno pesante"},
+          .told = {"light.F", "F", "F_required", "heavy_if_rolling.F", "heavy.F", "F_max"}};
 }
 
 // F/N over m_b/m_a: what must hold, and what holds; or as a detail the start of it, where it lies near the axis.

@@ -198,10 +198,13 @@ std::unique_ptr<Exercise> make_velocity_centre() {
       .item = "Esercizio 4",
       .source = {"Pisa, mid-term test of 14 June 2006, exercise 4",
                  "Pisa, verifica intermedia del 14/6/2006, esercizio 4"},
-      .question = {"A bar turns about a hinge O on a body that translates. Find the velocity centre of the bar, "
-                   "velocity and acceleration of its end A, and the acceleration centre K.",
-                   "Un'asta ruota attorno a una cerniera O su un corpo che trasla. Trovare il centro delle velocità "
-                   "dell'asta, velocità e accelerazione del suo estremo A, e il centro delle accelerazioni K."},
+      .question =
+          {"A bar turns about a hinge O on a body that translates along $x$, with $\\it{V}$ and $a$ positive to the "
+           "right. Find the velocity centre of the bar, "
+           "velocity and acceleration of its end A, and the acceleration centre K.",
+           "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con $\\it{V}$ e $a$ positive "
+           "verso destra. Trovare il centro delle velocità "
+           "dell'asta, velocità e accelerazione del suo estremo A, e il centro delle accelerazioni K."},
       .givens = givens(),
       .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Instant(givens)}, rung); };
@@ -209,21 +212,28 @@ std::unique_ptr<Exercise> make_velocity_centre() {
       std::move(about), solve,
       {{{"velocities",
          {"Velocity centre of the bar", "Centro delle velocità"},
-         {"A bar turns about a hinge O on a body that translates. Find the velocity centre of the bar and the "
-          "velocity of its end A.",
-          "Un'asta ruota attorno a una cerniera O su un corpo che trasla. Trovare il centro delle velocità dell'asta "
+         {"A bar turns about a hinge O on a body that translates along $x$, with $\\it{V}$ positive to the right. "
+          "Find the "
+          "velocity centre of the bar and the velocity of its end A.",
+          "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con $\\it{V}$ positiva verso "
+          "destra. "
+          "Trovare il centro delle velocità dell'asta "
           "e la velocità del suo estremo A."}},
         velocity_sheet},
        {{"accelerations",
          {"Acceleration of A", "Accelerazione di A"},
-         {"A bar turns about a hinge O on a body that translates. Find the acceleration of its end A.",
-          "Un'asta ruota attorno a una cerniera O su un corpo che trasla. Trovare l'accelerazione del suo estremo "
+         {"A bar turns about a hinge O on a body that translates along $x$, with $a$ positive to the right. Find the "
+          "acceleration of its end A.",
+          "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con $a$ positiva verso destra. "
+          "Trovare l'accelerazione del suo estremo "
           "A."}},
         acceleration_sheet},
        {{"acceleration-pole",
          {"Acceleration centre K", "Centro delle accelerazioni K"},
-         {"A bar turns about a hinge O on a body that translates. Find the acceleration centre K of the bar.",
-          "Un'asta ruota attorno a una cerniera O su un corpo che trasla. Trovare il centro delle accelerazioni K "
+         {"A bar turns about a hinge O on a body that translates along $x$, with $a$ positive to the right. Find the "
+          "acceleration centre K of the bar.",
+          "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con $a$ positiva verso destra. "
+          "Trovare il centro delle accelerazioni K "
           "dell'asta."}},
         acceleration_pole_sheet}});
 }

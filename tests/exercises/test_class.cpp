@@ -480,12 +480,17 @@ TEST_CASE("class --format moodle: which sense is positive is said where it is as
     std::replace(folder_of.begin(), folder_of.end(), '/', '-');
     return question_in("out/" + folder_of + "-class/questions.xml");
   };
-  const std::string both = "<p>Positive sense: counter-clockwise; x to the right, y upwards.</p>";
+  const std::string both = "<p>Positive sense: counter-clockwise; x to the right, y upwards; coordinates from A";
   CHECK(told("slider-crank-velocity", "en").find(both) != std::string::npos);
-  CHECK(told("slider-crank-velocity", "it").find("<p>Verso positivo: antiorario; x a destra, y in alto.</p>") !=
-        std::string::npos);
+  CHECK(told("slider-crank-velocity", "it")
+            .find("<p>Verso positivo: antiorario; x a destra, y in alto; coordinate da A") != std::string::npos);
   CHECK(told("slider-crank-velocity/polar-diagram", "en").find("Positive sense: counter-clockwise.") !=
         std::string::npos);
+  // Of which mechanism a given is stands before it, and the pictures' names are those of the sheets.
+  const std::string mechanisms = told("ideal-statics", "it");
+  CHECK(mechanisms.find("<p>cuneo e collare: Q = 200 N, ") != std::string::npos);
+  CHECK(mechanisms.find("<p>doppio pattino: Q = 150 N, ") != std::string::npos);
+  CHECK(mechanisms.find("alt=\"Doppio pattino: lavori virtuali\"") != std::string::npos);
   // Forces in bars have no sense that turns, nor components.
   CHECK(told("michell-bearing", "en").find("counter-clockwise") == std::string::npos);
 }

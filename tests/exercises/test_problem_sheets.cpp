@@ -1,5 +1,6 @@
 // Sheets to be solved: what is given lies where it lies on the solved sheet, and nothing tells what is to be found.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -61,12 +62,18 @@ std::size_t crosses_of_starts(const drawings::Sheet& sheet) {
       }));
 }
 
-// What a sheet asks for, cell by cell: "$v_{B}$ (m/s)".
-std::vector<std::string> asked_in(const drawings::Table& table) {
+// What a sheet asks for, cell by cell: "$v_{B}$ (m/s)"; and the same with what it is, or of which case.
+std::vector<std::string> cells_in(const drawings::Table& table) {
   std::vector<std::string> all;
   for (const auto& row : table.rows)
     for (std::size_t i = 0; i < row.size(); i += 2)
       if (!row[i].empty()) all.push_back(row[i]);
+  return all;
+}
+std::string without_caption(const std::string& cell) { return cell.substr(0, cell.find('\n')); }
+std::vector<std::string> asked_in(const drawings::Table& table) {
+  std::vector<std::string> all = cells_in(table);
+  for (std::string& cell : all) cell = without_caption(cell);
   return all;
 }
 
@@ -74,6 +81,13 @@ std::vector<drawings::Table> tables_of(const drawings::Sheet& sheet) {
   std::vector<drawings::Table> all;
   for (const drawings::Block& block : sheet.column)
     if (const auto* table = std::get_if<drawings::Table>(&block)) all.push_back(*table);
+  return all;
+}
+
+std::string paragraphs_of(const DrawnSheet& drawn) {
+  std::string all;
+  for (const drawings::Block& block : drawn.sheet.column)
+    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) all += paragraph->text + "\n";
   return all;
 }
 
@@ -173,7 +187,7 @@ TEST_CASE("A sheet to be solved tells the question and leaves the answers open")
 }
 
 TEST_CASE("A sheet to be solved asks for each thing once, with the unit it is told in") {
-  std::size_t long_ones = 0;
+  std::size_t long_ones = 0, alike = 0, all_told = 0;
   for_all_sheets([&](const Exercise& exercise, const DrawnSheet&, const DrawnSheet& blank) {
     if (blank.asked.empty()) return;
     const drawings::Table table = tables_of(blank.sheet).front();
@@ -181,6 +195,17 @@ TEST_CASE("A sheet to be solved asks for each thing once, with the unit it is to
     CHECK(asked.size() == blank.asked.size());
     CHECK(std::set<std::string>(blank.asked.begin(), blank.asked.end()).size() == blank.asked.size());
     if (table.rows.front().size() == 4) ++long_ones;
+    // A symbol alone does not tell at which position, with which mass: nothing is written twice.
+    const std::vector<std::string> cells = cells_in(table);
+    CAPTURE(cells);
+    CHECK(std::set<std::string>(cells.begin(), cells.end()).size() == cells.size());
+    const auto has_caption = [](const std::string& cell) { return cell.find('\n') != std::string::npos; };
+    const bool are_all_told = std::all_of(cells.begin(), cells.end(), has_caption);
+    all_told += are_all_told ? 1 : 0;
+    for (const std::string& cell : cells) {
+      const auto times = std::count(asked.begin(), asked.end(), without_caption(cell));
+      alike += times > 1 ? 1 : 0;
+    }
     // In two columns they are read down the first, then down the second.
     std::vector<std::string> in_order;
     for (std::size_t column = 0; column < table.rows.front().size(); column += 2)
@@ -192,6 +217,8 @@ TEST_CASE("A sheet to be solved asks for each thing once, with the unit it is to
         if (quantity.name == blank.asked[i]) CHECK(in_order[i].starts_with(quantity.symbol));
   });
   CHECK(long_ones > 5);
+  CHECK(alike > 20);
+  CHECK(all_told > 100);
   const auto wheels = asked_in(tables_of(blank_sheet_of("gear-pair", "wheels").sheet).front());
   CHECK(std::find(wheels.begin(), wheels.end(), "$r_{b1}$ (mm)") != wheels.end());
   CHECK(asked_in(tables_of(blank_sheet_of("gear-pair", "wheels", {"kind=rack"}).sheet).front()).size() ==
@@ -222,23 +249,53 @@ TEST_CASE("A sheet to be solved does not ask for what is off it, or is nowhere")
   for (const char* gone : {"P0_x", "P0_y", "P0A", "P0B", "P0C", "P0M"})
     CHECK(std::find(blank.asked.begin(), blank.asked.end(), gone) == blank.asked.end());
   CHECK(std::find(blank.asked.begin(), blank.asked.end(), "omega_3") != blank.asked.end());
-  std::string paragraphs;
-  for (const drawings::Block& block : blank.sheet.column)
-    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) paragraphs += paragraph->text + "\n";
-  CHECK(paragraphs.find("Not asked, as it lies at infinity or does not exist: ") != std::string::npos);
+  CHECK(paragraphs_of(blank).find("Not asked, as it lies at infinity or does not exist: ") != std::string::npos);
 }
 
 TEST_CASE("A sheet to be solved says which sense is positive of what it asks") {
-  const auto paragraphs = [](const DrawnSheet& blank) {
-    std::string all;
-    for (const drawings::Block& block : blank.sheet.column)
-      if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) all += paragraph->text + "\n";
-    return all;
-  };
-  CHECK(paragraphs(blank_sheet_of("slider-crank-velocity", "poles")).find("\nPositive sense: counter-clockwise.\n") !=
-        std::string::npos);
-  CHECK(paragraphs(blank_sheet_of("four-bar", "circles")).find("x to the right, y upwards.\n") != std::string::npos);
-  CHECK(paragraphs(blank_sheet_of("michell-bearing", "load")).find("Positive sense") == std::string::npos);
+  CHECK(paragraphs_of(blank_sheet_of("slider-crank-velocity", "poles"))
+            .find("\nPositive sense: counter-clockwise.\n") != std::string::npos);
+  CHECK(paragraphs_of(blank_sheet_of("four-bar", "circles"))
+            .find("x to the right, y upwards; coordinates from $A_{0}$.\n") != std::string::npos);
+  CHECK(paragraphs_of(blank_sheet_of("michell-bearing", "load")).find("Positive sense") == std::string::npos);
+}
+
+TEST_CASE("The case of a meaning is what it has beyond those that begin as it does") {
+  using List = std::vector<std::string>;
+  CHECK(cases_of({"weight, with 600 kg", "weight"}) == List{"with 600 kg", ""});
+  CHECK(cases_of({"pull, heavy one, rolling", "pull, heavy one", "pull, light one"}) ==
+        List{"heavy one, rolling", "heavy one", "light one"});
+  CHECK(cases_of({"time (oscillator)", "time (pendulum)"}) == List{"oscillator", "pendulum"});
+  CHECK(cases_of({"speed of A", "speed of AB"}) == List{"speed of A", "speed of AB"});
+}
+
+TEST_CASE("A sheet that asks for coordinates says from where they count") {
+  for (const auto& [id, sheet, letter] :
+       std::vector<std::array<std::string, 3>>{{"ideal-statics", "double-slider-virtual-work", "$O$"},
+                                               {"velocity-centre", "velocities", "$O$"},
+                                               {"four-bar", "circles", "$A_{0}$"}}) {
+    INFO(id << "/" << sheet);
+    CHECK(paragraphs_of(blank_sheet_of(id, sheet))
+              .find("x to the right, y upwards; coordinates from " + letter + ".\n") != std::string::npos);
+  }
+}
+
+TEST_CASE("A sheet to be solved shows the mechanism, and where its loads act") {
+  const DrawnSheet beam = blank_sheet_of("boat-crane", "reactions");
+  for (const char* letter : {"$A$", "$B$", "$C$", "$D$", "$\\it{P}$"}) CHECK(has_label(beam, letter));
+  CHECK_FALSE(has_label(beam, "$\\it{Y}_{A}$"));
+  CHECK_FALSE(has_label(beam, "$\\it{R}_{B}$"));
+  const DrawnSheet slider = blank_sheet_of("ideal-statics", "double-slider-virtual-work");
+  for (const char* letter : {"$\\vec{\\it{Q}}$", "$\\vec{\\it{P}}$", "$O$"}) CHECK(has_label(slider, letter));
+  CHECK(std::find(slider.asked.begin(), slider.asked.end(), "double_slider.P") == slider.asked.end());
+  const DrawnSheet rubs = blank_sheet_of("friction-efficiency", "double-slider");
+  for (const char* letter : {"$\\vec{\\it{Q}}$", "$\\vec{\\it{P}}$", "3", "$O_{2}$", "$O'_{2}$"})
+    CHECK(has_label(rubs, letter));
+  const DrawnSheet spool = blank_sheet_of("spool-slip", "friction-cone");
+  for (const char* letter : {"$C$", "$G$", "$A$", "$b$"}) CHECK(has_label(spool, letter));
+  const DrawnSheet checks = blank_sheet_of("boat-crane", "checks");
+  CHECK(checks.asked.size() == 12);
+  CHECK(std::find(checks.asked.begin(), checks.asked.end(), "mass_600kg.buckling_utilisation") != checks.asked.end());
 }
 
 TEST_CASE("A sheet of forces to be solved shows the load, and of the effort the line of action alone") {

@@ -69,6 +69,19 @@ inline FreeBodyPanel whole(const WedgeFigure& at, const Case& of, double at_most
   return panel;
 }
 
+// A link between two sliders, with the origin where their ways cross.
+inline std::shared_ptr<const Mechanism> double_slider_figure(const Case& of) {
+  Mechanism drawn;
+  drawn.point("O", {0, 0}, Mechanism::Joint::none, "$O$")
+      .point("A", of.place("A"), Mechanism::Joint::block, "$A$")
+      .point("B", of.place("B"), Mechanism::Joint::block, "$B$")
+      .body({"B", "A"}, 3)
+      .guide("A", std::numbers::pi / 2)
+      .guide("B", 0)
+      .angle("B", 0, of.radians("theta"), "$θ$");
+  return std::make_shared<const Mechanism>(std::move(drawn));
+}
+
 // Which lever Q loads, and what follows of it.
 struct LeverFigure {
   Case of;

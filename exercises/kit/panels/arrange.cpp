@@ -204,18 +204,16 @@ bool is_off_sheet(const Place& P, const std::vector<PlacedPanel>& panels, DrawnS
   return shows_lengths;
 }
 
-// What a ruler can read off the solved sheet, which the sheet to be solved lies under.
-std::set<std::string> measured_on(const std::vector<PlacedPanel>& panels, const DrawnSheet& onto,
-                                  const SheetRequest& request) {
+// The solved sheet's figure, which the sheet to be solved lies under: what a ruler reads on it, and its letters.
+DrawnSheet solved_figure(const std::vector<PlacedPanel>& panels, const DrawnSheet& onto,
+                         const SheetRequest& request) {
   DrawnSheet solved = onto;
-  if (request.blank)
-    for (const PlacedPanel& each : panels) {
-      Plot plot = plot_of(each, solved, request);
-      each.panel->draw(plot, each.room, request.language);
-    }
-  std::set<std::string> names;
-  for (const Measurement& each : solved.measurements) names.insert(each.quantity);
-  return names;
+  if (!request.blank) return solved;
+  for (const PlacedPanel& each : panels) {
+    Plot plot = plot_of(each, solved, request);
+    each.panel->draw(plot, each.room, request.language);
+  }
+  return solved;
 }
 
 std::string description(const Solution& solution, const PanelSheet& shown, Language language) {
@@ -255,18 +253,20 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
 
   auto& column = onto.sheet.column;
   AskedOnSheet asked;
+  std::string origin;
   if (request.for_class || request.blank) {
-    const std::set<std::string> measured = measured_on(panels, onto, request);
+    const DrawnSheet solved = solved_figure(panels, onto, request);
+    std::set<std::string> measured;
+    for (const Measurement& each : solved.measurements) measured.insert(each.quantity);
     asked = asked_on(solution, shown, [&](const std::string& quantity, const Place& P) {
       return !measured.contains(quantity) && is_off_sheet(P, panels, onto, request);
     });
+    origin = letter_of_origin(names_of(asked.asked), solution, solved);
   }
-  if (request.for_class)
-    for (const Result::Asked& each : asked.asked) onto.asked.push_back(each.quantity);
+  if (request.for_class) onto.asked = names_of(asked.asked);
   if (request.blank) {
     const Words question = question_of(about, sheet);
-    for (drawings::Block& block : problem_column(question, solution, asked, request))
-      column.push_back(std::move(block));
+    add_problem(onto, question, solution, asked, origin, request);
     onto.sheet.description = drawings::plain(question.in(language));
     return onto;
   }

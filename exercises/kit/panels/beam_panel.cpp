@@ -86,14 +86,22 @@ void BeamPanel::draw(Plot& plot, std::size_t diagram) const {
       plot.onto().measurements.push_back(
           {each.quantity, plot.at(from), plot.at(to), each.worth / mm, Measurement::along_y});
   }
-  for (const BeamDiagram::Load& load : of.loads) {
-    // All hang below the axis: upward ones press on it, downward ones pull.
-    const drawings::Point on_axis = plot.at(at({load.at, 0})), below{on_axis.x, on_axis.y - load_length};
-    const auto [tail, tip] = load.sense > 0 ? std::pair{below, on_axis} : std::pair{on_axis, below};
-    plot.mark(drawings::Arrow{tail, tip, Meaning::force, {}});
-    figure.labels.push_back({.text = load.label, .at = tail, .to = tip, .ink = Meaning::force});
-  }
-  for (const BeamDiagram::Letter& letter : of.letters) plot.label(letter.text, at(letter.at), at(letter.away_from));
+  for (const BeamDiagram::Load& load : of.loads) draw_load(plot, diagram, load);
+  draw_letters(plot, diagram);
+}
+
+void BeamPanel::draw_load(Plot& plot, std::size_t diagram, const BeamDiagram::Load& load) const {
+  // All hang below the axis: upward ones press on it, downward ones pull.
+  const drawings::Point on_axis = plot.at(place(plot, diagram, {load.at, 0})),
+                        below{on_axis.x, on_axis.y - load_length};
+  const auto [tail, tip] = load.sense > 0 ? std::pair{below, on_axis} : std::pair{on_axis, below};
+  plot.mark(drawings::Arrow{tail, tip, Meaning::force, {}});
+  plot.onto().sheet.figure.labels.push_back({.text = load.label, .at = tail, .to = tip, .ink = Meaning::force});
+}
+
+void BeamPanel::draw_letters(Plot& plot, std::size_t diagram) const {
+  for (const BeamDiagram::Letter& letter : diagrams_[diagram].letters)
+    plot.label(letter.text, place(plot, diagram, letter.at), place(plot, diagram, letter.away_from));
 }
 
 void BeamPanel::draw_axis(Plot& plot, std::size_t diagram) const {
@@ -111,7 +119,12 @@ void BeamPanel::draw_lines(Plot& plot) const {
 
 void BeamPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
   draw_lines(plot);
-  for (std::size_t i = 0; i < diagrams_.size(); ++i) draw_axis(plot, i);
+  for (std::size_t i = 0; i < diagrams_.size(); ++i) {
+    draw_axis(plot, i);
+    for (const BeamDiagram::Load& load : diagrams_[i].loads)
+      if (load.is_given) draw_load(plot, i, load);
+    draw_letters(plot, i);
+  }
 }
 
 std::vector<drawings::Block> BeamPanel::draw(Plot& plot, const drawings::Box&, Language) const {

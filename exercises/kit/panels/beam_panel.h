@@ -32,7 +32,8 @@ struct BeamDiagram {
   struct Load {
     std::string label;
     double at;
-    double sense;  // up or down
+    double sense;           // up or down
+    bool is_given = false;  // and stands on the sheet to be solved too
   };
   bool of_vectors = false;  // ordinates in the unit of the sheet's vectors; else in metres
   std::string name = {};    // left of the axis
@@ -77,6 +78,8 @@ class BeamPanel : public Panel {
   Place place(const Plot& plot, std::size_t diagram, const Place& at) const;
   void draw(Plot& plot, std::size_t diagram) const;
   void draw_axis(Plot& plot, std::size_t diagram) const;
+  void draw_load(Plot& plot, std::size_t diagram, const BeamDiagram::Load& load) const;
+  void draw_letters(Plot& plot, std::size_t diagram) const;
   void draw_lines(Plot& plot) const;
 
   double length_;

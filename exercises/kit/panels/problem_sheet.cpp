@@ -6,12 +6,15 @@
 #include <string_view>
 #include <utility>
 
+#include "drawings/sheet/column.h"
+#include "drawings/sheet/layout.h"
+#include "drawings/sheet/title_block.h"
 #include "drawings/text/text.h"
 
 namespace epure {
 namespace {
 
-constexpr std::size_t most_in_one_column = 12;
+constexpr std::size_t most_in_one_column = 12, most_with_captions = 9;
 
 // In what is awkward, between the sheet and the quantity.
 constexpr std::string_view without_value = "/without value: ", off_sheet = "/off sheet: ";
@@ -43,9 +46,23 @@ bool lies_along_axis(const Quantity& quantity) {
          std::find(units.begin(), units.end(), quantity.unit) != units.end();
 }
 
+bool is_abscissa_or_ordinate(const Quantity& quantity) { return lies_along_axis(quantity) && quantity.unit == "m"; }
+
 }  // namespace
 
-Words positive_senses(const std::vector<std::string>& quantities, const Solution& solution) {
+std::string letter_of_origin(const std::vector<std::string>& quantities, const Solution& solution,
+                             const DrawnSheet& solved) {
+  for (const Measurement& each : solved.measurements) {
+    const bool is_asked = std::find(quantities.begin(), quantities.end(), each.quantity) != quantities.end();
+    if (!is_asked || !is_abscissa_or_ordinate(solution.described(each.quantity))) continue;
+    for (const drawings::Label& label : solved.sheet.figure.labels)
+      if (!label.to && label.at.x == each.from.x && label.at.y == each.from.y) return label.text;
+  }
+  return {};
+}
+
+Words positive_senses(const std::vector<std::string>& quantities, const Solution& solution,
+                      const std::string& origin) {
   const auto any = [&](bool (*is_so)(const Quantity&)) {
     return std::any_of(quantities.begin(), quantities.end(),
                        [&](const std::string& name) { return is_so(solution.described(name)); });
@@ -55,7 +72,11 @@ Words positive_senses(const std::vector<std::string>& quantities, const Solution
   return Words{"Positive sense: ", "Verso positivo: "} +
          (some_turn ? Words{"counter-clockwise", "antiorario"} : Words{}) +
          (some_turn && some_lie ? Words{"; ", "; "} : Words{}) +
-         (some_lie ? Words{"x to the right, y upwards", "x a destra, y in alto"} : Words{}) + ".";
+         (some_lie ? Words{"x to the right, y upwards", "x a destra, y in alto"} : Words{}) +
+         (any(is_abscissa_or_ordinate) && !origin.empty()
+              ? Words{"; coordinates from ", "; coordinate da "} + Words{origin, origin}
+              : Words{}) +
+         ".";
 }
 
 AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
@@ -83,6 +104,12 @@ AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
       found.asked.push_back(each);
   }
   return found;
+}
+
+std::vector<std::string> names_of(const std::vector<Result::Asked>& asked) {
+  std::vector<std::string> names;
+  for (const Result::Asked& each : asked) names.push_back(each.quantity);
+  return names;
 }
 
 void note_not_asked(const std::string& sheet, const AskedOnSheet& asked, std::vector<Awkwardness>& awkward) {
@@ -131,11 +158,50 @@ std::vector<std::string> written(const std::vector<Result::Asked>& asked, const 
   return all;
 }
 
+std::vector<std::string> meanings(const std::vector<Result::Asked>& asked, const Solution& solution,
+                                  Language language) {
+  std::vector<std::string> all;
+  for (const Result::Asked& each : asked) all.push_back(solution.described(each.quantity).meaning.in(language));
+  return all;
+}
+
+// Of those cells that are written alike.
+std::vector<std::string> cases_of_alike(const std::vector<std::string>& cells,
+                                        const std::vector<std::string>& meanings) {
+  std::vector<std::string> all(cells.size());
+  for (const std::string& cell : std::set<std::string>(cells.begin(), cells.end())) {
+    std::vector<std::size_t> places;
+    std::vector<std::string> alike;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (cells[i] == cell) {
+        places.push_back(i);
+        alike.push_back(meanings[i]);
+      }
+    if (places.size() == 1) continue;
+    const std::vector<std::string> cases = cases_of(alike);
+    for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = cases[k];
+  }
+  return all;
+}
+
+std::vector<std::string> with_captions(std::vector<std::string> cells, const std::vector<std::string>& captions) {
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (!captions[i].empty()) cells[i] += "\n" + captions[i];
+  return cells;
+}
+
+std::string without_caption(const std::string& cell) { return cell.substr(0, cell.find('\n')); }
+
 drawings::Table answers(const std::vector<std::string>& asked) {
   drawings::Table table{.head = {}, .rows = {}, .to_fill_in = true};
   // Two in a row where they are many, and short enough to leave room for an answer.
-  const auto is_short = [](const std::string& text) { return drawings::measure(text, 3).width < 30; };
-  const bool is_long = asked.size() > most_in_one_column && std::all_of(asked.begin(), asked.end(), is_short);
+  const auto is_short = [](const std::string& text) {
+    return drawings::measure(without_caption(text), 3).width < 30;
+  };
+  const bool has_captions = std::any_of(
+      asked.begin(), asked.end(), [](const std::string& cell) { return without_caption(cell).size() < cell.size(); });
+  const bool is_long = asked.size() > (has_captions ? most_with_captions : most_in_one_column) &&
+                       std::all_of(asked.begin(), asked.end(), is_short);
   const std::size_t rows = is_long ? (asked.size() + 1) / 2 : asked.size();
   for (std::size_t i = 0; i < rows; ++i) {
     table.rows.push_back({asked[i], ""});
@@ -146,7 +212,37 @@ drawings::Table answers(const std::vector<std::string>& asked) {
   return table;
 }
 
+bool column_has_room(const DrawnSheet& onto) {
+  std::vector<std::string> conflicts;
+  const drawings::Layout parts = drawings::layout(onto.sheet.paper, drawings::title_block_height(onto.sheet));
+  drawings::set_column(onto.sheet.column, parts.column, onto.sheet.language, &conflicts);
+  return conflicts.empty();
+}
+
 }  // namespace
+
+std::vector<std::string> cases_of(const std::vector<std::string>& meanings) {
+  const auto begins_case = [](const std::string& meaning, std::size_t at) {
+    const std::string_view rest = std::string_view(meaning).substr(at);
+    return rest.empty() || rest.starts_with(", ") || rest.starts_with(" (");
+  };
+  const auto is_end = [&](std::size_t at) {
+    return std::all_of(meanings.begin(), meanings.end(), [&](const std::string& each) {
+      return each.size() >= at && each.compare(0, at, meanings.front(), 0, at) == 0 && begins_case(each, at);
+    });
+  };
+  std::size_t common = 0;
+  for (std::size_t at = 1; at <= meanings.front().size(); ++at)
+    if (is_end(at)) common = at;
+  std::vector<std::string> all;
+  for (const std::string& each : meanings) {
+    std::string rest = each.substr(common);
+    if (rest.starts_with(", ")) rest.erase(0, 2);
+    if (rest.starts_with(" (") && rest.ends_with(")")) rest = rest.substr(2, rest.size() - 3);
+    all.push_back(rest);
+  }
+  return all;
+}
 
 Words question_of(const Description& about, const std::string& sheet) {
   const auto spec = std::find_if(about.sheets.begin(), about.sheets.end(),
@@ -157,22 +253,20 @@ Words question_of(const Description& about, const std::string& sheet) {
                       spec->title, about.question);
 }
 
-std::vector<drawings::Block> problem_column(const Words& question, const Solution& solution,
-                                            const AskedOnSheet& asked, const SheetRequest& request) {
+namespace {
+
+void add_asked(std::vector<drawings::Block>& column, const std::vector<std::string>& cells, Language language) {
+  if (cells.empty()) return;
+  column.emplace_back(drawings::Heading{Words{"Asked on this sheet", "Richiesto in questa tavola"}.in(language)});
+  column.emplace_back(answers(cells));
+}
+
+// Below the table: how its answers are told, and whose they are.
+std::vector<drawings::Block> after_asked(const Solution& solution, const AskedOnSheet& asked,
+                                         const std::string& origin, const SheetRequest& request) {
   const Language language = request.language;
-  const auto heading = [&](const Words& words) { return drawings::Heading{words.in(language)}; };
   std::vector<drawings::Block> column;
-  if (!question.empty()) {
-    column.emplace_back(heading({"Question", "Quesito"}));
-    column.emplace_back(drawings::Paragraph{question.in(language)});
-  }
-  if (const auto cells = written(asked.asked, solution, language); !cells.empty()) {
-    column.emplace_back(heading({"Asked on this sheet", "Richiesto in questa tavola"}));
-    column.emplace_back(answers(cells));
-  }
-  std::vector<std::string> names;
-  for (const Result::Asked& each : asked.asked) names.push_back(each.quantity);
-  if (const Words senses = positive_senses(names, solution); !senses.empty())
+  if (const Words senses = positive_senses(names_of(asked.asked), solution, origin); !senses.empty())
     column.emplace_back(drawings::Paragraph{senses.in(language)});
   const auto symbols = [&](const std::vector<std::string>& quantities) {
     std::vector<std::string> all;
@@ -181,7 +275,7 @@ std::vector<drawings::Block> problem_column(const Words& question, const Solutio
   };
   for (const Words& each : sentences_of_not_asked(symbols(asked.without_value), symbols(asked.off_sheet)))
     column.emplace_back(drawings::Paragraph{each.in(language)});
-  column.emplace_back(heading({"Solved by", "Svolto da"}));
+  column.emplace_back(drawings::Heading{Words{"Solved by", "Svolto da"}.in(language)});
   drawings::Table who{.head = {}, .rows = {}, .to_fill_in = true};
   for (const auto& [field, known] : {std::pair{Words{"name", "nome"}, request.solver.name},
                                      {Words{"number", "matricola"}, request.solver.number},
@@ -189,6 +283,28 @@ std::vector<drawings::Block> problem_column(const Words& question, const Solutio
     who.rows.push_back({field.in(language), drawings::escaped(known)});
   column.emplace_back(who);
   return column;
+}
+
+}  // namespace
+
+void add_problem(DrawnSheet& onto, const Words& question, const Solution& solution, const AskedOnSheet& asked,
+                 const std::string& origin, const SheetRequest& request) {
+  const Language language = request.language;
+  auto& column = onto.sheet.column;
+  if (!question.empty()) {
+    column.emplace_back(drawings::Heading{Words{"Question", "Quesito"}.in(language)});
+    column.emplace_back(drawings::Paragraph{question.in(language)});
+  }
+  const std::vector<std::string> cells = written(asked.asked, solution, language),
+                                 meant = meanings(asked.asked, solution, language);
+  const auto before = static_cast<std::ptrdiff_t>(column.size());
+  const std::vector<drawings::Block> after = after_asked(solution, asked, origin, request);
+  for (const auto& captions : {meant, cases_of_alike(cells, meant)}) {
+    column.erase(column.begin() + before, column.end());
+    add_asked(column, with_captions(cells, captions), language);
+    column.insert(column.end(), after.begin(), after.end());
+    if (column_has_room(onto)) return;
+  }
 }
 
 void mark_start(Plot& plot, const Place& at, const std::string& letter) {

@@ -22,13 +22,16 @@ struct AskedOnSheet {
 AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
                       const std::function<bool(const std::string& quantity, const Place&)>& is_off_sheet);
 
+std::vector<std::string> names_of(const std::vector<Result::Asked>& asked);
+
 // The sheet's own question; of a sheet without one which part of the exercise's it is, and that question. Rich text.
 Words question_of(const Description& about, const std::string& sheet);
 
 // The question, a table of what the sheet asks for with the units in which it is told, which senses are positive, and
-// a place for name, number and date.
-std::vector<drawings::Block> problem_column(const Words& question, const Solution& solution,
-                                            const AskedOnSheet& asked, const SheetRequest& request);
+// a place for name, number and date: to the column of givens. In the table stands what each of them is, where the
+// column has room for all that; else what tells apart those that have one symbol. `origin`: a letter.
+void add_problem(DrawnSheet& onto, const Words& question, const Solution& solution, const AskedOnSheet& asked,
+                 const std::string& origin, const SheetRequest& request);
 
 // That a sheet does not ask for these is awkward for a class, whose other students it does ask.
 void note_not_asked(const std::string& sheet, const AskedOnSheet& asked, std::vector<Awkwardness>& awkward);
@@ -38,9 +41,19 @@ std::optional<std::string> quantity_not_asked(const Awkwardness& noted);
 std::vector<Words> sentences_of_not_asked(const std::vector<std::string>& without_value,
                                           const std::vector<std::string>& off_sheet);
 
-// "Positive sense: counter-clockwise; x to the right, y upwards.", of what turns or lies along an axis among these;
-// empty: nothing does.
-Words positive_senses(const std::vector<std::string>& quantities, const Solution& solution);
+// The letter from which the solved sheet measures coordinates among these quantities; empty: it measures none, or
+// from where no letter stands.
+std::string letter_of_origin(const std::vector<std::string>& quantities, const Solution& solution,
+                             const DrawnSheet& solved);
+
+// "Positive sense: counter-clockwise; x to the right, y upwards; coordinates from A0.", of what turns or lies along
+// an axis among these; empty: nothing does. Rich text.
+Words positive_senses(const std::vector<std::string>& quantities, const Solution& solution,
+                      const std::string& origin);
+
+// What tells each of these meanings apart from the others, which begin as it does: "with 600 kg" of "weight of the
+// boat, with 600 kg"; empty of the one that goes no further.
+std::vector<std::string> cases_of(const std::vector<std::string>& meanings);
 
 // A small cross where a polygon begins, with its letter if it has one.
 void mark_start(Plot& plot, const Place& at, const std::string& letter);
