@@ -488,8 +488,8 @@ TEST_CASE("class --format moodle: which sense is positive is said where it is as
         std::string::npos);
   // Of which mechanism a given is stands before it, and the pictures' names are those of the sheets.
   const std::string mechanisms = told("ideal-statics", "it");
-  CHECK(mechanisms.find("<p>cuneo e collare: Q = 200 N, ") != std::string::npos);
-  CHECK(mechanisms.find("<p>doppio pattino: Q = 150 N, ") != std::string::npos);
+  CHECK(mechanisms.find("<p>cuneo e collare: Q =") != std::string::npos);
+  CHECK(mechanisms.find("<p>doppio pattino: Q =") != std::string::npos);
   CHECK(mechanisms.find("alt=\"Doppio pattino: lavori virtuali\"") != std::string::npos);
   // Forces in bars have no sense that turns, nor components.
   CHECK(told("michell-bearing", "en").find("counter-clockwise") == std::string::npos);

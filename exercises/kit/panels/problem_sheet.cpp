@@ -14,7 +14,7 @@
 namespace epure {
 namespace {
 
-constexpr std::size_t most_in_one_column = 12, most_with_captions = 9;
+constexpr std::size_t most_in_one_column = 12;
 
 // In what is awkward, between the sheet and the quantity.
 constexpr std::string_view without_value = "/without value: ", off_sheet = "/off sheet: ";
@@ -198,10 +198,7 @@ drawings::Table answers(const std::vector<std::string>& asked) {
   const auto is_short = [](const std::string& text) {
     return drawings::measure(without_caption(text), 3).width < 30;
   };
-  const bool has_captions = std::any_of(
-      asked.begin(), asked.end(), [](const std::string& cell) { return without_caption(cell).size() < cell.size(); });
-  const bool is_long = asked.size() > (has_captions ? most_with_captions : most_in_one_column) &&
-                       std::all_of(asked.begin(), asked.end(), is_short);
+  const bool is_long = asked.size() > most_in_one_column && std::all_of(asked.begin(), asked.end(), is_short);
   const std::size_t rows = is_long ? (asked.size() + 1) / 2 : asked.size();
   for (std::size_t i = 0; i < rows; ++i) {
     table.rows.push_back({asked[i], ""});
