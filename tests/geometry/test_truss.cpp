@@ -2,6 +2,7 @@
 // no simple truss.
 #include "geometry/analytic/truss_equations.h"
 #include "geometry/statics/cremona.h"
+#include "geometry/statics/support_polygon.h"
 #include "tests/geometry/every_number.h"
 #include "tests/support/catch.h"
 
@@ -240,4 +241,41 @@ TEST_CASE("a roller whose line passes through the hinge holds nothing", "[truss]
   CHECK_THROWS_WITH(
       (support_reactions<Fast>({line(Point<Fast>{4, 3}, Vector<Fast>{0, -6})}, {0, 0}, {{8, 0}, {1, 0}})),
       Contains("unstable"));
+}
+
+TEST_CASE("the funicular polygon that begins in the hinge finds the reactions, whatever the pole", "[truss]") {
+  const Scope<Exact> scope;
+  const auto finds = [](const std::vector<ForceAt<Exact>>& loads, const LineOfAction<Exact>& roller,
+                        const Point<Exact>& pole) {
+    const Point<Exact> A{number<Exact>(1), number<Exact>(-2)};
+    std::vector<Line<Exact>> lines;
+    lines.reserve(loads.size());
+    for (const auto& load : loads) lines.push_back(line(load.at, load.f));
+    const SupportReactions<Exact> by_moments = support_reactions<Exact>(lines, A, roller);
+    const SupportPolygon<Exact> polygon = support_polygon<Exact>(loads, A, roller, pole);
+    REQUIRE(polygon.vertices.size() == loads.size() + 1);
+    const Vector<Exact> by_roller = polygon.between - polygon.corners.back(),
+                        by_hinge = polygon.corners.front() - polygon.between;
+    CHECK(is(by_roller, by_moments.roller));
+    CHECK(is(by_hinge, by_moments.hinge));
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      CHECK(is(cross(polygon.vertices[i] - loads[i].at, loads[i].f), Exact(0)));
+    CHECK(is(cross(polygon.vertices.back() - roller.at, roller.along), Exact(0)));
+  };
+  const LineOfAction<Exact> oblique{{number<Exact>(9), number<Exact>(0)}, {number<Exact>(1), number<Exact>(2)}},
+      upright{{number<Exact>(9), number<Exact>(0)}, {number<Exact>(0), number<Exact>(1)}};
+  const std::vector<ForceAt<Exact>> wind{
+      {{number<Exact>(2), number<Exact>(3)}, {number<Exact>(5), number<Exact>(-7)}},
+      {{number<Exact>(4), number<Exact>(6)}, {number<Exact>(3), number<Exact>(-1)}}},
+      level{{{number<Exact>(2), number<Exact>(3)}, {number<Exact>(0), number<Exact>(-7)}},
+            {{number<Exact>(4), number<Exact>(6)}, {number<Exact>(0), number<Exact>(-2)}}},
+      couple{{{number<Exact>(2), number<Exact>(3)}, {number<Exact>(5), number<Exact>(-7)}},
+             {{number<Exact>(4), number<Exact>(7)}, {number<Exact>(-5), number<Exact>(7)}}};
+  for (const Point<Exact>& pole :
+       {Point<Exact>{number<Exact>(11), number<Exact>(-3)}, {number<Exact>(-6), number<Exact>(-13, 3)}})
+    for (const auto& loads : {wind, level, couple})
+      for (const auto& roller : {oblique, upright}) finds(loads, roller, pole);
+  // On the line of a load in the force polygon a pole has no string that meets that load.
+  CHECK_THROWS(support_polygon<Exact>(level, {number<Exact>(1), number<Exact>(-2)}, oblique,
+                                      {number<Exact>(0), number<Exact>(4)}));
 }

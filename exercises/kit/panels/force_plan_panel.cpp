@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exercises/kit/panels/on_sides.h"
+
 namespace epure {
 namespace {
 
@@ -62,11 +64,24 @@ std::vector<drawings::Block> ForcePlanPanel::draw(Plot& plot, const drawings::Bo
     plot.measures(bar.quantity, P, Q);
     sign_bar(plot, i);
   }
+  const auto ends_of = [&](std::size_t k) {
+    return std::pair{figure_->plan[k], figure_->plan[(k + 1) % bow.forces.size()]};
+  };
+  std::vector<std::pair<Place, Place>> loads;
+  for (std::size_t k = 0; k < bow.forces.size(); ++k)
+    if (bow.forces[k] > 1) loads.push_back(ends_of(k));
   for (std::size_t k = 0; k < bow.forces.size(); ++k) {
     const TrussFigure::Outside& force = figure_->outside[bow.forces[k]];
     if (magnitude(force.f) == 0) continue;
-    plot.side(force.quantity, figure_->plan[k], figure_->plan[(k + 1) % bow.forces.size()], Meaning::force,
-              force.label);
+    const auto [from, to] = ends_of(k);
+    // A reaction that would lie on the loads stands beside them.
+    Arrow2 aside{0, 0};
+    if (bow.forces[k] < 2 && lies_on_a_side(from, to, loads)) {
+      constexpr double beside = 1.5;  // mm
+      const Arrow2 normal = geometry::quarter_turn(to - from);
+      aside = (beside / plot.scale().mm_per_unit / magnitude(normal)) * normal;
+    }
+    plot.side(force.quantity, from + aside, to + aside, Meaning::force, force.label);
   }
   // Points that the eye cannot tell apart have their letters together.
   constexpr double together = 0.3;  // mm
@@ -89,10 +104,11 @@ std::vector<PanelStep> ForcePlanPanel::steps(const Plot&, const drawings::Box&) 
   const geometry::BowNotation& bow = figure_->bow;
   const auto letter = TrussFigure::region_letter;
   std::vector<PanelStep> all{
-      {{"Clockwise round the truss the forces from outside, each between the letters of its regions: loads, then "
-        "reactions. They close.",
-        "In senso orario attorno alla travatura le forze esterne, ognuna tra le lettere delle sue regioni: carichi, "
-        "poi reazioni. Si chiudono."},
+      {{"Clockwise round the truss the forces from outside, each between the letters of its regions: the loads and "
+        "the "
+        "reactions found before. They close.",
+        "In senso orario attorno alla travatura le forze esterne, ognuna tra le lettere delle sue regioni: i carichi "
+        "e le reazioni già trovate. Si chiudono."},
        figure_->plan.front()}};
   for (const auto& step : bow.steps) {
     const auto beyond = [&](std::size_t bar) {

@@ -109,6 +109,8 @@ drawings::Box TrussPanel::extent(const Scale& scale, const Scale&) const {
     for (const Place& P :
          {figure_->joints[figure_->bars[edge.bar].from], figure_->joints[figure_->bars[edge.bar].to]})
       extent.include(scale, P, letter_off_outline + 3);
+  if (funicular_)
+    for (const Place& P : funicular_->polygon.vertices) extent.include(scale, P, truss_letters);
   return extent.box();
 }
 
@@ -191,18 +193,65 @@ void TrussPanel::draw_force(Plot& plot, std::size_t outside) const {
   plot.side("", J + mm * arrow.to_tail, J + mm * arrow.to_tip, Meaning::force, force.label);
 }
 
-// Without the reactions, and nothing said of tension or compression.
-void TrussPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+// The lines of the forces as far as the strings that meet on them.
+void TrussPanel::draw_strings(Plot& plot) const {
+  const std::vector<Place>& vertices = funicular_->polygon.vertices;
+  const Place& A = figure_->joints[figure_->outside[0].joint];
+  const auto string = [&](const Place& from, const Place& to, const std::string& letters) {
+    plot.segment(from, to, Meaning::construction);
+    plot.label(letters, from + 0.5 * (to - from));
+  };
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const std::size_t k = i < funicular_->loads.size() ? funicular_->loads[i] : 1;
+    plot.segment(figure_->joints[figure_->outside[k].joint], vertices[i], Meaning::axis);
+    string(i == 0 ? A : vertices[i - 1], vertices[i], std::to_string(i + 1) + "′");
+    plot.dot(vertices[i]);
+  }
+  string(vertices.back(), A, "$c′$");
+}
+
+std::vector<PanelStep> TrussPanel::steps(const Plot&, const drawings::Box&) const {
+  if (!funicular_) return {};
+  const std::string A = "$" + figure_->letters[figure_->outside[0].joint] + "$",
+                    B = "$" + figure_->letters[figure_->outside[1].joint] + "$";
+  const std::string last = std::to_string(funicular_->loads.size() + 1);
+  const Place& end = funicular_->polygon.vertices.back();
+  return {{Words{"Of the hinge's force only the point " + A +
+                     " is known: there begins the string 1′, parallel to the ray 1, to the line of the first load; "
+                     "2′ parallel to 2 to the next, and so on.",
+                 "Della reazione della cerniera è noto solo il punto " + A +
+                     ": da lì il lato 1′, parallelo al raggio 1, fino alla retta del primo carico; 2′ parallelo a 2 "
+                     "fino alla successiva, e così via."},
+           funicular_->polygon.vertices.front()},
+          {Words{last + "′ ends on the line of the roller's force through " + B +
+                     "; the closing line $c′$ joins it with " + A + ".",
+                 last + "′ finisce sulla retta della reazione del carrello per " + B +
+                     "; la chiudente $c′$ la unisce ad " + A + "."},
+           end}};
+}
+
+// Nothing said of tension or compression.
+void TrussPanel::draw_unsolved(Plot& plot) const {
   draw_truss(
       plot, [](const TrussFigure::Bar&) { return Meaning::link; },
       [](const TrussFigure::Bar&) { return std::string(); });
+}
+
+// Without the reactions.
+void TrussPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+  draw_unsolved(plot);
   for (std::size_t k = 2; k < figure_->outside.size(); ++k) draw_force(plot, k);
 }
 
 std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, Language) const {
-  draw_truss(
-      plot, [](const TrussFigure::Bar& bar) { return TrussFigure::meaning(bar.force); },
-      [](const TrussFigure::Bar& bar) { return TrussFigure::sign(bar.force); });
+  if (funicular_) {
+    draw_strings(plot);
+    draw_unsolved(plot);
+  } else {
+    draw_truss(
+        plot, [](const TrussFigure::Bar& bar) { return TrussFigure::meaning(bar.force); },
+        [](const TrussFigure::Bar& bar) { return TrussFigure::sign(bar.force); });
+  }
   for (std::size_t k = 0; k < figure_->outside.size(); ++k) draw_force(plot, k);
   return {};
 }

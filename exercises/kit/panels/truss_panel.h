@@ -4,7 +4,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
+#include "exercises/kit/panels/funicular_of_loads.h"
 #include "exercises/kit/panels/panel.h"
 #include "exercises/kit/panels/truss_figure.h"
 
@@ -15,11 +17,17 @@ class TrussPanel : public Panel {
   enum class Regions { lettered, without_letters };
   TrussPanel(std::shared_ptr<const TrussFigure> figure, Regions regions)
       : figure_(std::move(figure)), regions_(regions) {}
+  // With the funicular polygon that finds the reactions, and nothing said of tension or compression.
+  TrussPanel& strings(FunicularOfLoads funicular) {
+    funicular_ = std::move(funicular);
+    return *this;
+  }
 
   double reach() const override;
   drawings::Box extent(const Scale& scale, const Scale&) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
   void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
+  std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 
  private:
   // An arrow on paper, from its tail.
@@ -40,9 +48,12 @@ class TrussPanel : public Panel {
   void draw_force(Plot& plot, std::size_t outside) const;
   void draw_supports(Plot& plot) const;
   void letter_regions(Plot& plot) const;
+  void draw_unsolved(Plot& plot) const;
+  void draw_strings(Plot& plot) const;
 
   std::shared_ptr<const TrussFigure> figure_;
   Regions regions_;
+  std::optional<FunicularOfLoads> funicular_ = {};
 };
 
 }  // namespace epure

@@ -6,6 +6,7 @@
 
 #include "exercises/kit/panels/force_plan_panel.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/panels/support_polygon_panel.h"
 #include "exercises/kit/panels/table_panel.h"
 #include "exercises/kit/panels/truss_panel.h"
 #include "exercises/kit/trusses/truss_routes.h"
@@ -48,12 +49,44 @@ std::string with_sign(double force, Language language) {
   return number.starts_with('$') ? "$+" + number.substr(1) : "+" + number;
 }
 
-std::vector<Result> results_of(const LoadedTruss& of) {
-  std::vector<Result> all{components(reaction_of_hinge(of)), values({reaction_of_roller(of).name}),
-                          values({"N_max", "N_min"}), values({"sum_N_l"})};
+std::vector<Result> reactions_of(const LoadedTruss& of, const Solution& s, Language language) {
+  const Quantity R_B = reaction_of_roller(of);
+  std::vector<Result> all{components(reaction_of_hinge(of)), values({R_B.name})};
+  if (s[R_B.name] < 0)
+    all.push_back(remark(R_B.symbol + Words{" < 0: the roller is pulled from its plane, and must be held down to it.",
+                                            " < 0: il carrello è tirato via dal suo piano, e vi va trattenuto."}
+                                          .in(language)));
+  return all;
+}
+
+std::vector<Result> results_of(const LoadedTruss& of, const Solution& s, Language language) {
+  std::vector<Result> all = reactions_of(of, s, language);
+  all.push_back(values({"N_max", "N_min"}));
+  all.push_back(values({"sum_N_l"}));
+  all.push_back(
+      remark(Words{"$Σ\\it{N}l$ over the bars is $Σ\\vec{\\it{F}}$·$\\vec{r}$ over loads and reactions, "
+                   "$\\vec{r}$ from any one point (Maxwell): a check of the plan.",
+                   "$Σ\\it{N}l$ sulle aste è $Σ\\vec{\\it{F}}$·$\\vec{r}$ su carichi e reazioni, $\\vec{r}$ "
+                   "da un punto qualsiasi (Maxwell): controlla il piano."}
+                 .in(language)));
   for (const Load& load : of.loads)
     if (load.is_told) all.push_back(components(load_at(of, load)));
   return all;
+}
+
+PanelSheet reactions_sheet(const LoadedTruss& of, const Solution& s, Language language) {
+  const auto figure = figure_of(of, s);
+  const FunicularOfLoads funicular = funicular_of_loads(*figure);
+  TrussPanel on_truss(figure, TrussPanel::Regions::without_letters);
+  on_truss.strings(funicular);
+  const VectorQuantity R_A = reaction_of_hinge(of);
+  return {.panels = panels(SupportPolygonPanel(figure, funicular), on_truss),
+          .results = reactions_of(of, s, language),
+          .seen = {"The loads end to end with pole and rays, and the truss with the funicular polygon that closes in "
+                   "its hinge",
+                   "I carichi uno dopo l'altro con polo e raggi, e la travatura con il poligono funicolare che si "
+                   "chiude nella cerniera"},
+          .told = {R_A.x().name, R_A.y().name, reaction_of_roller(of).name}};
 }
 
 PanelSheet plan_sheet(const LoadedTruss& of, const Solution& s, Language language) {
@@ -66,7 +99,7 @@ PanelSheet plan_sheet(const LoadedTruss& of, const Solution& s, Language languag
       "compressione (linea grossa, −), dal nodo trazione (sottile, +); le aste tratteggiate sono scariche."};
   return {.panels = panels(TrussPanel(figure, TrussPanel::Regions::lettered), ForcePlanPanel(figure)),
           .theory = {{{"Senses", "Versi"}, {remark(senses.in(language))}}},
-          .results = results_of(of),
+          .results = results_of(of, s, language),
           .seen = {"The truss with its loads and reactions and the regions between them lettered, and Cremona's plan",
                    "La travatura con carichi e reazioni e le regioni tra di essi distinte da lettere, e il piano di "
                    "Cremona"},
@@ -101,7 +134,7 @@ PanelSheet forces_sheet(const LoadedTruss& of, const Solution& s, Language langu
                     "Linea grossa e −: compressione. Sottile e +: trazione. Tratteggiata: asta scarica."};
   return {.panels = panels(TrussPanel(figure, TrussPanel::Regions::without_letters), TablePanel(heads, cells)),
           .theory = {{{"Senses", "Versi"}, {remark(signs.in(language))}}},
-          .results = results_of(of),
+          .results = results_of(of, s, language),
           .seen = {"The truss, its bars drawn by what they bear, and a table of their forces",
                    "La travatura, le aste disegnate secondo lo sforzo, e la tabella degli sforzi"},
           .told = {"N_max", "N_min"}};
@@ -125,7 +158,8 @@ std::unique_ptr<Exercise> exercise_of_truss(Description about, std::size_t most_
     };
   };
   return exercise_of_panels(std::move(about), solve,
-                            {{{"plan", {"Cremona's plan", "Piano di Cremona"}}, made(plan_sheet)},
+                            {{{"reactions", {"Reactions", "Reazioni vincolari"}}, made(reactions_sheet)},
+                             {{"plan", {"Cremona's plan", "Piano di Cremona"}}, made(plan_sheet)},
                              {{"forces", {"Forces of the bars", "Sforzi nelle aste"}}, made(forces_sheet)}});
 }
 

@@ -1,6 +1,7 @@
 // Trusses: both routes hold against a corpus of all shapes; zero bars hit, and missed by 1e-9 and 1e-30; what is
 // refused; and what a ruler reads off the plan.
 #include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/told_words.h"
 
 using namespace epure;
 using namespace epure::tests;
@@ -86,6 +87,22 @@ TEST_CASE("a ruler reads every force off the plan", "[truss][sheets]") {
     CAPTURE(c.name);
     CHECK(read == bars);
   }
+}
+
+TEST_CASE("a ruler reads the reactions off the polygon with the pole, and a roller that pulls is told",
+          "[truss][sheets]") {
+  for (const CorpusCase& c : corpus()) {
+    const DrawnSheet drawn = truss().draw("reactions", assignments_of(c));
+    std::set<std::string> read;
+    for (const Measurement& each : drawn.measurements) read.insert(each.quantity);
+    CAPTURE(c.name);
+    for (const char* reaction : {"R_A", "R_B"}) CHECK((read.contains(reaction) || c.reference(reaction) == "0"));
+  }
+  const auto tells_of_pull = [](const Assignments& assignments) {
+    return told_on(truss(), "reactions", assignments).find("must be held down") != std::string::npos;
+  };
+  CHECK(tells_of_pull({"shape=crane", "L=6", "h=4"}));
+  CHECK_FALSE(tells_of_pull({}));
 }
 
 TEST_CASE("every sheet is drawn, whatever is given", "[truss][sheets]") { draws_every_sheet(truss(), corpus()); }

@@ -132,7 +132,7 @@ TEST_CASE("the sheets of the docs' trusses are drawn, and every bar that bears i
   for (const char* name : {"king-post", "wall-bracket", "inclined-roller"}) {
     const auto exercise = file(name);
     CAPTURE(name);
-    CHECK(exercise->about().sheets.size() == 2);
+    CHECK(exercise->about().sheets.size() == 3);
     const CheckedExercise found = checked(*exercise);
     CAPTURE(complaints(found));
     CHECK(found.passed());
