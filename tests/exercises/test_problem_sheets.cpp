@@ -292,7 +292,7 @@ TEST_CASE("A sheet to be solved shows the mechanism, and where its loads act") {
   for (const char* letter : {"$\\vec{\\it{Q}}$", "$\\vec{\\it{P}}$", "3", "$O_{2}$", "$O'_{2}$"})
     CHECK(has_label(rubs, letter));
   const DrawnSheet spool = blank_sheet_of("spool-slip", "friction-cone");
-  for (const char* letter : {"$C$", "$G$", "$A$", "$b$"}) CHECK(has_label(spool, letter));
+  for (const char* letter : {"$C$", "$G$", "$A$", "$m_{b}$"}) CHECK(has_label(spool, letter));
   const DrawnSheet checks = blank_sheet_of("boat-crane", "checks");
   CHECK(checks.asked.size() == 12);
   CHECK(std::find(checks.asked.begin(), checks.asked.end(), "mass_600kg.buckling_utilisation") != checks.asked.end());
