@@ -1,7 +1,7 @@
 // The film under a flat slider of infinite width, in closed form (Reynolds, Michell). x runs from the inlet, where
-// the film is h1, to the outlet, where it is h2 < h1; the inclined wall, the pad, rests, and the flat one runs towards
-// +x at V (if it ran instead, the film would be drawn apart and bear nothing); z is counted from the pad.
-// The pressure is zero at both ends; all forces are those of a unit of width. n = h1/h2.
+// the film is h1, to the outlet, where it is h2 < h1; the inclined wall, the pad, rests, and the flat one runs
+// towards +x at V (if it ran instead, the film would be drawn apart and bear nothing); z is counted from the pad. The
+// pressure is zero at both ends; all forces are those of a unit of width. n = h1/h2.
 #pragma once
 
 #include "geometry/lubrication/logarithms.h"
