@@ -38,7 +38,7 @@ mv "$place/before" "$place/prefix"
 expect 'nothing installed knows where it was built' '' "$(grep -rlF -e "$build" -e "$place/before" \
   --include='*.cmake' --include='*.pc' --include='*.h' "$place/prefix")"
 
-must 'find_package' "$cmake" -S "$example" -B "$place/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$place/prefix" \
+must 'find_package' "$cmake" -G Ninja -S "$example" -B "$place/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$place/prefix" \
   -DCMAKE_CXX_COMPILER="$compiler"
 must 'building by find_package' "$cmake" --build "$place/build"
 try find_package "$place/build/pole"

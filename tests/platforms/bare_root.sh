@@ -40,9 +40,11 @@ timed() {
   return "$code"
 }
 
-# inside COMMAND: in the clone, with /proc, and with nothing of the environment here. Ends with all it has started.
+# inside COMMAND: in the clone, with /proc and terminals, and with nothing of the environment here. Ends with all it has
+# started.
 inside() {
-  unshare --mount --pid --fork --kill-child sh -c 'mount -t proc proc "$1/proc" && exec env -i HOME=/root \
+  unshare --mount --pid --fork --kill-child sh -c 'mount -t proc proc "$1/proc" && mkdir -p "$1/dev/pts" &&
+    mount -t devpts -o newinstance,ptmxmode=0666 devpts "$1/dev/pts" && ln -sf pts/ptmx "$1/dev/ptmx" && exec env -i HOME=/root \
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin chroot "$1" sh -c "cd /epure && $2"' - "$root" "$1"
 }
 
