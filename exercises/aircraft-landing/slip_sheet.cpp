@@ -26,7 +26,9 @@ PanelSheet slip_sheet(const Solution& s, Language language) {
                                      {{t_star, v_star}, "t_s_tangents", "v_s_tangents"},
                                      {{0, v_0}, {}, "v_0"}};
   chart.curves.push_back({.name = "end", .meaning = Meaning::text, .points = {{t_s, v_s}}});
+  Words at_10ms{"", ""};  // unless slip has ended by then
   if (const auto v = s.value("v_10ms"), omega = s.value("omega_10ms"); v && omega) {
+    at_10ms = {" The points at 10 ms are the exact solution.", " I punti a 10 ms sono la soluzione esatta."};
     chart.curves.push_back(
         {.name = "at_10ms", .meaning = Meaning::force, .points = {{0.01, *v}, {0.01, R * *omega}}});
     read.push_back({{0.01, *v}, {}, "v_10ms"});
@@ -35,11 +37,11 @@ PanelSheet slip_sheet(const Solution& s, Language language) {
   const Words ways{
       "The whole area below $v$ is the way $s_{v}$ of the aircraft; that below $ω\\it{R}$ the way $s_{ω}$ of the "
       "rim; "
-      "between them lies the way slipped. Dashed: the tangents at touch-down, which cross at $t^{*}_{s}$. The "
-      "points at 10 ms are the exact solution.",
+      "between them lies the way slipped. Dashed: the tangents at touch-down, which cross at "
+      "$t^{*}_{s}$.",
       "L'intera area sotto $v$ è lo spazio $s_{v}$ dell'aereo; quella sotto $ω\\it{R}$ lo spazio $s_{ω}$ della "
       "periferia; tra le due sta lo spazio strisciato. A tratti le tangenti al contatto, che si incontrano in "
-      "$t^{*}_{s}$. I punti a 10 ms sono la soluzione esatta."};
+      "$t^{*}_{s}$."};
   const Words works =
       s.givens()["rim_0"] == 0
           ? Words{"The wheel takes $\\it{E}_{s}$, and $\\it{L}_{F}$ is lost by sliding: as much, if $v$ and $\\it{F}$ did "
@@ -53,7 +55,7 @@ PanelSheet slip_sheet(const Solution& s, Language language) {
   return {
       .panels = panels(ChartPanel(chart, read)),
       .results = {values({"t_s", "v_s"}), values({"omega_s", "omega_rolling_0"}),
-                  values({"t_s_tangents", "v_s_tangents"}), remark(ways.in(language)),
+                  values({"t_s_tangents", "v_s_tangents"}), remark((ways + at_10ms).in(language)),
                   values({"ground_path_s", "rolled_path_s"}), values({"slip_path_s", "wheel_angle_s"}),
                   values({"v_10ms", "omega_10ms"}), remark(works.in(language)),
                   values({"wheel_energy_s", "friction_work_s"}), values({"drag_work_s", "rolling_work_s"})},

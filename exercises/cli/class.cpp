@@ -187,15 +187,11 @@ class ClassSet {
       if (!students.contains(row.cells[*numbers])) others.push_back(row.cells[*numbers]);
     if (others.empty()) return;
     throw WrongUsage(format_words(
-        "{} has {} who {} not in this class, such as {}, and would lose {}; choose another --out, or delete the "
-        "folder",
-        "{} ha {} che non {} in questa classe, come {}, e {} perderebbe; scegliere un'altra --out, o cancellare la "
-        "cartella",
-        path.string(),
-        others.size() == 1 ? Words{"a student", "uno studente"}
-                           : format_words("{} students", "{} studenti", others.size()),
-        others.size() == 1 ? Words{"is", "è"} : Words{"are", "sono"}, others.front(),
-        others.size() == 1 ? Words{"him", "lo"} : Words{"them", "li"}));
+        "{} would lose {} of its {} students, such as {}, as they are not in this class; choose another --out, or "
+        "delete the folder",
+        "{} perderebbe {} dei suoi {} studenti, come {}, che non sono in questa classe; scegliere un'altra --out, o "
+        "cancellare la cartella",
+        path.string(), others.size(), key.rows.size(), others.front()));
   }
 
   void choose_scales(const std::vector<std::string>& awkward_anyway) {

@@ -809,11 +809,11 @@ TEST_CASE("class: nobody who is in the key loses it", "[class]") {
   const std::string key = contents(in_class("key.csv"));
   const Ran fewer = make_over({"slider-crank-velocity/poles", "--count", "2"});
   CHECK(fewer.exit == 2);
-  CHECK(fewer.err.find("key.csv has 2 students who are not in this class, such as 3, and would lose them; choose "
+  CHECK(fewer.err.find("key.csv would lose 2 of its 4 students, such as 3, as they are not in this class; choose "
                        "another --out, or delete the folder") != std::string::npos);
   const Ran one = make_over({"slider-crank-velocity/poles", "--count", "3", "--lang", "it"});
   CHECK(one.exit == 2);
-  CHECK(one.err.find("key.csv ha uno studente che non è in questa classe, come 4, e lo perderebbe") !=
+  CHECK(one.err.find("key.csv perderebbe 1 dei suoi 4 studenti, come 4, che non sono in questa classe") !=
         std::string::npos);
   CHECK(contents(in_class("key.csv")) == key);
   CHECK(make_over({"slider-crank-velocity/poles", "--count", "5"}).exit == 0);

@@ -33,6 +33,7 @@ std::vector<drawings::Block> ChartPanel::draw(Plot& plot, const drawings::Box& r
     measure(each.along_x, {0, each.at.y}, each.at, each.si_x * map.x.per_mm(), Measurement::along_x);
     measure(each.along_y, {each.at.x, 0}, each.at, each.si_y * map.y.per_mm(), Measurement::along_y);
   }
+  mark_over(plot, map);
   std::vector<drawings::Block> told;
   for (const std::string& text : {off_chart(chart_, map, language), told_of(map, language)})
     if (!text.empty()) told.push_back(drawings::Paragraph{text});

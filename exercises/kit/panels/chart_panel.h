@@ -32,6 +32,8 @@ class ChartPanel : public Panel {
  protected:
   // What is to be told of how it is drawn.
   virtual std::string told_of(const drawings::ChartMap&, Language) const { return {}; }
+  // Marks over the curves; the map tells where the chart's numbers lie on the paper.
+  virtual void mark_over(Plot&, const drawings::ChartMap&) const {}
 
  private:
   drawings::Chart chart_;

@@ -13,17 +13,12 @@ class MarkedChart : public SizedChart {
  public:
   using Marks = std::function<void(Plot&, const drawings::ChartMap&)>;
   MarkedChart(drawings::Chart chart, std::vector<Read> read, ChartSize size, Marks marks)
-      : SizedChart(chart, std::move(read), size), axes_(std::move(chart)), marks_(std::move(marks)) {}
+      : SizedChart(std::move(chart), std::move(read), size), marks_(std::move(marks)) {}
 
-  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
-    std::vector<drawings::Block> told = SizedChart::draw(plot, room, language);
-    drawings::Figure frame;  // only to learn where it stands
-    marks_(plot, drawings::draw_axes(axes_, room, frame, language));
-    return told;
-  }
+ protected:
+  void mark_over(Plot& plot, const drawings::ChartMap& map) const override { marks_(plot, map); }
 
  private:
-  drawings::Chart axes_;
   Marks marks_;
 };
 
