@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "drawings/charts/value_span.h"
 #include "drawings/text/text.h"
 #include "exercises/cli/sweep_words.h"
 #include "exercises/kit/panels/results.h"
@@ -30,29 +31,6 @@ std::vector<std::string> units_of(const std::vector<Quantity>& quantities) {
   return units;
 }
 
-// From the least to the greatest value; where a few of them run away, to infinity or nearly, what the others take,
-// and as much again.
-struct Span {
-  double low, high;
-};
-// An axis that is narrower has no numbers of its own.
-double narrowest(double low, double high) { return 1e-7 * std::max(std::abs(low), std::abs(high)); }
-Span span_of(std::vector<double> values) {
-  if (values.empty()) return {0, 1};
-  std::sort(values.begin(), values.end());
-  const auto at = [&](double part) {
-    return values[static_cast<std::size_t>(std::lround(part * static_cast<double>(values.size() - 1)))];
-  };
-  constexpr double few = 0.05, far = 8;
-  const Span all{values.front(), values.back()}, most{at(few), at(1 - few)};
-  const double width = most.high - most.low;
-  if (width > 0 && all.high - all.low > far * width)
-    return {std::max(all.low, most.low - width / 2), std::min(all.high, most.high + width / 2)};
-  if (all.high - all.low > narrowest(all.low, all.high)) return all;
-  const double around = all.low == 0 ? 1 : std::abs(all.low) / 10;
-  return {all.low - around, all.high + around};
-}
-
 // Whether another given as the axis would leave few enough curves.
 Words better_order(const SweepStudy& study) {
   for (const Variation& axis : study.over)
@@ -75,7 +53,7 @@ SweepChart::SweepChart(const SweepStudy& study, std::string option, Language lan
                                   "{}: {} ha parole per valori e non fa da asse; nominare prima un altro --over",
                                   option_, first.given().symbol));
   const auto [low, high] = std::minmax({first.number(0), first.number(first.size() - 1)});
-  if (high - low <= narrowest(low, high))
+  if (high - low <= drawings::narrowest_span(low, high))
     throw WrongUsage(format_words("{}: from {} to {} is too narrow an axis for its numbers",
                                   "{}: da {} a {} l'asse è troppo corto per i suoi numeri", option_, first.text(0),
                                   first.text(first.size() - 1)));
@@ -127,7 +105,7 @@ drawings::Axis SweepChart::value_axis(const std::string& unit) const {
       for (const auto& run : curves_[i * others_ + k].curve.runs)
         for (const drawings::Datum& each : run) values.push_back(each.y);
   }
-  const Span span = span_of(std::move(values));
+  const drawings::ValueSpan span = drawings::span_of(std::move(values));
   axis.low = span.low;
   axis.high = span.high;
   return axis;

@@ -7,6 +7,7 @@
 #include "exercises/kit/linkages/second_order_quantities.h"
 #include "exercises/kit/panels/curve.h"
 #include "exercises/kit/panels/locus_panel.h"
+#include "exercises/scenes/drive_way.h"
 #include "exercises/scenes/dyad_equations.h"
 #include "exercises/scenes/refusals.h"
 #include "exercises/scenes/scene_figure.h"
@@ -56,6 +57,7 @@ class PathOfScene {
         point_(point),
         carrier_(carrier()),
         driven_(driven()),
+        way_(*built_),
         places_(built_->linkage, built_->steps) {
     const geometry::Arithmetic<Fast> scope;
     find_reached();
@@ -126,34 +128,19 @@ class PathOfScene {
     return linkage().links_at(cylinder.to).front() != 0 ? cylinder.to : cylinder.from;
   }
 
-  std::optional<geometry::LinkagePosition<Fast>> closed_at(const geometry::DriveAt<Fast>& there) const {
-    try {
-      return geometry::CarriedOut<Fast>(linkage(), built_->steps).position(there);
-    } catch (const geometry::Impossible&) {
-    } catch (const geometry::Undecided&) {
-      // At a limit of the motion.
-    }
-    return {};
-  }
   geometry::DriveAt<Fast> turned_by(int part) const {
     const double angle = 2 * std::numbers::pi * part / shown_directions;
     return {0, {std::cos(angle), std::sin(angle)}, 0, places_.turns()};
   }
-  static geometry::DriveAt<Fast> at_way(double way) { return {0, {1, 0}, way}; }
-  double way_now() const {
-    if (const auto* slid = std::get_if<geometry::SlidPoint>(&drive())) return CGAL::to_double(slid->at);
-    return CGAL::to_double(std::get<Stretched>(drive()).length);
-  }
-
   void find_positions() {
     if (std::holds_alternative<TurnedLink>(drive())) {
       for (int part = 0; part < shown_directions; ++part)
-        if (reached_.has(2 * std::numbers::pi * part / shown_directions)) add(closed_at(turned_by(part)), part);
+        if (reached_.has(2 * std::numbers::pi * part / shown_directions)) add(way_.closed_at(turned_by(part)), part);
       return;
     }
-    const double low = farthest(-1), high = farthest(1);
+    const double low = way_.low(), high = way_.high();
     for (int part = 0; part < shown_ways; ++part)
-      add(closed_at(at_way(low + (high - low) * part / (shown_ways - 1))), part);
+      add(way_.closed_at(DriveWay::at(low + (high - low) * part / (shown_ways - 1))), part);
   }
   void find_reached() {
     if (const auto* turned = std::get_if<TurnedLink>(&drive()))
@@ -161,37 +148,13 @@ class PathOfScene {
     else if (std::holds_alternative<Stretched>(drive()))
       reached_.now = std::numbers::pi / 2;
     constexpr double wide = 10, coarse = 100;
-    const double size = reach();
+    const double size = way_.size();
     const Place O = geometry::CarriedOut<Fast>(linkage(), built_->steps).position().points.front();
     const geometry::Trace all = places_.path(
         point_, {O.x - wide * size, O.y - wide * size, O.x + wide * size, O.y + wide * size}, size / coarse);
     for (const geometry::Gap& gap : all.gaps)
       if (gap.cause == geometry::Gap::Cause::absent) reached_.leave_out(gap);
   }
-  // As far as the mechanism closes, in doubles, or some of its sizes.
-  double farthest(double sense) const {
-    const double now = way_now(), size = reach();
-    double closes = 0, open = 4 * size;
-    if (std::holds_alternative<Stretched>(drive()) && sense < 0) open = std::min(open, now);
-    constexpr int looks = 64, halvings = 40;
-    for (int look = 1; look <= looks; ++look)
-      if (const double to = open * look / looks; closed_at(at_way(now + sense * to))) {
-        closes = to;
-      } else {
-        open = to;
-        break;
-      }
-    for (int i = 0; i < halvings && closes < open; ++i)
-      (closed_at(at_way(now + sense * (closes + open) / 2)) ? closes : open) = (closes + open) / 2;
-    return now + sense * closes;
-  }
-  double reach() const {
-    double far = 0;
-    const auto now = geometry::CarriedOut<Fast>(linkage(), built_->steps).position().points;
-    for (const Place& P : now) far = std::max(far, distance(now.front(), P));
-    return far;
-  }
-
   void add(const std::optional<geometry::LinkagePosition<Fast>>& at, int number) {
     if (!at) return;
     LocusPanel::Position position;
@@ -279,6 +242,7 @@ class PathOfScene {
   std::shared_ptr<const Built> built_;
   int point_, carrier_;
   std::optional<int> driven_;
+  DriveWay way_;
   geometry::EveryPlace places_;
   std::vector<LocusPanel::Position> positions_;
   Reached reached_;

@@ -627,6 +627,45 @@ class Building {
   Built built_;
 };
 
+// charts: [omega_4, [v_B, v_C]].
+std::vector<std::vector<std::string>> read_charts(const File& file, const Tree& all) {
+  const Words what{
+      "charts: [omega_4, [v_B, v_C]], quantities over all places of the drive, a chart each or together",
+      "charts: [omega_4, [v_B, v_C]], grandezze in tutte le posizioni del movente, un grafico ciascuna o "
+      "insieme"};
+  file.demand(all, Tree::Kind::list, what);
+  std::vector<std::vector<std::string>> charts;
+  for (const Tree& item : all.items) {
+    std::vector<std::string> names;
+    if (item.kind == Tree::Kind::list)
+      for (const Tree& each : item.items) names.push_back(spelled_out(file.text(each, what)));
+    else
+      names.push_back(spelled_out(file.text(item, what)));
+    if (names.empty()) file.refuse(item, what);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+          names.begin() + static_cast<std::ptrdiff_t>(i))
+        file.refuse(item, format_words("{} stands here twice", "{} sta qui due volte", names[i]));
+    if (std::find(charts.begin(), charts.end(), names) != charts.end())
+      file.refuse(item, {"this chart stands here twice", "questo grafico sta qui due volte"});
+    charts.push_back(std::move(names));
+  }
+  return charts;
+}
+
+// A chart has one axis, and that ends.
+void demand_one_way(const File& file, const Tree& at, const Built& built) {
+  if (built.linkage.drives.size() != 1)
+    file.refuse(
+        at, format_words("with {} drives there is no one way to chart over",
+                         "con {} moventi non c'è un solo moto su cui fare il grafico", built.linkage.drives.size()));
+  try {
+    EveryPlace(built.linkage, built.steps);
+  } catch (const Impossible& endless) {
+    file.refuse(at, endless.words());
+  }
+}
+
 }  // namespace
 
 Scene::Scene(std::string file_name, std::string_view bytes)
@@ -635,14 +674,42 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
                    "una scena è un elenco di chiavi e valori, come  id: four-bar"});
   file.demand_keys(root_, {"epure", "id", "title", "source", "givens", "where", "units", "points", "links", "slides",
-                           "gears", "drive", "assembly", "offsets", "paths", "sheets", "printed"});
+                           "gears", "drive", "assembly", "offsets", "paths", "charts", "sheets", "printed"});
   const FileHead head = read_head(file, root_);
   id_ = head.id;
   title_ = head.title;
   source_ = head.source;
   givens_ = head.givens;
   printed_ = head.printed;
-  built(Givens(givens_));
+  const Built stated = built(Givens(givens_));
+  if (const TextTree* charts = root_.find("charts")) {
+    charts_ = read_charts(file, *charts);
+    demand_one_way(file, *charts, stated);
+  }
+}
+
+void Scene::demand_charts(const std::vector<Quantity>& quantities) const {
+  const File file(file_);
+  std::vector<std::string> names;
+  for (const Quantity& quantity : quantities) names.push_back(quantity.name);
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    std::string unit;
+    for (const std::string& name : charts_[i]) {
+      const TextTree& item = root_.find("charts")->items[i];
+      const auto found = std::find(names.begin(), names.end(), name);
+      if (found == names.end())
+        file.refuse(
+            item, format_words("this mechanism has no quantity \"{}\"; {}",
+                               "questo meccanismo non ha la grandezza \"{}\"; {}", name, did_you_mean(name, names)));
+      const Quantity& quantity = quantities[static_cast<std::size_t>(found - names.begin())];
+      if (!unit.empty() && unit != quantity.unit)
+        file.refuse(item, format_words("one chart has one unit, and {} is in {}, not in {}; write a chart for each",
+                                       "un grafico ha una sola unità, e {} è in {}, non in {}; scrivere un grafico "
+                                       "per ciascuna",
+                                       name, quantity.unit, unit));
+      unit = quantity.unit;
+    }
+  }
 }
 
 void Scene::demand_printed(const std::vector<Quantity>& quantities) const {

@@ -57,6 +57,11 @@ class Scene {
   // Throws BadScene where one of them is of none of these quantities, or in a unit of something else.
   void demand_printed(const std::vector<Quantity>& quantities) const;
 
+  // The quantities that are asked for over all places of the drive, chart by chart.
+  const std::vector<std::vector<std::string>>& charts() const { return charts_; }
+  // Throws BadScene where one of them is none of these, or two of a chart have different units.
+  void demand_charts(const std::vector<Quantity>& quantities) const;
+
   // At these givens. Throws BadScene where they make a length zero, or a formula divide by zero.
   Built built(const Givens& givens) const;
 
@@ -67,6 +72,7 @@ class Scene {
   Words title_, source_;
   std::vector<GivenSpec> givens_;
   std::vector<Printed> printed_;
+  std::vector<std::vector<std::string>> charts_;
 };
 
 }  // namespace epure::scenes

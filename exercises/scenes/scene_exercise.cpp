@@ -9,6 +9,7 @@
 #include "exercises/kit/panels/vectors_panel.h"
 #include "exercises/scenes/accelerations_panel.h"
 #include "exercises/scenes/centres_sheets.h"
+#include "exercises/scenes/chart_sheets.h"
 #include "exercises/scenes/file_head.h"
 #include "exercises/scenes/limits.h"
 #include "exercises/scenes/path_sheets.h"
@@ -120,12 +121,14 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   for (SheetMaker& sheet : polygon_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : centres_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : path_sheets(scene)) sheets.push_back(std::move(sheet));
+  for (SheetMaker& sheet : chart_sheets(scene)) sheets.push_back(std::move(sheet));
   std::vector<std::string> names;
   for (const SheetMaker& sheet : sheets) names.push_back(sheet.spec.name);
   std::vector<SheetMaker> chosen;
   for (const std::size_t i : scene->chosen_sheets(names)) chosen.push_back(std::move(sheets[i]));
   auto exercise = exercise_of_panels(described(*scene), solve, std::move(chosen));
   scene->demand_printed(exercise->about().quantities());
+  scene->demand_charts(exercise->about().quantities());
   return exercise;
 }
 

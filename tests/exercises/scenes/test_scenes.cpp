@@ -10,6 +10,7 @@
 #include "exercises/scenes/file_head.h"
 #include "exercises/scenes/scene.h"
 #include "exercises/scenes/scene_exercise.h"
+#include "tests/exercises/drawn_marks.h"
 #include "tests/exercises/held_against_corpus.h"
 
 using namespace epure;
@@ -433,6 +434,73 @@ TEST_CASE("paths are told as they are drawn, also of what slides and of cylinder
   CAPTURE(complaints(checked));
   CHECK(checked.passed());
   CHECK(value(checked, "rho_R") == Approx(2));
+}
+
+// Where a chart's zero lies, and how far apart its numbers, by what a ruler reads of it now.
+struct OnChart {
+  double x_now, zero, per_mm;
+};
+OnChart on_chart(const DrawnSheet& drawn, const std::string& quantity) {
+  for (const Measurement& each : drawn.measurements)
+    if (each.quantity == quantity) return {each.to.x, each.from.y, each.per_mm};
+  throw std::logic_error("nothing to read of " + quantity);
+}
+// The drawn curve there.
+double read_off(const DrawnSheet& drawn, const std::string& curve, double x, const OnChart& scale) {
+  const drawings::Line drawn_line = line(drawn, curve);
+  drawings::Point nearest = drawn_line.path.start;
+  for (const auto& piece : drawn_line.path.pieces)
+    if (std::abs(piece.end.x - x) < std::abs(nearest.x - x)) nearest = piece.end;
+  return (nearest.y - scale.zero) * scale.per_mm;
+}
+
+TEST_CASE("a chart shows a quantity in all places of the drive", "[scenes]") {
+  const auto drawn_at = [](const std::string& angle) {
+    const auto scene = std::make_shared<const scenes::Scene>(
+        "f", four_bar("drive: {link: 2, angle: " + angle + ", speed: 60 rpm}") + "charts: [omega_4]\n");
+    return scenes::scene_exercise(scene)->draw("chart-omega_4", Givens(scene->givens()), {});
+  };
+  // ω4 by 40-digit differentiation of the closure in mpmath, at 0°, 90°, 180°, 270°.
+  constexpr double omega_4[] = {-2.69279370308, 2.46449658936, 1.44996584012, -1.42690635515};
+  const DrawnSheet first = drawn_at("0 deg"), now = drawn_at("90 deg");
+  const OnChart at_0 = on_chart(first, "omega_4"), at_90 = on_chart(now, "omega_4");
+  constexpr double ruler = 0.02;  // rad/s: a fifth of a millimetre
+  for (const int quarter : {0, 1, 2, 3}) {
+    const double x = at_0.x_now + quarter * (at_90.x_now - at_0.x_now);
+    CAPTURE(quarter);
+    CHECK(std::abs(read_off(now, "omega_4", x, at_90) - omega_4[quarter]) < ruler);
+  }
+  CHECK_FALSE(tells(now, "does not close"));
+  // A crank that cannot turn fully: the curve has an end on each side, and the sheet says so.
+  const auto rocker = std::make_shared<const scenes::Scene>(
+      "f",
+      four_bar("drive: {link: 2, angle: 60 deg, speed: 60 rpm}", "assembly: {B: left of A B0}", "2: {A0 A: 300 mm}") +
+          "charts: [[omega_3, omega_4], v_B]\n");
+  const DrawnSheet both = scenes::scene_exercise(rocker)->draw("chart-omega_3-omega_4", Givens(rocker->givens()), {});
+  CHECK(tells(both, "does not close"));
+  const auto pieces = line(both, "omega_3").path.pieces.size();
+  CHECK(pieces > 100);
+  CHECK(pieces < 300);
+}
+
+TEST_CASE("what a chart is asked for is one unit, and there", "[scenes]") {
+  const auto why = [](const std::string& asked) -> std::string {
+    try {
+      scenes::scene_exercise(std::make_shared<const scenes::Scene>("f", four_bar() + asked));
+    } catch (const scenes::BadScene& bad) {
+      return bad.what();
+    }
+    return {};
+  };
+  CHECK(why("charts: [omega_4, [v_A, v_B]]").empty());
+  CHECK(why("charts: [omega_5]").starts_with("f:10:10: this mechanism has no quantity \"omega_5\"; did you mean"));
+  CHECK(why("charts: [[omega_4, v_B]]")
+            .starts_with("f:10:10: one chart has one unit, and v_B is in m/s, not in rad/s"));
+  CHECK(why("charts: [v_B, v_B]") == "f:10:15: this chart stands here twice");
+  CHECK(why("charts: [[v_B, v_B]]") == "f:10:10: v_B stands here twice");
+  CHECK(why("charts: omega_4").starts_with("f:10:9: charts: [omega_4, [v_B, v_C]]"));
+  CHECK(refusal("epure: 1\nid: f\nlinks:\n  1: {O: [0, 0]}\n  2: {O A: 1 m}\n  3: {A B: 1 m}\ndrive: [{link: 2}, "
+                "{link: 3}]\ncharts: [v_B]\n") == "8:9: with 2 drives there is no one way to chart over");
 }
 
 TEST_CASE("gears are told by wheels, carrier and teeth; what cannot mesh is refused", "[scenes]") {

@@ -1,0 +1,243 @@
+#include "exercises/scenes/chart_sheets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "drawings/charts/value_span.h"
+#include "exercises/kit/panels/chart_panel.h"
+#include "exercises/kit/panels/mechanism_panel.h"
+#include "exercises/kit/proof/agreement.h"
+#include "exercises/kit/proof/asked.h"
+#include "exercises/scenes/drive_way.h"
+#include "exercises/scenes/scene_figure.h"
+#include "exercises/scenes/scene_routes.h"
+#include "geometry/linkages/every_place.h"
+
+namespace epure::scenes {
+namespace {
+
+using geometry::Enclosure;
+using geometry::SlidPoint;
+using geometry::Stretched;
+using geometry::TurnedLink;
+
+constexpr int places_in_a_turn = 360, places_along_a_way = 240, most_places = 1440;
+
+// The scene's mechanism wherever its drive can bring it: quantities there, found as those of the givens are.
+class OverDrive {
+ public:
+  OverDrive(Built built, std::vector<std::string> names) : built_(std::move(built)), names_(std::move(names)) {
+    const geometry::Arithmetic<geometry::Fast> scope;
+    if (const auto* turned = std::get_if<TurnedLink>(&drive())) {
+      turns_ = geometry::EveryPlace(built_.linkage, built_.steps).turns();
+      const geometry::Angle angle = within_one_turn({turned->angle.turns / turns_, turned->angle.radians / turns_});
+      high_ = turns_;
+      now_ = degrees(angle) / 360 * turns_;
+      return;
+    }
+    const DriveWay way(built_);
+    low_ = way.low();
+    high_ = way.high();
+    now_ = way.now();
+  }
+
+  // Of a turned link in turns, else in metres.
+  double low() const { return low_; }
+  double high() const { return high_; }
+  double now() const { return now_; }
+  bool turns() const { return std::holds_alternative<TurnedLink>(drive()); }
+  int count() const { return turns() ? std::min(turns_ * places_in_a_turn, most_places) : places_along_a_way; }
+  geometry::Rational place(int i) const {
+    const geometry::Rational low(low_), high(high_);
+    return low + (high - low) * geometry::Rational(i, count());
+  }
+
+  // Each quantity's, where it has a value.
+  std::map<std::string, Enclosure> values_at(const geometry::Rational& place) const {
+    auto there = std::make_shared<Built>(built_);
+    put(there->linkage.drives.front(), place);
+    const Asked asked(names_);
+    std::map<std::string, std::vector<RouteValue>> routes;
+    try {
+      for (RouteValue& value : by_both_routes(there, Rung::bounded)) routes[value.quantity].push_back(value);
+    } catch (const geometry::Impossible&) {
+    } catch (const geometry::Undecided&) {
+      // At a limit of the motion, or beyond.
+    }
+    std::map<std::string, Enclosure> values;
+    for (const std::string& name : names_) {
+      if (routes[name].empty()) continue;
+      const geometry::Settled& known = best_known(routes[name]);
+      if (known.kind == geometry::Settled::Kind::certain || known.kind == geometry::Settled::Kind::enclosed)
+        values[name] = known.enclosure;
+    }
+    return values;
+  }
+
+ private:
+  const geometry::Drive& drive() const { return built_.linkage.drives.front(); }
+  static void put(geometry::Drive& drive, const geometry::Rational& place) {
+    if (auto* turned = std::get_if<TurnedLink>(&drive))
+      turned->angle = {place, 0};
+    else if (auto* slid = std::get_if<SlidPoint>(&drive))
+      slid->at = place;
+    else
+      std::get<Stretched>(drive).length = place;
+  }
+
+  Built built_;
+  std::vector<std::string> names_;
+  int turns_ = 1;
+  double low_ = 0, high_ = 1, now_ = 0;
+};
+
+struct Sample {
+  geometry::Rational at;
+  std::map<std::string, Enclosure> values;
+};
+
+// At equal steps, and closer where a quantity begins or ends to have a value.
+std::vector<Sample> samples_of(const OverDrive& over) {
+  std::vector<Sample> samples;
+  for (int i = 0; i <= over.count(); ++i) {
+    const geometry::Rational at = over.place(i);
+    Sample next{at, over.values_at(at)};
+    if (!samples.empty() && samples.back().values.size() != next.values.size()) {
+      constexpr int halvings = 10;
+      Sample low = samples.back(), high = next;
+      for (int k = 0; k < halvings; ++k) {
+        const geometry::Rational middle = (low.at + high.at) / 2;
+        Sample between{middle, over.values_at(middle)};
+        (between.values.size() == low.values.size() ? low : high) = std::move(between);
+      }
+      samples.push_back(std::move(low));
+      samples.push_back(std::move(high));
+    }
+    samples.push_back(std::move(next));
+  }
+  return samples;
+}
+
+class ChartOfScene {
+ public:
+  ChartOfScene(const Built& built, const Solution& s, const std::vector<std::string>& names)
+      : s_(s), names_(names), over_(built, names), samples_(samples_of(over_)) {
+    std::vector<double> values;
+    for (const Sample& sample : samples_)
+      for (const auto& [name, known] : sample.values) values.push_back(known.value);
+    span_ = drawings::span_of(std::move(values));
+  }
+
+  bool is_broken() const {
+    return std::any_of(samples_.begin(), samples_.end(),
+                       [&](const Sample& sample) { return sample.values.size() < names_.size(); });
+  }
+
+  drawings::Chart chart(const Built& built, Language language) const {
+    const double unit = over_.turns() ? 360 : 1;
+    drawings::Chart chart;
+    chart.x = {.quantity = drive_in_words(built).in(language),
+               .unit = over_.turns() ? "°" : "m",
+               .low = unit * over_.low(),
+               .high = unit * over_.high(),
+               .to_ticks = false};
+    if (over_.turns()) chart.x.steps = drawings::degree_steps;
+    const std::string& unit_of_all = s_.described(names_.front()).unit;
+    chart.y = {.unit = written_unit(unit_of_all, language), .low = span_.low, .high = span_.high};
+    for (const std::string& name : names_) {
+      const std::string& symbol = s_.described(name).symbol;
+      chart.y.quantity += (chart.y.quantity.empty() ? "" : ", ") + symbol;
+      drawings::Curve curve{.name = name, .label = names_.size() > 1 ? symbol : ""};
+      if (const auto now = s_.value(name)) curve.points = {{unit * over_.now(), *now}};
+      bool is_open = false;
+      for (const Sample& sample : samples_) {
+        const auto found = sample.values.find(name);
+        const bool is_drawn = found != sample.values.end() && is_fine(found->second);
+        if (is_drawn && !is_open) curve.runs.emplace_back();
+        if (is_drawn) curve.runs.back().push_back({unit * CGAL::to_double(sample.at), found->second.value});
+        is_open = is_drawn;
+      }
+      chart.curves.push_back(std::move(curve));
+    }
+    if (chart.y.low < 0 && chart.y.high > 0) chart.horizontals = {{.at = 0}};
+    chart.verticals = {{.at = unit * over_.now()}};
+    return chart;
+  }
+
+  std::vector<ChartPanel::Read> read() const {
+    std::vector<ChartPanel::Read> all;
+    for (const std::string& name : names_)
+      if (const auto now = s_.value(name)) all.push_back({{(over_.turns() ? 360 : 1) * over_.now(), *now}, {}, name});
+    return all;
+  }
+
+ private:
+  // Known to less than a pen's width.
+  bool is_fine(const Enclosure& known) const {
+    constexpr double pens = 500;
+    return known.upper - known.lower <= (span_.high - span_.low) / pens;
+  }
+
+  static Words drive_in_words(const Built& built) {
+    const geometry::Drive& drive = built.linkage.drives.front();
+    if (const auto* turned = std::get_if<TurnedLink>(&drive))
+      return format_words("direction of link {}", "direzione del membro {}",
+                          built.letters.links[index(turned->link)]);
+    const auto written = [&](int p) { return "$" + point_letters(built.letters.points[index(p)]) + "$"; };
+    if (const auto* slid = std::get_if<SlidPoint>(&drive))
+      return format_words("way of {}", "corsa di {}", written(slid->point));
+    const auto& cylinder = std::get<Stretched>(drive);
+    return format_words("length {}{}", "lunghezza {}{}", written(cylinder.from), written(cylinder.to));
+  }
+
+  const Solution& s_;
+  const std::vector<std::string>& names_;
+  OverDrive over_;
+  std::vector<Sample> samples_;
+  drawings::ValueSpan span_{};
+};
+
+PanelSheet chart_sheet(const Scene& scene, const Solution& s, std::size_t which, Language language) {
+  const Built built = scene.built(s.givens());
+  const std::vector<std::string>& names = scene.charts().at(which);
+  const ChartOfScene chart(built, s, names);
+  PanelSheet sheet;
+  sheet.panels = panels(MechanismPanel(std::make_shared<const Mechanism>(figure_of(built, s))),
+                        ChartPanel(chart.chart(built, language), chart.read()));
+  sheet.results = {remark(Words{"Dots, on the thin line: the place of the givens.",
+                                "Punti, sulla linea sottile: la posizione dei dati."}
+                              .in(language)),
+                   values(names)};
+  if (chart.is_broken())
+    sheet.results.push_back(
+        remark(Words{"Where there is no curve the mechanism does not close, or there is no value.",
+                     "Dove non c'è curva il meccanismo non si chiude, o non c'è valore."}
+                   .in(language)));
+  std::string letters;
+  for (const std::string& name : names)
+    letters += (letters.empty() ? "" : ", ") + drawings::plain(s.described(name).symbol);
+  sheet.seen = format_words("The mechanism, and {} over all places of its drive",
+                            "Il meccanismo, e {} in tutte le posizioni del movente", letters);
+  sheet.told = names;
+  return sheet;
+}
+
+}  // namespace
+
+std::vector<SheetMaker> chart_sheets(const std::shared_ptr<const Scene>& scene) {
+  std::vector<SheetMaker> sheets;
+  for (std::size_t i = 0; i < scene->charts().size(); ++i) {
+    std::string name = "chart", of;
+    for (const std::string& each : scene->charts()[i]) {
+      name += "-" + each;
+      of += (of.empty() ? "" : ", ") + each;
+    }
+    sheets.push_back(
+        {{name, format_words("{} over the drive", "{} lungo il moto del movente", of)},
+         [scene, i](const Solution& s, Language language) { return chart_sheet(*scene, s, i, language); }});
+  }
+  return sheets;
+}
+
+}  // namespace epure::scenes

@@ -1,0 +1,14 @@
+// Quantities over all places of the drive: the charts that a file asks for.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "exercises/kit/panels/panel_sheet.h"
+#include "exercises/scenes/scene.h"
+
+namespace epure::scenes {
+
+std::vector<SheetMaker> chart_sheets(const std::shared_ptr<const Scene>& scene);
+
+}  // namespace epure::scenes
