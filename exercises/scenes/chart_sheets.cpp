@@ -5,6 +5,7 @@
 #include <map>
 
 #include "drawings/charts/value_span.h"
+#include "drawings/text/text.h"
 #include "exercises/kit/panels/chart_panel.h"
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/proof/agreement.h"
@@ -31,9 +32,10 @@ class OverDrive {
     const geometry::Arithmetic<geometry::Fast> scope;
     if (const auto* turned = std::get_if<TurnedLink>(&drive())) {
       turns_ = geometry::EveryPlace(built_.linkage, built_.steps).turns();
-      const geometry::Angle angle = within_one_turn({turned->angle.turns / turns_, turned->angle.radians / turns_});
+      const geometry::Angle angle =
+          geometry::within_one_turn({turned->angle.turns / turns_, turned->angle.radians / turns_});
       high_ = turns_;
-      now_ = degrees(angle) / 360 * turns_;
+      now_ = geometry::degrees(angle) / 360 * turns_;
       return;
     }
     const DriveWay way(built_);
@@ -226,15 +228,23 @@ PanelSheet chart_sheet(const Scene& scene, const Solution& s, std::size_t which,
 }  // namespace
 
 std::vector<SheetMaker> chart_sheets(const std::shared_ptr<const Scene>& scene) {
+  if (scene->charts().empty()) return {};
+  std::vector<Quantity> known;
+  for (const RouteValue& each :
+       by_both_routes(std::make_shared<const Built>(scene->built(Givens(scene->givens()))), Rung::names))
+    if (each.described) known.push_back(*each.described);
+  scene->demand_charts(known);
   std::vector<SheetMaker> sheets;
   for (std::size_t i = 0; i < scene->charts().size(); ++i) {
-    std::string name = "chart", of;
-    for (const std::string& each : scene->charts()[i]) {
-      name += "-" + each;
-      of += (of.empty() ? "" : ", ") + each;
+    std::string name = "chart", letters;
+    for (const std::string& asked : scene->charts()[i]) {
+      const auto found =
+          std::find_if(known.begin(), known.end(), [&](const Quantity& each) { return each.name == asked; });
+      name += "-" + asked;
+      letters += (letters.empty() ? "" : ", ") + found->symbol;
     }
     sheets.push_back(
-        {{name, format_words("{} over the drive", "{} lungo il moto del movente", of)},
+        {{name, format_words("Chart of {}", "Grafico di {}", letters)},
          [scene, i](const Solution& s, Language language) { return chart_sheet(*scene, s, i, language); }});
   }
   return sheets;

@@ -9,6 +9,7 @@
 
 namespace epure::scenes {
 
+// Throws BadScene where the file asks for what the mechanism has not (Scene::demand_charts).
 std::vector<SheetMaker> chart_sheets(const std::shared_ptr<const Scene>& scene);
 
 }  // namespace epure::scenes

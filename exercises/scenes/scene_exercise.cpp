@@ -128,7 +128,6 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   for (const std::size_t i : scene->chosen_sheets(names)) chosen.push_back(std::move(sheets[i]));
   auto exercise = exercise_of_panels(described(*scene), solve, std::move(chosen));
   scene->demand_printed(exercise->about().quantities());
-  scene->demand_charts(exercise->about().quantities());
   return exercise;
 }
 

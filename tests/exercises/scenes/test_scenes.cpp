@@ -338,9 +338,9 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 }  // namespace
 
 TEST_CASE("a scene has polygons group by group, and its instant centres", "[scenes]") {
-  CHECK(sheets_of(*exercise_of("four-bar")) == std::vector<std::string>{"velocities", "accelerations",
-                                                                        "velocity-polygon", "acceleration-polygon",
-                                                                        "instant-centres", "path"});
+  CHECK(sheets_of(*exercise_of("four-bar")) ==
+        std::vector<std::string>{"velocities", "accelerations", "velocity-polygon", "acceleration-polygon",
+                                 "instant-centres", "path", "chart-omega_3-omega_4"});
   CHECK(sheets_of(*exercise_of("jansen")) ==
         std::vector<std::string>{"velocities", "accelerations", "velocity-polygon-B", "velocity-polygon-D",
                                  "velocity-polygon-E", "acceleration-polygon-B", "acceleration-polygon-D",
