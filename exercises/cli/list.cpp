@@ -26,7 +26,7 @@ std::string heading(const Words& words, Language language) { return "\n" + words
 std::string sheets(const Description& about, Language language) {
   std::vector<std::vector<std::string>> rows;
   for (const SheetSpec& sheet : about.sheets)
-    rows.push_back({about.id + "/" + sheet.name, drawings::plain(sheet.title.in(language))});
+    rows.push_back({about.id + "/" + sheet.name, unicode_symbol(sheet.title.in(language))});
   return heading({"Sheets", "Tavole"}, language) + table(rows, 2, {38});
 }
 
