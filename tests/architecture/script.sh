@@ -127,6 +127,8 @@ expect 'and names the packages' 'epure: apt-get could not install: libfmt-dev' "
 # Tests.
 stand_in dpkg-query "$everything_installed"
 forget_calls
+"$checkout/epure" test --fuzz soon > messages 2>&1
+expect 'fuzzing asks for a time' 'epure: --fuzz takes a time, such as 600s, 10m or 8h, not "soon"' "$(cat messages)"
 "$checkout/epure" test -R 'a name' > messages 2>&1
 expect 'passing tests exit with 0' 0 $?
 expect 'test builds everything' 1 "$(grep -c '^cmake --build .* --target all' "$calls")"
