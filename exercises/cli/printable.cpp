@@ -14,11 +14,12 @@ struct Keep {
 };
 constexpr Keep of_word{120, 60, 20}, of_sentence{1200, 800, 300};
 
+bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c <= 0x9F); }
+
 bool is_shown(char32_t c) {
   const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
-  return !(c < 0x20 || within(0x7F, 0x9F) || c == 0xAD || c == 0x61C || within(0x200B, 0x200F) ||
-           within(0x2028, 0x202E) || within(0x2060, 0x206F) || c == 0xFEFF || within(0xFFF0, 0xFFFB) ||
-           within(0xE0000, 0xE007F));
+  return !(is_control(c) || c == 0xAD || c == 0x61C || within(0x200B, 0x200F) || within(0x2028, 0x202E) ||
+           within(0x2060, 0x206F) || c == 0xFEFF || within(0xFFF0, 0xFFFB) || within(0xE0000, 0xE007F));
 }
 
 // Characters, each as its bytes.
@@ -47,6 +48,15 @@ std::string printable(const std::string& sentence) {
   }
   end_word();
   return without_middle(shown, of_sentence);
+}
+
+bool commands_a_terminal(const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto [code, bytes] = character(text, at);
+    if (bytes > 0 && is_control(code)) return true;
+    at += std::max<std::size_t>(bytes, 1);
+  }
+  return false;
 }
 
 }  // namespace epure

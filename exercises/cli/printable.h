@@ -10,4 +10,7 @@ namespace epure {
 // too long is cut in its middle.
 std::string printable(const std::string& sentence);
 
+// Whether it has control characters, C1 among them.
+bool commands_a_terminal(const std::string& text);
+
 }  // namespace epure

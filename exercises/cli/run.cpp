@@ -50,12 +50,23 @@ Outcome outcome_of(const Catalogue& exercises, const Options& options, std::ostr
   return check(exercises, options);
 }
 
+// The names of files are printed, also on terminals.
+void demand_no_commands(const std::string& name) {
+  if (commands_a_terminal(name))
+    throw WrongUsage(format_words("\"{}\": a name with control characters is refused, as a terminal obeys them",
+                                  "\"{}\": un nome con caratteri di controllo è rifiutato, poiché un terminale vi "
+                                  "obbedisce",
+                                  name));
+}
+
 Outcome run(const Catalogue& exercises, const std::vector<std::string>& arguments, std::ostream& out,
             std::ostream& err, const Surroundings& surroundings) {
   auto [options, text] = parse_options(exercises, arguments, surroundings.language);
   options.colours = surroundings.colours;
   for (const auto& written : {options.file, options.chart})
     if (written) demand_not_read(*written, options);
+  for (const auto& named : {options.folder, options.file, options.chart, options.name})
+    if (named) demand_no_commands(*named);
   if (!text && names_scenes(options)) {
     const Scenes scenes = read_scenes(options);
     Outcome outcome = outcome_of(scenes.exercises, scenes.options, out, err, surroundings);

@@ -20,7 +20,9 @@ double in_double(const Deep& x) {
   const long bits = geometry::Arithmetic<Deep>::bits();
   if (bits == many_bits && is_zero_for_drawing(ends, bits)) return 0;
   if (!certain_double(x) && std::nextafter(ends.lower, ends.upper) != ends.upper && std::isfinite(ends.value))
-    throw geometry::Undecided("a number of the table", "un numero della tabella");
+    throw geometry::Undecided("a number of the table: on the way to it the recursion loses more than 512 bits",
+                              "un numero della tabella: fin lì la ricorrenza perde più di 512 bit");
+  static_assert(many_bits == 512);
   return ends.value;
 }
 

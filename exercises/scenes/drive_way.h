@@ -8,6 +8,9 @@
 
 namespace epure::scenes {
 
+// How many places of the drive curves are drawn with: of a turned link's turn, and of a way.
+inline constexpr int shown_directions = 12, shown_ways = 9;
+
 // Of a mechanism with one drive, which must outlive it; in a scope of Fast.
 class DriveWay {
  public:

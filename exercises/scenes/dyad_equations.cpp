@@ -425,22 +425,36 @@ class Writer {
         const Rational ux = on_link->at.x - at_P.x, uy = on_link->at.y - at_P.y;
         is_in_line = ux * (p.at.y - at_P.y) == uy * (p.at.x - at_P.x);
       } else {
-        is_in_line = slot_runs_through(link, P, p.at);
+        is_in_line = slot_runs_through(link, P, X, p.at);
       }
       to.images.push_back({name(p.point), letters(P) + letters(X) + letters(p.point),
                            of_.is_fixed(P) ? "" : inner(tip(P)), inner(image_of_X), inner(tip(p.point)), is_in_line});
     }
   }
-  // A slotted link whose slot runs through its hinge P and this place: its pin is in line with both.
-  bool slot_runs_through(int link, int P, const Own& place) const {
+  // A slotted link whose slot runs through its hinge P and this place, and its pin X is in line with both.
+  bool slot_runs_through(int link, int P, int X, const Own& place) const {
     const auto& lines = linkage().links[index(link)].lines;
     return std::any_of(lines.begin(), lines.end(), [&](const LinkLine& line) {
-      const auto* s = std::get_if<Own>(&line.along);
-      const auto is_on = [&](const Own& X) {
-        return s && s->x * (X.y - line.through.y) == s->y * (X.x - line.through.x);
-      };
-      return is_on(linkage().place(link, P)) && is_on(place);
+      return is_on(line, linkage().place(link, P)) && is_on(line, place) && pin_is_on(line.line, X);
     });
+  }
+  static bool is_on(const LinkLine& line, const Own& place) {
+    const auto* s = std::get_if<Own>(&line.along);
+    return s && s->x * (place.y - line.through.y) == s->y * (place.x - line.through.x);
+  }
+  // The pin itself, or the block whose hinge it is, with its line through that.
+  bool pin_is_on(int line, int X) const {
+    for (const PinOnLine& pin : linkage().pins)
+      if (pin.line == line && pin.point == X) return true;
+    for (const LineOnLine& block : linkage().blocks)
+      for (const auto& [one, other] : {std::pair(block.moving, block.guide), {block.guide, block.moving}}) {
+        if (one != line) continue;
+        const int on = linkage().link_of_line(other);
+        const auto links = linkage().links_at(X);
+        if (std::find(links.begin(), links.end(), on) != links.end())
+          return is_on(linkage().line(other), linkage().place(on, X));
+      }
+    return false;
   }
 
   Found write(const TwoRods& step) const {

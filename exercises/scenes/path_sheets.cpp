@@ -9,6 +9,7 @@
 #include "exercises/kit/panels/locus_panel.h"
 #include "exercises/scenes/drive_way.h"
 #include "exercises/scenes/dyad_equations.h"
+#include "exercises/scenes/reached.h"
 #include "exercises/scenes/refusals.h"
 #include "exercises/scenes/scene_figure.h"
 #include "geometry/linkages/every_place.h"
@@ -21,35 +22,6 @@ using geometry::LinkPoint;
 using geometry::Stretched;
 using geometry::TurnedLink;
 
-constexpr int shown_directions = 12, shown_ways = 9;
-
-double angle_of_direction(const Arrow2& d) { return std::atan2(d.y, d.x); }
-double within_turn(double angle) {
-  const double turn = 2 * std::numbers::pi;
-  return angle - turn * std::floor(angle / turn);
-}
-
-// Of the turn of directions, what the drive reaches from where it is: on to the first of the parts in which the
-// mechanism is proved not to close, and back to the last.
-struct Reached {
-  double now = 0, first_end = 2 * std::numbers::pi, last_begin = 0;
-
-  void leave_out(const geometry::Gap& gap) {
-    first_end = std::min(first_end, within_turn(angle_of_direction(gap.from) - now));
-    last_begin = std::max(last_begin, within_turn(angle_of_direction(gap.to) - now));
-    is_whole = false;
-  }
-  bool has(double angle) const {
-    const double turned = within_turn(angle - now);
-    return is_whole || turned <= first_end || turned >= last_begin;
-  }
-  bool has(const geometry::Branch& branch) const {
-    const double from = angle_of_direction(branch.from);
-    return branch.closed || has(from + within_turn(angle_of_direction(branch.to) - from) / 2);
-  }
-  bool is_whole = true;
-};
-
 class PathOfScene {
  public:
   PathOfScene(std::shared_ptr<const Built> built, int point)
@@ -58,9 +30,9 @@ class PathOfScene {
         carrier_(carrier()),
         driven_(driven()),
         way_(*built_),
-        places_(built_->linkage, built_->steps) {
+        places_(built_->linkage, built_->steps),
+        reached_(reached(*built_, point_)) {
     const geometry::Arithmetic<Fast> scope;
-    find_reached();
     find_positions();
   }
 
@@ -72,9 +44,7 @@ class PathOfScene {
                Plot& plot, const drawings::Box& room) {
       geometry::Trace trace = geometry::EveryPlace(built->linkage, built->steps)
                                   .path(point, frame_of(plot, room), curve_tolerance_mm / plot.scale().mm_per_unit);
-      trace.branches.erase(std::remove_if(trace.branches.begin(), trace.branches.end(),
-                                          [&](const geometry::Branch& branch) { return !reached.has(branch); }),
-                           trace.branches.end());
+      reached.leave_in(trace);
       draw_branches(plot, trace, Meaning::locus, name);
       return trace;
     };
@@ -97,7 +67,7 @@ class PathOfScene {
 
   // Of a turned link, where it cannot turn fully.
   Words range_in_words() const {
-    if (reached_.is_whole || !std::holds_alternative<TurnedLink>(drive())) return {};
+    if (reached_.is_whole() || !std::holds_alternative<TurnedLink>(drive())) return {};
     return {"The drive cannot go all round: where the curve ends the mechanism closes no further.",
             "Il movente non fa il giro completo: dove la curva finisce il meccanismo non si chiude oltre."};
   }
@@ -141,19 +111,6 @@ class PathOfScene {
     const double low = way_.low(), high = way_.high();
     for (int part = 0; part < shown_ways; ++part)
       add(way_.closed_at(DriveWay::at(low + (high - low) * part / (shown_ways - 1))), part);
-  }
-  void find_reached() {
-    if (const auto* turned = std::get_if<TurnedLink>(&drive()))
-      reached_.now = geometry::to_double(turned->angle) / places_.turns();
-    else if (std::holds_alternative<Stretched>(drive()))
-      reached_.now = std::numbers::pi / 2;
-    constexpr double wide = 10, coarse = 100;
-    const double size = way_.size();
-    const Place O = geometry::CarriedOut<Fast>(linkage(), built_->steps).position().points.front();
-    const geometry::Trace all = places_.path(
-        point_, {O.x - wide * size, O.y - wide * size, O.x + wide * size, O.y + wide * size}, size / coarse);
-    for (const geometry::Gap& gap : all.gaps)
-      if (gap.cause == geometry::Gap::Cause::absent) reached_.leave_out(gap);
   }
   void add(const std::optional<geometry::LinkagePosition<Fast>>& at, int number) {
     if (!at) return;

@@ -53,6 +53,7 @@ class Building {
     assembly();
     offsets();
     paths();
+    polodes();
     demand_near_origin();
     place();
     built_.linkage = with_sides_in_full(std::move(built_.linkage), built_.steps);
@@ -504,12 +505,46 @@ class Building {
                                 built_.linkage.drives.size()));
   }
 
+  // polodes: [3].
+  void polodes() {
+    const Tree* all = root_.find("polodes");
+    if (!all) return;
+    const Words what{"polodes: [3], the links whose polodes are asked for",
+                     "polodes: [3], i membri di cui si chiedono le polari"};
+    file_.demand(*all, Tree::Kind::list, what);
+    const auto& numbers = built_.letters.links;
+    for (const Tree& item : all->items) {
+      const auto found = std::find_if(numbers.begin() + 1, numbers.end(),
+                                      [&](int number) { return std::to_string(number) == file_.text(item, what); });
+      if (found == numbers.end())
+        refuse(item, format_words("there is no moving link {}", "non c'è un membro mobile {}", item.text));
+      const int link = static_cast<int>(found - numbers.begin());
+      if (built_.linkage.hinge_of(0, link) != nothing)
+        refuse(item, format_words("link {0} turns about {1}: both of its polodes are that point",
+                                  "il membro {0} ruota attorno a {1}: le sue polari sono quel punto", item.text,
+                                  letter(built_.linkage.hinge_of(0, link))));
+      for (const LineOnLine& block : built_.linkage.blocks)
+        if (const int one = built_.linkage.link_of_line(block.moving),
+            other = built_.linkage.link_of_line(block.guide);
+            (one == 0 && other == link) || (one == link && other == 0))
+          refuse(item, format_words("link {} is led along {} and does not turn: it has no polodes",
+                                    "il membro {} scorre lungo {} e non ruota: non ha polari", item.text,
+                                    built_.letters.lines[static_cast<std::size_t>(block.guide)]));
+      if (std::find(built_.polodes.begin(), built_.polodes.end(), link) != built_.polodes.end())
+        refuse(item, format_words("{} stands here twice", "{} sta qui due volte", item.text));
+      built_.polodes.push_back(link);
+    }
+    if (!built_.polodes.empty() && built_.linkage.drives.size() != 1)
+      refuse(*all, format_words("with {} drives a link has no polodes", "con {} moventi un membro non ha polari",
+                                built_.linkage.drives.size()));
+  }
+
   void demand_paths_end() const {
-    if (built_.paths.empty()) return;
+    if (built_.paths.empty() && built_.polodes.empty()) return;
     try {
       EveryPlace(built_.linkage, built_.steps);
     } catch (const Impossible& endless) {
-      refuse(section("paths"), endless.words());
+      refuse(section(built_.paths.empty() ? "polodes" : "paths"), endless.words());
     }
   }
 
@@ -673,8 +708,9 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   const File file(file_);
   file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
                    "una scena è un elenco di chiavi e valori, come  id: four-bar"});
-  file.demand_keys(root_, {"epure", "id", "title", "source", "givens", "where", "units", "points", "links", "slides",
-                           "gears", "drive", "assembly", "offsets", "paths", "charts", "sheets", "printed"});
+  file.demand_keys(
+      root_, {"epure", "id", "title", "source", "givens", "where", "units", "points", "links", "slides", "gears",
+              "drive", "assembly", "offsets", "paths", "polodes", "charts", "sheets", "printed"});
   const FileHead head = read_head(file, root_);
   id_ = head.id;
   title_ = head.title;

@@ -34,7 +34,8 @@ struct Built {
   std::vector<geometry::Step> steps;
   Letters letters;
   std::vector<PointOffset> offsets = {};
-  std::vector<int> paths = {};  // the points whose paths are asked for
+  std::vector<int> paths = {};    // the points whose paths are asked for
+  std::vector<int> polodes = {};  // the links whose polodes are
 };
 
 class Scene {

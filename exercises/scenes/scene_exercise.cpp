@@ -13,6 +13,7 @@
 #include "exercises/scenes/file_head.h"
 #include "exercises/scenes/limits.h"
 #include "exercises/scenes/path_sheets.h"
+#include "exercises/scenes/polode_sheets.h"
 #include "exercises/scenes/polygon_sheets.h"
 #include "exercises/scenes/refusals.h"
 #include "exercises/scenes/scene_figure.h"
@@ -121,6 +122,7 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   for (SheetMaker& sheet : polygon_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : centres_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : path_sheets(scene)) sheets.push_back(std::move(sheet));
+  for (SheetMaker& sheet : polode_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : chart_sheets(scene)) sheets.push_back(std::move(sheet));
   std::vector<std::string> names;
   for (const SheetMaker& sheet : sheets) names.push_back(sheet.spec.name);

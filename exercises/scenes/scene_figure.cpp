@@ -48,6 +48,8 @@ double direction(const Linkage& of, int line) {
   return std::atan2(CGAL::to_double(vector.y), CGAL::to_double(vector.x));
 }
 
+Arrow2 in_doubles(const geometry::Own& own) { return {CGAL::to_double(own.x), CGAL::to_double(own.y)}; }
+
 // The pins that run in slots of the link, and the joints of blocks that do. Of a block between two moving links the
 // guide is slotted, and the block where it is no bar itself.
 std::vector<int> pins_in(const Linkage& of, int link) {
@@ -81,6 +83,62 @@ std::optional<int> pin_apart(const std::vector<int>& pins, const std::vector<std
     if (!own.empty() && distance(figure.at(own.back()), figure.at(letter(built, pin))) > apart * figure.reach())
       return pin;
   return {};
+}
+
+// A line of a link where the link now has it; none of a link without points.
+struct LineNow {
+  Place through;
+  Arrow2 along;
+};
+std::optional<LineNow> line_now(const Built& built, const Solution& s, int line) {
+  const int link = built.linkage.link_of_line(line);
+  if (built.linkage.links[static_cast<std::size_t>(link)].points.empty()) return {};
+  const geometry::PlacedLink<double> now = placed(built, s, link);
+  const double along = direction(built.linkage, line);
+  return LineNow{now.at(in_doubles(built.linkage.line(line).through)),
+                 now.turned({std::cos(along), std::sin(along)})};
+}
+Place foot_on(const LineNow& line, const Place& P) {
+  return line.through + dot(P - line.through, line.along) * line.along;
+}
+
+bool is_on_a_line(const Mechanism& figure, const Built& built, const Solution& s, int link, int pin) {
+  constexpr double thin = 1e-6;  // of the whole
+  const auto& lines = built.linkage.links[static_cast<std::size_t>(link)].lines;
+  const Place P = figure.at(letter(built, pin));
+  return std::any_of(lines.begin(), lines.end(), [&](const geometry::LinkLine& own) {
+    const auto line = line_now(built, s, own.line);
+    return line && distance(P, foot_on(*line, P)) <= thin * figure.reach();
+  });
+}
+
+// A link whose slot misses its hinge: an arm from there to the slot, and the slot where it is, around its pin.
+bool add_slot_aside(Mechanism& figure, const Built& built, const Solution& s, int link) {
+  const Linkage& of = built.linkage;
+  const std::vector<int> pins = pins_in(of, link);
+  const Link& plate = of.links[static_cast<std::size_t>(link)];
+  if (pins.empty() || plate.points.empty() || plate.lines.empty()) return false;
+  const auto line = line_now(built, s, plate.lines.front().line);
+  if (!line) return false;
+  const std::string name = "slot of " + std::to_string(link);
+  std::vector<std::string> points;
+  for (const LinkPoint& p : plate.points) points.push_back(letter(built, p.point));
+  const Place pin = foot_on(*line, figure.at(letter(built, pins.front()))),
+              arm = foot_on(*line, figure.at(points.front()));
+  constexpr double apart = 1e-6, stub = 0.12;  // of the whole
+  const double far = apart * figure.reach();
+  const Place end = distance(pin, arm) > far ? arm : pin + (-stub * figure.reach()) * line->along;
+  const auto corner = [&](const std::string& which, const Place& at) {
+    figure.point(name + which, at, Mechanism::Joint::corner, "");
+    return name + which;
+  };
+  const bool has_corner = std::any_of(points.begin(), points.end(),
+                                      [&](const std::string& P) { return distance(figure.at(P), arm) <= far; });
+  if (!has_corner) points.push_back(corner("'s foot", arm));
+  if (points.size() > 1) figure.body(points, built.letters.links[static_cast<std::size_t>(link)]);
+  figure.slotted({corner("'s end", end), corner("'s pin", pin)},
+                 points.size() > 1 ? 0 : built.letters.links[static_cast<std::size_t>(link)]);
+  return true;
 }
 
 // The hinge of a link on the frame, and another of its points; none where there are not both.
@@ -141,6 +199,26 @@ void add_lines(Mechanism& figure, const Built& built) {
 
 }  // namespace
 
+geometry::PlacedLink<double> placed(const Built& built, const Solution& s, int link) {
+  const Link& own = built.linkage.links[static_cast<std::size_t>(link)];
+  const LinkPoint& first = own.points.front();
+  const Place P = s.place(letter(built, first.point));
+  Arrow2 was, is;
+  if (own.points.size() > 1) {
+    was = in_doubles(own.points.back().at) - in_doubles(first.at);
+    is = s.place(letter(built, own.points.back().point)) - P;
+  } else {
+    const int line = own.lines.front().line;
+    const double along = direction(built.linkage, line);
+    was = {std::cos(along), std::sin(along)};
+    is = s.vector("along_" + built.letters.lines[static_cast<std::size_t>(line)]);
+  }
+  const double turned = std::atan2(cross(was, is), dot(was, is));
+  geometry::PlacedLink<double> now{{0, 0}, {std::cos(turned), std::sin(turned)}};
+  now.O = P + (-1.0) * now.turned(in_doubles(first.at));
+  return now;
+}
+
 std::vector<std::string> moving_points(const Built& built) {
   std::vector<std::string> names;
   for (int p = 0; p < built.linkage.count_of_points(); ++p)
@@ -157,10 +235,13 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
   for (std::size_t i = 1; i < of.links.size(); ++i) {
     std::vector<std::string> points;
     for (const LinkPoint& p : of.links[i].points) points.push_back(letter(built, p.point));
-    if (const auto pin = pin_apart(pins_in(of, static_cast<int>(i)), points, figure, built);
-        pin && lies_on_its_lines(of.links[i])) {
+    const auto pin = pin_apart(pins_in(of, static_cast<int>(i)), points, figure, built);
+    const bool is_straight = lies_on_its_lines(of.links[i]);
+    if (pin && is_straight && is_on_a_line(figure, built, solution, static_cast<int>(i), *pin)) {
       points.push_back(letter(built, *pin));
       figure.slotted(points, built.letters.links[i]);
+    } else if ((points.size() > 1 || !is_straight) && add_slot_aside(figure, built, solution, static_cast<int>(i))) {
+      continue;
     } else if (points.size() > 1) {
       figure.body(points, built.letters.links[i]);
     }

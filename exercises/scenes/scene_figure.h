@@ -7,11 +7,15 @@
 #include "exercises/kit/panels/mechanism.h"
 #include "exercises/kit/proof/solution.h"
 #include "exercises/scenes/scene.h"
+#include "geometry/linkages/carried_out.h"
 
 namespace epure::scenes {
 
 // The names of the points that move, in the order of the file.
 std::vector<std::string> moving_points(const Built& built);
+
+// Where a link stands, by its points and lines. Of a link with neither a second point nor a line a caller's mistake.
+geometry::PlacedLink<double> placed(const Built& built, const Solution& s, int link);
 
 Mechanism figure_of(const Built& built, const Solution& solution);
 

@@ -8,6 +8,7 @@
 #include "exercises/kit/linkages/slider_crank_mechanism.h"
 #include "exercises/kit/panels/curve.h"
 #include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/named_curve.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/statement/format_words.h"
@@ -19,24 +20,6 @@ namespace {
 // The polodes run to infinity: the sheet shows the plane around the mechanism, so many times its length wide.
 constexpr double widths = 2.4;
 constexpr double middle_of_reach = 0.45;  // of the same length, from A0 along the guide
-
-// Where a branch can be named: the middle of its longest run inside the room.
-std::optional<Place> middle_of(const geometry::Trace& trace, const Plot& plot, const drawings::Box& room) {
-  std::optional<Place> best;
-  double farthest = 0;
-  const drawings::Point centre{(room.low.x + room.high.x) / 2, (room.low.y + room.high.y) / 2};
-  const double limit = 0.42 * room.height();
-  for (const geometry::Branch& branch : trace.branches) {
-    for (const geometry::BezierArc& arc : branch.arcs) {
-      const drawings::Point p = plot.at(arc.end);
-      const double away = std::abs(p.y - centre.y);
-      if (!is_in(room, plot, arc.end) || away > limit || away < farthest) continue;
-      farthest = away;
-      best = arc.end;
-    }
-  }
-  return best;
-}
 
 std::string division(const SliderCrankInstant& instant, bool english) {
   const char* of_crank = english ? "The crank's circle in {} parts" : "La circonferenza di manovella in {} parti";

@@ -16,6 +16,28 @@ std::function<ProjectivePoint<X>(const Vector<X>&)> path_over(const EveryPlace& 
   };
 }
 
+// A point that goes with a link, where it is when the link is elsewhere.
+template <class X>
+ProjectivePoint<X> carried(const ProjectivePoint<X>& P, const PlacedLink<X>& from, const PlacedLink<double>& to) {
+  const Vector<X> v{P.x - P.w * from.O.x, P.y - P.w * from.O.y};
+  const Vector<X> own{dot(v, from.x), cross(from.x, v)};
+  const Vector<X> x{X(Bounded(to.x.x)), X(Bounded(to.x.y))}, turned = own.x * x + own.y * quarter_turn(x);
+  return {turned.x + P.w * X(Bounded(to.O.x)), turned.y + P.w * X(Bounded(to.O.y)), P.w};
+}
+
+template <class X>
+std::function<ProjectivePoint<X>(const Vector<X>&)> polode_over(const EveryPlace& places, const Linkage& linkage,
+                                                                const std::vector<Step>& steps,
+                                                                const CentrePlan& plan, int link,
+                                                                const std::optional<PlacedLink<double>>& drawn) {
+  const auto carried_out = std::make_shared<const CarriedOut<X>>(linkage, steps);
+  return [carried_out, &places, &linkage, &plan, link, drawn](const Vector<X>& direction) {
+    const LinkagePosition<X> at = carried_out->position(places.drive(direction));
+    const ProjectivePoint<X> P = Centres<X>(plan, linkage, at).of(0, link);
+    return drawn ? carried(P, at.links[static_cast<std::size_t>(link)], *drawn) : P;
+  };
+}
+
 }  // namespace
 
 EveryPlace::EveryPlace(const Linkage& linkage, const std::vector<Step>& steps) : linkage_(linkage), steps_(steps) {
@@ -40,6 +62,14 @@ Trace EveryPlace::path(int point, const Frame& frame, double tolerance) const {
   const auto p = static_cast<std::size_t>(point);
   return trace(TracedLocus{path_over<BoundedSeries>(*this, linkage_, steps_, p),
                            path_over<BoundedTangent>(*this, linkage_, steps_, p)},
+               frame, tolerance);
+}
+
+Trace EveryPlace::polode(const CentrePlan& plan, int link, const std::optional<PlacedLink<double>>& drawn,
+                         const Frame& frame, double tolerance) const {
+  const Arithmetic<Bounded> scope;
+  return trace(TracedLocus{polode_over<BoundedSeries>(*this, linkage_, steps_, plan, link, drawn),
+                           polode_over<BoundedTangent>(*this, linkage_, steps_, plan, link, drawn)},
                frame, tolerance);
 }
 

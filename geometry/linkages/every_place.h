@@ -9,6 +9,7 @@
 
 #include "geometry/curves/trace.h"
 #include "geometry/linkages/carried_out.h"
+#include "geometry/linkages/centre_plan.h"
 
 namespace epure::geometry {
 
@@ -36,6 +37,12 @@ class EveryPlace {
 
   // The path of a point, within the frame, not farther from the true one than the tolerance (trace.h).
   Trace path(int point, const Frame& frame, double tolerance) const;
+
+  // The path of a link's instant centre on the frame, which the plan must have: in the plane (the fixed polode); or
+  // carried with the link onto where it is `drawn` (the moving one). Where the plan's lines lie in each other there
+  // is a gap.
+  Trace polode(const CentrePlan& plan, int link, const std::optional<PlacedLink<double>>& drawn, const Frame& frame,
+               double tolerance) const;
 
  private:
   const Linkage& linkage_;

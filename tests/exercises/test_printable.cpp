@@ -60,3 +60,14 @@ TEST_CASE("every message is fit for a terminal") {
   }
   CHECK(run({"draw", std::string(100000, 'a')}).err.size() < 300);
 }
+
+TEST_CASE("names of files that a terminal would obey are refused") {
+  for (const char* option : {"--out", "-o", "--name"}) {
+    const Ran ran = run({"draw", "triangle", option, "a\x1b[31mb"});
+    CAPTURE(option, ran.err);
+    CHECK(ran.exit == 2);
+    CHECK(ran.err.find("a?[31mb\": a name with control characters is refused") != std::string::npos);
+  }
+  CHECK(commands_a_terminal("a\xc2\x9b"));
+  CHECK_FALSE(commands_a_terminal("più \xff"));
+}

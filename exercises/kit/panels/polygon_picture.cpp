@@ -243,7 +243,8 @@ drawings::VectorEquation equation(const VectorPolygon& polygon) {
   drawings::VectorEquation written;
   const auto add = [&](const std::vector<PolygonSide>& chain, const char* first) {
     for (std::size_t i = 0; i < chain.size(); ++i) {
-      const char* sign = i == 0 ? first : chain[i].is_subtracted ? "−" : "+";
+      const std::string before = i == 0 ? first : "+";
+      const std::string sign = !chain[i].is_subtracted ? before : before == "=" ? "= −" : "−";
       written.terms.push_back({chain[i].label, chain[i].direction, chain[i].magnitude, sign});
     }
   };

@@ -6,6 +6,7 @@
 
 #include "drawings/text/text.h"
 #include "exercises/cli/run.h"
+#include "exercises/kit/proof/place.h"
 #include "exercises/scenes/coincidences.h"
 #include "exercises/scenes/file_head.h"
 #include "exercises/scenes/scene.h"
@@ -340,7 +341,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 TEST_CASE("a scene has polygons group by group, and its instant centres", "[scenes]") {
   CHECK(sheets_of(*exercise_of("four-bar")) ==
         std::vector<std::string>{"velocities", "accelerations", "velocity-polygon", "acceleration-polygon",
-                                 "instant-centres", "path", "chart-omega_3-omega_4"});
+                                 "instant-centres", "path", "polodes", "chart-omega_3-omega_4"});
   CHECK(sheets_of(*exercise_of("jansen")) ==
         std::vector<std::string>{"velocities", "accelerations", "velocity-polygon-B", "velocity-polygon-D",
                                  "velocity-polygon-E", "acceleration-polygon-B", "acceleration-polygon-D",
@@ -481,6 +482,47 @@ TEST_CASE("a chart shows a quantity in all places of the drive", "[scenes]") {
   const auto pieces = line(both, "omega_3").path.pieces.size();
   CHECK(pieces > 100);
   CHECK(pieces < 300);
+}
+
+TEST_CASE("the polodes of a trammel are Cardan's circles", "[scenes]") {
+  // A and B of a rod of 1 m on two guides that cross in the origin, square to each other: the fixed polode is the
+  // circle of 1 m about it, the moving one the circle over AB.
+  const std::string trammel =
+      "epure: 1\nid: f\nlinks:\n  1: {x: {along: [1, 0]}, y: {along: [0, 1]}}\n  2: {A B: 1 m}\nslides: {A: x, B: "
+      "y}\n"
+      "drive: {slide: A, on: x, at: 0.6 m, speed: 1 m/s}\nassembly: {B: ahead on y}\npolodes: [2]\n";
+  const auto scene = std::make_shared<const scenes::Scene>("f", trammel);
+  const DrawnSheet drawn = scenes::scene_exercise(scene)->draw("polodes", Givens(scene->givens()), {});
+  Place origin{}, per_mm{};
+  for (const Measurement& each : drawn.measurements) {
+    if (each.quantity == "P12_x") origin.x = each.from.x, per_mm.x = each.per_mm;
+    if (each.quantity == "P12_y") origin.y = each.from.y, per_mm.y = each.per_mm;
+  }
+  const double pen = 0.05 * per_mm.x;  // m: of a line's width on paper
+  REQUIRE(pen > 0);
+  const auto distances = [&](const std::string& name, const Place& from) {
+    std::vector<double> all;
+    for (const drawings::Line& each : all_of<drawings::Line>(drawn))
+      if (each.name == name)
+        for (const auto& piece : each.path.pieces)
+          all.push_back(distance(from, {(piece.end.x - origin.x) * per_mm.x, (piece.end.y - origin.y) * per_mm.y}));
+    return all;
+  };
+  const std::vector<double> fixed = distances("fixed_polode", {0, 0}),
+                            moving = distances("moving_polode", {0.3, 0.4});
+  CHECK(fixed.size() > 4);
+  CHECK(moving.size() > 4);
+  for (const double each : fixed) CHECK(std::abs(each - 1) < pen);
+  for (const double each : moving) CHECK(std::abs(each - 0.5) < pen);
+}
+
+TEST_CASE("polodes are those of a link that neither turns about the frame nor is led along it", "[scenes]") {
+  CHECK(refusal(four_bar() + "polodes: [3]\n").empty());
+  CHECK(refusal(four_bar() + "polodes: [2]\n") == "10:11: link 2 turns about A0: both of its polodes are that point");
+  CHECK(refusal(four_bar() + "polodes: [5]\n") == "10:11: there is no moving link 5");
+  CHECK(refusal(four_bar() + "polodes: [1]\n") == "10:11: there is no moving link 1");
+  CHECK(refusal(four_bar() + "polodes: [3, 3]\n") == "10:14: 3 stands here twice");
+  CHECK(refusal(four_bar() + "polodes: 3\n") == "10:10: polodes: [3], the links whose polodes are asked for");
 }
 
 TEST_CASE("what a chart is asked for is one unit, and there", "[scenes]") {
