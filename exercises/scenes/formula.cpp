@@ -296,8 +296,14 @@ std::optional<Amount> plain(const std::string& text, const std::string& unit) {
 }  // namespace
 
 Words no_unit(std::string_view text) {
-  constexpr Kind told[] = {Kind::length,   Kind::angle,       Kind::angular_velocity, Kind::angular_acceleration,
-                           Kind::velocity, Kind::acceleration};
+  constexpr Kind told[] = {Kind::length,
+                           Kind::angle,
+                           Kind::angular_velocity,
+                           Kind::angular_acceleration,
+                           Kind::velocity,
+                           Kind::acceleration,
+                           Kind::force,
+                           Kind::moment};
   std::string known;
   for (const Kind kind : told)
     for (const Unit& unit : geometry::known_units())
@@ -330,6 +336,10 @@ Words name_of(Kind kind) {
       return {"an acceleration", "un'accelerazione"};
     case Kind::time:
       return {"a time", "un tempo"};
+    case Kind::force:
+      return {"a force", "una forza"};
+    case Kind::moment:
+      return {"a couple", "una coppia"};
     default:
       return format_words("a number in {}", "un numero in {}", unit_of(kind));
   }

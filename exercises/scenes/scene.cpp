@@ -54,6 +54,7 @@ class Building {
     offsets();
     paths();
     polodes();
+    loads();
     demand_near_origin();
     place();
     built_.linkage = with_sides_in_full(std::move(built_.linkage), built_.steps);
@@ -539,6 +540,83 @@ class Building {
                                 built_.linkage.drives.size()));
   }
 
+  // loads: [{at: P, on: 3, force: 200 N, direction: -90 deg}, {on: 4, couple: 20 N*m}].
+  void loads() {
+    const Tree* all = root_.find("loads");
+    if (!all) return;
+    const Words what{"loads: [{at: P, on: 3, force: 200 N, direction: -90 deg}, {on: 4, couple: 20 N*m}]",
+                     "loads: [{at: P, on: 3, force: 200 N, direction: -90 deg}, {on: 4, couple: 20 N*m}]"};
+    file_.demand(*all, Tree::Kind::list, what);
+    if (!built_.linkage.gears.empty())
+      refuse(*all,
+             {"forces of wheels that mesh are not found yet", "le forze fra ruote dentate non si trovano ancora"});
+    built_.loads.emplace();
+    for (const Tree& item : all->items) {
+      file_.map(item, what);
+      if (item.find("couple"))
+        couple(item, what);
+      else
+        force(item, what);
+    }
+  }
+  void couple(const Tree& item, const Words& what) {
+    file_.demand_keys(item, {"on", "couple"});
+    const Tree& on = demand(item, "on");
+    const int link = link_of_number(on, file_.text(on, what));
+    demand_moving(on, link);
+    built_.loads->couples.push_back({link, amount(demand(item, "couple"), Kind::moment).value});
+  }
+  void force(const Tree& item, const Words& what) {
+    file_.demand_keys(item, {"at", "on", "force", "direction"});
+    const auto [link, at] = loaded_place(item, what);
+    const Tree &force = demand(item, "force"), *direction = item.find("direction");
+    LinkForce load{link, at, {0, 0}};
+    if (force.kind == Tree::Kind::list) {
+      if (force.items.size() != 2)
+        refuse(force, {"two components are asked, such as [120 N, -50 N]",
+                       "si chiedono due componenti, come [120 N, -50 N]"});
+      if (direction)
+        refuse(*direction, {"a force of two components has its direction already",
+                            "una forza di due componenti ha già la sua direzione"});
+      load.components = {amount(force.items[0], Kind::force).value, amount(force.items[1], Kind::force).value};
+    } else {
+      load.components = {amount(force, Kind::force).value, 0};
+      load.turned = amount(demand(item, "direction"), Kind::angle).angle;
+    }
+    built_.loads->forces.push_back(load);
+  }
+  // A point of a link, or coordinates in its axes.
+  std::pair<int, Own> loaded_place(const Tree& item, const Words& what) const {
+    const Tree &at = demand(item, "at"), *on = item.find("on");
+    if (at.kind == Tree::Kind::list) {
+      const Tree& told = demand(item, "on");
+      const int link = link_of_number(told, file_.text(told, what));
+      demand_moving(told, link);
+      return {link, own(at)};
+    }
+    const int P = point(at, file_.text(at, what));
+    const std::vector<int> links = built_.linkage.links_at(P);
+    if (!on && links.size() > 1) {
+      std::vector<std::string> numbers;
+      for (const int link : links) numbers.push_back(number(link));
+      refuse(at, format_words("{} is of links {}: say on which the force acts, as  on: {}",
+                              "{} è dei membri {}: dire su quale agisce la forza, come  on: {}", letter(P),
+                              enumerated(numbers), numbers.back()));
+    }
+    const int link = on ? link_of_number(*on, file_.text(*on, what)) : links.front();
+    if (std::find(links.begin(), links.end(), link) == links.end())
+      refuse(*on,
+             format_words("link {} has no point {}", "il membro {} non ha un punto {}", number(link), letter(P)));
+    demand_moving(on ? *on : at, link);
+    return {link, built_.linkage.place(link, P)};
+  }
+  std::string number(int link) const { return std::to_string(built_.letters.links[static_cast<std::size_t>(link)]); }
+  void demand_moving(const Tree& at, int link) const {
+    if (link == 0)
+      refuse(at, {"link 1 is the frame: what acts on it reaches no joint",
+                  "il membro 1 è il telaio: ciò che agisce su di esso non arriva ad alcun vincolo"});
+  }
+
   void demand_paths_end() const {
     if (built_.paths.empty() && built_.polodes.empty()) return;
     try {
@@ -709,8 +787,8 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
                    "una scena è un elenco di chiavi e valori, come  id: four-bar"});
   file.demand_keys(
-      root_, {"epure", "id", "title", "source", "givens", "where", "units", "points", "links", "slides", "gears",
-              "drive", "assembly", "offsets", "paths", "polodes", "charts", "sheets", "printed"});
+      root_, {"epure", "id",    "title",    "source",  "givens", "where",   "units",  "points", "links",  "slides",
+              "gears", "drive", "assembly", "offsets", "paths",  "polodes", "charts", "loads",  "sheets", "printed"});
   const FileHead head = read_head(file, root_);
   id_ = head.id;
   title_ = head.title;

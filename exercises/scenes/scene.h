@@ -2,6 +2,7 @@
 // lie. docs/scenes.md teaches the format.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "exercises/scenes/formula.h"
 #include "exercises/scenes/text_tree.h"
 #include "geometry/linkages/assur_groups.h"
+#include "geometry/linkages/loads.h"
 
 namespace epure::scenes {
 
@@ -34,8 +36,9 @@ struct Built {
   std::vector<geometry::Step> steps;
   Letters letters;
   std::vector<PointOffset> offsets = {};
-  std::vector<int> paths = {};    // the points whose paths are asked for
-  std::vector<int> polodes = {};  // the links whose polodes are
+  std::vector<int> paths = {};                // the points whose paths are asked for
+  std::vector<int> polodes = {};              // the links whose polodes are
+  std::optional<geometry::Loads> loads = {};  // where forces are asked for
 };
 
 class Scene {

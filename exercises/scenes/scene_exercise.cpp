@@ -82,19 +82,26 @@ PanelSheet diagram(const Scene& scene, const Solution& s, bool is_of_velocities,
   return sheet;
 }
 
+Words question(const Scene& scene) {
+  const Words motion{
+      "Find the velocities and accelerations of all points, and the angular velocities and "
+      "accelerations of all links.",
+      "Trovare velocità e accelerazioni di tutti i punti, e velocità e accelerazioni angolari di tutti "
+      "i membri."};
+  if (!scene.built(Givens(scene.givens())).loads) return motion;
+  return motion + Words{" Find the reactions of all joints under the loads, and what the drives must provide.",
+                        " Trovare le reazioni di tutti i vincoli sotto i carichi, e quanto devono dare i moventi."};
+}
+
 Description described(const Scene& scene) {
-  return {
-      .id = scene.id(),
-      .title = escaped(scene.title()),
-      .document = "scene",
-      .item = scene.id(),
-      .source = escaped(scene.source()),
-      .question = {"Find the velocities and accelerations of all points, and the angular velocities and "
-                   "accelerations of all links.",
-                   "Trovare velocità e accelerazioni di tutti i punti, e velocità e accelerazioni angolari di tutti "
-                   "i membri."},
-      .givens = scene.givens(),
-      .printed = [printed = scene.printed()] { return printed; }};
+  return {.id = scene.id(),
+          .title = escaped(scene.title()),
+          .document = "scene",
+          .item = scene.id(),
+          .source = escaped(scene.source()),
+          .question = question(scene),
+          .givens = scene.givens(),
+          .printed = [printed = scene.printed()] { return printed; }};
 }
 
 }  // namespace

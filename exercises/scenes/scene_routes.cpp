@@ -7,6 +7,7 @@
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/scenes/greek.h"
 #include "exercises/scenes/relative_motion.h"
+#include "exercises/scenes/scene_forces.h"
 
 namespace epure::scenes {
 namespace {
@@ -27,9 +28,10 @@ struct SceneRoutes {
     by_construction(ledger, constructed);
     ledger.route("joint equations");
     const ByJoints<T> by_joints(*built, constructed);
-    by_joint_equations(ledger, by_joints);
+    by_joint_equations(ledger, constructed, by_joints);
     ledger.route("instant centres");
     by_centres(ledger, constructed);
+    if (built->loads) by_power(ledger, constructed);
     return ledger;
   }
 
@@ -72,6 +74,8 @@ struct SceneRoutes {
           const PlaneMotion<T>&a = motion.get().links[i], &b = motion.get().links[j];
           return at_rest_against(a.omega - b.omega, of_origin(a) - of_origin(b));
         });
+    if (built->loads)
+      put_forces<T>(ledger, WhenAsked<JointForces<T>>([&] { return forces_by_groups(*built, constructed); }));
     for (const std::size_t i : floating)
       put_projective(ledger, acceleration_centre(built->letters.links[i]), no_acceleration_centre(i),
                      [&motion, i] { return motion.get().links[i].acceleration_pole(); });
@@ -83,7 +87,10 @@ struct SceneRoutes {
   }
 
   template <class T>
-  void by_joint_equations(Ledger<T>& ledger, const ByJoints<T>& by_joints) const {
+  void by_joint_equations(Ledger<T>& ledger, const Constructed<T>& constructed, const ByJoints<T>& by_joints) const {
+    if (built->loads)
+      put_forces<T>(ledger,
+                    WhenAsked<JointForces<T>>([&] { return forces_by_equilibrium(*built, constructed, by_joints); }));
     const auto link = [&](std::size_t i, UpTo order) -> const LinkState<T>& { return by_joints.states(order)[i]; };
     const auto state = [&](int point, UpTo order) {
       const int on = link_with(point);
@@ -155,6 +162,36 @@ struct SceneRoutes {
         return centres.get().of(centre.i, centre.j);
       });
     }
+  }
+
+  template <class T>
+  void put_forces(Ledger<T>& ledger, const WhenAsked<JointForces<T>>& forces) const {
+    const JointForces<Fast> joints(built->linkage);
+    for (std::size_t k = 0; k < joints.hinges.size(); ++k) {
+      const auto& [point, by, on, x, y] = joints.hinges[k];
+      const HingeForce hinge = hinge_force(*built, point, by, on);
+      put(ledger, hinge.quantity, [&forces, k, is_opposite = hinge.is_opposite] {
+        const auto& found = forces.get().hinges[k];
+        const Vector<T> force{found.x, found.y};
+        return is_opposite ? -force : force;
+      });
+    }
+    for (std::size_t k = 0; k < joints.pins.size(); ++k)
+      ledger.put(pin_force(*built, k), [&] { return forces.get().pins[k]; });
+    for (std::size_t k = 0; k < joints.guides.size(); ++k) {
+      const GuideForces guide = guide_forces(*built, k);
+      ledger.put(guide.force, [&] { return forces.get().guides[k].force; });
+      ledger.put(guide.couple, [&] { return forces.get().guides[k].couple; });
+    }
+    for (std::size_t k = 0; k < joints.drives.size(); ++k)
+      ledger.put(driving_effort(*built, built->linkage.drives[k]), [&] { return forces.get().drives[k]; });
+  }
+  template <class T>
+  void by_power(Ledger<T>& ledger, const Constructed<T>& constructed) const {
+    ledger.route("power balance");
+    for (std::size_t k = 0; k < built->linkage.drives.size(); ++k)
+      ledger.put(driving_effort(*built, built->linkage.drives[k]),
+                 [&] { return effort_by_power(*built, constructed, k); });
   }
 
   Words no_acceleration_centre(std::size_t i) const {

@@ -583,6 +583,61 @@ void demand_sides(const Linkage& linkage, const std::vector<LinkState<T>>& links
                      "un nodo sta dalla parte opposta a quella che si è detta");
 }
 
+// Forces on the links' origins along x and y, and moments about them.
+template <class T>
+Column<T> loads_on_links(const std::vector<LinkState<T>>& links, const Loads& loads) {
+  Column<T> all(unknowns_of_a_link * (links.size() - 1), T(0));
+  for (const LinkForce& load : loads.forces) {
+    if (load.link == 0) continue;
+    const auto i = static_cast<std::size_t>(load.link);
+    const Complex<T> F = Complex<T>{from_rational<T>(load.components.x), from_rational<T>(load.components.y)} *
+                         Complex<T>{cosine<T>(load.turned), sine<T>(load.turned)},
+                     r = point_of(links[i], load.at).z - links[i].O;
+    const std::size_t first = unknowns_of_a_link * (i - 1);
+    all[first] += F.re;
+    all[first + 1] += F.im;
+    all[first + 2] += cross(r, F);
+  }
+  for (const LinkCouple& load : loads.couples)
+    if (load.link != 0)
+      all[unknowns_of_a_link * static_cast<std::size_t>(load.link) - 1] += from_rational<T>(load.moment);
+  return all;
+}
+
+// J^T, row by row.
+template <class T>
+std::vector<Equation<T>> transposed(const std::vector<Equation<T>>& rows) {
+  std::vector<Equation<T>> columns(rows.size(), Equation<T>{.residual = T(0), .slopes = {}});
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const auto& [column, slope] : rows[i].slopes)
+      columns[static_cast<std::size_t>(column)].slopes.emplace_back(static_cast<int>(i), slope);
+  return columns;
+}
+
+// Multipliers in the order of the equations, and the forces that they are. `take` is called with the force and its
+// multiplier's factor: force = factor * λ.
+template <class T, class Take>
+void for_each_force(const Linkage& linkage, JointForces<T>& forces, const Take& take) {
+  for (auto& hinge : forces.hinges) {
+    take(hinge.x, Rational(-1));
+    take(hinge.y, Rational(-1));
+  }
+  for (T& pin : forces.pins) take(pin, Rational(1));
+  for (auto& guide : forces.guides) {
+    take(guide.force, Rational(1));
+    take(guide.couple, Rational(1));
+  }
+  for (std::size_t i = 0; i < linkage.drives.size(); ++i) {
+    const auto* cylinder = std::get_if<Stretched>(&linkage.drives[i]);
+    take(forces.drives[i], cylinder ? Rational(2) * cylinder->length : Rational(1));
+  }
+}
+void demand_no_gears(const Linkage& linkage) {
+  if (!linkage.gears.empty())
+    throw Impossible("forces of wheels that mesh are not found yet",
+                     "le forze fra ruote dentate non si trovano ancora");
+}
+
 [[noreturn]] void refuse_angles() {
   throw Undecided("the equations of all joints are solved for angles, which are no algebraic numbers",
                   "le equazioni di tutti i vincoli si risolvono negli angoli, che non sono numeri algebrici");
@@ -632,6 +687,56 @@ void demand_independent(const Linkage& linkage, const std::vector<LinkState<Deep
       throw Undecided("whether the equations of all joints are independent",
                       "se le equazioni di tutti i vincoli siano indipendenti");
 }
+
+template <class T>
+JointForces<T> solve_forces(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads) {
+  demand_no_gears(linkage);
+  const std::vector<Equation<T>> columns = transposed(equations(linkage, links));
+  Column<T> borne;
+  for (const T& load : loads_on_links(links, loads)) borne.push_back(-load);
+  Column<T> multipliers;
+  if constexpr (std::is_same_v<T, Fast>)
+    multipliers = solved(columns, borne);
+  else
+    multipliers = solved(columns, Preconditioner<T>(columns), borne);
+  JointForces<T> forces(linkage);
+  std::size_t next = 0;
+  for_each_force(linkage, forces,
+                 [&](T& force, const Rational& factor) { force = from_rational<T>(factor) * multipliers[next++]; });
+  return forces;
+}
+
+template <class T>
+void demand_equilibrium(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
+                        const JointForces<T>& forces) {
+  demand_no_gears(linkage);
+  JointForces<T> held = forces;
+  Column<T> multipliers;
+  for_each_force(linkage, held, [&](T& force, const Rational& factor) {
+    multipliers.push_back(from_rational<T>(Rational(1 / factor)) * force);
+  });
+  const Column<T> borne = loads_on_links(links, loads);
+  const std::vector<Equation<T>> columns = transposed(equations(linkage, links));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const Sign left = sign(along(columns[i], multipliers) + borne[i]);
+    if (left == Sign::undecided)
+      throw Undecided("whether the forces found hold all links in equilibrium",
+                      "se le forze trovate tengano in equilibrio tutti i membri");
+    if (left != Sign::zero)
+      throw Impossible("the forces found do not hold all links in equilibrium",
+                       "le forze trovate non tengono in equilibrio tutti i membri");
+  }
+}
+template JointForces<Fast> solve_forces<Fast>(const Linkage&, const std::vector<LinkState<Fast>>&, const Loads&);
+template JointForces<Bounded> solve_forces<Bounded>(const Linkage&, const std::vector<LinkState<Bounded>>&,
+                                                    const Loads&);
+template JointForces<Deep> solve_forces<Deep>(const Linkage&, const std::vector<LinkState<Deep>>&, const Loads&);
+template void demand_equilibrium<Exact>(const Linkage&, const std::vector<LinkState<Exact>>&, const Loads&,
+                                        const JointForces<Exact>&);
+template void demand_equilibrium<Generic>(const Linkage&, const std::vector<LinkState<Generic>>&, const Loads&,
+                                          const JointForces<Generic>&);
+template void demand_equilibrium<Calcium>(const Linkage&, const std::vector<LinkState<Calcium>>&, const Loads&,
+                                          const JointForces<Calcium>&);
 
 template std::vector<LinkState<Fast>> solve_joints<Fast>(const Linkage&, const Beginning<Fast>&);
 template std::vector<LinkState<Bounded>> solve_joints<Bounded>(const Linkage&, const Beginning<Bounded>&);

@@ -19,6 +19,7 @@
 
 #include "geometry/analytic/complex.h"
 #include "geometry/linkages/linkage.h"
+#include "geometry/linkages/loads.h"
 #include "geometry/numbers/enclosure.h"
 
 namespace epure::geometry::analytic {
@@ -81,5 +82,16 @@ void demand_joints(const Linkage& linkage, const std::vector<LinkState<T>>& stat
 
 // The equations are independent at every place that these enclosures hold. Throws Undecided.
 void demand_independent(const Linkage& linkage, const std::vector<LinkState<Deep>>& place);
+
+// The equilibrium of all links at once, of forces along x and y and moments about each link's origin: what holds an
+// equation does work with what is left of it, so of the multipliers λ that go with the equations J^T λ + load = 0
+// (Lagrange). States of solve_joints.
+template <class T>
+JointForces<T> solve_forces(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads);
+// On exact numbers: forces that were found elsewhere hold all links in equilibrium, exactly; where the equations of
+// the joints are independent no others do. Throws Impossible where they do not, Undecided where that cannot be told.
+template <class T>
+void demand_equilibrium(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
+                        const JointForces<T>& forces);
 
 }  // namespace epure::geometry::analytic

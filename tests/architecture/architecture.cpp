@@ -81,11 +81,13 @@ std::string objection(std::string_view file, std::string_view header) {
       !header.starts_with("geometry/numbers/"))
     return "numbers stand below everything else in geometry";
   if (file.starts_with("geometry/analytic/") && header.starts_with("geometry/") &&
-      !starts_with_any(header, {"geometry/numbers/", "geometry/analytic/", "geometry/linkages/linkage.h"}))
-    return "the analytic route shares nothing but numbers, and what a linkage is, with the constructions";
-  if (file.starts_with("geometry/linkages/linkage.") && header.starts_with("geometry/") &&
+      !starts_with_any(header, {"geometry/numbers/", "geometry/analytic/", "geometry/linkages/linkage.h",
+                                "geometry/linkages/loads.h"}))
+    return "the analytic route shares nothing but numbers, and what a linkage is and bears, with the constructions";
+  if (starts_with_any(file, {"geometry/linkages/linkage.", "geometry/linkages/loads."}) &&
+      header.starts_with("geometry/") &&
       !starts_with_any(header, {"geometry/numbers/", "geometry/linkages/linkage.h"}))
-    return "what a linkage is says nothing of how it is placed: both routes read it";
+    return "what a linkage is and bears says nothing of how it is placed: both routes read it";
   if (file.starts_with("geometry/") && !file.starts_with("geometry/analytic/") &&
       header.starts_with("geometry/analytic/"))
     return "the constructions share nothing with the analytic route";

@@ -6,6 +6,7 @@ functions of time. Velocities, accelerations and angular velocities are high-pre
 (mpmath.diff): no polygon, no system of equations, and no file of docs/scenes is read.
 Usage: make_linkages.py > linkages.txt
 """
+from equilibrium import Equilibrium
 from mpmath import conj, diff, expj, im, log, mp, mpc, mpf, nstr, pi, re, sqrt
 
 mp.dps = 120
@@ -42,6 +43,28 @@ def right_joint(P, Q, a, b):
     return conj(left_joint(conj(P), conj(Q), a, b))
 
 
+def loaded_four_bar():
+    scene = four_bar()
+    scene.paths = []
+    A, B, P, B0 = (scene.point(X)(mpf(0)) for X in ("A", "B", "P", q("0.4")))
+    e = Equilibrium([2, 3, 4])
+    e.hinge(1, 2, 0), e.hinge(2, 3, A), e.hinge(3, 4, B), e.hinge(1, 4, B0), e.couple("M_2", 1, 2)
+    e.load(3, P, 200 * expj(deg("-100"))), e.load_couple(4, mpf(-20))
+    scene.forces = e
+    return scene
+
+
+def cutting_stroke():
+    scene = quick_return("75")
+    A, B, C = (scene.point(X)(mpf(0)) for X in "ABC")
+    e = Equilibrium([2, 4, 5])
+    e.hinge(1, 2, I * q("0.3")), e.hinge(1, 4, 0), e.hinge(4, 5, B), e.couple("M_2", 1, 2)
+    e.unknown("N_A", 4, 2, A, I * A / abs(A)), e.unknown("N_C", 1, 5, C, I)
+    e.load(5, C, mpf(1500))
+    scene.forces = e
+    return scene
+
+
 def still(t):
     return mpc(1)
 
@@ -60,8 +83,8 @@ def four_bar():
                  rods=[("A", 0), ("B", "A"), ("B", q("0.4"))], floating=[3], paths=["P"])
 
 
-def quick_return():
-    e = crank(deg("-75"), rpm("60"))
+def quick_return(angle="-75"):
+    e = crank(deg(angle), rpm("60"))
     A = lambda t: I * q("0.3") + q("0.175") * e(t)
     B = lambda t: A(t) / abs(A(t)) * q("0.7")
     C = lambda t: mpc(re(B(t)) + sqrt(q("0.8") ** 2 - (q("0.65") - im(B(t))) ** 2), q("0.65"))
@@ -295,6 +318,7 @@ class Scene:
     def __init__(self, points, links, rods=(), slides=(), cylinders=(), offsets=(), floating=(), paths=()):
         self.points, self.links = points, {1: (still, lambda t: mpc(0)), **links}
         self.rods, self.slides, self.cylinders, self.offsets = rods, slides, cylinders, offsets
+        self.forces = None
         self.floating, self.paths = floating, paths  # links without a pivot; points whose paths are asked for
 
     def derivatives(self, f):
@@ -318,6 +342,8 @@ class Scene:
         yield from self.of_cylinders()
         yield from self.of_acceleration_centres()
         yield from self.of_paths()
+        if self.forces:
+            yield from self.forces.values()
         for name, X, through, along in self.offsets:  # left of a line of the frame
             yield name, im((self.point(X)(mpf(0)) - through) * conj(along))
 
@@ -434,5 +460,7 @@ for name, file, scene in (("four-bar", "four-bar", four_bar), ("quick-return", "
                           ("geneva", "geneva", geneva),
                           ("planetary-gear", "planetary-gear", planetary_gear),
                           ("cardan-gear", "cardan-gear", cardan_gear),
-                          ("geared-five-bar", "geared-five-bar", geared_five_bar)):
+                          ("geared-five-bar", "geared-five-bar", geared_five_bar),
+                          ("loaded-four-bar", "loaded-four-bar", loaded_four_bar),
+                          ("cutting-stroke", "cutting-stroke", cutting_stroke)):
     write(name, file, scene)

@@ -1,0 +1,127 @@
+// The forces in a scene's joints and what its drives must provide: what they are called, and three ways to find them.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "exercises/kit/statement/forces.h"
+#include "exercises/scenes/scene_states.h"
+#include "geometry/linkages/forces_by_groups.h"
+
+namespace epure::scenes {
+
+using geometry::Drive;
+using geometry::JointForces;
+using geometry::LineOnLine;
+using geometry::LinkCouple;
+using geometry::LinkForce;
+using geometry::SlidPoint;
+using geometry::Stretched;
+using geometry::TurnedLink;
+
+// R_34, the force of link 3 on link 4, at the hinge of the two: the lower number first, so that it may be the force
+// of the second link of the hinge on the first, which is the opposite.
+struct HingeForce {
+  VectorQuantity quantity;
+  bool is_opposite;
+};
+inline HingeForce hinge_force(const Built& built, int point, int by, int on) {
+  constexpr int two_digits = 10;
+  const auto [i, j] = std::minmax(built.letters.links[index(by)], built.letters.links[index(on)]);
+  const std::string& P = built.letters.points[index(point)];
+  VectorQuantity force = force_between(i, j);
+  if (j >= two_digits) {
+    force.name = "R_" + std::to_string(i) + "_" + std::to_string(j);
+    force.of = std::to_string(i) + "," + std::to_string(j);
+  }
+  force.meaning = force.size =
+      format_words("force of link {} on link {}, in {}", "forza del membro {} sul membro {}, in {}", i, j, P);
+  return {force, built.letters.links[index(by)] != i};
+}
+
+// What slides, by its letter; with its guide where it has several.
+inline std::string sliding_name(const std::string& slides, const std::string& guide, bool has_several) {
+  return slides + (has_several ? "_" + guide : "");
+}
+inline Quantity pin_force(const Built& built, std::size_t pin) {
+  const auto& pins = built.linkage.pins;
+  const auto& [point, line] = pins[pin];
+  const std::string &A = built.letters.points[index(point)], &g = built.letters.lines[index(line)];
+  const bool has_several =
+      std::count_if(pins.begin(), pins.end(), [&, P = point](const auto& each) { return each.point == P; }) > 1;
+  return {"N_" + sliding_name(A, g, has_several),
+          "$\\it{N}_{" + point_letters(A) + (has_several ? "," + point_letters(g) : "") + "}$", "N",
+          format_words("force of {0} on {1}, to the left of {0}", "forza di {0} su {1}, a sinistra di {0}", g, A)};
+}
+struct GuideForces {
+  Quantity force, couple;
+};
+inline GuideForces guide_forces(const Built& built, std::size_t block) {
+  const auto& blocks = built.linkage.blocks;
+  const LineOnLine& lines = blocks[block];
+  const std::string &b = built.letters.lines[index(lines.moving)], &g = built.letters.lines[index(lines.guide)];
+  const bool has_several =
+      std::count_if(blocks.begin(), blocks.end(), [&](const auto& each) { return each.moving == lines.moving; }) > 1;
+  const std::string name = sliding_name(b, g, has_several),
+                    letters = "_{" + point_letters(b) + (has_several ? "," + point_letters(g) : "") + "}$";
+  return {{"N_" + name, "$\\it{N}" + letters, "N",
+           format_words("force of {0} on {1}, to the left of {0}", "forza di {0} su {1}, a sinistra di {0}", g, b)},
+          {"M_" + name, "$\\it{M}" + letters, "N*m",
+           format_words("couple of {0} on {1}, about the point that {1} is given through",
+                        "coppia di {0} su {1}, rispetto al punto per cui {1} è data", g, b)}};
+}
+inline Quantity driving_effort(const Built& built, const Drive& drive) {
+  const auto letter = [&](int point) { return built.letters.points[index(point)]; };
+  if (const auto* crank = std::get_if<TurnedLink>(&drive)) {
+    const std::string number = std::to_string(built.letters.links[index(crank->link)]);
+    return {"M_" + number, "$\\it{M}_{" + number + "}$", "N*m",
+            format_words("driving couple on link {}", "coppia motrice sul membro {}", number)};
+  }
+  if (const auto* slid = std::get_if<SlidPoint>(&drive)) {
+    const std::string A = letter(slid->point);
+    return {"F_" + A, "$\\it{F}_{" + point_letters(A) + "}$", "N",
+            format_words("driving force on {} along {}", "forza motrice su {} lungo {}", A,
+                         built.letters.lines[index(slid->guide)])};
+  }
+  const auto& cylinder = std::get<Stretched>(drive);
+  const std::string P = letter(cylinder.from), Q = letter(cylinder.to);
+  return {"F_" + P + Q, "$\\it{F}_{" + point_letters(P) + point_letters(Q) + "}$", "N",
+          format_words("push of the cylinder {} {}", "spinta del cilindro {} {}", P, Q)};
+}
+
+// Group after group, from the last to the drive.
+template <class T>
+JointForces<T> forces_by_groups(const Built& built, const Constructed<T>& constructed) {
+  return geometry::ForcesByGroups<T>(built.linkage, constructed.at).under(*built.loads, built.steps);
+}
+// The equilibrium of all links at once; on exact numbers, that what was constructed satisfies it.
+template <class T>
+JointForces<T> forces_by_equilibrium(const Built& built, const Constructed<T>& constructed,
+                                     const ByJoints<T>& by_joints) {
+  const auto& links = by_joints.states(UpTo::place);
+  if constexpr (signs_only<T>) {
+    JointForces<T> found = forces_by_groups(built, constructed);
+    geometry::analytic::demand_equilibrium<T>(built.linkage, links, *built.loads, found);
+    return found;
+  } else {
+    return geometry::analytic::solve_forces<T>(built.linkage, links, *built.loads);
+  }
+}
+// What a drive must provide: while it alone moves, at one radian or metre a second, its power and that of the loads
+// are opposite.
+template <class T>
+T effort_by_power(const Built& built, const Constructed<T>& constructed, std::size_t drive) {
+  std::vector<geometry::DriveRates<T>> rates(built.linkage.drives.size(), geometry::DriveRates<T>{T(0), T(0)});
+  rates[drive].first = T(1);
+  const geometry::LinkageMotion<T> motion = constructed.carried_out.motion(constructed.at, rates);
+  const geometry::ForcesByGroups<T> drawn(built.linkage, constructed.at);
+  T power(0);
+  for (const LinkForce& load : built.loads->forces)
+    power += dot(drawn.vector(load), motion.links[index(load.link)].velocity(drawn.place(load)));
+  for (const LinkCouple& load : built.loads->couples)
+    power += geometry::from_rational<T>(load.moment) * motion.links[index(load.link)].omega;
+  return -power;
+}
+
+}  // namespace epure::scenes

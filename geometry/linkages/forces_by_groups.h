@@ -1,0 +1,259 @@
+// The forces in the joints of a linkage as the force plan finds them: the groups in the reverse of the order in which
+// they were placed, on any number. A group bears what acts on its links and what later groups have handed to its
+// pins; two moments, or a moment and a direction, give the force in its inner joint, a force polygon those in its
+// outer ones, which are handed on. At last the crank is left, with what the drive must provide.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "geometry/linkages/carried_out.h"
+#include "geometry/linkages/loads.h"
+
+namespace epure::geometry {
+
+template <class T>
+class ForcesByGroups {
+ public:
+  ForcesByGroups(const Linkage& linkage, const LinkagePosition<T>& at)
+      : linkage_(linkage),
+        at_(at),
+        found_(linkage),
+        on_pin_(at.points.size(), Vector<T>{T(0), T(0)}),
+        known_(linkage.links.size()) {}
+
+  // Throws Impossible where a group is at a limit, Undecided where that cannot be told.
+  JointForces<T> under(const Loads& loads, const std::vector<Step>& steps) {
+    for (const LinkForce& load : loads.forces) push(load.link, place(load), vector(load));
+    for (const LinkCouple& load : loads.couples) known_[index(load.link)].couple += from_rational<T>(load.moment);
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step)
+      std::visit([this](const auto& s) { release(s); }, *step);
+    return found_;
+  }
+
+  Point<T> place(const LinkForce& load) const {
+    return at_.links[index(load.link)].at({from_rational<T>(load.at.x), from_rational<T>(load.at.y)});
+  }
+  static Vector<T> vector(const LinkForce& load) {
+    const T c = cosine<T>(load.turned), s = sine<T>(load.turned);
+    const T x = from_rational<T>(load.components.x), y = from_rational<T>(load.components.y);
+    return {x * c - y * s, x * s + y * c};
+  }
+
+  // The point that a line is given through.
+  Point<T> through(int line) const {
+    const Own& own = linkage_.line(line).through;
+    return at_.links[index(linkage_.link_of_line(line))].at({from_rational<T>(own.x), from_rational<T>(own.y)});
+  }
+
+ private:
+  struct Acting {
+    Point<T> at;
+    Vector<T> force;
+  };
+  struct Known {
+    std::vector<Acting> forces = {};
+    T couple{0};
+  };
+  // What one side of a group says of the force `a` that the pin of its inner joint exerts on it: r x a = moment.
+  struct Condition {
+    Vector<T> r;
+    T moment;
+  };
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  const Point<T>& X(int point) const { return at_.points[index(point)]; }
+  Vector<T> along(int line) const {
+    return at_.links[index(linkage_.link_of_line(line))].turned(linkages::unit_vector<T>(linkage_.line(line).along));
+  }
+  Vector<T> left_of(int line) const { return quarter_turn(along(line)); }
+
+  static T over(const T& numerator, const T& denominator) {
+    const Sign decided = sign(denominator);
+    if (decided == Sign::undecided)
+      throw Undecided("whether a group is at a dead centre, where its forces grow beyond all bounds",
+                      "se un gruppo sia in un punto morto, dove le sue forze crescono oltre ogni limite");
+    if (decided == Sign::zero)
+      throw Impossible("a group is at a dead centre: its joints cannot bear the loads",
+                       "un gruppo è in un punto morto: i suoi vincoli non possono portare i carichi");
+    return quotient(numerator, denominator);
+  }
+
+  void push(int link, const Point<T>& at, const Vector<T>& force) {
+    known_[index(link)].forces.push_back({at, force});
+  }
+  Vector<T> resultant(int link) const {
+    Vector<T> sum{T(0), T(0)};
+    for (const Acting& each : known_[index(link)].forces) sum = sum + each.force;
+    return sum;
+  }
+  T moment(int link, const Point<T>& about) const {
+    T sum = known_[index(link)].couple;
+    for (const Acting& each : known_[index(link)].forces) sum += cross(each.at - about, each.force);
+    return sum;
+  }
+
+  // The force of a pin on a link.
+  void bear(int link, int point, const Vector<T>& force) {
+    push(link, X(point), force);
+    on_pin_[index(point)] = on_pin_[index(point)] - force;
+    for (auto& hinge : found_.hinges)
+      if (hinge.point == point && hinge.on == link) {
+        hinge.x = force.x;
+        hinge.y = force.y;
+      }
+  }
+  // What later groups have handed to the link's pins, but for the joints of its own group.
+  void take_pins(int link, const std::vector<int>& but_for) {
+    for (const LinkPoint& p : linkage_.links[index(link)].points)
+      if (std::find(but_for.begin(), but_for.end(), p.point) == but_for.end())
+        bear(link, p.point, Vector<T>(on_pin_[index(p.point)]));
+  }
+  // All that is left of a link's equilibrium is a force through its pin.
+  void close_in(int link, int pin) { bear(link, pin, -resultant(link)); }
+
+  // The line presses on the pin with this force to its left.
+  void press(int pin, int line, const T& force) {
+    for (std::size_t i = 0; i < linkage_.pins.size(); ++i)
+      if (linkage_.pins[i].point == pin && linkage_.pins[i].line == line) found_.pins[i] = force;
+    const Vector<T> on_pin = force * left_of(line);
+    on_pin_[index(pin)] = on_pin_[index(pin)] + on_pin;
+    push(linkage_.link_of_line(line), X(pin), -on_pin);
+  }
+  // Between two lines that stay on each other: a force on the link, in Y, and a couple.
+  void guide(int link, int line, int other, const Vector<T>& force, const Point<T>& Y, const T& couple) {
+    for (std::size_t i = 0; i < linkage_.blocks.size(); ++i) {
+      const LineOnLine& block = linkage_.blocks[i];
+      const bool is_moving = block.moving == line && block.guide == other;
+      if (!is_moving && !(block.moving == other && block.guide == line)) continue;
+      const T across = dot(left_of(block.guide), force), about = couple + cross(Y - through(block.moving), force);
+      found_.guides[i] =
+          is_moving ? typename JointForces<T>::Guide{across, about} : typename JointForces<T>::Guide{-across, -about};
+    }
+    const int by = linkage_.link_of_line(other);
+    push(link, Y, force);
+    push(by, Y, -force);
+    known_[index(link)].couple += couple;
+    known_[index(by)].couple -= couple;
+  }
+  // All that is left of a block's equilibrium is what its guide does.
+  void close_in_guide(const Track& track) {
+    const Point<T> Y = through(track.moving);
+    guide(track.block, track.moving, track.line, -resultant(track.block), Y, -moment(track.block, Y));
+  }
+
+  void release(const TurnedCrank& step) {
+    take_pins(step.link, {step.hinge});
+    found_.drives[index(step.drive)] = -moment(step.link, X(step.hinge));
+    close_in(step.link, step.hinge);
+  }
+  [[noreturn]] void release(const GearedWheel&) const {
+    throw Impossible("forces of wheels that mesh are not found yet",
+                     "le forze fra ruote dentate non si trovano ancora");
+  }
+  void release(const SlidBlock& step) {
+    const Vector<T> s = along(step.track.line);
+    take_pins(step.track.block, {step.point});
+    const T drive = -dot(s, resultant(step.track.block) + on_pin_[index(step.point)]);
+    found_.drives[index(step.drive)] = drive;
+    push_along(step.track.line, step.point, drive);
+    take_pins(step.track.block, {});
+    close_in_guide(step.track);
+  }
+  void release(const SlidPin& step) {
+    const int line = std::get<SlidPoint>(linkage_.drives[index(step.drive)]).guide;
+    const Vector<T> handed = on_pin_[index(step.point)], s = along(line);
+    found_.drives[index(step.drive)] = -dot(s, handed);
+    push_along(line, step.point, -dot(s, handed));
+    press(step.point, line, -dot(quarter_turn(s), handed));
+  }
+  // A drive between a point and the link of its guide.
+  void push_along(int line, int point, const T& force) {
+    const Vector<T> on_pin = force * along(line);
+    on_pin_[index(point)] = on_pin_[index(point)] + on_pin;
+    push(linkage_.link_of_line(line), X(point), -on_pin);
+  }
+
+  void release(const TwoRods& step) { release(step.first, step.second, step.joint); }
+  void release(const RodAndTrack& step) { release(step.rod, step.track, step.joint); }
+  void release(const TwoTracks& step) { release(step.first, step.second, step.joint); }
+  // a + b is what was handed to the pin of the inner joint.
+  template <class First, class Second>
+  void release(const First& first, const Second& second, int joint) {
+    const Condition of_a = condition(first, joint), of_b = condition(second, joint);
+    const Vector<T> handed = on_pin_[index(joint)];
+    const T other = cross(of_b.r, handed) - of_b.moment, between = cross(of_a.r, of_b.r);
+    const Vector<T> both = of_a.moment * of_b.r - other * of_a.r, a{over(both.x, between), over(both.y, between)};
+    close(first, joint, a);
+    close(second, joint, handed - a);
+  }
+  Condition condition(const Rod& rod, int joint) {
+    const Vector<T> r = X(joint) - X(rod.pin);
+    if (rod.link == nothing) return {r, T(0)};
+    take_pins(rod.link, {rod.pin, joint});
+    return {r, -moment(rod.link, X(rod.pin))};
+  }
+  Condition condition(const Track& track, int joint) {
+    const Vector<T> s = along(track.line);
+    if (track.block == nothing) return {-quarter_turn(s), T(0)};
+    take_pins(track.block, {joint});
+    return {-quarter_turn(s), -dot(s, resultant(track.block))};
+  }
+  void close(const Rod& rod, int joint, const Vector<T>& a) {
+    if (rod.link != nothing) {
+      bear(rod.link, joint, a);
+      close_in(rod.link, rod.pin);
+      return;
+    }
+    const Rational& length = std::get<Stretched>(linkage_.drives[index(rod.cylinder)]).length;
+    found_.drives[index(rod.cylinder)] = quotient(-dot(a, X(joint) - X(rod.pin)), from_rational<T>(length));
+    on_pin_[index(joint)] = on_pin_[index(joint)] - a;
+    on_pin_[index(rod.pin)] = on_pin_[index(rod.pin)] + a;
+  }
+  void close(const Track& track, int joint, const Vector<T>& a) {
+    if (track.block == nothing) return press(joint, track.line, -dot(left_of(track.line), a));
+    bear(track.block, joint, a);
+    close_in_guide(track);
+  }
+
+  void release(const SlotOnPin& step) {
+    const Vector<T> n = left_of(step.line);
+    take_pins(step.link, {step.hinge});
+    T turning = moment(step.link, X(step.hinge));
+    if (step.block != nothing) {
+      take_pins(step.block, {step.pin});
+      turning += moment(step.block, X(step.pin));
+    }
+    const T force = over(turning, cross(X(step.pin) - X(step.hinge), n));
+    if (step.block == nothing) {
+      press(step.pin, step.line, force);
+    } else {
+      bear(step.block, step.pin, -(resultant(step.block) + force * n));
+      close_in_guide({step.line, step.block, step.moving});
+    }
+    close_in(step.link, step.hinge);
+  }
+  void release(const BlockOnPin& step) {
+    const Vector<T> s = along(step.track.line);
+    take_pins(step.track.block, {});
+    press(step.pin, step.line, over(dot(s, resultant(step.track.block)), dot(s, left_of(step.line))));
+    close_in_guide(step.track);
+  }
+  void release(const CrossedBlock& step) {
+    const Vector<T> s = along(step.track.line), n = left_of(step.line);
+    take_pins(step.link, {step.hinge});
+    take_pins(step.track.block, {});
+    const T force = over(dot(s, resultant(step.track.block)), dot(s, n));
+    guide(step.link, step.line, step.crossing, force * n, X(step.hinge), -moment(step.link, X(step.hinge)));
+    close_in(step.link, step.hinge);
+    close_in_guide(step.track);
+  }
+
+  const Linkage& linkage_;
+  const LinkagePosition<T>& at_;
+  JointForces<T> found_;
+  std::vector<Vector<T>> on_pin_;  // what is exerted on a pin by all that is known
+  std::vector<Known> known_;       // what acts on a link
+};
+
+}  // namespace epure::geometry

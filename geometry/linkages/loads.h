@@ -1,0 +1,58 @@
+// What acts on a linkage from outside, as plain data, and the forces in its joints and drives. As linkage.h: both
+// routes read the one and write the other, and nothing of each other (forces_by_groups.h goes from group to group,
+// analytic/joint_equations.h has the equilibrium of all links at once). Newtons, metres; couples counter-clockwise
+// positive.
+#pragma once
+
+#include <vector>
+
+#include "geometry/linkages/linkage.h"
+
+namespace epure::geometry {
+
+// Of a link, at this place in its own axes: the components, along the axes of the frame, turned by the angle.
+struct LinkForce {
+  int link;
+  Own at;
+  Own components;
+  Angle turned = {};
+};
+struct LinkCouple {
+  int link;
+  Rational moment;
+};
+struct Loads {
+  std::vector<LinkForce> forces = {};
+  std::vector<LinkCouple> couples = {};
+};
+
+// Of links that have a point in common the first one carries the pin, and the forces of other pins, guides and drives
+// there are its own.
+template <class T>
+struct JointForces {
+  // Of the first link at the point on another one.
+  struct Hinge {
+    int point, by, on;
+    T x{0}, y{0};
+  };
+  // Of the guide on the block: square to the guide, to its left, in the point that the moving line is given through,
+  // and a couple.
+  struct Guide {
+    T force{0}, couple{0};
+  };
+
+  explicit JointForces(const Linkage& linkage)
+      : pins(linkage.pins.size(), T(0)), guides(linkage.blocks.size()), drives(linkage.drives.size(), T(0)) {
+    for (int point = 0; point < linkage.count_of_points(); ++point) {
+      const std::vector<int> there = linkage.links_at(point);
+      for (std::size_t k = 1; k < there.size(); ++k) hinges.push_back({point, there[0], there[k]});
+    }
+  }
+
+  std::vector<Hinge> hinges;  // point after point
+  std::vector<T> pins;        // of the line on the pin, to the left of the line; as the linkage's pins
+  std::vector<Guide> guides;  // as its blocks
+  std::vector<T> drives;  // the couple on the link, the force on the point along the guide, of a cylinder its push
+};
+
+}  // namespace epure::geometry

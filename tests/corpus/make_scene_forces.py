@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+"""Writes scene_forces.txt: reactions and driving efforts of scenes under loads that the test puts on
+them, independent of the C++ code: places by formulas of their own, then the equilibrium of components (equilibrium.py).
+No file of docs/scenes is read. Usage: make_scene_forces.py > scene_forces.txt
+"""
+from mpmath import conj, expj, im, mp, mpc, mpf, nstr, pi, re, sqrt
+
+from equilibrium import Equilibrium
+
+mp.dps = 80
+ZERO = mpf(10) ** -50
+I = mpc(0, 1)
+
+
+def deg(x):
+    return expj(pi * mpf(x) / 180)
+
+
+def left_joint(P, Q, a, b):
+    d = abs(Q - P)
+    x = (a ** 2 - b ** 2 + d ** 2) / (2 * d)
+    return P + (Q - P) / d * (x + I * sqrt(a ** 2 - x ** 2))
+
+
+def right_joint(P, Q, a, b):
+    return conj(left_joint(conj(P), conj(Q), a, b))
+
+
+def q(x):
+    return mpf(x)
+
+
+def four_bar():
+    A, B0 = q("0.12") * deg(60), mpc("0.4")
+    B = left_joint(A, B0, q("0.35"), q("0.28"))
+    e = Equilibrium([2, 3, 4])
+    e.hinge(1, 2, 0), e.hinge(2, 3, A), e.hinge(3, 4, B), e.hinge(1, 4, B0), e.couple("M_2", 1, 2)
+    e.load(3, A + (B - A) / q("0.35") * mpc("0.175", "0.1"), 200 * deg(-100))
+    e.load_couple(4, -20)
+    return e
+
+
+def slider_crank():
+    A = q("0.12") * deg(75)
+    B = mpc(re(A) + sqrt(q("0.4") ** 2 - (im(A) + q("0.05")) ** 2), "-0.05")
+    e = Equilibrium([2, 3, 4])
+    e.hinge(1, 2, 0), e.hinge(2, 3, A), e.hinge(3, 4, B), e.couple("M_2", 1, 2)
+    e.unknown("N_b", 1, 4, B, I), e.couple("M_b", 1, 4)
+    e.load(4, B, -1000), e.load_couple(4, 3)
+    e.load(3, A + (B - A) / q("0.4") * mpc(q("0.4") / 3, "0.04"), mpc(0, -50))
+    return e
+
+
+def scotch_yoke():
+    A = q("0.1") * deg(35)
+    O3 = mpc(re(A), 0)
+    e = Equilibrium([2, 3])
+    e.hinge(1, 2, 0), e.couple("M_2", 1, 2)
+    e.unknown("N_A", 3, 2, A, -1), e.unknown("N_b", 1, 3, O3, I), e.couple("M_b", 1, 3)
+    e.load(3, O3 + q("0.25"), mpc(-200, 30))
+    return e
+
+
+def oldham():
+    u, d = deg(25), q("0.03")
+    C = re(d * conj(u)) * u
+    e = Equilibrium([2, 3, 4])
+    e.hinge(1, 2, 0), e.hinge(1, 4, d), e.couple("M_2", 1, 2)
+    # q of 3 in p of 2; s of 3 in t of 4: at C, the origin of both lines of 3.
+    e.unknown("N_q", 2, 3, C, I * u), e.couple("M_q", 2, 3)
+    e.unknown("N_s", 4, 3, C, -u), e.couple("M_s", 4, 3)
+    e.load(3, C, mpc(10, -20)), e.load_couple(4, -25)
+    return e
+
+
+def trammel():
+    A = mpc("0.6")
+    B = I * sqrt(1 - q("0.6") ** 2)
+    e = Equilibrium([2])
+    e.unknown("N_A", 1, 2, A, I), e.unknown("N_B", 1, 2, B, -1), e.unknown("F_A", 1, 2, A, 1)
+    e.load(2, A + (B - A) / 3, mpc(0, -700))
+    return e
+
+
+def excavator():
+    P, own_Q, own_R = mpc("0.5", "-0.2"), mpc(2, "0.3"), mpc(-1, "0.25")
+    Q = left_joint(mpc(0), P, abs(own_Q), q("1.8"))
+    boom = Q / own_Q
+    B = 4 * boom
+    R = right_joint(B, Q, abs(own_R), q("1.4"))
+    stick = (R - B) / own_R
+    e = Equilibrium([2, 3])
+    e.hinge(1, 2, 0), e.hinge(2, 3, B)
+    e.unknown("F_PQ", 1, 2, Q, (Q - P) / abs(Q - P)), e.unknown("F_QR", 2, 3, R, (R - Q) / abs(R - Q))
+    e.load(3, B + 2 * stick, mpc(0, -20000)), e.load(2, mpc(2, "0.5") * boom, 3000 * deg(-60))
+    return e
+
+
+def oscillating_cylinder():
+    A, C = q("0.08") * deg(70), mpc("0.32")
+    u = (A - C) / abs(A - C)
+    K = A - q("0.24") * u
+    e = Equilibrium([2, 3, 4])
+    e.hinge(1, 2, 0), e.hinge(2, 4, A), e.hinge(1, 3, C), e.couple("M_2", 1, 2)
+    e.unknown("N_p", 3, 4, K, I * u), e.couple("M_p", 3, 4)
+    e.load(4, K, 900 * deg(20)), e.load(3, C + u / 10, mpc(0, -40))
+    return e
+
+
+def cardan_circles():
+    M, r = q("0.15") * deg(35), q("0.15")
+    A = mpc(2 * re(M), 0)
+    e = Equilibrium([2, 3])
+    e.hinge(1, 2, 0), e.hinge(2, 3, M), e.couple("M_2", 1, 2), e.unknown("N_A", 1, 3, A, I)
+    e.load(3, M + r / 2 * I * conj(deg(35)), 80 * deg(-30))
+    return e
+
+
+def geneva():
+    A, O3 = q("0.1") * deg(150), mpc("-0.2")
+    u = (A - O3) / abs(A - O3)
+    e = Equilibrium([2, 3])
+    e.hinge(1, 2, 0), e.hinge(1, 3, O3), e.couple("M_2", 1, 2), e.unknown("N_A", 3, 2, A, I * u)
+    e.load_couple(3, 12)
+    return e
+
+
+def jansen():
+    mm = mpf(1) / 1000
+    Qp, A = mpc(-38, "-7.8") * mm, 15 * mm * deg(100)
+    B = right_joint(A, Qp, 50 * mm, q("41.5") * mm)
+    D = left_joint(A, Qp, q("61.9") * mm, q("39.3") * mm)
+    C = Qp + (B - Qp) / q("41.5") * mpc("2.61", "40.015")
+    E = right_joint(C, D, q("39.4") * mm, q("36.7") * mm)
+    F = D + (E - D) / q("36.7") * mpc("44.447", "48.383")
+    e = Equilibrium(range(2, 9))
+    e.hinge(1, 2, 0), e.couple("M_2", 1, 2), e.hinge(2, 3, A), e.hinge(2, 5, A), e.hinge(1, 4, Qp), e.hinge(1, 6, Qp)
+    e.hinge(3, 4, B), e.hinge(5, 6, D), e.hinge(5, 8, D), e.hinge(4, 7, C), e.hinge(7, 8, E)
+    e.load(8, F, mpc(30, 200))
+    return e
+
+
+def driven_piston():
+    B = mpc("0.45", 0)
+    A = left_joint(mpc(0), B, q("0.12"), q("0.4"))
+    e = Equilibrium([2, 3, 4])
+    e.hinge(1, 2, 0), e.hinge(2, 3, A), e.hinge(3, 4, B)
+    e.unknown("F_B", 1, 3, B, 1)  # on the pin, which is of 3, the first of the two links
+    # b is given through a point 30 mm ahead of B.
+    e.unknown("N_b", 1, 4, B + q("0.03"), I), e.couple("M_b", 1, 4)
+    e.load_couple(2, 15), e.load(4, B + mpc("0.1", "0.02"), mpc(3, -8))
+    return e
+
+
+def two_blocks():
+    u = deg(50)
+    X = mpc(q("0.2") / im(u) * re(u), "0.2")
+    e = Equilibrium([2, 3, 4])
+    e.hinge(1, 2, 0), e.hinge(3, 4, X), e.couple("M_2", 1, 2)
+    e.unknown("N_p", 2, 3, X, I * u), e.couple("M_p", 2, 3)
+    e.unknown("N_q", 1, 4, X, I), e.couple("M_q", 1, 4)
+    e.load(4, X + mpc("0.05", "0.01"), mpc(-60, 25)), e.load_couple(3, 2)
+    return e
+
+
+def text(x):
+    return "0" if abs(x) < ZERO else nstr(x, 40, strip_zeros=True)
+
+
+print("""# Reactions and driving efforts of scenes under loads, 40 digits. Written by make_scene_forces.py with
+# mpmath; do not edit by hand. Nothing here is taken from the C++ code.
+""")
+for name, case in (("four-bar", four_bar), ("slider-crank", slider_crank), ("scotch-yoke", scotch_yoke),
+                   ("oldham", oldham), ("trammel", trammel), ("excavator", excavator),
+                   ("oscillating-cylinder", oscillating_cylinder), ("cardan-circles", cardan_circles),
+                   ("geneva", geneva), ("jansen", jansen), ("driven-piston", driven_piston),
+                   ("two-blocks", two_blocks)):
+    print(f"case {name}\nwhy the scene of this name, of docs/scenes or of the test, with the loads of the test\ngiven loaded 1")
+    for quantity, value in case().values():
+        print(quantity, text(value))
+    print()

@@ -1,0 +1,164 @@
+// Forces of mechanisms from files: under loads the scenes of the docs hold against values made apart; near a dead
+// centre they are found however large they grow, and at it they are refused; what is wrong with loads: is told with
+// its place.
+#include <cmath>
+#include <map>
+
+#include "exercises/scenes/file_head.h"
+#include "exercises/scenes/scene.h"
+#include "exercises/scenes/scene_exercise.h"
+#include "tests/exercises/held_against_corpus.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+namespace {
+
+CheckedExercise checked_text(const std::string& text, const std::vector<std::string>& set = {}) {
+  const auto scene = std::make_shared<const scenes::Scene>("f", text);
+  const auto exercise = scenes::scene_exercise(scene);
+  Givens givens(exercise->about().givens);
+  for (const std::string& each : set) givens.set(each);
+  return check(*exercise, givens, Rung::climb);
+}
+
+std::string with_loads(const std::string& file, const std::string& loads) {
+  return scenes::bytes_of(EPURE_SCENES "/" + file + ".yaml") + "loads: " + loads + "\n";
+}
+
+// Scenes of which docs/scenes has none: a driven block in its guide; two blocks hinged on each other, in two guides.
+std::string bytes_of_case(const std::string& name) {
+  if (name == "driven-piston")
+    return "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], g: {along: [1, 0]}}\n  2: {O A: 120 mm}\n  3: {A B: 400 mm}\n"
+           "  4: {B: [0, 0], D: [100 mm, 20 mm], b: {through: [30 mm, 0], along: [1, 0]}}\nslides: {b: g}\n"
+           "drive: {slide: B, on: g, at: 450 mm}\nassembly: {A: left of O B}\n";
+  if (name == "two-blocks")
+    return "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], g: {through: [0, 200 mm], along: [1, 0]}}\n"
+           "  2: {O: [0, 0], s: {along: [1, 0]}}\n  3: {X: [0, 0], p: {along: [1, 0]}}\n"
+           "  4: {X: [0, 0], D: [50 mm, 10 mm], q: {along: [1, 0]}}\nslides: {p: s, q: g}\n"
+           "drive: {link: 2, angle: 50 deg}\n";
+  return scenes::bytes_of(EPURE_SCENES "/" + name + ".yaml");
+}
+
+std::string refused_loads(const std::string& text) {
+  try {
+    scenes::Scene("f", text);
+  } catch (const scenes::BadScene& bad) {
+    return std::string(bad.what()).substr(2);
+  }
+  return {};
+}
+
+// In the order of the letters; as make_scene_forces.py has them.
+const std::map<std::string, std::string>& loads_of_cases() {
+  static const std::map<std::string, std::string> all = {
+      {"four-bar", "[{at: P, force: 0.2 kN, direction: -100 deg}, {on: 4, couple: -20 N*m}]"},
+      {"slider-crank",
+       "[{at: B, on: 4, force: 1000 N, direction: 180 deg}, {on: 4, couple: 3 N*m}, {at: G, force: [0 N, -50 N]}]"},
+      {"scotch-yoke", "[{at: C, force: [-200 N, 30 N]}]"},
+      {"oldham", "[{at: C, force: [10 N, -20 N]}, {on: 4, couple: -25 N*m}]"},
+      {"trammel", "[{at: P, force: [0 N, -700 N]}]"},
+      {"excavator", "[{at: T, force: [0 N, -20 kN]}, {at: [2 m, 0.5 m], on: 2, force: 3 kN, direction: -60 deg}]"},
+      {"oscillating-cylinder",
+       "[{at: K, force: 900 N, direction: 20 deg}, {at: [100 mm, 0 m], on: 3, force: [0, -40]}]"},
+      {"cardan-circles", "[{at: P, force: 80 N, direction: -30 deg}]"},
+      {"geneva", "[{on: 3, couple: 12 N*m}]"},
+      {"jansen", "[{at: F, force: [30 N, 200 N]}]"},
+      {"driven-piston", "[{on: 2, couple: 15 N*m}, {at: D, force: [3 N, -8 N]}]"},
+      {"two-blocks", "[{at: D, force: [-60 N, 25 N]}, {on: 3, couple: 2 N*m}]"}};
+  return all;
+}
+
+bool is_of_force(const Quantity& quantity) { return quantity.unit == "N" || quantity.unit == "N*m"; }
+
+std::string loaded_four_bar(const std::string& loads) {
+  return "epure: 1\nid: f\nlinks:\n  1: {A0: [0, 0], B0: [400 mm, 0]}\n  2: {A0 A: 120 mm}\n"
+         "  3: {A B: 350 mm}\n  4: {B0 B: 280 mm}\ndrive: {link: 2, angle: 60 deg}\n"
+         "assembly: {B: left of A B0}\nloads:\n  - " +
+         loads + "\n";
+}
+
+}  // namespace
+
+TEST_CASE("reactions and driving efforts hold against the corpus, to the last bit, by each route", "[scenes]") {
+  const std::vector<CorpusCase> corpus = read_corpus(EPURE_CORPUS "/scene_forces.txt");
+  CHECK(corpus.size() == loads_of_cases().size());
+  for (const CorpusCase& c : corpus) {
+    const CheckedExercise found =
+        checked_text(bytes_of_case(c.name) + "loads: " + loads_of_cases().at(c.name) + "\n");
+    CAPTURE(c.name, complaints(found));
+    CHECK(found.passed());
+    int count = 0;
+    for (const CheckedQuantity& quantity : found.quantities) {
+      if (!is_of_force(quantity.spec)) continue;
+      const std::string reference = c.reference(quantity.spec.name);
+      CAPTURE(quantity.spec.name, reference);
+      REQUIRE_FALSE(reference.empty());
+      is_the_reference(quantity, reference);
+      const bool is_of_drive = quantity.spec.name[0] == 'F' || quantity.spec.name == "M_2";
+      CHECK(quantity.routes.size() == (is_of_drive ? 3U : 2U));
+      ++count;
+    }
+    CHECK(count >= 3);
+  }
+}
+
+TEST_CASE("without loads no force is asked for, and with none in the list all are proved zero", "[scenes]") {
+  for (const CheckedQuantity& quantity : checked_text(scenes::bytes_of(EPURE_SCENES "/four-bar.yaml")).quantities)
+    CHECK_FALSE(is_of_force(quantity.spec));
+  const CheckedExercise idle = checked_text(with_loads("four-bar", "[]"));
+  CHECK(idle.passed());
+  CHECK(find(idle, "M_2").settled.kind == geometry::Settled::Kind::certain);
+  CHECK(value(idle, "R_34") == 0);
+}
+
+// A slider-crank pushed along its line: at a right angle between rod and guide nothing would hold it. The rod's
+// elevation over the guide is d, so the rod bears F/cos and the guide F tan, which grow beyond all bounds.
+TEST_CASE("beside a dead centre forces are found however large, and at it refused", "[scenes]") {
+  const std::string text =
+      "epure: 1\nid: f\ngivens: {e: 0 m}\nlinks:\n  1: {O: [0, 0], g: {through: [0, e], along: [1, 0]}}\n"
+      "  2: {O A: 0.5 m}\n  3: {A B: 1 m}\nslides: {B: g}\ndrive: {link: 2, angle: 90 deg}\n"
+      "assembly: {B: ahead on g}\nloads: [{at: B, force: [-3 N, 0]}]\n";
+  for (const int places : {9, 30}) {
+    CAPTURE(places);
+    // The guide lies 1 m less m below A.
+    const double m = std::pow(10.0, -places), along = std::sqrt(m * (2 - m));
+    const CheckedExercise found =
+        checked_text(text, {"e=-0.4" + std::string(static_cast<std::size_t>(places) - 1, '9') + "m"});
+    CAPTURE(complaints(found));
+    CHECK(found.passed());
+    CHECK(value(found, "R_23_x") == Approx(3));
+    CHECK(value(found, "N_B") == Approx(3 * (1 - m) / along).epsilon(1e-12));
+    CHECK(value(found, "R_23") == Approx(3 / along).epsilon(1e-12));
+  }
+  for (const std::string e : {"e=-0.5m", "e=-0.50000000000000000000000000000000001m"}) {
+    CAPTURE(e);
+    std::string why;
+    try {
+      checked_text(text, {e});
+    } catch (const BadGivens& bad) {
+      why = bad.what();
+    }
+    CHECK(why.find("B") != std::string::npos);
+    CHECK(why.find(e == "e=-0.5m" ? "square to g" : "does not reach g") != std::string::npos);
+  }
+}
+
+TEST_CASE("what is wrong with loads is told with its place", "[scenes]") {
+  const auto why = [](const std::string& load) { return refused_loads(loaded_four_bar(load)); };
+  CHECK(why("{at: Z, force: 1 N, direction: 0 deg}").starts_with("11:10: no link has a point Z"));
+  CHECK(why("{at: B, force: 1 N, direction: 0 deg}") ==
+        "11:10: B is of links 3 and 4: say on which the force acts, as  on: 4");
+  CHECK(why("{at: B, on: 2, force: 1 N, direction: 0 deg}") == "11:17: link 2 has no point B");
+  CHECK(why("{at: B, on: 9, force: 1 N, direction: 0 deg}") == "11:17: there is no link 9");
+  CHECK(why("{at: A0, on: 1, force: 1 N, direction: 0 deg}").starts_with("11:18: link 1 is the frame"));
+  CHECK(why("{at: B, on: 3, force: 1 N}") == "11:5: direction: is missing");
+  CHECK(why("{at: B, on: 3, force: 1 m, direction: 0 deg}").starts_with("11:27: \"1 m\" is a length where a force"));
+  CHECK(why("{at: B, on: 3, force: [1 N, 2], direction: 0 deg}").starts_with("11:48: a force of two components"));
+  CHECK(why("{at: B, on: 3, force: [1 N]}").starts_with("11:27: two components are asked"));
+  CHECK(why("{on: 3, couple: 2 N}").starts_with("11:21: \"2 N\" is a force where a couple"));
+  CHECK(why("{on: 1, couple: 2 N*m}").starts_with("11:10: link 1 is the frame"));
+  CHECK(why("{on: 3, coupel: 2 N*m}").find("coupel") != std::string::npos);
+  CHECK(refused_loads(with_loads("planetary-gear", "[{on: 2, couple: 1 N*m}]")).find("wheels that mesh") !=
+        std::string::npos);
+}
