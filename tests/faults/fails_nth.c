@@ -1,11 +1,10 @@
 /* Preloaded: the n-th call of one kind fails, once.
  *
- *   FAILS_WHAT   malloc, write, fsync, rename, open or close; of write and close what is no standard stream
- *   FAILS_AT     n, from 1; 0: none
- *   FAILS_ERRNO  with which errno, 5 (EIO) unless told; malloc always with ENOMEM
- *   FAILS_COUNT  a file: gets the number of calls of the kind, when the program ends
+ *   FAILS_WHAT   malloc (calloc and realloc with it), mmap, write, fsync, rename, open or close; of write and close
+ * what is no standard stream FAILS_AT     n, from 1; 0: none FAILS_ERRNO  with which errno, 5 (EIO) unless told;
+ * malloc and mmap always with ENOMEM FAILS_COUNT  a file: gets the number of calls of the kind, when the program ends
  *
- * What glibc calls inside of itself is not seen, nor its calloc and realloc.
+ * What glibc calls inside of itself is not seen.
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -16,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 static atomic_long calls;
@@ -43,14 +43,29 @@ static int with_errno(void) {
     memcpy(&real, &found, sizeof real);          \
   }
 
-/* Of glibc, the plain malloc is behind another name. */
+/* Of glibc, the plain ones are behind other names. */
 extern void* __libc_malloc(size_t size);
-void* malloc(size_t size) {
-  if (fails("malloc")) {
-    errno = ENOMEM;
-    return NULL;
-  }
-  return __libc_malloc(size);
+extern void* __libc_calloc(size_t count, size_t size);
+extern void* __libc_realloc(void* old, size_t size);
+static void* no_room(void) {
+  errno = ENOMEM;
+  return NULL;
+}
+void* malloc(size_t size) { return fails("malloc") ? no_room() : __libc_malloc(size); }
+void* calloc(size_t count, size_t size) { return fails("malloc") ? no_room() : __libc_calloc(count, size); }
+void* realloc(void* old, size_t size) { return fails("malloc") ? no_room() : __libc_realloc(old, size); }
+
+static void* no_map(void) {
+  errno = ENOMEM;
+  return MAP_FAILED;
+}
+void* mmap(void* at, size_t size, int rights, int flags, int file, off_t from) {
+  REAL(mmap)
+  return fails("mmap") ? no_map() : real(at, size, rights, flags, file, from);
+}
+void* mmap64(void* at, size_t size, int rights, int flags, int file, off64_t from) {
+  REAL(mmap64)
+  return fails("mmap") ? no_map() : real(at, size, rights, flags, file, from);
 }
 
 ssize_t write(int file, const void* bytes, size_t count) {

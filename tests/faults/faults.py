@@ -97,7 +97,7 @@ def judge(what, job, whole, lay_there, code, killed=False):
             continue
         if code != 0 and os.path.basename(name) == UNFINISHED:
             continue
-        if killed and (os.path.basename(name).startswith(DRAFT) or job == "class"):
+        if killed and os.path.basename(name).startswith(DRAFT):
             continue
         fail(what, job, f"{name} is neither whole nor untouched")
     for name in lay_there:
@@ -123,7 +123,7 @@ def fail_each(kind, job, whole, output, stride):
         code = chance.choice([5, 12, 13, 28])
         done = run(job, {**with_library, "FAILS_AT": str(n), "FAILS_ERRNO": str(code)})
         what = f"{kind} {n} of {calls} fails with errno {code}"
-        by_signal = kind == "malloc" and done.returncode < 0
+        by_signal = kind in ("malloc", "mmap") and done.returncode < 0
         judge(what, job, whole, lay_there, done.returncode, killed=by_signal)
         ended[kind, "a signal" if by_signal else done.returncode] += 1
         # A font file or a setting that cannot be opened is done without, or is none to be had.
@@ -160,8 +160,27 @@ def short_of(what, which, limits, job, whole, allowed):
             fail(f"{what} {limit}", job, f"exit {done.returncode}: {done.stderr.decode()}")
 
 
+def as_nobody():
+    if os.getuid() == 0:  # whom no rights keep out
+        os.setgroups([])
+        os.setgid(65534)
+        os.setuid(65534)
+
+
+def not_to_be_written(job, whole):
+    lay(whole)
+    os.chmod(".", 0o755)
+    os.chmod("o", 0o555)
+    done = run(job, preexec_fn=as_nobody)
+    os.chmod("o", 0o755)
+    ended["a folder that cannot be written", done.returncode] += 1
+    judge("a folder that cannot be written", job, whole, list(whole), done.returncode)
+    if done.returncode != 3:
+        fail("a folder that cannot be written", job, f"exit {done.returncode}: {done.stderr.decode()}")
+
+
 def surroundings(whole):
-    """No home, no locale or another one, two runs into one folder at once, a folder that cannot be written."""
+    """No home, no locale or another one, two runs into one folder at once, a full device."""
     for name, change in {"no HOME": {"HOME": ""}, "a foreign locale": {"LC_ALL": "de_DE.UTF-8"},
                          "a locale that is not there": {"LC_ALL": "xx_YY"}, "no TZ": {"TZ": ""}}.items():
         lay([])
@@ -191,6 +210,7 @@ def main():
         for kind in ("write", "fsync", "rename", "close"):
             fail_each(kind, job, whole, output, min(told.stride, 3))
         fail_each("open", job, whole, output, min(told.stride, 7))
+        fail_each("mmap", job, whole, output, min(told.stride, 7))
         fail_each("malloc", job, whole, output, told.stride * 97)
     for k in range(told.kills):
         job = list(JOBS)[k % len(JOBS)]
@@ -201,8 +221,10 @@ def main():
     short_of("bytes of memory", resource.RLIMIT_AS, [2**k for k in range(25, 31)], "draw", draw,
              (0, 3, 127))
     surroundings(draw)
+    for job in ("draw", "sweep", "page"):
+        not_to_be_written(job, solutions[job][0])
     for (what, how), count in sorted(ended.items(), key=str):
-        print(f"{what:30} {str(how):10} {count:6}")
+        print(f"{what:32} {str(how):10} {count:6}")
 
 
 place = tempfile.mkdtemp()
