@@ -70,6 +70,31 @@ TEST_CASE("friction: what jams is said with the angle at which it does", "[frict
   refused({"sliding_levers.y_C=0"}, "friction has no sense");
 }
 
+// Pins of a radius of half the link have δ = φ: the double slider jams at φ = 10°/2. The wedge jams at
+// (90° - 41°)/2; below that the rod in its collar of two forces still does.
+TEST_CASE("friction: the limit of jamming, hit and missed", "[friction-efficiency]") {
+  const auto pins = [](const std::string& phi) {
+    return Assignments{"phi=" + phi, "double_slider_pins.r=0.15", "double_slider.theta=10"};
+  };
+  const std::string jams = "the double slider with friction in its pins jams";
+  for (const char* phi : {"5", "5.000000001", "5.000000000000000000000000000001"}) {
+    CAPTURE(phi);
+    CHECK_THROWS_WITH(friction().checked(pins(phi)), Contains(jams));
+  }
+  for (const char* phi : {"4.999999999", "4.999999999999999999999999999999"}) {
+    CAPTURE(phi);
+    CHECK(friction().checked(pins(phi)).passed());
+  }
+  for (const char* phi : {"24.5", "24.500000001", "24.500000000000000000000000000001"}) {
+    CAPTURE(phi);
+    CHECK_THROWS_WITH(friction().checked({std::string("phi=") + phi}), Contains("the wedge jams"));
+  }
+  for (const char* phi : {"24.499999999", "24.499999999999999999999999999999"}) {
+    CAPTURE(phi);
+    CHECK_THROWS_WITH(friction().checked({std::string("phi=") + phi}), Contains("the rod in its collar"));
+  }
+}
+
 // cot(θ) of the pins' link: φ + δ = 90° - θ and φ + δ = θ, sin δ = 2 r sin φ/l. Beyond the first the pins lock where
 // ideal hinges do not.
 TEST_CASE("friction: pins lock and jam before ideal hinges do", "[friction-efficiency]") {
