@@ -1,6 +1,7 @@
 // A class set: for each student a sheet to be solved and its solution, and a key of all.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -143,22 +144,35 @@ class ClassSet {
   Outcome make(std::ostream& err, bool is_on_terminal) {
     const std::vector<std::string> awkward_anyway = awkward_as_stated(lots_);
     choose_scales(awkward_anyway);
+    const bool is_new = !fs::exists(folder_ / ClassRecord::file_name);
     ClassJournal journal(folder_, inputs());
     record_.write_to(folder_);
     std::vector<ClassEntry> entries(students_.size());
     Progress progress(students_.size(), is_on_terminal, err, lots_.request.language);
     std::mutex one_at_a_time;
-    abreast(students_.size(), [&](std::size_t i) {
-      const Candidate& student = students_[i];
-      if (const ClassEntry* done = journal.entry_of(student); done && has_files(student)) {
-        entries[i] = *done;
-      } else {
-        entries[i] = draw_set(student, awkward_anyway);
-        journal.add(student, entries[i]);
+    std::atomic<bool> is_begun = false;
+    try {
+      abreast(students_.size(), [&](std::size_t i) {
+        const Candidate& student = students_[i];
+        if (const ClassEntry* done = journal.entry_of(student); done && has_files(student)) {
+          entries[i] = *done;
+        } else {
+          entries[i] = draw_set(student, awkward_anyway);
+          is_begun = true;
+          journal.add(student, entries[i]);
+        }
+        const std::scoped_lock lock(one_at_a_time);
+        progress.has_done(1);
+      });
+    } catch (...) {
+      // A class of which nothing could be made stands in nobody's way.
+      if (is_new && !is_begun) {
+        journal.remove();
+        std::error_code ignored;
+        fs::remove(folder_ / ClassRecord::file_name, ignored);
       }
-      const std::scoped_lock lock(one_at_a_time);
-      progress.has_done(1);
-    });
+      throw;
+    }
     std::vector<drawings::File> files{{folder_ / "key.csv", key(entries)}};
     if (is_moodle_) files.push_back({folder_ / "questions.xml", questions(entries)});
     if (options_.class_set.booklet)

@@ -23,8 +23,6 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-constexpr const char* file_name = "class.txt";
-
 }  // namespace
 
 ClassRecord::ClassRecord(const std::string& target, const Options& options) {

@@ -10,6 +10,8 @@ namespace epure {
 
 class ClassRecord {
  public:
+  static constexpr const char* file_name = "class.txt";
+
   // `target`: ID or ID/SHEET.
   ClassRecord(const std::string& target, const Options& options);
 

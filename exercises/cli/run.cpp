@@ -1,5 +1,6 @@
 #include "exercises/cli/run.h"
 
+#include <filesystem>
 #include <new>
 #include <ostream>
 
@@ -67,6 +68,7 @@ Outcome run(const Catalogue& exercises, const std::vector<std::string>& argument
     if (written) demand_not_read(*written, options);
   for (const auto& named : {options.folder, options.file, options.chart, options.name})
     if (named) demand_no_commands(*named);
+  demand_no_commands(options.class_set.seed);
   if (!text && names_scenes(options)) {
     const Scenes scenes = read_scenes(options);
     Outcome outcome = outcome_of(scenes.exercises, scenes.options, out, err, surroundings);
@@ -109,6 +111,9 @@ int run_cli(const Catalogue& exercises, const std::vector<std::string>& argument
     return complain(Exit::wrong_usage, error.words());
   } catch (const drawings::Unavailable& error) {
     return complain(Exit::cannot_write, error.words());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain(Exit::cannot_write, format_words("cannot read {}: {}", "non si può leggere {}: {}",
+                                                     error.path1().string(), error.code().message()));
   } catch (const std::bad_alloc&) {
     return complain(Exit::cannot_write, {"there is not enough memory for this", "la memoria non basta"});
   } catch (const std::exception& error) {  // nothing a user should be able to bring about

@@ -141,6 +141,8 @@ std::vector<std::string> SweepStudy::quantity_names() const {
 SweepStudy sweep_study(const Catalogue& exercises, const Options& options) {
   const Exercise& exercise = single_exercise(exercises, options);
   const Description& about = exercise.about();
+  if (about.givens.empty())
+    throw WrongUsage(format_words("{} has no givens to sweep over", "{} non ha dati da far variare", about.id));
   if (options.variations.empty())
     throw WrongUsage(
         format_words("say what to sweep over, such as --over {}=FROM..TO/COUNT (epure help sweep explains)",

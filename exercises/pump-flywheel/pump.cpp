@@ -50,8 +50,9 @@ Pump::Pump(const Givens& givens)
       synchronous(givens.angle("n_0")) {
   if (sign_of(synchronous - rated) <= 0)
     throw BadGivens(format_words(
-        "n_m = {} must be less than n_0 = {}: an induction motor runs below its synchronous speed",
-        "n_m = {} dev'essere minore di n_0 = {}: un motore asincrono gira sotto la velocità di sincronismo",
+        "n_m = {} rpm must be less than n_0 = {} rpm: an induction motor runs below its synchronous speed",
+        "n_m = {} giri/min dev'essere minore di n_0 = {} giri/min: un motore asincrono gira sotto la velocità di "
+        "sincronismo",
         givens.text("n_m"), givens.text("n_0")));
   if (i >= Rational(2))
     throw BadGivens(format_words("i = {} must be less than 2: at 2 the crank would stand still once a turn",

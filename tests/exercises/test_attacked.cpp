@@ -1,5 +1,6 @@
 // What attacks from outside found, each with the command that found it. Right answers are the checks' own, which hold
 // sheets against proved values.
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -200,4 +201,31 @@ TEST_CASE("attacked: a linkage that closes in a hair of a turn does not close at
   CHECK_THAT(refused("four-bar", {"A0A=0.3", "AB=0.2", "B0B=0.2", "AC=0.1", "x_B0=-" + hardly, "y_B0=0", "t=0.001"}),
              Contains("it closes within ") && Contains(" of 180° only"));
   CHECK_THAT(four_bar("0.7"), Contains("it closes at 0° only"));
+}
+
+TEST_CASE("attacked: a roller nearly at right angles to what it may bear is drawn by its force") {
+  for (const std::string delta : {"89.99999999999", "89.999999999999999", "-89.99999999999"}) {
+    CAPTURE(delta);
+    CHECK(passes("truss", {"delta=" + delta}));
+  }
+}
+
+TEST_CASE("attacked: what has no givens cannot be swept") {
+  const std::string file = (std::filesystem::temp_directory_path() / "epure-test-attacked.yaml").string();
+  std::ofstream(file)
+      << "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0]}\n  2: {O A: 1 m}\ndrive: {link: 2, angle: 1 deg}\n";
+  const Ran swept = run_catalogue(catalogue(), {"sweep", file, "--quantity", "A_x"}, {});
+  CHECK(swept.exit == 2);
+  CHECK_THAT(swept.err, Contains("f has no givens to sweep over"));
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("attacked: an angle at a hinge has an arc however small the sheet") {
+  const std::string file = (std::filesystem::temp_directory_path() / "epure-test-attacked.svg").string();
+  for (const char* scale : {"1:20", "1:50", "1:100"}) {
+    const Ran drawn = run_catalogue(catalogue(), {"draw", "four-bar/dead-centres", "--scale", scale, "-o", file}, {});
+    CAPTURE(scale, drawn.err);
+    CHECK(drawn.exit == 0);
+  }
+  std::filesystem::remove(file);
 }

@@ -964,3 +964,10 @@ TEST_CASE("class: of one sheet its own scale counts, in Moodle and for mark by t
   CHECK(verdict(0.049) == "right");
   CHECK(verdict(0.051) == "wrong");
 }
+
+TEST_CASE("class: one of which nothing could be made leaves nothing", "[class]") {
+  const Scratch scratch;
+  const Ran none = make_over({"truss/plan", "--count", "2", "--scale", "2:1"});
+  CHECK(none.exit == 2);
+  CHECK(make_over({"truss/plan", "--count", "2", "--scale", "1:100"}).exit == 0);
+}

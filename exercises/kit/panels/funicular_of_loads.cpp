@@ -51,7 +51,11 @@ FunicularOfLoads funicular_of_loads(const TrussFigure& figure) {
     corners.push_back(corners.back() + figure.outside[k].f);
   }
   const Place &A = figure.joints[figure.outside[0].joint], &B = figure.joints[figure.outside[1].joint];
-  const Arrow2 along_roller{std::cos(figure.roller_down), std::sin(figure.roller_down)};
+  // By the force where there is one: of an angle near the right one a double knows little of the cosine.
+  const Arrow2& R_B = figure.outside[1].f;
+  const double size_of_R_B = magnitude(R_B);
+  const Arrow2 along_roller =
+      size_of_R_B > 0 ? (1 / size_of_R_B) * R_B : Arrow2{std::cos(figure.roller_down), std::sin(figure.roller_down)};
   const auto worst_crossing = [&](const Place& pole) {
     double worst = crossing_angle(corners.back() - pole, along_roller);
     for (std::size_t i = 0; i < loads.size(); ++i)

@@ -26,10 +26,11 @@ drawings::Point beside(drawings::Point p, double direction, double along, double
 // The usual radius of an angle's arc (mm), or one near it, so that the arc falls on none of the circles about its
 // vertex.
 double clear_of(const std::vector<double>& circles, double usual, const Scale& scale) {
-  constexpr double apart = 3;  // mm
+  constexpr double apart = 3, least = 3;  // mm
   for (const double radius : {usual, usual - apart, usual + apart, usual - 2 * apart})
-    if (std::none_of(circles.begin(), circles.end(),
-                     [&](double circle) { return std::abs(scale.mm_per_unit * circle - radius) < apart; }))
+    if (radius >= least && std::none_of(circles.begin(), circles.end(), [&](double circle) {
+          return std::abs(scale.mm_per_unit * circle - radius) < apart;
+        }))
       return radius;
   return usual;
 }
