@@ -967,7 +967,8 @@ TEST_CASE("class: of one sheet its own scale counts, in Moodle and for mark by t
 
 TEST_CASE("class: one of which nothing could be made leaves nothing", "[class]") {
   const Scratch scratch;
-  const Ran none = make_over({"truss/plan", "--count", "2", "--scale", "2:1"});
-  CHECK(none.exit == 2);
-  CHECK(make_over({"truss/plan", "--count", "2", "--scale", "1:100"}).exit == 0);
+  const Ran none = make_over({"truss/plan", "--count", "2", "--scale", "2:1"}, {});
+  CHECK_THAT(none.err, Contains("1 : 100 would fit"));
+  CHECK_FALSE(fs::exists("out/truss-plan-class/class.txt"));
+  CHECK(make_over({"truss/plan", "--count", "2", "--scale", "1:100"}, {}).exit == 0);
 }
