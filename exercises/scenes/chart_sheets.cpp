@@ -227,12 +227,7 @@ PanelSheet chart_sheet(const Scene& scene, const Solution& s, std::size_t which,
 
 }  // namespace
 
-std::vector<SheetMaker> chart_sheets(const std::shared_ptr<const Scene>& scene) {
-  if (scene->charts().empty()) return {};
-  std::vector<Quantity> known;
-  for (const RouteValue& each :
-       by_both_routes(std::make_shared<const Built>(scene->built(Givens(scene->givens()))), Rung::names))
-    if (each.described) known.push_back(*each.described);
+std::vector<SheetMaker> chart_sheets(const std::shared_ptr<const Scene>& scene, const std::vector<Quantity>& known) {
   scene->demand_charts(known);
   std::vector<SheetMaker> sheets;
   for (std::size_t i = 0; i < scene->charts().size(); ++i) {

@@ -10,6 +10,6 @@
 namespace epure::scenes {
 
 // Throws BadScene where the file asks for what the mechanism has not (Scene::demand_charts).
-std::vector<SheetMaker> chart_sheets(const std::shared_ptr<const Scene>& scene);
+std::vector<SheetMaker> chart_sheets(const std::shared_ptr<const Scene>& scene, const std::vector<Quantity>& known);
 
 }  // namespace epure::scenes

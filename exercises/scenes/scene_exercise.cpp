@@ -34,6 +34,13 @@ std::vector<RouteValue> solved(const Scene& scene, const Givens& givens, Rung ru
   }
 }
 
+std::vector<Quantity> quantities_of(const Scene& scene) {
+  std::vector<Quantity> all;
+  for (const RouteValue& each : solved(scene, Givens(scene.givens()), Rung::names))
+    if (each.described) all.push_back(*each.described);
+  return all;
+}
+
 // Of links without a pivot, where they have one.
 std::vector<AccelerationsPanel::Centre> acceleration_centres(const Built& built, const Solution& s) {
   std::vector<AccelerationsPanel::Centre> centres;
@@ -130,7 +137,8 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   for (SheetMaker& sheet : centres_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : path_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : polode_sheets(scene)) sheets.push_back(std::move(sheet));
-  for (SheetMaker& sheet : chart_sheets(scene)) sheets.push_back(std::move(sheet));
+  if (!scene->charts().empty())
+    for (SheetMaker& sheet : chart_sheets(scene, quantities_of(*scene))) sheets.push_back(std::move(sheet));
   std::vector<std::string> names;
   for (const SheetMaker& sheet : sheets) names.push_back(sheet.spec.name);
   std::vector<SheetMaker> chosen;
