@@ -66,7 +66,7 @@ Outcome run(const Catalogue& exercises, const std::vector<std::string>& argument
   options.colours = surroundings.colours;
   for (const auto& written : {options.file, options.chart})
     if (written) demand_not_read(*written, options);
-  for (const auto& named : {options.folder, options.file, options.chart, options.name})
+  for (const auto& named : {options.folder, options.file, options.chart})
     if (named) demand_no_commands(*named);
   demand_no_commands(options.class_set.seed);
   if (!text && names_scenes(options)) {

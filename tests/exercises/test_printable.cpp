@@ -62,7 +62,7 @@ TEST_CASE("every message is fit for a terminal") {
 }
 
 TEST_CASE("names of files that a terminal would obey are refused") {
-  for (const char* option : {"--out", "-o", "--name"}) {
+  for (const char* option : {"--out", "-o"}) {
     const Ran ran = run({"draw", "triangle", option, "a\x1b[31mb"});
     CAPTURE(option, ran.err);
     CHECK(ran.exit == 2);
