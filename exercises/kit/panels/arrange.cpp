@@ -85,6 +85,8 @@ void note_awkwardness(const std::string& sheet, const std::vector<PlacedPanel>& 
   if (has_steps_off_sheet) note("off", {"a step off the sheet", "un passo fuori del foglio"});
 }
 
+bool has_lengths(const PlacedPanel& panel) { return !panel.panel->is_of_vectors() && panel.panel->has_scale(); }
+
 // Which of two figures has which scale.
 std::string position(const PlacedPanel& panel, const PlacedPanel& other, Language language) {
   const auto middle = [](const drawings::Box& box) {
@@ -95,6 +97,22 @@ std::string position(const PlacedPanel& panel, const PlacedPanel& other, Languag
   const Words words = beside ? (here.x < there.x ? Words{" left", " a sinistra"} : Words{" right", " a destra"})
                              : (here.y > there.y ? Words{" above", " sopra"} : Words{" below", " sotto"});
   return words.in(language);
+}
+
+// Whether all figures of the one scale lie on the same side of all those of the other.
+bool stand_apart(const std::vector<PlacedPanel>& panels, const PlacedPanel& panel, const PlacedPanel& other) {
+  const std::string side = position(panel, other, Language::english);
+  for (const PlacedPanel& one : panels)
+    for (const PlacedPanel& another : panels)
+      if (has_lengths(one) && has_lengths(another) && one.lengths.caption == panel.lengths.caption &&
+          another.lengths.caption == other.lengths.caption && position(one, another, Language::english) != side)
+        return false;
+  return true;
+}
+std::string size_word(const PlacedPanel& panel, const PlacedPanel& other, Language language) {
+  return (panel.lengths.mm_per_unit > other.lengths.mm_per_unit ? Words{" close-ups", " ingrandimenti"}
+                                                                : Words{" whole", " d'insieme"})
+      .in(language);
 }
 
 // Where a sheet shows vectors of one unit at two scales, as it does forces: whose this one is.
@@ -113,17 +131,20 @@ std::string whose(const PlacedPanel& panel, const std::vector<PlacedPanel>& pane
 void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const SheetRequest& request) {
   std::vector<const PlacedPanel*> figures;
   for (const PlacedPanel& each : panels)
-    if (!each.panel->is_of_vectors() && each.panel->has_scale() &&
-        std::none_of(figures.begin(), figures.end(),
-                     [&](const PlacedPanel* figure) { return figure->lengths.caption == each.lengths.caption; }))
+    if (has_lengths(each) && std::none_of(figures.begin(), figures.end(), [&](const PlacedPanel* figure) {
+          return figure->lengths.caption == each.lengths.caption;
+        }))
       figures.push_back(&each);
   std::vector<Scale> bars;
   std::vector<std::string> captions;  // the title block has no room for the words
   for (const PlacedPanel* figure : figures) {
     bars.push_back(figure->panel->is_in_millimetres() ? in_millimetres(figure->lengths) : figure->lengths);
     captions.push_back(figure->lengths.caption);
-    if (figures.size() == 2)
-      bars.back().caption += position(*figure, *figures[figure == figures[0] ? 1 : 0], request.language);
+    if (figures.size() == 2) {
+      const PlacedPanel& other = *figures[figure == figures[0] ? 1 : 0];
+      bars.back().caption += stand_apart(panels, *figure, other) ? position(*figure, other, request.language)
+                                                                 : size_word(*figure, other, request.language);
+    }
   }
   for (const PlacedPanel& each : panels) {
     std::vector<Scale> of_vectors = each.panel->own_scales();
