@@ -524,6 +524,9 @@ class Building {
         refuse(item, format_words("link {0} turns about {1}: both of its polodes are that point",
                                   "il membro {0} ruota attorno a {1}: le sue polari sono quel punto", item.text,
                                   letter(built_.linkage.hinge_of(0, link))));
+      if (built_.linkage.links[static_cast<std::size_t>(link)].points.empty())
+        refuse(item, format_words("link {} has no point to be drawn by: give it one",
+                                  "il membro {} non ha un punto con cui disegnarlo: dargliene uno", item.text));
       for (const LineOnLine& block : built_.linkage.blocks)
         if (const int one = built_.linkage.link_of_line(block.moving),
             other = built_.linkage.link_of_line(block.guide);

@@ -522,6 +522,12 @@ TEST_CASE("polodes are those of a link that neither turns about the frame nor is
   CHECK(refusal(four_bar() + "polodes: [5]\n") == "10:11: there is no moving link 5");
   CHECK(refusal(four_bar() + "polodes: [1]\n") == "10:11: there is no moving link 1");
   CHECK(refusal(four_bar() + "polodes: [3, 3]\n") == "10:14: 3 stands here twice");
+  // Oldham's disc without its point.
+  CHECK(refusal(
+            "epure: 1\nid: f\nlinks:\n  1: {A: [0, 0], B: [1 m, 0]}\n  2: {A: [0, 0], p: {along: [1, 0]}}\n"
+            "  3: {q: {along: [1, 0]}, s: {along: [0, 1]}}\n  4: {B: [0, 0], t: {along: [0, 1]}}\nslides: {q: p, s: "
+            "t}\ndrive: {link: 2, angle: 25 deg}\npolodes: [3]\n") ==
+        "10:11: link 3 has no point to be drawn by: give it one");
   CHECK(refusal(four_bar() + "polodes: 3\n") == "10:10: polodes: [3], the links whose polodes are asked for");
 }
 
