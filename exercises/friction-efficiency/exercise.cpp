@@ -20,7 +20,7 @@ std::unique_ptr<Exercise> make_friction_efficiency() {
                    "angoli d'attrito a cui iniziano l'arresto spontaneo e l'impuntamento."},
       .givens = stated_givens(),
       .printed = printed_by_the_source};
-  return exercise_of_panels(std::move(about), solve, sheets());
+  return exercise_of_panels(std::move(about), parts(), sheets());
 }
 
 }  // namespace epure

@@ -10,11 +10,14 @@
 
 namespace epure::friction_efficiency {
 
-std::vector<RouteValue> solve(const Givens& givens, Rung rung);
+std::vector<PartOfExercise> parts();
 std::vector<Printed> printed_by_the_source();
 std::vector<SheetMaker> sheets();
 
-// The efficiencies of all mechanisms at a friction angle (degrees), also beyond where one of them jams: for a chart.
-std::vector<std::pair<std::string, double>> efficiencies_at(const Givens& givens, const Rational& degrees);
+// Of these quantities of a case those that have a value at another friction angle (degrees), also beyond where a
+// mechanism jams: for a chart.
+std::vector<std::pair<std::string, double>> values_at_friction_angle(const Givens& givens, const Rational& degrees,
+                                                                     const std::string& of_case,
+                                                                     const std::vector<std::string>& names);
 
 }  // namespace epure::friction_efficiency

@@ -3,10 +3,22 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "exercises/kit/linkages/loaded_mechanisms.h"
 
 namespace epure::friction_efficiency {
+
+// What has quantities of its own: friction, and each mechanism.
+inline const std::vector<std::string> cases{"",
+                                            "wedge_collar",
+                                            "wedge_collar_two_point",
+                                            "double_slider",
+                                            "double_slider_pins",
+                                            "sliding_levers",
+                                            "sliding_levers_Q_on_2",
+                                            "fairbairn",
+                                            "fairbairn_short_lever"};
 
 struct Problem {
   LoadedMechanisms of;

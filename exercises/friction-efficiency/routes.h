@@ -471,7 +471,11 @@ void write_double_slider(Ledger<T>& ledger, const Problem& problem) {
                    without_effort(problem.double_slider_at_limit));
   put_whole(ledger, self_locking_angle(), quarter() - problem.of.double_slider.theta);
   put_whole(ledger, jamming_angle(), problem.of.double_slider.theta);
+}
 
+template <class T>
+void write_double_slider_pins(Ledger<T>& ledger, const Problem& problem) {
+  const std::vector<VectorQuantity> forces{force_between(1, 2), force_between(1, 4), force_between(3, 2)};
   ledger.begin_case("double_slider_pins.",
                     {", double slider with friction in the pins", ", doppio pattino con attrito nei perni"});
   write_motions<T>(ledger, names_of_P(), double_slider_motions<T>(problem, true), {T(1), T(0)}, forces,
@@ -766,32 +770,49 @@ void write_fairbairn(Ledger<T>& ledger, const Problem& problem, const Fairbairn&
   put_half(ledger, jamming_angle(), quarter());
 }
 
+template <class T>
+void write_friction(Ledger<T>& ledger, const Angle& phi) {
+  const Quantity friction{"friction_coefficient", "$f$", "1", {"friction coefficient", "coefficiente d'attrito"}};
+  const T c = geometry::cosine<T>(phi), s = geometry::sine<T>(phi);
+  ledger.put(friction, [&] { return geometry::quotient(s, c); });
+  ledger.route("analytic");
+  ledger.put(friction, [&] {  // by the half angle
+    const T h = geometry::quotient(s, T(1) + c);
+    return geometry::quotient(T(2) * h, T(1) - geometry::square(h));
+  });
+}
+
+// One case.
 struct Routes {
   Problem problem;
+  std::string of_case;
 
   template <class T>
   Ledger<T> operator()() const {
     Ledger<T> ledger("construction");
-    const Quantity friction{"friction_coefficient", "$f$", "1", {"friction coefficient", "coefficiente d'attrito"}};
-    const T c = geometry::cosine<T>(problem.phi), s = geometry::sine<T>(problem.phi);
-    ledger.put(friction, [&] { return geometry::quotient(s, c); });
-    ledger.route("analytic");
-    ledger.put(friction, [&] {  // by the half angle
-      const T h = geometry::quotient(s, T(1) + c);
-      return geometry::quotient(T(2) * h, T(1) - geometry::square(h));
-    });
-    write_wedge(ledger, problem);
-    write_two_point_wedge(ledger, problem);
-    write_double_slider(ledger, problem);
-    ledger.begin_case("sliding_levers.", {", sliding levers", ", leve striscianti"});
-    write_levers(ledger, problem, problem.of.levers, problem.levers_at_limit);
-    ledger.begin_case("sliding_levers_Q_on_2.", {", sliding levers with Q on 2", ", leve striscianti con Q sulla 2"});
-    write_levers(ledger, problem, problem.of.levers_Q_on_2, problem.levers_Q_on_2_at_limit);
-    ledger.begin_case("fairbairn.", {", Fairbairn's mechanism", ", guida di Fairbairn"});
-    write_fairbairn(ledger, problem, problem.of.fairbairn, "fairbairn");
-    ledger.begin_case("fairbairn_short_lever.",
-                      {", Fairbairn's mechanism, shorter lever", ", guida di Fairbairn, leva più corta"});
-    write_fairbairn(ledger, problem, problem.of.fairbairn_short_lever, "fairbairn_short_lever");
+    if (of_case.empty()) write_friction(ledger, problem.phi);
+    if (of_case == "wedge_collar") write_wedge(ledger, problem);
+    if (of_case == "wedge_collar_two_point") write_two_point_wedge(ledger, problem);
+    if (of_case == "double_slider") write_double_slider(ledger, problem);
+    if (of_case == "double_slider_pins") write_double_slider_pins(ledger, problem);
+    if (of_case == "sliding_levers") {
+      ledger.begin_case("sliding_levers.", {", sliding levers", ", leve striscianti"});
+      write_levers(ledger, problem, problem.of.levers, problem.levers_at_limit);
+    }
+    if (of_case == "sliding_levers_Q_on_2") {
+      ledger.begin_case("sliding_levers_Q_on_2.",
+                        {", sliding levers with Q on 2", ", leve striscianti con Q sulla 2"});
+      write_levers(ledger, problem, problem.of.levers_Q_on_2, problem.levers_Q_on_2_at_limit);
+    }
+    if (of_case == "fairbairn") {
+      ledger.begin_case("fairbairn.", {", Fairbairn's mechanism", ", guida di Fairbairn"});
+      write_fairbairn(ledger, problem, problem.of.fairbairn, of_case);
+    }
+    if (of_case == "fairbairn_short_lever") {
+      ledger.begin_case("fairbairn_short_lever.",
+                        {", Fairbairn's mechanism, shorter lever", ", guida di Fairbairn, leva più corta"});
+      write_fairbairn(ledger, problem, problem.of.fairbairn_short_lever, of_case);
+    }
     return ledger;
   }
 };

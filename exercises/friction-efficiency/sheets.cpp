@@ -545,20 +545,18 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
   for (const Plotted& each : all)
     for (const int k : {0, 1}) farthest = std::max(farthest, limit_of(each, k).value_or(0));
   const int most = std::min(90, 10 * (static_cast<int>(farthest / 10) + 1));
-  constexpr int steps_a_degree = 1;
-  std::map<std::string, std::array<std::vector<drawings::Datum>, 2>> runs;
-  for (int i = 1; i <= most * steps_a_degree; ++i) {
-    const double degrees = static_cast<double>(i) / steps_a_degree;
-    for (const auto& [quantity, value] : efficiencies_at(s.givens(), Rational(i, steps_a_degree)))
-      for (const Plotted& each : all)
-        for (const int k : {0, 1})
-          if (quantity == each.name + (k == 0 ? ".eta_direct" : ".eta_retrograde") && value > 0 && value <= 1) {
-            auto& run = runs[each.name][static_cast<std::size_t>(k)];
-            if (i == 1) run.push_back({0, 1});  // without friction nothing is lost
-            const bool goes_on = run.empty() || degrees - run.back().x < 1.5 / steps_a_degree;
-            if (goes_on) run.push_back({degrees, value});
-          }
-  }
+  std::map<std::string, std::vector<drawings::Datum>> runs;
+  for (const Plotted& each : all)
+    for (int degrees = 1; degrees <= most; ++degrees)
+      for (const auto& [quantity, value] :
+           values_at_friction_angle(s.givens(), Rational(degrees), each.name,
+                                    {each.name + ".eta" + direct, each.name + ".eta" + retrograde})) {
+        if (value <= 0 || value > 1) continue;
+        auto& run = runs[quantity];
+        if (degrees == 1) run.push_back({0, 1});  // without friction nothing is lost
+        const bool goes_on = run.empty() || run.back().x == degrees - 1;
+        if (goes_on) run.push_back({static_cast<double>(degrees), value});
+      }
   const double phi = geometry::degrees(s.givens().angle("phi"));
   const auto chart = [&](int k) {
     drawings::Chart drawn{.x = {.quantity = "$φ$",
@@ -569,7 +567,8 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
                           .y = {.quantity = k == 0 ? "$η_{D}$" : "$η_{R}$", .unit = "", .low = 0, .high = 1}};
     std::vector<ChartPanel::Read> read;
     for (const Plotted& each : all) {
-      auto& run = runs[each.name][static_cast<std::size_t>(k)];
+      const std::string eta = each.name + ".eta" + (k == 0 ? direct : retrograde);
+      auto& run = runs[eta];
       const std::string limit = each.name + (k == 0 ? ".jamming" : ".self_locking") + "_friction_angle_deg";
       if (const auto angle = limit_of(each, k)) {
         run.push_back({*angle, 0});
@@ -582,7 +581,6 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
           drawn.markers.push_back(
               {.at = run.back(), .label = k == 0 ? "$φ_{D}$" : "$φ_{R}$", .shape = drawings::PointShape::diamond});
       }
-      const std::string eta = each.name + (k == 0 ? ".eta_direct" : ".eta_retrograde");
       if (const auto value = s.value(eta); value && *value > 0 && phi <= most) {
         read.push_back({{phi, *value}, {}, eta});
         drawn.markers.push_back({.at = read.back().at, .meaning = Meaning::force});

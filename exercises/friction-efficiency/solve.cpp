@@ -3,9 +3,20 @@
 
 namespace epure::friction_efficiency {
 
-std::vector<RouteValue> solve(const Givens& givens, Rung rung) { return settle(Routes{Problem(givens)}, rung); }
+std::vector<PartOfExercise> parts() {
+  std::vector<PartOfExercise> all;
+  for (const std::string& each : cases)
+    all.push_back({each, [each](const Givens& givens, Rung rung) {
+                     return settle(Routes{Problem(givens), each}, rung);
+                   }});
+  return all;
+}
 
-std::vector<std::pair<std::string, double>> efficiencies_at(const Givens& givens, const Rational& degrees) {
+std::vector<std::pair<std::string, double>> values_at_friction_angle(const Givens& givens, const Rational& degrees,
+                                                                     const std::string& of_case,
+                                                                     const std::vector<std::string>& names) {
+  const Asked asked(names);
+  const FirstRouteOnly once(true);
   Problem at(givens);
   at.phi = Angle{degrees / 360};
   // What was decided of the angle that is given.
@@ -13,9 +24,8 @@ std::vector<std::pair<std::string, double>> efficiencies_at(const Givens& givens
   at.wedge_at_limit = at.double_slider_at_limit = at.pins_at_limit = false;
   at.levers_at_limit = at.levers_Q_on_2_at_limit = false;
   std::vector<std::pair<std::string, double>> all;
-  for (const RouteValue& value : settle(Routes{at}, Rung::fast))
-    if (value.route == "force polygon" && value.quantity.find(".eta_") != std::string::npos &&
-        value.settled.kind == geometry::Settled::Kind::unbounded)
+  for (const RouteValue& value : settle(Routes{at, of_case}, Rung::fast))
+    if (value.settled.kind == geometry::Settled::Kind::unbounded)
       all.emplace_back(value.quantity, value.settled.enclosure.value);
   return all;
 }

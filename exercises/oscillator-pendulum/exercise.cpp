@@ -5,18 +5,6 @@
 #include "exercises/oscillator-pendulum/tables.h"
 
 namespace epure {
-namespace oscillator_pendulum {
-namespace {
-
-std::vector<RouteValue> solved(const Problem& problem, Rung rung) {
-  std::vector<RouteValue> all = settle(OscillatorRoutes{problem.oscillator}, rung);
-  for (RouteValue& each : settle(PendulumRoutes{problem.pendulum}, rung)) all.push_back(std::move(each));
-  return all;
-}
-
-}  // namespace
-}  // namespace oscillator_pendulum
-
 std::unique_ptr<Exercise> make_oscillator_pendulum() {
   using namespace oscillator_pendulum;
   Description about{
@@ -34,9 +22,13 @@ std::unique_ptr<Exercise> make_oscillator_pendulum() {
       .givens = given_specs(),
       .printed = printed_by_the_source,
       .audit = audited_tables};
-  const auto solve = [](const Givens& givens, Rung rung) { return solved(Problem(givens), rung); };
+  const std::vector<PartOfExercise> parts{
+      {"oscillator",
+       [](const Givens& givens, Rung rung) { return settle(OscillatorRoutes{Problem(givens).oscillator}, rung); }},
+      {"pendulum",
+       [](const Givens& givens, Rung rung) { return settle(PendulumRoutes{Problem(givens).pendulum}, rung); }}};
   return exercise_of_panels(
-      std::move(about), solve,
+      std::move(about), parts,
       {{{"motion",
          {"Motion of the oscillator", "Moto dell'oscillatore"},
          {"Find the motion of the damped oscillator, exactly and by the printed recursion.",

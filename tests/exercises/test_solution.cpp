@@ -84,3 +84,32 @@ TEST_CASE("solution: what each route says is kept apart, and what a sheet tells 
   CHECK(solution.described("iterate").symbol == "$x^{k}$");
   for (const RouteValue& value : settle(write, Rung::climb)) CHECK(value.quantity == "both");
 }
+
+TEST_CASE("solution: of parts the first is found at once, another when one of its quantities is asked for") {
+  std::vector<std::string> found;
+  const auto part = [&](const std::string& of_case, int value) {
+    return Solution::FindPart{of_case, [&found, of_case, value] {
+                                found.push_back(of_case);
+                                return settle(
+                                    [&]<class T>() {
+                                      Ledger<T> ledger("route");
+                                      if (!of_case.empty()) ledger.begin_case(of_case + ".");
+                                      ledger.put("x", T(value));
+                                      return ledger;
+                                    },
+                                    Rung::drawing);
+                              }};
+  };
+  const Solution solution(Givens({}), {part("", 1), part("other", 2), part("third", 3)});
+  CHECK(found == std::vector<std::string>{""});
+  CHECK_FALSE(solution.has("y"));
+  CHECK_FALSE(solution.has("neither.x"));
+  CHECK(solution["x"] == 1);
+  CHECK(found == std::vector<std::string>{""});
+  CHECK_FALSE(solution.has("third.y"));
+  CHECK(solution["third.x"] == 3);
+  CHECK(solution.value("third.x", "route") == 3);
+  CHECK(found == std::vector<std::string>{"", "third"});
+  CHECK(solution.values().size() == 3);
+  CHECK(found == std::vector<std::string>{"", "third", "other"});
+}

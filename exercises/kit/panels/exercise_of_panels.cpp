@@ -30,29 +30,45 @@ DrawnSheet over_pages(const Description& about, const std::string& sheet, const 
   return drawn;
 }
 
+std::vector<RouteValue> solved(const std::vector<PartOfExercise>& parts, const Givens& givens, Rung rung) {
+  std::vector<RouteValue> all;
+  for (const PartOfExercise& part : parts)
+    for (RouteValue& value : part.solve(givens, rung)) all.push_back(std::move(value));
+  return all;
+}
+
 // Every quantity once: what the first route says of it counts.
-std::vector<Quantity> reported(const Solve& solve, const std::vector<GivenSpec>& givens) {
+std::vector<Quantity> reported(const std::vector<PartOfExercise>& parts, const std::vector<GivenSpec>& givens) {
   std::vector<Quantity> quantities;
   std::set<std::string> names;
-  for (RouteValue& value : solve(Givens(givens), Rung::names))
+  for (RouteValue& value : solved(parts, Givens(givens), Rung::names))
     if (names.insert(value.quantity).second && value.described) quantities.push_back(std::move(*value.described));
   return quantities;
 }
 
 class ExerciseOfPanels : public Exercise {
  public:
-  ExerciseOfPanels(Description about, Solve solve, std::vector<SheetMaker> sheets, FindFlaws flaws)
-      : about_(std::move(about)), solve_(std::move(solve)), sheets_(std::move(sheets)), flaws_(std::move(flaws)) {
+  ExerciseOfPanels(Description about, std::vector<PartOfExercise> parts, std::vector<SheetMaker> sheets,
+                   FindFlaws flaws)
+      : about_(std::move(about)), parts_(std::move(parts)), sheets_(std::move(sheets)), flaws_(std::move(flaws)) {
     for (const SheetMaker& sheet : sheets_) about_.sheets.push_back(sheet.spec);
-    about_.quantities = [solve = solve_, givens = about_.givens] { return reported(solve, givens); };
+    about_.quantities = [parts = parts_, givens = about_.givens] { return reported(parts, givens); };
   }
 
   const Description& about() const override { return about_; }
-  std::vector<RouteValue> solve(const Givens& givens, Rung rung) const override { return solve_(givens, rung); }
+  std::vector<RouteValue> solve(const Givens& givens, Rung rung) const override {
+    return solved(parts_, givens, rung);
+  }
   std::vector<Flaw> flaws(const Givens& givens) const override {
     return flaws_ ? flaws_(givens) : std::vector<Flaw>{};
   }
-  Solution solution(const Givens& givens) const override { return {givens, solve_(givens, Rung::drawing)}; }
+  Solution solution(const Givens& givens) const override {
+    if (parts_.size() == 1) return {givens, parts_.front().solve(givens, Rung::drawing)};
+    std::vector<Solution::FindPart> parts;
+    for (const auto& [of_case, solve] : parts_)
+      parts.push_back({of_case, [=, &solve = solve] { return solve(givens, Rung::drawing); }});
+    return {givens, parts};
+  }
 
   DrawnSheet draw(const std::string& sheet, const Solution& solution, const SheetRequest& request) const override {
     const SheetMaker& maker = maker_of(sheet);
@@ -77,7 +93,7 @@ class ExerciseOfPanels : public Exercise {
   }
 
   Description about_;
-  Solve solve_;
+  std::vector<PartOfExercise> parts_;
   std::vector<SheetMaker> sheets_;
   FindFlaws flaws_;
 };
@@ -92,7 +108,13 @@ std::optional<PanelSheet> panel_sheet(const Exercise& exercise, const std::strin
 
 std::unique_ptr<Exercise> exercise_of_panels(Description about, Solve solve, std::vector<SheetMaker> sheets,
                                              FindFlaws flaws) {
-  return std::make_unique<ExerciseOfPanels>(std::move(about), std::move(solve), std::move(sheets), std::move(flaws));
+  std::vector<PartOfExercise> whole{{"", std::move(solve)}};
+  return exercise_of_panels(std::move(about), std::move(whole), std::move(sheets), std::move(flaws));
+}
+
+std::unique_ptr<Exercise> exercise_of_panels(Description about, std::vector<PartOfExercise> parts,
+                                             std::vector<SheetMaker> sheets, FindFlaws flaws) {
+  return std::make_unique<ExerciseOfPanels>(std::move(about), std::move(parts), std::move(sheets), std::move(flaws));
 }
 
 }  // namespace epure

@@ -44,6 +44,14 @@ using FindFlaws = std::function<std::vector<Flaw>(const Givens&)>;
 // `flaws`: none for a mechanism that always works.
 std::unique_ptr<Exercise> exercise_of_panels(Description about, Solve solve, std::vector<SheetMaker> sheets,
                                              FindFlaws flaws = {});
+// The quantities of one case, those of which the names begin with "case."; or those without a case.
+struct PartOfExercise {
+  std::string of_case;
+  Solve solve;
+};
+// The same in parts: a drawing finds the first, and those that its sheets take numbers from.
+std::unique_ptr<Exercise> exercise_of_panels(Description about, std::vector<PartOfExercise> parts,
+                                             std::vector<SheetMaker> sheets, FindFlaws flaws = {});
 
 // Places the panels side by side or one below the other, whichever leaves them larger, each at a standard scale, and
 // writes the column, the scale bars and the description. A scale asked for is that of the first panel with lengths.

@@ -267,7 +267,7 @@ enum class Drawn { by_first_route, by_every_route };
 // Runs `write<T>()`, which returns a Ledger<T> with the same keys for every T, up the numbers as `rung` says.
 template <class Write>
 std::vector<RouteValue> settle(const Write& write, Rung rung, Drawn drawn = Drawn::by_first_route) {
-  const FirstRouteOnly once(rung == Rung::drawing && drawn == Drawn::by_first_route);
+  const FirstRouteOnly once(FirstRouteOnly::holds() || (rung == Rung::drawing && drawn == Drawn::by_first_route));
   const NamesOnly nothing(rung == Rung::names);
   std::vector<LedgerEntry> entries;
   const auto scene = [&]<class T>() {

@@ -1,7 +1,9 @@
 // What an exercise has found at given givens, each quantity once: the numbers that its sheets draw and print.
 #pragma once
 
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,10 +18,18 @@ class Solution {
  public:
   // Of a quantity found by several routes, what the first one says that knows it.
   Solution(Givens givens, std::vector<RouteValue> values);
+  // Of parts, each of which is a case: its quantities have names that begin with "case.", or no point where it has no
+  // name. The first is found at once, so that givens are refused here; the others when one of their quantities is
+  // asked for. From several threads, too.
+  struct FindPart {
+    std::string of_case;
+    std::function<std::vector<RouteValue>()> find;
+  };
+  Solution(Givens givens, const std::vector<FindPart>& parts);
 
   const Givens& givens() const { return givens_; }
 
-  bool has(const std::string& quantity) const { return places_.contains(quantity); }
+  bool has(const std::string& quantity) const { return look_up(quantity) != nullptr; }
   // The value, as the double nearest to the middle of what is known; zero when that may be zero. None when the
   // quantity does not exist or could not be decided. Asking for what no route writes is a caller's mistake.
   std::optional<double> value(const std::string& quantity) const;
@@ -42,15 +52,18 @@ class Solution {
   Arrow2 vector(const std::string& name) const;
 
   // Everything by its name, in the order in which it was written down.
-  const std::vector<RouteValue>& values() const { return values_; }
+  std::vector<RouteValue> values() const;
 
  private:
+  class Part;
+  // None when no part can have it.
+  Part* part_of(const std::string& quantity) const;
+  // None when no route writes it.
+  const RouteValue* look_up(const std::string& quantity) const;
   const RouteValue& find(const std::string& quantity) const;
 
   Givens givens_;
-  std::vector<RouteValue> values_;
-  std::map<std::string, std::size_t> places_;  // in values_
-  std::map<std::pair<std::string, std::string>, geometry::Settled> by_route_;
+  std::vector<std::shared_ptr<Part>> parts_;
 };
 
 }  // namespace epure
