@@ -18,8 +18,8 @@ namespace {
 
 // Without what is raised or lowered, which belongs to a symbol, but for powers of ten.
 std::string without_indices(std::string text) {
-  text = std::regex_replace(text, std::regex(R"(·10\$?\^\{[−-]?\d+\})"), "·10");
-  return std::regex_replace(text, std::regex(R"([_^]\{[^}]*\})"), "");
+  static const std::regex power(R"(·10\$?\^\{[−-]?\d+\})"), index(R"([_^]\{[^}]*\})");
+  return std::regex_replace(std::regex_replace(text, power, "·10"), index, "");
 }
 
 // Numbers with a decimal sign: whole ones stand in formulas and counts.
@@ -99,8 +99,10 @@ std::set<std::string> pairs_that_belong_together(const Solution& solution, Langu
   std::set<std::string> pairs;
   for (const RouteValue& value : solution.values()) {
     if (!value.quantity.ends_with("_x") || !value.described) continue;
-    const std::optional<Place> P = solution.point(value.quantity.substr(0, value.quantity.size() - 2));
-    if (P) pairs.insert("(" + figures(P->x, 4, language) + "; " + figures(P->y, 4, language) + ")");
+    const std::string name = value.quantity.substr(0, value.quantity.size() - 2);
+    if (!solution.has(name + "_y")) continue;
+    if (const std::optional<Place> P = solution.point(name))
+      pairs.insert("(" + figures(P->x, 4, language) + "; " + figures(P->y, 4, language) + ")");
   }
   return pairs;
 }
@@ -120,7 +122,8 @@ double half_a_unit(const std::string& number) {
 bool measures_its_quantity(const std::vector<std::string>& row, const Solution& solution) {
   const auto read = [](std::string text) {
     std::replace(text.begin(), text.end(), ',', '.');
-    return std::strtod(std::regex_replace(text, std::regex("−"), "-").c_str(), nullptr);
+    static const std::regex minus("−");
+    return std::strtod(std::regex_replace(text, minus, "-").c_str(), nullptr);
   };
   for (const RouteValue& value : solution.values()) {
     if (!value.described || row[0].find(value.described->symbol) > 1) continue;  // perhaps after "|"
