@@ -14,10 +14,10 @@ std::vector<PartOfExercise> parts();
 std::vector<Printed> printed_by_the_source();
 std::vector<SheetMaker> sheets();
 
-// Of these quantities of a case those that have a value at another friction angle (degrees), also beyond where a
-// mechanism jams: for a chart.
-std::vector<std::pair<std::string, double>> values_at_friction_angle(const Givens& givens, const Rational& degrees,
-                                                                     const std::string& of_case,
-                                                                     const std::vector<std::string>& names);
+// Of these quantities of a case those that have a value at the friction angles of 1°, 2° ... up to `most`, also
+// beyond where a mechanism jams: for a chart.
+using ValuesByName = std::vector<std::pair<std::string, double>>;
+std::vector<ValuesByName> values_at_friction_angles(const Givens& givens, int most, const std::string& of_case,
+                                                    const std::vector<std::string>& names);
 
 }  // namespace epure::friction_efficiency

@@ -546,17 +546,20 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
     for (const int k : {0, 1}) farthest = std::max(farthest, limit_of(each, k).value_or(0));
   const int most = std::min(90, 10 * (static_cast<int>(farthest / 10) + 1));
   std::map<std::string, std::vector<drawings::Datum>> runs;
-  for (const Plotted& each : all)
-    for (int degrees = 1; degrees <= most; ++degrees)
-      for (const auto& [quantity, value] :
-           values_at_friction_angle(s.givens(), Rational(degrees), each.name,
-                                    {each.name + ".eta" + direct, each.name + ".eta" + retrograde})) {
+  for (const Plotted& each : all) {
+    double degrees = 0;
+    for (const ValuesByName& values : values_at_friction_angles(
+             s.givens(), most, each.name, {each.name + ".eta" + direct, each.name + ".eta" + retrograde})) {
+      degrees += 1;
+      for (const auto& [quantity, value] : values) {
         if (value <= 0 || value > 1) continue;
         auto& run = runs[quantity];
         if (degrees == 1) run.push_back({0, 1});  // without friction nothing is lost
         const bool goes_on = run.empty() || run.back().x == degrees - 1;
-        if (goes_on) run.push_back({static_cast<double>(degrees), value});
+        if (goes_on) run.push_back({degrees, value});
       }
+    }
+  }
   const double phi = geometry::degrees(s.givens().angle("phi"));
   const auto chart = [&](int k) {
     drawings::Chart drawn{.x = {.quantity = "$φ$",

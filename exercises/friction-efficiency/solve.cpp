@@ -12,21 +12,22 @@ std::vector<PartOfExercise> parts() {
   return all;
 }
 
-std::vector<std::pair<std::string, double>> values_at_friction_angle(const Givens& givens, const Rational& degrees,
-                                                                     const std::string& of_case,
-                                                                     const std::vector<std::string>& names) {
+std::vector<ValuesByName> values_at_friction_angles(const Givens& givens, int most, const std::string& of_case,
+                                                    const std::vector<std::string>& names) {
   const Asked asked(names);
   const FirstRouteOnly once(true);
   Problem at(givens);
-  at.phi = Angle{degrees / 360};
   // What was decided of the angle that is given.
   at.tilt.reset();
   at.wedge_at_limit = at.double_slider_at_limit = at.pins_at_limit = false;
   at.levers_at_limit = at.levers_Q_on_2_at_limit = false;
-  std::vector<std::pair<std::string, double>> all;
-  for (const RouteValue& value : settle(Routes{at, of_case}, Rung::fast))
-    if (value.settled.kind == geometry::Settled::Kind::unbounded)
-      all.emplace_back(value.quantity, value.settled.enclosure.value);
+  std::vector<ValuesByName> all(static_cast<std::size_t>(most));
+  for (int degrees = 1; degrees <= most; ++degrees) {
+    at.phi = Angle{Rational(degrees, 360)};
+    for (const RouteValue& value : settle(Routes{at, of_case}, Rung::fast))
+      if (value.settled.kind == geometry::Settled::Kind::unbounded)
+        all[static_cast<std::size_t>(degrees - 1)].emplace_back(value.quantity, value.settled.enclosure.value);
+  }
   return all;
 }
 
