@@ -439,7 +439,7 @@ class Finder {
   static Point centre_of(const Rotation& arc) { return arc.centre; }
   template <class Arc>
   bool is_beside(const Label& label, const Arc& arc) const {
-    constexpr double beside = 1.6;  // mm
+    constexpr double beside = 2.5;  // mm: letters of arcs stand as far out
     if (label.to || is_given(label.at)) return false;
     const Point from_centre = label.at - centre_of(arc), middle = direction((arc.from + arc.to) / 2);
     return std::abs(length(from_centre) - arc.radius) < beside && dot(from_centre, middle) > 0;

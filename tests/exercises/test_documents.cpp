@@ -126,6 +126,10 @@ TEST_CASE("a figure of a height is no higher, and of both no larger") {
   CHECK(height_of(both) <= 70);
   CHECK(width_of(both) <= 80);
   CHECK(svg_of({sheet, "--height", "70mm", "--bare"}) == low);
+  for (int height = 66; height <= 140; height += 3) {
+    CAPTURE(height);
+    CHECK(height_of(svg_of({sheet, "--height", std::to_string(height)})) <= height);
+  }
   refused({"draw", sheet, "--height", "10mm"}, "higher than 10 mm at every standard scale");
   refused({"draw", sheet, "--height", "10mm", "--lang", "it"}, "più alta di 10 mm in ogni scala normalizzata");
   refused({"draw", sheet, "--height", "10mm", "--width", "150mm"}, "larger than 150 x 10 mm at every standard scale");
