@@ -41,6 +41,7 @@ struct PlacedText {
   Weight weight = Weight::regular;
   std::optional<std::size_t> row = {};  // of the table it is a cell of
   int step = 0;
+  double anchor = 0;  // where it stays when it is set in other letters: 0 at its left end, 1 at its right end
 };
 using Primitive = std::variant<Stroke, Fill, PlacedText>;
 

@@ -149,6 +149,7 @@ struct Writing {  // letters at a fixed place, which labels keep clear of: the n
   double size = 2.7;
   Meaning ink = Meaning::text;
   std::optional<std::size_t> row = {};  // of a table, which it is a cell of; its cells follow each other row by row
+  double anchor = 0;                    // where it stays in other letters: 0 at its left end, 1 at its right end
 };
 struct ScaleBar {  // a graduated bar: `length` mm long in `divisions` parts; captions are rich text
   Point at;        // left end
@@ -178,12 +179,20 @@ struct StepNumber {  // the circled number of a construction step, placed like a
   Point at;
 };
 
+// What is known of the step with which a mark or letters come; the rest is found (sheet/steps_of_marks.h).
+struct KnownStep {
+  std::optional<int> number = {};  // 0: it was there before the first; none: not known
+  int earliest = 0;                // it comes no sooner
+  int first = 0, last = 0;         // of the steps whose words may speak of it; 0: those of all may
+};
+
 struct Figure {
   std::vector<Mark> marks;  // drawn in this order, hinges and points last
   std::vector<Label> labels;
   std::vector<StepNumber> steps;
   std::vector<Box> windows = {};  // marks[i] is clipped to windows[window_of[i]]; no entry: to the drawing area
   std::vector<int> window_of = {};
+  std::vector<KnownStep> known_of_marks = {}, known_of_labels = {};  // of marks[i], labels[i]; no entry: nothing
 };
 
 // The column beside the figure.

@@ -212,13 +212,16 @@ class ChartPainter {
     for (const Tick& number : parts.x.numbered) {
       const double x = at(number.value, long_tick);
       const double width = measure(number.text, number_size).width;
-      figure.marks.push_back(Writing{number.text, {x - width / 2, baseline}, number_size});
+      figure.marks.push_back(
+          Writing{.text = number.text, .baseline = {x - width / 2, baseline}, .size = number_size, .anchor = 0.5});
     }
     if (parts.x_title.empty()) return;
     const TextSize size = measure(parts.x_title, axis_title_size);
     const double middle = (f.low.x + f.high.x) / 2;
-    figure.marks.push_back(
-        Writing{parts.x_title, {middle - size.width / 2, baseline - above_title - size.ascent}, axis_title_size});
+    figure.marks.push_back(Writing{.text = parts.x_title,
+                                   .baseline = {middle - size.width / 2, baseline - above_title - size.ascent},
+                                   .size = axis_title_size,
+                                   .anchor = 0.5});
   }
 
   void draw_y_axis(const Arrangement& parts, const ChartMap& map, Figure& figure) const {
@@ -232,8 +235,10 @@ class ChartPainter {
     for (const Tick& number : parts.y.numbered) {
       const double y = at(number.value, long_tick);
       const double width = measure(number.text, number_size).width;
-      figure.marks.push_back(
-          Writing{number.text, {f.low.x - beside_frame - width, y - digit_height() / 2}, number_size});
+      figure.marks.push_back(Writing{.text = number.text,
+                                     .baseline = {f.low.x - beside_frame - width, y - digit_height() / 2},
+                                     .size = number_size,
+                                     .anchor = 1});
     }
     if (parts.y_title.empty()) return;
     const TextSize size = measure(parts.y_title, axis_title_size);

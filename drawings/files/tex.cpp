@@ -191,12 +191,13 @@ std::string in_colour(const Colour& c, const std::string& tex) {
 }
 
 std::string placed(const PlacedText& text, const Box& extent) {
-  const double middle = text.baseline.x + measure(text.text, text.size, text.weight).width / 2;
+  const double fixed = text.baseline.x + text.anchor * measure(text.text, text.size, text.weight).width;
+  const char* const by = text.anchor == 0 ? "bl" : text.anchor == 1 ? "br" : "b";
   const double points = std::max(5.0, std::round(text.size * tex_points_per_mm));
   const std::string tex = text.weight == Weight::bold ? "\\bfseries " + tex_of(text.text) : tex_of(text.text);
   return fmt::format(
-      "\\put({:.3f},{:.3f}){{\\makebox(0,0)[b]{{\\smash{{\\fontsize{{{}}}{{{:.1f}}}\\selectfont {}}}}}}}%\n",
-      middle - extent.low.x, text.baseline.y - extent.low.y, points, 1.2 * points, in_colour(text.colour, tex));
+      "\\put({:.3f},{:.3f}){{\\makebox(0,0)[{}]{{\\smash{{\\fontsize{{{}}}{{{:.1f}}}\\selectfont {}}}}}}}%\n",
+      fixed - extent.low.x, text.baseline.y - extent.low.y, by, points, 1.2 * points, in_colour(text.colour, tex));
 }
 
 }  // namespace
@@ -208,6 +209,12 @@ Page without_letters(Page page) {
 
 bool is_text(const Node& node) {
   return !node.italic && node.group.empty() && node.below.empty() && node.above.empty();
+}
+
+bool is_mathematics_only(char32_t character) {
+  constexpr std::u32string_view in_fonts_of_text = U"·×±°²³¹½";
+  return character > 127 && in_fonts_of_text.find(character) == std::u32string_view::npos &&
+         found_in(in_mathematics_only, character);
 }
 
 std::string tex_of_mathematics(const std::vector<Node>& nodes) { return mathematics_of(nodes); }

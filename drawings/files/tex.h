@@ -23,5 +23,7 @@ std::string tex_of(const std::string& rich_text);
 std::string tex_of_mathematics(const std::vector<Node>& nodes);
 // Letters as they are: nothing that only mathematics can set.
 bool is_text(const Node& node);
+// A sign beyond ASCII that LaTeX's fonts of text have not, whatever reads its UTF-8.
+bool is_mathematics_only(char32_t character);
 
 }  // namespace epure::drawings

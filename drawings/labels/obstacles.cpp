@@ -11,12 +11,7 @@ namespace {
 
 double squared(Point a) { return dot(a, a); }
 
-double squared_from_segment(Point p, Point from, Point to) {
-  const Point d = to - from;
-  const double whole = squared(d);
-  const double t = whole > 0 ? std::clamp(dot(p - from, d) / whole, 0.0, 1.0) : 0;
-  return squared(between(from, to, t) - p);
-}
+double squared_from_segment(Point p, Point from, Point to) { return squared(nearest_on(from, to, p) - p); }
 
 }  // namespace
 

@@ -273,13 +273,18 @@ void draw_mark(Canvas& canvas, const Dimension& dimension) {
 
 void draw_mark(Canvas& canvas, const Writing& writing) {
   if (writing.text.empty()) return;
-  canvas.text({writing.text, writing.baseline, writing.size, ink(writing.ink), Weight::regular, writing.row});
+  canvas.text({writing.text, writing.baseline, writing.size, ink(writing.ink), Weight::regular, writing.row, 0,
+               writing.anchor});
 }
 
 void centred_text(Canvas& canvas, const std::string& text, Point baseline_middle, double size) {
   if (text.empty()) return;
   const double width = measure(text, size).width;
-  canvas.text({text, baseline_middle - Point{width / 2, 0}, size, black, Weight::regular});
+  canvas.text({.text = text,
+               .baseline = baseline_middle - Point{width / 2, 0},
+               .size = size,
+               .colour = black,
+               .anchor = 0.5});
 }
 
 void draw_mark(Canvas& canvas, const ScaleBar& bar) {

@@ -28,6 +28,13 @@ inline Point unit(Point a, Point b) {
   return d > 0 ? (1 / d) * (b - a) : Point{};
 }
 
+// The point of the segment from-to that is nearest to p.
+inline Point nearest_on(Point from, Point to, Point p) {
+  const Point way = to - from;
+  const double square = dot(way, way);
+  return between(from, to, square > 0 ? std::clamp(dot(p - from, way) / square, 0.0, 1.0) : 0);
+}
+
 inline Box grown(Box b, double by) { return {{b.low.x - by, b.low.y - by}, {b.high.x + by, b.high.y + by}}; }
 inline bool contains(Box b, Point p) {
   return p.x >= b.low.x && p.x <= b.high.x && p.y >= b.low.y && p.y <= b.high.y;

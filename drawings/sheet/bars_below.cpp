@@ -45,6 +45,7 @@ std::vector<ScaleBar> taken_out(Figure& figure) {
   std::vector<ScaleBar> bars;
   std::vector<Mark> others;
   std::vector<int> windows;
+  std::vector<KnownStep> known;
   for (std::size_t i = 0; i < figure.marks.size(); ++i) {
     if (const auto* bar = std::get_if<ScaleBar>(&figure.marks[i])) {
       bars.push_back(*bar);
@@ -52,9 +53,11 @@ std::vector<ScaleBar> taken_out(Figure& figure) {
     }
     others.push_back(std::move(figure.marks[i]));
     windows.push_back(i < figure.window_of.size() ? figure.window_of[i] : -1);
+    known.push_back(i < figure.known_of_marks.size() ? figure.known_of_marks[i] : KnownStep{});
   }
   figure.marks = std::move(others);
   figure.window_of = std::move(windows);
+  figure.known_of_marks = std::move(known);
   return bars;
 }
 

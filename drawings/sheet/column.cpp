@@ -38,7 +38,15 @@ void set_block(Galley& galley, const Steps& steps, Language) {
 
 Galley set_all(const std::vector<Block>& blocks, Box room, Language language, Setting setting) {
   Galley galley(room, setting);
-  for (const Block& block : blocks) std::visit([&](const auto& b) { set_block(galley, b, language); }, block);
+  int told = 0;  // the last step so far: what is concluded after it comes with it
+  for (const Block& block : blocks) {
+    const std::size_t before = galley.count();
+    std::visit([&](const auto& b) { set_block(galley, b, language); }, block);
+    if (const auto* steps = std::get_if<Steps>(&block))
+      told = steps->first + static_cast<int>(steps->lines.size()) - 1;
+    else
+      galley.since(before, told);
+  }
   return galley;
 }
 

@@ -101,6 +101,15 @@ void require_numbers(const Canvas& canvas, const Placeable& item) {
   }
 }
 
+// Of what letters belong to, or of the leader to it, the point that is nearest to them.
+Point named_at(const LabelBox& label, const Place& place) {
+  if (place.leader) return place.leader->first;
+  return label.to ? nearest_on(label.at, *label.to, middle(place.box)) : label.at;
+}
+
+// There the letters stay where they are.
+double anchor(const Box& letters, Point at) { return at.x <= letters.low.x ? 0 : at.x >= letters.high.x ? 1 : 0.5; }
+
 void draw_placed(std::vector<Primitive>& ink, const Placeable& item, const Place& place) {
   const std::size_t before = ink.size();
   if (place.leader)
@@ -109,8 +118,11 @@ void draw_placed(std::vector<Primitive>& ink, const Placeable& item, const Place
     const auto circled = circled_number(middle(place.box), item.number, step_diameter, item.colour);
     ink.insert(ink.end(), circled.begin(), circled.end());
   } else {
-    ink.push_back(PlacedText{
-        item.text, {place.box.low.x, place.box.low.y + item.descent}, item.size, item.colour, Weight::regular});
+    ink.push_back(PlacedText{.text = item.text,
+                             .baseline = {place.box.low.x, place.box.low.y + item.descent},
+                             .size = item.size,
+                             .colour = item.colour,
+                             .anchor = anchor(place.box, named_at(item.box, place))});
   }
   belongs_to(item.step, ink, before);
 }

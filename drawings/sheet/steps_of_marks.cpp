@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,12 +24,7 @@ constexpr double runs_on = 9;  // mm
 
 bool is_same(Point a, Point b) { return distance(a, b) < same_place; }
 
-double distance_to(Point p, Point from, Point to) {
-  const Point way = to - from;
-  const double square = dot(way, way);
-  const double t = square > 0 ? std::clamp(dot(p - from, way) / square, 0.0, 1.0) : 0;
-  return distance(p, between(from, to, t));
-}
+double distance_to(Point p, Point from, Point to) { return distance(p, nearest_on(from, to, p)); }
 
 // The symbols of rich text's mathematics, without arrows and styles: "$\vec{v}_{BA}$ ⊥ $P_{0}A'$" has v_{BA}, P_{0},
 // A'.
@@ -113,13 +109,18 @@ class Finder {
     found_.marks.assign(figure_.marks.size(), 0);
     found_.labels.assign(figure_.labels.size(), 0);
     if (words_.empty()) return found_;
+    for (std::size_t i = 0; i < figure_.marks.size(); ++i) {
+      const KnownStep known = known_of_mark(i);
+      found_.marks[i] = known.number.value_or(known.earliest);
+    }
     for_each<Arrow>([this](const Arrow& arrow) { return of(arrow); });
     for_each<Line>([this](const Line& line) { return of(line); });
     for_each<RightAngle>([this](const RightAngle& a) { return between_lines(a.at, a.first, a.second); });
     for_each<AngleMark>(
         [this](const AngleMark& a) { return std::max(beside(a), between_lines(a.at, a.from, a.to)); });
     for_each<Rotation>([this](const Rotation& r) { return of_point(r.centre).value_or(beside(r)); });
-    for (std::size_t i = 0; i < figure_.labels.size(); ++i) found_.labels[i] = of(figure_.labels[i]);
+    for (std::size_t i = 0; i < figure_.labels.size(); ++i)
+      found_.labels[i] = as_known(known_in(figure_.known_of_labels, i), [&] { return of(figure_.labels[i]); });
     for_each<Area>([this](const Area& area) { return area.meaning == Meaning::plate ? 0 : of_curve(area.path); });
     for_each<Dot>([this](const Dot& dot) { return of_point(dot.at).value_or(earliest_through(dot.at)); });
     for_each<Cross>([this](const Cross& cross) { return of_point(cross.at).value_or(earliest_through(cross.at)); });
@@ -142,7 +143,21 @@ class Finder {
   template <class Kind, class Find>
   void for_each(Find find) {
     for (std::size_t i = 0; i < figure_.marks.size(); ++i)
-      if (const auto* mark = std::get_if<Kind>(&figure_.marks[i])) found_.marks[i] = find(*mark);
+      if (const auto* mark = std::get_if<Kind>(&figure_.marks[i]))
+        found_.marks[i] = as_known(known_of_mark(i), [&] { return find(*mark); });
+  }
+
+  static KnownStep known_in(const std::vector<KnownStep>& all, std::size_t i) {
+    return i < all.size() ? all[i] : KnownStep{};
+  }
+  KnownStep known_of_mark(std::size_t i) const { return known_in(figure_.known_of_marks, i); }
+
+  // What is known goes before what is found.
+  template <class Find>
+  int as_known(const KnownStep& known, Find find) {
+    if (known.number) return *known.number;
+    heard_ = known;
+    return std::max(find(), known.earliest);
   }
 
   // Points of the mechanism.
@@ -182,6 +197,7 @@ class Finder {
     if (text.find('$') != text.npos && std::count(text.begin(), text.end(), '$') % 2 != 0) text += '$';
     const std::vector<std::string> wanted = are_letters(text) ? symbols(text) : std::vector<std::string>{};
     for (const Told& step : words_) {
+      if (heard_.last > 0 && (step.number < heard_.first || step.number > heard_.last)) continue;
       const bool has = wanted.empty() ? !text.empty() && step.words.find(text) != text.npos
                                       : std::search(step.symbols.begin(), step.symbols.end(), wanted.begin(),
                                                     wanted.end()) != step.symbols.end();
@@ -220,6 +236,7 @@ class Finder {
   std::optional<int> of_point(Point p) const {
     if (is_given(p)) return 0;
     int first = numbered([&](Point at) { return distance(at, p); }, true);
+    const bool is_numbered = first > 0;
     const auto maybe = [&](int step) {
       if (step > 0 && (first == 0 || step < first)) first = step;
     };
@@ -229,8 +246,29 @@ class Finder {
     for (std::size_t i = 0; i < figure_.marks.size(); ++i)
       if (const auto* arrow = std::get_if<Arrow>(&figure_.marks[i]); arrow && is_same(arrow->to, p))
         maybe(found_.marks[i]);
+    if (!is_numbered) first = std::max(first, of_crossing(p));
     if (first == 0) return {};
     return first;
+  }
+
+  // A point that is found where two lines cross is not there before the second of them, though the words of the first
+  // speak of it: "P₃₁ lies on A₀A". 0: none is known to cross there.
+  int of_crossing(Point p) const {
+    const auto is_at_p = [&](const Mark& mark) {
+      const auto* cross = std::get_if<Cross>(&mark);
+      return cross && is_same(cross->at, p);
+    };
+    if (std::none_of(figure_.marks.begin(), figure_.marks.end(), is_at_p)) return 0;
+    std::set<int> lines;
+    for (const Mark& mark : figure_.marks) {
+      const auto* line = std::get_if<Line>(&mark);
+      if (!line) continue;
+      const std::vector<Point> chords = flatten(line->path);
+      const auto distance_of = [&](Point at) { return distance_to_chords(at, chords); };
+      if (distance_of(p) < same_place)
+        if (const int step = numbered(distance_of, false)) lines.insert(step);
+    }
+    return lines.size() < 2 ? 0 : *std::next(lines.begin());
   }
 
   // A vector lies on its line before its length is known; so it comes with the line that ends it.
@@ -401,7 +439,7 @@ class Finder {
   static Point centre_of(const Rotation& arc) { return arc.centre; }
   template <class Arc>
   bool is_beside(const Label& label, const Arc& arc) const {
-    constexpr double beside = 1.6;  // mm
+    constexpr double beside = 2.5;  // mm: letters of arcs stand as far out
     if (label.to || is_given(label.at)) return false;
     const Point from_centre = label.at - centre_of(arc), middle = direction((arc.from + arc.to) / 2);
     return std::abs(length(from_centre) - arc.radius) < beside && dot(from_centre, middle) > 0;
@@ -420,6 +458,7 @@ class Finder {
   std::vector<Told> words_;
   std::vector<Point> given_;
   std::vector<Point> blocks_;  // of sliders: their middles
+  KnownStep heard_ = {};       // of what is being looked for: whose words count
   StepsOfMarks found_;
 };
 

@@ -1,7 +1,7 @@
 // Which step of a construction drew which marks and letters of a figure. A sheet does not say: a step has its words
 // and the place of its number. It drew the marks that its number stands on; of the others, those whose letters its
 // words are the first to speak of; a line, when both its ends were there; a symbol, when the lines were that it
-// stands between.
+// stands between. What the figure itself knows of a mark's step goes before all this.
 #pragma once
 
 #include <vector>

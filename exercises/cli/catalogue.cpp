@@ -58,6 +58,11 @@ void demand_an_owner(const std::vector<const Exercise*>& exercises, const std::s
 
 }  // namespace
 
+const Words& title_of_sheet(const Exercise& exercise, const std::string& sheet) {
+  const std::vector<SheetSpec>& all = exercise.about().sheets;
+  return std::find_if(all.begin(), all.end(), [&](const SheetSpec& each) { return each.name == sheet; })->title;
+}
+
 std::vector<NameAndLetters> given_names(const Exercise& exercise) {
   std::vector<NameAndLetters> all;
   for (const GivenSpec& given : exercise.about().givens) {

@@ -16,6 +16,9 @@ struct WrongUsage : Told {
 
 const Exercise& find_exercise(const Catalogue& exercises, const std::string& id);
 
+// Of one of its sheets.
+const Words& title_of_sheet(const Exercise& exercise, const std::string& sheet);
+
 // A name as a program types it beside the letters of the sheet: "omega_3" and "ω₃".
 struct NameAndLetters {
   std::string name, letters;

@@ -7,7 +7,6 @@
 
 #include "exercises/cli/catalogue.h"
 #include "exercises/cli/request.h"
-#include "exercises/kit/panels/fit.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
 #include "geometry/numbers/given.h"
@@ -19,23 +18,23 @@ using drawings::Background;
 using drawings::Colour;
 using drawings::Inks;
 
-// In millimetres.
-double width_asked(const std::string& typed, const Options& options) {
-  constexpr int widest = 1000;
-  Rational width = 0;
+// In millimetres. `option`: which of the two.
+double size_asked(const char* option, const std::string& typed, const Options& options) {
+  constexpr int largest = 1000;
+  Rational size = 0;
   try {
-    width = geometry::parse_given(typed, "mm");
+    size = geometry::parse_given(typed, "mm");
   } catch (const geometry::BadGiven& unreadable) {
-    throw WrongUsage("--width: " + unreadable.words());
+    throw WrongUsage(format_words("{}: {}", "{}: {}", option, unreadable.words()));
   }
-  const bool is_positive = width > 0, is_on_paper = width <= widest;
+  const bool is_positive = size > 0, is_on_paper = size <= largest;
   if (!is_positive || !is_on_paper)
-    throw WrongUsage(format_words("--width {}: must be positive and at most {} mm",
-                                  "--width {}: dev'essere positiva e al massimo {} mm", typed, widest));
+    throw WrongUsage(format_words("{} {}: must be positive and at most {} mm",
+                                  "{} {}: dev'essere positiva e al massimo {} mm", option, typed, largest));
   if (options.scale)
-    throw WrongUsage("--width chooses the scale, and --scale names it; choose one of them",
-                     "--width sceglie la scala, e --scale la nomina; scegliere una delle due");
-  return CGAL::to_double(width);
+    throw WrongUsage(format_words("{} chooses the scale, and --scale names it; choose one of them",
+                                  "{} sceglie la scala, e --scale la nomina; scegliere una delle due", option));
+  return CGAL::to_double(size);
 }
 
 double dots_asked(const std::string& typed, const Options& options) {
@@ -110,48 +109,18 @@ std::optional<Background> background_of(const Options& options) {
   return background;
 }
 
-double widest(const std::vector<drawings::Page>& pages) {
-  double width = 0;
-  for (const drawings::Page& page : pages) width = std::max(width, page.extent.width());
-  return width;
-}
-
 }  // namespace
 
 bool is_bare(const Options& options) {
-  return options.bare || options.document.width || is_asked_for(Format::tex, options);
+  return options.bare || options.document.width || options.document.height || is_asked_for(Format::tex, options);
 }
 
 Looks looks_asked(const Options& options) {
   Looks looks{.background = background_of(options)};
-  if (const auto& width = options.document.width) looks.width_mm = width_asked(*width, options);
+  if (const auto& width = options.document.width) looks.size.width = size_asked("--width", *width, options);
+  if (const auto& height = options.document.height) looks.size.height = size_asked("--height", *height, options);
   if (const auto& dots = options.document.dpi) looks.dots_per_inch = dots_asked(*dots, options);
   return looks;
-}
-
-// A figure takes less than its room where letters did not need the air it has for them, or more where they found none
-// inside. So the room begins wider than asked, and shrinks until the figure is no wider: by half of what it is too
-// wide, so that it does not pass over a scale that would do.
-std::vector<drawings::Page> pages_within(double width_mm,
-                                         const std::function<std::vector<drawings::Page>(double)>& draw) {
-  constexpr double air_for_letters = 20, least_step = 1;  // mm
-  double room = width_mm + air_for_letters;
-  while (room > 0) {
-    std::vector<drawings::Page> pages;
-    try {
-      pages = draw(room);
-    } catch (const DoesNotFit&) {
-      break;
-    }
-    const double excess = widest(pages) - width_mm;
-    if (excess <= 0) return pages;
-    room -= std::max(excess / 2, least_step);
-  }
-  throw DoesNotFit(
-      format_words("the figure is wider than {} mm at every standard scale, as letters and symbols do not shrink",
-                   "la figura è più larga di {} mm in ogni scala normalizzata, perché lettere e simboli non "
-                   "rimpiccioliscono",
-                   decimal(fmt::format("{:.4g}", width_mm))));
 }
 
 void demand_paintable(const drawings::Page& page, double dots_per_inch) {

@@ -75,6 +75,7 @@ struct DrawnSheetOf {
   std::vector<drawings::Page> pages = {};   // several of a long table; none where only staged ones are wanted
   std::vector<drawings::Page> staged = {};  // the same in steps, where they are wanted
   std::optional<Words> undecided = {};      // why there are none
+  std::optional<Words> note = {};           // of the size that was asked for
 
   const Exercise& exercise() const { return *solving->exercise(); }
   std::string path() const { return exercise().about().id + "/" + name; }
@@ -126,6 +127,13 @@ class Drawing {
 
   // Of each sheet left out, why.
   const std::vector<Words>& remarks() const { return remarks_; }
+  // Of what is drawn, what a reader will find hard.
+  std::vector<Words> notes() const {
+    std::vector<Words> all;
+    for (const DrawnSheetOf& each : sheets_)
+      if (each.note) all.push_back(in_place(each.solving->row(), in_sheet(each, *each.note)));
+    return all;
+  }
 
   // Named by `names`: a PDF for each target, or sheet where the names tell it; of a sheet's further pages -2.svg;
   // SHEET.csv. Of a sheet to be solved -blank. png, eps and tex as svg. A file asked for twice is made once.
@@ -310,6 +318,11 @@ class Drawing {
     return &sheets_.emplace_back(DrawnSheetOf{&solving, name});
   }
 
+  // Where there are others.
+  Words in_sheet(const DrawnSheetOf& sheet, const Words& words) const {
+    return sheets_.size() == 1 ? words : sheet.path() + ": " + words;
+  }
+
   // What cannot be drawn is told with the row of its givens, and with its name where there are others.
   void compose_or_tell(DrawnSheetOf& each, const SheetRequest& request) const {
     const Candidate& row = each.solving->row();
@@ -322,7 +335,7 @@ class Drawing {
     } catch (const geometry::Undecided& open) {
       each.undecided = open.words();
     } catch (const DoesNotFit& why) {
-      throw DoesNotFit(in_place(row, sheets_.size() == 1 ? why.words() : each.path() + ": " + why.words()));
+      throw DoesNotFit(in_place(row, in_sheet(each, why.words())));
     } catch (const drawings::TooFar& why) {
       throw drawings::TooFar(in_place(row, each.path() + ": " + why.words()));
     } catch (const BadGivens& why) {
@@ -333,22 +346,26 @@ class Drawing {
   }
 
   std::vector<drawings::Page> compose(
-      const DrawnSheetOf& wanted, const SheetRequest& request,
+      DrawnSheetOf& wanted, const SheetRequest& request,
       const std::function<std::vector<drawings::Page>(DrawnSheet)>& pages_of_drawn) const {
-    const auto construct = [&](const SheetRequest& one) {
-      const drawings::Timed timed(drawings::Work::construction);
-      return wanted.exercise().draw(wanted.name, wanted.solving->solution(), one);
-    };
-    std::vector<drawings::Page> pages = looks_.width_mm ? pages_within(*looks_.width_mm,
-                                                                       [&](double room) {
-                                                                         SheetRequest within = request;
-                                                                         within.room_width = room;
-                                                                         return pages_of_drawn(construct(within));
-                                                                       })
-                                                        : pages_of_drawn(construct(request));
+    std::vector<drawings::Page> pages = pages_of_drawn(drawn_in_size(wanted, request));
     if (looks_.background)
       for (drawings::Page& page : pages) page = on_background(std::move(page), *looks_.background);
     return pages;
+  }
+
+  DrawnSheet drawn_in_size(DrawnSheetOf& wanted, const SheetRequest& request) const {
+    const DrawnIn draw_in = [&](const FigureSize& room) {
+      const drawings::Timed timed(drawings::Work::construction);
+      SheetRequest within = request;
+      within.room_width = room.width;
+      within.room_height = room.height;
+      return wanted.exercise().draw(wanted.name, wanted.solving->solution(), within);
+    };
+    if (!looks_.size.is_asked()) return draw_in({});
+    DrawnSheet drawn = drawn_within(looks_.size, draw_in);
+    wanted.note = hard_to_read(drawn, looks_.size, draw_in);
+    return drawn;
   }
 
   std::string pdf(const std::vector<DrawnTarget>& targets) const {
@@ -397,10 +414,7 @@ class Drawing {
   }
   std::string title(const Exercise& exercise) const { return drawings::plain(in_language(exercise.about().title)); }
   std::string title(const DrawnSheetOf& sheet) const {
-    const std::vector<SheetSpec>& all = sheet.exercise().about().sheets;
-    const auto spec =
-        std::find_if(all.begin(), all.end(), [&](const SheetSpec& each) { return each.name == sheet.name; });
-    return drawings::plain(in_language(spec->title));
+    return drawings::plain(in_language(title_of_sheet(sheet.exercise(), sheet.name)));
   }
   const std::string& in_language(const Words& words) const { return words.in(language(options_)); }
 
@@ -425,7 +439,7 @@ std::string in_words(const drawings::WorkTimes& times) {
 Outcome draw_one_file(const std::vector<Target>& targets, const Options& options, const RowsToDraw& rows) {
   Drawing drawing(targets, options, rows);
   const std::vector<File> files = drawing.files_of_one();
-  Outcome outcome{.text = "", .remarks = drawing.remarks()};
+  Outcome outcome{.text = "", .remarks = drawing.remarks(), .notes = drawing.notes()};
   if (is_standard_output(options)) {
     outcome.text = files.front().bytes;
   } else {
@@ -445,6 +459,8 @@ Outcome draw_in_folder(const std::vector<Target>& targets, const Options& option
     Drawing drawing(targets, options, row);
     of_rows.push_back(drawing.files_in_folder(names));
     outcome.remarks.insert(outcome.remarks.end(), drawing.remarks().begin(), drawing.remarks().end());
+    const std::vector<Words> notes = drawing.notes();
+    outcome.notes.insert(outcome.notes.end(), notes.begin(), notes.end());
   }
   for (const std::vector<File>& files : of_rows) {
     drawings::write_whole(files);

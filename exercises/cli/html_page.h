@@ -29,6 +29,7 @@ h1 { font-size: 1.05rem; margin: .5rem 1rem; }
 .moves { display: flex; gap: .7rem; align-items: center; max-width: 60rem; margin: auto; }
 .moves input { flex: auto; min-width: 4rem; }
 .moves button { font: inherit; padding: .1rem .7rem; }
+@media (pointer: coarse) { .moves { gap: .5rem; } .moves button, .moves input { min-height: 48px; } }
 [hidden] { display: none; }
 )";
 

@@ -85,12 +85,6 @@ std::vector<Words> not_asked(const Variant& variant, const std::vector<std::stri
   return sentences_of_not_asked(without_value, off_sheet);
 }
 
-const Words& title_of(const Description& about, const std::string& sheet) {
-  return std::find_if(about.sheets.begin(), about.sheets.end(),
-                      [&](const SheetSpec& each) { return each.name == sheet; })
-      ->title;
-}
-
 // The mechanism, of several in an exercise, that a given belongs to, which its meaning ends in; empty: there is one.
 std::string mechanism_of(const GivenSpec& given, Language language) {
   if (given.symbol.find('.') == std::string::npos) return {};
@@ -136,7 +130,7 @@ std::string moodle_question(const Exercise& exercise, const Variant& variant, co
     const std::string name = exercise.about().id + "-" + lots.sheets[i] + "-blank.svg";
     text += fmt::format(
         "<p><img src=\"@@PLUGINFILE@@/{}\" alt=\"{}\" /></p>\n", name,
-        drawings::escaped_for_attribute(drawings::plain(title_of(exercise.about(), lots.sheets[i]).in(language))));
+        drawings::escaped_for_attribute(drawings::plain(title_of_sheet(exercise, lots.sheets[i]).in(language))));
     files += fmt::format("<file name=\"{}\" path=\"/\" encoding=\"base64\">{}</file>\n", name,
                          base64(drawings::svg(exercise.draw(lots.sheets[i], variant.solution, request).sheet)));
     for (const std::string& quantity : variant.solved[i].asked)

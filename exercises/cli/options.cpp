@@ -166,6 +166,8 @@ class Parser {
     add(verb, "--width", of.width, {"LENGTH", "LUNGHEZZA"},
         {"--bare, no wider than this: the largest standard scale at which it is not, such as 120mm",
          "--bare, non più larga di così: la maggiore scala normalizzata con cui non lo è, come 120mm"});
+    add(verb, "--height", of.height, {"LENGTH", "LUNGHEZZA"},
+        {"the same of its height; both may stand together", "lo stesso per l'altezza; possono stare insieme"});
     add(verb, "--dpi", of.dpi, {"NUMBER", "NUMERO"},
         {"png: dots per inch, 20 to 1200 (default: 150)", "png: punti per pollice, da 20 a 1200 (predefinito: 150)"});
     add(verb, "--background", of.background, {"COLOUR", "COLORE"},

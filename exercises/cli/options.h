@@ -19,7 +19,7 @@ struct ClassOptions {
 
 // What a drawing is to be like where it is put into a document.
 struct DocumentOptions {
-  std::optional<std::string> width, dpi, background, ink;
+  std::optional<std::string> width, height, dpi, background, ink;
 };
 
 // Texts as typed; what they mean is found where they are used, because their parsing must not depend on a locale.

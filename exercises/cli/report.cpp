@@ -8,6 +8,7 @@
 #include "exercises/cli/cases.h"
 #include "exercises/cli/check_words.h"
 #include "exercises/cli/documents.h"
+#include "exercises/cli/figure_size.h"
 #include "exercises/cli/givens_file.h"
 #include "exercises/cli/pages.h"
 #include "exercises/cli/report_document.h"
@@ -27,6 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 using drawings::Paragraph;
 using drawings::Table;
+
+constexpr const char* no_break = "\u00a0";  // a blank at which no line ends
 
 enum class ReportFormat { markdown, latex, html };
 
@@ -160,19 +163,19 @@ class ReportMaker {
   ReportSheet sheet_of(const std::string& name, const Solution& solution) const {
     ReportSheet sheet;
     SheetRequest request{.language = language_, .bare = true};
-    const auto draw = [&](std::optional<double> room) {
-      request.room_width = room;
-      DrawnSheet drawn = exercise_.draw(name, solution, request);
-      sheet.column = std::move(drawn.sheet.column);
-      drawn.sheet.column.clear();
-      return pages_of(drawn);
+    const DrawnIn draw_in = [&](const FigureSize& room) {
+      request.room_width = room.width;
+      return exercise_.draw(name, solution, request);
     };
     try {
+      DrawnSheet drawn;
       try {
-        sheet.pages = pages_within(widest_report_figure, draw);
+        drawn = drawn_within({.width = widest_report_figure}, draw_in);
       } catch (const DoesNotFit&) {
-        sheet.pages = draw(std::nullopt);
+        drawn = draw_in({});
       }
+      sheet.pages = pages_of(drawn);
+      sheet.column = std::move(drawn.sheet.column);
     } catch (const BadGivens& why) {
       sheet.why_not = why.words();
     } catch (const drawings::TooFar& why) {
@@ -246,7 +249,9 @@ class ReportMaker {
   // All digits of both; of one and the same number, once.
   std::string bounds(const geometry::Enclosure& enclosure) const {
     const std::string lower = typographic(say(all_digits(enclosure.lower)));
-    return enclosure.lower == enclosure.upper ? lower : lower + " … " + typographic(say(all_digits(enclosure.upper)));
+    return enclosure.lower == enclosure.upper
+               ? lower
+               : lower + no_break + "… " + typographic(say(all_digits(enclosure.upper)));
   }
 
   // With the case before it, where there is one: "dead_centre: ω₃".
@@ -270,8 +275,9 @@ class ReportMaker {
     for (const OnSheet& on : quantity.on_sheets) {
       const std::string shown = say(on_sheet_in_words(on));
       const auto blank = shown.find(" ± ");
-      text += (text.empty() ? "" : "; ") + words_as_numbers(shown.substr(0, blank)) + " ± " +
-              words_as_numbers(shown.substr(blank + std::string(" ± ").size())) + " (" + on.sheet + ")";
+      text += (text.empty() ? "" : "; ") + words_as_numbers(shown.substr(0, blank)) + " ±" + no_break +
+              words_as_numbers(shown.substr(blank + std::string(" ± ").size())) + " (" +
+              say(title_of_sheet(exercise_, on.sheet)) + ")";
     }
     return text;
   }

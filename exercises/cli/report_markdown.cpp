@@ -1,11 +1,14 @@
 // Markdown as pandoc, GitHub and notebooks read it: pipe tables, and mathematics between dollar signs, which is set
-// with its indices in each of them (HTML's own <sub> is lost on the way to Word).
+// with its indices in each of them (HTML's own <sub> is lost on the way to Word), and which pandoc hands to LaTeX: so
+// what LaTeX knows only there stands there.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "drawings/files/tex.h"
 #include "drawings/text/text.h"
+#include "drawings/text/unicode.h"
 #include "exercises/cli/report_document.h"
 #include "exercises/cli/utf8.h"
 
@@ -19,40 +22,100 @@ std::string plain_markdown(const std::string& text) {
   std::string set;
   for (const char c : text) {
     if (signs.find(c) != std::string::npos) set += '\\';
-    set += c == '\n' ? ' ' : c;
+    set += c;
   }
   return set;
 }
 
-// What stands between two dollar signs is one formula, or letters alone.
-std::string formula(const std::string& between) {
-  const std::vector<Node> nodes = drawings::parse("$" + between + "$");
-  std::string letters;
-  for (const Node& node : nodes) letters += node.letters;
-  if (std::all_of(nodes.begin(), nodes.end(), drawings::is_text)) return plain_markdown(letters);
-  std::string tex = drawings::tex_of_mathematics(nodes);
-  for (auto bar = tex.find('|'); bar != std::string::npos; bar = tex.find('|'))
-    tex.replace(bar, 1, "\\vert ");  // else it would part the cells of a table
-  tex.erase(tex.find_last_not_of(' ') + 1);
-  return "$" + tex + "$";
+std::string in_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
 }
 
+bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
+bool is_letter_or_digit(char32_t c) { return is_digit(c) || (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z'); }
+
+// Texts and formulas one after another. A dollar sign before a digit, or beside another one, would not end a formula;
+// and GitHub knows none that begins within a word.
+class MarkdownLine {
+ public:
+  // Letters as they are. What LaTeX sets in mathematics alone is a formula, with the whole word that it stands in.
+  void add_text(const std::string& text) {
+    const std::u32string all = drawings::characters(in_one_line(text));
+    for (std::size_t from = 0, to = 0; from < all.size(); from = to) {
+      const bool is_word = is_of_word(all, from);
+      while (to < all.size() && is_of_word(all, to) == is_word) ++to;
+      std::string part;
+      for (std::size_t i = from; i < to; ++i) part += drawings::utf8(all[i]);
+      const auto begin = all.begin() + static_cast<std::ptrdiff_t>(from),
+                 end = all.begin() + static_cast<std::ptrdiff_t>(to);
+      if (std::any_of(begin, end, drawings::is_mathematics_only) || (ends_in_formula_ && is_digit(all[from])))
+        add_mathematics(drawings::tex_of_mathematics({Node{.letters = part}}));
+      else
+        add_plain(plain_markdown(part));
+    }
+  }
+
+  // What stands between two dollar signs is one formula, or letters alone.
+  void add_formula(const std::string& between) {
+    const std::vector<Node> nodes = drawings::parse("$" + between + "$");
+    if (!std::all_of(nodes.begin(), nodes.end(), drawings::is_text))
+      return add_mathematics(drawings::tex_of_mathematics(nodes));
+    std::string letters;
+    for (const Node& node : nodes) letters += node.letters;
+    add_text(letters);
+  }
+
+  std::string markdown() && { return std::move(set_); }
+
+ private:
+  // Letters, digits, a point or comma between digits, and what is mathematics.
+  static bool is_of_word(const std::u32string& all, std::size_t i) {
+    const bool parts_digits = (all[i] == U'.' || all[i] == U',') && i > 0 && i + 1 < all.size() &&
+                              is_digit(all[i - 1]) && is_digit(all[i + 1]);
+    return parts_digits || is_letter_or_digit(all[i]) || drawings::is_mathematics_only(all[i]);
+  }
+  void add_plain(const std::string& markdown) {
+    set_ += markdown;
+    ends_in_formula_ = ends_in_formula_ && markdown.empty();
+  }
+  void add_mathematics(std::string tex) {
+    for (auto bar = tex.find('|'); bar != std::string::npos; bar = tex.find('|'))
+      tex.replace(bar, 1, "\\vert ");  // else it would part the cells of a table
+    tex.erase(tex.find_last_not_of(' ') + 1);
+    if (ends_in_formula_)
+      set_.back() = ' ';  // they are one
+    else
+      set_ += '$';
+    set_ += tex + "$";
+    ends_in_formula_ = true;
+  }
+
+  std::string set_;
+  bool ends_in_formula_ = false;
+};
+
 std::string inline_markdown(const std::string& rich_text) {
-  std::string set, part;
+  MarkdownLine line;
+  std::string part;
   bool is_formula = false;
   for (std::size_t i = 0; i < rich_text.size(); ++i) {
     if (rich_text[i] == '\\' && i + 1 < rich_text.size() && (is_formula || rich_text[i + 1] == '$')) {
       if (is_formula) part += '\\';
       part += rich_text[++i];
     } else if (rich_text[i] == '$') {
-      set += is_formula ? formula(part) : plain_markdown(part);
+      if (is_formula)
+        line.add_formula(part);
+      else
+        line.add_text(part);
       part.clear();
       is_formula = !is_formula;
     } else {
       part += rich_text[i];
     }
   }
-  return set + plain_markdown(part);
+  line.add_text(part);
+  return std::move(line).markdown();
 }
 
 // At its beginning "+", "-" or "3." would begin a list.
@@ -65,14 +128,26 @@ std::string paragraph(const std::string& rich_text) {
   return text;
 }
 
-// The dashes below a column's head: pandoc makes columns of long tables as wide as these are to each other.
+// Of the words of a text, which part at blanks but for those at which no line ends.
+std::size_t longest_word(const std::string& text) {
+  std::size_t longest = 0;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ' ');) longest = std::max(longest, count_characters(word));
+  return longest;
+}
+
+// The dashes below a column's head: pandoc makes columns of long tables as wide as these are to each other. What
+// cannot part, a number of 17 digits, counts twice: in Word's letters of 12 points it would else part somewhere, for
+// want of room.
 std::vector<std::size_t> widths_of(const drawings::Table& table) {
-  constexpr std::size_t least = 3, most = 24;
+  constexpr std::size_t least = 3, most = 20;
   std::vector<std::size_t> widths;
   const auto add = [&](const std::vector<std::string>& row) {
     widths.resize(std::max(widths.size(), row.size()), least);
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], std::min(most, count_characters(drawings::plain(row[i]))));
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string text = drawings::plain(row[i]);
+      widths[i] = std::max({widths[i], std::min(most, count_characters(text)), 2 * longest_word(text)});
+    }
   };
   add(table.head);
   for (const auto& row : table.rows) add(row);

@@ -91,6 +91,7 @@ int run_cli(const Catalogue& exercises, const std::vector<std::string>& argument
   try {
     const Outcome outcome = run(exercises, arguments, out, err, surroundings);
     print(out, outcome.text);
+    for (const Words& note : outcome.notes) complain(outcome.exit, note);
     for (const Words& remark : outcome.remarks) complain(outcome.exit, remark);
     return static_cast<int>(outcome.exit);
   } catch (const drawings::CannotWrite& error) {

@@ -13,8 +13,10 @@ inline constexpr const char* style_of_sheet =
 .later { visibility: hidden; }
 .now { filter: drop-shadow(0 0 300px var(--now)) drop-shadow(0 0 120px var(--now)); }
 g.now { filter: drop-shadow(0 0 300px var(--now)); }
+@media (pointer: coarse) { .states summary { padding: .8rem 0; } }
 .area { stroke: transparent; stroke-width: 1800; stroke-dasharray: none; fill: none; pointer-events: stroke;
   filter: none; cursor: help; }
+@media (pointer: coarse) { .area { stroke-width: 4500; } }
 .sheet [aria-label]:focus { outline: none; }
 .sheet [aria-label]:focus-visible { filter: drop-shadow(0 0 200px #0af) drop-shadow(0 0 120px #0af); }
 .words { max-width: 60rem; min-height: 2.8em; margin: .3rem auto 0; }
@@ -82,8 +84,10 @@ inline constexpr const char* script_of_sheet = R"(
     mark.after(area);
     const seen = () => !mark.classList.contains('later');
     for (const each of [mark, area]) {
-      each.addEventListener('pointermove', event => seen() ? tell(mark, event.clientX, event.clientY) : silence());
-      each.addEventListener('pointerleave', silence);
+      const told = event => seen() ? tell(mark, event.clientX, event.clientY) : silence();
+      each.addEventListener('pointermove', told);
+      each.addEventListener('click', told);
+      each.addEventListener('pointerleave', event => { if (event.pointerType !== 'touch') silence(); });
     }
     mark.addEventListener('focus', () => {
       const box = mark.getBoundingClientRect();
@@ -92,6 +96,7 @@ inline constexpr const char* script_of_sheet = R"(
     mark.addEventListener('blur', silence);
   });
   document.addEventListener('keydown', event => { if (event.key === 'Escape') silence(); });
+  document.addEventListener('pointerdown', silence);  // what a finger has asked for stays until it asks for more
 )";
 
 }  // namespace epure

@@ -22,6 +22,7 @@ inline constexpr const char* style_of_sweep =
 .none, .fault { max-width: 34rem; }
 .bounds { font-size: .8rem; margin-left: 1rem; white-space: nowrap; }
 .all .bounds { display: block; margin: 0; }
+@media (max-width: 40rem) { .values .bounds { display: block; margin: 0; white-space: normal; } }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; vertical-align: top; padding: .2rem .9rem .2rem 0; border-bottom: 1px solid var(--edge); }
 th { font-weight: normal; }

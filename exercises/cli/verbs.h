@@ -18,7 +18,8 @@ std::string list(const Catalogue& exercises, const Options& options);
 struct Outcome {
   std::string text;
   Exit exit = Exit::success;
-  std::vector<Words> remarks = {};
+  std::vector<Words> remarks = {};  // why it is no success
+  std::vector<Words> notes = {};    // of a success too
 };
 
 // Writes its files before it returns, or none when one cannot be rendered. A sheet on which something could not be

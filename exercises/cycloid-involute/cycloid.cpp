@@ -40,6 +40,10 @@ class WheelPanel : public Panel {
   double reach() const override { return r_; }
 
  protected:
+  struct Step {  // of the construction
+    static constexpr int given = 0, wheel = 1, guide = 2, first_arc = 3, second_arc = 4, meeting = 5;
+  };
+
   const Division& part(int number) const { return parts_[static_cast<std::size_t>(number - 1)]; }
   Place C() const { return {0, r_}; }
   static void draw_guide(Plot& plot, double from, double to) {
@@ -72,13 +76,17 @@ class ArchPanel : public WheelPanel {
   }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override {
     const Place end = part(divisions).on_line;
+    plot.in_step(Step::meeting);
     const double deviation = draw_path(plot, {of_.wheel(), {}, {}, {}}, {0, 2 * std::numbers::pi});
+    plot.in_step(Step::given);
     draw_guide(plot, -r_, end.x);
     draw_parts(plot);
+    plot.in_step(Step::guide);
     // Below the numbers, from P₀ to 12.
     constexpr double below = 11.5;  // mm
     plot.mark(drawings::Dimension{plot.at(P0_), plot.at(end), -below, "$πd$"});
     plot.small_label("XII ≡ 12", end, {end.x, r_});
+    plot.in_step(Step::given);
     plot.circle(C(), r_, Meaning::link);
     plot.cross(C(), Meaning::text);
     plot.label("$C$", C(), P0_);
@@ -97,18 +105,29 @@ class ArchPanel : public WheelPanel {
     const double radius = r_ * plot.scale().mm_per_unit;
     for (int i = 1; i < divisions; ++i) {
       const Division& at = part(i);
+      const bool is_explained = i == explained_part;
+      plot.in_step(Step::wheel);
       plot.segment(C(), at.on_body, Meaning::construction);
+      plot.in_step(Step::meeting);
       plot.segment(at.on_line, at.M, Meaning::construction);
+      plot.in_step(is_explained ? Step::first_arc : Step::meeting);
       compass_arc(plot, P0_, at.M, crossing);
+      plot.in_step(is_explained ? Step::second_arc : Step::meeting);
       compass_arc(plot, at.on_line, at.M, crossing);
+      plot.in_step(Step::wheel);
       plot.dot(at.on_body, Meaning::construction);
+      plot.in_step(Step::guide);
       plot.dot(at.on_line, Meaning::construction);
+      plot.in_step(Step::meeting);
       plot.dot(at.M, Meaning::locus);
       if (radius < for_some) continue;
       plot.small_label(roman[static_cast<std::size_t>(i - 1)], at.M, at.on_line);
+      plot.in_step(Step::guide);
       plot.small_label(std::to_string(i), at.on_line, {at.on_line.x, r_});
+      plot.in_step(Step::wheel);
       if (radius >= room_for_letters || i % 3 == 0) plot.small_label(fmt::format("{}′", i), at.on_body, C());
     }
+    plot.in_step(Step::meeting);
     plot.dot(part(divisions).M, Meaning::locus);
   }
 };
@@ -132,6 +151,7 @@ class DivisionPanel : public WheelPanel {
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
     const Division& at = part(explained_part);
     constexpr double quarter = std::numbers::pi / 2;
+    plot.in_step(Step::given);
     draw_guide(plot, -0.3 * r_, at.on_line.x + 10 / plot.scale().mm_per_unit);
     // Of the wheel what rolls on the way to 4.
     const double to = direction(C(), at.on_body);
@@ -139,20 +159,26 @@ class DivisionPanel : public WheelPanel {
         drawings::arc(plot.at(C()), r_ * plot.scale().mm_per_unit, -quarter - 0.3, to + 0.15), Meaning::link, {}});
     plot.cross(C(), Meaning::text);
     for (int i = 1; i <= explained_part; ++i) {
+      plot.in_step(Step::wheel);
       plot.dot(part(i).on_body);
-      plot.dot(part(i).on_line);
       plot.label(fmt::format("{}′", i), part(i).on_body, C());
+      plot.in_step(Step::guide);
+      plot.dot(part(i).on_line);
       plot.label(std::to_string(i), part(i).on_line, at.M);
     }
+    constexpr double swung = 14;  // mm: as long as the compass is swung to be sure of the crossing
+    plot.in_step(Step::first_arc);
     plot.segment(at.on_body, at.on_line, Meaning::dimension);
     plot.segment(P0_, at.M, Meaning::construction);
+    compass_arc(plot, P0_, at.M, swung);
+    plot.in_step(Step::second_arc);
     plot.segment(P0_, at.on_body, Meaning::dimension);
     plot.segment(at.on_line, at.M, Meaning::construction);
-    // As long as the compass is swung to be sure of the crossing.
-    compass_arc(plot, P0_, at.M, 14);
-    compass_arc(plot, at.on_line, at.M, 14);
+    compass_arc(plot, at.on_line, at.M, swung);
+    plot.in_step(Step::meeting);
     plot.dot(at.M, Meaning::locus);
     plot.label("IV", at.M, at.on_line, Meaning::locus);
+    plot.in_step(Step::given);
     plot.label("$P_{0}$", P0_, C());
     plot.label("$C$", C(), at.on_line);
     return {};

@@ -66,17 +66,22 @@ class InvolutePanel : public Panel {
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override {
     const RollingGivens line{of_.line(), {}, {}, {}};
     const double to = divisions * CGAL::to_double(part_of_turn) * 2 * std::numbers::pi;
+    plot.in_step(Step::other_branch);
     draw_path(plot, line, {-to / 2, 0}, Meaning::alternative);
+    plot.in_step(Step::all_others);
     const double deviation = draw_path(plot, line, {0, to});
     const Place C = centre(), end = part(divisions).on_line;
+    plot.in_step(Step::given);
     plot.circle(C, r_, Meaning::link, "base_circle");
     plot.long_segment(P0_, end, 3, Meaning::link);
     plot.segment(C, P0_, Meaning::axis);
     draw_parts(plot);
     draw_sense_of_line(plot, P0_, end, 1, 0.96);  // beyond the curve, which the line meets further down
     const Division& at = part(unrolled_part);
+    plot.in_step(Step::tangent);
     plot.segment(C, at.on_body, Meaning::construction);
     plot.right_angle(at.on_body, C, at.M);
+    plot.in_step(Step::given);
     plot.dot(C, Meaning::text);
     plot.label("$C$", C, at.on_body);
     plot.label("$P_{0}$", P0_, C);
@@ -113,6 +118,10 @@ class InvolutePanel : public Panel {
   }
 
  private:
+  struct Step {  // of the construction
+    static constexpr int given = 0, line = 1, circle = 2, tangent = 3, all_others = 4, other_branch = 5;
+  };
+
   const Division& part(int number) const { return parts_[static_cast<std::size_t>(number - 1)]; }
   Place centre() const { return {-r_, 0}; }
 
@@ -121,15 +130,23 @@ class InvolutePanel : public Panel {
     const double radius = r_ * plot.scale().mm_per_unit;
     for (int i = 1; i <= divisions; ++i) {
       const Division& at = part(i);
+      const int found = i == unrolled_part ? Step::tangent : Step::all_others;
+      plot.in_step(found);
       plot.segment(at.on_body, at.M, i == unrolled_part ? Meaning::dimension : Meaning::construction);
+      plot.in_step(Step::circle);
       plot.dot(at.on_body);
+      plot.in_step(Step::line);
       plot.dot(at.on_line);
+      plot.in_step(found);
       plot.dot(at.M, Meaning::locus);
       if (radius < for_some || (radius < room_for_letters && i % 3 != 0 && i != unrolled_part)) continue;
       plot.small_label(roman[static_cast<std::size_t>(i - 1)], at.M, at.on_body);
+      plot.in_step(Step::circle);
       plot.small_label(std::to_string(i), at.on_body, at.M);
+      plot.in_step(Step::line);
       plot.small_label(fmt::format("{}′", i), at.on_line, centre());
     }
+    plot.in_step(Step::given);
   }
 
   static std::vector<drawings::Block> of_curve(double deviation, Language language) {

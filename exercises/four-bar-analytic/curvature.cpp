@@ -31,7 +31,10 @@ class CurvatureOfG3 : public CutPanel {
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     draw_rays(plot, room, language);
     draw_perpendiculars(plot, room, language);
+    constexpr int circle = 4, centre = 6;  // steps
+    plot.in_step(circle);
     plot.cycle(inflection_, Meaning::locus, "inflection_circle");
+    plot.in_step({});
     const Place A0 = mechanism_->corners().front();
     if (P0_) {
       draw_named(plot, P0_, "$P_{0}$", G3_);
@@ -45,6 +48,7 @@ class CurvatureOfG3 : public CutPanel {
       }
     }
     mechanism_->sketch(plot);
+    plot.in_step(centre);
     draw_centre(plot, room, A0, language);
     const std::string off = left_out(plot, room, language);
     if (off.empty()) return {};

@@ -95,6 +95,10 @@ class MeshPicture {
   }
 
  private:
+  struct Step {  // of the construction, where the teeth touch
+    static constexpr int path = 4, flanks = 5, arcs = 6, base_pitch = 7;
+  };
+
   bool inside(const Place& P) const { return is_in(room_, plot_, P); }
   double mm() const { return 1 / plot_.scale().mm_per_unit; }
 
@@ -219,25 +223,31 @@ class MeshPicture {
 
   void draw_contact() const {
     draw_path();
+    plot_.in_step(Step::path);
     name(*pair_.A, "A");
     name(*pair_.E, "E");
     plot_.measures("path_of_contact", pair_.at(*pair_.A), pair_.at(*pair_.E));
     if (*pair_.A < 0) plot_.measures("path_of_approach", {0, 0}, pair_.at(*pair_.A));
     if (*pair_.E > 0) plot_.measures("path_of_recess", {0, 0}, pair_.at(*pair_.E));
+    plot_.in_step(Step::arcs);
     for (const int wheel : {1, 2}) draw_arc(wheel);
+    plot_.in_step(Step::base_pitch);
     if (pair_.has_single_contact()) {
       name(pair_.B(), "B");
       name(pair_.D(), "D");
       plot_.measures("base_pitch", pair_.at(pair_.begins.xi), pair_.at(pair_.D()));
     }
     const double off = off_teeth * pair_.m() / mm();
+    plot_.in_step(Step::path);
     if (*pair_.A < 0 && *pair_.E > 0) {
       dimension(pair_.at(*pair_.A), {0, 0}, -off, "$P_{0}A$", pair_.s["path_of_approach"]);
       dimension({0, 0}, pair_.at(*pair_.E), -off, "$P_{0}E$", pair_.s["path_of_recess"]);
     }
+    plot_.in_step(Step::base_pitch);
     if (pair_.ends.xi > pair_.D())
       dimension(pair_.at(pair_.begins.xi), pair_.at(pair_.D()), off_base_pitch(pair_, plot_), "$p_{b}$",
                 pair_.base_pitch);
+    plot_.in_step({});
   }
   void dimension(const Place& P, const Place& Q, double offset, const std::string& letters, double length) const {
     plot_.mark(drawings::Dimension{plot_.at(P), plot_.at(Q), offset, letters + " = " + in_mm(length).in(language_)});
@@ -246,11 +256,13 @@ class MeshPicture {
   // AE, dashed where no flanks touch, and the flanks at the ends of what is left.
   void draw_path() const {
     const double A = *pair_.A, E = *pair_.E;
+    plot_.in_step(Step::path);
     const double from = pair_.touches ? pair_.begins.xi : E, to = pair_.touches ? pair_.ends.xi : E;
     if (from > A) plot_.segment(pair_.at(A), pair_.at(from), Meaning::alternative);
     if (to < E) plot_.segment(pair_.at(to), pair_.at(E), Meaning::alternative);
     if (!pair_.touches) return;
     plot_.segment(pair_.at(from), pair_.at(to), Meaning::locus, pair_.is_whole() ? "AE" : "contact");
+    plot_.in_step(Step::flanks);
     for (const PathEnd& end : {pair_.begins, pair_.ends}) {
       for (const int wheel : {1, 2}) teeth_.draw_flank(plot_, wheel, end.xi);
       if (end.is_short()) name(end.xi, end.letters());

@@ -65,10 +65,14 @@ class FunicularPanel : public Panel {
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
     const OnPaper on = on_paper(plot.scale(), plot.vector_scale());
     const auto at = [&](const Point& P) { return from_mm(plot, P); };
+    plot.in_step(Step::given);
     plot.mark(drawings::Ground{plot.at(at({on.length, 0})), plot.at(at({0, 0}))});
     draw_pressures(plot, on);
+    plot.in_step(Step::strips);
     draw_forces(plot, on);
+    plot.in_step(Step::load_line);
     draw_force_polygon(plot, on);
+    plot.in_step(Step::strings);
     draw_strings(plot, on);
     plot.onto().measurements.push_back({of_film("N_funicular"), plot.at(at(on.corner(0))),
                                         plot.at(at(on.corner(on.polygon.corners.back()))),
@@ -104,6 +108,9 @@ class FunicularPanel : public Panel {
   }
 
  private:
+  struct Step {  // of the construction
+    static constexpr int given = 0, strips = 1, load_line = 2, strings = 3, resultant = 4;
+  };
   using Point = geometry::Point<double>;
 
   struct OnPaper {
@@ -153,6 +160,7 @@ class FunicularPanel : public Panel {
       return from_mm(plot, {x * plot.scale().mm_per_unit, on.pressures + p * pressures_.mm_per_unit});
     };
     const double half = length_ / (2 * strips_of_load);
+    plot.in_step(Step::strips);
     for (const Strip& strip : strips_) {
       plot.polygon({at(strip.x - half, 0), at(strip.x - half, strip.pressure), at(strip.x + half, strip.pressure),
                     at(strip.x + half, 0)},
@@ -160,15 +168,18 @@ class FunicularPanel : public Panel {
       plot.dot(at(strip.x, strip.pressure));
       plot.segment(at(strip.x, 0), from_mm(plot, {strip.x * plot.scale().mm_per_unit, 0}), Meaning::construction);
     }
+    plot.in_step(Step::given);
     std::vector<drawings::Point> curve;
     const auto runs = run_of(0, length_, pressure_);
     for (const drawings::Datum& each : runs.front()) curve.push_back(plot.at(at(each.x, each.y)));
     plot.mark(drawings::Line{drawings::polyline(curve, false), Meaning::force, "pressure"});
     plot.segment(at(0, 0), at(length_, 0), Meaning::dimension);
+    plot.in_step(Step::resultant);
     constexpr double beyond = 6;  // mm
     const Place top = at(x_N_, (high() + beyond) / pressures_.mm_per_unit);
     plot.segment(at(x_N_, 0), top, Meaning::axis);
     plot.label("$x_{N}$", top, at(x_N_, 0));
+    plot.in_step(Step::given);
     plot.label("$p$", at(length_ - half, strips_.back().pressure), at(0, 0), Meaning::force);
   }
 
@@ -209,6 +220,7 @@ class FunicularPanel : public Panel {
     all.push_back({on.length, geometry::ordinate(on.polygon.strings.back(), on.length)});
     for (std::size_t i = 1; i < all.size(); ++i)
       plot.segment(from_mm(plot, all[i - 1]), from_mm(plot, all[i]), Meaning::link);
+    plot.in_step(Step::resultant);
     plot.segment(from_mm(plot, vertices.front()), meet, Meaning::construction);
     plot.segment(from_mm(plot, vertices.back()), meet, Meaning::construction);
     const Place above = from_mm(plot, {on.meet().x, on.tallest() + 6});

@@ -147,13 +147,18 @@ class PolodesPanel : public Panel {
 
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     const geometry::Trace p = polodes_.fixed(plot, room), pi = polodes_.moving(plot, room);
+    plot.in_step(Step::curves);
     draw_branches(plot, p, Meaning::locus, "fixed_polode");
     draw_branches(plot, pi, Meaning::second_locus, "moving_polode");
     for (const CentreThere& each : polodes_.positions()) {
+      plot.in_step(Step::fixed);
       dot(plot, room, each, each.in_plane, Meaning::locus);
+      plot.in_step(Step::moving);
       dot(plot, room, each, each.on_link, Meaning::second_locus);
     }
+    plot.in_step(Step::given);
     mechanism_->draw(plot);
+    plot.in_step(Step::curves);
     if (centre_ && is_in(room, plot, *centre_)) {
       plot.cross(*centre_);
       plot.label(letters(), *centre_, middle_of_mechanism(), Meaning::locus);
@@ -190,6 +195,10 @@ class PolodesPanel : public Panel {
   }
 
  private:
+  struct Step {  // of the construction
+    static constexpr int given = 0, fixed = 1, moving = 2, curves = 3;
+  };
+
   std::string letters() const {
     return "$P_{1" + std::string(number_ < 10 ? "" : ",") + std::to_string(number_) + "}$";
   }

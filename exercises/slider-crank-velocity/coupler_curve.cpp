@@ -37,21 +37,31 @@ class CouplerCurvePanel : public Panel {
   void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     for (const Position& at : positions_) {
+      plot.in_step(Step::slider);
       compass_arc(plot, at.A, at.B, found_by);
+      plot.in_step(Step::triangle);
       plot.segment(at.B, at.C, Meaning::construction);
+      plot.in_step(Step::crank);
       plot.dot(at.A, Meaning::construction);
+      plot.in_step(Step::slider);
       plot.dot(at.B, Meaning::construction);
+      plot.in_step(Step::triangle);
       plot.dot(at.C, Meaning::locus);
+      plot.in_step(Step::crank);
       plot.small_label(at.label, at.A, mechanism_->at("A0"));
+      plot.in_step(Step::triangle);
       plot.small_label(at.label, at.C, Place{(at.A.x + at.B.x) / 2, (at.A.y + at.B.y) / 2});
     }
+    plot.in_step(Step::slider);
     number_B(plot);
+    plot.in_step(Step::curve);
     const geometry::Arithmetic<geometry::Bounded> scope;
     const Reference reference = reference_of(instant_);
     const auto curve = [&](const geometry::SliderCrankLoop<geometry::Bounded>& loop) {
       return geometry::CouplerCurve<geometry::Bounded>{loop, reference.coupler, reference.C};
     };
     const geometry::Trace path = draw_loci(plot, instant_, curve, room, Meaning::locus, "path_of_C");
+    plot.in_step(Step::given);
     mechanism_->draw(plot);
     plot.measures_coordinates("C", mechanism_->at("C"), mechanism_->at("A0"));
     const Words sentence{"{} Bezier arcs, at most {} mm on this sheet from the true path.",
@@ -77,6 +87,10 @@ class CouplerCurvePanel : public Panel {
   }
 
  private:
+  struct Step {  // of the construction
+    static constexpr int given = 0, crank = 1, slider = 2, triangle = 3, curve = 4;
+  };
+
   static constexpr double found_by = 4;  // mm of the arcs on either side
 
   // Two positions of the crank, as a rule, have one B: it bears both their numbers.

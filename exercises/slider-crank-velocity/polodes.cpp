@@ -99,15 +99,19 @@ class PolodesPanel : public Panel {
   void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     draw_triangles(plot, room);
+    plot.in_step(of_fixed_.empty() ? Step::curves : Step::asymptotes);
     for (const auto* lines : {&of_fixed_, &of_moving_})
       for (const geometry::Line<double>& line : *lines) draw_line(plot, line, Meaning::axis);
     name_asymptotes(plot, room, of_fixed_, "$p$", language);
     name_asymptotes(plot, room, of_moving_, "$π$", language);
+    plot.in_step(Step::curves);
     const geometry::Trace p = draw_loci(
         plot, instant_, [&](const Loop& loop) { return fixed(loop); }, room, Meaning::locus, "fixed_polode");
     const geometry::Trace pi = draw_loci(
         plot, instant_, [&](const Loop& loop) { return moving(loop); }, room, Meaning::second_locus, "moving_polode");
+    plot.in_step(Step::given);
     mechanism_->draw(plot);
+    plot.in_step(Step::curves);
     if (P0_) {
       plot.cross(*P0_);
       plot.label("$P_{0}$", *P0_, mechanism_->at("M"), Meaning::locus);
@@ -132,6 +136,9 @@ class PolodesPanel : public Panel {
   }
 
  private:
+  struct Step {  // of the construction
+    static constexpr int given = 0, fixed = 1, moving = 2, curves = 3, asymptotes = 4;
+  };
   using Loop = geometry::SliderCrankLoop<geometry::Bounded>;
 
   static geometry::FixedPolode<geometry::Bounded> fixed(const Loop& loop) { return {loop}; }
@@ -174,19 +181,21 @@ class PolodesPanel : public Panel {
     const Place A0 = mechanism_->at("A0"), A = mechanism_->at("A"), B = mechanism_->at("B");
     std::vector<std::pair<Place, std::string>> of_moving_polode;
     for (const Position& at : positions_) {
+      plot.in_step(Step::fixed);
       if (at.P0 && is_in(room, plot, *at.P0)) {
         plot.polygon({at.A, at.B, *at.P0}, Meaning::construction);
         plot.dot(*at.P0, Meaning::locus);
         plot.small_label(at.label, *at.P0, at.A);
       }
+      plot.dot(at.A, Meaning::construction);
+      plot.small_label(at.label, at.A, A0);
+      plot.in_step(Step::moving);
       if (at.P0_on_coupler && is_in(room, plot, *at.P0_on_coupler)) {
         plot.segment(A, *at.P0_on_coupler, Meaning::construction);
         plot.segment(B, *at.P0_on_coupler, Meaning::construction);
         plot.dot(*at.P0_on_coupler, Meaning::second_locus);
         of_moving_polode.emplace_back(*at.P0_on_coupler, at.label);
       }
-      plot.dot(at.A, Meaning::construction);
-      plot.small_label(at.label, at.A, A0);
     }
     for (const auto& [P0, numbers] : numbered_together(plot, of_moving_polode)) plot.small_label(numbers, P0, A);
   }

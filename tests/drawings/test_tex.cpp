@@ -28,11 +28,14 @@ TEST_CASE("what TeX would take for a command is shown as it is") {
   CHECK(tex_of("$a_{%}$") == "${a}_{\\mbox{\\%}}$");
 }
 
-TEST_CASE("letters stand around the middle of their place, the figure below them without letters") {
+TEST_CASE("letters stay where the figure has them, the figure below them without letters") {
   Page page{"demo", "t", "d", {{10, 20}, {110, 70}}, epure::Language::english, {}};
   page.primitives.emplace_back(Stroke{segment({10, 20}, {50, 50}), 0.2, {}, {}, {}, {}});
-  page.primitives.emplace_back(PlacedText{"$v$", {30, 40}, 3.5, {}, Weight::regular});
+  page.primitives.emplace_back(
+      PlacedText{.text = "$v$", .baseline = {30, 40}, .size = 3.5, .colour = {}, .anchor = 0.5});
   page.primitives.emplace_back(PlacedText{"a", {30, 45}, 2.5, {0, 0.5, 1, 1}, Weight::bold});
+  page.primitives.emplace_back(
+      PlacedText{.text = "bc", .baseline = {30, 60}, .size = 3.5, .colour = {}, .anchor = 1});
   const std::string tex = write_tex(page, "demo-art.pdf");
   CHECK(tex.find("\\begin{picture}(100.000,50.000)%\n\\put(0,0){\\includegraphics{demo-art.pdf}}%\n") !=
         std::string::npos);
@@ -43,6 +46,10 @@ TEST_CASE("letters stand around the middle of their place, the figure below them
         std::string::npos);
   CHECK(tex.find("\\fontsize{7}{8.4}\\selectfont \\epureink{0.000,0.500,1.000}{\\bfseries a}}}}%\n") !=
         std::string::npos);
+  CHECK(tex.find("\\put(20.000,25.000){\\makebox(0,0)[bl]{") != std::string::npos);
+  const double right = 20 + measure("bc", 3.5).width;
+  CHECK(tex.find("\\put(" + std::to_string(right).substr(0, 5)) != std::string::npos);
+  CHECK(tex.find(",40.000){\\makebox(0,0)[br]{") != std::string::npos);
   const Page art = without_letters(page);
   CHECK(art.primitives.size() == 1);
   CHECK(art.extent.width() == page.extent.width());

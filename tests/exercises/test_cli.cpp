@@ -61,7 +61,7 @@ TEST_CASE("help and version") {
   const std::string draw = run({"draw", "--help"}).out, check = run({"check", "--help"}).out,
                     sweep = run({"help", "sweep"}).out;
   for (const std::string option : {"--format", "--out", "-o", "--set", "--paper", "--scale", "--lang", "--bare",
-                                   "--width", "--dpi", "--background", "--ink"})
+                                   "--width", "--height", "--dpi", "--background", "--ink"})
     CHECK(contains(draw, "  " + option));
   for (const std::string option :
        {"--set", "--measured", "--reading", "--sheet", "--scale", "--quiet", "--json", "--arithmetic"})

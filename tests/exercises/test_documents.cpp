@@ -49,6 +49,13 @@ double width_of(const std::string& svg) {
   return std::stod(width);
 }
 
+double height_of(const std::string& svg) {
+  const drawings::SvgFile file(svg);
+  const std::string height = file.root().attribute("height").value();
+  REQUIRE(height.ends_with("mm"));
+  return std::stod(height);
+}
+
 // Of lengths, as its first scale bar says: one fifth for "1 : 5".
 double scale_of(const std::string& svg) {
   const std::regex ratio(R"(>(\d+) : (\d+)<)");
@@ -100,6 +107,64 @@ TEST_CASE("a figure of a width is bare, and the same when it is said so") {
   CHECK(svg_of({"slider-crank-velocity/poles", "--width", "12cm"}) == figure);
   CHECK(svg_of({"slider-crank-velocity/poles", "--width", "120"}) == figure);
   CHECK(figure.find("Construction") == std::string::npos);
+}
+
+// The number before "mm" that a sentence names as an option: "--width 84mm".
+int millimetres_told(const std::string& sentence, const std::string& option) {
+  std::smatch found;
+  CAPTURE(sentence);
+  REQUIRE(std::regex_search(sentence, found, std::regex(option + " (\\d+)mm")));
+  return std::stoi(found[1]);
+}
+
+TEST_CASE("a figure of a height is no higher, and of both no larger") {
+  const std::string sheet = "slider-crank-velocity/poles";
+  const std::string low = svg_of({sheet, "--height", "70mm"}),
+                    both = svg_of({sheet, "--height", "70mm", "--width", "80mm"});
+  CHECK(height_of(low) <= 70);
+  CHECK(height_of(low) < height_of(svg_of({sheet, "--bare"})));
+  CHECK(height_of(both) <= 70);
+  CHECK(width_of(both) <= 80);
+  CHECK(svg_of({sheet, "--height", "70mm", "--bare"}) == low);
+  for (int height = 66; height <= 140; height += 3) {
+    CAPTURE(height);
+    CHECK(height_of(svg_of({sheet, "--height", std::to_string(height)})) <= height);
+  }
+  refused({"draw", sheet, "--height", "10mm"}, "higher than 10 mm at every standard scale");
+  refused({"draw", sheet, "--height", "10mm", "--lang", "it"}, "più alta di 10 mm in ogni scala normalizzata");
+  refused({"draw", sheet, "--height", "10mm", "--width", "150mm"}, "larger than 150 x 10 mm at every standard scale");
+  refused({"draw", sheet, "--height", "0"}, "--height 0: ");
+  refused({"draw", sheet, "--height", "70mm", "--scale", "1:5"}, "choose one of them");
+}
+
+TEST_CASE("a figure that is too wide is told the least width that would do") {
+  for (const std::string sheet : {"slider-crank-velocity/poles", "friction-efficiency/efficiencies"}) {
+    const Ran refusal = run_on_all({"draw", sheet, "--width", "15mm", "-o", "-", "--format", "svg"});
+    CAPTURE(sheet, refusal.err);
+    REQUIRE(refusal.exit == 2);
+    const int least = millimetres_told(refusal.err, "--width");
+    CHECK(run_on_all({"draw", sheet, "-o", "-", "--format", "svg", "--width", std::to_string(least)}).exit == 0);
+    CHECK(run_on_all({"draw", sheet, "-o", "-", "--format", "svg", "--width", std::to_string(least - 1)}).exit == 2);
+  }
+}
+
+TEST_CASE("a figure that is hard to read is drawn, and the least width that reads well is told") {
+  const Typed wanted{"draw", "slider-crank-velocity/poles", "-o", "-", "--format", "svg", "--width"};
+  const auto drawn = [&](const std::string& width) {
+    Typed words = wanted;
+    words.push_back(width);
+    return run_on_all(words);
+  };
+  const Ran small = drawn("60mm");
+  CAPTURE(small.err);
+  CHECK(small.exit == 0);
+  CHECK(width_of(small.out) <= 60);
+  CHECK(small.err.find("hard to read") != std::string::npos);
+  CHECK(std::count(small.err.begin(), small.err.end(), '\n') == 1);
+  const int least = millimetres_told(small.err, "--width");
+  CHECK(drawn(std::to_string(least)).err.empty());
+  CHECK_FALSE(drawn(std::to_string(least - 1)).err.empty());
+  CHECK(drawn("122mm").err.empty());
 }
 
 TEST_CASE("every sheet is a figure of 160 mm or says that it is wider", "[slow]") {

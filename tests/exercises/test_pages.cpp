@@ -15,6 +15,8 @@
 #include <sstream>
 
 #include "drawings/files/xml.h"
+#include "drawings/page.h"
+#include "exercises/kit/proof/solution.h"
 #include "tests/exercises/run.h"
 #include "tests/exercises/web_page.h"
 #include "tests/support/catch.h"
@@ -86,6 +88,52 @@ TEST_CASE("a mark tells the quantity that it shows") {
   // A point by its coordinates, which the mark itself has no name for.
   const std::string poles = drawn({"four-bar/poles", "--format", "html"});
   CHECK(poles.find("aria-label=\"P31 = (−0.1789; −0.1033) m\"") != std::string::npos);
+}
+
+TEST_CASE("a mark comes with the step that constructs it") {
+  const auto comes = [](const std::string& page, const std::string& id, int step) {
+    CAPTURE(id, step);
+    const auto at = page.find("id=\"" + id + "\"");
+    REQUIRE(at != std::string::npos);
+    const std::string mark = page.substr(at, page.find('>', at) - at), in_step = "class=\"step-";
+    if (step == 0)
+      CHECK(mark.find(in_step) == std::string::npos);
+    else
+      CHECK(mark.find(in_step + std::to_string(step) + "\"") != std::string::npos);
+  };
+  const std::string poles = drawn({"four-bar/poles", "--format", "html"});
+  comes(poles, "four-bar-poles-P31", 3);  // where the second of its lines crosses the first
+  comes(poles, "four-bar-poles-v_A", 4);
+  const std::string plan = drawn({"truss/plan", "--format", "html"});
+  comes(plan, "truss-plan-bar_1", 0);
+  comes(plan, "truss-plan-N_1", 2);
+  comes(plan, "truss-plan-N_2", 2);
+  const std::string polodes = drawn({"slider-crank-velocity/polodes", "--format", "html"});
+  comes(polodes, "slider-crank-velocity-polodes-fixed_polode", 3);
+  comes(polodes, "slider-crank-velocity-polodes-moving_polode", 3);
+  comes(drawn({"slider-crank-velocity/coupler-curve", "--format", "html"}),
+        "slider-crank-velocity-coupler-curve-path_of_C", 4);
+}
+
+TEST_CASE("a panel is not there before its steps, and results come with the last") {
+  int later_panels = 0, with_results = 0;
+  for (const Listed& exercise : catalogue()) {
+    const Solution solution = exercise->solution(Givens(exercise->about().givens));
+    for (const SheetSpec& spec : exercise->about().sheets) {
+      CAPTURE(exercise.id(), spec.name);
+      const drawings::Sheet sheet = exercise->draw(spec.name, solution, {}).sheet;
+      for (const drawings::KnownStep& known : sheet.figure.known_of_marks) later_panels += known.earliest > 1;
+      const drawings::Page page = drawings::compose_in_steps(sheet);
+      const int last = static_cast<int>(page.steps.size());
+      for (const drawings::Primitive& primitive : page.primitives)
+        if (const auto* text = std::get_if<drawings::PlacedText>(&primitive); text && text->text == "Results") {
+          CHECK(text->step == last);
+          ++with_results;
+        }
+    }
+  }
+  CHECK(later_panels > 100);
+  CHECK(with_results > 60);
 }
 
 TEST_CASE("what a user types is text in the page, whatever it looks like") {
@@ -250,4 +298,36 @@ TEST_CASE("in a browser the slider, the keys and the marks do what they say") {
   const drawings::Point paper = paper_of_print(scratch, html);
   CHECK(std::abs(paper.x - 297) < 0.4);
   CHECK(std::abs(paper.y - 210) < 0.4);
+}
+
+TEST_CASE("on a phone pages are no wider than the screen, and a tap tells a value until the next") {
+  const std::string sheet = drawn({"slider-crank-velocity/polar-diagram", "--format", "html"});
+  CHECK(sheet.find("@media (pointer: coarse)") != std::string::npos);
+  if (!is_at_hand("chromium")) {
+    WARN("no chromium: the page was not driven");
+    return;
+  }
+  const Scratch scratch;
+  const std::string told = driven(scratch, sheet, R"(
+    const wide = document.documentElement.scrollWidth - innerWidth, screen = innerWidth;
+    const mark = document.querySelector('#slider-crank-velocity-polar-diagram-v_B'), tip = document.querySelector('.tip');
+    const tap = where => ['pointerdown', 'pointerup', 'pointerleave', 'click'].forEach(kind =>
+      where.dispatchEvent(new PointerEvent(kind, { bubbles: kind !== 'pointerleave', pointerType: 'touch', clientX: 50, clientY: 400 })));
+    tap(mark);
+    const first = tip.hidden;
+    tap(document.querySelector('h1'));
+    document.body.innerHTML = '<pre>screen ' + screen + ' wide ' + (wide > 0) + ' told ' + !first + ' gone ' + tip.hidden + '</pre>';
+  )",
+                                  "--window-size=500,900");
+  CAPTURE(told);
+  CHECK(told.find("screen 500 wide false told true gone true") != std::string::npos);
+  const Ran sweep =
+      run_on_all({"sweep", "four-bar", "--over", "phi=0..360/7", "--quantity", "v_B", "--format", "html", "-o", "-"});
+  REQUIRE(sweep.exit == 0);
+  const std::string seen = driven(scratch, sweep.out, R"(
+    const wide = document.documentElement.scrollWidth > innerWidth;
+    document.body.innerHTML = '<pre>wide ' + wide + '</pre>';
+  )",
+                                  "--window-size=500,900");
+  CHECK(seen.find("wide false") != std::string::npos);
 }

@@ -11,6 +11,8 @@
 #include <regex>
 #include <sstream>
 
+#include "drawings/files/tex.h"
+#include "drawings/text/unicode.h"
 #include "exercises/cli/report_document.h"
 #include "tests/exercises/run.h"
 #include "tests/support/catch.h"
@@ -93,9 +95,9 @@ TEST_CASE("what a language of documents takes for its own is escaped in it") {
         "\\[x\\] \\`y\\` \\@z\n\n"
         "\\- no list\n\n"
         "3\\. no list\n\n"
-        "${\\vec{v}}_{\\mathrm{BA}}$ ⊥ BA, ${\\omega }_{2}^{2}$ = 5 s${}^{-2}$\n\n"
+        "${\\vec{v}}_{\\mathrm{BA}}$ $\\perp$ BA, ${\\omega }_{2}^{2}$ = 5 s${}^{-2}$\n\n"
         "4. first\n5. \\[second\\]\n\n"
-        "| $\\vert x\\vert$ | b |  |\n|---|---|---|\n| 1 | 2 | 3 |\n| \\[4\\] |  |  |\n\n");
+        "| $\\vert x\\vert$ | b |  |\n|------|---|---|\n| 1 | 2 | 3 |\n| \\[4\\] |  |  |\n\n");
   const std::string tex = latex_of(awkward);
   CAPTURE(tex);
   CHECK(has(tex, "\\usepackage[italian]{babel}"));
@@ -111,6 +113,45 @@ TEST_CASE("what a language of documents takes for its own is escaped in it") {
   CHECK(has(html, "<span class=\"vector\"><i>v</i></span><sub>BA</sub> ⊥ BA, <i>ω</i><sub>2</sub><sup>2</sup>"));
   CHECK(has(html, "<ol start=\"4\">"));
   parsed(html);
+}
+
+TEST_CASE("what LaTeX sets in mathematics alone is a formula in Markdown, whole words and numbers of it") {
+  const ReportDocument document{
+      .title = "t",
+      .source = "s",
+      .language = Language::italian,
+      .blocks = {
+          drawings::Paragraph{"P₀, A′B and h ≥ −0,25 or −3·x²: 5°, ½, è"},
+          drawings::Paragraph{"∥$x$ and $α$5 and $x$$y$ and \\$5"},
+          drawings::Table{.head = {"between"}, .rows = {{"0,00022857142857142857\u00a0… 0,0002285714285714286"}}}}};
+  const std::string told = markdown_of(document);
+  CAPTURE(told);
+  CHECK(has(told, "$\\mathrm{P}{}_{0}$, $\\mathrm{A}'\\mathrm{B}$ and h $\\geq$ $-0{,}25$ or $-3$·x²: 5°, ½, è\n"));
+  CHECK(has(told, "$\\parallel x$ and $\\alpha 5$ and $x y$ and \\$5\n"));
+  CHECK(has(told, "|" + std::string(48, '-') + "|"));  // twice its longest word
+}
+
+TEST_CASE("no report has a sign outside of mathematics that LaTeX has not in text", "[slow]") {
+  const std::regex formula(R"(([^\\]|^)\$[^$]*[^$\\]\$)");
+  for (const Listed& exercise : catalogue())
+    for (const std::string language : {"en", "it"}) {
+      const Scratch scratch;
+      REQUIRE(run_on_all({"report", exercise.id(), "--lang", language, "-o", "r.md"}).exit != 2);
+      const std::string outside = std::regex_replace(contents("r.md"), formula, "$1");
+      for (const char32_t c : drawings::characters(std::regex_replace(outside, std::regex("\n"), " "))) {
+        CAPTURE(exercise.id(), language, drawings::utf8(c));
+        if (drawings::is_mathematics_only(c)) FAIL_CHECK("outside of mathematics");
+      }
+    }
+}
+
+TEST_CASE("a report names sheets in its language") {
+  const Scratch scratch;
+  REQUIRE(run_on_all({"report", "slider-crank-velocity", "--lang", "it", "-o", "r.md"}).exit <= 1);
+  const std::string told = contents("r.md");
+  const Words& title = title_of_sheet(find_exercise(catalogue(), "slider-crank-velocity"), "polar-diagram");
+  CHECK(has(told, "(" + title.italian + ")"));
+  CHECK_FALSE(has(told, "(polar-diagram)"));
 }
 
 TEST_CASE("a text of any length is parted between words, and nothing is lost") {
@@ -158,7 +199,7 @@ TEST_CASE("the numbers of a report are those of check, as bounds to the last dig
   for (const pugi::xpath_node table : html.select_nodes("//table")) {
     if (text_of(table.node().select_node("thead/tr/th[3]").node()) != "between") continue;
     for (const pugi::xpath_node row : table.node().select_nodes("tbody/tr")) {
-      const std::string told = text_of(row.node().select_node("td[3]").node()), dots = " … ";
+      const std::string told = text_of(row.node().select_node("td[3]").node()), dots = "\u00a0… ";
       const auto at = told.find(dots);
       lower.push_back(told.substr(0, at));
       upper.push_back(at == std::string::npos ? told : told.substr(at + dots.size()));

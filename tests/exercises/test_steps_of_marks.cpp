@@ -62,3 +62,42 @@ TEST_CASE("without steps all was there before the first") {
   CHECK(found.marks == std::vector<int>(polygon.figure.marks.size(), 0));
   CHECK(found.labels == std::vector<int>(polygon.figure.labels.size(), 0));
 }
+
+TEST_CASE("what a figure knows of a step goes before what is found") {
+  Polygon polygon;
+  polygon.figure.known_of_marks.resize(polygon.figure.marks.size());
+  polygon.figure.known_of_marks[0].number = 4;    // found: 1
+  polygon.figure.known_of_marks[2].number = 0;    // found: 2
+  polygon.figure.known_of_marks[6].earliest = 3;  // of the mechanism
+  polygon.figure.known_of_marks[5].earliest = 2;  // found: 4
+  polygon.figure.known_of_labels = {{.number = 2}, {.earliest = 3}};
+  const StepsOfMarks found = steps_of_marks(polygon.figure, polygon.column);
+  CHECK(found.marks[0] == 4);
+  CHECK(found.marks[2] == 0);
+  CHECK(found.marks[6] == 3);
+  CHECK(found.marks[5] == 4);
+  CHECK(found.labels[0] == 2);
+  CHECK(found.labels[1] == 3);
+}
+
+TEST_CASE("of letters that the words of another panel's steps speak of too, one's own count") {
+  const Point P{100, 100};
+  Figure figure{.marks = {Dot{P}}, .labels = {{.text = "$C$", .at = P}}, .steps = {}};
+  const std::vector<Block> column{Steps{{"$C$ turns.", "Nothing.", "$C$ is found."}}};
+  CHECK(steps_of_marks(figure, column).marks == std::vector{1});
+  figure.known_of_marks = {{.earliest = 2, .first = 2, .last = 3}};
+  figure.known_of_labels = figure.known_of_marks;
+  CHECK(steps_of_marks(figure, column).marks == std::vector{3});
+  CHECK(steps_of_marks(figure, column).labels == std::vector{3});
+}
+
+TEST_CASE("a point that is found comes with the second of the lines that cross in it") {
+  const Point P{100, 100};
+  const Figure figure{.marks = {Line{segment({60, 100}, {110, 100})}, Line{segment({100, 60}, {100, 110})}, Cross{P}},
+                      .labels = {{.text = "$P_{31}$", .at = P}},
+                      .steps = {{1, {70, 100}}, {2, {100, 70}}}};
+  const std::vector<Block> column{Steps{{"$P_{31}$ lies on the first line.", "And on the second."}}};
+  const StepsOfMarks found = steps_of_marks(figure, column);
+  CHECK(found.marks == std::vector{1, 2, 2});
+  CHECK(found.labels == std::vector{2});
+}

@@ -35,13 +35,22 @@ void cut(drawings::Figure& figure, const drawings::Box& window) {
   figure.window_of.resize(figure.marks.size(), static_cast<int>(figure.windows.size()) - 1);
 }
 
+// What of a figure a panel drew, and the numbers that its steps have on the sheet: from `first` to before `next`.
+struct PanelPart {
+  std::size_t marks_end = 0, labels_end = 0;
+  int first = 1, next = 1;
+  bool has_steps() const { return first < next; }
+};
+
 // The steps of all panels, numbered through, and their numbers on the pictures. What is decided and not drawn stands
 // between them.
-std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels, DrawnSheet& onto,
-                                          const SheetRequest& request, bool& is_off_sheet) {
+std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels, std::vector<PanelPart>& parts,
+                                          DrawnSheet& onto, const SheetRequest& request, bool& is_off_sheet) {
   std::vector<drawings::Block> blocks;
   int number = 1;
-  for (const PlacedPanel& each : panels) {
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const PlacedPanel& each = panels[i];
+    parts[i].first = number;
     Plot plot = plot_of(each, onto, request);
     for (const PanelStep& step : each.panel->steps(plot, each.room)) {
       std::string text = step.text.in(request.language);
@@ -62,8 +71,52 @@ std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels
         blocks.push_back(drawings::Steps{{text}, number});
       ++number;
     }
+    parts[i].next = number;
   }
   return blocks;
+}
+
+// A panel is not there before the first of its steps; but for the first that has some, which shows what is given. One
+// without steps is given when it stands before all that have some; else it comes with the next of these, or after the
+// last of them with its last step.
+int earliest_of(std::size_t part, const std::vector<PanelPart>& parts) {
+  const auto has_steps = [](const PanelPart& each) { return each.has_steps(); };
+  const auto here = parts.begin() + static_cast<std::ptrdiff_t>(part);
+  if (std::none_of(parts.begin(), here, has_steps)) return 0;
+  const auto next = std::find_if(here, parts.end(), has_steps);
+  return next == parts.end() ? parts.back().next - 1 : next->first;
+}
+
+// From steps of the panels to steps of the sheet. A step that has no number, as it is decided and not drawn, is
+// missing among them: so what comes with it comes with the last at the latest. Less than 0: from the beginning, also
+// on a later panel.
+void tell_steps(drawings::Figure& figure, const std::vector<PanelPart>& parts) {
+  if (parts.empty()) return;
+  const int last_of_all = parts.back().next - 1;
+  const auto tell = [&](std::vector<drawings::KnownStep>& all, std::size_t begin, std::size_t end,
+                        const PanelPart& part, int earliest) {
+    const int before = part.has_steps() ? part.first - 1 : 0, last = part.has_steps() ? part.next - 1 : last_of_all;
+    for (std::size_t i = begin; i < end; ++i) {
+      drawings::KnownStep& known = all[i];
+      known.earliest = earliest;
+      if (part.has_steps()) {
+        known.first = part.first;
+        known.last = last;
+      }
+      if (!known.number) continue;
+      if (*known.number > 0) known.number = std::min(before + *known.number, last);
+      if (*known.number == 0) known.number = earliest;
+      known.number = std::max(*known.number, 0);
+    }
+  };
+  std::size_t mark = 0, label = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const int earliest = earliest_of(i, parts);
+    tell(figure.known_of_marks, mark, parts[i].marks_end, parts[i], earliest);
+    tell(figure.known_of_labels, label, parts[i].labels_end, parts[i], earliest);
+    mark = parts[i].marks_end;
+    label = parts[i].labels_end;
+  }
 }
 
 // What cannot be drawn well by hand: short vectors, lines that meet at a small angle, what lies off the sheet.
@@ -260,6 +313,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   for (const auto& panel : shown.panels) panel->choose_view(whole_room, request);
   const std::vector<PlacedPanel> panels = laid_out(shown.panels, whole_room, request);
   std::vector<drawings::Block> of_drawings;
+  std::vector<PanelPart> parts;
   for (const PlacedPanel& each : panels) {
     if (request.blank) {
       draw_what_is_given(each, onto, request);
@@ -267,6 +321,8 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
       Plot plot = plot_of(each, onto, request);
       for (drawings::Block& block : each.panel->draw(plot, each.room, language))
         of_drawings.push_back(std::move(block));
+      plot.in_step({});
+      parts.push_back({onto.sheet.figure.marks.size(), onto.sheet.figure.labels.size()});
     }
     cut(onto.sheet.figure, window_of(each, request));
   }
@@ -295,7 +351,8 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   for (const auto& panel : shown.panels)
     for (const drawings::VectorEquation& equation : panel->equations()) column.push_back(equation);
   bool has_steps_off_sheet = false;
-  std::vector<drawings::Block> steps = number_steps(panels, onto, request, has_steps_off_sheet);
+  std::vector<drawings::Block> steps = number_steps(panels, parts, onto, request, has_steps_off_sheet);
+  tell_steps(onto.sheet.figure, parts);
   if (request.for_class) {
     note_awkwardness(sheet, panels, has_steps_off_sheet, onto);
     note_not_asked(sheet, asked, onto.awkward);

@@ -60,6 +60,7 @@ std::vector<drawings::Block> ForcePlanPanel::draw(Plot& plot, const drawings::Bo
     const TrussFigure::Bar& bar = figure_->bars[i];
     if (bar.force == 0) continue;
     const Place &P = figure_->plan[bow.sides[i].left], &Q = figure_->plan[bow.sides[i].right];
+    plot.in_step(figure_->step_of_bar(i));
     plot.segment(P, Q, TrussFigure::meaning(bar.force), bar.quantity);
     plot.measures(bar.quantity, P, Q);
     sign_bar(plot, i);
@@ -67,6 +68,7 @@ std::vector<drawings::Block> ForcePlanPanel::draw(Plot& plot, const drawings::Bo
   const auto ends_of = [&](std::size_t k) {
     return std::pair{figure_->plan[k], figure_->plan[(k + 1) % bow.forces.size()]};
   };
+  plot.in_step(1);
   std::vector<std::pair<Place, Place>> loads;
   for (std::size_t k = 0; k < bow.forces.size(); ++k)
     if (bow.forces[k] > 1) loads.push_back(ends_of(k));
@@ -94,6 +96,7 @@ std::vector<drawings::Block> ForcePlanPanel::draw(Plot& plot, const drawings::Bo
         is_written[s] = true;
         letters += ", " + TrussFigure::region_letter(s);
       }
+    plot.in_step(figure_->step_of_region(r));
     plot.dot(figure_->plan[r]);
     plot.label("$" + letters + "$", figure_->plan[r]);
   }

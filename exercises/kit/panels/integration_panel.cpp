@@ -228,6 +228,12 @@ bool is_free(const std::vector<double>& heights, std::size_t ray, double pole_di
   return true;
 }
 
+// The steps of the construction: three a row, of which the last draws the polygon in the next one; what is integrated
+// is given.
+int step_of_carrying(std::size_t row) { return 3 * static_cast<int>(row) + 1; }
+int step_of_rays(std::size_t row) { return 3 * static_cast<int>(row) + 2; }
+int step_of_polygon(std::size_t row) { return 3 * static_cast<int>(row); }
+
 // What is carried from the strips, and the rays; as many of these are numbered as find room. The strips are numbered
 // under the first diagram; many that are narrower than a number above it, where their lines end.
 void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) const {
@@ -244,8 +250,11 @@ void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) con
   for (std::size_t i = 0; i < carried.size(); ++i) {
     const Place mean = at(row, (along_.ends[i] + along_.ends[i + 1]) / 2, carried[i]);
     const Place on_axis{0, mean.y};
+    plot.in_step(step_of_carrying(row));
     plot.segment(mean, on_axis, Meaning::construction);
+    plot.in_step(step_of_rays(row));
     plot.segment(pole, on_axis, Meaning::construction);
+    plot.in_step(step_of_carrying(row));
     plot.dot(mean);
     const std::string number = std::to_string(i + 1);
     const double width = drawings::measure(number, number_size).width;
@@ -260,6 +269,7 @@ void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) con
     else if (many && every_numbered * strip > widest + apart)
       write({mean.x - width / 2, head + apart});
   }
+  plot.in_step(step_of_rays(row));
   plot.dot(pole);
   plot.label(rows_.size() > 2 ? "$O_{" + std::to_string(row + 1) + "}$" : "$O$", pole, Place{0, axes_[row]});
   plot.segment(pole, {pole.x, foot}, Meaning::construction);
@@ -292,9 +302,11 @@ void IntegrationPanel::draw_given(Plot& plot, const drawings::Box&, Language lan
 }
 
 std::vector<drawings::Block> IntegrationPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  plot.in_step(0);
   draw_given(plot, room, language);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     carry(plot, i, language);
+    plot.in_step(step_of_polygon(i));
     if (i > 0) draw_curve(plot, i);
     draw_polygon(plot, i);
     draw_readings(plot, i);

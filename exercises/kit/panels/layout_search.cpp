@@ -99,7 +99,11 @@ class Search {
  public:
   enum class Of { all, near };
   Search(const Panels& panels, Of of, const drawings::Box& room, const SheetRequest& request)
-      : panels_(panels), of_(of), room_(room), language_(request.language) {
+      : panels_(panels),
+        of_(of),
+        room_(room),
+        language_(request.language),
+        proportion_(request.room_width && !request.room_height ? proportion_of(request.paper) : std::nullopt) {
     for (const auto& panel : panels) {
       vectors_.push_back(panel->vectors());
       groups_.push_back(group_of_vectors(*panel));
@@ -124,6 +128,8 @@ class Search {
   std::vector<PlacedPanel> placed(const Found& found) {
     std::vector<drawings::Box> rooms(panels_.size());
     place(*found.division, sizes(found.choices), whole_sizes(found.choices), room_, rooms);
+    for (std::size_t i = 0; i < panels_.size(); ++i)
+      if (panels_[i]->is_cut() || !panels_[i]->has_scale()) keep_proportion(rooms[i], extent(found.choices, i));
     std::vector<PlacedPanel> all;
     for (std::size_t i = 0; i < panels_.size(); ++i)
       all.push_back({panels_[i].get(), rooms[i], found.choices.lengths[i].scale, vectors_of(found.choices, i),
@@ -132,6 +138,21 @@ class Search {
   }
 
  private:
+  // Height over width of the room that a whole sheet has.
+  static std::optional<double> proportion_of(drawings::Paper paper) {
+    const drawings::Box area = drawings::drawing_area(paper);
+    return area.height() / area.width();
+  }
+  // What is cut out of more than there is room for fills its room, and so does a chart. Where only the width was
+  // asked for, it is no higher than on a whole sheet for its width, or what is needed of it.
+  void keep_proportion(drawings::Box& room, const drawings::Box& needed) const {
+    if (!proportion_) return;
+    const double excess = room.height() - std::max(needed.height(), *proportion_ * room.width());
+    if (excess <= 0) return;
+    room.low.y += excess / 2;
+    room.high.y -= excess / 2;
+  }
+
   const Scale& vectors_of(const Choices& choices, std::size_t panel) const {
     static const Scale none;
     const auto found = choices.vectors.find(groups_[panel]);
@@ -324,6 +345,7 @@ class Search {
   Of of_;
   drawings::Box room_;
   Language language_;
+  std::optional<double> proportion_;  // none: what fills its room may be as high as it
   std::vector<Panel::Vectors> vectors_ = {};
   std::vector<std::string> groups_ = {};  // of vectors at one scale, by panel
   Choices largest_;

@@ -126,7 +126,7 @@ void LongTablePanel::draw(Plot& plot, const drawings::Box& room, bool is_empty) 
       right += column.width;
       const drawings::Point at{right - width_of(cell, size_), foot(line) + 0.3 * line_height()};
       if (!is_empty || line < LongTable::head_lines || &column == &columns_.front())
-        plot.mark(drawings::Writing{.text = cell, .baseline = at, .size = size_, .row = line});
+        plot.mark(drawings::Writing{.text = cell, .baseline = at, .size = size_, .row = line, .anchor = 1});
       right += gap_;
     }
   }

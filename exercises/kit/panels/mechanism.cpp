@@ -525,9 +525,14 @@ void Mechanism::draw_numbers(Plot& plot) const {
 }
 
 void Mechanism::draw(Plot& plot) const {
+  constexpr int last_step = 1000;  // more than there are: a result comes with the last
   draw_given(plot);
-  for (const Turning& each : turnings_)
-    if (!each.is_given) draw_turning(plot, each);
+  for (const Turning& each : turnings_) {
+    if (each.is_given) continue;
+    plot.in_step(last_step);
+    draw_turning(plot, each);
+    plot.in_step({});
+  }
 }
 
 void Mechanism::draw_given(Plot& plot) const {

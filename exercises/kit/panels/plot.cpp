@@ -99,6 +99,13 @@ drawings::Point aside(const std::vector<drawings::Mark>& marks, drawings::Point 
 
 }  // namespace
 
+void Plot::in_step(std::optional<int> number) {
+  drawings::Figure& figure = onto_.sheet.figure;
+  figure.known_of_marks.resize(figure.marks.size(), {.number = step_});
+  figure.known_of_labels.resize(figure.labels.size(), {.number = step_});
+  step_ = number;
+}
+
 void Plot::segment(const Place& P, const Place& Q, Meaning meaning, const std::string& name) {
   if (const auto seen = near_paper(at(P), at(Q))) {
     mark(drawings::Line{drawings::segment(seen->first, seen->second), meaning, name});

@@ -1,6 +1,7 @@
 // From geometry to marks: one picture of the plane (or of a plane of vectors) on a sheet, at its own scale.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,10 @@ class Plot {
   // P lies on the drawing area, and in the room. What is put at a point off it (a dot, letters, a step number) is
   // left out.
   bool shows(const Place& P) const;
+
+  // What is drawn from now on comes with this step of the panel (0: before the first), or of the sheet where the
+  // panel has none; none: it is found with which.
+  void in_step(std::optional<int> number);
 
   // For what has axes of its own: a chart.
   DrawnSheet& onto() { return onto_; }
@@ -88,6 +93,7 @@ class Plot {
   drawings::Point origin_;
   Scale scale_, vectors_;
   std::optional<drawings::Box> room_ = {};
+  std::optional<int> step_ = {};
 };
 
 }  // namespace epure

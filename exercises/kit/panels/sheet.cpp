@@ -77,6 +77,7 @@ DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const
 drawings::Box figure_area(const SheetRequest& request) {
   drawings::Box area = drawings::drawing_area(request.paper);
   if (request.room_width) area.high.x = std::min(area.high.x, area.low.x + *request.room_width);
+  if (request.room_height) area.high.y = std::min(area.high.y, area.low.y + *request.room_height);
   return area;
 }
 

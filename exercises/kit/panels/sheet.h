@@ -14,7 +14,8 @@ namespace epure {
 DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const Givens& givens,
                        const SheetRequest& request, const std::set<std::string>& without_part = {});
 
-// Where the panels may draw: the drawing area of the paper, or as much of its left part as the request has room for.
+// Where the panels may draw: the drawing area of the paper, or as much of it, at its lower left corner, as the
+// request has room for.
 drawings::Box figure_area(const SheetRequest& request);
 
 // The part of it above the strip in which the scale bars stand.

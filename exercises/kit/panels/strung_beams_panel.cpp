@@ -57,6 +57,13 @@ double StrungBeamsPanel::reach() const {
   return sum;
 }
 
+namespace {
+
+// The steps of the construction.
+constexpr int weighed = 1, joined_to_pole = 2, strung = 3, read_off = 4;
+
+}  // namespace
+
 Panel::Vectors StrungBeamsPanel::vectors() const {
   constexpr double longest_on_paper = 32;  // mm
   return {"mm", heights_of_corners(beams_).most(), longest_on_paper};
@@ -153,6 +160,7 @@ void StrungBeamsPanel::draw_polygon(Plot& plot, const StrungBeam& beam, double b
   const auto at = [&](const Place& P) { return Place{begin * mm + P.x, risen * P.y}; };
   const auto& corners = beam.corners;
   const Place level{begin * mm + beam.length, 0};
+  plot.in_step(strung);
   plot.segment(at(corners[0]), level, Meaning::construction);
   std::vector<Place> vertices{at(corners[0])};
   for (int i : {0, 1})
@@ -166,6 +174,7 @@ void StrungBeamsPanel::draw_polygon(Plot& plot, const StrungBeam& beam, double b
   plot.mark(drawings::Line{
       {plot.at(at(corners[0])), {{false, plot.at(at(corners[1])), plot.at(at(corners[2])), plot.at(at(corners[3]))}}},
       Meaning::locus});
+  plot.in_step(read_off);
   plot.side("", level, at(corners[3]), Meaning::velocity, beam.letters, at(corners[0]));
   const Place &from = beam.counts_down ? at(corners[3]) : level, &to = beam.counts_down ? level : at(corners[3]);
   plot.onto().measurements.push_back({beam.quantity, plot.at(from), plot.at(to),
@@ -186,8 +195,10 @@ void StrungBeamsPanel::draw_given(Plot& plot, const drawings::Box&, Language) co
 std::vector<drawings::Block> StrungBeamsPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
   const Places at = places(plot.scale().mm_per_unit, plot.vector_scale().mm_per_unit);
   for (std::size_t i = 0; i < beams_.size(); ++i) {
+    plot.in_step(weighed);
     draw_diagram(plot, beams_[i], at.diagrams, at.begin[i], language);
     draw_polygon(plot, beams_[i], at.begin[i]);
+    plot.in_step(joined_to_pole);
     draw_pole(plot, beams_[i], at.poles, at.begin[i], language);
   }
   return {};

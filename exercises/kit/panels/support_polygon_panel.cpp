@@ -64,10 +64,15 @@ std::vector<drawings::Block> SupportPolygonPanel::draw(Plot& plot, const drawing
     plot.segment(polygon.pole, to, Meaning::construction);
     plot.label(letters, polygon.pole + 0.5 * (to - polygon.pole));
   };
+  constexpr int rays = 1, closed = 2;  // the steps
+  plot.in_step(rays);
   for (std::size_t i = 0; i < corners.size(); ++i) ray(corners[i], std::to_string(i + 1));
+  plot.in_step(closed);
   ray(polygon.between, "$c$");
+  plot.in_step(rays);
   for (std::size_t i = 0; i < funicular_.loads.size(); ++i)
     plot.side("", corners[i], corners[i + 1], Meaning::force, figure_->outside[funicular_.loads[i]].label);
+  plot.in_step(closed);
   const Arrow2 off = aside(beside_loads, plot.scale());
   const auto reaction = [&](std::size_t k, const Place& from, const Place& to) {
     const TrussFigure::Outside& of = figure_->outside[k];
@@ -81,6 +86,7 @@ std::vector<drawings::Block> SupportPolygonPanel::draw(Plot& plot, const drawing
   if (magnitude(off) != 0)
     for (const Place& P : {corners.front(), corners.back(), polygon.between})
       plot.segment(P, P + off_hinge, Meaning::construction);
+  plot.in_step(rays);
   plot.cross(polygon.pole, Meaning::force);
   plot.label("$O_{f}$", polygon.pole, corners.front(), Meaning::force);
   return {};

@@ -30,6 +30,19 @@ struct TrussFigure {
   std::vector<Place> plan = {};  // N, of the regions
   double roller_down = 0;        // towards its ground, radians
 
+  // Of the plan's construction: the first draws the regions outside, each further one a region and its two bars, of
+  // which the last ends what is left to draw.
+  int step_of_region(std::size_t region) const {
+    for (std::size_t k = 0; k < bow.steps.size(); ++k)
+      if (bow.steps[k].region == region) return static_cast<int>(k) + 2;
+    return 1;
+  }
+  int step_of_bar(std::size_t bar) const {
+    for (const auto& step : bow.steps)
+      if (step.bars[0] == bar || step.bars[1] == bar) return step_of_region(step.region);
+    return static_cast<int>(bow.steps.size()) + 1;
+  }
+
   // As textbooks tell them apart: what is pressed heavy, what is pulled thin; what bears nothing is dashed.
   static Meaning meaning(double force) {
     return force == 0 ? Meaning::alternative : force > 0 ? Meaning::plate : Meaning::link;

@@ -13,6 +13,7 @@ constexpr double load_arrow = 12, past_support = 10;          // mm: its length;
 constexpr double letter_off_outline = 8, region_letters = 4;  // mm; their size
 constexpr double truss_letters = 7;                           // mm around all of it
 constexpr double least_inside = 2.6;  // mm from the middle of a region to its bars, for a letter to stand there
+constexpr int from_beginning = -1;    // of the steps: the truss and its loads are given
 
 Arrow2 unit_vector(const Arrow2& v) { return 1 / magnitude(v) * v; }
 Arrow2 towards(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -24,8 +25,10 @@ double counter_clockwise(double from, double to) {
 // Letters with their middle here.
 void write_at(Plot& plot, const std::string& text, const drawings::Point& middle) {
   const drawings::TextSize size = drawings::measure(text, region_letters);
-  plot.mark(drawings::Writing{
-      text, {middle.x - size.width / 2, middle.y - (size.ascent - size.descent) / 2}, region_letters});
+  plot.mark(drawings::Writing{.text = text,
+                              .baseline = {middle.x - size.width / 2, middle.y - (size.ascent - size.descent) / 2},
+                              .size = region_letters,
+                              .anchor = 0.5});
 }
 
 struct InscribedCircle {
@@ -169,14 +172,18 @@ void TrussPanel::letter_regions(Plot& plot) const {
 void TrussPanel::draw_truss(Plot& plot, const std::function<Meaning(const TrussFigure::Bar&)>& meaning,
                             const std::function<std::string(const TrussFigure::Bar&)>& sign) const {
   constexpr double number_size = 2.5;  // mm
+  plot.in_step(from_beginning);
   draw_supports(plot);
   for (std::size_t i = 0; i < figure_->bars.size(); ++i) {
     const TrussFigure::Bar& bar = figure_->bars[i];
     const Place &P = figure_->joints[bar.from], &Q = figure_->joints[bar.to];
+    plot.in_step(from_beginning);
     plot.segment(P, Q, meaning(bar), "bar_" + std::to_string(i + 1));
+    if (!funicular_) plot.in_step(figure_->step_of_bar(i));  // with its number, what the plan says of it
     plot.onto().sheet.figure.labels.push_back(
         {.text = std::to_string(i + 1) + sign(bar), .at = plot.at(P), .to = plot.at(Q), .size = number_size});
   }
+  plot.in_step(from_beginning);
   for (std::size_t i = 0; i < figure_->joints.size(); ++i) {
     if (i != figure_->outside[0].joint) plot.hinge(figure_->joints[i]);
     plot.label("$" + figure_->letters[i] + "$", figure_->joints[i]);
@@ -202,6 +209,7 @@ void TrussPanel::draw_strings(Plot& plot) const {
     plot.label(letters, from + 0.5 * (to - from));
   };
   for (std::size_t i = 0; i < vertices.size(); ++i) {
+    plot.in_step(i + 1 < vertices.size() ? 1 : 2);
     const std::size_t k = i < funicular_->loads.size() ? funicular_->loads[i] : 1;
     plot.segment(figure_->joints[figure_->outside[k].joint], vertices[i], Meaning::axis);
     string(i == 0 ? A : vertices[i - 1], vertices[i], std::to_string(i + 1) + "′");
@@ -244,6 +252,7 @@ void TrussPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
 }
 
 std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+  constexpr int closed = 2;  // the last step on the truss: its reactions are found
   if (funicular_) {
     draw_strings(plot);
     draw_unsolved(plot);
@@ -252,7 +261,10 @@ std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, 
         plot, [](const TrussFigure::Bar& bar) { return TrussFigure::meaning(bar.force); },
         [](const TrussFigure::Bar& bar) { return TrussFigure::sign(bar.force); });
   }
-  for (std::size_t k = 0; k < figure_->outside.size(); ++k) draw_force(plot, k);
+  for (std::size_t k = 0; k < figure_->outside.size(); ++k) {
+    if (funicular_) plot.in_step(k < 2 ? closed : from_beginning);
+    draw_force(plot, k);
+  }
   return {};
 }
 

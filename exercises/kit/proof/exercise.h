@@ -46,10 +46,10 @@ struct SheetRequest {
   drawings::Paper paper = drawings::Paper::a4;
   Language language = Language::english;
   bool bare = false;
-  std::optional<double> room_width = {};  // mm: a bare figure's panels share no wider room; none: the paper's
-  std::optional<Rational> scale = {};     // 1/5 for 1 : 5; none: the largest standard scale that fits
-  bool blank = false;                     // the sheet to be solved: what is given, and what is asked
-  bool for_class = false;                 // tells what is asked and what is awkward, which lots are drawn by
+  std::optional<double> room_width = {}, room_height = {};  // mm: a bare figure's panels share no larger room
+  std::optional<Rational> scale = {};  // 1/5 for 1 : 5; none: the largest standard scale that fits
+  bool blank = false;                  // the sheet to be solved: what is given, and what is asked
+  bool for_class = false;              // tells what is asked and what is awkward, which lots are drawn by
   OwnTitles titles = {};
   Solver solver = {};
 };

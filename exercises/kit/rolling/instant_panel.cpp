@@ -272,15 +272,19 @@ void RollingInstantPanel::draw_given(Plot& plot, const drawings::Box& room, Lang
 std::vector<drawings::Block> RollingInstantPanel::draw(Plot& plot, const drawings::Box& room,
                                                        Language language) const {
   const bool has_vectors = shows_ != Shows::contact;
+  plot.in_step(0);
   draw_ground(plot, f_, room);
+  plot.in_step({});
   if (has_vectors) draw_osculating_circle(plot, room, language);
   if (has_vectors) draw_path(plot, f_.given, way_);
   draw_inflection_circle(plot);
   if (title_.empty()) name_inflection_circle(plot, f_, language);
+  plot.in_step(0);
   draw_body(plot, f_, room);
+  if (has_vectors) draw_sense(plot, f_);
+  plot.in_step({});
   draw_ray(plot);
   if (has_vectors) {
-    draw_sense(plot, f_);
     draw_velocity(plot);
     draw_acceleration(plot);
     draw_directions_at_cusp(plot);
