@@ -8,7 +8,8 @@ Deep within_doubles(Deep x) {
   const bool is_tiny = !arb_is_zero(ball) && arf_cmpabs_2exp_si(arb_midref(ball), -most) < 0 &&
                        mag_cmp_2exp_si(arb_radref(ball), -most) < 0;
   const bool is_huge = arf_cmpabs_2exp_si(arb_midref(ball), most) > 0;
-  if (is_huge || (is_tiny && !arb_contains_zero(ball))) throw geometry::Impossible(beyond_doubles);
+  if (is_tiny && arb_contains_zero(ball)) throw geometry::Undecided(Words{"whether ", "se "} + Words(beyond_doubles));
+  if (is_huge || is_tiny) throw geometry::Impossible(beyond_doubles);
   return x;
 }
 
