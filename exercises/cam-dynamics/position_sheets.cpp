@@ -174,9 +174,7 @@ FreeBodyPanel arms_enlarged(const Solution& s, const Forces& on) {
   add(on.P_2, "$d_{2}$", "d_2", A.x > A0.x ? below : -below);
   add(on.R_32, "$d_{32}$", "d_32", 0);
   detail.step(
-      {"The arms enlarged: $d_{2}$ and $d_{32}$ stand square to the lines of both forces, which pass through "
-       "$A$.",
-       "I bracci ingranditi: $d_{2}$ e $d_{32}$ sono normali alle rette delle due forze, che passano per $A$."},
+      {"The arms enlarged: square to both lines of action.", "I bracci ingranditi: normali alle due rette d'azione."},
       A);
   return detail;
 }
