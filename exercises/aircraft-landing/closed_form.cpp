@@ -34,6 +34,18 @@ void by_closed_form(const Landing& of, Extent extent, const Put& put_all) {
   put("N_s", N);
   put("a_s", [=] { return -(number(of.law().A) + number(of.law().B) * v_squared()); });
   put("omega_dot_s", [=] { return number(of.turning()) * N(); });
+  // |a| = A + B v²: the slope of its reciprocal is 2 |B| v/a², steepest at v² = A/(3 B).
+  put("polygon_off_at_most", [=] {
+    const SpinUp law = of.law();
+    if (law.B == 0) return Deep(0);
+    const Deep twice_B = number(Rational(2) * CGAL::abs(law.B));
+    const auto slope = [&](const Deep& speed) {
+      return twice_B * speed / square(number(law.A) + number(law.B) * square(speed));
+    };
+    const Rational steepest = law.A / (Rational(3) * law.B);
+    return chords_off_at_most(speeds_of_strips(end, geometry::analytic::spun_up), slope,
+                              law.B > 0 ? std::optional(geometry::root(number(steepest))) : std::nullopt);
+  });
   put("ground_path_s", [=] { return end().path; });
   put("wheel_angle_s", [=] { return end().angle; });
   put("rolled_path_s", [=] { return number(of.R) * end().angle; });
@@ -56,14 +68,19 @@ void by_closed_form(const Landing& of, Extent extent, const Put& put_all) {
   const auto F_after = [=] { return number(of.J_r / (of.R * of.R)) * a_after() + number(of.f_v) * N(); };
   put("a_after", a_after);
   put("F_after", F_after);
-  // The aircraft cut free from its wheel: the hub holds its weight and flaps, and brakes it.
-  const auto hub_force = [=](const Deep& v2_now, const Deep& a) {
-    const Deep level = number(of.m_a) * a + number(of.c_x) * v2_now,
-               upright = number(of.m_a * of.g) + number(of.c_y) * v2_now;
-    return geometry::root(square(level) + square(upright));
+  // The aircraft cut free from its wheel: the hub holds its weight and flaps, and brakes it; the wheel has it back.
+  const auto put_hub = [=](const std::string& when, const Find& v2_now, const Find& a) {
+    const auto level = [=] { return number(of.m_a) * a() + number(of.c_x) * v2_now(); };
+    const auto upright = [=] { return number(of.m_a * of.g) + number(of.c_y) * v2_now(); };
+    put("hub_force_" + when, [=] { return geometry::root(square(level()) + square(upright())); });
+    put("hub_force_" + when + "_x", [=] { return -level(); });
+    put("hub_force_" + when + "_y", [=] { return -upright(); });
+    put("wheel_inertia_" + when, [=] { return -(number(of.m_r) * a()); });
   };
-  put("hub_force_0", [=] { return hub_force(number(v2), number(a_0)); });
-  put("hub_force_after", [=] { return hub_force(v_squared(), a_after()); });
+  put_hub(
+      "0", [=] { return number(v2); }, [=] { return number(a_0); });
+  put_hub("after", v_squared, a_after);
+  exact("wheel_weight", of.m_r * of.g);
   put("F_after_over_N", [=] { return F_after() / N(); });
   put("adheres", [=] { return adheres(of, F_after(), N()); });
 }

@@ -3,6 +3,7 @@
 #include "exercises/aircraft-landing/when_slip_ends.h"
 #include "geometry/constructions/proportion.h"
 #include "geometry/constructions/vector_polygon.h"
+#include "geometry/numbers/greater.h"
 
 namespace epure::aircraft_landing {
 namespace {
@@ -80,6 +81,20 @@ void by_construction(const Landing& of, Extent extent, const Put& put_all) {
   put("N_s", [=] { return last().N; });
   put("a_s", [=] { return last().a; });
   put("omega_dot_s", [=] { return last().alpha; });
+  // Of the polygons' accelerations: what is beside that of a standing aircraft grows with the square of the speed.
+  put("polygon_off_at_most", [=] {
+    if (of.law().B == 0) return Deep(0);
+    const auto braking = [&](const Deep& speed) { return -slipping({of, speed}).a; };
+    const Deep standing = braking(Deep(0)), grown = braking(number(of.v_0)) - standing;
+    const auto slope = [&](const Deep& speed) {
+      const Deep now = braking(speed);
+      return Deep(2) * geometry::size_of(now - standing) / (speed * geometry::square(now));
+    };
+    const bool grows = of.law().B > 0;
+    const auto steepest = [&] { return number(of.v_0) * geometry::root(standing / (Deep(3) * grown)); };
+    return chords_off_at_most(speeds_of_strips(end, geometry::analytic::spun_up_by_series), slope,
+                              grows ? std::optional(steepest()) : std::nullopt);
+  });
   put("ground_path_s", [=] { return end().path; });
   put("wheel_angle_s", [=] { return end().angle; });
   put("rolled_path_s", [=] { return number(of.R) * end().angle; });
@@ -96,13 +111,20 @@ void by_construction(const Landing& of, Extent extent, const Put& put_all) {
   put("a_after", [=] { return after().a; });
   put("F_after", [=] { return after().F; });
   // Closes the polygon of the wheel: its weight, the ground's reaction and the force of inertia.
-  const auto hub_force = [=](const Deep& N, const Deep& F, const Deep& a) {
-    const Vector others =
-        Vector{Deep(0), -number(of.m_r * of.g)} + Vector{-F, N} + Vector{-(number(of.m_r) * a), Deep(0)};
-    return geometry::length(others);
+  const auto weight = [=] { return Vector{Deep(0), -(number(of.g) * number(of.m_r))}; };
+  const auto put_hub = [=](const std::string& when, const Find& N, const Find& F, const Find& a) {
+    const auto inertia = [=] { return Vector{-(number(of.m_r) * a()), Deep(0)}; };
+    const auto hub = [=] { return closing_side(weight() + Vector{-F(), N()} + inertia(), Vector{Deep(0), Deep(0)}); };
+    put("hub_force_" + when, [=] { return geometry::length(hub()); });
+    put("hub_force_" + when + "_x", [=] { return hub().x; });
+    put("hub_force_" + when + "_y", [=] { return hub().y; });
+    put("wheel_inertia_" + when, [=] { return inertia().x; });
   };
-  put("hub_force_0", [=] { return hub_force(first().N, first().F, first().a); });
-  put("hub_force_after", [=] { return hub_force(after().N, after().F, after().a); });
+  put_hub(
+      "0", [=] { return first().N; }, [=] { return first().F; }, [=] { return first().a; });
+  put_hub(
+      "after", [=] { return after().N; }, [=] { return after().F; }, [=] { return after().a; });
+  put("wheel_weight", [=] { return -weight().y; });
   put("F_after_over_N", [=] { return after().F / after().N; });
   put("adheres", [=] { return adheres(of, after().F, after().N); });
 }

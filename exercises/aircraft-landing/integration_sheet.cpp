@@ -23,7 +23,7 @@ double time_at(const std::vector<SpeedsAt>& falling, double left) {
 }  // namespace
 
 PanelSheet integration_sheet(const Solution& s, Language language) {
-  constexpr int strips = 6;
+  constexpr int strips = Landing::strips;
   const auto law = Landing(s.givens()).law();
   const double A = CGAL::to_double(law.A), B = CGAL::to_double(law.B), v_s = s["v_s"];
   const auto at = speeds_until_slip_ends(s, strips);
@@ -58,13 +58,13 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
       "da $v_{s}$, a sinistra, fino a $v_{0}$; il tempo si conta all'indietro dalla fine dello strisciamento."};
   const Words off_the_curve{
       "At its corners the polygon lies on the true curve, as the areas are equal; between them it is off by at most "
-      "Δ$v^{2}$/8 times the steepest slope of 1/|$a$| in the strip of the width Δ$v$.",
+      "$δ_{t}$, the greatest of Δ$v^{2}$/8 times the steepest slope of 1/|$a$| in the strip of the width Δ$v$.",
       "Nei vertici il poligono sta sulla curva esatta, poiché le aree sono uguali; fra l'uno e l'altro se ne scosta "
-      "al più di Δ$v^{2}$/8 per la massima pendenza di 1/|$a$| nella striscia larga Δ$v$."};
+      "al più di $δ_{t}$, il massimo di Δ$v^{2}$/8 per la massima pendenza di 1/|$a$| nella striscia larga Δ$v$."};
   return {
       .panels = panels(panel),
-      .results = {remark(law_of_time.in(language)), remark(off_the_curve.in(language)), values({"a_0", "a_s"}),
-                  values({"v_0", "v_s"}), values({"t_s"})},
+      .results = {remark(law_of_time.in(language)), remark(off_the_curve.in(language)),
+                  values({"polygon_off_at_most"}), values({"a_0", "a_s"}), values({"v_0", "v_s"}), values({"t_s"})},
       .seen = {"The reciprocal of the acceleration over the speed, and its integral polygon, the time",
                "Il reciproco dell'accelerazione in funzione della velocità e il suo poligono integrale, il tempo"},
       .told = {"v_0", "v_s", "t_s"},

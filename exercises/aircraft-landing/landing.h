@@ -28,6 +28,9 @@ struct Landing {
   // ω' = turning · N while it slips
   Rational turning() const { return (f_r - f_v) * R / J_r; }
   geometry::analytic::SpinUp law() const;
+
+  // Of the graphical integration: the time that slip lasts in equal parts.
+  static constexpr int strips = 6;
 };
 
 }  // namespace epure::aircraft_landing

@@ -12,16 +12,14 @@ namespace {
 
 // The place of contact is the origin, the wheel goes to the right.
 struct Wheel {
-  double R, u, alpha;  // alpha clockwise, as it rolls
+  double R, u, turning;  // clockwise, as it rolls: of what sense its angular acceleration is
   PolygonSide weight, N, F, inertia, hub;
 };
 
 Wheel wheel_at(const Solution& s, bool at_first) {
-  const Landing of(s.givens());
-  const double m = CGAL::to_double(of.m_r), g = CGAL::to_double(of.g), R = CGAL::to_double(of.R);
-  const std::string prime = at_first ? "" : "'";
-  const double N = s[at_first ? "N_0" : "N_s"], F = s[at_first ? "F_0" : "F_after"],
-               a = s[at_first ? "a_0" : "a_after"];
+  const std::string prime = at_first ? "" : "'", when = at_first ? "0" : "after";
+  const std::string N = at_first ? "N_0" : "N_s", F = "F_" + when, inertia = "wheel_inertia_" + when,
+                    hub = "hub_force_" + when;
   const auto side = [](const std::string& quantity, const std::string& label, const std::string& direction,
                        const std::string& size, const Arrow2& v) {
     return PolygonSide{.quantity = quantity,
@@ -31,16 +29,15 @@ Wheel wheel_at(const Solution& s, bool at_first) {
                        .v = v,
                        .length = magnitude(v)};
   };
-  return {.R = R,
-          .u = s["u"],
-          .alpha = at_first ? s["omega_dot_0"] : a / R,
-          .weight = side("", "$\\vec{\\it{P}}_{r}$", "↓", "$m_{r}g$", {0, -m * g}),
-          .N = side(at_first ? "N_0" : "N_s", "$\\vec{\\it{N}}$", "↑", "$\\it{N}$", {0, N}),
-          .F = side(at_first ? "F_0" : "F_after", "$\\vec{\\it{F}}" + prime + "$", "←", "$\\it{F}" + prime + "$",
-                    {-F, 0}),
-          .inertia = side("", "−$m_{r}\\vec{a}" + prime + "$", "→", "$m_{r}$|$a" + prime + "$|", {-m * a, 0}),
-          .hub = side(at_first ? "hub_force_0" : "hub_force_after", "$\\vec{\\it{H}}" + prime + "$", "?", "?",
-                      {m * a + F, m * g - N})};
+  return {
+      .R = CGAL::to_double(Landing(s.givens()).R),
+      .u = s["u"],
+      .turning = s[at_first ? "omega_dot_0" : "a_after"],
+      .weight = side("wheel_weight", "$\\vec{\\it{P}}_{r}$", "↓", "$m_{r}g$", {0, -s["wheel_weight"]}),
+      .N = side(N, "$\\vec{\\it{N}}$", "↑", "$\\it{N}$", {0, s[N]}),
+      .F = side(F, "$\\vec{\\it{F}}" + prime + "$", "←", "$\\it{F}" + prime + "$", {-s[F], 0}),
+      .inertia = side(inertia, "−$m_{r}\\vec{a}" + prime + "$", "→", "$m_{r}$|$a" + prime + "$|", {s[inertia], 0}),
+      .hub = side(hub, "$\\vec{\\it{H}}" + prime + "$", "?", "?", s.vector(hub))};
 }
 
 VectorPolygon polygon_of(const Wheel& of, const std::string& letter) {
@@ -58,7 +55,7 @@ FreeBodyPanel cut_free(const Wheel& of, const std::string& prime) {
       .force(of.weight, hub)
       .force(of.inertia, hub)
       .force(of.hub, hub)
-      .couple("−$\\it{J}_{r}α" + prime + "$", hub, of.alpha)
+      .couple("−$\\it{J}_{r}α" + prime + "$", hub, of.turning)
       .arm(hub, foot, {0, 1}, "$u$", "");
   return body;
 }

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "exercises/aircraft-landing/euler.h"
+#include "geometry/numbers/greater.h"
 
 namespace epure::aircraft_landing {
 namespace {
@@ -20,9 +21,25 @@ bool is_not_negative(const Deep& rest) {
 }  // namespace
 
 Put pressing(const Landing& of, Extent extent, const Put& put) {
-  static const std::set<std::string> of_the_whole{
-      "v_0",        "omega_rolling_0", "u",           "F_x_0",          "F_y_0", "drag_work_s", "v_10ms",
-      "omega_10ms", "rolling_work_s",  "hub_force_0", "hub_force_after"};
+  static const std::set<std::string> of_the_whole{"v_0",
+                                                  "omega_rolling_0",
+                                                  "u",
+                                                  "F_x_0",
+                                                  "F_y_0",
+                                                  "drag_work_s",
+                                                  "rolling_work_s",
+                                                  "v_10ms",
+                                                  "omega_10ms",
+                                                  "hub_force_0",
+                                                  "hub_force_0_x",
+                                                  "hub_force_0_y",
+                                                  "hub_force_after",
+                                                  "hub_force_after_x",
+                                                  "hub_force_after_y",
+                                                  "wheel_weight",
+                                                  "wheel_inertia_0",
+                                                  "wheel_inertia_after",
+                                                  "polygon_off_at_most"};
   const auto airborne = of.airborne();
   return [=](const std::string& name, const Find& find) {
     if (extent == Extent::of_a_case && of_the_whole.contains(name)) return;
@@ -44,6 +61,25 @@ SpinState before_slip_ends(const WhenSlipEnds& end, SpinState (*after)(const Spi
     default:
       throw geometry::Impossible(ended);
   }
+}
+
+Deep chords_off_at_most(const std::vector<Deep>& speeds, const std::function<Deep(const Deep& v)>& slope,
+                        const std::optional<Deep>& steepest_at) {
+  Deep most(0);
+  for (std::size_t i = 1; i < speeds.size(); ++i) {
+    const Deep &fast = speeds[i - 1], &slow = speeds[i];
+    Deep steepest = geometry::greater(slope(fast), slope(slow));
+    if (steepest_at) steepest = geometry::greater(steepest, slope(geometry::within(slow, *steepest_at, fast)));
+    most = geometry::greater(most, geometry::square(fast - slow) / Deep(8) * steepest);
+  }
+  return most;
+}
+std::vector<Deep> speeds_of_strips(const WhenSlipEnds& end, SpinState (*after)(const SpinUp&, const Deep& t)) {
+  std::vector<Deep> speeds{number(end.law().v_0)};
+  for (int i = 1; i < Landing::strips; ++i)
+    speeds.push_back(after(end.law(), number(Rational(i, Landing::strips)) * end().t).v);
+  speeds.push_back(end().v);
+  return speeds;
 }
 
 Deep adheres(const Landing& of, const Deep& F, const Deep& N) {

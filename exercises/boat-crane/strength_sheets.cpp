@@ -17,6 +17,69 @@ namespace {
 constexpr double mega = 1e6;
 const std::string with_600 = "mass_600kg.";
 
+Words stated_mass(const Solution& s) { return decimal(CGAL::to_double(s.givens()["W_b"]), 6) + Words{" kg", " kg"}; }
+
+// The stresses of the beam for both masses, which the sheet to be solved does not ask for.
+Result both_masses(const Solution& s, Language language) {
+  const auto row = [](const std::string& head, const std::string& of) {
+    return Row{head, {of + "sigma_z_max", of + "tau_zy", of + "sigma_eq", of + "beam_static_utilisation"}, "–", true};
+  };
+  const Result rows = table({"", "$σ_{z}$ (MPa)", "$τ_{zy}$ (MPa)", "$σ_{eq}$ (MPa)", "$u$"},
+                            {row(stated_mass(s).in(language), ""), row("600 kg", with_600)});
+  return [rows](const Solution& solution, Language told_in) { return rows(solution, told_in); };
+}
+
+// The column cut free, and the diagram of its normal force, compression to the left.
+class ColumnPanel : public Panel {
+ public:
+  explicit ColumnPanel(const Solution& s) : height_(CGAL::to_double(s.givens()["H_0"])), N_(s["N_2"]) {}
+
+  double reach() const override { return height_; }
+  Vectors vectors() const override { return {"N", std::abs(N_), 25}; }
+  drawings::Box extent(const Scale& lengths, const Scale& vectors) const override {
+    constexpr double air = 10;  // mm
+    const double wide = vectors.mm_per_unit * std::abs(N_);
+    return {{-wide - air, -wide - air}, {air, lengths.mm_per_unit * height_ + wide + air}};
+  }
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override {
+    plot.segment(foot(), head(), Meaning::link);
+    plot.hinge(foot());
+    plot.hinge(head());
+    plot.label("$A$", foot(), head());
+    plot.label("$C$", head(), foot());
+  }
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
+    const double wide = in_lengths(plot, N_);
+    const std::vector<Place> border{foot(), {wide, 0}, {wide, height_}, head()};
+    plot.area(border, Meaning::plate);
+    plot.polygon(border, Meaning::force);
+    draw_given(plot, room, language);
+    plot.vector_on("", head() + Arrow2{0, -wide}, {0, N_}, Meaning::force, "$\\it{Y}_{A}$");
+    plot.vector_on("", foot() + Arrow2{0, wide}, {0, -N_}, Meaning::force, "$\\it{Y}_{A}$");
+    plot.label("$\\it{N}_{2}$", {wide, 0.7 * height_}, Place{0, 0.7 * height_}, Meaning::force);
+    plot.label("−", {wide / 2, 0.3 * height_}, {}, Meaning::force);
+    plot.onto().measurements.push_back({"N_2", plot.at({0, height_ / 2}), plot.at({wide, height_ / 2}),
+                                        1 / plot.vector_scale().mm_per_unit, Measurement::along_x});
+    return {};
+  }
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override {
+    return {{{"The column, hinged at both ends, is pressed by $\\it{Y}_{A}$ along its axis: $\\it{N}_{2}$ = "
+              "−$\\it{Y}_{A}$ all along it, $\\it{T}$ and $\\it{M}$ are zero.",
+              "La colonna, incernierata agli estremi, è premuta da $\\it{Y}_{A}$ lungo l'asse: ovunque $\\it{N}_{2}$ "
+              "= −$\\it{Y}_{A}$, $\\it{T}$ e $\\it{M}$ sono nulli."},
+             Place{in_lengths(plot, N_) / 2, height_ / 2}}};
+  }
+
+ private:
+  static Place foot() { return {0, 0}; }
+  Place head() const { return {0, height_}; }
+  static double in_lengths(const Plot& plot, double force) {
+    return force * plot.vector_scale().mm_per_unit / plot.scale().mm_per_unit;
+  }
+
+  double height_, N_;
+};
+
 }  // namespace
 
 std::shared_ptr<const MechanismFigure> whole_crane(const Solution& s) {
@@ -62,12 +125,18 @@ PanelSheet section_sheet(const Solution& s, Language language) {
   const Words mean{
       "As the source does, the mean shear $τ_{zy}$ = $\\it{T}$/$\\it{A}_{1}$ is taken with the greatest $σ_{z}$.",
       "Come fa la fonte, il taglio medio $τ_{zy}$ = $\\it{T}$/$\\it{A}_{1}$ è preso insieme alla massima $σ_{z}$."};
+  const Words proportional{
+      "The source computes with 600 kg: both figures hold for it when a millimetre is taken for 600 kg/$\\it{W}_{b}$ "
+      "times the stress.",
+      "La fonte calcola con 600 kg: le due figure valgono anche così, se un millimetro si conta per "
+      "600 kg/$\\it{W}_{b}$ volte la tensione."};
   return {
       .panels = panels(section, circle),
       .results = {workshop_values({"A_1", "J_x1"}), workshop_values({"W_x1", "S_x1_max"}),
                   workshop_values({"sigma_z_max", "tau_zy"}), workshop_values({"tau_web_mean", "tau_max_Jourawsky"}),
                   workshop_values({"sigma_I", "sigma_II"}), workshop_values({"sigma_eq", "sigma_eq_web_shear"}),
-                  workshop_values({"sigma_amm", "beam_static_utilisation"}), remark(mean.in(language))},
+                  workshop_values({"sigma_amm", "beam_static_utilisation"}), remark(mean.in(language)),
+                  both_masses(s, language), remark(proportional.in(language))},
       .seen =
           {"Section C of the beam with the diagrams of bending stress and of Jourawsky's shear along its depth, and "
            "Mohr's circle",
@@ -208,15 +277,15 @@ PanelSheet buckling_sheet(const Solution& s, Language language) {
           : Words{"$λ$ is below $λ_{lim}$: the column yields before Euler's load, which does not hold there.",
                   "$λ$ è minore di $λ_{lim}$: la colonna si snerva prima del carico di Eulero, che lì non vale."};
   return {
-      .panels = panels(ChartPanel(std::move(chart), std::move(reads))),
-      .theory = {{{"Construction", "Costruzione"}, {remark(how.in(language)), remark(valid.in(language))}}},
+      .panels = panels(ColumnPanel(s), ChartPanel(std::move(chart), std::move(reads))),
+      .theory = {{{"Slenderness", "Snellezza"}, {remark(how.in(language)), remark(valid.in(language))}}},
       .results = {workshop_values({"A_2"}), workshop_values({"J_x2", "J_y2"}), workshop_values({"J_min", "i_min"}),
                   values({"slenderness", "slenderness_limit"}), values({"P_cr", "P_cr_over_Psi"}),
                   values({"P_cr_strong_axis"}), workshop_values({"N_2", "sigma_zN"}),
                   values(is_slender ? std::vector<std::string>{"buckling_utilisation", "buckling_safety_factor"}
                                     : std::vector<std::string>{})},
-      .seen = {"Euler's hyperbola of the column with its points",
-               "L'iperbole di Eulero della colonna con i suoi punti"},
+      .seen = {"The column with the diagram of its normal force, and Euler's hyperbola with its points",
+               "La colonna con il diagramma della sua forza normale, e l'iperbole di Eulero con i suoi punti"},
       .told = {"slenderness", "slenderness_limit", "P_cr", "N_2", "buckling_safety_factor"},
       .without_part = {"L", "s_1", "H_1", "b_1", "Delta_sigma_L"}};
 }
@@ -265,7 +334,7 @@ PanelSheet checks_sheet(const Solution& s, Language language) {
       "Delta_sigma_Lamm", "column_fatigue_utilisation", mega);
   row({"Column, buckling: $\\it{N}_{2}$ (kN)", "Colonna, instabilità: $\\it{N}_{2}$ (kN)"}, "N_2", "P_cr_over_Psi",
       "buckling_utilisation", 1000);
-  const Words kg = decimal(CGAL::to_double(s.givens()["W_b"]), 6) + Words{" kg", " kg"};
+  const Words kg = stated_mass(s);
   const Words of = decimal("$u$, ");
   TablePanel table({Words{"check", "verifica"}.in(language), kg.in(language), "600 kg",
                     Words{"allowable", "ammissibile"}.in(language), (of + kg).in(language),

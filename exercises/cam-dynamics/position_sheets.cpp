@@ -147,7 +147,6 @@ FreeBodyPanel cam_cut_free(const Solution& s, const Forces& on) {
   const Place A0 = s.place("A0"), A = s.place("A_at"), C = s.place("contact_at");
   FreeBodyPanel body(std::make_shared<const Mechanism>(cam_figure(s, "", Shown::cam)));
   body.force(on.P_2, A).force(on.F_2, A).force(on.R_32, C, FreeBodyPanel::Arrow::ends).force(on.R_12, A0);
-  body.arm(A0, A, on.P_2.v, "$d_{2}$", "").arm(A0, C, on.R_32.v, "$d_{32}$", "");
   if (const auto M = s.value("M_m")) body.couple("$\\it{M}_{m}$", A0, *M);
   body.moments(
       {"The cam cut free. Moments about $A_{0}$: $\\it{M}_{m}$ balances those of $\\vec{\\it{P}}_{2}$, arm "
@@ -156,6 +155,28 @@ FreeBodyPanel cam_cut_free(const Solution& s, const Forces& on) {
        "$d_{2}$, e di $\\vec{\\it{R}}_{32}$, braccio $d_{32}$."},
       A0);
   return body;
+}
+
+// Enlarged, as the arms are short beside the disc, and nearly of one direction. On its line of action a force may
+// stand anywhere: here both stand at A.
+FreeBodyPanel arms_enlarged(const Solution& s, const Forces& on) {
+  constexpr double below = -7;  // mm, of the one dimension line
+  const Place A0 = s.place("A0"), A = s.place("A_at");
+  Mechanism drawn;
+  drawn.point("A0", A0, Mechanism::Joint::hinge, "$A_{0}$").point("A", A, Mechanism::Joint::mass, "$A$");
+  drawn.body({"A0", "A"});
+  FreeBodyPanel detail(std::make_shared<const Mechanism>(std::move(drawn)));
+  detail.force(on.P_2, A).force(on.R_32, A, FreeBodyPanel::Arrow::ends);
+  const bool is_kept = s.value("R_23").has_value();
+  const auto add = [&](const PolygonSide& force, const char* letters, const char* quantity, double left) {
+    detail.arm(A0, A, force.v, letters, is_kept ? quantity : "", left);
+  };
+  add(on.P_2, "$d_{2}$", "d_2", A.x > A0.x ? below : -below);
+  add(on.R_32, "$d_{32}$", "d_32", 0);
+  detail.step(
+      {"The arms enlarged: square to both lines of action.", "I bracci ingranditi: normali alle due rette d'azione."},
+      A);
+  return detail;
 }
 
 }  // namespace
@@ -173,10 +194,10 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
       "$\\it{F}^{in}_{3}$)$v_{B3}$, upward velocities positive. $\\vec{\\it{F}}^{in}_{2}$ does none.",
       "Lavori virtuali: $\\it{M}_{m}ω_{2}$ = $\\it{P}_{2}v_{Ay}$ + ($\\it{P}$ + $\\it{P}_{3}$ − "
       "$\\it{F}^{in}_{3}$)$v_{B3}$, velocità positive in su. $\\vec{\\it{F}}^{in}_{2}$ non lavora."};
-  return {.panels =
-              panels(follower_cut_free(s, on),
-                     PolygonPanel(s, force_polygon("3", {on.R_13}, {on.P, on.P_3, on.F_3, on.R_23})),
-                     cam_cut_free(s, on), PolygonPanel(s, force_polygon("2", {on.R_12}, {on.R_32, on.P_2, on.F_2}))),
+  return {.panels = panels(follower_cut_free(s, on),
+                           PolygonPanel(s, force_polygon("3", {on.R_13}, {on.P, on.P_3, on.F_3, on.R_23})),
+                           cam_cut_free(s, on), arms_enlarged(s, on),
+                           PolygonPanel(s, force_polygon("2", {on.R_12}, {on.R_32, on.P_2, on.F_2}))),
           .results = {remark(is_kept ? "" : lost.in(language)),
                       values(is_kept ? std::vector<std::string>{} : std::vector<std::string>{"P_kept"}),
                       values({"P_3", "P_2"}), values({"F_3_in", "F_2_in"}), values({"R_13", "R_23", "R_12"}),

@@ -17,7 +17,23 @@ void demand_sheet(const Exercise& exercise, const std::string& sheet) {
                                   sheet, did_you_mean(sheet, names)));
 }
 
+// What is like no exercise, and has a folder or an ending as the name of a file has.
+void demand_no_file(const Catalogue& exercises, const std::string& name) {
+  if (name.find_first_of("/.") == std::string::npos || name.find('=') != std::string::npos) return;
+  const std::string id = name.substr(0, name.find('/'));
+  std::vector<std::string> ids;
+  for (const Listed& exercise : exercises) ids.push_back(exercise.id());
+  if (near_names(id, ids).empty())
+    throw WrongUsage(
+        format_words("\"{}\" is no exercise nor a sheet of one, and the file of a mechanism has a name that "
+                     "ends in .yaml or .yml",
+                     "\"{}\" non è un esercizio né una sua tavola, e il file di un meccanismo ha un nome che "
+                     "finisce in .yaml o .yml",
+                     name));
+}
+
 Target find_target(const Catalogue& exercises, const std::string& name) {
+  demand_no_file(exercises, name);
   const auto slash = name.find('/');
   Target target{&find_exercise(exercises, name.substr(0, slash))};
   if (slash == std::string::npos) return target;

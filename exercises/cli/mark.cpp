@@ -26,6 +26,7 @@ bool ends_in_csv(const Options& options) {
 }
 
 bool wants_csv(const Options& options) {
+  if (!ends_in_csv(options)) refuse_ending_of_others(options, {"text or csv", "text o csv"});
   if (!options.format && !options.csv) return ends_in_csv(options);
   const std::string format = lower_case(options.format.value_or("csv"));
   if (format == "csv") return true;

@@ -64,6 +64,7 @@ ReportFormat report_format(const Options& options) {
   if (by_ending && by_ending != asked)
     throw WrongUsage(format_words("\"{}\" is not the ending of --format {}",
                                   "\"{}\" non finisce come vuole --format {}", *options.file, *options.format));
+  if (!by_ending) refuse_ending_of_others(options, {"md, tex or html", "md, tex o html"});
   return *asked;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "drawings/output.h"
@@ -169,6 +170,16 @@ Format format_of_file(const Options& options) {
     throw WrongUsage(format_words("\"{}\" is not the ending of --format {}",
                                   "\"{}\" non finisce come vuole --format {}", *options.file, *options.format));
   return asked.front();
+}
+
+void refuse_ending_of_others(const Options& options, const Words& written) {
+  if (!options.file || is_standard_output(options)) return;
+  static const std::set<std::string> known{".pdf", ".svg", ".html", ".png",   ".eps",    ".tex",
+                                           ".csv", ".md",  ".json", ".jsonl", ".ndjson", ".xml"};
+  const std::string ending = lower_case(std::filesystem::path(*options.file).extension().string());
+  if (known.contains(ending))
+    throw WrongUsage(format_words("\"{}\" ends as another format does; what is written here is {}",
+                                  "\"{}\" finisce come un altro formato; qui si scrive {}", *options.file, written));
 }
 
 bool is_asked_for(Format format, const Options& options) {

@@ -24,6 +24,9 @@ bool is_asked_for(Format format, const Options& options);
 // -o - and its other names.
 bool is_standard_output(const Options& options);
 
+// The file that -o names may not end as files of another format do than the verb writes: "csv, json or html".
+void refuse_ending_of_others(const Options& options, const Words& written);
+
 // --out and -o exclude each other, and the formats must be clear, before anything is drawn.
 void demand_sensible_output(const Options& options);
 

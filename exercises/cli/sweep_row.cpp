@@ -120,7 +120,12 @@ SweptRow swept_row(const SweepStudy& study, std::uint64_t number) {
 
 std::string csv_header(const SweepStudy& study, const CsvStyle& style) {
   std::vector<std::string> fields;
-  for (const Variation& each : study.over) fields.push_back(style.head(each.given().symbol, each.unit()));
+  const std::vector<std::string> names = study.quantity_names();
+  for (const Variation& each : study.over) {
+    const std::string& symbol = each.given().symbol;
+    const bool is_also_found = std::find(names.begin(), names.end(), symbol) != names.end();
+    fields.push_back(style.head(is_also_found ? symbol + "_given" : symbol, each.unit()));
+  }
   for (const Quantity& each : study.quantities) {
     for (const char* const which : {"", "_lower", "_upper"})
       fields.push_back(style.head(each.name + which, each.unit));

@@ -44,7 +44,7 @@ Words reason_in_full(const SweptQuantity& quantity);
 std::string faults_in_line(const std::vector<Flaw>& faults, Language language);
 
 // "phi (deg),v_B (m/s),v_B_lower (m/s),v_B_upper (m/s),v_B_reason", and at the end
-// "faults".
+// "faults". A given of which a quantity asked for has the name is "mu_given".
 std::string csv_header(const SweepStudy& study, const CsvStyle& style);
 // The same of a row; what is known otherwise than by a number is empty, with the reason. A position that no decimal
 // says is a fraction, for a spreadsheet the nearest double.

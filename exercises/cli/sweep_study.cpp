@@ -170,6 +170,7 @@ PartOfRows part_of_rows(const Options& options, std::uint64_t rows) {
 RowFormat row_format(const Options& options) {
   const std::string ending = options.file ? std::filesystem::path(*options.file).extension().string() : "";
   const auto by_ending = ending.empty() ? std::nullopt : row_format_named(ending.substr(1));
+  if (!by_ending) refuse_ending_of_others(options, {"csv, json or html", "csv, json o html"});
   if (!options.format) return by_ending.value_or(RowFormat::csv);
   const auto asked = row_format_named(*options.format);
   if (!asked)

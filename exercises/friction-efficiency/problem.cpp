@@ -1,5 +1,6 @@
 #include "exercises/friction-efficiency/problem.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,22 +17,30 @@ const Angle& right_angle() {
   return quarter;
 }
 
-Words of_degrees(const Angle& angle) {
-  if (angle.radians == 0) return told_value(360 * angle.turns);
-  return decimal(geometry::degrees(angle), 6);
+constexpr int figures_of_degrees = 6;
+
+Words of_degrees(const Angle& angle, int figures = figures_of_degrees) {
+  if (angle.radians == 0) return told_value(360 * angle.turns, std::max(12, figures));
+  return decimal(geometry::degrees(angle), figures);
 }
 
-// `limit`: the friction angle at which the mechanism jams.
-[[noreturn]] void refuse_jammed(const Angle& phi, const Words& mechanism, const Words& limit) {
+// `limit`: the friction angle at which the mechanism jams, in degrees; φ is it, or beyond it, however little.
+[[noreturn]] void refuse_jammed(const Angle& phi, const Words& mechanism, double limit, bool is_at_limit) {
+  const auto figures = figures_that_tell_apart(geometry::degrees(phi), limit);
+  const Words excess = is_at_limit || figures
+                           ? Words{}
+                           : Words{" (it is beyond by less than 10^-12°)", " (lo supera di meno di 10^-12°)"};
+  const int told = is_at_limit ? figures_of_degrees : figures.value_or(figures_of_degrees);
   throw BadGivens(
-      format_words("phi = {}°: must be less than {}°, at which {} jams in the direct motion: the force P is "
+      format_words("phi = {}°: must be less than {}°{}, at which {} jams in the direct motion: the force P is "
                    "infinite there",
-                   "phi = {}°: dev'essere minore di {}°, a cui {} s'impunta nel moto diretto: la forza P vi "
+                   "phi = {}°: dev'essere minore di {}°{}, a cui {} s'impunta nel moto diretto: la forza P vi "
                    "è infinita",
-                   of_degrees(phi), limit, mechanism));
+                   of_degrees(phi, told), decimal(limit, told), excess, mechanism));
 }
 void require_below(const Angle& phi, const Angle& limit, const Words& mechanism) {
-  if (sign_of(limit - phi) <= 0) refuse_jammed(phi, mechanism, of_degrees(limit));
+  if (const int left = sign_of(limit - phi); left <= 0)
+    refuse_jammed(phi, mechanism, geometry::degrees(limit), left == 0);
 }
 
 // The rod jams when the line of the wedge's force on it passes through K, where the collar's two forces meet:
@@ -60,7 +69,7 @@ void require_moving_rod(const Wedge& of, const Angle& phi) {
     (room_before_jam<double>(of, middle) > 0 ? moves : jams) = middle;
   }
   refuse_jammed(phi, {"the rod in its collar of two forces", "l'asta nel collare a due forze"},
-                decimal(std::atan(jams) * 180 / std::numbers::pi, 6));
+                std::atan(jams) * 180 / std::numbers::pi, left == Sign::zero);
 }
 
 // On the line of hinges the contact is the levers' relative pole: they roll there, and friction has no sense.
@@ -104,7 +113,7 @@ void require_moving_link(const DoubleSlider& of, const Angle& phi, const Rationa
   const double theta = geometry::to_double(of.theta), ratio = CGAL::to_double(2 * radius / of.l);
   const double limit = std::atan2(std::sin(theta), ratio + std::cos(theta)) * 180 / std::numbers::pi;
   refuse_jammed(phi, {"the double slider with friction in its pins", "il doppio pattino con attrito nei perni"},
-                decimal(limit, 6));
+                limit, above == Sign::zero);
 }
 
 }  // namespace

@@ -114,21 +114,24 @@ ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::str
   return panel;
 }
 
-// Whether the load alone does not drive it back.
-Result whether_it_locks(const Case& of, const std::string& effort, Language language) {
+// What the sign of the effort in the retrograde motion says: it holds the load back, or the load alone does not drive
+// the mechanism back.
+Result what_its_sign_says(const Case& of, const std::string& effort, Language language) {
   const auto retrograde_effort = of.s.value(of.name(effort + retrograde)), ideal = of.s.value(of.name(effort + "_i"));
-  if (!retrograde_effort || !ideal || *ideal <= 0 || *retrograde_effort > 0) return remark("");
-  const std::string letter = "$\\it{" + effort + "}'$";
-  return remark(*retrograde_effort == 0
-                    ? letter + Words{" = 0: exactly at the limit of self-locking.",
-                                     " = 0: esattamente al limite dell'arresto spontaneo."}
-                                   .in(language)
-                    : letter +
-                          Words{" < 0: self-locking. The load alone does not drive it back: ",
-                                " < 0: arresto spontaneo. Il carico da solo non lo fa tornare indietro: "}
-                              .in(language) +
-                          letter +
-                          Words{" must push the other way.", " deve spingere nel verso opposto."}.in(language));
+  if (!retrograde_effort || !ideal || *ideal <= 0) return remark("");
+  const std::string letter = "$\\it{" + effort + "}$", primed = "$\\it{" + effort + "}'$";
+  const Words holds =
+                  format_words(" > 0: like {} it holds the load back.", " > 0: come {} trattiene il carico.", letter),
+              at_limit{" = 0: exactly at the limit of self-locking.",
+                       " = 0: esattamente al limite dell'arresto spontaneo."},
+              pushes = format_words(
+                  " < 0: self-locking. The load alone does not drive it back: {} must push the "
+                  "other way.",
+                  " < 0: arresto spontaneo. Il carico da solo non lo fa tornare indietro: {} deve "
+                  "spingere nel verso opposto.",
+                  primed);
+  const Words& says = *retrograde_effort > 0 ? holds : *retrograde_effort == 0 ? at_limit : pushes;
+  return remark(primed + says.in(language));
 }
 
 std::vector<Result> efficiencies(const Case& of, const std::string& effort, Language language) {
@@ -136,7 +139,7 @@ std::vector<Result> efficiencies(const Case& of, const std::string& effort, Lang
           of.results({"eta_direct", "eta_retrograde"}),
           remark("$η_{D}$ = $\\it{" + effort + "}_{i}$/$\\it{" + effort + "}$, $η_{R}$ = $\\it{" + effort +
                  "}'$/$\\it{" + effort + "}_{i}$"),
-          whether_it_locks(of, effort, language)};
+          what_its_sign_says(of, effort, language)};
 }
 const Words turned_against{
     "Body $j$ slides on $i$ as $\\vec{v}_{ji}$ shows; the force on it is turned by $φ$ against that. Dashed "
@@ -390,16 +393,21 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   };
   const Chain chain = chained(direct);
   const PolygonSide contact = of.known(moving(chain.contact, direct), "", "");
-  const Sides on = sides(of, chain, direct);
-  const auto is_shared = [&](int lever) {
-    return is_out_of_reach(of.point("H_" + std::to_string(lever) + direct), at.C, at.hinge(lever),
-                           at.attacked(lever));
+  const Sides on = sides(of, chain, direct), back = sides(of, chained(retrograde), retrograde);
+  // Where the lines of a body's forces do not meet on the sheet: in the direct motion, or in the retrograde one,
+  // unless that needs no effort, or is the same without friction.
+  const auto shared_out = [&](int lever, const std::string& suffix, const Sides& by) -> std::optional<SharedOut> {
+    const auto H_of = of.point("H_" + std::to_string(lever) + suffix);
+    const bool is_same = suffix == retrograde && is_zero(s.givens().angle("phi"));
+    if (is_same || magnitude(by.P.v) == 0 || !is_out_of_reach(H_of, at.C, at.hinge(lever), at.attacked(lever)))
+      return {};
+    SharedOut shared = lever == at.loaded
+                           ? SharedOut(by.Q, at.attacked(lever), by.contact, at.C, by.on_loaded, at.hinge(lever))
+                           : SharedOut(by.back, at.C, by.P, at.attacked(lever), by.on_driven, at.hinge(lever));
+    return suffix == retrograde ? shared.otherwise() : shared;
   };
-  std::optional<SharedOut> shared_j, shared_i;
-  if (is_shared(at.loaded))
-    shared_j.emplace(on.Q, at.attacked(at.loaded), on.contact, at.C, on.on_loaded, at.hinge(at.loaded));
-  if (is_shared(at.driven))
-    shared_i.emplace(on.back, at.C, on.P, at.attacked(at.driven), on.on_driven, at.hinge(at.driven));
+  const auto shared_j = shared_out(at.loaded, direct, on), shared_i = shared_out(at.driven, direct, on),
+             other_j = shared_out(at.loaded, retrograde, back), other_i = shared_out(at.driven, retrograde, back);
   const auto body = [&](int lever) {
     const bool is_loaded = lever == at.loaded;
     Mechanism drawn;
@@ -424,6 +432,7 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
                     {{at.attacked(lever), of.vector(is_loaded ? "Q" : "P_ideal")},
                      {at.C, of.vector(chain.contact.name + retrograde)},
                      {at.hinge(lever), of.vector("R_1" + k + retrograde)}});
+    if (const auto& other = is_loaded ? other_j : other_i) other->draw_strings(panel);
     return panel;
   };
   FreeBodyPanel first = body(at.loaded);
@@ -432,12 +441,20 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   results.push_back(of.results({"contact_force_angle_direct_deg", "contact_force_angle_retrograde_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg"}));
   Panels all = panels(first, body(at.driven));
-  if (shared_j || shared_i)
-    add_polygons(all, on.first(chain), on.second(chain), on.Q.v + on.contact.v, {&shared_j, &shared_i},
-                 {"−" + on.Q.label, on.contact.label});
-  else
-    all.push_back(std::make_unique<ChainedPolygonsPanel>(polygons(of, chain, direct)));
-  all.push_back(std::make_unique<ChainedPolygonsPanel>(polygons(of, chained(retrograde), retrograde)));
+  const auto add_motion = [&](const std::string& suffix, const Sides& by, const std::optional<SharedOut>& of_loaded,
+                              const std::optional<SharedOut>& of_driven) {
+    const Chain in_motion = chained(suffix);
+    if (!of_loaded && !of_driven) {
+      all.push_back(std::make_unique<ChainedPolygonsPanel>(polygons(of, in_motion, suffix)));
+      return;
+    }
+    VectorPolygon first_polygon = by.first(in_motion);
+    first_polygon.origin = origin(in_motion.loaded, suffix);
+    add_polygons(all, first_polygon, by.second(in_motion), by.Q.v + by.contact.v, {&of_loaded, &of_driven},
+                 {"−" + by.Q.label, by.contact.label});
+  };
+  add_motion(direct, on, shared_j, shared_i);
+  add_motion(retrograde, back, other_j, other_i);
   return {
       .panels = std::move(all),
       .results = results,
@@ -452,12 +469,14 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
 PanelSheet fairbairn(const Solution& s, const std::string& name, Language language) {
   const Case of(s, name);
   const Place A = of.place("A"), B = of.place("B"), C = of.place("C"), D = of.place("D");
-  std::optional<SharedOut> shared;
-  if (is_out_of_reach(of.point("H_direct"), B, C, D)) {
-    const PolygonSide R_54 = reversed(of.known(moving(force_between(5, 6), direct), "", ""), 5, 4);
-    shared.emplace(R_54, D, of.known(moving(force_between(3, 4), direct), "", ""), B,
-                   of.known(moving(force_between(1, 4), direct), "", ""), C);
-  }
+  const auto shared_out = [&](const std::string& suffix) -> std::optional<SharedOut> {
+    const bool is_same = suffix == retrograde && is_zero(s.givens().angle("phi"));
+    if (is_same || !is_out_of_reach(of.point("H" + suffix), B, C, D)) return {};
+    const auto known = [&](int i, int j) { return of.known(moving(force_between(i, j), suffix), "", ""); };
+    SharedOut shared(passed_on(known(5, 6), force_between(5, 6), 5, 4, suffix), D, known(3, 4), B, known(1, 4), C);
+    return suffix == retrograde ? shared.otherwise() : shared;
+  };
+  const auto shared = shared_out(direct), other = shared_out(retrograde);
   const auto polygon = [&](const std::string& suffix) {
     const std::string H = of.point("H" + suffix) ? "∥ $CH" + prime(suffix) + "$" : turned_from("$x$", language);
     const PolygonSide F = of.load("F", "∥ $x$", "$a$"),
@@ -471,7 +490,7 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
     ChainedPolygonsPanel panel(std::move(of_ram));
     VectorPolygon second = force_polygon("4", {R_14}, {R_54, R_34});
     second.origin = "$b$";
-    if (!shared || suffix != direct) panel.then(second, F.v + R_56.v);
+    if (!(suffix == direct ? shared : other)) panel.then(second, F.v + R_56.v);
     const Arrow2 ideal = of.vector("R_34_ideal"), b = F.v + of.vector("R_56_ideal");
     panel.over({b, b + F.v, b + F.v + ideal, b});
     if (suffix == retrograde) panel.likewise(other_lines("$\\it{H}'$ and $d'$", "$\\it{H}'$ e $d'$"), F.v);
@@ -499,6 +518,7 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
   const Arrow2 other_R_34 = of.vector("R_34" + retrograde);
   on_4.otherwise(of.name("H" + retrograde), "$\\it{H}'$", of.point("H" + retrograde),
                  {{B, other_R_34}, {D, of.vector("R_56" + retrograde)}, {C, of.vector("R_14" + retrograde)}});
+  if (other) other->draw_strings(on_4);
   on_4.step(turned_against, of.point("H_direct").value_or(B));
   on_2.to_scale().at_most(50).force(R_32, B).force(reaction(R_32, "$\\vec{\\it{R}}_{12}$", ""), A);
   on_2.couple("$\\it{M}$", A, of["M_direct"]).arm(A, B, R_32.v, "$d$", of.name("d_direct"));
@@ -514,6 +534,9 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
   if (shared)
     shown.push_back(std::make_unique<SharedLoadPanel>(shared->polygon(moving(force_between(5, 6), direct).arrow())));
   shown.push_back(std::make_unique<ChainedPolygonsPanel>(polygon(retrograde)));
+  if (other)
+    shown.push_back(
+        std::make_unique<SharedLoadPanel>(other->polygon(moving(force_between(5, 6), retrograde).arrow())));
   return {.panels = std::move(shown),
           .results = results,
           .seen = {"Fairbairn's mechanism, its lever and crank cut free, and the polygons of ram and lever in the "

@@ -36,13 +36,18 @@ PanelSheet polygons(const Solution& s, const std::string& name) {
   if (!shared) on_4.meeting(of.name("H"), "$\\it{H}$", H);
   on_2.to_scale().force(R_32, B).force(R_12, A);
   on_2.couple("$\\it{M}$", A, of["M"]).arm(A, B, R_32.v, "$d$", of.name("d"));
-  FreeBodyPanel all(fairbairn_figure(of));
+  FreeBodyPanel all(fairbairn_figure(of)), on_6 = ram_cut_free(of);
   all.to_scale();
+  const PolygonSide load = of.load("F", "", ""), R_56 = reaction(load, force_between(5, 6).arrow(), "$\\it{F}$");
+  on_6.to_scale().load(load, end_of_ram(of)).force(R_56, D);
+  on_6.step({"The ram is held by $\\vec{\\it{F}}$ and the slot's force alone, both along $x$ through $D$: "
+             "$\\vec{\\it{R}}_{56}$ = −$\\vec{\\it{F}}$.",
+             "La slitta è in equilibrio per la $\\vec{\\it{F}}$ e la forza della guida a croce, entrambe lungo $x$ "
+             "per $D$: $\\vec{\\it{R}}_{56}$ = −$\\vec{\\it{F}}$."},
+            D);
   const Words ram{
-      "The ram is held by $\\vec{\\it{F}}$ and the slot's force alone, both along $x$ through $D$: so on the lever "
-      "$\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Block 3 presses square to the lever, in $B$.",
-      "La slitta è in equilibrio per la $\\vec{\\it{F}}$ e la forza della guida a croce, entrambe lungo $x$ per $D$: "
-      "sulla leva $\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Il corsoio 3 preme in $B$, normale alla leva."};
+      "On the lever $\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Block 3 presses square to the lever, in $B$.",
+      "Sulla leva $\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Il corsoio 3 preme in $B$, normale alla leva."};
   const Words meet{" The two meet in $\\it{H}$; $\\vec{\\it{R}}_{14}$ runs through $C$ and $\\it{H}$.",
                    " Le due si incontrano in $\\it{H}$; la $\\vec{\\it{R}}_{14}$ passa per $C$ e $\\it{H}$."};
   on_4.step(shared ? ram : ram + meet, shared ? D : *H);
@@ -50,15 +55,15 @@ PanelSheet polygons(const Solution& s, const std::string& name) {
   on_2.moments({"Crank: a couple of forces $\\it{F}_{23}$ with the arm $d$; $\\it{M}$ = $\\it{F}_{23}$·$d$.",
                 "Manovella: una coppia di forze $\\it{F}_{23}$ di braccio $d$; $\\it{M}$ = $\\it{F}_{23}$·$d$."},
                A);
-  Panels shown = panels(all, on_4, on_2);
+  Panels shown = panels(all, on_6, on_4, on_2);
   if (shared)
     shown.push_back(std::make_unique<SharedLoadPanel>(shared->polygon("−" + F.label)));
   else
     shown.push_back(std::make_unique<PolygonPanel>(s, force_polygon("4", {R_14}, {F, R_34})));
   return {.panels = std::move(shown),
           .results = {of.results({"F_23", "d", "M"}), of.results({"R_14", "R_12"})},
-          .seen = {"Fairbairn's mechanism, its lever and crank cut free, and the triangle of the lever's forces",
-                   "La guida di Fairbairn, leva e manovella isolate, e il triangolo delle forze della leva"},
+          .seen = {"Fairbairn's mechanism, its ram, lever and crank cut free, and the triangle of the lever's forces",
+                   "La guida di Fairbairn, slitta, leva e manovella isolate, e il triangolo delle forze della leva"},
           .told = of.names({"F_23", "d", "M", "R_14", "R_12"}),
           .without_part = of.without()};
 }

@@ -69,7 +69,7 @@ PanelSheet one_force(const Solution& s, Language) {
   VectorPolygon of_wedge = force_polygon("2", {on.R_12}, {on.R_32, on.P});
   of_wedge.origin = "$b$";
   polygons.then(of_wedge, on.Q.v + on.R_23.v);
-  return {.panels = panels(whole(at, of), rod, wedge_cut_free(at, on), polygons),
+  return {.panels = panels(whole(at, of, 200, Dimensioned::yes), rod, wedge_cut_free(at, on), polygons),
           .results = {of.results({"P", "R_12"}), of.results({"R_13", "R_23"})},
           .seen = {"The wedge and the rod in its collar, both cut free, and the triangles of their forces",
                    "Il cuneo e l'asta nel collare, entrambi isolati, e i triangoli delle loro forze"},
@@ -83,7 +83,7 @@ PanelSheet virtual_work_of_wedge(const Solution& s, Language language) {
   const VectorPolygon displacements = velocity_polygon(
       {of.moves("3", "∥ $r_{1}$", "?")},
       {of.moves("2", "∥ $x$", "1 m/s", "$2$"), of.moves("32", Words{"∥ face", "∥ faccia"}.in(language), "?", "$3$")});
-  FreeBodyPanel mechanism = whole(WedgeFigure(of), of, 500);
+  FreeBodyPanel mechanism = whole(WedgeFigure(of), of, 500, Dimensioned::no);
   mechanism.step({"The wedge moves along $x$, the rod along $r_{1}$, and on each other they slide along the face: "
                   "$v_{Q}$ : $v_{P}$ = tan $θ$. $\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0.",
                   "Il cuneo si muove lungo $x$, l'asta lungo $r_{1}$, e l'uno sull'altra scorrono lungo la faccia: "

@@ -1,5 +1,6 @@
 // The direct problem: n, A and k off their charts; the bearing with its dimensions.
 #include "exercises/kit/panels/pad_ring_panel.h"
+#include "exercises/kit/panels/pad_section_panel.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/panels/slider_charts.h"
 #include "exercises/michell-bearing/exercise.h"
@@ -16,6 +17,16 @@ Result verdict(const Solution& s, Language language, const std::string& quantity
                            : Words{": the film is thinner than $h_{0}$, lubrication is not hydrodynamic.",
                                    ": il meato è più sottile di $h_{0}$, la lubrificazione non è idrodinamica."};
   return told(which + enough, language);
+}
+
+// Of the source's own numbers alone.
+Result misprint(const Solution& s, Language language) {
+  if (!s.givens().as_stated()) return remark("");
+  return told({"The source prints 0.0375 for $l_{p}$ in the formula of $h_{2}$, the first two digits of 0.0735 "
+               "exchanged; its 37 µm are of 0.0735.",
+               "La fonte stampa 0,0375 per $l_{p}$ nella formula di $h_{2}$, le prime due cifre di 0,0735 scambiate; "
+               "i suoi 37 µm sono con 0,0735."},
+              language);
 }
 
 }  // namespace
@@ -38,7 +49,8 @@ PanelSheet direct_sheet(const Solution& s, Language language) {
                  {"$h_{2}$ = $l_{p}$ √($\\it{A}$ $μ$ $\\it{V}$/$\\it{N}$), $f_{m}$ = $k$ √($μ$ $\\it{V}$/$\\it{N}$).",
                   "$h_{2}$ = $l_{p}$ √($\\it{A}$ $μ$ $\\it{V}$/$\\it{N}$), $f_{m}$ = $k$ √($μ$ "
                   "$\\it{V}$/$\\it{N}$)."},
-                 language)}}},
+                 language),
+             misprint(s, language)}}},
       .results = {values({of_pad("x_N_over_l"), of_pad("n")}), values({of_pad("A"), of_pad("k")}),
                   values({of_pad("V"), of_pad("N")}), workshop_values({of_pad("h_2"), of_pad("h_1")}),
                   values({of_pad("tilt"), of_pad("f_m")}),
@@ -63,7 +75,16 @@ PanelSheet bearing_sheet(const Solution& s, Language language) {
                                          .pitch_letters = "$p_{c}$",
                                          .gap_letters = "$d$",
                                          .outer_quantity = of_pad("R_outer"),
-                                         .inner_quantity = of_pad("R_inner")})),
+                                         .inner_quantity = of_pad("R_inner")}),
+                           PadSectionPanel({.length = geometry::from_rational<double>(pad.l),
+                                            .pivot = s[of_pad("x_N_over_l")],
+                                            .h_1 = s[of_pad("h_1")],
+                                            .h_2 = s[of_pad("h_2")],
+                                            .length_letters = "$l_{p}$",
+                                            .pivot_letters = "$x_{N}$",
+                                            .speed_letters = "$\\it{V}$",
+                                            .inlet_quantity = of_pad("h_1"),
+                                            .outlet_quantity = of_pad("h_2")})),
           .theory = {{{"Side leakage", "Fuoriuscite laterali"},
                       {remark("$c$ = 1 + $l_{p}$/$b$, $c'$ = √(1 + 4 $l_{p}$/$b$); $\\it{N}'$ = $\\it{N}$/$c$, "
                               "$h'_{2}$ = $h_{2}$/√$c$, $f'_{m}$ = $c'$ $f_{m}$.")}}},
@@ -75,7 +96,8 @@ PanelSheet bearing_sheet(const Solution& s, Language language) {
                       workshop_values({of_pad("h_2_side_leakage")}), values({of_pad("f_m_side_leakage")}),
                       verdict(s, language, "hydrodynamic_side_leakage",
                               {"With side leakage", "Con fuoriuscite laterali"})},
-          .seen = {"The ring of pads, with its dimensions", "La corona di pattini, quotata"},
+          .seen = {"The ring of pads, with its dimensions, and a pad and the runner in section",
+                   "La corona di pattini, quotata, e un pattino e la ralla in sezione"},
           .told = {of_pad("R_outer"), of_pad("R_inner"), of_pad("gap"), of_pad("p_mean")},
           .without_part = of_the_film};
 }

@@ -65,6 +65,11 @@ double n_of_rounded_pivot() {
   return low;
 }
 double pressure_on_sector() { return 10000 / (0.5 * (0.130 * 0.130 - 0.070 * 0.070) * 2 * M_PI / 8); }
+// 73.5 mm with its first two digits exchanged: 37.5 mm.
+double length_with_digits_exchanged() {
+  constexpr int tenths_of_mm = 735, first = tenths_of_mm / 100, second = tenths_of_mm / 10 % 10;
+  return (100 * second + 10 * first + tenths_of_mm % 10) / 1e4;
+}
 double friction_with_both_factors() { return 2.429 * 1.813 * std::sqrt(35e-3 * 8.378 / 74906.37); }
 
 }  // namespace
@@ -108,6 +113,13 @@ std::vector<Printed> printed_by_the_source() {
       plain("direct.omega", "83.78"),
       plain("direct.V", "8.378"),
       plain("direct.N", "166.667e3"),
+      {"direct.l", "0.0375", "closed form", 0,
+       Explanation{
+           {"in the formula of h_2 the first two digits of 0.0735 are exchanged; a misprint only: with 0.0735 "
+            "h_2 is the printed 37 µm, with 0.0375 it would be 19 µm",
+            "nella formula di h_2 le prime due cifre di 0,0735 sono scambiate; solo un refuso: con 0,0735 h_2 "
+            "è il 37 µm stampato, con 0,0375 sarebbe 19 µm"},
+           length_with_digits_exchanged}},
       plain("direct.x_N_over_l", "0.612"),
       {"direct.n", "3.15", "closed form", 0,
        Explanation{{"x_N/l was rounded to 0.612", "x_N/l è stato arrotondato a 0,612"}, n_of_rounded_pivot}},

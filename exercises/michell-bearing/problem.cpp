@@ -1,7 +1,10 @@
 #include "exercises/michell-bearing/problem.h"
-#include "exercises/kit/statement/given_number.h"
+
+#include <algorithm>
+#include <numbers>
 
 #include "exercises/kit/statement/decimal.h"
+#include "exercises/kit/statement/given_number.h"
 #include "geometry/numbers/climb.h"
 
 namespace epure::michell_bearing {
@@ -61,14 +64,17 @@ void demand_pad(const Pad& pad) {
     const Rational circles = Rational(2) * pad.r_m, covered = pad.pads * pad.l;
     return T(geometry::from_rational<T>(circles) * geometry::pi<T>() - geometry::from_rational<T>(covered));
   };
-  if (geometry::decide(gaps).sign != geometry::Sign::positive)
-    throw BadGivens(
-        format_words("{} pads of l_pad = {} m overlap on the mean circle of r_m = {} m: together they are {} m long, "
-                     "and it is less",
-                     "{} pattini con l_pad = {} m si sovrappongono sulla circonferenza media con r_m = {} m: insieme "
-                     "sono lunghi {} "
-                     "m, ed essa è più corta",
-                     told_value(pad.pads), told_value(pad.l), told_value(pad.r_m), told_value(pad.pads * pad.l)));
+  if (geometry::decide(gaps).sign == geometry::Sign::positive) return;
+  const Rational covered = pad.pads * pad.l;
+  const double circle = 2 * std::numbers::pi * nearest(pad.r_m);
+  const int figures = figures_that_tell_apart(nearest(covered), circle).value_or(12);
+  throw BadGivens(format_words(
+      "{} pads of l_pad = {} m overlap on the mean circle of r_m = {} m: together they are {} m long, and the circle "
+      "only {} m",
+      "{} pattini con l_pad = {} m si sovrappongono sulla circonferenza media con r_m = {} m: insieme sono lunghi {} "
+      "m, e la circonferenza solo {} m",
+      told_value(pad.pads), told_value(pad.l), told_value(pad.r_m), told_value(covered, std::max(12, figures)),
+      decimal(circle, figures)));
 }
 
 }  // namespace

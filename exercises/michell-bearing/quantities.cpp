@@ -106,6 +106,7 @@ Quantity pad_quantity(const std::string& name) {
       {"V", {"$\\it{V}$", "m/s", {"speed on the mean circle", "velocità sulla circonferenza media"}}},
       {"N",
        {"$\\it{N}$", "N/m", {"load of a pad, for a unit of width", "carico del pattino per unità di larghezza"}}},
+      {"l", {"$l_{p}$", "m", {"length of a pad", "lunghezza del pattino"}}},
       {"x_N_over_l", {"$x_{N}$/$l$", "1", {"place of the pivot", "posizione della cerniera"}}},
       {"n", {"$n$", "1", {"ratio of the films, h_1/h_2", "rapporto degli spessori, h_1/h_2"}}},
       {"A", {"$\\it{A}$", "1", {"coefficient of the load", "coefficiente del carico"}}},

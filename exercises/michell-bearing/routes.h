@@ -383,6 +383,7 @@ struct DirectRoutes {
     put("omega", omega);
     put("V", [&] { return V(); });
     put("N", [&] { return N; });
+    put("l", [&] { return l; });
     put("x_N_over_l", [&] { return number<T>(pad.centre()); });
     put("n", [&] { return n(); });
     put("A", [&] { return A(); });
@@ -437,7 +438,9 @@ struct DirectRoutes {
     put("omega", [&] { return quotient(V(), number<T>(pad.r_m)); });
     put("V", [&] { return V(); });
     put("N", [&] { return N; });
-    put("x_N_over_l", [&] { return quotient(T(1) + film().centre(), T(2)); });
+    const auto centre = [&] { return quotient(T(1) + film().centre(), T(2)); };
+    put("l", [&] { return quotient(number<T>(pad.x_N), centre()); });
+    put("x_N_over_l", centre);
     put("n", [&] { return film().ratio(); });
     put("A", [&] { return film().load(); });
     put("k", [&] { return quotient(friction(), root(mu * V() * N)); });

@@ -1,6 +1,7 @@
 // What the source printed: thrusts in tonnes-force, here in newtons, with as many digits.
 #include <cmath>
 
+#include "exercises/kit/statement/decimal.h"
 #include "exercises/michell-thrust/exercise.h"
 
 namespace epure::michell_thrust {
@@ -57,6 +58,15 @@ Printed printed_centre(const std::string& quantity, const std::string& text, dou
       [=] { return centre(n, 2.3026 * std::log10(n)); });
 }
 
+Printed of_table(const TableRow& row, const TableRow::Column& column) {
+  const std::string quantity = "table_n_" + row.name + "." + column.name;
+  if (column.name == std::string("x_N_over_l")) return printed_centre(quantity, column.text, nearest(row.n));
+  if (quantity == "table_n_1_8.A_n_minus_1_squared")
+    return wrong(quantity, column.text, {"A was rounded to 0.1534 before", "A era già arrotondato a 0,1534"},
+                 [] { return 0.1534 * 0.8 * 0.8; });
+  return plain(quantity, column.text);
+}
+
 }  // namespace
 
 std::vector<Printed> printed_by_the_source() {
@@ -91,25 +101,8 @@ std::vector<Printed> printed_by_the_source() {
       wrong("c_prime", "2.09865",
             {"with l = 0.4681 m (π taken as 3.14), and cut off", "con l = 0,4681 m (π = 3,14), e troncato"},
             [] { return std::floor(1e5 * std::sqrt((4 * stated::l + stated::b) / stated::b)) / 1e5; })};
-  struct Row {
-    double n;
-    const char *name, *A, *A_n_minus_1_squared, *x_N_over_l, *k;
-  };
-  for (const Row& row :
-       {Row{1.6, "1_6", "0.141", "0.0508", "0.548", "2.20"}, Row{1.8, "1_8", "0.153", "0.0982", "0.559", "2.03"},
-        Row{2.0, "2_0", "0.159", "0.159", "0.571", "1.94"}, Row{2.2, "2_2", "0.160", "0.231", "0.577", "1.88"},
-        Row{2.4, "2_4", "0.159", "0.312", "0.586", "1.85"}, Row{2.6, "2_6", "0.156", "0.400", "0.594", "1.83"},
-        Row{2.8, "2_8", "0.152", "0.494", "0.601", "1.82"}, Row{3.0, "3_0", "0.148", "0.592", "0.608", "1.81"}}) {
-    const std::string prefix = std::string("table_n_") + row.name + ".";
-    all.push_back(plain(prefix + "A", row.A));
-    all.push_back(row.name == std::string("1_8")
-                      ? wrong(prefix + "A_n_minus_1_squared", row.A_n_minus_1_squared,
-                              {"A was rounded to 0.1534 before", "A era già arrotondato a 0,1534"},
-                              [] { return 0.1534 * 0.8 * 0.8; })
-                      : plain(prefix + "A_n_minus_1_squared", row.A_n_minus_1_squared));
-    all.push_back(printed_centre(prefix + "x_N_over_l", row.x_N_over_l, row.n));
-    all.push_back(plain(prefix + "k", row.k));
-  }
+  for (const TableRow& row : table_1())
+    for (const TableRow::Column& column : row.printed) all.push_back(of_table(row, column));
   return all;
 }
 

@@ -1,9 +1,10 @@
 #include "exercises/michell-thrust/problem.h"
-#include "exercises/kit/statement/given_number.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "exercises/kit/statement/decimal.h"
+#include "exercises/kit/statement/given_number.h"
 #include "geometry/numbers/climb.h"
 
 namespace epure::michell_thrust {
@@ -30,12 +31,16 @@ void demand_ring(const Problem& of) {
     const Rational circle = Rational(2) * of.R_m(), gaps = of.pads * of.d;
     return T(geometry::from_rational<T>(circle) * geometry::pi<T>() - geometry::from_rational<T>(gaps));
   };
-  if (geometry::decide(lengths).sign != geometry::Sign::positive)
-    throw BadGivens(
-        format_words("{} gaps of d = {} m are longer than the mean circle of R_m = {} m: no room for pads",
-                     "{} intervalli con d = {} m sono più lunghi della circonferenza media con R_m = {} m: "
-                     "non resta posto per i pattini",
-                     told_value(of.pads), told_value(of.d), told_value(of.R_m())));
+  if (geometry::decide(lengths).sign == geometry::Sign::positive) return;
+  const Rational gaps = of.pads * of.d;
+  const double circle = 2 * std::numbers::pi * nearest(of.R_m());
+  const int figures = figures_that_tell_apart(nearest(gaps), circle).value_or(12);
+  throw BadGivens(format_words(
+      "{} gaps of d = {} m take {} m, and the mean circle of R_m = {} m is only {} m: no room for pads",
+      "{} intervalli con d = {} m prendono {} m, e la circonferenza media con R_m = {} m è solo {} m: non resta "
+      "posto per i pattini",
+      told_value(of.pads), told_value(of.d), told_value(gaps, std::max(12, figures)), told_value(of.R_m()),
+      decimal(circle, figures)));
 }
 
 // As far as a flat pad can have it, and as films can be made: the same as of the bearing of N.6.
@@ -62,16 +67,24 @@ std::optional<RowsBeside> rows_beside(const Rational& centre) {
 }  // namespace
 
 const std::vector<TableRow>& table_1() {
-  const auto thousandth = [](int number) { return Rational(number, 1000); };
+  const auto row = [](const std::string& n, const char* A, const char* A_n_minus_1_squared, const char* x_N_over_l,
+                      const char* k) {
+    const auto number = [](const std::string& text) { return geometry::parse_given(text, "1"); };
+    std::string name = n;
+    std::replace(name.begin(), name.end(), '.', '_');
+    return TableRow{
+        .name = name,
+        .n = number(n),
+        .A = number(A),
+        .x_N_over_l = number(x_N_over_l),
+        .k = number(k),
+        .printed = {{"A", A}, {"A_n_minus_1_squared", A_n_minus_1_squared}, {"x_N_over_l", x_N_over_l}, {"k", k}}};
+  };
   static const std::vector<TableRow> rows{
-      {"1_6", Rational(16, 10), thousandth(141), Rational(508, 10000), thousandth(548), Rational(220, 100)},
-      {"1_8", Rational(18, 10), thousandth(153), Rational(982, 10000), thousandth(559), Rational(203, 100)},
-      {"2_0", Rational(20, 10), thousandth(159), thousandth(159), thousandth(571), Rational(194, 100)},
-      {"2_2", Rational(22, 10), thousandth(160), thousandth(231), thousandth(577), Rational(188, 100)},
-      {"2_4", Rational(24, 10), thousandth(159), thousandth(312), thousandth(586), Rational(185, 100)},
-      {"2_6", Rational(26, 10), thousandth(156), thousandth(400), thousandth(594), Rational(183, 100)},
-      {"2_8", Rational(28, 10), thousandth(152), thousandth(494), thousandth(601), Rational(182, 100)},
-      {"3_0", Rational(30, 10), thousandth(148), thousandth(592), thousandth(608), Rational(181, 100)}};
+      row("1.6", "0.141", "0.0508", "0.548", "2.20"), row("1.8", "0.153", "0.0982", "0.559", "2.03"),
+      row("2.0", "0.159", "0.159", "0.571", "1.94"),  row("2.2", "0.160", "0.231", "0.577", "1.88"),
+      row("2.4", "0.159", "0.312", "0.586", "1.85"),  row("2.6", "0.156", "0.400", "0.594", "1.83"),
+      row("2.8", "0.152", "0.494", "0.601", "1.82"),  row("3.0", "0.148", "0.592", "0.608", "1.81")};
   return rows;
 }
 

@@ -13,8 +13,14 @@ namespace epure::michell_thrust {
 std::vector<GivenSpec> given_specs();
 
 struct TableRow {
+  struct Column {
+    const char* name;  // of the quantity
+    std::string text;  // as printed, with a decimal point
+  };
+
   std::string name;  // "1_6"
-  Rational n, A, A_n_minus_1_squared, x_N_over_l, k;
+  Rational n, A, x_N_over_l, k;
+  std::vector<Column> printed;  // but for n
 };
 const std::vector<TableRow>& table_1();
 

@@ -5,6 +5,7 @@
 
 #include "exercises/kit/proof/ledger.h"
 #include "exercises/kit/proof/once.h"
+#include "exercises/kit/statement/given_number.h"
 #include "exercises/michell-thrust/problem.h"
 #include "exercises/michell-thrust/quantities.h"
 #include "geometry/constructions/ordinate.h"
@@ -26,12 +27,14 @@ struct Coefficients {
   std::function<T()> n, A, k;
 };
 
-inline const Phrase off_the_table{
-    "the source's table has no row on one side of the pivot: it reaches from x_N/l = 0.548 to 0.608",
-    "la tabella della fonte non ha righe da un lato della cerniera: va da x_N/l = 0,548 a 0,608"};
+inline Words off_the_table() {
+  return format_words("the source's table has no row on one side of the pivot: it reaches from x_N/l = {} to {}",
+                      "la tabella della fonte non ha righe da un lato della cerniera: va da x_N/l = {} a {}",
+                      told_value(table_1().front().x_N_over_l), told_value(table_1().back().x_N_over_l));
+}
 
 inline const RowsBeside& rows_beside_pivot(const Problem& of) {
-  if (!of.beside) throw geometry::Impossible(off_the_table);
+  if (!of.beside) throw geometry::Impossible(off_the_table());
   return *of.beside;
 }
 

@@ -4,6 +4,7 @@
 
 #include "exercises/kit/panels/film_chart.h"
 #include "exercises/kit/panels/pad_ring_panel.h"
+#include "exercises/kit/panels/pad_section_panel.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/panels/sized_chart.h"
 #include "exercises/kit/panels/slider_charts.h"
@@ -190,6 +191,15 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
                                      .width_letters = "$b$",
                                      .gap_letters = "$d$",
                                      .mean_quantity = "R_m"}),
+                       PadSectionPanel({.length = s["l"],
+                                        .pivot = geometry::from_rational<double>(of.centre),
+                                        .h_1 = s["theory.h_1"],
+                                        .h_2 = s["theory.h_2"],
+                                        .length_letters = "$l$",
+                                        .pivot_letters = "$x_{N}$",
+                                        .speed_letters = "$v$",
+                                        .inlet_quantity = "theory.h_1",
+                                        .outlet_quantity = "theory.h_2"}),
                        force_triangle(s)),
       .theory = {{{"Forces", "Forze"},
                   {remark("$c$ = $b$/($b$ + $l$), $b'$ = $c$ $b$, $c'$ = √((4 $l$ + $b$)/$b$), $\\it{N}$ = "
@@ -207,8 +217,10 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
                   values({"f_m", "T_p"}), values({"M", "dissipated_power"}),
                   told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),
                   values({"theory.f_m", "theory.T_p"}), values({"theory.M", "theory.dissipated_power"})},
-      .seen = {"The ring of pads with the friction on each, and the triangle of a pad's forces",
-               "La corona di pattini con l'attrito su ciascuno, e il triangolo delle forze di un pattino"},
+      .seen = {"The ring of pads with the friction on each, a pad and the runner in section, and the triangle of a "
+               "pad's forces",
+               "La corona di pattini con l'attrito su ciascuno, un pattino e la ralla in sezione, e il triangolo "
+               "delle forze di un pattino"},
       .told = {"N_p", "f_m", "T_p", "M", "dissipated_power"}};
 }
 

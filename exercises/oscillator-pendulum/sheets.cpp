@@ -280,7 +280,7 @@ PhasePlanePanel pendulum_plane(const Solution& s, Language language) {
 
 Place place_of(double r, double theta) { return {r * std::sin(theta), -r * std::cos(theta)}; }
 
-MechanismPanel positions_panel(const Solution& s, const std::string& now) {
+std::shared_ptr<const Mechanism> positions_of(const Solution& s, const std::string& now) {
   using Joint = Mechanism::Joint;
   const double r = nearest(s.givens()["r"]);
   Mechanism drawn;
@@ -302,8 +302,74 @@ MechanismPanel positions_panel(const Solution& s, const std::string& now) {
   }
   drawn.point("G", place_of(r, s[pen(at("theta", now))]), Joint::mass, "$G$").body({"A0", "G"}, 2);
   drawn.axis({0, 0}, {0, lowest});
-  return MechanismPanel(std::make_shared<const Mechanism>(std::move(drawn)));
+  return std::make_shared<const Mechanism>(std::move(drawn));
 }
+
+// The forces at some of the positions, moved to G, with what they add up to. Letters stand at the solid one.
+class PositionsPanel : public MechanismPanel {
+ public:
+  PositionsPanel(const Solution& s, const std::string& now)
+      : MechanismPanel(positions_of(s, now)), weight_{0, -s[pen("weight")]}, now_(now) {
+    const double r = nearest(s.givens()["r"]);
+    for (const std::string& name : {std::string("0"), now, std::string("0p4")})
+      shown_.push_back(
+          {name, place_of(r, s[pen(at("theta", name))]), {s[pen(at("R_12_x", name))], s[pen(at("R_12_y", name))]}});
+  }
+
+  std::string scale_group() const override { return "positions"; }
+  Vectors vectors() const override {
+    constexpr double longest_on_paper = 45;  // mm
+    double longest = 0;
+    for (const Shown& each : shown_)
+      for (const Arrow2& v : {weight_, each.R, weight_ + each.R}) longest = std::max(longest, std::hypot(v.x, v.y));
+    return {"N", longest, longest_on_paper};
+  }
+  drawings::Box extent(const Scale& lengths, const Scale& vectors) const override {
+    constexpr double letters = 6;  // mm
+    const drawings::Box mechanism = MechanismPanel::extent(lengths, vectors);
+    Extent all;
+    all.include(mechanism.low.x, mechanism.low.y);
+    all.include(mechanism.high.x, mechanism.high.y);
+    for (const Shown& each : shown_)
+      for (const Arrow2& v : {weight_, each.R, weight_ + each.R})
+        for (const double beyond : {-letters, letters})
+          all.include(lengths.mm_per_unit * each.G.x + vectors.mm_per_unit * v.x + beyond,
+                      lengths.mm_per_unit * each.G.y + vectors.mm_per_unit * v.y + beyond);
+    return all.box();
+  }
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
+    MechanismPanel::draw(plot, room, language);
+    for (const Shown& each : shown_) {
+      const auto letters = [&](const char* of) { return each.instant == now_ ? std::string(of) : std::string(); };
+      plot.vector_on(pen("weight"), each.G, weight_, Meaning::force, letters("$m_{p}\\vec{g}$"));
+      plot.vector_on("", each.G, each.R, Meaning::force, letters("$\\vec{\\it{R}}_{12}$"));
+      plot.vector_on("", each.G, weight_ + each.R, Meaning::acceleration, letters("$m_{p}\\vec{a}_{G}$"));
+      const drawings::Point from = plot.at(each.G), to = plot.at(plot.tip(each.G, each.R));
+      const double per_mm = 1 / plot.vector_scale().mm_per_unit;
+      plot.onto().measurements.push_back({pen(at("R_12_x", each.instant)), from, to, per_mm, Measurement::along_x});
+      plot.onto().measurements.push_back({pen(at("R_12_y", each.instant)), from, to, per_mm, Measurement::along_y});
+    }
+    return {};
+  }
+  std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
+    return {
+        {{"At three positions the weight and the reaction of the frame, which acts in $A_{0}$, moved to $G$: they "
+          "add up to $m_{p}\\vec{a}_{G}$.",
+          "In tre posizioni il peso e la reazione del telaio, che agisce in $A_{0}$, trasportata in $G$: la loro "
+          "somma è $m_{p}\\vec{a}_{G}$."},
+         shown_.back().G}};
+  }
+
+ private:
+  struct Shown {
+    std::string instant;
+    Place G;
+    Arrow2 R;
+  };
+  Arrow2 weight_;
+  std::string now_;
+  std::vector<Shown> shown_;
+};
 
 PolygonPanel forces_panel(const Solution& s, const std::string& now, Language language) {
   const Arrow2 R{s[pen(at("R_12_x", now))], s[pen(at("R_12_y", now))]}, W{0, -s[pen("weight")]};
@@ -496,7 +562,7 @@ PanelSheet positions_sheet(const Solution& s, Language language) {
       "Continuo: il pendolo per $t$ = 200 ms; a tratti: alla partenza e dopo 100, 300, 400, 500 ms. Con la forza "
       "d'inerzia $\\it{F}_{G}$ = −$m_{p}a_{G}$ il peso e la reazione del telaio sono in equilibrio."};
   return {
-      .panels = panels(positions_panel(s, now), forces_panel(s, now, language)),
+      .panels = panels(PositionsPanel(s, now), forces_panel(s, now, language)),
       .theory = {{{"Free body", "Corpo libero"}, {remark(told.in(language))}}},
       .results = {values(all_pen({"weight"})), values(all_pen({at("theta", now), at("theta_dot", now)})),
                   values(all_pen({at("theta_ddot", now)})), values(all_pen({at("R_12_x", now), at("R_12_y", now)}))},

@@ -1,6 +1,7 @@
 // Areas, works and powers: the piston by its rings, the cycle by its works, the torque by quadrature.
 #include "exercises/pump-flywheel/routes.h"
 #include "geometry/analytic/integral.h"
+#include "geometry/numbers/greater.h"
 
 namespace epure::pump_flywheel {
 
@@ -72,6 +73,12 @@ struct ByAreas {
     if (const auto early = early_angle(K)) return *early - pi<Deep>();
     return summed::second_zero(delivery(K));
   }
+  Deep polygon_off_at_most(const Deep& K) const {
+    const HalfTurn turn = delivery(K);
+    const auto late = strips_of_delivery(summed::first_zero(turn), summed::second_zero(turn), pi<Deep>());
+    return geometry::greater(summed::chords_off_at_most(suction(K), strips_of_suction(pi<Deep>())),
+                             summed::chords_off_at_most(turn, late));
+  }
   // The area between the zeros; where the least energy is before, what lies between.
   Deep change(const Deep& upper, const Deep& lower) const { return peak(upper) - trough(lower); }
   Deep at_crank(const Deep& change) const {
@@ -138,6 +145,7 @@ void by_areas(const Pump& of, const Put& put, const Begin& begin) {
   put("Delta_T_trough", [=] { return by.late_trough(none()); });
   const auto change = [=] { return -summed::energy(by.delivery(none()), alpha_1(), alpha_2()); };
   put("Delta_T_max", change);
+  put("polygon_off_at_most", [=] { return by.polygon_off_at_most(none()); });
   put_inertia_of(put, by, change);
   put("stiffness_negligible_with_flywheel",
       [=] { return is_less(by.cut_off(by.at_crank(change()) * square(by.tau())), by.tau()); });
@@ -154,6 +162,7 @@ void by_areas(const Pump& of, const Put& put, const Begin& begin) {
   put("alpha_1_deg", [=] { return degrees_of(first()); });
   put("alpha_2_deg", [=] { return degrees_of(second()); });
   put("Delta_T_max", [=] { return by.change(K(), K()); });
+  put("polygon_off_at_most", [=] { return by.polygon_off_at_most(K()); });
   put_inertia_of(put, by, [=] { return by.change(K(), K()); });
 
   begin("wittenbauer.", by_wittenbauer);

@@ -5,20 +5,19 @@
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/pump-flywheel/drawn_pump.h"
 #include "exercises/pump-flywheel/sheets.h"
+#include "exercises/pump-flywheel/torque.h"
 
 namespace epure::pump_flywheel {
 namespace {
 
 constexpr double half_turn = std::numbers::pi;
 
-// Strips end where the torque is the mean one and where the phases change; reads are ordinates at the strips' ends.
+// Reads are ordinates at the strips' ends.
 IntegrationPanel integrated(const DrawnPump& pump, double first, double second,
                             std::vector<IntegrationRow::Read> read) {
-  std::vector<double> ends;
-  for (int i = 0; i <= 6; ++i) ends.push_back(i * half_turn / 6);
-  for (const double later :
-       {first, first + (second - first) / 4, (first + second) / 2, second - (second - first) / 4, second, half_turn})
-    ends.push_back(half_turn + later);
+  std::vector<double> ends = strips_of_suction(half_turn);
+  const std::vector<double> late = strips_of_delivery(first, second, half_turn);
+  for (auto end = late.begin() + 1; end != late.end(); ++end) ends.push_back(half_turn + *end);
   std::vector<double> corners, carried;
   for (const double end : ends) corners.push_back(pump.energy(end));
   for (std::size_t i = 1; i < ends.size(); ++i)
@@ -41,9 +40,10 @@ IntegrationPanel integrated(const DrawnPump& pump, double first, double second,
 
 const Words off_the_curve{
     "At its corners the polygon lies on the true curve, as the areas are equal; between them it is off by at most "
-    "Δ$α^{2}$/8 times the steepest slope of $\\it{M}_{r}$ in the strip of the width Δ$α$.",
+    "$δ_{T}$, the greatest of Δ$α^{2}$/8 times the steepest slope of $\\it{M}_{r}$ in the strip of the width Δ$α$.",
     "Nei vertici il poligono sta sulla curva esatta, poiché le aree sono uguali; fra l'uno e l'altro se ne scosta "
-    "al più di Δ$α^{2}$/8 per la massima pendenza di $\\it{M}_{r}$ nella striscia larga Δ$α$."};
+    "al più di $δ_{T}$, il massimo di Δ$α^{2}$/8 per la massima pendenza di $\\it{M}_{r}$ nella striscia larga "
+    "Δ$α$."};
 
 Result on_flywheel(const Solution& s, const std::string& of, Language language) {
   const Words words =
@@ -76,11 +76,12 @@ PanelSheet energy_sheet(const Solution& s, Language language) {
                                         .label = "Δ$\\it{T}_{2}$",
                                         .at = half_turn + second,
                                         .value = s["Delta_T_trough"]}})),
-          .results = {remark(off_the_curve.in(language)), values({"M_r_mean"}), values({"alpha_1", "alpha_2"}),
-                      values({"Delta_T_suction_end"}), values({"Delta_T_peak", "Delta_T_trough"}),
-                      values({"Delta_T_max"}), remark("$\\it{J}'$ = Δ$\\it{T}_{max}$/($iω^{2}$)"),
-                      values({"J_crank", "J_motor_shaft"}), on_flywheel(s, "", language), values({"J_flywheel"}),
-                      values({"omega_max", "omega_min"}), values({"J_s_max_over_J_crank"})},
+          .results = {remark(off_the_curve.in(language)), values({"polygon_off_at_most"}), values({"M_r_mean"}),
+                      values({"alpha_1", "alpha_2"}), values({"Delta_T_suction_end"}),
+                      values({"Delta_T_peak", "Delta_T_trough"}), values({"Delta_T_max"}),
+                      remark("$\\it{J}'$ = Δ$\\it{T}_{max}$/($iω^{2}$)"), values({"J_crank", "J_motor_shaft"}),
+                      on_flywheel(s, "", language), values({"J_flywheel"}), values({"omega_max", "omega_min"}),
+                      values({"J_s_max_over_J_crank"})},
           .seen = {"The torque left over along the turn, and its integral polygon, the energy of the flywheel",
                    "Il momento eccedente lungo il giro e il suo poligono integrale, l'energia del volano"},
           .told = {"Delta_T_peak", "Delta_T_trough", "Delta_T_max", "J_crank", "J_flywheel"},
@@ -103,16 +104,16 @@ PanelSheet energy_with_mass_sheet(const Solution& s, Language language) {
       "Le masse alterne chiedono $\\it{M}_{s}$ sen 2$α$, $\\it{M}_{s}$ = $mr^{2}ω^{2}$/2, e lo restituiscono: nel "
       "giro non fanno lavoro, ma spostano $α_{1}$ e $α_{2}$."};
   const std::string of = "reciprocating_mass.";
-  return {
-      .panels = panels(std::move(panel)),
-      .results = {remark(off_the_curve.in(language)), remark(mass.in(language)), values({"M_inertia_max", "J_s_max"}),
-                  values({of + "alpha_1", of + "alpha_2"}), values({of + "alpha_1_deg", of + "alpha_2_deg"}),
-                  values({of + "Delta_T_max"}), values({of + "J_crank", of + "J_motor_shaft"}),
-                  on_flywheel(s, of, language), values({of + "J_flywheel"}), values({of + "n_t_flywheel"})},
-      .seen = {"The torque left over with the reciprocating mass, and its integral polygon",
-               "Il momento eccedente con le masse alterne e il suo poligono integrale"},
-      .told = {of + "alpha_1", of + "alpha_2", of + "Delta_T_max", of + "J_crank"},
-      .without_part = {"W_t", "n_0"}};
+  return {.panels = panels(std::move(panel)),
+          .results = {remark(off_the_curve.in(language)), values({of + "polygon_off_at_most"}),
+                      remark(mass.in(language)), values({"M_inertia_max", "J_s_max"}),
+                      values({of + "alpha_1", of + "alpha_2"}), values({of + "alpha_1_deg", of + "alpha_2_deg"}),
+                      values({of + "Delta_T_max"}), values({of + "J_crank", of + "J_motor_shaft"}),
+                      on_flywheel(s, of, language), values({of + "J_flywheel"}), values({of + "n_t_flywheel"})},
+          .seen = {"The torque left over with the reciprocating mass, and its integral polygon",
+                   "Il momento eccedente con le masse alterne e il suo poligono integrale"},
+          .told = {of + "alpha_1", of + "alpha_2", of + "Delta_T_max", of + "J_crank"},
+          .without_part = {"W_t", "n_0"}};
 }
 
 }  // namespace epure::pump_flywheel

@@ -1,6 +1,7 @@
 // The formulas, and the primitive of the torque between its zeros.
 #include "exercises/pump-flywheel/routes.h"
 #include "geometry/numbers/at_each_precision.h"
+#include "geometry/numbers/greater.h"
 
 namespace epure::pump_flywheel {
 namespace {
@@ -57,6 +58,12 @@ struct ByFormulas {
       default:
         return late;
     }
+  }
+  Deep polygon_off_at_most(const Deep& K) const {
+    const HalfTurn turn = delivery(K);
+    const auto late = strips_of_delivery(closed::first_zero(turn), closed::second_zero(turn), pi<Deep>());
+    return geometry::greater(closed::chords_off_at_most(suction(K), strips_of_suction(pi<Deep>())),
+                             closed::chords_off_at_most(turn, late));
   }
   Deep greatest_change(const Deep& K) const { return peak(K) - trough(K).energy; }
   Deep inertia(const Deep& change) const { return change / (number(of.i) * square(omega())); }
@@ -134,6 +141,7 @@ void by_formulas(const Pump& of, const Put& put, const Begin& begin) {
   put("Delta_T_trough", [=] { return by.trough(none()).energy; });
   const auto change = at_each_precision([=] { return by.greatest_change(none()); });
   put("Delta_T_max", change);
+  put("polygon_off_at_most", [=] { return by.polygon_off_at_most(none()); });
   put_inertia(put, by, change);
   put("stiffness_negligible_with_flywheel",
       [=] { return is_less(by.cut_off(by.inertia(change()) * square(by.tau())), by.tau()); });
@@ -151,6 +159,7 @@ void by_formulas(const Pump& of, const Put& put, const Begin& begin) {
   put("alpha_2_deg", [=] { return in_degrees(second()); });
   const auto with_mass_change = at_each_precision([=] { return by.greatest_change(K()); });
   put("Delta_T_max", with_mass_change);
+  put("polygon_off_at_most", [=] { return by.polygon_off_at_most(K()); });
   put_inertia(put, by, with_mass_change);
 
   // W - (ω²/2) m r² sin² α is greatest (with ω_max) and least (with ω_min) where the tangents touch.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/analytic/integral.h"
+#include "geometry/numbers/greater.h"
 #include "geometry/numbers/increasing_root.h"
 
 namespace epure::pump_flywheel {
@@ -22,6 +23,24 @@ Deep cosine_at_greatest(const HalfTurn& of) {
 }
 double log2_of_size(const Deep& x) { return std::log2(geometry::enclosure(x).value); }
 constexpr double around = 0.01;
+
+// `slope` of the torque at an angle; over the cosine x it is the parabola C x + 2 K (2 x² - 1), steepest at an end of
+// the strip or at its vertex, as far as that lies in the strip: `at_cosine`.
+template <class Slope, class AtCosine>
+Deep off_at_most(const HalfTurn& of, const std::vector<Deep>& ends, const Slope& slope, const AtCosine& at_cosine) {
+  using geometry::greater;
+  Deep most(0);
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    Deep steepest = greater(size_of(slope(ends[i - 1])), size_of(slope(ends[i])));
+    if (sign(of.K) != Sign::zero) {
+      const Deep vertex = -of.C / (Deep(8) * of.K);
+      const Deep x = within(cosine_of_angle(ends[i]), vertex, cosine_of_angle(ends[i - 1]));
+      steepest = greater(steepest, size_of(at_cosine(x, vertex)));
+    }
+    most = greater(most, square(ends[i] - ends[i - 1]) / Deep(8) * steepest);
+  }
+  return most;
+}
 
 }  // namespace
 
@@ -61,6 +80,12 @@ Deep energy(const HalfTurn& of, const Deep& to) {
   return of.M * to - Deep(2) * of.C * square(half_sine) - of.K * square(sine_of_angle(to));
 }
 
+Deep chords_off_at_most(const HalfTurn& of, const std::vector<Deep>& ends) {
+  const auto at_cosine = [&](const Deep& x) { return of.C * x + Deep(2) * of.K * (Deep(2) * square(x) - Deep(1)); };
+  const auto slope = [&](const Deep& angle) { return at_cosine(cosine_of_angle(angle)); };
+  return off_at_most(of, ends, slope, [&](const Deep& x, const Deep&) { return at_cosine(x); });
+}
+
 }  // namespace closed
 
 namespace summed {
@@ -95,6 +120,17 @@ Deep energy(const HalfTurn& of, const Deep& from, const Deep& to) {
         acb_add_arb(result, result, of.M.ball(), bits);
       },
       from, to);
+}
+
+// C cos α is C less what C sin α has taken, by the energy; 2 K cos 2α is 2 K - 4 K sin² α.
+Deep chords_off_at_most(const HalfTurn& of, const std::vector<Deep>& ends) {
+  const auto slope = [&](const Deep& x) {
+    return of.C + energy(of, Deep(0), x) - of.M * x + of.K * (Deep(2) - Deep(3) * square(sine_of_angle(x)));
+  };
+  const auto from_vertex = [&](const Deep& x, const Deep& vertex) {
+    return Deep(4) * of.K * (square(x - vertex) - square(vertex)) - Deep(2) * of.K;
+  };
+  return off_at_most(of, ends, slope, from_vertex);
 }
 
 Deep sine_times_cosine(int k) {

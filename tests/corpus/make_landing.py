@@ -70,6 +70,7 @@ class Landing:
                      drag_work_s=self.gained(lambda v: self.c_x * v ** 3, v_s),
                      rolling_work_s=self.gained(lambda v: self.normal(v) * self.f_v * R * self.omega(v), v_s))
         found["slip_path_s"] = found["ground_path_s"] - found["rolled_path_s"]
+        found["polygon_off_at_most"] = self.chords_off(v_s, t_s)
         found.update(v_10ms=None, omega_10ms=None)
         if t_s > mpf("0.01"):
             late = lambda v: self.gained(lambda x: mpf(1), v) - mpf("0.01")
@@ -80,11 +81,36 @@ class Landing:
         F = -(M * a + self.c_x * v_s ** 2)
         found.update(a_after=a, F_after=F, F_after_over_N=F / N_s, adheres=mpf(1 if abs(F) <= self.f_a * N_s else 0))
         # What turns the wheel's momentum, but for its weight and the ground.
-        hub = lambda N, F, a: abs(mpc(self.m_r * a + F, self.m_r * self.g - N))
-        found.update(hub_force_0=hub(N_0, self.f_r * N_0, -self.deceleration(v_0)), hub_force_after=hub(N_s, F, a))
+        found["wheel_weight"] = self.m_r * self.g
+        for when, (N, force, rate) in dict(zero=(N_0, self.f_r * N_0, -self.deceleration(v_0)), after=(N_s, F, a)).items():
+            hub, when = mpc(self.m_r * rate + force, self.m_r * self.g - N), when.replace("zero", "0")
+            found.update({f"hub_force_{when}": abs(hub), f"hub_force_{when}_x": hub.real, f"hub_force_{when}_y": hub.imag,
+                          f"wheel_inertia_{when}": -self.m_r * rate})
         crossing = (v_0 - self.rim_0) / (R * self.spin(v_0) + self.deceleration(v_0))
         found.update(t_s_tangents=crossing, v_s_tangents=v_0 - self.deceleration(v_0) * crossing)
         return found
+
+    # Bound on what chords of the time are off in sixths of the time of slip: width squared over 8, times the greatest
+    # slope of 1/deceleration, which is sought among many speeds and then where its own slope is zero.
+    def chords_off(self, v_s, t_s):
+        speeds = [self.v_0]
+        for i in range(1, 6):
+            late = lambda v: self.gained(lambda x: mpf(1), v) - t_s * i / 6
+            speeds.append(findroot(late, (v_s, speeds[-1]), solver="anderson", tol=mpf(10) ** -80, verify=False))
+        speeds.append(v_s)
+        c = (self.f_r * self.c_y + self.c_x) / (self.m_a + self.m_r)
+        slope = lambda v: abs(2 * c * v / self.deceleration(v) ** 2)
+        most = mpf(0)
+        for fast, slow in zip(speeds, speeds[1:]):
+            tried = [slow + (fast - slow) * k / 64 for k in range(65)]
+            k = max(range(65), key=lambda j: slope(tried[j]))
+            steepest = slope(tried[k])
+            if 0 < k < 64:  # 1/v + d/dv of the rest
+                turn = findroot(lambda v: self.deceleration(v) - 4 * c * v * v, (tried[k - 1], tried[k + 1]),
+                                solver="anderson", tol=mpf(10) ** -80, verify=False)
+                steepest = slope(turn)
+            most = max(most, (fast - slow) ** 2 / 8 * steepest)
+        return most
 
     # Speeds after each step, as far as the first after which the rim is not slower.
     def euler(self, h):

@@ -184,7 +184,7 @@ def direct(g):
             "f_m_side_leakage": f * c_prime, "film_margin": h2 / h_ref, "film_margin_side_leakage": side / h_ref,
             "hydrodynamic": mpf(1 if h2 >= h_ref else 0), "hydrodynamic_side_leakage": mpf(1 if side >= h_ref else 0),
             "friction_torque": f * g["P"] * g["r_m"], "power_loss": f * g["P"] * V, "R_outer": g["r_m"] + b / 2,
-            "R_inner": g["r_m"] - b / 2, "pitch": 2 * pi * g["r_m"] / z, "gap": 2 * pi * g["r_m"] / z - l}
+            "R_inner": g["r_m"] - b / 2, "l": l, "pitch": 2 * pi * g["r_m"] / z, "gap": 2 * pi * g["r_m"] / z - l}
 
 
 def main():

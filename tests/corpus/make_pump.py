@@ -64,6 +64,27 @@ class Pump:
                         tol=mpf(10) ** -70, verify=False)
         return zero, self.energy(zero, slope)
 
+    # Bound on what chords of the energy are off: width squared over 8, times the greatest slope of the torque over the
+    # strip, sought among many angles and then where its own slope is zero.
+    def chords_off(self, first, second, slope):
+        quarter = (second - first) / 4
+        ends = [pi * i / 6 for i in range(7)]
+        ends += [pi + x for x in (first, first + quarter, first + 2 * quarter, second - quarter, second, pi)]
+        K = self.m * self.r ** 2 * slope
+        most = mpf(0)
+        for i, (low, high) in enumerate(zip(ends, ends[1:])):
+            C, x_0 = (self.p_a * self.A * self.r, 0) if i < 6 else (self.p_m * self.A * self.r, pi)
+            steep = lambda x: fabs(C * cos(x - x_0) + 2 * K * cos(2 * (x - x_0)))
+            tried = [low + (high - low) * k / 64 for k in range(65)]
+            k = max(range(65), key=lambda j: steep(tried[j]))
+            steepest = steep(tried[k])
+            if 0 < k < 64:
+                turn = findroot(lambda x: C * sin(x - x_0) + 4 * K * sin(2 * (x - x_0)), (tried[k - 1], tried[k + 1]),
+                                solver="anderson", tol=mpf(10) ** -70, verify=False)
+                steepest = steep(turn)
+            most = max(most, (high - low) ** 2 / 8 * steepest)
+        return most
+
     def values(self):
         A, c, r, omega = self.A, self.c, self.r, self.omega
         F_a, F_m = self.p_a * A, self.p_m * A
@@ -99,6 +120,7 @@ class Pump:
                      alpha_2_deg=degrees(low - pi),
                      Delta_T_suction_end=self.energy(pi, 0) if self.p_a != self.p_m else mpf(0), Delta_T_peak=peak,
                      Delta_T_trough=trough, Delta_T_max=peak - trough)
+        found["polygon_off_at_most"] = self.chords_off(high - pi, low - pi, 0)
         J = flywheel("", peak - trough)
         found["stiffness_negligible_with_flywheel"] = mpf(1 if found["n_t_flywheel"] < tau else 0)
         found.update(omega_max=omega * (1 + self.i / 2), omega_min=omega * (1 - self.i / 2))
@@ -109,6 +131,7 @@ class Pump:
         change = self.extreme(slope, 1)[1] - self.extreme(slope, -1)[1]
         found.update({name + "alpha_1": alpha_1, name + "alpha_2": alpha_2, name + "alpha_1_deg": degrees(alpha_1),
                       name + "alpha_2_deg": degrees(alpha_2), name + "Delta_T_max": change})
+        found[name + "polygon_off_at_most"] = self.chords_off(alpha_1, alpha_2, slope)
         flywheel(name, change)
         name = "wittenbauer."
         steep, slight = found["omega_max"] ** 2 / 2, found["omega_min"] ** 2 / 2

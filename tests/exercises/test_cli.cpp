@@ -95,9 +95,15 @@ TEST_CASE("what is no command is refused in one sentence") {
   refused({"triangle"}, "\"triangle\"" + after + "triangle, or epure check triangle");
   refused({"help", "triangle"}, "\"triangle\"" + after + "triangle, or epure check triangle");
   refused({"triangle/sides"}, "\"triangle/sides\"" + after + "triangle/sides, or epure check triangle");
-  refused({"draw", "triangle", "a=1"}, "\"a=1\" is no exercise; to set a given write --set a=1");
+  for (const std::string given : {"a=1", "a=0.5", "a=1/2"})
+    refused({"draw", "triangle", given}, "is no exercise; to set a given write --set a=");
   refused({""}, "\"\" is nothing epure can do");
   refused({"draw", ""}, "there is no exercise \"\"");
+  for (const std::string file : {"folder/file", "./triangle", "press.txt", "/tmp/press"})
+    refused({"draw", file}, "\"" + file +
+                                "\" is no exercise nor a sheet of one, and the file of a mechanism has a name "
+                                "that ends in .yaml or .yml");
+  refused({"draw", "triangel/sides"}, "did you mean triangle?");
   refused({"--lang", "it", "help"}, "--lang segue il verbo: epure VERBO --lang");
   refused({"help", "dra"}, "\"dra\" is nothing epure can do; did you mean draw?");
   refused({"list", "--lang"}, "--lang needs a value");

@@ -1,6 +1,7 @@
 // Marking, on the triangle: c = 0.5 m, c_x = 0.3 m, c_y = -0.4 m, drawn at 1:10 on sheet sides and c at 1:20 on sheet
 // small; omega = -2.5 rad/s and angle = 0.75 rad, not drawn.
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -118,6 +119,10 @@ TEST_CASE("marks as CSV, and into a file") {
   refused_marking(answers, "cannot write", {"-o", "answers.csv/marks.csv"}, 3);
   refused_marking(answers, "\"pdf\" is no format of marks", {"--format", "pdf"});
   refused_marking(answers, "is not the ending of --format text", {"-o", "marks.csv", "--format", "text"});
+  for (const char* name : {"f.pdf", "f.SVG", "f.html"}) {
+    refused_marking(answers, "ends as another format does; what is written here is text or csv", {"-o", name});
+    CHECK_FALSE(std::filesystem::exists(name));
+  }
 }
 
 TEST_CASE("the tolerance is that of the sheet, of the scale said, of the student's own") {

@@ -258,6 +258,7 @@ TEST_CASE("what a report cannot be is one sentence, and nothing is written") {
   refused({"report", "triangle", "--format", "docx"}, 2, "choose md, tex or html");
   refused({"report", "triangle", "-o", "x.doc"}, 2, "tells no format");
   refused({"report", "triangle", "-o", "x.md", "--format", "tex"}, 2, "is not the ending of --format tex");
+  refused({"report", "triangle", "-o", "x.svg", "--format", "md"}, 2, "what is written here is md, tex or html");
   refused({"report", "triangle", "-o", "-", "--format", "md"}, 2, "figures in files beside it");
   refused({"report", "triangle", "-o", "è.tex"}, 2, "a file for TeX has a name of");
   refused({"report", "triangle", "-o", "x.md", "--out", "y"}, 2, "choose one of them");

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "exercises/cli/csv_reader.h"
@@ -200,6 +201,19 @@ TEST_CASE("a sweep of known numbers, to the byte") {
   CHECK(run(commas).out == ran.out);  // letters stand for the name, and a decimal comma for the point
 }
 
+TEST_CASE("no two columns of a sweep have one name") {
+  Triangle triangle;
+  triangle.change_quantities([](auto& all) { all.push_back({"b", "$b$", "m", {"height", "altezza"}}); });
+  triangle.spoil_values = [](auto& values) {
+    for (const std::string route : {"ruler", "analytic"}) values.push_back({"b", route, certain(0.4)});
+  };
+  const std::string header =
+      lines(run_on(triangle, {"sweep", "triangle", "--over", "b=0.4..0.5/2", "--quantity", "b,c"}).out).front();
+  const Typed heads = fields(header);
+  CHECK(header.starts_with("b_given (m),b (m),b_lower (m)"));
+  CHECK(std::set<std::string>(heads.begin(), heads.end()).size() == heads.size());
+}
+
 TEST_CASE("a sweep for a spreadsheet with decimal commas") {
   const Typed words{"sweep", "triangle", "--over", "a=0.1..0.3/4", "--quantity", "c_x", "--csv", "excel"};
   const Ran ran = run(words);
@@ -338,6 +352,10 @@ TEST_CASE("what cannot be swept is refused in a sentence") {
           "\"pdf\" is no format of a sweep; choose csv, json or html");
   refused(here + sought + over + Typed{"--format", "json", "-o", "x.csv"},
           "\"x.csv\" is not the ending of --format json");
+  for (const std::string name : {"f.svg", "f.PDF", "f.md"})
+    for (const Typed& format : {Typed{}, Typed{"--format", "csv"}})
+      refused(here + sought + over + Typed{"-o", name} + format,
+              "\"" + name + "\" ends as another format does; what is written here is csv, json or html");
   for (const std::string part : {"0/3", "4/3", "3", "1/0", "a/3", "1/x", "-1/3", "1/3/5", ""})
     refused(here + sought + over + Typed{"--part", part}, "is no part; write 3/40");
   refused(here + sought + over + Typed{"--chart", "x.png"}, "must end in .pdf or .svg");

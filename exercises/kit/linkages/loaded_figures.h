@@ -52,8 +52,18 @@ inline void add_rod(Mechanism& drawn, const WedgeFigure& at) {
   drawn.body({"l", "r", "rt", "lt"}, 3);
 }
 
-// With what is applied to it.
-inline FreeBodyPanel whole(const WedgeFigure& at, const Case& of, double at_most = 200) {
+// The width of the rod, and from O how high the collar's ends stand, at its right, where the wedge's face falls.
+inline void dimension_wedge(Mechanism& drawn, const WedgeFigure& at) {
+  const double half = at.w / 2, upwards = std::numbers::pi / 2, farther_out = 0.035;  // m
+  drawn.point("cl", {half, at.lower}, Mechanism::Joint::corner, "")
+      .point("cu", {half, at.upper}, Mechanism::Joint::corner, "")
+      .offset("rt", {-half, at.top}, upwards, 0, "$w$")
+      .offset("cl", {half, 0}, 0, 0, "$y_{l}$")
+      .offset("cu", {half, 0}, 0, farther_out, "$y_{u}$");
+}
+
+enum class Dimensioned { no, yes };
+inline FreeBodyPanel whole(const WedgeFigure& at, const Case& of, double at_most, Dimensioned dimensioned) {
   Mechanism drawn;
   drawn.point("O", {0, 0}, Mechanism::Joint::none, "$O$");
   add_wedge(drawn, at);
@@ -64,6 +74,7 @@ inline FreeBodyPanel whole(const WedgeFigure& at, const Case& of, double at_most
       .surface({at.left.x - beyond, at.floor}, {at.right.x + beyond, at.floor})
       .axis({0, at.floor}, {0, at.top + beyond}, "$r_{1}$")
       .angle("R", std::numbers::pi - of.radians("theta"), std::numbers::pi, "$θ$");
+  if (dimensioned == Dimensioned::yes) dimension_wedge(drawn, at);
   FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
   panel.to_scale().at_most(at_most);
   return panel;
@@ -131,14 +142,30 @@ inline Place end_of_lever(const Case& of) {
   return distance(C, B) > distance(C, D) ? B : D;
 }
 
+// The ram reaches from D so far.
+inline Place end_of_ram(const Case& of) { return of.place("D") + of.given("AB") * Arrow2{1, 0}; }
+
+// The ram cut free, with its slot upright: what acts on it passes through D.
+inline FreeBodyPanel ram_cut_free(const Case& of) {
+  const Place D = of.place("D");
+  const Arrow2 half_slot{0, 0.6 * of.given("AB")};
+  Mechanism drawn;
+  drawn.point("D", D, Mechanism::Joint::none, "$D$")
+      .point("ram", end_of_ram(of), Mechanism::Joint::corner, "")
+      .point("low", D + -1.0 * half_slot, Mechanism::Joint::corner, "")
+      .point("high", D + half_slot, Mechanism::Joint::corner, "")
+      .body({"D", "ram"}, 6)
+      .body({"low", "high"});
+  return FreeBodyPanel(std::make_shared<const Mechanism>(std::move(drawn)));
+}
+
 // With the block 3 on the lever, the ram 6 in its guide and the block 5 in the ram's upright slot. `drawn`: crank and
 // lever.
 inline std::shared_ptr<const MechanismFigure> with_ram(Mechanism drawn, const Case& of) {
   const Place B = of.place("B"), D = of.place("D");
   const double AB = of.given("AB");
-  const Place end = D + AB * Arrow2{1, 0};
   drawn.point("D", D, Mechanism::Joint::corner, "")
-      .point("ram", end, Mechanism::Joint::corner, "")
+      .point("ram", end_of_ram(of), Mechanism::Joint::corner, "")
       .body({"D", "ram"}, 6);
   drawn.surface(D + AB * Arrow2{0.5, -0.06}, D + AB * Arrow2{0.9, -0.06});
   MechanismWithBlocks whole(std::move(drawn));

@@ -34,20 +34,28 @@ class SharedOut {
     on_the_line_ = crossing(on_known_, -pole_, Y, on_line.v);
   }
 
+  // That of another motion has strings 1″, 2″, 3″ and a pole with a prime.
+  SharedOut& otherwise() {
+    stroke_ = "″";
+    pole_letters_ = "$O'_{f}$";
+    return *this;
+  }
+
   // The strings, and the step that tells of them.
   void draw_strings(FreeBodyPanel& body) const {
+    const std::string one = "1" + stroke_, two = "2" + stroke_, three = "3" + stroke_;
     body.string(X_, on_known_, "").string(Y_, on_the_line_, "");
-    body.string(O_, on_known_, "2′").string(on_known_, on_the_line_, "1′").string(on_the_line_, O_, "3′");
+    body.string(O_, on_known_, two).string(on_known_, on_the_line_, one).string(on_the_line_, O_, three);
     body.step(
         Words{"The lines of " + known_.label + " and " + on_line_.label +
-                  " do not meet on the sheet. Funicular polygon: 2′ parallel to the ray 2, from where " +
-                  through_.label + " acts to the line of " + known_.label + "; 1′ parallel to 1, to that of " +
-                  on_line_.label + "; 3′ closes it.",
+                  " do not meet on the sheet. Funicular polygon: " + two + " parallel to the ray 2, from where " +
+                  through_.label + " acts to the line of " + known_.label + "; " + one +
+                  " parallel to 1, to that of " + on_line_.label + "; " + three + " closes it.",
               "Le rette della " + known_.label + " e della " + on_line_.label +
-                  " non si incontrano nel foglio. Poligono funicolare: 2′ parallela al raggio 2, da dove agisce "
-                  "la " +
-                  through_.label + " alla retta della " + known_.label + "; 1′ parallela a 1, fino a quella della " +
-                  on_line_.label + "; 3′ lo chiude."},
+                  " non si incontrano nel foglio. Poligono funicolare: " + two +
+                  " parallela al raggio 2, da dove agisce la " + through_.label + " alla retta della " +
+                  known_.label + "; " + one + " parallela a 1, fino a quella della " + on_line_.label + "; " + three +
+                  " lo chiude."},
         O_);
   }
   // The force polygon with its pole. `name`: of the known force turned round.
@@ -56,13 +64,15 @@ class SharedOut {
       return SharedLoadPanel::Part{side.quantity, side.label, side.v};
     };
     SharedLoadPanel panel({{}, name, on_line_.v + through_.v}, part(on_line_), part(through_), pole_, "N");
-    panel.named({"1", "2", "3"}, "$O_{f}$");
-    panel.step(Words{"A pole $O_{f}$ beside " + name + ", and the rays 1 and 2 to its ends.",
-                     "Un polo $O_{f}$ accanto alla " + name + ", e i raggi 1 e 2 ai suoi estremi."},
+    panel.named({"1", "2", "3"}, pole_letters_);
+    panel.step(Words{"A pole " + pole_letters_ + " beside " + name + ", and the rays 1 and 2 to its ends.",
+                     "Un polo " + pole_letters_ + " accanto alla " + name + ", e i raggi 1 e 2 ai suoi estremi."},
                SharedLoadPanel::At::pole);
-    panel.step(Words{"The ray 3 parallel to 3′ parts it into " + on_line_.label + " and " + through_.label + ".",
-                     "Il raggio 3 parallelo a 3′ la divide in " + on_line_.label + " e " + through_.label + "."},
-               SharedLoadPanel::At::between);
+    panel.step(
+        Words{
+            "The ray 3 parallel to 3" + stroke_ + " parts it into " + on_line_.label + " and " + through_.label + ".",
+            "Il raggio 3 parallelo a 3" + stroke_ + " la divide in " + on_line_.label + " e " + through_.label + "."},
+        SharedLoadPanel::At::between);
     return panel;
   }
 
@@ -74,6 +84,7 @@ class SharedOut {
   PolygonSide known_, on_line_, through_;
   Place X_, Y_, O_, on_known_, on_the_line_;
   Arrow2 pole_;
+  std::string stroke_ = "′", pole_letters_ = "$O_{f}$";
 };
 
 // The polygons of two bodies of which the second starts `from` the first's origin; instead of one of them, where it

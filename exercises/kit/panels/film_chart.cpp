@@ -60,26 +60,30 @@ FilmChart::FilmChart(const geometry::FilmWedge<double>& film, const FilmShown& s
                   marks_of(film, shown.speed_letters)),
       speed_letters_(shown.speed_letters) {}
 
-std::string FilmChart::told_of(const drawings::ChartMap& map, Language language) const {
+Words film_exaggeration(double times) {
   constexpr double countable = 1e6;
-  const double times = map.x.per_mm() * micrometres / map.y.per_mm();
   const double larger = std::max(times, 1 / times), digit = std::pow(10, std::floor(std::log10(larger)) - 1);
-  const std::string two_digits = short_number(std::round(larger / digit) * digit, language);
-  const Words told = larger < countable ? Words{"about ", "circa "} + two_digits
-                                        : Words{"more than a million", "più di un milione di"};
+  const double two_digits = std::round(larger / digit) * digit;
+  if (two_digits == 1)
+    return {"The film is drawn about as high as it is, beside its length.",
+            "Il meato è disegnato con altezza e lunghezza quasi alla stessa scala."};
+  const auto number = [&](Language language) { return short_number(two_digits, language); };
+  const Words told = larger < countable
+                         ? Words{"about " + number(Language::english), "circa " + number(Language::italian)}
+                         : Words{"more than a million", "più di un milione di"};
+  return times > 1 ? format_words("The film is drawn {} times higher than long.",
+                                  "Il meato è disegnato {} volte più alto che lungo.", told)
+                   : format_words("The film is drawn {} times longer than high.",
+                                  "Il meato è disegnato {} volte più lungo che alto.", told);
+}
+
+std::string FilmChart::told_of(const drawings::ChartMap& map, Language language) const {
   const Words walls =
       format_words("The pad rests (hatched); below it the flat runner moves at {} to the narrow end. ",
                    "Il pattino è fermo (tratteggiato); sotto, la parete piana scorre con {} verso "
                    "l'estremo stretto. ",
                    speed_letters_);
-  const Words scale = two_digits == "1"
-                          ? Words{"The film is drawn about as high as it is, beside its length.",
-                                  "Il meato è disegnato con altezza e lunghezza quasi alla stessa scala."}
-                      : times > 1 ? format_words("The film is drawn {} times higher than long.",
-                                                 "Il meato è disegnato {} volte più alto che lungo.", told)
-                                  : format_words("The film is drawn {} times longer than high.",
-                                                 "Il meato è disegnato {} volte più lungo che alto.", told);
-  return (walls + scale).in(language);
+  return (walls + film_exaggeration(map.x.per_mm() * micrometres / map.y.per_mm())).in(language);
 }
 
 }  // namespace epure

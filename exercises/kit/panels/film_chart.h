@@ -27,6 +27,9 @@ struct FilmShown {
   double letters_left = 0;
 };
 
+// How many times the scale of its height is that of its length.
+Words film_exaggeration(double times);
+
 class FilmChart : public MarkedChart {
  public:
   FilmChart(const geometry::FilmWedge<double>& film, const FilmShown& shown);

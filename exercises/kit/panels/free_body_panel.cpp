@@ -115,10 +115,10 @@ FreeBodyPanel& FreeBodyPanel::turned(const Place& X, double normal, double force
 }
 
 FreeBodyPanel& FreeBodyPanel::arm(const Place& about, const Place& on_line, const Arrow2& along,
-                                  const std::string& letters, const std::string& quantity) {
+                                  const std::string& letters, const std::string& quantity, double left) {
   if (magnitude(along) == 0) return *this;
   const Arrow2 u = (1 / magnitude(along)) * along;
-  arms_.push_back({about, on_line, on_line + dot(about - on_line, u) * u, letters, quantity});
+  arms_.push_back({about, on_line, on_line + dot(about - on_line, u) * u, letters, quantity, left});
   return *this;
 }
 
@@ -226,7 +226,7 @@ void FreeBodyPanel::draw_arm(Plot& plot, const Arm& arm) const {
   if (distance(arm.about, arm.foot) * plot.scale().mm_per_unit < shortest) return;
   plot.segment(arm.on_line, arm.foot, Meaning::construction);
   plot.right_angle(arm.foot, arm.about, arm.foot + geometry::quarter_turn(arm.about - arm.foot));
-  plot.mark(drawings::Dimension{plot.at(arm.about), plot.at(arm.foot), 0, arm.letters});
+  plot.mark(drawings::Dimension{plot.at(arm.about), plot.at(arm.foot), arm.left, arm.letters});
   if (!arm.quantity.empty()) plot.measures(arm.quantity, arm.about, arm.foot);
 }
 

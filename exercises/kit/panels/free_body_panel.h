@@ -49,9 +49,10 @@ class FreeBodyPanel : public Panel {
   // the other edge of the friction cone. Directions (radians) from X to where the force stands.
   FreeBodyPanel& turned(const Place& X, double normal, double force, const std::string& angle);
   // How far a line of action passes by a point: the perpendicular with its name, measured as this quantity
-  // where it is reported (else empty).
+  // where it is reported (else empty). Its dimension line stands so many mm to its left, as seen from `about`, clear
+  // of another arm.
   FreeBodyPanel& arm(const Place& about, const Place& on_line, const Arrow2& along, const std::string& letters,
-                     const std::string& quantity);
+                     const std::string& quantity, double left = 0);
   // Another step of the construction, and where it happens.
   FreeBodyPanel& step(const Words& text, const Place& at);
   // Counter-clockwise for sense > 0, clockwise for sense < 0, none for 0. It stands clear of the forces at this point
@@ -113,6 +114,7 @@ class FreeBodyPanel : public Panel {
   struct Arm {
     Place about, on_line, foot;
     std::string letters, quantity;
+    double left;
   };
   struct Meeting {
     std::string name, letters;

@@ -7,7 +7,7 @@ namespace epure {
 namespace {
 
 constexpr double whole_turn = 2 * std::numbers::pi;
-constexpr double around_ring = 10;                  // mm around the ring
+constexpr double above_ring = 10, around_ring = 2;  // mm: the sense of rotation stands above
 constexpr double longest_piece = whole_turn / 180;  // of an arc: its chord is a six-thousandth of the radius within
 
 }  // namespace
@@ -20,9 +20,8 @@ double PadRingPanel::leading(int pad) const {
 }
 
 drawings::Box PadRingPanel::extent(const Scale& scale, const Scale&) const {
-  Extent extent;
-  for (const double side : {-1.0, 1.0}) extent.include(scale, {side * ring_.outer, side * ring_.outer}, around_ring);
-  return extent.box();
+  const double outer = ring_.outer * scale.mm_per_unit;
+  return {{-outer - around_ring, -outer - around_ring}, {outer + around_ring, outer + above_ring}};
 }
 
 void PadRingPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {

@@ -14,7 +14,7 @@
 namespace epure {
 namespace {
 
-constexpr std::size_t most_in_one_column = 12;
+constexpr std::size_t most_in_one_column = 12, most_explained_in_one_column = 8;
 
 // In what is awkward, between the sheet and the quantity.
 constexpr std::string_view without_value = "/without value: ", off_sheet = "/off sheet: ";
@@ -198,7 +198,11 @@ drawings::Table answers(const std::vector<std::string>& asked) {
   const auto is_short = [](const std::string& text) {
     return drawings::measure(without_caption(text), 3).width < 30;
   };
-  const bool is_long = asked.size() > most_in_one_column && std::all_of(asked.begin(), asked.end(), is_short);
+  // What is explained takes two lines, and in one column would make all letters small.
+  const bool is_explained = std::any_of(asked.begin(), asked.end(),
+                                        [](const std::string& text) { return text.find('\n') != std::string::npos; });
+  const std::size_t most = is_explained ? most_explained_in_one_column : most_in_one_column;
+  const bool is_long = asked.size() > most && std::all_of(asked.begin(), asked.end(), is_short);
   const std::size_t rows = is_long ? (asked.size() + 1) / 2 : asked.size();
   for (std::size_t i = 0; i < rows; ++i) {
     table.rows.push_back({asked[i], ""});

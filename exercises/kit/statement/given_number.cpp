@@ -51,10 +51,17 @@ std::string equal_to(const Rational& value, Language language) {
   return "=\u00a0" + std::string(value < 0 ? "−" : "") + *text;
 }
 
-Words told_value(const Rational& value) {
+Words told_value(const Rational& value, int figures) {
   constexpr std::size_t longest = 16;
   const auto exactly = as_decimal(value, longest);
-  return exactly && exactly->size() <= longest ? decimal(*exactly) : decimal(nearest(value), 12);
+  return exactly && exactly->size() <= longest ? decimal(*exactly) : decimal(nearest(value), figures);
+}
+
+std::optional<int> figures_that_tell_apart(double one, double other) {
+  constexpr int least = 6, most = 15;
+  for (int figures = least; figures <= most; ++figures)
+    if (decimal(one, figures).english != decimal(other, figures).english) return figures;
+  return {};
 }
 
 }  // namespace epure

@@ -16,7 +16,11 @@ std::optional<std::string> as_decimal(const geometry::Rational& value, std::size
 // blanks do not break.
 std::string equal_to(const geometry::Rational& value, Language language);
 
-// In a sentence: "0.0029000001" exactly, where a decimal of at most 16 characters is; else rounded to twelve figures.
-Words told_value(const geometry::Rational& value);
+// In a sentence: "0.0029000001" exactly, where a decimal of at most 16 characters is; else rounded.
+Words told_value(const geometry::Rational& value, int figures = 12);
+
+// How many figures, six at least, tell two numbers apart, so that a sentence says which is the greater; none where
+// the fifteen that a double holds do not.
+std::optional<int> figures_that_tell_apart(double one, double other);
 
 }  // namespace epure

@@ -1,5 +1,8 @@
 // The landing: its numbers are those of a corpus of integrals over the speed, the source's numbers, bad givens,
 // sheets.
+#include <algorithm>
+#include <cmath>
+
 #include "tests/exercises/told_words.h"
 
 using namespace epure;
@@ -142,4 +145,40 @@ TEST_CASE("landing: every sheet is drawn, whatever is given", "[landing][sheets]
 
 TEST_CASE("landing: letters find room", "[landing][sheets]") {
   letters_find_room(landing(), {{}, {"c_y=-2"}, {"J_r=400", "Delta_t=0.7"}});
+}
+
+TEST_CASE("landing: the wheel's polygon is that of the solution, side by side", "[landing][sheets]") {
+  // The stated wheel is so light that its weight is a dot.
+  ruler_reads(landing(), {"wheel", {"wheel_weight", "wheel_inertia_0"}}, {"m_r=3000", "rim_0=20"});
+  const CheckedExercise result = landing().checked({});
+  for (const std::string name : {"wheel_weight", "wheel_inertia_0", "wheel_inertia_after"})
+    CHECK_FALSE(find(result, name).on_sheets.empty());
+  for (const std::string hub : {"hub_force_0", "hub_force_after"})
+    CHECK(std::hypot(value(result, hub + "_x"), value(result, hub + "_y")) == Approx(value(result, hub)));
+}
+
+// dt = -dv/(A + B v²), in doubles.
+TEST_CASE("landing: the polygon of times is off by no more than is told, and not by much less", "[landing]") {
+  const CheckedExercise result = landing().checked({});
+  const double v_0 = value(result, "v_0"), v_s = value(result, "v_s"), t_s = value(result, "t_s"),
+               a_0 = value(result, "a_0"), a_s = value(result, "a_s");
+  const double B = (a_s - a_0) / (v_0 * v_0 - v_s * v_s), A = -a_0 - B * v_0 * v_0;
+  const auto time_down_to = [&](double v) {
+    return (std::atan(v_0 * std::sqrt(B / A)) - std::atan(v * std::sqrt(B / A))) / std::sqrt(A * B);
+  };
+  const auto speed_after = [&](double t) {
+    return std::sqrt(A / B) * std::tan(std::atan(v_0 * std::sqrt(B / A)) - t * std::sqrt(A * B));
+  };
+  double most = 0;
+  for (int i = 0; i < 6; ++i) {
+    const double fast = speed_after(t_s * i / 6), slow = speed_after(t_s * (i + 1) / 6);
+    for (int k = 0; k <= 100; ++k) {
+      const double v = fast + (slow - fast) * k / 100;
+      most = std::max(most, std::abs(t_s * (i + k / 100.0) / 6 - time_down_to(v)));
+    }
+  }
+  const double told = value(result, "polygon_off_at_most");
+  CHECK(most <= told);
+  CHECK(most > 0.9 * told);
+  CHECK_THAT(told_on(landing(), "integration", {}), Contains("$δ_{t}$ = "));
 }

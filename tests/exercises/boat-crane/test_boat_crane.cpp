@@ -1,5 +1,7 @@
 // The boat crane: its numbers are those of a corpus that knows finite elements and outlines only; what the source
 // printed, and that it computed with twice the mass it states; what cannot be; its sheets.
+#include <algorithm>
+
 #include "exercises/kit/proof/verdict.h"
 #include "tests/exercises/held_against_corpus.h"
 
@@ -154,4 +156,41 @@ TEST_CASE("boat crane: a sheet says which checks do not hold, at the limit too",
   const std::string limit = "8825985/752000";
   CHECK_FALSE(tells({"Psi=1", "sigma_S=" + limit}, "yield of the column"));
   CHECK(tells({"Psi=1.000000000000000000000000000001", "sigma_S=" + limit}, "yield of the column"));
+}
+
+TEST_CASE("boat crane: the column's normal force is drawn, compression to the left", "[boat-crane][sheets]") {
+  for (const Assignments& given : {Assignments{}, {"W_b=600"}, {"H_0=2"}}) {
+    const CheckedExercise result = crane().checked(given);
+    const auto& sheets = find(result, "N_2").on_sheets;
+    const auto found =
+        std::find_if(sheets.begin(), sheets.end(), [](const OnSheet& each) { return each.sheet == "buckling"; });
+    REQUIRE(found != sheets.end());
+    CHECK(found->value < 0);
+  }
+}
+
+TEST_CASE("boat crane: section C shows both masses", "[boat-crane][sheets]") {
+  std::vector<std::vector<std::string>> rows;
+  for (const drawings::Block& block : crane().draw("section", {}).sheet.column)
+    if (const auto* table = std::get_if<drawings::Table>(&block))
+      rows.insert(rows.end(), table->rows.begin(), table->rows.end());
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0][0] == "300 kg");
+  CHECK(rows[1][0] == "600 kg");
+  CHECK(std::stod(rows[1][1]) == Approx(98.65).epsilon(1e-3));
+  CHECK(std::stod(rows[1][1]) == Approx(2 * std::stod(rows[0][1])).epsilon(1e-3));
+}
+
+TEST_CASE("boat crane: the sheet of all checks to be solved asks in two columns, in letters of their size",
+          "[boat-crane][sheets]") {
+  for (const Language language : {Language::english, Language::italian}) {
+    const DrawnSheet blank = crane().draw("checks", {}, {.language = language, .blank = true});
+    const auto asked = std::find_if(blank.sheet.column.begin(), blank.sheet.column.end(), [](const auto& block) {
+      const auto* table = std::get_if<drawings::Table>(&block);
+      return table && table->to_fill_in;
+    });
+    REQUIRE(asked != blank.sheet.column.end());
+    CHECK(std::get<drawings::Table>(*asked).rows.size() == 6);
+    CHECK(std::get<drawings::Table>(*asked).rows.front().size() == 4);
+  }
 }

@@ -1,6 +1,9 @@
 // The eccentric cam: every route holds against a corpus of numerical derivatives; contact kept and lost by 1e-9 and
 // 1e-30; a roller that just reaches its axis; what the source took for maximum lift; what is refused.
+#include <cmath>
+
 #include "exercises/kit/proof/verdict.h"
+#include "tests/exercises/drawn_marks.h"
 #include "tests/exercises/held_against_corpus.h"
 
 using namespace epure;
@@ -111,4 +114,21 @@ TEST_CASE("every sheet is drawn, whatever is given", "[cam-dynamics][sheets]") {
 
 TEST_CASE("letters find room on all sheets", "[cam-dynamics][sheets]") {
   letters_find_room(cam(), {{}, {"phi=200"}, {"e=-0.035", "n=-77"}, {"e=0", "phi=90"}});
+}
+
+TEST_CASE("the arms of the cam's forces are told apart, and measured", "[cam-dynamics][sheets]") {
+  const DrawnSheet drawn = cam().draw("forces", {});
+  const auto end_of = [&](const std::string& letters) {
+    for (const drawings::Dimension& each : all_of<drawings::Dimension>(drawn))
+      if (each.text == letters) {
+        const double x = each.to.x - each.from.x, y = each.to.y - each.from.y, long_ = std::hypot(x, y);
+        CHECK(long_ > 15);
+        return drawings::Point{each.to.x - each.offset * y / long_, each.to.y + each.offset * x / long_};
+      }
+    throw std::logic_error("no dimension " + letters);
+  };
+  const drawings::Point d_2 = end_of("$d_{2}$"), d_32 = end_of("$d_{32}$");
+  CHECK(std::hypot(d_2.x - d_32.x, d_2.y - d_32.y) > 3);
+  const CheckedExercise result = cam().checked({});
+  for (const char* arm : {"d_2", "d_32"}) CHECK_FALSE(find(result, arm).on_sheets.empty());
 }

@@ -1,6 +1,7 @@
 // The sheets of the mechanisms with friction, whatever is given.
 #include "tests/exercises/arrows_of.h"
 #include "tests/exercises/friction-efficiency/cases.h"
+#include "tests/exercises/told_words.h"
 
 using namespace epure;
 using namespace epure::tests;
@@ -74,6 +75,15 @@ TEST_CASE("friction: parallel forces do not meet: the funicular polygon shares t
   CHECK(is_shared("levers", {"sliding_levers.direction_P=78"}));  // as the contact's force in the direct motion
   CHECK(!is_shared("fairbairn", {}));
   CHECK(is_shared("fairbairn", {"phi=0", "fairbairn.theta=0"}));
+  // In the retrograde motion alone: the contact's force turned the other way is parallel to P.
+  const DrawnSheet back = friction().draw("levers", {"sliding_levers.direction_P=68"});
+  CHECK(has_label(back, "$O'_{f}$"));
+  CHECK(has_label(back, "3″"));
+  CHECK(!has_label(back, "$O_{f}$"));
+  // In both motions, each with its own strings.
+  const DrawnSheet both = friction().draw("fairbairn", {"fairbairn.theta=0.5"});
+  for (const char* letters : {"$O_{f}$", "$O'_{f}$", "3′", "3″"}) CHECK(has_label(both, letters));
+  CHECK(!has_label(friction().draw("levers", {}), "$O'_{f}$"));
 }
 
 TEST_CASE("friction: no force is negated twice", "[friction-efficiency][sheets]") {
@@ -100,6 +110,14 @@ TEST_CASE("friction: self-locking is said", "[friction-efficiency][sheets]") {
   CHECK_THAT(told({"wedge_collar.theta=8"}), Contains("must push the other way"));
   CHECK_THAT(told({"wedge_collar.theta=10"}), Contains("exactly at the limit of self-locking"));
   CHECK_THAT(told({"wedge_collar.theta=10.000000001"}), !Contains("self-locking"));
+}
+
+TEST_CASE("friction: the sign of the effort in the retrograde motion is said", "[friction-efficiency][sheets]") {
+  for (const char* sheet : {"wedge", "two-forces", "double-slider", "levers", "levers-Q-on-2"})
+    CHECK_THAT(told_on(friction(), sheet, {}), Contains("$\\it{P}'$ > 0: like $\\it{P}$ it holds the load back"));
+  CHECK_THAT(told_on(friction(), "fairbairn", {}), Contains("$\\it{M}'$ > 0: like $\\it{M}$"));
+  CHECK_THAT(told_on(friction(), "wedge", {"wedge_collar.theta=8"}),
+             !Contains("> 0") && Contains("$\\it{P}'$ < 0: self-locking"));
 }
 
 TEST_CASE("friction: letters find room", "[friction-efficiency][sheets]") {

@@ -81,6 +81,17 @@ TEST_CASE("friction: the limit of jamming, hit and missed", "[friction-efficienc
     CAPTURE(phi);
     CHECK_THROWS_WITH(friction().checked(pins(phi)), Contains(jams));
   }
+  // Read with the digits it has, the angle is at the limit or beyond it; where they would be too many, that is said.
+  CHECK_THROWS_WITH(friction().checked(pins("5")), Contains("phi = 5°: must be less than 5°, at which"));
+  CHECK_THROWS_WITH(friction().checked(pins("5.000000001")),
+                    Contains("phi = 5.000000001°: must be less than 5°, at which"));
+  CHECK_THROWS_WITH(friction().checked({"phi=24.500000000000000000000000000001"}),
+                    Contains("phi = 24.5°: must be less than 24.5° (it is beyond by less than 10^-12°), at which"));
+  CHECK_THROWS_WITH(friction().checked(pins("5.000000000000000000000000000001")),
+                    Contains("phi = 5°: must be less than 5° (it is beyond by less than 10^-12°), at which"));
+  // The rod's limit is 18.7148901°: with six figures both would be 18.7149°.
+  CHECK_THROWS_WITH(friction().checked({"phi=18.714891"}),
+                    Contains("phi = 18.714891°: must be less than 18.71489°, at which"));
   for (const char* phi : {"4.999999999", "4.999999999999999999999999999999"}) {
     CAPTURE(phi);
     CHECK(friction().checked(pins(phi)).passed());

@@ -1,5 +1,9 @@
 // The sheets of the mechanisms in equilibrium, whatever is given.
+#include <map>
+#include <set>
+
 #include "tests/exercises/arrows_of.h"
+#include "tests/exercises/drawn_marks.h"
 #include "tests/exercises/ideal-statics/cases.h"
 
 using namespace epure;
@@ -118,4 +122,27 @@ TEST_CASE("ideal statics: the triangles of forces close, and the velocities add 
       CHECK(sums(arrows_of(statics().draw(sheet, usual[i]), drawings::Meaning::velocity)) == expected);
     }
   }
+}
+
+TEST_CASE("ideal statics: Fairbairn's ram is cut free too", "[ideal-statics][sheets]") {
+  for (const char* sheet : {"fairbairn", "fairbairn-short-lever"}) {
+    const DrawnSheet drawn = statics().draw(sheet, {});
+    std::set<std::string> letters;
+    for (const drawings::Label& each : drawn.sheet.figure.labels) letters.insert(each.text);
+    CAPTURE(sheet);
+    CHECK(letters.contains("$\\vec{\\it{F}}$"));
+    CHECK(letters.contains("$\\vec{\\it{R}}_{56}$"));
+  }
+}
+
+TEST_CASE("ideal statics: the wedge's sheet has its dimensions", "[ideal-statics][sheets]") {
+  const DrawnSheet drawn = statics().draw("wedge", {});
+  std::map<std::string, double> lengths;
+  for (const drawings::Dimension& each : all_of<drawings::Dimension>(drawn))
+    lengths[each.text] = std::hypot(each.to.x - each.from.x, each.to.y - each.from.y);
+  REQUIRE(lengths.size() == 3);
+  const double mm_per_m = lengths.at("$y_{u}$") / 0.120;
+  CHECK(lengths.at("$y_{l}$") == Approx(0.035 * mm_per_m));
+  CHECK(lengths.at("$w$") == Approx(0.025 * mm_per_m));
+  CHECK(all_of<drawings::Dimension>(statics().draw("wedge-virtual-work", {})).empty());
 }

@@ -1,4 +1,7 @@
 // The sheets of the Michell bearing, whatever is given, and what stands on them.
+#include <map>
+#include <tuple>
+
 #include "tests/exercises/drawn_marks.h"
 #include "tests/exercises/michell-bearing/cases.h"
 
@@ -108,6 +111,12 @@ TEST_CASE("michell bearing: a unit of several words stays with its number", "[mi
   CHECK(tells(bearing().draw("direct", {}), "0.035\u00a0Pa\u00a0s"));
 }
 
+TEST_CASE("michell bearing: the misprinted length is told beside the formula it stands in",
+          "[michell-bearing][sheets]") {
+  CHECK(tells(bearing().draw("direct", {}), "prints 0.0375"));
+  CHECK_FALSE(tells(bearing().draw("direct", {"P=70000"}), "0.0375"));
+}
+
 TEST_CASE("michell bearing: charts and table of the pressures have one unit", "[michell-bearing][sheets]") {
   const DrawnSheet drawn = bearing().draw("pressures", {});
   const auto writes = [&](const std::string& title) {
@@ -125,4 +134,32 @@ TEST_CASE("michell bearing: one pad around the whole ring is round", "[michell-b
   for (const drawings::Line& each : all_of<drawings::Line>(drawn))
     if (each.meaning == drawings::Meaning::link) corners = std::max(corners, each.path.pieces.size());
   CHECK(corners > 300);
+}
+
+// Both bearings.
+TEST_CASE("michell bearing: the ring's sheet has a section through pad and runner", "[michell-bearing][sheets]") {
+  const Tried thrust("michell-thrust");
+  for (const auto& [tried, sheet, film] :
+       {std::tuple(&bearing(), "bearing", "direct."), std::tuple(&thrust, "forces", "theory.")}) {
+    const DrawnSheet drawn = tried->draw(sheet, {});
+    CAPTURE(sheet);
+    const drawings::Arrow speed = arrow(drawn, "runner_speed");
+    const auto runner = ends_of(line(drawn, "runner"));
+    CHECK(speed.to.x > speed.from.x);
+    CHECK(speed.to.y < runner.first.y);
+    // Its narrow end lies where the runner goes to.
+    std::map<std::string, Measurement> measured;
+    for (const Measurement& each : drawn.measurements) measured[each.quantity] = each;
+    const Measurement &inlet = measured.at(film + std::string("h_1")),
+                      &outlet = measured.at(film + std::string("h_2"));
+    CHECK(inlet.from.y == runner.first.y);
+    CHECK(outlet.from.x > inlet.from.x);
+    CHECK(inlet.to.y > outlet.to.y);
+    CHECK(tells(drawn, "times higher than long"));
+    const CheckedExercise result = tried->checked({});
+    for (const char* name : {"h_1", "h_2"}) {
+      const auto& sheets = find(result, film + std::string(name)).on_sheets;
+      CHECK(std::any_of(sheets.begin(), sheets.end(), [&](const OnSheet& each) { return each.sheet == sheet; }));
+    }
+  }
 }

@@ -34,7 +34,8 @@ TEST_CASE("michell thrust: givens that cannot be, each in one sentence", "[miche
     CHECK_THROWS_WITH(thrust().checked(assignments), Contains(because));
   };
   refused({"D_i=2.2"}, "no width");
-  refused({"d=520"}, "no room for pads");
+  refused({"d=520"}, "10 gaps of d = 0.52 m take 5.2 m, and the mean circle of R_m = 0.825 m is only 5.18363 m");
+  refused({"d=518.363"}, "take 5.18363 m, and the mean circle of R_m = 0.825 m is only 5.183628 m: no room for pads");
   refused({"z=3.5"}, "whole number");
   refused({"x_N_over_l=0.5"}, "more than 0.5");
   refused({"x_N_over_l=0.951"}, "at most 0.95");

@@ -150,3 +150,19 @@ TEST_CASE("oscillator and pendulum: a table ends where doubles do, and where its
   CHECK(rows({"dt_p=0.03"}, "pendulum-table") == 34);
   CHECK(rows({"omega_n=1000000000"}, "oscillator-table") < 41);  // Euler's method grows by 10^9 at each step
 }
+
+TEST_CASE("oscillator and pendulum: forces stand at the positions, to a scale that is told", "[sheets]") {
+  for (const Assignments& given : {Assignments{}, {"theta_0=30"}, {"theta_0=-100"}}) {
+    CAPTURE(given);
+    const CheckedExercise result = tried().checked(given);
+    for (const char* reaction : {"R_12_x_at_0", "R_12_y_at_0", "R_12_x_at_0p2", "R_12_y_at_0p2", "R_12_x_at_0p4"}) {
+      CAPTURE(reaction);
+      const auto& sheets = find(result, std::string("pendulum.") + reaction).on_sheets;
+      CHECK(std::any_of(sheets.begin(), sheets.end(), [](const OnSheet& each) { return each.sheet == "positions"; }));
+    }
+    const DrawnSheet drawn = tried().draw("positions", given);
+    std::size_t scales = 0;
+    for (const std::string& scale : drawn.sheet.title_block.scales) scales += scale.find(" N") != std::string::npos;
+    CHECK(scales == 2);  // of the positions, of the polygon
+  }
+}

@@ -1,4 +1,10 @@
 // The pump: its numbers are those of a corpus that samples the turn, the source's numbers, bad givens, sheets.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "exercises/cli/catalogue.h"
+#include "exercises/pump-flywheel/drawn_pump.h"
 #include "tests/exercises/told_words.h"
 
 using namespace epure;
@@ -104,4 +110,31 @@ TEST_CASE("pump: every sheet is drawn, whatever is given", "[pump][sheets]") { d
 
 TEST_CASE("pump: letters find room", "[pump][sheets]") {
   letters_find_room(pump(), {{}, {"m=0"}, {"m=300"}, {"p_a=4", "i=0.2"}});
+}
+
+TEST_CASE("pump: the polygon of energy is off by no more than is told, and not by much less", "[pump]") {
+  for (const auto& [sheet, of, mass] :
+       {std::tuple("energy", "", ""), {"energy-with-mass", "reciprocating_mass.", "M_inertia_max"}}) {
+    const Solution s = find_exercise(catalogue(), "pump-flywheel").solution(pump().givens({}));
+    const pump_flywheel::DrawnPump drawn(s, *mass ? s[mass] : 0);
+    const std::string prefix = of;
+    const double pi = std::numbers::pi, first = s[prefix + "alpha_1"], second = s[prefix + "alpha_2"],
+                 quarter = (second - first) / 4;
+    std::vector<double> ends;
+    for (int i = 0; i <= 6; ++i) ends.push_back(i * pi / 6);
+    for (const double late : {first, first + quarter, first + 2 * quarter, second - quarter, second, pi})
+      ends.push_back(pi + late);
+    double most = 0;
+    for (std::size_t i = 1; i < ends.size(); ++i)
+      for (int k = 0; k <= 100; ++k) {
+        const double low = drawn.energy(ends[i - 1]), high = drawn.energy(ends[i]),
+                     there = drawn.energy(ends[i - 1] + (ends[i] - ends[i - 1]) * k / 100);
+        most = std::max(most, std::abs(low + (high - low) * k / 100 - there));
+      }
+    const double told = s[prefix + "polygon_off_at_most"];
+    CAPTURE(sheet, most, told);
+    CHECK(most <= told);
+    CHECK(most > 0.6 * told);
+    CHECK_THAT(told_on(pump(), sheet, {}), Contains("$δ_{T}$ = "));
+  }
 }
