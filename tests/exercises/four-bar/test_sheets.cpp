@@ -21,6 +21,13 @@ const std::vector<Assignments> handful{
     {"A0A=0.3", "AB=0.35", "B0B=0.32", "x_B0=0.1", "y_B0=0.05", "AC=0.21"},
     {"A0A=0.5", "AB=0.2", "B0B=0.6", "x_B0=0.7", "y_B0=0", "AC=0.12", "t=0.2", "branch=left"}};
 
+// Where the first of these letters belongs.
+drawings::Point four_bar_label(const DrawnSheet& drawn, const std::string& text) {
+  for (const drawings::Label& label : drawn.sheet.figure.labels)
+    if (label.text == text) return label.at;
+  throw std::logic_error("no label " + text);
+}
+
 }  // namespace
 
 TEST_CASE("four-bar: every sheet is drawn, whatever is given", "[four-bar][sheets]") {
@@ -130,6 +137,14 @@ TEST_CASE("four-bar: a vector along a link stands beside it, as long as it is", 
     CHECK(std::abs(drawings::dot(line->path.start - arrow.from, drawings::left_of(along))) > 1);
   }
   CHECK(links == 1);  // the crank
+  // A thin line joins it to A.
+  const drawings::Point A = four_bar_label(drawn, "$A$");
+  CHECK(std::any_of(marks.begin(), marks.end(), [&](const drawings::Mark& mark) {
+    const auto* line = std::get_if<drawings::Line>(&mark);
+    return line && line->meaning == drawings::Meaning::dimension && line->path.pieces.size() == 1 &&
+           drawings::distance(line->path.start, A) < 0.01 &&
+           drawings::distance(line->path.pieces.front().end, arrow.from) < 0.01;
+  }));
 }
 
 TEST_CASE("four-bar: beside a far larger inflection circle the linkage has a picture of its own",
