@@ -278,10 +278,14 @@ double Mechanism::direction_of_support(const Point& P, const Scale& scale) const
     constexpr double worse_on_plate = 1000;  // mm: more than all room beside one
     return nearest * scale.mm_per_unit - (is_on_plate(foot) ? worse_on_plate : 0);
   };
-  double best = -right_angle;
-  if (room(best) >= half_wide) return best;
-  for (const double direction : {0.0, std::numbers::pi, right_angle})
-    if (room(direction) > room(best)) best = direction;
+  // Upside down only where there is clearly no room beside it either.
+  constexpr double upside_down = 3;  // mm of room that it must gain
+  const double down = -right_angle, beside = room(0) >= room(std::numbers::pi) ? 0 : std::numbers::pi;
+  double best = down;
+  for (const double direction : {down, beside, right_angle}) {
+    if (room(direction) >= half_wide) return direction;
+    if (room(direction) > room(best) + (direction == right_angle ? upside_down : 0)) best = direction;
+  }
   return best;
 }
 

@@ -147,6 +147,15 @@ TEST_CASE("four-bar: a vector along a link stands beside it, as long as it is", 
   }));
 }
 
+// At 250° the crank runs down where the support would stand.
+TEST_CASE("four-bar: a support is upside down only where there is no room beside the hinge", "[four-bar][sheets]") {
+  std::vector<double> supports;
+  for (const drawings::Mark& mark : four_bar().draw("acceleration-diagram", {"phi=250"}).sheet.figure.marks)
+    if (const auto* hinge = std::get_if<drawings::FixedHinge>(&mark)) supports.push_back(hinge->down);
+  REQUIRE(supports.size() == 2);
+  for (const double down : supports) CHECK(std::sin(down) < 0.5);
+}
+
 TEST_CASE("four-bar: beside a far larger inflection circle the linkage has a picture of its own",
           "[four-bar][sheets]") {
   CHECK(four_bar().draw("circles-folded", {}).sheet.title_block.scales.size() == 2);
