@@ -360,7 +360,7 @@ PanelSheet curvature_sheet(const Solution& s, Language) {
     draw_locus(plot, C, around, Meaning::locus, "path_of_C");
   };
   return {
-      .panels = panels(RaysPanel(s, mechanism, path), OsculatingPanel(s, mechanism, path, draw_path)),
+      .panels = curvature_panels(s, mechanism, path, draw_path),
       .results = {by_point({"C"},
                            {{"$P_{31}X$ (m)", "P31{}"}, {"$X'X$ (m)", "{0}prime_{0}"}, {"$ρ_{X}$ (m)", "rho_{}"}}),
                   coordinates({{"$Ω_{C}$", "curvature_centre_C"}})},

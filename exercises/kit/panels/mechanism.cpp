@@ -299,7 +299,7 @@ void Mechanism::draw_guide(Plot& plot, const Guide& guide) const {
   if (!guide.axis.empty()) plot.label(guide.axis, plot.from_paper(on_it(axis_ahead)), at(guide.block));
 }
 
-// Too short a distance has no room for its letter.
+// Too short a distance has no room for its letter; nor has one beyond the border of a close-up.
 void Mechanism::draw_offset(Plot& plot, const Offset& offset) const {
   constexpr double shortest = 3, air = 6, beyond = 2;  // mm
   const Place& P = at(offset.point);
@@ -307,6 +307,7 @@ void Mechanism::draw_offset(Plot& plot, const Offset& offset) const {
   const double out = offset.clear * plot.scale().mm_per_unit + air;
   const drawings::Point at_point = beside(plot.at(P), offset.direction, out, 0),
                         at_foot = beside(plot.at(offset.foot), offset.direction, out, 0);
+  if (!plot.shows(plot.from_paper(at_point)) || !plot.shows(plot.from_paper(at_foot))) return;
   plot.long_segment(plot.from_paper(at_point), P, beyond, Meaning::axis);
   plot.long_segment(plot.from_paper(at_foot), offset.foot, beyond, Meaning::axis);
   plot.mark(drawings::Dimension{at_point, at_foot, 0, offset.symbol});
