@@ -156,6 +156,38 @@ TEST_CASE("four-bar: a support is upside down only where there is no room beside
   for (const double down : supports) CHECK(std::sin(down) < 0.5);
 }
 
+// The steps say on which side of A₀ → B₀ the point Q lies that is drawn, and where A is from it.
+TEST_CASE("four-bar: the steps to parallel links fit what is drawn", "[four-bar][sheets]") {
+  int seen = 0;
+  for (const Assignments& assignments : handful) {
+    const DrawnSheet drawn = four_bar().draw("parallel-links", assignments);
+    std::vector<std::string> told;
+    for (const drawings::Block& block : drawn.sheet.column)
+      if (const auto* steps = std::get_if<drawings::Steps>(&block)) told = steps->lines;
+    drawings::Point A0, A, B0;
+    for (const drawings::Label& label : drawn.sheet.figure.labels) {
+      if (label.text == "$A_{0}$") A0 = label.at;
+      if (label.text == "$B_{0}$") B0 = label.at;
+      if (label.text == "$A$") A = label.at;
+      if (label.text != "$Q$" && label.text != "$Q'$") continue;
+      const auto step = std::find_if(told.begin(), told.end(),
+                                     [&](const std::string& line) { return line.starts_with(label.text + ":"); });
+      CAPTURE(assignments, label.text, told);
+      REQUIRE(step != told.end());
+      const drawings::Point Q = label.at, base = B0 - A0;
+      const bool is_left = dot(drawings::left_of(base), Q - A0) > 0;
+      CHECK(step->find(is_left ? "on the left of" : "on the right of") != std::string::npos);
+      const double share = dot(A - A0, Q - A0) / dot(Q - A0, Q - A0);
+      const std::string& to_A = *(step + 1);
+      CHECK(to_A.find(share < 0   ? "beyond $A_{0}$, seen from"
+                      : share < 1 ? "between $A_{0}$ and"
+                                  : "beyond $Q$") != std::string::npos);
+      ++seen;
+    }
+  }
+  CHECK(seen >= 10);
+}
+
 TEST_CASE("four-bar: beside a far larger inflection circle the linkage has a picture of its own",
           "[four-bar][sheets]") {
   CHECK(four_bar().draw("circles-folded", {}).sheet.title_block.scales ==
