@@ -212,9 +212,9 @@ VectorPolygon accelerations(const PolygonOf& of, bool crank_speeds_up) {
        .relative = unmeasured(of(acceleration("BA"))),
        .explained = {"$\\vec{a}_{B}$ from $O_{a}$ to $b'$, $\\vec{a}_{BA}$ from $a'$ to $b'$.",
                      "La $\\vec{a}_{B}$ da $O_{a}$ a $b'$, la $\\vec{a}_{BA}$ da $a'$ a $b'$."}});
-  const auto image =
-      of.image_of_C(acceleration, {"$c'$: the triangle $a'b'c'$ is similar to $ABC$, in the same sense.",
-                                   "$c'$: il triangolo $a'b'c'$ è simile ad $ABC$, nello stesso verso."});
+  auto image = of.image_of_C(acceleration, {"$c'$: the triangle $a'b'c'$ is similar to $ABC$, in the same sense.",
+                                            "$c'$: il triangolo $a'b'c'$ è simile ad $ABC$, nello stesso verso."});
+  image.back().closes_triangle = true;
   polygon.images.insert(polygon.images.end(), image.begin(), image.end());
   return polygon;
 }

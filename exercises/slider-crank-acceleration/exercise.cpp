@@ -44,9 +44,9 @@ VectorPolygon accelerations(const Solution& s, const SliderCrankInstant& instant
   polygon.images[1].relative.label.clear();  // it lies on a_BA
   polygon.images[2].absolute.label.clear();  // a side
   if (speeds_up) polygon.images.push_back({.absolute = side(s, acceleration("A"), "", "")});
-  polygon.images.push_back(
-      {.absolute = {.v = s.vector("a_C")},
-       .relative = {.label = acceleration("CB").arrow(), .v = s.vector("a_C") - s.vector("a_B")}});
+  polygon.images.push_back({.absolute = {.v = s.vector("a_C")},
+                            .relative = {.v = s.vector("a_C") - s.vector("a_B")},
+                            .closes_triangle = true});
   return polygon;
 }
 

@@ -147,6 +147,23 @@ TEST_CASE("four-bar: a vector along a link stands beside it, as long as it is", 
   }));
 }
 
+// Found by its shape: c' needs no vector from b', whose letters had no place beside it.
+TEST_CASE("four-bar: the triangle of the accelerations is closed by a line", "[four-bar][sheets]") {
+  const DrawnSheet drawn = four_bar().draw("acceleration-diagram", {});
+  const drawings::Point b = four_bar_label(drawn, "$b'$"), c = four_bar_label(drawn, "$c'$");
+  int lines = 0, vectors = 0;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
+    const auto runs = [&](drawings::Point from, drawings::Point to) {
+      return drawings::distance(from, b) < 0.01 && drawings::distance(to, c) < 0.01;
+    };
+    if (const auto* line = std::get_if<drawings::Line>(&mark); line && line->path.pieces.size() == 1)
+      lines += runs(line->path.start, line->path.pieces.front().end) ? 1 : 0;
+    if (const auto* arrow = std::get_if<drawings::Arrow>(&mark)) vectors += runs(arrow->from, arrow->to) ? 1 : 0;
+  }
+  CHECK(lines == 1);
+  CHECK(vectors == 0);
+}
+
 // At 250° the crank runs down where the support would stand.
 TEST_CASE("four-bar: a support is upside down only where there is no room beside the hinge", "[four-bar][sheets]") {
   std::vector<double> supports;
