@@ -101,6 +101,7 @@ bool tells_pairs_that_belong_together(const std::string& text, const Solution& s
     const auto is_this_pair = [&](const RouteValue& value) {
       if (!value.quantity.ends_with("_x") || !value.described) return false;
       const std::string name = value.quantity.substr(0, value.quantity.size() - 2);
+      if (!solution.has(name + "_y")) return false;  // an abscissa by itself
       const std::optional<Place> P = solution.point(name);
       return P && figures(P->x, 4, language) == (*each)[1] && figures(P->y, 4, language) == (*each)[2];
     };
