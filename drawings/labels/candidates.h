@@ -26,6 +26,8 @@ inline constexpr double leader_crossing = 1.5;  // a line under the leader
 inline constexpr double touch_thin = 45, touch_heavy = 70, inside = 6;  // then a millimetre of line under it
 inline constexpr double stranger = 42;        // nearer to another thing of the kind it names: a leader is better
 inline constexpr double near_stranger = 5;    // as near
+inline constexpr double past_stranger = 10;   // with a leader across one: a longer one elsewhere is better
+inline constexpr double behind_vector = 10;   // a point's letters: less than a leader
 inline constexpr double overlap = 120;        // of two labels
 inline constexpr double leader_through = 60;  // a leader through another label
 inline constexpr double leaders_crossed = 10;

@@ -47,7 +47,14 @@ class Placement {
   static void add_strangers(const Naming& naming, std::vector<Candidate>& options) {
     constexpr double clearly_nearer = 1;  // mm
     for (Candidate& option : options) {
-      if (option.leader) continue;
+      if (option.leader) {
+        if (std::any_of(naming.others.begin(), naming.others.end(),
+                        [&](const Segment& other) { return cross(*option.leader, other); }))
+          option.cost += price::past_stranger;
+        continue;
+      }
+      for (const Segment& vector : naming.vectors)
+        if (cross({naming.own.first, middle(option.box)}, vector)) option.cost += price::behind_vector;
       const double own = gap(option.box, naming.own.first, naming.own.second), reach = own + clearly_nearer;
       double nearest = reach;
       for (const auto& [from, to] : naming.others)

@@ -22,6 +22,14 @@ bool is_one_mark(const Segment& first, const Segment& second) {
   return lies_on(first, second) || lies_on(second, first);
 }
 
+// Whether a label was given all of a mark, either way round.
+bool is_all_of(const Segment& mark, Point at, Point to) {
+  const auto ends_there = [&](Point from, Point end) {
+    return distance(mark.first, from) < on_it && distance(mark.second, end) < on_it;
+  };
+  return ends_there(at, to) || ends_there(to, at);
+}
+
 std::optional<Point> point_of(const Mark& mark) {
   if (const auto* dot = std::get_if<Dot>(&mark)) return dot->at;
   if (const auto* cross = std::get_if<Cross>(&mark)) return cross->at;
@@ -54,12 +62,41 @@ Namesakes::Namesakes(const Figure& figure, const std::vector<Label>& labels, Box
       add(points_, *point, *point, Meaning::text, window);
     }
   }
+  Kind clear = vectors_;
+  for (Shown& each : clear) each.seen = clear_of_shorter(vectors_, each);
+  vectors_ = std::move(clear);
   for (const Label& label : labels)
     if (!label.to) add(labelled_points_, label.at, label.at, Meaning::text, area);
 }
 
 void Namesakes::add(Kind& kind, Point from, Point to, Meaning meaning, Box window) {
   if (const auto seen = clip_segment(from, to, window)) kind.push_back({{from, to}, *seen, meaning});
+}
+
+// The longest part that no shorter vector covers; all of it, where hardly any is left.
+Segment Namesakes::clear_of_shorter(const Kind& vectors, const Shown& vector) {
+  constexpr double told_apart = 3;  // mm
+  const auto& [tail, tip] = vector.seen;
+  const double whole = distance(tail, tip);
+  const Point along = unit(tail, tip);
+  std::vector<std::pair<double, double>> covered;
+  for (const Shown& each : vectors) {
+    const auto& [from, to] = each.seen;
+    if (each.meaning != vector.meaning || between_point(from, vector.seen) > one_mark ||
+        between_point(to, vector.seen) > one_mark || distance(from, to) > whole - told_apart)
+      continue;
+    covered.push_back(std::minmax(dot(from - tail, along), dot(to - tail, along)));
+  }
+  std::sort(covered.begin(), covered.end());
+  covered.emplace_back(whole, whole);
+  std::pair<double, double> longest{0, 0};
+  double end = 0;
+  for (const auto& [from, to] : covered) {
+    if (from - end > longest.second - longest.first) longest = {end, from};
+    end = std::max(end, to);
+  }
+  if (longest.second - longest.first < told_apart) return vector.seen;
+  return {tail + longest.first * along, tail + longest.second * along};
 }
 
 const Namesakes::Shown* Namesakes::on_one(const Kind& kind, Point at, Point to) {
@@ -110,6 +147,13 @@ void Namesakes::add_arcs(Naming& naming, Point at, double reach) const {
   }
 }
 
+// Those that pass a point near enough to lie between it and its letters.
+void Namesakes::add_vectors_by(Naming& naming, Point at, double reach) const {
+  for (const Shown& each : vectors_)
+    if (const double away = between_point(at, each.whole); away > one_mark && away < reach)
+      naming.vectors.push_back(each.whole);
+}
+
 Naming Namesakes::of(const Label& label, double width) const {
   constexpr double farthest_off = 6;  // mm: from what they name, without a leader, with what is clearly nearer
   const double reach = width + farthest_off;
@@ -118,8 +162,8 @@ Naming Namesakes::of(const Label& label, double width) const {
   const auto is_among = [&](const Kind& kind) {
     const Shown* own = on_one(kind, at, to);
     if (!own) return false;
-    if (!label.to) naming.own = own->seen;
-    add_others(naming, kind, label, {{at, to}, {at, to}, own->meaning}, reach);
+    if (!label.to || is_all_of(own->whole, at, to)) naming.own = own->seen;
+    add_others(naming, kind, label, {{at, to}, label.to ? naming.own : Segment{at, to}, own->meaning}, reach);
     return true;
   };
   if (label.to) {
@@ -129,6 +173,7 @@ Naming Namesakes::of(const Label& label, double width) const {
     const Shown point{{at, at}, {at, at}, Meaning::text};
     add_others(naming, points_, label, point, reach);
     add_others(naming, labelled_points_, label, point, reach);
+    if (is_point) add_vectors_by(naming, at, reach);
   }
   return naming;
 }

@@ -17,18 +17,22 @@ class Namesakes {
   // A label of a segment names the vector or line it lies on, one of a point what is drawn there, or else the line
   // or the arc through it. The others are the vectors or lines of that meaning, or points, as far as letters `width`
   // mm wide beside their own can come near them; none of them is what the eye cannot tell from its own, nor a line
-  // through its point.
+  // through its point. Where a shorter vector lies along another, that one is what goes on beyond it.
   Naming of(const Label& label, double width) const;
 
  private:
+  // `seen`: as far as it shows, and beyond what is shorter along it.
   struct Shown {
     Segment whole, seen;
     Meaning meaning = Meaning::text;
   };
   using Kind = std::vector<Shown>;
+  static Segment clear_of_shorter(const Kind& vectors, const Shown& vector);
   static void add(Kind& kind, Point from, Point to, Meaning meaning, Box window);
   static const Shown* on_one(const Kind& kind, Point at, Point to);
   static void add_others(Naming& naming, const Kind& kind, const Label& label, const Shown& own, double reach);
+
+  void add_vectors_by(Naming& naming, Point at, double reach) const;
 
   // Of angles and senses of turning: by their chords.
   struct Arc {

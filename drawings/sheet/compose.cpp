@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 
 #include "drawings/labels/labels.h"
 #include "drawings/labels/namesakes.h"
@@ -72,6 +73,7 @@ std::vector<Placeable> placeables(const Figure& figure, Box area, const StepsOfM
     if (steps) all.back().step = steps->labels[i];
     LabelBox& box = all.back().box;
     box.naming = namesakes.of(label, box.width);
+    if (label.to) std::tie(box.at, box.to) = box.naming->own;
   }
   for (std::size_t i = 0; i < figure.marks.size(); ++i) {
     const auto* dimension = std::get_if<Dimension>(&figure.marks[i]);

@@ -137,17 +137,26 @@ PanelSheet involute_instants_sheet(const Solution& s, Language language) {
   } else {
     std::swap(at_contact, elsewhere);
   }
-  for (const OfInvolute& each : both) {
-    if (!each.has_close_up()) continue;
+  const auto add_contact = [&](const OfInvolute& each) {
+    if (!each.has_close_up()) return;
     RollingInstantPanel panel(s, each.f, std::exchange(at_contact, {}), velocities);
     panel.titled(fmt::format("{}: {}", each.symbol, Words{"the contact", "il contatto"}.in(language))).close_up();
     add(std::move(panel));
-  }
-  for (const OfInvolute& each : both) {
+  };
+  const auto add_path = [&](const OfInvolute& each) {
     const bool is_first = &each == &both.front();
     RollingInstantPanel panel(s, each.f, is_first ? elsewhere : steps_of_second(both[0].f, each.f), velocities);
     panel.titled(each.time).measured_from(*each.f.O()).with_whole_path(each.path(), each.has_close_up());
     add(std::move(panel));
+  };
+  if (both[0].has_close_up() && both[1].has_close_up()) {
+    for (const OfInvolute& each : both) {
+      add_contact(each);
+      add_path(each);
+    }
+  } else {  // of the one close-up the steps come first
+    for (const OfInvolute& each : both) add_contact(each);
+    for (const OfInvolute& each : both) add_path(each);
   }
   sheet.results = {
       instants_table({"$t_{1}$", "$t_{2}$"}, {at_t1, at_t2}, "$φ$ (rad)", "phi", false),

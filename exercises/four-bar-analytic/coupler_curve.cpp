@@ -86,7 +86,7 @@ std::vector<PanelStep> steps_to_curve(const Solution& s, const std::vector<Locus
            place(7, 0)},
           {{"$B$ about $A$ and $B_{0}$; on tracing paper $P$ goes with $AB$ and marks a point.",
             "$B$ da $A$ e $B_{0}$; su carta da lucido $P$ va con $AB$ e segna un punto."},
-           place(2, 1)},
+           place(2, 2)},
           {{"The curve through the points: the path of $P$.", "La curva per i punti: la traiettoria di $P$."},
            place(5, 2)},
           {where_the_centre_is(s), s.point("curvature_centre_P")}};
@@ -114,6 +114,7 @@ PanelSheet coupler_curve_sheet(const Solution& s, Language language) {
   LocusPanel panel(std::make_shared<const Mechanism>(with_P(s, of, positions)), "P", positions, path_of(of),
                    steps_to_curve(s, positions));
   panel.osculated(s.point("curvature_centre_P"), "curvature_centre_P", "$Ω_{P}$");
+  LocusPanel whole = panel;
   const Words past_limit =
       geometry::crank_turns_fully(of.instant.lengths)
           ? Words{}
@@ -123,7 +124,7 @@ PanelSheet coupler_curve_sheet(const Solution& s, Language language) {
                 "La manovella non fa il giro completo: alle posizioni limite la traiettoria continua con $B$ "
                 "dall'altro lato di $AB_{0}$ (secondo tipo di linea)."};
   const std::string none = s["v_P"] == 0 ? "–" : "∞";
-  return {.panels = panels(panel),
+  return {.panels = panel.needs_close_up() ? panels(whole.beside_close_up(), panel.close_up()) : panels(panel),
           .results = {remark(past_limit.in(language)),
                       table({"", "$x$", "$y$"},
                             {{"$P$ (m)", {"P_x", "P_y"}},

@@ -250,8 +250,14 @@ PanelSheet convergence_sheet(const Solution& s, Language language) {
   return {
       .panels = panels(ChartPanel(chart_of_convergence(s, language))),
       .theory = {{{"The iteration", "L'iterazione"},
-                  {remark(format_words("{} steps, until the computed residual is zero.",
-                                       "{} passi, finché il residuo calcolato è nullo.", steps)
+                  {remark(format_words("{} steps: then $|ψ|$ no longer falls, as what is left of it is within the "
+                                       "rounding of the angles.",
+                                       "{} passi: poi $|ψ|$ non scende più, perché quanto ne resta sta "
+                                       "nell'arrotondamento delle anomalie.",
+                                       steps)
+                              .in(language)),
+                   remark(Words{"$Δθ_{i}$ = $θ^{k}_{i}$ − $θ_{i}$: how far iterate $k$ is from the solution.",
+                                "$Δθ_{i}$ = $θ^{k}_{i}$ − $θ_{i}$: quanto l'iterata $k$ dista dalla soluzione."}
                               .in(language)),
                    remark(of_zero.in(language)),
                    remark(Words{"Near the solution each step doubles the number of right digits: the iteration "

@@ -212,9 +212,9 @@ VectorPolygon accelerations(const PolygonOf& of, bool crank_speeds_up) {
        .relative = unmeasured(of(acceleration("BA"))),
        .explained = {"$\\vec{a}_{B}$ from $O_{a}$ to $b'$, $\\vec{a}_{BA}$ from $a'$ to $b'$.",
                      "La $\\vec{a}_{B}$ da $O_{a}$ a $b'$, la $\\vec{a}_{BA}$ da $a'$ a $b'$."}});
-  const auto image =
-      of.image_of_C(acceleration, {"$c'$: the triangle $a'b'c'$ is similar to $ABC$, in the same sense.",
-                                   "$c'$: il triangolo $a'b'c'$ è simile ad $ABC$, nello stesso verso."});
+  auto image = of.image_of_C(acceleration, {"$c'$: the triangle $a'b'c'$ is similar to $ABC$, in the same sense.",
+                                            "$c'$: il triangolo $a'b'c'$ è simile ad $ABC$, nello stesso verso."});
+  image.back().closes_triangle = true;
   polygon.images.insert(polygon.images.end(), image.begin(), image.end());
   return polygon;
 }
@@ -360,7 +360,7 @@ PanelSheet curvature_sheet(const Solution& s, Language) {
     draw_locus(plot, C, around, Meaning::locus, "path_of_C");
   };
   return {
-      .panels = panels(RaysPanel(s, mechanism, path), OsculatingPanel(s, mechanism, path, draw_path)),
+      .panels = curvature_panels(s, mechanism, path, draw_path),
       .results = {by_point({"C"},
                            {{"$P_{31}X$ (m)", "P31{}"}, {"$X'X$ (m)", "{0}prime_{0}"}, {"$ρ_{X}$ (m)", "rho_{}"}}),
                   coordinates({{"$Ω_{C}$", "curvature_centre_C"}})},

@@ -3,6 +3,7 @@
 #include "exercises/four-bar/linkage.h"
 #include "exercises/kit/panels/compass.h"
 #include "exercises/kit/panels/mechanism_panel.h"
+#include "exercises/kit/statement/format_words.h"
 
 namespace epure::four_bar {
 namespace {
@@ -12,12 +13,15 @@ using geometry::Sense;
 // The position and how it is found: Q, where A comes to lie when the coupler is carried along until B lies on B₀.
 class ParallelPanel : public MechanismPanel {
  public:
-  ParallelPanel(const Solution& s, std::shared_ptr<const Mechanism> mechanism, Sense sense, bool tells_all)
+  ParallelPanel(const Solution& s, const Problem& of, std::shared_ptr<const Mechanism> mechanism, Sense sense,
+                bool tells_all)
       : MechanismPanel(mechanism),
+        of_(of),
         mechanism_(std::move(mechanism)),
         prefix_(parallel_links(sense, true).prefix),
         sense_(sense),
         tells_all_(tells_all),
+        Q_letters_(sense == Sense::same ? "Q" : "Q'"),
         Q_(s.place(prefix_ + "Q")),
         v_A_(s.vector(prefix_ + "v_A")),
         v_B_(s.vector(prefix_ + "v_B")) {}
@@ -47,7 +51,7 @@ class ParallelPanel : public MechanismPanel {
     draw_construction(plot);
     mechanism_->draw(plot);
     plot.dot(Q_);
-    plot.label("$Q$", Q_, at("B0"));
+    plot.label("$" + Q_letters_ + "$", Q_, at("B0"));
     for (const auto& [P, R, strokes] :
          {std::tuple{at("A0"), at("A"), 2}, {at("B0"), at("B"), 2}, {at("A"), at("B"), 1}, {Q_, at("B0"), 1}})
       plot.mark(drawings::ParallelMark{plot.at(P + along_link * (R - P)), direction(P, R), strokes});
@@ -64,23 +68,8 @@ class ParallelPanel : public MechanismPanel {
   }
 
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override {
-    std::vector<PanelStep> all;
-    all.push_back(
-        sense_ == Sense::same
-            ? PanelStep{{"$Q$ where the circle of radius |$B_{0}B$ − $A_{0}A$| about $A_{0}$ meets that of "
-                         "radius $AB$ about $B_{0}$; crank and rocker in the same sense along $A_{0}Q$.",
-                         "$Q$ dove la circonferenza di raggio |$B_{0}B$ − $A_{0}A$| e centro $A_{0}$ "
-                         "incontra quella di raggio $AB$ e centro $B_{0}$; manovella e bilanciere concordi "
-                         "lungo $A_{0}Q$."},
-                        Q_}
-            : PanelStep{{"With radius $B_{0}B$ + $A_{0}A$ about $A_{0}$: crank and rocker in opposite "
-                         "senses.",
-                         "Con raggio $B_{0}B$ + $A_{0}A$ e centro $A_{0}$: manovella e bilanciere discordi."},
-                        Q_});
+    std::vector<PanelStep> all{{step_to_Q(), Q_}, {step_to_A(), at("A")}};
     if (!tells_all_) return all;
-    all.push_back({{"$A$ on the line $A_{0}Q$; the coupler $QB_{0}$, carried along it to $A$, is $AB$.",
-                    "$A$ sulla retta $A_{0}Q$; la biella $QB_{0}$, traslata lungo di essa fino ad $A$, è $AB$."},
-                   at("A")});
     all.push_back(
         {{"$P_{31}$ is at infinity, $ω_{3}$ = 0: all points of the coupler have $\\vec{v}_{A}$ = $\\vec{v}_{B}$; "
           "|$ω_{4}$| = |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. But $α_{3}$ is not zero: by the polygon of sheet 3.",
@@ -98,6 +87,38 @@ class ParallelPanel : public MechanismPanel {
 
   const Place& at(const std::string& name) const { return mechanism_->at(name); }
 
+  // Of the two points where the circles meet the other is that of the other branch: its mirror image in A₀B₀.
+  Words step_to_Q() const {
+    const Words left{"left", "sinistra"}, right{"right", "destra"};
+    return format_words(
+        "${0}$: of the two points where the circle of radius {1} about $A_{{0}}$ meets that of radius $AB$ about "
+        "$B_{{0}}$, that on the {2} of $A_{{0}}$ → $B_{{0}}$. Crank and rocker lie along $A_{{0}}{0}$, {3}.",
+        "${0}$: dei due punti in cui la circonferenza di raggio {1} e centro $A_{{0}}$ incontra quella di raggio "
+        "$AB$ e centro $B_{{0}}$, quello a {2} di $A_{{0}}$ → $B_{{0}}$. Manovella e bilanciere sono lungo "
+        "$A_{{0}}{0}$, {3}.",
+        Q_letters_,
+        std::string(sense_ == Sense::same ? "|$B_{0}B$\u00a0−\u00a0$A_{0}A$|" : "$B_{0}B$\u00a0+\u00a0$A_{0}A$"),
+        is_Q_left() ? left : right,
+        sense_ == Sense::same ? Words{"in the same sense", "concordi"} : Words{"in opposite senses", "discordi"});
+  }
+  Words step_to_A() const {
+    const Words where = sense_ == Sense::opposite ? Words{"between $A_{0}$ and ", "fra $A_{0}$ e "}
+                        : is_rocker_longer()      ? Words{"beyond $A_{0}$, seen from ", "oltre $A_{0}$, visto da "}
+                                                  : Words{"beyond ", "oltre "};
+    return format_words(
+        "$A$ at $A_{{0}}A$ from $A_{{0}}$ on that line, {1}${0}$. The coupler ${0}B_{{0}}$, carried along it to $A$, "
+        "is $AB$.",
+        "$A$ ad $A_{{0}}A$ da $A_{{0}}$ su quella retta, {1}${0}$. La biella ${0}B_{{0}}$, traslata lungo di essa "
+        "fino ad $A$, è $AB$.",
+        Q_letters_, where);
+  }
+  bool is_rocker_longer() const { return of_.instant.lengths.B0B > of_.instant.lengths.A0A; }
+  // With A at t from A₀ towards Q, B lies on the side of A → B₀ that Q has of A₀ → B₀ where t > 1, else on the other.
+  bool is_Q_left() const {
+    const bool is_A_beyond_Q = sense_ == Sense::same && !is_rocker_longer();
+    return (of_.instant.side == geometry::Side::left) == is_A_beyond_Q;
+  }
+
   // Both circles near Q, and the coupler carried along the line of the crank.
   void draw_construction(Plot& plot) const {
     for (const char* centre : {"A0", "B0"}) compass_arc(plot, at(centre), Q_, compass_);
@@ -106,10 +127,12 @@ class ParallelPanel : public MechanismPanel {
     plot.segment(Q_, at("B0"), Meaning::alternative);
   }
 
+  Problem of_;
   std::shared_ptr<const Mechanism> mechanism_;
   std::string prefix_;
   Sense sense_;
   bool tells_all_;
+  std::string Q_letters_;
   Place Q_;
   Arrow2 v_A_, v_B_;
 };
@@ -131,7 +154,7 @@ PanelSheet parallel_links_sheet(const Solution& s, Language language) {
       rates.push_back({name, {prefix + "alpha_3", prefix + "alpha_4"}, "–"});
       if (!of_this_branch || !s.value(prefix + "A_x")) continue;
       const auto mechanism = std::make_shared<const Mechanism>(four_bar_mechanism(s, sign_of(of.instant.n), prefix));
-      sheet.panels.push_back(std::make_unique<ParallelPanel>(s, mechanism, sense, sheet.panels.empty()));
+      sheet.panels.push_back(std::make_unique<ParallelPanel>(s, of, mechanism, sense, sheet.panels.empty()));
       sheet.told.push_back(prefix + "omega_4");
     }
   sheet.results = {table({"", "$φ$ (°)", "$ω_{4}$ (rad/s)"}, angles),

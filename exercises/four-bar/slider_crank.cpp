@@ -120,6 +120,12 @@ VectorPolygon accelerations(const Solution& s, Language language) {
 
 PanelSheet slider_crank_sheet(const Solution& s, Language language) {
   return {.panels = panels(LinesPanel(s), PolygonPanel(s, accelerations(s, language))),
+          .first = {{{"Letters", "Simboli"},
+                     {remark(Words{"$r$ = $A_{0}A$, $λ$ = $AB$ / $r$, $ω_{2}$ constant. Lengths are told in $r$, "
+                                   "velocities in $ω_{2}r$, accelerations in $ω^{2}_{2}r$.",
+                                   "$r$ = $A_{0}A$, $λ$ = $AB$ / $r$, $ω_{2}$ costante. Le lunghezze sono in $r$, le "
+                                   "velocità in $ω_{2}r$, le accelerazioni in $ω^{2}_{2}r$."}
+                                 .in(language))}}},
           .results = {values({named("B_x_over_r"), named("K_x_over_r"), named("K_y_over_r")}),
                       values({named("alpha_3_over_omega_2_squared")}),
                       values({named("v_B_over_omega_2_r"), named("a_B_over_omega_2_squared_r")})},

@@ -358,8 +358,12 @@ Words of_arcs(const Pair& pair) {
                           : Words{"Whole flanks, touching at $A$ and $E$, would cut",
                                   "Fianchi interi, a contatto in $A$ e in $E$, taglierebbero"};
   return format_words(
-      "{} the pitch circles at $N_{{1}}$ and $N_{{2}}$: the arcs of action are equal, $e$ = $AE$/cos\u00a0{}.",
-      "{} le primitive in $N_{{1}}$ e $N_{{2}}$: gli archi di azione sono uguali, $e$ = $AE$/cos\u00a0{}.", would,
+      "{} pitch circle 1 at $N_{{1}}$, $N_{{2}}$, {} at $N'_{{1}}$, $N'_{{2}}$: the arcs of action are equal, $e$ = "
+      "$AE$/cos\u00a0{}.",
+      "{} la primitiva 1 in $N_{{1}}$, $N_{{2}}$, {} in $N'_{{1}}$, $N'_{{2}}$: gli archi di azione sono uguali, $e$ "
+      "= "
+      "$AE$/cos\u00a0{}.",
+      would, pair.is_rack() ? Words{"the pitch line", "la retta primitiva"} : Words{"circle 2", "la 2"},
       std::string(pair.is_shifted() ? "$α_{w}$" : "$α$"));
 }
 

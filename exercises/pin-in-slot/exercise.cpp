@@ -197,7 +197,7 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
                            PolygonPanel(s, force_polygon("3", {on.N_13}, {on.T_13, on.F_B, on.W_B, on.R_23})),
                            lever_cut_free(s, on),
                            PolygonPanel(s, force_polygon("2", {on.R_12}, {on.R_32, on.W_A, on.F_A}))),
-          .results = {values({"slot_force_on_pin", "ground_normal_force"}),
+          .results = {components(acceleration("A")), values({"slot_force_on_pin", "ground_normal_force"}),
                       values({"ground_friction_force", "required_friction_coefficient"}),
                       values({"pivot_force", "C"}), friction(s, language), remark(letters.in(language))},
           .seen = {"Disc and lever cut free, and the polygons of their forces",

@@ -57,6 +57,7 @@ void by_polar_diagrams(Ledger<T>& ledger, const geometry::SlottedLever<T>& at,
   ledger.put(a_B().length(), a.second_rate);
   ledger.draws_vector(a_B().name, a.second.closing);
   ledger.put(alpha_disc(), motion.disc.alpha);
+  ledger.put(acceleration("A"), motion.lever.acceleration(at.A));
 }
 
 template <class T>
@@ -155,6 +156,9 @@ void by_analysis(Ledger<T>& ledger, const Instant& instant) {
   ledger.put(a_rel().length(), m.b_ddot);
   ledger.put(a_B().length(), m.a_B);
   ledger.put(alpha_disc(), m.alpha_disc);
+  const T AO = geometry::from_rational<T>(of.AO), towards_O = AO * geometry::square(omega), along = AO * omega_dot;
+  ledger.put(acceleration("A"), geometry::Vector<T>{towards_O * angle.cosine - along * angle.sine,
+                                                    towards_O * angle.sine + along * angle.cosine});
   ledger.put(kinetic_energy(), balance.kinetic_energy);
   ledger.put(kinetic_power(), balance.kinetic_power);
   ledger.put(gravity_torque(), balance.gravity_torque);

@@ -44,9 +44,9 @@ VectorPolygon accelerations(const Solution& s, const SliderCrankInstant& instant
   polygon.images[1].relative.label.clear();  // it lies on a_BA
   polygon.images[2].absolute.label.clear();  // a side
   if (speeds_up) polygon.images.push_back({.absolute = side(s, acceleration("A"), "", "")});
-  polygon.images.push_back(
-      {.absolute = {.v = s.vector("a_C")},
-       .relative = {.label = acceleration("CB").arrow(), .v = s.vector("a_C") - s.vector("a_B")}});
+  polygon.images.push_back({.absolute = {.v = s.vector("a_C")},
+                            .relative = {.v = s.vector("a_C") - s.vector("a_B")},
+                            .closes_triangle = true});
   return polygon;
 }
 
@@ -135,10 +135,7 @@ PanelSheet curvature_sheet(const Solution& s, Language) {
   const auto draw = [instant](Plot& plot, const std::string& point, const drawings::Box& around) {
     draw_path(instant, plot, point, around);
   };
-  Panels shown;
-  if (s.point("P0")) shown.push_back(std::make_unique<RaysPanel>(s, mechanism, paths));
-  shown.push_back(std::make_unique<OsculatingPanel>(s, mechanism, paths, draw));
-  return {.panels = std::move(shown),
+  return {.panels = curvature_panels(s, mechanism, paths, draw),
           .results = {by_point({"C", "M"},
                                {{"$P_{0}X$ (m)", "P0{}"}, {"$X'X$ (m)", "{0}prime_{0}"}, {"$ρ_{X}$ (m)", "rho_{}"}}),
                       coordinates({{"$Ω_{C}$", "curvature_centre_C"}, {"$Ω_{M}$", "curvature_centre_M"}})},

@@ -101,9 +101,13 @@ PanelSheet polar_diagram_sheet(const Solution& s, Language language) {
   PolygonPanel polygon(s, velocities(s, instant, language), PolygonPanel::Table::measured);
   polygon.with_equations({{{{"$\\vec{v}_{C}$", "?", "?", ""},
                             {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "|$ω_{2}$|·$A_{0}A$", "="},
-                            {"$\\vec{v}_{CA}$", "⊥ $CA$", "|$ω_{3}$|·$CA$", "+"}}}});
+                            {"$\\vec{v}_{CA}$", "⊥ $CA$", "|$ω_{3}$|·$CA$", "+"}}},
+                          {{{"$\\vec{v}_{M}$", "?", "?", ""},
+                            {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "|$ω_{2}$|·$A_{0}A$", "="},
+                            {"$\\vec{v}_{MA}$", "⊥ $MA$", "|$ω_{3}$|·$MA$", "+"}}}});
   return {.panels = panels(MechanismPanel(slider_crank_mechanism(s, instant)), polygon),
-          .results = {values({"omega_3"}), by_point({"A", "B", "C", "M"}, {{"$v_{X}$ (m/s)", "v_{}"}})},
+          .results = {value_as("|$ω_{3}$| = $v_{BA}$ / $AB$,  $ω_{3}$", "omega_3"), values({"v_A", "v_B"}),
+                      values({"v_C", "v_M"})},
           .seen = {"The polygon of the velocities of the slider-crank, with the images of C and M",
                    "Il poligono delle velocità del manovellismo, con le immagini di C e M"},
           .told = {"v_A", "v_BA", "v_B", "v_C", "v_M"}};

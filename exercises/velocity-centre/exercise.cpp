@@ -179,7 +179,8 @@ PanelSheet acceleration_sheet(const Solution& s, Language) {
 PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
   return {.panels = panels(PolesPanel(s, bar_on_its_body(s, true), PolesPanel::of_acceleration(), {"O", "A"},
                                       steps_to_accelerations(s))),
-          .results = {coordinates("K"), components(acceleration("A"))},
+          .results = {values({"gamma_deg"}), coordinates("K"), values({"KO", "KA"}), values({"a_O"}),
+                      components(acceleration("A"))},
           .seen = {"The bar on its body, its acceleration centre K, and the accelerations of O and A",
                    "La barra sul suo corpo, il centro delle accelerazioni K, e le accelerazioni di O e A"},
           .told = {"a_O", "a_A", "K_x", "K_y"},

@@ -1,6 +1,7 @@
 // The bar on its carrier three times: by the polygons of Rivals' theorem, by poles, by complex numbers.
 #pragma once
 
+#include "exercises/kit/linkages/angles.h"
 #include "exercises/kit/linkages/coupler_routes.h"
 #include "exercises/velocity-centre/bar.h"
 #include "geometry/mechanisms/dyad.h"
@@ -30,6 +31,15 @@ inline Quantity normal_slope() {
   return {"normal_slope", "$m_{1}$", "1", meaning};
 }
 
+inline constexpr Phrase no_inclination{"γ has no value: ω and dω/dt are zero",
+                                       "γ non ha valore: ω e dω/dt sono zero"};
+// From an acceleration to the ray to K: tan γ = (dω/dt)/ω².
+inline Quantity inclination_in_degrees() {
+  const Words meaning{"angle from an acceleration to its ray to K",
+                      "angolo da un'accelerazione al suo raggio verso K"};
+  return {"gamma_deg", "$γ$", "deg", meaning};
+}
+
 struct Routes {
   Instant instant;
 
@@ -54,6 +64,14 @@ struct Routes {
     return geometry::from_rational<T>(q);
   }
 
+  template <class T>
+  void put_inclination(Ledger<T>& ledger, const std::function<T()>& find) const {
+    ledger.put(inclination_in_degrees(), [&]() -> T {
+      if (!instant.turns() && is_zero(instant.omega_dot)) throw geometry::Impossible(no_inclination);
+      return find();
+    });
+  }
+
   // v_A = v_O + v_AO, a_A = a_O + a_AO^n + a_AO^t: vector after vector.
   template <class T>
   void by_polar_diagram(Ledger<T>& ledger, const Point<T>& O, const Point<T>& A) const {
@@ -69,6 +87,10 @@ struct Routes {
     ledger.put_length(normal_acceleration("AO"), a_AO_n);
     ledger.put_length(tangential_acceleration("AO"), a_AO_t);
     ledger.put(acceleration("A"), a_O + a_AO_n + a_AO_t);
+    put_inclination<T>(ledger, [&] {  // between a_AO and its normal part
+      const Vector<T> seen{-dot(a_AO_n, OA), dot(a_AO_t, geometry::quarter_turn(OA))};
+      return in_degrees(slope_angle(seen));
+    });
     const geometry::PlaneMotion<T> bar{O, v_O, a_O, omega, alpha};
     write_acceleration_pole<T>(ledger, bar, {{"O", O}, {"A", A}}, no_acceleration_centre(instant));
   }
@@ -126,6 +148,9 @@ struct Routes {
       return ledger.ratio(normal.im, normal.re, upright_normal);
     });
     write_acceleration_pole<T>(ledger, bar, {{"O", O}, {"A", A}}, no_acceleration_centre(instant));
+    put_inclination<T>(ledger, [&] {
+      return part_of_turn_in_degrees(slope_by_its_half(Complex<T>{geometry::square(omega), alpha}));
+    });
   }
 };
 

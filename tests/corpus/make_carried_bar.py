@@ -9,7 +9,7 @@ rigid bar is v(z) = v_O + c (z - O) with a complex c that O and A fix; P0 is its
 """
 from fractions import Fraction
 
-from mpmath import conj, cos, diff, exp, fabs, im, mp, mpc, mpf, nstr, pi, re
+from mpmath import atan2, conj, cos, diff, exp, fabs, im, mp, mpc, mpf, nstr, pi, re
 
 mp.dps = 200
 ZERO = mpf(10) ** -80  # what numerical differentiation leaves of a zero is smaller, everything else is larger
@@ -83,6 +83,8 @@ def values(given):
     found += [("a_O", fabs(a_O), one), ("a_AO_n", fabs(part(a_A - a_O, along)), one),
               ("a_AO_t", fabs(part(a_A - a_O, square)), one), ("a_A_x", re(a_A), one), ("a_A_y", im(a_A), one),
               ("a_A", fabs(a_A), one)]
+    towards_O, across = (0 if fabs(x) <= ZERO else x for x in (-part(a_A - a_O, along), part(a_A - a_O, square)))
+    found.append(("gamma_deg", None if towards_O == across == 0 else atan2(across, towards_O) * 180 / pi, one))
     return found
 
 

@@ -126,6 +126,7 @@ def references(given):
         by_energies = (power + diff(m.potential_energy, 0)) / m.omega
         assert fabs(C - by_energies) <= mpf(10) ** -60 * (fabs(C) + fabs(power) + 1), (given, C, by_energies)
     lever = m.OB * sqrt(m.omega ** 4 + m.omega_dot ** 2)
+    a_A = [diff(lambda t, i=i: m.A(t)[i], 0, 2) for i in (0, 1)]
     b_dot = diff(m.OB_at, 0)
     length = m.OB + m.R
     weight, speed = (m.M1 + m.M2) * m.g + fabs(S) + fabs(T), length * (fabs(m.omega) + 1)
@@ -144,6 +145,7 @@ def references(given):
         ("required_friction_coefficient", fabs(T) / N if N > ZERO * (weight + 1) else "undefined", 1),
         ("pivot_force_x", R_x, weight + 1), ("pivot_force_y", R_y, weight + 1),
         ("pivot_force", sqrt(R_x ** 2 + R_y ** 2), weight + 1),
+        ("a_A_x", a_A[0], rate), ("a_A_y", a_A[1], rate), ("a_A", sqrt(a_A[0] ** 2 + a_A[1] ** 2), rate),
     ]
     return [(name, "infinite" if v is None else v if isinstance(v, str) else text(v, size)) for name, v, size in values]
 

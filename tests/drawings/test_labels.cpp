@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "drawings/labels/candidates.h"
 #include "drawings/labels/labels.h"
 #include "drawings/output.h"
 #include "drawings/page.h"
@@ -249,6 +250,29 @@ TEST_CASE("letters stand nearer to what they name than to another thing of its k
                     Arrow{from - aside, to - aside, Meaning::acceleration}};
     figure.labels = {{"$v$", from, to, Meaning::velocity}};
     CHECK(probe::all<Stroke>(compose(bare(figure))).size() == 3);
+  }
+  SECTION("of two vectors along one line the longer is named beyond the shorter") {
+    const Point half = between(from, to, 0.5);
+    for (const bool longer_first : {true, false}) {
+      figure.marks = longer_first ? std::vector<Mark>{Arrow{from, to}, Arrow{from, half}}
+                                  : std::vector<Mark>{Arrow{from, half}, Arrow{from, to}};
+      figure.labels = {{"$v_{1}$", from, to, Meaning::velocity}, {"$v_{2}$", from, half, Meaning::velocity}};
+      const auto placed = boxes(figure);
+      const auto along = [&](const Box& box) { return dot(middle(box) - from, unit(from, to)) / distance(from, to); };
+      CHECK(along(placed[0]) > 0.6);
+      CHECK(along(placed[1]) < 0.4);
+    }
+  }
+  SECTION("a leader does not pass another vector where it can go elsewhere") {
+    const Point above{0, 1.6};
+    figure.marks = {Arrow{from, to}, Arrow{from + above, to + above}, Arrow{from + 2 * above, to + 2 * above}};
+    for (const double y : {-1.6, -3.2, -4.8})  // on the other side there is no room beside it
+      figure.marks.push_back(Line{segment(from + Point{0, y}, to + Point{0, y}), Meaning::construction});
+    figure.labels = {{"$v_{1}$", from, to, Meaning::velocity, from - 9 * above}};
+    const auto strokes = probe::all<Stroke>(compose(bare(figure)));
+    const Path& leader = strokes.back().path;
+    const Segment way{leader.start, leader.pieces.front().end};
+    CHECK_FALSE(cross(way, {from + above, to + above}));
   }
   SECTION("of two arcs about one vertex") {
     const double inner = 13, outer = 16;  // mm

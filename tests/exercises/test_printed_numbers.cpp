@@ -100,7 +100,7 @@ std::set<std::string> pairs_that_belong_together(const Solution& solution, Langu
   for (const RouteValue& value : solution.values()) {
     if (!value.quantity.ends_with("_x") || !value.described) continue;
     const std::string name = value.quantity.substr(0, value.quantity.size() - 2);
-    if (!solution.has(name + "_y")) continue;
+    if (!solution.has(name + "_y")) continue;  // an abscissa by itself
     if (const std::optional<Place> P = solution.point(name))
       pairs.insert("(" + figures(P->x, 4, language) + "; " + figures(P->y, 4, language) + ")");
   }

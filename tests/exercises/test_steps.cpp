@@ -5,6 +5,7 @@
 #include <set>
 
 #include "drawings/paths/vectors.h"
+#include "drawings/text/text.h"
 #include "tests/exercises/tried_givens.h"
 
 using namespace epure;
@@ -122,4 +123,61 @@ TEST_CASE("each step has its number on the picture, or is named as off the sheet
       }
   CHECK(seen > 1000);
   CHECK(off > 0);
+}
+
+namespace {
+
+std::string text_of(const drawings::Sheet& sheet) {
+  std::string text;
+  for (const drawings::Block& block : sheet.column) {
+    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) text += paragraph->text + "\n";
+    if (const auto* steps = std::get_if<drawings::Steps>(&block))
+      for (const std::string& line : steps->lines) text += line + "\n";
+    if (const auto* equation = std::get_if<drawings::VectorEquation>(&block))
+      for (const auto& term : equation->terms) text += term.vector + " " + term.magnitude + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+// What a stranger to these sheets missed.
+TEST_CASE("what a sheet uses is defined on it, as stated") {
+  struct Said {
+    std::string id, sheet, text;
+  };
+  for (const auto& [id, sheet, text] : std::vector<Said>{
+           {"four-bar", "slider-crank", "$r$ = $A_{0}A$, $λ$ = $AB$ / $r$, $ω_{2}$"},
+           {"four-bar-constraints", "convergence", "$Δθ_{i}$ = $θ^{k}_{i}$ − $θ_{i}$"},
+           {"slider-crank-velocity", "polar-diagram", "|$ω_{3}$| = $v_{BA}$ / $AB$"},
+           {"slider-crank-velocity", "polar-diagram", "$\\vec{v}_{MA}$ |$ω_{3}$|·$MA$"},
+           {"four-bar-analytic", "configurations", "$\\vec{r}_{G3}$ = $\\vec{r}_{2}$ + ½$\\vec{r}_{3}$"},
+           {"gear-pair", "pitch-point", "$N'_{1}$, $N'_{2}$"},
+           {"velocity-centre", "acceleration-pole", "$γ$ = −18"},
+           {"velocity-centre", "acceleration-pole", "$KO$ = 0"},
+           {"pin-in-slot", "forces", "$\\vec{a}_{A}$ = (0"}})
+    for (const Language language : {Language::english, Language::italian}) {
+      const Exercise& exercise = find_exercise(catalogue(), id);
+      const Solution solution = exercise.solution(Tried(id).givens({}));
+      const std::string all = text_of(exercise.draw(sheet, solution, {.language = language}).sheet);
+      CAPTURE(id, sheet, static_cast<int>(language), text, all);
+      CHECK(all.find(text) != std::string::npos);
+    }
+}
+
+TEST_CASE("no formula of both configurations is torn across lines") {
+  constexpr double column = 74, letters = 3.2;  // mm: of A4, as wide and as large as it is set there
+  const Exercise& exercise = find_exercise(catalogue(), "four-bar-analytic");
+  const Solution solution = exercise.solution(Tried("four-bar-analytic").givens({}));
+  int formulas = 0;
+  for (const Language language : {Language::english, Language::italian})
+    for (const drawings::Block& block :
+         exercise.draw("configurations", solution, {.language = language}).sheet.column)
+      if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block);
+          paragraph && paragraph->text.find(" / (") != std::string::npos) {
+        CAPTURE(paragraph->text);
+        CHECK(drawings::measure(paragraph->text, letters).width <= column);
+        ++formulas;
+      }
+  CHECK(formulas == 6);
 }

@@ -70,6 +70,10 @@ CirclesPanel& CirclesPanel::beside_detail() {
   return *this;
 }
 
+double CirclesPanel::reach() const {
+  return shows_ == Shows::inflection_circle ? reach_of_overview(inflection_) : mechanism_->reach();
+}
+
 std::string CirclesPanel::pole_letters() const { return point_letters(case_.pole); }
 
 drawings::Box CirclesPanel::covered(const Scale& lengths, double points, double circles) const {

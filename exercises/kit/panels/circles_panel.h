@@ -33,7 +33,7 @@ class CirclesPanel : public CutPanel {
   CirclesPanel& detail();
   CirclesPanel& beside_detail();
 
-  double reach() const override { return mechanism_->reach(); }
+  double reach() const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 

@@ -28,6 +28,8 @@ RaysPanel::RaysPanel(const Solution& s, std::shared_ptr<const MechanismFigure> m
     points_.push_back({X, point_letters(X), s.place(prefix + X), s.point(prefix + X + "prime")});
 }
 
+double RaysPanel::reach() const { return reach_of_overview(inflection_); }
+
 drawings::Box RaysPanel::covered(const Scale& lengths, double points, double circles) const {
   Extent extent;
   for (const Place& P : mechanism_->corners()) extent.include(lengths, P, 7);
@@ -111,7 +113,7 @@ drawings::Box OsculatingPanel::covered(const Scale& lengths, double points, doub
     include(extent, lengths, X.centre, points);
   }
   include(extent, lengths, P0_, points);
-  mechanism_->include(extent, lengths);
+  if (!is_close_up_) mechanism_->include(extent, lengths);
   return extent.box();
 }
 
@@ -207,6 +209,15 @@ std::vector<PanelStep> OsculatingPanel::steps(const Plot& plot, const drawings::
     is_first = false;
   }
   return steps;
+}
+
+Panels curvature_panels(const Solution& s, const std::shared_ptr<const MechanismFigure>& mechanism, const Curved& of,
+                        const OsculatingPanel::DrawPath& draw_path) {
+  OsculatingPanel osculating(s, mechanism, of, draw_path);
+  if (!s.point(of.prefix + of.pole)) return panels(std::move(osculating));
+  RaysPanel rays(s, mechanism, of);
+  if (rays.is_overview()) osculating.close_up();
+  return panels(std::move(rays), std::move(osculating));
 }
 
 }  // namespace epure

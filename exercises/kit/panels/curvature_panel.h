@@ -20,7 +20,9 @@ class RaysPanel : public CutPanel {
  public:
   RaysPanel(const Solution& solution, std::shared_ptr<const MechanismFigure> mechanism, Curved of);
 
-  double reach() const override { return mechanism_->reach(); }
+  double reach() const override;
+  // Small, because the circle is so much larger than the mechanism.
+  bool is_overview() const { return dwarfs_mechanism(inflection_); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
@@ -43,6 +45,12 @@ class RaysPanel : public CutPanel {
 // Of the solution: pole, points, "curvature_centre_C".
 class OsculatingPanel : public CutPanel {
  public:
+  // Beside it the rays stand in a picture of all: here the points with their paths, as large as they can be, and of
+  // the mechanism what there is room for.
+  OsculatingPanel& close_up() {
+    is_close_up_ = true;
+    return *this;
+  }
   // Draws the path of a point as far as it runs through this box of the paper.
   using DrawPath = std::function<void(Plot&, const std::string& point, const drawings::Box& around)>;
   OsculatingPanel(const Solution& solution, std::shared_ptr<const MechanismFigure> mechanism, Curved of,
@@ -72,6 +80,11 @@ class OsculatingPanel : public CutPanel {
   std::optional<Place> P0_;
   std::vector<OnPath> points_;
   DrawPath draw_path_;
+  bool is_close_up_ = false;
 };
+
+// Both, or where the pole is at infinity the second alone.
+Panels curvature_panels(const Solution& solution, const std::shared_ptr<const MechanismFigure>& mechanism,
+                        const Curved& of, const OsculatingPanel::DrawPath& draw_path);
 
 }  // namespace epure

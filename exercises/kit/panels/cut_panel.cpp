@@ -39,6 +39,17 @@ void CutPanel::include(Extent& extent, const Scale& lengths, const DrawnCycle& c
   extent.include(lengths, {x + circle.radius, y + circle.radius}, air);
 }
 
+bool CutPanel::dwarfs_mechanism(const DrawnCycle& circle) const {
+  constexpr double far_larger = 2;
+  return circle.centre && 2 * circle.radius > far_larger * mechanism_->reach();
+}
+
+double CutPanel::reach_of_overview(const DrawnCycle& circle) const {
+  constexpr double longest = 60, metre = 1000;  // mm
+  if (!dwarfs_mechanism(circle)) return mechanism_->reach();
+  return metre / longest * std::min(2 * circle.radius, far() * mechanism_->reach());
+}
+
 Place CutPanel::middle() const {
   const std::vector<Place> corners = mechanism_->corners();
   Place sum{0, 0};

@@ -39,6 +39,10 @@ class CutPanel : public Panel {
   }
   void include(Extent& extent, const Scale& lengths, const std::optional<Place>& P, double reaches) const;
   void include(Extent& extent, const Scale& lengths, const DrawnCycle& circle, double reaches) const;
+  // The mechanism is small beside it.
+  bool dwarfs_mechanism(const DrawnCycle& circle) const;
+  // The reach of a picture of such a circle beside one of the mechanism: it stays small.
+  double reach_of_overview(const DrawnCycle& circle) const;
   // The mechanism's middle, away from which letters stand.
   Place middle() const;
 

@@ -1,5 +1,7 @@
 #include "exercises/kit/panels/locus_panel.h"
 
+#include <algorithm>
+
 #include "exercises/kit/panels/edge.h"
 #include "exercises/kit/panels/osculating_arc.h"
 #include "exercises/kit/panels/sheet.h"
@@ -27,9 +29,40 @@ LocusPanel& LocusPanel::osculated(const std::optional<Place>& centre, const std:
   return *this;
 }
 
+void LocusPanel::include_numbered(Extent& extent, const Scale& scale, double letters) const {
+  extent.include(scale, mechanism_->at(point_), letters);
+  for (const Position& position : positions_)
+    for (const Numbered& point : position.points)
+      if (!point.label.empty()) extent.include(scale, point.at, letters);
+}
+
+bool LocusPanel::needs_close_up() const {
+  constexpr double small = 0.7;  // of the mechanism
+  Extent numbered;
+  include_numbered(numbered, {.mm_per_unit = 1, .caption = {}, .unit = {}}, 0);
+  return std::max(numbered.box().width(), numbered.box().height()) < small * mechanism_->reach();
+}
+LocusPanel& LocusPanel::close_up() {
+  shows_ = Shows::close_up;
+  return *this;
+}
+LocusPanel& LocusPanel::beside_close_up() {
+  shows_ = Shows::whole;
+  return *this;
+}
+
+double LocusPanel::reach() const {
+  constexpr double longest = 60, metre = 1000;  // mm, of the whole beside its close-up
+  return (shows_ == Shows::whole ? metre / longest : 1) * mechanism_->reach();
+}
+
 drawings::Box LocusPanel::extent(const Scale& scale, const Scale&) const {
   constexpr double letters = 7;  // mm
   Extent extent;
+  if (shows_ == Shows::close_up) {
+    include_numbered(extent, scale, letters);
+    return extent.box();
+  }
   mechanism_->include(extent, scale);
   for (const Position& position : positions_) {
     for (const Place& corner : position.body) extent.include(scale, corner, 1);
@@ -38,7 +71,7 @@ drawings::Box LocusPanel::extent(const Scale& scale, const Scale&) const {
   return extent.box();
 }
 
-std::vector<drawings::Block> LocusPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+void LocusPanel::draw_positions(Plot& plot) const {
   for (const Position& position : positions_) {
     if (position.body.size() > 2)
       plot.polygon(position.body, Meaning::construction);
@@ -46,12 +79,17 @@ std::vector<drawings::Block> LocusPanel::draw(Plot& plot, const drawings::Box& r
       plot.segment(position.body.front(), position.body.back(), Meaning::construction);
     for (const Numbered& point : position.points) {
       plot.dot(point.at, point.ink);
-      if (!point.label.empty()) plot.small_label(point.label, point.at, point.away_from, point.ink);
+      if (names(point)) plot.small_label(point.label, point.at, point.away_from, point.ink);
     }
   }
+}
+
+std::vector<drawings::Block> LocusPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  draw_positions(plot);
   const geometry::Trace path = draw_curve_(plot, room);
   mechanism_->draw(plot);
   plot.measures_coordinates(point_, mechanism_->at(point_), plane_origin);
+  if (shows_ == Shows::whole) return {};
   const Words sentence =
       format_words("{} Bezier arcs, at most {} mm on this sheet from the true path.",
                    "{} archi di Bézier, su questo foglio a non più di {} mm dalla traiettoria vera.", path.arcs(),
@@ -85,6 +123,7 @@ std::vector<drawings::Block> LocusPanel::draw_osculating(Plot& plot, const drawi
 
 // What leads to the centre stands where it leaves the room.
 std::vector<PanelStep> LocusPanel::steps(const Plot& plot, const drawings::Box& room) const {
+  if (shows_ == Shows::whole) return {};
   std::vector<PanelStep> all = steps_;
   for (PanelStep& step : all)
     if (centre_ && step.at && step.at->x == centre_->x && step.at->y == centre_->y && !is_in(room, plot, *centre_))

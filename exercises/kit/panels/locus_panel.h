@@ -32,10 +32,15 @@ class LocusPanel : public Panel {
   // The point is one of the mechanism.
   LocusPanel(std::shared_ptr<const Mechanism> mechanism, std::string point, std::vector<Position> positions,
              DrawCurve draw_curve, std::vector<PanelStep> steps);
+  // What is numbered takes so much less room than the mechanism that a picture of its own is better.
+  bool needs_close_up() const;
+  // That picture, beside a small one of the whole without numbers.
+  LocusPanel& close_up();
+  LocusPanel& beside_close_up();
   // The circle that osculates the path now, about this centre: named by its letters.
   LocusPanel& osculated(const std::optional<Place>& centre, const std::string& quantity, const std::string& letters);
 
-  double reach() const override { return mechanism_->reach(); }
+  double reach() const override;
   bool is_cut() const override { return true; }
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
@@ -43,8 +48,12 @@ class LocusPanel : public Panel {
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
  private:
+  bool names(const Numbered& point) const { return shows_ != Shows::whole && !point.label.empty(); }
+  void include_numbered(Extent& extent, const Scale& scale, double letters) const;
+  void draw_positions(Plot& plot) const;
   std::vector<drawings::Block> draw_osculating(Plot& plot, const drawings::Box& room, Language language) const;
 
+  enum class Shows { all, whole, close_up } shows_ = Shows::all;
   std::shared_ptr<const Mechanism> mechanism_;
   std::string point_;
   std::vector<Position> positions_;

@@ -278,10 +278,14 @@ double Mechanism::direction_of_support(const Point& P, const Scale& scale) const
     constexpr double worse_on_plate = 1000;  // mm: more than all room beside one
     return nearest * scale.mm_per_unit - (is_on_plate(foot) ? worse_on_plate : 0);
   };
-  double best = -right_angle;
-  if (room(best) >= half_wide) return best;
-  for (const double direction : {0.0, std::numbers::pi, right_angle})
-    if (room(direction) > room(best)) best = direction;
+  // Upside down only where there is clearly no room beside it either.
+  constexpr double upside_down = 3;  // mm of room that it must gain
+  const double down = -right_angle, beside = room(0) >= room(std::numbers::pi) ? 0 : std::numbers::pi;
+  double best = down;
+  for (const double direction : {down, beside, right_angle}) {
+    if (room(direction) >= half_wide) return direction;
+    if (room(direction) > room(best) + (direction == right_angle ? upside_down : 0)) best = direction;
+  }
   return best;
 }
 
@@ -295,7 +299,7 @@ void Mechanism::draw_guide(Plot& plot, const Guide& guide) const {
   if (!guide.axis.empty()) plot.label(guide.axis, plot.from_paper(on_it(axis_ahead)), at(guide.block));
 }
 
-// Too short a distance has no room for its letter.
+// Too short a distance has no room for its letter; nor has one beyond the border of a close-up.
 void Mechanism::draw_offset(Plot& plot, const Offset& offset) const {
   constexpr double shortest = 3, air = 6, beyond = 2;  // mm
   const Place& P = at(offset.point);
@@ -303,6 +307,7 @@ void Mechanism::draw_offset(Plot& plot, const Offset& offset) const {
   const double out = offset.clear * plot.scale().mm_per_unit + air;
   const drawings::Point at_point = beside(plot.at(P), offset.direction, out, 0),
                         at_foot = beside(plot.at(offset.foot), offset.direction, out, 0);
+  if (!plot.shows(plot.from_paper(at_point)) || !plot.shows(plot.from_paper(at_foot))) return;
   plot.long_segment(plot.from_paper(at_point), P, beyond, Meaning::axis);
   plot.long_segment(plot.from_paper(at_foot), offset.foot, beyond, Meaning::axis);
   plot.mark(drawings::Dimension{at_point, at_foot, 0, offset.symbol});

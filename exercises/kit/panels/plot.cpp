@@ -37,13 +37,13 @@ std::optional<std::pair<drawings::Point, drawings::Point>> near_paper(drawings::
   return swapped ? std::pair{at(to), at(from)} : std::pair{at(from), at(to)};
 }
 
-// How a straight line that is a link, or a locus, runs on from a point of it: both ways.
+// How a straight link runs on from a point of it: both ways.
 std::vector<drawings::Point> ways_along(const drawings::Line& line, drawings::Point from) {
   constexpr double on_it = 0.1, shortest = 3;  // mm
   std::vector<drawings::Point> ways;
-  const bool hides =
-      line.meaning == Meaning::link || line.meaning == Meaning::locus || line.meaning == Meaning::second_locus;
-  if (!hides || line.path.closed || line.path.pieces.size() != 1 || !line.path.pieces.front().straight) return ways;
+  if (line.meaning != Meaning::link || line.path.closed || line.path.pieces.size() != 1 ||
+      !line.path.pieces.front().straight)
+    return ways;
   const drawings::Point p = line.path.start, q = line.path.pieces.front().end;
   const double length = drawings::distance(p, q);
   if (length < shortest) return ways;
@@ -73,15 +73,23 @@ bool leads_to(const drawings::Mark& mark, drawings::Point tip) {
          std::abs(dot(tip - p, drawings::left_of(along))) < on_it;
 }
 
-// How far aside a vector stands that would else lie on such a line, so that both are seen: on the side to which
-// it leans. Where lines of the construction lead to its tip it stays there, and at the tip of another vector too:
+// Whether a link hides most of a vector: they part so little along it that the eye does not tell them apart.
+bool hides(drawings::Point way, drawings::Point v) {
+  constexpr double most = 0.5, told_apart = 2;  // of the vector, mm
+  const double one_way = std::cos(7 * std::numbers::pi / 180);
+  const double length = drawings::length(v), shared = std::min(length, drawings::length(way));
+  const double sine = std::abs(dot(v, drawings::left_of(way))) / (length * drawings::length(way));
+  return dot(v, way) >= one_way * length * drawings::length(way) && shared >= most * length &&
+         sine * shared < told_apart;
+}
+
+// How far aside a vector stands that a link would hide: on the side to which it leans, joined to the point it
+// belongs to. Where lines of the construction lead to its tip it stays there, and at the tip of another vector too:
 // they are sides of a polygon.
 drawings::Point aside(const std::vector<drawings::Mark>& marks, drawings::Point from, drawings::Point to) {
   constexpr double by = 1.3, shortest = 4;  // mm
-  const double one_way = std::cos(7 * std::numbers::pi / 180);
   const drawings::Point v = to - from;
-  const double length = drawings::length(v);
-  if (length < shortest || std::any_of(marks.begin(), marks.end(), [&](const drawings::Mark& mark) {
+  if (drawings::length(v) < shortest || std::any_of(marks.begin(), marks.end(), [&](const drawings::Mark& mark) {
         return leads_to(mark, to) || ends_at(mark, to) || ends_at(mark, from);
       }))
     return {0, 0};
@@ -89,7 +97,7 @@ drawings::Point aside(const std::vector<drawings::Mark>& marks, drawings::Point 
     const auto* line = std::get_if<drawings::Line>(&mark);
     if (!line) continue;
     for (const drawings::Point way : ways_along(*line, from)) {
-      if (dot(v, way) < one_way * length * drawings::length(way)) continue;
+      if (!hides(way, v)) continue;
       const double side = dot(v, drawings::left_of(way)) < 0 ? -by : by;
       return side * drawings::left_of(drawings::unit({}, v));
     }
@@ -232,6 +240,7 @@ void Plot::vector_on(const std::string& name, const Place& from, const Arrow2& v
                      const std::string& label) {
   const Place to = tip(from, v);
   const drawings::Point by = aside(onto_.sheet.figure.marks, at(from), at(to)), p = at(from) + by, q = at(to) + by;
+  if (by.x != 0 || by.y != 0) mark(drawings::Line{drawings::segment(at(from), p), Meaning::dimension, {}});
   mark(drawings::Arrow{p, q, meaning, name});
   onto_.sheet.figure.labels.push_back({.text = label, .at = p, .to = q, .ink = meaning});
   if (!name.empty()) measure(name, from_paper(p), from_paper(q), 1 / vectors_.mm_per_unit, Measurement::length);

@@ -186,7 +186,9 @@ void draw_sides(const Drawing& on, const std::vector<PlacedSide>& sides, const P
 void draw_image(Plot& plot, const VectorPolygon& polygon, const PolygonImage& image) {
   const Place O{0, 0}, c = after(O, image.absolute.v), a = after(c, -image.relative.v);
   const Place middle = middle_of(polygon);
-  if (!image.relative.label.empty()) {
+  if (image.closes_triangle) {
+    plot.segment(a, c, Meaning::construction);
+  } else if (!image.relative.label.empty()) {
     plot.side(image.relative.quantity, a, c, polygon.meaning, image.relative.label, middle);
   } else if (!image.relative.quantity.empty()) {
     plot.measures(image.relative.quantity, a, c);
@@ -282,11 +284,12 @@ std::vector<std::string> steps_of(const VectorPolygon& polygon, Language languag
 }
 
 std::vector<Place> places_of_steps(const VectorPolygon& polygon) {
-  constexpr double along_side = 0.3;  // clear of the vector's own letters, at its middle
+  constexpr double along_side = 0.3, along_sum = 0.7;  // clear of the vector's own letters, at its middle
   std::vector<Place> places;
   for (const PlacedSide& s : in_order(polygon)) places.push_back(between(s.from, s.to, along_side));
   for (const PolygonImage& image : polygon.images)
-    if (!image.explained.empty()) places.push_back(after({0, 0}, image.absolute.v));
+    if (!image.explained.empty())
+      places.push_back(after({0, 0}, (image.absolute.tip.empty() ? along_sum : 1) * image.absolute.v));
   return places;
 }
 

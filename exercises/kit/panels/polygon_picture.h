@@ -39,11 +39,12 @@ struct PolygonSide {
 };
 
 // The image of another point of a body whose two points have their images in the polygon. Or only the sum of sides:
-// from the origin, or between two corners. What has no label is not drawn.
+// from the origin, or between two corners. What has no label is not drawn, but for the third side of a triangle.
 struct PolygonImage {
-  PolygonSide absolute;       // from O; quantity "v_C", tip "$c'$"
-  PolygonSide relative = {};  // its last part, "v_CA"
-  Words explained = {};       // one step: how the point is found; none for a sum
+  PolygonSide absolute;          // from O; quantity "v_C", tip "$c'$"
+  PolygonSide relative = {};     // its last part, "v_CA"
+  Words explained = {};          // one step: how the point is found; none for a sum
+  bool closes_triangle = false;  // `relative` is a side of a triangle that is found by its shape: a line, no vector
 };
 
 struct VectorPolygon {

@@ -178,6 +178,15 @@ TEST_CASE("involute: the contact is seen beside a line many times as long", "[cy
   CHECK(largest >= 30);  // 6 mm before
 }
 
+TEST_CASE("involute: the pictures of an instant follow each other", "[cycloid-involute][sheets]") {
+  const DrawnSheet drawn = both().draw("involute-instants", {});
+  std::vector<std::string> titles;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* title = std::get_if<drawings::Writing>(&mark); title && title->text.starts_with("$t_"))
+      titles.push_back(title->text.substr(0, 7));
+  CHECK(titles == std::vector<std::string>{"$t_{1}$", "$t_{1}$", "$t_{2}$", "$t_{2}$"});
+}
+
 TEST_CASE("cycloid and involute: a chart has no scale, a sheet with vectors all of its",
           "[cycloid-involute][sheets]") {
   for (const char* sheet : {"cycloid-travel", "involute-travel"})

@@ -193,6 +193,11 @@ TEST_CASE("four-bar-analytic: positions of A and P bear their numbers", "[four-b
   CHECK(written(some, "6") == 0);
 }
 
+TEST_CASE("four-bar-analytic: the numbered positions stand in a close-up, larger than the whole",
+          "[four-bar-analytic][sheets]") {
+  CHECK(draw(id, "coupler-curve", {}).sheet.title_block.scales == std::vector<std::string>{"1 : 20", "1 : 5"});
+}
+
 TEST_CASE("four-bar-analytic: the way of B reaches each of its positions", "[four-bar-analytic][sheets]") {
   const DrawnSheet drawn = draw(id, "coupler-curve", {"A0A=0.6"});
   // Of long-dash-dot arcs the crank's circle is closed, the rocker's is not.

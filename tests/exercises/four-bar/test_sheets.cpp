@@ -21,6 +21,13 @@ const std::vector<Assignments> handful{
     {"A0A=0.3", "AB=0.35", "B0B=0.32", "x_B0=0.1", "y_B0=0.05", "AC=0.21"},
     {"A0A=0.5", "AB=0.2", "B0B=0.6", "x_B0=0.7", "y_B0=0", "AC=0.12", "t=0.2", "branch=left"}};
 
+// Where the first of these letters belongs.
+drawings::Point four_bar_label(const DrawnSheet& drawn, const std::string& text) {
+  for (const drawings::Label& label : drawn.sheet.figure.labels)
+    if (label.text == text) return label.at;
+  throw std::logic_error("no label " + text);
+}
+
 }  // namespace
 
 TEST_CASE("four-bar: every sheet is drawn, whatever is given", "[four-bar][sheets]") {
@@ -130,10 +137,77 @@ TEST_CASE("four-bar: a vector along a link stands beside it, as long as it is", 
     CHECK(std::abs(drawings::dot(line->path.start - arrow.from, drawings::left_of(along))) > 1);
   }
   CHECK(links == 1);  // the crank
+  // A thin line joins it to A.
+  const drawings::Point A = four_bar_label(drawn, "$A$");
+  CHECK(std::any_of(marks.begin(), marks.end(), [&](const drawings::Mark& mark) {
+    const auto* line = std::get_if<drawings::Line>(&mark);
+    return line && line->meaning == drawings::Meaning::dimension && line->path.pieces.size() == 1 &&
+           drawings::distance(line->path.start, A) < 0.01 &&
+           drawings::distance(line->path.pieces.front().end, arrow.from) < 0.01;
+  }));
+}
+
+// Found by its shape: c' needs no vector from b', whose letters had no place beside it.
+TEST_CASE("four-bar: the triangle of the accelerations is closed by a line", "[four-bar][sheets]") {
+  const DrawnSheet drawn = four_bar().draw("acceleration-diagram", {});
+  const drawings::Point b = four_bar_label(drawn, "$b'$"), c = four_bar_label(drawn, "$c'$");
+  int lines = 0, vectors = 0;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
+    const auto runs = [&](drawings::Point from, drawings::Point to) {
+      return drawings::distance(from, b) < 0.01 && drawings::distance(to, c) < 0.01;
+    };
+    if (const auto* line = std::get_if<drawings::Line>(&mark); line && line->path.pieces.size() == 1)
+      lines += runs(line->path.start, line->path.pieces.front().end) ? 1 : 0;
+    if (const auto* arrow = std::get_if<drawings::Arrow>(&mark)) vectors += runs(arrow->from, arrow->to) ? 1 : 0;
+  }
+  CHECK(lines == 1);
+  CHECK(vectors == 0);
+}
+
+// At 250° the crank runs down where the support would stand.
+TEST_CASE("four-bar: a support is upside down only where there is no room beside the hinge", "[four-bar][sheets]") {
+  std::vector<double> supports;
+  for (const drawings::Mark& mark : four_bar().draw("acceleration-diagram", {"phi=250"}).sheet.figure.marks)
+    if (const auto* hinge = std::get_if<drawings::FixedHinge>(&mark)) supports.push_back(hinge->down);
+  REQUIRE(supports.size() == 2);
+  for (const double down : supports) CHECK(std::sin(down) < 0.5);
+}
+
+// The steps say on which side of A₀ → B₀ the point Q lies that is drawn, and where A is from it.
+TEST_CASE("four-bar: the steps to parallel links fit what is drawn", "[four-bar][sheets]") {
+  int seen = 0;
+  for (const Assignments& assignments : handful) {
+    const DrawnSheet drawn = four_bar().draw("parallel-links", assignments);
+    std::vector<std::string> told;
+    for (const drawings::Block& block : drawn.sheet.column)
+      if (const auto* steps = std::get_if<drawings::Steps>(&block)) told = steps->lines;
+    drawings::Point A0, A, B0;
+    for (const drawings::Label& label : drawn.sheet.figure.labels) {
+      if (label.text == "$A_{0}$") A0 = label.at;
+      if (label.text == "$B_{0}$") B0 = label.at;
+      if (label.text == "$A$") A = label.at;
+      if (label.text != "$Q$" && label.text != "$Q'$") continue;
+      const auto step = std::find_if(told.begin(), told.end(),
+                                     [&](const std::string& line) { return line.starts_with(label.text + ":"); });
+      CAPTURE(assignments, label.text, told);
+      REQUIRE(step != told.end());
+      const drawings::Point Q = label.at, base = B0 - A0;
+      const bool is_left = dot(drawings::left_of(base), Q - A0) > 0;
+      CHECK(step->find(is_left ? "on the left of" : "on the right of") != std::string::npos);
+      const double share = dot(A - A0, Q - A0) / dot(Q - A0, Q - A0);
+      const std::string& to_A = *(step + 1);
+      CHECK(to_A.find(share < 0   ? "beyond $A_{0}$, seen from"
+                      : share < 1 ? "between $A_{0}$ and"
+                                  : "beyond $Q$") != std::string::npos);
+      ++seen;
+    }
+  }
+  CHECK(seen >= 10);
 }
 
 TEST_CASE("four-bar: beside a far larger inflection circle the linkage has a picture of its own",
           "[four-bar][sheets]") {
-  CHECK(four_bar().draw("circles-folded", {}).sheet.title_block.scales.size() == 2);
+  CHECK(four_bar().draw("circles-folded", {}).sheet.title_block.scales ==
+        std::vector<std::string>{"1 : 50", "1 : 5"});
   CHECK(four_bar().draw("circles", {}).sheet.title_block.scales.size() == 1);
 }

@@ -50,6 +50,7 @@ TEST_CASE("velocity centre: why there is none", "[velocity-centre]") {
     absent({"omega=0", "omega_dot=0"}, name, "at infinity");
     absent({"omega=0", "omega_dot=0", "a=0"}, name, "no point is accelerated");
   }
+  absent({"omega=0", "omega_dot=0"}, "gamma_deg", "no value");
   for (const char* angle : {"angle=90", "angle=-90", "angle=450"}) absent({angle}, "normal_slope", "no slope");
   CHECK(value(bar().checked({"omega=0"}), "KO") == 1.5);  // a = KO dω/dt
 }
