@@ -40,6 +40,9 @@ void demand(cairo_status_t status) {
   if (status == CAIRO_STATUS_FILE_NOT_FOUND || status == CAIRO_STATUS_READ_ERROR)  // it reads nothing but fonts
     throw Unavailable(fmt::format("a font cannot be read: {}", cairo_status_to_string(status)),
                       fmt::format("un carattere non si può leggere: {}", cairo_status_to_string(status)));
+  if (status == CAIRO_STATUS_TEMP_FILE_ERROR || status == CAIRO_STATUS_WRITE_ERROR)  // of EPS, beside /tmp
+    throw CannotWrite("Cairo puts EPS together in a temporary file in /tmp, which cannot be written",
+                      "Cairo compone l'EPS in un file temporaneo in /tmp, che non si può scrivere");
   if (status != CAIRO_STATUS_SUCCESS)
     throw std::runtime_error(fmt::format("Cairo: {}", cairo_status_to_string(status)));
 }
@@ -232,8 +235,8 @@ void paint_sheet_of_document(cairo_surface_t* surface, const Page& page, std::si
 // Closes the document, whose bytes are in `memory`.
 std::string finish(cairo_surface_t* surface, Memory& memory) {
   cairo_surface_finish(surface);
-  demand(cairo_surface_status(surface));
   if (memory.failed) throw std::bad_alloc();
+  demand(cairo_surface_status(surface));
   return std::move(memory.bytes);
 }
 

@@ -60,7 +60,7 @@ GivenSpec given(const File& file, const Tree& key, const Tree& value) {
     file.demand_keys(value, {"value", "meaning"});
     number = value.find("value");
     if (!number) file.refuse(value, {"value: is missing", "manca value:"});
-    if (const Tree* meaning = value.find("meaning")) spec.meaning = file.words(*meaning);
+    if (const Tree* meaning = value.find("meaning")) spec.meaning = escaped(file.words(*meaning));
   }
   const std::string& text = file.text(*number, {"a number with its unit is asked here, such as 120 mm",
                                                 "qui si chiede un numero con la sua unità, come 120 mm"});

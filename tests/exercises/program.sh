@@ -98,6 +98,12 @@ expect 'a link to standard output stays one' '/dev/stdout' "$(readlink link.pdf)
 expect 'a standard output that grows too large is exit 3' 3 $?
 expect 'and said in one line' 1 "$(grep -c '^epure: ' said)"
 
+# Cairo puts EPS together in a temporary file.
+(ulimit -f 4; "$epure" draw "$first" --format eps --out none > said 2>&1)
+expect 'a disk too small for EPS is exit 3' 3 $?
+expect 'and said in one line' 1 "$(grep -c '^epure: ' said)"
+expect 'and nothing is written' '' "$(ls none 2> /dev/null)"
+
 # Little room is refused before GLib meets its end, which would be a trap: 110 MB are now and then enough, so a program
 # that tries is seen. Where the sanitisers take more than that to start, nothing can be said.
 for bytes in 80000000 110000000; do

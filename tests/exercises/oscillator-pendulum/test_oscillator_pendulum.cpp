@@ -62,6 +62,18 @@ TEST_CASE("oscillator and pendulum: nearly critical damping loses no digit", "[o
   CHECK(find(tried().checked({"zeta=1"}), "oscillator.x_dot_at_5").settled.enclosure.upper == 0);
 }
 
+// exp(-160000) and the like: what one route finds too small for a double, no route calls a number.
+TEST_CASE("oscillator and pendulum: motions that end below all doubles", "[oscillator-pendulum]") {
+  for (const Assignments& assignments :
+       {Assignments{"omega_n=4000", "zeta=1"}, Assignments{"omega_n=36723", "zeta=1"},
+        Assignments{"omega_n=36723", "zeta=1.0000001"}}) {
+    const CheckedExercise checked = tried().checked(assignments);
+    CAPTURE(complaints(checked));
+    CHECK(checked.passed());
+    CHECK(find(checked, "oscillator.x_at_40").settled.kind == geometry::Settled::Kind::absent);
+  }
+}
+
 TEST_CASE("oscillator and pendulum: what is not there", "[oscillator-pendulum]") {
   const auto absent = [](const Assignments& assignments, const char* name, const char* because) {
     const CheckedExercise result = tried().checked(assignments);

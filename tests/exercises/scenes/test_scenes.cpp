@@ -49,6 +49,15 @@ double value_in(const std::string& text, const std::string& quantity) {
 
 }  // namespace
 
+TEST_CASE("what a scene says of a given is plain text, whatever letters it has", "[scenes]") {
+  const std::string drive = "drive: {link: 2, angle: a, speed: 60 rpm}\ngivens: {a: {value: 60 deg, meaning: '";
+  for (const std::string meaning : {"price in $", "a_{b", "$\\x$"}) {
+    CAPTURE(meaning);
+    const auto scene = std::make_shared<const scenes::Scene>("f", four_bar(drive + meaning + "'}}"));
+    CHECK(drawings::plain(scene->givens().front().meaning.english) == meaning);
+  }
+}
+
 TEST_CASE("every scene of the docs holds against the corpus, to the last bit, by both routes", "[scenes]") {
   const std::vector<CorpusCase> corpus = read_corpus(EPURE_CORPUS "/linkages.txt");
   CHECK(corpus.size() == 22);
