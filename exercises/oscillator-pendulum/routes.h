@@ -35,8 +35,7 @@ inline const Phrase double_root{"zeta is 1: the root is double, and x = v_0 t ex
                                 "zeta è 1: la radice è doppia, e x = v_0 t exp(-alpha t)"};
 inline const Phrase between_steps{"the step does not divide this instant: the table has no row for it",
                                   "il passo non divide questo istante: la tabella non ha una riga per esso"};
-inline const Phrase beyond_doubles{"its size is beyond 10^300 or below 10^-300",
-                                   "supera 10^300 o è minore di 10^-300"};
+inline const Phrase beyond_doubles{"its size is beyond 10^300", "supera 10^300"};
 
 inline const Phrase over_the_top{"the table goes over the top, and does not come back",
                                  "la tabella passa per il punto più alto, e non torna"};
@@ -47,7 +46,8 @@ inline const Phrase too_many_rows{"in 2000 rows the table has not come back",
 // began: the second in which the angle turns. Throws Impossible where it goes over the top before.
 std::optional<std::size_t> row_of_return(const std::vector<Deep>& theta, const std::vector<Deep>& rates);
 
-// What no double can tell is no value.
+// What is larger than any double can tell is no value. (What is smaller is told between its neighbours, zero one of
+// them.)
 Deep within_doubles(Deep x);
 
 // How many steps make up the instant; throws Impossible where no number of them does.

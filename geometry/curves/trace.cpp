@@ -22,9 +22,9 @@ constexpr double first_try = 0.25;
 constexpr double least_scrap = 0x1p-12;
 
 // Beside a root that touches zero and comes back (a change point) pieces must be as short as the square of their
-// distance from it: a million of them. An arc of the turn gets so many looks; then the shortest piece grows, four
-// times for every so many more, and the gap about the root becomes wider: some 1e-3 radians.
-constexpr int looks_of_an_arc = 1 << 14, looks_until_coarser = 1 << 10;
+// distance from it: a million of them. When an arc of the turn has had its looks, the shortest piece grows, four
+// times for every sixteenth of them more, and the gap about the root becomes wider: some 1e-3 radians.
+constexpr int times_coarser_in_as_many = 16;
 
 // What is known of the locus over one piece.
 struct Piece {
@@ -56,8 +56,8 @@ bool ends_the_turn(const Stretch& s) {
 
 class Tracer {
  public:
-  Tracer(const TracedLocus& locus, const Frame& frame, double tolerance)
-      : locus_(locus), view_(frame), tolerance_(tolerance) {}
+  Tracer(const TracedLocus& locus, const Frame& frame, double tolerance, int looks_of_an_arc)
+      : locus_(locus), view_(frame), tolerance_(tolerance), looks_of_an_arc_(looks_of_an_arc) {}
 
   Trace operator()() {
     for (arc_ = 0; arc_ < turn_arcs; ++arc_) {
@@ -99,8 +99,8 @@ class Tracer {
   }
 
   double shortest() const {
-    const int beyond = std::max(0, looks_ - looks_of_an_arc);
-    return std::min(least_scrap, std::ldexp(shortest_piece, 2 * (beyond / looks_until_coarser)));
+    const int beyond = std::max(0, looks_ - looks_of_an_arc_);
+    return std::min(least_scrap, std::ldexp(shortest_piece, 2 * (beyond * times_coarser_in_as_many / looks_of_an_arc_)));
   }
 
   Piece look(double t, double end) {
@@ -217,6 +217,7 @@ class Tracer {
   const TracedLocus& locus_;
   const View view_;
   const double tolerance_;
+  const int looks_of_an_arc_;
 
   int arc_ = 0, looks_ = 0;           // of this arc
   double length_ = first_try;         // of the next piece to try
@@ -272,10 +273,10 @@ double Trace::deviation() const {
   return worst;
 }
 
-Trace trace(const TracedLocus& locus, const Frame& frame, double tolerance) {
+Trace trace(const TracedLocus& locus, const Frame& frame, double tolerance, int looks_of_an_arc) {
   assert(tolerance > 0 && "a tolerance that is not positive");
   const Arithmetic<Bounded> scope;
-  return Tracer(locus, frame, tolerance)();
+  return Tracer(locus, frame, tolerance, looks_of_an_arc)();
 }
 
 }  // namespace epure::geometry

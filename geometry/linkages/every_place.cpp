@@ -57,12 +57,15 @@ EveryPlace::EveryPlace(const Linkage& linkage, const std::vector<Step>& steps) :
     }
 }
 
+// To find a linkage is a hundred times as dear as the loci that the usual number is for.
+constexpr int looks_of_a_linkage = usual_looks >> 3;
+
 Trace EveryPlace::path(int point, const Frame& frame, double tolerance) const {
   const Arithmetic<Bounded> scope;
   const auto p = static_cast<std::size_t>(point);
   return trace(TracedLocus{path_over<BoundedSeries>(*this, linkage_, steps_, p),
                            path_over<BoundedTangent>(*this, linkage_, steps_, p)},
-               frame, tolerance);
+               frame, tolerance, looks_of_a_linkage);
 }
 
 Trace EveryPlace::polode(const CentrePlan& plan, int link, const std::optional<PlacedLink<double>>& drawn,
@@ -70,7 +73,7 @@ Trace EveryPlace::polode(const CentrePlan& plan, int link, const std::optional<P
   const Arithmetic<Bounded> scope;
   return trace(TracedLocus{polode_over<BoundedSeries>(*this, linkage_, steps_, plan, link, drawn),
                            polode_over<BoundedTangent>(*this, linkage_, steps_, plan, link, drawn)},
-               frame, tolerance);
+               frame, tolerance, looks_of_a_linkage);
 }
 
 }  // namespace epure::geometry

@@ -168,6 +168,18 @@ std::string size_word(const PlacedPanel& panel, const PlacedPanel& other, Langua
       .in(language);
 }
 
+// Which of more than two figures it is, from left to right.
+std::string place_in_row(const PlacedPanel& panel, const std::vector<const PlacedPanel*>& figures,
+                         Language language) {
+  const auto middle = [](const PlacedPanel& each) { return each.room.low.x + each.room.high.x; };
+  const auto count = [&](const auto& lies) { return std::count_if(figures.begin(), figures.end(), lies); };
+  if (count([&](const PlacedPanel* each) { return middle(*each) < middle(panel); }) == 0)
+    return Words{" left", " sinistra"}.in(language);
+  if (count([&](const PlacedPanel* each) { return middle(*each) > middle(panel); }) == 0)
+    return Words{" right", " destra"}.in(language);
+  return Words{" centre", " centro"}.in(language);
+}
+
 // Where a sheet shows vectors of one unit at two scales, as it does forces: whose this one is.
 std::string whose(const PlacedPanel& panel, const std::vector<PlacedPanel>& panels, Language language) {
   const std::string unit = panel.panel->vectors().unit;
@@ -180,7 +192,7 @@ std::string whose(const PlacedPanel& panel, const std::vector<PlacedPanel>& pane
   return (is_polygon ? Words{" polygons", " poligoni"} : Words{" on the bodies", " sui corpi"}).in(language);
 }
 
-// One bar for each scale: of lengths, with the figure it is of where two differ; then of vectors.
+// One bar for each scale: of lengths, with the figure it is of where they differ; then of vectors.
 void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const SheetRequest& request) {
   std::vector<const PlacedPanel*> figures;
   for (const PlacedPanel& each : panels)
@@ -198,6 +210,7 @@ void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const Sh
       bars.back().caption += stand_apart(panels, *figure, other) ? position(*figure, other, request.language)
                                                                  : size_word(*figure, other, request.language);
     }
+    if (figures.size() > 2) bars.back().caption += place_in_row(*figure, figures, request.language);
   }
   for (const PlacedPanel& each : panels) {
     std::vector<Scale> of_vectors = each.panel->own_scales();
