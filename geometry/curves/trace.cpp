@@ -100,7 +100,8 @@ class Tracer {
 
   double shortest() const {
     const int beyond = std::max(0, looks_ - looks_of_an_arc_);
-    return std::min(least_scrap, std::ldexp(shortest_piece, 2 * (beyond * times_coarser_in_as_many / looks_of_an_arc_)));
+    return std::min(least_scrap,
+                    std::ldexp(shortest_piece, 2 * (beyond * times_coarser_in_as_many / looks_of_an_arc_)));
   }
 
   Piece look(double t, double end) {
