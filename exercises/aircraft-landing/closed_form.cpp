@@ -1,9 +1,35 @@
 // The formulas of the source's equations, solved.
 #include "exercises/aircraft-landing/routes.h"
 #include "exercises/aircraft-landing/when_slip_ends.h"
+#include "geometry/numbers/greater.h"
 
 namespace epure::aircraft_landing {
 using geometry::square;
+
+namespace {
+
+// As much at most the polygon of times is off, the integral of 1/|a| = 1/(A + B v²) over the speed: of each strip the
+// width²/8 times the steepest slope there, 2 |B| v/a², which is greatest at v² = A/(3 B).
+Deep chords_off_at_most(const WhenSlipEnds& end) {
+  const SpinUp& law = end.law();
+  if (law.B == 0) return Deep(0);
+  const Deep twice_B = number(Rational(2) * CGAL::abs(law.B));
+  const auto slope = [&](const Deep& v) { return twice_B * v / square(number(law.A) + number(law.B) * square(v)); };
+  Deep most(0), fast = number(law.v_0);
+  for (int i = 1; i <= Landing::strips; ++i) {
+    const Deep slow = i == Landing::strips ? end().v : spun_up(law, number(Rational(i, Landing::strips)) * end().t).v;
+    Deep steepest = geometry::greater(slope(fast), slope(slow));
+    if (law.B > 0) {
+      const Deep greatest_at = geometry::root(number(law.A / (Rational(3) * law.B)));
+      steepest = geometry::greater(steepest, slope(geometry::within(slow, greatest_at, fast)));
+    }
+    most = geometry::greater(most, square(fast - slow) / Deep(8) * steepest);
+    fast = slow;
+  }
+  return most;
+}
+
+}  // namespace
 
 void by_closed_form(const Landing& of, Extent extent, const Put& put_all) {
   const WhenSlipEnds end(of.law(), geometry::analytic::end_of_slip);
@@ -34,18 +60,7 @@ void by_closed_form(const Landing& of, Extent extent, const Put& put_all) {
   put("N_s", N);
   put("a_s", [=] { return -(number(of.law().A) + number(of.law().B) * v_squared()); });
   put("omega_dot_s", [=] { return number(of.turning()) * N(); });
-  // |a| = A + B v²: the slope of its reciprocal is 2 |B| v/a², steepest at v² = A/(3 B).
-  put("polygon_off_at_most", [=] {
-    const SpinUp law = of.law();
-    if (law.B == 0) return Deep(0);
-    const Deep twice_B = number(Rational(2) * CGAL::abs(law.B));
-    const auto slope = [&](const Deep& speed) {
-      return twice_B * speed / square(number(law.A) + number(law.B) * square(speed));
-    };
-    const Rational steepest = law.A / (Rational(3) * law.B);
-    return chords_off_at_most(speeds_of_strips(end, geometry::analytic::spun_up), slope,
-                              law.B > 0 ? std::optional(geometry::root(number(steepest))) : std::nullopt);
-  });
+  put("polygon_off_at_most", [=] { return chords_off_at_most(end); });
   put("ground_path_s", [=] { return end().path; });
   put("wheel_angle_s", [=] { return end().angle; });
   put("rolled_path_s", [=] { return number(of.R) * end().angle; });

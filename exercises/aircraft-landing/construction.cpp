@@ -48,6 +48,35 @@ Rolling rolling(const Body& body) {
   return {reaction.y, -reaction.x, a};
 }
 
+// Of the braking y by the force polygons, what is beside that of a standing aircraft grows as v²: v dy/dv is twice
+// that. A side of the polygon of times is off at most as the chord of a parabola that bends by the steepest
+// |d(1/y)/dv| throughout: in the strip's middle.
+Deep sides_off_at_most(const Landing& of, const WhenSlipEnds& end) {
+  if (of.law().B == 0) return Deep(0);
+  const auto braking = [&](const Deep& v) { return -slipping({of, v}).a; };
+  const Deep standing = braking(Deep(0)), v_0 = number(of.v_0), grown = braking(v_0) - standing;
+  const auto bend_at = [&](const Deep& v) {
+    const Deep y = braking(v);
+    return Deep(2) * geometry::size_of(y - standing) / (v * geometry::square(y));
+  };
+  Deep most(0);
+  SpinState begin = geometry::analytic::spun_up_by_series(of.law(), Deep(0));
+  for (int i = 1; i <= Landing::strips; ++i) {
+    const Deep t = end().t * Deep(i) / Deep(Landing::strips);
+    const SpinState now = i == Landing::strips ? end() : geometry::analytic::spun_up_by_series(of.law(), begin, t);
+    Deep bend = geometry::greater(bend_at(begin.v), bend_at(now.v));
+    if (of.law().B > 0) {
+      const Deep greatest_at = v_0 * geometry::root(standing / (Deep(3) * grown));
+      bend = geometry::greater(bend, bend_at(geometry::within(now.v, greatest_at, begin.v)));
+    }
+    const auto parabola = [&](const Deep& v) { return bend * geometry::square(v) / Deep(2); };
+    most = geometry::greater(most,
+                             (parabola(begin.v) + parabola(now.v)) / Deep(2) - parabola((begin.v + now.v) / Deep(2)));
+    begin = now;
+  }
+  return most;
+}
+
 }  // namespace
 
 void by_construction(const Landing& of, Extent extent, const Put& put_all) {
@@ -81,20 +110,7 @@ void by_construction(const Landing& of, Extent extent, const Put& put_all) {
   put("N_s", [=] { return last().N; });
   put("a_s", [=] { return last().a; });
   put("omega_dot_s", [=] { return last().alpha; });
-  // Of the polygons' accelerations: what is beside that of a standing aircraft grows with the square of the speed.
-  put("polygon_off_at_most", [=] {
-    if (of.law().B == 0) return Deep(0);
-    const auto braking = [&](const Deep& speed) { return -slipping({of, speed}).a; };
-    const Deep standing = braking(Deep(0)), grown = braking(number(of.v_0)) - standing;
-    const auto slope = [&](const Deep& speed) {
-      const Deep now = braking(speed);
-      return Deep(2) * geometry::size_of(now - standing) / (speed * geometry::square(now));
-    };
-    const bool grows = of.law().B > 0;
-    const auto steepest = [&] { return number(of.v_0) * geometry::root(standing / (Deep(3) * grown)); };
-    return chords_off_at_most(speeds_of_strips(end, geometry::analytic::spun_up_by_series), slope,
-                              grows ? std::optional(steepest()) : std::nullopt);
-  });
+  put("polygon_off_at_most", [=] { return sides_off_at_most(of, end); });
   put("ground_path_s", [=] { return end().path; });
   put("wheel_angle_s", [=] { return end().angle; });
   put("rolled_path_s", [=] { return number(of.R) * end().angle; });

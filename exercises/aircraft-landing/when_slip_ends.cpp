@@ -3,7 +3,6 @@
 #include <set>
 
 #include "exercises/aircraft-landing/euler.h"
-#include "geometry/numbers/greater.h"
 
 namespace epure::aircraft_landing {
 namespace {
@@ -61,25 +60,6 @@ SpinState before_slip_ends(const WhenSlipEnds& end, SpinState (*after)(const Spi
     default:
       throw geometry::Impossible(ended);
   }
-}
-
-Deep chords_off_at_most(const std::vector<Deep>& speeds, const std::function<Deep(const Deep& v)>& slope,
-                        const std::optional<Deep>& steepest_at) {
-  Deep most(0);
-  for (std::size_t i = 1; i < speeds.size(); ++i) {
-    const Deep &fast = speeds[i - 1], &slow = speeds[i];
-    Deep steepest = geometry::greater(slope(fast), slope(slow));
-    if (steepest_at) steepest = geometry::greater(steepest, slope(geometry::within(slow, *steepest_at, fast)));
-    most = geometry::greater(most, geometry::square(fast - slow) / Deep(8) * steepest);
-  }
-  return most;
-}
-std::vector<Deep> speeds_of_strips(const WhenSlipEnds& end, SpinState (*after)(const SpinUp&, const Deep& t)) {
-  std::vector<Deep> speeds{number(end.law().v_0)};
-  for (int i = 1; i < Landing::strips; ++i)
-    speeds.push_back(after(end.law(), number(Rational(i, Landing::strips)) * end().t).v);
-  speeds.push_back(end().v);
-  return speeds;
 }
 
 Deep adheres(const Landing& of, const Deep& F, const Deep& N) {

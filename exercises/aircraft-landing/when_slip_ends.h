@@ -27,14 +27,6 @@ Put pressing(const Landing& of, Extent extent, const Put& put);
 // After 10 ms. Throws Impossible when slip has ended by then.
 SpinState before_slip_ends(const WhenSlipEnds& end, SpinState (*after)(const SpinUp&, const Deep& t));
 
-// As much at most the polygon of times is off, of strips that end at these falling speeds: width²/8 times the
-// steepest slope of 1/|a| there. `slope`: its size at a speed; `steepest_at`: the speed beside which it falls on both
-// sides.
-Deep chords_off_at_most(const std::vector<Deep>& speeds, const std::function<Deep(const Deep& v)>& slope,
-                        const std::optional<Deep>& steepest_at);
-// At the ends of the strips, by a law of the speed.
-std::vector<Deep> speeds_of_strips(const WhenSlipEnds& end, SpinState (*after)(const SpinUp&, const Deep& t));
-
 // |F| <= f_a N?
 Deep adheres(const Landing& of, const Deep& F, const Deep& N);
 

@@ -10,6 +10,7 @@ namespace epure::pump_flywheel {
 namespace {
 
 using geometry::ComplexBall;
+using geometry::greater;
 using geometry::increasing_root;
 using geometry::pi;
 using geometry::root;
@@ -23,24 +24,6 @@ Deep cosine_at_greatest(const HalfTurn& of) {
 }
 double log2_of_size(const Deep& x) { return std::log2(geometry::enclosure(x).value); }
 constexpr double around = 0.01;
-
-// `slope` of the torque at an angle; over the cosine x it is the parabola C x + 2 K (2 x² - 1), steepest at an end of
-// the strip or at its vertex, as far as that lies in the strip: `at_cosine`.
-template <class Slope, class AtCosine>
-Deep off_at_most(const HalfTurn& of, const std::vector<Deep>& ends, const Slope& slope, const AtCosine& at_cosine) {
-  using geometry::greater;
-  Deep most(0);
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    Deep steepest = greater(size_of(slope(ends[i - 1])), size_of(slope(ends[i])));
-    if (sign(of.K) != Sign::zero) {
-      const Deep vertex = -of.C / (Deep(8) * of.K);
-      const Deep x = within(cosine_of_angle(ends[i]), vertex, cosine_of_angle(ends[i - 1]));
-      steepest = greater(steepest, size_of(at_cosine(x, vertex)));
-    }
-    most = greater(most, square(ends[i] - ends[i - 1]) / Deep(8) * steepest);
-  }
-  return most;
-}
 
 }  // namespace
 
@@ -80,10 +63,20 @@ Deep energy(const HalfTurn& of, const Deep& to) {
   return of.M * to - Deep(2) * of.C * square(half_sine) - of.K * square(sine_of_angle(to));
 }
 
+// Over the cosine x the slope is the parabola C x + 2 K (2 x² - 1), steepest at an end of the strip or at its vertex,
+// as far as that lies in the strip.
 Deep chords_off_at_most(const HalfTurn& of, const std::vector<Deep>& ends) {
-  const auto at_cosine = [&](const Deep& x) { return of.C * x + Deep(2) * of.K * (Deep(2) * square(x) - Deep(1)); };
-  const auto slope = [&](const Deep& angle) { return at_cosine(cosine_of_angle(angle)); };
-  return off_at_most(of, ends, slope, [&](const Deep& x, const Deep&) { return at_cosine(x); });
+  const auto slope = [&](const Deep& x) {
+    return size_of(of.C * x + Deep(2) * of.K * (Deep(2) * square(x) - Deep(1)));
+  };
+  Deep most(0);
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const Deep first = cosine_of_angle(ends[i - 1]), last = cosine_of_angle(ends[i]);
+    Deep steepest = greater(slope(first), slope(last));
+    if (sign(of.K) != Sign::zero) steepest = greater(steepest, slope(within(last, -of.C / (Deep(8) * of.K), first)));
+    most = greater(most, square(ends[i] - ends[i - 1]) / Deep(8) * steepest);
+  }
+  return most;
 }
 
 }  // namespace closed
@@ -123,14 +116,28 @@ Deep energy(const HalfTurn& of, const Deep& from, const Deep& to) {
 }
 
 // C cos α is C less what C sin α has taken, by the energy; 2 K cos 2α is 2 K - 4 K sin² α.
+Deep slope_by_energy(const HalfTurn& of, const Deep& angle) {
+  return of.C + energy(of, Deep(0), angle) - of.M * angle + of.K * (Deep(2) - Deep(3) * square(sine_of_angle(angle)));
+}
+
+// As much at most as the chord of a parabola is off that bends by the steepest slope throughout: in the strip's
+// middle. Where the slope turns, 4 K (x - x_0)² of the cosine x vanishes, and of 4 K ((x - x_0)² - x_0²) - 2 K the
+// rest is left.
 Deep chords_off_at_most(const HalfTurn& of, const std::vector<Deep>& ends) {
-  const auto slope = [&](const Deep& x) {
-    return of.C + energy(of, Deep(0), x) - of.M * x + of.K * (Deep(2) - Deep(3) * square(sine_of_angle(x)));
-  };
-  const auto from_vertex = [&](const Deep& x, const Deep& vertex) {
-    return Deep(4) * of.K * (square(x - vertex) - square(vertex)) - Deep(2) * of.K;
-  };
-  return off_at_most(of, ends, slope, from_vertex);
+  Deep most(0);
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const Deep &begin = ends[i - 1], &end = ends[i];
+    Deep bend = greater(size_of(slope_by_energy(of, begin)), size_of(slope_by_energy(of, end)));
+    if (sign(of.K) != Sign::zero) {
+      const Deep x_0 = -of.C / (Deep(8) * of.K);
+      const Deep x = lesser(greater(x_0, cosine_of_angle(end)), cosine_of_angle(begin));
+      bend = greater(bend, size_of(Deep(4) * of.K * (square(x - x_0) - square(x_0)) - Deep(2) * of.K));
+    }
+    const auto parabola = [&](const Deep& angle) { return bend * square(angle) / Deep(2); };
+    const Deep off = (parabola(begin) + parabola(end)) / Deep(2) - parabola((begin + end) / Deep(2));
+    most = greater(most, off);
+  }
+  return most;
 }
 
 Deep sine_times_cosine(int k) {

@@ -29,6 +29,8 @@ struct SpinState {
 // t >= 0, before the load stands still.
 SpinState spun_up(const SpinUp& of, const Deep& t);
 SpinState spun_up_by_series(const SpinUp& of, const Deep& t);
+// The same, going on from a state it was in before t.
+SpinState spun_up_by_series(const SpinUp& of, const SpinState& from, const Deep& t);
 
 // When R ω = v: the root proved by the signs of v - R ω, which falls, on both sides.
 SpinState end_of_slip(const SpinUp& of);

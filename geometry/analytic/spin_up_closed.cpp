@@ -82,14 +82,15 @@ SpinState end_of_slip(const SpinUp& of) {
   // |d(v - R ω)/dt| lies between its values at v_0 and at 0.
   const Rational slip = of.v_0 - of.R * of.omega_0, at_0 = of.A + of.R * of.C,
                  at_v_0 = at_0 + (of.B + of.R * of.D) * of.v_0 * of.v_0;
-  constexpr double around = 0.01;
-  const double low = log2_of(number(slip / std::max(at_0, at_v_0))),
-               high = std::min(log2_of(number(slip / std::min(at_0, at_v_0))), log2_of(stop(of)));
+  constexpr double around = 0.01, beside = 1e-12;
+  const double low = log2_of(number(slip / std::max(at_0, at_v_0))) - around;
+  // Not beyond where the load stands still: there the closed form begins anew.
+  const double high = std::min(log2_of(number(slip / std::min(at_0, at_v_0))) + around, log2_of(stop(of)) - beside);
   const auto behind = [&](const Deep& t) {
     const SpinState now = spun_up(of, t);
     return R * now.omega - now.v;
   };
-  return spun_up(of, increasing_root(behind, low - around, high + around));
+  return spun_up(of, increasing_root(behind, low, high));
 }
 
 }  // namespace epure::geometry::analytic

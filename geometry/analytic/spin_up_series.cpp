@@ -8,6 +8,7 @@
 #include "geometry/analytic/spin_up.h"
 #include "geometry/numbers/ball.h"
 #include "geometry/numbers/enclosure.h"
+#include "geometry/numbers/greater.h"
 #include "geometry/numbers/increasing_root.h"
 #include "geometry/numbers/numbers.h"
 
@@ -17,11 +18,13 @@ namespace {
 using Coefficients = std::vector<Deep>;
 Deep parameter(const Rational& q) { return from_rational<Deep>(q); }
 
-// Coefficient n of the product.
+// Coefficient n of the product. (Numbers of a vector lie side by side, as Arb wants them.)
+static_assert(sizeof(Deep) == sizeof(arb_struct));
 Deep product_at(const Coefficients& a, const Coefficients& b, std::size_t n) {
-  Deep sum(0);
-  for (std::size_t i = 0; i <= n; ++i) sum += a[i] * b[n - i];
-  return sum;
+  Ball sum;
+  arb_dot(sum.value, nullptr, 0, a[0].ball(), 1, b[n].ball(), -1, static_cast<slong>(n) + 1,
+          Arithmetic<Deep>::bits());
+  return Deep::from_ball(sum.value);
 }
 Coefficients product(const Coefficients& a, const Coefficients& b) {
   Coefficients all;
@@ -45,12 +48,6 @@ struct Series {
     return widened(sum * tau, left_out * tau);
   }
 };
-
-Deep size(const Deep& x) {
-  Ball absolute;
-  arb_abs(absolute.value, x.ball());
-  return Deep::from_ball(absolute.value);
-}
 
 class Piece {
  public:
@@ -100,7 +97,7 @@ class Piece {
     }
     Deep share(1);  // of the bound, that the terms leave out
     for (std::size_t n = 1; n < count; ++n) share = share / Deep(4);
-    const Deep most_growth = C + size(D) * square(L), most_omega = size(begin_.omega) + rho * most_growth;
+    const Deep most_growth = C + size_of(D) * square(L), most_omega = size_of(begin_.omega) + rho * most_growth;
     of_wheel_ = {product(growth, omega), share * most_growth * most_omega};
     of_load_ = {product(growth, v), share * most_growth * L};
     cubes_ = {product(squares, v), share * square(L) * L};
@@ -129,8 +126,10 @@ constexpr int most_pieces = 300;
 
 }  // namespace
 
-SpinState spun_up_by_series(const SpinUp& of, const Deep& t) {
-  SpinState now = begin_of(of);
+SpinState spun_up_by_series(const SpinUp& of, const Deep& t) { return spun_up_by_series(of, begin_of(of), t); }
+
+SpinState spun_up_by_series(const SpinUp& of, const SpinState& from, const Deep& t) {
+  SpinState now = from;
   for (int piece = 0; piece < most_pieces; ++piece) {
     const Piece here(of, now);
     const Deep rest = t - now.t;

@@ -11,7 +11,11 @@ inline Deep greater(const Deep& a, const Deep& b) {
   return Deep::from_ball(result.value);
 }
 inline Deep lesser(const Deep& a, const Deep& b) { return -greater(-a, -b); }
-inline Deep size_of(const Deep& x) { return greater(x, -x); }
+inline Deep size_of(const Deep& x) {
+  Ball result;
+  arb_abs(result.value, x.ball());
+  return Deep::from_ball(result.value);
+}
 // x, or the end of the interval that it is beyond.
 inline Deep within(const Deep& low, const Deep& x, const Deep& high) { return lesser(greater(low, x), high); }
 
