@@ -1,7 +1,38 @@
+#include <map>
+
+#include "exercises/friction-efficiency/double_slider_routes.h"
 #include "exercises/friction-efficiency/exercise.h"
-#include "exercises/friction-efficiency/routes.h"
+#include "exercises/friction-efficiency/fairbairn_routes.h"
+#include "exercises/friction-efficiency/levers_routes.h"
+#include "exercises/friction-efficiency/wedge_routes.h"
 
 namespace epure::friction_efficiency {
+namespace {
+
+// One case.
+struct Routes {
+  Problem problem;
+  std::string of_case;
+
+  template <class T>
+  Ledger<T> operator()() const {
+    static const std::map<std::string, void (*)(Ledger<T>&, const Problem&)> writes{
+        {"", write_friction<T>},
+        {"wedge_collar", write_wedge<T>},
+        {"wedge_collar_two_point", write_two_point_wedge<T>},
+        {"double_slider", write_double_slider<T>},
+        {"double_slider_pins", write_double_slider_pins<T>},
+        {"sliding_levers", write_levers<T>},
+        {"sliding_levers_Q_on_2", write_levers_Q_on_2<T>},
+        {"fairbairn", write_fairbairn<T>},
+        {"fairbairn_short_lever", write_fairbairn_short_lever<T>}};
+    Ledger<T> ledger("construction");
+    writes.at(of_case)(ledger, problem);
+    return ledger;
+  }
+};
+
+}  // namespace
 
 std::vector<PartOfExercise> parts() {
   std::vector<PartOfExercise> all;
