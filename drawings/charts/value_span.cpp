@@ -17,7 +17,7 @@ ValueSpan span_of(std::vector<double> values) {
   constexpr double few = 0.05, far = 8;
   const ValueSpan all{values.front(), values.back()}, most{at(few), at(1 - few)};
   const double width = most.high - most.low;
-  if (width > 0 && all.high - all.low > far * width)
+  if (width > narrowest_span(most.low, most.high) && all.high - all.low > far * width)
     return {std::max(all.low, most.low - width / 2), std::min(all.high, most.high + width / 2)};
   if (all.high - all.low > narrowest_span(all.low, all.high)) return all;
   const double around = all.low == 0 ? 1 : std::abs(all.low) / 10;

@@ -57,7 +57,7 @@ Deep sides_off_at_most(const Landing& of, const WhenSlipEnds& end) {
   const Deep standing = braking(Deep(0)), v_0 = number(of.v_0), grown = braking(v_0) - standing;
   const auto bend_at = [&](const Deep& v) {
     const Deep y = braking(v);
-    return Deep(2) * geometry::size_of(y - standing) / (v * geometry::square(y));
+    return Deep(2) * geometry::absolute(y - standing) / (v * geometry::square(y));
   };
   Deep most(0);
   SpinState begin = geometry::analytic::spun_up_by_series(of.law(), Deep(0));

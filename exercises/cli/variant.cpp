@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <random>
+#include <set>
 
 #include "drawings/output.h"
 #include "exercises/kit/panels/fit.h"
@@ -34,11 +35,28 @@ class Lot {
 };
 
 // Why nobody should have to draw it; empty: it is good.
-Words awkwardness(const std::vector<DrawnSheet>& sheets, const std::vector<std::string>& anyway) {
-  for (const DrawnSheet& sheet : sheets)
-    for (const Awkwardness& each : sheet.awkward)
-      if (std::find(anyway.begin(), anyway.end(), each.what) == anyway.end()) return each.sentence;
+Words awkwardness(const DrawnSheet& sheet, const std::vector<std::string>& anyway) {
+  for (const Awkwardness& each : sheet.awkward)
+    if (std::find(anyway.begin(), anyway.end(), each.what) == anyway.end()) return each.sentence;
   return {};
+}
+
+// How many different variants there are, up to `most`.
+std::size_t count_of(const std::vector<Variation>& variations, std::size_t most) {
+  std::uint64_t count = 1;
+  for (const Variation& each : variations) {
+    if (each.size() >= most) return most;
+    count = std::min<std::uint64_t>(most, count * each.size());
+  }
+  return count;
+}
+
+DrawnSheet sheet_of(const Lots& lots, const std::string& sheet, const Solution& solution, const Candidate& student,
+                    bool blank) {
+  SheetRequest request = lots.request_of(sheet);
+  request.solver = {student.name, student.number};
+  request.blank = blank;
+  return lots.exercise.draw(sheet, solution, request);
 }
 
 Givens givens_of(const Lots& lots, const std::vector<std::vector<std::string>>& assignments) {
@@ -68,12 +86,7 @@ std::vector<std::string> awkward_as_stated(const Lots& lots) {
 
 std::vector<DrawnSheet> sheets_of(const Lots& lots, const Solution& solution, const Candidate& student, bool blank) {
   std::vector<DrawnSheet> all;
-  for (const std::string& sheet : lots.sheets) {
-    SheetRequest request = lots.request_of(sheet);
-    request.solver = {student.name, student.number};
-    request.blank = blank;
-    all.push_back(lots.exercise.draw(sheet, solution, request));
-  }
+  for (const std::string& sheet : lots.sheets) all.push_back(sheet_of(lots, sheet, solution, student, blank));
   return all;
 }
 
@@ -84,22 +97,29 @@ Solution solution_of(const Lots& lots, const std::vector<std::string>& assignmen
 Variant draw_variant(const Lots& lots, const Candidate& student, const std::vector<std::string>& awkward_anyway) {
   Lot lot(lots.seed, student.number);
   Rejections rejected;
-  const std::size_t tries = lots.variations.empty() ? 1 : most_tries;
+  const bool is_drawn_by_lot = !lots.variations.empty();
+  const std::size_t different = count_of(lots.variations, most_tries);
+  std::set<std::vector<std::string>> tried;
   Words last;
-  for (std::size_t i = 0; i < tries; ++i) {
+  for (std::size_t i = 0; i < most_tries && tried.size() < different; ++i) {
     std::vector<std::string> assignments;
     for (const Variation& each : lots.variations) assignments.push_back(each.assignment(lot.below(each.size())));
+    if (!tried.insert(assignments).second) continue;
     const auto reject = [&](const Words& kind, const Words& why) {
       ++rejected[{kind.english, kind.italian}];
       last = why;
     };
     try {
       Solution solution = lots.exercise.solution(givens_of(lots, {student.assignments, assignments}));
-      std::vector<DrawnSheet> solved = sheets_of(lots, solution, student, false);
-      const Words why = lots.variations.empty() ? Words{} : awkwardness(solved, awkward_anyway);
+      std::vector<DrawnSheet> solved;
+      Words why;
+      for (auto sheet = lots.sheets.begin(); sheet != lots.sheets.end() && why.empty(); ++sheet) {
+        solved.push_back(sheet_of(lots, *sheet, solution, student, false));
+        if (is_drawn_by_lot) why = awkwardness(solved.back(), awkward_anyway);
+        if (!why.empty()) reject(why, format_words("{}: {}", "{}: {}", *sheet, why));
+      }
       assignments.insert(assignments.begin(), student.assignments.begin(), student.assignments.end());
       if (why.empty()) return {std::move(assignments), std::move(solution), std::move(solved), std::move(rejected)};
-      reject(why, why);
     } catch (const DoesNotFit& why) {
       reject({"does not fit the paper", "non sta sul foglio"}, why.words());
     } catch (const drawings::TooFar& why) {
@@ -112,10 +132,10 @@ Variant draw_variant(const Lots& lots, const Candidate& student, const std::vect
       reject({"could not be decided", "non si è potuto decidere"}, why.words());
     }
   }
-  if (tries == 1) throw BadGivens(format_words("student {}: {}", "studente {}: {}", student.number, last));
+  if (!is_drawn_by_lot) throw BadGivens(format_words("student {}: {}", "studente {}: {}", student.number, last));
   throw BadGivens(format_words("student {}: none of {} variants can be drawn well; of the last one: {}",
                                "studente {}: nessuna di {} varianti si disegna bene; dell'ultima: {}", student.number,
-                               tries, last));
+                               tried.size(), last));
 }
 
 }  // namespace epure

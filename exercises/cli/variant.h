@@ -40,8 +40,8 @@ struct Variant {
 std::vector<std::string> awkward_as_stated(const Lots& lots);
 
 // The same for the same lots, seed and number, whoever else is in the class. Impossible and awkward ones are drawn
-// again, 200 times at most; a variant without lots is taken as it is, awkward or not. Throws BadGivens: there was
-// none.
+// again, 200 times at most and none twice; a variant without lots is taken as it is, awkward or not. Throws
+// BadGivens: there was none.
 Variant draw_variant(const Lots& lots, const Candidate& student, const std::vector<std::string>& awkward_anyway);
 
 // Its sheets with the student's name, to be solved or solved, one after the other.

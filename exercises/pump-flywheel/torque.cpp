@@ -67,7 +67,7 @@ Deep energy(const HalfTurn& of, const Deep& to) {
 // as far as that lies in the strip.
 Deep chords_off_at_most(const HalfTurn& of, const std::vector<Deep>& ends) {
   const auto slope = [&](const Deep& x) {
-    return size_of(of.C * x + Deep(2) * of.K * (Deep(2) * square(x) - Deep(1)));
+    return absolute(of.C * x + Deep(2) * of.K * (Deep(2) * square(x) - Deep(1)));
   };
   Deep most(0);
   for (std::size_t i = 1; i < ends.size(); ++i) {
@@ -127,11 +127,11 @@ Deep chords_off_at_most(const HalfTurn& of, const std::vector<Deep>& ends) {
   Deep most(0);
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const Deep &begin = ends[i - 1], &end = ends[i];
-    Deep bend = greater(size_of(slope_by_energy(of, begin)), size_of(slope_by_energy(of, end)));
+    Deep bend = greater(absolute(slope_by_energy(of, begin)), absolute(slope_by_energy(of, end)));
     if (sign(of.K) != Sign::zero) {
       const Deep x_0 = -of.C / (Deep(8) * of.K);
       const Deep x = lesser(greater(x_0, cosine_of_angle(end)), cosine_of_angle(begin));
-      bend = greater(bend, size_of(Deep(4) * of.K * (square(x - x_0) - square(x_0)) - Deep(2) * of.K));
+      bend = greater(bend, absolute(Deep(4) * of.K * (square(x - x_0) - square(x_0)) - Deep(2) * of.K));
     }
     const auto parabola = [&](const Deep& angle) { return bend * square(angle) / Deep(2); };
     const Deep off = (parabola(begin) + parabola(end)) / Deep(2) - parabola((begin + end) / Deep(2));

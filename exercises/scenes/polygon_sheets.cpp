@@ -38,6 +38,18 @@ class Drawn {
     return names;
   }
 
+  // The rates of these links by which magnitudes are told.
+  std::vector<std::string> known_rates(const std::vector<int>& links) const {
+    std::vector<std::string> names;
+    for (const int link : links) {
+      const Quantity omega = angular_velocity(link), alpha = angular_acceleration(link);
+      if (is_told_by(omega.symbol) || is_told_by("$ω^{2}_{" + std::to_string(link) + "}$"))
+        names.push_back(omega.name);
+      if (is_told_by(alpha.symbol)) names.push_back(alpha.name);
+    }
+    return names;
+  }
+
   // The points whose vectors are read off the polygon.
   std::vector<std::string> vectors() const {
     std::vector<std::string> names;
@@ -48,6 +60,13 @@ class Drawn {
   VectorQuantity of(const std::string& X) const { return is_of_velocities_ ? velocity(X) : acceleration(X); }
 
  private:
+  bool is_told_by(const std::string& symbol) const {
+    for (const auto* chain : is_of_velocities_ ? std::array{&equation_.v_right, &equation_.v_left}
+                                               : std::array{&equation_.a_right, &equation_.a_left})
+      for (const Term& term : *chain)
+        if (term.magnitude.find(symbol) != std::string::npos) return true;
+    return false;
+  }
   std::vector<PolygonSide> sides(const std::vector<Term>& terms) const {
     std::vector<PolygonSide> all;
     for (const Term& term : terms) {
@@ -102,6 +121,7 @@ PanelSheet polygon_sheet(const Scene& scene, const Solution& s, std::size_t whic
   const Drawn drawn(s, equation, is_of_velocities);
   PanelSheet sheet{.panels = panels(MechanismPanel(with_rates(figure_of(built, s), s, equation, is_of_velocities)),
                                     PolygonPanel(s, drawn.polygon()))};
+  add_values(sheet, drawn.known_rates(built.letters.links));
   for (const std::string& X : drawn.vectors()) {
     sheet.results.push_back(components(drawn.of(X)));
     sheet.told.push_back(drawn.of(X).name);
@@ -134,7 +154,7 @@ std::vector<SheetMaker> polygon_sheets(const std::shared_ptr<const Scene>& scene
       const bool is_alone = equations.size() == 1;
       const std::string name =
           (is_of_velocities ? "velocity-polygon" : "acceleration-polygon") + (is_alone ? std::string() : "-" + joint);
-      const Words whose = is_alone ? Words{} : format_words(" of {}", " di {}", joint);
+      const Words whose = is_alone ? Words{} : format_words(" of {}", " di {}", "$" + point_letters(joint) + "$");
       const Words title = (is_of_velocities ? Words{"Velocity polygon", "Poligono delle velocità"}
                                             : Words{"Acceleration polygon", "Poligono delle accelerazioni"}) +
                           whose;

@@ -348,6 +348,9 @@ class Building {
       Rational& size = is_first ? both.first : both.second;
       size = amount(item, *kind).value;
       if (size <= 0) refuse(item, {"a wheel has more than no teeth", "una ruota ha più di zero denti"});
+      if (*kind == Kind::pure_number && size.denominator() != 1)
+        refuse(item, {"a wheel has a whole number of teeth; radii have a unit, such as 20.5 mm",
+                      "una ruota ha un numero intero di denti; i raggi hanno un'unità, come 20.5 mm"});
     }
     return both;
   }

@@ -20,14 +20,14 @@ const std::string& letter(const Built& built, int point) {
   return built.letters.points[static_cast<std::size_t>(point)];
 }
 
-// The guide of the frame on which a point slides, itself or with its link.
+// The guide of the frame on which a point slides, itself or as the first of its link's.
 std::optional<int> guide_in_frame(const Linkage& of, int point) {
   for (const PinOnLine& pin : of.pins)
     if (pin.point == point && of.link_of_line(pin.line) == 0) return pin.line;
   for (const LineOnLine& block : of.blocks) {
-    const std::vector<int> links = of.links_at(point);
-    const int moving = of.link_of_line(block.moving), guide = of.link_of_line(block.guide);
-    if (guide == 0 && std::find(links.begin(), links.end(), moving) != links.end()) return block.guide;
+    const Link& moving = of.links[static_cast<std::size_t>(of.link_of_line(block.moving))];
+    if (of.link_of_line(block.guide) == 0 && !moving.points.empty() && moving.points.front().point == point)
+      return block.guide;
   }
   return {};
 }
@@ -50,38 +50,51 @@ double direction(const Linkage& of, int line) {
 
 Arrow2 in_doubles(const geometry::Own& own) { return {CGAL::to_double(own.x), CGAL::to_double(own.y)}; }
 
+// A block between moving links of which no more than its hinge is drawn.
+bool is_hinged_block(const Linkage& of, const LineOnLine& block) {
+  const auto& points = of.links[static_cast<std::size_t>(of.link_of_line(block.moving))].points;
+  return points.size() == 1 && of.links_at(points.front().point).size() > 1;
+}
+
+// A pin, and the line of a link on which it runs; by a block that is no more than this hinge, as a link.
+struct PinInSlot {
+  int pin, line;
+  int block = 0;
+};
+
 // The pins that run in slots of the link, and the joints of blocks that do. Of a block between two moving links the
 // guide is slotted, and the block where it is no bar itself.
-std::vector<int> pins_in(const Linkage& of, int link) {
-  std::vector<int> pins;
+std::vector<PinInSlot> pins_in(const Linkage& of, int link) {
+  std::vector<PinInSlot> pins;
   for (const PinOnLine& pin : of.pins)
-    if (of.link_of_line(pin.line) == link) pins.push_back(pin.point);
+    if (of.link_of_line(pin.line) == link) pins.push_back({pin.point, pin.line});
   for (const LineOnLine& block : of.blocks)
-    for (const auto& [own, other] : {std::pair(block.moving, block.guide), {block.guide, block.moving}})
-      if (of.link_of_line(own) == link && of.link_of_line(other) != 0 &&
-          (own == block.guide || of.links[static_cast<std::size_t>(link)].points.size() < 2))
-        for (const LinkPoint& p : of.links[static_cast<std::size_t>(of.link_of_line(other))].points)
-          pins.push_back(p.point);
+    for (const auto& [own, other] : {std::pair(block.moving, block.guide), {block.guide, block.moving}}) {
+      if (of.link_of_line(own) != link || of.link_of_line(other) == 0) continue;
+      const bool is_slotted = own == block.guide || (of.links[static_cast<std::size_t>(link)].points.size() < 2 &&
+                                                     !is_hinged_block(of, block));
+      if (!is_slotted) continue;
+      for (const LinkPoint& p : of.links[static_cast<std::size_t>(of.link_of_line(other))].points)
+        pins.push_back({p.point, own, is_hinged_block(of, block) ? of.link_of_line(block.moving) : 0});
+    }
   return pins;
 }
 
-// Whether a slot can be drawn in a bar: all points of the link are on its lines.
-bool lies_on_its_lines(const Link& link) {
-  return std::all_of(link.lines.begin(), link.lines.end(), [&](const geometry::LinkLine& line) {
-    const auto* along = std::get_if<geometry::Own>(&line.along);
-    return along && std::all_of(link.points.begin(), link.points.end(), [&](const LinkPoint& p) {
-             return along->x * (p.at.y - line.through.y) == along->y * (p.at.x - line.through.x);
-           });
-  });
+// Whether a slot can be drawn in a bar: all points of the link are on its line.
+bool lie_on(const std::vector<LinkPoint>& points, const geometry::LinkLine& line) {
+  const auto* along = std::get_if<geometry::Own>(&line.along);
+  return along && std::all_of(points.begin(), points.end(), [&](const LinkPoint& p) {
+           return along->x * (p.at.y - line.through.y) == along->y * (p.at.x - line.through.x);
+         });
 }
 
 // The first pin that stands apart from the last of the link's own points, if it has any: a slot has a direction.
-std::optional<int> pin_apart(const std::vector<int>& pins, const std::vector<std::string>& own,
-                             const Mechanism& figure, const Built& built) {
+std::optional<PinInSlot> pin_apart(const std::vector<PinInSlot>& pins, const std::vector<std::string>& own,
+                                   const Mechanism& figure, const Built& built) {
   constexpr double apart = 1e-6;  // of the whole
-  for (const int pin : pins)
-    if (!own.empty() && distance(figure.at(own.back()), figure.at(letter(built, pin))) > apart * figure.reach())
-      return pin;
+  for (const PinInSlot& each : pins)
+    if (!own.empty() && distance(figure.at(own.back()), figure.at(letter(built, each.pin))) > apart * figure.reach())
+      return each;
   return {};
 }
 
@@ -102,28 +115,25 @@ Place foot_on(const LineNow& line, const Place& P) {
   return line.through + dot(P - line.through, line.along) * line.along;
 }
 
-bool is_on_a_line(const Mechanism& figure, const Built& built, const Solution& s, int link, int pin) {
+bool is_on_its_line(const Mechanism& figure, const Built& built, const Solution& s, const PinInSlot& run) {
   constexpr double thin = 1e-6;  // of the whole
-  const auto& lines = built.linkage.links[static_cast<std::size_t>(link)].lines;
-  const Place P = figure.at(letter(built, pin));
-  return std::any_of(lines.begin(), lines.end(), [&](const geometry::LinkLine& own) {
-    const auto line = line_now(built, s, own.line);
-    return line && distance(P, foot_on(*line, P)) <= thin * figure.reach();
-  });
+  const Place P = figure.at(letter(built, run.pin));
+  const auto line = line_now(built, s, run.line);
+  return line && distance(P, foot_on(*line, P)) <= thin * figure.reach();
 }
 
 // A link whose slot misses its hinge: an arm from there to the slot, and the slot where it is, around its pin.
 bool add_slot_aside(Mechanism& figure, const Built& built, const Solution& s, int link) {
   const Linkage& of = built.linkage;
-  const std::vector<int> pins = pins_in(of, link);
+  const std::vector<PinInSlot> pins = pins_in(of, link);
   const Link& plate = of.links[static_cast<std::size_t>(link)];
-  if (pins.empty() || plate.points.empty() || plate.lines.empty()) return false;
-  const auto line = line_now(built, s, plate.lines.front().line);
+  if (pins.empty() || plate.points.empty()) return false;
+  const auto line = line_now(built, s, pins.front().line);
   if (!line) return false;
   const std::string name = "slot of " + std::to_string(link);
   std::vector<std::string> points;
   for (const LinkPoint& p : plate.points) points.push_back(letter(built, p.point));
-  const Place pin = foot_on(*line, figure.at(letter(built, pins.front()))),
+  const Place pin = foot_on(*line, figure.at(letter(built, pins.front().pin))),
               arm = foot_on(*line, figure.at(points.front()));
   constexpr double apart = 1e-6, stub = 0.12;  // of the whole
   const double far = apart * figure.reach();
@@ -236,10 +246,13 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
     std::vector<std::string> points;
     for (const LinkPoint& p : of.links[i].points) points.push_back(letter(built, p.point));
     const auto pin = pin_apart(pins_in(of, static_cast<int>(i)), points, figure, built);
-    const bool is_straight = lies_on_its_lines(of.links[i]);
-    if (pin && is_straight && is_on_a_line(figure, built, solution, static_cast<int>(i), *pin)) {
-      points.push_back(letter(built, *pin));
-      figure.slotted(points, built.letters.links[i]);
+    const bool is_straight =
+        std::all_of(of.links[i].lines.begin(), of.links[i].lines.end(),
+                    [&](const geometry::LinkLine& line) { return lie_on(of.links[i].points, line); });
+    if (pin && lie_on(of.links[i].points, of.line(pin->line)) && is_on_its_line(figure, built, solution, *pin)) {
+      points.push_back(letter(built, pin->pin));
+      figure.slotted(points, built.letters.links[i],
+                     pin->block == 0 ? 0 : built.letters.links[static_cast<std::size_t>(pin->block)]);
     } else if ((points.size() > 1 || !is_straight) && add_slot_aside(figure, built, solution, static_cast<int>(i))) {
       continue;
     } else if (points.size() > 1) {

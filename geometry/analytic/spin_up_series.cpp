@@ -97,7 +97,7 @@ class Piece {
     }
     Deep share(1);  // of the bound, that the terms leave out
     for (std::size_t n = 1; n < count; ++n) share = share / Deep(4);
-    const Deep most_growth = C + size_of(D) * square(L), most_omega = size_of(begin_.omega) + rho * most_growth;
+    const Deep most_growth = C + absolute(D) * square(L), most_omega = absolute(begin_.omega) + rho * most_growth;
     of_wheel_ = {product(growth, omega), share * most_growth * most_omega};
     of_load_ = {product(growth, v), share * most_growth * L};
     cubes_ = {product(squares, v), share * square(L) * L};

@@ -280,8 +280,13 @@ class Placing {
     for (const LineOnLine& block : linkage_.blocks)
       for (const auto& [on_i, on_j] : {std::pair(block.moving, block.guide), {block.guide, block.moving}}) {
         if (!is_line_of(i, on_i) || !is_line_of(j, on_j)) continue;
-        if (of_j.kind == Hold::Kind::hinge)
-          return take(SlotOnPin{i, of_i.point, on_i, of_j.point, j, on_j, is_towards(on_i, of_i.point, of_j.point)});
+        if (of_j.kind == Hold::Kind::hinge) {
+          // A block that is no more than its hinge is the pin, whichever link comes first.
+          const bool is_block =
+              on_i == block.moving && linkage_.links[static_cast<std::size_t>(i)].points.size() == 1;
+          return is_block ? take(slot_on_pin(j, of_j.point, on_j, i, of_i.point, on_i))
+                          : take(slot_on_pin(i, of_i.point, on_i, j, of_j.point, on_j));
+        }
         return take(CrossedBlock{i, of_i.point, on_i, {of_j.line, j, of_j.moving}, on_j});
       }
     return false;
@@ -321,6 +326,13 @@ class Placing {
     });
     if (!said) open_.push_back({.kind = OpenSide::Kind::on_guide, .joint = joint, .line = track.line});
     return {rod, track, joint, said && said->is_ahead ? Along::ahead : Along::behind};
+  }
+  // Of two lines in each other, which have one direction, either may be told.
+  SlotOnPin slot_on_pin(int link, int hinge, int line, int block, int pin, int moving) {
+    const auto* said = chosen<SlotPoints>([&](const SlotPoints& slot) {
+      return slot.line == moving && is_untold_or(pin, slot.hinge) && is_untold_or(hinge, slot.pin);
+    });
+    return {link, hinge, line, pin, block, moving, said ? !said->is_towards_pin : is_towards(line, hinge, pin)};
   }
   bool is_towards(int line, int hinge, int pin) {
     const auto* said = chosen<SlotPoints>([&](const SlotPoints& slot) {

@@ -11,7 +11,7 @@ inline Deep greater(const Deep& a, const Deep& b) {
   return Deep::from_ball(result.value);
 }
 inline Deep lesser(const Deep& a, const Deep& b) { return -greater(-a, -b); }
-inline Deep size_of(const Deep& x) {
+inline Deep absolute(const Deep& x) {
   Ball result;
   arb_abs(result.value, x.ball());
   return Deep::from_ball(result.value);

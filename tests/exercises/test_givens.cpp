@@ -88,6 +88,7 @@ TEST_CASE("an endless text is not repeated in full") {
 TEST_CASE("suggestions are near names, or a list of what there is") {
   CHECK(did_you_mean("omega3", {"omega_3", "omega_2", "v_B"}).english == "did you mean omega_3 or omega_2?");
   CHECK(did_you_mean("chek", {"list", "draw", "check"}).english == "did you mean check?");
+  CHECK(did_you_mean("v_Q_x", {"v_T_x", "v_R_x", "v_T_x"}).english == "did you mean v_T_x or v_R_x?");
   CHECK(did_you_mean("q", {"a", "b"}).english == "known are: a, b");
   CHECK(did_you_mean("test", {"list", "bench"}).english == "known are: list, bench");  // half of its letters
   CHECK(did_you_mean("dwar", {"draw", "check"}).english == "known are: draw, check");

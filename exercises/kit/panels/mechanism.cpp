@@ -116,8 +116,8 @@ Mechanism& Mechanism::body(const std::vector<std::string>& points, int number) {
   bodies_.push_back({points, number, false});
   return *this;
 }
-Mechanism& Mechanism::slotted(const std::vector<std::string>& points, int number) {
-  bodies_.push_back({points, number, true});
+Mechanism& Mechanism::slotted(const std::vector<std::string>& points, int number, int block) {
+  bodies_.push_back({points, number, true, false, block});
   return *this;
 }
 Mechanism& Mechanism::cylinder(const std::string& from, const std::string& to) {
@@ -372,9 +372,10 @@ void Mechanism::draw_bodies(Plot& plot) const {
         drawings::arc(plot.at(centre), radius * plot.scale().mm_per_unit, from, to), Meaning::link, {}});
   for (const Body& body : bodies_) {
     if (!body.is_slotted) continue;
-    constexpr double width = 3.5;  // mm: takes the hinge that is its pin
+    constexpr double width = 3.5, width_for_block = 6;  // mm: takes the hinge that is its pin
     const auto [near, far] = slot(body, plot.scale());
-    plot.mark(drawings::Slot{plot.at(near), plot.at(far), width});
+    plot.mark(drawings::Slot{plot.at(near), plot.at(far), body.block == 0 ? width : width_for_block});
+    if (body.block != 0) plot.mark(drawings::Slider{plot.at(at(body.points.back())), direction(near, far)});
   }
   for (const auto& [P, one, other] : right_angles_) plot.right_angle(at(P), at(one), at(other));
 }
@@ -500,6 +501,7 @@ void Mechanism::draw_numbers(Plot& plot) const {
   constexpr double below_support = 8;  // mm
   bool is_numbered = false;
   for (const Body& body : bodies_) {
+    if (body.block != 0) plot.label(std::to_string(body.block), at(body.points.back()), at(*(body.points.end() - 2)));
     if (body.number == 0) continue;
     is_numbered = true;
     if (body.is_slotted) {

@@ -57,7 +57,8 @@ std::vector<std::string> near_names(const std::string& wrong, const std::vector<
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> names;
   for (const auto& [apart, name] : found)
-    if (names.size() < most_suggested) names.push_back(name);
+    if (names.size() < most_suggested && std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
   return names;
 }
 

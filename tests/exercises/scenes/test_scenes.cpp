@@ -591,6 +591,8 @@ TEST_CASE("gears are told by wheels, carrier and teeth; what cannot mesh is refu
   CHECK(why("wheels: 1 3, on: 2, teeth: [z, z]").starts_with("8:27: links 3 and 2 have no hinge"));
   CHECK(why("wheels: 2 3, on: 1, teeth: [z, z], inside: yes").starts_with("8:37: of two wheels as large"));
   CHECK(why("wheels: 2 3, on: 1, teeth: [z, 0]") == "8:41: a wheel has more than no teeth");
+  CHECK(why("wheels: 2 3, on: 1, teeth: [z, 20.5]") ==
+        "8:41: a wheel has a whole number of teeth; radii have a unit, such as 20.5 mm");
   CHECK(why("wheels: 2 3, on: 1, teeth: [z, r]").starts_with("8:41: \"r\" is a length where a pure number"));
   CHECK(why("wheels: 2 3, on: 1, teeth: z") ==
         "8:37: two numbers of teeth are asked, such as [20, 40], or two radii");

@@ -1,0 +1,82 @@
+// Links that slide in each other, as they are drawn and told; charts of what does not change.
+#include "exercises/kit/proof/place.h"
+#include "exercises/scenes/scene.h"
+#include "exercises/scenes/scene_exercise.h"
+#include "tests/exercises/drawn_marks.h"
+#include "tests/exercises/held_against_corpus.h"
+
+using namespace epure;
+using namespace epure::tests;
+
+namespace {
+
+std::unique_ptr<Exercise> exercise_said(const std::string& text) {
+  return scenes::scene_exercise(std::make_shared<const scenes::Scene>("f", text));
+}
+DrawnSheet drawn_of(const Exercise& of, const std::string& sheet) {
+  return of.draw(sheet, Givens(of.about().givens), {});
+}
+
+// A crank whose pin drives a yoke: the slot across the guide, told after it.
+const std::string yoke =
+    "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], g: {along: [1, 0]}}\n  2: {O A: 100 mm}\n  3: {C: [250 mm, 0], b: "
+    "{along: [1, 0]}, s: {along: [0, 1]}}\nslides: {b: g, A: s}\ndrive: {link: 2, angle: 35 deg, speed: 90 rpm}\n";
+
+// A crank whose block slides in a lever; `side` says which way.
+std::string shaper(const std::string& side) {
+  return "epure: 1\nid: f\nlinks:\n  1: {O3: [0, 0], O5: [0, -350 mm]}\n  2: {O3 A: 100 mm}\n  3: {A: [0, 0], b: "
+         "{along: [1, 0]}}\n  4: {O5: [0, 0], B: [600 mm, 0], s: {along: [1, 0]}}\nslides: {b: s}\ndrive: {link: 2, "
+         "angle: 80 deg, speed: 50 rpm}\nassembly: {" +
+         side + "}\n";
+}
+
+}  // namespace
+
+TEST_CASE("a yoke's slot stands across its guide, and the crank's pin in it", "[scenes]") {
+  const DrawnSheet sheet = drawn_of(*exercise_said(yoke), "velocities");
+  const std::vector<drawings::Slot> slots = all_of<drawings::Slot>(sheet);
+  REQUIRE(slots.size() == 1);
+  const auto& [from, to, width] = slots.front();
+  CHECK(from.x == Approx(to.x));
+  CHECK(std::abs(from.y - to.y) > 10);
+  const auto hinges = all_of<drawings::Hinge>(sheet);
+  CHECK(std::any_of(hinges.begin(), hinges.end(), [&](const drawings::Hinge& pin) {
+    return std::abs(pin.at.x - from.x) < 1e-6 && pin.at.y > std::min(from.y, to.y) &&
+           pin.at.y < std::max(from.y, to.y);
+  }));
+}
+
+TEST_CASE("a block in a lever is drawn in its slot, and the polygon is that of its pin", "[scenes]") {
+  const auto exercise = exercise_said(shaper("b: from A away from O5"));
+  CHECK(sheets_of(*exercise) == std::vector<std::string>{"velocities", "accelerations", "velocity-polygon",
+                                                         "acceleration-polygon", "instant-centres"});
+  const DrawnSheet sheet = drawn_of(*exercise, "velocities");
+  REQUIRE(all_of<drawings::Slot>(sheet).size() == 1);
+  REQUIRE(all_of<drawings::Slider>(sheet).size() == 1);
+  const drawings::Point at = all_of<drawings::Slider>(sheet).front().at;
+  const auto [from, to, width] = all_of<drawings::Slot>(sheet).front();
+  CHECK((at.x - from.x) * (to.y - from.y) == Approx((at.y - from.y) * (to.x - from.x)).margin(1e-6));
+  CHECK(tells(drawn_of(*exercise, "velocity-polygon"), "a*"));
+  // ω4 = r ω2 (r + d sin θ)/(r² + d² + 2 r d sin θ), of the lever that points from O5 to A; by the other line too.
+  constexpr double r = 0.1, d = 0.35, pi = 3.14159265358979323846;
+  const double sine = std::sin(80 * pi / 180), omega_2 = 50 * 2 * pi / 60;
+  const double omega_4 = r * omega_2 * (r + d * sine) / (r * r + d * d + 2 * r * d * sine);
+  for (const std::string side : {"b: from A away from O5", "s: from O5 towards A"}) {
+    CAPTURE(side);
+    const CheckedExercise result = check(*exercise_said(shaper(side)), Givens(exercise->about().givens), Rung::climb);
+    CHECK(result.passed());
+    CHECK(value(result, "omega_4") == Approx(omega_4));
+    CHECK(value(result, "omega_3") == Approx(omega_4));
+  }
+}
+
+TEST_CASE("what does not change has a chart around its value", "[scenes]") {
+  // A lever whose hinge is as far from the crank's as the pin is turns half as fast, but for rounding.
+  const auto exercise = exercise_said(
+      "epure: 1\nid: f\nlinks:\n  1: {O2: [0, 0], O4: [-100 mm, 0]}\n  2: {O2 A: 100 mm}\n  4: {O4: [0, 0], s: "
+      "{along: "
+      "[1, 0]}}\nslides: {A: s}\ndrive: {link: 2, angle: 40 deg, speed: 50 rpm}\nassembly: {s: from O4 towards "
+      "A}\ncharts: [omega_4]\n");
+  const DrawnSheet sheet = drawn_of(*exercise, "chart-omega_4");
+  CHECK_FALSE(line(sheet, "omega_4").path.pieces.empty());
+}
