@@ -224,10 +224,12 @@ void allow_open_files(std::size_t count) {
   ::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-// So that the new name survives a power cut. Best effort: the file itself is already safe.
-void sync_folder(const fs::path& folder) {
+// So that the new name survives a power cut; and a run that was killed leaves nothing beside it. Best effort: the
+// file itself is already safe.
+void tidy_folder(const fs::path& folder) {
   const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.number() >= 0) sync(opened.number());
+  remove_left_drafts(folder);
 }
 
 // A draft for its place.
@@ -295,7 +297,7 @@ class Growth : public GrowingFile::Way {
     if (!undisturbed_) undisturbed_.emplace();
     pending_->draft->name();
     pending_->draft->keep_as(pending_->target);
-    sync_folder(folder_of(pending_->target));
+    tidy_folder(folder_of(pending_->target));
     undisturbed_.reset();
   }
 
@@ -356,7 +358,7 @@ void write_whole(const std::vector<File>& files) {
     each.draft->keep_as(each.target);
     folders.insert(folder_of(each.target));
   }
-  for (const fs::path& folder : folders) sync_folder(folder);
+  for (const fs::path& folder : folders) tidy_folder(folder);
   undisturbed.reset();
   for (const File* file : special) write_special(*file);
 }
@@ -372,9 +374,9 @@ void demand_writable(const fs::path& folder) {
 void remove_left_drafts(const fs::path& folder) {
   std::error_code ignored;
   std::vector<fs::path> left;
-  for (const fs::directory_entry& each : fs::directory_iterator(folder, ignored)) {
-    const pid_t process = process_of_draft(each.path().filename().string());
-    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) left.push_back(each.path());
+  for (fs::directory_iterator each(folder, ignored), end; !ignored && each != end; each.increment(ignored)) {
+    const pid_t process = process_of_draft(each->path().filename().string());
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) left.push_back(each->path());
   }
   for (const fs::path& each : left) fs::remove(each, ignored);
 }

@@ -165,14 +165,15 @@ LoadLinePanel williot(const Solution& s) {
        .forces = {{"column_shortening", "$Δ\\it{H}$", 0, c, 0, false, Meaning::velocity, "$c'$"},
                   {"", "$v_{D,r}$", 0, d, 1, false, Meaning::velocity, "$d'$"}},
        .start = "$b'$",
-       .steps = {{{"Williot's plan: $B$ stays at $b'$; $C$ goes down by the column's shortening $Δ\\it{H}$ = "
-                   "$\\it{Y}_{A}\\it{H}_{0}$/($\\it{EA}_{2}$).",
-                   "Piano di Williot: $B$ resta in $b'$; $C$ scende dell'accorciamento della colonna $Δ\\it{H}$ = "
-                   "$\\it{Y}_{A}\\it{H}_{0}$/($\\it{EA}_{2}$)."},
-                  {0, c}},
-                 {{"$b'c'd'$ is similar to $BCD$: the rigid beam carries $D$ three times as far down, by $v_{D,r}$.",
-                   "$b'c'd'$ è simile a $BCD$: la trave rigida porta $D$ tre volte più giù, di $v_{D,r}$."},
-                  {1, d}}}});
+       .steps = {
+           {{"Williot's plan: $B$ stays at $b'$; $C$ goes down by the column's shortening $Δ\\it{H}$ = "
+             "$\\it{Y}_{A}\\it{H}_{0}$/($\\it{EA}_{2}$).",
+             "Diagramma di Williot: $B$ resta in $b'$; $C$ scende dell'accorciamento della colonna $Δ\\it{H}$ = "
+             "$\\it{Y}_{A}\\it{H}_{0}$/($\\it{EA}_{2}$)."},
+            {0, c}},
+           {{"$b'c'd'$ is similar to $BCD$: the rigid beam carries $D$ three times as far down, by $v_{D,r}$.",
+             "$b'c'd'$ è simile a $BCD$: la trave rigida porta $D$ tre volte più giù, di $v_{D,r}$."},
+            {1, d}}}});
 }
 
 }  // namespace
@@ -209,7 +210,7 @@ PanelSheet elastic_sheet(const Solution& s, Language language) {
                   remark("$n$ = " + short_number(s["enlargement"], language))},
       .seen = {"The elastic line of the beam by Mohr's second funicular polygon, and Williot's plan of the column's "
                "shortening",
-               "La linea elastica della trave con il secondo poligono funicolare di Mohr, e il piano di Williot "
+               "La linea elastica della trave con il secondo poligono funicolare di Mohr, e il diagramma di Williot "
                "dell'accorciamento della colonna"},
       .told = {"theta_B", "theta_C", "theta_D", "v_max_BC", "v_D_bending", "column_shortening", "v_D"},
       .without_part = {"sigma_S", "Delta_sigma_L", "Psi"}};

@@ -49,7 +49,8 @@ bool is_as_printed(const Problem& of) {
 const Words about_source{
     "What the source prints for $φ$ = 135° belongs to 90°: $P_{0}M$ = 0.71 m, $v_{M}$ = 21.2 m/s, $ρ$ = 1.44 m, "
     "$a^{n}_{M}$ = 312.1 m/s², $a^{t}_{M}$ = 315 m/s². It leaves the cusp out.",
-    "Quanto la fonte stampa per $φ$ = 135° è di 90°: $P_{0}M$ = 0,71 m, $v_{M}$ = 21,2 m/s, $ρ$ = 1,44 m, "
+    "I valori che la fonte stampa per $φ$ = 135° sono quelli di 90°: $P_{0}M$ = 0,71 m, $v_{M}$ = 21,2 m/s, $ρ$ = "
+    "1,44 m, "
     "$a^{n}_{M}$ = 312,1 m/s², $a^{t}_{M}$ = 315 m/s². Tralascia la cuspide."};
 
 // The cycloid's instants are drawn where the arch begins with the origin, if it is the first.

@@ -142,8 +142,8 @@ Description description() {
            "accelerations, velocities and accelerations of the midpoints, the centre of curvature of the path of the "
            "coupler's midpoint, $ω_{4}$ over a turn of the crank, and the path of the coupler point P.",
            "Risolvere le equazioni di chiusura del quadrilatero articolato in entrambe le configurazioni. Trovare "
-           "velocità e accelerazioni angolari, velocità e accelerazioni dei punti medi, il centro di curvatura della "
-           "traiettoria del punto medio della biella, $ω_{4}$ in un giro della manovella e la traiettoria del punto "
+           "velocità e accelerazioni angolari, velocità e accelerazioni delle mezzerie, il centro di curvatura della "
+           "traiettoria della mezzeria della biella, $ω_{4}$ in un giro della manovella e la traiettoria del punto "
            "di biella P."},
       .givens = givens(),
       .printed = printed_by_the_source};
@@ -165,20 +165,20 @@ std::unique_ptr<Exercise> make_four_bar_analytic() {
          {"Polar diagram of velocity", "Diagramma polare delle velocità"},
          {"Find the angular velocities of the four-bar linkage and the velocities of the midpoints by the polar "
           "diagram.",
-          "Trovare le velocità angolari del quadrilatero articolato e le velocità dei punti medi con il diagramma "
+          "Trovare le velocità angolari del quadrilatero articolato e le velocità delle mezzerie con il diagramma "
           "polare."}},
         velocities_sheet},
        {{"accelerations",
          {"Polar diagram of acceleration", "Diagramma polare delle accelerazioni"},
          {"Find the angular accelerations of the four-bar linkage and the accelerations of the midpoints by the "
           "polar diagram.",
-          "Trovare le accelerazioni angolari del quadrilatero articolato e le accelerazioni dei punti medi con il "
+          "Trovare le accelerazioni angolari del quadrilatero articolato e le accelerazioni delle mezzerie con il "
           "diagramma polare."}},
         accelerations_sheet},
        {{"curvature",
          {"Curvature of the path of G₃", "Curvatura della traiettoria di G₃"},
          {"Find the centre of curvature of the path of the coupler's midpoint.",
-          "Trovare il centro di curvatura della traiettoria del punto medio della biella."}},
+          "Trovare il centro di curvatura della traiettoria della mezzeria della biella."}},
         curvature_sheet},
        {{"omega-4",
          {"ω₄ over a turn of the crank", "ω₄ in un giro della manovella"},

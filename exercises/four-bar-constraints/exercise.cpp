@@ -165,7 +165,7 @@ Description description() {
           {"Write the constraint equations of the four-bar linkage and solve them by Newton-Raphson from the given "
            "start. Find velocities and accelerations of the midpoints, and compare with the closure equations.",
            "Scrivere le equazioni di vincolo del quadrilatero articolato e risolverle con Newton-Raphson dai valori "
-           "iniziali dati. Trovare velocità e accelerazioni dei punti medi, e confrontare con le equazioni di "
+           "iniziali dati. Trovare velocità e accelerazioni delle mezzerie, e confrontare con le equazioni di "
            "chiusura."},
       .givens = givens(),
       .printed = printed_by_the_source};
@@ -195,18 +195,18 @@ std::unique_ptr<Exercise> make_four_bar_constraints() {
        {{"velocities",
          {"Velocities of the midpoints", "Velocità delle mezzerie"},
          {"Find the velocities of the midpoints of the four-bar linkage from the constraint equations.",
-          "Trovare le velocità dei punti medi del quadrilatero articolato dalle equazioni di vincolo."}},
+          "Trovare le velocità delle mezzerie del quadrilatero articolato dalle equazioni di vincolo."}},
         velocities_sheet},
        {{"accelerations",
          {"Accelerations of the midpoints", "Accelerazioni delle mezzerie"},
          {"Find the accelerations of the midpoints of the four-bar linkage from the constraint equations.",
-          "Trovare le accelerazioni dei punti medi del quadrilatero articolato dalle equazioni di vincolo."}},
+          "Trovare le accelerazioni delle mezzerie del quadrilatero articolato dalle equazioni di vincolo."}},
         accelerations_sheet},
        {{"comparison",
          {"Three methods compared", "Confronto dei tre metodi"},
          {"Find velocities and accelerations of the midpoints of the four-bar linkage by constraint equations, "
           "closure equations and polar diagrams, and compare.",
-          "Trovare velocità e accelerazioni dei punti medi del quadrilatero articolato con le equazioni di vincolo, "
+          "Trovare velocità e accelerazioni delle mezzerie del quadrilatero articolato con le equazioni di vincolo, "
           "le equazioni di chiusura e i diagrammi polari, e confrontare."}},
         comparison_sheet}});
 }

@@ -88,22 +88,50 @@ class DeadCentresPanel : public MechanismPanel {
 
 }  // namespace
 
-PanelSheet no_dead_centre(const Solution& s, Language language) {
-  const Words none{
-      "This rocker has not this dead centre: crank and coupler cannot come in line so, or do so at a "
-      "change point. Drawn: the linkage at its instant.",
-      "Questo bilanciere non ha questo punto morto: manovella e biella non possono allinearsi così, o lo "
-      "fanno in un punto di cambiamento. Disegnato: il meccanismo al suo istante."};
+namespace {
+
+PanelSheet linkage_alone(const Solution& s, Language language, const Words& why) {
+  const Words drawn{" Drawn: the linkage at its instant.", " È disegnato il meccanismo all'istante dato."};
   return {.panels = panels(MechanismPanel(linkage(s))),
-          .results = {remark(none.in(language))},
+          .results = {remark((why + drawn).in(language))},
           .seen = {"No dead centre", "Nessun punto morto"},
           .without_part = without()};
+}
+
+Words without_both(bool has_extended, bool has_folded) {
+  if (has_extended)
+    return {
+        "This rocker has one dead centre only, with crank and coupler extended: folded they cannot come in line, or "
+        "do so at a change point.",
+        "Questo bilanciere ha un solo punto morto, con manovella e biella distese: sovrapposte non possono "
+        "allinearsi, o lo fanno in una configurazione di incertezza."};
+  if (has_folded)
+    return {
+        "This rocker has one dead centre only, with crank and coupler folded: extended they cannot come in line, or "
+        "do so at a change point.",
+        "Questo bilanciere ha un solo punto morto, con manovella e biella sovrapposte: distese non possono "
+        "allinearsi, o lo fanno in una configurazione di incertezza."};
+  return {"This rocker has no dead centre: crank and coupler cannot come in line, or do so at a change point.",
+          "Questo bilanciere non ha punti morti: manovella e biella non possono allinearsi, o lo fanno in una "
+          "configurazione di incertezza."};
+}
+
+}  // namespace
+
+PanelSheet no_dead_centre(const Solution& s, Language language) {
+  return linkage_alone(
+      s, language,
+      {"This rocker has not this dead centre: crank and coupler cannot come in line so, or do so at a "
+       "change point.",
+       "Questo bilanciere non ha questo punto morto: manovella e biella non possono allinearsi così, "
+       "o lo fanno in una configurazione di incertezza."});
 }
 
 PanelSheet dead_centres_sheet(const Solution& s, Language language) {
   const std::string extended = dead_centre(geometry::Reach::extended).prefix,
                     folded = dead_centre(geometry::Reach::folded).prefix;
-  if (!s.value(extended + "A_x") || !s.value(folded + "A_x")) return no_dead_centre(s, language);
+  const bool has_extended = s.value(extended + "A_x").has_value(), has_folded = s.value(folded + "A_x").has_value();
+  if (!has_extended || !has_folded) return linkage_alone(s, language, without_both(has_extended, has_folded));
   const auto row = [&](const char* number, const std::string& prefix, std::vector<std::string> names) {
     for (std::string& name : names) name.insert(0, prefix);
     return Row{number, names};

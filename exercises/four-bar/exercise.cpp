@@ -487,14 +487,14 @@ std::vector<SheetMaker> sheets() {
          "diagrammi polari."}},
        at(dead_centre_sheet, folded)},
       {{"circles-extended",
-        {"Circles, extended dead centre", "Circonferenze, punto morto disteso"},
+        {"Circles, extended dead centre", "Circonferenze al punto morto disteso"},
         {"At the dead centre of the rocker where crank and coupler are extended find the inflection and stationarity "
          "circles of the coupler.",
          "Nel punto morto del bilanciere con manovella e biella distese trovare le circonferenze dei flessi e di "
          "stazionarietà della biella."}},
        at(circles_at_dead_centre, extended)},
       {{"circles-folded",
-        {"Circles, folded dead centre", "Circonferenze, punto morto sovrapposto"},
+        {"Circles, folded dead centre", "Circonferenze al punto morto sovrapposto"},
         {"At the dead centre of the rocker where crank and coupler are folded find the inflection and stationarity "
          "circles of the coupler.",
          "Nel punto morto del bilanciere con manovella e biella sovrapposte trovare le circonferenze dei flessi e di "

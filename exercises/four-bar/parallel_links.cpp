@@ -169,7 +169,7 @@ PanelSheet parallel_links_sheet(const Solution& s, Language language) {
       remark(Words{"On this branch crank and rocker are never parallel but at change points. "
                    "Drawn: the linkage at its instant.",
                    "Su questo ramo manovella e bilanciere non sono mai paralleli, se non in punti "
-                   "di cambiamento. Disegnato: il meccanismo al suo istante."}
+                   "di cambiamento. È disegnato il meccanismo all'istante dato."}
                  .in(language)));
   sheet.without_part = without({"AC", "C_side"});
   return sheet;

@@ -210,7 +210,7 @@ DisplacementPlanPanel plan_panel(const Solution& s) {
       "La barra 3 ruota con $C$, di $θ_{Cy}$: $α_{1}$ della barra 1 e la torsione "
       "$\\it{M}_{z2}\\it{L}_{1}$/$\\it{GJ}_{p2}$ della 2. Comincia con questa pendenza."};
   third.told_bent = {"It bends away by $δ_{f3}$, and the plan closes on $w_{A}$ = −$δ_{A}$.",
-                     "Si scosta di $δ_{f3}$, e il piano si chiude su $w_{A}$ = −$δ_{A}$."};
+                     "Si scosta di $δ_{f3}$, e il diagramma si chiude su $w_{A}$ = −$δ_{A}$."};
   return {"$O$", {first, second, third}};
 }
 

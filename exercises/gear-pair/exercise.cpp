@@ -340,8 +340,9 @@ std::unique_ptr<Exercise> make_gear_pair() {
            "Find the path of contact, arcs of approach and recess, contact ratio, the limits of interference, and "
            "the sliding along the path of contact.",
            "Disegnare l'ingranamento delle due ruote a evolvente intorno al punto primitivo e le ruote con le loro "
-           "dimensioni. Trovare il segmento dei contatti, gli archi di accesso e recesso, il rapporto di condotta, i "
-           "limiti d'interferenza, e lo strisciamento lungo il segmento dei contatti."},
+           "dimensioni. Trovare la linea di ingranamento, gli archi di accesso e recesso, il fattore di "
+           "ricoprimento, i "
+           "limiti d'interferenza, e lo strisciamento lungo la linea di ingranamento."},
       .givens = givens(),
       .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) {
@@ -356,11 +357,11 @@ std::unique_ptr<Exercise> make_gear_pair() {
   return exercise_of_panels(
       std::move(about), solve,
       {{{"pitch-point",
-         {"Mesh at the pitch point", "Ingranamento nel punto P₀"},
+         {"Mesh at the pitch point", "Ingranamento intorno al punto P₀"},
          {"Draw the mesh of the two involute gears around the pitch point. Find the path of contact, arcs of "
           "approach and recess, contact ratio and the limits of interference.",
-          "Disegnare l'ingranamento delle due ruote a evolvente intorno al punto primitivo. Trovare il segmento dei "
-          "contatti, gli archi di accesso e recesso, il rapporto di condotta e i limiti d'interferenza."}},
+          "Disegnare l'ingranamento delle due ruote a evolvente intorno al punto primitivo. Trovare la linea di "
+          "ingranamento, gli archi di accesso e recesso, il fattore di ricoprimento e i limiti d'interferenza."}},
         mesh_sheet},
        {{"wheels",
          {"The wheels", "Le ruote"},
@@ -370,7 +371,7 @@ std::unique_ptr<Exercise> make_gear_pair() {
        {{"sliding",
          {"Sliding along the path of contact", "Strisciamento lungo l'ingranamento"},
          {"Find the sliding of the two involute gears along the path of contact.",
-          "Trovare lo strisciamento delle due ruote a evolvente lungo il segmento dei contatti."}},
+          "Trovare lo strisciamento delle due ruote a evolvente lungo la linea di ingranamento."}},
         sliding_sheet}},
       flaws);
 }

@@ -1,8 +1,10 @@
 #include "exercises/gear-pair/faults.h"
 
 #include <cmath>
+#include <utility>
 
 #include "exercises/kit/panels/scale.h"
+#include "exercises/kit/statement/given_number.h"
 
 namespace epure::gear_pair {
 namespace {
@@ -27,12 +29,13 @@ Words sentence_of(Kind kind, const Words& of, const Words& other, const Words& v
           of, value);
     case Kind::undercut:
       return format_words("The cutter undercuts the teeth {}: z = {} is less than {}.",
-                          "L'utensile sottotaglia i denti {}: z = {} è minore di {}.", of, value, limit);
+                          "L'utensile produce sottotaglio nei denti {}: z = {} è minore di {}.", of, value, limit);
     case Kind::undercut_by_edge:
       return format_words(
           "The cutter's straight edge reaches deeper than its addendum and undercuts the teeth {}: z = {} is less "
           "than {}.",
-          "Il tagliente rettilineo dell'utensile scende oltre l'addendum e sottotaglia i denti {}: z = {} è minore "
+          "Il tagliente rettilineo dell'utensile scende oltre l'addendum e produce sottotaglio nei denti {}: z = {} "
+          "è minore "
           "di {}.",
           of, value, limit);
     case Kind::contact_on_fillet:
@@ -225,6 +228,18 @@ Words name_of(int wheel, const geometry::PairData& of) {
   return format_words("wheel {}", "la ruota {}", wheel);
 }
 
+namespace {
+
+// With figures that say which is the greater.
+std::pair<Words, Words> both_in_mm(double value, double limit) {
+  if (in_mm(value).english != in_mm(limit).english) return {in_mm(value), in_mm(limit)};
+  constexpr double mm = 1e3;
+  const int figures = figures_that_tell_apart(value, limit).value_or(15);
+  return {decimal(mm * value, figures), decimal(mm * limit, figures)};
+}
+
+}  // namespace
+
 Words sentence(const Fault& fault, const geometry::PairData& pair) {
   if (fault.undecided)
     return format_words("Undecided: {} (no number could tell: {}).",
@@ -241,8 +256,10 @@ Words sentence(const Fault& fault, const geometry::PairData& pair) {
     case Kind::interference_approach:
     case Kind::interference_recess:
     case Kind::tip_inside_base:
-    case Kind::contact_on_fillet:
-      return sentence_of(fault.kind, wheel, other, in_mm(fault.value), in_mm(fault.limit));
+    case Kind::contact_on_fillet: {
+      const auto [value, limit] = both_in_mm(fault.value, fault.limit);
+      return sentence_of(fault.kind, wheel, other, value, limit);
+    }
     default:  // by how much something is missing, or overlaps
       return sentence_of(fault.kind, wheel, other, in_mm(std::abs(fault.value)), {});
   }

@@ -340,16 +340,19 @@ PanelStep to_tangent_points(const Pair& pair, const Plot& plot, const drawings::
 }
 
 Words of_flanks(const Pair& pair) {
-  if (!pair.touches)
-    return {"The flanks are involutes of the base circles; these never touch.",
-            "I fianchi sono evolventi delle circonferenze di base; questi non si toccano mai."};
+  const Words of_which =
+      pair.is_rack()
+          ? Words{"The flanks are involutes of the wheel's base circle, and straight on the rack",
+                  "I fianchi sono evolventi della circonferenza di base della ruota, e rettilinei sulla dentiera"}
+          : Words{"The flanks are involutes of the base circles",
+                  "I fianchi sono evolventi delle circonferenze di base"};
+  if (!pair.touches) return of_which + Words{"; these never touch.", "; questi non si toccano mai."};
   const Words here = pair.shown_contact() == 0
                          ? Words{"at $P_{0}$", "in $P_{0}$"}
                          : format_words("in the middle of ${}$", "nel mezzo di ${}$", pair.name_of_path());
-  return format_words(
-      "The flanks are involutes of the base circles, here touching {}; dashed, at ${}$ and at ${}$.",
-      "I fianchi sono evolventi delle circonferenze di base, qui a contatto {}; tratteggiati, in ${}$ e in ${}$.",
-      here, pair.begins.letters(), pair.ends.letters());
+  return of_which + format_words(", here touching {}; dashed, at ${}$ and at ${}$.",
+                                 ", qui a contatto {}; tratteggiati, in ${}$ e in ${}$.", here, pair.begins.letters(),
+                                 pair.ends.letters());
 }
 
 Words of_arcs(const Pair& pair) {
@@ -409,10 +412,12 @@ std::vector<PanelStep> MeshPanel::steps(const Plot& plot, const drawings::Box& r
       to_tangent_points(pair_, plot, room)};
   if (!pair_.has_contact()) return steps;
   const Words whole = pair_.is_whole() ? Words{} : Words{" of whole flanks", " di fianchi interi"};
-  steps.push_back({format_words("Tip circle 2 cuts it at $A$, tip circle 1 at $E$: $AE$ is the path of contact{}.",
-                                "La circonferenza di testa 2 la taglia in $A$, la 1 in $E$: $AE$ è la linea di "
-                                "ingranamento{}.",
-                                whole),
+  const Words tip_2 = pair_.is_rack() ? Words{"The rack's tip line", "La retta di testa della dentiera"}
+                                      : Words{"Tip circle 2", "La circonferenza di testa 2"};
+  const Words tip_1{"tip circle 1", pair_.is_rack() ? "la circonferenza di testa 1" : "la 1"};
+  steps.push_back({format_words("{} cuts it at $A$, {} at $E$: $AE$ is the path of contact{}.",
+                                "{} taglia la retta d'azione in $A$, {} in $E$: $AE$ è la linea di ingranamento{}.",
+                                tip_2, tip_1, whole),
                    pair_.at(*pair_.A)});
   steps.push_back({of_flanks(pair_), pair_.at(pair_.touches ? pair_.ends.xi : 0)});
   steps.push_back({of_arcs(pair_), MeshPicture::end_of_arc(pair_, 1, *pair_.A)});

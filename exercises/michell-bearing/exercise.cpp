@@ -39,7 +39,7 @@ std::unique_ptr<Exercise> make_michell_bearing() {
           "Della slitta piana trovare le pressioni del meato per integrazione grafica."}},
         integration_sheet},
        {{"load",
-         {"Load and its place", "Portanza e suo posto"},
+         {"Load and its place", "Portanza e punto di applicazione"},
          {"Of the flat slider find the load and its place, and the friction.",
           "Della slitta piana trovare la portanza e il suo punto di applicazione, e l'attrito."}},
         load_sheet},

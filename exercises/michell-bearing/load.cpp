@@ -102,8 +102,7 @@ class FunicularPanel : public Panel {
           "Lato dopo lato parallelo ai raggi, da una retta d'azione alla successiva."},
          beside(vertices[2], -5, -4)},
         {{"The first string and the last meet on the line of the resultant $\\it{N}_{f}$: its place is $x_{Nf}$.",
-          "Il primo lato e l'ultimo si incontrano sulla retta della risultante $\\it{N}_{f}$: il suo posto è "
-          "$x_{Nf}$."},
+          "Il primo lato e l'ultimo si incontrano sulla retta della risultante $\\it{N}_{f}$, di ascissa $x_{Nf}$."},
          beside(on.meet(), 6, -3)}};
   }
 
@@ -241,7 +240,7 @@ class FunicularPanel : public Panel {
 PanelSheet load_sheet(const Solution& s, Language language) {
   return {
       .panels = panels(FunicularPanel(Problem(s.givens()).film, s)),
-      .theory = {{{"Exactly", "Esattamente"},
+      .theory = {{{"Exactly", "Soluzione esatta"},
                   {remark("$\\it{N}$ = $\\it{A}$ $μ$ $\\it{V}$ $l^{2}$/$h_{2}^{2}$, $n$ = $h_{1}$/$h_{2}$"),
                    remark(slider_formulas()[1]), remark(slider_formulas()[0])}}},
       .results = {told({"By the strips, by Bezout's table, and exactly:",

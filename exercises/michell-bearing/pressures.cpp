@@ -121,7 +121,8 @@ PanelSheet pressures_sheet(const Solution& s, Language language) {
              told(
                  {"$h^{*}$, $x^{*}$ are $h$ and $x$ with a bar in the source. The depth $z$ is counted from the pad. "
                   "The shear is zero at $x_{0}$ on the pad, at $x_{h}$ on the moving wall, where these exist.",
-                  "$h^{*}$, $x^{*}$ sono $h$ e $x$ soprassegnati nella fonte. La quota $z$ si conta dal pattino. Lo "
+                  "$h^{*}$, $x^{*}$ sono $h$ e $x$ con la linea sopra nella fonte. La quota $z$ si conta dal "
+                  "pattino. Lo "
                   "sforzo si annulla in $x_{0}$ sul pattino, in $x_{h}$ sulla parete mobile, se esistono."},
                  language),
              told({"Points of the pressure: Bezout's formula, each strip with the mean of the gradients at its "

@@ -281,9 +281,11 @@ std::unique_ptr<Exercise> make_pin_in_slot() {
       .document = "glifo",
       .item = "1",
       .source = {"Slotted lever (glifo), exercise 1", "Glifo, primo esercizio"},
-      .question = {"The crank's pin drives the slotted lever. Find velocities and accelerations with Coriolis' "
+      .question = {"A slotted lever moves a rolling disc by the disc's pin $B$. Find velocities and accelerations "
+                   "with Coriolis' "
                    "theorem, and the driving torque by force polygons and by the balance of powers.",
-                   "Il perno della manovella muove il glifo. Trovare velocità e accelerazioni con il teorema di "
+                   "Il glifo muove per mezzo del perno $B$ il disco che rotola. Trovare velocità e accelerazioni con "
+                   "il teorema di "
                    "Coriolis, e la coppia motrice con i poligoni delle forze e con il bilancio delle potenze."},
       .givens = stated_givens(),
       .printed = printed_by_the_source};
@@ -292,23 +294,30 @@ std::unique_ptr<Exercise> make_pin_in_slot() {
       std::move(about), solve,
       {{{"kinematics",
          {"Velocities", "Velocità"},
-         {"The crank's pin drives the slotted lever. Find the velocities with the theorem of relative motion.",
-          "Il perno della manovella muove il glifo. Trovare le velocità con il teorema dei moti relativi."}},
+         {"A slotted lever moves a rolling disc by the disc's pin $B$. Find the velocities with the theorem of "
+          "relative motion.",
+          "Il glifo muove per mezzo del perno $B$ il disco che rotola. Trovare le velocità con il teorema dei moti "
+          "relativi."}},
         velocity_sheet},
        {{"acceleration",
          {"Accelerations", "Accelerazioni"},
-         {"The crank's pin drives the slotted lever. Find the accelerations with Coriolis' theorem.",
-          "Il perno della manovella muove il glifo. Trovare le accelerazioni con il teorema di Coriolis."}},
+         {"A slotted lever moves a rolling disc by the disc's pin $B$. Find the accelerations with Coriolis' "
+          "theorem.",
+          "Il glifo muove per mezzo del perno $B$ il disco che rotola. Trovare le accelerazioni con il teorema di "
+          "Coriolis."}},
         acceleration_sheet},
        {{"forces",
          {"Forces (Newton-Euler)", "Forze (Newton-Eulero)"},
-         {"The crank's pin drives the slotted lever. Find the driving torque by force polygons.",
-          "Il perno della manovella muove il glifo. Trovare la coppia motrice con i poligoni delle forze."}},
+         {"A slotted lever moves a rolling disc by the disc's pin $B$. Find the driving torque by force polygons.",
+          "Il glifo muove per mezzo del perno $B$ il disco che rotola. Trovare la coppia motrice con i poligoni "
+          "delle forze."}},
         forces_sheet},
        {{"power-balance",
          {"Balance of powers", "Bilancio delle potenze"},
-         {"The crank's pin drives the slotted lever. Find the driving torque by the balance of powers.",
-          "Il perno della manovella muove il glifo. Trovare la coppia motrice con il bilancio delle potenze."}},
+         {"A slotted lever moves a rolling disc by the disc's pin $B$. Find the driving torque by the balance of "
+          "powers.",
+          "Il glifo muove per mezzo del perno $B$ il disco che rotola. Trovare la coppia motrice con il bilancio "
+          "delle potenze."}},
         balance_sheet}});
 }
 

@@ -1,10 +1,12 @@
 #include "exercises/scenes/scene.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <tuple>
 
+#include "drawings/text/text.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
 #include "exercises/scenes/file_head.h"
@@ -46,7 +48,7 @@ class Building {
     units();
     where();
     links();
-    demand_no_centres();
+    demand_names_of_points();
     slides();
     gears();
     drives();
@@ -672,10 +674,15 @@ class Building {
                           "1e9"));
   }
 
-  void demand_no_centres() const {
+  // What other things are called is no name for a point.
+  void demand_names_of_points() const {
     const auto& numbers = built_.letters.links;
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      for (const LinkPoint& p : built_.linkage.links[i].points)
+      for (const LinkPoint& p : built_.linkage.links[i].points) {
+        if (const std::vector<std::string> two = points_in(letter(p.point)); two.size() == 2)
+          refuse(*link_at_[i], format_words("{} means {} seen from {}: name the point otherwise",
+                                            "{} significa {} visto da {}: dare al punto un altro nome",
+                                            letter(p.point), two[0], two[1]));
         for (std::size_t a = 0; a < numbers.size(); ++a)
           for (std::size_t b = a + 1; b < numbers.size(); ++b)
             if (letter(p.point) == instant_centre(numbers[a], numbers[b]).name)
@@ -684,6 +691,7 @@ class Building {
                                   "{} è il centro di istantanea rotazione dei membri {} e {}: dare al punto un altro "
                                   "nome",
                                   letter(p.point), numbers[a], numbers[b]));
+      }
   }
 
   void place() {
@@ -829,6 +837,21 @@ void Scene::demand_charts(const std::vector<Quantity>& quantities) const {
                                        name, quantity.unit, unit));
       unit = quantity.unit;
     }
+  }
+}
+
+void Scene::demand_one_meaning(const std::vector<Quantity>& quantities) const {
+  std::map<std::string, const Quantity*> known;
+  for (const Quantity& each : quantities) {
+    const auto [found, is_new] = known.emplace(each.name, &each);
+    const Words &one = found->second->meaning, &other = each.meaning;
+    if (is_new || one.english == other.english) continue;
+    const File file(file_);
+    file.refuse(*root_.find("links"),
+                format_words("{} would be two things, \"{}\" and \"{}\": give a point or a line another name",
+                             "{} sarebbe due cose, \"{}\" e \"{}\": dare a un punto o a una retta un altro nome",
+                             each.name, Words{drawings::plain(one.english), drawings::plain(one.italian)},
+                             Words{drawings::plain(other.english), drawings::plain(other.italian)}));
   }
 }
 

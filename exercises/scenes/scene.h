@@ -56,6 +56,9 @@ class Scene {
   // that is none of them.
   std::vector<std::size_t> chosen_sheets(const std::vector<std::string>& names) const;
 
+  // Throws BadScene where two of all that is found have one name.
+  void demand_one_meaning(const std::vector<Quantity>& quantities) const;
+
   // The numbers that a book printed, and where.
   const std::vector<Printed>& printed() const { return printed_; }
   // Throws BadScene where one of them is of none of these quantities, or in a unit of something else.

@@ -127,6 +127,8 @@ std::optional<SceneName> scene_name(const std::string& name) {
 }
 
 std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& scene) {
+  const std::vector<Quantity> known = quantities_of(*scene);
+  scene->demand_one_meaning(known);
   const auto solve = [scene](const Givens& givens, Rung rung) { return solved(*scene, givens, rung); };
   std::vector<SheetMaker> sheets{
       {{"velocities", {"Velocities", "Velocità"}},
@@ -138,7 +140,7 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   for (SheetMaker& sheet : path_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : polode_sheets(scene)) sheets.push_back(std::move(sheet));
   if (!scene->charts().empty())
-    for (SheetMaker& sheet : chart_sheets(scene, quantities_of(*scene))) sheets.push_back(std::move(sheet));
+    for (SheetMaker& sheet : chart_sheets(scene, known)) sheets.push_back(std::move(sheet));
   std::vector<std::string> names;
   for (const SheetMaker& sheet : sheets) names.push_back(sheet.spec.name);
   std::vector<SheetMaker> chosen;

@@ -25,44 +25,50 @@ std::string division(const SliderCrankInstant& instant, bool english) {
   const char* of_crank = english ? "The crank's circle in {} parts" : "La circonferenza di manovella in {} parti";
   const char* of_coupler =
       english ? "The directions of the coupler in {} parts" : "Le direzioni della biella in {} parti";
-  const char* primed = english ? " (primed: $B$ behind $A$)" : " (con apice: $B$ dietro $A$)";
+  const char* primed = english ? " (primed: $B$ behind $A$)" : " (con l'apice: l'altra posizione di $B$, dietro $A$)";
   const Circuit circuit = circuit_of(instant);
   return fmt::format(fmt::runtime(circuit == Circuit::coupler ? of_coupler : of_crank), positions) +
          (circuit == Circuit::both ? primed : "");
 }
 
-std::vector<std::string> step_texts(const SliderCrankInstant& instant, Language language) {
+std::vector<std::string> step_texts(const SliderCrankInstant& instant, bool touch_at_infinity, Language language) {
   const bool english = language == Language::english;
   return english
              ? std::vector<
-                   std::string>{division(instant, english) +
-                                    ". In each position $P_{0}$ on $A_{0}A$ and on the perpendicular to the guide "
-                                    "through $B$: "
-                                    "the points of the fixed polode $p$.",
-                                "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the "
-                                "$AB$ "
-                                "of the position drawn: its $P_{0}$ marks a point of the moving polode $π$.",
-                                "The curves through the points. They touch in the $P_{0}$ of the position drawn and "
-                                "roll on each "
-                                "other.",
-                                "Where the crank is perpendicular to the guide $P_{0}$ goes to infinity: the "
-                                "dash-dot lines "
-                                "are the asymptotes."}
+                   std::
+                       string>{division(instant, english) +
+                                   ". In each position $P_{0}$ on $A_{0}A$ and on the perpendicular to the guide "
+                                   "through $B$: "
+                                   "the points of the fixed polode $p$.",
+                               "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the "
+                               "$AB$ "
+                               "of the position drawn: its $P_{0}$ marks a point of the moving polode $π$.",
+                               touch_at_infinity
+                                   ? "The curves through the points. They roll on each other; in the position drawn "
+                                     "$P_{0}$ is at infinity, and they have an asymptote in common."
+                                   : "The curves through the points. They touch in the $P_{0}$ of the position drawn "
+                                     "and roll on each other.",
+                               "Where the crank is perpendicular to the guide $P_{0}$ goes to infinity: the "
+                               "dash-dot lines "
+                               "are the asymptotes."}
              : std::vector<std::string>{
                    division(instant, english) +
                        ". In ogni posizione $P_{0}$ su $A_{0}A$ e sulla normale alla guida per $B$: i "
                        "punti della polare fissa $p$.",
                    "Ogni triangolo $ABP_{0}$ su carta da lucido, riportato finché il suo $AB$ copre "
                    "l'$AB$ della posizione disegnata: il suo $P_{0}$ segna un punto della polare mobile $π$.",
-                   "Le curve per i punti. Si toccano nel $P_{0}$ della posizione disegnata e rotolano l'una "
-                   "sull'altra.",
+                   touch_at_infinity ? "Le curve per i punti. Rotolano l'una sull'altra; nella posizione disegnata "
+                                       "$P_{0}$ è all'infinito, e hanno un asintoto in comune."
+                                     : "Le curve per i punti. Si toccano nel $P_{0}$ della posizione disegnata e "
+                                       "rotolano l'una sull'altra.",
                    "Dove la manovella è normale alla guida $P_{0}$ va all'infinito: le rette a tratto e "
                    "punto sono gli asintoti."};
 }
 
 // In both languages.
-std::vector<Words> step_words(const SliderCrankInstant& instant) {
-  const auto english = step_texts(instant, Language::english), italian = step_texts(instant, Language::italian);
+std::vector<Words> step_words(const SliderCrankInstant& instant, bool touch_at_infinity) {
+  const auto english = step_texts(instant, touch_at_infinity, Language::english),
+             italian = step_texts(instant, touch_at_infinity, Language::italian);
   std::vector<Words> all;
   for (std::size_t i = 0; i < english.size(); ++i) all.push_back({english[i], italian[i]});
   return all;
@@ -129,7 +135,7 @@ class PolodesPanel : public Panel {
       if (at.P0 && is_in(room, plot, *at.P0)) last_fixed = at.P0;
       if (at.P0_on_coupler && is_in(room, plot, *at.P0_on_coupler)) last_moving = at.P0_on_coupler;
     }
-    const std::vector<Words> texts = step_words(instant_);
+    const std::vector<Words> texts = step_words(instant_, !P0_);
     std::vector<PanelStep> all{{texts[0], last_fixed}, {texts[1], last_moving}, {texts[2], P0_}};
     if (!of_fixed_.empty()) all.push_back({texts[3], on_asymptote()});
     return all;

@@ -19,7 +19,7 @@ std::set<std::string> without_part(const Givens& givens) {
 
 std::unique_ptr<Exercise> make_truss() {
   Description about{.id = "truss",
-                    .title = {"A truss by Cremona's plan", "Travatura reticolare con il piano di Cremona"},
+                    .title = {"A truss by Cremona's plan", "Travatura reticolare con il diagramma di Cremona"},
                     .document = "epure",
                     .item = "trusses",
                     .source = {"epure, trusses", "epure, travature reticolari"},

@@ -439,14 +439,30 @@ Column<T> rates_of(const std::vector<LinkState<T>>& links, bool is_first) {
   return rates;
 }
 
+// The links that do not turn, as lines led in lines begin at the frame: there s_i x s_j = 0 says ω_i = ω_j = 0, which
+// enclosures would only nearly say.
+std::vector<bool> led_without_turning(const Linkage& linkage) {
+  std::vector<bool> led(linkage.links.size());
+  led[0] = true;
+  for (std::size_t farther = 0; farther < linkage.blocks.size(); ++farther)
+    for (const LineOnLine& block : linkage.blocks) {
+      const auto i = static_cast<std::size_t>(linkage.link_of_line(block.moving)),
+                 j = static_cast<std::size_t>(linkage.link_of_line(block.guide));
+      if (led[i] || led[j]) led[i] = led[j] = true;
+    }
+  return led;
+}
+
 template <class T>
 std::vector<LinkState<T>> with_rates(const Linkage& linkage, const Column<T>& q, const SolveRates<T>& solve) {
   std::vector<LinkState<T>> links = states(q);
+  const std::vector<bool> led = led_without_turning(linkage);
   const auto take = [&](const Column<T>& rates, bool is_first) {
     for (std::size_t k = 0; k < rates.size(); k += unknowns_of_a_link) {
-      LinkState<T>& link = links[k / unknowns_of_a_link + 1];
+      const std::size_t i = k / unknowns_of_a_link + 1;
+      LinkState<T>& link = links[i];
       (is_first ? link.v : link.a) = Complex<T>{rates[k], rates[k + 1]};
-      (is_first ? link.omega : link.alpha) = rates[k + 2];
+      (is_first ? link.omega : link.alpha) = led[i] ? T(0) : rates[k + 2];
     }
   };
   Column<T> b;

@@ -416,6 +416,9 @@ TEST_CASE("drafts of processes that are no more are cleared away, and nothing el
   CHECK(folder.entries() == others.size());
   for (const fs::path& each : others) CHECK(contents(each) == "precious");
   remove_left_drafts(folder / "nowhere");
+  put(draft(gone, "-2.part"), old_bytes);
+  write_whole(folder / "new.pdf", new_bytes);  // which clears them away too
+  CHECK(folder.entries() == others.size() + 1);
 }
 
 TEST_CASE("a limit on the size of files is an error, not the end of the program") {

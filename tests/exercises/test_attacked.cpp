@@ -7,6 +7,7 @@
 #include "exercises/cli/csv_reader.h"
 #include "exercises/cli/run.h"
 #include "exercises/kit/proof/measured.h"
+#include "tests/exercises/drawn_marks.h"
 #include "tests/exercises/held_against_corpus.h"
 #include "tests/exercises/run.h"
 
@@ -228,4 +229,21 @@ TEST_CASE("attacked: an angle at a hinge has an arc however small the sheet") {
     CHECK(drawn.exit == 0);
   }
   std::filesystem::remove(file);
+}
+
+// Of what is false at special givens.
+TEST_CASE("attacked: what a sheet says of one dead centre, of a pole at infinity and of a rack") {
+  const Assignments one{"A0A=0.4", "AB=0.3", "B0B=0.35", "x_B0=-0.5", "y_B0=0.1", "phi=100deg", "AC=0.1"};
+  const DrawnSheet both = Tried("four-bar").draw("dead-centres", one);
+  CHECK(tells(both, "one dead centre only, with crank and coupler extended"));
+  CHECK_FALSE(tells(Tried("four-bar").draw("dead-centre-extended", one), "has not this dead centre"));
+  CHECK(tells(Tried("four-bar").draw("dead-centre-folded", one), "has not this dead centre"));
+
+  CHECK(tells(Tried("slider-crank-velocity").draw("polodes", {"phi=90deg"}), "an asymptote in common"));
+  CHECK(tells(Tried("slider-crank-velocity").draw("polodes", {"phi=80deg"}), "They touch in the $P_{0}$"));
+
+  const DrawnSheet rack = Tried("gear-pair").draw("pitch-point", {"kind=rack", "z1=9", "x1=0.5"});
+  CHECK(tells(rack, "The rack's tip line cuts it at $A$"));
+  CHECK(tells(rack, "straight on the rack"));
+  CHECK_FALSE(tells(rack, "Tip circle 2"));
 }

@@ -128,7 +128,7 @@ std::vector<PanelStep> ForcePlanPanel::steps(const Plot&, const drawings::Box&) 
   const auto& [left, right] = bow.sides[bow.closing_bar];
   const std::string line = "$" + letter(left) + letter(right) + "$";
   all.push_back({Words{line + " has come out parallel to bar " + last + ": the plan closes.",
-                       line + " è risultata parallela all'asta " + last + ": il piano si chiude."}});
+                       line + " è risultata parallela all'asta " + last + ": il diagramma si chiude."}});
   return all;
 }
 

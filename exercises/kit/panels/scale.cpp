@@ -23,7 +23,11 @@ double largest_below(double x, const std::array<double, N>& ascending_steps) {
 
 std::string short_number(double x, Language language) {
   if (x == 0) return "0";
-  if (std::abs(x) >= 1e6 || std::abs(x) < 1e-3) return drawings::number(x, 2, language);
+  if (std::abs(x) >= 1e6 || std::abs(x) < 1e-3) {
+    const double decade = std::pow(10.0, std::floor(std::log10(std::abs(x)) + 1e-9));
+    const bool is_one_figure = std::abs(std::round(x / decade) * decade - x) <= 1e-9 * std::abs(x);
+    return drawings::number(x, is_one_figure ? 1 : 2, language);
+  }
   if (x < 0) return "−" + short_number(-x, language);
   for (int figures = 1; figures < 6; ++figures) {
     const double grain = std::pow(10.0, std::floor(std::log10(x)) - figures + 1);

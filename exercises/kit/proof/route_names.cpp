@@ -6,7 +6,7 @@ namespace epure {
 
 Words route_in_words(const std::string& route) {
   static const std::map<std::string, std::string> italian = {
-      {"Cremona's plan", "piano di Cremona"},
+      {"Cremona's plan", "diagramma cremoniano"},
       {"Euler-Maclaurin", "Eulero-Maclaurin"},
       {"Mohr's circle", "cerchio di Mohr"},
       {"Newton-Euler", "Newton-Eulero"},

@@ -30,7 +30,8 @@ Words inflection_pole(const Rolled& f) {
       return {
           "The contact $P_{0}$ is the pole. $C$ goes about $O$: by Euler and Savary $P_{0}C^{2}$ = $CO$·$CJ$ "
           "gives the inflection pole $J$. $δ$ = $P_{0}J$.",
-          "Il contatto $P_{0}$ è il polo. $C$ ruota intorno a $O$: per Eulero e Savary $P_{0}C^{2}$ = $CO$·$CJ$ "
+          "Il contatto $P_{0}$ è il polo. $C$ ruota intorno a $O$: per la formula di Euler-Savary $P_{0}C^{2}$ = "
+          "$CO$·$CJ$ "
           "dà il polo dei flessi $J$. $δ$ = $P_{0}J$."};
   }
 }

@@ -8,16 +8,6 @@
 namespace epure {
 namespace {
 
-// "BA" is B and A; "G3A" is G3 and A; "B" is B alone.
-std::vector<std::string> points_in(const std::string& of) {
-  std::vector<std::string> points;
-  for (const char c : of) {
-    if (points.empty() || (std::isupper(static_cast<unsigned char>(c)) != 0)) points.emplace_back();
-    points.back() += c;
-  }
-  return points;
-}
-
 // "a B", "ad A".
 std::string to_in_italian(const std::string& point) { return (point.starts_with("A") ? "ad " : "a ") + point; }
 
@@ -36,6 +26,15 @@ VectorQuantity vector(const std::string& name, const std::string& letters, const
 }
 
 }  // namespace
+
+std::vector<std::string> points_in(const std::string& of) {
+  std::vector<std::string> points;
+  for (const char c : of) {
+    if (points.empty() || (std::isupper(static_cast<unsigned char>(c)) != 0)) points.emplace_back();
+    points.back() += c;
+  }
+  return points;
+}
 
 std::string point_letters(const std::string& name) {
   const std::string prime = "prime";

@@ -69,6 +69,10 @@ Quantity distance(const std::string& P, const std::string& X);
 Quantity angular_velocity(int body);
 Quantity angular_acceleration(int body);
 
+// The points that a velocity or an acceleration is of: "BA" is B and A, as B is seen from A; "G3A" is G3 and A; "B"
+// is B alone.
+std::vector<std::string> points_in(const std::string& of);
+
 // A point's letters within mathematics: "P0" is P_{0}, "Cprime" C'.
 std::string point_letters(const std::string& name);
 

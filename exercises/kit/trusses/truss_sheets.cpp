@@ -95,7 +95,7 @@ PanelSheet plan_sheet(const LoadedTruss& of, const Solution& s, Language languag
   const Words senses{
       "Going clockwise round a joint, the plan gives the sense of each force on it: towards the joint is compression "
       "(heavy, −), away from it tension (thin, +); dashed bars bear nothing.",
-      "Girando in senso orario attorno a un nodo, il piano dà il verso di ogni forza su di esso: verso il nodo è "
+      "Girando in senso orario attorno a un nodo, il diagramma dà il verso di ogni forza su di esso: verso il nodo è "
       "compressione (linea grossa, −), dal nodo trazione (sottile, +); le aste tratteggiate sono scariche."};
   return {.panels = panels(TrussPanel(figure, TrussPanel::Regions::lettered), ForcePlanPanel(figure)),
           .theory = {{{"Senses", "Versi"}, {remark(senses.in(language))}}},
@@ -147,7 +147,7 @@ std::unique_ptr<Exercise> exercise_of_truss(Description about, std::size_t most_
   about.question = {
       "Find the reactions of the truss and the forces in its bars by Cremona's plan: which bars are in "
       "tension, which in compression, and which carry nothing?",
-      "Trovare le reazioni della travatura e le forze nelle aste con il piano di Cremona: quali aste "
+      "Trovare le reazioni della travatura e le forze nelle aste con il diagramma di Cremona: quali aste "
       "sono tese, quali compresse e quali scariche?"};
   const auto solve = [=](const Givens& givens, Rung rung) { return settle(Routes{truss(givens), most_bars}, rung); };
   const auto made = [=](PanelSheet (*make)(const LoadedTruss&, const Solution&, Language)) {
@@ -159,7 +159,7 @@ std::unique_ptr<Exercise> exercise_of_truss(Description about, std::size_t most_
   };
   return exercise_of_panels(std::move(about), solve,
                             {{{"reactions", {"Reactions", "Reazioni vincolari"}}, made(reactions_sheet)},
-                             {{"plan", {"Cremona's plan", "Piano di Cremona"}}, made(plan_sheet)},
+                             {{"plan", {"Cremona's plan", "Diagramma cremoniano"}}, made(plan_sheet)},
                              {{"forces", {"Forces of the bars", "Sforzi nelle aste"}}, made(forces_sheet)}});
 }
 

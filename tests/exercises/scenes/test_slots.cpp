@@ -80,3 +80,39 @@ TEST_CASE("what does not change has a chart around its value", "[scenes]") {
   const DrawnSheet sheet = drawn_of(*exercise, "chart-omega_4");
   CHECK_FALSE(line(sheet, "omega_4").path.pieces.empty());
 }
+
+TEST_CASE("what lines led in lines keep from turning has no acceleration centre, in a mechanism of several groups",
+          "[scenes]") {
+  const auto exercise = exercise_said(
+      "epure: 1\nid: f\nlinks:\n  1: {E: [0, 0], A: [-25 mm, 14 mm], e: {through: [-238 mm, -292 mm], along: 107 "
+      "deg}}\n  2: {E: [0, 0], U: [179 mm, 0], D: [141 mm, -254 mm]}\n  3: {U: [0, 0], F: [387 mm, 0]}\n  4: {A: [0, "
+      "0], F: [224 mm, 0]}\n  5: {F: [0, 0], Q: [471 mm, 0]}\n  6: {D: [0, 0], Q: [368 mm, 0]}\n  7: {f: {through: "
+      "[0, "
+      "0], along: 0 deg}, g: {through: [268 mm, -482 mm], along: 90 deg}}\nslides: {f: e, U: g}\ndrive: {link: 2, "
+      "angle: -324 deg, speed: 10 rad/s}\nassembly: {F: left of U A, Q: left of F D}\n");
+  const CheckedExercise result = check(*exercise, Givens(exercise->about().givens), Rung::climb);
+  CAPTURE(complaints(result));
+  CHECK(result.passed());
+  CHECK(result.undecided.empty());
+}
+
+TEST_CASE("a point is not called what something else is", "[scenes]") {
+  const auto why = [](const std::string& link, const std::string& more) {
+    try {
+      exercise_said(
+          "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], g: {along: [1, 0]}}\n  2: {O A: 120 mm}\n  3: " + link +
+          "\nslides: {x: g}\ndrive: {link: 2, angle: 30 deg, speed: 60 rpm}\nassembly: {x: ahead on g}\n" + more);
+    } catch (const scenes::BadScene& bad) {
+      return std::string(bad.what());
+    }
+    return std::string();
+  };
+  const std::string loads = "loads: [{at: x, on: 3, force: [100 N, 0]}]\n";
+  CHECK(why("{A: [0, 0], x: [350 mm, 0], Q: [0, 0.1]}", loads).empty());
+  CHECK(why("{A: [0, 0], x: [350 mm, 0], N: [0, 0.1]}", "").empty());
+  CHECK(why("{A: [0, 0], x: [350 mm, 0], N: [0, 0.1]}", loads).find("N_x would be two things, \"") !=
+        std::string::npos);
+  CHECK(
+      why("{A: [0, 0], x: [350 mm, 0], BA: [0, 0.1]}", "").find("BA means B seen from A: name the point otherwise") !=
+      std::string::npos);
+}
