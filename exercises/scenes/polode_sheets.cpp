@@ -35,6 +35,18 @@ std::optional<Place> place_of(const geometry::ProjectivePoint<Fast>& P) {
   return Place{P.x / P.w, P.y / P.w};
 }
 
+// Where centres go does not hang on how fast the drive moves, nor on whether it does.
+geometry::Linkage with_moving_drive(geometry::Linkage linkage) {
+  geometry::Drive& drive = linkage.drives.front();
+  if (auto* turned = std::get_if<geometry::TurnedLink>(&drive))
+    turned->omega = {1, 0};
+  else if (auto* slid = std::get_if<geometry::SlidPoint>(&drive))
+    slid->velocity = 1;
+  else
+    std::get<geometry::Stretched>(drive).velocity = 1;
+  return linkage;
+}
+
 class PolodesOfLink {
  public:
   PolodesOfLink(const Built& built, const Solution& s, int link)
@@ -46,9 +58,10 @@ class PolodesOfLink {
         places_(built.linkage, built.steps) {
     const geometry::Arithmetic<Fast> scope;
     const std::vector<There> all = shown_places();
+    const geometry::Linkage moving = with_moving_drive(built.linkage);
     // Where it is now doubles may not tell which lines meet well.
     for (const There& there : all)
-      if (!is_found()) plan_ = geometry::centre_plan(built.linkage, there.at);
+      if (!is_found()) plan_ = geometry::centre_plan(moving, there.at);
     if (!is_found())
       throw geometry::Undecided("where the instant centre goes, as no two lines lead to it",
                                 "dove va il centro di istantanea rotazione, poiché non vi portano due rette");

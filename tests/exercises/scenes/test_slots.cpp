@@ -96,6 +96,14 @@ TEST_CASE("what lines led in lines keep from turning has no acceleration centre,
   CHECK(result.undecided.empty());
 }
 
+TEST_CASE("polodes do not hang on whether the drive moves", "[scenes]") {
+  const auto exercise = exercise_said(
+      "epure: 1\nid: f\nlinks:\n  1: {A0: [0, 0], B0: [400 mm, 0]}\n  2: {A0 A: 120 mm}\n  3: {A B: 350 mm}\n  4: "
+      "{B0 B: "
+      "280 mm}\ndrive: {link: 2, angle: 60 deg}\nassembly: {B: left of A B0}\npolodes: [3]\n");
+  CHECK_FALSE(line(drawn_of(*exercise, "polodes"), "fixed_polode").path.pieces.empty());
+}
+
 TEST_CASE("a point is not called what something else is", "[scenes]") {
   const auto why = [](const std::string& link, const std::string& more) {
     try {
