@@ -1,6 +1,8 @@
 #include "exercises/scenes/scene.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -38,8 +40,13 @@ std::vector<std::string> units_of(Kind kind) {
 // Builds the linkage of a tree at certain givens.
 class Building {
  public:
-  Building(const File& file, const Tree& root, const Givens& givens) : file_(file), root_(root) {
-    for (const GivenSpec& spec : givens.specs()) known_[spec.symbol] = amount_of(givens, spec);
+  // The links in this order, by their numbers in the file; that of the file where there is none.
+  Building(const File& file, const Tree& root, const Givens& givens, std::vector<int> order = {})
+      : file_(file), root_(root), order_(std::move(order)) {
+    for (const GivenSpec& spec : givens.specs()) {
+      known_[spec.symbol] = amount_of(givens, spec);
+      given_.insert(spec.symbol);
+    }
   }
 
   Built built() {
@@ -150,7 +157,16 @@ class Building {
     const Tree* frame = all->find("1");
     if (!frame) refuse(*all, {"link 1, the frame, is missing", "manca il membro 1, il telaio"});
     link(*frame, 1, *frame);
-    for (const auto& [key, value] : all->entries) {
+    std::vector<const std::pair<Tree, Tree>*> entries;
+    for (const auto& entry : all->entries) entries.push_back(&entry);
+    const auto place = [&](const std::pair<Tree, Tree>* entry) {
+      return std::find_if(order_.begin(), order_.end(),
+                          [&](int number) { return std::to_string(number) == entry->first.text; });
+    };
+    std::stable_sort(entries.begin(), entries.end(),
+                     [&](const auto* a, const auto* b) { return place(a) < place(b); });
+    for (const auto* entry : entries) {
+      const auto& [key, value] = *entry;
       if (key.text == "1") continue;
       const bool is_number = !key.text.empty() && key.text.size() <= 4 && key.text[0] != '0' &&
                              key.text.find_first_not_of("0123456789") == std::string::npos;
@@ -567,11 +583,47 @@ class Building {
     const Tree& on = demand(item, "on");
     const int link = link_of_number(on, file_.text(on, what));
     demand_moving(on, link);
-    built_.loads->couples.push_back({link, amount(demand(item, "couple"), Kind::moment).value});
+    const Tree& couple = demand(item, "couple");
+    built_.loads->couples.push_back({link, amount(couple, Kind::moment).value});
+    built_.couple_names.push_back(name_of_load(couple, "T", number(link)));
+  }
+  // After the given that it is, where no load before is; or after where it acts.
+  LoadName name_of_load(const Tree& size, const std::string& letter, const std::string& where) {
+    std::string text = spelled_out(size.text);
+    const std::size_t first = text.find_first_not_of("- ");
+    text = first == std::string::npos ? "" : text.substr(first);
+    if (given_.contains(text) && load_names_.insert(text).second) return {text, italic_letters(text), true, {}};
+    const std::string of = std::isdigit(static_cast<unsigned char>(where[0])) != 0 ? where : point_letters(where);
+    std::string name = letter + "_" + where, script = of;
+    for (int k = 2; !load_names_.insert(name).second; ++k) {
+      name = letter + "_" + where + "_" + std::to_string(k);
+      script = of + "," + std::to_string(k);
+    }
+    return {name, "$\\it{" + letter + "}_{" + script + "}$", false, {}};
+  }
+  // "∥ $y$", "∠ −100°".
+  std::string direction_of_load(const Tree& item, const LinkForce& load) const {
+    const Tree &force = *item.find("force"), *direction = item.find("direction");
+    const auto typed = [](std::string text) {
+      for (const auto& [from, to] : {std::pair<std::string, std::string>{" deg", "°"}, {"-", "−"}})
+        for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+          text.replace(at, from.size(), to);
+      return text;
+    };
+    if (!direction) {
+      if (load.components.x == 0 || load.components.y == 0) return load.components.y == 0 ? "∥ $x$" : "∥ $y$";
+      return "∥ (" + typed(force.items[0].text) + "; " + typed(force.items[1].text) + ")";
+    }
+    const Rational quarters = 4 * load.turned.turns;
+    if (quarters.denominator() == 1)
+      return CGAL::to_double(quarters / 2) == std::round(CGAL::to_double(quarters / 2)) ? "∥ $x$" : "∥ $y$";
+    const std::string symbol = spelled_out(direction->text);
+    return "∠ " + (given_.contains(symbol) ? given_letters(symbol) : typed(direction->text));
   }
   void force(const Tree& item, const Words& what) {
     file_.demand_keys(item, {"at", "on", "force", "direction"});
     const auto [link, at] = loaded_place(item, what);
+    const int at_point = point_in(link, at);
     const Tree &force = demand(item, "force"), *direction = item.find("direction");
     LinkForce load{link, at, {0, 0}};
     if (force.kind == Tree::Kind::list) {
@@ -587,6 +639,13 @@ class Building {
       load.turned = amount(demand(item, "direction"), Kind::angle).angle;
     }
     built_.loads->forces.push_back(load);
+    built_.force_names.push_back(name_of_load(force, "Q", at_point != nothing ? letter(at_point) : number(link)));
+    built_.force_names.back().direction = direction_of_load(item, load);
+  }
+  int point_in(int link, const Own& at) const {
+    for (const LinkPoint& p : built_.linkage.links[static_cast<std::size_t>(link)].points)
+      if (p.at.x == at.x && p.at.y == at.y) return p.point;
+    return nothing;
   }
   // A point of a link, or coordinates in its axes.
   std::pair<int, Own> loaded_place(const Tree& item, const Words& what) const {
@@ -736,12 +795,17 @@ class Building {
 
   const File& file_;
   const Tree& root_;
+  std::vector<int> order_;
   Amounts known_;
+  std::set<std::string> given_, load_names_;
   std::string length_unit_ = "m", angle_unit_ = {};
   std::map<std::string, Own> drawn_;
   std::vector<const Tree*> chosen_at_, link_at_;  // where the file says so
   Built built_;
 };
+
+// Capitals upright are points, and two of them a length.
+bool is_of_mass(Kind kind) { return kind == Kind::force || kind == Kind::moment; }
 
 // charts: [omega_4, [v_B, v_C]].
 std::vector<std::vector<std::string>> read_charts(const File& file, const Tree& all) {
@@ -797,6 +861,9 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   title_ = head.title;
   source_ = head.source;
   givens_ = head.givens;
+  for (GivenSpec& given : givens_)
+    if (const auto unit = find_unit(given.unit); unit && is_of_mass(unit->kind))
+      given.letters = italic_letters(given.symbol);
   printed_ = head.printed;
   const Built stated = built(Givens(givens_));
   if (const TextTree* charts = root_.find("charts")) {
@@ -877,9 +944,17 @@ std::vector<std::size_t> Scene::chosen_sheets(const std::vector<std::string>& na
   return chosen;
 }
 
+// Where forces are asked for the links stand in the order in which they are placed, so that the first of those at a
+// point, which carries its pin, is there before the others.
 Built Scene::built(const Givens& givens) const {
   const File file(file_);
-  return Building(file, root_, givens).built();
+  Built built = Building(file, root_, givens).built();
+  if (!built.loads) return built;
+  std::vector<int> order{1};
+  for (const Step& step : built.steps)
+    for (const int link : placed_by(step)) order.push_back(built.letters.links[index(link)]);
+  if (order == built.letters.links) return built;
+  return Building(file, root_, givens, order).built();
 }
 
 }  // namespace epure::scenes

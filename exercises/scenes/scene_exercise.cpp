@@ -11,6 +11,7 @@
 #include "exercises/scenes/centres_sheets.h"
 #include "exercises/scenes/chart_sheets.h"
 #include "exercises/scenes/file_head.h"
+#include "exercises/scenes/force_sheets.h"
 #include "exercises/scenes/limits.h"
 #include "exercises/scenes/path_sheets.h"
 #include "exercises/scenes/polode_sheets.h"
@@ -135,6 +136,7 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
        [scene](const Solution& s, Language language) { return diagram(*scene, s, false, language); }}};
   for (SheetMaker& sheet : polygon_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : centres_sheets(scene)) sheets.push_back(std::move(sheet));
+  for (SheetMaker& sheet : force_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : path_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : polode_sheets(scene)) sheets.push_back(std::move(sheet));
   if (!scene->charts().empty())

@@ -141,6 +141,25 @@ bool add_slot_aside(Mechanism& figure, const Built& built, const Solution& s, in
   return true;
 }
 
+// A bar or a plate, with the slot in which a pin runs; nothing of a link that has neither.
+void add_link(Mechanism& figure, const Built& built, const Solution& s, int link) {
+  const Linkage& of = built.linkage;
+  const Link& own = of.links[static_cast<std::size_t>(link)];
+  const int number = built.letters.links[static_cast<std::size_t>(link)];
+  std::vector<std::string> points;
+  for (const LinkPoint& p : own.points) points.push_back(letter(built, p.point));
+  const auto pin = pin_apart(pins_in(of, link), points, figure, built);
+  const bool is_straight = lies_on_its_lines(own);
+  if (pin && is_straight && is_on_a_line(figure, built, s, link, *pin)) {
+    points.push_back(letter(built, *pin));
+    figure.slotted(points, number);
+  } else if ((points.size() > 1 || !is_straight) && add_slot_aside(figure, built, s, link)) {
+    return;
+  } else if (points.size() > 1) {
+    figure.body(points, number);
+  }
+}
+
 // The hinge of a link on the frame, and another of its points; none where there are not both.
 std::optional<std::pair<int, int>> crank_of(const Linkage& of, int link) {
   std::optional<int> hinge, pin;
@@ -197,7 +216,52 @@ void add_lines(Mechanism& figure, const Built& built) {
   }
 }
 
+// A block along its guide, about its first point.
+void add_block(Mechanism& figure, const Built& built, const Solution& s, int link, double size) {
+  const Link& own = built.linkage.links[static_cast<std::size_t>(link)];
+  const int number = built.letters.links[static_cast<std::size_t>(link)];
+  const Arrow2 along =
+      own.lines.empty() ? Arrow2{1, 0}
+                        : s.vector("along_" + built.letters.lines[static_cast<std::size_t>(own.lines.front().line)]);
+  const Place P = figure.at(letter(built, own.points.front().point));
+  std::vector<std::string> corners;
+  for (const auto& [x, y] : {std::pair(-1.0, -0.6), {1.0, -0.6}, {1.0, 0.6}, {-1.0, 0.6}}) {
+    corners.push_back("corner " + std::to_string(corners.size()));
+    figure.point(corners.back(), P + (x * size) * along + (y * size) * geometry::quarter_turn(along),
+                 Mechanism::Joint::corner, "");
+  }
+  figure.body(corners, number);
+}
+
 }  // namespace
+
+Mechanism figure_of_link(const Built& built, const Solution& s, int link, const std::vector<int>& acting,
+                         double size_of_block, const Place& otherwise) {
+  const Linkage& of = built.linkage;
+  const std::vector<LinkPoint>& own = of.links[static_cast<std::size_t>(link)].points;
+  Mechanism figure;
+  if (own.empty()) return figure.point("", otherwise, Mechanism::Joint::corner, "");
+  for (const LinkPoint& p : own)
+    figure.point(letter(built, p.point), s.place(letter(built, p.point)),
+                 joint(of, p.point) == Mechanism::Joint::none ? Mechanism::Joint::none : Mechanism::Joint::hinge,
+                 "$" + point_letters(letter(built, p.point)) + "$");
+  std::vector<std::string> arm{letter(built, own.front().point)};
+  for (const int pin : pins_in(of, link)) {
+    const std::string& name = letter(built, pin);
+    if (std::any_of(own.begin(), own.end(), [&](const LinkPoint& p) { return p.point == pin; })) continue;
+    const bool is_seen = std::find(acting.begin(), acting.end(), pin) != acting.end();
+    figure.point(name, s.place(name), is_seen ? Mechanism::Joint::none : Mechanism::Joint::corner,
+                 is_seen ? "$" + point_letters(name) + "$" : "");
+    if (is_seen && arm.size() == 1) arm.push_back(name);
+  }
+  const bool is_block =
+      own.size() == 1 && std::any_of(of.blocks.begin(), of.blocks.end(),
+                                     [&](const LineOnLine& each) { return of.link_of_line(each.moving) == link; });
+  if (!is_block) add_link(figure, built, s, link);
+  if (is_block && arm.size() > 1) figure.body(arm);
+  if (own.size() == 1 && (is_block || !figure.has_bodies())) add_block(figure, built, s, link, size_of_block);
+  return figure;
+}
 
 geometry::PlacedLink<double> placed(const Built& built, const Solution& s, int link) {
   const Link& own = built.linkage.links[static_cast<std::size_t>(link)];
@@ -232,20 +296,7 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
   for (int p = 0; p < of.count_of_points(); ++p)
     figure.point(letter(built, p), solution.place(letter(built, p)), joint(of, p),
                  "$" + point_letters(letter(built, p)) + "$");
-  for (std::size_t i = 1; i < of.links.size(); ++i) {
-    std::vector<std::string> points;
-    for (const LinkPoint& p : of.links[i].points) points.push_back(letter(built, p.point));
-    const auto pin = pin_apart(pins_in(of, static_cast<int>(i)), points, figure, built);
-    const bool is_straight = lies_on_its_lines(of.links[i]);
-    if (pin && is_straight && is_on_a_line(figure, built, solution, static_cast<int>(i), *pin)) {
-      points.push_back(letter(built, *pin));
-      figure.slotted(points, built.letters.links[i]);
-    } else if ((points.size() > 1 || !is_straight) && add_slot_aside(figure, built, solution, static_cast<int>(i))) {
-      continue;
-    } else if (points.size() > 1) {
-      figure.body(points, built.letters.links[i]);
-    }
-  }
+  for (std::size_t i = 1; i < of.links.size(); ++i) add_link(figure, built, solution, static_cast<int>(i));
   for (const geometry::Drive& drive : of.drives)
     if (const auto* cylinder = std::get_if<geometry::Stretched>(&drive))
       figure.cylinder(letter(built, cylinder->from), letter(built, cylinder->to));

@@ -5,6 +5,7 @@
 
 #include "exercises/kit/linkages/coupler_routes.h"
 #include "exercises/kit/statement/format_words.h"
+#include "exercises/scenes/forces_found.h"
 #include "exercises/scenes/greek.h"
 #include "exercises/scenes/relative_motion.h"
 #include "exercises/scenes/scene_forces.h"
@@ -20,6 +21,7 @@ struct SceneRoutes {
   std::vector<Term> vectors = relative_vectors(dyad_equations(*built));
   CentrePlan plan = centre_plan_of(*built);
   std::vector<std::size_t> floating = links_without_pivot(*built);
+  std::vector<GroupForces> groups = force_groups(*built);
 
   template <class T>
   Ledger<T> operator()() const {
@@ -74,8 +76,15 @@ struct SceneRoutes {
           const PlaneMotion<T>&a = motion.get().links[i], &b = motion.get().links[j];
           return at_rest_against(a.omega - b.omega, of_origin(a) - of_origin(b));
         });
-    if (built->loads)
-      put_forces<T>(ledger, WhenAsked<JointForces<T>>([&] { return forces_by_groups(*built, constructed); }));
+    if (built->loads) {
+      const WhenAsked<JointForces<T>> forces([&] { return forces_by_groups(*built, constructed); });
+      put_forces<T>(ledger, forces);
+      const ForcesFound<T> found(*built, found_by_groups(constructed, forces));
+      put_acting(ledger, found, [&](const Moments& moments, bool is_across) {
+        return is_across ? found.across_by_moments(moments) : found.part(std::get<AcrossRod>(moments.sought), false);
+      });
+      draw_acting(ledger, found);
+    }
     for (const std::size_t i : floating)
       put_projective(ledger, acceleration_centre(built->letters.links[i]), no_acceleration_centre(i),
                      [&motion, i] { return motion.get().links[i].acceleration_pole(); });
@@ -88,9 +97,14 @@ struct SceneRoutes {
 
   template <class T>
   void by_joint_equations(Ledger<T>& ledger, const Constructed<T>& constructed, const ByJoints<T>& by_joints) const {
-    if (built->loads)
-      put_forces<T>(ledger,
-                    WhenAsked<JointForces<T>>([&] { return forces_by_equilibrium(*built, constructed, by_joints); }));
+    if (built->loads) {
+      const WhenAsked<JointForces<T>> forces([&] { return forces_by_equilibrium(*built, constructed, by_joints); });
+      put_forces<T>(ledger, forces);
+      const ForcesFound<T> found(*built, found_by_equilibrium(by_joints, forces));
+      put_acting(ledger, found, [&](const Moments& moments, bool is_across) {
+        return found.part(std::get<AcrossRod>(moments.sought), is_across);
+      });
+    }
     const auto link = [&](std::size_t i, UpTo order) -> const LinkState<T>& { return by_joints.states(order)[i]; };
     const auto state = [&](int point, UpTo order) {
       const int on = link_with(point);
@@ -185,6 +199,108 @@ struct SceneRoutes {
     }
     for (std::size_t k = 0; k < joints.drives.size(); ++k)
       ledger.put(driving_effort(*built, built->linkage.drives[k]), [&] { return forces.get().drives[k]; });
+  }
+  // --- what sheets of forces show beside --------------------------------------------------------------------------
+  template <class T>
+  FoundByRoute<T> found_by_groups(const Constructed<T>& constructed, const WhenAsked<JointForces<T>>& forces) const {
+    const auto own = [](const Own& at) { return Vector<T>{from_rational<T>(at.x), from_rational<T>(at.y)}; };
+    const auto vector = [](const Point<T>& P) { return Vector<T>{P.x, P.y}; };
+    const auto& at = constructed.at;
+    return {.joints = [&forces]() -> const JointForces<T>& { return forces.get(); },
+            .point = [&at, vector](int p) { return vector(at.points[index(p)]); },
+            .on_link = [&at, vector, own](int link,
+                                          const Own& there) { return vector(at.links[index(link)].at(own(there))); },
+            .along =
+                [&at, this](int line) {
+                  return at.links[index(built->linkage.link_of_line(line))].turned(
+                      linkages::unit_vector<T>(built->linkage.line(line).along));
+                },
+            .load = [](const LinkForce& load) { return ForcesByGroups<T>::vector(load); }};
+  }
+  template <class T>
+  FoundByRoute<T> found_by_equilibrium(const ByJoints<T>& by_joints, const WhenAsked<JointForces<T>>& forces) const {
+    const auto vector = [](const Complex<T>& z) { return Vector<T>{z.re, z.im}; };
+    const auto on_link = [&by_joints, vector](int link, const Own& at) {
+      return vector(analytic::point_of(by_joints.states(UpTo::place)[index(link)], at).z);
+    };
+    return {.joints = [&forces]() -> const JointForces<T>& { return forces.get(); },
+            .point =
+                [this, on_link](int p) {
+                  const int link = link_with(p);
+                  return on_link(link, built->linkage.place(link, p));
+                },
+            .on_link = on_link,
+            .along =
+                [this, &by_joints, vector](int line) {
+                  const int link = built->linkage.link_of_line(line);
+                  return vector(
+                      analytic::direction(built->linkage.line(line), by_joints.states(UpTo::place)[index(link)]));
+                },
+            .load =
+                [vector](const LinkForce& load) {
+                  return vector(Complex<T>{from_rational<T>(load.components.x), from_rational<T>(load.components.y)} *
+                                Complex<T>{cosine<T>(load.turned), sine<T>(load.turned)});
+                }};
+  }
+  // Loads that are no plain givens, what holds pins alone, arms, and the two parts of a rod's force.
+  template <class T, class PartOf>
+  void put_acting(Ledger<T>& ledger, const ForcesFound<T>& found, const PartOf& part) const {
+    for (std::size_t k = 0; k < built->force_names.size(); ++k)
+      if (!built->force_names[k].is_given) put(ledger, load_force(*built, k), [&found, k] { return found.load(k); });
+    for (std::size_t k = 0; k < built->couple_names.size(); ++k)
+      if (const LoadName& of = built->couple_names[k]; !of.is_given)
+        ledger.put(Quantity{of.name, of.symbol, "N*m",
+                            format_words("load on link {}, a couple", "carico sul membro {}, una coppia",
+                                         built->letters.links[index(built->loads->couples[k].link)])},
+                   from_rational<T>(built->loads->couples[k].moment));
+    for (const ActingForce& held : held_pins())
+      put(ledger, held_force(*built, held.which), [&found, held] { return found.vector(held); });
+    for (const GroupForces& group : groups)
+      for (const Moments& moments : group.moments) {
+        for (const Arm& arm : moments.arms) put_arm(ledger, found, arm, moments.about);
+        if (const auto* arm = std::get_if<Arm>(&moments.sought)) put_arm(ledger, found, *arm, moments.about);
+        const auto* of_rod = std::get_if<AcrossRod>(&moments.sought);
+        if (!of_rod) continue;
+        for (const bool is_across : {true, false}) {
+          const VectorQuantity quantity =
+              part_of_force(*built, of_rod->force, is_across ? ForcePart::across : ForcePart::along);
+          const auto find = [&part, &moments, is_across] { return part(moments, is_across); };
+          ledger.put(quantity.length(), [find] { return size(find()); });
+          ledger.draws_point(quantity.name, std::function<Point<T>()>([find] {
+                               const Vector<T> v = find();
+                               return Point<T>{v.x, v.y};
+                             }));
+        }
+      }
+  }
+  template <class T>
+  static void put_arm(Ledger<T>& ledger, const ForcesFound<T>& found, const Arm& arm, const About& about) {
+    ledger.put(arm.length, [&found, &arm, &about] { return found.arm(arm.force, about); });
+  }
+  std::vector<ActingForce> held_pins() const {
+    std::vector<ActingForce> all;
+    for (const GroupForces& group : groups)
+      for (const LinkForces& body : group.bodies)
+        for (const ActingForce& force : body.sought)
+          if (force.kind == ActingForce::Kind::held) all.push_back(force);
+    return all;
+  }
+  template <class T>
+  void draw_acting(Ledger<T>& ledger, const ForcesFound<T>& found) const {
+    const auto draw = [&ledger](const std::string& name, const std::function<Vector<T>()>& find) {
+      ledger.draws_point(name, std::function<Point<T>()>([find] {
+                           const Vector<T> v = find();
+                           return Point<T>{v.x, v.y};
+                         }));
+    };
+    for (std::size_t k = 0; k < built->force_names.size(); ++k) {
+      const ActingForce force{ActingForce::Kind::load, static_cast<int>(k), built->loads->forces[k].link};
+      draw("load " + built->force_names[k].name, [&found, force] { return found.vector(force); });
+      draw("place of " + built->force_names[k].name, [&found, force] { return found.place(force); });
+    }
+    for (const LineOnLine& block : built->linkage.blocks)
+      draw("through " + built->letters.lines[index(block.moving)],
+           [&found, line = block.moving] { return found.through(line); });
   }
   template <class T>
   void by_power(Ledger<T>& ledger, const Constructed<T>& constructed) const {

@@ -50,6 +50,8 @@ def loaded_four_bar():
     e = Equilibrium([2, 3, 4])
     e.hinge(1, 2, 0), e.hinge(2, 3, A), e.hinge(3, 4, B), e.hinge(1, 4, B0), e.couple("M_2", 1, 2)
     e.load(3, P, 200 * expj(deg("-100"))), e.load_couple(4, mpf(-20))
+    e.rod("R_23", A, B), e.rod("R_14", B0, B)
+    e.arm("h_F", expj(deg("-100")), P, B), e.arm("h_R_23", "R_23", A, 0)
     scene.forces = e
     return scene
 
@@ -61,6 +63,7 @@ def cutting_stroke():
     e.hinge(1, 2, I * q("0.3")), e.hinge(1, 4, 0), e.hinge(4, 5, B), e.couple("M_2", 1, 2)
     e.unknown("N_A", 4, 2, A, I * A / abs(A)), e.unknown("N_C", 1, 5, C, I)
     e.load(5, C, mpf(1500))
+    e.arm("h_R_45", "R_45", B, 0), e.arm("h_N_A", I * A, A, 0), e.arm("h_N_A_on_2", I * A, A, I * q("0.3"))
     scene.forces = e
     return scene
 

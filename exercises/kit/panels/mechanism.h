@@ -63,6 +63,7 @@ class Mechanism : public MechanismFigure {
   Mechanism& right_angle(const std::string& at, const std::string& one, const std::string& other);
 
   const Place& at(const std::string& name) const { return find(name).at; }
+  bool has_bodies() const { return !bodies_.empty(); }
 
   void draw(Plot& plot) const override;
   void draw_given(Plot& plot) const override;

@@ -1,9 +1,10 @@
 // Forces of mechanisms from files: under loads the scenes of the docs hold against values made apart; near a dead
 // centre they are found however large they grow, and at it they are refused; what is wrong with loads: is told with
-// its place.
+// its place. Their sheets are told as they are drawn, and what is drawn is what was found.
 #include <cmath>
 #include <map>
 
+#include "drawings/text/text.h"
 #include "exercises/scenes/file_head.h"
 #include "exercises/scenes/scene.h"
 #include "exercises/scenes/scene_exercise.h"
@@ -67,6 +68,19 @@ const std::map<std::string, std::string>& loads_of_cases() {
       {"driven-piston", "[{on: 2, couple: 15 N*m}, {at: D, force: [3 N, -8 N]}]"},
       {"two-blocks", "[{at: D, force: [-60 N, 25 N]}, {on: 3, couple: 2 N*m}]"}};
   return all;
+}
+
+std::vector<std::string> steps_of_forces(const std::string& text, const std::string& sheet, Language language,
+                                         const std::vector<std::string>& set = {}) {
+  const auto scene = std::make_shared<const scenes::Scene>("f", text);
+  Givens givens(scene->givens());
+  for (const std::string& each : set) givens.set(each);
+  const DrawnSheet drawn = scenes::scene_exercise(scene)->draw(sheet, givens, {.language = language});
+  std::vector<std::string> lines;
+  for (const drawings::Block& block : drawn.sheet.column)
+    if (const auto* steps = std::get_if<drawings::Steps>(&block))
+      for (const std::string& line : steps->lines) lines.push_back(drawings::plain(line));
+  return lines;
 }
 
 bool is_of_force(const Quantity& quantity) { return quantity.unit == "N" || quantity.unit == "N*m"; }
@@ -161,4 +175,57 @@ TEST_CASE("what is wrong with loads is told with its place", "[scenes]") {
   CHECK(why("{on: 3, coupel: 2 N*m}").find("coupel") != std::string::npos);
   CHECK(refused_loads(with_loads("planetary-gear", "[{on: 2, couple: 1 N*m}]")).find("wheels that mesh") !=
         std::string::npos);
+}
+
+TEST_CASE("sheets of forces go from the last group to the drive, and are told as they are drawn", "[scenes]") {
+  const std::string four_bar = scenes::bytes_of(EPURE_SCENES "/loaded-four-bar.yaml"),
+                    shaper = scenes::bytes_of(EPURE_SCENES "/cutting-stroke.yaml");
+  CHECK(steps_of_forces(four_bar, "forces", Language::english) ==
+        std::vector<std::string>{"First links 3 and 4: only given loads act there.",
+                                 "At last link 2: what the others exert there is known now."});
+  CHECK(steps_of_forces(four_bar, "forces-3-4", Language::english) ==
+        std::vector<std::string>{"Link 3, moments about B: R_23^t·AB = F·h_F.",
+                                 "Link 4, moments about B: R_14^t·B_0B = C.", "From O_3,4 the known R_23^t, ⊥ AB.",
+                                 "From a the known F, ∠ −100°.", "From b the known R_14^t, ⊥ B_0B.",
+                                 "Through c the line ∥ B_0B: the direction of R_14^n.",
+                                 "Through O_3,4 the line ∥ AB: the direction of R_23^n. The two lines meet at d.",
+                                 "R_23 is the sum of its two parts.", "R_14 is the sum of its two parts.",
+                                 "R_43 closes the forces on link 3."});
+  CHECK(steps_of_forces(four_bar, "forces-2", Language::italian) ==
+        std::vector<std::string>{"Due sole forze: R_12 = −R_32.",
+                                 "Membro 2, momenti rispetto a A_0: M_2 = R_32·h_23."});
+  CHECK(steps_of_forces(shaper, "forces-4", Language::italian) ==
+        std::vector<std::string>{
+            "Non c'è attrito: la −N_A è normale a s.", "Membro 4, momenti rispetto a O_4: N_A·h_NA = −R_54·h_45.",
+            "Da O_4 la R_54 nota, ∥ R_45.", "Da a la −N_A nota, ⊥ s.", "La R_14, da b a O_4, chiude il poligono."});
+  // Of the other way the couple acts, and of no force at all.
+  CHECK(steps_of_forces(four_bar, "forces-3-4", Language::english, {"C=-20N*m"})[1] ==
+        "Link 4, moments about B: R_14^t·B_0B = −C.");
+  CHECK(steps_of_forces(four_bar, "forces-3-4", Language::english, {"F=0N"})[0] ==
+        "Link 3, moments about B: R_23^t·AB = 0.");
+}
+
+TEST_CASE("every sheet of forces has room for its letters, and each reaction on it is what was found", "[scenes]") {
+  for (const auto& [name, loads] : loads_of_cases()) {
+    const std::string text = bytes_of_case(name) + "loads: " + loads + "\n";
+    const auto exercise = scenes::scene_exercise(std::make_shared<const scenes::Scene>("f", text));
+    int count = 0;
+    for (const SheetSpec& sheet : exercise->about().sheets) {
+      if (!sheet.name.starts_with("forces")) continue;
+      CAPTURE(name, sheet.name);
+      for (const Language language : {Language::english, Language::italian}) {
+        const DrawnSheet drawn = exercise->draw(sheet.name, Givens(exercise->about().givens), {.language = language});
+        CAPTURE(drawings::overlaps(drawn.sheet));
+        CHECK(drawings::overlaps(drawn.sheet).empty());
+      }
+      ++count;
+    }
+    CHECK(count >= 3);
+    for (const CheckedQuantity& quantity : checked_text(text).quantities) {
+      CAPTURE(name, quantity.spec.name);
+      const bool is_reaction = quantity.spec.name.starts_with("R_") || quantity.spec.name.starts_with("N_");
+      const bool is_size = !quantity.spec.name.ends_with("_x") && !quantity.spec.name.ends_with("_y");
+      if (is_reaction && is_size) CHECK_FALSE(quantity.on_sheets.empty());
+    }
+  }
 }
