@@ -78,6 +78,8 @@ class ForcePlanner {
     const auto of_line = [&](int line) { return placed_[index(of_.link_of_line(line))]; };
     switch (force.kind) {
       case Force::Kind::load:
+      case Force::Kind::weight:
+      case Force::Kind::inertia:
         return static_cast<int>(built_.steps.size());
       case Force::Kind::hinge: {
         const auto& hinge = joints_.hinges[index(force.which)];
@@ -116,6 +118,13 @@ class ForcePlanner {
     for (std::size_t k = 0; k < built_.loads->forces.size(); ++k)
       if (built_.loads->forces[k].link == link)
         all.push_back({Kind::load, static_cast<int>(k), link, false, point_at(link, built_.loads->forces[k].at)});
+    for (std::size_t k = 0; k < built_.loads->masses.size(); ++k) {
+      const LinkMass& body = built_.loads->masses[k];
+      if (body.link != link) continue;
+      const int G = point_at(link, body.at);
+      if (!built_.gravity.empty()) all.push_back({Kind::weight, static_cast<int>(k), link, false, G});
+      all.push_back({Kind::inertia, static_cast<int>(k), link, false, G});
+    }
     for (std::size_t k = 0; k < joints_.hinges.size(); ++k) {
       const auto& hinge = joints_.hinges[k];
       if (hinge.on == link) all.push_back({Kind::hinge, static_cast<int>(k), link, false, hinge.point});
@@ -157,7 +166,7 @@ class ForcePlanner {
   }
   bool is_borne(const Force& force) const {
     const int step = step_of(force);
-    return step > now_ && (force.kind == Force::Kind::load || is_loaded_[index(step)]);
+    return step > now_ && (step == static_cast<int>(built_.steps.size()) || is_loaded_[index(step)]);
   }
   // Loads, and what later groups hand on.
   std::vector<Force> known(int link) const {
@@ -187,6 +196,9 @@ class ForcePlanner {
     std::vector<ActingCouple> all;
     for (std::size_t k = 0; k < built_.loads->couples.size(); ++k)
       if (built_.loads->couples[k].link == link) all.push_back({Kind::load, static_cast<int>(k)});
+    for (std::size_t k = 0; k < built_.loads->masses.size(); ++k)
+      if (built_.loads->masses[k].link == link && !built_.mass_names[k].inertia.empty())
+        all.push_back({Kind::inertia, static_cast<int>(k)});
     for (const Force& force : forces_on(link))
       if (force.kind == Force::Kind::guide && step_of(force) >= now_ && is_loaded_[index(step_of(force))])
         all.push_back({Kind::guide, force.which, force.is_opposite});
@@ -196,7 +208,7 @@ class ForcePlanner {
     return all;
   }
   bool is_known(const ActingCouple& couple) const {
-    if (couple.kind != ActingCouple::Kind::guide) return couple.kind == ActingCouple::Kind::load;
+    if (couple.kind != ActingCouple::Kind::guide) return couple.kind != ActingCouple::Kind::drive;
     return step_of({Force::Kind::guide, couple.which, nothing}) > now_;
   }
   std::vector<ActingCouple> known_couples(int link) const {
@@ -273,6 +285,11 @@ class ForcePlanner {
     ForceSide side{.force = force};
     if (force.kind == Force::Kind::load) {
       side.direction = built_.force_names[index(force.which)].direction;
+    } else if (force.kind == Force::Kind::weight) {
+      const Own& g = built_.loads->gravity;
+      side.direction = g.x == 0 ? "∥ $y$" : g.y == 0 ? "∥ $x$" : "∥ " + built_.gravity;
+    } else if (force.kind == Force::Kind::inertia) {
+      side.direction = "∥ " + acceleration_of_centre(built_, index(force.which));
     } else {
       side.direction = "∥ " + letters_of_force(built_, on_other(force));
       if (const int l = line_of(force); l != nothing) side.direction = (is_across(force) ? "⊥ " : "∥ ") + line(l);
@@ -623,6 +640,11 @@ std::string plain_letters(const Built& built, const Force& force, ForcePart part
       const auto& numbers = built.letters.links;
       return with_script("R", both_numbers(numbers[index(other)], numbers[index(force.link)]), part);
     }
+    case Force::Kind::weight:
+    case Force::Kind::inertia:
+      return with_script(force.kind == Force::Kind::weight ? "W" : "F",
+                         std::to_string(built.letters.links[index(built.loads->masses[index(force.which)].link)]),
+                         part);
     case Force::Kind::held:
       return with_script("R", point_letters(built.letters.points[index(force.which)]), part);
     default:
@@ -645,6 +667,7 @@ std::vector<ActingForce> forces_that_hold(const Built& built, int point) {
 
 std::string name_of_force(const Built& built, const ActingForce& force) {
   if (force.kind == Force::Kind::load) return built.force_names[index(force.which)].name;
+  if (is_of_mass(force)) return mass_force(built, force).name;
   if (force.kind == Force::Kind::held) return held_force(built, force.which).name;
   if (force.kind != Force::Kind::hinge) return scalar_force(built, force).name;
   const auto hinge = hinge_of_force(built, force);
@@ -684,6 +707,32 @@ VectorQuantity held_force(const Built& built, int point) {
   const Words meaning =
       format_words("force of all that holds {} on its link", "forza di tutto ciò che trattiene {} sul suo membro", A);
   return {"R_" + A, "\\it{{R}}_{{{}}}", point_letters(A), "N", meaning, meaning};
+}
+VectorQuantity mass_force(const Built& built, const ActingForce& force) {
+  const std::string number = std::to_string(built.letters.links[index(built.loads->masses[index(force.which)].link)]);
+  const bool is_weight = force.kind == Force::Kind::weight;
+  const std::string letter = is_weight ? "W" : "F";
+  const Words meaning = is_weight ? format_words("weight of link {}", "peso del membro {}", number)
+                                  : format_words("inertia force of link {}", "forza d'inerzia del membro {}", number);
+  return {letter + "_" + number, "\\it{{" + letter + "}}_{{{}}}", number, "N", meaning, meaning};
+}
+Quantity inertia_couple(const Built& built, std::size_t mass) {
+  const std::string number = std::to_string(built.letters.links[index(built.loads->masses[mass].link)]);
+  return {"C_" + number, "$\\it{C}_{" + number + "}$", "N*m",
+          format_words("inertia couple of link {}", "coppia d'inerzia del membro {}", number)};
+}
+std::string letters_of_centre(const Built& built, std::size_t mass) {
+  const geometry::LinkMass& body = built.loads->masses[mass];
+  for (const LinkPoint& p : built.linkage.links[index(body.link)].points)
+    if (is_one_place(p.at, body.at)) return point_letters(built.letters.points[index(p.point)]);
+  return "G_{" + std::to_string(built.letters.links[index(body.link)]) + "}";
+}
+std::string acceleration_of_centre(const Built& built, std::size_t mass) {
+  std::string letters = letters_of_centre(built, mass);
+  letters.erase(
+      std::remove_if(letters.begin(), letters.end(), [](char c) { return c == '_' || c == '{' || c == '}'; }),
+      letters.end());
+  return "$a_{" + letters + "}$";
 }
 VectorQuantity load_force(const Built& built, std::size_t load) {
   const LoadName& of = built.force_names[load];

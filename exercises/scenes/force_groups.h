@@ -17,6 +17,8 @@ namespace epure::scenes {
 struct ActingForce {
   enum class Kind {
     load,      // as the loads
+    weight,    // of a link's mass: as the masses
+    inertia,   // the same
     hinge,     // as the hinges of JointForces
     pin,       // of a slot on the pin in it: as the linkage's pins
     guide,     // of a guide on a block: as its blocks
@@ -32,8 +34,12 @@ struct ActingForce {
 
   bool is_same(const ActingForce& other) const { return kind == other.kind && which == other.which; }
 };
+// At the centre of a link's mass.
+inline bool is_of_mass(const ActingForce& force) {
+  return force.kind == ActingForce::Kind::weight || force.kind == ActingForce::Kind::inertia;
+}
 struct ActingCouple {
-  enum class Kind { load, guide, drive };
+  enum class Kind { load, inertia, guide, drive };
   Kind kind;
   int which;
   bool is_opposite = false;
@@ -125,6 +131,12 @@ std::string letters_of_force(const Built& built, const ActingForce& force, Force
 VectorQuantity part_of_force(const Built& built, const ActingForce& force, ForcePart part);
 // R_A.
 VectorQuantity held_force(const Built& built, int point);
+// W_3 and F_3, and the couple C_3, of a mass.
+VectorQuantity mass_force(const Built& built, const ActingForce& force);
+// Letters of its centre, "G" or "G_{3}" within mathematics, and of how that is accelerated, rich text.
+std::string letters_of_centre(const Built& built, std::size_t mass);
+std::string acceleration_of_centre(const Built& built, std::size_t mass);
+Quantity inertia_couple(const Built& built, std::size_t mass);
 // The force of a load that is no plain given.
 VectorQuantity load_force(const Built& built, std::size_t load);
 

@@ -50,6 +50,8 @@ class ForceFigures {
       case Kind::load:
         v = s_.vector("load " + name);
         break;
+      case Kind::weight:
+      case Kind::inertia:
       case Kind::hinge:
       case Kind::held:
         v = s_.vector(name);
@@ -74,6 +76,7 @@ class ForceFigures {
   }
   Place place(const ActingForce& force) const {
     if (force.kind == ActingForce::Kind::load) return s_.place("place of " + name_of_force(built_, force));
+    if (is_of_mass(force)) return s_.place("centre of " + number(force.link));
     if (force.kind == ActingForce::Kind::guide) return through(built_.linkage.blocks[index(force.which)].moving);
     return at(force.point);
   }
@@ -90,6 +93,12 @@ class ForceFigures {
     side.quantity = is_given ? "" : name_of_force(built_, force);
     side.label = arrow_of_force(built_, force, part);
     side.magnitude = letters_of_force(built_, force, part);
+    if (is_of_mass(force)) {
+      const auto k = index(force.which);
+      const bool is_weight = force.kind == ActingForce::Kind::weight;
+      side.magnitude =
+          built_.mass_names[k].mass + "·" + (is_weight ? built_.gravity : acceleration_of_centre(built_, k));
+    }
     if (part == ForcePart::whole) {
       side.v = vector(force);
     } else {
@@ -135,6 +144,7 @@ class ForceFigures {
   Quantity quantity(const ActingCouple& couple) const {
     const auto k = index(couple.which);
     if (couple.kind == ActingCouple::Kind::guide) return guide_forces(built_, k).couple;
+    if (couple.kind == ActingCouple::Kind::inertia) return inertia_couple(built_, k);
     if (couple.kind == ActingCouple::Kind::drive) return driving_effort(built_, built_.linkage.drives[k]);
     return {built_.couple_names[k].name, built_.couple_names[k].symbol, "N*m", {}};
   }
@@ -154,6 +164,20 @@ class ForceFigures {
         force.kind == Kind::cylinder)
       return s_[name_of_force(built_, force)];
     return magnitude(vector(force));
+  }
+  // d'Alembert's force and couple.
+  Words inertia_in_words(const ActingForce& force) const {
+    const auto k = index(force.which);
+    const MassName& letters = built_.mass_names[k];
+    std::string a = acceleration_of_centre(built_, k);
+    a = "$\\vec{a}" + a.substr(2);
+    const std::string i = number(force.link);
+    const Words in_centre = format_words(
+        "Link {0}, d'Alembert: {1} = −{2}·{3} in ${4}$", "Membro {0}, d'Alembert: {1} = −{2}·{3} in ${4}$", i,
+        arrow_of_force(built_, force), letters.mass, a, letters_of_centre(built_, k));
+    if (letters.inertia.empty()) return in_centre + Words{".", "."};
+    return in_centre + format_words(", and {0} = −{1}·$α_{{{2}}}$.", ", e {0} = −{1}·$α_{{{2}}}$.",
+                                    inertia_couple(built_, k).symbol, letters.inertia, i);
   }
   double moment(const ActingForce& force, const About& about) const {
     return cross(place(force) - place(about), vector(force));
@@ -270,12 +294,21 @@ class GroupSheet {
     pin.point("pin", of_.at(point), Mechanism::Joint::hinge, of_.letter(point));
     return pin;
   }
+  // Of a mass that is in no point of its own name.
+  void add_centre(Mechanism& link, const LinkForces& body) const {
+    for (const ActingForce& force : body.known)
+      if (force.kind == ActingForce::Kind::inertia && force.point == nothing)
+        link.point("centre", of_.place(force), Mechanism::Joint::mass,
+                   "$" + letters_of_centre(built_, index(force.which)) + "$");
+  }
   static const ActingForce& any_force(const LinkForces& body) {
     return body.sought.empty() ? body.known.front() : body.sought.front();
   }
 
   FreeBodyPanel cut_free(const LinkForces& body) const {
-    const auto drawn = std::make_shared<const Mechanism>(figure(body));
+    Mechanism link = figure(body);
+    add_centre(link, body);
+    const auto drawn = std::make_shared<const Mechanism>(std::move(link));
     FreeBodyPanel panel(drawn);
     panel.to_scale();
     // What has no size of its own is no larger than the whole mechanism lets it be.
@@ -296,7 +329,7 @@ class GroupSheet {
     const Place P = of_.place(force);
     const PolygonSide side = of_.side(force);
     const auto there = dot(side.v, middle - P) > 0 ? FreeBodyPanel::Arrow::ends : FreeBodyPanel::Arrow::starts;
-    if (force.kind == ActingForce::Kind::load)
+    if (force.kind == ActingForce::Kind::load || force.kind == ActingForce::Kind::weight)
       panel.load(side, P, there);
     else
       panel.force(side, P, there);
@@ -332,6 +365,8 @@ class GroupSheet {
                                 "Il membro {0} è caricato solo nelle cerniere: le sue forze corrono lungo {1}{2}.",
                                 of_.number(each.link), of_.letter(each.from), of_.letter(each.to)),
                    of_.at(each.from) + 0.5 * (of_.at(each.to) - of_.at(each.from)));
+    for (const ActingForce& force : body.known)
+      if (force.kind == ActingForce::Kind::inertia) panel.step(of_.inertia_in_words(force), of_.place(force));
     for (const GroupForces::Pressed& each : group_.pressed)
       if (each.force.link == body.link && each.force.kind != ActingForce::Kind::hinge)
         panel.step(format_words("There is no friction: {} is square to {}.", "Non c'è attrito: la {} è normale a {}.",
@@ -403,6 +438,16 @@ class GroupSheet {
           parts.push_back(part_of_force(built_, of_rod->force, part).name);
     }
     for (const LinkForces& body : group_.bodies)
+      for (const ActingForce& force : body.known)
+        if (is_of_mass(force)) {
+          vectors.push_back(mass_force(built_, force));
+          told.push_back(vectors.back().name);
+        }
+    for (const LinkForces& body : group_.bodies)
+      for (const ActingCouple& each : body.couples)
+        if (each.kind == ActingCouple::Kind::inertia)
+          scalars.push_back(inertia_couple(built_, index(each.which)).name);
+    for (const LinkForces& body : group_.bodies)
       for (const ActingForce& force : body.sought) {
         const std::string name = name_of_force(built_, force);
         if (std::find(told.begin(), told.end(), name) != told.end()) continue;
@@ -471,10 +516,9 @@ Words links_or_pin(const Built& built, const GroupForces& group) {
 Words turn_of(const Built& built, const std::vector<GroupForces>& groups, std::size_t i) {
   const Words group = links_or_pin(built, groups[i]);
   if (groups.size() == 1)
-    return format_words("Cut free {}: all loads on it are given.", "Si isola {}: tutti i carichi sono dati.", group);
+    return format_words("Cut free {}: only loads act there.", "Si isola {}: vi agiscono solo carichi.", group);
   if (i == 0)
-    return format_words("First {}: only given loads act there.", "Per prima cosa {}: lì agiscono solo carichi dati.",
-                        group);
+    return format_words("First {}: only loads act there.", "Per prima cosa {}: lì agiscono solo carichi.", group);
   const Words then = i + 1 == groups.size() ? Words{"At last ", "Infine "} : Words{"Then ", "Poi "};
   return then + group +
          Words{": what the others exert there is known now.", ": ciò che gli altri vi esercitano ora è noto."};
@@ -502,6 +546,12 @@ PanelSheet overview(const Built& built, const Solution& s) {
     const ActingForce load{ActingForce::Kind::load, static_cast<int>(k), built.loads->forces[k].link};
     whole.load(of.side(load), of.place(load));
   }
+  for (std::size_t k = 0; k < built.loads->masses.size(); ++k)
+    for (const auto kind : {ActingForce::Kind::weight, ActingForce::Kind::inertia}) {
+      const ActingForce force{kind, static_cast<int>(k), built.loads->masses[k].link};
+      if (kind == ActingForce::Kind::weight && built.gravity.empty()) continue;
+      whole.force(of.side(force), of.place(force));
+    }
   PanelSheet sheet;
   std::vector<std::string> efforts;
   for (std::size_t i = 0; i < groups.size(); ++i) {

@@ -18,6 +18,7 @@ struct FoundByRoute {
   std::function<geometry::Vector<T>(int, const geometry::Own&)> on_link;  // the same, by its place on a link
   std::function<geometry::Vector<T>(int)> along;                          // a line's unit vector
   std::function<geometry::Vector<T>(const LinkForce&)> load;
+  std::function<geometry::MassInMotion<T>(std::size_t)> mass;
 };
 
 template <class T>
@@ -37,6 +38,7 @@ class ForcesFound {
       const LinkForce& load = built_.loads->forces[k];
       return found_.on_link(load.link, load.at);
     }
+    if (is_of_mass(force)) return found_.on_link(built_.loads->masses[k].link, built_.loads->masses[k].at);
     if (force.kind == ActingForce::Kind::guide) return through(of().blocks[k].moving);
     return found_.point(force.point);
   }
@@ -50,11 +52,7 @@ class ForcesFound {
     return cross(place(force) - place(about), vector(force));
   }
   T couple(const ActingCouple& couple) const {
-    const auto k = index(couple.which);
-    const T value = couple.kind == ActingCouple::Kind::load
-                        ? geometry::from_rational<T>(built_.loads->couples[k].moment)
-                    : couple.kind == ActingCouple::Kind::guide ? found_.joints().guides[k].couple
-                                                               : found_.joints().drives[k];
+    const T value = couple_as_reported(couple);
     return couple.is_opposite ? -value : value;
   }
   // How far the line of a force passes by a point; of signs, its square.
@@ -78,6 +76,7 @@ class ForcesFound {
   // ... and that across as the moments of all else give it.
   Vector across_by_moments(const Moments& moments) const {
     const auto& of_rod = std::get<AcrossRod>(moments.sought);
+    found_.joints();  // all in one measure
     T sum(0);
     for (const Arm& arm : moments.arms) sum += moment(arm.force, moments.about);
     for (const ActingCouple& each : moments.couples) sum += couple(each);
@@ -86,6 +85,20 @@ class ForcesFound {
   }
 
  private:
+  T couple_as_reported(const ActingCouple& couple) const {
+    const auto k = index(couple.which);
+    switch (couple.kind) {
+      case ActingCouple::Kind::load:
+        return geometry::from_rational<T>(built_.loads->couples[k].moment);
+      case ActingCouple::Kind::inertia:
+        return -(geometry::from_rational<T>(built_.loads->masses[k].inertia) * found_.mass(k).alpha);
+      case ActingCouple::Kind::guide:
+        return found_.joints().guides[k].couple;
+      case ActingCouple::Kind::drive:
+        break;
+    }
+    return found_.joints().drives[k];
+  }
   const geometry::Linkage& of() const { return built_.linkage; }
 
   Vector as_reported(const ActingForce& force) const {
@@ -94,6 +107,15 @@ class ForcesFound {
     switch (force.kind) {
       case Kind::load:
         return load(k);
+      case Kind::weight: {
+        const geometry::LinkMass& body = built_.loads->masses[k];
+        return geometry::ForcesByGroups<T>::weight(body, built_.loads->gravity);
+      }
+      case Kind::inertia: {
+        const T m = geometry::from_rational<T>(built_.loads->masses[k].mass);
+        const geometry::MassInMotion<T> moving = found_.mass(k);
+        return {-(m * moving.a_x), -(m * moving.a_y)};
+      }
       case Kind::hinge: {
         const auto& hinge = found_.joints().hinges[k];
         const Vector on{hinge.x, hinge.y};

@@ -62,6 +62,7 @@ class Building {
     paths();
     polodes();
     loads();
+    masses();
     demand_near_origin();
     place();
     built_.linkage = with_sides_in_full(std::move(built_.linkage), built_.steps);
@@ -566,9 +567,7 @@ class Building {
     const Words what{"loads: [{at: P, on: 3, force: 200 N, direction: -90 deg}, {on: 4, couple: 20 N*m}]",
                      "loads: [{at: P, on: 3, force: 200 N, direction: -90 deg}, {on: 4, couple: 20 N*m}]"};
     file_.demand(*all, Tree::Kind::list, what);
-    if (!built_.linkage.gears.empty())
-      refuse(*all,
-             {"forces of wheels that mesh are not found yet", "le forze fra ruote dentate non si trovano ancora"});
+    demand_no_gears(*all);
     built_.loads.emplace();
     for (const Tree& item : all->items) {
       file_.map(item, what);
@@ -578,6 +577,80 @@ class Building {
         force(item, what);
     }
   }
+  void demand_no_gears(const Tree& at) const {
+    if (!built_.linkage.gears.empty())
+      refuse(at,
+             {"forces of wheels that mesh are not found yet", "le forze fra ruote dentate non si trovano ancora"});
+  }
+
+  // masses: {3: {mass: 2 kg, at: G, inertia: 0.03 kg*m^2}} and gravity: 9.81 m/s^2, downwards.
+  void masses() {
+    const Tree *all = root_.find("masses"), *gravity = root_.find("gravity");
+    if (gravity && !all)
+      refuse(*gravity, {"nothing weighs here: say what the links weigh under  masses: {3: {mass: 2 kg, at: G}}",
+                        "qui nulla pesa: dire quanto pesano i membri sotto  masses: {3: {mass: 2 kg, at: G}}"});
+    if (!all) return;
+    const Words what{"masses: {3: {mass: 2 kg, at: G, inertia: 0.03 kg*m^2}}, link by link",
+                     "masses: {3: {mass: 2 kg, at: G, inertia: 0.03 kg*m^2}}, membro per membro"};
+    file_.map(*all, what);
+    demand_no_gears(*all);
+    if (!built_.loads) built_.loads.emplace();
+    if (gravity) this->gravity(*gravity);
+    for (const auto& [key, value] : all->entries) {
+      const int link = link_of_number(key, key.text);
+      if (link == 0)
+        refuse(key, {"link 1 is the frame: its mass neither moves nor reaches a joint",
+                     "il membro 1 è il telaio: la sua massa non si muove né arriva ad alcun vincolo"});
+      file_.map(value, what);
+      file_.demand_keys(value, {"mass", "at", "inertia"});
+      mass(link, value, what);
+    }
+  }
+  void gravity(const Tree& at) {
+    Own& g = built_.loads->gravity;
+    if (at.kind == Tree::Kind::list) {
+      if (at.items.size() != 2)
+        refuse(at, {"two components are asked, such as [0, -9.81 m/s^2]",
+                    "si chiedono due componenti, come [0, -9.81 m/s^2]"});
+      g = {amount(at.items[0], Kind::acceleration).value, amount(at.items[1], Kind::acceleration).value};
+      built_.gravity = "$\\it{g}$";
+    } else {
+      g = {0, -amount(at, Kind::acceleration).value};
+      built_.gravity = letters_of_given(at, "$\\it{g}$");
+    }
+  }
+  void mass(int link, const Tree& item, const Words& what) {
+    const Tree &size = demand(item, "mass"), *inertia = item.find("inertia"), *at = item.find("at");
+    if (!at)
+      refuse(item,
+             format_words("at: is missing: where the centre of mass is, a point of link {0} or [x, y] in its axes",
+                          "manca at:, dov'è il baricentro: un punto del membro {0} o [x, y] nei suoi assi",
+                          number(link)));
+    LinkMass body{link, {0, 0}, amount(size, Kind::mass).value};
+    if (at->kind == Tree::Kind::list) {
+      body.at = own(*at);
+    } else {
+      const int G = point(*at, file_.text(*at, what));
+      const std::vector<int> links = built_.linkage.links_at(G);
+      if (std::find(links.begin(), links.end(), link) == links.end())
+        refuse(*at,
+               format_words("link {} has no point {}", "il membro {} non ha un punto {}", number(link), letter(G)));
+      body.at = built_.linkage.place(link, G);
+    }
+    if (inertia) body.inertia = amount(*inertia, Kind::moment_of_inertia).value;
+    for (const auto& [tree, value] : {std::pair(&size, body.mass), std::pair(inertia, body.inertia)})
+      if (value < 0)
+        refuse(*tree, format_words("\"{}\" is below zero, and no mass is",
+                                   "\"{}\" è sotto lo zero, e nessuna massa lo è", tree->text));
+    built_.loads->masses.push_back(body);
+    built_.mass_names.push_back({letters_of_given(size, "$\\it{m}_{" + number(link) + "}$"),
+                                 inertia ? letters_of_given(*inertia, "$\\it{J}_{" + number(link) + "}$") : ""});
+  }
+  std::string letters_of_given(const Tree& at, const std::string& otherwise) const {
+    const std::string symbol = spelled_out(at.text);
+    return given_.contains(symbol) ? italic_letters(symbol) : otherwise;
+  }
+
   void couple(const Tree& item, const Words& what) {
     file_.demand_keys(item, {"on", "couple"});
     const Tree& on = demand(item, "on");
@@ -805,7 +878,9 @@ class Building {
 };
 
 // Capitals upright are points, and two of them a length.
-bool is_of_mass(Kind kind) { return kind == Kind::force || kind == Kind::moment; }
+bool is_of_mass(Kind kind) {
+  return kind == Kind::force || kind == Kind::moment || kind == Kind::mass || kind == Kind::moment_of_inertia;
+}
 
 // charts: [omega_4, [v_B, v_C]].
 std::vector<std::vector<std::string>> read_charts(const File& file, const Tree& all) {
@@ -853,9 +928,9 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   const File file(file_);
   file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
                    "una scena è un elenco di chiavi e valori, come  id: four-bar"});
-  file.demand_keys(
-      root_, {"epure", "id",    "title",    "source",  "givens", "where",   "units",  "points", "links",  "slides",
-              "gears", "drive", "assembly", "offsets", "paths",  "polodes", "charts", "loads",  "sheets", "printed"});
+  file.demand_keys(root_, {"epure",  "id",     "title",  "source",  "givens",   "where",   "units", "points",
+                           "links",  "slides", "gears",  "drive",   "assembly", "offsets", "paths", "polodes",
+                           "charts", "loads",  "masses", "gravity", "sheets",   "printed"});
   const FileHead head = read_head(file, root_);
   id_ = head.id;
   title_ = head.title;

@@ -38,6 +38,11 @@ struct LoadName {
   std::string direction;  // of a force: as a side of a polygon has it (polygon_picture.h)
 };
 
+// The weight and the inertia of a link.
+struct MassName {
+  std::string mass, inertia;  // letters of the givens that they are, rich text: "$\\it{m}$"; or "$m_{3}$", "$J_{3}$"
+};
+
 // A linkage at certain givens, and the order in which it is constructed.
 struct Built {
   geometry::Linkage linkage;
@@ -48,6 +53,8 @@ struct Built {
   std::vector<int> polodes = {};                              // the links whose polodes are
   std::optional<geometry::Loads> loads = {};                  // where forces are asked for
   std::vector<LoadName> force_names = {}, couple_names = {};  // as the loads
+  std::vector<MassName> mass_names = {};                      // as their masses
+  std::string gravity = {};                                   // its letters; empty: nothing weighs
 };
 
 class Scene {

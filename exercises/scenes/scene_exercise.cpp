@@ -97,6 +97,12 @@ Words question(const Scene& scene) {
       "Trovare velocità e accelerazioni di tutti i punti, e velocità e accelerazioni angolari di tutti "
       "i membri."};
   if (!scene.built(Givens(scene.givens())).loads) return motion;
+  if (!scene.built(Givens(scene.givens())).loads->masses.empty())
+    return motion + Words{
+                        " Find the reactions of all joints under loads, weights and inertia forces, and what the "
+                        "drives must provide.",
+                        " Trovare le reazioni di tutti i vincoli sotto carichi, pesi e forze d'inerzia, e quanto "
+                        "devono dare i moventi."};
   return motion + Words{" Find the reactions of all joints under the loads, and what the drives must provide.",
                         " Trovare le reazioni di tutti i vincoli sotto i carichi, e quanto devono dare i moventi."};
 }
