@@ -141,8 +141,8 @@ bool add_slot_aside(Mechanism& figure, const Built& built, const Solution& s, in
   return true;
 }
 
-// A bar or a plate, with the slot in which a pin runs; nothing of a link that has neither.
-void add_link(Mechanism& figure, const Built& built, const Solution& s, int link) {
+// A bar or a plate, with the slot in which a pin runs; nothing of a link that has neither. Whether it was drawn.
+bool add_link(Mechanism& figure, const Built& built, const Solution& s, int link) {
   const Linkage& of = built.linkage;
   const Link& own = of.links[static_cast<std::size_t>(link)];
   const int number = built.letters.links[static_cast<std::size_t>(link)];
@@ -153,11 +153,23 @@ void add_link(Mechanism& figure, const Built& built, const Solution& s, int link
   if (pin && is_straight && is_on_a_line(figure, built, s, link, *pin)) {
     points.push_back(letter(built, *pin));
     figure.slotted(points, number);
-  } else if ((points.size() > 1 || !is_straight) && add_slot_aside(figure, built, s, link)) {
-    return;
-  } else if (points.size() > 1) {
-    figure.body(points, number);
+    return true;
   }
+  if ((points.size() > 1 || !is_straight) && add_slot_aside(figure, built, s, link)) return true;
+  if (points.size() < 2) return false;
+  figure.body(points, number);
+  return true;
+}
+
+// A block of one point has its number beside that.
+void add_number_of_block(Mechanism& figure, const Built& built, int link) {
+  const Linkage& of = built.linkage;
+  const auto& points = of.links[static_cast<std::size_t>(link)].points;
+  const bool is_block = std::any_of(of.blocks.begin(), of.blocks.end(),
+                                    [&](const LineOnLine& each) { return of.link_of_line(each.moving) == link; });
+  if (!is_block || points.size() != 1) return;
+  const std::string number = std::to_string(built.letters.links[static_cast<std::size_t>(link)]);
+  figure.point("number " + number, figure.at(letter(built, points.front().point)), Mechanism::Joint::corner, number);
 }
 
 // The hinge of a link on the frame, and another of its points; none where there are not both.
@@ -296,7 +308,9 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
   for (int p = 0; p < of.count_of_points(); ++p)
     figure.point(letter(built, p), solution.place(letter(built, p)), joint(of, p),
                  "$" + point_letters(letter(built, p)) + "$");
-  for (std::size_t i = 1; i < of.links.size(); ++i) add_link(figure, built, solution, static_cast<int>(i));
+  std::vector<int> without_number;
+  for (std::size_t i = 1; i < of.links.size(); ++i)
+    if (!add_link(figure, built, solution, static_cast<int>(i))) without_number.push_back(static_cast<int>(i));
   for (const geometry::Drive& drive : of.drives)
     if (const auto* cylinder = std::get_if<geometry::Stretched>(&drive))
       figure.cylinder(letter(built, cylinder->from), letter(built, cylinder->to));
@@ -308,6 +322,7 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
         figure.turning(letter(built, crank->first), letter(built, crank->second), sign_of(turned->omega),
                        angular_velocity(built.letters.links[static_cast<std::size_t>(turned->link)]).symbol);
   add_wheels(figure, built);
+  for (const int link : without_number) add_number_of_block(figure, built, link);
   add_lines(figure, built);
   return figure;
 }

@@ -463,17 +463,21 @@ void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
   plot.label(angle.symbol, {O.x + out * std::cos(middle), O.y + out * std::sin(middle)}, O);
 }
 
-// A block's letters at its corner, on the side that the link leaves free: inside the block they would be lost.
+// A block's letters at its corner, on the side that the link leaves free: inside the block they would be lost. A
+// corner in its pin bears its number, which stands at the other corner.
 void Mechanism::draw_letters(Plot& plot, const Point& P) const {
   if (P.letters.empty()) return;
-  if (P.joint != Joint::block) return plot.label(P.letters, P.at, neighbour(P));
-  const auto guide =
-      std::find_if(guides_.begin(), guides_.end(), [&](const Guide& each) { return each.block == P.name; });
-  const Place Q = neighbour(P);
+  const auto guide = std::find_if(guides_.begin(), guides_.end(), [&](const Guide& each) {
+    return P.joint == Joint::block ? each.block == P.name
+                                   : P.joint == Joint::corner && distance(at(each.block), P.at) == 0;
+  });
+  if (guide == guides_.end()) return plot.label(P.letters, P.at, neighbour(P));
+  const Place Q = neighbour(find(guide->block));
   const double c = std::cos(guide->direction), s = std::sin(guide->direction);
   const double ahead = (Q.x - P.at.x) * c + (Q.y - P.at.y) * s;
+  const bool is_number = guide->block != P.name;
   const drawings::Point corner =
-      beside(plot.at(P.at), guide->direction, ahead > 0 ? -half_block : half_block, block_top);
+      beside(plot.at(P.at), guide->direction, (ahead > 0) != is_number ? -half_block : half_block, block_top);
   plot.label(P.letters, plot.from_paper(corner), P.at);
 }
 

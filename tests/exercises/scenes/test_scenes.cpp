@@ -443,6 +443,56 @@ TEST_CASE("paths are told as they are drawn, also of what slides and of cylinder
   CHECK(value(checked, "rho_R") == Approx(2));
 }
 
+namespace {
+
+std::vector<std::string> steps_with(const std::string& scene, const std::string& more, const std::string& sheet) {
+  const auto made =
+      std::make_shared<const scenes::Scene>("f", scenes::bytes_of(EPURE_SCENES "/" + scene + ".yaml") + more + "\n");
+  const DrawnSheet drawn = scenes::scene_exercise(made)->draw(sheet, Givens(made->givens()), {});
+  return told_steps(drawn);
+}
+int labels_of(const DrawnSheet& drawn, const std::string& letters) {
+  const auto& all = drawn.sheet.figure.labels;
+  return static_cast<int>(std::count_if(
+      all.begin(), all.end(), [&](const drawings::Label& label) { return drawings::plain(label.text) == letters; }));
+}
+
+}  // namespace
+
+TEST_CASE("a point of the path is found as its link is: a joint, what is driven, a point of the crank", "[scenes]") {
+  CHECK(steps_with("quick-return", "paths: [C, A]", "path-C")[1] == "In each A, and C.");
+  CHECK(steps_with("quick-return", "paths: [C, A]", "path-A")[1] == "The curve through the points: the path of A.");
+  CHECK(steps_with("engine", "paths: [S]", "path")[1] == "On tracing paper S goes with link 2 and marks a point.");
+}
+
+TEST_CASE("each vector and each link stands on a sheet once, wheels have a step of their own", "[scenes]") {
+  const auto four_bar = exercise_of("four-bar"), slider_crank = exercise_of("slider-crank");
+  const auto drawn = [](const Exercise& of, const std::string& sheet) {
+    return of.draw(sheet, Givens(of.about().givens), {});
+  };
+  CHECK(labels_of(drawn(*four_bar, "velocity-polygon"), "v_B") == 1);
+  CHECK(labels_of(drawn(*four_bar, "acceleration-polygon"), "a_B") == 1);
+  CHECK(labels_of(drawn(*slider_crank, "velocities"), "4") == 1);
+  CHECK(steps_of("planetary-gear", "instant-centres", Language::english)[0] ==
+        "P_13 on OC, where the pitch circles of wheels 1 and 3 touch.");
+}
+
+TEST_CASE("what was left out or mistyped is named, with what to write", "[scenes]") {
+  const std::string crank =
+                        "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], g: {along: [1, 0]}}\n  2: {O A: 0.1 m}\n"
+                        "  3: {A B: 0.3 m}\n",
+                    drive = "drive: {link: 2, angle: 30 deg}\n";
+  CHECK(has(refusal(crank + drive),
+            "link 3 is not held: a drive or joint is missing; nothing slides on g: say under "
+            "slides:  B: g"));
+  CHECK(has(refusal(crank + "  4: {B: [0, 0], b: {along: [1, 0]}}\n" + drive), "say under slides:  b: g"));
+  CHECK(has(refusal("epure: 1\nid: f\nlinks:\n  1: {A0: [0, 0], B0: [0.4 m, 0]}\n  2: {A0 A: 0.1 m}\n"
+                    "  3: {A C: 0.35 m}\n  4: {B0 B: 0.3 m}\n" +
+                    drive),
+            "; C (3) and B (4) stand on one link each (its number behind): links hang on each other where they have "
+            "the same letter"));
+}
+
 // Where a chart's zero lies, and how far apart its numbers, by what a ruler reads of it now.
 struct OnChart {
   double x_now, zero, per_mm;
