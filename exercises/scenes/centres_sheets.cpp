@@ -22,31 +22,28 @@ class CentresOfScene {
  public:
   CentresOfScene(const Built& built, const CentrePlan& plan, const Solution& s) : built_(built), plan_(plan), s_(s) {}
 
-  // The found centres of links, in their order.
+  // Where wheels touch, and then the found centres of links, in their order.
   std::vector<DrawnCentre> all() const {
     std::vector<DrawnCentre> drawn;
+    for (const PermanentCentre& centre : plan_.permanent)
+      if (centre.gear != geometry::nothing) drawn.push_back(of_wheels(centre));
     for (const FoundCentre& centre : plan_.found) drawn.push_back(of(centre));
     return drawn;
   }
   // "P₁₂ = A₀, P₂₃ = A: hinges. P₁₄ at infinity, square to g."
   Words joints() const {
-    std::string hinges, wheels;
+    std::string hinges;
     Words slides;
     for (const PermanentCentre& centre : plan_.permanent) {
       if (!is_link(centre.i) || !is_link(centre.j)) continue;
       if (centre.point != geometry::nothing)
         hinges += (hinges.empty() ? "" : ", ") + letters(centre.i, centre.j) + " = " + point(centre.point);
-      else if (centre.gear != geometry::nothing)
-        wheels += (wheels.empty() ? "" : ", ") + letters(centre.i, centre.j);
-      else
+      else if (centre.gear == geometry::nothing)
         slides = slides + " " +
                  format_words("{} is at infinity, ⊥ ${}$.", "{} è all'infinito, ⊥ ${}$.", letters(centre.i, centre.j),
                               point_letters(built_.letters.lines[index(centre.line)]));
     }
-    const Words touching = wheels.empty()
-                               ? Words{}
-                               : format_words(" {} where the wheels touch.", " {} dove le ruote si toccano.", wheels);
-    return (hinges.empty() ? Words{} : Words{hinges + ".", hinges + "."}) + touching + slides;
+    return (hinges.empty() ? Words{} : Words{hinges + ".", hinges + "."}) + slides;
   }
 
  private:
@@ -80,6 +77,25 @@ class CentresOfScene {
     return {letters(i, k) + letters(k, j), letters(i, k) + letters(k, j)};
   }
 
+  // On the line of the wheels' centres, as far from each as its pitch circle reaches.
+  DrawnCentre of_wheels(const PermanentCentre& centre) const {
+    const geometry::MeshingLinks& gear = built_.linkage.gears[index(centre.gear)];
+    const int one = built_.linkage.hinge_of(gear.first, gear.carrier),
+              other = built_.linkage.hinge_of(gear.second, gear.carrier);
+    DrawnCentre drawn{.quantity = quantity(centre.i, centre.j).name,
+                      .letters = letters(centre.i, centre.j),
+                      .at = {},
+                      .lines = {},
+                      .step = {}};
+    drawn.at = s_.point(drawn.quantity);
+    drawn.lines = {{{{}, s_.place(built_.letters.points[index(one)]), {}},
+                    {{}, s_.place(built_.letters.points[index(other)]), {}}}};
+    drawn.step =
+        format_words("{} on {}{}, where the pitch circles of wheels {} and {} touch.",
+                     "{} su {}{}, dove si toccano le primitive delle ruote {} e {}.", drawn.letters, point(one),
+                     point(other), built_.letters.links[index(gear.first)], built_.letters.links[index(gear.second)]);
+    return drawn;
+  }
   DrawnCentre of(const FoundCentre& centre) const {
     const auto& [i, j, k, l] = centre;
     DrawnCentre drawn{.quantity = quantity(i, j).name, .letters = letters(i, j), .at = {}, .lines = {}, .step = {}};
@@ -126,7 +142,8 @@ PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page
 std::vector<SheetMaker> centres_sheets(const std::shared_ptr<const Scene>& scene) {
   const Built built = scene->built(Givens(scene->givens()));
   const CentrePlan plan = centre_plan_of(built);
-  const std::size_t pages = (plan.found.size() + most_on_a_sheet - 1) / most_on_a_sheet;
+  const std::size_t count = plan.found.size() + built.linkage.gears.size(),
+                    pages = (count + most_on_a_sheet - 1) / most_on_a_sheet;
   std::vector<SheetMaker> sheets;
   for (std::size_t page = 0; page < pages; ++page) {
     const std::string number = std::to_string(page + 1);

@@ -340,6 +340,10 @@ Words name_of(Kind kind) {
       return {"a force", "una forza"};
     case Kind::moment:
       return {"a couple", "una coppia"};
+    case Kind::mass:
+      return {"a mass", "una massa"};
+    case Kind::moment_of_inertia:
+      return {"a moment of inertia", "un momento d'inerzia"};
     default:
       return format_words("a number in {}", "un numero in {}", unit_of(kind));
   }

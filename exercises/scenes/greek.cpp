@@ -68,4 +68,10 @@ std::string given_letters(const std::string& symbol) {
   return "$" + written + "$";
 }
 
+std::string italic_letters(const std::string& symbol) {
+  std::string letters = given_letters(symbol);
+  const std::size_t end = std::min(letters.find('_'), letters.size() - 1);
+  return "$\\it{" + letters.substr(1, end - 1) + "}" + letters.substr(end);
+}
+
 }  // namespace epure::scenes

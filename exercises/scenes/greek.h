@@ -11,5 +11,7 @@ std::string spelled_out(const std::string& text);
 
 // A given's letters on a sheet, rich text: "theta_2" is "$θ_{2}$", "O2A" "$O_{2}A$", "l" "$l$".
 std::string given_letters(const std::string& symbol);
+// The same of what is no length between points, but a force or a mass: "F_2" is "$\\it{F}_{2}$".
+std::string italic_letters(const std::string& symbol);
 
 }  // namespace epure::scenes

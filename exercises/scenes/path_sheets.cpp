@@ -81,10 +81,20 @@ class PathOfScene {
   // The link that carries the point: of several the one that has most of it, and not the driven one if there is
   // another.
   int carrier() const {
-    int best = linkage().links_at(point_).front();
-    for (const int link : linkage().links_at(point_))
-      if (linkage().links[index(link)].points.size() >= linkage().links[index(best)].points.size()) best = link;
-    return best;
+    const auto* turned = std::get_if<TurnedLink>(&drive());
+    const auto worth = [&](int link) {
+      return std::pair(!turned || turned->link != link, linkage().links[index(link)].points.size());
+    };
+    const std::vector<int> links = linkage().links_at(point_);
+    return *std::max_element(links.begin(), links.end(), [&](int a, int b) { return worth(a) < worth(b); });
+  }
+  // The drives and gears alone tell where the carrier is.
+  bool is_carried_by_drive() const {
+    const std::vector<DyadEquation> equations = dyad_equations(*built_);
+    const int number = built_->letters.links[index(carrier_)];
+    return std::none_of(equations.begin(), equations.end(), [&](const DyadEquation& equation) {
+      return std::find(equation.links.begin(), equation.links.end(), number) != equation.links.end();
+    });
   }
   // What the drive moves and can be numbered: the pin of a turned link, the slid point, the end of a cylinder.
   std::optional<int> driven() const {
@@ -160,14 +170,18 @@ class PathOfScene {
 
   // The joints that are found in each position until the point is.
   Words joints_in_words() const {
+    if (point_ == driven_) return {};
     std::vector<std::string> joints;
-    for (const DyadEquation& equation : dyad_equations(*built_)) {
-      if (equation.joint != letter(point_)) joints.push_back("$" + point_letters(equation.joint) + "$");
-      const auto& placed = equation.links;
-      const int number = built_->letters.links[index(carrier_)];
-      if (equation.joint == letter(point_) || std::find(placed.begin(), placed.end(), number) != placed.end()) break;
-    }
-    if (linkage().links_at(point_).size() == 1) {
+    bool is_joint = false;
+    if (!is_carried_by_drive())
+      for (const DyadEquation& equation : dyad_equations(*built_)) {
+        is_joint = equation.joint == letter(point_);
+        if (!is_joint) joints.push_back("$" + point_letters(equation.joint) + "$");
+        const auto& placed = equation.links;
+        const int number = built_->letters.links[index(carrier_)];
+        if (is_joint || std::find(placed.begin(), placed.end(), number) != placed.end()) break;
+      }
+    if (!is_joint) {
       const bool is_first = joints.empty();
       const Words with = format_words("{} tracing paper {} goes with link {} and marks a point.",
                                       "{} carta da lucido {} va con il membro {} e segna un punto.",
@@ -175,7 +189,6 @@ class PathOfScene {
                                       built_->letters.links[index(carrier_)]);
       return is_first ? with : Words{"In each ", "In ognuna "} + enumerated(joints) + "; " + with;
     }
-    if (point_ == driven_) return {};
     if (joints.empty()) return format_words("In each {}.", "In ognuna {}.", written(point_));
     return Words{"In each ", "In ognuna "} + enumerated(joints) +
            format_words(", and {}.", ", e {}.", written(point_));

@@ -20,8 +20,12 @@ class Drawn {
     const auto &left = is_of_velocities_ ? equation_.v_left : equation_.a_left,
                &right = is_of_velocities_ ? equation_.v_right : equation_.a_right;
     VectorPolygon drawn = (is_of_velocities_ ? velocity_polygon : acceleration_polygon)(sides(left), sides(right));
+    // Unless it is a side of this polygon, alone.
+    const auto is_side = [&](const std::string& X) {
+      return left.size() == 1 && left.front().quantity.name == of(X).name;
+    };
     for (const std::string& X : equation_.sums)
-      drawn.images.push_back({.absolute = side(s_, of(X), {}, {}), .relative = {}, .explained = {}});
+      if (!is_side(X)) drawn.images.push_back({.absolute = side(s_, of(X), {}, {}), .relative = {}, .explained = {}});
     for (const Image& image : equation_.images)
       drawn.images.push_back(
           {.absolute = side(s_, of(image.point), {}, {}, tip(image)), .relative = {}, .explained = explained(image)});

@@ -1,6 +1,7 @@
 #include "exercises/scenes/refusals.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "exercises/kit/panels/rounded.h"
 #include "exercises/kit/statement/format_words.h"
@@ -96,9 +97,22 @@ class InLetters {
     const Words held = open.links.size() == 1
                            ? format_words("{} is not held", "{} non è trattenuto", links(open.links))
                            : format_words("{} are not held", "{} non sono trattenuti", links(open.links));
-    return held + (open.freedom == 1 ? Words{": a drive or joint is missing", ": manca un movente o un vincolo"}
-                                     : format_words(": {} more drives or joints are missing",
-                                                    ": mancano ancora {} moventi o vincoli", open.freedom));
+    return held +
+           (open.freedom == 1 ? Words{": a drive or joint is missing", ": manca un movente o un vincolo"}
+                              : format_words(": {} more drives or joints are missing",
+                                             ": mancano ancora {} moventi o vincoli", open.freedom)) +
+           forgotten(open.links);
+  }
+  // What may have been left out or mistyped, where `links` are not held: a line on which nothing slides, letters that
+  // stand on one link only.
+  Words forgotten(const std::vector<int>& links) const {
+    Words slides;
+    const std::vector<int> unused = unused_lines();
+    for (const int guide : unused)
+      if (const auto what = sliding_on(guide, links, unused); slides.empty() && what)
+        slides = format_words("; nothing slides on {0}: say under slides:  {1}: {0}",
+                              "; su {0} nulla scorre: dire sotto slides:  {1}: {0}", line(guide), *what);
+    return slides.empty() ? lone_letters(links) : slides;
   }
 
   Words not_dyadic(const NotPlaced& open) const {
@@ -124,6 +138,51 @@ class InLetters {
   }
 
  private:
+  std::vector<int> unused_lines() const {
+    std::vector<int> all;
+    const Linkage& of = built_.linkage;
+    for (int l = 0; l < of.count_of_lines(); ++l) {
+      const bool is_used =
+          std::any_of(of.pins.begin(), of.pins.end(), [&](const PinOnLine& pin) { return pin.line == l; }) ||
+          std::any_of(of.blocks.begin(), of.blocks.end(),
+                      [&](const LineOnLine& each) { return each.moving == l || each.guide == l; });
+      if (!is_used) all.push_back(l);
+    }
+    return all;
+  }
+  // A line of one of the links that nothing uses either, or its last letter that is not another's already.
+  std::optional<std::string> sliding_on(int guide, const std::vector<int>& links,
+                                        const std::vector<int>& unused) const {
+    const Linkage& of = built_.linkage;
+    const int on = of.link_of_line(guide);
+    std::optional<std::string> best;
+    for (const int link : links) {
+      if (link == on) continue;
+      for (const int l : unused)
+        if (of.link_of_line(l) == link) return line(l);
+      for (const LinkPoint& p : of.links[index(link)].points)
+        if (of.links_at(p.point).size() == 1) best = point(p.point);
+    }
+    return best;
+  }
+  Words lone_letters(const std::vector<int>& links) const {
+    const Linkage& of = built_.linkage;
+    std::vector<std::string> lone;
+    for (std::size_t i = 0; i < of.links.size(); ++i) {
+      const int link = static_cast<int>(i);
+      if (link != 0 && std::find(links.begin(), links.end(), link) == links.end()) continue;
+      for (const LinkPoint& p : of.links[i].points)
+        if (of.links_at(p.point).size() == 1)
+          lone.push_back(point(p.point) + " (" + std::to_string(built_.letters.links[i]) + ")");
+    }
+    if (lone.size() < 2) return {};
+    return format_words(
+        "; {} stand on one link each (its number behind): links hang on each other where they have the "
+        "same letter",
+        "; {} stanno su un membro solo (il suo numero dopo): i membri si incernierano dove hanno la "
+        "stessa lettera",
+        enumerated(lone));
+  }
   // A cylinder both ends of which are of these links alone.
   const Stretched* within(const std::vector<int>& links) const {
     const auto is_one = [&](int point) {

@@ -1,6 +1,8 @@
 #include "exercises/scenes/scene.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -40,8 +42,13 @@ std::vector<std::string> units_of(Kind kind) {
 // Builds the linkage of a tree at certain givens.
 class Building {
  public:
-  Building(const File& file, const Tree& root, const Givens& givens) : file_(file), root_(root) {
-    for (const GivenSpec& spec : givens.specs()) known_[spec.symbol] = amount_of(givens, spec);
+  // The links in this order, by their numbers in the file; that of the file where there is none.
+  Building(const File& file, const Tree& root, const Givens& givens, std::vector<int> order = {})
+      : file_(file), root_(root), order_(std::move(order)) {
+    for (const GivenSpec& spec : givens.specs()) {
+      known_[spec.symbol] = amount_of(givens, spec);
+      given_.insert(spec.symbol);
+    }
   }
 
   Built built() {
@@ -57,6 +64,7 @@ class Building {
     paths();
     polodes();
     loads();
+    masses();
     demand_near_origin();
     place();
     built_.linkage = with_sides_in_full(std::move(built_.linkage), built_.steps);
@@ -152,7 +160,16 @@ class Building {
     const Tree* frame = all->find("1");
     if (!frame) refuse(*all, {"link 1, the frame, is missing", "manca il membro 1, il telaio"});
     link(*frame, 1, *frame);
-    for (const auto& [key, value] : all->entries) {
+    std::vector<const std::pair<Tree, Tree>*> entries;
+    for (const auto& entry : all->entries) entries.push_back(&entry);
+    const auto place = [&](const std::pair<Tree, Tree>* entry) {
+      return std::find_if(order_.begin(), order_.end(),
+                          [&](int number) { return std::to_string(number) == entry->first.text; });
+    };
+    std::stable_sort(entries.begin(), entries.end(),
+                     [&](const auto* a, const auto* b) { return place(a) < place(b); });
+    for (const auto* entry : entries) {
+      const auto& [key, value] = *entry;
       if (key.text == "1") continue;
       const bool is_number = !key.text.empty() && key.text.size() <= 4 && key.text[0] != '0' &&
                              key.text.find_first_not_of("0123456789") == std::string::npos;
@@ -555,9 +572,7 @@ class Building {
     const Words what{"loads: [{at: P, on: 3, force: 200 N, direction: -90 deg}, {on: 4, couple: 20 N*m}]",
                      "loads: [{at: P, on: 3, force: 200 N, direction: -90 deg}, {on: 4, couple: 20 N*m}]"};
     file_.demand(*all, Tree::Kind::list, what);
-    if (!built_.linkage.gears.empty())
-      refuse(*all,
-             {"forces of wheels that mesh are not found yet", "le forze fra ruote dentate non si trovano ancora"});
+    demand_no_gears(*all);
     built_.loads.emplace();
     for (const Tree& item : all->items) {
       file_.map(item, what);
@@ -567,16 +582,126 @@ class Building {
         force(item, what);
     }
   }
+  void demand_no_gears(const Tree& at) const {
+    if (!built_.linkage.gears.empty())
+      refuse(at,
+             {"forces of wheels that mesh are not found yet", "le forze fra ruote dentate non si trovano ancora"});
+  }
+
+  // masses: {3: {mass: 2 kg, at: G, inertia: 0.03 kg*m^2}} and gravity: 9.81 m/s^2, downwards.
+  void masses() {
+    const Tree *all = root_.find("masses"), *gravity = root_.find("gravity");
+    if (gravity && !all)
+      refuse(*gravity, {"nothing weighs here: say what the links weigh under  masses: {3: {mass: 2 kg, at: G}}",
+                        "qui nulla pesa: dire quanto pesano i membri sotto  masses: {3: {mass: 2 kg, at: G}}"});
+    if (!all) return;
+    const Words what{"masses: {3: {mass: 2 kg, at: G, inertia: 0.03 kg*m^2}}, link by link",
+                     "masses: {3: {mass: 2 kg, at: G, inertia: 0.03 kg*m^2}}, membro per membro"};
+    file_.map(*all, what);
+    demand_no_gears(*all);
+    if (!built_.loads) built_.loads.emplace();
+    if (gravity) this->gravity(*gravity);
+    for (const auto& [key, value] : all->entries) {
+      const int link = link_of_number(key, key.text);
+      if (link == 0)
+        refuse(key, {"link 1 is the frame: its mass neither moves nor reaches a joint",
+                     "il membro 1 è il telaio: la sua massa non si muove né arriva ad alcun vincolo"});
+      file_.map(value, what);
+      file_.demand_keys(value, {"mass", "at", "inertia"});
+      mass(link, value, what);
+    }
+  }
+  void gravity(const Tree& at) {
+    Own& g = built_.loads->gravity;
+    if (at.kind == Tree::Kind::list) {
+      if (at.items.size() != 2)
+        refuse(at, {"two components are asked, such as [0, -9.81 m/s^2]",
+                    "si chiedono due componenti, come [0, -9.81 m/s^2]"});
+      g = {amount(at.items[0], Kind::acceleration).value, amount(at.items[1], Kind::acceleration).value};
+      built_.gravity = "$\\it{g}$";
+    } else {
+      g = {0, -amount(at, Kind::acceleration).value};
+      built_.gravity = letters_of_given(at, "$\\it{g}$");
+    }
+  }
+  void mass(int link, const Tree& item, const Words& what) {
+    const Tree &size = demand(item, "mass"), *inertia = item.find("inertia"), *at = item.find("at");
+    if (!at)
+      refuse(item,
+             format_words("at: is missing: where the centre of mass is, a point of link {0} or [x, y] in its axes",
+                          "manca at:, dov'è il baricentro: un punto del membro {0} o [x, y] nei suoi assi",
+                          number(link)));
+    LinkMass body{link, {0, 0}, amount(size, Kind::mass).value};
+    if (at->kind == Tree::Kind::list) {
+      body.at = own(*at);
+    } else {
+      const int G = point(*at, file_.text(*at, what));
+      const std::vector<int> links = built_.linkage.links_at(G);
+      if (std::find(links.begin(), links.end(), link) == links.end())
+        refuse(*at,
+               format_words("link {} has no point {}", "il membro {} non ha un punto {}", number(link), letter(G)));
+      body.at = built_.linkage.place(link, G);
+    }
+    if (inertia) body.inertia = amount(*inertia, Kind::moment_of_inertia).value;
+    for (const auto& [tree, value] : {std::pair(&size, body.mass), std::pair(inertia, body.inertia)})
+      if (value < 0)
+        refuse(*tree, format_words("\"{}\" is below zero, and no mass is",
+                                   "\"{}\" è sotto lo zero, e nessuna massa lo è", tree->text));
+    built_.loads->masses.push_back(body);
+    built_.mass_names.push_back({letters_of_given(size, "$\\it{m}_{" + number(link) + "}$"),
+                                 inertia ? letters_of_given(*inertia, "$\\it{J}_{" + number(link) + "}$") : ""});
+  }
+  std::string letters_of_given(const Tree& at, const std::string& otherwise) const {
+    const std::string symbol = spelled_out(at.text);
+    return given_.contains(symbol) ? italic_letters(symbol) : otherwise;
+  }
+
   void couple(const Tree& item, const Words& what) {
     file_.demand_keys(item, {"on", "couple"});
     const Tree& on = demand(item, "on");
     const int link = link_of_number(on, file_.text(on, what));
     demand_moving(on, link);
-    built_.loads->couples.push_back({link, amount(demand(item, "couple"), Kind::moment).value});
+    const Tree& couple = demand(item, "couple");
+    built_.loads->couples.push_back({link, amount(couple, Kind::moment).value});
+    built_.couple_names.push_back(name_of_load(couple, "T", number(link)));
+  }
+  // After the given that it is, where no load before is; or after where it acts.
+  LoadName name_of_load(const Tree& size, const std::string& letter, const std::string& where) {
+    std::string text = spelled_out(size.text);
+    const std::size_t first = text.find_first_not_of("- ");
+    text = first == std::string::npos ? "" : text.substr(first);
+    if (given_.contains(text) && load_names_.insert(text).second) return {text, italic_letters(text), true, {}};
+    const std::string of = std::isdigit(static_cast<unsigned char>(where[0])) != 0 ? where : point_letters(where);
+    std::string name = letter + "_" + where, script = of;
+    for (int k = 2; !load_names_.insert(name).second; ++k) {
+      name = letter + "_" + where + "_" + std::to_string(k);
+      script = of + "," + std::to_string(k);
+    }
+    return {name, "$\\it{" + letter + "}_{" + script + "}$", false, {}};
+  }
+  // "∥ $y$", "∠ −100°".
+  std::string direction_of_load(const Tree& item, const LinkForce& load) const {
+    const Tree &force = *item.find("force"), *direction = item.find("direction");
+    const auto typed = [](std::string text) {
+      for (const auto& [from, to] : {std::pair<std::string, std::string>{" deg", "°"}, {"-", "−"}})
+        for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+          text.replace(at, from.size(), to);
+      return text;
+    };
+    if (!direction) {
+      if (load.components.x == 0 || load.components.y == 0) return load.components.y == 0 ? "∥ $x$" : "∥ $y$";
+      return "∥ (" + typed(force.items[0].text) + "; " + typed(force.items[1].text) + ")";
+    }
+    const Rational quarters = 4 * load.turned.turns;
+    if (quarters.denominator() == 1)
+      return CGAL::to_double(quarters / 2) == std::round(CGAL::to_double(quarters / 2)) ? "∥ $x$" : "∥ $y$";
+    const std::string symbol = spelled_out(direction->text);
+    return "∠ " + (given_.contains(symbol) ? given_letters(symbol) : typed(direction->text));
   }
   void force(const Tree& item, const Words& what) {
     file_.demand_keys(item, {"at", "on", "force", "direction"});
     const auto [link, at] = loaded_place(item, what);
+    const int at_point = point_in(link, at);
     const Tree &force = demand(item, "force"), *direction = item.find("direction");
     LinkForce load{link, at, {0, 0}};
     if (force.kind == Tree::Kind::list) {
@@ -592,6 +717,13 @@ class Building {
       load.turned = amount(demand(item, "direction"), Kind::angle).angle;
     }
     built_.loads->forces.push_back(load);
+    built_.force_names.push_back(name_of_load(force, "Q", at_point != nothing ? letter(at_point) : number(link)));
+    built_.force_names.back().direction = direction_of_load(item, load);
+  }
+  int point_in(int link, const Own& at) const {
+    for (const LinkPoint& p : built_.linkage.links[static_cast<std::size_t>(link)].points)
+      if (p.at.x == at.x && p.at.y == at.y) return p.point;
+    return nothing;
   }
   // A point of a link, or coordinates in its axes.
   std::pair<int, Own> loaded_place(const Tree& item, const Words& what) const {
@@ -747,12 +879,19 @@ class Building {
 
   const File& file_;
   const Tree& root_;
+  std::vector<int> order_;
   Amounts known_;
+  std::set<std::string> given_, load_names_;
   std::string length_unit_ = "m", angle_unit_ = {};
   std::map<std::string, Own> drawn_;
   std::vector<const Tree*> chosen_at_, link_at_;  // where the file says so
   Built built_;
 };
+
+// Capitals upright are points, and two of them a length.
+bool is_of_mass(Kind kind) {
+  return kind == Kind::force || kind == Kind::moment || kind == Kind::mass || kind == Kind::moment_of_inertia;
+}
 
 // charts: [omega_4, [v_B, v_C]].
 std::vector<std::vector<std::string>> read_charts(const File& file, const Tree& all) {
@@ -800,14 +939,17 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   const File file(file_);
   file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
                    "una scena è un elenco di chiavi e valori, come  id: four-bar"});
-  file.demand_keys(
-      root_, {"epure", "id",    "title",    "source",  "givens", "where",   "units",  "points", "links",  "slides",
-              "gears", "drive", "assembly", "offsets", "paths",  "polodes", "charts", "loads",  "sheets", "printed"});
+  file.demand_keys(root_, {"epure",  "id",     "title",  "source",  "givens",   "where",   "units", "points",
+                           "links",  "slides", "gears",  "drive",   "assembly", "offsets", "paths", "polodes",
+                           "charts", "loads",  "masses", "gravity", "sheets",   "printed"});
   const FileHead head = read_head(file, root_);
   id_ = head.id;
   title_ = head.title;
   source_ = head.source;
   givens_ = head.givens;
+  for (GivenSpec& given : givens_)
+    if (const auto unit = find_unit(given.unit); unit && is_of_mass(unit->kind))
+      given.letters = italic_letters(given.symbol);
   printed_ = head.printed;
   const Built stated = built(Givens(givens_));
   if (const TextTree* charts = root_.find("charts")) {
@@ -903,9 +1045,17 @@ std::vector<std::size_t> Scene::chosen_sheets(const std::vector<std::string>& na
   return chosen;
 }
 
+// Where forces are asked for the links stand in the order in which they are placed, so that the first of those at a
+// point, which carries its pin, is there before the others.
 Built Scene::built(const Givens& givens) const {
   const File file(file_);
-  return Building(file, root_, givens).built();
+  Built built = Building(file, root_, givens).built();
+  if (!built.loads) return built;
+  std::vector<int> order{1};
+  for (const Step& step : built.steps)
+    for (const int link : placed_by(step)) order.push_back(built.letters.links[index(link)]);
+  if (order == built.letters.links) return built;
+  return Building(file, root_, givens, order).built();
 }
 
 }  // namespace epure::scenes

@@ -30,15 +30,31 @@ struct PointOffset {
   int point, line;
 };
 
+// What a load is called: after the given that it is, or after where it acts.
+struct LoadName {
+  std::string name;       // "F", "Q_P"
+  std::string symbol;     // "$F$", rich text
+  bool is_given;          // and so not reported
+  std::string direction;  // of a force: as a side of a polygon has it (polygon_picture.h)
+};
+
+// The weight and the inertia of a link.
+struct MassName {
+  std::string mass, inertia;  // letters of the givens that they are, rich text: "$\\it{m}$"; or "$m_{3}$", "$J_{3}$"
+};
+
 // A linkage at certain givens, and the order in which it is constructed.
 struct Built {
   geometry::Linkage linkage;
   std::vector<geometry::Step> steps;
   Letters letters;
   std::vector<PointOffset> offsets = {};
-  std::vector<int> paths = {};                // the points whose paths are asked for
-  std::vector<int> polodes = {};              // the links whose polodes are
-  std::optional<geometry::Loads> loads = {};  // where forces are asked for
+  std::vector<int> paths = {};                                // the points whose paths are asked for
+  std::vector<int> polodes = {};                              // the links whose polodes are
+  std::optional<geometry::Loads> loads = {};                  // where forces are asked for
+  std::vector<LoadName> force_names = {}, couple_names = {};  // as the loads
+  std::vector<MassName> mass_names = {};                      // as their masses
+  std::string gravity = {};                                   // its letters; empty: nothing weighs
 };
 
 class Scene {

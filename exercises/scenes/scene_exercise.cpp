@@ -11,6 +11,7 @@
 #include "exercises/scenes/centres_sheets.h"
 #include "exercises/scenes/chart_sheets.h"
 #include "exercises/scenes/file_head.h"
+#include "exercises/scenes/force_sheets.h"
 #include "exercises/scenes/limits.h"
 #include "exercises/scenes/path_sheets.h"
 #include "exercises/scenes/polode_sheets.h"
@@ -96,6 +97,12 @@ Words question(const Scene& scene) {
       "Trovare velocità e accelerazioni di tutti i punti, e velocità e accelerazioni angolari di tutti "
       "i membri."};
   if (!scene.built(Givens(scene.givens())).loads) return motion;
+  if (!scene.built(Givens(scene.givens())).loads->masses.empty())
+    return motion + Words{
+                        " Find the reactions of all joints under loads, weights and inertia forces, and what the "
+                        "drives must provide.",
+                        " Trovare le reazioni di tutti i vincoli sotto carichi, pesi e forze d'inerzia, e quanto "
+                        "devono dare i moventi."};
   return motion + Words{" Find the reactions of all joints under the loads, and what the drives must provide.",
                         " Trovare le reazioni di tutti i vincoli sotto i carichi, e quanto devono dare i moventi."};
 }
@@ -137,6 +144,7 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
        [scene](const Solution& s, Language language) { return diagram(*scene, s, false, language); }}};
   for (SheetMaker& sheet : polygon_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : centres_sheets(scene)) sheets.push_back(std::move(sheet));
+  for (SheetMaker& sheet : force_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : path_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : polode_sheets(scene)) sheets.push_back(std::move(sheet));
   if (!scene->charts().empty())

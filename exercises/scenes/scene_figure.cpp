@@ -56,10 +56,10 @@ bool is_hinged_block(const Linkage& of, const LineOnLine& block) {
   return points.size() == 1 && of.links_at(points.front().point).size() > 1;
 }
 
-// A pin, and the line of a link on which it runs; by a block that is no more than this hinge, as a link.
+// A pin, and the line of a link on which it runs, itself or by a block that is no more than this hinge.
 struct PinInSlot {
   int pin, line;
-  int block = 0;
+  bool is_of_block = false;
 };
 
 // The pins that run in slots of the link, and the joints of blocks that do. Of a block between two moving links the
@@ -75,7 +75,7 @@ std::vector<PinInSlot> pins_in(const Linkage& of, int link) {
                                                      !is_hinged_block(of, block));
       if (!is_slotted) continue;
       for (const LinkPoint& p : of.links[static_cast<std::size_t>(of.link_of_line(other))].points)
-        pins.push_back({p.point, own, is_hinged_block(of, block) ? of.link_of_line(block.moving) : 0});
+        pins.push_back({p.point, own, is_hinged_block(of, block)});
     }
   return pins;
 }
@@ -151,6 +151,38 @@ bool add_slot_aside(Mechanism& figure, const Built& built, const Solution& s, in
   return true;
 }
 
+// A bar or a plate, with the slot in which a pin runs; nothing of a link that has neither. Whether it was drawn.
+bool add_link(Mechanism& figure, const Built& built, const Solution& s, int link) {
+  const Linkage& of = built.linkage;
+  const Link& own = of.links[static_cast<std::size_t>(link)];
+  const int number = built.letters.links[static_cast<std::size_t>(link)];
+  std::vector<std::string> points;
+  for (const LinkPoint& p : own.points) points.push_back(letter(built, p.point));
+  const auto pin = pin_apart(pins_in(of, link), points, figure, built);
+  const bool is_straight = std::all_of(own.lines.begin(), own.lines.end(),
+                                       [&](const geometry::LinkLine& line) { return lie_on(own.points, line); });
+  if (pin && lie_on(own.points, of.line(pin->line)) && is_on_its_line(figure, built, s, *pin)) {
+    points.push_back(letter(built, pin->pin));
+    figure.slotted(points, number, pin->is_of_block);
+    return true;
+  }
+  if ((points.size() > 1 || !is_straight) && add_slot_aside(figure, built, s, link)) return true;
+  if (points.size() < 2) return false;
+  figure.body(points, number);
+  return true;
+}
+
+// A block of one point has its number beside that.
+void add_number_of_block(Mechanism& figure, const Built& built, int link) {
+  const Linkage& of = built.linkage;
+  const auto& points = of.links[static_cast<std::size_t>(link)].points;
+  const bool is_block = std::any_of(of.blocks.begin(), of.blocks.end(),
+                                    [&](const LineOnLine& each) { return of.link_of_line(each.moving) == link; });
+  if (!is_block || points.size() != 1) return;
+  const std::string number = std::to_string(built.letters.links[static_cast<std::size_t>(link)]);
+  figure.point("number " + number, figure.at(letter(built, points.front().point)), Mechanism::Joint::corner, number);
+}
+
 // The hinge of a link on the frame, and another of its points; none where there are not both.
 std::optional<std::pair<int, int>> crank_of(const Linkage& of, int link) {
   std::optional<int> hinge, pin;
@@ -207,7 +239,52 @@ void add_lines(Mechanism& figure, const Built& built) {
   }
 }
 
+// A block along its guide, about its first point.
+void add_block(Mechanism& figure, const Built& built, const Solution& s, int link, double size) {
+  const Link& own = built.linkage.links[static_cast<std::size_t>(link)];
+  const int number = built.letters.links[static_cast<std::size_t>(link)];
+  const Arrow2 along =
+      own.lines.empty() ? Arrow2{1, 0}
+                        : s.vector("along_" + built.letters.lines[static_cast<std::size_t>(own.lines.front().line)]);
+  const Place P = figure.at(letter(built, own.points.front().point));
+  std::vector<std::string> corners;
+  for (const auto& [x, y] : {std::pair(-1.0, -0.6), {1.0, -0.6}, {1.0, 0.6}, {-1.0, 0.6}}) {
+    corners.push_back("corner " + std::to_string(corners.size()));
+    figure.point(corners.back(), P + (x * size) * along + (y * size) * geometry::quarter_turn(along),
+                 Mechanism::Joint::corner, "");
+  }
+  figure.body(corners, number);
+}
+
 }  // namespace
+
+Mechanism figure_of_link(const Built& built, const Solution& s, int link, const std::vector<int>& acting,
+                         double size_of_block, const Place& otherwise) {
+  const Linkage& of = built.linkage;
+  const std::vector<LinkPoint>& own = of.links[static_cast<std::size_t>(link)].points;
+  Mechanism figure;
+  if (own.empty()) return figure.point("", otherwise, Mechanism::Joint::corner, "");
+  for (const LinkPoint& p : own)
+    figure.point(letter(built, p.point), s.place(letter(built, p.point)),
+                 joint(of, p.point) == Mechanism::Joint::none ? Mechanism::Joint::none : Mechanism::Joint::hinge,
+                 "$" + point_letters(letter(built, p.point)) + "$");
+  std::vector<std::string> arm{letter(built, own.front().point)};
+  for (const PinInSlot& run : pins_in(of, link)) {
+    const std::string& name = letter(built, run.pin);
+    if (std::any_of(own.begin(), own.end(), [&](const LinkPoint& p) { return p.point == run.pin; })) continue;
+    const bool is_seen = std::find(acting.begin(), acting.end(), run.pin) != acting.end();
+    figure.point(name, s.place(name), is_seen ? Mechanism::Joint::none : Mechanism::Joint::corner,
+                 is_seen ? "$" + point_letters(name) + "$" : "");
+    if (is_seen && arm.size() == 1) arm.push_back(name);
+  }
+  const bool is_block =
+      own.size() == 1 && std::any_of(of.blocks.begin(), of.blocks.end(),
+                                     [&](const LineOnLine& each) { return of.link_of_line(each.moving) == link; });
+  if (!is_block) add_link(figure, built, s, link);
+  if (is_block && arm.size() > 1) figure.body(arm);
+  if (own.size() == 1 && (is_block || !figure.has_bodies())) add_block(figure, built, s, link, size_of_block);
+  return figure;
+}
 
 geometry::PlacedLink<double> placed(const Built& built, const Solution& s, int link) {
   const Link& own = built.linkage.links[static_cast<std::size_t>(link)];
@@ -242,23 +319,9 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
   for (int p = 0; p < of.count_of_points(); ++p)
     figure.point(letter(built, p), solution.place(letter(built, p)), joint(of, p),
                  "$" + point_letters(letter(built, p)) + "$");
-  for (std::size_t i = 1; i < of.links.size(); ++i) {
-    std::vector<std::string> points;
-    for (const LinkPoint& p : of.links[i].points) points.push_back(letter(built, p.point));
-    const auto pin = pin_apart(pins_in(of, static_cast<int>(i)), points, figure, built);
-    const bool is_straight =
-        std::all_of(of.links[i].lines.begin(), of.links[i].lines.end(),
-                    [&](const geometry::LinkLine& line) { return lie_on(of.links[i].points, line); });
-    if (pin && lie_on(of.links[i].points, of.line(pin->line)) && is_on_its_line(figure, built, solution, *pin)) {
-      points.push_back(letter(built, pin->pin));
-      figure.slotted(points, built.letters.links[i],
-                     pin->block == 0 ? 0 : built.letters.links[static_cast<std::size_t>(pin->block)]);
-    } else if ((points.size() > 1 || !is_straight) && add_slot_aside(figure, built, solution, static_cast<int>(i))) {
-      continue;
-    } else if (points.size() > 1) {
-      figure.body(points, built.letters.links[i]);
-    }
-  }
+  std::vector<int> without_number;
+  for (std::size_t i = 1; i < of.links.size(); ++i)
+    if (!add_link(figure, built, solution, static_cast<int>(i))) without_number.push_back(static_cast<int>(i));
   for (const geometry::Drive& drive : of.drives)
     if (const auto* cylinder = std::get_if<geometry::Stretched>(&drive))
       figure.cylinder(letter(built, cylinder->from), letter(built, cylinder->to));
@@ -270,6 +333,7 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
         figure.turning(letter(built, crank->first), letter(built, crank->second), sign_of(turned->omega),
                        angular_velocity(built.letters.links[static_cast<std::size_t>(turned->link)]).symbol);
   add_wheels(figure, built);
+  for (const int link : without_number) add_number_of_block(figure, built, link);
   add_lines(figure, built);
   return figure;
 }

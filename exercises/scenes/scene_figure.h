@@ -19,4 +19,9 @@ geometry::PlacedLink<double> placed(const Built& built, const Solution& s, int l
 
 Mechanism figure_of(const Built& built, const Solution& solution);
 
+// A link alone, cut free: its points, and the pins in its slots that something acts on; of what has but one point a
+// block of this size. A link without points is `otherwise`.
+Mechanism figure_of_link(const Built& built, const Solution& solution, int link, const std::vector<int>& acting,
+                         double size_of_block, const Place& otherwise);
+
 }  // namespace epure::scenes

@@ -1,7 +1,9 @@
-// The forces in a scene's joints and what its drives must provide: what they are called, and three ways to find them.
+// The forces in a scene's joints and what its drives must provide: what they are called, and three ways to find them,
+// with the inertia of masses.
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -90,38 +92,126 @@ inline Quantity driving_effort(const Built& built, const Drive& drive) {
           format_words("push of the cylinder {} {}", "spinta del cilindro {} {}", P, Q)};
 }
 
+// Whether inertia acts: masses on a mechanism that moves.
+inline bool has_inertia(const Built& built) {
+  const auto moves = [](const Drive& drive) {
+    if (const auto* turned = std::get_if<TurnedLink>(&drive))
+      return !is_zero(turned->omega) || !is_zero(turned->alpha);
+    if (const auto* slid = std::get_if<SlidPoint>(&drive)) return slid->velocity != 0 || slid->acceleration != 0;
+    const auto& cylinder = std::get<Stretched>(drive);
+    return cylinder.velocity != 0 || cylinder.acceleration != 0;
+  };
+  return !built.loads->masses.empty() && std::any_of(built.linkage.drives.begin(), built.linkage.drives.end(), moves);
+}
+// The masses, and nothing else that acts.
+inline geometry::Loads without_loads(const geometry::Loads& loads) { return {.masses = loads.masses}; }
+
+// A number that loads and inertia make together. Exact numbers count a radian for each 2π of a turn, so what inertia
+// makes is too small by (2π)²: that is transcendental, and the sum is zero where both are.
+template <class T>
+T of_both(const T& of_loads, const T& of_inertia) {
+  using geometry::Sign;
+  const Sign one = sign(of_loads), other = sign(of_inertia);
+  if (one == Sign::zero) return of_inertia;
+  if (other == Sign::zero || (one == other && one != Sign::undecided)) return of_loads;
+  throw geometry::Undecided("whether loads and inertia outweigh each other", "se carichi e inerzia si compensino");
+}
+
+// The forces that a route finds, `find` under these loads and with inertia or without.
+template <class T>
+class FoundForces {
+ public:
+  using Find = std::function<JointForces<T>(const geometry::Loads&, bool)>;
+  FoundForces(const Built& built, const Find& find)
+      : has_inertia_(has_inertia(built)),
+        is_parted_(signs_only<T> && has_inertia_),
+        whole_([&loads = *built.loads, find, with = has_inertia_ && !is_parted_] { return find(loads, with); }),
+        inertia_([&loads = *built.loads, find] { return find(without_loads(loads), true); }) {
+    has_loads_ = !built.loads->forces.empty() || !built.loads->couples.empty() || built.loads->has_weight();
+  }
+  // One of them: `select` takes it from the JointForces.
+  template <class Select>
+  T of(const Select& select) const {
+    return is_parted_ ? of_both<T>(select(whole_.get()), select(inertia_.get())) : T(select(whole_.get()));
+  }
+  // All in one measure. Throws Undecided where exact numbers have two.
+  const JointForces<T>& all() const {
+    if (!is_parted_) return whole_.get();
+    if (has_loads_)
+      throw geometry::Undecided("whether loads and inertia outweigh each other",
+                                "se carichi e inerzia si compensino");
+    return inertia_.get();
+  }
+
+ private:
+  bool has_inertia_, is_parted_, has_loads_ = false;
+  WhenAsked<JointForces<T>> whole_, inertia_;
+};
+
+template <class T>
+std::vector<geometry::MassInMotion<T>> masses_in_motion(const Built& built, const Constructed<T>& constructed) {
+  const geometry::ForcesByGroups<T> drawn(built.linkage, constructed.at);
+  std::vector<geometry::MassInMotion<T>> all;
+  for (const geometry::LinkMass& body : built.loads->masses) {
+    const geometry::PlaneMotion<T>& moving = constructed.motion.get().links[index(body.link)];
+    const geometry::Vector<T> a = moving.acceleration(drawn.place(body));
+    all.push_back({a.x, a.y, moving.alpha});
+  }
+  return all;
+}
+
 // Group after group, from the last to the drive.
 template <class T>
-JointForces<T> forces_by_groups(const Built& built, const Constructed<T>& constructed) {
-  return geometry::ForcesByGroups<T>(built.linkage, constructed.at).under(*built.loads, built.steps);
+JointForces<T> forces_by_groups(const Built& built, const Constructed<T>& constructed, const geometry::Loads& loads,
+                                bool with_inertia) {
+  return geometry::ForcesByGroups<T>(built.linkage, constructed.at)
+      .under(loads, built.steps,
+             with_inertia ? masses_in_motion(built, constructed) : std::vector<geometry::MassInMotion<T>>{});
 }
 // The equilibrium of all links at once; on exact numbers, that what was constructed satisfies it.
 template <class T>
 JointForces<T> forces_by_equilibrium(const Built& built, const Constructed<T>& constructed,
-                                     const ByJoints<T>& by_joints) {
-  const auto& links = by_joints.states(UpTo::place);
+                                     const ByJoints<T>& by_joints, const geometry::Loads& loads, bool with_inertia) {
+  const auto& links = by_joints.states(with_inertia ? UpTo::acceleration : UpTo::place);
+  const auto inertia = with_inertia ? geometry::analytic::Inertia::included : geometry::analytic::Inertia::left_out;
   if constexpr (signs_only<T>) {
-    JointForces<T> found = forces_by_groups(built, constructed);
-    geometry::analytic::demand_equilibrium<T>(built.linkage, links, *built.loads, found);
+    JointForces<T> found = forces_by_groups(built, constructed, loads, with_inertia);
+    geometry::analytic::demand_equilibrium<T>(built.linkage, links, loads, found, inertia);
     return found;
   } else {
-    return geometry::analytic::solve_forces<T>(built.linkage, links, *built.loads);
+    return geometry::analytic::solve_forces<T>(built.linkage, links, loads, inertia);
   }
 }
+
 // What a drive must provide: while it alone moves, at one radian or metre a second, its power and that of the loads
-// are opposite.
+// and weights are together the rate at which the kinetic energy grows.
 template <class T>
 T effort_by_power(const Built& built, const Constructed<T>& constructed, std::size_t drive) {
   std::vector<geometry::DriveRates<T>> rates(built.linkage.drives.size(), geometry::DriveRates<T>{T(0), T(0)});
   rates[drive].first = T(1);
   const geometry::LinkageMotion<T> motion = constructed.carried_out.motion(constructed.at, rates);
   const geometry::ForcesByGroups<T> drawn(built.linkage, constructed.at);
-  T power(0);
-  for (const LinkForce& load : built.loads->forces)
+  const auto& loads = *built.loads;
+  T power(0), growing(0);
+  for (const LinkForce& load : loads.forces)
     power += dot(drawn.vector(load), motion.links[index(load.link)].velocity(drawn.place(load)));
-  for (const LinkCouple& load : built.loads->couples)
+  for (const LinkCouple& load : loads.couples)
     power += geometry::from_rational<T>(load.moment) * motion.links[index(load.link)].omega;
-  return -power;
+  for (const geometry::LinkMass& body : loads.masses)
+    power += dot(drawn.weight(body, loads.gravity), motion.links[index(body.link)].velocity(drawn.place(body)));
+  if (!has_inertia(built)) return -power;
+  const std::vector<geometry::MassInMotion<T>> moving = masses_in_motion(built, constructed);
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    const geometry::LinkMass& body = loads.masses[k];
+    const geometry::PlaneMotion<T>& link = motion.links[index(body.link)];
+    growing += geometry::from_rational<T>(body.mass) *
+                   dot(geometry::Vector<T>{moving[k].a_x, moving[k].a_y}, link.velocity(drawn.place(body))) +
+               geometry::from_rational<T>(body.inertia) * (moving[k].alpha * link.omega);
+  }
+  if constexpr (signs_only<T>)
+    return of_both<T>(-power, growing);
+  else
+    return growing - power;
 }
 
 }  // namespace epure::scenes

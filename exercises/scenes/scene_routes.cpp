@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <string>
 
+#include "exercises/kit/linkages/angles.h"
 #include "exercises/kit/linkages/coupler_routes.h"
 #include "exercises/kit/statement/format_words.h"
+#include "exercises/scenes/forces_found.h"
 #include "exercises/scenes/greek.h"
 #include "exercises/scenes/relative_motion.h"
 #include "exercises/scenes/scene_forces.h"
@@ -20,6 +22,7 @@ struct SceneRoutes {
   std::vector<Term> vectors = relative_vectors(dyad_equations(*built));
   CentrePlan plan = centre_plan_of(*built);
   std::vector<std::size_t> floating = links_without_pivot(*built);
+  std::vector<GroupForces> groups = force_groups(*built);
 
   template <class T>
   Ledger<T> operator()() const {
@@ -56,6 +59,7 @@ struct SceneRoutes {
       if (!moves(p)) ledger.draws_point(letter(p), at.points[index(p)]);
     for_all(
         [&](std::size_t i, int number) {
+          ledger.put(link_angle(number), [&at, i] { return in_degrees(angle_of_axis(at.links[i].x)); });
           ledger.put(angular_velocity(number), [&motion, i] { return motion.get().links[i].omega; });
           ledger.put(angular_acceleration(number), [&motion, i] { return motion.get().links[i].alpha; });
         },
@@ -74,8 +78,17 @@ struct SceneRoutes {
           const PlaneMotion<T>&a = motion.get().links[i], &b = motion.get().links[j];
           return at_rest_against(a.omega - b.omega, of_origin(a) - of_origin(b));
         });
-    if (built->loads)
-      put_forces<T>(ledger, WhenAsked<JointForces<T>>([&] { return forces_by_groups(*built, constructed); }));
+    if (built->loads) {
+      const FoundForces<T> forces(*built, [&](const Loads& loads, bool with_inertia) {
+        return forces_by_groups(*built, constructed, loads, with_inertia);
+      });
+      put_forces<T>(ledger, forces);
+      const ForcesFound<T> found(*built, found_by_groups(constructed, forces));
+      put_acting(ledger, found, [&](const Moments& moments, bool is_across) {
+        return is_across ? found.across_by_moments(moments) : found.part(std::get<AcrossRod>(moments.sought), false);
+      });
+      draw_acting(ledger, found);
+    }
     for (const std::size_t i : floating)
       put_projective(ledger, acceleration_centre(built->letters.links[i]), no_acceleration_centre(i),
                      [&motion, i] { return motion.get().links[i].acceleration_pole(); });
@@ -88,9 +101,16 @@ struct SceneRoutes {
 
   template <class T>
   void by_joint_equations(Ledger<T>& ledger, const Constructed<T>& constructed, const ByJoints<T>& by_joints) const {
-    if (built->loads)
-      put_forces<T>(ledger,
-                    WhenAsked<JointForces<T>>([&] { return forces_by_equilibrium(*built, constructed, by_joints); }));
+    if (built->loads) {
+      const FoundForces<T> forces(*built, [&](const Loads& loads, bool with_inertia) {
+        return forces_by_equilibrium(*built, constructed, by_joints, loads, with_inertia);
+      });
+      put_forces<T>(ledger, forces);
+      const ForcesFound<T> found(*built, found_by_equilibrium(by_joints, forces));
+      put_acting(ledger, found, [&](const Moments& moments, bool is_across) {
+        return found.part(std::get<AcrossRod>(moments.sought), is_across);
+      });
+    }
     const auto link = [&](std::size_t i, UpTo order) -> const LinkState<T>& { return by_joints.states(order)[i]; };
     const auto state = [&](int point, UpTo order) {
       const int on = link_with(point);
@@ -99,6 +119,8 @@ struct SceneRoutes {
     const auto as_vector = [](const Complex<T>& z) { return Vector<T>{z.re, z.im}; };
     for_all(
         [&](std::size_t i, int number) {
+          ledger.put(link_angle(number),
+                     [&, i] { return part_of_turn_in_degrees(angle_of_axis(as_vector(link(i, UpTo::place).x))); });
           ledger.put(angular_velocity(number), [&, i] { return link(i, UpTo::velocity).omega; });
           ledger.put(angular_acceleration(number), [&, i] { return link(i, UpTo::acceleration).alpha; });
         },
@@ -147,6 +169,23 @@ struct SceneRoutes {
         });
   }
 
+  static Quantity link_angle(int number) {
+    const std::string i = std::to_string(number);
+    return {"theta_" + i, "$θ_{" + i + "}$", "deg",
+            format_words("angle of the x axis of link {} from that of the frame, counter-clockwise",
+                         "angolo dell'asse x del membro {} da quello del telaio, antiorario", i)};
+  }
+  // In (-π, π]; what cannot be told from the direction -x is near π.
+  template <class T>
+  static T angle_of_axis(const Vector<T>& x) {
+    if constexpr (signs_only<T>) {
+      return angle_of(x);
+    } else {
+      if (sign(x.y) == Sign::undecided && sign(x.x) == Sign::negative) return pi<T>() + arc_tangent(T(-x.y), T(-x.x));
+      return angle_of(x);
+    }
+  }
+
   // P_ij of all links by their lines, as they are drawn; it is a centre only of links that move against each other.
   template <class T>
   void by_centres(Ledger<T>& ledger, const Constructed<T>& constructed) const {
@@ -165,26 +204,153 @@ struct SceneRoutes {
   }
 
   template <class T>
-  void put_forces(Ledger<T>& ledger, const WhenAsked<JointForces<T>>& forces) const {
+  void put_forces(Ledger<T>& ledger, const FoundForces<T>& forces) const {
     const JointForces<Fast> joints(built->linkage);
+    const auto put_one = [&](const Quantity& quantity, const auto& select) {
+      ledger.put(quantity, [&forces, select] { return forces.of(select); });
+    };
     for (std::size_t k = 0; k < joints.hinges.size(); ++k) {
-      const auto& [point, by, on, x, y] = joints.hinges[k];
-      const HingeForce hinge = hinge_force(*built, point, by, on);
-      put(ledger, hinge.quantity, [&forces, k, is_opposite = hinge.is_opposite] {
-        const auto& found = forces.get().hinges[k];
-        const Vector<T> force{found.x, found.y};
-        return is_opposite ? -force : force;
-      });
+      const auto& [point, by, on, x_of_none, y_of_none] = joints.hinges[k];
+      const auto& [force, is_opposite] = hinge_force(*built, point, by, on);
+      const auto x = [k, is = is_opposite](const JointForces<T>& f) { return is ? -f.hinges[k].x : f.hinges[k].x; };
+      const auto y = [k, is = is_opposite](const JointForces<T>& f) { return is ? -f.hinges[k].y : f.hinges[k].y; };
+      put_one(force.x(), x);
+      put_one(force.y(), y);
+      ledger.put(force.length(), [&forces, x, y] { return size(Vector<T>{forces.of(x), forces.of(y)}); });
     }
     for (std::size_t k = 0; k < joints.pins.size(); ++k)
-      ledger.put(pin_force(*built, k), [&] { return forces.get().pins[k]; });
+      put_one(pin_force(*built, k), [k](const JointForces<T>& f) { return f.pins[k]; });
     for (std::size_t k = 0; k < joints.guides.size(); ++k) {
       const GuideForces guide = guide_forces(*built, k);
-      ledger.put(guide.force, [&] { return forces.get().guides[k].force; });
-      ledger.put(guide.couple, [&] { return forces.get().guides[k].couple; });
+      put_one(guide.force, [k](const JointForces<T>& f) { return f.guides[k].force; });
+      put_one(guide.couple, [k](const JointForces<T>& f) { return f.guides[k].couple; });
     }
     for (std::size_t k = 0; k < joints.drives.size(); ++k)
-      ledger.put(driving_effort(*built, built->linkage.drives[k]), [&] { return forces.get().drives[k]; });
+      put_one(driving_effort(*built, built->linkage.drives[k]), [k](const JointForces<T>& f) { return f.drives[k]; });
+  }
+
+  // --- what sheets of forces show beside --------------------------------------------------------------------------
+  template <class T>
+  FoundByRoute<T> found_by_groups(const Constructed<T>& constructed, const FoundForces<T>& forces) const {
+    const auto own = [](const Own& at) { return Vector<T>{from_rational<T>(at.x), from_rational<T>(at.y)}; };
+    const auto vector = [](const Point<T>& P) { return Vector<T>{P.x, P.y}; };
+    const auto& at = constructed.at;
+    return {.joints = [&forces]() -> const JointForces<T>& { return forces.all(); },
+            .point = [&at, vector](int p) { return vector(at.points[index(p)]); },
+            .on_link = [&at, vector, own](int link,
+                                          const Own& there) { return vector(at.links[index(link)].at(own(there))); },
+            .along =
+                [&at, this](int line) {
+                  return at.links[index(built->linkage.link_of_line(line))].turned(
+                      linkages::unit_vector<T>(built->linkage.line(line).along));
+                },
+            .load = [](const LinkForce& load) { return ForcesByGroups<T>::vector(load); },
+            .mass = [this, &constructed](std::size_t k) { return masses_in_motion(*built, constructed)[k]; }};
+  }
+  template <class T>
+  FoundByRoute<T> found_by_equilibrium(const ByJoints<T>& by_joints, const FoundForces<T>& forces) const {
+    const auto vector = [](const Complex<T>& z) { return Vector<T>{z.re, z.im}; };
+    const auto on_link = [&by_joints, vector](int link, const Own& at) {
+      return vector(analytic::point_of(by_joints.states(UpTo::place)[index(link)], at).z);
+    };
+    return {.joints = [&forces]() -> const JointForces<T>& { return forces.all(); },
+            .point =
+                [this, on_link](int p) {
+                  const int link = link_with(p);
+                  return on_link(link, built->linkage.place(link, p));
+                },
+            .on_link = on_link,
+            .along =
+                [this, &by_joints, vector](int line) {
+                  const int link = built->linkage.link_of_line(line);
+                  return vector(
+                      analytic::direction(built->linkage.line(line), by_joints.states(UpTo::place)[index(link)]));
+                },
+            .load =
+                [vector](const LinkForce& load) {
+                  return vector(Complex<T>{from_rational<T>(load.components.x), from_rational<T>(load.components.y)} *
+                                Complex<T>{cosine<T>(load.turned), sine<T>(load.turned)});
+                },
+            .mass =
+                [this, &by_joints](std::size_t k) {
+                  return analytic::in_motion(built->loads->masses[k], by_joints.states(UpTo::acceleration));
+                }};
+  }
+  // Loads that are no plain givens, what holds pins alone, arms, and the two parts of a rod's force.
+  template <class T, class PartOf>
+  void put_acting(Ledger<T>& ledger, const ForcesFound<T>& found, const PartOf& part) const {
+    for (std::size_t k = 0; k < built->force_names.size(); ++k)
+      if (!built->force_names[k].is_given) put(ledger, load_force(*built, k), [&found, k] { return found.load(k); });
+    for (std::size_t k = 0; k < built->couple_names.size(); ++k)
+      if (const LoadName& of = built->couple_names[k]; !of.is_given)
+        ledger.put(Quantity{of.name, of.symbol, "N*m",
+                            format_words("load on link {}, a couple", "carico sul membro {}, una coppia",
+                                         built->letters.links[index(built->loads->couples[k].link)])},
+                   from_rational<T>(built->loads->couples[k].moment));
+    for (std::size_t k = 0; k < built->loads->masses.size(); ++k) {
+      const ActingForce weight{ActingForce::Kind::weight, static_cast<int>(k), built->loads->masses[k].link},
+          inertia{ActingForce::Kind::inertia, weight.which, weight.link};
+      for (const ActingForce& force : {weight, inertia})
+        if (force.kind == ActingForce::Kind::inertia || !built->gravity.empty())
+          put(ledger, mass_force(*built, force), [&found, force] { return found.vector(force); });
+      if (!built->mass_names[k].inertia.empty())
+        ledger.put(inertia_couple(*built, k), [&found, weight] {
+          return found.couple({ActingCouple::Kind::inertia, weight.which});
+        });
+    }
+    for (const ActingForce& held : held_pins())
+      put(ledger, held_force(*built, held.which), [&found, held] { return found.vector(held); });
+    for (const GroupForces& group : groups)
+      for (const Moments& moments : group.moments) {
+        for (const Arm& arm : moments.arms) put_arm(ledger, found, arm, moments.about);
+        if (const auto* arm = std::get_if<Arm>(&moments.sought)) put_arm(ledger, found, *arm, moments.about);
+        const auto* of_rod = std::get_if<AcrossRod>(&moments.sought);
+        if (!of_rod) continue;
+        for (const bool is_across : {true, false}) {
+          const VectorQuantity quantity =
+              part_of_force(*built, of_rod->force, is_across ? ForcePart::across : ForcePart::along);
+          const auto find = [&part, &moments, is_across] { return part(moments, is_across); };
+          ledger.put(quantity.length(), [find] { return size(find()); });
+          ledger.draws_point(quantity.name, std::function<Point<T>()>([find] {
+                               const Vector<T> v = find();
+                               return Point<T>{v.x, v.y};
+                             }));
+        }
+      }
+  }
+  template <class T>
+  static void put_arm(Ledger<T>& ledger, const ForcesFound<T>& found, const Arm& arm, const About& about) {
+    ledger.put(arm.length, [&found, &arm, &about] { return found.arm(arm.force, about); });
+  }
+  std::vector<ActingForce> held_pins() const {
+    std::vector<ActingForce> all;
+    for (const GroupForces& group : groups)
+      for (const LinkForces& body : group.bodies)
+        for (const ActingForce& force : body.sought)
+          if (force.kind == ActingForce::Kind::held) all.push_back(force);
+    return all;
+  }
+  template <class T>
+  void draw_acting(Ledger<T>& ledger, const ForcesFound<T>& found) const {
+    const auto draw = [&ledger](const std::string& name, const std::function<Vector<T>()>& find) {
+      ledger.draws_point(name, std::function<Point<T>()>([find] {
+                           const Vector<T> v = find();
+                           return Point<T>{v.x, v.y};
+                         }));
+    };
+    for (std::size_t k = 0; k < built->force_names.size(); ++k) {
+      const ActingForce force{ActingForce::Kind::load, static_cast<int>(k), built->loads->forces[k].link};
+      draw("load " + built->force_names[k].name, [&found, force] { return found.vector(force); });
+      draw("place of " + built->force_names[k].name, [&found, force] { return found.place(force); });
+    }
+    for (std::size_t k = 0; k < built->loads->masses.size(); ++k) {
+      const ActingForce inertia{ActingForce::Kind::inertia, static_cast<int>(k), built->loads->masses[k].link};
+      draw("centre of " + std::to_string(built->letters.links[index(inertia.link)]),
+           [&found, inertia] { return found.place(inertia); });
+    }
+    for (const LineOnLine& block : built->linkage.blocks)
+      draw("through " + built->letters.lines[index(block.moving)],
+           [&found, line = block.moving] { return found.through(line); });
   }
   template <class T>
   void by_power(Ledger<T>& ledger, const Constructed<T>& constructed) const {

@@ -601,22 +601,32 @@ void demand_sides(const Linkage& linkage, const std::vector<LinkState<T>>& links
 
 // Forces on the links' origins along x and y, and moments about them.
 template <class T>
-Column<T> loads_on_links(const std::vector<LinkState<T>>& links, const Loads& loads) {
+Column<T> loads_on_links(const std::vector<LinkState<T>>& links, const Loads& loads, Inertia inertia) {
   Column<T> all(unknowns_of_a_link * (links.size() - 1), T(0));
-  for (const LinkForce& load : loads.forces) {
-    if (load.link == 0) continue;
-    const auto i = static_cast<std::size_t>(load.link);
-    const Complex<T> F = Complex<T>{from_rational<T>(load.components.x), from_rational<T>(load.components.y)} *
-                         Complex<T>{cosine<T>(load.turned), sine<T>(load.turned)},
-                     r = point_of(links[i], load.at).z - links[i].O;
-    const std::size_t first = unknowns_of_a_link * (i - 1);
-    all[first] += F.re;
-    all[first + 1] += F.im;
-    all[first + 2] += cross(r, F);
-  }
-  for (const LinkCouple& load : loads.couples)
+  const auto of_link = [&](int link, std::size_t which) -> T& {
+    return all[unknowns_of_a_link * (static_cast<std::size_t>(link) - 1) + which];
+  };
+  const auto add = [&](int link, const Own& at, const Complex<T>& F) {
+    const LinkState<T>& state = links[static_cast<std::size_t>(link)];
+    of_link(link, 0) += F.re;
+    of_link(link, 1) += F.im;
+    of_link(link, 2) += cross(point_of(state, at).z - state.O, F);
+  };
+  for (const LinkForce& load : loads.forces)
     if (load.link != 0)
-      all[unknowns_of_a_link * static_cast<std::size_t>(load.link) - 1] += from_rational<T>(load.moment);
+      add(load.link, load.at,
+          Complex<T>{from_rational<T>(load.components.x), from_rational<T>(load.components.y)} *
+              Complex<T>{cosine<T>(load.turned), sine<T>(load.turned)});
+  for (const LinkCouple& load : loads.couples)
+    if (load.link != 0) of_link(load.link, 2) += from_rational<T>(load.moment);
+  for (const LinkMass& body : loads.masses) {
+    const T m = from_rational<T>(body.mass);
+    add(body.link, body.at, m * Complex<T>{from_rational<T>(loads.gravity.x), from_rational<T>(loads.gravity.y)});
+    if (inertia == Inertia::left_out) continue;
+    const MassInMotion<T> moving = in_motion(body, links);
+    add(body.link, body.at, -(m * Complex<T>{moving.a_x, moving.a_y}));
+    of_link(body.link, 2) -= from_rational<T>(body.inertia) * moving.alpha;
+  }
   return all;
 }
 
@@ -705,11 +715,12 @@ void demand_independent(const Linkage& linkage, const std::vector<LinkState<Deep
 }
 
 template <class T>
-JointForces<T> solve_forces(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads) {
+JointForces<T> solve_forces(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
+                            Inertia inertia) {
   demand_no_gears(linkage);
   const std::vector<Equation<T>> columns = transposed(equations(linkage, links));
   Column<T> borne;
-  for (const T& load : loads_on_links(links, loads)) borne.push_back(-load);
+  for (const T& load : loads_on_links(links, loads, inertia)) borne.push_back(-load);
   Column<T> multipliers;
   if constexpr (std::is_same_v<T, Fast>)
     multipliers = solved(columns, borne);
@@ -724,14 +735,14 @@ JointForces<T> solve_forces(const Linkage& linkage, const std::vector<LinkState<
 
 template <class T>
 void demand_equilibrium(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
-                        const JointForces<T>& forces) {
+                        const JointForces<T>& forces, Inertia inertia) {
   demand_no_gears(linkage);
   JointForces<T> held = forces;
   Column<T> multipliers;
   for_each_force(linkage, held, [&](T& force, const Rational& factor) {
     multipliers.push_back(from_rational<T>(Rational(1 / factor)) * force);
   });
-  const Column<T> borne = loads_on_links(links, loads);
+  const Column<T> borne = loads_on_links(links, loads, inertia);
   const std::vector<Equation<T>> columns = transposed(equations(linkage, links));
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Sign left = sign(along(columns[i], multipliers) + borne[i]);
@@ -743,16 +754,18 @@ void demand_equilibrium(const Linkage& linkage, const std::vector<LinkState<T>>&
                        "le forze trovate non tengono in equilibrio tutti i membri");
   }
 }
-template JointForces<Fast> solve_forces<Fast>(const Linkage&, const std::vector<LinkState<Fast>>&, const Loads&);
+template JointForces<Fast> solve_forces<Fast>(const Linkage&, const std::vector<LinkState<Fast>>&, const Loads&,
+                                              Inertia);
 template JointForces<Bounded> solve_forces<Bounded>(const Linkage&, const std::vector<LinkState<Bounded>>&,
-                                                    const Loads&);
-template JointForces<Deep> solve_forces<Deep>(const Linkage&, const std::vector<LinkState<Deep>>&, const Loads&);
+                                                    const Loads&, Inertia);
+template JointForces<Deep> solve_forces<Deep>(const Linkage&, const std::vector<LinkState<Deep>>&, const Loads&,
+                                              Inertia);
 template void demand_equilibrium<Exact>(const Linkage&, const std::vector<LinkState<Exact>>&, const Loads&,
-                                        const JointForces<Exact>&);
+                                        const JointForces<Exact>&, Inertia);
 template void demand_equilibrium<Generic>(const Linkage&, const std::vector<LinkState<Generic>>&, const Loads&,
-                                          const JointForces<Generic>&);
+                                          const JointForces<Generic>&, Inertia);
 template void demand_equilibrium<Calcium>(const Linkage&, const std::vector<LinkState<Calcium>>&, const Loads&,
-                                          const JointForces<Calcium>&);
+                                          const JointForces<Calcium>&, Inertia);
 
 template std::vector<LinkState<Fast>> solve_joints<Fast>(const Linkage&, const Beginning<Fast>&);
 template std::vector<LinkState<Bounded>> solve_joints<Bounded>(const Linkage&, const Beginning<Bounded>&);

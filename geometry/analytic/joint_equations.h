@@ -85,13 +85,22 @@ void demand_independent(const Linkage& linkage, const std::vector<LinkState<Deep
 
 // The equilibrium of all links at once, of forces along x and y and moments about each link's origin: what holds an
 // equation does work with what is left of it, so of the multipliers λ that go with the equations J^T λ + load = 0
-// (Lagrange). States of solve_joints.
+// (Lagrange). States of solve_joints; with what their accelerations make of the masses, or without.
+enum class Inertia { left_out, included };
 template <class T>
-JointForces<T> solve_forces(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads);
+JointForces<T> solve_forces(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
+                            Inertia inertia = Inertia::left_out);
+// How the centre of a mass is accelerated, and its link.
+template <class T>
+MassInMotion<T> in_motion(const LinkMass& body, const std::vector<LinkState<T>>& links) {
+  const LinkState<T>& link = links[static_cast<std::size_t>(body.link)];
+  const Complex<T> a = point_of(link, body.at).a;
+  return {a.re, a.im, link.alpha};
+}
 // On exact numbers: forces that were found elsewhere hold all links in equilibrium, exactly; where the equations of
 // the joints are independent no others do. Throws Impossible where they do not, Undecided where that cannot be told.
 template <class T>
 void demand_equilibrium(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
-                        const JointForces<T>& forces);
+                        const JointForces<T>& forces, Inertia inertia = Inertia::left_out);
 
 }  // namespace epure::geometry::analytic

@@ -22,17 +22,35 @@ class ForcesByGroups {
         on_pin_(at.points.size(), Vector<T>{T(0), T(0)}),
         known_(linkage.links.size()) {}
 
-  // Throws Impossible where a group is at a limit, Undecided where that cannot be told.
-  JointForces<T> under(const Loads& loads, const std::vector<Step>& steps) {
+  // `moving`: as the masses; without inertia where it is empty. Throws Impossible where a group is at a limit,
+  // Undecided where that cannot be told.
+  JointForces<T> under(const Loads& loads, const std::vector<Step>& steps,
+                       const std::vector<MassInMotion<T>>& moving = {}) {
     for (const LinkForce& load : loads.forces) push(load.link, place(load), vector(load));
     for (const LinkCouple& load : loads.couples) known_[index(load.link)].couple += from_rational<T>(load.moment);
+    for (std::size_t k = 0; k < loads.masses.size(); ++k) {
+      const LinkMass& body = loads.masses[k];
+      push(body.link, place(body), weight(body, loads.gravity));
+      if (moving.empty()) continue;
+      push(body.link, place(body), inertia(body, moving[k]));
+      known_[index(body.link)].couple -= from_rational<T>(body.inertia) * moving[k].alpha;
+    }
     for (auto step = steps.rbegin(); step != steps.rend(); ++step)
       std::visit([this](const auto& s) { release(s); }, *step);
     return found_;
   }
 
-  Point<T> place(const LinkForce& load) const {
+  // Of a LinkForce or a LinkMass.
+  template <class Load>
+  Point<T> place(const Load& load) const {
     return at_.links[index(load.link)].at({from_rational<T>(load.at.x), from_rational<T>(load.at.y)});
+  }
+  static Vector<T> weight(const LinkMass& body, const Own& gravity) {
+    return {from_rational<T>(body.mass * gravity.x), from_rational<T>(body.mass * gravity.y)};
+  }
+  static Vector<T> inertia(const LinkMass& body, const MassInMotion<T>& moving) {
+    const T m = from_rational<T>(body.mass);
+    return {-(m * moving.a_x), -(m * moving.a_y)};
   }
   static Vector<T> vector(const LinkForce& load) {
     const T c = cosine<T>(load.turned), s = sine<T>(load.turned);

@@ -1,7 +1,7 @@
-// What acts on a linkage from outside, as plain data, and the forces in its joints and drives. As linkage.h: both
-// routes read the one and write the other, and nothing of each other (forces_by_groups.h goes from group to group,
-// analytic/joint_equations.h has the equilibrium of all links at once). Newtons, metres; couples counter-clockwise
-// positive.
+// What acts on a linkage from outside, loads and masses, as plain data, and the forces in its joints and drives. As
+// linkage.h: both routes read the one and write the other, and nothing of each other (forces_by_groups.h goes from
+// group to group, analytic/joint_equations.h has the equilibrium of all links at once). Newtons, metres; couples
+// counter-clockwise positive.
 #pragma once
 
 #include <vector>
@@ -21,9 +21,25 @@ struct LinkCouple {
   int link;
   Rational moment;
 };
+// Of a link, with its centre at this place in the link's own axes, and its moment of inertia about there.
+struct LinkMass {
+  int link;
+  Own at;
+  Rational mass, inertia = 0;
+};
 struct Loads {
   std::vector<LinkForce> forces = {};
   std::vector<LinkCouple> couples = {};
+  std::vector<LinkMass> masses = {};
+  Own gravity = {0, 0};  // the weight of a unit of mass, along the axes of the frame
+
+  bool has_weight() const { return !masses.empty() && (gravity.x != 0 || gravity.y != 0); }
+};
+// d'Alembert: what a mass exerts as it moves is minus its mass times the acceleration of its centre, and minus its
+// moment of inertia times the angular acceleration.
+template <class T>
+struct MassInMotion {
+  T a_x, a_y, alpha;
 };
 
 // Of links that have a point in common the first one carries the pin, and the forces of other pins, guides and drives

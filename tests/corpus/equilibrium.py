@@ -1,6 +1,6 @@
 """Equilibrium of rigid links by components, for the scripts that write references: every joint's force as unknown
 components at its place, every link's three sums, one linear system. Places are complex numbers, forces too."""
-from mpmath import im, lu_solve, matrix, mpf, re
+from mpmath import im, lu_solve, matrix, mpc, mpf, re
 
 
 def moment(at, force):
@@ -13,6 +13,7 @@ class Equilibrium:
     def __init__(self, links):
         self.rows = {(link, k): i for i, (link, k) in enumerate((l, k) for l in links for k in range(3))}
         self.columns, self.loads = [], [mpf(0)] * len(self.rows)
+        self.told, self.rods, self.arms, self.sums = [], [], [], []
 
     def _act(self, column, link, at, force, couple=0):
         for k, part in enumerate((re(force), im(force), moment(at, force) + couple)):
@@ -33,11 +34,28 @@ class Equilibrium:
     def couple(self, name, by, on):
         self.unknown(name, by, on, 0, 0, 1)
 
-    def load(self, on, at, force):
+    def load(self, on, at, force, name=None):
+        """Under a name it is among the values too."""
         self._act(self.loads, on, at, force)
+        if name:
+            self.told += [(name + "_x", re(force)), (name + "_y", im(force)), (name, abs(force))]
 
-    def load_couple(self, on, couple):
+    def load_couple(self, on, couple, name=None):
         self._act(self.loads, on, 0, 0, couple)
+        if name:
+            self.told.append((name, couple))
+
+    def rod(self, name, P, X):
+        """The parts of a force across the line PX and along it are among the values too."""
+        self.rods.append((name, X - P))
+
+    def arm(self, name, force, at, about):
+        """So is how far the line of a force passes by a point: of a hinge by its name, or along a unit."""
+        self.arms.append((name, force, at - about))
+
+    def sum(self, name, of):
+        """So is the sum of forces along these units, by the names of their sizes."""
+        self.sums.append((name, of))
 
     def values(self):
         n = len(self.rows)
@@ -45,6 +63,18 @@ class Equilibrium:
         found = lu_solve(matrix(n, n) + matrix([[self.columns[j][1][i] for j in range(n)] for i in range(n)]),
                          -matrix(self.loads))
         by_name = {name: found[j] for j, (name, _) in enumerate(self.columns)}
+        yield from self.told
+        for name, of in self.sums:
+            whole = sum(by_name[size] * along for size, along in of)
+            by_name[name + "_x"], by_name[name + "_y"] = re(whole), im(whole)
+        for name, force, r in self.arms:
+            if isinstance(force, str):
+                force = mpc(by_name[force + "_x"], by_name[force + "_y"])
+            yield name, abs(moment(r, force)) / abs(force)
+        for name, rod in self.rods:
+            x, y = by_name[name + "_x"], by_name[name + "_y"]
+            yield name + "_t", abs(re(rod) * y - im(rod) * x) / abs(rod)
+            yield name + "_n", abs(re(rod) * x + im(rod) * y) / abs(rod)
         for name, value in by_name.items():
             yield name, value
             if name.startswith("R_") and name.endswith("_y"):

@@ -50,6 +50,8 @@ def loaded_four_bar():
     e = Equilibrium([2, 3, 4])
     e.hinge(1, 2, 0), e.hinge(2, 3, A), e.hinge(3, 4, B), e.hinge(1, 4, B0), e.couple("M_2", 1, 2)
     e.load(3, P, 200 * expj(deg("-100"))), e.load_couple(4, mpf(-20))
+    e.rod("R_23", A, B), e.rod("R_14", B0, B)
+    e.arm("h_F", expj(deg("-100")), P, B), e.arm("h_R_23", "R_23", A, 0)
     scene.forces = e
     return scene
 
@@ -61,7 +63,34 @@ def cutting_stroke():
     e.hinge(1, 2, I * q("0.3")), e.hinge(1, 4, 0), e.hinge(4, 5, B), e.couple("M_2", 1, 2)
     e.unknown("N_A", 4, 2, A, I * A / abs(A)), e.unknown("N_C", 1, 5, C, I)
     e.load(5, C, mpf(1500))
+    e.arm("h_R_45", "R_45", B, 0), e.arm("h_N_A", I * A, A, 0), e.arm("h_N_A_on_2", I * A, A, I * q("0.3"))
     scene.forces = e
+    return scene
+
+
+def engine():
+    """Inertia forces from the derivatives of places."""
+    e, r, l = crank(deg("150"), rpm("1500")), q("0.06"), q("0.22")
+    A, S = lambda t: r * e(t), lambda t: r / 4 * e(t)
+    B = lambda t: mpc(0, im(A(t)) + sqrt(l ** 2 - re(A(t)) ** 2))
+    G = lambda t: A(t) + (B(t) - A(t)) / 3
+    scene = Scene(dict(A=A, S=S, B=B, G=G), {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (still, B)},
+                  rods=[("A", 0), ("B", "A")], floating=[3, 4])
+    g, m, J_3 = q("9.81"), {2: mpf(2), 3: q("1.2"), 4: q("0.9")}, q("0.0085")
+    alpha_3 = diff(lambda t: im(log(B(t) - A(t))), 0, 2)
+    a, s, b, c = (P(mpf(0)) for P in (A, S, B, G))
+    f = Equilibrium([2, 3, 4])
+    f.hinge(1, 2, 0), f.hinge(2, 3, a), f.hinge(3, 4, b), f.couple("M_2", 1, 2)
+    f.unknown("N_b", 1, 4, b, -1), f.couple("M_b", 1, 4)
+    f.load(4, b, mpc(0, -3000))
+    for link, X in ((2, S), (3, G), (4, B)):
+        f.load(link, X(mpf(0)), mpc(0, -m[link] * g), f"W_{link}")
+        f.load(link, X(mpf(0)), -m[link] * derivative(X, 2), f"F_{link}")
+    f.load_couple(3, -J_3 * alpha_3, "C_3")
+    f.rod("R_23", a, b)
+    f.arm("h_W_3", I, c, b), f.arm("h_F_3", derivative(G, 2), c, b)
+    f.arm("h_W_2", I, s, 0), f.arm("h_F_2", derivative(S, 2), s, 0), f.arm("h_R_23", "R_23", a, 0)
+    scene.forces = f
     return scene
 
 
@@ -122,10 +151,12 @@ def watt():
     C = lambda t: A(t) + (B(t) - A(t)) * (d["C"] - d["A"]) / (d["B"] - d["A"])
     D = lambda t: d["B0"] + (B(t) - d["B0"]) * (d["D"] - d["B0"]) / (d["B"] - d["B0"])
     E = lambda t: left_joint(C(t), D(t), far("C", "E"), far("E", "D"))
-    return Scene(dict(A=A, B=B, C=C, D=D, E=E),
-                 {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - d["B0"], B),
-                  5: (lambda t: E(t) - C(t), C), 6: (lambda t: E(t) - D(t), D)},
-                 rods=[("A", 0), ("B", "A"), ("B", d["B0"]), ("E", "C"), ("E", "D")], floating=[3, 5, 6])
+    scene = Scene(dict(A=A, B=B, C=C, D=D, E=E),
+                  {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (lambda t: B(t) - d["B0"], B),
+                   5: (lambda t: E(t) - C(t), C), 6: (lambda t: E(t) - D(t), D)},
+                  rods=[("A", 0), ("B", "A"), ("B", d["B0"]), ("E", "C"), ("E", "D")], floating=[3, 5, 6])
+    scene.is_from_drawing = True
+    return scene
 
 
 def jansen():
@@ -318,7 +349,7 @@ class Scene:
     def __init__(self, points, links, rods=(), slides=(), cylinders=(), offsets=(), floating=(), paths=()):
         self.points, self.links = points, {1: (still, lambda t: mpc(0)), **links}
         self.rods, self.slides, self.cylinders, self.offsets = rods, slides, cylinders, offsets
-        self.forces = None
+        self.forces, self.is_from_drawing = None, False
         self.floating, self.paths = floating, paths  # links without a pivot; points whose paths are asked for
 
     def derivatives(self, f):
@@ -361,6 +392,8 @@ class Scene:
             turn = lambda t: im(log(direction(t)))
             turning[number] = diff(turn, 0, 1), derivative(carried, 1), carried(mpf(0))
             if number > 1:
+                # Each direction is that of the link's x axis, but for links taken from a drawing, as they stand there.
+                yield f"theta_{number}", mpf(0) if self.is_from_drawing else turn(mpf(0)) * 180 / pi
                 yield f"omega_{number}", turning[number][0]
                 yield f"alpha_{number}", diff(turn, 0, 2)
         # The point of two links with one velocity: c + i ω P is the same of both.
@@ -462,5 +495,5 @@ for name, file, scene in (("four-bar", "four-bar", four_bar), ("quick-return", "
                           ("cardan-gear", "cardan-gear", cardan_gear),
                           ("geared-five-bar", "geared-five-bar", geared_five_bar),
                           ("loaded-four-bar", "loaded-four-bar", loaded_four_bar),
-                          ("cutting-stroke", "cutting-stroke", cutting_stroke)):
+                          ("cutting-stroke", "cutting-stroke", cutting_stroke), ("engine", "engine", engine)):
     write(name, file, scene)

@@ -35,8 +35,9 @@ def four_bar():
     B = left_joint(A, B0, q("0.35"), q("0.28"))
     e = Equilibrium([2, 3, 4])
     e.hinge(1, 2, 0), e.hinge(2, 3, A), e.hinge(3, 4, B), e.hinge(1, 4, B0), e.couple("M_2", 1, 2)
-    e.load(3, A + (B - A) / q("0.35") * mpc("0.175", "0.1"), 200 * deg(-100))
-    e.load_couple(4, -20)
+    e.load(3, A + (B - A) / q("0.35") * mpc("0.175", "0.1"), 200 * deg(-100), "Q_P")
+    e.load_couple(4, -20, "T_4")
+    e.rod("R_23", A, B), e.rod("R_14", B0, B)
     return e
 
 
@@ -46,8 +47,9 @@ def slider_crank():
     e = Equilibrium([2, 3, 4])
     e.hinge(1, 2, 0), e.hinge(2, 3, A), e.hinge(3, 4, B), e.couple("M_2", 1, 2)
     e.unknown("N_b", 1, 4, B, I), e.couple("M_b", 1, 4)
-    e.load(4, B, -1000), e.load_couple(4, 3)
-    e.load(3, A + (B - A) / q("0.4") * mpc(q("0.4") / 3, "0.04"), mpc(0, -50))
+    e.load(4, B, -1000, "Q_B"), e.load_couple(4, 3, "T_4")
+    e.load(3, A + (B - A) / q("0.4") * mpc(q("0.4") / 3, "0.04"), mpc(0, -50), "Q_G")
+    e.rod("R_23", A, B)
     return e
 
 
@@ -57,7 +59,7 @@ def scotch_yoke():
     e = Equilibrium([2, 3])
     e.hinge(1, 2, 0), e.couple("M_2", 1, 2)
     e.unknown("N_A", 3, 2, A, -1), e.unknown("N_b", 1, 3, O3, I), e.couple("M_b", 1, 3)
-    e.load(3, O3 + q("0.25"), mpc(-200, 30))
+    e.load(3, O3 + q("0.25"), mpc(-200, 30), "Q_C")
     return e
 
 
@@ -69,7 +71,7 @@ def oldham():
     # q of 3 in p of 2; s of 3 in t of 4: at C, the origin of both lines of 3.
     e.unknown("N_q", 2, 3, C, I * u), e.couple("M_q", 2, 3)
     e.unknown("N_s", 4, 3, C, -u), e.couple("M_s", 4, 3)
-    e.load(3, C, mpc(10, -20)), e.load_couple(4, -25)
+    e.load(3, C, mpc(10, -20), "Q_C"), e.load_couple(4, -25, "T_4")
     return e
 
 
@@ -78,7 +80,8 @@ def trammel():
     B = I * sqrt(1 - q("0.6") ** 2)
     e = Equilibrium([2])
     e.unknown("N_A", 1, 2, A, I), e.unknown("N_B", 1, 2, B, -1), e.unknown("F_A", 1, 2, A, 1)
-    e.load(2, A + (B - A) / 3, mpc(0, -700))
+    e.load(2, A + (B - A) / 3, mpc(0, -700), "Q_P")
+    e.sum("R_A", [("F_A", 1), ("N_A", I)]), e.rod("R_A", A, B)
     return e
 
 
@@ -92,7 +95,8 @@ def excavator():
     e = Equilibrium([2, 3])
     e.hinge(1, 2, 0), e.hinge(2, 3, B)
     e.unknown("F_PQ", 1, 2, Q, (Q - P) / abs(Q - P)), e.unknown("F_QR", 2, 3, R, (R - Q) / abs(R - Q))
-    e.load(3, B + 2 * stick, mpc(0, -20000)), e.load(2, mpc(2, "0.5") * boom, 3000 * deg(-60))
+    e.load(3, B + 2 * stick, mpc(0, -20000), "Q_T"), e.load(2, mpc(2, "0.5") * boom, 3000 * deg(-60), "Q_2")
+    e.rod("R_23", B, R), e.rod("R_12", mpc(0), Q)
     return e
 
 
@@ -103,7 +107,7 @@ def oscillating_cylinder():
     e = Equilibrium([2, 3, 4])
     e.hinge(1, 2, 0), e.hinge(2, 4, A), e.hinge(1, 3, C), e.couple("M_2", 1, 2)
     e.unknown("N_p", 3, 4, K, I * u), e.couple("M_p", 3, 4)
-    e.load(4, K, 900 * deg(20)), e.load(3, C + u / 10, mpc(0, -40))
+    e.load(4, K, 900 * deg(20), "Q_K"), e.load(3, C + u / 10, mpc(0, -40), "Q_3")
     return e
 
 
@@ -112,7 +116,8 @@ def cardan_circles():
     A = mpc(2 * re(M), 0)
     e = Equilibrium([2, 3])
     e.hinge(1, 2, 0), e.hinge(2, 3, M), e.couple("M_2", 1, 2), e.unknown("N_A", 1, 3, A, I)
-    e.load(3, M + r / 2 * I * conj(deg(35)), 80 * deg(-30))
+    e.load(3, M + r / 2 * I * conj(deg(35)), 80 * deg(-30), "Q_P")
+    e.rod("R_23", M, A)
     return e
 
 
@@ -121,7 +126,7 @@ def geneva():
     u = (A - O3) / abs(A - O3)
     e = Equilibrium([2, 3])
     e.hinge(1, 2, 0), e.hinge(1, 3, O3), e.couple("M_2", 1, 2), e.unknown("N_A", 3, 2, A, I * u)
-    e.load_couple(3, 12)
+    e.load_couple(3, 12, "T_3")
     return e
 
 
@@ -136,7 +141,8 @@ def jansen():
     e = Equilibrium(range(2, 9))
     e.hinge(1, 2, 0), e.couple("M_2", 1, 2), e.hinge(2, 3, A), e.hinge(2, 5, A), e.hinge(1, 4, Qp), e.hinge(1, 6, Qp)
     e.hinge(3, 4, B), e.hinge(5, 6, D), e.hinge(5, 8, D), e.hinge(4, 7, C), e.hinge(7, 8, E)
-    e.load(8, F, mpc(30, 200))
+    e.load(8, F, mpc(30, 200), "Q_F")
+    e.rod("R_58", D, E), e.rod("R_14", Qp, B)
     return e
 
 
@@ -145,10 +151,11 @@ def driven_piston():
     A = left_joint(mpc(0), B, q("0.12"), q("0.4"))
     e = Equilibrium([2, 3, 4])
     e.hinge(1, 2, 0), e.hinge(2, 3, A), e.hinge(3, 4, B)
-    e.unknown("F_B", 1, 3, B, 1)  # on the pin, which is of 3, the first of the two links
+    e.unknown("F_B", 1, 4, B, 1)  # on the pin, which is of 4, the block that the drive places
     # b is given through a point 30 mm ahead of B.
     e.unknown("N_b", 1, 4, B + q("0.03"), I), e.couple("M_b", 1, 4)
-    e.load_couple(2, 15), e.load(4, B + mpc("0.1", "0.02"), mpc(3, -8))
+    e.load_couple(2, 15, "T_2"), e.load(4, B + mpc("0.1", "0.02"), mpc(3, -8), "Q_D")
+    e.rod("R_12", mpc(0), A)
     return e
 
 
@@ -159,7 +166,7 @@ def two_blocks():
     e.hinge(1, 2, 0), e.hinge(3, 4, X), e.couple("M_2", 1, 2)
     e.unknown("N_p", 2, 3, X, I * u), e.couple("M_p", 2, 3)
     e.unknown("N_q", 1, 4, X, I), e.couple("M_q", 1, 4)
-    e.load(4, X + mpc("0.05", "0.01"), mpc(-60, 25)), e.load_couple(3, 2)
+    e.load(4, X + mpc("0.05", "0.01"), mpc(-60, 25), "Q_D"), e.load_couple(3, 2, "T_3")
     return e
 
 

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "drawings/text/text.h"
 #include "exercises/kit/proof/exercise.h"
 
 namespace epure::tests {
@@ -26,6 +27,15 @@ inline drawings::Line line(const DrawnSheet& drawn, const std::string& name) {
 }
 inline std::pair<drawings::Point, drawings::Point> ends_of(const drawings::Line& of) {
   return {of.path.start, of.path.pieces.back().end};
+}
+
+// The steps of the column, as plain text.
+inline std::vector<std::string> told_steps(const DrawnSheet& drawn) {
+  std::vector<std::string> lines;
+  for (const drawings::Block& block : drawn.sheet.column)
+    if (const auto* steps = std::get_if<drawings::Steps>(&block))
+      for (const std::string& line : steps->lines) lines.push_back(drawings::plain(line));
+  return lines;
 }
 
 // Whether a paragraph of the column, or a step, has this in it.

@@ -116,8 +116,8 @@ Mechanism& Mechanism::body(const std::vector<std::string>& points, int number) {
   bodies_.push_back({points, number, false});
   return *this;
 }
-Mechanism& Mechanism::slotted(const std::vector<std::string>& points, int number, int block) {
-  bodies_.push_back({points, number, true, false, block});
+Mechanism& Mechanism::slotted(const std::vector<std::string>& points, int number, bool takes_block) {
+  bodies_.push_back({points, number, true, false, takes_block});
   return *this;
 }
 Mechanism& Mechanism::cylinder(const std::string& from, const std::string& to) {
@@ -374,8 +374,8 @@ void Mechanism::draw_bodies(Plot& plot) const {
     if (!body.is_slotted) continue;
     constexpr double width = 3.5, width_for_block = 6;  // mm: takes the hinge that is its pin
     const auto [near, far] = slot(body, plot.scale());
-    plot.mark(drawings::Slot{plot.at(near), plot.at(far), body.block == 0 ? width : width_for_block});
-    if (body.block != 0) plot.mark(drawings::Slider{plot.at(at(body.points.back())), direction(near, far)});
+    plot.mark(drawings::Slot{plot.at(near), plot.at(far), body.takes_block ? width_for_block : width});
+    if (body.takes_block) plot.mark(drawings::Slider{plot.at(at(body.points.back())), direction(near, far)});
   }
   for (const auto& [P, one, other] : right_angles_) plot.right_angle(at(P), at(one), at(other));
 }
@@ -464,17 +464,21 @@ void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
   plot.label(angle.symbol, {O.x + out * std::cos(middle), O.y + out * std::sin(middle)}, O);
 }
 
-// A block's letters at its corner, on the side that the link leaves free: inside the block they would be lost.
+// A block's letters at its corner, on the side that the link leaves free: inside the block they would be lost. A
+// corner in its pin bears its number, which stands at the other corner.
 void Mechanism::draw_letters(Plot& plot, const Point& P) const {
   if (P.letters.empty()) return;
-  if (P.joint != Joint::block) return plot.label(P.letters, P.at, neighbour(P));
-  const auto guide =
-      std::find_if(guides_.begin(), guides_.end(), [&](const Guide& each) { return each.block == P.name; });
-  const Place Q = neighbour(P);
+  const auto guide = std::find_if(guides_.begin(), guides_.end(), [&](const Guide& each) {
+    return P.joint == Joint::block ? each.block == P.name
+                                   : P.joint == Joint::corner && distance(at(each.block), P.at) == 0;
+  });
+  if (guide == guides_.end()) return plot.label(P.letters, P.at, neighbour(P));
+  const Place Q = neighbour(find(guide->block));
   const double c = std::cos(guide->direction), s = std::sin(guide->direction);
   const double ahead = (Q.x - P.at.x) * c + (Q.y - P.at.y) * s;
+  const bool is_number = guide->block != P.name;
   const drawings::Point corner =
-      beside(plot.at(P.at), guide->direction, ahead > 0 ? -half_block : half_block, block_top);
+      beside(plot.at(P.at), guide->direction, (ahead > 0) != is_number ? -half_block : half_block, block_top);
   plot.label(P.letters, plot.from_paper(corner), P.at);
 }
 
@@ -501,7 +505,6 @@ void Mechanism::draw_numbers(Plot& plot) const {
   constexpr double below_support = 8;  // mm
   bool is_numbered = false;
   for (const Body& body : bodies_) {
-    if (body.block != 0) plot.label(std::to_string(body.block), at(body.points.back()), at(*(body.points.end() - 2)));
     if (body.number == 0) continue;
     is_numbered = true;
     if (body.is_slotted) {

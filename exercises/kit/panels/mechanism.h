@@ -24,9 +24,9 @@ class Mechanism : public MechanismFigure {
   // A link between two points, or a plate between three and more. With a number it stands beside the link, and the
   // frame is 1.
   Mechanism& body(const std::vector<std::string>& points, int number = 0);
-  // A straight link through these points, the last of them the pin of another body that runs in a slot of it, or of a
-  // block that does, with its number.
-  Mechanism& slotted(const std::vector<std::string>& points, int number = 0, int block = 0);
+  // A straight link through these points, the last of them the pin of another body that runs in a slot of it, or the
+  // hinge of a block that does.
+  Mechanism& slotted(const std::vector<std::string>& points, int number = 0, bool takes_block = false);
   // A cylinder hinged at `from`, and its piston's rod hinged at `to`.
   Mechanism& cylinder(const std::string& from, const std::string& to);
   // A round body about a point, with another on its rim; there it `rolls` on the frame, or not.
@@ -64,6 +64,7 @@ class Mechanism : public MechanismFigure {
   Mechanism& right_angle(const std::string& at, const std::string& one, const std::string& other);
 
   const Place& at(const std::string& name) const { return find(name).at; }
+  bool has_bodies() const { return !bodies_.empty(); }
 
   void draw(Plot& plot) const override;
   void draw_given(Plot& plot) const override;
@@ -83,7 +84,7 @@ class Mechanism : public MechanismFigure {
     std::vector<std::string> points;
     int number;
     bool is_slotted, is_cylinder = false;
-    int block = 0;  // in its slot
+    bool takes_block = false;
   };
   struct Disc {
     std::string centre, rim;

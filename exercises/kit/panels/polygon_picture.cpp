@@ -245,7 +245,11 @@ drawings::VectorEquation equation(const VectorPolygon& polygon) {
   drawings::VectorEquation written;
   const auto add = [&](const std::vector<PolygonSide>& chain, const char* first) {
     for (std::size_t i = 0; i < chain.size(); ++i) {
-      const std::string before = i == 0 ? first : "+";
+      const std::string before = i == 0 ? first : "+", minus = "−";
+      if (before == "+" && chain[i].label.starts_with(minus)) {
+        written.terms.push_back({chain[i].label.substr(minus.size()), chain[i].direction, chain[i].magnitude, minus});
+        continue;
+      }
       const std::string sign = !chain[i].is_subtracted ? before : before == "=" ? "= −" : "−";
       written.terms.push_back({chain[i].label, chain[i].direction, chain[i].magnitude, sign});
     }

@@ -1,12 +1,13 @@
 // Forces of mechanisms from files: under loads the scenes of the docs hold against values made apart; near a dead
 // centre they are found however large they grow, and at it they are refused; what is wrong with loads: is told with
-// its place.
+// its place. Their sheets are told as they are drawn, and what is drawn is what was found.
 #include <cmath>
 #include <map>
 
 #include "exercises/scenes/file_head.h"
 #include "exercises/scenes/scene.h"
 #include "exercises/scenes/scene_exercise.h"
+#include "tests/exercises/drawn_marks.h"
 #include "tests/exercises/held_against_corpus.h"
 
 using namespace epure;
@@ -67,6 +68,15 @@ const std::map<std::string, std::string>& loads_of_cases() {
       {"driven-piston", "[{on: 2, couple: 15 N*m}, {at: D, force: [3 N, -8 N]}]"},
       {"two-blocks", "[{at: D, force: [-60 N, 25 N]}, {on: 3, couple: 2 N*m}]"}};
   return all;
+}
+
+std::vector<std::string> steps_of_forces(const std::string& text, const std::string& sheet, Language language,
+                                         const std::vector<std::string>& set = {}) {
+  const auto scene = std::make_shared<const scenes::Scene>("f", text);
+  Givens givens(scene->givens());
+  for (const std::string& each : set) givens.set(each);
+  const DrawnSheet drawn = scenes::scene_exercise(scene)->draw(sheet, givens, {.language = language});
+  return told_steps(drawn);
 }
 
 bool is_of_force(const Quantity& quantity) { return quantity.unit == "N" || quantity.unit == "N*m"; }
@@ -161,4 +171,111 @@ TEST_CASE("what is wrong with loads is told with its place", "[scenes]") {
   CHECK(why("{on: 3, coupel: 2 N*m}").find("coupel") != std::string::npos);
   CHECK(refused_loads(with_loads("planetary-gear", "[{on: 2, couple: 1 N*m}]")).find("wheels that mesh") !=
         std::string::npos);
+}
+
+TEST_CASE("sheets of forces go from the last group to the drive, and are told as they are drawn", "[scenes]") {
+  const std::string four_bar = scenes::bytes_of(EPURE_SCENES "/loaded-four-bar.yaml"),
+                    shaper = scenes::bytes_of(EPURE_SCENES "/cutting-stroke.yaml");
+  CHECK(steps_of_forces(four_bar, "forces", Language::english) ==
+        std::vector<std::string>{"First links 3 and 4: only loads act there.",
+                                 "At last link 2: what the others exert there is known now."});
+  CHECK(steps_of_forces(four_bar, "forces-3-4", Language::english) ==
+        std::vector<std::string>{"Link 3, moments about B: R_23^t·AB = F·h_F.",
+                                 "Link 4, moments about B: R_14^t·B_0B = C.", "From O_3,4 the known R_23^t, ⊥ AB.",
+                                 "From a the known F, ∠ −100°.", "From b the known R_14^t, ⊥ B_0B.",
+                                 "Through c the line ∥ B_0B: the direction of R_14^n.",
+                                 "Through O_3,4 the line ∥ AB: the direction of R_23^n. The two lines meet at d.",
+                                 "R_23 is the sum of its two parts.", "R_14 is the sum of its two parts.",
+                                 "R_43 closes the forces on link 3."});
+  CHECK(steps_of_forces(four_bar, "forces-2", Language::italian) ==
+        std::vector<std::string>{"Due sole forze: R_12 = −R_32.",
+                                 "Membro 2, momenti rispetto a A_0: M_2 = R_32·h_23."});
+  CHECK(steps_of_forces(shaper, "forces-4", Language::italian) ==
+        std::vector<std::string>{
+            "Non c'è attrito: la −N_A è normale a s.", "Membro 4, momenti rispetto a O_4: N_A·h_NA = −R_54·h_45.",
+            "Da O_4 la R_54 nota, ∥ R_45.", "Da a la −N_A nota, ⊥ s.", "La R_14, da b a O_4, chiude il poligono."});
+  // Of the other way the couple acts, and of no force at all.
+  CHECK(steps_of_forces(four_bar, "forces-3-4", Language::english, {"C=-20N*m"})[1] ==
+        "Link 4, moments about B: R_14^t·B_0B = −C.");
+  CHECK(steps_of_forces(four_bar, "forces-3-4", Language::english, {"F=0N"})[0] ==
+        "Link 3, moments about B: R_23^t·AB = 0.");
+}
+
+TEST_CASE("every sheet of forces has room for its letters, and each reaction on it is what was found", "[scenes]") {
+  for (const auto& [name, loads] : loads_of_cases()) {
+    const std::string text = bytes_of_case(name) + "loads: " + loads + "\n";
+    const auto exercise = scenes::scene_exercise(std::make_shared<const scenes::Scene>("f", text));
+    int count = 0;
+    for (const SheetSpec& sheet : exercise->about().sheets) {
+      if (!sheet.name.starts_with("forces")) continue;
+      CAPTURE(name, sheet.name);
+      for (const Language language : {Language::english, Language::italian}) {
+        const DrawnSheet drawn = exercise->draw(sheet.name, Givens(exercise->about().givens), {.language = language});
+        CAPTURE(drawings::overlaps(drawn.sheet));
+        CHECK(drawings::overlaps(drawn.sheet).empty());
+      }
+      ++count;
+    }
+    CHECK(count >= 3);
+    for (const CheckedQuantity& quantity : checked_text(text).quantities) {
+      CAPTURE(name, quantity.spec.name);
+      const bool is_reaction = quantity.spec.name.starts_with("R_") || quantity.spec.name.starts_with("N_");
+      const bool is_size = !quantity.spec.name.ends_with("_x") && !quantity.spec.name.ends_with("_y");
+      if (is_reaction && is_size) CHECK_FALSE(quantity.on_sheets.empty());
+    }
+  }
+}
+
+TEST_CASE("inertia is told and drawn among the loads", "[scenes]") {
+  const std::string engine = scenes::bytes_of(EPURE_SCENES "/engine.yaml");
+  const std::vector<std::string> on_rod = steps_of_forces(engine, "forces-3-4", Language::english),
+                                 on_crank = steps_of_forces(engine, "forces-2", Language::italian);
+  CHECK(on_rod[0] == "Link 3, d'Alembert: F_3 = −m_3·a_G in G, and C_3 = −J_3·α_3.");
+  CHECK(on_rod[1] == "Link 3, moments about B: R_23^t·AB = −W_3·h_W3 + F_3·h_F3 − C_3.");
+  CHECK(on_crank[0] == "Membro 2, d'Alembert: F_2 = −m_2·a_S in S.");
+}
+
+// At rest there is no inertia; without gravity no weight; as fast again inertia is four times as large.
+TEST_CASE("inertia goes with the square of the speed, weights do not", "[scenes]") {
+  const std::string engine = scenes::bytes_of(EPURE_SCENES "/engine.yaml");
+  const CheckedExercise still = checked_text(engine, {"n=0rpm"}), slow = checked_text(engine, {"F=0N", "g=0m/s^2"}),
+                        fast = checked_text(engine, {"F=0N", "g=0m/s^2", "n=3000rpm"});
+  for (const CheckedExercise* each : {&still, &slow, &fast}) {
+    CAPTURE(complaints(*each));
+    CHECK(each->passed());
+  }
+  CHECK(value(still, "F_3") == 0);
+  CHECK(value(still, "W_3") == Approx(11.772));
+  CHECK(value(slow, "W_3") == 0);
+  for (const char* name : {"F_3", "C_3", "R_12", "R_34_x", "N_b", "M_2"})
+    CHECK(value(fast, name) == Approx(4 * value(slow, name)).epsilon(1e-12));
+  // A crank with its mass on its own line runs evenly without a couple, its centrifugal force through its hinge.
+  const CheckedExercise rotor = checked_text(
+      "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0]}\n  2: {O: [0, 0], S: [20 mm, 0]}\n"
+      "drive: {link: 2, angle: 40 deg, speed: 600 rpm}\nmasses: {2: {mass: 3 kg, at: S, inertia: 0.1 kg*m^2}}\n");
+  CAPTURE(complaints(rotor));
+  CHECK(rotor.passed());
+  CHECK(find(rotor, "M_2").settled.kind == geometry::Settled::Kind::certain);
+  CHECK(value(rotor, "M_2") == 0);
+  CHECK(value(rotor, "R_12") == Approx(3 * 0.02 * std::pow(62.83185307179586, 2)));
+}
+
+TEST_CASE("what is wrong with masses is told with its place", "[scenes]") {
+  const auto why = [](const std::string& masses) {
+    std::string text = loaded_four_bar("");
+    text = text.substr(0, text.find("loads:")) + masses + "\n";
+    return refused_loads(text);
+  };
+  CHECK(why("masses: {3: {mass: 2 kg}}").starts_with("10:13: at: is missing: where the centre of mass is"));
+  CHECK(why("masses: {3: {mass: 2 kg, at: B0}}") == "10:30: link 3 has no point B0");
+  CHECK(why("masses: {7: {mass: 2 kg, at: B}}") == "10:10: there is no link 7");
+  CHECK(why("masses: {1: {mass: 2 kg, at: A0}}").starts_with("10:10: link 1 is the frame: its mass"));
+  CHECK(why("masses: {3: {mass: -2 kg, at: A}}").starts_with("10:20: \"-2 kg\" is below zero"));
+  CHECK(why("masses: {3: {mass: 2 N, at: A}}").starts_with("10:20: \"2 N\" is a force where a mass"));
+  CHECK(why("masses: {3: {mass: 2 kg, at: A, inertia: 2 kg}}").find("a moment of inertia") != std::string::npos);
+  CHECK(why("masses: {3: {mas: 2 kg, at: A}}").find("did you mean mass") != std::string::npos);
+  CHECK(why("gravity: 9.81 m/s^2").starts_with("10:10: nothing weighs here"));
+  CHECK(why("masses: {3: {mass: 2 kg, at: A}}\ngravity: [1 m/s^2]").starts_with("11:10: two components are asked"));
+  CHECK(why("masses: {3: {mass: 2 kg, at: A}}\ngravity: 9.81 m").starts_with("11:10: \"9.81 m\" is a length"));
+  CHECK(why("masses: [3]").find("masses: {3: {mass: 2 kg") != std::string::npos);
 }
