@@ -127,10 +127,10 @@ struct RightAngle {  // small square at `at`, between the directions `first` and
   Point at;
   double first = 0, second = 0;
 };
-struct ParallelMark {  // `strokes` short strokes across a line: lines with as many are parallel
+struct ParallelMark {  // `heads` open arrow heads on a line: lines with as many are parallel
   Point at;
   double along = 0;
-  int strokes = 1;
+  int heads = 1;
 };
 struct AngleMark {  // arc between two directions at a vertex, counter-clockwise from -> to
   Point at;

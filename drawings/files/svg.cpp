@@ -119,13 +119,18 @@ class PathData {
 };
 
 // An id that says what stands behind it: where two drawings in one web page use the same one, either is as good as
-// the other. FNV-1a, in five of 62 characters; that no two outlines of the shipped fonts share an id is tested.
+// the other. FNV-1a, in a letter and four of 62 characters; that no two outlines of the shipped fonts share an id is
+// tested.
 std::string content_id(char kind, std::string_view content) {
   std::uint64_t hash = 14695981039346656037u;
-  for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  std::string id(1, kind);
-  constexpr std::string_view characters = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-  for (int i = 0; i < 5; ++i, hash /= characters.size()) id += characters[hash % characters.size()];
+  const auto mix = [&](char c) { hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u; };
+  mix(kind);
+  for (const char c : content) mix(c);
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ",
+                             characters = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  std::string id(1, letters[hash % letters.size()]);
+  hash /= letters.size();
+  for (int i = 0; i < 4; ++i, hash /= characters.size()) id += characters[hash % characters.size()];
   return id;
 }
 

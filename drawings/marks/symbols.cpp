@@ -233,13 +233,15 @@ void draw_mark(Canvas& canvas, const RightAngle& mark) {
 }
 
 void draw_mark(Canvas& canvas, const ParallelMark& mark) {
-  constexpr double half = 1.3, spacing = 0.9, slant = std::numbers::pi / 3;  // mm, mm, rad
-  if (mark.strokes < 1 || mark.strokes > 9) throw std::invalid_argument("a parallel mark has one to nine strokes");
+  constexpr double arm = 1.8, spacing = 1.4, half_opening = std::numbers::pi / 5;  // mm, mm, rad
+  if (mark.heads < 1 || mark.heads > 9) throw std::invalid_argument("a parallel mark has one to nine heads");
   canvas.require(mark.along);
-  for (int i = 0; i < mark.strokes; ++i) {
-    const Point centre = mark.at + (i - (mark.strokes - 1) / 2.0) * spacing * direction(mark.along);
-    const Point arm = half * direction(mark.along + slant);
-    canvas.stroke(segment(centre - arm, centre + arm), symbol_detail);
+  for (int i = 0; i < mark.heads; ++i) {
+    const Point tip = mark.at + (i - (mark.heads - 1) / 2.0) * spacing * direction(mark.along);
+    canvas.stroke(polyline({tip - arm * direction(mark.along + half_opening), tip,
+                            tip - arm * direction(mark.along - half_opening)},
+                           false),
+                  symbol_outline);
   }
 }
 

@@ -14,7 +14,34 @@ namespace epure::drawings {
 namespace {
 
 constexpr double sheet_title_size = 5, text_size = 3, caption_size = 2.2;  // mm
-constexpr double field_height = 8.2, bar_height = 6.2;
+constexpr double field_height = 8.2, further_line = 3.5, bar_height = 6.2;
+constexpr double paper_width = 16, sheet_width = 17;  // mm of their fields; the scales have the rest
+
+double room_in_field(double width) { return width - 1.4 * inset; }
+
+// Side by side, or in further lines where they would be small then.
+std::vector<std::string> lines_of_scales(const Sheet& sheet) {
+  constexpr double legible = 2.7;  // mm
+  const std::vector<std::string>& scales = sheet.title_block.scales;
+  const auto joined = [&](std::size_t from, std::size_t to) {
+    std::string line;
+    for (std::size_t i = from; i < to; ++i) line += (i == from ? "" : "  ·  ") + scales[i];
+    return line;
+  };
+  const double room = room_in_field(title_block_width(sheet.paper) - paper_width - sheet_width);
+  std::vector<std::string> lines;
+  for (std::size_t from = 0; from < scales.size();) {
+    std::size_t to = scales.size();
+    while (to > from + 1 && measure(joined(from, to), legible).width > room) --to;
+    lines.push_back(joined(from, to));
+    from = to;
+  }
+  return lines;
+}
+double fields_height(const Sheet& sheet) {
+  const std::size_t lines = lines_of_scales(sheet).size();
+  return field_height + (lines > 1 ? further_line * static_cast<double>(lines - 1) : 0);
+}
 
 struct TitleLines {
   std::vector<std::string> heading, exercise, sheet, source;
@@ -48,35 +75,20 @@ class TitleInk {
   void caption(const std::string& text, Point at) {
     ink_.push_back(PlacedText{text, at, caption_size, grey, Weight::regular});
   }
-  // A small caption with its value below, between `left` and `right`, under the rule at `top`.
-  void field(double left, double right, double top, const std::string& name, const std::string& value) {
+  // A small caption with its value below, in one line or several, between `left` and `right`, under the rule at
+  // `top`.
+  void field(double left, double right, double top, const std::string& name, const std::vector<std::string>& lines) {
     caption(name, {left + inset, top - 2.7});
-    const double room = right - left - 1.4 * inset, width = value.empty() ? 0 : measure(value, text_size).width;
-    // Long values are set smaller rather than over the next rule.
-    const double size = width > room ? std::max(smallest, text_size * room / width) : text_size;
-    if (conflicts_ && width * size > room * text_size * (1 + 1e-9))
-      conflicts_->push_back(fmt::format("title block: no room for {} {}", name, plain(value)));
-    if (!value.empty()) text(value, {left + inset, top - 6.6}, size);
-  }
-  // The same for several values: side by side, or in two small lines where these are too many.
-  void fields(double left, double right, double top, const std::string& name,
-              const std::vector<std::string>& values) {
-    const auto joined = [&](std::size_t from, std::size_t to) {
-      std::string line;
-      for (std::size_t i = from; i < to; ++i) line += (i == from ? "" : "  ·  ") + values[i];
-      return line;
-    };
-    const std::string all = joined(0, values.size());
-    const double room = right - left - 1.4 * inset;
-    if (values.size() < 2 || measure(all, smallest).width <= room) return field(left, right, top, name, all);
-    std::size_t first = values.size() - 1;
-    while (first > 1 && measure(joined(0, first), smallest).width > room) --first;
-    const std::string upper = joined(0, first), lower = joined(first, values.size());
-    if (conflicts_ && std::max(measure(upper, smallest).width, measure(lower, smallest).width) > room)
-      conflicts_->push_back(fmt::format("title block: no room for {} {}", name, plain(all)));
-    caption(name, {left + inset, top - 2.3});
-    text(upper, {left + inset, top - 4.9}, smallest);
-    text(lower, {left + inset, top - 7.5}, smallest);
+    double baseline = top - 6.6;
+    for (const std::string& line : lines) {
+      const double room = room_in_field(right - left), width = line.empty() ? 0 : measure(line, text_size).width;
+      // Long values are set smaller rather than over the next rule.
+      const double size = width > room ? std::max(smallest, text_size * room / width) : text_size;
+      if (conflicts_ && width * size > room * text_size * (1 + 1e-9))
+        conflicts_->push_back(fmt::format("title block: no room for {} {}", name, plain(line)));
+      if (!line.empty()) text(line, {left + inset, baseline}, size);
+      baseline -= further_line;
+    }
   }
   Box box() const { return box_; }
   std::vector<Primitive> take() { return std::move(ink_); }
@@ -130,7 +142,7 @@ void set_check_bar(TitleInk& block, const std::string& words) {
 
 double title_block_height(const Sheet& sheet) {
   const TitleLines lines = title_lines(sheet);
-  return lines.title_part() + (lines.source.empty() ? 0 : lines.source_part()) + field_height + bar_height;
+  return lines.title_part() + (lines.source.empty() ? 0 : lines.source_part()) + fields_height(sheet) + bar_height;
 }
 
 std::vector<Primitive> set_title_block(const Sheet& sheet, Box box, std::vector<std::string>* conflicts) {
@@ -139,16 +151,16 @@ std::vector<Primitive> set_title_block(const Sheet& sheet, Box box, std::vector<
   TitleInk block(box, conflicts);
   block.rule({box.low.x, box.low.y}, {box.low.x, box.high.y}, wide);
   block.rule({box.low.x - wide / 2, box.high.y}, {box.high.x, box.high.y}, wide);
-  const double top = set_titles(block, title_lines(sheet), w.source), bottom = top - field_height;
-  const double sheet_left = box.high.x - 17, paper_left = sheet_left - 16;
+  const double top = set_titles(block, title_lines(sheet), w.source), bottom = top - fields_height(sheet);
+  const double sheet_left = box.high.x - sheet_width, paper_left = sheet_left - paper_width;
   block.rule({box.low.x, top}, {box.high.x, top}, fine);
   block.rule({box.low.x, bottom}, {box.high.x, bottom}, fine);
   block.rule({paper_left, top}, {paper_left, bottom}, fine);
   block.rule({sheet_left, top}, {sheet_left, bottom}, fine);
-  block.fields(box.low.x, paper_left, top, titles.scales.size() > 1 ? w.scales : w.scale, titles.scales);
-  block.field(paper_left, sheet_left, top, w.paper, sheet.paper == Paper::a4 ? "A4" : "A3");
+  block.field(box.low.x, paper_left, top, titles.scales.size() > 1 ? w.scales : w.scale, lines_of_scales(sheet));
+  block.field(paper_left, sheet_left, top, w.paper, {sheet.paper == Paper::a4 ? "A4" : "A3"});
   block.field(sheet_left, box.high.x, top, w.sheet,
-              titles.number.empty() ? fmt::format("{}/{}", titles.page, titles.pages) : titles.number);
+              {titles.number.empty() ? fmt::format("{}/{}", titles.page, titles.pages) : titles.number});
   set_check_bar(block, w.check_bar);
   return block.take();
 }

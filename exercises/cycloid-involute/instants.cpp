@@ -68,9 +68,13 @@ constexpr double longest_path = 6 * std::numbers::pi;  // rad
 struct OfInvolute {
   Rolled f;
   std::string symbol, time;
+  bool is_beside_blot = false;  // a circle so small beside its line, at one instant or the other
 
-  // A circle so small beside its line is a blot.
-  bool has_close_up() const { return to_double(f.given.phi) > 3; }
+  bool goes_round() const { return to_double(f.given.phi) > 3; }
+  bool has_close_up() const { return goes_round() && is_beside_blot; }
+  // All of such a path would make the rest small: then no more of it than a piece at M.
+  bool cuts_path() const { return goes_round() && !is_beside_blot; }
+  static Way piece() { return {-0.6, 0.15}; }  // rad
   Way path() const {
     if (f.is_at_cusp) return {0, std::numbers::pi / 2};
     return {-std::min(to_double(f.given.phi), longest_path), 0};
@@ -119,8 +123,11 @@ PanelSheet cycloid_instants_sheet(const Solution& s, Language language) {
 
 PanelSheet involute_instants_sheet(const Solution& s, Language language) {
   const Problem of(s.givens());
-  const std::vector<OfInvolute> both{of_involute(s, of.phi_1, at_t1, "$t_{1}$", language),
-                                     of_involute(s, of.phi_2, at_t2, "$t_{2}$", language)};
+  std::vector<OfInvolute> both{of_involute(s, of.phi_1, at_t1, "$t_{1}$", language),
+                               of_involute(s, of.phi_2, at_t2, "$t_{2}$", language)};
+  constexpr double blot = 20;  // rad: the circle's radius in the line
+  const bool has_blot = std::max(to_double(of.phi_1), to_double(of.phi_2)) > blot;
+  for (OfInvolute& each : both) each.is_beside_blot = has_blot;
   constexpr double longest_velocity = 20;  // mm
   const Scale velocities = scale_of_velocities({both[0].f, both[1].f}, longest_velocity, language);
   PanelSheet sheet;
@@ -131,7 +138,7 @@ PanelSheet involute_instants_sheet(const Solution& s, Language language) {
   std::vector<InstantStep> at_contact = instant_steps(both[0].f), elsewhere;
   if (both[0].has_close_up()) {
     const auto is_of_vectors = [](const InstantStep& step) {
-      return step.at == InstantStep::At::tip_of_velocity || step.at == InstantStep::At::tip_of_acceleration;
+      return step.at == InstantStep::At::tip_of_velocity || step.at == InstantStep::At::acceleration;
     };
     std::copy_if(at_contact.begin(), at_contact.end(), std::back_inserter(elsewhere), is_of_vectors);
     std::erase_if(at_contact, is_of_vectors);
@@ -147,7 +154,12 @@ PanelSheet involute_instants_sheet(const Solution& s, Language language) {
   const auto add_path = [&](const OfInvolute& each) {
     const bool is_first = &each == &both.front();
     RollingInstantPanel panel(s, each.f, is_first ? elsewhere : steps_of_second(both[0].f, each.f), velocities);
-    panel.titled(each.time).measured_from(*each.f.O()).with_whole_path(each.path(), each.has_close_up());
+    panel.titled(each.time).measured_from(*each.f.O());
+    if (each.cuts_path())
+      panel.with_path(OfInvolute::piece());
+    else
+      panel.with_whole_path(each.path());
+    if (each.has_close_up()) panel.beside_close_up();
     add(std::move(panel));
   };
   if (both[0].has_close_up() && both[1].has_close_up()) {
@@ -167,10 +179,8 @@ PanelSheet involute_instants_sheet(const Solution& s, Language language) {
                    "orario, come dice il testo, tutto è simmetrico rispetto all'asse $x$."}
                  .in(language))};
   sheet.seen = {
-      "The line on its circle at two instants, with the involute that led there, velocity and acceleration "
-      "of M, and the contact at a larger scale",
-      "La retta sul suo cerchio in due istanti, con l'evolvente percorsa, velocità e accelerazione di M, e "
-      "il contatto in scala maggiore"};
+      "The line on its circle at two instants, with the involute that led there, velocity and acceleration of M",
+      "La retta sul suo cerchio in due istanti, con l'evolvente percorsa, velocità e accelerazione di M"};
   sheet.told = {"involute.v_M_t1", "involute.v_M_t2"};
   sheet.without_part = givens_of_cycloid;
   return sheet;

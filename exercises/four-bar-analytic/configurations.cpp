@@ -28,14 +28,21 @@ class ConfigurationsPanel : public Panel {
   }
   void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_.draw_given(plot); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
+    constexpr int first = 2, other = 3;  // the steps that find B and B'
     const Place &A = mechanism_.at("A"), &B = mechanism_.at("B"), &B0 = mechanism_.at("B0");
-    plot.segment(A, other_B_, Meaning::alternative);
-    plot.segment(B0, other_B_, Meaning::alternative);
-    for (const Place& centre : {A, B0})
-      for (const Place& end : {B, other_B_}) compass_arc(plot, centre, end);
+    for (const Place& centre : {A, B0}) {
+      plot.in_step(first);
+      compass_arc(plot, centre, B);
+      plot.in_step(other);
+      plot.segment(centre, other_B_, Meaning::alternative);
+      compass_arc(plot, centre, other_B_);
+    }
+    plot.in_step({});
     mechanism_.draw(plot);
+    plot.in_step(other);
     plot.hinge(other_B_);
     plot.label("$B'$", other_B_, B);
+    plot.in_step({});
     for (const char* X : {"A", "B", "G2", "G3", "G4"})
       plot.measures_coordinates(X, mechanism_.at(X), mechanism_.at("A0"));
     return {};

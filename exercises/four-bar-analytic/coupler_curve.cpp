@@ -22,7 +22,7 @@ bool is_on_AB(const Problem& of) {
 }
 
 // The crank's circle divided; a division in which the linkage does not close is left out. The bar AB in each; of a
-// plate only AP, for twelve triangles hide what they show. B bears no number where P has one: they belong to one A.
+// plate only AP, for twelve triangles hide what they show.
 std::vector<LocusPanel::Position> divided_positions(const Problem& of) {
   return deeply([&] {
     std::vector<LocusPanel::Position> found;
@@ -32,11 +32,12 @@ std::vector<LocusPanel::Position> divided_positions(const Problem& of) {
       try {
         const auto at = there.position<Deep>();
         const Place A0{0, 0}, A = to_double(at.A), B = to_double(at.B), P = to_double(coupler_point(of, at));
+        const Place outside = B + (B - Place{to_double(at.B0).x, to_double(at.B0).y});  // of B's way, where AB are
         const std::string number = std::to_string(k);
         found.push_back(
             {{A, is_on_AB(of) ? B : P},
              {{number, A, A0, Meaning::construction},
-              {"", B, A, Meaning::construction},
+              {number, B, outside, Meaning::construction},
               {number, P, {(A.x + B.x) / 2 + (A.x - P.x) / 2, (A.y + B.y) / 2 + (A.y - P.y) / 2}, Meaning::locus}}});
       } catch (const geometry::Impossible&) {
       } catch (const geometry::Undecided&) {

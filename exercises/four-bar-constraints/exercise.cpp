@@ -113,41 +113,45 @@ PanelSheet accelerations_sheet(const Solution& s, Language language) {
 
 // The exercise's last question: the same quantities by its three methods.
 TablePanel three_methods(const Solution& s, Language language) {
+  constexpr int computed = 6, drawn = 3;  // figures: more no drawing gives
   std::vector<std::vector<std::string>> rows;
   for (const char* name : {"theta_3", "theta_4", "omega_3", "omega_4", "alpha_3", "alpha_4", "v_G2", "v_G3", "v_G4",
                            "a_G2", "a_G3", "a_G4"}) {
     const Quantity& quantity = s.described(name);
     rows.push_back({quantity.symbol + " (" + written_unit(quantity.unit, language) + ")"});
-    for (const char* route : {by_constraint_equations, analytic, polar_diagram}) {
+    for (const auto& [route, told] :
+         {std::pair{by_constraint_equations, computed}, {analytic, computed}, {polar_diagram, drawn}}) {
       const auto value = s.value(name, route);
-      rows.back().push_back(value ? figures(*value, 6, language) : "–");
+      rows.back().push_back(value ? figures(*value, told, language) : "–");
     }
   }
-  return TablePanel({"", Words{"constraint equations", "equazioni di vincolo"}.in(language),
-                     Words{"closure, solved", "chiusura risolta"}.in(language),
-                     Words{"polar diagrams", "diagrammi polari"}.in(language)},
-                    rows);
+  return TablePanel(
+      {"", Words{"constraint equations", "equazioni di vincolo"}.in(language),
+       Words{"closure, solved", "chiusura risolta"}.in(language), Words{"construction", "costruzione"}.in(language)},
+      rows);
 }
 
 PanelSheet comparison_sheet(const Solution& s, Language language) {
   return {
       .panels = panels(VectorsPanel(s, linkage_with_midpoints(s), velocity, {"G2", "G3", "G4"}),
                        three_methods(s, language)),
-      .theory = {{{"Three methods", "Tre metodi"},
-                  {remark(
-                       Words{"Constraint equations: Newton-Raphson for the angles, then two linear systems with the "
-                             "same matrix $ψ_{y}$. Nothing is solved in closed form: a method for computers.",
-                             "Equazioni di vincolo: Newton-Raphson per le anomalie, poi due sistemi lineari con la "
-                             "stessa matrice $ψ_{y}$. Nulla è risolto in forma chiusa: un metodo da calcolatore."}
-                           .in(language)),
-                   remark(Words{"Closure solved (N.10): one quadratic equation in tan($θ_{4}$/2) for both "
-                                "configurations, then its derivatives.",
-                                "Chiusura risolta (N.10): un'equazione di secondo grado in tg($θ_{4}$/2) per le due "
-                                "configurazioni, poi le derivate."}
-                              .in(language)),
-                   remark(Words{"Polar diagrams: two polygons of vectors; the midpoints halve their sides.",
-                                "Diagrammi polari: due poligoni di vettori; le mezzerie ne dimezzano i lati."}
-                              .in(language))}}},
+      .theory =
+          {{{"Three methods", "Tre metodi"},
+            {remark(Words{"Constraint equations: Newton-Raphson for the angles, then two linear systems with the "
+                          "same matrix $ψ_{y}$. Nothing is solved in closed form: a method for computers.",
+                          "Equazioni di vincolo: Newton-Raphson per le anomalie, poi due sistemi lineari con la "
+                          "stessa matrice $ψ_{y}$. Nulla è risolto in forma chiusa: un metodo da calcolatore."}
+                        .in(language)),
+             remark(Words{"Closure solved (N.10): one quadratic equation in tan($θ_{4}$/2) for both "
+                          "configurations, then its derivatives.",
+                          "Chiusura risolta (N.10): un'equazione di secondo grado in tg($θ_{4}$/2) per le due "
+                          "configurazioni, poi le derivate."}
+                        .in(language)),
+             remark(Words{"Construction: $B$ by two arcs, then two polygons of vectors, of which the midpoints halve "
+                          "the sides; rounded to three figures, as many as a drawing gives.",
+                          "Costruzione: $B$ con due archi, poi due poligoni di vettori, dei quali le mezzerie "
+                          "dimezzano i lati; arrotondata a tre cifre, quante ne dà un disegno."}
+                        .in(language))}}},
       .seen = {"The four-bar linkage, and its angles, rates and midpoints by three methods side by side",
                "Il quadrilatero, con le sue anomalie, velocità e mezzerie per tre vie a confronto"},
       .told = {"theta_3", "theta_4", "omega_3", "omega_4", "alpha_3", "alpha_4"}};

@@ -165,11 +165,10 @@ std::optional<drawings::Block> table_of_iterates(const Solution& s, Language lan
 }
 
 // A logarithmic axis has no zero: what became zero is left out.
-drawings::Curve curve_of(const Solution& s, const Quantity& quantity, Meaning meaning, drawings::PointShape shape) {
-  drawings::Curve curve{.name = quantity.name, .runs = {{}}, .meaning = meaning, .label = quantity.symbol};
+drawings::Curve points_of(const Solution& s, const Quantity& quantity, Meaning meaning, drawings::PointShape shape) {
+  drawings::Curve curve{.name = quantity.name, .meaning = meaning, .label = quantity.symbol};
   for (std::size_t k = 0; k < iterates(s); ++k)
     if (const double y = s[iterate(quantity, k).name]; y > 0) curve.points.push_back({static_cast<double>(k), y});
-  curve.runs.front() = curve.points;
   curve.shape = shape;
   return curve;
 }
@@ -180,27 +179,31 @@ drawings::Chart chart_of_convergence(const Solution& s, Language language) {
   drawings::Chart chart;
   double low = 1, high = finest;
   using Shape = drawings::PointShape;
-  for (drawings::Curve curve : {curve_of(s, residual(), Meaning::text, Shape::dot),
-                                curve_of(s, error_of(coupler_angle()), Meaning::locus, Shape::square),
-                                curve_of(s, error_of(rocker_angle()), Meaning::second_locus, Shape::triangle)}) {
+  for (drawings::Curve curve : {points_of(s, residual(), Meaning::text, Shape::dot),
+                                points_of(s, error_of(coupler_angle()), Meaning::locus, Shape::square),
+                                points_of(s, error_of(rocker_angle()), Meaning::second_locus, Shape::triangle)}) {
     if (curve.points.empty()) continue;
     for (const drawings::Datum& point : curve.points) {
       low = std::min(low, point.y);
       high = std::max(high, point.y);
     }
-    if (curve.name == residual().name)
+    if (curve.name == residual().name) {  // the others fall so nearly with it that three lines would be one
+      curve.runs = {curve.points};
       for (const drawings::Datum& point : curve.points)
         chart.markers.push_back({.at = point, .label = figures(point.y, 2, language) + " m"});
+    }
     chart.curves.push_back(std::move(curve));
   }
   chart.x = {.quantity = "$k$",
              .low = -beside,
              .high = std::max(1.0, static_cast<double>(iterates(s)) - 1) + beside,
-             .steps = drawings::whole_steps};
+             .steps = drawings::whole_steps,
+             .to_ticks = false};
   chart.y = {.quantity = "$|ψ|$ (m), $|Δθ_{3}|$, $|Δθ_{4}|$ (rad)",
              .low = std::max(finest, low / 10),
              .high = 10 * high,
              .scale = drawings::AxisScale::logarithmic};
+  chart.legend = true;
   return chart;
 }
 

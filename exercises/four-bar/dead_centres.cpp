@@ -34,7 +34,10 @@ Mechanism both(const Solution& s, const std::string& extended, const std::string
       .axis(mechanism.at("A0"), mechanism.at("B0"))
       .path("A0", "A1")
       .swing("B0", "B1", std::min(0.0, swing) - beyond, std::max(0.0, swing) + beyond)
-      .turning("A0", "A1", sign_of(problem(s.givens()).instant.n), "$ω_{2}$");
+      .turning("A0", "A1", sign_of(problem(s.givens()).instant.n), "$ω_{2}$")
+      .found_in(1, {"B1"})
+      .found_in(2, {"B2"})
+      .found_in(3, {"A1", "A2", "C1", "C2"});
   for (const auto& [number, prefix] : {std::pair{"1", extended}, {"2", folded}})
     if (const auto phi = s.value(prefix + "crank_angle"))
       mechanism.angle("A0", 0, *phi, std::string("$φ_{") + number + "}$");

@@ -207,11 +207,13 @@ VectorPolygon accelerations(const PolygonOf& of, bool crank_speeds_up) {
     polygon.images = {
         {.absolute = unmeasured(of(normal_acceleration("A")))},
         {.absolute = unlabelled(of(acceleration("A"))), .relative = unmeasured(of(tangential_acceleration("A")))}};
-  polygon.images.push_back(
-      {.absolute = of(acceleration("B")),
-       .relative = unmeasured(of(acceleration("BA"))),
-       .explained = {"$\\vec{a}_{B}$ from $O_{a}$ to $b'$, $\\vec{a}_{BA}$ from $a'$ to $b'$.",
-                     "La $\\vec{a}_{B}$ da $O_{a}$ a $b'$, la $\\vec{a}_{BA}$ da $a'$ a $b'$."}});
+  PolygonImage sums{.absolute = of(acceleration("B")),
+                    .relative = unmeasured(of(acceleration("BA"))),
+                    .explained = {"$\\vec{a}_{B}$ from $O_{a}$ to $b'$, $\\vec{a}_{BA}$ from $a'$ to $b'$.",
+                                  "La $\\vec{a}_{B}$ da $O_{a}$ a $b'$, la $\\vec{a}_{BA}$ da $a'$ a $b'$."}};
+  // At a dead centre the parts of a_BA are so unlike that its letters would be lost beside the greater one.
+  sums.closes_triangle = !of.prefix.empty();
+  polygon.images.push_back(std::move(sums));
   auto image = of.image_of_C(acceleration, {"$c'$: the triangle $a'b'c'$ is similar to $ABC$, in the same sense.",
                                             "$c'$: il triangolo $a'b'c'$ è simile ad $ABC$, nello stesso verso."});
   image.back().closes_triangle = true;
@@ -337,8 +339,10 @@ std::vector<PolesStep> steps_to_accelerations(const Solution& s) {
 
 PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
   const std::vector<std::string> points{"A", "B", "C"};
-  const auto mechanism = linkage(s, "alpha", {}, false);  // γ has the place of φ
-  PolesPanel poles(s, mechanism, PolesPanel::of_acceleration(), points, steps_to_accelerations(s));
+  Mechanism mechanism = *linkage(s, "alpha", {}, false);  // γ has the place of φ
+  mechanism.without_ways();                               // that of B would hide the tangential part
+  PolesPanel poles(s, std::make_shared<const Mechanism>(std::move(mechanism)), PolesPanel::of_acceleration(), points,
+                   steps_to_accelerations(s));
   return {.panels = panels(AccelerationsPanel(std::move(poles), s)),
           .results = {values({"omega_3", "alpha_3", "gamma_deg"}), coordinates("K"),
                       by_point(points, {{"$KX$ (m)", "K{}"}, {"$a_{X}$ (m/s²)", "a_{}"}}),
@@ -351,7 +355,7 @@ PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
 
 PanelSheet curvature_sheet(const Solution& s, Language) {
   const auto mechanism = linkage(s);
-  const Curved path{.pole = "P31", .points = {"C"}};
+  const Curved path{.pole = "P31", .points = {"C"}, .circles_sheet = 4};
   const auto draw_path = [of = problem(s.givens())](Plot& plot, const std::string&, const drawings::Box& around) {
     const auto C = [&]<class X>(const geometry::Vector<X>& crank) {
       const geometry::FourBar<X> at = geometry::four_bar(of.instant.lengths, crank, of.instant.side);
@@ -363,7 +367,7 @@ PanelSheet curvature_sheet(const Solution& s, Language) {
       .panels = curvature_panels(s, mechanism, path, draw_path),
       .results = {by_point({"C"},
                            {{"$P_{31}X$ (m)", "P31{}"}, {"$X'X$ (m)", "{0}prime_{0}"}, {"$ρ_{X}$ (m)", "rho_{}"}}),
-                  coordinates({{"$Ω_{C}$", "curvature_centre_C"}})},
+                  coordinates({{"$J$", "inflection_pole"}, {"$Ω_{C}$", "curvature_centre_C"}})},
       .seen = {"Centre of curvature of the path of C by Euler-Savary, with its osculating circle",
                "Centro di curvatura della traiettoria di C con Euler-Savary, col cerchio osculatore"},
       .told = {"rho_C", "P31C", "Cprime_C"},
@@ -473,14 +477,14 @@ std::vector<SheetMaker> sheets() {
         {"Find both dead centres of the rocker.", "Trovare i due punti morti del bilanciere."}},
        dead_centres_sheet},
       {{"dead-centre-extended",
-        {"Dead centre, extended", "Punto morto: manovella e biella distese"},
+        {"Dead centre, extended", "Punto morto disteso"},
         {"At the dead centre of the rocker where crank and coupler are extended find velocities and accelerations by "
          "the polar diagrams.",
          "Nel punto morto del bilanciere con manovella e biella distese trovare velocità e accelerazioni con i "
          "diagrammi polari."}},
        at(dead_centre_sheet, extended)},
       {{"dead-centre-folded",
-        {"Dead centre, folded", "Punto morto: manovella e biella sovrapposte"},
+        {"Dead centre, folded", "Punto morto sovrapposto"},
         {"At the dead centre of the rocker where crank and coupler are folded find velocities and accelerations by "
          "the polar diagrams.",
          "Nel punto morto del bilanciere con manovella e biella sovrapposte trovare velocità e accelerazioni con i "

@@ -52,9 +52,9 @@ class ParallelPanel : public MechanismPanel {
     mechanism_->draw(plot);
     plot.dot(Q_);
     plot.label("$" + Q_letters_ + "$", Q_, at("B0"));
-    for (const auto& [P, R, strokes] :
+    for (const auto& [P, R, heads] :
          {std::tuple{at("A0"), at("A"), 2}, {at("B0"), at("B"), 2}, {at("A"), at("B"), 1}, {Q_, at("B0"), 1}})
-      plot.mark(drawings::ParallelMark{plot.at(P + along_link * (R - P)), direction(P, R), strokes});
+      plot.mark(drawings::ParallelMark{plot.at(P + along_link * (R - P)), direction(P, R), heads});
     for (const auto& [letter, v] : {std::pair{"A", v_A_}, {"B", v_B_}}) {
       plot.vector_on("", at(letter), v, Meaning::velocity, velocity(letter).arrow());
       plot.measures_coordinates(prefix_ + letter, at(letter), at("A0"));
@@ -153,7 +153,9 @@ PanelSheet parallel_links_sheet(const Solution& s, Language language) {
       angles.push_back({name, {prefix + "crank_angle_deg", prefix + "omega_4"}, "–"});
       rates.push_back({name, {prefix + "alpha_3", prefix + "alpha_4"}, "–"});
       if (!of_this_branch || !s.value(prefix + "A_x")) continue;
-      const auto mechanism = std::make_shared<const Mechanism>(four_bar_mechanism(s, sign_of(of.instant.n), prefix));
+      // The crank turns in one sense in both pictures: said where there is room for it.
+      const double sense_of_crank = sheet.panels.empty() ? sign_of(of.instant.n) : 0;
+      const auto mechanism = std::make_shared<const Mechanism>(four_bar_mechanism(s, sense_of_crank, prefix));
       sheet.panels.push_back(std::make_unique<ParallelPanel>(s, of, mechanism, sense, sheet.panels.empty()));
       sheet.told.push_back(prefix + "omega_4");
     }

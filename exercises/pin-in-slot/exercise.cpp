@@ -143,10 +143,8 @@ FreeBodyPanel disc_cut_free(const Solution& s, const Forces& on) {
   panel.force(on.W_B, B).force(on.F_B, B).force(on.R_23, B, Arrow::ends);
   panel.force(on.T_13, D).force(on.N_13, D, Arrow::ends);
   if (s.givens()["J2"] != 0) panel.couple("−$\\it{J}_{B}α_{3}$", B, -s["alpha_disc"]);
-  panel.moments({"The disc cut free, its forces on their lines of action (sizes: polygon). Moments about $B$: "
-                 "$\\it{T}_{13}$·$\\it{R}$ = $\\it{J}_{B}$|$α_{3}$|.",
-                 "Il disco isolato, le forze sulle loro rette d'azione (intensità: poligono). Momenti in $B$: "
-                 "$\\it{T}_{13}$·$\\it{R}$ = $\\it{J}_{B}$|$α_{3}$|."},
+  panel.moments({"The disc cut free. Moments about $B$: $\\it{T}_{13}$·$\\it{R}$ = $\\it{J}_{B}$|$α_{3}$|.",
+                 "Il disco isolato. Momenti in $B$: $\\it{T}_{13}$·$\\it{R}$ = $\\it{J}_{B}$|$α_{3}$|."},
                 D);
   return panel;
 }
@@ -175,7 +173,7 @@ FreeBodyPanel lever_cut_free(const Solution& s, const Forces& on) {
 Result friction(const Solution& s, Language language) {
   if (s.value("required_friction_coefficient"))
     return remark(Words{"To roll without slipping it takes $f$ ≥ $f_{min}$ = $\\it{T}_{13}$/$\\it{N}_{13}$.",
-                        "Per rotolare senza strisciare occorre $f$ ≥ $f_{min}$ = $\\it{T}_{13}$/$\\it{N}_{13}$."}
+                        "Senza strisciare rotola se $f$ ≥ $f_{min}$ = $\\it{T}_{13}$/$\\it{N}_{13}$."}
                       .in(language));
   return remark(
       Words{"$\\it{N}_{13}$ ≤ 0: the guide would have to hold the disc down. It cannot, and the disc lifts off.",
@@ -186,13 +184,8 @@ Result friction(const Solution& s, Language language) {
 PanelSheet forces_sheet(const Solution& s, Language language) {
   const Forces on = forces(s, language);
   const Words letters{
-      "$\\vec{\\it{W}}_{A}$, $\\vec{\\it{W}}_{B}$: weights; $\\vec{\\it{F}}_{A}$ = −$\\it{M}_{A}\\vec{a}_{A}$, "
-      "$\\vec{\\it{F}}_{B}$ = −$\\it{M}_{B}\\vec{a}_{B}$: forces of inertia; $\\vec{\\it{R}}_{23}$: of link 2 on "
-      "link "
-      "3.",
-      "$\\vec{\\it{W}}_{A}$, $\\vec{\\it{W}}_{B}$: pesi; $\\vec{\\it{F}}_{A}$ = −$\\it{M}_{A}\\vec{a}_{A}$, "
-      "$\\vec{\\it{F}}_{B}$ = −$\\it{M}_{B}\\vec{a}_{B}$: forze d'inerzia; $\\vec{\\it{R}}_{23}$: del membro 2 sul "
-      "3."};
+      "$\\vec{\\it{W}}$: weights; $\\vec{\\it{F}}$ = −$\\it{M}\\vec{a}$: inertia; $\\vec{\\it{R}}_{23}$: of 2 on 3.",
+      "$\\vec{\\it{W}}$: pesi; $\\vec{\\it{F}}$ = −$\\it{M}\\vec{a}$: inerzia; $\\vec{\\it{R}}_{23}$: del 2 sul 3."};
   return {.panels = panels(disc_cut_free(s, on),
                            PolygonPanel(s, force_polygon("3", {on.N_13}, {on.T_13, on.F_B, on.W_B, on.R_23})),
                            lever_cut_free(s, on),

@@ -131,14 +131,16 @@ void draw_path(const SliderCrankInstant& instant, Plot& plot, const std::string&
 PanelSheet curvature_sheet(const Solution& s, Language) {
   const SliderCrankInstant instant = slider_crank_instant(s.givens());
   const auto mechanism = slider_crank_mechanism(s, instant);
-  const Curved paths{.pole = "P0", .points = {"C", "M"}};
+  const Curved paths{.pole = "P0", .points = {"C", "M"}, .circles_sheet = 2};
   const auto draw = [instant](Plot& plot, const std::string& point, const drawings::Box& around) {
     draw_path(instant, plot, point, around);
   };
   return {.panels = curvature_panels(s, mechanism, paths, draw),
           .results = {by_point({"C", "M"},
                                {{"$P_{0}X$ (m)", "P0{}"}, {"$X'X$ (m)", "{0}prime_{0}"}, {"$ρ_{X}$ (m)", "rho_{}"}}),
-                      coordinates({{"$Ω_{C}$", "curvature_centre_C"}, {"$Ω_{M}$", "curvature_centre_M"}})},
+                      coordinates({{"$J$", "inflection_pole"},
+                                   {"$Ω_{C}$", "curvature_centre_C"},
+                                   {"$Ω_{M}$", "curvature_centre_M"}})},
           .seen = {"Centres of curvature of the paths of C and M by Euler-Savary, with their osculating circles",
                    "Centri di curvatura delle traiettorie di C e M con Euler-Savary, con i cerchi osculatori"},
           .told = {"rho_C", "rho_M"}};

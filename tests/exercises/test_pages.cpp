@@ -105,7 +105,9 @@ TEST_CASE("a mark comes with the step that constructs it") {
   comes(poles, "four-bar-poles-P31", 3);  // where the second of its lines crosses the first
   comes(poles, "four-bar-poles-v_A", 4);
   const std::string plan = drawn({"truss/plan", "--format", "html"});
-  comes(plan, "truss-plan-bar_1", 0);
+  comes(plan, "truss-plan-bar_1", 0);  // pulled: thin as all are at first
+  const std::string pressed = drawn({"truss/plan", "--format", "html", "--set", "P=-1000N"});
+  comes(pressed, "truss-plan-bar_1", 2);
   comes(plan, "truss-plan-N_1", 2);
   comes(plan, "truss-plan-N_2", 2);
   const std::string polodes = drawn({"slider-crank-velocity/polodes", "--format", "html"});
@@ -113,6 +115,37 @@ TEST_CASE("a mark comes with the step that constructs it") {
   comes(polodes, "slider-crank-velocity-polodes-moving_polode", 3);
   comes(drawn({"slider-crank-velocity/coupler-curve", "--format", "html"}),
         "slider-crank-velocity-coupler-curve-path_of_C", 4);
+}
+
+// What is found in a step is not there before, and steps are numbered so that each has what it begins with.
+TEST_CASE("what a step finds comes with it") {
+  const auto drawn_in = [](const std::string& id, const std::string& sheet, const auto& is_sought) {
+    const Exercise& exercise = find_exercise(catalogue(), id);
+    const drawings::Figure figure =
+        exercise.draw(sheet, exercise.solution(Givens(exercise.about().givens)), {}).sheet.figure;
+    std::map<int, int> marks;  // by step
+    for (std::size_t i = 0; i < figure.marks.size(); ++i)
+      if (is_sought(figure.marks[i])) ++marks[figure.known_of_marks.at(i).number.value_or(-1)];
+    return marks;
+  };
+  const auto is_dashed = [](const drawings::Mark& mark) {
+    const auto* line = std::get_if<drawings::Line>(&mark);
+    return line && line->meaning == drawings::Meaning::alternative;
+  };
+  CHECK(drawn_in("four-bar", "dead-centres", is_dashed) ==
+        std::map<int, int>{{2, 1}, {3, 4}});  // rocker; crank, plate
+  CHECK(drawn_in("four-bar-analytic", "configurations", is_dashed) == std::map<int, int>{{3, 2}});
+  const auto is_force = [](const drawings::Mark& mark) {
+    const auto* arrow = std::get_if<drawings::Arrow>(&mark);
+    return arrow && arrow->meaning == drawings::Meaning::force;
+  };
+  CHECK(drawn_in("pin-in-slot", "power-balance", is_force) == std::map<int, int>{{1, 4}, {2, 4}});
+  CHECK(drawn_in("frame-deflection", "shares", is_force) == std::map<int, int>{{1, 6}, {2, 6}});
+  const auto is_reaction = [](const drawings::Mark& mark) {
+    const auto* arrow = std::get_if<drawings::Arrow>(&mark);
+    return arrow && arrow->name.starts_with("R_");
+  };
+  CHECK(drawn_in("truss", "reactions", is_reaction) == std::map<int, int>{{4, 2}});
 }
 
 TEST_CASE("a panel is not there before its steps, and results come with the last") {

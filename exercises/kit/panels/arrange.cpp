@@ -35,24 +35,24 @@ void cut(drawings::Figure& figure, const drawings::Box& window) {
   figure.window_of.resize(figure.marks.size(), static_cast<int>(figure.windows.size()) - 1);
 }
 
-// What of a figure a panel drew, and the numbers that its steps have on the sheet: from `first` to before `next`.
+// What of a figure a panel drew, and the numbers that its steps have on the sheet.
 struct PanelPart {
   std::size_t marks_end = 0, labels_end = 0;
-  int first = 1, next = 1;
-  bool has_steps() const { return first < next; }
+  std::vector<int> numbers = {};
+  bool has_steps() const { return !numbers.empty(); }
 };
 
-// The steps of all panels, numbered through, and their numbers on the pictures. What is decided and not drawn stands
-// between them.
+// The steps of all panels, numbered through, and their numbers on the pictures: panel by panel, then those that need
+// what the others found. What is decided and not drawn stands between them.
 std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels, std::vector<PanelPart>& parts,
                                           DrawnSheet& onto, const SheetRequest& request, bool& is_off_sheet) {
   std::vector<drawings::Block> blocks;
   int number = 1;
-  for (std::size_t i = 0; i < panels.size(); ++i) {
+  const auto add = [&](std::size_t i, bool needs_all_others) {
     const PlacedPanel& each = panels[i];
-    parts[i].first = number;
     Plot plot = plot_of(each, onto, request);
     for (const PanelStep& step : each.panel->steps(plot, each.room)) {
+      if (step.needs_all_others != needs_all_others) continue;
       std::string text = step.text.in(request.language);
       if (!step.at) {
         blocks.push_back(drawings::Paragraph{text});
@@ -69,22 +69,23 @@ std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels
         steps->lines.push_back(text);
       else
         blocks.push_back(drawings::Steps{{text}, number});
-      ++number;
+      parts[i].numbers.push_back(number++);
     }
-    parts[i].next = number;
-  }
+  };
+  for (const bool needs_all_others : {false, true})
+    for (std::size_t i = 0; i < panels.size(); ++i) add(i, needs_all_others);
   return blocks;
 }
 
 // A panel is not there before the first of its steps; but for the first that has some, which shows what is given. One
 // without steps is given when it stands before all that have some; else it comes with the next of these, or after the
 // last of them with its last step.
-int earliest_of(std::size_t part, const std::vector<PanelPart>& parts) {
+int earliest_of(std::size_t part, const std::vector<PanelPart>& parts, int last_of_all) {
   const auto has_steps = [](const PanelPart& each) { return each.has_steps(); };
   const auto here = parts.begin() + static_cast<std::ptrdiff_t>(part);
   if (std::none_of(parts.begin(), here, has_steps)) return 0;
   const auto next = std::find_if(here, parts.end(), has_steps);
-  return next == parts.end() ? parts.back().next - 1 : next->first;
+  return next == parts.end() ? last_of_all : next->numbers.front();
 }
 
 // From steps of the panels to steps of the sheet. A step that has no number, as it is decided and not drawn, is
@@ -92,26 +93,33 @@ int earliest_of(std::size_t part, const std::vector<PanelPart>& parts) {
 // on a later panel.
 void tell_steps(drawings::Figure& figure, const std::vector<PanelPart>& parts) {
   if (parts.empty()) return;
-  const int last_of_all = parts.back().next - 1;
+  int last_of_all = 0;
+  for (const PanelPart& part : parts)
+    if (part.has_steps()) last_of_all = std::max(last_of_all, part.numbers.back());
   const auto tell = [&](std::vector<drawings::KnownStep>& all, std::size_t begin, std::size_t end,
                         const PanelPart& part, int earliest) {
-    const int before = part.has_steps() ? part.first - 1 : 0, last = part.has_steps() ? part.next - 1 : last_of_all;
+    const auto on_sheet = [&](int step) {
+      if (!part.has_steps()) return std::min(step, last_of_all);
+      return part.numbers[std::min(static_cast<std::size_t>(step), part.numbers.size()) - 1];
+    };
     for (std::size_t i = begin; i < end; ++i) {
       drawings::KnownStep& known = all[i];
       known.earliest = earliest;
       if (part.has_steps()) {
-        known.first = part.first;
-        known.last = last;
+        known.first = part.numbers.front();
+        known.last = part.numbers.back();
       }
       if (!known.number) continue;
-      if (*known.number > 0) known.number = std::min(before + *known.number, last);
-      if (*known.number == 0) known.number = earliest;
+      if (*known.number > 0)
+        known.number = on_sheet(*known.number);
+      else if (*known.number == 0)
+        known.number = earliest;
       known.number = std::max(*known.number, 0);
     }
   };
   std::size_t mark = 0, label = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const int earliest = earliest_of(i, parts);
+    const int earliest = earliest_of(i, parts, last_of_all);
     tell(figure.known_of_marks, mark, parts[i].marks_end, parts[i], earliest);
     tell(figure.known_of_labels, label, parts[i].labels_end, parts[i], earliest);
     mark = parts[i].marks_end;
@@ -180,16 +188,22 @@ std::string place_in_row(const PlacedPanel& panel, const std::vector<const Place
   return Words{" centre", " centro"}.in(language);
 }
 
-// Where a sheet shows vectors of one unit at two scales, as it does forces: whose this one is.
+// Where a sheet shows vectors of one unit at two scales, as it does forces, or beside some without any: whose this
+// one is.
 std::string whose(const PlacedPanel& panel, const std::vector<PlacedPanel>& panels, Language language) {
   const std::string unit = panel.panel->vectors().unit;
   const auto other = std::find_if(panels.begin(), panels.end(), [&](const PlacedPanel& each) {
     return each.panel->vectors().unit == unit && each.vectors.caption != panel.vectors.caption;
   });
-  if (other == panels.end()) return {};
   const bool is_polygon = panel.panel->is_of_vectors();
+  const Words of_polygons{" polygons", " poligoni"};
+  if (other == panels.end()) {
+    const bool has_others = std::any_of(panels.begin(), panels.end(),
+                                        [](const PlacedPanel& each) { return each.panel->shows_directions_only(); });
+    return has_others && is_polygon ? of_polygons.in(language) : "";
+  }
   if (other->panel->is_of_vectors() == is_polygon) return position(panel, *other, language);
-  return (is_polygon ? Words{" polygons", " poligoni"} : Words{" on the bodies", " sui corpi"}).in(language);
+  return (is_polygon ? of_polygons : Words{" on the bodies", " sui corpi"}).in(language);
 }
 
 // One bar for each scale: of lengths, with the figure it is of where they differ; then of vectors.

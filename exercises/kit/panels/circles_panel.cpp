@@ -84,7 +84,7 @@ drawings::Box CirclesPanel::covered(const Scale& lengths, double points, double 
     for (const auto& P : {P0_, K_, S_prime_, A_double_}) include(extent, lengths, P, points);
   }
   if (shows_ == Shows::detail) return extent.box();
-  include(extent, lengths, inflection_, shows_ == Shows::inflection_circle ? far() : circles);
+  include(extent, lengths, inflection_, circles);
   for (const auto& P : {P0_, J_, driven_.prime, other_.prime}) include(extent, lengths, P, points);
   return extent.box();
 }

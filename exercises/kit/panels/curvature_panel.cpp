@@ -1,6 +1,7 @@
 #include "exercises/kit/panels/curvature_panel.h"
 
 #include <cmath>
+#include <utility>
 
 #include "drawings/paths/vectors.h"
 #include "exercises/kit/panels/osculating_arc.h"
@@ -14,6 +15,12 @@ constexpr double along_path = 18;  // mm of a path to each side of its point
 
 std::string centre_of(const std::string& letters) { return "$Ω_{" + letters + "}$"; }
 std::string primed(const std::string& letters) { return "$" + letters + "'$"; }
+
+std::vector<drawings::Block> told(const OffSheet& off, Language language) {
+  const std::string sentence = off.sentence(language);
+  if (sentence.empty()) return {};
+  return {drawings::Paragraph{sentence}};
+}
 
 }  // namespace
 
@@ -47,16 +54,16 @@ void RaysPanel::name_circle(Plot& plot, const drawings::Box& room, Language lang
     plot.small_label(Words{"inflection circle", "circonferenza dei flessi"}.in(language), P, *F_);
 }
 
-std::vector<drawings::Block> RaysPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
-  const Place O = mechanism_->corners().front();
+void RaysPanel::draw_circle(Plot& plot, const drawings::Box& room, Language language) const {
   plot.cycle(inflection_, Meaning::locus);
-  if (P0_ && J_) {
-    draw_to(plot, room, *P0_, *J_, "$J$", language, Meaning::axis);
-    draw_named(plot, J_, "$J$", *P0_);
-    draw_named(plot, F_, "$F$", *P0_);
-    if (F_) name_circle(plot, room, language);
-  }
-  mechanism_->sketch(plot);
+  if (!P0_ || !J_) return;
+  draw_to(plot, room, *P0_, *J_, "$J$", language, Meaning::axis);
+  draw_named(plot, J_, "$J$", *P0_);
+  draw_named(plot, F_, "$F$", *P0_);
+  if (F_) name_circle(plot, room, language);
+}
+
+void RaysPanel::draw_rays(Plot& plot, const drawings::Box& room, Language language) const {
   for (const OnRay& X : points_) {
     plot.dot(X.at, Meaning::link);
     if (!P0_ || !X.prime) continue;
@@ -65,28 +72,40 @@ std::vector<drawings::Block> RaysPanel::draw(Plot& plot, const drawings::Box& ro
     plot.dot(*X.prime, Meaning::locus);
     plot.label(primed(X.letters), *X.prime, *P0_, Meaning::locus);
     plot.measures(curved_.prefix + X.name + "prime_" + X.name, *X.prime, X.at);
-    plot.measures_coordinates(curved_.prefix + X.name + "prime", *X.prime, O);
+    plot.measures_coordinates(curved_.prefix + X.name + "prime", *X.prime, mechanism_->corners().front());
   }
   draw_named(plot, P0_, "$" + point_letters(curved_.pole) + "$", middle());
-  OffSheet off(plot, room);
+}
+
+void RaysPanel::note_off(OffSheet& off) const {
   off.point("$" + point_letters(curved_.pole) + "$", P0_);
   for (const OnRay& X : points_) off.point(primed(X.letters), X.prime);
   off.circle({"part of the inflection circle", "parte della circonferenza dei flessi"}, inflection_);
-  const std::string sentence = off.sentence(language);
-  if (sentence.empty()) return {};
-  return {drawings::Paragraph{sentence}};
+}
+
+std::vector<drawings::Block> RaysPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  draw_circle(plot, room, language);
+  mechanism_->sketch(plot);
+  draw_rays(plot, room, language);
+  OffSheet off(plot, room);
+  note_off(off);
+  return told(off, language);
 }
 
 std::vector<PanelStep> RaysPanel::steps(const Plot& plot, const drawings::Box& room) const {
   const std::string P = point_letters(curved_.pole);
   std::vector<PanelStep> steps;
+  if (P0_ && J_)
+    steps.push_back({format_words("The inflection circle, of diameter ${}J$, from sheet\u00a0{}.",
+                                  "La circonferenza dei flessi, di diametro ${}J$, dalla tavola\u00a0{}.", P,
+                                  curved_.circles_sheet),
+                     seen_end(plot, room, *P0_, *J_)});
+  bool is_first = true;
   for (const OnRay& X : points_) {
     if (!X.prime) continue;
-    const Words text = steps.empty()
-                           ? format_words("The ray ${1}{0}$ meets the inflection circle again at ${0}'$.",
-                                          "Il raggio ${1}{0}$ incontra ancora la circonferenza dei flessi in "
-                                          "${0}'$.",
-                                          X.letters, P)
+    const Words text = std::exchange(is_first, false)
+                           ? format_words("The ray ${1}{0}$ meets the circle again at ${0}'$.",
+                                          "Il raggio ${1}{0}$ la incontra ancora in ${0}'$.", X.letters, P)
                            : format_words("Likewise ${0}'$ on the ray ${1}{0}$.",
                                           "Analogamente ${0}'$ sul raggio ${1}{0}$.", X.letters, P);
     steps.push_back({text, seen_end(plot, room, X.at, *X.prime)});
@@ -105,7 +124,7 @@ OsculatingPanel::OsculatingPanel(const Solution& s, std::shared_ptr<const Mechan
 }
 
 // The mechanism, and the points with a piece of their paths.
-drawings::Box OsculatingPanel::covered(const Scale& lengths, double points, double /*circles*/) const {
+drawings::Box OsculatingPanel::covered(const Scale& lengths, double points, double circles) const {
   Extent extent;
   for (const OnPath& X : points_) {
     constexpr double needed = 17;  // mm of the path
@@ -114,6 +133,11 @@ drawings::Box OsculatingPanel::covered(const Scale& lengths, double points, doub
   }
   include(extent, lengths, P0_, points);
   if (!is_close_up_) mechanism_->include(extent, lengths);
+  if (rays_) {
+    const drawings::Box of_rays = rays_->covered(lengths, points, circles);
+    extent.include(of_rays.low.x, of_rays.low.y);
+    extent.include(of_rays.high.x, of_rays.high.y);
+  }
   return extent.box();
 }
 
@@ -147,23 +171,26 @@ void OsculatingPanel::draw_piece_of_path(Plot& plot, const drawings::Box& room, 
 
 std::vector<drawings::Block> OsculatingPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   const Place O = mechanism_->corners().front();
+  if (rays_) rays_->draw_circle(plot, room, language);
   for (const OnPath& X : points_) {
     if (!P0_) continue;
-    draw_to(plot, room, X.at, *P0_, "$" + point_letters(curved_.pole) + "$", language);
+    if (!rays_) draw_to(plot, room, X.at, *P0_, "$" + point_letters(curved_.pole) + "$", language);
     plot.measures(curved_.prefix + curved_.pole + X.name, *P0_, X.at);
   }
-  draw_named(plot, P0_, "$" + point_letters(curved_.pole) + "$", middle());
+  if (!rays_) draw_named(plot, P0_, "$" + point_letters(curved_.pole) + "$", middle());
   if (P0_) plot.measures_coordinates(curved_.prefix + curved_.pole, *P0_, O);
   mechanism_->draw(plot);
   OffSheet off(plot, room);
+  if (rays_) {
+    rays_->draw_rays(plot, room, language);
+    rays_->note_off(off);
+  }
   for (const OnPath& X : points_) {
     draw_centre(plot, room, X, language);
     off.point(centre_of(X.letters), X.centre);
     draw_piece_of_path(plot, room, X);  // over the arc, which it nearly covers
   }
-  const std::string sentence = off.sentence(language);
-  if (sentence.empty()) return {};
-  return {drawings::Paragraph{sentence}};
+  return told(off, language);
 }
 
 Words OsculatingPanel::step_to(const OnPath& X, bool is_first) const {
@@ -201,6 +228,7 @@ Words OsculatingPanel::step_to(const OnPath& X, bool is_first) const {
 
 std::vector<PanelStep> OsculatingPanel::steps(const Plot& plot, const drawings::Box& room) const {
   std::vector<PanelStep> steps;
+  if (rays_) steps = rays_->steps(plot, room);
   bool is_first = true;
   for (const OnPath& X : points_) {
     steps.push_back({step_to(X, is_first)});
@@ -216,7 +244,8 @@ Panels curvature_panels(const Solution& s, const std::shared_ptr<const Mechanism
   OsculatingPanel osculating(s, mechanism, of, draw_path);
   if (!s.point(of.prefix + of.pole)) return panels(std::move(osculating));
   RaysPanel rays(s, mechanism, of);
-  if (rays.is_overview()) osculating.close_up();
+  if (!rays.is_overview()) return panels(std::move(osculating.with_rays(std::move(rays))));
+  osculating.close_up();
   return panels(std::move(rays), std::move(osculating));
 }
 

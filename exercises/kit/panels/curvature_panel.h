@@ -1,6 +1,6 @@
-// Centres of curvature of the paths of points of a moving plane, by Euler and Savary. Two panels: the rays from the
-// pole to the inflection circle, as small as that circle asks; and the mechanism, larger, with the centres, the
-// osculating circles, and beside them a piece of the paths themselves.
+// Centres of curvature of the paths of points of a moving plane, by Euler and Savary: the rays from the pole to the
+// inflection circle, and on them the centres, with the osculating circles and a piece of the paths themselves. In one
+// picture, or where the circle dwarfs the mechanism in two: the rays as small as the circle asks, the centres larger.
 #pragma once
 
 #include <functional>
@@ -12,6 +12,7 @@ namespace epure {
 struct Curved {
   std::string pole;                 // in names of quantities: "P0"
   std::vector<std::string> points;  // "C", "M"
+  int circles_sheet = 1;            // of the exercise: where the inflection circle is found
   std::string prefix = {};          // of all names, for a case of the exercise
 };
 
@@ -23,6 +24,12 @@ class RaysPanel : public CutPanel {
   double reach() const override;
   // Small, because the circle is so much larger than the mechanism.
   bool is_overview() const { return dwarfs_mechanism(inflection_); }
+  // For a picture with more on it: what this one covers, and draws below the mechanism and above.
+  drawings::Box covered(const Scale& lengths, double points, double circles) const override;
+  void draw_circle(Plot& plot, const drawings::Box& room, Language language) const;
+  void draw_rays(Plot& plot, const drawings::Box& room, Language language) const;
+  void note_off(OffSheet& off) const;
+
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
@@ -33,7 +40,6 @@ class RaysPanel : public CutPanel {
     std::optional<Place> prime;  // X'
   };
   double far() const override { return 5; }
-  drawings::Box covered(const Scale& lengths, double points, double circles) const override;
   void name_circle(Plot& plot, const drawings::Box& room, Language language) const;
 
   Curved curved_;
@@ -49,6 +55,11 @@ class OsculatingPanel : public CutPanel {
   // the mechanism what there is room for.
   OsculatingPanel& close_up() {
     is_close_up_ = true;
+    return *this;
+  }
+  // The rays too, in one picture.
+  OsculatingPanel& with_rays(RaysPanel rays) {
+    rays_ = std::move(rays);
     return *this;
   }
   // Draws the path of a point as far as it runs through this box of the paper.
@@ -81,6 +92,7 @@ class OsculatingPanel : public CutPanel {
   std::vector<OnPath> points_;
   DrawPath draw_path_;
   bool is_close_up_ = false;
+  std::optional<RaysPanel> rays_ = {};
 };
 
 // Both, or where the pole is at infinity the second alone.

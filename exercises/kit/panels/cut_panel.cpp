@@ -45,7 +45,7 @@ bool CutPanel::dwarfs_mechanism(const DrawnCycle& circle) const {
 }
 
 double CutPanel::reach_of_overview(const DrawnCycle& circle) const {
-  constexpr double longest = 60, metre = 1000;  // mm
+  constexpr double longest = 150, metre = 1000;  // mm
   if (!dwarfs_mechanism(circle)) return mechanism_->reach();
   return metre / longest * std::min(2 * circle.radius, far() * mechanism_->reach());
 }

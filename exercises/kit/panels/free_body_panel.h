@@ -65,6 +65,7 @@ class FreeBodyPanel : public Panel {
   double reach() const override { return std::max(body_->reach(), least_reach_); }
   std::string scale_group() const override { return unit_.empty() ? "" : "bodies"; }
   Vectors vectors() const override;
+  bool shows_directions_only() const override { return unit_.empty() && !forces_.empty(); }
   double times_smaller() const override { return unit_.empty() ? 1 : 2.2; }
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const override;

@@ -29,18 +29,18 @@ LocusPanel& LocusPanel::osculated(const std::optional<Place>& centre, const std:
   return *this;
 }
 
-void LocusPanel::include_numbered(Extent& extent, const Scale& scale, double letters) const {
+void LocusPanel::include_path(Extent& extent, const Scale& scale, double letters) const {
   extent.include(scale, mechanism_->at(point_), letters);
   for (const Position& position : positions_)
     for (const Numbered& point : position.points)
-      if (!point.label.empty()) extent.include(scale, point.at, letters);
+      if (is_on_path(point)) extent.include(scale, point.at, letters);
 }
 
 bool LocusPanel::needs_close_up() const {
   constexpr double small = 0.7;  // of the mechanism
-  Extent numbered;
-  include_numbered(numbered, {.mm_per_unit = 1, .caption = {}, .unit = {}}, 0);
-  return std::max(numbered.box().width(), numbered.box().height()) < small * mechanism_->reach();
+  Extent path;
+  include_path(path, {.mm_per_unit = 1, .caption = {}, .unit = {}}, 0);
+  return std::max(path.box().width(), path.box().height()) < small * mechanism_->reach();
 }
 LocusPanel& LocusPanel::close_up() {
   shows_ = Shows::close_up;
@@ -51,16 +51,11 @@ LocusPanel& LocusPanel::beside_close_up() {
   return *this;
 }
 
-double LocusPanel::reach() const {
-  constexpr double longest = 60, metre = 1000;  // mm, of the whole beside its close-up
-  return (shows_ == Shows::whole ? metre / longest : 1) * mechanism_->reach();
-}
-
 drawings::Box LocusPanel::extent(const Scale& scale, const Scale&) const {
-  constexpr double letters = 7;  // mm
+  constexpr double letters = 5;  // mm: small ones
   Extent extent;
   if (shows_ == Shows::close_up) {
-    include_numbered(extent, scale, letters);
+    include_path(extent, scale, letters);
     return extent.box();
   }
   mechanism_->include(extent, scale);
@@ -71,25 +66,45 @@ drawings::Box LocusPanel::extent(const Scale& scale, const Scale&) const {
   return extent.box();
 }
 
+// Points that the eye cannot tell apart have their numbers together: of a joint that comes by and goes back.
 void LocusPanel::draw_positions(Plot& plot) const {
+  constexpr double together = 0.8;  // mm
+  std::vector<Numbered> all;
   for (const Position& position : positions_) {
-    if (position.body.size() > 2)
-      plot.polygon(position.body, Meaning::construction);
-    else
-      plot.segment(position.body.front(), position.body.back(), Meaning::construction);
+    if (shows_ != Shows::close_up) {
+      if (position.body.size() > 2)
+        plot.polygon(position.body, Meaning::construction);
+      else
+        plot.segment(position.body.front(), position.body.back(), Meaning::construction);
+    }
     for (const Numbered& point : position.points) {
+      if (shows_ == Shows::close_up && !is_on_path(point)) continue;
       plot.dot(point.at, point.ink);
-      if (names(point)) plot.small_label(point.label, point.at, point.away_from, point.ink);
+      const auto same = std::find_if(all.begin(), all.end(), [&](const Numbered& other) {
+        return other.ink == point.ink && distance(other.at, point.at) * plot.scale().mm_per_unit < together;
+      });
+      if (same == all.end())
+        all.push_back(point);
+      else if (!point.label.empty())
+        same->label += (same->label.empty() ? "" : ", ") + point.label;
     }
   }
+  for (const Numbered& point : all)
+    if (!point.label.empty()) plot.small_label(point.label, point.at, point.away_from, point.ink);
 }
 
 std::vector<drawings::Block> LocusPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   draw_positions(plot);
   const geometry::Trace path = draw_curve_(plot, room);
-  mechanism_->draw(plot);
-  plot.measures_coordinates(point_, mechanism_->at(point_), plane_origin);
-  if (shows_ == Shows::whole) return {};
+  const Place& P = mechanism_->at(point_);
+  if (shows_ == Shows::close_up) {
+    plot.dot(P, Meaning::link);
+    plot.label("$" + point_letters(point_) + "$", P);
+  } else {
+    mechanism_->draw(plot);
+  }
+  plot.measures_coordinates(point_, P, plane_origin);
+  if (!shows_centre()) return {};
   const Words sentence =
       format_words("{} Bezier arcs, at most {} mm on this sheet from the true path.",
                    "{} archi di Bézier, su questo foglio a non più di {} mm dalla traiettoria vera.", path.arcs(),
@@ -121,13 +136,20 @@ std::vector<drawings::Block> LocusPanel::draw_osculating(Plot& plot, const drawi
   return {drawings::Paragraph{sentence}};
 }
 
-// What leads to the centre stands where it leaves the room.
+bool LocusPanel::is_centre(const PanelStep& step) const {
+  return centre_ && step.at && distance(*step.at, *centre_) == 0;
+}
+
+// What leads to the centre stands where it leaves the room; beside a close-up, in that.
 std::vector<PanelStep> LocusPanel::steps(const Plot& plot, const drawings::Box& room) const {
-  if (shows_ == Shows::whole) return {};
-  std::vector<PanelStep> all = steps_;
-  for (PanelStep& step : all)
-    if (centre_ && step.at && step.at->x == centre_->x && step.at->y == centre_->y && !is_in(room, plot, *centre_))
+  std::vector<PanelStep> all;
+  for (PanelStep step : steps_) {
+    const bool is_of_path = is_centre(step) || !step.at;
+    if ((shows_ == Shows::whole && is_of_path) || (shows_ == Shows::close_up && !is_of_path)) continue;
+    if (is_centre(step) && !is_in(room, plot, *centre_))
       step.at = ray_to_edge(plot, room, mechanism_->at(point_), *centre_ - mechanism_->at(point_));
+    all.push_back(std::move(step));
+  }
   return all;
 }
 

@@ -32,15 +32,15 @@ class LocusPanel : public Panel {
   // The point is one of the mechanism.
   LocusPanel(std::shared_ptr<const Mechanism> mechanism, std::string point, std::vector<Position> positions,
              DrawCurve draw_curve, std::vector<PanelStep> steps);
-  // What is numbered takes so much less room than the mechanism that a picture of its own is better.
+  // The path takes so much less room than the mechanism that a picture of its own, larger, is better.
   bool needs_close_up() const;
-  // That picture, beside a small one of the whole without numbers.
+  // That picture, of the path with its points and the circle that osculates it; beside it the whole is constructed.
   LocusPanel& close_up();
   LocusPanel& beside_close_up();
   // The circle that osculates the path now, about this centre: named by its letters.
   LocusPanel& osculated(const std::optional<Place>& centre, const std::string& quantity, const std::string& letters);
 
-  double reach() const override;
+  double reach() const override { return mechanism_->reach(); }
   bool is_cut() const override { return true; }
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
@@ -48,8 +48,11 @@ class LocusPanel : public Panel {
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
  private:
-  bool names(const Numbered& point) const { return shows_ != Shows::whole && !point.label.empty(); }
-  void include_numbered(Extent& extent, const Scale& scale, double letters) const;
+  static bool is_on_path(const Numbered& point) { return point.ink == Meaning::locus; }
+  // The point of now and in the positions.
+  void include_path(Extent& extent, const Scale& scale, double letters) const;
+  bool shows_centre() const { return shows_ != Shows::whole; }
+  bool is_centre(const PanelStep& step) const;
   void draw_positions(Plot& plot) const;
   std::vector<drawings::Block> draw_osculating(Plot& plot, const drawings::Box& room, Language language) const;
 

@@ -140,6 +140,10 @@ Mechanism& Mechanism::other_position(const std::vector<std::string>& points) {
   other_positions_.push_back({points, 0, false});
   return *this;
 }
+Mechanism& Mechanism::found_in(int step, const std::vector<std::string>& points) {
+  for (const std::string& name : points) steps_[name] = step;
+  return *this;
+}
 Mechanism& Mechanism::guide(const std::string& block, double direction, const std::string& axis) {
   guides_.push_back({block, direction, axis});
   return *this;
@@ -156,6 +160,11 @@ Mechanism& Mechanism::swing(const std::string& about, const std::string& of, dou
     known->from = std::min(known->from, from);
     known->to = std::max(known->to, to);
   }
+  return *this;
+}
+Mechanism& Mechanism::without_ways() {
+  paths_.clear();
+  swings_.clear();
   return *this;
 }
 Mechanism& Mechanism::unnumbered() {
@@ -204,6 +213,14 @@ const Mechanism::Point& Mechanism::find(const std::string& name) const {
       std::find_if(points_.begin(), points_.end(), [&](const Point& point) { return point.name == name; });
   assert(found != points_.end() && "a point of the mechanism");
   return *found;
+}
+
+void Mechanism::begin_step_of(Plot& plot, const std::vector<std::string>& points) const {
+  if (steps_.empty()) return;
+  std::optional<int> last;
+  for (const std::string& name : points)
+    if (const auto known = steps_.find(name); known != steps_.end()) last = std::max(last.value_or(0), known->second);
+  plot.in_step(last);
 }
 
 Place Mechanism::middle() const {
@@ -357,15 +374,21 @@ void Mechanism::draw_bodies(Plot& plot) const {
   for (const Body& body : bodies_) {
     std::vector<Place> corners;
     for (const std::string& name : body.points) corners.push_back(at(name));
+    begin_step_of(plot, body.points);
     if (corners.size() > 2 && !body.is_slotted) plot.area(corners, Meaning::plate);
   }
-  for (const auto& [from, to] : edges(other_positions_)) plot.segment(from, to, Meaning::alternative);
+  for (const Body& body : other_positions_) {
+    begin_step_of(plot, body.points);
+    for (const auto& [from, to] : edges({body})) plot.segment(from, to, Meaning::alternative);
+  }
   for (const Body& body : bodies_) {
+    begin_step_of(plot, body.points);
     if (body.is_cylinder)
       draw_cylinder(plot, body);
     else
       for (const auto& [from, to] : edges({body})) plot.segment(from, to, Meaning::link);
   }
+  begin_step_of(plot, {});
   for (const auto& [from, to] : surfaces_) plot.mark(drawings::Ground{plot.at(from), plot.at(to)});
   for (const auto& [centre, radius, from, to] : profiles_)
     plot.mark(drawings::Line{
@@ -520,8 +543,10 @@ void Mechanism::draw_numbers(Plot& plot) const {
         all.push_back(P.at +
                       support_height / plot.scale().mm_per_unit * unit_at(direction_of_support(P, plot.scale())));
     }
+    begin_step_of(plot, body.points);
     plot.label(std::to_string(body.number), place_of_number(corners, all), middle());
   }
+  begin_step_of(plot, {});
   for (const Disc& disc : discs_) {
     const Place &O = at(disc.centre), &D = at(disc.rim);
     if (disc.number != 0) plot.label(std::to_string(disc.number), O + 0.5 * (D - O), D);
@@ -561,12 +586,27 @@ void Mechanism::draw_given(Plot& plot) const {
   for (const Point& P : points_)
     if (is_fixed(P)) draw_joint(plot, P);
   draw_bodies(plot);
-  for (const Point& P : points_)
-    if (!is_fixed(P)) draw_joint(plot, P);
-  for (const Angle& angle : angles_) draw_angle(plot, angle);
+  for (const Point& P : points_) {
+    if (is_fixed(P)) continue;
+    begin_step_of(plot, {P.name});
+    draw_joint(plot, P);
+  }
+  for (const Angle& angle : angles_) {
+    std::vector<std::string> on_sides;
+    for (const Point& P : points_)
+      if (P.name != angle.at && has_direction({angle.from, angle.to}, direction(at(angle.at), P.at)))
+        on_sides.push_back(P.name);
+    begin_step_of(plot, on_sides);
+    draw_angle(plot, angle);
+  }
+  begin_step_of(plot, {});
   for (const Turning& each : turnings_)
     if (each.is_given) draw_turning(plot, each);
-  for (const Point& P : points_) draw_letters(plot, P);
+  for (const Point& P : points_) {
+    begin_step_of(plot, {P.name});
+    draw_letters(plot, P);
+  }
+  begin_step_of(plot, {});
   draw_numbers(plot);
 }
 

@@ -1,6 +1,7 @@
 // A mechanism as points, bodies and joints, ready to be drawn: whatever it is, by the places its solution found.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ class Mechanism : public MechanismFigure {
   Mechanism& profile(const Place& centre, double radius, double from, double to);
   // The same in another position: dashed, and kept clear of like the links.
   Mechanism& other_position(const std::vector<std::string>& points);
+  // These points are found in a step of the construction, and what joins them comes with it.
+  Mechanism& found_in(int step, const std::vector<std::string>& points);
   // The guide of a block, along this direction (radians), with the name of its axis ahead of it.
   Mechanism& guide(const std::string& block, double direction, const std::string& axis = {});
   // `of` goes round `about`: its way is drawn.
@@ -44,6 +47,8 @@ class Mechanism : public MechanismFigure {
   // `of` swings about `about`: its way is drawn, from so far behind where it is to so far ahead (radians);
   // as far as ever told.
   Mechanism& swing(const std::string& about, const std::string& of, double from, double to);
+  // The ways told so far are left out, where vectors along them would hide in them.
+  Mechanism& without_ways();
   // Its links without numbers, where others stand.
   Mechanism& unnumbered();
   // An arc arrow at the link from `about` to `of`: counter-clockwise (sense > 0), clockwise, or none (0).
@@ -138,6 +143,8 @@ class Mechanism : public MechanismFigure {
   };
 
   const Point& find(const std::string& name) const;
+  // Of what joins these points: the last in which one of them is found; none where all are given.
+  void begin_step_of(Plot& plot, const std::vector<std::string>& points) const;
   Place middle() const;
   // The other end of the first link at a point.
   Place neighbour(const Point& P) const;
@@ -165,6 +172,7 @@ class Mechanism : public MechanismFigure {
   void draw_numbers(Plot& plot) const;
 
   std::vector<Point> points_;
+  std::map<std::string, int> steps_;  // of the points that a construction finds
   std::vector<Body> bodies_, other_positions_;
   std::vector<Disc> discs_;
   std::vector<Guide> guides_;

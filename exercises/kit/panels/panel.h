@@ -19,6 +19,7 @@ namespace epure {
 struct PanelStep {
   Words text;
   std::optional<Place> at = {};
+  bool needs_all_others = false;  // numbered after those of all panels, as it begins with what they found
 };
 
 // What a ruler reads off the finished sheet, under a heading of its own.
@@ -49,6 +50,8 @@ class Panel {
     double longest_on_paper = 150;  // mm: longer they say no more
   };
   virtual Vectors vectors() const { return {}; }
+  // Of these it draws arrows that tell directions only, beside polygons that tell how large they are.
+  virtual bool shows_directions_only() const { return false; }
   // Of vectors of another unit, at scales that the panel was given: they have their bars.
   virtual std::vector<Scale> own_scales() const { return {}; }
 

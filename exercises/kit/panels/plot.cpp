@@ -73,21 +73,36 @@ bool leads_to(const drawings::Mark& mark, drawings::Point tip) {
          std::abs(dot(tip - p, drawings::left_of(along))) < on_it;
 }
 
-// Whether a link hides most of a vector: they part so little along it that the eye does not tell them apart.
+// Whether a vector runs on where the link has ended: through the joint there.
+bool runs_past(drawings::Point way, drawings::Point v) { return drawings::length(v) > drawings::length(way); }
+
+// Whether a link hides most of a vector, or the joint at its end does: they part so little along it that the eye does
+// not tell them apart.
 bool hides(drawings::Point way, drawings::Point v) {
   constexpr double most = 0.5, told_apart = 2;  // of the vector, mm
   const double one_way = std::cos(7 * std::numbers::pi / 180);
   const double length = drawings::length(v), shared = std::min(length, drawings::length(way));
   const double sine = std::abs(dot(v, drawings::left_of(way))) / (length * drawings::length(way));
-  return dot(v, way) >= one_way * length * drawings::length(way) && shared >= most * length &&
+  return dot(v, way) >= one_way * length * drawings::length(way) && (shared >= most * length || runs_past(way, v)) &&
          sine * shared < told_apart;
 }
 
+// The direction in which the support of a fixed hinge stands; none without one.
+std::optional<drawings::Point> support_at(const std::vector<drawings::Mark>& marks, drawings::Point at) {
+  constexpr double there = 0.1;  // mm
+  for (const drawings::Mark& mark : marks)
+    if (const auto* fixed = std::get_if<drawings::FixedHinge>(&mark);
+        fixed && drawings::distance(fixed->at, at) < there)
+      return drawings::direction(fixed->down);
+  return {};
+}
+
 // How far aside a vector stands that a link would hide: on the side to which it leans, joined to the point it
-// belongs to. Where lines of the construction lead to its tip it stays there, and at the tip of another vector too:
-// they are sides of a polygon.
+// belongs to. Past the link's end it keeps clear of the hinge there, and stands on the side that its support leaves
+// free. Where lines of the construction lead to its tip it stays there, and at the tip of another vector too: they
+// are sides of a polygon.
 drawings::Point aside(const std::vector<drawings::Mark>& marks, drawings::Point from, drawings::Point to) {
-  constexpr double by = 1.3, shortest = 4;  // mm
+  constexpr double beside_link = 1.3, beside_hinge = 2.4, shortest = 4;  // mm
   const drawings::Point v = to - from;
   if (drawings::length(v) < shortest || std::any_of(marks.begin(), marks.end(), [&](const drawings::Mark& mark) {
         return leads_to(mark, to) || ends_at(mark, to) || ends_at(mark, from);
@@ -98,8 +113,10 @@ drawings::Point aside(const std::vector<drawings::Mark>& marks, drawings::Point 
     if (!line) continue;
     for (const drawings::Point way : ways_along(*line, from)) {
       if (!hides(way, v)) continue;
-      const double side = dot(v, drawings::left_of(way)) < 0 ? -by : by;
-      return side * drawings::left_of(drawings::unit({}, v));
+      const auto support = runs_past(way, v) ? support_at(marks, from + way) : std::nullopt;
+      const bool is_left = support ? dot(*support, drawings::left_of(v)) < 0 : dot(v, drawings::left_of(way)) >= 0;
+      const double by = runs_past(way, v) ? beside_hinge : beside_link;
+      return (is_left ? by : -by) * drawings::left_of(drawings::unit({}, v));
     }
   }
   return {0, 0};

@@ -181,7 +181,7 @@ void PolesPanel::draw_turning(Plot& plot) const {
 
 // γ at X: from the ray XK to the acceleration. No arc where there is none to see.
 void PolesPanel::mark_inclination(Plot& plot, const Carried& X) const {
-  constexpr double radius = 13, shortest_arc = 2;  // mm
+  constexpr double radius = 10, shortest_arc = 2;  // mm
   const double ray = direction(X.at, *pole_), vector = std::atan2(X.v.y, X.v.x);
   const double turn = std::remainder(vector - ray, 2 * std::numbers::pi);
   if (magnitude(X.v) == 0 || std::abs(turn) * radius < shortest_arc) return;

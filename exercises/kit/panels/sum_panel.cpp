@@ -45,7 +45,7 @@ drawings::Box SumPanel::extent(const Scale&, const Scale& vectors) const {
 }
 
 // Where it ends a ruler reads the whole, so the parts must come to it.
-void SumPanel::draw_sum(Plot& plot, const Sum& sum, double top, Language language) const {
+void SumPanel::draw_sum(Plot& plot, const Sum& sum, double top, int first_step, Language language) const {
   const double mm = plot.scale().mm_per_unit, indent = 3;  // mm
   const double names_at = plot.at({ends().first, 0}).x - number_room - names_width;
   const auto at = [&](double value, double y) { return Place{value, y / mm}; };
@@ -60,6 +60,7 @@ void SumPanel::draw_sum(Plot& plot, const Sum& sum, double top, Language languag
   };
   write(sum.name, 0, top - bar_row / 2);
   double y = top - 1.5 * bar_row, reached = 0;
+  plot.in_step(first_step);
   plot.segment(at(0, y + bar_row / 2), at(0, top - height(sum)), Meaning::axis);
   for (const Part& part : sum.parts) {
     bar(part, reached, reached + part.value, y);
@@ -67,14 +68,17 @@ void SumPanel::draw_sum(Plot& plot, const Sum& sum, double top, Language languag
     plot.segment(at(reached, y), at(reached, y - bar_row), Meaning::construction);
     y -= bar_row;
   }
+  plot.in_step(first_step + std::max(static_cast<int>(sum.steps.size()) - 1, 0));
   bar(sum.whole, 0, reached, y);
 }
 
 std::vector<drawings::Block> SumPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
   double top = 0;
+  int step = 1;
   for (const Sum& sum : sums_) {
-    draw_sum(plot, sum, top, language);
+    draw_sum(plot, sum, top, step, language);
     top -= height(sum) + between_sums;
+    step += static_cast<int>(sum.steps.size());
   }
   return {};
 }

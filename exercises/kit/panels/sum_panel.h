@@ -33,7 +33,7 @@ class SumPanel : public Panel {
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override;
 
  private:
-  void draw_sum(Plot& plot, const Sum& sum, double top, Language language) const;
+  void draw_sum(Plot& plot, const Sum& sum, double top, int first_step, Language language) const;
   // From the least to the greatest sum on the way.
   std::pair<double, double> ends() const;
 

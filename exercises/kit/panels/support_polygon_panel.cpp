@@ -103,7 +103,7 @@ std::vector<PanelStep> SupportPolygonPanel::steps(const Plot&, const drawings::B
                  "Il raggio $c$ parallelo alla chiudente $c′$ (trovata sulla travatura) e la direzione del carrello "
                  "dall'estremo dei carichi si incontrano: lì finisce la " +
                      B + ", e la " + A + " chiude."},
-           funicular_.polygon.between}};
+           funicular_.polygon.between, true}};
 }
 
 }  // namespace epure

@@ -169,19 +169,27 @@ void TrussPanel::letter_regions(Plot& plot) const {
   }
 }
 
-void TrussPanel::draw_truss(Plot& plot, const std::function<Meaning(const TrussFigure::Bar&)>& meaning,
-                            const std::function<std::string(const TrussFigure::Bar&)>& sign) const {
+void TrussPanel::draw_truss(Plot& plot, bool is_solved) const {
   constexpr double number_size = 2.5;  // mm
   plot.in_step(from_beginning);
   draw_supports(plot);
   for (std::size_t i = 0; i < figure_->bars.size(); ++i) {
     const TrussFigure::Bar& bar = figure_->bars[i];
     const Place &P = figure_->joints[bar.from], &Q = figure_->joints[bar.to];
+    const Meaning weight = is_solved ? TrussFigure::meaning(bar.force) : Meaning::link;
     plot.in_step(from_beginning);
-    plot.segment(P, Q, meaning(bar), "bar_" + std::to_string(i + 1));
+    // Beside the plan every bar is thin until that says what is pressed.
+    if (is_solved && regions_ == Regions::lettered && weight == Meaning::link) {
+      plot.segment(P, Q, Meaning::plate);
+      plot.in_step(figure_->step_of_bar(i));
+    }
+    plot.segment(P, Q, weight, "bar_" + std::to_string(i + 1));
     if (!funicular_) plot.in_step(figure_->step_of_bar(i));  // with its number, what the plan says of it
     plot.onto().sheet.figure.labels.push_back(
-        {.text = std::to_string(i + 1) + sign(bar), .at = plot.at(P), .to = plot.at(Q), .size = number_size});
+        {.text = std::to_string(i + 1) + (is_solved ? TrussFigure::sign(bar.force) : ""),
+         .at = plot.at(P),
+         .to = plot.at(Q),
+         .size = number_size});
   }
   plot.in_step(from_beginning);
   for (std::size_t i = 0; i < figure_->joints.size(); ++i) {
@@ -238,29 +246,16 @@ std::vector<PanelStep> TrussPanel::steps(const Plot&, const drawings::Box&) cons
            end}};
 }
 
-// Nothing said of tension or compression.
-void TrussPanel::draw_unsolved(Plot& plot) const {
-  draw_truss(
-      plot, [](const TrussFigure::Bar&) { return Meaning::link; },
-      [](const TrussFigure::Bar&) { return std::string(); });
-}
-
 // Without the reactions.
 void TrussPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
-  draw_unsolved(plot);
+  draw_truss(plot, false);
   for (std::size_t k = 2; k < figure_->outside.size(); ++k) draw_force(plot, k);
 }
 
 std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, Language) const {
   constexpr int closed = 2;  // the last step on the truss: its reactions are found
-  if (funicular_) {
-    draw_strings(plot);
-    draw_unsolved(plot);
-  } else {
-    draw_truss(
-        plot, [](const TrussFigure::Bar& bar) { return TrussFigure::meaning(bar.force); },
-        [](const TrussFigure::Bar& bar) { return TrussFigure::sign(bar.force); });
-  }
+  if (funicular_) draw_strings(plot);
+  draw_truss(plot, !funicular_);
   for (std::size_t k = 0; k < figure_->outside.size(); ++k) {
     if (funicular_) plot.in_step(k < 2 ? closed : from_beginning);
     draw_force(plot, k);

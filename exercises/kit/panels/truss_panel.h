@@ -2,7 +2,6 @@
 // lettered as Bow does: those outside lie between the lines of the forces.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -42,13 +41,11 @@ class TrussPanel : public Panel {
   Opening outside_of(std::size_t joint) const;
   Arrow2 middle_of_outside(std::size_t joint) const;
   double hinge_down() const;
-  // With what stands beside the number of each bar.
-  void draw_truss(Plot& plot, const std::function<Meaning(const TrussFigure::Bar&)>& meaning,
-                  const std::function<std::string(const TrussFigure::Bar&)>& sign) const;
+  // Solved: each bar by what it bears, with its sign; else nothing said of tension or compression.
+  void draw_truss(Plot& plot, bool is_solved) const;
   void draw_force(Plot& plot, std::size_t outside) const;
   void draw_supports(Plot& plot) const;
   void letter_regions(Plot& plot) const;
-  void draw_unsolved(Plot& plot) const;
   void draw_strings(Plot& plot) const;
 
   std::shared_ptr<const TrussFigure> figure_;

@@ -12,7 +12,7 @@ namespace {
 
 using At = InstantStep::At;
 
-constexpr double longest_acceleration = 46;  // mm
+constexpr double longest_acceleration = 56;  // mm
 constexpr double far_off = 3.2;              // times the bodies beside M: a circle still whole, a centre still shown
 constexpr double least_part = 1.5;           // mm: a part of the acceleration that can be seen
 constexpr double title_height = 7;           // mm
@@ -48,10 +48,16 @@ RollingInstantPanel& RollingInstantPanel::measured_from(const Place& origin) {
   origin_ = origin;
   return *this;
 }
-RollingInstantPanel& RollingInstantPanel::with_whole_path(const Way& way, bool has_close_up) {
+RollingInstantPanel& RollingInstantPanel::with_path(const Way& way) {
   way_ = way;
+  return *this;
+}
+RollingInstantPanel& RollingInstantPanel::with_whole_path(const Way& way) {
   whole_path_ = samples_of_path(f_.given, way);
-  if (has_close_up) shows_ = Shows::vectors;
+  return with_path(way);
+}
+RollingInstantPanel& RollingInstantPanel::beside_close_up() {
+  shows_ = Shows::vectors;
   return *this;
 }
 RollingInstantPanel& RollingInstantPanel::close_up() {
@@ -196,8 +202,8 @@ void RollingInstantPanel::draw_directions_at_cusp(Plot& plot) const {
   const auto at = [&](double across, double up) { return plot.at(f_.M + (across / mm) * left + (up / mm) * along); };
   const double after = f_.turning() > 0 ? aside : -aside;
   const auto arrow = [&](drawings::Point tail, drawings::Point tip, const std::string& letters) {
-    plot.mark(drawings::Arrow{tail, tip, Meaning::velocity, {}});
-    plot.label(letters, plot.from_paper(tail.y > tip.y ? tail : tip), f_.M, Meaning::velocity);
+    plot.mark(drawings::Arrow{tail, tip, Meaning::dimension, {}});  // no velocity: M rests
+    plot.label(letters, plot.from_paper(tail.y > tip.y ? tail : tip), f_.M);
   };
   arrow(at(-after, from + length), at(-after, from), "$\\vec{t}^{−}$");
   arrow(at(after, from), at(after, from + length), "$\\vec{t}^{+}$");
@@ -312,8 +318,8 @@ std::vector<PanelStep> RollingInstantPanel::steps(const Plot& plot, const drawin
         return of_velocities.tip(f_.M, f_.v);
       case At::foot:
         return f_.M_prime;
-      case At::tip_of_acceleration:
-        return plot.tip(f_.M, f_.a);
+      case At::acceleration:
+        return middle(f_.M, plot.tip(f_.M, f_.a));  // its tip may be J, with a number of its own
       case At::centre_of_curvature:
         break;
     }

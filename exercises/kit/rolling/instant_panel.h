@@ -17,10 +17,12 @@ class RollingInstantPanel : public Panel {
   RollingInstantPanel& titled(std::string title);
   // Coordinates are measured from this place.
   RollingInstantPanel& measured_from(const Place& origin);
-  // The path, shown from end to end. The points by the contact may then have room in a close-up only.
-  RollingInstantPanel& with_whole_path(const Way& way, bool has_close_up);
-  // The contact alone, as large as its circles allow.
+  // This much of the path, as far as there is room for it; or shown from end to end.
+  RollingInstantPanel& with_path(const Way& way);
+  RollingInstantPanel& with_whole_path(const Way& way);
+  // The contact alone, as large as its circles allow; and the rest, without the points that are so small there.
   RollingInstantPanel& close_up();
+  RollingInstantPanel& beside_close_up();
 
   double reach() const override;
   Vectors vectors() const override;

@@ -58,7 +58,7 @@ std::vector<InstantStep> at_cusp(const Rolled& f) {
         "motion $\\vec{t}^{−}$ before, with $\\vec{t}^{+}$ after.",
         "$M$ è sul polo: $\\vec{v}_{M}$ = 0. Tutta la $\\vec{a}_{M}$ = $ω^{2}$·$P_{0}J$ è lungo la traiettoria: "
         "contro il moto $\\vec{t}^{−}$ prima, concorde col moto $\\vec{t}^{+}$ dopo."},
-       At::tip_of_acceleration},
+       At::acceleration},
       {f.runs_straight()
            ? Words{"The path is straight: $M$ turns back.", "La traiettoria è diritta: $M$ torna indietro."}
            : Words{"The path has a cusp: $ρ$ = 0, the centre of curvature is $M$.",
@@ -105,7 +105,7 @@ std::vector<InstantStep> instant_steps(const Rolled& f) {
   const std::string velocity = "$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = |$ω$|·$P_{0}M$.";
   steps.push_back({{velocity, velocity}, At::tip_of_velocity});
   steps.push_back({foot_step(f), At::foot});
-  steps.push_back({acceleration_step(f), At::tip_of_acceleration});
+  steps.push_back({acceleration_step(f), At::acceleration});
   if (!f.runs_straight()) steps.push_back({curvature_step(f), At::centre_of_curvature});
   return steps;
 }

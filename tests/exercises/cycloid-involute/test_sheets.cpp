@@ -116,6 +116,12 @@ TEST_CASE("cycloid: the cusp is drawn from both sides, another instant as the fi
   const DrawnSheet cusp = both().draw("cycloid-instants", {}), none = both().draw("cycloid-instants", {"s=3"});
   CHECK(text_of(cusp).find("has a cusp") != std::string::npos);
   CHECK(text_of(none).find("has a cusp") == std::string::npos);
+  // M rests: what tells the directions of the path is no velocity.
+  int directions = 0;
+  for (const drawings::Mark& mark : cusp.sheet.figure.marks)
+    if (const auto* arrow = std::get_if<drawings::Arrow>(&mark))
+      directions += arrow->meaning == drawings::Meaning::dimension ? 1 : 0;
+  CHECK(directions == 2);
   for (const char* label : {"$\\vec{t}^{−}$", "$\\vec{t}^{+}$"}) {
     CHECK(has_label(cusp, label));
     CHECK_FALSE(has_label(none, label));
@@ -162,7 +168,7 @@ TEST_CASE("involute: the sheets say in which sense the line rolls, and the text 
 }
 
 TEST_CASE("involute: the contact is seen beside a line many times as long", "[cycloid-involute][sheets]") {
-  const DrawnSheet drawn = both().draw("involute-instants", {});
+  const DrawnSheet drawn = both().draw("involute-instants", {"t1=0.42", "t2=0.5"});
   const auto all = labels(drawn);
   CHECK(std::count(all.begin(), all.end(), "$P_{0}$ ≡ $M'$ ≡ $Ω$") == 2);
   double largest = 0;  // mm, of the base circle
@@ -178,8 +184,19 @@ TEST_CASE("involute: the contact is seen beside a line many times as long", "[cy
   CHECK(largest >= 30);  // 6 mm before
 }
 
-TEST_CASE("involute: the pictures of an instant follow each other", "[cycloid-involute][sheets]") {
+// In one picture, as large as the line permits: the circle is 30 mm wide in the first and not 6.
+TEST_CASE("involute: each instant has a scale of its own", "[cycloid-involute][sheets]") {
   const DrawnSheet drawn = both().draw("involute-instants", {});
+  const auto& scales = drawn.sheet.title_block.scales;
+  REQUIRE(scales.size() >= 2);
+  CHECK(scales[0] == "1 : 20");
+  CHECK(scales[1] == "1 : 50");
+  const drawings::Arrow a = arrow(drawn, "involute.a_M_t1"), a_n = arrow(drawn, "involute.a_n_t1");
+  CHECK(std::hypot(a.to.x - a_n.to.x, a.to.y - a_n.to.y) > 3.5);  // the tangential part
+}
+
+TEST_CASE("involute: the pictures of an instant follow each other", "[cycloid-involute][sheets]") {
+  const DrawnSheet drawn = both().draw("involute-instants", {"t1=0.42", "t2=0.5"});
   std::vector<std::string> titles;
   for (const drawings::Mark& mark : drawn.sheet.figure.marks)
     if (const auto* title = std::get_if<drawings::Writing>(&mark); title && title->text.starts_with("$t_"))

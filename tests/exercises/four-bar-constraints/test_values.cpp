@@ -163,6 +163,7 @@ TEST_CASE("four-bar-constraints: each method has its own column", "[four-bar-con
                                    "v_G2",    "v_G3",    "v_G4",    "a_G2",    "a_G3",    "a_G4"}[row];
       CAPTURE(name, route);
       REQUIRE(solution.value(name, route));
-      CHECK(cells[3 + 4 * row + 1 + column] == figures(*solution.value(name, route), 6, Language::english));
+      const int told = route == "polar diagram" ? 3 : 6;  // figures: as many as a drawing gives
+      CHECK(cells[3 + 4 * row + 1 + column] == figures(*solution.value(name, route), told, Language::english));
     }
 }
