@@ -190,17 +190,17 @@ struct SceneRoutes {
   template <class T>
   void by_centres(Ledger<T>& ledger, const Constructed<T>& constructed) const {
     const WhenAsked<Centres<T>> centres([&] { return Centres<T>(plan, built->linkage, constructed.at); });
-    for (const PermanentCentre& centre : plan.permanent)
-      if (centre.gear != nothing)
-        put_centre(ledger, index(centre.i), index(centre.j), [&] { return centres.get().of(centre.i, centre.j); });
-    for (const FoundCentre& centre : plan.found) {
-      const auto i = index(centre.i), j = index(centre.j);
-      put_centre(ledger, i, j, [&, i, j] {
+    const auto put = [&](int of, int against) {
+      const auto i = index(of), j = index(against);
+      put_centre(ledger, i, j, [&, i, j, of, against] {
         const auto &a = constructed.motion.get().links[i], &b = constructed.motion.get().links[j];
         demand_motion(i, j, at_rest_against(a.omega - b.omega, of_origin(a) - of_origin(b)));
-        return centres.get().of(centre.i, centre.j);
+        return centres.get().of(of, against);
       });
-    }
+    };
+    for (const PermanentCentre& centre : plan.permanent)
+      if (centre.gear != nothing) put(centre.i, centre.j);
+    for (const FoundCentre& centre : plan.found) put(centre.i, centre.j);
   }
 
   template <class T>

@@ -159,31 +159,9 @@ Place clear_of_sides(const Drawing& on, const PlacedSide& s, const PlacedSide* n
   return on.middle;
 }
 
-// How far aside a vector stands that runs back over the one before, as each would hide the other: away from the
-// middle. Too short ones are not told apart anyway.
-Arrow2 beside_before(const Drawing& on, const PlacedSide& s, const PlacedSide* before) {
-  constexpr double by = 1.3, shortest = 4, one_line = 0.05;  // mm, mm, radians
-  if (!before) return {0, 0};
-  const double mm = on.plot.scale().mm_per_unit;
-  const Arrow2 v = s.to - s.from, back = before->from - before->to;
-  const double length = magnitude(v), other = magnitude(back);
-  if (std::min(length, other) * mm < shortest || dot(v, back) < 0 ||
-      std::abs(cross(v, back)) > one_line * length * other)
-    return {0, 0};
-  const Arrow2 left = (1 / length) * geometry::quarter_turn(v);
-  return (dot(left, on.middle - s.from) > 0 ? -by : by) / mm * left;
-}
-
 // Only the whole polygon is measured: the same vector stands on other pictures too.
-void draw_vector(const Drawing& on, const PlacedSide& s, const PlacedSide* before, const PlacedSide* next,
-                 bool of_left_side) {
-  const Arrow2 aside = beside_before(on, s, before);
-  const Place from = s.from + aside, to = s.to + aside;
-  if (magnitude(aside) > 0) {
-    on.plot.segment(s.from, from, Meaning::dimension);
-    on.plot.segment(s.to, to, Meaning::dimension);
-  }
-  on.plot.side(on.whole ? s.side->quantity : "", from, to, on.polygon.meaning, letters_of(on, *s.side),
+void draw_vector(const Drawing& on, const PlacedSide& s, const PlacedSide* next, bool of_left_side) {
+  on.plot.side(on.whole ? s.side->quantity : "", s.from, s.to, on.polygon.meaning, letters_of(on, *s.side),
                away_from(on, s, of_left_side));
   if (!s.side->tip.empty()) on.plot.label(s.side->tip, s.corner(), clear_of_sides(on, s, next), on.polygon.meaning);
 }
@@ -210,21 +188,10 @@ void draw_sides(const Drawing& on, const std::vector<PlacedSide>& sides, const P
     if (!of_left_side) --right_ones;
     if (steps-- <= 0) return;
     if (s.side->is_unknown() && !(closed && s.side->closes_alone())) draw_carrier(on.plot, s);
-    if (!s.side->is_unknown() || closed)
-      draw_vector(on, s, before, &s == &sides.back() ? nullptr : &s + 1, of_left_side);
+    if (!s.side->is_unknown() || closed) draw_vector(on, s, &s == &sides.back() ? nullptr : &s + 1, of_left_side);
     if (s.side->square && before && closed) mark_square(on, s, *before);
     before = &s;
   }
-}
-
-// The tip of a side from the same point, where its head and the vector's would be one blot.
-std::optional<Place> head_in_the_way(const Plot& plot, const VectorPolygon& polygon, const Place& from,
-                                     const Place& to) {
-  constexpr double head = 3, one_point = 0.1;  // mm
-  const auto mm = [&](const Place& P, const Place& Q) { return distance(P, Q) * plot.scale().mm_per_unit; };
-  for (const PlacedSide& s : in_order(polygon))
-    if (mm(s.from, from) < one_point && mm(s.to, to) < head && mm(s.to, to) > one_point) return s.to;
-  return {};
 }
 
 void draw_image(Plot& plot, const VectorPolygon& polygon, const PolygonImage& image) {
@@ -232,14 +199,6 @@ void draw_image(Plot& plot, const VectorPolygon& polygon, const PolygonImage& im
   const Place middle = middle_of(polygon);
   if (image.closes_triangle) {
     plot.segment(a, c, Meaning::construction);
-  } else if (const auto head = head_in_the_way(plot, polygon, a, c); head && !image.relative.label.empty()) {
-    plot.segment(a, c, polygon.meaning, image.relative.quantity);
-    plot.onto().sheet.figure.labels.push_back({.text = image.relative.label,
-                                               .at = plot.at(a),
-                                               .to = plot.at(c),
-                                               .ink = polygon.meaning,
-                                               .away_from = plot.at(between(a, *head, 0.5))});
-    if (!image.relative.quantity.empty()) plot.measures(image.relative.quantity, a, c);
   } else if (!image.relative.label.empty()) {
     plot.side(image.relative.quantity, a, c, polygon.meaning, image.relative.label, middle);
   } else if (!image.relative.quantity.empty()) {
