@@ -246,6 +246,12 @@ class MomentsInWords {
   const Moments& moments_;
 };
 
+// So many on a line.
+void add_in_lines(PanelSheet& sheet, const std::vector<std::string>& names, std::ptrdiff_t in_a_line) {
+  for (auto from = names.begin(); from != names.end(); from += std::min(in_a_line, names.end() - from))
+    sheet.results.push_back(values({from, from + std::min(in_a_line, names.end() - from)}));
+}
+
 // A group's links cut free, and the polygons of their forces.
 class GroupSheet {
  public:
@@ -442,7 +448,8 @@ class GroupSheet {
       if (const auto* couple = std::get_if<ActingCouple>(&each.sought)) scalars.push_back(of_.quantity(*couple).name);
       if (const auto* of_rod = std::get_if<AcrossRod>(&each.sought))
         for (const ForcePart part : {ForcePart::across, ForcePart::along})
-          parts.push_back(part_of_force(built_, of_rod->force, part).name);
+          if (shows == Shows::all || (shows == Shows::bodies) == (part == ForcePart::across))
+            parts.push_back(part_of_force(built_, of_rod->force, part).name);
     }
     if (shows != Shows::polygons) add_inertia(vectors, scalars, told);
     if (shows != Shows::bodies) add_sought(vectors, scalars, told);
@@ -482,10 +489,6 @@ class GroupSheet {
           scalars.insert(scalars.begin(), name);
         }
       }
-  }
-  static void add_in_lines(PanelSheet& sheet, const std::vector<std::string>& names, std::ptrdiff_t in_a_line) {
-    for (auto from = names.begin(); from != names.end(); from += std::min(in_a_line, names.end() - from))
-      sheet.results.push_back(values({from, from + std::min(in_a_line, names.end() - from)}));
   }
 
   const Built& built_;
@@ -567,21 +570,26 @@ PanelSheet overview(const Built& built, const Solution& s) {
       whole.force(of.side(force), of.place(force));
     }
   PanelSheet sheet;
-  std::vector<std::string> efforts;
+  std::vector<std::string> efforts, reactions;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const GroupForces& group = groups[i];
     for (const LinkForces& body : group.bodies) {
       for (const ActingCouple& each : body.couples)
         if (each.kind != ActingCouple::Kind::guide) add_couple(whole, built, of, body.link, each);
-      for (const ActingForce& force : body.sought)
+      for (const ActingForce& force : body.sought) {
+        const std::string name = name_of_force(built, force);
         if (force.kind == ActingForce::Kind::slid || force.kind == ActingForce::Kind::cylinder)
           whole.effort(of.side(force), of.place(force));
+        else if (std::find(reactions.begin(), reactions.end(), name) == reactions.end())
+          reactions.push_back(name);
+      }
     }
     whole.step(turn_of(built, groups, i), of.place(group.bodies.front().sought.front()));
   }
   for (const geometry::Drive& drive : built.linkage.drives) efforts.push_back(driving_effort(built, drive).name);
   sheet.panels = panels(std::move(whole));
   for (const std::string& each : efforts) sheet.results.push_back(values({each}));
+  add_in_lines(sheet, reactions, 3);
   sheet.seen = {"The mechanism with its loads and what drives it",
                 "Il meccanismo con i suoi carichi e ciò che lo muove"};
   sheet.told = efforts;
