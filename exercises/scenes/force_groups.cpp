@@ -197,7 +197,8 @@ class ForcePlanner {
     for (std::size_t k = 0; k < built_.loads->couples.size(); ++k)
       if (built_.loads->couples[k].link == link) all.push_back({Kind::load, static_cast<int>(k)});
     for (std::size_t k = 0; k < built_.loads->masses.size(); ++k)
-      if (built_.loads->masses[k].link == link && !built_.mass_names[k].inertia.empty())
+      if (built_.loads->masses[k].link == link && !built_.mass_names[k].inertia.empty() &&
+          !turns_steadily(built_, link))
         all.push_back({Kind::inertia, static_cast<int>(k)});
     for (const Force& force : forces_on(link))
       if (force.kind == Force::Kind::guide && step_of(force) >= now_ && is_loaded_[index(step_of(force))])
@@ -246,8 +247,13 @@ class ForcePlanner {
   std::vector<Arm> arms(const std::vector<Force>& forces, const About& about) const {
     std::vector<Arm> all;
     for (const Force& force : forces)
-      if (!is_at(force, about)) all.push_back({force, {}});
+      if (!is_at(force, about) && !runs_through(force, about)) all.push_back({force, {}});
     return all;
+  }
+  // The inertia of what turns steadily about a point at rest.
+  bool runs_through(const Force& force, const About& about) const {
+    return force.kind == Force::Kind::inertia && turns_steadily(built_, force.link) && about.point != nothing &&
+           carrier(about.point) == 0;
   }
   void name_arms(Moments& moments) {
     for (Arm& arm : moments.arms) name_arm(arm, moments);
@@ -707,6 +713,13 @@ VectorQuantity held_force(const Built& built, int point) {
   const Words meaning =
       format_words("force of all that holds {} on its link", "forza di tutto ciò che trattiene {} sul suo membro", A);
   return {"R_" + A, "\\it{{R}}_{{{}}}", point_letters(A), "N", meaning, meaning};
+}
+bool turns_steadily(const Built& built, int link) {
+  const auto& drives = built.linkage.drives;
+  return std::any_of(drives.begin(), drives.end(), [&](const Drive& drive) {
+    const auto* turned = std::get_if<TurnedLink>(&drive);
+    return turned && turned->link == link && is_zero(turned->alpha);
+  });
 }
 VectorQuantity mass_force(const Built& built, const ActingForce& force) {
   const std::string number = std::to_string(built.letters.links[index(built.loads->masses[index(force.which)].link)]);

@@ -131,6 +131,8 @@ std::string letters_of_force(const Built& built, const ActingForce& force, Force
 VectorQuantity part_of_force(const Built& built, const ActingForce& force, ForcePart part);
 // R_A.
 VectorQuantity held_force(const Built& built, int point);
+// A link that its drive turns, and whose turning does not grow: its inertia is a force alone, away from its hinge.
+bool turns_steadily(const Built& built, int link);
 // W_3 and F_3, and the couple C_3, of a mass.
 VectorQuantity mass_force(const Built& built, const ActingForce& force);
 // Letters of its centre, "G" or "G_{3}" within mathematics, and of how that is accelerated, rich text.

@@ -175,7 +175,7 @@ class ForceFigures {
     const Words in_centre = format_words(
         "Link {0}, d'Alembert: {1} = −{2}·{3} in ${4}$", "Membro {0}, d'Alembert: {1} = −{2}·{3} in ${4}$", i,
         arrow_of_force(built_, force), letters.mass, a, letters_of_centre(built_, k));
-    if (letters.inertia.empty()) return in_centre + Words{".", "."};
+    if (letters.inertia.empty() || turns_steadily(built_, force.link)) return in_centre + Words{".", "."};
     return in_centre + format_words(", and {0} = −{1}·$α_{{{2}}}$.", ", e {0} = −{1}·$α_{{{2}}}$.",
                                     inertia_couple(built_, k).symbol, letters.inertia, i);
   }
@@ -246,19 +246,32 @@ class MomentsInWords {
   const Moments& moments_;
 };
 
+// So many on a line.
+void add_in_lines(PanelSheet& sheet, const std::vector<std::string>& names, std::ptrdiff_t in_a_line) {
+  for (auto from = names.begin(); from != names.end(); from += std::min(in_a_line, names.end() - from))
+    sheet.results.push_back(values({from, from + std::min(in_a_line, names.end() - from)}));
+}
+
 // A group's links cut free, and the polygons of their forces.
 class GroupSheet {
  public:
   GroupSheet(const Built& built, const Solution& s, const GroupForces& group)
       : built_(built), s_(s), group_(group), of_(built, s) {}
 
-  PanelSheet sheet() const {
+  enum class Shows { all, bodies, polygons };
+  PanelSheet sheet(Shows shows) const {
     PanelSheet sheet;
-    for (const LinkForces& body : group_.bodies) add(sheet, cut_free(body));
-    for (const ForceLoop& loop : group_.loops)
-      if (!is_of_two(loop)) add(sheet, polygon(loop));
-    add_results(sheet);
-    sheet.seen = format_words("{}, and the polygon of the forces", "{}, e il poligono delle forze", seen_bodies());
+    if (shows != Shows::polygons)
+      for (const LinkForces& body : group_.bodies) add(sheet, cut_free(body));
+    if (shows != Shows::bodies)
+      for (const ForceLoop& loop : group_.loops)
+        if (!is_of_two(loop)) add(sheet, polygon(loop));
+    add_results(sheet, shows);
+    sheet.seen =
+        shows == Shows::polygons ? Words{"The polygon of the forces", "Il poligono delle forze"}
+        : shows == Shows::bodies
+            ? format_words("{}, with the arms of the forces", "{}, con i bracci delle forze", seen_bodies())
+            : format_words("{}, and the polygon of the forces", "{}, e il poligono delle forze", seen_bodies());
     return sheet;
   }
 
@@ -424,7 +437,7 @@ class GroupSheet {
     return panel;
   }
 
-  void add_results(PanelSheet& sheet) const {
+  void add_results(PanelSheet& sheet, Shows shows) const {
     std::vector<std::string> arms, parts, scalars, told;
     std::vector<VectorQuantity> vectors;
     for (const Moments& each : group_.moments) {
@@ -435,8 +448,21 @@ class GroupSheet {
       if (const auto* couple = std::get_if<ActingCouple>(&each.sought)) scalars.push_back(of_.quantity(*couple).name);
       if (const auto* of_rod = std::get_if<AcrossRod>(&each.sought))
         for (const ForcePart part : {ForcePart::across, ForcePart::along})
-          parts.push_back(part_of_force(built_, of_rod->force, part).name);
+          if (shows == Shows::all || (shows == Shows::bodies) == (part == ForcePart::across))
+            parts.push_back(part_of_force(built_, of_rod->force, part).name);
     }
+    if (shows != Shows::polygons) add_inertia(vectors, scalars, told);
+    if (shows != Shows::bodies) add_sought(vectors, scalars, told);
+    if (shows != Shows::polygons) add_in_lines(sheet, arms, 3);
+    add_in_lines(sheet, parts, 2);
+    for (const VectorQuantity& each : vectors) sheet.results.push_back(components(each));
+    add_in_lines(sheet, scalars, 2);
+    for (const std::string& each : scalars)
+      if (std::find(told.begin(), told.end(), each) == told.end()) told.push_back(each);
+    sheet.told = told;
+  }
+  using Names = std::vector<std::string>;
+  void add_inertia(std::vector<VectorQuantity>& vectors, Names& scalars, Names& told) const {
     for (const LinkForces& body : group_.bodies)
       for (const ActingForce& force : body.known)
         if (is_of_mass(force)) {
@@ -447,6 +473,8 @@ class GroupSheet {
       for (const ActingCouple& each : body.couples)
         if (each.kind == ActingCouple::Kind::inertia)
           scalars.push_back(inertia_couple(built_, index(each.which)).name);
+  }
+  void add_sought(std::vector<VectorQuantity>& vectors, Names& scalars, Names& told) const {
     for (const LinkForces& body : group_.bodies)
       for (const ActingForce& force : body.sought) {
         const std::string name = name_of_force(built_, force);
@@ -461,17 +489,6 @@ class GroupSheet {
           scalars.insert(scalars.begin(), name);
         }
       }
-    add_in_lines(sheet, arms, 3);
-    add_in_lines(sheet, parts, 2);
-    for (const VectorQuantity& each : vectors) sheet.results.push_back(components(each));
-    add_in_lines(sheet, scalars, 2);
-    for (const std::string& each : scalars)
-      if (std::find(told.begin(), told.end(), each) == told.end()) told.push_back(each);
-    sheet.told = told;
-  }
-  static void add_in_lines(PanelSheet& sheet, const std::vector<std::string>& names, std::ptrdiff_t in_a_line) {
-    for (auto from = names.begin(); from != names.end(); from += std::min(in_a_line, names.end() - from))
-      sheet.results.push_back(values({from, from + std::min(in_a_line, names.end() - from)}));
   }
 
   const Built& built_;
@@ -553,25 +570,38 @@ PanelSheet overview(const Built& built, const Solution& s) {
       whole.force(of.side(force), of.place(force));
     }
   PanelSheet sheet;
-  std::vector<std::string> efforts;
+  std::vector<std::string> efforts, reactions;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const GroupForces& group = groups[i];
     for (const LinkForces& body : group.bodies) {
       for (const ActingCouple& each : body.couples)
         if (each.kind != ActingCouple::Kind::guide) add_couple(whole, built, of, body.link, each);
-      for (const ActingForce& force : body.sought)
+      for (const ActingForce& force : body.sought) {
+        const std::string name = name_of_force(built, force);
         if (force.kind == ActingForce::Kind::slid || force.kind == ActingForce::Kind::cylinder)
           whole.effort(of.side(force), of.place(force));
+        else if (std::find(reactions.begin(), reactions.end(), name) == reactions.end())
+          reactions.push_back(name);
+      }
     }
     whole.step(turn_of(built, groups, i), of.place(group.bodies.front().sought.front()));
   }
   for (const geometry::Drive& drive : built.linkage.drives) efforts.push_back(driving_effort(built, drive).name);
   sheet.panels = panels(std::move(whole));
   for (const std::string& each : efforts) sheet.results.push_back(values({each}));
+  add_in_lines(sheet, reactions, 3);
   sheet.seen = {"The mechanism with its loads and what drives it",
                 "Il meccanismo con i suoi carichi e ciò che lo muove"};
   sheet.told = efforts;
   return sheet;
+}
+
+// Then its polygon has a sheet of its own.
+bool is_crowded(const GroupForces& group) {
+  constexpr std::size_t most = 4;
+  std::size_t known = 0;
+  for (const LinkForces& body : group.bodies) known += body.known.size();
+  return known > most;
 }
 
 }  // namespace
@@ -583,15 +613,25 @@ std::vector<SheetMaker> force_sheets(const std::shared_ptr<const Scene>& scene) 
   if (groups.empty()) return sheets;
   sheets.push_back({{"forces", {"Forces", "Forze"}},
                     [scene](const Solution& s, Language) { return overview(scene->built(s.givens()), s); }});
+  using Shows = GroupSheet::Shows;
+  const auto add = [&](const std::string& name, const Words& title, std::size_t i, Shows shows) {
+    sheets.push_back({{name, title}, [scene, i, shows](const Solution& s, Language) {
+                        const Built built = scene->built(s.givens());
+                        return GroupSheet(built, s, force_groups(built).at(i)).sheet(shows);
+                      }});
+  };
   for (std::size_t i = 0; i < groups.size(); ++i) {
     std::string name = "forces";
     const std::vector<std::string> numbers = numbers_of(stated, groups[i]);
     if (numbers.empty()) name += "-" + pin_of(stated, groups[i]);
     for (const std::string& number : numbers) name += "-" + number;
-    sheets.push_back({{name, forces_on(stated, groups[i])}, [scene, i](const Solution& s, Language) {
-                        const Built built = scene->built(s.givens());
-                        return GroupSheet(built, s, force_groups(built).at(i)).sheet();
-                      }});
+    const Words title = forces_on(stated, groups[i]);
+    if (!is_crowded(groups[i])) {
+      add(name, title, i, Shows::all);
+      continue;
+    }
+    add(name, title, i, Shows::bodies);
+    add(name + "-polygon", title + Words{": polygon", ": poligono"}, i, Shows::polygons);
   }
   return sheets;
 }

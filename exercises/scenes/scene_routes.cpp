@@ -293,7 +293,7 @@ struct SceneRoutes {
       for (const ActingForce& force : {weight, inertia})
         if (force.kind == ActingForce::Kind::inertia || !built->gravity.empty())
           put(ledger, mass_force(*built, force), [&found, force] { return found.vector(force); });
-      if (!built->mass_names[k].inertia.empty())
+      if (!built->mass_names[k].inertia.empty() && !turns_steadily(*built, weight.link))
         ledger.put(inertia_couple(*built, k), [&found, weight] {
           return found.couple({ActingCouple::Kind::inertia, weight.which});
         });

@@ -89,7 +89,7 @@ def engine():
     f.load_couple(3, -J_3 * alpha_3, "C_3")
     f.rod("R_23", a, b)
     f.arm("h_W_3", I, c, b), f.arm("h_F_3", derivative(G, 2), c, b)
-    f.arm("h_W_2", I, s, 0), f.arm("h_F_2", derivative(S, 2), s, 0), f.arm("h_R_23", "R_23", a, 0)
+    f.arm("h_W_2", I, s, 0), f.arm("h_R_23", "R_23", a, 0)
     scene.forces = f
     return scene
 

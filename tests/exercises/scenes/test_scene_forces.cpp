@@ -233,6 +233,16 @@ TEST_CASE("inertia is told and drawn among the loads", "[scenes]") {
   CHECK(on_rod[0] == "Link 3, d'Alembert: F_3 = −m_3·a_G in G, and C_3 = −J_3·α_3.");
   CHECK(on_rod[1] == "Link 3, moments about B: R_23^t·AB = −W_3·h_W3 + F_3·h_F3 − C_3.");
   CHECK(on_crank[0] == "Membro 2, d'Alembert: F_2 = −m_2·a_S in S.");
+  CHECK(on_crank[1] == "Membro 2, momenti rispetto a O: M_2 = −W_2·h_W2 − R_32·h_23.");
+  // Five forces are known on rod and piston: their polygon stands alone.
+  CHECK(on_rod.back() == "There is no friction: N_b is square to c.");
+  CHECK(steps_of_forces(engine, "forces-3-4-polygon", Language::english).size() == 10);
+  const CheckedExercise growing = checked_text(scenes::bytes_of(EPURE_SCENES "/loaded-four-bar.yaml") +
+                                               "masses: {2: {mass: 2 kg, at: A, inertia: 0.1 kg*m^2}}\n");
+  for (const CheckedQuantity& quantity : growing.quantities) {
+    CHECK(quantity.spec.name != "C_2");  // it turns steadily
+    CHECK(quantity.spec.name != "h_F_2");
+  }
 }
 
 // At rest there is no inertia; without gravity no weight; as fast again inertia is four times as large.
