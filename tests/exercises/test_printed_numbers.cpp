@@ -1,5 +1,5 @@
 // Every number that a sheet tells is a quantity of the solution, as it is rounded for that place: in the column, in
-// both languages, and in the description.
+// both languages, in the description, and on the picture.
 #include <algorithm>
 #include <cmath>
 #include <regex>
@@ -7,6 +7,7 @@
 
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/proof/solution.h"
+#include "exercises/kit/proof/told_numbers.h"
 #include "exercises/kit/statement/decimal.h"
 #include "exercises/kit/statement/workshop_unit.h"
 #include "tests/exercises/tried_givens.h"
@@ -134,7 +135,64 @@ bool measures_its_quantity(const std::vector<std::string>& row, const Solution& 
   return false;
 }
 
+// The letters beside points, curves and dimension lines. Not the numbers along an axis; nor what tells of no
+// quantity: how far from the axis a pole stands on paper, and at which instant a point is there.
+drawings::Sheet letters_of_picture(const std::string& id, const drawings::Figure& figure) {
+  static const std::regex on_paper(R"((\$h\$ = )?\d+(\.\d+)? mm)"), instant(R"(\d\.\d)");
+  drawings::Sheet as_read;
+  const auto add = [&](const std::string& text) {
+    if (std::regex_match(text, on_paper)) return;
+    if (id == "oscillator-pendulum" && std::regex_match(text, instant)) return;
+    as_read.column.push_back(drawings::Paragraph{text});
+  };
+  for (const drawings::Label& label : figure.labels) add(label.text);
+  for (const drawings::Mark& mark : figure.marks)
+    if (const auto* dimension = std::get_if<drawings::Dimension>(&mark)) add(dimension->text);
+  return as_read;
+}
+
+// Without letters what is given: as typed, and in the base unit.
+std::vector<KnownNumber> known_numbers(const Solution& solution) {
+  std::vector<KnownNumber> known;
+  for (const RouteValue& value : solution.values()) {
+    const auto number = value.described ? solution.value(value.quantity) : std::nullopt;
+    if (!number) continue;
+    known.push_back({value.quantity, value.described->symbol, *number});
+    if (const auto unit = workshop_unit(value.described->unit))
+      known.push_back({value.quantity, value.described->symbol, unit->per_si * *number});
+  }
+  const Givens& givens = solution.givens();
+  for (const GivenSpec& spec : givens.specs()) {
+    const auto read = givens.reading(spec.symbol);
+    if (!read || !spec.choices.empty() || givens.follows(spec.symbol)) continue;
+    known.push_back({"", "", nearest(read->number)});
+    known.push_back({"", "", nearest(givens[spec.symbol])});
+  }
+  return known;
+}
+
 }  // namespace
+
+TEST_CASE("numbers on the pictures are quantities of the solution") {
+  int seen = 0;
+  for (const auto& [id, sets] : tried_givens())
+    for (const Assignments& assignments : sets) {
+      const Exercise& exercise = find_exercise(catalogue(), id);
+      const Solution solution = exercise.solution(Tried(id).givens(assignments));
+      const std::vector<KnownNumber> known = known_numbers(solution);
+      for (const SheetSpec& spec : exercise.about().sheets) {
+        CAPTURE(id, assignments, spec.name);
+        const drawings::Sheet letters = letters_of_picture(id, exercise.draw(spec.name, solution, {}).sheet.figure);
+        for (const WrongNumber& wrong : wrong_numbers(letters, known)) {
+          INFO("\"" << wrong.number << "\" in: " << wrong.text);
+          CHECK(wrong.number.empty());
+        }
+        for (const drawings::Block& block : letters.column)
+          seen += numbers_in(std::get<drawings::Paragraph>(block).text).empty() ? 0 : 1;
+      }
+    }
+  CHECK(seen > 400);
+}
 
 TEST_CASE("what is printed is a quantity of the solution") {
   int seen = 0;
