@@ -119,13 +119,20 @@ double half_a_unit(const std::string& number) {
   return point == std::string::npos ? 0.5 : 0.5 * std::pow(10.0, -static_cast<double>(number.size() - point - 1));
 }
 
+double read(std::string text) {
+  std::replace(text.begin(), text.end(), ',', '.');
+  static const std::regex minus("−");
+  return std::strtod(std::regex_replace(text, minus, "-").c_str(), nullptr);
+}
+
+// The difference of a row, in percent of its first value, is that of both as they are printed.
+bool tells_its_difference(const std::vector<std::string>& row) {
+  const double first = read(row[1]), difference = first == 0 ? 0 : 100 * (read(row[2]) - first) / first;
+  return std::abs(read(row[3]) - std::abs(difference)) <= half_a_unit(row[3]) + 1e-9;
+}
+
 // Both values of a row lie as near to its quantity as a ruler can tell, and their last digits.
 bool measures_its_quantity(const std::vector<std::string>& row, const Solution& solution) {
-  const auto read = [](std::string text) {
-    std::replace(text.begin(), text.end(), ',', '.');
-    static const std::regex minus("−");
-    return std::strtod(std::regex_replace(text, minus, "-").c_str(), nullptr);
-  };
   for (const RouteValue& value : solution.values()) {
     if (!value.described || row[0].find(value.described->symbol) > 1) continue;  // perhaps after "|"
     const double known = std::abs(solution[value.quantity]);
@@ -218,6 +225,7 @@ TEST_CASE("what is printed is a quantity of the solution") {
           for (const auto& row : told.measured) {
             CAPTURE(row);
             CHECK(measures_its_quantity(row, solution));
+            CHECK(tells_its_difference(row));
             ++seen;
           }
         }
