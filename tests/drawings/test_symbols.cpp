@@ -48,6 +48,14 @@ TEST_CASE("an arrow ends exactly at its tip, with a head of at most a third") {
     }
 }
 
+TEST_CASE("the number of a step stands in the middle of its circle") {
+  for (const int number : {1, 7, 12}) {
+    const std::vector<Primitive> drawn = circled_number(centre, number, 4.4, black);
+    REQUIRE(drawn.size() == 2);
+    CHECK(distance(middle(probe::text_box(std::get<PlacedText>(drawn[1]))), centre) < 1e-9);
+  }
+}
+
 TEST_CASE("a vector shorter than its head is a dot at its tip") {
   for (const double size : {0.0, 0.01, 1.0, 2.999}) {
     const Point to = centre + Point{size, 0};

@@ -94,6 +94,19 @@ Point in_points_from_top(Point filed, Box extent) {
 
 }  // namespace
 
+TEST_CASE("a closed path is closed in the SVG, and no other") {
+  Sheet sheet;
+  sheet.id = "paths";
+  sheet.bare = true;
+  const std::vector<Point> corners{{60, 60}, {90, 60}, {70, 90}};
+  sheet.figure.marks = {Line{polyline(corners, true), Meaning::link, "closed"},
+                        Line{polyline(corners, false), Meaning::link, "open"}};
+  const SvgFile written(svg(sheet));
+  const auto path = [&](const char* id) { return std::string(written.element(id).attribute("d").value()); };
+  CHECK(path("paths-closed").ends_with('z'));
+  CHECK_FALSE(path("paths-open").ends_with('z'));
+}
+
 TEST_CASE("a drawn length is found in the SVG by its name, as long as it was asked for") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> x(0, 297), y(0, 210);

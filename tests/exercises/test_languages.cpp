@@ -283,6 +283,9 @@ TEST_CASE("colours are for terminals only, and change nothing else") {
   for (auto at = coloured.find('\x1b'); at != std::string::npos; at = coloured.find('\x1b'))
     coloured.erase(at, coloured.find('m', at) + 1 - at);
   CHECK(coloured == plain);
+  const auto measured = [](const char* v_B) { return say({"check", "four-bar", "--measured", v_B}, "en", true).out; };
+  CHECK(measured("v_B=0.866").find("\x1b[32mwithin reading\x1b[0m") != std::string::npos);
+  CHECK(measured("v_B=1").find("\x1b[1;31mbeyond reading\x1b[0m") != std::string::npos);
   const Said json = say({"check", "four-bar", "--json"}, "en", true);
   CHECK(json.out.find('\x1b') == std::string::npos);
 }

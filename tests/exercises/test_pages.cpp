@@ -60,7 +60,14 @@ TEST_CASE("every sheet is a page of its own in both languages, and each of its s
       const int steps = page.steps();
       CHECK((marks.empty() || marks.rbegin()->first <= steps));
       CHECK(page.count("//input[@type='range']") == (steps > 0 ? 1 : 0));
-      if (steps > 0) CHECK(page.xml.select_node("//input").node().attribute("max").as_int() == steps + 1);
+      if (steps > 0) {
+        CHECK(page.xml.select_node("//input").node().attribute("max").as_int() == steps + 1);
+        const auto button = [&](const char* name) {
+          return text_of(page.xml.select_node(("//button[@class='" + std::string(name) + "']").c_str()).node());
+        };
+        CHECK(button("previous") == (language == "en" ? "Previous" : "Indietro"));
+        CHECK(button("next") == (language == "en" ? "Next" : "Avanti"));
+      }
       int number = 0;
       for (const pugi::xpath_node line : page.xml.select_nodes("//ol/li")) {
         const int step = number++;
@@ -198,6 +205,8 @@ TEST_CASE("a page prints on paper of its sheet's size, at true scale") {
   CHECK(has(a4, ".sheet svg { width: 297.00000mm; height: 210.00000mm; }"));
   CHECK(has(a3, "@page { size: 420mm 297mm; margin: 0; }"));
   CHECK(has(bare, "@page { size: A4 landscape; margin: 10mm; }"));
+  CHECK(has(drawn({"gear-pair/wheels", "--format", "html", "--bare", "--paper", "a3"}),  // too high for A4
+            "@page { size: A3 landscape; margin: 10mm; }"));
   // With a ground of its own it keeps it, light and dark.
   CHECK(has(a4, "prefers-color-scheme: dark"));
   CHECK_FALSE(has(drawn({"slider-crank-velocity/poles", "--format", "html", "--background", "white"}),

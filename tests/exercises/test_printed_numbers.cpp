@@ -1,5 +1,5 @@
 // Every number that a sheet tells is a quantity of the solution, as it is rounded for that place: in the column, in
-// both languages, and in the description.
+// both languages, in the description, and on the picture.
 #include <algorithm>
 #include <cmath>
 #include <regex>
@@ -7,6 +7,7 @@
 
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/proof/solution.h"
+#include "exercises/kit/proof/told_numbers.h"
 #include "exercises/kit/statement/decimal.h"
 #include "exercises/kit/statement/workshop_unit.h"
 #include "tests/exercises/tried_givens.h"
@@ -118,13 +119,20 @@ double half_a_unit(const std::string& number) {
   return point == std::string::npos ? 0.5 : 0.5 * std::pow(10.0, -static_cast<double>(number.size() - point - 1));
 }
 
+double read(std::string text) {
+  std::replace(text.begin(), text.end(), ',', '.');
+  static const std::regex minus("−");
+  return std::strtod(std::regex_replace(text, minus, "-").c_str(), nullptr);
+}
+
+// The difference of a row, in percent of its first value, is that of both as they are printed.
+bool tells_its_difference(const std::vector<std::string>& row) {
+  const double first = read(row[1]), difference = first == 0 ? 0 : 100 * (read(row[2]) - first) / first;
+  return std::abs(read(row[3]) - std::abs(difference)) <= half_a_unit(row[3]) + 1e-9;
+}
+
 // Both values of a row lie as near to its quantity as a ruler can tell, and their last digits.
 bool measures_its_quantity(const std::vector<std::string>& row, const Solution& solution) {
-  const auto read = [](std::string text) {
-    std::replace(text.begin(), text.end(), ',', '.');
-    static const std::regex minus("−");
-    return std::strtod(std::regex_replace(text, minus, "-").c_str(), nullptr);
-  };
   for (const RouteValue& value : solution.values()) {
     if (!value.described || row[0].find(value.described->symbol) > 1) continue;  // perhaps after "|"
     const double known = std::abs(solution[value.quantity]);
@@ -134,7 +142,64 @@ bool measures_its_quantity(const std::vector<std::string>& row, const Solution& 
   return false;
 }
 
+// The letters beside points, curves and dimension lines. Not the numbers along an axis; nor what tells of no
+// quantity: how far from the axis a pole stands on paper, and at which instant a point is there.
+drawings::Sheet letters_of_picture(const std::string& id, const drawings::Figure& figure) {
+  static const std::regex on_paper(R"((\$h\$ = )?\d+(\.\d+)? mm)"), instant(R"(\d\.\d)");
+  drawings::Sheet as_read;
+  const auto add = [&](const std::string& text) {
+    if (std::regex_match(text, on_paper)) return;
+    if (id == "oscillator-pendulum" && std::regex_match(text, instant)) return;
+    as_read.column.push_back(drawings::Paragraph{text});
+  };
+  for (const drawings::Label& label : figure.labels) add(label.text);
+  for (const drawings::Mark& mark : figure.marks)
+    if (const auto* dimension = std::get_if<drawings::Dimension>(&mark)) add(dimension->text);
+  return as_read;
+}
+
+// Without letters what is given: as typed, and in the base unit.
+std::vector<KnownNumber> known_numbers(const Solution& solution) {
+  std::vector<KnownNumber> known;
+  for (const RouteValue& value : solution.values()) {
+    const auto number = value.described ? solution.value(value.quantity) : std::nullopt;
+    if (!number) continue;
+    known.push_back({value.quantity, value.described->symbol, *number});
+    if (const auto unit = workshop_unit(value.described->unit))
+      known.push_back({value.quantity, value.described->symbol, unit->per_si * *number});
+  }
+  const Givens& givens = solution.givens();
+  for (const GivenSpec& spec : givens.specs()) {
+    const auto read = givens.reading(spec.symbol);
+    if (!read || !spec.choices.empty() || givens.follows(spec.symbol)) continue;
+    known.push_back({"", "", nearest(read->number)});
+    known.push_back({"", "", nearest(givens[spec.symbol])});
+  }
+  return known;
+}
+
 }  // namespace
+
+TEST_CASE("numbers on the pictures are quantities of the solution") {
+  int seen = 0;
+  for (const auto& [id, sets] : tried_givens())
+    for (const Assignments& assignments : sets) {
+      const Exercise& exercise = find_exercise(catalogue(), id);
+      const Solution solution = exercise.solution(Tried(id).givens(assignments));
+      const std::vector<KnownNumber> known = known_numbers(solution);
+      for (const SheetSpec& spec : exercise.about().sheets) {
+        CAPTURE(id, assignments, spec.name);
+        const drawings::Sheet letters = letters_of_picture(id, exercise.draw(spec.name, solution, {}).sheet.figure);
+        for (const WrongNumber& wrong : wrong_numbers(letters, known)) {
+          INFO("\"" << wrong.number << "\" in: " << wrong.text);
+          CHECK(wrong.number.empty());
+        }
+        for (const drawings::Block& block : letters.column)
+          seen += numbers_in(std::get<drawings::Paragraph>(block).text).empty() ? 0 : 1;
+      }
+    }
+  CHECK(seen > 400);
+}
 
 TEST_CASE("what is printed is a quantity of the solution") {
   int seen = 0;
@@ -160,6 +225,7 @@ TEST_CASE("what is printed is a quantity of the solution") {
           for (const auto& row : told.measured) {
             CAPTURE(row);
             CHECK(measures_its_quantity(row, solution));
+            CHECK(tells_its_difference(row));
             ++seen;
           }
         }

@@ -292,7 +292,13 @@ TEST_CASE("every exercise has a report that is well formed, in both languages", 
         if (!is_new) CHECK((found.node().parent().name() == std::string("defs") && first->second == all));
       }
       REQUIRE(run_on_all({"report", exercise.id(), "-o", "r.tex", "--lang", language}).exit == 0);
-      demand_balanced(contents("r.tex"));
+      const std::string tex = contents("r.tex");
+      demand_balanced(tex);
+      for (auto at = tex.find("\\begin{longtable}"); at != std::string::npos;
+           at = tex.find("\\begin{longtable}", at + 1)) {
+        const std::string table = tex.substr(at, tex.find("\\end{longtable}", at) - at);
+        CHECK(has(table, "\\hline\\endhead\n"));  // on every page its heads
+      }
     }
 }
 

@@ -1,9 +1,12 @@
 // Each step that a sheet lists has its number on the picture, or is named as off the sheet; and nothing is numbered
 // on the picture that is not listed.
+#include <cmath>
 #include <map>
 #include <regex>
 #include <set>
 
+#include "drawings/labels/obstacles.h"
+#include "drawings/paths/flatten.h"
 #include "drawings/paths/vectors.h"
 #include "drawings/text/text.h"
 #include "tests/exercises/tried_givens.h"
@@ -123,6 +126,66 @@ TEST_CASE("each step has its number on the picture, or is named as off the sheet
       }
   CHECK(seen > 1000);
   CHECK(off > 0);
+}
+
+TEST_CASE("what is marked as a right angle is one") {
+  int seen = 0;
+  for (const auto& [id, sets] : tried_givens())
+    for (const Assignments& assignments : sets) {
+      const Exercise& exercise = find_exercise(catalogue(), id);
+      const Solution solution = exercise.solution(Tried(id).givens(assignments));
+      for (const SheetSpec& spec : exercise.about().sheets) {
+        CAPTURE(id, assignments, spec.name);
+        for (const drawings::Mark& mark : exercise.draw(spec.name, solution, {}).sheet.figure.marks)
+          if (const auto* corner = std::get_if<drawings::RightAngle>(&mark)) {
+            CHECK(std::abs(std::cos(corner->second - corner->first)) < 1e-6);
+            ++seen;
+          }
+      }
+    }
+  CHECK(seen > 100);
+}
+
+namespace {
+
+double off_all_curves(drawings::Point p, const drawings::Figure& figure) {
+  double least = INFINITY;
+  for (const drawings::Mark& mark : figure.marks) {
+    const auto* line = std::get_if<drawings::Line>(&mark);
+    if (!line || line->name.empty()) continue;
+    const std::vector<drawings::Point> chords = drawings::flatten(line->path);
+    for (std::size_t i = 1; i < chords.size(); ++i)
+      least = std::min(least, drawings::gap({p, p}, chords[i - 1], chords[i]));
+  }
+  return least;
+}
+
+}  // namespace
+
+// But for what a table or a recursion has beside them, and values told on an axis, or along curves without a name.
+TEST_CASE("points marked on charts lie on their curves") {
+  const std::set<std::string> beside{"aircraft-landing/euler",           "boat-crane/buckling",
+                                     "cycloid-involute/cycloid-travel",  "cycloid-involute/involute-travel",
+                                     "friction-efficiency/efficiencies", "michell-thrust/coefficients",
+                                     "oscillator-pendulum/motion",       "oscillator-pendulum/phase-plane"};
+  int seen = 0;
+  for (const auto& [id, sets] : tried_givens())
+    for (const Assignments& assignments : sets) {
+      const Exercise& exercise = find_exercise(catalogue(), id);
+      const Solution solution = exercise.solution(Tried(id).givens(assignments));
+      for (const SheetSpec& spec : exercise.about().sheets) {
+        if (beside.contains(id + "/" + spec.name)) continue;
+        CAPTURE(id, assignments, spec.name);
+        const drawings::Figure figure = exercise.draw(spec.name, solution, {}).sheet.figure;
+        for (const drawings::Mark& mark : figure.marks)
+          if (const auto* point = std::get_if<drawings::DataPoint>(&mark)) {
+            CAPTURE(point->name);
+            CHECK(off_all_curves(point->at, figure) < 0.2);
+            ++seen;
+          }
+      }
+    }
+  CHECK(seen > 1000);
 }
 
 namespace {

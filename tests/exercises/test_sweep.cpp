@@ -636,6 +636,7 @@ TEST_CASE("charts: one for each unit, with gaps") {
   CHECK(contains(svg, "<svg"));
   CHECK(contains(svg, "(m/s)"));
   CHECK(contains(svg, "(rad/s)"));
+  CHECK(contains(svg, "from 0° to 360°, 361 values"));
   CHECK(contains(svg, "-sweep-v_B-3\""));  // three ranges of the crank, a line for each
   CHECK(!contains(svg, "-sweep-v_B-4\""));
   CHECK(run_on_all(words + Typed{"--chart", "c.pdf", "-o", "rows.csv", "--lang", "it"}).exit == 0);

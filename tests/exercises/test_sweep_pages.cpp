@@ -92,6 +92,16 @@ TEST_CASE("a sweep's page has every position with its picture and the values of 
   }
 }
 
+TEST_CASE("before its slider is moved a sweep's page tells the values of the first position") {
+  const WebPage page(
+      page_of({"sweep", "slider-crank-velocity", "--over", "phi=10..100/4", "--quantity", "v_B,P0_x"}));
+  const auto told = nodes(page, "//section[@class='values']//td[@class='value']"),
+             first = nodes(page, "//details//tbody/tr[1]/td[@class='value']");
+  REQUIRE(told.size() == 2);
+  REQUIRE(first.size() == 2);
+  for (std::size_t i = 0; i < told.size(); ++i) CHECK(text_of(told[i]) == text_of(first[i]));
+}
+
 TEST_CASE("at every position the vector of a swept quantity has its length at the one scale") {
   const Typed words{"sweep", "slider-crank-velocity", "--over", "phi=10..350/18", "--quantity", "v_B"};
   const WebPage page(page_of(words));

@@ -1,11 +1,15 @@
 """Deliberate mistakes, chosen at random over all rooms: which are caught, and by what?
 
     python3 mutate.py [--count N] [--seed S] [--under FOLDER] [--headers]
+    python3 mutate.py --list sheets.tsv
 
 From the top of a clean checkout that was built (build/, with tests). Each mistake changes one place of one line: a
 comparison, a sign, a product, a condition, a number. The program is built with it and `epure check all` asked; if that
 passes, all tests are built and run until one fails. What does not compile is drawn again. A mistake in a header may
 compile half of the program anew: without --headers only those in .cpp files are made.
+
+With --list the mistakes of a file are made instead, a line each: the source, the text that stands there once, the wrong
+text, parted by tabs. Those of sheets.tsv are in what sheets, pages and reports tell; `epure check` sees none of them.
 
 Prints a line for each: caught by what, or ALIVE; what is alive is a test that is wanting, or changes nothing that can
 be seen. Exits with 1 if fewer than 95 of 100 are caught.
@@ -23,8 +27,8 @@ parser.add_argument("--count", type=int, default=100)
 parser.add_argument("--seed", type=int, default=1)
 parser.add_argument("--under", default=".")
 parser.add_argument("--headers", action="store_true")
+parser.add_argument("--list", type=pathlib.Path)
 told = parser.parse_args()
-chance = random.Random(told.seed)
 
 ROOMS = ("geometry", "drawings", "exercises")
 CHANGES = [
@@ -78,27 +82,47 @@ def caught_by():
     return ", ".join(failed) if failed else "ALIVE" if tests.returncode == 0 else "ctest"
 
 
+def drawn_at_random():
+    """Without end: a file and what it becomes, and the mistake in words."""
+    chance, all_places = random.Random(told.seed), places()
+    while True:
+        path, number, (begin, end), new = chance.choice(all_places)
+        lines = path.read_text().splitlines(keepends=True)
+        before = lines[number]
+        lines[number] = before[:begin] + new + before[end:]
+        yield path, "".join(lines), f"{path}:{number + 1}: {before.strip()}  =>  {lines[number].strip()}"
+
+
+def listed():
+    for line in told.list.read_text().splitlines():
+        name, right, wrong = line.split("\t")
+        path = pathlib.Path(name)
+        text = path.read_text()
+        if text.count(right) != 1:
+            sys.exit(f"{path} has {text.count(right)} times: {right}")
+        yield path, text.replace(right, wrong), f"{path}: {right}  =>  {wrong}"
+
+
 def main():
     if subprocess.run(["git", "status", "--porcelain", *ROOMS], capture_output=True, text=True, check=True).stdout:
         sys.exit("there are changes in the checkout that are not committed")
-    all_places = places()
     made = alive = 0
-    while made < told.count:
-        path, number, (begin, end), new = chance.choice(all_places)
+    for path, wrong, in_words in listed() if told.list else drawn_at_random():
         text = path.read_text()
-        lines = text.splitlines(keepends=True)
-        before = lines[number]
-        lines[number] = before[:begin] + new + before[end:]
-        path.write_text("".join(lines))
+        path.write_text(wrong)
         try:
             how = caught_by()
         finally:
             path.write_text(text)
         if how is None:
+            if told.list:
+                print(f"{'does not compile':24} {in_words}", flush=True)
             continue
         made += 1
         alive += how == "ALIVE"
-        print(f"{how:24} {path}:{number + 1}: {before.strip()}  =>  {lines[number].strip()}", flush=True)
+        print(f"{how:24} {in_words}", flush=True)
+        if not told.list and made == told.count:
+            break
     print(f"{made - alive} of {made} caught")
     return 1 if (made - alive) * 100 < 95 * made else 0
 

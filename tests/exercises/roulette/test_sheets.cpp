@@ -1,5 +1,6 @@
 // The sheets of the roulettes, whatever rolls on whatever.
 #include "drawings/paths/flatten.h"
+#include "exercises/kit/panels/sheet.h"
 #include "tests/exercises/roulette/cases.h"
 
 using namespace epure;
@@ -121,6 +122,15 @@ TEST_CASE("roulette: a ruler on the file reads speed, acceleration and its norma
     const CheckedExercise numbers = roulette().checked(assignments);
     for (const char* name : {"v_M", "inflection_diameter", "rho_M", "Mprime_M", "P0M"})
       CHECK_FALSE(find(numbers, name).on_sheets.empty());
+  }
+}
+
+TEST_CASE("roulette: the tangential acceleration told is that after, where before is no other",
+          "[roulette][sheets]") {
+  for (const Assignments& assignments : {Assignments{}, {"how=circle_on_line", "d=0.3", "alpha=3"}}) {
+    const double a_M_t = find(roulette().checked(assignments), "a_M_t_after").settled.enclosure.value;
+    CHECK_THAT(words_of(roulette().draw("instant", assignments)),
+               Contains("$a^{t}_{M}$ = " + figures(a_M_t, 4, Language::english) + " m/s²"));
   }
 }
 
