@@ -7,6 +7,7 @@
 
 #include "exercises/kit/panels/crossing.h"
 #include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/short_vectors.h"
 
 namespace epure {
 namespace {
@@ -218,8 +219,10 @@ std::vector<drawings::Block> PolesPanel::draw(Plot& plot, const drawings::Box& r
     draw_turning(plot);
   }
   for (const Carried& X : points_) {
-    plot.vector_on(X.quantity.name, X.at, X.v, is_of_velocity() ? Meaning::velocity : Meaning::acceleration,
-                   X.quantity.arrow());
+    const double mm = drawings::distance(plot.at(X.at), plot.at(plot.tip(X.at, X.v)));
+    plot.vector_on(
+        X.quantity.name, X.at, X.v, is_of_velocity() ? Meaning::velocity : Meaning::acceleration,
+        letters_or_value(X.quantity.arrow(), magnitude(X.v), mm, written_unit(X.quantity.unit, language), language));
     if (contains(reported_points_, X.name))
       plot.measures_coordinates(kind_.prefix + X.name, X.at, mechanism_->corners().front());
   }

@@ -10,6 +10,7 @@
 #include "exercises/kit/panels/compare.h"
 #include "exercises/kit/panels/crossing.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/panels/short_vectors.h"
 #include "exercises/kit/statement/format_words.h"
 
 namespace epure {
@@ -130,22 +131,11 @@ Place away_from(const Drawing& on, const PlacedSide& s, bool of_left_side) {
   return on.plot.from_paper({(p.x + q.x) / 2 - side * y, (p.y + q.y) / 2 + side * x});
 }
 
-// "$\\vec{v}_{BA}$" as the magnitude.
-std::string without_arrow(std::string label) {
-  const std::string before = "\\vec{";
-  const auto at = label.find(before);
-  if (at == std::string::npos) return label;
-  label.erase(at, before.size());
-  label.erase(label.find('}', at), 1);
-  return label;
-}
 // What is shorter than its head is a dot, and tells its value.
 std::string letters_of(const Drawing& on, const PolygonSide& side) {
-  constexpr double head = 3;  // mm
-  if (!side.length || magnitude(side.v) * on.plot.scale().mm_per_unit >= head) return side.label;
-  const double length = std::abs(*side.length);
-  return fmt::format("{} = {} {}", without_arrow(side.label), length == 0 ? "0" : figures(length, 3, on.language),
-                     on.polygon.unit);
+  if (!side.length) return side.label;
+  return letters_or_value(side.label, std::abs(*side.length), magnitude(side.v) * on.plot.scale().mm_per_unit,
+                          on.polygon.unit, on.language);
 }
 
 // Away from what the letters of a corner stand: from a short side at it, beside which are letters too, or else from

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exercises/kit/panels/results.h"
+#include "exercises/kit/panels/short_vectors.h"
 
 namespace epure {
 
@@ -32,11 +33,15 @@ drawings::Box VectorsPanel::extent(const Scale& lengths, const Scale& vectors) c
   return extent.box();
 }
 
-std::vector<drawings::Block> VectorsPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+std::vector<drawings::Block> VectorsPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
   mechanism_->draw(plot);
-  for (const Acting& each : acting_)
+  for (const Acting& each : acting_) {
+    const double mm = drawings::distance(plot.at(each.at), plot.at(plot.tip(each.at, each.v)));
     plot.vector_on(each.quantity.name, each.at, each.v,
-                   each.quantity.unit == "m/s" ? Meaning::velocity : Meaning::acceleration, each.quantity.arrow());
+                   each.quantity.unit == "m/s" ? Meaning::velocity : Meaning::acceleration,
+                   letters_or_value(each.quantity.arrow(), magnitude(each.v), mm,
+                                    written_unit(each.quantity.unit, language), language));
+  }
   for (const auto& [point, other] : squares_)
     for (const Acting& each : acting_)
       if (const Place& X = mechanism_->at(point); distance(each.at, X) == 0)
