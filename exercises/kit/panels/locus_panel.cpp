@@ -93,16 +93,26 @@ void LocusPanel::draw_positions(Plot& plot) const {
     if (!point.label.empty()) plot.small_label(point.label, point.at, point.away_from, point.ink);
 }
 
+void LocusPanel::draw_point(Plot& plot) const {
+  plot.dot(mechanism_->at(point_), Meaning::link);
+  plot.label("$" + point_letters(point_) + "$", mechanism_->at(point_));
+}
+
+void LocusPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+  if (shows_ == Shows::close_up)
+    draw_point(plot);
+  else
+    mechanism_->draw_given(plot);
+}
+
 std::vector<drawings::Block> LocusPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   draw_positions(plot);
   const geometry::Trace path = draw_curve_(plot, room);
   const Place& P = mechanism_->at(point_);
-  if (shows_ == Shows::close_up) {
-    plot.dot(P, Meaning::link);
-    plot.label("$" + point_letters(point_) + "$", P);
-  } else {
+  if (shows_ == Shows::close_up)
+    draw_point(plot);
+  else
     mechanism_->draw(plot);
-  }
   plot.measures_coordinates(point_, P, plane_origin);
   if (!shows_centre()) return {};
   const Words sentence =

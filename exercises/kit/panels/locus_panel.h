@@ -44,7 +44,7 @@ class LocusPanel : public Panel {
   bool is_cut() const override { return true; }
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
-  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
  private:
@@ -54,6 +54,7 @@ class LocusPanel : public Panel {
   bool shows_centre() const { return shows_ != Shows::whole; }
   bool is_centre(const PanelStep& step) const;
   void draw_positions(Plot& plot) const;
+  void draw_point(Plot& plot) const;
   std::vector<drawings::Block> draw_osculating(Plot& plot, const drawings::Box& room, Language language) const;
 
   enum class Shows { all, whole, close_up } shows_ = Shows::all;
