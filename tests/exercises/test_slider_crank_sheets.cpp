@@ -30,18 +30,13 @@ std::vector<std::pair<std::string, std::string>> all_sheets() {
   return all;
 }
 
-// An arrow in a file: from the tail of its shaft to the tip of its head, in mm of paper, y downwards. a_CA may be a
-// line: its head would lie on that of a_BA_n.
+// An arrow in a file: from the tail of its shaft to the tip of its head, in mm of paper, y downwards.
 struct Drawn {
   double length;
   drawings::Point from, tip;
 };
 Drawn arrow(const drawings::SvgFile& svg, const std::string& id) {
-  const std::vector<std::string> ids = svg.ids();
-  const bool has_head = std::find(ids.begin(), ids.end(), id + "_head") != ids.end();
-  CHECK((has_head || id.ends_with("a_CA")));
-  const drawings::Point from = svg.points(id).front(),
-                        tip = has_head ? svg.points(id + "_head").front() : svg.points(id).back();
+  const drawings::Point from = svg.points(id).front(), tip = svg.points(id + "_head").front();
   return {std::hypot(tip.x - from.x, tip.y - from.y), from, tip};
 }
 
