@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -161,34 +160,20 @@ inline drawings::Arrow arrow(const DrawnSheet& drawn, const std::string& name) {
 }
 
 // Each vector of the right side begins where the one before ends; the sought one leads from the first corner to the
-// last. The sides are rounded one by one, so the corners meet as doubles do; one that runs back over the one before
-// stands 1.3 mm beside its place.
+// last. The sides are rounded one by one, so the corners meet as doubles do.
 inline void polygon_closes(const Tried& tried, const Diagram& diagram, const Assignments& assignments) {
   const DrawnSheet drawn = tried.draw(diagram.sheet, assignments);
-  // Where it ends, in its place from this corner.
-  const auto end_from = [&](drawings::Point corner, const drawings::Arrow& side, const drawings::Arrow* before) {
-    const double x = side.to.x - side.from.x, y = side.to.y - side.from.y, length = std::hypot(x, y);
-    const double off_x = side.from.x - corner.x, off_y = side.from.y - corner.y, off = std::hypot(off_x, off_y);
-    CAPTURE(diagram.sheet, assignments, side.name, off);
-    if (off >= 1e-9) {
-      CHECK(off == Approx(1.3).margin(1e-6));
-      CHECK(std::abs(off_x * x + off_y * y) < 1e-6 * length);
-      REQUIRE(before);
-      CHECK(x * (before->to.x - before->from.x) + y * (before->to.y - before->from.y) < 0);
-    }
-    return drawings::Point{side.to.x - off_x, side.to.y - off_y};
-  };
-  const drawings::Point first = arrow(drawn, diagram.vectors.front()).from;
-  drawings::Point corner = first;
-  std::optional<drawings::Arrow> before;
+  const auto meet = [](drawings::Point p, drawings::Point q) { return std::hypot(p.x - q.x, p.y - q.y) < 1e-9; };
+  const drawings::Arrow sought = arrow(drawn, diagram.vectors.back());
+  drawings::Point corner = sought.from;
   for (std::size_t i = 0; i + 1 < diagram.vectors.size(); ++i) {
     const drawings::Arrow side = arrow(drawn, diagram.vectors[i]);
-    corner = end_from(corner, side, before ? &*before : nullptr);
-    before = side;
+    CAPTURE(diagram.sheet, assignments, side.name);
+    CHECK(meet(side.from, corner));
+    corner = side.to;
   }
-  const drawings::Point end = end_from(first, arrow(drawn, diagram.vectors.back()), &*before);
   CAPTURE(diagram.sheet, assignments);
-  CHECK(std::hypot(end.x - corner.x, end.y - corner.y) < 1e-9);
+  CHECK(meet(sought.to, corner));
 }
 
 // From the tail of an arrow's shaft to the tip of its head, in the file, times the scale of vectors, the last in the
