@@ -595,7 +595,11 @@ PanelSheet overview(const Built& built, const Solution& s) {
 bool is_crowded(const GroupForces& group) {
   constexpr std::size_t most = 4;
   std::size_t known = 0;
-  for (const LinkForces& body : group.bodies) known += body.known.size();
+  for (const LinkForces& body : group.bodies) {
+    known += body.known.size();
+    for (const ActingCouple& each : body.couples)
+      if (each.kind == ActingCouple::Kind::load || each.kind == ActingCouple::Kind::inertia) ++known;
+  }
   return known > most;
 }
 
