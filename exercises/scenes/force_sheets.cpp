@@ -9,6 +9,7 @@
 #include "exercises/kit/panels/polygon_panel.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/scenes/force_groups.h"
+#include "exercises/scenes/in_lines.h"
 #include "exercises/scenes/scene_figure.h"
 #include "exercises/scenes/scene_forces.h"
 
@@ -245,12 +246,6 @@ class MomentsInWords {
   const Built& built_;
   const Moments& moments_;
 };
-
-// So many on a line.
-void add_in_lines(PanelSheet& sheet, const std::vector<std::string>& names, std::ptrdiff_t in_a_line) {
-  for (auto from = names.begin(); from != names.end(); from += std::min(in_a_line, names.end() - from))
-    sheet.results.push_back(values({from, from + std::min(in_a_line, names.end() - from)}));
-}
 
 // A group's links cut free, and the polygons of their forces.
 class GroupSheet {
@@ -600,7 +595,11 @@ PanelSheet overview(const Built& built, const Solution& s) {
 bool is_crowded(const GroupForces& group) {
   constexpr std::size_t most = 4;
   std::size_t known = 0;
-  for (const LinkForces& body : group.bodies) known += body.known.size();
+  for (const LinkForces& body : group.bodies) {
+    known += body.known.size();
+    for (const ActingCouple& each : body.couples)
+      if (each.kind == ActingCouple::Kind::load || each.kind == ActingCouple::Kind::inertia) ++known;
+  }
   return known > most;
 }
 

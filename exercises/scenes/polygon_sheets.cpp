@@ -6,6 +6,7 @@
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/polygon_panel.h"
 #include "exercises/scenes/dyad_equations.h"
+#include "exercises/scenes/in_lines.h"
 #include "exercises/scenes/scene_figure.h"
 
 namespace epure::scenes {
@@ -112,13 +113,6 @@ std::shared_ptr<const Mechanism> with_rates(Mechanism figure, const Solution& s,
   return std::make_shared<const Mechanism>(std::move(figure));
 }
 
-// Two on a line.
-void add_values(PanelSheet& sheet, const std::vector<std::string>& names) {
-  constexpr std::ptrdiff_t in_a_line = 2;
-  for (auto from = names.begin(); from != names.end(); from += std::min(in_a_line, names.end() - from))
-    sheet.results.push_back(values({from, from + std::min(in_a_line, names.end() - from)}));
-}
-
 PanelSheet polygon_sheet(const Scene& scene, const Solution& s, std::size_t which, bool is_of_velocities) {
   const Built built = scene.built(s.givens());
   const DyadEquation equation = dyad_equations(built).at(which);
@@ -130,7 +124,7 @@ PanelSheet polygon_sheet(const Scene& scene, const Solution& s, std::size_t whic
     sheet.results.push_back(components(drawn.of(X)));
     sheet.told.push_back(drawn.of(X).name);
   }
-  add_values(sheet, drawn.parts());
+  add_in_lines(sheet, drawn.parts(), 2);
   for (const std::string& rate :
        is_of_velocities ? equation.rates_from_velocities : equation.rates_from_accelerations)
     sheet.results.push_back(remark(rate + "."));

@@ -12,6 +12,7 @@
 #include "exercises/scenes/chart_sheets.h"
 #include "exercises/scenes/file_head.h"
 #include "exercises/scenes/force_sheets.h"
+#include "exercises/scenes/in_lines.h"
 #include "exercises/scenes/limits.h"
 #include "exercises/scenes/path_sheets.h"
 #include "exercises/scenes/polode_sheets.h"
@@ -65,11 +66,7 @@ PanelSheet diagram(const Scene& scene, const Solution& s, bool is_of_velocities,
   }
   for (std::size_t i = 1; i < built.linkage.links.size(); ++i)
     rates.push_back((is_of_velocities ? angular_velocity : angular_acceleration)(built.letters.links[i]).name);
-  constexpr std::size_t in_a_line = 3;
-  for (std::size_t i = 0; i < rates.size(); i += in_a_line)
-    sheet.results.push_back(
-        values({rates.begin() + static_cast<std::ptrdiff_t>(i),
-                rates.begin() + static_cast<std::ptrdiff_t>(std::min(i + in_a_line, rates.size()))}));
+  add_in_lines(sheet, rates, 3);
   if (is_of_velocities)
     for (const PointOffset& offset : built.offsets) sheet.results.push_back(values({offset.name}));
   const auto figure = std::make_shared<const Mechanism>(figure_of(built, s));
