@@ -119,7 +119,7 @@ PanelSheet polygon_sheet(const Scene& scene, const Solution& s, std::size_t whic
   const Drawn drawn(s, equation, is_of_velocities);
   PanelSheet sheet{.panels = panels(MechanismPanel(with_rates(figure_of(built, s), s, equation, is_of_velocities)),
                                     PolygonPanel(s, drawn.polygon()))};
-  add_values(sheet, drawn.known_rates(built.letters.links));
+  add_in_lines(sheet, drawn.known_rates(built.letters.links), 2);
   for (const std::string& X : drawn.vectors()) {
     sheet.results.push_back(components(drawn.of(X)));
     sheet.told.push_back(drawn.of(X).name);

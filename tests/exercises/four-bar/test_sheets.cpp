@@ -174,17 +174,6 @@ TEST_CASE("four-bar: parallel links bear as many arrow heads, and none across an
   CHECK(heads == 2 * (2 + 2 + 1 + 1));
 }
 
-// Where coupler and crank are folded a_BA_n runs back along a_A.
-TEST_CASE("four-bar: a side that runs back over the one before stands beside it", "[four-bar][sheets]") {
-  const DrawnSheet drawn = four_bar().draw("dead-centre-folded", {});
-  const drawings::Arrow a_A = arrow(drawn, "dead_centre_folded.a_A"),
-                        back = arrow(drawn, "dead_centre_folded.a_BA_n");
-  const drawings::Point along = drawings::unit(a_A.from, a_A.to);
-  CHECK(drawings::dot(drawings::unit(back.from, back.to), along) < -0.9999);
-  CHECK(std::abs(drawings::dot(back.from - a_A.to, drawings::left_of(along))) > 1);
-  CHECK(std::abs(drawings::dot(back.from - a_A.to, along)) < 0.01);
-}
-
 TEST_CASE("four-bar: where the inflection circle has room, the curvature is found in one picture",
           "[four-bar][sheets]") {
   const DrawnSheet drawn = four_bar().draw("curvature", {});
