@@ -144,7 +144,7 @@ class ClassSet {
   Outcome make(std::ostream& err, bool is_on_terminal) {
     const std::vector<std::string> awkward_anyway = awkward_as_stated(lots_);
     choose_scales(awkward_anyway);
-    const bool is_new = !fs::exists(folder_ / ClassRecord::file_name);
+    const bool is_new = !fs::exists(folder_ / ClassRecord::file_name), had_folder = fs::exists(folder_);
     ClassJournal journal(folder_, inputs());
     record_.write_to(folder_);
     std::vector<ClassEntry> entries(students_.size());
@@ -170,6 +170,7 @@ class ClassSet {
         journal.remove();
         std::error_code ignored;
         fs::remove(folder_ / ClassRecord::file_name, ignored);
+        if (!had_folder) fs::remove(folder_, ignored);  // only when nothing is in it
       }
       throw;
     }

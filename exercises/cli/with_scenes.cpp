@@ -47,8 +47,8 @@ Scenes read_scenes(const Options& options) {
       if (!exercise) exercise = scenes::scene_exercise(read.files.back());
       const std::string id = exercise->about().id;
       if (std::any_of(known.begin(), known.end(), [&](const auto& k) { return k.second == id; }))
-        throw WrongUsage(format_words("two files have the id {}; their drawings would be one file",
-                                      "due file hanno l'id {}; i loro disegni sarebbero un solo file", id));
+        throw WrongUsage(format_words("two files have the id {}; give each its own",
+                                      "due file hanno l'id {}; darne uno proprio a ciascuno", id));
       read.exercises.emplace_back(std::move(exercise));
       found = known.insert(known.end(), {file, id});
     }

@@ -137,6 +137,10 @@ class ParallelPanel : public MechanismPanel {
   Arrow2 v_A_, v_B_;
 };
 
+bool is_parallelogram(const geometry::FourBarLengths& of) {
+  return of.A0A == of.B0B && of.AB * of.AB == of.x_B0 * of.x_B0 + of.y_B0 * of.y_B0;
+}
+
 }  // namespace
 
 PanelSheet parallel_links_sheet(const Solution& s, Language language) {
@@ -165,6 +169,13 @@ PanelSheet parallel_links_sheet(const Solution& s, Language language) {
                                 "$AB_{0}$.",
                                 "↑↑ concordi, ↑↓ discordi; l'altra posizione ha $B$ dall'altra parte di $AB_{0}$."}
                               .in(language))};
+  if (is_parallelogram(of.instant.lengths))
+    sheet.results.push_back(remark(
+        Words{"Opposite links are as long as each other: while the linkage is a parallelogram, crank and rocker "
+              "are parallel in the same sense throughout.",
+              "Le aste opposte sono lunghe uguali: finché il meccanismo è un parallelogramma, manovella e "
+              "bilanciere sono sempre paralleli e concordi."}
+            .in(language)));
   if (!sheet.panels.empty()) return sheet;
   sheet.panels.push_back(std::make_unique<MechanismPanel>(linkage(s)));
   sheet.results.push_back(

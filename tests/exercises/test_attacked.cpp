@@ -239,6 +239,9 @@ TEST_CASE("attacked: what a sheet says of one dead centre, of a pole at infinity
   CHECK_FALSE(tells(Tried("four-bar").draw("dead-centre-extended", one), "has not this dead centre"));
   CHECK(tells(Tried("four-bar").draw("dead-centre-folded", one), "has not this dead centre"));
 
+  const Assignments parallelogram{"A0A=0.2", "B0B=0.2", "AB=0.5", "x_B0=-0.3", "y_B0=-0.4", "AC=0.3"};
+  CHECK(tells(Tried("four-bar").draw("parallel-links", parallelogram), "parallel in the same sense throughout"));
+
   CHECK(tells(Tried("slider-crank-velocity").draw("polodes", {"phi=90deg"}), "an asymptote in common"));
   CHECK(tells(Tried("slider-crank-velocity").draw("polodes", {"phi=80deg"}), "They touch in the $P_{0}$"));
 

@@ -747,6 +747,7 @@ TEST_CASE("class: no variant is tried twice, and the sheet that none can be draw
   const Ran none = make({"slider-crank-velocity", "--count", "2", "--scale", "1:1"}, {"--vary", "phi=20|25|30 deg"});
   CHECK(none.exit == 2);
   CHECK(none.err.find("none of 3 variants can be drawn well") != std::string::npos);
+  CHECK_FALSE(fs::exists("out/slider-crank-velocity-class"));
   // One place has P0 far off, or a vector too short, on a sheet that is no chart.
   const Ran awkward = make({"slider-crank-velocity", "--count", "1"}, {"--vary", "phi=0.01|0.02 deg"});
   CHECK(awkward.exit == 2);
