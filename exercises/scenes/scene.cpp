@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -693,8 +692,7 @@ class Building {
       return "∥ (" + typed(force.items[0].text) + "; " + typed(force.items[1].text) + ")";
     }
     const Rational quarters = 4 * load.turned.turns;
-    if (quarters.denominator() == 1)
-      return CGAL::to_double(quarters / 2) == std::round(CGAL::to_double(quarters / 2)) ? "∥ $x$" : "∥ $y$";
+    if (quarters.denominator() == 1) return Rational(quarters / 2).denominator() == 1 ? "∥ $x$" : "∥ $y$";
     const std::string symbol = spelled_out(direction->text);
     return "∠ " + (given_.contains(symbol) ? given_letters(symbol) : typed(direction->text));
   }

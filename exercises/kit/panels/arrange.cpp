@@ -182,10 +182,10 @@ std::string place_in_row(const PlacedPanel& panel, const std::vector<const Place
   const auto middle = [](const PlacedPanel& each) { return each.room.low.x + each.room.high.x; };
   const auto count = [&](const auto& lies) { return std::count_if(figures.begin(), figures.end(), lies); };
   if (count([&](const PlacedPanel* each) { return middle(*each) < middle(panel); }) == 0)
-    return Words{" left", " sinistra"}.in(language);
+    return Words{" left", " a sinistra"}.in(language);
   if (count([&](const PlacedPanel* each) { return middle(*each) > middle(panel); }) == 0)
-    return Words{" right", " destra"}.in(language);
-  return Words{" centre", " centro"}.in(language);
+    return Words{" right", " a destra"}.in(language);
+  return Words{" centre", " al centro"}.in(language);
 }
 
 // Where a sheet shows vectors of one unit at two scales, as it does forces, or beside some without any: whose this
