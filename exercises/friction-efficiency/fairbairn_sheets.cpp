@@ -35,15 +35,7 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
     if (suffix == retrograde) panel.likewise(other_lines("$\\it{H}'$ and $d'$", "$\\it{H}'$ e $d'$"), F.v);
     return panel;
   };
-  Mechanism lever, crank;
-  lever.point("C", C, Joint::hinge, "$C$")
-      .point("B", B, Joint::none, "$B$")
-      .point("D", D, Joint::hinge, "$D$")
-      .point("end", end_of_lever(of), Joint::corner, "")
-      .body({"C", "end"}, 4);
-  crank.point("A", A, Joint::hinge, "$A$").point("B", B, Joint::hinge, "$B$").body({"A", "B"}, 2);
-  FreeBodyPanel on_4(std::make_shared<const Mechanism>(std::move(lever))),
-      on_2(std::make_shared<const Mechanism>(std::move(crank)));
+  FreeBodyPanel on_4 = lever_cut_free(of), on_2 = crank_cut_free(of);
   const PolygonSide R_34 = of.known(moving(force_between(3, 4), direct), "", ""),
                     R_54 = reversed(of.known(moving(force_between(5, 6), direct), "", ""), 5, 4),
                     R_32 = reversed(R_34, 3, 2);

@@ -20,15 +20,7 @@ PanelSheet polygons(const Solution& s, const std::string& name) {
   const PolygonSide R_34 = of.sought(force_between(3, 4), "⊥ $CD$", "$b$"),
                     R_14 = of.sought(force_between(1, 4), "∥ $CH$"), R_32 = reversed(R_34, 3, 2),
                     R_12 = of.sought(force_between(1, 2), "∥ $\\it{R}_{32}$");
-  Mechanism lever, crank;
-  lever.point("C", C, Joint::hinge, "$C$")
-      .point("B", B, Joint::none, "$B$")
-      .point("D", D, Joint::hinge, "$D$")
-      .point("end", end_of_lever(of), Joint::corner, "")
-      .body({"C", "end"}, 4);
-  crank.point("A", A, Joint::hinge, "$A$").point("B", B, Joint::hinge, "$B$").body({"A", "B"}, 2);
-  FreeBodyPanel on_4(std::make_shared<const Mechanism>(std::move(lever))),
-      on_2(std::make_shared<const Mechanism>(std::move(crank)));
+  FreeBodyPanel on_4 = lever_cut_free(of), on_2 = crank_cut_free(of);
   on_4.to_scale().load(F, D).force(R_34, B, Arrow::ends).force(R_14, C, Arrow::ends);
   const auto H = of.point("H");
   std::optional<SharedOut> shared;

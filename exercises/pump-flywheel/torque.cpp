@@ -130,7 +130,7 @@ Deep chords_off_at_most(const HalfTurn& of, const std::vector<Deep>& ends) {
     Deep bend = greater(absolute(slope_by_energy(of, begin)), absolute(slope_by_energy(of, end)));
     if (sign(of.K) != Sign::zero) {
       const Deep x_0 = -of.C / (Deep(8) * of.K);
-      const Deep x = lesser(greater(x_0, cosine_of_angle(end)), cosine_of_angle(begin));
+      const Deep x = within(cosine_of_angle(end), x_0, cosine_of_angle(begin));
       bend = greater(bend, absolute(Deep(4) * of.K * (square(x - x_0) - square(x_0)) - Deep(2) * of.K));
     }
     const auto parabola = [&](const Deep& angle) { return bend * square(angle) / Deep(2); };

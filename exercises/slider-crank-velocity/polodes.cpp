@@ -21,57 +21,41 @@ namespace {
 constexpr double widths = 2.4;
 constexpr double middle_of_reach = 0.45;  // of the same length, from A0 along the guide
 
-std::string division(const SliderCrankInstant& instant, bool english) {
-  const char* of_crank = english ? "The crank's circle in {} parts" : "La circonferenza di manovella in {} parti";
-  const char* of_coupler =
-      english ? "The directions of the coupler in {} parts" : "Le direzioni della biella in {} parti";
-  const char* primed = english ? " (primed: $B$ behind $A$)" : " (con l'apice: l'altra posizione di $B$, dietro $A$)";
+Words division(const SliderCrankInstant& instant) {
   const Circuit circuit = circuit_of(instant);
-  return fmt::format(fmt::runtime(circuit == Circuit::coupler ? of_coupler : of_crank), positions) +
-         (circuit == Circuit::both ? primed : "");
+  const Words divided = circuit == Circuit::coupler
+                            ? Words{"The directions of the coupler", "Le direzioni della biella"}
+                            : Words{"The crank's circle", "La circonferenza di manovella"};
+  const Words all = divided + format_words(" in {} parts", " in {} parti", positions);
+  const Words primed{" (primed: $B$ behind $A$)", " (con l'apice: l'altra posizione di $B$, dietro $A$)"};
+  return circuit == Circuit::both ? all + primed : all;
 }
 
-std::vector<std::string> step_texts(const SliderCrankInstant& instant, bool touch_at_infinity, Language language) {
-  const bool english = language == Language::english;
-  return english
-             ? std::vector<
-                   std::
-                       string>{division(instant, english) +
-                                   ". In each position $P_{0}$ on $A_{0}A$ and on the perpendicular to the guide "
-                                   "through $B$: "
-                                   "the points of the fixed polode $p$.",
-                               "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the "
-                               "$AB$ "
-                               "of the position drawn: its $P_{0}$ marks a point of the moving polode $π$.",
-                               touch_at_infinity
-                                   ? "The curves through the points. They roll on each other; in the position drawn "
-                                     "$P_{0}$ is at infinity, and they have an asymptote in common."
-                                   : "The curves through the points. They touch in the $P_{0}$ of the position drawn "
-                                     "and roll on each other.",
-                               "Where the crank is perpendicular to the guide $P_{0}$ goes to infinity: the "
-                               "dash-dot lines "
-                               "are the asymptotes."}
-             : std::vector<std::string>{
-                   division(instant, english) +
-                       ". In ogni posizione $P_{0}$ su $A_{0}A$ e sulla normale alla guida per $B$: i "
-                       "punti della polare fissa $p$.",
-                   "Ogni triangolo $ABP_{0}$ su carta da lucido, riportato finché il suo $AB$ copre "
-                   "l'$AB$ della posizione disegnata: il suo $P_{0}$ segna un punto della polare mobile $π$.",
-                   touch_at_infinity ? "Le curve per i punti. Rotolano l'una sull'altra; nella posizione disegnata "
-                                       "$P_{0}$ è all'infinito, e hanno un asintoto in comune."
-                                     : "Le curve per i punti. Si toccano nel $P_{0}$ della posizione disegnata e "
-                                       "rotolano l'una sull'altra.",
-                   "Dove la manovella è normale alla guida $P_{0}$ va all'infinito: le rette a tratto e "
-                   "punto sono gli asintoti."};
-}
-
-// In both languages.
 std::vector<Words> step_words(const SliderCrankInstant& instant, bool touch_at_infinity) {
-  const auto english = step_texts(instant, touch_at_infinity, Language::english),
-             italian = step_texts(instant, touch_at_infinity, Language::italian);
-  std::vector<Words> all;
-  for (std::size_t i = 0; i < english.size(); ++i) all.push_back({english[i], italian[i]});
-  return all;
+  const Words of_fixed{
+      ". In each position $P_{0}$ on $A_{0}A$ and on the perpendicular to the guide through $B$: the points of the "
+      "fixed polode $p$.",
+      ". In ogni posizione $P_{0}$ su $A_{0}A$ e sulla normale alla guida per $B$: i punti della polare fissa $p$."};
+  const Words of_moving{
+      "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the $AB$ of the position drawn: "
+      "its "
+      "$P_{0}$ marks a point of the moving polode $π$.",
+      "Ogni triangolo $ABP_{0}$ su carta da lucido, riportato finché il suo $AB$ copre l'$AB$ della posizione "
+      "disegnata: il suo $P_{0}$ segna un punto della polare mobile $π$."};
+  const Words beyond{
+      "The curves through the points. They roll on each other; in the position drawn $P_{0}$ is at infinity, and "
+      "they "
+      "have an asymptote in common.",
+      "Le curve per i punti. Rotolano l'una sull'altra; nella posizione disegnata $P_{0}$ è all'infinito, e hanno un "
+      "asintoto in comune."};
+  const Words touching{
+      "The curves through the points. They touch in the $P_{0}$ of the position drawn and roll on each other.",
+      "Le curve per i punti. Si toccano nel $P_{0}$ della posizione disegnata e rotolano l'una sull'altra."};
+  const Words asymptotes{
+      "Where the crank is perpendicular to the guide $P_{0}$ goes to infinity: the dash-dot lines are the "
+      "asymptotes.",
+      "Dove la manovella è normale alla guida $P_{0}$ va all'infinito: le rette a tratto e punto sono gli asintoti."};
+  return {division(instant) + of_fixed, of_moving, touch_at_infinity ? beyond : touching, asymptotes};
 }
 
 class PolodesPanel : public Panel {

@@ -159,19 +159,16 @@ std::vector<std::string> strays(const Sheet& sheet, int& seen) {
 TEST_CASE("letters stand nearest to what they name, or have a leader") {
   int seen = 0;
   std::vector<std::string> as_stated, at_changed_givens;
-  for (const auto& [id, sets] : tried_givens())
-    for (const Assignments& assignments : sets) {
-      const Exercise& exercise = find_exercise(catalogue(), id);
-      const Solution solution = exercise.solution(Tried(id).givens(assignments));
-      for (const SheetSpec& spec : exercise.about().sheets)
-        for (const Language language : {Language::english, Language::italian}) {
-          if (!assignments.empty() && language == Language::italian) continue;
-          const auto found =
-              strays(exercise.draw(spec.name, solution, {.language = language, .bare = true}).sheet, seen);
-          auto& all = assignments.empty() ? as_stated : at_changed_givens;
-          for (const std::string& stray : found) all.push_back(id + " " + spec.name + ": " + stray);
-        }
+  for_each_tried_sheet([&](const TriedSolution& tried, const std::string& name) {
+    const bool is_stated = tried.assignments.empty();
+    for (const Language language : {Language::english, Language::italian}) {
+      if (!is_stated && language == Language::italian) continue;
+      const auto found =
+          strays(tried.exercise.draw(name, tried.solution, {.language = language, .bare = true}).sheet, seen);
+      for (const std::string& stray : found)
+        (is_stated ? as_stated : at_changed_givens).push_back(tried.id + " " + name + ": " + stray);
     }
+  });
   CHECK(seen > 15000);
   // Where marks are too dense for a leader as well: of 464 that there were in English while a label's place did not
   // count what else it could be taken to name.

@@ -182,53 +182,50 @@ std::vector<KnownNumber> known_numbers(const Solution& solution) {
 
 TEST_CASE("numbers on the pictures are quantities of the solution") {
   int seen = 0;
-  for (const auto& [id, sets] : tried_givens())
-    for (const Assignments& assignments : sets) {
-      const Exercise& exercise = find_exercise(catalogue(), id);
-      const Solution solution = exercise.solution(Tried(id).givens(assignments));
-      const std::vector<KnownNumber> known = known_numbers(solution);
-      for (const SheetSpec& spec : exercise.about().sheets) {
-        CAPTURE(id, assignments, spec.name);
-        const drawings::Sheet letters = letters_of_picture(id, exercise.draw(spec.name, solution, {}).sheet.figure);
-        for (const WrongNumber& wrong : wrong_numbers(letters, known)) {
-          INFO("\"" << wrong.number << "\" in: " << wrong.text);
-          CHECK(wrong.number.empty());
-        }
-        for (const drawings::Block& block : letters.column)
-          seen += numbers_in(std::get<drawings::Paragraph>(block).text).empty() ? 0 : 1;
+  for_each_tried([&](const TriedSolution& tried) {
+    const std::vector<KnownNumber> known = known_numbers(tried.solution);
+    for (const SheetSpec& spec : tried.exercise.about().sheets) {
+      CAPTURE(spec.name);
+      const drawings::Sheet letters =
+          letters_of_picture(tried.id, tried.exercise.draw(spec.name, tried.solution, {}).sheet.figure);
+      for (const WrongNumber& wrong : wrong_numbers(letters, known)) {
+        INFO("\"" << wrong.number << "\" in: " << wrong.text);
+        CHECK(wrong.number.empty());
       }
+      for (const drawings::Block& block : letters.column)
+        seen += numbers_in(std::get<drawings::Paragraph>(block).text).empty() ? 0 : 1;
     }
+  });
   CHECK(seen > 400);
 }
 
 TEST_CASE("what is printed is a quantity of the solution") {
   int seen = 0;
-  for (const auto& [id, sets] : tried_givens())
-    for (const Assignments& assignments : sets)
-      for (const Language language : {Language::english, Language::italian}) {
-        const Exercise& exercise = find_exercise(catalogue(), id);
-        const Solution solution = exercise.solution(Tried(id).givens(assignments));
-        const std::set<std::string> printable = printable_numbers(exercise, solution, language),
-                                    pairs = pairs_that_belong_together(solution, language);
-        for (const SheetSpec& spec : exercise.about().sheets) {
-          CAPTURE(id, assignments, spec.name, static_cast<int>(language));
-          const TextOfSheet told = told_by(exercise.draw(spec.name, solution, {.language = language}).sheet);
-          for (const std::string& text : told.words) {
-            CAPTURE(text);
-            CHECK(tells_pairs_among(pairs, text));
-            for (const std::string& number : numbers_in(text)) {
-              INFO("\"" << number << "\" in: " << text);
-              CHECK(printable.contains(number));
-              ++seen;
-            }
-          }
-          for (const auto& row : told.measured) {
-            CAPTURE(row);
-            CHECK(measures_its_quantity(row, solution));
-            CHECK(tells_its_difference(row));
+  for_each_tried([&](const TriedSolution& tried) {
+    for (const Language language : {Language::english, Language::italian}) {
+      const auto& [id, assignments, exercise, solution] = tried;
+      const std::set<std::string> printable = printable_numbers(exercise, solution, language),
+                                  pairs = pairs_that_belong_together(solution, language);
+      for (const SheetSpec& spec : exercise.about().sheets) {
+        CAPTURE(spec.name, static_cast<int>(language));
+        const TextOfSheet told = told_by(exercise.draw(spec.name, solution, {.language = language}).sheet);
+        for (const std::string& text : told.words) {
+          CAPTURE(text);
+          CHECK(tells_pairs_among(pairs, text));
+          for (const std::string& number : numbers_in(text)) {
+            INFO("\"" << number << "\" in: " << text);
+            CHECK(printable.contains(number));
             ++seen;
           }
         }
+        for (const auto& row : told.measured) {
+          CAPTURE(row);
+          CHECK(measures_its_quantity(row, solution));
+          CHECK(tells_its_difference(row));
+          ++seen;
+        }
       }
+    }
+  });
   CHECK(seen > 150);
 }

@@ -75,74 +75,58 @@ TEST_CASE("angles and arms that the steps speak of are drawn, as stated") {
 TEST_CASE("numbers on the pictures of Italian sheets have decimal commas") {
   const std::regex with_point("[0-9]\\.[0-9]"), with_comma("[0-9],[0-9]");
   int commas = 0;
-  const auto look = [&](const std::string& id, const Assignments& assignments) {
-    const Exercise& exercise = find_exercise(catalogue(), id);
-    const Solution solution = exercise.solution(Tried(id).givens(assignments));
-    for (const SheetSpec& spec : exercise.about().sheets)
-      for (const std::string& text :
-           written_on(exercise.draw(spec.name, solution, {.language = Language::italian}).sheet.figure)) {
-        CAPTURE(id, assignments, spec.name, text);
-        CHECK_FALSE(std::regex_search(text, with_point));
-        commas += std::regex_search(text, with_comma) ? 1 : 0;
-      }
-  };
-  for (const auto& [id, sets] : tried_givens())
-    for (const Assignments& assignments : sets) look(id, assignments);
-  look("rivals-polygons", {"phi=250", "alpha_2=-700", "AG=0.45"});  // vectors so short that they tell their values
+  for_each_tried_sheet([&](const TriedSolution& tried, const std::string& name) {
+    for (const std::string& text :
+         written_on(tried.exercise.draw(name, tried.solution, {.language = Language::italian}).sheet.figure)) {
+      CAPTURE(text);
+      CHECK_FALSE(std::regex_search(text, with_point));
+      commas += std::regex_search(text, with_comma) ? 1 : 0;
+    }
+  });
   CHECK(commas > 0);
 }
 
 TEST_CASE("each step has its number on the picture, or is named as off the sheet") {
   int seen = 0, off = 0;
-  for (const auto& [id, sets] : tried_givens())
-    for (const Assignments& assignments : sets)
-      for (const Language language : {Language::english, Language::italian}) {
-        const Exercise& exercise = find_exercise(catalogue(), id);
-        const Solution solution = exercise.solution(Tried(id).givens(assignments));
-        for (const SheetSpec& spec : exercise.about().sheets) {
-          CAPTURE(id, assignments, spec.name, static_cast<int>(language));
-          const drawings::Sheet sheet = exercise.draw(spec.name, solution, {.language = language}).sheet;
-          std::map<int, std::string> lines = listed(sheet);
-          int number = 0;
-          for (const auto& [listed_number, line] : lines) {
-            CAPTURE(line);
-            CHECK(listed_number == ++number);
-            CHECK_FALSE(line.ends_with(','));  // a full stop is no decimal point
-          }
-          for (const drawings::StepNumber& step : sheet.figure.steps) {
-            CAPTURE(step.number);
-            CHECK(drawings::contains(drawings::drawing_area(sheet.paper), step.at));
-            REQUIRE(lines.contains(step.number));
-            CHECK_FALSE(is_off_the_sheet(lines[step.number]));
-            lines.erase(step.number);
-            ++seen;
-          }
-          for (const auto& [without_mark, line] : lines) {
-            CAPTURE(without_mark, line);
-            CHECK(is_off_the_sheet(line));
-            ++off;
-          }
-        }
+  for_each_tried_sheet([&](const TriedSolution& tried, const std::string& name) {
+    for (const Language language : {Language::english, Language::italian}) {
+      CAPTURE(static_cast<int>(language));
+      const drawings::Sheet sheet = tried.exercise.draw(name, tried.solution, {.language = language}).sheet;
+      std::map<int, std::string> lines = listed(sheet);
+      int number = 0;
+      for (const auto& [listed_number, line] : lines) {
+        CAPTURE(line);
+        CHECK(listed_number == ++number);
+        CHECK_FALSE(line.ends_with(','));  // a full stop is no decimal point
       }
+      for (const drawings::StepNumber& step : sheet.figure.steps) {
+        CAPTURE(step.number);
+        CHECK(drawings::contains(drawings::drawing_area(sheet.paper), step.at));
+        REQUIRE(lines.contains(step.number));
+        CHECK_FALSE(is_off_the_sheet(lines[step.number]));
+        lines.erase(step.number);
+        ++seen;
+      }
+      for (const auto& [without_mark, line] : lines) {
+        CAPTURE(without_mark, line);
+        CHECK(is_off_the_sheet(line));
+        ++off;
+      }
+    }
+  });
   CHECK(seen > 1000);
   CHECK(off > 0);
 }
 
 TEST_CASE("what is marked as a right angle is one") {
   int seen = 0;
-  for (const auto& [id, sets] : tried_givens())
-    for (const Assignments& assignments : sets) {
-      const Exercise& exercise = find_exercise(catalogue(), id);
-      const Solution solution = exercise.solution(Tried(id).givens(assignments));
-      for (const SheetSpec& spec : exercise.about().sheets) {
-        CAPTURE(id, assignments, spec.name);
-        for (const drawings::Mark& mark : exercise.draw(spec.name, solution, {}).sheet.figure.marks)
-          if (const auto* corner = std::get_if<drawings::RightAngle>(&mark)) {
-            CHECK(std::abs(std::cos(corner->second - corner->first)) < 1e-6);
-            ++seen;
-          }
+  for_each_tried_sheet([&](const TriedSolution& tried, const std::string& name) {
+    for (const drawings::Mark& mark : tried.exercise.draw(name, tried.solution, {}).sheet.figure.marks)
+      if (const auto* corner = std::get_if<drawings::RightAngle>(&mark)) {
+        CHECK(std::abs(std::cos(corner->second - corner->first)) < 1e-6);
+        ++seen;
       }
-    }
+  });
   CHECK(seen > 100);
 }
 
@@ -171,22 +155,16 @@ TEST_CASE("points marked on charts lie on their curves") {
                                      "michell-thrust/coefficients",      "oscillator-pendulum/motion",
                                      "oscillator-pendulum/phase-plane"};
   int seen = 0;
-  for (const auto& [id, sets] : tried_givens())
-    for (const Assignments& assignments : sets) {
-      const Exercise& exercise = find_exercise(catalogue(), id);
-      const Solution solution = exercise.solution(Tried(id).givens(assignments));
-      for (const SheetSpec& spec : exercise.about().sheets) {
-        if (beside.contains(id + "/" + spec.name)) continue;
-        CAPTURE(id, assignments, spec.name);
-        const drawings::Figure figure = exercise.draw(spec.name, solution, {}).sheet.figure;
-        for (const drawings::Mark& mark : figure.marks)
-          if (const auto* point = std::get_if<drawings::DataPoint>(&mark)) {
-            CAPTURE(point->name);
-            CHECK(off_all_curves(point->at, figure) < 0.2);
-            ++seen;
-          }
+  for_each_tried_sheet([&](const TriedSolution& tried, const std::string& name) {
+    if (beside.contains(tried.id + "/" + name)) return;
+    const drawings::Figure figure = tried.exercise.draw(name, tried.solution, {}).sheet.figure;
+    for (const drawings::Mark& mark : figure.marks)
+      if (const auto* point = std::get_if<drawings::DataPoint>(&mark)) {
+        CAPTURE(point->name);
+        CHECK(off_all_curves(point->at, figure) < 0.2);
+        ++seen;
       }
-    }
+  });
   CHECK(seen > 900);
 }
 

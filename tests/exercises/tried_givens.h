@@ -1,6 +1,7 @@
 // Givens with which what every sheet must show is tried: as stated, and at what makes it change.
 #pragma once
 
+#include "exercises/kit/proof/solution.h"
 #include "tests/exercises/held_against_corpus.h"
 
 namespace epure::tests {
@@ -72,7 +73,14 @@ inline const std::vector<std::pair<std::string, std::vector<Assignments>>>& trie
         {"alpha_2=300", "e=0.05"},
         {"delta=20", "phi=110", "alpha_2=20"},
         {"n=-200"}}},
-      {"rivals-polygons", {{}, {"phi=0"}, {"phi=90"}, {"n=-100", "phi=200"}, {"AG=-0.2", "alpha_2=900"}, {"AG=0"}}},
+      {"rivals-polygons",
+       {{},
+        {"phi=0"},
+        {"phi=90"},
+        {"n=-100", "phi=200"},
+        {"AG=-0.2", "alpha_2=900"},
+        {"AG=0"},
+        {"phi=250", "alpha_2=-700", "AG=0.45"}}},  // vectors so short that they tell their values
       {"four-bar-analytic",
        {{},
         {"branch=right"},
@@ -145,6 +153,35 @@ inline const std::vector<std::pair<std::string, std::vector<Assignments>>>& trie
         {"sliding_levers.direction_P=73", "fairbairn.theta=10"},
         {"sliding_levers.y_C=0", "fairbairn.AB=0.5", "sliding_levers_Q_on_2.x_Q=0.4"}}}};
   return all;
+}
+
+struct TriedSolution {
+  std::string id;
+  Assignments assignments;
+  const Exercise& exercise;
+  Solution solution;
+};
+
+// visit(const TriedSolution&) with each of them.
+template <class Visit>
+void for_each_tried(const Visit& visit) {
+  for (const auto& [id, sets] : tried_givens())
+    for (const Assignments& assignments : sets) {
+      CAPTURE(id, assignments);
+      const Exercise& exercise = find_exercise(catalogue(), id);
+      visit(TriedSolution{id, assignments, exercise, exercise.solution(Tried(id).givens(assignments))});
+    }
+}
+
+// visit(const TriedSolution&, name of the sheet) with each sheet of each.
+template <class Visit>
+void for_each_tried_sheet(const Visit& visit) {
+  for_each_tried([&](const TriedSolution& tried) {
+    for (const SheetSpec& spec : tried.exercise.about().sheets) {
+      CAPTURE(spec.name);
+      visit(tried, spec.name);
+    }
+  });
 }
 
 }  // namespace epure::tests

@@ -145,6 +145,24 @@ inline Place end_of_lever(const Case& of) {
 // The ram reaches from D so far.
 inline Place end_of_ram(const Case& of) { return of.place("D") + of.given("AB") * Arrow2{1, 0}; }
 
+inline FreeBodyPanel lever_cut_free(const Case& of) {
+  Mechanism drawn;
+  drawn.point("C", of.place("C"), Mechanism::Joint::hinge, "$C$")
+      .point("B", of.place("B"), Mechanism::Joint::none, "$B$")
+      .point("D", of.place("D"), Mechanism::Joint::hinge, "$D$")
+      .point("end", end_of_lever(of), Mechanism::Joint::corner, "")
+      .body({"C", "end"}, 4);
+  return FreeBodyPanel(std::make_shared<const Mechanism>(std::move(drawn)));
+}
+
+inline FreeBodyPanel crank_cut_free(const Case& of) {
+  Mechanism drawn;
+  drawn.point("A", of.place("A"), Mechanism::Joint::hinge, "$A$")
+      .point("B", of.place("B"), Mechanism::Joint::hinge, "$B$")
+      .body({"A", "B"}, 2);
+  return FreeBodyPanel(std::make_shared<const Mechanism>(std::move(drawn)));
+}
+
 // The ram cut free, with its slot upright: what acts on it passes through D.
 inline FreeBodyPanel ram_cut_free(const Case& of) {
   const Place D = of.place("D");
