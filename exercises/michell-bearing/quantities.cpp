@@ -2,22 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
+
+#include "exercises/kit/statement/quantity_kinds.h"
 
 namespace epure::michell_bearing {
 namespace {
-
-struct Kind {
-  std::string symbol, unit;
-  Words meaning;
-};
-using Kinds = std::map<std::string, Kind>;
-
-Quantity quantity(const Kinds& kinds, const std::string& name) {
-  const Kind& kind = kinds.at(name);
-  return {name, kind.symbol, kind.unit, kind.meaning};
-}
 
 // "0p15" as "0.15".
 Words place(std::string station) {
@@ -61,7 +51,7 @@ const std::vector<Depth>& depths() {
 }
 
 Quantity film_quantity(const std::string& name) {
-  static const Kinds kinds{
+  static const QuantityKinds kinds{
       {"n", {"$n$", "1", {"ratio of the films, h_1/h_2", "rapporto degli spessori, h_1/h_2"}}},
       {"h_bar", {"$h^{*}$", "m", {"film where the pressure is greatest", "spessore dove la pressione è massima"}}},
       {"x_bar", {"$x^{*}$", "m", {"where the pressure is greatest", "sezione di pressione massima"}}},
@@ -97,11 +87,11 @@ Quantity film_quantity(const std::string& name) {
         "m",
         {"where the load acts, by the funicular polygon", "applicazione con il poligono funicolare"}}},
   };
-  return quantity(kinds, name);
+  return quantity_of(kinds, name);
 }
 
 Quantity pad_quantity(const std::string& name) {
-  static const Kinds kinds{
+  static const QuantityKinds kinds{
       {"omega", {"$ω$", "rad/s", {"angular velocity", "velocità angolare"}}},
       {"V", {"$\\it{V}$", "m/s", {"speed on the mean circle", "velocità sulla circonferenza media"}}},
       {"N",
@@ -154,11 +144,11 @@ Quantity pad_quantity(const std::string& name) {
       {"gap",
        {"$d$", "m", {"gap between pads on the mean circle", "distanza tra i pattini sulla circonferenza media"}}},
   };
-  return quantity(kinds, name);
+  return quantity_of(kinds, name);
 }
 
 Quantity at_station(const std::string& of, const std::string& station) {
-  static const Kinds kinds{
+  static const QuantityKinds kinds{
       {"h", {"$h$", "m", {"film", "spessore del meato"}}},
       {"dp_dx", {"$p'$", "Pa/m", {"gradient of the pressure", "gradiente della pressione"}}},
       {"p", {"$p$", "Pa", {"pressure", "pressione"}}},
@@ -166,7 +156,7 @@ Quantity at_station(const std::string& of, const std::string& station) {
       {"tau_0", {"$τ_{0}$", "Pa", {"shear on the fixed wall", "sforzo sulla parete fissa"}}},
       {"tau_h", {"$τ_{h}$", "Pa", {"shear on the moving wall", "sforzo sulla parete mobile"}}},
   };
-  const Kind& kind = kinds.at(of);
+  const QuantityKind& kind = kinds.at(of);
   return {of + "_at_" + station, kind.symbol + "(" + letters_of(station) + ")", kind.unit,
           kind.meaning + where(station)};
 }

@@ -2,14 +2,12 @@
 
 #include <map>
 
+#include "exercises/kit/statement/quantity_kinds.h"
+
 namespace epure::michell_thrust {
 
 Quantity quantity(const std::string& name) {
-  struct Kind {
-    std::string symbol, unit;
-    Words meaning;
-  };
-  static const std::map<std::string, Kind> kinds{
+  static const QuantityKinds kinds{
       {"R_m", {"$\\it{R}_{m}$", "m", {"mean radius", "raggio medio"}}},
       {"omega", {"$ω$", "rad/s", {"angular velocity", "velocità angolare"}}},
       {"v", {"$v$", "m/s", {"speed on the mean circle", "velocità sulla circonferenza media"}}},
@@ -46,8 +44,7 @@ Quantity quantity(const std::string& name) {
       {"p_1_2", {"$p$($l$/2)", "Pa", {"pressure in the middle", "pressione a metà"}}},
       {"p_3_4", {"$p$(3$l$/4)", "Pa", {"pressure at three quarters", "pressione a tre quarti"}}},
   };
-  const Kind& kind = kinds.at(name);
-  return {name, kind.symbol, kind.unit, kind.meaning};
+  return quantity_of(kinds, name);
 }
 
 Quantity on_the_chord(const std::string& name) {

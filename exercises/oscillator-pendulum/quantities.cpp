@@ -1,23 +1,12 @@
 #include "exercises/oscillator-pendulum/quantities.h"
 
 #include <algorithm>
-#include <map>
 
+#include "exercises/kit/statement/quantity_kinds.h"
 #include "geometry/numbers/given.h"
 
 namespace epure::oscillator_pendulum {
 namespace {
-
-struct Kind {
-  std::string symbol, unit;
-  Words meaning;
-};
-using Kinds = std::map<std::string, Kind>;
-
-Quantity quantity(const Kinds& kinds, const std::string& name) {
-  const Kind& kind = kinds.at(name);
-  return {name, kind.symbol, kind.unit, kind.meaning};
-}
 
 std::string as_number(std::string name) {
   std::replace(name.begin(), name.end(), 'p', '.');
@@ -34,7 +23,7 @@ std::string letters_of(const std::string& name) {
 Rational instant(const std::string& name) { return geometry::parse_given(as_number(name), "1"); }
 
 Quantity oscillator_quantity(const std::string& name) {
-  static const Kinds kinds{
+  static const QuantityKinds kinds{
       {"alpha", {"$α$", "1/s", {"ζ ω_n, the decay", "ζ ω_n, lo smorzamento"}}},
       {"beta", {"$β$", "1/s", {"ω_n √(ζ² - 1)", "ω_n √(ζ² - 1)"}}},
       {"two_beta",
@@ -64,11 +53,11 @@ Quantity oscillator_quantity(const std::string& name) {
       {"E_0", {"$\\it{E}_{0}$", "J", {"energy at the start", "energia iniziale"}}},
       {"E_at_x_max", {"$\\it{E}_{m}$", "J", {"energy where x is extreme", "energia all'elongazione estrema"}}},
   };
-  return quantity(kinds, name);
+  return quantity_of(kinds, name);
 }
 
 Quantity pendulum_quantity(const std::string& name) {
-  static const Kinds kinds{
+  static const QuantityKinds kinds{
       {"I_A0", {"$\\it{I}_{A0}$", "kg*m^2", {"moment of inertia about A0", "momento d'inerzia rispetto ad A0"}}},
       {"Omega_squared", {"$Ω^{2}$", "1/s^2", {"m g r/I_A0", "m g r/I_A0"}}},
       {"Omega", {"$Ω$", "rad/s", {"circular frequency of small swings", "pulsazione delle piccole oscillazioni"}}},
@@ -112,11 +101,11 @@ Quantity pendulum_quantity(const std::string& name) {
         {"energy of the table at t = 1 s, over that at the start",
          "energia della tabella per t = 1 s, su quella iniziale"}}},
   };
-  return quantity(kinds, name);
+  return quantity_of(kinds, name);
 }
 
 Quantity at_instant(const std::string& of, const std::string& name) {
-  static const Kinds kinds{
+  static const QuantityKinds kinds{
       {"x", {"$x$", "m", {"position", "posizione"}}},
       {"x_dot", {"$x'$", "m/s", {"velocity", "velocità"}}},
       {"x_ddot", {"$x''$", "m/s^2", {"acceleration", "accelerazione"}}},
@@ -141,7 +130,7 @@ Quantity at_instant(const std::string& of, const std::string& name) {
       {"R_12_y_numeric",
        {"$\\it{R}_{12y,n}$", "N", {"vertical reaction of the table", "reazione verticale della tabella"}}},
   };
-  const Kind& kind = kinds.at(of);
+  const QuantityKind& kind = kinds.at(of);
   return {of + "_at_" + name, kind.symbol + "(" + letters_of(name) + ")", kind.unit,
           kind.meaning + Words{" at t = ", " per t = "} + decimal(as_number(name)) + " s"};
 }

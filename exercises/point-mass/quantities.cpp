@@ -1,18 +1,13 @@
 #include "exercises/point-mass/quantities.h"
 
-#include <map>
-
 #include "exercises/kit/statement/format_words.h"
+#include "exercises/kit/statement/quantity_kinds.h"
 
 namespace epure::point_mass {
 namespace {
 
-struct Kind {
-  std::string letter, unit;
-  Words meaning;
-};
-const Kind& kind_of(const std::string& name) {
-  static const std::map<std::string, Kind> kinds{
+const QuantityKind& kind_of(const std::string& name) {
+  static const QuantityKinds kinds{
       {"F", {"\\it{F}", "N", {"force", "forza"}}},
       {"a", {"a", "m/s^2", {"acceleration", "accelerazione"}}},
       {"v", {"v", "m/s", {"velocity", "velocità"}}},
@@ -41,10 +36,10 @@ Words when(const std::string& at) {
 }  // namespace
 
 Quantity of_motion(const std::string& kind, const std::string& method, const std::string& at) {
-  const Kind& of = kind_of(kind);
-  const std::string letters = is_row(at) ? "$" + of.letter + (method.empty() ? "" : "_{" + initial(method) + "}") +
+  const QuantityKind& of = kind_of(kind);
+  const std::string letters = is_row(at) ? "$" + of.symbol + (method.empty() ? "" : "_{" + initial(method) + "}") +
                                                "$(" + at.substr(3) + " s)"
-                                         : "$" + of.letter + "_{" + initial(method) + at + "}$";
+                                         : "$" + of.symbol + "_{" + initial(method) + at + "}$";
   return {name_of(kind, method, at), letters, of.unit, of.meaning + by(method) + when(at)};
 }
 

@@ -52,6 +52,41 @@ inline double value(const CheckedExercise& checked, const std::string& name) {
   return find(checked, name).settled.enclosure.value;
 }
 
+// Refused with a sentence that says why.
+inline void is_refused(const Tried& tried, const Assignments& assignments, const std::string& because) {
+  CAPTURE(assignments, because);
+  CHECK_THROWS_WITH(tried.checked(assignments), Contains(because));
+}
+
+// All is well, and one quantity does not exist, for a reason.
+inline void is_absent(const Tried& tried, const Assignments& assignments, const std::string& name,
+                      const std::string& because) {
+  const CheckedExercise result = tried.checked(assignments);
+  const geometry::Settled& settled = find(result, name).settled;
+  CAPTURE(assignments, name, settled.reason.english);
+  CHECK(result.passed());
+  CHECK(settled.kind == geometry::Settled::Kind::absent);
+  CHECK_THAT(settled.reason.english, Contains(because));
+}
+
+// How many of the numbers that the source printed are what.
+struct Judged {
+  int rounding = 0, reading = 0, explained = 0, unexplained = 0;
+};
+inline Judged judged(const CheckedExercise& checked) {
+  Judged all;
+  for (const CheckedQuantity& quantity : checked.quantities)
+    for (const PrintedVerdict& verdict : quantity.printed) {
+      CAPTURE(quantity.spec.name, verdict.text);
+      CHECK(verdict.explanation_holds);
+      ++(verdict.verdict == Verdict::rounding  ? all.rounding
+         : verdict.verdict == Verdict::reading ? all.reading
+         : verdict.explanation                 ? all.explained
+                                               : all.unexplained);
+    }
+  return all;
+}
+
 inline Assignments assignments_of(const CorpusCase& c) {
   Assignments all;
   for (const auto& [symbol, given] : c.givens) all.push_back(symbol + "=" + geometry::to_text(given));

@@ -1,6 +1,5 @@
 // Mechanisms with friction: their numbers are those of a corpus of closed formulas; self-locking at its limit and
 // beside it; jamming; the source's numbers.
-#include <map>
 
 #include "tests/exercises/friction-efficiency/cases.h"
 
@@ -43,31 +42,28 @@ TEST_CASE("friction: without friction nothing is lost", "[friction-efficiency]")
 }
 
 TEST_CASE("friction: what jams is said with the angle at which it does", "[friction-efficiency]") {
-  const auto refused = [](const Assignments& assignments, const char* because) {
-    CAPTURE(assignments);
-    CHECK_THROWS_WITH(friction().checked(assignments), Contains(because));
-  };
-  refused({"phi=24.5"},
-          "phi = 24.5°: must be less than 24.5°, at which the wedge jams in the direct motion: the force P is "
-          "infinite there");
-  refused({"phi=18.72"},
-          "phi = 18.72°: must be less than 18.7149°, at which the rod in its collar of two forces jams");
+  is_refused(friction(), {"phi=24.5"},
+             "phi = 24.5°: must be less than 24.5°, at which the wedge jams in the direct motion: the force P is "
+             "infinite there");
+  is_refused(friction(), {"phi=18.72"},
+             "phi = 18.72°: must be less than 18.7149°, at which the rod in its collar of two forces jams");
   CHECK(friction().checked({"phi=18.71"}).passed());
-  refused({"phi=8", "double_slider.theta=8"}, "must be less than 8°, at which the double slider jams");
-  refused({"double_slider_pins.r=2"}, "wider than the link is long");
+  is_refused(friction(), {"phi=8", "double_slider.theta=8"}, "must be less than 8°, at which the double slider jams");
+  is_refused(friction(), {"double_slider_pins.r=2"}, "wider than the link is long");
   // The link's force falls into the friction cone of slider 4: sin δ = 2 sin 5°, δ + 5° = 15.0386°; in the middle of
   // the row δ = φ and the limit is hit.
-  refused({"double_slider_pins.r=0.3", "double_slider.theta=15.038"},
-          "at which the double slider with friction in its pins jams");
-  refused({"double_slider_pins.r=0.15", "double_slider.theta=10"},
-          "must be less than 5°, at which the double slider with friction in its pins jams");
-  refused({"double_slider_pins.r=0.3", "double_slider.theta=10"}, "must be less than 3.32956°");
+  is_refused(friction(), {"double_slider_pins.r=0.3", "double_slider.theta=15.038"},
+             "at which the double slider with friction in its pins jams");
+  is_refused(friction(), {"double_slider_pins.r=0.15", "double_slider.theta=10"},
+             "must be less than 5°, at which the double slider with friction in its pins jams");
+  is_refused(friction(), {"double_slider_pins.r=0.3", "double_slider.theta=10"}, "must be less than 3.32956°");
   CHECK(friction().checked({"double_slider_pins.r=0.3", "double_slider.theta=15.039"}).passed());
   // From C the hinge of the loaded lever lies at 165.2°, or 14.8° below +x.
-  refused({"phi=10", "sliding_levers.nu=160"}, "the contact's force, at 170° then, does not pass its hinge");
-  refused({"phi=10", "sliding_levers.nu=156"}, "at 166° then");
+  is_refused(friction(), {"phi=10", "sliding_levers.nu=160"},
+             "the contact's force, at 170° then, does not pass its hinge");
+  is_refused(friction(), {"phi=10", "sliding_levers.nu=156"}, "at 166° then");
   CHECK(friction().checked({"phi=10", "sliding_levers.nu=155"}).passed());
-  refused({"sliding_levers.y_C=0"}, "friction has no sense");
+  is_refused(friction(), {"sliding_levers.y_C=0"}, "friction has no sense");
 }
 
 // Pins of a radius of half the link have δ = φ: the double slider jams at φ = 10°/2. The wedge jams at
@@ -158,16 +154,11 @@ TEST_CASE("friction: where the rod jams in its collar, however near the next pla
 
 TEST_CASE("friction: the source's numbers", "[friction-efficiency]") {
   const CheckedExercise result = friction().checked({});
-  std::map<Verdict, int> verdicts;
-  for (const CheckedQuantity& quantity : result.quantities)
-    for (const PrintedVerdict& verdict : quantity.printed) {
-      CAPTURE(quantity.spec.name, verdict.text);
-      ++verdicts[verdict.verdict];
-      CHECK(verdict.explanation_holds);
-    }
-  CHECK(verdicts[Verdict::rounding] == 4);
-  CHECK(verdicts[Verdict::reading] == 5);
-  CHECK(verdicts[Verdict::disagrees] == 11);
+  const Judged prints = judged(result);
+  CHECK(prints.rounding == 4);
+  CHECK(prints.reading == 5);
+  CHECK(prints.explained == 11);
+  CHECK(prints.unexplained == 0);
 }
 
 TEST_CASE("friction: what does not slide has no friction, and no sheet", "[friction-efficiency]") {
