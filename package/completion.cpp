@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 
 #include "drawings/text/text.h"
 #include "exercises/cli/options.h"
+#include "exercises/scenes/scene_exercise.h"
+#include "exercises/scenes/shipped.h"
 
 namespace epure {
 namespace {
@@ -87,6 +90,8 @@ std::string completion_lines(const Catalogue& exercises) {
              options_of(verb);
   lines += values_of_options();
   for (const Listed& exercise : exercises) lines += lines_of(exercise->about());
+  for (const scenes::Shipped& scene : scenes::shipped_scenes())
+    lines += lines_of(scenes::scene_exercise(std::make_shared<const scenes::Scene>(scene.id, scene.text))->about());
   return lines;
 }
 

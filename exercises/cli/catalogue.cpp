@@ -5,6 +5,7 @@
 
 #include "exercises/cli/symbol.h"
 #include "exercises/kit/statement/suggest.h"
+#include "exercises/scenes/shipped.h"
 
 namespace epure {
 namespace {
@@ -120,6 +121,7 @@ const Exercise& find_exercise(const Catalogue& exercises, const std::string& id)
   if (id.find('=') != std::string::npos)
     throw WrongUsage(format_words("\"{0}\" is no exercise; to set a given write --set {0}",
                                   "\"{0}\" non è un esercizio; per assegnare un dato scrivere --set {0}", id));
+  for (const std::string& shipped : scenes::shipped_ids()) ids.push_back(shipped);
   throw WrongUsage(format_words("there is no exercise \"{}\"; {}", "non c'è alcun esercizio \"{}\"; {}", id,
                                 did_you_mean(id, ids)));
 }

@@ -23,6 +23,7 @@ Help help_of_list() {
           R"(
   epure list
   epure list slider-crank-velocity
+  epure list watt-six-bar
   epure list slider-crank-velocity --lang it
   epure list --json > exercises.json
 )"};

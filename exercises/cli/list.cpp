@@ -7,6 +7,7 @@
 #include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/statement/suggest.h"
+#include "exercises/scenes/shipped.h"
 
 namespace epure {
 namespace {
@@ -19,6 +20,17 @@ std::string one_line_each(const Catalogue& exercises, Language language) {
                                           about.item)});
   }
   return table(rows, 0);
+}
+
+// They are read whole only where one is asked for.
+std::string shipped(Language language) {
+  std::vector<std::vector<std::string>> rows;
+  for (const scenes::Shipped& scene : scenes::shipped_scenes())
+    rows.push_back({scene.id, drawings::plain(scenes::head_of(scene).title.in(language))});
+  return wrapped(Words{"\nMechanisms from files (docs/scenes; \"scenes\" stands for all of them)",
+                       "\nMeccanismi da file (docs/scenes; \"scenes\" vale per tutti)"}
+                     .in(language)) +
+         table(rows, 0);
 }
 
 std::string heading(const Words& words, Language language) { return "\n" + words.in(language) + "\n"; }
@@ -84,7 +96,7 @@ std::vector<const Exercise*> exercises_listed(const Catalogue& exercises, std::v
 std::string list(const Catalogue& exercises, const Options& options) {
   const Language chosen = language(options);
   if (options.json) return json_list(exercises_listed(exercises, options.names));
-  if (options.names.empty()) return one_line_each(exercises, chosen);
+  if (options.names.empty()) return one_line_each(exercises, chosen) + shipped(chosen);
   if (options.names.size() > 1)
     throw WrongUsage("list shows one exercise at a time; name one, or none for all",
                      "list mostra un esercizio alla volta; nominarne uno, o nessuno per tutti");

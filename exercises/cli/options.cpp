@@ -180,9 +180,9 @@ class Parser {
 
   void add_list() {
     CLI::App& verb = add_verb("list");
-    add_names(
-        verb, {"ID", "ID"},
-        {"an exercise: show its sheets, givens and quantities", "un esercizio: mostra tavole, dati e grandezze"});
+    add_names(verb, {"ID", "ID"},
+              {"an exercise, or a mechanism from a file: show its sheets, givens and quantities",
+               "un esercizio, o un meccanismo da file: mostra tavole, dati e grandezze"});
     add_flag(verb, "--json", options_.json,
              {"print all this as JSON (schema epure.list/1)", "stampa tutto ciò in JSON (schema epure.list/1)"});
     add_language(verb);
@@ -190,7 +190,8 @@ class Parser {
   void add_draw() {
     CLI::App& verb = add_verb("draw");
     add_names(verb, {"NAME", "NOME"},
-              {"exercises or single sheets: ID, ID/SHEET or all", "esercizi o singole tavole: ID, ID/TAVOLA o all"});
+              {"exercises, mechanisms from files or single sheets: ID, ID/SHEET, all or scenes",
+               "esercizi, meccanismi da file o singole tavole: ID, ID/TAVOLA, all o scenes"});
     add_formats(verb, {"; also html, png, eps, pdf+tex; csv: the long table of a sheet",
                        "; anche html, png, eps, pdf+tex; csv: la tabella lunga di una tavola"});
     add_csv(verb);
@@ -221,7 +222,9 @@ class Parser {
   }
   void add_check() {
     CLI::App& verb = add_verb("check");
-    add_names(verb, {"ID", "ID"}, {"exercises, or all", "esercizi, o all"});
+    add_names(
+        verb, {"ID", "ID"},
+        {"exercises, or all; mechanisms from files, or scenes", "esercizi, o all; meccanismi da file, o scenes"});
     add_givens(verb);
     add_givens_file(verb, {"givens from lines such as r = 25 cm; or CSV: a column each, and each row is checked",
                            "dati da righe come r = 25 cm; o CSV: una colonna ciascuno, e si verifica ogni riga"});

@@ -23,21 +23,39 @@ void demand_sheet(const Exercise& exercise, const std::string& file, const std::
                                   did_you_mean(sheet, names)));
 }
 
+constexpr const char* all_shipped = "scenes";
+
+// With each that is shipped in its place; alone, as all of the exercises that are read.
+std::vector<std::string> each_named(const std::vector<std::string>& names) {
+  std::vector<std::string> all;
+  for (const std::string& name : names)
+    if (name != all_shipped)
+      all.push_back(name);
+    else
+      for (const std::string& id : scenes::shipped_ids()) all.push_back(id);
+  return all;
+}
+
 }  // namespace
 
 bool names_scenes(const Options& options) {
   return std::any_of(options.names.begin(), options.names.end(),
-                     [](const std::string& name) { return scenes::scene_name(name).has_value(); });
+                     [](const std::string& name) { return name == all_shipped || scenes::scene_name(name); });
 }
 
 Scenes read_scenes(const Options& options) {
   Scenes read{.exercises = {}, .options = options};
+  read.options.names = each_named(options.names);
   std::vector<std::pair<std::string, std::string>> known;  // file, id
   for (std::string& name : read.options.names) {
     const auto scene = scenes::scene_name(name);
     if (!scene)
-      throw WrongUsage(format_words("\"{}\" stands beside a file; name files alone, or exercises alone",
-                                    "\"{}\" sta accanto a un file; nominare solo file, o solo esercizi", name));
+      throw WrongUsage(
+          format_words("\"{}\" stands beside a mechanism from a file; name such mechanisms alone, or "
+                       "exercises alone",
+                       "\"{}\" sta accanto a un meccanismo da un file; nominare solo meccanismi da "
+                       "file, o solo esercizi",
+                       name));
     const std::string& file = scene->file;
     auto found = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == file; });
     if (found == known.end()) {
@@ -56,6 +74,7 @@ Scenes read_scenes(const Options& options) {
       demand_sheet(*read.exercises[static_cast<std::size_t>(found - known.begin())], file, scene->sheet.substr(1));
     name = found->second + scene->sheet;
   }
+  if (options.names == std::vector<std::string>{all_shipped}) read.options.names = {"all"};
   return read;
 }
 

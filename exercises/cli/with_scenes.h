@@ -1,4 +1,5 @@
-// Mechanisms from files, named on the command line like exercises: epure check quick-return.yaml
+// Mechanisms from files, named on the command line like exercises: epure check my.yaml, epure check watt-six-bar;
+// "scenes" stands for all that are shipped.
 #pragma once
 
 #include <memory>

@@ -43,7 +43,7 @@ class File {
 // As the name of a file; a hyphen with a sheet behind it would be an option.
 inline constexpr const char* standard_input = "/dev/stdin";
 
-// Throws BadScene where it cannot be read.
+// Of a shipped file by its id too. Throws BadScene where it cannot be read.
 std::string bytes_of(const std::string& file);
 
 // What a file says is text, not markup.

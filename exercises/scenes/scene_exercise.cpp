@@ -20,6 +20,7 @@
 #include "exercises/scenes/refusals.h"
 #include "exercises/scenes/scene_figure.h"
 #include "exercises/scenes/scene_routes.h"
+#include "exercises/scenes/shipped.h"
 
 namespace epure::scenes {
 namespace {
@@ -127,6 +128,8 @@ std::optional<SceneName> scene_name(const std::string& name) {
   const std::string piped = standard_input;
   if (name == "-" || name == piped) return SceneName{piped, ""};
   if (name.starts_with(piped + "/")) return SceneName{piped, name.substr(piped.size())};
+  const std::size_t slash = std::min(name.find('/'), name.size());
+  if (shipped_scene(name.substr(0, slash))) return SceneName{name.substr(0, slash), name.substr(slash)};
   return {};
 }
 

@@ -11,7 +11,7 @@
 namespace epure::scenes {
 
 // A name on the command line that is one of a file: ID.yaml, or ID.yaml/SHEET; of standard input: -, or
-// /dev/stdin/SHEET. None: it is that of an exercise.
+// /dev/stdin/SHEET; of a shipped file: its id, or ID/SHEET. None: it is that of an exercise.
 struct SceneName {
   std::string file, sheet;  // "/SHEET", or empty
 };
