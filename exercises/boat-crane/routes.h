@@ -23,11 +23,6 @@ struct Strength {
       : sigma_S(1000000 * givens["sigma_S"]), Delta_sigma_L(1000000 * givens["Delta_sigma_L"]), Psi(givens["Psi"]) {}
 };
 
-template <class T>
-T number(const Rational& q) {
-  return geometry::from_rational<T>(q);
-}
-
 // What does not depend on the load, as it is constructed.
 template <class T>
 struct Bodies {

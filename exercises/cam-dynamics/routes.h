@@ -29,10 +29,6 @@ inline constexpr Phrase cam_at_rest{"the cam rests: no angle needs more force th
 inline constexpr Phrase no_relative_pole{"P23 is at infinity", "P23 è all'infinito"};
 
 template <class T>
-T number(const Rational& q) {
-  return geometry::from_rational<T>(q);
-}
-template <class T>
 T in_degrees(const T& radians) {
   return quotient(number<T>(180) * radians, geometry::pi<T>());
 }
@@ -53,10 +49,6 @@ T degrees_by_half(const Vector<T>& v) {
   } else {
     return degrees_of<T>({v.x + geometry::length(v), v.y}) * T(2);
   }
-}
-template <class T>
-T size_of(const T& x) {
-  return size(Vector<T>{x, T(0)});
 }
 
 class Routes {

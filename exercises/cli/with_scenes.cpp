@@ -25,7 +25,7 @@ void demand_sheet(const Exercise& exercise, const std::string& file, const std::
 
 constexpr const char* all_shipped = "scenes";
 
-// With each that is shipped in its place; alone, as all of the exercises that are read.
+// With each that is shipped in its place.
 std::vector<std::string> each_named(const std::vector<std::string>& names) {
   std::vector<std::string> all;
   for (const std::string& name : names)
@@ -74,7 +74,8 @@ Scenes read_scenes(const Options& options) {
       demand_sheet(*read.exercises[static_cast<std::size_t>(found - known.begin())], file, scene->sheet.substr(1));
     name = found->second + scene->sheet;
   }
-  if (options.names == std::vector<std::string>{all_shipped}) read.options.names = {"all"};
+  if (options.verb == Options::Verb::list && options.names == std::vector<std::string>{all_shipped})
+    read.options.names = {"all"};
   return read;
 }
 

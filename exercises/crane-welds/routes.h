@@ -15,11 +15,6 @@ using geometry::quotient;
 using geometry::root;
 using geometry::square;
 
-template <class T>
-T number(const Rational& q) {
-  return geometry::from_rational<T>(q);
-}
-
 class Routes {
  public:
   explicit Routes(const Welds& welds) : welds_(welds) {}

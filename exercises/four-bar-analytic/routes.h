@@ -248,7 +248,6 @@ void by_analysis(Ledger<T>& ledger, const Problem& of, const HalfTurned& back) {
   // Products of lengths and rates; G₃'s acceleration in the axes of AB and in those of its path.
   const T AB = geometry::from_rational<T>(g.AB), B0B = geometry::from_rational<T>(g.B0B),
           AG3 = geometry::from_rational<T>(g.AB / 2);
-  const auto magnitude_of = [](const T& x) { return size(Vector<T>{x, T(0)}); };
   const Z v_G3 = coupler.velocity(G3), a_G3 = coupler.acceleration(G3);
   const auto along_path = [&] {
     const T part = Ledger<T>::ratio(analytic::dot(v_G3, a_G3), analytic::dot(v_G3, v_G3), no_path);

@@ -5,11 +5,17 @@
 namespace epure::four_bar {
 namespace {
 
+// Whoever asks first.
+std::vector<RouteValue> all_of_source(Rung rung) {
+  const Asked all;
+  const FirstRouteOnly no(false);
+  return solve(problem(Givens(givens())), rung);
+}
+
 // What the source's linkage has under names that begin so does not exist here: `why` by the construction, `analysis`
 // by the closed formulas.
 std::vector<RouteValue> absent(const std::string& prefix, const Words& why, const Words& analysis, Rung rung) {
-  static const Problem source = problem(Givens(givens()));
-  static const std::vector<RouteValue> reported = solve(source, Rung::names), drawn = solve(source, Rung::drawing);
+  static const std::vector<RouteValue> reported = all_of_source(Rung::names), drawn = all_of_source(Rung::drawing);
   std::vector<RouteValue> values;
   for (const RouteValue& value : rung == Rung::drawing ? drawn : reported) {
     if (!value.quantity.starts_with(prefix)) continue;

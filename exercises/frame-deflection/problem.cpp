@@ -7,10 +7,6 @@
 namespace epure::frame_deflection {
 namespace {
 
-void require(bool holds, const Words& otherwise) {
-  if (!holds) throw BadGivens(otherwise);
-}
-
 Rational in_si(const Givens& givens, const std::string& symbol) { return geometry::in_si(*givens.reading(symbol)); }
 
 }  // namespace

@@ -37,10 +37,6 @@ Rational factor(const Givens& givens, const std::string& symbol) {
   return value;
 }
 
-void require(bool holds, const Words& otherwise) {
-  if (!holds) throw BadGivens(otherwise);
-}
-
 PairKind kind_of(const Givens& givens) {
   const std::string& word = givens.chosen("kind").word;
   if (word == "internal") return PairKind::internal;

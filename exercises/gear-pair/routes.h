@@ -81,8 +81,6 @@ class PairRoutes {
   static Find impossible(const Phrase& why) {
     return [why]() -> T { throw geometry::Impossible(why); };
   }
-  static T number(const Rational& q) { return geometry::from_rational<T>(q); }
-  static T size_of(const T& x) { return size(geometry::Vector<T>{x, T(0)}); }
   bool is_rack(int wheel) const { return wheel == 2 && of_.kind == PairKind::rack; }
   bool is_ring(int wheel) const { return wheel == 2 && of_.kind == PairKind::internal; }
   const geometry::WheelCircles<T>& circles(int wheel) const { return wheel == 1 ? pair_.wheel1 : *pair_.wheel2; }
@@ -148,20 +146,21 @@ class PairRoutes {
       put(
           addendum,
           [&] {
-            return is_rack(w) ? number(lines.reference - lines.tip) : outwards * (circles(w).r_tip - circles(w).r);
+            return is_rack(w) ? number<T>(lines.reference - lines.tip) : outwards * (circles(w).r_tip - circles(w).r);
           },
-          [&] { return number(of_.m * (of_.ha - of_.k + shift)); });
+          [&] { return number<T>(of_.m * (of_.ha - of_.k + shift)); });
       put(
           dedendum,
           [&] {
-            return is_rack(w) ? number(lines.root - lines.reference) : outwards * (circles(w).r - circles(w).r_root);
+            return is_rack(w) ? number<T>(lines.root - lines.reference)
+                              : outwards * (circles(w).r - circles(w).r_root);
           },
-          [&] { return number(of_.m * (of_.hf - shift)); });
+          [&] { return number<T>(of_.m * (of_.hf - shift)); });
     }
     put(
         length("tooth_height", "h", {"height of the teeth", "altezza dei denti"}),
         [&] { return pair_.wheel1.r_tip - pair_.wheel1.r_root; },
-        [&] { return number(of_.m * (of_.ha + of_.hf - of_.k)); });
+        [&] { return number<T>(of_.m * (of_.ha + of_.hf - of_.k)); });
     put(
         length("clearance", "δ", {"clearance between tip 1 and root 2", "gioco tra la testa 1 e il fondo 2"}),
         [&] { return height(2, false) - height(1, true); }, [&] { return by_.clearance(1); });
@@ -171,23 +170,23 @@ class PairRoutes {
     for (const int w : {1, 2})
       put_of_circle(
           w, pure(on("z", w), on("z_{", w) + "}", format_words("teeth of wheel {}", "denti della ruota {}", w)),
-          [&, w] { return geometry::quotient(T(2) * circles(w).r, number(of_.m)); },
-          [&, w] { return number(by_.z(w)); });
+          [&, w] { return geometry::quotient(T(2) * circles(w).r, number<T>(of_.m)); },
+          [&, w] { return number<T>(by_.z(w)); });
     put(
         length("circular_pitch", "p", {"circular pitch", "passo circonferenziale"}),
-        [&] { return pitch_of(pair_.wheel1.r); }, [&] { return number(of_.m) * geometry::pi<T>(); });
+        [&] { return pitch_of(pair_.wheel1.r); }, [&] { return number<T>(of_.m) * geometry::pi<T>(); });
     put(
         length("base_pitch", "p_{b}", {"base pitch", "passo di base"}), [&] { return pitch_of(pair_.wheel1.r_b); },
         [&] { return by_.base_pitch(); });
   }
   // Of the tip or root on the line of centres in the mesh, above P0.
   T height(int wheel, bool tip) const {
-    if (is_rack(wheel)) return number(tip ? geometry::rack_lines(of_).tip : geometry::rack_lines(of_).root);
+    if (is_rack(wheel)) return number<T>(tip ? geometry::rack_lines(of_).tip : geometry::rack_lines(of_).root);
     const T r = tip ? circles(wheel).r_tip : circles(wheel).r_root;
     return wheel == 1 || is_ring(wheel) ? centre(wheel).y + r : centre(wheel).y - r;
   }
   T pitch_of(const T& radius) const {
-    return geometry::quotient(T(2) * geometry::pi<T>() * radius, number(Rational(of_.z1)));
+    return geometry::quotient(T(2) * geometry::pi<T>() * radius, number<T>(Rational(of_.z1)));
   }
 
   // Arcs are on the working pitch circles: the pitch point of a wheel moves 1/cos α_w times as fast as the contact.
@@ -236,17 +235,17 @@ class PairRoutes {
       put(quantity(std::string("omega_") + name, std::string("ω_{") + index + "}", "rad/s", meaning), constructed,
           calculated);
     };
-    const auto relative = [&] { return number(1 - ratio) * omega_1_; };
+    const auto relative = [&] { return number<T>(1 - ratio) * omega_1_; };
     omega(
         "1", "1", {"angular velocity of wheel 1", "velocità angolare della ruota 1"}, [&] { return speeds.omega_1; },
         [&] { return omega_1_; });
     omega(
         "2", "2",
         {"angular velocity of wheel 2, as wheel 1 positive", "velocità angolare della ruota 2, positiva come la 1"},
-        [&] { return speeds.omega_2; }, [&] { return number(ratio) * omega_1_; });
+        [&] { return speeds.omega_2; }, [&] { return number<T>(ratio) * omega_1_; });
     omega(
         "relative", "r", {"relative angular velocity", "velocità angolare relativa"},
-        [&] { return size_of(speeds.relative()); }, relative);
+        [&] { return magnitude_of(speeds.relative()); }, relative);
     struct Where {
       const char *name, *letter;
       End point;
@@ -258,8 +257,8 @@ class PairRoutes {
       put(
           quantity(std::string("sliding_velocity_") + at.name, std::string("v_{") + at.letter + "}", "m/s",
                    format_words("sliding velocity in {}", "velocità di strisciamento in {}", at.letter)),
-          [&] { return size_of(velocities((pair_.*at.point)()).sliding()); },
-          [&] { return size_of(relative() * at.xi()); });
+          [&] { return magnitude_of(velocities((pair_.*at.point)()).sliding()); },
+          [&] { return magnitude_of(relative() * at.xi()); });
     for (const Where& at : ends)
       for (const int w : {1, 2})
         put(
@@ -291,7 +290,7 @@ class PairRoutes {
     put(
         thickness("working", "w", {"working pitch circle", "primitiva di funzionamento"}),
         [&] {
-          return is_rack(w) ? geometry::rack_tooth_thickness(pair_, number(geometry::rack_lines(of_).reference))
+          return is_rack(w) ? geometry::rack_tooth_thickness(pair_, number<T>(geometry::rack_lines(of_).reference))
                             : geometry::tooth_thickness(pair_, w, circles(w).r_w, pair_.alpha_w);
         },
         [&] { return is_rack(w) ? by_.rack_thickness(of_.m * of_.x1) : by_.working_thickness(w); });
@@ -341,20 +340,22 @@ class PairRoutes {
         length("undercut_limit_addendum_1", "h_{lim1}",
                {"largest addendum of the rack that does not undercut wheel 1",
                 "massimo addendum della dentiera che non sottotaglia la ruota 1"}),
-        [&] { return number(geometry::rack_lines(of_).reference) - tangent_point(1).y; },
+        [&] { return number<T>(geometry::rack_lines(of_).reference) - tangent_point(1).y; },
         [&] { return by_.undercut_limit_addendum(); });
     // The depth of T, of the reference pitch circle, is as the number of teeth.
     put(
         pure("undercut_limit_teeth", "z_{lim}",
              {"limit of undercut by the rack, in teeth of wheel 1",
               "limite di sottotaglio con la dentiera, in denti della ruota 1"}),
-        [&] { return geometry::quotient(number(Rational(of_.z1) * of_.m * (of_.ha - of_.x1)), -tangent_point(1).y); },
+        [&] {
+          return geometry::quotient(number<T>(Rational(of_.z1) * of_.m * (of_.ha - of_.x1)), -tangent_point(1).y);
+        },
         [&] { return geometry::analytic::undercut_limit_teeth<T>(by_.of); });
     put(
         pure("minimum_teeth_no_undercut_rack", "z_{min}",
              {"least teeth of wheel 1 without undercut by the rack",
               "minimo numero di denti della ruota 1 senza sottotaglio"}),
-        [&] { return number(Rational(constructed.rack)); }, [&] { return number(Rational(calculated.rack)); });
+        [&] { return number<T>(Rational(constructed.rack)); }, [&] { return number<T>(Rational(calculated.rack)); });
     put(
         pure("interference_limit_teeth", "z_{int}",
              {"limit of interference at this ratio, in teeth of wheel 1",
@@ -365,7 +366,8 @@ class PairRoutes {
         pure("minimum_teeth_pinion_for_this_ratio", "z_{1min}",
              {"least teeth of wheel 1 without interference at this ratio",
               "minimo numero di denti della ruota 1 senza interferenza con questo rapporto"}),
-        [&] { return number(Rational(constructed.pinion)); }, [&] { return number(Rational(calculated.pinion)); });
+        [&] { return number<T>(Rational(constructed.pinion)); },
+        [&] { return number<T>(Rational(calculated.pinion)); });
   }
 
   // Of a workshop: diameters, the base tangent; the source's ratio.
@@ -379,12 +381,12 @@ class PairRoutes {
         ledger_.draws(of_wheel(w, std::string("d") + index + "_", "d", index, {"diameter", "diametro"}),
                       [&r = r] { return T(2) * r; });
       ledger_.draws(pure(on("k_", w), on("k_{", w) + "}", {"teeth of the base tangent", "denti dello scartamento"}),
-                    [&] { return number(Rational(base_tangent(pair_, w).teeth)); });
+                    [&] { return number<T>(Rational(base_tangent(pair_, w).teeth)); });
       ledger_.draws(of_wheel(w, "W_", "𝑊", "", {"base tangent length", "scartamento"}),
                     [&] { return base_tangent(pair_, w).length; });
     }
     ledger_.draws(length("rho", "ρ", {"rounding of the cutter's tip", "raccordo di testa dell'utensile"}),
-                  [&] { return number(of_.rho * of_.m); });
+                  [&] { return number<T>(of_.rho * of_.m); });
     if (is_rack(2))
       ledger_.draws(quantity("v", "v", "m/s", {"speed of the rack", "velocità della dentiera"}),
                     [&] { return omega_1_ * pair_.wheel1.r_w; });
@@ -412,7 +414,7 @@ class PairRoutes {
                       [&] { return w == 1 ? at_xi(xi()).specific_1() : at_xi(xi()).specific_2(); });
       }
       ledger_.draws(quantity("v_s_" + at, "v_{s}", "m/s", {"sliding velocity", "velocità di strisciamento"}),
-                    [&] { return size_of(at_xi(xi()).sliding()); });
+                    [&] { return magnitude_of(at_xi(xi()).sliding()); });
     };
     draw_position("A", [&] { return -approach(); });
     draw_position("E", [&] { return recess(); });

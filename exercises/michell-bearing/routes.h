@@ -61,10 +61,6 @@ struct InverseRoutes {
  private:
   static constexpr int strips_of_load = 8;
 
-  template <class T>
-  static T number(const Rational& q) {
-    return geometry::from_rational<T>(q);
-  }
   Rational middle_of_strip(int i) const { return film.l * Rational(2 * i + 1, 2 * strips_of_load); }
   // Number of the grid's point, or -1.
   long on_grid(const Rational& x) const {
@@ -340,10 +336,6 @@ struct DirectRoutes {
   }
 
  private:
-  template <class T>
-  static T number(const Rational& q) {
-    return geometry::from_rational<T>(q);
-  }
   // At least the film allowed?
   template <class T>
   static T is_enough(const T& margin) {

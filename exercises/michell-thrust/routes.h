@@ -16,11 +16,6 @@ using geometry::quotient;
 using geometry::root;
 using geometry::square;
 
-template <class T>
-T number(const Rational& q) {
-  return geometry::from_rational<T>(q);
-}
-
 // n, A, k of a film, found when they are asked for.
 template <class T>
 struct Coefficients {

@@ -6,10 +6,6 @@
 namespace epure::oscillator_pendulum {
 namespace {
 
-void require(bool holds, const Words& otherwise) {
-  if (!holds) throw BadGivens(otherwise);
-}
-
 void demand_steps(const std::string& symbol, const Rational& dt, const Rational& least, int last) {
   require(dt >= least,
           format_words("{} = {} s: the table would have more than {} rows up to t = {} s, the step is at least {} s",

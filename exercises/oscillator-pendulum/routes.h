@@ -106,11 +106,6 @@ struct OscillatorRoutes {
       return find();
     };
   }
-  template <class T>
-  static T number(const Rational& q) {
-    return geometry::from_rational<T>(q);
-  }
-
   template <class T, class Write>
   void by_closed_form(const Write& write) const {
     const Rational zeta = of.zeta, m = of.m;
@@ -277,10 +272,6 @@ struct PendulumRoutes {
   }
 
  private:
-  template <class T>
-  static T number(const Rational& q) {
-    return geometry::from_rational<T>(q);
-  }
   template <class T>
   T cosine_of_start() const {
     return geometry::cosine<T>(of.theta_0);

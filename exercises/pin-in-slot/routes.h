@@ -13,12 +13,6 @@ inline constexpr Phrase no_relative_pole{"P₂₃ is at infinity: the lever is u
 inline constexpr Phrase lifts_off{"the guide does not press on the disc (N ≤ 0): it would lift off",
                                   "la guida non preme sul disco (N ≤ 0): si staccherebbe"};
 
-// |x| without deciding its sign, which an enclosure of zero does not tell; for signs, x².
-template <class T>
-T magnitude_of(const T& x) {
-  return size(geometry::Vector<T>{x, T(0)});
-}
-
 // Throws Impossible when the guide would have to hold the disc down.
 template <class T>
 void require_pressing(const T& normal) {

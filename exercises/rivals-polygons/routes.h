@@ -141,7 +141,6 @@ template <class T>
 void by_analysis(Ledger<T>& ledger, const Instant& instant) {
   const AnalyticSliderCrank<T> found = analytic_slider_crank<T>(instant.crank);
   const auto& m = found.motion;
-  const auto magnitude = [](const T& x) { return size(geometry::Vector<T>{x, T(0)}); };
   const T r = geometry::from_rational<T>(instant.crank.lengths.r),
           l = geometry::from_rational<T>(instant.crank.lengths.l);
   const T AG = geometry::from_rational<T>(instant.AG), omega_2 = instant.crank.omega_2<T>();
@@ -151,25 +150,25 @@ void by_analysis(Ledger<T>& ledger, const Instant& instant) {
     return geometry::quotient(geometry::analytic::cross(found.position.A, m.v_A),
                               geometry::analytic::squared_modulus(found.position.A));
   });
-  ledger.put(velocity("A").length(), [&] { return magnitude(r * omega_2); });
-  ledger.put(velocity("BA").length(), [&] { return magnitude(l * m.omega_3); });
+  ledger.put(velocity("A").length(), [&] { return magnitude_of(r * omega_2); });
+  ledger.put(velocity("BA").length(), [&] { return magnitude_of(l * m.omega_3); });
   ledger.put(velocity("B").x(), m.v_B.re);
-  ledger.put(velocity("B").length(), [&] { return magnitude(m.v_B.re); });
+  ledger.put(velocity("B").length(), [&] { return magnitude_of(m.v_B.re); });
   ledger.put(angular_velocity(3), m.omega_3);
-  ledger.put(velocity("GA").length(), [&] { return magnitude(AG * m.omega_3); });
+  ledger.put(velocity("GA").length(), [&] { return magnitude_of(AG * m.omega_3); });
   ledger.put(velocity("G"), plane(m.v_C));
-  ledger.put(normal_acceleration("A").length(), [&] { return magnitude(r * geometry::square(omega_2)); });
-  ledger.put(tangential_acceleration("A").length(), [&] { return magnitude(r * alpha_2); });
+  ledger.put(normal_acceleration("A").length(), [&] { return magnitude_of(r * geometry::square(omega_2)); });
+  ledger.put(tangential_acceleration("A").length(), [&] { return magnitude_of(r * alpha_2); });
   ledger.put(acceleration("A").length(), [&] { return size(plane(m.a_A)); });
-  ledger.put(normal_acceleration("BA").length(), [&] { return magnitude(l * omega_3_squared); });
-  ledger.put(tangential_acceleration("BA").length(), [&] { return magnitude(l * m.alpha_3); });
+  ledger.put(normal_acceleration("BA").length(), [&] { return magnitude_of(l * omega_3_squared); });
+  ledger.put(tangential_acceleration("BA").length(), [&] { return magnitude_of(l * m.alpha_3); });
   ledger.put(acceleration("B").x(), m.a_B.re);
-  ledger.put(acceleration("B").length(), [&] { return magnitude(m.a_B.re); });
+  ledger.put(acceleration("B").length(), [&] { return magnitude_of(m.a_B.re); });
   ledger.put(angular_acceleration(3), m.alpha_3);
-  ledger.put(normal_acceleration("GA").length(), [&] { return magnitude(AG * omega_3_squared); });
-  ledger.put(tangential_acceleration("GA").length(), [&] { return magnitude(AG * m.alpha_3); });
+  ledger.put(normal_acceleration("GA").length(), [&] { return magnitude_of(AG * omega_3_squared); });
+  ledger.put(tangential_acceleration("GA").length(), [&] { return magnitude_of(AG * m.alpha_3); });
   ledger.put(acceleration("G"), plane(m.a_C));
-  ledger.put(a_B_as_printed(), [&] { return magnitude(printed_a_B(found, l)); });
+  ledger.put(a_B_as_printed(), [&] { return magnitude_of(printed_a_B(found, l)); });
 }
 
 struct Routes {

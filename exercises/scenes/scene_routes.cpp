@@ -175,15 +175,16 @@ struct SceneRoutes {
             format_words("angle of the x axis of link {} from that of the frame, counter-clockwise",
                          "angolo dell'asse x del membro {} da quello del telaio, antiorario", i)};
   }
-  // In (-π, π]; what cannot be told from the direction -x is near π.
+  // In (-π, π]; a direction that so many bits do not tell from -x is π. (Givens of 40 digits that miss it do so by
+  // far more; fewer bits would call π what more find beside -π.)
   template <class T>
   static T angle_of_axis(const Vector<T>& x) {
-    if constexpr (signs_only<T>) {
-      return angle_of(x);
-    } else {
-      if (sign(x.y) == Sign::undecided && sign(x.x) == Sign::negative) return pi<T>() + arc_tangent(T(-x.y), T(-x.x));
-      return angle_of(x);
+    if constexpr (std::is_same_v<T, Deep>) {
+      constexpr long enough = 512;
+      if (Arithmetic<Deep>::bits() >= enough && sign(x.y) == Sign::undecided && sign(x.x) == Sign::negative)
+        return pi<T>() + arc_tangent(T(-x.y), T(-x.x));
     }
+    return angle_of(x);
   }
 
   // P_ij of all links by their lines, as they are drawn; it is a centre only of links that move against each other.

@@ -31,15 +31,14 @@ struct Motion {
 template <class T>
 struct Numbers {
   explicit Numbers(const Spool& of)
-      : m_a(number(of.m_a)),
-        R(number(of.R)),
-        r(number(of.r)),
-        h(number(of.height())),
-        f_a(number(of.f_a)),
-        f_r(number(of.f_r)),
-        f_v(number(of.f_v)),
-        g(number(of.g)) {}
-  static T number(const Rational& q) { return geometry::from_rational<T>(q); }
+      : m_a(number<T>(of.m_a)),
+        R(number<T>(of.R)),
+        r(number<T>(of.r)),
+        h(number<T>(of.height())),
+        f_a(number<T>(of.f_a)),
+        f_r(number<T>(of.f_r)),
+        f_v(number<T>(of.f_v)),
+        g(number<T>(of.g)) {}
 
   T m_a, R, r, h, f_a, f_r, f_v, g;
 };
@@ -267,10 +266,6 @@ struct Routes {
     ledger.put(quantity("inertia_force"), Numbers<T>::number(of.m_a) * at.a_G);
     ledger.put(quantity("inertia_couple"), size_of<T>(way.J() * at.alpha));
     draw(ledger, way, at);
-  }
-  template <class T>
-  static T size_of(const T& x) {
-    return size(geometry::Vector<T>{x, T(0)});
   }
 
   struct Case {

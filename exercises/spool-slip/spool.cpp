@@ -5,13 +5,6 @@
 #include <algorithm>
 
 namespace epure::spool_slip {
-namespace {
-
-void require(bool holds, const Words& otherwise) {
-  if (!holds) throw BadGivens(otherwise);
-}
-}  // namespace
-
 std::vector<GivenSpec> stated_givens() {
   return {
       {"m_a", {"mass of the spool", "massa della bobina"}, "kg", "20", Range::positive, "$m_{a}$"},

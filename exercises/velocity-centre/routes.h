@@ -60,11 +60,6 @@ struct Routes {
 
  private:
   template <class T>
-  static T number(const Rational& q) {
-    return geometry::from_rational<T>(q);
-  }
-
-  template <class T>
   void put_inclination(Ledger<T>& ledger, const std::function<T()>& find) const {
     ledger.put(inclination_in_degrees(), [&]() -> T {
       if (!instant.turns() && is_zero(instant.omega_dot)) throw geometry::Impossible(no_inclination);
@@ -133,14 +128,13 @@ struct Routes {
     const Complex<T> O{T(0), T(0)},
         A = L * Complex<T>{geometry::cosine<T>(instant.angle), geometry::sine<T>(instant.angle)};
     const geometry::analytic::PlaneMotion<T> bar{O, {V, T(0)}, {a, T(0)}, omega, alpha};
-    const auto magnitude = [](const T& x) { return size(Vector<T>{x, T(0)}); };
     ledger.put(point("A"), Point<T>{A.re, A.im});
-    ledger.put(velocity("O").length(), [&] { return magnitude(V); });
-    ledger.put(velocity("AO").length(), [&] { return magnitude(L * omega); });
+    ledger.put(velocity("O").length(), [&] { return magnitude_of(V); });
+    ledger.put(velocity("AO").length(), [&] { return magnitude_of(L * omega); });
     ledger.put(velocity("A"), plane(bar.velocity(A)));
-    ledger.put(acceleration("O").length(), [&] { return magnitude(a); });
-    ledger.put(normal_acceleration("AO").length(), [&] { return magnitude(L * geometry::square(omega)); });
-    ledger.put(tangential_acceleration("AO").length(), [&] { return magnitude(L * alpha); });
+    ledger.put(acceleration("O").length(), [&] { return magnitude_of(a); });
+    ledger.put(normal_acceleration("AO").length(), [&] { return magnitude_of(L * geometry::square(omega)); });
+    ledger.put(tangential_acceleration("AO").length(), [&] { return magnitude_of(L * alpha); });
     ledger.put(acceleration("A"), plane(bar.acceleration(A)));
     write_pole<T>(ledger, "P0", bar, {{"O", O}, {"A", A}}, no_velocity_centre(instant));
     ledger.put(normal_slope(), [&] {  // of i v_A

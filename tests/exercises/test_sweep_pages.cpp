@@ -208,6 +208,15 @@ TEST_CASE("what no page can be made of is refused in a sentence, and nothing is 
   CHECK(scratch.files().empty());
 }
 
+// What no crank of this length has is found once for all, by whoever asks first: here by a sweep of one quantity. (Of
+// this program the first that asks.)
+TEST_CASE("a linkage without dead centres has such a page") {
+  const Ran ran = run_on_all({"sweep", "four-bar", "--over", "phi=0..360/5", "--set", "A0A=0.3", "--quantity",
+                              "omega_4", "--format", "html"});
+  CAPTURE(ran.err);
+  CHECK(ran.exit == 0);
+}
+
 TEST_CASE("every exercise has such a page, with or without a mechanism") {
   int with_mechanism = 0;
   for (const Listed& each : catalogue()) {

@@ -25,14 +25,6 @@ inline constexpr Phrase parallel_forces{"it is at infinity: the forces on the bo
                                         "è all'infinito: le forze sul corpo sono parallele"};
 
 template <class T>
-T number(const Rational& q) {
-  return geometry::from_rational<T>(q);
-}
-template <class T>
-T magnitude_of(const T& x) {
-  return size(Vector<T>{x, T(0)});
-}
-template <class T>
 XY<T> xy(const Vector<T>& v) {
   return {v.x, v.y};
 }

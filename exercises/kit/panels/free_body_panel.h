@@ -29,7 +29,8 @@ class FreeBodyPanel : public Panel {
   FreeBodyPanel& to_scale(const std::string& unit = "N");
   // The bodies no larger than so many millimetres a metre: their forces are what is to be seen.
   FreeBodyPanel& at_most(double mm_per_metre);
-  // Where lines of action meet: they are drawn as far as there, or as the paper reaches.
+  // Where lines of action meet, as the quantities name_x and name_y (empty: none report it): the lines are drawn as
+  // far as there, or as the paper reaches.
   FreeBodyPanel& meeting(const std::string& name, const std::string& letters, const std::optional<Place>& H);
   // The lines of action in another motion, dashed, with where they meet there: as far as it, or a piece of each about
   // its point where they do not meet.

@@ -20,7 +20,7 @@ class Mechanism : public MechanismFigure {
     corner  // of an outline: nothing is drawn there
   };
 
-  // A point under its letters, which are rich text.
+  // A point under its letters, which are rich text. Panels measure coordinates from the first one.
   Mechanism& point(const std::string& name, const Place& at, Joint joint, const std::string& letters);
   // A link between two points, or a plate between three and more. With a number it stands beside the link, and the
   // frame is 1.
@@ -38,7 +38,8 @@ class Mechanism : public MechanismFigure {
   Mechanism& profile(const Place& centre, double radius, double from, double to);
   // The same in another position: dashed, and kept clear of like the links.
   Mechanism& other_position(const std::vector<std::string>& points);
-  // These points are found in a step of the construction, and what joins them comes with it.
+  // These points are found in a step of the construction, and what joins them comes with it. (On a sheet to be solved
+  // they stand all the same, unless the panel leaves them out.)
   Mechanism& found_in(int step, const std::vector<std::string>& points);
   // The guide of a block, along this direction (radians), with the name of its axis ahead of it.
   Mechanism& guide(const std::string& block, double direction, const std::string& axis = {});

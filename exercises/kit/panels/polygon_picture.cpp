@@ -236,6 +236,7 @@ std::string closing(const PolygonSide& side, const std::string& from, const std:
                       : fmt::format("La {},{}, chiude il poligono.", side.label, way.italian);
 }
 std::string meeting(const std::string& corner, Language language) {
+  if (corner.empty()) return {};
   return language == Language::english ? fmt::format(" The two lines meet at {}.", corner)
                                        : fmt::format(" Le due rette si incontrano in {}.", corner);
 }

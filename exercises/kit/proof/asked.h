@@ -15,6 +15,8 @@ class Asked {
  public:
   // `names` must outlive the scope.
   explicit Asked(const std::vector<std::string>& names) : outer_(std::exchange(names_, &names)) {}
+  // All of them again: for what is found once and kept.
+  Asked() : outer_(std::exchange(names_, nullptr)) {}
   ~Asked() { names_ = outer_; }
   Asked(const Asked&) = delete;
   Asked& operator=(const Asked&) = delete;

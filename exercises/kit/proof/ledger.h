@@ -38,6 +38,18 @@ T size(const geometry::Vector<T>& v) {
   }
 }
 
+// |x| without deciding its sign, which an enclosure of zero does not tell; for signs, x².
+template <class T>
+T magnitude_of(const T& x) {
+  return size(geometry::Vector<T>{x, T(0)});
+}
+
+// A given.
+template <class T>
+T number(const Rational& q) {
+  return geometry::from_rational<T>(q);
+}
+
 // The angle of the direction v in [-pi/2, pi/2], for v.x >= 0; for signs, v.y, which has the sign of the angle.
 // Throws Impossible when v is proved to have no direction.
 template <class T>

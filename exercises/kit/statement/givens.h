@@ -45,6 +45,10 @@ struct GivenSpec {
 struct BadGivens : Told {
   using Told::Told;
 };
+// What givens must fulfil beside their ranges; `otherwise` says which value violates which condition.
+inline void require(bool holds, const Words& otherwise) {
+  if (!holds) throw BadGivens(otherwise);
+}
 
 // The place among `specs` of the one with this symbol, or with this other name; specs.size() when there is none.
 std::size_t index_of(const std::vector<GivenSpec>& specs, std::string_view name);

@@ -80,10 +80,6 @@ struct Routes {
 
  private:
   template <class T>
-  static T number(const Rational& q) {
-    return geometry::from_rational<T>(q);
-  }
-  template <class T>
   Point<T> joint(std::size_t i) const {
     return {number<T>(of.truss.joints[i].x), number<T>(of.truss.joints[i].y)};
   }

@@ -735,3 +735,30 @@ TEST_CASE("a link that only translates has its centre at infinity by every route
           "it is at infinity, square to the velocity of A: link 3 does not turn");
   }
 }
+
+// On which side of -x a link lies decides whether its angle is near 180 or near -180 degrees.
+TEST_CASE("links that miss 180 degrees by little have one angle by both routes", "[scenes]") {
+  const auto passes = [](const std::string& links, const std::string& angle, const std::string& side) {
+    const std::string text = "epure: 1\nid: f\nlinks:\n" + links + "drive: {link: 2, angle: " + angle +
+                             ", speed: 10 rpm}\nassembly: {B: " + side + " of A B0}\n";
+    const auto scene = std::make_shared<const scenes::Scene>("f", text);
+    const CheckedExercise checked = check(*scenes::scene_exercise(scene), Givens(scene->givens()), Rung::climb);
+    CAPTURE(text, complaints(checked));
+    CHECK(checked.passed());
+    return checked;
+  };
+  const std::string kite =
+      "  1: {A0: [0, 0], B0: [0.0001, 0]}\n  2: {A0 A: 0.0001}\n  3: {A B: 0.00035}\n  4: {B0 B: 0.00035}\n";
+  for (const char* angle :
+       {"0.00000000000000001 deg", "-0.00000000000000001 deg", "0.00000000000000000000000000001 deg"})
+    for (const char* side : {"right", "left"}) passes(kite, angle, side);
+  const auto rhomboid = [](const std::string& AB) {
+    return "  1: {A0: [0, 0], B0: [0.63, 0]}\n  2: {A0 A: 0.39}\n  3: {A B: " + AB + "}\n  4: {B0 B: 0.63}\n";
+  };
+  const double beyond = value(passes(rhomboid("0.39000000000000000001"), "135 deg", "right"), "theta_4"),
+               before = value(passes(rhomboid("0.38999999999999999999"), "135 deg", "right"), "theta_4"),
+               along = value(passes(rhomboid("0.39"), "135 deg", "right"), "theta_4");
+  CHECK(std::abs(along) == 180);
+  CHECK(std::abs(beyond) == 180);
+  CHECK(std::abs(before) == 180);
+}
