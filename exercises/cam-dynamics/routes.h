@@ -165,7 +165,7 @@ class Routes {
     const auto P23_x = [&] { return Ledger<T>::ratio(pole.x, pole.w, no_relative_pole); };
     ledger.route("poles");
     ledger.put(quantity("P23_x"), P23_x);
-    ledger.put(moving("v_B3").length(), [&] { return size_of<T>(w * P23_x()); });
+    ledger.put(moving("v_B3").length(), [&] { return magnitude_of<T>(w * P23_x()); });
     ledger.draws_point("P23", pole, no_relative_pole);
     // The work of P, the weights and the force of inertia of the follower, for a unit turn of the cam.
     ledger.route("virtual work");
@@ -254,7 +254,7 @@ class Routes {
     analysed_motion(ledger, f);
     ledger.put(moving("v_B2"), Vector<T>{-(w * B_y), w * e});
     ledger.put(moving("v_B32"), Vector<T>{-(w * relative) * u, (w * relative) * d});
-    ledger.put(moving("v_A").length(), [&] { return size_of<T>(w * f.r); });
+    ledger.put(moving("v_A").length(), [&] { return magnitude_of<T>(w * f.r); });
     ledger.put(moving("v_A").y(), w * A_x);
     ledger.put(moving("a_B2"), Vector<T>{-(w2 * e), -(w2 * B_y)});
     const T growth = w2 * relative_growth(f);
@@ -264,9 +264,9 @@ class Routes {
     analysed_forces(ledger, f);
     const T W_2 = weight<T>(of.m_2);
     const auto S = [&] { return pressing<T>(w2 * f.lift.y2); };
-    ledger.put(quantity("d_2"), [&] { return size_of<T>(A_x); });
+    ledger.put(quantity("d_2"), [&] { return magnitude_of<T>(A_x); });
     ledger.put(quantity("d_32"),
-               [&] { return size_of<T>(A_x * f.cosine_of_pressure() - A_y * f.sine_of_pressure()); });
+               [&] { return magnitude_of<T>(A_x * f.cosine_of_pressure() - A_y * f.sine_of_pressure()); });
     ledger.put(quantity("M_m"), [&] { return W_2 * A_x + S() * (A_x - A_y * quotient(f.lift.d, f.lift.u)); });
     ledger.put(quantity("M_m_virtual_work"), [&] { return W_2 * A_x + S() * f.lift.y1; });
   }
@@ -296,8 +296,8 @@ class Routes {
   template <class T>
   void analysed_motion(Ledger<T>& ledger, const Formulas<T>& f) const {
     const T w = f.omega, w2 = square(w);
-    ledger.put(moving("v_B3").length(), [&] { return size_of<T>(w * f.lift.y1); });
-    ledger.put(moving("a_B3").length(), [&] { return size_of<T>(w2 * f.lift.y2); });
+    ledger.put(moving("v_B3").length(), [&] { return magnitude_of<T>(w * f.lift.y1); });
+    ledger.put(moving("a_B3").length(), [&] { return magnitude_of<T>(w2 * f.lift.y2); });
     ledger.put(moving("a_B3").y(), w2 * f.lift.y2);
     ledger.put(moving("a_B32_n").length(), w2 * square(T(1) + f.turning()) * f.l);
   }
@@ -308,7 +308,7 @@ class Routes {
     const Vector<T> F_2{m_2 * w2 * f.r * f.c, m_2 * w2 * f.r * f.s};
     ledger.put(force("P_3").length(), m_3 * g);
     ledger.put(force("P_2").length(), m_2 * g);
-    ledger.put(force("F_3_in").length(), [&] { return size_of<T>(m_3 * w2 * f.lift.y2); });
+    ledger.put(force("F_3_in").length(), [&] { return magnitude_of<T>(m_3 * w2 * f.lift.y2); });
     ledger.put(force("F_3_in").y(), -(m_3 * w2 * f.lift.y2));
     ledger.put(force("F_2_in").x(), F_2.x);
     ledger.put(force("F_2_in").y(), F_2.y);
@@ -316,10 +316,10 @@ class Routes {
     const T lean = quotient(f.lift.d, f.lift.u);  // tan δ
     const auto S = [=, this] { return pressing<T>(w2 * f.lift.y2); };
     ledger.put(force("R_13").x(), [=] { return -(lean * S()); });
-    ledger.put(force("R_13").length(), [=] { return size_of<T>(lean * S()); });
+    ledger.put(force("R_13").length(), [=] { return magnitude_of<T>(lean * S()); });
     ledger.put(force("R_23").x(), [=] { return lean * S(); });
     ledger.put(force("R_23").y(), S);
-    ledger.put(force("R_23").length(), [=] { return size_of<T>(quotient(S() * f.l, f.lift.u)); });
+    ledger.put(force("R_23").length(), [=] { return magnitude_of<T>(quotient(S() * f.l, f.lift.u)); });
     ledger.put(force("R_12").x(), [=] { return lean * S() - F_2.x; });
     ledger.put(force("R_12").y(), [=] { return S() + m_2 * g - F_2.y; });
     ledger.put(force("R_12").length(), [=] { return size(Vector<T>{lean * S() - F_2.x, S() + m_2 * g - F_2.y}); });
@@ -357,15 +357,15 @@ class Routes {
     // y'' = -(r/sin θ)(1 + r/l) there, AB turns by r/l of the cam's turning, against it.
     const T back = T(1) + quotient(r, l), y2 = quotient(r * back, s), a = w2 * y2, m_3 = number<T>(of.m_3);
     ledger.put(moving("v_B3").length(), T(0));
-    ledger.put(moving("v_B2").length(), [&] { return size_of<T>(w * A0B); });
-    ledger.put(moving("v_B32").length(), [&] { return size_of<T>(w * back * l); });
+    ledger.put(moving("v_B2").length(), [&] { return magnitude_of<T>(w * A0B); });
+    ledger.put(moving("v_B32").length(), [&] { return magnitude_of<T>(w * back * l); });
     ledger.put(moving("a_B3").length(), a);
     ledger.put(moving("a_B3").y(), -a);
     ledger.put(moving("a_B2").length(), w2 * A0B);
     ledger.put(moving("a_B32_n").length(), w2 * square(back) * l);
     ledger.put(moving("a_coriolis").length(), T(2) * w2 * back * l);
     // r (1 + r/l) cot θ ω², which a_B3 has across AB.
-    ledger.put(moving("a_B32_t").length(), [&] { return size_of<T>(a * c); });
+    ledger.put(moving("a_B32_t").length(), [&] { return magnitude_of<T>(a * c); });
     ledger.put(force("P_3").length(), m_3 * number<T>(of.g));
     ledger.put(force("F_3_in").length(), m_3 * a);
     ledger.put(quantity("P_min"), m_3 * (a - number<T>(of.g)));

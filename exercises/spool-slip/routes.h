@@ -264,7 +264,7 @@ struct Routes {
     ledger.put(quantity("ground_reaction"), [&] { return way.reaction(at); });
     ledger.put(quantity("ground_reaction_inclination"), [&] { return way.angle(at.F, way.N()); });
     ledger.put(quantity("inertia_force"), Numbers<T>::number(of.m_a) * at.a_G);
-    ledger.put(quantity("inertia_couple"), size_of<T>(way.J() * at.alpha));
+    ledger.put(quantity("inertia_couple"), magnitude_of<T>(way.J() * at.alpha));
     draw(ledger, way, at);
   }
 
