@@ -104,9 +104,16 @@ class Placement {
     return meets(a.leader, b.box) || meets(b.leader, a.box);
   }
 
+  // With its leader.
+  static Box around(const Candidate& option) {
+    if (!option.leader) return option.box;
+    const auto& [from, to] = *option.leader;
+    return {{std::min({option.box.low.x, from.x, to.x}), std::min({option.box.low.y, from.y, to.y})},
+            {std::max({option.box.high.x, from.x, to.x}), std::max({option.box.high.y, from.y, to.y})}};
+  }
+
   static double together(const Candidate& a, const Candidate& b) {
-    // Nearly all pairs: far from each other, and no line between letters and what they name.
-    if (!a.leader && !b.leader && apart(grown(a.box, label_clearance), b.box)) return 0;
+    if (apart(grown(around(a), label_clearance), around(b))) return 0;  // nearly all pairs
     double cost = 0;
     if (leader_meets(a, b)) cost += price::leader_through;
     if (leaders_cross(a, b)) cost += price::leaders_crossed;

@@ -182,6 +182,10 @@ class ColumnReader {
 
 }  // namespace
 
+bool heads_something_else(const std::string& head) {
+  return heads_numbers(head) || heads_names(head) || is_of_no_account(head) || heads_scale(head);
+}
+
 std::string AskedColumn::with_unit(const std::string& cell) const {
   return cell.empty() || unit.empty() || !has_no_unit(cell) ? cell : cell + " " + unit;
 }

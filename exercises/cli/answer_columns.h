@@ -19,6 +19,9 @@ struct AskedColumn {
   std::string text(const CsvRow& row) const { return with_unit(row.cells[column]); }
 };
 
+// A student, a scale, or what is not read: no given and no quantity of this name would be found under it.
+bool heads_something_else(const std::string& head);
+
 enum class TableRole { key, answers };
 
 struct AnswerColumns {

@@ -9,6 +9,7 @@
 #include "drawings/text/text.h"
 #include "exercises/cli/abreast.h"
 #include "exercises/cli/pages.h"
+#include "exercises/cli/printable.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/panels/fit.h"
@@ -159,7 +160,7 @@ Outcome booklet(const Catalogue& exercises, const Options& options) {
   if (!outcome.remarks.empty()) outcome.exit = Exit::undecided;
   if (is_standard_output(options)) return outcome;
   drawings::write_whole(path, outcome.text);
-  outcome.text = path.string() + "\n";
+  outcome.text = shown_whole(path.string()) + "\n";
   return outcome;
 }
 

@@ -11,6 +11,7 @@
 #include "drawings/output.h"
 #include "drawings/text/text.h"
 #include "exercises/cli/abreast.h"
+#include "exercises/cli/answer_columns.h"
 #include "exercises/cli/class_journal.h"
 #include "exercises/cli/class_record.h"
 #include "exercises/cli/class_scale.h"
@@ -21,6 +22,7 @@
 #include "exercises/cli/moved_by_speed.h"
 #include "exercises/cli/must_be_told.h"
 #include "exercises/cli/pages.h"
+#include "exercises/cli/printable.h"
 #include "exercises/cli/progress.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/student_columns.h"
@@ -132,6 +134,10 @@ class ClassSet {
     demand_students_of_key();
     for (const char* written : {"key.csv", "questions.xml", "class.txt"}) demand_not_read(folder_ / written, options);
     const auto vary = [&](const std::string& symbol) {
+      if (heads_something_else(symbol))
+        throw WrongUsage(format_words(
+            "a column \"{}\" of the key would not be read as that given: name the given otherwise",
+            "una colonna \"{}\" della chiave non sarebbe letta come quel dato: chiamare il dato altrimenti", symbol));
       if (std::find(varied_.begin(), varied_.end(), symbol) == varied_.end()) varied_.push_back(symbol);
     };
     for (const GivenSpec& spec : lots_.givens.specs())
@@ -383,10 +389,11 @@ class ClassSet {
     Rejections rejected;
     for (const ClassEntry& entry : entries)
       for (const auto& [why, count] : entry.rejected) rejected[why] += count;
-    std::string text = (folder_ / "key.csv").string() + "\n";
-    if (is_moodle_) text += (folder_ / "questions.xml").string() + "\n";
+    std::string text = shown_whole((folder_ / "key.csv").string()) + "\n";
+    if (is_moodle_) text += shown_whole((folder_ / "questions.xml").string()) + "\n";
     if (options_.class_set.booklet)
-      for (const char* bound : {"blanks.pdf", "solutions.pdf"}) text += (folder_ / bound).string() + "\n";
+      for (const char* bound : {"blanks.pdf", "solutions.pdf"})
+        text += shown_whole((folder_ / bound).string()) + "\n";
     text += format_words("students: {}", "studenti: {}", students_.size()).in(language) + "\n" +
             told_scales().in(language);
     for (const auto& [why, count] : rejected)

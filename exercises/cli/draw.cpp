@@ -19,6 +19,7 @@
 #include "exercises/cli/file_names.h"
 #include "exercises/cli/givens_file.h"
 #include "exercises/cli/pages.h"
+#include "exercises/cli/printable.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/sheet_html.h"
 #include "exercises/cli/staged_pages.h"
@@ -444,7 +445,7 @@ Outcome draw_one_file(const std::vector<Target>& targets, const Options& options
     outcome.text = files.front().bytes;
   } else {
     drawings::write_whole(files);
-    for (const File& file : files) outcome.text += file.path.string() + "\n";
+    for (const File& file : files) outcome.text += shown_whole(file.path.string()) + "\n";
   }
   return outcome;
 }
@@ -464,7 +465,7 @@ Outcome draw_in_folder(const std::vector<Target>& targets, const Options& option
   }
   for (const std::vector<File>& files : of_rows) {
     drawings::write_whole(files);
-    for (const File& file : files) outcome.text += file.path.string() + "\n";
+    for (const File& file : files) outcome.text += shown_whole(file.path.string()) + "\n";
   }
   return outcome;
 }

@@ -33,21 +33,29 @@ std::string without_middle(const std::string& text, Keep keep) {
 
 }  // namespace
 
+std::string shown_whole(const std::string& text) {
+  std::string all;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto [code, bytes] = character(text, at);
+    const std::size_t width = std::max<std::size_t>(bytes, 1);
+    all += bytes > 0 && is_shown(code) ? text.substr(at, width) : "?";
+    at += width;
+  }
+  return all;
+}
+
 std::string printable(const std::string& sentence) {
-  std::string shown, word;
+  std::string all, word;
   const auto end_word = [&] {
-    shown += without_middle(word, of_word);
+    all += without_middle(word, of_word);
     word.clear();
   };
-  for (std::size_t at = 0; at < sentence.size();) {
-    const auto [code, bytes] = character(sentence, at);
-    const std::string as_typed = sentence.substr(at, std::max<std::size_t>(bytes, 1));
-    word += bytes > 0 && is_shown(code) ? as_typed : "?";
-    if (code == ' ') end_word();
-    at += as_typed.size();
+  for (const char c : shown_whole(sentence)) {
+    word += c;
+    if (c == ' ') end_word();
   }
   end_word();
-  return without_middle(shown, of_sentence);
+  return without_middle(all, of_sentence);
 }
 
 bool commands_a_terminal(const std::string& text) {

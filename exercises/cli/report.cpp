@@ -11,6 +11,7 @@
 #include "exercises/cli/figure_size.h"
 #include "exercises/cli/givens_file.h"
 #include "exercises/cli/pages.h"
+#include "exercises/cli/printable.h"
 #include "exercises/cli/report_document.h"
 #include "exercises/cli/request.h"
 #include "exercises/cli/typographic.h"
@@ -390,7 +391,7 @@ Outcome report(const Catalogue& exercises, const Options& options) {
     outcome.text = files.back().bytes;
   } else {
     drawings::write_whole(files);
-    for (const drawings::File& file : files) outcome.text += file.path.string() + "\n";
+    for (const drawings::File& file : files) outcome.text += shown_whole(file.path.string()) + "\n";
   }
   return outcome;
 }

@@ -129,7 +129,7 @@ class VectorsByJoints {
   using Complex = geometry::analytic::Complex<T>;
   using State = geometry::analytic::PointState<T>;
 
-  const LinkState<T>& link(int i, UpTo order) const { return found_.states(order)[static_cast<std::size_t>(i)]; }
+  const LinkState<T>& link(int i, UpTo order) const { return found_.link(static_cast<std::size_t>(i), order); }
   State at(int point, UpTo order) const {
     const int on = linkage_.links_at(point).front();
     return geometry::analytic::point_of(link(on, order), linkage_.place(on, point));

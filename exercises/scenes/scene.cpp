@@ -67,6 +67,7 @@ class Building {
     demand_near_origin();
     place();
     built_.linkage = with_sides_in_full(std::move(built_.linkage), built_.steps);
+    demand_polodes();
     demand_paths_end();
     return std::move(built_);
   }
@@ -753,6 +754,20 @@ class Building {
     if (link == 0)
       refuse(at, {"link 1 is the frame: what acts on it reaches no joint",
                   "il membro 1 è il telaio: ciò che agisce su di esso non arriva ad alcun vincolo"});
+  }
+
+  // Not of a planet that gears keep from turning, as Ferguson's: wherever the drive is.
+  void demand_polodes() const {
+    for (const Step& step : built_.steps)
+      if (const auto* wheel = std::get_if<GearedWheel>(&step);
+          wheel && std::find(built_.polodes.begin(), built_.polodes.end(), wheel->link) != built_.polodes.end() &&
+          std::all_of(wheel->turn.times.begin(), wheel->turn.times.end(), [](const Rational& x) { return x == 0; }))
+        refuse(section("polodes"),
+               format_words("the gears keep link {} from turning: its instant centre is at infinity in every place, "
+                            "and it has no polodes",
+                            "le ruote impediscono al membro {} di ruotare: il suo centro di istantanea rotazione è "
+                            "all'infinito in ogni posizione, ed esso non ha polari",
+                            number(wheel->link)));
   }
 
   void demand_paths_end() const {

@@ -111,7 +111,7 @@ struct SceneRoutes {
         return found.part(std::get<AcrossRod>(moments.sought), is_across);
       });
     }
-    const auto link = [&](std::size_t i, UpTo order) -> const LinkState<T>& { return by_joints.states(order)[i]; };
+    const auto link = [&](std::size_t i, UpTo order) -> const LinkState<T>& { return by_joints.link(i, order); };
     const auto state = [&](int point, UpTo order) {
       const int on = link_with(point);
       return analytic::point_of(link(index(on), order), built->linkage.place(on, point));
@@ -252,30 +252,30 @@ struct SceneRoutes {
   FoundByRoute<T> found_by_equilibrium(const ByJoints<T>& by_joints, const FoundForces<T>& forces) const {
     const auto vector = [](const Complex<T>& z) { return Vector<T>{z.re, z.im}; };
     const auto on_link = [&by_joints, vector](int link, const Own& at) {
-      return vector(analytic::point_of(by_joints.states(UpTo::place)[index(link)], at).z);
+      return vector(analytic::point_of(by_joints.link(index(link), UpTo::place), at).z);
     };
-    return {.joints = [&forces]() -> const JointForces<T>& { return forces.all(); },
-            .point =
-                [this, on_link](int p) {
-                  const int link = link_with(p);
-                  return on_link(link, built->linkage.place(link, p));
-                },
-            .on_link = on_link,
-            .along =
-                [this, &by_joints, vector](int line) {
-                  const int link = built->linkage.link_of_line(line);
-                  return vector(
-                      analytic::direction(built->linkage.line(line), by_joints.states(UpTo::place)[index(link)]));
-                },
-            .load =
-                [vector](const LinkForce& load) {
-                  return vector(Complex<T>{from_rational<T>(load.components.x), from_rational<T>(load.components.y)} *
-                                Complex<T>{cosine<T>(load.turned), sine<T>(load.turned)});
-                },
-            .mass =
-                [this, &by_joints](std::size_t k) {
-                  return analytic::in_motion(built->loads->masses[k], by_joints.states(UpTo::acceleration));
-                }};
+    return {
+        .joints = [&forces]() -> const JointForces<T>& { return forces.all(); },
+        .point =
+            [this, on_link](int p) {
+              const int link = link_with(p);
+              return on_link(link, built->linkage.place(link, p));
+            },
+        .on_link = on_link,
+        .along =
+            [this, &by_joints, vector](int line) {
+              const int link = built->linkage.link_of_line(line);
+              return vector(analytic::direction(built->linkage.line(line), by_joints.link(index(link), UpTo::place)));
+            },
+        .load =
+            [vector](const LinkForce& load) {
+              return vector(Complex<T>{from_rational<T>(load.components.x), from_rational<T>(load.components.y)} *
+                            Complex<T>{cosine<T>(load.turned), sine<T>(load.turned)});
+            },
+        .mass =
+            [this, &by_joints](std::size_t k) {
+              return analytic::in_motion(built->loads->masses[k], by_joints.states(UpTo::acceleration));
+            }};
   }
   // Loads that are no plain givens, what holds pins alone, arms, and the two parts of a rod's force.
   template <class T, class PartOf>

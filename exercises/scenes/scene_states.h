@@ -107,54 +107,79 @@ class ByJoints {
   ByJoints(const Built& built, const Constructed<T>& constructed)
       : states_([&] { return geometry::analytic::solve_joints<T>(built.linkage, beginning(built, constructed)); }) {}
   const std::vector<LinkState<T>>& states(UpTo) const { return states_.get(); }
+  const LinkState<T>& link(std::size_t i, UpTo order) const { return states(order)[i]; }
 
  private:
   WhenAsked<std::vector<LinkState<T>>> states_;
 };
 
-// On exact numbers: what was constructed, put into them, as far as is asked for.
+// On exact numbers: what was constructed, put into them, as far as is asked for: of one link into those of the links
+// that it hangs on, as those of others may be beyond these numbers.
 template <class T>
 class ByJoints<T, true> {
  public:
-  ByJoints(const Built& built, const Constructed<T>& constructed) : built_(built), constructed_(constructed) {}
+  ByJoints(const Built& built, const Constructed<T>& constructed)
+      : built_(built), constructed_(constructed), groups_(one_after_another(built)) {
+    for (std::size_t k = 0; k < groups_.size(); ++k) {
+      std::vector<Held>& held = held_.emplace_back();
+      for (const UpTo order : {UpTo::place, UpTo::velocity, UpTo::acceleration})
+        held.emplace_back([this, k, order] { return holds(k, order); });
+    }
+  }
+  ByJoints(const ByJoints&) = delete;
+  ByJoints& operator=(const ByJoints&) = delete;
 
+  const LinkState<T>& link(std::size_t i, UpTo order) const {
+    independent_.get();
+    demand(i, order);
+    return found(order)[i];
+  }
   const std::vector<LinkState<T>>& states(UpTo order) const {
-    if (order == UpTo::place) return place_.get();
-    return order == UpTo::velocity ? velocity_.get() : acceleration_.get();
+    independent_.get();
+    for (std::size_t i = 1; i < built_.linkage.links.size(); ++i) demand(i, order);
+    return found(order);
   }
 
  private:
   using States = std::vector<LinkState<T>>;
-  States holding(States states, UpTo order) const {
-    geometry::analytic::demand_joints(built_.linkage, states, order);
-    return states;
+  using Held = WhenAsked<bool>;
+
+  static std::vector<geometry::analytic::Hanging> one_after_another(const Built& built) {
+    std::vector<std::vector<int>> order;
+    for (const geometry::Step& step : built.steps) order.push_back(geometry::placed_by(step));
+    return geometry::analytic::one_after_another(built.linkage, order);
   }
-  States at_independent_place() const {
-    States states = holding(constructed_.states(false), UpTo::place);
-    demand_independent(256);
-    return states;
+  void demand(std::size_t i, UpTo order) const {
+    for (std::size_t k = 0; k < groups_.size(); ++k)
+      if (groups_[k].is_placed[i]) held_[k][static_cast<std::size_t>(order)].get();
   }
+  bool holds(std::size_t k, UpTo order) const {
+    if (order != UpTo::place) held_[k][static_cast<std::size_t>(order) - 1].get();
+    for (const int link : groups_[k].on) demand(index(link), order);
+    geometry::analytic::demand_joints(built_.linkage, found(order), order, groups_[k]);
+    return true;
+  }
+  const States& found(UpTo order) const { return order == UpTo::place ? place_.get() : moving_.get(); }
   // Near a dead centre only many bits can tell.
-  void demand_independent(long bits) const {
+  bool are_independent(long bits) const {
     constexpr long most_bits = 4096;
     try {
       const geometry::Arithmetic<geometry::Deep> scope(bits);
       geometry::analytic::demand_independent(built_.linkage, Constructed<geometry::Deep>(built_).states(false));
+      return true;
     } catch (const geometry::Undecided&) {
       if (bits >= most_bits) throw;
-      demand_independent(4 * bits);
+      return are_independent(4 * bits);
     }
-  }
-  States moving() const {
-    place_.get();
-    return holding(constructed_.states(true), UpTo::velocity);
   }
 
   const Built& built_;
   const Constructed<T>& constructed_;
-  WhenAsked<States> place_{[this] { return at_independent_place(); }};
-  WhenAsked<States> velocity_{[this] { return moving(); }};
-  WhenAsked<States> acceleration_{[this] { return holding(velocity_.get(), UpTo::acceleration); }};
+  std::vector<geometry::analytic::Hanging> groups_;
+  std::vector<std::vector<Held>> held_;  // of each of these, up to each order
+  Held independent_{[this] { return are_independent(256); }};
+  WhenAsked<States> place_{[this] { return constructed_.states(false); }};
+  WhenAsked<States> moving_{[this] { return constructed_.states(true); }};
 };
 
 }  // namespace epure::scenes

@@ -1,8 +1,12 @@
 #include "geometry/analytic/joint_equations.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
+#include <iterator>
+#include <set>
 #include <type_traits>
 #include <utility>
 
@@ -32,32 +36,115 @@ struct End {
   Complex<T> quadratic() const { return -(square(omega) * r); }
 };
 
+// Links that have the point: what stands first. None: all come later.
+std::vector<int> links_at(const Linkage& linkage, const Hanging& hanging, int point) {
+  std::vector<int> there = linkage.links_at(point);
+  std::erase_if(there, [&](int link) { return !hanging.has(link); });
+  std::stable_partition(there.begin(), there.end(), [&](int link) { return !hanging.places(link); });
+  return there;
+}
+// Whether an equation of the joint is one of these: `points` and `links` are all that is in it.
+bool is_joined(const Linkage& linkage, const Hanging& hanging, std::initializer_list<int> points,
+               std::initializer_list<int> links) {
+  bool places_one = false;
+  for (const int link : links) {
+    if (!hanging.has(link)) return false;
+    places_one = places_one || hanging.places(link);
+  }
+  for (const int point : points) {
+    const std::vector<int> there = links_at(linkage, hanging, point);
+    if (there.empty()) return false;
+    places_one = places_one || hanging.places(there.front());
+  }
+  return places_one;
+}
+
+// What a gear says of one of its links where the angles of the other two are told: as drives tell them, or other
+// gears.
+struct ToldByGear {
+  int link;
+  Angle angle;
+};
+// Of every gear; none where its links turn as the linkage lets them, or by what other gears say.
+std::vector<std::optional<ToldByGear>> told_by_gears(const Linkage& linkage) {
+  std::vector<std::optional<Angle>> known(linkage.links.size());
+  const auto of = [&](int link) -> std::optional<Angle>& { return known[static_cast<std::size_t>(link)]; };
+  of(0) = Angle{};
+  for (const Drive& drive : linkage.drives)
+    if (const auto* turned = std::get_if<TurnedLink>(&drive)) of(turned->link) = turned->angle;
+  // θ_second - phase = m θ_first + (1 - m) θ_carrier
+  const auto told = [&](const MeshingLinks& gear) -> std::optional<ToldByGear> {
+    const Rational m = gear.turns_of_second();
+    const auto &first = of(gear.first), &second = of(gear.second), &carrier = of(gear.carrier);
+    if (first && carrier && !second)
+      return ToldByGear{gear.second, gear.phase + m * *first + Rational(1 - m) * *carrier};
+    if (second && carrier && !first)
+      return ToldByGear{gear.first, Rational(1 / m) * (*second - gear.phase - Rational(1 - m) * *carrier)};
+    if (first && second && !carrier && m != 1)
+      return ToldByGear{gear.carrier, Rational(1 / Rational(1 - m)) * (*second - gear.phase - m * *first)};
+    return {};
+  };
+  std::vector<std::optional<ToldByGear>> all(linkage.gears.size());
+  for (bool is_new = true; is_new;) {
+    is_new = false;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (!all[k] && (all[k] = told(linkage.gears[k]))) {
+        of(all[k]->link) = all[k]->angle;
+        is_new = true;
+      }
+  }
+  return all;
+}
+
 // The equations at a place; rates of the links as they stand in `links` (zero where only places are looked for).
 template <class T>
 class JointEquations {
  public:
-  JointEquations(const Linkage& linkage, const std::vector<LinkState<T>>& links) : linkage_(linkage), links_(links) {}
+  JointEquations(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Hanging& hanging)
+      : linkage_(linkage), links_(links), hanging_(hanging) {}
 
   std::vector<Equation<T>> all() {
     for (int point = 0; point < linkage_.count_of_points(); ++point) {
-      const std::vector<int> there = linkage_.links_at(point);
+      const std::vector<int> there = links_at(linkage_, hanging_, point);
       for (std::size_t k = 1; k < there.size(); ++k)
-        hinge(end(there[0], linkage_.place(there[0], point)), end(there[k], linkage_.place(there[k], point)));
+        if (is_joined({}, {there[0], there[k]}))
+          hinge(end(there[0], linkage_.place(there[0], point)), end(there[k], linkage_.place(there[k], point)));
     }
-    for (const PinOnLine& pin : linkage_.pins) {
-      const int link = linkage_.links_at(pin.point).front();
-      beside(end(link, linkage_.place(link, pin.point)), pin.line);
-    }
+    for (const PinOnLine& pin : linkage_.pins)
+      if (is_joined({pin.point}, {linkage_.link_of_line(pin.line)})) beside(end_at(pin.point), pin.line);
     for (const LineOnLine& block : linkage_.blocks) {
+      if (!is_joined({}, {linkage_.link_of_line(block.moving), linkage_.link_of_line(block.guide)})) continue;
       beside(end(linkage_.link_of_line(block.moving), linkage_.line(block.moving).through), block.guide);
       parallel(block);
     }
-    for (const MeshingLinks& gear : linkage_.gears) meshing(gear);
-    for (const Drive& drive : linkage_.drives) std::visit([this](const auto& d) { driven(d); }, drive);
+    const std::vector<std::optional<ToldByGear>> told = told_by_gears(linkage_);
+    for (std::size_t k = 0; k < told.size(); ++k) {
+      const MeshingLinks& gear = linkage_.gears[k];
+      if (is_joined({}, {gear.first, gear.second, gear.carrier})) meshing(gear, told[k]);
+    }
+    for (const Drive& drive : linkage_.drives)
+      std::visit(
+          [this](const auto& d) {
+            if (is_joined(d)) driven(d);
+          },
+          drive);
     return std::move(equations_);
   }
 
  private:
+  bool is_joined(std::initializer_list<int> points, std::initializer_list<int> links) const {
+    return analytic::is_joined(linkage_, hanging_, points, links);
+  }
+  bool is_joined(const TurnedLink& drive) const { return is_joined({}, {drive.link}); }
+  bool is_joined(const SlidPoint& drive) const {
+    return is_joined({drive.point}, {linkage_.link_of_line(drive.guide)});
+  }
+  bool is_joined(const Stretched& drive) const { return is_joined({drive.from, drive.to}, {}); }
+
+  End<T> end_at(int point) const {
+    const int link = links_at(linkage_, hanging_, point).front();
+    return end(link, linkage_.place(link, point));
+  }
   End<T> end(int link, const Own& own) const {
     const LinkState<T>& state = links_[static_cast<std::size_t>(link)];
     const Complex<T> r = Complex<T>{from_rational<T>(own.x), from_rational<T>(own.y)} * axis(link);
@@ -114,22 +201,24 @@ class JointEquations {
     equations_.push_back(std::move(equation));
   }
 
-  void meshing(const MeshingLinks& gear) {
+  void meshing(const MeshingLinks& gear, const std::optional<ToldByGear>& told) {
     const Rational m = gear.turns_of_second();
-    Equation<T> equation{.residual = off_mesh(gear), .slopes = {}};
+    Equation<T> equation{.residual = off_mesh(gear, told), .slopes = {}};
     for (const auto& [link, times] :
          {std::pair(gear.second, Rational(1)), {gear.first, Rational(-m)}, {gear.carrier, Rational(m - 1)}})
       if (link != 0) equation.slopes.emplace_back(unknowns_of_a_link * link - 1, from_rational<T>(times));
     equations_.push_back(std::move(equation));
   }
-  // Where the number has no angles: of whole times of them all, the square of the distance between two axes.
-  T off_mesh(const MeshingLinks& gear) const {
+  // Where the number has no angles, and none is told: of whole times of them all, the square of the distance between
+  // two axes.
+  T off_mesh(const MeshingLinks& gear, const std::optional<ToldByGear>& told) const {
     const Rational m = gear.turns_of_second();
     if constexpr (NumberWithAngles<T>) {
       const auto theta = [&](int link) { return links_[static_cast<std::size_t>(link)].theta; };
       return theta(gear.second) - theta(gear.carrier) - radians<T>(gear.phase) -
              from_rational<T>(m) * (theta(gear.first) - theta(gear.carrier));
     } else {
+      if (told) return off_axis(told->link, told->angle);
       constexpr int most = 100;
       const double whole = CGAL::to_double(Rational(m.denominator())), of_first = CGAL::to_double(m) * whole;
       if (whole > most || std::abs(of_first) > most)
@@ -159,16 +248,17 @@ class JointEquations {
   }
   // θ_i - θ; the square of the distance between the two axes where the number has no angles.
   T off_angle(const TurnedLink& drive) const {
-    const LinkState<T>& link = links_[static_cast<std::size_t>(drive.link)];
     if constexpr (NumberWithAngles<T>)
-      return link.theta - radians<T>(drive.angle);
+      return links_[static_cast<std::size_t>(drive.link)].theta - radians<T>(drive.angle);
     else
-      return squared_modulus(link.x - Complex<T>{cosine<T>(drive.angle), sine<T>(drive.angle)});
+      return off_axis(drive.link, drive.angle);
+  }
+  T off_axis(int link, const Angle& angle) const {
+    return squared_modulus(axis(link) - Complex<T>{cosine<T>(angle), sine<T>(angle)});
   }
 
   void driven(const SlidPoint& drive) {
-    const int link = linkage_.links_at(drive.point).front();
-    const End<T> i = end(link, linkage_.place(link, drive.point));
+    const End<T> i = end_at(drive.point);
     const Complex<T> s = direction(drive.guide);
     const End<T> G = end(linkage_.link_of_line(drive.guide), linkage_.line(drive.guide).through);
     const Complex<T> D = i.X - G.X, D_rate = i.v - G.v;
@@ -183,8 +273,7 @@ class JointEquations {
   }
 
   void driven(const Stretched& drive) {
-    const int from = linkage_.links_at(drive.from).front(), to = linkage_.links_at(drive.to).front();
-    const End<T> i = end(to, linkage_.place(to, drive.to)), j = end(from, linkage_.place(from, drive.from));
+    const End<T> i = end_at(drive.to), j = end_at(drive.from);
     const Complex<T> D = i.X - j.X, D_rate = i.v - j.v;
     const T l = from_rational<T>(drive.length), l_rate = from_rational<T>(drive.velocity);
     Equation<T> equation{.residual = squared_modulus(D) - square(l), .slopes = {}};
@@ -198,6 +287,7 @@ class JointEquations {
 
   const Linkage& linkage_;
   const std::vector<LinkState<T>>& links_;
+  const Hanging& hanging_;
   std::vector<Equation<T>> equations_;
 };
 
@@ -216,7 +306,7 @@ std::vector<LinkState<T>> states(const Column<T>& q) {
 
 template <class T>
 std::vector<Equation<T>> equations(const Linkage& linkage, const std::vector<LinkState<T>>& links) {
-  return JointEquations<T>(linkage, links).all();
+  return JointEquations<T>(linkage, links, all_links(linkage)).all();
 }
 template <class T>
 std::vector<Equation<T>> equations(const Linkage& linkage, const Column<T>& q) {
@@ -537,7 +627,8 @@ std::vector<LinkState<Deep>> found(const Linkage& linkage, const Beginning<Deep>
 template <class T>
 class Sides {
  public:
-  Sides(const Linkage& linkage, const std::vector<LinkState<T>>& links) : linkage_(linkage), links_(links) {}
+  Sides(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Hanging& hanging)
+      : linkage_(linkage), links_(links), hanging_(hanging) {}
 
   // Of every joint: no where one is proved to lie on the other side.
   Truth are_as_meant() const {
@@ -548,13 +639,29 @@ class Sides {
       return decided != Sign::negative;
     };
     for (const Chosen& chosen : linkage_.chosen)
-      if (!look(std::visit([this](const auto& side) { return ahead(side); }, chosen))) return Truth::no;
+      if (std::visit([this](const auto& side) { return is_joined(side); }, chosen) &&
+          !look(std::visit([this](const auto& side) { return ahead(side); }, chosen)))
+        return Truth::no;
     for (const LineOnLine& block : linkage_.blocks)  // the equations hold for both ways it can lie in its guide
-      if (!look(dot(direction(block.moving), direction(block.guide)))) return Truth::no;
+      if (analytic::is_joined(linkage_, hanging_, {},
+                              {linkage_.link_of_line(block.moving), linkage_.link_of_line(block.guide)}) &&
+          !look(dot(direction(block.moving), direction(block.guide))))
+        return Truth::no;
     return is_open ? Truth::undecided : Truth::yes;
   }
 
  private:
+  bool is_joined(const BesideLine& side) const {
+    return analytic::is_joined(linkage_, hanging_, {side.joint, side.from, side.to}, {});
+  }
+  bool is_joined(const OnGuide& side) const {
+    demand_told(side.guide != nothing && side.other_end != nothing);
+    return analytic::is_joined(linkage_, hanging_, {side.joint, side.other_end}, {linkage_.link_of_line(side.guide)});
+  }
+  bool is_joined(const SlotPoints& side) const {
+    demand_told(side.hinge != nothing && side.pin != nothing);
+    return analytic::is_joined(linkage_, hanging_, {side.pin, side.hinge}, {linkage_.link_of_line(side.line)});
+  }
   // Positive in the place that is meant, negative in the other.
   T ahead(const BesideLine& side) const {
     const Complex<T> P = at(side.from);
@@ -562,12 +669,10 @@ class Sides {
     return side.is_left ? left : -left;
   }
   T ahead(const OnGuide& side) const {
-    demand_told(side.guide != nothing && side.other_end != nothing);
     const T ahead = dot(direction(side.guide), at(side.joint) - at(side.other_end));
     return side.is_ahead ? ahead : -ahead;
   }
   T ahead(const SlotPoints& side) const {
-    demand_told(side.hinge != nothing && side.pin != nothing);
     const T towards = dot(direction(side.line), at(side.pin) - at(side.hinge));
     return side.is_towards_pin ? towards : -towards;
   }
@@ -578,7 +683,7 @@ class Sides {
   }
 
   Complex<T> at(int point) const {
-    const int link = linkage_.links_at(point).front();
+    const int link = links_at(linkage_, hanging_, point).front();
     return point_of(links_[static_cast<std::size_t>(link)], linkage_.place(link, point)).z;
   }
   Complex<T> direction(int line) const {
@@ -587,11 +692,12 @@ class Sides {
 
   const Linkage& linkage_;
   const std::vector<LinkState<T>>& links_;
+  const Hanging& hanging_;
 };
 
 template <class T>
-void demand_sides(const Linkage& linkage, const std::vector<LinkState<T>>& links) {
-  const Truth as_meant = Sides<T>(linkage, links).are_as_meant();
+void demand_sides(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Hanging& hanging) {
+  const Truth as_meant = Sides<T>(linkage, links, hanging).are_as_meant();
   if (as_meant == Truth::undecided)
     throw Undecided("whether a joint lies on the side that was said", "se un nodo stia dalla parte che si è detta");
   if (as_meant == Truth::no)
@@ -669,7 +775,48 @@ void demand_no_gears(const Linkage& linkage) {
                   "le equazioni di tutti i vincoli si risolvono negli angoli, che non sono numeri algebrici");
 }
 
+// The links of these equations, a row each.
+std::vector<std::vector<int>> links_of_equations(const Linkage& linkage, const Hanging& hanging) {
+  const std::vector<LinkState<Fast>> anywhere = states(Column<Fast>(unknowns_of_a_link * (linkage.links.size() - 1)));
+  std::vector<std::vector<int>> all;
+  for (const Equation<Fast>& row : JointEquations<Fast>(linkage, anywhere, hanging).all()) {
+    std::vector<int>& links = all.emplace_back();
+    for (const auto& [column, slope] : row.slopes) links.push_back(column / unknowns_of_a_link + 1);
+  }
+  return all;
+}
+
 }  // namespace
+
+Hanging all_links(const Linkage& linkage) {
+  Hanging all{std::vector<bool>(linkage.links.size(), false), std::vector<bool>(linkage.links.size(), true)};
+  all.stands[0] = true;
+  all.is_placed[0] = false;
+  return all;
+}
+
+std::vector<Hanging> one_after_another(const Linkage& linkage, const std::vector<std::vector<int>>& order) {
+  std::vector<Hanging> all;
+  const std::vector<bool> none(linkage.links.size(), false);
+  Hanging next{none, none};
+  next.stands[0] = true;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    for (const int link : order[k]) next.is_placed[static_cast<std::size_t>(link)] = true;
+    const auto unknowns = unknowns_of_a_link * std::count(next.is_placed.begin(), next.is_placed.end(), true);
+    const std::vector<std::vector<int>> rows = links_of_equations(linkage, next);
+    // Wheels may hang on each other in another order: then they are placed together.
+    const bool is_whole = static_cast<std::ptrdiff_t>(rows.size()) == unknowns || k + 1 == order.size();
+    if (unknowns == 0 || !is_whole) continue;
+    std::set<int> on;
+    for (const std::vector<int>& row : rows) on.insert(row.begin(), row.end());
+    std::copy_if(on.begin(), on.end(), std::back_inserter(next.on), [&](int link) { return !next.places(link); });
+    all.push_back(next);
+    for (std::size_t i = 0; i < none.size(); ++i) next.stands[i] = next.has(static_cast<int>(i));
+    next.is_placed = none;
+    next.on.clear();
+  }
+  return all;
+}
 
 template <class T>
 std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning<T>& beginning) {
@@ -678,22 +825,25 @@ std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning<T
   } else {
     std::vector<LinkState<T>> links = found(linkage, beginning);
     // An iteration that went astray says nothing of the linkage.
-    if (Sides<T>(linkage, links).are_as_meant() == Truth::no &&
-        Sides<T>(linkage, beginning).are_as_meant() != Truth::no)
+    const Hanging all = all_links(linkage);
+    if (Sides<T>(linkage, links, all).are_as_meant() == Truth::no &&
+        Sides<T>(linkage, beginning, all).are_as_meant() != Truth::no)
       throw Undecided("the iteration came to the place of a joint on the other side than was said",
                       "l'iterazione è arrivata al posto di un nodo dalla parte opposta a quella detta");
-    demand_sides(linkage, links);
+    demand_sides(linkage, links, all);
     return links;
   }
 }
 
 template <class T>
-void demand_joints(const Linkage& linkage, const std::vector<LinkState<T>>& state, UpTo order) {
-  const std::vector<Equation<T>> rows = equations(linkage, state);
+void demand_joints(const Linkage& linkage, const std::vector<LinkState<T>>& state, UpTo order,
+                   const Hanging& hanging) {
+  const std::vector<Equation<T>> rows = JointEquations<T>(linkage, state, hanging).all();
   if (order == UpTo::place) {
-    for (const LinkState<T>& link : state) demand_zero(squared_modulus(link.x) - T(1));
+    for (std::size_t i = 0; i < state.size(); ++i)
+      if (hanging.is_placed[i]) demand_zero(squared_modulus(state[i].x) - T(1));
     for (const Equation<T>& row : rows) demand_zero(row.residual);
-    demand_sides(linkage, state);
+    demand_sides(linkage, state, hanging);
     return;
   }
   const bool is_first = order == UpTo::velocity;
@@ -701,9 +851,9 @@ void demand_joints(const Linkage& linkage, const std::vector<LinkState<T>>& stat
   for (const Equation<T>& row : rows)
     demand_zero(along(row, rates) - (is_first ? row.rate : row.second_rate - row.quadratic));
 }
-template void demand_joints<Exact>(const Linkage&, const std::vector<LinkState<Exact>>&, UpTo);
-template void demand_joints<Generic>(const Linkage&, const std::vector<LinkState<Generic>>&, UpTo);
-template void demand_joints<Calcium>(const Linkage&, const std::vector<LinkState<Calcium>>&, UpTo);
+template void demand_joints<Exact>(const Linkage&, const std::vector<LinkState<Exact>>&, UpTo, const Hanging&);
+template void demand_joints<Generic>(const Linkage&, const std::vector<LinkState<Generic>>&, UpTo, const Hanging&);
+template void demand_joints<Calcium>(const Linkage&, const std::vector<LinkState<Calcium>>&, UpTo, const Hanging&);
 
 void demand_independent(const Linkage& linkage, const std::vector<LinkState<Deep>>& place) {
   const std::vector<Equation<Deep>> rows = equations(linkage, place);

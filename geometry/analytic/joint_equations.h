@@ -75,10 +75,26 @@ std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning<T
 // equations are independent at that place, it is the state. So a zero of it is proved, which no enclosure can do.
 enum class UpTo { place, velocity, acceleration };
 
+// Links that are placed together, and what stood before: the equations that join the one to the other and each other.
+struct Hanging {
+  std::vector<bool> stands, is_placed;  // of every link, the frame's first
+  std::vector<int> on = {};             // moving ones that stand and are in these equations
+
+  bool has(int link) const { return stands[static_cast<std::size_t>(link)] || places(link); }
+  bool places(int link) const { return is_placed[static_cast<std::size_t>(link)]; }
+};
+// Everything at once, on the frame.
+Hanging all_links(const Linkage& linkage);
+// The same one after another: `order` lists links as they can be placed. Each has as many equations as unknowns, and
+// nothing of what comes later is in them. So where all equations are independent, those of one Hanging and of all
+// that it hangs on are so by themselves: what these links do is proved without the rest.
+std::vector<Hanging> one_after_another(const Linkage& linkage, const std::vector<std::vector<int>>& order);
+
 // The equations hold exactly. Throws Impossible where one does not, Undecided where that cannot be told. Where
 // Linkage::is_turned_steadily, the rates are those of a radian for each 2π.
 template <class T>
-void demand_joints(const Linkage& linkage, const std::vector<LinkState<T>>& state, UpTo order);
+void demand_joints(const Linkage& linkage, const std::vector<LinkState<T>>& state, UpTo order,
+                   const Hanging& hanging);
 
 // The equations are independent at every place that these enclosures hold. Throws Undecided.
 void demand_independent(const Linkage& linkage, const std::vector<LinkState<Deep>>& place);

@@ -370,6 +370,21 @@ TEST_CASE("class: a number that begins as a formula stands behind an apostrophe,
   CHECK(twice.err.find("line 3: number '-7 stands in line 2 already") != std::string::npos);
 }
 
+TEST_CASE("class: a given is not varied that the key's reader would take for something else", "[class]") {
+  const fs::path file = "of_names.yaml";
+  for (const std::string name : {"date", "remarks", "number", "matricola", "nome", "scale"}) {
+    CAPTURE(name);
+    write(file, "epure: 1\nid: f\ngivens: {" + name +
+                    ": 120 mm}\nlinks:\n  1: {A0: [0, 0], B0: [0.4, 0]}\n  2: {A0 A: " + name +
+                    "}\n  3: {A B: 0.35}\n  4: {B0 B: 0.28}\ndrive: {link: 2, angle: 30 deg, speed: 60 rpm}\n"
+                    "assembly: {B: left of A B0}\n");
+    const Ran ran = run_real({"class", file.string(), "--count", "1", "--vary", name + "=110..130/3"});
+    CHECK(ran.exit == 2);
+    CHECK(ran.err.find("a column \"" + name + "\" of the key") != std::string::npos);
+  }
+  fs::remove(file);
+}
+
 TEST_CASE("class: --vary takes what --over takes, and refuses what it refuses", "[class]") {
   const Scratch scratch;
   const auto varied = [&](const std::vector<std::string>& more) {

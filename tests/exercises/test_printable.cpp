@@ -27,6 +27,12 @@ TEST_CASE("what a terminal obeys, what is not seen and what is no UTF-8 becomes 
   CHECK(printable(std::string("a\0b", 3)) == "a?b");
 }
 
+TEST_CASE("a path is shown to its end, without what a terminal obeys") {
+  const std::string path = "out/" + std::string(300, 'a') + ".svg";
+  CHECK(shown_whole(path) == path);
+  CHECK(shown_whole("\u202eout/a\x1b.svg") == "?out/a?.svg");
+}
+
 TEST_CASE("what is far too long is cut in its middle") {
   const std::string word(100000, 'a');
   CHECK(printable("say " + word + " again") ==

@@ -265,7 +265,7 @@ void demand_exactly(const Linkage& of, const std::function<void(std::vector<anal
   change(states);
   using analytic::UpTo;
   for (const UpTo order : {UpTo::place, UpTo::velocity, UpTo::acceleration})
-    analytic::demand_joints(linkage, states, order);
+    analytic::demand_joints(linkage, states, order, analytic::all_links(linkage));
 }
 
 }  // namespace
@@ -338,6 +338,19 @@ TEST_CASE("What is constructed satisfies the equations of all joints exactly, an
              [](States& s) { s.back().a.re -= Exact(1); }})
       CHECK_THROWS_AS(demand_exactly<Exact>(linkage, change), Impossible);
   }
+}
+
+TEST_CASE("Links are placed one after another, wheels together where each has its angle by another one's") {
+  const auto hung = [](const Linkage& linkage, const std::vector<std::vector<int>>& order) {
+    std::vector<std::vector<int>> on;
+    for (const analytic::Hanging& each : analytic::one_after_another(linkage, order)) on.push_back(each.on);
+    return on;
+  };
+  using On = std::vector<std::vector<int>>;
+  CHECK(hung(four_bar(), {{1}, {2, 3}}) == On{{}, {1}});
+  CHECK(hung(geared_five_bar(), {{1}, {4}, {2, 3}}) == On{{}, {1}, {1, 4}});
+  CHECK(hung(planetary(), {{3}, {1}, {2}}) == On{{}, {3}});
+  CHECK(hung(planetary(), {{1}, {2}, {3}}) == On{{}});
 }
 
 // Begun at the other place of a joint, the iteration ends there, and that is not what was meant.

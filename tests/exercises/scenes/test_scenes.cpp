@@ -585,6 +585,16 @@ TEST_CASE("polodes are those of a link that neither turns about the frame nor is
             "t}\ndrive: {link: 2, angle: 25 deg}\npolodes: [3]\n") ==
         "10:11: link 3 has no point to be drawn by: give it one");
   CHECK(refusal(four_bar() + "polodes: 3\n") == "10:10: polodes: [3], the links whose polodes are asked for");
+  const auto ferguson = [](const std::string& teeth) {
+    return refusal(
+        "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0]}\n  2: {O: [0, 0], C: [0.08, 0], D: [0.16, 0]}\n  3: {C Q: 0.03}\n"
+        "  4: {D P: 0.03}\ngears: [{wheels: 1 3, on: 2, teeth: [40, 20]}, {wheels: 3 4, on: 2, teeth: [20, " +
+        teeth + "]}]\ndrive: {link: 2, angle: 50 deg}\npolodes: [4]\n");
+  };
+  CHECK(ferguson("80").empty());
+  CHECK(ferguson("40") ==
+        "10:10: the gears keep link 4 from turning: its instant centre is at infinity in every place, and it has no "
+        "polodes");
 }
 
 TEST_CASE("what a chart is asked for is one unit, and there", "[scenes]") {

@@ -96,6 +96,33 @@ TEST_CASE("what lines led in lines keep from turning has no acceleration centre,
   CHECK(result.undecided.empty());
 }
 
+// What links do by themselves is proved without a wheel beside them that no exact number holds.
+TEST_CASE("links of one place do not move against each other, whatever else the mechanism has", "[scenes]") {
+  const auto exercise = exercise_said(
+      "epure: 1\nid: f\nlinks:\n  1: {X: [0, 0]}\n  2: {X: [0, 0], A: [238.1 mm, 0], Y: [410 mm, -89 mm]}\n  3: {Y "
+      "W: 35 mm}\n  4: {Y: [0, 0], e: {through: [0, 0], along: 0 deg}}\n  5: {A: [0, 0], f: {through: [0, 0], along: "
+      "0 "
+      "deg}}\n  6: {Y: [0, 0], E: [235 mm, 457 mm], g: {through: [0, 0], along: 0 deg}}\nslides: {f: e, A: "
+      "g}\ngears: [{wheels: 1 3, on: 2, teeth: [40, 47], inside: yes}]\ndrive: {link: 2, angle: -150 deg, speed: 10 "
+      "rad/s, acceleration: 2 rad/s^2}\nassembly: {e: from Y towards A, g: from Y towards A}\n");
+  const CheckedExercise result = check(*exercise, Givens(exercise->about().givens), Rung::climb);
+  CAPTURE(complaints(result));
+  CHECK(result.passed());
+  CHECK(result.undecided.empty());
+}
+
+TEST_CASE("a differential whose carrier and sun are driven alike turns as one", "[scenes]") {
+  const auto exercise = exercise_said(
+      "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0]}\n  2: {O: [0, 0], C: [80 mm, 0], D: [160 mm, 0]}\n  3: {C: [0, 0], "
+      "Q: [30 mm, 0]}\n  5: {O: [0, 0]}\n  4: {D: [0, 0], P: [0, 30 mm]}\ngears: [{wheels: 5 3, on: 2, teeth: [40, "
+      "20]}, {wheels: 3 4, on: 2, teeth: [20, 37]}]\ndrive: [{link: 2, angle: 180 deg, speed: 30 rpm}, {link: 5, "
+      "angle: 20 deg, speed: 30 rpm}]\n");
+  const CheckedExercise result = check(*exercise, Givens(exercise->about().givens), Rung::climb);
+  CAPTURE(complaints(result));
+  CHECK(result.passed());
+  CHECK(result.undecided.empty());
+}
+
 TEST_CASE("polodes do not hang on whether the drive moves", "[scenes]") {
   const auto exercise = exercise_said(
       "epure: 1\nid: f\nlinks:\n  1: {A0: [0, 0], B0: [400 mm, 0]}\n  2: {A0 A: 120 mm}\n  3: {A B: 350 mm}\n  4: "
