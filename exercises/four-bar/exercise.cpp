@@ -211,8 +211,13 @@ VectorPolygon accelerations(const PolygonOf& of, bool crank_speeds_up) {
                     .relative = unmeasured(of(acceleration("BA"))),
                     .explained = {"$\\vec{a}_{B}$ from $O_{a}$ to $b'$, $\\vec{a}_{BA}$ from $a'$ to $b'$.",
                                   "La $\\vec{a}_{B}$ da $O_{a}$ a $b'$, la $\\vec{a}_{BA}$ da $a'$ a $b'$."}};
-  // At a dead centre the parts of a_BA are so unlike that its letters would be lost beside the greater one.
-  sums.closes_triangle = !of.prefix.empty();
+  // At a dead centre the parts of a_BA are so unlike that its letters would be lost beside the greater one; a_B has
+  // one part.
+  if (!of.prefix.empty()) {
+    sums.closes_triangle = true;
+    sums.explained = {"$\\vec{a}_{B}$ = $\\vec{a}^{t}_{B}$, from $O_{a}$ to $b'$.",
+                      "$\\vec{a}_{B}$ = $\\vec{a}^{t}_{B}$, da $O_{a}$ a $b'$."};
+  }
   polygon.images.push_back(std::move(sums));
   auto image = of.image_of_C(acceleration, {"$c'$: the triangle $a'b'c'$ is similar to $ABC$, in the same sense.",
                                             "$c'$: il triangolo $a'b'c'$ è simile ad $ABC$, nello stesso verso."});
