@@ -58,7 +58,7 @@ class ByEquations {
   T inertia_height() const { return n_.R + geometry::quotient(J(), n_.m_a * n_.R); }
 
   Motion<T> motion(const Rational& mass, Regime regime) const {
-    const T m_b = n_.number(mass), none(0);
+    const T m_b = number<T>(mass), none(0);
     if (regime == Regime::at_rest) return {none, none, none, m_b * n_.g, m_b * n_.g, rest_offset(m_b)};
     return regime == Regime::rolling ? rolling(m_b) : slipping(mass, m_b);
   }
@@ -91,7 +91,7 @@ class ByEquations {
   // Unknown: a, a_G, α, T.
   Motion<T> slipping(const Rational& mass, const T& m_b) const {
     const Rational e = of_.offset_while_slipping(mass);
-    const T offset = n_.number(e), F = n_.f_r * N(), o(0), one(1);
+    const T offset = number<T>(e), F = n_.f_r * N(), o(0), one(1);
     const bool turns = CGAL::abs(e) == of_.f_v * of_.R;
     const auto x = geometry::analytic::solve_linear<T>(
         {{m_b, o, o, one}, {o, n_.m_a, o, -one}, {one, -one, n_.r, o}, {o, o, turns ? J() : one, turns ? n_.r : o}},
@@ -109,7 +109,7 @@ class ByPower {
   explicit ByPower(const Spool& of) : of_(of), n_(of) {}
 
   // About the contact, less m_a R² (Huygens).
-  T about_contact() const { return n_.number(Rational(5, 4)) * n_.m_a * geometry::square(n_.R); }
+  T about_contact() const { return number<T>(Rational(5, 4)) * n_.m_a * geometry::square(n_.R); }
   T J() const { return about_contact() - n_.m_a * geometry::square(n_.R); }
   T u() const { return geometry::quotient(n_.f_v * N() * n_.R, N()); }  // the couple lost, over N
   T N() const { return geometry::closing_side(geometry::Vector<T>{T(0), -(n_.m_a * n_.g)}, {T(0), T(0)}).y; }
@@ -119,9 +119,9 @@ class ByPower {
   T inertia_height() const { return geometry::quotient(about_contact(), n_.m_a * n_.R); }
 
   Motion<T> motion(const Rational& mass, Regime regime) const {
-    const T m_b = n_.number(mass), none(0);
+    const T m_b = number<T>(mass), none(0);
     if (regime == Regime::at_rest) {
-      const T rope = n_.number(mass * of_.g);
+      const T rope = number<T>(mass * of_.g);
       return {none, none, none, rope, rope, geometry::quotient(rope * n_.h, N())};
     }
     return regime == Regime::rolling ? rolling(m_b) : slipping(mass, m_b);
@@ -150,7 +150,7 @@ class ByPower {
   }
 
   T slip_ratio() const {
-    const T k = velocity_ratio(), c = n_.number(Rational(5, 4));
+    const T k = velocity_ratio(), c = number<T>(Rational(5, 4));
     return geometry::quotient(c * n_.f_a - n_.f_v, c - k + n_.f_v * k - geometry::square(k) * n_.f_a);
   }
   // The rope's power is what rolling takes.
@@ -170,7 +170,7 @@ class ByPower {
   // Virtual displacements of G to the right and of the spool clockwise, one at a time.
   Motion<T> slipping(const Rational& mass, const T& m_b) const {
     const Rational e = of_.offset_while_slipping(mass);
-    const T offset = n_.number(e), F = n_.f_r * N(), weight = m_b * n_.g, coupled = -(m_b * n_.r);
+    const T offset = number<T>(e), F = n_.f_r * N(), weight = m_b * n_.g, coupled = -(m_b * n_.r);
     const T along = n_.m_a + m_b, around = J() + m_b * geometry::square(n_.r);
     const T drives = weight - F, turns = F * n_.R - N() * offset - weight * n_.r;
     if (CGAL::abs(e) != of_.f_v * of_.R) {
@@ -263,7 +263,7 @@ struct Routes {
     ledger.put(quantity("F"), at.F);
     ledger.put(quantity("ground_reaction"), [&] { return way.reaction(at); });
     ledger.put(quantity("ground_reaction_inclination"), [&] { return way.angle(at.F, way.N()); });
-    ledger.put(quantity("inertia_force"), Numbers<T>::number(of.m_a) * at.a_G);
+    ledger.put(quantity("inertia_force"), number<T>(of.m_a) * at.a_G);
     ledger.put(quantity("inertia_couple"), magnitude_of<T>(way.J() * at.alpha));
     draw(ledger, way, at);
   }
@@ -278,7 +278,7 @@ struct Routes {
     const Motion<T> at = way.motion(mass, regime),
                     tried = regime == Regime::slipping ? way.motion(mass, trial(mass)) : at;
     motion(ledger, way, at);
-    const T F_max = Numbers<T>::number(of.f_a) * way.N();
+    const T F_max = number<T>(of.f_a) * way.N();
     if (named.prefix.empty()) ledger.put(quantity("F_required"), tried.F);  // if it rolled, F itself
     ledger.put(quantity("F_over_N"), geometry::quotient(tried.F, way.N()));
     ledger.put(quantity("slip_margin"), F_max - tried.F);
@@ -295,7 +295,7 @@ struct Routes {
     const Motion<T> at = way.motion(m_b_heavy, regime);
     motion(ledger, way, at);
     const bool slips = regime == Regime::slipping;
-    ledger.put(quantity("slip_acceleration"), slips ? T(at.a_G - at.alpha * Numbers<T>::number(of.R)) : T(0));
+    ledger.put(quantity("slip_acceleration"), slips ? T(at.a_G - at.alpha * number<T>(of.R)) : T(0));
     ledger.put(quantity("slips"), T(slips ? 1 : 0));
   }
 
@@ -318,7 +318,7 @@ struct Routes {
     const T o(0);
     ledger.draws_vector("side_pull", {at.pull, o});
     ledger.draws_vector("side_weight", {o, -way.N()});
-    ledger.draws_vector("side_inertia", {-(Numbers<T>::number(of.m_a) * at.a_G), o});
+    ledger.draws_vector("side_inertia", {-(number<T>(of.m_a) * at.a_G), o});
     ledger.draws_vector("side_reaction", {-at.F, way.N()});
     ledger.draws_point("foot", {at.offset, o});
   }
