@@ -34,14 +34,20 @@ double distance_to(const std::vector<Place>& points, const Place& P) {
   return least;
 }
 
-// The two joints nearest to each other that are two to the eye.
-std::vector<Place> nearest_two(const std::vector<Place>& joints, double least) {
-  std::vector<Place> nearest;
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    for (std::size_t j = i + 1; j < joints.size(); ++j)
-      if (const double d = distance(joints[i], joints[j]); d > least)
-        if (nearest.empty() || d < distance(nearest[0], nearest[1])) nearest = {joints[i], joints[j]};
-  return nearest;
+// What of a mechanism is drawn: its hinges and blocks, and the ends of its links.
+struct DrawnJoints {
+  std::vector<Place> joints;
+  std::vector<std::pair<Place, Place>> links;
+};
+
+// The link's ends that are nearest to each other and two to the eye; nothing where all links are long.
+std::vector<Place> shortest_link(const DrawnJoints& drawn, double least) {
+  const auto is_joint = [&](const Place& P) { return distance_to(drawn.joints, P) <= least; };
+  std::vector<Place> shortest;
+  for (const auto& [P, Q] : drawn.links)
+    if (const double d = distance(P, Q); d > least && is_joint(P) && is_joint(Q))
+      if (shortest.empty() || d < distance(shortest[0], shortest[1])) shortest = {P, Q};
+  return shortest;
 }
 
 // Those around the nearest two: one after the other as long as the next is not far for the size of the part.
@@ -65,29 +71,37 @@ std::vector<Place> close_together(std::vector<Place> part, std::vector<Place> jo
   return part;
 }
 
-// The hinges and blocks of what is given, where it is drawn.
-std::vector<Place> joints_drawn(const PlacedPanel& placed, const SheetRequest& request) {
+DrawnJoints joints_drawn(const PlacedPanel& placed, const SheetRequest& request) {
   DrawnSheet scratch;
   scratch.sheet.paper = request.paper;
   Plot plot(scratch, placed.origin, placed.lengths);
   plot.vectors_at(placed.vectors);
   placed.panel->draw_given(plot, placed.room, request.language);
-  std::vector<Place> joints;
+  DrawnJoints drawn;
   for (const drawings::Mark& mark : scratch.sheet.figure.marks) {
-    if (const auto* hinge = std::get_if<drawings::Hinge>(&mark)) joints.push_back(plot.from_paper(hinge->at));
-    if (const auto* fixed = std::get_if<drawings::FixedHinge>(&mark)) joints.push_back(plot.from_paper(fixed->at));
-    if (const auto* block = std::get_if<drawings::Slider>(&mark)) joints.push_back(plot.from_paper(block->at));
+    if (const auto* hinge = std::get_if<drawings::Hinge>(&mark)) drawn.joints.push_back(plot.from_paper(hinge->at));
+    if (const auto* fixed = std::get_if<drawings::FixedHinge>(&mark))
+      drawn.joints.push_back(plot.from_paper(fixed->at));
+    if (const auto* block = std::get_if<drawings::Slider>(&mark)) drawn.joints.push_back(plot.from_paper(block->at));
+    const auto* line = std::get_if<drawings::Line>(&mark);
+    if (!line || line->meaning != Meaning::link) continue;
+    drawings::Point from = line->path.start;
+    for (const drawings::Piece& piece : line->path.pieces) {
+      if (piece.straight) drawn.links.push_back({plot.from_paper(from), plot.from_paper(piece.end)});
+      from = piece.end;
+    }
   }
-  return joints;
+  return drawn;
 }
 
 // What needs a close-up at the scale that was found; none: all can be told apart.
 std::optional<SmallPart> part_too_small(const PlacedPanel& placed, const SheetRequest& request) {
   if (placed.panel->is_of_vectors() || !placed.panel->has_scale()) return {};
-  const std::vector<Place> joints = joints_drawn(placed, request);
-  std::vector<Place> part = nearest_two(joints, same_place * extent_of_places(joints));
+  const DrawnJoints drawn = joints_drawn(placed, request);
+  if (drawn.joints.empty()) return {};
+  std::vector<Place> part = shortest_link(drawn, same_place * extent_of_places(drawn.joints));
   if (part.empty() || distance(part[0], part[1]) * placed.lengths.mm_per_unit >= joints_told_apart) return {};
-  part = close_together(std::move(part), joints);
+  part = close_together(std::move(part), drawn.joints);
   const double air = beside_the_part * extent_of_places(part);
   SmallPart found{part.front(), part.front()};
   for (const Place& P : part) {
@@ -116,6 +130,23 @@ std::optional<drawings::Point> place_of(const drawings::Mark& mark) {
       mark);
 }
 
+drawings::Point place_of_label(const drawings::Label& label) {
+  const drawings::Point to = label.to.value_or(label.at);
+  return {(label.at.x + to.x) / 2, (label.at.y + to.y) / 2};
+}
+
+// The symbol of an arc stands beside it, away from its centre.
+bool is_symbol_of(const drawings::Label& label, const drawings::Mark& mark) {
+  constexpr double beside = 1.5;  // mm
+  const auto stands_at = [&](const drawings::Point& centre, double radius) {
+    return label.away_from && label.away_from->x == centre.x && label.away_from->y == centre.y &&
+           std::hypot(label.at.x - centre.x, label.at.y - centre.y) < radius + beside;
+  };
+  if (const auto* arrow = std::get_if<drawings::Rotation>(&mark)) return stands_at(arrow->centre, arrow->radius);
+  if (const auto* arc = std::get_if<drawings::AngleMark>(&mark)) return stands_at(arc->at, arc->radius);
+  return false;
+}
+
 using PaperEnds = std::pair<std::pair<double, double>, std::pair<double, double>>;
 PaperEnds paper_ends(const drawings::Point& p, const drawings::Point& q) { return {{p.x, p.y}, {q.x, q.y}}; }
 
@@ -137,7 +168,7 @@ bool is_better(const std::vector<PlacedPanel>& before, const std::vector<PlacedP
   auto then = before.begin();
   for (const PlacedPanel& now : after) {
     if (const auto* close_up = dynamic_cast<const CloseUp*>(now.panel)) {
-      const auto whole = std::find_if(before.begin(), before.end(),
+      const auto whole = std::find_if(after.begin(), after.end(),
                                       [&](const PlacedPanel& each) { return each.panel == &close_up->whole(); });
       if (now.lengths.mm_per_unit < worth_drawing * whole->lengths.mm_per_unit) return false;
       continue;
@@ -173,7 +204,15 @@ drawings::Box CloseUp::extent(const Scale& lengths, const Scale& vectors) const 
 }
 
 std::vector<drawings::Block> CloseUp::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  drawings::Figure& figure = plot.onto().sheet.figure;
+  const std::size_t before = figure.labels.size();
   whole_.draw(plot, room, language);
+  plot.in_step({});
+  std::set<std::size_t> beyond;
+  for (std::size_t i = before; i < figure.labels.size(); ++i)
+    if (!drawings::contains(room, place_of_label(figure.labels[i]))) beyond.insert(i);
+  take_away(figure.labels, beyond);
+  take_away(figure.known_of_labels, beyond);
   return {};
 }
 
@@ -215,7 +254,12 @@ drawings::Box seen_in(const PlacedPanel& close_up, const PlacedPanel& whole) {
     return drawings::Point{whole.origin.x + ratio * (p.x - close_up.origin.x),
                            whole.origin.y + ratio * (p.y - close_up.origin.y)};
   };
-  return {at(close_up.room.low), at(close_up.room.high)};
+  constexpr double least = 8;  // mm: a smaller frame is not seen, and symbols there do not shrink
+  drawings::Box seen{at(close_up.room.low), at(close_up.room.high)};
+  const double wider = std::max(0.0, least - seen.width()) / 2, higher = std::max(0.0, least - seen.height()) / 2;
+  seen.low = {seen.low.x - wider, seen.low.y - higher};
+  seen.high = {seen.high.x + wider, seen.high.y + higher};
+  return seen;
 }
 
 void leave_to_close_up(const drawings::Box& seen, const DrawnSoFar& before, DrawnSheet& onto) {
@@ -232,8 +276,9 @@ void leave_to_close_up(const drawings::Box& seen, const DrawnSoFar& before, Draw
   for (std::size_t i = before.labels; i < figure.labels.size(); ++i) {
     const drawings::Label& label = figure.labels[i];
     const drawings::Point to = label.to.value_or(label.at);
-    if (drawings::contains(seen, drawings::Point{(label.at.x + to.x) / 2, (label.at.y + to.y) / 2}) ||
-        vectors.contains(paper_ends(label.at, to)))
+    if (drawings::contains(seen, place_of_label(label)) || vectors.contains(paper_ends(label.at, to)) ||
+        std::any_of(marks.begin(), marks.end(),
+                    [&](std::size_t mark) { return is_symbol_of(label, figure.marks[mark]); }))
       labels.insert(i);
   }
   for (std::size_t i = before.measurements; i < onto.measurements.size(); ++i)
