@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "drawings/text/text.h"
+#include "exercises/kit/panels/close_up.h"
 #include "exercises/kit/panels/edge.h"
 #include "exercises/kit/panels/layout_search.h"
 #include "exercises/kit/panels/panel_sheet.h"
@@ -42,6 +43,24 @@ struct PanelPart {
   bool has_steps() const { return !numbers.empty(); }
 };
 
+// Where the close-up shows what the whole does in a step: there stands its number. None where the whole does better.
+std::vector<std::optional<Place>> seen_closer(const std::vector<PanelStep>& steps, const PlacedPanel& whole,
+                                              const PlacedPanel& close_up, DrawnSheet& onto,
+                                              const SheetRequest& request) {
+  constexpr double edge = 8;  // mm: nearer to the border a line only leaves
+  const Plot small = plot_of(whole, onto, request), large = plot_of(close_up, onto, request);
+  const auto& [low, high] = close_up.room;
+  const drawings::Box inner{{low.x + edge, low.y + edge}, {high.x - edge, high.y - edge}},
+      seen = seen_in(close_up, whole);
+  const std::vector<PanelStep> larger = whole.panel->steps(large, close_up.room);
+  std::vector<std::optional<Place>> places(steps.size());
+  for (std::size_t k = 0; k < steps.size() && steps.size() == larger.size(); ++k) {
+    if (!steps[k].at || !larger[k].at || !is_in(close_up.room, large, *larger[k].at)) continue;
+    if (is_in(seen, small, *steps[k].at) || is_in(inner, large, *larger[k].at)) places[k] = larger[k].at;
+  }
+  return places;
+}
+
 // The steps of all panels, numbered through, and their numbers on the pictures: panel by panel, then those that need
 // what the others found. What is decided and not drawn stands between them.
 std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels, std::vector<PanelPart>& parts,
@@ -51,26 +70,34 @@ std::vector<drawings::Block> number_steps(const std::vector<PlacedPanel>& panels
   const auto add = [&](std::size_t i, bool needs_all_others) {
     const PlacedPanel& each = panels[i];
     Plot plot = plot_of(each, onto, request);
-    for (const PanelStep& step : each.panel->steps(plot, each.room)) {
+    const PlacedPanel* const close_up = close_up_of(each, panels);
+    const std::vector<PanelStep> steps = each.panel->steps(plot, each.room);
+    const std::vector<std::optional<Place>> larger = close_up ? seen_closer(steps, each, *close_up, onto, request)
+                                                              : std::vector<std::optional<Place>>(steps.size());
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      const PanelStep& step = steps[k];
       if (step.needs_all_others != needs_all_others) continue;
       std::string text = step.text.in(request.language);
       if (!step.at) {
         blocks.push_back(drawings::Paragraph{text});
         continue;
       }
-      if (is_in(each.room, plot, *step.at)) {
+      if (larger[k]) {
+        plot_of(*close_up, onto, request).step(number, *larger[k]);
+      } else if (is_in(each.room, plot, *step.at)) {
         plot.step(number, *step.at);
       } else {
         text += Words{" (Off the sheet.)", " (Fuori del foglio.)"}.in(request.language);
         is_off_sheet = true;
       }
-      auto* const steps = blocks.empty() ? nullptr : std::get_if<drawings::Steps>(&blocks.back());
-      if (steps)
-        steps->lines.push_back(text);
+      auto* const listed = blocks.empty() ? nullptr : std::get_if<drawings::Steps>(&blocks.back());
+      if (listed)
+        listed->lines.push_back(text);
       else
         blocks.push_back(drawings::Steps{{text}, number});
       parts[i].numbers.push_back(number++);
     }
+    if (close_up) parts[static_cast<std::size_t>(close_up - panels.data())].numbers = parts[i].numbers;
   };
   for (const bool needs_all_others : {false, true})
     for (std::size_t i = 0; i < panels.size(); ++i) add(i, needs_all_others);
@@ -317,6 +344,14 @@ DrawnSheet solved_figure(const std::vector<PlacedPanel>& panels, const DrawnShee
   return solved;
 }
 
+// Of the close-up, and of what it shows in the whole.
+void draw_frames(const PlacedPanel& close_up, const PlacedPanel& whole, DrawnSheet& onto,
+                 const SheetRequest& request) {
+  draw_frame(seen_in(close_up, whole), onto);
+  draw_frame(close_up.room, onto);
+  cut(onto.sheet.figure, figure_area(request));
+}
+
 std::string description(const Solution& solution, const PanelSheet& shown, Language language) {
   std::vector<Value> values;
   for (const std::string& name : shown.told)
@@ -338,20 +373,26 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   }
   const drawings::Box whole_room = room_for(shown.panels, request);
   for (const auto& panel : shown.panels) panel->choose_view(whole_room, request);
-  const std::vector<PlacedPanel> panels = laid_out(shown.panels, whole_room, request);
+  const LaidOut laid = laid_out_with_close_ups(shown.panels, whole_room, request);
+  const std::vector<PlacedPanel>& panels = laid.panels;
   std::vector<drawings::Block> of_drawings;
   std::vector<PanelPart> parts;
   for (const PlacedPanel& each : panels) {
+    const DrawnSoFar before(onto);
+    const PlacedPanel* const close_up = close_up_of(each, panels);
     if (request.blank) {
       draw_what_is_given(each, onto, request);
+      if (close_up) leave_to_close_up(seen_in(*close_up, each), before, onto);
     } else {
       Plot plot = plot_of(each, onto, request);
       for (drawings::Block& block : each.panel->draw(plot, each.room, language))
         of_drawings.push_back(std::move(block));
       plot.in_step({});
+      if (close_up) leave_to_close_up(seen_in(*close_up, each), before, onto);
       parts.push_back({onto.sheet.figure.marks.size(), onto.sheet.figure.labels.size()});
     }
     cut(onto.sheet.figure, window_of(each, request));
+    if (close_up) draw_frames(*close_up, each, onto, request);
   }
   add_bars(panels, onto, request);
 

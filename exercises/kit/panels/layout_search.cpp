@@ -98,7 +98,7 @@ std::string group_of_vectors(const Panel& panel) {
 class Search {
  public:
   enum class Of { all, near };
-  Search(const Panels& panels, Of of, const drawings::Box& room, const SheetRequest& request)
+  Search(const std::vector<const Panel*>& panels, Of of, const drawings::Box& room, const SheetRequest& request)
       : panels_(panels),
         of_(of),
         room_(room),
@@ -132,7 +132,7 @@ class Search {
       if (panels_[i]->is_cut() || !panels_[i]->has_scale()) keep_proportion(rooms[i], extent(found.choices, i));
     std::vector<PlacedPanel> all;
     for (std::size_t i = 0; i < panels_.size(); ++i)
-      all.push_back({panels_[i].get(), rooms[i], found.choices.lengths[i].scale, vectors_of(found.choices, i),
+      all.push_back({panels_[i], rooms[i], found.choices.lengths[i].scale, vectors_of(found.choices, i),
                      panels_[i]->origin(rooms[i], extent(found.choices, i), found.choices.lengths[i].scale)});
     return all;
   }
@@ -341,7 +341,7 @@ class Search {
     return std::max(count, 1.0);
   }
 
-  const Panels& panels_;
+  const std::vector<const Panel*>& panels_;
   Of of_;
   drawings::Box room_;
   Language language_;
@@ -353,7 +353,7 @@ class Search {
 };
 
 // Whether no panel becomes smaller than it may in order to show what is far.
-bool is_large_enough(const Panels& panels, const Choices& all, const Choices& near) {
+bool is_large_enough(const std::vector<const Panel*>& panels, const Choices& all, const Choices& near) {
   for (std::size_t i = 0; i < panels.size(); ++i)
     if (all.lengths[i].scale.mm_per_unit * panels[i]->times_smaller() < near.lengths[i].scale.mm_per_unit)
       return false;
@@ -361,7 +361,8 @@ bool is_large_enough(const Panels& panels, const Choices& all, const Choices& ne
 }
 
 // A scale that was asked for does not fit: by how much, and what would.
-[[noreturn]] void refuse(const Panels& panels, const drawings::Box& room, const SheetRequest& request) {
+[[noreturn]] void refuse(const std::vector<const Panel*>& panels, const drawings::Box& room,
+                         const SheetRequest& request) {
   SheetRequest any_scale = request;
   any_scale.scale.reset();
   const std::vector<PlacedPanel> would_fit = laid_out(panels, room, any_scale);
@@ -383,6 +384,13 @@ bool is_large_enough(const Panels& panels, const Choices& all, const Choices& ne
 }  // namespace
 
 std::vector<PlacedPanel> laid_out(const Panels& panels, const drawings::Box& room, const SheetRequest& request) {
+  std::vector<const Panel*> all;
+  for (const auto& panel : panels) all.push_back(panel.get());
+  return laid_out(all, room, request);
+}
+
+std::vector<PlacedPanel> laid_out(const std::vector<const Panel*>& panels, const drawings::Box& room,
+                                  const SheetRequest& request) {
   if (panels.empty()) return {};
   Search of_all(panels, Search::Of::all, room, request);
   const auto all = of_all.best();

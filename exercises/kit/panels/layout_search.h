@@ -17,6 +17,8 @@ struct PlacedPanel {
 // Of all ways to divide the room, keeping the panels' order, into parts side by side and one below the other, the one
 // that leaves them largest together, each at a standard scale. Vectors of one unit have one scale. A scale in the
 // request is that of the first panel of lengths. What is too far is left out. Throws DoesNotFit.
+std::vector<PlacedPanel> laid_out(const std::vector<const Panel*>& panels, const drawings::Box& room,
+                                  const SheetRequest& request);
 std::vector<PlacedPanel> laid_out(const Panels& panels, const drawings::Box& room, const SheetRequest& request);
 
 }  // namespace epure

@@ -1,0 +1,300 @@
+#include "exercises/kit/panels/close_up.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <type_traits>
+#include <utility>
+
+#include "drawings/paths/vectors.h"
+
+namespace epure {
+namespace {
+
+// Joints nearer than this on the paper cannot be told apart: their circles and letters cover each other.
+constexpr double joints_told_apart = 6;  // mm
+constexpr double worth_drawing = 2.5;    // times larger than in the whole
+constexpr double same_place = 1e-4;      // of what they all span: nothing is to be seen between these
+constexpr double beside_the_part = 0.3;  // of its size, around it
+
+struct SmallPart {
+  Place low, high;
+};
+
+double extent_of_places(const std::vector<Place>& points) {
+  double largest = 0;
+  for (const Place& P : points)
+    for (const Place& Q : points) largest = std::max(largest, distance(P, Q));
+  return largest;
+}
+
+double distance_to(const std::vector<Place>& points, const Place& P) {
+  double least = distance(points.front(), P);
+  for (const Place& Q : points) least = std::min(least, distance(Q, P));
+  return least;
+}
+
+// What of a mechanism is drawn: its hinges and blocks, and the ends of its links.
+struct DrawnJoints {
+  std::vector<Place> joints;
+  std::vector<std::pair<Place, Place>> links;
+};
+
+// The link's ends that are nearest to each other and two to the eye; nothing where all links are long.
+std::vector<Place> shortest_link(const DrawnJoints& drawn, double least) {
+  const auto is_joint = [&](const Place& P) { return distance_to(drawn.joints, P) <= least; };
+  std::vector<Place> shortest;
+  for (const auto& [P, Q] : drawn.links)
+    if (const double d = distance(P, Q); d > least && is_joint(P) && is_joint(Q))
+      if (shortest.empty() || d < distance(shortest[0], shortest[1])) shortest = {P, Q};
+  return shortest;
+}
+
+// Those around the nearest two: one after the other as long as the next is not far for the size of the part.
+std::vector<Place> close_together(std::vector<Place> part, std::vector<Place> joints) {
+  constexpr double far = 3;  // sizes of the part
+  for (bool has_grown = true; has_grown;) {
+    has_grown = false;
+    const double limit = far * extent_of_places(part);
+    for (auto P = joints.begin(); P != joints.end();) {
+      if (distance_to(part, *P) > limit) {
+        ++P;
+        continue;
+      }
+      if (distance_to(part, *P) > 0) {
+        part.push_back(*P);
+        has_grown = true;
+      }
+      P = joints.erase(P);
+    }
+  }
+  return part;
+}
+
+DrawnJoints joints_drawn(const PlacedPanel& placed, const SheetRequest& request) {
+  DrawnSheet scratch;
+  scratch.sheet.paper = request.paper;
+  Plot plot(scratch, placed.origin, placed.lengths);
+  plot.vectors_at(placed.vectors);
+  placed.panel->draw_given(plot, placed.room, request.language);
+  DrawnJoints drawn;
+  for (const drawings::Mark& mark : scratch.sheet.figure.marks) {
+    if (const auto* hinge = std::get_if<drawings::Hinge>(&mark)) drawn.joints.push_back(plot.from_paper(hinge->at));
+    if (const auto* fixed = std::get_if<drawings::FixedHinge>(&mark))
+      drawn.joints.push_back(plot.from_paper(fixed->at));
+    if (const auto* block = std::get_if<drawings::Slider>(&mark)) drawn.joints.push_back(plot.from_paper(block->at));
+    const auto* line = std::get_if<drawings::Line>(&mark);
+    if (!line || line->meaning != Meaning::link) continue;
+    drawings::Point from = line->path.start;
+    for (const drawings::Piece& piece : line->path.pieces) {
+      if (piece.straight) drawn.links.push_back({plot.from_paper(from), plot.from_paper(piece.end)});
+      from = piece.end;
+    }
+  }
+  return drawn;
+}
+
+// What needs a close-up at the scale that was found; none: all can be told apart.
+std::optional<SmallPart> part_too_small(const PlacedPanel& placed, const SheetRequest& request) {
+  if (placed.panel->is_of_vectors() || !placed.panel->has_scale()) return {};
+  const DrawnJoints drawn = joints_drawn(placed, request);
+  if (drawn.joints.empty()) return {};
+  std::vector<Place> part = shortest_link(drawn, same_place * extent_of_places(drawn.joints));
+  if (part.empty() || distance(part[0], part[1]) * placed.lengths.mm_per_unit >= joints_told_apart) return {};
+  part = close_together(std::move(part), drawn.joints);
+  const double air = beside_the_part * extent_of_places(part);
+  SmallPart found{part.front(), part.front()};
+  for (const Place& P : part) {
+    found.low = {std::min(found.low.x, P.x - air), std::min(found.low.y, P.y - air)};
+    found.high = {std::max(found.high.x, P.x + air), std::max(found.high.y, P.y + air)};
+  }
+  return found;
+}
+
+// Where a mark stands that is a symbol or a vector; none for lines and areas, which are seen in the whole too.
+std::optional<drawings::Point> place_of(const drawings::Mark& mark) {
+  return std::visit(
+      [](const auto& each) -> std::optional<drawings::Point> {
+        using Kind = std::decay_t<decltype(each)>;
+        if constexpr (std::is_same_v<Kind, drawings::Arrow>)
+          return each.from;
+        else if constexpr (std::is_same_v<Kind, drawings::Rotation>)
+          return each.centre;
+        else if constexpr (std::is_same_v<Kind, drawings::Dimension>)
+          return drawings::Point{(each.from.x + each.to.x) / 2, (each.from.y + each.to.y) / 2};
+        else if constexpr (requires { each.at; } && !std::is_same_v<Kind, drawings::ScaleBar>)
+          return each.at;
+        else
+          return std::nullopt;
+      },
+      mark);
+}
+
+drawings::Point place_of_label(const drawings::Label& label) {
+  const drawings::Point to = label.to.value_or(label.at);
+  return {(label.at.x + to.x) / 2, (label.at.y + to.y) / 2};
+}
+
+// The symbol of an arc stands beside it, away from its centre.
+bool is_symbol_of(const drawings::Label& label, const drawings::Mark& mark) {
+  constexpr double beside = 1.5;  // mm
+  const auto stands_at = [&](const drawings::Point& centre, double radius) {
+    return label.away_from && label.away_from->x == centre.x && label.away_from->y == centre.y &&
+           std::hypot(label.at.x - centre.x, label.at.y - centre.y) < radius + beside;
+  };
+  if (const auto* arrow = std::get_if<drawings::Rotation>(&mark)) return stands_at(arrow->centre, arrow->radius);
+  if (const auto* arc = std::get_if<drawings::AngleMark>(&mark)) return stands_at(arc->at, arc->radius);
+  return false;
+}
+
+using PaperEnds = std::pair<std::pair<double, double>, std::pair<double, double>>;
+PaperEnds paper_ends(const drawings::Point& p, const drawings::Point& q) { return {{p.x, p.y}, {q.x, q.y}}; }
+
+// The elements from `begin` of which the number is not among `gone` close up; those before stay.
+template <class T>
+void take_away(std::vector<T>& all, const std::set<std::size_t>& gone) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (gone.contains(i)) continue;
+    if (kept != i) all[kept] = std::move(all[i]);
+    ++kept;
+  }
+  all.resize(kept);
+}
+
+// Nothing else has become so much smaller that what the close-up gains is lost there.
+bool is_better(const std::vector<PlacedPanel>& before, const std::vector<PlacedPanel>& after) {
+  constexpr double at_most_smaller = 2.6;  // times: a standard scale
+  auto then = before.begin();
+  for (const PlacedPanel& now : after) {
+    if (const auto* close_up = dynamic_cast<const CloseUp*>(now.panel)) {
+      const auto whole = std::find_if(after.begin(), after.end(),
+                                      [&](const PlacedPanel& each) { return each.panel == &close_up->whole(); });
+      if (now.lengths.mm_per_unit < worth_drawing * whole->lengths.mm_per_unit) return false;
+      continue;
+    }
+    if (at_most_smaller * now.lengths.mm_per_unit < then->lengths.mm_per_unit ||
+        at_most_smaller * now.vectors.mm_per_unit < then->vectors.mm_per_unit)
+      return false;
+    ++then;
+  }
+  return true;
+}
+
+}  // namespace
+
+double CloseUp::reach() const {
+  constexpr double most = 100;  // mm
+  return 1000 * std::max(high_.x - low_.x, high_.y - low_.y) / most;
+}
+
+// The part, and of what else the whole shows as much as its vectors reach, with their letters.
+drawings::Box CloseUp::extent(const Scale& lengths, const Scale& vectors) const {
+  constexpr double letters = 10;  // mm
+  const auto at = [&](const Place& P) {
+    return drawings::Point{lengths.mm_per_unit * P.x, lengths.mm_per_unit * P.y};
+  };
+  const drawings::Point low = at(low_), high = at(high_);
+  const double air = letters + whole_.vectors().longest * vectors.mm_per_unit;
+  const drawings::Box around{{low.x - air, low.y - air}, {high.x + air, high.y + air}};
+  drawings::Box seen = drawings::intersection(whole_.extent_of_near(lengths, vectors), around);
+  seen.low = {std::min(seen.low.x, low.x), std::min(seen.low.y, low.y)};
+  seen.high = {std::max(seen.high.x, high.x), std::max(seen.high.y, high.y)};
+  return seen;
+}
+
+std::vector<drawings::Block> CloseUp::draw(Plot& plot, const drawings::Box& room, Language language) const {
+  drawings::Figure& figure = plot.onto().sheet.figure;
+  const std::size_t before = figure.labels.size();
+  whole_.draw(plot, room, language);
+  plot.in_step({});
+  std::set<std::size_t> beyond;
+  for (std::size_t i = before; i < figure.labels.size(); ++i)
+    if (!drawings::contains(room, place_of_label(figure.labels[i]))) beyond.insert(i);
+  take_away(figure.labels, beyond);
+  take_away(figure.known_of_labels, beyond);
+  return {};
+}
+
+void CloseUp::draw_given(Plot& plot, const drawings::Box& room, Language language) const {
+  whole_.draw_given(plot, room, language);
+}
+
+LaidOut laid_out_with_close_ups(const Panels& panels, const drawings::Box& room, const SheetRequest& request) {
+  LaidOut plain{{}, laid_out(panels, room, request)};
+  LaidOut larger;
+  std::vector<const Panel*> all;
+  for (const PlacedPanel& placed : plain.panels) {
+    all.push_back(placed.panel);
+    if (const auto part = part_too_small(placed, request)) {
+      larger.close_ups.push_back(std::make_unique<CloseUp>(*placed.panel, part->low, part->high));
+      all.push_back(larger.close_ups.back().get());
+    }
+  }
+  if (larger.close_ups.empty()) return plain;
+  try {
+    larger.panels = laid_out(all, room, request);
+  } catch (const DoesNotFit&) {
+    return plain;
+  }
+  return is_better(plain.panels, larger.panels) ? std::move(larger) : std::move(plain);
+}
+
+const PlacedPanel* close_up_of(const PlacedPanel& whole, const std::vector<PlacedPanel>& panels) {
+  for (const PlacedPanel& each : panels)
+    if (const auto* close_up = dynamic_cast<const CloseUp*>(each.panel);
+        close_up && &close_up->whole() == whole.panel)
+      return &each;
+  return nullptr;
+}
+
+drawings::Box seen_in(const PlacedPanel& close_up, const PlacedPanel& whole) {
+  const double ratio = whole.lengths.mm_per_unit / close_up.lengths.mm_per_unit;
+  const auto at = [&](const drawings::Point& p) {
+    return drawings::Point{whole.origin.x + ratio * (p.x - close_up.origin.x),
+                           whole.origin.y + ratio * (p.y - close_up.origin.y)};
+  };
+  constexpr double least = 8;  // mm: a smaller frame is not seen, and symbols there do not shrink
+  drawings::Box seen{at(close_up.room.low), at(close_up.room.high)};
+  const double wider = std::max(0.0, least - seen.width()) / 2, higher = std::max(0.0, least - seen.height()) / 2;
+  seen.low = {seen.low.x - wider, seen.low.y - higher};
+  seen.high = {seen.high.x + wider, seen.high.y + higher};
+  return seen;
+}
+
+void leave_to_close_up(const drawings::Box& seen, const DrawnSoFar& before, DrawnSheet& onto) {
+  drawings::Figure& figure = onto.sheet.figure;
+  std::set<std::size_t> marks, labels, measurements;
+  std::set<PaperEnds> vectors;
+  for (std::size_t i = before.marks; i < figure.marks.size(); ++i) {
+    const auto at = place_of(figure.marks[i]);
+    if (!at || !drawings::contains(seen, *at)) continue;
+    marks.insert(i);
+    if (const auto* arrow = std::get_if<drawings::Arrow>(&figure.marks[i]))
+      vectors.insert(paper_ends(arrow->from, arrow->to));
+  }
+  for (std::size_t i = before.labels; i < figure.labels.size(); ++i) {
+    const drawings::Label& label = figure.labels[i];
+    const drawings::Point to = label.to.value_or(label.at);
+    if (drawings::contains(seen, place_of_label(label)) || vectors.contains(paper_ends(label.at, to)) ||
+        std::any_of(marks.begin(), marks.end(),
+                    [&](std::size_t mark) { return is_symbol_of(label, figure.marks[mark]); }))
+      labels.insert(i);
+  }
+  for (std::size_t i = before.measurements; i < onto.measurements.size(); ++i)
+    if (vectors.contains(paper_ends(onto.measurements[i].from, onto.measurements[i].to))) measurements.insert(i);
+  take_away(figure.marks, marks);
+  take_away(figure.window_of, marks);
+  take_away(figure.known_of_marks, marks);
+  take_away(figure.labels, labels);
+  take_away(figure.known_of_labels, labels);
+  take_away(onto.measurements, measurements);
+}
+
+void draw_frame(const drawings::Box& frame, DrawnSheet& onto) {
+  const auto& [low, high] = frame;
+  onto.sheet.figure.marks.push_back(drawings::Line{
+      drawings::polyline({low, {high.x, low.y}, high, {low.x, high.y}}, true), Meaning::dimension, {}});
+}
+
+}  // namespace epure
