@@ -150,7 +150,7 @@ bool is_symbol_of(const drawings::Label& label, const drawings::Mark& mark) {
 using PaperEnds = std::pair<std::pair<double, double>, std::pair<double, double>>;
 PaperEnds paper_ends(const drawings::Point& p, const drawings::Point& q) { return {{p.x, p.y}, {q.x, q.y}}; }
 
-// The elements from `begin` of which the number is not among `gone` close up; those before stay.
+// Of each the place in the list is told.
 template <class T>
 void take_away(std::vector<T>& all, const std::set<std::size_t>& gone) {
   std::size_t kept = 0;
