@@ -22,8 +22,8 @@ drawings::Sheet curves(const Drawn& drawn) {
       drawn.blank(3, "curves", {"Curves to a tolerance", "Curve entro una tolleranza"},
                   {"Number of Bezier arcs of proved deviation, and of lines between points at equal steps, against "
                    "the tolerance asked; with time, bytes and the deviation verified.",
-                   "Numero di archi di Bezier con scostamento dimostrato, e di segmenti fra punti a passi uguali, "
-                   "in funzione della tolleranza; con tempo, byte e scostamento verificato."});
+                   "Numero di archi di Bezier con scostamento dimostrato, e di segmenti fra punti a passi uguali, in "
+                   "funzione della tolleranza; con tempo, byte e scostamento verificato."});
   const drawings::Box room = drawn.area();
   drawings::Chart chart;
   chart.x = {.quantity = drawn.say({"tolerance asked", "tolleranza richiesta"}),

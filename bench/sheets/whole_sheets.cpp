@@ -57,20 +57,20 @@ drawings::Sheet whole_sheets(const Drawn& drawn) {
   const double table_height = height_of_table(rows, of_many_columns);
   draw_table(sheet.figure, rows, columns, {room.low.x, room.low.y + table_height}, of_many_columns);
   draw(chart, {{room.low.x, room.low.y + table_height + 5}, room.high}, sheet.figure, drawn.language);
-  drawn.explain(sheet,
-                {{"Milliseconds of processor time, from the start of the process to its end, the least of some runs "
-                  "in turn. PDF and SVG of one sheet, synced to the disk.",
-                  "Millisecondi di tempo di processore, dall'inizio alla fine del processo, il minore di alcune "
-                  "esecuzioni alternate. PDF e SVG di una tavola, scritti fino al disco."},
-                 {"The floor is a bare program: it opens the fonts, shapes each run of letters once, makes the "
-                  "recorded calls of Cairo for the PDF, writes the SVG plainly, and both files whole or not at all.",
-                  "Il minimo è un programma nudo: apre i caratteri, compone ogni gruppo di lettere una volta, fa le "
-                  "chiamate registrate di Cairo per il PDF, scrive l'SVG in modo semplice, e i due file interi o "
-                  "per niente."},
-                 {"The parts are the program's own account, of its fastest run with --times; the end of the process "
-                  "is in none of them.",
-                  "Le parti sono il conto del programma stesso, della sua esecuzione più rapida con --times; la fine "
-                  "del processo non è in nessuna."}});
+  drawn.explain(
+      sheet,
+      {{"Milliseconds of processor time, from the start of the process to its end, the least of some runs in turn. "
+        "PDF and SVG of one sheet, synced to the disk.",
+        "Millisecondi di tempo di processore, dall'inizio alla fine del processo, il minore di alcune esecuzioni "
+        "alternate. PDF e SVG di una tavola, scritti fino al disco."},
+       {"The floor is a bare program: it opens the fonts, shapes each run of letters once, makes the recorded calls "
+        "of Cairo for the PDF, writes the SVG plainly, and both files whole or not at all.",
+        "Il minimo è un programma nudo: apre i caratteri, compone ogni gruppo di lettere una volta, fa le chiamate "
+        "registrate di Cairo per il PDF, scrive l'SVG in modo semplice, e i due file interi o per niente."},
+       {"The parts are the program's own account, of its fastest run with --times; the end of the process is in none "
+        "of them.",
+        "Le parti sono il conto del programma stesso, della sua esecuzione più rapida con --times; la fine del "
+        "processo non è in nessuna."}});
   if (drawn.report.sheets.empty())
     sheet.column.push_back(drawings::Paragraph{drawn.say({"Nothing measured.", "Nulla di misurato."}) + " (" +
                                                drawn.report.no_sheets + ")"});

@@ -16,12 +16,11 @@ std::vector<const FamilyResult*> rows_of(const Report& report, const std::string
 }  // namespace
 
 drawings::Sheet worst_errors(const Drawn& drawn) {
-  drawings::Sheet sheet =
-      drawn.blank(2, "worst-errors", {"Worst errors", "Errori peggiori"},
-                  {"What plain doubles say of the hardest case of each family, and what is true; what the other "
-                   "numbers promise and hand over.",
-                   "Che cosa dicono i numeri double del caso più difficile di ogni famiglia, e che cosa è vero; che "
-                   "cosa promettono e cedono gli altri numeri."});
+  drawings::Sheet sheet = drawn.blank(2, "worst-errors", {"Worst errors", "Errori peggiori"},
+                                      {"What plain doubles say of the hardest case of each family, and what is true; "
+                                       "what the other numbers promise and hand over.",
+                                       "Che cosa dicono i numeri double del caso più difficile di ogni famiglia, e "
+                                       "che cosa è vero; che cosa promettono e cedono gli altri numeri."});
   const drawings::Box room = drawn.area();
   const double width = room.width();
   Rows told{{drawn.say({"family", "famiglia"}), drawn.say({"doubles say", "i double dicono"}),
@@ -78,12 +77,10 @@ drawings::Sheet worst_errors(const Drawn& drawn) {
         "zero. Errati: risultati che chiamano un numero benché siano zero o non esistano, o che non sanno dare."},
        {"Below: the largest relative bound promised, the error made inside of it, and the share handed over: by "
         "bounded when half its width exceeds the value, by deep when 128 bits are too few for 30 digits, by exact "
-        "when the "
-        "scene leaves the tower of quadratic fields.",
+        "when the scene leaves the tower of quadratic fields.",
         "Sotto: il massimo limite relativo promesso, l'errore commesso entro di esso, e la parte ceduta: da bounded "
         "quando metà della sua ampiezza supera il valore, da deep quando 128 bit non bastano per 30 cifre, da exact "
-        "quando la "
-        "scena esce dalla torre di campi quadratici."},
+        "quando la scena esce dalla torre di campi quadratici."},
        {"At the foot: questions such as whether the linkage stands at a dead centre and on which side of it, and "
         "which number proves the answer (otherwise: an exact one, the rationals alone, or that nothing exists "
         "there).",

@@ -44,24 +44,21 @@ VectorPolygon around(const Solution& s, const std::string& letter, const std::st
 PanelSheet forces_sheet(const Solution& s, Language language) {
   const Words moments{
       "$\\it{M}$ = $m_{a}$ + $m_{r}$. Moments about the hub, $\\it{N}$ standing $u$ = $f_{v}\\it{R}$ ahead: "
-      "$\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − "
-      "$\\it{N}u$. As soon as $ω\\it{R}$ = $v$ the wheel rolls; then friction only keeps it in step, and falls to "
-      "$\\it{F}'$ = $\\it{J}_{r}a'$/$\\it{R}^{2}$ + $f_{v}\\it{N}$.",
+      "$\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − $\\it{N}u$. As soon as $ω\\it{R}$ = $v$ the wheel rolls; then friction "
+      "only keeps it in step, and falls to $\\it{F}'$ = $\\it{J}_{r}a'$/$\\it{R}^{2}$ + $f_{v}\\it{N}$.",
       "$\\it{M}$ = $m_{a}$ + $m_{r}$. Momenti rispetto al mozzo, con $\\it{N}$ avanti di $u$ = $f_{v}\\it{R}$: "
-      "$\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − "
-      "$\\it{N}u$. Appena $ω\\it{R}$ = $v$ la ruota rotola; allora l'attrito la tiene solo al passo e cade a "
-      "$\\it{F}'$ = $\\it{J}_{r}a'$/$\\it{R}^{2}$ + $f_{v}\\it{N}$."};
+      "$\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − $\\it{N}u$. Appena $ω\\it{R}$ = $v$ la ruota rotola; allora l'attrito la "
+      "tiene solo al passo e cade a $\\it{F}'$ = $\\it{J}_{r}a'$/$\\it{R}^{2}$ + $f_{v}\\it{N}$."};
   const Words grip = s["adheres"] == 1 ? Words{"|$\\it{F}'$| ≤ $f_{a}\\it{N}$: the wheel adheres.",
                                                "|$\\it{F}'$| ≤ $f_{a}\\it{N}$: la ruota aderisce."}
                                        : Words{"|$\\it{F}'$| > $f_{a}\\it{N}$: the wheel does not adhere.",
                                                "|$\\it{F}'$| > $f_{a}\\it{N}$: la ruota non aderisce."};
   ChainedPolygonsPanel rolling(around(s, "2", "v_s", "N_s", "F_after", "a_after", "'"));
-  rolling.likewise(
-      {"Once the wheel rolls, likewise, with the friction $\\vec{\\it{F}}'$ that keeps it in step and the "
-       "acceleration $\\vec{a}'$.",
-       "Quando la ruota rotola, allo stesso modo, con l'attrito $\\vec{\\it{F}}'$ che la tiene al passo e "
-       "l'accelerazione $\\vec{a}'$."},
-      {0, 0});
+  rolling.likewise({"Once the wheel rolls, likewise, with the friction $\\vec{\\it{F}}'$ that keeps it in step and "
+                    "the acceleration $\\vec{a}'$.",
+                    "Quando la ruota rotola, allo stesso modo, con l'attrito $\\vec{\\it{F}}'$ che la tiene al passo "
+                    "e l'accelerazione $\\vec{a}'$."},
+                   {0, 0});
   return {.panels = panels(PolygonPanel(s, around(s, "1", "v_0", "N_0", "F_0", "a_0", "")), rolling),
           .results = {values({"F_x_0", "F_y_0"}), values({"N_0", "F_0"}), values({"a_0", "omega_dot_0"}),
                       remark(moments.in(language)), values({"N_s", "F_after"}), values({"a_after", "F_after_over_N"}),

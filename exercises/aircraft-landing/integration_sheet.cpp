@@ -54,8 +54,8 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
   const Words law_of_time{
       "d$t$ = −d$v$/|$a$($v$)|, |$a$| = $f_{r}g$ + ($f_{r}c_{y}$ + $c_{x}$)$v^{2}$/($m_{a}$ + $m_{r}$): integrated "
       "from $v_{s}$, at the left, up to $v_{0}$; the time counts backwards from the end of slip.",
-      "d$t$ = −d$v$/|$a$($v$)|, |$a$| = $f_{r}g$ + ($f_{r}c_{y}$ + $c_{x}$)$v^{2}$/($m_{a}$ + $m_{r}$): integrata "
-      "da $v_{s}$, a sinistra, fino a $v_{0}$; il tempo si conta all'indietro dalla fine dello strisciamento."};
+      "d$t$ = −d$v$/|$a$($v$)|, |$a$| = $f_{r}g$ + ($f_{r}c_{y}$ + $c_{x}$)$v^{2}$/($m_{a}$ + $m_{r}$): integrata da "
+      "$v_{s}$, a sinistra, fino a $v_{0}$; il tempo si conta all'indietro dalla fine dello strisciamento."};
   const Words off_the_curve{
       "At its corners the polygon lies on the true curve, as the areas are equal; between them it is off by at most "
       "$δ_{t}$, the greatest of Δ$v^{2}$/8 times the steepest slope of 1/|$a$| in the strip of the width Δ$v$.",

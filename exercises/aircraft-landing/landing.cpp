@@ -63,23 +63,21 @@ Landing::Landing(const Givens& givens)
       step(givens["Delta_t"]),
       rim_0(givens["rim_0"]) {
   if (f_r <= f_v)
-    throw BadGivens(format_words(
-        "f_r = {} must be greater than f_v = {}: rolling friction holds the wheel, so slip never ends, and the "
-        "aircraft stops first",
-        "f_r = {} dev'essere maggiore di f_v = {}: l'attrito volvente trattiene la ruota, lo strisciamento non "
-        "finisce mai e l'aereo si ferma prima",
-        told_value(f_r), told_value(f_v)));
-  if (rim_0 == v_0)
     throw BadGivens(
-        format_words("rim_0 = {} m/s must be less than v_0 = {} m/s: the wheel already rolls at touch-down, and "
-                     "nothing slips",
-                     "rim_0 = {} m/s dev'essere minore di v_0 = {} m/s: la ruota al contatto rotola già, e "
-                     "nulla striscia",
-                     told_value(rim_0), told_value(v_0)));
+        format_words("f_r = {} must be greater than f_v = {}: rolling friction holds the wheel, so slip never ends, "
+                     "and the aircraft stops first",
+                     "f_r = {} dev'essere maggiore di f_v = {}: l'attrito volvente trattiene la ruota, lo "
+                     "strisciamento non finisce mai e l'aereo si ferma prima",
+                     told_value(f_r), told_value(f_v)));
+  if (rim_0 == v_0)
+    throw BadGivens(format_words(
+        "rim_0 = {} m/s must be less than v_0 = {} m/s: the wheel already rolls at touch-down, and nothing slips",
+        "rim_0 = {} m/s dev'essere minore di v_0 = {} m/s: la ruota al contatto rotola già, e nulla striscia",
+        told_value(rim_0), told_value(v_0)));
   if (rim_0 > v_0)
     throw BadGivens(
-        format_words("rim_0 = {} m/s must be less than v_0 = {} m/s: the wheel spins faster than it would roll, "
-                     "and slips forwards, which is not the landing that is asked about",
+        format_words("rim_0 = {} m/s must be less than v_0 = {} m/s: the wheel spins faster than it would roll, and "
+                     "slips forwards, which is not the landing that is asked about",
                      "rim_0 = {} m/s dev'essere minore di v_0 = {} m/s: la ruota gira più in fretta di quanto "
                      "rotolerebbe, e striscia in avanti: non è l'atterraggio in esame",
                      told_value(rim_0), told_value(v_0)));
@@ -90,8 +88,7 @@ std::optional<Words> Landing::airborne() const {
   if (normal(v_0) > 0) return {};
   const double grips_at = std::sqrt(CGAL::to_double(M() * g / -c_y));
   return format_words(
-      "v_0 = {} m/s: the flaps lift the aircraft (N_0 = {} N), and the wheel presses on the ground only below {} "
-      "m/s",
+      "v_0 = {} m/s: the flaps lift the aircraft (N_0 = {} N), and the wheel presses on the ground only below {} m/s",
       "v_0 = {} m/s: i flap sollevano l'aereo (N_0 = {} N), e la ruota preme sul terreno solo sotto {} m/s",
       told_value(v_0), told_value(normal(v_0)), decimal(grips_at, 6));
 }

@@ -9,13 +9,9 @@ namespace epure::aircraft_landing {
 namespace {
 
 const Words at_touch_down{" at touch-down", " al contatto"},
-    just_before{" just before slip ends",
-                " appena prima della fine dello "
-                "strisciamento"},
+    just_before{" just before slip ends", " appena prima della fine dello strisciamento"},
     just_after{" just after slip has ended", " appena finito lo strisciamento"},
-    when_slip_ends{" when slip ends",
-                   " alla fine dello "
-                   "strisciamento"},
+    when_slip_ends{" when slip ends", " alla fine dello strisciamento"},
     while_slipping{" while it slips", " durante lo strisciamento"}, at_10ms{" after 10 ms", " dopo 10 ms"};
 const Words speed{"speed of the aircraft", "velocità dell'aereo"},
     turning{"angular velocity of the wheel", "velocità angolare della ruota"},
@@ -25,9 +21,7 @@ const Words speed{"speed of the aircraft", "velocità dell'aereo"},
     by_hub{"force of the hub on the wheel", "forza del mozzo sulla ruota"}, forwards{", forwards", ", in avanti"},
     upwards{", upwards", ", verso l'alto"},
     of_inertia{"force of inertia of the wheel, forwards", "forza d'inerzia della ruota, in avanti"},
-    friction{"friction, backwards",
-             "forza d'attrito, "
-             "all'indietro"};
+    friction{"friction, backwards", "forza d'attrito, all'indietro"};
 
 const std::vector<Quantity> quantities{
     {"v_0", "$v_{0}$", "m/s", speed + at_touch_down},

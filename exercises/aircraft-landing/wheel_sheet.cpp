@@ -66,11 +66,11 @@ PanelSheet wheel_sheet(const Solution& s, Language language) {
   const Wheel first = wheel_at(s, true), after = wheel_at(s, false);
   FreeBodyPanel before_body = cut_free(first, ""), after_body = cut_free(after, "'");
   before_body.step(
-      {"The wheel cut free at touch-down: the ground's $\\vec{\\it{N}}$ stands $u$ = $f_{v}\\it{R}$ ahead of "
-       "the hub, the force of inertia −$m_{r}\\vec{a}$ and the couple −$\\it{J}_{r}α$ are d'Alembert's.",
-       "La ruota isolata al contatto: la reazione $\\vec{\\it{N}}$ del terreno è avanti di $u$ = "
-       "$f_{v}\\it{R}$ rispetto al mozzo; la forza d'inerzia −$m_{r}\\vec{a}$ e la coppia "
-       "−$\\it{J}_{r}α$ sono quelle di d'Alembert."},
+      {"The wheel cut free at touch-down: the ground's $\\vec{\\it{N}}$ stands $u$ = $f_{v}\\it{R}$ ahead of the "
+       "hub, the force of inertia −$m_{r}\\vec{a}$ and the couple −$\\it{J}_{r}α$ are d'Alembert's.",
+       "La ruota isolata al contatto: la reazione $\\vec{\\it{N}}$ del terreno è avanti di $u$ = $f_{v}\\it{R}$ "
+       "rispetto al mozzo; la forza d'inerzia −$m_{r}\\vec{a}$ e la coppia −$\\it{J}_{r}α$ sono quelle di "
+       "d'Alembert."},
       {0, first.R});
   after_body.step(
       {"The same once it rolls, with $α'$ = $a'$/$\\it{R}$.", "La stessa quando rotola, con $α'$ = $a'$/$\\it{R}$."},
@@ -81,8 +81,7 @@ PanelSheet wheel_sheet(const Solution& s, Language language) {
                    {0, 0});
   const Words balance{
       "$\\vec{\\it{H}}$ is what the aircraft gives its wheel: it closes the polygon of weight, inertia, friction and "
-      "reaction. "
-      "About the hub $\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − $\\it{N}u$.",
+      "reaction. About the hub $\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − $\\it{N}u$.",
       "$\\vec{\\it{H}}$ è quanto l'aereo dà alla ruota: chiude il poligono di peso, inerzia, attrito e reazione. "
       "Rispetto al mozzo $\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − $\\it{N}u$."};
   return {.panels = panels(before_body, PolygonPanel(s, polygon_of(first, "1")), after_body, rolling),

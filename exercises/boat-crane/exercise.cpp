@@ -31,26 +31,20 @@ std::unique_ptr<Exercise> make_boat_crane() {
       {{{"reactions",
          {"Reactions, moments, shear", "Reazioni, momenti, taglio"},
          {"A crane lifts a boat, which hangs from the end $D$ of its beam; the beam is hinged in $B$ and rests on "
-          "the "
-          "column $AC$, $BC$ = $\\it{L}$, $BD$ = 3$\\it{L}$. Find reactions, bending moments and shear of its beam "
-          "and "
-          "the force in its column.",
+          "the column $AC$, $BC$ = $\\it{L}$, $BD$ = 3$\\it{L}$. Find reactions, bending moments and shear of its "
+          "beam and the force in its column.",
           "Una gru solleva una barca, appesa all'estremo $D$ della trave; la trave è incernierata in $B$ e poggia "
-          "sulla "
-          "colonna $AC$, $BC$ = $\\it{L}$, $BD$ = 3$\\it{L}$. Trovare le reazioni, i momenti flettenti e il taglio "
-          "della trave e la forza nella colonna."}},
+          "sulla colonna $AC$, $BC$ = $\\it{L}$, $BD$ = 3$\\it{L}$. Trovare le reazioni, i momenti flettenti e il "
+          "taglio della trave e la forza nella colonna."}},
         reactions_sheet},
        {{"elastic-line",
          {"Elastic line and sinking of the boat", "Linea elastica e abbassamento della barca"},
          {"A crane lifts a boat, which hangs from the end $D$ of its beam; the beam is hinged in $B$ and rests on "
-          "the "
-          "column $AC$, $BC$ = $\\it{L}$, $BD$ = 3$\\it{L}$, $AC$ = $\\it{H}_{0}$. Find the elastic line of its beam "
-          "and "
-          "how far the boat sinks.",
+          "the column $AC$, $BC$ = $\\it{L}$, $BD$ = 3$\\it{L}$, $AC$ = $\\it{H}_{0}$. Find the elastic line of its "
+          "beam and how far the boat sinks.",
           "Una gru solleva una barca, appesa all'estremo $D$ della trave; la trave è incernierata in $B$ e poggia "
-          "sulla "
-          "colonna $AC$, $BC$ = $\\it{L}$, $BD$ = 3$\\it{L}$, $AC$ = $\\it{H}_{0}$. Trovare la linea elastica della "
-          "trave e di quanto si abbassa la barca."}},
+          "sulla colonna $AC$, $BC$ = $\\it{L}$, $BD$ = 3$\\it{L}$, $AC$ = $\\it{H}_{0}$. Trovare la linea elastica "
+          "della trave e di quanto si abbassa la barca."}},
         elastic_sheet},
        {{"section",
          {"Stresses of section C", "Tensioni nella sezione C"},

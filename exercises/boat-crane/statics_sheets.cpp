@@ -50,19 +50,16 @@ LoadLinePanel force_plan(const Solution& s, Language language) {
        .pole = Place{-h, 0},
        .pole_distance = "$h$ = " + figures(h, 4, language) + " N",
        .rays = {{0, "$a$"}, {-P, "$c$"}, {b, "$b$"}},
-       .steps = {
-           {{"$\\it{P}$ = $\\it{W}_{b}g$ laid off; a pole $O$ level with its tail, at the distance $h$; the rays $a$ "
-             "and "
-             "$c$ to tail and tip.",
-             "Riportato $\\it{P}$ = $\\it{W}_{b}g$; un polo $O$ al livello della sua coda, a distanza $h$; i raggi "
-             "$a$ e $c$ alla coda e alla punta."},
-            {-h, 0}},
-           {{"The ray parallel to the closing line $b$ (found below) parts the load line: $\\it{Y}_{A}$ closes from "
-             "the "
-             "tip of $\\it{P}$ to $b$, $\\it{Y}_{B}$ from $b$ to its tail.",
-             "Il raggio parallelo alla chiudente $b$ (trovata sotto) divide la retta delle forze: $\\it{Y}_{A}$ va "
-             "dalla punta di $\\it{P}$ a $b$, $\\it{Y}_{B}$ da $b$ alla coda."},
-            {0, b}}}});
+       .steps = {{{"$\\it{P}$ = $\\it{W}_{b}g$ laid off; a pole $O$ level with its tail, at the distance $h$; the "
+                   "rays $a$ and $c$ to tail and tip.",
+                   "Riportato $\\it{P}$ = $\\it{W}_{b}g$; un polo $O$ al livello della sua coda, a distanza $h$; i "
+                   "raggi $a$ e $c$ alla coda e alla punta."},
+                  {-h, 0}},
+                 {{"The ray parallel to the closing line $b$ (found below) parts the load line: $\\it{Y}_{A}$ closes "
+                   "from the tip of $\\it{P}$ to $b$, $\\it{Y}_{B}$ from $b$ to its tail.",
+                   "Il raggio parallelo alla chiudente $b$ (trovata sotto) divide la retta delle forze: "
+                   "$\\it{Y}_{A}$ va dalla punta di $\\it{P}$ a $b$, $\\it{Y}_{B}$ da $b$ alla coda."},
+                  {0, b}}}});
 }
 
 // With the boat's weight, all that a student starts from.
@@ -88,11 +85,9 @@ PanelSheet reactions_sheet(const Solution& s, Language language) {
              "raggi."})
       .step(1, {L, y},
             {"The closing line $b$ joins them. Moments are ordinates over $a$ times $h$: $\\it{M}_{C}$ = "
-             "−$h$·$y_{C}$, on "
-             "the side of the fibres in tension.",
+             "−$h$·$y_{C}$, on the side of the fibres in tension.",
              "La chiudente $b$ li unisce. I momenti sono le ordinate su $a$ per $h$: $\\it{M}_{C}$ = −$h$·$y_{C}$, "
-             "dalla "
-             "parte delle fibre tese."})
+             "dalla parte delle fibre tese."})
       .step(2, {2 * L, s["T_1_CD"]},
             {"The shear: −$\\it{R}_{B}$ up to $C$, there it jumps by $\\it{Y}_{A}$ to $\\it{P}$. ($\\it{N}$ = 0.)",
              "Il taglio: −$\\it{R}_{B}$ fino a $C$, dove salta di $\\it{Y}_{A}$ fino a $\\it{P}$. ($\\it{N}$ = 0.)"});
@@ -101,20 +96,18 @@ PanelSheet reactions_sheet(const Solution& s, Language language) {
                             "Scala dei momenti: $h$ per quella delle lunghezze. Un'ordinata di 1 m vale "} +
                       Words{h, h} + Words{" N m.", " N m."};
   const Words doubled{
-      "With 600 kg, as the source computes, the same figure holds when a centimetre is taken for "
-      "600 kg/$\\it{W}_{b}$ times the force.",
-      "Con 600 kg, come calcola la fonte, vale la stessa figura se un centimetro si conta per "
-      "600 kg/$\\it{W}_{b}$ volte la forza."};
+      "With 600 kg, as the source computes, the same figure holds when a centimetre is taken for 600 "
+      "kg/$\\it{W}_{b}$ times the force.",
+      "Con 600 kg, come calcola la fonte, vale la stessa figura se un centimetro si conta per 600 kg/$\\it{W}_{b}$ "
+      "volte la forza."};
   return {.panels = panels(loaded_crane(s), force_plan(s, language), beam),
           .results = {values({"P", "Y_A"}), values({"Y_B", "R_B", "X_B"}), values({"T_1_BC", "T_1_CD"}),
                       values({"M_1_mid_BC", "M_1_mid_CD"}), values({"M_C", "N_2"}), remark(scale.in(language)),
                       remark(doubled.in(language))},
           .seen = {"The crane, its beam cut free, the plan of forces with pole and rays, the funicular polygon as "
-                   "diagram of moments, "
-                   "and the shear beneath",
+                   "diagram of moments, and the shear beneath",
                    "La gru, la trave isolata, il piano delle forze con polo e raggi, il poligono funicolare come "
-                   "diagramma dei "
-                   "momenti, e sotto il taglio"},
+                   "diagramma dei momenti, e sotto il taglio"},
           .told = {"P", "Y_A", "Y_B", "M_C", "T_1_BC", "T_1_CD"},
           .without_part = {"H_0", "s_1", "H_1", "b_1", "s_2", "H_2", "b_2", "sigma_S", "Delta_sigma_L", "Psi", "E"}};
 }
@@ -165,15 +158,14 @@ LoadLinePanel williot(const Solution& s) {
        .forces = {{"column_shortening", "$Δ\\it{H}$", 0, c, 0, false, Meaning::velocity, "$c'$"},
                   {"", "$v_{D,r}$", 0, d, 1, false, Meaning::velocity, "$d'$"}},
        .start = "$b'$",
-       .steps = {
-           {{"Williot's plan: $B$ stays at $b'$; $C$ goes down by the column's shortening $Δ\\it{H}$ = "
-             "$\\it{Y}_{A}\\it{H}_{0}$/($\\it{EA}_{2}$).",
-             "Diagramma di Williot: $B$ resta in $b'$; $C$ scende dell'accorciamento della colonna $Δ\\it{H}$ = "
-             "$\\it{Y}_{A}\\it{H}_{0}$/($\\it{EA}_{2}$)."},
-            {0, c}},
-           {{"$b'c'd'$ is similar to $BCD$: the rigid beam carries $D$ three times as far down, by $v_{D,r}$.",
-             "$b'c'd'$ è simile a $BCD$: la trave rigida porta $D$ tre volte più giù, di $v_{D,r}$."},
-            {1, d}}}});
+       .steps = {{{"Williot's plan: $B$ stays at $b'$; $C$ goes down by the column's shortening $Δ\\it{H}$ = "
+                   "$\\it{Y}_{A}\\it{H}_{0}$/($\\it{EA}_{2}$).",
+                   "Diagramma di Williot: $B$ resta in $b'$; $C$ scende dell'accorciamento della colonna $Δ\\it{H}$ "
+                   "= $\\it{Y}_{A}\\it{H}_{0}$/($\\it{EA}_{2}$)."},
+                  {0, c}},
+                 {{"$b'c'd'$ is similar to $BCD$: the rigid beam carries $D$ three times as far down, by $v_{D,r}$.",
+                   "$b'c'd'$ è simile a $BCD$: la trave rigida porta $D$ tre volte più giù, di $v_{D,r}$."},
+                  {1, d}}}});
 }
 
 }  // namespace
@@ -202,18 +194,17 @@ PanelSheet elastic_sheet(const Solution& s, Language language) {
       .step(1, {3 * L, s["tangent_at_D"]},
             {"The boat goes down by bending and with the column: $v_{D}$ = $v_{D,f}$ + $v_{D,r}$.",
              "La barca scende per flessione e con la colonna: $v_{D}$ = $v_{D,f}$ + $v_{D,r}$."});
-  return {
-      .panels = panels(weights(s, language), williot(s), beam),
-      .results = {values({"moment_area_BC", "moment_area_CD"}), values({"theta_B", "theta_C"}),
-                  values({"theta_D", "xi_v_max_BC"}), workshop_values({"v_max_BC", "v_D_bending"}),
-                  workshop_values({"column_shortening", "v_D"}),
-                  remark("$n$ = " + short_number(s["enlargement"], language))},
-      .seen = {"The elastic line of the beam by Mohr's second funicular polygon, and Williot's plan of the column's "
-               "shortening",
-               "La linea elastica della trave con il secondo poligono funicolare di Mohr, e il diagramma di Williot "
-               "dell'accorciamento della colonna"},
-      .told = {"theta_B", "theta_C", "theta_D", "v_max_BC", "v_D_bending", "column_shortening", "v_D"},
-      .without_part = {"sigma_S", "Delta_sigma_L", "Psi"}};
+  return {.panels = panels(weights(s, language), williot(s), beam),
+          .results = {values({"moment_area_BC", "moment_area_CD"}), values({"theta_B", "theta_C"}),
+                      values({"theta_D", "xi_v_max_BC"}), workshop_values({"v_max_BC", "v_D_bending"}),
+                      workshop_values({"column_shortening", "v_D"}),
+                      remark("$n$ = " + short_number(s["enlargement"], language))},
+          .seen = {"The elastic line of the beam by Mohr's second funicular polygon, and Williot's plan of the "
+                   "column's shortening",
+                   "La linea elastica della trave con il secondo poligono funicolare di Mohr, e il diagramma di "
+                   "Williot dell'accorciamento della colonna"},
+          .told = {"theta_B", "theta_C", "theta_D", "v_max_BC", "v_D_bending", "column_shortening", "v_D"},
+          .without_part = {"sigma_S", "Delta_sigma_L", "Psi"}};
 }
 
 }  // namespace epure::boat_crane

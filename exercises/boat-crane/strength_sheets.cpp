@@ -128,8 +128,8 @@ PanelSheet section_sheet(const Solution& s, Language language) {
   const Words proportional{
       "The source computes with 600 kg: both figures hold for it when a millimetre is taken for 600 kg/$\\it{W}_{b}$ "
       "times the stress.",
-      "La fonte calcola con 600 kg: le due figure valgono anche così, se un millimetro si conta per "
-      "600 kg/$\\it{W}_{b}$ volte la tensione."};
+      "La fonte calcola con 600 kg: le due figure valgono anche così, se un millimetro si conta per 600 "
+      "kg/$\\it{W}_{b}$ volte la tensione."};
   return {
       .panels = panels(section, circle),
       .results = {workshop_values({"A_1", "J_x1"}), workshop_values({"W_x1", "S_x1_max"}),
@@ -137,11 +137,10 @@ PanelSheet section_sheet(const Solution& s, Language language) {
                   workshop_values({"sigma_I", "sigma_II"}), workshop_values({"sigma_eq", "sigma_eq_web_shear"}),
                   workshop_values({"sigma_amm", "beam_static_utilisation"}), remark(mean.in(language)),
                   both_masses(s, language), remark(proportional.in(language))},
-      .seen =
-          {"Section C of the beam with the diagrams of bending stress and of Jourawsky's shear along its depth, and "
-           "Mohr's circle",
-           "La sezione C della trave con i diagrammi della tensione di flessione e del taglio di Jourawsky lungo "
-           "l'altezza, e il cerchio di Mohr"},
+      .seen = {"Section C of the beam with the diagrams of bending stress and of Jourawsky's shear along its depth, "
+               "and Mohr's circle",
+               "La sezione C della trave con i diagrammi della tensione di flessione e del taglio di Jourawsky lungo "
+               "l'altezza, e il cerchio di Mohr"},
       .told = {"sigma_z_max", "tau_zy", "tau_max_Jourawsky", "sigma_eq"},
       .without_part = {"H_0", "s_2", "H_2", "b_2", "Delta_sigma_L", "E"}};
 }
@@ -190,22 +189,19 @@ PanelSheet fatigue_sheet(const Solution& s, Language language) {
       "The mean stress of the state 1 reaches the yield stress: no range of stress is left, there is no line and no "
       "$Δσ_{eff}$, and the check does not hold. ",
       "La tensione media dello stato 1 raggiunge lo snervamento: non resta ampiezza alcuna, non ci sono la retta né "
-      "la "
-      "$Δσ_{eff}$, e la verifica non vale. "};
+      "la $Δσ_{eff}$, e la verifica non vale. "};
   const Words by_line{
       "The line from the yield stress through the state 1 of the beam meets the axis of $Δσ$ in $Δσ_{eff}$, the "
-      "range that is worth it with a mean stress of zero. The check holds when that is not above $Δσ_{L}$/$Ψ$: "
-      "when the state lies below the dashed line. ",
-      "La retta dallo snervamento per lo stato 1 della trave incontra l'asse delle $Δσ$ in $Δσ_{eff}$, "
-      "l'ampiezza equivalente a tensione media nulla. La verifica vale se non supera $Δσ_{L}$/$Ψ$: se lo stato "
-      "sta sotto la linea tratteggiata. "};
+      "range that is worth it with a mean stress of zero. The check holds when that is not above $Δσ_{L}$/$Ψ$: when "
+      "the state lies below the dashed line. ",
+      "La retta dallo snervamento per lo stato 1 della trave incontra l'asse delle $Δσ$ in $Δσ_{eff}$, l'ampiezza "
+      "equivalente a tensione media nulla. La verifica vale se non supera $Δσ_{L}$/$Ψ$: se lo stato sta sotto la "
+      "linea tratteggiata. "};
   const Words column{
       "2: the column, with magnitudes; its signed $Δσ_{eff2}$ takes the compression for a help, so that its check "
-      "may "
-      "hold with the point above the dashed line.",
+      "may hold with the point above the dashed line.",
       "2: la colonna, con i moduli; la sua $Δσ_{eff2}$ con segno conta la compressione come un aiuto, sicché la "
-      "verifica "
-      "può valere con il punto sopra la linea tratteggiata."};
+      "verifica può valere con il punto sopra la linea tratteggiata."};
   const Words how = (s.value("Delta_sigma_eff") ? by_line : no_range) + column;
   return {.panels = panels(ChartPanel(std::move(chart), std::move(reads))),
           .theory = {{{"Construction", "Costruzione"}, {remark(how.in(language))}}},
@@ -346,12 +342,12 @@ PanelSheet checks_sheet(const Solution& s, Language language) {
                                Words{" these checks do not hold: ", " non valgono le verifiche: "} +
                                does_not_hold(s) + Words{".", "."};
   const Words why{
-      "The source states 300 kg, and everything it prints of the load is that of 600 kg: $\\it{P}$ = "
-      "5884 N is 600·9.80665 N. It is twice what it states; check evaluates each of its formulas so. "
-      "A check holds when its utilisation $u$ is not above 1.",
-      "La fonte dichiara 300 kg, e tutto ciò che stampa del carico è quello di 600 kg: $\\it{P}$ = "
-      "5884 N è 600·9,80665 N. È il doppio di quanto dichiara; check valuta così ognuna delle sue formule. "
-      "Una verifica vale se l'impiego $u$ non supera 1."};
+      "The source states 300 kg, and everything it prints of the load is that of 600 kg: $\\it{P}$ = 5884 N is "
+      "600·9.80665 N. It is twice what it states; check evaluates each of its formulas so. A check holds when its "
+      "utilisation $u$ is not above 1.",
+      "La fonte dichiara 300 kg, e tutto ciò che stampa del carico è quello di 600 kg: $\\it{P}$ = 5884 N è "
+      "600·9,80665 N. È il doppio di quanto dichiara; check valuta così ognuna delle sue formule. Una verifica vale "
+      "se l'impiego $u$ non supera 1."};
   return {.panels = panels(MechanismPanel(whole_crane(s)), std::move(table)),
           .theory = {{{"Both masses", "Le due masse"}, {remark(why.in(language))}}},
           .results = {remark(kept.in(language)), values({"P"}), value_as("$\\it{P}$ (600 kg)", with_600 + "P"),

@@ -32,13 +32,12 @@ Cam cam(const Givens& givens) {
                .omega = givens.angle("n"),
                .fast = givens.angle("n_lift")};
   if (!of.lengths.turns_fully())
-    throw BadGivens(format_words(
-        "|e| + A0A = {} m must be less than r + r_r = {} m: the disc's centre passes the follower's axis at that "
-        "distance, the roller does not reach it there, and the follower leaves the cam",
-        "|e| + A0A = {} m dev'essere minore di r + r_r = {} m: il centro del disco passa a quella distanza dall'asse "
-        "del "
-        "cedente, il rullo non vi arriva, e il cedente lascia la camma",
-        told_value(CGAL::abs(e) + of.lengths.eccentricity), told_value(of.lengths.reach())));
+    throw BadGivens(
+        format_words("|e| + A0A = {} m must be less than r + r_r = {} m: the disc's centre passes the follower's "
+                     "axis at that distance, the roller does not reach it there, and the follower leaves the cam",
+                     "|e| + A0A = {} m dev'essere minore di r + r_r = {} m: il centro del disco passa a quella "
+                     "distanza dall'asse del cedente, il rullo non vi arriva, e il cedente lascia la camma",
+                     told_value(CGAL::abs(e) + of.lengths.eccentricity), told_value(of.lengths.reach())));
   return of;
 }
 

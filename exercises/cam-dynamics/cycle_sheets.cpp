@@ -111,8 +111,7 @@ CamPanel inversion(const Solution& s) {
       {{"The cam is held with $A_{0}A$ at 0°, and the frame turned back: the follower's axis touches the circle of "
         "radius |$e$| about $A_{0}$.",
         "La camma si ferma con $A_{0}A$ a 0° e si fa ruotare all'indietro il telaio: l'asse del cedente tocca il "
-        "cerchio "
-        "di raggio |$e$| di centro $A_{0}$."},
+        "cerchio di raggio |$e$| di centro $A_{0}$."},
        cam.positions[2].foot},
       {{"The circle of radius $AB$ about $A$ cuts it in the roller's centre.",
         "Il cerchio di raggio $AB$ e centro $A$ lo taglia nel centro del rullo."},
@@ -168,8 +167,8 @@ PanelSheet closing_force_sheet(const Solution& s, Language language) {
   const Words keeps{
       "Contact is kept where $\\it{P}$ + $\\it{P}_{3}$ + $m_{3}a_{B3}$ ≥ 0: over the whole turn it takes the "
       "$\\it{P}$ of the least acceleration, which is that of maximum lift for $e$ = 0 only.",
-      "Il contatto resta dove $\\it{P}$ + $\\it{P}_{3}$ + $m_{3}a_{B3}$ ≥ 0: per l'intero giro occorre la "
-      "$\\it{P}$ dell'accelerazione minima, che è quella della massima alzata solo per $e$ = 0."};
+      "Il contatto resta dove $\\it{P}$ + $\\it{P}_{3}$ + $m_{3}a_{B3}$ ≥ 0: per l'intero giro occorre la $\\it{P}$ "
+      "dell'accelerazione minima, che è quella della massima alzata solo per $e$ = 0."};
   const Words first{
       "With the given $\\it{P}$ contact is first lost beyond $ω_{2,P}$, where the acceleration is least",
       "Con la $\\it{P}$ data il contatto si perde dapprima oltre $ω_{2,P}$, dove l'accelerazione è minima"};

@@ -44,12 +44,11 @@ class RelativePolePanel : public MechanismPanel {
     return {};
   }
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
-    return {
-        {{"The common normal $AB$ meets the level through $A_{0}$ in $P_{23}$, the pole of cam and follower: both "
-          "have one velocity there, $v_{B3}$ = $ω_{2}$·$A_{0}P_{23}$.",
-          "La normale comune $AB$ incontra l'orizzontale per $A_{0}$ in $P_{23}$, polo del moto relativo di camma e "
-          "cedente: lì hanno una sola velocità, $v_{B3}$ = $ω_{2}$·$A_{0}P_{23}$."},
-         P23_}};
+    return {{{"The common normal $AB$ meets the level through $A_{0}$ in $P_{23}$, the pole of cam and follower: "
+              "both have one velocity there, $v_{B3}$ = $ω_{2}$·$A_{0}P_{23}$.",
+              "La normale comune $AB$ incontra l'orizzontale per $A_{0}$ in $P_{23}$, polo del moto relativo di "
+              "camma e cedente: lì hanno una sola velocità, $v_{B3}$ = $ω_{2}$·$A_{0}P_{23}$."},
+             P23_}};
   }
 
  private:
@@ -62,10 +61,10 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
   std::set<std::string> without = of_forces;
   without.insert("n_lift");
   const Words relative{
-      "Seen from the cam, $B$ goes round $A$ on a circle: disc and roller touch on $AB$, and "
-      "$A_{0}AB$ is the equivalent slider-crank.",
-      "Visto dalla camma, $B$ percorre un cerchio attorno ad $A$: disco e rullo si toccano su $AB$, e "
-      "$A_{0}AB$ è il manovellismo equivalente."};
+      "Seen from the cam, $B$ goes round $A$ on a circle: disc and roller touch on $AB$, and $A_{0}AB$ is the "
+      "equivalent slider-crank.",
+      "Visto dalla camma, $B$ percorre un cerchio attorno ad $A$: disco e rullo si toccano su $AB$, e $A_{0}AB$ è il "
+      "manovellismo equivalente."};
   return {.panels = panels(RelativePolePanel(s), PolygonPanel(s, velocities(s, "", language))),
           .results = {values({"omega_2", "B_y"}), values({"A0B", "pressure_angle_deg"}), values({"v_B2", "v_B32"}),
                       values({"v_B3", "P23_x"}), values({"v_A", "v_A_y"}), remark(relative.in(language))},
@@ -134,12 +133,11 @@ FreeBodyPanel follower_cut_free(const Solution& s, const Forces& on) {
       .force(on.F_3, G3)
       .force(on.R_23, C, FreeBodyPanel::Arrow::ends)
       .force(on.R_13, B, FreeBodyPanel::Arrow::ends);
-  body.step(
-      {"The follower cut free: $\\vec{\\it{R}}_{23}$ along $AB$, $\\vec{\\it{R}}_{13}$ square to the guide, all "
-       "through $B$.",
-       "Il cedente isolato: $\\vec{\\it{R}}_{23}$ lungo $AB$, $\\vec{\\it{R}}_{13}$ normale alla guida, tutte per "
-       "$B$."},
-      B);
+  body.step({"The follower cut free: $\\vec{\\it{R}}_{23}$ along $AB$, $\\vec{\\it{R}}_{13}$ square to the guide, "
+             "all through $B$.",
+             "Il cedente isolato: $\\vec{\\it{R}}_{23}$ lungo $AB$, $\\vec{\\it{R}}_{13}$ normale alla guida, tutte "
+             "per $B$."},
+            B);
   return body;
 }
 
@@ -148,12 +146,11 @@ FreeBodyPanel cam_cut_free(const Solution& s, const Forces& on) {
   FreeBodyPanel body(std::make_shared<const Mechanism>(cam_figure(s, "", Shown::cam)));
   body.force(on.P_2, A).force(on.F_2, A).force(on.R_32, C, FreeBodyPanel::Arrow::ends).force(on.R_12, A0);
   if (const auto M = s.value("M_m")) body.couple("$\\it{M}_{m}$", A0, *M);
-  body.moments(
-      {"The cam cut free. Moments about $A_{0}$: $\\it{M}_{m}$ balances those of $\\vec{\\it{P}}_{2}$, arm "
-       "$d_{2}$, and $\\vec{\\it{R}}_{32}$, arm $d_{32}$.",
-       "La camma isolata. Momenti in $A_{0}$: $\\it{M}_{m}$ equilibra quelli di $\\vec{\\it{P}}_{2}$, braccio "
-       "$d_{2}$, e di $\\vec{\\it{R}}_{32}$, braccio $d_{32}$."},
-      A0);
+  body.moments({"The cam cut free. Moments about $A_{0}$: $\\it{M}_{m}$ balances those of $\\vec{\\it{P}}_{2}$, arm "
+                "$d_{2}$, and $\\vec{\\it{R}}_{32}$, arm $d_{32}$.",
+                "La camma isolata. Momenti in $A_{0}$: $\\it{M}_{m}$ equilibra quelli di $\\vec{\\it{P}}_{2}$, "
+                "braccio $d_{2}$, e di $\\vec{\\it{R}}_{32}$, braccio $d_{32}$."},
+               A0);
   return body;
 }
 
@@ -185,10 +182,10 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
   const Forces on = forces(s);
   const bool is_kept = s.value("R_23").has_value();
   const Words lost{
-      "Contact is lost: to close these polygons the cam would have to pull the follower. It cannot, and "
-      "the follower leaves it, unless $\\it{P}$ is at least $\\it{P}_{0}$.",
-      "Il contatto si perde: per chiudere questi poligoni la camma dovrebbe tirare il cedente. Non può, e "
-      "il cedente la lascia, se $\\it{P}$ non è almeno $\\it{P}_{0}$."};
+      "Contact is lost: to close these polygons the cam would have to pull the follower. It cannot, and the follower "
+      "leaves it, unless $\\it{P}$ is at least $\\it{P}_{0}$.",
+      "Il contatto si perde: per chiudere questi poligoni la camma dovrebbe tirare il cedente. Non può, e il cedente "
+      "la lascia, se $\\it{P}$ non è almeno $\\it{P}_{0}$."};
   const Words work{
       "Virtual work: $\\it{M}_{m}ω_{2}$ = $\\it{P}_{2}v_{Ay}$ + ($\\it{P}$ + $\\it{P}_{3}$ − "
       "$\\it{F}^{in}_{3}$)$v_{B3}$, upward velocities positive. $\\vec{\\it{F}}^{in}_{2}$ does none.",
@@ -214,13 +211,12 @@ PanelSheet maximum_lift_sheet(const Solution& s, Language language) {
   const Words in_line{
       "$A_{0}$, $A$ and $B$ are in line: $\\vec{v}_{B32}$ = −$\\vec{v}_{B2}$, the follower rests, and its "
       "acceleration is $a_{B3}$ = $ω^{2}_{2}$·$A_{0}A$(1 + $A_{0}A$/$AB$)/cos $δ$.",
-      "$A_{0}$, $A$ e $B$ sono allineati: $\\vec{v}_{B32}$ = −$\\vec{v}_{B2}$, il cedente è fermo, e la "
-      "sua accelerazione è $a_{B3}$ = $ω^{2}_{2}$·$A_{0}A$(1 + $A_{0}A$/$AB$)/cos $δ$."};
+      "$A_{0}$, $A$ e $B$ sono allineati: $\\vec{v}_{B32}$ = −$\\vec{v}_{B2}$, il cedente è fermo, e la sua "
+      "accelerazione è $a_{B3}$ = $ω^{2}_{2}$·$A_{0}A$(1 + $A_{0}A$/$AB$)/cos $δ$."};
   const Words least{
-      "Contact is just kept where the cam no longer presses: $\\it{P}_{min}$ = $\\it{F}^{in}_{3}$ − "
-      "$\\it{P}_{3}$.",
-      "Il contatto è appena mantenuto dove la camma non preme più: $\\it{P}_{min}$ = "
-      "$\\it{F}^{in}_{3}$ − $\\it{P}_{3}$."};
+      "Contact is just kept where the cam no longer presses: $\\it{P}_{min}$ = $\\it{F}^{in}_{3}$ − $\\it{P}_{3}$.",
+      "Il contatto è appena mantenuto dove la camma non preme più: $\\it{P}_{min}$ = $\\it{F}^{in}_{3}$ − "
+      "$\\it{P}_{3}$."};
   const Words source{", as the source has it within its reading", ", come la fonte a meno della lettura"};
   const Words mistake = Words{"With the acceleration of the drawn position at the higher speed",
                               "Con l'accelerazione della configurazione disegnata alla velocità maggiore"} +

@@ -37,8 +37,7 @@ Explanation chain(const std::string& english, const std::string& italian, double
 const Words drawn_again{
     "the polygon is that of the drawn position at 350 rpm: at maximum lift A₀, A and B are in line, and v_B3 is zero",
     "il poligono è quello della configurazione disegnata a 350 giri/1': alla massima alzata A₀, A e B sono "
-    "allineati, e "
-    "v_B3 è nulla"};
+    "allineati, e v_B3 è nulla"};
 
 }  // namespace
 
@@ -78,14 +77,11 @@ std::vector<Printed> printed_by_the_source() {
              "da numeri arrotondati e letti: 21,6 · 0,028 + 68,4 · 0,027", P_2 * 0.028 + 68.4 * 0.027)},
       {"M_m_virtual_work", "2.5", "virtual work", 0,
        chain("rounded numbers, and forces of inertia that do work by the other body's velocity, F₃ by v_Ay and F₂ by "
-             "v_B: "
-             "(50 · 0.14 + 18.6 · 0.14 + 21.6 · 0.15 + 0.86 · 0.15 + 1.8 · 0.14)/5.24. F₂ does none, it points away "
-             "from "
-             "A₀; F₃ acts upwards, against P",
+             "v_B: (50 · 0.14 + 18.6 · 0.14 + 21.6 · 0.15 + 0.86 · 0.15 + 1.8 · 0.14)/5.24. F₂ does none, it points "
+             "away from A₀; F₃ acts upwards, against P",
              "numeri arrotondati, e forze d'inerzia che lavorano con la velocità dell'altro membro, F₃ con v_Ay e F₂ "
-             "con "
-             "v_B: (50 · 0,14 + 18,6 · 0,14 + 21,6 · 0,15 + 0,86 · 0,15 + 1,8 · 0,14)/5,24. F₂ non lavora, è diretta "
-             "da A₀; F₃ agisce verso l'alto, contro P",
+             "con v_B: (50 · 0,14 + 18,6 · 0,14 + 21,6 · 0,15 + 0,86 · 0,15 + 1,8 · 0,14)/5,24. F₂ non lavora, è "
+             "diretta da A₀; F₃ agisce verso l'alto, contro P",
              (50 * v_B3 + P_3 * v_B3 + P_2 * 0.15 + 0.86 * 0.15 + 1.8 * v_B3) / omega)},
       {lift + "omega_2", "36.6", "analytic", 0,
        Explanation{{"36.65 was cut off, not rounded", "36,65 è stato troncato, non arrotondato"}, speed_cut_off}},
@@ -93,10 +89,8 @@ std::vector<Printed> printed_by_the_source() {
       {lift + "v_B2", "6.11", polar, 0, Explanation{drawn_again, [] { return 2 * M_PI * 350 / 60 * drawn_A0B(); }}},
       {lift + "v_B32", "5.87", polar, 0,
        Explanation{
-           drawn_again + Words{". There it is 5.90 m/s, read a third of a millimetre short where 6.11 m/s are "
-                               "80 mm",
-                               ". Lì vale 5,90 m/s, letta un terzo di millimetro in meno dove 6,11 m/s sono "
-                               "80 mm"},
+           drawn_again + Words{". There it is 5.90 m/s, read a third of a millimetre short where 6.11 m/s are 80 mm",
+                               ". Lì vale 5,90 m/s, letta un terzo di millimetro in meno dove 6,11 m/s sono 80 mm"},
            read_short}},
       {lift + "a_B3", "20", polar, 0,
        Explanation{
@@ -118,11 +112,9 @@ std::vector<Printed> printed_by_the_source() {
              "1,9 · 20, con l'accelerazione della configurazione disegnata", m_3 * 20)},
       {lift + "P_min", "19.4", bodies, 0,
        chain("38 - 18.6: the force of inertia is that of the drawn position, at 350 rpm. At maximum lift the "
-             "follower is "
-             "accelerated downwards with 50.2 m/s², not 20, and without 76.8 N it leaves the cam",
+             "follower is accelerated downwards with 50.2 m/s², not 20, and without 76.8 N it leaves the cam",
              "38 - 18,6: la forza d'inerzia è quella della configurazione disegnata, a 350 giri/1'. Alla massima "
-             "alzata "
-             "il cedente ha verso il basso 50,2 m/s², non 20, e senza 76,8 N lascia la camma",
+             "alzata il cedente ha verso il basso 50,2 m/s², non 20, e senza 76,8 N lascia la camma",
              m_3 * 20 - P_3)}};
 }
 

@@ -37,15 +37,13 @@ BeamPanel flange_along_beam(const Solution& s) {
       .ordinates = {{"q", "$\\it{F}_{C}$", L, 0, pull, 1 / L}}};
   BeamPanel panel(3 * L, {beam, flange}, {.unit = "N", .longest = pull, .longest_on_paper = 60});
   panel.lines_at({0, L, 3 * L});
-  panel.step(
-      1, {L / 2, pull / 2},
-      {"The upper flange is pulled with $\\it{F}$ = |$\\it{M}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$, nought at $B$. What it "
-       "gains over a unit of length the weld hands on: the shear flow $q$ = $\\it{F}_{C}$/$\\it{L}$ = "
-       "|$\\it{T}_{1}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$.",
-       "La piattabanda superiore è tesa da $\\it{F}$ = |$\\it{M}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$, nulla in $B$. Ciò "
-       "che "
-       "guadagna per unità di lunghezza lo trasmette la saldatura: il flusso di taglio $q$ = "
-       "$\\it{F}_{C}$/$\\it{L}$ = |$\\it{T}_{1}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$."});
+  panel.step(1, {L / 2, pull / 2},
+             {"The upper flange is pulled with $\\it{F}$ = |$\\it{M}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$, nought at $B$. "
+              "What it gains over a unit of length the weld hands on: the shear flow $q$ = $\\it{F}_{C}$/$\\it{L}$ = "
+              "|$\\it{T}_{1}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$.",
+              "La piattabanda superiore è tesa da $\\it{F}$ = |$\\it{M}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$, nulla in "
+              "$B$. Ciò che guadagna per unità di lunghezza lo trasmette la saldatura: il flusso di taglio $q$ = "
+              "$\\it{F}_{C}$/$\\it{L}$ = |$\\it{T}_{1}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$."});
   return panel;
 }
 
@@ -116,10 +114,10 @@ PanelSheet sphere_sheet(const Solution& s, Language language) {
                             {"mass_600kg.tau_par_T", "2", in_MPa("mass_600kg.tau_par_T")},
                             {"tau_fillet", "3", in_MPa("tau_fillet")}});
   const Words points{
-      "1: $τ_{∥}$ as the source takes it, the shear over the web. 2: the same with 600 kg, as the source "
-      "computes. 3: the shear that the throats have of the shear flow (drawn positive).",
-      "1: $τ_{∥}$ come la prende la fonte, il taglio medio sull'anima. 2: la stessa con 600 kg, come calcola "
-      "la fonte. 3: il taglio che le sezioni di gola hanno dal flusso di taglio (disegnato positivo)."};
+      "1: $τ_{∥}$ as the source takes it, the shear over the web. 2: the same with 600 kg, as the source computes. "
+      "3: the shear that the throats have of the shear flow (drawn positive).",
+      "1: $τ_{∥}$ come la prende la fonte, il taglio medio sull'anima. 2: la stessa con 600 kg, come calcola la "
+      "fonte. 3: il taglio che le sezioni di gola hanno dal flusso di taglio (disegnato positivo)."};
   return {
       .panels = panels(sphere),
       .results = {remark(points.in(language)), workshop_values({"fillet_stress_1", "fillet_allowable_1"}),

@@ -54,8 +54,8 @@ std::vector<PanelStep> ThroatPanel::steps(const Plot&, const drawings::Box&) con
   return {{{"The legs $b$ of the fillet along web and flange; its face joins their ends.",
             "I lati $b$ del cordone lungo anima e piattabanda; la faccia ne unisce gli estremi."},
            Place{corner().x + leg_, 0}},
-          {{"From the corner the perpendicular to the face: the throat $a$ = $b$/√2. On two of them acts "
-            "$τ_{a}$ = $q$/(2$a$).",
+          {{"From the corner the perpendicular to the face: the throat $a$ = $b$/√2. On two of them acts $τ_{a}$ = "
+            "$q$/(2$a$).",
             "Dallo spigolo la perpendicolare alla faccia: la sezione di gola $a$ = $b$/√2. Su due di esse agisce "
             "$τ_{a}$ = $q$/(2$a$)."},
            foot()}};

@@ -190,8 +190,8 @@ class DivisionPanel : public WheelPanel {
         {{"The wheel, in its position at the start, in twelve parts: 1′, 2′, ... 12′.",
           "La ruota, nella posizione iniziale, in dodici parti: 1′, 2′, ... 12′."},
          part(2).on_body},
-        {{"On the guide as many parts, each as long as an arc of the wheel, $πd$/12: 1, 2, ... 12. When 4′ has "
-          "come to 4, $P_{0}$ has come to IV.",
+        {{"On the guide as many parts, each as long as an arc of the wheel, $πd$/12: 1, 2, ... 12. When 4′ has come "
+          "to 4, $P_{0}$ has come to IV.",
           "Sulla guida altrettante parti, lunghe come un archetto della ruota, $πd$/12: 1, 2, ... 12. Quando 4′ "
           "viene in 4, $P_{0}$ è andato in IV."},
          part(2).on_line},

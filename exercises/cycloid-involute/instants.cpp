@@ -50,8 +50,7 @@ const Words about_source{
     "What the source prints for $φ$ = 135° belongs to 90°: $P_{0}M$ = 0.71 m, $v_{M}$ = 21.2 m/s, $ρ$ = 1.44 m, "
     "$a^{n}_{M}$ = 312.1 m/s², $a^{t}_{M}$ = 315 m/s². It leaves the cusp out.",
     "I valori che la fonte stampa per $φ$ = 135° sono quelli di 90°: $P_{0}M$ = 0,71 m, $v_{M}$ = 21,2 m/s, $ρ$ = "
-    "1,44 m, "
-    "$a^{n}_{M}$ = 312,1 m/s², $a^{t}_{M}$ = 315 m/s². Tralascia la cuspide."};
+    "1,44 m, $a^{n}_{M}$ = 312,1 m/s², $a^{t}_{M}$ = 315 m/s². Tralascia la cuspide."};
 
 // The cycloid's instants are drawn where the arch begins with the origin, if it is the first.
 RollingInstantPanel of_cycloid(const Solution& s, const Rolled& f, std::vector<InstantStep> steps,
@@ -171,13 +170,12 @@ PanelSheet involute_instants_sheet(const Solution& s, Language language) {
     for (const OfInvolute& each : both) add_contact(each);
     for (const OfInvolute& each : both) add_path(each);
   }
-  sheet.results = {
-      instants_table({"$t_{1}$", "$t_{2}$"}, {at_t1, at_t2}, "$φ$ (rad)", "phi", false),
-      remark(Words{"The line rolls counter-clockwise, as the source's equations have it. Clockwise, as its "
-                   "text says, all is mirrored in the $x$ axis.",
-                   "La retta rotola in senso antiorario, come nelle equazioni della fonte. In senso "
-                   "orario, come dice il testo, tutto è simmetrico rispetto all'asse $x$."}
-                 .in(language))};
+  sheet.results = {instants_table({"$t_{1}$", "$t_{2}$"}, {at_t1, at_t2}, "$φ$ (rad)", "phi", false),
+                   remark(Words{"The line rolls counter-clockwise, as the source's equations have it. Clockwise, as "
+                                "its text says, all is mirrored in the $x$ axis.",
+                                "La retta rotola in senso antiorario, come nelle equazioni della fonte. In senso "
+                                "orario, come dice il testo, tutto è simmetrico rispetto all'asse $x$."}
+                              .in(language))};
   sheet.seen = {
       "The line on its circle at two instants, with the involute that led there, velocity and acceleration of M",
       "La retta sul suo cerchio in due istanti, con l'evolvente percorsa, velocità e accelerazione di M"};

@@ -93,28 +93,27 @@ class InvolutePanel : public Panel {
 
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
     const Division& at = part(unrolled_part);
-    return {
-        {{"On the line $l$, from $P_{0}$, small equal parts: 1′, 2′, ... 12′, here $πd_{0}$/18 each.",
-          "Sulla retta $l$, da $P_{0}$, parti uguali e piccole: 1′, 2′, ... 12′, qui di $πd_{0}$/18."},
-         middle(part(divisions - 3).on_line, part(divisions - 2).on_line)},
-        {{"On the circle $λ$ as many arcs of the same length, here 20° each: 1, 2, ... 12. They are the instant "
-          "centres in their order: 5′ comes to 5.",
-          "Sul cerchio $λ$ altrettanti archi di uguale lunghezza, qui di 20°: 1, 2, ... 12. Sono i successivi centri "
-          "di istantanea rotazione: 5′ viene in 5."},
-         middle(part(1).on_body, part(2).on_body)},
-        {{"At 5 the tangent to $λ$, and on it, backwards, the length $P_{0}$ 5′: its end V is where $P_{0}$ has come "
-          "to.",
-          "In 5 la tangente a $λ$, e su di essa, all'indietro, la lunghezza $P_{0}$ 5′: l'estremo V è dove $P_{0}$ è "
-          "andato."},
-         middle(at.on_body, at.M)},
-        {{"So all the others; the curve through them is perpendicular to every tangent.",
-          "Così tutti gli altri; la curva che li unisce è normale a ogni tangente."},
-         part(divisions - 1).M},
-        {{"Drawn is $ω$ counter-clockwise, as the source's equations have it. Clockwise, as its text says, the line "
-          "draws the other branch (dashed), the mirror image in $CP_{0}$.",
-          "È disegnata $ω$ antioraria, come nelle equazioni della fonte. In senso orario, come dice il testo, la "
-          "retta traccia l'altro ramo (a tratti), simmetrico rispetto a $CP_{0}$."},
-         Place{part(3).M.x, -part(3).M.y}}};
+    return {{{"On the line $l$, from $P_{0}$, small equal parts: 1′, 2′, ... 12′, here $πd_{0}$/18 each.",
+              "Sulla retta $l$, da $P_{0}$, parti uguali e piccole: 1′, 2′, ... 12′, qui di $πd_{0}$/18."},
+             middle(part(divisions - 3).on_line, part(divisions - 2).on_line)},
+            {{"On the circle $λ$ as many arcs of the same length, here 20° each: 1, 2, ... 12. They are the instant "
+              "centres in their order: 5′ comes to 5.",
+              "Sul cerchio $λ$ altrettanti archi di uguale lunghezza, qui di 20°: 1, 2, ... 12. Sono i successivi "
+              "centri di istantanea rotazione: 5′ viene in 5."},
+             middle(part(1).on_body, part(2).on_body)},
+            {{"At 5 the tangent to $λ$, and on it, backwards, the length $P_{0}$ 5′: its end V is where $P_{0}$ has "
+              "come to.",
+              "In 5 la tangente a $λ$, e su di essa, all'indietro, la lunghezza $P_{0}$ 5′: l'estremo V è dove "
+              "$P_{0}$ è andato."},
+             middle(at.on_body, at.M)},
+            {{"So all the others; the curve through them is perpendicular to every tangent.",
+              "Così tutti gli altri; la curva che li unisce è normale a ogni tangente."},
+             part(divisions - 1).M},
+            {{"Drawn is $ω$ counter-clockwise, as the source's equations have it. Clockwise, as its text says, the "
+              "line draws the other branch (dashed), the mirror image in $CP_{0}$.",
+              "È disegnata $ω$ antioraria, come nelle equazioni della fonte. In senso orario, come dice il testo, la "
+              "retta traccia l'altro ramo (a tratti), simmetrico rispetto a $CP_{0}$."},
+             Place{part(3).M.x, -part(3).M.y}}};
   }
 
  private:
@@ -154,10 +153,10 @@ class InvolutePanel : public Panel {
                          "$x$ = $r$ (cos $φ$ + $φ$ sen $φ$),  $y$ = $r$ (sen $φ$ − $φ$ cos $φ$)"};
     // With − its speed is √((2 sin φ + φ cos φ)² + φ² sin² φ) times ω r instead of φ: 2.38 of them at φ = 1.
     const Words slip{
-        "The source prints $x$ with − for +. At $φ$ = 1 that point would move more than twice as fast as "
-        "$v$ = $ω$·$P_{0}M$, which the source uses too.",
-        "La fonte stampa $x$ con − al posto di +. A $φ$ = 1 quel punto andrebbe più di due volte più "
-        "veloce di $v$ = $ω$·$P_{0}M$, che usa anche la fonte."};
+        "The source prints $x$ with − for +. At $φ$ = 1 that point would move more than twice as fast as $v$ = "
+        "$ω$·$P_{0}M$, which the source uses too.",
+        "La fonte stampa $x$ con − al posto di +. A $φ$ = 1 quel punto andrebbe più di due volte più veloce di $v$ = "
+        "$ω$·$P_{0}M$, che usa anche la fonte."};
     std::vector<drawings::Block> told = told_of_curve({"involute", "evolvente"}, equation, deviation, language);
     told.push_back(drawings::Paragraph{slip.in(language)});
     return told;
@@ -172,13 +171,12 @@ class InvolutePanel : public Panel {
 }  // namespace
 
 PanelSheet involute_sheet(const Solution& s, Language) {
-  return {
-      .panels = panels(InvolutePanel(Problem(s.givens()))),
-      .seen = {"The base circle with twelve tangents, each as long as the arc unrolled from it, and the involute "
-               "through their ends",
-               "Il cerchio di base con dodici tangenti, lunghe ciascuna quanto l'arco svolto, e l'evolvente per i "
-               "loro estremi"},
-      .without_part = givens_of_cycloid};
+  return {.panels = panels(InvolutePanel(Problem(s.givens()))),
+          .seen = {"The base circle with twelve tangents, each as long as the arc unrolled from it, and the involute "
+                   "through their ends",
+                   "Il cerchio di base con dodici tangenti, lunghe ciascuna quanto l'arco svolto, e l'evolvente per "
+                   "i loro estremi"},
+          .without_part = givens_of_cycloid};
 }
 
 }  // namespace epure::cycloid_involute

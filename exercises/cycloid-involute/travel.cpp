@@ -141,13 +141,12 @@ PanelSheet involute_travel_sheet(const Solution& s, Language language) {
                       .v = [=](double t) { return r * omega * omega * t; },
                       .instants = {first, second}};
   return {.panels = charts(motion, language),
-          .theory = {curves({{"$s$ = $rφ^{2}$/2 = $r$ ($ωt$)$^{2}$/2: a parabola.",
-                              "$s$ = $rφ^{2}$/2 = $r$ ($ωt$)$^{2}$/2: una parabola."},
-                             {"$v_{M}$ = d$s$/d$t$ = $ω^{2}rt$, a straight line: its slope $a^{t}_{M}$ = $ω^{2}r$ is "
-                              "constant.",
-                              "$v_{M}$ = d$s$/d$t$ = $ω^{2}rt$, una retta: la sua pendenza $a^{t}_{M}$ = $ω^{2}r$ è "
-                              "costante."}},
-                            language)},
+          .theory = {curves(
+              {{"$s$ = $rφ^{2}$/2 = $r$ ($ωt$)$^{2}$/2: a parabola.",
+                "$s$ = $rφ^{2}$/2 = $r$ ($ωt$)$^{2}$/2: una parabola."},
+               {"$v_{M}$ = d$s$/d$t$ = $ω^{2}rt$, a straight line: its slope $a^{t}_{M}$ = $ω^{2}r$ is constant.",
+                "$v_{M}$ = d$s$/d$t$ = $ω^{2}rt$, una retta: la sua pendenza $a^{t}_{M}$ = $ω^{2}r$ è costante."}},
+              language)},
           .results = {table({"", "$t_{1}$", "$t_{2}$"}, {{"$φ$ (rad)", {at_t1("phi"), at_t2("phi")}},
                                                          {"$s$ (m)", {at_t1("arc_length"), at_t2("arc_length")}},
                                                          {"$v_{M}$ (m/s)", {at_t1("v_M"), at_t2("v_M")}},

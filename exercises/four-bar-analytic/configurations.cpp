@@ -48,16 +48,16 @@ class ConfigurationsPanel : public Panel {
     return {};
   }
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
-    return {{{"$A$ at $θ_{2}$ on the crank's circle.", "$A$ all'anomalia $θ_{2}$ sulla circonferenza di manovella."},
-             mechanism_.at("A")},
-            {{"Arcs about $A$ with $AB$ and about $B_{0}$ with $B_{0}B$ meet at $B$, on the given side of $A$ → "
-              "$B_{0}$.",
-              "Gli archi intorno ad $A$ con $AB$ e a $B_{0}$ con $B_{0}B$ si incontrano in $B$, dal lato dato di $A$ "
-              "→ $B_{0}$."},
-             mechanism_.at("B")},
-            {{"They meet again at $B'$, its mirror image in $AB_{0}$: the other configuration.",
-              "Si incontrano ancora in $B'$, simmetrico rispetto ad $AB_{0}$: l'altra configurazione."},
-             other_B_}};
+    return {
+        {{"$A$ at $θ_{2}$ on the crank's circle.", "$A$ all'anomalia $θ_{2}$ sulla circonferenza di manovella."},
+         mechanism_.at("A")},
+        {{"Arcs about $A$ with $AB$ and about $B_{0}$ with $B_{0}B$ meet at $B$, on the given side of $A$ → $B_{0}$.",
+          "Gli archi intorno ad $A$ con $AB$ e a $B_{0}$ con $B_{0}B$ si incontrano in $B$, dal lato dato di $A$ → "
+          "$B_{0}$."},
+         mechanism_.at("B")},
+        {{"They meet again at $B'$, its mirror image in $AB_{0}$: the other configuration.",
+          "Si incontrano ancora in $B'$, simmetrico rispetto ad $AB_{0}$: l'altra configurazione."},
+         other_B_}};
   }
 
  private:
@@ -80,27 +80,28 @@ PanelSheet configurations_sheet(const Solution& s, Language language) {
   const auto of = [&](const char* text) { return formula(text, language); };
   return {
       .panels = panels(ConfigurationsPanel(s)),
-      .theory = {{{"Closure", "Chiusura"},
-                  {remark("$\\vec{r}_{2}$ + $\\vec{r}_{3}$ + $\\vec{r}_{4}$ − $\\vec{r}_{1}$ = 0"),
-                   remark("$r_{1}$ = $A_{0}B_{0}$, $r_{2}$ = $A_{0}A$, $r_{3}$ = $AB$, $r_{4}$ = $BB_{0}$"),
-                   of("$k_{{1}}$ cos $θ_{{4}}$ + $k_{{2}}$ {0} $θ_{{4}}$ + $k_{{3}}$ = 0;  $t$ = {1}($θ_{{4}}$/2):"),
-                   of("($k_{{3}}$ − $k_{{1}}$)$t^{{2}}$ + 2$k_{{2}}$$t$ + $k_{{3}}$ + $k_{{1}}$ = 0"),
-                   of("$k_{{1}}$ = −2$r_{{4}}$($r_{{1}}$ − $r_{{2}}$ cos $θ_{{2}}$),  "
-                      "$k_{{2}}$ = 2$r_{{2}}$$r_{{4}}$ {0} $θ_{{2}}$"),
-                   of("$k_{{3}}$ = $r^{{2}}_{{1}}$ + $r^{{2}}_{{2}}$ + $r^{{2}}_{{4}}$ − $r^{{2}}_{{3}}$ − "
-                      "2$r_{{1}}$$r_{{2}}$ cos $θ_{{2}}$"),
-                   values({"closure_k1", "closure_k2"}), values({"closure_k3"})}},
-                 {{"Rates", "Derivate"},
-                  {of("$s_{{ij}}$ = {0}($θ_{{i}}$ − $θ_{{j}}$),  $c_{{ij}}$ = cos($θ_{{i}}$ − $θ_{{j}}$)"),
-                   remark("$p$ = $r_{2}α_{2}$,  $q_{i}$ = $r_{i}ω^{2}_{i}$"),
-                   remark("$ω_{3}$ = −$r_{2}ω_{2}s_{24}$ / ($r_{3}s_{34}$),  $ω_{4}$ = −$r_{2}ω_{2}s_{23}$ / "
-                          "($r_{4}s_{43}$)"),
-                   remark("$α_{3}$ = −($ps_{24}$ + $q_{2}c_{24}$ + $q_{3}c_{34}$ + $q_{4}$) / ($r_{3}s_{34}$)"),
-                   remark("$α_{4}$ = −($ps_{23}$ + $q_{2}c_{23}$ + $q_{3}$ + $q_{4}c_{43}$) / ($r_{4}s_{43}$)"),
-                   remark("$\\vec{r}_{G2}$ = ½$\\vec{r}_{2}$,  $\\vec{r}_{G3}$ = $\\vec{r}_{2}$ + ½$\\vec{r}_{3}$,  "
-                          "$\\vec{r}_{G4}$ = $\\vec{r}_{1}$ − ½$\\vec{r}_{4}$"),
-                   remark("d$\\vec{r}_{i}$/d$t$ = $\\vec{ω}_{i}$ × $\\vec{r}_{i}$,  d$^{2}\\vec{r}_{i}$/d$t^{2}$ = "
-                          "$\\vec{α}_{i}$ × $\\vec{r}_{i}$ − $ω^{2}_{i}\\vec{r}_{i}$")}}},
+      .theory =
+          {{{"Closure", "Chiusura"},
+            {remark("$\\vec{r}_{2}$ + $\\vec{r}_{3}$ + $\\vec{r}_{4}$ − $\\vec{r}_{1}$ = 0"),
+             remark("$r_{1}$ = $A_{0}B_{0}$, $r_{2}$ = $A_{0}A$, $r_{3}$ = $AB$, $r_{4}$ = $BB_{0}$"),
+             of("$k_{{1}}$ cos $θ_{{4}}$ + $k_{{2}}$ {0} $θ_{{4}}$ + $k_{{3}}$ = 0;  $t$ = {1}($θ_{{4}}$/2):"),
+             of("($k_{{3}}$ − $k_{{1}}$)$t^{{2}}$ + 2$k_{{2}}$$t$ + $k_{{3}}$ + $k_{{1}}$ = 0"),
+             of("$k_{{1}}$ = −2$r_{{4}}$($r_{{1}}$ − $r_{{2}}$ cos $θ_{{2}}$),  $k_{{2}}$ = 2$r_{{2}}$$r_{{4}}$ {0} "
+                "$θ_{{2}}$"),
+             of("$k_{{3}}$ = $r^{{2}}_{{1}}$ + $r^{{2}}_{{2}}$ + $r^{{2}}_{{4}}$ − $r^{{2}}_{{3}}$ − "
+                "2$r_{{1}}$$r_{{2}}$ cos $θ_{{2}}$"),
+             values({"closure_k1", "closure_k2"}), values({"closure_k3"})}},
+           {{"Rates", "Derivate"},
+            {of("$s_{{ij}}$ = {0}($θ_{{i}}$ − $θ_{{j}}$),  $c_{{ij}}$ = cos($θ_{{i}}$ − $θ_{{j}}$)"),
+             remark("$p$ = $r_{2}α_{2}$,  $q_{i}$ = $r_{i}ω^{2}_{i}$"),
+             remark(
+                 "$ω_{3}$ = −$r_{2}ω_{2}s_{24}$ / ($r_{3}s_{34}$),  $ω_{4}$ = −$r_{2}ω_{2}s_{23}$ / ($r_{4}s_{43}$)"),
+             remark("$α_{3}$ = −($ps_{24}$ + $q_{2}c_{24}$ + $q_{3}c_{34}$ + $q_{4}$) / ($r_{3}s_{34}$)"),
+             remark("$α_{4}$ = −($ps_{23}$ + $q_{2}c_{23}$ + $q_{3}$ + $q_{4}c_{43}$) / ($r_{4}s_{43}$)"),
+             remark("$\\vec{r}_{G2}$ = ½$\\vec{r}_{2}$,  $\\vec{r}_{G3}$ = $\\vec{r}_{2}$ + ½$\\vec{r}_{3}$,  "
+                    "$\\vec{r}_{G4}$ = $\\vec{r}_{1}$ − ½$\\vec{r}_{4}$"),
+             remark("d$\\vec{r}_{i}$/d$t$ = $\\vec{ω}_{i}$ × $\\vec{r}_{i}$,  d$^{2}\\vec{r}_{i}$/d$t^{2}$ = "
+                    "$\\vec{α}_{i}$ × $\\vec{r}_{i}$ − $ω^{2}_{i}\\vec{r}_{i}$")}}},
       .results = {table(
           {"", "$B$", "$B'$"},
           {row("theta_3"), row("theta_4"), row("omega_3"), row("omega_4"), row("alpha_3"), row("alpha_4")}, 4)},

@@ -116,14 +116,13 @@ PanelSheet coupler_curve_sheet(const Solution& s, Language language) {
                    steps_to_curve(s, positions));
   panel.osculated(s.point("curvature_centre_P"), "curvature_centre_P", "$Ω_{P}$");
   LocusPanel whole = panel;
-  const Words past_limit =
-      geometry::crank_turns_fully(of.instant.lengths)
-          ? Words{}
-          : Words{
-                "The crank cannot turn fully: at its limit positions the path goes on with $B$ on the other side of "
-                "$AB_{0}$ (second line type).",
-                "La manovella non fa il giro completo: alle posizioni limite la traiettoria continua con $B$ "
-                "dall'altro lato di $AB_{0}$ (secondo tipo di linea)."};
+  const Words past_limit = geometry::crank_turns_fully(of.instant.lengths)
+                               ? Words{}
+                               : Words{
+                                     "The crank cannot turn fully: at its limit positions the path goes on with $B$ "
+                                     "on the other side of $AB_{0}$ (second line type).",
+                                     "La manovella non fa il giro completo: alle posizioni limite la traiettoria "
+                                     "continua con $B$ dall'altro lato di $AB_{0}$ (secondo tipo di linea)."};
   const std::string none = s["v_P"] == 0 ? "–" : "∞";
   return {.panels = panel.needs_close_up() ? panels(whole.beside_close_up(), panel.close_up()) : panels(panel),
           .results = {remark(past_limit.in(language)),

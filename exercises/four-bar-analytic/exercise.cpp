@@ -116,13 +116,12 @@ PanelSheet accelerations_sheet(const Solution& s, Language language) {
   return {.panels = panels(MechanismPanel(with_midpoints(s)), PolygonPanel(s, accelerations(s))),
           .results = {remark("|$α_{3}$| = $a^{t}_{BA}$ / $AB$,  |$α_{4}$| = $a^{t}_{B}$ / $B_{0}B$"),
                       values({"alpha_3", "alpha_4"}), vectors_by_point("a", "m/s²"),
-                      on_the_source(
-                          s,
-                          {"The source left $α_{4}$·$B_{0}G_{4}$ out of its $a_{G4}$ here, and calls normal and "
-                           "tangential what is along and perpendicular to $AB$.",
-                           "Qui la fonte dimentica $α_{4}$·$B_{0}G_{4}$ in $a_{G4}$, e chiama normale e "
-                           "tangenziale ciò che è lungo $AB$ e normale ad $AB$."},
-                          language)},
+                      on_the_source(s,
+                                    {"The source left $α_{4}$·$B_{0}G_{4}$ out of its $a_{G4}$ here, and calls "
+                                     "normal and tangential what is along and perpendicular to $AB$.",
+                                     "Qui la fonte dimentica $α_{4}$·$B_{0}G_{4}$ in $a_{G4}$, e chiama normale e "
+                                     "tangenziale ciò che è lungo $AB$ e normale ad $AB$."},
+                                    language)},
           .seen = {"The polygon of the accelerations of the four-bar, with the images of the links' midpoints",
                    "Il poligono delle accelerazioni del quadrilatero, con le immagini delle mezzerie"},
           .told = {"alpha_3", "alpha_4", "a_B", "a_G3"},

@@ -94,21 +94,22 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
 }
 
 PanelSheet accelerations_sheet(const Solution& s, Language language) {
-  return {.panels = panels(VectorsPanel(s, linkage_with_midpoints(s, false), acceleration, {"G2", "G3", "G4"})),
-          .theory = {{{"Differentiated constraints", "Vincoli derivati"},
-                      {remark("($α_{3}$, $α_{4}$) = −$ψ^{−1}_{y}$ ($ψ_{x}$$α_{2}$ + $(ψ_{y}\\vec{ω})_{y}\\vec{ω}$ + "
-                              "$(ψ_{x}ω_{2})_{x}$$ω_{2}$)"),
-                       remark("$\\vec{ω}$ = ($ω_{3}$, $ω_{4}$)"), values({"alpha_3"}), values({"alpha_4"})}},
-                     {{"Midpoints", "Mezzerie"},
-                      {remark(with_sine(unit_vectors, language)),
-                       remark("$\\vec{a}_{A}$ = $r_{2}$($α_{2}$$\\vec{n}_{2}$ − $ω^{2}_{2}$$\\vec{u}_{2}$),  "
-                              "$\\vec{a}_{G2}$ = ½$\\vec{a}_{A}$"),
-                       remark("$\\vec{a}_{G3}$ = $\\vec{a}_{A}$ + ½$r_{3}$($α_{3}$$\\vec{n}_{3}$ − "
-                              "$ω^{2}_{3}$$\\vec{u}_{3}$)"),
-                       remark("$\\vec{a}_{G4}$ = −½$r_{4}$($α_{4}$$\\vec{n}_{4}$ − $ω^{2}_{4}$$\\vec{u}_{4}$)")}}},
-          .results = {midpoints_table("a", "m/s²")},
-          .seen = {"Accelerations of the midpoints of the links", "Accelerazioni delle mezzerie delle aste"},
-          .told = {"a_G2", "a_G3", "a_G4"}};
+  return {
+      .panels = panels(VectorsPanel(s, linkage_with_midpoints(s, false), acceleration, {"G2", "G3", "G4"})),
+      .theory =
+          {{{"Differentiated constraints", "Vincoli derivati"},
+            {remark("($α_{3}$, $α_{4}$) = −$ψ^{−1}_{y}$ ($ψ_{x}$$α_{2}$ + $(ψ_{y}\\vec{ω})_{y}\\vec{ω}$ + "
+                    "$(ψ_{x}ω_{2})_{x}$$ω_{2}$)"),
+             remark("$\\vec{ω}$ = ($ω_{3}$, $ω_{4}$)"), values({"alpha_3"}), values({"alpha_4"})}},
+           {{"Midpoints", "Mezzerie"},
+            {remark(with_sine(unit_vectors, language)),
+             remark("$\\vec{a}_{A}$ = $r_{2}$($α_{2}$$\\vec{n}_{2}$ − $ω^{2}_{2}$$\\vec{u}_{2}$),  $\\vec{a}_{G2}$ = "
+                    "½$\\vec{a}_{A}$"),
+             remark("$\\vec{a}_{G3}$ = $\\vec{a}_{A}$ + ½$r_{3}$($α_{3}$$\\vec{n}_{3}$ − $ω^{2}_{3}$$\\vec{u}_{3}$)"),
+             remark("$\\vec{a}_{G4}$ = −½$r_{4}$($α_{4}$$\\vec{n}_{4}$ − $ω^{2}_{4}$$\\vec{u}_{4}$)")}}},
+      .results = {midpoints_table("a", "m/s²")},
+      .seen = {"Accelerations of the midpoints of the links", "Accelerazioni delle mezzerie delle aste"},
+      .told = {"a_G2", "a_G3", "a_G4"}};
 }
 
 // The exercise's last question: the same quantities by its three methods.
@@ -135,23 +136,23 @@ PanelSheet comparison_sheet(const Solution& s, Language language) {
   return {
       .panels = panels(VectorsPanel(s, linkage_with_midpoints(s), velocity, {"G2", "G3", "G4"}),
                        three_methods(s, language)),
-      .theory =
-          {{{"Three methods", "Tre metodi"},
-            {remark(Words{"Constraint equations: Newton-Raphson for the angles, then two linear systems with the "
-                          "same matrix $ψ_{y}$. Nothing is solved in closed form: a method for computers.",
-                          "Equazioni di vincolo: Newton-Raphson per le anomalie, poi due sistemi lineari con la "
-                          "stessa matrice $ψ_{y}$. Nulla è risolto in forma chiusa: un metodo da calcolatore."}
-                        .in(language)),
-             remark(Words{"Closure solved (N.10): one quadratic equation in tan($θ_{4}$/2) for both "
-                          "configurations, then its derivatives.",
-                          "Chiusura risolta (N.10): un'equazione di secondo grado in tg($θ_{4}$/2) per le due "
-                          "configurazioni, poi le derivate."}
-                        .in(language)),
-             remark(Words{"Construction: $B$ by two arcs, then two polygons of vectors, of which the midpoints halve "
-                          "the sides; rounded to three figures, as many as a drawing gives.",
-                          "Costruzione: $B$ con due archi, poi due poligoni di vettori, dei quali le mezzerie "
-                          "dimezzano i lati; arrotondata a tre cifre, quante ne dà un disegno."}
-                        .in(language))}}},
+      .theory = {{{"Three methods", "Tre metodi"},
+                  {remark(
+                       Words{"Constraint equations: Newton-Raphson for the angles, then two linear systems with the "
+                             "same matrix $ψ_{y}$. Nothing is solved in closed form: a method for computers.",
+                             "Equazioni di vincolo: Newton-Raphson per le anomalie, poi due sistemi lineari con la "
+                             "stessa matrice $ψ_{y}$. Nulla è risolto in forma chiusa: un metodo da calcolatore."}
+                           .in(language)),
+                   remark(Words{"Closure solved (N.10): one quadratic equation in tan($θ_{4}$/2) for both "
+                                "configurations, then its derivatives.",
+                                "Chiusura risolta (N.10): un'equazione di secondo grado in tg($θ_{4}$/2) per le due "
+                                "configurazioni, poi le derivate."}
+                              .in(language)),
+                   remark(Words{"Construction: $B$ by two arcs, then two polygons of vectors, of which the midpoints "
+                                "halve the sides; rounded to three figures, as many as a drawing gives.",
+                                "Costruzione: $B$ con due archi, poi due poligoni di vettori, dei quali le mezzerie "
+                                "dimezzano i lati; arrotondata a tre cifre, quante ne dà un disegno."}
+                              .in(language))}}},
       .seen = {"The four-bar linkage, and its angles, rates and midpoints by three methods side by side",
                "Il quadrilatero, con le sue anomalie, velocità e mezzerie per tre vie a confronto"},
       .told = {"theta_3", "theta_4", "omega_3", "omega_4", "alpha_3", "alpha_4"}};

@@ -232,12 +232,13 @@ PanelSheet iterations_sheet(const Solution& s, Language language) {
              remark("det $ψ_{y}$ = $r_{3}$ $r_{4}$ " + sin + "($θ_{4}$ − $θ_{3}$)"),
              values({"jacobian_determinant_psi_y"})}},
            {{"The source", "La fonte"},
-            {remark(is_source ? Words{"It calls its start [$θ_{3}$, $θ_{4}$, $θ_{2}$]: the numbers are [$θ_{2}$, "
-                                      "$θ_{3}$, $θ_{4}$].",
-                                      "Chiama i valori iniziali [$θ_{3}$, $θ_{4}$, $θ_{2}$]: sono [$θ_{2}$, $θ_{3}$, "
-                                      "$θ_{4}$]."}
-                                    .in(language)
-                              : "")}}},
+            {remark(
+                is_source
+                    ? Words{"It calls its start [$θ_{3}$, $θ_{4}$, $θ_{2}$]: the numbers are [$θ_{2}$, $θ_{3}$, "
+                            "$θ_{4}$].",
+                            "Chiama i valori iniziali [$θ_{3}$, $θ_{4}$, $θ_{2}$]: sono [$θ_{2}$, $θ_{3}$, $θ_{4}$]."}
+                          .in(language)
+                    : "")}}},
       .results = {values({"theta_3", "theta_4"})},
       .seen = {"The open four-bar linkage as Newton-Raphson closes it",
                "Il quadrilatero aperto che Newton-Raphson chiude"},
@@ -263,10 +264,10 @@ PanelSheet convergence_sheet(const Solution& s, Language language) {
                                 "$Δθ_{i}$ = $θ^{k}_{i}$ − $θ_{i}$: quanto l'iterata $k$ dista dalla soluzione."}
                               .in(language)),
                    remark(of_zero.in(language)),
-                   remark(Words{"Near the solution each step doubles the number of right digits: the iteration "
-                                "converges quadratically.",
-                                "Vicino alla soluzione ogni passo raddoppia le cifre esatte: la convergenza è "
-                                "quadratica."}
+                   remark(Words{
+                       "Near the solution each step doubles the number of right digits: the iteration converges "
+                       "quadratically.",
+                       "Vicino alla soluzione ogni passo raddoppia le cifre esatte: la convergenza è quadratica."}
                               .in(language)),
                    remark(Words{"The last errors are the rounding of doubles, no longer convergence.",
                                 "Gli ultimi errori sono arrotondamento dei double, non più convergenza."}

@@ -23,12 +23,12 @@ Words start_in_words(const Givens& givens) {
   using geometry::analytic::NewtonEnd;
   const bool at_once = run.end == NewtonEnd::singular && run.iterates.size() == 1;
   if (at_once)
-    throw BadGivens(format_words(
-        "{} the Jacobian ψ_y is singular: coupler and rocker are parallel there, and Newton-Raphson has "
-        "no step to make; start from angles that differ by no multiple of π",
-        "{} lo jacobiano ψ_y è singolare: lì biella e bilanciere sono paralleli, e Newton-Raphson non ha "
-        "un passo da fare; partire da angoli che non differiscano di un multiplo di π",
-        start_in_words(givens)));
+    throw BadGivens(
+        format_words("{} the Jacobian ψ_y is singular: coupler and rocker are parallel there, and Newton-Raphson has "
+                     "no step to make; start from angles that differ by no multiple of π",
+                     "{} lo jacobiano ψ_y è singolare: lì biella e bilanciere sono paralleli, e Newton-Raphson non "
+                     "ha un passo da fare; partire da angoli che non differiscano di un multiplo di π",
+                     start_in_words(givens)));
   throw BadGivens(format_words("Newton-Raphson does not reach a configuration {}: {}",
                                "Newton-Raphson non raggiunge una configurazione {}: {}", start_in_words(givens),
                                run.reason));

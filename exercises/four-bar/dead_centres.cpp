@@ -69,20 +69,19 @@ class DeadCentresPanel : public MechanismPanel {
   }
 
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
-    return {
-        {{"The arc about $A_{0}$ with radius $AB$ + $A_{0}A$ cuts the arc of the rocker at $B_{1}$: crank and "
-          "coupler extended.",
-          "L'arco di centro $A_{0}$ e raggio $AB$ + $A_{0}A$ taglia l'arco del bilanciere in $B_{1}$: manovella e "
-          "biella distese."},
-         mechanism_->at("B1")},
-        {{"The arc with radius |$AB$ − $A_{0}A$| cuts it at $B_{2}$: crank and coupler folded (dashed).",
-          "L'arco di raggio |$AB$ − $A_{0}A$| lo taglia in $B_{2}$: manovella e biella sovrapposte (a tratti)."},
-         mechanism_->at("B2")},
-        {{"$A_{1}$ on $A_{0}B_{1}$, $A_{2}$ on the line $A_{0}B_{2}$. The pole $P_{31}$ is $B$: $v_{B}$ = 0, "
-          "$ω_{4}$ = 0, and $\\vec{a}_{B}$ is all tangential.",
-          "$A_{1}$ su $A_{0}B_{1}$, $A_{2}$ sulla retta $A_{0}B_{2}$. Il polo $P_{31}$ è $B$: $v_{B}$ = 0, "
-          "$ω_{4}$ = 0, e la $\\vec{a}_{B}$ è tutta tangenziale."},
-         mechanism_->at("A2")}};
+    return {{{"The arc about $A_{0}$ with radius $AB$ + $A_{0}A$ cuts the arc of the rocker at $B_{1}$: crank and "
+              "coupler extended.",
+              "L'arco di centro $A_{0}$ e raggio $AB$ + $A_{0}A$ taglia l'arco del bilanciere in $B_{1}$: manovella "
+              "e biella distese."},
+             mechanism_->at("B1")},
+            {{"The arc with radius |$AB$ − $A_{0}A$| cuts it at $B_{2}$: crank and coupler folded (dashed).",
+              "L'arco di raggio |$AB$ − $A_{0}A$| lo taglia in $B_{2}$: manovella e biella sovrapposte (a tratti)."},
+             mechanism_->at("B2")},
+            {{"$A_{1}$ on $A_{0}B_{1}$, $A_{2}$ on the line $A_{0}B_{2}$. The pole $P_{31}$ is $B$: $v_{B}$ = 0, "
+              "$ω_{4}$ = 0, and $\\vec{a}_{B}$ is all tangential.",
+              "$A_{1}$ su $A_{0}B_{1}$, $A_{2}$ sulla retta $A_{0}B_{2}$. Il polo $P_{31}$ è $B$: $v_{B}$ = 0, "
+              "$ω_{4}$ = 0, e la $\\vec{a}_{B}$ è tutta tangenziale."},
+             mechanism_->at("A2")}};
   }
 
  private:
@@ -124,10 +123,9 @@ Words without_both(bool has_extended, bool has_folded) {
 PanelSheet no_dead_centre(const Solution& s, Language language) {
   return linkage_alone(
       s, language,
-      {"This rocker has not this dead centre: crank and coupler cannot come in line so, or do so at a "
-       "change point.",
-       "Questo bilanciere non ha questo punto morto: manovella e biella non possono allinearsi così, "
-       "o lo fanno in una configurazione di incertezza."});
+      {"This rocker has not this dead centre: crank and coupler cannot come in line so, or do so at a change point.",
+       "Questo bilanciere non ha questo punto morto: manovella e biella non possono allinearsi così, o lo fanno in "
+       "una configurazione di incertezza."});
 }
 
 PanelSheet dead_centres_sheet(const Solution& s, Language language) {

@@ -70,10 +70,10 @@ class BothPolesPanel : public PolesPanel {
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override {
     std::vector<PanelStep> all = PolesPanel::steps(plot, room);
     if (P42_)
-      all.push_back({{"Aronhold-Kennedy: $P_{42}$ on $AB$ and on $A_{0}B_{0}$; |$ω_{4}$| / |$ω_{2}$| = "
-                      "$A_{0}P_{42}$ / $B_{0}P_{42}$.",
-                      "Aronhold-Kennedy: $P_{42}$ su $AB$ e su $A_{0}B_{0}$; |$ω_{4}$| / |$ω_{2}$| = "
-                      "$A_{0}P_{42}$ / $B_{0}P_{42}$."},
+      all.push_back({{"Aronhold-Kennedy: $P_{42}$ on $AB$ and on $A_{0}B_{0}$; |$ω_{4}$| / |$ω_{2}$| = $A_{0}P_{42}$ "
+                      "/ $B_{0}P_{42}$.",
+                      "Aronhold-Kennedy: $P_{42}$ su $AB$ e su $A_{0}B_{0}$; |$ω_{4}$| / |$ω_{2}$| = $A_{0}P_{42}$ / "
+                      "$B_{0}P_{42}$."},
                      P42_});
     return all;
   }
@@ -102,8 +102,8 @@ std::vector<PolesStep> steps_to_velocities(const Solution& s, Language language)
                      "B"});
     steps.push_back({{"The coupler translates: $ω_{3}$ = 0, $\\vec{v}_{A}$ = $\\vec{v}_{B}$ = $\\vec{v}_{C}$, "
                       "|$ω_{4}$| = $v_{B}$ / $B_{0}B$.",
-                      "La biella trasla: $ω_{3}$ = 0, $\\vec{v}_{A}$ = $\\vec{v}_{B}$ = $\\vec{v}_{C}$, "
-                      "|$ω_{4}$| = $v_{B}$ / $B_{0}B$."},
+                      "La biella trasla: $ω_{3}$ = 0, $\\vec{v}_{A}$ = $\\vec{v}_{B}$ = $\\vec{v}_{C}$, |$ω_{4}$| = "
+                      "$v_{B}$ / $B_{0}B$."},
                      Where::tip,
                      "C"});
     return steps;
@@ -309,10 +309,8 @@ class AccelerationsPanel : public PolesPanel {
 
 std::vector<PolesStep> steps_to_accelerations(const Solution& s) {
   const Words to_the_rocker{
-      "$γ$ does not hold for the rocker, which turns about $B_{0}$: |$α_{4}$| = $a^{t}_{B}$ / "
-      "$B_{0}B$.",
-      "$γ$ non vale per il bilanciere, che ruota attorno a $B_{0}$: |$α_{4}$| = $a^{t}_{B}$ / "
-      "$B_{0}B$."};
+      "$γ$ does not hold for the rocker, which turns about $B_{0}$: |$α_{4}$| = $a^{t}_{B}$ / $B_{0}B$.",
+      "$γ$ non vale per il bilanciere, che ruota attorno a $B_{0}$: |$α_{4}$| = $a^{t}_{B}$ / $B_{0}B$."};
   if (!s.point("K"))
     return {
         {{"$ω_{3}$ and $α_{3}$ are zero: every point of the coupler has the acceleration of $A$, and $K$ is at "
@@ -321,25 +319,24 @@ std::vector<PolesStep> steps_to_accelerations(const Solution& s) {
          Where::tip,
          "C"},
         {to_the_rocker, Where::tip, "B"}};
-  return {
-      {{"$K$ from the two circles (sheet 4). At $K$ the acceleration is zero.",
-        "$K$ dalle due circonferenze (tavola 4). In $K$ l'accelerazione è nulla."},
-       Where::pole},
-      {{"$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), known: the factor is $a_{A}$ / $KA$.",
-        "$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), nota: il fattore è $a_{A}$ / $KA$."},
-       Where::ray,
-       "A"},
-      {{"$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ for every point $X$ of the coupler.",
-        "$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ per ogni punto $X$ della biella."},
-       Where::tip,
-       "C"},
-      {{"The same angle $γ$ leads from each acceleration to its ray $XK$, counter-clockwise when $α_{3}$ > 0: tan "
-        "$γ$ = $α_{3}$ / $ω^{2}_{3}$.",
-        "Lo stesso angolo $γ$ porta da ogni accelerazione al suo raggio $XK$, antiorario se $α_{3}$ > 0: tg $γ$ "
-        "= $α_{3}$ / $ω^{2}_{3}$."},
-       Where::point,
-       "A"},
-      {to_the_rocker, Where::tip, "B"}};
+  return {{{"$K$ from the two circles (sheet 4). At $K$ the acceleration is zero.",
+            "$K$ dalle due circonferenze (tavola 4). In $K$ l'accelerazione è nulla."},
+           Where::pole},
+          {{"$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), known: the factor is $a_{A}$ / $KA$.",
+            "$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), nota: il fattore è $a_{A}$ / $KA$."},
+           Where::ray,
+           "A"},
+          {{"$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ for every point $X$ of the coupler.",
+            "$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ per ogni punto $X$ della biella."},
+           Where::tip,
+           "C"},
+          {{"The same angle $γ$ leads from each acceleration to its ray $XK$, counter-clockwise when $α_{3}$ > 0: "
+            "tan $γ$ = $α_{3}$ / $ω^{2}_{3}$.",
+            "Lo stesso angolo $γ$ porta da ogni accelerazione al suo raggio $XK$, antiorario se $α_{3}$ > 0: tg $γ$ "
+            "= $α_{3}$ / $ω^{2}_{3}$."},
+           Where::point,
+           "A"},
+          {to_the_rocker, Where::tip, "B"}};
 }
 
 PanelSheet acceleration_pole_sheet(const Solution& s, Language) {

@@ -73,9 +73,8 @@ class ParallelPanel : public MechanismPanel {
     all.push_back(
         {{"$P_{31}$ is at infinity, $ω_{3}$ = 0: all points of the coupler have $\\vec{v}_{A}$ = $\\vec{v}_{B}$; "
           "|$ω_{4}$| = |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. But $α_{3}$ is not zero: by the polygon of sheet 3.",
-          "$P_{31}$ è all'infinito, $ω_{3}$ = 0: tutti i punti della biella hanno $\\vec{v}_{A}$ = "
-          "$\\vec{v}_{B}$; |$ω_{4}$| = |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. Ma $α_{3}$ non è nulla: col poligono della "
-          "tavola 3."},
+          "$P_{31}$ è all'infinito, $ω_{3}$ = 0: tutti i punti della biella hanno $\\vec{v}_{A}$ = $\\vec{v}_{B}$; "
+          "|$ω_{4}$| = |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. Ma $α_{3}$ non è nulla: col poligono della tavola 3."},
          plot.tip(at("B"), v_B_)});
     return all;
   }
@@ -163,27 +162,25 @@ PanelSheet parallel_links_sheet(const Solution& s, Language language) {
       sheet.panels.push_back(std::make_unique<ParallelPanel>(s, of, mechanism, sense, sheet.panels.empty()));
       sheet.told.push_back(prefix + "omega_4");
     }
-  sheet.results = {table({"", "$φ$ (°)", "$ω_{4}$ (rad/s)"}, angles),
-                   table({"", "$α_{3}$ (rad/s²)", "$α_{4}$ (rad/s²)"}, rates),
-                   remark(Words{"↑↑ same sense, ↑↓ opposite senses; the other branch has $B$ on the other side of "
-                                "$AB_{0}$.",
-                                "↑↑ concordi, ↑↓ discordi; l'altra posizione ha $B$ dall'altra parte di $AB_{0}$."}
-                              .in(language))};
+  sheet.results = {
+      table({"", "$φ$ (°)", "$ω_{4}$ (rad/s)"}, angles), table({"", "$α_{3}$ (rad/s²)", "$α_{4}$ (rad/s²)"}, rates),
+      remark(Words{"↑↑ same sense, ↑↓ opposite senses; the other branch has $B$ on the other side of $AB_{0}$.",
+                   "↑↑ concordi, ↑↓ discordi; l'altra posizione ha $B$ dall'altra parte di $AB_{0}$."}
+                 .in(language))};
   if (is_parallelogram(of.instant.lengths))
-    sheet.results.push_back(remark(
-        Words{"Opposite links are as long as each other: while the linkage is a parallelogram, crank and rocker "
-              "are parallel in the same sense throughout.",
-              "Le aste opposte sono lunghe uguali: finché il meccanismo è un parallelogramma, manovella e "
-              "bilanciere sono sempre paralleli e concordi."}
-            .in(language)));
+    sheet.results.push_back(
+        remark(Words{"Opposite links are as long as each other: while the linkage is a parallelogram, crank and "
+                     "rocker are parallel in the same sense throughout.",
+                     "Le aste opposte sono lunghe uguali: finché il meccanismo è un parallelogramma, manovella e "
+                     "bilanciere sono sempre paralleli e concordi."}
+                   .in(language)));
   if (!sheet.panels.empty()) return sheet;
   sheet.panels.push_back(std::make_unique<MechanismPanel>(linkage(s)));
-  sheet.results.push_back(
-      remark(Words{"On this branch crank and rocker are never parallel but at change points. "
-                   "Drawn: the linkage at its instant.",
-                   "Su questo ramo manovella e bilanciere non sono mai paralleli, se non in punti "
-                   "di cambiamento. È disegnato il meccanismo all'istante dato."}
-                 .in(language)));
+  sheet.results.push_back(remark(Words{
+      "On this branch crank and rocker are never parallel but at change points. Drawn: the linkage at its instant.",
+      "Su questo ramo manovella e bilanciere non sono mai paralleli, se non in punti di cambiamento. È disegnato il "
+      "meccanismo all'istante dato."}
+                                     .in(language)));
   sheet.without_part = without({"AC", "C_side"});
   return sheet;
 }

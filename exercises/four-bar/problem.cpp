@@ -69,12 +69,12 @@ Problem problem(const Givens& givens) {
                      "la piastra non ha angolo retto in C: AC = {} m è più lungo dell'ipotenusa AB = {} m",
                      decimal(CGAL::to_double(of.AC), 6), decimal(CGAL::to_double(of.instant.lengths.AB), 6)));
   if (of.lambda <= 1)
-    throw BadGivens(format_words(
-        "lambda = {}: with its crank square to the guide the slider-crank closes only if the coupler is "
-        "longer than the crank, lambda > 1",
-        "lambda = {}: con la manovella perpendicolare alla guida il manovellismo si chiude solo se la biella "
-        "è più lunga della manovella, lambda > 1",
-        decimal(CGAL::to_double(of.lambda), 6)));
+    throw BadGivens(
+        format_words("lambda = {}: with its crank square to the guide the slider-crank closes only if the coupler is "
+                     "longer than the crank, lambda > 1",
+                     "lambda = {}: con la manovella perpendicolare alla guida il manovellismo si chiude solo se la "
+                     "biella è più lunga della manovella, lambda > 1",
+                     decimal(CGAL::to_double(of.lambda), 6)));
   require_drivable(of.instant);
   return of;
 }

@@ -68,25 +68,23 @@ class LinesPanel : public Panel {
   }
 
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
-    return {
-        {{"The crank is perpendicular to the guide, $P_{31}$ at infinity: $ω_{3}$ = 0 and $\\vec{v}_{A}$ = "
-          "$\\vec{v}_{B}$ (drawn as long as $r$). The inflection circle passes through $B$, whose path is straight: "
-          "it has become the line $f$ through $B$ perpendicular to the guide.",
-          "La manovella è normale alla guida, $P_{31}$ all'infinito: $ω_{3}$ = 0 e $\\vec{v}_{A}$ = $\\vec{v}_{B}$ "
-          "(disegnate lunghe $r$). La circonferenza dei flessi passa per $B$, la cui traiettoria è retta: è "
-          "diventata "
-          "la retta $f$ per $B$ normale alla guida."},
-         Place{K_.x, K_.y + 0.6 * beyond}},
-        {{"The stationarity circle passes through $A$, whose acceleration is all normal: it has become the line $s$ "
-          "through $A$ parallel to the guide.",
-          "La circonferenza di stazionarietà passa per $A$, la cui accelerazione è tutta normale: è diventata la "
-          "retta $s$ per $A$ parallela alla guida."},
-         Place{K_.x / 2, K_.y}},
-        {{"They meet at $K$, the acceleration pole. With $ω_{3}$ = 0 every acceleration is perpendicular to its ray: "
-          "$a_{X}$ = $α_{3}$·$KX$, hence $α_{3}$ = $a_{A}$ / $KA$ and $a_{B}$ = $α_{3}$·$KB$.",
-          "Si incontrano in $K$, il polo delle accelerazioni. Con $ω_{3}$ = 0 ogni accelerazione è normale al suo "
-          "raggio: $a_{X}$ = $α_{3}$·$KX$, perciò $α_{3}$ = $a_{A}$ / $KA$ e $a_{B}$ = $α_{3}$·$KB$."},
-         K_}};
+    return {{{"The crank is perpendicular to the guide, $P_{31}$ at infinity: $ω_{3}$ = 0 and $\\vec{v}_{A}$ = "
+              "$\\vec{v}_{B}$ (drawn as long as $r$). The inflection circle passes through $B$, whose path is "
+              "straight: it has become the line $f$ through $B$ perpendicular to the guide.",
+              "La manovella è normale alla guida, $P_{31}$ all'infinito: $ω_{3}$ = 0 e $\\vec{v}_{A}$ = "
+              "$\\vec{v}_{B}$ (disegnate lunghe $r$). La circonferenza dei flessi passa per $B$, la cui traiettoria "
+              "è retta: è diventata la retta $f$ per $B$ normale alla guida."},
+             Place{K_.x, K_.y + 0.6 * beyond}},
+            {{"The stationarity circle passes through $A$, whose acceleration is all normal: it has become the line "
+              "$s$ through $A$ parallel to the guide.",
+              "La circonferenza di stazionarietà passa per $A$, la cui accelerazione è tutta normale: è diventata la "
+              "retta $s$ per $A$ parallela alla guida."},
+             Place{K_.x / 2, K_.y}},
+            {{"They meet at $K$, the acceleration pole. With $ω_{3}$ = 0 every acceleration is perpendicular to its "
+              "ray: $a_{X}$ = $α_{3}$·$KX$, hence $α_{3}$ = $a_{A}$ / $KA$ and $a_{B}$ = $α_{3}$·$KB$.",
+              "Si incontrano in $K$, il polo delle accelerazioni. Con $ω_{3}$ = 0 ogni accelerazione è normale al "
+              "suo raggio: $a_{X}$ = $α_{3}$·$KX$, perciò $α_{3}$ = $a_{A}$ / $KA$ e $a_{B}$ = $α_{3}$·$KB$."},
+             K_}};
   }
 
  private:

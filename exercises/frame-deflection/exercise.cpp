@@ -22,8 +22,7 @@ double deflection_with_polar_moment() {
 std::vector<Printed> printed_by_the_source() {
   const Words why{
       "the source takes J_p1 = J_x1 + J_y1, the polar moment of area, for the torsion constant of the rectangle; "
-      "only of "
-      "a circle are the two one",
+      "only of a circle are the two one",
       "la fonte prende J_p1 = J_x1 + J_y1, il momento polare, per la costante di torsione del rettangolo; le due "
       "coincidono soltanto per il cerchio"};
   return {{"G", "8.077×10^4 MPa", "analytic"},
@@ -60,20 +59,17 @@ std::array<SpaceEnds, 3> in_space(const Solution& s) {
 SpaceDiagramPanel bending_panel(const Solution& s) {
   const auto at = in_space(s);
   const std::array<Words, 3> told{
-      Words{
-          "Cut at $ξ$ and keep the piece beyond: only $\\it{P}$ acts on it. In bar 1 $A$ stands across from $O$, so "
-          "the arm along the bar is $ξ$: $\\it{M}_{x}$ = $\\it{P}$·$ξ$.",
-          "Si taglia in $ξ$ e si tiene la parte oltre il taglio: vi agisce solo $\\it{P}$. Nella barra 1 $A$ sta di "
-          "fronte ad $O$, il braccio lungo la barra è $ξ$: $\\it{M}_{x}$ = $\\it{P}$·$ξ$."},
+      Words{"Cut at $ξ$ and keep the piece beyond: only $\\it{P}$ acts on it. In bar 1 $A$ stands across from $O$, "
+            "so the arm along the bar is $ξ$: $\\it{M}_{x}$ = $\\it{P}$·$ξ$.",
+            "Si taglia in $ξ$ e si tiene la parte oltre il taglio: vi agisce solo $\\it{P}$. Nella barra 1 $A$ sta "
+            "di fronte ad $O$, il braccio lungo la barra è $ξ$: $\\it{M}_{x}$ = $\\it{P}$·$ξ$."},
       Words{
           "Bar 2: the arm is what is left of it, $\\it{M}_{x}$ = −$\\it{P}$·($\\it{L}_{1}$ + $\\it{L}_{2}$ − $ξ$).",
           "Barra 2: il braccio è quanto ne resta, $\\it{M}_{x}$ = −$\\it{P}$·($\\it{L}_{1}$ + $\\it{L}_{2}$ − $ξ$)."},
       Words{"Bar 3 likewise: $\\it{M}_{x}$ = −$\\it{P}$·($\\it{L}_{1}$ + 2$\\it{L}_{2}$ − $ξ$), zero in $A$. All are "
-            "laid "
-            "off on the side of the fibres in tension, positive below.",
+            "laid off on the side of the fibres in tension, positive below.",
             "Così la barra 3: $\\it{M}_{x}$ = −$\\it{P}$·($\\it{L}_{1}$ + 2$\\it{L}_{2}$ − $ξ$), nullo in $A$. Tutti "
-            "si "
-            "riportano dalla parte delle fibre tese, i positivi sotto."}};
+            "si riportano dalla parte delle fibre tese, i positivi sotto."}};
   std::vector<SpaceBar> bars;
   for (int i = 1; i <= 3; ++i)
     bars.push_back({at[i - 1].from, at[i - 1].to, std::to_string(i),
@@ -88,12 +84,11 @@ SpaceDiagramPanel torsion_panel(const Solution& s) {
             "$\\it{P}$·$\\it{L}_{1}$.",
             "$\\it{P}$ passa a distanza $\\it{L}_{1}$ dall'asse della barra 1: $\\it{M}_{z}$ = "
             "$\\it{P}$·$\\it{L}_{1}$."},
-      Words{"The axis of bar 2 at $\\it{L}_{2}$: $\\it{M}_{z}$ = $\\it{P}$·$\\it{L}_{2}$. At a corner what bends one "
-            "bar "
-            "twists the other, so its $\\it{M}_{z}$ is the $\\it{M}_{x}$ at the end of bar 1.",
-            "L'asse della barra 2 a distanza $\\it{L}_{2}$: $\\it{M}_{z}$ = $\\it{P}$·$\\it{L}_{2}$. In un nodo ciò "
-            "che "
-            "inflette una barra torce l'altra: il suo $\\it{M}_{z}$ è l'$\\it{M}_{x}$ all'estremo della barra 1."},
+      Words{
+          "The axis of bar 2 at $\\it{L}_{2}$: $\\it{M}_{z}$ = $\\it{P}$·$\\it{L}_{2}$. At a corner what bends one "
+          "bar twists the other, so its $\\it{M}_{z}$ is the $\\it{M}_{x}$ at the end of bar 1.",
+          "L'asse della barra 2 a distanza $\\it{L}_{2}$: $\\it{M}_{z}$ = $\\it{P}$·$\\it{L}_{2}$. In un nodo ciò "
+          "che inflette una barra torce l'altra: il suo $\\it{M}_{z}$ è l'$\\it{M}_{x}$ all'estremo della barra 1."},
       Words{"Bar 3 points at the load: no torque.", "L'asse della barra 3 passa per il carico: non c'è torsione."}};
   std::vector<SpaceBar> bars;
   for (int i = 1; i <= 3; ++i)
@@ -140,9 +135,9 @@ StrungBeamsPanel strung_panel(const Solution& s, Language language) {
                      .counts_down = i > 1});
   }
   const Words areas{
-      "The area of each $\\it{M}_{x}$ diagram over $\\it{EJ}$ is an elastic weight, in the line of the "
-      "triangle's centroid, a third of the bar from its greater side: $α_{1}$ = "
-      "$\\it{P}\\it{L}_{2}^{2}$/2$\\it{EJ}_{x1}$ and so on.",
+      "The area of each $\\it{M}_{x}$ diagram over $\\it{EJ}$ is an elastic weight, in the line of the triangle's "
+      "centroid, a third of the bar from its greater side: $α_{1}$ = $\\it{P}\\it{L}_{2}^{2}$/2$\\it{EJ}_{x1}$ and "
+      "so on.",
       "L'area di ogni diagramma $\\it{M}_{x}$ divisa per $\\it{EJ}$ è un peso elastico, sulla verticale del "
       "baricentro del triangolo, a un terzo della barra dal lato maggiore: $α_{1}$ = "
       "$\\it{P}\\it{L}_{2}^{2}$/2$\\it{EJ}_{x1}$ e così via."};
@@ -154,15 +149,13 @@ StrungBeamsPanel strung_panel(const Solution& s, Language language) {
       "la scala delle lunghezze su quella degli spostamenti. Il raggio 1 è orizzontale, il raggio 2 va all'estremo "
       "del peso."};
   const Words strings{
-      "Strings parallel to the rays meet on the weight's line. The elastic line touches the first where "
-      "the bar begins and the last where it ends.",
-      "I lati paralleli ai raggi si incontrano sulla verticale del peso. La linea elastica tocca il "
-      "primo dove la barra comincia e l'ultimo dove finisce."};
+      "Strings parallel to the rays meet on the weight's line. The elastic line touches the first where the bar "
+      "begins and the last where it ends.",
+      "I lati paralleli ai raggi si incontrano sulla verticale del peso. La linea elastica tocca il primo dove la "
+      "barra comincia e l'ultimo dove finisce."};
   const Words deviation{
-      "At the far end the last string shows how far the bar leaves its first tangent: $w_{B}$, "
-      "$δ_{f2}$, $δ_{f3}$.",
-      "All'estremo l'ultimo lato dà quanto la barra si scosta dalla prima tangente: $w_{B}$, "
-      "$δ_{f2}$, $δ_{f3}$."};
+      "At the far end the last string shows how far the bar leaves its first tangent: $w_{B}$, $δ_{f2}$, $δ_{f3}$.",
+      "All'estremo l'ultimo lato dà quanto la barra si scosta dalla prima tangente: $w_{B}$, $δ_{f2}$, $δ_{f3}$."};
   return {beams, {areas, pole, strings, deviation}, language};
 }
 
@@ -196,17 +189,17 @@ DisplacementPlanPanel plan_panel(const Solution& s) {
                      "La barra 1 esce orizzontale dall'incastro e si inflette: $B$ si sposta di $w_{B}$."};
   second.turned = "$θ_{Bx}\\it{L}_{1}$";
   second.told_turned = {
-      "The twist of bar 1 turns bar 2 with $B$, by $θ_{Bx}$ = −$\\it{M}_{z1}\\it{L}_{2}$/$\\it{GJ}_{t1}$: "
-      "its first tangent, with $C$, goes down by |$θ_{Bx}$|·$\\it{L}_{1}$ = $δ_{t1}$.",
+      "The twist of bar 1 turns bar 2 with $B$, by $θ_{Bx}$ = −$\\it{M}_{z1}\\it{L}_{2}$/$\\it{GJ}_{t1}$: its first "
+      "tangent, with $C$, goes down by |$θ_{Bx}$|·$\\it{L}_{1}$ = $δ_{t1}$.",
       "La torsione della barra 1 fa ruotare con $B$ la barra 2, di $θ_{Bx}$ = "
-      "−$\\it{M}_{z1}\\it{L}_{2}$/$\\it{GJ}_{t1}$: la sua prima tangente, in $C$, scende di "
-      "|$θ_{Bx}$|·$\\it{L}_{1}$ = $δ_{t1}$."};
+      "−$\\it{M}_{z1}\\it{L}_{2}$/$\\it{GJ}_{t1}$: la sua prima tangente, in $C$, scende di |$θ_{Bx}$|·$\\it{L}_{1}$ "
+      "= $δ_{t1}$."};
   second.told_bent = {"It bends away from the tangent by $δ_{f2}$ (second polygon): $w_{C}$.",
                       "Si scosta dalla tangente di $δ_{f2}$ (secondo poligono): $w_{C}$."};
   third.turned = "$θ_{Cy}\\it{L}_{2}$";
   third.told_turned = {
-      "Bar 3 turns with $C$, by $θ_{Cy}$: $α_{1}$ of bar 1 and the twist "
-      "$\\it{M}_{z2}\\it{L}_{1}$/$\\it{GJ}_{p2}$ of bar 2. It begins at this slope.",
+      "Bar 3 turns with $C$, by $θ_{Cy}$: $α_{1}$ of bar 1 and the twist $\\it{M}_{z2}\\it{L}_{1}$/$\\it{GJ}_{p2}$ "
+      "of bar 2. It begins at this slope.",
       "La barra 3 ruota con $C$, di $θ_{Cy}$: $α_{1}$ della barra 1 e la torsione "
       "$\\it{M}_{z2}\\it{L}_{1}$/$\\it{GJ}_{p2}$ della 2. Comincia con questa pendenza."};
   third.told_bent = {"It bends away by $δ_{f3}$, and the plan closes on $w_{A}$ = −$δ_{A}$.",
@@ -250,17 +243,13 @@ PanelSheet shares_sheet(const Solution& s, Language language) {
              whole_of_source = unread(named({"in all", "in tutto"}, "delta_A_p"));
   const Words shares{
       "By virtual work $δ_{fi}$ = ∫$\\it{M}_{x}m_{x}$d$ξ$/$\\it{EJ}_{xi}$ and $δ_{ti}$ = "
-      "$\\it{M}_{zi}m_{zi}\\it{L}$/$\\it{GJ}_{i}$: $δ_{f1}$ = $δ_{f3}$ = "
-      "$\\it{P}\\it{L}_{2}^{3}$/3$\\it{EJ}_{x1}$, $δ_{t1}$ = "
-      "$\\it{P}\\it{L}_{1}^{2}\\it{L}_{2}$/$\\it{GJ}_{t1}$, $δ_{f2}$ = "
-      "$\\it{P}\\it{L}_{1}^{3}$/3$\\it{EJ}_{x2}$, $δ_{t2}$ = "
-      "$\\it{P}\\it{L}_{2}^{2}\\it{L}_{1}$/$\\it{GJ}_{p2}$.",
+      "$\\it{M}_{zi}m_{zi}\\it{L}$/$\\it{GJ}_{i}$: $δ_{f1}$ = $δ_{f3}$ = $\\it{P}\\it{L}_{2}^{3}$/3$\\it{EJ}_{x1}$, "
+      "$δ_{t1}$ = $\\it{P}\\it{L}_{1}^{2}\\it{L}_{2}$/$\\it{GJ}_{t1}$, $δ_{f2}$ = "
+      "$\\it{P}\\it{L}_{1}^{3}$/3$\\it{EJ}_{x2}$, $δ_{t2}$ = $\\it{P}\\it{L}_{2}^{2}\\it{L}_{1}$/$\\it{GJ}_{p2}$.",
       "Per i lavori virtuali $δ_{fi}$ = ∫$\\it{M}_{x}m_{x}$d$ξ$/$\\it{EJ}_{xi}$ e $δ_{ti}$ = "
-      "$\\it{M}_{zi}m_{zi}\\it{L}$/$\\it{GJ}_{i}$: $δ_{f1}$ = $δ_{f3}$ = "
-      "$\\it{P}\\it{L}_{2}^{3}$/3$\\it{EJ}_{x1}$, $δ_{t1}$ = "
-      "$\\it{P}\\it{L}_{1}^{2}\\it{L}_{2}$/$\\it{GJ}_{t1}$, $δ_{f2}$ = "
-      "$\\it{P}\\it{L}_{1}^{3}$/3$\\it{EJ}_{x2}$, $δ_{t2}$ = "
-      "$\\it{P}\\it{L}_{2}^{2}\\it{L}_{1}$/$\\it{GJ}_{p2}$."};
+      "$\\it{M}_{zi}m_{zi}\\it{L}$/$\\it{GJ}_{i}$: $δ_{f1}$ = $δ_{f3}$ = $\\it{P}\\it{L}_{2}^{3}$/3$\\it{EJ}_{x1}$, "
+      "$δ_{t1}$ = $\\it{P}\\it{L}_{1}^{2}\\it{L}_{2}$/$\\it{GJ}_{t1}$, $δ_{f2}$ = "
+      "$\\it{P}\\it{L}_{1}^{3}$/3$\\it{EJ}_{x2}$, $δ_{t2}$ = $\\it{P}\\it{L}_{2}^{2}\\it{L}_{1}$/$\\it{GJ}_{p2}$."};
   const Words mistake{
       "The source takes $\\it{J}_{p1}$ = $\\it{J}_{x1}$ + $\\it{J}_{y1}$ for $\\it{J}_{t1}$. But the sections of a "
       "rectangle warp: its torsion constant is less than the polar moment, and bar 1 twists as much more.",

@@ -17,10 +17,9 @@ Result what_its_sign_says(const Case& of, const std::string& effort, Language la
               at_limit{" = 0: exactly at the limit of self-locking.",
                        " = 0: esattamente al limite dell'arresto spontaneo."},
               pushes = format_words(
-                  " < 0: self-locking. The load alone does not drive it back: {} must push the "
-                  "other way.",
-                  " < 0: arresto spontaneo. Il carico da solo non lo fa tornare indietro: {} deve "
-                  "spingere nel verso opposto.",
+                  " < 0: self-locking. The load alone does not drive it back: {} must push the other way.",
+                  " < 0: arresto spontaneo. Il carico da solo non lo fa tornare indietro: {} deve spingere nel verso "
+                  "opposto.",
                   primed);
   const Words& says = *retrograde_effort > 0 ? holds : *retrograde_effort == 0 ? at_limit : pushes;
   return remark(primed + says.in(language));

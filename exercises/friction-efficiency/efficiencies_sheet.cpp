@@ -85,18 +85,18 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
                      each.name + ".self_locking_friction_angle_deg", s.has(jamming) ? jamming : ""},
                     "–"});
   }
-  return {.panels = panels(chart(0), chart(1)),
-          .results = {table({"", "$η_{D}$", "$η_{R}$", "$φ_{R}$ (°)", "$φ_{D}$ (°)"}, rows),
-                      remark(Words{
-                          "$η_{R}$ = 0 at the friction angle $φ_{R}$, from which the mechanism is "
-                          "self-locking; $η_{D}$ = 0 at $φ_{D}$, where it jams and no force moves it.",
-                          "$η_{R}$ = 0 all'angolo d'attrito $φ_{R}$, dal quale il meccanismo è "
-                          "irreversibile; $η_{D}$ = 0 all'angolo $φ_{D}$, dove s'impunta e nessuna forza lo muove."}
-                                 .in(language))},
-          .seen = {"The efficiencies of the direct and of the retrograde motion over the friction angle",
-                   "I rendimenti del moto diretto e del retrogrado in funzione dell'angolo d'attrito"},
-          .told = {"wedge_collar.eta_direct", "wedge_collar.eta_retrograde"},
-          .without_part = Case(s, "none").without({}, {"phi"})};
+  return {
+      .panels = panels(chart(0), chart(1)),
+      .results = {table({"", "$η_{D}$", "$η_{R}$", "$φ_{R}$ (°)", "$φ_{D}$ (°)"}, rows),
+                  remark(Words{"$η_{R}$ = 0 at the friction angle $φ_{R}$, from which the mechanism is self-locking; "
+                               "$η_{D}$ = 0 at $φ_{D}$, where it jams and no force moves it.",
+                               "$η_{R}$ = 0 all'angolo d'attrito $φ_{R}$, dal quale il meccanismo è irreversibile; "
+                               "$η_{D}$ = 0 all'angolo $φ_{D}$, dove s'impunta e nessuna forza lo muove."}
+                             .in(language))},
+      .seen = {"The efficiencies of the direct and of the retrograde motion over the friction angle",
+               "I rendimenti del moto diretto e del retrogrado in funzione dell'angolo d'attrito"},
+      .told = {"wedge_collar.eta_direct", "wedge_collar.eta_retrograde"},
+      .without_part = Case(s, "none").without({}, {"phi"})};
 }
 
 }  // namespace epure::friction_efficiency

@@ -72,8 +72,8 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
           .results = results,
           .seen = {"Fairbairn's mechanism, its lever and crank cut free, and the polygons of ram and lever in the "
                    "direct and in the retrograde motion",
-                   "La guida di Fairbairn, leva e manovella isolate, e i poligoni di slitta e leva nel moto "
-                   "diretto e nel retrogrado"},
+                   "La guida di Fairbairn, leva e manovella isolate, e i poligoni di slitta e leva nel moto diretto "
+                   "e nel retrogrado"},
           .told = of.names({"M_direct", "M_retrograde", "eta_direct", "eta_retrograde"}),
           .without_part = of.without({}, {"phi"})};
 }

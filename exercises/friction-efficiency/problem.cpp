@@ -31,12 +31,10 @@ Words of_degrees(const Angle& angle, int figures = figures_of_degrees) {
                            ? Words{}
                            : Words{" (it is beyond by less than 10^-12°)", " (lo supera di meno di 10^-12°)"};
   const int told = is_at_limit ? figures_of_degrees : figures.value_or(figures_of_degrees);
-  throw BadGivens(
-      format_words("phi = {}°: must be less than {}°{}, at which {} jams in the direct motion: the force P is "
-                   "infinite there",
-                   "phi = {}°: dev'essere minore di {}°{}, a cui {} s'impunta nel moto diretto: la forza P vi "
-                   "è infinita",
-                   of_degrees(phi, told), decimal(limit, told), excess, mechanism));
+  throw BadGivens(format_words(
+      "phi = {}°: must be less than {}°{}, at which {} jams in the direct motion: the force P is infinite there",
+      "phi = {}°: dev'essere minore di {}°{}, a cui {} s'impunta nel moto diretto: la forza P vi è infinita",
+      of_degrees(phi, told), decimal(limit, told), excess, mechanism));
 }
 void require_below(const Angle& phi, const Angle& limit, const Words& mechanism) {
   if (const int left = sign_of(limit - phi); left <= 0)
@@ -75,12 +73,12 @@ void require_moving_rod(const Wedge& of, const Angle& phi) {
 // On the line of hinges the contact is the levers' relative pole: they roll there, and friction has no sense.
 void require_sliding(const Levers& of, const Angle& phi, const std::string& name) {
   if (of.y_C != 0 || is_zero(phi)) return;
-  throw BadGivens(format_words(
-      "{}.y_C = 0 m: the contact lies on the line of hinges, where the levers do not slide on each other, "
-      "and friction has no sense",
-      "{}.y_C = 0 m: il contatto sta sulla retta delle cerniere, dove le leve non strisciano l'una sull'altra, e "
-      "l'attrito non ha verso",
-      name));
+  throw BadGivens(
+      format_words("{}.y_C = 0 m: the contact lies on the line of hinges, where the levers do not slide on each "
+                   "other, and friction has no sense",
+                   "{}.y_C = 0 m: il contatto sta sulla retta delle cerniere, dove le leve non strisciano l'una "
+                   "sull'altra, e l'attrito non ha verso",
+                   name));
 }
 
 // Turned by friction past the hinge of the lever that Q loads, the contact could hold that lever only by pulling it.
@@ -88,12 +86,12 @@ void require_pressure(const Levers& of, const Angle& phi, const Words& which) {
   const Sign ideal = turned_from_C(of, of.loaded, of.nu);
   for (const Angle& direction : {of.nu - phi, of.nu + phi})
     if (turned_from_C(of, of.loaded, direction) != ideal)
-      throw BadGivens(format_words(
-          "phi = {}°: {} jam, and no force P moves them: the contact's force, at {}° then, does not pass its hinge "
-          "on the side on which it holds the lever that Q loads",
-          "phi = {}°: {} s'impuntano, e nessuna forza P le muove: la forza di contatto, allora a {}°, non passa "
-          "dalla parte della cerniera dalla quale regge la leva caricata da Q",
-          of_degrees(phi), which, of_degrees(direction)));
+      throw BadGivens(
+          format_words("phi = {}°: {} jam, and no force P moves them: the contact's force, at {}° then, does not "
+                       "pass its hinge on the side on which it holds the lever that Q loads",
+                       "phi = {}°: {} s'impuntano, e nessuna forza P le muove: la forza di contatto, allora a {}°, "
+                       "non passa dalla parte della cerniera dalla quale regge la leva caricata da Q",
+                       of_degrees(phi), which, of_degrees(direction)));
 }
 
 // The contact's force passes through the hinge of P's lever. (Not in the direct motion, in which P has to supply what
@@ -166,10 +164,10 @@ Problem::Problem(const Givens& givens)
                                 geometry::from_rational<T>(2 * radius) * geometry::sine<T>(phi);
                        }).sign;
   if (reaches != Sign::positive)
-    throw BadGivens(format_words("double_slider_pins.r = {} m: the friction circles are wider than the link is long",
-                                 "double_slider_pins.r = {} m: i cerchi d'attrito sono più larghi della lunghezza "
-                                 "dell'asta",
-                                 decimal(CGAL::to_double(radius), 6)));
+    throw BadGivens(
+        format_words("double_slider_pins.r = {} m: the friction circles are wider than the link is long",
+                     "double_slider_pins.r = {} m: i cerchi d'attrito sono più larghi della lunghezza dell'asta",
+                     decimal(CGAL::to_double(radius), 6)));
   require_moving_link(of.double_slider, phi, radius);
 }
 

@@ -134,12 +134,11 @@ PanelSheet two_forces(const Solution& s, Language language) {
                       {{at.w / 2, at.lower}, of.vector("R_13_lower_retrograde")},
                       {{0, 0}, Place{0, 0} - *other}});
   if (K)
-    on_rod.step(
-        {"The collar's forces meet in $K$, $\\vec{\\it{Q}}$ and $\\vec{\\it{R}}_{23}$ in $O$: the collar's two "
-         "together run along $OK$, Culmann's line.",
-         "Le forze del collare si incontrano in $K$, $\\vec{\\it{Q}}$ e $\\vec{\\it{R}}_{23}$ in $O$: le due del "
-         "collare insieme corrono lungo $OK$, la retta di Culmann."},
-        {0, 0});
+    on_rod.step({"The collar's forces meet in $K$, $\\vec{\\it{Q}}$ and $\\vec{\\it{R}}_{23}$ in $O$: the collar's "
+                 "two together run along $OK$, Culmann's line.",
+                 "Le forze del collare si incontrano in $K$, $\\vec{\\it{Q}}$ e $\\vec{\\it{R}}_{23}$ in $O$: le due "
+                 "del collare insieme corrono lungo $OK$, la retta di Culmann."},
+                {0, 0});
   all.insert(all.begin(), std::make_unique<FreeBodyPanel>(std::move(on_rod)));
   std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"K_direct_x", "K_direct_y", "culmann_angle_direct_deg"}));

@@ -112,16 +112,15 @@ PanelSheet mesh_sheet(const Solution& s, Language language) {
       if (pair.is_known && pair.touches) told.push_back("true_contact_ratio");
     }
   }
-  return {
-      .panels = panels(MeshPanel(pair)),
-      .first = faults_of(pair, language),
-      .theory = {results, source_prints(pair, {"path_of_approach"}, language)},
-      .seen = {"Both wheels around the pitch point with their circles, the line of action, the path of contact AE "
-               "and a pair of teeth in contact",
-               "Le due ruote intorno al punto P0 con le circonferenze, la retta d'azione, la linea di ingranamento "
-               "AE e una coppia di denti a contatto"},
-      .told = told,
-      .without_part = without_part(pair, {"n1"})};
+  return {.panels = panels(MeshPanel(pair)),
+          .first = faults_of(pair, language),
+          .theory = {results, source_prints(pair, {"path_of_approach"}, language)},
+          .seen = {"Both wheels around the pitch point with their circles, the line of action, the path of contact "
+                   "AE and a pair of teeth in contact",
+                   "Le due ruote intorno al punto P0 con le circonferenze, la retta d'azione, la linea di "
+                   "ingranamento AE e una coppia di denti a contatto"},
+          .told = told,
+          .without_part = without_part(pair, {"n1"})};
 }
 
 // To a thousandth of a millimetre.
@@ -197,11 +196,9 @@ Words of_the_cutter(const Pair& pair) {
   const geometry::PairData& of = pair.of;
   const Words text = format_words(
       "Basic rack: $h_{{a}}^{{*}}$ = {}, $h_{{f}}^{{*}}$ = {}, $ρ^{{*}}$ = {}: its tip is rounded, and the fillets "
-      "are "
-      "cut, with $ρ$ =\u00a0$ρ^{{*}}$·$m$ =\u00a0{}\u00a0mm",
+      "are cut, with $ρ$ =\u00a0$ρ^{{*}}$·$m$ =\u00a0{}\u00a0mm",
       "Dentiera di riferimento: $h_{{a}}^{{*}}$ = {}, $h_{{f}}^{{*}}$ = {}, $ρ^{{*}}$ = {}: il raccordo in testa, "
-      "che "
-      "taglia quelli al piede, è $ρ$ =\u00a0$ρ^{{*}}$·$m$ =\u00a0{}\u00a0mm",
+      "che taglia quelli al piede, è $ρ$ =\u00a0$ρ^{{*}}$·$m$ =\u00a0{}\u00a0mm",
       exactly(of.ha), exactly(of.hf), exactly(of.rho), to_micrometre(pair.s["rho"]));
   return of.k == 0 ? text + "." : text + "; $k$ = " + exactly(of.k) + ".";
 }
@@ -235,8 +232,8 @@ PanelSheet wheels_sheet(const Solution& s, Language language) {
 Section curves(const Pair& pair, Language language) {
   std::vector<Words> lines{
       format_words(
-          "$ξ$ is the position of the contact on the line of action, from $P_{{0}}$; contact travels from "
-          "${}$ to ${}$.",
+          "$ξ$ is the position of the contact on the line of action, from $P_{{0}}$; contact travels from ${}$ to "
+          "${}$.",
           "$ξ$ è la posizione del contatto sulla retta d'azione, da $P_{{0}}$; il contatto va da ${}$ a ${}$.",
           pair.begins.letters(), pair.ends.letters()),
       pair.is_rack()
@@ -246,16 +243,15 @@ Section curves(const Pair& pair, Language language) {
                   "dentiera con $v_{t2}$ = $ω_{1}$·$T_{1}P_{0}$ costante; $v_{s}$ = $ω_{1}$·$P_{0}P$, nulla in "
                   "$P_{0}$."}
           : Words{"Along the common tangent the flanks move with $v_{t1}$ =\u00a0$ω_{1}$·$T_{1}P$ and $v_{t2}$ "
-                  "=\u00a0"
-                  "$ω_{2}$·$T_{2}P$, positive towards tip 1; $v_{s}$ =\u00a0$ω_{r}$·$P_{0}P$, zero at $P_{0}$.",
+                  "=\u00a0$ω_{2}$·$T_{2}P$, positive towards tip 1; $v_{s}$ =\u00a0$ω_{r}$·$P_{0}P$, zero at "
+                  "$P_{0}$.",
                   "Lungo la tangente comune i fianchi si muovono con $v_{t1}$ =\u00a0$ω_{1}$·$T_{1}P$ e $v_{t2}$ "
-                  "=\u00a0"
-                  "$ω_{2}$·$T_{2}P$, positive verso la testa 1; $v_{s}$ =\u00a0$ω_{r}$·$P_{0}P$, nulla in $P_{0}$."},
+                  "=\u00a0$ω_{2}$·$T_{2}P$, positive verso la testa 1; $v_{s}$ =\u00a0$ω_{r}$·$P_{0}P$, nulla in "
+                  "$P_{0}$."},
       {"Specific sliding: $ζ_{1}$ = $v_{s}$/$v_{t1}$, $ζ_{2}$ = −$v_{s}$/$v_{t2}$; without bound towards $T_{1}$ and "
        "$T_{2}$.",
        "Strisciamento specifico: $ζ_{1}$ = $v_{s}$/$v_{t1}$, $ζ_{2}$ = −$v_{s}$/$v_{t2}$; senza limite verso $T_{1}$ "
-       "e "
-       "$T_{2}$."}};
+       "e $T_{2}$."}};
   if (!pair.is_whole())
     lines.push_back(
         about_path(pair, pair.is_known ? Words{"Dashed grey: what whole flanks would do",
@@ -335,14 +331,12 @@ std::unique_ptr<Exercise> make_gear_pair() {
       .item = "N.12",
       .source = {"Sapienza, Exercises in applied mechanics 2009/10, N.12",
                  "Sapienza, Esercitazioni di meccanica applicata 2009/10, N.12"},
-      .question =
-          {"Draw the mesh of the two involute gears around the pitch point and the wheels with their dimensions. "
-           "Find the path of contact, arcs of approach and recess, contact ratio, the limits of interference, and "
-           "the sliding along the path of contact.",
-           "Disegnare l'ingranamento delle due ruote a evolvente intorno al punto primitivo e le ruote con le loro "
-           "dimensioni. Trovare la linea di ingranamento, gli archi di accesso e recesso, il fattore di "
-           "ricoprimento, i "
-           "limiti d'interferenza, e lo strisciamento lungo la linea di ingranamento."},
+      .question = {"Draw the mesh of the two involute gears around the pitch point and the wheels with their "
+                   "dimensions. Find the path of contact, arcs of approach and recess, contact ratio, the limits of "
+                   "interference, and the sliding along the path of contact.",
+                   "Disegnare l'ingranamento delle due ruote a evolvente intorno al punto primitivo e le ruote con "
+                   "le loro dimensioni. Trovare la linea di ingranamento, gli archi di accesso e recesso, il fattore "
+                   "di ricoprimento, i limiti d'interferenza, e lo strisciamento lungo la linea di ingranamento."},
       .givens = givens(),
       .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) {

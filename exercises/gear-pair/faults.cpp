@@ -35,8 +35,7 @@ Words sentence_of(Kind kind, const Words& of, const Words& other, const Words& v
           "The cutter's straight edge reaches deeper than its addendum and undercuts the teeth {}: z = {} is less "
           "than {}.",
           "Il tagliente rettilineo dell'utensile scende oltre l'addendum e produce sottotaglio nei denti {}: z = {} "
-          "è minore "
-          "di {}.",
+          "è minore di {}.",
           of, value, limit);
     case Kind::contact_on_fillet:
       return format_words(
@@ -50,8 +49,7 @@ Words sentence_of(Kind kind, const Words& of, const Words& other, const Words& v
           "Too little clearance: beside the line of action the corners of the tips {} dig into the root curve {}, by "
           "{}\u00a0mm.",
           "Gioco in testa insufficiente: fuori dalla linea d'azione gli spigoli delle teste {} penetrano nel "
-          "raccordo "
-          "{}, di {}\u00a0mm.",
+          "raccordo {}, di {}\u00a0mm.",
           other, of, value);
     case Kind::negative_clearance:
       return format_words("No clearance: the tips {} dig into the roots {} by {}\u00a0mm.",

@@ -364,8 +364,7 @@ Words of_arcs(const Pair& pair) {
       "{} pitch circle 1 at $N_{{1}}$, $N_{{2}}$, {} at $N'_{{1}}$, $N'_{{2}}$: the arcs of action are equal, $e$ = "
       "$AE$/cos\u00a0{}.",
       "{} la primitiva 1 in $N_{{1}}$, $N_{{2}}$, {} in $N'_{{1}}$, $N'_{{2}}$: gli archi di azione sono uguali, $e$ "
-      "= "
-      "$AE$/cos\u00a0{}.",
+      "= $AE$/cos\u00a0{}.",
       would, pair.is_rack() ? Words{"the pitch line", "la retta primitiva"} : Words{"circle 2", "la 2"},
       std::string(pair.is_shifted() ? "$α_{w}$" : "$α$"));
 }
@@ -424,12 +423,13 @@ std::vector<PanelStep> MeshPanel::steps(const Plot& plot, const drawings::Box& r
   if (!pair_.has_single_contact()) return steps;
   const drawings::Point D = plot.at(pair_.at(pair_.D()));
   const double off = MeshPicture::off_base_pitch(pair_, plot);
-  steps.push_back({format_words("The base pitch $p_{{b}}$ from ${}$ gives $D$, from ${}$ gives $B$: between them one "
-                                "pair of teeth carries alone.",
-                                "Il passo di base $p_{{b}}$ da ${}$ dà $D$, da ${}$ dà $B$: fra questi lavora una "
-                                "sola coppia di denti.",
-                                pair_.begins.letters(), pair_.ends.letters()),
-                   plot.from_paper({D.x - off * pair_.along.y, D.y + off * pair_.along.x})});
+  steps.push_back(
+      {format_words(
+           "The base pitch $p_{{b}}$ from ${}$ gives $D$, from ${}$ gives $B$: between them one pair of teeth "
+           "carries alone.",
+           "Il passo di base $p_{{b}}$ da ${}$ dà $D$, da ${}$ dà $B$: fra questi lavora una sola coppia di denti.",
+           pair_.begins.letters(), pair_.ends.letters()),
+       plot.from_paper({D.x - off * pair_.along.y, D.y + off * pair_.along.x})});
   return steps;
 }
 

@@ -25,12 +25,11 @@ Explanation difference_of_magnitudes(double value) {
 
 std::vector<Printed> printed_by_the_source() {
   const std::string by = "analytic";
-  const Explanation rounded_sine{
-      {"sin 22° rounded to 0.3746 in the second term only, while the root was taken with more digits (a conjecture): "
-       "$m$/2·(19.7111 − 40·0.3746).",
-       "sen 22° arrotondato a 0,3746 nel solo secondo termine, la radice con più cifre (una congettura): "
-       "$m$/2·(19,7111 − 40·0,3746)."},
-      approach_with_rounded_sine};
+  const Explanation rounded_sine{{"sin 22° rounded to 0.3746 in the second term only, while the root was taken with "
+                                  "more digits (a conjecture): $m$/2·(19.7111 − 40·0.3746).",
+                                  "sen 22° arrotondato a 0,3746 nel solo secondo termine, la radice con più cifre "
+                                  "(una congettura): $m$/2·(19,7111 − 40·0,3746)."},
+                                 approach_with_rounded_sine};
   return {{"r1", "0.100", by},
           {"r2", "0.200", by},
           {"r_tip_1", "0.110", by},

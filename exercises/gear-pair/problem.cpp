@@ -80,14 +80,13 @@ void require_working_angle(const PairData& of) {
     const geometry::PressureAngle<T> alpha = geometry::pressure_angle<T>(of.alpha);
     return geometry::involute(alpha.tangent) + geometry::from_rational<T>(2 * shift) * alpha.tangent;
   });
-  require(
-      room.sign == geometry::Sign::positive,
-      format_words("x1 = {}, x2 = {}: shifted so far towards each other the wheels have no working pressure angle: "
-                   "inv α + 2·tan α·({}) must be positive",
-                   "x1 = {}, x2 = {}: corrette tanto l'una verso l'altra le ruote non hanno angolo di pressione di "
-                   "lavoro: inv α + 2·tg α·({}) dev'essere positivo",
-                   decimal(nearest(of.x1), 6), decimal(nearest(of.x2), 6),
-                   std::string(of.kind == PairKind::internal ? "x2 - x1)/(z2 - z1" : "x1 + x2)/(z1 + z2")));
+  require(room.sign == geometry::Sign::positive,
+          format_words("x1 = {}, x2 = {}: shifted so far towards each other the wheels have no working pressure "
+                       "angle: inv α + 2·tan α·({}) must be positive",
+                       "x1 = {}, x2 = {}: corrette tanto l'una verso l'altra le ruote non hanno angolo di pressione "
+                       "di lavoro: inv α + 2·tg α·({}) dev'essere positivo",
+                       decimal(nearest(of.x1), 6), decimal(nearest(of.x2), 6),
+                       std::string(of.kind == PairKind::internal ? "x2 - x1)/(z2 - z1" : "x1 + x2)/(z1 + z2")));
 }
 
 }  // namespace

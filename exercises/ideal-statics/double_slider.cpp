@@ -66,8 +66,7 @@ PanelSheet sheet(const Solution& s, Language) {
   on_2.step({"The link is loaded in its hinges only: its forces run along $AB$. On slider 2 $\\vec{\\it{Q}}$, "
              "$\\vec{\\it{R}}_{32}$ and $\\vec{\\it{R}}_{12}$ meet in $A$.",
              "L'asta è caricata solo nelle cerniere: le sue forze corrono lungo $AB$. Sul pattino 2 la "
-             "$\\vec{\\it{Q}}$, la "
-             "$\\vec{\\it{R}}_{32}$ e la $\\vec{\\it{R}}_{12}$ si incontrano in $A$."},
+             "$\\vec{\\it{Q}}$, la $\\vec{\\it{R}}_{32}$ e la $\\vec{\\it{R}}_{12}$ si incontrano in $A$."},
             A);
   ChainedPolygonsPanel polygons(force_polygon("2", {R_12}, {Q, R_32}));
   VectorPolygon of_4 = force_polygon("4", {R_14}, {R_34, driving});

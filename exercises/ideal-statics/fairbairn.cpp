@@ -76,18 +76,15 @@ PanelSheet virtual_work(const Solution& s, const std::string& name) {
       .axis(B, P24)
       .right_angle("B", "P24", "C");
   FreeBodyPanel poles(with_ram(std::move(drawn), of));
-  poles.step(
-      {"The normal to the lever in $B$ meets the line $CA$ in $P_{24}$: crank and lever have one velocity there, "
-       "$ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$.",
-       "La normale alla leva in $B$ incontra la retta $CA$ in $P_{24}$: vi hanno la stessa velocità manovella e "
-       "leva, "
-       "$ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$."},
-      P24);
+  poles.step({"The normal to the lever in $B$ meets the line $CA$ in $P_{24}$: crank and lever have one velocity "
+              "there, $ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$.",
+              "La normale alla leva in $B$ incontra la retta $CA$ in $P_{24}$: vi hanno la stessa velocità manovella "
+              "e leva, $ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$."},
+             P24);
   poles.load(of.load("F", "", ""), D);
   poles.step(
       {"$\\it{M}$·$ω_{2}$ = $\\it{F}$·$v_{D6}$: the couple supplies what the force takes. This gives $\\it{M}$.",
-       "$\\it{M}$·$ω_{2}$ = $\\it{F}$·$v_{D6}$: la coppia fornisce quel che la forza prende. Ciò dà la "
-       "$\\it{M}$."},
+       "$\\it{M}$·$ω_{2}$ = $\\it{F}$·$v_{D6}$: la coppia fornisce quel che la forza prende. Ciò dà la $\\it{M}$."},
       D);
   const std::string v_D4 = "$v_{B4}$·$CD$/$CB$";
   ChainedPolygonsPanel velocities(velocity_polygon(

@@ -105,24 +105,24 @@ PanelSheet virtual_work(const LeverFigure& at) {
   for (const int lever : {2, 3})
     four_bar.profile(at.centre(lever), at.radius(lever), direction(at.centre(lever), at.C) - 0.7,
                      direction(at.centre(lever), at.C) + 0.7);
-  PolesPanel poles(of.s, std::make_shared<const Mechanism>(std::move(four_bar)), of.pole("P41"), {"A", "B"},
-                   {{{"While they touch, the levers move as the four-bar $A_{0}ABB_{0}$ of the profiles' centres; "
-                      "its coupler is body 4.",
-                      "Finché si toccano, le leve si muovono come il quadrilatero $A_{0}ABB_{0}$ dei centri dei "
-                      "profili; la biella è il membro 4."},
-                     Where::point,
-                     "A"},
-                    {{"$A_{0}A$ and $B_{0}B$ meet in $P_{41}$, the coupler's pole.",
-                      "$A_{0}A$ e $B_{0}B$ si incontrano in $P_{41}$, polo della biella."},
-                     Where::pole},
-                    {{"$ω_{3}$/$ω_{2}$ = ($A_{0}A$/$B_{0}B$)·($P_{41}B$/$P_{41}A$): $v_{A}$ = $ω_{2}$·$A_{0}A$ = "
-                      "$ω_{4}$·$P_{41}A$, and so in $B$. The "
-                      "normal meets $A_{0}B_{0}$ in $P_{23}$, which gives the same ratio.",
-                      "$ω_{3}$/$ω_{2}$ = ($A_{0}A$/$B_{0}B$)·($P_{41}B$/$P_{41}A$): $v_{A}$ = $ω_{2}$·$A_{0}A$ = "
-                      "$ω_{4}$·$P_{41}A$, e così in $B$. La "
-                      "normale incontra $A_{0}B_{0}$ in $P_{23}$, che dà lo stesso rapporto."},
-                     Where::tip,
-                     "B"}});
+  PolesPanel poles(
+      of.s, std::make_shared<const Mechanism>(std::move(four_bar)), of.pole("P41"), {"A", "B"},
+      {{{"While they touch, the levers move as the four-bar $A_{0}ABB_{0}$ of the profiles' centres; its coupler is "
+         "body 4.",
+         "Finché si toccano, le leve si muovono come il quadrilatero $A_{0}ABB_{0}$ dei centri dei profili; la "
+         "biella è il membro 4."},
+        Where::point,
+        "A"},
+       {{"$A_{0}A$ and $B_{0}B$ meet in $P_{41}$, the coupler's pole.",
+         "$A_{0}A$ e $B_{0}B$ si incontrano in $P_{41}$, polo della biella."},
+        Where::pole},
+       {{"$ω_{3}$/$ω_{2}$ = ($A_{0}A$/$B_{0}B$)·($P_{41}B$/$P_{41}A$): $v_{A}$ = $ω_{2}$·$A_{0}A$ = "
+         "$ω_{4}$·$P_{41}A$, and so in $B$. The normal meets $A_{0}B_{0}$ in $P_{23}$, which gives the same ratio.",
+         "$ω_{3}$/$ω_{2}$ = ($A_{0}A$/$B_{0}B$)·($P_{41}B$/$P_{41}A$): $v_{A}$ = $ω_{2}$·$A_{0}A$ = "
+         "$ω_{4}$·$P_{41}A$, e così in $B$. La normale incontra $A_{0}B_{0}$ in $P_{23}$, che dà lo stesso "
+         "rapporto."},
+        Where::tip,
+        "B"}});
   const PolygonSide Q = of.load("Q", "", ""), driving = of.known(P(), "", "");
   const std::string i = std::to_string(at.driven), j = std::to_string(at.loaded);
   FreeBodyPanel arms = whole(at, false);

@@ -69,12 +69,11 @@ std::vector<Printed> printed_by_the_source() {
       {"fairbairn.P24C", "0.53", "poles", 0.026},
       {"fairbairn.P24A", "0.10", "poles", 0.031},
       {"fairbairn.F_23", "66", polygon, fairbairn,
-       Explanation{
-           {"the polygon belongs to another figure than the printed lengths: with CD = 0.714 m, AC = 0.423 m and "
-            "θ = 23.5°, as the other numbers of the polygon want, F23 = F·CD cos θ/CB",
-            "il poligono appartiene a una figura diversa dalle lunghezze stampate: con CD = 0,714 m, "
-            "AC = 0,423 m e θ = 23,5°, come vogliono gli altri numeri del poligono, F23 = F·CD cos θ/CB"},
-           F_23_on_a_shorter_lever}},
+       Explanation{{"the polygon belongs to another figure than the printed lengths: with CD = 0.714 m, AC = 0.423 m "
+                    "and θ = 23.5°, as the other numbers of the polygon want, F23 = F·CD cos θ/CB",
+                    "il poligono appartiene a una figura diversa dalle lunghezze stampate: con CD = 0,714 m, AC = "
+                    "0,423 m e θ = 23,5°, come vogliono gli altri numeri del poligono, F23 = F·CD cos θ/CB"},
+                   F_23_on_a_shorter_lever}},
       {"fairbairn.d", "0,11", polygon, 0.026},
       {"fairbairn.M", "7,3", polygon, 0,
        Explanation{{"follows from the printed F23 = 66 N, itself of another figure: 66·0.11",

@@ -33,13 +33,11 @@ FreeBodyPanel wedge_cut_free(const WedgeFigure& at, const Forces& on) {
       .force(on.R_32, {0, 0}, Arrow::ends)
       .effort(on.P, {at.left.x, at.line_of_P}, Arrow::ends);
   panel.force(on.R_12, {x_H, at.floor}, Arrow::ends).meeting("", "$\\it{H}_{2}$", Place{x_H, at.line_of_P});
-  panel.step(
-      {"Wedge: $\\vec{\\it{R}}_{32}$ = −$\\vec{\\it{R}}_{23}$ along $r_{2}$ and $\\vec{\\it{P}}$ along $r_{3}$ "
-       "meet in $\\it{H}_{2}$; the floor's force, square to it, passes there.",
-       "Cuneo: la $\\vec{\\it{R}}_{32}$ = −$\\vec{\\it{R}}_{23}$ lungo $r_{2}$ e la $\\vec{\\it{P}}$ lungo $r_{3}$ "
-       "si "
-       "incontrano in $\\it{H}_{2}$; vi passa la reazione del piano, ad esso normale."},
-      {x_H, at.line_of_P});
+  panel.step({"Wedge: $\\vec{\\it{R}}_{32}$ = −$\\vec{\\it{R}}_{23}$ along $r_{2}$ and $\\vec{\\it{P}}$ along "
+              "$r_{3}$ meet in $\\it{H}_{2}$; the floor's force, square to it, passes there.",
+              "Cuneo: la $\\vec{\\it{R}}_{32}$ = −$\\vec{\\it{R}}_{23}$ lungo $r_{2}$ e la $\\vec{\\it{P}}$ lungo "
+              "$r_{3}$ si incontrano in $\\it{H}_{2}$; vi passa la reazione del piano, ad esso normale."},
+             {x_H, at.line_of_P});
   return panel;
 }
 
@@ -59,12 +57,11 @@ PanelSheet one_force(const Solution& s, Language) {
   const PolygonSide R_13 = of.sought(force_between(1, 3), "∥ $x$");
   FreeBodyPanel rod = rod_cut_free(at, on);
   rod.force(R_13, {0, 0}, Arrow::ends);
-  rod.step(
-      {"Rod: $\\vec{\\it{Q}}$ along $r_{1}$ and $\\vec{\\it{R}}_{23}$ along the normal $r_{2}$ meet in $O$; the "
-       "collar's force, square to the rod, passes there.",
-       "Asta: la $\\vec{\\it{Q}}$ lungo $r_{1}$ e la $\\vec{\\it{R}}_{23}$ lungo la normale $r_{2}$ si incontrano in "
-       "$O$; vi passa la reazione del collare, normale all'asta."},
-      {0, 0});
+  rod.step({"Rod: $\\vec{\\it{Q}}$ along $r_{1}$ and $\\vec{\\it{R}}_{23}$ along the normal $r_{2}$ meet in $O$; the "
+            "collar's force, square to the rod, passes there.",
+            "Asta: la $\\vec{\\it{Q}}$ lungo $r_{1}$ e la $\\vec{\\it{R}}_{23}$ lungo la normale $r_{2}$ si "
+            "incontrano in $O$; vi passa la reazione del collare, normale all'asta."},
+           {0, 0});
   ChainedPolygonsPanel polygons(force_polygon("3", {R_13}, {on.Q, on.R_23}));
   VectorPolygon of_wedge = force_polygon("2", {on.R_12}, {on.R_32, on.P});
   of_wedge.origin = "$b$";
@@ -113,8 +110,7 @@ PanelSheet two_forces(const Solution& s, Language) {
   string("on_lower", "on_upper", "3′");
   rod.step(
       {"Funicular polygon: 1′ parallel to the ray 1, from the line of $\\vec{\\it{R}}^{u}_{13}$ to that of "
-       "$\\vec{\\it{R}}_{13}$ through $O$; 2′ parallel to 2, to the line of $\\vec{\\it{R}}^{l}_{13}$; 3′ closes "
-       "it.",
+       "$\\vec{\\it{R}}_{13}$ through $O$; 2′ parallel to 2, to the line of $\\vec{\\it{R}}^{l}_{13}$; 3′ closes it.",
        "Poligono funicolare: 1′ parallela al raggio 1, dalla retta della $\\vec{\\it{R}}^{u}_{13}$ a quella della "
        "$\\vec{\\it{R}}_{13}$ per $O$; 2′ parallela a 2, fino alla retta della $\\vec{\\it{R}}^{l}_{13}$; 3′ lo "
        "chiude."},
@@ -137,16 +133,15 @@ PanelSheet two_forces(const Solution& s, Language) {
   of_wedge.origin = "$b$";
   polygons.then(of_wedge, on.Q.v + on.R_23.v);
   rod.at_most(500);
-  return {
-      .panels = panels(rod, polygons, shared),
-      .results = {of.results({"P", "R_12"}), of.results({"R_13_upper", "R_13_lower"}),
-                  of.results({"R_13_resultant_x"})},
-      .seen = {"The wedge and the rod in its collar, which answers with two forces, both cut free, and the polygons "
-               "of their forces",
-               "Il cuneo e l'asta nel collare, che reagisce con due forze, entrambi isolati, e i poligoni delle loro "
-               "forze"},
-      .told = of.names({"P", "R_12", "R_13_upper", "R_13_lower"}),
-      .without_part = of.without()};
+  return {.panels = panels(rod, polygons, shared),
+          .results = {of.results({"P", "R_12"}), of.results({"R_13_upper", "R_13_lower"}),
+                      of.results({"R_13_resultant_x"})},
+          .seen = {"The wedge and the rod in its collar, which answers with two forces, both cut free, and the "
+                   "polygons of their forces",
+                   "Il cuneo e l'asta nel collare, che reagisce con due forze, entrambi isolati, e i poligoni delle "
+                   "loro forze"},
+          .told = of.names({"P", "R_12", "R_13_upper", "R_13_lower"}),
+          .without_part = of.without()};
 }
 
 }  // namespace

@@ -238,23 +238,22 @@ class FunicularPanel : public Panel {
 }  // namespace
 
 PanelSheet load_sheet(const Solution& s, Language language) {
-  return {
-      .panels = panels(FunicularPanel(Problem(s.givens()).film, s)),
-      .theory = {{{"Exactly", "Soluzione esatta"},
-                  {remark("$\\it{N}$ = $\\it{A}$ $μ$ $\\it{V}$ $l^{2}$/$h_{2}^{2}$, $n$ = $h_{1}$/$h_{2}$"),
-                   remark(slider_formulas()[1]), remark(slider_formulas()[0])}}},
-      .results = {told({"By the strips, by Bezout's table, and exactly:",
-                        "Con le strisce, con la tabella di Bezout, ed esattamente:"},
-                       language),
-                  values({of_film("N_funicular"), of_film("x_N_funicular")}),
-                  values({of_film("N_bezout"), of_film("x_N_bezout")}), values({of_film("N"), of_film("x_N")}),
-                  values({of_film("A"), of_film("p_mean"), of_film("p_max_over_p_mean")})},
-      .seen = {"The pressure in eight strips, their forces with the force polygon and the funicular polygon, and "
-               "the line of the resultant",
-               "La pressione in otto strisce, le loro forze con il poligono delle forze e il poligono funicolare, "
-               "e la retta della risultante"},
-      .told = {of_film("N_funicular"), of_film("x_N_funicular"), of_film("N"), of_film("x_N")},
-      .without_part = {"P", "speed", "pads", "r_m", "l_pad", "b", "x_N", "mu_pad", "h_ref", "dx", "x_1", "x_3"}};
+  return {.panels = panels(FunicularPanel(Problem(s.givens()).film, s)),
+          .theory = {{{"Exactly", "Soluzione esatta"},
+                      {remark("$\\it{N}$ = $\\it{A}$ $μ$ $\\it{V}$ $l^{2}$/$h_{2}^{2}$, $n$ = $h_{1}$/$h_{2}$"),
+                       remark(slider_formulas()[1]), remark(slider_formulas()[0])}}},
+          .results = {told({"By the strips, by Bezout's table, and exactly:",
+                            "Con le strisce, con la tabella di Bezout, ed esattamente:"},
+                           language),
+                      values({of_film("N_funicular"), of_film("x_N_funicular")}),
+                      values({of_film("N_bezout"), of_film("x_N_bezout")}), values({of_film("N"), of_film("x_N")}),
+                      values({of_film("A"), of_film("p_mean"), of_film("p_max_over_p_mean")})},
+          .seen = {"The pressure in eight strips, their forces with the force polygon and the funicular polygon, and "
+                   "the line of the resultant",
+                   "La pressione in otto strisce, le loro forze con il poligono delle forze e il poligono "
+                   "funicolare, e la retta della risultante"},
+          .told = {of_film("N_funicular"), of_film("x_N_funicular"), of_film("N"), of_film("x_N")},
+          .without_part = {"P", "speed", "pads", "r_m", "l_pad", "b", "x_N", "mu_pad", "h_ref", "dx", "x_1", "x_3"}};
 }
 
 }  // namespace epure::michell_bearing

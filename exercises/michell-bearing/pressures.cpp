@@ -118,15 +118,14 @@ PanelSheet pressures_sheet(const Solution& s, Language language) {
                    "annulla dove $h$ = $h^{*}$ = 2 $h_{1}$ $h_{2}$/($h_{1}$ + $h_{2}$)."},
                   language),
              remark("$p$ = 6 $μ$ $\\it{V}$ ($h_{1}$ − $h_{2}$) $x$ ($l$ − $x$) / [$l$ ($h_{1}$ + $h_{2}$) $h^{2}$]"),
-             told(
-                 {"$h^{*}$, $x^{*}$ are $h$ and $x$ with a bar in the source. The depth $z$ is counted from the pad. "
-                  "The shear is zero at $x_{0}$ on the pad, at $x_{h}$ on the moving wall, where these exist.",
-                  "$h^{*}$, $x^{*}$ sono $h$ e $x$ con la linea sopra nella fonte. La quota $z$ si conta dal "
-                  "pattino. Lo "
-                  "sforzo si annulla in $x_{0}$ sul pattino, in $x_{h}$ sulla parete mobile, se esistono."},
-                 language),
-             told({"Points of the pressure: Bezout's formula, each strip with the mean of the gradients at its "
-                   "ends. The curve is the true one. The arrow $\\it{N}$ is not to scale.",
+             told({"$h^{*}$, $x^{*}$ are $h$ and $x$ with a bar in the source. The depth $z$ is counted from the "
+                   "pad. The shear is zero at $x_{0}$ on the pad, at $x_{h}$ on the moving wall, where these exist.",
+                   "$h^{*}$, $x^{*}$ sono $h$ e $x$ con la linea sopra nella fonte. La quota $z$ si conta dal "
+                   "pattino. Lo sforzo si annulla in $x_{0}$ sul pattino, in $x_{h}$ sulla parete mobile, se "
+                   "esistono."},
+                  language),
+             told({"Points of the pressure: Bezout's formula, each strip with the mean of the gradients at its ends. "
+                   "The curve is the true one. The arrow $\\it{N}$ is not to scale.",
                    "Punti della pressione: formula di Bezout, ogni striscia con la media dei gradienti ai suoi "
                    "estremi. La curva è quella esatta. La freccia $\\it{N}$ non è in scala."},
                   language)}}},

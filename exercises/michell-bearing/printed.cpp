@@ -26,15 +26,14 @@ Printed of_gradient(const std::string& station, const std::string& text, double 
                       [x] { return gradient(x); }}};
 }
 Printed of_pressure(const std::string& quantity, const std::string& text, int row) {
-  return {
-      "inverse." + quantity, text, "graphical integration", 0,
-      Explanation{{"ten times too small: the step was taken as 0.001 m, and the table's is 0.01 m (h_bar as for the "
-                   "gradients). The load of 94636.6 N/m, by the formula, is right: with the table's pressures it "
-                   "would be a tenth",
-                   "dieci volte troppo piccola: il passo è stato preso di 0,001 m, e quello della tabella è 0,01 m "
-                   "(h_bar come per i gradienti). La portanza di 94636,6 N/m, dalla formula, è giusta: con le "
-                   "pressioni della tabella sarebbe un decimo"},
-                  [row] { return pressure_with_tenth_of_step(row); }}};
+  return {"inverse." + quantity, text, "graphical integration", 0,
+          Explanation{{"ten times too small: the step was taken as 0.001 m, and the table's is 0.01 m (h_bar as for "
+                       "the gradients). The load of 94636.6 N/m, by the formula, is right: with the table's "
+                       "pressures it would be a tenth",
+                       "dieci volte troppo piccola: il passo è stato preso di 0,001 m, e quello della tabella è 0,01 "
+                       "m (h_bar come per i gradienti). La portanza di 94636,6 N/m, dalla formula, è giusta: con le "
+                       "pressioni della tabella sarebbe un decimo"},
+                      [row] { return pressure_with_tenth_of_step(row); }}};
 }
 // `straight`: the film of the line that a whole column of the source follows.
 Printed of_velocity(const std::string& station, const std::string& depth, const std::string& text, double z,
@@ -114,12 +113,11 @@ std::vector<Printed> printed_by_the_source() {
       plain("direct.V", "8.378"),
       plain("direct.N", "166.667e3"),
       {"direct.l", "0.0375", "closed form", 0,
-       Explanation{
-           {"in the formula of h_2 the first two digits of 0.0735 are exchanged; a misprint only: with 0.0735 "
-            "h_2 is the printed 37 µm, with 0.0375 it would be 19 µm",
-            "nella formula di h_2 le prime due cifre di 0,0735 sono scambiate; solo un refuso: con 0,0735 h_2 "
-            "è il 37 µm stampato, con 0,0375 sarebbe 19 µm"},
-           length_with_digits_exchanged}},
+       Explanation{{"in the formula of h_2 the first two digits of 0.0735 are exchanged; a misprint only: with "
+                    "0.0735 h_2 is the printed 37 µm, with 0.0375 it would be 19 µm",
+                    "nella formula di h_2 le prime due cifre di 0,0735 sono scambiate; solo un refuso: con 0,0735 "
+                    "h_2 è il 37 µm stampato, con 0,0375 sarebbe 19 µm"},
+                   length_with_digits_exchanged}},
       plain("direct.x_N_over_l", "0.612"),
       {"direct.n", "3.15", "closed form", 0,
        Explanation{{"x_N/l was rounded to 0.612", "x_N/l è stato arrotondato a 0,612"}, n_of_rounded_pivot}},
@@ -137,8 +135,8 @@ std::vector<Printed> printed_by_the_source() {
       {"direct.f_m_side_leakage", "0.0087", "closed form", 0,
        Explanation{
            {"not c'·f_m, as the text says: N' stands for N under the root as well, which counts the leakage twice",
-            "non c'·f_m, come dice il testo: anche sotto radice sta N' al posto di N, e la fuoriuscita conta "
-            "due volte"},
+            "non c'·f_m, come dice il testo: anche sotto radice sta N' al posto di N, e la fuoriuscita conta due "
+            "volte"},
            friction_with_both_factors}},
       plain("direct.R_outer", "0.130"),
       plain("direct.R_inner", "0.070")};

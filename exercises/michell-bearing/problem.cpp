@@ -19,12 +19,12 @@ GivenSpec given(const std::string& symbol, const Words& meaning, const std::stri
 
 void demand_film(const Film& film) {
   if (film.h_1 <= film.h_2)
-    throw BadGivens(format_words(
-        "h_1 = {} m must be greater than h_2 = {} m: n = h_1/h_2 = {}, and a film that does not narrow carries no "
-        "load",
-        "h_1 = {} m dev'essere maggiore di h_2 = {} m: n = h_1/h_2 = {}, e un meato che non si restringe non porta "
-        "carico",
-        told_value(film.h_1), told_value(film.h_2), told_value(film.n())));
+    throw BadGivens(
+        format_words("h_1 = {} m must be greater than h_2 = {} m: n = h_1/h_2 = {}, and a film that does not narrow "
+                     "carries no load",
+                     "h_1 = {} m dev'essere maggiore di h_2 = {} m: n = h_1/h_2 = {}, e un meato che non si "
+                     "restringe non porta carico",
+                     told_value(film.h_1), told_value(film.h_2), told_value(film.n())));
   if (const Rational strips = film.l / film.dx;
       strips.denominator() != 1 || strips < Rational(2) || strips > Rational(most_strips))
     throw BadGivens(
@@ -46,15 +46,11 @@ void demand_pad(const Pad& pad) {
   if (c <= Rational(1, 2) || c > Rational(95, 100))
     throw BadGivens(
         format_words("x_N = {} m is {} of l_pad = {} m, and must be more than 0.5 and at most 0.95 of it: the load "
-                     "of a flat pad acts "
-                     "in its middle where its walls are parallel, and nearer to the outlet the more they narrow (at "
-                     "0.95, h_1/h_2 is "
-                     "beyond 10^5)",
+                     "of a flat pad acts in its middle where its walls are parallel, and nearer to the outlet the "
+                     "more they narrow (at 0.95, h_1/h_2 is beyond 10^5)",
                      "x_N = {} m è {} di l_pad = {} m, e deve essere più di 0,5 e al più 0,95 di esso: il carico di "
-                     "un pattino piano "
-                     "agisce nel mezzo quando le pareti sono parallele, e tanto più verso l'uscita quanto più si "
-                     "stringono (a 0,95, "
-                     "h_1/h_2 supera 10^5)",
+                     "un pattino piano agisce nel mezzo quando le pareti sono parallele, e tanto più verso l'uscita "
+                     "quanto più si stringono (a 0,95, h_1/h_2 supera 10^5)",
                      told_value(pad.x_N), told_value(c), told_value(pad.l)));
   if (pad.b >= Rational(2) * pad.r_m)
     throw BadGivens(format_words("b = {} m must be less than 2 r_m = {} m: the pads have an inner radius",
@@ -68,13 +64,13 @@ void demand_pad(const Pad& pad) {
   const Rational covered = pad.pads * pad.l;
   const double circle = 2 * std::numbers::pi * nearest(pad.r_m);
   const int figures = figures_that_tell_apart(nearest(covered), circle).value_or(12);
-  throw BadGivens(format_words(
-      "{} pads of l_pad = {} m overlap on the mean circle of r_m = {} m: together they are {} m long, and the circle "
-      "only {} m",
-      "{} pattini con l_pad = {} m si sovrappongono sulla circonferenza media con r_m = {} m: insieme sono lunghi {} "
-      "m, e la circonferenza solo {} m",
-      told_value(pad.pads), told_value(pad.l), told_value(pad.r_m), told_value(covered, std::max(12, figures)),
-      decimal(circle, figures)));
+  throw BadGivens(
+      format_words("{} pads of l_pad = {} m overlap on the mean circle of r_m = {} m: together they are {} m long, "
+                   "and the circle only {} m",
+                   "{} pattini con l_pad = {} m si sovrappongono sulla circonferenza media con r_m = {} m: insieme "
+                   "sono lunghi {} m, e la circonferenza solo {} m",
+                   told_value(pad.pads), told_value(pad.l), told_value(pad.r_m),
+                   told_value(covered, std::max(12, figures)), decimal(circle, figures)));
 }
 
 }  // namespace

@@ -194,22 +194,22 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
   return {
       .panels = panels(chart(0), chart(1), chart(2)),
       .theory = {{{"Across the film", "Attraverso il meato"},
-                  {told({"Dashed: Couette's line $\\it{V}$·$z$/$h$. Dash-dotted: Poiseuille's parabola "
-                         "−$p'$·($h$ − $z$)·$z$/(2 $μ$), which slows the film where $p'$ > 0. Their sum is $u$.",
+                  {told({"Dashed: Couette's line $\\it{V}$·$z$/$h$. Dash-dotted: Poiseuille's parabola −$p'$·($h$ − "
+                         "$z$)·$z$/(2 $μ$), which slows the film where $p'$ > 0. Their sum is $u$.",
                          "Tratteggiata: la retta di Couette $\\it{V}$·$z$/$h$. A tratto e punto: la parabola di "
                          "Poiseuille −$p'$·($h$ − $z$)·$z$/(2 $μ$), che frena dove $p'$ > 0. La somma è $u$."},
                         language),
                    told({"At the dots both parts are added as vectors. $z$ is counted from the pad, which rests "
                          "(here below).",
-                         "Nei punti le due parti si sommano come vettori. $z$ si conta dal pattino, che è fermo "
-                         "(qui in basso)."},
+                         "Nei punti le due parti si sommano come vettori. $z$ si conta dal pattino, che è fermo (qui "
+                         "in basso)."},
                         language),
-                   told({"The tangents at the walls have the slope $τ$/$μ$. It vanishes at the pad where $h$ = "
-                         "3/2 $h^{*}$ ($x_{0}$), at the moving wall where $h$ = 3/4 $h^{*}$ ($x_{h}$), if $n$ ≥ 2. "
+                   told({"The tangents at the walls have the slope $τ$/$μ$. It vanishes at the pad where $h$ = 3/2 "
+                         "$h^{*}$ ($x_{0}$), at the moving wall where $h$ = 3/4 $h^{*}$ ($x_{h}$), if $n$ ≥ 2. "
                          "Nearer to the inlet than $x_{0}$ the film runs back along the pad (hatched).",
-                         "Le tangenti alle pareti hanno la pendenza $τ$/$μ$. Si annulla al pattino dove $h$ = "
-                         "3/2 $h^{*}$ ($x_{0}$), alla parete mobile dove $h$ = 3/4 $h^{*}$ ($x_{h}$), se $n$ ≥ 2. "
-                         "Più verso l'imbocco di $x_{0}$ il fluido torna indietro lungo il pattino (a tratteggio)."},
+                         "Le tangenti alle pareti hanno la pendenza $τ$/$μ$. Si annulla al pattino dove $h$ = 3/2 "
+                         "$h^{*}$ ($x_{0}$), alla parete mobile dove $h$ = 3/4 $h^{*}$ ($x_{h}$), se $n$ ≥ 2. Più "
+                         "verso l'imbocco di $x_{0}$ il fluido torna indietro lungo il pattino (a tratteggio)."},
                         language),
                    told({"$\\it{T}$ = $\\it{T}_{0}$ + $\\it{N}$ ($h_{1}$ − $h_{2}$)/$l$: the pad is inclined.",
                          "$\\it{T}$ = $\\it{T}_{0}$ + $\\it{N}$ ($h_{1}$ − $h_{2}$)/$l$: il pattino è inclinato."},

@@ -24,8 +24,8 @@ Printed wrong(const std::string& quantity, const std::string& text, const Words&
 double film_of_the_source() { return stated::l * std::sqrt(0.156 * 0.0035 * 9.81 * 6.479 / (358974 * 9.80665)); }
 Words other_film() {
   return {
-      "with the mistaken N of 358.974 t/m, l = 0.4681 m (π taken as 3.14), and g = 9.81 m/s² in the viscosity "
-      "but 9.80665 m/s² in the load",
+      "with the mistaken N of 358.974 t/m, l = 0.4681 m (π taken as 3.14), and g = 9.81 m/s² in the viscosity but "
+      "9.80665 m/s² in the load",
       "con l'N sbagliato di 358,974 t/m, l = 0,4681 m (π = 3,14), e g = 9,81 m/s² nella viscosità ma 9,80665 m/s² "
       "nel carico"};
 }
@@ -40,22 +40,20 @@ Printed printed_centre(const std::string& quantity, const std::string& text, dou
     return wrong(quantity, text, {"0.5779, cut off instead of rounded", "0,5779, troncato anziché arrotondato"},
                  [=] { return std::floor(1000 * centre(n, std::log(n))) / 1000; });
   if (n == 2.0)
-    return wrong(
-        quantity, text,
-        {"two neighbouring digits of ln 2 exchanged, 0.693174 for 0.693147 (a conjecture): the row's A and k "
-         "stay right so, as they hardly depend on it",
-         "due cifre vicine di ln 2 scambiate, 0,693174 per 0,693147 (una congettura): A e k della riga "
-         "restano giusti così, perché ne dipendono appena"},
-        [=] { return centre(n, 0.693174); });
-  return wrong(
-      quantity, text,
-      {"the natural logarithm was taken as 2.3026 times the decimal one (a conjecture): the closed form cancels for "
-       "small n, and the fifth digit counts (the column's other values, but for n = 2.0 and 2.2, stay right so). Or "
-       "numerator and denominator were rounded to four decimals",
-       "il logaritmo naturale preso come 2,3026 volte il decimale (una congettura): la formula chiusa per n piccoli "
-       "si cancella, e la quinta cifra conta (gli altri valori della colonna, tranne n = 2,0 e 2,2, restano giusti "
-       "così). Oppure numeratore e denominatore arrotondati a quattro decimali"},
-      [=] { return centre(n, 2.3026 * std::log10(n)); });
+    return wrong(quantity, text,
+                 {"two neighbouring digits of ln 2 exchanged, 0.693174 for 0.693147 (a conjecture): the row's A and "
+                  "k stay right so, as they hardly depend on it",
+                  "due cifre vicine di ln 2 scambiate, 0,693174 per 0,693147 (una congettura): A e k della riga "
+                  "restano giusti così, perché ne dipendono appena"},
+                 [=] { return centre(n, 0.693174); });
+  return wrong(quantity, text,
+               {"the natural logarithm was taken as 2.3026 times the decimal one (a conjecture): the closed form "
+                "cancels for small n, and the fifth digit counts (the column's other values, but for n = 2.0 and "
+                "2.2, stay right so). Or numerator and denominator were rounded to four decimals",
+                "il logaritmo naturale preso come 2,3026 volte il decimale (una congettura): la formula chiusa per n "
+                "piccoli si cancella, e la quinta cifra conta (gli altri valori della colonna, tranne n = 2,0 e 2,2, "
+                "restano giusti così). Oppure numeratore e denominatore arrotondati a quattro decimali"},
+               [=] { return centre(n, 2.3026 * std::log10(n)); });
 }
 
 Printed of_table(const TableRow& row, const TableRow::Column& column) {

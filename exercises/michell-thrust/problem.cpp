@@ -35,12 +35,12 @@ void demand_ring(const Problem& of) {
   const Rational gaps = of.pads * of.d;
   const double circle = 2 * std::numbers::pi * nearest(of.R_m());
   const int figures = figures_that_tell_apart(nearest(gaps), circle).value_or(12);
-  throw BadGivens(format_words(
-      "{} gaps of d = {} m take {} m, and the mean circle of R_m = {} m is only {} m: no room for pads",
-      "{} intervalli con d = {} m prendono {} m, e la circonferenza media con R_m = {} m è solo {} m: non resta "
-      "posto per i pattini",
-      told_value(of.pads), told_value(of.d), told_value(gaps, std::max(12, figures)), told_value(of.R_m()),
-      decimal(circle, figures)));
+  throw BadGivens(
+      format_words("{} gaps of d = {} m take {} m, and the mean circle of R_m = {} m is only {} m: no room for pads",
+                   "{} intervalli con d = {} m prendono {} m, e la circonferenza media con R_m = {} m è solo {} m: "
+                   "non resta posto per i pattini",
+                   told_value(of.pads), told_value(of.d), told_value(gaps, std::max(12, figures)),
+                   told_value(of.R_m()), decimal(circle, figures)));
 }
 
 // As far as a flat pad can have it, and as films can be made: the same as of the bearing of N.6.
@@ -48,11 +48,10 @@ void demand_pivot(const Rational& centre) {
   if (centre <= Rational(1, 2) || centre > Rational(95, 100))
     throw BadGivens(format_words(
         "x_N_over_l = {}: must be more than 0.5 and at most 0.95: the load of a flat pad acts in its middle where "
-        "its "
-        "walls are parallel, and nearer to the outlet the more they narrow (at 0.95, h_1/h_2 is beyond 10^5)",
+        "its walls are parallel, and nearer to the outlet the more they narrow (at 0.95, h_1/h_2 is beyond 10^5)",
         "x_N_over_l = {}: deve essere più di 0,5 e al più 0,95: il carico di un pattino piano agisce nel mezzo "
-        "quando "
-        "le pareti sono parallele, e tanto più verso l'uscita quanto più si stringono (a 0,95, h_1/h_2 supera 10^5)",
+        "quando le pareti sono parallele, e tanto più verso l'uscita quanto più si stringono (a 0,95, h_1/h_2 supera "
+        "10^5)",
         told_value(centre)));
 }
 

@@ -83,14 +83,13 @@ SliderPoint point_of(const TableRow& row) {
   return {CGAL::to_double(row.n), CGAL::to_double(row.x_N_over_l), CGAL::to_double(row.A), CGAL::to_double(row.k)};
 }
 Result chord_told(const Solution& s, Language language) {
-  return told(s.value("n")
-                  ? Words{"Detail: at the $x_{N}$/$l$ of the pivot the chord between two rings gives $n_{c}$, "
-                          "the curve $n$.",
-                          "Dettaglio: alla $x_{N}$/$l$ della cerniera la corda tra due cerchietti dà $n_{c}$, "
-                          "la curva $n$."}
-                  : Words{"The pivot is outside the table: there is no chord.",
-                          "La cerniera è fuori della tabella: non c'è corda."},
-              language);
+  return told(
+      s.value("n")
+          ? Words{"Detail: at the $x_{N}$/$l$ of the pivot the chord between two rings gives $n_{c}$, the curve $n$.",
+                  "Dettaglio: alla $x_{N}$/$l$ della cerniera la corda tra due cerchietti dà $n_{c}$, la curva $n$."}
+          : Words{"The pivot is outside the table: there is no chord.",
+                  "La cerniera è fuori della tabella: non c'è corda."},
+      language);
 }
 // The heading of what the table's chord gives, where there is one.
 Result on_chord(const Solution& s, const Words& heading, Language language) {
@@ -115,65 +114,60 @@ PanelSheet coefficients_sheet(const Solution& s, Language language) {
     exact.push_back({decimal(CGAL::to_double(row.n), 2).in(language),
                      {prefix + "A", prefix + "A_n_minus_1_squared", prefix + "x_N_over_l", prefix + "k"}});
   }
-  return {
-      .panels = slider_charts({.up_to = std::max(3.2, 1.25 * s["theory.n"]),
-                               .table = rows,
-                               .chord = chord_of(s),
-                               .found = {s["theory.n"], centre, s["theory.A"], s["theory.k"]},
-                               .ratio_quantity = "theory.n",
-                               .load_quantity = "theory.A",
-                               .friction_quantity = "theory.k"},
-                              language),
-      .theory = {{{"The slider", "Il pattino"},
-                  {told(
-                       {"Curves: the flat slider of infinite width (Reynolds). Rings: the table of the source, which "
-                        "interpolates on chords between them.",
-                        "Curve: il pattino piano di larghezza infinita (Reynolds). Cerchietti: la tabella della "
-                        "fonte, che interpola sulle corde tra essi."},
-                       language),
-                   chord_told(s, language), remark(slider_formulas()[0]), remark(slider_formulas()[1]),
-                   remark(slider_formulas()[2])}},
-                 {{"By the theory", "Secondo la teoria"},
-                  {table({"$n$", "$\\it{A}$", "$\\it{A}$($n$−1)$^{2}$", "$x_{N}$/$l$", "$k$"}, exact)}}},
-      .results = {on_chord(s, {"On the chord of the table ($c$):", "Sulla corda della tabella ($c$):"}, language),
-                  values({"n", "A", "k"}), told({"By the theory:", "Secondo la teoria:"}, language),
-                  values({"theory.n", "theory.A", "theory.k"})},
-      .seen = {"Place of the load, A and k against n, with the points of the source's table",
-               "Posizione del carico, A e k in funzione di n, con i punti della tabella della fonte"},
-      .told = {"theory.n", "theory.A", "theory.k"},
-      .without_part = {"Q", "n_g", "D_e", "D_i", "d", "mu", "z"}};
+  return {.panels = slider_charts({.up_to = std::max(3.2, 1.25 * s["theory.n"]),
+                                   .table = rows,
+                                   .chord = chord_of(s),
+                                   .found = {s["theory.n"], centre, s["theory.A"], s["theory.k"]},
+                                   .ratio_quantity = "theory.n",
+                                   .load_quantity = "theory.A",
+                                   .friction_quantity = "theory.k"},
+                                  language),
+          .theory = {{{"The slider", "Il pattino"},
+                      {told({"Curves: the flat slider of infinite width (Reynolds). Rings: the table of the source, "
+                             "which interpolates on chords between them.",
+                             "Curve: il pattino piano di larghezza infinita (Reynolds). Cerchietti: la tabella della "
+                             "fonte, che interpola sulle corde tra essi."},
+                            language),
+                       chord_told(s, language), remark(slider_formulas()[0]), remark(slider_formulas()[1]),
+                       remark(slider_formulas()[2])}},
+                     {{"By the theory", "Secondo la teoria"},
+                      {table({"$n$", "$\\it{A}$", "$\\it{A}$($n$−1)$^{2}$", "$x_{N}$/$l$", "$k$"}, exact)}}},
+          .results = {on_chord(s, {"On the chord of the table ($c$):", "Sulla corda della tabella ($c$):"}, language),
+                      values({"n", "A", "k"}), told({"By the theory:", "Secondo la teoria:"}, language),
+                      values({"theory.n", "theory.A", "theory.k"})},
+          .seen = {"Place of the load, A and k against n, with the points of the source's table",
+                   "Posizione del carico, A e k in funzione di n, con i punti della tabella della fonte"},
+          .told = {"theory.n", "theory.A", "theory.k"},
+          .without_part = {"Q", "n_g", "D_e", "D_i", "d", "mu", "z"}};
 }
 
 PanelSheet pad_sheet(const Solution& s, Language language) {
   const geometry::FilmWedge<double> film{s["l"], s["v"], s["mu"], s["theory.h_1"], s["theory.h_2"]};
-  return {
-      .panels =
-          panels(FilmChart(film, {.quantities = {"theory.h_1", "theory.h_2", "theory.x_p_max", "theory.h_p_max"},
-                                  .speed_letters = "$v$",
-                                  .letters_left = letters_left}),
-                 pressure_chart(s, film, language)),
-      .theory = {{{"The film", "Il meato"},
-                  {remark(
-                      "$h_{2}$ = $l$ √($\\it{A}$ $μ$ $v$/$\\it{N}$), $h_{1}$ = $n$ $h_{2}$, $α$ = arctan(($h_{1}$ "
-                      "− $h_{2}$)/$l$)")}}},
-      .results = {values({"l", "v", "N"}), on_chord(s, {"With the table:", "Con la tabella:"}, language),
-                  workshop_values({"h_2", "h_1"}), values({"alpha_deg"}),
-                  told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),
-                  workshop_values({"theory.h_2", "theory.h_1"}), values({"theory.alpha_deg"}),
-                  workshop_values({"theory.x_p_max", "theory.h_p_max"}), workshop_values({"theory.p_max", "p_m"}),
-                  told(
-                      {"$p_{m}$ is the mean over the whole pad, $b$·$l$; $p_{max}$ is that of the film, whose load "
-                       "$\\it{N}$ (its arrow is not to scale) acts on $b'$ alone.",
-                       "$p_{m}$ è la media su tutto il pattino, $b$·$l$; $p_{max}$ è quella del meato, il cui carico "
-                       "$\\it{N}$ (la freccia non è in scala) agisce sulla sola $b'$."},
-                      language),
-                  on_chord(s,
-                           {"Without side leakage, with the table:", "Senza fuoriuscite laterali, con la tabella:"},
+  return {.panels =
+              panels(FilmChart(film, {.quantities = {"theory.h_1", "theory.h_2", "theory.x_p_max", "theory.h_p_max"},
+                                      .speed_letters = "$v$",
+                                      .letters_left = letters_left}),
+                     pressure_chart(s, film, language)),
+          .theory = {{{"The film", "Il meato"},
+                      {remark("$h_{2}$ = $l$ √($\\it{A}$ $μ$ $v$/$\\it{N}$), $h_{1}$ = $n$ $h_{2}$, $α$ = "
+                              "arctan(($h_{1}$ − $h_{2}$)/$l$)")}}},
+          .results = {values({"l", "v", "N"}), on_chord(s, {"With the table:", "Con la tabella:"}, language),
+                      workshop_values({"h_2", "h_1"}), values({"alpha_deg"}),
+                      told({"By the theory (drawn):", "Secondo la teoria (disegnato):"}, language),
+                      workshop_values({"theory.h_2", "theory.h_1"}), values({"theory.alpha_deg"}),
+                      workshop_values({"theory.x_p_max", "theory.h_p_max"}), workshop_values({"theory.p_max", "p_m"}),
+                      told({"$p_{m}$ is the mean over the whole pad, $b$·$l$; $p_{max}$ is that of the film, whose "
+                            "load $\\it{N}$ (its arrow is not to scale) acts on $b'$ alone.",
+                            "$p_{m}$ è la media su tutto il pattino, $b$·$l$; $p_{max}$ è quella del meato, il cui "
+                            "carico $\\it{N}$ (la freccia non è in scala) agisce sulla sola $b'$."},
                            language),
-                  workshop_values({"no_side_leakage.h_2", "no_side_leakage.h_1"})},
-      .seen = {"Film and pressure along a pad", "Meato e pressioni lungo un pattino"},
-      .told = {"h_2", "h_1", "theory.h_2", "theory.h_1", "theory.p_max"},
-      .without_part = {"D_e", "D_i", "d", "z"}};
+                      on_chord(
+                          s, {"Without side leakage, with the table:", "Senza fuoriuscite laterali, con la tabella:"},
+                          language),
+                      workshop_values({"no_side_leakage.h_2", "no_side_leakage.h_1"})},
+          .seen = {"Film and pressure along a pad", "Meato e pressioni lungo un pattino"},
+          .told = {"h_2", "h_1", "theory.h_2", "theory.h_1", "theory.p_max"},
+          .without_part = {"D_e", "D_i", "d", "z"}};
 }
 
 PanelSheet forces_sheet(const Solution& s, Language language) {
@@ -204,14 +198,14 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
       .theory = {{{"Forces", "Forze"},
                   {remark("$c$ = $b$/($b$ + $l$), $b'$ = $c$ $b$, $c'$ = √((4 $l$ + $b$)/$b$), $\\it{N}$ = "
                           "$\\it{N}_{p}$/$b'$, $f_{m}$ = $k$ $c'$ √($μ$ $v$/$\\it{N}$)"),
-                   told({"$\\it{T}_{p}$ = $f_{m}$ $\\it{N}_{p}$ turns the pad's force by the friction angle $φ$, "
-                         "tan $φ$ = $f_{m}$. The triangle has another scale across than upwards: $φ$ would not be "
-                         "seen. $\\it{M}$ = $z$ $\\it{T}_{p}$ $\\it{R}_{m}$, $\\it{W}$ = $\\it{M}$ $ω$.",
-                         "$\\it{T}_{p}$ = $f_{m}$ $\\it{N}_{p}$ ruota la forza del pattino dell'angolo "
-                         "d'attrito $φ$, tg $φ$ = $f_{m}$. Il triangolo ha una scala diversa in orizzontale e in "
-                         "verticale: $φ$ non si vedrebbe. $\\it{M}$ = $z$ $\\it{T}_{p}$ $\\it{R}_{m}$, $\\it{W}$ = "
-                         "$\\it{M}$ $ω$."},
-                        language)}}},
+                   told(
+                       {"$\\it{T}_{p}$ = $f_{m}$ $\\it{N}_{p}$ turns the pad's force by the friction angle $φ$, tan "
+                        "$φ$ = $f_{m}$. The triangle has another scale across than upwards: $φ$ would not be seen. "
+                        "$\\it{M}$ = $z$ $\\it{T}_{p}$ $\\it{R}_{m}$, $\\it{W}$ = $\\it{M}$ $ω$.",
+                        "$\\it{T}_{p}$ = $f_{m}$ $\\it{N}_{p}$ ruota la forza del pattino dell'angolo d'attrito $φ$, "
+                        "tg $φ$ = $f_{m}$. Il triangolo ha una scala diversa in orizzontale e in verticale: $φ$ non "
+                        "si vedrebbe. $\\it{M}$ = $z$ $\\it{T}_{p}$ $\\it{R}_{m}$, $\\it{W}$ = $\\it{M}$ $ω$."},
+                       language)}}},
       .results = {values({"R_m", "b", "l"}), values({"v", "omega"}), values({"c", "b_eff", "c_prime"}),
                   values({"N_p", "N"}), on_chord(s, {"With the table:", "Con la tabella:"}, language),
                   values({"f_m", "T_p"}), values({"M", "dissipated_power"}),

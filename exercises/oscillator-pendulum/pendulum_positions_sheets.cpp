@@ -87,12 +87,11 @@ class PositionsPanel : public MechanismPanel {
     return {};
   }
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
-    return {
-        {{"At three positions the weight and the reaction of the frame, which acts in $A_{0}$, moved to $G$: they "
-          "add up to $m_{p}\\vec{a}_{G}$.",
-          "In tre posizioni il peso e la reazione del telaio, che agisce in $A_{0}$, trasportata in $G$: la loro "
-          "somma è $m_{p}\\vec{a}_{G}$."},
-         shown_.back().G}};
+    return {{{"At three positions the weight and the reaction of the frame, which acts in $A_{0}$, moved to $G$: "
+              "they add up to $m_{p}\\vec{a}_{G}$.",
+              "In tre posizioni il peso e la reazione del telaio, che agisce in $A_{0}$, trasportata in $G$: la loro "
+              "somma è $m_{p}\\vec{a}_{G}$."},
+             shown_.back().G}};
   }
 
  private:
@@ -155,13 +154,11 @@ HodographPanel hodograph_panel(const Solution& s, Language language) {
                                   .along_y = pen(at("R_12_y", name)),
                                   .with_arrow = name == "0" || name == "0p1" || name == "0p2" || name == "0p3"});
   }
-  hodograph.steps = {
-      {{"From the pole $\\it{O}$ the reaction at every instant, to one scale: its tip runs through the hodograph to "
-        "and fro in one period. Numbers: $t$ in s.",
-        "Dal polo $\\it{O}$ la reazione a ogni istante, in una sola scala: il suo estremo percorre l'odografa, "
-        "avanti e "
-        "indietro in un periodo. Numeri: $t$ in s."},
-       Place{0, 0}}};
+  hodograph.steps = {{{"From the pole $\\it{O}$ the reaction at every instant, to one scale: its tip runs through "
+                       "the hodograph to and fro in one period. Numbers: $t$ in s.",
+                       "Dal polo $\\it{O}$ la reazione a ogni istante, in una sola scala: il suo estremo percorre "
+                       "l'odografa, avanti e indietro in un periodo. Numeri: $t$ in s."},
+                      Place{0, 0}}};
   return HodographPanel(std::move(hodograph));
 }
 
@@ -187,8 +184,7 @@ PanelSheet positions_sheet(const Solution& s, Language language) {
 
 PanelSheet hodograph_sheet(const Solution& s, Language language) {
   const Words circle{
-      "Let go level, $θ'^{2}$ = 2$Ω^{2}$cos $θ$, and the hodograph is a circle of the diameter "
-      "3$m_{p}rΩ^{2}$.",
+      "Let go level, $θ'^{2}$ = 2$Ω^{2}$cos $θ$, and the hodograph is a circle of the diameter 3$m_{p}rΩ^{2}$.",
       "Lasciato da $A_{0}G$ orizzontale, $θ'^{2}$ = 2$Ω^{2}$cos $θ$ e l'odografa è un cerchio di diametro "
       "3$m_{p}rΩ^{2}$."};
   const Angle theta_0 = s.givens().angle("theta_0");

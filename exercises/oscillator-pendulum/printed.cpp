@@ -14,18 +14,15 @@ constexpr double beta = 0.22, e = 2.72, constant = 0.0341;  // 0.015/0.44, round
 const Words rounded_constants{
     "e was rounded to 2.72, β to 0.22 and v_0/2β = 0.015/0.44 to 0.0341: these give all 40 values of the column",
     "e è stato arrotondato a 2,72, β a 0,22 e v_0/2β = 0,015/0,44 a 0,0341: così si ottengono tutti i 40 valori "
-    "della "
-    "colonna"};
+    "della colonna"};
 const Words shifted_rows{
     "a row holds the numerical value at t = 0.5 i beside the analytical one at t = i, and the error printed compares "
     "the two, over the numerical one; the analytical one has e = 2.72, β = 0.22, v_0/2β = 0.0341",
     "ogni riga ha il valore numerico per t = 0,5 i accanto a quello analitico per t = i, e l'errore stampato "
-    "confronta "
-    "i due, diviso per il numerico; l'analitico ha e = 2,72, β = 0,22, v_0/2β = 0,0341"};
+    "confronta i due, diviso per il numerico; l'analitico ha e = 2,72, β = 0,22, v_0/2β = 0,0341"};
 const Words another_start{
     "the table does not start from rest: θ_0 = 1.571 and θ_1 = 1.549 were typed in, -2.2 rad/s; with them the "
-    "printed "
-    "recursion gives all 101 rows",
+    "printed recursion gives all 101 rows",
     "la tabella non parte dalla quiete: sono stati immessi θ_0 = 1,571 e θ_1 = 1,549, cioè -2,2 rad/s; con essi la "
     "formula ricorsiva stampata dà tutte le 101 righe"};
 const Words wrong_sign{

@@ -163,13 +163,11 @@ PanelSheet oscillator_table_sheet(const Solution&, Language language) {
 PanelSheet pendulum_table_sheet(const Solution&, Language language) {
   const Words columns{
       "First the motion itself, then the recursion $θ_{i+2}$ = 2$θ_{i+1}$ − $θ_{i}$ − $Ω^{2}$Δ$t_{p}^{2}$sin "
-      "$θ_{i}$, "
-      "$θ_{1}$ = $θ_{0}$, with its difference quotients $θ'_{i}$ = ($θ_{i+1}$ − $θ_{i}$)/Δ$t_{p}$, $θ''_{i}$ = "
-      "($θ_{i+2}$ − 2$θ_{i+1}$ + $θ_{i}$)/Δ$t_{p}^{2}$. draw --format csv writes all digits.",
+      "$θ_{i}$, $θ_{1}$ = $θ_{0}$, with its difference quotients $θ'_{i}$ = ($θ_{i+1}$ − $θ_{i}$)/Δ$t_{p}$, "
+      "$θ''_{i}$ = ($θ_{i+2}$ − 2$θ_{i+1}$ + $θ_{i}$)/Δ$t_{p}^{2}$. draw --format csv writes all digits.",
       "Prima il moto esatto, poi la formula ricorsiva $θ_{i+2}$ = 2$θ_{i+1}$ − $θ_{i}$ − $Ω^{2}$Δ$t_{p}^{2}$sen "
       "$θ_{i}$, $θ_{1}$ = $θ_{0}$, con i rapporti incrementali $θ'_{i}$ = ($θ_{i+1}$ − $θ_{i}$)/Δ$t_{p}$, $θ''_{i}$ "
-      "= "
-      "($θ_{i+2}$ − 2$θ_{i+1}$ + $θ_{i}$)/Δ$t_{p}^{2}$. draw --format csv scrive tutte le cifre."};
+      "= ($θ_{i+2}$ − 2$θ_{i+1}$ + $θ_{i}$)/Δ$t_{p}^{2}$. draw --format csv scrive tutte le cifre."};
   return {.theory = {{{"The columns", "Le colonne"}, {remark(columns.in(language))}}},
           .seen = {"The motion of the pendulum step by step: exact, and by the recursion",
                    "Il moto del pendolo passo per passo: esatto e con la formula ricorsiva"},

@@ -61,12 +61,12 @@ PolygonSide drawn(const Solution& s, const VectorQuantity& quantity, const std::
 
 Result signs(Language language) {
   return remark(
-      Words{"Counter-clockwise is positive: $ω_{2}$ = −$ω$, $α_{2}$ = −d$ω$/d$t$, as $ω$, d$ω$/d$t$ and "
-            "$\\it{C}$ are the source's, clockwise. Components with their sign: $v_{B}$, $a_{B}$ along the guide, "
-            "$v_{rel}$, $a_{rel}$ along the slot, away from $O$.",
-            "Positivo il verso antiorario: $ω_{2}$ = −$ω$, $α_{2}$ = −d$ω$/d$t$, perché $ω$, d$ω$/d$t$ e "
-            "$\\it{C}$ sono quelle della fonte, orarie. Componenti con il loro segno: $v_{B}$, $a_{B}$ lungo la "
-            "guida, $v_{rel}$, $a_{rel}$ lungo l'asola, uscendo da $O$."}
+      Words{"Counter-clockwise is positive: $ω_{2}$ = −$ω$, $α_{2}$ = −d$ω$/d$t$, as $ω$, d$ω$/d$t$ and $\\it{C}$ "
+            "are the source's, clockwise. Components with their sign: $v_{B}$, $a_{B}$ along the guide, $v_{rel}$, "
+            "$a_{rel}$ along the slot, away from $O$.",
+            "Positivo il verso antiorario: $ω_{2}$ = −$ω$, $α_{2}$ = −d$ω$/d$t$, perché $ω$, d$ω$/d$t$ e $\\it{C}$ "
+            "sono quelle della fonte, orarie. Componenti con il loro segno: $v_{B}$, $a_{B}$ lungo la guida, "
+            "$v_{rel}$, $a_{rel}$ lungo l'asola, uscendo da $O$."}
           .in(language));
 }
 
@@ -102,8 +102,7 @@ VectorPolygon accelerations(const Solution& s, Language language) {
 PanelSheet acceleration_sheet(const Solution& s, Language language) {
   const Words remarks{
       "$\\vec{a}_{cor}$ is $\\vec{v}_{rel}$ turned by 90° in the sense of $ω$, times 2|$ω$|. The disc's pole $D$ "
-      "stays "
-      "below $B$, so $a_{B}$ = −$α_{3}$·$\\it{R}$.",
+      "stays below $B$, so $a_{B}$ = −$α_{3}$·$\\it{R}$.",
       "$\\vec{a}_{cor}$ è $\\vec{v}_{rel}$ ruotata di 90° nel verso di $ω$, per 2|$ω$|. Il polo $D$ del disco resta "
       "sotto $B$, perciò $a_{B}$ = −$α_{3}$·$\\it{R}$."};
   return {.panels = panels(MechanismPanel(mechanism(s, "alpha_disc", "$α_{3}$")),
@@ -161,8 +160,7 @@ FreeBodyPanel lever_cut_free(const Solution& s, const Forces& on) {
   panel.couple("$\\it{C}$", O, -s["C"], {direction(O, A), direction(O, B)});
   // The disc, when it is braked, drives the lever on.
   const std::string moments = "$\\it{C}$ = " + std::string(on.R_23.v.x < 0 ? "−" : "") +
-                              "$\\it{R}_{23}$·$OB$ + $\\it{W}_{A}$·$AO$ cos $α$ + "
-                              "$\\it{M}_{A}$·$AO^{2}$·d$ω$/d$t$.";
+                              "$\\it{R}_{23}$·$OB$ + $\\it{W}_{A}$·$AO$ cos $α$ + $\\it{M}_{A}$·$AO^{2}$·d$ω$/d$t$.";
   panel.moments(
       Words{"The lever cut free; its moments about $O$, clockwise: ", "Il glifo isolato; i momenti in $O$, orari: "} +
           moments,
@@ -230,23 +228,22 @@ std::vector<Sum> balances(const Solution& s) {
   const Words C = decimal("$\\it{C}$");
   const Words right = decimal("$v_{B}$ = $ω$·$OB^{2}$/$\\it{R}$"),
               mistaken = decimal("$v_{B}$ = $k$·$ω$·$OB$, ") + Words{"$k$ constant", "$k$ costante"};
-  return {
-      {.name = right,
-       .parts = {of_M1, of_disc("of_disc"), of_weight},
-       .whole = {C, s["C"], "C"},
-       .steps = {{"Divided by $ω$ the balance reads $\\it{C}$ as a sum of torques. At every instant sin $α$ = "
-                  "$\\it{R}$/$OB$, so that $v_{B}$ = $ω$·$OB$/sin $α$ = $ω$·$OB^{2}$/$\\it{R}$: the parabola.",
-                  "Diviso per $ω$, il bilancio dà $\\it{C}$ come somma di coppie. In ogni istante sen $α$ = "
-                  "$\\it{R}$/$OB$, quindi $v_{B}$ = $ω$·$OB$/sen $α$ = $ω$·$OB^{2}$/$\\it{R}$: la parabola."}}},
-      {.name = mistaken,
-       .parts = {of_M1, of_disc("of_disc_k"), {of_weight.name, of_weight.value}},
-       .whole = {C, s["C_k"]},
-       .steps = {{"The source puts $v_{B}$ = $k$·$ω$·$OB$ into $\\it{E}_{k}$, with $k$ = 1/sin $α$, which holds at "
-                  "this instant only, and differentiates as if $k$ were constant. The straight line meets the "
-                  "parabola here, but rises half as steeply: half of the term in $v_{rel}$ is lost.",
-                  "La fonte pone $v_{B}$ = $k$·$ω$·$OB$ in $\\it{E}_{k}$, con $k$ = 1/sen $α$, che vale solo in "
-                  "questo istante, e deriva come se $k$ fosse costante. La retta incontra qui la parabola, ma "
-                  "sale la metà: si perde metà del termine in $v_{rel}$."}}}};
+  return {{.name = right,
+           .parts = {of_M1, of_disc("of_disc"), of_weight},
+           .whole = {C, s["C"], "C"},
+           .steps = {{"Divided by $ω$ the balance reads $\\it{C}$ as a sum of torques. At every instant sin $α$ = "
+                      "$\\it{R}$/$OB$, so that $v_{B}$ = $ω$·$OB$/sin $α$ = $ω$·$OB^{2}$/$\\it{R}$: the parabola.",
+                      "Diviso per $ω$, il bilancio dà $\\it{C}$ come somma di coppie. In ogni istante sen $α$ = "
+                      "$\\it{R}$/$OB$, quindi $v_{B}$ = $ω$·$OB$/sen $α$ = $ω$·$OB^{2}$/$\\it{R}$: la parabola."}}},
+          {.name = mistaken,
+           .parts = {of_M1, of_disc("of_disc_k"), {of_weight.name, of_weight.value}},
+           .whole = {C, s["C_k"]},
+           .steps = {{"The source puts $v_{B}$ = $k$·$ω$·$OB$ into $\\it{E}_{k}$, with $k$ = 1/sin $α$, which holds "
+                      "at this instant only, and differentiates as if $k$ were constant. The straight line meets the "
+                      "parabola here, but rises half as steeply: half of the term in $v_{rel}$ is lost.",
+                      "La fonte pone $v_{B}$ = $k$·$ω$·$OB$ in $\\it{E}_{k}$, con $k$ = 1/sen $α$, che vale solo in "
+                      "questo istante, e deriva come se $k$ fosse costante. La retta incontra qui la parabola, ma "
+                      "sale la metà: si perde metà del termine in $v_{rel}$."}}}};
 }
 
 PanelSheet balance_sheet(const Solution& s, Language language) {
@@ -274,12 +271,11 @@ std::unique_ptr<Exercise> make_pin_in_slot() {
       .document = "glifo",
       .item = "1",
       .source = {"Slotted lever (glifo), exercise 1", "Glifo, primo esercizio"},
-      .question = {"A slotted lever moves a rolling disc by the disc's pin $B$. Find velocities and accelerations "
-                   "with Coriolis' "
-                   "theorem, and the driving torque by force polygons and by the balance of powers.",
-                   "Il glifo muove per mezzo del perno $B$ il disco che rotola. Trovare velocità e accelerazioni con "
-                   "il teorema di "
-                   "Coriolis, e la coppia motrice con i poligoni delle forze e con il bilancio delle potenze."},
+      .question =
+          {"A slotted lever moves a rolling disc by the disc's pin $B$. Find velocities and accelerations with "
+           "Coriolis' theorem, and the driving torque by force polygons and by the balance of powers.",
+           "Il glifo muove per mezzo del perno $B$ il disco che rotola. Trovare velocità e accelerazioni con il "
+           "teorema di Coriolis, e la coppia motrice con i poligoni delle forze e con il bilancio delle potenze."},
       .givens = stated_givens(),
       .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{instant(givens)}, rung); };

@@ -35,23 +35,21 @@ std::vector<Printed> printed_by_the_source() {
       {"a_B", "3.1", "analytic"},
       {"alpha_disc", "-15.5", "analytic"},
       {"C", "138.9", "power balance", 0,
-       Explanation{
-           {"E_k is differentiated after v_B = 2·OB·ω is put in; the 2 is 1/sin α at this instant only, and α "
-            "varies too. With v_B = OB²·ω/R, which holds always, the balance gives 188.8 N m. The formula as "
-            "printed: M₁·g·AO·cos α + M₁·AO²·ω' + 4·OB·(M₂ + J₂/R²)·(ω'·OB + ω·v_rel)",
-            "E_c è derivata dopo aver posto v_B = 2·OB·ω; il 2 è 1/sen α solo in questo istante, e anche α "
-            "varia. Con v_B = OB²·ω/R, che vale sempre, il bilancio dà 188,8 N m. La formula com'è stampata: "
-            "M₁·g·AO·cos α + M₁·AO²·ω' + 4·OB·(M₂ + J₂/R²)·(ω'·OB + ω·v_rel)"},
-           couple_with_constant_angle}},
+       Explanation{{"E_k is differentiated after v_B = 2·OB·ω is put in; the 2 is 1/sin α at this instant only, and "
+                    "α varies too. With v_B = OB²·ω/R, which holds always, the balance gives 188.8 N m. The formula "
+                    "as printed: M₁·g·AO·cos α + M₁·AO²·ω' + 4·OB·(M₂ + J₂/R²)·(ω'·OB + ω·v_rel)",
+                    "E_c è derivata dopo aver posto v_B = 2·OB·ω; il 2 è 1/sen α solo in questo istante, e anche α "
+                    "varia. Con v_B = OB²·ω/R, che vale sempre, il bilancio dà 188,8 N m. La formula com'è stampata: "
+                    "M₁·g·AO·cos α + M₁·AO²·ω' + 4·OB·(M₂ + J₂/R²)·(ω'·OB + ω·v_rel)"},
+                   couple_with_constant_angle}},
       {"C", "120.2", "power balance", 0,
-       Explanation{
-           {"a conjecture: the answer the source quotes comes out of another figure, with B 0.4 m from O along "
-            "the guide instead of along the slot, the weight of M₁ helping and g = 9.8 m/s²; the disc's "
-            "motion printed before it contradicts that figure",
-            "una congettura: il risultato riportato dalla fonte esce da un'altra figura, con B a 0,4 m da O "
-            "lungo la guida anziché lungo il glifo, il peso di M₁ che aiuta e g = 9,8 m/s²; il moto del "
-            "disco stampato prima contraddice quella figura"},
-           couple_of_another_figure}},
+       Explanation{{"a conjecture: the answer the source quotes comes out of another figure, with B 0.4 m from O "
+                    "along the guide instead of along the slot, the weight of M₁ helping and g = 9.8 m/s²; the "
+                    "disc's motion printed before it contradicts that figure",
+                    "una congettura: il risultato riportato dalla fonte esce da un'altra figura, con B a 0,4 m da O "
+                    "lungo la guida anziché lungo il glifo, il peso di M₁ che aiuta e g = 9,8 m/s²; il moto del "
+                    "disco stampato prima contraddice quella figura"},
+                   couple_of_another_figure}},
   };
 }
 

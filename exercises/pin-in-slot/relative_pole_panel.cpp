@@ -60,10 +60,10 @@ std::vector<PanelStep> RelativePolePanel::steps(const Plot& plot, const drawings
                     on_normal};
   if (!pole_)
     meeting.text = {
-        "The normal to the slot at $B$ is parallel to the guide: $P_{23}$, the pole of disc and lever, is "
-        "at infinity, so $ω_{3}$ = $ω_{2}$.",
-        "La normale al glifo in $B$ è parallela alla guida: $P_{23}$, polo del moto relativo di disco e "
-        "glifo, è all'infinito, e $ω_{3}$ = $ω_{2}$."};
+        "The normal to the slot at $B$ is parallel to the guide: $P_{23}$, the pole of disc and lever, is at "
+        "infinity, so $ω_{3}$ = $ω_{2}$.",
+        "La normale al glifo in $B$ è parallela alla guida: $P_{23}$, polo del moto relativo di disco e glifo, è "
+        "all'infinito, e $ω_{3}$ = $ω_{2}$."};
   return {meeting,
           {{"The disc rolls: $D$ is its pole $P_{13}$, and $v_{B}$ = −$ω_{3}$·$\\it{R}$.",
             "Il disco rotola: $D$ è il suo polo $P_{13}$, e $v_{B}$ = −$ω_{3}$·$\\it{R}$."},

@@ -156,12 +156,11 @@ PanelSheet tangents_sheet(const Solution& s, Language language) {
   for (drawings::Chart* chart : {&accelerations, &spaces}) chart->letters_left = 15;
   const Words tangent{
       "$s$($t_{k}$) = ∫($t_{k}$ − $τ$) $a$ d$τ$ = $v_{k}$ ($t_{k}$ − $t_{Gk}$): the tangent at $t_{k}$, of slope "
-      "$v_{k}$, "
-      "meets the axis under the centroid of the accelerations from 0 to $t_{k}$, areas below the axis taken as "
-      "negative.",
+      "$v_{k}$, meets the axis under the centroid of the accelerations from 0 to $t_{k}$, areas below the axis taken "
+      "as negative.",
       "$s$($t_{k}$) = ∫($t_{k}$ − $τ$) $a$ d$τ$ = $v_{k}$ ($t_{k}$ − $t_{Gk}$): la tangente in $t_{k}$, di pendenza "
-      "$v_{k}$, "
-      "incontra l'asse sotto il baricentro delle accelerazioni da 0 a $t_{k}$, con le aree sotto l'asse negative."};
+      "$v_{k}$, incontra l'asse sotto il baricentro delle accelerazioni da 0 a $t_{k}$, con le aree sotto l'asse "
+      "negative."};
   return {.panels = panels(SizedChart(std::move(accelerations), {}, {110, 70}),
                            SizedChart(std::move(spaces), std::move(read), {110, 80})),
           .theory = {{{"The tangents", "Le tangenti"}, {remark(tangent.in(language))}}},

@@ -65,8 +65,8 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
   const Words poles{
       "At the scales of the source (a centimetre is $u_{t}$, $u_{a}$, $u_{v}$, $u_{s}$) the poles stand at "
       "$\\it{H}_{v}$ = $u_{v}$/$u_{t}u_{a}$ and $\\it{H}_{s}$ = $u_{s}$/$u_{t}u_{v}$ centimetres.",
-      "Alle scale della fonte (un centimetro vale $u_{t}$, $u_{a}$, $u_{v}$, $u_{s}$) i poli distano "
-      "$\\it{H}_{v}$ = $u_{v}$/$u_{t}u_{a}$ e $\\it{H}_{s}$ = $u_{s}$/$u_{t}u_{v}$ centimetri."};
+      "Alle scale della fonte (un centimetro vale $u_{t}$, $u_{a}$, $u_{v}$, $u_{s}$) i poli distano $\\it{H}_{v}$ = "
+      "$u_{v}$/$u_{t}u_{a}$ e $\\it{H}_{s}$ = $u_{s}$/$u_{t}u_{v}$ centimetri."};
   const Words distances{"At their ends the polygons stand above the true curves by",
                         "Agli estremi i poligoni stanno sopra le curve esatte di"};
   return {

@@ -87,19 +87,16 @@ const Computed& computed() {
 }
 
 const Words bezout_of_a{
-    "the first strip is missing and each sum stands a row too high, as if it were "
-    "Y_{i+1} = Y_i + Δx·(y_{i+1} + y_{i+2})/2; past the last row the acceleration is an empty cell",
-    "manca la prima striscia e ogni somma sta una riga troppo in alto, come se fosse "
-    "Y_{i+1} = Y_i + Δx·(y_{i+1} + y_{i+2})/2; oltre l'ultima riga l'accelerazione è una casella vuota"};
+    "the first strip is missing and each sum stands a row too high, as if it were Y_{i+1} = Y_i + Δx·(y_{i+1} + "
+    "y_{i+2})/2; past the last row the acceleration is an empty cell",
+    "manca la prima striscia e ogni somma sta una riga troppo in alto, come se fosse Y_{i+1} = Y_i + Δx·(y_{i+1} + "
+    "y_{i+2})/2; oltre l'ultima riga l'accelerazione è una casella vuota"};
 const Words bezout_of_v{
-    "the first strip is missing: the sum begins with the second row, of velocities that are "
-    "already wrong",
+    "the first strip is missing: the sum begins with the second row, of velocities that are already wrong",
     "manca la prima striscia: la somma comincia dalla seconda riga, con velocità già sbagliate"};
 const Words simpson_of_both{
-    "the first three rows are zero, where the formula begins with the third: the first two "
-    "strips are missing",
-    "le prime tre righe sono nulle, mentre la formula comincia dalla terza: mancano le prime "
-    "due strisce"};
+    "the first three rows are zero, where the formula begins with the third: the first two strips are missing",
+    "le prime tre righe sono nulle, mentre la formula comincia dalla terza: mancano le prime due strisce"};
 
 // A column of the table: its place there, and what it should be and is.
 struct Column {

@@ -16,12 +16,10 @@ GivenSpec given(const char* symbol, const Words& meaning, const char* unit, cons
 void demand_in_order(const Problem& of) {
   for (int i = 0; i < 2; ++i)
     if (of.t[i] >= of.t[i + 1])
-      throw BadGivens(
-          format_words("t_{} = {} s must be before t_{} = {} s: the instants follow one another, and the "
-                       "last ends the diagrams",
-                       "t_{} = {} s deve precedere t_{} = {} s: gli istanti si susseguono, e l'ultimo "
-                       "chiude i diagrammi",
-                       i + 1, told_value(of.t[i]), i + 2, told_value(of.t[i + 1])));
+      throw BadGivens(format_words(
+          "t_{} = {} s must be before t_{} = {} s: the instants follow one another, and the last ends the diagrams",
+          "t_{} = {} s deve precedere t_{} = {} s: gli istanti si susseguono, e l'ultimo chiude i diagrammi", i + 1,
+          told_value(of.t[i]), i + 2, told_value(of.t[i + 1])));
 }
 
 void demand_rows(const Problem& of) {
@@ -31,18 +29,16 @@ void demand_rows(const Problem& of) {
                                  "dt = {} s dà una tabella di {} righe da 0 a t_3 = {} s: se ne fanno al più {}",
                                  told_value(of.dt), told_value(rows), told_value(of.end()), most_rows));
   if (rows.denominator() != 1)
-    throw BadGivens(
-        format_words("dt = {} s does not divide the interval from 0 to t_3 = {} s into whole steps: it "
-                     "makes {} of them",
-                     "dt = {} s non divide l'intervallo da 0 a t_3 = {} s in passi interi: ne fa {}",
-                     told_value(of.dt), told_value(of.end()), told_value(rows)));
+    throw BadGivens(format_words(
+        "dt = {} s does not divide the interval from 0 to t_3 = {} s into whole steps: it makes {} of them",
+        "dt = {} s non divide l'intervallo da 0 a t_3 = {} s in passi interi: ne fa {}", told_value(of.dt),
+        told_value(of.end()), told_value(rows)));
   if (rows < 2)
-    throw BadGivens(
-        format_words("dt = {} s must be at most half of t_3 = {} s: Cavalieri-Simpson's formula takes "
-                     "two steps at a time",
-                     "dt = {} s deve essere al più la metà di t_3 = {} s: la formula di "
-                     "Cavalieri-Simpson prende due passi alla volta",
-                     told_value(of.dt), told_value(of.end())));
+    throw BadGivens(format_words(
+        "dt = {} s must be at most half of t_3 = {} s: Cavalieri-Simpson's formula takes two steps at a time",
+        "dt = {} s deve essere al più la metà di t_3 = {} s: la formula di Cavalieri-Simpson prende due passi alla "
+        "volta",
+        told_value(of.dt), told_value(of.end())));
   if (of.end() / of.strip > most_strips)
     throw BadGivens(format_words("strip = {} s makes {} strips from 0 to t_3 = {} s: at most {} are drawn",
                                  "strip = {} s dà {} strisce da 0 a t_3 = {} s: se ne disegnano al più {}",

@@ -128,12 +128,11 @@ PanelSheet errors_sheet(const Solution& s, Language language) {
   all.push_back(std::make_unique<SizedChart>(
       chart(right, Words{"|$ε$|, right tables", "|$ε$|, tabelle giuste"}.in(language), end)));
   const Words formulas{
-      "Bezout's $v_{B}$ is off by Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). Cavalieri-Simpson's formula is exact for "
-      "the "
+      "Bezout's $v_{B}$ is off by Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). Cavalieri-Simpson's formula is exact for the "
       "cubic $a$: $v_{S}$ has an error in the odd rows alone, which begin with a parabola through three points.",
       "La $v_{B}$ di Bezout è errata di Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). La formula di Cavalieri-Simpson è esatta "
-      "per "
-      "la cubica $a$: $v_{S}$ ha errore nelle sole righe dispari, che cominciano con una parabola per tre punti."};
+      "per la cubica $a$: $v_{S}$ ha errore nelle sole righe dispari, che cominciano con una parabola per tre "
+      "punti."};
   std::vector<Section> theory{{{"The formulas", "Le formule"}, {remark(formulas.in(language))}}};
   if (s.givens().as_stated()) {
     for (const PrintedAgainstExact& column : printed_columns())
@@ -142,15 +141,13 @@ PanelSheet errors_sheet(const Solution& s, Language language) {
         chart(printed, Words{"|$ε$|, the source's tables", "|$ε$|, tabelle della fonte"}.in(language), end)));
     const Words mistakes{
         "Below, the source's own table: worse nearly everywhere, mostly by several powers of ten. Its sums leave out "
-        "the first "
-        "strip "
-        "(Bezout), and those of the velocities stand a row too high; or the first two (Cavalieri-Simpson: its first "
-        "three rows are zero). Every number of these columns follows from that; check tells it row by row.",
+        "the first strip (Bezout), and those of the velocities stand a row too high; or the first two "
+        "(Cavalieri-Simpson: its first three rows are zero). Every number of these columns follows from that; check "
+        "tells it row by row.",
         "Sotto, la tabella della fonte: peggiore quasi ovunque, per lo più di varie potenze di dieci. Le sue somme "
-        "tralasciano la prima "
-        "striscia "
-        "(Bezout), e quelle delle velocità stanno una riga troppo in alto; o le prime due (Cavalieri-Simpson: le sue "
-        "prime tre righe sono nulle). Ne segue ogni numero di queste colonne; check lo dice riga per riga."};
+        "tralasciano la prima striscia (Bezout), e quelle delle velocità stanno una riga troppo in alto; o le prime "
+        "due (Cavalieri-Simpson: le sue prime tre righe sono nulle). Ne segue ogni numero di queste colonne; check "
+        "lo dice riga per riga."};
     theory.push_back({{"The source's table", "La tabella della fonte"}, {remark(mistakes.in(language))}});
   }
   const auto row = [](const std::string& kind, const std::string& method) {

@@ -41,9 +41,8 @@ IntegrationPanel integrated(const DrawnPump& pump, double first, double second,
 const Words off_the_curve{
     "At its corners the polygon lies on the true curve, as the areas are equal; between them it is off by at most "
     "$δ_{T}$, the greatest of Δ$α^{2}$/8 times the steepest slope of $\\it{M}_{r}$ in the strip of the width Δ$α$.",
-    "Nei vertici il poligono sta sulla curva esatta, poiché le aree sono uguali; fra l'uno e l'altro se ne scosta "
-    "al più di $δ_{T}$, il massimo di Δ$α^{2}$/8 per la massima pendenza di $\\it{M}_{r}$ nella striscia larga "
-    "Δ$α$."};
+    "Nei vertici il poligono sta sulla curva esatta, poiché le aree sono uguali; fra l'uno e l'altro se ne scosta al "
+    "più di $δ_{T}$, il massimo di Δ$α^{2}$/8 per la massima pendenza di $\\it{M}_{r}$ nella striscia larga Δ$α$."};
 
 Result on_flywheel(const Solution& s, const std::string& of, Language language) {
   const Words words =

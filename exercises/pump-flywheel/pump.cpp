@@ -59,12 +59,12 @@ Pump::Pump(const Givens& givens)
                                  "i = {} dev'essere minore di 2: con 2 la manovella si fermerebbe una volta al giro",
                                  told_value(i)));
   if (p_a > p_m)
-    throw BadGivens(format_words(
-        "p_a = {} must not be greater than p_m = {}: the torque would be greatest in suction, and the flywheel is "
-        "found from delivery",
-        "p_a = {} non può superare p_m = {}: il momento sarebbe massimo in aspirazione, e il volano si trova dalla "
-        "mandata",
-        givens.text("p_a"), givens.text("p_m")));
+    throw BadGivens(
+        format_words("p_a = {} must not be greater than p_m = {}: the torque would be greatest in suction, and the "
+                     "flywheel is found from delivery",
+                     "p_a = {} non può superare p_m = {}: il momento sarebbe massimo in aspirazione, e il volano si "
+                     "trova dalla mandata",
+                     givens.text("p_a"), givens.text("p_m")));
 }
 
 }  // namespace epure::pump_flywheel

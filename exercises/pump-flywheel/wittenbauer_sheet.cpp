@@ -51,10 +51,9 @@ PanelSheet wittenbauer_sheet(const Solution& s, Language language) {
   const ChartPanel panel(chart, {{{0, upper}, {}, of + "intercept_max"}, {{0, lower}, {}, of + "intercept_min"}});
   const Words tangents{
       "$\\it{E}_{0}$ + $\\it{W}$ = ($\\it{J}'$ + $mr^{2}$ sin² $α$)$ω^{2}$/2: from the point −$\\it{J}'$, "
-      "−$\\it{E}_{0}$ far "
-      "to the left the curve is seen between two tangents of the slopes $ω^{2}_{max}$/2 and $ω^{2}_{min}$/2. What "
-      "they cut off on the axis of works is ($ω^{2}_{max}$ − $ω^{2}_{min}$)/2 = $iω^{2}$ times $\\it{J}'$: so "
-      "$\\it{J}'$ = ($\\it{W}_{1}$ − $\\it{W}_{2}$)/($iω^{2}$), with nothing left out.",
+      "−$\\it{E}_{0}$ far to the left the curve is seen between two tangents of the slopes $ω^{2}_{max}$/2 and "
+      "$ω^{2}_{min}$/2. What they cut off on the axis of works is ($ω^{2}_{max}$ − $ω^{2}_{min}$)/2 = $iω^{2}$ times "
+      "$\\it{J}'$: so $\\it{J}'$ = ($\\it{W}_{1}$ − $\\it{W}_{2}$)/($iω^{2}$), with nothing left out.",
       "$\\it{E}_{0}$ + $\\it{W}$ = ($\\it{J}'$ + $mr^{2}$ sen² $α$)$ω^{2}$/2: dal punto −$\\it{J}'$, −$\\it{E}_{0}$, "
       "lontano a sinistra, la curva è vista tra due tangenti di pendenza $ω^{2}_{max}$/2 e $ω^{2}_{min}$/2. Ciò che "
       "staccano sull'asse dei lavori è ($ω^{2}_{max}$ − $ω^{2}_{min}$)/2 = $iω^{2}$ per $\\it{J}'$: dunque "

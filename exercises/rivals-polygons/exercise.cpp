@@ -165,14 +165,13 @@ PanelSheet acceleration_of_B_sheet(const Solution& s, Language language) {
                            alpha_3_from_polygon, language);
   const std::string wrong = figures(s["a_B_as_printed"], 4, language), right = figures(s["a_B"], 4, language);
   shown.results.push_back(
-      remark(format_words(
-                 "Remark. The source's equation (1) has $\\vec{{a}}_{{A}}$ besides $\\vec{{a}}^{{n}}_{{A}}$ + "
-                 "$\\vec{{a}}^{{t}}_{{A}}$, which are its parts. Drawn so, it would give $a^{{(1)}}_{{B}}$ = {} m/s² "
-                 "instead of $a_{{B}}$ = {} m/s². Its table 3 has it right.",
-                 "Osservazione. La (1) della fonte ha $\\vec{{a}}_{{A}}$ oltre ad $\\vec{{a}}^{{n}}_{{A}}$ + "
-                 "$\\vec{{a}}^{{t}}_{{A}}$, che ne sono le parti. Disegnata così darebbe $a^{{(1)}}_{{B}}$ = {} m/s² "
-                 "invece di $a_{{B}}$ = {} m/s². La tabella 3 è giusta.",
-                 wrong, right)
+      remark(format_words("Remark. The source's equation (1) has $\\vec{{a}}_{{A}}$ besides $\\vec{{a}}^{{n}}_{{A}}$ "
+                          "+ $\\vec{{a}}^{{t}}_{{A}}$, which are its parts. Drawn so, it would give "
+                          "$a^{{(1)}}_{{B}}$ = {} m/s² instead of $a_{{B}}$ = {} m/s². Its table 3 has it right.",
+                          "Osservazione. La (1) della fonte ha $\\vec{{a}}_{{A}}$ oltre ad $\\vec{{a}}^{{n}}_{{A}}$ "
+                          "+ $\\vec{{a}}^{{t}}_{{A}}$, che ne sono le parti. Disegnata così darebbe "
+                          "$a^{{(1)}}_{{B}}$ = {} m/s² invece di $a_{{B}}$ = {} m/s². La tabella 3 è giusta.",
+                          wrong, right)
                  .in(language)));
   return shown;
 }

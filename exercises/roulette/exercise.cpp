@@ -16,14 +16,14 @@ PanelSheet instant_sheet(const Solution& s, Language language) {
   results.insert(results.end(), {values({"inflection_diameter", "rho_M"}),
                                  values({"curvature_centre_M_x", "curvature_centre_M_y"})});
   if (!f.centre) results.push_back(remark("$ρ_{M}$ = ∞"));
-  return {.panels = panels(
-              RollingInstantPanel(s, f, instant_steps(f), scale_of_velocities({f}, longest_velocity, language))),
-          .results = std::move(results),
-          .seen = {"The bodies, the path, velocity and acceleration of M, the inflection circle and the centre of "
-                   "curvature",
-                   "I corpi, la traiettoria, velocità e accelerazione di M, il cerchio dei flessi e il centro di "
-                   "curvatura"},
-          .told = {"v_M", "a_M", "rho_M"}};
+  return {
+      .panels =
+          panels(RollingInstantPanel(s, f, instant_steps(f), scale_of_velocities({f}, longest_velocity, language))),
+      .results = std::move(results),
+      .seen =
+          {"The bodies, the path, velocity and acceleration of M, the inflection circle and the centre of curvature",
+           "I corpi, la traiettoria, velocità e accelerazione di M, il cerchio dei flessi e il centro di curvatura"},
+      .told = {"v_M", "a_M", "rho_M"}};
 }
 
 // A line has no radius, and gives the sheets another title.

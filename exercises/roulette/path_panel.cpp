@@ -171,22 +171,22 @@ class PathPanel : public Panel {
       return {
           "The line $π$ rolls on the circle $p$ without slipping: what it has unwound, from its contact $P_{0}$ to "
           "the foot of $M$, is the arc $R$·$φ$.",
-          "La retta $π$ rotola sul cerchio $p$ senza strisciare: il tratto svolto, dal contatto $P_{0}$ al piede "
-          "di $M$, è l'arco $R$·$φ$."};
+          "La retta $π$ rotola sul cerchio $p$ senza strisciare: il tratto svolto, dal contatto $P_{0}$ al piede di "
+          "$M$, è l'arco $R$·$φ$."};
     if (f_.given.rolls_on_line())
       return {
-          "The circle $π$ rolls on the line $p$ without slipping: its contact $P_{0}$ and its centre $C$ go "
-          "$r$·$φ$ to the right, $ψ$ = $φ$.",
+          "The circle $π$ rolls on the line $p$ without slipping: its contact $P_{0}$ and its centre $C$ go $r$·$φ$ "
+          "to the right, $ψ$ = $φ$.",
           "Il cerchio $π$ rotola sulla retta $p$ senza strisciare: il contatto $P_{0}$ e il centro $C$ vanno di "
           "$r$·$φ$ a destra, $ψ$ = $φ$."};
     const std::string turned =
         is_inside() ? "$ψ$ − $β$, $β$ = $φ$·$r$/($R$ − $r$)." : "$ψ$ + $β$, $β$ = $φ$·$r$/($R$ + $r$).";
     return {
-        "The circle $π$ rolls on the circle $p$ without slipping: the arcs rolled off are equal, $r$·$ψ$ = "
-        "$R$·$β$, and the body has turned through $φ$ = " +
+        "The circle $π$ rolls on the circle $p$ without slipping: the arcs rolled off are equal, $r$·$ψ$ = $R$·$β$, "
+        "and the body has turned through $φ$ = " +
             turned,
-        "Il cerchio $π$ rotola sul cerchio $p$ senza strisciare: gli archi svolti sono uguali, $r$·$ψ$ = "
-        "$R$·$β$, e il corpo è ruotato di $φ$ = " +
+        "Il cerchio $π$ rotola sul cerchio $p$ senza strisciare: gli archi svolti sono uguali, $r$·$ψ$ = $R$·$β$, e "
+        "il corpo è ruotato di $φ$ = " +
             turned};
   }
 

@@ -188,10 +188,10 @@ class Reader {
     if (!a.dimension.turns) return a;
     if (a.angle.turns != 0)
       throw BadFormula(
-          format_words("in \"{}\" degrees or turns stand in a product with units: π lies between, and no "
-                       "fraction says it; give them in radians",
-                       "in \"{}\" gradi o giri stanno in un prodotto con unità: c'è di mezzo π, e nessuna "
-                       "frazione lo dice; darli in radianti",
+          format_words("in \"{}\" degrees or turns stand in a product with units: π lies between, and no fraction "
+                       "says it; give them in radians",
+                       "in \"{}\" gradi o giri stanno in un prodotto con unità: c'è di mezzo π, e nessuna frazione "
+                       "lo dice; darli in radianti",
                        text_));
     return {{a.dimension.metres, a.dimension.seconds}, a.angle.radians};
   }

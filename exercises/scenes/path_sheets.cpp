@@ -198,10 +198,10 @@ class PathOfScene {
     const std::string Omega = "$Ω_{" + point_letters(name()) + "}$", P = written(point_);
     if (s.point(centre_of_curvature(name()).name))
       return format_words(
-          "{0} on the normal of the path, at {1} = $v^{{2}}_{{{2}}}$ / $a^{{n}}_{{{2}}}$ from {3}; "
-          "thin: the circle that osculates the path now.",
-          "{0} sulla normale alla traiettoria, a {1} = $v^{{2}}_{{{2}}}$ / $a^{{n}}_{{{2}}}$ da {3}; "
-          "sottile: il cerchio osculatore.",
+          "{0} on the normal of the path, at {1} = $v^{{2}}_{{{2}}}$ / $a^{{n}}_{{{2}}}$ from {3}; thin: the circle "
+          "that osculates the path now.",
+          "{0} sulla normale alla traiettoria, a {1} = $v^{{2}}_{{{2}}}$ / $a^{{n}}_{{{2}}}$ da {3}; sottile: il "
+          "cerchio osculatore.",
           Omega, radius_of_curvature(name()).symbol, point_letters(name()), P);
     if (s.value(velocity(name()).name) == 0.0)
       return format_words("Now {} is at rest, and there is no {}.", "Ora {} è fermo, e non c'è {}.", P, Omega);

@@ -190,16 +190,16 @@ class PolodesPanel : public Panel {
     }
     const std::string P = letters();
     return {
-        {format_words("In {0} positions of the drive {1} by the lines on which the instant centres lie: points of "
-                      "the fixed polode $p$.",
-                      "In {0} posizioni del movente {1} con le rette su cui stanno i centri: punti della polare "
-                      "fissa $p$.",
-                      polodes_.positions().size(), P),
+        {format_words(
+             "In {0} positions of the drive {1} by the lines on which the instant centres lie: points of the fixed "
+             "polode $p$.",
+             "In {0} posizioni del movente {1} con le rette su cui stanno i centri: punti della polare fissa $p$.",
+             polodes_.positions().size(), P),
          fixed},
-        {format_words("Each position's link {0} with its {1} on tracing paper, carried back until it covers link "
-                      "{0} as it is drawn: {1} marks a point of the moving polode $π$.",
-                      "Il membro {0} di ogni posizione con il suo {1} su carta da lucido, riportato finché copre "
-                      "il membro {0} disegnato: {1} segna un punto della polare mobile $π$.",
+        {format_words("Each position's link {0} with its {1} on tracing paper, carried back until it covers link {0} "
+                      "as it is drawn: {1} marks a point of the moving polode $π$.",
+                      "Il membro {0} di ogni posizione con il suo {1} su carta da lucido, riportato finché copre il "
+                      "membro {0} disegnato: {1} segna un punto della polare mobile $π$.",
                       number_, P),
          moving},
         {format_words("The curves through the points. They touch in the {} of now, and roll on each other.",

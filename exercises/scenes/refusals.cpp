@@ -116,24 +116,23 @@ class InLetters {
   }
 
   Words not_dyadic(const NotPlaced& open) const {
-    const Words all =
-        open.links.size() == 1
-            ? format_words("{} cannot be placed on what stands at {}", "{} non si può disporre su quanto sta in {}",
-                           links(open.links), points(open.points))
-            : format_words(
-                  "{} move only together, on what stands at {}: ruler and compass place groups of one or "
-                  "two links only",
-                  "{} si muovono solo insieme, su quanto sta in {}: riga e compasso dispongono solo gruppi "
-                  "di uno o due membri",
-                  links(open.links), points(open.points));
+    const Words all = open.links.size() == 1 ? format_words("{} cannot be placed on what stands at {}",
+                                                            "{} non si può disporre su quanto sta in {}",
+                                                            links(open.links), points(open.points))
+                                             : format_words(
+                                                   "{} move only together, on what stands at {}: ruler and compass "
+                                                   "place groups of one or two links only",
+                                                   "{} si muovono solo insieme, su quanto sta in {}: riga e compasso "
+                                                   "dispongono solo gruppi di uno o due membri",
+                                                   links(open.links), points(open.points));
     const Stretched* cylinder = within(open.links);
     if (!cylinder) return all;
     const int driven = built_.linkage.links_at(cylinder->from).front();
     return all + format_words(
                      "; the cylinder {0} {1} lies between two of them: drive one by its angle instead, as  drive: "
                      "{{link: {2}, angle: ..., speed: ...}}",
-                     "; il cilindro {0} {1} sta fra due di essi: muoverne invece uno con il suo angolo, come  "
-                     "drive: {{link: {2}, angle: ..., speed: ...}}",
+                     "; il cilindro {0} {1} sta fra due di essi: muoverne invece uno con il suo angolo, come  drive: "
+                     "{{link: {2}, angle: ..., speed: ...}}",
                      point(cylinder->from), point(cylinder->to), built_.letters.links[index(driven)]);
   }
 
@@ -177,10 +176,8 @@ class InLetters {
     }
     if (lone.size() < 2) return {};
     return format_words(
-        "; {} stand on one link each (its number behind): links hang on each other where they have the "
-        "same letter",
-        "; {} stanno su un membro solo (il suo numero dopo): i membri si incernierano dove hanno la "
-        "stessa lettera",
+        "; {} stand on one link each (its number behind): links hang on each other where they have the same letter",
+        "; {} stanno su un membro solo (il suo numero dopo): i membri si incernierano dove hanno la stessa lettera",
         enumerated(lone));
   }
   // A cylinder both ends of which are of these links alone.

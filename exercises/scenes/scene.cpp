@@ -192,12 +192,11 @@ class Building {
   }
   void demand_letter(const Tree& at, const std::string& name) const {
     if (!is_letter(name))
-      refuse(at,
-             format_words("\"{}\" is no name of a point or line: a letter, then letters and digits, eight at most "
-                          "(and P12, P13 ... are the instant centres)",
-                          "\"{}\" non è un nome di punto o retta: una lettera, poi lettere e cifre, otto al più (e "
-                          "P12, P13 ... sono i centri di istantanea rotazione)",
-                          name));
+      refuse(at, format_words("\"{}\" is no name of a point or line: a letter, then letters and digits, eight at "
+                              "most (and P12, P13 ... are the instant centres)",
+                              "\"{}\" non è un nome di punto o retta: una lettera, poi lettere e cifre, otto al più "
+                              "(e P12, P13 ... sono i centri di istantanea rotazione)",
+                              name));
   }
 
   void link(const Tree& told_at, int number, const Tree& at) {
@@ -523,9 +522,7 @@ class Building {
     }
     if (!built_.paths.empty() && built_.linkage.drives.size() != 1)
       refuse(*all, format_words("with {} drives a point has no one path",
-                                "con {} moventi un punto non ha una sola "
-                                "traiettoria",
-                                built_.linkage.drives.size()));
+                                "con {} moventi un punto non ha una sola traiettoria", built_.linkage.drives.size()));
   }
 
   // polodes: [3].
@@ -813,10 +810,10 @@ class Building {
     }
     if (size != 0 && far > most_sizes * size)
       refuse(*root_.find("links"),
-             format_words("the mechanism lies over {} times its size from the origin of link 1, too far to be drawn",
-                          "il meccanismo sta oltre {} volte la sua grandezza dall'origine del membro 1, troppo per "
-                          "disegnarlo",
-                          "1e9"));
+             format_words(
+                 "the mechanism lies over {} times its size from the origin of link 1, too far to be drawn",
+                 "il meccanismo sta oltre {} volte la sua grandezza dall'origine del membro 1, troppo per disegnarlo",
+                 "1e9"));
   }
 
   // What other things are called is no name for a point.
@@ -832,10 +829,10 @@ class Building {
           for (std::size_t b = a + 1; b < numbers.size(); ++b)
             if (letter(p.point) == instant_centre(numbers[a], numbers[b]).name)
               refuse(*link_at_[i],
-                     format_words("{} is the instant centre of links {} and {}: name the point otherwise",
-                                  "{} è il centro di istantanea rotazione dei membri {} e {}: dare al punto un altro "
-                                  "nome",
-                                  letter(p.point), numbers[a], numbers[b]));
+                     format_words(
+                         "{} is the instant centre of links {} and {}: name the point otherwise",
+                         "{} è il centro di istantanea rotazione dei membri {} e {}: dare al punto un altro nome",
+                         letter(p.point), numbers[a], numbers[b]));
       }
   }
 
@@ -910,8 +907,7 @@ bool is_of_mass(Kind kind) {
 std::vector<std::vector<std::string>> read_charts(const File& file, const Tree& all) {
   const Words what{
       "charts: [omega_4, [v_B, v_C]], quantities over all places of the drive, a chart each or together",
-      "charts: [omega_4, [v_B, v_C]], grandezze in tutte le posizioni del movente, un grafico ciascuna o "
-      "insieme"};
+      "charts: [omega_4, [v_B, v_C]], grandezze in tutte le posizioni del movente, un grafico ciascuna o insieme"};
   file.demand(all, Tree::Kind::list, what);
   std::vector<std::vector<std::string>> charts;
   for (const Tree& item : all.items) {
@@ -986,10 +982,11 @@ void Scene::demand_charts(const std::vector<Quantity>& quantities) const {
                                "questo meccanismo non ha la grandezza \"{}\"; {}", name, did_you_mean(name, names)));
       const Quantity& quantity = quantities[static_cast<std::size_t>(found - names.begin())];
       if (!unit.empty() && unit != quantity.unit)
-        file.refuse(item, format_words("one chart has one unit, and {} is in {}, not in {}; write a chart for each",
-                                       "un grafico ha una sola unità, e {} è in {}, non in {}; scrivere un grafico "
-                                       "per ciascuna",
-                                       name, quantity.unit, unit));
+        file.refuse(
+            item,
+            format_words("one chart has one unit, and {} is in {}, not in {}; write a chart for each",
+                         "un grafico ha una sola unità, e {} è in {}, non in {}; scrivere un grafico per ciascuna",
+                         name, quantity.unit, unit));
       unit = quantity.unit;
     }
   }
@@ -1045,10 +1042,9 @@ std::vector<std::size_t> Scene::chosen_sheets(const std::vector<std::string>& na
         file.text(item, {"the name of a sheet is asked here", "qui si chiede il nome di una tavola"});
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
-      file.refuse(item, format_words("this mechanism has no sheet \"{}\"; {}",
-                                     "questo meccanismo non ha la tavola "
-                                     "\"{}\"; {}",
-                                     name, did_you_mean(name, names)));
+      file.refuse(item,
+                  format_words("this mechanism has no sheet \"{}\"; {}",
+                               "questo meccanismo non ha la tavola \"{}\"; {}", name, did_you_mean(name, names)));
     const auto place = static_cast<std::size_t>(found - names.begin());
     if (std::find(chosen.begin(), chosen.end(), place) != chosen.end())
       file.refuse(item,

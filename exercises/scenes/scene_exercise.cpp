@@ -90,10 +90,9 @@ PanelSheet diagram(const Scene& scene, const Solution& s, bool is_of_velocities,
 
 Words question(const Scene& scene) {
   const Words motion{
-      "Find the velocities and accelerations of all points, and the angular velocities and "
-      "accelerations of all links.",
-      "Trovare velocità e accelerazioni di tutti i punti, e velocità e accelerazioni angolari di tutti "
-      "i membri."};
+      "Find the velocities and accelerations of all points, and the angular velocities and accelerations of all "
+      "links.",
+      "Trovare velocità e accelerazioni di tutti i punti, e velocità e accelerazioni angolari di tutti i membri."};
   if (!scene.built(Givens(scene.givens())).loads) return motion;
   if (!scene.built(Givens(scene.givens())).loads->masses.empty())
     return motion + Words{

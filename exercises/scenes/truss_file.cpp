@@ -116,10 +116,10 @@ class TrussBuilding {
   // {A: hinge, B: roller}, or B: {roller: 30 deg}.
   void supports() {
     const Words what{
-        "a truss stands on a hinge and a roller: supports: {A: hinge, B: roller}; a roller on inclined "
-        "ground is {roller: 30 deg}",
-        "una travatura sta su una cerniera e un carrello: supports: {A: hinge, B: roller}; un carrello "
-        "su un piano inclinato è {roller: 30 deg}"};
+        "a truss stands on a hinge and a roller: supports: {A: hinge, B: roller}; a roller on inclined ground is "
+        "{roller: 30 deg}",
+        "una travatura sta su una cerniera e un carrello: supports: {A: hinge, B: roller}; un carrello su un piano "
+        "inclinato è {roller: 30 deg}"};
     const Tree& all = file_.map(section("supports"), what);
     std::optional<std::size_t> hinge, roller;
     for (const auto& [key, value] : all.entries) {

@@ -84,24 +84,23 @@ PanelSheet circles_sheet(const Solution& s, Language) {
 
 std::vector<PolesStep> steps_to_accelerations() {
   using Where = PolesStep::Where;
-  return {
-      {{"$K$ from the two circles (sheet 2). At $K$ the acceleration is zero.",
-        "$K$ dalle due circonferenze (tavola 2). In $K$ l'accelerazione è nulla."},
-       Where::pole},
-      {{"$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), known: the factor is $a_{A}$ / $KA$.",
-        "$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), nota: il fattore è $a_{A}$ / $KA$."},
-       Where::ray,
-       "A"},
-      {{"$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ for every point $X$ of the coupler.",
-        "$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ per ogni punto $X$ della biella."},
-       Where::tip,
-       "M"},
-      {{"The same angle $γ$ leads from each acceleration to its ray $XK$, counter-clockwise when $α_{3}$ > 0: tan "
-        "$γ$ = $α_{3}$ / $ω^{2}_{3}$.",
-        "Lo stesso angolo $γ$ porta da ogni accelerazione al suo raggio $XK$, antiorario se $α_{3}$ > 0: tg $γ$ = "
-        "$α_{3}$ / $ω^{2}_{3}$."},
-       Where::point,
-       "C"}};
+  return {{{"$K$ from the two circles (sheet 2). At $K$ the acceleration is zero.",
+            "$K$ dalle due circonferenze (tavola 2). In $K$ l'accelerazione è nulla."},
+           Where::pole},
+          {{"$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), known: the factor is $a_{A}$ / $KA$.",
+            "$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), nota: il fattore è $a_{A}$ / $KA$."},
+           Where::ray,
+           "A"},
+          {{"$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ for every point $X$ of the coupler.",
+            "$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ per ogni punto $X$ della biella."},
+           Where::tip,
+           "M"},
+          {{"The same angle $γ$ leads from each acceleration to its ray $XK$, counter-clockwise when $α_{3}$ > 0: "
+            "tan $γ$ = $α_{3}$ / $ω^{2}_{3}$.",
+            "Lo stesso angolo $γ$ porta da ogni accelerazione al suo raggio $XK$, antiorario se $α_{3}$ > 0: tg $γ$ "
+            "= $α_{3}$ / $ω^{2}_{3}$."},
+           Where::point,
+           "C"}};
 }
 
 PanelSheet poles_sheet(const Solution& s, Language) {

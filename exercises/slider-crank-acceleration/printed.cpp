@@ -29,8 +29,7 @@ Explanation reduced_figure(const std::string& length) {
   return {{"read off a figure reduced to about 0.795 of its scale, as are all lengths of this exercise: 0.795 times "
            "the true length",
            "letta su una figura ridotta a circa 0,795 della sua scala, come tutte le lunghezze di questa "
-           "esercitazione: 0,795 volte "
-           "la lunghezza vera"},
+           "esercitazione: 0,795 volte la lunghezza vera"},
           [length] { return shrunk * source_figure()[length]; }};
 }
 
@@ -50,11 +49,9 @@ double on_the_circle_of_the_printed_K(const Place& X) {
 
 Explanation circle_of_the_printed_K(const std::string& X) {
   return {{"the same figure at 0.795, its inflection circle through P₀, B and the K of the printed polygon (KA = "
-           "AB·284.26/153.36, "
-           "KB = AB·305.30/153.36)",
+           "AB·284.26/153.36, KB = AB·305.30/153.36)",
            "la stessa figura a 0,795, con la circonferenza dei flessi per P₀, B e il K del poligono stampato (KA = "
-           "AB·284,26/153,36, "
-           "KB = AB·305,30/153,36)"},
+           "AB·284,26/153,36, KB = AB·305,30/153,36)"},
           [X] { return shrunk * on_the_circle_of_the_printed_K(source_figure().place(X)); }};
 }
 

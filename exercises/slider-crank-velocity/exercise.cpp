@@ -65,16 +65,14 @@ PanelSheet poles_sheet(const Solution& s, Language language) {
   PolesPanel poles(s, slider_crank_mechanism(s, instant), kind, {"A", "B", "C", "M"}, steps_of_poles(s, language));
   poles.on_lines({{s.place("A0"), "A"}, {s.place("B"), "B"}}).turning(s.value("omega_3").value_or(0), "$ω_{3}$");
   const Place A = s.place("A"), B = s.place("B"), C = s.place("C");
-  return {
-      .panels = panels(FoundByArcs(std::move(poles), {{A, B}, {A, C}, {B, C}})),
-      .results = {values({"omega_2", "omega_3"}),
-                  by_point({"A", "B", "C", "M"}, {{"$P_{0}X$ (m)", "P0{}"}, {"$v_{X}$ (m/s)", "v_{}"}}),
-                  remark(swing_in_words(s, language))},
-      .seen =
-          {"The slider-crank, its pole P₀ by two lines, and the velocities of A, B, C and M perpendicular to their "
-           "rays",
-           "Il manovellismo, il polo P₀ con due rette, e le velocità di A, B, C e M normali ai loro raggi"},
-      .told = {"crank_angle_phi_deg", "omega_3", "P0_x", "P0_y", "v_A", "v_B", "v_C", "v_M"}};
+  return {.panels = panels(FoundByArcs(std::move(poles), {{A, B}, {A, C}, {B, C}})),
+          .results = {values({"omega_2", "omega_3"}),
+                      by_point({"A", "B", "C", "M"}, {{"$P_{0}X$ (m)", "P0{}"}, {"$v_{X}$ (m/s)", "v_{}"}}),
+                      remark(swing_in_words(s, language))},
+          .seen = {"The slider-crank, its pole P₀ by two lines, and the velocities of A, B, C and M perpendicular to "
+                   "their rays",
+                   "Il manovellismo, il polo P₀ con due rette, e le velocità di A, B, C e M normali ai loro raggi"},
+          .told = {"crank_angle_phi_deg", "omega_3", "P0_x", "P0_y", "v_A", "v_B", "v_C", "v_M"}};
 }
 
 VectorPolygon velocities(const Solution& s, const SliderCrankInstant& instant, Language language) {
@@ -85,8 +83,7 @@ VectorPolygon velocities(const Solution& s, const SliderCrankInstant& instant, L
       image(
           s, velocity("C"), velocity("CA"), "$c'$",
           {"$c'$: perpendicular to $AC$ through $a'$, perpendicular to $BC$ through $b'$. The triangle $a'b'c'$ is "
-           "the image of "
-           "$ABC$.",
+           "the image of $ABC$.",
            "$c'$: normale ad $AC$ per $a'$, normale a $BC$ per $b'$. Il triangolo $a'b'c'$ è l'immagine di $ABC$."}),
       image(s, velocity("M"), velocity("MA"), "$m'$",
             {"$m'$ halves $a'b'$, as $M$ halves $AB$.", "$m'$ è il punto medio di $a'b'$, come $M$ di $AB$."})};

@@ -43,11 +43,11 @@ std::string division_in_words(const SliderCrankInstant& instant, Language langua
   const char* circle = language == Language::english
                            ? "The crank's circle in {} parts, numbered from {}: positions of $A$."
                            : "La circonferenza di manovella in {} parti, numerate {}: le posizioni di $A$.";
-  const char* both = language == Language::english
-                         ? "The crank's circle in {} parts, numbered from {}; $A$ where the linkage closes. Primed: "
-                           "$B$ behind $A$."
-                         : "La circonferenza di manovella in {} parti, numerate {}; $A$ dove il manovellismo si "
-                           "chiude. Con apice: $B$ dietro $A$.";
+  const char* both =
+      language == Language::english
+          ? "The crank's circle in {} parts, numbered from {}; $A$ where the linkage closes. Primed: $B$ behind $A$."
+          : "La circonferenza di manovella in {} parti, numerate {}; $A$ dove il manovellismo si chiude. Con apice: "
+            "$B$ dietro $A$.";
   const char* coupler = language == Language::english
                             ? "The coupler turns fully: its direction in {} parts, numbered from {}. $A$ on its "
                               "circle, with $AB$ in that direction."

@@ -38,14 +38,12 @@ std::vector<Words> step_words(const SliderCrankInstant& instant, bool touch_at_i
       ". In ogni posizione $P_{0}$ su $A_{0}A$ e sulla normale alla guida per $B$: i punti della polare fissa $p$."};
   const Words of_moving{
       "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the $AB$ of the position drawn: "
-      "its "
-      "$P_{0}$ marks a point of the moving polode $π$.",
+      "its $P_{0}$ marks a point of the moving polode $π$.",
       "Ogni triangolo $ABP_{0}$ su carta da lucido, riportato finché il suo $AB$ copre l'$AB$ della posizione "
       "disegnata: il suo $P_{0}$ segna un punto della polare mobile $π$."};
   const Words beyond{
       "The curves through the points. They roll on each other; in the position drawn $P_{0}$ is at infinity, and "
-      "they "
-      "have an asymptote in common.",
+      "they have an asymptote in common.",
       "Le curve per i punti. Rotolano l'una sull'altra; nella posizione disegnata $P_{0}$ è all'infinito, e hanno un "
       "asintoto in comune."};
   const Words touching{

@@ -83,10 +83,8 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
       velocity_polygon({drawn("A", "?", "?")},
                        {drawn("G", "⊥ $CG$", "$ω$·$\\it{R}$", "$g$"), drawn("AG", "⊥ $GA$", "$ω$·$r$", "$a$")});
   const Words goes_down{
-      "Counterweight and rope: $a$ = $k$·$a'$, $a'$ = $α$·$\\it{R}$, $k$ = ($\\it{R}$ − "
-      "$r$)/$\\it{R}$.",
-      "Contrappeso e fune: $a$ = $k$·$a'$, $a'$ = $α$·$\\it{R}$, $k$ = ($\\it{R}$ − "
-      "$r$)/$\\it{R}$."};
+      "Counterweight and rope: $a$ = $k$·$a'$, $a'$ = $α$·$\\it{R}$, $k$ = ($\\it{R}$ − $r$)/$\\it{R}$.",
+      "Contrappeso e fune: $a$ = $k$·$a'$, $a'$ = $α$·$\\it{R}$, $k$ = ($\\it{R}$ − $r$)/$\\it{R}$."};
   return {.panels = panels(poles, PolygonPanel(s, polygon)),
           .results = {values({"rope_to_centre_velocity_ratio"}), remark(goes_down.in(language)), values({"J", "u"})},
           .seen = {"The spool rolling about its contact, with the velocities of its centre and of the rope",
@@ -141,14 +139,14 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
   if (height) body.arm({beside, 0}, {0, *height}, {1, 0}, "$h_{r}$", "");
   const Words pressed{"The normal reaction stands $u$ ahead of the foot of $G$.",
                       "La reazione normale è spostata di $u$ oltre il piede di $G$."};
-  const Words single{"The force of inertia and its couple are one force, in the line at $h_{i}$ above the plane.",
-                     "La forza d'inerzia e la sua coppia sono una sola forza, sulla retta ad altezza $h_{i}$ dal "
-                     "piano."};
+  const Words single{
+      "The force of inertia and its couple are one force, in the line at $h_{i}$ above the plane.",
+      "La forza d'inerzia e la sua coppia sono una sola forza, sulla retta ad altezza $h_{i}$ dal piano."};
   const Words meets{
-      "Pull and inertia together act in a level line that crosses the vertical of $G$ in $\\it{H}$, "
-      "$h_{r}$ above the plane: the reaction's line passes there.",
-      "Tiro e inerzia insieme agiscono su una retta orizzontale che taglia la verticale di $G$ in "
-      "$\\it{H}$, a $h_{r}$ dal piano: vi passa la retta della reazione."};
+      "Pull and inertia together act in a level line that crosses the vertical of $G$ in $\\it{H}$, $h_{r}$ above "
+      "the plane: the reaction's line passes there.",
+      "Tiro e inerzia insieme agiscono su una retta orizzontale che taglia la verticale di $G$ in $\\it{H}$, a "
+      "$h_{r}$ dal piano: vi passa la retta della reazione."};
   body.step(pressed, foot);
   if (rolls) body.step(single, line);
   if (height) body.step(meets, Place{0, *height});
@@ -209,11 +207,9 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
   const std::string tried_head = Words{"$m_{b,h}$, rolling", "$m_{b,h}$, se rotola"}.in(language);
   const Words margin{
       "$\\it{F}^{*}$ is the friction that must hold if it is not to slip; $m_{F}$ = $\\it{F}_{max}$ − $\\it{F}^{*}$ "
-      "is "
-      "negative where it slips.",
+      "is negative where it slips.",
       "$\\it{F}^{*}$ è l'attrito che occorre perché non strisci; $m_{F}$ = $\\it{F}_{max}$ − $\\it{F}^{*}$ è "
-      "negativo "
-      "dove striscia."};
+      "negativo dove striscia."};
   return {.panels = panels(MechanismPanel(whole(s, "$C$")), with_cone(s, "", "m", main, true, language),
                            with_cone(s, "light.", "l", light, false, language),
                            with_cone(s, "heavy_if_rolling.", "t", tried, false, language),
@@ -230,11 +226,9 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
                       values({"heavy.a_G", "heavy.alpha"}), values({"heavy.slip_acceleration", "light.u_required"}),
                       remark(margin.in(language))},
           .seen = {"The spool with its counterweight, and its force polygons with the friction cone for a light, a "
-                   "middle and a heavy "
-                   "counterweight",
+                   "middle and a heavy counterweight",
                    "La bobina con il contrappeso, e i suoi poligoni delle forze con il cono d'attrito per un "
-                   "contrappeso leggero, uno medio e "
-                   "uno pesante"},
+                   "contrappeso leggero, uno medio e uno pesante"},
           .told = {"light.F", "F", "F_required", "heavy_if_rolling.F", "heavy.F", "F_max"}};
 }
 
@@ -336,15 +330,15 @@ PanelSheet limits_sheet(const Solution& s, Language language) {
       {{s["mass_ratio_start"], 0}, "mass_ratio_start", {}}};
   if (const auto slip = s.value("mass_ratio_slip")) read.push_back({{*slip, 0}, "mass_ratio_slip", {}});
   const Words rest{
-      "At rest $\\it{F}$ = $\\it{T}$ = $m_{b}g$, until the offset of $\\it{N}$ has come to $u$: at "
-      "$μ_{p}$ = $f_{v}\\it{R}$/($\\it{R}$ − $r$) it begins to roll.",
-      "In quiete $\\it{F}$ = $\\it{T}$ = $m_{b}g$, finché lo spostamento di $\\it{N}$ arriva a $u$: a "
-      "$μ_{p}$ = $f_{v}\\it{R}$/($\\it{R}$ − $r$) comincia a rotolare."};
+      "At rest $\\it{F}$ = $\\it{T}$ = $m_{b}g$, until the offset of $\\it{N}$ has come to $u$: at $μ_{p}$ = "
+      "$f_{v}\\it{R}$/($\\it{R}$ − $r$) it begins to roll.",
+      "In quiete $\\it{F}$ = $\\it{T}$ = $m_{b}g$, finché lo spostamento di $\\it{N}$ arriva a $u$: a $μ_{p}$ = "
+      "$f_{v}\\it{R}$/($\\it{R}$ − $r$) comincia a rotolare."};
   const Words rolls{
-      "Rolling, with $μ$ = $m_{b}$/$m_{a}$: $\\it{F}$/$\\it{N}$ = ($μ$(5/4 − $k$ + $f_{v}k$) + "
-      "$f_{v}$)/(5/4 + $k^{2}μ$), which comes to $f_{a}$ at $μ_{s}$.",
-      "Nel rotolamento, con $μ$ = $m_{b}$/$m_{a}$: $\\it{F}$/$\\it{N}$ = ($μ$(5/4 − $k$ + $f_{v}k$) + "
-      "$f_{v}$)/(5/4 + $k^{2}μ$), che arriva a $f_{a}$ per $μ_{s}$."};
+      "Rolling, with $μ$ = $m_{b}$/$m_{a}$: $\\it{F}$/$\\it{N}$ = ($μ$(5/4 − $k$ + $f_{v}k$) + $f_{v}$)/(5/4 + "
+      "$k^{2}μ$), which comes to $f_{a}$ at $μ_{s}$.",
+      "Nel rotolamento, con $μ$ = $m_{b}$/$m_{a}$: $\\it{F}$/$\\it{N}$ = ($μ$(5/4 − $k$ + $f_{v}k$) + $f_{v}$)/(5/4 "
+      "+ $k^{2}μ$), che arriva a $f_{a}$ per $μ_{s}$."};
   const Words never{"It rolls however heavy the counterweight.", "Rotola per quanto pesi il contrappeso."};
   const Words before{"$\\it{F}$/$\\it{N}$ comes to $f_{a}$ at rest: it slips before it can roll.",
                      "$\\it{F}$/$\\it{N}$ arriva a $f_{a}$ in quiete: striscia prima di poter rotolare."};

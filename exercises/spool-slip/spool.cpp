@@ -55,20 +55,16 @@ bool Spool::always_rolls() const {
 
 Spool spool(const Givens& givens) {
   const Spool of{givens["m_a"], givens["R"], givens["r"], givens["f_a"], givens["f_r"], givens["f_v"], givens["g"]};
-  require(
-      of.r < of.R,
-      format_words("r = {} m must be less than R = {} m: the rope leaves the core R - r above the plane, and at or "
-                   "below it would not roll the spool to the right",
-                   "r = {} m dev'essere minore di R = {} m: la fune lascia il nocciolo R - r sopra il piano, e al "
-                   "suo livello o sotto non farebbe rotolare la bobina verso destra",
-                   told_value(of.r), told_value(of.R)));
-  require(
-      of.f_r <= of.f_a,
-      format_words("f_r = {} is more than f_a = {}: what slides is not held better than what adheres, and between "
-                   "them the spool could neither roll nor slip",
-                   "f_r = {} supera f_a = {}: ciò che striscia non è trattenuto meglio di ciò che aderisce, e fra i "
-                   "due la bobina non potrebbe né rotolare né strisciare",
-                   told_value(of.f_r), told_value(of.f_a)));
+  require(of.r < of.R, format_words("r = {} m must be less than R = {} m: the rope leaves the core R - r above the "
+                                    "plane, and at or below it would not roll the spool to the right",
+                                    "r = {} m dev'essere minore di R = {} m: la fune lascia il nocciolo R - r sopra "
+                                    "il piano, e al suo livello o sotto non farebbe rotolare la bobina verso destra",
+                                    told_value(of.r), told_value(of.R)));
+  require(of.f_r <= of.f_a, format_words("f_r = {} is more than f_a = {}: what slides is not held better than what "
+                                         "adheres, and between them the spool could neither roll nor slip",
+                                         "f_r = {} supera f_a = {}: ciò che striscia non è trattenuto meglio di ciò "
+                                         "che aderisce, e fra i due la bobina non potrebbe né rotolare né strisciare",
+                                         told_value(of.f_r), told_value(of.f_a)));
   return of;
 }
 

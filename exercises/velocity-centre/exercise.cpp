@@ -85,22 +85,21 @@ std::vector<PolesStep> steps_to_centre(const Solution& s, Language language) {
   switch (centre_of(Instant(s.givens()))) {
     case Centre::by_two_normals: {
       const std::string m = figures(s.value("normal_slope").value_or(0), 4, language);
-      return {
-          {{"$\\vec{v}_{O}$ and $\\vec{v}_{A}$ set off at $O$ and $A$. The normal to $\\vec{v}_{O}$ through $O$ is "
-            "the axis $y$.",
-            "$\\vec{v}_{O}$ e $\\vec{v}_{A}$ riportate in $O$ e in $A$. La normale alla $\\vec{v}_{O}$ per $O$ è "
-            "l'asse $y$."},
-           Where::ray,
-           "O"},
-          {{"The normal to $\\vec{v}_{A}$ through $A$: its slope is $m_{1}$ = −$v_{Ax}$/$v_{Ay}$ = " + m + ".",
-            "La normale alla $\\vec{v}_{A}$ per $A$, di coefficiente angolare $m_{1}$ = −$v_{Ax}$/$v_{Ay}$ = " + m +
-                "."},
-           Where::ray,
-           "A"},
-          {{"The velocity centre $P_{0}$ lies on both: $P_{0}O$ = |$\\it{V}$/$ω$|, $v_{A}$ = |$ω$|·$P_{0}A$.",
-            "Il centro delle velocità $P_{0}$ sta su entrambe: $P_{0}O$ = |$\\it{V}$/$ω$|, $v_{A}$ = "
-            "|$ω$|·$P_{0}A$."},
-           Where::pole}};
+      return {{{"$\\vec{v}_{O}$ and $\\vec{v}_{A}$ set off at $O$ and $A$. The normal to $\\vec{v}_{O}$ through $O$ "
+                "is the axis $y$.",
+                "$\\vec{v}_{O}$ e $\\vec{v}_{A}$ riportate in $O$ e in $A$. La normale alla $\\vec{v}_{O}$ per $O$ è "
+                "l'asse $y$."},
+               Where::ray,
+               "O"},
+              {{"The normal to $\\vec{v}_{A}$ through $A$: its slope is $m_{1}$ = −$v_{Ax}$/$v_{Ay}$ = " + m + ".",
+                "La normale alla $\\vec{v}_{A}$ per $A$, di coefficiente angolare $m_{1}$ = −$v_{Ax}$/$v_{Ay}$ = " +
+                    m + "."},
+               Where::ray,
+               "A"},
+              {{"The velocity centre $P_{0}$ lies on both: $P_{0}O$ = |$\\it{V}$/$ω$|, $v_{A}$ = |$ω$|·$P_{0}A$.",
+                "Il centro delle velocità $P_{0}$ sta su entrambe: $P_{0}O$ = |$\\it{V}$/$ω$|, $v_{A}$ = "
+                "|$ω$|·$P_{0}A$."},
+               Where::pole}};
     }
     case Centre::by_the_tips:
       return {{{"$\\vec{v}_{A}$ is parallel to $\\vec{v}_{O}$: the line $OA$ is normal to both.",
@@ -155,15 +154,14 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
   PolesPanel poles(s, bar, PolesPanel::of_velocity("P0"), {"O", "A"}, steps_to_centre(s, language));
   poles.sketched().compared_with(geometry::to_double(instant.omega), "|ω|");
   if (centre_of(instant) == Centre::by_the_tips) poles.by_the_tips();
-  return {
-      .panels = panels(MechanismPanel(bar, {{"A", s.place("A")}}), PolygonPanel(s, velocities(s)), poles),
-      .results = {components(velocity("A")), coordinates("P0")},
-      .seen = {"The bar on its body, the polygon of the velocities of A, and the velocity centre where the normals "
-               "to the velocities of O and A meet",
-               "La barra sul suo corpo, il poligono delle velocità di A, e il centro delle velocità dove si "
-               "incontrano le normali alle velocità di O e A"},
-      .told = {"v_A", "v_A_x", "v_A_y", "P0_x", "P0_y"},
-      .without_part = {"omega_dot", "a"}};
+  return {.panels = panels(MechanismPanel(bar, {{"A", s.place("A")}}), PolygonPanel(s, velocities(s)), poles),
+          .results = {components(velocity("A")), coordinates("P0")},
+          .seen = {"The bar on its body, the polygon of the velocities of A, and the velocity centre where the "
+                   "normals to the velocities of O and A meet",
+                   "La barra sul suo corpo, il poligono delle velocità di A, e il centro delle velocità dove si "
+                   "incontrano le normali alle velocità di O e A"},
+          .told = {"v_A", "v_A_x", "v_A_y", "P0_x", "P0_y"},
+          .without_part = {"omega_dot", "a"}};
 }
 
 PanelSheet acceleration_sheet(const Solution& s, Language) {
@@ -192,50 +190,43 @@ PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
 
 std::unique_ptr<Exercise> make_velocity_centre() {
   using namespace velocity_centre;
-  Description about{
-      .id = "velocity-centre",
-      .title = {"A bar on a translating body", "Una barra su un corpo che trasla"},
-      .document = "pisa",
-      .item = "Esercizio 4",
-      .source = {"Pisa, mid-term test of 14 June 2006, exercise 4",
-                 "Pisa, verifica intermedia del 14/6/2006, esercizio 4"},
-      .question =
-          {"A bar turns about a hinge O on a body that translates along $x$, with $\\it{V}$ and $a$ positive to the "
-           "right. Find the velocity centre of the bar, "
-           "velocity and acceleration of its end A, and the acceleration centre K.",
-           "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con $\\it{V}$ e $a$ positive "
-           "verso destra. Trovare il centro delle velocità "
-           "dell'asta, velocità e accelerazione del suo estremo A, e il centro delle accelerazioni K."},
-      .givens = givens(),
-      .printed = printed_by_the_source};
+  Description about{.id = "velocity-centre",
+                    .title = {"A bar on a translating body", "Una barra su un corpo che trasla"},
+                    .document = "pisa",
+                    .item = "Esercizio 4",
+                    .source = {"Pisa, mid-term test of 14 June 2006, exercise 4",
+                               "Pisa, verifica intermedia del 14/6/2006, esercizio 4"},
+                    .question = {"A bar turns about a hinge O on a body that translates along $x$, with $\\it{V}$ "
+                                 "and $a$ positive to the right. Find the velocity centre of the bar, velocity and "
+                                 "acceleration of its end A, and the acceleration centre K.",
+                                 "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con "
+                                 "$\\it{V}$ e $a$ positive verso destra. Trovare il centro delle velocità dell'asta, "
+                                 "velocità e accelerazione del suo estremo A, e il centro delle accelerazioni K."},
+                    .givens = givens(),
+                    .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Instant(givens)}, rung); };
   return exercise_of_panels(
       std::move(about), solve,
       {{{"velocities",
          {"Velocity centre of the bar", "Centro delle velocità"},
          {"A bar turns about a hinge O on a body that translates along $x$, with $\\it{V}$ positive to the right. "
-          "Find the "
-          "velocity centre of the bar and the velocity of its end A.",
+          "Find the velocity centre of the bar and the velocity of its end A.",
           "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con $\\it{V}$ positiva verso "
-          "destra. "
-          "Trovare il centro delle velocità dell'asta "
-          "e la velocità del suo estremo A."}},
+          "destra. Trovare il centro delle velocità dell'asta e la velocità del suo estremo A."}},
         velocity_sheet},
        {{"accelerations",
          {"Acceleration of A", "Accelerazione di A"},
          {"A bar turns about a hinge O on a body that translates along $x$, with $a$ positive to the right. Find the "
           "acceleration of its end A.",
           "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con $a$ positiva verso destra. "
-          "Trovare l'accelerazione del suo estremo "
-          "A."}},
+          "Trovare l'accelerazione del suo estremo A."}},
         acceleration_sheet},
        {{"acceleration-pole",
          {"Acceleration centre K", "Centro delle accelerazioni K"},
          {"A bar turns about a hinge O on a body that translates along $x$, with $a$ positive to the right. Find the "
           "acceleration centre K of the bar.",
           "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con $a$ positiva verso destra. "
-          "Trovare il centro delle accelerazioni K "
-          "dell'asta."}},
+          "Trovare il centro delle accelerazioni K dell'asta."}},
         acceleration_pole_sheet}});
 }
 

@@ -116,9 +116,9 @@ ThreeForces<T> three_forces(const Line<T>& F, const LineOfAction<T>& u, const Pr
                             bool is_parallel = false, bool passes = false) {
   if (statics::is_zero(moment_about(O, u.unit()), statics::through_question)) {
     if (statics::is_zero(moment_about(O, F), statics::through_question))
-      throw Impossible("its forces all pass through one point: how they share the load is statically undetermined",
-                       "le sue forze passano tutte per un punto: come si dividano il carico è staticamente "
-                       "indeterminato");
+      throw Impossible(
+          "its forces all pass through one point: how they share the load is statically undetermined",
+          "le sue forze passano tutte per un punto: come si dividano il carico è staticamente indeterminato");
     throw Impossible(
         "it is unstable: the line of the force that should hold it passes through its support, and has no arm",
         "è labile: la retta della forza che dovrebbe reggerlo passa per il suo appoggio, e non ha braccio");

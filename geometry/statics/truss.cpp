@@ -209,8 +209,7 @@ class Order {
             "the plan of forces stops: no region that is left has two known neighbours; the truss is compound or "
             "unstable, or bars meet inside of it at a joint of two",
             "il diagramma delle forze si ferma: nessuna regione che resta ha due vicine note; la travatura è "
-            "composta "
-            "o labile, o al suo interno due aste sole si incontrano in un nodo");
+            "composta o labile, o al suo interno due aste sole si incontrano in un nodo");
     for (std::size_t bar = 0; bar < is_used_.size(); ++bar) {
       bow_.sides.push_back({region_of_[2 * bar], region_of_[2 * bar + 1]});
       if (!is_used_[bar]) bow_.closing_bar = bar;

@@ -16,8 +16,7 @@ namespace epure {
 
 inline constexpr Phrase no_inflection_circle{
     "there is no inflection circle: ω₃ is zero, so the points with an inflection lie on a line, and nowhere when α₃ "
-    "is "
-    "zero too",
+    "is zero too",
     "non c'è circonferenza dei flessi: ω₃ è zero, e i punti di flesso stanno su una retta, e in nessun luogo quando "
     "anche α₃ è zero"};
 inline constexpr Phrase no_stationarity_circle{

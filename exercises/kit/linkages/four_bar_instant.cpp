@@ -67,10 +67,10 @@ bool closes_only_stretched(const geometry::FourBarLengths& of) {
 [[noreturn]] void refuse_flat_position(const FourBarInstant& at) {
   if (closes_only_stretched(at.lengths))
     throw BadGivens(
-        format_words("{}, and all hinges are in line: one link is as long as the three others, so the "
-                     "linkage closes in this position alone, and cannot move",
-                     "{}, e tutte le cerniere sono allineate: un'asta è lunga quanto le altre tre, quindi "
-                     "il meccanismo si chiude in questa sola posizione, e non può muoversi",
+        format_words("{}, and all hinges are in line: one link is as long as the three others, so the linkage closes "
+                     "in this position alone, and cannot move",
+                     "{}, e tutte le cerniere sono allineate: un'asta è lunga quanto le altre tre, quindi il "
+                     "meccanismo si chiude in questa sola posizione, e non può muoversi",
                      place(at)));
   const geometry::Truth two_motions =
       geometry::ask([&]<class T>() {
@@ -81,18 +81,17 @@ bool closes_only_stretched(const geometry::FourBarLengths& of) {
     throw geometry::Undecided("whether the linkage is at a change point",
                               "se il meccanismo sia in un punto di cambiamento");
   if (two_motions == geometry::Truth::yes)
-    throw BadGivens(format_words(
-        "{}, and all hinges are in line: a change point, which two motions leave, with {}; choose another "
-        "instant, if only a little later",
-        "{}, e tutte le cerniere sono allineate: un punto di cambiamento, da cui partono due moti, con {}; "
-        "scegliere un altro istante, anche di poco successivo",
-        place(at), motions_from_change_point(at)));
-  throw BadGivens(
-      format_words("{}, where coupler and rocker are in line: the crank is at a limit position and cannot drive the "
-                   "rocker",
-                   "{}, dove biella e bilanciere sono allineati: la manovella è in una posizione limite e non può "
-                   "muovere il bilanciere",
-                   place(at)));
+    throw BadGivens(
+        format_words("{}, and all hinges are in line: a change point, which two motions leave, with {}; choose "
+                     "another instant, if only a little later",
+                     "{}, e tutte le cerniere sono allineate: un punto di cambiamento, da cui partono due moti, con "
+                     "{}; scegliere un altro istante, anche di poco successivo",
+                     place(at), motions_from_change_point(at)));
+  throw BadGivens(format_words(
+      "{}, where coupler and rocker are in line: the crank is at a limit position and cannot drive the rocker",
+      "{}, dove biella e bilanciere sono allineati: la manovella è in una posizione limite e non può muovere il "
+      "bilanciere",
+      place(at)));
 }
 
 // The arcs in which the crank can be; none when it turns fully. Ends that are one in doubles are kept apart, but

@@ -137,9 +137,8 @@ Wedge wedge(const Givens& givens) {
                        "a 0° il cuneo non solleva, a 90° nessuna forza lo muove"});
   if (wedge.y_upper <= wedge.y_lower)
     throw BadGivens(format_words("{} = {} m must lie above {} = {} m: the collar has no length",
-                                 "{} = {} m deve stare sopra {} = {} m: il "
-                                 "collare non ha lunghezza",
-                                 of("y_upper"), told_value(wedge.y_upper), of("y_lower"), told_value(wedge.y_lower)));
+                                 "{} = {} m deve stare sopra {} = {} m: il collare non ha lunghezza", of("y_upper"),
+                                 told_value(wedge.y_upper), of("y_lower"), told_value(wedge.y_lower)));
   return wedge;
 }
 
@@ -176,10 +175,10 @@ void require_contact(const std::string& name, const Levers& of) {
             "la normale di contatto passa per la cerniera della leva di P, che regge allora ogni carico senza P"});
   if (load == Sign::zero)
     throw BadGivens(
-        format_words("{}.direction_Q = {}°, {}.x_Q = {} m: the line of Q passes through the hinge of its "
-                     "lever, and the contact carries nothing",
-                     "{}.direction_Q = {}°, {}.x_Q = {} m: la retta di Q passa per la cerniera della sua "
-                     "leva, e il contatto non porta nulla",
+        format_words("{}.direction_Q = {}°, {}.x_Q = {} m: the line of Q passes through the hinge of its lever, and "
+                     "the contact carries nothing",
+                     "{}.direction_Q = {}°, {}.x_Q = {} m: la retta di Q passa per la cerniera della sua leva, e il "
+                     "contatto non porta nulla",
                      name, in_words(of.direction_Q), name, told_value(of.x_Q)));
   if (contact == load)
     refuse({"Q and the contact's force turn the lever the same way: the levers would part in C",
@@ -222,8 +221,7 @@ Fairbairn fairbairn(const Givens& givens, const std::string& name) {
                        }).sign;
   if (reaches == Sign::negative)
     throw BadGivens(format_words(
-        "{} = {} m: the crank does not reach the lever, which passes A at {} m; B does not "
-        "exist",
+        "{} = {} m: the crank does not reach the lever, which passes A at {} m; B does not exist",
         "{} = {} m: la manovella non raggiunge la leva, che passa a {} m da A; B non esiste", of("AB"),
         told_value(made.AB), decimal(CGAL::to_double(made.AC) * std::abs(geometry::sine<double>(made.theta)), 6)));
   made.touches = reaches == Sign::zero;

@@ -61,19 +61,19 @@ bool is_square_to_guide(const SliderCrankInstant& at) {
   const Words phi = decimal(degrees(at.crank), 6);
   const double r = CGAL::to_double(at.lengths.r), l = CGAL::to_double(at.lengths.l);
   if (!is_square_to_guide(at))
-    throw BadGivens(format_words(
-        "at crank angle {}° the coupler AB = {} m stands square to the guide, where the crank cannot drive "
-        "the slider: its velocity does not exist",
-        "con la manovella a {}° la biella AB = {} m è perpendicolare alla guida, dove la manovella non può "
-        "muovere il corsoio: la sua velocità non esiste",
-        phi, decimal(l, 6)));
+    throw BadGivens(
+        format_words("at crank angle {}° the coupler AB = {} m stands square to the guide, where the crank cannot "
+                     "drive the slider: its velocity does not exist",
+                     "con la manovella a {}° la biella AB = {} m è perpendicolare alla guida, dove la manovella non "
+                     "può muovere il corsoio: la sua velocità non esiste",
+                     phi, decimal(l, 6)));
   if (CGAL::abs(at.lengths.e) == at.lengths.r + at.lengths.l)
-    throw BadGivens(format_words(
-        "at crank angle {}° crank and coupler are stretched square to the guide: the linkage closes at this "
-        "angle alone, and cannot move",
-        "con la manovella a {}° manovella e biella sono distese perpendicolari alla guida: il meccanismo "
-        "si chiude a questo angolo soltanto, e non può muoversi",
-        phi));
+    throw BadGivens(
+        format_words("at crank angle {}° crank and coupler are stretched square to the guide: the linkage closes at "
+                     "this angle alone, and cannot move",
+                     "con la manovella a {}° manovella e biella sono distese perpendicolari alla guida: il "
+                     "meccanismo si chiude a questo angolo soltanto, e non può muoversi",
+                     phi));
   const double up = within_one_turn(at.crank_from_guide()).turns == Rational(1, 4) ? 1 : -1;
   const auto motion = [&](double omega_3) {  // + 0.0: no zero with a sign
     return format_words("ω₃/ω₂ = {} and v_B/ω₂ = {} m", "ω₃/ω₂ = {} e v_B/ω₂ = {} m", decimal(omega_3, 6),
@@ -81,8 +81,7 @@ bool is_square_to_guide(const SliderCrankInstant& at) {
   };
   throw BadGivens(format_words(
       "at crank angle {}° crank and coupler AB = {} m are both square to the guide: a change point, which two "
-      "motions "
-      "leave, with {}, or {}; choose another crank angle, if only a little greater",
+      "motions leave, with {}, or {}; choose another crank angle, if only a little greater",
       "con la manovella a {}° manovella e biella AB = {} m sono entrambe perpendicolari alla guida: un punto di "
       "cambiamento, da cui partono due moti, con {}, o {}; scegliere un altro angolo, anche di poco maggiore",
       phi, decimal(l, 6), motion(std::sqrt(r / l)), motion(-std::sqrt(r / l))));
@@ -104,10 +103,10 @@ void require_closure(const SliderCrankInstant& at) {
       return std::pair{to_double(from_guide), to_double(from_guide - geometry::from_rational<Deep>(at.lengths.l))};
     });
     throw BadGivens(format_words(
-        "the linkage does not close: at crank angle {}° the pin A is {} m from the guide, and the coupler "
-        "AB = {} m is too short by {} m{}",
-        "il meccanismo non si chiude: con la manovella a {}° il perno A dista {} m dalla guida, e la biella "
-        "AB = {} m è troppo corta di {} m{}",
+        "the linkage does not close: at crank angle {}° the pin A is {} m from the guide, and the coupler AB = {} m "
+        "is too short by {} m{}",
+        "il meccanismo non si chiude: con la manovella a {}° il perno A dista {} m dalla guida, e la biella AB = {} "
+        "m è troppo corta di {} m{}",
         decimal(phi, 6), decimal(height, 6), decimal(l, 6), decimal(missing, 3), angles_at_which_it_closes(at)));
   }
   refuse_at_reach(at);

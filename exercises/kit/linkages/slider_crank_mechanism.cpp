@@ -42,8 +42,7 @@ std::string swing_in_words(const Solution& solution, Language language) {
   std::string text;
   for (std::size_t i = 0; solution.has(crank_limit(i).name); i += 2) {
     const Words sentence = text.empty() ? Words{"The crank cannot turn fully: $φ$ from {}° to {}°",
-                                                "La manovella non compie "
-                                                "il giro: $φ$ da {}° a {}°"}
+                                                "La manovella non compie il giro: $φ$ da {}° a {}°"}
                                         : Words{" or from {}° to {}°", " o da {}° a {}°"};
     text += fmt::format(fmt::runtime(sentence.in(language)), figures(solution[crank_limit(i).name], 4, language),
                         figures(solution[crank_limit(i + 1).name], 4, language));

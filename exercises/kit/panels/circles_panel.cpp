@@ -196,13 +196,12 @@ std::vector<drawings::Block> CirclesPanel::draw(Plot& plot, const drawings::Box&
 
 PanelStep CirclesPanel::step_to_prime(const Plot& plot, const drawings::Box& room, const Builder& X) const {
   const std::string P = pole_letters();
-  return {
-      format_words("${0}'$ on the ray ${1}{0}$, by Euler-Savary: ${1}{0}^{{2}}$ = ${2}{0}$·${0}'{0}$, on the side "
-                   "of ${2}$ seen from ${0}$.",
-                   "${0}'$ sul raggio ${1}{0}$, con Euler-Savary: ${1}{0}^{{2}}$ = ${2}{0}$·${0}'{0}$, dalla parte "
-                   "di ${2}$ rispetto a{3} ${0}$.",
-                   X.letters, P, X.centre_letters, std::string(X.letters.starts_with("A") ? "d" : "")),
-      X.prime ? std::optional(seen_end(plot, room, X.at, *X.prime)) : X.at};
+  return {format_words("${0}'$ on the ray ${1}{0}$, by Euler-Savary: ${1}{0}^{{2}}$ = ${2}{0}$·${0}'{0}$, on the "
+                       "side of ${2}$ seen from ${0}$.",
+                       "${0}'$ sul raggio ${1}{0}$, con Euler-Savary: ${1}{0}^{{2}}$ = ${2}{0}$·${0}'{0}$, dalla "
+                       "parte di ${2}$ rispetto a{3} ${0}$.",
+                       X.letters, P, X.centre_letters, std::string(X.letters.starts_with("A") ? "d" : "")),
+          X.prime ? std::optional(seen_end(plot, room, X.at, *X.prime)) : X.at};
 }
 
 PanelStep CirclesPanel::step_to_J(const Plot& plot, const drawings::Box& room) const {
@@ -217,26 +216,25 @@ PanelStep CirclesPanel::step_to_J(const Plot& plot, const drawings::Box& room) c
     const Words touched = other_.is_straight() ? Words{"the normal to the path", "alla normale alla traiettoria"}
                                                : format_words("${0}{1}$", "alla ${0}{1}$", other_.centre_letters, Y);
     return {
-        format_words("Dead centre: ${0}$ is ${1}$. $J$ {2}, where the perpendicular to ${0}{3}$ at ${3}'$ meets it. "
-                     "The inflection circle has the diameter ${0}J$ and the centre $F$: it touches {4} at ${1}$ and "
-                     "passes through ${3}'$.",
-                     "Punto morto: ${0}$ è ${1}$. $J$ {2}, dove la incontra la normale a ${0}{3}$ in ${3}'$. La "
-                     "circonferenza dei flessi ha il diametro ${0}J$ e il centro $F$: è tangente in ${1}$ "
-                     "{4} e passa per ${3}'$.",
-                     P, Y, along, X, touched),
+        format_words(
+            "Dead centre: ${0}$ is ${1}$. $J$ {2}, where the perpendicular to ${0}{3}$ at ${3}'$ meets it. The "
+            "inflection circle has the diameter ${0}J$ and the centre $F$: it touches {4} at ${1}$ and passes "
+            "through ${3}'$.",
+            "Punto morto: ${0}$ è ${1}$. $J$ {2}, dove la incontra la normale a ${0}{3}$ in ${3}'$. La circonferenza "
+            "dei flessi ha il diametro ${0}J$ e il centro $F$: è tangente in ${1}$ {4} e passa per ${3}'$.",
+            P, Y, along, X, touched),
         at};
   }
   const Words where = other_.is_straight()
                           ? format_words("${0}'$, and to ${1}{2}$ at ${2}$, whose path is straight,",
                                          "${0}'$, e a ${1}{2}$ in ${2}$, la cui traiettoria è retta,", X, P, Y)
                           : format_words("${0}'$ and ${1}'$", "${0}'$ e ${1}'$", X, Y);
-  return {
-      format_words("The perpendiculars to the rays at {0} meet at the inflection pole $J$. The inflection circle "
-                   "has the diameter ${1}J$ and the centre $F$.",
-                   "Le normali ai raggi in {0} si incontrano nel polo dei flessi $J$. La circonferenza dei flessi "
-                   "ha il diametro ${1}J$ e il centro $F$.",
-                   where, P),
-      at};
+  return {format_words("The perpendiculars to the rays at {0} meet at the inflection pole $J$. The inflection circle "
+                       "has the diameter ${1}J$ and the centre $F$.",
+                       "Le normali ai raggi in {0} si incontrano nel polo dei flessi $J$. La circonferenza dei "
+                       "flessi ha il diametro ${1}J$ e il centro $F$.",
+                       where, P),
+          at};
 }
 
 PanelStep CirclesPanel::step_to_S(const Plot& plot, const drawings::Box& room) const {
@@ -245,26 +243,23 @@ PanelStep CirclesPanel::step_to_S(const Plot& plot, const drawings::Box& room) c
     return {format_words("$α_{{3}}$ = 0: the stationarity circle is the line ${}J$.",
                          "$α_{{3}}$ = 0: la circonferenza di stazionarietà è la retta ${}J$.", P),
             P0_};
-  const Words A_double =
-      case_.driven_speeds_up
-          ? format_words(
-                "${0}''$ on the ray ${1}{0}$, where the acceleration along the path is zero: ${0}''{0}$ = "
-                "|$a^{{t}}_{{{0}}}$ / $α_{{3}}$|. ",
-                "${0}''$ sul raggio ${1}{0}$, dove l'accelerazione lungo la traiettoria è nulla: ${0}''{0}$ = "
-                "|$a^{{t}}_{{{0}}}$ / $α_{{3}}$|. ",
-                X, P)
-          : format_words("The acceleration of ${0}$ is all normal. ", "L'accelerazione di ${0}$ è tutta normale. ",
-                         X);
+  const Words A_double = case_.driven_speeds_up
+                             ? format_words(
+                                   "${0}''$ on the ray ${1}{0}$, where the acceleration along the path is zero: "
+                                   "${0}''{0}$ = |$a^{{t}}_{{{0}}}$ / $α_{{3}}$|. ",
+                                   "${0}''$ sul raggio ${1}{0}$, dove l'accelerazione lungo la traiettoria è nulla: "
+                                   "${0}''{0}$ = |$a^{{t}}_{{{0}}}$ / $α_{{3}}$|. ",
+                                   X, P)
+                             : format_words("The acceleration of ${0}$ is all normal. ",
+                                            "L'accelerazione di ${0}$ è tutta normale. ", X);
   const std::string Q = case_.driven_speeds_up ? X + "''" : X;
-  return {
-      A_double + format_words("The perpendicular to the ray at ${1}$ meets the pole tangent (at ${0}$, perpendicular "
-                              "to ${0}J$) at $S'$. The stationarity circle has the diameter ${0}S'$ and the centre "
-                              "$S$.",
-                              "La normale al raggio in ${1}$ incontra la tangente polare (in ${0}$, normale a "
-                              "${0}J$) in $S'$. La circonferenza di stazionarietà ha il diametro ${0}S'$ e il "
-                              "centro $S$.",
-                              P, Q),
-      S_prime_ ? std::optional(seen_end(plot, room, *P0_, *S_prime_)) : P0_};
+  return {A_double +
+              format_words("The perpendicular to the ray at ${1}$ meets the pole tangent (at ${0}$, perpendicular to "
+                           "${0}J$) at $S'$. The stationarity circle has the diameter ${0}S'$ and the centre $S$.",
+                           "La normale al raggio in ${1}$ incontra la tangente polare (in ${0}$, normale a ${0}J$) "
+                           "in $S'$. La circonferenza di stazionarietà ha il diametro ${0}S'$ e il centro $S$.",
+                           P, Q),
+          S_prime_ ? std::optional(seen_end(plot, room, *P0_, *S_prime_)) : P0_};
 }
 
 // The pole is at infinity: both circles are lines, or nothing at all.
@@ -308,15 +303,13 @@ std::vector<PanelStep> CirclesPanel::steps(const Plot& plot, const drawings::Box
   steps.push_back(step_to_S(plot, room));
   if (!K_) return steps;
   const std::string P = pole_letters();
-  steps.push_back({is_steady()
-                       ? Words{"The line meets the inflection circle again at $J$: $K$ is $J$.",
-                               "La retta incontra ancora la circonferenza dei flessi in $J$: $K$ è $J$."}
-                       : format_words("$K$, where the circles meet again: the foot of the perpendicular from "
-                                      "${}$ to $JS'$.",
-                                      "$K$, dove le due si incontrano ancora: il piede della normale da ${}$ a "
-                                      "$JS'$.",
-                                      P),
-                   K_});
+  steps.push_back(
+      {is_steady()
+           ? Words{"The line meets the inflection circle again at $J$: $K$ is $J$.",
+                   "La retta incontra ancora la circonferenza dei flessi in $J$: $K$ è $J$."}
+           : format_words("$K$, where the circles meet again: the foot of the perpendicular from ${}$ to $JS'$.",
+                          "$K$, dove le due si incontrano ancora: il piede della normale da ${}$ a $JS'$.", P),
+       K_});
   return steps;
 }
 

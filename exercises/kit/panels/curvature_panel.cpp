@@ -208,21 +208,18 @@ Words OsculatingPanel::step_to(const OnPath& X, bool is_first) const {
         "${0}$ sta sulla circonferenza dei flessi: la sua traiettoria è rettilinea al secondo ordine.", X.letters);
   if (!P0_)
     return format_words(
-        "$Ω_{{{0}}}$ on the normal to $\\vec{{v}}_{{{0}}}$, at $ρ_{{{0}}}$ = $v^{{2}}_{{{0}}}$ / "
-        "$a^{{n}}_{{{0}}}$.",
-        "$Ω_{{{0}}}$ sulla normale a $\\vec{{v}}_{{{0}}}$, a $ρ_{{{0}}}$ = $v^{{2}}_{{{0}}}$ / "
-        "$a^{{n}}_{{{0}}}$.",
+        "$Ω_{{{0}}}$ on the normal to $\\vec{{v}}_{{{0}}}$, at $ρ_{{{0}}}$ = $v^{{2}}_{{{0}}}$ / $a^{{n}}_{{{0}}}$.",
+        "$Ω_{{{0}}}$ sulla normale a $\\vec{{v}}_{{{0}}}$, a $ρ_{{{0}}}$ = $v^{{2}}_{{{0}}}$ / $a^{{n}}_{{{0}}}$.",
         X.letters);
   if (!is_first)
     return format_words("Likewise $Ω_{{{0}}}$: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$.",
                         "Analogamente $Ω_{{{0}}}$: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$.", X.letters, P);
   return format_words(
-      "Euler-Savary: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$ gives $Ω_{{{0}}}$ on the ray, on the same "
-      "side of ${0}$ as ${0}'$. The thin arc about it osculates the path of ${0}$, of which a piece "
-      "is drawn.",
-      "Euler-Savary: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$ dà $Ω_{{{0}}}$ sul raggio, dalla stessa "
-      "parte di ${0}'$ rispetto a ${0}$. L'arco sottile di questo centro oscula la traiettoria di "
-      "${0}$, della quale è disegnato un tratto.",
+      "Euler-Savary: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$ gives $Ω_{{{0}}}$ on the ray, on the same side of "
+      "${0}$ as ${0}'$. The thin arc about it osculates the path of ${0}$, of which a piece is drawn.",
+      "Euler-Savary: ${1}{0}^{{2}}$ = $Ω_{{{0}}}{0}$·${0}'{0}$ dà $Ω_{{{0}}}$ sul raggio, dalla stessa parte di "
+      "${0}'$ rispetto a ${0}$. L'arco sottile di questo centro oscula la traiettoria di ${0}$, della quale è "
+      "disegnato un tratto.",
       X.letters, P);
 }
 

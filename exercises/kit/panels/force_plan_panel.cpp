@@ -106,13 +106,11 @@ std::vector<drawings::Block> ForcePlanPanel::draw(Plot& plot, const drawings::Bo
 std::vector<PanelStep> ForcePlanPanel::steps(const Plot&, const drawings::Box&) const {
   const geometry::BowNotation& bow = figure_->bow;
   const auto letter = TrussFigure::region_letter;
-  std::vector<PanelStep> all{
-      {{"Clockwise round the truss the forces from outside, each between the letters of its regions: the loads and "
-        "the "
-        "reactions found before. They close.",
-        "In senso orario attorno alla travatura le forze esterne, ognuna tra le lettere delle sue regioni: i carichi "
-        "e le reazioni già trovate. Si chiudono."},
-       figure_->plan.front()}};
+  std::vector<PanelStep> all{{{"Clockwise round the truss the forces from outside, each between the letters of its "
+                               "regions: the loads and the reactions found before. They close.",
+                               "In senso orario attorno alla travatura le forze esterne, ognuna tra le lettere delle "
+                               "sue regioni: i carichi e le reazioni già trovate. Si chiudono."},
+                              figure_->plan.front()}};
   for (const auto& step : bow.steps) {
     const auto beyond = [&](std::size_t bar) {
       const auto& [left, right] = bow.sides[bar];

@@ -334,19 +334,17 @@ std::vector<PanelStep> IntegrationPanel::steps(const Plot&, const drawings::Box&
                                 "{}: {} si riporta sull'asse delle ordinate.", row.letters, of) +
                        numbered,
                    at(i, x, row.carried[middle])});
+    all.push_back({format_words("From there rays run to the pole {}. What a centimetre is worth of {}, over what it "
+                                "is worth of {} times {}, is its distance in centimetres.",
+                                "Da lì i raggi vanno al polo {}. Quanto vale un centimetro di {}, diviso quanto vale "
+                                "di {} per quanto vale di {}, è la sua distanza in centimetri.",
+                                pole, next.letters, along_.letters, row.letters),
+                   Place{-pole_distance(i) / 2, axes_[i]}});
     all.push_back(
         {format_words(
-             "From there rays run to the pole {}. What a centimetre is worth of {}, over what it is worth of {} "
-             "times {}, is its distance in centimetres.",
-             "Da lì i raggi vanno al polo {}. Quanto vale un centimetro di {}, diviso quanto vale di {} per "
-             "quanto vale di {}, è la sua distanza in centimetri.",
-             pole, next.letters, along_.letters, row.letters),
-         Place{-pole_distance(i) / 2, axes_[i]}});
-    all.push_back(
-        {format_words("{}: in each strip parallel to its ray, from corner to corner. Dashed, the true one.",
-                      "{}: in ogni striscia parallela al suo raggio, di vertice in vertice. A tratti, la curva "
-                      "esatta.",
-                      next.letters),
+             "{}: in each strip parallel to its ray, from corner to corner. Dashed, the true one.",
+             "{}: in ogni striscia parallela al suo raggio, di vertice in vertice. A tratti, la curva esatta.",
+             next.letters),
          // Among many strips a number's leader would cross the axis' numbers: it stands where the polygon begins.
          are_many(along_.ends.size() - 1) ? at(i + 1, along_.ends.front(), next.corners.front())
                                           : at(i + 1, x, (next.corners[middle] + next.corners[middle + 1]) / 2)});

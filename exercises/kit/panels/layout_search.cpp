@@ -371,14 +371,13 @@ bool is_large_enough(const std::vector<const Panel*>& panels, const Choices& all
   });
   const Scale asked = length_scale(*request.scale);
   const drawings::Box extent = first->panel->extent_of_near(asked, first->vectors);
-  throw DoesNotFit(format_words(
-      "at scale {} the figure takes {:.0f} x {:.0f} mm, but this sheet has {:.0f} x {:.0f} mm for it and what stands "
-      "beside it; {} would fit",
-      "in scala {} la figura occupa {:.0f} x {:.0f} mm, ma questa tavola ne ha {:.0f} x {:.0f} per essa e per ciò "
-      "che "
-      "le sta accanto; andrebbe bene {}",
-      drawings::plain(asked.caption), extent.width(), extent.height(), room.width(), room.height(),
-      drawings::plain(first->lengths.caption)));
+  throw DoesNotFit(
+      format_words("at scale {} the figure takes {:.0f} x {:.0f} mm, but this sheet has {:.0f} x {:.0f} mm for it "
+                   "and what stands beside it; {} would fit",
+                   "in scala {} la figura occupa {:.0f} x {:.0f} mm, ma questa tavola ne ha {:.0f} x {:.0f} per essa "
+                   "e per ciò che le sta accanto; andrebbe bene {}",
+                   drawings::plain(asked.caption), extent.width(), extent.height(), room.width(), room.height(),
+                   drawings::plain(first->lengths.caption)));
 }
 
 }  // namespace

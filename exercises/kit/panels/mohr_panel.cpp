@@ -71,24 +71,22 @@ std::vector<drawings::Block> MohrPanel::draw(Plot& plot, const drawings::Box& ro
 
 std::vector<PanelStep> MohrPanel::steps(const Plot&, const drawings::Box&) const {
   const Words state = decimal("$X$: " + of_.sigma_letters + ", " + of_.tau_letters + "; $Y$: 0, −" + of_.tau_letters);
-  return {
-      {Words{"The faces across and along the beam: ", "Le facce trasversale e longitudinale della trave: "} + state +
-           Words{". $XY$ is a diameter.", ". $XY$ è un diametro."},
-       Place{of_.sigma, of_.tau}},
-      {{"Where the circle crosses the axis of $σ$: $σ_{I}$ and $σ_{II}$.",
-        "Dove il cerchio incontra l'asse delle $σ$: $σ_{I}$ e $σ_{II}$."},
-       Place{of_.sigma_I, 0}},
-      {{"The pole $\\it{P}$: through $X$ the parallel to the face across. From $\\it{P}$ to $σ_{I}$: the face on "
-        "which "
-        "$σ_{I}$ acts.",
-        "Il polo $\\it{P}$: da $X$ la parallela alla faccia trasversale. Da $\\it{P}$ a $σ_{I}$: la giacitura su cui "
-        "agisce la $σ_{I}$."},
-       Place{of_.sigma, -of_.tau}},
-      {{"The equilateral triangle over $σ_{II}σ_{I}$: its tip is $σ_{eq}$ = √($c^{2}$ + 3$r^{2}$) from the origin "
-        "(von Mises).",
-        "Il triangolo equilatero su $σ_{II}σ_{I}$: il vertice dista dall'origine $σ_{eq}$ = √($c^{2}$ + 3$r^{2}$) "
-        "(von Mises)."},
-       tip()}};
+  return {{Words{"The faces across and along the beam: ", "Le facce trasversale e longitudinale della trave: "} +
+               state + Words{". $XY$ is a diameter.", ". $XY$ è un diametro."},
+           Place{of_.sigma, of_.tau}},
+          {{"Where the circle crosses the axis of $σ$: $σ_{I}$ and $σ_{II}$.",
+            "Dove il cerchio incontra l'asse delle $σ$: $σ_{I}$ e $σ_{II}$."},
+           Place{of_.sigma_I, 0}},
+          {{"The pole $\\it{P}$: through $X$ the parallel to the face across. From $\\it{P}$ to $σ_{I}$: the face on "
+            "which $σ_{I}$ acts.",
+            "Il polo $\\it{P}$: da $X$ la parallela alla faccia trasversale. Da $\\it{P}$ a $σ_{I}$: la giacitura su "
+            "cui agisce la $σ_{I}$."},
+           Place{of_.sigma, -of_.tau}},
+          {{"The equilateral triangle over $σ_{II}σ_{I}$: its tip is $σ_{eq}$ = √($c^{2}$ + 3$r^{2}$) from the "
+            "origin (von Mises).",
+            "Il triangolo equilatero su $σ_{II}σ_{I}$: il vertice dista dall'origine $σ_{eq}$ = √($c^{2}$ + "
+            "3$r^{2}$) (von Mises)."},
+           tip()}};
 }
 
 }  // namespace epure

@@ -16,10 +16,10 @@ Words inflection_pole(const Rolled& f) {
   switch (f.given.rolling.how) {
     case geometry::Rolls::circle_on_line:
       return {
-          "The contact $P_{0}$ is the pole. $C$ runs straight (1/$δ$ = 1/$r$ − 1/∞): it is the inflection pole, "
-          "$J$ ≡ $C$, $δ$ = $P_{0}J$ = $r$.",
-          "Il contatto $P_{0}$ è il polo. $C$ va diritto (1/$δ$ = 1/$r$ − 1/∞): è il polo dei flessi, $J$ ≡ $C$, "
-          "$δ$ = $P_{0}J$ = $r$."};
+          "The contact $P_{0}$ is the pole. $C$ runs straight (1/$δ$ = 1/$r$ − 1/∞): it is the inflection pole, $J$ "
+          "≡ $C$, $δ$ = $P_{0}J$ = $r$.",
+          "Il contatto $P_{0}$ è il polo. $C$ va diritto (1/$δ$ = 1/$r$ − 1/∞): è il polo dei flessi, $J$ ≡ $C$, $δ$ "
+          "= $P_{0}J$ = $r$."};
     case geometry::Rolls::line_on_circle:
       return {
           "The contact $P_{0}$ is the pole. Seen from the line $O$ runs straight: the inflection pole $J$ lies "
@@ -28,11 +28,10 @@ Words inflection_pole(const Rolled& f) {
           "fronte, $δ$ = $P_{0}J$ = $P_{0}O$."};
     default:
       return {
-          "The contact $P_{0}$ is the pole. $C$ goes about $O$: by Euler and Savary $P_{0}C^{2}$ = $CO$·$CJ$ "
-          "gives the inflection pole $J$. $δ$ = $P_{0}J$.",
+          "The contact $P_{0}$ is the pole. $C$ goes about $O$: by Euler and Savary $P_{0}C^{2}$ = $CO$·$CJ$ gives "
+          "the inflection pole $J$. $δ$ = $P_{0}J$.",
           "Il contatto $P_{0}$ è il polo. $C$ ruota intorno a $O$: per la formula di Euler-Savary $P_{0}C^{2}$ = "
-          "$CO$·$CJ$ "
-          "dà il polo dei flessi $J$. $δ$ = $P_{0}J$."};
+          "$CO$·$CJ$ dà il polo dei flessi $J$. $δ$ = $P_{0}J$."};
   }
 }
 
@@ -53,17 +52,16 @@ Words acceleration_step(const Rolled& f) {
 }
 
 std::vector<InstantStep> at_cusp(const Rolled& f) {
-  return {
-      {{"$M$ is on the pole: $\\vec{v}_{M}$ = 0. $\\vec{a}_{M}$ = $ω^{2}$·$P_{0}J$ lies along the path: against the "
-        "motion $\\vec{t}^{−}$ before, with $\\vec{t}^{+}$ after.",
-        "$M$ è sul polo: $\\vec{v}_{M}$ = 0. Tutta la $\\vec{a}_{M}$ = $ω^{2}$·$P_{0}J$ è lungo la traiettoria: "
-        "contro il moto $\\vec{t}^{−}$ prima, concorde col moto $\\vec{t}^{+}$ dopo."},
-       At::acceleration},
-      {f.runs_straight()
-           ? Words{"The path is straight: $M$ turns back.", "La traiettoria è diritta: $M$ torna indietro."}
-           : Words{"The path has a cusp: $ρ$ = 0, the centre of curvature is $M$.",
-                   "La traiettoria ha una cuspide: $ρ$ = 0, il centro di curvatura è $M$."},
-       At::centre_of_curvature}};
+  return {{{"$M$ is on the pole: $\\vec{v}_{M}$ = 0. $\\vec{a}_{M}$ = $ω^{2}$·$P_{0}J$ lies along the path: against "
+            "the motion $\\vec{t}^{−}$ before, with $\\vec{t}^{+}$ after.",
+            "$M$ è sul polo: $\\vec{v}_{M}$ = 0. Tutta la $\\vec{a}_{M}$ = $ω^{2}$·$P_{0}J$ è lungo la traiettoria: "
+            "contro il moto $\\vec{t}^{−}$ prima, concorde col moto $\\vec{t}^{+}$ dopo."},
+           At::acceleration},
+          {f.runs_straight()
+               ? Words{"The path is straight: $M$ turns back.", "La traiettoria è diritta: $M$ torna indietro."}
+               : Words{"The path has a cusp: $ρ$ = 0, the centre of curvature is $M$.",
+                       "La traiettoria ha una cuspide: $ρ$ = 0, il centro di curvatura è $M$."},
+           At::centre_of_curvature}};
 }
 
 Words foot_step(const Rolled& f) {
@@ -72,8 +70,7 @@ Words foot_step(const Rolled& f) {
             "$M$ è sempre sul cerchio dei flessi: $M'$ ≡ $M$, la traiettoria è un diametro, $\\vec{a}^{n}_{M}$ = 0."};
   if (f.given.unwinds())
     return {
-        "The ray $P_{0}M$ touches the inflection circle at $P_{0}$: $M'$ ≡ $P_{0}$, $a^{n}_{M}$ = "
-        "$ω^{2}$·$MP_{0}$.",
+        "The ray $P_{0}M$ touches the inflection circle at $P_{0}$: $M'$ ≡ $P_{0}$, $a^{n}_{M}$ = $ω^{2}$·$MP_{0}$.",
         "Il raggio $P_{0}M$ è tangente al cerchio dei flessi in $P_{0}$: $M'$ ≡ $P_{0}$, $a^{n}_{M}$ = "
         "$ω^{2}$·$MP_{0}$."};
   return {

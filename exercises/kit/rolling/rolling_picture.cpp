@@ -125,10 +125,8 @@ std::vector<Place> samples_of_path(const RollingGivens& given, const Way& way) {
 std::vector<drawings::Block> told_of_curve(const Words& name, const Words& equation, double deviation,
                                            Language language) {
   const Words proved{
-      "The line through the points is the true {}; as drawn it is nowhere more than {} mm of paper off "
-      "it.",
-      "La linea per i punti è la vera {}; così disegnata non se ne scosta in alcun punto più di {} mm sul "
-      "foglio."};
+      "The line through the points is the true {}; as drawn it is nowhere more than {} mm of paper off it.",
+      "La linea per i punti è la vera {}; così disegnata non se ne scosta in alcun punto più di {} mm sul foglio."};
   return {drawings::Heading{Words{"The curve", "La curva"}.in(language)}, drawings::Paragraph{equation.in(language)},
           drawings::Paragraph{
               fmt::format(fmt::runtime(proved.in(language)), name.in(language), figures(deviation, 1, language))}};

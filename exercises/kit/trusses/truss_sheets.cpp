@@ -64,10 +64,10 @@ std::vector<Result> results_of(const LoadedTruss& of, const Solution& s, Languag
   all.push_back(values({"N_max", "N_min"}));
   all.push_back(values({"sum_N_l"}));
   all.push_back(
-      remark(Words{"$Σ\\it{N}l$ over the bars is $Σ\\vec{\\it{F}}$·$\\vec{r}$ over loads and reactions, "
-                   "$\\vec{r}$ from any one point (Maxwell): a check of the plan.",
-                   "$Σ\\it{N}l$ sulle aste è $Σ\\vec{\\it{F}}$·$\\vec{r}$ su carichi e reazioni, $\\vec{r}$ "
-                   "da un punto qualsiasi (Maxwell): controlla il piano."}
+      remark(Words{"$Σ\\it{N}l$ over the bars is $Σ\\vec{\\it{F}}$·$\\vec{r}$ over loads and reactions, $\\vec{r}$ "
+                   "from any one point (Maxwell): a check of the plan.",
+                   "$Σ\\it{N}l$ sulle aste è $Σ\\vec{\\it{F}}$·$\\vec{r}$ su carichi e reazioni, $\\vec{r}$ da un "
+                   "punto qualsiasi (Maxwell): controlla il piano."}
                  .in(language)));
   for (const Load& load : of.loads)
     if (load.is_told) all.push_back(components(load_at(of, load)));
@@ -97,13 +97,14 @@ PanelSheet plan_sheet(const LoadedTruss& of, const Solution& s, Language languag
       "(heavy, −), away from it tension (thin, +); dashed bars bear nothing.",
       "Girando in senso orario attorno a un nodo, il diagramma dà il verso di ogni forza su di esso: verso il nodo è "
       "compressione (linea grossa, −), dal nodo trazione (sottile, +); le aste tratteggiate sono scariche."};
-  return {.panels = panels(TrussPanel(figure, TrussPanel::Regions::lettered), ForcePlanPanel(figure)),
-          .theory = {{{"Senses", "Versi"}, {remark(senses.in(language))}}},
-          .results = results_of(of, s, language),
-          .seen = {"The truss with its loads and reactions and the regions between them lettered, and Cremona's plan",
-                   "La travatura con carichi e reazioni e le regioni tra di essi distinte da lettere, e il piano di "
-                   "Cremona"},
-          .told = {R_A.x().name, R_A.y().name, reaction_of_roller(of).name, "N_max", "N_min"}};
+  return {
+      .panels = panels(TrussPanel(figure, TrussPanel::Regions::lettered), ForcePlanPanel(figure)),
+      .theory = {{{"Senses", "Versi"}, {remark(senses.in(language))}}},
+      .results = results_of(of, s, language),
+      .seen =
+          {"The truss with its loads and reactions and the regions between them lettered, and Cremona's plan",
+           "La travatura con carichi e reazioni e le regioni tra di essi distinte da lettere, e il piano di Cremona"},
+      .told = {R_A.x().name, R_A.y().name, reaction_of_roller(of).name, "N_max", "N_min"}};
 }
 
 PanelSheet forces_sheet(const LoadedTruss& of, const Solution& s, Language language) {
@@ -145,10 +146,10 @@ PanelSheet forces_sheet(const LoadedTruss& of, const Solution& s, Language langu
 std::unique_ptr<Exercise> exercise_of_truss(Description about, std::size_t most_bars, const TrussOf& truss,
                                             const WithoutPart& without_part) {
   about.question = {
-      "Find the reactions of the truss and the forces in its bars by Cremona's plan: which bars are in "
-      "tension, which in compression, and which carry nothing?",
-      "Trovare le reazioni della travatura e le forze nelle aste con il diagramma di Cremona: quali aste "
-      "sono tese, quali compresse e quali scariche?"};
+      "Find the reactions of the truss and the forces in its bars by Cremona's plan: which bars are in tension, "
+      "which in compression, and which carry nothing?",
+      "Trovare le reazioni della travatura e le forze nelle aste con il diagramma di Cremona: quali aste sono tese, "
+      "quali compresse e quali scariche?"};
   const auto solve = [=](const Givens& givens, Rung rung) { return settle(Routes{truss(givens), most_bars}, rung); };
   const auto made = [=](PanelSheet (*make)(const LoadedTruss&, const Solution&, Language)) {
     return [=](const Solution& s, Language language) {
