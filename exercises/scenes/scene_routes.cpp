@@ -83,6 +83,7 @@ struct SceneRoutes {
         return forces_by_groups(*built, constructed, loads, with_inertia);
       });
       put_forces<T>(ledger, forces);
+      tell_directions(ledger);
       const ForcesFound<T> found(*built, found_by_groups(constructed, forces));
       put_acting(ledger, found, [&](const Moments& moments, bool is_across) {
         return is_across ? found.across_by_moments(moments) : found.part(std::get<AcrossRod>(moments.sought), false);
@@ -202,6 +203,15 @@ struct SceneRoutes {
     for (const PermanentCentre& centre : plan.permanent)
       if (centre.gear != nothing) put(centre.i, centre.j);
     for (const FoundCentre& centre : plan.found) put(centre.i, centre.j);
+  }
+
+  // Polygons name them as they are given.
+  template <class T>
+  void tell_directions(Ledger<T>& ledger) const {
+    const auto& forces = built->loads->forces;
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      ledger.tells({built->force_names[k].name + "_direction", "", "deg", {}},
+                   [&, k] { return given_in_degrees<T>(forces[k].turned); });
   }
 
   template <class T>

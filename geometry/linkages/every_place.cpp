@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <memory>
 
 namespace epure::geometry {
@@ -55,6 +56,11 @@ EveryPlace::EveryPlace(const Linkage& linkage, const std::vector<Step>& steps) :
                          "gli ingranaggi tornano dov'erano solo dopo più di 12 giri del movente");
       turns_ *= static_cast<int>(more);
     }
+  for (const Step& step : steps)
+    if (const auto* wheel = std::get_if<GearedWheel>(&step))
+      if (turns_ * std::abs(CGAL::to_double(wheel->turn.times.front())) > most_turns_of_a_wheel)
+        throw Impossible("a wheel turns more than 100 times before the gears come back to where they were",
+                         "una ruota fa più di 100 giri prima che gli ingranaggi tornino dov'erano");
 }
 
 // To find a linkage is a hundred times as dear as the loci that the usual number is for.

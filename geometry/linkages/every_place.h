@@ -25,8 +25,9 @@ struct Constant<Taylor<T, N>> {
 class EveryPlace {
  public:
   // Of a linkage with one drive; both must outlive it. Throws Impossible where gears are where they were after more
-  // than `most_turns` only.
-  static constexpr int most_turns = 12;
+  // than `most_turns` of it only, or of one of them after more than `most_turns_of_a_wheel`: a path would be too
+  // long.
+  static constexpr int most_turns = 12, most_turns_of_a_wheel = 100;
   EveryPlace(const Linkage& linkage, const std::vector<Step>& steps);
 
   // Of the turned link, until all wheels are where they were.

@@ -698,7 +698,8 @@ double Mechanism::reach() const {
   for (const Disc& disc : discs_) round = std::max(round, radius(disc));
   for (const Point& P : points_) farthest = std::max(farthest, distance(O, P.at));
   for (const Path& path : paths_) round = std::max(round, distance(at(path.about), at(path.of)));
-  return farthest + round;
+  const double all = farthest + round;
+  return all > 0 ? all : 1;  // a single point has none
 }
 
 }  // namespace epure

@@ -289,3 +289,16 @@ TEST_CASE("what is wrong with masses is told with its place", "[scenes]") {
   CHECK(why("masses: {3: {mass: 2 kg, at: A}}\ngravity: 9.81 m").starts_with("11:10: \"9.81 m\" is a length"));
   CHECK(why("masses: [3]").find("masses: {3: {mass: 2 kg") != std::string::npos);
 }
+
+TEST_CASE("loads in any direction are told as they are given, and that is checked", "[scenes]") {
+  std::string text = scenes::bytes_of(EPURE_SCENES "/loaded-four-bar.yaml");
+  const std::string here = "direction: ";
+  const std::size_t from = text.find(here) + here.size(), to = text.find('}', from);
+  for (const std::string direction : {"80.5 deg", "-97.80 deg", "45.1234 deg", "1.2 rad"}) {
+    const auto scene =
+        std::make_shared<const scenes::Scene>("f", std::string(text).replace(from, to - from, direction));
+    const CheckedExercise checked = check(*scenes::scene_exercise(scene), Givens(scene->givens()), Rung::climb);
+    CAPTURE(direction, complaints(checked));
+    CHECK(checked.passed());
+  }
+}

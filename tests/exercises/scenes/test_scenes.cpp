@@ -657,6 +657,9 @@ TEST_CASE("gears are told by wheels, carrier and teeth; what cannot mesh is refu
   CHECK(why("wheels: 2 3, on: 1, tooth: [z, z]").starts_with("8:30: \"tooth\" has no meaning here"));
   CHECK(refusal(gears("wheels: 2 3, on: 1, teeth: [31, 37]") + "paths: [B]\n") ==
         "10:8: the gears come back to where they were after more than 12 turns of the drive only");
+  CHECK(refusal(gears("wheels: 2 3, on: 1, teeth: [2020, 20]") + "paths: [B]\n") ==
+        "10:8: a wheel turns more than 100 times before the gears come back to where they were");
+  CHECK(refusal(gears("wheels: 2 3, on: 1, teeth: [2000, 20]") + "paths: [B]\n").empty());
 }
 
 TEST_CASE("a side names what the links hang on", "[scenes]") {
@@ -771,4 +774,15 @@ TEST_CASE("links that miss 180 degrees by little have one angle by both routes",
   CHECK(std::abs(along) == 180);
   CHECK(std::abs(beyond) == 180);
   CHECK(std::abs(before) == 180);
+}
+
+TEST_CASE("a block alone on its guide has no extent, and is drawn all the same", "[scenes]") {
+  const auto scene = std::make_shared<const scenes::Scene>(
+      "f",
+      "epure: 1\nid: f\nlinks:\n  1: {e: {through: [400 mm, 300 mm], along: 90 deg}}\n  2: {F: [0, 0], f: {through: "
+      "[0, "
+      "0], along: 0 deg}}\nslides: {f: e}\ndrive: {slide: F, on: e, at: 118 mm, speed: -20 cm/s}\n");
+  const CheckedExercise checked = check(*scenes::scene_exercise(scene), Givens(scene->givens()), Rung::climb);
+  CAPTURE(complaints(checked));
+  CHECK(checked.passed());
 }
