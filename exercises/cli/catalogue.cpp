@@ -121,7 +121,8 @@ const Exercise& find_exercise(const Catalogue& exercises, const std::string& id)
   if (id.find('=') != std::string::npos)
     throw WrongUsage(format_words("\"{0}\" is no exercise; to set a given write --set {0}",
                                   "\"{0}\" non è un esercizio; per assegnare un dato scrivere --set {0}", id));
-  for (const std::string& shipped : scenes::shipped_ids()) ids.push_back(shipped);
+  const std::vector<std::string> like_shipped = near_names(id, scenes::shipped_ids());
+  ids.insert(ids.end(), like_shipped.begin(), like_shipped.end());
   throw WrongUsage(format_words("there is no exercise \"{}\"; {}", "non c'è alcun esercizio \"{}\"; {}", id,
                                 did_you_mean(id, ids)));
 }

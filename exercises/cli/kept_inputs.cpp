@@ -2,11 +2,16 @@
 
 #include "exercises/cli/catalogue.h"
 #include "exercises/kit/statement/format_words.h"
+#include "exercises/scenes/scene_exercise.h"
 
 namespace epure {
 
 void demand_not_read(const std::filesystem::path& written, const Options& options) {
-  std::vector<std::string> read = options.names;
+  std::vector<std::string> read;
+  for (const std::string& name : options.names) {
+    const auto scene = scenes::scene_name(name);
+    read.push_back(scene ? scene->file : name);
+  }
   for (const auto& file : {options.answers, options.key, options.givens_file, options.class_set.students})
     if (file) read.push_back(*file);
   for (const std::string& each : read) {

@@ -870,6 +870,21 @@ TEST_CASE("class and mark do not write over what they read", "[class]") {
   CHECK(marks_into("marks.csv").exit == 0);
 }
 
+TEST_CASE("a sheet of a mechanism is not written over the file that the mechanism is read from") {
+  const Scratch scratch;
+  const std::string scene =
+      "epure: 1\nid: f\nlinks:\n  1: {A0: [0, 0]}\n  2: {A0 A: 120 mm}\ndrive: {link: 2, angle: 60 deg, speed: 60 "
+      "rpm}\n";
+  write("f.yaml", scene);
+  for (const std::string name : {"f.yaml", "f.yaml/velocities"}) {
+    const Ran ran = run_real({"draw", name, "--format", "svg", "-o", "f.yaml"});
+    CAPTURE(name, ran.err);
+    CHECK(ran.exit == 2);
+    CHECK(contents("f.yaml") == scene);
+  }
+  CHECK(run_real({"draw", "f.yaml/velocities", "--format", "svg", "-o", "v.svg"}).exit == 0);
+}
+
 TEST_CASE("class: another class is not made over one that is there", "[class]") {
   const Scratch scratch;
   const std::vector<std::string> words{"slider-crank-velocity/poles", "--count", "2", "--course", "Rossi's course"};

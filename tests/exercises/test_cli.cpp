@@ -212,9 +212,11 @@ TEST_CASE("a given applies to the exercises that have it, and to at least one") 
 TEST_CASE("list shows the exercises, and one exercise") {
   const Ran all = run_on_two({"list"});
   CHECK(all.exit == 0);
-  CHECK(all.out ==
-        "other     A right triangle (euclid, I.47)\n"
-        "triangle  A right triangle (euclid, I.47)\n");
+  const std::string exercises =
+      "other     A right triangle (euclid, I.47)\n"
+      "triangle  A right triangle (euclid, I.47)\n";
+  CHECK(all.out.starts_with(exercises + "\nMechanisms from files (docs/scenes;"));
+  CHECK(run_on_two({"list", "all"}).out == exercises);
   CHECK(contains(run({"list", "--lang", "it"}).out, "Un triangolo rettangolo"));
   const std::string one = run({"list", "triangle"}).out;
   CHECK(contains(one, "  triangle/sides  The sides\n"));
@@ -599,7 +601,7 @@ TEST_CASE("a folder without a name is refused") {
 }
 
 TEST_CASE("list knows all, and says what is a sheet") {
-  CHECK(run_on_two({"list", "all"}).out == run_on_two({"list"}).out);
+  CHECK(run_on_two({"list"}).out.starts_with(run_on_two({"list", "all"}).out));
   refused({"list", "triangle/sides"}, "\"triangle/sides\" is a sheet; epure list triangle shows its exercise");
   refused({"list", "triangle/sides", "--json"},
           "\"triangle/sides\" is a sheet; epure list triangle shows its exercise");

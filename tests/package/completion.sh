@@ -47,7 +47,7 @@ for shell in bash zsh fish; do
   expect $shell 'epure booklet velocity-' velocity-centre
   expect $shell 'epure dr' draw
   expect $shell 'epure help sw' sweep
-  expect $shell 'epure draw four-bar-' four-bar-analytic four-bar-constraints
+  expect $shell 'epure draw four-bar-' four-bar-analytic four-bar-constraints four-bar-with-coupler-point
   expect $shell 'epure check al' all
   expect $shell 'epure draw slider-crank-velocity/' slider-crank-velocity/poles slider-crank-velocity/polodes ...
   expect $shell 'epure draw slider-crank-velocity/polar' slider-crank-velocity/polar-diagram

@@ -12,7 +12,9 @@ fail() { printf '%s\n' "$*" >&2; exit 2; }
 mirror=$(apt-get indextargets --format '$(LABEL) $(REPO_URI)' 'Created-By: Packages' | sed -n 's/^Debian //p' | head -n 1)
 eval "$(apt-config shell http_proxy Acquire::http::Proxy https_proxy Acquire::https::Proxy)"
 export http_proxy="${http_proxy-}" https_proxy="${https_proxy-}"
-[ -d "$root/usr" ] || debootstrap --variant=minbase "$suite" "$root" "$mirror" > /dev/null || fail "no root in $root"
+case $mirror in https:*) certificates=--include=ca-certificates ;; *) certificates= ;; esac
+# shellcheck disable=SC2086  # empty, or one word
+[ -d "$root/usr" ] || debootstrap --variant=minbase $certificates "$suite" "$root" "$mirror" > /dev/null || fail "no root in $root"
 cp -L /etc/resolv.conf /etc/hosts "$root/etc/"
 apt-config dump | grep '^Acquire::' | grep -v '^Acquire::IndexTargets' > "$root/etc/apt/apt.conf.d/90as-outside"
 cp "$package" "$root/tmp/epure.deb"
@@ -24,16 +26,28 @@ inside() {
 inside 'apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends /tmp/epure.deb' \
   > "$root/tmp/installed" 2>&1 || { tail -n 20 "$root/tmp/installed"; exit 1; }
 
-inside 'set -e
+inside 'set -eu
+  missing() { echo "wrong: $1"; exit 1; }
   as_user() { setpriv --reuid=1000 --regid=1000 --clear-groups "$@"; }
-  mkdir -p /tmp/user && chown 1000:1000 /tmp/user && cd /tmp/user
+  rm -rf /tmp/user && mkdir -p /tmp/user && chown 1000:1000 /tmp/user && cd /tmp/user
   epure --version
   as_user epure draw all --out out > written
-  echo "$(grep -c pdf written) PDF, $(grep -c svg written) SVG"
+  pdf=$(grep -c "[.]pdf$" written) svg=$(grep -c "[.]svg$" written)
+  echo "$pdf PDF, $svg SVG"
+  [ "$pdf" -ge 25 ] && [ "$svg" -ge 142 ] || missing "drawings"
   as_user epure check all --quiet
+  as_user epure check scenes --quiet
   as_user epure list --json > list.json
-  as_user epure bench --seconds 0.1 --out out > /dev/null && test -s out/bench.pdf && echo bench
-  for page in epure epure-draw; do zcat /usr/share/man/man1/$page.1.gz | grep -q "SH EXAMPLES"; done && echo manual
-  test -s /usr/share/bash-completion/completions/epure && test -s /usr/share/doc/epure/copyright
-  ! ldd /usr/bin/epure | grep "not found"
-  apt-get remove -y epure > /dev/null 2>&1 && ! test -e /usr/share/epure && echo "removed without a trace"'
+  as_user epure bench --seconds 0.1 --out out > /dev/null
+  test -s out/bench.pdf || missing "the drawing of the bench"
+  for page in epure epure-draw; do
+    zcat /usr/share/man/man1/$page.1.gz | grep -q "SH EXAMPLES" || missing "the page of $page"
+  done
+  for file in bash-completion/completions/epure zsh/site-functions/_epure fish/vendor_completions.d/epure.fish \
+    doc/epure/copyright; do
+    test -s /usr/share/$file || missing "$file"
+  done
+  if ldd /usr/bin/epure | grep "not found"; then missing "a library"; fi
+  apt-get remove -y epure > /dev/null 2>&1
+  if test -e /usr/share/epure; then missing "the removal: something stays"; fi
+  echo "removed without a trace"'

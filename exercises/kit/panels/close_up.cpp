@@ -222,6 +222,7 @@ void CloseUp::draw_given(Plot& plot, const drawings::Box& room, Language languag
 
 LaidOut laid_out_with_close_ups(const Panels& panels, const drawings::Box& room, const SheetRequest& request) {
   LaidOut plain{{}, laid_out(panels, room, request)};
+  if (request.scale) return plain;  // as it was asked for
   LaidOut larger;
   std::vector<const Panel*> all;
   for (const PlacedPanel& placed : plain.panels) {
