@@ -1,5 +1,6 @@
 // An exercise with some of its givens at special values: zero, a right angle, as long as another, or a hair beside
-// one of these. Refused in a sentence, or checked; no two routes disagree, and no sheet shows another number.
+// one of these. Refused in a sentence, undecided, or checked; no two routes disagree, and no sheet shows another
+// number.
 #include <array>
 #include <cstdint>
 #include <cstdlib>

@@ -62,8 +62,9 @@ FilmChart::FilmChart(const geometry::FilmWedge<double>& film, const FilmShown& s
 
 Words film_exaggeration(double times) {
   constexpr double countable = 1e6;
-  const double larger = std::max(times, 1 / times), digit = std::pow(10, std::floor(std::log10(larger)) - 1);
-  const double two_digits = std::round(larger / digit) * digit;
+  const double larger = std::max(times, 1 / times),
+               digit = std::max(1.0, std::pow(10, std::floor(std::log10(larger)) - 1));
+  const double two_digits = std::round(larger / digit) * digit;  // one below ten: "about 3 times"
   if (two_digits == 1)
     return {"The film is drawn about as high as it is, beside its length.",
             "Il meato è disegnato con altezza e lunghezza quasi alla stessa scala."};

@@ -28,6 +28,16 @@ TEST_CASE("michell thrust: the source's table is right but for the places of the
                                            "table_n_2_2.x_N_over_l", "table_n_3_0.x_N_over_l"});
 }
 
+// Below ten times it is told in whole numbers, which are no values; found by the fuzzer of givens.
+TEST_CASE("michell thrust: how much higher than long the film is drawn is told beside the values",
+          "[michell-thrust]") {
+  for (const Assignments& given : {Assignments{"D_e=700"}, Assignments{"x_N_over_l=0.565000000001", "mu=75"}}) {
+    const CheckedExercise checked = thrust().checked(given);
+    CAPTURE(given, complaints(checked));
+    CHECK(checked.passed());
+  }
+}
+
 TEST_CASE("michell thrust: givens that cannot be, each in one sentence", "[michell-thrust]") {
   is_refused(thrust(), {"D_i=2.2"}, "no width");
   is_refused(thrust(), {"d=520"},
