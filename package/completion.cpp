@@ -91,7 +91,8 @@ std::string completion_lines(const Catalogue& exercises) {
   lines += values_of_options();
   for (const Listed& exercise : exercises) lines += lines_of(exercise->about());
   for (const scenes::Shipped& scene : scenes::shipped_scenes())
-    lines += lines_of(scenes::scene_exercise(std::make_shared<const scenes::Scene>(scene.id, scene.text))->about());
+    lines += lines_of(
+        scenes::scene_exercise(std::make_shared<const scenes::Scene>(std::string(scene.id), scene.text))->about());
   return lines;
 }
 

@@ -26,7 +26,7 @@ std::string one_line_each(const Catalogue& exercises, Language language) {
 std::string shipped(Language language) {
   std::vector<std::vector<std::string>> rows;
   for (const scenes::Shipped& scene : scenes::shipped_scenes())
-    rows.push_back({scene.id, drawings::plain(scenes::head_of(scene).title.in(language))});
+    rows.push_back({std::string(scene.id), drawings::plain(scenes::head_of(scene).title.in(language))});
   return wrapped(Words{"\nMechanisms from files (docs/scenes; \"scenes\" stands for all of them)",
                        "\nMeccanismi da file (docs/scenes; \"scenes\" vale per tutti)"}
                      .in(language)) +

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exercises/four-bar/linkage.h"
+#include "exercises/kit/linkages/coupler_steps.h"
 #include "exercises/kit/panels/circles_panel.h"
 #include "exercises/kit/panels/compass.h"
 #include "exercises/kit/panels/curvature_panel.h"
@@ -319,24 +320,9 @@ std::vector<PolesStep> steps_to_accelerations(const Solution& s) {
          Where::tip,
          "C"},
         {to_the_rocker, Where::tip, "B"}};
-  return {{{"$K$ from the two circles (sheet 4). At $K$ the acceleration is zero.",
-            "$K$ dalle due circonferenze (tavola 4). In $K$ l'accelerazione è nulla."},
-           Where::pole},
-          {{"$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), known: the factor is $a_{A}$ / $KA$.",
-            "$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), nota: il fattore è $a_{A}$ / $KA$."},
-           Where::ray,
-           "A"},
-          {{"$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ for every point $X$ of the coupler.",
-            "$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ per ogni punto $X$ della biella."},
-           Where::tip,
-           "C"},
-          {{"The same angle $γ$ leads from each acceleration to its ray $XK$, counter-clockwise when $α_{3}$ > 0: "
-            "tan $γ$ = $α_{3}$ / $ω^{2}_{3}$.",
-            "Lo stesso angolo $γ$ porta da ogni accelerazione al suo raggio $XK$, antiorario se $α_{3}$ > 0: tg $γ$ "
-            "= $α_{3}$ / $ω^{2}_{3}$."},
-           Where::point,
-           "A"},
-          {to_the_rocker, Where::tip, "B"}};
+  std::vector<PolesStep> steps = steps_to_coupler_accelerations(4, "C", "A");
+  steps.push_back({to_the_rocker, Where::tip, "B"});
+  return steps;
 }
 
 PanelSheet acceleration_pole_sheet(const Solution& s, Language) {

@@ -169,7 +169,7 @@ std::vector<std::string> parted(const std::string& text) {
 
 std::string bytes_of(const std::string& file) {
   if (file == standard_input) return {std::istreambuf_iterator<char>(std::cin), {}};
-  if (const Shipped* shipped = shipped_scene(file)) return shipped->text;
+  if (const Shipped* shipped = shipped_scene(file)) return std::string(shipped->text);
   std::error_code unknown;
   if (!std::filesystem::exists(file, unknown))
     throw BadScene(format_words("{}: there is no such file", "{}: non c'è un file così", file));

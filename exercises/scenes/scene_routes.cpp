@@ -205,13 +205,14 @@ struct SceneRoutes {
     for (const FoundCentre& centre : plan.found) put(centre.i, centre.j);
   }
 
-  // Polygons name them as they are given.
+  // Polygons name those that are not along an axis as they are given.
   template <class T>
   void tell_directions(Ledger<T>& ledger) const {
     const auto& forces = built->loads->forces;
     for (std::size_t k = 0; k < forces.size(); ++k)
-      ledger.tells({built->force_names[k].name + "_direction", "", "deg", {}},
-                   [&, k] { return given_in_degrees<T>(forces[k].turned); });
+      if (!is_zero(forces[k].turned))
+        ledger.tells({built->force_names[k].name + "_direction", "", "deg", {}},
+                     [&, k] { return given_in_degrees<T>(forces[k].turned); });
   }
 
   template <class T>

@@ -1,5 +1,6 @@
 // N.2 of the Sapienza sheets: accelerations of the slider-crank by the polar diagram and by poles, the
 // inflection and stationarity circles, and centres of curvature by Euler-Savary.
+#include "exercises/kit/linkages/coupler_steps.h"
 #include "exercises/kit/linkages/slider_crank_loops.h"
 #include "exercises/kit/linkages/slider_crank_mechanism.h"
 #include "exercises/kit/panels/circles_panel.h"
@@ -82,32 +83,12 @@ PanelSheet circles_sheet(const Solution& s, Language) {
       .told = {"P0_x", "P0_y", "inflection_pole_x", "inflection_pole_y", "K_x", "K_y"}};
 }
 
-std::vector<PolesStep> steps_to_accelerations() {
-  using Where = PolesStep::Where;
-  return {{{"$K$ from the two circles (sheet 2). At $K$ the acceleration is zero.",
-            "$K$ dalle due circonferenze (tavola 2). In $K$ l'accelerazione è nulla."},
-           Where::pole},
-          {{"$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), known: the factor is $a_{A}$ / $KA$.",
-            "$a_{A}$ = $KA$·√($α^{2}_{3}$ + $ω^{4}_{3}$), nota: il fattore è $a_{A}$ / $KA$."},
-           Where::ray,
-           "A"},
-          {{"$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ for every point $X$ of the coupler.",
-            "$a_{X}$ = ($KX$ / $KA$)·$a_{A}$ per ogni punto $X$ della biella."},
-           Where::tip,
-           "M"},
-          {{"The same angle $γ$ leads from each acceleration to its ray $XK$, counter-clockwise when $α_{3}$ > 0: "
-            "tan $γ$ = $α_{3}$ / $ω^{2}_{3}$.",
-            "Lo stesso angolo $γ$ porta da ogni accelerazione al suo raggio $XK$, antiorario se $α_{3}$ > 0: tg $γ$ "
-            "= $α_{3}$ / $ω^{2}_{3}$."},
-           Where::point,
-           "C"}};
-}
-
 PanelSheet poles_sheet(const Solution& s, Language) {
   const SliderCrankInstant instant = slider_crank_instant(s.givens());
   const std::vector<std::string> points{"A", "B", "C", "M"};
   const auto mechanism = with_angular_acceleration(s, instant, false);  // γ has the place of φ
-  return {.panels = panels(PolesPanel(s, mechanism, PolesPanel::of_acceleration(), points, steps_to_accelerations())),
+  return {.panels = panels(PolesPanel(s, mechanism, PolesPanel::of_acceleration(), points,
+                                      steps_to_coupler_accelerations(2, "M", "C"))),
           .results = {values({"omega_3", "alpha_3", "gamma_deg"}), coordinates("K"),
                       by_point(points, {{"$KX$ (m)", "K{}"}, {"$a_{X}$ (m/s²)", "a_{}"}})},
           .seen = {"Accelerations of A, B, C and M, proportional to their distances from the acceleration pole K",

@@ -6,6 +6,7 @@
 #include "exercises/kit/panels/poles_panel.h"
 #include "exercises/kit/panels/polygon_panel.h"
 #include "exercises/kit/panels/sheet.h"
+#include "exercises/kit/statement/format_words.h"
 #include "exercises/velocity-centre/routes.h"
 
 namespace epure {
@@ -185,23 +186,32 @@ PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
           .without_part = {"V"}};
 }
 
+// `given`: what is positive to the right. `find`: what is asked.
+Words question(const Words& given, const Words& find) {
+  return format_words(
+      "A bar turns about a hinge O on a body that translates along $x$, with {} to the right. {}",
+      "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con {} verso destra. {}", given,
+      find);
+}
+
 }  // namespace
 }  // namespace velocity_centre
 
 std::unique_ptr<Exercise> make_velocity_centre() {
   using namespace velocity_centre;
+  const Words V{"$\\it{V}$ positive", "$\\it{V}$ positiva"}, a{"$a$ positive", "$a$ positiva"},
+      both{"$\\it{V}$ and $a$ positive", "$\\it{V}$ e $a$ positive"};
   Description about{.id = "velocity-centre",
                     .title = {"A bar on a translating body", "Una barra su un corpo che trasla"},
                     .document = "pisa",
                     .item = "Esercizio 4",
                     .source = {"Pisa, mid-term test of 14 June 2006, exercise 4",
                                "Pisa, verifica intermedia del 14/6/2006, esercizio 4"},
-                    .question = {"A bar turns about a hinge O on a body that translates along $x$, with $\\it{V}$ "
-                                 "and $a$ positive to the right. Find the velocity centre of the bar, velocity and "
-                                 "acceleration of its end A, and the acceleration centre K.",
-                                 "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con "
-                                 "$\\it{V}$ e $a$ positive verso destra. Trovare il centro delle velocità dell'asta, "
-                                 "velocità e accelerazione del suo estremo A, e il centro delle accelerazioni K."},
+                    .question = question(
+                        both, {"Find the velocity centre of the bar, velocity and acceleration of its end A, and the "
+                               "acceleration centre K.",
+                               "Trovare il centro delle velocità dell'asta, velocità e accelerazione del suo estremo "
+                               "A, e il centro delle accelerazioni K."}),
                     .givens = givens(),
                     .printed = printed_by_the_source};
   const auto solve = [](const Givens& givens, Rung rung) { return settle(Routes{Instant(givens)}, rung); };
@@ -209,24 +219,17 @@ std::unique_ptr<Exercise> make_velocity_centre() {
       std::move(about), solve,
       {{{"velocities",
          {"Velocity centre of the bar", "Centro delle velocità"},
-         {"A bar turns about a hinge O on a body that translates along $x$, with $\\it{V}$ positive to the right. "
-          "Find the velocity centre of the bar and the velocity of its end A.",
-          "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con $\\it{V}$ positiva verso "
-          "destra. Trovare il centro delle velocità dell'asta e la velocità del suo estremo A."}},
+         question(V, {"Find the velocity centre of the bar and the velocity of its end A.",
+                      "Trovare il centro delle velocità dell'asta e la velocità del suo estremo A."})},
         velocity_sheet},
        {{"accelerations",
          {"Acceleration of A", "Accelerazione di A"},
-         {"A bar turns about a hinge O on a body that translates along $x$, with $a$ positive to the right. Find the "
-          "acceleration of its end A.",
-          "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con $a$ positiva verso destra. "
-          "Trovare l'accelerazione del suo estremo A."}},
+         question(a, {"Find the acceleration of its end A.", "Trovare l'accelerazione del suo estremo A."})},
         acceleration_sheet},
        {{"acceleration-pole",
          {"Acceleration centre K", "Centro delle accelerazioni K"},
-         {"A bar turns about a hinge O on a body that translates along $x$, with $a$ positive to the right. Find the "
-          "acceleration centre K of the bar.",
-          "Un'asta ruota attorno a una cerniera O su un corpo che trasla lungo $x$, con $a$ positiva verso destra. "
-          "Trovare il centro delle accelerazioni K dell'asta."}},
+         question(a, {"Find the acceleration centre K of the bar.",
+                      "Trovare il centro delle accelerazioni K dell'asta."})},
         acceleration_pole_sheet}});
 }
 

@@ -382,15 +382,14 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
     const PlacedPanel* const close_up = close_up_of(each, panels);
     if (request.blank) {
       draw_what_is_given(each, onto, request);
-      if (close_up) leave_to_close_up(seen_in(*close_up, each), before, onto);
     } else {
       Plot plot = plot_of(each, onto, request);
       for (drawings::Block& block : each.panel->draw(plot, each.room, language))
         of_drawings.push_back(std::move(block));
       plot.in_step({});
-      if (close_up) leave_to_close_up(seen_in(*close_up, each), before, onto);
-      parts.push_back({onto.sheet.figure.marks.size(), onto.sheet.figure.labels.size()});
     }
+    if (close_up) leave_to_close_up(seen_in(*close_up, each), before, onto);
+    parts.push_back({onto.sheet.figure.marks.size(), onto.sheet.figure.labels.size()});
     cut(onto.sheet.figure, window_of(each, request));
     if (close_up) draw_frames(*close_up, each, onto, request);
   }

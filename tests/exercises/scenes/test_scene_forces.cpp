@@ -8,20 +8,12 @@
 #include "exercises/scenes/scene.h"
 #include "exercises/scenes/scene_exercise.h"
 #include "tests/exercises/drawn_marks.h"
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/scenes/said.h"
 
 using namespace epure;
 using namespace epure::tests;
 
 namespace {
-
-CheckedExercise checked_text(const std::string& text, const std::vector<std::string>& set = {}) {
-  const auto scene = std::make_shared<const scenes::Scene>("f", text);
-  const auto exercise = scenes::scene_exercise(scene);
-  Givens givens(exercise->about().givens);
-  for (const std::string& each : set) givens.set(each);
-  return check(*exercise, givens, Rung::climb);
-}
 
 std::string with_loads(const std::string& file, const std::string& loads) {
   return scenes::bytes_of(EPURE_SCENES "/" + file + ".yaml") + "loads: " + loads + "\n";
@@ -204,7 +196,7 @@ TEST_CASE("sheets of forces go from the last group to the drive, and are told as
 TEST_CASE("every sheet of forces has room for its letters, and each reaction on it is what was found", "[scenes]") {
   for (const auto& [name, loads] : loads_of_cases()) {
     const std::string text = bytes_of_case(name) + "loads: " + loads + "\n";
-    const auto exercise = scenes::scene_exercise(std::make_shared<const scenes::Scene>("f", text));
+    const auto exercise = exercise_said(text);
     int count = 0;
     for (const SheetSpec& sheet : exercise->about().sheets) {
       if (!sheet.name.starts_with("forces")) continue;
@@ -295,9 +287,7 @@ TEST_CASE("loads in any direction are told as they are given, and that is checke
   const std::string here = "direction: ";
   const std::size_t from = text.find(here) + here.size(), to = text.find('}', from);
   for (const std::string direction : {"80.5 deg", "-97.80 deg", "45.1234 deg", "1.2 rad"}) {
-    const auto scene =
-        std::make_shared<const scenes::Scene>("f", std::string(text).replace(from, to - from, direction));
-    const CheckedExercise checked = check(*scenes::scene_exercise(scene), Givens(scene->givens()), Rung::climb);
+    const CheckedExercise checked = checked_text(std::string(text).replace(from, to - from, direction));
     CAPTURE(direction, complaints(checked));
     CHECK(checked.passed());
   }

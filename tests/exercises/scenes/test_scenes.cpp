@@ -13,7 +13,7 @@
 #include "exercises/scenes/scene.h"
 #include "exercises/scenes/scene_exercise.h"
 #include "tests/exercises/drawn_marks.h"
-#include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/scenes/said.h"
 
 using namespace epure;
 using namespace epure::tests;
@@ -43,10 +43,7 @@ std::string four_bar(const std::string& drive = "drive: {link: 2, angle: 60 deg,
          "\n  3: {A B: 350 mm}\n  4: {B0 B: 280 mm}\n" + drive + "\n" + assembly + "\n";
 }
 
-double value_in(const std::string& text, const std::string& quantity) {
-  const auto scene = std::make_shared<const scenes::Scene>("f", text);
-  return value(check(*scenes::scene_exercise(scene), Givens(scene->givens()), Rung::climb), quantity);
-}
+double value_in(const std::string& text, const std::string& quantity) { return value(checked_text(text), quantity); }
 
 }  // namespace
 
@@ -254,12 +251,10 @@ TEST_CASE("a file that is wrong is refused with its place and a sentence", "[sce
 }
 
 TEST_CASE("all that is open of a file is told at once, with what to write", "[scenes]") {
-  CHECK(refusal(
-            "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], Q: [1 m, 0], g: {along: 0 deg}}\n  2: {O A: 1 m}\n  3: {A B: "
-            "2 m}\n  4: {Q B: 2 m}\n  5: {B C: 3 m}\nslides: {C: g}\ndrive: {link: 2}\nassembly: {}\n") ==
+  CHECK(refusal("epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], Q: [1 m, 0], g: {along: 0 deg}}\n  2: {O A: 1 m}\n  3: {A "
+                "B: 2 m}\n  4: {Q B: 2 m}\n  5: {B C: 3 m}\nslides: {C: g}\ndrive: {link: 2}\nassembly: {}\n") ==
         "11:11: 2 joints may lie in two places each: say under assembly:  B: left of A Q  or  B: right of A Q;  C: "
-        "ahead "
-        "on g  or  C: behind on g");
+        "ahead on g  or  C: behind on g");
 }
 
 // Two links hinged to each other and to the frame's guide, a cylinder across: a scissor lift.
@@ -268,16 +263,14 @@ TEST_CASE("a cylinder within a group is refused with what to write instead", "[s
             "epure: 1\nid: f\nlinks:\n  1: {A: [0, 0], g: {along: 0 deg}}\n  2: {A: [0, 0], C: [1 m, 0], P: [1/2 m, "
             "0]}\n  3: {B: [0, 0], C: [1 m, 0], Q: [1/2 m, 0]}\nslides: {B: g}\ndrive: {length: P Q, is: 1/2 m}\n") ==
         "5:3: links 2 and 3 move only together, on what stands at A and B: ruler and compass place groups of one or "
-        "two "
-        "links only; the cylinder P Q lies between two of them: drive one by its angle instead, as  drive: {link: 2, "
-        "angle: ..., speed: ...}");
+        "two links only; the cylinder P Q lies between two of them: drive one by its angle instead, as  drive: "
+        "{link: 2, angle: ..., speed: ...}");
 }
 
 TEST_CASE("a mechanism that does not close names its joint and what is missing", "[scenes]") {
   const auto why = [](const std::string& text) -> std::string {
-    const auto scene = std::make_shared<const scenes::Scene>("f", text);
     try {
-      check(*scenes::scene_exercise(scene), Givens(scene->givens()), Rung::climb);
+      checked_text(text);
     } catch (const BadGivens& bad) {
       return bad.what();
     }
@@ -290,11 +283,10 @@ TEST_CASE("a mechanism that does not close names its joint and what is missing",
   CHECK(why(four_bar("drive: {link: 2, angle: 0 deg}", side, "2: {A0 A: 350 mm}")) ==
         "the mechanism does not close: B: A B (0.35 m) and B0 B (0.28 m) do not meet, for A B0 is 0.05 m, 0.02 m too "
         "near");
-  CHECK(
-      why("epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], g: {through: [0, 1/2 m], along: [1, 0]}}\n  2: {O A: 1/5 m}\n  "
-          "3: {A B: 1/4 m}\nslides: {B: g}\ndrive: {link: 2}\nassembly: {B: ahead on g}\n") ==
-      "the mechanism does not close: B: A B (0.25 m) does not reach g, which is 0.5 m away from A: 0.25 m are "
-      "missing");
+  CHECK(why("epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], g: {through: [0, 1/2 m], along: [1, 0]}}\n  2: {O A: 1/5 m}\n "
+            " 3: {A B: 1/4 m}\nslides: {B: g}\ndrive: {link: 2}\nassembly: {B: ahead on g}\n") ==
+        "the mechanism does not close: B: A B (0.25 m) does not reach g, which is 0.5 m away from A: 0.25 m are "
+        "missing");
 }
 
 TEST_CASE("points of different links that lie in one place are told, exactly", "[scenes]") {
@@ -313,8 +305,7 @@ TEST_CASE("points of different links that lie in one place are told, exactly", "
 
 TEST_CASE("givens may be Greek letters, or their names, and are drawn as letters", "[scenes]") {
   const std::string text = four_bar(
-      "drive: {link: 2, angle: φ + θ_1, speed: n}\ngivens: {φ: 20 deg, theta_1: 40 deg, "
-      "n: 60 rpm, O2A: 1 m}");
+      "drive: {link: 2, angle: φ + θ_1, speed: n}\ngivens: {φ: 20 deg, theta_1: 40 deg, n: 60 rpm, O2A: 1 m}");
   const scenes::Scene scene("f", text);
   std::string symbols, letters;
   for (const GivenSpec& given : scene.givens()) symbols += given.symbol + " ", letters += given.letters + " ";
@@ -372,11 +363,9 @@ TEST_CASE("a polygon is told as it is drawn, Coriolis' acceleration subtracted",
 // Every number that lies somewhere moves with the frame, on sheets too.
 TEST_CASE("a mechanism need not stand in the origin of its frame", "[scenes]") {
   const auto at = [](const std::string& O2, const std::string& O3) {
-    const auto scene = std::make_shared<const scenes::Scene>(
-        "f", "epure: 1\nid: f\nlinks:\n  1: {O2: " + O2 + ", O3: " + O3 +
-                 "}\n  2: {O2 A: 0.1 m}\n  3: {O3: [0, 0], s: {along: [1, 0]}}\nslides: {A: s}\ndrive: {link: 2, "
-                 "angle: 150 deg, speed: 60 rpm}\nassembly: {s: from O3 towards A}\n");
-    return check(*scenes::scene_exercise(scene), Givens(scene->givens()), Rung::climb);
+    return checked_text("epure: 1\nid: f\nlinks:\n  1: {O2: " + O2 + ", O3: " + O3 +
+                        "}\n  2: {O2 A: 0.1 m}\n  3: {O3: [0, 0], s: {along: [1, 0]}}\nslides: {A: s}\ndrive: {link: "
+                        "2, angle: 150 deg, speed: 60 rpm}\nassembly: {s: from O3 towards A}\n");
   };
   const CheckedExercise here = at("[0, 0]", "[-0.2 m, 0]"), there = at("[0.1 m, 0.05 m]", "[-0.1 m, 0.05 m]"),
                         far = at("[40 m, 0]", "[39.8 m, 0]");
@@ -483,8 +472,7 @@ TEST_CASE("what was left out or mistyped is named, with what to write", "[scenes
                         "  3: {A B: 0.3 m}\n",
                     drive = "drive: {link: 2, angle: 30 deg}\n";
   CHECK(has(refusal(crank + drive),
-            "link 3 is not held: a drive or joint is missing; nothing slides on g: say under "
-            "slides:  B: g"));
+            "link 3 is not held: a drive or joint is missing; nothing slides on g: say under slides:  B: g"));
   CHECK(has(refusal(crank + "  4: {B: [0, 0], b: {along: [1, 0]}}\n" + drive), "say under slides:  b: g"));
   CHECK(has(refusal("epure: 1\nid: f\nlinks:\n  1: {A0: [0, 0], B0: [0.4 m, 0]}\n  2: {A0 A: 0.1 m}\n"
                     "  3: {A C: 0.35 m}\n  4: {B0 B: 0.3 m}\n" +
@@ -579,10 +567,9 @@ TEST_CASE("polodes are those of a link that neither turns about the frame nor is
   CHECK(refusal(four_bar() + "polodes: [1]\n") == "10:11: there is no moving link 1");
   CHECK(refusal(four_bar() + "polodes: [3, 3]\n") == "10:14: 3 stands here twice");
   // Oldham's disc without its point.
-  CHECK(refusal(
-            "epure: 1\nid: f\nlinks:\n  1: {A: [0, 0], B: [1 m, 0]}\n  2: {A: [0, 0], p: {along: [1, 0]}}\n"
-            "  3: {q: {along: [1, 0]}, s: {along: [0, 1]}}\n  4: {B: [0, 0], t: {along: [0, 1]}}\nslides: {q: p, s: "
-            "t}\ndrive: {link: 2, angle: 25 deg}\npolodes: [3]\n") ==
+  CHECK(refusal("epure: 1\nid: f\nlinks:\n  1: {A: [0, 0], B: [1 m, 0]}\n  2: {A: [0, 0], p: {along: [1, 0]}}\n"
+                "  3: {q: {along: [1, 0]}, s: {along: [0, 1]}}\n  4: {B: [0, 0], t: {along: [0, 1]}}\nslides: {q: p, "
+                "s: t}\ndrive: {link: 2, angle: 25 deg}\npolodes: [3]\n") ==
         "10:11: link 3 has no point to be drawn by: give it one");
   CHECK(refusal(four_bar() + "polodes: 3\n") == "10:10: polodes: [3], the links whose polodes are asked for");
   const auto ferguson = [](const std::string& teeth) {
@@ -628,8 +615,7 @@ TEST_CASE("what a chart is asked for is one unit, and there", "[scenes]") {
 TEST_CASE("gears are told by wheels, carrier and teeth; what cannot mesh is refused", "[scenes]") {
   const auto gears = [](const std::string& gear, const std::string& drive = "{link: 2, angle: 20 deg}") {
     return "epure: 1\nid: f\ngivens: {z: 30, r: 20 mm}\nlinks:\n  1: {O: [0, 0], Q: [90 mm, 0]}\n  2: {O A: 30 mm}\n "
-           " 3: {Q "
-           "B: 30 mm}\ngears: [{" +
+           " 3: {Q B: 30 mm}\ngears: [{" +
            gear + "}]\ndrive: " + drive + "\n";
   };
   const auto omega_3 = [&](const std::string& gear) {
@@ -666,8 +652,7 @@ TEST_CASE("a side names what the links hang on", "[scenes]") {
   const auto lever = [](const std::string& side) {
     return refusal(
         "epure: 1\nid: f\nlinks:\n  1: {O2: [0, 0], O3: [-0.2 m, 0]}\n  2: {O2 A: 0.1 m}\n  3: {O3: [0, 0], s: "
-        "{along: "
-        "[1, 0]}}\nslides: {A: s}\ndrive: {link: 2, angle: 150 deg}\nassembly: {s: " +
+        "{along: [1, 0]}}\nslides: {A: s}\ndrive: {link: 2, angle: 150 deg}\nassembly: {s: " +
         side + "}\n");
   };
   CHECK(lever("from O3 towards A").empty());
@@ -702,8 +687,8 @@ TEST_CASE("a file chooses among its sheets", "[scenes]") {
 TEST_CASE("what is odd of a scene is said beside what was asked; a wrong sheet in the name of the file", "[scenes]") {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "epure-test-coincidence.yaml";
   std::ofstream(file)
-      << "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], Q: [1 m, 0], R: [1 m, 1 m]}\n  2: {O A: 1 m}\n  3: {O "
-         "B: 2 m}\ndrive: [{link: 2, angle: 0 deg, speed: 1 rad/s}, {link: 3, angle: 45 deg}]\n";
+      << "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], Q: [1 m, 0], R: [1 m, 1 m]}\n  2: {O A: 1 m}\n  3: {O B: 2 "
+         "m}\ndrive: [{link: 2, angle: 0 deg, speed: 1 rad/s}, {link: 3, angle: 45 deg}]\n";
   const auto said = [&](const std::vector<std::string>& arguments) {
     std::ostringstream out, err;
     const int exit = run_cli(catalogue(), arguments, out, err);
@@ -732,11 +717,10 @@ TEST_CASE("a link that only translates has its centre at infinity by every route
   for (const char* drive : {"{link: 2, angle: 50 deg, speed: 30 rpm}", "{link: 2, angle: 23.4 deg, speed: 2 rad/s}",
                             "{link: 2, angle: 1/3 rad, speed: 30 rpm, acceleration: 2 rad/s^2}"}) {
     const std::string text =
-        "epure: 1\nid: f\nlinks:\n  1: {A0: [0, 0], B0: [1/2 m, 0]}\n  2: {A0 A: 1/5 m}\n  3: {A B: "
-        "1/2 m}\n  4: {B0 B: 1/5 m}\nassembly: {B: left of A B0}\ndrive: " +
+        "epure: 1\nid: f\nlinks:\n  1: {A0: [0, 0], B0: [1/2 m, 0]}\n  2: {A0 A: 1/5 m}\n  3: {A B: 1/2 m}\n  4: {B0 "
+        "B: 1/5 m}\nassembly: {B: left of A B0}\ndrive: " +
         std::string(drive) + "\n";
-    const auto scene = std::make_shared<const scenes::Scene>("f", text);
-    const CheckedExercise checked = check(*scenes::scene_exercise(scene), Givens(scene->givens()), Rung::climb);
+    const CheckedExercise checked = checked_text(text);
     CAPTURE(drive, complaints(checked));
     CHECK(checked.passed());
     CHECK(find(checked, "omega_3").settled.enclosure.upper == 0);
@@ -751,11 +735,10 @@ TEST_CASE("a link that only translates has its centre at infinity by every route
 
 // On which side of -x a link lies decides whether its angle is near 180 or near -180 degrees.
 TEST_CASE("links that miss 180 degrees by little have one angle by both routes", "[scenes]") {
-  const auto passes = [](const std::string& links, const std::string& angle, const std::string& side) {
+  const auto passing = [](const std::string& links, const std::string& angle, const std::string& side) {
     const std::string text = "epure: 1\nid: f\nlinks:\n" + links + "drive: {link: 2, angle: " + angle +
                              ", speed: 10 rpm}\nassembly: {B: " + side + " of A B0}\n";
-    const auto scene = std::make_shared<const scenes::Scene>("f", text);
-    const CheckedExercise checked = check(*scenes::scene_exercise(scene), Givens(scene->givens()), Rung::climb);
+    const CheckedExercise checked = checked_text(text);
     CAPTURE(text, complaints(checked));
     CHECK(checked.passed());
     return checked;
@@ -764,25 +747,20 @@ TEST_CASE("links that miss 180 degrees by little have one angle by both routes",
       "  1: {A0: [0, 0], B0: [0.0001, 0]}\n  2: {A0 A: 0.0001}\n  3: {A B: 0.00035}\n  4: {B0 B: 0.00035}\n";
   for (const char* angle :
        {"0.00000000000000001 deg", "-0.00000000000000001 deg", "0.00000000000000000000000000001 deg"})
-    for (const char* side : {"right", "left"}) passes(kite, angle, side);
+    for (const char* side : {"right", "left"}) passing(kite, angle, side);
   const auto rhomboid = [](const std::string& AB) {
     return "  1: {A0: [0, 0], B0: [0.63, 0]}\n  2: {A0 A: 0.39}\n  3: {A B: " + AB + "}\n  4: {B0 B: 0.63}\n";
   };
-  const double beyond = value(passes(rhomboid("0.39000000000000000001"), "135 deg", "right"), "theta_4"),
-               before = value(passes(rhomboid("0.38999999999999999999"), "135 deg", "right"), "theta_4"),
-               along = value(passes(rhomboid("0.39"), "135 deg", "right"), "theta_4");
+  const double beyond = value(passing(rhomboid("0.39000000000000000001"), "135 deg", "right"), "theta_4"),
+               before = value(passing(rhomboid("0.38999999999999999999"), "135 deg", "right"), "theta_4"),
+               along = value(passing(rhomboid("0.39"), "135 deg", "right"), "theta_4");
   CHECK(std::abs(along) == 180);
   CHECK(std::abs(beyond) == 180);
   CHECK(std::abs(before) == 180);
 }
 
 TEST_CASE("a block alone on its guide has no extent, and is drawn all the same", "[scenes]") {
-  const auto scene = std::make_shared<const scenes::Scene>(
-      "f",
+  passes(
       "epure: 1\nid: f\nlinks:\n  1: {e: {through: [400 mm, 300 mm], along: 90 deg}}\n  2: {F: [0, 0], f: {through: "
-      "[0, "
-      "0], along: 0 deg}}\nslides: {f: e}\ndrive: {slide: F, on: e, at: 118 mm, speed: -20 cm/s}\n");
-  const CheckedExercise checked = check(*scenes::scene_exercise(scene), Givens(scene->givens()), Rung::climb);
-  CAPTURE(complaints(checked));
-  CHECK(checked.passed());
+      "[0, 0], along: 0 deg}}\nslides: {f: e}\ndrive: {slide: F, on: e, at: 118 mm, speed: -20 cm/s}\n");
 }
