@@ -12,7 +12,7 @@
 #include "exercises/cli/request.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/cli/with_scenes.h"
-#include "exercises/scenes/text_tree.h"
+#include "exercises/scenes/file/text_tree.h"
 #include "geometry/numbers/given.h"
 
 namespace epure {

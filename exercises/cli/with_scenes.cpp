@@ -6,9 +6,9 @@
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
 #include "exercises/scenes/coincidences.h"
-#include "exercises/scenes/file_head.h"
+#include "exercises/scenes/file/file_head.h"
+#include "exercises/scenes/file/truss_file.h"
 #include "exercises/scenes/scene_exercise.h"
-#include "exercises/scenes/truss_file.h"
 
 namespace epure {
 

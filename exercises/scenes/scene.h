@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "exercises/kit/statement/description.h"
-#include "exercises/scenes/formula.h"
-#include "exercises/scenes/text_tree.h"
+#include "exercises/scenes/file/formula.h"
+#include "exercises/scenes/file/text_tree.h"
 #include "geometry/linkages/assur_groups.h"
 #include "geometry/linkages/loads.h"
 
@@ -56,6 +56,13 @@ struct Built {
   std::vector<MassName> mass_names = {};                      // as their masses
   std::string gravity = {};                                   // its letters; empty: nothing weighs
 };
+
+// The link's point at this place of its own axes; none: `nothing`.
+inline int point_at(const Built& built, int link, const geometry::Own& at) {
+  for (const geometry::LinkPoint& p : built.linkage.links[index(link)].points)
+    if (p.at.x == at.x && p.at.y == at.y) return p.point;
+  return geometry::nothing;
+}
 
 class Scene {
  public:

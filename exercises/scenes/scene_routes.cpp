@@ -6,10 +6,10 @@
 #include "exercises/kit/linkages/angles.h"
 #include "exercises/kit/linkages/coupler_routes.h"
 #include "exercises/kit/statement/format_words.h"
-#include "exercises/scenes/forces_found.h"
-#include "exercises/scenes/greek.h"
+#include "exercises/scenes/file/greek.h"
+#include "exercises/scenes/forces/forces_found.h"
+#include "exercises/scenes/forces/scene_forces.h"
 #include "exercises/scenes/relative_motion.h"
-#include "exercises/scenes/scene_forces.h"
 
 namespace epure::scenes {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "exercises/kit/proof/ledger.h"
-#include "exercises/scenes/refusals.h"
+#include "exercises/scenes/file/refusals.h"
 #include "geometry/analytic/joint_equations.h"
 #include "geometry/linkages/carried_out.h"
 

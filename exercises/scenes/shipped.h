@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "exercises/scenes/file_head.h"
+#include "exercises/scenes/file/file_head.h"
 
 namespace epure::scenes {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "exercises/scenes/file/truss_file.h"
 #include "exercises/scenes/scene_exercise.h"
-#include "exercises/scenes/truss_file.h"
 
 using namespace epure;
 

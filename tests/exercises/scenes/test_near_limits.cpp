@@ -2,7 +2,7 @@
 // was said, and where it does not close the sentence tells by how much.
 #include <cmath>
 
-#include "exercises/scenes/file_head.h"
+#include "exercises/scenes/file/file_head.h"
 #include "exercises/scenes/scene.h"
 #include "exercises/scenes/scene_exercise.h"
 #include "tests/exercises/held_against_corpus.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "exercises/scenes/file_head.h"
+#include "exercises/scenes/file/file_head.h"
 #include "exercises/scenes/scene.h"
 #include "exercises/scenes/scene_exercise.h"
 #include "tests/exercises/drawn_marks.h"

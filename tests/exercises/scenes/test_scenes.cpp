@@ -9,7 +9,7 @@
 #include "exercises/cli/run.h"
 #include "exercises/kit/proof/place.h"
 #include "exercises/scenes/coincidences.h"
-#include "exercises/scenes/file_head.h"
+#include "exercises/scenes/file/file_head.h"
 #include "exercises/scenes/scene.h"
 #include "exercises/scenes/scene_exercise.h"
 #include "tests/exercises/drawn_marks.h"

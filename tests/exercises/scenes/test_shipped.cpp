@@ -6,7 +6,7 @@
 
 #include "exercises/cli/catalogue.h"
 #include "exercises/cli/run.h"
-#include "exercises/scenes/file_head.h"
+#include "exercises/scenes/file/file_head.h"
 #include "tests/support/catch.h"
 
 using namespace epure;

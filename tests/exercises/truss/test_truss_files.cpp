@@ -2,9 +2,9 @@
 // place; sheets.
 #include <cmath>
 
-#include "exercises/scenes/file_head.h"
-#include "exercises/scenes/text_tree.h"
-#include "exercises/scenes/truss_file.h"
+#include "exercises/scenes/file/file_head.h"
+#include "exercises/scenes/file/text_tree.h"
+#include "exercises/scenes/file/truss_file.h"
 #include "tests/exercises/held_against_corpus.h"
 
 using namespace epure;

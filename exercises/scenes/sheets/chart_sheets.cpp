@@ -1,4 +1,4 @@
-#include "exercises/scenes/chart_sheets.h"
+#include "exercises/scenes/sheets/chart_sheets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 #include "exercises/kit/proof/agreement.h"
 #include "exercises/kit/proof/asked.h"
 #include "exercises/scenes/drive_way.h"
-#include "exercises/scenes/scene_figure.h"
 #include "exercises/scenes/scene_routes.h"
+#include "exercises/scenes/sheets/scene_figure.h"
 #include "geometry/linkages/every_place.h"
 
 namespace epure::scenes {

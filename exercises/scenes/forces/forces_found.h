@@ -5,8 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "exercises/scenes/force_groups.h"
-#include "exercises/scenes/scene_forces.h"
+#include "exercises/scenes/forces/force_groups.h"
+#include "exercises/scenes/forces/force_names.h"
+#include "exercises/scenes/forces/scene_forces.h"
 
 namespace epure::scenes {
 

@@ -1,4 +1,4 @@
-#include "exercises/scenes/polygon_sheets.h"
+#include "exercises/scenes/sheets/polygon_sheets.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/polygon_panel.h"
 #include "exercises/scenes/dyad_equations.h"
-#include "exercises/scenes/in_lines.h"
-#include "exercises/scenes/scene_figure.h"
+#include "exercises/scenes/sheets/in_lines.h"
+#include "exercises/scenes/sheets/scene_figure.h"
 
 namespace epure::scenes {
 namespace {

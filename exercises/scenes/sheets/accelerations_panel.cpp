@@ -1,4 +1,4 @@
-#include "exercises/scenes/accelerations_panel.h"
+#include "exercises/scenes/sheets/accelerations_panel.h"
 
 #include "exercises/kit/panels/edge.h"
 

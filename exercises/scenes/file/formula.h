@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "exercises/kit/statement/givens.h"
-#include "exercises/scenes/text_tree.h"
+#include "exercises/scenes/file/text_tree.h"
 
 namespace epure::scenes {
 

@@ -1,4 +1,4 @@
-#include "exercises/scenes/greek.h"
+#include "exercises/scenes/file/greek.h"
 
 #include <algorithm>
 #include <cctype>

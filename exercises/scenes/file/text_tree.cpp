@@ -1,4 +1,4 @@
-#include "exercises/scenes/text_tree.h"
+#include "exercises/scenes/file/text_tree.h"
 
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>

@@ -1,4 +1,4 @@
-#include "exercises/scenes/formula.h"
+#include "exercises/scenes/file/formula.h"
 
 #include <algorithm>
 #include <cctype>
@@ -11,7 +11,7 @@
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/sensible_size.h"
 #include "exercises/kit/statement/suggest.h"
-#include "exercises/scenes/greek.h"
+#include "exercises/scenes/file/greek.h"
 
 namespace epure::scenes {
 namespace {

@@ -1,4 +1,4 @@
-#include "exercises/scenes/truss_file.h"
+#include "exercises/scenes/file/truss_file.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,9 +7,9 @@
 
 #include "exercises/kit/statement/suggest.h"
 #include "exercises/kit/trusses/truss_sheets.h"
-#include "exercises/scenes/file_head.h"
-#include "exercises/scenes/formula.h"
-#include "exercises/scenes/greek.h"
+#include "exercises/scenes/file/file_head.h"
+#include "exercises/scenes/file/formula.h"
+#include "exercises/scenes/file/greek.h"
 #include "geometry/numbers/climb.h"
 
 namespace epure::scenes {

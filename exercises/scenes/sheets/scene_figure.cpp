@@ -1,4 +1,4 @@
-#include "exercises/scenes/scene_figure.h"
+#include "exercises/scenes/sheets/scene_figure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "exercises/scenes/polode_sheets.h"
+#include "exercises/scenes/sheets/polode_sheets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/scenes/drive_way.h"
 #include "exercises/scenes/reached.h"
-#include "exercises/scenes/scene_figure.h"
 #include "exercises/scenes/scene_routes.h"
+#include "exercises/scenes/sheets/scene_figure.h"
 #include "geometry/linkages/every_place.h"
 
 namespace epure::scenes {

@@ -1,4 +1,4 @@
-#include "exercises/scenes/file_head.h"
+#include "exercises/scenes/file/file_head.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,8 +13,8 @@
 #include "drawings/text/text.h"
 #include "exercises/kit/statement/decimal.h"
 #include "exercises/kit/statement/suggest.h"
-#include "exercises/scenes/formula.h"
-#include "exercises/scenes/greek.h"
+#include "exercises/scenes/file/formula.h"
+#include "exercises/scenes/file/greek.h"
 #include "exercises/scenes/shipped.h"
 
 namespace epure::scenes {

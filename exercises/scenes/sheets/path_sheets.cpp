@@ -1,4 +1,4 @@
-#include "exercises/scenes/path_sheets.h"
+#include "exercises/scenes/sheets/path_sheets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include "exercises/kit/panels/locus_panel.h"
 #include "exercises/scenes/drive_way.h"
 #include "exercises/scenes/dyad_equations.h"
+#include "exercises/scenes/file/refusals.h"
 #include "exercises/scenes/reached.h"
-#include "exercises/scenes/refusals.h"
-#include "exercises/scenes/scene_figure.h"
+#include "exercises/scenes/sheets/scene_figure.h"
 #include "geometry/linkages/every_place.h"
 
 namespace epure::scenes {

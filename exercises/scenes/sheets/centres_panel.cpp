@@ -1,4 +1,4 @@
-#include "exercises/scenes/centres_panel.h"
+#include "exercises/scenes/sheets/centres_panel.h"
 
 #include <algorithm>
 #include <set>

@@ -1,12 +1,12 @@
-#include "exercises/scenes/centres_sheets.h"
+#include "exercises/scenes/sheets/centres_sheets.h"
 
 #include <algorithm>
 #include <tuple>
 
 #include "exercises/kit/statement/format_words.h"
-#include "exercises/scenes/centres_panel.h"
-#include "exercises/scenes/scene_figure.h"
 #include "exercises/scenes/scene_routes.h"
+#include "exercises/scenes/sheets/centres_panel.h"
+#include "exercises/scenes/sheets/scene_figure.h"
 #include "geometry/linkages/centre_plan.h"
 
 namespace epure::scenes {

@@ -1,4 +1,4 @@
-#include "exercises/scenes/refusals.h"
+#include "exercises/scenes/file/refusals.h"
 
 #include <algorithm>
 #include <optional>

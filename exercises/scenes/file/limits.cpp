@@ -1,6 +1,6 @@
-#include "exercises/scenes/limits.h"
+#include "exercises/scenes/file/limits.h"
 
-#include "exercises/scenes/refusals.h"
+#include "exercises/scenes/file/refusals.h"
 #include "geometry/numbers/climb.h"
 
 namespace epure::scenes {

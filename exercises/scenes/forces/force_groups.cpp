@@ -1,19 +1,18 @@
-#include "exercises/scenes/force_groups.h"
+#include "exercises/scenes/forces/force_groups.h"
 
 #include <algorithm>
 #include <map>
 
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/scenes/dyad_equations.h"
-#include "exercises/scenes/scene_forces.h"
+#include "exercises/scenes/forces/force_names.h"
+#include "exercises/scenes/forces/scene_forces.h"
 
 namespace epure::scenes {
 namespace {
 
 using namespace geometry;
 using Force = ActingForce;
-
-bool is_one_place(const Own& a, const Own& b) { return a.x == b.x && a.y == b.y; }
 
 class ForcePlanner {
  public:
@@ -117,11 +116,12 @@ class ForcePlanner {
     std::vector<Force> all;
     for (std::size_t k = 0; k < built_.loads->forces.size(); ++k)
       if (built_.loads->forces[k].link == link)
-        all.push_back({Kind::load, static_cast<int>(k), link, false, point_at(link, built_.loads->forces[k].at)});
+        all.push_back(
+            {Kind::load, static_cast<int>(k), link, false, point_at(built_, link, built_.loads->forces[k].at)});
     for (std::size_t k = 0; k < built_.loads->masses.size(); ++k) {
       const LinkMass& body = built_.loads->masses[k];
       if (body.link != link) continue;
-      const int G = point_at(link, body.at);
+      const int G = point_at(built_, link, body.at);
       if (!built_.gravity.empty()) all.push_back({Kind::weight, static_cast<int>(k), link, false, G});
       all.push_back({Kind::inertia, static_cast<int>(k), link, false, G});
     }
@@ -227,13 +227,7 @@ class ForcePlanner {
   }
 
   // --- places ------------------------------------------------------------------------------------------------------
-  // The link's point in this place of its own axes.
-  int point_at(int link, const Own& at) const {
-    for (const LinkPoint& p : of_.links[index(link)].points)
-      if (is_one_place(p.at, at)) return p.point;
-    return nothing;
-  }
-  int through_point(int line) const { return point_at(of_.link_of_line(line), of_.line(line).through); }
+  int through_point(int line) const { return point_at(built_, of_.link_of_line(line), of_.line(line).through); }
   About through(int line) const {
     const int point = through_point(line);
     return point != nothing ? About{.point = point} : About{.line = line};
@@ -386,9 +380,7 @@ class ForcePlanner {
   GroupSide side(const Track& track, int joint) {
     GroupSide side;
     if (track.block == nothing) {
-      for (std::size_t k = 0; k < of_.pins.size(); ++k)
-        if (of_.pins[k].point == joint && of_.pins[k].line == track.line)
-          side.unknown = unknown_on_line({Force::Kind::pin, static_cast<int>(k), link_on_pin(joint), false, joint});
+      side.unknown = unknown_on_line(in_slot(joint, track.line, link_on_pin(joint), false));
     } else {
       side.link = track.block;
       side.known = known(track.block);
@@ -402,6 +394,12 @@ class ForcePlanner {
   int link_on_pin(int joint) const {
     const int link = carrier(joint);
     return placed_[index(link)] == now_ ? link : nothing;
+  }
+  // Between a pin and the slot that it runs in; opposite on the slot's link.
+  Force in_slot(int pin, int line, int link, bool is_opposite) const {
+    const auto found = std::find_if(of_.pins.begin(), of_.pins.end(),
+                                    [&](const PinOnLine& each) { return each.point == pin && each.line == line; });
+    return {Force::Kind::pin, static_cast<int>(found - of_.pins.begin()), link, is_opposite, pin};
   }
   Force guide_between(int link, int own, int other) const {
     for (std::size_t k = 0; k < of_.blocks.size(); ++k) {
@@ -423,6 +421,21 @@ class ForcePlanner {
     if (with_arms.empty() && couples.empty()) return;
     group_.moments.push_back({guide.link, about, with_arms, couples,
                               ActingCouple{ActingCouple::Kind::guide, guide.which, guide.is_opposite}});
+  }
+
+  // Of a block: its guide's force and another one, both along known lines.
+  void add_loop_of_block(const Force& guide, const Force& other) {
+    ForceLoop loop{.letter = number(guide.link), .left = {unknown_on_line(guide)}, .right = {}};
+    add_known(loop.right, known(guide.link));
+    loop.right.push_back(unknown_on_line(other));
+    group_.loops.push_back(std::move(loop));
+  }
+  // Of a link of which all but the force in a hinge is known, these among it.
+  void add_closed_loop(int link, int hinge, const std::vector<Force>& found) {
+    ForceLoop loop{.letter = number(link), .left = {closing(outer(link, hinge))}, .right = {}};
+    add_known(loop.right, known(link));
+    add_known(loop.right, found);
+    group_.loops.push_back(std::move(loop));
   }
 
   std::optional<Force> inner(int link, int joint, int other) const {
@@ -487,16 +500,13 @@ class ForcePlanner {
 
   void write(const SlotOnPin& step) {
     const bool has_block = step.block != nothing;
-    const Force hinge = outer(step.link, step.hinge);
     Force slot;
     if (has_block) {
       const Force on_block = guide_between(step.block, step.moving, step.line);
       slot = guide_between(step.link, step.line, step.moving);
       moments_of_guide(on_block, {outer(step.block, step.pin)});
     } else {
-      for (std::size_t k = 0; k < of_.pins.size(); ++k)
-        if (of_.pins[k].point == step.pin && of_.pins[k].line == step.line)
-          slot = {Force::Kind::pin, static_cast<int>(k), step.link, true, step.pin};
+      slot = in_slot(step.pin, step.line, step.link, true);
     }
     group_.pressed.push_back({slot, step.line});
     std::vector<ActingCouple> couples = known_couples(step.link);
@@ -505,30 +515,14 @@ class ForcePlanner {
         couples.push_back({of_block->kind, of_block->which, slot.is_opposite});
     group_.moments.push_back(
         {step.link, {.point = step.hinge}, arms(known(step.link), {.point = step.hinge}), couples, Arm{slot, {}}});
-    ForceLoop loop{.letter = number(step.link), .left = {closing(hinge)}, .right = {}};
-    add_known(loop.right, known(step.link));
-    loop.right.push_back(known_side(slot));
-    group_.loops.push_back(std::move(loop));
-    if (has_block) {
-      ForceLoop of_block{.letter = number(step.block), .left = {closing(outer(step.block, step.pin))}, .right = {}};
-      add_known(of_block.right, known(step.block));
-      of_block.right.push_back(known_side(guide_between(step.block, step.moving, step.line)));
-      group_.loops.push_back(std::move(of_block));
-    }
+    add_closed_loop(step.link, step.hinge, {slot});
+    if (has_block) add_closed_loop(step.block, step.pin, {guide_between(step.block, step.moving, step.line)});
   }
   void write(const BlockOnPin& step) {
-    const int link = step.track.block;
-    Force over;
-    for (std::size_t k = 0; k < of_.pins.size(); ++k)
-      if (of_.pins[k].point == step.pin && of_.pins[k].line == step.line)
-        over = {Force::Kind::pin, static_cast<int>(k), link, true, step.pin};
-    const Force guide = guide_of(step.track);
+    const Force over = in_slot(step.pin, step.line, step.track.block, true), guide = guide_of(step.track);
     group_.pressed.push_back({over, step.line});
     group_.pressed.push_back({guide, step.track.line});
-    ForceLoop loop{.letter = number(link), .left = {unknown_on_line(guide)}, .right = {}};
-    add_known(loop.right, known(link));
-    loop.right.push_back(unknown_on_line(over));
-    group_.loops.push_back(std::move(loop));
+    add_loop_of_block(guide, over);
     moments_of_guide(guide, {over});
   }
   void write(const CrossedBlock& step) {
@@ -537,14 +531,8 @@ class ForcePlanner {
                 on_link = guide_between(step.link, step.line, step.crossing);
     group_.pressed.push_back({on_block, step.line});
     group_.pressed.push_back({guide, step.track.line});
-    ForceLoop of_block{.letter = number(block), .left = {unknown_on_line(guide)}, .right = {}};
-    add_known(of_block.right, known(block));
-    of_block.right.push_back(unknown_on_line(on_block));
-    group_.loops.push_back(std::move(of_block));
-    ForceLoop of_link{.letter = number(step.link), .left = {closing(outer(step.link, step.hinge))}, .right = {}};
-    add_known(of_link.right, known(step.link));
-    of_link.right.push_back(known_side(on_link));
-    group_.loops.push_back(std::move(of_link));
+    add_loop_of_block(guide, on_block);
+    add_closed_loop(step.link, step.hinge, {on_link});
     std::vector<Force> forces = known(step.link);
     forces.push_back(on_link);
     const ActingCouple between{ActingCouple::Kind::guide, on_link.which, on_link.is_opposite};
@@ -561,19 +549,14 @@ class ForcePlanner {
                               arms(known(step.link), {.point = step.hinge}),
                               known_couples(step.link),
                               ActingCouple{ActingCouple::Kind::drive, step.drive}});
-    ForceLoop loop{.letter = number(step.link), .left = {closing(outer(step.link, step.hinge))}, .right = {}};
-    add_known(loop.right, known(step.link));
-    if (!loop.right.empty()) group_.loops.push_back(std::move(loop));
+    if (!known(step.link).empty()) add_closed_loop(step.link, step.hinge, {});
   }
   static void write(const GearedWheel&) {}  // a file with gears has no loads
   void write(const SlidBlock& step) {
     const int block = step.track.block;
     const Force guide = guide_of(step.track), drive = {Force::Kind::slid, step.drive, block, false, step.point};
     group_.pressed.push_back({guide, step.track.line});
-    ForceLoop loop{.letter = number(block), .left = {unknown_on_line(guide)}, .right = {}};
-    add_known(loop.right, known(block));
-    loop.right.push_back(unknown_on_line(drive));
-    group_.loops.push_back(std::move(loop));
+    add_loop_of_block(guide, drive);
     moments_of_guide(guide, {drive});
   }
   void write(const SlidPin& step) {
@@ -607,59 +590,6 @@ class ForcePlanner {
   GroupForces group_;
 };
 
-std::string without_dollars(const std::string& symbol) { return symbol.substr(1, symbol.size() - 2); }
-// Without dollars: "\\it{R}^{t}_{23}".
-std::string with_script(const std::string& letter, const std::string& of, ForcePart part) {
-  const std::string script = part == ForcePart::whole ? "" : part == ForcePart::across ? "^{t}" : "^{n}";
-  return "\\it{" + letter + "}" + script + "_{" + of + "}";
-}
-std::string in_dollars_with_arrow(const std::string& letters) {
-  const std::size_t scripts = std::min(letters.find_first_of("_^"), letters.size());
-  return "$\\vec{" + letters.substr(0, scripts) + "}" + letters.substr(scripts) + "$";
-}
-// Of link i on link j, as the file numbers them.
-std::string both_numbers(int i, int j) {
-  constexpr int two_digits = 10;
-  return std::to_string(i) + (std::max(i, j) < two_digits ? "" : ",") + std::to_string(j);
-}
-// Whether the hinge's force on the link is the opposite of the one that is reported.
-bool is_other_way(const Built& built, const JointForces<Fast>::Hinge& hinge, int link) {
-  const int other = hinge.by == link ? hinge.on : hinge.by;
-  return built.letters.links[index(other)] > built.letters.links[index(link)];
-}
-JointForces<Fast>::Hinge hinge_of_force(const Built& built, const Force& force) {
-  return JointForces<Fast>(built.linkage).hinges[index(force.which)];
-}
-Quantity scalar_force(const Built& built, const Force& force) {
-  if (force.kind == Force::Kind::pin) return pin_force(built, index(force.which));
-  if (force.kind == Force::Kind::guide) return guide_forces(built, index(force.which)).force;
-  return driving_effort(built, built.linkage.drives[index(force.which)]);
-}
-// Without dollars, and without a minus.
-std::string plain_letters(const Built& built, const Force& force, ForcePart part) {
-  switch (force.kind) {
-    case Force::Kind::load:
-      return without_dollars(built.force_names[index(force.which)].symbol);
-    case Force::Kind::hinge: {
-      const auto hinge = hinge_of_force(built, force);
-      const int other = hinge.by == force.link ? hinge.on : hinge.by;
-      const auto& numbers = built.letters.links;
-      return with_script("R", both_numbers(numbers[index(other)], numbers[index(force.link)]), part);
-    }
-    case Force::Kind::weight:
-    case Force::Kind::inertia:
-      return with_script(force.kind == Force::Kind::weight ? "W" : "F",
-                         std::to_string(built.letters.links[index(built.loads->masses[index(force.which)].link)]),
-                         part);
-    case Force::Kind::held:
-      return with_script("R", point_letters(built.letters.points[index(force.which)]), part);
-    default:
-      break;
-  }
-  return without_dollars(scalar_force(built, force).symbol);
-}
-std::string minus_of(const Force& force) { return force.is_opposite && force.kind != Force::Kind::hinge ? "−" : ""; }
-
 }  // namespace
 
 std::vector<GroupForces> force_groups(const Built& built) {
@@ -669,90 +599,6 @@ std::vector<GroupForces> force_groups(const Built& built) {
 
 std::vector<ActingForce> forces_that_hold(const Built& built, int point) {
   return ForcePlanner(built).forces_that_hold(point);
-}
-
-std::string name_of_force(const Built& built, const ActingForce& force) {
-  if (force.kind == Force::Kind::load) return built.force_names[index(force.which)].name;
-  if (is_of_mass(force)) return mass_force(built, force).name;
-  if (force.kind == Force::Kind::held) return held_force(built, force.which).name;
-  if (force.kind != Force::Kind::hinge) return scalar_force(built, force).name;
-  const auto hinge = hinge_of_force(built, force);
-  return hinge_force(built, hinge.point, hinge.by, hinge.on).quantity.name;
-}
-std::string letters_of_force(const Built& built, const ActingForce& force, ForcePart part) {
-  return "$" + plain_letters(built, force, part) + "$";
-}
-std::string arrow_of_force(const Built& built, const ActingForce& force, ForcePart part) {
-  return minus_of(force) + in_dollars_with_arrow(plain_letters(built, force, part));
-}
-bool is_reversed(const Built& built, const ActingForce& force) {
-  return force.kind == Force::Kind::hinge ? is_other_way(built, hinge_of_force(built, force), force.link)
-                                          : force.is_opposite;
-}
-
-VectorQuantity part_of_force(const Built& built, const ActingForce& force, ForcePart part) {
-  const bool is_across = part == ForcePart::across;
-  const std::string whole = name_of_force(built, force), script = is_across ? "t" : "n";
-  std::string of = force.kind == Force::Kind::held ? point_letters(built.letters.points[index(force.which)]) : "";
-  if (of.empty()) {
-    const auto hinge = hinge_of_force(built, force);
-    const int other = hinge.by == force.link ? hinge.on : hinge.by;
-    of = both_numbers(built.letters.links[index(other)], built.letters.links[index(force.link)]);
-  }
-  const Words meaning = is_across
-                            ? format_words("part of {} square to the line of the hinges of link {}",
-                                           "componente di {} normale alla congiungente le cerniere del membro {}",
-                                           whole, built.letters.links[index(force.link)])
-                            : format_words("part of {} along the line of the hinges of link {}",
-                                           "componente di {} lungo la congiungente le cerniere del membro {}", whole,
-                                           built.letters.links[index(force.link)]);
-  return {whole + "_" + script, "\\it{{R}}^{{" + script + "}}_{{{}}}", of, "N", meaning, meaning};
-}
-VectorQuantity held_force(const Built& built, int point) {
-  const std::string& A = built.letters.points[index(point)];
-  const Words meaning =
-      format_words("force of all that holds {} on its link", "forza di tutto ciò che trattiene {} sul suo membro", A);
-  return {"R_" + A, "\\it{{R}}_{{{}}}", point_letters(A), "N", meaning, meaning};
-}
-bool turns_steadily(const Built& built, int link) {
-  const auto& drives = built.linkage.drives;
-  return std::any_of(drives.begin(), drives.end(), [&](const Drive& drive) {
-    const auto* turned = std::get_if<TurnedLink>(&drive);
-    return turned && turned->link == link && is_zero(turned->alpha);
-  });
-}
-VectorQuantity mass_force(const Built& built, const ActingForce& force) {
-  const std::string number = std::to_string(built.letters.links[index(built.loads->masses[index(force.which)].link)]);
-  const bool is_weight = force.kind == Force::Kind::weight;
-  const std::string letter = is_weight ? "W" : "F";
-  const Words meaning = is_weight ? format_words("weight of link {}", "peso del membro {}", number)
-                                  : format_words("inertia force of link {}", "forza d'inerzia del membro {}", number);
-  return {letter + "_" + number, "\\it{{" + letter + "}}_{{{}}}", number, "N", meaning, meaning};
-}
-Quantity inertia_couple(const Built& built, std::size_t mass) {
-  const std::string number = std::to_string(built.letters.links[index(built.loads->masses[mass].link)]);
-  return {"C_" + number, "$\\it{C}_{" + number + "}$", "N*m",
-          format_words("inertia couple of link {}", "coppia d'inerzia del membro {}", number)};
-}
-std::string letters_of_centre(const Built& built, std::size_t mass) {
-  const geometry::LinkMass& body = built.loads->masses[mass];
-  for (const LinkPoint& p : built.linkage.links[index(body.link)].points)
-    if (is_one_place(p.at, body.at)) return point_letters(built.letters.points[index(p.point)]);
-  return "G_{" + std::to_string(built.letters.links[index(body.link)]) + "}";
-}
-std::string acceleration_of_centre(const Built& built, std::size_t mass) {
-  std::string letters = letters_of_centre(built, mass);
-  letters.erase(
-      std::remove_if(letters.begin(), letters.end(), [](char c) { return c == '_' || c == '{' || c == '}'; }),
-      letters.end());
-  return "$a_{" + letters + "}$";
-}
-VectorQuantity load_force(const Built& built, std::size_t load) {
-  const LoadName& of = built.force_names[load];
-  const Words meaning = format_words("load on link {}", "carico sul membro {}",
-                                     built.letters.links[index(built.loads->forces[load].link)]);
-  const std::string script = of.symbol.substr(of.symbol.find('{', of.symbol.find('_')) + 1);
-  return {of.name, "\\it{{Q}}_{{{}}}", script.substr(0, script.size() - 2), "N", meaning, meaning};
 }
 
 }  // namespace epure::scenes

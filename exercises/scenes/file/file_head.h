@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "exercises/kit/statement/description.h"
-#include "exercises/scenes/text_tree.h"
+#include "exercises/scenes/file/text_tree.h"
 
 namespace epure::scenes {
 

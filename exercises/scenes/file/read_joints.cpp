@@ -1,0 +1,138 @@
+#include "exercises/scenes/file/sections.h"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+#include "exercises/kit/statement/format_words.h"
+
+namespace epure::scenes {
+namespace {
+
+using namespace geometry;
+using Kind = geometry::Kind;
+
+// slides:, gears:.
+class JointsReader : SectionReader {
+ public:
+  using SectionReader::SectionReader;
+
+  void slides() {
+    const Tree* all = root_.find("slides");
+    if (!all) return;
+    file_.map(*all,
+              {"slides: {A: s}, a point or line on a line", "slides: {A: s}, un punto o una retta su una retta"});
+    for (const auto& [key, value] : all->entries) {
+      const Words what{"the line is asked on which it slides, or several [s, g]",
+                       "si chiede la retta su cui scorre, o più d'una [s, g]"};
+      if (value.kind == Tree::Kind::list)
+        for (const Tree& item : value.items) slide(key, item, file_.text(item, what));
+      else
+        slide(key, value, file_.text(value, what));
+    }
+  }
+  // gears: [{wheels: 1 3, on: 2, teeth: [60, 20], inside: yes}].
+  void gears() {
+    const Tree* all = root_.find("gears");
+    if (!all) return;
+    const Words what{"gears: [{wheels: 2 4, on: 1, teeth: [20, 40]}]",
+                     "gears: [{wheels: 2 4, on: 1, teeth: [20, 40]}]"};
+    file_.demand(*all, Tree::Kind::list, what);
+    for (const Tree& item : all->items) {
+      file_.map(item, what);
+      file_.demand_keys(item, {"wheels", "on", "teeth", "inside", "phase"});
+      built_.linkage.gears.push_back(gear(item, what));
+    }
+  }
+
+ private:
+  void slide(const Tree& key, const Tree& value, const std::string& guide_name) {
+    const int guide = line(value, guide_name);
+    const int link = built_.linkage.link_of_line(guide);
+    if (is_line(key.text)) {
+      const int moving = line(key, key.text);
+      if (built_.linkage.link_of_line(moving) == link) refuse_own(value, key.text, guide_name);
+      built_.linkage.blocks.push_back({moving, guide});
+      return;
+    }
+    const int pin = point(key, key.text);
+    const std::vector<int> links = built_.linkage.links_at(pin);
+    if (std::find(links.begin(), links.end(), link) != links.end()) refuse_own(value, key.text, guide_name);
+    built_.linkage.pins.push_back({pin, guide});
+  }
+  [[noreturn]] void refuse_own(const Tree& at, const std::string& what, const std::string& guide) const {
+    refuse(at, format_words("{} and {} are of one link: nothing slides there",
+                            "{} e {} sono di uno stesso membro: lì nulla scorre", what, guide));
+  }
+  MeshingLinks gear(const Tree& at, const Words& what) const {
+    const Tree &wheels = demand(at, "wheels"), &on = demand(at, "on"), &teeth = demand(at, "teeth");
+    const std::vector<std::string> both = parted(file_.text(wheels, what));
+    if (both.size() != 2)
+      refuse(wheels, {"two links mesh, as in  wheels: 2 4", "ingranano due membri, come in  wheels: 2 4"});
+    MeshingLinks gear{link_of_number(wheels, both[0]), link_of_number(wheels, both[1]),
+                      link_of_number(on, file_.text(on, what)), 1, 1};
+    if (gear.first == gear.second || gear.first == gear.carrier || gear.second == gear.carrier)
+      refuse(wheels, {"two wheels and the link that carries them are three links",
+                      "due ruote e il membro che le porta sono tre membri"});
+    for (const int wheel : {gear.first, gear.second})
+      if (built_.linkage.hinge_of(wheel, gear.carrier) == nothing)
+        refuse(on, format_words("links {} and {} have no hinge: what carries a wheel has its centre",
+                                "i membri {} e {} non hanno una cerniera: chi porta una ruota ne ha il centro",
+                                built_.letters.links[static_cast<std::size_t>(wheel)],
+                                built_.letters.links[static_cast<std::size_t>(gear.carrier)]));
+    if (built_.linkage.hinge_of(gear.first, gear.carrier) == built_.linkage.hinge_of(gear.second, gear.carrier))
+      refuse(on, {"the two wheels have one centre", "le due ruote hanno un solo centro"});
+    std::tie(gear.first_teeth, gear.second_teeth) = sizes(teeth);
+    gear.is_inside = is_inside(at);
+    if (gear.is_inside && gear.first_teeth == gear.second_teeth)
+      refuse(teeth,
+             {"of two wheels as large none lies inside the other", "di due ruote uguali nessuna sta dentro l'altra"});
+    gear.phase = turning(at, "phase", Kind::angle);
+    return gear;
+  }
+  // Numbers of teeth, or two radii.
+  std::pair<Rational, Rational> sizes(const Tree& teeth) const {
+    if (teeth.kind != Tree::Kind::list || teeth.items.size() != 2)
+      refuse(teeth, {"two numbers of teeth are asked, such as [20, 40], or two radii",
+                     "si chiedono due numeri di denti, come [20, 40], o due raggi"});
+    std::pair<Rational, Rational> both;
+    std::optional<Kind> kind;
+    for (const bool is_first : {true, false}) {
+      const Tree& item = teeth.items[is_first ? 0 : 1];
+      if (!kind) kind = kind_of_size(item);
+      Rational& size = is_first ? both.first : both.second;
+      size = amount(item, *kind).value;
+      if (size <= 0) refuse(item, {"a wheel has more than no teeth", "una ruota ha più di zero denti"});
+      if (*kind == Kind::pure_number && size.denominator() != 1)
+        refuse(item, {"a wheel has a whole number of teeth; radii have a unit, such as 20.5 mm",
+                      "una ruota ha un numero intero di denti; i raggi hanno un'unità, come 20.5 mm"});
+    }
+    return both;
+  }
+  Kind kind_of_size(const Tree& item) const {
+    try {
+      read_amount(file_.text(item, {"a number of teeth is asked here", "qui si chiede un numero di denti"}),
+                  Kind::pure_number, "1", of_.known);
+      return Kind::pure_number;
+    } catch (const BadFormula&) {
+      return Kind::length;
+    }
+  }
+  bool is_inside(const Tree& gear) const {
+    const Tree* inside = gear.find("inside");
+    if (!inside) return false;
+    if (inside->text == "yes" || inside->text == "true") return true;
+    if (inside->text == "no" || inside->text == "false") return false;
+    refuse(*inside, {"inside: yes or no", "inside: yes o no"});
+  }
+};
+
+}  // namespace
+
+void read_joints(FileReading& of) {
+  JointsReader reader(of);
+  reader.slides();
+  reader.gears();
+}
+
+}  // namespace epure::scenes

@@ -1,0 +1,178 @@
+// The forces of a scene as its sheets draw and write them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "exercises/kit/panels/polygon_panel.h"
+#include "exercises/kit/statement/format_words.h"
+#include "exercises/scenes/forces/force_names.h"
+#include "exercises/scenes/forces/scene_forces.h"
+#include "exercises/scenes/sheets/scene_figure.h"
+
+namespace epure::scenes {
+
+// Where the forces of a scene are and how large, in doubles, and how they are written.
+class ForceFigures {
+ public:
+  ForceFigures(const Built& built, const Solution& s) : built_(built), s_(s), reach_(figure_of(built, s).reach()) {}
+
+  double reach() const { return reach_; }
+  std::string letter(int point) const { return "$" + point_letters(built_.letters.points[index(point)]) + "$"; }
+  std::string line(int l) const { return "$" + point_letters(built_.letters.lines[index(l)]) + "$"; }
+  std::string number(int link) const { return std::to_string(built_.letters.links[index(link)]); }
+  Place at(int point) const { return s_.place(built_.letters.points[index(point)]); }
+  Place through(int l) const { return s_.place("through " + built_.letters.lines[index(l)]); }
+
+  Arrow2 vector(const ActingForce& force) const {
+    using Kind = ActingForce::Kind;
+    const std::string name = name_of_force(built_, force);
+    const auto k = index(force.which);
+    const auto& of = built_.linkage;
+    const auto along = [&](int l) { return s_.vector("along_" + built_.letters.lines[index(l)]); };
+    Arrow2 v{0, 0};
+    switch (force.kind) {
+      case Kind::load:
+        v = s_.vector("load " + name);
+        break;
+      case Kind::weight:
+      case Kind::inertia:
+      case Kind::hinge:
+      case Kind::held:
+        v = s_.vector(name);
+        break;
+      case Kind::pin:
+        v = s_[name] * geometry::quarter_turn(along(of.pins[k].line));
+        break;
+      case Kind::guide:
+        v = s_[name] * geometry::quarter_turn(along(of.blocks[k].guide));
+        break;
+      case Kind::slid:
+        v = s_[name] * along(std::get<geometry::SlidPoint>(of.drives[k]).guide);
+        break;
+      case Kind::cylinder: {
+        const auto& cylinder = std::get<geometry::Stretched>(of.drives[k]);
+        const Arrow2 whole = at(cylinder.to) - at(cylinder.from);
+        v = (s_[name] / magnitude(whole)) * whole;
+        break;
+      }
+    }
+    return is_reversed(built_, force) ? -v : v;
+  }
+  Place place(const ActingForce& force) const {
+    if (force.kind == ActingForce::Kind::load) return s_.place("place of " + name_of_force(built_, force));
+    if (is_of_mass(force)) return s_.place("centre of " + number(force.link));
+    if (force.kind == ActingForce::Kind::guide) return through(built_.linkage.blocks[index(force.which)].moving);
+    return at(force.point);
+  }
+  Place place(const About& about) const { return about.point != nothing ? at(about.point) : through(about.line); }
+  Words about_in_words(const About& about) const {
+    if (about.point != nothing) return {letter(about.point), letter(about.point)};
+    return format_words("the point that {} is given through", "il punto per cui {} è data", line(about.line));
+  }
+
+  // As a known one, whatever it is.
+  PolygonSide side(const ActingForce& force, ForcePart part = ForcePart::whole) const {
+    PolygonSide side;
+    const bool is_given = force.kind == ActingForce::Kind::load && built_.force_names[index(force.which)].is_given;
+    side.quantity = is_given ? "" : name_of_force(built_, force);
+    side.label = arrow_of_force(built_, force, part);
+    side.magnitude = letters_of_force(built_, force, part);
+    if (is_of_mass(force)) {
+      const auto k = index(force.which);
+      const bool is_weight = force.kind == ActingForce::Kind::weight;
+      side.magnitude =
+          built_.mass_names[k].mass + "·" + (is_weight ? built_.gravity : acceleration_of_centre(built_, k));
+    }
+    if (part == ForcePart::whole) {
+      side.v = vector(force);
+    } else {
+      side.quantity = part_of_force(built_, force, part).name;
+      side.v = s_.vector(side.quantity);
+    }
+    side.length = magnitude(side.v);
+    return side;
+  }
+  PolygonSide side(const ForceSide& of) const {
+    PolygonSide drawn = side(of.force, of.part);
+    drawn.direction = of.direction;
+    if (of.is_unknown)
+      drawn.magnitude = "?";
+    else if (*drawn.length == 0)
+      drawn.magnitude = "0";
+    if (of.line != nothing) {
+      const Arrow2 along = s_.vector("along_" + built_.letters.lines[index(of.line)]);
+      drawn.along = of.is_square ? geometry::quarter_turn(along) : along;
+    } else if (of.from != nothing) {
+      drawn.along = at(of.to) - at(of.from);
+    }
+    return drawn;
+  }
+  VectorPolygon polygon(const ForceLoop& loop) const {
+    std::vector<PolygonSide> left, right;
+    for (const ForceSide& each : loop.left) left.push_back(side(each));
+    char corner = 'a';
+    for (const ForceSide& each : loop.right) {
+      right.push_back(side(each));
+      if (right.back().is_drawn()) right.back().tip = std::string("$") + corner++ + "$";
+    }
+    return force_polygon(loop.letter, std::move(left), std::move(right));
+  }
+
+  double value(const ActingCouple& couple) const {
+    const double size = couple.kind == ActingCouple::Kind::load
+                            ? CGAL::to_double(built_.loads->couples[index(couple.which)].moment)
+                            : s_[quantity(couple).name];
+    return couple.is_opposite ? -size : size;
+  }
+  // Of what is reported, or the load's.
+  Quantity quantity(const ActingCouple& couple) const {
+    const auto k = index(couple.which);
+    if (couple.kind == ActingCouple::Kind::guide) return guide_forces(built_, k).couple;
+    if (couple.kind == ActingCouple::Kind::inertia) return inertia_couple(built_, k);
+    if (couple.kind == ActingCouple::Kind::drive) return driving_effort(built_, built_.linkage.drives[k]);
+    return {built_.couple_names[k].name, built_.couple_names[k].symbol, "N*m", {}};
+  }
+  // How large what its letters stand for is: a given may be negative, and so may what has a sign.
+  double value_of_letters(const ActingCouple& couple) const {
+    if (couple.kind == ActingCouple::Kind::load)
+      if (const LoadName& of = built_.couple_names[index(couple.which)]; of.is_given)
+        return CGAL::to_double(s_.givens()[of.name]);
+    return couple.kind == ActingCouple::Kind::load ? value(couple) : s_[quantity(couple).name];
+  }
+  double value_of_letters(const ActingForce& force) const {
+    using Kind = ActingForce::Kind;
+    if (force.kind == Kind::load)
+      if (const LoadName& of = built_.force_names[index(force.which)]; of.is_given)
+        return CGAL::to_double(s_.givens()[of.name]);
+    if (force.kind == Kind::pin || force.kind == Kind::guide || force.kind == Kind::slid ||
+        force.kind == Kind::cylinder)
+      return s_[name_of_force(built_, force)];
+    return magnitude(vector(force));
+  }
+  // d'Alembert's force and couple.
+  Words inertia_in_words(const ActingForce& force) const {
+    const auto k = index(force.which);
+    const MassName& letters = built_.mass_names[k];
+    std::string a = acceleration_of_centre(built_, k);
+    a = "$\\vec{a}" + a.substr(2);
+    const std::string i = number(force.link);
+    const Words in_centre = format_words(
+        "Link {0}, d'Alembert: {1} = −{2}·{3} in ${4}$", "Membro {0}, d'Alembert: {1} = −{2}·{3} in ${4}$", i,
+        arrow_of_force(built_, force), letters.mass, a, letters_of_centre(built_, k));
+    if (letters.inertia.empty() || turns_steadily(built_, force.link)) return in_centre + Words{".", "."};
+    return in_centre + format_words(", and {0} = −{1}·$α_{{{2}}}$.", ", e {0} = −{1}·$α_{{{2}}}$.",
+                                    inertia_couple(built_, k).symbol, letters.inertia, i);
+  }
+  double moment(const ActingForce& force, const About& about) const {
+    return cross(place(force) - place(about), vector(force));
+  }
+  bool has_arm(const Arm& arm) const { return s_.value(arm.length.name).value_or(0) != 0; }
+
+ private:
+  const Built& built_;
+  const Solution& s_;
+  double reach_;
+};
+
+}  // namespace epure::scenes

@@ -1,0 +1,158 @@
+#include "exercises/scenes/forces/force_sheets.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "exercises/kit/panels/free_body_panel.h"
+#include "exercises/scenes/forces/force_figures.h"
+#include "exercises/scenes/forces/group_sheet.h"
+#include "exercises/scenes/sheets/in_lines.h"
+
+namespace epure::scenes {
+namespace {
+
+using geometry::nothing;
+
+std::vector<std::string> numbers_of(const Built& built, const GroupForces& group) {
+  std::vector<std::string> all;
+  for (const LinkForces& body : group.bodies)
+    if (body.link != nothing) all.push_back(std::to_string(built.letters.links[index(body.link)]));
+  std::sort(all.begin(), all.end(), [](const std::string& a, const std::string& b) {
+    return std::pair(a.size(), a) < std::pair(b.size(), b);
+  });
+  return all;
+}
+// The pin of a group that places no link.
+std::string pin_of(const Built& built, const GroupForces& group) {
+  const LinkForces& body = group.bodies.front();
+  return built.letters.points[index(body.known.front().point)];
+}
+Words forces_on(const Built& built, const GroupForces& group) {
+  const std::vector<std::string> numbers = numbers_of(built, group);
+  if (numbers.empty())
+    return format_words("Forces on the pin {}", "Forze sul perno {}",
+                        "$" + point_letters(pin_of(built, group)) + "$");
+  return numbers.size() == 1 ? format_words("Forces on link {}", "Forze sul membro {}", numbers[0])
+                             : format_words("Forces on links {}", "Forze sui membri {}", enumerated_links(numbers));
+}
+
+Words links_or_pin(const Built& built, const GroupForces& group) {
+  const std::vector<std::string> numbers = numbers_of(built, group);
+  if (numbers.empty()) {
+    const std::string pin = "$" + point_letters(pin_of(built, group)) + "$";
+    return format_words("the pin {}", "il perno {}", pin);
+  }
+  return numbers.size() == 1 ? format_words("link {}", "il membro {}", numbers[0])
+                             : format_words("links {}", "i membri {}", enumerated_links(numbers));
+}
+// When a group is cut free, and why then.
+Words turn_of(const Built& built, const std::vector<GroupForces>& groups, std::size_t i) {
+  const Words group = links_or_pin(built, groups[i]);
+  if (groups.size() == 1)
+    return format_words("Cut free {}: only loads act there.", "Si isola {}: vi agiscono solo carichi.", group);
+  if (i == 0)
+    return format_words("First {}: only loads act there.", "Per prima cosa {}: lì agiscono solo carichi.", group);
+  const Words then = i + 1 == groups.size() ? Words{"At last ", "Infine "} : Words{"Then ", "Poi "};
+  return then + group +
+         Words{": what the others exert there is known now.", ": ciò che gli altri vi esercitano ora è noto."};
+}
+// Clear of the link, and of what turns it.
+void add_couple(FreeBodyPanel& whole, const Built& built, const ForceFigures& of, int link,
+                const ActingCouple& couple) {
+  const auto& points = built.linkage.links[index(link)].points;
+  const Place O = of.at(points.front().point);
+  std::vector<double> occupied;
+  if (points.size() > 1) {
+    const double along = direction(O, of.at(points[1].point));
+    occupied = {along, along - std::numbers::pi / 3, along + std::numbers::pi / 3, -std::numbers::pi / 2};
+  }
+  whole.couple(of.quantity(couple).symbol, O, of.value(couple), occupied);
+}
+
+// The whole mechanism with its loads and what drives it, and in which order its links are cut free.
+PanelSheet overview(const Built& built, const Solution& s) {
+  const std::vector<GroupForces> groups = force_groups(built);
+  const ForceFigures of(built, s);
+  FreeBodyPanel whole(std::make_shared<const Mechanism>(figure_of(built, s)));
+  whole.to_scale();
+  for (std::size_t k = 0; k < built.loads->forces.size(); ++k) {
+    const ActingForce load{ActingForce::Kind::load, static_cast<int>(k), built.loads->forces[k].link};
+    whole.load(of.side(load), of.place(load));
+  }
+  for (std::size_t k = 0; k < built.loads->masses.size(); ++k)
+    for (const auto kind : {ActingForce::Kind::weight, ActingForce::Kind::inertia}) {
+      const ActingForce force{kind, static_cast<int>(k), built.loads->masses[k].link};
+      if (kind == ActingForce::Kind::weight && built.gravity.empty()) continue;
+      whole.force(of.side(force), of.place(force));
+    }
+  PanelSheet sheet;
+  std::vector<std::string> efforts, reactions;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const GroupForces& group = groups[i];
+    for (const LinkForces& body : group.bodies) {
+      for (const ActingCouple& each : body.couples)
+        if (each.kind != ActingCouple::Kind::guide) add_couple(whole, built, of, body.link, each);
+      for (const ActingForce& force : body.sought) {
+        const std::string name = name_of_force(built, force);
+        if (force.kind == ActingForce::Kind::slid || force.kind == ActingForce::Kind::cylinder)
+          whole.effort(of.side(force), of.place(force));
+        else if (std::find(reactions.begin(), reactions.end(), name) == reactions.end())
+          reactions.push_back(name);
+      }
+    }
+    whole.step(turn_of(built, groups, i), of.place(group.bodies.front().sought.front()));
+  }
+  for (const geometry::Drive& drive : built.linkage.drives) efforts.push_back(driving_effort(built, drive).name);
+  sheet.panels = panels(std::move(whole));
+  for (const std::string& each : efforts) sheet.results.push_back(values({each}));
+  add_in_lines(sheet, reactions, 3);
+  sheet.seen = {"The mechanism with its loads and what drives it",
+                "Il meccanismo con i suoi carichi e ciò che lo muove"};
+  sheet.told = efforts;
+  return sheet;
+}
+
+// Then its polygon has a sheet of its own.
+bool is_crowded(const GroupForces& group) {
+  constexpr std::size_t most = 4;
+  std::size_t known = 0;
+  for (const LinkForces& body : group.bodies) {
+    known += body.known.size();
+    for (const ActingCouple& each : body.couples)
+      if (each.kind == ActingCouple::Kind::load || each.kind == ActingCouple::Kind::inertia) ++known;
+  }
+  return known > most;
+}
+
+}  // namespace
+
+std::vector<SheetMaker> force_sheets(const std::shared_ptr<const Scene>& scene) {
+  const Built stated = scene->built(Givens(scene->givens()));
+  const std::vector<GroupForces> groups = force_groups(stated);
+  std::vector<SheetMaker> sheets;
+  if (groups.empty()) return sheets;
+  sheets.push_back({{"forces", {"Forces", "Forze"}},
+                    [scene](const Solution& s, Language) { return overview(scene->built(s.givens()), s); }});
+  const auto add = [&](const std::string& name, const Words& title, std::size_t i, Shows shows) {
+    sheets.push_back({{name, title}, [scene, i, shows](const Solution& s, Language) {
+                        const Built built = scene->built(s.givens());
+                        return group_sheet(built, s, force_groups(built).at(i), shows);
+                      }});
+  };
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    std::string name = "forces";
+    const std::vector<std::string> numbers = numbers_of(stated, groups[i]);
+    if (numbers.empty()) name += "-" + pin_of(stated, groups[i]);
+    for (const std::string& number : numbers) name += "-" + number;
+    const Words title = forces_on(stated, groups[i]);
+    if (!is_crowded(groups[i])) {
+      add(name, title, i, Shows::all);
+      continue;
+    }
+    add(name, title, i, Shows::bodies);
+    add(name + "-polygon", title + Words{": polygon", ": poligono"}, i, Shows::polygons);
+  }
+  return sheets;
+}
+
+}  // namespace epure::scenes

@@ -1,0 +1,276 @@
+#include "exercises/scenes/forces/group_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "exercises/kit/panels/chained_polygons_panel.h"
+#include "exercises/kit/panels/free_body_panel.h"
+#include "exercises/scenes/forces/moments_in_words.h"
+#include "exercises/scenes/sheets/in_lines.h"
+
+namespace epure::scenes {
+namespace {
+
+using geometry::nothing;
+
+// A group's links cut free, and the polygons of their forces.
+class GroupSheet {
+ public:
+  GroupSheet(const Built& built, const Solution& s, const GroupForces& group)
+      : built_(built), s_(s), group_(group), of_(built, s) {}
+
+  PanelSheet sheet(Shows shows) const {
+    PanelSheet sheet;
+    if (shows != Shows::polygons)
+      for (const LinkForces& body : group_.bodies) add(sheet, cut_free(body));
+    if (shows != Shows::bodies)
+      for (const ForceLoop& loop : group_.loops)
+        if (!is_of_two(loop)) add(sheet, polygon(loop));
+    add_results(sheet, shows);
+    sheet.seen =
+        shows == Shows::polygons ? Words{"The polygon of the forces", "Il poligono delle forze"}
+        : shows == Shows::bodies
+            ? format_words("{}, with the arms of the forces", "{}, con i bracci delle forze", seen_bodies())
+            : format_words("{}, and the polygon of the forces", "{}, e il poligono delle forze", seen_bodies());
+    return sheet;
+  }
+
+ private:
+  template <class Kind>
+  static void add(PanelSheet& sheet, Kind panel) {
+    sheet.panels.push_back(std::make_unique<Kind>(std::move(panel)));
+  }
+  Words seen_bodies() const {
+    std::vector<std::string> numbers;
+    for (const LinkForces& body : group_.bodies)
+      if (body.link != nothing) numbers.push_back(of_.number(body.link));
+    if (numbers.empty()) return {"The pin cut free", "Il perno isolato"};
+    return numbers.size() == 1 ? format_words("Link {} cut free", "Il membro {} isolato", numbers[0])
+                               : format_words("Links {} cut free", "I membri {} isolati", enumerated_links(numbers));
+  }
+
+  // Two forces need no polygon.
+  static bool is_of_two(const ForceLoop& loop) {
+    return loop.right.size() == 1 && loop.left.front().direction == "?";
+  }
+
+  Mechanism figure(const LinkForces& body) const {
+    constexpr double of_reach = 1.0 / 30;
+    if (body.link != nothing) {
+      std::vector<int> acting;
+      for (const auto* forces : {&body.known, &body.sought})
+        for (const ActingForce& force : *forces) acting.push_back(force.point);
+      return figure_of_link(built_, s_, body.link, acting, of_reach * of_.reach(), of_.place(any_force(body)));
+    }
+    Mechanism pin;
+    const int point = any_force(body).point;
+    pin.point("pin", of_.at(point), Mechanism::Joint::hinge, of_.letter(point));
+    return pin;
+  }
+  // Of a mass that is in no point of its own name.
+  void add_centre(Mechanism& link, const LinkForces& body) const {
+    for (const ActingForce& force : body.known)
+      if (force.kind == ActingForce::Kind::inertia && force.point == nothing)
+        link.point("centre", of_.place(force), Mechanism::Joint::mass,
+                   "$" + letters_of_centre(built_, index(force.which)) + "$");
+  }
+  static const ActingForce& any_force(const LinkForces& body) {
+    return body.sought.empty() ? body.known.front() : body.sought.front();
+  }
+
+  FreeBodyPanel cut_free(const LinkForces& body) const {
+    Mechanism link = figure(body);
+    add_centre(link, body);
+    const auto drawn = std::make_shared<const Mechanism>(std::move(link));
+    FreeBodyPanel panel(drawn);
+    panel.to_scale();
+    // What has no size of its own is no larger than the whole mechanism lets it be.
+    constexpr double millimetres = 1000;
+    if (drawn->reach() < of_.reach() / 4) panel.at_most(millimetres / of_.reach() / 2);
+    Place middle{0, 0};
+    for (const Place& P : drawn->corners())
+      middle = middle + (1.0 / static_cast<double>(drawn->corners().size())) * (P - Place{0, 0});
+    for (const auto* forces : {&body.known, &body.sought})
+      for (const ActingForce& force : *forces) draw(panel, force, middle);
+    for (const ActingCouple& each : body.couples)
+      panel.couple(of_.quantity(each).symbol, place_of_couple(each, body), of_.value(each), directions(body));
+    add_steps(panel, body);
+    return panel;
+  }
+  // What presses on the body ends there.
+  void draw(FreeBodyPanel& panel, const ActingForce& force, const Place& middle) const {
+    const Place P = of_.place(force);
+    const PolygonSide side = of_.side(force);
+    const auto there = dot(side.v, middle - P) > 0 ? FreeBodyPanel::Arrow::ends : FreeBodyPanel::Arrow::starts;
+    if (force.kind == ActingForce::Kind::load || force.kind == ActingForce::Kind::weight)
+      panel.load(side, P, there);
+    else
+      panel.force(side, P, there);
+  }
+  Place place_of_couple(const ActingCouple& couple, const LinkForces& body) const {
+    if (couple.kind == ActingCouple::Kind::guide)
+      return of_.through(built_.linkage.blocks[index(couple.which)].moving);
+    const auto& points = built_.linkage.links[index(body.link)].points;
+    if (couple.kind == ActingCouple::Kind::drive)
+      for (const geometry::LinkPoint& p : points)
+        if (built_.linkage.links_at(p.point).front() == 0) return of_.at(p.point);
+    if (points.empty()) return of_.place(any_force(body));
+    if (points.size() == 1) return of_.at(points[0].point);
+    return of_.at(points[0].point) + 0.5 * (of_.at(points[1].point) - of_.at(points[0].point));
+  }
+  // Of the link from a couple's place.
+  std::vector<double> directions(const LinkForces& body) const {
+    if (body.link == nothing) return {};
+    const auto& points = built_.linkage.links[index(body.link)].points;
+    if (points.size() < 2) return {};
+    const double along = epure::direction(of_.at(points[0].point), of_.at(points[1].point));
+    return {along, along + std::numbers::pi};
+  }
+
+  static std::string turned_round(const std::string& arrow) {
+    const std::string minus = "−";
+    return arrow.starts_with(minus) ? arrow.substr(minus.size()) : minus + arrow;
+  }
+  void add_steps(FreeBodyPanel& panel, const LinkForces& body) const {
+    for (const GroupForces::Strut& each : group_.struts)
+      if (each.link == body.link)
+        panel.step(format_words("Link {0} is loaded in its hinges only: its forces run along {1}{2}.",
+                                "Il membro {0} è caricato solo nelle cerniere: le sue forze corrono lungo {1}{2}.",
+                                of_.number(each.link), of_.letter(each.from), of_.letter(each.to)),
+                   of_.at(each.from) + 0.5 * (of_.at(each.to) - of_.at(each.from)));
+    for (const ActingForce& force : body.known)
+      if (force.kind == ActingForce::Kind::inertia) panel.step(of_.inertia_in_words(force), of_.place(force));
+    for (const GroupForces::Pressed& each : group_.pressed)
+      if (each.force.link == body.link && each.force.kind != ActingForce::Kind::hinge)
+        panel.step(format_words("There is no friction: {} is square to {}.", "Non c'è attrito: la {} è normale a {}.",
+                                arrow_of_force(built_, each.force), of_.line(each.line)),
+                   of_.place(each.force));
+    for (const ForceLoop& loop : group_.loops)
+      if (is_of_two(loop) && loop.left.front().force.link == body.link)
+        panel.step(format_words("Two forces only: {} = {}.", "Due sole forze: {} = {}.",
+                                arrow_of_force(built_, loop.left.front().force),
+                                turned_round(arrow_of_force(built_, loop.right.front().force))),
+                   of_.place(loop.left.front().force));
+    for (const Moments& each : group_.moments) {
+      if (each.link != body.link) continue;
+      double out = 0;
+      for (const Arm& arm : each.arms) draw_arm(panel, arm, each.about, body, out);
+      if (const auto* arm = std::get_if<Arm>(&each.sought)) draw_arm(panel, *arm, each.about, body, out);
+      panel.step(MomentsInWords(of_, built_, each).all(), of_.place(each.about));
+    }
+  }
+  // One that runs along the link stands beside it, and each further one farther out.
+  void draw_arm(FreeBodyPanel& panel, const Arm& arm, const About& about, const LinkForces& body, double& out) const {
+    if (!of_.has_arm(arm)) return;
+    constexpr double nearly = 0.25, apart = 8;  // radians, mm
+    const Arrow2 across = geometry::quarter_turn(of_.vector(arm.force));
+    double beside = 0;
+    for (const double along : directions(body)) {
+      const Arrow2 link{std::cos(along), std::sin(along)};
+      if (std::abs(std::atan2(cross(link, across), dot(link, across))) < nearly) beside = out += apart;
+    }
+    panel.arm(of_.place(about), of_.place(arm.force), of_.vector(arm.force), arm.length.symbol, arm.length.name,
+              beside);
+  }
+
+  ChainedPolygonsPanel polygon(const ForceLoop& loop) const {
+    VectorPolygon drawn = of_.polygon(loop);
+    std::vector<Arrow2> corners{{0, 0}};
+    for (const PolygonSide& side : drawn.right) corners.push_back(corners.back() + side.v);
+    for (const ForceLoop::Between& each : loop.between) {
+      PolygonImage image{.absolute = {.v = corners[each.to]}};
+      image.relative = of_.side(each.force);
+      drawn.images.push_back(std::move(image));
+    }
+    ChainedPolygonsPanel panel(drawn);
+    for (const ForceLoop::Between& each : loop.between) {
+      constexpr double along = 0.65;  // clear of its letters
+      const Arrow2 from = corners[each.from];
+      const std::string label = arrow_of_force(built_, each.force);
+      panel.step(
+          each.is_sum
+              ? format_words("{} is the sum of its two parts.", "La {} è la somma delle sue due componenti.", label)
+              : format_words("{} closes the forces on link {}.", "La {} chiude le forze sul membro {}.", label,
+                             of_.number(each.force.link)),
+          from + along * (corners[each.to] - from));
+    }
+    return panel;
+  }
+
+  void add_results(PanelSheet& sheet, Shows shows) const {
+    std::vector<std::string> arms, parts, scalars, told;
+    std::vector<VectorQuantity> vectors;
+    for (const Moments& each : group_.moments) {
+      for (const Arm& arm : each.arms)
+        if (of_.has_arm(arm)) arms.push_back(arm.length.name);
+      if (const auto* arm = std::get_if<Arm>(&each.sought); arm && of_.has_arm(*arm))
+        arms.push_back(arm->length.name);
+      if (const auto* couple = std::get_if<ActingCouple>(&each.sought)) scalars.push_back(of_.quantity(*couple).name);
+      if (const auto* of_rod = std::get_if<AcrossRod>(&each.sought))
+        for (const ForcePart part : {ForcePart::across, ForcePart::along})
+          if (shows == Shows::all || (shows == Shows::bodies) == (part == ForcePart::across))
+            parts.push_back(part_of_force(built_, of_rod->force, part).name);
+    }
+    if (shows != Shows::polygons) add_inertia(vectors, scalars, told);
+    if (shows != Shows::bodies) add_sought(vectors, scalars, told);
+    if (shows != Shows::polygons) add_in_lines(sheet, arms, 3);
+    add_in_lines(sheet, parts, 2);
+    for (const VectorQuantity& each : vectors) sheet.results.push_back(components(each));
+    add_in_lines(sheet, scalars, 2);
+    for (const std::string& each : scalars)
+      if (std::find(told.begin(), told.end(), each) == told.end()) told.push_back(each);
+    sheet.told = told;
+  }
+  using Names = std::vector<std::string>;
+  void add_inertia(std::vector<VectorQuantity>& vectors, Names& scalars, Names& told) const {
+    for (const LinkForces& body : group_.bodies)
+      for (const ActingForce& force : body.known)
+        if (is_of_mass(force)) {
+          vectors.push_back(mass_force(built_, force));
+          told.push_back(vectors.back().name);
+        }
+    for (const LinkForces& body : group_.bodies)
+      for (const ActingCouple& each : body.couples)
+        if (each.kind == ActingCouple::Kind::inertia)
+          scalars.push_back(inertia_couple(built_, index(each.which)).name);
+  }
+  void add_sought(std::vector<VectorQuantity>& vectors, Names& scalars, Names& told) const {
+    for (const LinkForces& body : group_.bodies)
+      for (const ActingForce& force : body.sought) {
+        const std::string name = name_of_force(built_, force);
+        if (std::find(told.begin(), told.end(), name) != told.end()) continue;
+        told.push_back(name);
+        if (force.kind == ActingForce::Kind::held)
+          vectors.push_back(held_force(built_, force.which));
+        else if (force.kind == ActingForce::Kind::hinge) {
+          const auto hinge = JointForces<geometry::Fast>(built_.linkage).hinges[index(force.which)];
+          vectors.push_back(hinge_force(built_, hinge.point, hinge.by, hinge.on).quantity);
+        } else {
+          scalars.insert(scalars.begin(), name);
+        }
+      }
+  }
+
+  const Built& built_;
+  const Solution& s_;
+  const GroupForces& group_;
+  ForceFigures of_;
+};
+
+}  // namespace
+
+PanelSheet group_sheet(const Built& built, const Solution& s, const GroupForces& group, Shows shows) {
+  return GroupSheet(built, s, group).sheet(shows);
+}
+
+Words enumerated_links(const std::vector<std::string>& numbers) {
+  Words all;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i > 0) all = all + (i + 1 == numbers.size() ? Words{" and ", " e "} : Words{", ", ", "});
+    all = all + Words{numbers[i], numbers[i]};
+  }
+  return all;
+}
+
+}  // namespace epure::scenes
