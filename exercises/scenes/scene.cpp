@@ -31,6 +31,7 @@ Built built_of(FileReading reading) {
   read_drives(reading);
   read_questions(reading);
   read_loads(reading);
+  read_friction(reading);
   place_links(reading);
   return std::move(reading.built);
 }
@@ -80,9 +81,9 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   const File file(file_);
   file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
                    "una scena è un elenco di chiavi e valori, come  id: four-bar"});
-  file.demand_keys(root_, {"epure",  "id",     "title",  "source",  "givens",   "where",   "units", "points",
-                           "links",  "slides", "gears",  "drive",   "assembly", "offsets", "paths", "polodes",
-                           "charts", "loads",  "masses", "gravity", "sheets",   "printed"});
+  file.demand_keys(root_, {"epure",  "id",     "title",    "source", "givens",   "where",   "units",  "points",
+                           "links",  "slides", "gears",    "drive",  "assembly", "offsets", "paths",  "polodes",
+                           "charts", "loads",  "friction", "masses", "gravity",  "sheets",  "printed"});
   const FileHead head = read_head(file, root_);
   id_ = head.id;
   title_ = head.title;

@@ -43,6 +43,11 @@ struct MassName {
   std::string mass, inertia;  // letters of the givens that they are, rich text: "$\\it{m}$"; or "$m_{3}$", "$J_{3}$"
 };
 
+// How much friction there is, as the file has it.
+struct FrictionName {
+  Words amount;  // "0.15", "8°", or letters of the given that it is: "$\\it{f}$"
+};
+
 // A linkage at certain givens, and the order in which it is constructed.
 struct Built {
   geometry::Linkage linkage;
@@ -54,6 +59,7 @@ struct Built {
   std::optional<geometry::Loads> loads = {};                  // where forces are asked for
   std::vector<LoadName> force_names = {}, couple_names = {};  // as the loads
   std::vector<MassName> mass_names = {};                      // as their masses
+  std::vector<FrictionName> friction_names = {};              // as the frictions
   std::string gravity = {};                                   // its letters; empty: nothing weighs
 };
 

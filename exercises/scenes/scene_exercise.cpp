@@ -29,7 +29,8 @@ std::vector<RouteValue> solved(const Scene& scene, const Givens& givens, Rung ru
   const auto built = std::make_shared<const Built>(scene.built(givens));
   try {
     if (rung != Rung::names && rung != Rung::fast)
-      if (const auto at_limit = limit_of(*built)) throw BadGivens(*at_limit);
+      for (const auto& refusal : {limit_of, no_forces_with_friction})
+        if (const auto why = refusal(*built)) throw BadGivens(*why);
     return by_both_routes(built, rung);
   } catch (const geometry::NotClosed& open) {
     throw BadGivens(

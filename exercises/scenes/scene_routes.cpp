@@ -17,12 +17,19 @@ namespace {
 using namespace geometry;
 using analytic::Complex;
 
+Loads without_friction(const Built& built) {
+  Loads loads = built.loads.value_or(Loads{});
+  loads.frictions.clear();
+  return loads;
+}
+
 struct SceneRoutes {
   std::shared_ptr<const Built> built;
   std::vector<Term> vectors = relative_vectors(dyad_equations(*built));
   CentrePlan plan = centre_plan_of(*built);
   std::vector<std::size_t> floating = links_without_pivot(*built);
   std::vector<GroupForces> groups = force_groups(*built);
+  Loads frictionless = without_friction(*built);
 
   template <class T>
   Ledger<T> operator()() const {
@@ -79,10 +86,12 @@ struct SceneRoutes {
           return at_rest_against(a.omega - b.omega, of_origin(a) - of_origin(b));
         });
     if (built->loads) {
-      const FoundForces<T> forces(*built, [&](const Loads& loads, bool with_inertia) {
+      const auto find = [&](const Loads& loads, bool with_inertia) {
         return forces_by_groups(*built, constructed, loads, with_inertia);
-      });
+      };
+      const FoundForces<T> forces(*built, *built->loads, find);
       put_forces<T>(ledger, forces);
+      put_frictionless<T>(ledger, {*built, frictionless, find});
       tell_directions(ledger);
       const ForcesFound<T> found(*built, found_by_groups(constructed, forces));
       put_acting(ledger, found, [&](const Moments& moments, bool is_across) {
@@ -103,10 +112,12 @@ struct SceneRoutes {
   template <class T>
   void by_joint_equations(Ledger<T>& ledger, const Constructed<T>& constructed, const ByJoints<T>& by_joints) const {
     if (built->loads) {
-      const FoundForces<T> forces(*built, [&](const Loads& loads, bool with_inertia) {
+      const auto find = [&](const Loads& loads, bool with_inertia) {
         return forces_by_equilibrium(*built, constructed, by_joints, loads, with_inertia);
-      });
+      };
+      const FoundForces<T> forces(*built, *built->loads, find);
       put_forces<T>(ledger, forces);
+      put_frictionless<T>(ledger, {*built, frictionless, find});
       const ForcesFound<T> found(*built, found_by_equilibrium(by_joints, forces));
       put_acting(ledger, found, [&](const Moments& moments, bool is_across) {
         return found.part(std::get<AcrossRod>(moments.sought), is_across);
@@ -205,7 +216,7 @@ struct SceneRoutes {
     for (const FoundCentre& centre : plan.found) put(centre.i, centre.j);
   }
 
-  // Polygons name those that are not along an axis as they are given.
+  // Polygons name those that are not along an axis as they are given, and steps how much friction there is.
   template <class T>
   void tell_directions(Ledger<T>& ledger) const {
     const auto& forces = built->loads->forces;
@@ -213,6 +224,13 @@ struct SceneRoutes {
       if (!is_zero(forces[k].turned))
         ledger.tells({built->force_names[k].name + "_direction", "", "deg", {}},
                      [&, k] { return given_in_degrees<T>(forces[k].turned); });
+    for (const LineFriction& each : built->loads->frictions) {
+      const std::string name = name_of_contact(contact(*built, each)) + "_friction";
+      if (const auto* angle = std::get_if<Angle>(&each.amount))
+        ledger.tells({name, "", "deg", {}}, [angle] { return given_in_degrees<T>(*angle); });
+      else
+        ledger.tells({name, "", "1", {}}, [&each] { return each.coefficient<T>(); });
+    }
   }
 
   template <class T>
@@ -237,8 +255,22 @@ struct SceneRoutes {
       put_one(guide.force, [k](const JointForces<T>& f) { return f.guides[k].force; });
       put_one(guide.couple, [k](const JointForces<T>& f) { return f.guides[k].couple; });
     }
+    for (const LineFriction& each : built->loads->frictions) {
+      put_one(friction_force(*built, each), [each](const JointForces<T>& f) { return f.friction(each); });
+      ledger.put(whole_contact_force(*built, each), [&forces, each] {
+        return size(Vector<T>{forces.all().normal(each), forces.all().friction(each)});
+      });
+    }
     for (std::size_t k = 0; k < joints.drives.size(); ++k)
       put_one(driving_effort(*built, built->linkage.drives[k]), [k](const JointForces<T>& f) { return f.drives[k]; });
+  }
+
+  bool has_friction() const { return built->loads && !built->loads->frictions.empty(); }
+  template <class T>
+  void put_frictionless(Ledger<T>& ledger, const FoundForces<T>& forces) const {
+    for (std::size_t k = 0; has_friction() && k < built->linkage.drives.size(); ++k)
+      ledger.put(frictionless_effort(*built, built->linkage.drives[k]),
+                 [&forces, k] { return forces.of([k](const JointForces<T>& f) { return f.drives[k]; }); });
   }
 
   // --- what sheets of forces show beside --------------------------------------------------------------------------
@@ -368,7 +400,8 @@ struct SceneRoutes {
   void by_power(Ledger<T>& ledger, const Constructed<T>& constructed) const {
     ledger.route("power balance");
     for (std::size_t k = 0; k < built->linkage.drives.size(); ++k)
-      ledger.put(driving_effort(*built, built->linkage.drives[k]),
+      // What friction takes would be known of forces that are found already.
+      ledger.put((has_friction() ? frictionless_effort : driving_effort)(*built, built->linkage.drives[k]),
                  [&] { return effort_by_power(*built, constructed, k); });
   }
 

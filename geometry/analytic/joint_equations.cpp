@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "geometry/analytic/inverse.h"
+#include "geometry/linkages/friction.h"
 
 namespace epure::geometry::analytic {
 namespace {
@@ -102,6 +103,18 @@ class JointEquations {
  public:
   JointEquations(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Hanging& hanging)
       : linkage_(linkage), links_(links), hanging_(hanging) {}
+
+  // What the point, or that which the moving line of a block is given through, is driven by along the line: the
+  // slopes of such an equation.
+  Equation<T> sliding(const LineFriction& of) const {
+    const bool is_of_block = of.is_of_block;
+    const auto k = static_cast<std::size_t>(of.which);
+    const int moving = is_of_block ? linkage_.blocks[k].moving : nothing,
+              line = is_of_block ? linkage_.blocks[k].guide : linkage_.pins[k].line;
+    return ahead_on(is_of_block ? end(linkage_.link_of_line(moving), linkage_.line(moving).through)
+                                : end_at(linkage_.pins[k].point),
+                    line);
+  }
 
   std::vector<Equation<T>> all() {
     for (int point = 0; point < linkage_.count_of_points(); ++point) {
@@ -258,18 +271,23 @@ class JointEquations {
   }
 
   void driven(const SlidPoint& drive) {
-    const End<T> i = end_at(drive.point);
-    const Complex<T> s = direction(drive.guide);
-    const End<T> G = end(linkage_.link_of_line(drive.guide), linkage_.line(drive.guide).through);
+    Equation<T> equation = ahead_on(end_at(drive.point), drive.guide);
+    equation.residual -= from_rational<T>(drive.at);
+    equation.rate = from_rational<T>(drive.velocity);
+    equation.second_rate = from_rational<T>(drive.acceleration);
+    equations_.push_back(std::move(equation));
+  }
+  // How far X_i is ahead of G on the line: s . (X_i - G).
+  Equation<T> ahead_on(const End<T>& i, int line) const {
+    const Complex<T> s = direction(line);
+    const End<T> G = end(linkage_.link_of_line(line), linkage_.line(line).through);
     const Complex<T> D = i.X - G.X, D_rate = i.v - G.v;
-    Equation<T> equation{.residual = dot(s, D) - from_rational<T>(drive.at), .slopes = {}};
+    Equation<T> equation{.residual = dot(s, D), .slopes = {}};
     add(equation, i, s, dot(s, times_i(i.r)));
     add(equation, G, -s, cross(s, D) - dot(s, times_i(G.r)));
     equation.quadratic =
         -(square(G.omega) * dot(s, D)) + T(2) * G.omega * cross(s, D_rate) + dot(s, i.quadratic() - G.quadratic());
-    equation.rate = from_rational<T>(drive.velocity);
-    equation.second_rate = from_rational<T>(drive.acceleration);
-    equations_.push_back(std::move(equation));
+    return equation;
   }
 
   void driven(const Stretched& drive) {
@@ -786,6 +804,88 @@ std::vector<std::vector<int>> links_of_equations(const Linkage& linkage, const H
   return all;
 }
 
+// Friction does work with what slides, and is so many times the multiplier that belongs to what presses.
+template <class T>
+struct Friction {
+  std::size_t multiplier;
+  Equation<T> sliding;
+  T slope;  // the coefficient, with the sense of sliding
+};
+template <class T>
+std::vector<Friction<T>> frictions(const Linkage& linkage, const std::vector<LinkState<T>>& links,
+                                   const Loads& loads) {
+  const Hanging whole = all_links(linkage);
+  const JointEquations<T> joints(linkage, links, whole);
+  const Column<T> rates = rates_of(links, true);
+  const std::size_t pins = 2 * JointForces<T>(linkage).hinges.size(), blocks = pins + linkage.pins.size();
+  std::vector<Friction<T>> all;
+  for (const LineFriction& each : loads.frictions) {
+    const auto k = static_cast<std::size_t>(each.which);
+    Equation<T> sliding = joints.sliding(each);
+    const int sense = sense_of_sliding(along(sliding, rates));
+    all.push_back(
+        {each.is_of_block ? blocks + 2 * k : pins + k, std::move(sliding), T(sense) * each.coefficient<T>()});
+  }
+  return all;
+}
+
+// What is left over of a sum of forces on exact numbers.
+template <class T>
+void demand_in_equilibrium(const T& left_over) {
+  const Sign left = sign(left_over);
+  if (left == Sign::undecided)
+    throw Undecided("whether the forces found hold all links in equilibrium",
+                    "se le forze trovate tengano in equilibrio tutti i membri");
+  if (left != Sign::zero)
+    throw Impossible("the forces found do not hold all links in equilibrium",
+                     "le forze trovate non tengono in equilibrio tutti i membri");
+}
+
+template <class T>
+T magnitude_proved(const T& x) {
+  const Sign decided = sign(x);
+  if (decided == Sign::undecided)
+    throw Undecided("from which side a guide presses", "da quale parte prema una guida");
+  return decided == Sign::negative ? -x : x;
+}
+
+template <class T>
+JointForces<T> solved_forces(const Linkage& linkage, const Loads& loads, const std::vector<Equation<T>>& columns,
+                             const Column<T>& borne, const std::vector<Friction<T>>& rubbing,
+                             const std::vector<int>& senses) {
+  std::vector<Equation<T>> with_friction = columns;
+  for (std::size_t i = 0; i < rubbing.size(); ++i)
+    for (const auto& [column, slope] : rubbing[i].sliding.slopes)
+      with_friction[static_cast<std::size_t>(column)].slopes.emplace_back(static_cast<int>(rubbing[i].multiplier),
+                                                                          -(T(senses[i]) * rubbing[i].slope * slope));
+  Column<T> multipliers;
+  if constexpr (std::is_same_v<T, Fast>)
+    multipliers = solved(with_friction, borne);
+  else
+    multipliers = solved(with_friction, Preconditioner<T>(with_friction), borne);
+  JointForces<T> forces(linkage);
+  std::size_t next = 0;
+  for_each_force(linkage, forces,
+                 [&](T& force, const Rational& factor) { force = from_rational<T>(factor) * multipliers[next++]; });
+  for (std::size_t i = 0; i < rubbing.size(); ++i)
+    forces.friction(loads.frictions[i]) = -(T(senses[i]) * rubbing[i].slope * forces.normal(loads.frictions[i]));
+  return forces;
+}
+
+template <class T>
+JointForces<T> forces_found(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
+                            Inertia inertia) {
+  const std::vector<Equation<T>> columns = transposed(equations(linkage, links));
+  Column<T> borne;
+  for (const T& load : loads_on_links(links, loads, inertia)) borne.push_back(-load);
+  const std::vector<Friction<T>> rubbing = frictions(linkage, links, loads);
+  return forces_with_friction<JointForces<T>>(
+      rubbing.size(),
+      [&](const std::vector<int>& senses) { return solved_forces(linkage, loads, columns, borne, rubbing, senses); },
+      [&](const JointForces<T>& forces, std::size_t i) { return forces.normal(loads.frictions[i]); },
+      [](const JointForces<T>& a, const JointForces<T>& b) { return either(a, b); });
+}
+
 }  // namespace
 
 Hanging all_links(const Linkage& linkage) {
@@ -868,19 +968,7 @@ template <class T>
 JointForces<T> solve_forces(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
                             Inertia inertia) {
   demand_no_gears(linkage);
-  const std::vector<Equation<T>> columns = transposed(equations(linkage, links));
-  Column<T> borne;
-  for (const T& load : loads_on_links(links, loads, inertia)) borne.push_back(-load);
-  Column<T> multipliers;
-  if constexpr (std::is_same_v<T, Fast>)
-    multipliers = solved(columns, borne);
-  else
-    multipliers = solved(columns, Preconditioner<T>(columns), borne);
-  JointForces<T> forces(linkage);
-  std::size_t next = 0;
-  for_each_force(linkage, forces,
-                 [&](T& force, const Rational& factor) { force = from_rational<T>(factor) * multipliers[next++]; });
-  return forces;
+  return forces_found(linkage, links, loads, inertia);
 }
 
 template <class T>
@@ -892,17 +980,16 @@ void demand_equilibrium(const Linkage& linkage, const std::vector<LinkState<T>>&
   for_each_force(linkage, held, [&](T& force, const Rational& factor) {
     multipliers.push_back(from_rational<T>(Rational(1 / factor)) * force);
   });
-  const Column<T> borne = loads_on_links(links, loads, inertia);
-  const std::vector<Equation<T>> columns = transposed(equations(linkage, links));
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const Sign left = sign(along(columns[i], multipliers) + borne[i]);
-    if (left == Sign::undecided)
-      throw Undecided("whether the forces found hold all links in equilibrium",
-                      "se le forze trovate tengano in equilibrio tutti i membri");
-    if (left != Sign::zero)
-      throw Impossible("the forces found do not hold all links in equilibrium",
-                       "le forze trovate non tengono in equilibrio tutti i membri");
+  Column<T> borne = loads_on_links(links, loads, inertia);
+  const std::vector<Friction<T>> rubbing = frictions(linkage, links, loads);
+  for (std::size_t k = 0; k < rubbing.size(); ++k) {
+    const T& friction = forces.friction(loads.frictions[k]);
+    demand_in_equilibrium(friction + rubbing[k].slope * magnitude_proved(forces.normal(loads.frictions[k])));
+    for (const auto& [column, each] : rubbing[k].sliding.slopes)
+      borne[static_cast<std::size_t>(column)] += each * friction;
   }
+  const std::vector<Equation<T>> columns = transposed(equations(linkage, links));
+  for (std::size_t i = 0; i < columns.size(); ++i) demand_in_equilibrium(along(columns[i], multipliers) + borne[i]);
 }
 template JointForces<Fast> solve_forces<Fast>(const Linkage&, const std::vector<LinkState<Fast>>&, const Loads&,
                                               Inertia);

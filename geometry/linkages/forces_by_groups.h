@@ -5,9 +5,11 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "geometry/linkages/carried_out.h"
+#include "geometry/linkages/friction.h"
 #include "geometry/linkages/loads.h"
 
 namespace epure::geometry {
@@ -19,13 +21,15 @@ class ForcesByGroups {
       : linkage_(linkage),
         at_(at),
         found_(linkage),
+        pin_slopes_(linkage.pins.size(), T(0)),
+        block_slopes_(linkage.blocks.size(), T(0)),
         on_pin_(at.points.size(), Vector<T>{T(0), T(0)}),
         known_(linkage.links.size()) {}
 
-  // `moving`: as the masses; without inertia where it is empty. Throws Impossible where a group is at a limit,
-  // Undecided where that cannot be told.
+  // `moving`: as the masses; without inertia where it is empty. `sliding`: how fast what rubs slides along its line,
+  // as the frictions. Throws Impossible where a group is at a limit, or jams, Undecided where that cannot be told.
   JointForces<T> under(const Loads& loads, const std::vector<Step>& steps,
-                       const std::vector<MassInMotion<T>>& moving = {}) {
+                       const std::vector<MassInMotion<T>>& moving = {}, const std::vector<T>& sliding = {}) {
     for (const LinkForce& load : loads.forces) push(load.link, place(load), vector(load));
     for (const LinkCouple& load : loads.couples) known_[index(load.link)].couple += from_rational<T>(load.moment);
     for (std::size_t k = 0; k < loads.masses.size(); ++k) {
@@ -35,8 +39,18 @@ class ForcesByGroups {
       push(body.link, place(body), inertia(body, moving[k]));
       known_[index(body.link)].couple -= from_rational<T>(body.inertia) * moving[k].alpha;
     }
-    for (auto step = steps.rbegin(); step != steps.rend(); ++step)
-      std::visit([this](const auto& s) { release(s); }, *step);
+    const std::vector<std::size_t> at_steps = steps_of(loads.frictions, steps);
+    for (std::size_t k = steps.size(); k-- > 0;) {
+      std::vector<Rubbing> rubbing;
+      for (std::size_t i = 0; i < at_steps.size(); ++i)
+        if (at_steps[i] == k)
+          rubbing.push_back(
+              {loads.frictions[i], T(sense_of_sliding(sliding[i])) * loads.frictions[i].template coefficient<T>()});
+      if (rubbing.empty())
+        std::visit([this](const auto& s) { release(s); }, steps[k]);
+      else
+        release_rubbing(steps[k], rubbing);
+    }
     return found_;
   }
 
@@ -64,6 +78,10 @@ class ForcesByGroups {
     return at_.links[index(linkage_.link_of_line(line))].at({from_rational<T>(own.x), from_rational<T>(own.y)});
   }
 
+  Vector<T> along(int line) const {
+    return at_.links[index(linkage_.link_of_line(line))].turned(linkages::unit_vector<T>(linkage_.line(line).along));
+  }
+
  private:
   struct Acting {
     Point<T> at;
@@ -79,11 +97,104 @@ class ForcesByGroups {
     T moment;
   };
 
+  // Its force along the line is -sense slope N.
+  struct Rubbing {
+    LineFriction of;
+    T slope;
+  };
+  // What is known and found so far.
+  struct SoFar {
+    JointForces<T> found;
+    std::vector<Vector<T>> on_pin;
+    std::vector<Known> known;
+  };
+
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  const Point<T>& X(int point) const { return at_.points[index(point)]; }
-  Vector<T> along(int line) const {
-    return at_.links[index(linkage_.link_of_line(line))].turned(linkages::unit_vector<T>(linkage_.line(line).along));
+
+  // --- friction ---
+  // With which step each contact is found: the last that brings a part of it to its place.
+  std::vector<std::size_t> steps_of(const std::vector<LineFriction>& frictions,
+                                    const std::vector<Step>& steps) const {
+    std::vector<std::size_t> of_links(linkage_.links.size(), 0), all;
+    std::vector<std::optional<std::size_t>> of_points(at_.points.size());
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      for (const int link : placed_by(steps[k])) of_links[index(link)] = k;
+      if (const auto* pin = std::get_if<SlidPin>(&steps[k])) of_points[index(pin->point)] = k;
+      if (const auto* two = std::get_if<TwoTracks>(&steps[k])) of_points[index(two->joint)] = k;
+      if (const auto* rod = std::get_if<RodAndTrack>(&steps[k])) of_points[index(rod->joint)] = k;
+    }
+    const auto of_line = [&](int line) { return of_links[index(linkage_.link_of_line(line))]; };
+    for (const LineFriction& each : frictions) {
+      if (each.is_of_block) {
+        const LineOnLine& block = linkage_.blocks[index(each.which)];
+        all.push_back(std::max(of_line(block.moving), of_line(block.guide)));
+        continue;
+      }
+      const PinOnLine& pin = linkage_.pins[index(each.which)];
+      const std::optional<std::size_t>& alone = of_points[index(pin.point)];
+      all.push_back(std::max(of_line(pin.line), alone ? *alone : first_link(pin.point, of_links)));
+    }
+    return all;
   }
+  std::size_t first_link(int point, const std::vector<std::size_t>& of_links) const {
+    std::size_t first = of_links.size();
+    for (const int link : linkage_.links_at(point)) first = std::min(first, of_links[index(link)]);
+    return first;
+  }
+  static Vector<T> one_of_vectors(const Vector<T>& a, const Vector<T>& b) {
+    return {either(a.x, b.x), either(a.y, b.y)};
+  }
+  static SoFar one_of(SoFar a, const SoFar& b) {
+    a.found = either(a.found, b.found);
+    for (std::size_t p = 0; p < a.on_pin.size(); ++p) a.on_pin[p] = one_of_vectors(a.on_pin[p], b.on_pin[p]);
+    for (std::size_t i = 0; i < a.known.size(); ++i) {
+      a.known[i].couple = either(a.known[i].couple, b.known[i].couple);
+      for (std::size_t k = 0; k < a.known[i].forces.size(); ++k)
+        a.known[i].forces[k].force = one_of_vectors(a.known[i].forces[k].force, b.known[i].forces[k].force);
+    }
+    return a;
+  }
+  void release_rubbing(const Step& step, const std::vector<Rubbing>& rubbing) {
+    const SoFar before{found_, on_pin_, known_};
+    const SoFar after = forces_with_friction<SoFar>(
+        rubbing.size(),
+        [&](const std::vector<int>& senses) {
+          found_ = before.found;
+          on_pin_ = before.on_pin;
+          known_ = before.known;
+          for (std::size_t i = 0; i < rubbing.size(); ++i)
+            (rubbing[i].of.is_of_block ? block_slopes_ : pin_slopes_)[index(rubbing[i].of.which)] =
+                T(senses[i]) * rubbing[i].slope;
+          std::visit([this](const auto& s) { release(s); }, step);
+          return SoFar{found_, on_pin_, known_};
+        },
+        [&](const SoFar& so_far, std::size_t i) { return so_far.found.normal(rubbing[i].of); }, one_of);
+    found_ = after.found;
+    on_pin_ = after.on_pin;
+    known_ = after.known;
+  }
+  // By how much friction turns what a line exerts on the pin in it, or on another line: the force is N (n - slope s).
+  T slope_on_pin(int pin, int line) const {
+    for (std::size_t i = 0; i < linkage_.pins.size(); ++i)
+      if (linkage_.pins[i].point == pin && linkage_.pins[i].line == line) return pin_slopes_[i];
+    return T(0);
+  }
+  T slope_between(int line, int other) const {
+    for (std::size_t i = 0; i < linkage_.blocks.size(); ++i) {
+      const LineOnLine& block = linkage_.blocks[i];
+      if ((block.moving == line && block.guide == other) || (block.moving == other && block.guide == line))
+        return block_slopes_[i];
+    }
+    return T(0);
+  }
+  T slope(const Track& track, int joint) const {
+    return track.block == nothing ? slope_on_pin(joint, track.line) : slope_between(track.moving, track.line);
+  }
+  // What the line exerts is along the one, and does nothing along the other.
+  Vector<T> pressed_along(int line, const T& slope) const { return left_of(line) - slope * along(line); }
+  Vector<T> free_along(int line, const T& slope) const { return along(line) + slope * left_of(line); }
+
+  const Point<T>& X(int point) const { return at_.points[index(point)]; }
   Vector<T> left_of(int line) const { return quarter_turn(along(line)); }
 
   static T over(const T& numerator, const T& denominator) {
@@ -132,9 +243,13 @@ class ForcesByGroups {
 
   // The line presses on the pin with this force to its left.
   void press(int pin, int line, const T& force) {
+    const T slope = slope_on_pin(pin, line);
     for (std::size_t i = 0; i < linkage_.pins.size(); ++i)
-      if (linkage_.pins[i].point == pin && linkage_.pins[i].line == line) found_.pins[i] = force;
-    const Vector<T> on_pin = force * left_of(line);
+      if (linkage_.pins[i].point == pin && linkage_.pins[i].line == line) {
+        found_.pins[i] = force;
+        found_.pin_frictions[i] = -(slope * force);
+      }
+    const Vector<T> on_pin = force * pressed_along(line, slope);
     on_pin_[index(pin)] = on_pin_[index(pin)] + on_pin;
     push(linkage_.link_of_line(line), X(pin), -on_pin);
   }
@@ -147,6 +262,7 @@ class ForcesByGroups {
       const T across = dot(left_of(block.guide), force), about = couple + cross(Y - through(block.moving), force);
       found_.guides[i] =
           is_moving ? typename JointForces<T>::Guide{across, about} : typename JointForces<T>::Guide{-across, -about};
+      found_.guides[i].friction = -(block_slopes_[i] * found_.guides[i].force);
     }
     const int by = linkage_.link_of_line(other);
     push(link, Y, force);
@@ -170,9 +286,9 @@ class ForcesByGroups {
                      "le forze fra ruote dentate non si trovano ancora");
   }
   void release(const SlidBlock& step) {
-    const Vector<T> s = along(step.track.line);
     take_pins(step.track.block, {step.point});
-    const T drive = -dot(s, resultant(step.track.block) + on_pin_[index(step.point)]);
+    const Vector<T> borne = resultant(step.track.block) + on_pin_[index(step.point)];
+    const T drive = -dot(free_along(step.track.line, slope(step.track, nothing)), borne);
     found_.drives[index(step.drive)] = drive;
     push_along(step.track.line, step.point, drive);
     take_pins(step.track.block, {});
@@ -180,10 +296,11 @@ class ForcesByGroups {
   }
   void release(const SlidPin& step) {
     const int line = std::get<SlidPoint>(linkage_.drives[index(step.drive)]).guide;
-    const Vector<T> handed = on_pin_[index(step.point)], s = along(line);
-    found_.drives[index(step.drive)] = -dot(s, handed);
-    push_along(line, step.point, -dot(s, handed));
-    press(step.point, line, -dot(quarter_turn(s), handed));
+    const Vector<T> handed = on_pin_[index(step.point)];
+    const T drive = -dot(free_along(line, slope_on_pin(step.point, line)), handed);
+    found_.drives[index(step.drive)] = drive;
+    push_along(line, step.point, drive);
+    press(step.point, line, -dot(left_of(line), handed));
   }
   // A drive between a point and the link of its guide.
   void push_along(int line, int point, const T& force) {
@@ -212,10 +329,10 @@ class ForcesByGroups {
     return {r, -moment(rod.link, X(rod.pin))};
   }
   Condition condition(const Track& track, int joint) {
-    const Vector<T> s = along(track.line);
-    if (track.block == nothing) return {-quarter_turn(s), T(0)};
+    const Vector<T> u = free_along(track.line, slope(track, joint));
+    if (track.block == nothing) return {-quarter_turn(u), T(0)};
     take_pins(track.block, {joint});
-    return {-quarter_turn(s), -dot(s, resultant(track.block))};
+    return {-quarter_turn(u), -dot(u, resultant(track.block))};
   }
   void close(const Rod& rod, int joint, const Vector<T>& a) {
     if (rod.link != nothing) {
@@ -235,34 +352,37 @@ class ForcesByGroups {
   }
 
   void release(const SlotOnPin& step) {
-    const Vector<T> n = left_of(step.line);
+    const T slope = step.block == nothing ? slope_on_pin(step.pin, step.line) : slope_between(step.line, step.moving);
+    const Vector<T> pressed = pressed_along(step.line, slope);
     take_pins(step.link, {step.hinge});
     T turning = moment(step.link, X(step.hinge));
     if (step.block != nothing) {
       take_pins(step.block, {step.pin});
       turning += moment(step.block, X(step.pin));
     }
-    const T force = over(turning, cross(X(step.pin) - X(step.hinge), n));
+    const T force = over(turning, cross(X(step.pin) - X(step.hinge), pressed));
     if (step.block == nothing) {
       press(step.pin, step.line, force);
     } else {
-      bear(step.block, step.pin, -(resultant(step.block) + force * n));
+      bear(step.block, step.pin, -(resultant(step.block) + force * pressed));
       close_in_guide({step.line, step.block, step.moving});
     }
     close_in(step.link, step.hinge);
   }
   void release(const BlockOnPin& step) {
-    const Vector<T> s = along(step.track.line);
+    const Vector<T> u = free_along(step.track.line, slope(step.track, nothing));
+    const Vector<T> pressed = pressed_along(step.line, slope_on_pin(step.pin, step.line));
     take_pins(step.track.block, {});
-    press(step.pin, step.line, over(dot(s, resultant(step.track.block)), dot(s, left_of(step.line))));
+    press(step.pin, step.line, over(dot(u, resultant(step.track.block)), dot(u, pressed)));
     close_in_guide(step.track);
   }
   void release(const CrossedBlock& step) {
-    const Vector<T> s = along(step.track.line), n = left_of(step.line);
+    const Vector<T> u = free_along(step.track.line, slope(step.track, nothing));
+    const Vector<T> pressed = pressed_along(step.line, slope_between(step.line, step.crossing));
     take_pins(step.link, {step.hinge});
     take_pins(step.track.block, {});
-    const T force = over(dot(s, resultant(step.track.block)), dot(s, n));
-    guide(step.link, step.line, step.crossing, force * n, X(step.hinge), -moment(step.link, X(step.hinge)));
+    const T force = over(dot(u, resultant(step.track.block)), dot(u, pressed));
+    guide(step.link, step.line, step.crossing, force * pressed, X(step.hinge), -moment(step.link, X(step.hinge)));
     close_in(step.link, step.hinge);
     close_in_guide(step.track);
   }
@@ -270,8 +390,9 @@ class ForcesByGroups {
   const Linkage& linkage_;
   const LinkagePosition<T>& at_;
   JointForces<T> found_;
-  std::vector<Vector<T>> on_pin_;  // what is exerted on a pin by all that is known
-  std::vector<Known> known_;       // what acts on a link
+  std::vector<T> pin_slopes_, block_slopes_;  // of friction, with the sense that is tried
+  std::vector<Vector<T>> on_pin_;             // what is exerted on a pin by all that is known
+  std::vector<Known> known_;                  // what acts on a link
 };
 
 }  // namespace epure::geometry

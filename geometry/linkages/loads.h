@@ -4,9 +4,11 @@
 // counter-clockwise positive.
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "geometry/linkages/linkage.h"
+#include "geometry/numbers/numbers.h"
 
 namespace epure::geometry {
 
@@ -27,11 +29,25 @@ struct LinkMass {
   Own at;
   Rational mass, inertia = 0;
 };
+// Coulomb's, between a pin and the line it runs on, or between the two lines of a block: what holds back the sliding
+// is the coefficient times what presses.
+struct LineFriction {
+  bool is_of_block;
+  int which;                             // of the linkage's blocks or pins
+  std::variant<Rational, Angle> amount;  // the coefficient, or the angle of friction
+
+  template <class T>
+  T coefficient() const {
+    if (const auto* angle = std::get_if<Angle>(&amount)) return quotient(sine<T>(*angle), cosine<T>(*angle));
+    return from_rational<T>(std::get<Rational>(amount));
+  }
+};
 struct Loads {
   std::vector<LinkForce> forces = {};
   std::vector<LinkCouple> couples = {};
   std::vector<LinkMass> masses = {};
   Own gravity = {0, 0};  // the weight of a unit of mass, along the axes of the frame
+  std::vector<LineFriction> frictions = {};
 
   bool has_weight() const { return !masses.empty() && (gravity.x != 0 || gravity.y != 0); }
 };
@@ -52,23 +68,37 @@ struct JointForces {
     T x{0}, y{0};
   };
   // Of the guide on the block: square to the guide, to its left, in the point that the moving line is given through,
-  // and a couple.
+  // and a couple; and friction, along the guide in the same point.
   struct Guide {
-    T force{0}, couple{0};
+    T force{0}, couple{0}, friction{0};
   };
 
   explicit JointForces(const Linkage& linkage)
-      : pins(linkage.pins.size(), T(0)), guides(linkage.blocks.size()), drives(linkage.drives.size(), T(0)) {
+      : pins(linkage.pins.size(), T(0)),
+        pin_frictions(linkage.pins.size(), T(0)),
+        guides(linkage.blocks.size()),
+        drives(linkage.drives.size(), T(0)) {
     for (int point = 0; point < linkage.count_of_points(); ++point) {
       const std::vector<int> there = linkage.links_at(point);
       for (std::size_t k = 1; k < there.size(); ++k) hinges.push_back({point, there[0], there[k]});
     }
   }
 
-  std::vector<Hinge> hinges;  // point after point
-  std::vector<T> pins;        // of the line on the pin, to the left of the line; as the linkage's pins
-  std::vector<Guide> guides;  // as its blocks
+  std::vector<Hinge> hinges;     // point after point
+  std::vector<T> pins;           // of the line on the pin, to the left of the line; as the linkage's pins
+  std::vector<T> pin_frictions;  // of the line on the pin, along the line
+  std::vector<Guide> guides;     // as its blocks
+  // What presses, and what holds back.
+  const T& normal(const LineFriction& of) const { return of.is_of_block ? guides[at(of)].force : pins[at(of)]; }
+  T& friction(const LineFriction& of) { return of.is_of_block ? guides[at(of)].friction : pin_frictions[at(of)]; }
+  const T& friction(const LineFriction& of) const {
+    return of.is_of_block ? guides[at(of)].friction : pin_frictions[at(of)];
+  }
+
   std::vector<T> drives;  // the couple on the link, the force on the point along the guide, of a cylinder its push
+
+ private:
+  static std::size_t at(const LineFriction& of) { return static_cast<std::size_t>(of.which); }
 };
 
 }  // namespace epure::geometry

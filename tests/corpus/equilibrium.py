@@ -1,6 +1,8 @@
 """Equilibrium of rigid links by components, for the scripts that write references: every joint's force as unknown
 components at its place, every link's three sums, one linear system. Places are complex numbers, forces too."""
-from mpmath import im, lu_solve, matrix, mpc, mpf, re
+from itertools import product
+
+from mpmath import diff, im, lu_solve, matrix, mpc, mpf, re, sqrt
 
 
 def moment(at, force):
@@ -79,3 +81,35 @@ class Equilibrium:
             yield name, value
             if name.startswith("R_") and name.endswith("_y"):
                 yield name[:-2], (by_name[name[:-2] + "_x"] ** 2 + value ** 2) ** mpf("0.5")
+
+
+def with_friction(case, contacts):
+    """The values of what `case` makes of a kind of Equilibrium, under the only senses that agree with what they give.
+    Of each contact: its coefficient, the line and what slides on it, its coordinate along the line as its drive goes
+    on."""
+    slopes = {name: mu * (1 if diff(along, 0) > 0 else -1) for name, (mu, _, along) in contacts.items()}
+    agreeing = []
+    for senses in product((1, -1), repeat=len(contacts)):
+        tried = {f"N_{name}": sense * slopes[name] for name, sense in zip(contacts, senses)}
+
+        class Rubbing(Equilibrium):
+            def turned(self, name, along):
+                return along + tried[name] * 1j * along if name in tried else along  # n - slope s, s = -i n
+
+            def unknown(self, name, by, on, at, along, couple=0):
+                super().unknown(name, by, on, at, self.turned(name, along), couple)
+
+            def sum(self, name, of):
+                super().sum(name, [(size, self.turned(size, along)) for size, along in of])
+
+        values = dict(case(Rubbing).values())
+        if all(sense * values[f"N_{name}"] > 0 for name, sense in zip(contacts, senses)):
+            agreeing.append((values, tried))
+    (values, tried), = agreeing
+    for name, (_, called, _) in contacts.items():
+        N = values[f"N_{name}"]
+        values[f"T_{name}"], values[f"R_{called}"] = -tried[f"N_{name}"] * N, abs(N) * sqrt(1 + slopes[name] ** 2)
+    for name, value in case().values():
+        if name == "M_2" or name.startswith("F_"):
+            values[name + "_0"] = value
+    return values.items()

@@ -6,8 +6,8 @@ functions of time. Velocities, accelerations and angular velocities are high-pre
 (mpmath.diff): no polygon, no system of equations, and no file of docs/scenes is read.
 Usage: make_linkages.py > linkages.txt
 """
-from equilibrium import Equilibrium
-from mpmath import conj, diff, expj, im, log, mp, mpc, mpf, nstr, pi, re, sqrt
+from equilibrium import Equilibrium, with_friction
+from mpmath import conj, diff, expj, im, log, mp, mpc, mpf, nstr, pi, re, sqrt, tan
 
 mp.dps = 120
 DIGITS = 40
@@ -137,6 +137,36 @@ def scotch_yoke():
     C = lambda t: mpc(re(A(t)) + q("0.25"), 0)
     return Scene(dict(A=A, C=C), {2: (e, A), 3: (still, C)}, rods=[("A", 0)], slides=[("A", 3, False, True)],
                  floating=[3])
+
+
+def plunger_pump():
+    e, r = crank(deg("50"), -rpm("90")), q("0.08")
+    A = lambda t: r * e(t)
+    O3 = lambda t: mpc(re(A(t)), 0)
+    C = lambda t: O3(t) + q("0.2")
+    scene = Scene(dict(A=A, C=C), {2: (e, A), 3: (still, C)}, rods=[("A", 0)], slides=[("A", 3, False, True)],
+                  floating=[3])
+
+    def forces(equilibrium=Equilibrium):
+        a, o, c = A(mpf(0)), O3(mpf(0)), C(mpf(0))
+        f = equilibrium([2, 3])
+        f.hinge(1, 2, 0), f.couple("M_2", 1, 2)
+        f.unknown("N_A", 3, 2, a, -1), f.unknown("N_b", 1, 3, o, 1j), f.couple("M_b", 1, 3)
+        f.load(3, c, mpc(-600, 0))
+        return f
+
+    class Rubbing:
+        def values(self):
+            found = dict(with_friction(forces, {"A": (q("0.15"), "sA", lambda t: im(A(t))),
+                                                "b": (tan(pi * 8 / 180), "gb", lambda t: re(A(t)))}))
+            on_crank = mpc(-found["N_A"], found["T_A"])
+            found["h_R_sA"] = abs(re(A(mpf(0)) - O3(mpf(0))) * im(on_crank)
+                                  - im(A(mpf(0))) * re(on_crank)) / abs(on_crank)
+            found["h_R_sA_on_2"] = abs(re(A(mpf(0))) * im(on_crank) - im(A(mpf(0))) * re(on_crank)) / abs(on_crank)
+            found["h_F"] = mpf(0)
+            return found.items()
+    scene.forces = Rubbing()
+    return scene
 
 
 def watt():
@@ -495,5 +525,6 @@ for name, file, scene in (("four-bar", "four-bar", four_bar), ("quick-return", "
                           ("cardan-gear", "cardan-gear", cardan_gear),
                           ("geared-five-bar", "geared-five-bar", geared_five_bar),
                           ("loaded-four-bar", "loaded-four-bar", loaded_four_bar),
-                          ("cutting-stroke", "cutting-stroke", cutting_stroke), ("engine", "engine", engine)):
+                          ("cutting-stroke", "cutting-stroke", cutting_stroke), ("engine", "engine", engine),
+                          ("plunger-pump", "plunger-pump", plunger_pump)):
     write(name, file, scene)

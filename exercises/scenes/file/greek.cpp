@@ -74,4 +74,11 @@ std::string italic_letters(const std::string& symbol) {
   return "$\\it{" + letters.substr(1, end - 1) + "}" + letters.substr(end);
 }
 
+std::string as_printed(std::string amount) {
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{" deg", "°"}, {"-", "−"}})
+    for (std::size_t at = 0; (at = amount.find(from, at)) != std::string::npos; at += to.size())
+      amount.replace(at, from.size(), to);
+  return amount;
+}
+
 }  // namespace epure::scenes

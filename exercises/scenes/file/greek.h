@@ -13,5 +13,7 @@ std::string spelled_out(const std::string& text);
 std::string given_letters(const std::string& symbol);
 // The same of what is no length between points, but a force or a mass: "F_2" is "$\\it{F}_{2}$".
 std::string italic_letters(const std::string& symbol);
+// "-80.5 deg": "−80.5°".
+std::string as_printed(std::string amount);
 
 }  // namespace epure::scenes

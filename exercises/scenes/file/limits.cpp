@@ -1,6 +1,10 @@
 #include "exercises/scenes/file/limits.h"
 
+#include <algorithm>
+
+#include "exercises/kit/statement/format_words.h"
 #include "exercises/scenes/file/refusals.h"
+#include "exercises/scenes/forces/scene_forces.h"
 #include "geometry/numbers/climb.h"
 
 namespace epure::scenes {
@@ -17,6 +21,38 @@ std::optional<Words> limit_of(const Built& built) {
     if (ask(is_at_limit).truth == Truth::yes) return limit_in_words(step, built);
   }
   return {};
+}
+
+std::optional<Words> no_forces_with_friction(const Built& built) {
+  if (!built.loads) return {};
+  const auto& frictions = built.loads->frictions;
+  for (std::size_t k = 0; k < frictions.size(); ++k) {
+    const auto is_at_rest = [&]<class T>() {
+      const Sign slides = sign(sliding_velocities(built, Constructed<T>(built), *built.loads)[k]);
+      return slides == Sign::undecided ? Truth::undecided : slides == Sign::zero ? Truth::yes : Truth::no;
+    };
+    if (ask(is_at_rest).truth != Truth::yes) continue;
+    const Contact at = contact(built, frictions[k]);
+    return format_words(
+        "{} does not slide on {} at this instant: friction there may have any size up to its limit{}",
+        "{} in questo istante non scorre su {}: l'attrito lì può avere qualunque valore fino al suo limite{}",
+        at.slides, at.line, moves(built) ? Words{} : Words{"; no drive has a speed", "; nessun movente ha velocità"});
+  }
+  std::optional<Words> why;
+  const auto jams = [&]<class T>() {
+    if (signs_only<T> && has_inertia(built)) return Truth::undecided;
+    try {
+      forces_by_groups(built, Constructed<T>(built), *built.loads, has_inertia(built));
+      return Truth::no;
+    } catch (const Impossible& impossible) {
+      why = impossible.words();
+      return Truth::yes;
+    } catch (const Undecided&) {
+      return Truth::undecided;
+    }
+  };
+  if (frictions.empty() || ask(jams).truth != Truth::yes) return {};
+  return why;
 }
 
 }  // namespace epure::scenes

@@ -12,4 +12,7 @@ namespace epure::scenes {
 // geometry::NotClosed where the mechanism does not close.
 std::optional<Words> limit_of(const Built& built);
 
+// Why friction has no forces here: something does not slide, or jams; none where neither is proved.
+std::optional<Words> no_forces_with_friction(const Built& built);
+
 }  // namespace epure::scenes

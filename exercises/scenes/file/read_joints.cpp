@@ -99,7 +99,7 @@ class JointsReader : SectionReader {
     std::optional<Kind> kind;
     for (const bool is_first : {true, false}) {
       const Tree& item = teeth.items[is_first ? 0 : 1];
-      if (!kind) kind = kind_of_size(item);
+      if (!kind) kind = reads_as(item, Kind::pure_number) ? Kind::pure_number : Kind::length;
       Rational& size = is_first ? both.first : both.second;
       size = amount(item, *kind).value;
       if (size <= 0) refuse(item, {"a wheel has more than no teeth", "una ruota ha più di zero denti"});
@@ -108,15 +108,6 @@ class JointsReader : SectionReader {
                       "una ruota ha un numero intero di denti; i raggi hanno un'unità, come 20.5 mm"});
     }
     return both;
-  }
-  Kind kind_of_size(const Tree& item) const {
-    try {
-      read_amount(file_.text(item, {"a number of teeth is asked here", "qui si chiede un numero di denti"}),
-                  Kind::pure_number, "1", of_.known);
-      return Kind::pure_number;
-    } catch (const BadFormula&) {
-      return Kind::length;
-    }
   }
   bool is_inside(const Tree& gear) const {
     const Tree* inside = gear.find("inside");

@@ -136,20 +136,14 @@ class LoadsReader : SectionReader {
   // "∥ $y$", "∠ −100°".
   std::string direction_of_load(const Tree& item, const LinkForce& load) const {
     const Tree &force = *item.find("force"), *direction = item.find("direction");
-    const auto typed = [](std::string text) {
-      for (const auto& [from, to] : {std::pair<std::string, std::string>{" deg", "°"}, {"-", "−"}})
-        for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-          text.replace(at, from.size(), to);
-      return text;
-    };
     if (!direction) {
       if (load.components.x == 0 || load.components.y == 0) return load.components.y == 0 ? "∥ $x$" : "∥ $y$";
-      return "∥ (" + typed(force.items[0].text) + "; " + typed(force.items[1].text) + ")";
+      return "∥ (" + as_printed(force.items[0].text) + "; " + as_printed(force.items[1].text) + ")";
     }
     const Rational quarters = 4 * load.turned.turns;
     if (quarters.denominator() == 1) return Rational(quarters / 2).denominator() == 1 ? "∥ $x$" : "∥ $y$";
     const std::string symbol = spelled_out(direction->text);
-    return "∠ " + (of_.given.contains(symbol) ? given_letters(symbol) : typed(direction->text));
+    return "∠ " + (of_.given.contains(symbol) ? given_letters(symbol) : as_printed(direction->text));
   }
   void force(const Tree& item, const Words& what) {
     file_.demand_keys(item, {"at", "on", "force", "direction"});

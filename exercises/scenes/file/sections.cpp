@@ -26,15 +26,26 @@ FileReading::FileReading(const File& in, const TextTree& all, const Givens& give
   }
 }
 
+std::string FileReading::unit(geometry::Kind kind) const {
+  return kind == geometry::Kind::length ? length_unit : kind == geometry::Kind::angle ? angle_unit : unit_of(kind);
+}
+
 Amount SectionReader::amount(const Tree& at, geometry::Kind kind) const {
   const std::string& text = file_.text(at, format_words("{} is asked here", "qui si chiede {}", name_of(kind)));
-  const std::string bare = kind == geometry::Kind::length  ? of_.length_unit
-                           : kind == geometry::Kind::angle ? of_.angle_unit
-                                                           : unit_of(kind);
   try {
-    return read_amount(text, kind, bare, of_.known);
+    return read_amount(text, kind, of_.unit(kind), of_.known);
   } catch (const BadFormula& bad) {
     refuse(at, bad.words());
+  }
+}
+
+bool SectionReader::reads_as(const Tree& at, geometry::Kind kind) const {
+  if (at.kind != TextTree::Kind::text) return false;
+  try {
+    read_amount(at.text, kind, of_.unit(kind), of_.known);
+    return true;
+  } catch (const BadFormula&) {
+    return false;
   }
 }
 

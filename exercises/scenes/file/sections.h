@@ -17,6 +17,9 @@ struct FileReading {
   // The links in this order, by their numbers in the file; in that of the file where it is empty.
   FileReading(const File& in, const TextTree& all, const Givens& givens, std::vector<int> links = {});
 
+  // In which a bare number is.
+  std::string unit(geometry::Kind kind) const;
+
   const File& file;
   const TextTree& root;
   std::vector<int> order;
@@ -35,6 +38,7 @@ void demand_names_of_points(FileReading& of);  // no point is called as somethin
 void read_joints(FileReading& of);             // slides, gears
 void read_drives(FileReading& of);             // drive, assembly
 void read_questions(FileReading& of);          // offsets, paths, polodes
+void read_friction(FileReading& of);           // friction
 void read_loads(FileReading& of);              // loads, masses, gravity
 void place_links(FileReading& of);             // in which order they are constructed
 
@@ -54,6 +58,7 @@ class SectionReader {
 
   // --- numbers; bare ones in the file's units ---
   Amount amount(const Tree& at, geometry::Kind kind) const;
+  bool reads_as(const Tree& at, geometry::Kind kind) const;
   geometry::Rational length(const Tree& at) const { return amount(at, geometry::Kind::length).value; }
   geometry::Own own(const Tree& at) const;
   // Zero where the map does not say it.

@@ -1,6 +1,7 @@
 // The forces of a scene as its sheets draw and write them.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -42,10 +43,10 @@ class ForceFigures {
         v = s_.vector(name);
         break;
       case Kind::pin:
-        v = s_[name] * geometry::quarter_turn(along(of.pins[k].line));
+        v = of_line(force, pin_force(built_, k).name, along(of.pins[k].line));
         break;
       case Kind::guide:
-        v = s_[name] * geometry::quarter_turn(along(of.blocks[k].guide));
+        v = of_line(force, guide_forces(built_, k).force.name, along(of.blocks[k].guide));
         break;
       case Kind::slid:
         v = s_[name] * along(std::get<geometry::SlidPoint>(of.drives[k]).guide);
@@ -58,6 +59,14 @@ class ForceFigures {
       }
     }
     return is_reversed(built_, force) ? -v : v;
+  }
+  // By how much friction turns the force of a line from its normal, counter-clockwise positive: radians.
+  double turned_by_friction(const ActingForce& force, const geometry::LineFriction& friction) const {
+    const auto k = index(friction.which);
+    const int line = friction.is_of_block ? built_.linkage.blocks[k].guide : built_.linkage.pins[k].line;
+    const Arrow2 v = vector(force), along = s_.vector("along_" + built_.letters.lines[index(line)]);
+    const double across = cross(along, v);
+    return across == 0 ? 0 : std::atan(-dot(along, v) / across);
   }
   Place place(const ActingForce& force) const {
     if (force.kind == ActingForce::Kind::load) return s_.place("place of " + name_of_force(built_, force));
@@ -106,6 +115,11 @@ class ForceFigures {
     } else if (of.from != nothing) {
       drawn.along = at(of.to) - at(of.from);
     }
+    if (const auto* friction = friction_of(built_, of.force)) {
+      const double turned = turned_by_friction(of.force, *friction);
+      if (turned != 0) drawn.along = drawn.v;
+      drawn.direction += (turned < 0 ? " − " : " + ") + friction_angle(built_, *friction);
+    }
     return drawn;
   }
   VectorPolygon polygon(const ForceLoop& loop) const {
@@ -145,6 +159,7 @@ class ForceFigures {
     if (force.kind == Kind::load)
       if (const LoadName& of = built_.force_names[index(force.which)]; of.is_given)
         return CGAL::to_double(s_.givens()[of.name]);
+    if (friction_of(built_, force)) return magnitude(vector(force));
     if (force.kind == Kind::pin || force.kind == Kind::guide || force.kind == Kind::slid ||
         force.kind == Kind::cylinder)
       return s_[name_of_force(built_, force)];
@@ -170,6 +185,12 @@ class ForceFigures {
   bool has_arm(const Arm& arm) const { return s_.value(arm.length.name).value_or(0) != 0; }
 
  private:
+  Arrow2 of_line(const ActingForce& force, const std::string& normal, const Arrow2& along) const {
+    const Arrow2 v = s_[normal] * geometry::quarter_turn(along);
+    const auto* friction = friction_of(built_, force);
+    return friction ? v + s_[friction_force(built_, *friction).name] * along : v;
+  }
+
   const Built& built_;
   const Solution& s_;
   double reach_;

@@ -35,6 +35,7 @@ JointForces<Fast>::Hinge hinge_of_force(const Built& built, const Force& force) 
   return JointForces<Fast>(built.linkage).hinges[index(force.which)];
 }
 Quantity scalar_force(const Built& built, const Force& force) {
+  if (const LineFriction* friction = friction_of(built, force)) return whole_contact_force(built, *friction);
   if (force.kind == Force::Kind::pin) return pin_force(built, index(force.which));
   if (force.kind == Force::Kind::guide) return guide_forces(built, index(force.which)).force;
   return driving_effort(built, built.linkage.drives[index(force.which)]);
@@ -66,6 +67,14 @@ std::string minus_of(const Force& force) { return force.is_opposite && force.kin
 
 }  // namespace
 
+const LineFriction* friction_of(const Built& built, const ActingForce& force) {
+  if (force.kind != Force::Kind::pin && force.kind != Force::Kind::guide) return nullptr;
+  const auto& all = built.loads->frictions;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const LineFriction& each) {
+    return each.is_of_block == (force.kind == Force::Kind::guide) && each.which == force.which;
+  });
+  return found == all.end() ? nullptr : &*found;
+}
 std::string name_of_force(const Built& built, const ActingForce& force) {
   if (force.kind == Force::Kind::load) return built.force_names[index(force.which)].name;
   if (is_of_mass(force)) return mass_force(built, force).name;

@@ -10,6 +10,8 @@ namespace epure::scenes {
 
 // Whether a force on its link is the opposite of what is reported under its name.
 bool is_reversed(const Built& built, const ActingForce& force);
+// Where it is the force of a line, and there is friction.
+const geometry::LineFriction* friction_of(const Built& built, const ActingForce& force);
 // What is reported of a force: its name, and its letters for the link it acts on; with an arrow; as a number.
 std::string name_of_force(const Built& built, const ActingForce& force);
 std::string arrow_of_force(const Built& built, const ActingForce& force, ForcePart part = ForcePart::whole);

@@ -70,7 +70,7 @@ void add_couple(FreeBodyPanel& whole, const Built& built, const ForceFigures& of
 }
 
 // The whole mechanism with its loads and what drives it, and in which order its links are cut free.
-PanelSheet overview(const Built& built, const Solution& s) {
+PanelSheet overview(const Built& built, const Solution& s, Language language) {
   const std::vector<GroupForces> groups = force_groups(built);
   const ForceFigures of(built, s);
   FreeBodyPanel whole(std::make_shared<const Mechanism>(figure_of(built, s)));
@@ -102,9 +102,19 @@ PanelSheet overview(const Built& built, const Solution& s) {
     }
     whole.step(turn_of(built, groups, i), of.place(group.bodies.front().sought.front()));
   }
-  for (const geometry::Drive& drive : built.linkage.drives) efforts.push_back(driving_effort(built, drive).name);
+  for (const geometry::Drive& drive : built.linkage.drives) {
+    efforts.push_back(driving_effort(built, drive).name);
+  }
   sheet.panels = panels(std::move(whole));
   for (const std::string& each : efforts) sheet.results.push_back(values({each}));
+  if (!built.loads->frictions.empty()) {
+    sheet.results.push_back(remark(Words{"Without friction:", "Senza attrito:"}.in(language)));
+    for (const geometry::Drive& drive : built.linkage.drives) {
+      efforts.push_back(frictionless_effort(built, drive).name);
+      sheet.results.push_back(values({efforts.back()}));
+    }
+    sheet.results.push_back(remark(Words{"Reactions, with friction:", "Reazioni, con l'attrito:"}.in(language)));
+  }
   add_in_lines(sheet, reactions, 3);
   sheet.seen = {"The mechanism with its loads and what drives it",
                 "Il meccanismo con i suoi carichi e ciò che lo muove"};
@@ -131,8 +141,9 @@ std::vector<SheetMaker> force_sheets(const std::shared_ptr<const Scene>& scene) 
   const std::vector<GroupForces> groups = force_groups(stated);
   std::vector<SheetMaker> sheets;
   if (groups.empty()) return sheets;
-  sheets.push_back({{"forces", {"Forces", "Forze"}},
-                    [scene](const Solution& s, Language) { return overview(scene->built(s.givens()), s); }});
+  sheets.push_back({{"forces", {"Forces", "Forze"}}, [scene](const Solution& s, Language language) {
+                      return overview(scene->built(s.givens()), s, language);
+                    }});
   const auto add = [&](const std::string& name, const Words& title, std::size_t i, Shows shows) {
     sheets.push_back({{name, title}, [scene, i, shows](const Solution& s, Language) {
                         const Built built = scene->built(s.givens());

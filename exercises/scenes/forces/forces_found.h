@@ -101,6 +101,10 @@ class ForcesFound {
     return found_.joints().drives[k];
   }
   const geometry::Linkage& of() const { return built_.linkage; }
+  Vector of_line(int line, const T& normal, const T& friction) const {
+    const Vector along = found_.along(line);
+    return normal * quarter_turn(along) + friction * along;
+  }
 
   Vector as_reported(const ActingForce& force) const {
     using Kind = ActingForce::Kind;
@@ -123,9 +127,9 @@ class ForcesFound {
         return built_.letters.links[index(hinge.by)] < built_.letters.links[index(hinge.on)] ? on : -on;
       }
       case Kind::pin:
-        return found_.joints().pins[k] * quarter_turn(found_.along(of().pins[k].line));
+        return of_line(of().pins[k].line, found_.joints().pins[k], found_.joints().pin_frictions[k]);
       case Kind::guide:
-        return found_.joints().guides[k].force * quarter_turn(found_.along(of().blocks[k].guide));
+        return of_line(of().blocks[k].guide, found_.joints().guides[k].force, found_.joints().guides[k].friction);
       case Kind::slid:
         return found_.joints().drives[k] * found_.along(std::get<SlidPoint>(of().drives[k]).guide);
       case Kind::cylinder: {

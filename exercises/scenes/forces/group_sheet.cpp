@@ -128,6 +128,29 @@ class GroupSheet {
     return {along, along + std::numbers::pi};
   }
 
+  Words pressed(const GroupForces::Pressed& each) const {
+    const auto* friction = friction_of(built_, each.force);
+    const double holds_back = friction ? s_[friction_force(built_, *friction).name] : 0;
+    if (friction && s_[contact(built_, *friction).normal.name] == 0)
+      return format_words("Nothing presses on {0}, and so there is no friction.",
+                          "Nulla preme su {0}, e quindi non c'è attrito.", of_.line(each.line));
+    if (holds_back == 0)
+      return format_words("There is no friction: {} is square to {}.", "Non c'è attrito: la {} è normale a {}.",
+                          arrow_of_force(built_, each.force), of_.line(each.line));
+    const Contact at = contact(built_, *friction);
+    const FrictionName& name =
+        built_.friction_names[static_cast<std::size_t>(friction - built_.loads->frictions.data())];
+    const std::string phi = friction_angle(built_, *friction);
+    const bool is_angle = std::holds_alternative<geometry::Angle>(friction->amount);
+    const Words angle = format_words("{}{} = {}", "{}{} = {}", is_angle ? "" : "tan ", phi, name.amount);
+    const std::string what = "$" + point_letters(at.slides) + "$", line = "$" + point_letters(at.line) + "$";
+    return format_words(
+        "Friction, {0}: {1} slides {2} on {3}, and {4} is turned from the normal to {3} by {5} against that.",
+        "Attrito, {0}: {1} scorre {2} su {3}, e la {4} è inclinata di {5} sulla normale a {3}, contro lo "
+        "strisciamento.",
+        angle, what, holds_back < 0 ? Words{"ahead", "in avanti"} : Words{"back", "all'indietro"}, line,
+        arrow_of_force(built_, each.force), phi);
+  }
   static std::string turned_round(const std::string& arrow) {
     const std::string minus = "−";
     return arrow.starts_with(minus) ? arrow.substr(minus.size()) : minus + arrow;
@@ -143,9 +166,7 @@ class GroupSheet {
       if (force.kind == ActingForce::Kind::inertia) panel.step(of_.inertia_in_words(force), of_.place(force));
     for (const GroupForces::Pressed& each : group_.pressed)
       if (each.force.link == body.link && each.force.kind != ActingForce::Kind::hinge)
-        panel.step(format_words("There is no friction: {} is square to {}.", "Non c'è attrito: la {} è normale a {}.",
-                                arrow_of_force(built_, each.force), of_.line(each.line)),
-                   of_.place(each.force));
+        panel.step(pressed(each), of_.place(each.force));
     for (const ForceLoop& loop : group_.loops)
       if (is_of_two(loop) && loop.left.front().force.link == body.link)
         panel.step(format_words("Two forces only: {} = {}.", "Due sole forze: {} = {}.",
@@ -248,6 +269,10 @@ class GroupSheet {
           vectors.push_back(hinge_force(built_, hinge.point, hinge.by, hinge.on).quantity);
         } else {
           scalars.insert(scalars.begin(), name);
+          if (const auto* friction = friction_of(built_, force)) {
+            scalars.insert(scalars.begin() + 1,
+                           {contact(built_, *friction).normal.name, friction_force(built_, *friction).name});
+          }
         }
       }
   }

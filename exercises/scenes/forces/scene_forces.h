@@ -73,6 +73,44 @@ inline GuideForces guide_forces(const Built& built, std::size_t block) {
            format_words("couple of {0} on {1}, about the point that {1} is given through",
                         "coppia di {0} su {1}, rispetto al punto per cui {1} è data", g, b)}};
 }
+// Where there is friction: what slides, on which line; N as it is without, T of the same name, and both together,
+// R_gb, of g on b.
+struct Contact {
+  Quantity normal;
+  std::string slides, line;
+};
+inline Contact contact(const Built& built, const geometry::LineFriction& of) {
+  const auto k = index(of.which);
+  if (!of.is_of_block) {
+    const geometry::PinOnLine& pin = built.linkage.pins[k];
+    return {pin_force(built, k), built.letters.points[index(pin.point)], built.letters.lines[index(pin.line)]};
+  }
+  const LineOnLine& block = built.linkage.blocks[k];
+  return {guide_forces(built, k).force, built.letters.lines[index(block.moving)],
+          built.letters.lines[index(block.guide)]};
+}
+// "b" of what is N_b: as names and letters have it.
+inline std::string name_of_contact(const Contact& of) { return of.normal.name.substr(2); }
+inline std::string letters_of_contact(const Contact& of) {
+  const std::size_t first = of.normal.symbol.find("_{") + 2;
+  return of.normal.symbol.substr(first, of.normal.symbol.rfind('}') - first);
+}
+inline Quantity friction_force(const Built& built, const geometry::LineFriction& of) {
+  const Contact at = contact(built, of);
+  return {"T_" + name_of_contact(at), "$\\it{T}_{" + letters_of_contact(at) + "}$", "N",
+          format_words("friction of {0} on {1}, along {0}", "attrito di {0} su {1}, lungo {0}", at.line, at.slides)};
+}
+inline Quantity whole_contact_force(const Built& built, const geometry::LineFriction& of) {
+  const Contact at = contact(built, of);
+  return {
+      "R_" + at.line + at.slides, "$\\it{R}_{" + point_letters(at.line) + point_letters(at.slides) + "}$", "N",
+      format_words("force of {0} on {1}, with friction", "forza di {0} su {1}, con l'attrito", at.line, at.slides)};
+}
+// "φ_b", rich text.
+inline std::string friction_angle(const Built& built, const geometry::LineFriction& of) {
+  return "$φ_{" + letters_of_contact(contact(built, of)) + "}$";
+}
+
 inline Quantity driving_effort(const Built& built, const Drive& drive) {
   const auto letter = [&](int point) { return built.letters.points[index(point)]; };
   if (const auto* crank = std::get_if<TurnedLink>(&drive)) {
@@ -92,17 +130,27 @@ inline Quantity driving_effort(const Built& built, const Drive& drive) {
           format_words("push of the cylinder {} {}", "spinta del cilindro {} {}", P, Q)};
 }
 
-// Whether inertia acts: masses on a mechanism that moves.
-inline bool has_inertia(const Built& built) {
-  const auto moves = [](const Drive& drive) {
+inline bool moves(const Built& built) {
+  const auto is_driven = [](const Drive& drive) {
     if (const auto* turned = std::get_if<TurnedLink>(&drive))
       return !is_zero(turned->omega) || !is_zero(turned->alpha);
     if (const auto* slid = std::get_if<SlidPoint>(&drive)) return slid->velocity != 0 || slid->acceleration != 0;
     const auto& cylinder = std::get<Stretched>(drive);
     return cylinder.velocity != 0 || cylinder.acceleration != 0;
   };
-  return !built.loads->masses.empty() && std::any_of(built.linkage.drives.begin(), built.linkage.drives.end(), moves);
+  return std::any_of(built.linkage.drives.begin(), built.linkage.drives.end(), is_driven);
 }
+// The same, were there no friction: "M_2_0".
+inline Quantity frictionless_effort(const Built& built, const Drive& drive) {
+  Quantity effort = driving_effort(built, drive);
+  effort.name += "_0";
+  effort.symbol.insert(effort.symbol.rfind('}'), ",0");
+  effort.meaning = effort.meaning + Words{", were there no friction", ", se non ci fosse attrito"};
+  return effort;
+}
+
+// Whether inertia acts: masses on a mechanism that moves.
+inline bool has_inertia(const Built& built) { return !built.loads->masses.empty() && moves(built); }
 // The masses, and nothing else that acts.
 inline geometry::Loads without_loads(const geometry::Loads& loads) { return {.masses = loads.masses}; }
 
@@ -122,29 +170,31 @@ template <class T>
 class FoundForces {
  public:
   using Find = std::function<JointForces<T>(const geometry::Loads&, bool)>;
-  FoundForces(const Built& built, const Find& find)
+  // Of these loads.
+  FoundForces(const Built& built, const geometry::Loads& loads, const Find& find)
       : has_inertia_(has_inertia(built)),
         is_parted_(signs_only<T> && has_inertia_),
-        whole_([&loads = *built.loads, find, with = has_inertia_ && !is_parted_] { return find(loads, with); }),
-        inertia_([&loads = *built.loads, find] { return find(without_loads(loads), true); }) {
-    has_loads_ = !built.loads->forces.empty() || !built.loads->couples.empty() || built.loads->has_weight();
-  }
+        has_loads_(!loads.forces.empty() || !loads.couples.empty() || loads.has_weight()),
+        has_friction_(!loads.frictions.empty()),
+        whole_([&loads, find, with = has_inertia_ && !is_parted_] { return find(loads, with); }),
+        inertia_([&loads, find] { return find(without_loads(loads), true); }) {}
   // One of them: `select` takes it from the JointForces.
   template <class Select>
   T of(const Select& select) const {
+    if (has_friction_) return select(all());  // from which side what rubs presses is a question to their sum
     return is_parted_ ? of_both<T>(select(whole_.get()), select(inertia_.get())) : T(select(whole_.get()));
   }
   // All in one measure. Throws Undecided where exact numbers have two.
   const JointForces<T>& all() const {
     if (!is_parted_) return whole_.get();
-    if (has_loads_)
+    if (has_loads_ || has_friction_)
       throw geometry::Undecided("whether loads and inertia outweigh each other",
                                 "se carichi e inerzia si compensino");
     return inertia_.get();
   }
 
  private:
-  bool has_inertia_, is_parted_, has_loads_ = false;
+  bool has_inertia_, is_parted_, has_loads_, has_friction_;
   WhenAsked<JointForces<T>> whole_, inertia_;
 };
 
@@ -160,19 +210,42 @@ std::vector<geometry::MassInMotion<T>> masses_in_motion(const Built& built, cons
   return all;
 }
 
+// How fast what rubs slides along its line.
+template <class T>
+std::vector<T> sliding_velocities(const Built& built, const Constructed<T>& constructed,
+                                  const geometry::Loads& loads) {
+  const geometry::ForcesByGroups<T> drawn(built.linkage, constructed.at);
+  std::vector<T> all;
+  for (const geometry::LineFriction& each : loads.frictions) {
+    const bool is_of_block = each.is_of_block;
+    const auto k = index(each.which);
+    const int line = is_of_block ? built.linkage.blocks[k].guide : built.linkage.pins[k].line,
+              moving = is_of_block ? built.linkage.blocks[k].moving : geometry::nothing;
+    const auto& motion = constructed.motion.get();
+    const geometry::Point<T> X =
+        is_of_block ? drawn.through(moving) : constructed.at.points[index(built.linkage.pins[k].point)];
+    const geometry::Vector<T> v = is_of_block ? motion.links[index(built.linkage.link_of_line(moving))].velocity(X)
+                                              : motion.points[index(built.linkage.pins[k].point)].v;
+    all.push_back(dot(v - motion.links[index(built.linkage.link_of_line(line))].velocity(X), drawn.along(line)));
+  }
+  return all;
+}
+
 // Group after group, from the last to the drive.
 template <class T>
 JointForces<T> forces_by_groups(const Built& built, const Constructed<T>& constructed, const geometry::Loads& loads,
                                 bool with_inertia) {
   return geometry::ForcesByGroups<T>(built.linkage, constructed.at)
       .under(loads, built.steps,
-             with_inertia ? masses_in_motion(built, constructed) : std::vector<geometry::MassInMotion<T>>{});
+             with_inertia ? masses_in_motion(built, constructed) : std::vector<geometry::MassInMotion<T>>{},
+             sliding_velocities(built, constructed, loads));
 }
 // The equilibrium of all links at once; on exact numbers, that what was constructed satisfies it.
 template <class T>
 JointForces<T> forces_by_equilibrium(const Built& built, const Constructed<T>& constructed,
                                      const ByJoints<T>& by_joints, const geometry::Loads& loads, bool with_inertia) {
-  const auto& links = by_joints.states(with_inertia ? UpTo::acceleration : UpTo::place);
+  const UpTo slides = loads.frictions.empty() ? UpTo::place : UpTo::velocity;
+  const auto& links = by_joints.states(with_inertia ? UpTo::acceleration : slides);
   const auto inertia = with_inertia ? geometry::analytic::Inertia::included : geometry::analytic::Inertia::left_out;
   if constexpr (signs_only<T>) {
     JointForces<T> found = forces_by_groups(built, constructed, loads, with_inertia);

@@ -62,6 +62,22 @@ const std::map<std::string, std::string>& loads_of_cases() {
   return all;
 }
 
+// The same with friction, as make_scene_forces.py has it; and, where it is at rest, a speed.
+const std::map<std::string, std::string>& friction_of_cases() {
+  static const std::map<std::string, std::string> all = {
+      {"slider-crank", "{b: 0.15}"},    {"scotch-yoke", "{A: 0.2, b: 8 deg}"}, {"oldham", "{q: 0.1, s: 0.3}"},
+      {"trammel", "{A: 1/4, B: 0.25}"}, {"oscillating-cylinder", "{p: 0.12}"}, {"cardan-circles", "{A: 0.1}"},
+      {"geneva", "{A: 0.15}"},          {"driven-piston", "{b: 0.2}"},         {"two-blocks", "{p: 0.1, q: 8 deg}"}};
+  return all;
+}
+std::string moving(std::string text) {
+  for (const auto& [at_rest, with_speed] :
+       {std::pair<std::string, std::string>{"at: 450 mm}", "at: 450 mm, speed: 1 m/s}"},
+        {"angle: 50 deg}", "angle: 50 deg, speed: 1 rad/s}"}})
+    if (const auto at = text.find(at_rest); at != std::string::npos) text.replace(at, at_rest.size(), with_speed);
+  return text;
+}
+
 std::vector<std::string> steps_of_forces(const std::string& text, const std::string& sheet, Language language,
                                          const std::vector<std::string>& set = {}) {
   const auto scene = std::make_shared<const scenes::Scene>("f", text);
@@ -69,6 +85,16 @@ std::vector<std::string> steps_of_forces(const std::string& text, const std::str
   for (const std::string& each : set) givens.set(each);
   const DrawnSheet drawn = scenes::scene_exercise(scene)->draw(sheet, givens, {.language = language});
   return told_steps(drawn);
+}
+
+template <class Do>
+std::string why_refused(const Do& carry_out) {
+  try {
+    carry_out();
+  } catch (const BadGivens& bad) {
+    return bad.what();
+  }
+  return {};
 }
 
 bool is_of_force(const Quantity& quantity) { return quantity.unit == "N" || quantity.unit == "N*m"; }
@@ -84,8 +110,9 @@ std::string loaded_four_bar(const std::string& loads) {
 
 TEST_CASE("reactions and driving efforts hold against the corpus, to the last bit, by each route", "[scenes]") {
   const std::vector<CorpusCase> corpus = read_corpus(EPURE_CORPUS "/scene_forces.txt");
-  CHECK(corpus.size() == loads_of_cases().size());
+  CHECK(corpus.size() == loads_of_cases().size() + friction_of_cases().size());
   for (const CorpusCase& c : corpus) {
+    if (!loads_of_cases().contains(c.name)) continue;  // with friction: below
     const CheckedExercise found =
         checked_text(bytes_of_case(c.name) + "loads: " + loads_of_cases().at(c.name) + "\n");
     CAPTURE(c.name, complaints(found));
@@ -103,6 +130,92 @@ TEST_CASE("reactions and driving efforts hold against the corpus, to the last bi
     }
     CHECK(count >= 3);
   }
+}
+
+TEST_CASE("with friction they hold against the corpus too", "[scenes]") {
+  const std::string ending = "-with-friction";
+  std::size_t cases = 0;
+  for (const CorpusCase& c : read_corpus(EPURE_CORPUS "/scene_forces.txt")) {
+    if (!c.name.ends_with(ending)) continue;
+    ++cases;
+    const std::string name = c.name.substr(0, c.name.size() - ending.size());
+    const CheckedExercise found = checked_text(moving(bytes_of_case(name)) + "loads: " + loads_of_cases().at(name) +
+                                               "\nfriction: " + friction_of_cases().at(name) + "\n");
+    CAPTURE(c.name, complaints(found));
+    CHECK(found.passed());
+    int rubs = 0;
+    for (const CheckedQuantity& quantity : found.quantities) {
+      if (!is_of_force(quantity.spec)) continue;
+      const std::string reference = c.reference(quantity.spec.name);
+      CAPTURE(quantity.spec.name, reference);
+      REQUIRE_FALSE(reference.empty());
+      is_the_reference(quantity, reference);
+      CHECK(quantity.routes.size() == (quantity.spec.name.ends_with("_0") ? 3U : 2U));
+      if (quantity.spec.name.starts_with("T_") && quantity.spec.name.find_first_of("0123456789") == std::string::npos)
+        ++rubs;
+    }
+    CHECK(rubs == std::count(friction_of_cases().at(name).begin(), friction_of_cases().at(name).end(), ':'));
+  }
+  CHECK(cases == friction_of_cases().size());
+}
+
+// The tool's rod bears nothing where the load acts on the rocker.
+TEST_CASE("where nothing presses there is no friction, and that is proved", "[scenes]") {
+  const std::string text = scenes::bytes_of(EPURE_SCENES "/quick-return.yaml") +
+                           "loads: [{at: B, on: 4, force: [-100 N, 0]}]\nfriction: {A: 0.1, C: 0.2}\n";
+  const CheckedExercise found = checked_text(text);
+  CAPTURE(complaints(found));
+  CHECK(found.passed());
+  for (const std::string name : {"N_C", "T_C", "R_gC"}) {
+    CHECK(find(found, name).settled.kind == geometry::Settled::Kind::certain);
+    CHECK(value(found, name) == 0);
+  }
+  CHECK(value(found, "T_A") != 0);
+}
+
+// A crank at a right angle to its guide pushes the pin with tan(elevation) = h / d on it: with a coefficient of d / h
+// and more nothing moves. The crank's pin is 3 m below the guide and the slider 4 m ahead of it.
+TEST_CASE("a mechanism that jams by friction is refused, beside that limit it is not", "[scenes]") {
+  const auto with = [](const std::string& f) {
+    return "epure: 1\nid: f\nlinks:\n  1: {O: [0, -4 m], g: {along: [1, 0]}}\n  2: {O A: 1 m}\n  3: {A B: 5 m}\n"
+           "slides: {B: g}\ndrive: {link: 2, angle: 90 deg, speed: -1 rad/s}\nassembly: {B: ahead on g}\n"
+           "loads: [{at: B, force: [-3 N, 0]}]\nfriction: {B: " +
+           f + "}\n";
+  };
+  for (const std::string free : {"1.333333333", "1.33333333333333333333333333333333"}) {
+    CAPTURE(free);
+    const CheckedExercise found = checked_text(with(free));
+    CHECK(found.passed());
+    CHECK(value(found, "R_23_x") > 1e8);
+  }
+  for (const std::string too_much : {"4/3", "1.333333333333333333333333333333334", "3"}) {
+    CAPTURE(too_much);
+    CHECK(why_refused([&] { checked_text(with(too_much)); }).find("jams") != std::string::npos);
+  }
+}
+
+TEST_CASE("friction of what does not slide now, or never, is refused with its place", "[scenes]") {
+  const auto text = [](const std::string& friction) {
+    return with_loads("slider-crank", "[{at: B, on: 4, force: [-3 N, 0]}]") + "friction: " + friction + "\n";
+  };
+  CHECK(why_refused([&] {
+          checked_text(text("{b: 0.1}"), {"e=0", "phi=0deg"});
+        }) == "b does not slide on g at this instant: friction there may have any size up to its limit");
+  CHECK(why_refused([&] {
+          checked_text(text("{b: 0.1}"), {"n=0", "alpha=0"});
+        }) ==
+        "b does not slide on g at this instant: friction there may have any size up to its limit; no drive has a "
+        "speed");
+  for (const auto& [friction, says] : std::map<std::string, std::string>{
+           {"{A: 0.1}", "A does not slide: friction is told of a point or line that does, C of  slides: {C: g}"},
+           {"{b: -0.1}", "\"-0.1\" is below zero, and no coefficient of friction is"},
+           {"{b: 90 deg}", "\"90 deg\" is no angle of friction: these are from 0 to below 90 degrees"},
+           {"{b: -1 deg}", "\"-1 deg\" is no angle of friction: these are from 0 to below 90 degrees"},
+           {"[b]", "friction: {C: 0.15}, of a point or a line that slides, or  {C: 8 deg}"},
+           {"{z: 1}", "no link has a point z"}})
+    CHECK(refused_loads(text(friction)).find(says) != std::string::npos);
+  CHECK(refused_loads(scenes::bytes_of(EPURE_SCENES "/slider-crank.yaml") + "friction: {b: 0.1}\n")
+            .find("nothing presses here: friction needs  loads:  or  masses:") != std::string::npos);
 }
 
 TEST_CASE("without loads no force is asked for, and with none in the list all are proved zero", "[scenes]") {
@@ -135,12 +248,7 @@ TEST_CASE("beside a dead centre forces are found however large, and at it refuse
   }
   for (const std::string e : {"e=-0.5m", "e=-0.50000000000000000000000000000000001m"}) {
     CAPTURE(e);
-    std::string why;
-    try {
-      checked_text(text, {e});
-    } catch (const BadGivens& bad) {
-      why = bad.what();
-    }
+    const std::string why = why_refused([&] { checked_text(text, {e}); });
     CHECK(why.find("B") != std::string::npos);
     CHECK(why.find(e == "e=-0.5m" ? "square to g" : "does not reach g") != std::string::npos);
   }

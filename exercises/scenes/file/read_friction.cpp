@@ -1,0 +1,81 @@
+#include <algorithm>
+
+#include "exercises/kit/statement/format_words.h"
+#include "exercises/scenes/file/greek.h"
+#include "exercises/scenes/file/sections.h"
+
+namespace epure::scenes {
+namespace {
+
+using namespace geometry;
+using Kind = geometry::Kind;
+
+// friction: {C: 0.15, b: 8 deg}, of what slides.
+class FrictionReader : SectionReader {
+ public:
+  using SectionReader::SectionReader;
+
+  void friction() {
+    const Tree* all = root_.find("friction");
+    if (!all) return;
+    file_.map(*all, {"friction: {C: 0.15}, of a point or a line that slides, or  {C: 8 deg}",
+                     "friction: {C: 0.15}, di un punto o una retta che scorre, o  {C: 8 deg}"});
+    if (!built_.loads)
+      refuse(*all, {"nothing presses here: friction needs  loads:  or  masses:",
+                    "qui nulla preme: l'attrito vuole  loads:  o  masses:"});
+    for (const auto& [key, value] : all->entries) contact(key, value);
+    constexpr std::size_t most = 6;
+    if (built_.loads->frictions.size() > most)
+      refuse(*all,
+             format_words("friction in more than {} places is too much: there are {}",
+                          "l'attrito in più di {} luoghi è troppo: sono {}", most, built_.loads->frictions.size()));
+  }
+
+ private:
+  void contact(const Tree& key, const Tree& value) {
+    const bool is_line = SectionReader::is_line(key.text);
+    const int what = is_line ? line(key, key.text) : point(key, key.text);
+    const auto& blocks = built_.linkage.blocks;
+    const auto& pins = built_.linkage.pins;
+    bool slides = false;
+    for (std::size_t k = 0; is_line && k < blocks.size(); ++k)
+      if (blocks[k].moving == what) slides = add(true, k, value);
+    for (std::size_t k = 0; !is_line && k < pins.size(); ++k)
+      if (pins[k].point == what) slides = add(false, k, value);
+    if (!slides)
+      refuse(key, format_words(
+                      "{} does not slide: friction is told of a point or line that does, C of  slides: {{C: g}}",
+                      "{} non scorre: l'attrito si dice di un punto o una retta che scorre, C di  slides: {{C: g}}",
+                      key.text));
+  }
+  bool add(bool is_of_block, std::size_t which, const Tree& value) {
+    LineFriction friction{is_of_block, static_cast<int>(which), Rational(0)};
+    if (reads_as(value, Kind::angle) && !reads_as(value, Kind::pure_number)) {
+      const Angle angle = amount(value, Kind::angle).angle;
+      if (sign_of(angle) < 0 || sign_of(angle - Angle{Rational(1, 4)}) >= 0)
+        refuse(value, format_words("\"{}\" is no angle of friction: these are from 0 to below 90 degrees",
+                                   "\"{}\" non è un angolo d'attrito: va da 0 a meno di 90 gradi", value.text));
+      friction.amount = angle;
+    } else {
+      const Rational coefficient = amount(value, Kind::pure_number).value;
+      if (coefficient < 0)
+        refuse(value, format_words("\"{}\" is below zero, and no coefficient of friction is",
+                                   "\"{}\" è sotto lo zero, e nessun coefficiente d'attrito lo è", value.text));
+      friction.amount = coefficient;
+    }
+    built_.loads->frictions.push_back(friction);
+    const std::string symbol = spelled_out(value.text);
+    const bool is_given = of_.given.contains(symbol);
+    std::string italian = as_printed(value.text);
+    std::replace(italian.begin(), italian.end(), '.', ',');
+    built_.friction_names.push_back(
+        {is_given ? Words{given_letters(symbol), given_letters(symbol)} : Words{as_printed(value.text), italian}});
+    return true;
+  }
+};
+
+}  // namespace
+
+void read_friction(FileReading& of) { FrictionReader(of).friction(); }
+
+}  // namespace epure::scenes
