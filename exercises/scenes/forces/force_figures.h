@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "exercises/kit/panels/free_body_panel.h"
 #include "exercises/kit/panels/polygon_panel.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/scenes/forces/force_names.h"
@@ -12,6 +13,14 @@
 #include "exercises/scenes/sheets/scene_figure.h"
 
 namespace epure::scenes {
+
+// Of the corners of what is drawn.
+inline Place middle_of(const Mechanism& drawn) {
+  const std::vector<Place> corners = drawn.corners();
+  Arrow2 sum{0, 0};
+  for (const Place& P : corners) sum = sum + (P - Place{0, 0});
+  return Place{0, 0} + (1.0 / static_cast<double>(corners.size())) * sum;
+}
 
 // Where the forces of a scene are and how large, in doubles, and how they are written.
 class ForceFigures {
@@ -78,6 +87,11 @@ class ForceFigures {
   Words about_in_words(const About& about) const {
     if (about.point != nothing) return {letter(about.point), letter(about.point)};
     return format_words("the point that {} is given through", "il punto per cui {} è data", line(about.line));
+  }
+
+  // What presses on a body with this middle ends there.
+  FreeBodyPanel::Arrow there(const ActingForce& force, const Place& middle) const {
+    return dot(vector(force), middle - place(force)) > 0 ? FreeBodyPanel::Arrow::ends : FreeBodyPanel::Arrow::starts;
   }
 
   // As a known one, whatever it is.

@@ -69,15 +69,27 @@ void add_couple(FreeBodyPanel& whole, const Built& built, const ForceFigures& of
   whole.couple(of.quantity(couple).symbol, O, of.value(couple), occupied);
 }
 
+bool acts_in_a_centre(const Built& built, std::size_t load) {
+  const geometry::LinkForce& force = built.loads->forces[load];
+  const auto& masses = built.loads->masses;
+  return std::any_of(masses.begin(), masses.end(), [&](const geometry::LinkMass& body) {
+    return body.link == force.link && body.at.x == force.at.x && body.at.y == force.at.y;
+  });
+}
+
 // The whole mechanism with its loads and what drives it, and in which order its links are cut free.
 PanelSheet overview(const Built& built, const Solution& s, Language language) {
   const std::vector<GroupForces> groups = force_groups(built);
   const ForceFigures of(built, s);
-  FreeBodyPanel whole(std::make_shared<const Mechanism>(figure_of(built, s)));
+  const auto figure = std::make_shared<const Mechanism>(figure_of(built, s));
+  const Place middle = middle_of(*figure);
+  FreeBodyPanel whole(figure);
   whole.to_scale();
   for (std::size_t k = 0; k < built.loads->forces.size(); ++k) {
     const ActingForce load{ActingForce::Kind::load, static_cast<int>(k), built.loads->forces[k].link};
-    whole.load(of.side(load), of.place(load));
+    // Beside weight and inertia of its point it starts there too, or they would lie on each other.
+    whole.load(of.side(load), of.place(load),
+               acts_in_a_centre(built, k) ? FreeBodyPanel::Arrow::starts : of.there(load, middle));
   }
   for (std::size_t k = 0; k < built.loads->masses.size(); ++k)
     for (const auto kind : {ActingForce::Kind::weight, ActingForce::Kind::inertia}) {

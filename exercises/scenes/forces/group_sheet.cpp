@@ -88,9 +88,7 @@ class GroupSheet {
     // What has no size of its own is no larger than the whole mechanism lets it be.
     constexpr double millimetres = 1000;
     if (drawn->reach() < of_.reach() / 4) panel.at_most(millimetres / of_.reach() / 2);
-    Place middle{0, 0};
-    for (const Place& P : drawn->corners())
-      middle = middle + (1.0 / static_cast<double>(drawn->corners().size())) * (P - Place{0, 0});
+    const Place middle = middle_of(*drawn);
     for (const auto* forces : {&body.known, &body.sought})
       for (const ActingForce& force : *forces) draw(panel, force, middle);
     for (const ActingCouple& each : body.couples)
@@ -98,15 +96,10 @@ class GroupSheet {
     add_steps(panel, body);
     return panel;
   }
-  // What presses on the body ends there.
   void draw(FreeBodyPanel& panel, const ActingForce& force, const Place& middle) const {
-    const Place P = of_.place(force);
-    const PolygonSide side = of_.side(force);
-    const auto there = dot(side.v, middle - P) > 0 ? FreeBodyPanel::Arrow::ends : FreeBodyPanel::Arrow::starts;
-    if (force.kind == ActingForce::Kind::load || force.kind == ActingForce::Kind::weight)
-      panel.load(side, P, there);
-    else
-      panel.force(side, P, there);
+    const bool is_load = force.kind == ActingForce::Kind::load || force.kind == ActingForce::Kind::weight;
+    (panel.*(is_load ? &FreeBodyPanel::load : &FreeBodyPanel::force))(of_.side(force), of_.place(force),
+                                                                      of_.there(force, middle));
   }
   Place place_of_couple(const ActingCouple& couple, const LinkForces& body) const {
     if (couple.kind == ActingCouple::Kind::guide)
