@@ -60,6 +60,7 @@ struct Built {
   std::vector<LoadName> force_names = {}, couple_names = {};  // as the loads
   std::vector<MassName> mass_names = {};                      // as their masses
   std::vector<FrictionName> friction_names = {};              // as the frictions
+  std::vector<FrictionName> hinge_friction_names = {};        // as those of hinges
   std::string gravity = {};                                   // its letters; empty: nothing weighs
 };
 

@@ -20,6 +20,7 @@ using analytic::Complex;
 Loads without_friction(const Built& built) {
   Loads loads = built.loads.value_or(Loads{});
   loads.frictions.clear();
+  loads.hinge_frictions.clear();
   return loads;
 }
 
@@ -231,6 +232,9 @@ struct SceneRoutes {
       else
         ledger.tells({name, "", "1", {}}, [&each] { return each.coefficient<T>(); });
     }
+    for (const HingeFriction& each : built->loads->hinge_frictions)
+      ledger.tells({letter(each.point) + "_friction", "", "m", {}},
+                   [&each] { return from_rational<T>(each.radius); });
   }
 
   template <class T>
@@ -240,13 +244,17 @@ struct SceneRoutes {
       ledger.put(quantity, [&forces, select] { return forces.of(select); });
     };
     for (std::size_t k = 0; k < joints.hinges.size(); ++k) {
-      const auto& [point, by, on, x_of_none, y_of_none] = joints.hinges[k];
+      const auto& [point, by, on, x_of_none, y_of_none, no_couple] = joints.hinges[k];
       const auto& [force, is_opposite] = hinge_force(*built, point, by, on);
       const auto x = [k, is = is_opposite](const JointForces<T>& f) { return is ? -f.hinges[k].x : f.hinges[k].x; };
       const auto y = [k, is = is_opposite](const JointForces<T>& f) { return is ? -f.hinges[k].y : f.hinges[k].y; };
       put_one(force.x(), x);
       put_one(force.y(), y);
       ledger.put(force.length(), [&forces, x, y] { return size(Vector<T>{forces.of(x), forces.of(y)}); });
+      if (epure::scenes::has_friction(*built->loads, point))
+        put_one(hinge_couple(*built, by, on), [k, is = is_opposite](const JointForces<T>& f) {
+          return is ? -f.hinges[k].couple : f.hinges[k].couple;
+        });
     }
     for (std::size_t k = 0; k < joints.pins.size(); ++k)
       put_one(pin_force(*built, k), [k](const JointForces<T>& f) { return f.pins[k]; });
@@ -265,7 +273,7 @@ struct SceneRoutes {
       put_one(driving_effort(*built, built->linkage.drives[k]), [k](const JointForces<T>& f) { return f.drives[k]; });
   }
 
-  bool has_friction() const { return built->loads && !built->loads->frictions.empty(); }
+  bool has_friction() const { return built->loads && built->loads->has_friction(); }
   template <class T>
   void put_frictionless(Ledger<T>& ledger, const FoundForces<T>& forces) const {
     for (std::size_t k = 0; has_friction() && k < built->linkage.drives.size(); ++k)

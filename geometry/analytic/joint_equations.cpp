@@ -6,6 +6,8 @@
 #include <functional>
 #include <initializer_list>
 #include <iterator>
+#include <map>
+#include <optional>
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -849,41 +851,75 @@ T magnitude_proved(const T& x) {
   return decided == Sign::negative ? -x : x;
 }
 
+// The equilibrium under friction with one set of senses.
 template <class T>
-JointForces<T> solved_forces(const Linkage& linkage, const Loads& loads, const std::vector<Equation<T>>& columns,
-                             const Column<T>& borne, const std::vector<Friction<T>>& rubbing,
-                             const std::vector<int>& senses) {
-  std::vector<Equation<T>> with_friction = columns;
-  for (std::size_t i = 0; i < rubbing.size(); ++i)
-    for (const auto& [column, slope] : rubbing[i].sliding.slopes)
-      with_friction[static_cast<std::size_t>(column)].slopes.emplace_back(static_cast<int>(rubbing[i].multiplier),
-                                                                          -(T(senses[i]) * rubbing[i].slope * slope));
-  Column<T> multipliers;
-  if constexpr (std::is_same_v<T, Fast>)
-    multipliers = solved(with_friction, borne);
-  else
-    multipliers = solved(with_friction, Preconditioner<T>(with_friction), borne);
-  JointForces<T> forces(linkage);
-  std::size_t next = 0;
-  for_each_force(linkage, forces,
-                 [&](T& force, const Rational& factor) { force = from_rational<T>(factor) * multipliers[next++]; });
-  for (std::size_t i = 0; i < rubbing.size(); ++i)
-    forces.friction(loads.frictions[i]) = -(T(senses[i]) * rubbing[i].slope * forces.normal(loads.frictions[i]));
-  return forces;
-}
+class WithSenses {
+ public:
+  WithSenses(const std::vector<Equation<T>>& columns, const std::vector<Friction<T>>& rubbing,
+             const std::vector<int>& senses)
+      : equations_(columns) {
+    for (std::size_t i = 0; i < rubbing.size(); ++i) {
+      slopes_.push_back(T(senses[i]) * rubbing[i].slope);
+      for (const auto& [column, slope] : rubbing[i].sliding.slopes)
+        equations_[static_cast<std::size_t>(column)].slopes.emplace_back(static_cast<int>(rubbing[i].multiplier),
+                                                                         -(slopes_[i] * slope));
+    }
+    if constexpr (!std::is_same_v<T, Fast>) inverse_.emplace(equations_);
+  }
+  JointForces<T> forces(const Linkage& linkage, const Loads& loads, const Column<T>& borne) const {
+    const Column<T> multipliers = solution(borne);
+    JointForces<T> all(linkage);
+    std::size_t next = 0;
+    for_each_force(linkage, all,
+                   [&](T& force, const Rational& factor) { force = from_rational<T>(factor) * multipliers[next++]; });
+    for (std::size_t i = 0; i < slopes_.size(); ++i)
+      all.friction(loads.frictions[i]) = -(slopes_[i] * all.normal(loads.frictions[i]));
+    return all;
+  }
+
+ private:
+  Column<T> solution(const Column<T>& borne) const {
+    if constexpr (std::is_same_v<T, Fast>)
+      return solved(equations_, borne);
+    else
+      return solved(equations_, *inverse_, borne);
+  }
+
+  std::vector<Equation<T>> equations_;
+  std::vector<T> slopes_;
+  std::optional<Preconditioner<T>> inverse_ = {};
+};
 
 template <class T>
 JointForces<T> forces_found(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
                             Inertia inertia) {
   const std::vector<Equation<T>> columns = transposed(equations(linkage, links));
-  Column<T> borne;
-  for (const T& load : loads_on_links(links, loads, inertia)) borne.push_back(-load);
+  const Column<T> acting = loads_on_links(links, loads, inertia);
   const std::vector<Friction<T>> rubbing = frictions(linkage, links, loads);
-  return forces_with_friction<JointForces<T>>(
-      rubbing.size(),
-      [&](const std::vector<int>& senses) { return solved_forces(linkage, loads, columns, borne, rubbing, senses); },
-      [&](const JointForces<T>& forces, std::size_t i) { return forces.normal(loads.frictions[i]); },
-      [](const JointForces<T>& a, const JointForces<T>& b) { return either(a, b); });
+  const JointForces<T> none(linkage);
+  std::vector<T> turning;
+  for (const auto& hinge : none.hinges)
+    turning.push_back(links[static_cast<std::size_t>(hinge.on)].omega -
+                      links[static_cast<std::size_t>(hinge.by)].omega);
+  std::map<std::vector<int>, WithSenses<T>> tried;
+  return FrictionCircles<T>(linkage, loads, turning).forces([&](const std::vector<T>& couples) {
+    Column<T> borne;
+    for (const T& load : acting) borne.push_back(-load);
+    for (std::size_t k = 0; k < couples.size(); ++k)
+      for (const int link : {none.hinges[k].on, none.hinges[k].by})
+        if (link != 0)
+          borne[unknowns_of_a_link * static_cast<std::size_t>(link) - 1] +=
+              link == none.hinges[k].on ? -couples[k] : couples[k];
+    JointForces<T> forces = forces_with_friction<JointForces<T>>(
+        rubbing.size(),
+        [&](const std::vector<int>& senses) {
+          return tried.try_emplace(senses, columns, rubbing, senses).first->second.forces(linkage, loads, borne);
+        },
+        [&](const JointForces<T>& found, std::size_t i) { return found.normal(loads.frictions[i]); },
+        [](const JointForces<T>& a, const JointForces<T>& b) { return either(a, b); });
+    for (std::size_t k = 0; k < couples.size(); ++k) forces.hinges[k].couple = couples[k];
+    return forces;
+  });
 }
 
 }  // namespace
@@ -980,6 +1016,8 @@ void demand_equilibrium(const Linkage& linkage, const std::vector<LinkState<T>>&
   for_each_force(linkage, held, [&](T& force, const Rational& factor) {
     multipliers.push_back(from_rational<T>(Rational(1 / factor)) * force);
   });
+  if (!loads.hinge_frictions.empty())
+    throw Undecided("forces with friction circles on exact numbers", "forze con cerchi d'attrito su numeri esatti");
   Column<T> borne = loads_on_links(links, loads, inertia);
   const std::vector<Friction<T>> rubbing = frictions(linkage, links, loads);
   for (std::size_t k = 0; k < rubbing.size(); ++k) {

@@ -27,31 +27,24 @@ class ForcesByGroups {
         known_(linkage.links.size()) {}
 
   // `moving`: as the masses; without inertia where it is empty. `sliding`: how fast what rubs slides along its line,
-  // as the frictions. Throws Impossible where a group is at a limit, or jams, Undecided where that cannot be told.
+  // as the frictions; `turning`: how fast the second link of each hinge turns on the first. Throws Impossible where a
+  // group is at a limit, or jams, Undecided where that cannot be told.
   JointForces<T> under(const Loads& loads, const std::vector<Step>& steps,
-                       const std::vector<MassInMotion<T>>& moving = {}, const std::vector<T>& sliding = {}) {
-    for (const LinkForce& load : loads.forces) push(load.link, place(load), vector(load));
-    for (const LinkCouple& load : loads.couples) known_[index(load.link)].couple += from_rational<T>(load.moment);
-    for (std::size_t k = 0; k < loads.masses.size(); ++k) {
-      const LinkMass& body = loads.masses[k];
-      push(body.link, place(body), weight(body, loads.gravity));
-      if (moving.empty()) continue;
-      push(body.link, place(body), inertia(body, moving[k]));
-      known_[index(body.link)].couple -= from_rational<T>(body.inertia) * moving[k].alpha;
-    }
-    const std::vector<std::size_t> at_steps = steps_of(loads.frictions, steps);
-    for (std::size_t k = steps.size(); k-- > 0;) {
-      std::vector<Rubbing> rubbing;
-      for (std::size_t i = 0; i < at_steps.size(); ++i)
-        if (at_steps[i] == k)
-          rubbing.push_back(
-              {loads.frictions[i], T(sense_of_sliding(sliding[i])) * loads.frictions[i].template coefficient<T>()});
-      if (rubbing.empty())
-        std::visit([this](const auto& s) { release(s); }, steps[k]);
-      else
-        release_rubbing(steps[k], rubbing);
-    }
-    return found_;
+                       const std::vector<MassInMotion<T>>& moving = {}, const std::vector<T>& sliding = {},
+                       const std::vector<T>& turning = {}) {
+    const SoFar nothing_yet{found_, on_pin_, known_};
+    return FrictionCircles<T>(linkage_, loads, turning).forces([&](const std::vector<T>& couples) {
+      found_ = nothing_yet.found;
+      on_pin_ = nothing_yet.on_pin;
+      known_ = nothing_yet.known;
+      for (std::size_t k = 0; k < couples.size(); ++k) {
+        auto& hinge = found_.hinges[k];
+        hinge.couple = couples[k];
+        known_[index(hinge.on)].couple += couples[k];
+        known_[index(hinge.by)].couple -= couples[k];
+      }
+      return under_couples(loads, steps, moving, sliding);
+    });
   }
 
   // Of a LinkForce or a LinkMass.
@@ -110,6 +103,32 @@ class ForcesByGroups {
   };
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  JointForces<T> under_couples(const Loads& loads, const std::vector<Step>& steps,
+                               const std::vector<MassInMotion<T>>& moving, const std::vector<T>& sliding) {
+    for (const LinkForce& load : loads.forces) push(load.link, place(load), vector(load));
+    for (const LinkCouple& load : loads.couples) known_[index(load.link)].couple += from_rational<T>(load.moment);
+    for (std::size_t k = 0; k < loads.masses.size(); ++k) {
+      const LinkMass& body = loads.masses[k];
+      push(body.link, place(body), weight(body, loads.gravity));
+      if (moving.empty()) continue;
+      push(body.link, place(body), inertia(body, moving[k]));
+      known_[index(body.link)].couple -= from_rational<T>(body.inertia) * moving[k].alpha;
+    }
+    const std::vector<std::size_t> at_steps = steps_of(loads.frictions, steps);
+    for (std::size_t k = steps.size(); k-- > 0;) {
+      std::vector<Rubbing> rubbing;
+      for (std::size_t i = 0; i < at_steps.size(); ++i)
+        if (at_steps[i] == k)
+          rubbing.push_back(
+              {loads.frictions[i], T(sense_of_sliding(sliding[i])) * loads.frictions[i].template coefficient<T>()});
+      if (rubbing.empty())
+        std::visit([this](const auto& s) { release(s); }, steps[k]);
+      else
+        release_rubbing(steps[k], rubbing);
+    }
+    return found_;
+  }
 
   // --- friction ---
   // With which step each contact is found: the last that brings a part of it to its place.

@@ -42,12 +42,21 @@ struct LineFriction {
     return from_rational<T>(std::get<Rational>(amount));
   }
 };
+// In the hinges at a point: the force passes its middle by the radius of the friction circle, the pin's radius times
+// the sine of the angle of friction.
+struct HingeFriction {
+  int point;
+  Rational radius;
+};
 struct Loads {
   std::vector<LinkForce> forces = {};
   std::vector<LinkCouple> couples = {};
   std::vector<LinkMass> masses = {};
   Own gravity = {0, 0};  // the weight of a unit of mass, along the axes of the frame
   std::vector<LineFriction> frictions = {};
+  std::vector<HingeFriction> hinge_frictions = {};
+
+  bool has_friction() const { return !frictions.empty() || !hinge_frictions.empty(); }
 
   bool has_weight() const { return !masses.empty() && (gravity.x != 0 || gravity.y != 0); }
 };
@@ -62,10 +71,10 @@ struct MassInMotion {
 // there are its own.
 template <class T>
 struct JointForces {
-  // Of the first link at the point on another one.
+  // Of the first link at the point on another one; the couple is of friction.
   struct Hinge {
     int point, by, on;
-    T x{0}, y{0};
+    T x{0}, y{0}, couple{0};
   };
   // Of the guide on the block: square to the guide, to its left, in the point that the moving line is given through,
   // and a couple; and friction, along the guide in the same point.

@@ -113,3 +113,29 @@ def with_friction(case, contacts):
         if name == "M_2" or name.startswith("F_"):
             values[name + "_0"] = value
     return values.items()
+
+
+def with_circles(case, contacts, circles):
+    """The same with friction in hinges, by trial until nothing changes: of each its two links, how they turn as the
+    drive goes on (angles), and the radius of its friction circle."""
+    turning = {ij: 1 if diff(lambda t: on(t) - by(t), 0) > 0 else -1 for ij, (by, on, _) in circles.items()}
+    couples = {ij: mpf(0) for ij in circles}
+
+    def with_couples(kind=Equilibrium):
+        e = case(kind)
+        for (i, j), couple in couples.items():
+            e._act(e.loads, j, 0, 0, couple)
+            e._act(e.loads, i, 0, 0, -couple)
+        return e
+    while True:
+        values = dict(with_friction(with_couples, contacts) if contacts else with_couples().values())
+        found = {(i, j): -turning[i, j] * radius * values[f"R_{i}{j}"] for (i, j), (_, _, radius) in circles.items()}
+        if all(abs(found[ij] - couples[ij]) < mpf(10) ** -70 for ij in circles):
+            break
+        couples = found
+    for (i, j), couple in couples.items():
+        values[f"M_{i}{j}"] = couple
+    for name, value in case().values():
+        if name == "M_2":
+            values["M_2_0"] = value
+    return values.items()

@@ -4,9 +4,9 @@ them, independent of the C++ code: places by formulas of their own, then the equ
 With friction the sense of sliding is that in which a coordinate along the line grows, and all senses of what presses
 are tried. No file of docs/scenes is read. Usage: make_scene_forces.py > scene_forces.txt
 """
-from mpmath import conj, expj, im, mp, mpc, mpf, nstr, pi, re, sqrt, tan
+from mpmath import arg, conj, expj, im, mp, mpc, mpf, nstr, pi, re, sqrt, tan
 
-from equilibrium import Equilibrium, with_friction
+from equilibrium import Equilibrium, with_circles, with_friction
 
 mp.dps = 80
 ZERO = mpf(10) ** -50
@@ -200,6 +200,33 @@ FRICTION = {
 }
 
 
+def still(t):
+    return mpf(0)
+
+
+def four_bar_joint(t):
+    return left_joint(q("0.12") * deg(60) * expj(t), mpc("0.4"), q("0.35"), q("0.28"))
+
+
+def slider(t):
+    A = q("0.12") * deg(75) * expj(t)
+    return re(A) + sqrt(q("0.16") - (im(A) + q("0.05")) ** 2) - q("0.05") * I
+
+
+CIRCLES = {
+    "four-bar": (four_bar, {}, {
+        (1, 2): (still, lambda t: t, q("0.004")),
+        (2, 3): (lambda t: t, lambda t: arg(four_bar_joint(t) - q("0.12") * deg(60) * expj(t)), q("0.005")),
+        (3, 4): (lambda t: arg(four_bar_joint(t) - q("0.12") * deg(60) * expj(t)),
+                 lambda t: arg(four_bar_joint(t) - q("0.4")), q("0.006")),
+        (1, 4): (still, lambda t: arg(four_bar_joint(t) - q("0.4")), q("0.003"))}),
+    "slider-crank": (slider_crank, FRICTION["slider-crank"][1], {
+        (1, 2): (still, lambda t: t, q("0.004")),
+        (2, 3): (lambda t: t, lambda t: arg(slider(t) - q("0.12") * deg(75) * expj(t)), q("0.006")),
+        (3, 4): (lambda t: arg(slider(t) - q("0.12") * deg(75) * expj(t)), still, q("0.005"))}),
+}
+
+
 def text(x):
     return "0" if abs(x) < ZERO else nstr(x, 40, strip_zeros=True)
 
@@ -219,5 +246,10 @@ for name, case in (("four-bar", four_bar), ("slider-crank", slider_crank), ("sco
 for name, (case, contacts) in FRICTION.items():
     print(f"case {name}-with-friction\nwhy the same with the friction of the test\ngiven loaded 1")
     for quantity, value in with_friction(case, contacts):
+        print(quantity, text(value))
+    print()
+for name, (case, contacts, circles) in CIRCLES.items():
+    print(f"case {name}-with-circles\nwhy the same with the friction circles of the test\ngiven loaded 1")
+    for quantity, value in with_circles(case, contacts, circles):
         print(quantity, text(value))
     print()

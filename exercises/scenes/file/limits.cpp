@@ -38,6 +38,23 @@ std::optional<Words> no_forces_with_friction(const Built& built) {
         "{} in questo istante non scorre su {}: l'attrito lì può avere qualunque valore fino al suo limite{}",
         at.slides, at.line, moves(built) ? Words{} : Words{"; no drive has a speed", "; nessun movente ha velocità"});
   }
+  const JointForces<Fast> joints(built.linkage);
+  for (std::size_t k = 0; k < joints.hinges.size(); ++k) {
+    const auto& hinge = joints.hinges[k];
+    if (!has_friction(*built.loads, hinge.point)) continue;
+    const auto is_at_rest = [&]<class T>() {
+      const Sign turns = sign(turning_in_hinges(built, Constructed<T>(built), *built.loads)[k]);
+      return turns == Sign::undecided ? Truth::undecided : turns == Sign::zero ? Truth::yes : Truth::no;
+    };
+    if (ask(is_at_rest).truth != Truth::yes) continue;
+    return format_words(
+        "links {} and {} do not turn against each other at this instant: friction in {} may have any size up to its "
+        "limit",
+        "i membri {} e {} in questo istante non ruotano l'uno sull'altro: l'attrito in {} può avere qualunque valore "
+        "fino al suo limite",
+        built.letters.links[index(hinge.by)], built.letters.links[index(hinge.on)],
+        built.letters.points[index(hinge.point)]);
+  }
   std::optional<Words> why;
   const auto jams = [&]<class T>() {
     if (signs_only<T> && has_inertia(built)) return Truth::undecided;
@@ -51,7 +68,7 @@ std::optional<Words> no_forces_with_friction(const Built& built) {
       return Truth::undecided;
     }
   };
-  if (frictions.empty() || ask(jams).truth != Truth::yes) return {};
+  if (!built.loads->has_friction() || ask(jams).truth != Truth::yes) return {};
   return why;
 }
 

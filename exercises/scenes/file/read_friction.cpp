@@ -18,8 +18,10 @@ class FrictionReader : SectionReader {
   void friction() {
     const Tree* all = root_.find("friction");
     if (!all) return;
-    file_.map(*all, {"friction: {C: 0.15}, of a point or a line that slides, or  {C: 8 deg}",
-                     "friction: {C: 0.15}, di un punto o una retta che scorre, o  {C: 8 deg}"});
+    file_.map(
+        *all,
+        {"friction: {C: 0.15} or {C: 8 deg} of what slides, {A: 5 mm}, its friction circle, of a hinge",
+         "friction: {C: 0.15} o {C: 8 deg} di ciò che scorre, {A: 5 mm}, il cerchio d'attrito, di una cerniera"});
     if (!built_.loads)
       refuse(*all, {"nothing presses here: friction needs  loads:  or  masses:",
                     "qui nulla preme: l'attrito vuole  loads:  o  masses:"});
@@ -34,6 +36,7 @@ class FrictionReader : SectionReader {
  private:
   void contact(const Tree& key, const Tree& value) {
     const bool is_line = SectionReader::is_line(key.text);
+    if (!is_line && !reads_as(value, Kind::pure_number) && reads_as(value, Kind::length)) return hinge(key, value);
     const int what = is_line ? line(key, key.text) : point(key, key.text);
     const auto& blocks = built_.linkage.blocks;
     const auto& pins = built_.linkage.pins;
@@ -64,13 +67,29 @@ class FrictionReader : SectionReader {
       friction.amount = coefficient;
     }
     built_.loads->frictions.push_back(friction);
+    built_.friction_names.push_back(name_of_amount(value));
+    return true;
+  }
+  FrictionName name_of_amount(const Tree& value) const {
     const std::string symbol = spelled_out(value.text);
-    const bool is_given = of_.given.contains(symbol);
+    if (of_.given.contains(symbol)) return {Words{given_letters(symbol), given_letters(symbol)}};
     std::string italian = as_printed(value.text);
     std::replace(italian.begin(), italian.end(), '.', ',');
-    built_.friction_names.push_back(
-        {is_given ? Words{given_letters(symbol), given_letters(symbol)} : Words{as_printed(value.text), italian}});
-    return true;
+    return {Words{as_printed(value.text), italian}};
+  }
+  void hinge(const Tree& key, const Tree& value) {
+    const int A = point(key, key.text);
+    if (built_.linkage.links_at(A).size() < 2)
+      refuse(key,
+             format_words("{} is no hinge: of what slides there is a coefficient of friction or its angle",
+                          "{} non è una cerniera: di ciò che scorre si dà il coefficiente d'attrito o il suo angolo",
+                          key.text));
+    const Rational radius = length(value);
+    if (radius < 0)
+      refuse(value, format_words("\"{}\" is below zero, and no radius of a friction circle is",
+                                 "\"{}\" è sotto lo zero, e nessun raggio di cerchio d'attrito lo è", value.text));
+    built_.loads->hinge_frictions.push_back({A, radius});
+    built_.hinge_friction_names.push_back(name_of_amount(value));
   }
 };
 

@@ -157,6 +157,10 @@ class ForceFigures {
   Quantity quantity(const ActingCouple& couple) const {
     const auto k = index(couple.which);
     if (couple.kind == ActingCouple::Kind::guide) return guide_forces(built_, k).couple;
+    if (couple.kind == ActingCouple::Kind::hinge) {
+      const auto hinge = JointForces<geometry::Fast>(built_.linkage).hinges[k];
+      return hinge_couple(built_, hinge.by, hinge.on);
+    }
     if (couple.kind == ActingCouple::Kind::inertia) return inertia_couple(built_, k);
     if (couple.kind == ActingCouple::Kind::drive) return driving_effort(built_, built_.linkage.drives[k]);
     return {built_.couple_names[k].name, built_.couple_names[k].symbol, "N*m", {}};

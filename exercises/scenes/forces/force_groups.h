@@ -39,7 +39,7 @@ inline bool is_of_mass(const ActingForce& force) {
   return force.kind == ActingForce::Kind::weight || force.kind == ActingForce::Kind::inertia;
 }
 struct ActingCouple {
-  enum class Kind { load, inertia, guide, drive };
+  enum class Kind { load, inertia, guide, drive, hinge };  // the last of friction, as the hinges of JointForces
   Kind kind;
   int which;
   bool is_opposite = false;

@@ -103,7 +103,8 @@ PanelSheet overview(const Built& built, const Solution& s, Language language) {
     const GroupForces& group = groups[i];
     for (const LinkForces& body : group.bodies) {
       for (const ActingCouple& each : body.couples)
-        if (each.kind != ActingCouple::Kind::guide) add_couple(whole, built, of, body.link, each);
+        if (each.kind != ActingCouple::Kind::guide && each.kind != ActingCouple::Kind::hinge)
+          add_couple(whole, built, of, body.link, each);
       for (const ActingForce& force : body.sought) {
         const std::string name = name_of_force(built, force);
         if (force.kind == ActingForce::Kind::slid || force.kind == ActingForce::Kind::cylinder)
@@ -119,7 +120,7 @@ PanelSheet overview(const Built& built, const Solution& s, Language language) {
   }
   sheet.panels = panels(std::move(whole));
   for (const std::string& each : efforts) sheet.results.push_back(values({each}));
-  if (!built.loads->frictions.empty()) {
+  if (built.loads->has_friction()) {
     sheet.results.push_back(remark(Words{"Without friction:", "Senza attrito:"}.in(language)));
     for (const geometry::Drive& drive : built.linkage.drives) {
       efforts.push_back(frictionless_effort(built, drive).name);

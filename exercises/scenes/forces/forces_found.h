@@ -95,6 +95,11 @@ class ForcesFound {
         return -(geometry::from_rational<T>(built_.loads->masses[k].inertia) * found_.mass(k).alpha);
       case ActingCouple::Kind::guide:
         return found_.joints().guides[k].couple;
+      case ActingCouple::Kind::hinge: {
+        const auto& hinge = found_.joints().hinges[k];
+        return built_.letters.links[index(hinge.by)] < built_.letters.links[index(hinge.on)] ? hinge.couple
+                                                                                             : -hinge.couple;
+      }
       case ActingCouple::Kind::drive:
         break;
     }

@@ -101,7 +101,11 @@ class GroupSheet {
     (panel.*(is_load ? &FreeBodyPanel::load : &FreeBodyPanel::force))(of_.side(force), of_.place(force),
                                                                       of_.there(force, middle));
   }
+  static JointForces<geometry::Fast>::Hinge hinge_of(const geometry::Linkage& linkage, const ActingCouple& couple) {
+    return JointForces<geometry::Fast>(linkage).hinges[index(couple.which)];
+  }
   Place place_of_couple(const ActingCouple& couple, const LinkForces& body) const {
+    if (couple.kind == ActingCouple::Kind::hinge) return of_.at(hinge_of(built_.linkage, couple).point);
     if (couple.kind == ActingCouple::Kind::guide)
       return of_.through(built_.linkage.blocks[index(couple.which)].moving);
     const auto& points = built_.linkage.links[index(body.link)].points;
@@ -121,6 +125,18 @@ class GroupSheet {
     return {along, along + std::numbers::pi};
   }
 
+  Words friction_in(const ActingCouple& couple, int point) const {
+    const auto& all = built_.loads->hinge_frictions;
+    const auto of = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.point == point; });
+    const Words& radius = built_.hinge_friction_names[static_cast<std::size_t>(of - all.begin())].amount;
+    const std::string M = of_.quantity(couple).symbol, ij = M.substr(M.find('_'));
+    return format_words(
+        "Friction in {0}, radius of its circle $ρ_{{{1}}}$ = {2}: {3} = $ρ_{{{1}}}$·$\\it{{R}}{4}, against the "
+        "turning.",
+        "Attrito in {0}, raggio del suo cerchio $ρ_{{{1}}}$ = {2}: {3} = $ρ_{{{1}}}$·$\\it{{R}}{4}, contro la "
+        "rotazione.",
+        of_.letter(point), point_letters(built_.letters.points[index(point)]), radius, M, ij);
+  }
   Words pressed(const GroupForces::Pressed& each) const {
     const auto* friction = friction_of(built_, each.force);
     const double holds_back = friction ? s_[friction_force(built_, *friction).name] : 0;
@@ -160,6 +176,11 @@ class GroupSheet {
     for (const GroupForces::Pressed& each : group_.pressed)
       if (each.force.link == body.link && each.force.kind != ActingForce::Kind::hinge)
         panel.step(pressed(each), of_.place(each.force));
+    for (const ActingCouple& each : body.couples)
+      if (each.kind == ActingCouple::Kind::hinge) {
+        const int point = hinge_of(built_.linkage, each).point;
+        panel.step(friction_in(each, point), of_.at(point));
+      }
     for (const ForceLoop& loop : group_.loops)
       if (is_of_two(loop) && loop.left.front().force.link == body.link)
         panel.step(format_words("Two forces only: {} = {}.", "Due sole forze: {} = {}.",
@@ -246,7 +267,10 @@ class GroupSheet {
         }
     for (const LinkForces& body : group_.bodies)
       for (const ActingCouple& each : body.couples)
-        if (each.kind == ActingCouple::Kind::inertia)
+        if (each.kind == ActingCouple::Kind::hinge) {
+          const std::string name = of_.quantity(each).name;
+          if (std::find(scalars.begin(), scalars.end(), name) == scalars.end()) scalars.push_back(name);
+        } else if (each.kind == ActingCouple::Kind::inertia)
           scalars.push_back(inertia_couple(built_, index(each.which)).name);
   }
   void add_sought(std::vector<VectorQuantity>& vectors, Names& scalars, Names& told) const {

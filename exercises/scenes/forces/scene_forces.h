@@ -73,6 +73,20 @@ inline GuideForces guide_forces(const Built& built, std::size_t block) {
            format_words("couple of {0} on {1}, about the point that {1} is given through",
                         "coppia di {0} su {1}, rispetto al punto per cui {1} è data", g, b)}};
 }
+// The couple of friction in it, of the lower number on the other: "M_34".
+inline Quantity hinge_couple(const Built& built, int by, int on) {
+  const auto [i, j] = std::minmax(built.letters.links[index(by)], built.letters.links[index(on)]);
+  constexpr int two_digits = 10;
+  const std::string a = std::to_string(i), b = std::to_string(j);
+  return {
+      "M_" + a + (j < two_digits ? "" : "_") + b, "$\\it{M}_{" + a + (j < two_digits ? "" : ",") + b + "}$", "N*m",
+      format_words("couple of friction of link {} on link {}", "coppia d'attrito del membro {} sul membro {}", i, j)};
+}
+inline bool has_friction(const geometry::Loads& loads, int point) {
+  return std::any_of(loads.hinge_frictions.begin(), loads.hinge_frictions.end(),
+                     [&](const geometry::HingeFriction& each) { return each.point == point; });
+}
+
 // Where there is friction: what slides, on which line; N as it is without, T of the same name, and both together,
 // R_gb, of g on b.
 struct Contact {
@@ -175,7 +189,7 @@ class FoundForces {
       : has_inertia_(has_inertia(built)),
         is_parted_(signs_only<T> && has_inertia_),
         has_loads_(!loads.forces.empty() || !loads.couples.empty() || loads.has_weight()),
-        has_friction_(!loads.frictions.empty()),
+        has_friction_(loads.has_friction()),
         whole_([&loads, find, with = has_inertia_ && !is_parted_] { return find(loads, with); }),
         inertia_([&loads, find] { return find(without_loads(loads), true); }) {}
   // One of them: `select` takes it from the JointForces.
@@ -231,6 +245,18 @@ std::vector<T> sliding_velocities(const Built& built, const Constructed<T>& cons
   return all;
 }
 
+// How fast the second link of each hinge turns on the first.
+template <class T>
+std::vector<T> turning_in_hinges(const Built& built, const Constructed<T>& constructed,
+                                 const geometry::Loads& loads) {
+  std::vector<T> all;
+  if (loads.hinge_frictions.empty()) return all;
+  const auto& links = constructed.motion.get().links;
+  for (const auto& hinge : JointForces<T>(built.linkage).hinges)
+    all.push_back(links[index(hinge.on)].omega - links[index(hinge.by)].omega);
+  return all;
+}
+
 // Group after group, from the last to the drive.
 template <class T>
 JointForces<T> forces_by_groups(const Built& built, const Constructed<T>& constructed, const geometry::Loads& loads,
@@ -238,13 +264,13 @@ JointForces<T> forces_by_groups(const Built& built, const Constructed<T>& constr
   return geometry::ForcesByGroups<T>(built.linkage, constructed.at)
       .under(loads, built.steps,
              with_inertia ? masses_in_motion(built, constructed) : std::vector<geometry::MassInMotion<T>>{},
-             sliding_velocities(built, constructed, loads));
+             sliding_velocities(built, constructed, loads), turning_in_hinges(built, constructed, loads));
 }
 // The equilibrium of all links at once; on exact numbers, that what was constructed satisfies it.
 template <class T>
 JointForces<T> forces_by_equilibrium(const Built& built, const Constructed<T>& constructed,
                                      const ByJoints<T>& by_joints, const geometry::Loads& loads, bool with_inertia) {
-  const UpTo slides = loads.frictions.empty() ? UpTo::place : UpTo::velocity;
+  const UpTo slides = loads.has_friction() ? UpTo::velocity : UpTo::place;
   const auto& links = by_joints.states(with_inertia ? UpTo::acceleration : slides);
   const auto inertia = with_inertia ? geometry::analytic::Inertia::included : geometry::analytic::Inertia::left_out;
   if constexpr (signs_only<T>) {
