@@ -117,6 +117,12 @@ bool Ledger::is_settled() const {
   return has_run_ && std::all_of(entries_.begin(), entries_.end(), [](const Entry& e) { return e.is_final; });
 }
 
+std::vector<bool> Ledger::open() const {
+  std::vector<bool> all;
+  for (const Entry& entry : entries_) all.push_back(!entry.is_final);
+  return all;
+}
+
 bool Ledger::needs_proof(std::size_t i) const {
   if (!has_run_) return true;
   const Entry& entry = entries_.at(i);

@@ -162,6 +162,8 @@ class Ledger {
   bool is_settled() const;
   bool has_run() const { return has_run_; }
   std::size_t size() const { return entries_.size(); }
+  // What is not settled; none before any run.
+  std::vector<bool> open() const;
   // Quantity i may be zero or has no enclosure.
   bool needs_proof(std::size_t i) const;
   std::vector<Settled> result() const;
@@ -227,10 +229,11 @@ Run run(const Scene& scene, const std::vector<bool>& wanted = {}) {
   }
 }
 
+// What is settled is not found again.
 template <class Scene>
 void run_deep(Ledger& ledger, const Scene& scene, long bits) {
   const Arithmetic<Deep> scope(bits);
-  ledger.take_enclosures("Deep " + std::to_string(bits), run<Deep>(scene));
+  ledger.take_enclosures("Deep " + std::to_string(bits), run<Deep>(scene, ledger.open()));
 }
 
 // Before any run nothing is known, not even how many quantities there are: everything is wanted.

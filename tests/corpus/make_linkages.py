@@ -6,7 +6,7 @@ functions of time. Velocities, accelerations and angular velocities are high-pre
 (mpmath.diff): no polygon, no system of equations, and no file of docs/scenes is read.
 Usage: make_linkages.py > linkages.txt
 """
-from equilibrium import Equilibrium, with_friction
+from equilibrium import Equilibrium, with_circles
 from mpmath import conj, diff, expj, im, log, mp, mpc, mpf, nstr, pi, re, sqrt, tan
 
 mp.dps = 120
@@ -140,31 +140,29 @@ def scotch_yoke():
 
 
 def plunger_pump():
-    e, r = crank(deg("50"), -rpm("90")), q("0.08")
+    e, r, l = crank(deg("50"), -rpm("90")), q("0.08"), q("0.26")
     A = lambda t: r * e(t)
-    O3 = lambda t: mpc(re(A(t)), 0)
-    C = lambda t: O3(t) + q("0.2")
-    scene = Scene(dict(A=A, C=C), {2: (e, A), 3: (still, C)}, rods=[("A", 0)], slides=[("A", 3, False, True)],
-                  floating=[3])
+    B = lambda t: mpc(re(A(t)) + sqrt(l ** 2 - im(A(t)) ** 2), 0)
+    scene = Scene(dict(A=A, B=B), {2: (e, A), 3: (lambda t: B(t) - A(t), A), 4: (still, B)},
+                  rods=[("A", 0), ("B", "A")], floating=[3, 4])
 
     def forces(equilibrium=Equilibrium):
-        a, o, c = A(mpf(0)), O3(mpf(0)), C(mpf(0))
-        f = equilibrium([2, 3])
-        f.hinge(1, 2, 0), f.couple("M_2", 1, 2)
-        f.unknown("N_A", 3, 2, a, -1), f.unknown("N_b", 1, 3, o, 1j), f.couple("M_b", 1, 3)
-        f.load(3, c, mpc(-600, 0))
+        a, b = A(mpf(0)), B(mpf(0))
+        f = equilibrium([2, 3, 4])
+        f.hinge(1, 2, 0), f.hinge(2, 3, a), f.hinge(3, 4, b), f.couple("M_2", 1, 2)
+        f.unknown("N_b", 1, 4, b, 1j), f.couple("M_b", 1, 4)
+        f.load(4, b, mpc(-600, 0))
+        f.rod("R_23", a, b)
+        f.arm("h_R_23", "R_23", a, 0)
         return f
 
     class Rubbing:
         def values(self):
-            found = dict(with_friction(forces, {"A": (q("0.15"), "sA", lambda t: im(A(t))),
-                                                "b": (tan(pi * 8 / 180), "gb", lambda t: re(A(t)))}))
-            on_crank = mpc(-found["N_A"], found["T_A"])
-            found["h_R_sA"] = abs(re(A(mpf(0)) - O3(mpf(0))) * im(on_crank)
-                                  - im(A(mpf(0))) * re(on_crank)) / abs(on_crank)
-            found["h_R_sA_on_2"] = abs(re(A(mpf(0))) * im(on_crank) - im(A(mpf(0))) * re(on_crank)) / abs(on_crank)
-            found["h_F"] = mpf(0)
-            return found.items()
+            at_rest = lambda t: mpf(0)
+            of_crank, of_rod = lambda t: im(log(A(t))), lambda t: im(log(B(t) - A(t)))
+            return with_circles(forces, {"b": (tan(pi * 8 / 180), "gb", lambda t: re(B(t)))}, {
+                (1, 2): (at_rest, of_crank, q("0.003")), (2, 3): (of_crank, of_rod, q("0.004")),
+                (3, 4): (of_rod, at_rest, q("0.003"))})
     scene.forces = Rubbing()
     return scene
 

@@ -116,8 +116,9 @@ Mechanism& Mechanism::body(const std::vector<std::string>& points, int number) {
   bodies_.push_back({points, number, false});
   return *this;
 }
-Mechanism& Mechanism::slotted(const std::vector<std::string>& points, int number, bool takes_block) {
-  bodies_.push_back({points, number, true, false, takes_block});
+Mechanism& Mechanism::slotted(const std::vector<std::string>& points, int number, bool takes_block,
+                              const std::string& letter) {
+  bodies_.push_back({points, number, true, false, takes_block, letter});
   return *this;
 }
 Mechanism& Mechanism::cylinder(const std::string& from, const std::string& to) {
@@ -144,8 +145,9 @@ Mechanism& Mechanism::found_in(int step, const std::vector<std::string>& points)
   for (const std::string& name : points) steps_[name] = step;
   return *this;
 }
-Mechanism& Mechanism::guide(const std::string& block, double direction, const std::string& axis) {
-  guides_.push_back({block, direction, axis});
+Mechanism& Mechanism::guide(const std::string& block, double direction, const std::string& axis,
+                            const std::string& letter) {
+  guides_.push_back({block, direction, axis, letter});
   return *this;
 }
 Mechanism& Mechanism::path(const std::string& about, const std::string& of) {
@@ -314,6 +316,7 @@ void Mechanism::draw_guide(Plot& plot, const Guide& guide) const {
   plot.mark(drawings::Guide{on_it(-guide_behind), on_it(guide.axis.empty() ? guide_ahead : guide_ahead_of_axis)});
   plot.mark(drawings::Slider{p, guide.direction});
   if (!guide.axis.empty()) plot.label(guide.axis, plot.from_paper(on_it(axis_ahead)), at(guide.block));
+  if (!guide.letter.empty()) plot.small_label(guide.letter, plot.from_paper(on_it(guide_ahead)), at(guide.block));
 }
 
 // Too short a distance has no room for its letter; nor has one beyond the border of a close-up.
@@ -528,6 +531,10 @@ void Mechanism::draw_numbers(Plot& plot) const {
   constexpr double below_support = 8;  // mm
   bool is_numbered = false;
   for (const Body& body : bodies_) {
+    if (!body.letter.empty()) {
+      const auto [begins, ends] = slot(body, plot.scale());
+      plot.small_label(body.letter, ends, begins);
+    }
     if (body.number == 0) continue;
     is_numbered = true;
     if (body.is_slotted) {

@@ -26,8 +26,9 @@ class Mechanism : public MechanismFigure {
   // frame is 1.
   Mechanism& body(const std::vector<std::string>& points, int number = 0);
   // A straight link through these points, the last of them the pin of another body that runs in a slot of it, or the
-  // hinge of a block that does.
-  Mechanism& slotted(const std::vector<std::string>& points, int number = 0, bool takes_block = false);
+  // hinge of a block that does. `letter`: of the slot's line, at its end.
+  Mechanism& slotted(const std::vector<std::string>& points, int number = 0, bool takes_block = false,
+                     const std::string& letter = {});
   // A cylinder hinged at `from`, and its piston's rod hinged at `to`.
   Mechanism& cylinder(const std::string& from, const std::string& to);
   // A round body about a point, with another on its rim; there it `rolls` on the frame, or not.
@@ -41,8 +42,10 @@ class Mechanism : public MechanismFigure {
   // These points are found in a step of the construction, and what joins them comes with it. (On a sheet to be solved
   // they stand all the same, unless the panel leaves them out.)
   Mechanism& found_in(int step, const std::vector<std::string>& points);
-  // The guide of a block, along this direction (radians), with the name of its axis ahead of it.
-  Mechanism& guide(const std::string& block, double direction, const std::string& axis = {});
+  // The guide of a block, along this direction (radians), with the name of its axis ahead of it; or with its letter
+  // at its end.
+  Mechanism& guide(const std::string& block, double direction, const std::string& axis = {},
+                   const std::string& letter = {});
   // `of` goes round `about`: its way is drawn.
   Mechanism& path(const std::string& about, const std::string& of);
   // `of` swings about `about`: its way is drawn, from so far behind where it is to so far ahead (radians);
@@ -91,6 +94,7 @@ class Mechanism : public MechanismFigure {
     int number;
     bool is_slotted, is_cylinder = false;
     bool takes_block = false;
+    std::string letter = {};
   };
   struct Disc {
     std::string centre, rim;
@@ -104,7 +108,7 @@ class Mechanism : public MechanismFigure {
   struct Guide {
     std::string block;
     double direction;
-    std::string axis;
+    std::string axis, letter;
   };
   struct Path {
     std::string about, of;

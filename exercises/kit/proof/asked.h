@@ -49,6 +49,8 @@ class Holding {
 
 // A quantity is found by the first route that knows it; the others are not asked.
 using FirstRouteOnly = Holding<struct FirstRouteOnlyHolds>;
+// What drawings alone show is found too.
+using ForDrawings = Holding<struct ForDrawingsHolds>;
 // What would be found is written down, and nothing is found.
 using NamesOnly = Holding<struct NamesOnlyHolds>;
 

@@ -232,7 +232,7 @@ class Ledger {
   template <class Find>
   void draws(const std::string& name, const Find& find, const std::optional<Quantity>& described = {}) {
     if constexpr (std::is_same_v<T, geometry::Deep>) {
-      if (!Asked::for_all()) return;
+      if (!ForDrawings::holds() || !Asked::for_all()) return;
       drawn_entries_.push_back({case_ + name, route_, described});
       drawn_readings_.push_back(geometry::Reading<T>::from(find));
     }
@@ -281,12 +281,13 @@ template <class Write>
 std::vector<RouteValue> settle(const Write& write, Rung rung, Drawn drawn = Drawn::by_first_route) {
   const FirstRouteOnly once(FirstRouteOnly::holds() || (rung == Rung::drawing && drawn == Drawn::by_first_route));
   const NamesOnly nothing(rung == Rung::names);
+  const ForDrawings with_drawings(rung == Rung::drawing);
   std::vector<LedgerEntry> entries;
   const auto scene = [&]<class T>() {
     Ledger<T> ledger = write.template operator()<T>();
     entries = std::move(ledger.entries());
     std::vector<geometry::Reading<T>> readings = std::move(ledger.readings());
-    if (rung == Rung::drawing) {
+    if (ForDrawings::holds()) {
       std::move(ledger.drawn_entries().begin(), ledger.drawn_entries().end(), std::back_inserter(entries));
       std::move(ledger.drawn_readings().begin(), ledger.drawn_readings().end(), std::back_inserter(readings));
     }

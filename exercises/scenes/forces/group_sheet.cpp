@@ -153,12 +153,22 @@ class GroupSheet {
     const bool is_angle = std::holds_alternative<geometry::Angle>(friction->amount);
     const Words angle = format_words("{}{} = {}", "{}{} = {}", is_angle ? "" : "tan ", phi, name.amount);
     const std::string what = "$" + point_letters(at.slides) + "$", line = "$" + point_letters(at.line) + "$";
-    return format_words(
-        "Friction, {0}: {1} slides {2} on {3}, and {4} is turned from the normal to {3} by {5} against that.",
-        "Attrito, {0}: {1} scorre {2} su {3}, e la {4} è inclinata di {5} sulla normale a {3}, contro lo "
-        "strisciamento.",
+    ActingForce on_what_slides = each.force;
+    on_what_slides.is_opposite = false;
+    const Words turned = format_words(
+        "Friction, {0}: {1} slides {2} on {3}, and the force on it, {4}, is turned from the normal to {3} by {5} "
+        "against that.",
+        "Attrito, {0}: {1} scorre {2} su {3}, e la forza su di esso, {4}, è inclinata di {5} sulla normale a {3}, "
+        "contro lo strisciamento.",
         angle, what, holds_back < 0 ? Words{"ahead", "in avanti"} : Words{"back", "all'indietro"}, line,
-        arrow_of_force(built_, each.force), phi);
+        arrow_of_force(built_, on_what_slides), phi);
+    const bool is_of_block = each.force.kind == ActingForce::Kind::guide;
+    const Words opposite =
+        each.force.is_opposite ? Words{" Here acts its opposite.", " Qui agisce la sua opposta."} : Words{};
+    if (!is_of_block || s_[guide_forces(built_, index(each.force.which)).couple.name] == 0) return turned + opposite;
+    return turned + opposite +
+           format_words(" (Of {} no friction is reckoned.)", " (Di {} non si conta l'attrito.)",
+                        guide_forces(built_, index(each.force.which)).couple.symbol);
   }
   static std::string turned_round(const std::string& arrow) {
     const std::string minus = "−";

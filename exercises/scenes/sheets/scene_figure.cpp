@@ -20,6 +20,10 @@ const std::string& letter(const Built& built, int point) {
   return built.letters.points[static_cast<std::size_t>(point)];
 }
 
+std::string letter_of_line(const Built& built, int line) {
+  return "$" + point_letters(built.letters.lines[static_cast<std::size_t>(line)]) + "$";
+}
+
 // The guide of the frame on which a point slides, itself or as the first of its link's.
 std::optional<int> guide_in_frame(const Linkage& of, int point) {
   for (const PinOnLine& pin : of.pins)
@@ -147,7 +151,8 @@ bool add_slot_aside(Mechanism& figure, const Built& built, const Solution& s, in
   if (!has_corner) points.push_back(corner("'s foot", arm));
   if (points.size() > 1) figure.body(points, built.letters.links[static_cast<std::size_t>(link)]);
   figure.slotted({corner("'s end", end), corner("'s pin", pin)},
-                 points.size() > 1 ? 0 : built.letters.links[static_cast<std::size_t>(link)]);
+                 points.size() > 1 ? 0 : built.letters.links[static_cast<std::size_t>(link)], false,
+                 letter_of_line(built, pins.front().line));
   return true;
 }
 
@@ -163,7 +168,7 @@ bool add_link(Mechanism& figure, const Built& built, const Solution& s, int link
                                        [&](const geometry::LinkLine& line) { return lie_on(own.points, line); });
   if (pin && lie_on(own.points, of.line(pin->line)) && is_on_its_line(figure, built, s, *pin)) {
     points.push_back(letter(built, pin->pin));
-    figure.slotted(points, number, pin->is_of_block);
+    figure.slotted(points, number, pin->is_of_block, letter_of_line(built, pin->line));
     return true;
   }
   if ((points.size() > 1 || !is_straight) && add_slot_aside(figure, built, s, link)) return true;
@@ -234,8 +239,7 @@ void add_lines(Mechanism& figure, const Built& built) {
     const double towards = direction(of, offset.line), ux = std::cos(towards), uy = std::sin(towards),
                  along = (P.x - G.x) * ux + (P.y - G.y) * uy, half = figure.reach() / 3;
     figure.axis({G.x + (along - half) * ux, G.y + (along - half) * uy},
-                {G.x + (along + half) * ux, G.y + (along + half) * uy},
-                "$" + point_letters(built.letters.lines[static_cast<std::size_t>(offset.line)]) + "$");
+                {G.x + (along + half) * ux, G.y + (along + half) * uy}, letter_of_line(built, offset.line));
   }
 }
 
@@ -326,7 +330,8 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
     if (const auto* cylinder = std::get_if<geometry::Stretched>(&drive))
       figure.cylinder(letter(built, cylinder->from), letter(built, cylinder->to));
   for (int p = 0; p < of.count_of_points(); ++p)
-    if (const auto line = guide_in_frame(of, p)) figure.guide(letter(built, p), direction(of, *line));
+    if (const auto line = guide_in_frame(of, p))
+      figure.guide(letter(built, p), direction(of, *line), {}, letter_of_line(built, *line));
   for (const geometry::Drive& drive : of.drives)
     if (const auto* turned = std::get_if<geometry::TurnedLink>(&drive))
       if (const auto crank = crank_of(of, turned->link))
