@@ -1,6 +1,7 @@
 // Mechanisms from files: those of docs/scenes hold against values made apart; files that are wrong are refused with
 // their place and a sentence; the format says what it says.
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -8,6 +9,7 @@
 #include "drawings/text/text.h"
 #include "exercises/cli/run.h"
 #include "exercises/kit/proof/place.h"
+#include "exercises/kit/proof/solution.h"
 #include "exercises/scenes/coincidences.h"
 #include "exercises/scenes/file_head.h"
 #include "exercises/scenes/scene.h"
@@ -763,4 +765,32 @@ TEST_CASE("a block alone on its guide has no extent, and is drawn all the same",
   passes(
       "epure: 1\nid: f\nlinks:\n  1: {e: {through: [400 mm, 300 mm], along: 90 deg}}\n  2: {F: [0, 0], f: {through: "
       "[0, 0], along: 0 deg}}\nslides: {f: e}\ndrive: {slide: F, on: e, at: 118 mm, speed: -20 cm/s}\n");
+}
+
+// A report draws each sheet at several sizes, a class each variant: the curve is found once.
+TEST_CASE("a chart's curve is found once for the same givens, and anew for others", "[scenes]") {
+  const auto scene = std::make_shared<const scenes::Scene>(
+      "f",
+      "epure: 1\nid: f\ngivens: {r: 0.2 m}\nlinks:\n  1: {A0: [0, 0], B0: [0.4, 0]}\n  2: {A0 A: r}\n  3: {A B: "
+      "0.5 m}\n  4: {B0 B: 0.45 m}\nassembly: {B: left of A B0}\ndrive: {link: 2, angle: 60 deg, speed: 60 "
+      "rpm}\ncharts: [omega_4]\n");
+  const auto exercise = scenes::scene_exercise(scene);
+  const auto drawn = [&](const std::string& radius) {
+    Givens givens(scene->givens());
+    givens.set("r=" + radius);
+    return exercise->solution(givens);
+  };
+  const Solution stated = drawn("0.2"), other = drawn("0.1");
+  const auto curve = [&](const Solution& solution) {
+    const std::clock_t begin = std::clock();
+    const auto drawn_line = line(exercise->draw("chart-omega_4", solution, {}), "omega_4");
+    return std::pair(drawn_line.path.pieces.back().end.y - drawn_line.path.pieces[90].end.y, std::clock() - begin);
+  };
+  const auto [first, time_of_first] = curve(stated);
+  const auto [again, time_again] = curve(stated);
+  const auto [of_other, time_of_other] = curve(other);
+  CHECK(again == first);
+  CHECK(of_other != first);
+  CHECK(time_again < time_of_first / 3);
+  CHECK(curve(stated).first == first);
 }
