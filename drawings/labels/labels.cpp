@@ -17,13 +17,15 @@ class Placement {
   Placement(const std::vector<LabelBox>& labels, const Obstacles& obstacles, Box area)
       : labels_(labels), obstacles_(obstacles), area_(area) {
     options_.resize(labels.size());
+    beside_.resize(labels.size());
     for (std::size_t i = 0; i < labels.size(); ++i) add_options(i, clear_places(labels[i], obstacles, area));
     looked_at_.assign(labels.size(), Kinds::clear);
     chosen_.assign(labels.size(), none);
+    taken_.resize(labels.size());
   }
 
   std::vector<Place> run() {
-    for (const std::size_t i : most_constrained_first()) chosen_[i] = best_option(i);
+    for (const std::size_t i : most_constrained_first()) choose(i, best_option(i));
     improve();
     for (int round = 0; round < 4 && push_aside(); ++round) improve();
     std::vector<Place> places;
@@ -41,6 +43,7 @@ class Placement {
     options.insert(options.end(), more.begin(), more.end());
     std::stable_sort(options.begin(), options.end(),
                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+    beside_[i].assign(options.size(), {});
   }
 
   // A label must not seem to name anything but its own.
@@ -113,7 +116,7 @@ class Placement {
   }
 
   static double together(const Candidate& a, const Candidate& b) {
-    if (apart(grown(around(a), label_clearance), around(b))) return 0;  // nearly all pairs
+    if (apart(grown(around(a), label_clearance), around(b))) return 0;
     double cost = 0;
     if (leader_meets(a, b)) cost += price::leader_through;
     if (leaders_cross(a, b)) cost += price::leaders_crossed;
@@ -126,13 +129,42 @@ class Placement {
     return cost + price::overlap + price::inside * common.width() * common.height();
   }
 
+  // Without a branch for each side, as nearly all are apart, on any side.
+  static bool meet(const Box& a, const Box& b) {
+    return static_cast<bool>(static_cast<int>(a.high.x >= b.low.x) & static_cast<int>(b.high.x >= a.low.x) &
+                             static_cast<int>(a.high.y >= b.low.y) & static_cast<int>(b.high.y >= a.low.y));
+  }
+
   // What option `o` of label i costs beside the others as they stand; gives up once worse than `limit`.
-  double total(std::size_t i, std::size_t o, double limit = INFINITY) const {
+  double total(std::size_t i, std::size_t o, double limit = INFINITY) {
     const Candidate& option = options_[i][o];
+    const Box near = grown(around(option), label_clearance);
     double cost = option.cost;
     for (std::size_t j = 0; j < labels_.size() && cost < limit; ++j)
-      if (j != i && chosen_[j] != none) cost += together(option, options_[j][chosen_[j]]);
+      if (meet(near, taken_[j]) && j != i && chosen_[j] != none)  // hardly ever
+        cost += beside(option, j, beside_[i][o]);
     return cost;
+  }
+
+  // What an option costs beside that chosen of label j. The same two are asked for again and again.
+  struct Beside {
+    std::size_t label, option;
+    double cost;
+  };
+  double beside(const Candidate& option, std::size_t j, std::vector<Beside>& known) const {
+    const auto found = std::find_if(known.begin(), known.end(), [j](const Beside& each) { return each.label == j; });
+    if (found != known.end() && found->option == chosen_[j]) return found->cost;
+    const Beside now{j, chosen_[j], together(option, options_[j][chosen_[j]])};
+    if (found == known.end())
+      known.push_back(now);
+    else
+      *found = now;
+    return now.cost;
+  }
+
+  void choose(std::size_t i, std::size_t o) {
+    chosen_[i] = o;
+    if (o != none) taken_[i] = around(options_[i][o]);
   }
 
   std::size_t best_option(std::size_t i) {
@@ -155,14 +187,14 @@ class Placement {
     for (std::size_t turn = 0; turn < rounds * labels_.size() && content < labels_.size(); ++turn) {
       const std::size_t i = turn % labels_.size(), best = best_option(i);
       content = best == chosen_[i] ? content + 1 : 1;
-      chosen_[i] = best;
+      choose(i, best);
     }
   }
 
   // Moves label i and returns by how much the whole grows dearer.
   double move(std::size_t i, std::size_t to) {
     const double before = total(i, chosen_[i]);
-    chosen_[i] = to;
+    choose(i, to);
     return total(i, to) - before;
   }
 
@@ -188,7 +220,7 @@ class Placement {
       if (j != i && before[j] != none && together(*wanted, options_[j][before[j]]) > 0)
         change += move(j, best_option(j));
     if (change < -1e-9) return true;
-    chosen_ = before;
+    for (std::size_t j = 0; j < labels_.size(); ++j) choose(j, before[j]);
     return false;
   }
 
@@ -208,8 +240,10 @@ class Placement {
   const Obstacles& obstacles_;
   Box area_;
   std::vector<std::vector<Candidate>> options_;
+  std::vector<std::vector<std::vector<Beside>>> beside_;  // by label and option
   std::vector<Kinds> looked_at_;
   std::vector<std::size_t> chosen_;
+  std::vector<Box> taken_;  // around those chosen; where none is, anything
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exercises/cli/csv_reader.h"
+#include "exercises/cli/harmless_cell.h"
 
 namespace epure {
 
@@ -16,7 +17,7 @@ struct AskedColumn {
 
   // A cell of it with the unit of the column, when it has none itself.
   std::string with_unit(const std::string& cell) const;
-  std::string text(const CsvRow& row) const { return with_unit(row.cells[column]); }
+  std::string text(const CsvRow& row) const { return with_unit(text_of_cell(row.cells[column])); }
 };
 
 // A student, a scale, or what is not read: no given and no quantity of this name would be found under it.

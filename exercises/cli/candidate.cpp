@@ -95,7 +95,7 @@ std::vector<Candidate> variants_of(const CsvTable& table, const std::vector<cons
       throw BadTable(
           format_words("{}: there are two columns for {}", "{}: ci sono due colonne per {}", table.file, *symbol));
     for (std::size_t i = 0; i < students.size(); ++i)
-      if (const std::string& cell = table.rows[i].cells[column]; !cell.empty())
+      if (const std::string cell = text_of_cell(table.rows[i].cells[column]); !cell.empty())
         students[i].assignments.push_back(*symbol + "=" + cell);
   }
   return students;

@@ -346,7 +346,8 @@ class ClassSet {
     std::string text = std::string(style_.begin()) + style_.record(fields);
     for (std::size_t i = 0; i < students_.size(); ++i) {
       fields = {style_.field(harmless_cell(students_[i].number)), style_.field(harmless_cell(students_[i].name))};
-      for (const std::string& cell : givens_in_order(entries[i])) fields.push_back(style_.field(style_.typed(cell)));
+      for (const std::string& cell : givens_in_order(entries[i]))
+        fields.push_back(style_.field(harmless_given(style_.typed(cell))));
       fields.insert(fields.end(), entries[i].values.begin(), entries[i].values.end());
       for (const std::size_t k : to_scale) fields.push_back(entries[i].scales[k]);
       if (has_remarks) fields.push_back(style_.field(entries[i].remarks));

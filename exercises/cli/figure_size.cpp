@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "drawings/output.h"
-#include "exercises/cli/pages.h"
+#include "drawings/page.h"
 #include "exercises/kit/panels/fit.h"
 #include "exercises/kit/statement/format_words.h"
 
@@ -17,17 +17,27 @@ struct Size {
   double width = 0, height = 0;
 };
 
-Size size_of(const DrawnSheet& drawn) {
+// A figure with what its letters need and lack.
+struct Figure {
+  DrawnSheet drawn;
+  Size size = {};
+  std::size_t overlaps = 0;
+};
+
+Figure composed(DrawnSheet drawn) {
+  std::vector<std::string> overlaps;
+  std::vector<drawings::Page> pages{drawings::compose(drawn.sheet, &overlaps)};
+  for (const drawings::Sheet& further : drawn.further) pages.push_back(drawings::compose(further));
   Size size;
-  for (const drawings::Page& page : pages_of(drawn))
+  for (const drawings::Page& page : pages)
     size = {std::max(size.width, page.extent.width()), std::max(size.height, page.extent.height())};
-  return size;
+  return {std::move(drawn), size, overlaps.size()};
 }
 
 // A figure takes less than its room where letters did not need the air it has for them, or more where they found none
 // inside. So the room begins larger than asked, and shrinks until the figure is no larger: by half of what it is too
 // large, so that it does not pass over a scale that would do. None: it is larger at every standard scale.
-std::optional<DrawnSheet> largest_within(const FigureSize& most, const DrawnIn& draw) {
+std::optional<Figure> largest_within(const FigureSize& most, const DrawnIn& draw) {
   constexpr double air_for_letters = 20, least_step = 1;  // mm
   FigureSize room = most;
   if (room.width) *room.width += air_for_letters;
@@ -36,16 +46,15 @@ std::optional<DrawnSheet> largest_within(const FigureSize& most, const DrawnIn& 
     if (excess > 0) *side -= std::max(excess / 2, least_step);
   };
   while (room.width.value_or(1) > 0 && room.height.value_or(1) > 0) {
-    DrawnSheet drawn;
+    Figure figure;
     try {
-      drawn = draw(room);
+      figure = composed(draw(room));
     } catch (const DoesNotFit&) {
       break;
     }
-    const Size size = size_of(drawn);
-    const double too_wide = most.width ? size.width - *most.width : 0,
-                 too_high = most.height ? size.height - *most.height : 0;
-    if (too_wide <= 0 && too_high <= 0) return drawn;
+    const double too_wide = most.width ? figure.size.width - *most.width : 0,
+                 too_high = most.height ? figure.size.height - *most.height : 0;
+    if (too_wide <= 0 && too_high <= 0) return figure;
     shrink(room.width, too_wide);
     shrink(room.height, too_high);
   }
@@ -55,19 +64,19 @@ std::optional<DrawnSheet> largest_within(const FigureSize& most, const DrawnIn& 
 // Of the width, or of the height where that alone was asked for, the least in whole mm that would suit, which what
 // was asked for does not; none: no figure of this paper does.
 std::optional<int> least_that_suits(const FigureSize& asked, const DrawnIn& draw,
-                                    const std::function<bool(const DrawnSheet&)>& suits) {
+                                    const std::function<bool(const Figure&)>& suits) {
   const auto side = asked.width ? &FigureSize::width : &FigureSize::height;
   const auto suits_at = [&](int mm) {
     FigureSize size = asked;
     size.*side = mm;
-    const auto drawn = largest_within(size, draw);
-    return drawn && suits(*drawn);
+    const auto figure = largest_within(size, draw);
+    return figure && suits(*figure);
   };
   FigureSize other_side = asked;
   (other_side.*side).reset();
   const auto whole = largest_within(other_side, draw);
   if (!whole) return {};
-  const Size size = size_of(*whole);
+  const Size& size = whole->size;
   int too_small = static_cast<int>(std::floor(*(asked.*side))),
       large_enough = static_cast<int>(std::ceil(asked.width ? size.width : size.height));
   if (large_enough <= too_small || !suits_at(large_enough)) return {};
@@ -104,8 +113,8 @@ constexpr double most_times_smaller = 3;
 }  // namespace
 
 DrawnSheet drawn_within(const FigureSize& most, const DrawnIn& draw) {
-  if (auto drawn = largest_within(most, draw)) return std::move(*drawn);
-  const auto least = least_that_suits(most, draw, [](const DrawnSheet&) { return true; });
+  if (auto figure = largest_within(most, draw)) return std::move(figure->drawn);
+  const auto least = least_that_suits(most, draw, [](const Figure&) { return true; });
   const Words larger = !most.height  ? Words{"wider", "più larga"}
                        : !most.width ? Words{"higher", "più alta"}
                                      : Words{"larger", "più grande"};
@@ -127,9 +136,8 @@ std::optional<Words> hard_to_read(const DrawnSheet& figure, const FigureSize& mo
     return {};
   }
   const std::size_t crowded = overlaps(whole.sheet).size();
-  const auto has_room = [&](const DrawnSheet& drawn) { return overlaps(drawn.sheet).size() <= crowded; };
   const auto is_large = [&](const DrawnSheet& drawn) { return times_smaller(drawn, whole) < most_times_smaller; };
-  const bool has_room_here = has_room(figure), is_large_here = is_large(figure);
+  const bool has_room_here = overlaps(figure.sheet).size() <= crowded, is_large_here = is_large(figure);
   if (has_room_here && is_large_here) return {};
   Words why =
       is_large_here
@@ -138,8 +146,8 @@ std::optional<Words> hard_to_read(const DrawnSheet& figure, const FigureSize& mo
           : format_words("at {} the figure is hard to read, as it is {} times smaller than on its sheet",
                          "a {} la figura si legge male, perché è {} volte più piccola che sulla sua tavola",
                          in_mm(most), std::lround(times_smaller(figure, whole)));
-  const auto least =
-      least_that_suits(most, draw, [&](const DrawnSheet& drawn) { return has_room(drawn) && is_large(drawn); });
+  const auto least = least_that_suits(
+      most, draw, [&](const Figure& other) { return other.overlaps <= crowded && is_large(other.drawn); });
   if (!least) return why;
   return format_words("{}; from {} {}mm on it reads well", "{}; da {} {}mm in su si legge bene", why,
                       most.width ? "--width" : "--height", *least);

@@ -9,6 +9,7 @@
 #include "exercises/scenes/file/greek.h"
 #include "exercises/scenes/forces/forces_found.h"
 #include "exercises/scenes/forces/scene_forces.h"
+#include "exercises/scenes/links_alike.h"
 #include "exercises/scenes/relative_motion.h"
 
 namespace epure::scenes {
@@ -28,6 +29,7 @@ struct SceneRoutes {
   std::shared_ptr<const Built> built;
   std::vector<Term> vectors = relative_vectors(dyad_equations(*built));
   CentrePlan plan = centre_plan_of(*built);
+  LinksAlike alike = LinksAlike(*built);
   std::vector<std::size_t> floating = links_without_pivot(*built);
   std::vector<GroupForces> groups = force_groups(*built);
   Loads frictionless = without_friction(*built);
@@ -512,13 +514,17 @@ struct SceneRoutes {
   template <class T, class Find>
   void put_centre(Ledger<T>& ledger, std::size_t i, std::size_t j, const Find& find) const {
     const PointQuantity P = instant_centre(built->letters.links[i], built->letters.links[j]);
-    ledger.put(P.x(), [this, i, j, &find] {
-      const auto found = find();
-      return coordinate(i, j, found, found.x);
+    const auto found = [this, i, j, &find] {
+      if (alike.move_as_one(i, j)) refuse_at_rest(i, j);
+      return find();
+    };
+    ledger.put(P.x(), [this, i, j, found] {
+      const auto centre = found();
+      return coordinate(i, j, centre, centre.x);
     });
-    ledger.put(P.y(), [this, i, j, &find] {
-      const auto found = find();
-      return coordinate(i, j, found, found.y);
+    ledger.put(P.y(), [this, i, j, found] {
+      const auto centre = found();
+      return coordinate(i, j, centre, centre.y);
     });
   }
 
@@ -526,7 +532,7 @@ struct SceneRoutes {
   // each other.
   template <class T>
   T coordinate(std::size_t i, std::size_t j, const ProjectivePoint<T>& P, const T& of_P) const {
-    const Sign turns = sign(P.w);
+    const Sign turns = alike.turn_alike(i, j) ? Sign::zero : sign(P.w);
     if (turns == Sign::positive || turns == Sign::negative) return quotient(of_P, P.w);
     const std::string a = std::to_string(built->letters.links[i]), b = std::to_string(built->letters.links[j]);
     if (turns == Sign::undecided)
@@ -547,16 +553,19 @@ struct SceneRoutes {
   template <class T>
   void demand_motion(std::size_t i, std::size_t j, const ProjectivePoint<T>& P) const {
     bool is_at_rest = true;
-    for (const T& x : {P.x, P.y, P.w}) {
+    for (const T& x : {P.x, P.y, alike.turn_alike(i, j) ? T(0) : P.w}) {
       const Sign moves = sign(x);
       if (moves == Sign::positive || moves == Sign::negative) return;
       is_at_rest = is_at_rest && moves == Sign::zero;
     }
+    if (is_at_rest) refuse_at_rest(i, j);
     const std::string a = std::to_string(built->letters.links[i]), b = std::to_string(built->letters.links[j]);
-    if (!is_at_rest)
-      throw Undecided(i == 0 ? format_words("whether link {} rests", "se il membro {} sia fermo", b)
-                             : format_words("whether links {} and {} move against each other",
-                                            "se i membri {} e {} si muovano l'uno rispetto all'altro", a, b));
+    throw Undecided(i == 0 ? format_words("whether link {} rests", "se il membro {} sia fermo", b)
+                           : format_words("whether links {} and {} move against each other",
+                                          "se i membri {} e {} si muovano l'uno rispetto all'altro", a, b));
+  }
+  [[noreturn]] void refuse_at_rest(std::size_t i, std::size_t j) const {
+    const std::string a = std::to_string(built->letters.links[i]), b = std::to_string(built->letters.links[j]);
     throw Impossible(i == 0 ? format_words("link {} rests: each of its points is one",
                                            "il membro {} è fermo: ogni suo punto lo è", b)
                             : format_words("links {} and {} do not move against each other",

@@ -626,6 +626,23 @@ TEST_CASE("class: a roster of Italian Excel, and a key for it", "[class]") {
   CHECK(right.err.find("numeri trovati") != std::string::npos);
 }
 
+TEST_CASE("class: no given in the key is a formula to a spreadsheet, and mark reads it", "[class]") {
+  const Scratch scratch;
+  for (const std::string style : {"excel", "plain"}) {
+    std::vector<std::string> more{"--vary", "phi=-40deg..-50deg/3", "--out", style};
+    if (style == "excel") more.insert(more.end(), {"--csv", "excel"});
+    REQUIRE(make({"slider-crank-velocity/poles", "--count", "2"}, more).exit == 0);
+    const std::string key = style + "/slider-crank-velocity-poles-class/key.csv";
+    const CsvTable truth = read_csv_file(key);
+    CHECK(cell(truth, 0, "phi").starts_with("'-"));
+    write("answers.csv", "number;v_B\r\n1;" + cell(truth, 0, "v_B") + "\r\n2;" + cell(truth, 1, "v_B") + "\r\n");
+    const Ran marked = run_real({"mark", "slider-crank-velocity", "--answers", "answers.csv", "--key", key});
+    CAPTURE(marked.err, marked.out);
+    CHECK(marked.exit == 0);
+    CHECK(marked.out.find("right") != std::string::npos);
+  }
+}
+
 TEST_CASE("class: a roster in Windows-1252 is read, and it is told", "[class]") {
   const Scratch scratch;
   write("elenco.csv", "Matricola;Cognome;Nome\r\n7;Sar\xE0;Niccol\xF2\r\n");

@@ -2,6 +2,7 @@
 #include "exercises/kit/panels/layout_search.h"
 
 #include <cmath>
+#include <ctime>
 
 #include "tests/support/catch.h"
 
@@ -82,4 +83,15 @@ TEST_CASE("layout: no scale could be the next larger one") {
   double area = 0;
   for (const PlacedPanel& each : placed) area += extent_of(each).width() * extent_of(each).height();
   CHECK(area > 0.3 * room.width() * room.height());
+}
+
+// A thousand divisions, most of which letters alone make too wide. (More than ten seconds, when each was tried down
+// to the smallest scale.)
+TEST_CASE("layout: seven panels find their places soon, or are refused soon") {
+  const Panels seven = panels(Picture(1, 1), Diagram(12), Picture(0.5, 2), Picture(1, 2), Diagram(3), Picture(2, 1),
+                              Picture(1, 1, 20));
+  const std::clock_t begin = std::clock();
+  CHECK(laid_out(seven, {{0, 0}, {90, 90}}, {}).size() == 7);
+  CHECK_THROWS_AS(laid_out(seven, {{0, 0}, {30, 30}}, {}), DoesNotFit);
+  CHECK(std::clock() - begin < 2 * CLOCKS_PER_SEC);
 }

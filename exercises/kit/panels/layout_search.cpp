@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <tuple>
+#include <utility>
 
 #include "drawings/text/text.h"
 
@@ -78,15 +80,47 @@ void place(const Division& part, const std::vector<Size>& panels, const std::vec
   place(*part.second, panels, whole, other, rooms);
 }
 
-// The scales that can be chosen: the lengths of each panel that shows a plane of them, the vectors of each group.
-struct Choice {
-  Scale scale;
-  bool is_fixed = false;
+// The standard scales from the largest down that panels of one plane of lengths, or vectors of one group, can have.
+// What is weighed anew thousands of times is a rung's number, and each rung's scale is worked out once.
+class Ladder {
+ public:
+  using Below = std::function<Scale(double mm_per_unit)>;  // the largest that is not larger
+  // Without `below`: the scale is as it is.
+  explicit Ladder(Scale highest, Below below = {}) : below_(std::move(below)) { add(std::move(highest)); }
+
+  bool is_fixed() const { return !below_; }
+  const Scale& scale(std::size_t rung) { return at(rung).scale; }
+  double logarithm(std::size_t rung) { return at(rung).logarithm; }
+  // The highest, some below it, and one below any that is tried.
+  std::vector<Scale> samples() {
+    std::vector<Scale> all{scale(0)};
+    if (!is_fixed())
+      for (const double share : {1e-4, 1e-10, 1e-66})  // three rungs are a power of ten
+        all.push_back(below_(share * scale(0).mm_per_unit));
+    return all;
+  }
+
+ private:
+  struct Rung {
+    Scale scale;
+    double logarithm;
+  };
+  void add(Scale scale) {
+    const double logarithm = std::log(scale.mm_per_unit);
+    rungs_.push_back({std::move(scale), logarithm});
+  }
+  const Rung& at(std::size_t rung) {
+    constexpr double smaller = 0.99;
+    while (rungs_.size() <= rung) add(below_(smaller * rungs_.back().scale.mm_per_unit));
+    return rungs_[rung];
+  }
+
+  Below below_;
+  std::deque<Rung> rungs_ = {};  // which stay where they are
 };
-struct Choices {
-  std::vector<Choice> lengths;            // by panel
-  std::map<std::string, Choice> vectors;  // by group
-};
+
+// The rung chosen of each ladder, counted from the highest.
+using Choices = std::vector<std::size_t>;
 
 // Those whose vectors have one scale; empty for a panel without vectors. Bodies with their forces, which tell where
 // these act, have one of their own: polygons are read, and need not be as small as those must be.
@@ -102,13 +136,15 @@ class Search {
       : panels_(panels),
         of_(of),
         room_(room),
-        language_(request.language),
-        proportion_(request.room_width && !request.room_height ? proportion_of(request.paper) : std::nullopt) {
-    for (const auto& panel : panels) {
-      vectors_.push_back(panel->vectors());
-      groups_.push_back(group_of_vectors(*panel));
+        proportion_(request.room_width && !request.room_height ? proportion_of(request.paper) : std::nullopt),
+        known_(panels.size()) {
+    add_lengths(request.scale);
+    add_vectors(request.language);
+    panels_of_.resize(ladders_.size());
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      panels_of_[lengths_[i]].push_back(i);
+      if (vectors_[i] != none) panels_of_[vectors_[i]].push_back(i);
     }
-    largest_ = largest(request.scale);
   }
 
   struct Found {
@@ -119,25 +155,29 @@ class Search {
   std::optional<Found> best() {
     std::optional<Found> best;
     for (const auto& division : divisions(0, panels_.size()))
-      if (const auto choices = largest_that_fit(*division))
-        if (const double found = merit(*choices); !best || found > best->merit + 1e-9)
-          best = Found{found, *choices, division};
+      if (const auto fitting = may_fit(*division) ? largest_that_fit(*division) : std::nullopt)
+        if (const double found = merit(*fitting); !best || found > best->merit + 1e-9)
+          best = Found{found, fitting->choices, division};
     return best;
   }
 
   std::vector<PlacedPanel> placed(const Found& found) {
     std::vector<drawings::Box> rooms(panels_.size());
-    place(*found.division, sizes(found.choices), whole_sizes(found.choices), room_, rooms);
+    place(*found.division, weighed(found.choices).sizes, whole_sizes(found.choices), room_, rooms);
     for (std::size_t i = 0; i < panels_.size(); ++i)
       if (panels_[i]->is_cut() || !panels_[i]->has_scale()) keep_proportion(rooms[i], extent(found.choices, i));
     std::vector<PlacedPanel> all;
-    for (std::size_t i = 0; i < panels_.size(); ++i)
-      all.push_back({panels_[i], rooms[i], found.choices.lengths[i].scale, vectors_of(found.choices, i),
-                     panels_[i]->origin(rooms[i], extent(found.choices, i), found.choices.lengths[i].scale)});
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      const Scale& lengths = lengths_of(found.choices, i);
+      all.push_back({panels_[i], rooms[i], lengths, vectors_of(found.choices, i),
+                     panels_[i]->origin(rooms[i], extent(found.choices, i), lengths)});
+    }
     return all;
   }
 
  private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
   // Height over width of the room that a whole sheet has.
   static std::optional<double> proportion_of(drawings::Paper paper) {
     const drawings::Box area = drawings::drawing_area(paper);
@@ -153,36 +193,59 @@ class Search {
     room.high.y -= excess / 2;
   }
 
-  const Scale& vectors_of(const Choices& choices, std::size_t panel) const {
-    static const Scale none;
-    const auto found = choices.vectors.find(groups_[panel]);
-    return found == choices.vectors.end() ? none : found->second.scale;
+  const Scale& lengths_of(const Choices& choices, std::size_t panel) {
+    const std::size_t ladder = lengths_[panel];
+    return ladders_[ladder].scale(choices[ladder]);
+  }
+  const Scale& vectors_of(const Choices& choices, std::size_t panel) {
+    static const Scale no_vectors;
+    const std::size_t ladder = vectors_[panel];
+    return ladder == none ? no_vectors : ladders_[ladder].scale(choices[ladder]);
   }
 
+  // Asked of the panel once for each two scales.
   const drawings::Box& extent(const Choices& choices, std::size_t panel) {
-    const Scale &lengths = choices.lengths[panel].scale, &vectors = vectors_of(choices, panel);
-    const auto [at, is_new] = known_.try_emplace(std::tuple(panel, lengths.mm_per_unit, vectors.mm_per_unit));
-    if (is_new)
-      at->second = of_ == Of::all ? panels_[panel]->extent(lengths, vectors)
-                                  : panels_[panel]->extent_of_near(lengths, vectors);
-    return at->second;
+    const std::size_t lengths = choices[lengths_[panel]],
+                      vectors = vectors_[panel] == none ? 0 : choices[vectors_[panel]];
+    std::vector<std::vector<std::optional<drawings::Box>>>& known = known_[panel];
+    if (known.size() <= lengths) known.resize(lengths + 1);
+    if (known[lengths].size() <= vectors) known[lengths].resize(vectors + 1);
+    std::optional<drawings::Box>& box = known[lengths][vectors];
+    if (!box) box = extent_at(panel, lengths_of(choices, panel), vectors_of(choices, panel));
+    return *box;
+  }
+  drawings::Box extent_at(std::size_t panel, const Scale& lengths, const Scale& vectors) const {
+    return of_ == Of::all ? panels_[panel]->extent(lengths, vectors)
+                          : panels_[panel]->extent_of_near(lengths, vectors);
   }
 
-  std::vector<Size> sizes(const Choices& choices) {
-    std::vector<Size> all;
-    for (std::size_t i = 0; i < panels_.size(); ++i) {
-      const drawings::Box& box = extent(choices, i);
-      all.push_back({box.width(), box.height()});
-    }
+  // Choices, and what follows from them for each panel and each ladder. Where one ladder's rung changes, only what
+  // follows from that is worked out again.
+  struct Weighed {
+    Choices choices;
+    std::vector<Size> sizes;         // by panel
+    std::vector<double> logarithms;  // by ladder
+  };
+  Weighed weighed(const Choices& choices) {
+    Weighed all{choices, std::vector<Size>(panels_.size()), std::vector<double>(ladders_.size())};
+    for (std::size_t ladder = 0; ladder < ladders_.size(); ++ladder) set(all, ladder, choices[ladder]);
     return all;
+  }
+  void set(Weighed& weighed, std::size_t ladder, std::size_t rung) {
+    weighed.choices[ladder] = rung;
+    weighed.logarithms[ladder] = ladders_[ladder].logarithm(rung);
+    for (const std::size_t panel : panels_of_[ladder]) {
+      const drawings::Box& box = extent(weighed.choices, panel);
+      weighed.sizes[panel] = {box.width(), box.height()};
+    }
   }
 
   // With what is left out of those that are cut, and no less than what is needed of them.
   std::vector<Size> whole_sizes(const Choices& choices) {
-    std::vector<Size> all = sizes(choices);
+    std::vector<Size> all = weighed(choices).sizes;
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       if (!panels_[i]->is_cut()) continue;
-      const drawings::Box box = panels_[i]->extent(choices.lengths[i].scale, vectors_of(choices, i));
+      const drawings::Box box = panels_[i]->extent(lengths_of(choices, i), vectors_of(choices, i));
       all[i] = {std::max(all[i].width, box.width()), std::max(all[i].height, box.height())};
     }
     return all;
@@ -195,91 +258,119 @@ class Search {
       if (panels_[i]->scale_group() == group) return i;
     return panel;
   }
-  void keep_in_step(Choices& choices) const {
-    for (std::size_t i = 0; i < choices.lengths.size(); ++i) choices.lengths[i] = choices.lengths[leader(i)];
+
+  std::size_t add(Ladder ladder) {
+    ladders_.push_back(std::move(ladder));
+    return ladders_.size() - 1;
   }
 
-  Choices largest(const std::optional<Rational>& asked) const {
-    Choices choices;
+  // One ladder for those of one group. What was asked for is the scale of the first that shows lengths.
+  void add_lengths(const std::optional<Rational>& asked) {
     bool is_asked = asked.has_value();
-    for (const auto& panel : panels_) {
-      if (panel->is_of_vectors() || !panel->has_scale()) {
-        choices.lengths.push_back({{}, true});
-      } else {
-        choices.lengths.push_back(is_asked ? Choice{length_scale(*asked), true}
-                                           : Choice{largest_length_scale(1000 / panel->reach())});
-        is_asked = false;
-      }
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      const Panel& panel = *panels_[i];
+      const bool shows_lengths = !panel.is_of_vectors() && panel.has_scale();
+      const bool is_as_asked = std::exchange(is_asked, is_asked && !shows_lengths) && shows_lengths;
+      if (const std::size_t first = leader(i); first != i)
+        lengths_.push_back(lengths_[first]);
+      else if (!shows_lengths)
+        lengths_.push_back(add(Ladder(Scale{})));
+      else if (is_as_asked)
+        lengths_.push_back(add(Ladder(length_scale(*asked))));
+      else
+        lengths_.push_back(add(Ladder(largest_length_scale(1000 / panel.reach()), largest_length_scale)));
     }
-    for (std::size_t i = 0; i < vectors_.size(); ++i) {
-      const Panel::Vectors& shown = vectors_[i];
-      if (shown.unit.empty()) continue;
-      const double most = shown.longest_on_paper / (shown.longest > 0 ? shown.longest : 1);
-      const Scale scale = largest_vector_scale(most, shown.unit, language_);
-      const auto [at, is_new] = choices.vectors.try_emplace(groups_[i], Choice{scale});
-      if (!is_new && scale.mm_per_unit < at->second.scale.mm_per_unit) at->second.scale = scale;
-    }
-    keep_in_step(choices);
-    return choices;
   }
 
-  double excess(const Division& division, const Choices& choices) {
-    const Size needed = size_of(division, sizes(choices));
+  // One ladder for those of one group, in the order of the groups' names, from the least of what each panel allows.
+  void add_vectors(Language language) {
+    vectors_.assign(panels_.size(), none);
+    std::map<std::string, std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < panels_.size(); ++i)
+      if (!panels_[i]->vectors().unit.empty()) groups[group_of_vectors(*panels_[i])].push_back(i);
+    for (const auto& [group, members] : groups) {
+      std::optional<Scale> highest;
+      for (const std::size_t i : members) {
+        const Panel::Vectors shown = panels_[i]->vectors();
+        const double most = shown.longest_on_paper / (shown.longest > 0 ? shown.longest : 1);
+        const Scale scale = largest_vector_scale(most, shown.unit, language);
+        if (!highest || scale.mm_per_unit < highest->mm_per_unit) highest = scale;
+      }
+      const std::size_t ladder = add(Ladder(*highest, [unit = highest->unit, language](double mm_per_unit) {
+        return largest_vector_scale(mm_per_unit, unit, language);
+      }));
+      for (const std::size_t i : members) vectors_[i] = ladder;
+      planes_.push_back({ladder, planes(members)});
+    }
+  }
+
+  double excess(const Division& division, const Weighed& weighed) const { return excess(division, weighed.sizes); }
+  double excess(const Division& division, const std::vector<Size>& sizes) const {
+    const Size needed = size_of(division, sizes);
     return std::max(0.0, needed.width - room_.width()) + std::max(0.0, needed.height - room_.height());
   }
 
-  // The next smaller standard scale of one choice after the other; none of those that are fixed.
-  std::vector<Choices> next_smaller(const Choices& choices) const {
-    constexpr double smaller = 0.99;
-    std::vector<Choices> all;
-    for (std::size_t i = 0; i < choices.lengths.size(); ++i) {
-      if (choices.lengths[i].is_fixed || leader(i) != i) continue;
-      all.push_back(choices);
-      all.back().lengths[i].scale = largest_length_scale(smaller * choices.lengths[i].scale.mm_per_unit);
-      keep_in_step(all.back());
-    }
-    for (const auto& [group, choice] : choices.vectors) {
-      all.push_back(choices);
-      all.back().vectors[group].scale =
-          largest_vector_scale(smaller * choice.scale.mm_per_unit, choice.scale.unit, language_);
-    }
-    return all;
+  // Whether letters and symbols, which do not shrink, leave room for the rest at some scale. Each panel counts as no
+  // larger than it is at any of some scales all the way down, as what is drawn may hang on the ratio of its two.
+  bool may_fit(const Division& division) {
+    if (smallest_.empty())
+      for (std::size_t i = 0; i < panels_.size(); ++i) smallest_.push_back(smallest(i));
+    return excess(division, smallest_) == 0;
+  }
+  Size smallest(std::size_t panel) {
+    const std::vector<Scale> no_vectors(1),
+        of_lengths = ladders_[lengths_[panel]].samples(),
+        of_vectors = vectors_[panel] == none ? no_vectors : ladders_[vectors_[panel]].samples();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Size least{infinity, infinity};
+    for (const Scale& lengths : of_lengths)
+      for (const Scale& vectors : of_vectors) {
+        const drawings::Box box = extent_at(panel, lengths, vectors);
+        least = {std::min(least.width, box.width()), std::min(least.height, box.height())};
+      }
+    return least;
   }
 
   // From the largest scales down, each time the one whose next smaller step gains most for what it loses.
-  std::optional<Choices> largest_that_fit(const Division& division) {
+  std::optional<Weighed> largest_that_fit(const Division& division) {
     constexpr int most_steps = 200;  // letters and symbols do not shrink: then nothing fits
-    std::vector<Choices> tried{largest_};
-    while (tried.size() < most_steps) {
-      const Choices& choices = tried.back();
-      const double now = excess(division, choices);
-      if (now == 0) return exchanged(division, tried);
-      std::optional<Choices> best;
+    Weighed now = weighed(Choices(ladders_.size(), 0));
+    std::vector<Choices> tried;
+    while (tried.size() + 1 < most_steps) {
+      tried.push_back(now.choices);
+      const double excess_now = excess(division, now), merit_now = merit(now);
+      if (excess_now == 0) return exchanged(division, tried, std::move(now));
+      std::optional<std::size_t> best;
       double best_gain = 0;
-      for (const Choices& next : next_smaller(choices)) {
-        const double gain = (now - excess(division, next)) / (merit(choices) - merit(next));
+      for (std::size_t ladder = 0; ladder < ladders_.size(); ++ladder) {
+        if (ladders_[ladder].is_fixed()) continue;
+        const std::size_t rung = now.choices[ladder];
+        set(now, ladder, rung + 1);
+        const double gain = (excess_now - excess(division, now)) / (merit_now - merit(now));
+        set(now, ladder, rung);
         if (best && gain <= best_gain) continue;
-        best = next;
+        best = ladder;
         best_gain = gain;
       }
       if (!best) return {};
-      tried.push_back(*best);
+      set(now, *best, now.choices[*best] + 1);
     }
     return {};
   }
 
   // One scale a step smaller for the others as large as there is then room for them, as long as that is better.
-  Choices exchanged(const Division& division, const std::vector<Choices>& tried) {
+  Weighed exchanged(const Division& division, const std::vector<Choices>& tried, Weighed fitting) {
     constexpr double better = 1e-6;  // merit
-    Choices best = enlarged(division, tried, tried.back());
+    Weighed best = enlarged(division, tried, std::move(fitting));
     for (bool improved = true; improved;) {
       improved = false;
-      for (const Choices& smaller : next_smaller(best)) {
-        const Choices other = enlarged(division, tried, smaller, best);
-        if (merit(other) <= merit(best) + better) continue;
-        best = other;
-        improved = true;
-        break;
+      for (std::size_t ladder = 0; ladder < ladders_.size() && !improved; ++ladder) {
+        if (ladders_[ladder].is_fixed()) continue;
+        Weighed other = best;
+        set(other, ladder, best.choices[ladder] + 1);
+        other = enlarged(division, tried, std::move(other), &best.choices);
+        improved = merit(other) > merit(best) + better;
+        if (improved) best = std::move(other);
       }
     }
     return best;
@@ -287,76 +378,65 @@ class Search {
 
   // Each of the scales as large again as it was when tried, where there is room after all. What is smaller than in
   // `before` stays so.
-  Choices enlarged(const Division& division, const std::vector<Choices>& tried, Choices choices,
-                   const std::optional<Choices>& before = {}) {
-    const auto stays = [](const Choice& now, const Choice& then) {
-      return now.scale.mm_per_unit < then.scale.mm_per_unit;
-    };
-    const Choices start = choices;
-    const auto try_with = [&](const auto& set) {
+  Weighed enlarged(const Division& division, const std::vector<Choices>& tried, Weighed now,
+                   const Choices* before = nullptr) {
+    for (std::size_t ladder = 0; ladder < ladders_.size(); ++ladder) {
+      const std::size_t start = now.choices[ladder];
+      if (before && start > (*before)[ladder]) continue;
+      std::optional<std::size_t> last;
       for (const Choices& known : tried) {
-        Choices larger = choices;
-        set(larger, known);
-        if (excess(division, larger) > 0) continue;
-        choices = larger;
-        return;
+        if (last == known[ladder]) continue;
+        last = known[ladder];
+        set(now, ladder, *last);
+        if (excess(division, now) == 0) break;
+        set(now, ladder, start);
       }
-    };
-    for (std::size_t i = 0; i < choices.lengths.size(); ++i)
-      if (!before || !stays(start.lengths[i], before->lengths[i]))
-        try_with([this, i](Choices& larger, const Choices& known) {
-          larger.lengths[i] = known.lengths[i];
-          keep_in_step(larger);
-        });
-    for (const auto& [group, choice] : largest_.vectors)
-      if (!before || !stays(start.vectors.at(group), before->vectors.at(group)))
-        try_with([&group = group](Choices& larger, const Choices& known) {
-          larger.vectors[group] = known.vectors.at(group);
-        });
-    return choices;
+    }
+    return now;
   }
 
   // Twice the scale of one panel outweighs half that of another, but a small panel is worth enlarging more than a
   // large one.
-  double merit(const Choices& choices) {
+  double merit(const Weighed& weighed) const {
     double smallest = std::numeric_limits<double>::infinity();
-    for (const Size& size : sizes(choices)) smallest = std::min(smallest, std::max(size.width, size.height));
-    return size_of_all(choices) + std::log(smallest) / 2;
+    for (const Size& size : weighed.sizes) smallest = std::min(smallest, std::max(size.width, size.height));
+    return size_of_all(weighed) + std::log(smallest) / 2;
   }
 
-  double size_of_all(const Choices& choices) const {
+  double size_of_all(const Weighed& weighed) const {
     double size = 0;
-    for (const Choice& choice : choices.lengths) size += std::log(choice.scale.mm_per_unit);
-    for (const auto& [group, choice] : choices.vectors) size += planes(group) * std::log(choice.scale.mm_per_unit);
+    for (const std::size_t ladder : lengths_) size += weighed.logarithms[ladder];
+    for (const auto& [ladder, planes] : planes_) size += planes * weighed.logarithms[ladder];
     return size;
   }
 
   // How many panels are planes of these vectors; one, where a panel of lengths shows them. A plane counts a little
   // more than a picture of lengths: it is read with a ruler.
-  double planes(const std::string& group) const {
+  double planes(const std::vector<std::size_t>& members) const {
     constexpr double of_plane = 1.1;
     double count = 0;
-    for (std::size_t i = 0; i < panels_.size(); ++i)
-      if (panels_[i]->is_of_vectors() && groups_[i] == group) count += of_plane;
+    for (const std::size_t i : members)
+      if (panels_[i]->is_of_vectors()) count += of_plane;
     return std::max(count, 1.0);
   }
 
   const std::vector<const Panel*>& panels_;
   Of of_;
   drawings::Box room_;
-  Language language_;
   std::optional<double> proportion_;  // none: what fills its room may be as high as it
-  std::vector<Panel::Vectors> vectors_ = {};
-  std::vector<std::string> groups_ = {};  // of vectors at one scale, by panel
-  Choices largest_;
-  std::map<std::tuple<std::size_t, double, double>, drawings::Box> known_;  // extents
+  std::vector<Ladder> ladders_ = {};
+  std::vector<std::size_t> lengths_ = {}, vectors_ = {};     // by panel, its ladders; of vectors perhaps none
+  std::vector<std::pair<std::size_t, double>> planes_ = {};  // of each ladder of vectors, how many planes it counts
+  std::vector<Size> smallest_ = {};                          // by panel; empty until asked for
+  std::vector<std::vector<std::size_t>> panels_of_ = {};     // by ladder
+  std::vector<std::vector<std::vector<std::optional<drawings::Box>>>> known_;  // extents, by panel and its two rungs
 };
 
 // Whether no panel becomes smaller than it may in order to show what is far.
-bool is_large_enough(const std::vector<const Panel*>& panels, const Choices& all, const Choices& near) {
+bool is_large_enough(const std::vector<const Panel*>& panels, const std::vector<PlacedPanel>& all,
+                     const std::vector<PlacedPanel>& near) {
   for (std::size_t i = 0; i < panels.size(); ++i)
-    if (all.lengths[i].scale.mm_per_unit * panels[i]->times_smaller() < near.lengths[i].scale.mm_per_unit)
-      return false;
+    if (all[i].lengths.mm_per_unit * panels[i]->times_smaller() < near[i].lengths.mm_per_unit) return false;
   return true;
 }
 
@@ -403,7 +483,10 @@ std::vector<PlacedPanel> laid_out(const std::vector<const Panel*>& panels, const
     throw DoesNotFit("the figure does not fit the paper at any standard scale",
                      "la figura non sta sulla carta in alcuna scala normalizzata");
   }
-  return all && is_large_enough(panels, all->choices, near->choices) ? of_all.placed(*all) : of_near.placed(*near);
+  const std::vector<PlacedPanel> placed_near = of_near.placed(*near);
+  if (!all) return placed_near;
+  const std::vector<PlacedPanel> placed_all = of_all.placed(*all);
+  return is_large_enough(panels, placed_all, placed_near) ? placed_all : placed_near;
 }
 
 }  // namespace epure

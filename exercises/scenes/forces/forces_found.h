@@ -60,11 +60,7 @@ class ForcesFound {
   T arm(const ActingForce& force, const About& about) const {
     const Phrase none{"the force is zero: it has no line of action", "la forza è nulla: non ha retta d'azione"};
     const Vector F = vector(force);
-    const T about_it = moment(force, about);
-    if constexpr (signs_only<T>)
-      return Ledger<T>::ratio(square(about_it), length_squared(F), none);
-    else
-      return Ledger<T>::ratio(geometry::absolute(about_it), size(F), none);
+    return Ledger<T>::ratio(magnitude_of(moment(force, about)), size(F), none);
   }
 
   // The part of a rod's force across it and along it: as they lie in it ...

@@ -11,6 +11,7 @@
 #include "exercises/kit/proof/agreement.h"
 #include "exercises/kit/proof/asked.h"
 #include "exercises/scenes/drive_way.h"
+#include "exercises/scenes/kept_by_givens.h"
 #include "exercises/scenes/scene_routes.h"
 #include "exercises/scenes/sheets/scene_figure.h"
 #include "geometry/linkages/every_place.h"
@@ -25,7 +26,7 @@ using geometry::TurnedLink;
 
 constexpr int places_in_a_turn = 360, places_along_a_way = 240, most_places = 1440;
 
-// The scene's mechanism wherever its drive can bring it: quantities there, found as those of the givens are.
+// The scene's mechanism wherever its drive can bring it: quantities there, by the first route that knows them.
 class OverDrive {
  public:
   OverDrive(Built built, std::vector<std::string> names) : built_(std::move(built)), names_(std::move(names)) {
@@ -60,6 +61,7 @@ class OverDrive {
     auto there = std::make_shared<Built>(built_);
     put(there->linkage.drives.front(), place);
     const Asked asked(names_);
+    const FirstRouteOnly first(true);
     std::map<std::string, std::vector<RouteValue>> routes;
     try {
       for (RouteValue& value : by_both_routes(there, Rung::bounded)) routes[value.quantity].push_back(value);
@@ -99,9 +101,12 @@ struct Sample {
   std::map<std::string, Enclosure> values;
 };
 
+using Samples = std::vector<Sample>;
+using KeptSamples = KeptByGivens<Samples>;
+
 // At equal steps, and closer where a quantity begins or ends to have a value.
-std::vector<Sample> samples_of(const OverDrive& over) {
-  std::vector<Sample> samples;
+Samples samples_of(const OverDrive& over) {
+  Samples samples;
   for (int i = 0; i <= over.count(); ++i) {
     const geometry::Rational at = over.place(i);
     Sample next{at, over.values_at(at)};
@@ -123,16 +128,19 @@ std::vector<Sample> samples_of(const OverDrive& over) {
 
 class ChartOfScene {
  public:
-  ChartOfScene(const Built& built, const Solution& s, const std::vector<std::string>& names)
-      : s_(s), names_(names), over_(built, names), samples_(samples_of(over_)) {
+  ChartOfScene(const Built& built, const Solution& s, const std::vector<std::string>& names, KeptSamples& kept)
+      : s_(s),
+        names_(names),
+        over_(built, names),
+        samples_(kept.of(s.givens(), [this] { return samples_of(over_); })) {
     std::vector<double> values;
-    for (const Sample& sample : samples_)
+    for (const Sample& sample : *samples_)
       for (const auto& [name, known] : sample.values) values.push_back(known.value);
     span_ = drawings::span_of(std::move(values));
   }
 
   bool is_broken() const {
-    return std::any_of(samples_.begin(), samples_.end(),
+    return std::any_of(samples_->begin(), samples_->end(),
                        [&](const Sample& sample) { return sample.values.size() < names_.size(); });
   }
 
@@ -153,7 +161,7 @@ class ChartOfScene {
       drawings::Curve curve{.name = name, .label = names_.size() > 1 ? symbol : ""};
       if (const auto now = s_.value(name)) curve.points = {{unit * over_.now(), *now}};
       bool is_open = false;
-      for (const Sample& sample : samples_) {
+      for (const Sample& sample : *samples_) {
         const auto found = sample.values.find(name);
         const bool is_drawn = found != sample.values.end() && is_fine(found->second);
         if (is_drawn && !is_open) curve.runs.emplace_back();
@@ -196,14 +204,15 @@ class ChartOfScene {
   const Solution& s_;
   const std::vector<std::string>& names_;
   OverDrive over_;
-  std::vector<Sample> samples_;
+  std::shared_ptr<const Samples> samples_;
   drawings::ValueSpan span_{};
 };
 
-PanelSheet chart_sheet(const Scene& scene, const Solution& s, std::size_t which, Language language) {
+PanelSheet chart_sheet(const Scene& scene, const Solution& s, std::size_t which, Language language,
+                       KeptSamples& kept) {
   const Built built = scene.built(s.givens());
   const std::vector<std::string>& names = scene.charts().at(which);
-  const ChartOfScene chart(built, s, names);
+  const ChartOfScene chart(built, s, names, kept);
   PanelSheet sheet;
   sheet.panels = panels(MechanismPanel(std::make_shared<const Mechanism>(figure_of(built, s))),
                         ChartPanel(chart.chart(built, language), chart.read()));
@@ -238,9 +247,10 @@ std::vector<SheetMaker> chart_sheets(const std::shared_ptr<const Scene>& scene, 
       name += "-" + asked;
       letters += (letters.empty() ? "" : ", ") + found->symbol;
     }
-    sheets.push_back(
-        {{name, format_words("Chart of {}", "Grafico di {}", letters)},
-         [scene, i](const Solution& s, Language language) { return chart_sheet(*scene, s, i, language); }});
+    sheets.push_back({{name, format_words("Chart of {}", "Grafico di {}", letters)},
+                      [scene, i, kept = std::make_shared<KeptSamples>()](const Solution& s, Language language) {
+                        return chart_sheet(*scene, s, i, language, *kept);
+                      }});
   }
   return sheets;
 }

@@ -10,6 +10,7 @@
 #include "exercises/scenes/drive_way.h"
 #include "exercises/scenes/dyad_equations.h"
 #include "exercises/scenes/file/refusals.h"
+#include "exercises/scenes/kept_by_givens.h"
 #include "exercises/scenes/reached.h"
 #include "exercises/scenes/sheets/scene_figure.h"
 #include "geometry/linkages/every_place.h"
@@ -218,9 +219,12 @@ class PathOfScene {
   Reached reached_;
 };
 
-PanelSheet path_sheet(const Scene& scene, const Solution& s, std::size_t which) {
+using KeptPath = KeptByGivens<PathOfScene>;
+
+PanelSheet path_sheet(const Scene& scene, const Solution& s, std::size_t which, KeptPath& kept) {
   const auto built = std::make_shared<const Built>(scene.built(s.givens()));
-  const PathOfScene path(built, built->paths.at(which));
+  const auto found = kept.of(s.givens(), [&] { return PathOfScene(built, built->paths.at(which)); });
+  const PathOfScene& path = *found;
   const std::string &P = path.name(), letters = point_letters(P), centre = centre_of_curvature(P).name;
   LocusPanel panel(std::make_shared<const Mechanism>(figure_of(*built, s)), P, path.positions(), path.curve(),
                    path.steps(s));
@@ -253,7 +257,9 @@ std::vector<SheetMaker> path_sheets(const std::shared_ptr<const Scene>& scene) {
     const std::string& P = built.letters.points[index(built.paths[i])];
     sheets.push_back(
         {{built.paths.size() == 1 ? "path" : "path-" + P, format_words("Path of {}", "Traiettoria di {}", P)},
-         [scene, i](const Solution& s, Language) { return path_sheet(*scene, s, i); }});
+         [scene, i, kept = std::make_shared<KeptPath>()](const Solution& s, Language) {
+           return path_sheet(*scene, s, i, *kept);
+         }});
   }
   return sheets;
 }

@@ -10,6 +10,7 @@
 #include "exercises/kit/panels/named_curve.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/scenes/drive_way.h"
+#include "exercises/scenes/kept_by_givens.h"
 #include "exercises/scenes/reached.h"
 #include "exercises/scenes/scene_routes.h"
 #include "exercises/scenes/sheets/scene_figure.h"
@@ -49,16 +50,16 @@ geometry::Linkage with_moving_drive(geometry::Linkage linkage) {
 
 class PolodesOfLink {
  public:
-  PolodesOfLink(const Built& built, const Solution& s, int link)
-      : built_(built),
+  PolodesOfLink(std::shared_ptr<const Built> built, const Solution& s, int link)
+      : built_(std::move(built)),
         link_(link),
-        now_(placed(built, s, link)),
-        plan_(centre_plan_of(built)),
-        reached_(reached(built, moving_point())),
-        places_(built.linkage, built.steps) {
+        now_(placed(*built_, s, link)),
+        plan_(centre_plan_of(*built_)),
+        reached_(reached(*built_, moving_point())),
+        places_(built_->linkage, built_->steps) {
     const geometry::Arithmetic<Fast> scope;
     const std::vector<There> all = shown_places();
-    const geometry::Linkage moving = with_moving_drive(built.linkage);
+    const geometry::Linkage moving = with_moving_drive(built_->linkage);
     // Where it is now doubles may not tell which lines meet well.
     for (const There& there : all)
       if (!is_found()) plan_ = geometry::centre_plan(moving, there.at);
@@ -79,12 +80,12 @@ class PolodesOfLink {
     geometry::LinkagePosition<Fast> at;
   };
   std::vector<There> shown_places() const {
-    const DriveWay way(built_);
+    const DriveWay way(*built_);
     std::vector<There> all;
     const auto put = [&](int number, const geometry::DriveAt<Fast>& drive) {
       if (const auto at = way.closed_at(drive)) all.push_back({number, *at});
     };
-    if (std::holds_alternative<geometry::TurnedLink>(built_.linkage.drives.front())) {
+    if (std::holds_alternative<geometry::TurnedLink>(built_->linkage.drives.front())) {
       for (int part = 0; part < shown_directions; ++part) {
         const double angle = 2 * std::numbers::pi * part / shown_directions;
         if (reached_.has(angle)) put(part, {0, {std::cos(angle), std::sin(angle)}, 0, places_.turns()});
@@ -111,12 +112,13 @@ class PolodesOfLink {
                        [&](const geometry::FoundCentre& each) { return each.i == 0 && each.j == link_; });
   }
   int moving_point() const {
-    const auto& points = built_.linkage.links[index(link_)].points;
-    return points.empty() ? std::get<geometry::SlidPoint>(built_.linkage.drives.front()).point : points.front().point;
+    const auto& points = built_->linkage.links[index(link_)].points;
+    return points.empty() ? std::get<geometry::SlidPoint>(built_->linkage.drives.front()).point
+                          : points.front().point;
   }
   void add(const There& there) {
     CentreThere centre{std::to_string(there.number), {}, {}};
-    centre.in_plane = place_of(geometry::Centres<Fast>(plan_, built_.linkage, there.at).of(0, link_));
+    centre.in_plane = place_of(geometry::Centres<Fast>(plan_, built_->linkage, there.at).of(0, link_));
     if (centre.in_plane) {
       const auto& from = there.at.links[index(link_)];
       const Arrow2 v = *centre.in_plane - from.O;
@@ -125,7 +127,7 @@ class PolodesOfLink {
     positions_.push_back(std::move(centre));
   }
 
-  const Built& built_;
+  std::shared_ptr<const Built> built_;
   int link_;
   geometry::PlacedLink<double> now_;
   geometry::CentrePlan plan_;
@@ -134,15 +136,17 @@ class PolodesOfLink {
   std::vector<CentreThere> positions_;
 };
 
+using KeptPolodes = KeptByGivens<PolodesOfLink>;
+
 class PolodesPanel : public Panel {
  public:
   // The built linkage is kept, as the curves are traced when it is known how large.
-  PolodesPanel(std::shared_ptr<const Built> built, const Solution& s, int link,
+  PolodesPanel(std::shared_ptr<const Built> built, std::shared_ptr<const PolodesOfLink> polodes, int link,
                std::shared_ptr<const Mechanism> mechanism, std::optional<Place> centre)
       : built_(std::move(built)),
         number_(built_->letters.links[index(link)]),
         mechanism_(std::move(mechanism)),
-        polodes_(*built_, s, link),
+        polodes_(std::move(polodes)),
         centre_(centre) {}
 
   double reach() const override { return mechanism_->reach(); }
@@ -159,11 +163,11 @@ class PolodesPanel : public Panel {
   void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
 
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
-    const geometry::Trace p = polodes_.fixed(plot, room), pi = polodes_.moving(plot, room);
+    const geometry::Trace p = polodes_->fixed(plot, room), pi = polodes_->moving(plot, room);
     plot.in_step(Step::curves);
     draw_branches(plot, p, Meaning::locus, "fixed_polode");
     draw_branches(plot, pi, Meaning::second_locus, "moving_polode");
-    for (const CentreThere& each : polodes_.positions()) {
+    for (const CentreThere& each : polodes_->positions()) {
       plot.in_step(Step::fixed);
       dot(plot, room, each, each.in_plane, Meaning::locus);
       plot.in_step(Step::moving);
@@ -184,7 +188,7 @@ class PolodesPanel : public Panel {
 
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override {
     std::optional<Place> fixed, moving;
-    for (const CentreThere& each : polodes_.positions()) {
+    for (const CentreThere& each : polodes_->positions()) {
       if (each.in_plane && is_in(room, plot, *each.in_plane)) fixed = each.in_plane;
       if (each.on_link && is_in(room, plot, *each.on_link)) moving = each.on_link;
     }
@@ -194,7 +198,7 @@ class PolodesPanel : public Panel {
              "In {0} positions of the drive {1} by the lines on which the instant centres lie: points of the fixed "
              "polode $p$.",
              "In {0} posizioni del movente {1} con le rette su cui stanno i centri: punti della polare fissa $p$.",
-             polodes_.positions().size(), P),
+             polodes_->positions().size(), P),
          fixed},
         {format_words("Each position's link {0} with its {1} on tracing paper, carried back until it covers link {0} "
                       "as it is drawn: {1} marks a point of the moving polode $π$.",
@@ -228,7 +232,7 @@ class PolodesPanel : public Panel {
   std::vector<drawings::Block> told(const Plot& plot, const drawings::Box& room, const geometry::Trace& p,
                                     const geometry::Trace& pi, Language language) const {
     std::string off;
-    for (const CentreThere& each : polodes_.positions())
+    for (const CentreThere& each : polodes_->positions())
       if (!each.in_plane || !is_in(room, plot, *each.in_plane)) off += (off.empty() ? "" : ", ") + each.number;
     std::vector<drawings::Block> all;
     if (!off.empty())
@@ -251,17 +255,17 @@ class PolodesPanel : public Panel {
   std::shared_ptr<const Built> built_;
   int number_;
   std::shared_ptr<const Mechanism> mechanism_;
-  PolodesOfLink polodes_;
+  std::shared_ptr<const PolodesOfLink> polodes_;
   std::optional<Place> centre_;
 };
 
-PanelSheet polode_sheet(const Scene& scene, const Solution& s, std::size_t which) {
+PanelSheet polode_sheet(const Scene& scene, const Solution& s, std::size_t which, KeptPolodes& kept) {
   const auto built = std::make_shared<const Built>(scene.built(s.givens()));
   const int link = built->polodes.at(which), number = built->letters.links[index(link)];
   const std::string P = instant_centre(1, number).name;
   PanelSheet sheet;
-  sheet.panels =
-      panels(PolodesPanel(built, s, link, std::make_shared<const Mechanism>(figure_of(*built, s)), s.point(P)));
+  sheet.panels = panels(PolodesPanel(built, kept.of(s.givens(), [&] { return PolodesOfLink(built, s, link); }), link,
+                                     std::make_shared<const Mechanism>(figure_of(*built, s)), s.point(P)));
   sheet.results = {coordinates({{"$P_{1" + std::string(number < 10 ? "" : ",") + std::to_string(number) + "}$", P}})};
   sheet.seen =
       format_words("The fixed and the moving polode of link {}, with its instant centre in several positions",
@@ -279,7 +283,9 @@ std::vector<SheetMaker> polode_sheets(const std::shared_ptr<const Scene>& scene)
     const std::string number = std::to_string(built.letters.links[index(built.polodes[i])]);
     sheets.push_back({{built.polodes.size() == 1 ? "polodes" : "polodes-" + number,
                        format_words("Polodes of link {}", "Polari del membro {}", number)},
-                      [scene, i](const Solution& s, Language) { return polode_sheet(*scene, s, i); }});
+                      [scene, i, kept = std::make_shared<KeptPolodes>()](const Solution& s, Language) {
+                        return polode_sheet(*scene, s, i, *kept);
+                      }});
   }
   return sheets;
 }

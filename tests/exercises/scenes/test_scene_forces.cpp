@@ -409,3 +409,37 @@ TEST_CASE("loads in any direction are told as they are given, and that is checke
     CHECK(checked.passed());
   }
 }
+
+// A route that cannot tell the sign of the moment knows all the same how small the arm is, which the other proves
+// zero.
+TEST_CASE("arms of forces through the joint are decided, however it is given", "[scenes]") {
+  passes(R"yaml(epure: 1
+id: f
+givens:
+  r: {value: 60 mm}
+  l: {value: 220 mm}
+  phi: {value: 150 deg}
+  n: {value: 1500 rpm}
+  F: {value: 3000 N}
+  m_2: {value: 2 kg}
+  m_3: {value: 1.2 kg}
+  J_3: {value: 0.0085 kg*m^2}
+  m_4: {value: 0.9 kg}
+  g: 9.81 m/s^2
+links:
+  1: {O: [0, 0], c: {along: [0, 1]}}
+  2: {O: [0, 0], A: [r, 0], S: [r/4, 0]}
+  3: {A: [0, 0], B: [l, 0], G: [l/3, 0]}
+  4: {B: [0, 0.0000000001], b: {along: [0, 1]}}
+slides: {b: c}
+drive: {link: 2, angle: phi, speed: n}
+assembly: {B: ahead on c}
+loads:
+  - {at: B, on: 4, force: F, direction: -90 deg}
+masses:
+  2: {mass: m_2, at: S}
+  3: {mass: m_3, at: G, inertia: J_3}
+  4: {mass: m_4, at: B}
+gravity: g
+)yaml");
+}

@@ -1,6 +1,7 @@
 // Mechanisms from files: those of docs/scenes hold against values made apart; files that are wrong are refused with
 // their place and a sentence; the format says what it says.
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -8,6 +9,7 @@
 #include "drawings/text/text.h"
 #include "exercises/cli/run.h"
 #include "exercises/kit/proof/place.h"
+#include "exercises/kit/proof/solution.h"
 #include "exercises/scenes/coincidences.h"
 #include "exercises/scenes/file/file_head.h"
 #include "exercises/scenes/scene.h"
@@ -763,4 +765,112 @@ TEST_CASE("a block alone on its guide has no extent, and is drawn all the same",
   passes(
       "epure: 1\nid: f\nlinks:\n  1: {e: {through: [400 mm, 300 mm], along: 90 deg}}\n  2: {F: [0, 0], f: {through: "
       "[0, 0], along: 0 deg}}\nslides: {f: e}\ndrive: {slide: F, on: e, at: 118 mm, speed: -20 cm/s}\n");
+}
+
+// Two links that turn alike, or lie in each other, whatever numbers say of them.
+TEST_CASE("what hangs on one body is a part of it, and a block turns as its guide", "[scenes]") {
+  const auto absent_by_every_route = [](const CheckedExercise& checked, const std::string& quantity) {
+    for (const RouteValue& route : find(checked, quantity).routes)
+      CHECK(route.settled.kind == geometry::Settled::Kind::absent);
+    return find(checked, quantity).settled.reason.english;
+  };
+  const auto passing = [](const std::string& text) {
+    CheckedExercise checked = checked_text(text);
+    CAPTURE(complaints(checked));
+    CHECK(checked.passed());
+    CHECK(checked.undecided.empty());
+    return checked;
+  };
+  // Link 3 hinged where the crank is, its pin in the crank's slot; 4 a block on the crank, its pin in a slot of 3.
+  const CheckedExercise one_body = passing(R"yaml(epure: 1
+id: f
+givens: {p0: 211.6 mm, p1: 0.1302 m, p2: 0.1785 m, theta: 30 deg}
+links:
+  1: {X: [0, 0]}
+  2: {X: [0, 0], Y: [250 mm, 0], e: {through: [371.4 mm, -156.7 mm], along: -152 deg}, f: {through: [-166.5 mm, p0], along: -104 deg}}
+  3: {X: [0, 0], W: [400 mm, 0], g: {through: [-235.7 mm, p1], along: 40 deg}}
+  4: {Z: [0, 0], B: [10.32 cm, p2], h: {through: [0, 0], along: 0 deg}}
+slides: {W: e, h: f, Z: g}
+drive: {link: 2, angle: theta, speed: 60 rpm, acceleration: -7 rad/s^2}
+assembly: {W: behind on e}
+)yaml");
+  CHECK(absent_by_every_route(one_body, "P34_x") == "links 3 and 4 do not move against each other");
+  // 5 and 6 are blocks on 2.
+  const CheckedExercise blocks = passing(R"yaml(epure: 1
+id: f
+givens: {p0: 39.14 cm, p1: 36.52 cm, p2: 284.9 mm, p3: 41.14 cm, p4: 0.2545 m, p5: 360 mm, p6: 0.35 m, p7: 558.7 mm}
+links:
+  1: {A: [5 cm, 400 mm], e: {through: [300 mm, 50 mm], along: 90 deg}, f: {through: [0.5853 m, p0], along: 180 deg}}
+  2: {E: [0, 0], D: [340 mm, 0], S: [-0.3712 m, -p1], B: [-p2, 411.1 mm], g: {through: [-p3, -32.2 mm], along: 14 deg}, j: {through: [p4, 4.84 cm], along: 0 deg}}
+  3: {A: [0, 0], Q: [p5, 0], h: {through: [638.7 mm, -130.5 mm], along: 90 deg}}
+  4: {B: [0, 0], Q: [p6, 0], k: {through: [p7, 332.3 mm], along: 79 deg}}
+  5: {H: [0, 0], V: [0.5462 m, 40.51 cm], i: {through: [0, 0], along: 0 deg}}
+  6: {X: [0, 0], J: [-1025.1 mm, 0.2814 m], l: {through: [0, 0], along: 0 deg}}
+slides: {E: e, D: f, i: g, H: h, l: j, X: k}
+drive: {slide: E, on: e, at: 6.1 cm, speed: -20 cm/s, acceleration: 2 m/s^2}
+assembly: {D: behind on f, Q: left of A B}
+)yaml");
+  CHECK(absent_by_every_route(blocks, "P56_x") == "it is at infinity: links 5 and 6 turn alike");
+  // 6 is a block on 5, and 5 one on 4.
+  const CheckedExercise chain = passing(R"yaml(epure: 1
+id: f
+givens: {p0: 316.017 mm, p1: 115.596 mm, p2: 0.2326 m, p3: 469.3 mm, p4: 0.215133 m, p5: 0.653144 m, theta: -101.6 deg}
+links:
+  1: {M: [0, 0], Z: [0.457286 m, p0], e: {through: [-7.436 mm, p1], along: 90 deg}}
+  2: {M: [0, 0], V: [p2, 0], X: [-24.5142 cm, 357.014 mm]}
+  3: {X: [0, 0], D: [p3, 0], H: [117.806 mm, -0.105514 m]}
+  4: {M: [0, 0], f: {through: [0, 0], along: 0 deg}, i: {through: [-6.5609 cm, 0.267011 m], along: -152 deg}}
+  5: {H: [0, 0], U: [-227.628 mm, -0.24343 m], g: {through: [0, 0], along: 0 deg}, h: {through: [-381.823 mm, 267.011 mm], along: 68 deg}}
+  6: {W: [0, 0], R: [-p4, -p5], j: {through: [0, 0], along: 0 deg}}
+slides: {D: e, g: f, j: h, W: i}
+drive: {link: 2, angle: theta, speed: -3 rad/s}
+assembly: {D: behind on e, f: from M towards H}
+)yaml");
+  CHECK(absent_by_every_route(chain, "P46_y") == "it is at infinity: links 4 and 6 turn alike");
+  // 3 and 4 are held by the frame, on which 8 slides.
+  const CheckedExercise held = passing(R"yaml(epure: 1
+id: f
+givens: {p0: 297.002 mm, p1: 123.638 mm, p2: 198.342 mm, p3: 28.2452 cm, p4: 0.50406 m, p5: 99.594 mm, p6: 0.445357 m, p7: 0.016517 m, theta: 174 deg}
+links:
+  1: {T: [0, 0], M: [-4.496 mm, 95.756 mm], h: {through: [-p0, -p1], along: 90 deg}, j: {through: [p2, 228.652 mm], along: 0 deg}}
+  2: {T: [0, 0], X: [0.2398 m, 0], g: {through: [p3, 154.006 mm], along: -50 deg}}
+  3: {M: [0, 0], e: {through: [0, 0], along: 0 deg}}
+  4: {T: [0, 0], E: [-6.0824 cm, -0.116318 m], A: [-488.881 mm, 147.146 mm], f: {through: [0, 0], along: 0 deg}}
+  5: {W: [0, 0], J: [-0.210583 m, -0.462226 m], i: {through: [0, 0], along: 0 deg}}
+  6: {A: [0, 0], V: [0.1422 m, 0]}
+  7: {J: [0, 0], V: [537.9 mm, 0], S: [-3.733 cm, p4], F: [41.1569 cm, 312.14 mm]}
+  8: {G: [-491.203 mm, p5], k: {through: [0, 0], along: 0 deg}, l: {through: [-p6, -p7], along: 51 deg}}
+slides: {f: e, i: g, W: h, k: j, F: l}
+drive: {link: 2, angle: theta, speed: 30 rpm, acceleration: -7 rad/s^2}
+assembly: {e: from M towards T, V: right of A J}
+)yaml");
+  CHECK(absent_by_every_route(held, "P38_x") == "it is at infinity: links 3 and 8 turn alike");
+}
+
+// A report draws each sheet at several sizes, a class each variant: the curve is found once.
+TEST_CASE("a chart's curve is found once for the same givens, and anew for others", "[scenes]") {
+  const auto scene = std::make_shared<const scenes::Scene>(
+      "f",
+      "epure: 1\nid: f\ngivens: {r: 0.2 m}\nlinks:\n  1: {A0: [0, 0], B0: [0.4, 0]}\n  2: {A0 A: r}\n  3: {A B: "
+      "0.5 m}\n  4: {B0 B: 0.45 m}\nassembly: {B: left of A B0}\ndrive: {link: 2, angle: 60 deg, speed: 60 "
+      "rpm}\ncharts: [omega_4]\n");
+  const auto exercise = scenes::scene_exercise(scene);
+  const auto drawn = [&](const std::string& radius) {
+    Givens givens(scene->givens());
+    givens.set("r=" + radius);
+    return exercise->solution(givens);
+  };
+  const Solution stated = drawn("0.2"), other = drawn("0.1");
+  const auto curve = [&](const Solution& solution) {
+    const std::clock_t begin = std::clock();
+    const auto drawn_line = line(exercise->draw("chart-omega_4", solution, {}), "omega_4");
+    return std::pair(drawn_line.path.pieces.back().end.y - drawn_line.path.pieces[90].end.y, std::clock() - begin);
+  };
+  const auto [first, time_of_first] = curve(stated);
+  const auto [again, time_again] = curve(stated);
+  const auto [of_other, time_of_other] = curve(other);
+  CHECK(again == first);
+  CHECK(of_other != first);
+  CHECK(time_again < time_of_first / 3);
+  CHECK(curve(stated).first == first);
 }
