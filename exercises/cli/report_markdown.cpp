@@ -79,7 +79,24 @@ class MarkdownLine {
     set_ += markdown;
     ends_in_formula_ = ends_in_formula_ && markdown.empty();
   }
+  // Of a script on nothing, on which Word and LibreOffice put an empty box: the word or bracket that stands before
+  // it.
+  std::string taken_back_base() {
+    std::string base;
+    for (const std::string_view sign : {")", "\\|"}) {
+      if (!set_.ends_with(sign)) continue;
+      set_.erase(set_.size() - sign.size());
+      base = sign.back();
+      break;
+    }
+    for (; !set_.empty() && is_letter_or_digit(static_cast<unsigned char>(set_.back())); set_.pop_back())
+      base = set_.back() + base;
+    if (base.empty()) return "{}";
+    ends_in_formula_ = set_.ends_with('$') && !set_.ends_with("\\$");
+    return drawings::tex_of_mathematics({Node{.letters = base}});
+  }
   void add_mathematics(std::string tex) {
+    if (tex.starts_with("{}_") || tex.starts_with("{}^")) tex.replace(0, 2, taken_back_base());
     for (auto bar = tex.find('|'); bar != std::string::npos; bar = tex.find('|'))
       tex.replace(bar, 1, "\\vert ");  // else it would part the cells of a table
     tex.erase(tex.find_last_not_of(' ') + 1);
