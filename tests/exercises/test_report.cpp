@@ -97,7 +97,7 @@ TEST_CASE("what a language of documents takes for its own is escaped in it") {
         "3\\. no list\n\n"
         "${\\vec{v}}_{\\mathrm{BA}}$ $\\perp$ BA, ${\\omega }_{2}^{2}$ = 5 $\\mathrm{s}^{-2}$\n\n"
         "4. first\n5. \\[second\\]\n\n"
-        "| $\\vert x\\vert$ | b |  |\n|------|---|---|\n| 1 | 2 | 3 |\n| \\[4\\] |  |  |\n\n");
+        "| ${\\mid}x{\\mid}$ | b |  |\n|------|---|---|\n| 1 | 2 | 3 |\n| \\[4\\] |  |  |\n\n");
   const std::string tex = latex_of(awkward);
   CAPTURE(tex);
   CHECK(has(tex, "\\usepackage[italian]{babel}"));
@@ -124,15 +124,20 @@ TEST_CASE("what LaTeX sets in mathematics alone is a formula in Markdown, whole 
           drawings::Paragraph{"P₀, A′B and h ≥ −0,25 or −3·x²: 5°, ½, è"},
           drawings::Paragraph{"∥$x$ and $α$5 and $x$$y$ and \\$5"},
           drawings::Paragraph{"P₁₂, m⁴, 10⁻⁷; ($n$ − 1)$^{2}$, ($α$)$^{2}$, |$R$|$_{max}$"},
+          drawings::Paragraph{"√(3·2), √($α$), √2; $h^{*}$, $t^{+}$, $(a)_{y}$"},
           drawings::Table{.head = {"between"}, .rows = {{"0,00022857142857142857\u00a0… 0,0002285714285714286"}}}}};
   const std::string told = markdown_of(document);
   CAPTURE(told);
   CHECK(has(told, "$\\mathrm{P}_{0}$, $\\mathrm{A}'\\mathrm{B}$ and h $\\geq$ $-0{,}25$ or $-3$·x²: 5°, ½, è\n"));
   CHECK(has(told, "$\\parallel x$ and $\\alpha 5$ and $x y$ and \\$5\n"));
   // A script on nothing is an empty box in Word and LibreOffice.
+  CHECK(has(
+      told,
+      "$\\mathrm{P}_{12}$, $\\mathrm{m}^{4}$, $10^{-7}$; ($n$ $-$ $1{\\text{)}}^{2}$, ($\\alpha {\\text{)}}^{2}$, "
+      "\\|$\\mathrm{R}{\\mid}_{\\mathrm{max}}$\n"));
   CHECK(has(told,
-            "$\\mathrm{P}_{12}$, $\\mathrm{m}^{4}$, $10^{-7}$; ($n$ $-$ $1)^{2}$, ($\\alpha )^{2}$, "
-            "\\|$\\mathrm{R}\\vert _{\\mathrm{max}}$\n"));
+            "$\\surd {\\text{(}}3$·2), $\\surd {\\text{(}} \\alpha$), $\\surd 2$; ${h}^{\\text{*}}$, "
+            "${t}^{\\text{+}}$, $\\text{(}a{\\text{)}}_{\\mathrm{y}}$\n"));
   CHECK(drawings::tex_of_mathematics({{.letters = "P₁₂²₃x²′"}}) ==
         "\\mathrm{P}_{12}^{2}{}_{3}\\mathrm{x}^{2}{}'");  // TeX takes no two of a kind on one base
   CHECK(has(told, "|" + std::string(48, '-') + "|"));     // twice its longest word
