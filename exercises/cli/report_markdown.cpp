@@ -90,7 +90,7 @@ class MarkdownLine {
     }
     replace_all(tex, "\\surd (", "\\surd {\\text{(}}");
     replace_all(tex, "*", "\\text{*}");
-    replace_all(tex, "{+}", "{\\text{+}}");
+    replace_all(tex, "+}", "\\text{+}}");
     replace_all(tex, "|", "{\\mid}");
     return tex;
   }

@@ -124,7 +124,7 @@ TEST_CASE("what LaTeX sets in mathematics alone is a formula in Markdown, whole 
           drawings::Paragraph{"P₀, A′B and h ≥ −0,25 or −3·x²: 5°, ½, è"},
           drawings::Paragraph{"∥$x$ and $α$5 and $x$$y$ and \\$5"},
           drawings::Paragraph{"P₁₂, m⁴, 10⁻⁷; ($n$ − 1)$^{2}$, ($α$)$^{2}$, |$R$|$_{max}$"},
-          drawings::Paragraph{"√(3·2), √($α$), √2; $h^{*}$, $t^{+}$, $(a)_{y}$"},
+          drawings::Paragraph{"√(3·2), √($α$), √2; $h^{*}$, $t^{A+}$, $(a)_{y}$"},
           drawings::Table{.head = {"between"}, .rows = {{"0,00022857142857142857\u00a0… 0,0002285714285714286"}}}}};
   const std::string told = markdown_of(document);
   CAPTURE(told);
@@ -137,7 +137,7 @@ TEST_CASE("what LaTeX sets in mathematics alone is a formula in Markdown, whole 
       "\\|$\\mathrm{R}{\\mid}_{\\mathrm{max}}$\n"));
   CHECK(has(told,
             "$\\surd {\\text{(}}3$·2), $\\surd {\\text{(}} \\alpha$), $\\surd 2$; ${h}^{\\text{*}}$, "
-            "${t}^{\\text{+}}$, $\\text{(}a{\\text{)}}_{\\mathrm{y}}$\n"));
+            "${t}^{\\mathrm{A}\\text{+}}$, $\\text{(}a{\\text{)}}_{\\mathrm{y}}$\n"));
   CHECK(drawings::tex_of_mathematics({{.letters = "P₁₂²₃x²′"}}) ==
         "\\mathrm{P}_{12}^{2}{}_{3}\\mathrm{x}^{2}{}'");  // TeX takes no two of a kind on one base
   CHECK(has(told, "|" + std::string(48, '-') + "|"));     // twice its longest word
