@@ -148,18 +148,50 @@ std::string text_of(const std::string& letters) {
   return tex;
 }
 
+// Scripts that are letters of their own stand on what is before them: on nothing, {}, Word and LibreOffice put an
+// empty box. One after another they are one script; of a third, or a prime after an exponent, TeX wants a base again.
+class ScriptsOfLetters {
+ public:
+  bool add(std::string_view symbol, std::string& tex) {
+    const bool is_prime = symbol[0] == '\'';
+    if (!symbol.starts_with("{}") && !is_prime) return false;
+    const std::string_view script = is_prime ? symbol : symbol.substr(2);
+    if (!is_prime && !kinds_.empty() && kinds_.back() == script[0]) {
+      tex.pop_back();
+      tex += script.substr(script.find('{') + 1);
+      return true;
+    }
+    const char kind = is_prime ? '^' : script[0];
+    if (tex.empty() || kinds_.find(kind) != std::string::npos) {
+      tex += "{}";
+      kinds_.clear();
+    }
+    tex += script;
+    if (!is_prime) kinds_ += kind;
+    return true;
+  }
+  void end() { kinds_.clear(); }
+
+ private:
+  std::string kinds_;  // those that the base has, "_" and "^"
+};
+
 // Letters within mathematics; upright ones stand in \mathrm, and what mathematics cannot set in \mbox.
 std::string mathematics_of(const std::string& letters, bool italic) {
   std::string tex;
   bool is_upright = false;
+  ScriptsOfLetters scripts;
   for (const char32_t c : characters(letters)) {
     const bool is_letter = c < 128 && ((c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z'));
     const bool is_sign =
         c < 128 && std::u32string_view(U"0123456789+=/()[]:;!*").find(c) != std::u32string_view::npos;
     if (std::exchange(is_upright, is_letter && !italic) != is_upright) tex += is_upright ? "\\mathrm{" : "}";
+    const Written* const symbol = found_in(in_mathematics_only, c);
+    if (symbol && scripts.add(symbol->tex, tex)) continue;
+    scripts.end();
     if (is_letter)
       tex += utf8(c);
-    else if (const Written* symbol = found_in(in_mathematics_only, c))
+    else if (symbol)
       tex += symbol->tex;
     else if (c == U'.' || c == U',')  // of a number: no space follows
       tex += fmt::format("{{{}}}", utf8(c));

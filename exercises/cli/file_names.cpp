@@ -53,6 +53,9 @@ void demand_letters(const std::string& pattern) {
     refuse_pattern(pattern, {"must be a line of printable letters", "dev'essere una riga di caratteri stampabili"});
 }
 
+// Without --name.
+const char* pattern_of(bool has_table) { return has_table ? "{id}-{sheet}-{number}" : "{id}-{sheet}"; }
+
 std::string in_braces(const std::string& name) { return "{" + name + "}"; }
 
 }  // namespace
@@ -60,11 +63,12 @@ std::string in_braces(const std::string& name) { return "{" + name + "}"; }
 FileNames::FileNames(const Options& options, const std::vector<const Exercise*>& exercises, bool has_table)
     : language_(language(options) == Language::english ? "en" : "it"),
       is_asked_(options.name.has_value()),
+      has_table_(has_table),
       is_for_tex_(!options.file && is_asked_for(Format::tex, options)) {
   if (is_asked_ && options.file)
     throw WrongUsage("-o names one file and --name many; choose one of them",
                      "-o nomina un file e --name molti; scegliere uno dei due");
-  read(options.name.value_or(has_table ? "{id}-{sheet}-{number}" : "{id}-{sheet}"));
+  read(options.name.value_or(pattern_of(has_table)));
   for (const Part& part : parts_)
     if (part.is_field) demand_known(part.text, exercises, has_table);
 }
@@ -146,12 +150,9 @@ std::string FileNames::stem(const DrawnVariant& drawn, const std::string& sheet)
 bool FileNames::claim(const std::filesystem::path& path, const std::string& content) {
   const auto [known, is_new] = claimed_.try_emplace(lower_case(path.string()), content);
   if (!is_new && known->second != content)
-    throw WrongUsage(
-        format_words("{} and {} would be one file, {}; tell them apart by --name, such as "
-                     "{{id}}-{{sheet}}-{{number}}",
-                     "{} e {} sarebbero un solo file, {}; distinguerli con --name, come "
-                     "{{id}}-{{sheet}}-{{number}}",
-                     known->second, content, path.string()));
+    throw WrongUsage(format_words("{} and {} would be one file, {}; tell them apart by --name, such as {}",
+                                  "{} e {} sarebbero un solo file, {}; distinguerli con --name, come {}",
+                                  known->second, content, path.string(), pattern_of(has_table_)));
   return is_new;
 }
 

@@ -47,7 +47,7 @@ class FileNames {
   std::string value(const std::string& field, const DrawnVariant& drawn, const std::string& sheet) const;
 
   std::string language_;
-  bool is_asked_, is_for_tex_;
+  bool is_asked_, has_table_, is_for_tex_;
   std::vector<Part> parts_;
   std::map<std::string, std::string> claimed_;  // content by path, small letters only
 };

@@ -95,8 +95,13 @@ std::string words_as_numbers(const std::string& text) {
 class ReportMaker {
  public:
   ReportMaker(const Exercise& exercise, const Givens& givens, const CheckedExercise& checked, Language language,
-              std::string figures)
-      : exercise_(exercise), givens_(givens), checked_(checked), language_(language), figures_(std::move(figures)) {}
+              std::string figures, double widest_figure)
+      : exercise_(exercise),
+        givens_(givens),
+        checked_(checked),
+        language_(language),
+        figures_(std::move(figures)),
+        widest_figure_(widest_figure) {}
 
   ReportDocument document() {
     const Description& about = exercise_.about();
@@ -172,7 +177,7 @@ class ReportMaker {
     try {
       DrawnSheet drawn;
       try {
-        drawn = drawn_within({.width = widest_report_figure}, draw_in);
+        drawn = drawn_within({.width = widest_figure_}, draw_in);
       } catch (const DoesNotFit&) {
         drawn = draw_in({});
       }
@@ -341,6 +346,7 @@ class ReportMaker {
   const CheckedExercise& checked_;
   Language language_;
   std::string figures_;
+  double widest_figure_;
   std::vector<ReportBlock>* blocks_ = nullptr;
 };
 
@@ -384,7 +390,10 @@ Outcome report(const Catalogue& exercises, const Options& options) {
                                   rows.rows.size()));
   const Givens givens = givens_in(rows.rows.front(), {&exercise}, options.assignments).front();
   const std::vector<CheckedExercise> checked{check(exercise, givens, Rung::climb)};
-  const ReportDocument document = ReportMaker(exercise, givens, checked.front(), in, path.stem().string()).document();
+  const ReportDocument document =
+      ReportMaker(exercise, givens, checked.front(), in, path.stem().string(),
+                  format == ReportFormat::markdown ? widest_markdown_figure : widest_report_figure)
+          .document();
   const std::vector<drawings::File> files = files_of(document, format, path);
   Outcome outcome{.text = "", .exit = exit_of(checked), .remarks = sheets_not_drawn(checked)};
   if (is_standard_output(options)) {

@@ -34,8 +34,9 @@ struct ReportDocument {
 // A text parted at blanks outside of mathematics, which stay, so that no part is longer than drawings::longest_label.
 std::vector<std::string> labels_in(const std::string& rich_text);
 
-// The widest figure that stands on a page of A4 beside margins of 20 mm.
-inline constexpr double widest_report_figure = 170;  // mm
+// The widest figure, in mm: on a page of A4 beside margins of 20 mm; and in the text of the documents of Word that
+// pandoc makes of Markdown, where a wider one would be shrunk, and no longer at its scale.
+inline constexpr double widest_report_figure = 170, widest_markdown_figure = 148;
 
 // Figures are in files beside: SVG, for LaTeX PDF. HTML holds them itself.
 std::string markdown_of(const ReportDocument& document);

@@ -69,19 +69,55 @@ class MarkdownLine {
   std::string markdown() && { return std::move(set_); }
 
  private:
-  // Letters, digits, a point or comma between digits, and what is mathematics.
+  // Letters, digits, a point or comma between digits, and what is mathematics; behind a root, which pandoc does not
+  // take alone, its bracket.
   static bool is_of_word(const std::u32string& all, std::size_t i) {
     const bool parts_digits = (all[i] == U'.' || all[i] == U',') && i > 0 && i + 1 < all.size() &&
                               is_digit(all[i - 1]) && is_digit(all[i + 1]);
-    return parts_digits || is_letter_or_digit(all[i]) || drawings::is_mathematics_only(all[i]);
+    const bool is_bracket_of_root = all[i] == U'(' && i > 0 && all[i - 1] == U'√';
+    return parts_digits || is_bracket_of_root || is_letter_or_digit(all[i]) || drawings::is_mathematics_only(all[i]);
   }
   void add_plain(const std::string& markdown) {
     set_ += markdown;
     ends_in_formula_ = ends_in_formula_ && markdown.empty();
   }
+  // What LibreOffice cannot read in a formula, it can as text in it: a bracket without its partner, a sign without
+  // its terms. A bar parts the cells of a table too.
+  static std::string readable(std::string tex) {
+    if (tex.find("{)}") != std::string::npos) {  // bears a script
+      replace_all(tex, "(", "\\text{(}");
+      replace_all(tex, ")", "\\text{)}");
+    }
+    replace_all(tex, "\\surd (", "\\surd {\\text{(}}");
+    replace_all(tex, "*", "\\text{*}");
+    replace_all(tex, "+}", "\\text{+}}");
+    replace_all(tex, "|", "{\\mid}");
+    return tex;
+  }
+  // Of a script on nothing, on which Word and LibreOffice put an empty box: the word or bracket that stands before
+  // it.
+  std::string taken_back_base() {
+    std::string sign, letters;
+    if (set_.ends_with("\\|")) {
+      set_.erase(set_.size() - 2);
+      sign = "{\\mid}";
+    } else if (set_.ends_with(')')) {
+      set_.pop_back();
+      sign = "{\\text{)}}";
+    }
+    for (; !set_.empty() && is_letter_or_digit(static_cast<unsigned char>(set_.back())); set_.pop_back())
+      letters = set_.back() + letters;
+    if (sign.empty() && letters.empty()) return "{}";
+    ends_in_formula_ = set_.ends_with('$') && !set_.ends_with("\\$");
+    return drawings::tex_of_mathematics({Node{.letters = letters}}) + sign;
+  }
+  static void replace_all(std::string& text, const std::string& part, const std::string& by) {
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + by.size()))
+      text.replace(at, part.size(), by);
+  }
   void add_mathematics(std::string tex) {
-    for (auto bar = tex.find('|'); bar != std::string::npos; bar = tex.find('|'))
-      tex.replace(bar, 1, "\\vert ");  // else it would part the cells of a table
+    tex = readable(std::move(tex));
+    if (tex.starts_with("{}_") || tex.starts_with("{}^")) tex.replace(0, 2, taken_back_base());
     tex.erase(tex.find_last_not_of(' ') + 1);
     if (ends_in_formula_)
       set_.back() = ' ';  // they are one

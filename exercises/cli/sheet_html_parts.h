@@ -29,7 +29,7 @@ g.now { filter: drop-shadow(0 0 300px var(--now)); }
   .epure { display: block; min-height: 0; }
   .sheet { padding: 0; }
   .sheet svg { max-height: none; margin: 0; break-inside: avoid; }
-  .now { filter: none; }
+  .now, .sheet [aria-label]:focus-visible { filter: none; }
 }
 )";
 

@@ -150,8 +150,10 @@ TEST_CASE("files are named by a pattern") {
 }
 
 TEST_CASE("a pattern that makes two files one, or none, is refused before anything is written") {
-  refused_name({"triangle", "--name", "{id}"},
-               "triangle/sides and triangle/small would be one file, out/triangle.svg");
+  refused_name(
+      {"triangle", "--name", "{id}"},
+      "triangle/sides and triangle/small would be one file, out/triangle.svg; tell them apart by --name, such "
+      "as {id}-{sheet}\n");
   refused_name({"triangle", "--givens", "g.csv", "--name", "{id}-{student}", "--format", "pdf"},
                "triangle (g.csv, line 2) and triangle (g.csv, line 3) would be one file, out/triangle-Anna_B.pdf");
   refused_name({"triangle/sides", "--format", "pdf,pdf+tex", "--name", "{id}", "--givens", "g.csv"},

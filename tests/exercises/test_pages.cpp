@@ -203,6 +203,7 @@ TEST_CASE("a page prints on paper of its sheet's size, at true scale") {
   const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
   CHECK(has(a4, "@page { size: 297mm 210mm; margin: 0; }"));
   CHECK(has(a4, ".sheet svg { width: 297.00000mm; height: 210.00000mm; }"));
+  CHECK(has(a4, ".sheet [aria-label]:focus-visible { filter: none; }"));  // the mark that a key has reached
   CHECK(has(a3, "@page { size: 420mm 297mm; margin: 0; }"));
   CHECK(has(bare, "@page { size: A4 landscape; margin: 10mm; }"));
   CHECK(has(drawn({"gear-pair/wheels", "--format", "html", "--bare", "--paper", "a3"}),  // too high for A4

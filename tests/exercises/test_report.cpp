@@ -95,9 +95,9 @@ TEST_CASE("what a language of documents takes for its own is escaped in it") {
         "\\[x\\] \\`y\\` \\@z\n\n"
         "\\- no list\n\n"
         "3\\. no list\n\n"
-        "${\\vec{v}}_{\\mathrm{BA}}$ $\\perp$ BA, ${\\omega }_{2}^{2}$ = 5 s${}^{-2}$\n\n"
+        "${\\vec{v}}_{\\mathrm{BA}}$ $\\perp$ BA, ${\\omega }_{2}^{2}$ = 5 $\\mathrm{s}^{-2}$\n\n"
         "4. first\n5. \\[second\\]\n\n"
-        "| $\\vert x\\vert$ | b |  |\n|------|---|---|\n| 1 | 2 | 3 |\n| \\[4\\] |  |  |\n\n");
+        "| ${\\mid}x{\\mid}$ | b |  |\n|------|---|---|\n| 1 | 2 | 3 |\n| \\[4\\] |  |  |\n\n");
   const std::string tex = latex_of(awkward);
   CAPTURE(tex);
   CHECK(has(tex, "\\usepackage[italian]{babel}"));
@@ -123,12 +123,24 @@ TEST_CASE("what LaTeX sets in mathematics alone is a formula in Markdown, whole 
       .blocks = {
           drawings::Paragraph{"P₀, A′B and h ≥ −0,25 or −3·x²: 5°, ½, è"},
           drawings::Paragraph{"∥$x$ and $α$5 and $x$$y$ and \\$5"},
+          drawings::Paragraph{"P₁₂, m⁴, 10⁻⁷; ($n$ − 1)$^{2}$, ($α$)$^{2}$, |$R$|$_{max}$"},
+          drawings::Paragraph{"√(3·2), √($α$), √2; $h^{*}$, $t^{A+}$, $(a)_{y}$"},
           drawings::Table{.head = {"between"}, .rows = {{"0,00022857142857142857\u00a0… 0,0002285714285714286"}}}}};
   const std::string told = markdown_of(document);
   CAPTURE(told);
-  CHECK(has(told, "$\\mathrm{P}{}_{0}$, $\\mathrm{A}'\\mathrm{B}$ and h $\\geq$ $-0{,}25$ or $-3$·x²: 5°, ½, è\n"));
+  CHECK(has(told, "$\\mathrm{P}_{0}$, $\\mathrm{A}'\\mathrm{B}$ and h $\\geq$ $-0{,}25$ or $-3$·x²: 5°, ½, è\n"));
   CHECK(has(told, "$\\parallel x$ and $\\alpha 5$ and $x y$ and \\$5\n"));
-  CHECK(has(told, "|" + std::string(48, '-') + "|"));  // twice its longest word
+  // A script on nothing is an empty box in Word and LibreOffice.
+  CHECK(has(
+      told,
+      "$\\mathrm{P}_{12}$, $\\mathrm{m}^{4}$, $10^{-7}$; ($n$ $-$ $1{\\text{)}}^{2}$, ($\\alpha {\\text{)}}^{2}$, "
+      "\\|$\\mathrm{R}{\\mid}_{\\mathrm{max}}$\n"));
+  CHECK(has(told,
+            "$\\surd {\\text{(}}3$·2), $\\surd {\\text{(}} \\alpha$), $\\surd 2$; ${h}^{\\text{*}}$, "
+            "${t}^{\\mathrm{A}\\text{+}}$, $\\text{(}a{\\text{)}}_{\\mathrm{y}}$\n"));
+  CHECK(drawings::tex_of_mathematics({{.letters = "P₁₂²₃x²′"}}) ==
+        "\\mathrm{P}_{12}^{2}{}_{3}\\mathrm{x}^{2}{}'");  // TeX takes no two of a kind on one base
+  CHECK(has(told, "|" + std::string(48, '-') + "|"));     // twice its longest word
 }
 
 TEST_CASE("no report has a sign outside of mathematics that LaTeX has not in text", "[slow]") {
@@ -138,11 +150,25 @@ TEST_CASE("no report has a sign outside of mathematics that LaTeX has not in tex
       const Scratch scratch;
       REQUIRE(run_on_all({"report", exercise.id(), "--lang", language, "-o", "r.md"}).exit != 2);
       const std::string outside = std::regex_replace(contents("r.md"), formula, "$1");
+      CHECK_FALSE(has(contents("r.md"), "{}_"));
+      CHECK_FALSE(has(contents("r.md"), "{}^"));
       for (const char32_t c : drawings::characters(std::regex_replace(outside, std::regex("\n"), " "))) {
         CAPTURE(exercise.id(), language, drawings::utf8(c));
         if (drawings::is_mathematics_only(c)) FAIL_CHECK("outside of mathematics");
       }
     }
+}
+
+// The text of the documents of Word that pandoc makes is 5334000 of its units wide, 360 of which are 0.01 mm.
+TEST_CASE("figures of Markdown are no wider than the text of a document of Word, so that they keep their scale") {
+  const Scratch scratch;
+  REQUIRE(run_on_all({"report", "slider-crank-velocity", "-o", "r.md"}).exit <= 1);
+  for (const std::string sheet : {"poles", "polar-diagram", "polodes", "coupler-curve"}) {
+    CAPTURE(sheet);
+    pugi::xml_document svg;
+    REQUIRE(svg.load_string(contents("r-" + sheet + ".svg").c_str()));
+    CHECK(svg.child("svg").attribute("width").as_double() <= 5334000 / 36000.0);
+  }
 }
 
 TEST_CASE("a report names sheets in its language") {
