@@ -127,6 +127,9 @@ PanelSheet involute_instants_sheet(const Solution& s, Language language) {
   constexpr double blot = 20;  // rad: the circle's radius in the line
   const bool has_blot = std::max(to_double(of.phi_1), to_double(of.phi_2)) > blot;
   for (OfInvolute& each : both) each.is_beside_blot = has_blot;
+  constexpr double far_shorter = 5;  // times: of two paths at one scale the shorter would be a blot
+  const auto [shorter, longer] = std::minmax({to_double(of.phi_1), to_double(of.phi_2)});
+  const bool is_one_dwarfed = longer > far_shorter * shorter;
   constexpr double longest_velocity = 20;  // mm
   const Scale velocities = scale_of_velocities({both[0].f, both[1].f}, longest_velocity, language);
   PanelSheet sheet;
@@ -159,6 +162,7 @@ PanelSheet involute_instants_sheet(const Solution& s, Language language) {
     else
       panel.with_whole_path(each.path());
     if (each.has_close_up()) panel.beside_close_up();
+    if (is_one_dwarfed) panel.at_own_scale();
     add(std::move(panel));
   };
   if (both[0].has_close_up() && both[1].has_close_up()) {

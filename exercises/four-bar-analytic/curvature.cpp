@@ -28,6 +28,13 @@ class CurvatureOfG3 : public CutPanel {
 
   double reach() const override { return mechanism_->reach(); }
 
+  std::vector<Place> lettered() const override {
+    std::vector<Place> all = mechanism_->corners();
+    for (const auto& P : {P0_, A_prime_, B_prime_, G3_prime_, F_, J_, centre_})
+      if (P) all.push_back(*P);
+    return all;
+  }
+
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     draw_rays(plot, room, language);
     draw_perpendiculars(plot, room, language);

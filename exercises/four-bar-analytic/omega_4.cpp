@@ -127,8 +127,8 @@ Runs refined(const Runs& runs, const FourBarInstant& at, const drawings::Axis& a
   return all;
 }
 
-// All of both curves; where they leave for infinity, or for an extreme beside which they would be a flat line, what
-// most of their points need.
+// All of both curves; where they leave for infinity, as at a crank's limit positions, or for an extreme beside which
+// they would be a flat line, what most of their points need.
 drawings::Axis speed_axis(const std::vector<Runs>& all, double now, bool is_bounded) {
   std::vector<double> sizes{std::abs(now)};
   double low = std::min(0.0, now), high = std::max(0.0, now);
@@ -199,7 +199,7 @@ Datum now_of(const Solution& s) { return {s[theta_2_within_turn().name], s["omeg
 
 drawings::Chart chart_of(const Solution& s, const FourBarInstant& at, Language language) {
   const FourBarInstant other = on_other_branch(at);
-  const bool is_bounded = why_no_extremes(at.lengths).empty();
+  const bool is_bounded = geometry::crank_turns_fully(at.lengths);
   const std::vector<Runs> runs{runs_of(at, extremes_of(s, Configuration::chosen)),
                                runs_of(other, extremes_of(s, Configuration::other))};
   const bool is_left = at.side == geometry::Side::left;

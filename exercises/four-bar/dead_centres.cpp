@@ -56,6 +56,8 @@ class DeadCentresPanel : public MechanismPanel {
                                    {folded + "C", mechanism->at("C2")}}),
         mechanism_(std::move(mechanism)) {}
 
+  std::vector<Place> lettered() const override { return mechanism_->corners(); }
+
   // The compasses' arcs that find B₁ and B₂, a little to both sides.
   void draw_given(Plot& plot, const drawings::Box&, Language) const override {
     for (const auto& [name, letters] : {std::pair{"A0", "$A_{0}$"}, std::pair{"B0", "$B_{0}$"}}) {

@@ -13,6 +13,7 @@ class PicturePanel : public Panel {
       : polygon_(std::move(polygon)), stage_(stage), caption_(std::move(caption)) {}
 
   bool is_of_vectors() const override { return true; }
+  bool is_stage() const override { return !is_last(); }
   Vectors vectors() const override { return {polygon_.unit, greatest(polygon_)}; }
   // The same for all pictures of a polygon, under the caption.
   drawings::Box extent(const Scale&, const Scale& vectors) const override;

@@ -48,12 +48,12 @@ class CouplerCurvePanel : public Panel {
       plot.in_step(Step::triangle);
       plot.dot(at.C, Meaning::locus);
       plot.in_step(Step::crank);
-      plot.small_label(at.label, at.A, mechanism_->at("A0"));
+      if (!shares_A(at, positions_)) plot.small_label(at.label, at.A, mechanism_->at("A0"));
       plot.in_step(Step::triangle);
       plot.small_label(at.label, at.C, Place{(at.A.x + at.B.x) / 2, (at.A.y + at.B.y) / 2});
     }
     plot.in_step(Step::slider);
-    number_B(plot);
+    if (!has_two_series()) number_B(plot);
     plot.in_step(Step::curve);
     const geometry::Arithmetic<geometry::Bounded> scope;
     const Reference reference = reference_of(instant_);
@@ -72,11 +72,13 @@ class CouplerCurvePanel : public Panel {
   }
 
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
+    const Words slider{"The slider: each $B$ on the guide by the arc of radius $l$ about its $A$.",
+                       "Il piede di biella: ogni $B$ sulla guida con l'arco di raggio $l$ dal suo $A$."};
+    const Words numbered{" Its number is that of the $C$ which the segment $BC$ leads to.",
+                         " Il suo numero è quello del $C$ a cui porta il segmento $BC$."};
     return {{{division_in_words(instant_, Language::english), division_in_words(instant_, Language::italian)},
              position(5).A},
-            {{"The slider: each $B$ on the guide by the arc of radius $l$ about its $A$.",
-              "Il piede di biella: ogni $B$ sulla guida con l'arco di raggio $l$ dal suo $A$."},
-             position(3).B},
+            {has_two_series() ? slider + numbered : slider, position(3).B},
             {{"The triangle $ABC$ on tracing paper, carried forth until its $AB$ covers that of each position: $C$ "
               "marks a point.",
               "Il triangolo $ABC$ su carta da lucido, portato finché il suo $AB$ copre quello di ogni posizione: $C$ "
@@ -92,6 +94,9 @@ class CouplerCurvePanel : public Panel {
   };
 
   static constexpr double found_by = 4;  // mm of the arcs on either side
+
+  // B ahead of A and behind it: the numbers of both along one guide would hide the figure.
+  bool has_two_series() const { return circuit_of(instant_) == Circuit::both; }
 
   // Two positions of the crank, as a rule, have one B: it bears both their numbers.
   void number_B(Plot& plot) const {

@@ -36,6 +36,11 @@ std::vector<Position> divided_positions(const SliderCrankInstant& instant) {
   });
 }
 
+bool shares_A(const Position& at, const std::vector<Position>& all) {
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Position& other) { return other.number == at.number - positions; });
+}
+
 std::string division_in_words(const SliderCrankInstant& instant, Language language) {
   const bool usual = !instant.is_offset() && !instant.is_inclined();
   const Words from =

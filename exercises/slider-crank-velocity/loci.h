@@ -22,6 +22,9 @@ struct Position {
 };
 std::vector<Position> divided_positions(const SliderCrankInstant& instant);
 
+// Whether its A has its number already, without the prime: of one direction of the crank there is one A.
+bool shares_A(const Position& at, const std::vector<Position>& all);
+
 // Points with their numbers; those that are one point on the paper bear all of theirs.
 std::vector<std::pair<Place, std::string>> numbered_together(
     const Plot& plot, const std::vector<std::pair<Place, std::string>>& points);

@@ -8,6 +8,7 @@
 #include "exercises/kit/linkages/slider_crank_mechanism.h"
 #include "exercises/kit/panels/curve.h"
 #include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/fit.h"
 #include "exercises/kit/panels/named_curve.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/sheet.h"
@@ -17,8 +18,9 @@
 namespace epure::slider_crank_velocity {
 namespace {
 
-// The polodes run to infinity: the sheet shows the plane around the mechanism, so many times its length wide.
-constexpr double widths = 2.4;
+// The polodes run to infinity: the sheet shows the plane around the mechanism, so many times its length wide; less of
+// it, with P0 where that is near, where twice as many points stand there.
+constexpr double widths = 2.4, widths_of_two_series = 1.4, near = 1.5;
 constexpr double middle_of_reach = 0.45;  // of the same length, from A0 along the guide
 
 Words division(const SliderCrankInstant& instant) {
@@ -80,8 +82,15 @@ class PolodesPanel : public Panel {
   drawings::Box extent(const Scale& lengths, const Scale&) const override {
     const Place middle = along_guide(middle_of_reach * size_);
     const double x = lengths.mm_per_unit * middle.x, y = lengths.mm_per_unit * middle.y;
-    const double half_wide = lengths.mm_per_unit * widths * size_ / 2, half_high = half_wide / 2;
-    return {{x - half_wide, y - half_high}, {x + half_wide, y + half_high}};
+    const bool has_two_series = circuit_of(instant_) == Circuit::both;
+    const double shown = has_two_series ? widths_of_two_series : widths;
+    const double half_wide = lengths.mm_per_unit * shown * size_ / 2, half_high = half_wide / 2;
+    constexpr double letters = 8;  // mm
+    Extent extent;
+    extent.include(x - half_wide, y - half_high);
+    extent.include(x + half_wide, y + half_high);
+    if (has_two_series && P0_ && distance(*P0_, middle) < near * size_) extent.include(lengths, *P0_, letters);
+    return extent.box();
   }
 
   void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
@@ -119,7 +128,7 @@ class PolodesPanel : public Panel {
     }
     const std::vector<Words> texts = step_words(instant_, !P0_);
     std::vector<PanelStep> all{{texts[0], last_fixed}, {texts[1], last_moving}, {texts[2], P0_}};
-    if (!of_fixed_.empty()) all.push_back({texts[3], on_asymptote()});
+    if (!of_fixed_.empty()) all.push_back({texts[3], on_asymptote(plot, room)});
     return all;
   }
 
@@ -141,10 +150,18 @@ class PolodesPanel : public Panel {
     const Arrow2 along = guide(), left{-along.y, along.x};
     return mechanism_->at("A0") + abscissa * along + (CGAL::to_double(instant_.lengths.e) + ordinate) * left;
   }
-  // As far below the guide as the mechanism is long.
-  Place on_asymptote() const {
+  // As far below the guide as the mechanism is long; where the sheet ends before, where one crosses its middle.
+  Place on_asymptote(const Plot& plot, const drawings::Box& room) const {
     const auto& [a, b, c] = of_fixed_.front();
-    return along_guide(dot(Place{-a * c, -b * c} - along_guide(0), guide()), -size_);
+    const Place below = along_guide(dot(Place{-a * c, -b * c} - along_guide(0), guide()), -size_);
+    if (is_in(room, plot, below)) return below;
+    const Place middle = plot.from_paper({(room.low.x + room.high.x) / 2, (room.low.y + room.high.y) / 2});
+    Place nearest = below;
+    for (const auto& [p, q, r] : of_fixed_)
+      if (const Place foot = middle + -(p * middle.x + q * middle.y + r) * Arrow2{p, q};
+          distance(foot, middle) < distance(nearest, middle))
+        nearest = foot;
+    return nearest;
   }
 
   // Each where it leaves the room below, two in one line once.
@@ -176,7 +193,7 @@ class PolodesPanel : public Panel {
         plot.small_label(at.label, *at.P0, at.A);
       }
       plot.dot(at.A, Meaning::construction);
-      plot.small_label(at.label, at.A, A0);
+      if (!shares_A(at, positions_)) plot.small_label(at.label, at.A, A0);
       plot.in_step(Step::moving);
       if (at.P0_on_coupler && is_in(room, plot, *at.P0_on_coupler)) {
         plot.segment(A, *at.P0_on_coupler, Meaning::construction);

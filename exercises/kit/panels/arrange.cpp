@@ -233,6 +233,29 @@ std::string whose(const PlacedPanel& panel, const std::vector<PlacedPanel>& pane
   return (is_polygon ? of_polygons : Words{" on the bodies", " sui corpi"}).in(language);
 }
 
+// Only close-ups have this scale: their frames tell it.
+bool is_told_in_frames(const Scale& scale, const std::vector<PlacedPanel>& panels) {
+  return std::all_of(panels.begin(), panels.end(), [&](const PlacedPanel& each) {
+    return !has_lengths(each) || each.lengths.caption != scale.caption ||
+           dynamic_cast<const CloseUp*>(each.panel) != nullptr;
+  });
+}
+
+// Which of the figures it is, of all that differ in scale.
+std::string which_figure(const PlacedPanel& figure, const std::vector<const PlacedPanel*>& figures,
+                         const std::vector<PlacedPanel>& panels, Language language) {
+  if (figures.size() < 2) return {};
+  if (figures.size() > 2) {
+    const std::string place = place_in_row(figure, figures, language);
+    const auto like = std::find_if(figures.begin(), figures.end(), [&](const PlacedPanel* each) {
+      return each != &figure && place_in_row(*each, figures, language) == place;
+    });
+    return like == figures.end() ? place : place + "," + position(figure, **like, language);
+  }
+  const PlacedPanel& other = *figures[&figure == figures[0] ? 1 : 0];
+  return stand_apart(panels, figure, other) ? position(figure, other, language) : size_word(figure, other, language);
+}
+
 // One bar for each scale: of lengths, with the figure it is of where they differ; then of vectors.
 void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const SheetRequest& request) {
   std::vector<const PlacedPanel*> figures;
@@ -241,17 +264,16 @@ void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const Sh
           return figure->lengths.caption == each.lengths.caption;
         }))
       figures.push_back(&each);
+  std::vector<const PlacedPanel*> told_apart = figures;
+  if (figures.size() > 2)
+    std::erase_if(told_apart, [&](const PlacedPanel* each) { return is_told_in_frames(each->lengths, panels); });
   std::vector<Scale> bars;
   std::vector<std::string> captions;  // the title block has no room for the words
   for (const PlacedPanel* figure : figures) {
     bars.push_back(figure->panel->is_in_millimetres() ? in_millimetres(figure->lengths) : figure->lengths);
     captions.push_back(figure->lengths.caption);
-    if (figures.size() == 2) {
-      const PlacedPanel& other = *figures[figure == figures[0] ? 1 : 0];
-      bars.back().caption += stand_apart(panels, *figure, other) ? position(*figure, other, request.language)
-                                                                 : size_word(*figure, other, request.language);
-    }
-    if (figures.size() > 2) bars.back().caption += place_in_row(*figure, figures, request.language);
+    if (std::find(told_apart.begin(), told_apart.end(), figure) != told_apart.end())
+      bars.back().caption += which_figure(*figure, told_apart, panels, request.language);
   }
   for (const PlacedPanel& each : panels) {
     std::vector<Scale> of_vectors = each.panel->own_scales();
@@ -347,8 +369,8 @@ DrawnSheet solved_figure(const std::vector<PlacedPanel>& panels, const DrawnShee
 // Of the close-up, and of what it shows in the whole.
 void draw_frames(const PlacedPanel& close_up, const PlacedPanel& whole, DrawnSheet& onto,
                  const SheetRequest& request) {
-  draw_frame(seen_in(close_up, whole), onto);
-  draw_frame(close_up.room, onto);
+  draw_frame(seen_in(close_up, whole), {}, onto);
+  draw_frame(close_up.room, close_up.lengths.caption, onto);
   cut(onto.sheet.figure, figure_area(request));
 }
 

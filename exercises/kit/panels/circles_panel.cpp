@@ -313,6 +313,19 @@ std::vector<PanelStep> CirclesPanel::steps(const Plot& plot, const drawings::Box
   return steps;
 }
 
+// In the picture of the whole inflection circle they stand together, and apart in the detail.
+std::vector<Place> CirclesPanel::lettered() const {
+  if (shows_ == Shows::inflection_circle) return {};
+  std::vector<Place> all = mechanism_->corners();
+  const auto add = [&](const std::optional<Place>& P) {
+    if (P) all.push_back(*P);
+  };
+  for (const auto& P : {P0_, K_, S_, S_prime_, A_double_}) add(P);
+  if (shows_ == Shows::all)
+    for (const auto& P : {J_, F_, driven_.prime, other_.prime}) add(P);
+  return all;
+}
+
 std::vector<std::pair<std::string, std::string>> CirclesPanel::points(const std::string& pole,
                                                                       const std::string& prefix) {
   return {{"$" + point_letters(pole) + "$", prefix + pole},

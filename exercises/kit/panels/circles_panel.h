@@ -36,6 +36,7 @@ class CirclesPanel : public CutPanel {
   double reach() const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
+  std::vector<Place> lettered() const override;
 
   // What the column tells of them: the points, and both diameters.
   static std::vector<std::pair<std::string, std::string>> points(const std::string& pole,
@@ -51,7 +52,8 @@ class CirclesPanel : public CutPanel {
     bool has_prime() const { return !is_straight() && !known.is_pole; }
   };
 
-  double far() const override { return 7; }
+  // Beside its detail the mechanism may be smaller.
+  double far() const override { return shows_ == Shows::inflection_circle ? far_of_overview : 7; }
   drawings::Box covered(const Scale& lengths, double points, double circles) const override;
 
   Builder builder(const Solution& solution, const Known& known) const;

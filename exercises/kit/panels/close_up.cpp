@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "drawings/paths/flatten.h"
 #include "drawings/paths/vectors.h"
 
 namespace epure {
@@ -15,10 +16,15 @@ namespace {
 constexpr double joints_told_apart = 6;  // mm
 constexpr double worth_drawing = 2.5;    // times larger than in the whole
 constexpr double same_place = 1e-4;      // of what they all span: nothing is to be seen between these
-constexpr double beside_the_part = 0.3;  // of its size, around it
+constexpr double beside_the_part = 0.3;  // of its size, around it: links that lead there
+constexpr double beside_a_crowd = 0.1, least_side = 0.6;  // of its size, of a crowd on a line too
 
 struct SmallPart {
   Place low, high;
+  void widen(double x, double y) {
+    low = {low.x - x, low.y - y};
+    high = {high.x + x, high.y + y};
+  }
 };
 
 double extent_of_places(const std::vector<Place>& points) {
@@ -34,20 +40,54 @@ double distance_to(const std::vector<Place>& points, const Place& P) {
   return least;
 }
 
-// What of a mechanism is drawn: its hinges and blocks, and the ends of its links.
+// What of a mechanism is drawn: its hinges and blocks, the ends of its links, and of its discs the centre with a
+// point of the rim.
 struct DrawnJoints {
   std::vector<Place> joints;
-  std::vector<std::pair<Place, Place>> links;
+  std::vector<std::pair<Place, Place>> links, discs;
 };
 
-// The link's ends that are nearest to each other and two to the eye; nothing where all links are long.
+// The link's ends that are nearest to each other and two to the eye, or what a disc spans; nothing where all are
+// long.
 std::vector<Place> shortest_link(const DrawnJoints& drawn, double least) {
   const auto is_joint = [&](const Place& P) { return distance_to(drawn.joints, P) <= least; };
   std::vector<Place> shortest;
-  for (const auto& [P, Q] : drawn.links)
-    if (const double d = distance(P, Q); d > least && is_joint(P) && is_joint(Q))
+  const auto take = [&](const Place& P, const Place& Q) {
+    if (const double d = distance(P, Q); d > least)
       if (shortest.empty() || d < distance(shortest[0], shortest[1])) shortest = {P, Q};
+  };
+  for (const auto& [P, Q] : drawn.links)
+    if (is_joint(P) && is_joint(Q)) take(P, Q);
+  for (const auto& [low, high] : drawn.discs) take(low, high);
   return shortest;
+}
+
+// The largest of the crowds, in which each letter stands in the way of the next, and what is nearly as close to it;
+// nothing where all have room.
+std::vector<Place> largest_crowd(const std::vector<Place>& points, double mm_per_unit, double least) {
+  constexpr double in_the_way = 4.5;  // mm
+  constexpr std::size_t crowd = 4;    // letters: three find room around their points
+  std::vector<Place> distinct, largest;
+  for (const Place& P : points)
+    if (distinct.empty() || distance_to(distinct, P) > least) distinct.push_back(P);
+  while (!distinct.empty()) {
+    std::vector<Place> together{distinct.back()};
+    distinct.pop_back();
+    for (std::size_t i = 0; i < together.size(); ++i) {
+      const auto near = std::partition(distinct.begin(), distinct.end(), [&](const Place& P) {
+        return distance(P, together[i]) * mm_per_unit >= in_the_way;
+      });
+      together.insert(together.end(), near, distinct.end());
+      distinct.erase(near, distinct.end());
+    }
+    if (together.size() >= crowd && together.size() > largest.size()) largest = std::move(together);
+  }
+  if (largest.empty()) return {};
+  constexpr double beside = 0.8;  // of its size
+  std::vector<Place> around = largest;
+  for (const Place& P : points)
+    if (distance_to(largest, P) <= beside * extent_of_places(largest)) around.push_back(P);
+  return around;
 }
 
 // Those around the nearest two: one after the other as long as the next is not far for the size of the part.
@@ -71,6 +111,11 @@ std::vector<Place> close_together(std::vector<Place> part, std::vector<Place> jo
   return part;
 }
 
+bool is_round(const drawings::Area& area) {
+  return area.meaning == Meaning::plate && std::none_of(area.path.pieces.begin(), area.path.pieces.end(),
+                                                        [](const drawings::Piece& piece) { return piece.straight; });
+}
+
 DrawnJoints joints_drawn(const PlacedPanel& placed, const SheetRequest& request) {
   DrawnSheet scratch;
   scratch.sheet.paper = request.paper;
@@ -79,6 +124,10 @@ DrawnJoints joints_drawn(const PlacedPanel& placed, const SheetRequest& request)
   placed.panel->draw_given(plot, placed.room, request.language);
   DrawnJoints drawn;
   for (const drawings::Mark& mark : scratch.sheet.figure.marks) {
+    if (const auto* area = std::get_if<drawings::Area>(&mark); area && is_round(*area)) {
+      const drawings::Box box = drawings::bounds(area->path);
+      drawn.discs.push_back({plot.from_paper(box.low), plot.from_paper(box.high)});
+    }
     if (const auto* hinge = std::get_if<drawings::Hinge>(&mark)) drawn.joints.push_back(plot.from_paper(hinge->at));
     if (const auto* fixed = std::get_if<drawings::FixedHinge>(&mark))
       drawn.joints.push_back(plot.from_paper(fixed->at));
@@ -94,20 +143,35 @@ DrawnJoints joints_drawn(const PlacedPanel& placed, const SheetRequest& request)
   return drawn;
 }
 
-// What needs a close-up at the scale that was found; none: all can be told apart.
-std::optional<SmallPart> part_too_small(const PlacedPanel& placed, const SheetRequest& request) {
-  if (placed.panel->is_of_vectors() || !placed.panel->has_scale()) return {};
+// Joints that cannot be told apart, and what is around them.
+std::vector<Place> joints_together(const PlacedPanel& placed, const SheetRequest& request) {
   const DrawnJoints drawn = joints_drawn(placed, request);
   if (drawn.joints.empty()) return {};
   std::vector<Place> part = shortest_link(drawn, same_place * extent_of_places(drawn.joints));
   if (part.empty() || distance(part[0], part[1]) * placed.lengths.mm_per_unit >= joints_told_apart) return {};
-  part = close_together(std::move(part), drawn.joints);
-  const double air = beside_the_part * extent_of_places(part);
+  return close_together(std::move(part), drawn.joints);
+}
+
+// What needs a close-up at the scale that was found; none: all can be told apart.
+std::optional<SmallPart> part_too_small(const PlacedPanel& placed, const SheetRequest& request) {
+  if (placed.panel->is_of_vectors() || !placed.panel->has_scale()) return {};
+  std::vector<Place> part = joints_together(placed, request);
+  const bool is_crowd = part.empty();
+  if (is_crowd) {
+    const std::vector<Place> lettered = placed.panel->lettered();
+    part = largest_crowd(lettered, placed.lengths.mm_per_unit, same_place * extent_of_places(lettered));
+  }
+  if (part.empty()) return {};
   SmallPart found{part.front(), part.front()};
   for (const Place& P : part) {
-    found.low = {std::min(found.low.x, P.x - air), std::min(found.low.y, P.y - air)};
-    found.high = {std::max(found.high.x, P.x + air), std::max(found.high.y, P.y + air)};
+    found.low = {std::min(found.low.x, P.x), std::min(found.low.y, P.y)};
+    found.high = {std::max(found.high.x, P.x), std::max(found.high.y, P.y)};
   }
+  const double size = extent_of_places(part), air = (is_crowd ? beside_a_crowd : beside_the_part) * size;
+  found.widen(air, air);
+  if (is_crowd)
+    found.widen(std::max(0.0, least_side * size - (found.high.x - found.low.x)) / 2,
+                std::max(0.0, least_side * size - (found.high.y - found.low.y)) / 2);
   return found;
 }
 
@@ -292,8 +356,12 @@ void leave_to_close_up(const drawings::Box& seen, const DrawnSoFar& before, Draw
   take_away(onto.measurements, measurements);
 }
 
-void draw_frame(const drawings::Box& frame, DrawnSheet& onto) {
+void draw_frame(const drawings::Box& frame, const std::string& scale, DrawnSheet& onto) {
   const auto& [low, high] = frame;
+  constexpr double letters = 2.7;  // mm
+  const drawings::Point corner{low.x + 1, high.y - 1}, outside{low.x, high.y};
+  if (!scale.empty())
+    onto.sheet.figure.labels.push_back({.text = scale, .at = corner, .away_from = outside, .size = letters});
   onto.sheet.figure.marks.push_back(drawings::Line{
       drawings::polyline({low, {high.x, low.y}, high, {low.x, high.y}}, true), Meaning::dimension, {}});
 }

@@ -55,7 +55,7 @@ struct DrawnSoFar {
 // Of what was drawn of the whole since, the symbols, vectors and letters that its close-up shows are taken away.
 void leave_to_close_up(const drawings::Box& seen, const DrawnSoFar& before, DrawnSheet& onto);
 
-// Its frame, of the marks of no step.
-void draw_frame(const drawings::Box& frame, DrawnSheet& onto);
+// Its frame, of the marks of no step; with its scale in the corner, or empty.
+void draw_frame(const drawings::Box& frame, const std::string& scale, DrawnSheet& onto);
 
 }  // namespace epure

@@ -35,7 +35,11 @@ RaysPanel::RaysPanel(const Solution& s, std::shared_ptr<const MechanismFigure> m
     points_.push_back({X, point_letters(X), s.place(prefix + X), s.point(prefix + X + "prime")});
 }
 
-double RaysPanel::reach() const { return reach_of_overview(inflection_); }
+// Beside a picture of the whole mechanism its own is smaller.
+double RaysPanel::reach() const {
+  constexpr double smaller = 1.5;
+  return (is_overview() ? smaller : 1) * reach_of_overview(inflection_);
+}
 
 drawings::Box RaysPanel::covered(const Scale& lengths, double points, double circles) const {
   Extent extent;
@@ -132,7 +136,7 @@ drawings::Box OsculatingPanel::covered(const Scale& lengths, double points, doub
     include(extent, lengths, X.centre, points);
   }
   include(extent, lengths, P0_, points);
-  if (!is_close_up_) mechanism_->include(extent, lengths);
+  mechanism_->include(extent, lengths);
   if (rays_) {
     const drawings::Box of_rays = rays_->covered(lengths, points, circles);
     extent.include(of_rays.low.x, of_rays.low.y);
@@ -242,7 +246,6 @@ Panels curvature_panels(const Solution& s, const std::shared_ptr<const Mechanism
   if (!s.point(of.prefix + of.pole)) return panels(std::move(osculating));
   RaysPanel rays(s, mechanism, of);
   if (!rays.is_overview()) return panels(std::move(osculating.with_rays(std::move(rays))));
-  osculating.close_up();
   return panels(std::move(rays), std::move(osculating));
 }
 

@@ -39,7 +39,7 @@ class RaysPanel : public CutPanel {
     Place at;
     std::optional<Place> prime;  // X'
   };
-  double far() const override { return 5; }
+  double far() const override { return is_overview() ? far_of_overview : 5; }
   void name_circle(Plot& plot, const drawings::Box& room, Language language) const;
 
   Curved curved_;
@@ -51,12 +51,6 @@ class RaysPanel : public CutPanel {
 // Of the solution: pole, points, "curvature_centre_C".
 class OsculatingPanel : public CutPanel {
  public:
-  // Beside it the rays stand in a picture of all: here the points with their paths, as large as they can be, and of
-  // the mechanism what there is room for.
-  OsculatingPanel& close_up() {
-    is_close_up_ = true;
-    return *this;
-  }
   // The rays too, in one picture.
   OsculatingPanel& with_rays(RaysPanel rays) {
     rays_ = std::move(rays);
@@ -91,7 +85,6 @@ class OsculatingPanel : public CutPanel {
   std::optional<Place> P0_;
   std::vector<OnPath> points_;
   DrawPath draw_path_;
-  bool is_close_up_ = false;
   std::optional<RaysPanel> rays_ = {};
 };
 

@@ -16,7 +16,7 @@ class CutPanel : public Panel {
  public:
   bool is_cut() const override { return true; }
   // A large circle is cut rather than that the next but one scale is taken for it.
-  double times_smaller() const override { return 2.2; }
+  double times_smaller() const override { return 2.6; }
   drawings::Box extent(const Scale& lengths, const Scale&) const override { return covered(lengths, far(), far()); }
   drawings::Box extent_of_near(const Scale& lengths, const Scale&) const override {
     return covered(lengths, far(), 0);
@@ -41,7 +41,9 @@ class CutPanel : public Panel {
   void include(Extent& extent, const Scale& lengths, const DrawnCycle& circle, double reaches) const;
   // The mechanism is small beside it.
   bool dwarfs_mechanism(const DrawnCycle& circle) const;
-  // The reach of a picture of such a circle beside one of the mechanism: it stays small.
+  // Such a circle is shown whole beside a picture of the mechanism, up to so many of its reaches.
+  static constexpr double far_of_overview = 10;
+  // The reach of that picture: it stays small.
   double reach_of_overview(const DrawnCycle& circle) const;
   // The mechanism's middle, away from which letters stand.
   Place middle() const;

@@ -411,12 +411,13 @@ class Search {
   }
 
   // How many panels are planes of these vectors; one, where a panel of lengths shows them. A plane counts a little
-  // more than a picture of lengths: it is read with a ruler.
+  // more than a picture of lengths: it is read with a ruler. Of one that is built a stage a panel the last counts,
+  // and of the others little.
   double planes(const std::vector<std::size_t>& members) const {
-    constexpr double of_plane = 1.1;
+    constexpr double of_plane = 1.1, of_stage = 0.1;
     double count = 0;
     for (const std::size_t i : members)
-      if (panels_[i]->is_of_vectors()) count += of_plane;
+      if (panels_[i]->is_of_vectors()) count += panels_[i]->is_stage() ? of_stage : of_plane;
     return std::max(count, 1.0);
   }
 

@@ -36,12 +36,25 @@ void LocusPanel::include_path(Extent& extent, const Scale& scale, double letters
       if (is_on_path(point)) extent.include(scale, point.at, letters);
 }
 
-bool LocusPanel::needs_close_up() const {
-  constexpr double small = 0.7;  // of the mechanism
+double LocusPanel::size_of_path() const {
   Extent path;
   include_path(path, {.mm_per_unit = 1, .caption = {}, .unit = {}}, 0);
-  return std::max(path.box().width(), path.box().height()) < small * mechanism_->reach();
+  return std::max(path.box().width(), path.box().height());
 }
+
+bool LocusPanel::needs_close_up() const {
+  constexpr double small = 0.7;  // of the mechanism
+  return size_of_path() < small * mechanism_->reach();
+}
+
+// A path that is a point to the eye (of a joint on the frame) is as large as it can be.
+double LocusPanel::reach() const {
+  constexpr double metre = 1000, longest = 100;  // mm
+  const double path = size_of_path();
+  return shows_ == Shows::close_up && path > 0 ? std::min(metre / longest * path, mechanism_->reach())
+                                               : mechanism_->reach();
+}
+
 LocusPanel& LocusPanel::close_up() {
   shows_ = Shows::close_up;
   return *this;

@@ -40,7 +40,7 @@ class LocusPanel : public Panel {
   // The circle that osculates the path now, about this centre: named by its letters.
   LocusPanel& osculated(const std::optional<Place>& centre, const std::string& quantity, const std::string& letters);
 
-  double reach() const override { return mechanism_->reach(); }
+  double reach() const override;
   bool is_cut() const override { return true; }
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
@@ -51,6 +51,7 @@ class LocusPanel : public Panel {
   static bool is_on_path(const Numbered& point) { return point.ink == Meaning::locus; }
   // The point of now and in the positions.
   void include_path(Extent& extent, const Scale& scale, double letters) const;
+  double size_of_path() const;  // metres
   bool shows_centre() const { return shows_ != Shows::whole; }
   bool is_centre(const PanelStep& step) const;
   void draw_positions(Plot& plot) const;

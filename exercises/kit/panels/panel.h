@@ -50,6 +50,8 @@ class Panel {
     double longest_on_paper = 150;  // mm: longer they say no more
   };
   virtual Vectors vectors() const { return {}; }
+  // A stage of the vectors that another panel shows whole: all stages count as one picture when scales are chosen.
+  virtual bool is_stage() const { return false; }
   // Of these it draws arrows that tell directions only, beside polygons that tell how large they are.
   virtual bool shows_directions_only() const { return false; }
   // Of vectors of another unit, at scales that the panel was given: they have their bars.
@@ -68,6 +70,8 @@ class Panel {
   }
   // Returns what is to be told of the drawing itself, in the column: how near a curve is to the true one.
   virtual std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const = 0;
+  // Its points under letters, of which a crowd in one place needs a close-up; none where its joints tell that.
+  virtual std::vector<Place> lettered() const { return {}; }
   // What a student starts from, at the places that it has on the solved sheet: the mechanism in its position, the
   // axes of a chart. Nothing of what is to be found.
   virtual void draw_given(Plot&, const drawings::Box& /*room*/, Language) const {}

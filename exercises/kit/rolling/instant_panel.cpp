@@ -6,6 +6,7 @@
 
 #include "exercises/kit/panels/edge.h"
 #include "exercises/kit/panels/osculating_arc.h"
+#include "exercises/kit/panels/short_vectors.h"
 
 namespace epure {
 namespace {
@@ -38,7 +39,7 @@ RollingInstantPanel::RollingInstantPanel(const Solution& solution, Rolled at, st
       f_(std::move(at)),
       steps_(std::move(steps)),
       velocities_(std::move(velocities)),
-      way_(way_of(f_.given, 1)) {}
+      way_(way_around(f_.given, 1)) {}
 
 RollingInstantPanel& RollingInstantPanel::titled(std::string title) {
   title_ = std::move(title);
@@ -58,6 +59,10 @@ RollingInstantPanel& RollingInstantPanel::with_whole_path(const Way& way) {
 }
 RollingInstantPanel& RollingInstantPanel::beside_close_up() {
   shows_ = Shows::vectors;
+  return *this;
+}
+RollingInstantPanel& RollingInstantPanel::at_own_scale() {
+  has_own_scale_ = true;
   return *this;
 }
 RollingInstantPanel& RollingInstantPanel::close_up() {
@@ -93,7 +98,16 @@ std::vector<Scale> RollingInstantPanel::own_scales() const {
 
 // Two contacts beside each other, or two whole paths.
 std::string RollingInstantPanel::scale_group() const {
-  return shows_ == Shows::contact ? "contact" : shows_ == Shows::vectors ? "path" : "";
+  return shows_ == Shows::contact ? "contact" : shows_ == Shows::vectors && !has_own_scale_ ? "path" : "";
+}
+
+// Where the contact has a picture of its own they are told apart there.
+std::vector<Place> RollingInstantPanel::lettered() const {
+  if (shows_ != Shows::all || f_.is_at_cusp || f_.given.unwinds()) return {};
+  std::vector<Place> all{f_.P0, f_.M, f_.J, f_.M_prime};
+  for (const std::optional<Place>& P : {f_.C(), f_.O(), f_.centre})
+    if (P) all.push_back(*P);
+  return all;
 }
 
 drawings::Box RollingInstantPanel::extent(const Scale& lengths, const Scale& vectors) const {
@@ -157,11 +171,13 @@ void RollingInstantPanel::draw_ray(Plot& plot) const {
   if (!f_.runs_straight()) plot.right_angle(f_.M_prime, f_.J, f_.M);
 }
 
-void RollingInstantPanel::draw_velocity(Plot& plot) const {
+void RollingInstantPanel::draw_velocity(Plot& plot, Language language) const {
   if (magnitude(f_.v) == 0) return;
   const Scale accelerations = plot.vector_scale();
   plot.vectors_at(velocities_);
-  plot.vector_on(f_.names("v_M"), f_.M, f_.v, Meaning::velocity, "$\\vec{v}_{M}$");
+  plot.vector_on(f_.names("v_M"), f_.M, f_.v, Meaning::velocity,
+                 letters_or_value("$\\vec{v}_{M}$", magnitude(f_.v), magnitude(f_.v) * velocities_.mm_per_unit, "m/s",
+                                  language));
   plot.vectors_at(accelerations);
 }
 
@@ -172,7 +188,7 @@ bool RollingInstantPanel::shows_parts(const Scale& accelerations) const {
 
 // The parts are drawn only where there are two. The tangential one follows the normal one to the tip of their sum:
 // set off from M it would lie on v_M.
-void RollingInstantPanel::draw_acceleration(Plot& plot) const {
+void RollingInstantPanel::draw_acceleration(Plot& plot, Language language) const {
   if (magnitude(f_.a) == 0) return;
   constexpr double beside = 3;  // mm
   Place start = f_.M;
@@ -185,7 +201,9 @@ void RollingInstantPanel::draw_acceleration(Plot& plot) const {
   const Place tip = plot.tip(f_.M, f_.a_n);
   // The line of the tangential part, which leads to the tip: there a_M stays, though it may lie on MC.
   if (has_parts) plot.segment(tip, plot.tip(f_.M, f_.a), Meaning::construction);
-  plot.vector_on(f_.names("a_M"), start, f_.a, Meaning::acceleration, "$\\vec{a}_{M}$");
+  plot.vector_on(f_.names("a_M"), start, f_.a, Meaning::acceleration,
+                 letters_or_value("$\\vec{a}_{M}$", magnitude(f_.a),
+                                  magnitude(f_.a) * plot.vector_scale().mm_per_unit, "m/s²", language));
   if (!has_parts) return;
   plot.vector_on(f_.names(f_.names.normal), f_.M, f_.a_n, Meaning::acceleration, "$\\vec{a}^{n}_{M}$");
   const std::string tangential = f_.names("a_t");
@@ -291,8 +309,8 @@ std::vector<drawings::Block> RollingInstantPanel::draw(Plot& plot, const drawing
   plot.in_step({});
   draw_ray(plot);
   if (has_vectors) {
-    draw_velocity(plot);
-    draw_acceleration(plot);
+    draw_velocity(plot, language);
+    draw_acceleration(plot, language);
     draw_directions_at_cusp(plot);
   }
   draw_points(plot, room);

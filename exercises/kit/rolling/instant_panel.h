@@ -23,6 +23,8 @@ class RollingInstantPanel : public Panel {
   // The contact alone, as large as its circles allow; and the rest, without the points that are so small there.
   RollingInstantPanel& close_up();
   RollingInstantPanel& beside_close_up();
+  // The rest is not as large as that of another instant.
+  RollingInstantPanel& at_own_scale();
 
   double reach() const override;
   Vectors vectors() const override;
@@ -32,6 +34,7 @@ class RollingInstantPanel : public Panel {
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   bool is_cut() const override { return true; }
+  std::vector<Place> lettered() const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
  private:
@@ -46,8 +49,8 @@ class RollingInstantPanel : public Panel {
   void draw_osculating_circle(Plot& plot, const drawings::Box& room, Language language) const;
   void draw_inflection_circle(Plot& plot) const;
   void draw_ray(Plot& plot) const;
-  void draw_velocity(Plot& plot) const;
-  void draw_acceleration(Plot& plot) const;
+  void draw_velocity(Plot& plot, Language language) const;
+  void draw_acceleration(Plot& plot, Language language) const;
   void draw_directions_at_cusp(Plot& plot) const;
   void draw_points(Plot& plot, const drawings::Box& room) const;
   void measure(Plot& plot) const;
@@ -62,6 +65,7 @@ class RollingInstantPanel : public Panel {
   Way way_;
   std::vector<Place> whole_path_;
   Shows shows_ = Shows::all;
+  bool has_own_scale_ = false;
 };
 
 // The scale at which the fastest of these is about so long.

@@ -82,4 +82,17 @@ Way way_of(const RollingGivens& given, double overhang) {
   return way;
 }
 
+Way way_around(const RollingGivens& given, double overhang) {
+  constexpr double most_rounds = 6;
+  Way way = way_of(given, overhang);
+  if (given.is_line() || given.rolls_on_line()) return way;
+  const double per_round =
+      turn / number(geometry::rolled_per_turned(given.rolling)) * number(Rational(given.rolling.R / given.rolling.r));
+  if (way.to - way.from <= most_rounds * per_round) return way;
+  way.from = std::max(way.from, -per_round);
+  way.to = std::min(way.to, per_round);
+  way.closed = false;
+  return way;
+}
+
 }  // namespace epure

@@ -83,5 +83,7 @@ struct Way {
 };
 // As much as a drawing shows. `overhang`: what of an arch is drawn beyond both ends of a path that does not close.
 Way way_of(const RollingGivens& given, double overhang);
+// The same, but of a path that goes round the fixed circle again and again a round before the instant and one after.
+Way way_around(const RollingGivens& given, double overhang);
 
 }  // namespace epure

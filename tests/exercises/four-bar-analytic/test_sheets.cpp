@@ -106,6 +106,15 @@ TEST_CASE("four-bar-analytic: discontinuities of omega_4 are not joined", "[four
   CHECK(runs({"A0B0=0.5", "A0A=0.4", "AB=0.2", "B0B=0.45", "theta_2=60"}) == 4);  // two arcs of the crank
 }
 
+// The parallelogram's other form: ω₄ falls to −168 rad/s, four times ω₂, where it folds flat.
+TEST_CASE("four-bar-analytic: what does not grow beyond all bounds is on the chart", "[four-bar-analytic][sheets]") {
+  const DrawnSheet drawn = draw(id, "omega-4", {"A0B0=0.5", "A0A=0.3", "AB=0.5", "B0B=0.3", "theta_2=60"});
+  std::size_t told = 0;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* writing = std::get_if<drawings::Writing>(&mark)) told += writing->text == "−150";
+  CHECK(told == 1);
+}
+
 // One is 8e10 rad/s high and 1e-10 of a turn wide: A passes B0 at 1e-10 m.
 TEST_CASE("four-bar-analytic: the curves of omega_4 pass through their extremes, however steep",
           "[four-bar-analytic][sheets]") {
