@@ -118,6 +118,21 @@ TEST_CASE("a side that is square to the one before it is marked so", "[polygon]"
   CHECK(count<drawings::RightAngle>(drawn(two_magnitudes(), {})) == 1);
 }
 
+// Between the side before, which comes along x, and the square one, which goes up.
+TEST_CASE("the mark of a right angle gives way to an image's vector that comes between its legs", "[polygon]") {
+  const auto mark_with = [](const Arrow2& image) {
+    VectorPolygon polygon = two_magnitudes();
+    polygon.images = {{.absolute = {.label = "$\\vec{c}$", .v = image, .tip = "$c$"}}};
+    const DrawnSheet sheet = drawn(polygon, {});
+    for (const drawings::Mark& mark : sheet.sheet.figure.marks)
+      if (const auto* corner = std::get_if<drawings::RightAngle>(&mark)) return std::sin(corner->second);
+    return 0.0;
+  };
+  CHECK(mark_with({3.2, 0.2}) == Approx(1));  // it comes from below
+  CHECK(mark_with({3.2, -0.2}) == Approx(-1));
+  CHECK(mark_with({4.2, -0.2}) == Approx(1));  // far from it
+}
+
 TEST_CASE("a vector shorter than its head is told with its value, where it has one", "[polygon]") {
   VectorPolygon polygon = two_magnitudes();
   polygon.right[0].v = {0.2, 0};  // 2 mm
