@@ -112,7 +112,21 @@ class Placement {
             {std::max({option.box.high.x, from.x, to.x}), std::max({option.box.high.y, from.y, to.y})}};
   }
 
-  static double together(const Candidate& a, const Candidate& b) {
+  // Two things' letters in one row, so near that they read as one word.
+  static double read_as_one(Box a, Box b) {
+    constexpr double told_apart = 3, in_row = 0.5;  // mm between them; of the lower one's height
+    const double shared = std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y),
+                 between = std::max(a.low.x, b.low.x) - std::min(a.high.x, b.high.x);
+    if (between >= told_apart || shared < in_row * std::min(a.high.y - a.low.y, b.high.y - b.low.y)) return 0;
+    return price::one_word * (1 - std::max(between, 0.0) / told_apart);
+  }
+
+  double together(std::size_t i, const Candidate& a, std::size_t j, const Candidate& b) const {
+    const double letters = labels_[i].naming && labels_[j].naming ? read_as_one(a.box, b.box) : 0;
+    return letters + in_the_way(a, b);
+  }
+
+  static double in_the_way(const Candidate& a, const Candidate& b) {
     if (apart(grown(around(a), label_clearance), around(b))) return 0;  // nearly all pairs
     double cost = 0;
     if (leader_meets(a, b)) cost += price::leader_through;
@@ -131,7 +145,7 @@ class Placement {
     const Candidate& option = options_[i][o];
     double cost = option.cost;
     for (std::size_t j = 0; j < labels_.size() && cost < limit; ++j)
-      if (j != i && chosen_[j] != none) cost += together(option, options_[j][chosen_[j]]);
+      if (j != i && chosen_[j] != none) cost += together(i, option, j, options_[j][chosen_[j]]);
     return cost;
   }
 
@@ -185,7 +199,7 @@ class Placement {
     const std::vector<std::size_t> before = chosen_;
     double change = move(i, o);
     for (std::size_t j = 0; j < labels_.size(); ++j)
-      if (j != i && before[j] != none && together(*wanted, options_[j][before[j]]) > 0)
+      if (j != i && before[j] != none && together(i, *wanted, j, options_[j][before[j]]) > 0)
         change += move(j, best_option(j));
     if (change < -1e-9) return true;
     chosen_ = before;
