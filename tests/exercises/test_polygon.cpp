@@ -222,8 +222,8 @@ TEST_CASE("a polygon lies within its extent, lines and all", "[polygon]") {
   }
 }
 
-// All in one line there is no outside: letters of the right side stand on the left of their vectors, of the left side
-// on the right.
+// All in one line there is no outside: the sum stands on a track of its own to the left, its letters beyond it, those
+// of its parts on the right.
 TEST_CASE("letters of a flat polygon stand on different sides", "[polygon]") {
   VectorPolygon flat = one_vector();
   flat.right[2].v = {2, 0};
@@ -235,8 +235,8 @@ TEST_CASE("letters of a flat polygon stand on different sides", "[polygon]") {
     if (label.text == "$\\vec{p}$") p = label.at.y - label.away_from->y;
     if (label.text == "$\\vec{v}$") v = label.at.y - label.away_from->y;
   }
-  CHECK(p > 0);
-  CHECK(v < 0);
+  CHECK(p < 0);
+  CHECK(v > 0);
 }
 
 TEST_CASE("a sheet tells of a polygon what it shows", "[polygon]") {
