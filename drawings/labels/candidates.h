@@ -28,6 +28,7 @@ inline constexpr double stranger = 42;        // nearer to another thing of the 
 inline constexpr double near_stranger = 5;    // as near
 inline constexpr double past_stranger = 10;   // with a leader across one: a longer one elsewhere is better
 inline constexpr double behind_vector = 10;   // a point's letters: less than a leader
+inline constexpr double one_word = 6;         // letters of two things in a row, as near as they may stand
 inline constexpr double overlap = 120;        // of two labels
 inline constexpr double leader_through = 60;  // a leader through another label
 inline constexpr double leaders_crossed = 10;

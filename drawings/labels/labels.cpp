@@ -115,7 +115,22 @@ class Placement {
             {std::max({option.box.high.x, from.x, to.x}), std::max({option.box.high.y, from.y, to.y})}};
   }
 
-  static double together(const Candidate& a, const Candidate& b) {
+  static constexpr double told_apart = 3;  // mm between letters of one row
+  // Two things' letters in one row, so near that they read as one word.
+  static double read_as_one(Box a, Box b) {
+    constexpr double in_row = 0.5;  // of the lower one's height
+    const double shared = std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y),
+                 between = std::max(a.low.x, b.low.x) - std::min(a.high.x, b.high.x);
+    if (between >= told_apart || shared < in_row * std::min(a.high.y - a.low.y, b.high.y - b.low.y)) return 0;
+    return price::one_word * (1 - std::max(between, 0.0) / told_apart);
+  }
+
+  double together(std::size_t i, const Candidate& a, std::size_t j, const Candidate& b) const {
+    const double letters = labels_[i].naming && labels_[j].naming ? read_as_one(a.box, b.box) : 0;
+    return letters + in_the_way(a, b);
+  }
+
+  static double in_the_way(const Candidate& a, const Candidate& b) {
     if (apart(grown(around(a), label_clearance), around(b))) return 0;
     double cost = 0;
     if (leader_meets(a, b)) cost += price::leader_through;
@@ -138,11 +153,11 @@ class Placement {
   // What option `o` of label i costs beside the others as they stand; gives up once worse than `limit`.
   double total(std::size_t i, std::size_t o, double limit = INFINITY) {
     const Candidate& option = options_[i][o];
-    const Box near = grown(around(option), label_clearance);
+    const Box near = grown(around(option), std::max(label_clearance, told_apart));
     double cost = option.cost;
     for (std::size_t j = 0; j < labels_.size() && cost < limit; ++j)
       if (meet(near, taken_[j]) && j != i && chosen_[j] != none)  // hardly ever
-        cost += beside(option, j, beside_[i][o]);
+        cost += beside(i, option, j, beside_[i][o]);
     return cost;
   }
 
@@ -151,10 +166,10 @@ class Placement {
     std::size_t label, option;
     double cost;
   };
-  double beside(const Candidate& option, std::size_t j, std::vector<Beside>& known) const {
+  double beside(std::size_t i, const Candidate& option, std::size_t j, std::vector<Beside>& known) const {
     const auto found = std::find_if(known.begin(), known.end(), [j](const Beside& each) { return each.label == j; });
     if (found != known.end() && found->option == chosen_[j]) return found->cost;
-    const Beside now{j, chosen_[j], together(option, options_[j][chosen_[j]])};
+    const Beside now{j, chosen_[j], together(i, option, j, options_[j][chosen_[j]])};
     if (found == known.end())
       known.push_back(now);
     else
@@ -217,7 +232,7 @@ class Placement {
     const std::vector<std::size_t> before = chosen_;
     double change = move(i, o);
     for (std::size_t j = 0; j < labels_.size(); ++j)
-      if (j != i && before[j] != none && together(*wanted, options_[j][before[j]]) > 0)
+      if (j != i && before[j] != none && together(i, *wanted, j, options_[j][before[j]]) > 0)
         change += move(j, best_option(j));
     if (change < -1e-9) return true;
     for (std::size_t j = 0; j < labels_.size(); ++j) choose(j, before[j]);

@@ -48,7 +48,7 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
       "only keeps it in step, and falls to $\\it{F}'$ = $\\it{J}_{r}a'$/$\\it{R}^{2}$ + $f_{v}\\it{N}$.",
       "$\\it{M}$ = $m_{a}$ + $m_{r}$. Momenti rispetto al mozzo, con $\\it{N}$ avanti di $u$ = $f_{v}\\it{R}$: "
       "$\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − $\\it{N}u$. Appena $ω\\it{R}$ = $v$ la ruota rotola; allora l'attrito la "
-      "tiene solo al passo e cade a $\\it{F}'$ = $\\it{J}_{r}a'$/$\\it{R}^{2}$ + $f_{v}\\it{N}$."};
+      "tiene solo al passo e scende a $\\it{F}'$ = $\\it{J}_{r}a'$/$\\it{R}^{2}$ + $f_{v}\\it{N}$."};
   const Words grip = s["adheres"] == 1 ? Words{"|$\\it{F}'$| ≤ $f_{a}\\it{N}$: the wheel adheres.",
                                                "|$\\it{F}'$| ≤ $f_{a}\\it{N}$: la ruota aderisce."}
                                        : Words{"|$\\it{F}'$| > $f_{a}\\it{N}$: the wheel does not adhere.",

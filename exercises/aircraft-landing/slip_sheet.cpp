@@ -19,7 +19,8 @@ PanelSheet slip_sheet(const Solution& s, Language language) {
   chart.areas = {{below, Meaning::locus}, {between, Meaning::velocity}};
   chart.curves.push_back({.name = "tangents",
                           .runs = {{{0, v_0}, {t_star, v_star}}, {{0, rim_0}, {t_star, v_star}}},
-                          .meaning = Meaning::construction});
+                          .meaning = Meaning::construction,
+                          .line = drawings::LineType::dashed});
   chart.verticals = {{.at = t_s, .label = "$t_{s}$"}};
   std::vector<ChartPanel::Read> read{{{t_s, v_s}, "t_s", "v_s"},
                                      {{t_s, v_s}, {}, "omega_s", 1, 1 / R},
@@ -37,10 +38,13 @@ PanelSheet slip_sheet(const Solution& s, Language language) {
   const Words ways{
       "The whole area below $v$ is the way $s_{v}$ of the aircraft; that below $ω\\it{R}$ the way $s_{ω}$ of the "
       "rim; "
-      "between them lies the way slipped. Dashed: the tangents at touch-down, which cross at "
+      "between them lies the way slipped. Grey and dashed, as far as they leave the curves: the tangents at "
+      "touch-down, which cross at "
       "$t^{*}_{s}$.",
       "L'intera area sotto $v$ è lo spazio $s_{v}$ dell'aereo; quella sotto $ω\\it{R}$ lo spazio $s_{ω}$ della "
-      "periferia; tra le due sta lo spazio strisciato. A tratti le tangenti al contatto, che si incontrano in "
+      "periferia; tra le due sta lo spazio strisciato. In grigio e a tratti, per quanto si staccano dalle curve, le "
+      "tangenti al contatto, che si "
+      "incontrano in "
       "$t^{*}_{s}$."};
   const Words works =
       s.givens()["rim_0"] == 0

@@ -38,7 +38,11 @@ drawings::Chart chart_of_speeds(const Solution& s, double last, double low, doub
   chart.x = {.quantity = "$t$", .unit = "s", .low = 0, .high = last};
   chart.y = {.quantity = "$v$, $ω\\it{R}$", .unit = "m/s", .low = low, .high = high};
   chart.curves = {{.name = "v", .runs = {of_aircraft(all)}, .meaning = Meaning::velocity, .label = "$v$"},
-                  {.name = "rim", .runs = {of_rim(all)}, .meaning = Meaning::locus, .label = "$ω\\it{R}$"}};
+                  {.name = "rim",
+                   .runs = {of_rim(all)},
+                   .meaning = Meaning::locus,
+                   .line = drawings::LineType::continuous,
+                   .label = "$ω\\it{R}$"}};
   if (last > t_s)
     chart.curves.push_back({.name = "rolling",
                             .runs = {{{t_s, v_s}, {last, v_s + s["a_after"] * (last - t_s)}}},

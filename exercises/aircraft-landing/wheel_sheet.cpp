@@ -54,7 +54,7 @@ FreeBodyPanel cut_free(const Wheel& of, const std::string& prime) {
       .force(of.F, {0, 0})
       .force(of.weight, hub)
       .force(of.inertia, hub)
-      .force(of.hub, hub)
+      .force(of.hub, hub, prime.empty() ? FreeBodyPanel::Arrow::starts : FreeBodyPanel::Arrow::ends)
       .couple("−$\\it{J}_{r}α" + prime + "$", hub, of.turning)
       .arm(hub, foot, {0, 1}, "$u$", "");
   return body;

@@ -55,11 +55,12 @@ LoadLinePanel force_plan(const Solution& s, Language language) {
                    "Riportato $\\it{P}$ = $\\it{W}_{b}g$; un polo $O$ al livello della sua coda, a distanza $h$; i "
                    "raggi $a$ e $c$ alla coda e alla punta."},
                   {-h, 0}},
-                 {{"The ray parallel to the closing line $b$ (found below) parts the load line: $\\it{Y}_{A}$ closes "
+                 {{"The ray parallel to the closing line $b$ parts the load line: $\\it{Y}_{A}$ closes "
                    "from the tip of $\\it{P}$ to $b$, $\\it{Y}_{B}$ from $b$ to its tail.",
-                   "Il raggio parallelo alla chiudente $b$ (trovata sotto) divide la retta delle forze: "
+                   "Il raggio parallelo alla chiudente $b$ divide la retta delle forze: "
                    "$\\it{Y}_{A}$ va dalla punta di $\\it{P}$ a $b$, $\\it{Y}_{B}$ da $b$ alla coda."},
-                  {0, b}}}});
+                  {0, b},
+                  true}}});
 }
 
 // With the boat's weight, all that a student starts from.
@@ -88,9 +89,10 @@ PanelSheet reactions_sheet(const Solution& s, Language language) {
              "−$h$·$y_{C}$, on the side of the fibres in tension.",
              "La chiudente $b$ li unisce. I momenti sono le ordinate su $a$ per $h$: $\\it{M}_{C}$ = −$h$·$y_{C}$, "
              "dalla parte delle fibre tese."})
-      .step(2, {2 * L, s["T_1_CD"]},
-            {"The shear: −$\\it{R}_{B}$ up to $C$, there it jumps by $\\it{Y}_{A}$ to $\\it{P}$. ($\\it{N}$ = 0.)",
-             "Il taglio: −$\\it{R}_{B}$ fino a $C$, dove salta di $\\it{Y}_{A}$ fino a $\\it{P}$. ($\\it{N}$ = 0.)"});
+      .last_step(
+          2, {2 * L, s["T_1_CD"]},
+          {"The shear: −$\\it{R}_{B}$ up to $C$, there it jumps by $\\it{Y}_{A}$ to $\\it{P}$. ($\\it{N}$ = 0.)",
+           "Il taglio: −$\\it{R}_{B}$ fino a $C$, dove salta di $\\it{Y}_{A}$ fino a $\\it{P}$. ($\\it{N}$ = 0.)"});
   const std::string h = figures(s["pole_distance"], 4, language);
   const Words scale = Words{"Scale of moments: $h$ times that of lengths. An ordinate of 1 m is worth ",
                             "Scala dei momenti: $h$ per quella delle lunghezze. Un'ordinata di 1 m vale "} +
@@ -128,7 +130,7 @@ BeamDiagram elastic_line(const Solution& s) {
                    {.points = {on_C, W, {7 * L / 3, W.y + (end - W.y) / 2}, D},
                     .meaning = Meaning::locus,
                     .is_cubic = true}},
-          .ordinates = {{"v_max_BC", "", xi, C * xi / L, top, 1 / n},
+          .ordinates = {{"v_max_BC", "$nv_{max}$", xi, C * xi / L, top, 1 / n},
                         {"v_D_bending", "$nv_{D,f}$", 3 * L, 3 * C, end, 1 / n},
                         {"v_D", "", 3 * L, 3 * C, end + n * s["v_D_carried"], 1 / n}}};
 }
@@ -176,6 +178,7 @@ PanelSheet elastic_sheet(const Solution& s, Language language) {
   areas.name = "$\\it{M}$";
   areas.runs = {
       {.points = {{0, 0}, {L, s["moment_ordinate"]}, {3 * L, 0}}, .meaning = Meaning::force, .is_area = true}};
+  areas.ordinates = {{"M_C", "$\\it{M}_{C}$", L, s["moment_ordinate"], 0, s["pole_distance"]}};
   BeamPanel beam(3 * L, {areas, elastic_line(s)});
   beam.lines_at({0, 2 * L / 3, L, 5 * L / 3, 3 * L});
   beam.step(0, {2 * L / 3, 0},
@@ -195,7 +198,7 @@ PanelSheet elastic_sheet(const Solution& s, Language language) {
             {"The boat goes down by bending and with the column: $v_{D}$ = $v_{D,f}$ + $v_{D,r}$.",
              "La barca scende per flessione e con la colonna: $v_{D}$ = $v_{D,f}$ + $v_{D,r}$."});
   return {.panels = panels(weights(s, language), williot(s), beam),
-          .results = {values({"moment_area_BC", "moment_area_CD"}), values({"theta_B", "theta_C"}),
+          .results = {values({"M_C"}), values({"moment_area_BC", "moment_area_CD"}), values({"theta_B", "theta_C"}),
                       values({"theta_D", "xi_v_max_BC"}), workshop_values({"v_max_BC", "v_D_bending"}),
                       workshop_values({"column_shortening", "v_D"}),
                       remark("$n$ = " + short_number(s["enlargement"], language))},

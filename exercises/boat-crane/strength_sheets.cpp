@@ -347,7 +347,7 @@ PanelSheet checks_sheet(const Solution& s, Language language) {
       "utilisation $u$ is not above 1.",
       "La fonte dichiara 300 kg, e tutto ciò che stampa del carico è quello di 600 kg: $\\it{P}$ = 5884 N è "
       "600·9,80665 N. È il doppio di quanto dichiara; check valuta così ognuna delle sue formule. Una verifica vale "
-      "se l'impiego $u$ non supera 1."};
+      "se il grado di utilizzo $u$ non supera 1."};
   return {.panels = panels(MechanismPanel(whole_crane(s)), std::move(table)),
           .theory = {{{"Both masses", "Le due masse"}, {remark(why.in(language))}}},
           .results = {remark(kept.in(language)), values({"P"}), value_as("$\\it{P}$ (600 kg)", with_600 + "P"),

@@ -124,7 +124,7 @@ PanelSheet sphere_sheet(const Solution& s, Language language) {
                   workshop_values({"fillet_stress_2", "fillet_allowable_2"}), values({"fillet_utilisation"}),
                   workshop_values({"tau_fillet", "fillet_throat_utilisation"})},
       .seen = {"The truncated sphere of the fillet welds in the plane of τ and σ, with the points of the stresses",
-               "La sfera mozza dei cordoni d'angolo nel piano di τ e σ, con i punti delle tensioni"},
+               "La sfera troncata dei cordoni d'angolo nel piano di τ e σ, con i punti delle tensioni"},
       .told = {"fillet_stress_1", "fillet_allowable_1", "fillet_allowable_2", "tau_fillet"},
       .without_part = without({"f"})};
 }
@@ -172,11 +172,11 @@ std::unique_ptr<Exercise> make_crane_welds() {
           "nel giunto alla sezione C con il cerchio di Mohr e verificare la saldatura."}},
         mohr_sheet},
        {{"sphere",
-         {"Fillets: the truncated sphere", "Cordoni: la sfera mozza"},
+         {"Fillets: the truncated sphere", "Cordoni: la sfera troncata"},
          {"Web and flanges of the crane's beam are welded with two fillets. Check the weld in section C by the "
           "truncated sphere.",
           "L'anima e le ali della trave della gru sono saldate con due cordoni d'angolo. Verificare la saldatura "
-          "alla sezione C con la sfera mozza."}},
+          "alla sezione C con la sfera troncata."}},
         sphere_sheet}});
 }
 

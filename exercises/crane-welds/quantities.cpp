@@ -34,7 +34,7 @@ const std::vector<Quantity> quantities{
     {"full_penetration_utilisation",
      "$u$",
      "1",
-     {"utilisation of the full-penetration weld", "impiego della saldatura a piena penetrazione"}},
+     {"utilisation of the full-penetration weld", "grado di utilizzo della saldatura a piena penetrazione"}},
     {"Mohr_centre", "$c$", "Pa", {"centre of Mohr's circle", "centro del cerchio di Mohr"}},
     {"Mohr_radius", "$r$", "Pa", {"radius of Mohr's circle", "raggio del cerchio di Mohr"}},
     {"sigma_I", "$σ_{I}$", "Pa", {"greater principal stress", "tensione principale maggiore"}},
@@ -65,8 +65,11 @@ const std::vector<Quantity> quantities{
     {"fillet_utilisation",
      "$u_{f}$",
      "1",
-     {"utilisation of the fillets, as the source has it", "impiego dei cordoni, secondo la fonte"}},
-    {"fillet_throat_utilisation", "$u_{a}$", "1", {"utilisation of the throats", "impiego delle sezioni di gola"}},
+     {"utilisation of the fillets, as the source has it", "grado di utilizzo dei cordoni, secondo la fonte"}},
+    {"fillet_throat_utilisation",
+     "$u_{a}$",
+     "1",
+     {"utilisation of the throats", "grado di utilizzo delle sezioni di gola"}},
 };
 
 }  // namespace

@@ -101,7 +101,7 @@ std::vector<PanelStep> SpherePanel::steps(const Plot& plot, const drawings::Box&
         "√($σ^{2}_{⊥}$ + $τ^{2}_{⊥}$ + $τ^{2}_{∥}$) ≤ $f_{1}σ_{amm}$: una sfera, tagliata qui dal piano $τ_{⊥}$ = "
         "0."},
        Place{radius_, 0}},
-      {{"$τ_{⊥}$ + $σ_{⊥}$ ≤ $f_{2}σ_{amm}$ truncates it.", "$τ_{⊥}$ + $σ_{⊥}$ ≤ $f_{2}σ_{amm}$ la mozza."},
+      {{"$τ_{⊥}$ + $σ_{⊥}$ ≤ $f_{2}σ_{amm}$ truncates it.", "$τ_{⊥}$ + $σ_{⊥}$ ≤ $f_{2}σ_{amm}$ la tronca."},
        Place{x / 2, std::min(cut_, radius_)}},
       {{"The fillets' points: only $τ_{∥}$ acts, $σ_{⊥}$ = $τ_{⊥}$ = 0, so they lie on the axis.",
         "I punti dei cordoni: agisce solo $τ_{∥}$, $σ_{⊥}$ = $τ_{⊥}$ = 0, perciò stanno sull'asse."},

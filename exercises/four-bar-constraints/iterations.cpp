@@ -270,7 +270,7 @@ PanelSheet convergence_sheet(const Solution& s, Language language) {
                        "Vicino alla soluzione ogni passo raddoppia le cifre esatte: la convergenza è quadratica."}
                               .in(language)),
                    remark(Words{"The last errors are the rounding of doubles, no longer convergence.",
-                                "Gli ultimi errori sono arrotondamento dei double, non più convergenza."}
+                                "Gli ultimi errori sono arrotondamento in doppia precisione, non più convergenza."}
                               .in(language)),
                    remark(Words{
                        "There is one solution, and only one, near the last iterate; what is reported are its values.",

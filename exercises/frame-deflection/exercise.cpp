@@ -60,50 +60,56 @@ SpaceDiagramPanel bending_panel(const Solution& s) {
   const auto at = in_space(s);
   const std::array<Words, 3> told{
       Words{"Cut at $ξ$ and keep the piece beyond: only $\\it{P}$ acts on it. In bar 1 $A$ stands across from $O$, "
-            "so the arm along the bar is $ξ$: $\\it{M}_{x}$ = $\\it{P}$·$ξ$.",
+            "so the arm along the bar is $ξ$: $\\it{M}_{f}$ = $\\it{P}$·$ξ$.",
             "Si taglia in $ξ$ e si tiene la parte oltre il taglio: vi agisce solo $\\it{P}$. Nella barra 1 $A$ sta "
-            "di fronte ad $O$, il braccio lungo la barra è $ξ$: $\\it{M}_{x}$ = $\\it{P}$·$ξ$."},
+            "di fronte ad $O$, il braccio lungo la barra è $ξ$: $\\it{M}_{f}$ = $\\it{P}$·$ξ$."},
       Words{
-          "Bar 2: the arm is what is left of it, $\\it{M}_{x}$ = −$\\it{P}$·($\\it{L}_{1}$ + $\\it{L}_{2}$ − $ξ$).",
-          "Barra 2: il braccio è quanto ne resta, $\\it{M}_{x}$ = −$\\it{P}$·($\\it{L}_{1}$ + $\\it{L}_{2}$ − $ξ$)."},
-      Words{"Bar 3 likewise: $\\it{M}_{x}$ = −$\\it{P}$·($\\it{L}_{1}$ + 2$\\it{L}_{2}$ − $ξ$), zero in $A$. All are "
+          "Bar 2: the arm is what is left of it, $\\it{M}_{f}$ = −$\\it{P}$·($\\it{L}_{1}$ + $\\it{L}_{2}$ − $ξ$).",
+          "Barra 2: il braccio è quanto ne resta, $\\it{M}_{f}$ = −$\\it{P}$·($\\it{L}_{1}$ + $\\it{L}_{2}$ − $ξ$)."},
+      Words{"Bar 3 likewise: $\\it{M}_{f}$ = −$\\it{P}$·($\\it{L}_{1}$ + 2$\\it{L}_{2}$ − $ξ$), zero in $A$. All are "
             "laid off on the side of the fibres in tension, positive below.",
-            "Così la barra 3: $\\it{M}_{x}$ = −$\\it{P}$·($\\it{L}_{1}$ + 2$\\it{L}_{2}$ − $ξ$), nullo in $A$. Tutti "
+            "Così la barra 3: $\\it{M}_{f}$ = −$\\it{P}$·($\\it{L}_{1}$ + 2$\\it{L}_{2}$ − $ξ$), nullo in $A$. Tutti "
             "si riportano dalla parte delle fibre tese, i positivi sotto."}};
   std::vector<SpaceBar> bars;
   for (int i = 1; i <= 3; ++i)
     bars.push_back({at[i - 1].from, at[i - 1].to, std::to_string(i),
                     ordinates(s, {bending(nodes[i - 1], i), bending("mid", i), bending(nodes[i], i)}), told[i - 1]});
-  return {bars, {nodes.begin(), nodes.end()}, "$\\it{M}_{x}$", SpaceDiagramPanel::Positive::downwards};
+  return {bars, {nodes.begin(), nodes.end()}, "$\\it{M}_{f}$", SpaceDiagramPanel::Positive::downwards};
 }
 
 SpaceDiagramPanel torsion_panel(const Solution& s) {
   const auto at = in_space(s);
   const std::array<Words, 3> told{
-      Words{"$\\it{P}$ passes the axis of bar 1 at the distance $\\it{L}_{1}$: $\\it{M}_{z}$ = "
+      Words{"$\\it{P}$ passes the axis of bar 1 at the distance $\\it{L}_{1}$: $\\it{M}_{t}$ = "
             "$\\it{P}$·$\\it{L}_{1}$.",
-            "$\\it{P}$ passa a distanza $\\it{L}_{1}$ dall'asse della barra 1: $\\it{M}_{z}$ = "
+            "$\\it{P}$ passa a distanza $\\it{L}_{1}$ dall'asse della barra 1: $\\it{M}_{t}$ = "
             "$\\it{P}$·$\\it{L}_{1}$."},
       Words{
-          "The axis of bar 2 at $\\it{L}_{2}$: $\\it{M}_{z}$ = $\\it{P}$·$\\it{L}_{2}$. At a corner what bends one "
-          "bar twists the other, so its $\\it{M}_{z}$ is the $\\it{M}_{x}$ at the end of bar 1.",
-          "L'asse della barra 2 a distanza $\\it{L}_{2}$: $\\it{M}_{z}$ = $\\it{P}$·$\\it{L}_{2}$. In un nodo ciò "
-          "che inflette una barra torce l'altra: il suo $\\it{M}_{z}$ è l'$\\it{M}_{x}$ all'estremo della barra 1."},
+          "The axis of bar 2 at $\\it{L}_{2}$: $\\it{M}_{t}$ = $\\it{P}$·$\\it{L}_{2}$. At a corner what bends one "
+          "bar twists the other, so its $\\it{M}_{t}$ is the $\\it{M}_{f}$ at the end of bar 1.",
+          "L'asse della barra 2 a distanza $\\it{L}_{2}$: $\\it{M}_{t}$ = $\\it{P}$·$\\it{L}_{2}$. In un nodo ciò "
+          "che inflette una barra torce l'altra: il suo $\\it{M}_{t}$ è l'$\\it{M}_{f}$ all'estremo della barra 1."},
       Words{"Bar 3 points at the load: no torque.", "L'asse della barra 3 passa per il carico: non c'è torsione."}};
   std::vector<SpaceBar> bars;
   for (int i = 1; i <= 3; ++i)
     bars.push_back(
         {at[i - 1].from, at[i - 1].to, std::to_string(i), ordinates(s, {torsion(i), torsion(i)}), told[i - 1]});
-  return {bars, {nodes.begin(), nodes.end()}, "$\\it{M}_{z}$", SpaceDiagramPanel::Positive::upwards};
+  return {bars, {nodes.begin(), nodes.end()}, "$\\it{M}_{t}$", SpaceDiagramPanel::Positive::upwards};
 }
 
 PanelSheet moments_sheet(const Solution& s, Language language) {
   const Words axonometry{
       "Lengths along $x$ and $z$ at scale, those along $y$ at 45° and halved; all ordinates upright.",
       "In scala le lunghezze lungo $x$ e $z$, a 45° e dimezzate quelle lungo $y$; tutte le ordinate in verticale."};
+  const Words axes{
+      "$\\it{M}_{f}$ bends a bar and $\\it{M}_{t}$ twists it, whichever way it lies; the clamp's couples are "
+      "about the drawn axes through $O$.",
+      "$\\it{M}_{f}$ inflette la barra e $\\it{M}_{t}$ la torce, comunque sia disposta; le coppie "
+      "dell'incastro sono intorno agli assi disegnati, per $O$."};
   return {.panels = panels(bending_panel(s), torsion_panel(s)),
           .results = {values({"R_O_z", "M_O_x", "M_O_y"}), values({"M_x_B_bar_1", "M_x_B_bar_2", "M_x_C_bar_3"}),
-                      values({"M_z_bar_1", "M_z_bar_2", "M_z_bar_3"}), remark(axonometry.in(language))},
+                      values({"M_z_bar_1", "M_z_bar_2", "M_z_bar_3"}), remark(axes.in(language)),
+                      remark(axonometry.in(language))},
           .seen = {"The frame in axonometry with the diagrams of bending and torsion on its bars",
                    "Il telaio in assonometria con i diagrammi di flessione e torsione sulle barre"},
           .told = {"R_O_z", "M_O_x", "M_x_B_bar_1", "M_x_B_bar_2", "M_x_C_bar_3", "M_z_bar_1", "M_z_bar_2"},
@@ -135,10 +141,10 @@ StrungBeamsPanel strung_panel(const Solution& s, Language language) {
                      .counts_down = i > 1});
   }
   const Words areas{
-      "The area of each $\\it{M}_{x}$ diagram over $\\it{EJ}$ is an elastic weight, in the line of the triangle's "
+      "The area of each $\\it{M}_{f}$ diagram over $\\it{EJ}$ is an elastic weight, in the line of the triangle's "
       "centroid, a third of the bar from its greater side: $α_{1}$ = $\\it{P}\\it{L}_{2}^{2}$/2$\\it{EJ}_{x1}$ and "
       "so on.",
-      "L'area di ogni diagramma $\\it{M}_{x}$ divisa per $\\it{EJ}$ è un peso elastico, sulla verticale del "
+      "L'area di ogni diagramma $\\it{M}_{f}$ divisa per $\\it{EJ}$ è un peso elastico, sulla verticale del "
       "baricentro del triangolo, a un terzo della barra dal lato maggiore: $α_{1}$ = "
       "$\\it{P}\\it{L}_{2}^{2}$/2$\\it{EJ}_{x1}$ e così via."};
   const Words pole{
@@ -187,21 +193,21 @@ DisplacementPlanPanel plan_panel(const Solution& s) {
   PlannedBar first = bar(1), second = bar(2), third = bar(3);
   first.told_bent = {"Bar 1 leaves the clamp level and bends: $B$ moves by $w_{B}$.",
                      "La barra 1 esce orizzontale dall'incastro e si inflette: $B$ si sposta di $w_{B}$."};
-  second.turned = "$θ_{Bx}\\it{L}_{1}$";
+  second.turned = "|$θ_{Bx}$|·$\\it{L}_{1}$ = $δ_{t1}$";
   second.told_turned = {
-      "The twist of bar 1 turns bar 2 with $B$, by $θ_{Bx}$ = −$\\it{M}_{z1}\\it{L}_{2}$/$\\it{GJ}_{t1}$: its first "
+      "The twist of bar 1 turns bar 2 with $B$, by $θ_{Bx}$ = −$\\it{M}_{t1}\\it{L}_{2}$/$\\it{GJ}_{t1}$: its first "
       "tangent, with $C$, goes down by |$θ_{Bx}$|·$\\it{L}_{1}$ = $δ_{t1}$.",
       "La torsione della barra 1 fa ruotare con $B$ la barra 2, di $θ_{Bx}$ = "
-      "−$\\it{M}_{z1}\\it{L}_{2}$/$\\it{GJ}_{t1}$: la sua prima tangente, in $C$, scende di |$θ_{Bx}$|·$\\it{L}_{1}$ "
+      "−$\\it{M}_{t1}\\it{L}_{2}$/$\\it{GJ}_{t1}$: la sua prima tangente, in $C$, scende di |$θ_{Bx}$|·$\\it{L}_{1}$ "
       "= $δ_{t1}$."};
   second.told_bent = {"It bends away from the tangent by $δ_{f2}$ (second polygon): $w_{C}$.",
                       "Si scosta dalla tangente di $δ_{f2}$ (secondo poligono): $w_{C}$."};
-  third.turned = "$θ_{Cy}\\it{L}_{2}$";
+  third.turned = "|$θ_{Cy}$|·$\\it{L}_{2}$";
   third.told_turned = {
-      "Bar 3 turns with $C$, by $θ_{Cy}$: $α_{1}$ of bar 1 and the twist $\\it{M}_{z2}\\it{L}_{1}$/$\\it{GJ}_{p2}$ "
+      "Bar 3 turns with $C$, by $θ_{Cy}$: $α_{1}$ of bar 1 and the twist $\\it{M}_{t2}\\it{L}_{1}$/$\\it{GJ}_{p2}$ "
       "of bar 2. It begins at this slope.",
       "La barra 3 ruota con $C$, di $θ_{Cy}$: $α_{1}$ della barra 1 e la torsione "
-      "$\\it{M}_{z2}\\it{L}_{1}$/$\\it{GJ}_{p2}$ della 2. Comincia con questa pendenza."};
+      "$\\it{M}_{t2}\\it{L}_{1}$/$\\it{GJ}_{p2}$ della 2. Comincia con questa pendenza."};
   third.told_bent = {"It bends away by $δ_{f3}$, and the plan closes on $w_{A}$ = −$δ_{A}$.",
                      "Si scosta di $δ_{f3}$, e il diagramma si chiude su $w_{A}$ = −$δ_{A}$."};
   return {"$O$", {first, second, third}};
@@ -213,12 +219,14 @@ PanelSheet plan_sheet(const Solution& s, Language language) {
       "gives way.",
       "Tutto è lineare in $\\it{P}$: le rotazioni si trattano come piccole, e i momenti sono quelli del telaio "
       "indeformato."};
+  const Words unfolded{"The bars stand one behind another in one line, unfolded, each with its length.",
+                       "Le barre stanno una dopo l'altra su una retta, sviluppate, ognuna con la sua lunghezza."};
   return {.panels = panels(plan_panel(s)),
           .results = {table({"", "$θ_{x}$ (rad)", "$θ_{y}$ (rad)", "$w$ (m)"},
                             {{"$B$", {"theta_B_x", "theta_B_y", "w_B"}},
                              {"$C$", {"theta_C_x", "theta_C_y", "w_C"}},
                              {"$A$", {"theta_A_x", "theta_A_y", "w_A"}}}),
-                      values({"delta_A"}), remark(linear.in(language))},
+                      values({"delta_A"}), remark(unfolded.in(language)), remark(linear.in(language))},
           .seen = {"The displacement plan of the chain of bars, which closes on the displacement of A",
                    "Il piano degli spostamenti della catena di barre, che si chiude sullo spostamento di A"},
           .told = {"w_B", "w_C", "w_A", "delta_A"}};
@@ -242,12 +250,12 @@ PanelSheet shares_sheet(const Solution& s, Language language) {
              t1_of_source = unread(named({"torsion 1", "torsione 1"}, "delta_torsion_1_p")),
              whole_of_source = unread(named({"in all", "in tutto"}, "delta_A_p"));
   const Words shares{
-      "By virtual work $δ_{fi}$ = ∫$\\it{M}_{x}m_{x}$d$ξ$/$\\it{EJ}_{xi}$ and $δ_{ti}$ = "
-      "$\\it{M}_{zi}m_{zi}\\it{L}$/$\\it{GJ}_{i}$: $δ_{f1}$ = $δ_{f3}$ = $\\it{P}\\it{L}_{2}^{3}$/3$\\it{EJ}_{x1}$, "
+      "By virtual work $δ_{fi}$ = ∫$\\it{M}_{f}m_{f}$d$ξ$/$\\it{EJ}_{xi}$ and $δ_{ti}$ = "
+      "$\\it{M}_{ti}m_{ti}\\it{L}$/$\\it{GJ}_{i}$: $δ_{f1}$ = $δ_{f3}$ = $\\it{P}\\it{L}_{2}^{3}$/3$\\it{EJ}_{x1}$, "
       "$δ_{t1}$ = $\\it{P}\\it{L}_{1}^{2}\\it{L}_{2}$/$\\it{GJ}_{t1}$, $δ_{f2}$ = "
       "$\\it{P}\\it{L}_{1}^{3}$/3$\\it{EJ}_{x2}$, $δ_{t2}$ = $\\it{P}\\it{L}_{2}^{2}\\it{L}_{1}$/$\\it{GJ}_{p2}$.",
-      "Per i lavori virtuali $δ_{fi}$ = ∫$\\it{M}_{x}m_{x}$d$ξ$/$\\it{EJ}_{xi}$ e $δ_{ti}$ = "
-      "$\\it{M}_{zi}m_{zi}\\it{L}$/$\\it{GJ}_{i}$: $δ_{f1}$ = $δ_{f3}$ = $\\it{P}\\it{L}_{2}^{3}$/3$\\it{EJ}_{x1}$, "
+      "Per i lavori virtuali $δ_{fi}$ = ∫$\\it{M}_{f}m_{f}$d$ξ$/$\\it{EJ}_{xi}$ e $δ_{ti}$ = "
+      "$\\it{M}_{ti}m_{ti}\\it{L}$/$\\it{GJ}_{i}$: $δ_{f1}$ = $δ_{f3}$ = $\\it{P}\\it{L}_{2}^{3}$/3$\\it{EJ}_{x1}$, "
       "$δ_{t1}$ = $\\it{P}\\it{L}_{1}^{2}\\it{L}_{2}$/$\\it{GJ}_{t1}$, $δ_{f2}$ = "
       "$\\it{P}\\it{L}_{1}^{3}$/3$\\it{EJ}_{x2}$, $δ_{t2}$ = $\\it{P}\\it{L}_{2}^{2}\\it{L}_{1}$/$\\it{GJ}_{p2}$."};
   const Words mistake{

@@ -46,12 +46,12 @@ inline Quantity bending(const std::string& at, int bar) {
   const Words where = at == "mid" ? format_words("in the middle of bar {}", "a metà della barra {}", number)
                                   : format_words("at {}, in bar {}", "in {}, nella barra {}", at, number);
   return {"M_x_" + at + (is_free_end ? "" : "_bar_" + number),
-          "$\\it{M}_{x" + (at == "mid" ? std::string("m") : at) + (is_free_end ? "" : number) + "}$", "N*m",
+          "$\\it{M}_{f" + (at == "mid" ? std::string("m") : at) + (is_free_end ? "" : number) + "}$", "N*m",
           Words{"bending moment ", "momento flettente "} + where};
 }
 inline Quantity torsion(int bar) {
   const std::string number = std::to_string(bar);
-  return {"M_z_bar_" + number, "$\\it{M}_{z" + number + "}$", "N*m",
+  return {"M_z_bar_" + number, "$\\it{M}_{t" + number + "}$", "N*m",
           format_words("torque in bar {}", "momento torcente nella barra {}", number)};
 }
 

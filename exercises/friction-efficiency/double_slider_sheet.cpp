@@ -49,9 +49,11 @@ PanelSheet double_slider(const Solution& s, Language language) {
   whole.load(of.load("Q", "", ""), of.place("A")).effort(of.known(P_of(direct), "", ""), of.place("B"), Arrow::ends);
   FreeBodyPanel A = detail("A", false), B = detail("B", true);
   A.step({"The pins turn in the link: its force touches both friction circles, $ρ$ = $r$ sin $φ$, on the sides on "
-          "which it hinders their turning; so it crosses $AB$ at the angle $δ$, sin $δ$ = 2$ρ$/$l$.",
+          "which it hinders their turning; so it crosses $AB$ at the angle $δ$, sin $δ$ = 2$ρ$/$l$. "
+          "Dashed polygons: without friction.",
           "I perni ruotano nell'asta: la sua forza è tangente ai due cerchi d'attrito, $ρ$ = $r$ sen $φ$, dalle "
-          "parti che ne ostacolano la rotazione; perciò taglia $AB$ sotto l'angolo $δ$, sen $δ$ = 2$ρ$/$l$."},
+          "parti che ne ostacolano la rotazione; perciò taglia $AB$ sotto l'angolo $δ$, sen $δ$ = 2$ρ$/$l$. "
+          "Poligoni a tratti: senza attrito."},
          of.place("on_A" + direct));
   std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"friction_circle_radius", "link_line_tilt_angle_deg"}));

@@ -97,9 +97,9 @@ void write_case(Ledger<T>& ledger, const Problem& problem, const Fairbairn& of, 
   for (const Motion motion : with_friction) {
     const Quantity F_23 =
         in(motion,
-           Quantity{"F_23", "$\\it{F}_{23}$", "N", {"force between crank and lever", "forza tra manovella e leva"}});
+           Quantity{"F_23", "$\\it{R}_{32}$", "N", {"force between crank and lever", "forza tra manovella e leva"}});
     const Quantity d =
-        in(motion, Quantity{"d", "$d$", "m", {"arm of F23 about A", "braccio della F23 rispetto ad A"}});
+        in(motion, Quantity{"d", "$d$", "m", {"arm of R32 about A", "braccio della R32 rispetto ad A"}});
     const PointQuantity H = in(motion, PointQuantity{"H",
                                                      {" of the meeting point of the forces on the lever",
                                                       " del punto d'incontro delle forze sulla leva"}});

@@ -54,7 +54,7 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
   on_2.to_scale().at_most(50).force(R_32, B).force(reaction(R_32, "$\\vec{\\it{R}}_{12}$", ""), A);
   on_2.couple("$\\it{M}$", A, of["M_direct"]).arm(A, B, R_32.v, "$d$", of.name("d_direct"));
   on_2.otherwise("", "", {}, {{B, other_R_34}}).arm(A, B, other_R_34, "$d'$", of.name("d_retrograde"));
-  on_2.moments({"$\\it{M}$ = $\\it{F}_{23}$·$d$.", "$\\it{M}$ = $\\it{F}_{23}$·$d$."}, A);
+  on_2.moments({"$\\it{M}$ = $\\it{R}_{32}$·$d$.", "$\\it{M}$ = $\\it{R}_{32}$·$d$."}, A);
   FreeBodyPanel all(fairbairn_figure(of));
   all.to_scale().at_most(50);
   std::vector<Result> results = efficiencies(of, "M", language);

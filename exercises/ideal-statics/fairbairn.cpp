@@ -44,8 +44,10 @@ PanelSheet polygons(const Solution& s, const std::string& name) {
                    " Le due si incontrano in $\\it{H}$; la $\\vec{\\it{R}}_{14}$ passa per $C$ e $\\it{H}$."};
   on_4.step(shared ? ram : ram + meet, shared ? D : *H);
   if (shared) shared->draw_strings(on_4);
-  on_2.moments({"Crank: a couple of forces $\\it{F}_{23}$ with the arm $d$; $\\it{M}$ = $\\it{F}_{23}$·$d$.",
-                "Manovella: una coppia di forze $\\it{F}_{23}$ di braccio $d$; $\\it{M}$ = $\\it{F}_{23}$·$d$."},
+  on_2.moments({"Crank: $\\vec{\\it{R}}_{32}$ and $\\vec{\\it{R}}_{12}$ are a couple with the arm $d$; $\\it{M}$ = "
+                "$\\it{R}_{32}$·$d$.",
+                "Manovella: la $\\vec{\\it{R}}_{32}$ e la $\\vec{\\it{R}}_{12}$ sono una coppia di braccio $d$; "
+                "$\\it{M}$ = $\\it{R}_{32}$·$d$."},
                A);
   Panels shown = panels(all, on_6, on_4, on_2);
   if (shared)
@@ -77,11 +79,13 @@ PanelSheet virtual_work(const Solution& s, const std::string& name) {
       .right_angle("B", "P24", "C");
   FreeBodyPanel poles(with_ram(std::move(drawn), of));
   poles.step({"The normal to the lever in $B$ meets the line $CA$ in $P_{24}$: crank and lever have one velocity "
-              "there, $ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$.",
+              "there, $ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$. Velocities are laid off for $ω_{2}$ = 1 rad/s.",
               "La normale alla leva in $B$ incontra la retta $CA$ in $P_{24}$: vi hanno la stessa velocità manovella "
-              "e leva, $ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$."},
+              "e leva, $ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$. Le velocità si riportano per $ω_{2}$ = 1 rad/s."},
              P24);
   poles.load(of.load("F", "", ""), D);
+  const Arrow2 crank = B - A, frame = C - A;
+  poles.couple("$\\it{M}$", A, of["M"], {std::atan2(crank.y, crank.x), std::atan2(frame.y, frame.x)});
   poles.step(
       {"$\\it{M}$·$ω_{2}$ = $\\it{F}$·$v_{D6}$: the couple supplies what the force takes. This gives $\\it{M}$.",
        "$\\it{M}$·$ω_{2}$ = $\\it{F}$·$v_{D6}$: la coppia fornisce quel che la forza prende. Ciò dà la $\\it{M}$."},

@@ -43,13 +43,13 @@ FreeBodyPanel cut_free(const LeverFigure& at, int lever, const PolygonSide& appl
     return panel;
   }
   panel.meeting(at.of.name("H_" + i), H, meeting);
-  panel.step(
-      Words{"Lever " + i + ": " + applied.label + " and " + contact.label + ", along the normal $n$, meet in " + H +
-                "; " + pivot.label + " runs through " + at.letters(lever) + " and " + H + ".",
-            "Leva " + i + ": la " + applied.label + " e la " + contact.label +
-                ", lungo la normale $n$, si incontrano in " + H + "; la " + pivot.label + " passa per " +
-                at.letters(lever) + " e " + H + "."},
-      meeting.value_or(at.hinge(lever)));
+  panel.step(Words{"Lever " + i + ": " + applied.label + " and " + contact.label +
+                       ", along the normal $n$, meet in " + H + "; " + pivot.label + " runs through " +
+                       at.letters(lever) + " (the normal passes it at $b_{" + arm + "}$) and " + H + ".",
+                   "Leva " + i + ": la " + applied.label + " e la " + contact.label +
+                       ", lungo la normale $n$, si incontrano in " + H + "; la " + pivot.label + " passa per " +
+                       at.letters(lever) + " (la normale ne dista $b_{" + arm + "}$) e " + H + "."},
+             meeting.value_or(at.hinge(lever)));
   return panel;
 }
 
@@ -108,9 +108,9 @@ PanelSheet virtual_work(const LeverFigure& at) {
   PolesPanel poles(
       of.s, std::make_shared<const Mechanism>(std::move(four_bar)), of.pole("P41"), {"A", "B"},
       {{{"While they touch, the levers move as the four-bar $A_{0}ABB_{0}$ of the profiles' centres; its coupler is "
-         "body 4.",
+         "body 4. Velocities are laid off for $ω_{2}$ = 1 rad/s.",
          "Finché si toccano, le leve si muovono come il quadrilatero $A_{0}ABB_{0}$ dei centri dei profili; la "
-         "biella è il membro 4."},
+         "biella è il membro 4. Le velocità si riportano per $ω_{2}$ = 1 rad/s."},
         Where::point,
         "A"},
        {{"$A_{0}A$ and $B_{0}B$ meet in $P_{41}$, the coupler's pole.",

@@ -13,13 +13,13 @@ inline Quantity M() {
 }
 inline Quantity P_virtual_work() {
   return {"P_virtual_work",
-          "$\\it{P}_{PVW}$",
+          "$\\it{P}_{vir}$",
           "N",
           {"driving force by virtual work", "forza motrice con i lavori virtuali"}};
 }
 inline Quantity M_virtual_work() {
   return {"M_virtual_work",
-          "$\\it{M}_{PVW}$",
+          "$\\it{M}_{vir}$",
           "N*m",
           {"couple on the crank by virtual work", "coppia sulla manovella con i lavori virtuali"}};
 }
@@ -68,11 +68,11 @@ inline Quantity ratio_of_speeds(int i, int j) {
 }
 inline Quantity F_23() {
   return {"F_23",
-          "$\\it{F}_{23}$",
+          "$\\it{R}_{32}$",
           "N",
           {"force between crank and lever, through block 3", "forza tra manovella e leva, attraverso il corsoio 3"}};
 }
-inline Quantity arm_of_F_23() { return {"d", "$d$", "m", {"arm of F23 about A", "braccio della F23 rispetto ad A"}}; }
+inline Quantity arm_of_F_23() { return {"d", "$d$", "m", {"arm of R32 about A", "braccio della R32 rispetto ad A"}}; }
 inline Quantity crank_angle() {
   return {"crank_angle_deg", "$φ$", "deg", {"direction of AB from +x", "direzione di AB da +x"}};
 }

@@ -82,9 +82,11 @@ PanelSheet virtual_work_of_wedge(const Solution& s, Language language) {
       {of.moves("2", "∥ $x$", "1 m/s", "$2$"), of.moves("32", Words{"∥ face", "∥ faccia"}.in(language), "?", "$3$")});
   FreeBodyPanel mechanism = whole(WedgeFigure(of), of, 500, Dimensioned::no);
   mechanism.step({"The wedge moves along $x$, the rod along $r_{1}$, and on each other they slide along the face: "
-                  "$v_{Q}$ : $v_{P}$ = tan $θ$. $\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0.",
+                  "$v_{Q}$ : $v_{P}$ = tan $θ$. $\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0, with $v_{P}$ = $v_{2}$ "
+                  "and $v_{Q}$ = $v_{3}$.",
                   "Il cuneo si muove lungo $x$, l'asta lungo $r_{1}$, e l'uno sull'altra scorrono lungo la faccia: "
-                  "$v_{Q}$ : $v_{P}$ = tg $θ$. $\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0."},
+                  "$v_{Q}$ : $v_{P}$ = tg $θ$. $\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0, con $v_{P}$ = $v_{2}$ e "
+                  "$v_{Q}$ = $v_{3}$."},
                  {0, 0});
   return {
       .panels = panels(mechanism, PolygonPanel(s, displacements)),
@@ -108,22 +110,21 @@ PanelSheet two_forces(const Solution& s, Language) {
   string("on_upper", "on_resultant", "1′");
   string("on_resultant", "on_lower", "2′");
   string("on_lower", "on_upper", "3′");
-  rod.step(
-      {"Funicular polygon: 1′ parallel to the ray 1, from the line of $\\vec{\\it{R}}^{u}_{13}$ to that of "
-       "$\\vec{\\it{R}}_{13}$ through $O$; 2′ parallel to 2, to the line of $\\vec{\\it{R}}^{l}_{13}$; 3′ closes it.",
-       "Poligono funicolare: 1′ parallela al raggio 1, dalla retta della $\\vec{\\it{R}}^{u}_{13}$ a quella della "
-       "$\\vec{\\it{R}}_{13}$ per $O$; 2′ parallela a 2, fino alla retta della $\\vec{\\it{R}}^{l}_{13}$; 3′ lo "
-       "chiude."},
-      of.place("on_resultant"));
   PolygonSide R_13 = of.known(force_between(1, 3), "∥ $x$", "?");
   R_13.quantity.clear();
   ChainedPolygonsPanel polygons(force_polygon("3", {R_13}, {on.Q, on.R_23}));
   SharedLoadPanel shared({{}, R_13.label, R_13.v}, {upper.quantity, upper.label, upper.v},
                          {lower.quantity, lower.label, lower.v}, of.vector("pole"), "N");
   shared.named({"1", "2", "3"}, "$O_{f}$");
-  shared.step({"A pole $O_{f}$ beside $\\vec{\\it{R}}_{13}$, and the rays 1 and 2 to its ends.",
-               "Un polo $O_{f}$ accanto alla $\\vec{\\it{R}}_{13}$, e i raggi 1 e 2 ai suoi estremi."},
-              SharedLoadPanel::At::pole);
+  shared.step(
+      {"A pole $O_{f}$ beside $\\vec{\\it{R}}_{13}$, and the rays 1 and 2 to its ends. Funicular polygon on the "
+       "rod: 1′ parallel to 1, from the line of $\\vec{\\it{R}}^{u}_{13}$ to that of $\\vec{\\it{R}}_{13}$ "
+       "through $O$; 2′ parallel to 2, to the line of $\\vec{\\it{R}}^{l}_{13}$; 3′ closes it.",
+       "Un polo $O_{f}$ accanto alla $\\vec{\\it{R}}_{13}$, e i raggi 1 e 2 ai suoi estremi. Poligono "
+       "funicolare sull'asta: 1′ parallela a 1, dalla retta della $\\vec{\\it{R}}^{u}_{13}$ a quella della "
+       "$\\vec{\\it{R}}_{13}$ per $O$; 2′ parallela a 2, fino alla retta della $\\vec{\\it{R}}^{l}_{13}$; 3′ "
+       "lo chiude."},
+      SharedLoadPanel::At::pole);
   shared.step({"The ray 3 parallel to 3′ parts $\\vec{\\it{R}}_{13}$ into $\\vec{\\it{R}}^{u}_{13}$ and "
                "$\\vec{\\it{R}}^{l}_{13}$.",
                "Il raggio 3 parallelo a 3′ divide la $\\vec{\\it{R}}_{13}$ in $\\vec{\\it{R}}^{u}_{13}$ e "

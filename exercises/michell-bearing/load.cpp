@@ -223,7 +223,7 @@ class FunicularPanel : public Panel {
     plot.segment(from_mm(plot, vertices.front()), meet, Meaning::construction);
     plot.segment(from_mm(plot, vertices.back()), meet, Meaning::construction);
     const Place above = from_mm(plot, {on.meet().x, on.tallest() + 6});
-    plot.segment(meet, above, Meaning::force);
+    plot.segment(meet, above, Meaning::axis);
     plot.dot(meet, Meaning::force);
     plot.label("$\\it{N}_{f}$", above, meet, Meaning::force);
   }

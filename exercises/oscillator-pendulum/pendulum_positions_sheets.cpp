@@ -5,6 +5,7 @@
 #include "exercises/kit/panels/mechanism.h"
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/polygon_panel.h"
+#include "exercises/kit/panels/tracks.h"
 #include "exercises/oscillator-pendulum/charts.h"
 #include "exercises/oscillator-pendulum/problem.h"
 #include "exercises/oscillator-pendulum/quantities.h"
@@ -78,7 +79,8 @@ class PositionsPanel : public MechanismPanel {
       const auto letters = [&](const char* of) { return each.instant == now_ ? std::string(of) : std::string(); };
       plot.vector_on(pen("weight"), each.G, weight_, Meaning::force, letters("$m_{p}\\vec{g}$"));
       plot.vector_on("", each.G, each.R, Meaning::force, letters("$\\vec{\\it{R}}_{12}$"));
-      plot.vector_on("", each.G, weight_ + each.R, Meaning::acceleration, letters("$m_{p}\\vec{a}_{G}$"));
+      plot.vector_on("", beside_the_others(plot, each), weight_ + each.R, Meaning::acceleration,
+                     letters("$m_{p}\\vec{a}_{G}$"));
       const drawings::Point from = plot.at(each.G), to = plot.at(plot.tip(each.G, each.R));
       const double per_mm = 1 / plot.vector_scale().mm_per_unit;
       plot.onto().measurements.push_back({pen(at("R_12_x", each.instant)), from, to, per_mm, Measurement::along_x});
@@ -100,6 +102,17 @@ class PositionsPanel : public MechanismPanel {
     Place G;
     Arrow2 R;
   };
+  // Where the sum of the two begins: at G, or beside it where it would lie on one of them.
+  Place beside_the_others(Plot& plot, const Shown& each) const {
+    std::vector<VectorOnPaper> vectors;
+    for (const Arrow2& v : {weight_, each.R, weight_ + each.R})
+      vectors.emplace_back(plot.at(each.G), plot.at(plot.tip(each.G, v)));
+    const drawings::Point by = tracks(vectors, vectors[1].second).back().by, G = plot.at(each.G);
+    const Place start = plot.from_paper({G.x + by.x, G.y + by.y});
+    if (by.x != 0 || by.y != 0) plot.segment(each.G, start, Meaning::dimension);
+    return start;
+  }
+
   Arrow2 weight_;
   std::string now_;
   std::vector<Shown> shown_;

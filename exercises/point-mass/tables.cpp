@@ -129,10 +129,12 @@ PanelSheet errors_sheet(const Solution& s, Language language) {
       chart(right, Words{"|$ε$|, right tables", "|$ε$|, tabelle giuste"}.in(language), end)));
   const Words formulas{
       "Bezout's $v_{B}$ is off by Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). Cavalieri-Simpson's formula is exact for the "
-      "cubic $a$: $v_{S}$ has an error in the odd rows alone, which begin with a parabola through three points.",
+      "cubic $a$: $v_{S}$ has an error in the odd rows alone, which begin with a parabola through three points. Odd "
+      "and even rows "
+      "have each their own curve of $s_{S}$, and where both are wrong of $v_{S}$.",
       "La $v_{B}$ di Bezout è errata di Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). La formula di Cavalieri-Simpson è esatta "
       "per la cubica $a$: $v_{S}$ ha errore nelle sole righe dispari, che cominciano con una parabola per tre "
-      "punti."};
+      "punti. Righe dispari e pari hanno ognuna la sua curva di $s_{S}$, e dove entrambe sono errate di $v_{S}$."};
   std::vector<Section> theory{{{"The formulas", "Le formule"}, {remark(formulas.in(language))}}};
   if (s.givens().as_stated()) {
     for (const PrintedAgainstExact& column : printed_columns())

@@ -99,9 +99,9 @@ PanelSheet energy_with_mass_sheet(const Solution& s, Language language) {
         .value = pump.energy(half_turn + second)}});
   const Words mass{
       "The reciprocating mass asks for $\\it{M}_{s}$ sin 2$α$, $\\it{M}_{s}$ = $mr^{2}ω^{2}$/2, and gives it back: "
-      "over the turn it does no work, but it moves $α_{1}$ and $α_{2}$.",
+      "over the turn it does no work, but it moves $β_{1}$ and $β_{2}$.",
       "Le masse alterne chiedono $\\it{M}_{s}$ sen 2$α$, $\\it{M}_{s}$ = $mr^{2}ω^{2}$/2, e lo restituiscono: nel "
-      "giro non fanno lavoro, ma spostano $α_{1}$ e $α_{2}$."};
+      "giro non fanno lavoro, ma spostano $β_{1}$ e $β_{2}$."};
   const std::string of = "reciprocating_mass.";
   return {.panels = panels(std::move(panel)),
           .results = {remark(off_the_curve.in(language)), values({of + "polygon_off_at_most"}),

@@ -31,15 +31,15 @@ PanelSheet torque_sheet(const Solution& s, Language language) {
   }
   chart.curves = {{.name = "torque", .runs = {torque}, .meaning = Meaning::force}};
   chart.horizontals = {{.at = mean, .label = "$\\it{M}_{m}$"}};
-  chart.markers = {{.at = {180 + first, mean}, .label = "$α_{1}$"}, {.at = {180 + second, mean}, .label = "$α_{2}$"}};
+  chart.markers = {{.at = {180 + first, mean}, .label = "$β_{1}$"}, {.at = {180 + second, mean}, .label = "$β_{2}$"}};
   if (suction_exceeds) {
-    chart.markers.push_back({.at = {crossings[1], mean}, .label = "$α_{3}$"});
-    chart.markers.push_back({.at = {crossings[2], mean}, .label = "$α_{4}$"});
+    chart.markers.push_back({.at = {crossings[1], mean}, .label = "$α_{1}$"});
+    chart.markers.push_back({.at = {crossings[2], mean}, .label = "$α_{2}$"});
   }
   // Besides, the twelfths of the turn in delivery: both that have one height.
   const TorquePanel panel(pump.suction, pump.delivery,
                           {{90, "$\\it{F}_{a}r$"},
-                           {180 + first, "$α_{1}$"},
+                           {180 + first, "$β_{1}$"},
                            {225, "$\\it{F}_{m}r$"},
                            {210, ""},
                            {330, ""},
@@ -52,13 +52,13 @@ PanelSheet torque_sheet(const Solution& s, Language language) {
                            {"alpha_2_deg", {180, mean}, {180 + second, mean}, 1},
                            {"M_r_suction_coefficient", {90, 0}, {90, pump.suction}, 1}});
   const Words projection{
-      "The mean line $\\it{M}_{m}$ = $\\it{L}_{r}$/2π leaves as much area above as is wanting below; from $α_{1}$ to "
-      "$α_{2}$, counted from the start of delivery, the pump asks for more than the motor gives.",
-      "La retta media $\\it{M}_{m}$ = $\\it{L}_{r}$/2π lascia tanta area sopra quanta ne manca sotto; da $α_{1}$ ad "
-      "$α_{2}$, contati dall'inizio della mandata, la pompa chiede più di quanto dia il motore."};
+      "The mean line $\\it{M}_{m}$ = $\\it{L}_{r}$/2π leaves as much area above as is wanting below; from $β_{1}$ to "
+      "$β_{2}$, counted from the start of delivery ($α$ = 180°), the pump asks for more than the motor gives.",
+      "La retta media $\\it{M}_{m}$ = $\\it{L}_{r}$/2π lascia tanta area sopra quanta ne manca sotto; da $β_{1}$ ad "
+      "$β_{2}$, contati dall'inizio della mandata ($α$ = 180°), la pompa chiede più di quanto dia il motore."};
   const Words in_suction{
-      "In suction too: from $α_{3}$, where sin $α$ = $\\it{M}_{m}$/$\\it{F}_{a}r$, to $α_{4}$ = 180° − $α_{3}$.",
-      "Anche in aspirazione: da $α_{3}$, dove sen $α$ = $\\it{M}_{m}$/$\\it{F}_{a}r$, ad $α_{4}$ = 180° − $α_{3}$."};
+      "In suction too: from $α_{1}$, where sin $α$ = $\\it{M}_{m}$/$\\it{F}_{a}r$, to $α_{2}$ = 180° − $α_{1}$.",
+      "Anche in aspirazione: da $α_{1}$, dove sen $α$ = $\\it{M}_{m}$/$\\it{F}_{a}r$, ad $α_{2}$ = 180° − $α_{1}$."};
   return {.panels = panels(panel),
           .results = {remark(projection.in(language)), remark(suction_exceeds ? in_suction.in(language) : ""),
                       values({"A_p", "V"}), values({"n_rpm", "omega"}), values({"F_a", "F_m"}),

@@ -39,8 +39,8 @@ PanelSheet wittenbauer_sheet(const Solution& s, Language language) {
                    .meaning = Meaning::locus,
                    .label = "$ω^{2}_{min}$/2"}};
   chart.horizontals = {{.at = 0}};
-  chart.markers = {{.at = at(std::numbers::pi + s[of + "alpha_1"]), .label = "$α_{1}$"},
-                   {.at = at(std::numbers::pi + s[of + "alpha_2"]), .label = "$α_{2}$"},
+  chart.markers = {{.at = at(std::numbers::pi + s[of + "alpha_1"]), .label = "$β_{1}$"},
+                   {.at = at(std::numbers::pi + s[of + "alpha_2"]), .label = "$β_{2}$"},
                    {.at = {0, upper}, .label = "$\\it{W}_{1}$", .meaning = Meaning::velocity},
                    {.at = {0, lower}, .label = "$\\it{W}_{2}$", .meaning = Meaning::locus}};
   // How the curve is run through: the angles that no other point has.

@@ -47,9 +47,9 @@ std::vector<drawings::VectorEquation> PicturePanel::equations() const {
   return {equation(polygon_)};
 }
 
-std::vector<PanelStep> PicturePanel::steps(const Plot&, const drawings::Box&) const {
+std::vector<PanelStep> PicturePanel::steps(const Plot& plot, const drawings::Box&) const {
   const auto english = steps_of(polygon_, Language::english), italian = steps_of(polygon_, Language::italian);
-  const std::vector<Place> places = places_of_steps(polygon_);
+  const std::vector<Place> places = places_of_steps(polygon_, plot.scale());
   std::vector<PanelStep> steps;
   for (int i = stage_.first_numbered - 1; i < stage_.steps && stage_.numbered; ++i) {
     const auto at = static_cast<std::size_t>(i);

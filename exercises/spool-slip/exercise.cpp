@@ -137,8 +137,11 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
   const double beside = 1.25 * G.y;  // clear of the spool
   if (rolls && on.inertia.is_drawn()) body.arm({-beside, 0}, line, {1, 0}, "$h_{i}$", "");
   if (height) body.arm({beside, 0}, {0, *height}, {1, 0}, "$h_{r}$", "");
-  const Words pressed{"The normal reaction stands $u$ ahead of the foot of $G$.",
-                      "La reazione normale è spostata di $u$ oltre il piede di $G$."};
+  const Words pressed{
+      "The reaction $\\it{S}$ of the plane, whose upright part is $\\it{N}$, starts $u$ ahead of the "
+      "foot of $G$.",
+      "La reazione $\\it{S}$ del piano, di cui $\\it{N}$ è la parte verticale, è spostata di $u$ oltre "
+      "il piede di $G$."};
   const Words single{
       "The force of inertia and its couple are one force, in the line at $h_{i}$ above the plane.",
       "La forza d'inerzia e la sua coppia sono una sola forza, sulla retta ad altezza $h_{i}$ dal piano."};
@@ -152,10 +155,12 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
   if (height) body.step(meets, Place{0, *height});
   const Words verdict =
       Words{"With this counterweight ", "Con questo contrappeso "} + name_of(regime) + Words{".", "."};
+  const Words not_to_scale{"On the spool the arrows show directions, in the polygon sizes too.",
+                           "Sulla bobina le frecce danno le direzioni, nel poligono anche le intensità."};
   return {
       .panels = panels(body, PolygonPanel(s, force_polygon("a", {on.S}, {on.W, on.T, on.inertia}))),
-      .results = {remark(verdict.in(language)), values({"a", "a_G"}), values({"alpha", "T"}),
-                  values({"inertia_force", "inertia_couple"}), values({"N", "F"}),
+      .results = {remark(not_to_scale.in(language)), remark(verdict.in(language)), values({"a", "a_G"}),
+                  values({"alpha", "T"}), values({"inertia_force", "inertia_couple"}), values({"N", "F"}),
                   values({"ground_reaction", "ground_reaction_inclination"}),
                   values({"inertia_force_height", "resultant_height"})},
       .seen = {"The spool cut free, and the polygon of its forces", "La bobina isolata, e il poligono delle forze"},
@@ -184,7 +189,7 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
   const Spool of = spool(s.givens());
   const auto so = [&](const std::string& symbol) { return name_of(of.regime(s.givens()[symbol])) + Words{".", "."}; };
   const Words cone{"Dashed, the cone of friction about the vertical, with the half angle $φ_{a}$ = arctan $f_{a}$. ",
-                   "A tratti il cono d'attrito attorno alla verticale, di semiapertura $φ_{a}$ = arctg $f_{a}$. "};
+                   "A tratti il cono d'attrito attorno alla verticale, di semiapertura $φ_{a}$ = arctan $f_{a}$. "};
   const Words main_slips{
       "$m_{b}$: it slips with $\\it{F}$ = $f_{r}\\it{N}$; not to slip it would take $\\it{F}^{*}$, outside of the "
       "cone.",
@@ -206,9 +211,10 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
             : Words{"$m_{b,h}$: ", "$m_{b,h}$: "} + so("m_b_heavy");
   const std::string tried_head = Words{"$m_{b,h}$, rolling", "$m_{b,h}$, se rotola"}.in(language);
   const Words margin{
-      "$\\it{F}^{*}$ is the friction that must hold if it is not to slip; $m_{F}$ = $\\it{F}_{max}$ − $\\it{F}^{*}$ "
+      "$\\it{F}^{*}$ is the friction that must hold if it is not to slip; $Δ\\it{F}$ = $\\it{F}_{max}$ − "
+      "$\\it{F}^{*}$ "
       "is negative where it slips.",
-      "$\\it{F}^{*}$ è l'attrito che occorre perché non strisci; $m_{F}$ = $\\it{F}_{max}$ − $\\it{F}^{*}$ è "
+      "$\\it{F}^{*}$ è l'attrito che occorre perché non strisci; $Δ\\it{F}$ = $\\it{F}_{max}$ − $\\it{F}^{*}$ è "
       "negativo dove striscia."};
   return {.panels = panels(MechanismPanel(whole(s, "$C$")), with_cone(s, "", "m", main, true, language),
                            with_cone(s, "light.", "l", light, false, language),
@@ -220,7 +226,7 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
                              {"$m_{b}$", {"T", "F"}},
                              {tried_head, {"heavy_if_rolling.T", "heavy_if_rolling.F"}},
                              {"$m_{b,h}$", {"heavy.T", "heavy.F"}}}),
-                      table({"", "$\\it{F}^{*}$ (N)", "$m_{F}$ (N)"},
+                      table({"", "$\\it{F}^{*}$ (N)", "$Δ\\it{F}$ (N)"},
                             {{"$m_{b}$", {"F_required", "slip_margin"}},
                              {"$m_{b,h}$", {"heavy_if_rolling.F", "heavy_if_rolling.slip_margin"}}}),
                       values({"heavy.a_G", "heavy.alpha"}), values({"heavy.slip_acceleration", "light.u_required"}),

@@ -43,7 +43,7 @@ const std::vector<Quantity> quantities{
      "rad",
      {"its inclination from the vertical", "sua inclinazione sulla verticale"}},
     {"slip_margin",
-     "$m_{F}$",
+     "$Δ\\it{F}$",
      "N",
      {"friction at its limit less what must hold if it is not to slip",
       "attrito limite meno quello che occorre perché non strisci"}},

@@ -298,6 +298,25 @@ TEST_CASE("letters stand nearer to what they name than to another thing of its k
   }
 }
 
+TEST_CASE("letters of two things do not stand in one row as one word") {
+  constexpr double width = 5, height = 3;
+  const Point left = middle(a4_area), right = left + Point{14, 0};
+  const auto facing = [&](Point at, Point away_from, bool names_it) {
+    LabelBox label{.width = width, .height = height, .at = at, .away_from = away_from};
+    if (names_it) label.naming = Naming{{at, at}, {}};
+    return label;
+  };
+  const auto in_one_row = [&](bool named) {
+    const auto places =
+        place_labels({facing(left, left - Point{5, 0}, named), facing(right, right + Point{5, 0}, named)},
+                     Obstacles(a4_area), a4_area);
+    const Box a = places[0].box, b = places[1].box;
+    return std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y) > height / 2;
+  };
+  CHECK(in_one_row(false));  // a dimension, a step's number
+  CHECK_FALSE(in_one_row(true));
+}
+
 TEST_CASE("labels of things off the drawing are left out and reported") {
   Figure figure;
   figure.labels = {{"far", {500, 500}}, {"near", middle(a4_area)}};

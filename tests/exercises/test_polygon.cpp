@@ -118,6 +118,21 @@ TEST_CASE("a side that is square to the one before it is marked so", "[polygon]"
   CHECK(count<drawings::RightAngle>(drawn(two_magnitudes(), {})) == 1);
 }
 
+// Between the side before, which comes along x, and the square one, which goes up.
+TEST_CASE("the mark of a right angle gives way to an image's vector that comes between its legs", "[polygon]") {
+  const auto mark_with = [](const Arrow2& image) {
+    VectorPolygon polygon = two_magnitudes();
+    polygon.images = {{.absolute = {.label = "$\\vec{c}$", .v = image, .tip = "$c$"}}};
+    const DrawnSheet sheet = drawn(polygon, {});
+    for (const drawings::Mark& mark : sheet.sheet.figure.marks)
+      if (const auto* corner = std::get_if<drawings::RightAngle>(&mark)) return std::sin(corner->second);
+    return 0.0;
+  };
+  CHECK(mark_with({3.2, 0.2}) == Approx(1));  // it comes from below
+  CHECK(mark_with({3.2, -0.2}) == Approx(-1));
+  CHECK(mark_with({4.2, -0.2}) == Approx(1));  // far from it
+}
+
 TEST_CASE("a vector shorter than its head is told with its value, where it has one", "[polygon]") {
   VectorPolygon polygon = two_magnitudes();
   polygon.right[0].v = {0.2, 0};  // 2 mm
@@ -207,8 +222,8 @@ TEST_CASE("a polygon lies within its extent, lines and all", "[polygon]") {
   }
 }
 
-// All in one line there is no outside: letters of the right side stand on the left of their vectors, of the left side
-// on the right.
+// All in one line there is no outside: the sum stands on a track of its own to the left, its letters beyond it, those
+// of its parts on the right.
 TEST_CASE("letters of a flat polygon stand on different sides", "[polygon]") {
   VectorPolygon flat = one_vector();
   flat.right[2].v = {2, 0};
@@ -220,8 +235,8 @@ TEST_CASE("letters of a flat polygon stand on different sides", "[polygon]") {
     if (label.text == "$\\vec{p}$") p = label.at.y - label.away_from->y;
     if (label.text == "$\\vec{v}$") v = label.at.y - label.away_from->y;
   }
-  CHECK(p > 0);
-  CHECK(v < 0);
+  CHECK(p < 0);
+  CHECK(v > 0);
 }
 
 TEST_CASE("a sheet tells of a polygon what it shows", "[polygon]") {

@@ -118,6 +118,18 @@ TEST_CASE("each step has its number on the picture, or is named as off the sheet
   CHECK(off > 0);
 }
 
+TEST_CASE("the number of a source's item stands on no line alone") {
+  constexpr const char* no_break = "\u00a0";
+  int numbered = 0;
+  for_each_tried_sheet([&](const TriedSolution& tried, const std::string& name) {
+    const std::string source = tried.exercise.draw(name, tried.solution, {}).sheet.title_block.source;
+    CAPTURE(source);
+    CHECK(source.find(", N.") == std::string::npos);
+    numbered += source.find(std::string(no_break) + "N.") != std::string::npos ? 1 : 0;
+  });
+  CHECK(numbered > 50);
+}
+
 TEST_CASE("what is marked as a right angle is one") {
   int seen = 0;
   for_each_tried_sheet([&](const TriedSolution& tried, const std::string& name) {

@@ -135,7 +135,8 @@ std::vector<drawings::Block> BeamPanel::draw(Plot& plot, const drawings::Box&, L
 
 std::vector<PanelStep> BeamPanel::steps(const Plot& plot, const drawings::Box&) const {
   std::vector<PanelStep> all;
-  for (const Step& step : steps_) all.push_back({step.text, place(plot, step.diagram, step.at)});
+  for (const Step& step : steps_)
+    all.push_back({step.text, place(plot, step.diagram, step.at), step.needs_all_others});
   return all;
 }
 

@@ -56,7 +56,12 @@ class BeamPanel : public Panel {
     return *this;
   }
   BeamPanel& step(std::size_t diagram, const Place& at, const Words& text) {
-    steps_.push_back({diagram, at, text});
+    steps_.push_back({diagram, at, text, false});
+    return *this;
+  }
+  // Of what the steps of all other panels have found.
+  BeamPanel& last_step(std::size_t diagram, const Place& at, const Words& text) {
+    steps_.push_back({diagram, at, text, true});
     return *this;
   }
 
@@ -72,6 +77,7 @@ class BeamPanel : public Panel {
     std::size_t diagram;
     Place at;
     Words text;
+    bool needs_all_others;
   };
   // How far the axis of each stands below the first one, and the lower end of the last, in mm.
   std::vector<double> axes(double mm_of_lengths, double mm_of_vectors) const;

@@ -148,13 +148,13 @@ std::vector<double> ChainedPolygonsPanel::crossings() const {
   return all;
 }
 
-std::vector<PanelStep> ChainedPolygonsPanel::steps(const Plot&, const drawings::Box&) const {
+std::vector<PanelStep> ChainedPolygonsPanel::steps(const Plot& plot, const drawings::Box&) const {
   if (!is_told_) return steps_;
   std::vector<PanelStep> all;
   for (const Link& link : links_) {
     const std::vector<std::string> english = steps_of(link.polygon, Language::english),
                                    italian = steps_of(link.polygon, Language::italian);
-    const std::vector<Place> places = places_of_steps(link.polygon);
+    const std::vector<Place> places = places_of_steps(link.polygon, plot.scale());
     for (std::size_t i = 0; i < english.size(); ++i) all.push_back({{english[i], italian[i]}, places[i] + link.from});
   }
   all.insert(all.end(), steps_.begin(), steps_.end());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exercises/kit/panels/short_vectors.h"
+
 namespace epure {
 namespace {
 
@@ -38,11 +40,14 @@ drawings::Box DisplacementPlanPanel::extent(const Scale& lengths, const Scale& v
   return extent.box();
 }
 
-void DisplacementPlanPanel::draw_bar(Plot& plot, const PlannedBar& bar) const {
+void DisplacementPlanPanel::draw_bar(Plot& plot, const PlannedBar& bar, Language language) const {
   const double mm = 1 / plot.scale().mm_per_unit;
   const auto at = [&](const Place& P) { return on_plane(plot, P); };
   const Place begin = at(bar.corners[0]), end = at(bar.corners[3]), turned = at(bar.tangent), axis{end.x, 0};
   const double per_mm = 1 / (1000 * plot.vector_scale().mm_per_unit);
+  const auto letters = [&](const std::string& of, double metres) {
+    return letters_or_value(of, metres, std::abs(metres) / per_mm, "m", language);
+  };
   plot.segment(begin, turned, Meaning::construction);
   plot.mark(drawings::Line{
       {plot.at(begin), {{false, plot.at(at(bar.corners[1])), plot.at(at(bar.corners[2])), plot.at(end)}}},
@@ -52,26 +57,27 @@ void DisplacementPlanPanel::draw_bar(Plot& plot, const PlannedBar& bar) const {
     plot.segment(begin, level, Meaning::construction);
     plot.side("", level, turned, Meaning::velocity, bar.turned, begin);
   }
-  plot.side("", turned, end, Meaning::acceleration, bar.bent, begin);
+  const double bends = std::abs(bar.corners[3].y - bar.tangent.y);
+  plot.side("", turned, end, Meaning::acceleration, bar.bent.empty() ? "" : letters(bar.bent, bends), begin);
   if (!bar.bends.empty()) {
     const Place &from = bar.bending_counts_down ? end : turned, &to = bar.bending_counts_down ? turned : end;
     plot.onto().measurements.push_back({bar.bends, plot.at(from), plot.at(to), per_mm, Measurement::along_y});
   }
   const Arrow2 off{whole_off * mm, 0};
   plot.segment(end, end + off, Meaning::construction);
-  plot.side("", axis + off, end + off, Meaning::force, bar.end, axis);
+  plot.side("", axis + off, end + off, Meaning::force, letters(bar.end, bar.corners[3].y), axis);
   plot.onto().measurements.push_back({bar.rise, plot.at(axis), plot.at(end), per_mm, Measurement::along_y});
   plot.dot(end, Meaning::link);
   plot.label(bar.end_letters, axis, axis + Arrow2{0, end.y < 0 ? -mm : mm});
 }
 
-std::vector<drawings::Block> DisplacementPlanPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+std::vector<drawings::Block> DisplacementPlanPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
   const double mm = 1 / plot.scale().mm_per_unit;
   plot.segment({0, 0}, {reach() + (whole_off + 3) * mm, 0}, Meaning::axis);
   constexpr double support = 6;  // mm
   plot.mark(drawings::Ground{plot.at(Place{0, support * mm}), plot.at(Place{0, -support * mm})});
   plot.label(begin_, {0, 0}, Place{mm, -mm});
-  for (const PlannedBar& bar : bars_) draw_bar(plot, bar);
+  for (const PlannedBar& bar : bars_) draw_bar(plot, bar, language);
   return {};
 }
 

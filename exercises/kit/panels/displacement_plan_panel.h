@@ -33,7 +33,7 @@ class DisplacementPlanPanel : public Panel {
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override;
 
  private:
-  void draw_bar(Plot& plot, const PlannedBar& bar) const;
+  void draw_bar(Plot& plot, const PlannedBar& bar, Language language) const;
 
   std::string begin_;
   std::vector<PlannedBar> bars_;

@@ -81,8 +81,7 @@ Words film_exaggeration(double times) {
 std::string FilmChart::told_of(const drawings::ChartMap& map, Language language) const {
   const Words walls = format_words(
       "The pad rests (hatched); below it the flat runner moves at {} to the narrow end. ",
-      "Il pattino è fermo (tratteggiato); sotto, la parete piana scorre con {} verso l'estremo stretto. ",
-      speed_letters_);
+      "Il pattino è fermo (campito); sotto, la parete piana scorre con {} verso l'estremo stretto. ", speed_letters_);
   return (walls + film_exaggeration(map.x.per_mm() * micrometres / map.y.per_mm())).in(language);
 }
 

@@ -90,7 +90,7 @@ std::vector<PanelStep> LoadLinePanel::steps(const Plot& plot, const drawings::Bo
   std::vector<PanelStep> all;
   for (const LoadLine::Step& step : plan_.steps) {
     const Place at = step.at.x < 0 ? step.at : Place{step.at.x * lane_width / plot.scale().mm_per_unit, step.at.y};
-    all.push_back({step.text, at});
+    all.push_back({step.text, at, step.needs_all_others});
   }
   return all;
 }

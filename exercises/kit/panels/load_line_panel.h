@@ -33,7 +33,8 @@ struct LoadLine {
   std::vector<Ray> rays = {};
   struct Step {
     Words text;
-    Place at;  // abscissa in lanes where it is not negative
+    Place at;                       // abscissa in lanes where it is not negative
+    bool needs_all_others = false;  // begins with what the steps of the other panels found
   };
   std::vector<Step> steps = {};
 };

@@ -76,10 +76,10 @@ std::vector<drawings::VectorEquation> PolygonPanel::equations() const {
   return all;
 }
 
-std::vector<PanelStep> PolygonPanel::steps(const Plot&, const drawings::Box&) const {
+std::vector<PanelStep> PolygonPanel::steps(const Plot& plot, const drawings::Box&) const {
   const std::vector<std::string> english = steps_of(polygon_, Language::english),
                                  italian = steps_of(polygon_, Language::italian);
-  const std::vector<Place> places = places_of_steps(polygon_);
+  const std::vector<Place> places = places_of_steps(polygon_, plot.scale());
   std::vector<PanelStep> steps;
   for (std::size_t i = 0; i < english.size(); ++i) steps.push_back({{english[i], italian[i]}, places[i]});
   return steps;

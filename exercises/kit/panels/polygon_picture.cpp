@@ -7,10 +7,12 @@
 #include <optional>
 #include <utility>
 
+#include "drawings/paths/vectors.h"
 #include "exercises/kit/panels/compare.h"
 #include "exercises/kit/panels/crossing.h"
 #include "exercises/kit/panels/sheet.h"
 #include "exercises/kit/panels/short_vectors.h"
+#include "exercises/kit/panels/tracks.h"
 #include "exercises/kit/statement/format_words.h"
 
 namespace epure {
@@ -71,6 +73,28 @@ Place middle_of(const VectorPolygon& polygon) {
   return {sum.x / count, sum.y / count};
 }
 
+// How far aside its vectors stand, where they would lie on one another: the sides in order, then of each image the
+// relative vector and the absolute one.
+std::vector<Track> tracks_of(const VectorPolygon& polygon, const Scale& scale) {
+  const auto on_paper = [&](const Place& from, const Place& to) {
+    const double mm = scale.mm_per_unit;
+    return VectorOnPaper{{mm * from.x, mm * from.y}, {mm * to.x, mm * to.y}};
+  };
+  std::vector<VectorOnPaper> vectors;
+  for (const PlacedSide& s : in_order(polygon)) vectors.push_back(on_paper(s.from, s.to));
+  for (const PolygonImage& image : polygon.images) {
+    const Place O{0, 0}, c = after(O, image.absolute.v);
+    vectors.push_back(image.draws_relative() ? on_paper(after(c, -image.relative.v), c) : VectorOnPaper{});
+    vectors.push_back(image.draws_absolute() ? on_paper(O, c) : VectorOnPaper{});
+  }
+  const Place middle = middle_of(polygon);
+  return tracks(vectors, on_paper(middle, middle).first);
+}
+// In the units of the polygon.
+Arrow2 aside(const Track& track, const Scale& scale) {
+  return {track.by.x / scale.mm_per_unit, track.by.y / scale.mm_per_unit};
+}
+
 // The part PQ of the line that carries an unknown vector, in mm from the polygon's origin: from where the vector
 // starts to past where it ends. None when nothing tells its direction.
 std::optional<std::pair<drawings::Point, drawings::Point>> carrier_of(const PlacedSide& s, double mm_per_unit) {
@@ -118,7 +142,22 @@ struct Drawing {
   Place middle;
   bool whole;
   Language language;
+  std::vector<Track> tracks;
 };
+
+// A vector on its track, which thin lines join to where it begins and ends.
+void draw_on_track(const Drawing& on, const Track& track, const std::pair<Place, Place>& ends,
+                   const std::string& quantity, const std::string& letters, const Place& away_from) {
+  const auto& [from, to] = ends;
+  const Arrow2 by = aside(track, on.plot.scale());
+  const Place p = after(from, by), q = after(to, by);
+  if (track.by.x != 0 || track.by.y != 0) {
+    on.plot.segment(from, p, Meaning::dimension);
+    on.plot.segment(to, q, Meaning::dimension);
+  }
+  const Place inner = track.letters ? on.plot.from_paper(on.plot.at(between(p, q, 0.5)) - *track.letters) : away_from;
+  on.plot.side(quantity, p, q, on.polygon.meaning, letters, inner);
+}
 
 // Letters stand outside the polygon. Where it has no outside, because its vectors lie in one line, those of the right
 // side stand on the left of their vectors, and those of the left side on the right: so no two seem to name one.
@@ -150,18 +189,21 @@ Place clear_of_sides(const Drawing& on, const PlacedSide& s, const PlacedSide* n
 }
 
 // Only the whole polygon is measured: the same vector stands on other pictures too.
-void draw_vector(const Drawing& on, const PlacedSide& s, const PlacedSide* next, bool of_left_side) {
-  on.plot.side(on.whole ? s.side->quantity : "", s.from, s.to, on.polygon.meaning, letters_of(on, *s.side),
-               away_from(on, s, of_left_side));
+void draw_vector(const Drawing& on, const PlacedSide& s, const Track& track, const PlacedSide* next,
+                 bool of_left_side) {
+  draw_on_track(on, track, {s.from, s.to}, on.whole ? s.side->quantity : "", letters_of(on, *s.side),
+                away_from(on, s, of_left_side));
   if (!s.side->tip.empty()) on.plot.label(s.side->tip, s.corner(), clear_of_sides(on, s, next), on.polygon.meaning);
 }
 
-// On the other side of the line where an image is so near that its vectors end in the mark.
+// On the other side of the line where an image is so near that its vector, which comes between the two, ends in the
+// mark.
 void mark_square(const Drawing& on, const PlacedSide& s, const PlacedSide& before) {
   constexpr double needs_room = 4;  // mm
   const auto ends_in_it = [&](const PolygonImage& image) {
     const double away = distance(s.from, after({0, 0}, image.absolute.v)) * on.plot.scale().mm_per_unit;
-    return !image.absolute.tip.empty() && away < needs_room;
+    const bool within = dot(image.absolute.v, s.from - before.from) > 0 && dot(image.absolute.v, s.from - s.to) > 0;
+    return !image.absolute.tip.empty() && away < needs_room && within;
   };
   const bool is_crowded = on.whole && std::any_of(on.polygon.images.begin(), on.polygon.images.end(), ends_in_it);
   on.plot.right_angle(s.from, before.from, is_crowded ? after(s.from, s.from - s.to) : s.to);
@@ -178,27 +220,28 @@ void draw_sides(const Drawing& on, const std::vector<PlacedSide>& sides, const P
     if (!of_left_side) --right_ones;
     if (steps-- <= 0) return;
     if (s.side->is_unknown() && !(closed && s.side->closes_alone())) draw_carrier(on.plot, s);
-    if (!s.side->is_unknown() || closed) draw_vector(on, s, &s == &sides.back() ? nullptr : &s + 1, of_left_side);
+    const Track& track = on.tracks[static_cast<std::size_t>(&s - sides.data())];
+    if (!s.side->is_unknown() || closed)
+      draw_vector(on, s, track, &s == &sides.back() ? nullptr : &s + 1, of_left_side);
     if (s.side->square && before && closed) mark_square(on, s, *before);
     before = &s;
   }
 }
 
-void draw_image(Plot& plot, const VectorPolygon& polygon, const PolygonImage& image) {
+void draw_image(const Drawing& on, const PolygonImage& image, const Track& relative, const Track& absolute) {
   const Place O{0, 0}, c = after(O, image.absolute.v), a = after(c, -image.relative.v);
-  const Place middle = middle_of(polygon);
   if (image.closes_triangle) {
-    plot.segment(a, c, Meaning::construction);
-  } else if (!image.relative.label.empty()) {
-    plot.side(image.relative.quantity, a, c, polygon.meaning, image.relative.label, middle);
+    on.plot.segment(a, c, Meaning::construction);
+  } else if (image.draws_relative()) {
+    draw_on_track(on, relative, {a, c}, image.relative.quantity, image.relative.label, on.middle);
   } else if (!image.relative.quantity.empty()) {
-    plot.measures(image.relative.quantity, a, c);
+    on.plot.measures(image.relative.quantity, a, c);
   }
-  if (!image.absolute.label.empty())
-    plot.side(image.absolute.quantity, O, c, polygon.meaning, image.absolute.label, middle);
+  if (image.draws_absolute())
+    draw_on_track(on, absolute, {O, c}, image.absolute.quantity, image.absolute.label, on.middle);
   if (image.absolute.tip.empty()) return;
-  plot.dot(c, polygon.meaning);
-  plot.label(image.absolute.tip, c, O, polygon.meaning);
+  on.plot.dot(c, on.polygon.meaning);
+  on.plot.label(image.absolute.tip, c, O, on.polygon.meaning);
 }
 
 // `from`: the letter of the corner; empty: the end of the vector before.
@@ -289,10 +332,12 @@ std::vector<std::string> steps_of(const VectorPolygon& polygon, Language languag
   return lines;
 }
 
-std::vector<Place> places_of_steps(const VectorPolygon& polygon) {
+std::vector<Place> places_of_steps(const VectorPolygon& polygon, const Scale& scale) {
   constexpr double along_side = 0.3, along_sum = 0.7;  // clear of the vector's own letters, at its middle
   std::vector<Place> places;
-  for (const PlacedSide& s : in_order(polygon)) places.push_back(between(s.from, s.to, along_side));
+  const std::vector<Track> tracks = tracks_of(polygon, scale);
+  for (const PlacedSide& s : in_order(polygon))
+    places.push_back(after(between(s.from, s.to, along_side), aside(tracks[places.size()], scale)));
   for (const PolygonImage& image : polygon.images)
     if (!image.explained.empty())
       places.push_back(after({0, 0}, (image.absolute.tip.empty() ? along_sum : 1) * image.absolute.v));
@@ -353,16 +398,20 @@ void draw_polygon(Plot& plot, const VectorPolygon& polygon, const PolygonStage& 
   const auto sides = in_order(polygon);
   const auto all = static_cast<int>(sides.size());
   const Place O{0, 0}, middle = middle_of(polygon);
-  draw_sides({plot, polygon, middle, stage.closed && stage.steps >= all, stage.language}, sides, stage);
+  const Drawing on{
+      plot, polygon, middle, stage.closed && stage.steps >= all, stage.language, tracks_of(polygon, plot.scale())};
+  draw_sides(on, sides, stage);
   int left = stage.steps - all;
+  std::size_t track = sides.size();
   for (const PolygonImage& image : polygon.images) {
-    if (left-- > 0) draw_image(plot, polygon, image);
+    if (left-- > 0) draw_image(on, image, on.tracks[track], on.tracks[track + 1]);
+    track += 2;
   }
   plot.dot(O, polygon.meaning);
   plot.label(polygon.origin, O, middle, polygon.meaning);
   if (!stage.numbered) return;
   int number = 1;
-  for (const Place& P : places_of_steps(polygon)) {
+  for (const Place& P : places_of_steps(polygon, plot.scale())) {
     if (number >= stage.first_numbered && number <= stage.steps) plot.step(stage.numbers_after + number, P);
     ++number;
   }

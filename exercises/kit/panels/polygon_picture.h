@@ -10,6 +10,7 @@
 // The polygon is drawn in steps, as with set squares: each known vector, then the line that carries the last vector
 // of the right side, then the same for the left side; where the two lines meet, the polygon is closed. A vector of
 // unknown direction closes it in one step.
+// Vectors that would lie on one another stand beside each other (tracks.h).
 #pragma once
 
 #include <optional>
@@ -45,6 +46,8 @@ struct PolygonImage {
   PolygonSide relative = {};     // its last part, "v_CA"
   Words explained = {};          // one step: how the point is found; none for a sum
   bool closes_triangle = false;  // `relative` is a side of a triangle that is found by its shape: a line, no vector
+  bool draws_relative() const { return !closes_triangle && !relative.label.empty(); }
+  bool draws_absolute() const { return !absolute.label.empty(); }
 };
 
 struct VectorPolygon {
@@ -62,8 +65,8 @@ drawings::VectorEquation equation(const VectorPolygon& polygon);
 // The steps in words, in the order in which they are drawn: the sides, then the images.
 std::vector<std::string> steps_of(const VectorPolygon& polygon, Language language);
 
-// Where the numbers of these steps stand, in the plane of the vectors.
-std::vector<Place> places_of_steps(const VectorPolygon& polygon);
+// Where the numbers of these steps stand, in the plane of the vectors at this scale.
+std::vector<Place> places_of_steps(const VectorPolygon& polygon, const Scale& scale);
 
 // The number of steps that draw the sides; the images follow.
 int steps_of_sides(const VectorPolygon& polygon);

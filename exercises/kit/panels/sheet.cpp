@@ -37,6 +37,13 @@ std::string in_one_line(const Givens& givens, const std::set<std::string>& witho
   return line;
 }
 
+// "..., N.3": the number stays on one line with the word before it.
+std::string with_its_number(std::string source) {
+  const std::string before = ", N.";
+  if (const auto at = source.rfind(before); at != std::string::npos) source.replace(at + 1, 1, no_break);
+  return source;
+}
+
 }  // namespace
 
 DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const Givens& givens,
@@ -49,7 +56,7 @@ DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const
   onto.sheet.bare = request.bare;
   drawings::TitleBlock& block = onto.sheet.title_block;
   block.exercise = about.title.in(language);
-  block.source = about.source.in(language);
+  block.source = with_its_number(about.source.in(language));
   block.pages = static_cast<int>(about.sheets.size());
   for (std::size_t i = 0; i < about.sheets.size(); ++i) {
     if (about.sheets[i].name != sheet) continue;

@@ -63,6 +63,20 @@ drawings::Box SpaceDiagramPanel::extent(const Scale& lengths, const Scale& vecto
   return extent.box();
 }
 
+// A number at the tip, clear of the diagram; but within it where the bar before has its own diagram there.
+void SpaceDiagramPanel::write_ordinate(Plot& plot, const SpaceBar& bar, std::size_t ordinate,
+                                       Language language) const {
+  const double mm = 1 / plot.scale().mm_per_unit, units = plot.vector_scale().mm_per_unit * mm,
+               value = bar.moments[ordinate].value;
+  const bool is_first = ordinate == 0 && &bar != &bars_.front();
+  const double before = is_first ? (&bar - 1)->moments.back().value : 0;
+  const Place end = tip(bar, ordinate, units),
+              foot = on_bar(bar, static_cast<double>(ordinate) / static_cast<double>(bar.moments.size() - 1));
+  const bool is_within = value > 0 ? before >= value : before <= value && is_first;
+  plot.small_label(figures(value, 4, language), end,
+                   is_within ? end + Arrow2{-2 * mm, end.y > foot.y ? mm : -mm} : foot, Meaning::force);
+}
+
 void SpaceDiagramPanel::draw_diagram(Plot& plot, const SpaceBar& bar, Language language) const {
   const double units = plot.vector_scale().mm_per_unit / plot.scale().mm_per_unit;
   const std::size_t last = bar.moments.size() - 1;
@@ -76,8 +90,7 @@ void SpaceDiagramPanel::draw_diagram(Plot& plot, const SpaceBar& bar, Language l
     const DiagramOrdinate& each = bar.moments[k];
     const Place foot = on_bar(bar, static_cast<double>(k) / static_cast<double>(last)), end = tip(bar, k, units);
     plot.segment(foot, end, Meaning::force);
-    if (each.value != 0 && !(k > 0 && each.value == bar.moments[k - 1].value))
-      plot.small_label(figures(each.value, 4, language), end, foot, Meaning::force);
+    if (each.value != 0 && !(k > 0 && each.value == bar.moments[k - 1].value)) write_ordinate(plot, bar, k, language);
     if (each.quantity.empty()) continue;
     const bool upwards = positive_ == Positive::upwards;
     plot.onto().measurements.push_back({each.quantity, plot.at(upwards ? foot : end), plot.at(upwards ? end : foot),

@@ -49,6 +49,7 @@ class SpaceDiagramPanel : public Panel {
   // At this part of the bar; and the tip of the ordinate there.
   static Place on_bar(const SpaceBar& bar, double part);
   Place tip(const SpaceBar& bar, std::size_t ordinate, double metres_per_unit) const;
+  void write_ordinate(Plot& plot, const SpaceBar& bar, std::size_t ordinate, Language language) const;
   void draw_diagram(Plot& plot, const SpaceBar& bar, Language language) const;
   void draw_frame(Plot& plot) const;
 

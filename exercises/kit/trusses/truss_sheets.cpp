@@ -67,7 +67,7 @@ std::vector<Result> results_of(const LoadedTruss& of, const Solution& s, Languag
       remark(Words{"$Σ\\it{N}l$ over the bars is $Σ\\vec{\\it{F}}$·$\\vec{r}$ over loads and reactions, $\\vec{r}$ "
                    "from any one point (Maxwell): a check of the plan.",
                    "$Σ\\it{N}l$ sulle aste è $Σ\\vec{\\it{F}}$·$\\vec{r}$ su carichi e reazioni, $\\vec{r}$ da un "
-                   "punto qualsiasi (Maxwell): controlla il piano."}
+                   "punto qualsiasi (Maxwell): controlla il diagramma."}
                  .in(language)));
   for (const Load& load : of.loads)
     if (load.is_told) all.push_back(components(load_at(of, load)));

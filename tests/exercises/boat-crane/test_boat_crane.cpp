@@ -135,10 +135,23 @@ TEST_CASE("boat crane: the diagrams are measured back", "[boat-crane][sheets]") 
     }
   };
   shows("reactions", {"P", "Y_A", "Y_B", "M_C", "M_1_mid_BC", "M_1_mid_CD", "T_1_BC", "T_1_CD"});
-  shows("elastic-line", {"moment_area_BC", "moment_area_CD", "v_max_BC", "v_D_bending", "v_D", "column_shortening"});
+  shows("elastic-line",
+        {"M_C", "moment_area_BC", "moment_area_CD", "v_max_BC", "v_D_bending", "v_D", "column_shortening"});
   shows("section", {"sigma_z_max", "tau_zy", "tau_max_Jourawsky", "sigma_eq"});
   shows("fatigue", {"sigma_m", "Delta_sigma", "Delta_sigma_eff", "mass_600kg.Delta_sigma_eff"});
   shows("buckling", {"slenderness", "slenderness_limit", "P_cr"});
+}
+
+TEST_CASE("boat crane: the ray parallel to the closing line is drawn after it, and the shear last",
+          "[boat-crane][sheets]") {
+  std::vector<std::string> lines;
+  for (const drawings::Block& block : crane().draw("reactions", {}).sheet.column)
+    if (const auto* steps = std::get_if<drawings::Steps>(&block))
+      lines.insert(lines.end(), steps->lines.begin(), steps->lines.end());
+  REQUIRE(lines.size() == 5);
+  CHECK(lines[2].starts_with("The closing line"));
+  CHECK(lines[3].starts_with("The ray parallel to the closing line"));
+  CHECK(lines[4].starts_with("The shear"));
 }
 
 TEST_CASE("boat crane: a sheet says which checks do not hold, at the limit too", "[boat-crane][sheets]") {

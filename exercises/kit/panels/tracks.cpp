@@ -1,0 +1,67 @@
+#include "exercises/kit/panels/tracks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drawings/paths/vectors.h"
+
+namespace epure {
+namespace {
+
+using drawings::Point;
+
+constexpr double between_tracks = 1.5;  // mm: the heads of two neighbours, 1.1 mm wide, do not touch
+
+VectorOnPaper moved(const VectorOnPaper& v, Point by) { return {v.first + by, v.second + by}; }
+
+// What two vectors cover together, mm along the first from where it starts; nothing where the eye tells them apart.
+std::optional<std::pair<double, double>> covered(const VectorOnPaper& a, const VectorOnPaper& b) {
+  constexpr double shortest = 3, told_apart = 0.9;  // mm: a head's length, and more than a line's width
+  const Point along = drawings::unit(a.first, a.second), aside = drawings::left_of(along);
+  const double start = dot(b.first - a.first, along), end = dot(b.second - a.first, along);
+  const double from = std::max(0.0, std::min(start, end)),
+               to = std::min(drawings::distance(a.first, a.second), std::max(start, end));
+  if (to - from < shortest) return {};
+  for (const double there : {from, to}) {
+    const Point p = drawings::between(b.first, b.second, (there - start) / (end - start));
+    if (std::abs(dot(p - a.first, aside)) >= told_apart) return {};
+  }
+  return std::pair{from, to};
+}
+
+// Across a vector, away from the middle of the figure; from a middle on its line, to the left.
+Point outwards(const VectorOnPaper& v, Point middle) {
+  constexpr double on_line = 0.2;  // mm
+  const Point left = drawings::left_of(drawings::unit(v.first, v.second));
+  return dot(middle - v.first, left) > on_line ? -1 * left : left;
+}
+
+}  // namespace
+
+std::vector<Track> tracks(const std::vector<VectorOnPaper>& vectors, Point middle) {
+  std::vector<Track> all;
+  for (const VectorOnPaper& v : vectors) {
+    const auto is_free = [&](Point by) {
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (covered(moved(vectors[i], all[i].by), moved(v, by))) return false;
+      return true;
+    };
+    const Point out = outwards(v, middle);
+    Track track;
+    for (int lane = 1; !is_free(track.by); lane = lane > 0 ? -lane : 1 - lane) {
+      track.by = lane * between_tracks * out;
+      track.letters = lane > 0 ? out : -1 * out;
+    }
+    // Where it runs along another's middle, where its letters would be, these stand on the other side.
+    for (std::size_t i = 0; track.letters && i < all.size(); ++i) {
+      const auto common = covered(vectors[i], v);
+      const double half = drawings::distance(vectors[i].first, vectors[i].second) / 2;
+      if (common && common->first < half && half < common->second && !all[i].letters)
+        all[i].letters = -1 * *track.letters;
+    }
+    all.push_back(track);
+  }
+  return all;
+}
+
+}  // namespace epure

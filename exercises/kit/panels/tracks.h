@@ -1,0 +1,24 @@
+// Vectors of one figure that lie on one another are drawn beside each other: a vector painted back over another would
+// hide its head, and seem to end it there.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "drawings/picture.h"
+
+namespace epure {
+
+using VectorOnPaper = std::pair<drawings::Point, drawings::Point>;  // mm, from and to
+
+struct Track {
+  drawings::Point by = {};                      // mm: how far aside the vector stands
+  std::optional<drawings::Point> letters = {};  // the side of it where its letters stand, a unit vector; none: either
+};
+
+// In the order in which the vectors are drawn: what would lie on one before it moves aside, if it can away from
+// `middle`. A vector that is no longer than its head covers none.
+std::vector<Track> tracks(const std::vector<VectorOnPaper>& vectors, drawings::Point middle);
+
+}  // namespace epure
