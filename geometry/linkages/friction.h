@@ -1,4 +1,6 @@
-// Coulomb's friction holds back whatever presses from either side: its force along the line is
+// Coulomb's law, and how the forces are found that obey it; both routes read it, each with its own equilibrium.
+//
+// Friction holds back whatever presses from either side: its force along the line is
 // -sense · coefficient · sense of sliding · N, with the sense that N has, which is not known before N is. So all
 // senses are tried, and those hold that agree with the forces that they give.
 #pragma once
@@ -155,7 +157,7 @@ class FrictionCircles {
 
   template <class Find>
   Couples settled(Couples couples, const Find& find) const {
-    constexpr int most = 2000;
+    constexpr int most = 400;
     std::optional<Couples> before;
     for (int k = 0; k < most; ++k) {
       Couples next = of(find(couples));
@@ -179,7 +181,7 @@ class FrictionCircles {
     } else {
       Couples radius;
       for (std::size_t k = 0; k < last.size(); ++k) radius.push_back(twice_the_most(far(last[k], before[k])));
-      constexpr int most_boxes = 60;
+      constexpr int most_boxes = 12;
       for (int boxes = 0; boxes < most_boxes; ++boxes) {
         Couples box;
         for (std::size_t k = 0; k < last.size(); ++k) box.push_back(widened(last[k], radius[k]));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "drawings/output.h"
+#include "drawings/paths/vectors.h"
 #include "exercises/cli/catalogue.h"
 #include "exercises/kit/proof/checked.h"
 #include "geometry/numbers/given.h"
@@ -194,21 +195,32 @@ inline drawings::Arrow arrow(const DrawnSheet& drawn, const std::string& name) {
   throw std::logic_error("no arrow " + name);
 }
 
+// Whether a vector that ought to begin in a corner does: there, or on a track aside, where another lies on it
+// (tracks.h).
+inline bool begins_in(drawings::Point corner, const drawings::Arrow& vector) {
+  constexpr double track = 1.5, most_tracks = 3, rounded = 1e-9;  // mm
+  const drawings::Point along = drawings::unit(vector.from, vector.to), off = vector.from - corner;
+  const double aside = dot(off, drawings::left_of(along)) / track;
+  return std::abs(dot(off, along)) < rounded && std::abs(aside - std::round(aside)) < rounded &&
+         std::abs(aside) <= most_tracks;
+}
 // Each vector of the right side begins where the one before ends; the sought one leads from the first corner to the
 // last. The sides are rounded one by one, so the corners meet as doubles do.
 inline void polygon_closes(const Tried& tried, const Diagram& diagram, const Assignments& assignments) {
   const DrawnSheet drawn = tried.draw(diagram.sheet, assignments);
-  const auto meet = [](drawings::Point p, drawings::Point q) { return std::hypot(p.x - q.x, p.y - q.y) < 1e-9; };
   const drawings::Arrow sought = arrow(drawn, diagram.vectors.back());
-  drawings::Point corner = sought.from;
+  const drawings::Point origin = arrow(drawn, diagram.vectors.front()).from;
+  drawings::Point corner = origin;
   for (std::size_t i = 0; i + 1 < diagram.vectors.size(); ++i) {
     const drawings::Arrow side = arrow(drawn, diagram.vectors[i]);
     CAPTURE(diagram.sheet, assignments, side.name);
-    CHECK(meet(side.from, corner));
-    corner = side.to;
+    CHECK(begins_in(corner, side));
+    corner = corner + (side.to - side.from);
   }
   CAPTURE(diagram.sheet, assignments);
-  CHECK(meet(sought.to, corner));
+  CHECK(begins_in(origin, sought));
+  const drawings::Point missed = corner - (origin + (sought.to - sought.from));
+  CHECK(std::hypot(missed.x, missed.y) < 1e-9);
 }
 
 // From the tail of an arrow's shaft to the tip of its head, in the file, times the scale of vectors, the last in the

@@ -204,7 +204,8 @@ class ForcePlanner {
       if (force.kind == Force::Kind::guide && step_of(force) >= now_ && is_loaded_[index(step_of(force))])
         all.push_back({Kind::guide, force.which, force.is_opposite});
     for (const Force& force : forces_on(link))
-      if (force.kind == Force::Kind::hinge && has_friction(*built_.loads, force.point))
+      if (force.kind == Force::Kind::hinge && has_friction(*built_.loads, force.point) &&
+          is_loaded_[index(step_of(force))])
         all.push_back({Kind::hinge, force.which, is_reversed(built_, force)});
     for (std::size_t k = 0; k < of_.drives.size(); ++k)
       if (const auto* crank = std::get_if<TurnedLink>(&of_.drives[k]); crank && crank->link == link)

@@ -178,6 +178,14 @@ TEST_CASE("where nothing presses there is no friction, and that is proved", "[sc
     CHECK(value(found, name) == 0);
   }
   CHECK(value(found, "T_A") != 0);
+  // A group that bears nothing has no couples of friction either, and no arms of forces that are none.
+  const CheckedExercise idle =
+      checked_text(scenes::bytes_of(EPURE_SCENES "/four-bar.yaml") +
+                   "loads: [{on: 2, couple: 5 N*m}]\nfriction: {A: 2 mm, B: 3 mm, B0: 1 mm}\n");
+  CAPTURE(complaints(idle));
+  CHECK(idle.passed());
+  CHECK(idle.undecided.empty());
+  CHECK(value(idle, "M_34") == 0);
 }
 
 // A crank at a right angle to its guide pushes the pin with tan(elevation) = h / d on it: with a coefficient of d / h
