@@ -43,6 +43,7 @@ TEST_CASE("what the eye tells apart stays in its place", "[tracks]") {
                                           {{0, 2}, {40, 2}},      // beside it
                                           {{10, 0}, {12, 0}},     // a dot
                                           {{20, -20}, {20, 20}},  // across it
+                                          {{0, 0}, {25, 0}},      // from where it starts, to a head of its own
                                           {{0, 0}, {0, 0}}};
   for (const VectorOnPaper& other : others) CHECK(how_far(tracks({{{0, 0}, {40, 0}}, other}, {20, 10})[1]) == 0);
 }
