@@ -22,10 +22,10 @@ std::optional<std::pair<double, double>> covered(const VectorOnPaper& a, const V
   const double from = std::max(0.0, std::min(start, end)),
                to = std::min(drawings::distance(a.first, a.second), std::max(start, end));
   if (to - from < shortest) return {};
-  // From one point in one sense, with their heads well apart, as vectors from a pole: either is read to its head.
+  // The second, which is drawn over the first, ends well before it, from the same point in the same sense, as vectors
+  // from a pole: either is read to its head.
   constexpr double heads_apart = 6;  // mm
-  if (std::abs(start) < told_apart && end > 0 && std::abs(end - drawings::distance(a.first, a.second)) > heads_apart)
-    return {};
+  if (std::abs(start) < told_apart && end > 0 && end < drawings::distance(a.first, a.second) - heads_apart) return {};
   for (const double there : {from, to}) {
     const Point p = drawings::between(b.first, b.second, (there - start) / (end - start));
     if (std::abs(dot(p - a.first, aside)) >= told_apart) return {};
