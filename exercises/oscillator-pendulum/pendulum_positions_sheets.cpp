@@ -107,7 +107,7 @@ class PositionsPanel : public MechanismPanel {
     std::vector<VectorOnPaper> vectors;
     for (const Arrow2& v : {weight_, each.R, weight_ + each.R})
       vectors.emplace_back(plot.at(each.G), plot.at(plot.tip(each.G, v)));
-    const drawings::Point by = tracks(vectors, vectors[1].second).back().by, G = plot.at(each.G);
+    const drawings::Point by = tracks(vectors, vectors[1].second, LyingOver::anything).back().by, G = plot.at(each.G);
     const Place start = plot.from_paper({G.x + by.x, G.y + by.y});
     if (by.x != 0 || by.y != 0) plot.segment(each.G, start, Meaning::dimension);
     return start;

@@ -22,15 +22,18 @@ std::optional<std::pair<double, double>> covered(const VectorOnPaper& a, const V
   const double from = std::max(0.0, std::min(start, end)),
                to = std::min(drawings::distance(a.first, a.second), std::max(start, end));
   if (to - from < shortest) return {};
-  // The second, which is drawn over the first, ends well before it, from the same point in the same sense, as vectors
-  // from a pole: either is read to its head.
-  constexpr double heads_apart = 6;  // mm
-  if (std::abs(start) < told_apart && end > 0 && end < drawings::distance(a.first, a.second) - heads_apart) return {};
   for (const double there : {from, to}) {
     const Point p = drawings::between(b.first, b.second, (there - start) / (end - start));
     if (std::abs(dot(p - a.first, aside)) >= told_apart) return {};
   }
   return std::pair{from, to};
+}
+
+// From one point in one sense, the second one's head well before the first one's.
+bool ends_before(const VectorOnPaper& a, const VectorOnPaper& b) {
+  constexpr double one_point = 0.9, heads_apart = 6;  // mm
+  return drawings::distance(a.first, b.first) < one_point && dot(a.second - a.first, b.second - b.first) > 0 &&
+         drawings::distance(b.first, b.second) < drawings::distance(a.first, a.second) - heads_apart;
 }
 
 // Across a vector, away from the middle of the figure; from a middle on its line, to the left.
@@ -42,12 +45,14 @@ Point outwards(const VectorOnPaper& v, Point middle) {
 
 }  // namespace
 
-std::vector<Track> tracks(const std::vector<VectorOnPaper>& vectors, Point middle) {
+std::vector<Track> tracks(const std::vector<VectorOnPaper>& vectors, Point middle, LyingOver which) {
   std::vector<Track> all;
   for (const VectorOnPaper& v : vectors) {
     const auto is_free = [&](Point by) {
       for (std::size_t i = 0; i < all.size(); ++i)
-        if (covered(moved(vectors[i], all[i].by), moved(v, by))) return false;
+        if (const VectorOnPaper there = moved(vectors[i], all[i].by), here = moved(v, by);
+            covered(there, here) && !(which == LyingOver::of_a_polygon && ends_before(there, here)))
+          return false;
       return true;
     };
     const Point out = outwards(v, middle);

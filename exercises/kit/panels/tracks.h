@@ -18,7 +18,11 @@ struct Track {
 };
 
 // In the order in which the vectors are drawn: what would lie on one before it moves aside, if it can away from
-// `middle`. A vector that is no longer than its head covers none.
-std::vector<Track> tracks(const std::vector<VectorOnPaper>& vectors, drawings::Point middle);
+// `middle`. A vector that is no longer than its head covers none. Of a polygon, what is drawn over another one from
+// the same point in the same sense, with its head well before, stays: as vectors from a pole either is read to its
+// head.
+enum class LyingOver { of_a_polygon, anything };
+std::vector<Track> tracks(const std::vector<VectorOnPaper>& vectors, drawings::Point middle,
+                          LyingOver which = LyingOver::of_a_polygon);
 
 }  // namespace epure
