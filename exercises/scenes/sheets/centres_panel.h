@@ -31,7 +31,7 @@ class CentresPanel : public Panel {
       : mechanism_(std::move(mechanism)), centres_(std::move(centres)), joints_(std::move(joints)) {}
 
   double reach() const override { return mechanism_->reach(); }
-  double times_smaller() const override { return 2; }
+  double times_smaller() const override { return 1.5; }
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;

@@ -66,10 +66,19 @@ struct PinInSlot {
   bool is_of_block = false;
 };
 
+// A block of one point, on no hinge, that slides in two guides, as the middle of Oldham's coupling: drawn in both.
+bool is_cross(const Linkage& of, int link) {
+  const auto& points = of.links[static_cast<std::size_t>(link)].points;
+  return points.size() == 1 && of.links_at(points.front().point).size() == 1 &&
+         std::count_if(of.blocks.begin(), of.blocks.end(),
+                       [&](const LineOnLine& block) { return of.link_of_line(block.moving) == link; }) > 1;
+}
+
 // The pins that run in slots of the link, and the joints of blocks that do. Of a block between two moving links the
 // guide is slotted, and the block where it is no bar itself.
 std::vector<PinInSlot> pins_in(const Linkage& of, int link) {
   std::vector<PinInSlot> pins;
+  if (is_cross(of, link)) return pins;
   for (const PinOnLine& pin : of.pins)
     if (of.link_of_line(pin.line) == link) pins.push_back({pin.point, pin.line});
   for (const LineOnLine& block : of.blocks)
@@ -79,7 +88,7 @@ std::vector<PinInSlot> pins_in(const Linkage& of, int link) {
                                                      !is_hinged_block(of, block));
       if (!is_slotted) continue;
       for (const LinkPoint& p : of.links[static_cast<std::size_t>(of.link_of_line(other))].points)
-        pins.push_back({p.point, own, is_hinged_block(of, block)});
+        pins.push_back({p.point, own, is_hinged_block(of, block) || is_cross(of, of.link_of_line(other))});
     }
   return pins;
 }
@@ -188,11 +197,12 @@ void add_number_of_block(Mechanism& figure, const Built& built, int link) {
   figure.point("number " + number, figure.at(letter(built, points.front().point)), Mechanism::Joint::corner, number);
 }
 
-// The hinge of a link on the frame, and another of its points; none where there are not both.
+// The hinge of a link on the frame, and another of its points, or one in its slot; none where there are not both.
 std::optional<std::pair<int, int>> crank_of(const Linkage& of, int link) {
   std::optional<int> hinge, pin;
   for (const LinkPoint& p : of.links[static_cast<std::size_t>(link)].points)
     (of.links_at(p.point).front() == 0 ? hinge : pin) = p.point;
+  if (const auto in_slot = pins_in(of, link); !pin && !in_slot.empty()) pin = in_slot.front().pin;
   if (!hinge || !pin) return {};
   return std::pair{*hinge, *pin};
 }
