@@ -1,5 +1,7 @@
 // Links that slide in each other, as they are drawn and told; charts of what does not change.
+#include "drawings/paths/vectors.h"
 #include "exercises/kit/proof/place.h"
+#include "exercises/scenes/file/file_head.h"
 #include "exercises/scenes/scene.h"
 #include "exercises/scenes/scene_exercise.h"
 #include "tests/exercises/drawn_marks.h"
@@ -41,6 +43,17 @@ TEST_CASE("a yoke's slot stands across its guide, and the crank's pin in it", "[
     return std::abs(pin.at.x - from.x) < 1e-6 && pin.at.y > std::min(from.y, to.y) &&
            pin.at.y < std::max(from.y, to.y);
   }));
+}
+
+TEST_CASE("the middle of Oldham's coupling is a block in both slots, which have their letters", "[scenes]") {
+  const DrawnSheet sheet = drawn_of(*exercise_said(scenes::bytes_of(EPURE_SCENES "/oldham.yaml")), "velocities");
+  CHECK(all_of<drawings::Slot>(sheet).size() == 2);
+  const auto blocks = all_of<drawings::Slider>(sheet);
+  REQUIRE(blocks.size() == 2);
+  CHECK(drawings::distance(blocks[0].at, blocks[1].at) < 1e-6);
+  for (const std::string letters : {"$p$", "$t$", "$ω_{2}$"})
+    CHECK(std::any_of(sheet.sheet.figure.labels.begin(), sheet.sheet.figure.labels.end(),
+                      [&](const drawings::Label& label) { return label.text == letters; }));
 }
 
 TEST_CASE("a block in a lever is drawn in its slot, and the polygon is that of its pin", "[scenes]") {
