@@ -137,58 +137,6 @@ std::vector<Unit> make_units() {
   };
 }
 
-Words name_of(Kind kind) {
-  switch (kind) {
-    case Kind::pure_number:
-      return {"a pure number", "un numero puro"};
-    case Kind::length:
-      return {"a length", "una lunghezza"};
-    case Kind::time:
-      return {"a time", "un tempo"};
-    case Kind::angle:
-      return {"an angle", "un angolo"};
-    case Kind::angular_velocity:
-      return {"an angular velocity", "una velocità angolare"};
-    case Kind::angular_acceleration:
-      return {"an angular acceleration", "un'accelerazione angolare"};
-    case Kind::velocity:
-      return {"a velocity", "una velocità"};
-    case Kind::acceleration:
-      return {"an acceleration", "un'accelerazione"};
-    case Kind::force:
-      return {"a force", "una forza"};
-    case Kind::moment:
-      return {"a moment", "un momento"};
-    case Kind::mass:
-      return {"a mass", "una massa"};
-    case Kind::moment_of_inertia:
-      return {"a moment of inertia", "un momento d'inerzia"};
-    case Kind::stress:
-      return {"a stress or pressure", "una tensione o pressione"};
-    case Kind::area:
-      return {"an area", "un'area"};
-    case Kind::second_moment_of_area:
-      return {"a second moment of area", "un momento d'inerzia di superficie"};
-    case Kind::energy:
-      return {"an energy", "un'energia"};
-    case Kind::power:
-      return {"a power", "una potenza"};
-    case Kind::viscosity:
-      return {"a viscosity", "una viscosità"};
-    case Kind::force_per_time:
-      return {"a force per time", "una forza per unità di tempo"};
-    case Kind::force_per_time_squared:
-      return {"a force per time squared", "una forza per unità di tempo al quadrato"};
-    case Kind::force_per_time_cubed:
-      return {"a force per time cubed", "una forza per unità di tempo al cubo"};
-    case Kind::flow:
-      return {"a flow", "una portata"};
-    case Kind::mass_per_length:
-      return {"a force over the square of a speed", "una forza sul quadrato di una velocità"};
-  }
-  return {};
-}
-
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
     text.replace(at, from.size(), to);
@@ -423,6 +371,58 @@ class Reader {
 };
 
 }  // namespace
+
+Words name_of(Kind kind) {
+  switch (kind) {
+    case Kind::pure_number:
+      return {"a pure number", "un numero puro"};
+    case Kind::length:
+      return {"a length", "una lunghezza"};
+    case Kind::time:
+      return {"a time", "un tempo"};
+    case Kind::angle:
+      return {"an angle", "un angolo"};
+    case Kind::angular_velocity:
+      return {"an angular velocity", "una velocità angolare"};
+    case Kind::angular_acceleration:
+      return {"an angular acceleration", "un'accelerazione angolare"};
+    case Kind::velocity:
+      return {"a velocity", "una velocità"};
+    case Kind::acceleration:
+      return {"an acceleration", "un'accelerazione"};
+    case Kind::force:
+      return {"a force", "una forza"};
+    case Kind::moment:
+      return {"a couple or moment", "una coppia o un momento"};
+    case Kind::mass:
+      return {"a mass", "una massa"};
+    case Kind::moment_of_inertia:
+      return {"a moment of inertia", "un momento d'inerzia"};
+    case Kind::stress:
+      return {"a stress or pressure", "una tensione o pressione"};
+    case Kind::area:
+      return {"an area", "un'area"};
+    case Kind::second_moment_of_area:
+      return {"a second moment of area", "un momento d'inerzia di superficie"};
+    case Kind::energy:
+      return {"an energy", "un'energia"};
+    case Kind::power:
+      return {"a power", "una potenza"};
+    case Kind::viscosity:
+      return {"a viscosity", "una viscosità"};
+    case Kind::force_per_time:
+      return {"a force per time", "una forza per unità di tempo"};
+    case Kind::force_per_time_squared:
+      return {"a force per time squared", "una forza per unità di tempo al quadrato"};
+    case Kind::force_per_time_cubed:
+      return {"a force per time cubed", "una forza per unità di tempo al cubo"};
+    case Kind::flow:
+      return {"a flow", "una portata"};
+    case Kind::mass_per_length:
+      return {"a force over the square of a speed", "una forza sul quadrato di una velocità"};
+  }
+  return {};
+}
 
 std::string in_plain_characters(std::string text) {
   constexpr std::array<std::pair<std::string_view, char>, 7> printed{{{"\u00A0", ' '},

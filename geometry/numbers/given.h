@@ -53,6 +53,8 @@ enum class Kind {
 
 // Of an angle, an angular velocity, an angular acceleration.
 bool turns(Kind kind);
+// "a length".
+Words name_of(Kind kind);
 
 struct Unit {
   std::string symbol;

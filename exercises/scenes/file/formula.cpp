@@ -318,37 +318,6 @@ std::string unit_of(Kind kind) {
       ->symbol;
 }
 
-Words name_of(Kind kind) {
-  switch (kind) {
-    case Kind::pure_number:
-      return {"a pure number", "un numero puro"};
-    case Kind::length:
-      return {"a length", "una lunghezza"};
-    case Kind::angle:
-      return {"an angle", "un angolo"};
-    case Kind::angular_velocity:
-      return {"an angular velocity", "una velocità angolare"};
-    case Kind::angular_acceleration:
-      return {"an angular acceleration", "un'accelerazione angolare"};
-    case Kind::velocity:
-      return {"a velocity", "una velocità"};
-    case Kind::acceleration:
-      return {"an acceleration", "un'accelerazione"};
-    case Kind::time:
-      return {"a time", "un tempo"};
-    case Kind::force:
-      return {"a force", "una forza"};
-    case Kind::moment:
-      return {"a couple", "una coppia"};
-    case Kind::mass:
-      return {"a mass", "una massa"};
-    case Kind::moment_of_inertia:
-      return {"a moment of inertia", "un momento d'inerzia"};
-    default:
-      return format_words("a number in {}", "un numero in {}", unit_of(kind));
-  }
-}
-
 Amount amount_of(const Givens& givens, const GivenSpec& spec) {
   const auto reading = givens.reading(spec.symbol);
   return reading ? amount_in(*reading) : Amount{};

@@ -50,8 +50,7 @@ Amount amount_of(const Givens& givens, const GivenSpec& spec);
 // That this is no unit, and which are.
 Words no_unit(std::string_view text);
 
-// The unit in which a kind is told, and its name in both languages: "m", "length".
+// The unit in which a kind is told: "m".
 std::string unit_of(geometry::Kind kind);
-Words name_of(geometry::Kind kind);
 
 }  // namespace epure::scenes

@@ -104,6 +104,13 @@ std::string why_refused(const Do& carry_out) {
 }
 
 bool is_of_force(const Quantity& quantity) { return quantity.unit == "N" || quantity.unit == "N*m"; }
+void holds(const CorpusCase& c, const CheckedQuantity& quantity, std::size_t routes) {
+  const std::string reference = c.reference(quantity.spec.name);
+  CAPTURE(quantity.spec.name, reference);
+  REQUIRE_FALSE(reference.empty());
+  is_the_reference(quantity, reference);
+  CHECK(quantity.routes.size() == routes);
+}
 
 std::string loaded_four_bar(const std::string& loads) {
   return "epure: 1\nid: f\nlinks:\n  1: {A0: [0, 0], B0: [400 mm, 0]}\n  2: {A0 A: 120 mm}\n"
@@ -126,12 +133,8 @@ TEST_CASE("reactions and driving efforts hold against the corpus, to the last bi
     int count = 0;
     for (const CheckedQuantity& quantity : found.quantities) {
       if (!is_of_force(quantity.spec)) continue;
-      const std::string reference = c.reference(quantity.spec.name);
-      CAPTURE(quantity.spec.name, reference);
-      REQUIRE_FALSE(reference.empty());
-      is_the_reference(quantity, reference);
       const bool is_of_drive = quantity.spec.name[0] == 'F' || quantity.spec.name == "M_2";
-      CHECK(quantity.routes.size() == (is_of_drive ? 3U : 2U));
+      holds(c, quantity, is_of_drive ? 3 : 2);
       ++count;
     }
     CHECK(count >= 3);
@@ -148,14 +151,8 @@ void hold_with_friction(const std::string& ending, const std::map<std::string, s
                                                "\nfriction: " + friction_of.at(name) + "\n");
     CAPTURE(c.name, complaints(found));
     CHECK(found.passed());
-    for (const CheckedQuantity& quantity : found.quantities) {
-      if (!is_of_force(quantity.spec)) continue;
-      const std::string reference = c.reference(quantity.spec.name);
-      CAPTURE(quantity.spec.name, reference);
-      REQUIRE_FALSE(reference.empty());
-      is_the_reference(quantity, reference);
-      CHECK(quantity.routes.size() == (quantity.spec.name.ends_with("_0") ? 3U : 2U));
-    }
+    for (const CheckedQuantity& quantity : found.quantities)
+      if (is_of_force(quantity.spec)) holds(c, quantity, quantity.spec.name.ends_with("_0") ? 3 : 2);
   }
   CHECK(cases == friction_of.size());
 }

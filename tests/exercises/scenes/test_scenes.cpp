@@ -111,7 +111,7 @@ TEST_CASE("formulas keep their dimensions: a ratio of lengths is a number, and n
   CHECK(value_in(where("w: v/r", "r", "{link: 2, angle: 0 deg, speed: w + 1 rad/s}"), "omega_2") == 6);
   const auto why = [&](const std::string& names, const std::string& length) { return refusal(where(names, length)); };
   CHECK(why("k: r/l", "k") == "5:13: \"k\" is a pure number where a length is asked");
-  CHECK(why("k: r*l", "k") == "5:13: \"k\" is a number in m^2 where a length is asked");
+  CHECK(why("k: r*l", "k") == "5:13: \"k\" is an area where a length is asked");
   CHECK(why("k: r/l", "k + r") == "5:13: in \"k + r\" a pure number and a length are added");
   CHECK(why("k: r*r*r", "k") == "5:13: \"k\" is a number in m^3 where a length is asked");
   CHECK(why("k: n*r", "r").starts_with("10:12: in \"n*r\" degrees or turns stand in a product with units"));
