@@ -61,7 +61,8 @@ struct Built {
   std::vector<MassName> mass_names = {};                      // as their masses
   std::vector<FrictionName> friction_names = {};              // as the frictions
   std::vector<FrictionName> hinge_friction_names = {};        // as those of hinges
-  std::string gravity = {};                                   // its letters; empty: nothing weighs
+  std::vector<Words> pressure_angles = {};  // of the linkage's gears: "20°", or the given's letters
+  std::string gravity = {};                 // its letters; empty: nothing weighs
 };
 
 // The link's point at this place of its own axes; none: `nothing`.

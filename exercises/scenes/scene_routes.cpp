@@ -227,6 +227,9 @@ struct SceneRoutes {
       if (!is_zero(forces[k].turned))
         ledger.tells({built->force_names[k].name + "_direction", "", "deg", {}},
                      [&, k] { return given_in_degrees<T>(forces[k].turned); });
+    for (std::size_t k = 0; k < built->linkage.gears.size(); ++k)
+      ledger.tells({tooth_force(*built, k).quantity.name + "_pressure_angle", "", "deg", {}},
+                   [this, k] { return given_in_degrees<T>(built->linkage.gears[k].pressure_angle); });
     for (const LineFriction& each : built->loads->frictions) {
       const std::string name = name_of_contact(contact(*built, each)) + "_friction";
       if (const auto* angle = std::get_if<Angle>(&each.amount))
@@ -264,6 +267,13 @@ struct SceneRoutes {
       const GuideForces guide = guide_forces(*built, k);
       put_one(guide.force, [k](const JointForces<T>& f) { return f.guides[k].force; });
       put_one(guide.couple, [k](const JointForces<T>& f) { return f.guides[k].couple; });
+    }
+    for (std::size_t k = 0; k < joints.teeth.size(); ++k) {
+      const TeethParts parts = parts_of_tooth_force(*built, k);
+      ledger.put(parts.tangential, [&forces, k] {
+        return magnitude_of<T>(forces.of([k](const JointForces<T>& f) { return f.teeth[k].tangential; }));
+      });
+      ledger.put(parts.radial, [&forces, k] { return magnitude_of<T>(forces.all().teeth[k].radial); });
     }
     for (const LineFriction& each : built->loads->frictions) {
       put_one(friction_force(*built, each), [each](const JointForces<T>& f) { return f.friction(each); });
@@ -352,6 +362,11 @@ struct SceneRoutes {
           return found.couple({ActingCouple::Kind::inertia, weight.which});
         });
     }
+    for (std::size_t k = 0; k < built->linkage.gears.size(); ++k) {
+      const VectorQuantity& quantity = tooth_force(*built, k).quantity;
+      const ActingForce force = on_second_number(k);
+      put(ledger, quantity, [&found, force] { return found.vector(force); });
+    }
     for (const ActingForce& held : held_pins())
       put(ledger, held_force(*built, held.which), [&found, held] { return found.vector(held); });
     for (const GroupForces& group : groups)
@@ -371,6 +386,12 @@ struct SceneRoutes {
                              }));
         }
       }
+  }
+  // The teeth's force of the lower number on the other, as it is reported.
+  ActingForce on_second_number(std::size_t gear) const {
+    const MeshingLinks& of = built->linkage.gears[gear];
+    return {ActingForce::Kind::tooth, static_cast<int>(gear),
+            tooth_force(*built, gear).is_opposite ? of.first : of.second};
   }
   template <class T>
   static void put_arm(Ledger<T>& ledger, const ForcesFound<T>& found, const Arm& arm, const About& about) {
@@ -402,6 +423,9 @@ struct SceneRoutes {
       draw("centre of " + std::to_string(built->letters.links[index(inertia.link)]),
            [&found, inertia] { return found.place(inertia); });
     }
+    for (std::size_t k = 0; k < built->linkage.gears.size(); ++k)
+      draw("place of " + tooth_force(*built, k).quantity.name,
+           [&found, force = on_second_number(k)] { return found.place(force); });
     for (const LineOnLine& block : built->linkage.blocks)
       draw("through " + built->letters.lines[index(block.moving)],
            [&found, line = block.moving] { return found.through(line); });

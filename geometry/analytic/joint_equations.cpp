@@ -118,6 +118,22 @@ class JointEquations {
                     line);
   }
 
+  // What a force at the pitch point does, of the first wheel on the second: along the line of centres, or a quarter
+  // turn from it.
+  Equation<T> pressing(const MeshingLinks& gear, bool is_radial) const {
+    const Complex<T> apart = analytic::direction({nothing, {0, 0}, linkage_.line_of_centres(gear)},
+                                                 links_[static_cast<std::size_t>(gear.carrier)]),
+                     u = is_radial ? apart : times_i(apart), P = end(gear.carrier, linkage_.pitch_point(gear)).X;
+    Equation<T> equation{.residual = T(0), .slopes = {}};
+    for (const bool is_second : {true, false}) {
+      const int wheel = is_second ? gear.second : gear.first;
+      const LinkState<T>& state = links_[static_cast<std::size_t>(wheel)];
+      const Complex<T> r = P - state.O, on_wheel = is_second ? u : -u;
+      add(equation, {wheel, r, P, state.v, state.omega}, on_wheel, dot(on_wheel, times_i(r)));
+    }
+    return equation;
+  }
+
   std::vector<Equation<T>> all() {
     for (int point = 0; point < linkage_.count_of_points(); ++point) {
       const std::vector<int> there = links_at(linkage_, hanging_, point);
@@ -779,16 +795,20 @@ void for_each_force(const Linkage& linkage, JointForces<T>& forces, const Take& 
     take(guide.force, Rational(1));
     take(guide.couple, Rational(1));
   }
+  for (auto& tooth : forces.teeth) take(tooth.tangential, Rational(1));
   for (std::size_t i = 0; i < linkage.drives.size(); ++i) {
     const auto* cylinder = std::get_if<Stretched>(&linkage.drives[i]);
     take(forces.drives[i], cylinder ? Rational(2) * cylinder->length : Rational(1));
   }
 }
-void demand_no_gears(const Linkage& linkage) {
-  if (!linkage.gears.empty())
-    throw Impossible("forces of wheels that mesh are not found yet",
-                     "le forze fra ruote dentate non si trovano ancora");
-}
+// Where the multipliers of the pins, the blocks and the gears begin.
+struct Multipliers {
+  std::size_t pins, blocks, gears;
+  explicit Multipliers(const Linkage& linkage)
+      : pins(2 * JointForces<Fast>(linkage).hinges.size()),
+        blocks(pins + linkage.pins.size()),
+        gears(blocks + 2 * linkage.blocks.size()) {}
+};
 
 [[noreturn]] void refuse_angles() {
   throw Undecided("the equations of all joints are solved for angles, which are no algebraic numbers",
@@ -806,29 +826,58 @@ std::vector<std::vector<int>> links_of_equations(const Linkage& linkage, const H
   return all;
 }
 
-// Friction does work with what slides, and is so many times the multiplier that belongs to what presses.
+// What acts beside what presses, so many times its size: friction, which does work with what slides, and the part of
+// a tooth's force along the line of centres.
 template <class T>
-struct Friction {
-  std::size_t multiplier;
-  Equation<T> sliding;
-  T slope;  // the coefficient, with the sense of sliding
+struct Beside {
+  std::size_t multiplier;  // of what presses
+  Equation<T> along;
+  T slope;  // against `along`
 };
+// Of all friction, and then of all gears.
 template <class T>
-std::vector<Friction<T>> frictions(const Linkage& linkage, const std::vector<LinkState<T>>& links,
-                                   const Loads& loads) {
+std::vector<Beside<T>> beside_what_presses(const Linkage& linkage, const std::vector<LinkState<T>>& links,
+                                           const Loads& loads) {
   const Hanging whole = all_links(linkage);
   const JointEquations<T> joints(linkage, links, whole);
   const Column<T> rates = rates_of(links, true);
-  const std::size_t pins = 2 * JointForces<T>(linkage).hinges.size(), blocks = pins + linkage.pins.size();
-  std::vector<Friction<T>> all;
+  const Multipliers at(linkage);
+  std::vector<Beside<T>> all;
   for (const LineFriction& each : loads.frictions) {
     const auto k = static_cast<std::size_t>(each.which);
     Equation<T> sliding = joints.sliding(each);
     const int sense = sense_of_sliding(along(sliding, rates));
     all.push_back(
-        {each.is_of_block ? blocks + 2 * k : pins + k, std::move(sliding), T(sense) * each.coefficient<T>()});
+        {each.is_of_block ? at.blocks + 2 * k : at.pins + k, std::move(sliding), T(sense) * each.coefficient<T>()});
+  }
+  for (std::size_t k = 0; k < linkage.gears.size(); ++k) {
+    const MeshingLinks& gear = linkage.gears[k];
+    all.push_back({at.gears + k, joints.pressing(gear, true), -slope_of_teeth<T>(gear)});
   }
   return all;
+}
+template <class T>
+T& beside(JointForces<T>& forces, const Loads& loads, std::size_t i) {
+  const std::size_t frictions = loads.frictions.size();
+  return i < frictions ? forces.friction(loads.frictions[i]) : forces.teeth[i - frictions].radial;
+}
+template <class T>
+const T& pressing(const JointForces<T>& forces, const Loads& loads, std::size_t i) {
+  const std::size_t frictions = loads.frictions.size();
+  return i < frictions ? forces.normal(loads.frictions[i]) : forces.teeth[i - frictions].tangential;
+}
+
+// The equilibrium of all links: what each force of a joint does to them. (That wheels mesh is an equation of their
+// angles; what their teeth do to each other acts in the pitch point.)
+template <class T>
+std::vector<Equation<T>> equilibrium(const Linkage& linkage, const std::vector<LinkState<T>>& links) {
+  std::vector<Equation<T>> rows = equations(linkage, links);
+  const Hanging whole = all_links(linkage);
+  const JointEquations<T> joints(linkage, links, whole);
+  const Multipliers at(linkage);
+  for (std::size_t k = 0; k < linkage.gears.size(); ++k)
+    rows[at.gears + k] = joints.pressing(linkage.gears[k], false);
+  return transposed(rows);
 }
 
 // What is left over of a sum of forces on exact numbers.
@@ -855,12 +904,12 @@ T magnitude_proved(const T& x) {
 template <class T>
 class WithSenses {
  public:
-  WithSenses(const std::vector<Equation<T>>& columns, const std::vector<Friction<T>>& rubbing,
+  WithSenses(const std::vector<Equation<T>>& columns, const std::vector<Beside<T>>& rubbing,
              const std::vector<int>& senses)
       : equations_(columns) {
     for (std::size_t i = 0; i < rubbing.size(); ++i) {
       slopes_.push_back(T(senses[i]) * rubbing[i].slope);
-      for (const auto& [column, slope] : rubbing[i].sliding.slopes)
+      for (const auto& [column, slope] : rubbing[i].along.slopes)
         equations_[static_cast<std::size_t>(column)].slopes.emplace_back(static_cast<int>(rubbing[i].multiplier),
                                                                          -(slopes_[i] * slope));
     }
@@ -872,8 +921,7 @@ class WithSenses {
     std::size_t next = 0;
     for_each_force(linkage, all,
                    [&](T& force, const Rational& factor) { force = from_rational<T>(factor) * multipliers[next++]; });
-    for (std::size_t i = 0; i < slopes_.size(); ++i)
-      all.friction(loads.frictions[i]) = -(slopes_[i] * all.normal(loads.frictions[i]));
+    for (std::size_t i = 0; i < slopes_.size(); ++i) beside(all, loads, i) = -(slopes_[i] * pressing(all, loads, i));
     return all;
   }
 
@@ -893,9 +941,9 @@ class WithSenses {
 template <class T>
 JointForces<T> forces_found(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
                             Inertia inertia) {
-  const std::vector<Equation<T>> columns = transposed(equations(linkage, links));
+  const std::vector<Equation<T>> columns = equilibrium(linkage, links);
   const Column<T> acting = loads_on_links(links, loads, inertia);
-  const std::vector<Friction<T>> rubbing = frictions(linkage, links, loads);
+  const std::vector<Beside<T>> rubbing = beside_what_presses(linkage, links, loads);
   const JointForces<T> none(linkage);
   std::vector<T> turning;
   for (const auto& hinge : none.hinges)
@@ -915,7 +963,7 @@ JointForces<T> forces_found(const Linkage& linkage, const std::vector<LinkState<
         [&](const std::vector<int>& senses) {
           return tried.try_emplace(senses, columns, rubbing, senses).first->second.forces(linkage, loads, borne);
         },
-        [&](const JointForces<T>& found, std::size_t i) { return found.normal(loads.frictions[i]); },
+        [&](const JointForces<T>& found, std::size_t i) { return pressing(found, loads, i); },
         [](const JointForces<T>& a, const JointForces<T>& b) { return either(a, b); });
     for (std::size_t k = 0; k < couples.size(); ++k) forces.hinges[k].couple = couples[k];
     return forces;
@@ -1003,14 +1051,12 @@ void demand_independent(const Linkage& linkage, const std::vector<LinkState<Deep
 template <class T>
 JointForces<T> solve_forces(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
                             Inertia inertia) {
-  demand_no_gears(linkage);
   return forces_found(linkage, links, loads, inertia);
 }
 
 template <class T>
 void demand_equilibrium(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
                         const JointForces<T>& forces, Inertia inertia) {
-  demand_no_gears(linkage);
   JointForces<T> held = forces;
   Column<T> multipliers;
   for_each_force(linkage, held, [&](T& force, const Rational& factor) {
@@ -1019,14 +1065,13 @@ void demand_equilibrium(const Linkage& linkage, const std::vector<LinkState<T>>&
   if (!loads.hinge_frictions.empty())
     throw Undecided("forces with friction circles on exact numbers", "forze con cerchi d'attrito su numeri esatti");
   Column<T> borne = loads_on_links(links, loads, inertia);
-  const std::vector<Friction<T>> rubbing = frictions(linkage, links, loads);
+  const std::vector<Beside<T>> rubbing = beside_what_presses(linkage, links, loads);
   for (std::size_t k = 0; k < rubbing.size(); ++k) {
-    const T& friction = forces.friction(loads.frictions[k]);
-    demand_in_equilibrium(friction + rubbing[k].slope * magnitude_proved(forces.normal(loads.frictions[k])));
-    for (const auto& [column, each] : rubbing[k].sliding.slopes)
-      borne[static_cast<std::size_t>(column)] += each * friction;
+    const T& acts = beside(held, loads, k);
+    demand_in_equilibrium(acts + rubbing[k].slope * magnitude_proved(pressing(held, loads, k)));
+    for (const auto& [column, each] : rubbing[k].along.slopes) borne[static_cast<std::size_t>(column)] += each * acts;
   }
-  const std::vector<Equation<T>> columns = transposed(equations(linkage, links));
+  const std::vector<Equation<T>> columns = equilibrium(linkage, links);
   for (std::size_t i = 0; i < columns.size(); ++i) demand_in_equilibrium(along(columns[i], multipliers) + borne[i]);
 }
 template JointForces<Fast> solve_forces<Fast>(const Linkage&, const std::vector<LinkState<Fast>>&, const Loads&,

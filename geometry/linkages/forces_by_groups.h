@@ -115,6 +115,7 @@ class ForcesByGroups {
       push(body.link, place(body), inertia(body, moving[k]));
       known_[index(body.link)].couple -= from_rational<T>(body.inertia) * moving[k].alpha;
     }
+    placed_ = steps_of_links(steps);
     const std::vector<std::size_t> at_steps = steps_of(loads.frictions, steps);
     for (std::size_t k = steps.size(); k-- > 0;) {
       std::vector<Rubbing> rubbing;
@@ -130,19 +131,25 @@ class ForcesByGroups {
     return found_;
   }
 
+  std::vector<std::size_t> steps_of_links(const std::vector<Step>& steps) const {
+    std::vector<std::size_t> of_links(linkage_.links.size(), 0);
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      for (const int link : placed_by(steps[k])) of_links[index(link)] = k;
+    return of_links;
+  }
+
   // --- friction ---
   // With which step each contact is found: the last that brings a part of it to its place.
   std::vector<std::size_t> steps_of(const std::vector<LineFriction>& frictions,
                                     const std::vector<Step>& steps) const {
-    std::vector<std::size_t> of_links(linkage_.links.size(), 0), all;
+    std::vector<std::size_t> all;
     std::vector<std::optional<std::size_t>> of_points(at_.points.size());
     for (std::size_t k = 0; k < steps.size(); ++k) {
-      for (const int link : placed_by(steps[k])) of_links[index(link)] = k;
       if (const auto* pin = std::get_if<SlidPin>(&steps[k])) of_points[index(pin->point)] = k;
       if (const auto* two = std::get_if<TwoTracks>(&steps[k])) of_points[index(two->joint)] = k;
       if (const auto* rod = std::get_if<RodAndTrack>(&steps[k])) of_points[index(rod->joint)] = k;
     }
-    const auto of_line = [&](int line) { return of_links[index(linkage_.link_of_line(line))]; };
+    const auto of_line = [&](int line) { return placed_[index(linkage_.link_of_line(line))]; };
     for (const LineFriction& each : frictions) {
       if (each.is_of_block) {
         const LineOnLine& block = linkage_.blocks[index(each.which)];
@@ -151,13 +158,13 @@ class ForcesByGroups {
       }
       const PinOnLine& pin = linkage_.pins[index(each.which)];
       const std::optional<std::size_t>& alone = of_points[index(pin.point)];
-      all.push_back(std::max(of_line(pin.line), alone ? *alone : first_link(pin.point, of_links)));
+      all.push_back(std::max(of_line(pin.line), alone ? *alone : first_link(pin.point)));
     }
     return all;
   }
-  std::size_t first_link(int point, const std::vector<std::size_t>& of_links) const {
-    std::size_t first = of_links.size();
-    for (const int link : linkage_.links_at(point)) first = std::min(first, of_links[index(link)]);
+  std::size_t first_link(int point) const {
+    std::size_t first = placed_.size();
+    for (const int link : linkage_.links_at(point)) first = std::min(first, placed_[index(link)]);
     return first;
   }
   static Vector<T> one_of_vectors(const Vector<T>& a, const Vector<T>& b) {
@@ -300,9 +307,41 @@ class ForcesByGroups {
     found_.drives[index(step.drive)] = -moment(step.link, X(step.hinge));
     close_in(step.link, step.hinge);
   }
-  [[noreturn]] void release(const GearedWheel&) const {
-    throw Impossible("forces of wheels that mesh are not found yet",
-                     "le forze fra ruote dentate non si trovano ancora");
+  // Its teeth press on those of the one wheel that was placed before it (wheels_in_order.h).
+  void release(const GearedWheel& step) {
+    take_pins(step.link, {step.hinge});
+    for (std::size_t k = 0; k < linkage_.gears.size(); ++k) {
+      const MeshingLinks& gear = linkage_.gears[k];
+      if (gear.first != step.link && gear.second != step.link) continue;
+      const int other = gear.first == step.link ? gear.second : gear.first;
+      if (other == 0 || placed_[index(other)] < placed_[index(step.link)]) mesh(k, step);
+    }
+    close_in(step.link, step.hinge);
+  }
+  void mesh(std::size_t k, const GearedWheel& wheel) {
+    const MeshingLinks& gear = linkage_.gears[k];
+    const Own pitch = linkage_.pitch_point(gear);
+    const PlacedLink<T>& carrier = at_.links[index(gear.carrier)];
+    const Point<T> P = carrier.at({from_rational<T>(pitch.x), from_rational<T>(pitch.y)});
+    const Vector<T> apart = carrier.turned(linkages::unit_vector<T>(linkage_.line_of_centres(gear))),
+                    along = quarter_turn(apart);
+    // The part along the line of centres goes through the wheel's own.
+    T on_wheel = over(-moment(wheel.link, X(wheel.hinge)), cross(P - X(wheel.hinge), along));
+    auto& tooth = found_.teeth[k];
+    tooth.tangential = gear.second == wheel.link ? on_wheel : -on_wheel;
+    const T size = size_of(tooth.tangential);
+    if (sign(size) != Sign::zero) tooth.radial = slope_of_teeth<T>(gear) * size;
+    const Vector<T> force = tooth.tangential * along + tooth.radial * apart;
+    push(gear.second, P, force);
+    push(gear.first, P, -force);
+  }
+  static T size_of(const T& x) {
+    const Sign decided = sign(x);
+    if (decided != Sign::undecided) return decided == Sign::negative ? -x : x;
+    if constexpr (NumberWithAngles<T>)
+      return root(square(x));
+    else
+      throw Undecided("from which side a tooth presses", "da quale parte prema un dente");
   }
   void release(const SlidBlock& step) {
     take_pins(step.track.block, {step.point});
@@ -409,6 +448,7 @@ class ForcesByGroups {
   const Linkage& linkage_;
   const LinkagePosition<T>& at_;
   JointForces<T> found_;
+  std::vector<std::size_t> placed_ = {};      // by which step: links
   std::vector<T> pin_slopes_, block_slopes_;  // of friction, with the sense that is tried
   std::vector<Vector<T>> on_pin_;             // what is exerted on a pin by all that is known
   std::vector<Known> known_;                  // what acts on a link

@@ -53,6 +53,10 @@ JointForces<T> either(JointForces<T> a, const JointForces<T>& b) {
     a.guides[k].couple = either(a.guides[k].couple, b.guides[k].couple);
     a.guides[k].friction = either(a.guides[k].friction, b.guides[k].friction);
   }
+  for (std::size_t k = 0; k < a.teeth.size(); ++k) {
+    a.teeth[k].tangential = either(a.teeth[k].tangential, b.teeth[k].tangential);
+    a.teeth[k].radial = either(a.teeth[k].radial, b.teeth[k].radial);
+  }
   for (std::size_t k = 0; k < a.drives.size(); ++k) a.drives[k] = either(a.drives[k], b.drives[k]);
   return a;
 }

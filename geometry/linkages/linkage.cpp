@@ -58,11 +58,16 @@ int Linkage::hinge_of(int one, int other) const {
 
 // Inside, beyond the centre of the smaller wheel; else between the two.
 Own Linkage::pitch_point(const MeshingLinks& gear) const {
-  const Own &O = place(gear.carrier, hinge_of(gear.first, gear.carrier)),
-            &Q = place(gear.carrier, hinge_of(gear.second, gear.carrier));
+  const Own &O = place(gear.carrier, hinge_of(gear.first, gear.carrier)), r = line_of_centres(gear);
   const Rational share = gear.first_teeth / (gear.is_inside ? Rational(gear.first_teeth - gear.second_teeth)
                                                             : Rational(gear.first_teeth + gear.second_teeth));
-  return {O.x + share * (Q.x - O.x), O.y + share * (Q.y - O.y)};
+  return {O.x + share * r.x, O.y + share * r.y};
+}
+
+Own Linkage::line_of_centres(const MeshingLinks& gear) const {
+  const Own &O = place(gear.carrier, hinge_of(gear.first, gear.carrier)),
+            &Q = place(gear.carrier, hinge_of(gear.second, gear.carrier));
+  return {Q.x - O.x, Q.y - O.y};
 }
 
 int Linkage::freedom() const {

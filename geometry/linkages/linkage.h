@@ -57,6 +57,8 @@ struct MeshingLinks {
   Rational first_teeth, second_teeth;
   bool is_inside = false;
   Angle phase = {};
+  // Of the line along which teeth press, from the common tangent of the pitch circles; 20 degrees.
+  Angle pressure_angle = {Rational(1, 18)};
 
   // Of the turns seen from the carrier: second = phase - ratio first, inside phase + ratio first.
   Rational turns_of_second() const {
@@ -123,6 +125,8 @@ struct Linkage {
   int hinge_of(int one, int other) const;
   // Where two wheels touch, in the axes of their carrier.
   Own pitch_point(const MeshingLinks& gear) const;
+  // From the first one's centre to the second one's, the same.
+  Own line_of_centres(const MeshingLinks& gear) const;
   // 3 for each moving link, less what joints, gears and drives take.
   int freedom() const;
   // One drive, a link that turns steadily by so many turns a second: who asks for nothing but signs counts a radian

@@ -48,6 +48,14 @@ struct HingeFriction {
   int point;
   Rational radius;
 };
+// Of what teeth press with along the common tangent of their pitch circles, so much acts along the line of centres,
+// on the second wheel away from the first: a wheel's tooth is pressed towards the wheel's own middle, and a ring's
+// outwards, whichever flank it is.
+template <class T>
+T slope_of_teeth(const MeshingLinks& gear) {
+  const T slope = quotient(sine<T>(gear.pressure_angle), cosine<T>(gear.pressure_angle));
+  return gear.is_inside ? -slope : slope;
+}
 struct Loads {
   std::vector<LinkForce> forces = {};
   std::vector<LinkCouple> couples = {};
@@ -82,10 +90,17 @@ struct JointForces {
     T force{0}, couple{0}, friction{0};
   };
 
+  // Of the first wheel on the second, in their pitch point: a quarter turn from the line from the first one's centre
+  // to the second one's, and along that line.
+  struct Tooth {
+    T tangential{0}, radial{0};
+  };
+
   explicit JointForces(const Linkage& linkage)
       : pins(linkage.pins.size(), T(0)),
         pin_frictions(linkage.pins.size(), T(0)),
         guides(linkage.blocks.size()),
+        teeth(linkage.gears.size()),
         drives(linkage.drives.size(), T(0)) {
     for (int point = 0; point < linkage.count_of_points(); ++point) {
       const std::vector<int> there = linkage.links_at(point);
@@ -97,6 +112,7 @@ struct JointForces {
   std::vector<T> pins;           // of the line on the pin, to the left of the line; as the linkage's pins
   std::vector<T> pin_frictions;  // of the line on the pin, along the line
   std::vector<Guide> guides;     // as its blocks
+  std::vector<Tooth> teeth;      // as its gears
   // What presses, and what holds back.
   const T& normal(const LineFriction& of) const { return of.is_of_block ? guides[at(of)].force : pins[at(of)]; }
   T& friction(const LineFriction& of) { return of.is_of_block ? guides[at(of)].friction : pin_frictions[at(of)]; }

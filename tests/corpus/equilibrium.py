@@ -2,7 +2,7 @@
 components at its place, every link's three sums, one linear system. Places are complex numbers, forces too."""
 from itertools import product
 
-from mpmath import diff, im, lu_solve, matrix, mpc, mpf, re, sqrt
+from mpmath import diff, im, lu_solve, matrix, mpc, mpf, pi, re, sqrt, tan
 
 
 def moment(at, force):
@@ -11,6 +11,7 @@ def moment(at, force):
 
 class Equilibrium:
     """Links by their numbers; 1, the frame, has no equations."""
+    senses = {}  # of the teeth: with_teeth
 
     def __init__(self, links):
         self.rows = {(link, k): i for i, (link, k) in enumerate((l, k) for l in links for k in range(3))}
@@ -35,6 +36,14 @@ class Equilibrium:
 
     def couple(self, name, by, on):
         self.unknown(name, by, on, 0, 0, 1)
+
+    def teeth(self, i, j, P, centre, alpha=20, is_ring=False):
+        """The teeth of wheel i press those of wheel j in P, towards the centre of j, or away from it where j is a
+        ring."""
+        inwards = (centre - P) / abs(centre - P) * (-1 if is_ring else 1)
+        along = 1j * inwards + self.senses[f"{i}{j}"] * tan(pi * mpf(alpha) / 180) * inwards
+        self.unknown(f"t_{i}{j}", i, j, P, along)
+        self.sum(f"R_{i}{j}", [(f"t_{i}{j}", along)])
 
     def load(self, on, at, force, name=None):
         """Under a name it is among the values too."""
@@ -138,4 +147,23 @@ def with_circles(case, contacts, circles):
     for name, value in case().values():
         if name == "M_2":
             values["M_2_0"] = value
+    return values.items()
+
+
+def with_teeth(case, gears, contacts=None):
+    """The values under the only senses of the teeth that agree with what they give, and of friction beside. Of each
+    pair of wheels: its pressure angle."""
+    agreeing = []
+    for signs in product((1, -1), repeat=len(gears)):
+        senses = dict(zip(gears, signs))
+
+        def sensed(kind=Equilibrium):
+            return case(type("Meshing", (kind,), {"senses": senses}))
+        values = dict(with_friction(sensed, contacts) if contacts else sensed().values())
+        if all(sense * values[f"t_{ij}"] > 0 for ij, sense in senses.items()):
+            agreeing.append(values)
+    values, = agreeing
+    for ij, alpha in gears.items():
+        values[f"R_{ij}_t"] = abs(values.pop(f"t_{ij}"))
+        values[f"R_{ij}_r"] = values[f"R_{ij}_t"] * tan(pi * mpf(alpha) / 180)
     return values.items()

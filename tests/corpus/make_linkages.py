@@ -6,7 +6,7 @@ functions of time. Velocities, accelerations and angular velocities are high-pre
 (mpmath.diff): no polygon, no system of equations, and no file of docs/scenes is read.
 Usage: make_linkages.py > linkages.txt
 """
-from equilibrium import Equilibrium, with_circles
+from equilibrium import Equilibrium, with_circles, with_teeth
 from mpmath import conj, diff, expj, im, log, mp, mpc, mpf, nstr, pi, re, sqrt, tan
 
 mp.dps = 120
@@ -334,6 +334,31 @@ def planetary_gear():
                  floating=[3], paths=["P"])
 
 
+def winch():
+    e = crank(mpf(0), rpm("60"))
+    third, twelfth = (lambda t: conj(e(t)) ** (mpf(1) / 3)), (lambda t: e(t) ** (mpf(1) / 12))
+    B, C = q("0.2"), q("0.44")
+    scene = Scene(dict(T=lambda t: C + q("0.1") * twelfth(t)),
+                  {2: (e, lambda t: mpc(0)), 3: (third, lambda t: mpc(B)), 4: (twelfth, lambda t: mpc(C))},
+                  rods=[("T", C)])
+
+    def forces(equilibrium=Equilibrium):
+        f = equilibrium([2, 3, 4])
+        f.hinge(1, 2, 0), f.hinge(1, 3, B), f.hinge(1, 4, C), f.couple("M_2", 1, 2)
+        f.teeth(2, 3, mpc("0.05"), B), f.teeth(3, 4, B + q("0.048"), C)
+        f.load(4, C + q("0.1"), mpc(0, -1500))
+        f.arm("h_R_23", "R_23", q("0.05"), B), f.arm("h_R_23_on_2", "R_23", q("0.05"), 0)
+        f.arm("h_R_34", "R_34", B + q("0.048"), C), f.arm("h_R_34_on_3", "R_34", B + q("0.048"), B)
+        f.arm("h_F", mpc(0, -1500), C + q("0.1"), C)
+        return f
+
+    class Meshing:
+        def values(self):
+            return with_teeth(forces, {"23": 20, "34": 20})
+    scene.forces = Meshing()
+    return scene
+
+
 def cardan_gear():
     e = crank(deg("35"), rpm("120"))
     C = lambda t: q("0.06") * e(t)
@@ -524,5 +549,5 @@ for name, file, scene in (("four-bar", "four-bar", four_bar), ("quick-return", "
                           ("geared-five-bar", "geared-five-bar", geared_five_bar),
                           ("loaded-four-bar", "loaded-four-bar", loaded_four_bar),
                           ("cutting-stroke", "cutting-stroke", cutting_stroke), ("engine", "engine", engine),
-                          ("plunger-pump", "plunger-pump", plunger_pump)):
+                          ("plunger-pump", "plunger-pump", plunger_pump), ("winch", "winch", winch)):
     write(name, file, scene)

@@ -6,7 +6,7 @@ are tried. No file of docs/scenes is read. Usage: make_scene_forces.py > scene_f
 """
 from mpmath import arg, conj, expj, im, mp, mpc, mpf, nstr, pi, re, sqrt, tan
 
-from equilibrium import Equilibrium, with_circles, with_friction
+from equilibrium import Equilibrium, with_circles, with_friction, with_teeth
 
 mp.dps = 80
 ZERO = mpf(10) ** -50
@@ -227,6 +227,77 @@ CIRCLES = {
 }
 
 
+def wheel_pair(equilibrium=Equilibrium):
+    B = mpc("0.09", "0.12")
+    e = equilibrium([2, 3])
+    e.hinge(1, 2, 0), e.hinge(1, 3, B), e.couple("M_2", 1, 2)
+    e.teeth(2, 3, B / 3, B)
+    e.load_couple(3, -30, "T_3")
+    return e
+
+
+def ring_wheel(equilibrium=Equilibrium):
+    B = mpc("-0.04")
+    e = equilibrium([2, 3])
+    e.hinge(1, 2, 0), e.hinge(1, 3, B), e.couple("M_2", 1, 2)
+    e.teeth(2, 3, q("0.02"), B, 25, True)
+    e.load(3, B + mpc("0.05", "0.01") * deg(10), mpc(-100, 40), "Q_E"), e.load_couple(3, 6, "T_3")
+    return e
+
+
+def geared_five_bar(equilibrium=Equilibrium):
+    A, D0 = q("0.05") * deg(40), mpc("0.12")
+    D = D0 + q("0.03") * deg(-20)
+    B = left_joint(A, D, q("0.14"), q("0.12"))
+    e = equilibrium([2, 3, 4, 5])
+    e.hinge(1, 2, 0), e.hinge(2, 3, A), e.hinge(3, 4, B), e.hinge(4, 5, D), e.hinge(1, 5, D0), e.couple("M_2", 1, 2)
+    e.teeth(2, 5, q("0.08"), D0)
+    e.load(3, A + (B - A) / q("0.14") * mpc("0.07", "0.02"), mpc(30, -80), "Q_3"), e.load_couple(5, 4, "T_5")
+    e.rod("R_23", A, B)
+    return e
+
+
+def planetary_gear(equilibrium=Equilibrium):
+    u = deg(50)
+    C = q("0.08") * u
+    e = equilibrium([2, 3, 4])
+    e.hinge(1, 2, 0), e.hinge(1, 4, 0), e.hinge(2, 3, C), e.couple("M_2", 1, 2)
+    e.teeth(1, 3, q("0.12") * u, C), e.teeth(3, 4, q("0.04") * u, 0)
+    e.load(3, C + q("0.03") * deg(-100), mpc(40, -25), "Q_P"), e.load_couple(4, 3, "T_4")
+    return e
+
+
+# A pair of wheels, and on the second a crank that pushes a block.
+PRESS_AT = mpc("0.15")
+
+
+def press_pin(t):
+    return PRESS_AT + q("0.05") * deg(-40) * expj(-t / 2)
+
+
+def press_block(t):
+    A = press_pin(t)
+    return mpc(re(A) + sqrt(q("0.04") - im(A) ** 2), 0)
+
+
+def geared_press(equilibrium=Equilibrium):
+    A, B = press_pin(0), press_block(0)
+    e = equilibrium([2, 3, 4, 5])
+    e.hinge(1, 2, 0), e.hinge(1, 3, PRESS_AT), e.hinge(3, 4, A), e.hinge(4, 5, B), e.couple("M_2", 1, 2)
+    e.teeth(2, 3, q("0.05"), PRESS_AT)
+    e.unknown("N_b", 1, 5, B, I), e.couple("M_b", 1, 5)
+    e.load(5, B, mpc(-500, 0), "Q_B")
+    return e
+
+
+PRESS = (geared_press, {"23": 20})
+TEETH = {
+    "wheel-pair": (wheel_pair, {"23": 20}), "ring-wheel": (ring_wheel, {"23": 25}),
+    "geared-five-bar": (geared_five_bar, {"25": 20}), "planetary-gear": (planetary_gear, {"13": 20, "34": 20}),
+    "geared-press": PRESS,
+}
+
+
 def text(x):
     return "0" if abs(x) < ZERO else nstr(x, 40, strip_zeros=True)
 
@@ -253,3 +324,12 @@ for name, (case, contacts, circles) in CIRCLES.items():
     for quantity, value in with_circles(case, contacts, circles):
         print(quantity, text(value))
     print()
+for name, (case, gears) in TEETH.items():
+    print(f"case {name}\nwhy the scene of this name, of docs/scenes or of the test, with the loads of the test\ngiven loaded 1")
+    for quantity, value in with_teeth(case, gears):
+        print(quantity, text(value))
+    print()
+print("case geared-press-with-friction\nwhy the same with the friction of the test\ngiven loaded 1")
+for quantity, value in with_teeth(*PRESS, {"b": (q("0.2"), "gb", lambda t: re(press_block(t)))}):
+    print(quantity, text(value))
+print()

@@ -6,6 +6,7 @@
 #include "exercises/scenes/file/refusals.h"
 #include "exercises/scenes/scene_routes.h"
 #include "geometry/linkages/every_place.h"
+#include "geometry/linkages/wheels_in_order.h"
 
 namespace epure::scenes {
 namespace {
@@ -25,6 +26,26 @@ class Placing : SectionReader {
       if (!take_sides_from_drawing(open)) tell(open);
       place();
     }
+  }
+  // Forces are found in the reverse of an order in which each wheel follows one that it meshes with.
+  void order_wheels() {
+    if (!built_.loads) return;
+    WheelsInOrder found = wheels_in_order(built_.linkage, built_.steps);
+    if (!found.left.empty()) {
+      std::vector<std::string> numbers;
+      for (const int wheel : found.left) numbers.push_back(number(wheel));
+      std::sort(numbers.begin(), numbers.end());
+      refuse(
+          section(root_.find("loads") ? "loads" : "masses"),
+          format_words("links {} bear forces in their teeth that are found only together, and that is not done yet: "
+                       "drive the link that carries the wheels, or one that meshes with a single other, and let "
+                       "the couple that drives it now be a load",
+                       "i membri {} portano fra i denti forze che si trovano solo insieme, e questo non si fa "
+                       "ancora: muovere il membro che porta le ruote, o una che ingrana con una sola, e dare come "
+                       "carico la coppia che ora la muove",
+                       enumerated(numbers)));
+    }
+    built_.steps = std::move(found.steps);
   }
   // What other things are called is no name for a point: P23 is the instant centre of links 2 and 3.
   void demand_names_of_points() const {
@@ -149,6 +170,7 @@ void place_links(FileReading& of) {
   Placing placing(of);
   placing.demand_near_origin();
   placing.place();
+  placing.order_wheels();
   of.built.linkage = with_sides_in_full(std::move(of.built.linkage), of.built.steps);
   placing.demand_polodes();
   placing.demand_paths_end();

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "exercises/kit/statement/format_words.h"
-#include "exercises/scenes/file/greek.h"
 #include "exercises/scenes/file/sections.h"
 
 namespace epure::scenes {
@@ -26,11 +25,15 @@ class FrictionReader : SectionReader {
       refuse(*all, {"nothing presses here: friction needs  loads:  or  masses:",
                     "qui nulla preme: l'attrito vuole  loads:  o  masses:"});
     for (const auto& [key, value] : all->entries) contact(key, value);
-    constexpr std::size_t most = 6;
+    constexpr std::size_t most = 6, most_with_teeth = 8;
     if (built_.loads->frictions.size() > most)
       refuse(*all,
              format_words("friction in more than {} places is too much: there are {}",
                           "l'attrito in più di {} luoghi è troppo: sono {}", most, built_.loads->frictions.size()));
+    if (built_.loads->frictions.size() + built_.linkage.gears.size() > most_with_teeth)
+      refuse(*all,
+             format_words("friction beside so many gears is too much: there may be {} of both together",
+                          "l'attrito accanto a tante ruote è troppo: possono essere {} in tutto", most_with_teeth));
   }
 
  private:
@@ -67,15 +70,8 @@ class FrictionReader : SectionReader {
       friction.amount = coefficient;
     }
     built_.loads->frictions.push_back(friction);
-    built_.friction_names.push_back(name_of_amount(value));
+    built_.friction_names.push_back({words_of_amount(value)});
     return true;
-  }
-  FrictionName name_of_amount(const Tree& value) const {
-    const std::string symbol = spelled_out(value.text);
-    if (of_.given.contains(symbol)) return {Words{given_letters(symbol), given_letters(symbol)}};
-    std::string italian = as_printed(value.text);
-    std::replace(italian.begin(), italian.end(), '.', ',');
-    return {Words{as_printed(value.text), italian}};
   }
   void hinge(const Tree& key, const Tree& value) {
     const int A = point(key, key.text);
@@ -89,7 +85,7 @@ class FrictionReader : SectionReader {
       refuse(value, format_words("\"{}\" is below zero, and no radius of a friction circle is",
                                  "\"{}\" è sotto lo zero, e nessun raggio di cerchio d'attrito lo è", value.text));
     built_.loads->hinge_frictions.push_back({A, radius});
-    built_.hinge_friction_names.push_back(name_of_amount(value));
+    built_.hinge_friction_names.push_back({words_of_amount(value)});
   }
 };
 

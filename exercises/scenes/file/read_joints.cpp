@@ -40,8 +40,9 @@ class JointsReader : SectionReader {
     file_.demand(*all, Tree::Kind::list, what);
     for (const Tree& item : all->items) {
       file_.map(item, what);
-      file_.demand_keys(item, {"wheels", "on", "teeth", "inside", "phase"});
+      file_.demand_keys(item, {"wheels", "on", "teeth", "inside", "phase", "pressure_angle"});
       built_.linkage.gears.push_back(gear(item, what));
+      built_.pressure_angles.push_back(pressure_angle(item, built_.linkage.gears.back().pressure_angle));
     }
   }
 
@@ -108,6 +109,16 @@ class JointsReader : SectionReader {
                       "una ruota ha un numero intero di denti; i raggi hanno un'unità, come 20.5 mm"});
     }
     return both;
+  }
+  // 20 degrees where the file does not say it.
+  Words pressure_angle(const Tree& gear, Angle& angle) const {
+    const Tree* at = gear.find("pressure_angle");
+    if (!at) return {"20°", "20°"};
+    angle = amount(*at, Kind::angle).angle;
+    if (sign_of(angle) < 0 || sign_of(angle - Angle{Rational(1, 4)}) >= 0)
+      refuse(*at, format_words("\"{}\" is no pressure angle: these are from 0 to below 90 degrees",
+                               "\"{}\" non è un angolo di pressione: va da 0 a meno di 90 gradi", at->text));
+    return words_of_amount(*at);
   }
   bool is_inside(const Tree& gear) const {
     const Tree* inside = gear.find("inside");

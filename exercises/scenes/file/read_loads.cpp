@@ -26,7 +26,6 @@ class LoadsReader : SectionReader {
     const Words what{"loads: [{at: P, on: 3, force: 200 N, direction: -90 deg}, {on: 4, couple: 20 N*m}]",
                      "loads: [{at: P, on: 3, force: 200 N, direction: -90 deg}, {on: 4, couple: 20 N*m}]"};
     file_.demand(*all, Tree::Kind::list, what);
-    demand_no_gears(*all);
     built_.loads.emplace();
     for (const Tree& item : all->items) {
       file_.map(item, what);
@@ -46,7 +45,6 @@ class LoadsReader : SectionReader {
     const Words what{"masses: {3: {mass: 2 kg, at: G, inertia: 0.03 kg*m^2}}, link by link",
                      "masses: {3: {mass: 2 kg, at: G, inertia: 0.03 kg*m^2}}, membro per membro"};
     file_.map(*all, what);
-    demand_no_gears(*all);
     if (!built_.loads) built_.loads.emplace();
     if (gravity) this->gravity(*gravity);
     for (const auto& [key, value] : all->entries) {
@@ -61,11 +59,6 @@ class LoadsReader : SectionReader {
   }
 
  private:
-  void demand_no_gears(const Tree& at) const {
-    if (!built_.linkage.gears.empty())
-      refuse(at,
-             {"forces of wheels that mesh are not found yet", "le forze fra ruote dentate non si trovano ancora"});
-  }
   void gravity(const Tree& at) {
     Own& g = built_.loads->gravity;
     if (at.kind == Tree::Kind::list) {

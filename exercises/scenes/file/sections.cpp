@@ -4,6 +4,7 @@
 
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
+#include "exercises/scenes/file/greek.h"
 
 namespace epure::scenes {
 namespace {
@@ -114,6 +115,14 @@ const TextTree& SectionReader::demand(const Tree& map, const std::string& key) c
 geometry::Angle SectionReader::turning(const Tree& drive, const std::string& key, geometry::Kind kind) const {
   const Tree* value = drive.find(key);
   return value ? amount(*value, kind).angle : geometry::Angle{};
+}
+
+Words SectionReader::words_of_amount(const Tree& at) const {
+  const std::string symbol = spelled_out(at.text);
+  if (of_.given.contains(symbol)) return {given_letters(symbol), given_letters(symbol)};
+  std::string italian = as_printed(at.text);
+  std::replace(italian.begin(), italian.end(), '.', ',');
+  return {as_printed(at.text), italian};
 }
 
 const TextTree& SectionReader::section(const char* name) const {

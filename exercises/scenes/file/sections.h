@@ -61,6 +61,8 @@ class SectionReader {
   bool reads_as(const Tree& at, geometry::Kind kind) const;
   geometry::Rational length(const Tree& at) const { return amount(at, geometry::Kind::length).value; }
   geometry::Own own(const Tree& at) const;
+  // As the file has it, or the letters of the given that it is.
+  Words words_of_amount(const Tree& at) const;
   // Zero where the map does not say it.
   geometry::Angle turning(const Tree& map, const std::string& key, geometry::Kind kind) const;
 

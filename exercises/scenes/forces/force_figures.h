@@ -48,6 +48,7 @@ class ForceFigures {
       case Kind::weight:
       case Kind::inertia:
       case Kind::hinge:
+      case Kind::tooth:
       case Kind::held:
         v = s_.vector(name);
         break;
@@ -77,8 +78,26 @@ class ForceFigures {
     const double across = cross(along, v);
     return across == 0 ? 0 : std::atan(-dot(along, v) / across);
   }
+  // From the common tangent of two pitch circles to the force between the teeth, the shorter way: radians. And the
+  // direction of that tangent, as the force has it.
+  double turned_by_teeth(const ActingForce& force) const {
+    const Arrow2 v = vector(force), t = tangent(force);
+    return std::atan2(cross(t, v), dot(t, v));
+  }
+  Arrow2 tangent(const ActingForce& force) const {
+    const geometry::MeshingLinks& gear = built_.linkage.gears[index(force.which)];
+    const Arrow2 t = geometry::quarter_turn(at(built_.linkage.hinge_of(gear.second, gear.carrier)) -
+                                            at(built_.linkage.hinge_of(gear.first, gear.carrier)));
+    return dot(t, vector(force)) < 0 ? -t : t;
+  }
+  // "$α$", of several gears "$α_{25}$".
+  std::string pressure_angle(const ActingForce& force) const {
+    const bool is_one = built_.linkage.gears.size() == 1;
+    return is_one ? "$α$" : "$α_{" + tooth_force(built_, index(force.which)).quantity.of + "}$";
+  }
   Place place(const ActingForce& force) const {
     if (force.kind == ActingForce::Kind::load) return s_.place("place of " + name_of_force(built_, force));
+    if (force.kind == ActingForce::Kind::tooth) return s_.place("place of " + name_of_force(built_, force));
     if (is_of_mass(force)) return s_.place("centre of " + number(force.link));
     if (force.kind == ActingForce::Kind::guide) return through(built_.linkage.blocks[index(force.which)].moving);
     return at(force.point);
@@ -129,6 +148,8 @@ class ForceFigures {
     } else if (of.from != nothing) {
       drawn.along = at(of.to) - at(of.from);
     }
+    if (of.is_along_action && *drawn.length != 0)
+      drawn.direction += (turned_by_teeth(of.force) < 0 ? " − " : " + ") + pressure_angle(of.force);
     if (const auto* friction = friction_of(built_, of.force)) {
       const double turned = turned_by_friction(of.force, *friction);
       if (turned != 0) drawn.along = drawn.v;

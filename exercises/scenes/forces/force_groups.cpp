@@ -80,9 +80,10 @@ class ForcePlanner {
       case Force::Kind::weight:
       case Force::Kind::inertia:
         return static_cast<int>(built_.steps.size());
-      case Force::Kind::hinge: {
-        const auto& hinge = joints_.hinges[index(force.which)];
-        return std::max(placed_[index(hinge.by)], placed_[index(hinge.on)]);
+      case Force::Kind::hinge:
+      case Force::Kind::tooth: {
+        const TwoLinks two = links_of(of_, force);
+        return std::max(placed_[index(two.by)], placed_[index(two.on)]);
       }
       case Force::Kind::pin: {
         const PinOnLine& pin = of_.pins[index(force.which)];
@@ -130,6 +131,9 @@ class ForcePlanner {
       if (hinge.on == link) all.push_back({Kind::hinge, static_cast<int>(k), link, false, hinge.point});
       if (hinge.by == link) all.push_back({Kind::hinge, static_cast<int>(k), link, true, hinge.point});
     }
+    for (std::size_t k = 0; k < of_.gears.size(); ++k)
+      for (const int wheel : {of_.gears[k].first, of_.gears[k].second})
+        if (wheel == link) all.push_back({Kind::tooth, static_cast<int>(k), link});
     for (std::size_t k = 0; k < of_.blocks.size(); ++k)
       for (const bool is_guide : {false, true})
         if (of_.link_of_line(is_guide ? of_.blocks[k].guide : of_.blocks[k].moving) == link)
@@ -294,6 +298,10 @@ class ForcePlanner {
       side.direction = g.x == 0 ? "∥ $y$" : g.y == 0 ? "∥ $x$" : "∥ " + built_.gravity;
     } else if (force.kind == Force::Kind::inertia) {
       side.direction = "∥ " + acceleration_of_centre(built_, index(force.which));
+    } else if (force.kind == Force::Kind::tooth && step_of(force) == now_) {
+      const MeshingLinks& gear = of_.gears[index(force.which)];
+      side.direction = "⊥ " + two(of_.hinge_of(gear.first, gear.carrier), of_.hinge_of(gear.second, gear.carrier));
+      side.is_along_action = true;
     } else {
       side.direction = "∥ " + letters_of_force(built_, on_other(force));
       if (const int l = line_of(force); l != nothing) side.direction = (is_across(force) ? "⊥ " : "∥ ") + line(l);
@@ -302,10 +310,9 @@ class ForcePlanner {
   }
   // What the link does to the other in return, which was found before.
   Force on_other(const Force& force) const {
-    if (force.kind != Force::Kind::hinge) return force;
+    if (!is_of_links(force)) return force;
     Force other = force;
-    const auto& hinge = joints_.hinges[index(force.which)];
-    other.link = hinge.by == force.link ? hinge.on : hinge.by;
+    other.link = links_of(of_, force).other(force.link);
     return other;
   }
   // Along or across which the force is, whatever acts.
@@ -555,7 +562,19 @@ class ForcePlanner {
                               ActingCouple{ActingCouple::Kind::drive, step.drive}});
     if (!known(step.link).empty()) add_closed_loop(step.link, step.hinge, {});
   }
-  static void write(const GearedWheel&) {}  // a file with gears has no loads
+  void write(const GearedWheel& step) {
+    const std::vector<Force> all = forces_on(step.link);
+    const Force tooth = *std::find_if(all.begin(), all.end(), [this](const Force& force) {
+      return force.kind == Force::Kind::tooth && step_of(force) == now_;
+    });
+    group_.teeth.push_back(tooth);
+    group_.moments.push_back({step.link,
+                              {.point = step.hinge},
+                              arms(known(step.link), {.point = step.hinge}),
+                              known_couples(step.link),
+                              Arm{tooth, {}}});
+    add_closed_loop(step.link, step.hinge, {tooth});
+  }
   void write(const SlidBlock& step) {
     const int block = step.track.block;
     const Force guide = guide_of(step.track), drive = {Force::Kind::slid, step.drive, block, false, step.point};
@@ -599,6 +618,15 @@ class ForcePlanner {
 std::vector<GroupForces> force_groups(const Built& built) {
   if (!built.loads) return {};
   return ForcePlanner(built).all();
+}
+
+TwoLinks links_of(const Linkage& linkage, const ActingForce& force) {
+  if (force.kind == ActingForce::Kind::tooth) {
+    const MeshingLinks& gear = linkage.gears[index(force.which)];
+    return {gear.first, gear.second};
+  }
+  const auto hinge = JointForces<Fast>(linkage).hinges[index(force.which)];
+  return {hinge.by, hinge.on};
 }
 
 std::vector<ActingForce> forces_that_hold(const Built& built, int point) {

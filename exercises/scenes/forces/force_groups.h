@@ -20,6 +20,7 @@ struct ActingForce {
     weight,    // of a link's mass: as the masses
     inertia,   // the same
     hinge,     // as the hinges of JointForces
+    tooth,     // of wheels that mesh: as the linkage's gears
     pin,       // of a slot on the pin in it: as the linkage's pins
     guide,     // of a guide on a block: as its blocks
     slid,      // of a drive that slides a point: as the drives
@@ -34,6 +35,10 @@ struct ActingForce {
 
   bool is_same(const ActingForce& other) const { return kind == other.kind && which == other.which; }
 };
+// Of one link on another, by whose numbers it is called.
+inline bool is_of_links(const ActingForce& force) {
+  return force.kind == ActingForce::Kind::hinge || force.kind == ActingForce::Kind::tooth;
+}
 // At the centre of a link's mass.
 inline bool is_of_mass(const ActingForce& force) {
   return force.kind == ActingForce::Kind::weight || force.kind == ActingForce::Kind::inertia;
@@ -77,6 +82,7 @@ struct ForceSide {
   // The line of an unknown one: from one point to another, or square to a line of a link or along it.
   int from = geometry::nothing, to = geometry::nothing, line = geometry::nothing;
   bool is_square = false;
+  bool is_along_action = false;  // turned from its direction by the pressure angle
 };
 // right + left = 0, as force_polygon has them. The first side of the group stands on the left and at the beginning.
 struct ForceLoop {
@@ -114,10 +120,18 @@ struct GroupForces {
     int line;
   };
   std::vector<Pressed> pressed = {};
+  std::vector<ActingForce> teeth = {};  // that are sought, on the wheel
 };
 
 // Of the groups that bear anything; none without loads.
 std::vector<GroupForces> force_groups(const Built& built);
+
+// Which links a force of two is of: the first as the linkage has it, and the one that it acts on there.
+struct TwoLinks {
+  int by, on;
+  int other(int link) const { return by == link ? on : by; }
+};
+TwoLinks links_of(const geometry::Linkage& linkage, const ActingForce& force);
 
 // What holds a point that no link brings along as it is placed: R_A is their sum.
 std::vector<ActingForce> forces_that_hold(const Built& built, int point);

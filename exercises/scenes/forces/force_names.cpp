@@ -26,13 +26,9 @@ std::string both_numbers(int i, int j) {
   constexpr int two_digits = 10;
   return std::to_string(i) + (std::max(i, j) < two_digits ? "" : ",") + std::to_string(j);
 }
-// Whether the hinge's force on the link is the opposite of the one that is reported.
-bool is_other_way(const Built& built, const JointForces<Fast>::Hinge& hinge, int link) {
-  const int other = hinge.by == link ? hinge.on : hinge.by;
-  return built.letters.links[index(other)] > built.letters.links[index(link)];
-}
-JointForces<Fast>::Hinge hinge_of_force(const Built& built, const Force& force) {
-  return JointForces<Fast>(built.linkage).hinges[index(force.which)];
+// The number of the link that exerts the force of two.
+int number_of_other(const Built& built, const Force& force) {
+  return built.letters.links[index(links_of(built.linkage, force).other(force.link))];
 }
 Quantity scalar_force(const Built& built, const Force& force) {
   if (const LineFriction* friction = friction_of(built, force)) return whole_contact_force(built, *friction);
@@ -45,12 +41,10 @@ std::string plain_letters(const Built& built, const Force& force, ForcePart part
   switch (force.kind) {
     case Force::Kind::load:
       return without_dollars(built.force_names[index(force.which)].symbol);
-    case Force::Kind::hinge: {
-      const auto hinge = hinge_of_force(built, force);
-      const int other = hinge.by == force.link ? hinge.on : hinge.by;
-      const auto& numbers = built.letters.links;
-      return with_script("R", both_numbers(numbers[index(other)], numbers[index(force.link)]), part);
-    }
+    case Force::Kind::hinge:
+    case Force::Kind::tooth:
+      return with_script("R", both_numbers(number_of_other(built, force), built.letters.links[index(force.link)]),
+                         part);
     case Force::Kind::weight:
     case Force::Kind::inertia:
       return with_script(force.kind == Force::Kind::weight ? "W" : "F",
@@ -63,7 +57,7 @@ std::string plain_letters(const Built& built, const Force& force, ForcePart part
   }
   return without_dollars(scalar_force(built, force).symbol);
 }
-std::string minus_of(const Force& force) { return force.is_opposite && force.kind != Force::Kind::hinge ? "−" : ""; }
+std::string minus_of(const Force& force) { return force.is_opposite && !is_of_links(force) ? "−" : ""; }
 
 }  // namespace
 
@@ -79,9 +73,8 @@ std::string name_of_force(const Built& built, const ActingForce& force) {
   if (force.kind == Force::Kind::load) return built.force_names[index(force.which)].name;
   if (is_of_mass(force)) return mass_force(built, force).name;
   if (force.kind == Force::Kind::held) return held_force(built, force.which).name;
-  if (force.kind != Force::Kind::hinge) return scalar_force(built, force).name;
-  const auto hinge = hinge_of_force(built, force);
-  return hinge_force(built, hinge.point, hinge.by, hinge.on).quantity.name;
+  if (!is_of_links(force)) return scalar_force(built, force).name;
+  return force_of_two(built, force).name;
 }
 std::string letters_of_force(const Built& built, const ActingForce& force, ForcePart part) {
   return "$" + plain_letters(built, force, part) + "$";
@@ -90,19 +83,15 @@ std::string arrow_of_force(const Built& built, const ActingForce& force, ForcePa
   return minus_of(force) + in_dollars_with_arrow(plain_letters(built, force, part));
 }
 bool is_reversed(const Built& built, const ActingForce& force) {
-  return force.kind == Force::Kind::hinge ? is_other_way(built, hinge_of_force(built, force), force.link)
-                                          : force.is_opposite;
+  return is_of_links(force) ? number_of_other(built, force) > built.letters.links[index(force.link)]
+                            : force.is_opposite;
 }
 
 VectorQuantity part_of_force(const Built& built, const ActingForce& force, ForcePart part) {
   const bool is_across = part == ForcePart::across;
   const std::string whole = name_of_force(built, force), script = is_across ? "t" : "n";
   std::string of = force.kind == Force::Kind::held ? point_letters(built.letters.points[index(force.which)]) : "";
-  if (of.empty()) {
-    const auto hinge = hinge_of_force(built, force);
-    const int other = hinge.by == force.link ? hinge.on : hinge.by;
-    of = both_numbers(built.letters.links[index(other)], built.letters.links[index(force.link)]);
-  }
+  if (of.empty()) of = both_numbers(number_of_other(built, force), built.letters.links[index(force.link)]);
   const Words meaning = is_across
                             ? format_words("part of {} square to the line of the hinges of link {}",
                                            "componente di {} normale alla congiungente le cerniere del membro {}",
@@ -111,6 +100,11 @@ VectorQuantity part_of_force(const Built& built, const ActingForce& force, Force
                                            "componente di {} lungo la congiungente le cerniere del membro {}", whole,
                                            built.letters.links[index(force.link)]);
   return {whole + "_" + script, "\\it{{R}}^{{" + script + "}}_{{{}}}", of, "N", meaning, meaning};
+}
+VectorQuantity force_of_two(const Built& built, const ActingForce& force) {
+  if (force.kind == Force::Kind::tooth) return tooth_force(built, index(force.which)).quantity;
+  const TwoLinks links = links_of(built.linkage, force);
+  return hinge_force(built, force.point, links.by, links.on).quantity;
 }
 VectorQuantity held_force(const Built& built, int point) {
   const std::string& A = built.letters.points[index(point)];

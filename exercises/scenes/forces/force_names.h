@@ -18,6 +18,8 @@ std::string arrow_of_force(const Built& built, const ActingForce& force, ForcePa
 std::string letters_of_force(const Built& built, const ActingForce& force, ForcePart part = ForcePart::whole);
 // R_23_t and R_23_n.
 VectorQuantity part_of_force(const Built& built, const ActingForce& force, ForcePart part);
+// R_34, of a hinge or of teeth.
+VectorQuantity force_of_two(const Built& built, const ActingForce& force);
 // R_A.
 VectorQuantity held_force(const Built& built, int point);
 // A link that its drive turns, and whose turning does not grow: its inertia is a force alone, away from its hinge.

@@ -41,6 +41,8 @@ class ForcesFound {
     }
     if (is_of_mass(force)) return found_.on_link(built_.loads->masses[k].link, built_.loads->masses[k].at);
     if (force.kind == ActingForce::Kind::guide) return through(of().blocks[k].moving);
+    if (force.kind == ActingForce::Kind::tooth)
+      return found_.on_link(of().gears[k].carrier, of().pitch_point(of().gears[k]));
     return found_.point(force.point);
   }
   Vector through(int line) const { return found_.on_link(of().link_of_line(line), of().line(line).through); }
@@ -102,6 +104,13 @@ class ForcesFound {
     return found_.joints().drives[k];
   }
   const geometry::Linkage& of() const { return built_.linkage; }
+  // Of length one, from the first wheel to the second.
+  Vector line_of_centres(const geometry::MeshingLinks& gear) const {
+    const geometry::Own r = of().line_of_centres(gear);
+    const T length = root(geometry::from_rational<T>(r.x * r.x + r.y * r.y));
+    return quotient(T(1), length) * (found_.point(of().hinge_of(gear.second, gear.carrier)) -
+                                     found_.point(of().hinge_of(gear.first, gear.carrier)));
+  }
   Vector of_line(int line, const T& normal, const T& friction) const {
     const Vector along = found_.along(line);
     return normal * quarter_turn(along) + friction * along;
@@ -126,6 +135,12 @@ class ForcesFound {
         const auto& hinge = found_.joints().hinges[k];
         const Vector on{hinge.x, hinge.y};
         return built_.letters.links[index(hinge.by)] < built_.letters.links[index(hinge.on)] ? on : -on;
+      }
+      case Kind::tooth: {
+        const auto& tooth = found_.joints().teeth[k];
+        const Vector apart = line_of_centres(of().gears[k]),
+                     on = tooth.tangential * quarter_turn(apart) + tooth.radial * apart;
+        return tooth_force(built_, k).is_opposite ? -on : on;
       }
       case Kind::pin:
         return of_line(of().pins[k].line, found_.joints().pins[k], found_.joints().pin_frictions[k]);

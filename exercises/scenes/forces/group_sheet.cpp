@@ -93,6 +93,8 @@ class GroupSheet {
       for (const ActingForce& force : *forces) draw(panel, force, middle);
     for (const ActingCouple& each : body.couples)
       panel.couple(of_.quantity(each).symbol, place_of_couple(each, body), of_.value(each), directions(body));
+    for (const ActingForce& tooth : group_.teeth)
+      if (tooth.link == body.link) add_line_of_action(panel, tooth);
     add_steps(panel, body);
     return panel;
   }
@@ -100,6 +102,16 @@ class GroupSheet {
     const bool is_load = force.kind == ActingForce::Kind::load || force.kind == ActingForce::Kind::weight;
     (panel.*(is_load ? &FreeBodyPanel::load : &FreeBodyPanel::force))(of_.side(force), of_.place(force),
                                                                       of_.there(force, middle));
+  }
+  void add_line_of_action(FreeBodyPanel& panel, const ActingForce& tooth) const {
+    const Arrow2 v = of_.vector(tooth), t = of_.tangent(tooth);
+    if (magnitude(v) == 0 || of_.turned_by_teeth(tooth) == 0) return;
+    const double out = of_.there(tooth, of_.at(wheel_centre(tooth))) == FreeBodyPanel::Arrow::ends ? -1 : 1;
+    panel.turned(of_.place(tooth), std::atan2(out * t.y, out * t.x), std::atan2(out * v.y, out * v.x),
+                 of_.pressure_angle(tooth));
+  }
+  int wheel_centre(const ActingForce& tooth) const {
+    return built_.linkage.hinge_of(tooth.link, built_.linkage.gears[index(tooth.which)].carrier);
   }
   static JointForces<geometry::Fast>::Hinge hinge_of(const geometry::Linkage& linkage, const ActingCouple& couple) {
     return JointForces<geometry::Fast>(linkage).hinges[index(couple.which)];
@@ -170,6 +182,32 @@ class GroupSheet {
            format_words(" (Of {} no friction is reckoned.)", " (Di {} non si conta l'attrito.)",
                         guide_forces(built_, index(each.force.which)).couple.symbol);
   }
+  Words action(const ActingForce& tooth) const {
+    const auto k = index(tooth.which);
+    const TwoLinks links = links_of(built_.linkage, tooth);
+    const bool is_inside = built_.linkage.gears[k].is_inside;
+    if (magnitude(of_.vector(tooth)) == 0)
+      return format_words("Nothing presses the teeth of links {} and {} on each other.",
+                          "Nulla preme l'uno sull'altro i denti dei membri {} e {}.",
+                          of_.number(links.other(tooth.link)), of_.number(tooth.link));
+    const std::string alpha = of_.pressure_angle(tooth);
+    const Words& given = built_.pressure_angles[k];
+    return format_words(
+        "Along the line of action through the pitch point, at {} to the common tangent: {}, which presses the tooth "
+        "{}.",
+        "Lungo la retta d'azione per il centro d'ingranamento, a {} dalla tangente comune: {}, che preme il dente "
+        "{}.",
+        given.english == alpha ? given : format_words("{} = {}", "{} = {}", alpha, given),
+        arrow_of_force(built_, tooth),
+        is_inside && is_ring(k, tooth.link)
+            ? Words{"outwards, as link " + of_.number(tooth.link) + " is a ring",
+                    "verso l'esterno, poiché il membro " + of_.number(tooth.link) + " è una corona"}
+            : Words{"towards the wheel's centre", "verso il centro della ruota"});
+  }
+  bool is_ring(std::size_t gear, int wheel) const {
+    const geometry::MeshingLinks& of = built_.linkage.gears[gear];
+    return (of.first_teeth > of.second_teeth) == (wheel == of.first);
+  }
   static std::string turned_round(const std::string& arrow) {
     const std::string minus = "−";
     return arrow.starts_with(minus) ? arrow.substr(minus.size()) : minus + arrow;
@@ -186,6 +224,8 @@ class GroupSheet {
     for (const GroupForces::Pressed& each : group_.pressed)
       if (each.force.link == body.link && each.force.kind != ActingForce::Kind::hinge)
         panel.step(pressed(each), of_.place(each.force));
+    for (const ActingForce& tooth : group_.teeth)
+      if (tooth.link == body.link) panel.step(action(tooth), of_.place(tooth));
     for (const ActingCouple& each : body.couples)
       if (each.kind == ActingCouple::Kind::hinge) {
         const int point = hinge_of(built_.linkage, each).point;
@@ -291,9 +331,12 @@ class GroupSheet {
         told.push_back(name);
         if (force.kind == ActingForce::Kind::held)
           vectors.push_back(held_force(built_, force.which));
-        else if (force.kind == ActingForce::Kind::hinge) {
-          const auto hinge = JointForces<geometry::Fast>(built_.linkage).hinges[index(force.which)];
-          vectors.push_back(hinge_force(built_, hinge.point, hinge.by, hinge.on).quantity);
+        else if (is_of_links(force)) {
+          vectors.push_back(force_of_two(built_, force));
+          if (force.kind == ActingForce::Kind::tooth) {
+            const TeethParts parts = parts_of_tooth_force(built_, index(force.which));
+            scalars.insert(scalars.begin(), {parts.tangential.name, parts.radial.name});
+          }
         } else {
           scalars.insert(scalars.begin(), name);
           if (const auto* friction = friction_of(built_, force)) {

@@ -28,18 +28,38 @@ struct HingeForce {
   VectorQuantity quantity;
   bool is_opposite;
 };
-inline HingeForce hinge_force(const Built& built, int point, int by, int on) {
+inline HingeForce force_of_links(const Built& built, int by, int on, const Words& where) {
   constexpr int two_digits = 10;
   const auto [i, j] = std::minmax(built.letters.links[index(by)], built.letters.links[index(on)]);
-  const std::string& P = built.letters.points[index(point)];
   VectorQuantity force = force_between(i, j);
   if (j >= two_digits) {
     force.name = "R_" + std::to_string(i) + "_" + std::to_string(j);
     force.of = std::to_string(i) + "," + std::to_string(j);
   }
   force.meaning = force.size =
-      format_words("force of link {} on link {}, in {}", "forza del membro {} sul membro {}, in {}", i, j, P);
+      format_words("force of link {} on link {}, {}", "forza del membro {} sul membro {}, {}", i, j, where);
   return {force, built.letters.links[index(by)] != i};
+}
+inline HingeForce hinge_force(const Built& built, int point, int by, int on) {
+  return force_of_links(built, by, on, format_words("in {}", "in {}", built.letters.points[index(point)]));
+}
+// The same between the teeth of two wheels, and its two parts: R_25_t and R_25_r.
+inline HingeForce tooth_force(const Built& built, std::size_t gear) {
+  const geometry::MeshingLinks& of = built.linkage.gears[gear];
+  return force_of_links(built, of.first, of.second, {"in their teeth", "fra i denti"});
+}
+struct TeethParts {
+  Quantity tangential, radial;
+};
+inline TeethParts parts_of_tooth_force(const Built& built, std::size_t gear) {
+  const VectorQuantity whole = tooth_force(built, gear).quantity;
+  const auto part = [&](const std::string& script, const Words& meaning) {
+    return Quantity{whole.name + "_" + script, "$\\it{R}^{" + script + "}_{" + whole.of + "}$", "N", meaning};
+  };
+  return {part("t", format_words("part of {} along the common tangent of the pitch circles",
+                                 "componente di {} lungo la tangente comune alle primitive", whole.name)),
+          part("r", format_words("part of {} along the line of centres",
+                                 "componente di {} lungo la congiungente i centri", whole.name))};
 }
 
 // What slides, by its letter; with its guide where it has several.

@@ -207,36 +207,50 @@ std::optional<std::pair<int, int>> crank_of(const Linkage& of, int link) {
   return std::pair{*hinge, *pin};
 }
 
-// Wheels by their pitch circles: filled where they are round bodies, and a ring by its circle alone.
-void add_wheels(Mechanism& figure, const Built& built) {
+// A wheel by its pitch circle: filled where it is a round body, and a ring by its circle alone. Other links' centres
+// need not be in the figure.
+void add_wheel(Mechanism& figure, const Built& built, const Solution& s, const geometry::MeshingLinks& gear,
+               bool is_first) {
   const Linkage& of = built.linkage;
   const auto hidden = [&](const std::string& name, const Place& at) {
     figure.point(name, at, Mechanism::Joint::corner, "");
     return name;
   };
-  for (const geometry::MeshingLinks& gear : of.gears)
+  const int wheel = is_first ? gear.first : gear.second, centre = of.hinge_of(wheel, gear.carrier),
+            other = of.hinge_of(is_first ? gear.second : gear.first, gear.carrier);
+  const double own = CGAL::to_double(is_first ? gear.first_teeth : gear.second_teeth),
+               others = CGAL::to_double(is_first ? gear.second_teeth : gear.first_teeth);
+  const Place O = s.place(letter(built, centre)), Q = s.place(letter(built, other));
+  const double radius = distance(O, Q) * own / std::abs(gear.is_inside ? own - others : own + others);
+  const bool is_ring = gear.is_inside && own > others;
+  const std::string name = std::to_string(wheel) + "*" + std::to_string(is_first ? gear.second : gear.first);
+  if (!is_ring) {
+    const double square = epure::direction(O, Q) + std::numbers::pi / 2;
+    const bool is_bar = of.links[static_cast<std::size_t>(wheel)].points.size() > 1;
+    figure.disc(letter(built, centre),
+                hidden(name, {O.x + radius * std::cos(square), O.y + radius * std::sin(square)}), false,
+                is_bar || wheel == 0 ? 0 : built.letters.links[static_cast<std::size_t>(wheel)]);
+    return;
+  }
+  figure.profile(O, radius, 0, 2 * std::numbers::pi);
+  for (const int quarter : {0, 1, 2, 3})
+    hidden(name + std::to_string(quarter), {O.x + radius * std::cos(quarter * std::numbers::pi / 2),
+                                            O.y + radius * std::sin(quarter * std::numbers::pi / 2)});
+}
+void add_wheels(Mechanism& figure, const Built& built, const Solution& s) {
+  for (const geometry::MeshingLinks& gear : built.linkage.gears)
+    for (const bool is_first : {true, false}) add_wheel(figure, built, s, gear, is_first);
+}
+// Those that the link is; whether there are any.
+bool add_wheels_of(Mechanism& figure, const Built& built, const Solution& s, int link) {
+  bool is_wheel = false;
+  for (const geometry::MeshingLinks& gear : built.linkage.gears)
     for (const bool is_first : {true, false}) {
-      const int wheel = is_first ? gear.first : gear.second, centre = of.hinge_of(wheel, gear.carrier),
-                other = of.hinge_of(is_first ? gear.second : gear.first, gear.carrier);
-      const double own = CGAL::to_double(is_first ? gear.first_teeth : gear.second_teeth),
-                   others = CGAL::to_double(is_first ? gear.second_teeth : gear.first_teeth);
-      const Place O = figure.at(letter(built, centre)), Q = figure.at(letter(built, other));
-      const double radius = distance(O, Q) * own / std::abs(gear.is_inside ? own - others : own + others);
-      const bool is_ring = gear.is_inside && own > others;
-      const std::string name = std::to_string(wheel) + "*" + std::to_string(is_first ? gear.second : gear.first);
-      if (!is_ring) {
-        const double square = epure::direction(O, Q) + std::numbers::pi / 2;
-        const bool is_bar = of.links[static_cast<std::size_t>(wheel)].points.size() > 1;
-        figure.disc(letter(built, centre),
-                    hidden(name, {O.x + radius * std::cos(square), O.y + radius * std::sin(square)}), false,
-                    is_bar || wheel == 0 ? 0 : built.letters.links[static_cast<std::size_t>(wheel)]);
-        continue;
-      }
-      figure.profile(O, radius, 0, 2 * std::numbers::pi);
-      for (const int quarter : {0, 1, 2, 3})
-        hidden(name + std::to_string(quarter), {O.x + radius * std::cos(quarter * std::numbers::pi / 2),
-                                                O.y + radius * std::sin(quarter * std::numbers::pi / 2)});
+      if ((is_first ? gear.first : gear.second) != link) continue;
+      add_wheel(figure, built, s, gear, is_first);
+      is_wheel = true;
     }
+  return is_wheel;
 }
 
 // The lines of the frame that points are told from.
@@ -296,7 +310,9 @@ Mechanism figure_of_link(const Built& built, const Solution& s, int link, const 
                                      [&](const LineOnLine& each) { return of.link_of_line(each.moving) == link; });
   if (!is_block) add_link(figure, built, s, link);
   if (is_block && arm.size() > 1) figure.body(arm);
-  if (own.size() == 1 && (is_block || !figure.has_bodies())) add_block(figure, built, s, link, size_of_block);
+  const bool is_wheel = add_wheels_of(figure, built, s, link);
+  if (own.size() == 1 && !is_wheel && (is_block || !figure.has_bodies()))
+    add_block(figure, built, s, link, size_of_block);
   return figure;
 }
 
@@ -347,7 +363,7 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
       if (const auto crank = crank_of(of, turned->link))
         figure.turning(letter(built, crank->first), letter(built, crank->second), sign_of(turned->omega),
                        angular_velocity(built.letters.links[static_cast<std::size_t>(turned->link)]).symbol);
-  add_wheels(figure, built);
+  add_wheels(figure, built, solution);
   for (const int link : without_number) add_number_of_block(figure, built, link);
   add_lines(figure, built);
   return figure;

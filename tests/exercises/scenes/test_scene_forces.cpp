@@ -30,6 +30,18 @@ std::string bytes_of_case(const std::string& name) {
            "  2: {O: [0, 0], s: {along: [1, 0]}}\n  3: {X: [0, 0], p: {along: [1, 0]}}\n"
            "  4: {X: [0, 0], D: [50 mm, 10 mm], q: {along: [1, 0]}}\nslides: {p: s, q: g}\n"
            "drive: {link: 2, angle: 50 deg}\n";
+  if (name == "wheel-pair")
+    return "epure: 1\nid: f\nlinks:\n  1: {A: [0, 0], B: [90 mm, 120 mm]}\n  2: {A: [0, 0]}\n  3: {B: [0, 0]}\n"
+           "gears: [{wheels: 2 3, on: 1, teeth: [20, 40]}]\ndrive: {link: 2, angle: 30 deg}\n";
+  if (name == "ring-wheel")
+    return "epure: 1\nid: f\nlinks:\n  1: {A: [0, 0], B: [-40 mm, 0]}\n  2: {A: [0, 0]}\n"
+           "  3: {B: [0, 0], E: [50 mm, 10 mm]}\ngears: [{wheels: 2 3, on: 1, teeth: [20 mm, 60 mm], inside: yes, "
+           "pressure_angle: 25 deg}]\ndrive: {link: 2, angle: 30 deg}\n";
+  if (name == "geared-press")
+    return "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], C: [150 mm, 0], g: {along: [1, 0]}}\n  2: {O: [0, 0]}\n"
+           "  3: {C A: 50 mm}\n  4: {A B: 200 mm}\n  5: {B: [0, 0], b: {along: [1, 0]}}\nslides: {b: g}\n"
+           "gears: [{wheels: 2 3, on: 1, teeth: [20, 40]}]\ndrive: {link: 2, angle: 80 deg, speed: 1 rad/s}\n"
+           "assembly: {B: ahead on g}\n";
   return scenes::bytes_of(EPURE_SCENES "/" + name + ".yaml");
 }
 
@@ -56,6 +68,11 @@ const std::map<std::string, std::string>& loads_of_cases() {
        "[{at: K, force: 900 N, direction: 20 deg}, {at: [100 mm, 0 m], on: 3, force: [0, -40]}]"},
       {"cardan-circles", "[{at: P, force: 80 N, direction: -30 deg}]"},
       {"geneva", "[{on: 3, couple: 12 N*m}]"},
+      {"wheel-pair", "[{on: 3, couple: -30 N*m}]"},
+      {"ring-wheel", "[{at: E, force: [-100 N, 40 N]}, {on: 3, couple: 6 N*m}]"},
+      {"geared-five-bar", "[{at: [70 mm, 20 mm], on: 3, force: [30 N, -80 N]}, {on: 5, couple: 4 N*m}]"},
+      {"planetary-gear", "[{at: P, force: [40 N, -25 N]}, {on: 4, couple: 3 N*m}]"},
+      {"geared-press", "[{at: B, on: 5, force: [-500 N, 0]}]"},
       {"jansen", "[{at: F, force: [30 N, 200 N]}]"},
       {"driven-piston", "[{on: 2, couple: 15 N*m}, {at: D, force: [3 N, -8 N]}]"},
       {"two-blocks", "[{at: D, force: [-60 N, 25 N]}, {on: 3, couple: 2 N*m}]"}};
@@ -65,9 +82,11 @@ const std::map<std::string, std::string>& loads_of_cases() {
 // The same with friction, as make_scene_forces.py has it; and, where it is at rest, a speed.
 const std::map<std::string, std::string>& friction_of_cases() {
   static const std::map<std::string, std::string> all = {
-      {"slider-crank", "{b: 0.15}"},    {"scotch-yoke", "{A: 0.2, b: 8 deg}"}, {"oldham", "{q: 0.1, s: 0.3}"},
-      {"trammel", "{A: 1/4, B: 0.25}"}, {"oscillating-cylinder", "{p: 0.12}"}, {"cardan-circles", "{A: 0.1}"},
-      {"geneva", "{A: 0.15}"},          {"driven-piston", "{b: 0.2}"},         {"two-blocks", "{p: 0.1, q: 8 deg}"}};
+      {"slider-crank", "{b: 0.15}"},    {"scotch-yoke", "{A: 0.2, b: 8 deg}"},
+      {"oldham", "{q: 0.1, s: 0.3}"},   {"geared-press", "{b: 0.2}"},
+      {"trammel", "{A: 1/4, B: 0.25}"}, {"oscillating-cylinder", "{p: 0.12}"},
+      {"cardan-circles", "{A: 0.1}"},   {"geneva", "{A: 0.15}"},
+      {"driven-piston", "{b: 0.2}"},    {"two-blocks", "{p: 0.1, q: 8 deg}"}};
   return all;
 }
 const std::map<std::string, std::string>& circles_of_cases() {
@@ -283,8 +302,58 @@ TEST_CASE("what is wrong with loads is told with its place", "[scenes]") {
   CHECK(why("{on: 3, couple: 2 N}").starts_with("11:21: \"2 N\" is a force where a couple"));
   CHECK(why("{on: 1, couple: 2 N*m}").starts_with("11:10: link 1 is the frame"));
   CHECK(why("{on: 3, coupel: 2 N*m}").find("coupel") != std::string::npos);
-  CHECK(refused_loads(with_loads("planetary-gear", "[{on: 2, couple: 1 N*m}]")).find("wheels that mesh") !=
+}
+
+// A planetary gear that its sun drives: two forces on the planet are unknown at once. And two planets for one ring.
+TEST_CASE("forces in teeth that are found only together, or not at all, are refused by name", "[scenes]") {
+  std::string by_sun = with_loads("planetary-gear", "[{on: 2, couple: 1 N*m}]");
+  by_sun.replace(by_sun.find("drive: {link: 2"), 15, "drive: {link: 4");
+  CHECK(refused_loads(by_sun).find("links 2 and 3 bear forces in their teeth that are found only together") !=
         std::string::npos);
+  const std::string two_planets =
+      "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0]}\n  2: {C: [80 mm, 0], O: [0, 0], D: [-80 mm, 0]}\n  3: {C: [0, 0]}\n"
+      "  4: {O: [0, 0]}\n  5: {D: [0, 0]}\ngears:\n  - {wheels: 1 3, on: 2, teeth: [72, 24], inside: yes}\n"
+      "  - {wheels: 3 4, on: 2, teeth: [24, 24]}\n  - {wheels: 1 5, on: 2, teeth: [72, 24], inside: yes}\n"
+      "  - {wheels: 5 4, on: 2, teeth: [24, 24]}\ndrive: {link: 2, angle: 0 deg}\nloads: [{on: 4, couple: 1 N*m}]\n";
+  CHECK(refused_loads(two_planets).find("hang on more than they can follow") != std::string::npos);
+  for (const std::string angle : {"-1 deg", "90 deg", "2 m"}) {
+    const std::string gears = "gears: [{wheels: 2 3, on: 1, teeth: [20, 40]";
+    std::string text = bytes_of_case("wheel-pair");
+    text.replace(text.find(gears), gears.size(), gears + ", pressure_angle: " + angle);
+    CAPTURE(angle);
+    CHECK(refused_loads(text).find(angle) != std::string::npos);
+  }
+}
+
+TEST_CASE("the forces of wheels are told along their lines of action", "[scenes]") {
+  const std::string winch = scenes::bytes_of(EPURE_SCENES "/winch.yaml");
+  const std::vector<std::string> drum = steps_of_forces(winch, "forces-4", Language::english),
+                                 between = steps_of_forces(winch, "forces-3", Language::italian);
+  REQUIRE(drum.size() == 5);
+  CHECK(drum[0] ==
+        "Along the line of action through the pitch point, at α_34 = α to the common tangent: R_34, which presses "
+        "the tooth towards the wheel's centre.");
+  CHECK(drum[1] == "Link 4, moments about C: R_34·h_34 = F·h_F.");
+  CHECK(drum[3] == "From a the known R_34, ⊥ BC + α_34.");
+  REQUIRE(between.size() == 5);
+  CHECK(between[1] == "Membro 3, momenti rispetto a B: R_23·h_23 = R_43·h_34,3.");
+  const std::vector<std::string> ring = steps_of_forces(
+      bytes_of_case("ring-wheel") + "loads: [{on: 3, couple: 6 N*m}]\n", "forces-3", Language::english);
+  CHECK(ring[0] ==
+        "Along the line of action through the pitch point, at α = 25° to the common tangent: R_23, which presses the "
+        "tooth outwards, as link 3 is a ring.");
+}
+
+// Nothing presses where nothing acts: that is proved, and the line of action is any of the two.
+TEST_CASE("teeth that bear nothing are proved to", "[scenes]") {
+  const CheckedExercise idle = checked_text(with_loads("geared-five-bar", "[{on: 2, couple: 3 N*m}]"));
+  CAPTURE(complaints(idle));
+  CHECK(idle.passed());
+  for (const char* name : {"R_25", "R_25_x", "R_25_t", "R_25_r", "R_15"}) {
+    CAPTURE(name);
+    CHECK(find(idle, name).settled.kind == geometry::Settled::Kind::certain);
+    CHECK(value(idle, name) == 0);
+  }
 }
 
 TEST_CASE("sheets of forces go from the last group to the drive, and are told as they are drawn", "[scenes]") {
@@ -335,7 +404,10 @@ TEST_CASE("every sheet of forces has room for its letters, and each reaction on 
       CAPTURE(name, quantity.spec.name);
       const bool is_reaction = quantity.spec.name.starts_with("R_") || quantity.spec.name.starts_with("N_");
       const bool is_size = !quantity.spec.name.ends_with("_x") && !quantity.spec.name.ends_with("_y");
-      if (is_reaction && is_size) CHECK_FALSE(quantity.on_sheets.empty());
+      // Parts of a tooth's force are told, not drawn: the polygon has it whole.
+      const bool is_of_teeth = quantity.spec.meaning.english.find("pitch circles") != std::string::npos ||
+                               quantity.spec.meaning.english.find("line of centres") != std::string::npos;
+      if (is_reaction && is_size && !is_of_teeth) CHECK_FALSE(quantity.on_sheets.empty());
     }
   }
 }
