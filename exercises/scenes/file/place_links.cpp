@@ -37,10 +37,10 @@ class Placing : SectionReader {
       std::sort(numbers.begin(), numbers.end());
       refuse(
           section(root_.find("loads") ? "loads" : "masses"),
-          format_words("links {} bear forces in their teeth that are found only together, and that is not done yet: "
+          format_words("links {} are held by forces in teeth that are found only together, and that is not done yet: "
                        "drive the link that carries the wheels, or one that meshes with a single other, and let "
                        "the couple that drives it now be a load",
-                       "i membri {} portano fra i denti forze che si trovano solo insieme, e questo non si fa "
+                       "i membri {} sono tenuti da forze fra denti che si trovano solo insieme, e questo non si fa "
                        "ancora: muovere il membro che porta le ruote, o una che ingrana con una sola, e dare come "
                        "carico la coppia che ora la muove",
                        enumerated(numbers)));

@@ -308,7 +308,7 @@ TEST_CASE("what is wrong with loads is told with its place", "[scenes]") {
 TEST_CASE("forces in teeth that are found only together, or not at all, are refused by name", "[scenes]") {
   std::string by_sun = with_loads("planetary-gear", "[{on: 2, couple: 1 N*m}]");
   by_sun.replace(by_sun.find("drive: {link: 2"), 15, "drive: {link: 4");
-  CHECK(refused_loads(by_sun).find("links 2 and 3 bear forces in their teeth that are found only together") !=
+  CHECK(refused_loads(by_sun).find("links 2 and 3 are held by forces in teeth that are found only together") !=
         std::string::npos);
   const std::string two_planets =
       "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0]}\n  2: {C: [80 mm, 0], O: [0, 0], D: [-80 mm, 0]}\n  3: {C: [0, 0]}\n"
