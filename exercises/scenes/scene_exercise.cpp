@@ -7,6 +7,7 @@
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/vectors_panel.h"
+#include "exercises/scenes/extremes.h"
 #include "exercises/scenes/file/file_head.h"
 #include "exercises/scenes/file/limits.h"
 #include "exercises/scenes/file/refusals.h"
@@ -31,7 +32,9 @@ std::vector<RouteValue> solved(const Scene& scene, const Givens& givens, Rung ru
     if (rung != Rung::names && rung != Rung::fast)
       for (const auto& refusal : {limit_of, no_forces_with_friction})
         if (const auto why = refusal(*built)) throw BadGivens(*why);
-    return by_both_routes(built, rung);
+    std::vector<RouteValue> all = by_both_routes(built, rung);
+    for (RouteValue& each : extremes(*built, scene.extremes(), rung)) all.push_back(std::move(each));
+    return all;
   } catch (const geometry::NotClosed& open) {
     throw BadGivens(
         format_words("the mechanism does not close: {}", "il meccanismo non si chiude: {}", in_words(open, *built)));
