@@ -301,6 +301,14 @@ class OfChanging {
   NumberOverAngle number_;
 };
 
+bool is_asked(const std::string& quantity) {
+  for (const bool is_greatest : {true, false})
+    if (Asked::for_quantity(extreme_name(quantity, is_greatest)) ||
+        Asked::for_quantity(place_of_extreme(quantity, is_greatest)))
+      return true;
+  return false;
+}
+
 }  // namespace
 
 std::vector<std::string> with_extremes(const Built& built) {
@@ -327,7 +335,8 @@ std::vector<RouteValue> extremes(const Built& built, const std::vector<std::stri
   if (names.empty()) return all;
   const EveryPlace places(built.linkage, built.steps);
   for (const Changing& changing : changing_quantities(built)) {
-    if (std::find(names.begin(), names.end(), changing.quantity.name) == names.end()) continue;
+    const std::string& name = changing.quantity.name;
+    if (std::find(names.begin(), names.end(), name) == names.end() || !is_asked(name)) continue;
     if (rung == Rung::names) {
       for (const bool is_greatest : {true, false})
         for (const Quantity& each :
