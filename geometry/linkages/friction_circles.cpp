@@ -70,8 +70,12 @@ Sizes<Bounded> reach(const Sizes<Bounded>& box, const Sizes<Bounded>& from) {
   return all;
 }
 
+OneSet nothing_at_all(std::size_t n) {
+  return {Sizes<Bounded>(n, Bounded(0)), Sizes<Bounded>(n, Bounded(-HUGE_VAL, HUGE_VAL))};
+}
+
 // All solutions, by subdivision. However large they are: the equations hold of all forces and loads at once in any
-// measure, so loads and sizes are sought of which the largest is 1.
+// measure, so loads and sizes are sought of which the largest is 1; sizes alone where nothing is borne.
 class AllSets {
  public:
   explicit AllSets(const RubbingHinges<Bounded>& hinges) : hinges_(hinges) {
@@ -82,9 +86,15 @@ class AllSets {
   }
 
   std::vector<OneSet> all() {
+    const bool bears_nothing = bear_nothing(hinges_);
     for (std::size_t largest = 0; largest <= hinges_.count(); ++largest) {
-      Part part{Sizes<Bounded>(hinges_.count(), Bounded(0, 1)), Bounded(0, 1)};
-      (largest < hinges_.count() ? part.sizes[largest] : part.loads) = 1;
+      Part part{Sizes<Bounded>(hinges_.count(), Bounded(0, 1)), bears_nothing ? Bounded(0) : Bounded(0, 1)};
+      if (largest < hinges_.count())
+        part.sizes[largest] = 1;
+      else if (bears_nothing)
+        continue;
+      else
+        part.loads = 1;
       parts_.push_back(part);
     }
     constexpr int most_parts = 4000;
@@ -95,6 +105,7 @@ class AllSets {
       if (!may_hold_one(part) || is_cleared(part)) continue;
       divide(std::move(part));
     }
+    if (bears_nothing) return {nothing_at_all(hinges_.count())};
     return found_;
   }
 
@@ -192,9 +203,8 @@ class AllSets {
 // Where it is known that there is no other.
 OneSet only_set(const RubbingHinges<Bounded>& hinges) {
   const std::size_t n = hinges.count();
-  OneSet set{Sizes<Bounded>(n, Bounded(0)), Sizes<Bounded>(n, Bounded(-HUGE_VAL, HUGE_VAL))};
-  if (std::all_of(hinges.without.begin(), hinges.without.end(), [](const auto& force) { return force.is_zero(); }))
-    return set;
+  OneSet set = nothing_at_all(n);
+  if (bear_nothing(hinges)) return set;
   constexpr int trials = 20;  // each with what the one before gives
   for (int i = 0; i < trials; ++i) {
     Sizes<Bounded> next;

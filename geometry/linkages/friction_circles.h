@@ -53,6 +53,11 @@ struct RubbingHinges {
   }
 };
 
+template <class T>
+bool bear_nothing(const RubbingHinges<T>& hinges) {
+  return std::all_of(hinges.without.begin(), hinges.without.end(), [](const auto& force) { return force.is_zero(); });
+}
+
 // Of a number that encloses or is a double: that one as an enclosure in doubles, and back from doubles.
 inline Bounded in_doubles(Fast x) { return x; }
 inline Bounded in_doubles(const Bounded& x) { return x; }
@@ -294,14 +299,12 @@ template <class T>
 std::vector<Sizes<T>> sizes_together(const RubbingHinges<T>& hinges) {
   if (hinges.count() == 1) return sizes_of_one(hinges);
   const Sizes<T> none(hinges.count(), T(0));
-  const bool bears_nothing =
-      std::all_of(hinges.without.begin(), hinges.without.end(), [](const auto& force) { return force.is_zero(); });
   if constexpr (!NumberWithAngles<T>) {
-    if (bears_nothing && is_contraction(hinges)) return {none};
+    if (bear_nothing(hinges) && is_contraction(hinges)) return {none};
     throw Undecided("forces with friction circles on exact numbers", "forze con cerchi d'attrito su numeri esatti");
   } else {
     const std::vector<OneSet> sets = all_sets(in_doubles(hinges));
-    if (bears_nothing && sets.size() == 1) return {none};
+    if (bear_nothing(hinges) && sets.size() == 1) return {none};
     std::vector<Sizes<T>> all;
     for (const OneSet& set : sets) all.push_back(refined(hinges, set));
     return all;
