@@ -241,6 +241,29 @@ friction: {M: 0.032, B: 16 mm, L: 4 mm, T: 18 mm, V: 5 mm}
   CHECK(value(found, "M_34") == Approx(-0.047360119));
 }
 
+// Of three circles together too, of which no change of the forces comes back smaller.
+TEST_CASE("a group of several large friction circles without loads bears nothing", "[scenes]") {
+  passes(R"yaml(epure: 1
+id: f
+links:
+  1: {H: [-190.94123 mm, -48.05774 mm], V: [31.75931 mm, 292.53023 mm], U: [0.25621278 m, 127.62658 mm]}
+  2: {H: [0, 0], M: [358.43794 mm, 146.7206 mm], L: [16.78465 mm, -617.42289 mm]}
+  3: {U: [0, 0], Y: [0.460239 m, 0]}
+  4: {L: [0, 0], Y: [40.7454 cm, 0], S: [-15.853553 cm, -52.57349 mm]}
+  5: {S: [0, 0], G: [0.74382104 m, -201.09568 mm], e: {through: [0, 0], along: 0 deg}}
+  6: {H: [0, 0], f: {through: [0, 0], along: 0 deg}}
+  7: {G X: 287.947 mm}
+  8: {Y X: 0.691505 m}
+slides: {f: e}
+drive: {length: V M, is: 549.8983 mm, speed: -20 cm/s, acceleration: 2 m/s^2}
+assembly: {M: left of H V, Y: left of U L, e: from S towards H, X: right of G Y}
+loads:
+  - {on: 6, couple: -22 N*m}
+  - {at: L, on: 4, force: [18 N, -75 N]}
+friction: {f: 9 deg, G: 32 mm, L: 16 mm, S: 48 mm, X: 64 mm, Y: 48 mm}
+)yaml");
+}
+
 // A link that rests has no inertia to act, whatever moves beside it; and the telescope bears nothing, as the load on
 // it goes through its hinge.
 TEST_CASE("with friction circles too it is proved which forces are zero", "[scenes]") {
