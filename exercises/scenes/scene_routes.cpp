@@ -321,7 +321,8 @@ struct SceneRoutes {
             },
         .mass =
             [this, &by_joints](std::size_t k) {
-              return analytic::in_motion(built->loads->masses[k], by_joints.states(UpTo::acceleration));
+              const LinkMass& body = built->loads->masses[k];
+              return analytic::in_motion(body, by_joints.link(index(body.link), UpTo::acceleration));
             }};
   }
   // Loads that are no plain givens, what holds pins alone, arms, and the two parts of a rod's force.
