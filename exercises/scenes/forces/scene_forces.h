@@ -266,6 +266,10 @@ std::vector<T> turning_in_hinges(const Built& built, const Constructed<T>& const
 template <class T>
 JointForces<T> forces_by_groups(const Built& built, const Constructed<T>& constructed, const geometry::Loads& loads,
                                 bool with_inertia) {
+  // How hinges turn may take Calcium minutes, and the couples lead on to nested roots.
+  if (std::is_same_v<T, geometry::Calcium> && !loads.hinge_frictions.empty())
+    throw geometry::Undecided("forces with friction circles on exact numbers",
+                              "forze con cerchi d'attrito su numeri esatti");
   return geometry::ForcesByGroups<T>(built.linkage, constructed.at)
       .under(loads, built.steps,
              with_inertia ? masses_in_motion(built, constructed) : std::vector<geometry::MassInMotion<T>>{},
