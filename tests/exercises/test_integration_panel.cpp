@@ -21,11 +21,12 @@ struct Drawn {
 };
 
 // y = `size` · (1 - x/`run`) over ten strips, integrated twice.
-Drawn drawn_integral(double run, double size, const drawings::Box& within = a4_room) {
+Drawn drawn_integral(double run, double size, const drawings::Box& within = a4_room, std::size_t strips = 10) {
   std::vector<double> ends, means;
   const auto curve = [=](double x) { return size * (1 - x / run); };
-  for (int i = 0; i <= 10; ++i) ends.push_back(run * i / 10);
-  for (int i = 0; i < 10; ++i) means.push_back(curve((ends[i] + ends[i + 1]) / 2));
+  for (std::size_t i = 0; i <= strips; ++i)
+    ends.push_back(run * static_cast<double>(i) / static_cast<double>(strips));
+  for (std::size_t i = 0; i < strips; ++i) means.push_back(curve((ends[i] + ends[i + 1]) / 2));
   const auto first = geometry::graphical_integral<double>(ends, means, 1);
   const auto second = geometry::graphical_integral<double>(ends, first.middles(), 1);
   const auto heights = [](const auto& polygon) {
@@ -41,13 +42,19 @@ Drawn drawn_integral(double run, double size, const drawings::Box& within = a4_r
         .id = "v-polygon",
         .corners = heights(first),
         .carried = first.middles(),
-        .read = {{.quantity = "v", .label = "$v_{1}$", .at = ends[6], .value = first.corners[6].y}}},
+        .read = {{.quantity = "v",
+                  .label = "$v_{1}$",
+                  .at = ends[strips * 3 / 5],
+                  .value = first.corners[strips * 3 / 5].y}}},
        {.letters = "$s$",
         .unit = "m",
         .meaning = Meaning::locus,
         .corners = heights(second),
-        .read = {
-            {.quantity = "s", .label = "$s_{1}$", .at = ends[10], .value = second.corners[10].y, .si = 1000}}}}));
+        .read = {{.quantity = "s",
+                  .label = "$s_{1}$",
+                  .at = ends[strips],
+                  .value = second.corners[strips].y,
+                  .si = 1000}}}}));
   one.front()->choose_view(within, {});
   const PlacedPanel placed = laid_out(one, within, {}).front();
   Drawn result;
@@ -121,4 +128,30 @@ TEST_CASE("integration: a curve that is zero has a polygon that is", "[integrati
 
 TEST_CASE("integration: a room that is too small is told", "[integration]") {
   CHECK_THROWS_AS(drawn_integral(10, 1, {{0, 0}, {30, 30}}), DoesNotFit);
+}
+
+TEST_CASE("integration: letters at the right edge stand at the tip, out of the axis' numbers", "[integration]") {
+  for (const drawings::Label& label : drawn_integral(10, 4).sheet.sheet.figure.labels) {
+    if (label.text == "$v_{1}$") CHECK(label.to);
+    if (label.text == "$s_{1}$") CHECK(!label.to);
+  }
+}
+
+// The fifth of a hundred rays meets the axis 2 mm below its head.
+TEST_CASE("integration: no ray's number stands in the row of the strips' numbers", "[integration]") {
+  int fives = 0;
+  const Drawn drawn = drawn_integral(1, 1, a4_room, 100);
+  for (const drawings::Mark& mark : drawn.sheet.sheet.figure.marks)
+    if (const auto* writing = std::get_if<drawings::Writing>(&mark)) fives += writing->text == "5" ? 1 : 0;
+  CHECK(fives == 1);
+}
+
+TEST_CASE("integration: the axis of ordinates is one continuous line", "[integration]") {
+  const Drawn drawn = drawn_integral(10, 4);
+  int axes = 0;
+  for (const drawings::Mark& mark : drawn.sheet.sheet.figure.marks)
+    if (const auto* line = std::get_if<drawings::Line>(&mark);
+        line && line->meaning == Meaning::axis && line->path.start.x == line->path.pieces.front().end.x)
+      ++axes;
+  CHECK(axes == 0);
 }
