@@ -46,7 +46,7 @@ _epure_offer_assignment() {
 
 _epure_offer_names() { # of VERB
   case $1 in
-    bench) return ;;
+    bench | import) return ;;
     draw | class)
       case $cur in
         */*)

@@ -34,7 +34,9 @@ struct OfFewWords {
   std::vector<std::string> words;
 };
 const std::vector<OfFewWords> options_of_few_words{
-    {{"list", "draw", "check", "report", "booklet", "class", "mark", "sweep", "bench"}, "--lang", {"en", "it"}},
+    {{"list", "draw", "check", "report", "booklet", "class", "mark", "sweep", "import", "bench"},
+     "--lang",
+     {"en", "it"}},
     {{"draw", "booklet", "class", "bench"}, "--paper", {"a4", "a3"}},
     {{"draw"}, "--format", {"pdf", "svg", "html", "png", "eps", "pdf+tex", "csv"}},
     {{"draw"}, "--background", {"white", "none"}},

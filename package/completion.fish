@@ -47,7 +47,7 @@ end
 function __epure_names
   set -l verb (commandline -opc)[2]
   switch $verb
-    case bench
+    case bench import
       return
     case draw class
       if string match -q '*/*' -- (commandline -ct)

@@ -36,7 +36,7 @@ _epure_of_named() {
 _epure_offer_names() { # of VERB
   local ids="$(_epure_words exercise)"
   case $1 in
-    bench) return 1 ;;
+    bench | import) return 1 ;;
     draw | class)
       if compset -P 1 '*/'; then
         _epure_offer sheet "$(_epure_words sheet ${IPREFIX%/})"

@@ -161,11 +161,14 @@ std::optional<std::vector<Writing>> direct_names(const Chart& chart, const Chart
 }
 
 std::vector<Label> marker_labels(const Chart& chart, const ChartMap& map) {
-  constexpr double from_end = 4;  // mm
+  constexpr double from_end = 4, on_axis = 1, numbers = 5;  // mm
   std::vector<Label> labels;
   const auto add = [&](const std::string& text, Point at, Meaning ink) {
-    if (!text.empty() && contains(grown(map.frame, 1e-6), at))
-      labels.push_back({.text = text, .at = at, .ink = ink, .size = marker_label_size});
+    if (text.empty() || !contains(grown(map.frame, 1e-6), at)) return;
+    labels.push_back({.text = text, .at = at, .ink = ink, .size = marker_label_size});
+    // Of a point on an axis the letters stand within the frame, out of the row of that axis' numbers.
+    if (at.y - map.frame.low.y < on_axis) labels.back().away_from = at - Point{0, numbers};
+    if (at.x - map.frame.low.x < on_axis) labels.back().away_from = at - Point{numbers, 0};
   };
   for (const Marker& marker : chart.markers) add(marker.label, on_paper(map, marker.at), marker.meaning);
   for (const ReferenceLine& line : chart.verticals)

@@ -251,6 +251,26 @@ Help help_of_mark() {
 )"};
 }
 
+Help help_of_import() {
+  return {{"Make a mechanism's file of what pyslvs or PMKS+ have.",
+           "Fa il file di un meccanismo da ciò che hanno pyslvs o PMKS+."},
+          {"Joints keep their coordinates and become A, B, C ... in their order; shapes of the links and sides of "
+           "the joints "
+           "are read off them. What is taken for granted stands on standard error. What a file cannot say is "
+           "refused, and "
+           "nothing is written.",
+           "I nodi tengono le loro coordinate e diventano A, B, C ... nel loro ordine; se ne leggono le forme dei "
+           "membri e "
+           "le parti dei nodi. Ciò che si sottintende sta sullo standard error. Ciò che un file non può dire è "
+           "rifiutato, "
+           "e nulla è scritto."},
+          R"(
+  epure import 'M[J[R, P[0, 0], L[ground, L1]], ...]' -o mine.yaml
+  epure import 'https://app.pmksplus.com/?2P.Ay...' > mine.yaml
+  epure import - -o mine.yaml < link.txt
+)"};
+}
+
 Help help_of_bench() {
   return {
       {"Measure speed against error, and draw it.", "Misura la velocità contro l'errore, e la disegna."},

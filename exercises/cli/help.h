@@ -20,6 +20,7 @@ Help help_of_booklet();
 Help help_of_sweep();
 Help help_of_class();
 Help help_of_mark();
+Help help_of_import();
 Help help_of_bench();
 
 // What each exit code means; the end of every help.

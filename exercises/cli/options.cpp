@@ -32,6 +32,7 @@ class Parser {
     add_sweep();
     add_class();
     add_mark();
+    add_import();
     add_bench();
   }
 
@@ -349,6 +350,17 @@ class Parser {
                     "scrive in questo file; .csv: in CSV; - è lo standard output"});
     add_language(verb);
   }
+  void add_import() {
+    CLI::App& verb = add_verb("import");
+    add_names(verb, {"TEXT", "TESTO"},
+              {"an expression of pyslvs, a share link of PMKS+, or a file that holds one; - is standard input",
+               "un'espressione di pyslvs, un collegamento di PMKS+, o un file che ne contiene uno; - è lo standard "
+               "input"});
+    add_file(verb, {"write to this file; else to standard output",
+                    "scrive in questo file; altrimenti sullo standard "
+                    "output"});
+    add_language(verb);
+  }
   void add_bench() {
     CLI::App& verb = add_verb("bench");
     add_flag(
@@ -376,6 +388,7 @@ Help help_of(const std::string& verb) {
   if (verb == "sweep") return help_of_sweep();
   if (verb == "class") return help_of_class();
   if (verb == "mark") return help_of_mark();
+  if (verb == "import") return help_of_import();
   return verb == "bench" ? help_of_bench() : help_of_program();
 }
 
@@ -466,8 +479,10 @@ void refuse_name_as_verb(const Catalogue& exercises, const std::string& name) {
 void demand_verb(const Catalogue& exercises, const std::vector<std::string>& arguments) {
   if (arguments.empty())
     throw WrongUsage(
-        "say what to do: list, draw, check, report, booklet, class, mark, sweep or bench (epure help explains)",
-        "dire che cosa fare: list, draw, check, report, booklet, class, mark, sweep o bench (epure help spiega)");
+        "say what to do: list, draw, check, report, booklet, class, mark, sweep, import or bench (epure help "
+        "explains)",
+        "dire che cosa fare: list, draw, check, report, booklet, class, mark, sweep, import o bench (epure help "
+        "spiega)");
   const std::string& first = arguments.front();
   if (first.starts_with('-')) return;
   refuse_name_as_verb(exercises, first);
@@ -489,7 +504,7 @@ std::vector<std::string> with_help_as_option(std::vector<std::string> arguments)
 
 const std::vector<std::string>& verbs() {
   static const std::vector<std::string> all{"list",  "draw", "check", "report", "booklet",
-                                            "class", "mark", "sweep", "bench"};
+                                            "class", "mark", "sweep", "import", "bench"};
   return all;
 }
 
@@ -536,6 +551,7 @@ Parsed parse_options(const Catalogue& exercises, const std::vector<std::string>&
                         : verb == "sweep"   ? Options::Verb::sweep
                         : verb == "class"   ? Options::Verb::make_class
                         : verb == "mark"    ? Options::Verb::mark
+                        : verb == "import"  ? Options::Verb::import_text
                                             : Options::Verb::bench;
   return parsed;
 }

@@ -24,7 +24,18 @@ struct DocumentOptions {
 
 // Texts as typed; what they mean is found where they are used, because their parsing must not depend on a locale.
 struct Options {
-  enum class Verb { list, draw, check, report, booklet, make_class, mark, sweep, bench } verb = Verb::list;
+  enum class Verb {
+    list,
+    draw,
+    check,
+    report,
+    booklet,
+    make_class,
+    mark,
+    sweep,
+    import_text,
+    bench
+  } verb = Verb::list;
   std::vector<std::string> names;  // ID, ID/SHEET, all
   std::vector<std::string> assignments, measured;
   std::optional<std::string> givens_file;

@@ -43,6 +43,8 @@ Outcome outcome_of(const Catalogue& exercises, const Options& options, std::ostr
       return mark(exercises, options);
     case Options::Verb::report:
       return report(exercises, options);
+    case Options::Verb::import_text:
+      return import_text(options);
     case Options::Verb::booklet:
       return booklet(exercises, options);
     case Options::Verb::check:
@@ -69,7 +71,7 @@ Outcome run(const Catalogue& exercises, const std::vector<std::string>& argument
   for (const auto& named : {options.folder, options.file, options.chart})
     if (named) demand_no_commands(*named);
   demand_no_commands(options.class_set.seed);
-  if (!text && names_scenes(options)) {
+  if (!text && options.verb != Options::Verb::import_text && names_scenes(options)) {
     const Scenes scenes = read_scenes(options);
     Outcome outcome = outcome_of(scenes.exercises, scenes.options, out, err, surroundings);
     if (options.verb == Options::Verb::check || options.verb == Options::Verb::draw)

@@ -51,6 +51,9 @@ Outcome make_class(const Catalogue& exercises, const Options& options, std::ostr
 // Writes the file of -o, if there is one. What could not be decided is named in remarks.
 Outcome mark(const Catalogue& exercises, const Options& options);
 
+// Writes the file of -o, if there is one.
+Outcome import_text(const Options& options);
+
 // "en" or "it". Throws WrongUsage.
 Language language(const Options& options);
 

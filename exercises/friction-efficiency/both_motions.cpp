@@ -43,11 +43,11 @@ std::string turned_from(const std::string& normal, Language language) {
 }
 
 void press(FreeBodyPanel& panel, const Case& of, const PolygonSide& R, const Place& X, double normal, const Arrow2& v,
-           const std::string& ji) {
+           const std::string& ji, const std::string& letters_of_normal) {
   panel.force(R, X, Arrow::ends);
   if (is_zero(of.s.givens().angle("phi")) || magnitude(R.v) == 0) return;
   const double force = std::atan2(-R.v.y, -R.v.x);
-  panel.turned(X, force - std::remainder(force - normal, std::numbers::pi), force, "$φ$");
+  panel.turned(X, force - std::remainder(force - normal, std::numbers::pi), force, "$φ$", letters_of_normal);
   panel.sliding(X, v, -R.v, "$\\vec{v}_{" + ji + "}$");
 }
 

@@ -23,9 +23,9 @@ PolygonSide passed_on(const PolygonSide& force, const VectorQuantity& known, int
 std::string turned_from(const std::string& normal, Language language);
 
 // A contact's force that presses on a body in X from outside: its angle with the normal, which stands on the same
-// side. `v` is the sliding of body j on body i, "ji", against which the force is turned.
+// side and may have letters. `v` is the sliding of body j on body i, "ji", against which the force is turned.
 void press(FreeBodyPanel& panel, const Case& of, const PolygonSide& R, const Place& X, double normal, const Arrow2& v,
-           const std::string& ji);
+           const std::string& ji, const std::string& letters_of_normal = {});
 
 inline const Words the_other_way{"Retrograde motion: the same polygons with the forces turned the other way.",
                                  "Moto retrogrado: gli stessi poligoni con le forze ruotate dall'altra parte."};

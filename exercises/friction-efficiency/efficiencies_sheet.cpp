@@ -11,11 +11,12 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
   struct Plotted {
     std::string name;
     Words label;
+    std::optional<double> label_near = {};  // degrees, of a curve beside others all along
   };
   const std::vector<Plotted> all{{"wedge_collar", {"wedge", "cuneo"}},
                                  {"wedge_collar_two_point", {"two forces", "due forze"}},
                                  {"double_slider", {"double slider", "doppio pattino"}},
-                                 {"double_slider_pins", {"with pins", "con perni"}},
+                                 {"double_slider_pins", {"with pins", "con perni"}, 55},
                                  {"sliding_levers", {"levers", "leve"}},
                                  {"fairbairn", {"Fairbairn", "Fairbairn"}}};
   // Every limit stands on the charts.
@@ -71,8 +72,11 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
         drawn.markers.push_back({.at = read.back().at, .meaning = Meaning::force});
       }
       if (!run.empty())
-        drawn.curves.push_back(
-            {.name = "eta_" + each.name, .runs = {run}, .meaning = Meaning::force, .label = each.label.in(language)});
+        drawn.curves.push_back({.name = "eta_" + each.name,
+                                .runs = {run},
+                                .meaning = Meaning::force,
+                                .label = each.label.in(language),
+                                .label_near_x = each.label_near});
     }
     drawn.verticals = {{.at = phi, .label = "$φ$"}};
     return ChartPanel(drawn, read);

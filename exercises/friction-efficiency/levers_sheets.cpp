@@ -63,7 +63,7 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
       panel.effort(of.known(P_of(direct), "", ""), at.attacked(lever));
     const Arrow2 v = of.vector("sliding");  // of the loaded lever on the other
     press(panel, of, is_loaded ? contact : reversed(contact, at.loaded, at.driven), at.C, nu, is_loaded ? v : -v,
-          is_loaded ? j + i : i + j);
+          is_loaded ? j + i : i + j, "$n$");
     panel.force(of.known(moving(force_between(1, lever), direct), "", ""), at.hinge(lever), Arrow::ends);
     if (const auto& shared = is_loaded ? shared_j : shared_i)
       shared->draw_strings(panel);

@@ -10,19 +10,19 @@ namespace {
 using Arrow = FreeBodyPanel::Arrow;
 using Joint = Mechanism::Joint;
 
-// With the load on slider 2, and the line along which the sought force drives slider 4.
+// With the load on slider 2, and the sought force on slider 4.
 class LoadedSlider : public MechanismFigure {
  public:
   explicit LoadedSlider(const Case& of) : link_(double_slider_figure(of)), A_(of.place("A")), B_(of.place("B")) {}
 
   void draw(Plot& plot) const override {
-    link_->draw(plot);
-    const auto from = [&](const Place& P, double x, double y) {
-      return P + 1 / plot.scale().mm_per_unit * Arrow2{x, y};
-    };
-    plot.side("", A_, from(A_, 0, -length), Meaning::force, "$\\vec{\\it{Q}}$");
-    plot.segment(from(B_, -length, 0), from(B_, length, 0), Meaning::construction);
-    plot.label("$\\vec{\\it{P}}$", from(B_, -length, 0), B_, Meaning::force);
+    draw_but_driving(plot);
+    plot.side("", B_ + length / plot.scale().mm_per_unit * Arrow2{-1, 0}, B_, Meaning::force, driving_letters);
+  }
+  // Which way the force drives is found.
+  void draw_given(Plot& plot) const override {
+    draw_but_driving(plot);
+    plot.label(driving_letters, B_ + length / plot.scale().mm_per_unit * Arrow2{-1, 0}, B_, Meaning::force);
   }
   void sketch(Plot& plot) const override { link_->sketch(plot); }
   void include(Extent& extent, const Scale& scale) const override {
@@ -35,6 +35,14 @@ class LoadedSlider : public MechanismFigure {
 
  private:
   static constexpr double length = 14;  // mm
+  static constexpr const char* driving_letters = "$\\vec{\\it{P}}$";
+
+  void draw_but_driving(Plot& plot) const {
+    const double units = length / plot.scale().mm_per_unit;
+    link_->draw(plot);
+    plot.side("", A_, A_ + units * Arrow2{0, -1}, Meaning::force, "$\\vec{\\it{Q}}$");
+    plot.segment(B_ + units * Arrow2{-1, 0}, B_ + units * Arrow2{1, 0}, Meaning::construction);
+  }
 
   std::shared_ptr<const Mechanism> link_;
   Place A_, B_;

@@ -152,11 +152,16 @@ HodographPanel hodograph_panel(const Solution& s, Language language) {
   hodograph.curves = {curve};
   double longest = 0;
   for (const Place& tip : curve.points) longest = std::max(longest, std::hypot(tip.x, tip.y));
-  constexpr double letters_wide = 0.04;  // of the longest
+  constexpr double letters_wide = 0.02, one_point = 0.004;  // of the longest
   std::vector<Place> lettered;
   for (const std::string& name : instants("R_12_x")) {
     const auto x = s.value(pen(at("R_12_x", name))), y = s.value(pen(at("R_12_y", name)));
     if (!x || !y) continue;
+    const auto is_there = [&](const Hodograph::Instant& other) {
+      return std::hypot(other.tip.x - *x, other.tip.y - *y) < one_point * longest;
+    };
+    const auto same = std::find_if(hodograph.instants.begin(), hodograph.instants.end(), is_there);
+    if (same != hodograph.instants.end() && !same->label.empty()) same->label += "; " + in_seconds(name, language);
     const bool is_clear = std::all_of(lettered.begin(), lettered.end(), [&](const Place& other) {
       return std::hypot(other.x - *x, other.y - *y) > letters_wide * longest;
     });
@@ -165,7 +170,8 @@ HodographPanel hodograph_panel(const Solution& s, Language language) {
                                   .label = is_clear ? in_seconds(name, language) : "",
                                   .along_x = pen(at("R_12_x", name)),
                                   .along_y = pen(at("R_12_y", name)),
-                                  .with_arrow = name == "0" || name == "0p1" || name == "0p2" || name == "0p3"});
+                                  .with_arrow = name == "0" || name == "0p1" || name == "0p2" || name == "0p4",
+                                  .letters = name == "0p2" ? "$\\vec{\\it{R}}_{12}$" : ""});
   }
   hodograph.steps = {{{"From the pole $\\it{O}$ the reaction at every instant, to one scale: its tip runs through "
                        "the hodograph to and fro in one period. Numbers: $t$ in s.",

@@ -140,17 +140,18 @@ PanelSheet tangents_sheet(const Solution& s, Language language) {
     spaces.curves.push_back({.name = "tangent_" + instants[i],
                              .runs = {{at(0), at(end)}},
                              .meaning = Meaning::construction,
-                             .line = drawings::LineType::continuous});
+                             .line = drawings::LineType::continuous,
+                             .label = "$v_{" + instants[i] + "}$"});
     spaces.curves.front().points.push_back(touches);
     read.push_back({touches, {}, space});
     const std::string& letters = s.described(centroid).symbol;
     accelerations.verticals.push_back(
         {.at = touches.x, .label = "$t_{" + instants[i] + "}$", .meaning = Meaning::axis});
-    spaces.verticals.push_back({.at = touches.x, .meaning = Meaning::axis});
+    spaces.verticals.push_back({.at = touches.x, .label = "$t_{" + instants[i] + "}$", .meaning = Meaning::axis});
     if (!s.value(centroid) || s[centroid] < 0 || s[centroid] > end) continue;
     accelerations.verticals.push_back({.at = s[centroid], .label = letters, .meaning = Meaning::construction});
-    spaces.verticals.push_back({.at = s[centroid], .meaning = Meaning::construction});
-    spaces.markers.push_back({.at = {s[centroid], 0}, .label = letters, .shape = drawings::PointShape::ring});
+    spaces.verticals.push_back({.at = s[centroid], .label = letters, .meaning = Meaning::construction});
+    spaces.markers.push_back({.at = {s[centroid], 0}, .shape = drawings::PointShape::ring});
     read.push_back({{s[centroid], 0}, centroid, {}});
   }
   for (drawings::Chart* chart : {&accelerations, &spaces}) chart->letters_left = 15;

@@ -17,6 +17,9 @@ class Reached {
 
   bool is_whole() const { return is_whole_; }
   bool has(double angle) const;
+  // The angles between which it goes back and forth, where it does not go round.
+  double low() const { return now_ + last_begin_ - 2 * std::numbers::pi; }
+  double high() const { return now_ + first_end_; }
   // Without the branches that are not reached.
   void leave_in(geometry::Trace& trace) const;
 

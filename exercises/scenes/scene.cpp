@@ -6,6 +6,7 @@
 #include "drawings/text/text.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
+#include "exercises/scenes/extremes.h"
 #include "exercises/scenes/file/file_head.h"
 #include "exercises/scenes/file/greek.h"
 #include "exercises/scenes/file/sections.h"
@@ -74,6 +75,34 @@ void demand_one_way(const File& file, const Tree& at, const Built& built) {
   }
 }
 
+// extremes: [theta_4, v_C_x].
+std::vector<std::string> read_extremes(const File& file, const Tree& all, const Built& built) {
+  const Words what{
+      "extremes: [theta_4, v_C_x], quantities whose greatest and least over a turn of the drive are asked for",
+      "extremes: [theta_4, v_C_x], grandezze di cui si chiedono massimo e minimo in un giro del movente"};
+  file.demand(all, Tree::Kind::list, what);
+  if (!std::holds_alternative<TurnedLink>(built.linkage.drives.front()))
+    file.refuse(all, {"extremes are told over a turn of the drive, and it does not turn",
+                      "gli estremi si dicono in un giro del movente, e questo non ruota"});
+  const std::vector<std::string> known = with_extremes(built);
+  std::vector<std::string> names;
+  for (const Tree& item : all.items) {
+    const std::string name = spelled_out(file.text(item, what));
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      file.refuse(item,
+                  format_words("extremes are told of coordinates (C_x), directions of links (theta_4), and how fast "
+                               "these change (v_C_x, omega_4), of what link {} moves: not of \"{}\"; {}",
+                               "gli estremi si dicono di coordinate (C_x), direzioni di membri (theta_4) e di quanto "
+                               "rapide variano (v_C_x, omega_4), di ciò che il membro {} muove: non di \"{}\"; {}",
+                               built.letters.links[index(std::get<TurnedLink>(built.linkage.drives.front()).link)],
+                               name, did_you_mean(name, known)));
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      file.refuse(item, format_words("{} stands here twice", "{} sta qui due volte", name));
+    names.push_back(name);
+  }
+  return names;
+}
+
 }  // namespace
 
 Scene::Scene(std::string file_name, std::string_view bytes)
@@ -81,9 +110,9 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   const File file(file_);
   file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
                    "una scena è un elenco di chiavi e valori, come  id: four-bar"});
-  file.demand_keys(root_, {"epure",  "id",     "title",    "source", "givens",   "where",   "units",  "points",
-                           "links",  "slides", "gears",    "drive",  "assembly", "offsets", "paths",  "polodes",
-                           "charts", "loads",  "friction", "masses", "gravity",  "sheets",  "printed"});
+  file.demand_keys(root_, {"epure",  "id",       "title", "source",   "givens",   "where",   "units",  "points",
+                           "links",  "slides",   "gears", "drive",    "assembly", "offsets", "paths",  "polodes",
+                           "charts", "extremes", "loads", "friction", "masses",   "gravity", "sheets", "printed"});
   const FileHead head = read_head(file, root_);
   id_ = head.id;
   title_ = head.title;
@@ -98,16 +127,27 @@ Scene::Scene(std::string file_name, std::string_view bytes)
     charts_ = read_charts(file, *charts);
     demand_one_way(file, *charts, stated);
   }
+  if (const TextTree* asked = root_.find("extremes")) {
+    demand_one_way(file, *asked, stated);
+    extremes_ = read_extremes(file, *asked, stated);
+    for (const std::string& name : extremes_) {
+      const auto shows = [&](const std::vector<std::string>& chart) {
+        return std::find(chart.begin(), chart.end(), name) != chart.end();
+      };
+      if (std::none_of(charts_.begin(), charts_.end(), shows)) charts_.push_back({name});
+    }
+  }
 }
 
 void Scene::demand_charts(const std::vector<Quantity>& quantities) const {
   const File file(file_);
   std::vector<std::string> names;
   for (const Quantity& quantity : quantities) names.push_back(quantity.name);
-  for (std::size_t i = 0; i < charts_.size(); ++i) {
+  const TextTree* asked = root_.find("charts");  // the others are of extremes, which are known
+  for (std::size_t i = 0; asked && i < asked->items.size(); ++i) {
     std::string unit;
     for (const std::string& name : charts_[i]) {
-      const TextTree& item = root_.find("charts")->items[i];
+      const TextTree& item = asked->items[i];
       const auto found = std::find(names.begin(), names.end(), name);
       if (found == names.end())
         file.refuse(

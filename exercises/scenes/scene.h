@@ -95,10 +95,14 @@ class Scene {
   // Throws BadScene where one of them is of none of these quantities, or in a unit of something else.
   void demand_printed(const std::vector<Quantity>& quantities) const;
 
-  // The quantities that are asked for over all places of the drive, chart by chart.
+  // The quantities that are asked for over all places of the drive, chart by chart; what extremes are asked of has
+  // its chart.
   const std::vector<std::vector<std::string>>& charts() const { return charts_; }
   // Throws BadScene where one of them is none of these, or two of a chart have different units.
   void demand_charts(const std::vector<Quantity>& quantities) const;
+
+  // The quantities whose greatest and least over a turn of the drive are asked for.
+  const std::vector<std::string>& extremes() const { return extremes_; }
 
   // At these givens. Throws BadScene where they make a length zero, or a formula divide by zero.
   Built built(const Givens& givens) const;
@@ -111,6 +115,7 @@ class Scene {
   std::vector<GivenSpec> givens_;
   std::vector<Printed> printed_;
   std::vector<std::vector<std::string>> charts_;
+  std::vector<std::string> extremes_;
 };
 
 }  // namespace epure::scenes

@@ -7,7 +7,9 @@
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/panels/vectors_panel.h"
+#include "exercises/scenes/extremes.h"
 #include "exercises/scenes/file/file_head.h"
+#include "exercises/scenes/file/greek.h"
 #include "exercises/scenes/file/limits.h"
 #include "exercises/scenes/file/refusals.h"
 #include "exercises/scenes/forces/force_sheets.h"
@@ -31,7 +33,9 @@ std::vector<RouteValue> solved(const Scene& scene, const Givens& givens, Rung ru
     if (rung != Rung::names && rung != Rung::fast)
       for (const auto& refusal : {limit_of, no_forces_with_friction})
         if (const auto why = refusal(*built)) throw BadGivens(*why);
-    return by_both_routes(built, rung);
+    std::vector<RouteValue> all = by_both_routes(built, rung);
+    for (RouteValue& each : extremes(*built, scene.extremes(), rung)) all.push_back(std::move(each));
+    return all;
   } catch (const geometry::NotClosed& open) {
     throw BadGivens(
         format_words("the mechanism does not close: {}", "il meccanismo non si chiude: {}", in_words(open, *built)));
@@ -70,7 +74,14 @@ PanelSheet diagram(const Scene& scene, const Solution& s, bool is_of_velocities,
     rates.push_back((is_of_velocities ? angular_velocity : angular_acceleration)(built.letters.links[i]).name);
   add_in_lines(sheet, rates, 3);
   if (is_of_velocities)
-    for (const PointOffset& offset : built.offsets) sheet.results.push_back(values({offset.name}));
+    for (const PointOffset& offset : built.offsets)
+      sheet.results.push_back(
+          value_as(format_words("From ${}$ to ${}$, square to it: {}", "Da ${}$ a ${}$, in perpendicolare: {}",
+                                point_letters(built.letters.lines[static_cast<std::size_t>(offset.line)]),
+                                point_letters(built.letters.points[static_cast<std::size_t>(offset.point)]),
+                                given_letters(offset.name))
+                       .in(language),
+                   offset.name));
   const auto figure = std::make_shared<const Mechanism>(figure_of(built, s));
   const std::vector<AccelerationsPanel::Centre> centres = acceleration_centres(built, s);
   if (!is_of_velocities && !centres.empty()) {

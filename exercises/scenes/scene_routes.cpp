@@ -184,12 +184,6 @@ struct SceneRoutes {
         });
   }
 
-  static Quantity link_angle(int number) {
-    const std::string i = std::to_string(number);
-    return {"theta_" + i, "$θ_{" + i + "}$", "deg",
-            format_words("angle of the x axis of link {} from that of the frame, counter-clockwise",
-                         "angolo dell'asse x del membro {} da quello del telaio, antiorario", i)};
-  }
   // In (-π, π]; a direction that so many bits do not tell from -x is π. (Givens of 40 digits that miss it do so by
   // far more; fewer bits would call π what more find beside -π.)
   template <class T>
@@ -337,7 +331,8 @@ struct SceneRoutes {
             },
         .mass =
             [this, &by_joints](std::size_t k) {
-              return analytic::in_motion(built->loads->masses[k], by_joints.states(UpTo::acceleration));
+              const LinkMass& body = built->loads->masses[k];
+              return analytic::in_motion(body, by_joints.link(index(body.link), UpTo::acceleration));
             }};
   }
   // Loads that are no plain givens, what holds pins alone, arms, and the two parts of a rod's force.
@@ -610,6 +605,12 @@ std::vector<RouteValue> by_both_routes(const std::shared_ptr<const Built>& built
   return settle(SceneRoutes{.built = built}, rung);
 }
 
+Quantity link_angle(int number) {
+  const std::string i = std::to_string(number);
+  return {"theta_" + i, "$θ_{" + i + "}$", "deg",
+          format_words("angle of the x axis of link {} from that of the frame, counter-clockwise",
+                       "angolo dell'asse x del membro {} da quello del telaio, antiorario", i)};
+}
 CentrePlan centre_plan_of(const Built& built) {
   const Arithmetic<Fast> scope;
   try {

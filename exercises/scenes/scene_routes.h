@@ -17,6 +17,9 @@ std::vector<RouteValue> by_both_routes(const std::shared_ptr<const Built>& built
 // By which lines its instant centres are found.
 geometry::CentrePlan centre_plan_of(const Built& built);
 
+// θ_3, of the link as the file numbers it.
+Quantity link_angle(int number);
+
 // P_ij, of the links as the file numbers them, in either order: "P13", "P2_13".
 PointQuantity instant_centre(int one, int other);
 

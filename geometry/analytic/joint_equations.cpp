@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "geometry/analytic/inverse.h"
-#include "geometry/linkages/friction.h"
+#include "geometry/linkages/friction_circles.h"
 
 namespace epure::geometry::analytic {
 namespace {
@@ -493,6 +493,60 @@ Column<T> proved_box(const Linkage& linkage, const Preconditioner<T>& Y, const C
                   "tutti i vincoli");
 }
 
+// Which unknowns are zero whatever the slopes are, by which of the right sides are: each equation takes an unknown of
+// its own; where it and all that it hangs on, by the unknowns in it, have a right side of zero, those unknowns are in
+// no more equations than they are, and so all zero.
+template <class T>
+class ZeroByStructure {
+ public:
+  explicit ZeroByStructure(const std::vector<Equation<T>>& rows)
+      : takes_(rows.size(), none), taken_by_(rows.size(), none) {
+    for (const Equation<T>& row : rows) {
+      std::vector<std::size_t>& in = unknowns_.emplace_back();
+      for (const auto& [column, slope] : row.slopes)
+        if (sign(slope) != Sign::zero) in.push_back(static_cast<std::size_t>(column));
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      std::vector<bool> is_asked(rows.size());
+      takes_one(i, is_asked);
+    }
+  }
+  std::vector<bool> of(const Column<T>& b) const {
+    std::vector<bool> all(b.size());
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      std::vector<bool> hangs_on(b.size());
+      if (takes_[i] != none && is_idle(i, b, hangs_on)) all[takes_[i]] = true;
+    }
+    return all;
+  }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  bool takes_one(std::size_t row, std::vector<bool>& is_asked) {
+    for (const std::size_t unknown : unknowns_[row]) {
+      if (is_asked[unknown]) continue;
+      is_asked[unknown] = true;
+      if (taken_by_[unknown] != none && !takes_one(taken_by_[unknown], is_asked)) continue;
+      taken_by_[unknown] = row;
+      takes_[row] = unknown;
+      return true;
+    }
+    return false;
+  }
+  bool is_idle(std::size_t row, const Column<T>& b, std::vector<bool>& hangs_on) const {
+    hangs_on[row] = true;
+    return sign(b[row]) == Sign::zero &&
+           std::all_of(unknowns_[row].begin(), unknowns_[row].end(), [&](std::size_t unknown) {
+             const std::size_t next = taken_by_[unknown];
+             return next != none && (hangs_on[next] || is_idle(next, b, hangs_on));
+           });
+  }
+
+  std::vector<std::vector<std::size_t>> unknowns_;
+  std::vector<std::size_t> takes_, taken_by_;
+};
+
 // J x = b, enclosed: x0 by the preconditioner until that brings no more, then what may be left.
 template <class T>
 Column<T> solved(const std::vector<Equation<T>>& rows, const Preconditioner<T>& Y, const Column<T>& b) {
@@ -520,7 +574,8 @@ Column<T> solved(const std::vector<Equation<T>>& rows, const Preconditioner<T>& 
     most += T(2) * size_of(step[i]);
   }
   const Column<T> off(x.size(), most);
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = widened(x[i] + step[i], spread(E[i], off));
+  const std::vector<bool> is_zero = ZeroByStructure<T>(rows).of(b);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = is_zero[i] ? T(0) : widened(x[i] + step[i], spread(E[i], off));
   return x;
 }
 
@@ -765,7 +820,7 @@ Column<T> loads_on_links(const std::vector<LinkState<T>>& links, const Loads& lo
     const T m = from_rational<T>(body.mass);
     add(body.link, body.at, m * Complex<T>{from_rational<T>(loads.gravity.x), from_rational<T>(loads.gravity.y)});
     if (inertia == Inertia::left_out) continue;
-    const MassInMotion<T> moving = in_motion(body, links);
+    const MassInMotion<T> moving = in_motion(body, links[static_cast<std::size_t>(body.link)]);
     add(body.link, body.at, -(m * Complex<T>{moving.a_x, moving.a_y}));
     of_link(body.link, 2) -= from_rational<T>(body.inertia) * moving.alpha;
   }
@@ -939,35 +994,46 @@ class WithSenses {
 };
 
 template <class T>
+FrictionCircles<T> friction_circles(const Linkage& linkage, const std::vector<LinkState<T>>& links,
+                                    const Loads& loads) {
+  std::vector<T> turning;
+  for (const auto& hinge : JointForces<T>(linkage).hinges)
+    turning.push_back(links[static_cast<std::size_t>(hinge.on)].omega -
+                      links[static_cast<std::size_t>(hinge.by)].omega);
+  return {linkage, loads, turning};
+}
+template <class T>
+void add_couple(const typename JointForces<T>::Hinge& hinge, const T& couple, Column<T>& acting) {
+  const auto on_link = [&](int link) -> T& {
+    return acting[unknowns_of_a_link * static_cast<std::size_t>(link) - 1];
+  };
+  if (hinge.on != 0) on_link(hinge.on) += couple;
+  if (hinge.by != 0) on_link(hinge.by) -= couple;
+}
+
+template <class T>
 JointForces<T> forces_found(const Linkage& linkage, const std::vector<LinkState<T>>& links, const Loads& loads,
                             Inertia inertia) {
   const std::vector<Equation<T>> columns = equilibrium(linkage, links);
   const Column<T> acting = loads_on_links(links, loads, inertia);
   const std::vector<Beside<T>> rubbing = beside_what_presses(linkage, links, loads);
   const JointForces<T> none(linkage);
-  std::vector<T> turning;
-  for (const auto& hinge : none.hinges)
-    turning.push_back(links[static_cast<std::size_t>(hinge.on)].omega -
-                      links[static_cast<std::size_t>(hinge.by)].omega);
-  std::map<std::vector<int>, WithSenses<T>> tried;
-  return FrictionCircles<T>(linkage, loads, turning).forces([&](const std::vector<T>& couples) {
-    Column<T> borne;
-    for (const T& load : acting) borne.push_back(-load);
-    for (std::size_t k = 0; k < couples.size(); ++k)
-      for (const int link : {none.hinges[k].on, none.hinges[k].by})
-        if (link != 0)
-          borne[unknowns_of_a_link * static_cast<std::size_t>(link) - 1] +=
-              link == none.hinges[k].on ? -couples[k] : couples[k];
-    JointForces<T> forces = forces_with_friction<JointForces<T>>(
-        rubbing.size(),
-        [&](const std::vector<int>& senses) {
-          return tried.try_emplace(senses, columns, rubbing, senses).first->second.forces(linkage, loads, borne);
-        },
-        [&](const JointForces<T>& found, std::size_t i) { return pressing(found, loads, i); },
-        [](const JointForces<T>& a, const JointForces<T>& b) { return either(a, b); });
-    for (std::size_t k = 0; k < couples.size(); ++k) forces.hinges[k].couple = couples[k];
-    return forces;
-  });
+  const FrictionCircles<T> circles = friction_circles(linkage, links, loads);
+  return forces_with_friction<JointForces<T>>(
+      rubbing.size(),
+      [&](const std::vector<int>& senses) {
+        const WithSenses<T> held(columns, rubbing, senses);
+        return circles.forces([&](const std::vector<T>& couples, bool is_loaded) {
+          Column<T> borne;
+          for (const T& load : acting) borne.push_back(is_loaded ? -load : T(0));
+          for (std::size_t k = 0; k < couples.size(); ++k) add_couple(none.hinges[k], -couples[k], borne);
+          JointForces<T> forces = held.forces(linkage, loads, borne);
+          for (std::size_t k = 0; k < couples.size(); ++k) forces.hinges[k].couple = couples[k];
+          return forces;
+        });
+      },
+      [&](const JointForces<T>& found, std::size_t i) { return pressing(found, loads, i); },
+      [](const JointForces<T>& a, const JointForces<T>& b) { return either(a, b); });
 }
 
 }  // namespace
@@ -1062,9 +1128,9 @@ void demand_equilibrium(const Linkage& linkage, const std::vector<LinkState<T>>&
   for_each_force(linkage, held, [&](T& force, const Rational& factor) {
     multipliers.push_back(from_rational<T>(Rational(1 / factor)) * force);
   });
-  if (!loads.hinge_frictions.empty())
-    throw Undecided("forces with friction circles on exact numbers", "forze con cerchi d'attrito su numeri esatti");
   Column<T> borne = loads_on_links(links, loads, inertia);
+  for (const T& left : friction_circles(linkage, links, loads).left_over(forces)) demand_in_equilibrium(left);
+  for (const auto& hinge : forces.hinges) add_couple(hinge, hinge.couple, borne);
   const std::vector<Beside<T>> rubbing = beside_what_presses(linkage, links, loads);
   for (std::size_t k = 0; k < rubbing.size(); ++k) {
     const T& acts = beside(held, loads, k);

@@ -108,8 +108,7 @@ JointForces<T> solve_forces(const Linkage& linkage, const std::vector<LinkState<
                             Inertia inertia = Inertia::left_out);
 // How the centre of a mass is accelerated, and its link.
 template <class T>
-MassInMotion<T> in_motion(const LinkMass& body, const std::vector<LinkState<T>>& links) {
-  const LinkState<T>& link = links[static_cast<std::size_t>(body.link)];
+MassInMotion<T> in_motion(const LinkMass& body, const LinkState<T>& link) {
   const Complex<T> a = point_of(link, body.at).a;
   return {a.re, a.im, link.alpha};
 }

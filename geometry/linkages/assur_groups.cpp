@@ -324,7 +324,7 @@ class Placing {
     const auto* said = chosen<OnGuide>([&](const OnGuide& on) {
       return on.joint == joint && is_untold_or(track.line, on.guide) && is_untold_or(rod.pin, on.other_end);
     });
-    if (!said) open_.push_back({.kind = OpenSide::Kind::on_guide, .joint = joint, .line = track.line});
+    if (!said) open_.push_back({OpenSide::Kind::on_guide, joint, rod.pin, nothing, track.line});
     return {rod, track, joint, said && said->is_ahead ? Along::ahead : Along::behind};
   }
   // Of two lines in each other, which have one direction, either may be told.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/linkages/carried_out.h"
-#include "geometry/linkages/friction.h"
+#include "geometry/linkages/friction_circles.h"
 #include "geometry/linkages/loads.h"
 
 namespace epure::geometry {
@@ -32,19 +32,27 @@ class ForcesByGroups {
   JointForces<T> under(const Loads& loads, const std::vector<Step>& steps,
                        const std::vector<MassInMotion<T>>& moving = {}, const std::vector<T>& sliding = {},
                        const std::vector<T>& turning = {}) {
-    const SoFar nothing_yet{found_, on_pin_, known_};
-    return FrictionCircles<T>(linkage_, loads, turning).forces([&](const std::vector<T>& couples) {
-      found_ = nothing_yet.found;
-      on_pin_ = nothing_yet.on_pin;
-      known_ = nothing_yet.known;
-      for (std::size_t k = 0; k < couples.size(); ++k) {
-        auto& hinge = found_.hinges[k];
-        hinge.couple = couples[k];
-        known_[index(hinge.on)].couple += couples[k];
-        known_[index(hinge.by)].couple -= couples[k];
-      }
-      return under_couples(loads, steps, moving, sliding);
-    });
+    const FrictionCircles<T> circles(linkage_, loads, turning);
+    if (!circles.rub()) {
+      push(loads, moving);
+      return released(steps, loads.frictions, sliding);
+    }
+    // The couples need forces of all groups: so all senses are tried at once, not group by group.
+    const SoFar nothing_yet = so_far();
+    std::vector<Rubbing> rubbing = rubbing_of(loads.frictions, sliding);
+    return forces_with_friction<JointForces<T>>(
+        rubbing.size(),
+        [&](const std::vector<int>& senses) {
+          try_senses(rubbing, senses);
+          return circles.forces([&](const std::vector<T>& couples, bool is_loaded) {
+            go_back_to(nothing_yet);
+            for (std::size_t k = 0; k < couples.size(); ++k) push_couple(found_.hinges[k], couples[k]);
+            if (is_loaded) push(loads, moving);
+            return released(steps, {}, {});
+          });
+        },
+        [&](const JointForces<T>& found, std::size_t i) { return found.normal(loads.frictions[i]); },
+        [](const JointForces<T>& a, const JointForces<T>& b) { return either(a, b); });
   }
 
   // Of a LinkForce or a LinkMass.
@@ -104,8 +112,7 @@ class ForcesByGroups {
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  JointForces<T> under_couples(const Loads& loads, const std::vector<Step>& steps,
-                               const std::vector<MassInMotion<T>>& moving, const std::vector<T>& sliding) {
+  void push(const Loads& loads, const std::vector<MassInMotion<T>>& moving) {
     for (const LinkForce& load : loads.forces) push(load.link, place(load), vector(load));
     for (const LinkCouple& load : loads.couples) known_[index(load.link)].couple += from_rational<T>(load.moment);
     for (std::size_t k = 0; k < loads.masses.size(); ++k) {
@@ -115,14 +122,22 @@ class ForcesByGroups {
       push(body.link, place(body), inertia(body, moving[k]));
       known_[index(body.link)].couple -= from_rational<T>(body.inertia) * moving[k].alpha;
     }
+  }
+  void push_couple(typename JointForces<T>::Hinge& hinge, const T& couple) {
+    hinge.couple = couple;
+    known_[index(hinge.on)].couple += couple;
+    known_[index(hinge.by)].couple -= couple;
+  }
+  // Where these rub the senses are found step by step.
+  JointForces<T> released(const std::vector<Step>& steps, const std::vector<LineFriction>& frictions,
+                          const std::vector<T>& sliding) {
     placed_ = steps_of_links(steps);
-    const std::vector<std::size_t> at_steps = steps_of(loads.frictions, steps);
+    const std::vector<std::size_t> at_steps = steps_of(frictions, steps);
+    const std::vector<Rubbing> all = rubbing_of(frictions, sliding);
     for (std::size_t k = steps.size(); k-- > 0;) {
       std::vector<Rubbing> rubbing;
       for (std::size_t i = 0; i < at_steps.size(); ++i)
-        if (at_steps[i] == k)
-          rubbing.push_back(
-              {loads.frictions[i], T(sense_of_sliding(sliding[i])) * loads.frictions[i].template coefficient<T>()});
+        if (at_steps[i] == k) rubbing.push_back(all[i]);
       if (rubbing.empty())
         std::visit([this](const auto& s) { release(s); }, steps[k]);
       else
@@ -180,24 +195,34 @@ class ForcesByGroups {
     }
     return a;
   }
+  static std::vector<Rubbing> rubbing_of(const std::vector<LineFriction>& frictions, const std::vector<T>& sliding) {
+    std::vector<Rubbing> all;
+    for (std::size_t i = 0; i < frictions.size(); ++i)
+      all.push_back({frictions[i], T(sense_of_sliding(sliding[i])) * frictions[i].template coefficient<T>()});
+    return all;
+  }
+  void try_senses(const std::vector<Rubbing>& rubbing, const std::vector<int>& senses) {
+    for (std::size_t i = 0; i < rubbing.size(); ++i)
+      (rubbing[i].of.is_of_block ? block_slopes_ : pin_slopes_)[index(rubbing[i].of.which)] =
+          T(senses[i]) * rubbing[i].slope;
+  }
+  SoFar so_far() const { return {found_, on_pin_, known_}; }
+  void go_back_to(const SoFar& so_far) {
+    found_ = so_far.found;
+    on_pin_ = so_far.on_pin;
+    known_ = so_far.known;
+  }
   void release_rubbing(const Step& step, const std::vector<Rubbing>& rubbing) {
-    const SoFar before{found_, on_pin_, known_};
-    const SoFar after = forces_with_friction<SoFar>(
+    const SoFar before = so_far();
+    go_back_to(forces_with_friction<SoFar>(
         rubbing.size(),
         [&](const std::vector<int>& senses) {
-          found_ = before.found;
-          on_pin_ = before.on_pin;
-          known_ = before.known;
-          for (std::size_t i = 0; i < rubbing.size(); ++i)
-            (rubbing[i].of.is_of_block ? block_slopes_ : pin_slopes_)[index(rubbing[i].of.which)] =
-                T(senses[i]) * rubbing[i].slope;
+          go_back_to(before);
+          try_senses(rubbing, senses);
           std::visit([this](const auto& s) { release(s); }, step);
-          return SoFar{found_, on_pin_, known_};
+          return std::vector<SoFar>{so_far()};
         },
-        [&](const SoFar& so_far, std::size_t i) { return so_far.found.normal(rubbing[i].of); }, one_of);
-    found_ = after.found;
-    on_pin_ = after.on_pin;
-    known_ = after.known;
+        [&](const SoFar& found, std::size_t i) { return found.found.normal(rubbing[i].of); }, one_of));
   }
   // By how much friction turns what a line exerts on the pin in it, or on another line: the force is N (n - slope s).
   T slope_on_pin(int pin, int line) const {

@@ -61,13 +61,12 @@ JointForces<T> either(JointForces<T> a, const JointForces<T>& b) {
   return a;
 }
 
-// With friction in `count` places: `find` gives the forces for senses of ±1, or throws Impossible where these have
-// none, `normal` of them what presses in place k, `either` what is one of two. Where nothing presses both senses say
-// the same, and a number that cannot tell that it is nothing gets an enclosure of both. Throws Impossible where no
-// senses agree, or more than one set of forces does; Undecided.
+// With friction in `count` places: `find` gives the sets of forces for senses of ±1, none or throwing Impossible
+// where there are none, `normal` of them what presses in place k, `either` what is one of two. Where nothing presses
+// both senses say the same, and a number that cannot tell that it is nothing gets an enclosure of both. Throws
+// Impossible where no senses agree, or more than one set of forces does; Undecided.
 template <class Found, class Find, class Normal, class Either>
 Found forces_with_friction(std::size_t count, const Find& find, const Normal& normal, const Either& either_of) {
-  if (count == 0) return find({});
   struct Candidate {
     std::vector<int> senses;
     Found found;
@@ -78,21 +77,24 @@ Found forces_with_friction(std::size_t count, const Find& find, const Normal& no
   for (std::size_t k = 0; k < (std::size_t{1} << count); ++k) {
     std::vector<int> senses;
     for (std::size_t i = 0; i < count; ++i) senses.push_back((k >> i) % 2 == 0 ? 1 : -1);
-    std::optional<Found> found;
+    std::vector<Found> all_found;
     try {
-      found = find(senses);
+      all_found = find(senses);
     } catch (const Impossible&) {
+      if (count == 0) throw;
       continue;
     }
-    Candidate candidate{senses, *std::move(found)};
-    bool agrees = true;
-    for (std::size_t i = 0; i < count && agrees; ++i) {
-      const Sign presses = sign(normal(candidate.found, i));
-      candidate.open.push_back(presses == Sign::undecided);
-      candidate.is_proved = candidate.is_proved && presses != Sign::undecided;
-      agrees = senses[i] > 0 ? presses != Sign::negative : presses == Sign::negative || presses == Sign::undecided;
+    for (Found& found : all_found) {
+      Candidate candidate{senses, std::move(found)};
+      bool agrees = true;
+      for (std::size_t i = 0; i < count && agrees; ++i) {
+        const Sign presses = sign(normal(candidate.found, i));
+        candidate.open.push_back(presses == Sign::undecided);
+        candidate.is_proved = candidate.is_proved && presses != Sign::undecided;
+        agrees = senses[i] > 0 ? presses != Sign::negative : presses == Sign::negative || presses == Sign::undecided;
+      }
+      if (agrees) agreeing.push_back(std::move(candidate));
     }
-    if (agrees) agreeing.push_back(std::move(candidate));
   }
   if (agreeing.empty())
     throw Impossible("there is so much friction that the mechanism jams: no forces are in equilibrium",
@@ -104,111 +106,11 @@ Found forces_with_friction(std::size_t count, const Find& find, const Normal& no
       throw Impossible("there is so much friction that more than one set of forces is in equilibrium",
                        "c'è tanto attrito che più di un sistema di forze è in equilibrio");
     for (std::size_t i = 0; i < count; ++i)
-      if (one.senses[i] != other.senses[i] && !(one.open[i] && other.open[i]))
+      if (one.senses == other.senses || (one.senses[i] != other.senses[i] && !(one.open[i] && other.open[i])))
         throw Undecided("from which side a guide presses", "da quale parte prema una guida");
     all = either_of(all, other.found);
   }
   return all;
 }
-
-// With friction in hinges: the couple of each is the radius of its friction circle times its force, which is not
-// known before the couple is. `turning`: how fast the second link of each hinge turns on the first; `find` gives the
-// forces for these couples, on the second links. From none the couples are found by trial, each from the forces of
-// the one before, until they stay; of enclosures a box about them is proved to go into itself, and holds the couples
-// (Brouwer). Throws Impossible where hinges with friction do not turn, Undecided where trial leads nowhere, and on
-// exact numbers.
-template <class T>
-class FrictionCircles {
- public:
-  using Couples = std::vector<T>;
-
-  FrictionCircles(const Linkage& linkage, const Loads& loads, const std::vector<T>& turning) {
-    const JointForces<T> none(linkage);
-    arms_.assign(none.hinges.size(), T(0));
-    for (const HingeFriction& each : loads.hinge_frictions)
-      for (std::size_t k = 0; k < arms_.size(); ++k)
-        if (none.hinges[k].point == each.point && each.radius != 0)
-          arms_[k] = T(-sense_of_sliding(turning[k])) * from_rational<T>(each.radius);
-    rubs_ = !loads.hinge_frictions.empty();
-  }
-
-  template <class Find>
-  JointForces<T> forces(const Find& find) const {
-    const Couples none(arms_.size(), T(0));
-    if (!rubs_) return find(none);
-    if constexpr (!NumberWithAngles<T>)
-      throw Undecided("forces with friction circles on exact numbers", "forze con cerchi d'attrito su numeri esatti");
-    else
-      return find(settled(none, find));
-  }
-
- private:
-  Couples of(const JointForces<T>& forces) const {
-    Couples all;
-    for (std::size_t k = 0; k < arms_.size(); ++k)
-      all.push_back(arms_[k] * root(square(forces.hinges[k].x) + square(forces.hinges[k].y)));
-    return all;
-  }
-  // At least twice the upper end of what is not negative.
-  static T twice_the_most(const T& x) { return midpoint(T(4) * x); }
-  static T point_in(const T& x) {
-    if constexpr (std::is_same_v<T, Fast>)
-      return x;
-    else
-      return midpoint(x);
-  }
-  static T far(const T& a, const T& b) { return root(square(a - b)); }
-
-  template <class Find>
-  Couples settled(Couples couples, const Find& find) const {
-    constexpr int most = 400;
-    std::optional<Couples> before;
-    for (int k = 0; k < most; ++k) {
-      Couples next = of(find(couples));
-      for (T& x : next) x = point_in(x);
-      const bool stays = before && sign(far(couples, *before) - far(next, couples)) != Sign::positive;
-      before = std::move(couples);
-      couples = std::move(next);
-      if (stays) return proved(couples, *before, find);
-    }
-    throw no_end();
-  }
-  static T far(const Couples& a, const Couples& b) {
-    T sum(0);
-    for (std::size_t k = 0; k < a.size(); ++k) sum += far(a[k], b[k]);
-    return sum;
-  }
-  template <class Find>
-  Couples proved(const Couples& last, const Couples& before, const Find& find) const {
-    if constexpr (std::is_same_v<T, Fast>) {
-      return last;
-    } else {
-      Couples radius;
-      for (std::size_t k = 0; k < last.size(); ++k) radius.push_back(twice_the_most(far(last[k], before[k])));
-      constexpr int most_boxes = 12;
-      for (int boxes = 0; boxes < most_boxes; ++boxes) {
-        Couples box;
-        for (std::size_t k = 0; k < last.size(); ++k) box.push_back(widened(last[k], radius[k]));
-        const Couples into = of(find(box));
-        bool is_inside = true;
-        for (std::size_t k = 0; k < last.size(); ++k) {
-          const T needed = far(into[k], last[k]);
-          const Sign room = sign(radius[k] - needed);
-          is_inside = is_inside && (room == Sign::positive || room == Sign::zero);
-          radius[k] = twice_the_most(needed);
-        }
-        if (is_inside) return of(find(into));
-      }
-      throw no_end();
-    }
-  }
-  static Undecided no_end() {
-    return Undecided("which forces friction in the hinges settles at",
-                     "a quali forze conduca l'attrito nelle cerniere");
-  }
-
-  std::vector<T> arms_;  // the radius, against the turning
-  bool rubs_ = false;
-};
 
 }  // namespace epure::geometry

@@ -82,13 +82,14 @@ std::string objection(std::string_view file, std::string_view header) {
     return "numbers stand below everything else in geometry";
   if (file.starts_with("geometry/analytic/") && header.starts_with("geometry/") &&
       !starts_with_any(header, {"geometry/numbers/", "geometry/analytic/", "geometry/linkages/linkage.h",
-                                "geometry/linkages/loads.h", "geometry/linkages/friction.h"}))
+                                "geometry/linkages/loads.h", "geometry/linkages/friction"}))
     return "the analytic route shares nothing but numbers, and what a linkage is and bears, with the constructions";
   // Coulomb's law too: which forces go with it either route finds by itself, from its own equilibrium.
   if (starts_with_any(file,
-                      {"geometry/linkages/linkage.", "geometry/linkages/loads.", "geometry/linkages/friction."}) &&
+                      {"geometry/linkages/linkage.", "geometry/linkages/loads.", "geometry/linkages/friction"}) &&
       header.starts_with("geometry/") &&
-      !starts_with_any(header, {"geometry/numbers/", "geometry/linkages/linkage.h", "geometry/linkages/loads.h"}))
+      !starts_with_any(header, {"geometry/numbers/", "geometry/linkages/linkage.h", "geometry/linkages/loads.h",
+                                "geometry/linkages/friction"}))
     return "what a linkage is and bears says nothing of how it is placed: both routes read it";
   if (file.starts_with("geometry/") && !file.starts_with("geometry/analytic/") &&
       header.starts_with("geometry/analytic/"))

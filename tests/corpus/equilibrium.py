@@ -2,7 +2,7 @@
 components at its place, every link's three sums, one linear system. Places are complex numbers, forces too."""
 from itertools import product
 
-from mpmath import diff, im, lu_solve, matrix, mpc, mpf, pi, re, sqrt, tan
+from mpmath import diff, findroot, im, lu_solve, matrix, mpc, mpf, pi, re, sqrt, tan
 
 
 def moment(at, force):
@@ -125,23 +125,35 @@ def with_friction(case, contacts):
 
 
 def with_circles(case, contacts, circles):
-    """The same with friction in hinges, by trial until nothing changes: of each its two links, how they turn as the
-    drive goes on (angles), and the radius of its friction circle."""
+    """The same with friction in hinges: of each its two links, how they turn as the drive goes on (angles), and the
+    radius of its friction circle. The sizes of their forces by Newton's iteration, from wherever it begins."""
     turning = {ij: 1 if diff(lambda t: on(t) - by(t), 0) > 0 else -1 for ij, (by, on, _) in circles.items()}
-    couples = {ij: mpf(0) for ij in circles}
 
-    def with_couples(kind=Equilibrium):
-        e = case(kind)
-        for (i, j), couple in couples.items():
-            e._act(e.loads, j, 0, 0, couple)
-            e._act(e.loads, i, 0, 0, -couple)
-        return e
-    while True:
-        values = dict(with_friction(with_couples, contacts) if contacts else with_couples().values())
-        found = {(i, j): -turning[i, j] * radius * values[f"R_{i}{j}"] for (i, j), (_, _, radius) in circles.items()}
-        if all(abs(found[ij] - couples[ij]) < mpf(10) ** -70 for ij in circles):
-            break
-        couples = found
+    def values_of(sizes):
+        couples = {ij: -turning[ij] * circles[ij][2] * size for ij, size in zip(circles, sizes)}
+
+        def with_couples(kind=Equilibrium):
+            e = case(kind)
+            for (i, j), couple in couples.items():
+                e._act(e.loads, j, 0, 0, couple)
+                e._act(e.loads, i, 0, 0, -couple)
+            return e
+        return couples, dict(with_friction(with_couples, contacts) if contacts else with_couples().values())
+
+    def left_over(*sizes):
+        _, values = values_of(sizes)
+        return [size - values[f"R_{i}{j}"] for (i, j), size in zip(circles, sizes)]
+    found = []
+    for start in ([mpf(10) ** (k + up * i) for i in range(len(circles))] for k in range(5) for up in (-1, 0, 1)):
+        try:
+            sizes = list(findroot(left_over, start, tol=mpf(10) ** -140, maxsteps=60))
+        except (ValueError, ZeroDivisionError):
+            continue
+        if not any(all(abs(a - b) < mpf(10) ** -50 for a, b in zip(sizes, other)) for other in found):
+            found.append(sizes)
+    sizes, = found
+    assert all(size > 0 for size in sizes)
+    couples, values = values_of(sizes)
     for (i, j), couple in couples.items():
         values[f"M_{i}{j}"] = couple
     for name, value in case().values():

@@ -213,14 +213,19 @@ def slider(t):
     return re(A) + sqrt(q("0.16") - (im(A) + q("0.05")) ** 2) - q("0.05") * I
 
 
-CIRCLES = {
-    "four-bar": (four_bar, {}, {
-        (1, 2): (still, lambda t: t, q("0.004")),
-        (2, 3): (lambda t: t, lambda t: arg(four_bar_joint(t) - q("0.12") * deg(60) * expj(t)), q("0.005")),
+def four_bar_circles(A0, A, B, B0):
+    return four_bar, {}, {
+        (1, 2): (still, lambda t: t, q(A0)),
+        (2, 3): (lambda t: t, lambda t: arg(four_bar_joint(t) - q("0.12") * deg(60) * expj(t)), q(A)),
         (3, 4): (lambda t: arg(four_bar_joint(t) - q("0.12") * deg(60) * expj(t)),
-                 lambda t: arg(four_bar_joint(t) - q("0.4")), q("0.006")),
-        (1, 4): (still, lambda t: arg(four_bar_joint(t) - q("0.4")), q("0.003"))}),
-    "slider-crank": (slider_crank, FRICTION["slider-crank"][1], {
+                 lambda t: arg(four_bar_joint(t) - q("0.4")), q(B)),
+        (1, 4): (still, lambda t: arg(four_bar_joint(t) - q("0.4")), q(B0))}
+
+
+CIRCLES = {
+    "four-bar-with-circles": four_bar_circles("0.004", "0.005", "0.006", "0.003"),
+    "four-bar-with-large-circles": four_bar_circles("0.04", "0.1", "0.12", "0.1"),
+    "slider-crank-with-circles": (slider_crank, FRICTION["slider-crank"][1], {
         (1, 2): (still, lambda t: t, q("0.004")),
         (2, 3): (lambda t: t, lambda t: arg(slider(t) - q("0.12") * deg(75) * expj(t)), q("0.006")),
         (3, 4): (lambda t: arg(slider(t) - q("0.12") * deg(75) * expj(t)), still, q("0.005"))}),
@@ -320,7 +325,7 @@ for name, (case, contacts) in FRICTION.items():
         print(quantity, text(value))
     print()
 for name, (case, contacts, circles) in CIRCLES.items():
-    print(f"case {name}-with-circles\nwhy the same with the friction circles of the test\ngiven loaded 1")
+    print(f"case {name}\nwhy the same with the friction circles of the test\ngiven loaded 1")
     for quantity, value in with_circles(case, contacts, circles):
         print(quantity, text(value))
     print()

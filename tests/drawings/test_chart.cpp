@@ -512,6 +512,17 @@ TEST_CASE("the value of a special point has the first choice of place, the name 
   CHECK(distance(alone, beside_name) < 1e-9);
 }
 
+TEST_CASE("letters of a point on an axis stand within the frame, where no numbers are") {
+  for (const Datum at : {Datum{100, -1}, Datum{0, 0.3}}) {
+    Chart chart{angle, {"$ω$", "rad/s", -1, 1}};
+    chart.markers = {{at, "$A$"}};
+    ChartMap map;
+    const Page page = compose(sheet_of(chart, &map));
+    for (const PlacedText& text : probe::all<PlacedText>(page))
+      if (text.text == "$A$") CHECK(contains(map.frame, probe::text_box(text)));
+  }
+}
+
 TEST_CASE("a label stands where it is wished") {
   for (const double wish : {40.0, 140.0, 330.0}) {
     Chart chart = velocities();

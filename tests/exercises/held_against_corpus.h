@@ -209,7 +209,9 @@ inline bool begins_in(drawings::Point corner, const drawings::Arrow& vector) {
 inline void polygon_closes(const Tried& tried, const Diagram& diagram, const Assignments& assignments) {
   const DrawnSheet drawn = tried.draw(diagram.sheet, assignments);
   const drawings::Arrow sought = arrow(drawn, diagram.vectors.back());
-  const drawings::Point origin = arrow(drawn, diagram.vectors.front()).from;
+  const drawings::Point first = arrow(drawn, diagram.vectors.front()).from;
+  // The first side may stand aside too, of something else; then the sought one does not.
+  const drawings::Point origin = begins_in(first, sought) ? first : sought.from;
   drawings::Point corner = origin;
   for (std::size_t i = 0; i + 1 < diagram.vectors.size(); ++i) {
     const drawings::Arrow side = arrow(drawn, diagram.vectors[i]);

@@ -75,7 +75,7 @@ TEST_CASE("help and version") {
 }
 
 TEST_CASE("what is no command is refused in one sentence") {
-  refused({}, "list, draw, check, report, booklet, class, mark, sweep or bench");
+  refused({}, "list, draw, check, report, booklet, class, mark, sweep, import or bench");
   refused({"chek"}, "did you mean check?");
   refused({"frobnicate", "triangle"}, "known are: list, draw, check");
   refused({"--frob"}, "\"--frob\" is no option of epure; known are: ");

@@ -122,3 +122,20 @@ TEST_CASE("integration: a curve that is zero has a polygon that is", "[integrati
 TEST_CASE("integration: a room that is too small is told", "[integration]") {
   CHECK_THROWS_AS(drawn_integral(10, 1, {{0, 0}, {30, 30}}), DoesNotFit);
 }
+
+TEST_CASE("integration: letters at the right edge stand at the tip, out of the axis' numbers", "[integration]") {
+  for (const drawings::Label& label : drawn_integral(10, 4).sheet.sheet.figure.labels) {
+    if (label.text == "$v_{1}$") CHECK(label.to);
+    if (label.text == "$s_{1}$") CHECK(!label.to);
+  }
+}
+
+TEST_CASE("integration: the axis of ordinates is one continuous line", "[integration]") {
+  const Drawn drawn = drawn_integral(10, 4);
+  int axes = 0;
+  for (const drawings::Mark& mark : drawn.sheet.sheet.figure.marks)
+    if (const auto* line = std::get_if<drawings::Line>(&mark);
+        line && line->meaning == Meaning::axis && line->path.start.x == line->path.pieces.front().end.x)
+      ++axes;
+  CHECK(axes == 0);
+}

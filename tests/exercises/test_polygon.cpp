@@ -246,3 +246,37 @@ TEST_CASE("a sheet tells of a polygon what it shows", "[polygon]") {
   CHECK(table.rows[0][1] == "3.00");
   CHECK(std::stod(table.rows[0][2]) == Approx(3).margin(1e-3));
 }
+
+TEST_CASE("lines lie below the vectors", "[polygon]") {
+  bool has_vector = false;
+  for (const drawings::Mark& mark : drawn(two_magnitudes(), {}).sheet.figure.marks) {
+    has_vector = has_vector || std::holds_alternative<drawings::Arrow>(mark);
+    if (const auto* line = std::get_if<drawings::Line>(&mark); line && line->meaning == Meaning::construction)
+      CHECK(!has_vector);
+  }
+}
+
+TEST_CASE("a corner that is the origin has its letters together with it", "[polygon]") {
+  VectorPolygon zero = two_magnitudes();
+  zero.right = {zero.right[0], zero.right[3]};
+  zero.right[1].v = {-3, 0};
+  zero.left[0].v = {0, 0};
+  zero.left[0].along = {0, 1};
+  const auto has = [](const DrawnSheet& sheet, const std::string& text) {
+    const auto& labels = sheet.sheet.figure.labels;
+    return std::any_of(labels.begin(), labels.end(), [&](const drawings::Label& each) { return each.text == text; });
+  };
+  CHECK(has(drawn(zero, {}), "$O$ ≡ $r$"));
+  CHECK(!has(drawn(zero, {}), "$r$"));
+  CHECK(has(drawn(two_magnitudes(), {}), "$r$"));
+}
+
+// 8 mm past where the line has been drawn for 6 mm.
+TEST_CASE("the step of a short vector stands at the end of its line", "[polygon]") {
+  VectorPolygon polygon = two_magnitudes();
+  polygon.left[0].v = {-0.1, 0};
+  polygon.left[0].along = {-1, 0};
+  const Scale scale{.mm_per_unit = 10, .caption = "", .unit = "m/s"};
+  CHECK(places_of_steps(polygon, scale)[3].x == Approx(-1.4));
+  CHECK(places_of_steps(two_magnitudes(), scale)[3].x == Approx(-0.3));
+}

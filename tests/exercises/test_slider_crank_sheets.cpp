@@ -264,6 +264,14 @@ TEST_CASE("the sheets of the coupler's circles name what the border leaves out",
              "circle."));
 }
 
+TEST_CASE("a mechanism small beside its inflection circle has only the letters the construction needs",
+          "[slider-crank][sheets]") {
+  std::map<std::string, int> count;
+  for (const drawings::Label& each : draw(of_acceleration, "curvature", {}).sheet.figure.labels) ++count[each.text];
+  for (const char* both : {"$C$", "$M$"}) CHECK(count[both] == 2);
+  for (const char* once : {"$A_{0}$", "$A$", "$B$"}) CHECK(count[once] == 1);
+}
+
 // A crank turning clockwise from the same dead centre stands where the mirror shows it.
 TEST_CASE("a crank that turns the other way has its vectors mirrored", "[slider-crank][sheets]") {
   for (const auto& [id, sheet, vectors] : diagrams) {

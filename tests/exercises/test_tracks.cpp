@@ -31,6 +31,12 @@ TEST_CASE("what covers another's middle takes that side for its letters", "[trac
   CHECK(found[0].letters->y == -found[1].letters->y);
 }
 
+TEST_CASE("from what stays the construction goes on: what it would lie on moves aside", "[tracks]") {
+  const auto found = tracks({{{0, 0}, {40, 0}}, {{40, 0}, {10, 0}}}, {20, 10}, LyingOver::of_a_polygon, {1});
+  CHECK(how_far(found[0]) > 1);
+  CHECK(how_far(found[1]) == 0);
+}
+
 TEST_CASE("each of several has a track of its own", "[tracks]") {
   const auto found = tracks({{{0, 0}, {40, 0}}, {{0, 0}, {40, 0}}, {{40, 0}, {0, 0}}, {{5, 0}, {30, 0}}}, {20, 0});
   for (std::size_t i = 0; i < found.size(); ++i)
@@ -85,4 +91,23 @@ TEST_CASE("a polygon's vector on its own track is as long, and joined to its cor
     if (m.quantity == "f") CHECK(drawings::distance(m.from, back->from) < 1e-9);
   const std::vector<Place> numbers = places_of_steps(polygon, scale);
   CHECK(numbers[2].y * 10 + 90 == Approx(back->from.y));  // the step's number stands on it
+}
+
+// v = 4 to the right, 3 back, and from there a line upwards.
+TEST_CASE("a vector at whose tip the next line starts stays, another beside it", "[tracks]") {
+  const VectorPolygon polygon{
+      .unit = "m/s",
+      .origin = "$O$",
+      .left = {{.quantity = "v", .label = "$v$", .direction = "∕", .magnitude = "?", .v = {1, 2}}},
+      .right = {{.quantity = "p", .label = "$p$", .direction = "→", .magnitude = "4", .v = {4, 0}},
+                {.quantity = "n", .label = "$n$", .direction = "←", .magnitude = "3", .v = {-3, 0}},
+                {.quantity = "t", .label = "$t$", .direction = "↑", .magnitude = "?", .v = {0, 2}}}};
+  DrawnSheet sheet;
+  Plot plot(sheet, {90, 90}, {.mm_per_unit = 10, .caption = "", .unit = "m/s"});
+  draw_polygon(plot, polygon);
+  for (const drawings::Mark& mark : sheet.sheet.figure.marks)
+    if (const auto* arrow = std::get_if<drawings::Arrow>(&mark)) {
+      if (arrow->name == "n") CHECK(arrow->from.y == 90);
+      if (arrow->name == "p") CHECK(std::abs(arrow->from.y - 90) > 1);
+    }
 }

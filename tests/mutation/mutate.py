@@ -5,7 +5,7 @@
 
 From the top of a clean checkout that was built (build/, with tests). Each mistake changes one place of one line: a
 comparison, a sign, a product, a condition, a number. The program is built with it and `epure check all` asked; if that
-passes, all tests are built and run until one fails. What does not compile is drawn again. A mistake in a header may
+passes, whether a sheet has changed (tests/golden); then all tests are built and run until one fails. What does not compile is drawn again. A mistake in a header may
 compile half of the program anew: without --headers only those in .cpp files are made.
 
 With --list the mistakes of a file are made instead, a line each: the source, the text that stands there once, the wrong
@@ -74,6 +74,10 @@ def caught_by():
         return None
     if not passes(["build/bin/epure", "check", "all"], 300):
         return "epure check all"
+    if not passes(build + ["golden"], 3600):
+        return None
+    if not passes(["ctest", "--test-dir", "build", "-R", "^golden$"], 300):
+        return "golden"
     if not passes(build + ["all"], 3600):
         return None
     tests = subprocess.run(["ctest", "--test-dir", "build", "--stop-on-failure", "--timeout", "900"],

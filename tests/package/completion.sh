@@ -42,7 +42,7 @@ for shell in bash zsh fish; do
     echo "skipped: $shell is not here"
     continue
   fi
-  expect $shell 'epure ' list draw check report booklet class mark sweep bench help ...
+  expect $shell 'epure ' list draw check report booklet class mark sweep import bench help ...
   expect $shell 'epure report slider-crank-velocity --format ' html md tex
   expect $shell 'epure booklet velocity-' velocity-centre
   expect $shell 'epure dr' draw

@@ -63,10 +63,17 @@ std::vector<Place> shortest_link(const DrawnJoints& drawn, double least) {
 }
 
 // The largest of the crowds, in which each letter stands in the way of the next, and what is nearly as close to it;
-// nothing where all have room.
+// nothing where all have room. Two points that are one to the eye are a crowd too, with what is nearest to them.
 std::vector<Place> largest_crowd(const std::vector<Place>& points, double mm_per_unit, double least) {
-  constexpr double in_the_way = 4.5;  // mm
-  constexpr std::size_t crowd = 4;    // letters: three find room around their points
+  constexpr double in_the_way = 4.5;    // mm
+  constexpr double one_to_the_eye = 1;  // mm
+  constexpr std::size_t crowd = 4;      // letters: three find room around their points
+  const auto are_one = [&](const std::vector<Place>& together) {
+    for (std::size_t i = 0; i < together.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (distance(together[i], together[j]) * mm_per_unit < one_to_the_eye) return true;
+    return false;
+  };
   std::vector<Place> distinct, largest;
   for (const Place& P : points)
     if (distinct.empty() || distance_to(distinct, P) > least) distinct.push_back(P);
@@ -80,9 +87,17 @@ std::vector<Place> largest_crowd(const std::vector<Place>& points, double mm_per
       together.insert(together.end(), near, distinct.end());
       distinct.erase(near, distinct.end());
     }
-    if (together.size() >= crowd && together.size() > largest.size()) largest = std::move(together);
+    if (together.size() > largest.size() && (together.size() >= crowd || are_one(together)))
+      largest = std::move(together);
   }
   if (largest.empty()) return {};
+  if (largest.size() < crowd) {
+    const Place* nearest = nullptr;
+    for (const Place& P : points)
+      if (distance_to(largest, P) > least && (!nearest || distance_to(largest, P) < distance_to(largest, *nearest)))
+        nearest = &P;
+    if (nearest) largest.push_back(*nearest);
+  }
   constexpr double beside = 0.8;  // of its size
   std::vector<Place> around = largest;
   for (const Place& P : points)

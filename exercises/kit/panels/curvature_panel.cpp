@@ -1,5 +1,6 @@
 #include "exercises/kit/panels/curvature_panel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -89,7 +90,18 @@ void RaysPanel::note_off(OffSheet& off) const {
 
 std::vector<drawings::Block> RaysPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   draw_circle(plot, room, language);
+  auto& labels = plot.onto().sheet.figure.labels;
+  const auto before = static_cast<std::ptrdiff_t>(labels.size());
   mechanism_->sketch(plot);
+  // Letters are as large as ever where the mechanism is small: the other picture names its other points.
+  if (is_overview())
+    labels.erase(std::remove_if(labels.begin() + before, labels.end(),
+                                [&](const drawings::Label& of) {
+                                  return std::none_of(points_.begin(), points_.end(), [&](const OnRay& X) {
+                                    return of.text == "$" + X.letters + "$";
+                                  });
+                                }),
+                 labels.end());
   draw_rays(plot, room, language);
   OffSheet off(plot, room);
   note_off(off);

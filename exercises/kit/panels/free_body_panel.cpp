@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "drawings/paths/vectors.h"
 #include "exercises/kit/panels/cut_panel.h"
+#include "exercises/kit/panels/tracks.h"
 
 namespace epure {
 namespace {
@@ -17,6 +20,36 @@ Arrow2 direction_of(double radians) { return {std::cos(radians), std::sin(radian
 
 Place on_line(const Place& at, const Arrow2& along, double mm, double mm_per_unit) {
   return at + mm / mm_per_unit * along;
+}
+
+// The straight links on the paper, each from both its ends.
+std::vector<VectorOnPaper> straight_links(const std::vector<drawings::Mark>& marks) {
+  std::vector<VectorOnPaper> found;
+  for (const drawings::Mark& mark : marks) {
+    const auto* line = std::get_if<drawings::Line>(&mark);
+    if (!line || line->meaning != Meaning::link || line->path.pieces.size() != 1 ||
+        !line->path.pieces.front().straight)
+      continue;
+    found.emplace_back(line->path.start, line->path.pieces.front().end);
+    found.emplace_back(line->path.pieces.front().end, line->path.start);
+  }
+  return found;
+}
+
+// How far to its left a dimension line stands that would lie on an edge of a plate: outside of the plate, which the
+// edges at both its ends tell.
+double off_edges(const std::vector<drawings::Mark>& marks, const VectorOnPaper& line) {
+  constexpr double clear = 4, one_point = 0.05;  // mm
+  const std::vector<VectorOnPaper> links = straight_links(marks);
+  const auto edge = std::find_if(links.begin(), links.end(),
+                                 [&](const VectorOnPaper& link) { return covered(line, link).has_value(); });
+  if (edge == links.end()) return 0;
+  const drawings::Point left = drawings::left_of(drawings::unit(line.first, line.second));
+  double inwards = 0;
+  for (const auto& [corner, next] : links)
+    for (const drawings::Point end : {edge->first, edge->second})
+      if (drawings::distance(corner, end) < one_point) inwards += dot(next - line.first, left);
+  return inwards > 0 ? -clear : clear;
 }
 
 // As far as H, or to the edge of the room, where letters say where it leads.
@@ -109,8 +142,9 @@ FreeBodyPanel& FreeBodyPanel::line_to(const Place& from, const Place& to, const 
   return *this;
 }
 
-FreeBodyPanel& FreeBodyPanel::turned(const Place& X, double normal, double force, const std::string& angle) {
-  turned_.push_back({X, normal, force, angle});
+FreeBodyPanel& FreeBodyPanel::turned(const Place& X, double normal, double force, const std::string& angle,
+                                     const std::string& letters) {
+  turned_.push_back({X, normal, force, angle, letters});
   return *this;
 }
 
@@ -219,6 +253,7 @@ void FreeBodyPanel::draw_turned(Plot& plot, const Turned& turned) const {
   const auto [from, to] = std::minmax(turned.force, turned.normal);
   plot.mark(drawings::AngleMark{plot.at(turned.X), widest, from, to, Meaning::dimension});
   plot.small_label(turned.angle, at((from + to) / 2, widest + clear), turned.X);
+  if (!turned.letters.empty()) plot.small_label(turned.letters, at(turned.normal, leg), turned.X);
 }
 
 void FreeBodyPanel::draw_arm(Plot& plot, const Arm& arm) const {
@@ -226,7 +261,9 @@ void FreeBodyPanel::draw_arm(Plot& plot, const Arm& arm) const {
   if (distance(arm.about, arm.foot) * plot.scale().mm_per_unit < shortest) return;
   plot.segment(arm.on_line, arm.foot, Meaning::construction);
   plot.right_angle(arm.foot, arm.about, arm.foot + geometry::quarter_turn(arm.about - arm.foot));
-  plot.mark(drawings::Dimension{plot.at(arm.about), plot.at(arm.foot), arm.left, arm.letters});
+  const VectorOnPaper line{plot.at(arm.about), plot.at(arm.foot)};
+  const double left = arm.left != 0 ? arm.left : off_edges(plot.onto().sheet.figure.marks, line);
+  plot.mark(drawings::Dimension{line.first, line.second, left, arm.letters});
   if (!arm.quantity.empty()) plot.measures(arm.quantity, arm.about, arm.foot);
 }
 

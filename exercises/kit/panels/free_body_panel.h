@@ -46,9 +46,10 @@ class FreeBodyPanel : public Panel {
   FreeBodyPanel& string(const Place& from, const Place& to, const std::string& letters);
   // The line from a point to another, with its name: as far as the paper reaches, where the other is off it.
   FreeBodyPanel& line_to(const Place& from, const Place& to, const std::string& letters);
-  // The force of a contact in X, turned from the normal there by an angle: the normal, the angle with its name, and
-  // the other edge of the friction cone. Directions (radians) from X to where the force stands.
-  FreeBodyPanel& turned(const Place& X, double normal, double force, const std::string& angle);
+  // The force of a contact in X, turned from the normal there by an angle: the normal with its letters, the angle
+  // with its name, and the other edge of the friction cone. Directions (radians) from X to where the force stands.
+  FreeBodyPanel& turned(const Place& X, double normal, double force, const std::string& angle,
+                        const std::string& letters = {});
   // How far a line of action passes by a point: the perpendicular with its name, measured as this quantity
   // where it is reported (else empty). Its dimension line stands so many mm to its left, as seen from `about`, clear
   // of another arm.
@@ -111,7 +112,7 @@ class FreeBodyPanel : public Panel {
   struct Turned {
     Place X;
     double normal, force;
-    std::string angle;
+    std::string angle, letters;
   };
   struct Arm {
     Place about, on_line, foot;

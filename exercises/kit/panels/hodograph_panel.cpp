@@ -36,7 +36,7 @@ std::vector<drawings::Block> HodographPanel::draw(Plot& plot, const drawings::Bo
     plot.mark(drawings::Line{drawings::polyline(points, false), curve.meaning, curve.name});
   }
   for (const Hodograph::Instant& each : hodograph_.instants) {
-    if (each.with_arrow) plot.mark(drawings::Arrow{plot.at(pole), plot.at(each.tip), Meaning::force});
+    if (each.with_arrow) plot.side("", pole, each.tip, Meaning::force, each.letters, Place{0, each.tip.y / 2});
     plot.dot(each.tip, Meaning::force);
     plot.small_label(each.label, each.tip, {0, (low.y + high.y) / 2});
     const auto measure = [&](const std::string& name, const Place& to, Measurement::Kind kind) {

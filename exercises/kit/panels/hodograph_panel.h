@@ -15,6 +15,7 @@ struct Hodograph {
     std::string label;                       // rich text
     std::string along_x = {}, along_y = {};  // quantities that a ruler reads
     bool with_arrow = false;
+    std::string letters = {};  // of the arrow
   };
   struct Curve {
     std::string name;

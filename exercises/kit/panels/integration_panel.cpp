@@ -155,7 +155,8 @@ void IntegrationPanel::draw_axes(Plot& plot, std::size_t row, Language language)
   constexpr double beyond = 3;
   const Place right{at(row, last, 0).x, axes_[row]};
   plot.segment({has_pole ? -pole_distance(row) : 0, axes_[row]}, right, Meaning::axis);
-  plot.segment(at(row, first, low), at(row, first, high) + Arrow2{0, beyond}, Meaning::axis);
+  // Continuous, over the end of the first strip.
+  plot.segment(at(row, first, low), at(row, first, high) + Arrow2{0, beyond}, Meaning::dimension);
   plot.segment(at(row, last, low), at(row, last, high), Meaning::construction);
   const auto write = [&](const std::string& text, Place from) {
     plot.mark(drawings::Writing{text, plot.at(from), number_size});
@@ -260,7 +261,9 @@ void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) con
     const double width = drawings::measure(number, number_size).width;
     const auto write = [&](Place from) { plot.mark(drawings::Writing{number, plot.at(from), number_size}); };
     if (!has_number(i, carried.size())) continue;
-    if (is_free(heights, i, -pole.x))
+    // At the head of the axis it would stand in the row of the strips' numbers.
+    const bool is_in_row = many && on_axis.y + apart + digit_height > head;
+    if (!is_in_row && is_free(heights, i, -pole.x))
       write(on_axis + Arrow2{-apart - width, heights[i] < 0 ? -apart - digit_height : apart});
     if (row > 0) continue;
     const double strip = (along_.ends[i + 1] - along_.ends[i]) * scales_[0].mm_per_unit;
@@ -280,12 +283,13 @@ void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) con
 void IntegrationPanel::draw_readings(Plot& plot, std::size_t row) const {
   for (const IntegrationRow::Read& read : rows_[row].read) {
     const Place foot = at(row, read.at, 0), tip = at(row, read.at, read.value);
-    // The letters of a short one stand above the diagram, of the last one on the side where no numbers are.
+    // The letters of a short one stand above the diagram, of the last one at its tip: beside it are the axis'
+    // numbers.
     constexpr double short_one = 8, aside = 10;  // mm
-    const bool is_last = read.at == along_.ends.back();
-    const Place away = std::abs(tip.y - foot.y) < short_one ? Place{foot.x, foot.y - aside}
-                                                            : Place{foot.x + (is_last ? aside : -aside), foot.y};
-    plot.side("", foot, tip, rows_[row].meaning, read.label, away);
+    const bool is_last = read.at == along_.ends.back(), is_short = std::abs(tip.y - foot.y) < short_one;
+    const Place away = is_short ? Place{foot.x, foot.y - aside} : Place{foot.x - aside, foot.y};
+    plot.side("", foot, tip, rows_[row].meaning, is_last ? "" : read.label, away);
+    if (is_last) plot.label(read.label, tip, Place{tip.x - aside, 2 * foot.y - tip.y}, rows_[row].meaning);
     if (!read.quantity.empty() && plot.shows(foot) && plot.shows(tip))
       plot.onto().measurements.push_back(
           {read.quantity, plot.at(foot), plot.at(tip), read.si / scales_[row + 1].mm_per_unit, Measurement::along_y});
@@ -334,12 +338,13 @@ std::vector<PanelStep> IntegrationPanel::steps(const Plot&, const drawings::Box&
                                 "{}: {} si riporta sull'asse delle ordinate.", row.letters, of) +
                        numbered,
                    at(i, x, row.carried[middle])});
-    all.push_back({format_words("From there rays run to the pole {}. What a centimetre is worth of {}, over what it "
-                                "is worth of {} times {}, is its distance in centimetres.",
-                                "Da lì i raggi vanno al polo {}. Quanto vale un centimetro di {}, diviso quanto vale "
-                                "di {} per quanto vale di {}, è la sua distanza in centimetri.",
-                                pole, next.letters, along_.letters, row.letters),
-                   Place{-pole_distance(i) / 2, axes_[i]}});
+    all.push_back(
+        {format_words("From there rays run to the pole {}. Its distance in centimetres is the scale of {} (units "
+                      "per cm), divided by those of {} and of {}.",
+                      "Da lì i raggi vanno al polo {}. La sua distanza in centimetri è la scala di {} (unità "
+                      "per cm), divisa per quelle di {} e di {}.",
+                      pole, next.letters, along_.letters, row.letters),
+         Place{-pole_distance(i) / 2, axes_[i]}});
     all.push_back(
         {format_words(
              "{}: in each strip parallel to its ray, from corner to corner. Dashed, the true one.",

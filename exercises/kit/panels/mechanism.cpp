@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "exercises/kit/panels/senses.h"
+
 namespace epure {
 namespace {
 
@@ -103,6 +105,52 @@ Place place_of_number(const std::vector<Place>& corners, const std::vector<Place
   if (room(middle) >= enough * size) return best;
   for (const Place& P : corners)
     if (const Place X = middle + 0.5 * (P - middle); room(X) > room(best)) best = X;
+  return best;
+}
+
+// What an arrow must keep clear of: a line, with as many mm to either side.
+struct Obstacle {
+  Place from, to;
+  double half_width;
+};
+
+void add_arc(std::vector<Obstacle>& all, const Place& O, double radius, double from, double to, double half_width) {
+  constexpr int pieces = 32;
+  const auto on_it = [&](int i) { return O + radius * unit_at(from + (to - from) * i / pieces); };
+  for (int i = 0; i < pieces; ++i) all.push_back({on_it(i), on_it(i + 1), half_width});
+}
+
+// How far an arrow about O is from the nearest of them (mm).
+double room_of(const ArcArrow& arrow, const Place& O, const std::vector<Obstacle>& others, const Scale& scale) {
+  constexpr int pieces = 12;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= pieces; ++i) {
+    const double direction = arrow.middle + sweep_of_arrow * (static_cast<double>(i) / pieces - 0.5);
+    const Place X = O + arrow.radius / scale.mm_per_unit * unit_at(direction);
+    for (const Obstacle& other : others)
+      least = std::min(least, distance_to_segment(X, other.from, other.to) * scale.mm_per_unit - other.half_width);
+  }
+  return least;
+}
+
+// The arrow where it is if that is clear; else the nearest about the same point that is, or has the most room.
+ArcArrow in_the_clear(const ArcArrow& usual, const Place& O, const std::vector<Obstacle>& others,
+                      const Scale& scale) {
+  constexpr double enough = 0.7;  // mm
+  constexpr int directions = 24;
+  ArcArrow best = usual;
+  double most = room_of(usual, O, others, scale);
+  for (int i = 0; i < directions; ++i)
+    for (const double further : {0.0, -2.0, 2.0}) {  // mm
+      if (most >= enough) return best;
+      ArcArrow other = usual;
+      other.middle += (i + 1) / 2 * (i % 2 == 0 ? 1 : -1) * 2 * std::numbers::pi / directions;
+      other.radius += further;
+      const double found = room_of(other, O, others, scale);
+      if (found <= most) continue;
+      best = other;
+      most = found;
+    }
   return best;
 }
 
@@ -260,13 +308,17 @@ std::vector<double> Mechanism::directions_at(const std::string& point) const {
   return all;
 }
 
-// Longer than it must be for this one position, but clear of the point before.
+// Longer than it must be for this one position, but clear of the points before and beyond.
 std::pair<Place, Place> Mechanism::slot(const Body& body, const Scale& scale) const {
   constexpr double shortest = 9;  // mm to either side
   const Place &before = at(*(body.points.end() - 2)), &pin = at(body.points.back());
   const double length = distance(before, pin), half = std::max(0.3 * length, shortest / scale.mm_per_unit);
   const Arrow2 along = (1 / length) * (pin - before);
-  return {pin + -std::min(half, 0.6 * length) * along, pin + half * along};
+  constexpr double of_the_way = 0.6;  // to the next point
+  double ahead = half;
+  for (auto name = body.points.begin(); name != body.points.end() - 1; ++name)
+    if (const double way = dot(at(*name) - pin, along); way > 0) ahead = std::min(ahead, of_the_way * way);
+  return {pin + -std::min(half, of_the_way * length) * along, pin + ahead * along};
 }
 
 std::vector<std::pair<Place, Place>> Mechanism::edges(const std::vector<Body>& bodies) const {
@@ -508,28 +560,64 @@ void Mechanism::draw_letters(Plot& plot, const Point& P) const {
   plot.label(P.letters, plot.from_paper(corner), P.at);
 }
 
+// Where the arrow usually stands; where it would be drawn across links, slots, guides, discs or supports there,
+// elsewhere about the same point.
 void Mechanism::draw_turning(Plot& plot, const Turning& each) const {
   if (each.sense == 0) return;
   const Point& about = find(each.about);
   const auto disc =
       std::find_if(discs_.begin(), discs_.end(), [&](const Disc& one) { return one.centre == each.about; });
-  std::vector<double> links = directions_at(each.about);
-  if (disc != discs_.end() || links.size() > 1) {  // not ahead of one link, but where there is room between them
-    if (about.joint == Joint::fixed) links.push_back(direction_of_support(about, plot.scale()));
-    ArcArrow arrow{clearest_direction(links), each.sense, each.symbol};
-    if (disc != discs_.end()) arrow.radius = std::max(arrow.radius, 0.6 * radius(*disc) * plot.scale().mm_per_unit);
-    return draw_arc_arrow(plot, about.at, arrow);
+  const auto usual = [&] {
+    std::vector<double> links = directions_at(each.about);
+    if (disc != discs_.end() || links.size() > 1) {  // not ahead of one link, but where there is room between them
+      if (about.joint == Joint::fixed) links.push_back(direction_of_support(about, plot.scale()));
+      ArcArrow arrow{clearest_direction(links), each.sense, each.symbol};
+      if (disc != discs_.end()) arrow.radius = std::max(arrow.radius, 0.6 * radius(*disc) * plot.scale().mm_per_unit);
+      return arrow;
+    }
+    if (about.joint == Joint::fixed)
+      return sense_of_crank(about.at, at(each.of), each.sense, each.symbol,
+                            direction_of_support(about, plot.scale()));
+    return sense_of_turning(about.at, at(each.of), each.sense, each.symbol);
+  };
+
+  constexpr double line = 0.5, slot_wide = 2.3, hinge = 1.7;                   // mm to either side
+  constexpr double support_wide = 5.4, foot = 6.5, wall = 4.5, wall_wide = 2;  // mm
+  const double mm = 1 / plot.scale().mm_per_unit;
+  std::vector<Obstacle> others;
+  for (const auto& [from, to] : edges(bodies_)) others.push_back({from, to, line});
+  for (const Body& body : bodies_)
+    if (body.is_slotted) {
+      const auto [from, to] = slot(body, plot.scale());
+      others.push_back({from, to, slot_wide});
+    }
+  for (const Axis& axis : axes_) others.push_back({axis.from, axis.to, line});
+  for (const Disc& each_disc : discs_)
+    add_arc(others, at(each_disc.centre), radius(each_disc), 0, 2 * std::numbers::pi, line);
+  for (const Profile& profile : profiles_)
+    add_arc(others, profile.centre, profile.radius, profile.from, profile.to, line);
+  for (const Guide& guide : guides_) {
+    const Arrow2 along = mm * unit_at(guide.direction), across = mm * unit_at(guide.direction + std::numbers::pi / 2);
+    const Place &P = at(guide.block), on_wall = P + -wall * across;
+    others.push_back({on_wall + -guide_behind * along, on_wall + guide_ahead * along, wall_wide});
+    others.push_back({P + -half_block * along, P + half_block * along, block_top + line});
   }
-  if (about.joint == Joint::fixed)
-    draw_sense_of_crank(plot, about.at, at(each.of), each.sense, each.symbol,
-                        direction_of_support(about, plot.scale()));
-  else
-    draw_sense_of_turning(plot, about.at, at(each.of), each.sense, each.symbol);
+  for (const Point& P : points_) {
+    if (P.joint != Joint::corner) others.push_back({P.at, P.at, hinge});
+    if (P.joint != Joint::fixed) continue;
+    const double down = direction_of_support(P, plot.scale());
+    const Place middle = P.at + foot * mm * unit_at(down);
+    const Arrow2 half = support_wide * mm * unit_at(down + std::numbers::pi / 2);
+    others.push_back({middle + -1.0 * half, middle + half, 0});
+  }
+  draw_arc_arrow(plot, about.at, in_the_clear(usual(), about.at, others, plot.scale()));
 }
 
 void Mechanism::draw_numbers(Plot& plot) const {
-  constexpr double below_support = 8;  // mm
+  constexpr double below_support = 8, middle_of_number = 2.5, beside_number = 4;  // mm
   bool is_numbered = false;
+  const auto fixed =
+      std::find_if(points_.begin(), points_.end(), [](const Point& point) { return point.joint == Joint::fixed; });
   for (const Body& body : bodies_) {
     if (!body.letter.empty()) {
       const auto [begins, ends] = slot(body, plot.scale());
@@ -546,9 +634,12 @@ void Mechanism::draw_numbers(Plot& plot) const {
     for (const std::string& name : body.points) corners.push_back(at(name));
     for (const Point& P : points_) {
       all.push_back(P.at);
-      if (P.joint == Joint::fixed)  // its support too
-        all.push_back(P.at +
-                      support_height / plot.scale().mm_per_unit * unit_at(direction_of_support(P, plot.scale())));
+      if (P.joint != Joint::fixed) continue;
+      const Arrow2 down = 1 / plot.scale().mm_per_unit * unit_at(direction_of_support(P, plot.scale()));
+      all.push_back(P.at + support_height * down);
+      if (&P != &*fixed) continue;
+      for (const double side : {-beside_number, 0.0, beside_number})  // and the number of the frame
+        all.push_back(P.at + (below_support + middle_of_number) * down + side * geometry::quarter_turn(down));
     }
     begin_step_of(plot, body.points);
     plot.label(std::to_string(body.number), place_of_number(corners, all), middle());
@@ -558,9 +649,13 @@ void Mechanism::draw_numbers(Plot& plot) const {
     const Place &O = at(disc.centre), &D = at(disc.rim);
     if (disc.number != 0) plot.label(std::to_string(disc.number), O + 0.5 * (D - O), D);
   }
-  const auto fixed =
-      std::find_if(points_.begin(), points_.end(), [](const Point& point) { return point.joint == Joint::fixed; });
-  if (!is_numbered || fixed == points_.end()) return;
+  if (!is_numbered) return;
+  if (fixed == points_.end()) {  // of a frame without hinges: at the first wall of its guides
+    if (guides_.empty()) return;
+    const Place& P = at(guides_.front().block);
+    const drawings::Point wall = beside(plot.at(P), guides_.front().direction, -guide_behind, -below_support);
+    return plot.label("1", plot.from_paper(wall), P);
+  }
   const drawings::Point below =
       beside(plot.at(fixed->at), direction_of_support(*fixed, plot.scale()), below_support, 0);
   plot.label("1", plot.from_paper(below), fixed->at);

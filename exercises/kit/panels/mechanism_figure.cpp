@@ -4,11 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "exercises/kit/panels/senses.h"
+
 namespace epure {
 
 namespace {
 
-constexpr double gap = 0.35, sweep = 1.3;  // radians: the arc arrow keeps clear of the link
+constexpr double gap = 0.35, sweep = sweep_of_arrow;  // radians: the arc arrow keeps clear of the link
 
 // `begin`: radians from the direction `link` to the arrow's tail, in the sense of turning.
 double middle_of_arrow(double link, double begin, double sense) {
@@ -57,12 +59,20 @@ void draw_arc_arrow(Plot& plot, const Place& centre, const ArcArrow& arrow) {
 
 void draw_sense_of_crank(Plot& plot, const Place& A0, const Place& A, double sense, const std::string& symbol,
                          std::optional<double> support) {
-  const double begin = is_ahead(support.value_or(direction_of_support(A0, A)), A0, A, sense) ? -(gap + sweep) : gap;
-  draw_arc_arrow(plot, A0, {middle_of_arrow(direction(A0, A), begin, sense), sense, symbol});
+  draw_arc_arrow(plot, A0, sense_of_crank(A0, A, sense, symbol, support.value_or(direction_of_support(A0, A))));
+}
+
+ArcArrow sense_of_crank(const Place& A0, const Place& A, double sense, const std::string& symbol, double support) {
+  const double begin = is_ahead(support, A0, A, sense) ? -(gap + sweep) : gap;
+  return {middle_of_arrow(direction(A0, A), begin, sense), sense, symbol};
+}
+
+ArcArrow sense_of_turning(const Place& centre, const Place& P, double sense, const std::string& symbol) {
+  return {middle_of_arrow(direction(centre, P), gap, sense), sense, symbol};
 }
 
 void draw_sense_of_turning(Plot& plot, const Place& centre, const Place& P, double sense, const std::string& symbol) {
-  draw_arc_arrow(plot, centre, {middle_of_arrow(direction(centre, P), gap, sense), sense, symbol});
+  draw_arc_arrow(plot, centre, sense_of_turning(centre, P, sense, symbol));
 }
 
 double direction_of_support(const Place& hinge, const Place& pin) {

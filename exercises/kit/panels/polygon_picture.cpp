@@ -73,6 +73,17 @@ Place middle_of(const VectorPolygon& polygon) {
   return {sum.x / count, sum.y / count};
 }
 
+// The sides, counted in order, at whose end the line of the next one starts.
+std::vector<std::size_t> where_lines_start(const VectorPolygon& polygon) {
+  const std::vector<PlacedSide> sides = in_order(polygon);
+  const std::size_t of_left = placed(polygon.right).size();
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+    if (const PolygonSide& next = *sides[i + 1].side; i + 1 != of_left && next.is_unknown() && !next.closes_alone())
+      found.push_back(i);
+  return found;
+}
+
 // How far aside its vectors stand, where they would lie on one another: the sides in order, then of each image the
 // relative vector and the absolute one.
 std::vector<Track> tracks_of(const VectorPolygon& polygon, const Scale& scale) {
@@ -88,7 +99,7 @@ std::vector<Track> tracks_of(const VectorPolygon& polygon, const Scale& scale) {
     vectors.push_back(image.draws_absolute() ? on_paper(O, c) : VectorOnPaper{});
   }
   const Place middle = middle_of(polygon);
-  return tracks(vectors, on_paper(middle, middle).first);
+  return tracks(vectors, on_paper(middle, middle).first, LyingOver::of_a_polygon, where_lines_start(polygon));
 }
 // In the units of the polygon.
 Arrow2 aside(const Track& track, const Scale& scale) {
@@ -110,17 +121,33 @@ std::optional<std::pair<drawings::Point, drawings::Point>> carrier_of(const Plac
   return std::pair{p, q};
 }
 
+// Beside a short vector there is no room for its letters and a number too: that stands where its line ends, at what
+// is written there.
+bool is_short(const PlacedSide& s, const Scale& scale) {
+  constexpr double needs_room = 9;  // mm
+  return s.side->is_unknown() && !s.side->closes_alone() && carrier_of(s, scale.mm_per_unit) &&
+         distance(s.from, s.to) * scale.mm_per_unit < needs_room;
+}
+Place labelled_end(const PlacedSide& s, const Scale& scale) {
+  const auto [p, q] = *carrier_of(s, scale.mm_per_unit);  // by value: the optional is gone
+  const drawings::Point end = q + beyond_vector * drawings::unit(p, q);
+  return {end.x / scale.mm_per_unit, end.y / scale.mm_per_unit};
+}
+
 void draw_carrier(Plot& plot, const PlacedSide& s) {
   const double mm_per_unit = plot.scale().mm_per_unit;
   const auto carrier = carrier_of(s, mm_per_unit);
   if (!carrier) return;
   const auto& [p, q] = *carrier;
-  const Place towards{q.x / mm_per_unit, q.y / mm_per_unit};
-  if (s.side->closes_alone()) {
-    plot.long_segment(s.from, towards, beyond_vector, Meaning::construction);
-  } else {
-    plot.direction_line({p.x / mm_per_unit, p.y / mm_per_unit}, towards, beyond_vector, s.side->direction);
-  }
+  const Place start{p.x / mm_per_unit, p.y / mm_per_unit}, towards{q.x / mm_per_unit, q.y / mm_per_unit};
+  plot.long_segment(s.side->closes_alone() ? s.from : start, towards, beyond_vector, Meaning::construction);
+}
+void name_carrier(Plot& plot, const PlacedSide& s) {
+  const double mm_per_unit = plot.scale().mm_per_unit;
+  const auto carrier = carrier_of(s, mm_per_unit);
+  if (!carrier || s.side->closes_alone()) return;
+  const drawings::Point q = carrier->second;
+  plot.small_label(s.side->direction, labelled_end(s, plot.scale()), {q.x / mm_per_unit, q.y / mm_per_unit});
 }
 
 // Past its ends, for the letters that tell its direction.
@@ -188,12 +215,27 @@ Place clear_of_sides(const Drawing& on, const PlacedSide& s, const PlacedSide* n
   return on.middle;
 }
 
+// A vector that is zero ends at the origin.
+bool is_at_origin(const Drawing& on, const PlacedSide& s) {
+  constexpr double one_point = 0.05;  // mm
+  return on.whole && distance(s.corner(), {0, 0}) * on.plot.scale().mm_per_unit < one_point;
+}
+
+// Corners that lie there are named together with it.
+std::string letters_of_origin(const Drawing& on, const std::vector<PlacedSide>& sides) {
+  std::string letters = on.polygon.origin;
+  for (const PlacedSide& s : sides)
+    if (is_at_origin(on, s) && !s.side->tip.empty()) letters += " ≡ " + s.side->tip;
+  return letters;
+}
+
 // Only the whole polygon is measured: the same vector stands on other pictures too.
 void draw_vector(const Drawing& on, const PlacedSide& s, const Track& track, const PlacedSide* next,
                  bool of_left_side) {
   draw_on_track(on, track, {s.from, s.to}, on.whole ? s.side->quantity : "", letters_of(on, *s.side),
                 away_from(on, s, of_left_side));
-  if (!s.side->tip.empty()) on.plot.label(s.side->tip, s.corner(), clear_of_sides(on, s, next), on.polygon.meaning);
+  if (!s.side->tip.empty() && !is_at_origin(on, s))
+    on.plot.label(s.side->tip, s.corner(), clear_of_sides(on, s, next), on.polygon.meaning);
 }
 
 // On the other side of the line where an image is so near that its vector, which comes between the two, ends in the
@@ -209,17 +251,24 @@ void mark_square(const Drawing& on, const PlacedSide& s, const PlacedSide& befor
   on.plot.right_angle(s.from, before.from, is_crowded ? after(s.from, s.from - s.to) : s.to);
 }
 
-// Unknown vectors appear when the polygon is closed; until then a line alone.
+// Unknown vectors appear when the polygon is closed; until then a line alone. The lines are drawn below the vectors,
+// of which one may lie on a line.
 void draw_sides(const Drawing& on, const std::vector<PlacedSide>& sides, const PolygonStage& stage) {
   const bool closed = stage.closed && stage.steps >= static_cast<int>(sides.size());
+  const auto shows_carrier = [&](const PlacedSide& s) {
+    return s.side->is_unknown() && !(closed && s.side->closes_alone());
+  };
   int steps = stage.steps;
+  for (const PlacedSide& s : sides)
+    if (steps-- > 0 && shows_carrier(s)) draw_carrier(on.plot, s);
+  steps = stage.steps;
   const PlacedSide* before = nullptr;
   std::size_t right_ones = placed(on.polygon.right).size();
   for (const PlacedSide& s : sides) {
     const bool of_left_side = right_ones == 0;
     if (!of_left_side) --right_ones;
     if (steps-- <= 0) return;
-    if (s.side->is_unknown() && !(closed && s.side->closes_alone())) draw_carrier(on.plot, s);
+    if (shows_carrier(s)) name_carrier(on.plot, s);
     const Track& track = on.tracks[static_cast<std::size_t>(&s - sides.data())];
     if (!s.side->is_unknown() || closed)
       draw_vector(on, s, track, &s == &sides.back() ? nullptr : &s + 1, of_left_side);
@@ -337,7 +386,9 @@ std::vector<Place> places_of_steps(const VectorPolygon& polygon, const Scale& sc
   std::vector<Place> places;
   const std::vector<Track> tracks = tracks_of(polygon, scale);
   for (const PlacedSide& s : in_order(polygon))
-    places.push_back(after(between(s.from, s.to, along_side), aside(tracks[places.size()], scale)));
+    places.push_back(is_short(s, scale)
+                         ? labelled_end(s, scale)
+                         : after(between(s.from, s.to, along_side), aside(tracks[places.size()], scale)));
   for (const PolygonImage& image : polygon.images)
     if (!image.explained.empty())
       places.push_back(after({0, 0}, (image.absolute.tip.empty() ? along_sum : 1) * image.absolute.v));
@@ -408,7 +459,7 @@ void draw_polygon(Plot& plot, const VectorPolygon& polygon, const PolygonStage& 
     track += 2;
   }
   plot.dot(O, polygon.meaning);
-  plot.label(polygon.origin, O, middle, polygon.meaning);
+  plot.label(letters_of_origin(on, sides), O, middle, polygon.meaning);
   if (!stage.numbered) return;
   int number = 1;
   for (const Place& P : places_of_steps(polygon, plot.scale())) {

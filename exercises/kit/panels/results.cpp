@@ -92,8 +92,8 @@ Result values_written(const std::vector<std::string>& names,
       if (!value) continue;
       const Quantity& quantity = solution.described(name);
       const auto [number, unit] = in_unit(quantity, *value, language);
-      line += fmt::format("{}{} = {}{}{}", line.empty() ? "" : ",  ", quantity.symbol,
-                          figures(number, significant, language), unit.empty() || unit == "°" ? "" : " ", unit);
+      line += fmt::format("{}{}\u00a0=\u00a0{}{}{}", line.empty() ? "" : ",  ", quantity.symbol,
+                          figures(number, significant, language), unit.empty() || unit == "°" ? "" : "\u00a0", unit);
     }
     return line.empty() ? std::nullopt : std::optional<drawings::Block>(drawings::Paragraph{line});
   };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "drawings/paths/vectors.h"
 
@@ -13,21 +14,6 @@ using drawings::Point;
 constexpr double between_tracks = 1.5;  // mm: the heads of two neighbours, 1.1 mm wide, do not touch
 
 VectorOnPaper moved(const VectorOnPaper& v, Point by) { return {v.first + by, v.second + by}; }
-
-// What two vectors cover together, mm along the first from where it starts; nothing where the eye tells them apart.
-std::optional<std::pair<double, double>> covered(const VectorOnPaper& a, const VectorOnPaper& b) {
-  constexpr double shortest = 3, told_apart = 0.9;  // mm: a head's length, and more than a line's width
-  const Point along = drawings::unit(a.first, a.second), aside = drawings::left_of(along);
-  const double start = dot(b.first - a.first, along), end = dot(b.second - a.first, along);
-  const double from = std::max(0.0, std::min(start, end)),
-               to = std::min(drawings::distance(a.first, a.second), std::max(start, end));
-  if (to - from < shortest) return {};
-  for (const double there : {from, to}) {
-    const Point p = drawings::between(b.first, b.second, (there - start) / (end - start));
-    if (std::abs(dot(p - a.first, aside)) >= told_apart) return {};
-  }
-  return std::pair{from, to};
-}
 
 // From one point in one sense, the second one's head well before the first one's.
 bool ends_before(const VectorOnPaper& a, const VectorOnPaper& b) {
@@ -45,30 +31,50 @@ Point outwards(const VectorOnPaper& v, Point middle) {
 
 }  // namespace
 
-std::vector<Track> tracks(const std::vector<VectorOnPaper>& vectors, Point middle, LyingOver which) {
-  std::vector<Track> all;
-  for (const VectorOnPaper& v : vectors) {
+std::optional<std::pair<double, double>> covered(const VectorOnPaper& a, const VectorOnPaper& b) {
+  constexpr double shortest = 3, told_apart = 0.9;  // mm: a head's length, and more than a line's width
+  const Point along = drawings::unit(a.first, a.second), aside = drawings::left_of(along);
+  const double start = dot(b.first - a.first, along), end = dot(b.second - a.first, along);
+  const double from = std::max(0.0, std::min(start, end)),
+               to = std::min(drawings::distance(a.first, a.second), std::max(start, end));
+  if (to - from < shortest) return {};
+  for (const double there : {from, to}) {
+    const Point p = drawings::between(b.first, b.second, (there - start) / (end - start));
+    if (std::abs(dot(p - a.first, aside)) >= told_apart) return {};
+  }
+  return std::pair{from, to};
+}
+
+std::vector<Track> tracks(const std::vector<VectorOnPaper>& vectors, Point middle, LyingOver which,
+                          const std::vector<std::size_t>& stay) {
+  std::vector<std::size_t> order(vectors.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t i) { return std::find(stay.begin(), stay.end(), i) != stay.end(); });
+  std::vector<Track> all(vectors.size());
+  std::vector<std::size_t> before;
+  for (const std::size_t n : order) {
+    const VectorOnPaper& v = vectors[n];
     const auto is_free = [&](Point by) {
-      for (std::size_t i = 0; i < all.size(); ++i)
-        if (const VectorOnPaper there = moved(vectors[i], all[i].by), here = moved(v, by);
-            covered(there, here) && !(which == LyingOver::of_a_polygon && ends_before(there, here)))
-          return false;
-      return true;
+      return std::none_of(before.begin(), before.end(), [&](std::size_t i) {
+        const VectorOnPaper there = moved(vectors[i], all[i].by), here = moved(v, by);
+        return covered(there, here) && !(which == LyingOver::of_a_polygon && ends_before(there, here));
+      });
     };
     const Point out = outwards(v, middle);
-    Track track;
+    Track& track = all[n];
     for (int lane = 1; !is_free(track.by); lane = lane > 0 ? -lane : 1 - lane) {
       track.by = lane * between_tracks * out;
       track.letters = lane > 0 ? out : -1 * out;
     }
     // Where it runs along another's middle, where its letters would be, these stand on the other side.
-    for (std::size_t i = 0; track.letters && i < all.size(); ++i) {
+    for (const std::size_t i : before) {
       const auto common = covered(vectors[i], v);
       const double half = drawings::distance(vectors[i].first, vectors[i].second) / 2;
-      if (common && common->first < half && half < common->second && !all[i].letters)
+      if (track.letters && common && common->first < half && half < common->second && !all[i].letters)
         all[i].letters = -1 * *track.letters;
     }
-    all.push_back(track);
+    before.push_back(n);
   }
   return all;
 }

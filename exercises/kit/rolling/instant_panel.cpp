@@ -186,6 +186,19 @@ bool RollingInstantPanel::shows_parts(const Scale& accelerations) const {
   return magnitude(f_.a_n) >= least && magnitude(f_.a_t) >= least;
 }
 
+// A side of the triangle of the accelerations that lies on a line of the body: beside that line, on the side away
+// from the others, and joined to the triangle's corners.
+void RollingInstantPanel::draw_beside(Plot& plot, const std::pair<std::string, std::string>& name_and_letters,
+                                      const Arrow2& v, const Arrow2& others) const {
+  constexpr double beside = 1.5;  // mm
+  const double by = (cross(v, others) > 0 ? -beside : beside) / (plot.scale().mm_per_unit * magnitude(v));
+  const Arrow2 aside = by * geometry::quarter_turn(v);
+  const Place start = f_.M + aside, tip = plot.tip(f_.M, v);
+  plot.segment(f_.M, start, Meaning::dimension);
+  plot.segment(tip, tip + aside, Meaning::dimension);
+  plot.vector_on(name_and_letters.first, start, v, Meaning::acceleration, name_and_letters.second);
+}
+
 // The parts are drawn only where there are two. The tangential one follows the normal one to the tip of their sum:
 // set off from M it would lie on v_M.
 void RollingInstantPanel::draw_acceleration(Plot& plot, Language language) const {
@@ -199,13 +212,21 @@ void RollingInstantPanel::draw_acceleration(Plot& plot, Language language) const
   }
   const bool has_parts = shows_parts(plot.vector_scale());
   const Place tip = plot.tip(f_.M, f_.a_n);
-  // The line of the tangential part, which leads to the tip: there a_M stays, though it may lie on MC.
+  // The line of the tangential part, which leads to the tip.
   if (has_parts) plot.segment(tip, plot.tip(f_.M, f_.a), Meaning::construction);
-  plot.vector_on(f_.names("a_M"), start, f_.a, Meaning::acceleration,
-                 letters_or_value("$\\vec{a}_{M}$", magnitude(f_.a),
-                                  magnitude(f_.a) * plot.vector_scale().mm_per_unit, "m/s²", language));
+  const std::string letters = letters_or_value("$\\vec{a}_{M}$", magnitude(f_.a),
+                                               magnitude(f_.a) * plot.vector_scale().mm_per_unit, "m/s²", language);
+  // It points at J, which is C when a circle rolls on a line: then it lies on the radius MC.
+  const bool is_on_radius = f_.given.rolls_on_line() && is_zero(f_.given.alpha);
+  if (has_parts && is_on_radius)
+    draw_beside(plot, {f_.names("a_M"), letters}, f_.a, f_.a_n);
+  else
+    plot.vector_on(f_.names("a_M"), start, f_.a, Meaning::acceleration, letters);
   if (!has_parts) return;
-  plot.vector_on(f_.names(f_.names.normal), f_.M, f_.a_n, Meaning::acceleration, "$\\vec{a}^{n}_{M}$");
+  if (f_.given.unwinds())
+    draw_beside(plot, {f_.names(f_.names.normal), "$\\vec{a}^{n}_{M}$"}, f_.a_n, f_.a_t);
+  else
+    plot.vector_on(f_.names(f_.names.normal), f_.M, f_.a_n, Meaning::acceleration, "$\\vec{a}^{n}_{M}$");
   const std::string tangential = f_.names("a_t");
   plot.vector_on(solution_.has(tangential) ? tangential : "", tip, f_.a_t, Meaning::acceleration,
                  "$\\vec{a}^{t}_{M}$");

@@ -50,6 +50,8 @@ class RollingInstantPanel : public Panel {
   void draw_inflection_circle(Plot& plot) const;
   void draw_ray(Plot& plot) const;
   void draw_velocity(Plot& plot, Language language) const;
+  void draw_beside(Plot& plot, const std::pair<std::string, std::string>& name_and_letters, const Arrow2& v,
+                   const Arrow2& others) const;
   void draw_acceleration(Plot& plot, Language language) const;
   void draw_directions_at_cusp(Plot& plot) const;
   void draw_points(Plot& plot, const drawings::Box& room) const;

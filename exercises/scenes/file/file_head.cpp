@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -39,12 +38,12 @@ std::optional<std::string> unit_after_number(const std::string& text) {
   return unit;
 }
 
-bool is_id(const std::string& text) {
-  return !text.empty() && text.size() <= 60 && std::islower(static_cast<unsigned char>(text[0])) != 0 &&
-         std::all_of(text.begin(), text.end(), [](char c) {
-           return std::islower(static_cast<unsigned char>(c)) != 0 ||
-                  std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-';
-         });
+// More than any file may have: what has no end is refused for its length.
+std::string beginning_of(std::istream& in) {
+  std::string bytes(std::size_t{1} << 20, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
 }
 
 GivenSpec given(const File& file, const Tree& key, const Tree& value) {
@@ -160,6 +159,14 @@ bool is_name(const std::string& text) {
                      [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
 }
 
+bool is_id(const std::string& text) {
+  return !text.empty() && text.size() <= 60 && std::islower(static_cast<unsigned char>(text[0])) != 0 &&
+         std::all_of(text.begin(), text.end(), [](char c) {
+           return std::islower(static_cast<unsigned char>(c)) != 0 ||
+                  std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-';
+         });
+}
+
 std::vector<std::string> parted(const std::string& text) {
   std::istringstream in(text);
   std::vector<std::string> parts;
@@ -168,7 +175,7 @@ std::vector<std::string> parted(const std::string& text) {
 }
 
 std::string bytes_of(const std::string& file) {
-  if (file == standard_input) return {std::istreambuf_iterator<char>(std::cin), {}};
+  if (file == standard_input) return beginning_of(std::cin);
   if (const Shipped* shipped = shipped_scene(file)) return std::string(shipped->text);
   std::error_code unknown;
   if (!std::filesystem::exists(file, unknown))

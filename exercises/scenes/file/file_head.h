@@ -52,6 +52,9 @@ Words escaped(const Words& words);
 // A letter, then letters, digits and underscores.
 bool is_name(const std::string& text);
 
+// Small letters, digits and hyphens, a letter first.
+bool is_id(const std::string& text);
+
 // Between blanks.
 std::vector<std::string> parted(const std::string& text);
 

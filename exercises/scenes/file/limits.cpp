@@ -57,7 +57,7 @@ std::optional<Words> no_forces_with_friction(const Built& built) {
   }
   std::optional<Words> why;
   const auto jams = [&]<class T>() {
-    if (signs_only<T> && has_inertia(built)) return Truth::undecided;
+    if (has_inertia_apart<T>(built)) return Truth::undecided;
     try {
       forces_by_groups(built, Constructed<T>(built), *built.loads, has_inertia(built));
       return Truth::no;

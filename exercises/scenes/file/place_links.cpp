@@ -1,12 +1,15 @@
 #include "exercises/scenes/file/sections.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/scenes/file/refusals.h"
 #include "exercises/scenes/scene_routes.h"
+#include "geometry/linkages/carried_out.h"
 #include "geometry/linkages/every_place.h"
 #include "geometry/linkages/wheels_in_order.h"
+#include "geometry/numbers/climb.h"
 
 namespace epure::scenes {
 namespace {
@@ -120,21 +123,46 @@ class Placing : SectionReader {
   }
 
  private:
-  // A drawing tells on which side of two pins a joint lies, exactly; what the file says of it comes first.
+  // A drawing tells on which side of two pins a joint lies, and where on its lines; what the file says of it comes
+  // first.
   bool take_sides_from_drawing(const NotPlaced& open) {
     bool are_all = open.why == NotPlaced::Why::open_sides;
     for (const OpenSide& side : open.sides) {
-      const auto X = of_.drawn.find(side.joint == nothing ? "" : letter(side.joint)), none = of_.drawn.end();
-      const auto P = side.from == nothing ? none : of_.drawn.find(letter(side.from)),
-                 Q = side.to == nothing ? none : of_.drawn.find(letter(side.to));
-      const Rational left =
-          X == none || P == none || Q == none ? Rational(0) : left_of(X->second, P->second, Q->second);
-      are_all = are_all && left != 0;
-      if (left == 0) continue;
+      const std::optional<Chosen> chosen = drawn(side);
+      are_all = are_all && chosen;
+      if (!chosen) continue;
       of_.chosen_at.push_back(&section("points"));
-      built_.linkage.chosen.push_back(BesideLine{side.joint, side.from, side.to, left > 0});
+      built_.linkage.chosen.push_back(*chosen);
     }
     return are_all;
+  }
+  std::optional<Chosen> drawn(const OpenSide& side) const {
+    const Own *joint = drawn_point(side.joint), *from = drawn_point(side.from), *to = drawn_point(side.to);
+    if (side.kind == OpenSide::Kind::beside_line) {
+      const Rational left = joint && from && to ? left_of(*joint, *from, *to) : Rational(0);
+      if (left == 0) return {};
+      return BesideLine{side.joint, side.from, side.to, left > 0};
+    }
+    const bool is_on_guide = side.kind == OpenSide::Kind::on_guide;
+    const Own* end = is_on_guide ? joint : to;
+    const auto line = of_.drawn_lines.find(built_.letters.lines[index(side.line)]);
+    if (!from || !end || line == of_.drawn_lines.end()) return {};
+    const Sign ahead = sign_along(line->second.along, {end->x - from->x, end->y - from->y});
+    if (ahead != Sign::positive && ahead != Sign::negative) return {};
+    if (is_on_guide) return OnGuide{side.joint, ahead == Sign::positive, side.line, side.from};
+    return SlotPoints{side.line, ahead == Sign::positive, side.from, side.to};
+  }
+  // nullptr: the drawing has none.
+  const Own* drawn_point(int point) const {
+    const auto found = of_.drawn.find(point == nothing ? "" : letter(point));
+    return found == of_.drawn.end() ? nullptr : &found->second;
+  }
+  static Sign sign_along(const Direction& direction, const Own& way) {
+    return decide([&]<class T>() {
+             const Vector<T> along = linkages::unit_vector<T>(direction);
+             return along.x * from_rational<T>(way.x) + along.y * from_rational<T>(way.y);
+           })
+        .sign;
   }
   // X of P -> Q.
   static Rational left_of(const Own& X, const Own& P, const Own& Q) {

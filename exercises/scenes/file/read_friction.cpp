@@ -80,6 +80,11 @@ class FrictionReader : SectionReader {
              format_words("{} is no hinge: of what slides there is a coefficient of friction or its angle",
                           "{} non è una cerniera: di ciò che scorre si dà il coefficiente d'attrito o il suo angolo",
                           key.text));
+    if (!built_.linkage.gears.empty())
+      refuse(key,
+             {"friction circles in hinges are not found beside gears yet: leave these out, or the gears",
+              "i cerchi d'attrito nelle cerniere accanto a ruote dentate non si trovano ancora: togliere gli uni "
+              "o le altre"});
     const Rational radius = length(value);
     if (radius < 0)
       refuse(value, format_words("\"{}\" is below zero, and no radius of a friction circle is",

@@ -50,14 +50,17 @@ class LinksReader : SectionReader {
     if (place == std::ssize(names)) names.push_back(name);
     return static_cast<int>(place);
   }
-  // points: where letters lie on a drawing, from which links take their shapes.
+  // points: where letters lie on a drawing, and its lines, from which links take their shapes.
   void read_drawing() {
     const Tree* drawing = root_.find("points");
     if (!drawing) return;
     file_.map(*drawing, {"points: {A: [x, y]}", "points: {A: [x, y]}"});
     for (const auto& [key, value] : drawing->entries) {
       demand_letter(key, key.text);
-      of_.drawn[key.text] = own(value);
+      if (value.kind == Tree::Kind::map)
+        of_.drawn_lines[key.text] = line_told(value);
+      else
+        of_.drawn[key.text] = own(value);
     }
   }
   void link(const Tree& told_at, int number, const Tree& at) {
@@ -66,6 +69,10 @@ class LinksReader : SectionReader {
     built_.linkage.links.emplace_back();
     if (at.kind == Tree::Kind::text) {
       for (const std::string& name : parted(at.text)) {
+        if (const auto line = of_.drawn_lines.find(name); line != of_.drawn_lines.end()) {
+          add_line(at, name, line->second.through, line->second.along);
+          continue;
+        }
         const auto drawn = of_.drawn.find(name);
         if (drawn == of_.drawn.end())
           refuse(at, format_words("{} does not stand under points:", "{} non sta sotto points:", name));
@@ -91,9 +98,14 @@ class LinksReader : SectionReader {
     if (value.kind == Tree::Kind::list) return add_point(key, key.text, own(value));
     file_.map(value, {"a point is [x, y], a line {through: [x, y], along: [1, 0] or 20 deg}",
                       "un punto è [x, y], una retta {through: [x, y], along: [1, 0] o 20 deg}"});
+    const LinkLine told = line_told(value);
+    add_line(key, key.text, told.through, told.along);
+  }
+  // Without its number.
+  LinkLine line_told(const Tree& value) const {
     file_.demand_keys(value, {"through", "along"});
     const Tree* through = value.find("through");
-    add_line(key, key.text, through ? own(*through) : Own{0, 0}, direction(value));
+    return {nothing, through ? own(*through) : Own{0, 0}, direction(value)};
   }
   Direction direction(const Tree& line) const {
     const Tree* along = line.find("along");

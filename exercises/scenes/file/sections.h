@@ -26,7 +26,8 @@ struct FileReading {
   Amounts known;                // givens, and names of where:
   std::set<std::string> given;  // the givens alone
   std::string length_unit = "m", angle_unit = {};
-  std::map<std::string, geometry::Own> drawn = {};            // points:
+  std::map<std::string, geometry::Own> drawn = {};  // points:, and its lines
+  std::map<std::string, geometry::LinkLine> drawn_lines = {};
   std::vector<const TextTree*> chosen_at = {}, link_at = {};  // where the file says so
   Built built = {};
 };

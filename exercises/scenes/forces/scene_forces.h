@@ -188,6 +188,11 @@ inline bool has_inertia(const Built& built) { return !built.loads->masses.empty(
 // The masses, and nothing else that acts.
 inline geometry::Loads without_loads(const geometry::Loads& loads) { return {.masses = loads.masses}; }
 
+// Whether numbers of this kind count a radian for each 2π of a turn in what inertia makes, and not in the loads.
+template <class T>
+bool has_inertia_apart(const Built& built) {
+  return signs_only<T> && has_inertia(built) && built.linkage.is_turned_steadily();
+}
 // A number that loads and inertia make together. Exact numbers count a radian for each 2π of a turn, so what inertia
 // makes is too small by (2π)²: that is transcendental, and the sum is zero where both are.
 template <class T>
@@ -207,7 +212,7 @@ class FoundForces {
   // Of these loads.
   FoundForces(const Built& built, const geometry::Loads& loads, const Find& find)
       : has_inertia_(has_inertia(built)),
-        is_parted_(signs_only<T> && has_inertia_),
+        is_parted_(has_inertia_apart<T>(built)),
         has_loads_(!loads.forces.empty() || !loads.couples.empty() || loads.has_weight()),
         has_friction_(loads.has_friction()),
         whole_([&loads, find, with = has_inertia_ && !is_parted_] { return find(loads, with); }),
@@ -281,6 +286,10 @@ std::vector<T> turning_in_hinges(const Built& built, const Constructed<T>& const
 template <class T>
 JointForces<T> forces_by_groups(const Built& built, const Constructed<T>& constructed, const geometry::Loads& loads,
                                 bool with_inertia) {
+  // How hinges turn may take Calcium minutes, and the couples lead on to nested roots.
+  if (std::is_same_v<T, geometry::Calcium> && !loads.hinge_frictions.empty())
+    throw geometry::Undecided("forces with friction circles on exact numbers",
+                              "forze con cerchi d'attrito su numeri esatti");
   return geometry::ForcesByGroups<T>(built.linkage, constructed.at)
       .under(loads, built.steps,
              with_inertia ? masses_in_motion(built, constructed) : std::vector<geometry::MassInMotion<T>>{},
@@ -327,10 +336,7 @@ T effort_by_power(const Built& built, const Constructed<T>& constructed, std::si
                    dot(geometry::Vector<T>{moving[k].a_x, moving[k].a_y}, link.velocity(drawn.place(body))) +
                geometry::from_rational<T>(body.inertia) * (moving[k].alpha * link.omega);
   }
-  if constexpr (signs_only<T>)
-    return of_both<T>(-power, growing);
-  else
-    return growing - power;
+  return has_inertia_apart<T>(built) ? of_both<T>(-power, growing) : growing - power;
 }
 
 }  // namespace epure::scenes

@@ -19,6 +19,11 @@ std::optional<Arrow2> direction_of(const std::pair<OnLine, OnLine>& line) {
   return one.towards ? one.towards : other.towards;
 }
 
+// Where a line leads from one of its points to a centre that is off the sheet.
+Place beyond_room(const DrawnCentre& centre, const Place& from, const Arrow2& along) {
+  return centre.at ? *centre.at : from + along;
+}
+
 }  // namespace
 
 drawings::Box CentresPanel::extent(const Scale& lengths, const Scale&) const {
@@ -73,8 +78,15 @@ void CentresPanel::draw_line(Plot& plot, const drawings::Box& room, const DrawnC
   const auto [first, last] = std::minmax_element(shown.begin(), shown.end(), ahead);
   if (distance(*first, *last) > 0) plot.long_segment(*first, *last, beyond, Meaning::construction);
   if (!shows_centre)
-    draw_towards(plot, room, shown.front(), centre.at ? *centre.at : shown.front() + *along, centre.letters,
-                 language);
+    draw_towards(plot, room, shown.front(), beyond_room(centre, shown.front(), *along), centre.letters, language);
+  // What lies off the sheet, or beyond a close-up.
+  for (const OnLine* on : {&line.first, &line.second}) {
+    if (!shows_centre || !on->at || is_in(room, plot, *on->at)) continue;
+    if (on->letters.empty())
+      plot.segment(*centre.at, at_edge(plot, room, *centre.at, *on->at - *centre.at), Meaning::construction);
+    else
+      draw_towards(plot, room, *centre.at, *on->at, on->letters, language);
+  }
 }
 
 void CentresPanel::draw_earlier(Plot& plot, const drawings::Box& room) const {
@@ -105,6 +117,13 @@ std::vector<drawings::Block> CentresPanel::draw(Plot& plot, const drawings::Box&
   return {};
 }
 
+std::vector<Place> CentresPanel::lettered() const {
+  std::vector<Place> all = points_;
+  for (const DrawnCentre& centre : centres_)
+    if (centre.at) all.push_back(*centre.at);
+  return all;
+}
+
 std::vector<double> CentresPanel::crossings() const {
   std::vector<double> angles;
   for (const DrawnCentre& centre : centres_) {
@@ -120,14 +139,28 @@ std::vector<PanelStep> CentresPanel::steps(const Plot& plot, const drawings::Box
   if (!joints_.empty()) all.push_back({joints_, {}});
   for (const DrawnCentre& centre : centres_) {
     PanelStep step{centre.step, centre.at};
-    // Off the sheet its number stands where one of its lines leaves.
     if (!centre.at || !is_in(room, plot, *centre.at))
-      for (const auto& [one, other] : centre.lines)
-        for (const OnLine* on : {&one, &other})
-          if (on->at && is_in(room, plot, *on->at)) step.at = on->at;
+      if (const auto leaving = where_it_leaves(plot, room, centre)) step.at = leaving;
     all.push_back(std::move(step));
   }
   return all;
+}
+
+// Of a centre off the sheet: on the last of its lines, where that goes on towards it and away from the joints.
+std::optional<Place> CentresPanel::where_it_leaves(const Plot& plot, const drawings::Box& room,
+                                                   const DrawnCentre& centre) const {
+  constexpr double of_the_way = 0.7;  // to the edge
+  std::optional<Place> found;
+  // What a close-up leaves out is on the whole.
+  if (!std::all_of(points_.begin(), points_.end(), [&](const Place& P) { return is_in(room, plot, P); }))
+    return found;
+  for (const auto& line : centre.lines)
+    for (const OnLine* on : {&line.first, &line.second})
+      if (const auto along = direction_of(line); along && on->at && is_in(room, plot, *on->at)) {
+        const Place edge = ray_to_edge(plot, room, *on->at, beyond_room(centre, *on->at, *along) - *on->at);
+        found = *on->at + of_the_way * (edge - *on->at);
+      }
+  return found;
 }
 
 }  // namespace epure::scenes

@@ -27,8 +27,13 @@ struct DrawnCentre {
 
 class CentresPanel : public Panel {
  public:
-  CentresPanel(std::shared_ptr<const MechanismFigure> mechanism, std::vector<DrawnCentre> centres, Words joints)
-      : mechanism_(std::move(mechanism)), centres_(std::move(centres)), joints_(std::move(joints)) {}
+  // `points`: of the mechanism, which have letters too.
+  CentresPanel(std::shared_ptr<const MechanismFigure> mechanism, std::vector<Place> points,
+               std::vector<DrawnCentre> centres, Words joints)
+      : mechanism_(std::move(mechanism)),
+        points_(std::move(points)),
+        centres_(std::move(centres)),
+        joints_(std::move(joints)) {}
 
   double reach() const override { return mechanism_->reach(); }
   double times_smaller() const override { return 1.5; }
@@ -39,6 +44,7 @@ class CentresPanel : public Panel {
     draw_axes(plot, room);
     mechanism_->draw_given(plot);
   }
+  std::vector<Place> lettered() const override;
   std::vector<double> crossings() const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
@@ -47,6 +53,7 @@ class CentresPanel : public Panel {
   drawings::Box extent_within(double reaches, const Scale& lengths) const;
   void draw_line(Plot& plot, const drawings::Box& room, const DrawnCentre& centre,
                  const std::pair<OnLine, OnLine>& line, Language language) const;
+  std::optional<Place> where_it_leaves(const Plot& plot, const drawings::Box& room, const DrawnCentre& centre) const;
   // Where coordinates count from no point of the mechanism, which marks it anyway.
   bool shows_axes() const;
   void draw_axes(Plot& plot, const drawings::Box& room) const;
@@ -54,6 +61,7 @@ class CentresPanel : public Panel {
   void draw_earlier(Plot& plot, const drawings::Box& room) const;
 
   std::shared_ptr<const MechanismFigure> mechanism_;
+  std::vector<Place> points_;
   std::vector<DrawnCentre> centres_;
   Words joints_;  // what the joints give, before the steps
 };

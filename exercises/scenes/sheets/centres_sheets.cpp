@@ -37,7 +37,7 @@ class CentresOfScene {
     for (const PermanentCentre& centre : plan_.permanent) {
       if (!is_link(centre.i) || !is_link(centre.j)) continue;
       if (centre.point != geometry::nothing)
-        hinges += (hinges.empty() ? "" : ", ") + letters(centre.i, centre.j) + " = " + point(centre.point);
+        hinges += (hinges.empty() ? "" : ", ") + letters(centre.i, centre.j) + "\u00a0=\u00a0" + point(centre.point);
       else if (centre.gear == geometry::nothing)
         slides = slides + " " +
                  format_words("{} is at infinity, ⊥ ${}$.", "{} è all'infinito, ⊥ ${}$.", letters(centre.i, centre.j),
@@ -123,6 +123,8 @@ PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page
                     last = std::min(all.size(), first + most_on_a_sheet);
   std::vector<DrawnCentre> shown(all.begin() + static_cast<std::ptrdiff_t>(first),
                                  all.begin() + static_cast<std::ptrdiff_t>(last));
+  std::vector<Place> points;
+  for (const std::string& P : built.letters.points) points.push_back(s.place(P));
   PanelSheet sheet;
   std::vector<std::pair<std::string, std::string>> rows;
   for (const DrawnCentre& centre : shown) {
@@ -130,8 +132,8 @@ PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page
     for (const char* axis : {"_x", "_y"}) sheet.told.push_back(centre.quantity + axis);
   }
   if (!rows.empty()) sheet.results.push_back(coordinates(rows));
-  sheet.panels = panels(CentresPanel(std::make_shared<const Mechanism>(figure_of(built, s)), std::move(shown),
-                                     page == 0 ? centres.joints() : Words{}));
+  sheet.panels = panels(CentresPanel(std::make_shared<const Mechanism>(figure_of(built, s)), std::move(points),
+                                     std::move(shown), page == 0 ? centres.joints() : Words{}));
   sheet.seen = {"The mechanism, and the instant centres of its links with the lines on which they lie",
                 "Il meccanismo, e i centri di istantanea rotazione dei suoi membri con le rette su cui stanno"};
   return sheet;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "drawings/charts/value_span.h"
 #include "drawings/text/text.h"
@@ -11,6 +12,7 @@
 #include "exercises/kit/proof/agreement.h"
 #include "exercises/kit/proof/asked.h"
 #include "exercises/scenes/drive_way.h"
+#include "exercises/scenes/extremes.h"
 #include "exercises/scenes/kept_by_givens.h"
 #include "exercises/scenes/scene_routes.h"
 #include "exercises/scenes/sheets/scene_figure.h"
@@ -128,9 +130,11 @@ Samples samples_of(const OverDrive& over) {
 
 class ChartOfScene {
  public:
-  ChartOfScene(const Built& built, const Solution& s, const std::vector<std::string>& names, KeptSamples& kept)
+  ChartOfScene(const Scene& scene, const Built& built, const Solution& s, const std::vector<std::string>& names,
+               KeptSamples& kept)
       : s_(s),
         names_(names),
+        asked_(scene.extremes()),
         over_(built, names),
         samples_(kept.of(s.givens(), [this] { return samples_of(over_); })) {
     std::vector<double> values;
@@ -160,6 +164,7 @@ class ChartOfScene {
       chart.y.quantity += (chart.y.quantity.empty() ? "" : ", ") + symbol;
       drawings::Curve curve{.name = name, .label = names_.size() > 1 ? symbol : ""};
       if (const auto now = s_.value(name)) curve.points = {{unit * over_.now(), *now}};
+      for (const Extreme& extreme : extremes_of(name)) curve.points.push_back({extreme.place, extreme.value});
       bool is_open = false;
       for (const Sample& sample : *samples_) {
         const auto found = sample.values.find(name);
@@ -179,6 +184,27 @@ class ChartOfScene {
     std::vector<ChartPanel::Read> all;
     for (const std::string& name : names_)
       if (const auto now = s_.value(name)) all.push_back({{(over_.turns() ? 360 : 1) * over_.now(), *now}, {}, name});
+    for (const std::string& name : names_)
+      for (const Extreme& extreme : extremes_of(name))
+        all.push_back({{extreme.place, extreme.value},
+                       place_of_extreme(name, extreme.is_greatest),
+                       extreme_name(name, extreme.is_greatest)});
+    return all;
+  }
+
+  // The greatest and the least, and where: what is asked for and known of them.
+  struct Extreme {
+    bool is_greatest;
+    double value, place;  // degrees of the drive
+  };
+  std::vector<Extreme> extremes_of(const std::string& name) const {
+    std::vector<Extreme> all;
+    if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) return all;
+    for (const bool is_greatest : {true, false}) {
+      const auto value = s_.value(extreme_name(name, is_greatest)),
+                 place = s_.value(place_of_extreme(name, is_greatest));
+      if (value && place) all.push_back({is_greatest, *value, *place});
+    }
     return all;
   }
 
@@ -202,24 +228,56 @@ class ChartOfScene {
   }
 
   const Solution& s_;
-  const std::vector<std::string>& names_;
+  const std::vector<std::string>&names_, &asked_;
   OverDrive over_;
   std::shared_ptr<const Samples> samples_;
   drawings::ValueSpan span_{};
 };
 
+// In outline where the quantity of the chart is greatest, and where it is least.
+void add_position(Mechanism& mechanism, const Built& built, const std::string& name, double degrees) {
+  const geometry::Arithmetic<geometry::Fast> scope;
+  const geometry::EveryPlace places(built.linkage, built.steps);
+  const double angle = degrees / 180 * std::numbers::pi / places.turns();
+  const geometry::LinkagePosition<geometry::Fast> at =
+      geometry::CarriedOut<geometry::Fast>(built.linkage, built.steps)
+          .position(geometry::DriveAt<geometry::Fast>{0, {std::cos(angle), std::sin(angle)}, 0, places.turns()});
+  const auto moves = [&](int p) { return built.linkage.links_at(p).front() != 0; };
+  const auto there = [&](int p) { return (moves(p) ? name + " " : "") + built.letters.points[index(p)]; };
+  for (int p = 0; p < built.linkage.count_of_points(); ++p)
+    if (moves(p)) mechanism.point(there(p), at.points[index(p)], Mechanism::Joint::none, "");
+  for (std::size_t link = 1; link < built.linkage.links.size(); ++link) {
+    std::vector<std::string> corners;
+    for (const geometry::LinkPoint& p : built.linkage.links[link].points) corners.push_back(there(p.point));
+    if (corners.size() > 1) mechanism.other_position(corners);
+  }
+}
+
 PanelSheet chart_sheet(const Scene& scene, const Solution& s, std::size_t which, Language language,
                        KeptSamples& kept) {
   const Built built = scene.built(s.givens());
   const std::vector<std::string>& names = scene.charts().at(which);
-  const ChartOfScene chart(built, s, names, kept);
+  const ChartOfScene chart(scene, built, s, names, kept);
   PanelSheet sheet;
-  sheet.panels = panels(MechanismPanel(std::make_shared<const Mechanism>(figure_of(built, s))),
-                        ChartPanel(chart.chart(built, language), chart.read()));
+  Mechanism mechanism = figure_of(built, s);
   sheet.results = {remark(Words{"Dots, on the thin line: the place of the givens.",
                                 "Punti, sulla linea sottile: la posizione dei dati."}
                               .in(language)),
                    values(names)};
+  bool has_extremes = false;
+  for (const std::string& name : names)
+    for (const ChartOfScene::Extreme& extreme : chart.extremes_of(name)) {
+      const std::string found = extreme_name(name, extreme.is_greatest);
+      sheet.results.push_back(values({found, place_of_extreme(name, extreme.is_greatest)}));
+      if (!is_rate(built, name)) add_position(mechanism, built, found, extreme.place);
+      has_extremes = true;
+    }
+  if (has_extremes)
+    sheet.results.push_back(remark(Words{"The other dots: where it is greatest, and least, in a turn.",
+                                         "Gli altri punti: dove è massima, e minima, in un giro."}
+                                       .in(language)));
+  sheet.panels = panels(MechanismPanel(std::make_shared<const Mechanism>(std::move(mechanism))),
+                        ChartPanel(chart.chart(built, language), chart.read()));
   if (chart.is_broken())
     sheet.results.push_back(
         remark(Words{"Where there is no curve the mechanism does not close, or there is no value.",

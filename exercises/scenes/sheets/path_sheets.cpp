@@ -109,14 +109,19 @@ class PathOfScene {
     return linkage().links_at(cylinder.to).front() != 0 ? cylinder.to : cylinder.from;
   }
 
-  geometry::DriveAt<Fast> turned_by(int part) const {
-    const double angle = 2 * std::numbers::pi * part / shown_directions;
+  geometry::DriveAt<Fast> turned_to(double angle) const {
     return {0, {std::cos(angle), std::sin(angle)}, 0, places_.turns()};
   }
   void find_positions() {
     if (std::holds_alternative<TurnedLink>(drive())) {
-      for (int part = 0; part < shown_directions; ++part)
-        if (reached_.has(2 * std::numbers::pi * part / shown_directions)) add(way_.closed_at(turned_by(part)), part);
+      // Within a range at the middles of equal parts: at its ends the mechanism is about to open.
+      for (int part = 0; part < shown_directions; ++part) {
+        const double share = (part + (reached_.is_whole() ? 0 : 0.5)) / shown_directions;
+        add(way_.closed_at(turned_to(reached_.is_whole()
+                                         ? 2 * std::numbers::pi * share
+                                         : reached_.low() + share * (reached_.high() - reached_.low()))),
+            part);
+      }
       return;
     }
     const double low = way_.low(), high = way_.high();
@@ -151,9 +156,15 @@ class PathOfScene {
       return driven_ ? format_words(": the positions of {}", ": le posizioni di {}", written(*driven_)) : Words{};
     };
     if (const auto* turned = std::get_if<TurnedLink>(&drive()))
-      return format_words("The axis of link {} in {} directions, from +x on",
-                          "L'asse del membro {} in {} direzioni, da +x", built_->letters.links[index(turned->link)],
-                          shown_directions) +
+      return (reached_.is_whole()
+                  ? format_words("The axis of link {} in {} directions, from +x on",
+                                 "L'asse del membro {} in {} direzioni, da +x",
+                                 built_->letters.links[index(turned->link)], shown_directions)
+                  : format_words("The axis of link {} in the middles of {} equal parts of the range in which the "
+                                 "mechanism closes",
+                                 "L'asse del membro {} nei punti medi di {} parti uguali del campo in cui il "
+                                 "meccanismo si chiude",
+                                 built_->letters.links[index(turned->link)], shown_directions)) +
              (places_.turns() == 1
                   ? Words{}
                   : format_words(", evenly over {} turns", ", spaziate su {} giri", places_.turns())) +

@@ -36,8 +36,18 @@ std::optional<int> guide_in_frame(const Linkage& of, int point) {
   return {};
 }
 
+// A point of the frame alone, of which coordinates are told: no link and no cylinder turns about it.
+bool is_idle(const Linkage& of, int point) {
+  return of.links_at(point) == std::vector<int>{0} &&
+         std::none_of(of.drives.begin(), of.drives.end(), [&](const geometry::Drive& drive) {
+           const auto* cylinder = std::get_if<geometry::Stretched>(&drive);
+           return cylinder && (cylinder->from == point || cylinder->to == point);
+         });
+}
+
 Mechanism::Joint joint(const Linkage& of, int point) {
   const std::vector<int> links = of.links_at(point);
+  if (is_idle(of, point)) return Mechanism::Joint::none;
   if (links.front() == 0) return Mechanism::Joint::fixed;
   if (guide_in_frame(of, point)) return Mechanism::Joint::block;
   const bool runs_in_a_slot =
@@ -165,9 +175,52 @@ bool add_slot_aside(Mechanism& figure, const Built& built, const Solution& s, in
   return true;
 }
 
+// A rod that slides in a link of one hinge, both straight along the line of the slide: as a piston in a cylinder.
+// The slide of such a cylinder; none of another link.
+const LineOnLine* telescope(const Linkage& of, int cylinder) {
+  const auto found = std::find_if(of.blocks.begin(), of.blocks.end(), [&](const LineOnLine& block) {
+    if (of.link_of_line(block.guide) != cylinder) return false;
+    const auto &hinge = of.links[static_cast<std::size_t>(cylinder)].points,
+               &rod = of.links[static_cast<std::size_t>(of.link_of_line(block.moving))].points;
+    return hinge.size() == 1 && rod.size() == 2 && lie_on(hinge, of.line(block.guide)) &&
+           lie_on(rod, of.line(block.moving));
+  });
+  return found == of.blocks.end() ? nullptr : &*found;
+}
+
+bool add_barrel(Mechanism& figure, const Built& built, int link) {
+  const Linkage& of = built.linkage;
+  const LineOnLine* slide = link == 0 ? nullptr : telescope(of, link);
+  if (!slide) return false;
+  const std::string& hinge = letter(built, of.links[static_cast<std::size_t>(link)].points.front().point);
+  const auto& rod = of.links[static_cast<std::size_t>(of.link_of_line(slide->moving))].points;
+  std::vector<std::string> ends{letter(built, rod.front().point), letter(built, rod.back().point)};
+  const auto way = [&](const std::string& P) { return distance(figure.at(hinge), figure.at(P)); };
+  if (way(ends[1]) < way(ends[0])) std::swap(ends[0], ends[1]);
+  const Place C = figure.at(hinge), K = figure.at(ends[0]);
+  const Arrow2 rod_way = figure.at(ends[1]) - K, along = (1 / magnitude(rod_way)) * rod_way;
+  constexpr double half_wide = 0.03, least = 0.03, of_the_rod = 0.4;  // of the whole, and in the barrel
+  const double whole = figure.reach(), behind = std::min(least * whole, dot(K - C, along) - least * whole);
+  const Place low = C + behind * along, high = K + of_the_rod * rod_way;
+  const std::string name = "barrel of " + std::to_string(link);
+  const auto corner = [&](const Place& on_axis, double side, const std::string& letters = {}) {
+    const std::string corners = name + std::to_string(figure.corners().size());
+    figure.point(corners, on_axis + (side * half_wide * whole) * geometry::quarter_turn(along),
+                 Mechanism::Joint::corner, letters);
+    return corners;
+  };
+  const std::string first = corner(low, -1), letters = corner(high, -1, letter_of_line(built, slide->guide)),
+                    third = corner(high, 1), last = corner(low, 1);
+  figure.body({first, letters, third, last}, built.letters.links[static_cast<std::size_t>(link)]);
+  figure.body({hinge, corner(low, 0)});
+  figure.body({corner(K, -1), corner(K, 1)});
+  return true;
+}
+
 // A bar or a plate, with the slot in which a pin runs; nothing of a link that has neither. Whether it was drawn.
 bool add_link(Mechanism& figure, const Built& built, const Solution& s, int link) {
   const Linkage& of = built.linkage;
+  if (add_barrel(figure, built, link)) return true;
   const Link& own = of.links[static_cast<std::size_t>(link)];
   const int number = built.letters.links[static_cast<std::size_t>(link)];
   std::vector<std::string> points;
@@ -251,6 +304,26 @@ bool add_wheels_of(Mechanism& figure, const Built& built, const Solution& s, int
       is_wheel = true;
     }
   return is_wheel;
+}
+
+// The way along a guide that has its wall, on the right, on the side from which no link comes steeply: that would
+// pass through the wall.
+double direction_beside_links(const Built& built, const Mechanism& figure, int point, double along) {
+  constexpr double flat = 0.35;  // radians: passes the end of the wall
+  const Linkage& of = built.linkage;
+  const Place& P = figure.at(letter(built, point));
+  const auto has_link_on_the_right = [&](double ahead) {
+    for (const int link : of.links_at(point))
+      for (const LinkPoint& other : of.links[static_cast<std::size_t>(link)].points) {
+        if (other.point == point) continue;
+        const double turned =
+            std::remainder(epure::direction(P, figure.at(letter(built, other.point))) - ahead, 2 * std::numbers::pi);
+        if (turned < -flat && turned > flat - std::numbers::pi) return true;
+      }
+    return false;
+  };
+  const double back = along + std::numbers::pi;
+  return has_link_on_the_right(along) && !has_link_on_the_right(back) ? back : along;
 }
 
 // The lines of the frame that points are told from.
@@ -357,7 +430,8 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
       figure.cylinder(letter(built, cylinder->from), letter(built, cylinder->to));
   for (int p = 0; p < of.count_of_points(); ++p)
     if (const auto line = guide_in_frame(of, p))
-      figure.guide(letter(built, p), direction(of, *line), {}, letter_of_line(built, *line));
+      figure.guide(letter(built, p), direction_beside_links(built, figure, p, direction(of, *line)), {},
+                   letter_of_line(built, *line));
   for (const geometry::Drive& drive : of.drives)
     if (const auto* turned = std::get_if<geometry::TurnedLink>(&drive))
       if (const auto crank = crank_of(of, turned->link))

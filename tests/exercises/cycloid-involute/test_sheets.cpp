@@ -1,4 +1,7 @@
 // The sheets of cycloid and involute, whatever is given.
+#include <map>
+
+#include "drawings/paths/vectors.h"
 #include "tests/exercises/cycloid-involute/cases.h"
 
 using namespace epure;
@@ -226,4 +229,19 @@ TEST_CASE("involute: letters for which there is no room are left out, and cost n
 TEST_CASE("involute: too many turns to be drawn are refused in one sentence", "[cycloid-involute][sheets]") {
   CHECK_THROWS_WITH(both().draw("involute-instants", {"t2=1000000000"}), Contains("it can be drawn up to"));
   CHECK(both().checked({"t2=10000000"}).passed());
+}
+
+TEST_CASE("cycloid and involute: no side of the accelerations' triangle lies on the body",
+          "[cycloid-involute][sheets]") {
+  const auto starts = [](const char* sheet) {
+    std::map<std::string, drawings::Point> all;
+    const DrawnSheet drawn = both().draw(sheet, {});
+    for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+      if (const auto* arrow = std::get_if<drawings::Arrow>(&mark)) all[arrow->name] = arrow->from;
+    return all;
+  };
+  const auto cycloid = starts("cycloid-instants"), involute = starts("involute-instants");
+  CHECK(drawings::distance(cycloid.at("cycloid.a_M"), cycloid.at("cycloid.a_n")) > 1);
+  for (const std::string t : {"_t1", "_t2"})
+    CHECK(drawings::distance(involute.at("involute.a_M" + t), involute.at("involute.a_n" + t)) > 1);
 }

@@ -61,7 +61,7 @@ TEST_CASE("friction: the sense of sliding stands at every contact, and the force
   shows("two-forces", 3);
   shows("levers", 2);
   shows("levers-Q-on-2", 2);
-  shows("fairbairn", 2);
+  shows("fairbairn", 3);
 }
 
 TEST_CASE("friction: parallel forces do not meet: the funicular polygon shares them out",
@@ -122,4 +122,11 @@ TEST_CASE("friction: the sign of the effort in the retrograde motion is said", "
 
 TEST_CASE("friction: letters find room", "[friction-efficiency][sheets]") {
   letters_find_room(friction(), {{}, {"phi=12"}, {"wedge_collar.theta=25", "fairbairn.theta=10"}});
+}
+
+TEST_CASE("friction: the normal that the steps name stands at both levers", "[friction-efficiency][sheets]") {
+  for (const char* sheet : {"levers", "levers-Q-on-2"}) {
+    const std::vector<drawings::Label> labels = friction().draw(sheet, {}).sheet.figure.labels;
+    CHECK(std::count_if(labels.begin(), labels.end(), [](const auto& each) { return each.text == "$n$"; }) == 2);
+  }
 }

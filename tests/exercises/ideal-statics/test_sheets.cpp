@@ -135,6 +135,23 @@ TEST_CASE("ideal statics: Fairbairn's ram is cut free too", "[ideal-statics][she
   }
 }
 
+TEST_CASE("ideal statics: an arm along a lever's edge stands outside of the lever", "[ideal-statics][sheets]") {
+  const auto offsets = [](const char* sheet) {
+    std::map<std::string, double> all;
+    for (const auto& each : all_of<drawings::Dimension>(statics().draw(sheet, {})))
+      all[each.text] = std::abs(each.offset);
+    return all;
+  };
+  for (const char* sheet : {"levers-virtual-work", "levers-Q-on-2-virtual-work"})
+    for (const char* arm : {"$b_{P}$", "$b_{Q}$"}) CHECK(offsets(sheet).at(arm) > 2);
+  CHECK(offsets("levers-Q-on-2").at("$b_{A0}$") > 2);
+  CHECK(offsets("levers-Q-on-2").at("$b_{B0}$") == 0);  // away from the edges
+}
+
+TEST_CASE("ideal statics: the force that drives the double slider is drawn", "[ideal-statics][sheets]") {
+  CHECK(arrows_of(statics().draw("double-slider-virtual-work", {}), drawings::Meaning::force).size() == 2);
+}
+
 TEST_CASE("ideal statics: the wedge's sheet has its dimensions", "[ideal-statics][sheets]") {
   const DrawnSheet drawn = statics().draw("wedge", {});
   std::map<std::string, double> lengths;

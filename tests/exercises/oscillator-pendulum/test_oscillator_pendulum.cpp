@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "exercises/kit/proof/solution.h"
 #include "exercises/oscillator-pendulum/printed.h"
@@ -161,4 +162,16 @@ TEST_CASE("oscillator and pendulum: forces stand at the positions, to a scale th
     for (const std::string& scale : drawn.sheet.title_block.scales) scales += scale.find(" N") != std::string::npos;
     CHECK(scales == 2);  // of the positions, of the polygon
   }
+}
+
+// At 0.6 s the pendulum is all but back where it was let go.
+TEST_CASE("oscillator and pendulum: every point of the hodograph has its time", "[sheets]") {
+  const DrawnSheet drawn = tried().draw("hodograph", {});
+  std::set<std::string> letters;
+  for (const drawings::Label& each : drawn.sheet.figure.labels) letters.insert(each.text);
+  for (const char* time : {"0; 0.6", "0.1", "0.2", "0.3", "0.4", "0.5", "0.7", "0.8", "0.9", "1"}) {
+    CAPTURE(time);
+    CHECK(letters.contains(time));
+  }
+  CHECK(letters.contains("$\\vec{\\it{R}}_{12}$"));
 }

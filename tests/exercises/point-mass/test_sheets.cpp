@@ -1,4 +1,6 @@
 // The sheets of the body under a force that depends on time, whatever is given.
+#include <map>
+
 #include "exercises/kit/proof/solution.h"
 #include "tests/exercises/point-mass/cases.h"
 
@@ -35,4 +37,17 @@ TEST_CASE("point mass: the table has all its rows, on paper and for a spreadshee
   CHECK(table->columns[14].values[56] == solution["s_simpson_2"]);
   CHECK(exercise.draw("table", solution, {}).further.size() == 3);
   CHECK_FALSE(exercise.long_table("curves", solution));
+}
+
+TEST_CASE("point mass: each tangent has its slope, each centroid its letters on both charts",
+          "[point-mass][sheets]") {
+  std::map<std::string, int> count;
+  const DrawnSheet drawn = body().draw("tangents", {});
+  for (const drawings::Label& each : drawn.sheet.figure.labels) ++count[each.text];
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* writing = std::get_if<drawings::Writing>(&mark)) ++count[writing->text];
+  for (const std::string k : {"1", "2", "3"}) {
+    CHECK(count["$v_{" + k + "}$"] == 1);
+    CHECK(count["$t_{G" + k + "}$"] == 2);
+  }
 }

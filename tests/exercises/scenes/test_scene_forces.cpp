@@ -95,6 +95,12 @@ const std::map<std::string, std::string>& circles_of_cases() {
       {"slider-crank", "{b: 0.15, A0: 4 mm, A: 0.006 m, B: 5 mm}"}};
   return all;
 }
+// Here each force found by trial from the one before leads ever farther away.
+const std::map<std::string, std::string>& large_circles_of_cases() {
+  static const std::map<std::string, std::string> all = {
+      {"four-bar", "{A0: 40 mm, A: 100 mm, B: 120 mm, B0: 100 mm}"}};
+  return all;
+}
 std::string moving(std::string text) {
   for (const auto& [at_rest, with_speed] :
        {std::pair<std::string, std::string>{"at: 450 mm}", "at: 450 mm, speed: 1 m/s}"},
@@ -142,7 +148,8 @@ std::string loaded_four_bar(const std::string& loads) {
 
 TEST_CASE("reactions and driving efforts hold against the corpus, to the last bit, by each route", "[scenes]") {
   const std::vector<CorpusCase> corpus = read_corpus(EPURE_CORPUS "/scene_forces.txt");
-  CHECK(corpus.size() == loads_of_cases().size() + friction_of_cases().size() + circles_of_cases().size());
+  CHECK(corpus.size() == loads_of_cases().size() + friction_of_cases().size() + circles_of_cases().size() +
+                             large_circles_of_cases().size());
   for (const CorpusCase& c : corpus) {
     if (!loads_of_cases().contains(c.name)) continue;  // with friction: below
     const CheckedExercise found =
@@ -178,8 +185,145 @@ void hold_with_friction(const std::string& ending, const std::map<std::string, s
 TEST_CASE("with friction they hold against the corpus too", "[scenes]") {
   hold_with_friction("-with-friction", friction_of_cases());
 }
-TEST_CASE("and with friction circles in hinges, found by trial", "[scenes]") {
+TEST_CASE("and with friction circles in hinges", "[scenes]") {
   hold_with_friction("-with-circles", circles_of_cases());
+  hold_with_friction("-with-large-circles", large_circles_of_cases());
+}
+
+// A slider pushed with 3 N by a rod from 3 m below and 4 m behind it: |R| = |(3, 9/4 ± |R| r / 4)|. Turning on with
+// the circle, that has one solution below r = 4 m, and none from there. Turning against it, one below 4 m, two up to
+// 5 m, and none above.
+TEST_CASE("how many sets of forces friction circles allow is told beside the limits too", "[scenes]") {
+  const auto with = [](const std::string& speed, const std::string& r) {
+    return "epure: 1\nid: f\nlinks:\n  1: {O: [-1 m, -3 m], g: {along: [1, 0]}}\n  2: {O A: 1 m}\n  3: {A B: 5 m}\n"
+           "  4: {B: [0, 0], b: {along: [1, 0]}}\nslides: {b: g}\ndrive: {link: 2, angle: 0 deg, speed: " +
+           speed +
+           " rad/s}\nassembly: {B: ahead on g}\nloads: [{at: B, on: 4, force: [-3 N, 0]}]\nfriction: {B: " + r +
+           "}\n";
+  };
+  struct Case {
+    std::string speed, radius, refusal;
+  };
+  const std::string jams = "jams", two = "more than one set of forces";
+  for (const auto& [speed, radius, refusal] : std::vector<Case>{{"1", "2 m", ""},
+                                                                {"1", "3.999999999999999999999999 m", ""},
+                                                                {"1", "4 m", jams},
+                                                                {"1", "4.5 m", jams},
+                                                                {"-1", "2 m", ""},
+                                                                {"-1", "3.999999999999999999999999 m", ""},
+                                                                {"-1", "4.000000000000000000000001 m", two},
+                                                                {"-1", "4.999999999999999999999999 m", two},
+                                                                {"-1", "5.000000000000000000000001 m", jams},
+                                                                {"-1", "100 m", jams}}) {
+    CAPTURE(speed, radius);
+    const std::string text = with(speed, radius);
+    if (refusal.empty())
+      passes(text);
+    else
+      CHECK(why_refused([&] { checked_text(text); }).find(refusal) != std::string::npos);
+  }
+  // |R| = sqrt(3² + (9/4 + |R| / 2)²)
+  CHECK(value(checked_text(with("1", "2 m")), "R_34") == Approx(6.08257569495584));
+  // Of two circles, neither alone too large.
+  const auto with_two = [](const std::string& circles) {
+    return with_loads("slider-crank", "[{at: B, on: 4, force: [-600 N, 0]}]") + "friction: " + circles + "\n";
+  };
+  passes(with_two("{A: 100 mm, B: 150 mm}"));
+  CHECK(why_refused([&] { checked_text(with_two("{A: 200 mm, B: 250 mm}")); }).find(jams) != std::string::npos);
+}
+
+// Rod 5 and its block bear nothing, though they would jam under any load: the circle in B is too large. So would
+// every trial of forces, but from none. The values: Newton's iteration in mpmath.
+TEST_CASE("a group without loads bears nothing, however much friction there is", "[scenes]") {
+  const std::string text = R"yaml(epure: 1
+id: f
+links:
+  1: {L: [183.433 mm, 28.268 mm], V: [287.999 mm, 228.126 mm], e: {through: [0.238704 m, -190.892 mm], along: -33 deg}}
+  2: {L: [0, 0], B: [142.3 mm, 0]}
+  3: {V: [0, 0], T: [0.691 m, 0]}
+  4: {B: [0, 0], T: [0.8334 m, 0]}
+  5: {B M: 82 mm}
+slides: {M: e}
+drive: {link: 2, angle: 295.8 deg, speed: 60 rpm, acceleration: -7 rad/s^2}
+assembly: {T: right of V B, M: ahead on e}
+loads: []
+masses:
+  4: {mass: 0.8 kg, at: [-0.091 m, 0.092 m], inertia: 0.02 kg*m^2}
+gravity: 9.81 m/s^2
+friction: {M: 0.032, B: 16 mm, L: 4 mm, T: 18 mm, V: 5 mm}
+)yaml";
+  passes(text);
+  const CheckedExercise found = checked_text(text);
+  CHECK(value(found, "R_25") == 0);
+  CHECK(value(found, "N_M") == 0);
+  CHECK(value(found, "M_2") == Approx(0.30659332));
+  CHECK(value(found, "M_34") == Approx(-0.047360119));
+}
+
+// Of three circles together too, of which no change of the forces comes back smaller.
+TEST_CASE("a group of several large friction circles without loads bears nothing", "[scenes]") {
+  passes(R"yaml(epure: 1
+id: f
+links:
+  1: {H: [-190.94123 mm, -48.05774 mm], V: [31.75931 mm, 292.53023 mm], U: [0.25621278 m, 127.62658 mm]}
+  2: {H: [0, 0], M: [358.43794 mm, 146.7206 mm], L: [16.78465 mm, -617.42289 mm]}
+  3: {U: [0, 0], Y: [0.460239 m, 0]}
+  4: {L: [0, 0], Y: [40.7454 cm, 0], S: [-15.853553 cm, -52.57349 mm]}
+  5: {S: [0, 0], G: [0.74382104 m, -201.09568 mm], e: {through: [0, 0], along: 0 deg}}
+  6: {H: [0, 0], f: {through: [0, 0], along: 0 deg}}
+  7: {G X: 287.947 mm}
+  8: {Y X: 0.691505 m}
+slides: {f: e}
+drive: {length: V M, is: 549.8983 mm, speed: -20 cm/s, acceleration: 2 m/s^2}
+assembly: {M: left of H V, Y: left of U L, e: from S towards H, X: right of G Y}
+loads:
+  - {on: 6, couple: -22 N*m}
+  - {at: L, on: 4, force: [18 N, -75 N]}
+friction: {f: 9 deg, G: 32 mm, L: 16 mm, S: 48 mm, X: 64 mm, Y: 48 mm}
+)yaml");
+}
+
+// A link that rests has no inertia to act, whatever moves beside it; and the telescope bears nothing, as the load on
+// it goes through its hinge.
+TEST_CASE("with friction circles too it is proved which forces are zero", "[scenes]") {
+  passes(R"yaml(epure: 1
+id: f
+links:
+  1: {E: [-22.0506 cm, 142.622 mm], W: [0.476789 m, 342.231 mm]}
+  2: {E: [0, 0], J: [271.424 mm, 63.675 mm]}
+  3: {W: [0, 0], C: [864.909 mm, 38.12 cm], e: {through: [0, -2 cm], along: 0 deg}}
+  4: {C: [0, 0], U: [539.5 mm, 0], g: {through: [61.108 mm, 176.485 mm], along: 0 deg}}
+  5: {J: [0, 0], U: [348.3 mm, 0], f: {through: [-0.084918 m, -268.79 mm], along: 94 deg}}
+  6: {T: [0, 0], h: {through: [0, 0], along: 0 deg}}
+slides: {E: e, h: f, T: g}
+drive: {length: W J, is: 528.28 mm, speed: -20 cm/s, acceleration: 2 m/s^2}
+assembly: {J: right of E W, e: from W towards E, U: right of C J}
+loads:
+  - {on: 3, couple: 38 N*m}
+  - {on: 5, couple: 43 N*m}
+  - {at: T, on: 6, force: [-266 N, -240 N]}
+masses:
+  3: {mass: 3.5 kg, at: [0.054 m, -0.086 m], inertia: 0.029 kg*m^2}
+friction: {C: 23 mm, U: 2 mm}
+)yaml");
+  passes(R"yaml(epure: 1
+id: f
+links:
+  1: {F: [-254.67445 mm, 0.09199324 m], U: [-297.672 mm, -218.22994 mm], L: [-154.7119 mm, -0.08366851 m]}
+  2: {F: [0, 0], B: [289.43888 mm, -0.10570411 m], C: [0.22134343 m, -19.55464 cm]}
+  3: {L: [0, 0], e: {through: [0, 0], along: 0 deg}}
+  4: {C: [0, 0], f: {through: [0, 0], along: 0 deg}}
+slides: {f: e}
+drive: {length: U B, is: 92.6821 mm, speed: -20 cm/s, acceleration: 2 m/s^2}
+assembly: {B: left of F U, e: from L towards C}
+loads:
+  - {at: L, on: 3, force: [205 N, -114 N]}
+  - {on: 2, couple: 48 N*m}
+masses:
+  2: {mass: 3.1 kg, at: [-0.031 m, -0.094 m]}
+gravity: 9.81 m/s^2
+friction: {f: 9 deg, C: 3 mm, F: 3 mm}
+)yaml");
 }
 
 // The tool's rod bears nothing where the load acts on the rocker.

@@ -1,0 +1,28 @@
+// The greatest and the least that quantities become over a turn of the drive, and where: extremes: [theta_4, v_C_x].
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "exercises/kit/proof/exercise.h"
+#include "exercises/scenes/scene.h"
+
+namespace epure::scenes {
+
+// Of which quantities they can be asked: coordinates of points and directions of links, and how fast these change.
+std::vector<std::string> with_extremes(const Built& built);
+
+// Whether it tells how fast another changes: at its extreme the mechanism has no limit position.
+bool is_rate(const Built& built, const std::string& quantity);
+
+// "theta_4_max", "theta_4_min", and the direction of the drive where it is so: "theta_4_max_at".
+std::string extreme_name(const std::string& quantity, bool is_greatest);
+std::string place_of_extreme(const std::string& quantity, bool is_greatest);
+
+// Of each name, one of with_extremes, by the construction and by the equations of all joints. The drive must be one
+// turned link; velocities are those with which it turns steadily. Throws BadGivens where it does not turn right
+// round, or a quantity has no greatest and least value.
+std::vector<RouteValue> extremes(const Built& built, const std::vector<std::string>& names, Rung rung);
+
+}  // namespace epure::scenes
