@@ -9,13 +9,13 @@ namespace epure::aircraft_landing {
 namespace {
 
 // Level and upright sides in turn: weight and flaps down, friction and drag back, the reaction up; the inertia force
-// closes.
+// closes. Flaps that lift act upwards, and friction that has to slow down the wheel acts forwards.
 VectorPolygon around(const Solution& s, const std::string& letter, const std::string& v, const std::string& N,
                      const std::string& F, const std::string& a, const std::string& prime) {
   const Landing of(s.givens());
   const double M = CGAL::to_double(of.M()), g = CGAL::to_double(of.g), square = s[v] * s[v];
   const double c_x = CGAL::to_double(of.c_x), c_y = CGAL::to_double(of.c_y);
-  const bool at_first = N == "N_0";
+  const bool at_first = N == "N_0", lifts = of.c_y < 0, is_forwards = s[F] < 0;
   const auto force = [](std::string quantity, std::string label, std::string direction, std::string magnitude,
                         Arrow2 along) {
     return PolygonSide{.quantity = std::move(quantity),
@@ -27,10 +27,15 @@ VectorPolygon around(const Solution& s, const std::string& letter, const std::st
   };
   std::vector<PolygonSide> right{
       force("", "$\\vec{\\it{P}}$", "↓", "$\\it{M}g$", {0, -M * g}),
-      force(at_first ? "F_y_0" : "", "$\\vec{\\it{F}}_{y}$", "↓", "$c_{y}v^{2}$", {0, -c_y * square}),
-      force(F, "$\\vec{\\it{F}}" + prime + "$", "←", at_first ? "$f_{r}\\it{N}$" : "$\\it{F}'$", {-s[F], 0}),
+      force(at_first ? "F_y_0" : "", "$\\vec{\\it{F}}_{y}$", lifts ? "↑" : "↓",
+            lifts ? "|$c_{y}$|$v^{2}$" : "$c_{y}v^{2}$", {0, -c_y * square}),
+      force(F, "$\\vec{\\it{F}}" + prime + "$", is_forwards ? "→" : "←",
+            at_first      ? "$f_{r}\\it{N}$"
+            : is_forwards ? "|$\\it{F}'$|"
+                          : "$\\it{F}'$",
+            {-s[F], 0}),
       force(at_first ? "F_x_0" : "", "$\\vec{\\it{F}}_{x}$", "←", "$c_{x}v^{2}$", {-c_x * square, 0}),
-      force(N, "$\\vec{\\it{N}}$", "↑", "$\\it{P}+\\it{F}_{y}$", {0, s[N]})};
+      force(N, "$\\vec{\\it{N}}$", "↑", lifts ? "$\\it{P}$ − |$\\it{F}_{y}$|" : "$\\it{P}+\\it{F}_{y}$", {0, s[N]})};
   const PolygonSide inertia{.label = "−$\\it{M}\\vec{a}" + prime + "$",
                             .direction = "?",
                             .magnitude = "?",
@@ -53,6 +58,10 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
                                                "|$\\it{F}'$| ≤ $f_{a}\\it{N}$: la ruota aderisce."}
                                        : Words{"|$\\it{F}'$| > $f_{a}\\it{N}$: the wheel does not adhere.",
                                                "|$\\it{F}'$| > $f_{a}\\it{N}$: la ruota non aderisce."};
+  const Words upwards = Landing(s.givens()).c_y < 0
+                            ? Words{"$\\it{F}_{y0}$ < 0: counted downwards, it acts upwards.",
+                                    "$\\it{F}_{y0}$ < 0: contata verso il basso, agisce verso l'alto."}
+                            : Words{};
   ChainedPolygonsPanel rolling(around(s, "2", "v_s", "N_s", "F_after", "a_after", "'"));
   rolling.likewise({"Once the wheel rolls, likewise, with the friction $\\vec{\\it{F}}'$ that keeps it in step and "
                     "the acceleration $\\vec{a}'$.",
@@ -60,9 +69,10 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
                     "e l'accelerazione $\\vec{a}'$."},
                    {0, 0});
   return {.panels = panels(PolygonPanel(s, around(s, "1", "v_0", "N_0", "F_0", "a_0", "")), rolling),
-          .results = {values({"F_x_0", "F_y_0"}), values({"N_0", "F_0"}), values({"a_0", "omega_dot_0"}),
-                      remark(moments.in(language)), values({"N_s", "F_after"}), values({"a_after", "F_after_over_N"}),
-                      values({"u"}), remark(grip.in(language))},
+          .results = {values({"F_x_0", "F_y_0"}), remark(upwards.in(language)), values({"N_0", "F_0"}),
+                      values({"a_0", "omega_dot_0"}), remark(moments.in(language)), values({"N_s", "F_after"}),
+                      remark(sense_after(s).in(language)), values({"a_after", "F_after_over_N"}), values({"u"}),
+                      remark(grip.in(language))},
           .seen = {"Polygons of the forces on aircraft and wheel at touch-down and after the wheel has taken hold",
                    "Poligoni delle forze su aereo e ruota al contatto e dopo che la ruota ha aderito"},
           .told = {"N_0", "F_0", "a_0", "N_s", "F_after", "a_after"},

@@ -11,4 +11,7 @@ PanelSheet slip_sheet(const Solution& s, Language language);
 PanelSheet euler_sheet(const Solution& s, Language language);
 PanelSheet integration_sheet(const Solution& s, Language language);
 
+// What a negative friction of the rolling wheel means; empty of a positive one.
+Words sense_after(const Solution& s);
+
 }  // namespace epure::aircraft_landing

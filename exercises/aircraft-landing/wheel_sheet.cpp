@@ -20,6 +20,7 @@ Wheel wheel_at(const Solution& s, bool at_first) {
   const std::string prime = at_first ? "" : "'", when = at_first ? "0" : "after";
   const std::string N = at_first ? "N_0" : "N_s", F = "F_" + when, inertia = "wheel_inertia_" + when,
                     hub = "hub_force_" + when;
+  const bool is_forwards = s[F] < 0;
   const auto side = [](const std::string& quantity, const std::string& label, const std::string& direction,
                        const std::string& size, const Arrow2& v) {
     return PolygonSide{.quantity = quantity,
@@ -35,7 +36,8 @@ Wheel wheel_at(const Solution& s, bool at_first) {
       .turning = s[at_first ? "omega_dot_0" : "a_after"],
       .weight = side("wheel_weight", "$\\vec{\\it{P}}_{r}$", "↓", "$m_{r}g$", {0, -s["wheel_weight"]}),
       .N = side(N, "$\\vec{\\it{N}}$", "↑", "$\\it{N}$", {0, s[N]}),
-      .F = side(F, "$\\vec{\\it{F}}" + prime + "$", "←", "$\\it{F}" + prime + "$", {-s[F], 0}),
+      .F = side(F, "$\\vec{\\it{F}}" + prime + "$", is_forwards ? "→" : "←",
+                is_forwards ? "|$\\it{F}" + prime + "$|" : "$\\it{F}" + prime + "$", {-s[F], 0}),
       .inertia = side(inertia, "−$m_{r}\\vec{a}" + prime + "$", "→", "$m_{r}$|$a" + prime + "$|", {s[inertia], 0}),
       .hub = side(hub, "$\\vec{\\it{H}}" + prime + "$", "?", "?", s.vector(hub))};
 }
@@ -62,6 +64,12 @@ FreeBodyPanel cut_free(const Wheel& of, const std::string& prime) {
 
 }  // namespace
 
+Words sense_after(const Solution& s) {
+  if (s["F_after"] >= 0) return {};
+  return {"$\\it{F}'$ < 0: counted backwards, it acts forwards, and slows the wheel down with the aircraft.",
+          "$\\it{F}'$ < 0: contata all'indietro, agisce in avanti, e rallenta la ruota con l'aereo."};
+}
+
 PanelSheet wheel_sheet(const Solution& s, Language language) {
   const Wheel first = wheel_at(s, true), after = wheel_at(s, false);
   FreeBodyPanel before_body = cut_free(first, ""), after_body = cut_free(after, "'");
@@ -86,7 +94,8 @@ PanelSheet wheel_sheet(const Solution& s, Language language) {
       "Rispetto al mozzo $\\it{J}_{r}α$ = $\\it{F}\\it{R}$ − $\\it{N}u$."};
   return {.panels = panels(before_body, PolygonPanel(s, polygon_of(first, "1")), after_body, rolling),
           .results = {remark(balance.in(language)), values({"N_0", "F_0"}), values({"hub_force_0", "omega_dot_0"}),
-                      values({"N_s", "F_after"}), values({"hub_force_after", "a_after"}), values({"u"})},
+                      values({"N_s", "F_after"}), remark(sense_after(s).in(language)),
+                      values({"hub_force_after", "a_after"}), values({"u"})},
           .seen = {"The wheel cut free at touch-down and after it has taken hold, and the polygons of its forces",
                    "La ruota isolata al contatto e dopo che ha aderito, e i poligoni delle sue forze"},
           .told = {"hub_force_0", "hub_force_after", "N_0", "F_0", "N_s", "F_after"},

@@ -2,6 +2,7 @@
 // the whole linkage, it is shown larger beside it.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "exercises/four-bar-constraints/exercise.h"
 #include "exercises/kit/panels/chart_panel.h"
@@ -30,6 +31,8 @@ std::size_t iterates(const Solution& s) {
 namespace {
 
 double gap(const Solution& s, std::size_t k) { return s[iterate(residual(), k).name]; }
+
+constexpr std::size_t most_drawn = 4;  // open linkages that can be told apart
 
 // The gap can be drawn, but not so that it is seen on the whole linkage.
 bool is_beside_gap(const Solution& s) {
@@ -61,7 +64,7 @@ class OpenLinkagePanel : public Panel {
     }
     constexpr double letters = 8;  // mm
     mechanism_->include(extent, scale);
-    for (std::size_t k = 0; k < iterates(solution_); ++k)
+    for (std::size_t k = 0; k < drawn_open(); ++k)
       for (const std::string& end : {end_of_coupler(k), end_of_rocker(k)})
         extent.include(scale, solution_.place(end), letters);
     return extent.box();
@@ -71,10 +74,9 @@ class OpenLinkagePanel : public Panel {
     if (shows_ == Shows::all) mechanism_->draw_given(plot);
   }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
-    constexpr double seen = 1.5;                     // mm: such a gap can be drawn with its letters
     constexpr double ring = 5, ring_in_detail = 33;  // mm: about what is shown larger; to the links' numbers there
     const Place &A = mechanism_->at("A"), &B0 = mechanism_->at("B0"), &B = mechanism_->at("B");
-    for (std::size_t k = 0; k < iterates(solution_) && gap(solution_, k) * plot.scale().mm_per_unit > seen; ++k) {
+    for (std::size_t k = 0; k < drawn_open() && is_seen(plot, k); ++k) {
       const Place on_coupler = solution_.place(end_of_coupler(k)), on_rocker = solution_.place(end_of_rocker(k));
       draw_link(plot, A, on_coupler, Meaning::alternative);
       draw_link(plot, B0, on_rocker, Meaning::alternative);
@@ -100,9 +102,22 @@ class OpenLinkagePanel : public Panel {
     return {};
   }
 
-  std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override { return steps_; }
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override {
+    std::vector<PanelStep> all = steps_;
+    if (!all.empty() && iterates(solution_) > most_drawn && is_seen(plot, most_drawn))
+      all.back().text = all.back().text + format_words(" Only $k$ = 0 to {} are drawn.",
+                                                       " Sono disegnate solo $k$ da 0 a {}.", most_drawn - 1);
+    return all;
+  }
 
  private:
+  bool is_seen(const Plot& plot, std::size_t k) const {
+    constexpr double seen = 1.5;  // mm: such a gap can be drawn with its letters
+    return gap(solution_, k) * plot.scale().mm_per_unit > seen;
+  }
+  // An iteration that wanders would cover the linkage with its iterates: of them the first.
+  std::size_t drawn_open() const { return std::min(iterates(solution_), most_drawn); }
+
   // Beside the gap no more of it than its end.
   void draw_link(Plot& plot, const Place& from, const Place& end, Meaning meaning) const {
     constexpr double end_of_link = 40;  // mm
@@ -164,6 +179,25 @@ std::optional<drawings::Block> table_of_iterates(const Solution& s, Language lan
   return table;
 }
 
+// How many turns the iteration has run past the angle that is told, which is within half a turn.
+double turns_beyond(const Solution& s, const Quantity& angle) {
+  return std::round((s[iterate(angle, iterates(s) - 1).name] - s[angle.name]) / (2 * std::numbers::pi));
+}
+Words about_whole_turns(const Solution& s) {
+  std::string differences;
+  for (const Quantity& angle : {coupler_angle(), rocker_angle()}) {
+    const double turns = turns_beyond(s, angle);
+    if (turns == 0) continue;
+    const std::string by = std::abs(turns) == 1 ? "2π" : fmt::format("{}·2π", std::abs(turns));
+    differences +=
+        fmt::format("{}{} {} {}", differences.empty() ? "" : ", ", angle.symbol, turns > 0 ? "+" : "−", by);
+  }
+  if (differences.empty()) return {};
+  return format_words("The last iterates are {}: whole turns beyond the angles told as results.",
+                      "Le ultime iterate valgono {}: giri interi oltre le anomalie date come risultati.",
+                      differences);
+}
+
 // A logarithmic axis has no zero: what became zero is left out.
 drawings::Curve points_of(const Solution& s, const Quantity& quantity, Meaning meaning, drawings::PointShape shape) {
   drawings::Curve curve{.name = quantity.name, .meaning = meaning, .label = quantity.symbol};
@@ -223,7 +257,7 @@ PanelSheet iterations_sheet(const Solution& s, Language language) {
              remark(Words{"$r_{1}$ = $A_{0}B_{0}$, $r_{2}$ = $A_{0}A$, $r_{3}$ = $AB$, $r_{4}$ = $BB_{0}$",
                           "$r_{1}$ = $A_{0}B_{0}$, $r_{2}$ = $A_{0}A$, $r_{3}$ = $AB$, $r_{4}$ = $BB_{0}$"}
                         .in(language))}},
-           {{"Iterates", "Iterate"}, {table_of_iterates}},
+           {{"Iterates", "Iterate"}, {table_of_iterates, remark(about_whole_turns(s).in(language))}},
            {{"Jacobian at the solution", "Jacobiano nella soluzione"},
             {table({"$ψ_{q}$ (m)", "∂/∂$θ_{2}$", "∂/∂$θ_{3}$", "∂/∂$θ_{4}$"},
                    {{"$ψ_{1}$", {"jacobian_psi_1_theta_2", "jacobian_psi_1_theta_3", "jacobian_psi_1_theta_4"}},

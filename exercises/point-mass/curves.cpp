@@ -71,6 +71,19 @@ const std::map<std::string, std::vector<Special>>& specials() {
   return all;
 }
 
+// Of the velocity where the force changes its sign.
+geometry::Sign velocity_at(const Problem& of, const Crossing& zero) {
+  const Powers v = ByPowers(of).v;
+  return zero.at.sign_of([&](const auto& t) { return v.at(t); });
+}
+Quadratic zeros_of_force(const Problem& of) { return {of.A, of.B, of.C, of.end()}; }
+
+// A maximum of the velocity is one of the energy if the body goes forwards there.
+bool has_greatest_energy(const Problem& of) {
+  const auto zero = zeros_of_force(of).falling;
+  return zero && velocity_at(of, *zero) == geometry::Sign::positive;
+}
+
 SizedChart small_chart(const Solution& s, const Problem& of, const Drawn& what, Language language) {
   drawings::Chart chart = chart_of(s, of, what, language);
   std::vector<ChartPanel::Read> read;
@@ -81,7 +94,7 @@ SizedChart small_chart(const Solution& s, const Problem& of, const Drawn& what, 
     read.push_back({at, {}, name});
   }
   for (const Special& special : specials().at(what.kind)) {
-    if (!s.value(special.abscissa)) continue;
+    if (!s.value(special.abscissa) || (special.ordinate == "E_max" && !has_greatest_energy(of))) continue;
     const double t = s[special.abscissa];
     const Datum at{t, special.ordinate.empty() ? 0 : s[special.ordinate]};
     chart.markers.push_back(
@@ -96,6 +109,29 @@ SizedChart small_chart(const Solution& s, const Problem& of, const Drawn& what, 
   return SizedChart(std::move(chart), std::move(read), one_of_six);
 }
 
+// What v, q, E and s do where the force passes through zero; where it does not, nothing.
+Words where_force_changes_sign(const Problem& of) {
+  const Quadratic zeros = zeros_of_force(of);
+  const Words inflection{", and $s$ has its inflection.", ", e $s$ ha il flesso."};
+  Words told;
+  if (zeros.falling)
+    told = told +
+           Words{" Where $\\it{F}$ passes from positive to negative, $v$ and $q$ have a maximum, ",
+                 " Dove $\\it{F}$ passa da positiva a negativa, $v$ e $q$ hanno un massimo, "} +
+           (has_greatest_energy(of) ? Words{"$\\it{E}$ too", "così $\\it{E}$"}
+                                    : Words{"$\\it{E}$ a minimum", "$\\it{E}$ un minimo"}) +
+           inflection;
+  if (zeros.rising)
+    told = told +
+           Words{" Where $\\it{F}$ passes from negative to positive, $v$ and $q$ have a minimum, ",
+                 " Dove $\\it{F}$ passa da negativa a positiva, $v$ e $q$ hanno un minimo, "} +
+           (velocity_at(of, *zeros.rising) == geometry::Sign::negative
+                ? Words{"$\\it{E}$ a maximum", "$\\it{E}$ un massimo"}
+                : Words{"$\\it{E}$ too", "così $\\it{E}$"}) +
+           inflection;
+  return told;
+}
+
 }  // namespace
 
 PanelSheet curves_sheet(const Solution& s, Language language) {
@@ -103,15 +139,14 @@ PanelSheet curves_sheet(const Solution& s, Language language) {
   Panels all;
   for (const Drawn& what : drawn(ByPowers(of)))
     all.push_back(std::make_unique<SizedChart>(small_chart(s, of, what, language)));
-  const Words formulas{
+  const std::string formulas =
       "$\\it{F}$ = $\\it{A}t^{3}$ + $\\it{B}t^{2}$ + $\\it{C}t$, $a$ = $\\it{F}$/$m$, $v$ = ∫$a$ d$t$, $q$ = $mv$, "
-      "$\\it{E}$ = $mv^{2}$/2, $s$ = ∫$v$ d$t$. Where $\\it{F}$ passes from positive to negative, $v$ and $q$ are "
-      "greatest, $\\it{E}$ too, and $s$ has its inflection.",
-      "$\\it{F}$ = $\\it{A}t^{3}$ + $\\it{B}t^{2}$ + $\\it{C}t$, $a$ = $\\it{F}$/$m$, $v$ = ∫$a$ d$t$, $q$ = $mv$, "
-      "$\\it{E}$ = $mv^{2}$/2, $s$ = ∫$v$ d$t$. Dove $\\it{F}$ passa da positiva a negativa, $v$ e $q$ sono massime, "
-      "così $\\it{E}$, e $s$ ha il flesso."};
+      "$\\it{E}$ = $mv^{2}$/2, $s$ = ∫$v$ d$t$." +
+      where_force_changes_sign(of).in(language);
+  std::vector<std::string> at_greatest_velocity{"q_max", "s_at_v_max"};
+  if (has_greatest_energy(of)) at_greatest_velocity.insert(at_greatest_velocity.begin() + 1, "E_max");
   return {.panels = std::move(all),
-          .theory = {{{"The motion", "Il moto"}, {remark(formulas.in(language))}}},
+          .theory = {{{"The motion", "Il moto"}, {remark(formulas)}}},
           .results = {table({"", "$t_{1}$", "$t_{2}$", "$t_{3}$"}, {{"$\\it{F}$ (N)", {"F_1", "F_2", "F_3"}},
                                                                     {"$a$ (m/s²)", {"a_1", "a_2", "a_3"}},
                                                                     {"$v$ (m/s)", {"v_1", "v_2", "v_3"}},
@@ -119,7 +154,7 @@ PanelSheet curves_sheet(const Solution& s, Language language) {
                                                                     {"$\\it{E}$ (J)", {"E_1", "E_2", "E_3"}},
                                                                     {"$s$ (m)", {"s_1", "s_2", "s_3"}}}),
                       values({"t_F_max", "F_max"}), values({"t_F_min", "F_min"}), values({"t_v_max", "v_max"}),
-                      values({"q_max", "E_max", "s_at_v_max"}), values({"impulse_positive", "impulse_negative"})},
+                      values(at_greatest_velocity), values({"impulse_positive", "impulse_negative"})},
           .seen = {"Force, acceleration, velocity, momentum, kinetic energy and space over time",
                    "Forza, accelerazione, velocità, quantità di moto, energia cinetica e spazio nel tempo"},
           .told = {"F_max", "t_v_max", "v_max", "E_max", "s_3"},

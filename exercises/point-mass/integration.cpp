@@ -67,8 +67,12 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
       "$\\it{H}_{v}$ = $u_{v}$/$u_{t}u_{a}$ and $\\it{H}_{s}$ = $u_{s}$/$u_{t}u_{v}$ centimetres.",
       "Alle scale della fonte (un centimetro vale $u_{t}$, $u_{a}$, $u_{v}$, $u_{s}$) i poli distano $\\it{H}_{v}$ = "
       "$u_{v}$/$u_{t}u_{a}$ e $\\it{H}_{s}$ = $u_{s}$/$u_{t}u_{v}$ centimetri."};
-  const Words distances{"At their ends the polygons stand above the true curves by",
-                        "Agli estremi i poligoni stanno sopra le curve esatte di"};
+  const bool are_above = s[name("off_v")] >= 0 && s[name("off_s")] >= 0;
+  const Words distances = are_above
+                              ? Words{"At their ends the polygons stand above the true curves by",
+                                      "Agli estremi i poligoni stanno sopra le curve esatte di"}
+                              : Words{"At their ends the polygons stand above (+) or below (−) the true curves by",
+                                      "Agli estremi i poligoni stanno sopra (+) o sotto (−) le curve esatte di"};
   return {
       .panels = panels(panel(s)),
       .results = {remark(poles.in(language)), values({name("pole_distance_v"), name("pole_distance_s")}),

@@ -112,6 +112,35 @@ std::vector<std::vector<double>> in_columns(const Tabulated& table) {
   return all;
 }
 
+// Which of the errors there are: the formulas are exact for polynomials of low degree.
+Words of_the_formulas(const Problem& of) {
+  if (of.A != 0)
+    return {
+        "Bezout's $v_{B}$ is off by Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). Cavalieri-Simpson's formula is exact for "
+        "the cubic $a$: $v_{S}$ has an error in the odd rows alone, which begin with a parabola through three "
+        "points. Odd and even rows have each their own curve of $s_{S}$, and where both are wrong of $v_{S}$.",
+        "La $v_{B}$ di Bezout è errata di Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). La formula di Cavalieri-Simpson è "
+        "esatta per la cubica $a$: $v_{S}$ ha errore nelle sole righe dispari, che cominciano con una parabola per "
+        "tre punti. Righe dispari e pari hanno ognuna la sua curva di $s_{S}$, e dove entrambe sono errate di "
+        "$v_{S}$."};
+  if (of.B != 0)
+    return {
+        "Bezout's $v_{B}$ is off by Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). Cavalieri-Simpson's formula is exact for "
+        "the parabola $a$: $v_{S}$ has no error, $s_{S}$ in the odd rows alone, which begin with a parabola "
+        "through three points.",
+        "La $v_{B}$ di Bezout è errata di Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). La formula di Cavalieri-Simpson è "
+        "esatta per la parabola $a$: $v_{S}$ non ha errore, $s_{S}$ nelle sole righe dispari, che cominciano con "
+        "una parabola per tre punti."};
+  if (of.C != 0)
+    return {
+        "$a$ is a straight line: $v_{B}$, $v_{S}$ and $s_{S}$ have no error, and no curve here. Bezout's $s_{B}$ "
+        "alone is off, by Δ$t^{2}$/12·$a$($t$).",
+        "$a$ è una retta: $v_{B}$, $v_{S}$ e $s_{S}$ non hanno errore, e qui nessuna curva. Solo la $s_{B}$ di "
+        "Bezout è errata, di Δ$t^{2}$/12·$a$($t$)."};
+  return {"$\\it{F}$ = 0: the body rests, and both formulas say so.",
+          "$\\it{F}$ = 0: il corpo resta in quiete, e così dicono entrambe le formule."};
+}
+
 }  // namespace
 
 PanelSheet errors_sheet(const Solution& s, Language language) {
@@ -127,15 +156,7 @@ PanelSheet errors_sheet(const Solution& s, Language language) {
   Panels all;
   all.push_back(std::make_unique<SizedChart>(
       chart(right, Words{"|$ε$|, right tables", "|$ε$|, tabelle giuste"}.in(language), end)));
-  const Words formulas{
-      "Bezout's $v_{B}$ is off by Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). Cavalieri-Simpson's formula is exact for the "
-      "cubic $a$: $v_{S}$ has an error in the odd rows alone, which begin with a parabola through three points. Odd "
-      "and even rows "
-      "have each their own curve of $s_{S}$, and where both are wrong of $v_{S}$.",
-      "La $v_{B}$ di Bezout è errata di Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). La formula di Cavalieri-Simpson è esatta "
-      "per la cubica $a$: $v_{S}$ ha errore nelle sole righe dispari, che cominciano con una parabola per tre "
-      "punti. Righe dispari e pari hanno ognuna la sua curva di $s_{S}$, e dove entrambe sono errate di $v_{S}$."};
-  std::vector<Section> theory{{{"The formulas", "Le formule"}, {remark(formulas.in(language))}}};
+  std::vector<Section> theory{{{"The formulas", "Le formule"}, {remark(of_the_formulas(of).in(language))}}};
   if (s.givens().as_stated()) {
     for (const PrintedAgainstExact& column : printed_columns())
       printed.push_back(errors(column.kind, column.method, column.printed, column.exact, of.dt));

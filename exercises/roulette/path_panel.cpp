@@ -27,11 +27,23 @@ std::vector<double> cusps_on(const RollingGivens& given, const Way& way) {
   return found;
 }
 
+constexpr double overhang = 0.1;  // of an arch, beyond both ends of a path that does not close
+
+// The rounds of a path near its circle would run together: then one before the instant and one after.
+Way way_to_tell_apart(const Rolled& f) {
+  const Way whole = way_of(f.given, overhang);
+  if (f.given.is_line() || f.given.rolls_on_line()) return whole;
+  constexpr double apart = 0.005;  // of the path's size
+  const double rounds = (whole.to - whole.from) / (2 * std::numbers::pi) *
+                        geometry::from_rational<double>(geometry::rolled_per_turned(f.given.rolling)) * f.r / f.R;
+  return 2 * f.d / rounds < apart * (f.R + f.r + f.d) ? way_around(f.given, overhang) : whole;
+}
+
 class PathPanel : public Panel {
  public:
   explicit PathPanel(const Solution& solution)
       : f_(rolled(solution, rolling_of(solution.givens()))),
-        way_(way_of(f_.given, overhang)),
+        way_(way_to_tell_apart(f_)),
         cusps_(cusps_on(f_.given, way_)),
         path_(f_.given.rolling, f_.given.phi),
         points_(samples_of_path(f_.given, way_)) {}
@@ -89,8 +101,6 @@ class PathPanel : public Panel {
   }
 
  private:
-  static constexpr double overhang = 0.1;  // of an arch, beyond both ends of a path that does not close
-
   Place at(double since) const { return path_(since); }
   const geometry::Rolling& rolling() const { return f_.given.rolling; }
   bool is_inside() const { return rolling().how == geometry::Rolls::circle_inside_circle; }
@@ -144,10 +154,13 @@ class PathPanel : public Panel {
          "$ψ$");
   }
 
+  bool is_divided() const {
+    constexpr int most_divided_arches = 8;
+    return way_.arches <= most_divided_arches;
+  }
   // Twelve to an arch, or every 30 deg of an involute: what the curve is drawn through by hand.
   void draw_division(Plot& plot) const {
-    constexpr int most_divided_arches = 8;
-    if (way_.arches > most_divided_arches) return;
+    if (!is_divided()) return;
     const double k = geometry::from_rational<double>(geometry::rolled_per_turned(rolling()));
     const Angle psi = geometry::rolled_angle(rolling(), f_.given.phi);
     const double step = 30 * degree / k, rolled = to_double(geometry::within_one_turn(psi)) / k;
@@ -195,10 +208,16 @@ class PathPanel : public Panel {
     if (f_.given.is_line())
       return {"$M$ is carried by the line at the distance $d$: it traces the " + name.english + ".",
               "$M$ è portato dalla retta alla distanza $d$: descrive la curva detta " + name.italian + "."};
-    return {"$CM$ = $d$, at the angle $ψ$ from $CP_{0}$. $M$ traces the " + name.english +
-                "; the dots are 30° of $ψ$ apart.",
-            "$CM$ = $d$, all'angolo $ψ$ da $CP_{0}$. $M$ descrive la curva detta " + name.italian +
-                "; i punti distano 30° di $ψ$."};
+    const Words dots =
+        is_divided() ? Words{"; the dots are 30° of $ψ$ apart.", "; i punti distano 30° di $ψ$."} : Words{".", "."};
+    const Way whole = way_of(f_.given, overhang);
+    const Words part = way_.to - way_.from < whole.to - whole.from
+                           ? Words{" Its rounds lie close together: one before the instant and one after are drawn.",
+                                   " I suoi giri sono fitti: ne sono disegnati uno prima dell'istante e uno dopo."}
+                           : Words{};
+    return Words{"$CM$ = $d$, at the angle $ψ$ from $CP_{0}$. $M$ traces the ",
+                 "$CM$ = $d$, all'angolo $ψ$ da $CP_{0}$. $M$ descrive la curva detta "} +
+           name + dots + part;
   }
 
   Words about_cusps() const {

@@ -51,12 +51,13 @@ std::vector<Printed> printed_by_the_source() {
           {"normal_slope", "-6.071", "poles"}, {"P0_y", "4", "poles"}};
 }
 
-std::shared_ptr<const Mechanism> bar_on_its_body(const Solution& s, bool speeds_up = false) {
+std::shared_ptr<const Mechanism> bar_on_its_body(const Solution& s, bool speeds_up = false,
+                                                 const std::string& letters_of_O = "$O$") {
   const Instant instant(s.givens());
   const double theta = sign_of(instant.angle) < 0 ? -geometry::to_double(within_one_turn(-instant.angle))
                                                   : geometry::to_double(within_one_turn(instant.angle));
   Mechanism mechanism;
-  mechanism.point("O", s.place("O"), Mechanism::Joint::block, "$O$")
+  mechanism.point("O", s.place("O"), Mechanism::Joint::block, letters_of_O)
       .point("A", s.place("A"), Mechanism::Joint::none, "$A$")
       .body({"O", "A"})
       .guide("O", 0, "$x$")
@@ -128,12 +129,31 @@ std::vector<PolesStep> steps_to_centre(const Solution& s, Language language) {
         "$ω$ = 0 e $\\it{V}$ = 0: la barra è ferma, e nessun suo punto è centro delle velocità più di un altro."}}};
 }
 
+// O, not accelerated, is K itself.
+bool is_centre_at_O(const Solution& s) { return Instant(s.givens()).a == 0 && s.point("K"); }
+
 std::vector<PolesStep> steps_to_accelerations(const Solution& s) {
+  const Instant instant(s.givens());
+  if (!s.point("K") && instant.a == 0)
+    return {{{"$ω$, d$ω$/d$t$ and $a$ are zero: no point is accelerated, and none is $K$ more than another.",
+              "$ω$, d$ω$/d$t$ e $a$ sono nulle: nessun punto è accelerato, e nessuno è $K$ più di un altro."}}};
   if (!s.point("K"))
     return {{{"$ω$ and d$ω$/d$t$ are zero: every point has the acceleration of $O$, and $K$ is at infinity.",
               "$ω$ e d$ω$/d$t$ sono nulle: ogni punto ha l'accelerazione di $O$, e $K$ è all'infinito."}}};
   const Words same_gamma{"The same $γ$ stands at every point of the bar.",
                          "Lo stesso $γ$ si trova in ogni punto della barra."};
+  if (is_centre_at_O(s)) {
+    const Words leans = is_zero(instant.omega_dot)
+                            ? Words{"d$ω$/d$t$ = 0: $γ$ = 0, $\\vec{a}_{A}$ points along the bar to $K$.",
+                                    "d$ω$/d$t$ = 0: $γ$ = 0, la $\\vec{a}_{A}$ è diretta lungo la barra verso $K$."}
+                            : Words{"$\\vec{a}_{A}$ stands at $γ$ to $AK$, tan $γ$ = (d$ω$/d$t$)/$ω^{2}$.",
+                                    "La $\\vec{a}_{A}$ forma con $AK$ l'angolo $γ$, tg $γ$ = (d$ω$/d$t$)/$ω^{2}$."};
+    return {{{"$a$ = 0: $O$ is not accelerated, and is the acceleration centre: $K$ ≡ $O$.",
+              "$a$ = 0: $O$ non è accelerato, ed è il centro delle accelerazioni: $K$ ≡ $O$."},
+             Where::pole},
+            {decimal("$a_{A}$ = $KA$·√($ω^{4}$ + (d$ω$/d$t$)$^{2}$)") + ".", Where::ray, "A"},
+            {leans, Where::point, "A"}};
+  }
   const Words of_O = decimal("$a_{O}$ = $KO$·√($ω^{4}$ + (d$ω$/d$t$)$^{2}$)");
   return {{{"Rays through $O$ and $A$, at the angle $γ$ to $\\vec{a}_{O}$ and to $\\vec{a}_{A}$, tan $γ$ = "
             "(d$ω$/d$t$)/$ω^{2}$, counter-clockwise when d$ω$/d$t$ > 0: they meet at $K$, where the acceleration is "
@@ -176,7 +196,12 @@ PanelSheet acceleration_sheet(const Solution& s, Language) {
 }
 
 PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
-  return {.panels = panels(PolesPanel(s, bar_on_its_body(s, true), PolesPanel::of_acceleration(), {"O", "A"},
+  const bool is_at_O = is_centre_at_O(s);
+  PolesPanel::Kind kind = PolesPanel::of_acceleration();
+  if (is_at_O) kind.letters.clear();  // O bears both
+  const std::vector<std::string> accelerated =
+      is_at_O ? std::vector<std::string>{"A"} : std::vector<std::string>{"O", "A"};
+  return {.panels = panels(PolesPanel(s, bar_on_its_body(s, true, is_at_O ? "$O$ ≡ $K$" : "$O$"), kind, accelerated,
                                       steps_to_accelerations(s))),
           .results = {values({"gamma_deg"}), coordinates("K"), values({"KO", "KA"}), values({"a_O"}),
                       components(acceleration("A"))},

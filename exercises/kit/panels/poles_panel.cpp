@@ -164,7 +164,7 @@ void PolesPanel::draw_leaving_rays(Plot& plot, const drawings::Box& room, Langua
 
 void PolesPanel::draw_pole(Plot& plot) const {
   plot.cross(*pole_, kind_.ink);
-  plot.label(kind_.letters, *pole_, middle_of(mechanism_->corners()), kind_.ink);
+  if (!kind_.letters.empty()) plot.label(kind_.letters, *pole_, middle_of(mechanism_->corners()), kind_.ink);
   if (reports_pole_) plot.measures_coordinates(kind_.prefix + kind_.pole, *pole_, mechanism_->corners().front());
   for (const Carried& X : points_)
     if (contains(reported_rays_, X.name)) plot.measures(name_of_ray(X.name), *pole_, X.at);

@@ -25,7 +25,7 @@ class PolesPanel : public Panel {
  public:
   struct Kind {
     std::string pole;     // in names of quantities: "P0"
-    std::string letters;  // "$P_{0}$"
+    std::string letters;  // "$P_{0}$"; none: the point of the mechanism that it is bears them
     Meaning ink = Meaning::locus;
     VectorQuantity (*vector)(const std::string& of) = velocity;
     double longest_on_paper = 60;  // mm
