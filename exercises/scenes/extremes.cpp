@@ -163,6 +163,22 @@ Found by_sign_of_slope(Elsewhere& elsewhere, const std::string& route, double ne
   return {undecided(open), undecided(open)};
 }
 
+// By equations of joints: of many places of the drive the mechanism does not close in one, or it grows, or falls, in
+// all.
+bool is_nowhere_stationary(Elsewhere& elsewhere, const std::string& route) {
+  const Arithmetic<Bounded> scope;
+  constexpr int places = 24;
+  bool grows = true, falls = true;
+  for (int k = 0; k < places; ++k) try {
+      const auto slope = bounds(elsewhere.at(Rational(k, places), route).slope);
+      grows = grows && slope && sign(*slope) == Sign::positive;
+      falls = falls && slope && sign(*slope) == Sign::negative;
+    } catch (const NotClosed&) {
+      return true;
+    }
+  return grows || falls;
+}
+
 // Where an extreme is at a plain part of a turn that can be proved: exactly there.
 std::optional<Found> at_plain_place(Elsewhere& elsewhere, const std::string& route, const Settled& place) {
   constexpr int parts = 48;  // 7.5°
@@ -205,16 +221,12 @@ class OfChanging {
     } catch (const Undecided& open) {
       for (const bool is_greatest : {true, false}) put_undecided(open.words(), is_greatest);
     } catch (const NotClosed&) {
-      throw BadGivens(format_words(
-          "extremes over a turn are asked for, but link {} does not turn right round: the mechanism does not close "
-          "everywhere",
-          "si chiedono estremi in un giro, ma il membro {} non fa il giro completo: il meccanismo non si chiude "
-          "dappertutto",
-          number_of_drive(built_)));
+      put_absent(all, rung,
+                 format_words("link {} does not turn right round: the mechanism does not close everywhere",
+                              "il membro {} non fa il giro completo: il meccanismo non si chiude dappertutto",
+                              number_of_drive(built_)));
     } catch (const Impossible& none) {
-      throw BadGivens(format_words("{} has no greatest and least value over a turn of link {}: {}",
-                                   "{} non ha massimo e minimo in un giro del membro {}: {}", changing_.quantity.name,
-                                   number_of_drive(built_), none.words()));
+      put_absent(all, rung, none.words());
     }
   }
 
@@ -241,6 +253,17 @@ class OfChanging {
     if (!is_one) second.place = first.place;
     add(all, is_greatest, construction, first);
     add(all, is_greatest, joint_equations, second);
+  }
+
+  void put_absent(std::vector<RouteValue>& all, Rung rung, const Words& why) const {
+    const Settled none{.kind = Settled::Kind::absent, .enclosure = {}, .reason = why};
+    for (const bool is_greatest : {true, false}) add(all, is_greatest, construction, {none, none});
+    if (rung != Rung::climb) return;
+    Elsewhere elsewhere(built_, changing_);
+    const Settled second = is_nowhere_stationary(elsewhere, joint_equations)
+                               ? none
+                               : undecided({"whether it changes its sense nowhere", "se non cambi mai senso"});
+    for (const bool is_greatest : {true, false}) add(all, is_greatest, joint_equations, {second, second});
   }
 
   Found in_doubles(const StationaryPlace& place) const {

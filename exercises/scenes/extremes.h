@@ -21,8 +21,8 @@ std::string extreme_name(const std::string& quantity, bool is_greatest);
 std::string place_of_extreme(const std::string& quantity, bool is_greatest);
 
 // Of each name, one of with_extremes, by the construction and by the equations of all joints. The drive must be one
-// turned link; velocities are those with which it turns steadily. Throws BadGivens where it does not turn right
-// round, or a quantity has no greatest and least value.
+// turned link; velocities are those with which it turns steadily. Absent, with the reason, where it does not turn
+// right round, or a quantity grows or falls without end.
 std::vector<RouteValue> extremes(const Built& built, const std::vector<std::string>& names, Rung rung);
 
 }  // namespace epure::scenes

@@ -67,8 +67,11 @@ TEST_CASE("every scene of the docs holds against the corpus, to the last bit, by
     CAPTURE(c.name, complaints(checked));
     CHECK(checked.passed());
     for (const CheckedQuantity& quantity : checked.quantities) {
-      const std::string reference = c.reference(quantity.spec.name);
-      CAPTURE(quantity.spec.name, reference);
+      const std::string& name = quantity.spec.name;
+      if (name.find("_max") != std::string::npos || name.find("_min") != std::string::npos)
+        continue;  // test_extremes
+      const std::string reference = c.reference(name);
+      CAPTURE(name, reference);
       REQUIRE_FALSE(reference.empty());
       is_the_reference(quantity, reference);
     }
