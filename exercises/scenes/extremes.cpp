@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <variant>
 
 #include "exercises/kit/proof/agreement.h"
@@ -163,19 +164,25 @@ Found by_sign_of_slope(Elsewhere& elsewhere, const std::string& route, double ne
   return {undecided(open), undecided(open)};
 }
 
-// By equations of joints: of many places of the drive the mechanism does not close in one, or it grows, or falls, in
-// all.
+bool does_not_close(Elsewhere& elsewhere, double turns, const std::string& route) {
+  try {
+    elsewhere.at(Rational(turns), route);
+  } catch (const NotClosed&) {
+    return true;
+  }
+  return false;
+}
+
+// By equations of joints: in many places of the drive it grows, or in all it falls.
 bool is_nowhere_stationary(Elsewhere& elsewhere, const std::string& route) {
   const Arithmetic<Bounded> scope;
   constexpr int places = 24;
   bool grows = true, falls = true;
-  for (int k = 0; k < places; ++k) try {
-      const auto slope = bounds(elsewhere.at(Rational(k, places), route).slope);
-      grows = grows && slope && sign(*slope) == Sign::positive;
-      falls = falls && slope && sign(*slope) == Sign::negative;
-    } catch (const NotClosed&) {
-      return true;
-    }
+  for (int k = 0; k < places; ++k) {
+    const auto slope = bounds(elsewhere.at(Rational(k, places), route).slope);
+    grows = grows && slope && sign(*slope) == Sign::positive;
+    falls = falls && slope && sign(*slope) == Sign::negative;
+  }
   return grows || falls;
 }
 
@@ -220,11 +227,12 @@ class OfChanging {
       for (const bool is_greatest : {true, false}) put_found(all, is_greatest, foremost(found, is_greatest), rung);
     } catch (const Undecided& open) {
       for (const bool is_greatest : {true, false}) put_undecided(open.words(), is_greatest);
-    } catch (const NotClosed&) {
+    } catch (const NotEverywhere& gap) {
       put_absent(all, rung,
                  format_words("link {} does not turn right round: the mechanism does not close everywhere",
                               "il membro {} non fa il giro completo: il meccanismo non si chiude dappertutto",
-                              number_of_drive(built_)));
+                              number_of_drive(built_)),
+                 gap.angle);
     } catch (const Impossible& none) {
       put_absent(all, rung, none.words());
     }
@@ -255,14 +263,17 @@ class OfChanging {
     add(all, is_greatest, joint_equations, second);
   }
 
-  void put_absent(std::vector<RouteValue>& all, Rung rung, const Words& why) const {
+  // `gap`: where the construction does not close, by the angle of EveryPlace; or nowhere.
+  void put_absent(std::vector<RouteValue>& all, Rung rung, const Words& why, std::optional<double> gap = {}) const {
     const Settled none{.kind = Settled::Kind::absent, .enclosure = {}, .reason = why};
     for (const bool is_greatest : {true, false}) add(all, is_greatest, construction, {none, none});
     if (rung != Rung::climb) return;
     Elsewhere elsewhere(built_, changing_);
-    const Settled second = is_nowhere_stationary(elsewhere, joint_equations)
-                               ? none
-                               : undecided({"whether it changes its sense nowhere", "se non cambi mai senso"});
+    const bool is_so = gap ? does_not_close(elsewhere, of_drive(*gap) / (2 * std::numbers::pi), joint_equations)
+                           : is_nowhere_stationary(elsewhere, joint_equations);
+    const Settled second = is_so ? none
+                                 : undecided({"whether it has no extreme, as the construction has it",
+                                              "se non abbia estremi, come risulta dalla costruzione"});
     for (const bool is_greatest : {true, false}) add(all, is_greatest, joint_equations, {second, second});
   }
 

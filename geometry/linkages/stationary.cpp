@@ -8,6 +8,9 @@
 namespace epure::geometry {
 namespace {
 
+constexpr double turn_in_doubles = 2 * std::numbers::pi;
+double middle_of(const Bounded& x) { return midpoint(x).inf(); }
+
 bool is_proved(Sign sign) { return sign == Sign::positive || sign == Sign::negative; }
 
 // A zero of the derivative is at `middle` less this, for one of the second derivatives over where it lies.
@@ -85,6 +88,8 @@ class SearchOverTurn {
       return number_.bounded(angles);
     } catch (const Undecided&) {
       return {};
+    } catch (const Impossible& none) {
+      throw NotEverywhere(none.words(), middle_of(angles));
     }
   }
 
@@ -110,8 +115,6 @@ class SearchOverTurn {
   bool is_open_ = false;
 };
 
-constexpr double turn_in_doubles = 2 * std::numbers::pi;
-double middle_of(const Bounded& x) { return midpoint(x).inf(); }
 void add_turns(StationaryPlace& place, double turns) { place.at.value += Bounded(2 * turns) * pi<Bounded>(); }
 
 // Between two of them an angle grows, or falls, by less than a turn.

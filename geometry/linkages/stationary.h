@@ -36,9 +36,15 @@ struct StationaryPlace {
   bool is_greatest;
 };
 
+// There is no number at this angle, and so no greatest.
+struct NotEverywhere : Impossible {
+  NotEverywhere(const Words& why, double angle_) : Impossible(why), angle(angle_) {}
+  double angle;  // radians
+};
+
 // In the order of the angles from some angle on, greatest and least in turn. In a scope of Arithmetic<Bounded>.
-// Throws what the number throws; Impossible where it is the same everywhere, or grows or falls without end (an
-// angle); Undecided where very many looks do not tell.
+// Throws NotEverywhere; Impossible where it is the same everywhere, or grows or falls without end (an angle);
+// Undecided where very many looks do not tell.
 std::vector<StationaryPlace> stationary_places(const NumberOverAngle& number);
 
 // Those that may be the greatest of all, or the least.

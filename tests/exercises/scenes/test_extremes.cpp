@@ -155,6 +155,12 @@ void have_no_value(const std::string& text, const std::string& quantity, const s
 
 TEST_CASE("extremes that do not exist have no value, and the reason is told", "[scenes]") {
   have_no_value(extremes_of_slider_crank("0", "[B_x]", "270 mm"), "B_x", "link 2 does not turn right round");
+  // Over some degrees it does not close.
+  have_no_value(
+      "epure: 1\nid: f\nlinks:\n  1: {A0: [0, 0], B0: [-134.8 mm, 172.6 mm]}\n  2: {A0 A: 110 mm}\n"
+      "  3: {A B: 116 mm}\n  4: {B0 B: 226 mm}\ndrive: {link: 2, angle: 185.4 deg}\n"
+      "assembly: {B: left of A B0}\nextremes: [theta_4]\n",
+      "theta_4", "link 2 does not turn right round");
   have_no_value(
       bars("300 mm", "350 mm", "280 mm", "100 mm", "") + "assembly: {B: left of A B0}\nextremes: [theta_4]\n",
       "theta_4", "it grows or falls without end");
