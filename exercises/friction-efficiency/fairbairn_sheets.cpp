@@ -38,9 +38,7 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
   FreeBodyPanel on_6 = ram_cut_free(of), on_4 = lever_cut_free(of), on_2 = crank_cut_free(of);
   on_6.to_scale().at_most(50).load(of.load("F", "", ""), end_of_ram(of));
   on_6.force(of.known(moving(force_between(5, 6), direct), "", ""), D);
-  press(on_6, of, of.known(moving(force_between(1, 6), direct), "", ""), D, std::numbers::pi / 2, of.vector("v_61"),
-        "61");
-  on_6.otherwise("", "", {}, {{D, of.vector("R_56" + retrograde)}, {D, of.vector("R_16" + retrograde)}});
+  on_6.force(of.known(moving(force_between(1, 6), direct), "", ""), D, Arrow::ends);
   const PolygonSide R_34 = of.known(moving(force_between(3, 4), direct), "", ""),
                     R_54 = reversed(of.known(moving(force_between(5, 6), direct), "", ""), 5, 4),
                     R_32 = reversed(R_34, 3, 2);
@@ -66,23 +64,23 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
   results.push_back(of.results({"F_23_direct", "d_direct"}));
   results.push_back(of.results({"F_23_retrograde", "d_retrograde"}));
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  Panels shown = panels(all, on_6, on_4, on_2, polygon(direct));
+  // The ram is the same with the shorter lever; that sheet has no room for it (100 kB of an SVG).
+  Panels shown =
+      name == "fairbairn" ? panels(all, on_6, on_4, on_2, polygon(direct)) : panels(all, on_4, on_2, polygon(direct));
   if (shared)
     shown.push_back(std::make_unique<SharedLoadPanel>(shared->polygon(moving(force_between(5, 6), direct).arrow())));
   shown.push_back(std::make_unique<ChainedPolygonsPanel>(polygon(retrograde)));
   if (other)
     shown.push_back(
         std::make_unique<SharedLoadPanel>(other->polygon(moving(force_between(5, 6), retrograde).arrow())));
-  return {
-      .panels = std::move(shown),
-      .results = results,
-      .seen =
-          {"Fairbairn's mechanism, its ram, lever and crank cut free, and the polygons of ram and lever in the "
-           "direct and in the retrograde motion",
-           "La guida di Fairbairn, slitta, leva e manovella isolate, e i poligoni di slitta e leva nel moto diretto "
-           "e nel retrogrado"},
-      .told = of.names({"M_direct", "M_retrograde", "eta_direct", "eta_retrograde"}),
-      .without_part = of.without({}, {"phi"})};
+  return {.panels = std::move(shown),
+          .results = results,
+          .seen = {"Fairbairn's mechanism, its bodies cut free, and the polygons of ram and lever in the "
+                   "direct and in the retrograde motion",
+                   "La guida di Fairbairn, i suoi corpi isolati, e i poligoni di slitta e leva nel moto diretto "
+                   "e nel retrogrado"},
+          .told = of.names({"M_direct", "M_retrograde", "eta_direct", "eta_retrograde"}),
+          .without_part = of.without({}, {"phi"})};
 }
 
 }  // namespace epure::friction_efficiency

@@ -9,6 +9,7 @@
 #include "drawings/paths/flatten.h"
 #include "drawings/paths/vectors.h"
 #include "drawings/text/text.h"
+#include "tests/exercises/told_words.h"
 #include "tests/exercises/tried_givens.h"
 
 using namespace epure;
@@ -214,10 +215,8 @@ TEST_CASE("what a sheet uses is defined on it, as stated") {
     for (const Language language : {Language::english, Language::italian}) {
       const Exercise& exercise = find_exercise(catalogue(), id);
       const Solution solution = exercise.solution(Tried(id).givens({}));
-      std::string all = text_of(exercise.draw(sheet, solution, {.language = language}).sheet);
-      const std::string unbroken = "\u00a0";
-      for (auto at = all.find(unbroken); at != std::string::npos; at = all.find(unbroken))
-        all.replace(at, unbroken.size(), " ");
+      const std::string all =
+          with_plain_spaces(text_of(exercise.draw(sheet, solution, {.language = language}).sheet));
       CAPTURE(id, sheet, static_cast<int>(language), text, all);
       CHECK(all.find(text) != std::string::npos);
     }

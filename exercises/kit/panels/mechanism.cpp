@@ -133,11 +133,14 @@ double room_of(const ArcArrow& arrow, const Place& O, const std::vector<Obstacle
   return least;
 }
 
-// The arrow where it is if that is clear; else the nearest about the same point that is, or has the most room.
-ArcArrow in_the_clear(const ArcArrow& usual, const Place& O, const std::vector<Obstacle>& others,
-                      const Scale& scale) {
+// The arrow where it is if that is clear; else the nearest about the same point that is, and keeps clear of its own
+// link too. Where none is: about a support, which its usual place keeps clear of, there; else where it has most room.
+ArcArrow in_the_clear(const ArcArrow& usual, const Place& O, std::vector<Obstacle> others, const Obstacle& own_link,
+                      bool is_at_support, const Scale& scale) {
   constexpr double enough = 0.7;  // mm
   constexpr int directions = 24;
+  if (room_of(usual, O, others, scale) >= enough) return usual;
+  others.push_back(own_link);
   ArcArrow best = usual;
   double most = room_of(usual, O, others, scale);
   for (int i = 0; i < directions; ++i)
@@ -151,7 +154,7 @@ ArcArrow in_the_clear(const ArcArrow& usual, const Place& O, const std::vector<O
       best = other;
       most = found;
     }
-  return best;
+  return most >= enough || !is_at_support ? best : usual;
 }
 
 }  // namespace
@@ -581,8 +584,10 @@ void Mechanism::draw_turning(Plot& plot, const Turning& each) const {
     return sense_of_turning(about.at, at(each.of), each.sense, each.symbol);
   };
 
-  constexpr double line = 0.5, slot_wide = 2.3, hinge = 1.7;                   // mm to either side
-  constexpr double support_wide = 5.4, foot = 6.5, wall = 4.5, wall_wide = 2;  // mm
+  constexpr double line = 0.5, slot_wide = 2.3, hinge = 1.7;                 // mm to either side
+  constexpr double support_from = 5.4, support_to = 14, support_wide = 5.5;  // mm
+  constexpr double support_seen = 0.75, may_touch = -0.65;                   // radians; mm
+  constexpr double beside_crank = 2.4, wall = 4.5, wall_wide = 2;            // mm
   const double mm = 1 / plot.scale().mm_per_unit;
   std::vector<Obstacle> others;
   for (const auto& [from, to] : edges(bodies_)) others.push_back({from, to, line});
@@ -591,7 +596,6 @@ void Mechanism::draw_turning(Plot& plot, const Turning& each) const {
       const auto [from, to] = slot(body, plot.scale());
       others.push_back({from, to, slot_wide});
     }
-  for (const Axis& axis : axes_) others.push_back({axis.from, axis.to, line});
   for (const Disc& each_disc : discs_)
     add_arc(others, at(each_disc.centre), radius(each_disc), 0, 2 * std::numbers::pi, line);
   for (const Profile& profile : profiles_)
@@ -605,12 +609,16 @@ void Mechanism::draw_turning(Plot& plot, const Turning& each) const {
   for (const Point& P : points_) {
     if (P.joint != Joint::corner) others.push_back({P.at, P.at, hinge});
     if (P.joint != Joint::fixed) continue;
-    const double down = direction_of_support(P, plot.scale());
-    const Place middle = P.at + foot * mm * unit_at(down);
-    const Arrow2 half = support_wide * mm * unit_at(down + std::numbers::pi / 2);
-    others.push_back({middle + -1.0 * half, middle + half, 0});
+    // Not under it either, where the frame's number stands, nor over the edges of that, seen from the hinge.
+    const double below = direction_of_support(P, plot.scale());
+    const Arrow2 down = mm * unit_at(below);
+    others.push_back({P.at + support_from * down, P.at + support_to * down, support_wide});
+    for (const double side : {-support_seen, support_seen})
+      others.push_back({P.at, P.at + support_to * mm * unit_at(below + side), may_touch});
   }
-  draw_arc_arrow(plot, about.at, in_the_clear(usual(), about.at, others, plot.scale()));
+  const Obstacle own_link{about.at, at(each.of), about.joint == Joint::fixed ? beside_crank : line};
+  draw_arc_arrow(plot, about.at,
+                 in_the_clear(usual(), about.at, others, own_link, about.joint == Joint::fixed, plot.scale()));
 }
 
 void Mechanism::draw_numbers(Plot& plot) const {

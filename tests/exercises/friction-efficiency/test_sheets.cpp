@@ -61,7 +61,7 @@ TEST_CASE("friction: the sense of sliding stands at every contact, and the force
   shows("two-forces", 3);
   shows("levers", 2);
   shows("levers-Q-on-2", 2);
-  shows("fairbairn", 3);
+  shows("fairbairn", 2);
 }
 
 TEST_CASE("friction: parallel forces do not meet: the funicular polygon shares them out",
