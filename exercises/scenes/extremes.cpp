@@ -5,7 +5,7 @@
 #include <numbers>
 #include <variant>
 
-#include "exercises/kit/proof/agreement.h"
+#include "exercises/kit/linkages/angles.h"
 #include "exercises/kit/proof/asked.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/scenes/scene_routes.h"
@@ -95,11 +95,6 @@ Settled undecided(const Words& why) { return {.kind = Settled::Kind::undecided, 
 struct Found {
   Settled value, place;
 };
-
-template <class T>
-T in_degrees(const T& radians) {
-  return quotient(T(180) * radians, pi<T>());
-}
 
 // The mechanism with its drive somewhere else, turning steadily; and what the ledger says of it there.
 class Elsewhere {

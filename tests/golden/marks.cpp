@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/support/plain_spaces.h"
+
 namespace epure::golden {
 namespace {
 
@@ -32,13 +34,6 @@ std::string written(const Path& path) {
                           : " C" + written(piece.first_control) + written(piece.second_control) + written(piece.end);
   return all + (path.closed ? " Z" : "");
 }
-// No eye tells a space that does not break from another.
-std::string with_plain_spaces(std::string text) {
-  const std::string unbroken = "\u00a0";
-  for (auto at = text.find(unbroken); at != std::string::npos; at = text.find(unbroken, at))
-    text.replace(at, unbroken.size(), " ");
-  return text;
-}
 std::string or_none(const std::string& text) { return text.empty() ? "-" : text; }
 
 struct Written {
@@ -55,7 +50,7 @@ struct Written {
     return fmt::format(
         "text {} {} {}{} {}", text.size, text.weight == Weight::bold ? "bold" : "regular", written(text.colour),
         written(text.baseline),
-        text.text.starts_with("epure ") ? "epure" : with_plain_spaces(text.text));  // whatever the version
+        text.text.starts_with("epure ") ? "epure" : tests::with_plain_spaces(text.text));  // whatever the version
   }
 };
 
@@ -132,7 +127,7 @@ std::string line_of(const Primitive& primitive) { return std::visit(Written{}, p
 
 Lines lines_of(const Page& page) {
   Lines lines{"page" + written(page.extent.low) + written(page.extent.high),
-              "told " + with_plain_spaces(page.description)};
+              "told " + tests::with_plain_spaces(page.description)};
   for (const Primitive& primitive : page.primitives) lines.push_back(line_of(primitive));
   return lines;
 }

@@ -3,6 +3,7 @@
 
 #include "drawings/paths/vectors.h"
 #include "tests/exercises/cycloid-involute/cases.h"
+#include "tests/exercises/told_words.h"
 
 using namespace epure;
 using namespace epure::tests;
@@ -28,16 +29,6 @@ const std::vector<Assignments> usual{{},
 bool shows(const DrawnSheet& drawn, const std::string& quantity) {
   return std::any_of(drawn.measurements.begin(), drawn.measurements.end(),
                      [&](const Measurement& m) { return m.quantity == quantity; });
-}
-
-std::string text_of(const DrawnSheet& drawn) {
-  std::string text;
-  for (const drawings::Block& block : drawn.sheet.column) {
-    if (const auto* steps = std::get_if<drawings::Steps>(&block))
-      for (const std::string& line : steps->lines) text += line + "\n";
-    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) text += paragraph->text + "\n";
-  }
-  return text;
 }
 
 std::vector<std::string> labels(const DrawnSheet& drawn) {
@@ -97,7 +88,7 @@ TEST_CASE("cycloid: twelve divisions are there to be seen", "[cycloid-involute][
     CHECK(has_label(drawn, label));
   }
   CHECK(shows(drawn, "cycloid.arch_base"));
-  CHECK(text_of(drawn).find("proved") == std::string::npos);  // a word of ours, not of a sheet's
+  CHECK(words_of(drawn).find("proved") == std::string::npos);  // a word of ours, not of a sheet's
   CHECK(drawn.sheet.title_block.scales == std::vector<std::string>{"1 : 20", "1 : 10"});
   // On a small wheel the quarters only.
   const DrawnSheet small = both().draw("cycloid", {"d=1.4"});
@@ -111,14 +102,14 @@ TEST_CASE("involute: twelve divisions, and the slip of the source is said", "[cy
     CAPTURE(label);
     CHECK(has_label(drawn, label));
   }
-  CHECK(text_of(drawn).find("prints $x$ with − for +") != std::string::npos);
-  CHECK(text_of(drawn).find("more than twice as fast") != std::string::npos);
+  CHECK(words_of(drawn).find("prints $x$ with − for +") != std::string::npos);
+  CHECK(words_of(drawn).find("more than twice as fast") != std::string::npos);
 }
 
 TEST_CASE("cycloid: the cusp is drawn from both sides, another instant as the first", "[cycloid-involute][sheets]") {
   const DrawnSheet cusp = both().draw("cycloid-instants", {}), none = both().draw("cycloid-instants", {"s=3"});
-  CHECK(text_of(cusp).find("has a cusp") != std::string::npos);
-  CHECK(text_of(none).find("has a cusp") == std::string::npos);
+  CHECK(words_of(cusp).find("has a cusp") != std::string::npos);
+  CHECK(words_of(none).find("has a cusp") == std::string::npos);
   // M rests: what tells the directions of the path is no velocity.
   int directions = 0;
   for (const drawings::Mark& mark : cusp.sheet.figure.marks)
@@ -138,8 +129,8 @@ TEST_CASE("cycloid: the cusp is drawn from both sides, another instant as the fi
 }
 
 TEST_CASE("cycloid: the source's quarter turn is said where its numbers stand", "[cycloid-involute][sheets]") {
-  CHECK(text_of(both().draw("cycloid-instants", {})).find("belongs to 90°") != std::string::npos);
-  CHECK(text_of(both().draw("cycloid-instants", {"phi=134"})).find("belongs to 90°") == std::string::npos);
+  CHECK(words_of(both().draw("cycloid-instants", {})).find("belongs to 90°") != std::string::npos);
+  CHECK(words_of(both().draw("cycloid-instants", {"phi=134"})).find("belongs to 90°") == std::string::npos);
 }
 
 TEST_CASE("cycloid: the inflection circle is solid, the stationarity circle a dashed line",
@@ -166,7 +157,7 @@ TEST_CASE("involute: the sheets say in which sense the line rolls, and the text 
       return arc && arc->to > arc->from;
     });
     CHECK(turned == (std::string(sheet) == "involute" ? 1 : 2));
-    CHECK_THAT(text_of(drawn), Contains("counter-clockwise") && Contains("Clockwise, as its text says"));
+    CHECK_THAT(words_of(drawn), Contains("counter-clockwise") && Contains("Clockwise, as its text says"));
   }
 }
 

@@ -4,25 +4,16 @@
 #include <cmath>
 
 #include "tests/exercises/held_against_corpus.h"
+#include "tests/exercises/told_words.h"
 
 using namespace epure;
 using namespace epure::tests;
 
 namespace {
 
-// Its paragraphs and steps.
-std::string words(const DrawnSheet& drawn) {
-  std::string all;
-  for (const drawings::Block& block : drawn.sheet.column) {
-    if (const auto* steps = std::get_if<drawings::Steps>(&block))
-      for (const std::string& line : steps->lines) all += line + "\n";
-    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) all += paragraph->text + "\n";
-  }
-  return all;
-}
 std::string words(const std::string& exercise, const std::string& sheet, const Assignments& given,
                   Language language = Language::english) {
-  return words(Tried(exercise).draw(sheet, given, {.language = language}));
+  return words_of(Tried(exercise).draw(sheet, given, {.language = language}));
 }
 
 std::size_t written(const DrawnSheet& drawn, const std::string& text) {
@@ -84,12 +75,12 @@ TEST_CASE("where O is not accelerated it is the acceleration centre, and nothing
     return Tried("velocity-centre").draw("acceleration-pole", given);
   };
   const DrawnSheet rests = drawn({"a=0", "omega_dot=0"});
-  CHECK_THAT(words(rests), Contains("$K$ ≡ $O$") && Contains("points along the bar to $K$") && !Contains("Rays"));
+  CHECK_THAT(words_of(rests), Contains("$K$ ≡ $O$") && Contains("points along the bar to $K$") && !Contains("Rays"));
   CHECK(written(rests, "$O$ ≡ $K$") == 1);
   CHECK(written(rests, "$K$") == 0);
-  CHECK_THAT(words(drawn({"a=0"})), Contains("$\\vec{a}_{A}$ stands at $γ$ to $AK$"));
-  CHECK_THAT(words(drawn({"a=0", "omega_dot=0", "omega=0"})), Contains("no point is accelerated"));
-  CHECK_THAT(words(drawn({})), Contains("Rays through $O$ and $A$"));
+  CHECK_THAT(words_of(drawn({"a=0"})), Contains("$\\vec{a}_{A}$ stands at $γ$ to $AK$"));
+  CHECK_THAT(words_of(drawn({"a=0", "omega_dot=0", "omega=0"})), Contains("no point is accelerated"));
+  CHECK_THAT(words_of(drawn({})), Contains("Rays through $O$ and $A$"));
 }
 
 TEST_CASE("an iteration that has gone round is told to have, and not all of a wandering one is drawn") {

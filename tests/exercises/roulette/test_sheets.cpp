@@ -2,6 +2,7 @@
 #include "drawings/paths/flatten.h"
 #include "exercises/kit/panels/sheet.h"
 #include "tests/exercises/roulette/cases.h"
+#include "tests/exercises/told_words.h"
 
 using namespace epure;
 using namespace epure::tests;
@@ -25,16 +26,6 @@ bool draws(const DrawnSheet& drawn) {
   for (const char* word : {"-nan", "=\"nan", "=\"inf", " nan ", " inf "})
     if (bytes.find(word) != std::string::npos) return false;
   return bytes.find("<svg") != std::string::npos;
-}
-
-std::string words_of(const DrawnSheet& drawn) {
-  std::string text;
-  for (const drawings::Block& block : drawn.sheet.column) {
-    if (const auto* steps = std::get_if<drawings::Steps>(&block))
-      for (const std::string& line : steps->lines) text += line + "\n";
-    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block)) text += paragraph->text + "\n";
-  }
-  return text;
 }
 
 // From one place and in one direction, within a hair's breadth on the paper: the longer hides the shorter.
