@@ -43,8 +43,7 @@ std::vector<drawings::Block> ThroatPanel::draw(Plot& plot, const drawings::Box& 
   plot.mark(drawings::Line{drawings::segment(plot.at(corner()), plot.at(foot())), Meaning::link, "a"});
   plot.right_angle(foot(), corner(), {w + leg_, 0});
   plot.onto().sheet.figure.labels.push_back({.text = "$a$", .at = plot.at(corner()), .to = plot.at(foot())});
-  plot.mark(
-      drawings::Dimension{plot.at({-w - leg_, 0}), plot.at({-w, 0}), plot.scale().mm_per_unit * wall_ + 6, "$b$"});
+  plot.mark(drawings::Dimension{plot.at({w, -leg_}), plot.at({w + leg_, -leg_}), -6, "$b$"});
   plot.mark(drawings::Dimension{plot.at({-w, -d}), plot.at({w, -d}), -6, "$s_{1}$"});
   plot.measures("a", corner(), foot());
   return {};

@@ -13,6 +13,10 @@ class ThroatPanel : public Panel {
   double reach() const override { return 2 * beside(); }
   bool is_in_millimetres() const override { return true; }
   drawings::Box extent(const Scale& lengths, const Scale&) const override;
+  // The fillet's corners and its throat: between thick walls a small one has a close-up.
+  std::vector<Place> lettered() const override {
+    return {corner(), foot(), {corner().x + leg_, 0}, {corner().x, -leg_}};
+  }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
   void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;

@@ -95,7 +95,11 @@ PanelSheet two_forces(const Solution& s, Language language) {
     ChainedPolygonsPanel panel(std::move(of_rod));
     PolygonSide minus = reaction(sum, "−" + sum.label, "$\\it{R}_{13}$");
     minus.tip = "$b$";
-    if (K) panel.then(force_polygon("3", {first}, {minus, second}), {0, 0});
+    if (K) {
+      VectorPolygon of_collar = force_polygon("3", {first}, {minus, second});
+      of_collar.origin = origin("3", suffix);
+      panel.then(of_collar, {0, 0});
+    }
     if (!K && suffix == direct) {
       shared.emplace(minus, Place{0, 0}, first, Place{-at.w / 2, at.upper}, second, Place{at.w / 2, at.lower});
     }

@@ -24,7 +24,7 @@ drawings::Box window_of(const PlacedPanel& placed, const SheetRequest& request) 
 }
 
 Plot plot_of(const PlacedPanel& placed, DrawnSheet& onto, const SheetRequest& request) {
-  Plot plot(onto, placed.origin, placed.panel->is_of_vectors() ? placed.vectors : placed.lengths);
+  Plot plot(onto, placed.origin, placed.plane());
   plot.vectors_at(placed.vectors);
   plot.keep_within(window_of(placed, request));
   return plot;
@@ -215,12 +215,18 @@ std::string place_in_row(const PlacedPanel& panel, const std::vector<const Place
   return Words{" centre", " al centro"}.in(language);
 }
 
+// Its frame tells its scale.
+bool is_close_up_of_polygon(const PlacedPanel& panel) {
+  return panel.panel->is_of_vectors() && dynamic_cast<const CloseUp*>(panel.panel) != nullptr;
+}
+
 // Where a sheet shows vectors of one unit at two scales, as it does forces, or beside some without any: whose this
 // one is.
 std::string whose(const PlacedPanel& panel, const std::vector<PlacedPanel>& panels, Language language) {
   const std::string unit = panel.panel->vectors().unit;
   const auto other = std::find_if(panels.begin(), panels.end(), [&](const PlacedPanel& each) {
-    return each.panel->vectors().unit == unit && each.vectors.caption != panel.vectors.caption;
+    return each.panel->vectors().unit == unit && each.vectors.caption != panel.vectors.caption &&
+           !is_close_up_of_polygon(each);
   });
   const bool is_polygon = panel.panel->is_of_vectors();
   const Words of_polygons{" polygons", " poligoni"};
@@ -281,9 +287,10 @@ void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const Sh
     for (const Scale& scale : of_vectors) {
       if (scale.caption.empty() || std::find(captions.begin(), captions.end(), scale.caption) != captions.end())
         continue;
+      captions.push_back(scale.caption);
+      if (is_close_up_of_polygon(each)) continue;
       bars.push_back(scale);
       if (scale.caption == each.vectors.caption) bars.back().caption += whose(each, panels, request.language);
-      captions.push_back(scale.caption);
     }
   }
   add_scale_bars(onto, bars, request);
@@ -370,7 +377,7 @@ DrawnSheet solved_figure(const std::vector<PlacedPanel>& panels, const DrawnShee
 void draw_frames(const PlacedPanel& close_up, const PlacedPanel& whole, DrawnSheet& onto,
                  const SheetRequest& request) {
   draw_frame(seen_in(close_up, whole), {}, onto);
-  draw_frame(close_up.room, close_up.lengths.caption, onto);
+  draw_frame(close_up.room, close_up.plane().caption, onto);
   cut(onto.sheet.figure, figure_area(request));
 }
 
@@ -410,7 +417,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
         of_drawings.push_back(std::move(block));
       plot.in_step({});
     }
-    if (close_up) leave_to_close_up(seen_in(*close_up, each), before, onto);
+    if (close_up) leave_to_close_up(*close_up, each, before, onto);
     parts.push_back({onto.sheet.figure.marks.size(), onto.sheet.figure.labels.size()});
     cut(onto.sheet.figure, window_of(each, request));
     if (close_up) draw_frames(*close_up, each, onto, request);

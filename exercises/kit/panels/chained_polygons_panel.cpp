@@ -101,6 +101,13 @@ drawings::Box ChainedPolygonsPanel::extent(const Scale&, const Scale& vectors) c
   return extent.box();
 }
 
+std::vector<Place> ChainedPolygonsPanel::lettered() const {
+  std::vector<Place> all;
+  for (const Link& link : links_)
+    for (const Place& corner : corners_of(link.polygon)) all.push_back(corner + link.from);
+  return all;
+}
+
 void ChainedPolygonsPanel::draw_angle(Plot& plot, const Angle& angle) {
   constexpr double narrow = 0.25;  // radians: seen farther out only
   const double radius = std::abs(angle.to - angle.from) < narrow ? 24 : 12, leg = radius + 4;  // mm

@@ -29,6 +29,7 @@ class ChainedPolygonsPanel : public Panel {
   bool is_of_vectors() const override { return true; }
   Vectors vectors() const override;
   drawings::Box extent(const Scale&, const Scale& vectors) const override;
+  std::vector<Place> lettered() const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override;
   std::vector<drawings::VectorEquation> equations() const override;
   std::vector<double> crossings() const override;

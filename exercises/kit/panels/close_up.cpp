@@ -63,12 +63,16 @@ std::vector<Place> shortest_link(const DrawnJoints& drawn, double least) {
 }
 
 // The largest of the crowds, in which each letter stands in the way of the next, and what is nearly as close to it;
-// nothing where all have room. Two points that are one to the eye are a crowd too, with what is nearest to them.
-std::vector<Place> largest_crowd(const std::vector<Place>& points, double mm_per_unit, double least) {
-  constexpr double in_the_way = 4.5;    // mm
+// nothing where all have room. Two points that are one to the eye are a crowd too, with what is nearest to them; not
+// so of vectors, where such a one has its value beside it.
+std::vector<Place> largest_crowd(const std::vector<Place>& points, double mm_per_unit, double least,
+                                 bool are_of_vectors) {
   constexpr double one_to_the_eye = 1;  // mm
-  constexpr std::size_t crowd = 4;      // letters: three find room around their points
+  // Three letters find room around their points; but the sides of a polygon have letters too.
+  const double in_the_way = are_of_vectors ? 6 : 4.5;  // mm
+  const std::size_t crowd = are_of_vectors ? 3 : 4;
   const auto are_one = [&](const std::vector<Place>& together) {
+    if (are_of_vectors) return false;
     for (std::size_t i = 0; i < together.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (distance(together[i], together[j]) * mm_per_unit < one_to_the_eye) return true;
@@ -169,12 +173,14 @@ std::vector<Place> joints_together(const PlacedPanel& placed, const SheetRequest
 
 // What needs a close-up at the scale that was found; none: all can be told apart.
 std::optional<SmallPart> part_too_small(const PlacedPanel& placed, const SheetRequest& request) {
-  if (placed.panel->is_of_vectors() || !placed.panel->has_scale()) return {};
-  std::vector<Place> part = joints_together(placed, request);
+  if (!placed.panel->has_scale()) return {};
+  std::vector<Place> part;
+  if (!placed.panel->is_of_vectors()) part = joints_together(placed, request);
   const bool is_crowd = part.empty();
   if (is_crowd) {
     const std::vector<Place> lettered = placed.panel->lettered();
-    part = largest_crowd(lettered, placed.lengths.mm_per_unit, same_place * extent_of_places(lettered));
+    part = largest_crowd(lettered, placed.plane().mm_per_unit, same_place * extent_of_places(lettered),
+                         placed.panel->is_of_vectors());
   }
   if (part.empty()) return {};
   SmallPart found{part.front(), part.front()};
@@ -241,6 +247,21 @@ void take_away(std::vector<T>& all, const std::set<std::size_t>& gone) {
   all.resize(kept);
 }
 
+// The letters and the dimensions drawn since that stand beyond the frame, which does not cut them.
+void leave_out_beyond(const drawings::Box& room, const DrawnSoFar& before, drawings::Figure& figure) {
+  std::set<std::size_t> labels, dimensions;
+  for (std::size_t i = before.labels; i < figure.labels.size(); ++i)
+    if (!drawings::contains(room, place_of_label(figure.labels[i]))) labels.insert(i);
+  for (std::size_t i = before.marks; i < figure.marks.size(); ++i)
+    if (std::holds_alternative<drawings::Dimension>(figure.marks[i]) &&
+        !drawings::contains(room, *place_of(figure.marks[i])))
+      dimensions.insert(i);
+  take_away(figure.labels, labels);
+  take_away(figure.known_of_labels, labels);
+  take_away(figure.marks, dimensions);
+  take_away(figure.known_of_marks, dimensions);
+}
+
 // Nothing else has become so much smaller that what the close-up gains is lost there.
 bool is_better(const std::vector<PlacedPanel>& before, const std::vector<PlacedPanel>& after) {
   constexpr double at_most_smaller = 2.6;  // times: a standard scale
@@ -249,7 +270,7 @@ bool is_better(const std::vector<PlacedPanel>& before, const std::vector<PlacedP
     if (const auto* close_up = dynamic_cast<const CloseUp*>(now.panel)) {
       const auto whole = std::find_if(after.begin(), after.end(),
                                       [&](const PlacedPanel& each) { return each.panel == &close_up->whole(); });
-      if (now.lengths.mm_per_unit < worth_drawing * whole->lengths.mm_per_unit) return false;
+      if (now.plane().mm_per_unit < worth_drawing * whole->plane().mm_per_unit) return false;
       continue;
     }
     if (at_most_smaller * now.lengths.mm_per_unit < then->lengths.mm_per_unit ||
@@ -262,19 +283,22 @@ bool is_better(const std::vector<PlacedPanel>& before, const std::vector<PlacedP
 
 }  // namespace
 
-double CloseUp::reach() const {
-  constexpr double most = 100;  // mm
-  return 1000 * std::max(high_.x - low_.x, high_.y - low_.y) / most;
+constexpr double longest_close_up = 100;  // mm
+
+double CloseUp::reach() const { return 1000 * std::max(high_.x - low_.x, high_.y - low_.y) / longest_close_up; }
+
+Panel::Vectors CloseUp::vectors() const {
+  if (!is_of_vectors()) return whole_.vectors();
+  return {whole_.vectors().unit, std::max(high_.x - low_.x, high_.y - low_.y), longest_close_up};
 }
 
 // The part, and of what else the whole shows as much as its vectors reach, with their letters.
 drawings::Box CloseUp::extent(const Scale& lengths, const Scale& vectors) const {
   constexpr double letters = 10;  // mm
-  const auto at = [&](const Place& P) {
-    return drawings::Point{lengths.mm_per_unit * P.x, lengths.mm_per_unit * P.y};
-  };
+  const Scale& plane = is_of_vectors() ? vectors : lengths;
+  const auto at = [&](const Place& P) { return drawings::Point{plane.mm_per_unit * P.x, plane.mm_per_unit * P.y}; };
   const drawings::Point low = at(low_), high = at(high_);
-  const double air = letters + whole_.vectors().longest * vectors.mm_per_unit;
+  const double air = letters + (is_of_vectors() ? 0 : whole_.vectors().longest * vectors.mm_per_unit);
   const drawings::Box around{{low.x - air, low.y - air}, {high.x + air, high.y + air}};
   drawings::Box seen = drawings::intersection(whole_.extent_of_near(lengths, vectors), around);
   seen.low = {std::min(seen.low.x, low.x), std::min(seen.low.y, low.y)};
@@ -283,20 +307,18 @@ drawings::Box CloseUp::extent(const Scale& lengths, const Scale& vectors) const 
 }
 
 std::vector<drawings::Block> CloseUp::draw(Plot& plot, const drawings::Box& room, Language language) const {
-  drawings::Figure& figure = plot.onto().sheet.figure;
-  const std::size_t before = figure.labels.size();
+  const DrawnSoFar before(plot.onto());
   whole_.draw(plot, room, language);
   plot.in_step({});
-  std::set<std::size_t> beyond;
-  for (std::size_t i = before; i < figure.labels.size(); ++i)
-    if (!drawings::contains(room, place_of_label(figure.labels[i]))) beyond.insert(i);
-  take_away(figure.labels, beyond);
-  take_away(figure.known_of_labels, beyond);
+  leave_out_beyond(room, before, plot.onto().sheet.figure);
   return {};
 }
 
 void CloseUp::draw_given(Plot& plot, const drawings::Box& room, Language language) const {
+  const DrawnSoFar before(plot.onto());
   whole_.draw_given(plot, room, language);
+  plot.in_step({});
+  leave_out_beyond(room, before, plot.onto().sheet.figure);
 }
 
 LaidOut laid_out_with_close_ups(const Panels& panels, const drawings::Box& room, const SheetRequest& request) {
@@ -329,7 +351,7 @@ const PlacedPanel* close_up_of(const PlacedPanel& whole, const std::vector<Place
 }
 
 drawings::Box seen_in(const PlacedPanel& close_up, const PlacedPanel& whole) {
-  const double ratio = whole.lengths.mm_per_unit / close_up.lengths.mm_per_unit;
+  const double ratio = whole.plane().mm_per_unit / close_up.plane().mm_per_unit;
   const auto at = [&](const drawings::Point& p) {
     return drawings::Point{whole.origin.x + ratio * (p.x - close_up.origin.x),
                            whole.origin.y + ratio * (p.y - close_up.origin.y)};
@@ -342,13 +364,25 @@ drawings::Box seen_in(const PlacedPanel& close_up, const PlacedPanel& whole) {
   return seen;
 }
 
-void leave_to_close_up(const drawings::Box& seen, const DrawnSoFar& before, DrawnSheet& onto) {
+void leave_to_close_up(const PlacedPanel& close_up, const PlacedPanel& whole, const DrawnSoFar& before,
+                       DrawnSheet& onto) {
+  const drawings::Box seen = seen_in(close_up, whole);
+  // Of a polygon a long side that begins there is seen in the whole.
+  const auto leads_out = [&](const drawings::Mark& mark) {
+    const auto* arrow = std::get_if<drawings::Arrow>(&mark);
+    return arrow && whole.panel->is_of_vectors() && !drawings::contains(seen, arrow->to);
+  };
   drawings::Figure& figure = onto.sheet.figure;
   std::set<std::size_t> marks, labels, measurements;
-  std::set<PaperEnds> vectors;
+  std::set<PaperEnds> vectors, stay;
   for (std::size_t i = before.marks; i < figure.marks.size(); ++i) {
     const auto at = place_of(figure.marks[i]);
     if (!at || !drawings::contains(seen, *at)) continue;
+    if (leads_out(figure.marks[i])) {
+      const auto& arrow = std::get<drawings::Arrow>(figure.marks[i]);
+      stay.insert(paper_ends(arrow.from, arrow.to));
+      continue;
+    }
     marks.insert(i);
     if (const auto* arrow = std::get_if<drawings::Arrow>(&figure.marks[i]))
       vectors.insert(paper_ends(arrow->from, arrow->to));
@@ -356,6 +390,7 @@ void leave_to_close_up(const drawings::Box& seen, const DrawnSoFar& before, Draw
   for (std::size_t i = before.labels; i < figure.labels.size(); ++i) {
     const drawings::Label& label = figure.labels[i];
     const drawings::Point to = label.to.value_or(label.at);
+    if (stay.contains(paper_ends(label.at, to))) continue;
     if (drawings::contains(seen, place_of_label(label)) || vectors.contains(paper_ends(label.at, to)) ||
         std::any_of(marks.begin(), marks.end(),
                     [&](std::size_t mark) { return is_symbol_of(label, figure.marks[mark]); }))

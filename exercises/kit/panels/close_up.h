@@ -1,6 +1,6 @@
 // A mechanism of which some joints lie so close together, beside others far away, that they are one blot at the scale
-// that shows all: a part of its picture is drawn again, larger, in a frame. The whole shows the frame too, and within
-// it lines alone: symbols and letters do not shrink.
+// that shows all, or a polygon of which some corners do: a part of its picture is drawn again, larger, in a frame.
+// The whole shows the frame too, and within it lines alone: symbols and letters do not shrink.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,11 @@ class CloseUp : public Panel {
 
   const Panel& whole() const { return whole_; }
   double reach() const override;
-  Vectors vectors() const override { return whole_.vectors(); }
+  bool is_of_vectors() const override { return whole_.is_of_vectors(); }
+  // Of a polygon the close-up has a scale of its own, as that of a mechanism has.
+  std::string scale_group() const override { return is_of_vectors() ? "close-up" : ""; }
+  Vectors vectors() const override;
+  std::optional<Place> start() const override { return {}; }
   bool is_in_millimetres() const override { return whole_.is_in_millimetres(); }
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   bool is_cut() const override { return true; }
@@ -53,7 +57,8 @@ struct DrawnSoFar {
   std::size_t marks, labels, measurements;
 };
 // Of what was drawn of the whole since, the symbols, vectors and letters that its close-up shows are taken away.
-void leave_to_close_up(const drawings::Box& seen, const DrawnSoFar& before, DrawnSheet& onto);
+void leave_to_close_up(const PlacedPanel& close_up, const PlacedPanel& whole, const DrawnSoFar& before,
+                       DrawnSheet& onto);
 
 // Its frame, of the marks of no step; with its scale in the corner, or empty.
 void draw_frame(const drawings::Box& frame, const std::string& scale, DrawnSheet& onto);

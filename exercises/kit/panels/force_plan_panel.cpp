@@ -54,6 +54,11 @@ drawings::Box ForcePlanPanel::extent(const Scale&, const Scale& vectors) const {
   return extent.box();
 }
 
+std::vector<Place> ForcePlanPanel::lettered() const {
+  const auto without = static_cast<std::ptrdiff_t>(figure_->bow.forces.size());
+  return {figure_->plan.begin() + without, figure_->plan.end()};
+}
+
 std::vector<drawings::Block> ForcePlanPanel::draw(Plot& plot, const drawings::Box&, Language) const {
   const geometry::BowNotation& bow = figure_->bow;
   for (std::size_t i = 0; i < figure_->bars.size(); ++i) {

@@ -16,6 +16,8 @@ class ForcePlanPanel : public Panel {
   bool is_of_vectors() const override { return true; }
   Vectors vectors() const override;
   drawings::Box extent(const Scale&, const Scale& vectors) const override;
+  // Those of the regions within; of those without the letters stand in a row beside the loads.
+  std::vector<Place> lettered() const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 

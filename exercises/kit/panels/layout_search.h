@@ -12,6 +12,7 @@ struct PlacedPanel {
   drawings::Box room;
   Scale lengths, vectors;  // of a plane of vectors `lengths` says nothing
   drawings::Point origin;  // of its plane
+  const Scale& plane() const { return panel->is_of_vectors() ? vectors : lengths; }
 };
 
 // Of all ways to divide the room, keeping the panels' order, into parts side by side and one below the other, the one

@@ -42,6 +42,7 @@ class PolygonPanel : public Panel {
   bool is_of_vectors() const override { return true; }
   Vectors vectors() const override { return {polygon_.unit, greatest(polygon_)}; }
   drawings::Box extent(const Scale&, const Scale& vectors) const override { return extent_of(polygon_, vectors); }
+  std::vector<Place> lettered() const override { return corners_of(polygon_); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   std::vector<drawings::VectorEquation> equations() const override;
   std::vector<double> crossings() const override { return crossings_of(polygon_); }

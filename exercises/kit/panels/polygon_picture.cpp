@@ -417,6 +417,14 @@ drawings::Table measured_table(const DrawnSheet& sheet, const VectorPolygon& pol
                           {"on the sheet", "sul foglio"}, language);
 }
 
+std::vector<Place> corners_of(const VectorPolygon& polygon) {
+  std::vector<Place> corners{{0, 0}};
+  for (const PlacedSide& s : in_order(polygon)) corners.push_back(s.corner());
+  for (const PolygonImage& image : polygon.images)
+    if (image.draws_absolute()) corners.push_back(after({0, 0}, image.absolute.v));
+  return corners;
+}
+
 std::vector<double> crossings_of(const VectorPolygon& polygon) {
   std::vector<Arrow2> lines;
   for (const auto* side : {&polygon.left, &polygon.right})

@@ -80,6 +80,9 @@ std::vector<Comparison> measured_rows(const Readings& readings, const VectorPoly
 // The angle (0 to pi/2) between the two lines that close it; nothing where a single vector does.
 std::vector<double> crossings_of(const VectorPolygon& polygon);
 
+// The origin, where each side ends and where each image lies.
+std::vector<Place> corners_of(const VectorPolygon& polygon);
+
 // The longest vector.
 double greatest(const VectorPolygon& polygon);
 

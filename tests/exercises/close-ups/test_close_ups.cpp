@@ -116,6 +116,33 @@ TEST_CASE("the frame of a close-up tells its scale, which the title block has to
     if (const auto* bar = std::get_if<drawings::ScaleBar>(&mark)) CHECK_THAT(bar->caption, !Contains("centre"));
 }
 
+// A retrograde polygon of 8 mm beside a direct one ten times as large.
+TEST_CASE("a polygon whose corners crowd is drawn again at a scale that its frame and the title block tell") {
+  const DrawnSheet drawn =
+      Tried("friction-efficiency").draw("two-forces", {"phi=6", "wedge_collar.Q=1", "wedge_collar.theta=70"});
+  const std::vector<std::string>& scales = drawn.sheet.title_block.scales;
+  const auto in_frame = std::find_if(drawn.sheet.figure.labels.begin(), drawn.sheet.figure.labels.end(),
+                                     [](const drawings::Label& label) { return label.text.starts_with("1 cm"); });
+  REQUIRE(in_frame != drawn.sheet.figure.labels.end());
+  CHECK(std::count(scales.begin(), scales.end(), in_frame->text) == 1);
+  // P' = 1.390 N where 1 cm is 0.5 N, once: the whole leaves it to the close-up.
+  std::vector<double> found;
+  for (const Measurement& each : drawn.measurements)
+    if (each.quantity == "wedge_collar_two_point.P_retrograde")
+      found.push_back(drawings::length(each.to - each.from));
+  REQUIRE(found.size() == 1);
+  CHECK_THAT(found[0], Catch::Matchers::WithinAbs(27.8, 0.05));
+  stand_apart(Tried("truss").draw("plan", {"shape=pratt", "n=8", "h=0.8", "W=1234.5678", "beta=30"}).sheet.figure,
+              {"$p$", "$s$", "$t$"}, 10);
+}
+
+TEST_CASE("a long side that begins in the part of a close-up stays in the whole") {
+  const DrawnSheet drawn = Tried("pin-in-slot").draw("acceleration", {"OB=2.8"});
+  const auto count = std::count_if(drawn.measurements.begin(), drawn.measurements.end(),
+                                   [](const Measurement& each) { return each.quantity == "a_cor"; });
+  CHECK(count == 1);
+}
+
 // Of 4 cm in a slot of 2 m.
 TEST_CASE("a disc that would be a dot is drawn again, larger") {
   double widest = 0;
