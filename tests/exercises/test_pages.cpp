@@ -177,7 +177,7 @@ TEST_CASE("a panel is not there before its steps, and results come with the last
 }
 
 TEST_CASE("what a user types is text in the page, whatever it looks like") {
-  const std::string hostile = "</title></script><script>alert(1)</script>\"'&amp;<img src=x>";
+  const std::string hostile = "</title></script><script>alert(1)</script>\"'&amp;<img src=x> 5 $";
   CHECK(drawings::escaped_for_attribute("\"<&>'") == "&quot;&lt;&amp;&gt;'");
   const Scratch scratch;
   write("students.csv", "number,name,r\n7,\"<b onload=x>\"\"&\",0.2\n");

@@ -398,7 +398,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   if (!shown.title.empty() && request.titles.title.empty()) {
     drawings::TitleBlock& block = onto.sheet.title_block;
     block.exercise = shown.title.in(language);
-    onto.sheet.title = block.exercise + ": " + block.sheet;
+    onto.sheet.title = drawings::plain(block.exercise + ": " + block.sheet);
   }
   const drawings::Box whole_room = room_for(shown.panels, request);
   for (const auto& panel : shown.panels) panel->choose_view(whole_room, request);

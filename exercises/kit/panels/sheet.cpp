@@ -77,7 +77,7 @@ DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const
     onto.sheet.column.push_back(drawings::Heading{language == Language::english ? "Given" : "Dati"});
     onto.sheet.column.push_back(drawings::Paragraph{given});
   }
-  onto.sheet.title = block.exercise + ": " + block.sheet;
+  onto.sheet.title = drawings::plain(block.exercise + ": " + block.sheet);
   return onto;
 }
 
