@@ -21,6 +21,7 @@ constexpr double beside_a_crowd = 0.1, least_side = 0.6;  // of its size, of a c
 
 struct SmallPart {
   Place low, high;
+  std::vector<Place> points;
   void widen(double x, double y) {
     low = {low.x - x, low.y - y};
     high = {high.x + x, high.y + y};
@@ -109,6 +110,14 @@ std::vector<Place> largest_crowd(const std::vector<Place>& points, double mm_per
   return around;
 }
 
+// How many of them stand so far from one another.
+std::size_t count_apart(const std::vector<Place>& points, double least) {
+  std::vector<Place> apart;
+  for (const Place& P : points)
+    if (apart.empty() || distance_to(apart, P) >= least) apart.push_back(P);
+  return apart.size();
+}
+
 // Those around the nearest two: one after the other as long as the next is not far for the size of the part.
 std::vector<Place> close_together(std::vector<Place> part, std::vector<Place> joints) {
   constexpr double far = 3;  // sizes of the part
@@ -183,7 +192,7 @@ std::optional<SmallPart> part_too_small(const PlacedPanel& placed, const SheetRe
                          placed.panel->is_of_vectors());
   }
   if (part.empty()) return {};
-  SmallPart found{part.front(), part.front()};
+  SmallPart found{part.front(), part.front(), part};
   for (const Place& P : part) {
     found.low = {std::min(found.low.x, P.x), std::min(found.low.y, P.y)};
     found.high = {std::max(found.high.x, P.x), std::max(found.high.y, P.y)};
@@ -265,12 +274,17 @@ void leave_out_beyond(const drawings::Box& room, const DrawnSoFar& before, drawi
 // Nothing else has become so much smaller that what the close-up gains is lost there.
 bool is_better(const std::vector<PlacedPanel>& before, const std::vector<PlacedPanel>& after) {
   constexpr double at_most_smaller = 2.6;  // times: a standard scale
+  constexpr double told_apart = 2.5;       // mm: a vector that is shorter is a dot in the close-up too
+  constexpr std::size_t fewest_apart = 3;
   auto then = before.begin();
   for (const PlacedPanel& now : after) {
     if (const auto* close_up = dynamic_cast<const CloseUp*>(now.panel)) {
       const auto whole = std::find_if(after.begin(), after.end(),
                                       [&](const PlacedPanel& each) { return each.panel == &close_up->whole(); });
       if (now.plane().mm_per_unit < worth_drawing * whole->plane().mm_per_unit) return false;
+      if (now.panel->is_of_vectors() &&
+          count_apart(close_up->parted(), told_apart / now.plane().mm_per_unit) < fewest_apart)
+        return false;
       continue;
     }
     if (at_most_smaller * now.lengths.mm_per_unit < then->lengths.mm_per_unit ||
@@ -279,6 +293,26 @@ bool is_better(const std::vector<PlacedPanel>& before, const std::vector<PlacedP
     ++then;
   }
   return true;
+}
+
+// Where that is better than without.
+std::optional<LaidOut> with_close_ups(const LaidOut& plain, const std::vector<std::optional<SmallPart>>& parts,
+                                      const drawings::Box& room, const SheetRequest& request) {
+  LaidOut larger;
+  std::vector<const Panel*> all;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    all.push_back(plain.panels[i].panel);
+    if (!parts[i]) continue;
+    larger.close_ups.push_back(
+        std::make_unique<CloseUp>(*all.back(), parts[i]->low, parts[i]->high, parts[i]->points));
+    all.push_back(larger.close_ups.back().get());
+  }
+  try {
+    larger.panels = laid_out(all, room, request);
+  } catch (const DoesNotFit&) {
+    return {};
+  }
+  return is_better(plain.panels, larger.panels) ? std::optional(std::move(larger)) : std::nullopt;
 }
 
 }  // namespace
@@ -324,22 +358,18 @@ void CloseUp::draw_given(Plot& plot, const drawings::Box& room, Language languag
 LaidOut laid_out_with_close_ups(const Panels& panels, const drawings::Box& room, const SheetRequest& request) {
   LaidOut plain{{}, laid_out(panels, room, request)};
   if (request.scale) return plain;  // as it was asked for
-  LaidOut larger;
-  std::vector<const Panel*> all;
-  for (const PlacedPanel& placed : plain.panels) {
-    all.push_back(placed.panel);
-    if (const auto part = part_too_small(placed, request)) {
-      larger.close_ups.push_back(std::make_unique<CloseUp>(*placed.panel, part->low, part->high));
-      all.push_back(larger.close_ups.back().get());
-    }
+  std::vector<std::optional<SmallPart>> parts;
+  for (const PlacedPanel& placed : plain.panels) parts.push_back(part_too_small(placed, request));
+  const auto count = std::count_if(parts.begin(), parts.end(), [](const auto& part) { return part.has_value(); });
+  if (count == 0) return plain;
+  if (auto all = with_close_ups(plain, parts, room, request)) return std::move(*all);
+  for (std::size_t i = 0; i < parts.size() && count > 1; ++i) {
+    if (!parts[i]) continue;
+    std::vector<std::optional<SmallPart>> one(parts.size());
+    one[i] = parts[i];
+    if (auto alone = with_close_ups(plain, one, room, request)) return std::move(*alone);
   }
-  if (larger.close_ups.empty()) return plain;
-  try {
-    larger.panels = laid_out(all, room, request);
-  } catch (const DoesNotFit&) {
-    return plain;
-  }
-  return is_better(plain.panels, larger.panels) ? std::move(larger) : std::move(plain);
+  return plain;
 }
 
 const PlacedPanel* close_up_of(const PlacedPanel& whole, const std::vector<PlacedPanel>& panels) {

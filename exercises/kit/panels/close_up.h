@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "exercises/kit/panels/layout_search.h"
@@ -13,10 +14,12 @@ namespace epure {
 
 class CloseUp : public Panel {
  public:
-  // The part of the plane between these corners.
-  CloseUp(const Panel& whole, const Place& low, const Place& high) : whole_(whole), low_(low), high_(high) {}
+  // The part of the plane between these corners, drawn to part these points.
+  CloseUp(const Panel& whole, const Place& low, const Place& high, std::vector<Place> parted)
+      : whole_(whole), low_(low), high_(high), parted_(std::move(parted)) {}
 
   const Panel& whole() const { return whole_; }
+  const std::vector<Place>& parted() const { return parted_; }
   double reach() const override;
   bool is_of_vectors() const override { return whole_.is_of_vectors(); }
   // Of a polygon the close-up has a scale of its own, as that of a mechanism has.
@@ -33,6 +36,7 @@ class CloseUp : public Panel {
  private:
   const Panel& whole_;
   Place low_, high_;
+  std::vector<Place> parted_;
 };
 
 // The panels as they are laid out, each close-up after the panel that it is of.
