@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cassert>
+#include <type_traits>
 #include <utility>
 
 namespace epure::geometry {
@@ -12,6 +14,66 @@ namespace {
 std::uint64_t next_serial() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
+}
+
+// --- products of rational elements, without fractions ---
+// Each product and sum of fractions would seek a common divisor, which takes most of the time. So an element is told
+// by integers over one denominator; a product seeks one divisor for each of its coefficients.
+using Integer = CGAL::Gmpz;
+using Integers = std::vector<Integer>;  // as Surd's coefficients
+
+Integer common_denominator(const std::vector<Rational>& coefficients) {
+  Integer all(1);
+  for (const Rational& c : coefficients) {
+    const Integer denominator = c.denominator();
+    mpz_lcm(all.mpz(), all.mpz(), denominator.mpz());
+  }
+  return all;
+}
+
+Integers over(const Integer& denominator, const std::vector<Rational>& coefficients) {
+  Integers numerators;
+  for (const Rational& c : coefficients)
+    numerators.push_back(c.numerator() * (denominator / c.denominator()));
+  return numerators;
+}
+
+bool is_zero(const Integers& x) {
+  return std::all_of(x.begin(), x.end(), [](const Integer& c) { return CGAL::is_zero(c); });
+}
+
+Integers sum(Integers a, const Integers& b) {
+  if (a.size() < b.size()) a.resize(b.size(), Integer(0));
+  for (std::size_t i = 0; i < b.size(); ++i) a[i] += b[i];
+  return a;
+}
+
+Integers difference(Integers a, const Integers& b) {
+  if (a.size() < b.size()) a.resize(b.size(), Integer(0));
+  for (std::size_t i = 0; i < b.size(); ++i) a[i] -= b[i];
+  return a;
+}
+
+Integers joined(Integers lower, const Integers& upper, std::size_t half) {
+  lower.resize(2 * half, Integer(0));
+  std::copy(upper.begin(), upper.end(), lower.begin() + static_cast<std::ptrdiff_t>(half));
+  return lower;
+}
+
+// (a0 + a1√d)(b0 + b1√d) by three products (Karatsuba). `radicands`: d of each storey.
+Integers product(const Integers& a, const Integers& b, const std::vector<Integers>& radicands) {
+  if (a.size() < b.size()) return product(b, a, radicands);
+  if (is_zero(a) || is_zero(b)) return {Integer(0)};
+  if (a.size() == 1) return {a[0] * b[0]};
+  const std::size_t half = a.size() / 2;
+  const auto middle = static_cast<std::ptrdiff_t>(half);
+  const Integers a0(a.begin(), a.begin() + middle), a1(a.begin() + middle, a.end());
+  if (b.size() <= half) return joined(product(a0, b, radicands), product(a1, b, radicands), half);
+  const Integers b0(b.begin(), b.begin() + middle), b1(b.begin() + middle, b.end());
+  const Integers without = product(a0, b0, radicands), both = product(a1, b1, radicands),
+                 all = product(sum(a0, a1), sum(b0, b1), radicands);
+  const Integers& d = radicands[static_cast<std::size_t>(std::countr_zero(half))];
+  return joined(sum(without, product(both, d, radicands)), difference(difference(all, without), both), half);
 }
 
 }  // namespace
@@ -83,6 +145,21 @@ Surd<Field> Tower<Field>::multiply(const Element& a, const Element& b) const {
               add(multiply(a0, b1), multiply(a1, b0)), storey);
 }
 
+template <>
+Surd<Rational> Tower<Rational>::multiply(const Element& a, const Element& b) const {
+  require_ours(a);
+  require_ours(b);
+  if (a.is_in_field() && b.is_in_field()) return Element(a.in_field() * b.in_field());
+  std::vector<Integers> radicands;
+  for (const Element& d : radicands_) radicands.push_back(over(Integer(1), d.coefficients_));
+  const Integer of_a = common_denominator(a.coefficients_), of_b = common_denominator(b.coefficients_),
+                of_both = of_a * of_b;
+  Coefficients coefficients;
+  for (const Integer& c : product(over(of_a, a.coefficients_), over(of_b, b.coefficients_), radicands))
+    coefficients.emplace_back(c, of_both);
+  return number(std::move(coefficients));
+}
+
 // 1/(a + b√d) = (a - b√d)/(a² - b²d); the norm is not zero because d has no root on the storey below.
 template <class Field>
 Surd<Field> Tower<Field>::inverse(const Element& x) const {
@@ -131,11 +208,14 @@ std::optional<Surd<Field>> Tower<Field>::root_of_mixed(const Halves& x, int stor
   return std::nullopt;
 }
 
+// Of rational elements the radicand is made one of integers: √x = √(q²x)/q.
 template <class Field>
 Surd<Field> Tower<Field>::adjoin(const Element& x) {
   require_ours(x);
-  radicands_.push_back(x);
-  return join(Element(Field(0)), Element(Field(1)), storeys());
+  Field q(1);
+  if constexpr (std::is_same_v<Field, Rational>) q = Rational(common_denominator(x.coefficients_));
+  radicands_.push_back(multiply(x, Element(q * q)));
+  return join(Element(Field(0)), Element(Field(1) / q), storeys());
 }
 
 template class Tower<Rational>;

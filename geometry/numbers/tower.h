@@ -67,6 +67,8 @@ class Tower {
   std::vector<Element> radicands_;  // radicand k lives on storey k, its root on storey k + 1
 };
 
+template <>
+Surd<Rational> Tower<Rational>::multiply(const Element& a, const Element& b) const;  // without fractions on the way
 extern template class Tower<Rational>;
 extern template class Tower<RationalFunction>;
 
