@@ -19,11 +19,6 @@ const Angle& right_angle() {
 
 constexpr int figures_of_degrees = 6;
 
-Words of_degrees(const Angle& angle, int figures = figures_of_degrees) {
-  if (angle.radians == 0) return told_value(360 * angle.turns, std::max(12, figures));
-  return decimal(geometry::degrees(angle), figures);
-}
-
 // `limit`: the friction angle at which the mechanism jams, in degrees; φ is it, or beyond it, however little.
 [[noreturn]] void refuse_jammed(const Angle& phi, const Words& mechanism, double limit, bool is_at_limit) {
   const auto figures = figures_that_tell_apart(geometry::degrees(phi), limit);
@@ -34,7 +29,7 @@ Words of_degrees(const Angle& angle, int figures = figures_of_degrees) {
   throw BadGivens(format_words(
       "phi = {}°: must be less than {}°{}, at which {} jams in the direct motion: the force P is infinite there",
       "phi = {}°: dev'essere minore di {}°{}, a cui {} s'impunta nel moto diretto: la forza P vi è infinita",
-      of_degrees(phi, told), decimal(limit, told), excess, mechanism));
+      told_degrees(phi, std::max(12, told)), decimal(limit, told), excess, mechanism));
 }
 void require_below(const Angle& phi, const Angle& limit, const Words& mechanism) {
   if (const int left = sign_of(limit - phi); left <= 0)
@@ -91,7 +86,7 @@ void require_pressure(const Levers& of, const Angle& phi, const Words& which) {
                        "pass its hinge on the side on which it holds the lever that Q loads",
                        "phi = {}°: {} s'impuntano, e nessuna forza P le muove: la forza di contatto, allora a {}°, "
                        "non passa dalla parte della cerniera dalla quale regge la leva caricata da Q",
-                       of_degrees(phi), which, of_degrees(direction)));
+                       told_degrees(phi), which, told_degrees(direction)));
 }
 
 // The contact's force passes through the hinge of P's lever. (Not in the direct motion, in which P has to supply what
@@ -139,7 +134,7 @@ Words why_no_sliding(const Fairbairn& of, const std::string& name) {
                                  : Words{"the lever stands upright", "la leva è verticale"};
   return format_words("{}.theta = {}°: {}: the bodies do not slide on each other, and friction has no sense",
                       "{}.theta = {}°: {}: i corpi non strisciano l'uno sull'altro, e l'attrito non ha verso", name,
-                      of_degrees(of.theta), where);
+                      told_degrees(of.theta), where);
 }
 
 Problem::Problem(const Givens& givens)

@@ -42,6 +42,7 @@ void join_reversed(drawings::Path& path, const drawings::Path& other) {
 
 Teeth::Teeth(const Pair& pair, double tolerance)
     : pair_(pair), mesh_(if_there([&] { return geometry::mesh_angles(pair.of, pair.shown_contact()); })) {
+  if (pair.is_rack(2)) rack_reference_ = CGAL::to_double(geometry::rack_lines(pair.of).reference);
   if (!mesh_) return;
   for (const int wheel : {1, 2})
     outlines_[static_cast<std::size_t>(wheel - 1)] =
@@ -54,8 +55,7 @@ long Teeth::teeth_on_paper(const Plot& plot, int wheel) const {
 }
 
 Place Teeth::placed(const Place& P, int wheel, double tooth, const geometry::MeshAngles& at) const {
-  if (pair_.is_rack(wheel))
-    return {P.x + at.wheel2 - tooth * pair_.pitch, P.y + CGAL::to_double(geometry::rack_lines(pair_.of).reference)};
+  if (pair_.is_rack(wheel)) return {P.x + at.wheel2 - tooth * pair_.pitch, P.y + rack_reference_};
   const double turn = (wheel == 1 ? at.wheel1 : at.wheel2) +
                       2 * std::numbers::pi * tooth / static_cast<double>(teeth_of(pair_.of, wheel));
   const double c = std::cos(turn), s = std::sin(turn);

@@ -49,6 +49,7 @@ class Teeth {
   bool touches_on_the_left(int wheel) const { return wheel == 1 || pair_.of.kind == geometry::PairKind::external; }
 
   const Pair& pair_;
+  double rack_reference_ = 0;  // the height of its line
   std::optional<geometry::MeshAngles> mesh_;
   std::array<std::optional<geometry::ToothOutline>, 2> outlines_;
 };

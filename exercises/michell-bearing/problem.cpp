@@ -1,6 +1,7 @@
 #include "exercises/michell-bearing/problem.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "exercises/kit/statement/decimal.h"
@@ -17,6 +18,13 @@ GivenSpec given(const std::string& symbol, const Words& meaning, const std::stri
   return {.symbol = symbol, .meaning = meaning, .unit = unit, .stated = stated, .letters = letters};
 }
 
+// However near to a whole number.
+Words told_strips(const Rational& strips) {
+  const double near = nearest(strips);
+  const bool looks_whole = strips.denominator() != 1 && near == std::floor(near);
+  return (looks_whole ? Words{"nearly ", "quasi "} : Words{}) + all_digits(near);
+}
+
 void demand_film(const Film& film) {
   if (film.h_1 <= film.h_2)
     throw BadGivens(
@@ -30,7 +38,7 @@ void demand_film(const Film& film) {
     throw BadGivens(
         format_words("dx = {} m must divide l = {} m into a whole number of strips, 2 to {}: it makes {}",
                      "dx = {} m deve dividere l = {} m in un numero intero di strisce, da 2 a {}: ne fa {}",
-                     told_value(film.dx), told_value(film.l), std::to_string(most_strips), told_value(strips)));
+                     told_value(film.dx), told_value(film.l), std::to_string(most_strips), told_strips(strips)));
   for (const auto& [name, x] : {std::pair("x_1", film.x_1), std::pair("x_3", film.x_3)})
     if (x > film.l)
       throw BadGivens(format_words("{} = {} m must not be greater than l = {} m: the film ends there",

@@ -56,7 +56,7 @@ Problem::Problem(const Givens& givens)
                .g = givens["g"],
                .dt = givens["dt_p"],
                .theta_0 = givens.angle("theta_0")} {
-  const Words angle = decimal(geometry::degrees(pendulum.theta_0), 6);
+  const Words angle = told_degrees(pendulum.theta_0);
   require(oscillator.v_0 != 0, {"v_0 = 0 m/s: the mass stays in x = 0, as nothing sets it off",
                                 "v_0 = 0 m/s: la massa resta in x = 0, nulla la mette in moto"});
   require(pendulum.r != 0,

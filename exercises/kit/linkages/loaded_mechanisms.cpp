@@ -115,7 +115,6 @@ Part short_fairbairn_givens() {
 }
 
 // In degrees, for a message.
-Words in_words(const Angle& angle) { return decimal(geometry::degrees(angle), 6); }
 constexpr int quarters_in_a_turn = 4;
 Angle right_angle() { return {Rational(1, quarters_in_a_turn)}; }
 
@@ -124,8 +123,8 @@ Angle acute(const Givens& givens, const std::string& symbol, const Words& why) {
   const Angle angle = givens.angle(symbol);
   if (sign_of(angle) <= 0 || sign_of(right_angle() - angle) <= 0)
     throw BadGivens(format_words("{} = {}°: must lie between 0° and 90°, both left out; {}",
-                                 "{} = {}°: dev'essere tra 0° e 90°, estremi esclusi; {}", symbol, in_words(angle),
-                                 why));
+                                 "{} = {}°: dev'essere tra 0° e 90°, estremi esclusi; {}", symbol,
+                                 told_degrees(angle), why));
   return angle;
 }
 
@@ -164,7 +163,7 @@ void require_contact(const std::string& name, const Levers& of) {
              load = sign_of_arm(of.direction_Q, of.x_Q - of.hinge(of.loaded), 0);
   const auto refuse = [&](const Words& why) {
     throw BadGivens(format_words("{}.nu = {}°, {}.x_C = {} m, {}.y_C = {} m: {}",
-                                 "{}.nu = {}°, {}.x_C = {} m, {}.y_C = {} m: {}", name, in_words(of.nu), name,
+                                 "{}.nu = {}°, {}.x_C = {} m, {}.y_C = {} m: {}", name, told_degrees(of.nu), name,
                                  told_value(of.x_C), name, told_value(of.y_C), why));
   };
   if (contact == Sign::zero)
@@ -179,7 +178,7 @@ void require_contact(const std::string& name, const Levers& of) {
                      "the contact carries nothing",
                      "{}.direction_Q = {}°, {}.x_Q = {} m: la retta di Q passa per la cerniera della sua leva, e il "
                      "contatto non porta nulla",
-                     name, in_words(of.direction_Q), name, told_value(of.x_Q)));
+                     name, told_degrees(of.direction_Q), name, told_value(of.x_Q)));
   if (contact == load)
     refuse({"Q and the contact's force turn the lever the same way: the levers would part in C",
             "Q e la forza di contatto fanno ruotare la leva nello stesso verso: le leve si staccherebbero in C"});
@@ -214,7 +213,7 @@ Fairbairn fairbairn(const Givens& givens, const std::string& name) {
   if (sign_of(right_angle() - made.theta) <= 0 || sign_of(made.theta + right_angle()) <= 0)
     throw BadGivens(format_words("{} = {}°: must lie between -90° and 90°, both left out",
                                  "{} = {}°: dev'essere tra -90° e 90°, estremi esclusi", of("theta"),
-                                 in_words(made.theta)));
+                                 told_degrees(made.theta)));
   const Sign reaches = geometry::decide([&]<class T>() {
                          return geometry::from_rational<T>(made.AB * made.AB) -
                                 geometry::square(geometry::from_rational<T>(made.AC) * geometry::sine<T>(made.theta));

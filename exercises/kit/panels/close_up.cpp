@@ -46,6 +46,13 @@ double distance_to(const std::vector<Place>& points, const Place& P) {
 struct DrawnJoints {
   std::vector<Place> joints;
   std::vector<std::pair<Place, Place>> links, discs;
+
+  double extent() const {
+    std::vector<Place> all = joints;
+    for (const auto* pairs : {&links, &discs})
+      for (const auto& [P, Q] : *pairs) all.insert(all.end(), {P, Q});
+    return extent_of_places(all);
+  }
 };
 
 // The link's ends that are nearest to each other and two to the eye, or what a disc spans; nothing where all are
@@ -175,7 +182,7 @@ DrawnJoints joints_drawn(const PlacedPanel& placed, const SheetRequest& request)
 std::vector<Place> joints_together(const PlacedPanel& placed, const SheetRequest& request) {
   const DrawnJoints drawn = joints_drawn(placed, request);
   if (drawn.joints.empty()) return {};
-  std::vector<Place> part = shortest_link(drawn, same_place * extent_of_places(drawn.joints));
+  std::vector<Place> part = shortest_link(drawn, same_place * drawn.extent());
   if (part.empty() || distance(part[0], part[1]) * placed.lengths.mm_per_unit >= joints_told_apart) return {};
   return close_together(std::move(part), drawn.joints);
 }

@@ -52,9 +52,14 @@ std::string equal_to(const Rational& value, Language language) {
 }
 
 Words told_value(const Rational& value, int figures) {
-  constexpr std::size_t longest = 16;
+  constexpr std::size_t longest = 24;
   const auto exactly = as_decimal(value, longest);
   return exactly && exactly->size() <= longest ? decimal(*exactly) : decimal(nearest(value), figures);
+}
+
+Words told_degrees(const geometry::Angle& angle, int figures) {
+  if (angle.radians == 0) return told_value(360 * angle.turns, figures);
+  return decimal(geometry::degrees(angle), figures);
 }
 
 std::optional<int> figures_that_tell_apart(double one, double other) {
