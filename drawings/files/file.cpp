@@ -199,14 +199,13 @@ class Draft {
   void try_names(Take take) {
     static std::atomic<unsigned> count = 0;
     for (int attempt = 0; attempt < 1000; ++attempt) {
-      const fs::path path = folder_ / name_of_draft(::getpid(), ++count);
-      if (take(path)) {
-        name_ = path;
-        return;
-      }
-      if (errno != EEXIST) break;
+      name_ = folder_ / name_of_draft(::getpid(), ++count);  // there may be no memory left for it afterwards
+      if (take(name_)) return;
+      const int why = errno;
+      name_.clear();  // the file of that name is another's
+      if (why != EEXIST) fail(shown_, why);
     }
-    fail(shown_, errno);
+    fail(shown_, EEXIST);
   }
 
   fs::path folder_;

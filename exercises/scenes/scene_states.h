@@ -52,11 +52,21 @@ std::vector<geometry::DriveRates<T>> rates(const geometry::Linkage& linkage,
   return {{geometry::from_rational<T>(std::get<geometry::TurnedLink>(linkage.drives[0]).omega.turns), T(0)}};
 }
 
-// Group after group.
+// All in the origin.
+template <class T>
+geometry::LinkagePosition<T> no_position(const geometry::Linkage& linkage) {
+  const geometry::Point<T> O{T(0), T(0)};
+  return {std::vector(linkage.links.size(), geometry::PlacedLink<T>{O, {T(1), T(0)}}),
+          std::vector(static_cast<std::size_t>(linkage.count_of_points()), O)};
+}
+
+// Group after group. Names ask for no place: doubles do not always find one where it exists.
 template <class T>
 struct Constructed {
   explicit Constructed(const Built& built)
-      : carried_out(built.linkage, built.steps), at(carried_out.position()), motion([this, &built] {
+      : carried_out(built.linkage, built.steps),
+        at(NamesOnly::holds() ? no_position<T>(built.linkage) : carried_out.position()),
+        motion([this, &built] {
           try {
             return carried_out.motion(at, rates(built.linkage, carried_out));
           } catch (const geometry::NotClosed& at_limit) {
