@@ -90,13 +90,18 @@ struct Constructed {
   WhenAsked<geometry::LinkageMotion<T>> motion;
 };
 
-// Where the links are, and what turns wheels have made.
+// What turns wheels have made.
 template <class T>
-geometry::analytic::Beginning<T> beginning(const Built& built, const Constructed<T>& constructed) {
-  geometry::analytic::Beginning<T> links = constructed.states(false);
+void add_turns_of_wheels(const Built& built, geometry::analytic::Beginning<T>& links) {
   for (const geometry::Step& step : built.steps)
     if (const auto* wheel = std::get_if<geometry::GearedWheel>(&step))
       links[index(wheel->link)].theta = geometry::radians<T>(angle_of(wheel->turn, built.linkage));
+}
+// Where the links are, and these turns.
+template <class T>
+geometry::analytic::Beginning<T> beginning(const Built& built, const Constructed<T>& constructed) {
+  geometry::analytic::Beginning<T> links = constructed.states(false);
+  add_turns_of_wheels(built, links);
   return links;
 }
 

@@ -70,6 +70,22 @@ using Beginning = std::vector<LinkState<T>>;
 template <class T>
 std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning<T>& beginning);
 
+// Where a drive stops: the joints let the links move though all drives stand still, so the equations of all joints
+// are dependent there. Solved for the place of every link and for that motion, n, with the drive's own equation left
+// out and its place read off:
+//
+//   Φ = 0 but for the drive's,   J n = 0,   n = 1 for one of its components
+//
+// of which the slopes are J and those of J n, the second derivatives of Φ along n. One solution is proved in a box
+// near the beginning; as the slopes are independent there the mechanism turns back at that place, and does not go on
+// through it. v and ω of the links are this motion. On Deep. Errors as above; of the joint
+// that is at its limit no side is demanded.
+template <class T>
+std::vector<LinkState<T>> solve_dead_point(const Linkage& linkage, int drive, const Beginning<T>& beginning);
+// Where a drive is: its link's angle as far as it has turned, or the way, in radians and metres.
+template <class T>
+T place_of_drive(const Linkage& linkage, int drive, const std::vector<LinkState<T>>& links);
+
 // On exact numbers nothing is solved. A state that was found elsewhere (its angles are not read, only its axes) is
 // put into the equations of all joints, into their first derivatives, into their second ones: where all hold, and the
 // equations are independent at that place, it is the state. So a zero of it is proved, which no enclosure can do.

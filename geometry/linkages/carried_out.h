@@ -33,6 +33,13 @@ struct DriveAt {
   int times = 1;
 };
 
+// A step near its limit: the root of from_limit, which is not found there of a place that is not known exactly.
+template <class T>
+struct RoomTold {
+  std::size_t step;
+  T root_of_room;
+};
+
 template <class T>
 struct LinkagePosition {
   std::vector<PlacedLink<T>> links;
@@ -107,7 +114,8 @@ class CarriedOut {
     return position_before(steps_.size(), elsewhere);
   }
   // What the steps before this one place.
-  LinkagePosition<T> position_before(std::size_t step, const std::optional<DriveAt<T>>& elsewhere = {}) const;
+  LinkagePosition<T> position_before(std::size_t step, const std::optional<DriveAt<T>>& elsewhere = {},
+                                     const std::optional<RoomTold<T>>& told = {}) const;
   // How far left of a line a point is.
   T left_in_plane(int line, int point, const LinkagePosition<T>& at) const {
     const Rail on = in_plane(line, at);
@@ -160,6 +168,14 @@ class CarriedOut {
   void place(const SlotOnPin& step, LinkagePosition<T>& at) const;
   void place(const BlockOnPin& step, LinkagePosition<T>& at) const;
   void place(const CrossedBlock& step, LinkagePosition<T>& at) const;
+  // By the root of its room.
+  void place(const TwoRods& step, const T& root_of_room, LinkagePosition<T>& at) const;
+  void place(const RodAndTrack& step, const T& root_of_room, LinkagePosition<T>& at) const;
+  void place(const SlotOnPin& step, const T& root_of_room, LinkagePosition<T>& at) const;
+  template <class Other>
+  void place(const Other& step, const T&, LinkagePosition<T>& at) const {
+    place(step, at);
+  }
 
   T room(const TwoRods& step, const LinkagePosition<T>& at) const;
   T room(const RodAndTrack& step, const LinkagePosition<T>& at) const;
@@ -195,6 +211,12 @@ class CarriedOut {
   void put_points(int link, LinkagePosition<T>& at) const;
   void put_rod(const Rod& rod, int joint, LinkagePosition<T>& at) const;
   void put_block(const Track& track, int joint, LinkagePosition<T>& at) const;
+  // How much farther left of the line the pin lies than the hinge: so far right of it, seen from there.
+  T pin_right_of_hinge(const SlotOnPin& step) const {
+    return (step.block == nothing ? T(0) : left_of(step.moving, step.pin)) - left_of(step.line, step.hinge);
+  }
+  void put_slotted(const SlotOnPin& step, const Vector<T>& s, LinkagePosition<T>& at) const;
+  void put_on_track(const RodAndTrack& step, const Rail& on, const T& half_chord, LinkagePosition<T>& at) const;
   static Point<T> crossing(const Rail& first, const Rail& second);
 
   // Moving.
@@ -289,6 +311,14 @@ T positive_or_zero(const T& squared, const Words& whether, const Words& impossib
   return squared;
 }
 
+// P and so far along d and to a side of it: both are twice these lengths, times that of d.
+template <class T>
+Point<T> beside(const Point<T>& P, const Vector<T>& d, const T& twice_along, const T& twice_across, Side side) {
+  const T twice = T(2) * length_squared(d), along = quotient(twice_along, twice),
+          across = quotient(twice_across, twice);
+  return P + (along * d + (side == Side::left ? across : -across) * quarter_turn(d));
+}
+
 // The point at the distances from P and Q of which the squares are given (r2, and by how much it is greater than the
 // other), on the named side of P -> Q: circles whose radii need no root. Errors as in circle.h.
 template <class T>
@@ -300,8 +330,7 @@ Point<T> meet_by_squares(const Point<T>& P, const T& r2, const Point<T>& Q, cons
   const T across = root(positive_or_zero(T(4) * d2 * r2 - square(twice_along),
                                          {"whether two circles meet", "se due circonferenze si incontrino"},
                                          {"the circles do not meet", "le circonferenze non si incontrano"}));
-  const T along_share = quotient(twice_along, T(2) * d2), across_share = quotient(across, T(2) * d2);
-  return P + (along_share * d + (side == Side::left ? across_share : -across_share) * quarter_turn(d));
+  return beside(P, d, twice_along, across, side);
 }
 // Where both radii are rational, by Heron's formula, as circle.h has it.
 template <class T>
@@ -327,14 +356,23 @@ CarriedOut<T>::CarriedOut(const Linkage& linkage, const std::vector<Step>& steps
 }
 
 template <class T>
-LinkagePosition<T> CarriedOut<T>::position_before(std::size_t step,
-                                                  const std::optional<DriveAt<T>>& elsewhere) const {
+LinkagePosition<T> CarriedOut<T>::position_before(std::size_t step, const std::optional<DriveAt<T>>& elsewhere,
+                                                  const std::optional<RoomTold<T>>& told) const {
   LinkagePosition<T> at{{linkage_.links.size(), {{T(0), T(0)}, {T(1), T(0)}}},
                         {index(linkage_.count_of_points()), {T(0), T(0)}},
                         elsewhere};
   put_points(0, at);
   for (std::size_t k = 0; k < step; ++k)
-    at_step(k, [&] { std::visit([&](const auto& s) { place(s, at); }, steps_[k]); });
+    at_step(k, [&] {
+      std::visit(
+          [&](const auto& s) {
+            if (told && told->step == k)
+              place(s, told->root_of_room, at);
+            else
+              place(s, at);
+          },
+          steps_[k]);
+    });
   return at;
 }
 
@@ -478,19 +516,35 @@ void CarriedOut<T>::place(const TwoRods& step, LinkagePosition<T>& at) const {
   put_rod(step.first, step.joint, at);
   put_rod(step.second, step.joint, at);
 }
+template <class T>
+void CarriedOut<T>::place(const TwoRods& step, const T& root_of_room, LinkagePosition<T>& at) const {
+  const Point<T> P = at.points[index(step.first.pin)];
+  const Vector<T> d = at.points[index(step.second.pin)] - P;
+  const T greater = squared_length(step.first, step.joint, at) - squared_length(step.second, step.joint, at);
+  at.points[index(step.joint)] = linkages::beside<T>(P, d, length_squared(d) + greater, root_of_room, step.side);
+  put_rod(step.first, step.joint, at);
+  put_rod(step.second, step.joint, at);
+}
 
 template <class T>
 void CarriedOut<T>::place(const RodAndTrack& step, LinkagePosition<T>& at) const {
-  const Point<T> P = at.points[index(step.rod.pin)];
   const Rail on = rail(step.track, step.joint, at);
-  const Vector<T> GP = P - on.G;
+  const Vector<T> GP = at.points[index(step.rod.pin)] - on.G;
   const T half_chord_squared =
       linkages::positive_or_zero(squared_length(step.rod, step.joint, at) - square(cross(on.s, GP)),
                                  {"whether a rod reaches its guide", "se un'asta raggiunga la sua guida"},
                                  {"the rod does not reach its guide", "l'asta non raggiunge la sua guida"});
-  const T half_chord = root(half_chord_squared);
-  at.points[index(step.joint)] =
-      on.G + (dot(on.s, GP) + (step.which == Along::ahead ? half_chord : -half_chord)) * on.s;
+  put_on_track(step, on, root(half_chord_squared), at);
+}
+template <class T>
+void CarriedOut<T>::place(const RodAndTrack& step, const T& root_of_room, LinkagePosition<T>& at) const {
+  put_on_track(step, rail(step.track, step.joint, at), root_of_room, at);
+}
+template <class T>
+void CarriedOut<T>::put_on_track(const RodAndTrack& step, const Rail& on, const T& half_chord,
+                                 LinkagePosition<T>& at) const {
+  const T foot = dot(on.s, at.points[index(step.rod.pin)] - on.G);
+  at.points[index(step.joint)] = on.G + (foot + (step.which == Along::ahead ? half_chord : -half_chord)) * on.s;
   put_rod(step.rod, step.joint, at);
   put_block(step.track, step.joint, at);
 }
@@ -505,11 +559,20 @@ void CarriedOut<T>::place(const TwoTracks& step, LinkagePosition<T>& at) const {
 template <class T>
 void CarriedOut<T>::place(const SlotOnPin& step, LinkagePosition<T>& at) const {
   const Point<T> Q = at.points[index(step.hinge)], P = at.points[index(step.pin)];
-  const T of_pin = step.block == nothing ? T(0) : left_of(step.moving, step.pin);
-  const T right = of_pin - left_of(step.line, step.hinge);
-  const Vector<T> s = step.is_towards_pin ? slot_direction(Q, P, right) : -slot_direction(Q, P, -right);
-  put(step.link, s, line(step.line).along, Q, own(step.link, step.hinge), at);
-  if (step.block != nothing) put(step.block, s, line(step.moving).along, P, own(step.block, step.pin), at);
+  const T right = pin_right_of_hinge(step);
+  put_slotted(step, step.is_towards_pin ? slot_direction(Q, P, right) : -slot_direction(Q, P, -right), at);
+}
+template <class T>
+void CarriedOut<T>::place(const SlotOnPin& step, const T& root_of_room, LinkagePosition<T>& at) const {
+  const Vector<T> QP = at.points[index(step.pin)] - at.points[index(step.hinge)];
+  const T over = quotient(T(1), length_squared(QP)), along = step.is_towards_pin ? root_of_room : -root_of_room;
+  put_slotted(step, (over * along) * QP - (over * pin_right_of_hinge(step)) * quarter_turn(QP), at);
+}
+template <class T>
+void CarriedOut<T>::put_slotted(const SlotOnPin& step, const Vector<T>& s, LinkagePosition<T>& at) const {
+  put(step.link, s, line(step.line).along, at.points[index(step.hinge)], own(step.link, step.hinge), at);
+  if (step.block == nothing) return;
+  put(step.block, s, line(step.moving).along, at.points[index(step.pin)], own(step.block, step.pin), at);
 }
 
 template <class T>
@@ -553,9 +616,7 @@ T CarriedOut<T>::room(const TwoTracks& step, const LinkagePosition<T>& at) const
 }
 template <class T>
 T CarriedOut<T>::room(const SlotOnPin& step, const LinkagePosition<T>& at) const {
-  const T of_pin = step.block == nothing ? T(0) : left_of(step.moving, step.pin);
-  return length_squared(at.points[index(step.pin)] - at.points[index(step.hinge)]) -
-         square(of_pin - left_of(step.line, step.hinge));
+  return length_squared(at.points[index(step.pin)] - at.points[index(step.hinge)]) - square(pin_right_of_hinge(step));
 }
 
 template <class T>

@@ -366,13 +366,16 @@ Words in_words(const NotClosed& open, const Built& built) {
   return in_words_at_limit(open, built);
 }
 
+Words special_in_words(std::size_t step, const Built& built) {
+  return joint_of(built.steps[step], InLetters(built)) + ": " + deeply([&] {
+           return std::visit([&](const auto& s) { return Missing(built, step).at_limit(s); }, built.steps[step]);
+         });
+}
+
 Words limit_in_words(std::size_t step, const Built& built) {
-  const InLetters told(built);
-  const Words special = deeply(
-      [&] { return std::visit([&](const auto& s) { return Missing(built, step).at_limit(s); }, built.steps[step]); });
   const std::vector<int> links = placed_by(built.steps[step]);
-  const Words whose = links.empty() ? Words{} : " (" + told.links(links) + ")";
-  return joint_of(built.steps[step], told) + ": " + special +
+  const Words whose = links.empty() ? Words{} : " (" + InLetters(built).links(links) + ")";
+  return special_in_words(step, built) +
          format_words(": at this dead centre or change point the drive does not determine the motion{}",
                       ": in questo punto morto o di biforcazione il movente non determina il moto{}", whose);
 }

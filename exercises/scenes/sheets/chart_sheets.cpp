@@ -13,6 +13,7 @@
 #include "exercises/kit/proof/asked.h"
 #include "exercises/scenes/drive_way.h"
 #include "exercises/scenes/extremes.h"
+#include "exercises/scenes/found_by_search.h"
 #include "exercises/scenes/kept_by_givens.h"
 #include "exercises/scenes/scene_routes.h"
 #include "exercises/scenes/sheets/scene_figure.h"
@@ -83,15 +84,6 @@ class OverDrive {
 
  private:
   const geometry::Drive& drive() const { return built_.linkage.drives.front(); }
-  static void put(geometry::Drive& drive, const geometry::Rational& place) {
-    if (auto* turned = std::get_if<TurnedLink>(&drive))
-      turned->angle = {place, 0};
-    else if (auto* slid = std::get_if<SlidPoint>(&drive))
-      slid->at = place;
-    else
-      std::get<Stretched>(drive).length = place;
-  }
-
   Built built_;
   std::vector<std::string> names_;
   int turns_ = 1;
@@ -242,15 +234,7 @@ void add_position(Mechanism& mechanism, const Built& built, const std::string& n
   const geometry::LinkagePosition<geometry::Fast> at =
       geometry::CarriedOut<geometry::Fast>(built.linkage, built.steps)
           .position(geometry::DriveAt<geometry::Fast>{0, {std::cos(angle), std::sin(angle)}, 0, places.turns()});
-  const auto moves = [&](int p) { return built.linkage.links_at(p).front() != 0; };
-  const auto there = [&](int p) { return (moves(p) ? name + " " : "") + built.letters.points[index(p)]; };
-  for (int p = 0; p < built.linkage.count_of_points(); ++p)
-    if (moves(p)) mechanism.point(there(p), at.points[index(p)], Mechanism::Joint::none, "");
-  for (std::size_t link = 1; link < built.linkage.links.size(); ++link) {
-    std::vector<std::string> corners;
-    for (const geometry::LinkPoint& p : built.linkage.links[link].points) corners.push_back(there(p.point));
-    if (corners.size() > 1) mechanism.other_position(corners);
-  }
+  add_in_outline(mechanism, built, name, at.points);
 }
 
 PanelSheet chart_sheet(const Scene& scene, const Solution& s, std::size_t which, Language language,

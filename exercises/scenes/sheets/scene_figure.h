@@ -19,6 +19,10 @@ geometry::PlacedLink<double> placed(const Built& built, const Solution& s, int l
 
 Mechanism figure_of(const Built& built, const Solution& solution);
 
+// The mechanism elsewhere, dashed; the name tells this place from others.
+void add_in_outline(Mechanism& mechanism, const Built& built, const std::string& name,
+                    const std::vector<Place>& points);
+
 // A link alone, cut free: its points, and the pins in its slots that something acts on; of what has but one point a
 // block of this size. A link without points is `otherwise`.
 Mechanism figure_of_link(const Built& built, const Solution& solution, int link, const std::vector<int>& acting,
