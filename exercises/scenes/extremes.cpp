@@ -336,7 +336,7 @@ bool is_rate(const Built& built, const std::string& quantity) {
 
 std::string symbol_of_extreme(const std::string& symbol, bool is_greatest) {
   const std::string which = is_greatest ? "max" : "min", end = "}$";
-  if (!symbol.ends_with(end)) return symbol + " " + which;
+  if (!symbol.ends_with(end)) return symbol.substr(0, symbol.size() - 1) + "_{" + which + end;
   return symbol.substr(0, symbol.size() - end.size()) + "," + which + end;
 }
 std::string extreme_name(const std::string& quantity, bool is_greatest) {

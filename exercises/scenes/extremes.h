@@ -20,7 +20,7 @@ bool is_rate(const Built& built, const std::string& quantity);
 // "theta_4_max", "theta_4_min", and the direction of the drive where it is so: "theta_4_max_at".
 std::string extreme_name(const std::string& quantity, bool is_greatest);
 std::string place_of_extreme(const std::string& quantity, bool is_greatest);
-// "$θ_{4}$" to "$θ_{4,max}$".
+// "$θ_{4}$" to "$θ_{4,max}$", "$A$" to "$A_{max}$".
 std::string symbol_of_extreme(const std::string& symbol, bool is_greatest);
 
 // Of each name, one of with_extremes, by the construction and by the equations of all joints. Velocities are those

@@ -220,7 +220,7 @@ std::optional<AtEnd> at_end(const Built& built, std::size_t drive, bool is_great
     const auto end = range.end(is_greatest);
     if (!end) return {};
     const Built there = with_drive_at(built, drive, midpoint(end->at).inf());
-    return AtEnd{range.position_at(*end), special_in_words(end->step, there)};
+    return AtEnd{range.position_at(*end), special_in_words(end->step, there, LettersAs::rich_text)};
   } catch (const Undecided&) {
     return {};
   }

@@ -25,7 +25,7 @@ std::vector<RouteValue> ranges(const Built& built, const std::vector<std::string
 // The mechanism at an end of the range, and what stops it there; none where no end is told.
 struct AtEnd {
   geometry::LinkagePosition<geometry::Bounded> position;
-  Words stopped_by;
+  Words stopped_by;  // rich text
 };
 std::optional<AtEnd> at_end(const Built& built, std::size_t drive, bool is_greatest);
 

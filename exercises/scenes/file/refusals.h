@@ -17,7 +17,8 @@ Words in_words(const geometry::NotClosed& open, const Built& built);
 Words in_words_at_limit(const geometry::NotClosed& open, const Built& built);
 
 // Of a step that is at its limit, or very near: what is special about its place.
-Words special_in_words(std::size_t step, const Built& built);
+enum class LettersAs { plain, rich_text };
+Words special_in_words(std::size_t step, const Built& built, LettersAs as);
 // The same of one that is proved to be, and that the motion is not determined there.
 Words limit_in_words(std::size_t step, const Built& built);
 

@@ -15,6 +15,7 @@
 #include "exercises/scenes/extremes.h"
 #include "exercises/scenes/found_by_search.h"
 #include "exercises/scenes/kept_by_givens.h"
+#include "exercises/scenes/range_of_drive.h"
 #include "exercises/scenes/scene_routes.h"
 #include "exercises/scenes/sheets/scene_figure.h"
 #include "geometry/linkages/every_place.h"
@@ -127,6 +128,7 @@ class ChartOfScene {
       : s_(s),
         names_(names),
         asked_(scene.extremes()),
+        drive_(driven_coordinates(built).front()),
         over_(built, names),
         samples_(kept.of(s.givens(), [this] { return samples_of(over_); })) {
     std::vector<double> values;
@@ -169,6 +171,10 @@ class ChartOfScene {
     }
     if (chart.y.low < 0 && chart.y.high > 0) chart.horizontals = {{.at = 0}};
     chart.verticals = {{.at = unit * over_.now()}};
+    for (const bool is_greatest : {true, false})
+      if (const auto end = value_of(extreme_name(drive_.name, is_greatest)))
+        chart.verticals.push_back({.at = over_.turns() ? within_turns(*end) : *end,
+                                   .label = symbol_of_extreme(drive_.symbol, is_greatest)});
     return chart;
   }
 
@@ -201,6 +207,15 @@ class ChartOfScene {
   }
 
  private:
+  // None where it is not asked for.
+  std::optional<double> value_of(const std::string& name) const {
+    return s_.has(name) ? s_.value(name) : std::nullopt;
+  }
+  double within_turns(double degrees) const {
+    const double all = 360 * over_.high();
+    return degrees - all * std::floor(degrees / all);
+  }
+
   // Known to less than a pen's width.
   bool is_fine(const Enclosure& known) const {
     constexpr double pens = 500;
@@ -221,6 +236,7 @@ class ChartOfScene {
 
   const Solution& s_;
   const std::vector<std::string>&names_, &asked_;
+  Quantity drive_;
   OverDrive over_;
   std::shared_ptr<const Samples> samples_;
   drawings::ValueSpan span_{};

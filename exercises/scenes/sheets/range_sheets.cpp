@@ -17,6 +17,18 @@ std::vector<Place> in_doubles(const std::vector<geometry::Point<geometry::Bounde
   return all;
 }
 
+// What the drive moves: a pin of its link, the point, an end of the cylinder.
+int driven_point(const Built& built, std::size_t drive) {
+  const auto moves = [&](int p) { return built.linkage.links_at(p).front() != 0; };
+  const geometry::Drive& of = built.linkage.drives[drive];
+  if (const auto* slid = std::get_if<geometry::SlidPoint>(&of)) return slid->point;
+  if (const auto* cylinder = std::get_if<geometry::Stretched>(&of))
+    return moves(cylinder->to) ? cylinder->to : cylinder->from;
+  for (const geometry::LinkPoint& p : built.linkage.links[index(std::get<geometry::TurnedLink>(of).link)].points)
+    if (moves(p.point)) return p.point;
+  return built.linkage.links[index(std::get<geometry::TurnedLink>(of).link)].points.front().point;
+}
+
 PanelSheet range_sheet(const Scene& scene, const Solution& s, std::size_t drive, Language language) {
   const Built built = scene.built(s.givens());
   const Quantity coordinate = driven_coordinates(built)[drive];
@@ -28,9 +40,12 @@ PanelSheet range_sheet(const Scene& scene, const Solution& s, std::size_t drive,
     sheet.results.push_back(values({name}));
     if (!s.value(name)) continue;
     if (const auto end = at_end(built, drive, is_greatest)) {
+      const int driven = driven_point(built, drive);
+      const std::string letters =
+          symbol_of_extreme("$" + point_letters(built.letters.points[index(driven)]) + "$", is_greatest);
       has_end = true;
-      add_in_outline(mechanism, built, name, in_doubles(end->position.points));
-      sheet.results.push_back(remark(drawings::escaped(end->stopped_by.in(language)) + "."));
+      add_in_outline(mechanism, built, name, in_doubles(end->position.points), {{driven, letters}});
+      sheet.results.push_back(remark(end->stopped_by.in(language) + "."));
     }
   }
   if (has_end)

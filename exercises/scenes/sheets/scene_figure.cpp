@@ -360,11 +360,12 @@ void add_block(Mechanism& figure, const Built& built, const Solution& s, int lin
 }  // namespace
 
 void add_in_outline(Mechanism& mechanism, const Built& built, const std::string& name,
-                    const std::vector<Place>& points) {
+                    const std::vector<Place>& points, const std::map<int, std::string>& letters) {
   const auto moves = [&](int p) { return built.linkage.links_at(p).front() != 0; };
   const auto there = [&](int p) { return (moves(p) ? name + " " : "") + built.letters.points[index(p)]; };
   for (int p = 0; p < built.linkage.count_of_points(); ++p)
-    if (moves(p)) mechanism.point(there(p), points[index(p)], Mechanism::Joint::none, "");
+    if (moves(p))
+      mechanism.point(there(p), points[index(p)], Mechanism::Joint::none, letters.count(p) ? letters.at(p) : "");
   for (std::size_t link = 1; link < built.linkage.links.size(); ++link) {
     std::vector<std::string> corners;
     for (const geometry::LinkPoint& p : built.linkage.links[link].points) corners.push_back(there(p.point));
