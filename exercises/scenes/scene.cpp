@@ -91,15 +91,157 @@ void demand_one_way(const File& file, const Tree& at, const Built& built) {
                              "di un meccanismo che non è mosso da un solo membro girato gli estremi si dicono di "
                              "{}: non di \"{}\"; {}",
                              range, name, did_you_mean(name, known)));
-  file.refuse(item, format_words("this mechanism has no sheet \"{}\"; {}",
-                                 "questo meccanismo non ha la tavola \"{}\"; {}", name, did_you_mean(name, names)));
-  const auto place = static_cast<std::size_t>(found - names.begin());
-  if (std::find(chosen.begin(), chosen.end(), place) != chosen.end())
-    file.refuse(item, format_words("the sheet \"{}\" stands here twice", "la tavola \"{}\" sta qui due volte", name));
-  chosen.push_back(place);
+  file.refuse(
+      item, format_words("extremes are told of coordinates (C_x), directions of links (theta_4), and how fast these "
+                         "change (v_C_x, omega_4), of what link {} moves, and of {}: not of \"{}\"; {}",
+                         "gli estremi si dicono di coordinate (C_x), direzioni di membri (theta_4) e di quanto "
+                         "rapide variano (v_C_x, omega_4), di ciò che il membro {} muove, e di {}: non di \"{}\"; {}",
+                         built.letters.links[index(turned->link)], range, name, did_you_mean(name, known)));
 }
-return chosen;
+
+// extremes: [theta_4, v_C_x].
+std::vector<std::string> read_extremes(const File& file, const Tree& all, const Built& built) {
+  const Words what{
+      "extremes: [theta_4, v_C_x], quantities whose greatest and least over a turn of the drive are asked for",
+      "extremes: [theta_4, v_C_x], grandezze di cui si chiedono massimo e minimo in un giro del movente"};
+  file.demand(all, Tree::Kind::list, what);
+  const std::vector<std::string> known = with_extremes(built);
+  std::vector<std::string> names;
+  for (const Tree& item : all.items) {
+    const std::string name = spelled_out(file.text(item, what));
+    if (std::find(known.begin(), known.end(), name) == known.end()) refuse_extreme(file, item, name, built, known);
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      file.refuse(item, format_words("{} stands here twice", "{} sta qui due volte", name));
+    names.push_back(name);
+  }
+  return names;
+}
+
 }  // namespace
+
+Scene::Scene(std::string file_name, std::string_view bytes)
+    : file_(std::move(file_name)), root_(read_text_tree(file_, bytes)) {
+  const File file(file_);
+  file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
+                   "una scena è un elenco di chiavi e valori, come  id: four-bar"});
+  file.demand_keys(root_,
+                   {"epure",    "id",    "title",    "source", "givens",   "where",   "units",  "points",  "links",
+                    "slides",   "gears", "rolls",    "drive",  "assembly", "offsets", "paths",  "polodes", "charts",
+                    "extremes", "loads", "friction", "masses", "gravity",  "sheets",  "printed"});
+  const FileHead head = read_head(file, root_);
+  id_ = head.id;
+  title_ = head.title;
+  source_ = head.source;
+  givens_ = head.givens;
+  for (GivenSpec& given : givens_)
+    if (const auto unit = find_unit(given.unit); unit && is_of_mass(unit->kind))
+      given.letters = italic_letters(given.symbol);
+  printed_ = head.printed;
+  const Built stated = built(Givens(givens_));
+  if (const TextTree* charts = root_.find("charts")) {
+    charts_ = read_charts(file, *charts);
+    demand_one_way(file, *charts, stated);
+  }
+  if (const TextTree* asked = root_.find("extremes")) {
+    if (stated.linkage.drives.size() == 1) demand_one_way(file, *asked, stated);
+    extremes_ = read_extremes(file, *asked, stated);
+    for (const std::string& name : extremes_) {
+      if (drive_of_coordinate(stated, name)) continue;  // it has a sheet of its own
+      const auto shows = [&](const std::vector<std::string>& chart) {
+        return std::find(chart.begin(), chart.end(), name) != chart.end();
+      };
+      if (std::none_of(charts_.begin(), charts_.end(), shows)) charts_.push_back({name});
+    }
+  }
+}
+
+void Scene::demand_charts(const std::vector<Quantity>& quantities) const {
+  const File file(file_);
+  std::vector<std::string> names;
+  for (const Quantity& quantity : quantities) names.push_back(quantity.name);
+  const TextTree* asked = root_.find("charts");  // the others are of extremes, which are known
+  for (std::size_t i = 0; asked && i < asked->items.size(); ++i) {
+    std::string unit;
+    for (const std::string& name : charts_[i]) {
+      const TextTree& item = asked->items[i];
+      const auto found = std::find(names.begin(), names.end(), name);
+      if (found == names.end())
+        file.refuse(
+            item, format_words("this mechanism has no quantity \"{}\"; {}",
+                               "questo meccanismo non ha la grandezza \"{}\"; {}", name, did_you_mean(name, names)));
+      const Quantity& quantity = quantities[static_cast<std::size_t>(found - names.begin())];
+      if (!unit.empty() && unit != quantity.unit)
+        file.refuse(
+            item,
+            format_words("one chart has one unit, and {} is in {}, not in {}; write a chart for each",
+                         "un grafico ha una sola unità, e {} è in {}, non in {}; scrivere un grafico per ciascuna",
+                         name, quantity.unit, unit));
+      unit = quantity.unit;
+    }
+  }
+}
+
+void Scene::demand_one_meaning(const std::vector<Quantity>& quantities) const {
+  std::map<std::string, const Quantity*> known;
+  for (const Quantity& each : quantities) {
+    const auto [found, is_new] = known.emplace(each.name, &each);
+    const Words &one = found->second->meaning, &other = each.meaning;
+    if (is_new || one.english == other.english) continue;
+    const File file(file_);
+    file.refuse(*root_.find("links"),
+                format_words("{} would be two things, \"{}\" and \"{}\": give a point or a line another name",
+                             "{} sarebbe due cose, \"{}\" e \"{}\": dare a un punto o a una retta un altro nome",
+                             each.name, Words{drawings::plain(one.english), drawings::plain(one.italian)},
+                             Words{drawings::plain(other.english), drawings::plain(other.italian)}));
+  }
+}
+
+void Scene::demand_printed(const std::vector<Quantity>& quantities) const {
+  const File file(file_);
+  std::vector<std::string> names;
+  for (const Quantity& quantity : quantities) names.push_back(quantity.name);
+  for (std::size_t i = 0; i < printed_.size(); ++i) {
+    const Tree &item = root_.find("printed")->items[i], &unit = *item.find("unit");
+    const auto found = std::find(names.begin(), names.end(), printed_[i].quantity);
+    if (found == names.end())
+      file.refuse(*item.find("quantity"),
+                  format_words("this mechanism has no quantity \"{}\"; {}",
+                               "questo meccanismo non ha la grandezza \"{}\"; {}", printed_[i].quantity,
+                               did_you_mean(printed_[i].quantity, names)));
+    const Quantity& quantity = quantities[static_cast<std::size_t>(found - names.begin())];
+    if (find_unit(unit.text)->kind != find_unit(quantity.unit)->kind)
+      file.refuse(unit, format_words("{} is told in {}, not in {}", "{} si dice in {}, non in {}", quantity.name,
+                                     quantity.unit, unit.text));
+  }
+}
+
+std::vector<std::size_t> Scene::chosen_sheets(const std::vector<std::string>& names) const {
+  std::vector<std::size_t> chosen;
+  const Tree* asked = root_.find("sheets");
+  if (!asked) {
+    for (std::size_t i = 0; i < names.size(); ++i) chosen.push_back(i);
+    return chosen;
+  }
+  const File file(file_);
+  file.demand(*asked, Tree::Kind::list,
+              {"sheets: [velocities, instant-centres]", "sheets: [velocities, instant-centres]"});
+  if (asked->items.empty()) file.refuse(*asked, {"no sheet is asked for", "non si chiede alcuna tavola"});
+  for (const Tree& item : asked->items) {
+    const std::string& name =
+        file.text(item, {"the name of a sheet is asked here", "qui si chiede il nome di una tavola"});
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      file.refuse(item,
+                  format_words("this mechanism has no sheet \"{}\"; {}",
+                               "questo meccanismo non ha la tavola \"{}\"; {}", name, did_you_mean(name, names)));
+    const auto place = static_cast<std::size_t>(found - names.begin());
+    if (std::find(chosen.begin(), chosen.end(), place) != chosen.end())
+      file.refuse(item,
+                  format_words("the sheet \"{}\" stands here twice", "la tavola \"{}\" sta qui due volte", name));
+    chosen.push_back(place);
+  }
+  return chosen;
+}
 
 // Where forces are asked for the links stand in the order in which they are placed, so that the first of those at a
 // point, which carries its pin, is there before the others.

@@ -71,8 +71,8 @@ struct Constructed {
     const auto complex = [](const geometry::Vector<T>& v) { return geometry::analytic::Complex<T>{v.x, v.y}; };
     std::vector<LinkState<T>> all;
     for (std::size_t i = 0; i < at.links.size(); ++i) {
-      const auto& [O, x] = at.links[i];
-      LinkState<T> link{{O.x, O.y}, {}, {}, T(0), T(0), T(0), complex(x)};
+      const geometry::Point<T>& O = at.links[i].O;
+      LinkState<T> link{{O.x, O.y}, {}, {}, T(0), T(0), T(0), complex(at.links[i].x)};
       if (with_rates) {
         const geometry::PlaneMotion<T>& moving = motion.get().links[i];
         link.v = complex(moving.velocity(O));

@@ -154,6 +154,8 @@ class JointEquations {
       const MeshingLinks& gear = linkage_.gears[k];
       if (is_joined({}, {gear.first, gear.second, gear.carrier})) meshing(gear, told[k]);
     }
+    for (const RollingWheel& roll : linkage_.rolls)
+      if (is_joined({roll.centre}, {roll.wheel, linkage_.link_of_line(roll.line)})) rolling(roll);
     for (const Drive& drive : linkage_.drives)
       std::visit(
           [this](const auto& d) {
@@ -269,6 +271,22 @@ class JointEquations {
     Complex<T> all{T(1), T(0)};
     for (int i = std::abs(times); i > 0; --i) all = all * each;
     return all;
+  }
+
+  void rolling(const RollingWheel& roll) {
+    const int carrier = linkage_.link_of_line(roll.line);
+    const T r = from_rational<T>(roll.radius);
+    Equation<T> equation = ahead_on(end_at(roll.centre), roll.line);
+    if constexpr (NumberWithAngles<T>)
+      equation.residual += r * (links_[static_cast<std::size_t>(roll.wheel)].theta -
+                                links_[static_cast<std::size_t>(carrier)].theta - radians<T>(roll.phase)) -
+                           from_rational<T>(roll.at);
+    else
+      throw Undecided("how far a wheel has rolled on exact numbers",
+                      "quanto una ruota abbia rotolato su numeri esatti");
+    equation.slopes.emplace_back(unknowns_of_a_link * roll.wheel - 1, r);
+    if (carrier != 0) equation.slopes.emplace_back(unknowns_of_a_link * carrier - 1, -r);
+    equations_.push_back(std::move(equation));
   }
 
   void driven(const TurnedLink& drive) {
@@ -699,6 +717,17 @@ Deep about(const Deep& x) {
   return midpoint(x + Deep(0));
 }
 
+// Where the wheel points, where the beginning has its centre, in doubles.
+template <class T>
+double rolled_to(const Linkage& linkage, const RollingWheel& roll, const Beginning<T>& beginning, double carrier) {
+  const LinkLine& line = linkage.line(roll.line);
+  const LinkState<T>&body = beginning[static_cast<std::size_t>(linkage.link_of_line(roll.line))],
+        &wheel = beginning[static_cast<std::size_t>(roll.wheel)];
+  const T ahead = dot(direction(line, body),
+                      point_of(wheel, linkage.place(roll.wheel, roll.centre)).z - point_of(body, line.through).z);
+  return carrier + to_double(roll.phase) + (CGAL::to_double(roll.at) - near(ahead)) / CGAL::to_double(roll.radius);
+}
+
 // Without the frame. The angle of a link that is turned has as many whole turns as it is given with, or the first
 // step would turn the link by these.
 template <class T>
@@ -715,6 +744,16 @@ Column<T> moving_links(const Linkage& linkage, const Beginning<T>& beginning) {
     const double turns = std::round((turned[i] - near(angle)) / (2 * pi<Fast>()));
     const T theta = angle + from_rational<T>(Rational(2 * turns)) * pi<T>();
     q.insert(q.end(), {point_in(O.re), point_in(O.im), point_in(theta)});
+  }
+  for (const RollingWheel& roll : linkage.rolls) {
+    const auto theta = [&](int link) {
+      return link == 0 ? 0 : near(q[static_cast<std::size_t>(unknowns_of_a_link * link - 1)]);
+    };
+    const int carrier = linkage.link_of_line(roll.line);
+    const double turns =
+        std::round((rolled_to(linkage, roll, beginning, theta(carrier)) - theta(roll.wheel)) / (2 * pi<Fast>()));
+    T& of_wheel = q[static_cast<std::size_t>(unknowns_of_a_link * roll.wheel - 1)];
+    of_wheel = point_in(of_wheel + from_rational<T>(Rational(2 * turns)) * pi<T>());
   }
   return q;
 }

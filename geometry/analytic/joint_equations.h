@@ -7,6 +7,7 @@
 //   line on a line    n_j . (G_i - G_j) = 0,  s_i x s_j = 0                  two
 //   turned link       θ_i - θ = 0                                            one
 //   gears             θ_j - θ_c - phase - m (θ_i - θ_c) = 0                  one
+//   rolling           r (θ_i - θ_j - phase) + s_j . (X_i - G_j) - at = 0       one
 //   slid point        s_j . (X_i - G_j) - at = 0                             one
 //   cylinder          (X_i - X_j)² - l² = 0                                  one
 //

@@ -13,11 +13,26 @@
 
 namespace epure::geometry {
 
+// The numbers that have the sine of an angle.
+template <class T>
+concept NumberWithSines = requires(const T& angle) {
+  { sine_of_angle(angle) } -> std::same_as<T>;
+};
+
 // Where a link is: the origin of its axes, and its x axis, a unit vector.
 template <class T>
 struct PlacedLink {
   Point<T> O;
   Vector<T> x;
+  // Of a wheel that rolls on a line, on numbers without sines: where it points is not known, nor is it needed.
+  bool is_axis_known = true;
+
+  const Vector<T>& axis() const {
+    if (!is_axis_known)
+      throw Undecided("which way a wheel points that has rolled: its angle is a length over a radius",
+                      "dove punti una ruota che ha rotolato: il suo angolo è una lunghezza su un raggio");
+    return x;
+  }
 
   Vector<T> turned(const Vector<T>& own) const { return own.x * x + own.y * quarter_turn(x); }
   Point<T> at(const Vector<T>& own) const { return O + turned(own); }
@@ -160,6 +175,7 @@ class CarriedOut {
   // Placing.
   void place(const TurnedCrank& step, LinkagePosition<T>& at) const;
   void place(const GearedWheel& step, LinkagePosition<T>& at) const;
+  void place(const RolledWheel& step, LinkagePosition<T>& at) const;
   void place(const SlidBlock& step, LinkagePosition<T>& at) const;
   void place(const SlidPin& step, LinkagePosition<T>& at) const;
   void place(const TwoRods& step, LinkagePosition<T>& at) const;
@@ -223,6 +239,7 @@ class CarriedOut {
   using Rates = std::vector<DriveRates<T>>;
   StepPolygons<T> move(const TurnedCrank&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
   StepPolygons<T> move(const GearedWheel&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+  StepPolygons<T> move(const RolledWheel&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
   StepPolygons<T> move(const SlidBlock&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
   StepPolygons<T> move(const SlidPin&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
   StepPolygons<T> move(const TwoRods&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
@@ -490,6 +507,27 @@ void CarriedOut<T>::place(const GearedWheel& step, LinkagePosition<T>& at) const
 }
 
 template <class T>
+void CarriedOut<T>::place(const RolledWheel& step, LinkagePosition<T>& at) const {
+  const RollingWheel& roll = linkage_.rolls[index(step.roll)];
+  const Rail on = in_plane(roll.line, at);
+  const Point<T> C = at.points[index(roll.centre)];
+  if constexpr (NumberWithSines<T>) {
+    const T turned = quotient(number(roll.at) - dot(on.s, C - on.G), number(roll.radius));
+    const Vector<T> from =
+        linkages::times(at.links[index(line(roll.line).link)].x, linkages::Constant<T>::direction(roll.phase));
+    put(step.link, linkages::times(from, {cosine_of_angle(turned), sine_of_angle(turned)}), {T(1), T(0)}, C,
+        own(step.link, roll.centre), at);
+  } else {
+    const Link& wheel = linkage_.links[index(step.link)];
+    PlacedLink<T>& placed = at.links[index(step.link)];
+    placed = {C, {T(1), T(0)}, false};
+    // Nothing of it but its centre, in its own origin, can then be told.
+    const Own& centre = wheel.points.front().at;
+    if (wheel.points.size() > 1 || !wheel.lines.empty() || centre.x != 0 || centre.y != 0) placed.axis();
+  }
+}
+
+template <class T>
 void CarriedOut<T>::place(const SlidPin& step, LinkagePosition<T>& at) const {
   const auto& drive = std::get<SlidPoint>(linkage_.drives[index(step.drive)]);
   const Rail guide = in_plane(drive.guide, at);
@@ -671,6 +709,20 @@ StepPolygons<T> CarriedOut<T>::move(const GearedWheel& step, const LinkagePositi
     alpha += number(step.turn.times[k]) * rates[k].second;
   }
   put_motion(step.link, Bar<T>{so_far.points[index(step.hinge)]}.motion(omega, alpha), at, so_far);
+  return {};
+}
+
+template <class T>
+StepPolygons<T> CarriedOut<T>::move(const RolledWheel& step, const LinkagePosition<T>& at, const Rates&,
+                                    LinkageMotion<T>& so_far) const {
+  const RollingWheel& roll = linkage_.rolls[index(step.roll)];
+  const Pin<T>& C = so_far.points[index(roll.centre)];
+  const PlaneMotion<T>& body = so_far.links[index(line(roll.line).link)];
+  const Vector<T> s = in_plane(roll.line, at).s;
+  // The acceleration of Coriolis is square to the line.
+  const T over = number(1 / roll.radius), rate = dot(s, C.v - body.velocity(C.at)),
+          second = dot(s, C.a - body.acceleration(C.at));
+  put_motion(step.link, Bar<T>{C}.motion(body.omega - over * rate, body.alpha - over * second), at, so_far);
   return {};
 }
 

@@ -125,6 +125,10 @@ class InLetters {
                                                    "{} si muovono solo insieme, su quanto sta in {}: riga e compasso "
                                                    "dispongono solo gruppi di uno o due membri",
                                                    links(open.links), points(open.points));
+    if (has_rolling(open.links))
+      return all +
+             Words{"; a wheel follows what it rolls on: drive its centre, or the rack, and not the wheel",
+                   "; una ruota segue ciò su cui rotola: muovere il suo centro, o la cremagliera, e non la ruota"};
     const Stretched* cylinder = within(open.links);
     if (!cylinder) return all;
     const int driven = built_.linkage.links_at(cylinder->from).front();
@@ -179,6 +183,12 @@ class InLetters {
         "; {} stand on one link each (its number behind): links hang on each other where they have the same letter",
         "; {} stanno su un membro solo (il suo numero dopo): i membri si incernierano dove hanno la stessa lettera",
         enumerated(lone));
+  }
+  bool has_rolling(const std::vector<int>& links) const {
+    const auto& rolls = built_.linkage.rolls;
+    return std::any_of(rolls.begin(), rolls.end(), [&](const RollingWheel& roll) {
+      return std::find(links.begin(), links.end(), roll.wheel) != links.end();
+    });
   }
   // A cylinder both ends of which are of these links alone.
   const Stretched* within(const std::vector<int>& links) const {

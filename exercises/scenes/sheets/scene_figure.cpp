@@ -24,10 +24,17 @@ std::string letter_of_line(const Built& built, int line) {
   return "$" + point_letters(built.letters.lines[static_cast<std::size_t>(line)]) + "$";
 }
 
+// The way of a wheel's centre beside the line that it rolls on: nothing guides it but that.
+bool is_way_of_wheel(const Linkage& of, const PinOnLine& pin) {
+  return std::any_of(of.rolls.begin(), of.rolls.end(), [&](const geometry::RollingWheel& roll) {
+    return roll.centre == pin.point && of.link_of_line(roll.line) == of.link_of_line(pin.line);
+  });
+}
+
 // The guide of the frame on which a point slides, itself or as the first of its link's.
 std::optional<int> guide_in_frame(const Linkage& of, int point) {
   for (const PinOnLine& pin : of.pins)
-    if (pin.point == point && of.link_of_line(pin.line) == 0) return pin.line;
+    if (pin.point == point && of.link_of_line(pin.line) == 0 && !is_way_of_wheel(of, pin)) return pin.line;
   for (const LineOnLine& block : of.blocks) {
     const Link& moving = of.links[static_cast<std::size_t>(of.link_of_line(block.moving))];
     if (of.link_of_line(block.guide) == 0 && !moving.points.empty() && moving.points.front().point == point)
@@ -90,7 +97,7 @@ std::vector<PinInSlot> pins_in(const Linkage& of, int link) {
   std::vector<PinInSlot> pins;
   if (is_cross(of, link)) return pins;
   for (const PinOnLine& pin : of.pins)
-    if (of.link_of_line(pin.line) == link) pins.push_back({pin.point, pin.line});
+    if (of.link_of_line(pin.line) == link && !is_way_of_wheel(of, pin)) pins.push_back({pin.point, pin.line});
   for (const LineOnLine& block : of.blocks)
     for (const auto& [own, other] : {std::pair(block.moving, block.guide), {block.guide, block.moving}}) {
       if (of.link_of_line(own) != link || of.link_of_line(other) == 0) continue;
@@ -294,6 +301,39 @@ void add_wheels(Mechanism& figure, const Built& built, const Solution& s) {
   for (const geometry::MeshingLinks& gear : built.linkage.gears)
     for (const bool is_first : {true, false}) add_wheel(figure, built, s, gear, is_first);
 }
+// A wheel that rolls, and the line on which it does so: of the frame a surface, of another link a bar, as far as from
+// its points to beyond the wheel.
+void add_rolling(Mechanism& figure, const Built& built, const Solution& s, const geometry::RollingWheel& roll) {
+  const Linkage& of = built.linkage;
+  const int link = of.link_of_line(roll.line);
+  const Arrow2 along = s.vector("along_" + built.letters.lines[index(roll.line)]);
+  const double r = CGAL::to_double(roll.radius);
+  const Place C = figure.at(letter(built, roll.centre)), touched = C + (-r) * geometry::quarter_turn(along);
+  const std::string name =
+      "rolling of " + std::to_string(roll.wheel) + " on " + built.letters.lines[index(roll.line)];
+  const auto corner = [&](const std::string& which, const Place& at, const std::string& letters) {
+    figure.point(name + which, at, Mechanism::Joint::corner, letters);
+    return name + which;
+  };
+  constexpr double beyond = 1.6;  // radii
+  double low = -beyond * std::abs(r), high = -low;
+  if (link != 0)
+    for (const LinkPoint& p : of.links[index(link)].points) {
+      const double ahead = dot(figure.at(letter(built, p.point)) - touched, along);
+      low = std::min(low, ahead), high = std::max(high, ahead);
+    }
+  const std::string first = corner("'s beginning", touched + low * along, ""),
+                    last = corner("'s end", touched + high * along, letter_of_line(built, roll.line));
+  if (link != 0)
+    figure.body({first, last});
+  else if (r > 0)
+    figure.surface(figure.at(first), figure.at(last));
+  else
+    figure.surface(figure.at(last), figure.at(first));
+  const bool is_bar = of.links[index(roll.wheel)].points.size() > 1;
+  figure.disc(letter(built, roll.centre), corner("'s rim", touched, ""), false,
+              is_bar ? 0 : built.letters.links[index(roll.wheel)]);
+}
 // Those that the link is; whether there are any.
 bool add_wheels_of(Mechanism& figure, const Built& built, const Solution& s, int link) {
   bool is_wheel = false;
@@ -452,6 +492,7 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
         figure.turning(letter(built, crank->first), letter(built, crank->second), sign_of(turned->omega),
                        angular_velocity(built.letters.links[static_cast<std::size_t>(turned->link)]).symbol);
   add_wheels(figure, built, solution);
+  for (const geometry::RollingWheel& roll : of.rolls) add_rolling(figure, built, solution, roll);
   for (const int link : without_number) add_number_of_block(figure, built, link);
   add_lines(figure, built);
   return figure;
