@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include "exercises/kit/statement/quantity.h"
 
@@ -270,7 +271,7 @@ std::optional<std::pair<int, int>> crank_of(const Linkage& of, int link) {
 // A wheel by its pitch circle: filled where it is a round body, and a ring by its circle alone. Other links' centres
 // need not be in the figure.
 void add_wheel(Mechanism& figure, const Built& built, const Solution& s, const geometry::MeshingLinks& gear,
-               bool is_first) {
+               bool is_first, bool is_numbered) {
   const Linkage& of = built.linkage;
   const auto hidden = [&](const std::string& name, const Place& at) {
     figure.point(name, at, Mechanism::Joint::corner, "");
@@ -289,7 +290,7 @@ void add_wheel(Mechanism& figure, const Built& built, const Solution& s, const g
     const bool is_bar = of.links[static_cast<std::size_t>(wheel)].points.size() > 1;
     figure.disc(letter(built, centre),
                 hidden(name, {O.x + radius * std::cos(square), O.y + radius * std::sin(square)}), false,
-                is_bar || wheel == 0 ? 0 : built.letters.links[static_cast<std::size_t>(wheel)]);
+                !is_numbered || is_bar || wheel == 0 ? 0 : built.letters.links[static_cast<std::size_t>(wheel)]);
     return;
   }
   figure.profile(O, radius, 0, 2 * std::numbers::pi);
@@ -297,10 +298,20 @@ void add_wheel(Mechanism& figure, const Built& built, const Solution& s, const g
     hidden(name + std::to_string(quarter), {O.x + radius * std::cos(quarter * std::numbers::pi / 2),
                                             O.y + radius * std::sin(quarter * std::numbers::pi / 2)});
 }
+// A link may have several wheels, and has one number.
 void add_wheels(Mechanism& figure, const Built& built, const Solution& s) {
+  std::set<int> numbered;
   for (const geometry::MeshingLinks& gear : built.linkage.gears)
-    for (const bool is_first : {true, false}) add_wheel(figure, built, s, gear, is_first);
+    for (const bool is_first : {true, false})
+      add_wheel(figure, built, s, gear, is_first, numbered.insert(is_first ? gear.first : gear.second).second);
 }
+// A link with a bar or plate of its own, or a block, has its number there.
+bool is_numbered_elsewhere(const Linkage& of, int link) {
+  return of.links[index(link)].points.size() > 1 ||
+         std::any_of(of.blocks.begin(), of.blocks.end(),
+                     [&](const LineOnLine& each) { return of.link_of_line(each.moving) == link; });
+}
+
 // A wheel that rolls, and the line on which it does so: of the frame a surface, of another link a bar, as far as from
 // its points to beyond the wheel.
 void add_rolling(Mechanism& figure, const Built& built, const Solution& s, const geometry::RollingWheel& roll) {
@@ -325,7 +336,7 @@ void add_rolling(Mechanism& figure, const Built& built, const Solution& s, const
   const std::string first = corner("'s beginning", touched + low * along, ""),
                     last = corner("'s end", touched + high * along, letter_of_line(built, roll.line));
   if (link != 0)
-    figure.body({first, last});
+    figure.body({first, last}, is_numbered_elsewhere(of, link) ? 0 : built.letters.links[index(link)]);
   else if (r > 0)
     figure.surface(figure.at(first), figure.at(last));
   else
@@ -340,7 +351,7 @@ bool add_wheels_of(Mechanism& figure, const Built& built, const Solution& s, int
   for (const geometry::MeshingLinks& gear : built.linkage.gears)
     for (const bool is_first : {true, false}) {
       if ((is_first ? gear.first : gear.second) != link) continue;
-      add_wheel(figure, built, s, gear, is_first);
+      add_wheel(figure, built, s, gear, is_first, !is_wheel);
       is_wheel = true;
     }
   return is_wheel;
