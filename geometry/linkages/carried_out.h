@@ -152,6 +152,19 @@ class CarriedOut {
     int link;
     Vector<T> through, along;
   };
+  // What a rod and its joint are read as: the distance of the joint from the pin, its square and that one's inverse,
+  // and the way from the one to the other in the link's own axes.
+  struct RodNumbers {
+    std::optional<Rational> exactly = {};  // the distance, where it is rational
+    Rational exactly_squared = 0;
+    T length{0}, squared{0}, over_squared{0};
+    Vector<T> own{T(0), T(0)};
+  };
+  // Of the rods of a step that places a joint: by how much the first one's square is the greater.
+  struct DyadNumbers {
+    RodNumbers first = {}, second = {};
+    T greater{0};
+  };
   // A line in the plane, and where it is cut.
   struct Rail {
     Point<T> G;
@@ -208,7 +221,6 @@ class CarriedOut {
   Rail rail(const Track& track, int joint, const LinkagePosition<T>& at) const;
   // How far left of the line the point lies, in the link's own axes.
   T left_of(int l, int point) const;
-  Rational squared_length(const Rod& rod, int joint) const;
   // Where the drive is, if it is not where the linkage says.
   static const DriveAt<T>* elsewhere(int drive, const LinkagePosition<T>& at) {
     return at.elsewhere && drive != nothing && at.elsewhere->drive == drive ? &*at.elsewhere : nullptr;
@@ -217,15 +229,16 @@ class CarriedOut {
     if (const DriveAt<T>* there = elsewhere(drive, at)) return there->way;
     return number(std::get<SlidPoint>(linkage_.drives[index(drive)]).at);
   }
-  T squared_length(const Rod& rod, int joint, const LinkagePosition<T>& at) const {
+  T squared_length(const Rod& rod, const RodNumbers& of, const LinkagePosition<T>& at) const {
     if (const DriveAt<T>* there = elsewhere(rod.cylinder, at)) return square(there->way);
-    return number(squared_length(rod, joint));
+    return of.squared;
   }
+  RodNumbers numbers_of(const Rod& rod, int joint) const;
   // A link whose own unit vector `along` points in the direction s, with its point `own` in P.
   void put(int link, const Vector<T>& s, const Vector<T>& along, const Point<T>& P, const Vector<T>& own_point,
            LinkagePosition<T>& at) const;
   void put_points(int link, LinkagePosition<T>& at) const;
-  void put_rod(const Rod& rod, int joint, LinkagePosition<T>& at) const;
+  void put_rod(const Rod& rod, const RodNumbers& of, int joint, LinkagePosition<T>& at) const;
   void put_block(const Track& track, int joint, LinkagePosition<T>& at) const;
   // How much farther left of the line the pin lies than the hinge: so far right of it, seen from there.
   T pin_right_of_hinge(const SlotOnPin& step) const {
@@ -277,6 +290,7 @@ class CarriedOut {
   const std::vector<Step>& steps_;
   std::vector<std::vector<Vector<T>>> own_;  // link, point
   std::vector<OwnLine> lines_;
+  std::vector<DyadNumbers> of_joints_;  // of the points
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -349,15 +363,6 @@ Point<T> meet_by_squares(const Point<T>& P, const T& r2, const Point<T>& Q, cons
                                          {"the circles do not meet", "le circonferenze non si incontrano"}));
   return beside(P, d, twice_along, across, side);
 }
-// Where both radii are rational, by Heron's formula, as circle.h has it.
-template <class T>
-Point<T> meet(const Point<T>& P, const Rational& PX_squared, const Point<T>& Q, const Rational& QX_squared,
-              Side side) {
-  const auto PX = FieldOf<Rational>::root(PX_squared), QX = FieldOf<Rational>::root(QX_squared);
-  if (PX && QX) return geometry::meet(Circle<T>{P, from_rational<T>(*PX)}, Circle<T>{Q, from_rational<T>(*QX)}, side);
-  return meet_by_squares(P, from_rational<T>(PX_squared), Q, from_rational<T>(PX_squared - QX_squared), side);
-}
-
 }  // namespace linkages
 
 template <class T>
@@ -369,6 +374,17 @@ CarriedOut<T>::CarriedOut(const Linkage& linkage, const std::vector<Step>& steps
     for (const LinkLine& l : linkage.links[i].lines)
       lines_[index(l.line)] = {
           static_cast<int>(i), {number(l.through.x), number(l.through.y)}, linkages::unit_vector<T>(l.along)};
+  }
+  of_joints_.resize(index(linkage.count_of_points()));
+  for (const Step& step : steps) {
+    if (const auto* rods = std::get_if<TwoRods>(&step)) {
+      DyadNumbers& of = of_joints_[index(rods->joint)];
+      of.first = numbers_of(rods->first, rods->joint);
+      of.second = numbers_of(rods->second, rods->joint);
+      of.greater = number(of.first.exactly_squared - of.second.exactly_squared);
+    }
+    if (const auto* rod = std::get_if<RodAndTrack>(&step))
+      of_joints_[index(rod->joint)].first = numbers_of(rod->rod, rod->joint);
   }
 }
 
@@ -398,6 +414,7 @@ LinkageMotion<T> CarriedOut<T>::motion(const LinkagePosition<T>& at, const Rates
   const Vector<T> none{T(0), T(0)};
   const PlaneMotion<T> at_rest{{T(0), T(0)}, none, none, T(0), T(0)};
   LinkageMotion<T> so_far{{linkage_.links.size(), at_rest}, {at.points.size(), fixed_pin(Point<T>{T(0), T(0)})}, {}};
+  so_far.steps.reserve(steps_.size());
   put_motion(0, at_rest, at, so_far);
   for (std::size_t k = 0; k < steps_.size(); ++k)
     at_step(k, [&] {
@@ -439,13 +456,21 @@ typename CarriedOut<T>::Rail CarriedOut<T>::rail(const Track& track, int joint, 
 }
 
 template <class T>
-Rational CarriedOut<T>::squared_length(const Rod& rod, int joint) const {
+typename CarriedOut<T>::RodNumbers CarriedOut<T>::numbers_of(const Rod& rod, int joint) const {
+  RodNumbers of;
   if (rod.link == nothing) {
-    const Rational& length = std::get<Stretched>(linkage_.drives[index(rod.cylinder)]).length;
-    return length * length;
+    of.exactly = std::get<Stretched>(linkage_.drives[index(rod.cylinder)]).length;
+    of.exactly_squared = *of.exactly * *of.exactly;
+  } else {
+    const auto &P = linkage_.place(rod.link, rod.pin), &X = linkage_.place(rod.link, joint);
+    of.exactly_squared = (X.x - P.x) * (X.x - P.x) + (X.y - P.y) * (X.y - P.y);
+    of.exactly = FieldOf<Rational>::root(of.exactly_squared);
+    of.over_squared = number(1 / of.exactly_squared);
+    of.own = own(rod.link, joint) - own(rod.link, rod.pin);
   }
-  const auto &P = linkage_.place(rod.link, rod.pin), &X = linkage_.place(rod.link, joint);
-  return (X.x - P.x) * (X.x - P.x) + (X.y - P.y) * (X.y - P.y);
+  of.squared = number(of.exactly_squared);
+  if (of.exactly) of.length = number(*of.exactly);
+  return of;
 }
 
 template <class T>
@@ -464,12 +489,11 @@ void CarriedOut<T>::put(int link, const Vector<T>& s, const Vector<T>& along, co
 }
 
 template <class T>
-void CarriedOut<T>::put_rod(const Rod& rod, int joint, LinkagePosition<T>& at) const {
+void CarriedOut<T>::put_rod(const Rod& rod, const RodNumbers& of, int joint, LinkagePosition<T>& at) const {
   if (rod.link == nothing) return;
   const Point<T> P = at.points[index(rod.pin)], X = at.points[index(joint)];
-  const Vector<T> w = own(rod.link, joint) - own(rod.link, rod.pin);
   PlacedLink<T>& placed = at.links[index(rod.link)];
-  placed.x = number(1 / squared_length(rod, joint)) * linkages::times_mirrored(X - P, w);
+  placed.x = of.over_squared * linkages::times_mirrored(X - P, of.own);
   placed.O = P + -placed.turned(own(rod.link, rod.pin));
   put_points(rod.link, at);
 }
@@ -544,34 +568,38 @@ void CarriedOut<T>::place(const SlidBlock& step, LinkagePosition<T>& at) const {
 template <class T>
 void CarriedOut<T>::place(const TwoRods& step, LinkagePosition<T>& at) const {
   const Point<T> P = at.points[index(step.first.pin)], Q = at.points[index(step.second.pin)];
+  const DyadNumbers& of = of_joints_[index(step.joint)];
+  Point<T>& X = at.points[index(step.joint)];
   if (elsewhere(step.first.cylinder, at) || elsewhere(step.second.cylinder, at)) {
-    const T a2 = squared_length(step.first, step.joint, at), b2 = squared_length(step.second, step.joint, at);
-    at.points[index(step.joint)] = linkages::meet_by_squares<T>(P, a2, Q, a2 - b2, step.side);
+    const T a2 = squared_length(step.first, of.first, at), b2 = squared_length(step.second, of.second, at);
+    X = linkages::meet_by_squares<T>(P, a2, Q, a2 - b2, step.side);
+  } else if (of.first.exactly && of.second.exactly) {  // by Heron's formula
+    X = meet(Circle<T>{P, of.first.length}, Circle<T>{Q, of.second.length}, step.side);
   } else {
-    at.points[index(step.joint)] = linkages::meet(P, squared_length(step.first, step.joint), Q,
-                                                  squared_length(step.second, step.joint), step.side);
+    X = linkages::meet_by_squares<T>(P, of.first.squared, Q, of.greater, step.side);
   }
-  put_rod(step.first, step.joint, at);
-  put_rod(step.second, step.joint, at);
+  put_rod(step.first, of.first, step.joint, at);
+  put_rod(step.second, of.second, step.joint, at);
 }
 template <class T>
 void CarriedOut<T>::place(const TwoRods& step, const T& root_of_room, LinkagePosition<T>& at) const {
   const Point<T> P = at.points[index(step.first.pin)];
   const Vector<T> d = at.points[index(step.second.pin)] - P;
-  const T greater = squared_length(step.first, step.joint, at) - squared_length(step.second, step.joint, at);
+  const DyadNumbers& of = of_joints_[index(step.joint)];
+  const T greater = squared_length(step.first, of.first, at) - squared_length(step.second, of.second, at);
   at.points[index(step.joint)] = linkages::beside<T>(P, d, length_squared(d) + greater, root_of_room, step.side);
-  put_rod(step.first, step.joint, at);
-  put_rod(step.second, step.joint, at);
+  put_rod(step.first, of.first, step.joint, at);
+  put_rod(step.second, of.second, step.joint, at);
 }
 
 template <class T>
 void CarriedOut<T>::place(const RodAndTrack& step, LinkagePosition<T>& at) const {
   const Rail on = rail(step.track, step.joint, at);
   const Vector<T> GP = at.points[index(step.rod.pin)] - on.G;
-  const T half_chord_squared =
-      linkages::positive_or_zero(squared_length(step.rod, step.joint, at) - square(cross(on.s, GP)),
-                                 {"whether a rod reaches its guide", "se un'asta raggiunga la sua guida"},
-                                 {"the rod does not reach its guide", "l'asta non raggiunge la sua guida"});
+  const T half_chord_squared = linkages::positive_or_zero(
+      squared_length(step.rod, of_joints_[index(step.joint)].first, at) - square(cross(on.s, GP)),
+      {"whether a rod reaches its guide", "se un'asta raggiunga la sua guida"},
+      {"the rod does not reach its guide", "l'asta non raggiunge la sua guida"});
   put_on_track(step, on, root(half_chord_squared), at);
 }
 template <class T>
@@ -583,7 +611,7 @@ void CarriedOut<T>::put_on_track(const RodAndTrack& step, const Rail& on, const 
                                  LinkagePosition<T>& at) const {
   const T foot = dot(on.s, at.points[index(step.rod.pin)] - on.G);
   at.points[index(step.joint)] = on.G + (foot + (step.which == Along::ahead ? half_chord : -half_chord)) * on.s;
-  put_rod(step.rod, step.joint, at);
+  put_rod(step.rod, of_joints_[index(step.joint)].first, step.joint, at);
   put_block(step.track, step.joint, at);
 }
 
@@ -639,14 +667,16 @@ void CarriedOut<T>::place(const CrossedBlock& step, LinkagePosition<T>& at) cons
 // 16 times the square of the area of the triangle that the rods and their pins make (Heron).
 template <class T>
 T CarriedOut<T>::room(const TwoRods& step, const LinkagePosition<T>& at) const {
-  const T a2 = squared_length(step.first, step.joint, at), b2 = squared_length(step.second, step.joint, at);
+  const DyadNumbers& of = of_joints_[index(step.joint)];
+  const T a2 = squared_length(step.first, of.first, at), b2 = squared_length(step.second, of.second, at);
   const T d2 = length_squared(at.points[index(step.second.pin)] - at.points[index(step.first.pin)]);
   return T(4) * d2 * a2 - square(d2 + a2 - b2);
 }
 template <class T>
 T CarriedOut<T>::room(const RodAndTrack& step, const LinkagePosition<T>& at) const {
   const Rail on = rail(step.track, step.joint, at);
-  return squared_length(step.rod, step.joint, at) - square(cross(on.s, at.points[index(step.rod.pin)] - on.G));
+  return squared_length(step.rod, of_joints_[index(step.joint)].first, at) -
+         square(cross(on.s, at.points[index(step.rod.pin)] - on.G));
 }
 template <class T>
 T CarriedOut<T>::room(const TwoTracks& step, const LinkagePosition<T>& at) const {
