@@ -32,7 +32,15 @@ def six_bar(phi):
     return q("0.23") + q("0.18") - abs(D - P)
 
 
-def end_of_six_bar(low, high):
+def six_bar_of_rockers(phi):
+    """The same where the four bars alone would stop at 55.293 degrees."""
+    A, B0, D = q("0.2") * expj(phi), mpc("0.4"), mpc("0.45", "0.35")
+    B = left_joint(A, B0, q("0.15"), q("0.18"))
+    P = A + (B - A) / q("0.15") * mpc("0.075", "0.05")
+    return q("0.16") + q("0.144") - abs(D - P)
+
+
+def end_of(six_bar, low, high):
     at = findroot(six_bar, (q(low) * pi / 180, q(high) * pi / 180), solver="anderson", tol=mpf(10) ** -100)
     return at * 180 / pi
 
@@ -56,7 +64,9 @@ CASES = [
     # The pin, 260 from O2, is 60 from O4 (300 below O2) where the slot lets it come no nearer.
     ("slot", {"theta_2_max": 270 - at_slot, "theta_2_min": -90 + at_slot}),
     ("excavator", {"l_PQ_max": AQ + AP, "l_PQ_min": AQ - AP, "l_QR_max": BQ + BR, "l_QR_min": BQ - BR}),
-    ("six-bar", {"theta_2_max": end_of_six_bar(162, 164), "theta_2_min": end_of_six_bar(-4, -3)}),
+    ("six-bar", {"theta_2_max": end_of(six_bar, 162, 164), "theta_2_min": end_of(six_bar, -4, -3)}),
+    ("six-bar-of-rockers", {"theta_2_max": end_of(six_bar_of_rockers, 55, "55.29"),
+                            "theta_2_min": end_of(six_bar_of_rockers, 19, 21)}),
     ("geared", {"theta_2_max": 2 * stretched, "theta_2_min": -2 * stretched}),
 ]
 print("# How far drives can go, 30 digits. Written by make_ranges.py with mpmath; do not edit by hand. Nothing here is")
