@@ -177,7 +177,7 @@ class Writer {
       if (const auto O = pivot(link)) return std::pair{link, *O};
     return {};
   }
-  // Whether the turning of a link grows; none where neither a drive nor gears turn it.
+  // Whether the turning of a link grows; none where neither a drive, nor gears nor rolling turn it.
   std::optional<bool> speeds_up(int link) const {
     const auto grows = [&](std::size_t drive) {
       const auto* turned = std::get_if<TurnedLink>(&linkage().drives[drive]);
@@ -186,6 +186,8 @@ class Writer {
     for (std::size_t k = 0; k < linkage().drives.size(); ++k)
       if (const auto* turned = std::get_if<TurnedLink>(&linkage().drives[k]); turned && turned->link == link)
         return grows(k);
+    for (const Step& step : built_.steps)
+      if (const auto* wheel = std::get_if<RolledWheel>(&step); wheel && wheel->link == link) return true;
     for (const Step& step : built_.steps)
       if (const auto* wheel = std::get_if<GearedWheel>(&step); wheel && wheel->link == link) {
         bool any = false;
@@ -520,6 +522,7 @@ class Writer {
   }
   static Found write(const TurnedCrank&) { return {}; }
   static Found write(const GearedWheel&) { return {}; }
+  static Found write(const RolledWheel&) { return {}; }
   static Found write(const SlidPin&) { return {}; }
   static Found write(const SlidBlock&) { return {}; }
 

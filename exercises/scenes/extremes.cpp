@@ -8,6 +8,8 @@
 #include "exercises/kit/linkages/angles.h"
 #include "exercises/kit/proof/asked.h"
 #include "exercises/kit/statement/format_words.h"
+#include "exercises/scenes/found_by_search.h"
+#include "exercises/scenes/range_of_drive.h"
 #include "exercises/scenes/scene_routes.h"
 #include "geometry/linkages/over_turn.h"
 
@@ -52,13 +54,6 @@ int number_of_drive(const Built& built) {
   return built.letters.links[index(std::get<TurnedLink>(built.linkage.drives.front()).link)];
 }
 
-// "$θ_{4}$" to "$θ_{4,max}$".
-std::string symbol_of_extreme(const std::string& symbol, bool is_greatest) {
-  const std::string which = is_greatest ? "max" : "min", end = "}$";
-  if (!symbol.ends_with(end)) return symbol + " " + which;
-  return symbol.substr(0, symbol.size() - end.size()) + "," + which + end;
-}
-
 Quantity extreme_of(const Built& built, const Quantity& of, bool is_greatest) {
   const int drive = number_of_drive(built);
   return {extreme_name(of.name, is_greatest), symbol_of_extreme(of.symbol, is_greatest), of.unit,
@@ -74,22 +69,6 @@ Quantity place_of(const Built& built, const Quantity& of, bool is_greatest) {
                        number_of_drive(built), of.name,
                        is_greatest ? Words{"greatest", "massima"} : Words{"least", "minima"})};
 }
-
-Settled known(const Enclosure& enclosure, const std::string& rung) {
-  return {.kind = Settled::Kind::enclosed,
-          .enclosure = enclosure,
-          .reason = {"an extreme is closed in so far", "un estremo è racchiuso fin qui"},
-          .rung = rung};
-}
-Settled known(const Deep& value) {
-  const std::string rung = "Deep " + std::to_string(Arithmetic<Deep>::bits());
-  const auto certain = certain_double(value);
-  if (!certain) return known(enclosure(value), rung);
-  Enclosure ends = enclosure(value);
-  ends.value = *certain;
-  return {.kind = Settled::Kind::certain, .enclosure = ends, .reason = {}, .rung = rung};
-}
-Settled undecided(const Words& why) { return {.kind = Settled::Kind::undecided, .enclosure = {}, .reason = why}; }
 
 // An extreme and where it is, by one route.
 struct Found {
@@ -342,6 +321,9 @@ bool is_asked(const std::string& quantity) {
 
 std::vector<std::string> with_extremes(const Built& built) {
   std::vector<std::string> names;
+  for (const Quantity& coordinate : driven_coordinates(built)) names.push_back(coordinate.name);
+  if (built.linkage.drives.size() > 1 || !std::holds_alternative<TurnedLink>(built.linkage.drives.front()))
+    return names;
   for (const Changing& changing : changing_quantities(built)) names.push_back(changing.quantity.name);
   return names;
 }
@@ -352,6 +334,11 @@ bool is_rate(const Built& built, const std::string& quantity) {
                      [&](const Changing& each) { return each.quantity.name == quantity && each.is_rate; });
 }
 
+std::string symbol_of_extreme(const std::string& symbol, bool is_greatest) {
+  const std::string which = is_greatest ? "max" : "min", end = "}$";
+  if (!symbol.ends_with(end)) return symbol.substr(0, symbol.size() - 1) + "_{" + which + end;
+  return symbol.substr(0, symbol.size() - end.size()) + "," + which + end;
+}
 std::string extreme_name(const std::string& quantity, bool is_greatest) {
   return quantity + (is_greatest ? "_max" : "_min");
 }
@@ -360,8 +347,9 @@ std::string place_of_extreme(const std::string& quantity, bool is_greatest) {
 }
 
 std::vector<RouteValue> extremes(const Built& built, const std::vector<std::string>& names, Rung rung) {
-  std::vector<RouteValue> all;
-  if (names.empty()) return all;
+  std::vector<RouteValue> all = ranges(built, names, rung);
+  const auto is_set = [&](const std::string& name) { return drive_of_coordinate(built, name).has_value(); };
+  if (std::all_of(names.begin(), names.end(), is_set)) return all;
   const EveryPlace places(built.linkage, built.steps);
   for (const Changing& changing : changing_quantities(built)) {
     const std::string& name = changing.quantity.name;

@@ -28,8 +28,12 @@ class HangingGroup {
     const auto& drives = linkage_.drives;
     const auto& gears = linkage_.gears;
     return std::none_of(drives.begin(), drives.end(), [this](const geometry::Drive& each) { return moves(each); }) &&
-           std::none_of(gears.begin(), gears.end(), [this](const geometry::MeshingLinks& each) {
-             return is_in_group(each.first) || is_in_group(each.second) || is_in_group(each.carrier);
+           std::none_of(gears.begin(), gears.end(),
+                        [this](const geometry::MeshingLinks& each) {
+                          return is_in_group(each.first) || is_in_group(each.second) || is_in_group(each.carrier);
+                        }) &&
+           std::none_of(linkage_.rolls.begin(), linkage_.rolls.end(), [this](const geometry::RollingWheel& each) {
+             return is_in_group(each.wheel) || is_in_group(linkage_.link_of_line(each.line));
            });
   }
   const std::vector<std::vector<int>>& joints() const { return joints_; }

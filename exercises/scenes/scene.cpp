@@ -9,7 +9,9 @@
 #include "exercises/scenes/extremes.h"
 #include "exercises/scenes/file/file_head.h"
 #include "exercises/scenes/file/greek.h"
+#include "exercises/scenes/file/refusals.h"
 #include "exercises/scenes/file/sections.h"
+#include "exercises/scenes/range_of_drive.h"
 #include "geometry/linkages/every_place.h"
 
 namespace epure::scenes {
@@ -75,27 +77,39 @@ void demand_one_way(const File& file, const Tree& at, const Built& built) {
   }
 }
 
+// Of what no extremes are told.
+[[noreturn]] void refuse_extreme(const File& file, const Tree& item, const std::string& name, const Built& built,
+                                 const std::vector<std::string>& known) {
+  const auto* turned = std::get_if<TurnedLink>(&built.linkage.drives.front());
+  std::vector<std::string> sets;
+  for (const Quantity& coordinate : driven_coordinates(built)) sets.push_back(coordinate.name);
+  const Words range = format_words("how far a drive goes ({})", "fin dove va un movente ({})", enumerated(sets));
+  if (built.linkage.drives.size() > 1 || !turned)
+    file.refuse(item,
+                format_words("of a mechanism that no single turned link drives extremes are told of {}: not of "
+                             "\"{}\"; {}",
+                             "di un meccanismo che non è mosso da un solo membro girato gli estremi si dicono di "
+                             "{}: non di \"{}\"; {}",
+                             range, name, did_you_mean(name, known)));
+  file.refuse(
+      item, format_words("extremes are told of coordinates (C_x), directions of links (theta_4), and how fast these "
+                         "change (v_C_x, omega_4), of what link {} moves, and of {}: not of \"{}\"; {}",
+                         "gli estremi si dicono di coordinate (C_x), direzioni di membri (theta_4) e di quanto "
+                         "rapide variano (v_C_x, omega_4), di ciò che il membro {} muove, e di {}: non di \"{}\"; {}",
+                         built.letters.links[index(turned->link)], range, name, did_you_mean(name, known)));
+}
+
 // extremes: [theta_4, v_C_x].
 std::vector<std::string> read_extremes(const File& file, const Tree& all, const Built& built) {
   const Words what{
       "extremes: [theta_4, v_C_x], quantities whose greatest and least over a turn of the drive are asked for",
       "extremes: [theta_4, v_C_x], grandezze di cui si chiedono massimo e minimo in un giro del movente"};
   file.demand(all, Tree::Kind::list, what);
-  if (!std::holds_alternative<TurnedLink>(built.linkage.drives.front()))
-    file.refuse(all, {"extremes are told over a turn of the drive, and it does not turn",
-                      "gli estremi si dicono in un giro del movente, e questo non ruota"});
   const std::vector<std::string> known = with_extremes(built);
   std::vector<std::string> names;
   for (const Tree& item : all.items) {
     const std::string name = spelled_out(file.text(item, what));
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      file.refuse(item,
-                  format_words("extremes are told of coordinates (C_x), directions of links (theta_4), and how fast "
-                               "these change (v_C_x, omega_4), of what link {} moves: not of \"{}\"; {}",
-                               "gli estremi si dicono di coordinate (C_x), direzioni di membri (theta_4) e di quanto "
-                               "rapide variano (v_C_x, omega_4), di ciò che il membro {} muove: non di \"{}\"; {}",
-                               built.letters.links[index(std::get<TurnedLink>(built.linkage.drives.front()).link)],
-                               name, did_you_mean(name, known)));
+    if (std::find(known.begin(), known.end(), name) == known.end()) refuse_extreme(file, item, name, built, known);
     if (std::find(names.begin(), names.end(), name) != names.end())
       file.refuse(item, format_words("{} stands here twice", "{} sta qui due volte", name));
     names.push_back(name);
@@ -110,9 +124,10 @@ Scene::Scene(std::string file_name, std::string_view bytes)
   const File file(file_);
   file.map(root_, {"a scene is a list of keys and values, such as  id: four-bar",
                    "una scena è un elenco di chiavi e valori, come  id: four-bar"});
-  file.demand_keys(root_, {"epure",  "id",       "title", "source",   "givens",   "where",   "units",  "points",
-                           "links",  "slides",   "gears", "drive",    "assembly", "offsets", "paths",  "polodes",
-                           "charts", "extremes", "loads", "friction", "masses",   "gravity", "sheets", "printed"});
+  file.demand_keys(root_,
+                   {"epure",    "id",    "title",    "source", "givens",   "where",   "units",  "points",  "links",
+                    "slides",   "gears", "rolls",    "drive",  "assembly", "offsets", "paths",  "polodes", "charts",
+                    "extremes", "loads", "friction", "masses", "gravity",  "sheets",  "printed"});
   const FileHead head = read_head(file, root_);
   id_ = head.id;
   title_ = head.title;
@@ -128,9 +143,10 @@ Scene::Scene(std::string file_name, std::string_view bytes)
     demand_one_way(file, *charts, stated);
   }
   if (const TextTree* asked = root_.find("extremes")) {
-    demand_one_way(file, *asked, stated);
+    if (stated.linkage.drives.size() == 1) demand_one_way(file, *asked, stated);
     extremes_ = read_extremes(file, *asked, stated);
     for (const std::string& name : extremes_) {
+      if (drive_of_coordinate(stated, name)) continue;  // it has a sheet of its own
       const auto shows = [&](const std::vector<std::string>& chart) {
         return std::find(chart.begin(), chart.end(), name) != chart.end();
       };

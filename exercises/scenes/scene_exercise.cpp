@@ -21,6 +21,7 @@
 #include "exercises/scenes/sheets/path_sheets.h"
 #include "exercises/scenes/sheets/polode_sheets.h"
 #include "exercises/scenes/sheets/polygon_sheets.h"
+#include "exercises/scenes/sheets/range_sheets.h"
 #include "exercises/scenes/sheets/scene_figure.h"
 #include "exercises/scenes/shipped.h"
 
@@ -158,6 +159,7 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   for (SheetMaker& sheet : force_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : path_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : polode_sheets(scene)) sheets.push_back(std::move(sheet));
+  for (SheetMaker& sheet : range_sheets(scene)) sheets.push_back(std::move(sheet));
   if (!scene->charts().empty())
     for (SheetMaker& sheet : chart_sheets(scene, known)) sheets.push_back(std::move(sheet));
   std::vector<std::string> names;

@@ -69,7 +69,7 @@ struct SceneRoutes {
       if (!moves(p)) ledger.draws_point(letter(p), at.points[index(p)]);
     for_all(
         [&](std::size_t i, int number) {
-          ledger.put(link_angle(number), [&at, i] { return in_degrees(angle_of_axis(at.links[i].x)); });
+          ledger.put(link_angle(number), [&at, i] { return in_degrees(angle_of_axis(at.links[i].axis())); });
           ledger.put(angular_velocity(number), [&motion, i] { return motion.get().links[i].omega; });
           ledger.put(angular_acceleration(number), [&motion, i] { return motion.get().links[i].alpha; });
         },
@@ -209,7 +209,7 @@ struct SceneRoutes {
       });
     };
     for (const PermanentCentre& centre : plan.permanent)
-      if (centre.gear != nothing) put(centre.i, centre.j);
+      if (centre.is_of_touching()) put(centre.i, centre.j);
     for (const FoundCentre& centre : plan.found) put(centre.i, centre.j);
   }
 
@@ -518,7 +518,7 @@ struct SceneRoutes {
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = i + 1; j < count; ++j) {
         const PermanentCentre* joint = plan.permanent_of(static_cast<int>(i), static_cast<int>(j));
-        if (!joint || joint->gear != nothing)
+        if (!joint || joint->is_of_touching())
           put_centre(ledger, i, j, [&, i, j] { return find(i, j); });
         else if (joint->point != nothing)
           put_centre(ledger, i, j, [&] { return of_point(joint->point); });

@@ -81,8 +81,8 @@ struct Constructed {
     const auto complex = [](const geometry::Vector<T>& v) { return geometry::analytic::Complex<T>{v.x, v.y}; };
     std::vector<LinkState<T>> all;
     for (std::size_t i = 0; i < at.links.size(); ++i) {
-      const auto& [O, x] = at.links[i];
-      LinkState<T> link{{O.x, O.y}, {}, {}, T(0), T(0), T(0), complex(x)};
+      const geometry::Point<T>& O = at.links[i].O;
+      LinkState<T> link{{O.x, O.y}, {}, {}, T(0), T(0), T(0), complex(at.links[i].x)};
       if (with_rates) {
         const geometry::PlaneMotion<T>& moving = motion.get().links[i];
         link.v = complex(moving.velocity(O));
@@ -100,13 +100,18 @@ struct Constructed {
   WhenAsked<geometry::LinkageMotion<T>> motion;
 };
 
-// Where the links are, and what turns wheels have made.
+// What turns wheels have made.
 template <class T>
-geometry::analytic::Beginning<T> beginning(const Built& built, const Constructed<T>& constructed) {
-  geometry::analytic::Beginning<T> links = constructed.states(false);
+void add_turns_of_wheels(const Built& built, geometry::analytic::Beginning<T>& links) {
   for (const geometry::Step& step : built.steps)
     if (const auto* wheel = std::get_if<geometry::GearedWheel>(&step))
       links[index(wheel->link)].theta = geometry::radians<T>(angle_of(wheel->turn, built.linkage));
+}
+// Where the links are, and these turns.
+template <class T>
+geometry::analytic::Beginning<T> beginning(const Built& built, const Constructed<T>& constructed) {
+  geometry::analytic::Beginning<T> links = constructed.states(false);
+  add_turns_of_wheels(built, links);
   return links;
 }
 

@@ -1,6 +1,7 @@
 #include "geometry/analytic/joint_equations.h"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -153,6 +154,8 @@ class JointEquations {
       const MeshingLinks& gear = linkage_.gears[k];
       if (is_joined({}, {gear.first, gear.second, gear.carrier})) meshing(gear, told[k]);
     }
+    for (const RollingWheel& roll : linkage_.rolls)
+      if (is_joined({roll.centre}, {roll.wheel, linkage_.link_of_line(roll.line)})) rolling(roll);
     for (const Drive& drive : linkage_.drives)
       std::visit(
           [this](const auto& d) {
@@ -270,6 +273,22 @@ class JointEquations {
     return all;
   }
 
+  void rolling(const RollingWheel& roll) {
+    const int carrier = linkage_.link_of_line(roll.line);
+    const T r = from_rational<T>(roll.radius);
+    Equation<T> equation = ahead_on(end_at(roll.centre), roll.line);
+    if constexpr (NumberWithAngles<T>)
+      equation.residual += r * (links_[static_cast<std::size_t>(roll.wheel)].theta -
+                                links_[static_cast<std::size_t>(carrier)].theta - radians<T>(roll.phase)) -
+                           from_rational<T>(roll.at);
+    else
+      throw Undecided("how far a wheel has rolled on exact numbers",
+                      "quanto una ruota abbia rotolato su numeri esatti");
+    equation.slopes.emplace_back(unknowns_of_a_link * roll.wheel - 1, r);
+    if (carrier != 0) equation.slopes.emplace_back(unknowns_of_a_link * carrier - 1, -r);
+    equations_.push_back(std::move(equation));
+  }
+
   void driven(const TurnedLink& drive) {
     Equation<T> equation{.residual = off_angle(drive), .slopes = {{unknowns_of_a_link * drive.link - 1, T(1)}}};
     const bool counts_turns = !NumberWithAngles<T> && linkage_.is_turned_steadily();
@@ -337,6 +356,18 @@ std::vector<LinkState<T>> states(const Column<T>& q) {
   for (std::size_t k = 0; k < q.size(); k += unknowns_of_a_link)
     links.push_back(
         {{q[k], q[k + 1]}, none, none, q[k + 2], T(0), T(0), {cosine_of_angle(q[k + 2]), sine_of_angle(q[k + 2])}});
+  return links;
+}
+
+// With these rates.
+template <class T>
+std::vector<LinkState<T>> moving(const Column<T>& q, const Column<T>& rates) {
+  std::vector<LinkState<T>> links = states(q);
+  for (std::size_t k = 0; k < rates.size(); k += unknowns_of_a_link) {
+    LinkState<T>& link = links[k / unknowns_of_a_link + 1];
+    link.v = Complex<T>{rates[k], rates[k + 1]};
+    link.omega = rates[k + 2];
+  }
   return links;
 }
 
@@ -442,12 +473,20 @@ Column<T> residuals(const std::vector<Equation<T>>& rows) {
   return all;
 }
 
+// As many equations as unknowns, at a place or over a box.
+template <class T>
+using System = std::function<std::vector<Equation<T>>(const Column<T>&)>;
+template <class T>
+System<T> of_joints(const Linkage& linkage) {
+  return [&linkage](const Column<T>& q) { return equations(linkage, q); };
+}
+
 // Each step with the inverse at its place, until what is left of the equations cannot be told from zero.
 template <class T>
-Column<T> refined(const Linkage& linkage, Column<T> q) {
+Column<T> refined(const System<T>& system, Column<T> q) {
   constexpr int most_steps = 40;
   for (int k = 0; k < most_steps; ++k) {
-    const std::vector<Equation<T>> rows = equations(linkage, q);
+    const std::vector<Equation<T>> rows = system(q);
     if (may_be_zero_all(residuals(rows))) break;
     const Column<T> step = Preconditioner<T>(rows).times(residuals(rows));
     for (std::size_t i = 0; i < q.size(); ++i) q[i] = midpoint(q[i] - step[i]);
@@ -463,19 +502,29 @@ T spread(const Column<T>& row_of_E, const Column<T>& size) {
   return sum;
 }
 
+// Whatever place of the box the slopes are of, they are independent.
+template <class T>
+void demand_regular(const Preconditioner<T>& Y, const std::vector<Equation<T>>& rows) {
+  const Column<T> ones(rows.size(), T(1));
+  for (const Column<T>& row : Y.defect(rows))
+    if (sign(T(1) - spread(row, ones)) != Sign::positive)
+      throw Undecided("whether the equations of all joints are independent",
+                      "se le equazioni di tutti i vincoli siano indipendenti");
+}
+
 // Krawczyk: K = m - Y Φ(m) + (1 - Y J(box)) (box - m). Where K lies inside the box there is a solution in it, and one
 // only where the equations are independent all over it, which `solved` demands.
 // (Krawczyk 1969; Neumaier, Interval Methods for Systems of Equations, section 5.1.)
 template <class T>
-Column<T> proved_box(const Linkage& linkage, const Preconditioner<T>& Y, const Column<T>& m) {
-  const Column<T> newton = Y.times(residuals(equations(linkage, m)));
+Column<T> proved_box(const System<T>& system, const Preconditioner<T>& Y, const Column<T>& m) {
+  const Column<T> newton = Y.times(residuals(system(m)));
   Column<T> radius;
   for (const T& x : newton) radius.push_back(twice_the_most(size_of(x)));
   constexpr int most_boxes = 30;
   for (int k = 0; k < most_boxes; ++k) {
     Column<T> box;
     for (std::size_t i = 0; i < m.size(); ++i) box.push_back(widened(m[i], radius[i]));
-    const std::vector<Column<T>> E = Y.defect(equations(linkage, box));
+    const std::vector<Column<T>> E = Y.defect(system(box));
     Column<T> needed, inside;
     bool is_inside = true;
     for (std::size_t i = 0; i < m.size(); ++i) {
@@ -668,6 +717,17 @@ Deep about(const Deep& x) {
   return midpoint(x + Deep(0));
 }
 
+// Where the wheel points, where the beginning has its centre, in doubles.
+template <class T>
+double rolled_to(const Linkage& linkage, const RollingWheel& roll, const Beginning<T>& beginning, double carrier) {
+  const LinkLine& line = linkage.line(roll.line);
+  const LinkState<T>&body = beginning[static_cast<std::size_t>(linkage.link_of_line(roll.line))],
+        &wheel = beginning[static_cast<std::size_t>(roll.wheel)];
+  const T ahead = dot(direction(line, body),
+                      point_of(wheel, linkage.place(roll.wheel, roll.centre)).z - point_of(body, line.through).z);
+  return carrier + to_double(roll.phase) + (CGAL::to_double(roll.at) - near(ahead)) / CGAL::to_double(roll.radius);
+}
+
 // Without the frame. The angle of a link that is turned has as many whole turns as it is given with, or the first
 // step would turn the link by these.
 template <class T>
@@ -685,6 +745,16 @@ Column<T> moving_links(const Linkage& linkage, const Beginning<T>& beginning) {
     const T theta = angle + from_rational<T>(Rational(2 * turns)) * pi<T>();
     q.insert(q.end(), {point_in(O.re), point_in(O.im), point_in(theta)});
   }
+  for (const RollingWheel& roll : linkage.rolls) {
+    const auto theta = [&](int link) {
+      return link == 0 ? 0 : near(q[static_cast<std::size_t>(unknowns_of_a_link * link - 1)]);
+    };
+    const int carrier = linkage.link_of_line(roll.line);
+    const double turns =
+        std::round((rolled_to(linkage, roll, beginning, theta(carrier)) - theta(roll.wheel)) / (2 * pi<Fast>()));
+    T& of_wheel = q[static_cast<std::size_t>(unknowns_of_a_link * roll.wheel - 1)];
+    of_wheel = point_in(of_wheel + from_rational<T>(Rational(2 * turns)) * pi<T>());
+  }
   return q;
 }
 
@@ -697,7 +767,7 @@ std::vector<LinkState<Fast>> found(const Linkage& linkage, const Beginning<Fast>
 template <class T>
 std::vector<LinkState<T>> proved_near(const Linkage& linkage, const Column<T>& last) {
   const Preconditioner<T> Y(equations(linkage, last));
-  const Column<T> q = proved_box(linkage, Y, last);
+  const Column<T> q = proved_box(of_joints<T>(linkage), Y, last);
   return with_rates<T>(linkage, q,
                        [&](const std::vector<Equation<T>>& rows, const Column<T>& b) { return solved(rows, Y, b); });
 }
@@ -707,11 +777,61 @@ std::vector<LinkState<Bounded>> found(const Linkage& linkage, const Beginning<Bo
   for (const Bounded& x : moving_links(linkage, beginning)) start.push_back(near(x));
   Column<Bounded> last;
   for (const double x : iterated(linkage, start)) last.emplace_back(x);
-  return proved_near(linkage, refined(linkage, last));
+  return proved_near(linkage, refined(of_joints<Bounded>(linkage), last));
 }
 
 std::vector<LinkState<Deep>> found(const Linkage& linkage, const Beginning<Deep>& beginning) {
-  return proved_near(linkage, refined(linkage, moving_links(linkage, beginning)));
+  return proved_near(linkage, refined(of_joints<Deep>(linkage), moving_links(linkage, beginning)));
+}
+
+// The links' places, and how they move while all drives stand still (solve_dead_point).
+template <class T>
+class AtDeadPoint {
+ public:
+  AtDeadPoint(const Linkage& linkage, int drive, std::size_t kept_one)
+      : linkage_(linkage), drive_(static_cast<std::size_t>(drive)), kept_one_(kept_one) {}
+
+  std::vector<Equation<T>> operator()(const Column<T>& places_and_motion) const {
+    const auto half = static_cast<std::ptrdiff_t>(places_and_motion.size() / 2);
+    const Column<T> q(places_and_motion.begin(), places_and_motion.begin() + half),
+        n(places_and_motion.begin() + half, places_and_motion.end());
+    const std::vector<Equation<T>> rows = equations(linkage_, q);
+    const std::size_t driven = rows.size() - linkage_.drives.size() + drive_;
+    std::vector<Equation<T>> all;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (i != driven) all.push_back({.residual = rows[i].residual, .slopes = rows[i].slopes});
+    const std::size_t first = all.size();
+    for (const Equation<T>& row : rows) {
+      Equation<T>& still = all.emplace_back(Equation<T>{.residual = along(row, n), .slopes = {}});
+      for (const auto& [column, slope] : row.slopes) still.slopes.emplace_back(column + half, slope);
+    }
+    for (std::size_t j = 0; j < q.size(); ++j) {
+      const Column<T> with = second_along(q, n, j, T(1)), without = second_along(q, n, j, T(-1));
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        all[first + i].slopes.emplace_back(static_cast<int>(j), quotient(with[i] - without[i], T(4)));
+    }
+    all.push_back({.residual = n[kept_one_] - T(1), .slopes = {{half + static_cast<int>(kept_one_), T(1)}}});
+    return all;
+  }
+
+ private:
+  // Φ''(n ± e, n ± e): of both 4 Φ''(n, e) is left.
+  Column<T> second_along(const Column<T>& q, Column<T> n, std::size_t j, const T& sense) const {
+    n[j] += sense;
+    Column<T> all;
+    for (const Equation<T>& row : equations(linkage_, moving(q, n))) all.push_back(row.quadratic);
+    return all;
+  }
+
+  const Linkage& linkage_;
+  std::size_t drive_, kept_one_;
+};
+
+// The motion that all equations let be, as nearly as doubles have it.
+Column<Fast> motion_at_rest(const Linkage& linkage, const Column<Fast>& q) {
+  const Eigen::VectorXd n =
+      Eigen::JacobiSVD<Eigen::MatrixXd>(matrix(equations(linkage, q)), Eigen::ComputeFullV).matrixV().rightCols(1);
+  return {n.data(), n.data() + n.size()};
 }
 
 // Whether a solution is the one that was meant, whatever it was looked for from.
@@ -1086,6 +1206,47 @@ std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning<T
 }
 
 template <class T>
+std::vector<LinkState<T>> solve_dead_point(const Linkage& linkage, int drive, const Beginning<T>& beginning) {
+  Column<T> start = moving_links(linkage, beginning);
+  Column<Fast> place;
+  for (const T& x : start) place.push_back(near(x));
+  const Column<Fast> motion = motion_at_rest(linkage, place);
+  const auto kept =
+      std::max_element(motion.begin(), motion.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  for (const double rate : motion) start.push_back(from_rational<T>(Rational(rate / *kept)));
+  const AtDeadPoint<T> system(linkage, drive, static_cast<std::size_t>(kept - motion.begin()));
+  const Column<T> last = refined<T>(system, start);
+  const Preconditioner<T> Y(system(last));
+  const Column<T> box = proved_box<T>(system, Y, last);
+  demand_regular(Y, system(box));
+  const auto half = static_cast<std::ptrdiff_t>(box.size() / 2);
+  std::vector<LinkState<T>> links =
+      moving(Column<T>(box.begin(), box.begin() + half), Column<T>(box.begin() + half, box.end()));
+  if (Sides<T>(linkage, links, all_links(linkage)).are_as_meant() == Truth::no)
+    throw Undecided("the iteration came to the place of a joint on the other side than was said",
+                    "l'iterazione è arrivata al posto di un nodo dalla parte opposta a quella detta");
+  return links;
+}
+template std::vector<LinkState<Deep>> solve_dead_point<Deep>(const Linkage&, int, const Beginning<Deep>&);
+
+template <class T>
+T place_of_drive(const Linkage& linkage, int drive, const std::vector<LinkState<T>>& links) {
+  const Drive& of = linkage.drives[static_cast<std::size_t>(drive)];
+  const auto state = [&](int link) -> const LinkState<T>& { return links[static_cast<std::size_t>(link)]; };
+  const auto at = [&](int point) {
+    const int link = linkage.links_at(point).front();
+    return point_of(state(link), linkage.place(link, point)).z;
+  };
+  if (const auto* turned = std::get_if<TurnedLink>(&of)) return state(turned->link).theta;
+  if (const auto* cylinder = std::get_if<Stretched>(&of)) return modulus(at(cylinder->to) - at(cylinder->from));
+  const auto& slid = std::get<SlidPoint>(of);
+  const LinkLine& guide = linkage.line(slid.guide);
+  const LinkState<T>& body = state(linkage.link_of_line(slid.guide));
+  return dot(direction(guide, body), at(slid.point) - point_of(body, guide.through).z);
+}
+template Deep place_of_drive<Deep>(const Linkage&, int, const std::vector<LinkState<Deep>>&);
+
+template <class T>
 void demand_joints(const Linkage& linkage, const std::vector<LinkState<T>>& state, UpTo order,
                    const Hanging& hanging) {
   const std::vector<Equation<T>> rows = JointEquations<T>(linkage, state, hanging).all();
@@ -1107,11 +1268,7 @@ template void demand_joints<Calcium>(const Linkage&, const std::vector<LinkState
 
 void demand_independent(const Linkage& linkage, const std::vector<LinkState<Deep>>& place) {
   const std::vector<Equation<Deep>> rows = equations(linkage, place);
-  const Column<Deep> ones(rows.size(), Deep(1));
-  for (const Column<Deep>& row : Preconditioner<Deep>(rows).defect(rows))
-    if (sign(Deep(1) - spread(row, ones)) != Sign::positive)
-      throw Undecided("whether the equations of all joints are independent",
-                      "se le equazioni di tutti i vincoli siano indipendenti");
+  demand_regular(Preconditioner<Deep>(rows), rows);
 }
 
 template <class T>

@@ -7,6 +7,7 @@
 //   line on a line    n_j . (G_i - G_j) = 0,  s_i x s_j = 0                  two
 //   turned link       θ_i - θ = 0                                            one
 //   gears             θ_j - θ_c - phase - m (θ_i - θ_c) = 0                  one
+//   rolling           r (θ_i - θ_j - phase) + s_j . (X_i - G_j) - at = 0       one
 //   slid point        s_j . (X_i - G_j) - at = 0                             one
 //   cylinder          (X_i - X_j)² - l² = 0                                  one
 //
@@ -69,6 +70,22 @@ using Beginning = std::vector<LinkState<T>>;
 // angles are not algebraic. Throws Impossible where one lies on the other side as in the beginning.
 template <class T>
 std::vector<LinkState<T>> solve_joints(const Linkage& linkage, const Beginning<T>& beginning);
+
+// Where a drive stops: the joints let the links move though all drives stand still, so the equations of all joints
+// are dependent there. Solved for the place of every link and for that motion, n, with the drive's own equation left
+// out and its place read off:
+//
+//   Φ = 0 but for the drive's,   J n = 0,   n = 1 for one of its components
+//
+// of which the slopes are J and those of J n, the second derivatives of Φ along n. One solution is proved in a box
+// near the beginning; as the slopes are independent there the mechanism turns back at that place, and does not go on
+// through it. v and ω of the links are this motion. On Deep. Errors as above; of the joint
+// that is at its limit no side is demanded.
+template <class T>
+std::vector<LinkState<T>> solve_dead_point(const Linkage& linkage, int drive, const Beginning<T>& beginning);
+// Where a drive is: its link's angle as far as it has turned, or the way, in radians and metres.
+template <class T>
+T place_of_drive(const Linkage& linkage, int drive, const std::vector<LinkState<T>>& links);
 
 // On exact numbers nothing is solved. A state that was found elsewhere (its angles are not read, only its axes) is
 // put into the equations of all joints, into their first derivatives, into their second ones: where all hold, and the

@@ -17,8 +17,8 @@ using Why = NotPlaced::Why;
 
 // How a link that is not placed hangs on what is.
 struct Hold {
-  enum class Kind { turned, geared, hinge, pin_on_line, line_on_pin, block, cylinder, slid } kind;
-  int drive = nothing;   // of turned, cylinder, slid
+  enum class Kind { turned, geared, rolled, hinge, pin_on_line, line_on_pin, block, cylinder, slid } kind;
+  int drive = nothing;   // of turned, cylinder, slid; of rolled, which of the wheels that roll
   int point = nothing;   // hinge; the pin; the cylinder's end on the link; the slid point
   int line = nothing;    // the line that the pin is on; of a block the one that is placed
   int moving = nothing;  // of a block, its own line
@@ -170,6 +170,10 @@ class Placing {
       }
     }
     if (!is_turned && turns_.of(link)) all.push_back({.kind = Kind::geared});
+    for (std::size_t k = 0; k < linkage_.rolls.size(); ++k)
+      if (const RollingWheel& roll = linkage_.rolls[k];
+          roll.wheel == link && is_known(roll.centre) && is_line_placed(roll.line))
+        all.push_back({.kind = Kind::rolled, .drive = static_cast<int>(k)});
     for (const LinkPoint& p : linkage_.links[static_cast<std::size_t>(link)].points)
       if (is_known(p.point)) all.push_back({.kind = Kind::hinge, .point = p.point});
     for (const PinOnLine& pin : linkage_.pins) {
@@ -224,6 +228,8 @@ class Placing {
           return take(TurnedCrank{link, hinge, of_one.drive});
         case Kind::geared:
           return take(GearedWheel{link, hinge, *turns_.of(link)});
+        case Kind::rolled:
+          return take(RolledWheel{link, hinge, of_one.drive});
         case Kind::cylinder:
           return take(two_rods({hinge, link}, {other_end(of_one), nothing, of_one.drive}, of_one.point));
         case Kind::pin_on_line:
@@ -385,7 +391,9 @@ std::vector<int> placed_by(const Step& step) {
   const auto links = std::visit(
       [](const auto& s) -> std::vector<int> {
         using S = std::decay_t<decltype(s)>;
-        if constexpr (std::is_same_v<S, TurnedCrank> || std::is_same_v<S, GearedWheel>) return {s.link};
+        if constexpr (std::is_same_v<S, TurnedCrank> || std::is_same_v<S, GearedWheel> ||
+                      std::is_same_v<S, RolledWheel>)
+          return {s.link};
         if constexpr (std::is_same_v<S, SlidBlock> || std::is_same_v<S, BlockOnPin>) return {s.track.block};
         if constexpr (std::is_same_v<S, SlidPin>) return {};
         if constexpr (std::is_same_v<S, TwoRods>) return {s.first.link, s.second.link};

@@ -5,6 +5,7 @@
 //   step            what is placed                                                       by
 //   TurnedCrank     a link on a hinge, its angle given                                   the angle
 //   GearedWheel     a link on a hinge, its angle given by gears and drives               the angle
+//   RolledWheel     a link on a hinge that rolls on a line                               a length over its radius
 //   SlidBlock       a link in a guide, its place given                                   a length set off
 //   SlidPin         a point in a slot, its place given                                   the same
 //   TwoRods         RRR: the joint of two rods (one may be a cylinder)                   two circles
@@ -50,6 +51,10 @@ struct GearedWheel {
   int link, hinge;
   GearedTurn turn;
 };
+// `roll` of the linkage's.
+struct RolledWheel {
+  int link, hinge, roll;
+};
 struct SlidBlock {
   Track track;
   int point, drive;
@@ -88,8 +93,8 @@ struct CrossedBlock {
   Track track;
   int crossing;
 };
-using Step = std::variant<TurnedCrank, GearedWheel, SlidBlock, SlidPin, TwoRods, RodAndTrack, TwoTracks, SlotOnPin,
-                          BlockOnPin, CrossedBlock>;
+using Step = std::variant<TurnedCrank, GearedWheel, RolledWheel, SlidBlock, SlidPin, TwoRods, RodAndTrack, TwoTracks,
+                          SlotOnPin, BlockOnPin, CrossedBlock>;
 
 // The links that a step places.
 std::vector<int> placed_by(const Step& step);

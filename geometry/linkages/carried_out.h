@@ -13,11 +13,26 @@
 
 namespace epure::geometry {
 
+// The numbers that have the sine of an angle.
+template <class T>
+concept NumberWithSines = requires(const T& angle) {
+  { sine_of_angle(angle) } -> std::same_as<T>;
+};
+
 // Where a link is: the origin of its axes, and its x axis, a unit vector.
 template <class T>
 struct PlacedLink {
   Point<T> O;
   Vector<T> x;
+  // Of a wheel that rolls on a line, on numbers without sines: where it points is not known, nor is it needed.
+  bool is_axis_known = true;
+
+  const Vector<T>& axis() const {
+    if (!is_axis_known)
+      throw Undecided("which way a wheel points that has rolled: its angle is a length over a radius",
+                      "dove punti una ruota che ha rotolato: il suo angolo è una lunghezza su un raggio");
+    return x;
+  }
 
   Vector<T> turned(const Vector<T>& own) const { return own.x * x + own.y * quarter_turn(x); }
   Point<T> at(const Vector<T>& own) const { return O + turned(own); }
@@ -31,6 +46,13 @@ struct DriveAt {
   Vector<T> direction;
   T way;
   int times = 1;
+};
+
+// A step near its limit: the root of from_limit, which is not found there of a place that is not known exactly.
+template <class T>
+struct RoomTold {
+  std::size_t step;
+  T root_of_room;
 };
 
 template <class T>
@@ -107,7 +129,8 @@ class CarriedOut {
     return position_before(steps_.size(), elsewhere);
   }
   // What the steps before this one place.
-  LinkagePosition<T> position_before(std::size_t step, const std::optional<DriveAt<T>>& elsewhere = {}) const;
+  LinkagePosition<T> position_before(std::size_t step, const std::optional<DriveAt<T>>& elsewhere = {},
+                                     const std::optional<RoomTold<T>>& told = {}) const;
   // How far left of a line a point is.
   T left_in_plane(int line, int point, const LinkagePosition<T>& at) const {
     const Rail on = in_plane(line, at);
@@ -128,6 +151,19 @@ class CarriedOut {
   struct OwnLine {
     int link;
     Vector<T> through, along;
+  };
+  // What a rod and its joint are read as: the distance of the joint from the pin, its square and that one's inverse,
+  // and the way from the one to the other in the link's own axes.
+  struct RodNumbers {
+    std::optional<Rational> exactly = {};  // the distance, where it is rational
+    Rational exactly_squared = 0;
+    T length{0}, squared{0}, over_squared{0};
+    Vector<T> own{T(0), T(0)};
+  };
+  // Of the rods of a step that places a joint: by how much the first one's square is the greater.
+  struct DyadNumbers {
+    RodNumbers first = {}, second = {};
+    T greater{0};
   };
   // A line in the plane, and where it is cut.
   struct Rail {
@@ -152,6 +188,7 @@ class CarriedOut {
   // Placing.
   void place(const TurnedCrank& step, LinkagePosition<T>& at) const;
   void place(const GearedWheel& step, LinkagePosition<T>& at) const;
+  void place(const RolledWheel& step, LinkagePosition<T>& at) const;
   void place(const SlidBlock& step, LinkagePosition<T>& at) const;
   void place(const SlidPin& step, LinkagePosition<T>& at) const;
   void place(const TwoRods& step, LinkagePosition<T>& at) const;
@@ -160,6 +197,14 @@ class CarriedOut {
   void place(const SlotOnPin& step, LinkagePosition<T>& at) const;
   void place(const BlockOnPin& step, LinkagePosition<T>& at) const;
   void place(const CrossedBlock& step, LinkagePosition<T>& at) const;
+  // By the root of its room.
+  void place(const TwoRods& step, const T& root_of_room, LinkagePosition<T>& at) const;
+  void place(const RodAndTrack& step, const T& root_of_room, LinkagePosition<T>& at) const;
+  void place(const SlotOnPin& step, const T& root_of_room, LinkagePosition<T>& at) const;
+  template <class Other>
+  void place(const Other& step, const T&, LinkagePosition<T>& at) const {
+    place(step, at);
+  }
 
   T room(const TwoRods& step, const LinkagePosition<T>& at) const;
   T room(const RodAndTrack& step, const LinkagePosition<T>& at) const;
@@ -176,7 +221,6 @@ class CarriedOut {
   Rail rail(const Track& track, int joint, const LinkagePosition<T>& at) const;
   // How far left of the line the point lies, in the link's own axes.
   T left_of(int l, int point) const;
-  Rational squared_length(const Rod& rod, int joint) const;
   // Where the drive is, if it is not where the linkage says.
   static const DriveAt<T>* elsewhere(int drive, const LinkagePosition<T>& at) {
     return at.elsewhere && drive != nothing && at.elsewhere->drive == drive ? &*at.elsewhere : nullptr;
@@ -185,22 +229,30 @@ class CarriedOut {
     if (const DriveAt<T>* there = elsewhere(drive, at)) return there->way;
     return number(std::get<SlidPoint>(linkage_.drives[index(drive)]).at);
   }
-  T squared_length(const Rod& rod, int joint, const LinkagePosition<T>& at) const {
+  T squared_length(const Rod& rod, const RodNumbers& of, const LinkagePosition<T>& at) const {
     if (const DriveAt<T>* there = elsewhere(rod.cylinder, at)) return square(there->way);
-    return number(squared_length(rod, joint));
+    return of.squared;
   }
+  RodNumbers numbers_of(const Rod& rod, int joint) const;
   // A link whose own unit vector `along` points in the direction s, with its point `own` in P.
   void put(int link, const Vector<T>& s, const Vector<T>& along, const Point<T>& P, const Vector<T>& own_point,
            LinkagePosition<T>& at) const;
   void put_points(int link, LinkagePosition<T>& at) const;
-  void put_rod(const Rod& rod, int joint, LinkagePosition<T>& at) const;
+  void put_rod(const Rod& rod, const RodNumbers& of, int joint, LinkagePosition<T>& at) const;
   void put_block(const Track& track, int joint, LinkagePosition<T>& at) const;
+  // How much farther left of the line the pin lies than the hinge: so far right of it, seen from there.
+  T pin_right_of_hinge(const SlotOnPin& step) const {
+    return (step.block == nothing ? T(0) : left_of(step.moving, step.pin)) - left_of(step.line, step.hinge);
+  }
+  void put_slotted(const SlotOnPin& step, const Vector<T>& s, LinkagePosition<T>& at) const;
+  void put_on_track(const RodAndTrack& step, const Rail& on, const T& half_chord, LinkagePosition<T>& at) const;
   static Point<T> crossing(const Rail& first, const Rail& second);
 
   // Moving.
   using Rates = std::vector<DriveRates<T>>;
   StepPolygons<T> move(const TurnedCrank&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
   StepPolygons<T> move(const GearedWheel&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+  StepPolygons<T> move(const RolledWheel&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
   StepPolygons<T> move(const SlidBlock&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
   StepPolygons<T> move(const SlidPin&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
   StepPolygons<T> move(const TwoRods&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
@@ -238,6 +290,7 @@ class CarriedOut {
   const std::vector<Step>& steps_;
   std::vector<std::vector<Vector<T>>> own_;  // link, point
   std::vector<OwnLine> lines_;
+  std::vector<DyadNumbers> of_joints_;  // of the points
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -289,6 +342,14 @@ T positive_or_zero(const T& squared, const Words& whether, const Words& impossib
   return squared;
 }
 
+// P and so far along d and to a side of it: both are twice these lengths, times that of d.
+template <class T>
+Point<T> beside(const Point<T>& P, const Vector<T>& d, const T& twice_along, const T& twice_across, Side side) {
+  const T twice = T(2) * length_squared(d), along = quotient(twice_along, twice),
+          across = quotient(twice_across, twice);
+  return P + (along * d + (side == Side::left ? across : -across) * quarter_turn(d));
+}
+
 // The point at the distances from P and Q of which the squares are given (r2, and by how much it is greater than the
 // other), on the named side of P -> Q: circles whose radii need no root. Errors as in circle.h.
 template <class T>
@@ -300,18 +361,8 @@ Point<T> meet_by_squares(const Point<T>& P, const T& r2, const Point<T>& Q, cons
   const T across = root(positive_or_zero(T(4) * d2 * r2 - square(twice_along),
                                          {"whether two circles meet", "se due circonferenze si incontrino"},
                                          {"the circles do not meet", "le circonferenze non si incontrano"}));
-  const T along_share = quotient(twice_along, T(2) * d2), across_share = quotient(across, T(2) * d2);
-  return P + (along_share * d + (side == Side::left ? across_share : -across_share) * quarter_turn(d));
+  return beside(P, d, twice_along, across, side);
 }
-// Where both radii are rational, by Heron's formula, as circle.h has it.
-template <class T>
-Point<T> meet(const Point<T>& P, const Rational& PX_squared, const Point<T>& Q, const Rational& QX_squared,
-              Side side) {
-  const auto PX = FieldOf<Rational>::root(PX_squared), QX = FieldOf<Rational>::root(QX_squared);
-  if (PX && QX) return geometry::meet(Circle<T>{P, from_rational<T>(*PX)}, Circle<T>{Q, from_rational<T>(*QX)}, side);
-  return meet_by_squares(P, from_rational<T>(PX_squared), Q, from_rational<T>(PX_squared - QX_squared), side);
-}
-
 }  // namespace linkages
 
 template <class T>
@@ -324,17 +375,37 @@ CarriedOut<T>::CarriedOut(const Linkage& linkage, const std::vector<Step>& steps
       lines_[index(l.line)] = {
           static_cast<int>(i), {number(l.through.x), number(l.through.y)}, linkages::unit_vector<T>(l.along)};
   }
+  of_joints_.resize(index(linkage.count_of_points()));
+  for (const Step& step : steps) {
+    if (const auto* rods = std::get_if<TwoRods>(&step)) {
+      DyadNumbers& of = of_joints_[index(rods->joint)];
+      of.first = numbers_of(rods->first, rods->joint);
+      of.second = numbers_of(rods->second, rods->joint);
+      of.greater = number(of.first.exactly_squared - of.second.exactly_squared);
+    }
+    if (const auto* rod = std::get_if<RodAndTrack>(&step))
+      of_joints_[index(rod->joint)].first = numbers_of(rod->rod, rod->joint);
+  }
 }
 
 template <class T>
-LinkagePosition<T> CarriedOut<T>::position_before(std::size_t step,
-                                                  const std::optional<DriveAt<T>>& elsewhere) const {
+LinkagePosition<T> CarriedOut<T>::position_before(std::size_t step, const std::optional<DriveAt<T>>& elsewhere,
+                                                  const std::optional<RoomTold<T>>& told) const {
   LinkagePosition<T> at{{linkage_.links.size(), {{T(0), T(0)}, {T(1), T(0)}}},
                         {index(linkage_.count_of_points()), {T(0), T(0)}},
                         elsewhere};
   put_points(0, at);
   for (std::size_t k = 0; k < step; ++k)
-    at_step(k, [&] { std::visit([&](const auto& s) { place(s, at); }, steps_[k]); });
+    at_step(k, [&] {
+      std::visit(
+          [&](const auto& s) {
+            if (told && told->step == k)
+              place(s, told->root_of_room, at);
+            else
+              place(s, at);
+          },
+          steps_[k]);
+    });
   return at;
 }
 
@@ -343,6 +414,7 @@ LinkageMotion<T> CarriedOut<T>::motion(const LinkagePosition<T>& at, const Rates
   const Vector<T> none{T(0), T(0)};
   const PlaneMotion<T> at_rest{{T(0), T(0)}, none, none, T(0), T(0)};
   LinkageMotion<T> so_far{{linkage_.links.size(), at_rest}, {at.points.size(), fixed_pin(Point<T>{T(0), T(0)})}, {}};
+  so_far.steps.reserve(steps_.size());
   put_motion(0, at_rest, at, so_far);
   for (std::size_t k = 0; k < steps_.size(); ++k)
     at_step(k, [&] {
@@ -384,13 +456,21 @@ typename CarriedOut<T>::Rail CarriedOut<T>::rail(const Track& track, int joint, 
 }
 
 template <class T>
-Rational CarriedOut<T>::squared_length(const Rod& rod, int joint) const {
+typename CarriedOut<T>::RodNumbers CarriedOut<T>::numbers_of(const Rod& rod, int joint) const {
+  RodNumbers of;
   if (rod.link == nothing) {
-    const Rational& length = std::get<Stretched>(linkage_.drives[index(rod.cylinder)]).length;
-    return length * length;
+    of.exactly = std::get<Stretched>(linkage_.drives[index(rod.cylinder)]).length;
+    of.exactly_squared = *of.exactly * *of.exactly;
+  } else {
+    const auto &P = linkage_.place(rod.link, rod.pin), &X = linkage_.place(rod.link, joint);
+    of.exactly_squared = (X.x - P.x) * (X.x - P.x) + (X.y - P.y) * (X.y - P.y);
+    of.exactly = FieldOf<Rational>::root(of.exactly_squared);
+    of.over_squared = number(1 / of.exactly_squared);
+    of.own = own(rod.link, joint) - own(rod.link, rod.pin);
   }
-  const auto &P = linkage_.place(rod.link, rod.pin), &X = linkage_.place(rod.link, joint);
-  return (X.x - P.x) * (X.x - P.x) + (X.y - P.y) * (X.y - P.y);
+  of.squared = number(of.exactly_squared);
+  if (of.exactly) of.length = number(*of.exactly);
+  return of;
 }
 
 template <class T>
@@ -409,12 +489,11 @@ void CarriedOut<T>::put(int link, const Vector<T>& s, const Vector<T>& along, co
 }
 
 template <class T>
-void CarriedOut<T>::put_rod(const Rod& rod, int joint, LinkagePosition<T>& at) const {
+void CarriedOut<T>::put_rod(const Rod& rod, const RodNumbers& of, int joint, LinkagePosition<T>& at) const {
   if (rod.link == nothing) return;
   const Point<T> P = at.points[index(rod.pin)], X = at.points[index(joint)];
-  const Vector<T> w = own(rod.link, joint) - own(rod.link, rod.pin);
   PlacedLink<T>& placed = at.links[index(rod.link)];
-  placed.x = number(1 / squared_length(rod, joint)) * linkages::times_mirrored(X - P, w);
+  placed.x = of.over_squared * linkages::times_mirrored(X - P, of.own);
   placed.O = P + -placed.turned(own(rod.link, rod.pin));
   put_points(rod.link, at);
 }
@@ -452,6 +531,27 @@ void CarriedOut<T>::place(const GearedWheel& step, LinkagePosition<T>& at) const
 }
 
 template <class T>
+void CarriedOut<T>::place(const RolledWheel& step, LinkagePosition<T>& at) const {
+  const RollingWheel& roll = linkage_.rolls[index(step.roll)];
+  const Rail on = in_plane(roll.line, at);
+  const Point<T> C = at.points[index(roll.centre)];
+  if constexpr (NumberWithSines<T>) {
+    const T turned = quotient(number(roll.at) - dot(on.s, C - on.G), number(roll.radius));
+    const Vector<T> from =
+        linkages::times(at.links[index(line(roll.line).link)].x, linkages::Constant<T>::direction(roll.phase));
+    put(step.link, linkages::times(from, {cosine_of_angle(turned), sine_of_angle(turned)}), {T(1), T(0)}, C,
+        own(step.link, roll.centre), at);
+  } else {
+    const Link& wheel = linkage_.links[index(step.link)];
+    PlacedLink<T>& placed = at.links[index(step.link)];
+    placed = {C, {T(1), T(0)}, false};
+    // Nothing of it but its centre, in its own origin, can then be told.
+    const Own& centre = wheel.points.front().at;
+    if (wheel.points.size() > 1 || !wheel.lines.empty() || centre.x != 0 || centre.y != 0) placed.axis();
+  }
+}
+
+template <class T>
 void CarriedOut<T>::place(const SlidPin& step, LinkagePosition<T>& at) const {
   const auto& drive = std::get<SlidPoint>(linkage_.drives[index(step.drive)]);
   const Rail guide = in_plane(drive.guide, at);
@@ -468,30 +568,50 @@ void CarriedOut<T>::place(const SlidBlock& step, LinkagePosition<T>& at) const {
 template <class T>
 void CarriedOut<T>::place(const TwoRods& step, LinkagePosition<T>& at) const {
   const Point<T> P = at.points[index(step.first.pin)], Q = at.points[index(step.second.pin)];
+  const DyadNumbers& of = of_joints_[index(step.joint)];
+  Point<T>& X = at.points[index(step.joint)];
   if (elsewhere(step.first.cylinder, at) || elsewhere(step.second.cylinder, at)) {
-    const T a2 = squared_length(step.first, step.joint, at), b2 = squared_length(step.second, step.joint, at);
-    at.points[index(step.joint)] = linkages::meet_by_squares<T>(P, a2, Q, a2 - b2, step.side);
+    const T a2 = squared_length(step.first, of.first, at), b2 = squared_length(step.second, of.second, at);
+    X = linkages::meet_by_squares<T>(P, a2, Q, a2 - b2, step.side);
+  } else if (of.first.exactly && of.second.exactly) {  // by Heron's formula
+    X = meet(Circle<T>{P, of.first.length}, Circle<T>{Q, of.second.length}, step.side);
   } else {
-    at.points[index(step.joint)] = linkages::meet(P, squared_length(step.first, step.joint), Q,
-                                                  squared_length(step.second, step.joint), step.side);
+    X = linkages::meet_by_squares<T>(P, of.first.squared, Q, of.greater, step.side);
   }
-  put_rod(step.first, step.joint, at);
-  put_rod(step.second, step.joint, at);
+  put_rod(step.first, of.first, step.joint, at);
+  put_rod(step.second, of.second, step.joint, at);
+}
+template <class T>
+void CarriedOut<T>::place(const TwoRods& step, const T& root_of_room, LinkagePosition<T>& at) const {
+  const Point<T> P = at.points[index(step.first.pin)];
+  const Vector<T> d = at.points[index(step.second.pin)] - P;
+  const DyadNumbers& of = of_joints_[index(step.joint)];
+  const T greater = squared_length(step.first, of.first, at) - squared_length(step.second, of.second, at);
+  at.points[index(step.joint)] = linkages::beside<T>(P, d, length_squared(d) + greater, root_of_room, step.side);
+  put_rod(step.first, of.first, step.joint, at);
+  put_rod(step.second, of.second, step.joint, at);
 }
 
 template <class T>
 void CarriedOut<T>::place(const RodAndTrack& step, LinkagePosition<T>& at) const {
-  const Point<T> P = at.points[index(step.rod.pin)];
   const Rail on = rail(step.track, step.joint, at);
-  const Vector<T> GP = P - on.G;
-  const T half_chord_squared =
-      linkages::positive_or_zero(squared_length(step.rod, step.joint, at) - square(cross(on.s, GP)),
-                                 {"whether a rod reaches its guide", "se un'asta raggiunga la sua guida"},
-                                 {"the rod does not reach its guide", "l'asta non raggiunge la sua guida"});
-  const T half_chord = root(half_chord_squared);
-  at.points[index(step.joint)] =
-      on.G + (dot(on.s, GP) + (step.which == Along::ahead ? half_chord : -half_chord)) * on.s;
-  put_rod(step.rod, step.joint, at);
+  const Vector<T> GP = at.points[index(step.rod.pin)] - on.G;
+  const T half_chord_squared = linkages::positive_or_zero(
+      squared_length(step.rod, of_joints_[index(step.joint)].first, at) - square(cross(on.s, GP)),
+      {"whether a rod reaches its guide", "se un'asta raggiunga la sua guida"},
+      {"the rod does not reach its guide", "l'asta non raggiunge la sua guida"});
+  put_on_track(step, on, root(half_chord_squared), at);
+}
+template <class T>
+void CarriedOut<T>::place(const RodAndTrack& step, const T& root_of_room, LinkagePosition<T>& at) const {
+  put_on_track(step, rail(step.track, step.joint, at), root_of_room, at);
+}
+template <class T>
+void CarriedOut<T>::put_on_track(const RodAndTrack& step, const Rail& on, const T& half_chord,
+                                 LinkagePosition<T>& at) const {
+  const T foot = dot(on.s, at.points[index(step.rod.pin)] - on.G);
+  at.points[index(step.joint)] = on.G + (foot + (step.which == Along::ahead ? half_chord : -half_chord)) * on.s;
+  put_rod(step.rod, of_joints_[index(step.joint)].first, step.joint, at);
   put_block(step.track, step.joint, at);
 }
 
@@ -505,11 +625,20 @@ void CarriedOut<T>::place(const TwoTracks& step, LinkagePosition<T>& at) const {
 template <class T>
 void CarriedOut<T>::place(const SlotOnPin& step, LinkagePosition<T>& at) const {
   const Point<T> Q = at.points[index(step.hinge)], P = at.points[index(step.pin)];
-  const T of_pin = step.block == nothing ? T(0) : left_of(step.moving, step.pin);
-  const T right = of_pin - left_of(step.line, step.hinge);
-  const Vector<T> s = step.is_towards_pin ? slot_direction(Q, P, right) : -slot_direction(Q, P, -right);
-  put(step.link, s, line(step.line).along, Q, own(step.link, step.hinge), at);
-  if (step.block != nothing) put(step.block, s, line(step.moving).along, P, own(step.block, step.pin), at);
+  const T right = pin_right_of_hinge(step);
+  put_slotted(step, step.is_towards_pin ? slot_direction(Q, P, right) : -slot_direction(Q, P, -right), at);
+}
+template <class T>
+void CarriedOut<T>::place(const SlotOnPin& step, const T& root_of_room, LinkagePosition<T>& at) const {
+  const Vector<T> QP = at.points[index(step.pin)] - at.points[index(step.hinge)];
+  const T over = quotient(T(1), length_squared(QP)), along = step.is_towards_pin ? root_of_room : -root_of_room;
+  put_slotted(step, (over * along) * QP - (over * pin_right_of_hinge(step)) * quarter_turn(QP), at);
+}
+template <class T>
+void CarriedOut<T>::put_slotted(const SlotOnPin& step, const Vector<T>& s, LinkagePosition<T>& at) const {
+  put(step.link, s, line(step.line).along, at.points[index(step.hinge)], own(step.link, step.hinge), at);
+  if (step.block == nothing) return;
+  put(step.block, s, line(step.moving).along, at.points[index(step.pin)], own(step.block, step.pin), at);
 }
 
 template <class T>
@@ -538,14 +667,16 @@ void CarriedOut<T>::place(const CrossedBlock& step, LinkagePosition<T>& at) cons
 // 16 times the square of the area of the triangle that the rods and their pins make (Heron).
 template <class T>
 T CarriedOut<T>::room(const TwoRods& step, const LinkagePosition<T>& at) const {
-  const T a2 = squared_length(step.first, step.joint, at), b2 = squared_length(step.second, step.joint, at);
+  const DyadNumbers& of = of_joints_[index(step.joint)];
+  const T a2 = squared_length(step.first, of.first, at), b2 = squared_length(step.second, of.second, at);
   const T d2 = length_squared(at.points[index(step.second.pin)] - at.points[index(step.first.pin)]);
   return T(4) * d2 * a2 - square(d2 + a2 - b2);
 }
 template <class T>
 T CarriedOut<T>::room(const RodAndTrack& step, const LinkagePosition<T>& at) const {
   const Rail on = rail(step.track, step.joint, at);
-  return squared_length(step.rod, step.joint, at) - square(cross(on.s, at.points[index(step.rod.pin)] - on.G));
+  return squared_length(step.rod, of_joints_[index(step.joint)].first, at) -
+         square(cross(on.s, at.points[index(step.rod.pin)] - on.G));
 }
 template <class T>
 T CarriedOut<T>::room(const TwoTracks& step, const LinkagePosition<T>& at) const {
@@ -553,9 +684,7 @@ T CarriedOut<T>::room(const TwoTracks& step, const LinkagePosition<T>& at) const
 }
 template <class T>
 T CarriedOut<T>::room(const SlotOnPin& step, const LinkagePosition<T>& at) const {
-  const T of_pin = step.block == nothing ? T(0) : left_of(step.moving, step.pin);
-  return length_squared(at.points[index(step.pin)] - at.points[index(step.hinge)]) -
-         square(of_pin - left_of(step.line, step.hinge));
+  return length_squared(at.points[index(step.pin)] - at.points[index(step.hinge)]) - square(pin_right_of_hinge(step));
 }
 
 template <class T>
@@ -610,6 +739,20 @@ StepPolygons<T> CarriedOut<T>::move(const GearedWheel& step, const LinkagePositi
     alpha += number(step.turn.times[k]) * rates[k].second;
   }
   put_motion(step.link, Bar<T>{so_far.points[index(step.hinge)]}.motion(omega, alpha), at, so_far);
+  return {};
+}
+
+template <class T>
+StepPolygons<T> CarriedOut<T>::move(const RolledWheel& step, const LinkagePosition<T>& at, const Rates&,
+                                    LinkageMotion<T>& so_far) const {
+  const RollingWheel& roll = linkage_.rolls[index(step.roll)];
+  const Pin<T>& C = so_far.points[index(roll.centre)];
+  const PlaneMotion<T>& body = so_far.links[index(line(roll.line).link)];
+  const Vector<T> s = in_plane(roll.line, at).s;
+  // The acceleration of Coriolis is square to the line.
+  const T over = number(1 / roll.radius), rate = dot(s, C.v - body.velocity(C.at)),
+          second = dot(s, C.a - body.acceleration(C.at));
+  put_motion(step.link, Bar<T>{C}.motion(body.omega - over * rate, body.alpha - over * second), at, so_far);
   return {};
 }
 

@@ -20,6 +20,10 @@ class Joints {
       slide({.i = linkage.link_of_line(block.moving), .j = linkage.link_of_line(block.guide), .line = block.guide});
     for (std::size_t k = 0; k < linkage.gears.size(); ++k)
       add({.i = linkage.gears[k].first, .j = linkage.gears[k].second, .gear = static_cast<int>(k)});
+    for (std::size_t k = 0; k < linkage.rolls.size(); ++k)
+      add({.i = linkage.rolls[k].wheel,
+           .j = linkage.link_of_line(linkage.rolls[k].line),
+           .roll = static_cast<int>(k)});
     for (const PinOnLine& pin : linkage.pins) {
       const int stone = plan_.bodies++;
       for (const int link : linkage.links_at(pin.point)) hinge(link, stone, pin.point);

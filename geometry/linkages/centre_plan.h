@@ -14,10 +14,14 @@
 namespace epure::geometry {
 
 // A centre that a joint gives: the hinge `point`; or, of what slides along `line`, at infinity square to it; or where
-// the wheels of a `gear` touch. i < j; links first, in the order of the linkage, then stones.
+// the wheels of a `gear` touch, or one of `rolls` its line. i < j; links first, in the order of the linkage, then
+// stones.
 struct PermanentCentre {
   int i, j;
-  int point = nothing, line = nothing, gear = nothing;
+  int point = nothing, line = nothing, gear = nothing, roll = nothing;
+
+  // What joins them is no hinge and no slide.
+  bool is_of_touching() const { return gear != nothing || roll != nothing; }
 };
 // P_ij of two links on the line of P_ik and P_kj, and on that of P_il and P_lj.
 struct FoundCentre {
@@ -69,10 +73,17 @@ class Centres {
       return projective(at.links[static_cast<std::size_t>(gear.carrier)].at(
           Vector<T>{from_rational<T>(on_carrier.x), from_rational<T>(on_carrier.y)}));
     }
-    const Vector<T> along = at.links[static_cast<std::size_t>(linkage.link_of_line(centre.line))].turned(
-        linkages::unit_vector<T>(linkage.line(centre.line).along));
-    const Vector<T> n = quarter_turn(along);
+    if (centre.roll != nothing) {
+      const RollingWheel& roll = linkage.rolls[static_cast<std::size_t>(centre.roll)];
+      return projective(point(roll.centre) +
+                        -(from_rational<T>(roll.radius) * quarter_turn(along(roll.line, linkage, at))));
+    }
+    const Vector<T> n = quarter_turn(along(centre.line, linkage, at));
     return {n.x, n.y, T(0)};
+  }
+  static Vector<T> along(int line, const Linkage& linkage, const LinkagePosition<T>& at) {
+    return at.links[static_cast<std::size_t>(linkage.link_of_line(line))].turned(
+        linkages::unit_vector<T>(linkage.line(line).along));
   }
   // With w = 1 unless it is or may be at infinity: else coordinates grow to the fourth power at each step.
   static ProjectivePoint<T> scaled(const ProjectivePoint<T>& P) {

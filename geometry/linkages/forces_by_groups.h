@@ -333,6 +333,7 @@ class ForcesByGroups {
     close_in(step.link, step.hinge);
   }
   // Its teeth press on those of the one wheel that was placed before it (wheels_in_order.h).
+  static void release(const RolledWheel&) {}  // of mechanisms without forces
   void release(const GearedWheel& step) {
     take_pins(step.link, {step.hinge});
     for (std::size_t k = 0; k < linkage_.gears.size(); ++k) {

@@ -75,7 +75,7 @@ int Linkage::freedom() const {
   for (int point = 0; point < count_of_points(); ++point)
     free -= 2 * std::max(0, static_cast<int>(links_at(point).size()) - 1);
   return free - static_cast<int>(pins.size()) - 2 * static_cast<int>(blocks.size()) - static_cast<int>(gears.size()) -
-         static_cast<int>(drives.size());
+         static_cast<int>(rolls.size()) - static_cast<int>(drives.size());
 }
 
 bool Linkage::is_turned_steadily() const {

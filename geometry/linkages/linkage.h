@@ -67,6 +67,16 @@ struct MeshingLinks {
   }
 };
 
+// A wheel that rolls on a line of another link: other joints keep its centre the radius away from that line, and it
+// turns by the way that its centre goes along the line, over the radius. Where the centre is `at` ahead of the point
+// that the line is given through, the wheel's x axis is turned by the phase from that of the line's link.
+struct RollingWheel {
+  int wheel, centre, line;
+  Rational radius;  // positive where the centre lies left of the line
+  Rational at = 0;
+  Angle phase = {};
+};
+
 // What drives: each with its rates, of the instant that is looked at.
 // The link's x axis is at the angle from the x axis of the frame.
 struct TurnedLink {
@@ -110,6 +120,7 @@ struct Linkage {
   std::vector<PinOnLine> pins = {};
   std::vector<LineOnLine> blocks = {};
   std::vector<MeshingLinks> gears = {};
+  std::vector<RollingWheel> rolls = {};
   std::vector<Drive> drives = {};
   std::vector<Chosen> chosen = {};
 
@@ -127,7 +138,7 @@ struct Linkage {
   Own pitch_point(const MeshingLinks& gear) const;
   // From the first one's centre to the second one's, the same.
   Own line_of_centres(const MeshingLinks& gear) const;
-  // 3 for each moving link, less what joints, gears and drives take.
+  // 3 for each moving link, less what joints, gears, rolling and drives take.
   int freedom() const;
   // One drive, a link that turns steadily by so many turns a second: who asks for nothing but signs counts a radian
   // for each 2π of it, and π stays out.

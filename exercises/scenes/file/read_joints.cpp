@@ -5,6 +5,8 @@
 #include <tuple>
 
 #include "exercises/kit/statement/format_words.h"
+#include "geometry/linkages/carried_out.h"
+#include "geometry/numbers/climb.h"
 
 namespace epure::scenes {
 namespace {
@@ -12,7 +14,7 @@ namespace {
 using namespace geometry;
 using Kind = geometry::Kind;
 
-// slides:, gears:.
+// slides:, gears:, rolls:.
 class JointsReader : SectionReader {
  public:
   using SectionReader::SectionReader;
@@ -45,8 +47,104 @@ class JointsReader : SectionReader {
       built_.pressure_angles.push_back(pressure_angle(item, built_.linkage.gears.back().pressure_angle));
     }
   }
+  // rolls: [{wheel: 5, centre: C, on: p, radius: 40 mm}].
+  void rolls() {
+    const Tree* all = root_.find("rolls");
+    if (!all) return;
+    const Words what{"rolls: [{wheel: 5, centre: C, on: p, radius: 40 mm}]",
+                     "rolls: [{wheel: 5, centre: C, on: p, radius: 40 mm}]"};
+    file_.demand(*all, Tree::Kind::list, what);
+    for (const char* forces : {"loads", "masses", "friction"})
+      if (root_.find(forces))
+        refuse(*all,
+               format_words("forces where a wheel rolls are not found yet: leave out {} or rolls",
+                            "le forze dove rotola una ruota non si trovano ancora: togliere {} o rolls", forces));
+    for (const Tree& item : all->items) {
+      file_.map(item, what);
+      file_.demand_keys(item, {"wheel", "centre", "on", "radius", "at", "phase"});
+      built_.linkage.rolls.push_back(roll(item, what));
+    }
+  }
 
  private:
+  RollingWheel roll(const Tree& at, const Words& what) const {
+    const Tree &wheel = demand(at, "wheel"), &centre = demand(at, "centre"), &on = demand(at, "on"),
+               &radius = demand(at, "radius");
+    const std::string C = file_.text(centre, what), g = file_.text(on, what);
+    RollingWheel roll{moving_link_of_number(wheel, file_.text(wheel, what)), point(centre, C), line(on, g),
+                      length(radius)};
+    if (built_.linkage.link_of_line(roll.line) == roll.wheel)
+      refuse(on, format_words("{} is a line of link {} itself", "{} è una retta dello stesso membro {}", g,
+                              number(roll.wheel)));
+    const std::vector<int> there = built_.linkage.links_at(roll.centre);
+    if (std::find(there.begin(), there.end(), roll.wheel) == there.end())
+      refuse(centre, format_words("{} is no point of link {}: a wheel turns about its centre",
+                                  "{} non è un punto del membro {}: una ruota gira attorno al suo centro", C,
+                                  number(roll.wheel)));
+    if (roll.radius <= 0) refuse(radius, {"a wheel has a radius above zero", "una ruota ha un raggio sopra lo zero"});
+    if (const Tree* from = at.find("at")) roll.at = length(*from);
+    roll.phase = turning(at, "phase", Kind::angle);
+    if (!is_on_the_left(roll, centre, C, g)) roll.radius = -roll.radius;
+    return roll;
+  }
+  // What keeps the centre on a way along the line: a line of its link on which the centre slides, or which slides on
+  // a line of another link that has the centre.
+  struct Lead {
+    int line, own_line = nothing, link = nothing;
+  };
+  std::vector<Lead> leads_of(const RollingWheel& roll) const {
+    const Linkage& of = built_.linkage;
+    const int link = of.link_of_line(roll.line);
+    std::vector<Lead> all;
+    for (const PinOnLine& pin : of.pins)
+      if (pin.point == roll.centre && of.link_of_line(pin.line) == link) all.push_back({pin.line});
+    for (const LineOnLine& block : of.blocks)
+      for (const auto& [one, other] : {std::pair(block.moving, block.guide), {block.guide, block.moving}})
+        for (const int carrier : of.links_at(roll.centre))
+          if (of.link_of_line(one) == link && of.link_of_line(other) == carrier) all.push_back({one, other, carrier});
+    return all;
+  }
+  // How far left of the line it keeps the centre, and the sine of the angle between the two lines.
+  template <class T>
+  std::pair<T, T> kept(const RollingWheel& roll, const Lead& lead) const {
+    const auto vector = [](const Own& own) { return Vector<T>{from_rational<T>(own.x), from_rational<T>(own.y)}; };
+    const LinkLine &g = built_.linkage.line(roll.line), &led = built_.linkage.line(lead.line);
+    const Vector<T> along = linkages::unit_vector<T>(g.along), lead_along = linkages::unit_vector<T>(led.along);
+    T left = cross(along, vector(led.through) - vector(g.through));
+    if (lead.link != nothing) {
+      const LinkLine& own = built_.linkage.line(lead.own_line);
+      left +=
+          dot(along, lead_along) * cross(linkages::unit_vector<T>(own.along),
+                                         vector(built_.linkage.place(lead.link, roll.centre)) - vector(own.through));
+    }
+    return {left, cross(along, lead_along)};
+  }
+  bool is_on_the_left(const RollingWheel& roll, const Tree& at, const std::string& C, const std::string& g) const {
+    std::optional<Lead> parallel;
+    for (const Lead& lead : leads_of(roll)) {
+      if (decide([&]<class T>() { return kept<T>(roll, lead).second; }).sign != Sign::zero) continue;
+      parallel = lead;
+      const auto is_kept = [&](bool is_left) {
+        return decide([&]<class T>() {
+                 const T left = kept<T>(roll, lead).first, r = from_rational<T>(roll.radius);
+                 return is_left ? left - r : left + r;
+               }).sign == Sign::zero;
+      };
+      if (is_kept(true)) return true;
+      if (is_kept(false)) return false;
+    }
+    if (parallel)
+      refuse(at, format_words("{} is kept {} m from {}, and the radius is {} m",
+                              "{} è tenuto a {} m da {}, e il raggio è {} m", C,
+                              decimal(std::abs(kept<Fast>(roll, *parallel).first), 4), g,
+                              decimal(CGAL::to_double(roll.radius), 4)));
+    refuse(at,
+           format_words("nothing keeps {0} beside {1}: let it slide on a line of the same link, parallel to {1}, or "
+                        "hinge it on a link that is led along {1}",
+                        "nulla tiene {0} accanto a {1}: farlo scorrere su una retta dello stesso membro, parallela a "
+                        "{1}, o incernierarlo a un membro guidato lungo {1}",
+                        C, g));
+  }
   void slide(const Tree& key, const Tree& value, const std::string& guide_name) {
     const int guide = line(value, guide_name);
     const int link = built_.linkage.link_of_line(guide);
@@ -135,6 +233,7 @@ void read_joints(FileReading& of) {
   JointsReader reader(of);
   reader.slides();
   reader.gears();
+  reader.rolls();
 }
 
 }  // namespace epure::scenes

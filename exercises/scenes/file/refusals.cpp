@@ -13,10 +13,10 @@ using namespace geometry;
 
 class InLetters {
  public:
-  explicit InLetters(const Built& built) : built_(built) {}
+  explicit InLetters(const Built& built, LettersAs as = LettersAs::plain) : built_(built), as_(as) {}
 
-  const std::string& point(int p) const { return built_.letters.points[index(p)]; }
-  const std::string& line(int l) const { return built_.letters.lines[index(l)]; }
+  std::string point(int p) const { return written(built_.letters.points[index(p)]); }
+  std::string line(int l) const { return written(built_.letters.lines[index(l)]); }
   // "link 3", "links 3 and 4".
   Words links(const std::vector<int>& links) const {
     std::vector<std::string> numbers;
@@ -125,6 +125,10 @@ class InLetters {
                                                    "{} si muovono solo insieme, su quanto sta in {}: riga e compasso "
                                                    "dispongono solo gruppi di uno o due membri",
                                                    links(open.links), points(open.points));
+    if (has_rolling(open.links))
+      return all +
+             Words{"; a wheel follows what it rolls on: drive its centre, or the rack, and not the wheel",
+                   "; una ruota segue ciò su cui rotola: muovere il suo centro, o la cremagliera, e non la ruota"};
     const Stretched* cylinder = within(open.links);
     if (!cylinder) return all;
     const int driven = built_.linkage.links_at(cylinder->from).front();
@@ -180,6 +184,12 @@ class InLetters {
         "; {} stanno su un membro solo (il suo numero dopo): i membri si incernierano dove hanno la stessa lettera",
         enumerated(lone));
   }
+  bool has_rolling(const std::vector<int>& links) const {
+    const auto& rolls = built_.linkage.rolls;
+    return std::any_of(rolls.begin(), rolls.end(), [&](const RollingWheel& roll) {
+      return std::find(links.begin(), links.end(), roll.wheel) != links.end();
+    });
+  }
   // A cylinder both ends of which are of these links alone.
   const Stretched* within(const std::vector<int>& links) const {
     const auto is_one = [&](int point) {
@@ -193,7 +203,12 @@ class InLetters {
     return nullptr;
   }
 
+  std::string written(const std::string& name) const {
+    return as_ == LettersAs::plain ? name : "$" + point_letters(name) + "$";
+  }
+
   const Built& built_;
+  LettersAs as_;
 };
 
 // To four figures: enough to see what to change.
@@ -203,8 +218,8 @@ Words metres(double x) { return decimal(x, 4) + " m"; }
 // difference of. Within deeply().
 class Missing {
  public:
-  Missing(const Built& built, std::size_t step)
-      : built_(built), told_(built), at_(CarriedOut<Deep>(built.linkage, built.steps).position_before(step)) {}
+  Missing(const Built& built, std::size_t step, LettersAs as = LettersAs::plain)
+      : built_(built), told_(built, as), at_(CarriedOut<Deep>(built.linkage, built.steps).position_before(step)) {}
 
   Words at(const TwoRods& step) const {
     const Deep a = length_of(step.first, step.joint), b = length_of(step.second, step.joint);
@@ -232,8 +247,7 @@ class Missing {
   // What is special where it closes without room to move.
   Words at_limit(const TwoRods& step) const {
     const Rational a2 = squared_length(step.first, step.joint), b2 = squared_length(step.second, step.joint);
-    const std::string &P = told_.point(step.first.pin), &Q = told_.point(step.second.pin),
-                      &X = told_.point(step.joint);
+    const std::string P = told_.point(step.first.pin), Q = told_.point(step.second.pin), X = told_.point(step.joint);
     // The difference of the rods, or their sum.
     const bool is_stretched =
         is_positive(square(distance(step.first.pin, step.second.pin)) - from_rational<Deep>(std::max(a2, b2)));
@@ -366,13 +380,16 @@ Words in_words(const NotClosed& open, const Built& built) {
   return in_words_at_limit(open, built);
 }
 
+Words special_in_words(std::size_t step, const Built& built, LettersAs as) {
+  return joint_of(built.steps[step], InLetters(built, as)) + ": " + deeply([&] {
+           return std::visit([&](const auto& s) { return Missing(built, step, as).at_limit(s); }, built.steps[step]);
+         });
+}
+
 Words limit_in_words(std::size_t step, const Built& built) {
-  const InLetters told(built);
-  const Words special = deeply(
-      [&] { return std::visit([&](const auto& s) { return Missing(built, step).at_limit(s); }, built.steps[step]); });
   const std::vector<int> links = placed_by(built.steps[step]);
-  const Words whose = links.empty() ? Words{} : " (" + told.links(links) + ")";
-  return joint_of(built.steps[step], told) + ": " + special +
+  const Words whose = links.empty() ? Words{} : " (" + InLetters(built).links(links) + ")";
+  return special_in_words(step, built, LettersAs::plain) +
          format_words(": at this dead centre or change point the drive does not determine the motion{}",
                       ": in questo punto morto o di biforcazione il movente non determina il moto{}", whose);
 }

@@ -16,7 +16,10 @@ Words in_words(const geometry::NotClosed& open, const Built& built);
 // The same of what is placed, but at a limit, so that its motion is not determined.
 Words in_words_at_limit(const geometry::NotClosed& open, const Built& built);
 
-// Of a step that is proved to be at its limit: which group, and what is special about its place.
+// Of a step that is at its limit, or very near: what is special about its place.
+enum class LettersAs { plain, rich_text };
+Words special_in_words(std::size_t step, const Built& built, LettersAs as);
+// The same of one that is proved to be, and that the motion is not determined there.
 Words limit_in_words(std::size_t step, const Built& built);
 
 // "A", "A and B", "A, B and C".

@@ -36,7 +36,7 @@ struct FileReading {
 void read_numbers(FileReading& of);            // units, where
 void read_links(FileReading& of);              // points, links
 void demand_names_of_points(FileReading& of);  // no point is called as something else is
-void read_joints(FileReading& of);             // slides, gears
+void read_joints(FileReading& of);             // slides, gears, rolls
 void read_drives(FileReading& of);             // drive, assembly
 void read_questions(FileReading& of);          // offsets, paths, polodes
 void read_friction(FileReading& of);           // friction

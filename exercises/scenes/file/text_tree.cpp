@@ -15,7 +15,9 @@ namespace {
 constexpr std::size_t most_bytes = 256 << 10, longest_text = 4096, most_entries = 20'000, deepest = 12;
 
 BadScene bad_scene_at(const std::string& file, int line, int column, const Words& sentence) {
-  return BadScene(format_words("{}:{}:{}: {}", "{}:{}:{}: {}", file, line, column, sentence));
+  BadScene bad(format_words("{}:{}:{}: {}", "{}:{}:{}: {}", file, line, column, sentence));
+  bad.without_place = sentence;
+  return bad;
 }
 
 // What yaml-cpp would let pass, or say nothing useful of.

@@ -12,9 +12,10 @@
 
 namespace epure::scenes {
 
-// What is wrong with a file; the sentence begins with "file:line:column: ".
+// What is wrong with a file; the sentence begins with "file:line:column: ", where it has a place.
 struct BadScene : Told {
   using Told::Told;
+  Words without_place = {};  // none where it has none
 };
 
 struct TextTree {

@@ -562,6 +562,7 @@ class ForcePlanner {
                               ActingCouple{ActingCouple::Kind::drive, step.drive}});
     if (!known(step.link).empty()) add_closed_loop(step.link, step.hinge, {});
   }
+  static void write(const RolledWheel&) {}  // of mechanisms without forces
   void write(const GearedWheel& step) {
     const std::vector<Force> all = forces_on(step.link);
     const Force tooth = *std::find_if(all.begin(), all.end(), [this](const Force& force) {

@@ -43,6 +43,13 @@ class SceneWriter {
     for (const auto& [what, guides] : slides_) text += fmt::format("  {}: [{}]\n", what, fmt::join(guides, ", "));
     return text + fmt::format("drive: {{link: {}, speed: {}}}\n", link, speed);
   }
+  // "1 = ground, 2 = L1".
+  std::string links() const {
+    std::string all;
+    for (std::size_t i = 0; i < links_.size(); ++i)
+      all += fmt::format("{}{} = {}", i == 0 ? "" : ", ", i + 1, links_[i]);
+    return all;
+  }
 
  private:
   static std::string letter(std::size_t joint) {
@@ -120,9 +127,20 @@ bool is_link(const std::string& text) {
 }  // namespace
 
 Imported scene_of(DrawnLinkage linkage, const std::string& id) {
-  Imported made{.scene = SceneWriter(linkage, id).text(), .notes = {}};
+  SceneWriter writer(linkage, id);
+  Imported made{.scene = writer.text(), .notes = {}};
   made.notes = std::move(linkage.notes);
-  scene_exercise(std::make_shared<const Scene>("scene", made.scene));
+  try {
+    scene_exercise(std::make_shared<const Scene>(id, made.scene));
+  } catch (const BadScene& bad) {
+    // The file whose place it tells is not there.
+    if (bad.without_place.empty()) throw;
+    throw BadScene(format_words(
+        "{}: {} (its joints are A, B, C ... in their order; its links: {})",
+        "{}: {} (i suoi nodi sono A, B, C ... nel loro ordine; i suoi membri: {})",
+        Words{"the mechanism that this describes is refused", "il meccanismo che questo descrive è rifiutato"},
+        bad.without_place, writer.links()));
+  }
   return made;
 }
 

@@ -27,22 +27,26 @@ Place beyond_room(const DrawnCentre& centre, const Place& from, const Arrow2& al
 }  // namespace
 
 drawings::Box CentresPanel::extent(const Scale& lengths, const Scale&) const {
-  constexpr double not_tried = 20;
+  constexpr double not_tried = 20;  // times the mechanism
   return extent_within(not_tried, lengths);
 }
 
 // The mechanism, and what lies beside it.
 drawings::Box CentresPanel::extent_of_near(const Scale& lengths, const Scale&) const {
-  constexpr double beside = 1.2;
+  constexpr double beside = 0.6;  // of the mechanism: farther off, it would be drawn too small
   return extent_within(beside, lengths);
 }
 
 drawings::Box CentresPanel::extent_within(double reaches, const Scale& lengths) const {
   Extent extent;
   mechanism_->include(extent, lengths);
+  const std::vector<Place> corners = mechanism_->corners();
+  const auto is_near = [&](const Place& P) {
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](const Place& corner) { return distance(corner, P) < reaches * mechanism_->reach(); });
+  };
   for (const DrawnCentre& centre : centres_)
-    if (centre.at && distance(mechanism_->corners().front(), *centre.at) < reaches * mechanism_->reach())
-      extent.include(lengths, *centre.at, letters_around);
+    if (centre.at && is_near(*centre.at)) extent.include(lengths, *centre.at, letters_around);
   if (shows_axes() && distance(mechanism_->corners().front(), plane_origin) < reaches * mechanism_->reach())
     extent.include(lengths, plane_origin, axis_arrow + letters_around);
   return extent.box();

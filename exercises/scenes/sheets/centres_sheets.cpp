@@ -22,11 +22,15 @@ class CentresOfScene {
  public:
   CentresOfScene(const Built& built, const CentrePlan& plan, const Solution& s) : built_(built), plan_(plan), s_(s) {}
 
-  // Where wheels touch, and then the found centres of links, in their order.
+  // Where wheels touch each other, or the lines that they roll on, and then the found centres of links, in their
+  // order.
   std::vector<DrawnCentre> all() const {
     std::vector<DrawnCentre> drawn;
     for (const PermanentCentre& centre : plan_.permanent)
-      if (centre.gear != geometry::nothing) drawn.push_back(of_wheels(centre));
+      if (centre.gear != geometry::nothing)
+        drawn.push_back(of_wheels(centre));
+      else if (centre.roll != geometry::nothing)
+        drawn.push_back(of_rolling(centre));
     for (const FoundCentre& centre : plan_.found) drawn.push_back(of(centre));
     return drawn;
   }
@@ -38,7 +42,7 @@ class CentresOfScene {
       if (!is_link(centre.i) || !is_link(centre.j)) continue;
       if (centre.point != geometry::nothing)
         hinges += (hinges.empty() ? "" : ", ") + letters(centre.i, centre.j) + "\u00a0=\u00a0" + point(centre.point);
-      else if (centre.gear == geometry::nothing)
+      else if (!centre.is_of_touching())
         slides = slides + " " +
                  format_words("{} is at infinity, ⊥ ${}$.", "{} è all'infinito, ⊥ ${}$.", letters(centre.i, centre.j),
                               point_letters(built_.letters.lines[index(centre.line)]));
@@ -58,7 +62,7 @@ class CentresOfScene {
   }
 
   OnLine on_line(int i, int j) const {
-    if (const PermanentCentre* joint = plan_.permanent_of(i, j); joint && joint->gear == geometry::nothing) {
+    if (const PermanentCentre* joint = plan_.permanent_of(i, j); joint && !joint->is_of_touching()) {
       if (joint->point != geometry::nothing) return {{}, s_.place(built_.letters.points[index(joint->point)]), {}};
       return {{}, {}, geometry::quarter_turn(s_.vector("along_" + built_.letters.lines[index(joint->line)]))};
     }
@@ -94,6 +98,22 @@ class CentresOfScene {
         format_words("{} on {}{}, where the pitch circles of wheels {} and {} touch.",
                      "{} su {}{}, dove si toccano le primitive delle ruote {} e {}.", drawn.letters, point(one),
                      point(other), built_.letters.links[index(gear.first)], built_.letters.links[index(gear.second)]);
+    return drawn;
+  }
+  // At the foot of the wheel's centre.
+  DrawnCentre of_rolling(const PermanentCentre& centre) const {
+    const geometry::RollingWheel& roll = built_.linkage.rolls[index(centre.roll)];
+    const std::string &C = built_.letters.points[index(roll.centre)], &g = built_.letters.lines[index(roll.line)];
+    DrawnCentre drawn{.quantity = quantity(centre.i, centre.j).name,
+                      .letters = letters(centre.i, centre.j),
+                      .at = {},
+                      .lines = {},
+                      .step = {}};
+    drawn.at = s_.point(drawn.quantity);
+    drawn.lines = {{{{}, s_.place(C), {}}, {{}, {}, geometry::quarter_turn(s_.vector("along_" + g))}}};
+    drawn.step = format_words("{} where wheel {} touches ${}$: at the foot of {}.",
+                              "{} dove la ruota {} tocca ${}$: al piede della perpendicolare da {}.", drawn.letters,
+                              built_.letters.links[index(roll.wheel)], point_letters(g), point(roll.centre));
     return drawn;
   }
   DrawnCentre of(const FoundCentre& centre) const {
@@ -144,7 +164,7 @@ PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page
 std::vector<SheetMaker> centres_sheets(const std::shared_ptr<const Scene>& scene) {
   const Built built = scene->built(Givens(scene->givens()));
   const CentrePlan plan = centre_plan_of(built);
-  const std::size_t count = plan.found.size() + built.linkage.gears.size(),
+  const std::size_t count = plan.found.size() + built.linkage.gears.size() + built.linkage.rolls.size(),
                     pages = (count + most_on_a_sheet - 1) / most_on_a_sheet;
   std::vector<SheetMaker> sheets;
   for (std::size_t page = 0; page < pages; ++page) {

@@ -13,7 +13,9 @@
 #include "exercises/kit/proof/asked.h"
 #include "exercises/scenes/drive_way.h"
 #include "exercises/scenes/extremes.h"
+#include "exercises/scenes/found_by_search.h"
 #include "exercises/scenes/kept_by_givens.h"
+#include "exercises/scenes/range_of_drive.h"
 #include "exercises/scenes/scene_routes.h"
 #include "exercises/scenes/sheets/scene_figure.h"
 #include "geometry/linkages/every_place.h"
@@ -83,15 +85,6 @@ class OverDrive {
 
  private:
   const geometry::Drive& drive() const { return built_.linkage.drives.front(); }
-  static void put(geometry::Drive& drive, const geometry::Rational& place) {
-    if (auto* turned = std::get_if<TurnedLink>(&drive))
-      turned->angle = {place, 0};
-    else if (auto* slid = std::get_if<SlidPoint>(&drive))
-      slid->at = place;
-    else
-      std::get<Stretched>(drive).length = place;
-  }
-
   Built built_;
   std::vector<std::string> names_;
   int turns_ = 1;
@@ -135,6 +128,7 @@ class ChartOfScene {
       : s_(s),
         names_(names),
         asked_(scene.extremes()),
+        drive_(driven_coordinates(built).front()),
         over_(built, names),
         samples_(kept.of(s.givens(), [this] { return samples_of(over_); })) {
     std::vector<double> values;
@@ -177,6 +171,10 @@ class ChartOfScene {
     }
     if (chart.y.low < 0 && chart.y.high > 0) chart.horizontals = {{.at = 0}};
     chart.verticals = {{.at = unit * over_.now()}};
+    for (const bool is_greatest : {true, false})
+      if (const auto end = value_of(extreme_name(drive_.name, is_greatest)))
+        chart.verticals.push_back({.at = over_.turns() ? within_turns(*end) : *end,
+                                   .label = symbol_of_extreme(drive_.symbol, is_greatest)});
     return chart;
   }
 
@@ -209,6 +207,15 @@ class ChartOfScene {
   }
 
  private:
+  // None where it is not asked for.
+  std::optional<double> value_of(const std::string& name) const {
+    return s_.has(name) ? s_.value(name) : std::nullopt;
+  }
+  double within_turns(double degrees) const {
+    const double all = 360 * over_.high();
+    return degrees - all * std::floor(degrees / all);
+  }
+
   // Known to less than a pen's width.
   bool is_fine(const Enclosure& known) const {
     constexpr double pens = 500;
@@ -229,6 +236,7 @@ class ChartOfScene {
 
   const Solution& s_;
   const std::vector<std::string>&names_, &asked_;
+  Quantity drive_;
   OverDrive over_;
   std::shared_ptr<const Samples> samples_;
   drawings::ValueSpan span_{};
@@ -242,15 +250,7 @@ void add_position(Mechanism& mechanism, const Built& built, const std::string& n
   const geometry::LinkagePosition<geometry::Fast> at =
       geometry::CarriedOut<geometry::Fast>(built.linkage, built.steps)
           .position(geometry::DriveAt<geometry::Fast>{0, {std::cos(angle), std::sin(angle)}, 0, places.turns()});
-  const auto moves = [&](int p) { return built.linkage.links_at(p).front() != 0; };
-  const auto there = [&](int p) { return (moves(p) ? name + " " : "") + built.letters.points[index(p)]; };
-  for (int p = 0; p < built.linkage.count_of_points(); ++p)
-    if (moves(p)) mechanism.point(there(p), at.points[index(p)], Mechanism::Joint::none, "");
-  for (std::size_t link = 1; link < built.linkage.links.size(); ++link) {
-    std::vector<std::string> corners;
-    for (const geometry::LinkPoint& p : built.linkage.links[link].points) corners.push_back(there(p.point));
-    if (corners.size() > 1) mechanism.other_position(corners);
-  }
+  add_in_outline(mechanism, built, name, at.points);
 }
 
 PanelSheet chart_sheet(const Scene& scene, const Solution& s, std::size_t which, Language language,

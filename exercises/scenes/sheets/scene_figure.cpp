@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include "exercises/kit/statement/quantity.h"
 
@@ -24,10 +25,17 @@ std::string letter_of_line(const Built& built, int line) {
   return "$" + point_letters(built.letters.lines[static_cast<std::size_t>(line)]) + "$";
 }
 
+// The way of a wheel's centre beside the line that it rolls on: nothing guides it but that.
+bool is_way_of_wheel(const Linkage& of, const PinOnLine& pin) {
+  return std::any_of(of.rolls.begin(), of.rolls.end(), [&](const geometry::RollingWheel& roll) {
+    return roll.centre == pin.point && of.link_of_line(roll.line) == of.link_of_line(pin.line);
+  });
+}
+
 // The guide of the frame on which a point slides, itself or as the first of its link's.
 std::optional<int> guide_in_frame(const Linkage& of, int point) {
   for (const PinOnLine& pin : of.pins)
-    if (pin.point == point && of.link_of_line(pin.line) == 0) return pin.line;
+    if (pin.point == point && of.link_of_line(pin.line) == 0 && !is_way_of_wheel(of, pin)) return pin.line;
   for (const LineOnLine& block : of.blocks) {
     const Link& moving = of.links[static_cast<std::size_t>(of.link_of_line(block.moving))];
     if (of.link_of_line(block.guide) == 0 && !moving.points.empty() && moving.points.front().point == point)
@@ -90,7 +98,7 @@ std::vector<PinInSlot> pins_in(const Linkage& of, int link) {
   std::vector<PinInSlot> pins;
   if (is_cross(of, link)) return pins;
   for (const PinOnLine& pin : of.pins)
-    if (of.link_of_line(pin.line) == link) pins.push_back({pin.point, pin.line});
+    if (of.link_of_line(pin.line) == link && !is_way_of_wheel(of, pin)) pins.push_back({pin.point, pin.line});
   for (const LineOnLine& block : of.blocks)
     for (const auto& [own, other] : {std::pair(block.moving, block.guide), {block.guide, block.moving}}) {
       if (of.link_of_line(own) != link || of.link_of_line(other) == 0) continue;
@@ -263,7 +271,7 @@ std::optional<std::pair<int, int>> crank_of(const Linkage& of, int link) {
 // A wheel by its pitch circle: filled where it is a round body, and a ring by its circle alone. Other links' centres
 // need not be in the figure.
 void add_wheel(Mechanism& figure, const Built& built, const Solution& s, const geometry::MeshingLinks& gear,
-               bool is_first) {
+               bool is_first, bool is_numbered) {
   const Linkage& of = built.linkage;
   const auto hidden = [&](const std::string& name, const Place& at) {
     figure.point(name, at, Mechanism::Joint::corner, "");
@@ -282,7 +290,7 @@ void add_wheel(Mechanism& figure, const Built& built, const Solution& s, const g
     const bool is_bar = of.links[static_cast<std::size_t>(wheel)].points.size() > 1;
     figure.disc(letter(built, centre),
                 hidden(name, {O.x + radius * std::cos(square), O.y + radius * std::sin(square)}), false,
-                is_bar || wheel == 0 ? 0 : built.letters.links[static_cast<std::size_t>(wheel)]);
+                !is_numbered || is_bar || wheel == 0 ? 0 : built.letters.links[static_cast<std::size_t>(wheel)]);
     return;
   }
   figure.profile(O, radius, 0, 2 * std::numbers::pi);
@@ -290,9 +298,52 @@ void add_wheel(Mechanism& figure, const Built& built, const Solution& s, const g
     hidden(name + std::to_string(quarter), {O.x + radius * std::cos(quarter * std::numbers::pi / 2),
                                             O.y + radius * std::sin(quarter * std::numbers::pi / 2)});
 }
+// A link may have several wheels, and has one number.
 void add_wheels(Mechanism& figure, const Built& built, const Solution& s) {
+  std::set<int> numbered;
   for (const geometry::MeshingLinks& gear : built.linkage.gears)
-    for (const bool is_first : {true, false}) add_wheel(figure, built, s, gear, is_first);
+    for (const bool is_first : {true, false})
+      add_wheel(figure, built, s, gear, is_first, numbered.insert(is_first ? gear.first : gear.second).second);
+}
+// A link with a bar or plate of its own, or a block, has its number there.
+bool is_numbered_elsewhere(const Linkage& of, int link) {
+  return of.links[index(link)].points.size() > 1 ||
+         std::any_of(of.blocks.begin(), of.blocks.end(),
+                     [&](const LineOnLine& each) { return of.link_of_line(each.moving) == link; });
+}
+
+// A wheel that rolls, and the line on which it does so: of the frame a surface, of another link a bar, as far as from
+// its points to beyond the wheel.
+void add_rolling(Mechanism& figure, const Built& built, const Solution& s, const geometry::RollingWheel& roll) {
+  const Linkage& of = built.linkage;
+  const int link = of.link_of_line(roll.line);
+  const Arrow2 along = s.vector("along_" + built.letters.lines[index(roll.line)]);
+  const double r = CGAL::to_double(roll.radius);
+  const Place C = figure.at(letter(built, roll.centre)), touched = C + (-r) * geometry::quarter_turn(along);
+  const std::string name =
+      "rolling of " + std::to_string(roll.wheel) + " on " + built.letters.lines[index(roll.line)];
+  const auto corner = [&](const std::string& which, const Place& at, const std::string& letters) {
+    figure.point(name + which, at, Mechanism::Joint::corner, letters);
+    return name + which;
+  };
+  constexpr double beyond = 1.6;  // radii
+  double low = -beyond * std::abs(r), high = -low;
+  if (link != 0)
+    for (const LinkPoint& p : of.links[index(link)].points) {
+      const double ahead = dot(figure.at(letter(built, p.point)) - touched, along);
+      low = std::min(low, ahead), high = std::max(high, ahead);
+    }
+  const std::string first = corner("'s beginning", touched + low * along, ""),
+                    last = corner("'s end", touched + high * along, letter_of_line(built, roll.line));
+  if (link != 0)
+    figure.body({first, last}, is_numbered_elsewhere(of, link) ? 0 : built.letters.links[index(link)]);
+  else if (r > 0)
+    figure.surface(figure.at(first), figure.at(last));
+  else
+    figure.surface(figure.at(last), figure.at(first));
+  const bool is_bar = of.links[index(roll.wheel)].points.size() > 1;
+  figure.disc(letter(built, roll.centre), corner("'s rim", touched, ""), false,
+              is_bar ? 0 : built.letters.links[index(roll.wheel)]);
 }
 // Those that the link is; whether there are any.
 bool add_wheels_of(Mechanism& figure, const Built& built, const Solution& s, int link) {
@@ -300,7 +351,7 @@ bool add_wheels_of(Mechanism& figure, const Built& built, const Solution& s, int
   for (const geometry::MeshingLinks& gear : built.linkage.gears)
     for (const bool is_first : {true, false}) {
       if ((is_first ? gear.first : gear.second) != link) continue;
-      add_wheel(figure, built, s, gear, is_first);
+      add_wheel(figure, built, s, gear, is_first, !is_wheel);
       is_wheel = true;
     }
   return is_wheel;
@@ -358,6 +409,20 @@ void add_block(Mechanism& figure, const Built& built, const Solution& s, int lin
 }
 
 }  // namespace
+
+void add_in_outline(Mechanism& mechanism, const Built& built, const std::string& name,
+                    const std::vector<Place>& points, const std::map<int, std::string>& letters) {
+  const auto moves = [&](int p) { return built.linkage.links_at(p).front() != 0; };
+  const auto there = [&](int p) { return (moves(p) ? name + " " : "") + built.letters.points[index(p)]; };
+  for (int p = 0; p < built.linkage.count_of_points(); ++p)
+    if (moves(p))
+      mechanism.point(there(p), points[index(p)], Mechanism::Joint::none, letters.count(p) ? letters.at(p) : "");
+  for (std::size_t link = 1; link < built.linkage.links.size(); ++link) {
+    std::vector<std::string> corners;
+    for (const geometry::LinkPoint& p : built.linkage.links[link].points) corners.push_back(there(p.point));
+    if (corners.size() > 1) mechanism.other_position(corners);
+  }
+}
 
 Mechanism figure_of_link(const Built& built, const Solution& s, int link, const std::vector<int>& acting,
                          double size_of_block, const Place& otherwise) {
@@ -438,6 +503,7 @@ Mechanism figure_of(const Built& built, const Solution& solution) {
         figure.turning(letter(built, crank->first), letter(built, crank->second), sign_of(turned->omega),
                        angular_velocity(built.letters.links[static_cast<std::size_t>(turned->link)]).symbol);
   add_wheels(figure, built, solution);
+  for (const geometry::RollingWheel& roll : of.rolls) add_rolling(figure, built, solution, roll);
   for (const int link : without_number) add_number_of_block(figure, built, link);
   add_lines(figure, built);
   return figure;

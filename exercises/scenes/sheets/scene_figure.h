@@ -1,6 +1,7 @@
 // What a scene looks like: its links as bars and plates, its joints, its guides.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ std::vector<std::string> moving_points(const Built& built);
 geometry::PlacedLink<double> placed(const Built& built, const Solution& s, int link);
 
 Mechanism figure_of(const Built& built, const Solution& solution);
+
+// The mechanism elsewhere, dashed; the name tells this place from others. Letters of some of its points, rich text.
+void add_in_outline(Mechanism& mechanism, const Built& built, const std::string& name,
+                    const std::vector<Place>& points, const std::map<int, std::string>& letters = {});
 
 // A link alone, cut free: its points, and the pins in its slots that something acts on; of what has but one point a
 // block of this size. A link without points is `otherwise`.

@@ -168,16 +168,16 @@ TEST_CASE("extremes that do not exist have no value, and the reason is told", "[
 
 TEST_CASE("what extremes cannot be asked of is refused", "[scenes]") {
   CHECK_THAT(refused_extremes(extremes_of_four_bar("[omega_2]")),
-             Contains("of what link 2 moves: not of \"omega_2\""));
+             Contains("of what link 2 moves, and of how far a drive goes (theta_2): not of \"omega_2\""));
   CHECK_THAT(refused_extremes(extremes_of_four_bar("[a_P_x]")),
              Contains("extremes are told of coordinates (C_x), directions of links"));
-  CHECK_THAT(refused_extremes(extremes_of_four_bar("[B0_x]")), Contains("of what link 2 moves: not of \"B0_x\""));
+  CHECK_THAT(refused_extremes(extremes_of_four_bar("[B0_x]")), Contains("(theta_2): not of \"B0_x\""));
   CHECK_THAT(refused_extremes(extremes_of_four_bar("[P_x, P_x]")), Contains("P_x stands here twice"));
   CHECK_THAT(refused_extremes(extremes_of_four_bar("P_x")), Contains("extremes: [theta_4, v_C_x]"));
   CHECK_THAT(refused_extremes("epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], g: {along: [1, 0]}}\n  2: {O A: 80 mm}\n"
                               "  3: {A B: 260 mm}\nslides: {B: g}\ndrive: {slide: B, on: g, at: 300 mm}\n"
                               "assembly: {A: left of O B}\nextremes: [A_x]\n"),
-             Contains("extremes are told over a turn of the drive, and it does not turn"));
+             Contains("of a mechanism that no single turned link drives"));
 }
 
 // A link that gears turn evenly, a point on a guide along x.

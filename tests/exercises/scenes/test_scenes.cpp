@@ -349,7 +349,7 @@ TEST_CASE("a scene has polygons group by group, and its instant centres", "[scen
                                  "velocity-polygon-E", "acceleration-polygon-B", "acceleration-polygon-D",
                                  "acceleration-polygon-E", "instant-centres", "instant-centres-2",
                                  "instant-centres-3", "path"});
-  CHECK(sheets_of(*exercise_of("excavator")).size() == 6);  // two drives: no centres
+  CHECK(sheets_of(*exercise_of("excavator")).size() == 8);  // two drives: no centres
 }
 
 TEST_CASE("a polygon is told as it is drawn, Coriolis' acceleration subtracted", "[scenes]") {
