@@ -184,4 +184,11 @@ TEST_CASE("the mechanism stands in outline at the ends of its range, lettered, a
   const std::string words = words_of(drawn);
   CHECK_THAT(words, Contains("$E$: $P$ $E$ and $D$ $E$ lie in one line, stretched out."));
   CHECK_THAT(words, Contains("at its dead centres"));
+  // On a sheet to be solved nothing is in outline: fewer marks by all of it.
+  const DrawnSheet blank = exercise->draw("range-theta_2", Givens(exercise->about().givens), {.blank = true});
+  CHECK(blank.sheet.figure.marks.size() + 10 < drawn.sheet.figure.marks.size());
+
+  const auto crank = exercise_said(driven_bars("120 mm", "350 mm", "280 mm", "400 mm", "60 deg"));
+  CHECK_THAT(words_of(crank->draw("range-theta_2", Givens(crank->about().givens), {})),
+             Contains("link 2 goes right round: the mechanism closes everywhere."));
 }
