@@ -33,6 +33,15 @@ Built with_drive_at(const Built& built, std::size_t drive, double at) {
   return there;
 }
 
+Words endless_in_words(const Built& built, std::size_t drive, double farthest) {
+  if (const auto* turned = std::get_if<TurnedLink>(&built.linkage.drives[drive]))
+    return format_words("link {} goes right round: the mechanism closes everywhere",
+                        "il membro {} fa il giro completo: il meccanismo si chiude dappertutto",
+                        built.letters.links[index(turned->link)]);
+  return format_words("the mechanism closes until {} m at least", "il meccanismo si chiude almeno fino a {} m",
+                      decimal(farthest, 4));
+}
+
 class RangeOfDrive {
  public:
   RangeOfDrive(const Built& built, std::size_t drive)
@@ -117,7 +126,8 @@ class RangeOfDrive {
 
   void put_endless(std::vector<RouteValue>& all, Rung rung, bool is_greatest) const {
     const double farthest = range_.farthest(is_greatest);
-    const Settled none{.kind = Settled::Kind::absent, .enclosure = {}, .reason = endless_in_words(farthest)};
+    const Settled none{
+        .kind = Settled::Kind::absent, .enclosure = {}, .reason = endless_in_words(built_, index(drive_), farthest)};
     add(all, is_greatest, construction, none);
     if (rung != Rung::climb) return;
     add(all, is_greatest, joint_equations,
@@ -125,15 +135,6 @@ class RangeOfDrive {
             ? none
             : undecided({"whether it closes wherever the drive is, as the construction has it",
                          "se si chiuda dovunque sia il movente, come risulta dalla costruzione"}));
-  }
-  Words endless_in_words(double farthest) const {
-    if (turns())
-      return format_words(
-          "link {} goes right round: the mechanism closes everywhere",
-          "il membro {} fa il giro completo: il meccanismo si chiude dappertutto",
-          built_.letters.links[index(std::get<TurnedLink>(built_.linkage.drives[index(drive_)]).link)]);
-    return format_words("it has no end: the mechanism closes until {} m at least",
-                        "non ha fine: il meccanismo si chiude almeno fino a {} m", farthest);
   }
   // By the equations of the joints, in many places.
   bool closes_on_the_way(double farthest) const {
@@ -213,16 +214,20 @@ std::vector<RouteValue> ranges(const Built& built, const std::vector<std::string
   return all;
 }
 
-std::optional<AtEnd> at_end(const Built& built, std::size_t drive, bool is_greatest) {
+AtEnd at_end(const Built& built, std::size_t drive, bool is_greatest) {
   const Arithmetic<Bounded> scope;
   try {
     const DriveRange range(built.linkage, built.steps, static_cast<int>(drive));
     const auto end = range.end(is_greatest);
-    if (!end) return {};
+    if (!end)
+      return {{},
+              Words{"No end: ", "Nessun estremo: "} + endless_in_words(built, drive, range.farthest(is_greatest))};
     const Built there = with_drive_at(built, drive, midpoint(end->at).inf());
-    return AtEnd{range.position_at(*end), special_in_words(end->step, there, LettersAs::rich_text)};
-  } catch (const Undecided&) {
-    return {};
+    return {range.position_at(*end), special_in_words(end->step, there, LettersAs::rich_text)};
+  } catch (const Undecided& open) {
+    return {{}, Words{"Not decided: ", "Non deciso: "} + open.words()};
+  } catch (const Impossible& none) {
+    return {{}, Words{"Not decided: ", "Non deciso: "} + none.words()};
   }
 }
 

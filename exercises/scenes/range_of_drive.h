@@ -22,11 +22,11 @@ std::optional<std::size_t> drive_of_coordinate(const Built& built, const std::st
 // all joints. Absent, with the reason, where a link goes right round, or a way has no end.
 std::vector<RouteValue> ranges(const Built& built, const std::vector<std::string>& names, Rung rung);
 
-// The mechanism at an end of the range, and what stops it there; none where no end is told.
+// The mechanism at an end of the range, and what stops it there; or why there is none, or it is not told.
 struct AtEnd {
-  geometry::LinkagePosition<geometry::Bounded> position;
-  Words stopped_by;  // rich text
+  std::optional<geometry::LinkagePosition<geometry::Bounded>> position;
+  Words words;  // rich text
 };
-std::optional<AtEnd> at_end(const Built& built, std::size_t drive, bool is_greatest);
+AtEnd at_end(const Built& built, std::size_t drive, bool is_greatest);
 
 }  // namespace epure::scenes

@@ -119,10 +119,15 @@ class WayToEnd {
                     room = room_at(range_, values_, step, Bounded(last));
       if (sign(room) != Sign::positive) return false;
       const RoomTold<Bounded> told{step, Bounded(0, root(room).sup())};
-      if (first_without_room(range_.drive_at(rest), told)) continue;
+      bool closes_to_the_end = true;
+      try {
+        if (first_without_room(range_.drive_at(rest), told)) continue;
+      } catch (const Impossible&) {  // a group after it stops before
+        closes_to_the_end = false;
+      }
       look(near, last);
-      if (!found_) found_ = DriveEnd<Bounded>{step, limit};
-      return true;
+      if (!found_ && closes_to_the_end) found_ = DriveEnd<Bounded>{step, limit};
+      return found_.has_value();
     }
     return false;
   }

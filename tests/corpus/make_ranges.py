@@ -40,6 +40,14 @@ def six_bar_of_rockers(phi):
     return q("0.16") + q("0.144") - abs(D - P)
 
 
+def six_bar_that_stops_early(phi):
+    """Of the same, by how much P D is longer than E D less E P, where the four bars would stop later."""
+    A, B0, D = q("0.355") * expj(phi), mpc("0.169"), mpc("-0.031", "-0.288")
+    B = left_joint(A, B0, q("0.141"), q("0.205"))
+    P = A + (B - A) / q("0.141") * mpc("0.018", "0.105")
+    return abs(D - P) - (q("0.472") - q("0.405"))
+
+
 def end_of(six_bar, low, high):
     at = findroot(six_bar, (q(low) * pi / 180, q(high) * pi / 180), solver="anderson", tol=mpf(10) ** -100)
     return at * 180 / pi
@@ -67,6 +75,8 @@ CASES = [
     ("six-bar", {"theta_2_max": end_of(six_bar, 162, 164), "theta_2_min": end_of(six_bar, -4, -3)}),
     ("six-bar-of-rockers", {"theta_2_max": end_of(six_bar_of_rockers, 55, "55.29"),
                             "theta_2_min": end_of(six_bar_of_rockers, 19, 21)}),
+    ("six-bar-folded", {"theta_2_max": angle_opposite(q("0.346"), q("0.355"), q("0.169")),
+                        "theta_2_min": end_of(six_bar_that_stops_early, "-69.32", "-69.3")}),
     ("geared", {"theta_2_max": 2 * stretched, "theta_2_min": -2 * stretched}),
 ]
 print("# How far drives can go, 30 digits. Written by make_ranges.py with mpmath; do not edit by hand. Nothing here is")

@@ -235,7 +235,8 @@ std::vector<analytic::LinkState<T>> constructed(const Linkage& linkage) {
   const auto complex = [](const Vector<T>& v) { return analytic::Complex<T>{v.x, v.y}; };
   std::vector<analytic::LinkState<T>> states;
   for (std::size_t i = 0; i < at.links.size(); ++i) {
-    const auto& [O, x] = at.links[i];
+    const Point<T>& O = at.links[i].O;
+    const Vector<T>& x = at.links[i].x;
     states.push_back({{O.x, O.y},
                       complex(motion.links[i].velocity(O)),
                       complex(motion.links[i].acceleration(O)),

@@ -29,30 +29,45 @@ int driven_point(const Built& built, std::size_t drive) {
   return built.linkage.links[index(std::get<geometry::TurnedLink>(of).link)].points.front().point;
 }
 
+// The positions at the ends are what is asked for.
+class RangePanel : public MechanismPanel {
+ public:
+  RangePanel(std::shared_ptr<const Mechanism> now, std::shared_ptr<const Mechanism> with_ends)
+      : MechanismPanel(std::move(with_ends)), now_(std::move(now)) {}
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { now_->draw_given(plot); }
+
+ private:
+  std::shared_ptr<const Mechanism> now_;
+};
+
 PanelSheet range_sheet(const Scene& scene, const Solution& s, std::size_t drive, Language language) {
   const Built built = scene.built(s.givens());
   const Quantity coordinate = driven_coordinates(built)[drive];
   PanelSheet sheet;
-  Mechanism mechanism = figure_of(built, s);
+  const auto now = std::make_shared<const Mechanism>(figure_of(built, s));
+  Mechanism with_ends = *now;
   bool has_end = false;
+  std::string said;
   for (const bool is_greatest : {true, false}) {
     const std::string name = extreme_name(coordinate.name, is_greatest);
+    const AtEnd end = at_end(built, drive, is_greatest);
     sheet.results.push_back(values({name}));
-    if (!s.value(name)) continue;
-    if (const auto end = at_end(built, drive, is_greatest)) {
-      const int driven = driven_point(built, drive);
-      const std::string letters =
-          symbol_of_extreme("$" + point_letters(built.letters.points[index(driven)]) + "$", is_greatest);
-      has_end = true;
-      add_in_outline(mechanism, built, name, in_doubles(end->position.points), {{driven, letters}});
-      sheet.results.push_back(remark(end->stopped_by.in(language) + "."));
+    if (const std::string words = end.words.in(language) + "."; end.position || words != said) {
+      sheet.results.push_back(remark(words));
+      said = words;
     }
+    if (!end.position) continue;
+    has_end = true;
+    const int driven = driven_point(built, drive);
+    const std::string letters =
+        symbol_of_extreme("$" + point_letters(built.letters.points[index(driven)]) + "$", is_greatest);
+    add_in_outline(with_ends, built, name, in_doubles(end.position->points), {{driven, letters}});
   }
   if (has_end)
     sheet.results.push_back(remark(Words{"In outline: the mechanism there, at its dead centres.",
                                          "Tratteggiato: il meccanismo lì, nei suoi punti morti."}
                                        .in(language)));
-  sheet.panels = panels(MechanismPanel(std::make_shared<const Mechanism>(std::move(mechanism))));
+  sheet.panels = panels(RangePanel(now, std::make_shared<const Mechanism>(std::move(with_ends))));
   const std::string letters = drawings::plain(coordinate.symbol);
   sheet.seen = format_words("The mechanism now, and where {} is greatest and least",
                             "Il meccanismo ora, e dove {} è massimo e minimo", letters);

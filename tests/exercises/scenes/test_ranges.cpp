@@ -55,6 +55,11 @@ const std::map<std::string, std::string>& cases_of_ranges() {
        "  3: {A: [0, 0], B: [150 mm, 0], P: [75 mm, 50 mm]}\n  4: {B0 B: 180 mm}\n  5: {P E: 160 mm}\n"
        "  6: {D E: 144 mm}\ndrive: {link: 2, angle: 40 deg, speed: 60 rpm}\n"
        "assembly: {B: left of A B0, E: left of P D}\nextremes: [theta_2]\n"},
+      {"six-bar-folded",
+       "epure: 1\nid: f\nlinks:\n  1: {A0: [0, 0], B0: [169 mm, 0], D: [-31 mm, -288 mm]}\n  2: {A0 A: 355 mm}\n"
+       "  3: {A: [0, 0], B: [141 mm, 0], P: [18 mm, 105 mm]}\n  4: {B0 B: 205 mm}\n  5: {P E: 405 mm}\n"
+       "  6: {D E: 472 mm}\ndrive: {link: 2, angle: 41 deg, speed: 60 rpm}\n"
+       "assembly: {B: left of A B0, E: left of P D}\nextremes: [theta_2]\n"},
       {"geared",
        "epure: 1\nid: f\nlinks:\n  1: {O: [-100 mm, 0], A0: [0, 0], B0: [400 mm, 0]}\n  2: {O: [0, 0]}\n"
        "  3: {A0 A: 200 mm}\n  4: {A B: 150 mm}\n  5: {B0 B: 180 mm}\n"
@@ -179,4 +184,11 @@ TEST_CASE("the mechanism stands in outline at the ends of its range, lettered, a
   const std::string words = words_of(drawn);
   CHECK_THAT(words, Contains("$E$: $P$ $E$ and $D$ $E$ lie in one line, stretched out."));
   CHECK_THAT(words, Contains("at its dead centres"));
+  // On a sheet to be solved nothing is in outline: fewer marks by all of it.
+  const DrawnSheet blank = exercise->draw("range-theta_2", Givens(exercise->about().givens), {.blank = true});
+  CHECK(blank.sheet.figure.marks.size() + 10 < drawn.sheet.figure.marks.size());
+
+  const auto crank = exercise_said(driven_bars("120 mm", "350 mm", "280 mm", "400 mm", "60 deg"));
+  CHECK_THAT(words_of(crank->draw("range-theta_2", Givens(crank->about().givens), {})),
+             Contains("link 2 goes right round: the mechanism closes everywhere."));
 }
