@@ -38,8 +38,11 @@ Words endless_in_words(const Built& built, std::size_t drive, double farthest) {
     return format_words("link {} goes right round: the mechanism closes everywhere",
                         "il membro {} fa il giro completo: il meccanismo si chiude dappertutto",
                         built.letters.links[index(turned->link)]);
-  return format_words("the mechanism closes until {} m at least", "il meccanismo si chiude almeno fino a {} m",
-                      decimal(farthest, 4));
+  if (farthest == 0)
+    return {"the mechanism closes until the cylinder has no length left",
+            "il meccanismo si chiude finché il cilindro non ha più lunghezza"};
+  return {"the mechanism closes, farther off than all its links in one line would reach",
+          "il meccanismo si chiude, più lontano di quanto arriverebbero tutti i suoi membri su una retta"};
 }
 
 class RangeOfDrive {

@@ -113,6 +113,17 @@ TEST_CASE("a drive that goes round has no range, and that is told by both routes
   }
 }
 
+TEST_CASE("a point that can be slid for ever has no range", "[scenes]") {
+  const CheckedExercise found = checked_text(
+      "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], g: {along: [1, 0]}}\n  2: {A: [0, 0], Q: [0, 80 mm], b: {along: [1, "
+      "0]}}\n"
+      "slides: {b: g}\ndrive: {slide: A, on: g, at: 70 mm, speed: 0.3 m/s}\nextremes: [s_A]\n");
+  CAPTURE(complaints(found));
+  CHECK(found.passed());
+  for (const RouteValue& route : find(found, "s_A_min").routes)
+    CHECK_THAT(route.settled.reason.english, Contains("farther off than all its links in one line"));
+}
+
 // By whether A and B0 are as far apart as coupler and rocker allow: of the angle of the crank a cosine alone.
 TEST_CASE("of random four-bars the range is that of the cosine rule, or they go round", "[scenes]") {
   std::mt19937 random(1811);
