@@ -26,8 +26,13 @@ void Canvas::require(double value) const {
   if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("{} is not a number on paper", value));
   if (std::abs(value) > absurd)
     throw TooFar(
-        fmt::format("{:.3g} mm is too far off the paper to be drawn; take a smaller scale", value),
-        fmt::format("{:.3g} mm: troppo lontano dal foglio per un disegno; scegliere una scala minore", value));
+        fmt::format(
+            "{:.3g} mm is too far off the paper to be drawn: the figure's lengths differ too much, or its scale "
+            "is too large",
+            value),
+        fmt::format("{:.3g} mm: troppo lontano dal foglio per un disegno: le lunghezze della figura differiscono "
+                    "troppo, o la sua scala è troppo grande",
+                    value));
 }
 
 void Canvas::require(Point p) const {

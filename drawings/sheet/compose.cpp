@@ -99,7 +99,8 @@ void require_numbers(const Canvas& canvas, const Placeable& item) {
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(fmt::format("{}: {}", item.name(), wrong.what()));
   } catch (const TooFar& why) {
-    throw TooFar((item.text.empty() ? fmt::format("{}", item.number) : plain(item.text)) + ": " + why.words());
+    const std::string name = item.text.empty() ? std::to_string(item.number) : plain(item.text);
+    throw TooFar((item.text.empty() ? Words{"step ", "passo "} : Words{}) + name + ": " + why.words());
   }
 }
 

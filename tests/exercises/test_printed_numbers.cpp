@@ -143,9 +143,10 @@ bool measures_its_quantity(const std::vector<std::string>& row, const Solution& 
 }
 
 // The letters beside points, curves and dimension lines. Not the numbers along an axis; nor what tells of no
-// quantity: how far from the axis a pole stands on paper, and at which instants (the round ones) a point is there.
+// quantity: how far from the axis a pole stands on paper, a close-up's scale, and at which instants (the round ones)
+// a point is there.
 drawings::Sheet letters_of_picture(const std::string& id, const drawings::Figure& figure) {
-  static const std::regex on_paper(R"((\$h\$ = )?\d+(\.\d+)? mm)"), instant(R"((\d; )*\d\.\d)");
+  static const std::regex on_paper(R"(((\$h\$ = )?\d+(\.\d+)? mm)|(1 cm ≙ .*))"), instant(R"((\d; )*\d\.\d)");
   drawings::Sheet as_read;
   const auto add = [&](const std::string& text) {
     if (std::regex_match(text, on_paper)) return;

@@ -154,17 +154,26 @@ void tell_steps(drawings::Figure& figure, const std::vector<PanelPart>& parts) {
   }
 }
 
+// Its frame tells its scale.
+bool is_close_up_of_polygon(const PlacedPanel& panel) {
+  return panel.panel->is_of_vectors() && dynamic_cast<const CloseUp*>(panel.panel) != nullptr;
+}
+
 // What cannot be drawn well by hand: short vectors, lines that meet at a small angle, what lies off the sheet.
-void note_awkwardness(const std::string& sheet, const std::vector<PlacedPanel>& panels, bool has_steps_off_sheet,
-                      DrawnSheet& onto) {
+void note_awkwardness(const std::string& sheet, const std::vector<PlacedPanel>& panels,
+                      const std::vector<PanelPart>& parts, bool has_steps_off_sheet, DrawnSheet& onto) {
   constexpr double shortest = 10, smallest = 15;  // mm, degrees
   const auto note = [&](const std::string& what, const Words& sentence) {
     onto.awkward.push_back({sheet + "/" + what, sentence});
   };
-  for (const drawings::Mark& mark : onto.sheet.figure.marks)
-    if (const auto* arrow = std::get_if<drawings::Arrow>(&mark); arrow && !arrow->name.empty())
-      if (std::hypot(arrow->to.x - arrow->from.x, arrow->to.y - arrow->from.y) < shortest)
-        note(arrow->name, {"a vector shorter than 10 mm", "un vettore più corto di 10 mm"});
+  // What a close-up shows is a dot where a student draws it.
+  const auto& marks = onto.sheet.figure.marks;
+  for (std::size_t i = 0, mark = 0; i < panels.size(); ++i)
+    for (; mark < parts[i].marks_end; ++mark)
+      if (const auto* arrow = std::get_if<drawings::Arrow>(&marks[mark]);
+          arrow && !arrow->name.empty() && !is_close_up_of_polygon(panels[i]))
+        if (std::hypot(arrow->to.x - arrow->from.x, arrow->to.y - arrow->from.y) < shortest)
+          note(arrow->name, {"a vector shorter than 10 mm", "un vettore più corto di 10 mm"});
   for (std::size_t i = 0; i < panels.size(); ++i)
     for (const double angle : panels[i].panel->crossings())
       if (angle * 180 < smallest * std::numbers::pi)
@@ -213,11 +222,6 @@ std::string place_in_row(const PlacedPanel& panel, const std::vector<const Place
   if (count([&](const PlacedPanel* each) { return middle(*each) > middle(panel); }) == 0)
     return Words{" right", " a destra"}.in(language);
   return Words{" centre", " al centro"}.in(language);
-}
-
-// Its frame tells its scale.
-bool is_close_up_of_polygon(const PlacedPanel& panel) {
-  return panel.panel->is_of_vectors() && dynamic_cast<const CloseUp*>(panel.panel) != nullptr;
 }
 
 // Where a sheet shows vectors of one unit at two scales, as it does forces, or beside some without any: whose this
@@ -450,7 +454,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   std::vector<drawings::Block> steps = number_steps(panels, parts, onto, request, has_steps_off_sheet);
   tell_steps(onto.sheet.figure, parts);
   if (request.for_class) {
-    note_awkwardness(sheet, panels, has_steps_off_sheet, onto);
+    note_awkwardness(sheet, panels, parts, has_steps_off_sheet, onto);
     note_not_asked(sheet, asked, onto.awkward);
   }
   if (!steps.empty()) column.push_back(drawings::Heading{Words{"Construction", "Costruzione"}.in(language)});

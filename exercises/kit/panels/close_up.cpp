@@ -278,6 +278,42 @@ void leave_out_beyond(const drawings::Box& room, const DrawnSoFar& before, drawi
   take_away(figure.known_of_marks, dimensions);
 }
 
+// The name of a vector or line, by which a file tells it; null: it has none.
+std::string* name_of(drawings::Mark& mark) {
+  auto* const arrow = std::get_if<drawings::Arrow>(&mark);
+  auto* const line = std::get_if<drawings::Line>(&mark);
+  std::string* const name = arrow ? &arrow->name : line ? &line->name : nullptr;
+  return name && !name->empty() ? name : nullptr;
+}
+
+bool is_whole_in(const drawings::Box& room, const drawings::Mark& mark) {
+  const auto* arrow = std::get_if<drawings::Arrow>(&mark);
+  if (arrow) return drawings::contains(room, arrow->from) && drawings::contains(room, arrow->to);
+  const drawings::Path& path = std::get<drawings::Line>(mark).path;
+  return drawings::contains(room, path.start) &&
+         std::all_of(path.pieces.begin(), path.pieces.end(),
+                     [&](const drawings::Piece& piece) { return drawings::contains(room, piece.end); });
+}
+
+// What a polygon and its close-up both show is named and measured once: where it is larger, but for what the frame
+// cuts.
+void tell_once(const drawings::Box& room, const DrawnSoFar& before, DrawnSheet& onto) {
+  auto& marks = onto.sheet.figure.marks;
+  std::set<std::string> larger;
+  for (std::size_t i = before.marks; i < marks.size(); ++i)
+    if (std::string* name = name_of(marks[i]))
+      is_whole_in(room, marks[i]) ? void(larger.insert(*name)) : name->clear();
+  for (std::size_t i = 0; i < before.marks; ++i)
+    if (std::string* name = name_of(marks[i]); name && larger.contains(*name)) name->clear();
+  std::set<std::size_t> smaller;
+  for (std::size_t i = before.measurements; i < onto.measurements.size(); ++i)
+    for (std::size_t k = 0; k < before.measurements; ++k)
+      if (onto.measurements[k].quantity == onto.measurements[i].quantity &&
+          onto.measurements[k].kind == onto.measurements[i].kind)
+        smaller.insert(k);
+  take_away(onto.measurements, smaller);
+}
+
 // Nothing else has become so much smaller that what the close-up gains is lost there.
 bool is_better(const std::vector<PlacedPanel>& before, const std::vector<PlacedPanel>& after) {
   constexpr double at_most_smaller = 2.6;  // times: a standard scale
@@ -352,6 +388,7 @@ std::vector<drawings::Block> CloseUp::draw(Plot& plot, const drawings::Box& room
   whole_.draw(plot, room, language);
   plot.in_step({});
   leave_out_beyond(room, before, plot.onto().sheet.figure);
+  if (is_of_vectors()) tell_once(room, before, plot.onto());
   return {};
 }
 
