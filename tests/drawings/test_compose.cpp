@@ -313,6 +313,19 @@ TEST_CASE("a long column is set smaller, and one too long is reported") {
   CHECK(conflicts[0] == "the column does not fit beside the figure");
 }
 
+TEST_CASE("what does not fit is set with the least air") {
+  const auto step_in_letters = [](std::size_t steps, double size) {
+    Sheet sheet = example(Paper::a4, Language::english);
+    sheet.column = {Steps{std::vector<std::string>(steps, "Draw a line.")}};
+    std::vector<double> baselines;
+    for (const PlacedText& text : probe::all<PlacedText>(compose(sheet)))
+      if (text.text == "Draw a line.") baselines.push_back(text.baseline.y);
+    REQUIRE(baselines.size() == steps);
+    return (baselines[0] - baselines[1]) / size;
+  };
+  CHECK(step_in_letters(150, smallest_size) < 0.95 * step_in_letters(8, column_size));
+}
+
 TEST_CASE("tables put decimal signs in line") {
   const Table table{{"", "x"}, {{"a", "5.33"}, {"b", "13"}, {"c", "−0.125"}}};
   const auto ink = set_column({table}, {{0, 0}, {80, 100}}, Language::english, nullptr);

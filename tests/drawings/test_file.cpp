@@ -1,4 +1,5 @@
 // What is on the disk after a write, above all after one that failed.
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <grp.h>
 #include <sched.h>
@@ -23,7 +24,7 @@
 using namespace epure::drawings;
 namespace fs = std::filesystem;
 
-// The linker sends the calls of the program through here (--wrap).
+// The calls of the program, and of its libraries, come through here: a program's own functions are found first.
 namespace {
 struct Fault {
   std::string call;         // "write", "fsync", ...; empty: none
@@ -40,32 +41,46 @@ bool strikes(const char* call) {
   errno = fault.error;
   return true;
 }
+
+template <class Call>
+Call* of_the_system(const char* name) {
+  return reinterpret_cast<Call*>(dlsym(RTLD_NEXT, name));
+}
+ssize_t write_really(int file, const void* bytes, size_t count) {
+  static auto* const call = of_the_system<ssize_t(int, const void*, size_t)>("write");
+  return call(file, bytes, count);
+}
 }  // namespace
 
 extern "C" {
-ssize_t __real_write(int, const void*, size_t);
-ssize_t __wrap_write(int file, const void* bytes, size_t count) {
+ssize_t write(int file, const void* bytes, size_t count) {
   if (strikes("write")) {
     if (fault.error == EINTR) fault = {};
     return -1;
   }
-  return __real_write(file, bytes, fault.at_most ? std::min(count, fault.at_most) : count);
+  return write_really(file, bytes, fault.at_most ? std::min(count, fault.at_most) : count);
 }
-int __real_fsync(int);
-int __wrap_fsync(int file) { return strikes("fsync") ? -1 : __real_fsync(file); }
-int __real_close(int);
-int __wrap_close(int file) {
-  const int result = __real_close(file);
+int fsync(int file) {
+  static auto* const call = of_the_system<int(int)>("fsync");
+  return strikes("fsync") ? -1 : call(file);
+}
+int close(int file) {
+  static auto* const call = of_the_system<int(int)>("close");
+  const int result = call(file);
   return strikes("close") ? -1 : result;
 }
-int __real_rename(const char*, const char*);
-int __wrap_rename(const char* from, const char* to) { return strikes("rename") ? -1 : __real_rename(from, to); }
-int __real_linkat(int, const char*, int, const char*, int);
-int __wrap_linkat(int in, const char* from, int to_in, const char* to, int flags) {
-  return strikes("linkat") ? -1 : __real_linkat(in, from, to_in, to, flags);
+int rename(const char* from, const char* to) noexcept {
+  static auto* const call = of_the_system<int(const char*, const char*)>("rename");
+  return strikes("rename") ? -1 : call(from, to);
 }
-int __real_fchmod(int, mode_t);
-int __wrap_fchmod(int file, mode_t mode) { return strikes("fchmod") ? -1 : __real_fchmod(file, mode); }
+int linkat(int in, const char* from, int to_in, const char* to, int flags) noexcept {
+  static auto* const call = of_the_system<int(int, const char*, int, const char*, int)>("linkat");
+  return strikes("linkat") ? -1 : call(in, from, to_in, to, flags);
+}
+int fchmod(int file, mode_t mode) noexcept {
+  static auto* const call = of_the_system<int(int, mode_t)>("fchmod");
+  return strikes("fchmod") ? -1 : call(file, mode);
+}
 }
 
 namespace {
@@ -127,7 +142,7 @@ std::string in_child(const std::function<std::string()>& work) {
     end_at_signals();
     const std::string said = work();
     fault = {};
-    _exit(__real_write(ends[1], said.data(), said.size()) < 0);
+    _exit(write_really(ends[1], said.data(), said.size()) < 0);
   }
   ::close(ends[1]);
   std::string said;
@@ -376,6 +391,17 @@ TEST_CASE("more files at once than may be open by default") {
           return "good";
         }) == "good");
   CHECK(folder.entries() == 100);
+}
+
+TEST_CASE("the limit of open files stays as it is where it is wide enough") {
+  const Folder folder;
+  CHECK(in_child([&]() -> std::string {
+          rlimit limit{100, 400};
+          if (setrlimit(RLIMIT_NOFILE, &limit) != 0) return "cannot limit";
+          write_whole({{folder / "a", "x"}, {folder / "b", "x"}});
+          getrlimit(RLIMIT_NOFILE, &limit);
+          return std::to_string(limit.rlim_cur);
+        }) == "100");
 }
 
 TEST_CASE("whether a folder takes files is found out without a trace") {

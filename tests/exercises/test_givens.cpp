@@ -99,6 +99,15 @@ TEST_CASE("suggestions are near names, or a list of what there is") {
   CHECK(did_you_mean("none of it", std::vector<std::string>(20, "zz")).english.ends_with(", ..."));
 }
 
+TEST_CASE("capitals are A to Z, and no other bytes are touched") {
+  for (int byte = 0; byte < 256; ++byte) {
+    const char c = static_cast<char>(byte);
+    const std::size_t capital = std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZ").find(c);
+    const char lower = capital == std::string::npos ? c : std::string("abcdefghijklmnopqrstuvwxyz")[capital];
+    CHECK(lower_case({c}) == std::string{lower});
+  }
+}
+
 TEST_CASE("a given of words takes one of them and nothing else") {
   const std::vector<epure::GivenSpec> specs{
       {.symbol = "branch",

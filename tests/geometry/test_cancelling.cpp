@@ -42,6 +42,18 @@ TEST_CASE("what is left after cancelling has all the bits that were asked for") 
   }
 }
 
+TEST_CASE("where nothing cancels, doubles tell what enclosures do") {
+  const Arithmetic<Bounded> scope;
+  for (const double x : {0.3, 0.9, 1.4}) {
+    CAPTURE(x);
+    CHECK(analytic::tangent_less_angle(x) == Approx(analytic::tangent_less_angle(Bounded(x)).inf()).epsilon(1e-12));
+    CHECK(analytic::logarithms_near_one(4 * x) ==
+          Approx(analytic::logarithms_near_one(Bounded(4) * Bounded(x)).inf()).epsilon(1e-12));
+    CHECK(analytic::exponentials_over_twice(x, 3.0) ==
+          Approx(analytic::exponentials_over_twice(Bounded(x), Bounded(3)).inf()).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("an enclosure of the argument gives one of every value in it") {
   const Arithmetic<Bounded> scope;
   const Bounded across_zero(-0.25, 0.5), across_one(0.5, 2);

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "drawings/paths/vectors.h"
 #include "exercises/kit/panels/crossing.h"
 #include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/results.h"
 #include "exercises/kit/panels/short_vectors.h"
 
 namespace epure {
