@@ -199,9 +199,9 @@ class Draft {
   void try_names(Take take) {
     static std::atomic<unsigned> count = 0;
     for (int attempt = 0; attempt < 1000; ++attempt) {
-      const fs::path path = folder_ / name_of_draft(::getpid(), ++count);
+      fs::path path = folder_ / name_of_draft(::getpid(), ++count);
       if (take(path)) {
-        name_ = path;
+        name_ = std::move(path);  // a copy may want memory, and what has its name would stay
         return;
       }
       if (errno != EEXIST) break;
