@@ -25,6 +25,11 @@ bool shows_colours() {
          variable("TERM") != "dumb";
 }
 
+// Letters are not to be others for what somebody set for other programs.
+void forget_settings_of_letters() {
+  for (const char* variable : {"HB_SHAPER_LIST", "HB_OPTIONS", "FREETYPE_PROPERTIES"}) ::unsetenv(variable);
+}
+
 // A drawing is a few megabytes, taken and given back in pieces: kept, they need not be fetched from the system again.
 void keep_memory() {
   mallopt(M_MMAP_THRESHOLD, 64 << 20);
@@ -52,6 +57,7 @@ void fetch_memory() {
 }  // namespace
 
 int run_program(int count, char** words, const Bench& bench) {
+  forget_settings_of_letters();
   keep_memory();
   fetch_memory();
   std::ios::sync_with_stdio(false);  // else a signal would end a write, where now it is repeated

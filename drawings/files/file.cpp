@@ -199,13 +199,14 @@ class Draft {
   void try_names(Take take) {
     static std::atomic<unsigned> count = 0;
     for (int attempt = 0; attempt < 1000; ++attempt) {
-      name_ = folder_ / name_of_draft(::getpid(), ++count);  // there may be no memory left for it afterwards
-      if (take(name_)) return;
-      const int why = errno;
-      name_.clear();  // the file of that name is another's
-      if (why != EEXIST) fail(shown_, why);
+      fs::path path = folder_ / name_of_draft(::getpid(), ++count);
+      if (take(path)) {
+        name_ = std::move(path);  // a copy may want memory, and what has its name would stay
+        return;
+      }
+      if (errno != EEXIST) break;
     }
-    fail(shown_, EEXIST);
+    fail(shown_, errno);
   }
 
   fs::path folder_;

@@ -36,6 +36,9 @@ class Placement {
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   enum class Kinds { clear, with_leader, all };
+  // Looks at one label beside another: many times what the fullest sheets take (1.1 million). Counted and not timed,
+  // so that a sheet has the same places each time; in a crowd beyond it labels stay where they are by then.
+  static constexpr std::size_t budget = 20'000'000;
 
   void add_options(std::size_t i, std::vector<Candidate> more) {
     if (labels_[i].naming) add_strangers(*labels_[i].naming, more);
@@ -154,6 +157,7 @@ class Placement {
   double total(std::size_t i, std::size_t o, double limit = INFINITY) {
     const Candidate& option = options_[i][o];
     const Box near = grown(around(option), std::max(label_clearance, told_apart));
+    looks_ += labels_.size();
     double cost = option.cost;
     for (std::size_t j = 0; j < labels_.size() && cost < limit; ++j)
       if (meet(near, taken_[j]) && j != i && chosen_[j] != none)  // hardly ever
@@ -199,7 +203,8 @@ class Placement {
   void improve() {
     constexpr std::size_t rounds = 20;
     std::size_t content = 0;  // labels in a row
-    for (std::size_t turn = 0; turn < rounds * labels_.size() && content < labels_.size(); ++turn) {
+    for (std::size_t turn = 0; turn < rounds * labels_.size() && content < labels_.size() && looks_ < budget;
+         ++turn) {
       const std::size_t i = turn % labels_.size(), best = best_option(i);
       content = best == chosen_[i] ? content + 1 : 1;
       choose(i, best);
@@ -221,7 +226,7 @@ class Placement {
     bool helped = false;
     for (std::size_t i = 0; i < labels_.size(); ++i) {
       if (chosen_[i] == none || total(i, chosen_[i]) < content) continue;
-      for (std::size_t o = 0; o < tries; ++o) helped = try_pushing(i, o) || helped;
+      for (std::size_t o = 0; o < tries && looks_ < budget; ++o) helped = try_pushing(i, o) || helped;
     }
     return helped;
   }
@@ -259,6 +264,7 @@ class Placement {
   std::vector<Kinds> looked_at_;
   std::vector<std::size_t> chosen_;
   std::vector<Box> taken_;  // around those chosen; where none is, anything
+  std::size_t looks_ = 0;
 };
 
 }  // namespace

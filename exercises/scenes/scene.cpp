@@ -7,6 +7,7 @@
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
 #include "exercises/scenes/extremes.h"
+#include "exercises/scenes/file/demand_few.h"
 #include "exercises/scenes/file/file_head.h"
 #include "exercises/scenes/file/greek.h"
 #include "exercises/scenes/file/refusals.h"
@@ -45,6 +46,7 @@ std::vector<std::vector<std::string>> read_charts(const File& file, const Tree& 
       "charts: [omega_4, [v_B, v_C]], quantities over all places of the drive, a chart each or together",
       "charts: [omega_4, [v_B, v_C]], grandezze in tutte le posizioni del movente, un grafico ciascuna o insieme"};
   file.demand(all, Tree::Kind::list, what);
+  std::size_t count = 0;
   std::vector<std::vector<std::string>> charts;
   for (const Tree& item : all.items) {
     std::vector<std::string> names;
@@ -59,8 +61,10 @@ std::vector<std::vector<std::string>> read_charts(const File& file, const Tree& 
         file.refuse(item, format_words("{} stands here twice", "{} sta qui due volte", names[i]));
     if (std::find(charts.begin(), charts.end(), names) != charts.end())
       file.refuse(item, {"this chart stands here twice", "questo grafico sta qui due volte"});
+    count += names.size();
     charts.push_back(std::move(names));
   }
+  demand_few(file, all, count);
   return charts;
 }
 
@@ -105,6 +109,7 @@ std::vector<std::string> read_extremes(const File& file, const Tree& all, const 
       "extremes: [theta_4, v_C_x], quantities whose greatest and least over a turn of the drive are asked for",
       "extremes: [theta_4, v_C_x], grandezze di cui si chiedono massimo e minimo in un giro del movente"};
   file.demand(all, Tree::Kind::list, what);
+  demand_few(file, all, all.items.size());
   const std::vector<std::string> known = with_extremes(built);
   std::vector<std::string> names;
   for (const Tree& item : all.items) {

@@ -66,6 +66,47 @@ expect 'it works when a shell is given its name' "$checkout
 [list]" "$(cd "$checkout" && sh epure list 2>&1)"
 expect 'no tool is called when everything is in place' '' "$(cat "$calls")"
 
+# What others may have put where PATH leads is not run, whatever its name.
+planted() { # planted FOLDER: every tool of the script
+  for tool in find id readlink cmake ctest dpkg-query apt-get sudo mkdir touch mv nproc flock env; do
+    printf '#!/bin/sh\n: > "%s/pwned"\n' "$place" > "$1/$tool"
+    chmod +x "$1/$tool"
+  done
+}
+mkdir "$place/open"
+planted "$place/open"
+chmod 1777 "$place/open"
+planted .
+for path in "$place/open:$PATH" ".:$PATH" ":$PATH" "$PATH:" "$place/open:.::$PATH"; do
+  expect 'the program is run' "$here
+[list]" "$(PATH=$path "$checkout/epure" list 2>&1)"
+  touch "$checkout/drawings/picture.h"
+  expect 'and built' "$here
+[list]" "$(PATH=$path "$checkout/epure" list 2> messages)"
+  expect 'by nothing that others put there' '' "$(ls "$place/pwned" 2> /dev/null)"
+done
+expect 'and it is told' 1 \
+  "$(grep -cF "epure: left out of PATH, as others may put programs there: \".\" \"\" \"$place/open\"" messages)"
+for tool in find id readlink cmake ctest dpkg-query apt-get sudo mkdir touch mv nproc flock env; do rm "$tool"; done
+forget_calls
+
+# A checkout of any name, and by a link to it.
+# shellcheck disable=SC2016  # it is to be taken as it is
+odd=$place/'it'"'"'s "odd" $(touch pwned) `touch pwned` ;& * -x'
+cp -R "$checkout" "$odd"
+printf '%s\n' "$odd" > "$odd/build/epure-built"
+expect 'a checkout may have any name' "$here
+[a b]" "$("$odd/epure" 'a b' 2>&1)"
+rm "$odd/build/epure-built"
+expect 'and is built there' "$here
+[a b]" "$("$odd/epure" 'a b' 2> /dev/null)"
+ln -s "$odd" "$place/linked folder"
+expect 'and run by a link to its folder' "$here
+[a b]" "$("$place/linked folder/epure" 'a b' 2>&1)"
+expect 'and nothing of its name is run' '' "$(find "$place" -name pwned)"
+forget_calls
+up_to_date
+
 # Something changed: build, and keep standard output for the program.
 for change in "$checkout/drawings/picture.h" "$checkout/exercises/new.cpp" "$checkout/words/words.h" "$checkout/CMakeLists.txt"; do
   forget_calls

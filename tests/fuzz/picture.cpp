@@ -12,17 +12,17 @@
 #include <string>
 
 #include "drawings/output.h"
+#include "tests/fuzz/bytes.h"
 
 using namespace epure::drawings;
+using epure::tests::Bytes;
 
 namespace {
 
-// The input, read as what is asked for; zeros at its end.
-class Bytes {
+// Parts of a figure.
+class Parts : public Bytes {
  public:
-  Bytes(const std::uint8_t* bytes, std::size_t count) : next_(bytes), end_(bytes + count) {}
-  bool has_more() const { return next_ != end_; }
-  std::uint8_t byte() { return has_more() ? *next_++ : std::uint8_t{0}; }
+  using Bytes::Bytes;
   // On the paper most of the time, to a tenth of a millimetre.
   double length() {
     static constexpr std::array<double, 8> rare{
@@ -50,12 +50,9 @@ class Bytes {
     }
     return path;
   }
-
- private:
-  const std::uint8_t *next_, *end_;
 };
 
-Mark mark(Bytes& in) {
+Mark mark(Parts& in) {
   switch (in.byte() % 16) {
     case 0:
       return Line{in.path(), in.meaning(), in.text(), static_cast<LineType>(in.byte() % 5)};
@@ -92,7 +89,7 @@ Mark mark(Bytes& in) {
   }
 }
 
-Sheet sheet(Bytes& in) {
+Sheet sheet(Parts& in) {
   Sheet sheet;
   sheet.id = "f";
   sheet.bare = in.byte() % 2 == 0;
@@ -115,7 +112,7 @@ Sheet sheet(Bytes& in) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
   constexpr std::size_t most = 400;
   if (count > most) return 0;
-  Bytes in(bytes, count);
+  Parts in(bytes, count);
   const Sheet drawn = sheet(in);
   try {
     const std::string as_svg = svg(drawn), as_pdf = pdf({drawn}, "f");

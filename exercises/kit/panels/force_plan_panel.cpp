@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "exercises/kit/panels/on_sides.h"
+#include "exercises/kit/statement/nth_letter.h"
 
 namespace epure {
 namespace {
@@ -95,11 +96,11 @@ std::vector<drawings::Block> ForcePlanPanel::draw(Plot& plot, const drawings::Bo
   std::vector<bool> is_written(bow.regions(), false);
   for (std::size_t r = 0; r < bow.regions(); ++r) {
     if (is_written[r]) continue;
-    std::string letters = TrussFigure::region_letter(r);
+    std::string letters = nth_letter(r);
     for (std::size_t s = r + 1; s < bow.regions(); ++s)
       if (distance(figure_->plan[r], figure_->plan[s]) * plot.scale().mm_per_unit < together) {
         is_written[s] = true;
-        letters += ", " + TrussFigure::region_letter(s);
+        letters += ", " + nth_letter(s);
       }
     plot.in_step(figure_->step_of_region(r));
     plot.dot(figure_->plan[r]);
@@ -110,7 +111,7 @@ std::vector<drawings::Block> ForcePlanPanel::draw(Plot& plot, const drawings::Bo
 
 std::vector<PanelStep> ForcePlanPanel::steps(const Plot&, const drawings::Box&) const {
   const geometry::BowNotation& bow = figure_->bow;
-  const auto letter = TrussFigure::region_letter;
+  const auto letter = nth_letter;  // of a region
   std::vector<PanelStep> all{{{"Clockwise round the truss the forces from outside, each between the letters of its "
                                "regions: the loads and the reactions found before. They close.",
                                "In senso orario attorno alla travatura le forze esterne, ognuna tra le lettere delle "

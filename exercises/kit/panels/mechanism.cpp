@@ -337,18 +337,22 @@ std::vector<std::pair<Place, Place>> Mechanism::edges(const std::vector<Body>& b
 double Mechanism::direction_of_support(const Point& P, const Scale& scale) const {
   constexpr double half_wide = 5.4;  // mm of the support
   constexpr double right_angle = std::numbers::pi / 2;
+  std::vector<std::vector<Place>> plates;
+  for (const Body& body : bodies_) {
+    if (body.points.size() <= 2 || body.is_slotted) continue;
+    plates.emplace_back();
+    for (const std::string& name : body.points) plates.back().push_back(at(name));
+  }
   const auto is_on_plate = [&](const Place& X) {
-    return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
-      std::vector<Place> corners;
-      for (const std::string& name : body.points) corners.push_back(at(name));
-      return corners.size() > 2 && !body.is_slotted && is_inside(X, corners);
-    });
+    return std::any_of(plates.begin(), plates.end(), [&](const auto& corners) { return is_inside(X, corners); });
   };
+  std::vector<std::pair<Place, Place>> lines = edges(bodies_);
+  const auto others = edges(other_positions_);
+  lines.insert(lines.end(), others.begin(), others.end());
   const auto room = [&](double direction) {
     const Place foot = P.at + support_height / scale.mm_per_unit * unit_at(direction);
     double nearest = std::numeric_limits<double>::infinity();
-    for (const auto* bodies : {&bodies_, &other_positions_})
-      for (const auto& [from, to] : edges(*bodies)) nearest = std::min(nearest, distance_to_segment(foot, from, to));
+    for (const auto& [from, to] : lines) nearest = std::min(nearest, distance_to_segment(foot, from, to));
     constexpr double worse_on_plate = 1000;  // mm: more than all room beside one
     return nearest * scale.mm_per_unit - (is_on_plate(foot) ? worse_on_plate : 0);
   };

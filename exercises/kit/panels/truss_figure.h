@@ -49,12 +49,6 @@ struct TrussFigure {
   }
   // Of tension and compression, after the number of the bar; what bears nothing has none, as "3 0" would read thirty.
   static std::string sign(double force) { return force == 0 ? "" : force > 0 ? " +" : " −"; }
-  // "k"; after "z" come "a_{1}", "b_{1}".
-  static std::string region_letter(std::size_t region) {
-    constexpr std::size_t alphabet = 26;
-    const std::string letter{static_cast<char>('a' + region % alphabet)};
-    return region < alphabet ? letter : letter + "_{" + std::to_string(region / alphabet) + "}";
-  }
 };
 
 }  // namespace epure

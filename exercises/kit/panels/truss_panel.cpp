@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "drawings/text/text.h"
+#include "exercises/kit/statement/nth_letter.h"
 
 namespace epure {
 namespace {
@@ -153,7 +154,7 @@ void TrussPanel::letter_regions(Plot& plot) const {
       // Where the middle falls on a joint or near it, the edge's own middle is as good.
       const double part = edges.size() == 1 || left < 0.3 * here || left > 0.7 * here ? 0.5 : left / here;
       const Arrow2 out = letter_off_outline / plot.scale().mm_per_unit * geometry::quarter_turn(unit_vector(Q - P));
-      write_at(plot, "$" + TrussFigure::region_letter(region) + "$", plot.at(P + part * (Q - P) + out));
+      write_at(plot, "$" + nth_letter(region) + "$", plot.at(P + part * (Q - P) + out));
       break;
     }
   }
@@ -161,7 +162,7 @@ void TrussPanel::letter_regions(Plot& plot) const {
     std::vector<Place> corners;
     for (const std::size_t joint : bow.corners[k]) corners.push_back(figure_->joints[joint]);
     const InscribedCircle within = inscribed(corners);
-    const std::string letter = "$" + TrussFigure::region_letter(bow.steps[k].region) + "$";
+    const std::string letter = "$" + nth_letter(bow.steps[k].region) + "$";
     if (within.radius * plot.scale().mm_per_unit >= least_inside)
       write_at(plot, letter, plot.at(within.centre));
     else

@@ -42,9 +42,20 @@ class LinksReader : SectionReader {
                                  "\"{}\" non è un numero di membro: 1 è il telaio, poi 2, 3 ...", key.text));
       link(key, std::stoi(key.text), value);
     }
+    demand_few(*all);
   }
 
  private:
+  // What a mechanism costs grows with the fourth power of its links, and with all pairs of its letters on a sheet.
+  void demand_few(const Tree& at) const {
+    constexpr std::size_t most_links = 24, most_points = 100;
+    if (const std::size_t links = built_.linkage.links.size(); links > most_links)
+      refuse(at, format_words("{} links are too many: {} at most", "{} membri sono troppi: al più {}", links,
+                              most_links));
+    if (const std::size_t points = built_.letters.points.size(); points > most_points)
+      refuse(at, format_words("{} points are too many: {} at most", "{} punti sono troppi: al più {}", points,
+                              most_points));
+  }
   static int index(std::vector<std::string>& names, const std::string& name) {
     const auto place = std::find(names.begin(), names.end(), name) - names.begin();
     if (place == std::ssize(names)) names.push_back(name);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exercises/kit/statement/format_words.h"
+#include "exercises/scenes/file/demand_few.h"
 #include "exercises/scenes/file/greek.h"
 
 namespace epure::scenes {
@@ -40,6 +41,7 @@ class QuestionsReader : SectionReader {
     const Words what{"paths: [P, Q], the points whose paths are asked for",
                      "paths: [P, Q], i punti di cui si chiede la traiettoria"};
     file_.demand(*all, Tree::Kind::list, what);
+    demand_few(file_, *all, all->items.size());
     for (const Tree& item : all->items) {
       const int P = point(item, file_.text(item, what));
       if (built_.linkage.links_at(P).front() == 0)
@@ -60,6 +62,7 @@ class QuestionsReader : SectionReader {
     const Words what{"polodes: [3], the links whose polodes are asked for",
                      "polodes: [3], i membri di cui si chiedono le polari"};
     file_.demand(*all, Tree::Kind::list, what);
+    demand_few(file_, *all, all->items.size());
     for (const Tree& item : all->items) {
       const int link = moving_link_of_number(item, file_.text(item, what));
       if (built_.linkage.hinge_of(0, link) != nothing)

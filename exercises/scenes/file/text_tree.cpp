@@ -12,7 +12,9 @@
 namespace epure::scenes {
 namespace {
 
-constexpr std::size_t most_bytes = 256 << 10, longest_text = 4096, most_entries = 20'000, deepest = 12;
+// So that no file that is let in is more work than seconds.
+constexpr std::size_t most_bytes = 64 << 10, longest_text = 4096, most_entries = 2'000, most_together = 80,
+                      deepest = 12;
 
 BadScene bad_scene_at(const std::string& file, int line, int column, const Words& sentence) {
   BadScene bad(format_words("{}:{}:{}: {}", "{}:{}:{}: {}", file, line, column, sentence));
@@ -160,6 +162,9 @@ class Growing : public YAML::EventHandler {
       return;
     }
     TextTree& parent = open_.back();
+    if (std::max(parent.items.size(), parent.entries.size()) >= most_together)
+      throw bad_scene(file_, node,
+                      format_words("more than {} entries in one list", "più di {} voci in un elenco", most_together));
     if (parent.kind == TextTree::Kind::list) {
       parent.items.push_back(std::move(node));
     } else if (parent.items.empty()) {

@@ -8,6 +8,7 @@
 #include "exercises/kit/panels/free_body_panel.h"
 #include "exercises/kit/panels/polygon_panel.h"
 #include "exercises/kit/statement/format_words.h"
+#include "exercises/kit/statement/nth_letter.h"
 #include "exercises/scenes/forces/force_names.h"
 #include "exercises/scenes/forces/scene_forces.h"
 #include "exercises/scenes/sheets/scene_figure.h"
@@ -160,10 +161,10 @@ class ForceFigures {
   VectorPolygon polygon(const ForceLoop& loop) const {
     std::vector<PolygonSide> left, right;
     for (const ForceSide& each : loop.left) left.push_back(side(each));
-    char corner = 'a';
+    std::size_t corner = 0;
     for (const ForceSide& each : loop.right) {
       right.push_back(side(each));
-      if (right.back().is_drawn()) right.back().tip = std::string("$") + corner++ + "$";
+      if (right.back().is_drawn()) right.back().tip = "$" + nth_letter(corner++) + "$";
     }
     return force_polygon(loop.letter, std::move(left), std::move(right));
   }

@@ -150,6 +150,7 @@ class Link {
   }
   // [flags][id],[name],[x],[y],[angle], and of a slot in a moving link that link and two of its joints.
   void read_joint(const std::vector<std::string>& fields) {
+    if (fields[0].empty()) refuse_damaged();
     const long long flags = magnitude(fields[0].substr(0, 1));
     const std::string id = fields[0].substr(1);
     const long long x = whole(field(fields, 2)), y = whole(field(fields, 3));
@@ -176,6 +177,7 @@ class Link {
   }
   // [root?][kind][id],[name],[mass],[inertia],[x],[y],[colour],[joints],,[links that are welded into it].
   void read_link(const std::vector<std::string>& fields) {
+    if (fields[0].empty()) refuse_damaged();
     if (std::string_view("YAMG0123").find(fields[0].front()) == std::string_view::npos) {
       if (std::string_view("Namg4567").find(fields[0].front()) == std::string_view::npos) refuse_damaged();
       return;  // a part of one that is welded together

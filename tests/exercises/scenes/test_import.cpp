@@ -198,6 +198,9 @@ TEST_CASE("what a scene cannot say, or is no such text, is refused with a senten
     std::string link = four_bar_link.substr(0, cut);
     says(link, "damaged");  // its last letter counts the others
   }
+  // The first joint, and the first link, begin with nothing; the last letter is right.
+  says(pmks + "2P.Ay,1E8.K,0.1011.,A,0mA,0c,0..W", "damaged");
+  says(pmks + "2P.Ay,1E8.K,0.1011.MA,A,0mA,0c,0..,AB..d", "damaged");
   // Cylinder_Boom, and Pedaling_Leg, whose input turns two links that move.
   says(pmks +
            "2P.Ay,Fe.K,0.1011.KO,O,0,0,0.GC,C,0,_W,0.KG,G,ku,0,0.GN,N,Ju,Z-,0.OP,P,R0,QX,0.pS,S,R0,QX,0,GN,G,N..YROC,"

@@ -556,6 +556,14 @@ TEST_CASE("every sheet of forces has room for its letters, and each reaction on 
   }
 }
 
+TEST_CASE("a polygon of more forces than there are letters has letters with numbers", "[scenes]") {
+  std::string loads = "[";
+  for (int i = 1; i <= 30; ++i) loads += "{at: B, on: 4, force: [" + std::to_string(i) + " N, 1 N]}, ";
+  const auto exercise = exercise_said(with_loads("four-bar", loads + "]"));
+  for (const SheetSpec& sheet : exercise->about().sheets)
+    CHECK_FALSE(drawings::svg(exercise->draw(sheet.name, Givens(exercise->about().givens), {}).sheet).empty());
+}
+
 TEST_CASE("inertia is told and drawn among the loads", "[scenes]") {
   const std::string engine = scenes::bytes_of(EPURE_SCENES "/engine.yaml");
   const std::vector<std::string> on_rod = steps_of_forces(engine, "forces-3-4", Language::english),

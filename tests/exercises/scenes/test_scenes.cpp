@@ -208,16 +208,29 @@ TEST_CASE("a file that is wrong is refused with its place and a sentence", "[sce
   CHECK(begins(refusal("epure: " + std::string(100, '[') + std::string(100, ']')), "1:19: nested deeper than 12"));
   CHECK(begins(refusal("a: " + std::string(5000, 'x')), "1:4: a text of 5000 characters"));
   CHECK(begins(refusal("a: \"" + std::string(300'000, 'x') + "\""), " the file has 300005 bytes"));
-  CHECK(begins(refusal("a: [" +
-                       std::string(60'000, ',')
-                           .replace(0, 60'000,
-                                    [] {
-                                      std::string many;
-                                      for (int i = 0; i < 30'000; ++i) many += "1,";
-                                      return many;
-                                    }()) +
-                       "]"),
-               "1:39999: more than 20000 entries"));
+  const auto times = [](int count, const std::string& text) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += text;
+    return all;
+  };
+  CHECK(begins(refusal("a: [" + times(100, "1,") + "]"), "1:165: more than 80 entries in one list"));
+  CHECK_THAT(refusal("a: [" + times(40, "[" + times(79, "1,") + "],") + "]"), Contains("more than 2000 entries"));
+  // So many that it would take minutes.
+  std::string chain = "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0]}\n";
+  for (int i = 2; i <= 25; ++i) chain += "  " + std::to_string(i) + ": {A" + std::to_string(i) + ": [0, 0]}\n";
+  CHECK(begins(refusal(chain), "4:3: 25 links are too many: 24 at most"));
+  const auto plate = [](const std::string& letter) {
+    std::string points = letter + ": [0, 0]";
+    for (int i = 1; i < 70; ++i) points += ", " + letter + std::to_string(i) + "x: [" + std::to_string(i) + ", 0]";
+    return "{" + points + "}\n";
+  };
+  CHECK(begins(refusal("epure: 1\nid: f\nlinks:\n  1: " + plate("B") + "  2: " + plate("C")),
+               "4:3: 140 points are too many: 100 at most"));
+  std::string letters = "A";
+  for (int i = 1; i < 25; ++i) letters += ", A" + std::to_string(i);
+  for (const std::string section : {"paths", "polodes", "charts", "extremes"})
+    CHECK_THAT(refusal(four_bar() + section + ": [" + letters + "]\n"), Contains("25 are asked for; 24 at most"));
+  CHECK_THAT(refusal(four_bar() + "charts: [[" + letters + "]]\n"), Contains("25 are asked for; 24 at most"));
   CHECK(begins(refusal("epure: 2\nid: f\n"), "1:8: a scene begins with  epure: 1"));
   CHECK(begins(refusal("epure: 1\nid: ../f\n"), "2:5: \"../f\" is no id"));
   CHECK(begins(refusal(four_bar() + "link: 3\n"), "10:1: \"link\" has no meaning here; did you mean links?"));
