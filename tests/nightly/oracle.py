@@ -109,7 +109,7 @@ class FourBar:
         B = A + l * (d - A) / diagonal * mp.expj(acos(cosine))
         AB, B0B = B - A, B - d
         across = AB.real * B0B.imag - AB.imag * B0B.real
-        if fabs(across) < mpf(10) ** -60:
+        if fabs(across) < mpf(10) ** -50:  # in line; the root of what 110 digits leave of zero has 55
             return {}
         v_A = 1j * omega * A
         omega_4 = -(v_A.real * AB.real + v_A.imag * AB.imag) / across
