@@ -33,8 +33,7 @@ Integer common_denominator(const std::vector<Rational>& coefficients) {
 
 Integers over(const Integer& denominator, const std::vector<Rational>& coefficients) {
   Integers numerators;
-  for (const Rational& c : coefficients)
-    numerators.push_back(c.numerator() * (denominator / c.denominator()));
+  for (const Rational& c : coefficients) numerators.push_back(c.numerator() * (denominator / c.denominator()));
   return numerators;
 }
 
