@@ -159,6 +159,14 @@ bool is_close_up_of_polygon(const PlacedPanel& panel) {
   return panel.panel->is_of_vectors() && dynamic_cast<const CloseUp*>(panel.panel) != nullptr;
 }
 
+// A student draws no close-up of a polygon.
+double times_smaller_in_whole(const PlacedPanel& panel, const std::vector<PlacedPanel>& panels) {
+  if (!is_close_up_of_polygon(panel)) return 1;
+  const auto whole = std::find_if(panels.begin(), panels.end(),
+                                  [&](const PlacedPanel& each) { return close_up_of(each, panels) == &panel; });
+  return panel.plane().mm_per_unit / whole->plane().mm_per_unit;
+}
+
 // What cannot be drawn well by hand: short vectors, lines that meet at a small angle, what lies off the sheet.
 void note_awkwardness(const std::string& sheet, const std::vector<PlacedPanel>& panels,
                       const std::vector<PanelPart>& parts, bool has_steps_off_sheet, DrawnSheet& onto) {
@@ -166,14 +174,14 @@ void note_awkwardness(const std::string& sheet, const std::vector<PlacedPanel>& 
   const auto note = [&](const std::string& what, const Words& sentence) {
     onto.awkward.push_back({sheet + "/" + what, sentence});
   };
-  // What a close-up shows is a dot where a student draws it.
   const auto& marks = onto.sheet.figure.marks;
-  for (std::size_t i = 0, mark = 0; i < panels.size(); ++i)
+  for (std::size_t i = 0, mark = 0; i < panels.size(); ++i) {
+    const double smaller = times_smaller_in_whole(panels[i], panels);
     for (; mark < parts[i].marks_end; ++mark)
-      if (const auto* arrow = std::get_if<drawings::Arrow>(&marks[mark]);
-          arrow && !arrow->name.empty() && !is_close_up_of_polygon(panels[i]))
-        if (std::hypot(arrow->to.x - arrow->from.x, arrow->to.y - arrow->from.y) < shortest)
+      if (const auto* arrow = std::get_if<drawings::Arrow>(&marks[mark]); arrow && !arrow->name.empty())
+        if (std::hypot(arrow->to.x - arrow->from.x, arrow->to.y - arrow->from.y) < shortest * smaller)
           note(arrow->name, {"a vector shorter than 10 mm", "un vettore più corto di 10 mm"});
+  }
   for (std::size_t i = 0; i < panels.size(); ++i)
     for (const double angle : panels[i].panel->crossings())
       if (angle * 180 < smallest * std::numbers::pi)
