@@ -403,7 +403,11 @@ LaidOut laid_out_with_close_ups(const Panels& panels, const drawings::Box& room,
   LaidOut plain{{}, laid_out(panels, room, request)};
   if (request.scale) return plain;  // as it was asked for
   std::vector<std::optional<SmallPart>> parts;
-  for (const PlacedPanel& placed : plain.panels) parts.push_back(part_too_small(placed, request));
+  // In a narrower figure a second picture of a polygon takes more from the others than it gains.
+  constexpr double wide_enough = 120;  // mm
+  for (const PlacedPanel& placed : plain.panels)
+    parts.push_back(placed.panel->is_of_vectors() && room.width() < wide_enough ? std::nullopt
+                                                                                : part_too_small(placed, request));
   const auto count = std::count_if(parts.begin(), parts.end(), [](const auto& part) { return part.has_value(); });
   if (count == 0) return plain;
   if (auto all = with_close_ups(plain, parts, room, request)) return std::move(*all);
