@@ -81,17 +81,17 @@ class CentresOfScene {
     return {letters(i, k) + letters(k, j), letters(i, k) + letters(k, j)};
   }
 
+  // Without its lines, and how it is found.
+  DrawnCentre begun(int i, int j) const {
+    const std::string name = quantity(i, j).name;
+    return {.quantity = name, .letters = letters(i, j), .at = s_.point(name), .lines = {}, .step = {}};
+  }
   // On the line of the wheels' centres, as far from each as its pitch circle reaches.
   DrawnCentre of_wheels(const PermanentCentre& centre) const {
     const geometry::MeshingLinks& gear = built_.linkage.gears[index(centre.gear)];
     const int one = built_.linkage.hinge_of(gear.first, gear.carrier),
               other = built_.linkage.hinge_of(gear.second, gear.carrier);
-    DrawnCentre drawn{.quantity = quantity(centre.i, centre.j).name,
-                      .letters = letters(centre.i, centre.j),
-                      .at = {},
-                      .lines = {},
-                      .step = {}};
-    drawn.at = s_.point(drawn.quantity);
+    DrawnCentre drawn = begun(centre.i, centre.j);
     drawn.lines = {{{{}, s_.place(built_.letters.points[index(one)]), {}},
                     {{}, s_.place(built_.letters.points[index(other)]), {}}}};
     drawn.step =
@@ -104,12 +104,7 @@ class CentresOfScene {
   DrawnCentre of_rolling(const PermanentCentre& centre) const {
     const geometry::RollingWheel& roll = built_.linkage.rolls[index(centre.roll)];
     const std::string &C = built_.letters.points[index(roll.centre)], &g = built_.letters.lines[index(roll.line)];
-    DrawnCentre drawn{.quantity = quantity(centre.i, centre.j).name,
-                      .letters = letters(centre.i, centre.j),
-                      .at = {},
-                      .lines = {},
-                      .step = {}};
-    drawn.at = s_.point(drawn.quantity);
+    DrawnCentre drawn = begun(centre.i, centre.j);
     drawn.lines = {{{{}, s_.place(C), {}}, {{}, {}, geometry::quarter_turn(s_.vector("along_" + g))}}};
     drawn.step = format_words("{} where wheel {} touches ${}$: at the foot of {}.",
                               "{} dove la ruota {} tocca ${}$: al piede della perpendicolare da {}.", drawn.letters,
@@ -118,8 +113,7 @@ class CentresOfScene {
   }
   DrawnCentre of(const FoundCentre& centre) const {
     const auto& [i, j, k, l] = centre;
-    DrawnCentre drawn{.quantity = quantity(i, j).name, .letters = letters(i, j), .at = {}, .lines = {}, .step = {}};
-    drawn.at = s_.point(drawn.quantity);
+    DrawnCentre drawn = begun(i, j);
     drawn.lines = {{on_line(i, k), on_line(k, j)}, {on_line(i, l), on_line(l, j)}};
     const Words one = line_in_words(i, k, j), other = line_in_words(i, l, j);
     drawn.step = drawn.at ? format_words("{} where {} and {} meet.", "{} dove si incontrano {} e {}.", drawn.letters,
