@@ -1,7 +1,10 @@
 #include "drawings/labels/labels.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "drawings/labels/candidates.h"
 #include "drawings/paths/vectors.h"
@@ -18,6 +21,9 @@ class Placement {
       : labels_(labels), obstacles_(obstacles), area_(area) {
     options_.resize(labels.size());
     beside_.resize(labels.size());
+    reach_.assign(labels.size(), {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}});
+    all_.resize(labels.size());
+    std::iota(all_.begin(), all_.end(), 0);
     for (std::size_t i = 0; i < labels.size(); ++i) add_options(i, clear_places(labels[i], obstacles, area));
     looked_at_.assign(labels.size(), Kinds::clear);
     chosen_.assign(labels.size(), none);
@@ -47,6 +53,11 @@ class Placement {
     std::stable_sort(options.begin(), options.end(),
                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
     beside_[i].assign(options.size(), {});
+    for (const Candidate& option : options) {
+      const Box reach = near(option);
+      reach_[i] = {{std::min(reach_[i].low.x, reach.low.x), std::min(reach_[i].low.y, reach.low.y)},
+                   {std::max(reach_[i].high.x, reach.high.x), std::max(reach_[i].high.y, reach.high.y)}};
+    }
   }
 
   // A label must not seem to name anything but its own.
@@ -153,16 +164,27 @@ class Placement {
                              static_cast<int>(a.high.y >= b.low.y) & static_cast<int>(b.high.y >= a.low.y));
   }
 
+  static Box near(const Candidate& option) { return grown(around(option), std::max(label_clearance, told_apart)); }
+
   // What option `o` of label i costs beside the others as they stand; gives up once worse than `limit`.
-  double total(std::size_t i, std::size_t o, double limit = INFINITY) {
+  double total(std::size_t i, std::size_t o) { return total(i, o, all_); }
+  double total(std::size_t i, std::size_t o, const std::vector<std::size_t>& others, double limit = INFINITY) {
     const Candidate& option = options_[i][o];
-    const Box near = grown(around(option), std::max(label_clearance, told_apart));
+    const Box reach = near(option);
     looks_ += labels_.size();
     double cost = option.cost;
-    for (std::size_t j = 0; j < labels_.size() && cost < limit; ++j)
-      if (meet(near, taken_[j]) && j != i && chosen_[j] != none)  // hardly ever
+    for (std::size_t k = 0; k < others.size() && cost < limit; ++k)
+      if (const std::size_t j = others[k]; meet(reach, taken_[j]) && j != i && chosen_[j] != none)  // hardly ever
         cost += beside(i, option, j, beside_[i][o]);
     return cost;
+  }
+
+  // Those that may be in the way of any option of label i.
+  std::vector<std::size_t> around_options(std::size_t i) const {
+    std::vector<std::size_t> others;
+    std::copy_if(all_.begin(), all_.end(), std::back_inserter(others),
+                 [&](std::size_t j) { return chosen_[j] != none && meet(reach_[i], taken_[j]); });
+    return others;
   }
 
   // What an option costs beside that chosen of label j. The same two are asked for again and again.
@@ -187,10 +209,12 @@ class Placement {
   }
 
   std::size_t best_option(std::size_t i) {
-    std::size_t best = chosen_[i];
+    std::size_t best = chosen_[i], options = 0;
     double least = best == none ? INFINITY : total(i, best);
+    std::vector<std::size_t> others;
     for (std::size_t o = 0; option_below(least, i, o); ++o) {
-      const double cost = total(i, o, least);
+      if (std::exchange(options, options_[i].size()) != options_[i].size()) others = around_options(i);
+      const double cost = total(i, o, others, least);
       if (cost < least - 1e-9) {
         least = cost;
         best = o;
@@ -263,6 +287,8 @@ class Placement {
   std::vector<std::vector<std::vector<Beside>>> beside_;  // by label and option
   std::vector<Kinds> looked_at_;
   std::vector<std::size_t> chosen_;
+  std::vector<Box> reach_;  // around all options and what is near them
+  std::vector<std::size_t> all_;
   std::vector<Box> taken_;  // around those chosen; where none is, anything
   std::size_t looks_ = 0;
 };

@@ -364,8 +364,9 @@ class Drawing {
       return wanted.exercise().draw(wanted.name, wanted.solving->solution(), within);
     };
     if (!looks_.size.is_asked()) return draw_in({});
-    DrawnSheet drawn = drawn_within(looks_.size, draw_in);
-    wanted.note = hard_to_read(drawn, looks_.size, draw_in);
+    FigureWithin figure(looks_.size, draw_in);
+    DrawnSheet drawn = figure.largest();
+    wanted.note = figure.hard_to_read();
     return drawn;
   }
 

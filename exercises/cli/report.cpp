@@ -177,7 +177,7 @@ class ReportMaker {
     try {
       DrawnSheet drawn;
       try {
-        drawn = drawn_within({.width = widest_figure_}, draw_in);
+        drawn = FigureWithin({.width = widest_figure_}, draw_in).largest();
       } catch (const DoesNotFit&) {
         drawn = draw_in({});
       }

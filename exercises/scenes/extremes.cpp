@@ -79,7 +79,7 @@ struct Found {
 class Elsewhere {
  public:
   Elsewhere(const Built& built, const Changing& changing)
-      : built_(built), names_{changing.quantity.name, changing.slope} {
+      : built_(built), plan_(route_plan(built)), names_{changing.quantity.name, changing.slope} {
     TurnedLink& drive = drive_of(built_);
     drive.alpha = {};
     if (!changing.is_rate) drive.omega = {0, 1};  // how fast it turns does not matter to places
@@ -94,7 +94,7 @@ class Elsewhere {
     drive_of(*there).angle = {turns, 0};
     const Asked asked(names_);
     There found{undecided({}), undecided({})};
-    for (const RouteValue& value : by_both_routes(there, Rung::climb))
+    for (const RouteValue& value : by_both_routes(there, plan_, Rung::climb))
       if (value.route == route) (value.quantity == names_.front() ? found.value : found.slope) = value.settled;
     return found;
   }
@@ -104,6 +104,7 @@ class Elsewhere {
   static TurnedLink& drive_of(Built& built) { return std::get<TurnedLink>(built.linkage.drives.front()); }
 
   Built built_;
+  std::shared_ptr<const RoutePlan> plan_;
   std::vector<std::string> names_;
 };
 

@@ -34,7 +34,7 @@ std::vector<RouteValue> solved(const Scene& scene, const Givens& givens, Rung ru
     if (rung != Rung::names && rung != Rung::fast)
       for (const auto& refusal : {limit_of, no_forces_with_friction})
         if (const auto why = refusal(*built)) throw BadGivens(*why);
-    std::vector<RouteValue> all = by_both_routes(built, rung);
+    std::vector<RouteValue> all = by_both_routes(built, route_plan(*built), rung);
     for (RouteValue& each : extremes(*built, scene.extremes(), rung)) all.push_back(std::move(each));
     return all;
   } catch (const geometry::NotClosed& open) {

@@ -25,13 +25,28 @@ Loads without_friction(const Built& built) {
   return loads;
 }
 
+}  // namespace
+
+struct RoutePlan {
+  explicit RoutePlan(const Built& built)
+      : vectors(relative_vectors(dyad_equations(built))),
+        centres(centre_plan_of(built)),
+        alike(built),
+        floating(links_without_pivot(built)),
+        groups(force_groups(built)) {}
+
+  std::vector<Term> vectors;
+  CentrePlan centres;
+  LinksAlike alike;
+  std::vector<std::size_t> floating;
+  std::vector<GroupForces> groups;
+};
+
+namespace {
+
 struct SceneRoutes {
   std::shared_ptr<const Built> built;
-  std::vector<Term> vectors = relative_vectors(dyad_equations(*built));
-  CentrePlan plan = centre_plan_of(*built);
-  LinksAlike alike = LinksAlike(*built);
-  std::vector<std::size_t> floating = links_without_pivot(*built);
-  std::vector<GroupForces> groups = force_groups(*built);
+  std::shared_ptr<const RoutePlan> plan;
   Loads frictionless = without_friction(*built);
 
   template <class T>
@@ -102,7 +117,7 @@ struct SceneRoutes {
       });
       draw_acting(ledger, found);
     }
-    for (const std::size_t i : floating)
+    for (const std::size_t i : plan->floating)
       put_projective(ledger, acceleration_centre(built->letters.links[i]), no_acceleration_centre(i),
                      [&motion, i] { return motion.get().links[i].acceleration_pole(); });
     for (const int P : built->paths) put_curvature(ledger, P, constructed);
@@ -157,7 +172,7 @@ struct SceneRoutes {
       const LinkState<T>& moving = link(i, UpTo::acceleration);
       return analytic::PlaneMotion<T>{moving.O, moving.v, moving.a, moving.omega, moving.alpha};
     };
-    for (const std::size_t i : floating)
+    for (const std::size_t i : plan->floating)
       put_point<T>(ledger, acceleration_centre(built->letters.links[i]), [&, i] {
         const auto K = body(i).acceleration_pole();
         if (!K) throw Impossible(no_acceleration_centre(i));
@@ -199,7 +214,7 @@ struct SceneRoutes {
   // P_ij of all links by their lines, as they are drawn; it is a centre only of links that move against each other.
   template <class T>
   void by_centres(Ledger<T>& ledger, const Constructed<T>& constructed) const {
-    const WhenAsked<Centres<T>> centres([&] { return Centres<T>(plan, built->linkage, constructed.at); });
+    const WhenAsked<Centres<T>> centres([&] { return Centres<T>(plan->centres, built->linkage, constructed.at); });
     const auto put = [&](int of, int against) {
       const auto i = index(of), j = index(against);
       put_centre(ledger, i, j, [&, i, j, of, against] {
@@ -208,9 +223,9 @@ struct SceneRoutes {
         return centres.get().of(of, against);
       });
     };
-    for (const PermanentCentre& centre : plan.permanent)
+    for (const PermanentCentre& centre : plan->centres.permanent)
       if (centre.is_of_touching()) put(centre.i, centre.j);
-    for (const FoundCentre& centre : plan.found) put(centre.i, centre.j);
+    for (const FoundCentre& centre : plan->centres.found) put(centre.i, centre.j);
   }
 
   // Polygons name those that are not along an axis as they are given, and steps how much friction there is.
@@ -364,7 +379,7 @@ struct SceneRoutes {
     }
     for (const ActingForce& held : held_pins())
       put(ledger, held_force(*built, held.which), [&found, held] { return found.vector(held); });
-    for (const GroupForces& group : groups)
+    for (const GroupForces& group : plan->groups)
       for (const Moments& moments : group.moments) {
         for (const Arm& arm : moments.arms) put_arm(ledger, found, arm, moments.about);
         if (const auto* arm = std::get_if<Arm>(&moments.sought)) put_arm(ledger, found, *arm, moments.about);
@@ -394,7 +409,7 @@ struct SceneRoutes {
   }
   std::vector<ActingForce> held_pins() const {
     std::vector<ActingForce> all;
-    for (const GroupForces& group : groups)
+    for (const GroupForces& group : plan->groups)
       for (const LinkForces& body : group.bodies)
         for (const ActingForce& force : body.sought)
           if (force.kind == ActingForce::Kind::held) all.push_back(force);
@@ -501,7 +516,7 @@ struct SceneRoutes {
   // Of vectors that polygons show beside those of points the length is reported.
   template <class T, class Find>
   void put_vectors(Ledger<T>& ledger, const Find& find) const {
-    for (const Term& term : vectors) {
+    for (const Term& term : plan->vectors) {
       const VectorSource& source = *term.source;
       ledger.put(term.quantity.length(), [&] { return size(find(source)); });
       ledger.draws_point(term.quantity.name, std::function<Point<T>()>([&] {
@@ -517,7 +532,7 @@ struct SceneRoutes {
     const std::size_t count = built->linkage.links.size();
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = i + 1; j < count; ++j) {
-        const PermanentCentre* joint = plan.permanent_of(static_cast<int>(i), static_cast<int>(j));
+        const PermanentCentre* joint = plan->centres.permanent_of(static_cast<int>(i), static_cast<int>(j));
         if (!joint || joint->is_of_touching())
           put_centre(ledger, i, j, [&, i, j] { return find(i, j); });
         else if (joint->point != nothing)
@@ -534,7 +549,7 @@ struct SceneRoutes {
   void put_centre(Ledger<T>& ledger, std::size_t i, std::size_t j, const Find& find) const {
     const PointQuantity P = instant_centre(built->letters.links[i], built->letters.links[j]);
     const auto found = [this, i, j, &find] {
-      if (alike.move_as_one(i, j)) refuse_at_rest(i, j);
+      if (plan->alike.move_as_one(i, j)) refuse_at_rest(i, j);
       return find();
     };
     ledger.put(P.x(), [this, i, j, found] {
@@ -551,7 +566,7 @@ struct SceneRoutes {
   // each other.
   template <class T>
   T coordinate(std::size_t i, std::size_t j, const ProjectivePoint<T>& P, const T& of_P) const {
-    const Sign turns = alike.turn_alike(i, j) ? Sign::zero : sign(P.w);
+    const Sign turns = plan->alike.turn_alike(i, j) ? Sign::zero : sign(P.w);
     if (turns == Sign::positive || turns == Sign::negative) return quotient(of_P, P.w);
     const std::string a = std::to_string(built->letters.links[i]), b = std::to_string(built->letters.links[j]);
     if (turns == Sign::undecided)
@@ -572,7 +587,7 @@ struct SceneRoutes {
   template <class T>
   void demand_motion(std::size_t i, std::size_t j, const ProjectivePoint<T>& P) const {
     bool is_at_rest = true;
-    for (const T& x : {P.x, P.y, alike.turn_alike(i, j) ? T(0) : P.w}) {
+    for (const T& x : {P.x, P.y, plan->alike.turn_alike(i, j) ? T(0) : P.w}) {
       const Sign moves = sign(x);
       if (moves == Sign::positive || moves == Sign::negative) return;
       is_at_rest = is_at_rest && moves == Sign::zero;
@@ -593,16 +608,19 @@ struct SceneRoutes {
 
   template <class T, class Find>
   static void put(Ledger<T>& ledger, const VectorQuantity& quantity, const Find& find) {
-    ledger.put(quantity.x(), [find] { return find().x; });
-    ledger.put(quantity.y(), [find] { return find().y; });
-    ledger.put(quantity.length(), [find] { return size(find()); });
+    ledger.put_x(quantity, [find] { return find().x; });
+    ledger.put_y(quantity, [find] { return find().y; });
+    ledger.put_size(quantity, [find] { return size(find()); });
   }
 };
 
 }  // namespace
 
-std::vector<RouteValue> by_both_routes(const std::shared_ptr<const Built>& built, Rung rung) {
-  return settle(SceneRoutes{.built = built}, rung);
+std::shared_ptr<const RoutePlan> route_plan(const Built& built) { return std::make_shared<const RoutePlan>(built); }
+
+std::vector<RouteValue> by_both_routes(const std::shared_ptr<const Built>& built,
+                                       const std::shared_ptr<const RoutePlan>& plan, Rung rung) {
+  return settle(SceneRoutes{.built = built, .plan = plan}, rung);
 }
 
 Quantity link_angle(int number) {

@@ -11,8 +11,13 @@
 
 namespace epure::scenes {
 
-// Throws geometry::NotClosed where the mechanism does not close.
-std::vector<RouteValue> by_both_routes(const std::shared_ptr<const Built>& built, Rung rung);
+// What both routes take from the joints and the letters alone, wherever the drive stands.
+struct RoutePlan;
+std::shared_ptr<const RoutePlan> route_plan(const Built& built);
+
+// `plan`: of this mechanism, perhaps with its drive elsewhere. Throws geometry::NotClosed where it does not close.
+std::vector<RouteValue> by_both_routes(const std::shared_ptr<const Built>& built,
+                                       const std::shared_ptr<const RoutePlan>& plan, Rung rung);
 
 // By which lines its instant centres are found.
 geometry::CentrePlan centre_plan_of(const Built& built);

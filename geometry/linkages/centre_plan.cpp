@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
 
 namespace epure::geometry {
 namespace {
@@ -150,6 +153,20 @@ const PermanentCentre* CentrePlan::permanent_of(int i, int j) const {
     return (centre.i == i && centre.j == j) || (centre.i == j && centre.j == i);
   });
   return joint == permanent.end() ? nullptr : &*joint;
+}
+
+CentrePlan CentrePlan::leading_to(int i, int j) const {
+  std::set<std::pair<int, int>> wanted{std::minmax(i, j)};
+  const auto is_wanted = [&](const auto& centre) { return wanted.contains(std::minmax(centre.i, centre.j)); };
+  CentrePlan plan{.bodies = bodies, .permanent = {}, .found = {}};
+  for (auto centre = found.rbegin(); centre != found.rend(); ++centre) {
+    if (!is_wanted(*centre)) continue;
+    plan.found.insert(plan.found.begin(), *centre);
+    for (const int other : {centre->k, centre->l})
+      for (const int of : {centre->i, centre->j}) wanted.insert(std::minmax(of, other));
+  }
+  std::copy_if(permanent.begin(), permanent.end(), std::back_inserter(plan.permanent), is_wanted);
+  return plan;
 }
 
 CentrePlan centre_plan(const Linkage& linkage, const LinkagePosition<Fast>& at) {

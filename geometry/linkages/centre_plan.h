@@ -34,6 +34,8 @@ struct CentrePlan {
 
   // What a joint gives of the two bodies, in either order; none: no joint does.
   const PermanentCentre* permanent_of(int i, int j) const;
+  // What P_ij is found by, and it: for who asks for no other. It must have it.
+  CentrePlan leading_to(int i, int j) const;
 };
 
 // With several drives, or one at rest, joints alone do not tell how links move against each other: nothing is found.

@@ -32,7 +32,7 @@ std::function<ProjectivePoint<X>(const Vector<X>&)> polode_over(const EveryPlace
                                                                 const CentrePlan& plan, int link,
                                                                 const std::optional<PlacedLink<double>>& drawn) {
   const auto carried_out = std::make_shared<const CarriedOut<X>>(linkage, steps);
-  return [carried_out, &places, &linkage, &plan, link, drawn](const Vector<X>& direction) {
+  return [carried_out, &places, &linkage, plan = plan.leading_to(0, link), link, drawn](const Vector<X>& direction) {
     const LinkagePosition<X> at = carried_out->position(places.drive(direction));
     const ProjectivePoint<X> P = Centres<X>(plan, linkage, at).of(0, link);
     return drawn ? carried(P, at.links[static_cast<std::size_t>(link)], *drawn) : P;

@@ -148,6 +148,12 @@ TEST_CASE("a figure that is too wide is told the least width that would do") {
   }
 }
 
+TEST_CASE("a figure as large as its room to the last bit is drawn or refused") {
+  // At this width two panels just fit beside each other, and rounding leaves -1e-14 mm between them.
+  refused({"draw", "friction-efficiency/double-slider", "--width", "57mm"},
+          "wider than 57 mm at every standard scale");
+}
+
 TEST_CASE("a figure that is hard to read is drawn, and the least width that reads well is told") {
   const Typed wanted{"draw", "slider-crank-velocity/poles", "-o", "-", "--format", "svg", "--width"};
   const auto drawn = [&](const std::string& width) {

@@ -51,10 +51,11 @@ Size size_of(const Division& part, const std::vector<Size>& panels) {
 }
 
 // How much of what is left over the first of two parts gets: what is left out of each comes first, in proportion
-// where that is too much; the rest goes in equal shares to both.
+// where that is too much; the rest goes in equal shares to both. (Rounding leaves less than nothing where all just
+// fits.)
 double first_share(double left_over, double first_lacks, double second_lacks) {
   const double lack = first_lacks + second_lacks;
-  return lack > left_over ? left_over * first_lacks / lack : first_lacks + (left_over - lack) / 2;
+  return lack > left_over && lack > 0 ? left_over * first_lacks / lack : first_lacks + (left_over - lack) / 2;
 }
 
 // `whole`: the panels with what may be cut.

@@ -33,7 +33,8 @@ constexpr int places_in_a_turn = 360, places_along_a_way = 240, most_places = 14
 // The scene's mechanism wherever its drive can bring it: quantities there, by the first route that knows them.
 class OverDrive {
  public:
-  OverDrive(Built built, std::vector<std::string> names) : built_(std::move(built)), names_(std::move(names)) {
+  OverDrive(Built built, std::vector<std::string> names)
+      : built_(std::move(built)), plan_(route_plan(built_)), names_(std::move(names)) {
     const geometry::Arithmetic<geometry::Fast> scope;
     if (const auto* turned = std::get_if<TurnedLink>(&drive())) {
       turns_ = geometry::EveryPlace(built_.linkage, built_.steps).turns();
@@ -68,7 +69,7 @@ class OverDrive {
     const FirstRouteOnly first(true);
     std::map<std::string, std::vector<RouteValue>> routes;
     try {
-      for (RouteValue& value : by_both_routes(there, Rung::bounded)) routes[value.quantity].push_back(value);
+      for (RouteValue& value : by_both_routes(there, plan_, Rung::bounded)) routes[value.quantity].push_back(value);
     } catch (const geometry::Impossible&) {
     } catch (const geometry::Undecided&) {
       // At a limit of the motion, or beyond.
@@ -86,6 +87,7 @@ class OverDrive {
  private:
   const geometry::Drive& drive() const { return built_.linkage.drives.front(); }
   Built built_;
+  std::shared_ptr<const RoutePlan> plan_;
   std::vector<std::string> names_;
   int turns_ = 1;
   double low_ = 0, high_ = 1, now_ = 0;
