@@ -122,6 +122,26 @@ std::vector<std::string> read_extremes(const File& file, const Tree& all, const 
   return names;
 }
 
+// All of them together: each is found over all places of the drive, and a place costs the more, the more links there
+// are.
+void demand_few_curves(const File& file, const TextTree& root, const Built& built, std::size_t charts) {
+  constexpr std::size_t most_of_one_link = 96;
+  const std::size_t links = built.linkage.links.size(), most = most_of_one_link / links;
+  std::size_t count = 0;
+  for (const auto& [key, curves] :
+       {std::pair{"paths", built.paths.size()}, {"polodes", 2 * built.polodes.size()}, {"charts", charts}}) {
+    count += curves;
+    if (count <= most) continue;
+    const TextTree* list = root.find(key);
+    file.refuse(list ? *list : *root.find("extremes"),
+                format_words("{} curves over all places of the drive are asked for, two of them by each link with "
+                             "polodes; of {} links there may be {}",
+                             "si chiedono {} curve su tutte le posizioni del movente, due per ogni membro con le "
+                             "polari; di {} membri possono essere {}",
+                             count, links, most));
+  }
+}
+
 }  // namespace
 
 Scene::Scene(std::string file_name, std::string_view bytes)
@@ -158,6 +178,7 @@ Scene::Scene(std::string file_name, std::string_view bytes)
       if (std::none_of(charts_.begin(), charts_.end(), shows)) charts_.push_back({name});
     }
   }
+  demand_few_curves(file, root_, stated, charts_.size());
 }
 
 void Scene::demand_charts(const std::vector<Quantity>& quantities) const {

@@ -67,6 +67,13 @@ struct SceneRoutes {
   bool moves(int point) const { return built->linkage.links_at(point).front() != 0; }
   int link_with(int point) const { return built->linkage.links_at(point).front(); }
   const std::string& letter(int point) const { return built->letters.points[index(point)]; }
+  // The hinge of the frame about which a link turns that has the point; or nothing. The centre of its path: to prove
+  // of what is calculated from the motion that it is this hinge would take minutes at the end of a long chain.
+  int turned_about(int point) const {
+    for (const int link : built->linkage.links_at(point))
+      if (const int O = built->linkage.hinge_of(0, link); O != nothing) return O;
+    return nothing;
+  }
 
   // Calls `of_link(index, number)` for every moving link and `of_point(point, name)` for every point that moves.
   template <class OfLink, class OfPoint>
@@ -180,7 +187,10 @@ struct SceneRoutes {
       });
     for (const int P : built->paths) {
       const auto centre = [&, P] {
-        return present(body(index(link_with(P))).centre_of_curvature(state(P, UpTo::place).z), no_curvature);
+        const Complex<T> by_motion =
+            present(body(index(link_with(P))).centre_of_curvature(state(P, UpTo::place).z), no_curvature);
+        const int O = turned_about(P);
+        return O == nothing ? by_motion : state(O, UpTo::place).z;
       };
       put_point<T>(ledger, centre_of_curvature(letter(P)), centre);
       put_length<T>(ledger, radius_of_curvature(letter(P)), [&, P] { return centre() - state(P, UpTo::place).z; });
@@ -463,7 +473,8 @@ struct SceneRoutes {
       if (sign(length_squared(body.velocity(at))) == Sign::zero)
         throw Impossible("the point is at rest: its path has no curvature there",
                          "il punto è fermo: lì la sua traiettoria non ha curvatura");
-      return body.centre_of_curvature(at);
+      const int O = turned_about(P);
+      return O == nothing ? body.centre_of_curvature(at) : projective(constructed.at.points[index(O)]);
     };
     put_projective(ledger, centre_of_curvature(letter(P)), Words(no_curvature), centre);
     ledger.put(radius_of_curvature(letter(P)), [&] {

@@ -63,15 +63,20 @@ EveryPlace::EveryPlace(const Linkage& linkage, const std::vector<Step>& steps) :
                          "una ruota fa più di 100 giri prima che gli ingranaggi tornino dov'erano");
 }
 
-// To find a linkage is a hundred times as dear as the loci that the usual number is for.
-constexpr int looks_of_a_linkage = usual_looks >> 3;
+// To find a linkage is a hundred times as dear as the loci that the usual number is for, and the more so the more
+// links it has.
+int looks_of(const Linkage& linkage) {
+  constexpr int links_of_most = 8;
+  const int links = static_cast<int>(linkage.links.size());
+  return (usual_looks >> 3) * links_of_most / std::max(links_of_most, links);
+}
 
 Trace EveryPlace::path(int point, const Frame& frame, double tolerance) const {
   const Arithmetic<Bounded> scope;
   const auto p = static_cast<std::size_t>(point);
   return trace(TracedLocus{path_over<BoundedSeries>(*this, linkage_, steps_, p),
                            path_over<BoundedTangent>(*this, linkage_, steps_, p)},
-               frame, tolerance, looks_of_a_linkage);
+               frame, tolerance, looks_of(linkage_));
 }
 
 Trace EveryPlace::polode(const CentrePlan& plan, int link, const std::optional<PlacedLink<double>>& drawn,
@@ -79,7 +84,7 @@ Trace EveryPlace::polode(const CentrePlan& plan, int link, const std::optional<P
   const Arithmetic<Bounded> scope;
   return trace(TracedLocus{polode_over<BoundedSeries>(*this, linkage_, steps_, plan, link, drawn),
                            polode_over<BoundedTangent>(*this, linkage_, steps_, plan, link, drawn)},
-               frame, tolerance, looks_of_a_linkage);
+               frame, tolerance, looks_of(linkage_));
 }
 
 }  // namespace epure::geometry

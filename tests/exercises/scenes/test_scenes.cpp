@@ -231,6 +231,12 @@ TEST_CASE("a file that is wrong is refused with its place and a sentence", "[sce
   for (const std::string section : {"paths", "polodes", "charts", "extremes"})
     CHECK_THAT(refusal(four_bar() + section + ": [" + letters + "]\n"), Contains("25 are asked for; 24 at most"));
   CHECK_THAT(refusal(four_bar() + "charts: [[" + letters + "]]\n"), Contains("25 are asked for; 24 at most"));
+  // All together: two paths, two polodes, 21 charts.
+  std::string charts = "v_A";
+  for (int i = 1; i < 21; ++i) charts += ", v_A" + std::to_string(i);
+  CHECK_THAT(
+      refusal(four_bar() + "paths: [A, B]\npolodes: [3]\ncharts: [" + charts + "]\n"),
+      Contains("25 curves over all places of the drive are asked for") && Contains("of 4 links there may be 24"));
   CHECK(begins(refusal("epure: 2\nid: f\n"), "1:8: a scene begins with  epure: 1"));
   CHECK(begins(refusal("epure: 1\nid: ../f\n"), "2:5: \"../f\" is no id"));
   CHECK(begins(refusal(four_bar() + "link: 3\n"), "10:1: \"link\" has no meaning here; did you mean links?"));
