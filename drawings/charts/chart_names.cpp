@@ -136,6 +136,8 @@ class FreePlaces {
 
 std::optional<std::vector<Writing>> direct_names(const Chart& chart, const ChartMap& map, const Figure& figure,
                                                  const std::vector<Label>& others, Box box) {
+  const auto has_name = [](const Curve& curve) { return !curve.label.empty(); };
+  if (std::none_of(chart.curves.begin(), chart.curves.end(), has_name)) return std::vector<Writing>{};
   Canvas canvas(box);
   draw_on(canvas, figure, box);
   const Obstacles drawn = canvas.obstacles();
