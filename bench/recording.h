@@ -1,5 +1,5 @@
 // The calls of Cairo and Pango that draw pages, written down, for the bare program in floor/ to make them again. What
-// that takes is the floor: no program that draws these pages with Cairo and Pango can be faster.
+// that takes is what epure is held against (it opens and sets letters without Pango itself).
 #pragma once
 
 #include <string>

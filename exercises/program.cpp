@@ -37,16 +37,19 @@ void keep_memory() {
   mallopt(M_TOP_PAD, 1 << 20);
 }
 
-// What a sheet takes of it, fetched at once: page by page, as each is touched first, costs several times as much. A
-// system that cannot (Linux before 5.14) or will not fetches it so.
+// What a sheet takes of it, fetched at once and in huge pages: page by page, as each is touched first, costs ten
+// times as much. Where such a page begins nothing may stand yet, so what malloc takes is to begin a little before. A
+// system that has none gives small pages; one that cannot (Linux before 5.14) or will not gives them as they are
+// touched.
 void fetch_memory() {
 #ifdef MADV_POPULATE_WRITE
-  constexpr std::size_t of_a_sheet = 3 << 20;
-  const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-  void* const taken = std::malloc(of_a_sheet);
-  if (!taken) return;
-  const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(taken) / page * page;  // there: malloc's own words
-  ::madvise(reinterpret_cast<void*>(first), of_a_sheet, MADV_POPULATE_WRITE);
+  constexpr std::size_t huge = 2 << 20, of_a_sheet = 2 * huge, before = 64 << 10;
+  const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0)) + before;
+  ::sbrk(static_cast<std::intptr_t>(huge - end % huge));
+  void* const taken = std::malloc(before + of_a_sheet);
+  void* const first = reinterpret_cast<void*>((reinterpret_cast<std::uintptr_t>(taken) / huge + 1) * huge);
+  ::madvise(first, of_a_sheet, MADV_HUGEPAGE);
+  ::madvise(first, of_a_sheet, MADV_POPULATE_WRITE);
   std::free(taken);
 #endif
 }

@@ -1,6 +1,5 @@
 #include "exercises/want_of_room.h"
 
-#include <glib.h>
 #include <gmp.h>
 #include <signal.h>
 #include <unistd.h>
@@ -56,12 +55,6 @@ void end_as_told_for_want_of_room() {
       allocate, [](std::size_t count, std::size_t size) { return or_end(std::calloc(count, size)); }, reallocate,
       std::free);
   flint_set_abort(on_flint_abort);
-  g_log_set_default_handler(
-      [](const char* domain, GLogLevelFlags level, const char* message, void* data) {
-        if ((level & G_LOG_LEVEL_ERROR) != 0) end();
-        g_log_default_handler(domain, level, message, data);
-      },
-      nullptr);
   std::set_terminate(on_terminate);
   ::signal(SIGXFSZ, SIG_IGN);
 }

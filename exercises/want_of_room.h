@@ -3,7 +3,7 @@
 
 namespace epure {
 
-// From now on want of memory or threads, where GMP and FLINT abort, GLib traps and an exception has no way out, is
+// From now on want of memory, where GMP and FLINT abort and an exception has no way out, is
 // what it is elsewhere: one sentence on standard error, and exit code 3. Nothing is left behind: drafts of files have
 // no names. What else FLINT aborts for is an internal error, exit code 70. A file that grows too large is a failed
 // write, and no signal.

@@ -16,9 +16,9 @@ drawings::Sheet whole_sheets(const Drawn& drawn) {
   drawings::Sheet sheet =
       drawn.blank(4, "whole-sheets", {"Whole sheets", "Tavole intere"},
                   {"Processor time of epure draw for the first sheet of each exercise, by kind of work, beside a "
-                   "bare program that makes the same calls of Cairo and Pango.",
+                   "bare program that draws the same by Cairo and Pango.",
                    "Tempo di processore di epure draw per la prima tavola di ogni esercizio, per tipo di lavoro, "
-                   "accanto a un programma nudo che fa le stesse chiamate di Cairo e Pango."});
+                   "accanto a un programma nudo che disegna lo stesso con Cairo e Pango."});
   const drawings::Box room = drawn.area();
   const double width = room.width();
   Rows rows{{drawn.say({"sheet", "tavola"}), "epure", drawn.say({"floor", "minimo"}),

@@ -63,10 +63,11 @@ std::vector<Point> wished(std::vector<Point> stations, const Curve& curve, const
 
 class FreePlaces {
  public:
-  FreePlaces(const Chart& chart, const ChartMap& map, const Obstacles& obstacles, Box box)
+  FreePlaces(const Chart& chart, const ChartMap& map, const Obstacles& obstacles)
       : chart_(chart), map_(map), obstacles_(obstacles) {
+    const Box shown = grown(map.frame, 1);
     for (const Curve& curve : chart.curves) {
-      Obstacles& line = lines_.emplace_back(box);
+      Obstacles& line = lines_.emplace_back(shown);
       for (const auto& chain : visible(curve, map))
         for (std::size_t k = 1; k < chain.size(); ++k) line.add({chain[k - 1], chain[k]});
       for (const Point p : visible_points(curve, map)) line.add({p, p});
@@ -135,10 +136,12 @@ class FreePlaces {
 
 std::optional<std::vector<Writing>> direct_names(const Chart& chart, const ChartMap& map, const Figure& figure,
                                                  const std::vector<Label>& others, Box box) {
+  const auto has_name = [](const Curve& curve) { return !curve.label.empty(); };
+  if (std::none_of(chart.curves.begin(), chart.curves.end(), has_name)) return std::vector<Writing>{};
   Canvas canvas(box);
   draw_on(canvas, figure, box);
   const Obstacles drawn = canvas.obstacles();
-  FreePlaces places(chart, map, drawn, box);
+  FreePlaces places(chart, map, drawn);
   std::vector<LabelBox> boxes;
   const Namesakes namesakes(figure, others, box);
   for (const Label& label : others) {

@@ -1,10 +1,9 @@
-// Pages painted by Cairo, with Pango's fonts. The only file that knows Cairo.
+// Pages painted by Cairo. The only file that knows it.
+#include <cairo-ft.h>
 #include <cairo-pdf.h>
 #include <cairo-ps.h>
 #include <cairo.h>
 #include <fmt/format.h>
-#include <pango/pangocairo.h>
-#include <pango/pangofc-fontmap.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +23,8 @@
 #include "drawings/stopwatch.h"
 #include "drawings/text/glyph_outline.h"
 #include "drawings/text/memory_watch.h"
-#include "drawings/text/pango_fonts.h"
 #include "drawings/text/release.h"
+#include "drawings/text/shipped_fonts.h"
 #include "drawings/text/typeset.h"
 
 namespace epure::drawings {
@@ -63,9 +62,26 @@ cairo_status_t keep(void* memory, const unsigned char* data, unsigned length) {
   return CAIRO_STATUS_SUCCESS;
 }
 
-// At units_per_em.
-cairo_scaled_font_t* scaled_font(Face face) {
-  return pango_cairo_font_get_scaled_font(PANGO_CAIRO_FONT(pango_fonts()[face]));
+// By the name of its file, which Cairo opens where it needs it, once for all threads.
+cairo_font_face_t* open_font(Face face) {
+  const Held<FcPattern, FcPatternDestroy> pattern(FcPatternCreate());
+  const std::string file = file_of(face).string();
+  if (!pattern || !FcPatternAddString(pattern.get(), FC_FILE, reinterpret_cast<const FcChar8*>(file.c_str())) ||
+      !FcPatternAddInteger(pattern.get(), FC_INDEX, 0))
+    throw std::bad_alloc();
+  cairo_font_face_t* const font = cairo_ft_font_face_create_for_pattern(pattern.get());
+  demand(cairo_font_face_status(font));
+  return font;
+}
+
+cairo_font_face_t* font_face(Face face) {
+  using Font = Held<cairo_font_face_t, cairo_font_face_destroy>;
+  static const std::array<Font, 4> fonts = [] {
+    const Timed timed(Work::fonts);
+    return std::array<Font, 4>{Font(open_font(Face::regular)), Font(open_font(Face::italic)),
+                               Font(open_font(Face::bold)), Font(open_font(Face::mathematics))};
+  }();
+  return fonts.at(static_cast<std::size_t>(face)).get();
 }
 
 // A picture takes the outlines: Cairo before 1.18 would move each letter to a whole pixel.
@@ -141,7 +157,7 @@ class Painter {
 
   // As text, with the characters each glyph stands for, so that the document can be searched.
   void show(const GlyphRun& run, Point baseline) {
-    cairo_set_font_face(context_, cairo_scaled_font_get_font_face(scaled_font(run.face)));
+    cairo_set_font_face(context_, font_face(run.face));
     cairo_set_font_size(context_, run.size * points_per_mm);
     std::vector<cairo_glyph_t> glyphs;
     std::vector<cairo_text_cluster_t> clusters;
@@ -366,32 +382,18 @@ std::vector<Path> glyph_outline(Face face, unsigned glyph) {
   thread_local const Surface nowhere(cairo_recording_surface_create(CAIRO_CONTENT_ALPHA, nullptr));
   const Context context(cairo_create(nowhere.get()));
   const MemoryWatch memory;
-  cairo_scaled_font_t* font = scaled_font(face);
-  cairo_set_scaled_font(context.get(), font);  // on units_per_em: a unit of Cairo's is one of the font's
+  cairo_set_font_options(context.get(), unhinted().get());
+  cairo_set_font_face(context.get(), font_face(face));
+  cairo_set_font_size(context.get(), units_per_em);  // a unit of Cairo's is one of the font's
   const cairo_glyph_t at_origin{glyph, 0, 0};
   cairo_glyph_path(context.get(), &at_origin, 1);
   demand(cairo_status(context.get()));
-  demand(cairo_scaled_font_status(font));
   memory.demand();
   const Held<cairo_path_t, cairo_path_destroy> kept(cairo_copy_path(context.get()));
   demand(kept->status);
   return contours(*kept);
 }
 
-FontContext unhinted_context(FcConfig* known) {
-  const Held<PangoFontMap, g_object_unref> map(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
-  if (!map) throw std::runtime_error("this Pango was built without the fonts of FreeType");
-  pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map.get()), known);
-  FontContext context(pango_font_map_create_context(map.get()));
-  pango_cairo_context_set_font_options(context.get(), unhinted().get());
-  return context;
-}
-
-Libraries libraries() {
-  const int fontconfig = FcGetVersion();
-  return {{"Cairo", cairo_version_string()},
-          {"Pango", pango_version_string()},
-          {"Fontconfig", fmt::format("{}.{}.{}", fontconfig / 10000, fontconfig / 100 % 100, fontconfig % 100)}};
-}
+Libraries libraries() { return {{"Cairo", cairo_version_string()}, {"HarfBuzz", hb_version_string()}}; }
 
 }  // namespace epure::drawings

@@ -1,6 +1,6 @@
 #include "drawings/text/fonts.h"
 
-#include <pango/pango.h>
+#include <hb.h>
 
 #include <map>
 #include <stdexcept>
@@ -8,76 +8,70 @@
 
 #include "drawings/paths/vectors.h"
 #include "drawings/text/memory_watch.h"
-#include "drawings/text/pango_fonts.h"
 #include "drawings/text/release.h"
+#include "drawings/text/shipped_fonts.h"
 
 namespace epure::drawings {
 namespace {
 
-double to_units(int pango_units) { return static_cast<double>(pango_units) / PANGO_SCALE; }
+using Letters = Held<hb_buffer_t, hb_buffer_destroy>;
 
-// 0 where the font has none.
-hb_codepoint_t glyph_of(PangoFont* font, char32_t character) {
-  hb_codepoint_t glyph = 0;
-  return hb_font_get_nominal_glyph(pango_font_get_hb_font(font), character, &glyph) ? glyph : 0;
-}
-
-// Pango shows neither a soft hyphen nor a space without width; like HarfBuzz alone, we keep a space for its text.
-unsigned space_of(PangoFont* font) { return glyph_of(font, ' '); }
-
-// By HarfBuzz: Pango asks Cairo, which loads each outline at this size for nothing else.
-Box find_ink(PangoFont* font, unsigned glyph) {
-  hb_glyph_extents_t drawn{};  // y upwards, the height downwards
+// A text by itself, in the one font: what that lacks comes back as glyph 0.
+Letters set(hb_font_t* font, std::string_view letters) {
   const MemoryWatch memory;
-  const bool has = hb_font_get_glyph_extents(pango_font_get_hb_font(font), glyph, &drawn);
+  Letters set(hb_buffer_create());
+  const auto length = static_cast<int>(letters.size());
+  hb_buffer_add_utf8(set.get(), letters.data(), length, 0, length);
+  hb_buffer_set_flags(set.get(), static_cast<hb_buffer_flags_t>(HB_BUFFER_FLAG_BOT | HB_BUFFER_FLAG_EOT));
+  hb_buffer_set_direction(set.get(), HB_DIRECTION_LTR);
+  hb_buffer_set_script(set.get(), HB_SCRIPT_LATIN);
+  hb_buffer_set_language(set.get(), hb_language_from_string("en", -1));  // it would be the machine's
+  hb_shape(font, set.get(), nullptr, 0);
   memory.demand();
-  if (!has) return nothing();
-  if (drawn.width == 0 && drawn.height == 0) return nothing();
-  return {{to_units(drawn.x_bearing), to_units(drawn.y_bearing + drawn.height)},
-          {to_units(drawn.x_bearing + drawn.width), to_units(drawn.y_bearing)}};
+  return set;
 }
 
 ShapedLetters shape_anew(Face face, std::string_view letters) {
-  // One font, named: nothing is left to Pango's search for fonts, and what this one lacks comes back as unknown.
-  PangoAnalysis analysis{};
-  analysis.font = pango_fonts()[face];
-  analysis.script = PANGO_SCRIPT_LATIN;
-  analysis.language = pango_language_from_string("en");
-  const MemoryWatch memory;
-  const Held<PangoGlyphString, pango_glyph_string_free> shaped(pango_glyph_string_new());
-  const auto length = static_cast<int>(letters.size());
-  pango_shape_full(letters.data(), length, letters.data(), length, &analysis, shaped.get());
-  memory.demand();
+  const Letters set_letters = set(shipped_fonts()[face], letters);
+  unsigned count = 0;
+  const hb_glyph_info_t* glyphs = hb_buffer_get_glyph_infos(set_letters.get(), &count);
+  const hb_glyph_position_t* places = hb_buffer_get_glyph_positions(set_letters.get(), nullptr);
 
   ShapedLetters result;
-  const int count = shaped->num_glyphs;
-  const int* clusters = shaped->log_clusters;
-  for (int i = 0; i < count; ++i) {
-    const PangoGlyphInfo& glyph = shaped->glyphs[i];
-    const unsigned index = glyph.glyph == PANGO_GLYPH_EMPTY ? space_of(analysis.font) : glyph.glyph;
-    if (index == 0 || (index & PANGO_GLYPH_UNKNOWN_FLAG) != 0)
+  for (unsigned i = 0; i < count; ++i) {
+    const unsigned index = glyphs[i].codepoint, cluster = glyphs[i].cluster;
+    if (index == 0)
       throw std::invalid_argument("the shipped font cannot write all of \"" + std::string(letters) + "\"");
     // Glyphs of one cluster stand for its characters together; the first of them carries the text.
-    const bool first = i == 0 || clusters[i] != clusters[i - 1];
-    int next = i;
-    while (next < count && clusters[next] == clusters[i]) ++next;
-    const auto start = static_cast<std::size_t>(clusters[i]);
-    const std::size_t end = next < count ? static_cast<std::size_t>(clusters[next]) : letters.size();
+    const bool first = i == 0 || cluster != glyphs[i - 1].cluster;
+    unsigned next = i;
+    while (next < count && glyphs[next].cluster == cluster) ++next;
+    const std::size_t end = next < count ? glyphs[next].cluster : letters.size();
     result.glyphs.push_back({index,
-                             {result.advance + to_units(glyph.geometry.x_offset), -to_units(glyph.geometry.y_offset)},
-                             first ? std::string(letters.substr(start, end - start)) : ""});
-    result.advance += to_units(glyph.geometry.width);
+                             {result.advance + places[i].x_offset, static_cast<double>(places[i].y_offset)},
+                             first ? std::string(letters.substr(cluster, end - cluster)) : ""});
+    result.advance += places[i].x_advance;
   }
   return result;
 }
 
+Box find_ink(hb_font_t* font, unsigned glyph) {
+  hb_glyph_extents_t drawn{};  // y upwards, the height downwards
+  const MemoryWatch memory;
+  const bool has = hb_font_get_glyph_extents(font, glyph, &drawn);
+  memory.demand();
+  if (!has || (drawn.width == 0 && drawn.height == 0)) return nothing();
+  const Point corner{static_cast<double>(drawn.x_bearing), static_cast<double>(drawn.y_bearing)};
+  return {corner + Point{0, static_cast<double>(drawn.height)}, corner + Point{static_cast<double>(drawn.width), 0}};
+}
+
 }  // namespace
 
-// By HarfBuzz: Pango would have fontconfig list all characters of the font first.
 bool has_glyph(Face face, char32_t character) {
-  PangoFont* font = pango_fonts()[face];
+  hb_font_t* font = shipped_fonts()[face];
   const MemoryWatch memory;
-  const bool has = glyph_of(font, character) != 0;
+  hb_codepoint_t glyph = 0;
+  const bool has = hb_font_get_nominal_glyph(font, character, &glyph) && glyph != 0;
   memory.demand();
   return has;
 }
@@ -95,7 +89,7 @@ ShapedLetters shape(Face face, const std::string& letters) {
 Box ink(Face face, unsigned glyph) {
   thread_local std::map<std::pair<Face, unsigned>, Box> found;
   const auto [entry, is_new] = found.try_emplace({face, glyph}, nothing());
-  if (is_new) entry->second = find_ink(pango_fonts()[face], glyph);
+  if (is_new) entry->second = find_ink(shipped_fonts()[face], glyph);
   return entry->second;
 }
 

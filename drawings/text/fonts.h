@@ -1,5 +1,4 @@
-// Letters set by Pango in the shipped fonts and no others. Any number of threads: each opens
-// the fonts for itself.
+// Letters set by HarfBuzz in the shipped fonts and no others, by any number of threads.
 #pragma once
 
 #include <string>
@@ -12,8 +11,8 @@ namespace epure::drawings {
 
 enum class Face { regular, italic, bold, mathematics };
 
-// All four fonts are drawn on a square of this many units. Letters are shaped and measured at this size, where a unit
-// of the font is one of Pango's, and scaled afterwards: nothing is rounded, and every size has the same proportions.
+// All four fonts are drawn on a square of this many units. Letters are shaped and measured at this size, in whole
+// units, and scaled afterwards: nothing is rounded, and every size has the same proportions.
 inline constexpr double units_per_em = 1000;
 
 struct ShapedGlyph {

@@ -1,4 +1,4 @@
-// Pango, HarfBuzz, FreeType and Cairo may go on after a failed allocation, without some of the letters and without a
+// HarfBuzz, FreeType and Cairo may go on after a failed allocation, without some of the letters and without a
 // word. But it leaves its mark in errno, which no library sets back.
 #pragma once
 

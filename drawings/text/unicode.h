@@ -1,4 +1,4 @@
-// UTF-8 taken apart strictly, because Cairo, Pango and browsers all do something else with broken text.
+// UTF-8 taken apart strictly, because Cairo, HarfBuzz and browsers all do something else with broken text.
 #pragma once
 
 #include <string>

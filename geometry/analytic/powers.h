@@ -19,11 +19,9 @@ class Powers {
 
   template <class T>
   T at(const T& x) const {
-    T sum(0), power(1);
-    for (const Rational& coefficient : of_) {
-      sum += from_rational<T>(coefficient) * power;
-      power = power * x;
-    }
+    T sum(0);
+    for (auto coefficient = of_.rbegin(); coefficient != of_.rend(); ++coefficient)
+      sum = sum * x + from_rational<T>(*coefficient);
     return sum;
   }
   Powers derivative() const {

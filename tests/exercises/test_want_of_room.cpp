@@ -1,5 +1,4 @@
 // Libraries that would end the program: each in a process of its own, which shows how it ended.
-#include <glib.h>
 #include <gmp.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -122,13 +121,6 @@ TEST_CASE("want of memory in GMP is exit 3 and one sentence") {
           mpz_realloc2(number, 1 << 20);
           mpz_clear(number);
         }).exit == 0);
-}
-
-TEST_CASE("want of memory or threads in GLib is exit 3 and one sentence; its warnings are warnings") {
-  is_want_of_room([] { g_free(g_malloc(too_much)); });
-  const Ended warned = ended([] { g_log("epure", G_LOG_LEVEL_WARNING, "only a word"); });
-  CHECK(warned.exit == 0);
-  CHECK(warned.said.find("only a word") != std::string::npos);
 }
 
 TEST_CASE("want of memory where nothing may be thrown is exit 3; anything else there is no want of memory") {

@@ -6,7 +6,7 @@ short of room, memory, descriptors and rights.
 Before each run some files of the same names lie in the folder already. After it each file there is whole and new, or
 the one that lay there, untouched; nothing else lies there but what a class that was interrupted takes up again, and,
 of a run that was killed, drafts, which the next run takes away. Nothing is left where temporary files go. Exit 0 tells
-that all is there. What could not be written is exit 3; a failed allocation inside of GLib or Pango may end the process
+that all is there. What could not be written is exit 3; a failed allocation inside of a library may end the process
 by a signal.
 
 --stride 1 walks over every call; a test takes larger steps.

@@ -13,7 +13,7 @@ grep -qxF "version: $version" "$source/CITATION.cff" || fail "CITATION.cff is no
 [ "$(sed -n 's/^## \([^ ]*\).*/\1/p' "$source/CHANGELOG.md" | head -n 1)" = "$version" ] ||
   fail "CHANGELOG.md does not begin with $version"
 [ "$("$epure" --version | head -n 1)" = "epure $version" ] || fail 'the program says another version'
-for library in FLINT GMP MPFR CGAL Eigen Boost Cairo Pango Fontconfig fmt CLI11 nlohmann-json; do
+for library in FLINT GMP MPFR CGAL Eigen Boost Cairo HarfBuzz fmt CLI11 nlohmann-json; do
   "$epure" --version | grep -q "$library"'[^0-9a-z]*[0-9][0-9]*\.[0-9]' || fail "no version of $library"
 done
 

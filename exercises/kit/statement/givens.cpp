@@ -180,7 +180,7 @@ bool Givens::is_changed(std::string_view symbol) const {
   const std::size_t i = place(symbol);
   if (follows_at(i)) return false;
   if (specs_[i].turned) return angle(symbol) != Givens(specs_).angle(symbol);
-  return !is_same(values_[i].reading, read(specs_[i], specs_[i].stated));
+  return values_[i].was_set && !is_same(values_[i].reading, read(specs_[i], specs_[i].stated));
 }
 
 bool Givens::as_stated() const {
