@@ -387,25 +387,34 @@ class Placing {
 
 }  // namespace
 
-std::vector<int> placed_by(const Step& step) {
+std::vector<Hung> hung_by(const Step& step) {
   const auto links = std::visit(
-      [](const auto& s) -> std::vector<int> {
+      [](const auto& s) -> std::vector<Hung> {
         using S = std::decay_t<decltype(s)>;
         if constexpr (std::is_same_v<S, TurnedCrank> || std::is_same_v<S, GearedWheel> ||
                       std::is_same_v<S, RolledWheel>)
-          return {s.link};
-        if constexpr (std::is_same_v<S, SlidBlock> || std::is_same_v<S, BlockOnPin>) return {s.track.block};
+          return {{s.link, s.hinge}};
+        if constexpr (std::is_same_v<S, SlidBlock>) return {{s.track.block, s.point}};
+        if constexpr (std::is_same_v<S, BlockOnPin>) return {{s.track.block}};
         if constexpr (std::is_same_v<S, SlidPin>) return {};
-        if constexpr (std::is_same_v<S, TwoRods>) return {s.first.link, s.second.link};
-        if constexpr (std::is_same_v<S, RodAndTrack>) return {s.rod.link, s.track.block};
-        if constexpr (std::is_same_v<S, TwoTracks>) return {s.first.block, s.second.block};
-        if constexpr (std::is_same_v<S, SlotOnPin>) return {s.link, s.block};
-        if constexpr (std::is_same_v<S, CrossedBlock>) return {s.link, s.track.block};
+        if constexpr (std::is_same_v<S, TwoRods>)
+          return {{s.first.link, s.first.pin, s.joint}, {s.second.link, s.second.pin, s.joint}};
+        if constexpr (std::is_same_v<S, RodAndTrack>)
+          return {{s.rod.link, s.rod.pin, s.joint}, {s.track.block, s.joint}};
+        if constexpr (std::is_same_v<S, TwoTracks>) return {{s.first.block, s.joint}, {s.second.block, s.joint}};
+        if constexpr (std::is_same_v<S, SlotOnPin>) return {{s.link, s.hinge}, {s.block, s.pin}};
+        if constexpr (std::is_same_v<S, CrossedBlock>) return {{s.link, s.hinge}, {s.track.block}};
       },
       step);
-  std::vector<int> placed;
-  std::copy_if(links.begin(), links.end(), std::back_inserter(placed), [](int link) { return link != nothing; });
-  return placed;
+  std::vector<Hung> hung;
+  std::copy_if(links.begin(), links.end(), std::back_inserter(hung), [](const Hung& h) { return h.link != nothing; });
+  return hung;
+}
+
+std::vector<int> placed_by(const Step& step) {
+  std::vector<int> links;
+  for (const Hung& hung : hung_by(step)) links.push_back(hung.link);
+  return links;
 }
 
 Angle angle_of(const GearedTurn& turn, const Linkage& linkage) {

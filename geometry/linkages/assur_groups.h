@@ -96,6 +96,12 @@ struct CrossedBlock {
 using Step = std::variant<TurnedCrank, GearedWheel, RolledWheel, SlidBlock, SlidPin, TwoRods, RodAndTrack, TwoTracks,
                           SlotOnPin, BlockOnPin, CrossedBlock>;
 
+// How a link hangs that a step places: on a pin, where one of its points is, and (a rod) on the joint that the step
+// places; a block that a pin runs over on neither.
+struct Hung {
+  int link, pin = nothing, joint = nothing;
+};
+std::vector<Hung> hung_by(const Step& step);
 // The links that a step places.
 std::vector<int> placed_by(const Step& step);
 

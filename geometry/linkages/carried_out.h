@@ -19,6 +19,18 @@ concept NumberWithSines = requires(const T& angle) {
   { sine_of_angle(angle) } -> std::same_as<T>;
 };
 
+namespace linkages {
+// u v and u v* as complex numbers.
+template <class T>
+Vector<T> times(const Vector<T>& u, const Vector<T>& v) {
+  return v.x * u + v.y * quarter_turn(u);
+}
+template <class T>
+Vector<T> times_mirrored(const Vector<T>& u, const Vector<T>& v) {
+  return v.x * u - v.y * quarter_turn(u);
+}
+}  // namespace linkages
+
 // Where a link is: the origin of its axes, and its x axis, a unit vector.
 template <class T>
 struct PlacedLink {
@@ -34,7 +46,7 @@ struct PlacedLink {
     return x;
   }
 
-  Vector<T> turned(const Vector<T>& own) const { return own.x * x + own.y * quarter_turn(x); }
+  Vector<T> turned(const Vector<T>& own) const { return linkages::times(x, own); }
   Point<T> at(const Vector<T>& own) const { return O + turned(own); }
 };
 
@@ -55,11 +67,18 @@ struct RoomTold {
   T root_of_room;
 };
 
+// What is found of a linkage, and how.
+//   links   the axes of every link; a point of several links is where the last of them to be placed puts it
+//   points  of the axes only those of links that have lines; a point is where the first of its links puts it, and
+//           enclosures are narrower
+enum class Wanted { links, points };
+
 template <class T>
 struct LinkagePosition {
   std::vector<PlacedLink<T>> links;
   std::vector<Point<T>> points;
   std::optional<DriveAt<T>> elsewhere = {};
+  Wanted wanted = Wanted::links;
 };
 
 // The two polygons of a step that has any.
@@ -117,7 +136,9 @@ struct LineOverPin {
   }
 };
 
-// The numbers of a linkage, read once for many positions.
+// The numbers of a linkage, read once for many positions. One after the other they cost least as points alone,
+// written into what the caller keeps, by a function of the caller's with all of it inlined (as in
+// mechanisms/second_order.h).
 template <class T>
 class CarriedOut {
  public:
@@ -128,6 +149,9 @@ class CarriedOut {
   LinkagePosition<T> position(const std::optional<DriveAt<T>>& elsewhere = {}) const {
     return position_before(steps_.size(), elsewhere);
   }
+  // The same, written over a position of this linkage that the caller keeps (at first that before the first step): it
+  // says what is wanted and where the drive is.
+  void place_all(LinkagePosition<T>& at) const;
   // What the steps before this one place.
   LinkagePosition<T> position_before(std::size_t step, const std::optional<DriveAt<T>>& elsewhere = {},
                                      const std::optional<RoomTold<T>>& told = {}) const;
@@ -145,6 +169,10 @@ class CarriedOut {
   // Throws NotClosed where a group is at a limit (its polygon does not close), Undecided when that cannot be told.
   // `rates`: as the drives of the linkage.
   LinkageMotion<T> motion(const LinkagePosition<T>& at, const std::vector<DriveRates<T>>& rates) const;
+  LinkageMotion<T> at_rest(const LinkagePosition<T>& at) const;
+  // The same as `motion` without the polygons, written over a motion of this linkage (at first that at rest).
+  void move_all(LinkageMotion<T>& motion, const LinkagePosition<T>& at,
+                const std::vector<DriveRates<T>>& rates) const;
   std::vector<DriveRates<T>> rates() const;
 
  private:
@@ -152,18 +180,29 @@ class CarriedOut {
     int link;
     Vector<T> through, along;
   };
-  // What a rod and its joint are read as: the distance of the joint from the pin, its square and that one's inverse,
-  // and the way from the one to the other in the link's own axes.
+  // What a rod and its joint are read as: the distance of the joint from the pin, and its square.
   struct RodNumbers {
     std::optional<Rational> exactly = {};  // the distance, where it is rational
     Rational exactly_squared = 0;
-    T length{0}, squared{0}, over_squared{0};
-    Vector<T> own{T(0), T(0)};
+    T length{0}, squared{0}, over_length{0};  // the last one of a cylinder
   };
   // Of the rods of a step that places a joint: by how much the first one's square is the greater.
   struct DyadNumbers {
     RodNumbers first = {}, second = {};
     T greater{0};
+  };
+  // A link is placed where its pin is (of the frame and of a block on a pin: its origin), by the vector that its x
+  // axis is, or, of a rod, that to its joint.
+  struct CarriedPoint {
+    int point;
+    Vector<T> from_pin;  // in parts of that vector, as complex numbers
+  };
+  struct Carried {
+    std::vector<CarriedPoint> points = {};  // that no step places before
+    std::optional<Vector<T>> pin = {};      // none: it lies in the origin
+    std::optional<Vector<T>> rod = {};      // in the link's own axes
+    T over_squared{0};                      // of the rod
+    bool has_lines = false;
   };
   // A line in the plane, and where it is cut.
   struct Rail {
@@ -185,7 +224,10 @@ class CarriedOut {
     }
   }
 
+  void read_carried(const Hung& hung, std::vector<bool>& is_placed);
+
   // Placing.
+  void place_frame(LinkagePosition<T>& at) const;
   void place(const TurnedCrank& step, LinkagePosition<T>& at) const;
   void place(const GearedWheel& step, LinkagePosition<T>& at) const;
   void place(const RolledWheel& step, LinkagePosition<T>& at) const;
@@ -234,11 +276,17 @@ class CarriedOut {
     return of.squared;
   }
   RodNumbers numbers_of(const Rod& rod, int joint) const;
-  // A link whose own unit vector `along` points in the direction s, with its point `own` in P.
-  void put(int link, const Vector<T>& s, const Vector<T>& along, const Point<T>& P, const Vector<T>& own_point,
-           LinkagePosition<T>& at) const;
   void put_points(int link, LinkagePosition<T>& at) const;
-  void put_rod(const Rod& rod, const RodNumbers& of, int joint, LinkagePosition<T>& at) const;
+  // A link with its pin in P, by the vector that places it (see Carried).
+  void carry(int link, const Point<T>& P, const Vector<T>& by, LinkagePosition<T>& at) const;
+  // One whose own unit vector `along` points in the direction s.
+  void put(int link, const Vector<T>& s, const Vector<T>& along, const Point<T>& P, LinkagePosition<T>& at) const {
+    carry(link, P, linkages::times_mirrored(s, along), at);
+  }
+  // One that nothing is carried with yet, with this point of a line of its own in P.
+  void put_line(const OwnLine& moving, const Vector<T>& s, const Vector<T>& along, const Point<T>& P,
+                LinkagePosition<T>& at) const;
+  void put_rod(const Rod& rod, int joint, LinkagePosition<T>& at) const;
   void put_block(const Track& track, int joint, LinkagePosition<T>& at) const;
   // How much farther left of the line the pin lies than the hinge: so far right of it, seen from there.
   T pin_right_of_hinge(const SlotOnPin& step) const {
@@ -250,24 +298,27 @@ class CarriedOut {
 
   // Moving.
   using Rates = std::vector<DriveRates<T>>;
-  StepPolygons<T> move(const TurnedCrank&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
-  StepPolygons<T> move(const GearedWheel&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
-  StepPolygons<T> move(const RolledWheel&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
-  StepPolygons<T> move(const SlidBlock&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
-  StepPolygons<T> move(const SlidPin&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
-  StepPolygons<T> move(const TwoRods&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
-  StepPolygons<T> move(const RodAndTrack&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
-  StepPolygons<T> move(const TwoTracks&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
-  StepPolygons<T> move(const SlotOnPin&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
-  StepPolygons<T> move(const BlockOnPin&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
-  StepPolygons<T> move(const CrossedBlock&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&) const;
+  // The polygons are written into the last, of steps that have any, unless it is null.
+  void move(const TurnedCrank&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&, StepPolygons<T>*) const;
+  void move(const GearedWheel&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&, StepPolygons<T>*) const;
+  void move(const RolledWheel&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&, StepPolygons<T>*) const;
+  void move(const SlidBlock&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&, StepPolygons<T>*) const;
+  void move(const SlidPin&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&, StepPolygons<T>*) const;
+  void move(const TwoRods&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&, StepPolygons<T>*) const;
+  void move(const RodAndTrack&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&, StepPolygons<T>*) const;
+  void move(const TwoTracks&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&, StepPolygons<T>*) const;
+  void move(const SlotOnPin&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&, StepPolygons<T>*) const;
+  void move(const BlockOnPin&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&, StepPolygons<T>*) const;
+  void move(const CrossedBlock&, const LinkagePosition<T>&, const Rates&, LinkageMotion<T>&, StepPolygons<T>*) const;
 
+  void rest_frame(const LinkagePosition<T>& at, LinkageMotion<T>& so_far) const;
   void put_motion(int link, const PlaneMotion<T>& motion, const LinkagePosition<T>& at,
                   LinkageMotion<T>& so_far) const;
   // Calls `use` with the rod as a side of a dyad, a Bar or a StretchingBar.
   template <class Use>
-  auto with_side(const Rod& rod, const Rates& rates, const LinkageMotion<T>& so_far, const Use& use) const;
-  void move_rod(const Rod& rod, const T& omega, const T& alpha, const LinkagePosition<T>& at,
+  auto with_side(const Rod& rod, const RodNumbers& of, const LinkagePosition<T>& at, const Rates& rates,
+                 const LinkageMotion<T>& so_far, const Use& use) const;
+  void move_rod(const Rod& rod, const DriveRates<T>& turning, const LinkagePosition<T>& at,
                 LinkageMotion<T>& so_far) const;
   Slide<T> slide(const Track& track, const LinkagePosition<T>& at, const LinkageMotion<T>& so_far) const {
     return {so_far.links[index(line(track.line).link)], in_plane(track.line, at).s};
@@ -275,15 +326,17 @@ class CarriedOut {
   // The block goes with its joint and turns with its guide.
   void move_block(const Track& track, const Pin<T>& joint, const LinkagePosition<T>& at,
                   LinkageMotion<T>& so_far) const;
+  // What the two polygons of a dyad tell.
+  struct DyadRates {
+    DriveRates<T> first, second;
+    Pin<T> joint;
+  };
   template <class First, class Second>
-  static StepPolygons<T> polygons(const First& first, const Second& second, const Point<T>& X) {
-    StepPolygons<T> both;
-    both.velocity = dyad_velocity(first, second, X);
-    both.acceleration = dyad_acceleration(first, second, X, *both.velocity);
-    return both;
-  }
-  static Pin<T> joint_of(const StepPolygons<T>& both, const Point<T>& X) {
-    return {X, both.velocity->v_X, both.acceleration->a_X};
+  static DyadRates by_polygons(const First& first, const Second& second, const Point<T>& X, StepPolygons<T>* kept) {
+    const DyadVelocity<T> v = dyad_velocity(first, second, X);
+    const DyadAcceleration<T> a = dyad_acceleration(first, second, X, v);
+    if (kept) *kept = {v, a};
+    return {{v.first_rate, a.first_rate}, {v.second_rate, a.second_rate}, {X, v.v_X, a.a_X}};
   }
 
   const Linkage& linkage_;
@@ -291,21 +344,12 @@ class CarriedOut {
   std::vector<std::vector<Vector<T>>> own_;  // link, point
   std::vector<OwnLine> lines_;
   std::vector<DyadNumbers> of_joints_;  // of the points
+  std::vector<Carried> carried_;        // of the links
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
 
 namespace linkages {
-
-// u v and u v* as complex numbers.
-template <class T>
-Vector<T> times(const Vector<T>& u, const Vector<T>& v) {
-  return v.x * u + v.y * quarter_turn(u);
-}
-template <class T>
-Vector<T> times_mirrored(const Vector<T>& u, const Vector<T>& v) {
-  return v.x * u - v.y * quarter_turn(u);
-}
 
 // What does not change while a drive moves: of a series it is made of its coefficients (every_place.h).
 template <class T>
@@ -329,8 +373,9 @@ Vector<T> unit_vector(const Direction& direction) {
 template <class T>
 Vector<T> turned_times(const Vector<T>& direction, int times) {
   const Vector<T> each = times < 0 ? Vector<T>{direction.x, -direction.y} : direction;
-  Vector<T> all{T(1), T(0)};
-  for (int i = std::abs(times); i > 0; --i) all = linkages::times(all, each);
+  if (times == 0) return {T(1), T(0)};
+  Vector<T> all = each;
+  for (int i = std::abs(times); i > 1; --i) all = linkages::times(all, each);
   return all;
 }
 
@@ -376,6 +421,9 @@ CarriedOut<T>::CarriedOut(const Linkage& linkage, const std::vector<Step>& steps
           static_cast<int>(i), {number(l.through.x), number(l.through.y)}, linkages::unit_vector<T>(l.along)};
   }
   of_joints_.resize(index(linkage.count_of_points()));
+  carried_.resize(linkage.links.size());
+  std::vector<bool> is_placed(of_joints_.size(), false);
+  read_carried({0}, is_placed);
   for (const Step& step : steps) {
     if (const auto* rods = std::get_if<TwoRods>(&step)) {
       DyadNumbers& of = of_joints_[index(rods->joint)];
@@ -385,16 +433,43 @@ CarriedOut<T>::CarriedOut(const Linkage& linkage, const std::vector<Step>& steps
     }
     if (const auto* rod = std::get_if<RodAndTrack>(&step))
       of_joints_[index(rod->joint)].first = numbers_of(rod->rod, rod->joint);
+    for (const Hung& hung : hung_by(step)) read_carried(hung, is_placed);
+  }
+}
+
+template <class T>
+void CarriedOut<T>::read_carried(const Hung& hung, std::vector<bool>& is_placed) {
+  for (const int point : {hung.pin, hung.joint})
+    if (point != nothing) is_placed[index(point)] = true;
+  Carried& of = carried_[index(hung.link)];
+  const Link& link = linkage_.links[index(hung.link)];
+  of.has_lines = !link.lines.empty();
+  const Own pin = hung.pin == nothing ? Own{0, 0} : linkage_.place(hung.link, hung.pin);
+  if (pin.x != 0 || pin.y != 0) of.pin = own(hung.link, hung.pin);
+  // By this a complex number becomes its part of the vector that places the link.
+  Own part{1, 0};
+  if (hung.joint != nothing) {
+    const Own& X = linkage_.place(hung.link, hung.joint);
+    const Own r{X.x - pin.x, X.y - pin.y};
+    const Rational over_squared = 1 / (r.x * r.x + r.y * r.y);
+    part = {r.x * over_squared, -r.y * over_squared};
+    of.rod = own(hung.link, hung.joint) - own(hung.link, hung.pin);
+    of.over_squared = number(over_squared);
+  }
+  for (const LinkPoint& p : link.points) {
+    if (is_placed[index(p.point)]) continue;
+    is_placed[index(p.point)] = true;
+    const Rational x = p.at.x - pin.x, y = p.at.y - pin.y;
+    of.points.push_back({p.point, {number(x * part.x - y * part.y), number(x * part.y + y * part.x)}});
   }
 }
 
 template <class T>
 LinkagePosition<T> CarriedOut<T>::position_before(std::size_t step, const std::optional<DriveAt<T>>& elsewhere,
                                                   const std::optional<RoomTold<T>>& told) const {
-  LinkagePosition<T> at{{linkage_.links.size(), {{T(0), T(0)}, {T(1), T(0)}}},
-                        {index(linkage_.count_of_points()), {T(0), T(0)}},
-                        elsewhere};
-  put_points(0, at);
+  LinkagePosition<T> at{
+      {linkage_.links.size(), {{T(0), T(0)}, {T(1), T(0)}}}, {of_joints_.size(), {T(0), T(0)}}, elsewhere};
+  place_frame(at);
   for (std::size_t k = 0; k < step; ++k)
     at_step(k, [&] {
       std::visit(
@@ -410,17 +485,28 @@ LinkagePosition<T> CarriedOut<T>::position_before(std::size_t step, const std::o
 }
 
 template <class T>
-LinkageMotion<T> CarriedOut<T>::motion(const LinkagePosition<T>& at, const Rates& rates) const {
-  const Vector<T> none{T(0), T(0)};
-  const PlaneMotion<T> at_rest{{T(0), T(0)}, none, none, T(0), T(0)};
-  LinkageMotion<T> so_far{{linkage_.links.size(), at_rest}, {at.points.size(), fixed_pin(Point<T>{T(0), T(0)})}, {}};
-  so_far.steps.reserve(steps_.size());
-  put_motion(0, at_rest, at, so_far);
+void CarriedOut<T>::place_all(LinkagePosition<T>& at) const {
+  assert(at.links.size() == carried_.size() && at.points.size() == of_joints_.size());
+  if (at.wanted == Wanted::links) place_frame(at);  // other links have put its points
   for (std::size_t k = 0; k < steps_.size(); ++k)
-    at_step(k, [&] {
-      so_far.steps.push_back(std::visit([&](const auto& s) { return move(s, at, rates, so_far); }, steps_[k]));
-    });
+    at_step(k, [&] { std::visit([&](const auto& s) { place(s, at); }, steps_[k]); });
+}
+
+template <class T>
+LinkageMotion<T> CarriedOut<T>::motion(const LinkagePosition<T>& at, const Rates& rates) const {
+  LinkageMotion<T> so_far = at_rest(at);
+  so_far.steps.resize(steps_.size());
+  for (std::size_t k = 0; k < steps_.size(); ++k)
+    at_step(k, [&] { std::visit([&](const auto& s) { move(s, at, rates, so_far, &so_far.steps[k]); }, steps_[k]); });
   return so_far;
+}
+
+template <class T>
+void CarriedOut<T>::move_all(LinkageMotion<T>& motion, const LinkagePosition<T>& at, const Rates& rates) const {
+  assert(motion.links.size() == at.links.size() && motion.points.size() == at.points.size());
+  if (at.wanted == Wanted::links) rest_frame(at, motion);
+  for (std::size_t k = 0; k < steps_.size(); ++k)
+    at_step(k, [&] { std::visit([&](const auto& s) { move(s, at, rates, motion, nullptr); }, steps_[k]); });
 }
 
 template <class T>
@@ -439,8 +525,10 @@ std::vector<DriveRates<T>> CarriedOut<T>::rates() const {
 
 template <class T>
 typename CarriedOut<T>::Rail CarriedOut<T>::in_plane(int l, const LinkagePosition<T>& at) const {
-  const PlacedLink<T>& link = at.links[index(line(l).link)];
-  return {link.at(line(l).through), link.turned(line(l).along)};
+  const OwnLine& own_line = line(l);
+  if (own_line.link == 0) return {{own_line.through.x, own_line.through.y}, own_line.along};
+  const PlacedLink<T>& link = at.links[index(own_line.link)];
+  return {link.at(own_line.through), link.turned(own_line.along)};
 }
 
 template <class T>
@@ -461,16 +549,20 @@ typename CarriedOut<T>::RodNumbers CarriedOut<T>::numbers_of(const Rod& rod, int
   if (rod.link == nothing) {
     of.exactly = std::get<Stretched>(linkage_.drives[index(rod.cylinder)]).length;
     of.exactly_squared = *of.exactly * *of.exactly;
+    of.over_length = number(1 / *of.exactly);
   } else {
     const auto &P = linkage_.place(rod.link, rod.pin), &X = linkage_.place(rod.link, joint);
     of.exactly_squared = (X.x - P.x) * (X.x - P.x) + (X.y - P.y) * (X.y - P.y);
     of.exactly = FieldOf<Rational>::root(of.exactly_squared);
-    of.over_squared = number(1 / of.exactly_squared);
-    of.own = own(rod.link, joint) - own(rod.link, rod.pin);
   }
   of.squared = number(of.exactly_squared);
   if (of.exactly) of.length = number(*of.exactly);
   return of;
+}
+
+template <class T>
+void CarriedOut<T>::place_frame(LinkagePosition<T>& at) const {
+  for (const CarriedPoint& p : carried_[0].points) at.points[index(p.point)] = {p.from_pin.x, p.from_pin.y};
 }
 
 template <class T>
@@ -480,29 +572,35 @@ void CarriedOut<T>::put_points(int link, LinkagePosition<T>& at) const {
 }
 
 template <class T>
-void CarriedOut<T>::put(int link, const Vector<T>& s, const Vector<T>& along, const Point<T>& P,
-                        const Vector<T>& own_point, LinkagePosition<T>& at) const {
-  PlacedLink<T>& placed = at.links[index(link)];
-  placed.x = linkages::times_mirrored(s, along);
-  placed.O = P + -placed.turned(own_point);
-  put_points(link, at);
+void CarriedOut<T>::carry(int link, const Point<T>& P, const Vector<T>& by, LinkagePosition<T>& at) const {
+  const Carried& of = carried_[index(link)];
+  if (at.wanted == Wanted::links || of.has_lines) {
+    PlacedLink<T>& placed = at.links[index(link)];
+    placed.x = of.rod ? of.over_squared * linkages::times_mirrored(by, *of.rod) : by;
+    placed.O = of.pin ? P + -placed.turned(*of.pin) : P;
+  }
+  if (at.wanted == Wanted::links) return put_points(link, at);
+  for (const CarriedPoint& p : of.points) at.points[index(p.point)] = P + linkages::times(by, p.from_pin);
 }
 
 template <class T>
-void CarriedOut<T>::put_rod(const Rod& rod, const RodNumbers& of, int joint, LinkagePosition<T>& at) const {
+void CarriedOut<T>::put_line(const OwnLine& moving, const Vector<T>& s, const Vector<T>& along, const Point<T>& P,
+                             LinkagePosition<T>& at) const {
+  const Vector<T> x = linkages::times_mirrored(s, along);
+  at.links[index(moving.link)] = {P + -linkages::times(x, moving.through), x};
+}
+
+template <class T>
+void CarriedOut<T>::put_rod(const Rod& rod, int joint, LinkagePosition<T>& at) const {
   if (rod.link == nothing) return;
-  const Point<T> P = at.points[index(rod.pin)], X = at.points[index(joint)];
-  PlacedLink<T>& placed = at.links[index(rod.link)];
-  placed.x = of.over_squared * linkages::times_mirrored(X - P, of.own);
-  placed.O = P + -placed.turned(own(rod.link, rod.pin));
-  put_points(rod.link, at);
+  const Point<T> P = at.points[index(rod.pin)];
+  carry(rod.link, P, at.points[index(joint)] - P, at);
 }
 
 template <class T>
 void CarriedOut<T>::put_block(const Track& track, int joint, LinkagePosition<T>& at) const {
   if (track.block == nothing) return;
-  put(track.block, in_plane(track.line, at).s, line(track.moving).along, at.points[index(joint)],
-      own(track.block, joint), at);
+  put(track.block, in_plane(track.line, at).s, line(track.moving).along, at.points[index(joint)], at);
 }
 
 template <class T>
@@ -516,7 +614,7 @@ void CarriedOut<T>::place(const TurnedCrank& step, LinkagePosition<T>& at) const
   const DriveAt<T>* there = elsewhere(step.drive, at);
   const Vector<T> x =
       there ? linkages::turned_times(there->direction, there->times) : linkages::Constant<T>::direction(angle);
-  put(step.link, x, {T(1), T(0)}, at.points[index(step.hinge)], own(step.link, step.hinge), at);
+  carry(step.link, at.points[index(step.hinge)], x, at);
 }
 
 template <class T>
@@ -527,7 +625,7 @@ void CarriedOut<T>::place(const GearedWheel& step, LinkagePosition<T>& at) const
     assert(times.denominator() == 1);
     x = linkages::times(x, linkages::turned_times(at.elsewhere->direction, static_cast<int>(CGAL::to_double(times))));
   }
-  put(step.link, x, {T(1), T(0)}, at.points[index(step.hinge)], own(step.link, step.hinge), at);
+  carry(step.link, at.points[index(step.hinge)], x, at);
 }
 
 template <class T>
@@ -539,8 +637,7 @@ void CarriedOut<T>::place(const RolledWheel& step, LinkagePosition<T>& at) const
     const T turned = quotient(number(roll.at) - dot(on.s, C - on.G), number(roll.radius));
     const Vector<T> from =
         linkages::times(at.links[index(line(roll.line).link)].x, linkages::Constant<T>::direction(roll.phase));
-    put(step.link, linkages::times(from, {cosine_of_angle(turned), sine_of_angle(turned)}), {T(1), T(0)}, C,
-        own(step.link, roll.centre), at);
+    carry(step.link, C, linkages::times(from, {cosine_of_angle(turned), sine_of_angle(turned)}), at);
   } else {
     const Link& wheel = linkage_.links[index(step.link)];
     PlacedLink<T>& placed = at.links[index(step.link)];
@@ -578,8 +675,8 @@ void CarriedOut<T>::place(const TwoRods& step, LinkagePosition<T>& at) const {
   } else {
     X = linkages::meet_by_squares<T>(P, of.first.squared, Q, of.greater, step.side);
   }
-  put_rod(step.first, of.first, step.joint, at);
-  put_rod(step.second, of.second, step.joint, at);
+  put_rod(step.first, step.joint, at);
+  put_rod(step.second, step.joint, at);
 }
 template <class T>
 void CarriedOut<T>::place(const TwoRods& step, const T& root_of_room, LinkagePosition<T>& at) const {
@@ -588,8 +685,8 @@ void CarriedOut<T>::place(const TwoRods& step, const T& root_of_room, LinkagePos
   const DyadNumbers& of = of_joints_[index(step.joint)];
   const T greater = squared_length(step.first, of.first, at) - squared_length(step.second, of.second, at);
   at.points[index(step.joint)] = linkages::beside<T>(P, d, length_squared(d) + greater, root_of_room, step.side);
-  put_rod(step.first, of.first, step.joint, at);
-  put_rod(step.second, of.second, step.joint, at);
+  put_rod(step.first, step.joint, at);
+  put_rod(step.second, step.joint, at);
 }
 
 template <class T>
@@ -611,7 +708,7 @@ void CarriedOut<T>::put_on_track(const RodAndTrack& step, const Rail& on, const 
                                  LinkagePosition<T>& at) const {
   const T foot = dot(on.s, at.points[index(step.rod.pin)] - on.G);
   at.points[index(step.joint)] = on.G + (foot + (step.which == Along::ahead ? half_chord : -half_chord)) * on.s;
-  put_rod(step.rod, of_joints_[index(step.joint)].first, step.joint, at);
+  put_rod(step.rod, step.joint, at);
   put_block(step.track, step.joint, at);
 }
 
@@ -636,9 +733,9 @@ void CarriedOut<T>::place(const SlotOnPin& step, const T& root_of_room, LinkageP
 }
 template <class T>
 void CarriedOut<T>::put_slotted(const SlotOnPin& step, const Vector<T>& s, LinkagePosition<T>& at) const {
-  put(step.link, s, line(step.line).along, at.points[index(step.hinge)], own(step.link, step.hinge), at);
+  put(step.link, s, line(step.line).along, at.points[index(step.hinge)], at);
   if (step.block == nothing) return;
-  put(step.block, s, line(step.moving).along, at.points[index(step.pin)], own(step.block, step.pin), at);
+  put(step.block, s, line(step.moving).along, at.points[index(step.pin)], at);
 }
 
 template <class T>
@@ -646,22 +743,24 @@ void CarriedOut<T>::place(const BlockOnPin& step, LinkagePosition<T>& at) const 
   // The link first where the origin of its line in the guide is; then as far along it as its other line must go.
   const Rail guide = in_plane(step.track.line, at);
   const int link = step.track.block;
-  put(link, guide.s, line(step.track.moving).along, guide.G, line(step.track.moving).through, at);
+  const Vector<T>& along = line(step.track.moving).along;
+  put_line(line(step.track.moving), guide.s, along, guide.G, at);
   const Rail own_line = in_plane(step.line, at);
   const Point<T> P = at.points[index(step.pin)];
-  const Point<T> goes_to = crossing({own_line.G, guide.s}, {P, own_line.s});
-  put(link, guide.s, line(step.track.moving).along, goes_to, line(step.line).through, at);
+  put_line(line(step.line), guide.s, along, crossing({own_line.G, guide.s}, {P, own_line.s}), at);
+  carry(link, at.links[index(link)].O, at.links[index(link)].x, at);
 }
 
 template <class T>
 void CarriedOut<T>::place(const CrossedBlock& step, LinkagePosition<T>& at) const {
   const Rail guide = in_plane(step.track.line, at);
   const int block = step.track.block;
-  put(block, guide.s, line(step.track.moving).along, guide.G, line(step.track.moving).through, at);
+  const Vector<T>& along = line(step.track.moving).along;
+  put_line(line(step.track.moving), guide.s, along, guide.G, at);
   const Rail first = in_plane(step.crossing, at);
-  put(step.link, first.s, line(step.line).along, at.points[index(step.hinge)], own(step.link, step.hinge), at);
-  const Point<T> goes_to = crossing({first.G, guide.s}, in_plane(step.line, at));
-  put(block, guide.s, line(step.track.moving).along, goes_to, line(step.crossing).through, at);
+  put(step.link, first.s, line(step.line).along, at.points[index(step.hinge)], at);
+  put_line(line(step.crossing), guide.s, along, crossing({first.G, guide.s}, in_plane(step.line, at)), at);
+  carry(block, at.links[index(block)].O, at.links[index(block)].x, at);
 }
 
 // 16 times the square of the area of the triangle that the rods and their pins make (Heron).
@@ -688,29 +787,49 @@ T CarriedOut<T>::room(const SlotOnPin& step, const LinkagePosition<T>& at) const
 }
 
 template <class T>
+LinkageMotion<T> CarriedOut<T>::at_rest(const LinkagePosition<T>& at) const {
+  const Point<T> O{T(0), T(0)};
+  LinkageMotion<T> rest{{at.links.size(), turning_about(O, T(0), T(0))}, {at.points.size(), fixed_pin(O)}, {}};
+  rest_frame(at, rest);
+  return rest;
+}
+
+template <class T>
+void CarriedOut<T>::rest_frame(const LinkagePosition<T>& at, LinkageMotion<T>& so_far) const {
+  for (const CarriedPoint& p : carried_[0].points)
+    so_far.points[index(p.point)] = fixed_pin(at.points[index(p.point)]);
+}
+
+template <class T>
 void CarriedOut<T>::put_motion(int link, const PlaneMotion<T>& motion, const LinkagePosition<T>& at,
                                LinkageMotion<T>& so_far) const {
   so_far.links[index(link)] = motion;
-  for (const LinkPoint& p : linkage_.links[index(link)].points)
-    so_far.points[index(p.point)] = pin_on(motion, at.points[index(p.point)]);
+  const auto carry_with_it = [&](const auto& points) {
+    for (const auto& p : points) so_far.points[index(p.point)] = pin_on(motion, at.points[index(p.point)]);
+  };
+  if (at.wanted == Wanted::links)
+    carry_with_it(linkage_.links[index(link)].points);
+  else
+    carry_with_it(carried_[index(link)].points);
 }
 
 template <class T>
 template <class Use>
-auto CarriedOut<T>::with_side(const Rod& rod, const Rates& rates, const LinkageMotion<T>& so_far,
-                              const Use& use) const {
+auto CarriedOut<T>::with_side(const Rod& rod, const RodNumbers& of, const LinkagePosition<T>& at, const Rates& rates,
+                              const LinkageMotion<T>& so_far, const Use& use) const {
   const Pin<T>& P = so_far.points[index(rod.pin)];
   if (rod.link != nothing) return use(Bar<T>{P});
-  const T over = number(1 / std::get<Stretched>(linkage_.drives[index(rod.cylinder)]).length);
+  const DriveAt<T>* there = elsewhere(rod.cylinder, at);
+  const T over = there ? quotient(T(1), there->way) : of.over_length;
   const DriveRates<T>& rate = rates[index(rod.cylinder)];
   return use(StretchingBar<T>{P, over * rate.first, over * rate.second});
 }
 
 template <class T>
-void CarriedOut<T>::move_rod(const Rod& rod, const T& omega, const T& alpha, const LinkagePosition<T>& at,
+void CarriedOut<T>::move_rod(const Rod& rod, const DriveRates<T>& turning, const LinkagePosition<T>& at,
                              LinkageMotion<T>& so_far) const {
   if (rod.link == nothing) return;
-  put_motion(rod.link, Bar<T>{so_far.points[index(rod.pin)]}.motion(omega, alpha), at, so_far);
+  put_motion(rod.link, Bar<T>{so_far.points[index(rod.pin)]}.motion(turning.first, turning.second), at, so_far);
 }
 
 template <class T>
@@ -722,16 +841,15 @@ void CarriedOut<T>::move_block(const Track& track, const Pin<T>& joint, const Li
 }
 
 template <class T>
-StepPolygons<T> CarriedOut<T>::move(const TurnedCrank& step, const LinkagePosition<T>& at, const Rates& rates,
-                                    LinkageMotion<T>& so_far) const {
+void CarriedOut<T>::move(const TurnedCrank& step, const LinkagePosition<T>& at, const Rates& rates,
+                         LinkageMotion<T>& so_far, StepPolygons<T>*) const {
   const DriveRates<T>& rate = rates[index(step.drive)];
   put_motion(step.link, Bar<T>{so_far.points[index(step.hinge)]}.motion(rate.first, rate.second), at, so_far);
-  return {};
 }
 
 template <class T>
-StepPolygons<T> CarriedOut<T>::move(const GearedWheel& step, const LinkagePosition<T>& at, const Rates& rates,
-                                    LinkageMotion<T>& so_far) const {
+void CarriedOut<T>::move(const GearedWheel& step, const LinkagePosition<T>& at, const Rates& rates,
+                         LinkageMotion<T>& so_far, StepPolygons<T>*) const {
   T omega(0), alpha(0);
   for (std::size_t k = 0; k < rates.size(); ++k) {
     if (step.turn.times[k] == 0) continue;
@@ -739,12 +857,11 @@ StepPolygons<T> CarriedOut<T>::move(const GearedWheel& step, const LinkagePositi
     alpha += number(step.turn.times[k]) * rates[k].second;
   }
   put_motion(step.link, Bar<T>{so_far.points[index(step.hinge)]}.motion(omega, alpha), at, so_far);
-  return {};
 }
 
 template <class T>
-StepPolygons<T> CarriedOut<T>::move(const RolledWheel& step, const LinkagePosition<T>& at, const Rates&,
-                                    LinkageMotion<T>& so_far) const {
+void CarriedOut<T>::move(const RolledWheel& step, const LinkagePosition<T>& at, const Rates&,
+                         LinkageMotion<T>& so_far, StepPolygons<T>*) const {
   const RollingWheel& roll = linkage_.rolls[index(step.roll)];
   const Pin<T>& C = so_far.points[index(roll.centre)];
   const PlaneMotion<T>& body = so_far.links[index(line(roll.line).link)];
@@ -753,12 +870,11 @@ StepPolygons<T> CarriedOut<T>::move(const RolledWheel& step, const LinkagePositi
   const T over = number(1 / roll.radius), rate = dot(s, C.v - body.velocity(C.at)),
           second = dot(s, C.a - body.acceleration(C.at));
   put_motion(step.link, Bar<T>{C}.motion(body.omega - over * rate, body.alpha - over * second), at, so_far);
-  return {};
 }
 
 template <class T>
-StepPolygons<T> CarriedOut<T>::move(const SlidPin& step, const LinkagePosition<T>& at, const Rates& rates,
-                                    LinkageMotion<T>& so_far) const {
+void CarriedOut<T>::move(const SlidPin& step, const LinkagePosition<T>& at, const Rates& rates,
+                         LinkageMotion<T>& so_far, StepPolygons<T>*) const {
   const int guide = std::get<SlidPoint>(linkage_.drives[index(step.drive)]).guide;
   const DriveRates<T>& rate = rates[index(step.drive)];
   const Point<T> X = at.points[index(step.point)];
@@ -767,88 +883,82 @@ StepPolygons<T> CarriedOut<T>::move(const SlidPin& step, const LinkagePosition<T
   so_far.points[index(step.point)] = {
       X, body.velocity(X) + rate.first * s,
       body.acceleration(X) + ((T(2) * body.omega * rate.first) * quarter_turn(s) + rate.second * s)};
-  return {};
 }
 
 template <class T>
-StepPolygons<T> CarriedOut<T>::move(const SlidBlock& step, const LinkagePosition<T>& at, const Rates& rates,
-                                    LinkageMotion<T>& so_far) const {
-  move(SlidPin{step.point, step.drive}, at, rates, so_far);
+void CarriedOut<T>::move(const SlidBlock& step, const LinkagePosition<T>& at, const Rates& rates,
+                         LinkageMotion<T>& so_far, StepPolygons<T>*) const {
+  move(SlidPin{step.point, step.drive}, at, rates, so_far, nullptr);
   move_block(step.track, so_far.points[index(step.point)], at, so_far);
-  return {};
 }
 
 template <class T>
-StepPolygons<T> CarriedOut<T>::move(const TwoRods& step, const LinkagePosition<T>& at, const Rates& rates,
-                                    LinkageMotion<T>& so_far) const {
+void CarriedOut<T>::move(const TwoRods& step, const LinkagePosition<T>& at, const Rates& rates,
+                         LinkageMotion<T>& so_far, StepPolygons<T>* kept) const {
   const Point<T> X = at.points[index(step.joint)];
-  const StepPolygons<T> both = with_side(step.first, rates, so_far, [&](const auto& first) {
-    return with_side(step.second, rates, so_far, [&](const auto& second) { return polygons(first, second, X); });
+  const DyadNumbers& of = of_joints_[index(step.joint)];
+  const DyadRates both = with_side(step.first, of.first, at, rates, so_far, [&](const auto& first) {
+    return with_side(step.second, of.second, at, rates, so_far,
+                     [&](const auto& second) { return by_polygons(first, second, X, kept); });
   });
-  so_far.points[index(step.joint)] = joint_of(both, X);
-  move_rod(step.first, both.velocity->first_rate, both.acceleration->first_rate, at, so_far);
-  move_rod(step.second, both.velocity->second_rate, both.acceleration->second_rate, at, so_far);
-  return both;
+  so_far.points[index(step.joint)] = both.joint;
+  move_rod(step.first, both.first, at, so_far);
+  move_rod(step.second, both.second, at, so_far);
 }
 
 template <class T>
-StepPolygons<T> CarriedOut<T>::move(const RodAndTrack& step, const LinkagePosition<T>& at, const Rates& rates,
-                                    LinkageMotion<T>& so_far) const {
+void CarriedOut<T>::move(const RodAndTrack& step, const LinkagePosition<T>& at, const Rates& rates,
+                         LinkageMotion<T>& so_far, StepPolygons<T>* kept) const {
   const Point<T> X = at.points[index(step.joint)];
   const Slide<T> on_track = slide(step.track, at, so_far);
-  const StepPolygons<T> both =
-      with_side(step.rod, rates, so_far, [&](const auto& rod) { return polygons(rod, on_track, X); });
-  so_far.points[index(step.joint)] = joint_of(both, X);
-  move_rod(step.rod, both.velocity->first_rate, both.acceleration->first_rate, at, so_far);
-  move_block(step.track, joint_of(both, X), at, so_far);
-  return both;
+  const DyadRates both = with_side(step.rod, of_joints_[index(step.joint)].first, at, rates, so_far,
+                                   [&](const auto& rod) { return by_polygons(rod, on_track, X, kept); });
+  so_far.points[index(step.joint)] = both.joint;
+  move_rod(step.rod, both.first, at, so_far);
+  move_block(step.track, both.joint, at, so_far);
 }
 
 template <class T>
-StepPolygons<T> CarriedOut<T>::move(const TwoTracks& step, const LinkagePosition<T>& at, const Rates&,
-                                    LinkageMotion<T>& so_far) const {
+void CarriedOut<T>::move(const TwoTracks& step, const LinkagePosition<T>& at, const Rates&, LinkageMotion<T>& so_far,
+                         StepPolygons<T>* kept) const {
   const Point<T> X = at.points[index(step.joint)];
-  const StepPolygons<T> both = polygons(slide(step.first, at, so_far), slide(step.second, at, so_far), X);
-  so_far.points[index(step.joint)] = joint_of(both, X);
-  move_block(step.first, joint_of(both, X), at, so_far);
-  move_block(step.second, joint_of(both, X), at, so_far);
-  return both;
+  const DyadRates both = by_polygons(slide(step.first, at, so_far), slide(step.second, at, so_far), X, kept);
+  so_far.points[index(step.joint)] = both.joint;
+  move_block(step.first, both.joint, at, so_far);
+  move_block(step.second, both.joint, at, so_far);
 }
 
 template <class T>
-StepPolygons<T> CarriedOut<T>::move(const SlotOnPin& step, const LinkagePosition<T>& at, const Rates&,
-                                    LinkageMotion<T>& so_far) const {
+void CarriedOut<T>::move(const SlotOnPin& step, const LinkagePosition<T>& at, const Rates&, LinkageMotion<T>& so_far,
+                         StepPolygons<T>* kept) const {
   const Pin<T> P = so_far.points[index(step.pin)];
   const Bar<T> lever{so_far.points[index(step.hinge)]};
-  const StepPolygons<T> both = polygons(lever, PinInSlot<T>{P, in_plane(step.line, at).s}, P.at);
-  const PlaneMotion<T> motion = lever.motion(both.velocity->first_rate, both.acceleration->first_rate);
+  const DyadRates both = by_polygons(lever, PinInSlot<T>{P, in_plane(step.line, at).s}, P.at, kept);
+  const PlaneMotion<T> motion = lever.motion(both.first.first, both.first.second);
   put_motion(step.link, motion, at, so_far);
   if (step.block != nothing) put_motion(step.block, {P.at, P.v, P.a, motion.omega, motion.alpha}, at, so_far);
-  return both;
 }
 
 template <class T>
-StepPolygons<T> CarriedOut<T>::move(const BlockOnPin& step, const LinkagePosition<T>& at, const Rates&,
-                                    LinkageMotion<T>& so_far) const {
+void CarriedOut<T>::move(const BlockOnPin& step, const LinkagePosition<T>& at, const Rates&, LinkageMotion<T>& so_far,
+                         StepPolygons<T>* kept) const {
   const Pin<T> P = so_far.points[index(step.pin)];
   const Slide<T> on_track = slide(step.track, at, so_far);
   const LineOverPin<T> over{P, in_plane(step.line, at).s, on_track.body.omega};
-  const StepPolygons<T> both = polygons(on_track, over, P.at);
-  move_block(step.track, joint_of(both, P.at), at, so_far);
-  return both;
+  const DyadRates both = by_polygons(on_track, over, P.at, kept);
+  move_block(step.track, both.joint, at, so_far);
 }
 
 template <class T>
-StepPolygons<T> CarriedOut<T>::move(const CrossedBlock& step, const LinkagePosition<T>& at, const Rates&,
-                                    LinkageMotion<T>& so_far) const {
+void CarriedOut<T>::move(const CrossedBlock& step, const LinkagePosition<T>& at, const Rates&,
+                         LinkageMotion<T>& so_far, StepPolygons<T>* kept) const {
   const Slide<T> on_track = slide(step.track, at, so_far);
   const Pin<T>& Q = so_far.points[index(step.hinge)];
   const PlaneMotion<T> hung{Q.at, Q.v, Q.a, on_track.body.omega, on_track.body.alpha};
   put_motion(step.link, hung, at, so_far);
   const Rail crossing = in_plane(step.crossing, at);
-  const StepPolygons<T> both = polygons(on_track, Slide<T>{hung, crossing.s}, crossing.G);
-  move_block(step.track, joint_of(both, crossing.G), at, so_far);
-  return both;
+  const DyadRates both = by_polygons(on_track, Slide<T>{hung, crossing.s}, crossing.G, kept);
+  move_block(step.track, both.joint, at, so_far);
 }
 
 }  // namespace epure::geometry

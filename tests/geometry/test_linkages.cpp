@@ -269,7 +269,87 @@ void demand_exactly(const Linkage& of, const std::function<void(std::vector<anal
     analytic::demand_joints(linkage, states, order, analytic::all_links(linkage));
 }
 
+// Places, velocities and accelerations of all points, and the rates of all links.
+template <class T, class Compare>
+void compare_found(const LinkagePosition<T>& at, const LinkageMotion<T>& moving, const LinkagePosition<T>& other_at,
+                   const LinkageMotion<T>& other_moving, const Compare& compare) {
+  for (std::size_t i = 0; i < at.points.size(); ++i) {
+    const std::string point = "point " + std::to_string(i);
+    const Pin<T>&one = moving.points[i], &other = other_moving.points[i];
+    compare(point + ", x", at.points[i].x, other_at.points[i].x);
+    compare(point + ", y", at.points[i].y, other_at.points[i].y);
+    compare(point + ", v_x", one.v.x, other.v.x);
+    compare(point + ", v_y", one.v.y, other.v.y);
+    compare(point + ", a_x", one.a.x, other.a.x);
+    compare(point + ", a_y", one.a.y, other.a.y);
+  }
+  for (std::size_t i = 0; i < at.links.size(); ++i) {
+    const std::string link = "link " + std::to_string(i + 1);
+    compare(link + ", omega", moving.links[i].omega, other_moving.links[i].omega);
+    compare(link + ", alpha", moving.links[i].alpha, other_moving.links[i].alpha);
+  }
+}
+
+// All drives where the linkage says, but the first: in a direction, or so far along.
+DriveAt<Bounded> drive_at(const Rational& x, const Rational& y, const Rational& way) {
+  const auto number = from_rational<Bounded>;
+  return {0, {number(x), number(y)}, number(way)};
+}
+
 }  // namespace
+
+// What is kept has stood elsewhere before.
+TEST_CASE("A linkage written into what the caller keeps is where it is anew, points alone too") {
+  const Arithmetic<Bounded> scope;
+  for (const Named& named : all_linkages()) {
+    CAPTURE(named.name);
+    const std::vector<Step> steps = assur_groups(named.linkage);
+    const CarriedOut<Bounded> carried_out(named.linkage, steps);
+    const std::vector<DriveRates<Bounded>> rates = carried_out.rates();
+    const LinkagePosition<Bounded> at = carried_out.position();
+    const LinkageMotion<Bounded> motion = carried_out.motion(at, rates);
+    for (const Wanted wanted : {Wanted::links, Wanted::points}) {
+      LinkagePosition<Bounded> kept = carried_out.position_before(0);
+      kept.wanted = wanted;
+      LinkageMotion<Bounded> moving = carried_out.at_rest(kept);
+      if (std::holds_alternative<TurnedLink>(named.linkage.drives[0]) && named.linkage.gears.empty()) {
+        kept.elsewhere = drive_at(Rational(12, 13), Rational(5, 13), 0);
+        carried_out.place_all(kept);
+        carried_out.move_all(moving, kept, rates);
+        CHECK(moving.steps.empty());
+        kept.elsewhere.reset();
+      }
+      carried_out.place_all(kept);
+      carried_out.move_all(moving, kept, rates);
+      compare_found(kept, moving, at, motion, [&](const std::string& what, const Bounded& one, const Bounded& other) {
+        if (wanted == Wanted::points) return check_overlap<Bounded>(what, one, other);
+        INFO(what);
+        CHECK(one.inf() == other.inf());
+        CHECK(one.sup() == other.sup());
+      });
+    }
+  }
+}
+
+TEST_CASE("A drive that is elsewhere moves a linkage as if it stood there") {
+  const Arithmetic<Bounded> scope;
+  for (const auto& [named, way] :
+       {std::pair(Named{"excavator", excavator()}, Rational(19, 10)), {Named{"ladder", ladder()}, Rational(1, 2)}}) {
+    CAPTURE(named.name);
+    Linkage there = named.linkage;
+    const auto put = [to = way](auto& drive) {
+      using Kind = std::decay_t<decltype(drive)>;
+      if constexpr (std::is_same_v<Kind, Stretched>) drive.length = to;
+      if constexpr (std::is_same_v<Kind, SlidPoint>) drive.at = to;
+    };
+    std::visit(put, there.drives[0]);
+    const std::vector<Step> steps = assur_groups(there);
+    const CarriedOut<Bounded> as_stated(there, steps), moved(named.linkage, steps);
+    const LinkagePosition<Bounded> at = as_stated.position(), elsewhere = moved.position(drive_at(1, 0, way));
+    compare_found(elsewhere, moved.motion(elsewhere, moved.rates()), at, as_stated.motion(at, as_stated.rates()),
+                  check_overlap<Bounded>);
+  }
+}
 
 // The angle of a crank is told from 0 to 360°, and beyond; where a link is, from -180° to 180°.
 TEST_CASE("A linkage is found by both routes all round a turn") {
