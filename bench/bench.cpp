@@ -6,6 +6,7 @@
 
 #include "bench/corpus_folder.h"
 #include "bench/curves.h"
+#include "bench/many_positions.h"
 #include "bench/measured.h"
 #include "bench/sheet_times.h"
 #include "bench/sweep.h"
@@ -61,6 +62,8 @@ Report run_bench(const Catalogue& exercises, double seconds,
   }
   progress("sweep");
   time_as_sweep(report.families, 0.02 * seconds);
+  progress("positions");
+  report.positions = measure_positions(corpus_folder().string(), 0.05 * seconds);
   progress("curves");
   report.curves = measure_curves(seconds < 10 ? 2 : 5, for_curves);
   progress("sheets");

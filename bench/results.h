@@ -52,6 +52,14 @@ struct DecisionResult {
   std::string slowest = {};  // "CASE: QUESTION"
 };
 
+// One position of a mechanism after the other, velocities and accelerations too (many_positions.h).
+struct PositionResult {
+  std::string mechanism, number;
+  double ns = 0;  // for one position
+  double max_relative_error = 0;
+  std::optional<double> max_relative_bound = {};  // none: nothing was promised
+};
+
 // A curve drawn to a tolerance, by Bezier arcs of proved deviation and by points at equal steps joined by lines.
 struct CurveResult {
   std::string curve;
@@ -83,6 +91,7 @@ struct Report {
   Machine machine;
   std::vector<FamilyResult> families;
   std::vector<DecisionResult> decisions;
+  std::vector<PositionResult> positions;
   std::vector<CurveResult> curves;
   std::vector<SheetResult> sheets;
   std::string no_sheets = {};  // why none were measured

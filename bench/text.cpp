@@ -44,6 +44,14 @@ Rows decisions(const Report& report) {
   return rows;
 }
 
+Rows positions(const Report& report) {
+  Rows rows{{"MECHANISM", "NUMBER", "TIME PER POSITION", "LARGEST ERROR", "LARGEST BOUND"}};
+  for (const PositionResult& each : report.positions)
+    rows.push_back({each.mechanism, each.number, short_time(each.ns), short_error(each.max_relative_error),
+                    each.max_relative_bound ? short_error(*each.max_relative_bound) : "none"});
+  return rows;
+}
+
 Rows curves(const Report& report) {
   Rows rows{{"CURVE", "TOLERANCE", "PROVED", "VERIFIED", "ARCS", "TIME", "BYTES", "UNIFORM LINES", "TIME", "BYTES"}};
   for (const CurveResult& each : report.curves)
@@ -73,7 +81,8 @@ Rows sheets(const Report& report) {
 std::string text_of(const Report& report) {
   const Machine& on = report.machine;
   std::string text = fmt::format("{}, {} cores, {}\n\n", on.processor, on.cores, on.compiler) +
-                     columns(families(report)) + "\n" + columns(decisions(report)) + "\n" + columns(curves(report));
+                     columns(families(report)) + "\n" + columns(decisions(report)) + "\n" +
+                     columns(positions(report)) + "\n" + columns(curves(report));
   text += "\n" + (report.sheets.empty() ? "whole sheets: not measured, " + report.no_sheets + "\n"
                                         : columns(sheets(report)));
   return text;

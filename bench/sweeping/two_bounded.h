@@ -82,6 +82,7 @@ inline TwoBounded operator+(const TwoBounded& a, const TwoBounded& b) {
   return {a.minus_lower + b.minus_lower, a.upper + b.upper};
 }
 inline TwoBounded operator-(const TwoBounded& a, const TwoBounded& b) { return a + -b; }
+inline TwoBounded& operator+=(TwoBounded& a, const TwoBounded& b) { return a = a + b; }
 
 namespace lanes {
 

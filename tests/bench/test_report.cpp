@@ -48,6 +48,8 @@ Report example() {
   }
   for (const std::string& family : families)
     report.decisions.push_back({family, 400, 1, 210, 60, 129, 2.6, "dead-centre-offset-before-1e-30: room_to_guide"});
+  report.positions.push_back({"four-bar by hand", "fast", 46.4, 1e-14, {}});
+  report.positions.push_back({"four-bar by hand", "bounded", 147, 1e-14, 1e-13});
   for (const char* curve : {"cycloid", "involute", "coupler curve", "polode"})
     for (int i = 0; i < 5; ++i) {
       const double tolerance = std::pow(10, -4 - i), scale = std::pow(10, i);
@@ -112,7 +114,7 @@ TEST_CASE("the table has a row for each family and number, each curve and each s
   }
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   CHECK(lines == 2 + (1 + report.families.size()) + 1 + (1 + report.decisions.size()) + 1 +
-                     (1 + report.curves.size()) + 1 + (1 + report.sheets.size()));
+                     (1 + report.positions.size()) + 1 + (1 + report.curves.size()) + 1 + (1 + report.sheets.size()));
 }
 
 TEST_CASE("what is short to say is said shortly") {
