@@ -23,8 +23,8 @@ constexpr double least_scrap = 0x1p-12;
 
 // Beside a root that touches zero and comes back (a change point) pieces must be as short as the square of their
 // distance from it: a million of them. When an arc of the turn has had its looks, the shortest piece grows, four
-// times for every sixteenth of them more, and the gap about the root becomes wider: some 1e-3 radians. After as many
-// again it grows on, up to this much of an arc, so that no locus is looked for without end.
+// times for every sixteenth of them more, and the gap about the root becomes wider: some 1e-3 radians. After twice as
+// many it grows on, up to this much of an arc, so that no locus is looked for without end.
 constexpr int times_coarser_in_as_many = 16;
 constexpr double longest_left_out = 0x1p-4;
 
@@ -106,7 +106,7 @@ class Tracer {
       return std::ldexp(from, 2 * (beyond * times_coarser_in_as_many / looks_of_an_arc_));
     };
     return std::min(
-        {grown(shortest_piece, looks_of_an_arc_), grown(least_scrap, 2 * looks_of_an_arc_), longest_left_out});
+        {grown(shortest_piece, looks_of_an_arc_), grown(least_scrap, 3 * looks_of_an_arc_), longest_left_out});
   }
 
   Piece look(double t, double end) {
