@@ -1,5 +1,5 @@
 // The calls of Cairo and Pango that draw pages, written down, for the bare program in floor/ to make them again. What
-// that takes is what epure is held against (it opens and sets letters without Pango itself).
+// that takes is what epure is held against, which sets its letters without Pango.
 #pragma once
 
 #include <string>

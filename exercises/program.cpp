@@ -47,9 +47,11 @@ void fetch_memory() {
   const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0)) + before;
   ::sbrk(static_cast<std::intptr_t>(huge - end % huge));
   void* const taken = std::malloc(before + of_a_sheet);
-  void* const first = reinterpret_cast<void*>((reinterpret_cast<std::uintptr_t>(taken) / huge + 1) * huge);
-  ::madvise(first, of_a_sheet, MADV_HUGEPAGE);
-  ::madvise(first, of_a_sheet, MADV_POPULATE_WRITE);
+  const auto from = reinterpret_cast<std::uintptr_t>(taken), first = (from / huge + 1) * huge;
+  if (taken && first - from <= before) {  // else it is not where it was made to begin
+    ::madvise(reinterpret_cast<void*>(first), of_a_sheet, MADV_HUGEPAGE);
+    ::madvise(reinterpret_cast<void*>(first), of_a_sheet, MADV_POPULATE_WRITE);
+  }
   std::free(taken);
 #endif
 }

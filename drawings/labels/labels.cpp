@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
-#include <utility>
 
 #include "drawings/labels/candidates.h"
 #include "drawings/paths/vectors.h"
@@ -213,7 +212,10 @@ class Placement {
     double least = best == none ? INFINITY : total(i, best);
     std::vector<std::size_t> others;
     for (std::size_t o = 0; option_below(least, i, o); ++o) {
-      if (std::exchange(options, options_[i].size()) != options_[i].size()) others = around_options(i);
+      if (options != options_[i].size()) {  // more were added, farther out
+        options = options_[i].size();
+        others = around_options(i);
+      }
       const double cost = total(i, o, others, least);
       if (cost < least - 1e-9) {
         least = cost;

@@ -47,8 +47,9 @@ struct FigureWithin::Figure {
 
 // Null where it does not fit.
 std::shared_ptr<const FigureWithin::Figure> FigureWithin::in(const FigureSize& room) {
-  const auto [found, is_new] = known_.try_emplace({room.width, room.height});
-  if (!is_new) return found->second;
+  const std::pair key(room.width, room.height);
+  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  std::shared_ptr<const Figure> fitting;
   try {
     Figure figure{.drawn = draw_(room)};
     std::vector<std::string> overlaps;
@@ -58,10 +59,10 @@ std::shared_ptr<const FigureWithin::Figure> FigureWithin::in(const FigureSize& r
       figure.size = {std::max(figure.size.width, page.extent.width()),
                      std::max(figure.size.height, page.extent.height())};
     figure.overlaps = overlaps.size();
-    found->second = std::make_shared<const Figure>(std::move(figure));
-  } catch (const DoesNotFit&) {  // found->second stays null
+    fitting = std::make_shared<const Figure>(std::move(figure));
+  } catch (const DoesNotFit&) {  // none
   }
-  return found->second;
+  return known_[key] = fitting;
 }
 
 // A figure takes less than its room where letters did not need the air it has for them, or more where they found none

@@ -127,17 +127,18 @@ std::vector<std::string> read_extremes(const File& file, const Tree& all, const 
 void demand_few_curves(const File& file, const TextTree& root, const Built& built, std::size_t charts) {
   constexpr std::size_t most_of_one_link = 96;
   const std::size_t links = built.linkage.links.size(), most = most_of_one_link / links;
-  std::size_t count = 0;
+  const std::size_t count = built.paths.size() + 2 * built.polodes.size() + charts;
+  std::size_t so_far = 0;
   for (const auto& [key, curves] :
        {std::pair{"paths", built.paths.size()}, {"polodes", 2 * built.polodes.size()}, {"charts", charts}}) {
-    count += curves;
-    if (count <= most) continue;
+    so_far += curves;
+    if (so_far <= most) continue;
     const TextTree* list = root.find(key);
     file.refuse(list ? *list : *root.find("extremes"),
                 format_words("{} curves over all places of the drive are asked for, two of them by each link with "
-                             "polodes; of {} links there may be {}",
+                             "polodes; a mechanism of {} links may have {}",
                              "si chiedono {} curve su tutte le posizioni del movente, due per ogni membro con le "
-                             "polari; di {} membri possono essere {}",
+                             "polari; un meccanismo di {} membri può averne {}",
                              count, links, most));
   }
 }

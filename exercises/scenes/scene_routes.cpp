@@ -187,6 +187,7 @@ struct SceneRoutes {
       });
     for (const int P : built->paths) {
       const auto centre = [&, P] {
+        // Whether it has any; of a point that turns about a hinge of the frame that is the place.
         const Complex<T> by_motion =
             present(body(index(link_with(P))).centre_of_curvature(state(P, UpTo::place).z), no_curvature);
         const int O = turned_about(P);
@@ -470,11 +471,14 @@ struct SceneRoutes {
     const auto& at = constructed.at.points[index(P)];
     const auto centre = [&, P] {
       const PlaneMotion<T>& body = constructed.motion.get().links[index(link_with(P))];
-      if (sign(length_squared(body.velocity(at))) == Sign::zero)
+      const Sign moves = sign(length_squared(body.velocity(at)));
+      if (moves == Sign::zero)
         throw Impossible("the point is at rest: its path has no curvature there",
                          "il punto è fermo: lì la sua traiettoria non ha curvatura");
       const int O = turned_about(P);
-      return O == nothing ? body.centre_of_curvature(at) : projective(constructed.at.points[index(O)]);
+      if (O == nothing) return body.centre_of_curvature(at);
+      if (moves == Sign::undecided) throw Undecided("whether the point is at rest", "se il punto sia fermo");
+      return projective(constructed.at.points[index(O)]);
     };
     put_projective(ledger, centre_of_curvature(letter(P)), Words(no_curvature), centre);
     ledger.put(radius_of_curvature(letter(P)), [&] {

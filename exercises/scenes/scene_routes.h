@@ -11,7 +11,8 @@
 
 namespace epure::scenes {
 
-// What both routes take from the joints and the letters alone, wherever the drive stands.
+// What both routes take from the joints and the letters, and by which lines instant centres are found: those that
+// meet well where the drive stands when it is made.
 struct RoutePlan;
 std::shared_ptr<const RoutePlan> route_plan(const Built& built);
 

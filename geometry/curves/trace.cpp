@@ -23,8 +23,9 @@ constexpr double least_scrap = 0x1p-12;
 
 // Beside a root that touches zero and comes back (a change point) pieces must be as short as the square of their
 // distance from it: a million of them. When an arc of the turn has had its looks, the shortest piece grows, four
-// times for every sixteenth of them more, and the gap about the root becomes wider: some 1e-3 radians. After twice as
-// many it grows on, up to this much of an arc, so that no locus is looked for without end.
+// times for every sixteenth of them more, and the gap about the root becomes wider: some 1e-3 radians. After three
+// times its looks it grows on, up to 1/32 of an arc (t goes from -1 to 1), so that no locus is looked for without
+// end.
 constexpr int times_coarser_in_as_many = 16;
 constexpr double longest_left_out = 0x1p-4;
 

@@ -70,8 +70,9 @@ inline constexpr int usual_looks = 1 << 14;
 // Every branch deviates by at most `tolerance`. A piece of the curve is left out only when it is proved to lie
 // outside the frame (a point at infinity does), or when it is stated as a gap. What is drawn reaches at most one
 // width or height of the frame beyond it. Where a root vanishes and the locus ends, the undecided gap is some 1e-12
-// radians wide; where the linkage folds (l = r) noise takes more, some 1e-6, the more the finer the tolerance. A
-// frame without an inside, or a tolerance that is not positive, is a caller's mistake.
+// radians wide; where the linkage folds (l = r) noise takes more, some 1e-6, the more the finer the tolerance.
+// A locus that has had three times its looks may have gaps of some 0.05 radians. A frame without an inside, or a
+// tolerance that is not positive, is a caller's mistake.
 Trace trace(const TracedLocus& locus, const Frame& frame, double tolerance, int looks = usual_looks);
 
 template <class Locus>

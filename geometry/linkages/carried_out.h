@@ -150,7 +150,8 @@ class CarriedOut {
     return position_before(steps_.size(), elsewhere);
   }
   // The same, written over a position of this linkage that the caller keeps (at first that before the first step): it
-  // says what is wanted and where the drive is.
+  // says what is wanted and where the drive is. When it throws, what is kept is no place; the next call writes all of
+  // it.
   void place_all(LinkagePosition<T>& at) const;
   // What the steps before this one place.
   LinkagePosition<T> position_before(std::size_t step, const std::optional<DriveAt<T>>& elsewhere = {},
@@ -549,7 +550,7 @@ typename CarriedOut<T>::RodNumbers CarriedOut<T>::numbers_of(const Rod& rod, int
   if (rod.link == nothing) {
     of.exactly = std::get<Stretched>(linkage_.drives[index(rod.cylinder)]).length;
     of.exactly_squared = *of.exactly * *of.exactly;
-    of.over_length = number(1 / *of.exactly);
+    if (*of.exactly != 0) of.over_length = number(1 / *of.exactly);
   } else {
     const auto &P = linkage_.place(rod.link, rod.pin), &X = linkage_.place(rod.link, joint);
     of.exactly_squared = (X.x - P.x) * (X.x - P.x) + (X.y - P.y) * (X.y - P.y);
@@ -820,6 +821,8 @@ auto CarriedOut<T>::with_side(const Rod& rod, const RodNumbers& of, const Linkag
   const Pin<T>& P = so_far.points[index(rod.pin)];
   if (rod.link != nothing) return use(Bar<T>{P});
   const DriveAt<T>* there = elsewhere(rod.cylinder, at);
+  if (!there && of.exactly && *of.exactly == 0)
+    throw Impossible("a cylinder without length points nowhere", "un cilindro senza lunghezza non ha direzione");
   const T over = there ? quotient(T(1), there->way) : of.over_length;
   const DriveRates<T>& rate = rates[index(rod.cylinder)];
   return use(StretchingBar<T>{P, over * rate.first, over * rate.second});

@@ -161,10 +161,11 @@ CentrePlan CentrePlan::leading_to(int i, int j) const {
   CentrePlan plan{.bodies = bodies, .permanent = {}, .found = {}};
   for (auto centre = found.rbegin(); centre != found.rend(); ++centre) {
     if (!is_wanted(*centre)) continue;
-    plan.found.insert(plan.found.begin(), *centre);
+    plan.found.push_back(*centre);
     for (const int other : {centre->k, centre->l})
       for (const int of : {centre->i, centre->j}) wanted.insert(std::minmax(of, other));
   }
+  std::reverse(plan.found.begin(), plan.found.end());
   std::copy_if(permanent.begin(), permanent.end(), std::back_inserter(plan.permanent), is_wanted);
   return plan;
 }

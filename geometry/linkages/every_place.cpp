@@ -39,6 +39,14 @@ std::function<ProjectivePoint<X>(const Vector<X>&)> polode_over(const EveryPlace
   };
 }
 
+// To find a linkage is a hundred times as dear as the loci that the usual number is for, and the more so the more
+// links it has.
+int looks_of(const Linkage& linkage) {
+  constexpr int links_of_most = 8;
+  const int links = static_cast<int>(linkage.links.size());
+  return (usual_looks >> 3) * links_of_most / std::max(links_of_most, links);
+}
+
 }  // namespace
 
 EveryPlace::EveryPlace(const Linkage& linkage, const std::vector<Step>& steps) : linkage_(linkage), steps_(steps) {
@@ -61,14 +69,6 @@ EveryPlace::EveryPlace(const Linkage& linkage, const std::vector<Step>& steps) :
       if (turns_ * std::abs(CGAL::to_double(wheel->turn.times.front())) > most_turns_of_a_wheel)
         throw Impossible("a wheel turns more than 100 times before the gears come back to where they were",
                          "una ruota fa più di 100 giri prima che gli ingranaggi tornino dov'erano");
-}
-
-// To find a linkage is a hundred times as dear as the loci that the usual number is for, and the more so the more
-// links it has.
-int looks_of(const Linkage& linkage) {
-  constexpr int links_of_most = 8;
-  const int links = static_cast<int>(linkage.links.size());
-  return (usual_looks >> 3) * links_of_most / std::max(links_of_most, links);
 }
 
 Trace EveryPlace::path(int point, const Frame& frame, double tolerance) const {

@@ -63,6 +63,8 @@ class OverDrive {
 
   // Each quantity's, where it has a value.
   std::map<std::string, Enclosure> values_at(const geometry::Rational& place) const {
+    if (std::holds_alternative<Stretched>(drive()) && place <= 0)
+      return {};  // a cylinder without length points nowhere
     auto there = std::make_shared<Built>(built_);
     put(there->linkage.drives.front(), place);
     const Asked asked(names_);

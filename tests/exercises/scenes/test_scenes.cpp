@@ -234,9 +234,9 @@ TEST_CASE("a file that is wrong is refused with its place and a sentence", "[sce
   // All together: two paths, two polodes, 21 charts.
   std::string charts = "v_A";
   for (int i = 1; i < 21; ++i) charts += ", v_A" + std::to_string(i);
-  CHECK_THAT(
-      refusal(four_bar() + "paths: [A, B]\npolodes: [3]\ncharts: [" + charts + "]\n"),
-      Contains("25 curves over all places of the drive are asked for") && Contains("of 4 links there may be 24"));
+  CHECK_THAT(refusal(four_bar() + "paths: [A, B]\npolodes: [3]\ncharts: [" + charts + "]\n"),
+             Contains("25 curves over all places of the drive are asked for") &&
+                 Contains("a mechanism of 4 links may have 24"));
   CHECK(begins(refusal("epure: 2\nid: f\n"), "1:8: a scene begins with  epure: 1"));
   CHECK(begins(refusal("epure: 1\nid: ../f\n"), "2:5: \"../f\" is no id"));
   CHECK(begins(refusal(four_bar() + "link: 3\n"), "10:1: \"link\" has no meaning here; did you mean links?"));
@@ -798,6 +798,38 @@ TEST_CASE("a block alone on its guide has no extent, and is drawn all the same",
   passes(
       "epure: 1\nid: f\nlinks:\n  1: {e: {through: [400 mm, 300 mm], along: 90 deg}}\n  2: {F: [0, 0], f: {through: "
       "[0, 0], along: 0 deg}}\nslides: {f: e}\ndrive: {slide: F, on: e, at: 118 mm, speed: -20 cm/s}\n");
+}
+
+TEST_CASE("where a rocker rests its point has no curvature, though its hinge is known", "[scenes]") {
+  const CheckedExercise dead = checked_text(R"yaml(epure: 1
+id: f
+points: {A0: [0, 0], B0: [0.6, 0], A: [0.12, 0.16], B: [0.3, 0.4]}
+links:
+  1: A0 B0
+  2: A0 A
+  3: A B
+  4: B0 B
+drive: {link: 2, speed: 10 rpm}
+paths: [B]
+)yaml");
+  CAPTURE(complaints(dead));
+  CHECK(dead.passed());
+  for (const std::string name : {"curvature_centre_B_x", "curvature_centre_B_y"})
+    for (const RouteValue& route : find(dead, name).routes)
+      CHECK(route.settled.kind == geometry::Settled::Kind::absent);
+}
+
+TEST_CASE("charts begin where a cylinder has no length", "[scenes]") {
+  passes(R"yaml(epure: 1
+id: f
+links:
+  1: {O: [0, 0], g: {along: [1, 0]}}
+  2: {B: [0, 0], b: {along: [1, 0]}}
+slides: {b: g}
+drive: {length: O B, is: 300 mm, speed: 0.1 m/s}
+assembly: {B: ahead on g}
+charts: [B_x, v_B_x]
+)yaml");
 }
 
 // Two links that turn alike, or lie in each other, whatever numbers say of them.
