@@ -35,23 +35,19 @@ std::pair<double, double> reach_of_action(const Pair& pair) {
 class MeshPicture {
  public:
   MeshPicture(const Pair& pair, Plot& plot, const drawings::Box& room, Language language)
-      : pair_(pair),
-        plot_(plot),
-        room_(room),
-        language_(language),
-        teeth_(pair, curve_tolerance_mm / plot.scale().mm_per_unit) {}
+      : pair_(pair), plot_(plot), room_(room), language_(language) {}
 
   void draw() {
     for (const int wheel : {2, 1}) draw_circles(wheel);
-    for (const int wheel : {2, 1}) teeth_.tint(plot_, wheel, tinted_rim * pair_.m());
-    for (const int wheel : {2, 1}) teeth_.draw(plot_, wheel, Meaning::link);
+    for (const int wheel : {2, 1}) teeth().tint(plot_, wheel, tinted_rim * pair_.m());
+    for (const int wheel : {2, 1}) teeth().draw(plot_, wheel, Meaning::link);
     for (const int wheel : {2, 1}) draw_motion(wheel);
     draw_line_of_centres([](int) { return true; });
     draw_line_of_action();
     if (pair_.has_contact()) draw_contact();
     draw_heights();
     measure_clearances();
-    mark_faults(plot_, pair_, teeth_, language_);
+    mark_faults(plot_, pair_, teeth(), language_);
   }
 
   // The centres mostly lie off the sheet, where no compass reaches the reference circles.
@@ -69,7 +65,7 @@ class MeshPicture {
   std::vector<drawings::Block> missing_outlines() const {
     std::vector<drawings::Block> told;
     for (const int wheel : {1, 2})
-      if (!teeth_.has(wheel))
+      if (!teeth().has(wheel))
         told.push_back(drawings::Paragraph{
             format_words("No outline of wheel {}: the rack that should cut it leaves no such teeth.",
                          "Nessun profilo della ruota {}: la dentiera che dovrebbe tagliarla non lascia denti simili.",
@@ -264,7 +260,7 @@ class MeshPicture {
     plot_.segment(pair_.at(from), pair_.at(to), Meaning::locus, pair_.is_whole() ? "AE" : "contact");
     plot_.in_step(Step::flanks);
     for (const PathEnd& end : {pair_.begins, pair_.ends}) {
-      for (const int wheel : {1, 2}) teeth_.draw_flank(plot_, wheel, end.xi);
+      for (const int wheel : {1, 2}) teeth().draw_flank(plot_, wheel, end.xi);
       if (end.is_short()) name(end.xi, end.letters());
     }
   }
@@ -294,11 +290,11 @@ class MeshPicture {
 
   // Addendum and dedendum of wheel 1 along the middle of a space beside the mesh, away from its letters.
   void draw_heights() const {
-    if (!teeth_.has(1)) return;
+    if (!teeth().has(1)) return;
     const double side = pair_.is_ring() ? -1 : 1, r = pair_("r", 1), r_tip = pair_("r_tip_", 1);
     const double r_root = pair_("r_root_", 1);
     for (const double space : {2.5 * side, 1.5 * side, -1.5 * side, -2.5 * side}) {
-      const Arrow2 out = teeth_.direction_of_tooth(1, space);
+      const Arrow2 out = teeth().direction_of_tooth(1, space);
       const Place tip = pair_.O(1) + r_tip * out, pitch = pair_.O(1) + r * out, root = pair_.O(1) + r_root * out;
       if (out.y < 0.3 || !inside(tip) || !inside(root)) continue;
       dimension(root, pitch, 0, "$h_{f}$", pair_.s["dedendum"]);
@@ -317,11 +313,17 @@ class MeshPicture {
     }
   }
 
+  // To fit their flanks is most of the work, and what is given shows none.
+  const Teeth& teeth() const {
+    if (!teeth_) teeth_.emplace(pair_, curve_tolerance_mm / plot_.scale().mm_per_unit);
+    return *teeth_;
+  }
+
   const Pair& pair_;
   Plot& plot_;
   drawings::Box room_;
   Language language_;
-  Teeth teeth_;
+  mutable std::optional<Teeth> teeth_ = {};
 };
 
 PanelStep to_tangent_points(const Pair& pair, const Plot& plot, const drawings::Box& room) {
