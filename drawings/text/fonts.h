@@ -18,6 +18,7 @@ inline constexpr double units_per_em = 1000;
 struct ShapedGlyph {
   unsigned index = 0;
   Point at;          // font units, from the start of the letters
+  Box ink;           // the drawn part, from the glyph's own place, y upwards; not `low <= high` when it draws nothing
   std::string text;  // the characters it stands for, UTF-8 (several for a ligature); may be empty
 };
 struct ShapedLetters {
@@ -27,9 +28,8 @@ struct ShapedLetters {
 
 // Everything here throws std::runtime_error when a shipped font is missing or is not what it should be.
 bool has_glyph(Face face, char32_t character);
-// With kerning and ligatures. Throws std::invalid_argument for a character the face lacks.
-ShapedLetters shape(Face face, const std::string& letters);
-// The drawn part of a glyph in font units, y upwards; not `low <= high` when it draws nothing (a space).
-Box ink(Face face, unsigned glyph);
+// With kerning and ligatures; stands until the next call in this thread. Throws std::invalid_argument for a character
+// the face lacks.
+const ShapedLetters& shape(Face face, const std::string& letters);
 
 }  // namespace epure::drawings

@@ -54,7 +54,15 @@ hb_font_t* open(const std::filesystem::path& folder, const char* name) {
 }  // namespace
 
 ShippedFonts::ShippedFonts(const std::filesystem::path& folder) {
-  for (std::size_t i = 0; i < names.size(); ++i) fonts_.at(i).reset(open(folder, names.at(i)));
+  letters_.direction = HB_DIRECTION_LTR;
+  letters_.script = HB_SCRIPT_LATIN;
+  letters_.language = hb_language_from_string("en", -1);  // it would be the machine's
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    fonts_.at(i).reset(open(folder, names.at(i)));
+    const MemoryWatch memory;
+    plans_.at(i).reset(hb_shape_plan_create(hb_font_get_face(fonts_.at(i).get()), &letters_, nullptr, 0, nullptr));
+    memory.demand();
+  }
 }
 
 const ShippedFonts& shipped_fonts() {

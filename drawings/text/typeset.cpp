@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
+#include <functional>
 #include <stdexcept>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "drawings/paths/vectors.h"
@@ -107,12 +107,11 @@ class Setter {
   void set_run(const std::string& letters, Face face, double size) {
     if (letters.empty()) return;
     const double scale = size / units_per_em;
-    ShapedLetters shaped = shape(face, letters);
+    const ShapedLetters& shaped = shape(face, letters);
     GlyphRun run{face, size, {}, letters, pen_};
-    for (ShapedGlyph& glyph : shaped.glyphs) {
+    for (const ShapedGlyph& glyph : shaped.glyphs) {
       const Point at = pen_ + scale * glyph.at;
-      if (const Box drawn = ink(face, glyph.index); !is_nothing(drawn))
-        ink_ = include(ink_, Box{at + scale * drawn.low, at + scale * drawn.high});
+      if (!is_nothing(glyph.ink)) ink_ = include(ink_, Box{at + scale * glyph.ink.low, at + scale * glyph.ink.high});
       run.glyphs.push_back({glyph.index, at, std::exchange(prefix_, {}) + glyph.text});
     }
     pen_.x += scale * shaped.advance;
@@ -144,14 +143,25 @@ class Setter {
   std::string prefix_;   // goes before the text of the next glyph
 };
 
+struct Wish {
+  std::string rich_text;
+  double size = 0;
+  Weight weight = Weight::regular;
+  bool operator==(const Wish&) const = default;
+};
+struct HashOfWish {
+  std::size_t operator()(const Wish& wish) const {
+    return std::hash<std::string>()(wish.rich_text) ^ std::hash<double>()(wish.size);
+  }
+};
+
 }  // namespace
 
 const SetText& typeset(const std::string& rich_text, double size, Weight weight) {
   if (!std::isfinite(size) || size <= 0)
     throw std::invalid_argument(fmt::format("label \"{}\": a letter size of {} mm", rich_text, size));
-  using Wish = std::tuple<std::string, double, Weight>;
-  thread_local std::map<Wish, SetText> known;
-  const Wish wish(rich_text, size, weight);
+  thread_local std::unordered_map<Wish, SetText, HashOfWish> known;
+  const Wish wish{rich_text, size, weight};
   if (const auto found = known.find(wish); found != known.end()) return found->second;
   constexpr std::size_t most = 5000;  // some megabytes; a sheet has about a hundred
   if (known.size() == most) known.clear();

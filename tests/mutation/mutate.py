@@ -68,7 +68,7 @@ def build_programs():
         folder.mkdir(parents=True, exist_ok=True)
         subprocess.run(["c++", "-shared", "-fPIC", "-Wl,-soname,libmutant.so", "-x", "c++", "-", "-o", empty], input=b"",
                        check=True)
-    first = f"-Wl,--push-state,--no-as-needed {empty} -Wl,--pop-state -Wl,--enable-new-dtags,-rpath,{folder}"
+    first = f"-Wl,--push-state,--no-as-needed {empty} -Wl,--pop-state -Wl,--enable-new-dtags,-rpath,{folder} -Wl,--copy-dt-needed-entries"
     subprocess.run(["cmake", "-S", ".", "-B", build, "-DBUILD_SHARED_LIBS=ON", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
                     f"-DCMAKE_EXE_LINKER_FLAGS={first}"], stdout=subprocess.DEVNULL, check=True)
     subprocess.run(["cmake", "--build", build], stdout=subprocess.DEVNULL, check=True)
