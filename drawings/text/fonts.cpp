@@ -51,12 +51,6 @@ Box find_ink(hb_font_t* font, unsigned glyph) {
   return {corner + Point{0, static_cast<double>(drawn.height)}, corner + Point{static_cast<double>(drawn.width), 0}};
 }
 
-Box ink(Face face, unsigned glyph) {
-  auto& inks = known_of(face).inks;
-  if (const auto found = inks.find(glyph); found != inks.end()) return found->second;
-  return inks.emplace(glyph, find_ink(shipped_fonts()[face], glyph)).first->second;
-}
-
 ShapedLetters shape_anew(Face face, std::string_view letters) {
   const Letters set_letters = set(face, letters);
   unsigned count = 0;
@@ -101,6 +95,12 @@ const ShapedLetters& shape(Face face, const std::string& letters) {
   if (const auto found = known.find(letters); found != known.end()) return found->second;
   if (known.size() == most) known.clear();
   return known.emplace(letters, shape_anew(face, letters)).first->second;
+}
+
+Box ink(Face face, unsigned glyph) {
+  auto& inks = known_of(face).inks;
+  if (const auto found = inks.find(glyph); found != inks.end()) return found->second;
+  return inks.emplace(glyph, find_ink(shipped_fonts()[face], glyph)).first->second;
 }
 
 }  // namespace epure::drawings

@@ -18,7 +18,7 @@ inline constexpr double units_per_em = 1000;
 struct ShapedGlyph {
   unsigned index = 0;
   Point at;          // font units, from the start of the letters
-  Box ink;           // the drawn part, from the glyph's own place, y upwards; not `low <= high` when it draws nothing
+  Box ink;           // from the glyph's own place
   std::string text;  // the characters it stands for, UTF-8 (several for a ligature); may be empty
 };
 struct ShapedLetters {
@@ -31,5 +31,7 @@ bool has_glyph(Face face, char32_t character);
 // With kerning and ligatures; stands until the next call in this thread. Throws std::invalid_argument for a character
 // the face lacks.
 const ShapedLetters& shape(Face face, const std::string& letters);
+// The drawn part of a glyph in font units, y upwards; not `low <= high` when it draws nothing (a space).
+Box ink(Face face, unsigned glyph);
 
 }  // namespace epure::drawings
