@@ -200,20 +200,23 @@ class ChartPainter {
     figure.marks.push_back(Line{segment(opposite, opposite - in), Meaning::dimension});
   }
 
+  // Ticks first, then the numbers as a table: in a file things alike that follow each other are said once.
   void draw_x_axis(const Arrangement& parts, const ChartMap& map, Figure& figure) const {
     const Box f = map.frame;
     const double baseline = f.low.y - below_frame - digit_height();
     const auto at = [&](double value, double length) {
       const double x = map.x.at(value);
       if (x > f.low.x + 0.01 && x < f.high.x - 0.01) tick(figure, {x, f.low.y}, {x, f.high.y}, length);
-      return x;
     };
     for (const double value : parts.x.between) at(value, short_tick);
+    for (const Tick& number : parts.x.numbered) at(number.value, long_tick);
     for (const Tick& number : parts.x.numbered) {
-      const double x = at(number.value, long_tick);
       const double width = measure(number.text, number_size).width;
-      figure.marks.push_back(
-          Writing{.text = number.text, .baseline = {x - width / 2, baseline}, .size = number_size, .anchor = 0.5});
+      figure.marks.push_back(Writing{.text = number.text,
+                                     .baseline = {map.x.at(number.value) - width / 2, baseline},
+                                     .size = number_size,
+                                     .row = 0,
+                                     .anchor = 0.5});
     }
     if (parts.x_title.empty()) return;
     const TextSize size = measure(parts.x_title, axis_title_size);
@@ -229,16 +232,18 @@ class ChartPainter {
     const auto at = [&](double value, double length) {
       const double y = map.y.at(value);
       if (y > f.low.y + 0.01 && y < f.high.y - 0.01) tick(figure, {f.low.x, y}, {f.high.x, y}, length);
-      return y;
     };
     for (const double value : parts.y.between) at(value, short_tick);
-    for (const Tick& number : parts.y.numbered) {
-      const double y = at(number.value, long_tick);
-      const double width = measure(number.text, number_size).width;
-      figure.marks.push_back(Writing{.text = number.text,
-                                     .baseline = {f.low.x - beside_frame - width, y - digit_height() / 2},
-                                     .size = number_size,
-                                     .anchor = 1});
+    for (const Tick& number : parts.y.numbered) at(number.value, long_tick);
+    for (std::size_t i = 0; i < parts.y.numbered.size(); ++i) {
+      const auto& [value, text] = parts.y.numbered[i];
+      const double width = measure(text, number_size).width;
+      figure.marks.push_back(
+          Writing{.text = text,
+                  .baseline = {f.low.x - beside_frame - width, map.y.at(value) - digit_height() / 2},
+                  .size = number_size,
+                  .row = i,
+                  .anchor = 1});
     }
     if (parts.y_title.empty()) return;
     const TextSize size = measure(parts.y_title, axis_title_size);

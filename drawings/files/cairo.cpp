@@ -350,6 +350,8 @@ std::string write_eps(const Page& page) {
   const MemoryWatch watch;
   std::string bytes = finish(surface.get(), memory);
   watch.demand();
+  // Until then Cairo keeps the page in a temporary file, and does not look whether the system took the last of it.
+  if (bytes.find("\nshowpage\n%%Trailer\n") == bytes.npos) demand(CAIRO_STATUS_TEMP_FILE_ERROR);
   return without_date(std::move(bytes));
 }
 

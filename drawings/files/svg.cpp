@@ -54,18 +54,17 @@ struct Step {
   long x = 0, y = 0;
 };
 
-// The value of a `d`: where a path starts as it is, then each point from the last one, with as few characters as the
-// grammar of SVG permits.
+// The value of a `d`: where the first path starts as it is, then each point from the last one, with as few characters
+// as the grammar of SVG permits.
 class PathData {
  public:
   explicit PathData(std::string& to) : to_(to) {}
 
   template <class ToSteps>
   void add(const Path& path, ToSteps to_steps) {
-    at_ = to_steps(path.start);
-    command('M');
-    number(at_.x);
-    number(at_.y);
+    const Step start = to_steps(path.start);
+    command(last_ == 0 ? 'M' : 'm');
+    at_ = from_here(start);
     for (const Piece& piece : path.pieces) {
       if (piece.straight) {
         straight(to_steps(piece.end));
@@ -76,7 +75,9 @@ class PathData {
         at_ = from_here(to_steps(piece.end));
       }
     }
-    if (path.closed) command('z');
+    if (!path.closed) return;
+    command('z');
+    at_ = start;
   }
 
  private:
@@ -100,9 +101,9 @@ class PathData {
     return to;
   }
 
-  // A letter holds until the next one, except that M would go on as lines.
+  // A letter holds until the next one, except that m would go on as lines.
   void command(char letter) {
-    if (letter == last_ && letter != 'M') return;
+    if (letter == last_ && letter != 'm') return;
     to_ += letter;
     last_ = letter;
   }
@@ -213,6 +214,9 @@ class Writer {
       if (fill && next && is_its_outline(*fill, *next)) {
         outlined(*fill, *next);
         ++i;
+      } else if (const std::size_t alike = ticks_from(i); alike > 1) {
+        ticks(i, alike);
+        i += alike - 1;
       } else if (const std::vector<PlacedText> cells = table_from(i); cells.size() > 1) {
         table(cells);
         i += cells.size() - 1;
@@ -312,6 +316,10 @@ class Writer {
     while (joined(columns)) {
     }
     for (const auto& [x, column] : columns) {
+      if (column.size() == 1) {
+        add_use(body_, column.front().id, x, column.front().y);
+        continue;
+      }
       body_ += "<g transform=\"translate(";
       add_whole(body_, x);
       body_ += ")\">";
@@ -430,6 +438,10 @@ class Writer {
     ink_ = ink;
   }
 
+  auto steps() const {
+    return [this](Point p) { return on_page(p); };
+  }
+
   template <class Mark>
   void add_mark(const Mark& mark) {
     body_ += "<path";
@@ -437,9 +449,41 @@ class Writer {
     add_step(mark.step);
     if (const auto told = page_.told.find(mark.name); told != page_.told.end()) add_told(told->second);
     if (mark.clip) add_attribute(body_, "clip-path", "url(#" + clip_id(*mark.clip) + ")");
+    add_path([&](PathData& data) { data.add(mark.path, steps()); });
+  }
+
+  template <class AddTo>
+  void add_path(AddTo add_to) {
     body_ += " d=\"";
-    PathData(body_).add(mark.path, [this](Point p) { return on_page(p); });
+    PathData data(body_);
+    add_to(data);
     body_ += "\"/>\n";
+  }
+
+  // How many strokes from this primitive on may be one path: alike, and nothing is to be known of them apart, as of
+  // the ticks along an axis. (Where what is seen through crosses itself, one path is lighter than two.)
+  std::size_t ticks_from(std::size_t first) const {
+    const auto stroke = [&](std::size_t i) {
+      const auto* found = i < page_.primitives.size() ? std::get_if<Stroke>(&page_.primitives[i]) : nullptr;
+      return found && found->name.empty() && !found->clip && found->colour.opacity == 1 ? found : nullptr;
+    };
+    const Stroke* const tick = stroke(first);
+    std::size_t end = first;
+    for (const Stroke* next = tick; next && next->width == tick->width && next->dashes == tick->dashes &&
+                                    next->colour == tick->colour && next->step == tick->step;)
+      next = stroke(++end);
+    return end - first;
+  }
+  void ticks(std::size_t first, std::size_t count) {
+    const auto stroke = [&](std::size_t i) -> const Stroke& { return std::get<Stroke>(page_.primitives[i]); };
+    std::string ink = " fill=\"none\"";
+    add_stroke(ink, stroke(first));
+    change_ink(ink);
+    body_ += "<path";
+    add_step(stroke(first).step);
+    add_path([&](PathData& data) {
+      for (std::size_t i = first; i < first + count; ++i) data.add(stroke(i).path, steps());
+    });
   }
 
   // By which style sheets and scripts find what a step draws.

@@ -461,10 +461,38 @@ TEST_CASE("where two drawings share an id that is referred to, the same stands b
   CHECK(shared > 15);
   CHECK(two.size() > one.size());
   const auto clips = [](const auto& found) {
-    return std::count_if(found.begin(), found.end(), [&](const auto& each) { return each.first[0] == 'c'; });
+    return std::count_if(found.begin(), found.end(),
+                         [](const auto& each) { return each.second.starts_with("<clipPath"); });
   };
   CHECK(clips(one) == 1);
   CHECK(clips(two) == 1);
+}
+
+// As the ticks along an axis, of which a chart has hundreds.
+TEST_CASE("strokes alike, of which nothing is to be known apart, are one path; others are not") {
+  const Stroke first = line({10, 10}, {10, 12}), second = line({20, 10}, {20, 13}), third = line({30, 11}, {34, 10});
+  const auto paths = [](std::vector<Primitive> strokes) {
+    return SvgFile(write_svg(page(std::move(strokes)))).xml().select_nodes("/svg/g//path").size();
+  };
+  const SvgFile svg(write_svg(page({first, second, third})));
+  REQUIRE(paths({first, second, third}) == 1);
+  const std::vector<Point> points = svg.points(svg.xml().select_node("/svg/g//path").node());
+  const std::vector<Point> drawn{{10, 10}, {10, 12}, {20, 10}, {20, 13}, {30, 11}, {34, 10}};
+  REQUIRE(points.size() == drawn.size());
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    CHECK(points[i].x == Approx(drawn[i].x).margin(file_resolution / 2));
+    CHECK(points[i].y == Approx(210 - drawn[i].y).margin(file_resolution / 2));
+  }
+  std::vector<Stroke> others(6, second);
+  others[0].name = "v_B";
+  others[1].clip = Box{{0, 0}, {100, 100}};
+  others[2].colour.opacity = 0.5;
+  others[3].step = 2;
+  others[4].width = 0.5;
+  others[5].dashes = {1, 1};
+  for (const Stroke& other : others) CHECK(paths({first, other, third}) == 3);
+  others[2].colour = {};
+  CHECK(paths({first, others[2], third}) == 3);
 }
 
 TEST_CASE("no two outlines of the shipped fonts share an id") {

@@ -76,6 +76,25 @@ rm -f piped.svg
 expect 'drawing all exits with 0' 0 $?
 "$epure" draw all --out all_two > /dev/null
 expect 'drawing all, on all processors, writes the same bytes again' '' "$(diff -r all_one all_two 2>&1)"
+"$epure" draw spool-slip/forces -o whole.eps > /dev/null
+blocks=$(($(wc -c < whole.eps) / 512 + 1))  # what is kept on the way, in a temporary file, is less
+while [ $((blocks = blocks - 1)) -gt 0 ]; do
+  code=$({ (ulimit -f "$blocks" && "$epure" draw spool-slip/forces --format eps -o - 2> /dev/null; echo $? >&3) |
+    cat > cut.eps; } 3>&1)
+  [ "$code" = 3 ] && continue
+  expect "an EPS whose temporary file may have $blocks blocks: the exit code" 0 "$code"
+  expect "an EPS whose temporary file may have $blocks blocks" '' "$(cmp whole.eps cut.eps 2>&1)"
+done
+for paper in a4 a3; do
+  for language in en it; do
+    for what in all scenes; do
+      "$epure" draw $what --format svg --paper "$paper" --lang "$language" --out sized > /dev/null
+      expect "$what: drawn on $paper, in $language" 0 $?
+    done
+    expect "no SVG is above 100 kB on $paper, in $language" '' "$(find sized -size +100000c)"
+    rm -r sized
+  done
+done
 
 "$epure" check "$first" --json > report
 expect 'checking exits with 0' 0 $?

@@ -61,8 +61,10 @@ class PathReader {
 
   std::vector<Point> points() {
     while (char letter = command()) {
-      if (letter == 'M') {
-        at_ = {number(), number()};
+      if (letter == 'M' || letter == 'm') {
+        const Point from = letter == 'm' ? at_ : Point{};
+        at_.x = from.x + number();
+        at_.y = from.y + number();
         start_ = at_;
         found_.push_back(at_);
       } else if (letter == 'z') {
@@ -81,7 +83,7 @@ class PathReader {
     if (*rest_ == 0) return 0;
     if (std::isalpha(static_cast<unsigned char>(*rest_)) != 0) {
       last_ = *rest_++;
-      REQUIRE(std::string_view("Mlhvcz").find(last_) != std::string_view::npos);
+      REQUIRE(std::string_view("Mmlhvcz").find(last_) != std::string_view::npos);
     } else {
       REQUIRE(std::string_view("lhvc").find(last_) != std::string_view::npos);
     }
