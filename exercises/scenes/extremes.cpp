@@ -75,39 +75,6 @@ struct Found {
   Settled value, place;
 };
 
-// The mechanism with its drive somewhere else, turning steadily; and what the ledger says of it there.
-class Elsewhere {
- public:
-  Elsewhere(const Built& built, const Changing& changing)
-      : built_(built), plan_(route_plan(built)), names_{changing.quantity.name, changing.slope} {
-    TurnedLink& drive = drive_of(built_);
-    drive.alpha = {};
-    if (!changing.is_rate) drive.omega = {0, 1};  // how fast it turns does not matter to places
-  }
-
-  // By one route: the quantity, and how fast it changes, with the drive at this part of a turn.
-  struct There {
-    Settled value, slope;
-  };
-  There at(const Rational& turns, const std::string& route) {
-    auto there = std::make_shared<Built>(built_);
-    drive_of(*there).angle = {turns, 0};
-    const Asked asked(names_);
-    There found{undecided({}), undecided({})};
-    for (const RouteValue& value : by_both_routes(there, plan_, Rung::climb))
-      if (value.route == route) (value.quantity == names_.front() ? found.value : found.slope) = value.settled;
-    return found;
-  }
-  Bounded omega() { return radians<Bounded>(drive_of(built_).omega); }
-
- private:
-  static TurnedLink& drive_of(Built& built) { return std::get<TurnedLink>(built.linkage.drives.front()); }
-
-  Built built_;
-  std::shared_ptr<const RoutePlan> plan_;
-  std::vector<std::string> names_;
-};
-
 bool is_zero(const Settled& settled) {
   return settled.kind == Settled::Kind::certain && settled.enclosure.lower == 0 && settled.enclosure.upper == 0;
 }
@@ -116,6 +83,44 @@ std::optional<Bounded> bounds(const Settled& settled) {
   return Bounded(settled.enclosure.lower, settled.enclosure.upper);
 }
 
+// The mechanism with its drive somewhere else, turning steadily; and what the ledger says of it there.
+class Elsewhere {
+ public:
+  Elsewhere(const Built& built, const Changing& changing)
+      : built_(built), plan_(route_plan(built)), quantity_(changing.quantity.name), slope_(changing.slope) {
+    TurnedLink& drive = drive_of(built_);
+    drive.alpha = {};
+    if (!changing.is_rate) drive.omega = {0, 1};  // how fast it turns does not matter to places
+  }
+
+  // By one route, with the drive at this part of a turn: the quantity, and how fast it changes.
+  Settled value(const Rational& turns, const std::string& route) { return at(turns, route, quantity_, Rung::climb); }
+  Settled slope(const Rational& turns, const std::string& route) { return at(turns, route, slope_, Rung::climb); }
+  // Bounds of that, where it is not zero as near as it takes to tell its sign; none where that is not found.
+  std::optional<Bounded> rough_slope(const Rational& turns, const std::string& route) {
+    const auto in_doubles = bounds(at(turns, route, slope_, Rung::bounded));
+    return in_doubles && sign(*in_doubles) != Sign::undecided ? in_doubles : bounds(slope(turns, route));
+  }
+  Bounded omega() { return radians<Bounded>(drive_of(built_).omega); }
+
+ private:
+  static TurnedLink& drive_of(Built& built) { return std::get<TurnedLink>(built.linkage.drives.front()); }
+
+  Settled at(const Rational& turns, const std::string& route, const std::string& name, Rung rung) const {
+    auto there = std::make_shared<Built>(built_);
+    drive_of(*there).angle = {turns, 0};
+    const std::vector<std::string> names{name};
+    const Asked asked(names);
+    for (const RouteValue& value : by_both_routes(there, plan_, rung))
+      if (value.route == route && value.quantity == name) return value.settled;
+    return undecided({});
+  }
+
+  Built built_;
+  std::shared_ptr<const RoutePlan> plan_;
+  std::string quantity_, slope_;
+};
+
 // By equations of joints: the slope changes its sign between two places so near each other that the quantity cannot
 // change by more than its slope allows. `near`: where the construction has it, in turns of the drive.
 Found by_sign_of_slope(Elsewhere& elsewhere, const std::string& route, double near) {
@@ -123,10 +128,11 @@ Found by_sign_of_slope(Elsewhere& elsewhere, const std::string& route, double ne
   const Bounded turn = Bounded(2) * pi<Bounded>();
   for (const double part_of_turn : {0x1p-40, 0x1p-30, 0x1p-20}) {
     const Rational middle(near), apart(part_of_turn);
-    const auto here = elsewhere.at(middle, route);
-    const auto value = bounds(here.value), before = bounds(elsewhere.at(middle - apart, route).slope),
-               after = bounds(elsewhere.at(middle + apart, route).slope);
-    if (!value || !before || !after || sign(*before * *after) != Sign::negative) continue;
+    const auto before = elsewhere.rough_slope(middle - apart, route),
+               after = elsewhere.rough_slope(middle + apart, route);
+    if (!before || !after || sign(*before * *after) != Sign::negative) continue;
+    const auto value = bounds(elsewhere.value(middle, route));
+    if (!value) continue;
     const Bounded slope = CGAL::max(CGAL::abs(*before), CGAL::abs(*after)),
                   reach = quotient(slope, CGAL::abs(elsewhere.omega())) * turn * from_rational<Bounded>(apart);
     const Rational full(360);
@@ -141,7 +147,7 @@ Found by_sign_of_slope(Elsewhere& elsewhere, const std::string& route, double ne
 
 bool does_not_close(Elsewhere& elsewhere, double turns, const std::string& route) {
   try {
-    elsewhere.at(Rational(turns), route);
+    elsewhere.value(Rational(turns), route);
   } catch (const NotClosed&) {
     return true;
   }
@@ -154,7 +160,7 @@ bool is_nowhere_stationary(Elsewhere& elsewhere, const std::string& route) {
   constexpr int places = 24;
   bool grows = true, falls = true;
   for (int k = 0; k < places; ++k) {
-    const auto slope = bounds(elsewhere.at(Rational(k, places), route).slope);
+    const auto slope = elsewhere.rough_slope(Rational(k, places), route);
     grows = grows && slope && sign(*slope) == Sign::positive;
     falls = falls && slope && sign(*slope) == Sign::negative;
   }
@@ -167,10 +173,10 @@ std::optional<Found> at_plain_place(Elsewhere& elsewhere, const std::string& rou
   const int part = static_cast<int>(std::lround(place.enclosure.value * parts / 360));
   const double nearest = part * (360.0 / parts);
   if (place.enclosure.lower > nearest || place.enclosure.upper < nearest) return {};
-  const auto there = elsewhere.at(Rational(part, parts), route);
-  if (!is_zero(there.slope)) return {};
+  const Rational there(part, parts);
+  if (!is_zero(elsewhere.slope(there, route))) return {};
   return Found{
-      there.value,
+      elsewhere.value(there, route),
       {.kind = Settled::Kind::certain, .enclosure = {nearest, nearest, nearest}, .reason = {}, .rung = "Exact"}};
 }
 

@@ -54,6 +54,7 @@ struct SceneRoutes {
     Ledger<T> ledger("construction");
     const Constructed<T> constructed(*built);
     by_construction(ledger, constructed);
+    if (ledger.knows_all_asked()) return ledger;
     ledger.route("joint equations");
     const ByJoints<T> by_joints(*built, constructed);
     by_joint_equations(ledger, constructed, by_joints);

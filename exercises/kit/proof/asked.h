@@ -22,6 +22,8 @@ class Asked {
   Asked& operator=(const Asked&) = delete;
 
   static bool for_all() { return !names_; }
+  // Of how many, where not of all.
+  static std::size_t count() { return names_->size(); }
   static bool for_quantity(const std::string& name) {
     return for_all() || std::find(names_->begin(), names_->end(), name) != names_->end();
   }

@@ -204,6 +204,11 @@ class Ledger {
     }
   }
 
+  // Of some quantities, each by the first route that knows it: no further route is asked.
+  bool knows_all_asked() const {
+    return FirstRouteOnly::holds() && !Asked::for_all() && known_.size() == Asked::count();
+  }
+
   std::vector<LedgerEntry>& entries() { return entries_; }
   std::vector<geometry::Reading<T>>& readings() { return readings_; }
   // What only drawings need; empty but on their number.

@@ -127,23 +127,28 @@ Samples samples_of(const OverDrive& over) {
 
 class ChartOfScene {
  public:
+  // `kept`: of all charts of the scene, which look at the same places.
   ChartOfScene(const Scene& scene, const Built& built, const Solution& s, const std::vector<std::string>& names,
                KeptSamples& kept)
       : s_(s),
         names_(names),
         asked_(scene.extremes()),
         drive_(driven_coordinates(built).front()),
-        over_(built, names),
+        over_(built, all_of(scene.charts())),
         samples_(kept.of(s.givens(), [this] { return samples_of(over_); })) {
     std::vector<double> values;
     for (const Sample& sample : *samples_)
-      for (const auto& [name, known] : sample.values) values.push_back(known.value);
+      for (const std::string& name : names_)
+        if (const auto found = sample.values.find(name); found != sample.values.end())
+          values.push_back(found->second.value);
     span_ = drawings::span_of(std::move(values));
   }
 
   bool is_broken() const {
-    return std::any_of(samples_->begin(), samples_->end(),
-                       [&](const Sample& sample) { return sample.values.size() < names_.size(); });
+    return std::any_of(samples_->begin(), samples_->end(), [&](const Sample& sample) {
+      return std::any_of(names_.begin(), names_.end(),
+                         [&](const std::string& name) { return !sample.values.contains(name); });
+    });
   }
 
   drawings::Chart chart(const Built& built, Language language) const {
@@ -211,6 +216,13 @@ class ChartOfScene {
   }
 
  private:
+  static std::vector<std::string> all_of(const std::vector<std::vector<std::string>>& charts) {
+    std::vector<std::string> all;
+    for (const auto& names : charts)
+      for (const std::string& name : names)
+        if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
+    return all;
+  }
   // None where it is not asked for.
   std::optional<double> value_of(const std::string& name) const {
     return s_.has(name) ? s_.value(name) : std::nullopt;
@@ -301,6 +313,7 @@ PanelSheet chart_sheet(const Scene& scene, const Solution& s, std::size_t which,
 std::vector<SheetMaker> chart_sheets(const std::shared_ptr<const Scene>& scene, const std::vector<Quantity>& known) {
   scene->demand_charts(known);
   std::vector<SheetMaker> sheets;
+  const auto kept = std::make_shared<KeptSamples>();
   for (std::size_t i = 0; i < scene->charts().size(); ++i) {
     std::string name = "chart", letters;
     for (const std::string& asked : scene->charts()[i]) {
@@ -310,7 +323,7 @@ std::vector<SheetMaker> chart_sheets(const std::shared_ptr<const Scene>& scene, 
       letters += (letters.empty() ? "" : ", ") + found->symbol;
     }
     sheets.push_back({{name, format_words("Chart of {}", "Grafico di {}", letters)},
-                      [scene, i, kept = std::make_shared<KeptSamples>()](const Solution& s, Language language) {
+                      [scene, i, kept](const Solution& s, Language language) {
                         return chart_sheet(*scene, s, i, language, *kept);
                       }});
   }
