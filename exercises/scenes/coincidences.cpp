@@ -40,6 +40,9 @@ std::vector<std::pair<int, int>> near_ones(const Built& built) {
 
 std::vector<Words> coincidences(const Built& built) {
   std::vector<Words> told;
+  const Words doubt = built.linkage.chosen.empty()
+                          ? Words{" here.", " qui."}
+                          : Words{": is a side under assembly: wrong?", ": un lato sotto assembly: è sbagliato?"};
   try {
     for (const auto& [P, Q] : near_ones(built)) {
       const Decision decided = decide([&, P = P, Q = Q]<class T>() {
@@ -48,12 +51,9 @@ std::vector<Words> coincidences(const Built& built) {
       });
       const auto &p = built.letters.points[index(P)], &q = built.letters.points[index(Q)];
       if (decided.sign == Sign::zero)
-        told.push_back(
-            format_words("{0} and {1} lie in one place: is a side under assembly: wrong? (Where they are a hinge, "
-                         "one letter says so.)",
-                         "{0} e {1} stanno in un solo posto: un lato sotto assembly: è sbagliato? (Se sono una "
-                         "cerniera, lo dice una lettera sola.)",
-                         p, q));
+        told.push_back(format_words(
+            "{} and {} lie in one place{} (Where they are a hinge, one letter says so.)",
+            "{} e {} stanno in un solo posto{} (Se sono una cerniera, lo dice una lettera sola.)", p, q, doubt));
       if (decided.sign == Sign::undecided)
         told.push_back(format_words("whether {} and {} lie in one place could not be decided",
                                     "non si è potuto decidere se {} e {} stiano in un solo posto", p, q));

@@ -100,9 +100,9 @@ class VectorsByJoints {
       case Kind::rod_velocity:
         return plane(far(of, UpTo::velocity).v - at(of.about, UpTo::velocity).v);
       case Kind::rod_normal:
-        return plane(along(acceleration(of), rod(of)));
+        return plane(along_rod(acceleration(of), rod(of)));
       case Kind::rod_tangential:
-        return plane(along(acceleration(of), times_i(rod(of))));
+        return plane(along_rod(acceleration(of), times_i(rod(of))));
       case Kind::sliding_velocity:
         return plane(along(at(of.point, UpTo::velocity).v - under(of, UpTo::velocity).v, slot(of)));
       case Kind::coriolis:
@@ -167,6 +167,17 @@ class VectorsByJoints {
   }
   // What of z is along the direction u.
   static Complex along(const Complex& z, const Complex& u) { return quotient(dot(z, u), squared_modulus(u)) * u; }
+  // Of two points of one link, that may lie in one place. Then z is nothing, and what is along a line at most all of
+  // it.
+  static Complex along_rod(const Complex& z, const Complex& u) {
+    if (sign(squared_modulus(u)) == geometry::Sign::positive) return along(z, u);
+    if constexpr (std::is_same_v<T, geometry::Bounded> || std::is_same_v<T, geometry::Deep>) {
+      const T all = root(square(z.re)) + root(square(z.im));
+      return {widened(T(0), all), widened(T(0), all)};
+    } else {
+      return {T(0), T(0)};
+    }
+  }
   // v²/l towards P.
   Complex normal(const VectorSource& of) const {
     const Complex PX = rod(of), swing = along(velocity(of), times_i(PX));

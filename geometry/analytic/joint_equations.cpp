@@ -359,6 +359,20 @@ std::vector<LinkState<T>> states(const Column<T>& q) {
   return links;
 }
 
+// Where drives turn links, these stand as they are driven: of an angle that no number holds its sine and cosine may
+// be whole, as at 180°.
+template <class T>
+std::vector<LinkState<T>> as_driven(const Linkage& linkage, const Column<T>& q) {
+  std::vector<LinkState<T>> links = states(q);
+  for (const Drive& drive : linkage.drives)
+    if (const auto* turned = std::get_if<TurnedLink>(&drive)) {
+      LinkState<T>& link = links[static_cast<std::size_t>(turned->link)];
+      link.theta = radians<T>(turned->angle);
+      link.x = {cosine<T>(turned->angle), sine<T>(turned->angle)};
+    }
+  return links;
+}
+
 // With these rates.
 template <class T>
 std::vector<LinkState<T>> moving(const Column<T>& q, const Column<T>& rates) {
@@ -476,9 +490,23 @@ Column<T> residuals(const std::vector<Equation<T>>& rows) {
 // As many equations as unknowns, at a place or over a box.
 template <class T>
 using System = std::function<std::vector<Equation<T>>(const Column<T>&)>;
+// Of the links as they are driven: what says so of a turned one holds, and its angle is no unknown.
 template <class T>
 System<T> of_joints(const Linkage& linkage) {
-  return [&linkage](const Column<T>& q) { return equations(linkage, q); };
+  return [&linkage](const Column<T>& q) {
+    std::vector<Equation<T>> rows = equations(linkage, as_driven(linkage, q));
+    const std::size_t first = rows.size() - linkage.drives.size();
+    for (std::size_t k = 0; k < linkage.drives.size(); ++k)
+      if (std::holds_alternative<TurnedLink>(linkage.drives[k])) rows[first + k].residual = T(0);
+    return rows;
+  };
+}
+std::vector<bool> angles_of_drives(const Linkage& linkage) {
+  std::vector<bool> given(unknowns_of_a_link * (linkage.links.size() - 1));
+  for (const Drive& drive : linkage.drives)
+    if (const auto* turned = std::get_if<TurnedLink>(&drive))
+      given[static_cast<std::size_t>(unknowns_of_a_link * turned->link - 1)] = true;
+  return given;
 }
 
 // Each step with the inverse at its place, until what is left of the equations cannot be told from zero.
@@ -514,10 +542,14 @@ void demand_regular(const Preconditioner<T>& Y, const std::vector<Equation<T>>& 
 
 // Krawczyk: K = m - Y Φ(m) + (1 - Y J(box)) (box - m). Where K lies inside the box there is a solution in it, and one
 // only where the equations are independent all over it, which `solved` demands.
-// (Krawczyk 1969; Neumaier, Interval Methods for Systems of Equations, section 5.1.)
+// (Krawczyk 1969; Neumaier, Interval Methods for Systems of Equations, section 5.1.) Of those `given` nothing is
+// sought: the system takes them for what they are, whatever stands in m, and so does what is said of the others.
 template <class T>
-Column<T> proved_box(const System<T>& system, const Preconditioner<T>& Y, const Column<T>& m) {
-  const Column<T> newton = Y.times(residuals(system(m)));
+Column<T> proved_box(const System<T>& system, const Preconditioner<T>& Y, const Column<T>& m,
+                     const std::vector<bool>& given) {
+  Column<T> newton = Y.times(residuals(system(m)));
+  for (std::size_t i = 0; i < m.size(); ++i)
+    if (given[i]) newton[i] = T(0);
   Column<T> radius;
   for (const T& x : newton) radius.push_back(twice_the_most(size_of(x)));
   constexpr int most_boxes = 30;
@@ -528,7 +560,7 @@ Column<T> proved_box(const System<T>& system, const Preconditioner<T>& Y, const 
     Column<T> needed, inside;
     bool is_inside = true;
     for (std::size_t i = 0; i < m.size(); ++i) {
-      const T around = spread(E[i], radius);
+      const T around = given[i] ? T(0) : spread(E[i], radius);
       needed.push_back(size_of(newton[i]) + around);
       // An unknown that stands right already, whatever the others are, has a box without width.
       is_inside = is_inside && (sign(radius[i] - needed[i]) == Sign::positive || sign(needed[i]) == Sign::zero);
@@ -685,7 +717,7 @@ std::vector<bool> led_without_turning(const Linkage& linkage) {
 
 template <class T>
 std::vector<LinkState<T>> with_rates(const Linkage& linkage, const Column<T>& q, const SolveRates<T>& solve) {
-  std::vector<LinkState<T>> links = states(q);
+  std::vector<LinkState<T>> links = as_driven(linkage, q);
   const std::vector<bool> led = led_without_turning(linkage);
   const auto take = [&](const Column<T>& rates, bool is_first) {
     for (std::size_t k = 0; k < rates.size(); k += unknowns_of_a_link) {
@@ -766,8 +798,9 @@ std::vector<LinkState<Fast>> found(const Linkage& linkage, const Beginning<Fast>
 
 template <class T>
 std::vector<LinkState<T>> proved_near(const Linkage& linkage, const Column<T>& last) {
-  const Preconditioner<T> Y(equations(linkage, last));
-  const Column<T> q = proved_box(of_joints<T>(linkage), Y, last);
+  const System<T> system = of_joints<T>(linkage);
+  const Preconditioner<T> Y(system(last));
+  const Column<T> q = proved_box(system, Y, last, angles_of_drives(linkage));
   return with_rates<T>(linkage, q,
                        [&](const std::vector<Equation<T>>& rows, const Column<T>& b) { return solved(rows, Y, b); });
 }
@@ -1217,7 +1250,7 @@ std::vector<LinkState<T>> solve_dead_point(const Linkage& linkage, int drive, co
   const AtDeadPoint<T> system(linkage, drive, static_cast<std::size_t>(kept - motion.begin()));
   const Column<T> last = refined<T>(system, start);
   const Preconditioner<T> Y(system(last));
-  const Column<T> box = proved_box<T>(system, Y, last);
+  const Column<T> box = proved_box<T>(system, Y, last, std::vector<bool>(last.size()));
   demand_regular(Y, system(box));
   const auto half = static_cast<std::ptrdiff_t>(box.size() / 2);
   std::vector<LinkState<T>> links =

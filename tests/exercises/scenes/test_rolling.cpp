@@ -98,3 +98,15 @@ TEST_CASE("what cannot roll is refused, and told how it could", "[scenes]") {
                  "drive: {link: 2, angle: 30 deg, speed: 10 rpm}")),
              Contains("a wheel follows what it rolls on: drive its centre, or the rack"));
 }
+
+// The crank's angle is no number there, but its sine and cosine are.
+TEST_CASE("where the crank's dead centres let the rack rest, both routes have it that nothing moves", "[scenes]") {
+  const std::string text = scenes::bytes_of(EPURE_SCENES "/rack-pinion.yaml");
+  for (const char* place : {"0", "180deg", "-180deg", "360deg", "540deg"}) {
+    const CheckedExercise result = checked_text(text, {std::string("phi=") + place});
+    CAPTURE(place, complaints(result));
+    CHECK(result.passed());
+    CHECK(result.undecided.empty());
+    CHECK(value(result, "omega_5") == 0);
+  }
+}

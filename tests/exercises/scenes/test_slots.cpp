@@ -56,6 +56,24 @@ TEST_CASE("the middle of Oldham's coupling is a block in both slots, which have 
                       [&](const drawings::Label& label) { return label.text == letters; }));
 }
 
+// There the link's point under C is the hinge, and at rest.
+TEST_CASE("a block that stands in a hinge of its link is accelerated by nothing there, by both routes", "[scenes]") {
+  const std::string text = scenes::bytes_of(EPURE_SCENES "/oldham.yaml");
+  for (const auto& [place, link] : {std::pair{"0", "4"}, {"180deg", "4"}, {"90deg", "2"}, {"-90deg", "2"}}) {
+    const CheckedExercise result = checked_text(text, {std::string("phi=") + place});
+    CAPTURE(place, complaints(result));
+    CHECK(result.passed());
+    CHECK(result.undecided.empty());
+    for (const char* part : {"_n", "_t"}) CHECK(value(result, std::string("a_C_on_") + link + part) == 0);
+  }
+  for (const char* near : {"1e-9deg", "90.000000000000000000000000000001deg"}) {
+    const CheckedExercise result = checked_text(text, {std::string("phi=") + near});
+    CAPTURE(near, complaints(result));
+    CHECK(result.passed());
+    CHECK(result.undecided.empty());
+  }
+}
+
 TEST_CASE("a block in a lever is drawn in its slot, and the polygon is that of its pin", "[scenes]") {
   const auto exercise = exercise_said(shaper("b: from A away from O5"));
   CHECK(sheets_of(*exercise) == std::vector<std::string>{"velocities", "accelerations", "velocity-polygon",
