@@ -17,7 +17,8 @@ IntegrationPanel integrated(const DrawnPump& pump, double first, double second,
                             std::vector<IntegrationRow::Read> read) {
   std::vector<double> ends = strips_of_suction(half_turn);
   const std::vector<double> late = strips_of_delivery(first, second, half_turn);
-  for (auto end = late.begin() + 1; end != late.end(); ++end) ends.push_back(half_turn + *end);
+  for (const double end : late)  // of which doubles may have one that begins where the other half ends
+    if (half_turn + end > ends.back()) ends.push_back(half_turn + end);
   std::vector<double> corners, carried;
   for (const double end : ends) corners.push_back(pump.energy(end));
   for (std::size_t i = 1; i < ends.size(); ++i)

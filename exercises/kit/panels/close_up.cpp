@@ -404,11 +404,15 @@ LaidOut laid_out_with_close_ups(const Panels& panels, const drawings::Box& room,
   if (request.scale) return plain;  // as it was asked for
   std::vector<std::optional<SmallPart>> parts;
   // In a narrower figure a second picture of a polygon takes more from the others than it gains.
-  constexpr double wide_enough = 120;  // mm
-  for (const PlacedPanel& placed : plain.panels)
-    parts.push_back(placed.panel->is_of_vectors() && room.width() < wide_enough ? std::nullopt
-                                                                                : part_too_small(placed, request));
-  const auto count = std::count_if(parts.begin(), parts.end(), [](const auto& part) { return part.has_value(); });
+  constexpr double wide_enough = 120;     // mm
+  constexpr std::size_t most_panels = 8;  // for each more there are five times as many ways to divide the room
+  std::size_t count = 0;
+  for (const PlacedPanel& placed : plain.panels) {
+    const bool has_room =
+        plain.panels.size() + count < most_panels && (!placed.panel->is_of_vectors() || room.width() >= wide_enough);
+    parts.push_back(has_room ? part_too_small(placed, request) : std::nullopt);
+    count += parts.back() ? 1 : 0;
+  }
   if (count == 0) return plain;
   if (auto all = with_close_ups(plain, parts, room, request)) return std::move(*all);
   for (std::size_t i = 0; i < parts.size() && count > 1; ++i) {

@@ -86,10 +86,12 @@ std::vector<Told> numbers_in(std::string_view text, Numbers which = Numbers::wit
   return all;
 }
 
-// Whether it is the value, rounded; a double's own rounding may lie beside a tie.
+// Whether it is the value, rounded. Of a tie both doubles, what is told and what is known, may lie beside it by half
+// of their last place.
 bool rounds(const Told& told, double value) {
-  constexpr double beside = 1e-9;
-  return std::abs(told.value - value) <= told.half_unit * (1 + beside);
+  const double most = std::max(std::abs(told.value), std::abs(value)),
+               last_place = std::nextafter(most, INFINITY) - most;
+  return std::abs(told.value - value) <= told.half_unit + last_place;
 }
 // In formulas magnitudes stand between bars.
 bool tells(const Told& told, double value) { return rounds(told, value) || rounds(told, -value); }

@@ -177,16 +177,19 @@ std::vector<std::string> parted(const std::string& text) {
 std::string bytes_of(const std::string& file) {
   if (file == standard_input) return beginning_of(std::cin);
   if (const Shipped* shipped = shipped_scene(file)) return std::string(shipped->text);
+  const auto closed = [&] {
+    return BadScene(format_words("{}: the file cannot be read", "{}: il file non si può leggere", file));
+  };
   std::error_code unknown;
   if (!std::filesystem::exists(file, unknown))
-    throw BadScene(format_words("{}: there is no such file", "{}: non c'è un file così", file));
+    throw unknown ? closed() : BadScene(format_words("{}: there is no such file", "{}: non c'è un file così", file));
   if (!std::filesystem::is_regular_file(file, unknown))
     throw BadScene(format_words("{}: this is no file to be read, but a folder or a device",
                                 "{}: non è un file da leggere, ma una cartella o un dispositivo", file));
   std::ifstream in(file, std::ios::binary);
   std::ostringstream bytes;
   bytes << in.rdbuf();
-  if (!in) throw BadScene(format_words("{}: the file cannot be read", "{}: il file non si può leggere", file));
+  if (!in) throw closed();
   return std::move(bytes).str();
 }
 

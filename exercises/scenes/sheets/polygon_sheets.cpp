@@ -141,6 +141,28 @@ PanelSheet polygon_sheet(const Scene& scene, const Solution& s, std::size_t whic
   return sheet;
 }
 
+// What tells a group's sheets from those of the others: nothing where it is alone, its joint, and where others have
+// that too, as a pin that leads several slotted links, the links that it places.
+struct GroupName {
+  std::string in_name;
+  Words in_title;
+};
+GroupName name_of(const std::vector<DyadEquation>& equations, std::size_t which) {
+  if (equations.size() == 1) return {};
+  const DyadEquation& own = equations[which];
+  GroupName name{"-" + own.joint, format_words(" of {}", " di {}", "$" + point_letters(own.joint) + "$")};
+  const auto is_of_joint = [&](const DyadEquation& each) { return each.joint == own.joint; };
+  if (std::count_if(equations.begin(), equations.end(), is_of_joint) == 1) return name;
+  std::string links;
+  for (const int link : own.links) {
+    name.in_name += "-" + std::to_string(link);
+    links += (links.empty() ? "" : ", ") + std::to_string(link);
+  }
+  name.in_title = name.in_title + (own.links.size() == 1 ? format_words(", link {}", ", membro {}", links)
+                                                         : format_words(", links {}", ", membri {}", links));
+  return name;
+}
+
 }  // namespace
 
 std::vector<SheetMaker> polygon_sheets(const std::shared_ptr<const Scene>& scene) {
@@ -148,14 +170,11 @@ std::vector<SheetMaker> polygon_sheets(const std::shared_ptr<const Scene>& scene
   std::vector<SheetMaker> sheets;
   for (const bool is_of_velocities : {true, false})
     for (std::size_t i = 0; i < equations.size(); ++i) {
-      const std::string& joint = equations[i].joint;
-      const bool is_alone = equations.size() == 1;
-      const std::string name =
-          (is_of_velocities ? "velocity-polygon" : "acceleration-polygon") + (is_alone ? std::string() : "-" + joint);
-      const Words whose = is_alone ? Words{} : format_words(" of {}", " di {}", "$" + point_letters(joint) + "$");
+      const GroupName group = name_of(equations, i);
+      const std::string name = (is_of_velocities ? "velocity-polygon" : "acceleration-polygon") + group.in_name;
       const Words title = (is_of_velocities ? Words{"Velocity polygon", "Poligono delle velocità"}
                                             : Words{"Acceleration polygon", "Poligono delle accelerazioni"}) +
-                          whose;
+                          group.in_title;
       sheets.push_back({{name, title}, [scene, i, is_of_velocities](const Solution& s, Language) {
                           return polygon_sheet(*scene, s, i, is_of_velocities);
                         }});

@@ -96,6 +96,15 @@ TEST_CASE("pump: no flywheel is told of where none is needed", "[pump][sheets]")
 
 TEST_CASE("pump: every sheet is drawn, whatever is given", "[pump][sheets]") { draws_every_sheet(pump(), corpus()); }
 
+// Of a hair-thin piston the mass is all: where the torque is zero doubles cannot tell from where the delivery begins.
+TEST_CASE("pump: two ends of a strip in one double are one", "[pump][sheets]") {
+  for (const char* bore : {"D=0.4", "D=0.05"})
+    for (const char* sheet : {"energy", "energy-with-mass", "wittenbauer", "torque"}) {
+      CAPTURE(bore, sheet);
+      CHECK_NOTHROW(pump().draw(sheet, {bore}));
+    }
+}
+
 TEST_CASE("pump: letters find room", "[pump][sheets]") {
   letters_find_room(pump(), {{}, {"m=0"}, {"m=300"}, {"p_a=4", "i=0.2"}});
 }

@@ -314,15 +314,19 @@ TEST_CASE("a mechanism that does not close names its joint and what is missing",
 }
 
 TEST_CASE("points of different links that lie in one place are told, exactly", "[scenes]") {
-  const auto told = [](const std::string& angle) {
+  const auto told = [](const std::string& angle, const std::string& more = "", const std::string& assembly = "") {
     const scenes::Scene scene("f",
                               "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], Q: [1 m, 0], R: [1 m, 1 m]}\n  2: {O A: 1 "
-                              "m}\n  3: {O B: 2 m}\ndrive: [{link: 2, angle: " +
-                                  angle + "}, {link: 3, angle: 45 deg}]\n");
+                              "m}\n  3: {O B: 2 m}\n" +
+                                  more + "drive: [{link: 2, angle: " + angle + "}, {link: 3, angle: 45 deg}]\n" +
+                                  assembly);
     return scenes::coincidences(scene.built(Givens(scene.givens())));
   };
   REQUIRE(told("0 deg").size() == 1);
-  CHECK(told("0 deg")[0].english.starts_with("Q and A lie in one place: is a side under assembly: wrong?"));
+  CHECK(told("0 deg")[0].english == "Q and A lie in one place here. (Where they are a hinge, one letter says so.)");
+  const auto with_side = told("0 deg", "  4: {A C: 1 m}\n  5: {R C: 1 m}\n", "assembly: {C: left of A R}\n");
+  REQUIRE(with_side.size() == 1);
+  CHECK(with_side[0].english.starts_with("Q and A lie in one place: is a side under assembly: wrong?"));
   CHECK(told("1e-12 deg").empty());  // doubles may take them for one
   CHECK(told("90 deg").empty());
 }
@@ -713,6 +717,12 @@ TEST_CASE("a file chooses among its sheets", "[scenes]") {
   CHECK(why("sheets: []") == "f:10:9: no sheet is asked for");
 }
 
+TEST_CASE("a file that may not be looked at is not said to be missing", "[scenes]") {
+  CHECK_THROWS_WITH(scenes::bytes_of("no/such/file.yaml"), Contains("there is no such file"));
+  CHECK_THROWS_WITH(scenes::bytes_of(std::string(300, 'x') + ".yaml"),
+                    Contains("cannot be read"));  // too long a name
+}
+
 TEST_CASE("what is odd of a scene is said beside what was asked; a wrong sheet in the name of the file", "[scenes]") {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "epure-test-coincidence.yaml";
   std::ofstream(file)
@@ -724,8 +734,7 @@ TEST_CASE("what is odd of a scene is said beside what was asked; a wrong sheet i
     return std::to_string(exit) + " " + err.str();
   };
   CHECK(said({"check", file}) ==
-        "0 epure: f: Q and A lie in one place: is a side under assembly: wrong? (Where they are a hinge, one letter "
-        "says so.)\n");
+        "0 epure: f: Q and A lie in one place here. (Where they are a hinge, one letter says so.)\n");
   CHECK(said({"draw", file.string() + "/velocity"}) ==
         "2 epure: " + file.string() + " has no sheet \"velocity\"; did you mean velocities?\n");
   std::filesystem::remove(file);

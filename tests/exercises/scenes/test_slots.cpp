@@ -172,3 +172,22 @@ TEST_CASE("a point is not called what something else is", "[scenes]") {
       why("{A: [0, 0], x: [350 mm, 0], BA: [0, 0.1]}", "").find("BA means B seen from A: name the point otherwise") !=
       std::string::npos);
 }
+
+TEST_CASE("a pin that leads two slotted links has two stars in the second, and each link its own polygons",
+          "[scenes]") {
+  const auto exercise = exercise_said(
+      "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], O3: [-100 mm, 0], O4: [0, -200 mm]}\n  2: {O A: 50 mm}\n  3: {O3: "
+      "[0, 0], s: {along: [1, 0]}}\n  4: {O4: [0, 0], u: {along: [1, 0]}}\nslides: {A: [s, u]}\ndrive: {link: 2, "
+      "angle: 40 deg, speed: 10 rad/s}\nassembly: {s: from O3 towards A, u: from O4 towards A}\n");
+  CHECK(sheets_of(*exercise) == std::vector<std::string>{"velocities", "accelerations", "velocity-polygon-A-3",
+                                                         "velocity-polygon-A-4", "acceleration-polygon-A-3",
+                                                         "acceleration-polygon-A-4", "instant-centres"});
+  const Solution solution = exercise->solution(Givens(exercise->about().givens));
+  CHECK(solution.described("v_A_on_3").symbol == "$v_{A^{*}}$");
+  CHECK(solution.described("v_A_on_4").symbol == "$v_{A^{**}}$");
+  CHECK(drawn_of(*exercise, "velocity-polygon-A-4").sheet.title == "Velocity polygon of A, link 4");
+  const CheckedExercise result = check(*exercise, Givens(exercise->about().givens), Rung::climb);
+  CHECK(result.passed());
+  for (const std::string name : {"v_A_on_3", "v_A_rel_3", "v_A_on_4", "v_A_rel_4"})  // measured on its own sheet
+    CHECK_FALSE(find(result, name).on_sheets.empty());
+}
