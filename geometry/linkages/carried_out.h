@@ -337,7 +337,13 @@ class CarriedOut {
     const DyadVelocity<T> v = dyad_velocity(first, second, X);
     const DyadAcceleration<T> a = dyad_acceleration(first, second, X, v);
     if (kept) *kept = {v, a};
-    return {{v.first_rate, a.first_rate}, {v.second_rate, a.second_rate}, {X, v.v_X, a.a_X}};
+    DyadRates both{{v.first_rate, a.first_rate}, {v.second_rate, a.second_rate}, {X, v.v_X, a.a_X}};
+    // By its guide a joint moves along one that rests, and not only nearly: of an upright one its v_x is zero.
+    if constexpr (std::is_same_v<Second, Slide<T>>) {
+      both.joint.v = v.second.known + v.second.closing;
+      both.joint.a = a.second.known + a.second.coriolis + a.second.closing;
+    }
+    return both;
   }
 
   const Linkage& linkage_;

@@ -183,11 +183,28 @@ TEST_CASE("a pin that leads two slotted links has two stars in the second, and e
                                                          "velocity-polygon-A-4", "acceleration-polygon-A-3",
                                                          "acceleration-polygon-A-4", "instant-centres"});
   const Solution solution = exercise->solution(Givens(exercise->about().givens));
-  CHECK(solution.described("v_A_on_3").symbol == "$v_{A^{*}}$");
-  CHECK(solution.described("v_A_on_4").symbol == "$v_{A^{**}}$");
-  CHECK(drawn_of(*exercise, "velocity-polygon-A-4").sheet.title == "Velocity polygon of A, link 4");
+  CHECK(solution.described("v_A_on_3").symbol == "$v_{A*}$");
+  CHECK(solution.described("v_A_on_4").symbol == "$v_{A**}$");
+  CHECK(drawn_of(*exercise, "velocity-polygon-A-4").sheet.title == "f: Velocity polygon of A, link 4");
   const CheckedExercise result = check(*exercise, Givens(exercise->about().givens), Rung::climb);
   CHECK(result.passed());
   for (const std::string name : {"v_A_on_3", "v_A_rel_3", "v_A_on_4", "v_A_rel_4"})  // measured on its own sheet
     CHECK_FALSE(find(result, name).on_sheets.empty());
+}
+
+// By the rods alone it would be zero to 300 places, and no number told to be so.
+TEST_CASE("what slides on an upright guide has no velocity and no acceleration along x", "[scenes]") {
+  const CheckedExercise result = checked_text(
+      "epure: 1\nid: f\nlinks:\n  1: {A0: [0, 0], g3: {through: [-16 mm, 153 mm], along: 99 deg}, g4: {through: [-15 "
+      "mm, "
+      "93 mm], along: 90 deg}}\n  2: {A0 A: 196 mm}\n  3: {A: [0, 0], S3: [425 mm, 0], C3: [51 mm, 5 mm]}\n  4: {C3: "
+      "[0, 0], S4: [622 mm, 0]}\nslides: {S3: g3, S4: g4}\ndrive: {link: 2, angle: 138 deg, speed: 15.8 "
+      "rad/s}\nassembly: {S3: behind on g3, S4: ahead on g4}\n");
+  CAPTURE(complaints(result));
+  CHECK(result.passed());
+  for (const char* name : {"v_S4_x", "a_S4_x"}) {
+    CAPTURE(name);
+    CHECK(find(result, name).settled.kind == geometry::Settled::Kind::certain);
+    CHECK(value(result, name) == 0);
+  }
 }
