@@ -11,7 +11,7 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   const double nu = of.radians("nu");
   const std::string j = std::to_string(at.loaded), i = std::to_string(at.driven);
   const auto H = [](int lever, const std::string& suffix) {
-    return "$\\it{H}" + prime(suffix) + "_{" + std::to_string(lever) + "}$";
+    return "$H" + below_prime(std::to_string(lever), suffix) + "$";
   };
   const auto hinge_line = [&](int lever, const std::string& suffix) {
     if (of.point("H_" + std::to_string(lever) + suffix)) return "∥ " + at.letters(lever) + H(lever, suffix);
@@ -49,6 +49,24 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   };
   const auto shared_j = shared_out(at.loaded, direct, on), shared_i = shared_out(at.driven, direct, on),
              other_j = shared_out(at.loaded, retrograde, back), other_i = shared_out(at.driven, retrograde, back);
+  // How the line of the hinge's force is found, where the others meet on the sheet.
+  const auto find_hinge_line = [&](FreeBodyPanel& panel, int lever) {
+    const bool is_loaded = lever == at.loaded;
+    const std::string k = std::to_string(lever), meets = H(lever, direct);
+    const std::optional<Place> X = of.point("H_" + k + direct);
+    if (!X || (is_loaded ? shared_j : shared_i)) return;
+    const std::string &known = is_loaded ? on.Q.label : on.P.label,
+                      &sought = is_loaded ? on.on_loaded.label : on.on_driven.label,
+                      v = "$\\vec{v}_{" + (is_loaded ? j + i : i + j) + "}$";
+    const Words line = is_zero(s.givens().angle("phi"))
+                           ? Words{"The normal through $C$ meets", "La normale per $C$ incontra"}
+                           : Words{"The line through $C$, turned by $φ$ from $n$ against " + v + ", meets",
+                                   "La retta per $C$, ruotata di $φ$ da $n$ contro " + v + ", incontra"};
+    panel.step(line +
+                   Words{" that of " + known + " in " + meets + ": ", " quella di " + known + " in " + meets + ": "} +
+                   at.letters(lever) + meets + Words{" is the line of ", " è la retta di "} + sought + ".",
+               *X);
+  };
   const auto body = [&](int lever) {
     const bool is_loaded = lever == at.loaded;
     Mechanism drawn;
@@ -64,7 +82,7 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
     const Arrow2 v = of.vector("sliding");  // of the loaded lever on the other
     press(panel, of, is_loaded ? contact : reversed(contact, at.loaded, at.driven), at.C, nu, is_loaded ? v : -v,
           is_loaded ? j + i : i + j, "$n$");
-    panel.force(of.known(moving(force_between(1, lever), direct), "", ""), at.hinge(lever), Arrow::ends);
+    panel.force(of.known(moving(force_between(1, lever), direct), "", ""), at.hinge(lever), Arrow::ends_at_hinge);
     if (const auto& shared = is_loaded ? shared_j : shared_i)
       shared->draw_strings(panel);
     else
@@ -78,15 +96,19 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   };
   FreeBodyPanel first = body(at.loaded);
   first.step(turned_against, at.C);
+  find_hinge_line(first, at.loaded);
+  FreeBodyPanel second = body(at.driven);
+  find_hinge_line(second, at.driven);
   std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"contact_force_angle_direct_deg", "contact_force_angle_retrograde_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg"}));
-  Panels all = panels(first, body(at.driven));
+  Panels all = panels(first, second);
   const auto add_motion = [&](const std::string& suffix, const Sides& by, const std::optional<SharedOut>& of_loaded,
                               const std::optional<SharedOut>& of_driven) {
     const Chain in_motion = chained(suffix);
     if (!of_loaded && !of_driven) {
-      all.push_back(std::make_unique<ChainedPolygonsPanel>(polygons(of, in_motion, suffix)));
+      all.push_back(std::make_unique<ChainedPolygonsPanel>(
+          polygons(of, in_motion, suffix).captioned(name_of(motion_of(suffix)))));
       return;
     }
     VectorPolygon first_polygon = by.first(in_motion);
