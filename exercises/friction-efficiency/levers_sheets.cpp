@@ -49,24 +49,16 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   };
   const auto shared_j = shared_out(at.loaded, direct, on), shared_i = shared_out(at.driven, direct, on),
              other_j = shared_out(at.loaded, retrograde, back), other_i = shared_out(at.driven, retrograde, back);
-  // How the line of the hinge's force is found, where the others meet on the sheet.
-  const auto find_hinge_line = [&](FreeBodyPanel& panel, int lever) {
-    const bool is_loaded = lever == at.loaded;
-    const std::string k = std::to_string(lever), meets = H(lever, direct);
-    const std::optional<Place> X = of.point("H_" + k + direct);
-    if (!X || (is_loaded ? shared_j : shared_i)) return;
-    const std::string &known = is_loaded ? on.Q.label : on.P.label,
-                      &sought = is_loaded ? on.on_loaded.label : on.on_driven.label,
-                      v = "$\\vec{v}_{" + (is_loaded ? j + i : i + j) + "}$";
-    const Words line = is_zero(s.givens().angle("phi"))
-                           ? Words{"The normal through $C$ meets", "La normale per $C$ incontra"}
-                           : Words{"The line through $C$, turned by $φ$ from $n$ against " + v + ", meets",
-                                   "La retta per $C$, ruotata di $φ$ da $n$ contro " + v + ", incontra"};
-    panel.step(line +
-                   Words{" that of " + known + " in " + meets + ": ", " quella di " + known + " in " + meets + ": "} +
-                   at.letters(lever) + meets + Words{" is the line of ", " è la retta di "} + sought + ".",
-               *X);
+  // Where the others' lines meet on the sheet, to which the line of the hinge's force leads.
+  const auto meets = [&](int lever) -> std::optional<Place> {
+    if (lever == at.loaded ? shared_j : shared_i) return {};
+    return of.point("H_" + std::to_string(lever) + direct);
   };
+  const auto met = [&](int lever) -> Words {
+    const std::string& known = lever == at.loaded ? on.Q.label : on.P.label;
+    return Words{known + " at ", known + " in "} + H(lever, direct);
+  };
+  const Words through_C{"Through $C$ the line $φ$ from $n$ meets ", "Per $C$ la retta $φ$ da $n$ incontra "};
   const auto body = [&](int lever) {
     const bool is_loaded = lever == at.loaded;
     Mechanism drawn;
@@ -96,9 +88,13 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   };
   FreeBodyPanel first = body(at.loaded);
   first.step(turned_against, at.C);
-  find_hinge_line(first, at.loaded);
   FreeBodyPanel second = body(at.driven);
-  find_hinge_line(second, at.driven);
+  const auto H_of_loaded = meets(at.loaded), H_of_driven = meets(at.driven);
+  if (H_of_loaded)
+    first.step(through_C + met(at.loaded) + (H_of_driven ? Words{" and ", " e "} + met(at.driven) : Words{}) + ".",
+               *H_of_loaded);
+  else if (H_of_driven)
+    second.step(through_C + met(at.driven) + ".", *H_of_driven);
   std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"contact_force_angle_direct_deg", "contact_force_angle_retrograde_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg"}));

@@ -132,14 +132,17 @@ TEST_CASE("friction: the normal that the steps name stands at both levers", "[fr
   }
 }
 
-TEST_CASE("friction: the levers' steps find the lines of the hinges' forces", "[friction-efficiency][sheets]") {
-  for (const char* sheet : {"levers", "levers-Q-on-2"})
-    CHECK_THAT(words_of(friction().draw(sheet, {})),
-               Contains("$B_{0}$$H_{3}$ is the line of $\\vec{\\it{R}}_{13}$") &&
-                   Contains("$A_{0}$$H_{2}$ is the line of $\\vec{\\it{R}}_{12}$"));
+TEST_CASE("friction: the levers' steps find where the lines of the hinges' forces lead",
+          "[friction-efficiency][sheets]") {
+  const std::string line = "Through $C$ the line $φ$ from $n$ meets ", Q = "$\\vec{\\it{Q}}$ at ",
+                    P = "$\\vec{\\it{P}}$ at ";
+  const auto told = [](const char* sheet, const Assignments& assignments) {
+    return words_of(friction().draw(sheet, assignments));
+  };
+  CHECK_THAT(told("levers", {}), Contains(line + Q + "$H_{3}$ and " + P + "$H_{2}$."));
+  CHECK_THAT(told("levers-Q-on-2", {}), Contains(line + Q + "$H_{2}$ and " + P + "$H_{3}$."));
   // Parallel forces do not meet.
-  CHECK_THAT(words_of(friction().draw("levers", {"sliding_levers.direction_P=78"})),
-             Contains("$B_{0}$$H_{3}$ is the line of") && !Contains("$A_{0}$$H_{2}$ is the line of"));
+  CHECK_THAT(told("levers", {"sliding_levers.direction_P=78"}), Contains(line + Q + "$H_{3}$."));
 }
 
 TEST_CASE("friction: beneath its polygons stands which motion they are of", "[friction-efficiency][sheets]") {
