@@ -38,8 +38,10 @@ struct Problem {
   geometry::CycloidArc travelled() const { return {r, s}; }
 };
 
-inline const InstantNames at_phi{"cycloid."}, at_s{"cycloid.", "_at_s4"}, at_t1{"involute.", "_t1"},
-    at_t2{"involute.", "_t2"};
+inline const InstantNames at_phi{.before = "cycloid.", .omega = "ω_{1}"},
+    at_s{.before = "cycloid.", .after = "_at_s4", .omega = "ω_{1}"},
+    at_t1{.before = "involute.", .after = "_t1", .omega = "ω_{2}"},
+    at_t2{.before = "involute.", .after = "_t2", .omega = "ω_{2}"};
 
 // The givens that a sheet of one curve leaves to the other.
 inline const std::set<std::string> givens_of_involute{"d_0", "omega_2", "t1", "phi_1", "t2", "phi_2"},

@@ -35,12 +35,28 @@ Result instants_table(const std::vector<std::string>& heads, const std::vector<I
   return table(head, rows);
 }
 
+constexpr double longest_velocity = 26;  // mm
+
 // What the first instant has not told.
 std::vector<InstantStep> steps_of_second(const Rolled& first, const Rolled& second) {
   if (first.is_at_cusp == second.is_at_cusp) return {};
   std::vector<InstantStep> steps = instant_steps(second);
   steps.erase(steps.begin());
   return steps;
+}
+
+// Where the line touches the circle, and M on it.
+InstantStep setting_out(const Rolled& f) {
+  const bool has_turned = whole_turns(f.given.phi) > 0;
+  const Words less_turns = has_turned ? Words{" (less whole turns)", " (meno i giri interi)"} : Words{},
+              all_turns = has_turned ? Words{", all turns counted", ", contati tutti i giri"} : Words{};
+  return {Words{"$OP_{0}$ at $φ$", "$OP_{0}$ a $φ$"} + less_turns +
+              Words{" from $x$, counter-clockwise. Back along the tangent $P_{0}M = ½d_{0}φ$, the arc unrolled since "
+                    "$M_{0}$",
+                    " da $x$, in senso antiorario. Indietro lungo la tangente $P_{0}M = ½d_{0}φ$, l'arco svolto da "
+                    "$M_{0}$"} +
+              all_turns + ".",
+          InstantStep::At::contact};
 }
 
 bool is_as_printed(const Problem& of) {
@@ -102,7 +118,6 @@ PanelSheet cycloid_instants_sheet(const Solution& s, Language language) {
   const double since = s["cycloid.phi_at_s4"] - to_double(Angle{arches});
   const Rolled first = rolled(s, {of.wheel(), of.phi, of.omega_1, {}}, at_phi),
                second = rolled(s, {of.wheel(), {arches, Rational(std::max(since, 0.0))}, of.omega_1, {}}, at_s);
-  constexpr double longest_velocity = 26;  // mm
   const Scale velocities = scale_of_velocities({first, second}, longest_velocity, language);
   const std::string at_first = "$φ$ = " + short_number(geometry::degrees(of.phi), language) + "°",
                     at_second = "$s$ = " + short_number(CGAL::to_double(of.s), language) + " m";
@@ -130,7 +145,6 @@ PanelSheet involute_instants_sheet(const Solution& s, Language language) {
   constexpr double far_shorter = 5;  // times: of two paths at one scale the shorter would be a blot
   const auto [shorter, longer] = std::minmax({to_double(of.phi_1), to_double(of.phi_2)});
   const bool is_one_dwarfed = longer > far_shorter * shorter;
-  constexpr double longest_velocity = 20;  // mm
   const Scale velocities = scale_of_velocities({both[0].f, both[1].f}, longest_velocity, language);
   PanelSheet sheet;
   const auto add = [&](RollingInstantPanel panel) {
@@ -138,6 +152,7 @@ PanelSheet involute_instants_sheet(const Solution& s, Language language) {
   };
   // Each step where its points are seen: in the close-up what belongs to the contact.
   std::vector<InstantStep> at_contact = instant_steps(both[0].f), elsewhere;
+  if (!both[0].f.is_at_cusp) at_contact.insert(at_contact.begin(), setting_out(both[0].f));
   if (both[0].has_close_up()) {
     const auto is_of_vectors = [](const InstantStep& step) {
       return step.at == InstantStep::At::tip_of_velocity || step.at == InstantStep::At::acceleration;
@@ -147,21 +162,28 @@ PanelSheet involute_instants_sheet(const Solution& s, Language language) {
   } else {
     std::swap(at_contact, elsewhere);
   }
+  std::vector<InstantStep> at_second = steps_of_second(both[0].f, both[1].f);
+  if (both[0].f.is_at_cusp && !both[1].f.is_at_cusp) at_second.insert(at_second.begin(), setting_out(both[1].f));
   const auto add_contact = [&](const OfInvolute& each) {
     if (!each.has_close_up()) return;
     RollingInstantPanel panel(s, each.f, std::exchange(at_contact, {}), velocities);
-    panel.titled(fmt::format("{}: {}", each.symbol, Words{"the contact", "il contatto"}.in(language))).close_up();
+    panel.titled(fmt::format("{}: {}", each.symbol, Words{"the contact", "il contatto"}.in(language)))
+        .close_up()
+        .set_out();
     add(std::move(panel));
   };
   const auto add_path = [&](const OfInvolute& each) {
     const bool is_first = &each == &both.front();
-    RollingInstantPanel panel(s, each.f, is_first ? elsewhere : steps_of_second(both[0].f, each.f), velocities);
+    RollingInstantPanel panel(s, each.f, is_first ? elsewhere : at_second, velocities);
     panel.titled(each.time).measured_from(*each.f.O());
     if (each.cuts_path())
       panel.with_path(OfInvolute::piece());
     else
       panel.with_whole_path(each.path());
-    if (each.has_close_up()) panel.beside_close_up();
+    if (each.has_close_up())
+      panel.beside_close_up();
+    else
+      panel.set_out();
     if (is_one_dwarfed) panel.at_own_scale();
     add(std::move(panel));
   };

@@ -76,7 +76,8 @@ class InvolutePanel : public Panel {
     plot.long_segment(P0_, end, 3, Meaning::link);
     plot.segment(C, P0_, Meaning::axis);
     draw_parts(plot);
-    draw_sense_of_line(plot, P0_, end, 1, 0.96);  // beyond the curve, which the line meets further down
+    draw_sense_of_line(plot, P0_, end,
+                       {.sense = 1, .share = 0.96});  // beyond the curve, which the line meets further down
     const Division& at = part(unrolled_part);
     plot.in_step(Step::tangent);
     plot.segment(C, at.on_body, Meaning::construction);

@@ -28,8 +28,9 @@ Result what_its_sign_says(const Case& of, const std::string& effort, Language la
 }  // namespace
 
 VectorQuantity moving(const VectorQuantity& quantity, const std::string& suffix) {
-  return in(suffix == direct ? Motion::direct : Motion::retrograde, quantity);
+  return in(motion_of(suffix), quantity);
 }
+Motion motion_of(const std::string& suffix) { return suffix == direct ? Motion::direct : Motion::retrograde; }
 VectorQuantity P_of(const std::string& suffix) { return moving(applied_force("P", {}), suffix); }
 PolygonSide passed_on(const PolygonSide& force, const VectorQuantity& known, int i, int j, const std::string& suffix,
                       const std::string& tip) {
@@ -56,9 +57,12 @@ Words other_lines(const std::string& english, const std::string& italian) {
           "Moto retrogrado: forze ruotate dall'altra parte, a tratti sui corpi, con " + italian + "."};
 }
 std::string prime(const std::string& suffix) { return suffix == retrograde ? "'" : ""; }
+std::string below_prime(const std::string& index, const std::string& suffix) {
+  return "_{" + index + "}" + (suffix == retrograde ? "^{'}" : "");
+}
 
 std::string origin(const std::string& body, const std::string& suffix) {
-  return "$O" + prime(suffix) + "_{" + body + "}$";
+  return "$O" + below_prime(body, suffix) + "$";
 }
 
 std::vector<Arrow2> laid_end_to_end(const std::vector<Arrow2>& vectors) {

@@ -13,6 +13,7 @@ using Joint = Mechanism::Joint;
 
 inline const std::string direct = "_direct", retrograde = "_retrograde";
 
+Motion motion_of(const std::string& suffix);
 VectorQuantity moving(const VectorQuantity& quantity, const std::string& suffix);
 VectorQuantity P_of(const std::string& suffix);
 // What body i does to body j, known from the polygon before: the same force the other way, or passed on by a link.
@@ -33,6 +34,8 @@ inline const Words the_other_way{"Retrograde motion: the same polygons with the 
 Words other_lines(const std::string& english, const std::string& italian);
 // What the retrograde motion has in place of something.
 std::string prime(const std::string& suffix);
+// The same of letters with an index, above which it stands as in R'₁₃.
+std::string below_prime(const std::string& index, const std::string& suffix);
 
 // Where the polygon of a body begins.
 std::string origin(const std::string& body, const std::string& suffix);

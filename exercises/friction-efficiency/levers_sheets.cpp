@@ -11,7 +11,7 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   const double nu = of.radians("nu");
   const std::string j = std::to_string(at.loaded), i = std::to_string(at.driven);
   const auto H = [](int lever, const std::string& suffix) {
-    return "$\\it{H}" + prime(suffix) + "_{" + std::to_string(lever) + "}$";
+    return "$H" + below_prime(std::to_string(lever), suffix) + "$";
   };
   const auto hinge_line = [&](int lever, const std::string& suffix) {
     if (of.point("H_" + std::to_string(lever) + suffix)) return "∥ " + at.letters(lever) + H(lever, suffix);
@@ -49,6 +49,16 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   };
   const auto shared_j = shared_out(at.loaded, direct, on), shared_i = shared_out(at.driven, direct, on),
              other_j = shared_out(at.loaded, retrograde, back), other_i = shared_out(at.driven, retrograde, back);
+  // Where the others' lines meet on the sheet, to which the line of the hinge's force leads.
+  const auto meets = [&](int lever) -> std::optional<Place> {
+    if (lever == at.loaded ? shared_j : shared_i) return {};
+    return of.point("H_" + std::to_string(lever) + direct);
+  };
+  const auto met = [&](int lever) -> Words {
+    const std::string& known = lever == at.loaded ? on.Q.label : on.P.label;
+    return Words{known + " at ", known + " in "} + H(lever, direct);
+  };
+  const Words through_C{"Through $C$ the line $φ$ from $n$ meets ", "Per $C$ la retta $φ$ da $n$ incontra "};
   const auto body = [&](int lever) {
     const bool is_loaded = lever == at.loaded;
     Mechanism drawn;
@@ -64,7 +74,7 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
     const Arrow2 v = of.vector("sliding");  // of the loaded lever on the other
     press(panel, of, is_loaded ? contact : reversed(contact, at.loaded, at.driven), at.C, nu, is_loaded ? v : -v,
           is_loaded ? j + i : i + j, "$n$");
-    panel.force(of.known(moving(force_between(1, lever), direct), "", ""), at.hinge(lever), Arrow::ends);
+    panel.force(of.known(moving(force_between(1, lever), direct), "", ""), at.hinge(lever), Arrow::ends_at_hinge);
     if (const auto& shared = is_loaded ? shared_j : shared_i)
       shared->draw_strings(panel);
     else
@@ -78,15 +88,23 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   };
   FreeBodyPanel first = body(at.loaded);
   first.step(turned_against, at.C);
+  FreeBodyPanel second = body(at.driven);
+  const auto H_of_loaded = meets(at.loaded), H_of_driven = meets(at.driven);
+  if (H_of_loaded)
+    first.step(through_C + met(at.loaded) + (H_of_driven ? Words{" and ", " e "} + met(at.driven) : Words{}) + ".",
+               *H_of_loaded);
+  else if (H_of_driven)
+    second.step(through_C + met(at.driven) + ".", *H_of_driven);
   std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"contact_force_angle_direct_deg", "contact_force_angle_retrograde_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg"}));
-  Panels all = panels(first, body(at.driven));
+  Panels all = panels(first, second);
   const auto add_motion = [&](const std::string& suffix, const Sides& by, const std::optional<SharedOut>& of_loaded,
                               const std::optional<SharedOut>& of_driven) {
     const Chain in_motion = chained(suffix);
     if (!of_loaded && !of_driven) {
-      all.push_back(std::make_unique<ChainedPolygonsPanel>(polygons(of, in_motion, suffix)));
+      all.push_back(std::make_unique<ChainedPolygonsPanel>(
+          polygons(of, in_motion, suffix).captioned(name_of(motion_of(suffix)))));
       return;
     }
     VectorPolygon first_polygon = by.first(in_motion);

@@ -12,10 +12,11 @@ enum class Motion { ideal, direct, retrograde };
 inline constexpr std::array<Motion, 3> motions{Motion::ideal, Motion::direct, Motion::retrograde};
 inline constexpr std::array<Motion, 2> with_friction{Motion::direct, Motion::retrograde};
 inline std::string suffix(Motion motion) { return motion == Motion::direct ? "_direct" : "_retrograde"; }
-inline Words words_of(Motion motion) {
-  return motion == Motion::direct ? Words{", direct motion", ", moto diretto"}
-                                  : Words{", retrograde motion", ", moto retrogrado"};
+inline Words name_of(Motion motion) {
+  return motion == Motion::direct ? Words{"direct motion", "moto diretto"}
+                                  : Words{"retrograde motion", "moto retrogrado"};
 }
+inline Words words_of(Motion motion) { return ", " + name_of(motion); }
 // In the retrograde motion with a prime, as the source writes P'; beside what stands above already.
 inline std::string primed(std::string letters) {
   const std::string above = "}}^{{";

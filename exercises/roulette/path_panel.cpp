@@ -58,7 +58,7 @@ class PathPanel : public Panel {
     for (const Place& P : points_) extent.include(scale, P, letters_room / 2);
     if (f_.C()) include_circle(extent, scale, *f_.C(), f_.r);
     if (way_.closed || f_.given.is_line()) include_circle(extent, scale, *f_.O(), f_.R);
-    if (f_.given.is_line()) extent.include(scale, ends_of_line(f_).second, letters_room);
+    if (f_.given.is_line()) extent.include(scale, ends_of_line(f_, scale).second, letters_room);
     extent.include(scale, f_.P0, letters_room);
     extent.include(scale, f_.M, letters_room);
     return extent.box();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawings/paths/vectors.h"
 #include "exercises/kit/linkages/slider_crank_mechanism.h"
 #include "exercises/kit/panels/curve.h"
 #include "exercises/kit/panels/edge.h"
@@ -34,10 +35,14 @@ Words division(const SliderCrankInstant& instant) {
 }
 
 std::vector<Words> step_words(const SliderCrankInstant& instant, bool touch_at_infinity) {
+  const Words joined = circuit_of(instant) == Circuit::coupler
+                           ? Words{". ", ". "}
+                           : Words{". The arc of radius $l$ about each $A$ gives $B$ on the guide. ",
+                                   ". L'arco di raggio $l$ con centro in ogni $A$ dà $B$ sulla guida. "};
   const Words of_fixed{
-      ". In each position $P_{0}$ on $A_{0}A$ and on the perpendicular to the guide through $B$: the points of the "
+      "In each position $P_{0}$ on $A_{0}A$ and on the perpendicular to the guide through $B$: the points of the "
       "fixed polode $p$.",
-      ". In ogni posizione $P_{0}$ su $A_{0}A$ e sulla normale alla guida per $B$: i punti della polare fissa $p$."};
+      "In ogni posizione $P_{0}$ su $A_{0}A$ e sulla normale alla guida per $B$: i punti della polare fissa $p$."};
   const Words of_moving{
       "Each triangle $ABP_{0}$ on tracing paper, carried back until its $AB$ covers the $AB$ of the position drawn: "
       "its $P_{0}$ marks a point of the moving polode $π$.",
@@ -55,14 +60,14 @@ std::vector<Words> step_words(const SliderCrankInstant& instant, bool touch_at_i
       "Where the crank is perpendicular to the guide $P_{0}$ goes to infinity: the dash-dot lines are the "
       "asymptotes.",
       "Dove la manovella è normale alla guida $P_{0}$ va all'infinito: le rette a tratto e punto sono gli asintoti."};
-  return {division(instant) + of_fixed, of_moving, touch_at_infinity ? beyond : touching, asymptotes};
+  return {division(instant) + joined + of_fixed, of_moving, touch_at_infinity ? beyond : touching, asymptotes};
 }
 
 class PolodesPanel : public Panel {
  public:
   PolodesPanel(const Solution& solution, const SliderCrankInstant& instant)
       : instant_(instant),
-        mechanism_(slider_crank_mechanism(solution, instant)),
+        mechanism_(slider_crank_mechanism(solution, instant, {.marks_M = false})),
         P0_(solution.point("P0")),
         positions_(divided_positions(instant)),
         size_(CGAL::to_double(instant.lengths.r + instant.lengths.l)) {
@@ -107,14 +112,20 @@ class PolodesPanel : public Panel {
     const geometry::Trace pi = draw_loci(
         plot, instant_, [&](const Loop& loop) { return moving(loop); }, room, Meaning::second_locus, "moving_polode");
     plot.in_step(Step::given);
+    const std::size_t before = plot.onto().sheet.figure.marks.size();
     mechanism_->draw(plot);
+    open_blocks(plot, before);
+    plot.in_step(Step::moving);
+    for (const Position& at : positions_)
+      if (at.P0_on_coupler && is_in(room, plot, *at.P0_on_coupler))
+        plot.dot(*at.P0_on_coupler, Meaning::second_locus);  // over the hinge B, through which π passes
     plot.in_step(Step::curves);
     if (P0_) {
       plot.cross(*P0_);
       plot.label("$P_{0}$", *P0_, mechanism_->at("M"), Meaning::locus);
     }
-    if (const auto at = middle_of(p, plot, room)) plot.label("$p$", *at, {}, Meaning::locus);
-    if (const auto at = middle_of(pi, plot, room)) plot.label("$π$", *at, {}, Meaning::second_locus);
+    name_branches(plot, room, p, "$p$", Meaning::locus);
+    name_branches(plot, room, pi, "$π$", Meaning::second_locus);
     std::vector<drawings::Block> told = of_curves(p, pi, plot.scale(), language);
     for (const Words& each : left_out(plot, room)) told.emplace_back(drawings::Paragraph{each.in(language)});
     return told;
@@ -182,6 +193,68 @@ class PolodesPanel : public Panel {
     }
   }
 
+  // What rolls off the sheet and comes back has its letter on each piece.
+  static void name_branches(Plot& plot, const drawings::Box& room, const geometry::Trace& curve,
+                            const std::string& letter, Meaning ink) {
+    constexpr double one_piece = 12;  // mm
+    std::vector<Place> named;
+    for (const geometry::Branch& branch : curve.branches) {
+      geometry::Trace alone;
+      alone.branches = {branch};
+      const auto at = middle_of(alone, plot, room);
+      if (!at || std::any_of(named.begin(), named.end(), [&](const Place& other) {
+            return distance(*at, other) * plot.scale().mm_per_unit < one_piece;
+          }))
+        continue;
+      plot.label(letter, *at, {}, ink);
+      named.push_back(*at);
+    }
+  }
+
+  // Both polodes pass beneath the block: its outline leaves them to be seen.
+  static void open_blocks(Plot& plot, std::size_t first) {
+    constexpr double half_long = 5, half_high = 3;  // mm, as a block is drawn
+    std::vector<drawings::Mark>& marks = plot.onto().sheet.figure.marks;
+    for (std::size_t i = first; i < marks.size(); ++i) {
+      const auto* block = std::get_if<drawings::Slider>(&marks[i]);
+      if (!block) continue;
+      const drawings::Point along = half_long * drawings::direction(block->along),
+                            up = half_high * drawings::left_of(drawings::direction(block->along)), at = block->at;
+      marks[i] = drawings::Line{
+          drawings::polyline({at - along - up, at + along - up, at + along + up, at - along + up}, true),
+          Meaning::link,
+          {}};
+    }
+  }
+
+  // Where the arcs about A meet the guide; a point of p that lies there has its number already.
+  void draw_B(Plot& plot) const {
+    std::vector<std::pair<Place, std::string>> of_guide;
+    for (const Position& at : positions_) {
+      if (at.P0 && is_one_point(plot, *at.P0, at.B)) continue;
+      plot.dot(at.B, Meaning::construction);
+      of_guide.emplace_back(at.B, at.label);
+    }
+    const auto numbered = numbered_together(plot, of_guide);
+    if (!has_room(plot, numbered)) return;
+    for (const auto& [B, numbers] : numbered) plot.small_label(numbers, B, B + size_ * Arrow2{-guide().y, guide().x});
+  }
+  // For the numbers of these points beside each other on the guide.
+  bool has_room(const Plot& plot, const std::vector<std::pair<Place, std::string>>& numbered) const {
+    constexpr double each = 4.5;  // mm
+    double low = 0, high = 0;     // from the first
+    for (const auto& [B, numbers] : numbered) {
+      const double along = dot(B - numbered.front().first, guide());
+      low = std::min(low, along);
+      high = std::max(high, along);
+    }
+    return (high - low) * plot.scale().mm_per_unit >= each * static_cast<double>(numbered.size());
+  }
+  static bool is_one_point(const Plot& plot, const Place& P, const Place& Q) {
+    constexpr double one_point = 0.5;  // mm
+    return distance(P, Q) * plot.scale().mm_per_unit < one_point;
+  }
+
   void draw_triangles(Plot& plot, const drawings::Box& room) const {
     const Place A0 = mechanism_->at("A0"), A = mechanism_->at("A"), B = mechanism_->at("B");
     std::vector<std::pair<Place, std::string>> of_moving_polode;
@@ -198,10 +271,14 @@ class PolodesPanel : public Panel {
       if (at.P0_on_coupler && is_in(room, plot, *at.P0_on_coupler)) {
         plot.segment(A, *at.P0_on_coupler, Meaning::construction);
         plot.segment(B, *at.P0_on_coupler, Meaning::construction);
-        plot.dot(*at.P0_on_coupler, Meaning::second_locus);
-        of_moving_polode.emplace_back(*at.P0_on_coupler, at.label);
+        // In the position drawn it is the point of p, which has the number.
+        if (!at.P0 || !is_one_point(plot, *at.P0, *at.P0_on_coupler))
+          of_moving_polode.emplace_back(*at.P0_on_coupler, at.label);
       }
     }
+    plot.in_step(Step::fixed);
+    draw_B(plot);
+    plot.in_step(Step::moving);
     for (const auto& [P0, numbers] : numbered_together(plot, of_moving_polode)) plot.small_label(numbers, P0, A);
   }
 

@@ -289,7 +289,7 @@ TEST_CASE("A sheet to be solved shows the mechanism, and where its loads act") {
   for (const char* letter : {"$\\vec{\\it{Q}}$", "$\\vec{\\it{P}}$", "$O$"}) CHECK(has_label(slider, letter));
   CHECK(std::find(slider.asked.begin(), slider.asked.end(), "double_slider.P") == slider.asked.end());
   const DrawnSheet rubs = blank_sheet_of("friction-efficiency", "double-slider");
-  for (const char* letter : {"$\\vec{\\it{Q}}$", "$\\vec{\\it{P}}$", "3", "$O_{2}$", "$O'_{2}$"})
+  for (const char* letter : {"$\\vec{\\it{Q}}$", "$\\vec{\\it{P}}$", "3", "$O_{2}$", "$O_{2}^{'}$"})
     CHECK(has_label(rubs, letter));
   const DrawnSheet spool = blank_sheet_of("spool-slip", "friction-cone");
   for (const char* letter : {"$C$", "$G$", "$A$", "$m_{b}$"}) CHECK(has_label(spool, letter));

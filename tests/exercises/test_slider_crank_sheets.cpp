@@ -288,3 +288,23 @@ TEST_CASE("a crank that turns the other way has its vectors mirrored", "[slider-
     }
   }
 }
+
+TEST_CASE("slider-crank polodes: nothing covers the curves, each piece and each point has its letters once",
+          "[slider-crank][sheets]") {
+  const drawings::Figure figure = draw(of_velocity, "polodes", {}).sheet.figure;
+  CHECK(std::none_of(figure.marks.begin(), figure.marks.end(),
+                     [](const drawings::Mark& mark) { return std::holds_alternative<drawings::Slider>(mark); }));
+  std::map<std::string, int> times;
+  for (const drawings::Label& label : figure.labels) ++times[label.text];
+  CHECK(times["$p$"] == 2);
+  CHECK(times["$π$"] >= 2);
+  CHECK(times["$M$"] == 0);
+  // Of the joint B on its guide.
+  for (const char* numbers : {"1, 11", "3, 9", "5, 7"}) CHECK(times[numbers] == 1);
+  const auto pole = std::find_if(figure.labels.begin(), figure.labels.end(),
+                                 [](const drawings::Label& label) { return label.text == "$P_{0}$"; });
+  REQUIRE(pole != figure.labels.end());
+  CHECK(std::count_if(figure.labels.begin(), figure.labels.end(), [&](const drawings::Label& label) {
+          return label.text == "1" && std::hypot(label.at.x - pole->at.x, label.at.y - pole->at.y) < 0.5;
+        }) == 1);
+}

@@ -24,7 +24,7 @@ std::shared_ptr<const Mechanism> slider_crank_mechanism(const Solution& solution
       .point("A", solution.place("A"), Joint::hinge, "$A$")
       .point("B", B, Joint::block, "$B$")
       .point("C", solution.place("C"), Joint::none, "$C$")
-      .point("M", solution.place("M"), Joint::none, "$M$")
+      .point("M", solution.place("M"), coupler.marks_M ? Joint::none : Joint::corner, coupler.marks_M ? "$M$" : "")
       .body({"A0", "A"}, 2)
       .body({"A", "B", "C"}, 3)
       .guide("B", delta)

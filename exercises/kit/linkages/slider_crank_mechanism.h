@@ -14,6 +14,7 @@ struct CouplerTurning {
   double sense = 0;
   std::string symbol = {};
   bool marks_phi = true;  // the angle of the crank
+  bool marks_M = true;
 };
 // A0, A, B, C and M must be in the solution.
 std::shared_ptr<const Mechanism> slider_crank_mechanism(const Solution& solution, const SliderCrankInstant& instant,

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawings/paths/vectors.h"
+#include "drawings/text/text.h"
+
 namespace epure {
 namespace {
+
+constexpr double caption_height = 6, caption_letters = 3.2;  // mm
 
 // Letters of a corner that two polygons share stand there once.
 void keep_once(std::vector<drawings::Label>& labels, std::size_t first_new) {
@@ -66,6 +71,11 @@ ChainedPolygonsPanel& ChainedPolygonsPanel::over(std::vector<Arrow2> corners) {
   return *this;
 }
 
+ChainedPolygonsPanel& ChainedPolygonsPanel::captioned(const Words& caption) {
+  caption_ = caption;
+  return *this;
+}
+
 ChainedPolygonsPanel& ChainedPolygonsPanel::angle(const Arrow2& at, double from, double to,
                                                   const std::string& letters) {
   if (from != to) angles_.push_back({at, from, to, letters});
@@ -98,7 +108,9 @@ drawings::Box ChainedPolygonsPanel::extent(const Scale&, const Scale& vectors) c
   for (const auto& corners : under_)
     for (const Arrow2& corner : corners)
       extent.include(vectors.mm_per_unit * corner.x, vectors.mm_per_unit * corner.y);
-  return extent.box();
+  drawings::Box box = extent.box();
+  if (!caption_.empty()) box.low.y -= caption_height;
+  return box;
 }
 
 std::vector<Place> ChainedPolygonsPanel::lettered() const {
@@ -138,6 +150,13 @@ std::vector<drawings::Block> ChainedPolygonsPanel::draw(Plot& plot, const drawin
     if (&link != &links_.front() && is_slim(links_.front().polygon, plot.scale()))
       write_together(labels, before, link.polygon.right.front().label);
   }
+  if (caption_.empty()) return {};
+  const drawings::Box covered = extent(plot.scale(), plot.scale());
+  const std::string& caption = caption_.in(language);
+  const double width = drawings::measure(caption, caption_letters).width;
+  plot.mark(drawings::Writing{
+      caption, plot.at({0, 0}) + drawings::Point{(covered.low.x + covered.high.x - width) / 2, covered.low.y + 1.5},
+      caption_letters});
   return {};
 }
 

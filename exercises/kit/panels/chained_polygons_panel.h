@@ -19,6 +19,8 @@ class ChainedPolygonsPanel : public Panel {
   ChainedPolygonsPanel& then(VectorPolygon polygon, const Arrow2& from);
   // Other polygons under these, dashed and without letters, through these corners: to compare with.
   ChainedPolygonsPanel& over(std::vector<Arrow2> corners);
+  // Words beneath.
+  ChainedPolygonsPanel& captioned(const Words& caption);
   // An angle at a corner from one direction to another (radians), with its letters and a line in the first.
   ChainedPolygonsPanel& angle(const Arrow2& at, double from, double to, const std::string& letters);
   // Made as the figure before it, whose steps and equations tell how: one step tells so, where the other way begins.
@@ -51,6 +53,7 @@ class ChainedPolygonsPanel : public Panel {
   std::vector<Link> links_;
   std::vector<Angle> angles_;
   std::vector<std::vector<Arrow2>> under_;
+  Words caption_;
   bool is_told_ = true;
   std::vector<PanelStep> steps_;
 };

@@ -69,7 +69,7 @@ double FreeBodyPanel::length_of(const Force& force, const Scale& vectors) const 
 
 FreeBodyPanel::OnPaper FreeBodyPanel::on_paper(const Force& force, const Scale& vectors) const {
   constexpr double gap = 3;  // mm
-  double behind = 0;
+  double behind = force.clear;
   for (int i = force.after; i >= 0; i = forces_[static_cast<std::size_t>(i)].after)
     behind += length_of(forces_[static_cast<std::size_t>(i)], vectors) + gap;
   const double length = length_of(force, vectors), tail = force.ends ? -behind - length : behind;
@@ -91,7 +91,16 @@ FreeBodyPanel& FreeBodyPanel::add(const PolygonSide& side, const Place& at, Arro
   const double size = magnitude(side.v);
   if (size == 0) return *this;
   constexpr double too_near = 0.3;  // radians
-  Force added{side.label, at, (1 / size) * side.v, size, -1, there == Arrow::ends, side.quantity, given};
+  constexpr double off_hinge = 2;   // mm
+  Force added{side.label,
+              at,
+              (1 / size) * side.v,
+              size,
+              -1,
+              there != Arrow::starts,
+              there == Arrow::ends_at_hinge ? off_hinge : 0,
+              side.quantity,
+              given};
   const Arrow2 out = added.ends ? -added.along : added.along;
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     const Force& other = forces_[i];
@@ -240,6 +249,21 @@ void FreeBodyPanel::draw_force(Plot& plot, const Force& force) const {
   plot.vector_on(force.quantity, at(arrow.tail), force.size * force.along, Meaning::force, force.label);
 }
 
+// Whether a dashed line of another motion leaves X in this direction.
+bool FreeBodyPanel::is_line_otherwise(const Place& X, double direction) const {
+  constexpr double same = 0.01;  // radians
+  const Arrow2 along = direction_of(direction);
+  const auto lies_there = [&](const Otherwise& motion, const LineOfForce& line) {
+    if (distance(line.at, X) > 0 || magnitude(line.along) == 0) return false;
+    return std::abs(cross(along, line.along)) < same * magnitude(line.along) &&
+           (!motion.H || dot(*motion.H - X, along) > 0);
+  };
+  return std::any_of(otherwise_.begin(), otherwise_.end(), [&](const Otherwise& motion) {
+    return std::any_of(motion.lines.begin(), motion.lines.end(),
+                       [&](const LineOfForce& line) { return lies_there(motion, line); });
+  });
+}
+
 // The arc so far out that it can be seen.
 void FreeBodyPanel::draw_turned(Plot& plot, const Turned& turned) const {
   constexpr double widest = 24, clear = 2;  // mm
@@ -248,8 +272,9 @@ void FreeBodyPanel::draw_turned(Plot& plot, const Turned& turned) const {
     return on_line(turned.X, direction_of(direction), along, mm);
   };
   plot.segment(at(turned.normal, -line_beyond), at(turned.normal, leg), Meaning::axis);
-  for (const double side : {turned.force, 2 * turned.normal - turned.force})
-    plot.segment(turned.X, at(side, leg), Meaning::construction);
+  plot.segment(turned.X, at(turned.force, leg), Meaning::construction);
+  const double other_edge = 2 * turned.normal - turned.force;
+  if (!is_line_otherwise(turned.X, other_edge)) plot.segment(turned.X, at(other_edge, leg), Meaning::construction);
   const auto [from, to] = std::minmax(turned.force, turned.normal);
   plot.mark(drawings::AngleMark{plot.at(turned.X), widest, from, to, Meaning::dimension});
   plot.small_label(turned.angle, at((from + to) / 2, widest + clear), turned.X);

@@ -18,8 +18,9 @@ class FreeBodyPanel : public Panel {
  public:
   explicit FreeBodyPanel(std::shared_ptr<const MechanismFigure> body) : body_(std::move(body)) {}
 
-  // A force of a polygon, where it acts; none when it is zero. What presses on the body from outside ends there.
-  enum class Arrow { starts, ends };
+  // A force of a polygon, where it acts; none when it is zero. What presses on the body from outside ends there, or
+  // before the hinge there, which would hide its head.
+  enum class Arrow { starts, ends, ends_at_hinge };
   FreeBodyPanel& force(const PolygonSide& side, const Place& at, Arrow there = Arrow::starts);
   // The same of what is given, and stands on the sheet to be solved too: a load; and of an effort that balances it,
   // the line of action.
@@ -84,6 +85,7 @@ class FreeBodyPanel : public Panel {
     double size;
     int after;  // another force, which would cover it: it stands behind that one
     bool ends;
+    double clear;  // mm from the point
     std::string quantity;
     Given given;
   };
@@ -131,6 +133,7 @@ class FreeBodyPanel : public Panel {
   };
 
   FreeBodyPanel& add(const PolygonSide& side, const Place& at, Arrow there, Given given);
+  bool is_line_otherwise(const Place& X, double direction) const;
   double middle_of(const Couple& couple) const;
   double length_of(const Force& force, const Scale& vectors) const;
   OnPaper on_paper(const Force& force, const Scale& vectors) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drawings/paths/vectors.h"
 #include "exercises/kit/panels/edge.h"
 #include "exercises/kit/panels/osculating_arc.h"
 #include "exercises/kit/panels/short_vectors.h"
@@ -17,6 +18,7 @@ constexpr double longest_acceleration = 56;  // mm
 constexpr double far_off = 3.2;              // times the bodies beside M: a circle still whole, a centre still shown
 constexpr double least_part = 1.5;           // mm: a part of the acceleration that can be seen
 constexpr double title_height = 7;           // mm
+constexpr double axis_beyond_start = 12;     // mm: of the x axis, with its letter
 
 Place middle(const Place& P, const Place& Q) { return {(P.x + Q.x) / 2, (P.y + Q.y) / 2}; }
 
@@ -63,6 +65,10 @@ RollingInstantPanel& RollingInstantPanel::beside_close_up() {
 }
 RollingInstantPanel& RollingInstantPanel::at_own_scale() {
   has_own_scale_ = true;
+  return *this;
+}
+RollingInstantPanel& RollingInstantPanel::set_out() {
+  sets_out_ = true;
   return *this;
 }
 RollingInstantPanel& RollingInstantPanel::close_up() {
@@ -119,6 +125,7 @@ drawings::Box RollingInstantPanel::extent(const Scale& lengths, const Scale& vec
     extent.include(x + letters_room, y + letters_room);
   };
   if (f_.C()) include_circle(extent, lengths, *f_.C(), f_.r);
+  if (is_set_out()) extent.include(lengths, {f_.O()->x + f_.R, f_.O()->y}, axis_beyond_start);
   if (f_.given.is_line() && f_.R <= far_off * size()) include_circle(extent, lengths, *f_.O(), f_.R);
   if (is_inflection_circle_small())
     include_circle(extent, lengths, middle(f_.P0, f_.J), f_.inflection_diameter() / 2);
@@ -141,6 +148,35 @@ Place RollingInstantPanel::towards_centre(const Plot& plot, const drawings::Box&
   return ray_to_edge(plot, room, f_.M, *f_.centre - f_.M);
 }
 
+// A path that has just begun begins at M.
+bool RollingInstantPanel::is_set_out() const { return sets_out_ && !f_.is_at_cusp; }
+
+// Where φ is counted from.
+void RollingInstantPanel::draw_start(Plot& plot) const {
+  if (!is_set_out()) return;
+  constexpr double behind = 6, letter = 3;  // mm
+  const Place O = *f_.O(), M0{O.x + f_.R, O.y};
+  const drawings::Point o = plot.at(O), start = plot.at(M0);
+  const Place end = plot.from_paper({start.x + axis_beyond_start - letter, start.y});
+  plot.segment(plot.from_paper({o.x - behind, o.y}), end, Meaning::axis);
+  plot.label("$x$", end, O);
+  plot.dot(M0, Meaning::locus);
+  plot.label("$M_{0}$", M0, O, Meaning::locus);
+}
+
+void RollingInstantPanel::draw_radius(Plot& plot) const {
+  if (!is_set_out()) return;
+  constexpr double widest = 11, narrowest = 5, least = 3;  // mm
+  const Place O = *f_.O();
+  plot.segment(O, f_.P0, Meaning::dimension);
+  const double radius = std::min(widest, 0.7 * f_.R * plot.scale().mm_per_unit), to_P0 = direction(O, f_.P0),
+               turned = to_P0 < 0 ? to_P0 + 2 * std::numbers::pi : to_P0;
+  if (radius < narrowest || radius * turned < least) return;
+  const drawings::Point o = plot.at(O);
+  plot.mark(drawings::AngleMark{o, radius, 0, turned});
+  plot.label("$φ$", plot.from_paper(o + radius * drawings::direction(turned / 2)), O);
+}
+
 // Below the path, which it nearly covers.
 void RollingInstantPanel::draw_osculating_circle(Plot& plot, const drawings::Box& room, Language language) const {
   if (f_.is_at_cusp || !f_.centre) return;
@@ -148,8 +184,9 @@ void RollingInstantPanel::draw_osculating_circle(Plot& plot, const drawings::Box
     draw_towards(plot, room, f_.M, *f_.centre, "$Ω$", language);
     return;
   }
+  if (f_.given.unwinds()) return;  // the line itself leads there
   plot.segment(f_.M, *f_.centre, Meaning::construction);
-  if (!f_.given.unwinds()) draw_osculating_arc(plot, f_.M, *f_.centre, beside_whole_path, "osculating_circle");
+  draw_osculating_arc(plot, f_.M, *f_.centre, beside_whole_path, "osculating_circle");
 }
 
 // With the line P0J, which the stationarity circle is when the speed is constant.
@@ -157,7 +194,10 @@ void RollingInstantPanel::draw_inflection_circle(Plot& plot) const {
   plot.cycle(inflection_circle(f_), Meaning::locus, "inflection_circle");
   constexpr double beyond = 9;  // mm
   const bool is_stationarity = is_zero(f_.given.alpha) && !is_zero(f_.given.omega) && shows_ != Shows::vectors;
-  if (is_stationarity)
+  if (is_stationarity && is_set_out())  // its other end would lie on OP0
+    plot.segment(f_.P0, f_.J + (beyond / (plot.scale().mm_per_unit * f_.inflection_diameter())) * (f_.J - f_.P0),
+                 Meaning::second_locus);
+  else if (is_stationarity)
     plot.long_segment(f_.P0, f_.J, beyond, Meaning::second_locus);
   else
     plot.segment(f_.P0, f_.J, Meaning::axis);
@@ -165,9 +205,11 @@ void RollingInstantPanel::draw_inflection_circle(Plot& plot) const {
 
 void RollingInstantPanel::draw_ray(Plot& plot) const {
   if (f_.is_at_cusp || shows_ == Shows::contact) return;
-  if (!f_.given.unwinds()) plot.long_segment(f_.P0, f_.M, 5, Meaning::construction);
-  plot.segment(f_.M, f_.M_prime, Meaning::construction);
-  plot.segment(f_.J, f_.M_prime, Meaning::construction);
+  if (!f_.given.unwinds()) {  // else it is the line, and M' the contact
+    plot.long_segment(f_.P0, f_.M, 5, Meaning::construction);
+    plot.segment(f_.M, f_.M_prime, Meaning::construction);
+    plot.segment(f_.J, f_.M_prime, Meaning::construction);
+  }
   if (!f_.runs_straight()) plot.right_angle(f_.M_prime, f_.J, f_.M);
 }
 
@@ -260,12 +302,14 @@ void RollingInstantPanel::draw_points(Plot& plot, const drawings::Box& room) con
   }
   if (!names_contact) return;
   if (f_.C() && !f_.given.rolls_on_line()) plot.label("$C$", *f_.C(), f_.M);
-  plot.cross(f_.J);
+  // On a line at 45° a cross would lie along it and its normal.
+  const auto mark = [&](const Place& P) { f_.given.unwinds() ? plot.dot(P, Meaning::locus) : plot.cross(P); };
+  mark(f_.J);
   plot.label(at_J, f_.J, f_.is_at_cusp ? f_.P0 : f_.M, Meaning::locus);
   if (f_.is_at_cusp)
     plot.dot(f_.M, Meaning::locus);
   else
-    plot.cross(f_.P0);
+    mark(f_.P0);
   plot.label(at_pole, f_.P0, f_.J, Meaning::locus);
   if (f_.is_at_cusp || f_.given.unwinds()) return;
   if (!f_.runs_straight()) {
@@ -310,6 +354,7 @@ std::string RollingInstantPanel::off_sheet(const Plot& plot, const drawings::Box
 void RollingInstantPanel::draw_given(Plot& plot, const drawings::Box& room, Language) const {
   draw_ground(plot, f_, room);
   draw_body(plot, f_, room);
+  draw_start(plot);
   plot.dot(f_.M, Meaning::locus);
   plot.label("$M$", f_.M, f_.P0, Meaning::locus);
 }
@@ -327,6 +372,9 @@ std::vector<drawings::Block> RollingInstantPanel::draw(Plot& plot, const drawing
   plot.in_step(0);
   draw_body(plot, f_, room);
   if (has_vectors) draw_sense(plot, f_);
+  draw_start(plot);
+  plot.in_step(1);
+  draw_radius(plot);
   plot.in_step({});
   draw_ray(plot);
   if (has_vectors) {
@@ -351,6 +399,8 @@ std::vector<PanelStep> RollingInstantPanel::steps(const Plot& plot, const drawin
     Plot of_velocities = plot;
     of_velocities.vectors_at(velocities_);
     switch (at) {
+      case At::contact:
+        return middle(*f_.O(), f_.P0);
       case At::inflection_pole:
         return f_.J;
       case At::tip_of_velocity:
@@ -362,7 +412,9 @@ std::vector<PanelStep> RollingInstantPanel::steps(const Plot& plot, const drawin
       case At::centre_of_curvature:
         break;
     }
-    return f_.is_at_cusp || !f_.centre ? f_.M : towards_centre(plot, room);
+    if (f_.is_at_cusp || !f_.centre) return f_.M;
+    // On the line, which is ρ: the contact has numbers enough.
+    return f_.given.unwinds() && shows_ != Shows::contact ? middle(f_.P0, f_.M) : towards_centre(plot, room);
   };
   std::vector<PanelStep> all;
   for (const InstantStep& step : steps_) all.push_back({step.text, place(step.at)});

@@ -20,6 +20,8 @@ class RollingInstantPanel : public Panel {
   // This much of the path, as far as there is room for it; or shown from end to end.
   RollingInstantPanel& with_path(const Way& way);
   RollingInstantPanel& with_whole_path(const Way& way);
+  // With what a line's contact is found by: the x axis with the start of the path, and φ from it.
+  RollingInstantPanel& set_out();
   // The contact alone, as large as its circles allow; and the rest, without the points that are so small there.
   RollingInstantPanel& close_up();
   RollingInstantPanel& beside_close_up();
@@ -46,6 +48,9 @@ class RollingInstantPanel : public Panel {
   // The place of the centre of curvature, or where the line to it leaves the room.
   Place towards_centre(const Plot& plot, const drawings::Box& room) const;
 
+  bool is_set_out() const;
+  void draw_start(Plot& plot) const;
+  void draw_radius(Plot& plot) const;
   void draw_osculating_circle(Plot& plot, const drawings::Box& room, Language language) const;
   void draw_inflection_circle(Plot& plot) const;
   void draw_ray(Plot& plot) const;
@@ -67,7 +72,7 @@ class RollingInstantPanel : public Panel {
   Way way_;
   std::vector<Place> whole_path_;
   Shows shows_ = Shows::all;
-  bool has_own_scale_ = false;
+  bool has_own_scale_ = false, sets_out_ = false;
 };
 
 // The scale at which the fastest of these is about so long.

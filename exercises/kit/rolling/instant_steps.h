@@ -8,7 +8,7 @@
 namespace epure {
 
 struct InstantStep {
-  enum class At { inflection_pole, tip_of_velocity, foot, acceleration, centre_of_curvature };
+  enum class At { contact, inflection_pole, tip_of_velocity, foot, acceleration, centre_of_curvature };
   Words text;
   At at;
 };

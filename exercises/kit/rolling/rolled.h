@@ -26,6 +26,7 @@ struct RollingGivens {
 struct InstantNames {
   std::string before = {}, after = {};
   std::string normal = "a_n";  // what the normal part of the acceleration is called
+  std::string omega = "ω";     // the letters of dφ/dt
   std::string operator()(const std::string& quantity) const { return before + quantity + after; }
 };
 

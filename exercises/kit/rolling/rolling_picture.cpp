@@ -53,16 +53,19 @@ void draw_ground(Plot& plot, const Rolled& f, const drawings::Box& room) {
   plot.label("$O$", plot.from_paper({o.x + x / 2, o.y + y / 2}), O);
 }
 
-std::pair<Place, Place> ends_of_line(const Rolled& f) {
+// Behind the contact far enough to be seen to touch there.
+std::pair<Place, Place> ends_of_line(const Rolled& f, const Scale& scale) {
+  constexpr double seen_to_touch = 10;    // mm
   const Arrow2 unwinding{f.n.y, -f.n.x};  // from P0 to the foot of M, for φ > 0
-  const double beyond = f.R / 4, foot = f.R * to_double(f.given.phi);
+  const double beyond = f.R / 4, behind = std::max(beyond, std::min(f.R, seen_to_touch / scale.mm_per_unit)),
+               foot = f.R * to_double(f.given.phi);
   const auto along = [&](double t) { return f.P0 + t * unwinding; };
-  return foot < 0 ? std::pair{along(beyond), along(foot - beyond)} : std::pair{along(-beyond), along(foot + beyond)};
+  return foot < 0 ? std::pair{along(behind), along(foot - beyond)} : std::pair{along(-behind), along(foot + beyond)};
 }
 
 void draw_body(Plot& plot, const Rolled& f, const drawings::Box& room) {
   if (f.given.is_line()) {
-    const auto [behind, ahead] = ends_of_line(f);
+    const auto [behind, ahead] = ends_of_line(f, plot.scale());
     plot.segment(behind, ahead, Meaning::link, "moving_polode");
     plot.label("$π$", is_in(room, plot, ahead) ? ahead : ray_to_edge(plot, room, f.P0, ahead - f.P0), f.P0);
     if (f.d != 0) plot.segment(f.M + f.d * f.n, f.M, Meaning::link);
@@ -82,21 +85,25 @@ void draw_body(Plot& plot, const Rolled& f, const drawings::Box& room) {
 void draw_sense(Plot& plot, const Rolled& f) {
   if (f.turning() == 0) return;
   if (f.C()) {
-    if (f.d > 0) draw_sense_of_turning(plot, *f.C(), f.M, f.turning(), "$ω$");
+    if (f.d > 0) draw_sense_of_turning(plot, *f.C(), f.M, f.turning(), "$" + f.names.omega + "$");
     return;
   }
-  draw_sense_of_line(plot, f.P0, ends_of_line(f).second, f.turning());
+  draw_sense_of_line(plot, f.P0, ends_of_line(f, plot.scale()).second,
+                     {.sense = static_cast<double>(f.turning()),
+                      .is_behind = f.given.unwinds() && f.P0M() > f.R,
+                      .omega = f.names.omega});
 }
 
-void draw_sense_of_line(Plot& plot, const Place& P0, const Place& end, double sense, double share) {
-  constexpr double least = 11, gap = 2, length = 14;  // mm
-  const double radius = std::max(least, share * distance(P0, end) * plot.scale().mm_per_unit);
-  const double way = sense > 0 ? 1 : -1, from = direction(P0, end) + way * gap / radius, by = way * length / radius;
+void draw_sense_of_line(Plot& plot, const Place& P0, const Place& end, const SenseOfLine& turning) {
+  constexpr double least = 11, gap = 2, gap_behind = 5, length = 14;  // mm
+  const double radius = std::max(least, turning.share * distance(P0, end) * plot.scale().mm_per_unit);
+  const double way = turning.sense > 0 ? 1 : -1, by = way * length / radius,
+               from = direction(P0, end) + way * (turning.is_behind ? -gap_behind - length : gap) / radius;
   const drawings::Point centre = plot.at(P0);
   plot.mark(drawings::Rotation{centre, radius, from, from + by});
   const double middle = from + by / 2;
-  plot.label("$ω$", plot.from_paper({centre.x + radius * std::cos(middle), centre.y + radius * std::sin(middle)}),
-             P0);
+  plot.label("$" + turning.omega + "$",
+             plot.from_paper({centre.x + radius * std::cos(middle), centre.y + radius * std::sin(middle)}), P0);
 }
 
 double draw_path(Plot& plot, const RollingGivens& given, const Way& way, Meaning ink) {

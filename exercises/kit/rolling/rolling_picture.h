@@ -10,12 +10,18 @@ namespace epure {
 void draw_ground(Plot& plot, const Rolled& f, const drawings::Box& room);
 // What rolls: the line or circle π with M.
 void draw_body(Plot& plot, const Rolled& f, const drawings::Box& room);
-// As far as a rolling line is drawn: behind the contact, ahead.
-std::pair<Place, Place> ends_of_line(const Rolled& f);
-// The arc arrow of ω: about C, or ahead of a line. None when the body does not turn.
+// As far as a rolling line is drawn at this scale: behind the contact, ahead.
+std::pair<Place, Place> ends_of_line(const Rolled& f, const Scale& scale);
+// The arc arrow of ω: about C, or beside a line. None when the body does not turn.
 void draw_sense(Plot& plot, const Rolled& f);
-// Ahead of a line from the contact P0 to `end`, turning counter-clockwise (sense > 0) or clockwise.
-void draw_sense_of_line(Plot& plot, const Place& P0, const Place& end, double sense, double share = 0.6);
+// Ahead of a line from the contact P0 to `end`, turning counter-clockwise (sense > 0) or clockwise; or behind it,
+// where accelerations lie ahead.
+struct SenseOfLine {
+  double sense, share = 0.6;
+  bool is_behind = false;
+  std::string omega = "ω";
+};
+void draw_sense_of_line(Plot& plot, const Place& P0, const Place& end, const SenseOfLine& turning);
 // Returns how far, in mm of paper, the drawn path may be from the true one, proved.
 double draw_path(Plot& plot, const RollingGivens& given, const Way& way, Meaning ink = Meaning::locus);
 // Points of the path, as many as show how far it reaches.

@@ -236,3 +236,42 @@ TEST_CASE("cycloid and involute: no side of the accelerations' triangle lies on 
   for (const std::string t : {"_t1", "_t2"})
     CHECK(drawings::distance(involute.at("involute.a_M" + t), involute.at("involute.a_n" + t)) > 1);
 }
+
+TEST_CASE("involute: its instants can be set out from the sheet", "[cycloid-involute][sheets]") {
+  const DrawnSheet drawn = both().draw("involute-instants", {});
+  for (const char* letters : {"$x$", "$M_{0}$", "$φ$"}) CHECK(has_label(drawn, letters));
+  CHECK_THAT(words_of(drawn), Contains("$OP_{0}$ at $φ$ (less whole turns) from $x$, counter-clockwise") &&
+                                  Contains("$P_{0}M = ½d_{0}φ$"));
+  CHECK_THAT(words_of(both().draw("involute-instants", {"t1=0.06"})), !Contains("whole turns"));
+  // M has not left its start: the second instant tells it.
+  const DrawnSheet from_start = both().draw("involute-instants", {"t1=0"});
+  CHECK_THAT(words_of(from_start), Contains("$P_{0}M = ½d_{0}φ$"));
+  const auto all = labels(from_start);
+  CHECK(std::count(all.begin(), all.end(), "$M_{0}$") == 1);
+}
+
+TEST_CASE("involute: the line is drawn once, and its contact seen on it", "[cycloid-involute][sheets]") {
+  const DrawnSheet drawn = both().draw("involute-instants", {});
+  std::vector<const drawings::Path*> bodies, constructions;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* line = std::get_if<drawings::Line>(&mark); line && line->path.pieces.size() == 1) {
+      if (line->name == "moving_polode") bodies.push_back(&line->path);
+      if (line->meaning == drawings::Meaning::construction) constructions.push_back(&line->path);
+    }
+  REQUIRE(bodies.size() == 2);
+  for (const drawings::Path* body : bodies) {
+    const drawings::Point from = body->start, along = drawings::unit(from, body->pieces[0].end);
+    const auto off = [&](drawings::Point p) { return std::abs(dot(p - from, drawings::left_of(along))); };
+    for (const drawings::Path* line : constructions)
+      CHECK((off(line->start) > 0.01 || off(line->pieces[0].end) > 0.01));
+  }
+}
+
+TEST_CASE("cycloid and involute: the angular velocity has the letters it is given under",
+          "[cycloid-involute][sheets]") {
+  const DrawnSheet cycloid = both().draw("cycloid-instants", {}), involute = both().draw("involute-instants", {});
+  CHECK(has_label(cycloid, "$ω_{1}$"));
+  CHECK(has_label(involute, "$ω_{2}$"));
+  CHECK_THAT(words_of(involute), Contains("ω_{2}^{2}") && !Contains("ω^{2}"));
+  CHECK(involute.sheet.title_block.scales.at(2) == "1 cm ≙ 100 m/s");  // 5 mm of v_M before
+}

@@ -1,4 +1,5 @@
 // The sheets of the mechanisms with friction, whatever is given.
+#include "drawings/paths/vectors.h"
 #include "tests/exercises/arrows_of.h"
 #include "tests/exercises/friction-efficiency/cases.h"
 #include "tests/exercises/told_words.h"
@@ -27,8 +28,8 @@ TEST_CASE("friction: the polygons of the retrograde motion name their own points
     CHECK(has_label(drawn, of_retrograde));
   };
   for (const char* sheet : {"levers", "levers-Q-on-2"}) {
-    named(sheet, "∥ $A_{0}$$\\it{H}_{2}$", "∥ $A_{0}$$\\it{H}'_{2}$");
-    named(sheet, "∥ $B_{0}$$\\it{H}_{3}$", "∥ $B_{0}$$\\it{H}'_{3}$");
+    named(sheet, "∥ $A_{0}$$H_{2}$", "∥ $A_{0}$$H_{2}^{'}$");
+    named(sheet, "∥ $B_{0}$$H_{3}$", "∥ $B_{0}$$H_{3}^{'}$");
   }
   // The origin of their coordinates lies on the paper here.
   const DrawnSheet drawn = friction().draw("levers-Q-on-2", {});
@@ -129,4 +130,47 @@ TEST_CASE("friction: the normal that the steps name stands at both levers", "[fr
     const std::vector<drawings::Label> labels = friction().draw(sheet, {}).sheet.figure.labels;
     CHECK(std::count_if(labels.begin(), labels.end(), [](const auto& each) { return each.text == "$n$"; }) == 2);
   }
+}
+
+TEST_CASE("friction: the levers' steps find where the lines of the hinges' forces lead",
+          "[friction-efficiency][sheets]") {
+  const std::string line = "Through $C$ the line $φ$ from $n$ meets ", Q = "$\\vec{\\it{Q}}$ at ",
+                    P = "$\\vec{\\it{P}}$ at ";
+  const auto told = [](const char* sheet, const Assignments& assignments) {
+    return words_of(friction().draw(sheet, assignments));
+  };
+  CHECK_THAT(told("levers", {}), Contains(line + Q + "$H_{3}$ and " + P + "$H_{2}$."));
+  CHECK_THAT(told("levers-Q-on-2", {}), Contains(line + Q + "$H_{2}$ and " + P + "$H_{3}$."));
+  // Parallel forces do not meet.
+  CHECK_THAT(told("levers", {"sliding_levers.direction_P=78"}), Contains(line + Q + "$H_{3}$."));
+}
+
+TEST_CASE("friction: beneath its polygons stands which motion they are of", "[friction-efficiency][sheets]") {
+  for (const char* sheet : {"levers", "levers-Q-on-2"}) {
+    const auto marks = friction().draw(sheet, {}).sheet.figure.marks;
+    for (const std::string motion : {"direct motion", "retrograde motion"})
+      CHECK(std::any_of(marks.begin(), marks.end(), [&](const drawings::Mark& mark) {
+        const auto* caption = std::get_if<drawings::Writing>(&mark);
+        return caption && caption->text == motion;
+      }));
+  }
+}
+
+TEST_CASE("friction: what the words call dashed has no line drawn through over it", "[friction-efficiency][sheets]") {
+  const drawings::Figure figure = friction().draw("levers", {}).sheet.figure;
+  const auto lines = [&](drawings::Meaning meaning) {  // from C
+    std::vector<drawings::Point> directions;
+    for (const drawings::Label& C : figure.labels)
+      for (const drawings::Mark& mark : figure.marks)
+        if (const auto* line = std::get_if<drawings::Line>(&mark);
+            line && C.text == "$C$" && line->meaning == meaning && line->path.pieces.size() == 1 &&
+            drawings::distance(line->path.start, C.at) < 0.01)
+          directions.push_back(drawings::unit(line->path.start, line->path.pieces[0].end));
+    return directions;
+  };
+  const auto dashed = lines(drawings::Meaning::alternative), solid = lines(drawings::Meaning::construction);
+  CHECK(dashed.size() == 2);
+  CHECK_FALSE(solid.empty());
+  for (const drawings::Point& u : dashed)
+    for (const drawings::Point& v : solid) CHECK(drawings::distance(u, v) > 0.01);
 }
