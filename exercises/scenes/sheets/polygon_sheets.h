@@ -10,7 +10,8 @@
 namespace epure::scenes {
 
 // For the groups that the scene has at its stated givens. A group's sheet is named after its joint, where there are
-// several: "velocity-polygon-B"; where several have that joint, with the links that it places: "velocity-polygon-B-4".
+// several: "velocity-polygon-B"; where several have that joint, with the links that it places:
+// "velocity-polygon-B-4".
 std::vector<SheetMaker> polygon_sheets(const std::shared_ptr<const Scene>& scene);
 
 }  // namespace epure::scenes
