@@ -509,15 +509,23 @@ std::vector<bool> angles_of_drives(const Linkage& linkage) {
   return given;
 }
 
-// Each step with the inverse at its place, until what is left of the equations cannot be told from zero.
+// Each step with the inverse at its place, until what is left of the equations cannot be told from zero, or a step is
+// no shorter than the one before, and so but rounding.
 template <class T>
 Column<T> refined(const System<T>& system, Column<T> q) {
   constexpr int most_steps = 40;
+  std::optional<T> last;
   for (int k = 0; k < most_steps; ++k) {
     const std::vector<Equation<T>> rows = system(q);
     if (may_be_zero_all(residuals(rows))) break;
     const Column<T> step = Preconditioner<T>(rows).times(residuals(rows));
-    for (std::size_t i = 0; i < q.size(); ++i) q[i] = midpoint(q[i] - step[i]);
+    T length(0);
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      q[i] = midpoint(q[i] - step[i]);
+      length = midpoint(length + size_of(step[i]));
+    }
+    if (last && sign(*last - length) != Sign::positive) break;
+    last = length;
   }
   return q;
 }
