@@ -6,6 +6,7 @@
 #include "exercises/kit/panels/panel_sheet.h"
 #include "exercises/kit/proof/checked.h"
 #include "exercises/kit/proof/table_cells.h"
+#include "exercises/kit/proof/told_numbers.h"
 #include "tests/exercises/run.h"
 #include "tests/support/catch.h"
 
@@ -103,6 +104,19 @@ TEST_CASE("a page has no more cells than an SVG of 100 kB holds", "[long table]"
   CHECK(rows_of_a_page(drawings::Paper::a4, 15) == 26);
   CHECK(rows_of_a_page(drawings::Paper::a3, 15) == 26);
   CHECK(rows_of_a_page(drawings::Paper::a4, 0) == rows_of_a_page(drawings::Paper::a4, 1));
+}
+
+// Ties, of which the doubles lie beside; and what is a hundredth of the last digit off.
+TEST_CASE("a cell is the rounding of a value to either side where it is half way, and of none beyond",
+          "[long table]") {
+  CHECK(is_rounding_of("34535.812", 34535.8125));
+  CHECK(is_rounding_of("34535.813", 34535.8125));
+  CHECK(is_rounding_of("$3.022·10^{−7}$", 3.0225e-7));
+  CHECK(is_rounding_of("−3.023e-07", -3.0225e-7));
+  CHECK_FALSE(is_rounding_of("34535.812", 34535.81251));
+  CHECK_FALSE(is_rounding_of("$3.022·10^{−7}$", 3.02251e-7));
+  CHECK_FALSE(is_rounding_of("$3.023·10^{−7}$", 3.02249e-7));
+  CHECK_FALSE(is_rounding_of("3.022", -3.022));
 }
 
 TEST_CASE("every cell of a long table is held against another route, on every page", "[long table]") {

@@ -46,6 +46,14 @@ int power_of_ten(std::string_view text, std::size_t& at) {
   return 0;
 }
 
+// The double nearest to these digits times a power of ten.
+double nearest(const std::string& digits, int power) {
+  const std::string written = digits + "e" + std::to_string(power);
+  double value = 0;
+  std::from_chars(written.data(), written.data() + written.size(), value);
+  return value;
+}
+
 enum class Numbers { with_decimals, all };
 
 // What is raised or lowered belongs to a symbol.
@@ -72,10 +80,10 @@ std::vector<Told> numbers_in(std::string_view text, Numbers which = Numbers::wit
       continue;
     }
     Told told{.text = {}, .at = i};
-    std::from_chars(text.data() + i, text.data() + end, told.value);
-    const double scale = std::pow(10.0, power_of_ten(text, end));
-    told.value *= scale;
-    told.half_unit = 0.5 * std::pow(10.0, -decimals) * scale;
+    const std::string digits(text.substr(i, end - i));
+    const int power = power_of_ten(text, end);
+    told.value = nearest(digits, power);
+    told.half_unit = nearest("5", power - decimals - 1);
     if (i >= minus.size() && text.substr(i - minus.size(), minus.size()) == minus) told.at -= minus.size();
     if (i >= 1 && text[i - 1] == '-') told.at -= 1;
     if (told.at != i) told.value = -told.value;
@@ -86,12 +94,12 @@ std::vector<Told> numbers_in(std::string_view text, Numbers which = Numbers::wit
   return all;
 }
 
-// Whether it is the value, rounded. Of a tie both doubles, what is told and what is known, may lie beside it by half
-// of their last place.
+// Whether it is the value, rounded. Of a tie the doubles may lie beside it, what is told, what is known and the half
+// of a unit each by half of its last place.
 bool rounds(const Told& told, double value) {
   const double most = std::max(std::abs(told.value), std::abs(value)),
                last_place = std::nextafter(most, INFINITY) - most;
-  return std::abs(told.value - value) <= told.half_unit + last_place;
+  return std::abs(told.value - value) <= told.half_unit + 2 * last_place;
 }
 // In formulas magnitudes stand between bars.
 bool tells(const Told& told, double value) { return rounds(told, value) || rounds(told, -value); }
