@@ -106,6 +106,7 @@ struct FixedHinge {  // hinge on a hatched support that stands on the side `down
 struct Slider {  // block of 10 mm x 6 mm on a guide or in a slot, `along` is the direction of sliding, any angle
   Point at;
   double along = 0;
+  bool is_open = false;  // its outline alone, where curves pass beneath
 };
 struct Guide {  // the fixed line a block slides on, hatched on the right of from -> to, offset by half the block
   Point from, to;

@@ -214,8 +214,8 @@ class Writer {
       if (fill && next && is_its_outline(*fill, *next)) {
         outlined(*fill, *next);
         ++i;
-      } else if (const std::size_t alike = ticks_from(i); alike > 1) {
-        ticks(i, alike);
+      } else if (const std::size_t alike = alike_from(i); alike > 1) {
+        as_one_path(i, alike);
         i += alike - 1;
       } else if (const std::vector<PlacedText> cells = table_from(i); cells.size() > 1) {
         table(cells);
@@ -233,9 +233,7 @@ class Writer {
   }
 
   void operator()(const Stroke& stroke) {
-    std::string ink = " fill=\"none\"";
-    add_stroke(ink, stroke);
-    change_ink(ink);
+    take_pen(stroke);
     add_mark(stroke);
   }
 
@@ -430,6 +428,11 @@ class Writer {
     add_mark(stroke);
   }
 
+  void take_pen(const Stroke& stroke) {
+    std::string ink = " fill=\"none\"";
+    add_stroke(ink, stroke);
+    change_ink(ink);
+  }
   // Marks in the same ink that follow each other share a group.
   void change_ink(const std::string& ink) {
     if (ink == ink_) return;
@@ -462,23 +465,21 @@ class Writer {
 
   // How many strokes from this primitive on may be one path: alike, and nothing is to be known of them apart, as of
   // the ticks along an axis. (Where what is seen through crosses itself, one path is lighter than two.)
-  std::size_t ticks_from(std::size_t first) const {
+  std::size_t alike_from(std::size_t first) const {
     const auto stroke = [&](std::size_t i) {
       const auto* found = i < page_.primitives.size() ? std::get_if<Stroke>(&page_.primitives[i]) : nullptr;
       return found && found->name.empty() && !found->clip && found->colour.opacity == 1 ? found : nullptr;
     };
-    const Stroke* const tick = stroke(first);
+    const Stroke* const one = stroke(first);
     std::size_t end = first;
-    for (const Stroke* next = tick; next && next->width == tick->width && next->dashes == tick->dashes &&
-                                    next->colour == tick->colour && next->step == tick->step;)
+    for (const Stroke* next = one; next && next->width == one->width && next->dashes == one->dashes &&
+                                   next->colour == one->colour && next->step == one->step;)
       next = stroke(++end);
     return end - first;
   }
-  void ticks(std::size_t first, std::size_t count) {
+  void as_one_path(std::size_t first, std::size_t count) {
     const auto stroke = [&](std::size_t i) -> const Stroke& { return std::get<Stroke>(page_.primitives[i]); };
-    std::string ink = " fill=\"none\"";
-    add_stroke(ink, stroke(first));
-    change_ink(ink);
+    take_pen(stroke(first));
     body_ += "<path";
     add_step(stroke(first).step);
     add_path([&](PathData& data) {

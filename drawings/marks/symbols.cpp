@@ -159,7 +159,7 @@ void draw_mark(Canvas& canvas, const Slider& slider) {
   const Point up = (block_height / 2) * direction(slider.along + quarter);
   const Point at = slider.at;
   const Path block = polyline({at - along - up, at + along - up, at + along + up, at - along + up}, true);
-  canvas.fill(block, white);
+  if (!slider.is_open) canvas.fill(block, white);
   canvas.stroke(block, line_style(Meaning::link));
 }
 

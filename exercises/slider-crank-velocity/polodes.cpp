@@ -67,7 +67,7 @@ class PolodesPanel : public Panel {
  public:
   PolodesPanel(const Solution& solution, const SliderCrankInstant& instant)
       : instant_(instant),
-        mechanism_(slider_crank_mechanism(solution, instant, {.marks_M = false})),
+        mechanism_(Mechanism(*slider_crank_mechanism(solution, instant, {.marks_M = false})).with_open_blocks()),
         P0_(solution.point("P0")),
         positions_(divided_positions(instant)),
         size_(CGAL::to_double(instant.lengths.r + instant.lengths.l)) {
@@ -98,7 +98,7 @@ class PolodesPanel : public Panel {
     return extent.box();
   }
 
-  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
+  void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_.draw_given(plot); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     draw_triangles(plot, room);
     plot.in_step(of_fixed_.empty() ? Step::curves : Step::asymptotes);
@@ -112,9 +112,7 @@ class PolodesPanel : public Panel {
     const geometry::Trace pi = draw_loci(
         plot, instant_, [&](const Loop& loop) { return moving(loop); }, room, Meaning::second_locus, "moving_polode");
     plot.in_step(Step::given);
-    const std::size_t before = plot.onto().sheet.figure.marks.size();
-    mechanism_->draw(plot);
-    open_blocks(plot, before);
+    mechanism_.draw(plot);
     plot.in_step(Step::moving);
     for (const Position& at : positions_)
       if (at.P0_on_coupler && is_in(room, plot, *at.P0_on_coupler))
@@ -122,7 +120,7 @@ class PolodesPanel : public Panel {
     plot.in_step(Step::curves);
     if (P0_) {
       plot.cross(*P0_);
-      plot.label("$P_{0}$", *P0_, mechanism_->at("M"), Meaning::locus);
+      plot.label("$P_{0}$", *P0_, mechanism_.at("M"), Meaning::locus);
     }
     name_branches(plot, room, p, "$p$", Meaning::locus);
     name_branches(plot, room, pi, "$π$", Meaning::second_locus);
@@ -159,7 +157,7 @@ class PolodesPanel : public Panel {
   // From the foot of A0 on the guide, so far along it and to its left.
   Place along_guide(double abscissa, double ordinate = 0) const {
     const Arrow2 along = guide(), left{-along.y, along.x};
-    return mechanism_->at("A0") + abscissa * along + (CGAL::to_double(instant_.lengths.e) + ordinate) * left;
+    return mechanism_.at("A0") + abscissa * along + (CGAL::to_double(instant_.lengths.e) + ordinate) * left;
   }
   // As far below the guide as the mechanism is long; where the sheet ends before, where one crosses its middle.
   Place on_asymptote(const Plot& plot, const drawings::Box& room) const {
@@ -211,22 +209,6 @@ class PolodesPanel : public Panel {
     }
   }
 
-  // Both polodes pass beneath the block: its outline leaves them to be seen.
-  static void open_blocks(Plot& plot, std::size_t first) {
-    constexpr double half_long = 5, half_high = 3;  // mm, as a block is drawn
-    std::vector<drawings::Mark>& marks = plot.onto().sheet.figure.marks;
-    for (std::size_t i = first; i < marks.size(); ++i) {
-      const auto* block = std::get_if<drawings::Slider>(&marks[i]);
-      if (!block) continue;
-      const drawings::Point along = half_long * drawings::direction(block->along),
-                            up = half_high * drawings::left_of(drawings::direction(block->along)), at = block->at;
-      marks[i] = drawings::Line{
-          drawings::polyline({at - along - up, at + along - up, at + along + up, at - along + up}, true),
-          Meaning::link,
-          {}};
-    }
-  }
-
   // Where the arcs about A meet the guide; a point of p that lies there has its number already.
   void draw_B(Plot& plot) const {
     std::vector<std::pair<Place, std::string>> of_guide;
@@ -256,7 +238,7 @@ class PolodesPanel : public Panel {
   }
 
   void draw_triangles(Plot& plot, const drawings::Box& room) const {
-    const Place A0 = mechanism_->at("A0"), A = mechanism_->at("A"), B = mechanism_->at("B");
+    const Place A0 = mechanism_.at("A0"), A = mechanism_.at("A"), B = mechanism_.at("B");
     std::vector<std::pair<Place, std::string>> of_moving_polode;
     for (const Position& at : positions_) {
       plot.in_step(Step::fixed);
@@ -318,7 +300,7 @@ class PolodesPanel : public Panel {
   }
 
   SliderCrankInstant instant_;
-  std::shared_ptr<const Mechanism> mechanism_;
+  Mechanism mechanism_;  // both polodes pass beneath its block
   std::optional<Place> P0_;
   std::vector<Position> positions_;
   double size_;  // crank and coupler in line

@@ -487,6 +487,12 @@ Column<T> residuals(const std::vector<Equation<T>>& rows) {
   return all;
 }
 
+// The rows of the drives are the last, in their order.
+template <class T>
+std::size_t row_of_drive(const Linkage& linkage, const std::vector<Equation<T>>& rows, std::size_t drive) {
+  return rows.size() - linkage.drives.size() + drive;
+}
+
 // As many equations as unknowns, at a place or over a box.
 template <class T>
 using System = std::function<std::vector<Equation<T>>(const Column<T>&)>;
@@ -495,9 +501,8 @@ template <class T>
 System<T> of_joints(const Linkage& linkage) {
   return [&linkage](const Column<T>& q) {
     std::vector<Equation<T>> rows = equations(linkage, as_driven(linkage, q));
-    const std::size_t first = rows.size() - linkage.drives.size();
     for (std::size_t k = 0; k < linkage.drives.size(); ++k)
-      if (std::holds_alternative<TurnedLink>(linkage.drives[k])) rows[first + k].residual = T(0);
+      if (std::holds_alternative<TurnedLink>(linkage.drives[k])) rows[row_of_drive(linkage, rows, k)].residual = T(0);
     return rows;
   };
 }
@@ -837,7 +842,7 @@ class AtDeadPoint {
     const Column<T> q(places_and_motion.begin(), places_and_motion.begin() + half),
         n(places_and_motion.begin() + half, places_and_motion.end());
     const std::vector<Equation<T>> rows = equations(linkage_, q);
-    const std::size_t driven = rows.size() - linkage_.drives.size() + drive_;
+    const std::size_t driven = row_of_drive(linkage_, rows, drive_);
     std::vector<Equation<T>> all;
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (i != driven) all.push_back({.residual = rows[i].residual, .slopes = rows[i].slopes});

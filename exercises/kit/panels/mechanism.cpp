@@ -201,6 +201,10 @@ Mechanism& Mechanism::guide(const std::string& block, double direction, const st
   guides_.push_back({block, direction, axis, letter});
   return *this;
 }
+Mechanism& Mechanism::with_open_blocks() {
+  has_open_blocks_ = true;
+  return *this;
+}
 Mechanism& Mechanism::path(const std::string& about, const std::string& of) {
   paths_.push_back({about, of});
   return *this;
@@ -373,7 +377,7 @@ void Mechanism::draw_guide(Plot& plot, const Guide& guide) const {
   if (!guide.axis.empty())
     plot.mark(drawings::Line{drawings::segment(on_it(-guide_behind), on_it(axis_ahead)), Meaning::axis, {}});
   plot.mark(drawings::Guide{on_it(-guide_behind), on_it(guide.axis.empty() ? guide_ahead : guide_ahead_of_axis)});
-  plot.mark(drawings::Slider{p, guide.direction});
+  plot.mark(drawings::Slider{p, guide.direction, has_open_blocks_});
   if (!guide.axis.empty()) plot.label(guide.axis, plot.from_paper(on_it(axis_ahead)), at(guide.block));
   if (!guide.letter.empty()) plot.small_label(guide.letter, plot.from_paper(on_it(guide_ahead)), at(guide.block));
 }

@@ -46,6 +46,8 @@ class Mechanism : public MechanismFigure {
   // at its end.
   Mechanism& guide(const std::string& block, double direction, const std::string& axis = {},
                    const std::string& letter = {});
+  // The blocks of its guides are outlines, where curves pass beneath them.
+  Mechanism& with_open_blocks();
   // `of` goes round `about`: its way is drawn.
   Mechanism& path(const std::string& about, const std::string& of);
   // `of` swings about `about`: its way is drawn, from so far behind where it is to so far ahead (radians);
@@ -181,6 +183,7 @@ class Mechanism : public MechanismFigure {
   std::vector<Body> bodies_, other_positions_;
   std::vector<Disc> discs_;
   std::vector<Guide> guides_;
+  bool has_open_blocks_ = false;
   std::vector<Path> paths_;
   std::vector<Swing> swings_;
   std::vector<Surface> surfaces_;

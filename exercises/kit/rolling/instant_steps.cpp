@@ -38,43 +38,46 @@ Words inflection_pole(const Rolled& f) {
 // ω² P0J at the pole carried over to M: ω² MJ, and what α adds. MJ = MM' + M'J, along the ray and across it.
 Words acceleration_step(const Rolled& f) {
   const bool angular = !is_zero(f.given.alpha);
-  const std::string of_alpha = " + |$α$|·$P_{0}M$", parts = "$\\vec{a}_{M} = \\vec{a}^{n}_{M} + \\vec{a}^{t}_{M}";
-  const std::string tangential = "$a^{t}_{M} = ω^{2}·M'J$" + (angular ? of_alpha : "");
+  const std::string &omega = f.names.omega, of_alpha = " + |$α$|·$P_{0}M$",
+                    parts = "$\\vec{a}_{M} = \\vec{a}^{n}_{M} + \\vec{a}^{t}_{M}";
+  const std::string tangential = "$a^{t}_{M} = " + omega + "^{2}·M'J$" + (angular ? of_alpha : "");
   if (is_zero(f.given.omega))
-    return {"$ω = 0$: $a_{M}$ = |$α$|·$P_{0}M$, perpendicular to the ray.",
-            "$ω = 0$: $a_{M}$ = |$α$|·$P_{0}M$, normale al raggio."};
+    return {"$" + omega + " = 0$: $a_{M}$ = |$α$|·$P_{0}M$, perpendicular to the ray.",
+            "$" + omega + " = 0$: $a_{M}$ = |$α$|·$P_{0}M$, normale al raggio."};
   if (angular)
     return {tangential + ", perpendicular to the ray, each with its sense. " + parts + "$.",
             tangential + ", normali al raggio, ciascuno col suo verso. " + parts + "$."};
-  return {tangential + ", perpendicular to the ray. " + parts + " = ω^{2}·MJ$: it points at $J$.",
-          tangential + ", normale al raggio. " + parts + " = ω^{2}·MJ$: è diretta verso $J$."};
+  const std::string all = parts + " = " + omega + "^{2}·MJ$: ";
+  return {tangential + ", perpendicular to the ray. " + all + "it points at $J$.",
+          tangential + ", normale al raggio. " + all + "è diretta verso $J$."};
 }
 
 std::vector<InstantStep> at_cusp(const Rolled& f) {
-  return {{{"$M$ is on the pole: $\\vec{v}_{M}$ = 0. $\\vec{a}_{M} = ω^{2}·P_{0}J$ lies along the path: against the "
-            "motion $\\vec{t}^{−}$ before, with $\\vec{t}^{+}$ after.",
-            "$M$ è sul polo: $\\vec{v}_{M}$ = 0. Tutta la $\\vec{a}_{M} = ω^{2}·P_{0}J$ è lungo la traiettoria: "
-            "contro il moto $\\vec{t}^{−}$ prima, concorde col moto $\\vec{t}^{+}$ dopo."},
-           At::acceleration},
-          {f.runs_straight()
-               ? Words{"The path is straight: $M$ turns back.", "La traiettoria è diritta: $M$ torna indietro."}
-               : Words{"The path has a cusp: $ρ = 0$, the centre of curvature is $M$.",
-                       "La traiettoria ha una cuspide: $ρ = 0$, il centro di curvatura è $M$."},
-           At::centre_of_curvature}};
+  const std::string a_M = "$\\vec{a}_{M} = " + f.names.omega + "^{2}·P_{0}J$";
+  return {
+      {{"$M$ is on the pole: $\\vec{v}_{M}$ = 0. " + a_M +
+            " lies along the path: against the motion $\\vec{t}^{−}$ before, with $\\vec{t}^{+}$ after.",
+        "$M$ è sul polo: $\\vec{v}_{M}$ = 0. Tutta la " + a_M +
+            " è lungo la traiettoria: contro il moto $\\vec{t}^{−}$ prima, concorde col moto $\\vec{t}^{+}$ dopo."},
+       At::acceleration},
+      {f.runs_straight()
+           ? Words{"The path is straight: $M$ turns back.", "La traiettoria è diritta: $M$ torna indietro."}
+           : Words{"The path has a cusp: $ρ = 0$, the centre of curvature is $M$.",
+                   "La traiettoria ha una cuspide: $ρ = 0$, il centro di curvatura è $M$."},
+       At::centre_of_curvature}};
 }
 
 Words foot_step(const Rolled& f) {
   if (f.runs_straight())
     return {"$M$ is on the inflection circle, always: $M' ≡ M$, its path is a diameter, $\\vec{a}^{n}_{M}$ = 0.",
             "$M$ è sempre sul cerchio dei flessi: $M' ≡ M$, la traiettoria è un diametro, $\\vec{a}^{n}_{M}$ = 0."};
+  const std::string to_contact = "$M' ≡ P_{0}$, $a^{n}_{M} = " + f.names.omega + "^{2}·MP_{0}$.",
+                    to_foot = "$a^{n}_{M} = " + f.names.omega + "^{2}·MM'$.";
   if (f.given.unwinds())
-    return {
-        "The ray $P_{0}M$ touches the inflection circle at $P_{0}$: $M' ≡ P_{0}$, $a^{n}_{M} = ω^{2}·MP_{0}$.",
-        "Il raggio $P_{0}M$ è tangente al cerchio dei flessi in $P_{0}$: $M' ≡ P_{0}$, $a^{n}_{M} = ω^{2}·MP_{0}$."};
-  return {
-      "The foot of the perpendicular from $J$ to the ray $P_{0}M$ is $M'$, on the inflection circle: $a^{n}_{M} = "
-      "ω^{2}·MM'$.",
-      "Il piede della normale da $J$ sul raggio $P_{0}M$ è $M'$, sul cerchio dei flessi: $a^{n}_{M} = ω^{2}·MM'$."};
+    return {"The ray $P_{0}M$ touches the inflection circle at $P_{0}$: " + to_contact,
+            "Il raggio $P_{0}M$ è tangente al cerchio dei flessi in $P_{0}$: " + to_contact};
+  return {"The foot of the perpendicular from $J$ to the ray $P_{0}M$ is $M'$, on the inflection circle: " + to_foot,
+          "Il piede della normale da $J$ sul raggio $P_{0}M$ è $M'$, sul cerchio dei flessi: " + to_foot};
 }
 
 Words curvature_step(const Rolled& f) {
@@ -88,33 +91,19 @@ Words curvature_step(const Rolled& f) {
           "$P_{0}M^{2} = M$$Ω·MM'$: centro di curvatura $Ω$, dalla parte di $M'$."};
 }
 
-// The steps say ω of every motion; an exercise of two motions has letters for each.
-void say_omega(std::string& text, const std::string& letters) {
-  const std::string general = "ω";
-  for (auto at = text.find(general); at != text.npos; at = text.find(general, at + letters.size()))
-    text.replace(at, general.size(), letters);
-}
+}  // namespace
 
-std::vector<InstantStep> steps_of(const Rolled& f) {
+std::vector<InstantStep> instant_steps(const Rolled& f) {
   std::vector<InstantStep> steps{{inflection_pole(f) + at_constant_speed(f), At::inflection_pole}};
   if (f.is_at_cusp) {
     for (InstantStep& step : at_cusp(f)) steps.push_back(std::move(step));
     return steps;
   }
-  const std::string velocity = "$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = |$ω$|·$P_{0}M$.";
+  const std::string velocity = "$\\vec{v}_{M}$ ⊥ $P_{0}M$, $v_{M}$ = |$" + f.names.omega + "$|·$P_{0}M$.";
   steps.push_back({{velocity, velocity}, At::tip_of_velocity});
   steps.push_back({foot_step(f), At::foot});
   steps.push_back({acceleration_step(f), At::acceleration});
   if (!f.runs_straight()) steps.push_back({curvature_step(f), At::centre_of_curvature});
-  return steps;
-}
-
-}  // namespace
-
-std::vector<InstantStep> instant_steps(const Rolled& f) {
-  std::vector<InstantStep> steps = steps_of(f);
-  for (InstantStep& step : steps)
-    for (std::string* text : {&step.text.english, &step.text.italian}) say_omega(*text, f.names.omega);
   return steps;
 }
 
