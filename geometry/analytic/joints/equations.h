@@ -112,7 +112,7 @@ class JointEquations {
 
  private:
   bool is_joined(std::initializer_list<int> points, std::initializer_list<int> links) const {
-    return analytic::is_joined(linkage_, hanging_, points, links);
+    return joints::is_joined(linkage_, hanging_, points, links);
   }
   bool is_joined(const TurnedLink& drive) const { return is_joined({}, {drive.link}); }
   bool is_joined(const SlidPoint& drive) const {
