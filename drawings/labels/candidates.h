@@ -27,7 +27,7 @@ inline constexpr double touch_thin = 45, touch_heavy = 70, inside = 6;  // then 
 inline constexpr double stranger = 42;        // nearer to another thing of the kind it names: a leader is better
 inline constexpr double near_stranger = 5;    // as near
 inline constexpr double past_stranger = 10;   // with a leader across one: a longer one elsewhere is better
-inline constexpr double behind_vector = 10;   // a point's letters: less than a leader
+inline constexpr double behind_another = 10;  // a point's or an arc's letters: less than a leader
 inline constexpr double one_word = 6;         // letters of two things in a row, as near as they may stand
 inline constexpr double overlap = 120;        // of two labels
 inline constexpr double leader_through = 60;  // a leader through another label

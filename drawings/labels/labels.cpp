@@ -69,8 +69,8 @@ class Placement {
           option.cost += price::past_stranger;
         continue;
       }
-      for (const Segment& vector : naming.vectors)
-        if (cross({naming.own.first, middle(option.box)}, vector)) option.cost += price::behind_vector;
+      for (const Segment& other : naming.not_between)
+        if (cross({naming.own.first, middle(option.box)}, other)) option.cost += price::behind_another;
       const double own = gap(option.box, naming.own.first, naming.own.second), reach = own + clearly_nearer;
       double nearest = reach;
       for (const auto& [from, to] : naming.others)

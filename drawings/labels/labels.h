@@ -15,11 +15,12 @@ namespace epure::drawings {
 using Segment = std::pair<Point, Point>;
 
 // A vector, a line or a point (a segment of no length) that letters name, and others that they seem to name when they
-// stand nearer to these. Between a point and its letters lies no vector that does not end there.
+// stand nearer to these. Between a point and its letters lies no vector that does not end there, and between an arc
+// and its letters no link.
 struct Naming {
   Segment own;
   std::vector<Segment> others;
-  std::vector<Segment> vectors = {};
+  std::vector<Segment> not_between = {};
 };
 
 // What is to be placed: a box of known size that belongs to a point, or to the segment at-to.

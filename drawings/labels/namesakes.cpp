@@ -1,6 +1,7 @@
 #include "drawings/labels/namesakes.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "drawings/labels/window.h"
 #include "drawings/paths/clip.h"
@@ -62,6 +63,8 @@ Namesakes::Namesakes(const Figure& figure, const std::vector<Label>& labels, Box
       add(points_, *point, *point, Meaning::text, window);
     }
   }
+  std::copy_if(lines_.begin(), lines_.end(), std::back_inserter(links_),
+               [](const Shown& each) { return each.meaning == Meaning::link; });
   Kind clear = vectors_;
   for (Shown& each : clear) each.seen = clear_of_shorter(vectors_, each);
   vectors_ = std::move(clear);
@@ -125,6 +128,7 @@ bool Namesakes::is_on(const Arc& arc, Point at) {
 void Namesakes::add_arcs(Naming& naming, Point at, double reach) const {
   const auto own = std::find_if(arcs_.begin(), arcs_.end(), [&](const Arc& arc) { return is_on(arc, at); });
   if (own == arcs_.end()) return;
+  add_passing(naming, links_, at, reach);
   constexpr double chord = 0.1;  // radians
   const Box around = grown(Box{at, at}, reach);
   double nearest = INFINITY;
@@ -147,11 +151,10 @@ void Namesakes::add_arcs(Naming& naming, Point at, double reach) const {
   }
 }
 
-// Those that pass a point near enough to lie between it and its letters.
-void Namesakes::add_vectors_by(Naming& naming, Point at, double reach) const {
-  for (const Shown& each : vectors_)
+void Namesakes::add_passing(Naming& naming, const Kind& kind, Point at, double reach) {
+  for (const Shown& each : kind)
     if (const double away = between_point(at, each.whole); away > one_mark && away < reach)
-      naming.vectors.push_back(each.whole);
+      naming.not_between.push_back(each.whole);
 }
 
 Naming Namesakes::of(const Label& label, double width) const {
@@ -173,7 +176,7 @@ Naming Namesakes::of(const Label& label, double width) const {
     const Shown point{{at, at}, {at, at}, Meaning::text};
     add_others(naming, points_, label, point, reach);
     add_others(naming, labelled_points_, label, point, reach);
-    if (is_point) add_vectors_by(naming, at, reach);
+    if (is_point) add_passing(naming, vectors_, at, reach);
   }
   return naming;
 }

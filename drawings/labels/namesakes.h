@@ -32,7 +32,8 @@ class Namesakes {
   static const Shown* on_one(const Kind& kind, Point at, Point to);
   static void add_others(Naming& naming, const Kind& kind, const Label& label, const Shown& own, double reach);
 
-  void add_vectors_by(Naming& naming, Point at, double reach) const;
+  // Those that pass a point near enough to lie between it and its letters.
+  static void add_passing(Naming& naming, const Kind& kind, Point at, double reach);
 
   // Of angles and senses of turning: by their chords.
   struct Arc {
@@ -43,7 +44,7 @@ class Namesakes {
   // What letters at a point of an arc name, and the other arcs near it.
   void add_arcs(Naming& naming, Point at, double reach) const;
 
-  Kind vectors_, lines_, points_, labelled_points_;
+  Kind vectors_, lines_, links_, points_, labelled_points_;
   std::vector<Arc> arcs_;
 };
 

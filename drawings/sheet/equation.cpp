@@ -14,6 +14,8 @@ namespace {
 
 using Term = VectorEquation::Term;
 
+constexpr double caption = 0.85;  // of the letters' size
+
 // One term's place: its operator and itself.
 struct TermColumn {
   const Term* term;
@@ -21,12 +23,17 @@ struct TermColumn {
 };
 using EquationLine = std::vector<TermColumn>;
 
-EquationLine measure_columns(const VectorEquation& equation, double size) {
+// Of the letters, in mm: of the vectors, and of what is known of them; and the room between terms.
+struct Setting {
+  double size, below, gap;
+};
+
+EquationLine measure_columns(const VectorEquation& equation, const Setting& set) {
   EquationLine columns;
   for (const Term& term : equation.terms)
-    columns.push_back({&term, term.before.empty() ? 0 : measure(term.before, size).width,
-                       std::max({measure(term.vector, size).width, measure(term.direction, size).width,
-                                 measure(term.magnitude, size).width})});
+    columns.push_back({&term, term.before.empty() ? 0 : measure(term.before, set.size).width,
+                       std::max({measure(term.vector, set.size).width, measure(term.direction, set.below).width,
+                                 measure(term.magnitude, set.below).width})});
   return columns;
 }
 
@@ -81,8 +88,8 @@ double tallest(const EquationLine& line, double size) {
 }
 
 // The vectors, a rule, under it their directions and magnitudes, these rows named.
-void set_line(Galley& galley, const EquationLine& line, double left, double gap, Language language) {
-  const double size = galley.size(), small = 0.85 * size, row = 1.5 * size;
+void set_line(Galley& galley, const EquationLine& line, double left, const Setting& set, Language language) {
+  const double size = set.size, gap = set.gap, small = caption * size, row = 1.5 * size;
   galley.down(0.2 * size * galley.air());
   const double first = galley.top() - std::max(tallest(line, size), 0.76 * size);
   const double rule = first - 0.6 * size, second = rule - 1.15 * size, third = second - row;
@@ -96,33 +103,41 @@ void set_line(Galley& galley, const EquationLine& line, double left, double gap,
     x += column.before + (column.before > 0 ? gap : 0);
     const double middle = x + column.width / 2;
     centred(galley, column.term->vector, middle, first, size);
-    centred(galley, column.term->direction, middle, second, size);
-    centred(galley, column.term->magnitude, middle, third, size);
+    centred(galley, column.term->direction, middle, second, set.below);
+    centred(galley, column.term->magnitude, middle, third, set.below);
     x += column.width + gap;
   }
   galley.down(galley.top() - third + (0.5 + 0.75 * galley.air()) * size);
 }
 
+// On one line if it has room there: closer together, then with smaller letters below.
+Setting setting(const VectorEquation& equation, double size, double room) {
+  constexpr std::array gaps{0.75, 0.55, 0.4, 0.28};
+  for (const double below : {1.0, 0.92, caption})
+    for (const double gap : gaps)
+      if (const Setting set{size, below * size, gap * size}; width(measure_columns(equation, set), set.gap) <= room)
+        return set;
+  return {size, size, gaps.front() * size};
+}
+
 }  // namespace
 
 void set_block(Galley& galley, const VectorEquation& equation, Language language) {
-  const double size = galley.size(), small = 0.85 * size;
+  const double size = galley.size(), small = caption * size;
   const double captions =
       std::max(measure(words(language).direction, small).width, measure(words(language).magnitude, small).width) +
       size;
   const double room = galley.width() - captions;
-  const EquationLine columns = measure_columns(equation, size);
-  constexpr std::array gaps{0.75, 0.55, 0.4, 0.28};  // of the letters' size: closer together before on several lines
-  const auto* fitting =
-      std::find_if(gaps.begin(), gaps.end(), [&](double each) { return width(columns, each * size) <= room; });
-  const double gap = size * (fitting == gaps.end() ? gaps.front() : *fitting);
+  const Setting set = setting(equation, size, room);
+  const EquationLine columns = measure_columns(equation, set);
+  const double gap = set.gap;
   const std::vector<EquationLine> lines = broken(columns, room, gap);
   const double left_over = room - widest(lines, gap);
   if (left_over < 0)
     galley.complaints.push_back("a vector equation is wider than the column: " +
                                 plain(equation.terms.front().vector));
   const double left = galley.left() + captions + std::max(0.0, left_over / 2);
-  for (const EquationLine& line : lines) set_line(galley, line, left, gap, language);
+  for (const EquationLine& line : lines) set_line(galley, line, left, set, language);
 }
 
 }  // namespace epure::drawings

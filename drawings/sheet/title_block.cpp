@@ -56,7 +56,7 @@ TitleLines title_lines(const Sheet& sheet) {
   const double room = title_block_width(sheet.paper) - 2 * inset;
   const TitleBlock& block = sheet.title_block;
   const auto lines = [&](const std::string& text, double size, Weight weight) {
-    return text.empty() ? std::vector<std::string>{} : wrap(text, size, room, weight);
+    return text.empty() ? std::vector<std::string>{} : wrap_evenly(text, size, room, weight);
   };
   return {lines(block.heading, text_size, Weight::regular), lines(block.exercise, text_size, Weight::regular),
           lines(block.sheet, sheet_title_size, Weight::bold), lines(block.source, text_size, Weight::regular)};

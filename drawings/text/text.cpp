@@ -1,6 +1,9 @@
 #include "drawings/text/text.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "drawings/text/typeset.h"
@@ -9,7 +12,7 @@ namespace epure::drawings {
 namespace {
 
 // At spaces outside of mathematics. A line break is a space too.
-std::vector<std::string> words(const std::string& rich_text) {
+std::vector<std::string> words_of(const std::string& rich_text) {
   std::vector<std::string> found;
   std::string word;
   bool mathematics = false, escaped = false;
@@ -28,6 +31,111 @@ std::vector<std::string> words(const std::string& rich_text) {
   return found;
 }
 
+template <std::size_t n>
+bool is_one_of(const std::array<std::string_view, n>& all, const std::string& word) {
+  return std::find(all.begin(), all.end(), word) != all.end();
+}
+constexpr std::array<std::string_view, 8> relations{"=", "≈", "≡", "<", ">", "≤", "≥", ":"};
+// They stand between two terms of a formula, or before one.
+bool joins_both(const std::string& word) {
+  constexpr std::array<std::string_view, 7> operations{"+", "−", "±", "·", "/", "∥", "⊥"};
+  return is_one_of(relations, word) || is_one_of(operations, word);
+}
+bool joins_next(const std::string& word) {
+  constexpr std::array<std::string_view, 7> functions{"sin", "cos", "tan", "tg", "ln", "arctan", "arctg"};
+  return is_one_of(functions, word);
+}
+
+// Of a number's last digit and the unit after it, whatever mark of punctuation ends the words.
+bool is_number(const std::string& word) {
+  return std::any_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
+         word.find_first_not_of("0123456789.,−") == std::string::npos;
+}
+bool is_unit(std::string word) {
+  constexpr std::array<std::string_view, 26> units{
+      "m",   "cm",  "mm",   "µm", "s",  "ms", "min",  "m/s",   "m/s²", "mm/s", "rad", "rad/s", "rad/s²",
+      "rpm", "1/s", "1/s²", "N",  "kN", "MN", "N/mm", "N/mm²", "Pa",   "MPa",  "kg",  "J",     "W"};
+  word.erase(std::find_if(word.rbegin(), word.rend(),
+                          [](char c) { return std::string_view(".,;:)").find(c) == std::string_view::npos; })
+                 .base(),
+             word.end());
+  return is_one_of(units, word);
+}
+
+using Words = std::vector<std::string>;
+
+// As what stands side by side in a formula does, or a number and its unit.
+bool belong_together(const std::string& word, const std::string& next) {
+  return joins_both(word) || joins_both(next) || joins_next(word) || (is_number(word) && is_unit(next)) ||
+         (word == "N" && is_unit(next));
+}
+
+// Words that are one formula stay together.
+std::vector<Words> formulas(Words words) {
+  std::vector<Words> all;
+  for (std::string& word : words) {
+    if (all.empty() || !belong_together(all.back().back(), word)) all.emplace_back();
+    all.back().push_back(std::move(word));
+  }
+  return all;
+}
+
+// A formula that is too long for a line: before its relations, or where it has but one, at every word.
+std::vector<Words> parts(const Words& formula) {
+  std::vector<Words> all(1);
+  for (const std::string& word : formula) {
+    if (is_one_of(relations, word) && !all.back().empty()) all.emplace_back();
+    all.back().push_back(word);
+  }
+  if (all.size() > 1) return all;
+  all.clear();
+  for (const std::string& word : formula) all.push_back({word});
+  return all;
+}
+
+std::string in_a_row(const Words& words) {
+  std::string all;
+  for (const std::string& word : words) (all += all.empty() ? "" : " ") += word;
+  return all;
+}
+
+class Wrapped {
+ public:
+  Wrapped(double size, double width, Weight weight)
+      : size_(size), width_(width), weight_(weight), space_(measure(" ", size, weight).width) {}
+
+  void add(const Words& formula) {
+    const std::string text = in_a_row(formula);
+    const double own = measure(text, size_, weight_).width;
+    if (fits(text, own)) {
+      lines_.back() += " " + text;
+      pen_ += space_ + own;
+    } else if (formula.size() == 1 || own <= width_) {
+      lines_.push_back(text);
+      pen_ = own;
+    } else {
+      for (const Words& part : parts(formula)) add(part);
+    }
+  }
+  std::vector<std::string> lines() && { return std::move(lines_); }
+
+ private:
+  // Words side by side are as wide as the line of them, but for kerning at the spaces: only a line that ends near the
+  // edge has to be set to be measured.
+  bool fits(const std::string& text, double own) const {
+    if (lines_.empty()) return false;
+    const double near_edge = size_ / 2, end = pen_ + space_ + own;
+    if (std::abs(end - width_) > near_edge) return end < width_;
+    return measure(lines_.back() + " " + text, size_, weight_).width <= width_;
+  }
+
+  const double size_, width_;
+  const Weight weight_;
+  const double space_;
+  std::vector<std::string> lines_;
+  double pen_ = 0;  // where the last line ends, nearly
+};
+
 }  // namespace
 
 bool can_write(const std::string& plain_text) {
@@ -44,27 +152,25 @@ TextSize measure(const std::string& rich_text, double size, Weight weight) {
 }
 
 std::vector<std::string> wrap(const std::string& rich_text, double size, double width, Weight weight) {
-  // Words side by side are as wide as the line of them, but for kerning at the spaces: only a line that ends near the
-  // edge has to be set to be measured.
-  const double near_edge = size / 2;
-  const double space = measure(" ", size, weight).width;
-  std::vector<std::string> lines;
-  double pen = 0;  // where the last line ends, nearly
-  for (const std::string& word : words(rich_text)) {
-    const double own = measure(word, size, weight).width, end = pen + space + own;
-    const auto fits = [&] {
-      if (std::abs(end - width) > near_edge) return end < width;
-      return measure(lines.back() + " " + word, size, weight).width <= width;
-    };
-    if (!lines.empty() && fits()) {
-      lines.back() += " " + word;
-      pen = end;
-    } else {
-      lines.push_back(word);
-      pen = own;
-    }
+  Wrapped wrapped(size, width, weight);
+  for (const Words& formula : formulas(words_of(rich_text))) wrapped.add(formula);
+  return std::move(wrapped).lines();
+}
+
+std::vector<std::string> wrap_evenly(const std::string& rich_text, double size, double width, Weight weight) {
+  constexpr double narrower = 0.5;  // mm
+  const auto widest = [&](const std::vector<std::string>& lines) {
+    double most = 0;
+    for (const std::string& line : lines) most = std::max(most, measure(line, size, weight).width);
+    return most;
+  };
+  std::vector<std::string> best = wrap(rich_text, size, width, weight);
+  while (best.size() > 1) {
+    std::vector<std::string> lines = wrap(rich_text, size, widest(best) - narrower, weight);
+    if (lines.size() > best.size() || widest(lines) >= widest(best)) break;
+    best = std::move(lines);
   }
-  return lines;
+  return best;
 }
 
 }  // namespace epure::drawings

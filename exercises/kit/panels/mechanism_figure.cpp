@@ -52,7 +52,7 @@ void draw_arc_arrow(Plot& plot, const Place& centre, const ArcArrow& arrow) {
   const double half = (arrow.sense > 0 ? 1 : -1) * sweep / 2;
   plot.mark(
       drawings::Rotation{plot.at(centre), arrow.radius, arrow.middle - half, arrow.middle + half, arrow.meaning});
-  const double out = (arrow.radius + 1) / plot.scale().mm_per_unit;
+  const double out = arrow.radius / plot.scale().mm_per_unit;
   plot.label(arrow.symbol, {centre.x + out * std::cos(arrow.middle), centre.y + out * std::sin(arrow.middle)}, centre,
              arrow.meaning == Meaning::link ? Meaning::text : arrow.meaning);
 }
