@@ -24,11 +24,11 @@ struct TermColumn {
 using EquationLine = std::vector<TermColumn>;
 
 // Of the letters, in mm: of the vectors, and of what is known of them; and the room between terms.
-struct Setting {
+struct EquationLetters {
   double size, below, gap;
 };
 
-EquationLine measure_columns(const VectorEquation& equation, const Setting& set) {
+EquationLine measure_columns(const VectorEquation& equation, const EquationLetters& set) {
   EquationLine columns;
   for (const Term& term : equation.terms)
     columns.push_back({&term, term.before.empty() ? 0 : measure(term.before, set.size).width,
@@ -88,7 +88,7 @@ double tallest(const EquationLine& line, double size) {
 }
 
 // The vectors, a rule, under it their directions and magnitudes, these rows named.
-void set_line(Galley& galley, const EquationLine& line, double left, const Setting& set, Language language) {
+void set_line(Galley& galley, const EquationLine& line, double left, const EquationLetters& set, Language language) {
   const double size = set.size, gap = set.gap, small = caption * size, row = 1.5 * size;
   galley.down(0.2 * size * galley.air());
   const double first = galley.top() - std::max(tallest(line, size), 0.76 * size);
@@ -111,11 +111,12 @@ void set_line(Galley& galley, const EquationLine& line, double left, const Setti
 }
 
 // On one line if it has room there: closer together, then with smaller letters below.
-Setting setting(const VectorEquation& equation, double size, double room) {
+EquationLetters letters_of(const VectorEquation& equation, double size, double room) {
   constexpr std::array gaps{0.75, 0.55, 0.4, 0.28};
   for (const double below : {1.0, 0.92, caption})
     for (const double gap : gaps)
-      if (const Setting set{size, below * size, gap * size}; width(measure_columns(equation, set), set.gap) <= room)
+      if (const EquationLetters set{size, below * size, gap * size};
+          width(measure_columns(equation, set), set.gap) <= room)
         return set;
   return {size, size, gaps.front() * size};
 }
@@ -128,7 +129,7 @@ void set_block(Galley& galley, const VectorEquation& equation, Language language
       std::max(measure(words(language).direction, small).width, measure(words(language).magnitude, small).width) +
       size;
   const double room = galley.width() - captions;
-  const Setting set = setting(equation, size, room);
+  const EquationLetters set = letters_of(equation, size, room);
   const EquationLine columns = measure_columns(equation, set);
   const double gap = set.gap;
   const std::vector<EquationLine> lines = broken(columns, room, gap);
