@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 namespace epure::geometry::climbing {
@@ -19,6 +20,16 @@ Settled certain_point(double value, const std::string& rung) {
 Settled without_value(const Finding& finding, const std::string& rung) {
   const auto kind = finding.kind == Finding::Kind::absent ? Settled::Kind::absent : Settled::Kind::undecided;
   return {kind, {}, finding.reason, rung};
+}
+
+// What no double bounds is not known by any: a number beyond the largest of them cannot be told, nor drawn.
+Settled in_doubles(Settled settled) {
+  if (settled.kind != Settled::Kind::enclosed) return settled;
+  if (std::isfinite(settled.enclosure.lower) && std::isfinite(settled.enclosure.upper)) return settled;
+  return {Settled::Kind::undecided,
+          {},
+          {"it may be larger than any double, 1.8·10^308", "può superare ogni double, 1,8·10^308"},
+          settled.rung};
 }
 
 // The numbers that were tried, as who only wants to know of the answer may read it: the rungs of one kind once, by
@@ -133,7 +144,7 @@ std::vector<Settled> Ledger::result() const {
   if (!has_run_) throw Undecided(failure_);
   std::vector<Settled> result;
   for (const Entry& entry : entries_) {
-    result.push_back(entry.settled);
+    result.push_back(in_doubles(entry.settled));
     if (entry.settled.kind == Settled::Kind::undecided)
       result.back().reason = result.back().reason + Words{" (tried: ", " (tentati: "} + in_words(tried_) + ")";
   }
@@ -159,7 +170,7 @@ std::vector<Settled> settle_bounded(const std::vector<Finding>& findings) {
     else if (finding.certain)
       result.push_back(certain_point(*finding.certain, "Bounded"));
     else
-      result.push_back({Settled::Kind::enclosed, finding.enclosure, {}, "Bounded"});
+      result.push_back(in_doubles({Settled::Kind::enclosed, finding.enclosure, {}, "Bounded"}));
   }
   return result;
 }
@@ -171,8 +182,8 @@ std::vector<Settled> settle_deep(const std::vector<Finding>& findings, long bits
     if (finding.kind != Finding::Kind::value)
       result.push_back(without_value(finding, rung));
     else
-      result.push_back(
-          {finding.certain ? Settled::Kind::certain : Settled::Kind::enclosed, finding.enclosure, {}, rung});
+      result.push_back(in_doubles(
+          {finding.certain ? Settled::Kind::certain : Settled::Kind::enclosed, finding.enclosure, {}, rung}));
   }
   return result;
 }

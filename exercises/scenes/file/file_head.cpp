@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -187,10 +188,12 @@ std::string bytes_of(const std::string& file) {
     throw BadScene(format_words("{}: this is no file to be read, but a folder or a device",
                                 "{}: non è un file da leggere, ma una cartella o un dispositivo", file));
   std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
   if (!in) throw closed();
-  return std::move(bytes).str();
+  try {
+    return {std::istreambuf_iterator<char>(in), {}};
+  } catch (const std::ios_base::failure&) {  // a disk's error: not an empty file
+    throw closed();
+  }
 }
 
 Words escaped(const Words& words) { return {drawings::escaped(words.english), drawings::escaped(words.italian)}; }
