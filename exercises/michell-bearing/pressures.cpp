@@ -16,6 +16,9 @@ constexpr double load_arrow = 0.6;   // of the greatest pressure: where the arro
 
 drawings::Chart chart_along(const Solution& s, const std::string& quantity, const std::string& unit, double low,
                             double high) {
+  if (low == high)
+    throw geometry::Undecided("gradients and pressures that cannot be told from zero for the drawing",
+                              "gradienti e pressioni che per il disegno non si distinguono da zero");
   const double air = 0.06 * (high - low);
   drawings::Chart chart;
   chart.x = {.quantity = "$x$", .unit = "m", .low = 0, .high = geometry::from_rational<double>(s.givens()["l"])};
