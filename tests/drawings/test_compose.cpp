@@ -71,6 +71,26 @@ TEST_CASE("everything stands inside the frame, and nothing in the column or titl
     }
 }
 
+TEST_CASE("a vector equation has one line, with smaller letters below before it is parted") {
+  Sheet sheet = example(Paper::a4, Language::english);
+  const auto baselines = [&](const std::vector<VectorEquation::Term>& terms) {
+    sheet.column = {VectorEquation{terms}};
+    std::set<double> all;
+    for (const PlacedText& text : probe::all<PlacedText>(compose(sheet)))
+      if (text.text.find("vec{a}") != std::string::npos) all.insert(text.at.y);
+    return all.size();
+  };
+  std::vector<VectorEquation::Term> terms{{"$\\vec{a}^{n}_{B}$", "∥ $BB_{0}$", "$ω_{4}^{2}·B_{0}B$", ""},
+                                          {"$\\vec{a}^{t}_{B}$", "⊥ $B_{0}B$", "?", "+"},
+                                          {"$\\vec{a}_{A}$", "∥ $AA_{0}$", "$ω_{2}^{2}·A_{0}A$", "="},
+                                          {"$\\vec{a}^{n}_{BA}$", "∥ $BA$", "$ω_{3}^{2}·AB$", "+"},
+                                          {"$\\vec{a}^{t}_{BA}$", "⊥ $AB$", "?", "+"}};
+  CHECK(baselines(terms) == 1);
+  const auto last = terms.back();
+  for (int i = 0; i < 4; ++i) terms.push_back(last);
+  CHECK(baselines(terms) == 2);
+}
+
 TEST_CASE("figure, column and title block do not share paper") {
   for (const Paper paper : {Paper::a4, Paper::a3}) {
     const Layout parts = layout(paper, 40);

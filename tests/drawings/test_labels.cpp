@@ -298,6 +298,21 @@ TEST_CASE("letters stand nearer to what they name than to another thing of its k
   }
 }
 
+TEST_CASE("no link lies between an arc and its letters") {
+  const Point centre = middle(a4_area);
+  constexpr double radius = 8, towards = 1;
+  for (const double beyond : {1.0, 2.0, 3.0}) {
+    Figure figure;
+    const Point on_arc = centre + radius * direction(towards), foot = centre + (radius + beyond) * direction(towards);
+    const Segment link{foot - 30 * left_of(direction(towards)), foot + 30 * left_of(direction(towards))};
+    figure.marks = {Rotation{centre, radius, towards - 0.65, towards + 0.65}, Line{segment(link.first, link.second)}};
+    figure.labels = {{"$ω_{2}$", on_arc, {}, Meaning::text, centre}};
+    const Point letters = middle(boxes(figure).at(0));
+    CAPTURE(beyond);
+    CHECK(dot(letters - foot, direction(towards)) < 0);
+  }
+}
+
 TEST_CASE("letters of two things do not stand in one row as one word") {
   constexpr double width = 5, height = 3;
   const Point left = middle(a4_area), right = left + Point{14, 0};

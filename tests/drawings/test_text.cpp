@@ -222,3 +222,30 @@ TEST_CASE("lines are broken at spaces, never inside mathematics") {
   CHECK(wrap("$a\\\\$ b", 5, 1) == std::vector<std::string>{"$a\\\\$", "b"});
   CHECK(wrap("", 5, 10).empty());
 }
+
+TEST_CASE("a formula, or a number and its unit, is broken only where no line has room for it") {
+  constexpr double size = 2.5;
+  const auto broken_after = [&](const std::string& begin, const std::string& rest) {
+    return wrap(begin + " " + rest, size, measure(begin, size).width + 0.2);
+  };
+  using Lines = std::vector<std::string>;
+  CHECK(broken_after("The angle of tan $γ$ =", "$α$ / $ω$ here") ==
+        Lines{"The angle of", "tan $γ$ = $α$ / $ω$ here"});
+  CHECK(broken_after("its value is 312.1", "m/s²,") == Lines{"its value is", "312.1 m/s²,"});
+  CHECK(broken_after("its moment is 5 N", "m.") == Lines{"its moment is", "5 N m."});
+  CHECK(broken_after("there are 312.1", "of them") == Lines{"there are 312.1", "of them"});
+  // Where it must be: before a relation, or else at any word.
+  CHECK(broken_after("$a$ = $b$ + $c$", "= $d$") == Lines{"$a$ = $b$ + $c$", "= $d$"});
+  CHECK(broken_after("$a$ = $b$ +", "$c$ + $d$ = $e$") == Lines{"$a$", "= $b$ + $c$", "+ $d$", "= $e$"});
+  CHECK(broken_after("$a$ +", "$b$") == Lines{"$a$ +", "$b$"});
+}
+
+TEST_CASE("the lines of a title are of nearly one length") {
+  constexpr double size = 5;
+  const std::string title = "Poligono delle accelerazioni di B";
+  const double room = measure(title, size, Weight::bold).width - 1;
+  CHECK(wrap(title, size, room, Weight::bold) == std::vector<std::string>{"Poligono delle accelerazioni di", "B"});
+  CHECK(wrap_evenly(title, size, room, Weight::bold) ==
+        std::vector<std::string>{"Poligono delle", "accelerazioni di B"});
+  CHECK(wrap_evenly("B", size, 1, Weight::bold) == std::vector<std::string>{"B"});
+}

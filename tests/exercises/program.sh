@@ -72,6 +72,11 @@ expect 'and is that of the file' '' "$(diff -rq scene_1 scene_piped 2>&1)"
 expect 'so does one sheet of it' '' "$(cmp piped.svg scene_1/six-bar-velocities.svg 2>&1)"
 rm -f piped.svg
 
+# A disk's error on reading, as the memory of a process that is not there.
+"$epure" check /proc/self/mem > /dev/null 2> said
+expect 'a file whose reading fails is exit 2' 2 $?
+expect 'and is not called empty' 'epure: /proc/self/mem: the file cannot be read' "$(cat said)"
+
 "$epure" draw all --out all_one > /dev/null
 expect 'drawing all exits with 0' 0 $?
 "$epure" draw all --out all_two > /dev/null

@@ -376,3 +376,21 @@ TEST_CASE("Questions of several signs") {
   CHECK(on.truth == Truth::yes);
   CHECK(on.rung == "Exact");
 }
+
+TEST_CASE("What is larger than any double is undecided, with that reason") {
+  const auto power = []<class T>(int n) {
+    T x(1);
+    for (int i = 0; i < n; ++i) x = x * T(3);
+    return x;
+  };
+  const Settled large = climb_one([&]<class T>() { return power.template operator()<T>(1000); });
+  CHECK(large.kind == Kind::undecided);
+  CHECK(large.reason.english.find("larger than any double") == 0);
+  CHECK(large.reason.italian.find("può superare ogni double") == 0);
+  CHECK(only_deep(one([&]<class T>() { return power.template operator()<T>(1000); }), 128).front().kind ==
+        Kind::undecided);
+  const Settled small = climb_one([&]<class T>() { return quotient(T(1), power.template operator()<T>(1000)); });
+  CHECK(small.kind != Kind::undecided);
+  CHECK(small.enclosure.upper > 0);
+  CHECK(climb_one([&]<class T>() { return power.template operator()<T>(600); }).kind == Kind::certain);
+}
