@@ -1,5 +1,8 @@
 // A composed sheet: everything in its place, on both papers and in both languages.
+#include <set>
+
 #include "drawings/output.h"
+
 #include "drawings/page.h"
 #include "drawings/paths/clip.h"
 #include "drawings/paths/flatten.h"
@@ -77,7 +80,7 @@ TEST_CASE("a vector equation has one line, with smaller letters below before it 
     sheet.column = {VectorEquation{terms}};
     std::set<double> all;
     for (const PlacedText& text : probe::all<PlacedText>(compose(sheet)))
-      if (text.text.find("vec{a}") != std::string::npos) all.insert(text.at.y);
+      if (text.text.find("vec{a}") != std::string::npos) all.insert(text.baseline.y);
     return all.size();
   };
   std::vector<VectorEquation::Term> terms{{"$\\vec{a}^{n}_{B}$", "∥ $BB_{0}$", "$ω_{4}^{2}·B_{0}B$", ""},
