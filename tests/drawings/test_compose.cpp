@@ -2,7 +2,6 @@
 #include <set>
 
 #include "drawings/output.h"
-
 #include "drawings/page.h"
 #include "drawings/paths/clip.h"
 #include "drawings/paths/flatten.h"
