@@ -15,6 +15,9 @@ struct ForceRoutes {
   std::shared_ptr<const RoutePlan> plan;
   Loads frictionless = without_friction(*built);
 
+  template <class T>
+  using Complex = geometry::analytic::Complex<T>;
+
   // Polygons name those that are not along an axis as they are given, and steps how much friction there is.
   template <class T>
   void tell_directions(Ledger<T>& ledger) const {
