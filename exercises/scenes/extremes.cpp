@@ -5,6 +5,7 @@
 #include <numbers>
 #include <variant>
 
+#include "drawings/text/sheet_words.h"
 #include "exercises/kit/linkages/angles.h"
 #include "exercises/kit/proof/asked.h"
 #include "exercises/kit/statement/format_words.h"
@@ -231,7 +232,7 @@ class OfChanging {
     if (rung == Rung::fast || rung == Rung::bounded || rung == Rung::drawing)
       return add(all, is_greatest, construction, first);
     Elsewhere elsewhere(built_, changing_);
-    const bool is_one = first.place.kind != Settled::Kind::undecided;
+    const bool is_one = first.place.kind == Settled::Kind::certain || first.place.kind == Settled::Kind::enclosed;
     if (const auto exactly = is_one ? at_plain_place(elsewhere, construction, first.place) : std::nullopt) {
       first.place = exactly->place;
       if (!changing_.is_angle()) first.value = exactly->value;
@@ -274,7 +275,8 @@ class OfChanging {
     return found;
   }
 
-  // Of several that cannot be told apart the value is known, and not where it is.
+  // Of several that cannot be told apart the value is known, and not where it is; where to the last digit of a double
+  // they are one, no place is more so than another.
   static Found foremost_of(std::vector<Found> all, bool is_greatest) {
     const auto ends = [&](const Found& each) {
       const Enclosure& of = each.value.enclosure;
@@ -285,8 +287,13 @@ class OfChanging {
     std::erase_if(all, [&](const Found& each) { return ends(each).second < ends(first).first; });
     if (all.size() == 1) return first;
     Found together = first;
-    together.place =
-        undecided({"it is so in more than one position, or nearly so", "lo è in più di una posizione, o quasi"});
+    const bool are_one_double = std::all_of(all.begin(), all.end(), [&](const Found& each) {
+      return each.value.kind == Settled::Kind::certain && each.value.enclosure.value == first.value.enclosure.value;
+    });
+    together.place = are_one_double
+                         ? Settled{.kind = Settled::Kind::absent, .enclosure = {}, .reason = in_several_places(all)}
+                         : undecided({"it is so in more than one position, or nearly so",
+                                      "lo è in più di una posizione, o quasi"});
     for (const Found& each : all)
       if (each.value.enclosure.value != first.value.enclosure.value) {
         together.value.kind = Settled::Kind::enclosed;
@@ -295,6 +302,21 @@ class OfChanging {
                                                           : std::min(of.lower, each.value.enclosure.lower);
       }
     return together;
+  }
+
+  // In the order of the turn.
+  static Words in_several_places(std::vector<Found> all) {
+    constexpr int shown = 4;  // figures
+    std::sort(all.begin(), all.end(),
+              [](const Found& a, const Found& b) { return a.place.enclosure.value < b.place.enclosure.value; });
+    const auto listed = [&](Language language) {
+      std::string list;
+      for (const Found& each : all)
+        list += (list.empty() ? "" : ", ") + drawings::number(each.place.enclosure.value, shown, language) + "°";
+      return list;
+    };
+    return {"it is so, to the last digit of a double, in more than one position: " + listed(Language::english),
+            "lo è, fino all'ultima cifra di un double, in più di una posizione: " + listed(Language::italian)};
   }
 
   // The angle of the drive's link, where gears make its turn a part of the whole.
