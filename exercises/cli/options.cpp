@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 
 #include "exercises/cli/catalogue.h"
 #include "exercises/cli/help.h"
@@ -446,11 +447,22 @@ void Parser::refuse_before_verb(const std::string& typed) const {
                                 chosen().get_name()));
 }
 
+// A name of an option that is not a part of a longer one, as -o of --out.
+bool has_word(const std::string& sentence, const std::string& name) {
+  const auto is_of_name = [&](std::size_t at) {
+    return at < sentence.size() &&
+           (std::isalnum(static_cast<unsigned char>(sentence[at])) != 0 || sentence[at] == '-');
+  };
+  for (auto at = sentence.find(name); at != std::string::npos; at = sentence.find(name, at + 1))
+    if ((at == 0 || !is_of_name(at - 1)) && !is_of_name(at + name.size())) return true;
+  return false;
+}
+
 void Parser::refuse_value(const std::string& of_cli11) const {
   for (const CLI::Option* option : chosen().get_options()) {
     const std::string name = option->get_name();
     const std::string without_dashes = name.substr(name.find_first_not_of('-'));  // of a flag that is given a value
-    const bool is_meant = of_cli11.find(name) != std::string::npos || of_cli11.starts_with(without_dashes + " was");
+    const bool is_meant = has_word(of_cli11, name) || of_cli11.starts_with(without_dashes + " was");
     if (option->get_positional() || !is_meant) continue;
     if (option->count() > 1)
       throw WrongUsage(

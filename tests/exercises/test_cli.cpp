@@ -86,6 +86,8 @@ TEST_CASE("what is no command is refused in one sentence") {
   refused({"bench", "--json", "triangle"}, "\"triangle\" is not expected after epure bench");
   refused({"draw", "triangle", "--set"}, "--set needs a value: --set SYMBOL=VALUE[UNIT]");
   refused({"draw", "triangle", "--paper", "a4", "--paper", "a3"}, "--paper is given twice");
+  refused({"draw", "triangle", "--out"}, "--out needs a value: --out DIR");  // not -o
+  refused({"draw", "triangle", "--out", "a", "--out", "b"}, "--out is given twice");
   refused({"check", "triangle", "--json=x"}, "--json takes no value");
   refused({"draw", "triangle", "--bare=3"}, "--bare takes no value");
   refused({"--version=x"}, "--version takes no value");
