@@ -448,7 +448,7 @@ void Parser::refuse_before_verb(const std::string& typed) const {
 }
 
 // A name of an option that is not a part of a longer one, as -o of --out.
-bool has_word(const std::string& sentence, const std::string& name) {
+bool names_option(const std::string& sentence, const std::string& name) {
   const auto is_of_name = [&](std::size_t at) {
     return at < sentence.size() &&
            (std::isalnum(static_cast<unsigned char>(sentence[at])) != 0 || sentence[at] == '-');
@@ -462,7 +462,7 @@ void Parser::refuse_value(const std::string& of_cli11) const {
   for (const CLI::Option* option : chosen().get_options()) {
     const std::string name = option->get_name();
     const std::string without_dashes = name.substr(name.find_first_not_of('-'));  // of a flag that is given a value
-    const bool is_meant = has_word(of_cli11, name) || of_cli11.starts_with(without_dashes + " was");
+    const bool is_meant = names_option(of_cli11, name) || of_cli11.starts_with(without_dashes + " was");
     if (option->get_positional() || !is_meant) continue;
     if (option->count() > 1)
       throw WrongUsage(

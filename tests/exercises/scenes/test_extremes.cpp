@@ -144,7 +144,7 @@ TEST_CASE("what is greatest in more than one position has a value, and no one pl
 
 TEST_CASE("a lever that swings on passes its far place twice in a turn", "[scenes]") {
   // O4 B and B C in line: 900 mm from O4, 750 mm from its guide, so √(0.9² - 0.75²) m along it.
-  const std::string text(shipped_scene("quick-return")->text);
+  const std::string text(scenes::shipped_scene("quick-return")->text);
   const CheckedExercise found = checked_text(text, {"O4B=100mm", "h=750mm"});
   CHECK(found.passed());
   CHECK(found.undecided.empty());
