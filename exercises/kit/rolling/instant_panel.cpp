@@ -6,6 +6,7 @@
 
 #include "drawings/paths/vectors.h"
 #include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/origin_showing.h"
 #include "exercises/kit/panels/osculating_arc.h"
 #include "exercises/kit/panels/short_vectors.h"
 
@@ -141,6 +142,16 @@ drawings::Box RollingInstantPanel::extent(const Scale& lengths, const Scale& vec
   drawings::Box box = extent.box();
   if (!title_.empty()) box.high.y += title_height;
   return box;
+}
+
+drawings::Point RollingInstantPanel::origin(const drawings::Box& room, const drawings::Box& needed,
+                                            const Scale& lengths) const {
+  if (f_.given.rolls_on_line() || f_.given.is_line()) return origin_in(room, needed);
+  Extent all;
+  for (const drawings::Point& corner : {needed.low, needed.high}) all.include(corner.x, corner.y);
+  include_circle(all, lengths, *f_.O(), f_.R);
+  // Sideways, where a sheet has room to spare; its height the figure needs.
+  return {origin_showing(all.box(), needed, room).x, origin_in(room, needed).y};
 }
 
 Place RollingInstantPanel::towards_centre(const Plot& plot, const drawings::Box& room) const {
