@@ -288,7 +288,7 @@ void RollingInstantPanel::draw_acceleration(Plot& plot, Language language) const
 // Which way M goes before and after, on the sides on which it comes and leaves.
 void RollingInstantPanel::draw_directions_at_cusp(Plot& plot) const {
   if (!f_.is_at_cusp || f_.turning() == 0 || f_.runs_straight()) return;
-  constexpr double aside = 6, from = 8, length = 12;  // mm
+  constexpr double aside = 11, from = 4, length = 12;  // mm: clear of the path, which is narrow so near the cusp
   const double mm = plot.scale().mm_per_unit, size = magnitude(f_.a);
   const Arrow2 along{f_.a.x / size, f_.a.y / size}, left{-along.y, along.x};
   const auto at = [&](double across, double up) { return plot.at(f_.M + (across / mm) * left + (up / mm) * along); };
