@@ -483,7 +483,7 @@ std::vector<SheetMaker> sheets() {
          "diagrammi polari."}},
        at(dead_centre_sheet, extended)},
       {{"dead-centre-folded",
-        {"Dead centre, folded", "Punto morto sovrapposto"},
+        {"Dead centre, folded", "Punto morto ripiegato"},
         {"At the dead centre of the rocker where crank and coupler are folded find velocities and accelerations by "
          "the polar diagrams.",
          "Nel punto morto del bilanciere con manovella e biella sovrapposte trovare velocità e accelerazioni con i "
@@ -497,7 +497,7 @@ std::vector<SheetMaker> sheets() {
          "stazionarietà della biella."}},
        at(circles_at_dead_centre, extended)},
       {{"circles-folded",
-        {"Circles, folded dead centre", "Circonferenze al punto morto sovrapposto"},
+        {"Circles, folded dead centre", "Circonferenze al punto morto ripiegato"},
         {"At the dead centre of the rocker where crank and coupler are folded find the inflection and stationarity "
          "circles of the coupler.",
          "Nel punto morto del bilanciere con manovella e biella sovrapposte trovare le circonferenze dei flessi e di "
