@@ -202,6 +202,10 @@ PanelSheet involute_instants_sheet(const Solution& s, Language language) {
                                 "La retta rotola in senso antiorario, come nelle equazioni della fonte. In senso "
                                 "orario, come dice il testo, tutto è simmetrico rispetto all'asse $x$."}
                               .in(language))};
+  if (at_second.empty())
+    sheet.results.push_back(remark(Words{"The steps are numbered at $t_{1}$; at $t_{2}$ they are the same.",
+                                         "I passi sono numerati a $t_{1}$; a $t_{2}$ sono gli stessi."}
+                                       .in(language)));
   sheet.seen = {
       "The line on its circle at two instants, with the involute that led there, velocity and acceleration of M",
       "La retta sul suo cerchio in due istanti, con l'evolvente percorsa, velocità e accelerazione di M"};

@@ -102,24 +102,28 @@ PanelSheet cycloid_travel_sheet(const Solution& s, Language language) {
                           },
                       .v = [=](double t) { return 2 * r * omega * std::abs(std::sin(omega * t / 2)); },
                       .instants = {first, second}};
-  return {.panels = charts(motion, language),
-          .theory = {curves(
-              {{"$s$ = 4$r$ (1 − cos $ωt$/2) within the first arch, which is 8$r$ long; each arch behind adds as "
-                "much. The source stops at the first.",
-                "$s$ = 4$r$ (1 − cos $ωt$/2) nel primo arco, lungo 8$r$; ogni arco percorso ne aggiunge altrettanti. "
-                "La fonte si ferma al primo."},
-               {"$v_{M}$ = d$s$/d$t$ = 2$rω$ |sin $ωt$/2|. At a cusp the arc has a level tangent and the speed a "
-                "corner: $a^{t}_{M}$ jumps from −$ω^{2}r$ to +$ω^{2}r$.",
-                "$v_{M}$ = d$s$/d$t$ = 2$rω$ |sen $ωt$/2|. In una cuspide lo spazio ha tangente orizzontale e la "
-                "velocità scalare un punto angoloso: $a^{t}_{M}$ salta da −$ω^{2}r$ a +$ω^{2}r$."}},
-              language)},
-          .results = {table({"", "$t_{φ}$", "$t_{s}$"}, {{"$t$ (s)", {"cycloid.time_at_phi", "cycloid.t_at_s4"}},
-                                                         {"$v_{M}$ (m/s)", {"cycloid.v_M", "cycloid.v_M_at_s4"}}}),
-                      values({"cycloid.arc_length_at_phi", "cycloid.arch_length"})},
-          .seen = {"The arc of the cycloid travelled against time, and the speed",
-                   "Lo spazio percorso sulla cicloide in funzione del tempo, e la velocità"},
-          .told = {"cycloid.time_at_phi", "cycloid.arc_length_at_phi", "cycloid.t_at_s4"},
-          .without_part = givens_of_involute};
+  return {
+      .panels = charts(motion, language),
+      .theory = {curves({{"$s$ = 4$r$ (1 − cos($ω_{1}t$/2)) within the first arch, of length $s_{0}$ = 8$r$, $r$ = "
+                          "$d$/2; each arch "
+                          "behind adds as much. The source stops at the first.",
+                          "$s$ = 4$r$ (1 − cos($ω_{1}t$/2)) nel primo arco, lungo $s_{0}$ = 8$r$, $r$ = $d$/2; ogni "
+                          "arco percorso ne "
+                          "aggiunge altrettanti. La fonte si ferma al primo."},
+                         {"$v_{M}$ = d$s$/d$t$ = 2$rω_{1}$ |sin($ω_{1}t$/2)|. At a cusp the arc has a level tangent "
+                          "and the speed a "
+                          "corner: $a^{t}_{M}$ jumps from −$ω^{2}_{1}r$ to +$ω^{2}_{1}r$.",
+                          "$v_{M}$ = d$s$/d$t$ = 2$rω_{1}$ |sen($ω_{1}t$/2)|. In una cuspide lo spazio ha tangente "
+                          "orizzontale e la "
+                          "velocità scalare un punto angoloso: $a^{t}_{M}$ salta da −$ω^{2}_{1}r$ a +$ω^{2}_{1}r$."}},
+                        language)},
+      .results = {table({"", "$t_{φ}$", "$t_{s}$"}, {{"$t$ (s)", {"cycloid.time_at_phi", "cycloid.t_at_s4"}},
+                                                     {"$v_{M}$ (m/s)", {"cycloid.v_M", "cycloid.v_M_at_s4"}}}),
+                  values({"cycloid.arc_length_at_phi", "cycloid.arch_length"})},
+      .seen = {"The arc of the cycloid travelled against time, and the speed",
+               "Lo spazio percorso sulla cicloide in funzione del tempo, e la velocità"},
+      .told = {"cycloid.time_at_phi", "cycloid.arc_length_at_phi", "cycloid.t_at_s4"},
+      .without_part = givens_of_involute};
 }
 
 PanelSheet involute_travel_sheet(const Solution& s, Language language) {
@@ -140,21 +144,23 @@ PanelSheet involute_travel_sheet(const Solution& s, Language language) {
                       .s = [=](double t) { return r * omega * t * omega * t / 2; },
                       .v = [=](double t) { return r * omega * omega * t; },
                       .instants = {first, second}};
-  return {.panels = charts(motion, language),
-          .theory = {curves(
-              {{"$s$ = $rφ^{2}$/2 = $r$ ($ωt$)$^{2}$/2: a parabola.",
-                "$s$ = $rφ^{2}$/2 = $r$ ($ωt$)$^{2}$/2: una parabola."},
-               {"$v_{M}$ = d$s$/d$t$ = $ω^{2}rt$, a straight line: its slope $a^{t}_{M}$ = $ω^{2}r$ is constant.",
-                "$v_{M}$ = d$s$/d$t$ = $ω^{2}rt$, una retta: la sua pendenza $a^{t}_{M}$ = $ω^{2}r$ è costante."}},
-              language)},
-          .results = {table({"", "$t_{1}$", "$t_{2}$"}, {{"$φ$ (rad)", {at_t1("phi"), at_t2("phi")}},
-                                                         {"$s$ (m)", {at_t1("arc_length"), at_t2("arc_length")}},
-                                                         {"$v_{M}$ (m/s)", {at_t1("v_M"), at_t2("v_M")}},
-                                                         {"$a^{t}_{M}$ (m/s²)", {at_t1("a_t"), at_t2("a_t")}}})},
-          .seen = {"The arc of the involute travelled against time, and the speed",
-                   "Lo spazio percorso sull'evolvente in funzione del tempo, e la velocità"},
-          .told = {at_t1("arc_length"), at_t2("arc_length")},
-          .without_part = givens_of_cycloid};
+  return {
+      .panels = charts(motion, language),
+      .theory = {curves(
+          {{"$s$ = $rφ^{2}$/2 = $r$ ($ω_{2}t$)$^{2}$/2, $r$ = $d_{0}$/2: a parabola.",
+            "$s$ = $rφ^{2}$/2 = $r$ ($ω_{2}t$)$^{2}$/2, $r$ = $d_{0}$/2: una parabola."},
+           {"$v_{M}$ = d$s$/d$t$ = $ω^{2}_{2}rt$, a straight line: its slope $a^{t}_{M}$ = $ω^{2}_{2}r$ is constant.",
+            "$v_{M}$ = d$s$/d$t$ = $ω^{2}_{2}rt$, una retta: la sua pendenza $a^{t}_{M}$ = $ω^{2}_{2}r$ è "
+            "costante."}},
+          language)},
+      .results = {table({"", "$t_{1}$", "$t_{2}$"}, {{"$φ$ (rad)", {at_t1("phi"), at_t2("phi")}},
+                                                     {"$s$ (m)", {at_t1("arc_length"), at_t2("arc_length")}},
+                                                     {"$v_{M}$ (m/s)", {at_t1("v_M"), at_t2("v_M")}},
+                                                     {"$a^{t}_{M}$ (m/s²)", {at_t1("a_t"), at_t2("a_t")}}})},
+      .seen = {"The arc of the involute travelled against time, and the speed",
+               "Lo spazio percorso sull'evolvente in funzione del tempo, e la velocità"},
+      .told = {at_t1("arc_length"), at_t2("arc_length")},
+      .without_part = givens_of_cycloid};
 }
 
 }  // namespace epure::cycloid_involute

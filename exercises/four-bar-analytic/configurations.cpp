@@ -92,16 +92,18 @@ PanelSheet configurations_sheet(const Solution& s, Language language) {
                 "2$r_{{1}}$$r_{{2}}$ cos $θ_{{2}}$"),
              values({"closure_k1", "closure_k2"}), values({"closure_k3"})}},
            {{"Rates", "Derivate"},
-            {of("$s_{{ij}}$ = {0}($θ_{{i}}$ − $θ_{{j}}$),  $c_{{ij}}$ = cos($θ_{{i}}$ − $θ_{{j}}$)"),
-             remark("$p$ = $r_{2}α_{2}$,  $q_{i}$ = $r_{i}ω^{2}_{i}$"),
+            {of("$s_{{\\it{{ij}}}}$ = {0}($θ_{{\\it{{i}}}}$ − $θ_{{\\it{{j}}}}$),  $c_{{\\it{{ij}}}}$ = "
+                "cos($θ_{{\\it{{i}}}}$ − $θ_{{\\it{{j}}}}$)"),
+             value_as("$p$ = $r_{2}α_{2}$,  $q_{\\it{i}}$ = $r_{\\it{i}}ω^{2}_{\\it{i}}$,  $ω_{2}$", "omega_2"),
              remark(
                  "$ω_{3}$ = −$r_{2}ω_{2}s_{24}$ / ($r_{3}s_{34}$),  $ω_{4}$ = −$r_{2}ω_{2}s_{23}$ / ($r_{4}s_{43}$)"),
              remark("$α_{3}$ = −($ps_{24}$ + $q_{2}c_{24}$ + $q_{3}c_{34}$ + $q_{4}$) / ($r_{3}s_{34}$)"),
              remark("$α_{4}$ = −($ps_{23}$ + $q_{2}c_{23}$ + $q_{3}$ + $q_{4}c_{43}$) / ($r_{4}s_{43}$)"),
              remark("$\\vec{r}_{G2}$ = ½$\\vec{r}_{2}$,  $\\vec{r}_{G3}$ = $\\vec{r}_{2}$ + ½$\\vec{r}_{3}$,  "
                     "$\\vec{r}_{G4}$ = $\\vec{r}_{1}$ − ½$\\vec{r}_{4}$"),
-             remark("d$\\vec{r}_{i}$/d$t$ = $\\vec{ω}_{i}$ × $\\vec{r}_{i}$,  d$^{2}\\vec{r}_{i}$/d$t^{2}$ = "
-                    "$\\vec{α}_{i}$ × $\\vec{r}_{i}$ − $ω^{2}_{i}\\vec{r}_{i}$")}}},
+             remark("d$\\vec{r}_{\\it{i}}$/d$t$ = $\\vec{ω}_{\\it{i}}$ × $\\vec{r}_{\\it{i}}$,  "
+                    "d$^{2}\\vec{r}_{\\it{i}}$/d$t^{2}$ = "
+                    "$\\vec{α}_{\\it{i}}$ × $\\vec{r}_{\\it{i}}$ − $ω^{2}_{\\it{i}}\\vec{r}_{\\it{i}}$")}}},
       .results = {table(
           {"", "$B$", "$B'$"},
           {row("theta_3"), row("theta_4"), row("omega_3"), row("omega_4"), row("alpha_3"), row("alpha_4")}, 4)},

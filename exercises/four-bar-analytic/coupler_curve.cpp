@@ -82,8 +82,8 @@ std::vector<PanelStep> steps_to_curve(const Solution& s, const std::vector<Locus
     if (all.empty()) return {};
     return all[all.size() * share / crank_positions].points[point].at;
   };
-  return {{format_words("The crank's circle in {} parts from +x: positions of $A$.",
-                        "La circonferenza di manovella in {} parti da +x: le posizioni di $A$.", crank_positions),
+  return {{format_words("The crank's circle in {} parts from +$x$: positions of $A$.",
+                        "La circonferenza di manovella in {} parti da +$x$: le posizioni di $A$.", crank_positions),
            place(7, 0)},
           {{"$B$ about $A$ and $B_{0}$; on tracing paper $P$ goes with $AB$ and marks a point.",
             "$B$ da $A$ e $B_{0}$; su carta da lucido $P$ va con $AB$ e segna un punto."},

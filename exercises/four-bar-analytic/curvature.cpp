@@ -185,11 +185,12 @@ PanelSheet curvature_sheet(const Solution& s, Language language) {
     rows.push_back(row(letters, name));
   return {
       .panels = panels(CurvatureOfG3(s)),
-      .theory = {{{"By analysis", "Per via analitica"},
-                  {remark("$ρ_{G3}$ = 1/$k$,  $k$ = |$v_{x}$$a_{y}$ − $v_{y}$$a_{x}$| / $v^{3}$"),
-                   remark(Words{"with $\\vec{v}_{G3}$ and $\\vec{a}_{G3}$ of sheets 2 and 3.",
-                                "con $\\vec{v}_{G3}$ e $\\vec{a}_{G3}$ delle tavole 2 e 3."}
-                              .in(language))}}},
+      .theory =
+          {{{"By analysis", "Per via analitica"},
+            {remark("$ρ_{G3}$ = 1/$k$,  $k$ = |$v_{\\it{x}}$$a_{\\it{y}}$ − $v_{\\it{y}}$$a_{\\it{x}}$| / $v^{3}$"),
+             remark(Words{"with $\\vec{v}_{G3}$ and $\\vec{a}_{G3}$ of sheets 2 and 3.",
+                          "con $\\vec{v}_{G3}$ e $\\vec{a}_{G3}$ delle tavole 2 e 3."}
+                        .in(language))}}},
       .results = {table({"$X$", "$x$ (m)", "$y$ (m)"}, rows), values({"rho_G3"}), values({"inflection_diameter"})},
       .seen = {"The inflection circle of the coupler and the centre of curvature of the path of its midpoint",
                "La circonferenza dei flessi della biella e il centro di curvatura della traiettoria della mezzeria"},

@@ -19,8 +19,13 @@ Mechanism linkage(const Solution& s, const std::vector<std::string>& points, boo
 
 namespace {
 
-std::shared_ptr<const Mechanism> with_midpoints(const Solution& s) {
-  return std::make_shared<const Mechanism>(linkage(s, {"G2", "G3", "G4"}));
+// With the senses of these rates of coupler and rocker.
+std::shared_ptr<const Mechanism> with_midpoints(const Solution& s, const std::string& rate,
+                                                const std::string& letter) {
+  Mechanism mechanism = linkage(s, {"G2", "G3", "G4"});
+  mechanism.turning_found("B", "A", s.value(rate + "_3").value_or(0), "$" + letter + "_{3}$")
+      .turning_found("B0", "B", s.value(rate + "_4").value_or(0), "$" + letter + "_{4}$");
+  return std::make_shared<const Mechanism>(std::move(mechanism));
 }
 
 // Of the midpoints of crank, coupler and rocker: they halve Oa', a'b' and Ob'.
@@ -84,7 +89,9 @@ VectorPolygon accelerations(const Solution& s) {
 }
 
 Result vectors_by_point(const std::string& letter, const std::string& unit) {
-  const auto head = [&](const std::string& index) { return "$" + letter + "_{X" + index + "}$ (" + unit + ")"; };
+  const auto head = [&](const std::string& index) {
+    return "$" + letter + "_{X\\it{" + index + "}}$ (" + unit + ")";
+  };
   return by_point({"B", "G2", "G3", "G4"},
                   {{head("x"), letter + "_{}_x"}, {head("y"), letter + "_{}_y"}, {head(""), letter + "_{}"}});
 }
@@ -99,9 +106,9 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
                             {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "|$ω_{2}$|·$A_{0}A$", "="},
                             {"$\\vec{v}_{G3A}$", "⊥ $AB$", "|$ω_{3}$|·$AG_{3}$", "+"}}}});
   return {
-      .panels = panels(MechanismPanel(with_midpoints(s)), polygon),
+      .panels = panels(MechanismPanel(with_midpoints(s, "omega", "ω")), polygon),
       .results = {remark("|$ω_{3}$| = $v_{BA}$ / $AB$,  |$ω_{4}$| = $v_{B}$ / $B_{0}B$"),
-                  values({"omega_3", "omega_4"}), vectors_by_point("v", "m/s"),
+                  values({"omega_2", "omega_3", "omega_4"}), values({"v_A"}), vectors_by_point("v", "m/s"),
                   on_the_source(s,
                                 {"The source's table writes $\\vec{v}_{B}$ ∥ $B_{0}B$: it is perpendicular to it.",
                                  "La tabella della fonte scrive $\\vec{v}_{B}$ ∥ $B_{0}B$: è normale."},
@@ -113,7 +120,14 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
 }
 
 PanelSheet accelerations_sheet(const Solution& s, Language language) {
-  return {.panels = panels(MechanismPanel(with_midpoints(s)), PolygonPanel(s, accelerations(s))),
+  const bool is_steady = is_zero(s.givens().angle("alpha_2"));
+  PolygonPanel polygon(s, accelerations(s));
+  polygon.with_equations(
+      {{{{"$\\vec{a}_{G3}$", "?", "?", ""},
+         {"$\\vec{a}_{A}$", is_steady ? "∥ $AA_{0}$" : "", is_steady ? "$ω^{2}_{2}$·$A_{0}A$" : "", "="},
+         {"$\\vec{a}^{n}_{G3A}$", "∥ $BA$", "$ω^{2}_{3}$·$AG_{3}$", "+"},
+         {"$\\vec{a}^{t}_{G3A}$", "⊥ $AB$", "|$α_{3}$|·$AG_{3}$", "+"}}}});
+  return {.panels = panels(MechanismPanel(with_midpoints(s, "alpha", "α")), polygon),
           .results = {remark("|$α_{3}$| = $a^{t}_{BA}$ / $AB$,  |$α_{4}$| = $a^{t}_{B}$ / $B_{0}B$"),
                       values({"alpha_3", "alpha_4"}), vectors_by_point("a", "m/s²"),
                       on_the_source(s,

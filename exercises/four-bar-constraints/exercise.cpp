@@ -13,7 +13,7 @@ namespace epure {
 namespace four_bar_constraints {
 
 std::shared_ptr<const Mechanism> linkage(const Solution& s) {
-  Mechanism mechanism = four_bar_mechanism(s, sign_of(s.givens().angle("n")));
+  Mechanism mechanism = four_bar_mechanism(s, 0);  // where it is, not how it moves
   mechanism.angle_from_x("A0", "A", "$θ_{2}$").angle_from_x("A", "B", "$θ_{3}$").angle_from_x("B", "B0", "$θ_{4}$");
   return std::make_shared<const Mechanism>(std::move(mechanism));
 }
@@ -49,11 +49,11 @@ std::vector<Printed> printed_by_the_source() {
 }
 
 // Without the sense of the crank where an acceleration crosses its arrow, and does not depend on it.
-std::shared_ptr<const Mechanism> linkage_with_midpoints(const Solution& s, bool with_sense = true) {
+Mechanism linkage_with_midpoints(const Solution& s, bool with_sense) {
   Mechanism mechanism = four_bar_mechanism(s, with_sense ? sign_of(s.givens().angle("n")) : 0);
   for (const char* G : {"G2", "G3", "G4"})
     mechanism.point(G, s.place(G), Mechanism::Joint::none, "$" + point_letters(G) + "$");
-  return std::make_shared<const Mechanism>(std::move(mechanism));
+  return mechanism;
 }
 
 Result midpoints_table(const std::string& letter, const std::string& unit) {
@@ -63,13 +63,14 @@ Result midpoints_table(const std::string& letter, const std::string& unit) {
     rows.push_back({"$" + point_letters(G) + "$", {name + "_x", name + "_y", name}});
   }
   const auto head = [&](const std::string& index) {
-    return "$" + letter + (index.empty() ? "" : "_{" + index + "}") + "$ (" + unit + ")";
+    return "$" + letter + (index.empty() ? "" : "_{\\it{" + index + "}}") + "$ (" + unit + ")";
   };
   return table({"$X$", head("x"), head("y"), head("")}, rows, 4);
 }
 
 const char* const unit_vectors =
-    "$\\vec{u}_{i}$ = (cos $θ_{i}$, {0} $θ_{i}$),  $\\vec{n}_{i}$ = (−{0} $θ_{i}$, cos $θ_{i}$)";
+    "$\\vec{u}_{\\it{i}}$ = (cos $θ_{\\it{i}}$, {0} $θ_{\\it{i}}$),  $\\vec{n}_{\\it{i}}$ = (−{0} $θ_{\\it{i}}$, cos "
+    "$θ_{\\it{i}}$)";
 std::string with_sine(std::string text, Language language) {
   const std::string sin = Words{"sin", "sen"}.in(language);
   for (auto at = text.find("{0}"); at != std::string::npos; at = text.find("{0}")) text.replace(at, 3, sin);
@@ -77,29 +78,39 @@ std::string with_sine(std::string text, Language language) {
 }
 
 PanelSheet velocities_sheet(const Solution& s, Language language) {
-  VectorsPanel vectors(s, linkage_with_midpoints(s), velocity, {"G2", "G3", "G4"});
+  Mechanism linkage = linkage_with_midpoints(s, true);
+  linkage.turning_found("A", "B", s.value("omega_3").value_or(0), "$ω_{3}$")
+      .turning_found("B0", "B", s.value("omega_4").value_or(0), "$ω_{4}$");
+  VectorsPanel vectors(s, std::make_shared<const Mechanism>(std::move(linkage)), velocity, {"G2", "G3", "G4"});
   vectors.square_to("G2", "A").square_to("G4", "B0");
-  return {.panels = panels(vectors),
-          .theory = {{{"Differentiated constraints", "Vincoli derivati"},
-                      {remark("($ω_{3}$, $ω_{4}$) = −$ψ^{−1}_{y}$ $ψ_{x}$ $ω_{2}$,  $ψ_{x}$ = ∂$ψ$/∂$θ_{2}$"),
-                       values({"omega_3"}), values({"omega_4"})}},
-                     {{"Midpoints", "Mezzerie"},
-                      {remark(with_sine(unit_vectors, language)),
-                       remark("$\\vec{v}_{G2}$ = ½$r_{2}$$ω_{2}$$\\vec{n}_{2}$"),
-                       remark("$\\vec{v}_{G3}$ = $r_{2}$$ω_{2}$$\\vec{n}_{2}$ + ½$r_{3}$$ω_{3}$$\\vec{n}_{3}$"),
-                       remark("$\\vec{v}_{G4}$ = −½$r_{4}$$ω_{4}$$\\vec{n}_{4}$")}}},
-          .results = {midpoints_table("v", "m/s")},
-          .seen = {"Velocities of the midpoints of the links", "Velocità delle mezzerie delle aste"},
-          .told = {"v_G2", "v_G3", "v_G4"}};
+  return {
+      .panels = panels(vectors),
+      .theory =
+          {{{"Differentiated constraints", "Vincoli derivati"},
+            {remark("($ω_{3}$, $ω_{4}$) = −$ψ^{−1}_{\\it{y}}$ $ψ_{\\it{x}}$ $ω_{2}$,  $ψ_{\\it{x}}$ = ∂$ψ$/∂$θ_{2}$"),
+             remark("$ω_{2}$ = 2π·$n_{2}$/60"), values({"omega_3"}), values({"omega_4"})}},
+           {{"Midpoints", "Mezzerie"},
+            {remark(with_sine(unit_vectors, language)), remark("$\\vec{v}_{G2}$ = ½$r_{2}$$ω_{2}$$\\vec{n}_{2}$"),
+             remark("$\\vec{v}_{G3}$ = $r_{2}$$ω_{2}$$\\vec{n}_{2}$ + ½$r_{3}$$ω_{3}$$\\vec{n}_{3}$"),
+             remark("$\\vec{v}_{G4}$ = −½$r_{4}$$ω_{4}$$\\vec{n}_{4}$")}}},
+      .results = {midpoints_table("v", "m/s")},
+      .seen = {"Velocities of the midpoints of the links", "Velocità delle mezzerie delle aste"},
+      .told = {"v_G2", "v_G3", "v_G4"}};
 }
 
 PanelSheet accelerations_sheet(const Solution& s, Language language) {
+  Mechanism linkage = linkage_with_midpoints(s, false);
+  linkage.turning_found("B", "A", s.value("alpha_3").value_or(0), "$α_{3}$")
+      .turning_found("B0", "B", s.value("alpha_4").value_or(0), "$α_{4}$");
   return {
-      .panels = panels(VectorsPanel(s, linkage_with_midpoints(s, false), acceleration, {"G2", "G3", "G4"})),
+      .panels = panels(
+          VectorsPanel(s, std::make_shared<const Mechanism>(std::move(linkage)), acceleration, {"G2", "G3", "G4"})
+              .no_longer_than(45)),
       .theory =
           {{{"Differentiated constraints", "Vincoli derivati"},
-            {remark("($α_{3}$, $α_{4}$) = −$ψ^{−1}_{y}$ ($ψ_{x}$$α_{2}$ + $(ψ_{y}\\vec{ω})_{y}\\vec{ω}$ + "
-                    "$(ψ_{x}ω_{2})_{x}$$ω_{2}$)"),
+            {remark("($α_{3}$, $α_{4}$) = −$ψ^{−1}_{\\it{y}}$ ($ψ_{\\it{x}}$$α_{2}$ + "
+                    "$(ψ_{\\it{y}}\\vec{ω})_{\\it{y}}\\vec{ω}$ + "
+                    "$(ψ_{\\it{x}}ω_{2})_{\\it{x}}$$ω_{2}$)"),
              remark("$\\vec{ω}$ = ($ω_{3}$, $ω_{4}$)"), values({"alpha_3"}), values({"alpha_4"})}},
            {{"Midpoints", "Mezzerie"},
             {remark(with_sine(unit_vectors, language)),
@@ -134,15 +145,16 @@ TablePanel three_methods(const Solution& s, Language language) {
 
 PanelSheet comparison_sheet(const Solution& s, Language language) {
   return {
-      .panels = panels(VectorsPanel(s, linkage_with_midpoints(s), velocity, {"G2", "G3", "G4"}),
+      .panels = panels(VectorsPanel(s, std::make_shared<const Mechanism>(linkage_with_midpoints(s, false)), velocity,
+                                    {"G2", "G3", "G4"}),
                        three_methods(s, language)),
       .theory = {{{"Three methods", "Tre metodi"},
-                  {remark(
-                       Words{"Constraint equations: Newton-Raphson for the angles, then two linear systems with the "
-                             "same matrix $ψ_{y}$. Nothing is solved in closed form: a method for computers.",
-                             "Equazioni di vincolo: Newton-Raphson per le anomalie, poi due sistemi lineari con la "
-                             "stessa matrice $ψ_{y}$. Nulla è risolto in forma chiusa: un metodo da calcolatore."}
-                           .in(language)),
+                  {remark(Words{
+                       "Constraint equations: Newton-Raphson for the angles, then two linear systems with the "
+                       "same matrix $ψ_{\\it{y}}$. Nothing is solved in closed form: a method for computers.",
+                       "Equazioni di vincolo: Newton-Raphson per le anomalie, poi due sistemi lineari con la "
+                       "stessa matrice $ψ_{\\it{y}}$. Nulla è risolto in forma chiusa: un metodo da calcolatore."}
+                              .in(language)),
                    remark(Words{"Closure solved (N.10): one quadratic equation in tan($θ_{4}$/2) for both "
                                 "configurations, then its derivatives.",
                                 "Chiusura risolta (N.10): un'equazione di secondo grado in tg($θ_{4}$/2) per le due "

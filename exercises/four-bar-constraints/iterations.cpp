@@ -73,7 +73,7 @@ class OpenLinkagePanel : public Panel {
   void draw_given(Plot& plot, const drawings::Box&, Language) const override {
     if (shows_ == Shows::all) mechanism_->draw_given(plot);
   }
-  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override {
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language language) const override {
     constexpr double ring = 5, ring_in_detail = 33;  // mm: about what is shown larger; to the links' numbers there
     const Place &A = mechanism_->at("A"), &B0 = mechanism_->at("B0"), &B = mechanism_->at("B");
     for (std::size_t k = 0; k < drawn_open() && is_seen(plot, k); ++k) {
@@ -83,13 +83,16 @@ class OpenLinkagePanel : public Panel {
       plot.side("", on_rocker, on_coupler, Meaning::dimension, fmt::format("$\\vec{{ψ}}^{{{}}}$", k), B);
       plot.dot(on_coupler);
       plot.dot(on_rocker);
-      plot.small_label(fmt::format("$B^{{{}}}_{{3}}$", k), on_coupler, on_rocker);
-      plot.small_label(fmt::format("$B^{{{}}}_{{4}}$", k), on_rocker, on_coupler);
+      plot.label(fmt::format("$B^{{{}}}_{{3}}$", k), on_coupler, on_rocker);
+      plot.label(fmt::format("$B^{{{}}}_{{4}}$", k), on_rocker, on_coupler);
     }
     if (shows_ == Shows::all) {
       mechanism_->draw(plot);
-      if (is_beside_gap(solution_))
+      if (is_beside_gap(solution_)) {
         plot.mark(drawings::Line{drawings::circle(plot.at(B), ring), Meaning::construction, {}});
+        const double aside = ring / plot.scale().mm_per_unit;
+        plot.small_label(Words{"close-up", "ingrandimento"}.in(language), B + Arrow2{-aside, 0}, B);
+      }
       return {};
     }
     draw_link(plot, A, B, Meaning::link);
@@ -143,13 +146,16 @@ Panels open_linkage(const Solution& s) {
        is_beside ? on_coupler + 0.6 * gap(s, 0) / distance(on_coupler, A) * (A - on_coupler)
                  : Place{(A.x + 2 * on_coupler.x) / 3, (A.y + 2 * on_coupler.y) / 3}}};
   const std::vector<PanelStep> closing{
-      {{"$\\vec{ψ}^{k}$ leads from $B^{k}_{4}$, the end of link 4, to $B^{k}_{3}$, the end of link 3.",
-        "$\\vec{ψ}^{k}$ va da $B^{k}_{4}$, estremo del membro 4, a $B^{k}_{3}$, estremo del membro 3."},
+      {{"$\\vec{ψ}^{\\it{k}}$ leads from $B^{\\it{k}}_{4}$, the end of link 4, to $B^{\\it{k}}_{3}$, the end of link "
+        "3.",
+        "$\\vec{ψ}^{\\it{k}}$ va da $B^{\\it{k}}_{4}$, estremo del membro 4, a $B^{\\it{k}}_{3}$, estremo del membro "
+        "3."},
        Place{(on_coupler.x + 2 * on_rocker.x) / 3, (on_coupler.y + 2 * on_rocker.y) / 3}},
-      {format_words(
-           "Each step turns both links by −$ψ^{{−1}}_{{y}}$ $ψ^{{k}}$; after {} steps they meet at $B$.",
-           "Ogni passo ruota i due membri di −$ψ^{{−1}}_{{y}}$ $ψ^{{k}}$; dopo {} passi si incontrano in $B$.",
-           iterates(s) - 1),
+      {format_words("Each step turns both links by −$ψ^{{−1}}_{{\\it{{y}}}}$ $ψ^{{\\it{{k}}}}$; after {} steps they "
+                    "meet at $B$.",
+                    "Ogni passo ruota i due membri di −$ψ^{{−1}}_{{\\it{{y}}}}$ $ψ^{{\\it{{k}}}}$; dopo {} passi si "
+                    "incontrano in $B$.",
+                    iterates(s) - 1),
        s.place("B")}};
   steps.insert(steps.end(), closing.begin(), closing.end());
   if (is_beside) return panels(OpenLinkagePanel(s, Shows::all, {}), OpenLinkagePanel(s, Shows::gap, steps));
@@ -166,7 +172,7 @@ std::string with_decimals(double x, Language language) {
 
 std::optional<drawings::Block> table_of_iterates(const Solution& s, Language language) {
   constexpr std::size_t most_rows = 9;  // the first ones and the last
-  drawings::Table table{{"$k$", "$θ^{k}_{3}$ (rad)", "$θ^{k}_{4}$ (rad)", "$|ψ^{k}|$ (m)"}, {}};
+  drawings::Table table{{"$k$", "$θ^{\\it{k}}_{3}$ (rad)", "$θ^{\\it{k}}_{4}$ (rad)", "$|ψ^{\\it{k}}|$ (m)"}, {}};
   const std::size_t count = iterates(s);
   for (std::size_t k = 0; k < count; ++k) {
     if (count > most_rows && k + 1 == most_rows) table.rows.push_back({"…", "…", "…", "…"});
@@ -237,7 +243,6 @@ drawings::Chart chart_of_convergence(const Solution& s, Language language) {
              .low = std::max(finest, low / 10),
              .high = 10 * high,
              .scale = drawings::AxisScale::logarithmic};
-  chart.legend = true;
   return chart;
 }
 
@@ -253,17 +258,19 @@ PanelSheet iterations_sheet(const Solution& s, Language language) {
             {remark("$ψ_{1}$ = $r_{2}$ cos $θ_{2}$ + $r_{3}$ cos $θ_{3}$ + $r_{4}$ cos $θ_{4}$ − $r_{1}$ = 0"),
              remark("$ψ_{2}$ = $r_{2}$ " + sin + " $θ_{2}$ + $r_{3}$ " + sin + " $θ_{3}$ + $r_{4}$ " + sin +
                     " $θ_{4}$ = 0"),
-             remark("$x$ = $θ_{2}$,  $y$ = ($θ_{3}$, $θ_{4}$):  $y^{k+1}$ = $y^{k}$ − $ψ^{−1}_{y}$ $ψ^{k}$"),
+             remark("$x$ = $θ_{2}$,  $y$ = ($θ_{3}$, $θ_{4}$):  $y^{\\it{k}+1}$ = $y^{\\it{k}}$ − $ψ^{−1}_{\\it{y}}$ "
+                    "$ψ^{\\it{k}}$"),
              remark(Words{"$r_{1}$ = $A_{0}B_{0}$, $r_{2}$ = $A_{0}A$, $r_{3}$ = $AB$, $r_{4}$ = $BB_{0}$",
                           "$r_{1}$ = $A_{0}B_{0}$, $r_{2}$ = $A_{0}A$, $r_{3}$ = $AB$, $r_{4}$ = $BB_{0}$"}
                         .in(language))}},
            {{"Iterates", "Iterate"}, {table_of_iterates, remark(about_whole_turns(s).in(language))}},
            {{"Jacobian at the solution", "Jacobiano nella soluzione"},
-            {table({"$ψ_{q}$ (m)", "∂/∂$θ_{2}$", "∂/∂$θ_{3}$", "∂/∂$θ_{4}$"},
+            {table({"$ψ_{\\it{q}}$ (m)", "∂/∂$θ_{2}$", "∂/∂$θ_{3}$", "∂/∂$θ_{4}$"},
                    {{"$ψ_{1}$", {"jacobian_psi_1_theta_2", "jacobian_psi_1_theta_3", "jacobian_psi_1_theta_4"}},
                     {"$ψ_{2}$", {"jacobian_psi_2_theta_2", "jacobian_psi_2_theta_3", "jacobian_psi_2_theta_4"}}}),
-             remark("∂$ψ$/∂$θ_{i}$ = $r_{i}$ (−" + sin + " $θ_{i}$, cos $θ_{i}$);  $ψ_{y}$: ∂/∂$θ_{3}$, ∂/∂$θ_{4}$"),
-             remark("det $ψ_{y}$ = $r_{3}$ $r_{4}$ " + sin + "($θ_{4}$ − $θ_{3}$)"),
+             remark("∂$ψ$/∂$θ_{\\it{i}}$ = $r_{\\it{i}}$ (−" + sin +
+                    " $θ_{\\it{i}}$, cos $θ_{\\it{i}}$);  $ψ_{\\it{y}}$: ∂/∂$θ_{3}$, ∂/∂$θ_{4}$"),
+             remark("det $ψ_{\\it{y}}$ = $r_{3}$ $r_{4}$ " + sin + "($θ_{4}$ − $θ_{3}$)"),
              values({"jacobian_determinant_psi_y"})}},
            {{"The source", "La fonte"},
             {remark(
@@ -276,7 +283,8 @@ PanelSheet iterations_sheet(const Solution& s, Language language) {
       .results = {values({"theta_3", "theta_4"})},
       .seen = {"The open four-bar linkage as Newton-Raphson closes it",
                "Il quadrilatero aperto che Newton-Raphson chiude"},
-      .told = {"theta_3", "theta_4"}};
+      .told = {"theta_3", "theta_4"},
+      .without_part = {"n", "alpha_2"}};
 }
 
 PanelSheet convergence_sheet(const Solution& s, Language language) {
@@ -294,8 +302,10 @@ PanelSheet convergence_sheet(const Solution& s, Language language) {
                                        "nell'arrotondamento delle anomalie.",
                                        steps)
                               .in(language)),
-                   remark(Words{"$Δθ_{i}$ = $θ^{k}_{i}$ − $θ_{i}$: how far iterate $k$ is from the solution.",
-                                "$Δθ_{i}$ = $θ^{k}_{i}$ − $θ_{i}$: quanto l'iterata $k$ dista dalla soluzione."}
+                   remark(Words{"$Δθ_{\\it{i}}$ = $θ^{\\it{k}}_{\\it{i}}$ − $θ_{\\it{i}}$: how far iterate $k$ is "
+                                "from the solution.",
+                                "$Δθ_{\\it{i}}$ = $θ^{\\it{k}}_{\\it{i}}$ − $θ_{\\it{i}}$: quanto l'iterata $k$ "
+                                "dista dalla soluzione."}
                               .in(language)),
                    remark(of_zero.in(language)),
                    remark(Words{
@@ -313,7 +323,8 @@ PanelSheet convergence_sheet(const Solution& s, Language language) {
                  {{"Iterates", "Iterate"}, {table_of_iterates}}},
       .seen = {"Residual and errors of the angles against the number of Newton-Raphson steps",
                "Residuo ed errori delle anomalie contro il numero di passi di Newton-Raphson"},
-      .told = {"residual_0"}};
+      .told = {"residual_0"},
+      .without_part = {"n", "alpha_2"}};
 }
 
 }  // namespace epure::four_bar_constraints

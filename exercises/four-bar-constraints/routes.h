@@ -17,7 +17,7 @@ inline Quantity jacobian(int row, int link) {
 }
 inline Quantity determinant() {
   return {"jacobian_determinant_psi_y",
-          "det $ψ_{y}$",
+          "det $ψ_{\\it{y}}$",
           "m^2",
           {"determinant of the constraints' Jacobian", "determinante dello jacobiano dei vincoli"}};
 }

@@ -30,7 +30,7 @@ struct AngleOfStroke {
 };
 inline AngleOfStroke rocker_swing() {
   return {"rocker_swing",
-          "$Δϑ_{4}$",
+          "$Δθ_{4}$",
           {"swing of the rocker between its dead centres", "ampiezza del moto del bilanciere"}};
 }
 inline AngleOfStroke crank_rotation() {

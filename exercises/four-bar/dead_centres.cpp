@@ -41,7 +41,7 @@ Mechanism both(const Solution& s, const std::string& extended, const std::string
   for (const auto& [number, prefix] : {std::pair{"1", extended}, {"2", folded}})
     if (const auto phi = s.value(prefix + "crank_angle"))
       mechanism.angle("A0", 0, *phi, std::string("$φ_{") + number + "}$");
-  if (s.value("rocker_swing")) mechanism.angle("B0", to_1, to_1 + swing, "$Δϑ_{4}$");
+  if (s.value("rocker_swing")) mechanism.angle("B0", to_1, to_1 + swing, "$Δθ_{4}$");
   return mechanism;
 }
 
@@ -143,7 +143,7 @@ PanelSheet dead_centres_sheet(const Solution& s, Language language) {
       rates{"alpha_3", "alpha_4"};
   return {.panels = panels(
               DeadCentresPanel(std::make_shared<const Mechanism>(both(s, extended, folded)), extended, folded)),
-          .results = {table({"", "$φ$ (°)", "$ϑ_{4}$ (°)", "$ω_{3}$ (rad/s)"},
+          .results = {table({"", "$φ$ (°)", "$θ_{4}$ (°)", "$ω_{3}$ (rad/s)"},
                             {row("1", extended, angles), row("2", folded, angles)}),
                       table({"", "$α_{3}$ (rad/s²)", "$α_{4}$ (rad/s²)"},
                             {row("1", extended, rates), row("2", folded, rates)}),

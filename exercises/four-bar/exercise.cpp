@@ -168,10 +168,11 @@ struct PolygonOf {
                          const std::string& magnitude = {}, const std::string& tip = {}) const {
     return epure::side(s, of_case(prefix, quantity), direction, magnitude, tip);
   }
-  // c', by the vectors of C and of C relative to A and to B.
-  std::vector<PolygonImage> image_of_C(VectorQuantity (*kind)(const std::string&), const Words& explained) const {
+  // c', or c'', by the vectors of C and of C relative to A and to B.
+  std::vector<PolygonImage> image_of_C(VectorQuantity (*kind)(const std::string&), const Words& explained,
+                                       const std::string& primes = "'") const {
     PolygonSide c = (*this)(kind("C"));
-    c.tip = "$c'$";
+    c.tip = "$c" + primes + "$";
     return {{.absolute = c, .relative = unmeasured((*this)(kind("CA"))), .explained = explained},
             {.absolute = unlabelled((*this)(kind("C"))), .relative = unmeasured((*this)(kind("CB")))}};
   }
@@ -191,6 +192,8 @@ VectorPolygon velocities(const PolygonOf& of) {
 }
 
 VectorPolygon accelerations(const PolygonOf& of, bool crank_speeds_up) {
+  const std::string primes = of.prefix.empty() ? "'" : "''",  // beside the images of velocities
+      a = "$a" + primes + "$", b = "$b" + primes + "$";
   const auto unless_zero = [](PolygonSide side) {
     if (magnitude(side.v) == 0) side.magnitude = "0";
     return side;
@@ -198,11 +201,11 @@ VectorPolygon accelerations(const PolygonOf& of, bool crank_speeds_up) {
   const PolygonSide a_B_n = unless_zero(of(normal_acceleration("B"), "∥ $BB_{0}$", "$ω^{2}_{4}$·$B_{0}B$")),
                     a_BA_n = unless_zero(of(normal_acceleration("BA"), "∥ $BA$", "$ω^{2}_{3}$·$AB$"));
   PolygonSide a_B_t = across(of(tangential_acceleration("B"), "⊥ $B_{0}B$", "?"), of.at("B0"), of.at("B")),
-              a_BA_t = across(of(tangential_acceleration("BA"), "⊥ $AB$", "?", "$b'$"), of.at("A"), of.at("B"));
+              a_BA_t = across(of(tangential_acceleration("BA"), "⊥ $AB$", "?", b), of.at("A"), of.at("B"));
   a_B_t.square = a_B_n.is_drawn();
   a_BA_t.square = a_BA_n.is_drawn();
-  const PolygonSide a_A = crank_speeds_up ? of(acceleration("A"), "$a^{n}_{A}$, $a^{t}_{A}$", "", "$a'$")
-                                          : of(acceleration("A"), "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$", "$a'$");
+  const PolygonSide a_A = crank_speeds_up ? of(acceleration("A"), "$a^{n}_{A}$, $a^{t}_{A}$", "", a)
+                                          : of(acceleration("A"), "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$", a);
   VectorPolygon polygon = acceleration_polygon({a_B_n, a_B_t}, {a_A, a_BA_n, a_BA_t});
   if (crank_speeds_up)
     polygon.images = {
@@ -216,12 +219,15 @@ VectorPolygon accelerations(const PolygonOf& of, bool crank_speeds_up) {
   // one part.
   if (!of.prefix.empty()) {
     sums.closes_triangle = true;
-    sums.explained = {"$\\vec{a}_{B}$ = $\\vec{a}^{t}_{B}$, from $O_{a}$ to $b'$.",
-                      "$\\vec{a}_{B}$ = $\\vec{a}^{t}_{B}$, da $O_{a}$ a $b'$."};
+    sums.explained = {"$\\vec{a}_{B}$ = $\\vec{a}^{t}_{B}$, from $O_{a}$ to " + b + ".",
+                      "$\\vec{a}_{B}$ = $\\vec{a}^{t}_{B}$, da $O_{a}$ a " + b + "."};
   }
   polygon.images.push_back(std::move(sums));
-  auto image = of.image_of_C(acceleration, {"$c'$: the triangle $a'b'c'$ is similar to $ABC$, in the same sense.",
-                                            "$c'$: il triangolo $a'b'c'$ è simile ad $ABC$, nello stesso verso."});
+  auto image = of.image_of_C(
+      acceleration,
+      format_words("$c{0}$: the triangle $a{0}b{0}c{0}$ is similar to $ABC$, in the same sense.",
+                   "$c{0}$: il triangolo $a{0}b{0}c{0}$ è simile ad $ABC$, nello stesso verso.", primes),
+      primes);
   image.back().closes_triangle = true;
   polygon.images.insert(polygon.images.end(), image.begin(), image.end());
   return polygon;
@@ -236,6 +242,11 @@ PolygonPanel acceleration_panel(const PolygonOf& of, PolygonPanel::Table table =
     panel.with_equations({{{{"$\\vec{a}_{A}$", "", "", ""},
                             {"$\\vec{a}^{n}_{A}$", "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$", "="},
                             {"$\\vec{a}^{t}_{A}$", "⊥ $A_{0}A$", "|$α_{2}$|·$A_{0}A$", "+"}}}});
+  else if (of.prefix.empty())
+    panel.with_equations({{{{"$\\vec{a}_{C}$", "?", "?", ""},
+                            {"$\\vec{a}_{A}$", "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$", "="},
+                            {"$\\vec{a}^{n}_{CA}$", "∥ $CA$", "$ω^{2}_{3}$·$AC$", "+"},
+                            {"$\\vec{a}^{t}_{CA}$", "⊥ $CA$", "|$α_{3}$|·$AC$", "+"}}}});
   return panel;
 }
 
@@ -472,7 +483,7 @@ std::vector<SheetMaker> sheets() {
          "diagrammi polari."}},
        at(dead_centre_sheet, extended)},
       {{"dead-centre-folded",
-        {"Dead centre, folded", "Punto morto sovrapposto"},
+        {"Dead centre, folded", "Punto morto ripiegato"},
         {"At the dead centre of the rocker where crank and coupler are folded find velocities and accelerations by "
          "the polar diagrams.",
          "Nel punto morto del bilanciere con manovella e biella sovrapposte trovare velocità e accelerazioni con i "
@@ -486,7 +497,7 @@ std::vector<SheetMaker> sheets() {
          "stazionarietà della biella."}},
        at(circles_at_dead_centre, extended)},
       {{"circles-folded",
-        {"Circles, folded dead centre", "Circonferenze al punto morto sovrapposto"},
+        {"Circles, folded dead centre", "Circonferenze al punto morto ripiegato"},
         {"At the dead centre of the rocker where crank and coupler are folded find the inflection and stationarity "
          "circles of the coupler.",
          "Nel punto morto del bilanciere con manovella e biella sovrapposte trovare le circonferenze dei flessi e di "

@@ -72,9 +72,11 @@ class ParallelPanel : public MechanismPanel {
     if (!tells_all_) return all;
     all.push_back(
         {{"$P_{31}$ is at infinity, $ω_{3}$ = 0: all points of the coupler have $\\vec{v}_{A}$ = $\\vec{v}_{B}$; "
-          "|$ω_{4}$| = |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. But $α_{3}$ is not zero: by the polygon of sheet 3.",
+          "|$ω_{4}$| = |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. But $α_{3}$ is not zero: by a polygon as on sheet 3, drawn for "
+          "this position.",
           "$P_{31}$ è all'infinito, $ω_{3}$ = 0: tutti i punti della biella hanno $\\vec{v}_{A}$ = $\\vec{v}_{B}$; "
-          "|$ω_{4}$| = |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. Ma $α_{3}$ non è nulla: col poligono della tavola 3."},
+          "|$ω_{4}$| = |$ω_{2}$|·$A_{0}A$ / $B_{0}B$. Ma $α_{3}$ non è nulla: con un poligono come nella tavola 3, "
+          "per questa posizione."},
          plot.tip(at("B"), v_B_)});
     return all;
   }

@@ -15,11 +15,11 @@ using geometry::Vector;
 
 inline Quantity side(const std::string& of, const Words& meaning) { return {of, "$" + of + "$", "m", meaning}; }
 inline Quantity coupler_angle() {
-  return {"coupler_angle", "$ϑ_{3}$", "rad", {"direction from A to B", "direzione da A a B"}};
+  return {"coupler_angle", "$θ_{3}$", "rad", {"direction from A to B", "direzione da A a B"}};
 }
 inline Quantity rocker_angle(const std::string& unit = "rad") {
   return {unit == "rad" ? "rocker_angle" : "rocker_angle_deg",
-          "$ϑ_{4}$",
+          "$θ_{4}$",
           unit,
           {"direction from B₀ to B", "direzione da B₀ a B"}};
 }

@@ -28,7 +28,7 @@ inline Quantity over_r(const std::string& point, const std::string& axis) {
               (axis == "x" ? Words{"abscissa of ", "ascissa di "} : Words{"ordinate of ", "ordinata di "}) + point);
 }
 inline Quantity slider_coupler_angle() {
-  return {"coupler_angle", "$ϑ_{3}$", "rad", {"direction from A to B", "direzione da A a B"}};
+  return {"coupler_angle", "$θ_{3}$", "rad", {"direction from A to B", "direzione da A a B"}};
 }
 inline Quantity omega_3_over_omega_2() {
   return pure("omega_3_over_omega_2", "ω_{3}/ω_{2}",
@@ -101,11 +101,11 @@ struct SliderCrankSquare {
   }
 
  private:
-  // sin ϑ₃ = -1/λ; ω₃ = 0 there, α₃ = 1/(λ cos ϑ₃), and the lines by the vanishing of v x a and v . a.
+  // sin θ₃ = -1/λ; ω₃ = 0 there, α₃ = 1/(λ cos θ₃), and the lines by the vanishing of v x a and v . a.
   template <class T>
   void by_closed_form(Ledger<T>& ledger) const {
     ledger.route("analytic");
-    const T reach = geometry::root(from_rational<T>(of.lambda * of.lambda - 1));  // λ cos ϑ₃
+    const T reach = geometry::root(from_rational<T>(of.lambda * of.lambda - 1));  // λ cos θ₃
     const T alpha = geometry::quotient(T(1), reach);
     const analytic::PlaneMotion<T> coupler{{T(0), T(1)}, {T(-1), T(0)}, {T(0), T(-1)}, T(0), alpha};
     const analytic::Complex<T> B{reach, T(0)};

@@ -135,8 +135,8 @@ class MeshPicture {
     if (std::abs(x) >= r) return;
     const double y = O.y + up * std::sqrt((r - x) * (r + x));
     if (y < room_.low.y + from_border || y > room_.high.y - from_border) return;
-    plot_.small_label(on(std::string("$r_{") + index, wheel) + "}$", plot_.from_paper({O.x + x, y}),
-                      plot_.from_paper({O.x + x, y - up}), ink);
+    plot_.label(on(std::string("$r_{") + index, wheel) + "}$", plot_.from_paper({O.x + x, y}),
+                plot_.from_paper({O.x + x, y - up}), ink);
   }
 
   // An arc arrow within the body, beside the mesh: of wheel 1 on the left, of wheel 2 on the right.

@@ -43,7 +43,10 @@ void tint(drawings::Figure& figure, const drawings::ChartMap& map, double from, 
 void name_zone(drawings::Figure& figure, const drawings::ChartMap& map, double from, double to,
                const std::string& words) {
   constexpr double letters = 2.7, room = 18;  // mm
-  const double x = map.x.at(mm(from)), until = map.x.at(mm(to));
+  double x = map.x.at(mm(from)), until = map.x.at(mm(to));
+  // Beside the line of P0, where it crosses the zone and leaves room enough.
+  if (const double P0 = map.x.at(0); x < P0 && P0 < until && std::max(P0 - x, until - P0) >= room)
+    (P0 - x > until - P0 ? until : x) = P0;
   if (until - x >= room)
     figure.labels.push_back({.text = words, .at = {(x + until) / 2, map.frame.low.y + 2}, .size = letters});
 }

@@ -59,15 +59,16 @@ PolygonSide drawn(const Solution& s, const VectorQuantity& quantity, const std::
   return side;
 }
 
-Result signs(Language language) {
-  return remark(
-      Words{"Counter-clockwise is positive: $ω_{2}$ = −$ω$, $α_{2}$ = −d$ω$/d$t$, as $ω$, d$ω$/d$t$ and $\\it{C}$ "
-            "are the source's, clockwise. Components with their sign: $v_{B}$, $a_{B}$ along the guide, $v_{rel}$, "
-            "$a_{rel}$ along the slot, away from $O$.",
-            "Positivo il verso antiorario: $ω_{2}$ = −$ω$, $α_{2}$ = −d$ω$/d$t$, perché $ω$, d$ω$/d$t$ e $\\it{C}$ "
-            "sono quelle della fonte, orarie. Componenti con il loro segno: $v_{B}$, $a_{B}$ lungo la guida, "
-            "$v_{rel}$, $a_{rel}$ lungo l'asola, uscendo da $O$."}
-          .in(language));
+Section signs(Language language) {
+  return {{"Signs", "Segni"},
+          {remark(Words{
+              "Counter-clockwise is positive: $ω_{2}$ = −$ω$, $α_{2}$ = −d$ω$/d$t$, as $ω$, d$ω$/d$t$ and $\\it{C}$ "
+              "are the source's, clockwise. Components with their sign: $v_{B}$, $a_{B}$ along the guide, $v_{rel}$, "
+              "$a_{rel}$ along the slot, away from $O$.",
+              "Positivo il verso antiorario: $ω_{2}$ = −$ω$, $α_{2}$ = −d$ω$/d$t$, perché $ω$, d$ω$/d$t$ e $\\it{C}$ "
+              "sono quelle della fonte, orarie. Componenti con il loro segno: $v_{B}$, $a_{B}$ lungo la guida, "
+              "$v_{rel}$, $a_{rel}$ lungo l'asola, uscendo da $O$."}
+                      .in(language))}};
 }
 
 PanelSheet velocity_sheet(const Solution& s, Language language) {
@@ -76,8 +77,9 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
       {unknown(s, v_B(), along_guide.in(language), {1, 0})},
       {side(s, v_Bstar(), "⊥ $OB$", "|$ω$|·$OB$", "$b*$"), unknown(s, v_rel(), "∥ $OB$", slot, "$b'$")});
   return {.panels = panels(RelativePolePanel(s, mechanism(s, "omega_disc", "$ω_{3}$")), PolygonPanel(s, polygon)),
+          .theory = {signs(language)},
           .results = {remark(Words{"sin $α$ = $\\it{R}$ / $OB$", "sen $α$ = $\\it{R}$ / $OB$"}.in(language)),
-                      values({"lever_angle"}), values({"v_B", "b_dot", "omega_disc"}), signs(language)},
+                      values({"lever_angle"}), values({"v_B", "b_dot", "omega_disc"})},
           .seen = {"The slotted lever with the disc it rolls, and the polygon of the velocities of the pin B",
                    "Il glifo con il disco che fa rotolare, e il poligono delle velocità del piolo B"},
           .told = {"v_B", "b_dot", "omega_disc"},
@@ -107,8 +109,8 @@ PanelSheet acceleration_sheet(const Solution& s, Language language) {
       "sotto $B$, perciò $a_{B}$ = −$α_{3}$·$\\it{R}$."};
   return {.panels = panels(MechanismPanel(mechanism(s, "alpha_disc", "$α_{3}$")),
                            PolygonPanel(s, accelerations(s, language))),
-          .results = {values({"b_dot", "b_ddot"}), values({"a_B", "alpha_disc"}), remark(remarks.in(language)),
-                      signs(language)},
+          .theory = {signs(language)},
+          .results = {values({"b_dot", "b_ddot"}), values({"a_B", "alpha_disc"}), remark(remarks.in(language))},
           .seen = {"The polygon of the accelerations of the pin B, with the Coriolis acceleration",
                    "Il poligono delle accelerazioni del piolo B, con l'accelerazione di Coriolis"},
           .told = {"a_B", "b_ddot", "alpha_disc"},
@@ -182,15 +184,20 @@ Result friction(const Solution& s, Language language) {
 PanelSheet forces_sheet(const Solution& s, Language language) {
   const Forces on = forces(s, language);
   const Words letters{
-      "$\\vec{\\it{W}}$: weights; $\\vec{\\it{F}}$ = −$\\it{M}\\vec{a}$: inertia; $\\vec{\\it{R}}_{23}$: of 2 on 3.",
-      "$\\vec{\\it{W}}$: pesi; $\\vec{\\it{F}}$ = −$\\it{M}\\vec{a}$: inerzia; $\\vec{\\it{R}}_{23}$: del 2 sul 3."};
+      "$\\vec{\\it{W}}$: weights; $\\vec{\\it{F}}$ = −$\\it{M}\\vec{a}$: inertia; $\\vec{\\it{R}}_{23}$: of 2 on 3. "
+      "On the bodies "
+      "they show directions only.",
+      "$\\vec{\\it{W}}$: pesi; $\\vec{\\it{F}}$ = −$\\it{M}\\vec{a}$: inerzia; $\\vec{\\it{R}}_{23}$: del 2 sul 3. "
+      "Sui corpi "
+      "mostrano solo le direzioni."};
   return {.panels = panels(disc_cut_free(s, on),
                            PolygonPanel(s, force_polygon("3", {on.N_13}, {on.T_13, on.F_B, on.W_B, on.R_23})),
                            lever_cut_free(s, on),
                            PolygonPanel(s, force_polygon("2", {on.R_12}, {on.R_32, on.W_A, on.F_A}))),
-          .results = {components(acceleration("A")), values({"slot_force_on_pin", "ground_normal_force"}),
-                      values({"ground_friction_force", "required_friction_coefficient"}),
-                      values({"pivot_force", "C"}), friction(s, language), remark(letters.in(language))},
+          .results = {components(acceleration("A")),
+                      values({"slot_force_on_pin", "ground_normal_force", "ground_friction_force"}),
+                      values({"pivot_force", "C", "required_friction_coefficient"}), friction(s, language),
+                      remark(letters.in(language))},
           .seen = {"Disc and lever cut free, and the polygons of their forces",
                    "Disco e glifo isolati, e i poligoni delle loro forze"},
           .told = {"slot_force_on_pin", "ground_normal_force", "ground_friction_force", "pivot_force", "C"}};

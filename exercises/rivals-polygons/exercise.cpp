@@ -128,7 +128,7 @@ PanelSheet sheet(const Solution& s, const CouplerArc& arc, const VectorPolygon& 
   if (arc.rate != rotation.rate) rates.push_back(arc.rate);
   PanelSheet shown{
       .panels = panels(MechanismPanel(mechanism(s, arc))),
-      .results = {values(rates),
+      .results = {values(rates), values({polygon.left.front().quantity}),
                   remark(formula.in(language) +
                          Words{" Counter-clockwise is positive.", " Positivi in verso antiorario."}.in(language))},
       .seen = seen,

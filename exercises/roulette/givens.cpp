@@ -16,7 +16,7 @@ std::vector<GivenSpec> given_specs() {
                    {"circle_inside_circle", {"circle inside a circle", "cerchio interno a un cerchio"}},
                    {"line_on_circle", {"line on a circle", "retta su un cerchio"}}}},
       {"r", {"radius of the rolling circle", "raggio del cerchio che rotola"}, "m", "0.15", Range::positive, "$r$"},
-      {"R", {"radius of the fixed circle", "raggio del cerchio fisso"}, "m", "0.45", Range::positive, "$R$"},
+      {"R", {"radius of the fixed circle", "raggio del cerchio fisso"}, "m", "0.45", Range::positive, "$\\it{R}$"},
       {"d",
        {"distance of M from the centre of the rolling circle; of a line, from the line, positive inwards",
         "distanza di M dal centro del cerchio che rotola; di una retta, dalla retta, positiva verso il centro"},

@@ -183,9 +183,9 @@ class PathPanel : public Panel {
     if (f_.given.is_line())
       return {
           "The line $π$ rolls on the circle $p$ without slipping: what it has unwound, from its contact $P_{0}$ to "
-          "the foot of $M$, is the arc $R$·$φ$.",
+          "the foot of $M$, is the arc $\\it{R}$·$φ$.",
           "La retta $π$ rotola sul cerchio $p$ senza strisciare: il tratto svolto, dal contatto $P_{0}$ al piede di "
-          "$M$, è l'arco $R$·$φ$."};
+          "$M$, è l'arco $\\it{R}$·$φ$."};
     if (f_.given.rolls_on_line())
       return {
           "The circle $π$ rolls on the line $p$ without slipping: its contact $P_{0}$ and its centre $C$ go $r$·$φ$ "
@@ -193,12 +193,14 @@ class PathPanel : public Panel {
           "Il cerchio $π$ rotola sulla retta $p$ senza strisciare: il contatto $P_{0}$ e il centro $C$ vanno di "
           "$r$·$φ$ a destra, $ψ$ = $φ$."};
     const std::string turned =
-        is_inside() ? "$ψ$ − $β$, $β$ = $φ$·$r$/($R$ − $r$)." : "$ψ$ + $β$, $β$ = $φ$·$r$/($R$ + $r$).";
+        is_inside() ? "$ψ$ − $β$, $β$ = $φ$·$r$/($\\it{R}$ − $r$)." : "$ψ$ + $β$, $β$ = $φ$·$r$/($\\it{R}$ + $r$).";
     return {
-        "The circle $π$ rolls on the circle $p$ without slipping: the arcs rolled off are equal, $r$·$ψ$ = $R$·$β$, "
+        "The circle $π$ rolls on the circle $p$ without slipping: the arcs rolled off are equal, $r$·$ψ$ = "
+        "$\\it{R}$·$β$, "
         "and the body has turned through $φ$ = " +
             turned,
-        "Il cerchio $π$ rotola sul cerchio $p$ senza strisciare: gli archi svolti sono uguali, $r$·$ψ$ = $R$·$β$, e "
+        "Il cerchio $π$ rotola sul cerchio $p$ senza strisciare: gli archi svolti sono uguali, $r$·$ψ$ = "
+        "$\\it{R}$·$β$, e "
         "il corpo è ruotato di $φ$ = " +
             turned};
   }
@@ -226,7 +228,7 @@ class PathPanel : public Panel {
               "Cuspide $Q_{0}$: dove $M$ stesso toccava $p$, $φ$ = 0."};
     const Words what =
         f_.runs_straight() ? Words{"There $M$ turns back", "Lì $M$ torna indietro"} : Words{"Cusps", "Cuspidi"};
-    const std::string where = f_.given.rolls_on_line() ? "" : ", $β$ = $ψ$·$r$/$R$";
+    const std::string where = f_.given.rolls_on_line() ? "" : ", $β$ = $ψ$·$r$/$\\it{R}$";
     return what +
            Words{": $Q_{0}$, $Q_{1}$ ... where $M$ itself touches $p$: a whole number of turns $ψ$" + where + ".",
                  ": $Q_{0}$, $Q_{1}$ ... dove $M$ stesso tocca $p$: $ψ$ un numero intero di giri" + where + "."};
@@ -241,10 +243,12 @@ class PathPanel : public Panel {
 
 }  // namespace
 
-PanelSheet path_sheet(const Solution& s, Language) {
+PanelSheet path_sheet(const Solution& s, Language language) {
   const Words name = name_of_path(rolling_of(s.givens()));
   return {.panels = panels(PathPanel(s)),
-          .results = {coordinates("M"), coordinates("P0"), values({"P0M"}), values({"s"})},
+          .results = {coordinates("M"), coordinates("P0"), values({"P0M"}),
+                      value_as(Words{"Arc travelled from $φ$ = 0: $s$", "Arco percorso da $φ$ = 0: $s$"}.in(language),
+                               "s")},
           .seen = {"The bodies at the start and at the instant, and the path of M: " + name.english,
                    "I corpi all'inizio e all'istante, e la traiettoria di M: " + name.italian},
           .told = {"M_x", "M_y", "s"}};

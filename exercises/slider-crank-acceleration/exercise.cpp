@@ -1,5 +1,9 @@
 // N.2 of the Sapienza sheets: accelerations of the slider-crank by the polar diagram and by poles, the
 // inflection and stationarity circles, and centres of curvature by Euler-Savary.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "exercises/kit/linkages/coupler_steps.h"
 #include "exercises/kit/linkages/slider_crank_loops.h"
 #include "exercises/kit/linkages/slider_crank_mechanism.h"
@@ -51,9 +55,39 @@ VectorPolygon accelerations(const Solution& s, const SliderCrankInstant& instant
   return polygon;
 }
 
+// With γ at a', from the line of the normal part of a_BA, along BA, to a_BA.
+class DiagramWithInclination : public PolygonPanel {
+ public:
+  DiagramWithInclination(const Solution& s, VectorPolygon polygon)
+      : PolygonPanel(s, std::move(polygon), Table::measured),
+        a_(Place{0, 0} + s.vector("a_A")),
+        normal_(s.vector("a_BA_n")),
+        whole_(s.vector("a_BA")) {}
+
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
+    std::vector<drawings::Block> told = PolygonPanel::draw(plot, room, language);
+    constexpr double radius = 13, least = 3;  // mm; radians times radius
+    const double from = std::atan2(normal_.y, normal_.x), to = std::atan2(whole_.y, whole_.x);
+    const double turn = std::remainder(to - from, 2 * std::numbers::pi), mm = plot.scale().mm_per_unit;
+    const bool has_room = std::min(magnitude(normal_), magnitude(whole_)) * mm > radius;
+    if (!has_room || std::abs(turn) * radius < least) return told;
+    const drawings::Point centre = plot.at(a_);
+    plot.mark(drawings::AngleMark{centre, radius, std::min(from, from + turn), std::max(from, from + turn),
+                                  Meaning::dimension});
+    const double middle = from + turn / 2;
+    plot.label("$γ$", plot.from_paper({centre.x + radius * std::cos(middle), centre.y + radius * std::sin(middle)}),
+               a_);
+    return told;
+  }
+
+ private:
+  Place a_;
+  Arrow2 normal_, whole_;
+};
+
 PanelSheet polar_diagram_sheet(const Solution& s, Language language) {
   const SliderCrankInstant instant = slider_crank_instant(s.givens());
-  PolygonPanel polygon(s, accelerations(s, instant, language), PolygonPanel::Table::measured);
+  DiagramWithInclination polygon(s, accelerations(s, instant, language));
   polygon.with_equations({{{{"$\\vec{a}_{C}$", "?", "?", ""},
                             {"$\\vec{a}_{A}$", is_zero(instant.alpha_2) ? "∥ $AA_{0}$" : "",
                              is_zero(instant.alpha_2) ? "$ω^{2}_{2}$·$A_{0}A$" : "", "="},

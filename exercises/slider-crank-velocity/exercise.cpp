@@ -93,21 +93,49 @@ VectorPolygon velocities(const Solution& s, const SliderCrankInstant& instant, L
   return polygon;
 }
 
+// What a ruler reads on the diagram beside what the method of poles has found.
+class DiagramBesidePoles : public PolygonPanel {
+ public:
+  DiagramBesidePoles(const Solution& solution, VectorPolygon polygon)
+      : PolygonPanel(solution, std::move(polygon)), solution_(solution) {}
+
+  std::optional<MeasuredTable> measured(const Readings& readings) const override {
+    MeasuredTable table{{"Comparison of the two methods", "Confronto dei due metodi"},
+                        {},
+                        {"poles", "poli"},
+                        {"diagram, on the sheet", "diagramma, sul foglio"}};
+    for (const char* name : {"v_A", "v_BA", "v_B", "v_CA", "v_C", "v_M"})
+      if (const auto by_poles = solution_.value(name, "poles"); by_poles && readings.is_unit(name))
+        table.rows.push_back({solution_.described(name).symbol + " (m/s)", *by_poles, readings[name]});
+    return table;
+  }
+
+ private:
+  const Solution& solution_;
+};
+
+// Asked of who solves the sheet; the solved one tells them in the table of the diagram.
+Result told_in_the_table(const std::vector<std::string>& names) {
+  return {[](const Solution&, Language) { return std::nullopt; }, names};
+}
+
 PanelSheet polar_diagram_sheet(const Solution& s, Language language) {
   const SliderCrankInstant instant = slider_crank_instant(s.givens());
-  PolygonPanel polygon(s, velocities(s, instant, language), PolygonPanel::Table::measured);
+  DiagramBesidePoles polygon(s, velocities(s, instant, language));
   polygon.with_equations({{{{"$\\vec{v}_{C}$", "?", "?", ""},
                             {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "|$ω_{2}$|·$A_{0}A$", "="},
                             {"$\\vec{v}_{CA}$", "⊥ $CA$", "|$ω_{3}$|·$CA$", "+"}}},
                           {{{"$\\vec{v}_{M}$", "?", "?", ""},
                             {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "|$ω_{2}$|·$A_{0}A$", "="},
                             {"$\\vec{v}_{MA}$", "⊥ $MA$", "|$ω_{3}$|·$MA$", "+"}}}});
-  return {.panels = panels(MechanismPanel(slider_crank_mechanism(s, instant)), polygon),
-          .results = {value_as("|$ω_{3}$| = $v_{BA}$ / $AB$,  $ω_{3}$", "omega_3"), values({"v_A", "v_B"}),
-                      values({"v_C", "v_M"})},
-          .seen = {"The polygon of the velocities of the slider-crank, with the images of C and M",
-                   "Il poligono delle velocità del manovellismo, con le immagini di C e M"},
-          .told = {"v_A", "v_BA", "v_B", "v_C", "v_M"}};
+  return {
+      .panels = panels(
+          MechanismPanel(slider_crank_mechanism(s, instant, {s.value("omega_3").value_or(0), "$ω_{3}$"})), polygon),
+      .results = {value_as("|$ω_{3}$| = $v_{BA}$ / $AB$,  $ω_{3}$", "omega_3"), told_in_the_table({"v_A", "v_B"}),
+                  told_in_the_table({"v_C", "v_M"})},
+      .seen = {"The polygon of the velocities of the slider-crank, with the images of C and M",
+               "Il poligono delle velocità del manovellismo, con le immagini di C e M"},
+      .told = {"v_A", "v_BA", "v_B", "v_C", "v_M"}};
 }
 
 Description description() {

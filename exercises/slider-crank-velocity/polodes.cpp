@@ -219,7 +219,13 @@ class PolodesPanel : public Panel {
     }
     const auto numbered = numbered_together(plot, of_guide);
     if (!has_room(plot, numbered)) return;
-    for (const auto& [B, numbers] : numbered) plot.small_label(numbers, B, B + size_ * Arrow2{-guide().y, guide().x});
+    constexpr double half_guide = 14, hatched = 6;  // mm: about the block the numbers stand below its guide
+    const double mm = plot.scale().mm_per_unit;
+    const Arrow2 up{-guide().y, guide().x};
+    for (const auto& [B, numbers] : numbered) {
+      const bool is_on_guide = distance(B, mechanism_.at("B")) * mm < half_guide;
+      plot.small_label(numbers, is_on_guide ? B + (-hatched / mm) * up : B, B + size_ * up, Meaning::construction);
+    }
   }
   // For the numbers of these points beside each other on the guide.
   bool has_room(const Plot& plot, const std::vector<std::pair<Place, std::string>>& numbered) const {

@@ -93,8 +93,10 @@ std::vector<PolesStep> steps_to_centre(const Solution& s, Language language) {
                 "l'asse $y$."},
                Where::ray,
                "O"},
-              {{"The normal to $\\vec{v}_{A}$ through $A$: its slope is $m_{1}$ = −$v_{Ax}$/$v_{Ay}$ = " + m + ".",
-                "La normale alla $\\vec{v}_{A}$ per $A$, di coefficiente angolare $m_{1}$ = −$v_{Ax}$/$v_{Ay}$ = " +
+              {{"The normal to $\\vec{v}_{A}$ through $A$: its slope is $m_{1}$ = −$v_{A\\it{x}}$/$v_{A\\it{y}}$ = " +
+                    m + ".",
+                "La normale alla $\\vec{v}_{A}$ per $A$, di coefficiente angolare $m_{1}$ = "
+                "−$v_{A\\it{x}}$/$v_{A\\it{y}}$ = " +
                     m + "."},
                Where::ray,
                "A"},
@@ -173,7 +175,7 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
   const Instant instant(s.givens());
   const auto bar = bar_on_its_body(s);
   PolesPanel poles(s, bar, PolesPanel::of_velocity("P0"), {"O", "A"}, steps_to_centre(s, language));
-  poles.sketched().compared_with(geometry::to_double(instant.omega), "|ω|");
+  poles.sketched().compared_with(geometry::to_double(instant.omega), "|ω|").turning(sign_of(instant.omega), "$ω$");
   if (centre_of(instant) == Centre::by_the_tips) poles.by_the_tips();
   return {.panels = panels(MechanismPanel(bar, {{"A", s.place("A")}}), PolygonPanel(s, velocities(s)), poles),
           .results = {components(velocity("A")), coordinates("P0")},
@@ -198,6 +200,7 @@ PanelSheet acceleration_sheet(const Solution& s, Language) {
 PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
   const bool is_at_O = is_centre_at_O(s);
   PolesPanel::Kind kind = PolesPanel::of_acceleration();
+  kind.longest_on_paper = 75;         // mm: there are but two vectors, and nothing else
   if (is_at_O) kind.letters.clear();  // O bears both
   const std::vector<std::string> accelerated =
       is_at_O ? std::vector<std::string>{"A"} : std::vector<std::string>{"O", "A"};

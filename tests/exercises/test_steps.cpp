@@ -204,7 +204,7 @@ TEST_CASE("what a sheet uses is defined on it, as stated") {
   };
   for (const auto& [id, sheet, text] : std::vector<Said>{
            {"four-bar", "slider-crank", "$r$ = $A_{0}A$, $λ$ = $AB$ / $r$, $ω_{2}$"},
-           {"four-bar-constraints", "convergence", "$Δθ_{i}$ = $θ^{k}_{i}$ − $θ_{i}$"},
+           {"four-bar-constraints", "convergence", "$Δθ_{\\it{i}}$ = $θ^{\\it{k}}_{\\it{i}}$ − $θ_{\\it{i}}$"},
            {"slider-crank-velocity", "polar-diagram", "|$ω_{3}$| = $v_{BA}$ / $AB$"},
            {"slider-crank-velocity", "polar-diagram", "$\\vec{v}_{MA}$ |$ω_{3}$|·$MA$"},
            {"four-bar-analytic", "configurations", "$\\vec{r}_{G3}$ = $\\vec{r}_{2}$ + ½$\\vec{r}_{3}$"},

@@ -154,7 +154,11 @@ void CirclesPanel::draw_stationarity_circle(Plot& plot, const drawings::Box& roo
   }
   if (!J_ || !K_) return;
   mark_right_angle(plot, *P0_, *P0_ + (*P0_ - *J_), *S_prime_);  // away from the right angles at the rays
-  plot.segment(*J_, *S_prime_, Meaning::construction);
+  constexpr double told_from = 15;                               // mm beyond K: a stub at the border tells no more
+  if (distance(*K_, seen_end(plot, room, *S_prime_, *J_)) * plot.scale().mm_per_unit > told_from)
+    draw_to(plot, room, *S_prime_, *J_, "$J$", language);
+  else
+    plot.segment(*S_prime_, *J_, Meaning::construction);
   draw_to(plot, room, *P0_, *K_, "$K$", language);
   mark_right_angle(plot, *K_, *P0_, *S_prime_);
 }

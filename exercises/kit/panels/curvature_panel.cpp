@@ -94,7 +94,7 @@ std::vector<drawings::Block> RaysPanel::draw(Plot& plot, const drawings::Box& ro
   const auto before = static_cast<std::ptrdiff_t>(labels.size());
   mechanism_->sketch(plot);
   // Letters are as large as ever where the mechanism is small: the other picture names its other points.
-  if (is_overview())
+  if (dwarfs_mechanism(inflection_))
     labels.erase(std::remove_if(labels.begin() + before, labels.end(),
                                 [&](const drawings::Label& of) {
                                   return std::none_of(points_.begin(), points_.end(), [&](const OnRay& X) {

@@ -22,8 +22,8 @@ class RaysPanel : public CutPanel {
   RaysPanel(const Solution& solution, std::shared_ptr<const MechanismFigure> mechanism, Curved of);
 
   double reach() const override;
-  // Small, because the circle is so much larger than the mechanism.
-  bool is_overview() const { return dwarfs_mechanism(inflection_); }
+  // Small, because the circle is larger than the mechanism: one picture at its scale would have to cut the circle.
+  bool is_overview() const { return inflection_.centre && 2 * inflection_.radius > mechanism_->reach(); }
   // For a picture with more on it: what this one covers, and draws below the mechanism and above.
   drawings::Box covered(const Scale& lengths, double points, double circles) const override;
   void draw_circle(Plot& plot, const drawings::Box& room, Language language) const;

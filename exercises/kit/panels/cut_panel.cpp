@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "exercises/kit/panels/origin_showing.h"
+
 namespace epure {
 namespace {
 
@@ -19,11 +21,14 @@ double shifted(double room_low, double room_high, double needed_low, double need
 
 }  // namespace
 
-drawings::Point CutPanel::origin(const drawings::Box& room, const drawings::Box& needed, const Scale& lengths) const {
-  constexpr double worth_showing = 40;  // reaches
-  const drawings::Box all = covered(lengths, worth_showing, worth_showing);
+drawings::Point origin_showing(const drawings::Box& all, const drawings::Box& needed, const drawings::Box& room) {
   return {shifted(room.low.x, room.high.x, needed.low.x, needed.high.x, all.low.x, all.high.x),
           shifted(room.low.y, room.high.y, needed.low.y, needed.high.y, all.low.y, all.high.y)};
+}
+
+drawings::Point CutPanel::origin(const drawings::Box& room, const drawings::Box& needed, const Scale& lengths) const {
+  constexpr double worth_showing = 40;  // reaches
+  return origin_showing(covered(lengths, worth_showing, worth_showing), needed, room);
 }
 
 void CutPanel::include(Extent& extent, const Scale& lengths, const std::optional<Place>& P, double reaches) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -142,13 +143,6 @@ void draw_carrier(Plot& plot, const PlacedSide& s) {
   const Place start{p.x / mm_per_unit, p.y / mm_per_unit}, towards{q.x / mm_per_unit, q.y / mm_per_unit};
   plot.long_segment(s.side->closes_alone() ? s.from : start, towards, beyond_vector, Meaning::construction);
 }
-void name_carrier(Plot& plot, const PlacedSide& s) {
-  const double mm_per_unit = plot.scale().mm_per_unit;
-  const auto carrier = carrier_of(s, mm_per_unit);
-  if (!carrier || s.side->closes_alone()) return;
-  const drawings::Point q = carrier->second;
-  plot.small_label(s.side->direction, labelled_end(s, plot.scale()), {q.x / mm_per_unit, q.y / mm_per_unit});
-}
 
 // Past its ends, for the letters that tell its direction.
 void include_carrier(Extent& extent, const PlacedSide& s, const Scale& scale) {
@@ -171,6 +165,45 @@ struct Drawing {
   Language language;
   std::vector<Track> tracks;
 };
+
+// How far a place is from all vectors but this one; from one too short for an arrow, beside which its value stands,
+// less.
+double clearance(const Drawing& on, const PlacedSide& s, const Place& P) {
+  constexpr double dot_below = 1, of_value = 5;  // mm
+  const double mm = on.plot.scale().mm_per_unit;
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto look_at = [&](const Place& from, const Place& to) {
+    const Arrow2 v = to - from;
+    const double all = dot(v, v), part = all > 0 ? std::clamp(dot(P - from, v) / all, 0.0, 1.0) : 0;
+    nearest = std::min(nearest, distance(P, between(from, to, part)));
+  };
+  for (const PlacedSide& other : in_order(on.polygon)) {
+    if (other.side == s.side) continue;
+    look_at(other.from, other.to);
+    if (distance(other.from, other.to) * mm < dot_below)
+      nearest = std::min(nearest, distance(P, other.to) - of_value / mm);
+  }
+  for (const PolygonImage& image : on.polygon.images) {
+    const Place c = after({0, 0}, image.absolute.v);
+    if (image.draws_absolute()) look_at({0, 0}, c);
+    if (image.draws_relative()) look_at(after(c, -image.relative.v), c);
+  }
+  return nearest * mm;
+}
+
+// Its direction is written where its line ends past the vector; where other vectors crowd there, where it begins.
+void name_carrier(const Drawing& on, const PlacedSide& s) {
+  constexpr double crowded = 5;  // mm
+  const double mm_per_unit = on.plot.scale().mm_per_unit;
+  const auto carrier = carrier_of(s, mm_per_unit);
+  if (!carrier || s.side->closes_alone()) return;
+  const auto on_plane = [&](const drawings::Point& p) { return Place{p.x / mm_per_unit, p.y / mm_per_unit}; };
+  const auto& [p, q] = *carrier;
+  const Place past = labelled_end(s, on.plot.scale()), before = on_plane(p - beyond_vector * drawings::unit(p, q));
+  const bool begins = on.whole && !is_short(s, on.plot.scale()) && clearance(on, s, past) < crowded &&
+                      clearance(on, s, before) > crowded;
+  on.plot.small_label(s.side->direction, begins ? before : past, on_plane(begins ? p : q));
+}
 
 // A vector on its track, which thin lines join to where it begins and ends.
 void draw_on_track(const Drawing& on, const Track& track, const std::pair<Place, Place>& ends,
@@ -268,7 +301,7 @@ void draw_sides(const Drawing& on, const std::vector<PlacedSide>& sides, const P
     const bool of_left_side = right_ones == 0;
     if (!of_left_side) --right_ones;
     if (steps-- <= 0) return;
-    if (shows_carrier(s)) name_carrier(on.plot, s);
+    if (shows_carrier(s)) name_carrier(on, s);
     const Track& track = on.tracks[static_cast<std::size_t>(&s - sides.data())];
     if (!s.side->is_unknown() || closed)
       draw_vector(on, s, track, &s == &sides.back() ? nullptr : &s + 1, of_left_side);

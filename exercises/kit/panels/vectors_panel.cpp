@@ -17,11 +17,10 @@ VectorsPanel::VectorsPanel(const Solution& solution, std::shared_ptr<const Mecha
 }
 
 Panel::Vectors VectorsPanel::vectors() const {
-  constexpr double longest_on_paper = 80;  // mm
   double longest = 0;
   for (const Acting& each : acting_) longest = std::max(longest, magnitude(each.v));
   const std::string unit = written_unit(acting_.front().quantity.unit, Language::english);  // no vector is in words
-  return {unit, longest, longest_on_paper};
+  return {unit, longest, longest_on_paper_};
 }
 
 drawings::Box VectorsPanel::extent(const Scale& lengths, const Scale& vectors) const {

@@ -24,6 +24,12 @@ class VectorsPanel : public Panel {
     return *this;
   }
 
+  // On the paper, in mm.
+  VectorsPanel& no_longer_than(double mm) {
+    longest_on_paper_ = mm;
+    return *this;
+  }
+
   double reach() const override { return mechanism_->reach(); }
   Vectors vectors() const override;
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
@@ -39,6 +45,7 @@ class VectorsPanel : public Panel {
   std::shared_ptr<const Mechanism> mechanism_;
   std::vector<Acting> acting_;
   std::vector<std::pair<std::string, std::string>> squares_;
+  double longest_on_paper_ = 80;  // mm
 };
 
 }  // namespace epure

@@ -6,6 +6,7 @@
 
 #include "drawings/paths/vectors.h"
 #include "exercises/kit/panels/edge.h"
+#include "exercises/kit/panels/origin_showing.h"
 #include "exercises/kit/panels/osculating_arc.h"
 #include "exercises/kit/panels/short_vectors.h"
 
@@ -143,6 +144,16 @@ drawings::Box RollingInstantPanel::extent(const Scale& lengths, const Scale& vec
   return box;
 }
 
+drawings::Point RollingInstantPanel::origin(const drawings::Box& room, const drawings::Box& needed,
+                                            const Scale& lengths) const {
+  if (f_.given.rolls_on_line() || f_.given.is_line()) return origin_in(room, needed);
+  Extent all;
+  for (const drawings::Point& corner : {needed.low, needed.high}) all.include(corner.x, corner.y);
+  include_circle(all, lengths, *f_.O(), f_.R);
+  // Sideways, where a sheet has room to spare; its height the figure needs.
+  return {origin_showing(all.box(), needed, room).x, origin_in(room, needed).y};
+}
+
 Place RollingInstantPanel::towards_centre(const Plot& plot, const drawings::Box& room) const {
   if (is_in(room, plot, *f_.centre)) return *f_.centre;
   return ray_to_edge(plot, room, f_.M, *f_.centre - f_.M);
@@ -277,7 +288,7 @@ void RollingInstantPanel::draw_acceleration(Plot& plot, Language language) const
 // Which way M goes before and after, on the sides on which it comes and leaves.
 void RollingInstantPanel::draw_directions_at_cusp(Plot& plot) const {
   if (!f_.is_at_cusp || f_.turning() == 0 || f_.runs_straight()) return;
-  constexpr double aside = 6, from = 8, length = 12;  // mm
+  constexpr double aside = 11, from = 4, length = 12;  // mm: clear of the path, which is narrow so near the cusp
   const double mm = plot.scale().mm_per_unit, size = magnitude(f_.a);
   const Arrow2 along{f_.a.x / size, f_.a.y / size}, left{-along.y, along.x};
   const auto at = [&](double across, double up) { return plot.at(f_.M + (across / mm) * left + (up / mm) * along); };

@@ -36,6 +36,8 @@ class RollingInstantPanel : public Panel {
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   void draw_given(Plot& plot, const drawings::Box& room, Language language) const override;
   bool is_cut() const override { return true; }
+  // As much of a fixed circle as there is place for.
+  drawings::Point origin(const drawings::Box& room, const drawings::Box& needed, const Scale& lengths) const override;
   std::vector<Place> lettered() const override;
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 

@@ -71,7 +71,7 @@ TEST_CASE("four-bar: two angles at one hinge have each an arc of its own", "[fou
   std::vector<drawings::AngleMark> arcs;
   for (const drawings::Mark& mark : four_bar().draw("dead-centres", {}).sheet.figure.marks)
     if (const auto* arc = std::get_if<drawings::AngleMark>(&mark)) arcs.push_back(*arc);
-  REQUIRE(arcs.size() == 3);  // φ₁ and φ₂ at A₀, Δϑ₄ at B₀
+  REQUIRE(arcs.size() == 3);  // φ₁ and φ₂ at A₀, Δθ₄ at B₀
   CHECK(arcs[0].at.x == arcs[1].at.x);
   CHECK(std::abs(arcs[0].radius - arcs[1].radius) > 2);
 }
@@ -174,15 +174,20 @@ TEST_CASE("four-bar: parallel links bear as many arrow heads, and none across an
   CHECK(heads == 2 * (2 + 2 + 1 + 1));
 }
 
-TEST_CASE("four-bar: where the inflection circle has room, the curvature is found in one picture",
+// In one picture with the linkage it would be cut.
+TEST_CASE("four-bar: an inflection circle larger than the linkage is whole in a picture of its own",
           "[four-bar][sheets]") {
   const DrawnSheet drawn = four_bar().draw("curvature", {});
-  CHECK(drawn.sheet.title_block.scales == std::vector<std::string>{"1 : 5"});
-  bool names_sheet = false;
-  for (const drawings::Block& block : drawn.sheet.column)
+  CHECK(drawn.sheet.title_block.scales == std::vector<std::string>{"1 : 10", "1 : 5"});
+  bool names_sheet = false, leaves_out = false;
+  for (const drawings::Block& block : drawn.sheet.column) {
     if (const auto* steps = std::get_if<drawings::Steps>(&block))
       names_sheet = names_sheet || steps->lines.front().find("sheet\u00a04") != std::string::npos;
+    if (const auto* paragraph = std::get_if<drawings::Paragraph>(&block))
+      leaves_out = leaves_out || paragraph->text.starts_with("Off the sheet");
+  }
   CHECK(names_sheet);
+  CHECK_FALSE(leaves_out);
 }
 
 // Found by its shape: c' needs no vector from b', whose letters had no place beside it.

@@ -124,7 +124,7 @@ TEST_CASE("the polygons of forces are closed on paper", "[pin-in-slot][sheets]")
 
 TEST_CASE("the balance shows the right couple and the mistaken one", "[pin-in-slot][sheets]") {
   const auto& labels = draw("power-balance", {}).sheet.figure.labels;
-  for (const char* shown : {"188.8", "138.9", "111.3", "61.40"}) {
+  for (const char* shown : {"188.8\u00a0N m", "138.9\u00a0N m", "111.3", "61.40"}) {
     CAPTURE(shown);
     CHECK(
         std::any_of(labels.begin(), labels.end(), [&](const drawings::Label& label) { return label.text == shown; }));
