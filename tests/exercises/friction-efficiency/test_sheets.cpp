@@ -59,7 +59,8 @@ TEST_CASE("friction: the sense of sliding stands at every contact, and the force
     }
   };
   shows("wedge", 4);
-  shows("two-forces", 3);
+  shows("two-forces", 5);
+  shows("double-slider", 2);
   shows("levers", 2);
   shows("levers-Q-on-2", 2);
   shows("fairbairn", 2);
@@ -146,7 +147,7 @@ TEST_CASE("friction: the levers' steps find where the lines of the hinges' force
 }
 
 TEST_CASE("friction: beneath its polygons stands which motion they are of", "[friction-efficiency][sheets]") {
-  for (const char* sheet : {"levers", "levers-Q-on-2"}) {
+  for (const char* sheet : {"wedge", "two-forces", "double-slider", "levers", "levers-Q-on-2", "fairbairn"}) {
     const auto marks = friction().draw(sheet, {}).sheet.figure.marks;
     for (const std::string motion : {"direct motion", "retrograde motion"})
       CHECK(std::any_of(marks.begin(), marks.end(), [&](const drawings::Mark& mark) {
