@@ -66,6 +66,18 @@ TEST_CASE("friction: the sense of sliding stands at every contact, and the force
   shows("fairbairn", 2);
 }
 
+// In the direct motion P pushes slider 4 to the right, and slider 2 lifts the load.
+TEST_CASE("friction: the double slider's sliders slide as P drives them", "[friction-efficiency][sheets]") {
+  const DrawnSheet drawn = friction().draw("double-slider", {});
+  int upwards = 0, rightwards = 0;
+  for (const auto& v : arrows_of(drawn, drawings::Meaning::velocity)) {
+    if (v.to.y - v.from.y > 1) ++upwards;
+    if (v.to.x - v.from.x > 1) ++rightwards;
+  }
+  CHECK(upwards == 1);
+  CHECK(rightwards == 1);
+}
+
 TEST_CASE("friction: parallel forces do not meet: the funicular polygon shares them out",
           "[friction-efficiency][sheets]") {
   const auto is_shared = [](const char* sheet, const Assignments& assignments) {
