@@ -86,7 +86,7 @@ ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::str
   VectorPolygon first = on.first(chain);
   first.origin = origin(chain.loaded, suffix);
   ChainedPolygonsPanel panel(std::move(first));
-  panel.then(on.second(chain), Q.v + on.contact.v);
+  panel.then(on.second(chain), Q.v + on.contact.v).captioned(name_of(motion_of(suffix)));
   const Arrow2 ideal_contact = of.vector(chain.contact.name + "_ideal"), b = Q.v + ideal_contact;
   panel.over(laid_end_to_end({Q.v, ideal_contact, of.vector(chain.on_loaded.name + "_ideal")}));
   panel.over({b, b - ideal_contact, b - ideal_contact + of.vector("P_ideal"), b});
@@ -96,10 +96,9 @@ ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::str
 
 std::vector<Result> efficiencies(const Case& of, const std::string& effort, Language language) {
   return {of.results({effort + "_i"}), of.results({effort + direct, effort + retrograde}),
-          of.results({"eta_direct", "eta_retrograde"}),
           remark("$η_{D}$ = $\\it{" + effort + "}_{i}$/$\\it{" + effort + "}$, $η_{R}$ = $\\it{" + effort +
                  "}'$/$\\it{" + effort + "}_{i}$"),
-          what_its_sign_says(of, effort, language)};
+          of.results({"eta_direct", "eta_retrograde"}), what_its_sign_says(of, effort, language)};
 }
 
 }  // namespace epure::friction_efficiency

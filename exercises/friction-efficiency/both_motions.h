@@ -65,6 +65,11 @@ struct Sides {
 Sides sides(const Case& of, const Chain& chain, const std::string& suffix);
 ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::string& suffix);
 
+// What the friction angles are at which it ends to work.
+inline const Words locks_from{"From $φ_{R}$ on it locks.", "Da $φ_{R}$ in poi è irreversibile."},
+    locks_from_and_jams{"From $φ_{R}$ on it locks, at $φ_{D}$ it jams.",
+                        "Da $φ_{R}$ in poi è irreversibile, a $φ_{D}$ s'impunta."};
+
 std::vector<Result> efficiencies(const Case& of, const std::string& effort, Language language);
 inline const Words turned_against{
     "Body $j$ slides on $i$ as $\\vec{v}_{ji}$ shows; the force on it is turned by $φ$ against that. Dashed "

@@ -27,18 +27,16 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
     VectorPolygon of_ram = force_polygon("6", {R_16}, {F, R_56});
     of_ram.origin = origin("6", suffix);
     ChainedPolygonsPanel panel(std::move(of_ram));
+    panel.captioned(name_of(motion_of(suffix)));
     VectorPolygon second = force_polygon("4", {R_14}, {R_54, R_34});
     second.origin = "$b$";
     if (!(suffix == direct ? shared : other)) panel.then(second, F.v + R_56.v);
     const Arrow2 ideal = of.vector("R_34_ideal"), b = F.v + of.vector("R_56_ideal");
     panel.over({b, b + F.v, b + F.v + ideal, b});
-    if (suffix == retrograde) panel.likewise(other_lines("$\\it{H}'$ and $d'$", "$\\it{H}'$ e $d'$"), F.v);
+    if (suffix == retrograde) panel.likewise(other_lines("$H'$ and $d'$", "$H'$ e $d'$"), F.v);
     return panel;
   };
-  FreeBodyPanel on_6 = ram_cut_free(of), on_4 = lever_cut_free(of), on_2 = crank_cut_free(of);
-  on_6.to_scale().at_most(50).load(of.load("F", "", ""), end_of_ram(of));
-  on_6.force(of.known(moving(force_between(5, 6), direct), "", ""), D);
-  on_6.force(of.known(moving(force_between(1, 6), direct), "", ""), D, Arrow::ends);
+  FreeBodyPanel on_4 = lever_cut_free(of), on_2 = crank_cut_free(of);
   const PolygonSide R_34 = of.known(moving(force_between(3, 4), direct), "", ""),
                     R_54 = reversed(of.known(moving(force_between(5, 6), direct), "", ""), 5, 4),
                     R_32 = reversed(R_34, 3, 2);
@@ -48,25 +46,23 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
   if (shared)
     shared->draw_strings(on_4);
   else
-    on_4.meeting(of.name("H_direct"), "$\\it{H}$", of.point("H_direct"));
+    on_4.meeting(of.name("H_direct"), "$H$", of.point("H_direct"));
   const Arrow2 other_R_34 = of.vector("R_34" + retrograde);
-  on_4.otherwise(of.name("H" + retrograde), "$\\it{H}'$", of.point("H" + retrograde),
+  on_4.otherwise(of.name("H" + retrograde), "$H'$", of.point("H" + retrograde),
                  {{B, other_R_34}, {D, of.vector("R_56" + retrograde)}, {C, of.vector("R_14" + retrograde)}});
   if (other) other->draw_strings(on_4);
   on_4.step(turned_against, of.point("H_direct").value_or(B));
-  on_2.to_scale().at_most(50).force(R_32, B).force(reaction(R_32, "$\\vec{\\it{R}}_{12}$", ""), A);
+  on_2.to_scale().larger().at_most(200).force(R_32, B).force(reaction(R_32, "$\\vec{\\it{R}}_{12}$", ""), A);
   on_2.couple("$\\it{M}$", A, of["M_direct"]).arm(A, B, R_32.v, "$d$", of.name("d_direct"));
   on_2.otherwise("", "", {}, {{B, other_R_34}}).arm(A, B, other_R_34, "$d'$", of.name("d_retrograde"));
   on_2.moments({"$\\it{M}$ = $\\it{R}_{32}$·$d$.", "$\\it{M}$ = $\\it{R}_{32}$·$d$."}, A);
   FreeBodyPanel all(fairbairn_figure(of));
-  all.to_scale().at_most(50);
+  all.at_most(100);
   std::vector<Result> results = efficiencies(of, "M", language);
   results.push_back(of.results({"F_23_direct", "d_direct"}));
   results.push_back(of.results({"F_23_retrograde", "d_retrograde"}));
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  // The ram is the same with the shorter lever; that sheet has no room for it (100 kB of an SVG).
-  Panels shown =
-      name == "fairbairn" ? panels(all, on_6, on_4, on_2, polygon(direct)) : panels(all, on_4, on_2, polygon(direct));
+  Panels shown = panels(all, on_4, on_2, polygon(direct));
   if (shared)
     shown.push_back(std::make_unique<SharedLoadPanel>(shared->polygon(moving(force_between(5, 6), direct).arrow())));
   shown.push_back(std::make_unique<ChainedPolygonsPanel>(polygon(retrograde)));
@@ -75,9 +71,9 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
         std::make_unique<SharedLoadPanel>(other->polygon(moving(force_between(5, 6), retrograde).arrow())));
   return {.panels = std::move(shown),
           .results = results,
-          .seen = {"Fairbairn's mechanism, its bodies cut free, and the polygons of ram and lever in the "
+          .seen = {"Fairbairn's mechanism, its lever and crank cut free, and the polygons of ram and lever in the "
                    "direct and in the retrograde motion",
-                   "La guida di Fairbairn, i suoi corpi isolati, e i poligoni di slitta e leva nel moto diretto "
+                   "La guida di Fairbairn, leva e manovella isolate, e i poligoni di slitta e leva nel moto diretto "
                    "e nel retrogrado"},
           .told = of.names({"M_direct", "M_retrograde", "eta_direct", "eta_retrograde"}),
           .without_part = of.without({}, {"phi"})};

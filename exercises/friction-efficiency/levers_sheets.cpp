@@ -15,7 +15,7 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   };
   const auto hinge_line = [&](int lever, const std::string& suffix) {
     if (of.point("H_" + std::to_string(lever) + suffix)) return "∥ " + at.letters(lever) + H(lever, suffix);
-    return std::string(lever == at.loaded ? "$δ_{Q}$" : "$δ_{P}$");  // parallel forces
+    return at.along(lever == at.loaded ? "Q" : "P", language);  // parallel forces
   };
   const std::string other_H = H(2, retrograde), other_H_3 = H(3, retrograde);
   const auto chained = [&](const std::string& suffix) {
@@ -25,11 +25,11 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
                  force_between(1, at.loaded),
                  force_between(1, at.driven),
                  at.loaded,
-                 "$δ_{Q}$",
+                 at.along("Q", language),
                  turned_from("$n$", language),
                  hinge_line(at.loaded, suffix),
                  hinge_line(at.driven, suffix),
-                 "$δ_{P}$",
+                 at.along("P", language),
                  other_lines(other_H + " and " + other_H_3, other_H + " e " + other_H_3)};
   };
   const Chain chain = chained(direct);
@@ -98,13 +98,13 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"contact_force_angle_direct_deg", "contact_force_angle_retrograde_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg"}));
+  if (of.s.value(of.name("self_locking_friction_angle_deg"))) results.push_back(remark(locks_from.in(language)));
   Panels all = panels(first, second);
   const auto add_motion = [&](const std::string& suffix, const Sides& by, const std::optional<SharedOut>& of_loaded,
                               const std::optional<SharedOut>& of_driven) {
     const Chain in_motion = chained(suffix);
     if (!of_loaded && !of_driven) {
-      all.push_back(std::make_unique<ChainedPolygonsPanel>(
-          polygons(of, in_motion, suffix).captioned(name_of(motion_of(suffix)))));
+      all.push_back(std::make_unique<ChainedPolygonsPanel>(polygons(of, in_motion, suffix)));
       return;
     }
     VectorPolygon first_polygon = by.first(in_motion);
@@ -114,15 +114,15 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   };
   add_motion(direct, on, shared_j, shared_i);
   add_motion(retrograde, back, other_j, other_i);
-  return {
-      .panels = std::move(all),
-      .results = results,
-      .seen =
-          {"The two levers cut free with the friction cone of their contact, and the polygons of the direct and of "
-           "the retrograde motion",
-           "Le due leve isolate con il cono d'attrito del contatto, e i poligoni del moto diretto e del retrogrado"},
-      .told = of.names({"P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
-      .without_part = of.without({"r_2", "r_3"}, {"phi"})};
+  return {.panels = std::move(all),
+          .results = results,
+          .seen = {"The two levers cut free with the friction cone of their contact, and the polygons of "
+                   "the direct and of "
+                   "the retrograde motion",
+                   "Le due leve isolate con il cono d'attrito del contatto, e i poligoni del moto "
+                   "diretto e del retrogrado"},
+          .told = of.names({"P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
+          .without_part = of.without({"r_2", "r_3"}, {"phi"})};
 }
 
 }  // namespace epure::friction_efficiency

@@ -9,9 +9,34 @@
 
 namespace epure::friction_efficiency {
 
+namespace {
+
+// The wedge in the direct motion: the face's force turned from its normal, P, and the floor's through where they
+// meet.
+FreeBodyPanel wedge_cut_free(const Case& of, const WedgeFigure& at) {
+  Mechanism block;
+  block.point("O", {0, 0}, Joint::none, "$O$");
+  add_wedge(block, at);
+  FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(block)));
+  const PolygonSide R_32 = reversed(of.known(moving(force_between(2, 3), direct), "", ""), 3, 2),
+                    R_12 = of.known(moving(force_between(1, 2), direct), "", "");
+  // Where R_32 and P meet, from the triangle of directions.
+  const Place H{R_32.v.y == 0 ? 0 : at.line_of_P * R_32.v.x / R_32.v.y, at.line_of_P};
+  const Place foot{H.x + (at.floor - H.y) * R_12.v.x / R_12.v.y, at.floor};
+  panel.to_scale().at_most(200).effort(of.known(P_of(direct), "", ""), {at.back, at.line_of_P}, Arrow::ends);
+  press(panel, of, R_32, {0, 0}, std::numbers::pi / 2 - of.radians("theta"), -of.vector("v_32"), "23");
+  press(panel, of, R_12, foot, -std::numbers::pi / 2, of.vector("v_21"), "21");
+  panel.meeting("", "$H_{2}$", H);
+  return panel;
+}
+
+WedgeFigure figure_of(const Case& of) { return WedgeFigure(of, geometry::to_double(of.s.givens().angle("phi"))); }
+
+}  // namespace
+
 PanelSheet wedge(const Solution& s, Language language) {
   const Case of(s, "wedge_collar");
-  const WedgeFigure at(of);
+  const WedgeFigure at = figure_of(of);
   const double normal = std::numbers::pi / 2 - of.radians("theta");
   const Chain chain{"3",
                     "2",
@@ -24,42 +49,31 @@ PanelSheet wedge(const Solution& s, Language language) {
                     turned_from("$x$", language),
                     turned_from("⊥ $x$", language),
                     "∥ $x$"};
-  Mechanism rod, block;
+  Mechanism rod;
   rod.point("O", {0, 0}, Joint::none, "$O$");
   add_rod(rod, at);
-  block.point("O", {0, 0}, Joint::none, "$O$");
-  add_wedge(block, at);
-  FreeBodyPanel on_rod(std::make_shared<const Mechanism>(std::move(rod))),
-      on_wedge(std::make_shared<const Mechanism>(std::move(block)));
-  const PolygonSide Q = of.load("Q", "", ""), R_23 = of.known(moving(chain.contact, direct), "", ""),
-                    R_32 = reversed(R_23, 3, 2), R_12 = of.known(moving(chain.on_driven, direct), "", ""),
-                    P = of.known(P_of(direct), "", "");
+  FreeBodyPanel on_rod(std::make_shared<const Mechanism>(std::move(rod)));
+  const PolygonSide Q = of.load("Q", "", ""), R_23 = of.known(moving(chain.contact, direct), "", "");
   on_rod.to_scale().at_most(200).load(Q, {0, at.top}, Arrow::ends);
-  const Arrow2 v_32 = of.vector("v_32"), v_31 = of.vector("v_31"), v_21 = of.vector("v_21");
-  press(on_rod, of, R_23, {0, 0}, normal, v_32, "32");
-  press(on_rod, of, of.known(moving(chain.on_loaded, direct), "", ""), {0, 0}, 0, v_31, "31");
+  press(on_rod, of, R_23, {0, 0}, normal, of.vector("v_32"), "32");
+  press(on_rod, of, of.known(moving(chain.on_loaded, direct), "", ""), {0, 0}, 0, of.vector("v_31"), "31");
   on_rod.step(turned_against, {0, 0});
-  // Where R_32 and P meet, from the triangle of directions.
-  const Place H{R_32.v.y == 0 ? 0 : at.line_of_P * R_32.v.x / R_32.v.y, at.line_of_P};
-  const Place foot{H.x + (at.floor - H.y) * R_12.v.x / R_12.v.y, at.floor};
-  on_wedge.to_scale().at_most(200).effort(P, {at.left.x, at.line_of_P}, Arrow::ends);
-  press(on_wedge, of, R_32, {0, 0}, normal, -v_32, "23");
-  press(on_wedge, of, R_12, foot, -std::numbers::pi / 2, v_21, "21");
-  on_wedge.meeting("", "$\\it{H}_{2}$", H);
   std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  return {.panels = panels(on_rod, on_wedge, polygons(of, chain, direct), polygons(of, chain, retrograde)),
-          .results = results,
-          .seen = {"Wedge and rod cut free with their friction cones, and the polygons of the direct and of the "
-                   "retrograde motion",
-                   "Cuneo e asta isolati con i coni d'attrito, e i poligoni del moto diretto e del retrogrado"},
-          .told = of.names({"P_i", "P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
-          .without_part = of.without({}, {"phi"})};
+  if (of.s.value(of.name("jamming_friction_angle_deg"))) results.push_back(remark(locks_from_and_jams.in(language)));
+  return {
+      .panels = panels(on_rod, wedge_cut_free(of, at), polygons(of, chain, direct), polygons(of, chain, retrograde)),
+      .results = results,
+      .seen = {"Wedge and rod cut free with their friction cones, and the polygons of the direct and of the "
+               "retrograde motion",
+               "Cuneo e asta isolati con i coni d'attrito, e i poligoni del moto diretto e del retrogrado"},
+      .told = of.names({"P_i", "P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
+      .without_part = of.without({}, {"phi"})};
 }
 
 PanelSheet two_forces(const Solution& s, Language language) {
   const Case of(s, "wedge_collar_two_point", "wedge_collar");
-  const WedgeFigure at(of);
+  const WedgeFigure at = figure_of(of);
   const VectorQuantity upper = force_between(1, 3, "upper", "^{{u}}"), lower = force_between(1, 3, "lower", "^{{l}}");
   Mechanism rod;
   rod.point("O", {0, 0}, Joint::none, "$O$");
@@ -93,14 +107,14 @@ PanelSheet two_forces(const Solution& s, Language language) {
     VectorPolygon of_rod = force_polygon("3", {sum}, {Q, R_23});
     of_rod.origin = origin("3", suffix);
     ChainedPolygonsPanel panel(std::move(of_rod));
-    PolygonSide minus = reaction(sum, "−" + sum.label, "$\\it{R}_{13}$");
-    minus.tip = "$b$";
-    if (K) {
-      VectorPolygon of_collar = force_polygon("3", {first}, {minus, second});
-      of_collar.origin = origin("3", suffix);
-      panel.then(of_collar, {0, 0});
+    panel.captioned(name_of(motion_of(suffix)));
+    if (K) {  // the two that together are what leads from b to the origin
+      VectorPolygon of_collar = force_polygon("3", {}, {second, first});
+      of_collar.origin = "$b$";
+      panel.then(of_collar, Q.v + R_23.v);
     }
     if (!K && suffix == direct) {
+      const PolygonSide minus = reaction(sum, "−" + sum.label, "$\\it{R}_{13}$");
       shared.emplace(minus, Place{0, 0}, first, Place{-at.w / 2, at.upper}, second, Place{at.w / 2, at.lower});
     }
     VectorPolygon of_wedge = force_polygon(
@@ -117,7 +131,7 @@ PanelSheet two_forces(const Solution& s, Language language) {
     if (suffix == retrograde) panel.likewise(other_lines("$K'$ and $OK'$", "$K'$ e $OK'$"), Q.v);
     return panel;
   };
-  on_rod.to_scale().load(of.load("Q", "", ""), {0, at.top}, Arrow::ends);
+  on_rod.to_scale().at_most(200).load(of.load("Q", "", ""), {0, at.top}, Arrow::ends);
   press(on_rod, of, of.known(moving(force_between(2, 3), direct), "", ""), {0, 0},
         std::numbers::pi / 2 - of.radians("theta"), of.vector("v_32"), "32");
   const Arrow2 v_31 = of.vector("v_31");
@@ -136,25 +150,30 @@ PanelSheet two_forces(const Solution& s, Language language) {
     on_rod.otherwise(of.name("K_retrograde"), "$K'$", other,
                      {{{-at.w / 2, at.upper}, of.vector("R_13_upper_retrograde")},
                       {{at.w / 2, at.lower}, of.vector("R_13_lower_retrograde")},
-                      {{0, 0}, Place{0, 0} - *other}});
+                      {{0, 0}, Place{0, 0} - *other}},
+                     false);
   if (K)
     on_rod.step({"The collar's forces meet in $K$, $\\vec{\\it{Q}}$ and $\\vec{\\it{R}}_{23}$ in $O$: the collar's "
                  "two together run along $OK$, Culmann's line.",
                  "Le forze del collare si incontrano in $K$, $\\vec{\\it{Q}}$ e $\\vec{\\it{R}}_{23}$ in $O$: le due "
                  "del collare insieme corrono lungo $OK$, la retta di Culmann."},
                 {0, 0});
+  all.insert(all.begin(), std::make_unique<FreeBodyPanel>(wedge_cut_free(of, at)));
   all.insert(all.begin(), std::make_unique<FreeBodyPanel>(std::move(on_rod)));
   std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"K_direct_x", "K_direct_y", "culmann_angle_direct_deg"}));
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
-  return {.panels = std::move(all),
-          .results = results,
-          .seen = {"The rod with the two forces of its collar and Culmann's line, and the polygons of the direct and "
-                   "of the retrograde motion",
-                   "L'asta con le due forze del collare e la retta di Culmann, e i poligoni del moto diretto e del "
-                   "retrogrado"},
-          .told = of.names({"P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
-          .without_part = of.without({}, {"phi"})};
+  if (of.s.value(of.name("jamming_friction_angle_deg"))) results.push_back(remark(locks_from_and_jams.in(language)));
+  return {
+      .panels = std::move(all),
+      .results = results,
+      .seen =
+          {"The rod with the two forces of its collar and Culmann's line, the wedge cut free, and the polygons of "
+           "the direct and of the retrograde motion",
+           "L'asta con le due forze del collare e la retta di Culmann, il cuneo isolato, e i poligoni del "
+           "moto diretto e del retrogrado"},
+      .told = of.names({"P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
+      .without_part = of.without({}, {"phi"})};
 }
 
 }  // namespace epure::friction_efficiency

@@ -8,12 +8,12 @@ namespace epure::ideal_statics {
 namespace {
 
 using Arrow = FreeBodyPanel::Arrow;
-using Joint = Mechanism::Joint;
 
 // With the load on slider 2, and the sought force on slider 4.
 class LoadedSlider : public MechanismFigure {
  public:
-  explicit LoadedSlider(const Case& of) : link_(double_slider_figure(of)), A_(of.place("A")), B_(of.place("B")) {}
+  explicit LoadedSlider(const Case& of)
+      : link_(double_slider_figure(of, Origin::shown)), A_(of.place("A")), B_(of.place("B")) {}
 
   void draw(Plot& plot) const override {
     draw_but_driving(plot);
@@ -56,21 +56,9 @@ PanelSheet sheet(const Solution& s, Language) {
                     R_14 = of.sought(force_between(1, 4), "⊥ $x$");
   PolygonSide R_34 = reaction(R_32, force_between(3, 4).arrow(), force_between(3, 2).length().symbol);
   R_34.tip = "$a$";
-  const double half = of.given("l") / 30;
-  const auto slider = [&](const std::string& name, const Place& P, bool is_upright) {
-    const double x = is_upright ? half : 2 * half, y = is_upright ? 2 * half : half;
-    Mechanism block;
-    block.point(name, P, Joint::hinge, "$" + name + "$")
-        .point("1", {P.x - x, P.y - y}, Joint::corner, "")
-        .point("2", {P.x + x, P.y - y}, Joint::corner, "")
-        .point("3", {P.x + x, P.y + y}, Joint::corner, "")
-        .point("4", {P.x - x, P.y + y}, Joint::corner, "")
-        .body({"1", "2", "3", "4"}, name == "A" ? 2 : 4);
-    return std::make_shared<const Mechanism>(std::move(block));
-  };
-  FreeBodyPanel on_2(slider("A", A, true)), on_4(slider("B", B, false));
-  on_2.to_scale().load(Q, A).force(R_32, A, Arrow::ends).force(R_12, A, Arrow::ends);
-  on_4.to_scale().force(R_34, B, Arrow::ends).effort(driving, B, Arrow::ends).force(R_14, B, Arrow::ends);
+  FreeBodyPanel on_2 = slider_cut_free(of, "A"), on_4 = slider_cut_free(of, "B");
+  on_2.load(Q, A).force(R_32, A, Arrow::ends).force(R_12, A, Arrow::ends);
+  on_4.force(R_34, B, Arrow::ends).effort(driving, B, Arrow::ends).force(R_14, B, Arrow::ends);
   on_2.step({"The link is loaded in its hinges only: its forces run along $AB$. On slider 2 $\\vec{\\it{Q}}$, "
              "$\\vec{\\it{R}}_{32}$ and $\\vec{\\it{R}}_{12}$ meet in $A$.",
              "L'asta è caricata solo nelle cerniere: le sue forze corrono lungo $AB$. Sul pattino 2 la "
@@ -80,8 +68,8 @@ PanelSheet sheet(const Solution& s, Language) {
   VectorPolygon of_4 = force_polygon("4", {R_14}, {R_34, driving});
   of_4.origin = "$b$";
   polygons.then(of_4, Q.v + R_32.v);
-  FreeBodyPanel whole(double_slider_figure(of));
-  whole.to_scale();
+  FreeBodyPanel whole(double_slider_figure(of, Origin::none));
+  whole.load(of.load("Q", "", ""), A).effort(of.known(P(), "", ""), B, Arrow::ends);
   return {.panels = panels(whole, on_2, on_4, polygons),
           .results = {of.results({"P", "R_12", "R_14"}), of.results({"R_32"}),
                       for_comparison(of.results({"v_Q_over_v_P", "P_virtual_work"}))},

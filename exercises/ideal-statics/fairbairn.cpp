@@ -25,13 +25,13 @@ PanelSheet polygons(const Solution& s, const std::string& name) {
   const auto H = of.point("H");
   std::optional<SharedOut> shared;
   if (is_out_of_reach(H, B, C, D)) shared.emplace(F, D, R_34, B, R_14, C);
-  if (!shared) on_4.meeting(of.name("H"), "$\\it{H}$", H);
-  on_2.to_scale().force(R_32, B).force(R_12, A);
+  if (!shared) on_4.meeting(of.name("H"), "$H$", H);
+  on_2.to_scale().larger().at_most(200).force(R_32, B).force(R_12, A);
   on_2.couple("$\\it{M}$", A, of["M"]).arm(A, B, R_32.v, "$d$", of.name("d"));
   FreeBodyPanel all(fairbairn_figure(of)), on_6 = ram_cut_free(of);
-  all.to_scale();
+  all.at_most(100);
   const PolygonSide load = of.load("F", "", ""), R_56 = reaction(load, force_between(5, 6).arrow(), "$\\it{F}$");
-  on_6.to_scale().load(load, end_of_ram(of)).force(R_56, D);
+  on_6.to_scale().at_most(50).load(load, end_of_ram(of)).force(R_56, D);
   on_6.step({"The ram is held by $\\vec{\\it{F}}$ and the slot's force alone, both along $x$ through $D$: "
              "$\\vec{\\it{R}}_{56}$ = −$\\vec{\\it{F}}$.",
              "La slitta è in equilibrio per la $\\vec{\\it{F}}$ e la forza della guida a croce, entrambe lungo $x$ "
@@ -40,8 +40,8 @@ PanelSheet polygons(const Solution& s, const std::string& name) {
   const Words ram{
       "On the lever $\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Block 3 presses square to the lever, in $B$.",
       "Sulla leva $\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Il corsoio 3 preme in $B$, normale alla leva."};
-  const Words meet{" The two meet in $\\it{H}$; $\\vec{\\it{R}}_{14}$ runs through $C$ and $\\it{H}$.",
-                   " Le due si incontrano in $\\it{H}$; la $\\vec{\\it{R}}_{14}$ passa per $C$ e $\\it{H}$."};
+  const Words meet{" The two meet in $H$; $\\vec{\\it{R}}_{14}$ runs through $C$ and $H$.",
+                   " Le due si incontrano in $H$; la $\\vec{\\it{R}}_{14}$ passa per $C$ e $H$."};
   on_4.step(shared ? ram : ram + meet, shared ? D : *H);
   if (shared) shared->draw_strings(on_4);
   on_2.moments({"Crank: $\\vec{\\it{R}}_{32}$ and $\\vec{\\it{R}}_{12}$ are a couple with the arm $d$; $\\it{M}$ = "

@@ -12,23 +12,13 @@ namespace {
 using Arrow = FreeBodyPanel::Arrow;
 using Joint = Mechanism::Joint;
 
-FreeBodyPanel whole(const LeverFigure& at, bool to_scale = true) {
-  Mechanism drawn;
-  at.add(drawn, 2, Joint::fixed);
-  at.add(drawn, 3, Joint::fixed);
-  drawn.point("C", at.C, Joint::none, "$C$").axis(at.A, at.B, "$n$");
-  FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
-  if (to_scale) panel.to_scale();
-  return panel;
-}
-
 FreeBodyPanel cut_free(const LeverFigure& at, int lever, const PolygonSide& applied, const PolygonSide& contact,
                        const PolygonSide& pivot, const std::optional<SharedOut>& shared) {
   Mechanism body;
   at.add(body, lever, Joint::hinge);
   body.point("C", at.C, Joint::none, "$C$");
   FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(body)));
-  const std::string i = std::to_string(lever), H = "$\\it{H}_{" + i + "}$";
+  const std::string i = std::to_string(lever), H = "$H_{" + i + "}$";
   panel.to_scale();
   if (lever == at.loaded)
     panel.load(applied, at.attacked(lever));
@@ -45,7 +35,7 @@ FreeBodyPanel cut_free(const LeverFigure& at, int lever, const PolygonSide& appl
   panel.meeting(at.of.name("H_" + i), H, meeting);
   panel.step(Words{"Lever " + i + ": " + applied.label + " and " + contact.label +
                        ", along the normal $n$, meet in " + H + "; " + pivot.label + " runs through " +
-                       at.letters(lever) + " (the normal passes it at $b_{" + arm + "}$) and " + H + ".",
+                       at.letters(lever) + " (the normal passes it at the distance $b_{" + arm + "}$) and " + H + ".",
                    "Leva " + i + ": la " + applied.label + " e la " + contact.label +
                        ", lungo la normale $n$, si incontrano in " + H + "; la " + pivot.label + " passa per " +
                        at.letters(lever) + " (la normale ne dista $b_{" + arm + "}$) e " + H + "."},
@@ -53,13 +43,14 @@ FreeBodyPanel cut_free(const LeverFigure& at, int lever, const PolygonSide& appl
   return panel;
 }
 
-PanelSheet polygons(const LeverFigure& at) {
+PanelSheet polygons(const LeverFigure& at, Language language) {
   const Case& of = at.of;
   const int j = at.loaded, i = at.driven;
-  const std::string H_j = "$\\it{H}_{" + std::to_string(j) + "}$", H_i = "$\\it{H}_{" + std::to_string(i) + "}$";
-  const PolygonSide Q = of.load("Q", "$δ_{Q}$", "$a$"), contact = of.sought(force_between(i, j), "∥ $n$", "$b$"),
+  const std::string H_j = "$H_{" + std::to_string(j) + "}$", H_i = "$H_{" + std::to_string(i) + "}$";
+  const PolygonSide Q = of.load("Q", at.along("Q", language), "$a$"),
+                    contact = of.sought(force_between(i, j), "∥ $n$", "$b$"),
                     pivot_j = of.sought(force_between(1, j), "∥ " + at.letters(j) + H_j),
-                    back = reversed(contact, j, i, "$a$"), driving = of.sought(P(), "$δ_{P}$", "$c$"),
+                    back = reversed(contact, j, i, "$a$"), driving = of.sought(P(), at.along("P", language), "$c$"),
                     pivot_i = of.sought(force_between(1, i), "∥ " + at.letters(i) + H_i);
   const VectorPolygon first = force_polygon(std::to_string(j), {pivot_j}, {Q, contact});
   VectorPolygon second = force_polygon(std::to_string(i), {pivot_i}, {back, driving});
@@ -69,8 +60,9 @@ PanelSheet polygons(const LeverFigure& at) {
     shared_j.emplace(Q, at.attacked(j), contact, at.C, pivot_j, at.hinge(j));
   if (is_out_of_reach(of.point("H_" + std::to_string(i)), at.C, at.hinge(i), at.attacked(i)))
     shared_i.emplace(back, at.C, driving, at.attacked(i), pivot_i, at.hinge(i));
-  Panels all = panels(whole(at), cut_free(at, j, Q, contact, pivot_j, shared_j),
-                      cut_free(at, i, driving, back, pivot_i, shared_i));
+  Panels all =
+      panels(levers_with_givens(at, of.load("Q", "", ""), of.known(P(), "", "")),
+             cut_free(at, j, Q, contact, pivot_j, shared_j), cut_free(at, i, driving, back, pivot_i, shared_i));
   second.origin = "$b$";
   add_polygons(all, first, second, Q.v + contact.v, {&shared_j, &shared_i}, {"−" + Q.label, contact.label});
   const std::string R_ij = "R_" + std::to_string(i) + std::to_string(j);
@@ -125,7 +117,7 @@ PanelSheet virtual_work(const LeverFigure& at) {
         "B"}});
   const PolygonSide Q = of.load("Q", "", ""), driving = of.known(P(), "", "");
   const std::string i = std::to_string(at.driven), j = std::to_string(at.loaded);
-  FreeBodyPanel arms = whole(at, false);
+  FreeBodyPanel arms(std::make_shared<const Mechanism>(at.whole()));
   arms.load(Q, at.attacked(at.loaded)).effort(driving, at.attacked(at.driven));
   arms.arm(at.hinge(at.loaded), at.attacked(at.loaded), Q.v, "$b_{Q}$", of.name("arm_Q"))
       .arm(at.hinge(at.driven), at.attacked(at.driven), at.p, "$b_{P}$", "");
@@ -158,7 +150,7 @@ std::vector<SheetMaker> lever_sheets() {
          "that balances the load and all reactions by cutting the bodies free and drawing force polygons.",
          "Una leva striscia sull'altra, con il carico sulla leva 3. Non c'è attrito. Trovare la forza (o la coppia) "
          "che equilibra il carico e tutte le reazioni, isolando i corpi e disegnando i poligoni delle forze."}},
-       [](const Solution& s, Language) { return polygons(LeverFigure(s, "sliding_levers", 3)); }},
+       [](const Solution& s, Language language) { return polygons(LeverFigure(s, "sliding_levers", 3), language); }},
       {{"levers-virtual-work",
         {"Sliding levers: virtual work", "Leve striscianti: lavori virtuali"},
         {"One lever slides on another, with the load on lever 3. There is no friction. Find the force (or couple) "
@@ -172,7 +164,9 @@ std::vector<SheetMaker> lever_sheets() {
          "that balances the load and all reactions by cutting the bodies free and drawing force polygons.",
          "Una leva striscia sull'altra, con il carico sulla leva 2. Non c'è attrito. Trovare la forza (o la coppia) "
          "che equilibra il carico e tutte le reazioni, isolando i corpi e disegnando i poligoni delle forze."}},
-       [](const Solution& s, Language) { return polygons(LeverFigure(s, "sliding_levers_Q_on_2", 2)); }},
+       [](const Solution& s, Language language) {
+         return polygons(LeverFigure(s, "sliding_levers_Q_on_2", 2), language);
+       }},
       {{"levers-Q-on-2-virtual-work",
         {"Sliding levers, Q on lever 2: virtual work", "Leve striscianti, Q sulla leva 2: lavori virtuali"},
         {"One lever slides on another, with the load on lever 2. There is no friction. Find the force (or couple) "

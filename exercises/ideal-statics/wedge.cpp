@@ -26,17 +26,20 @@ FreeBodyPanel wedge_cut_free(const WedgeFigure& at, const Forces& on) {
   Mechanism wedge;
   wedge.point("O", {0, 0}, Joint::none, "$O$");
   add_wedge(wedge, at);
+  constexpr double beyond = 0.03, outwards = 0.09;  // m
+  wedge.axis({0, 0}, {outwards * at.sine, outwards * at.cosine}, "$r_{2}$")
+      .axis({at.back, at.line_of_P}, {at.right.x + beyond, at.line_of_P}, "$r_{3}$");
   FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(wedge)));
   const double x_H = at.line_of_P * at.sine / at.cosine;
   panel.to_scale()
       .at_most(200)
       .force(on.R_32, {0, 0}, Arrow::ends)
-      .effort(on.P, {at.left.x, at.line_of_P}, Arrow::ends);
-  panel.force(on.R_12, {x_H, at.floor}, Arrow::ends).meeting("", "$\\it{H}_{2}$", Place{x_H, at.line_of_P});
+      .effort(on.P, {at.back, at.line_of_P}, Arrow::ends);
+  panel.force(on.R_12, {x_H, at.floor}, Arrow::ends).meeting("", "$H_{2}$", Place{x_H, at.line_of_P});
   panel.step({"Wedge: $\\vec{\\it{R}}_{32}$ = −$\\vec{\\it{R}}_{23}$ along $r_{2}$ and $\\vec{\\it{P}}$ along "
-              "$r_{3}$ meet in $\\it{H}_{2}$; the floor's force, square to it, passes there.",
+              "$r_{3}$ meet in $H_{2}$; the floor's force, square to it, passes there.",
               "Cuneo: la $\\vec{\\it{R}}_{32}$ = −$\\vec{\\it{R}}_{23}$ lungo $r_{2}$ e la $\\vec{\\it{P}}$ lungo "
-              "$r_{3}$ si incontrano in $\\it{H}_{2}$; vi passa la reazione del piano, ad esso normale."},
+              "$r_{3}$ si incontrano in $H_{2}$; vi passa la reazione del piano, ad esso normale."},
              {x_H, at.line_of_P});
   return panel;
 }
@@ -110,21 +113,25 @@ PanelSheet two_forces(const Solution& s, Language) {
   string("on_upper", "on_resultant", "1′");
   string("on_resultant", "on_lower", "2′");
   string("on_lower", "on_upper", "3′");
+  // The lines of action as far as the strings.
+  rod.string({0, 0}, of.place("on_resultant"), "").string({at.w / 2, at.lower}, of.place("on_lower"), "");
   PolygonSide R_13 = of.known(force_between(1, 3), "∥ $x$", "?");
   R_13.quantity.clear();
   ChainedPolygonsPanel polygons(force_polygon("3", {R_13}, {on.Q, on.R_23}));
   SharedLoadPanel shared({{}, R_13.label, R_13.v}, {upper.quantity, upper.label, upper.v},
                          {lower.quantity, lower.label, lower.v}, of.vector("pole"), "N");
   shared.named({"1", "2", "3"}, "$O_{f}$");
-  shared.step(
-      {"A pole $O_{f}$ beside $\\vec{\\it{R}}_{13}$, and the rays 1 and 2 to its ends. Funicular polygon on the "
-       "rod: 1′ parallel to 1, from the line of $\\vec{\\it{R}}^{u}_{13}$ to that of $\\vec{\\it{R}}_{13}$ "
-       "through $O$; 2′ parallel to 2, to the line of $\\vec{\\it{R}}^{l}_{13}$; 3′ closes it.",
-       "Un polo $O_{f}$ accanto alla $\\vec{\\it{R}}_{13}$, e i raggi 1 e 2 ai suoi estremi. Poligono "
-       "funicolare sull'asta: 1′ parallela a 1, dalla retta della $\\vec{\\it{R}}^{u}_{13}$ a quella della "
-       "$\\vec{\\it{R}}_{13}$ per $O$; 2′ parallela a 2, fino alla retta della $\\vec{\\it{R}}^{l}_{13}$; 3′ "
-       "lo chiude."},
-      SharedLoadPanel::At::pole);
+  shared.step({"A pole $O_{f}$ beside $\\vec{\\it{R}}_{13}$, and the rays 1 and 2 to its ends. "
+               "Funicular polygon on the rod: 1′ parallel to 1, from the line of $\\vec{\\it{R}}^{u}_{13}$ "
+               "to that of $\\vec{\\it{R}}_{13}$ "
+               "through $O$; 2′ parallel to 2, to the line of $\\vec{\\it{R}}^{l}_{13}$; 3′ closes "
+               "it.",
+               "Un polo $O_{f}$ accanto alla $\\vec{\\it{R}}_{13}$, e i raggi 1 e 2 ai suoi estremi. "
+               "Poligono funicolare sull'asta: 1′ parallela a 1, dalla retta della $\\vec{\\it{R}}^{u}_{13}$ "
+               "a quella della "
+               "$\\vec{\\it{R}}_{13}$ per $O$; 2′ parallela a 2, fino alla retta della "
+               "$\\vec{\\it{R}}^{l}_{13}$; 3′ lo chiude."},
+              SharedLoadPanel::At::pole);
   shared.step({"The ray 3 parallel to 3′ parts $\\vec{\\it{R}}_{13}$ into $\\vec{\\it{R}}^{u}_{13}$ and "
                "$\\vec{\\it{R}}^{l}_{13}$.",
                "Il raggio 3 parallelo a 3′ divide la $\\vec{\\it{R}}_{13}$ in $\\vec{\\it{R}}^{u}_{13}$ e "
@@ -133,13 +140,13 @@ PanelSheet two_forces(const Solution& s, Language) {
   VectorPolygon of_wedge = force_polygon("2", {on.R_12}, {on.R_32, on.P});  // as with one force
   of_wedge.origin = "$b$";
   polygons.then(of_wedge, on.Q.v + on.R_23.v);
-  rod.at_most(500);
-  return {.panels = panels(rod, polygons, shared),
+  rod.larger().at_most(500);
+  return {.panels = panels(whole(at, of, 200, Dimensioned::yes), rod, polygons, shared),
           .results = {of.results({"P", "R_12"}), of.results({"R_13_upper", "R_13_lower"}),
                       of.results({"R_13_resultant_x"})},
-          .seen = {"The wedge and the rod in its collar, which answers with two forces, both cut free, and the "
+          .seen = {"The wedge and the rod in its collar, which answers with two forces, the rod cut free, and the "
                    "polygons of their forces",
-                   "Il cuneo e l'asta nel collare, che reagisce con due forze, entrambi isolati, e i poligoni delle "
+                   "Il cuneo e l'asta nel collare, che reagisce con due forze, l'asta isolata, e i poligoni delle "
                    "loro forze"},
           .told = of.names({"P", "R_12", "R_13_upper", "R_13_lower"}),
           .without_part = of.without()};

@@ -14,12 +14,15 @@
 
 namespace epure::loaded {
 
-// Where it is drawn: the wedge's height is free, the rod ends somewhat above the collar.
+// Where it is drawn: the wedge's height and width are free, the rod ends somewhat above the collar.
 struct WedgeFigure {
   double w, lower, upper, top, floor, line_of_P, sine, cosine;
   Place left, right;  // corners of the wedge's face
+  double back;        // where P pushes on the wedge
 
-  explicit WedgeFigure(const Case& of)
+  // `phi`: by how much friction turns the face's force towards x (radians), which carries the meeting point with P
+  // farther to the left.
+  explicit WedgeFigure(const Case& of, double phi = 0)
       : w(of.given("w")),
         lower(of.given("y_lower")),
         upper(of.given("y_upper")),
@@ -28,11 +31,16 @@ struct WedgeFigure {
         sine(std::sin(of.radians("theta"))),
         cosine(std::cos(of.radians("theta"))) {
     constexpr double above = 0.02, shortest = 0.03, longest = 0.08, down_the_face = 0.05, beside_H = 0.012;  // m
+    constexpr double widest = 0.45;                                                                          // m
     top = std::max(upper, 0.0) + above;
-    // To the left it reaches beyond the meeting point of its forces, where there is room for it.
-    const double up_the_face = std::clamp((beside_H - line_of_P * sine / cosine) / cosine, shortest, longest);
+    // To the left it reaches beyond the meeting point of its forces, or the floor could not press below it: by its
+    // face, or by a level top where that would be too high.
+    const double steep = of.radians("theta") + phi;
+    const double beyond_H = std::cos(steep) > 0 ? beside_H - line_of_P * std::tan(steep) : 0;
+    const double up_the_face = std::clamp(beyond_H / cosine, shortest, longest);
     const double down = std::min(down_the_face, -floor / sine);
     left = {-up_the_face * cosine, up_the_face * sine};
+    back = std::min(left.x, -std::min(beyond_H, widest));
     right = {down * cosine, -down * sine};
   }
 };
@@ -40,8 +48,11 @@ struct WedgeFigure {
 inline void add_wedge(Mechanism& drawn, const WedgeFigure& at) {
   drawn.point("L", at.left, Mechanism::Joint::corner, "").point("R", at.right, Mechanism::Joint::corner, "");
   drawn.point("Rf", {at.right.x, at.floor}, Mechanism::Joint::corner, "")
-      .point("Lf", {at.left.x, at.floor}, Mechanism::Joint::corner, "");
-  drawn.body({"L", "R", "Rf", "Lf"}, 2);
+      .point("Lf", {at.back, at.floor}, Mechanism::Joint::corner, "");
+  if (at.back == at.left.x)
+    drawn.body({"L", "R", "Rf", "Lf"}, 2);
+  else
+    drawn.point("T", {at.back, at.left.y}, Mechanism::Joint::corner, "").body({"T", "L", "R", "Rf", "Lf"}, 2);
 }
 inline void add_rod(Mechanism& drawn, const WedgeFigure& at) {
   const double slope = at.sine / at.cosine, half = at.w / 2;
@@ -62,6 +73,7 @@ inline void dimension_wedge(Mechanism& drawn, const WedgeFigure& at) {
       .offset("cu", {half, 0}, 0, farther_out, "$y_{u}$");
 }
 
+// With load and effort, by their directions.
 enum class Dimensioned { no, yes };
 inline FreeBodyPanel whole(const WedgeFigure& at, const Case& of, double at_most, Dimensioned dimensioned) {
   Mechanism drawn;
@@ -71,26 +83,44 @@ inline FreeBodyPanel whole(const WedgeFigure& at, const Case& of, double at_most
   const double half = at.w / 2, beyond = 0.012;
   drawn.surface({-half, at.upper}, {-half, at.lower})
       .surface({half, at.lower}, {half, at.upper})
-      .surface({at.left.x - beyond, at.floor}, {at.right.x + beyond, at.floor})
+      .surface({at.back - beyond, at.floor}, {at.right.x + beyond, at.floor})
       .axis({0, at.floor}, {0, at.top + beyond}, "$r_{1}$")
       .angle("R", std::numbers::pi - of.radians("theta"), std::numbers::pi, "$θ$");
   if (dimensioned == Dimensioned::yes) dimension_wedge(drawn, at);
   FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
-  panel.to_scale().at_most(at_most);
+  panel.at_most(at_most).load(of.load("Q", "", ""), {0, at.top}, FreeBodyPanel::Arrow::ends);
+  panel.effort(of.known(applied_force("P", {}), "", ""), {at.back, at.line_of_P}, FreeBodyPanel::Arrow::ends);
   return panel;
 }
 
-// A link between two sliders, with the origin where their ways cross.
-inline std::shared_ptr<const Mechanism> double_slider_figure(const Case& of) {
+// A link between two sliders. The origin, where their ways cross, is shown where something is measured from there.
+enum class Origin { none, shown };
+inline std::shared_ptr<const Mechanism> double_slider_figure(const Case& of, Origin origin) {
   Mechanism drawn;
-  drawn.point("O", {0, 0}, Mechanism::Joint::none, "$O$")
-      .point("A", of.place("A"), Mechanism::Joint::block, "$A$")
+  if (origin == Origin::shown) drawn.point("O", {0, 0}, Mechanism::Joint::none, "$O$");
+  drawn.point("A", of.place("A"), Mechanism::Joint::block, "$A$")
       .point("B", of.place("B"), Mechanism::Joint::block, "$B$")
       .body({"B", "A"}, 3)
       .guide("A", std::numbers::pi / 2)
       .guide("B", 0)
       .angle("B", 0, of.radians("theta"), "$θ$");
   return std::make_shared<const Mechanism>(std::move(drawn));
+}
+
+// One of its sliders, A on the upright guide or B on the level one.
+inline FreeBodyPanel slider_cut_free(const Case& of, const std::string& name) {
+  const Place P = of.place(name);
+  const double half = of.given("l") / 20, x = name == "A" ? half : 2 * half, y = name == "A" ? 2 * half : half;
+  Mechanism block;
+  block.point(name, P, Mechanism::Joint::hinge, "$" + name + "$")
+      .point("1", {P.x - x, P.y - y}, Mechanism::Joint::corner, "")
+      .point("2", {P.x + x, P.y - y}, Mechanism::Joint::corner, "")
+      .point("3", {P.x + x, P.y + y}, Mechanism::Joint::corner, "")
+      .point("4", {P.x - x, P.y + y}, Mechanism::Joint::corner, "")
+      .body({"1", "2", "3", "4"}, name == "A" ? 2 : 4);
+  FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(block)));
+  panel.to_scale().at_most(500);
+  return panel;
 }
 
 // Which lever Q loads, and what follows of it.
@@ -121,6 +151,10 @@ struct LeverFigure {
   double radius(int lever) const { return of.given(lever == 2 ? "r_2" : "r_3"); }
   const Place& centre(int lever) const { return lever == 2 ? A : B; }
   std::string letters(int lever) const { return lever == 2 ? "$A_{0}$" : "$B_{0}$"; }
+  // The direction of load or effort, given as its angle.
+  static std::string along(const std::string& force, Language language) {
+    return Words{"at ", "sotto "}.in(language) + "$δ_{" + force + "}$";
+  }
   Place attacked(int lever) const { return lever == loaded ? on_Q : foot; }
 
   // The lever's plate between its hinge, the contact and where its force acts; the profile's arc about C.
@@ -131,10 +165,42 @@ struct LeverFigure {
     drawn.point("hinge" + i, hinge(lever), joint, letters(lever))
         .point("C" + i, C, Mechanism::Joint::corner, "")
         .point("force" + i, attacked(lever), Mechanism::Joint::corner, "")
-        .body({"hinge" + i, "C" + i, "force" + i}, lever)
+        .body({"hinge" + i, "C" + i, "force" + i}, joint == Mechanism::Joint::hinge ? 0 : lever)
         .profile(centre(lever), radius(lever), towards_C - half, towards_C + half);
+    if (joint != Mechanism::Joint::hinge) return;
+    // Cut free it has dimensions beside hinge and contact: its number stands clear of them.
+    const Place P = attacked(lever);
+    drawn.point("number" + i, P + 0.3 * ((hinge(lever) - P) + (C - P)), Mechanism::Joint::corner, i);
+  }
+
+  // Both levers on the frame.
+  Mechanism whole() const {
+    Mechanism drawn;
+    add(drawn, 2, Mechanism::Joint::fixed);
+    add(drawn, 3, Mechanism::Joint::fixed);
+    drawn.point("C", C, Mechanism::Joint::none, "$C$").axis(A, B, "$n$");
+    return drawn;
+  }
+  // With where they touch, and where the load's line meets that of the hinges.
+  Mechanism dimensioned() const {
+    Mechanism drawn = whole();
+    constexpr double upwards = std::numbers::pi / 2, clear = 0.03;  // m
+    const Place on_hinges{of.given("x_Q"), 0};
+    drawn.point("Q", on_hinges, Mechanism::Joint::corner, "").axis(A0, B0);
+    drawn.offset("C", {0, C.y}, upwards, clear, "$x_{C}$")
+        .offset("C", {C.x, 0}, std::numbers::pi, C.x + clear, "$y_{C}$")
+        .offset("Q", A0, upwards, C.y + 2.5 * clear, "$x_{Q}$");
+    return drawn;
   }
 };
+
+// The levers with the lines of load and effort, of which the arm is given.
+inline FreeBodyPanel levers_with_givens(const LeverFigure& at, const PolygonSide& load, const PolygonSide& effort) {
+  FreeBodyPanel panel(std::make_shared<const Mechanism>(at.dimensioned()));
+  panel.load(load, at.on_Q).effort(effort, at.foot);
+  panel.arm(at.hinge(at.driven), at.foot, at.p, "$b_{P}$", "");
+  return panel;
+}
 
 // The lever from C is drawn as far as this: to D, or to B where that lies farther out.
 inline Place end_of_lever(const Case& of) {
@@ -186,6 +252,9 @@ inline std::shared_ptr<const MechanismFigure> with_ram(Mechanism drawn, const Ca
       .point("ram", end_of_ram(of), Mechanism::Joint::corner, "")
       .body({"D", "ram"}, 6);
   drawn.surface(D + AB * Arrow2{0.5, -0.06}, D + AB * Arrow2{0.9, -0.06});
+  const double theta = of.radians("theta"), beside = 0.3 * AB;
+  drawn.point("block 3", B + beside * Arrow2{std::cos(theta), -std::sin(theta)}, Mechanism::Joint::corner, "3")
+      .point("block 5", D + -beside * Arrow2{1, 0}, Mechanism::Joint::corner, "5");
   MechanismWithBlocks whole(std::move(drawn));
   whole.block(B, std::numbers::pi / 2 - of.radians("theta"), MechanismWithBlocks::Slides::on_body, "$B$")
       .block(D, std::numbers::pi / 2, MechanismWithBlocks::Slides::in_slot, "$D$");

@@ -10,6 +10,13 @@ namespace epure {
 namespace {
 
 constexpr double caption_height = 6, caption_letters = 3.2;  // mm
+constexpr double past_arc = 4;                               // mm of an angle's leg
+
+// mm of its arc: a narrow one is seen farther out only.
+double radius_of_angle(double from, double to) {
+  constexpr double narrow = 0.25;  // radians
+  return std::abs(to - from) < narrow ? 24 : 12;
+}
 
 // Letters of a corner that two polygons share stand there once.
 void keep_once(std::vector<drawings::Label>& labels, std::size_t first_new) {
@@ -105,6 +112,13 @@ drawings::Box ChainedPolygonsPanel::extent(const Scale&, const Scale& vectors) c
     for (const drawings::Point corner : {box.low, box.high})
       extent.include(corner.x + vectors.mm_per_unit * link.from.x, corner.y + vectors.mm_per_unit * link.from.y);
   }
+  for (const Angle& each : angles_) {
+    constexpr double letters = 3;  // mm
+    const double leg = radius_of_angle(each.from, each.to) + past_arc + letters;
+    for (const double side : {each.from, each.to})
+      extent.include(vectors.mm_per_unit * each.at.x + leg * std::cos(side),
+                     vectors.mm_per_unit * each.at.y + leg * std::sin(side));
+  }
   for (const auto& corners : under_)
     for (const Arrow2& corner : corners)
       extent.include(vectors.mm_per_unit * corner.x, vectors.mm_per_unit * corner.y);
@@ -121,8 +135,7 @@ std::vector<Place> ChainedPolygonsPanel::lettered() const {
 }
 
 void ChainedPolygonsPanel::draw_angle(Plot& plot, const Angle& angle) {
-  constexpr double narrow = 0.25;  // radians: seen farther out only
-  const double radius = std::abs(angle.to - angle.from) < narrow ? 24 : 12, leg = radius + 4;  // mm
+  const double radius = radius_of_angle(angle.from, angle.to), leg = radius + past_arc;  // mm
   const drawings::Point corner = plot.at({angle.at.x, angle.at.y});
   const auto at = [&](double direction, double along) {
     return plot.from_paper({corner.x + along * std::cos(direction), corner.y + along * std::sin(direction)});

@@ -7,12 +7,13 @@
 
 #include "drawings/paths/vectors.h"
 #include "exercises/kit/panels/cut_panel.h"
+#include "exercises/kit/panels/short_vectors.h"
 #include "exercises/kit/panels/tracks.h"
 
 namespace epure {
 namespace {
 
-constexpr double arrow_length = 14, line_beyond = 7;  // mm of an arrow, and of its line of action past both ends
+constexpr double arrow_length = 14, line_beyond = 5;  // mm of an arrow, and of its line of action past both ends
 constexpr double couple_radius = 9;                   // mm
 constexpr double leg = 28;                            // mm of the lines at an angle of friction
 
@@ -100,7 +101,8 @@ FreeBodyPanel& FreeBodyPanel::add(const PolygonSide& side, const Place& at, Arro
               there != Arrow::starts,
               there == Arrow::ends_at_hinge ? off_hinge : 0,
               side.quantity,
-              given};
+              given,
+              side.length};
   const Arrow2 out = added.ends ? -added.along : added.along;
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     const Force& other = forces_[i];
@@ -115,6 +117,17 @@ FreeBodyPanel& FreeBodyPanel::add(const PolygonSide& side, const Place& at, Arro
 FreeBodyPanel& FreeBodyPanel::to_scale(const std::string& unit) {
   unit_ = unit;
   return *this;
+}
+
+FreeBodyPanel& FreeBodyPanel::larger() {
+  is_larger_ = true;
+  return *this;
+}
+
+double FreeBodyPanel::reach() const {
+  double reach = circles_.empty() ? body_->reach() : 0;
+  for (const FrictionCircle& each : circles_) reach = std::max(reach, 2 * distance(each.X, each.T));
+  return std::max(reach, least_reach_);
 }
 
 FreeBodyPanel& FreeBodyPanel::at_most(double mm_per_metre) {
@@ -136,8 +149,14 @@ FreeBodyPanel& FreeBodyPanel::sliding(const Place& X, const Arrow2& v, const Arr
 }
 
 FreeBodyPanel& FreeBodyPanel::otherwise(const std::string& name, const std::string& letters,
-                                        const std::optional<Place>& H, const std::vector<LineOfForce>& lines) {
-  otherwise_.push_back({name, letters, H, lines});
+                                        const std::optional<Place>& H, const std::vector<LineOfForce>& lines,
+                                        bool makes_room) {
+  otherwise_.push_back({name, letters, H, lines, makes_room});
+  return *this;
+}
+
+FreeBodyPanel& FreeBodyPanel::friction_circle(const Place& X, const Place& T, const std::string& letters) {
+  if (distance(X, T) > 0) circles_.push_back({X, T, letters});
   return *this;
 }
 
@@ -152,8 +171,8 @@ FreeBodyPanel& FreeBodyPanel::line_to(const Place& from, const Place& to, const 
 }
 
 FreeBodyPanel& FreeBodyPanel::turned(const Place& X, double normal, double force, const std::string& angle,
-                                     const std::string& letters) {
-  turned_.push_back({X, normal, force, angle, letters});
+                                     const std::string& letters, bool is_cone) {
+  turned_.push_back({X, normal, force, angle, letters, is_cone});
   return *this;
 }
 
@@ -186,6 +205,15 @@ double FreeBodyPanel::middle_of(const Couple& couple) const {
   return clearest_direction(occupied);
 }
 
+// Several about one point stand one outside of the other.
+double FreeBodyPanel::radius_of(const Couple& couple) const {
+  constexpr double apart = 5;  // mm
+  double radius = couple_radius;
+  for (const Couple* each = couples_.data(); each != &couple; ++each)
+    if (distance(each->about, couple.about) == 0) radius += apart;
+  return radius;
+}
+
 Panel::Vectors FreeBodyPanel::vectors() const {
   if (unit_.empty() || forces_.empty()) return {};
   double longest = 0;
@@ -205,7 +233,9 @@ drawings::Box FreeBodyPanel::extent_of_near(const Scale& scale, const Scale& vec
     for (const double end : ends)
       extent.include(scale, on_line(force.at, force.along, end, scale.mm_per_unit), letters);
   }
-  for (const Couple& couple : couples_) extent.include(scale, couple.about, couple_radius + letters);
+  for (const Couple& couple : couples_) extent.include(scale, couple.about, radius_of(couple) + letters);
+  for (const FrictionCircle& each : circles_)
+    extent.include(scale, each.X, distance(each.X, each.T) * scale.mm_per_unit + letters);
   for (const String& each : strings_)
     for (const Place& P : {each.from, each.to}) extent.include(scale, P, letters);
   for (const Turned& each : turned_)
@@ -228,7 +258,7 @@ drawings::Box FreeBodyPanel::extent(const Scale& scale, const Scale& vectors) co
   extent.include(near.high.x, near.high.y);
   for (const Meeting& each : meetings_) extent.include(scale, each.H, letters);
   for (const Otherwise& each : otherwise_)
-    if (each.H) extent.include(scale, *each.H, letters);
+    if (each.H && each.makes_room) extent.include(scale, *each.H, letters);
   return extent.box();
 }
 
@@ -239,14 +269,24 @@ void FreeBodyPanel::draw_line_of_action(Plot& plot, const Force& force) const {
                Meaning::construction);
 }
 
-void FreeBodyPanel::draw_force(Plot& plot, const Force& force) const {
+// What is too short for an arrow tells its value, where one is reported.
+std::string FreeBodyPanel::letters_of(const Force& force, const Scale& vectors, Language language) const {
+  if (unit_.empty() || !force.value) return force.label;
+  return letters_or_value(force.label, std::abs(*force.value), length_of(force, vectors), unit_, language);
+}
+
+void FreeBodyPanel::draw_force(Plot& plot, const Force& force, Language language) const {
   const double mm = plot.scale().mm_per_unit;
   const OnPaper arrow = on_paper(force, plot.vector_scale());
   const auto at = [&](double along) { return on_line(force.at, force.along, along, mm); };
-  plot.segment(at(std::min(arrow.tail, 0.0) - line_beyond), at(std::max(arrow.tip, 0.0) + line_beyond),
-               Meaning::construction);
-  if (unit_.empty()) return plot.side("", at(arrow.tail), at(arrow.tip), Meaning::force, force.label);
-  plot.vector_on(force.quantity, at(arrow.tail), force.size * force.along, Meaning::force, force.label);
+  if (unit_.empty())
+    plot.side("", at(arrow.tail), at(arrow.tip), Meaning::force, force.label);
+  else
+    plot.vector_on(force.quantity, at(arrow.tail), force.size * force.along, Meaning::force,
+                   letters_of(force, plot.vector_scale(), language));
+  // Its line of action after it, and not beneath: a link that hides the arrow moves it aside.
+  plot.segment(at(std::min(arrow.tail, 0.0) - line_beyond), at(arrow.tail), Meaning::construction);
+  plot.segment(at(arrow.tip), at(std::max(arrow.tip, 0.0) + line_beyond), Meaning::construction);
 }
 
 // Whether a dashed line of another motion leaves X in this direction.
@@ -274,22 +314,39 @@ void FreeBodyPanel::draw_turned(Plot& plot, const Turned& turned) const {
   plot.segment(at(turned.normal, -line_beyond), at(turned.normal, leg), Meaning::axis);
   plot.segment(turned.X, at(turned.force, leg), Meaning::construction);
   const double other_edge = 2 * turned.normal - turned.force;
-  if (!is_line_otherwise(turned.X, other_edge)) plot.segment(turned.X, at(other_edge, leg), Meaning::construction);
+  if (turned.is_cone && !is_line_otherwise(turned.X, other_edge))
+    plot.segment(turned.X, at(other_edge, leg), Meaning::construction);
   const auto [from, to] = std::minmax(turned.force, turned.normal);
   plot.mark(drawings::AngleMark{plot.at(turned.X), widest, from, to, Meaning::dimension});
   plot.small_label(turned.angle, at((from + to) / 2, widest + clear), turned.X);
   if (!turned.letters.empty()) plot.small_label(turned.letters, at(turned.normal, leg), turned.X);
 }
 
+// The right angle is marked inside of the corner of dimension line and line of action, where it leaves most of a
+// short one free.
 void FreeBodyPanel::draw_arm(Plot& plot, const Arm& arm) const {
-  constexpr double shortest = 3;  // mm
-  if (distance(arm.about, arm.foot) * plot.scale().mm_per_unit < shortest) return;
+  constexpr double shortest = 3, mark = 2.2;  // mm
+  const double length = distance(arm.about, arm.foot) * plot.scale().mm_per_unit;
+  if (length < shortest) return;
   plot.segment(arm.on_line, arm.foot, Meaning::construction);
-  plot.right_angle(arm.foot, arm.about, arm.foot + geometry::quarter_turn(arm.about - arm.foot));
   const VectorOnPaper line{plot.at(arm.about), plot.at(arm.foot)};
   const double left = arm.left != 0 ? arm.left : off_edges(plot.onto().sheet.figure.marks, line);
+  const drawings::Point back = drawings::unit(line.second, line.first),
+                        aside = drawings::left_of(drawings::unit(line.first, line.second));
+  const double away = dot(plot.at(arm.on_line) - line.second, aside);
+  const double inwards = left != 0 ? -left : away;  // along the line of action, to where it runs
+  if (length >= 3 * mark)
+    plot.mark(drawings::RightAngle{line.second + left * aside, drawings::angle_of(back),
+                                   drawings::angle_of((inwards < 0 ? -1.0 : 1.0) * aside)});
   plot.mark(drawings::Dimension{line.first, line.second, left, arm.letters});
   if (!arm.quantity.empty()) plot.measures(arm.quantity, arm.about, arm.foot);
+}
+
+void FreeBodyPanel::draw_friction_circle(Plot& plot, const FrictionCircle& circle) {
+  plot.circle(circle.X, distance(circle.X, circle.T), Meaning::axis);
+  plot.segment(circle.X, circle.T, Meaning::construction);
+  plot.dot(circle.T);
+  plot.label(circle.letters, circle.X + 0.5 * (circle.T - circle.X));
 }
 
 void FreeBodyPanel::draw_sliding(Plot& plot, const Sliding& sliding) {
@@ -318,10 +375,10 @@ void FreeBodyPanel::draw_otherwise(Plot& plot, const drawings::Box& room, const 
   if (!motion.name.empty()) plot.measures_coordinates(motion.name, *motion.H, {0, 0});
 }
 
-void FreeBodyPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
+void FreeBodyPanel::draw_given(Plot& plot, const drawings::Box&, Language language) const {
   body_->draw(plot);
   for (const Force& force : forces_) {
-    if (force.given == Given::all) draw_force(plot, force);
+    if (force.given == Given::all) draw_force(plot, force, language);
     if (force.given != Given::line) continue;
     draw_line_of_action(plot, force);
     plot.label(force.label,
@@ -352,7 +409,7 @@ std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box
   for (const String& each : strings_) {
     plot.segment(each.from, each.to, Meaning::construction);
     if (each.letters.empty()) continue;
-    plot.label(each.letters, each.from + 0.5 * (each.to - each.from));
+    plot.label(each.letters, each.from + 0.5 * (each.to - each.from), {}, Meaning::construction);
     plot.dot(each.to);
   }
   for (const Line& each : lines_) {
@@ -362,14 +419,15 @@ std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box
   }
   for (const Turned& each : turned_) draw_turned(plot, each);
   for (const Arm& each : arms_) draw_arm(plot, each);
+  for (const FrictionCircle& each : circles_) draw_friction_circle(plot, each);
   for (const Sliding& each : sliding_) draw_sliding(plot, each);
   for (const Force& force : forces_) {
     if (force.given == Given::line) draw_line_of_action(plot, force);
-    draw_force(plot, force);
+    draw_force(plot, force, language);
   }
   for (const Couple& couple : couples_)
     draw_arc_arrow(plot, couple.about,
-                   {middle_of(couple), couple.sense, couple.label, couple_radius, Meaning::force});
+                   {middle_of(couple), couple.sense, couple.label, radius_of(couple), Meaning::force});
   return {};
 }
 

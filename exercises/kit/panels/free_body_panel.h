@@ -30,17 +30,21 @@ class FreeBodyPanel : public Panel {
   FreeBodyPanel& to_scale(const std::string& unit = "N");
   // The bodies no larger than so many millimetres a metre: their forces are what is to be seen.
   FreeBodyPanel& at_most(double mm_per_metre);
+  // The body at a scale of lengths of its own: a part that would be too small at that of the others.
+  FreeBodyPanel& larger();
   // Where lines of action meet, as the quantities name_x and name_y (empty: none report it): the lines are drawn as
   // far as there, or as the paper reaches.
   FreeBodyPanel& meeting(const std::string& name, const std::string& letters, const std::optional<Place>& H);
   // The lines of action in another motion, dashed, with where they meet there: as far as it, or a piece of each about
-  // its point where they do not meet.
+  // its point where they do not meet. `makes_room`: the bodies are as small as it takes to show where they meet.
   struct LineOfForce {
     Place at;
     Arrow2 along;
   };
   FreeBodyPanel& otherwise(const std::string& name, const std::string& letters, const std::optional<Place>& H,
-                           const std::vector<LineOfForce>& lines);
+                           const std::vector<LineOfForce>& lines, bool makes_room = true);
+  // The friction circle of a hinge in X, which a force's line touches in T, and its radius with its letters.
+  FreeBodyPanel& friction_circle(const Place& X, const Place& T, const std::string& letters);
   // How the body slides in X on what presses on it there, `from` outside: an arrow beside the surface, of one length.
   FreeBodyPanel& sliding(const Place& X, const Arrow2& v, const Arrow2& from, const std::string& letters);
   // A line of a construction on the body, with what it is called at its end: a string of a funicular polygon.
@@ -48,9 +52,10 @@ class FreeBodyPanel : public Panel {
   // The line from a point to another, with its name: as far as the paper reaches, where the other is off it.
   FreeBodyPanel& line_to(const Place& from, const Place& to, const std::string& letters);
   // The force of a contact in X, turned from the normal there by an angle: the normal with its letters, the angle
-  // with its name, and the other edge of the friction cone. Directions (radians) from X to where the force stands.
+  // with its name, and the other edge of the cone where it is one of friction. Directions (radians) from X to where
+  // the force stands.
   FreeBodyPanel& turned(const Place& X, double normal, double force, const std::string& angle,
-                        const std::string& letters = {});
+                        const std::string& letters = {}, bool is_cone = true);
   // How far a line of action passes by a point: the perpendicular with its name, measured as this quantity
   // where it is reported (else empty). Its dimension line stands so many mm to its left, as seen from `about`, clear
   // of another arm.
@@ -65,8 +70,8 @@ class FreeBodyPanel : public Panel {
   // An equation of moments, about a point.
   FreeBodyPanel& moments(const Words& text, const Place& about);
 
-  double reach() const override { return std::max(body_->reach(), least_reach_); }
-  std::string scale_group() const override { return unit_.empty() ? "" : "bodies"; }
+  double reach() const override;
+  std::string scale_group() const override { return unit_.empty() ? "" : is_larger_ ? "bodies, larger" : "bodies"; }
   Vectors vectors() const override;
   bool shows_directions_only() const override { return unit_.empty() && !forces_.empty(); }
   double times_smaller() const override { return unit_.empty() ? 1 : 2.2; }
@@ -88,6 +93,7 @@ class FreeBodyPanel : public Panel {
     double clear;  // mm from the point
     std::string quantity;
     Given given;
+    std::optional<double> value;
   };
   // On paper, mm from the point along the force.
   struct OnPaper {
@@ -105,6 +111,11 @@ class FreeBodyPanel : public Panel {
     std::string name, letters;
     std::optional<Place> H;
     std::vector<LineOfForce> lines;
+    bool makes_room;
+  };
+  struct FrictionCircle {
+    Place X, T;
+    std::string letters;
   };
   struct Sliding {
     Place X;
@@ -115,6 +126,7 @@ class FreeBodyPanel : public Panel {
     Place X;
     double normal, force;
     std::string angle, letters;
+    bool is_cone;
   };
   struct Arm {
     Place about, on_line, foot;
@@ -135,12 +147,15 @@ class FreeBodyPanel : public Panel {
   FreeBodyPanel& add(const PolygonSide& side, const Place& at, Arrow there, Given given);
   bool is_line_otherwise(const Place& X, double direction) const;
   double middle_of(const Couple& couple) const;
+  double radius_of(const Couple& couple) const;  // mm
+  std::string letters_of(const Force& force, const Scale& vectors, Language language) const;
   double length_of(const Force& force, const Scale& vectors) const;
   OnPaper on_paper(const Force& force, const Scale& vectors) const;
-  void draw_force(Plot& plot, const Force& force) const;
+  void draw_force(Plot& plot, const Force& force, Language language) const;
   void draw_line_of_action(Plot& plot, const Force& force) const;
   void draw_turned(Plot& plot, const Turned& turned) const;
   void draw_arm(Plot& plot, const Arm& arm) const;
+  static void draw_friction_circle(Plot& plot, const FrictionCircle& circle);
   static void draw_sliding(Plot& plot, const Sliding& sliding);
   static void draw_otherwise(Plot& plot, const drawings::Box& room, const Otherwise& motion, Language language);
   void draw_meeting(Plot& plot, const drawings::Box& room, const Meeting& meeting, Language language) const;
@@ -154,10 +169,12 @@ class FreeBodyPanel : public Panel {
   std::vector<Turned> turned_;
   std::vector<Sliding> sliding_;
   std::vector<Otherwise> otherwise_;
+  std::vector<FrictionCircle> circles_;
   std::vector<Arm> arms_;
   std::vector<PanelStep> steps_;
   std::string unit_;  // of forces to scale
   double least_reach_ = 0;
+  bool is_larger_ = false;
 };
 
 }  // namespace epure

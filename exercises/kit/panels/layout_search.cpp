@@ -124,9 +124,11 @@ class Ladder {
 using Choices = std::vector<std::size_t>;
 
 // Those whose vectors have one scale; empty for a panel without vectors. Bodies with their forces, which tell where
-// these act, have one of their own: polygons are read, and need not be as small as those must be.
+// these act, have one of their own: polygons are read, and need not be as small as those must be. What follows a
+// comma in a group's name tells scales of lengths apart only.
 std::string group_of_vectors(const Panel& panel) {
-  const std::string unit = panel.vectors().unit, bodies = panel.scale_group();
+  const std::string unit = panel.vectors().unit, group = panel.scale_group(),
+                    bodies = group.substr(0, group.find(','));
   return unit.empty() || bodies.empty() ? unit : unit + " on " + bodies;
 }
 

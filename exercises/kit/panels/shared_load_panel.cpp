@@ -41,7 +41,7 @@ std::vector<drawings::Block> SharedLoadPanel::draw(Plot& plot, const drawings::B
   const std::array<Place, 3> ends{start, end(), between()};
   for (std::size_t i = 0; i < ends.size(); ++i) {
     plot.segment(pole_, ends[i], Meaning::construction);
-    plot.label(rays_[i], pole_ + 0.5 * (ends[i] - pole_));
+    plot.label(rays_[i], pole_ + 0.5 * (ends[i] - pole_), {}, Meaning::construction);
   }
   plot.cross(pole_, Meaning::force);
   plot.label(pole_letters_, pole_, start, Meaning::force);

@@ -1,6 +1,7 @@
 // The forces of a scene as its sheets draw and write them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -161,12 +162,14 @@ class ForceFigures {
   VectorPolygon polygon(const ForceLoop& loop) const {
     std::vector<PolygonSide> left, right;
     for (const ForceSide& each : loop.left) left.push_back(side(each));
-    std::size_t corner = 0;
+    std::size_t letter = 0;
     for (const ForceSide& each : loop.right) {
       right.push_back(side(each));
-      if (right.back().is_drawn()) right.back().tip = "$" + nth_letter(corner++) + "$";
+      if (right.back().is_drawn()) right.back().tip = "$" + next_corner(letter) + "$";
     }
-    return force_polygon(loop.letter, std::move(left), std::move(right));
+    VectorPolygon forces = force_polygon(loop.letter, std::move(left), std::move(right));
+    forces.origin = "$o_{" + loop.letter + "}$";  // as its corners, and no hinge, are called
+    return forces;
   }
 
   double value(const ActingCouple& couple) const {
@@ -225,6 +228,15 @@ class ForceFigures {
   bool has_arm(const Arm& arm) const { return s_.value(arm.length.name).value_or(0) != 0; }
 
  private:
+  // A small letter that stands for nothing else: no line of a link, and not gravity.
+  std::string next_corner(std::size_t& letter) const {
+    const auto& lines = built_.letters.lines;
+    for (;;) {
+      const std::string corner = nth_letter(letter++);
+      if (std::find(lines.begin(), lines.end(), corner) == lines.end() && (corner != "g" || built_.gravity.empty()))
+        return corner;
+    }
+  }
   Arrow2 of_line(const ActingForce& force, const std::string& normal, const Arrow2& along) const {
     const Arrow2 v = s_[normal] * geometry::quarter_turn(along);
     const auto* friction = friction_of(built_, force);

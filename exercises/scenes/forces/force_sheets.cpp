@@ -54,7 +54,7 @@ Words turn_of(const Built& built, const std::vector<GroupForces>& groups, std::s
     return format_words("First {}: only loads act there.", "Per prima cosa {}: lì agiscono solo carichi.", group);
   const Words then = i + 1 == groups.size() ? Words{"At last ", "Infine "} : Words{"Then ", "Poi "};
   return then + group +
-         Words{": what the others exert there is known now.", ": ciò che gli altri vi esercitano ora è noto."};
+         Words{": now the forces from the others are known.", ": ciò che gli altri vi esercitano ora è noto."};
 }
 // Clear of the link, and of what turns it.
 void add_couple(FreeBodyPanel& whole, const Built& built, const ForceFigures& of, int link,

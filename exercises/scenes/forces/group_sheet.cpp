@@ -23,7 +23,11 @@ class GroupSheet {
   PanelSheet sheet(Shows shows) const {
     PanelSheet sheet;
     if (shows != Shows::polygons)
-      for (const LinkForces& body : group_.bodies) add(sheet, cut_free(body));
+      for (const LinkForces& body : group_.bodies) {
+        add(sheet, cut_free(body));
+        for (const ActingCouple& each : body.couples)
+          if (is_told_of(each, body)) add(sheet, hinge_with_friction(each, body));
+      }
     if (shows != Shows::bodies)
       for (const ForceLoop& loop : group_.loops)
         if (!is_of_two(loop)) add(sheet, polygon(loop));
@@ -56,7 +60,7 @@ class GroupSheet {
   }
 
   Mechanism figure(const LinkForces& body) const {
-    constexpr double of_reach = 1.0 / 30;
+    constexpr double of_reach = 1.0 / 20;
     if (body.link != nothing) {
       std::vector<int> acting;
       for (const auto* forces : {&body.known, &body.sought})
@@ -92,23 +96,56 @@ class GroupSheet {
     for (const auto* forces : {&body.known, &body.sought})
       for (const ActingForce& force : *forces) draw(panel, force, middle);
     for (const ActingCouple& each : body.couples)
-      panel.couple(of_.quantity(each).symbol, place_of_couple(each, body), of_.value(each), directions(body));
+      panel.couple(of_.quantity(each).symbol, place_of_couple(each, body), of_.value(each),
+                   clear_of_link_and_arms(place_of_couple(each, body), body));
     for (const ActingForce& tooth : group_.teeth)
       if (tooth.link == body.link) add_line_of_action(panel, tooth);
     add_steps(panel, body);
     return panel;
   }
+  // A couple of friction in a hinge, where its body is the first that has it.
+  bool is_told_of(const ActingCouple& couple, const LinkForces& body) const {
+    const auto has_it = [&](const LinkForces& each) {
+      return std::any_of(each.couples.begin(), each.couples.end(), [&](const ActingCouple& other) {
+        return other.kind == couple.kind && other.which == couple.which;
+      });
+    };
+    return couple.kind == ActingCouple::Kind::hinge &&
+           &*std::find_if(group_.bodies.begin(), group_.bodies.end(), has_it) == &body;
+  }
+  // The hinge with its friction circle: force and couple together are the force along a line that touches it.
+  FreeBodyPanel hinge_with_friction(const ActingCouple& couple, const LinkForces& body) const {
+    constexpr double at_most = 2000;  // mm a metre
+    const int point = hinge_of(built_.linkage, couple).point;
+    const Place A = of_.at(point);
+    Mechanism pin;
+    pin.point("pin", A, Mechanism::Joint::none, of_.letter(point));
+    FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(pin)));
+    panel.at_most(at_most);
+    for (const auto* forces : {&body.known, &body.sought})
+      for (const ActingForce& force : *forces) {
+        const Arrow2 v = of_.vector(force);
+        if (force.kind != ActingForce::Kind::hinge || force.point != point || magnitude(v) == 0) continue;
+        const Place T = A + (-of_.value(couple) / dot(v, v)) * geometry::quarter_turn(v);
+        PolygonSide side = of_.side(force);
+        side.quantity.clear();
+        panel.force(side, T).friction_circle(A, T,
+                                             "$ρ_{" + point_letters(built_.letters.points[index(point)]) + "}$");
+      }
+    return panel;
+  }
   void draw(FreeBodyPanel& panel, const ActingForce& force, const Place& middle) const {
     const bool is_load = force.kind == ActingForce::Kind::load || force.kind == ActingForce::Kind::weight;
-    (panel.*(is_load ? &FreeBodyPanel::load : &FreeBodyPanel::force))(of_.side(force), of_.place(force),
-                                                                      of_.there(force, middle));
+    (panel.*(is_load ? &FreeBodyPanel::load : &FreeBodyPanel::force))(
+        of_.side(force), of_.place(force),
+        is_of_mass(force) ? FreeBodyPanel::Arrow::starts : of_.there(force, middle));
   }
   void add_line_of_action(FreeBodyPanel& panel, const ActingForce& tooth) const {
     const Arrow2 v = of_.vector(tooth), t = of_.tangent(tooth);
     if (magnitude(v) == 0 || of_.turned_by_teeth(tooth) == 0) return;
     const double out = of_.there(tooth, of_.at(wheel_centre(tooth))) == FreeBodyPanel::Arrow::ends ? -1 : 1;
     panel.turned(of_.place(tooth), std::atan2(out * t.y, out * t.x), std::atan2(out * v.y, out * v.x),
-                 of_.pressure_angle(tooth));
+                 of_.pressure_angle(tooth), {}, false);
   }
   int wheel_centre(const ActingForce& tooth) const {
     return built_.linkage.hinge_of(tooth.link, built_.linkage.gears[index(tooth.which)].carrier);
@@ -137,17 +174,31 @@ class GroupSheet {
     return {along, along + std::numbers::pi};
   }
 
+  std::vector<double> clear_of_link_and_arms(const Place& couple, const LinkForces& body) const {
+    std::vector<double> all = directions(body);
+    for (const Moments& each : group_.moments)
+      for (const Arm& arm : each.arms) {
+        if (each.link != body.link || !of_.has_arm(arm)) continue;
+        const Place middle = of_.place(each.about) + 0.5 * to_foot(arm, each.about);
+        if (distance(couple, middle) > 0) all.push_back(epure::direction(couple, middle));
+      }
+    return all;
+  }
+
   Words friction_in(const ActingCouple& couple, int point) const {
     const auto& all = built_.loads->hinge_frictions;
     const auto of = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.point == point; });
-    const Words& radius = built_.hinge_friction_names[static_cast<std::size_t>(of - all.begin())].amount;
+    const std::string rho = "$ρ_{" + point_letters(built_.letters.points[index(point)]) + "}$";
+    const Words& given = built_.hinge_friction_names[static_cast<std::size_t>(of - all.begin())].amount;
+    const Words radius = given.english == rho ? given : format_words("{} = {}", "{} = {}", rho, given);
     const std::string M = of_.quantity(couple).symbol, ij = M.substr(M.find('_'));
     return format_words(
-        "Friction in {0}, radius of its circle $ρ_{{{1}}}$ = {2}: {3} = $ρ_{{{1}}}$·$\\it{{R}}{4}, against the "
-        "turning.",
-        "Attrito in {0}, raggio del suo cerchio $ρ_{{{1}}}$ = {2}: {3} = $ρ_{{{1}}}$·$\\it{{R}}{4}, contro la "
-        "rotazione.",
-        of_.letter(point), point_letters(built_.letters.points[index(point)]), radius, M, ij);
+        "Friction in {0}, radius of its circle {1}: {2} = {3}·$\\it{{R}}{4}, against the turning; so the force "
+        "touches "
+        "the circle.",
+        "Attrito in {0}, raggio del suo cerchio {1}: {2} = {3}·$\\it{{R}}{4}, contro la rotazione; perciò la forza è "
+        "tangente al cerchio.",
+        of_.letter(point), radius, M, rho, ij);
   }
   Words pressed(const GroupForces::Pressed& each) const {
     const auto* friction = friction_of(built_, each.force);
@@ -155,6 +206,13 @@ class GroupSheet {
     if (friction && s_[contact(built_, *friction).normal.name] == 0)
       return format_words("Nothing presses on {0}, and so there is no friction.",
                           "Nulla preme su {0}, e quindi non c'è attrito.", of_.line(each.line));
+    if (holds_back == 0 && each.force.is_opposite) {
+      ActingForce reported = each.force;
+      reported.is_opposite = false;
+      return format_words("There is no friction: {0} is square to {1}. Here acts its opposite, {2}.",
+                          "Non c'è attrito: la {0} è normale a {1}. Qui agisce la sua opposta, {2}.",
+                          arrow_of_force(built_, reported), of_.line(each.line), arrow_of_force(built_, each.force));
+    }
     if (holds_back == 0)
       return format_words("There is no friction: {} is square to {}.", "Non c'è attrito: la {} è normale a {}.",
                           arrow_of_force(built_, each.force), of_.line(each.line));
@@ -164,7 +222,11 @@ class GroupSheet {
     const std::string phi = friction_angle(built_, *friction);
     const bool is_angle = std::holds_alternative<geometry::Angle>(friction->amount);
     const Words angle = format_words("{}{} = {}", "{}{} = {}", is_angle ? "" : "tan ", phi, name.amount);
-    const std::string what = "$" + point_letters(at.slides) + "$", line = "$" + point_letters(at.line) + "$";
+    const std::string line = "$" + point_letters(at.line) + "$";
+    const bool is_of_block = each.force.kind == ActingForce::Kind::guide;
+    const std::string slides = "$" + point_letters(at.slides) + "$", number = of_.number(each.force.link);
+    const bool is_on_block = is_of_block && !each.force.is_opposite;
+    const Words what = is_on_block ? Words{"link " + number, "il membro " + number} : Words{slides, slides};
     ActingForce on_what_slides = each.force;
     on_what_slides.is_opposite = false;
     const Words turned = format_words(
@@ -174,7 +236,6 @@ class GroupSheet {
         "contro lo strisciamento.",
         angle, what, holds_back < 0 ? Words{"ahead", "in avanti"} : Words{"back", "all'indietro"}, line,
         arrow_of_force(built_, on_what_slides), phi);
-    const bool is_of_block = each.force.kind == ActingForce::Kind::guide;
     const Words opposite =
         each.force.is_opposite ? Words{" Here acts its opposite.", " Qui agisce la sua opposta."} : Words{};
     if (!is_of_block || s_[guide_forces(built_, index(each.force.which)).couple.name] == 0) return turned + opposite;
@@ -226,17 +287,17 @@ class GroupSheet {
         panel.step(pressed(each), of_.place(each.force));
     for (const ActingForce& tooth : group_.teeth)
       if (tooth.link == body.link) panel.step(action(tooth), of_.place(tooth));
-    for (const ActingCouple& each : body.couples)
-      if (each.kind == ActingCouple::Kind::hinge) {
-        const int point = hinge_of(built_.linkage, each).point;
-        panel.step(friction_in(each, point), of_.at(point));
-      }
     for (const ForceLoop& loop : group_.loops)
       if (is_of_two(loop) && loop.left.front().force.link == body.link)
         panel.step(format_words("Two forces only: {} = {}.", "Due sole forze: {} = {}.",
                                 arrow_of_force(built_, loop.left.front().force),
                                 turned_round(arrow_of_force(built_, loop.right.front().force))),
                    of_.place(loop.left.front().force));
+    for (const ActingCouple& each : body.couples)
+      if (is_told_of(each, body)) {
+        const int point = hinge_of(built_.linkage, each).point;
+        panel.step(friction_in(each, point), of_.at(point));
+      }
     for (const Moments& each : group_.moments) {
       if (each.link != body.link) continue;
       double out = 0;
@@ -245,15 +306,23 @@ class GroupSheet {
       panel.step(MomentsInWords(of_, built_, each).all(), of_.place(each.about));
     }
   }
-  // One that runs along the link stands beside it, and each further one farther out.
+  // From a point to the line of a force.
+  Arrow2 to_foot(const Arm& arm, const About& about) const {
+    const Arrow2 v = of_.vector(arm.force), from_force = of_.place(about) - of_.place(arm.force);
+    return (dot(from_force, v) / dot(v, v)) * v - from_force;
+  }
+  // One that runs along the link stands beside it, on the side to which it leans, and each further one farther out.
   void draw_arm(FreeBodyPanel& panel, const Arm& arm, const About& about, const LinkForces& body, double& out) const {
     if (!of_.has_arm(arm)) return;
     constexpr double nearly = 0.25, apart = 8;  // radians, mm
-    const Arrow2 across = geometry::quarter_turn(of_.vector(arm.force));
+    const Arrow2 across = to_foot(arm, about);
     double beside = 0;
     for (const double along : directions(body)) {
       const Arrow2 link{std::cos(along), std::sin(along)};
-      if (std::abs(std::atan2(cross(link, across), dot(link, across))) < nearly) beside = out += apart;
+      const double leans = std::atan2(cross(link, across), dot(link, across));
+      if (std::abs(leans) >= nearly) continue;
+      out += apart;
+      beside = leans < 0 ? -out : out;
     }
     panel.arm(of_.place(about), of_.place(arm.force), of_.vector(arm.force), arm.length.symbol, arm.length.name,
               beside);

@@ -59,10 +59,23 @@ TEST_CASE("friction: the sense of sliding stands at every contact, and the force
     }
   };
   shows("wedge", 4);
-  shows("two-forces", 3);
+  shows("two-forces", 5);
+  shows("double-slider", 2);
   shows("levers", 2);
   shows("levers-Q-on-2", 2);
   shows("fairbairn", 2);
+}
+
+// In the direct motion P pushes slider 4 to the right, and slider 2 lifts the load.
+TEST_CASE("friction: the double slider's sliders slide as P drives them", "[friction-efficiency][sheets]") {
+  const DrawnSheet drawn = friction().draw("double-slider", {});
+  int upwards = 0, rightwards = 0;
+  for (const auto& v : arrows_of(drawn, drawings::Meaning::velocity)) {
+    if (v.to.y - v.from.y > 1) ++upwards;
+    if (v.to.x - v.from.x > 1) ++rightwards;
+  }
+  CHECK(upwards == 1);
+  CHECK(rightwards == 1);
 }
 
 TEST_CASE("friction: parallel forces do not meet: the funicular polygon shares them out",
@@ -146,7 +159,7 @@ TEST_CASE("friction: the levers' steps find where the lines of the hinges' force
 }
 
 TEST_CASE("friction: beneath its polygons stands which motion they are of", "[friction-efficiency][sheets]") {
-  for (const char* sheet : {"levers", "levers-Q-on-2"}) {
+  for (const char* sheet : {"wedge", "two-forces", "double-slider", "levers", "levers-Q-on-2", "fairbairn"}) {
     const auto marks = friction().draw(sheet, {}).sheet.figure.marks;
     for (const std::string motion : {"direct motion", "retrograde motion"})
       CHECK(std::any_of(marks.begin(), marks.end(), [&](const drawings::Mark& mark) {

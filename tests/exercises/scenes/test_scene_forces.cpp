@@ -505,22 +505,23 @@ TEST_CASE("sheets of forces go from the last group to the drive, and are told as
                     shaper = scenes::bytes_of(EPURE_SCENES "/cutting-stroke.yaml");
   CHECK(steps_of_forces(four_bar, "forces", Language::english) ==
         std::vector<std::string>{"First links 3 and 4: only loads act there.",
-                                 "At last link 2: what the others exert there is known now."});
+                                 "At last link 2: now the forces from the others are known."});
   CHECK(steps_of_forces(four_bar, "forces-3-4", Language::english) ==
         std::vector<std::string>{"Link 3, moments about B: R_23^t·AB = F·h_F.",
-                                 "Link 4, moments about B: R_14^t·B_0B = C.", "From O_3,4 the known R_23^t, ⊥ AB.",
+                                 "Link 4, moments about B: R_14^t·B_0B = C.", "From o_3,4 the known R_23^t, ⊥ AB.",
                                  "From a the known F, ∠ −100°.", "From b the known R_14^t, ⊥ B_0B.",
                                  "Through c the line ∥ B_0B: the direction of R_14^n.",
-                                 "Through O_3,4 the line ∥ AB: the direction of R_23^n. The two lines meet at d.",
+                                 "Through o_3,4 the line ∥ AB: the direction of R_23^n. The two lines meet at d.",
                                  "R_23 is the sum of its two parts.", "R_14 is the sum of its two parts.",
                                  "R_43 closes the forces on link 3."});
   CHECK(steps_of_forces(four_bar, "forces-2", Language::italian) ==
         std::vector<std::string>{"Due sole forze: R_12 = −R_32.",
                                  "Membro 2, momenti rispetto a A_0: M_2 = R_32·h_23."});
   CHECK(steps_of_forces(shaper, "forces-4", Language::italian) ==
-        std::vector<std::string>{
-            "Non c'è attrito: la −N_A è normale a s.", "Membro 4, momenti rispetto a O_4: N_A·h_NA = −R_54·h_45.",
-            "Da O_4 la R_54 nota, ∥ R_45.", "Da a la −N_A nota, ⊥ s.", "La R_14, da b a O_4, chiude il poligono."});
+        std::vector<std::string>{"Non c'è attrito: la N_A è normale a s. Qui agisce la sua opposta, −N_A.",
+                                 "Membro 4, momenti rispetto a O_4: N_A·h_NA = −R_54·h_45.",
+                                 "Da o_4 la R_54 nota, ∥ R_45.", "Da a la −N_A nota, ⊥ s.",
+                                 "La R_14, da b a o_4, chiude il poligono."});
   // Of the other way the couple acts, and of no force at all.
   CHECK(steps_of_forces(four_bar, "forces-3-4", Language::english, {"C=-20N*m"})[1] ==
         "Link 4, moments about B: R_14^t·B_0B = −C.");
