@@ -52,6 +52,17 @@ double off_edges(const std::vector<drawings::Mark>& marks, const VectorOnPaper& 
   return inwards > 0 ? -clear : clear;
 }
 
+// How far aside an arrow stands that would lie on a link, mm: to its right.
+drawings::Point off_links(const std::vector<drawings::Mark>& marks, const VectorOnPaper& arrow) {
+  constexpr double clear = 2;  // mm
+  const std::vector<VectorOnPaper> links = straight_links(marks);
+  if (std::none_of(links.begin(), links.end(),
+                   [&](const VectorOnPaper& link) { return covered(arrow, link).has_value(); }))
+    return {0, 0};
+  const drawings::Point left = drawings::left_of(drawings::unit(arrow.first, arrow.second));
+  return {-clear * left.x, -clear * left.y};
+}
+
 // As far as H, or to the edge of the room, where letters say where it leads.
 void lead_to(Plot& plot, const drawings::Box& room, const Place& from, const Place& H, const std::string& letters,
              Language language, Meaning meaning) {
@@ -245,7 +256,12 @@ void FreeBodyPanel::draw_force(Plot& plot, const Force& force) const {
   const auto at = [&](double along) { return on_line(force.at, force.along, along, mm); };
   plot.segment(at(std::min(arrow.tail, 0.0) - line_beyond), at(std::max(arrow.tip, 0.0) + line_beyond),
                Meaning::construction);
-  if (unit_.empty()) return plot.side("", at(arrow.tail), at(arrow.tip), Meaning::force, force.label);
+  if (unit_.empty()) {
+    const VectorOnPaper drawn{plot.at(at(arrow.tail)), plot.at(at(arrow.tip))};
+    const drawings::Point by = off_links(plot.onto().sheet.figure.marks, drawn);
+    const auto aside = [&](const drawings::Point& P) { return plot.from_paper({P.x + by.x, P.y + by.y}); };
+    return plot.side("", aside(drawn.first), aside(drawn.second), Meaning::force, force.label);
+  }
   plot.vector_on(force.quantity, at(arrow.tail), force.size * force.along, Meaning::force, force.label);
 }
 
@@ -285,7 +301,10 @@ void FreeBodyPanel::draw_arm(Plot& plot, const Arm& arm) const {
   constexpr double shortest = 3;  // mm
   if (distance(arm.about, arm.foot) * plot.scale().mm_per_unit < shortest) return;
   plot.segment(arm.on_line, arm.foot, Meaning::construction);
-  plot.right_angle(arm.foot, arm.about, arm.foot + geometry::quarter_turn(arm.about - arm.foot));
+  // In the corner that line and perpendicular are drawn in.
+  const bool is_at_foot = distance(arm.on_line, arm.foot) * plot.scale().mm_per_unit < shortest;
+  plot.right_angle(arm.foot, arm.about,
+                   is_at_foot ? arm.foot + geometry::quarter_turn(arm.about - arm.foot) : arm.on_line);
   const VectorOnPaper line{plot.at(arm.about), plot.at(arm.foot)};
   const double left = arm.left != 0 ? arm.left : off_edges(plot.onto().sheet.figure.marks, line);
   plot.mark(drawings::Dimension{line.first, line.second, left, arm.letters});
