@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exercises/kit/panels/results.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure {
@@ -55,7 +56,8 @@ void SumPanel::draw_sum(Plot& plot, const Sum& sum, double top, int first_step, 
   };
   const auto bar = [&](const Part& part, double from, double to, double y) {
     write(part.name, indent, y);
-    plot.side("", at(from, y), at(to, y), Meaning::force, figures(part.value, 4, language));
+    plot.side("", at(from, y), at(to, y), Meaning::force,
+              figures(part.value, 4, language) + unit_after_number(unit_, language));
     if (!part.quantity.empty()) plot.measures_abscissa(part.quantity, at(to, y), at(from, y));
   };
   write(sum.name, 0, top - bar_row / 2);
